@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/machine.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <ctime>
+#include <fstream>
+
+#include "bench/simd_target.h"
+#include "json_document.h"
+
+namespace litfog::bench {
+namespace {
+
+std::string cpu_name() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);) {
+    const auto colon = line.find(": ");
+    if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
+  }
+  return "unknown";
+}
+
+std::string compiler_name() {
+#ifdef __clang__
+  return "Clang " __clang_version__;
+#else
+  return "GCC " __VERSION__;
+#endif
+}
+
+}  // namespace
+
+Machine this_machine() {
+  return {.cpu = cpu_name(),
+          .isa = simd_target(),
+          .compiler = compiler_name(),
+          .commit = LITFOG_COMMIT,
+          .gl_renderer = "none",
+          .date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))};
+}
+
+std::string to_json(const Machine& machine) {
+  return fmt::format(R"({{"cpu": {}, "isa": {}, "compiler": {}, "commit": {}, "gl_renderer": {}, "date": {}}})",
+                     json_quoted(machine.cpu), json_quoted(machine.isa), json_quoted(machine.compiler),
+                     json_quoted(machine.commit), json_quoted(machine.gl_renderer), json_quoted(machine.date));
+}
+
+bool is_measurable_build() {
+#ifdef NDEBUG
+  return true;
+#else
+  return false;
+#endif
+}
+
+}  // namespace litfog::bench

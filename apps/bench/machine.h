@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+namespace litfog::bench {
+
+/// Where and by what figures were measured.
+struct Machine {
+  std::string cpu;          ///< the processor's own name
+  std::string isa;          ///< SIMD target of the batch, in Highway's words: "AVX2"
+  std::string compiler;     ///< "GCC 12.2.0"
+  std::string commit;       ///< as configured; "unknown" outside a git checkout
+  std::string gl_renderer;  ///< "none" where nothing is drawn
+  std::string date;         ///< UTC, ISO 8601
+};
+
+Machine this_machine();
+
+/// As a JSON object.
+std::string to_json(const Machine& machine);
+
+/// False for a Debug build, whose times say nothing.
+bool is_measurable_build();
+
+}  // namespace litfog::bench

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "plot.h"
+#include "table.h"
+
+namespace litfog::bench {
+
+/// What a benchmark found.
+struct Result {
+  Table table;
+  Figure figure;
+  std::vector<std::string> failures;  ///< sentences: where litfog itself missed an error that it states
+};
+
+}  // namespace litfog::bench

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/stopwatch.h"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <string>
+
+namespace litfog::bench {
+namespace {
+
+/// Keeps each repetition's time a pass, by the order of registration, and prints nothing.
+class Collector : public benchmark::BenchmarkReporter {
+ public:
+  explicit Collector(std::size_t count) : seconds_(count) {}
+
+  bool ReportContext(const Context&) override { return true; }
+
+  void ReportRuns(const std::vector<Run>& runs) override {
+    for (const Run& run : runs) {
+      if (run.run_type != Run::RT_Iteration) continue;
+      seconds_[static_cast<std::size_t>(run.family_index)].push_back(run.cpu_accumulated_time /
+                                                                     static_cast<double>(run.iterations));
+    }
+  }
+
+  const std::vector<double>& seconds(std::size_t i) const { return seconds_[i]; }
+
+ private:
+  std::vector<std::vector<double>> seconds_;
+};
+
+}  // namespace
+
+double quantile(std::vector<double> values, double share) {
+  assert(!values.empty());
+  std::sort(values.begin(), values.end());
+  const double place = share * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const std::size_t above = std::min(below + 1, values.size() - 1);
+  return std::lerp(values[below], values[above], place - static_cast<double>(below));
+}
+
+std::vector<Timing> time_passes(const std::vector<TimedPass>& passes, const StopwatchSettings& settings,
+                                const std::function<void()>& on_run) {
+  std::string name = "litfog-bench";
+  std::string interleaving = "--benchmark_enable_random_interleaving=true";
+  std::array<char*, 3> arguments{name.data(), interleaving.data(), nullptr};
+  int count = 2;
+  benchmark::Initialize(&count, arguments.data());
+  for (std::size_t i = 0; i < passes.size(); ++i) {
+    const auto measure = [&pass = passes[i], &on_run](benchmark::State& state) {
+      on_run();
+      for ([[maybe_unused]] auto _ : state) {
+        pass.run();
+        benchmark::ClobberMemory();
+      }
+    };
+    benchmark::RegisterBenchmark(std::to_string(i).c_str(), measure)
+        ->Repetitions(settings.repetitions)
+        ->MinTime(settings.least_seconds);
+  }
+  Collector collector(passes.size());
+  benchmark::RunSpecifiedBenchmarks(&collector);
+  benchmark::ClearRegisteredBenchmarks();
+
+  std::vector<Timing> timings;
+  for (std::size_t i = 0; i < passes.size(); ++i) {
+    std::vector<double> times;
+    for (const double seconds : collector.seconds(i)) {
+      times.push_back(seconds * 1e9 / static_cast<double>(passes[i].items));
+    }
+    timings.push_back({quantile(times, 0.5), quantile(times, 0.9) - quantile(times, 0.1)});
+  }
+  return timings;
+}
+
+}  // namespace litfog::bench

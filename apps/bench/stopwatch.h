@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace litfog::bench {
+
+/// Something to time: one pass over its items. What it computes it must store where others can see it.
+struct TimedPass {
+  std::size_t items;
+  std::function<void()> run;
+};
+
+/// Processor time of the calling thread for one item, in nanoseconds, over the repetitions.
+struct Timing {
+  double median;
+  double spread;  ///< from the 10th to the 90th percentile
+};
+
+struct StopwatchSettings {
+  int repetitions;
+  double least_seconds;  ///< a repetition runs as many passes as fill this time
+};
+
+/// The share of values below which a quantile lies, between neighbours in proportion; not empty.
+double quantile(std::vector<double> values, double share);
+
+/// Times the passes with Google Benchmark, the repetitions of all in random order, so that a slow spell of the machine
+/// hits no pass alone. on_run is called before each run.
+std::vector<Timing> time_passes(const std::vector<TimedPass>& passes, const StopwatchSettings& settings,
+                                const std::function<void()>& on_run);
+
+}  // namespace litfog::bench

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/update_benchmark.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <functional>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "bench/light_mix.h"
+#include "bench/stopwatch.h"
+#include "litfog/batch.h"
+#include "litfog/updater.h"
+#include "progress.h"
+#include "random_light.h"
+
+namespace litfog::bench {
+namespace {
+
+struct Scale {
+  std::size_t lights;
+  std::size_t kinds;
+  std::size_t steps;
+  std::size_t full_check;  ///< all lights are compared at every so manyeth step, one light a kind at each
+};
+constexpr Scale kFull{1'000'000, 200, 1000, 50};
+constexpr Scale kQuick{10'000, 20, 30, 10};
+
+constexpr std::uint64_t kSeed = 20'050'301;
+constexpr double kClearest = 10'000;  // metres
+constexpr double kThickest = 50;
+
+const char* name_of(FogMode mode) { return mode == FogMode::exp ? "exp" : "exp2"; }
+
+double visibility_at(std::size_t step, std::size_t steps) {
+  const double phase = static_cast<double>(step) / static_cast<double>(steps);
+  const double share = (1 + std::cos(2 * std::numbers::pi * phase)) / 2;
+  return kThickest * std::pow(kClearest / kThickest, share);
+}
+
+/// Light i is of kind i modulo the number of kinds.
+std::vector<PlacedLight> draw_lights(const Scale& scale) {
+  test::Random random(kSeed);
+  const auto kinds = draw_light_mix(FogMode::exp, scale.kinds, kSeed);
+  std::vector<double> density_scales;
+  for (std::size_t i = 0; i < scale.kinds; ++i) {
+    density_scales.push_back(random.pick(std::vector{1.0, 1 / 1.5, 1 / 2.5}));  // FlightGear's taxi and runway lights
+  }
+  std::vector<PlacedLight> lights(scale.lights);
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const std::size_t kind = i % scale.kinds;
+    Light& light = lights[i].light;
+    light.attenuation = kinds.attenuation(kind);
+    light.threshold = kinds.threshold[kind];
+    light.density_scale = density_scales[kind];
+    const double brightness = random.uniform(0.2, 1);
+    light.color = {brightness, brightness * random.uniform(0.5, 1), brightness * random.uniform(0, 1)};
+    lights[i].carried = true;
+  }
+  return lights;
+}
+
+/// One way of following the visibility.
+struct Follower {
+  std::string name;
+  std::function<void(const Fog&)> step;
+  std::function<double(std::size_t light)> intensity;  ///< as it stands after a step
+  std::function<double()> skipped_share;
+};
+
+/// What a follower did at each step.
+struct Record {
+  std::vector<double> milliseconds;
+  std::vector<double> skipped_shares;
+  double max_deviation_255 = 0;
+};
+
+double thread_milliseconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
+}
+
+Record follow(const Follower& follower, FogMode mode, const std::vector<PlacedLight>& lights, const Scale& scale,
+              Progress& progress) {
+  Record record;
+  follower.step(Fog::from_visibility(mode, kClearest));  // what only the first step does is not measured
+  for (std::size_t step = 1; step <= scale.steps; ++step) {
+    const Fog fog = Fog::from_visibility(mode, visibility_at(step, scale.steps));
+    const double begin = thread_milliseconds();
+    follower.step(fog);
+    record.milliseconds.push_back(thread_milliseconds() - begin);
+    record.skipped_shares.push_back(follower.skipped_share());
+
+    std::vector<double> exact;
+    for (std::size_t kind = 0; kind < scale.kinds; ++kind) {
+      exact.push_back(solve_fog_intensity(lights[kind].light, fog).intensity);
+    }
+    const std::size_t checked = step % scale.full_check == 0 ? lights.size() : scale.kinds;
+    for (std::size_t i = 0; i < checked; ++i) {
+      const auto& color = lights[i].light.color;
+      const double brightest = std::max({color.x, color.y, color.z});
+      const double deviation = 255 * brightest * std::abs(follower.intensity(i) - exact[i % scale.kinds]);
+      record.max_deviation_255 = std::max(record.max_deviation_255, deviation);
+    }
+    progress.show(fmt::format("{}, {} fog: step {} of {}", follower.name, name_of(mode), step, scale.steps));
+  }
+  return record;
+}
+
+Record follow_by_updater(const std::string& name, double budget_255, FogMode mode,
+                         const std::vector<PlacedLight>& lights, const Scale& scale, Progress& progress) {
+  FogUpdater updater(budget_255);
+  std::vector<FogLightHandle> handles;
+  handles.reserve(lights.size());
+  for (const PlacedLight& light : lights) handles.push_back(updater.add(light));
+  const Follower follower{
+      .name = name,
+      .step = [&](const Fog& fog) { updater.set_fog(fog); },
+      .intensity = [&](std::size_t i) { return updater.entries()[updater.entry_of(handles[i])].color_intensity.w; },
+      .skipped_share =
+          [&] { return static_cast<double>(updater.statistics().lights_skipped) / static_cast<double>(lights.size()); },
+  };
+  return follow(follower, mode, lights, scale, progress);
+}
+
+Record follow_by_batch(const std::string& name, FogMode mode, const std::vector<PlacedLight>& lights,
+                       const Scale& scale, Progress& progress) {
+  LightColumns<float> columns;
+  std::vector<float> density_scales;
+  for (const PlacedLight& placed : lights) {
+    const Light& light = placed.light;
+    columns.constant.push_back(static_cast<float>(light.attenuation.constant));
+    columns.linear.push_back(static_cast<float>(light.attenuation.linear));
+    columns.quadratic.push_back(static_cast<float>(light.attenuation.quadratic));
+    columns.threshold.push_back(static_cast<float>(light.threshold));
+    density_scales.push_back(static_cast<float>(light.density_scale));
+  }
+  columns.density.resize(lights.size());
+  std::vector<float> intensity(lights.size());
+  std::vector<FogLight> entries(lights.size());
+  const Follower follower{
+      .name = name,
+      .step =
+          [&](const Fog& fog) {
+            const auto density = static_cast<float>(fog.density);
+            std::transform(density_scales.begin(), density_scales.end(), columns.density.begin(),
+                           [density](float scale_of_light) { return density * scale_of_light; });
+            solve_fog_intensities(mode, columns.view(), BatchSolutionsF{intensity});
+            for (std::size_t i = 0; i < entries.size(); ++i) entries[i].color_intensity.w = intensity[i];
+          },
+      .intensity = [&](std::size_t i) { return entries[i].color_intensity.w; },
+      .skipped_share = [] { return 0.0; },
+  };
+  return follow(follower, mode, lights, scale, progress);
+}
+
+/// Time and skipped share over the visibility, one chart a fog.
+void draw(const std::string& name, FogMode mode, const Record& record, Chart& times, Chart& shares) {
+  Series time{.name = name};
+  Series share{.name = name};
+  // Down to the thickest fog only: the way back has the same visibilities.
+  for (std::size_t i = 0; i < record.milliseconds.size() / 2; ++i) {
+    const double visibility = visibility_at(i + 1, record.milliseconds.size());
+    time.points.push_back({visibility, record.milliseconds[i]});
+    share.points.push_back({visibility, 100 * record.skipped_shares[i]});
+  }
+  times.title = shares.title = std::string(name_of(mode)) + " fog";
+  times.series.push_back(time);
+  if (name == "updater") shares.series.push_back(share);
+}
+
+}  // namespace
+
+Result measure_update(bool quick) {
+  const Scale& scale = quick ? kQuick : kFull;
+  const auto lights = draw_lights(scale);
+  Progress progress;
+  Result result;
+  result.table.columns = {"method",    "fog",           "lights",           "kinds", "steps", "ms_per_step",
+                          "ms_spread", "skipped_share", "max_deviation_255"};
+  const Axis visibility{"visibility (m)", true, kThickest, kClearest};
+  std::vector<Chart> times(
+      2, {.x = visibility, .y = {"processor time of one thread per step (ms)", true}, .key = KeyPlace::bottom_left});
+  std::vector<Chart> shares(
+      2, {.x = visibility, .y = {"lights skipped by the updater (%)", false, -2, 102}, .key = KeyPlace::none});
+
+  // The batch has floats for arguments: some ulps of the intensity each, far below a thousandth of a step.
+  constexpr double kRounding255 = 1e-3;
+  for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
+    const auto add = [&](const std::string& name, double allowed_255, const Record& record) {
+      double share = 0;
+      for (const double one : record.skipped_shares) share += one / static_cast<double>(scale.steps);
+      result.table.rows.push_back(
+          {name, name_of(mode), static_cast<double>(scale.lights), static_cast<double>(scale.kinds),
+           static_cast<double>(scale.steps), quantile(record.milliseconds, 0.5),
+           quantile(record.milliseconds, 0.9) - quantile(record.milliseconds, 0.1), share, record.max_deviation_255});
+      if (!(record.max_deviation_255 <= allowed_255)) {
+        result.failures.push_back(fmt::format("{} {}: deviation = {}/255: must be at most {}/255", name, name_of(mode),
+                                              record.max_deviation_255, allowed_255));
+      }
+      const std::size_t column = mode == FogMode::exp ? 0 : 1;
+      draw(name, mode, record, times[column], shares[column]);
+    };
+    add("updater", kDefaultSkipBudget255,
+        follow_by_updater("updater", kDefaultSkipBudget255, mode, lights, scale, progress));
+    add("updater-no-skip", kRounding255, follow_by_updater("updater-no-skip", 0, mode, lights, scale, progress));
+    add("batch-of-all", kRounding255, follow_by_batch("batch-of-all", mode, lights, scale, progress));
+  }
+  result.figure = {
+      .title = fmt::format("Following the visibility: {} lights of {} kinds", scale.lights, scale.kinds),
+      .charts = {times[0], times[1], shares[0], shares[1]},
+      .columns = 2,
+      .width = 1400,
+      .height = 900,
+  };
+  return result;
+}
+
+}  // namespace litfog::bench

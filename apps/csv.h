@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdio>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// CSV as RFC 4180 has it: quoted fields may hold commas, quotes (doubled) and newlines; lines end in LF or CRLF, the
+/// last one in nothing at will; a byte order mark at the start is skipped. Quotes within an unquoted field are plain
+/// text.
+///
+/// Our own reader: of the packaged ones libcsv keeps no places, drops the quotes that a field came with (pass-through
+/// columns keep theirs) and grows its buffer without limit; libfccp knows no newline in a field and wants its columns
+/// at compile time.
+
+/// Place in a text, from 1; a column is a code point.
+struct TextPlace {
+  long line = 1;
+  long column = 1;
+};
+
+/// One record and where its fields start.
+class CsvRecord {
+ public:
+  std::size_t size() const { return fields_.size(); }
+  std::string_view field(std::size_t i) const {
+    return std::string_view(text_).substr(fields_[i].begin, fields_[i].size);
+  }
+  TextPlace place(std::size_t i) const { return fields_[i].place; }  ///< of a quoted field: its quote
+
+  /// The first fields as they stood in the file, quotes and commas included, without the line's end.
+  std::string_view raw(std::size_t count) const;
+  bool is_blank() const { return raw_.empty() && defect_ == nullptr; }
+  bool ends_in_crlf() const { return ends_in_crlf_; }
+
+  /// What is wrong with the record, or null. One that is too long has lost its fields.
+  const char* defect() const { return defect_; }
+  TextPlace defect_place() const { return defect_place_; }
+
+ private:
+  friend class CsvReader;
+  struct Field {
+    std::size_t begin;  // in text_
+    std::size_t size;
+    std::size_t raw_end;
+    TextPlace place;
+  };
+
+  std::string text_;  // all fields' texts, end to end
+  std::string raw_;
+  std::vector<Field> fields_;
+  bool ends_in_crlf_ = false;
+  const char* defect_ = nullptr;
+  TextPlace defect_place_;
+};
+
+/// Reads records one by one; holds one, of at most 1 MiB.
+class CsvReader {
+ public:
+  /// file stays the caller's; name stands in messages.
+  CsvReader(std::FILE* file, std::string name);
+
+  /// The next record, or false at the end. Throws BadInput where the file cannot be read.
+  bool read(CsvRecord& record);
+
+  const std::string& name() const { return name_; }
+
+ private:
+  static constexpr int kEnd = -1;
+
+  int peek();  // the next byte or kEnd
+  int take();
+
+  std::FILE* file_;
+  std::string name_;
+  std::array<char, 65536> buffer_;
+  std::size_t next_ = 0;
+  std::size_t filled_ = 0;
+  TextPlace place_;
+};
+
+/// A text as a CSV field, in quotes where it needs them.
+std::string csv_quoted(std::string_view text);

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "contact_sheet.h"
+
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imagebufalgo.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+namespace litfog::demo {
+namespace {
+
+constexpr int kMargin = 8;
+constexpr int kCaptionHeight = 26;
+constexpr int kFontSize = 15;
+constexpr std::array<float, 3> kGround{0.012f, 0.012f, 0.014f};
+constexpr std::array<float, 3> kInk{0.75f, 0.75f, 0.72f};
+
+OIIO::ImageSpec spec_of(int width, int height) { return {width, height, 3, OIIO::TypeDesc::FLOAT}; }
+
+Picture to_picture(const OIIO::ImageBuf& image) {
+  Picture picture{image.spec().width, image.spec().height, {}};
+  picture.rgb.resize(std::size_t(picture.width) * std::size_t(picture.height) * 3);
+  image.get_pixels(image.roi(), OIIO::TypeDesc::FLOAT, picture.rgb.data());
+  return picture;
+}
+
+OIIO::ImageBuf to_image(const Picture& picture) {
+  OIIO::ImageBuf image(spec_of(picture.width, picture.height));
+  image.set_pixels(image.roi(), OIIO::TypeDesc::FLOAT, picture.rgb.data());
+  return image;
+}
+
+}  // namespace
+
+Picture reduced(const Picture& picture, int width) {
+  Picture shown = picture;  // clamped as the screen would, so that a bright lamp does not spread over its neighbours
+  for (float& value : shown.rgb) value = std::clamp(value, 0.0f, 1.0f);
+  const int height = std::max(1, int(double(picture.height) * width / picture.width + 0.5));
+  return to_picture(OIIO::ImageBufAlgo::resize(to_image(shown), "box", 0, OIIO::ROI(0, width, 0, height, 0, 1, 0, 3)));
+}
+
+Picture make_contact_sheet(const std::vector<std::vector<SheetEntry>>& rows) {
+  std::size_t columns = 1;
+  int height = kMargin;
+  std::vector<std::vector<Picture>> cells;
+  std::vector<int> tops;
+  for (const auto& row : rows) {
+    columns = std::max(columns, row.size());
+    int tallest = 0;
+    for (const SheetEntry& entry : row) {
+      cells.resize(tops.size() + 1);
+      cells.back().push_back(reduced(entry.picture, kSheetCellWidth));
+      tallest = std::max(tallest, cells.back().back().height);
+    }
+    tops.push_back(height);
+    height += tallest + kCaptionHeight + kMargin;
+  }
+  OIIO::ImageBuf sheet(spec_of(int(columns) * (kSheetCellWidth + kMargin) + kMargin, height));
+  OIIO::ImageBufAlgo::fill(sheet, OIIO::cspan<float>(kGround.data(), 3));
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    for (std::size_t c = 0; c < rows[r].size(); ++c) {
+      const Picture& cell = cells[r][c];
+      const int left = kMargin + int(c) * (kSheetCellWidth + kMargin);
+      OIIO::ImageBufAlgo::paste(sheet, left, tops[r], 0, 0, to_image(cell));
+      const int baseline = tops[r] + cell.height + kCaptionHeight - 8;
+      if (!OIIO::ImageBufAlgo::render_text(sheet, left + 2, baseline, rows[r][c].caption, kFontSize, "DejaVuSans",
+                                           OIIO::cspan<float>(kInk.data(), 3))) {
+        throw std::runtime_error("captions cannot be drawn: " + sheet.geterror());
+      }
+    }
+  }
+  return to_picture(sheet);
+}
+
+}  // namespace litfog::demo

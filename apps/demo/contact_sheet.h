@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "picture.h"
+
+namespace litfog::demo {
+
+inline constexpr int kSheetCellWidth = 480;  ///< pixels: the common width of a sheet's pictures
+
+/// One picture of a sheet with the words under it.
+struct SheetEntry {
+  Picture picture;
+  std::string caption;
+};
+
+/// Rows of pictures, each reduced to a common width, with captions in a plain type, on a dark ground.
+/// throws std::runtime_error where no font is found for the captions
+Picture make_contact_sheet(const std::vector<std::vector<SheetEntry>>& rows);
+
+/// A picture at another width in the same shape, averaged.
+Picture reduced(const Picture& picture, int width);
+
+}  // namespace litfog::demo

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "renderer.h"
+
+namespace litfog::demo {
+
+/// What the pictures of a gallery have in common.
+struct GallerySettings {
+  FogMode fog_mode = FogMode::exp;
+  int width = 1280;
+  int height = 720;
+  Skipping skipping = Skipping::on;
+};
+
+/// Draws scenes clear and at each of their visibilities into a folder (made where missing), one PNG each, and
+/// contact-sheet.png with all of them. Reports every step, the solved table (light x visibility) and the times on
+/// standard output. Needs a current GL context. Throws BadInput where two scenes have one name, for their pictures
+/// would have one name too.
+///
+/// scenes  paths of scene files
+void draw_gallery(const std::vector<std::string>& scenes, const std::string& folder, const GallerySettings& settings);
+
+}  // namespace litfog::demo

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <glm/glm.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace litfog::demo {
+
+/// Metres, right-handed, Y up. The bitangent, the direction in which v grows, is cross(normal, tangent.xyz) *
+/// tangent.w.
+struct Vertex {
+  glm::vec3 position;
+  glm::vec3 normal;
+  glm::vec4 tangent;  ///< xyz: the direction in which u grows; w: +1 or -1
+  glm::vec2 uv;       ///< metres of surface; the material knows how many of them one tile covers
+};
+
+/// Indexed triangles, front faces counter-clockwise. Plain data: no GL.
+struct Mesh {
+  std::vector<Vertex> vertices;
+  std::vector<std::uint32_t> indices;
+};
+
+/// A mesh and the name of what it is made of (see material.h).
+struct Part {
+  std::string material;
+  Mesh mesh;
+};
+
+/// Something to put into a scene: one part a material. Origin on the ground in the middle unless its builder says
+/// otherwise; things with a front face -Z.
+/// A deque, so that the reference that part() gives outlives the next part.
+using Model = std::deque<Part>;
+
+struct Bounds {
+  glm::vec3 low;
+  glm::vec3 high;
+};
+
+/// The axis-aligned box around the vertices; low > high where there are none.
+Bounds bounds(const Mesh& mesh);
+Bounds bounds(const Model& model);
+
+std::size_t triangle_count(const Model& model);
+
+/// Adds a transformed copy. A mirroring transform keeps front faces in front.
+void append(Mesh& to, const Mesh& from, const glm::mat4& to_from_from);
+void append(Model& to, const Model& from, const glm::mat4& to_from_from);
+
+/// The mesh of a model's part of that material, made if there is none.
+Mesh& part(Model& model, std::string_view material);
+
+/// Rotation by yaw about +Y (radians; counter-clockwise seen from above), then translation.
+glm::mat4 place(const glm::vec3& position, float yaw = 0.0f);
+
+/// Fills the tangents from positions, normals and uv; call it when those are final. Where uv says nothing, any
+/// perpendicular of the normal.
+void compute_tangents(Mesh& mesh);
+
+/// Adds the back of every face, for leaves and blades, which are seen from both sides where culling is on.
+void add_back_faces(Mesh& mesh);
+
+}  // namespace litfog::demo

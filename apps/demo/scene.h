@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+#include "litfog/light.h"
+#include "mesh.h"
+
+namespace litfog::demo {
+
+/// The eye. Right-handed, Y up, metres.
+struct Camera {
+  glm::vec3 position{0.0f, 1.6f, 0.0f};
+  glm::vec3 target{0.0f, 1.6f, -1.0f};
+  float field_of_view = 1.0f;  ///< vertical, radians
+};
+
+/// What lights a scene beside its lamps. Colours are linear RGB.
+struct Environment {
+  glm::vec3 ambient_light{0.0f};
+  glm::vec3 ambient_fog_color{0.0f};
+  glm::vec3 sky_zenith{0.0f};
+  glm::vec3 sky_horizon{0.0f};
+  float star_brightness = 0.0f;
+  glm::vec3 moon_direction{0.0f, 1.0f, 0.0f};  ///< unit, towards the moon
+  glm::vec3 moon_color{0.0f};                  ///< of its light on surfaces; 0 is no moon
+};
+
+/// A model put somewhere.
+struct Instance {
+  std::size_t model;
+  glm::mat4 world_from_model;
+};
+
+/// Everything the demo draws. Plain data: no GL.
+struct Scene {
+  std::string name;
+  std::string description;
+  Camera camera;
+  Environment environment;
+  std::vector<Model> models;
+  std::vector<Instance> instances;
+  std::vector<PlacedLight> lights;
+  std::vector<double> visibilities;  ///< metres: those at which the gallery shows the scene
+};
+
+}  // namespace litfog::demo

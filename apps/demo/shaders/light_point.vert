@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// A light as the eye sees it from afar: a point as bright as the light it sends to the eye, through the fog at the
+// density of its class.
+
+#include "litfog/fog.glsl"
+#include "local_lights.glsl"
+
+uniform mat4 clip_from_world;
+uniform vec3 eye;
+uniform float pixel_scale;  // of a picture 720 pixels high
+
+flat out vec3 point_color;
+flat out float core_share;
+
+// An eye at night sees a light long before a surface shows it: the attenuation that gives a point full brightness.
+const float full_brightness = 1.0 / 2000.0;
+
+void main() {
+  FogLight light = local_light(gl_VertexID);
+  vec3 to_eye = eye - light.position_extent.xyz;
+  float range = length(to_eye);
+  to_eye /= range;
+  float attenuation = litfog_attenuation(range, light.attenuation.x, light.attenuation.y, light.attenuation.z);
+  float through = 1.0 - litfog_fog_opacity(range, light.attenuation.w);
+  float brightness = attenuation * litfog_cone(light, to_eye) * through / full_brightness;
+  // Beyond full brightness a point grows instead; below, it fades.
+  float growth = clamp(pow(max(brightness, 1.0), 0.3), 1.0, 8.0);
+  float radius = 1.3 * growth * pixel_scale;
+  point_color = light.color_intensity.rgb * min(brightness, 1.5);
+  core_share = 1.0 / growth;
+  gl_PointSize = max(2.0 * 2.5 * radius, 2.0);
+  // Lifted off its own housing towards the eye, so that this does not hide it.
+  vec3 seen_at = light.position_extent.xyz + to_eye * min(0.4, 0.5 * range);
+  gl_Position = brightness * max(max(light.color_intensity.r, light.color_intensity.g), light.color_intensity.b) < 0.002
+                    ? vec4(0.0, 0.0, 2.0, 1.0)
+                    : clip_from_world * vec4(seen_at, 1.0);
+}

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace litfog::demo {
+
+/// A repeating, mipmapped RGBA8 texture.
+class Texture {
+ public:
+  enum class Encoding { linear, srgb };
+
+  /// texels  size * size * 4 bytes, row 0 at v = 0
+  Texture(int size, const std::vector<std::uint8_t>& texels, Encoding encoding);
+  ~Texture();
+  Texture(Texture&& other) noexcept;
+  Texture& operator=(Texture&&) = delete;
+
+  void bind(unsigned unit) const;
+
+ private:
+  unsigned id_ = 0;
+};
+
+/// A buffer of texels for a shader's texelFetch: four floats or one integer each.
+class BufferTexture {
+ public:
+  enum class Texel { float4, int1 };
+
+  /// The most texels that a buffer texture of this context may have.
+  static std::size_t max_texels();
+
+  /// throws gl::Unsupported where that is less than the data's
+  BufferTexture(const void* data, std::size_t bytes, Texel texel);
+  ~BufferTexture();
+  BufferTexture(const BufferTexture&) = delete;
+  BufferTexture& operator=(const BufferTexture&) = delete;
+
+  void bind(unsigned unit) const;
+
+ private:
+  unsigned buffer_ = 0;
+  unsigned texture_ = 0;
+};
+
+}  // namespace litfog::demo

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <stdexcept>
+
+/// What a command's exit status says; the same for every command.
+enum ExitStatus {
+  kDone = 0,
+  kUsage = 1,              ///< the command line was wrong: unknown option, missing or refused value
+  kBadInput = 2,           ///< a file was wrong; where the output has a place for each row, the good rows are written
+  kMissingCapability = 3,  ///< the machine lacks something: no GL, no extension
+  kCannotWrite = 4,        ///< output could not be written
+  kNotToTolerance = 5,  ///< solved, but not to the stated tolerance, or target infeasible; the best result is written
+  kInternalError = 70,  ///< the program is at fault (EX_SOFTWARE of sysexits.h)
+};
+
+/// Thrown for a file that cannot be used. what() is the whole sentence, "file:line:column: what = value: rule".
+struct BadInput : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Thrown where the machine lacks what was asked for. what() says what.
+struct MissingCapability : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Thrown where output could not be written. what() says which and why.
+struct CannotWrite : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "light_file.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <numbers>
+#include <string_view>
+
+namespace {
+
+using litfog::Cone;
+using litfog::Light;
+
+/// Exact at 90 and 180 degrees, where the model's ranges end.
+double radians(double degrees) { return degrees / 180 * std::numbers::pi; }
+
+Cone parse_cone(const JsonValue& value) {
+  const JsonValue profile = value.member("profile");
+  if (profile.string() == "cosine") {
+    value.allow_only({"profile", "half_angle_deg", "exponent"});
+    return Cone::cosine(radians(value.member("half_angle_deg").number()), value.member("exponent").number());
+  }
+  if (profile.string() == "smoothstep") {
+    value.allow_only({"profile", "inner_deg", "outer_deg"});
+    return Cone::smoothstep(radians(value.member("inner_deg").number()), radians(value.member("outer_deg").number()));
+  }
+  profile.fail("must be \"cosine\" or \"smoothstep\"");
+}
+
+void check_source(const JsonValue& source) {
+  if (!source.is_array()) {
+    source.string();
+    return;
+  }
+  for (const JsonValue& item : source.items()) item.string();
+}
+
+/// Where the file's terms differ from the model's.
+struct FileTerm {
+  std::string_view field;
+  std::string_view path;
+  std::string_view rule;
+};
+constexpr std::array<FileTerm, 3> kFileTerms{{
+    {"cone.half_angle", "cone.half_angle_deg", "must be in (0, 90]"},
+    {"cone.inner", "cone.inner_deg", "must be in [0, outer_deg)"},
+    {"cone.outer", "cone.outer_deg", "must be in (0, 180]"},
+}};
+
+/// Reports a refusal at the member that the model's field came from.
+[[noreturn]] void fail(const JsonValue& light, const litfog::Refusal& refusal) {
+  FileTerm term{refusal.field, refusal.field, refusal.rule};
+  for (const FileTerm& candidate : kFileTerms) {
+    if (candidate.field == term.field) term = candidate;
+  }
+  JsonValue value = light;
+  for (std::size_t begin = 0; begin < term.path.size();) {
+    const std::size_t end = std::min(term.path.find('.', begin), term.path.size());
+    const std::string_view name = term.path.substr(begin, end - begin);
+    if (value.is_array()) {
+      value = value.items()[std::string_view("rgb").find(name)];
+    } else if (const auto member = value.optional(name)) {
+      value = *member;
+    } else {  // refused because it is absent, which is 0
+      value.fail(value.path() + "." + std::string(name), "0", term.rule);
+    }
+    begin = end + 1;
+  }
+  value.fail(term.rule);
+}
+
+}  // namespace
+
+Light parse_light(const JsonValue& value) {
+  value.allow_only(
+      {"litfog", "version", "name", "source", "color", "attenuation", "threshold", "cone", "density_scale", "fit"});
+  if (value.optional("litfog") || value.optional("version")) expect_header(value, "light", 1);
+  if (const auto source = value.optional("source")) check_source(*source);
+
+  Light light;
+  if (const auto name = value.optional("name")) light.name = name->string();
+  if (const auto color = value.optional("color")) light.color = color->vec3();
+  const JsonValue attenuation = value.member("attenuation");
+  attenuation.allow_only({"constant", "linear", "quadratic"});
+  light.attenuation = {attenuation.number_or("constant", 0), attenuation.number_or("linear", 0),
+                       attenuation.number_or("quadratic", 0)};
+  light.threshold = value.number_or("threshold", light.threshold);
+  if (const auto cone = value.optional("cone")) light.cone = parse_cone(*cone);
+  light.density_scale = value.number_or("density_scale", light.density_scale);
+
+  if (const auto refusal = check(light)) fail(value, *refusal);
+  return light;
+}
+
+Light read_light(const std::string& path) {
+  const JsonValue root = read_json(path);
+  expect_header(root, "light", 1);
+  Light light = parse_light(root);
+  if (light.name.empty()) light.name = std::filesystem::path(path).stem().string();
+  return light;
+}

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "json_document.h"
+#include "litfog/light.h"
+
+/// Light files, version 1:
+///
+///     {
+///       "litfog": "light",
+///       "version": 1,
+///       "name": "landing lamp",               optional: the file's name without its ending
+///       "source": "where the figures are from", optional, or an array of such; for people only
+///       "color": [1, 0.9, 0.8],               optional: white
+///       "attenuation": {"constant": 1, "linear": 0, "quadratic": 9.5e-5},  each 0 where absent, not all 0
+///       "threshold": 0.05,                    optional
+///       "cone": {"profile": "cosine", "half_angle_deg": 15, "exponent": 75},  optional: a point light
+///               {"profile": "smoothstep", "inner_deg": 5, "outer_deg": 15}
+///       "density_scale": 0.4                  optional: 1
+///       "fit": {...}                          optional: how litfog-fit found the figures; passed over
+///     }
+
+/// Reads a light file. Throws BadInput.
+litfog::Light read_light(const std::string& path);
+
+/// A light within another file; there "litfog", "version" and "name" may be left out.
+litfog::Light parse_light(const JsonValue& value);

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: Apache-2.0
+// litfog-demo: draws lit-fog scenes without a display.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "command.h"
+#include "demo/gallery.h"
+#include "demo/renderer.h"
+#include "demo/scene_file.h"
+#include "litfog/gl/headless_context.h"
+#include "litfog/gl/unsupported.h"
+#include "number.h"
+#include "whole_file.h"
+
+namespace {
+
+using namespace litfog;
+using namespace litfog::demo;
+
+constexpr int kMaxSide = 16'384;
+constexpr std::int64_t kMaxPixels = 40'000'000;  // some 2 GiB of framebuffer
+
+enum class FogChoice { exp, exp2, none };
+enum class LightingPath { unified };
+enum class FogLighting { peak };
+
+template <typename Choice>
+using Names = std::vector<std::pair<std::string, Choice>>;
+const Names<FogChoice> kFogNames{{"exp", FogChoice::exp}, {"exp2", FogChoice::exp2}, {"none", FogChoice::none}};
+const Names<LightingPath> kPathNames{{"unified", LightingPath::unified}};
+const Names<FogLighting> kFogLightingNames{{"peak", FogLighting::peak}};
+
+template <typename Choice>
+const std::string& name_of(const Names<Choice>& names, Choice choice) {
+  return std::ranges::find(names, choice, &std::pair<std::string, Choice>::second)->first;
+}
+
+struct Options {
+  std::vector<std::string> scenes;
+  std::string output;
+  std::string gallery;
+  FogChoice fog = FogChoice::exp;
+  double visibility = std::numeric_limits<double>::quiet_NaN();  // not given
+  LightingPath path = LightingPath::unified;
+  FogLighting fog_lighting = FogLighting::peak;
+  int width = 1280;
+  int height = 720;
+  int frames = 1;
+  bool no_skip = false;
+  std::string stats;
+  bool list_paths = false;
+  bool list_scenes = false;
+};
+
+void parse_size(const std::string& text, Options& options) {
+  const auto cross = text.find('x');
+  const auto width = parse_integer(std::string_view(text).substr(0, cross));
+  const auto height = cross == std::string::npos ? width : parse_integer(std::string_view(text).substr(cross + 1));
+  const bool is_side = width && height && *width >= 1 && *height >= 1 && *width <= kMaxSide && *height <= kMaxSide;
+  if (cross == std::string::npos || !is_side || std::int64_t(*width) * *height > kMaxPixels) {
+    refuse_option("--size", text,
+                  fmt::format("must be WIDTHxHEIGHT, each in [1, {}], at most {} pixels in all", kMaxSide, kMaxPixels));
+  }
+  options.width = *width;
+  options.height = *height;
+}
+
+/// A scene's file: a bundled scene by its name, else the path itself.
+std::string scene_path(const std::string& scene) {
+  const std::string bundled = bundled_scene_path(scene);
+  std::error_code error;
+  const bool is_name = std::filesystem::path(scene).filename() == scene;
+  return is_name && std::filesystem::exists(bundled, error) ? bundled : scene;
+}
+
+FogMode fog_mode(FogChoice choice) { return choice == FogChoice::exp2 ? FogMode::exp2 : FogMode::exp; }
+
+/// The fog asked for; without --visibility the scene's middle one, so that the picture shows what the scene is for.
+double chosen_visibility(const Options& options, const Scene& scene) {
+  if (options.fog == FogChoice::none) return std::numeric_limits<double>::infinity();
+  if (!std::isnan(options.visibility)) return options.visibility;
+  return scene.visibilities.empty() ? 200 : scene.visibilities[scene.visibilities.size() / 2];
+}
+
+double median(const std::vector<double>& sorted) {
+  const std::size_t half = sorted.size() / 2;
+  return sorted.size() % 2 == 1 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2;
+}
+
+/// Whether two paths, one of which need not be there yet, are one file.
+bool is_same_file(const std::string& a, const std::string& b) {
+  std::error_code error;
+  const auto plain = [&error](const std::string& path) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, error), error);
+  };
+  return std::filesystem::equivalent(a, b, error) || plain(a) == plain(b);
+}
+
+ExitStatus draw_scene(const Options& options) {
+  const Scene scene = read_scene(scene_path(options.scenes.front()));
+  const std::string output = options.output.empty() ? scene.name + ".png" : options.output;
+  expect_place_for_file(output);
+  if (!options.stats.empty()) {
+    if (is_same_file(output, options.stats)) {
+      refuse_option("--stats", options.stats, "must not be the picture's file");
+    }
+    expect_place_for_file(options.stats);
+  }
+  const gl::HeadlessContext context;
+  Renderer renderer(scene, options.width, options.height, options.no_skip ? Skipping::off : Skipping::on);
+  const double visibility = chosen_visibility(options, scene);
+  const Fog fog = Fog::from_visibility(fog_mode(options.fog), visibility);
+  renderer.set_fog(fog);
+  std::vector<double> milliseconds;
+  FrameCounts counts;
+  for (int frame = 0; frame < options.frames; ++frame) {
+    const auto start = std::chrono::steady_clock::now();
+    counts = renderer.draw();
+    milliseconds.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+  }
+  write_picture(output, renderer.read());
+  std::ranges::sort(milliseconds);
+  if (!options.stats.empty()) {
+    const nlohmann::ordered_json stats{
+        {"scene", scene.name},
+        {"path", name_of(kPathNames, options.path)},
+        {"fog_light", name_of(kFogLightingNames, options.fog_lighting)},
+        {"fog", name_of(kFogNames, options.fog)},
+        {"visibility_m", std::isinf(visibility) ? nlohmann::ordered_json("inf") : nlohmann::ordered_json(visibility)},
+        {"size", {options.width, options.height}},
+        {"lights", scene.lights.size()},
+        {"frames", options.frames},
+        {"ms_per_frame",
+         {{"median", median(milliseconds)}, {"min", milliseconds.front()}, {"max", milliseconds.back()}}},
+        {"skip", !options.no_skip},
+        {"chunks_drawn", counts.chunks_drawn},
+        {"chunks_skipped", counts.chunks_skipped},
+        {"surface_lights_listed", counts.lights_listed},
+        {"surface_lights_skipped", counts.lights_skipped},
+        {"gl_renderer", context.renderer()},
+        {"gl_version", context.version()}};
+    write_whole_file(options.stats, stats.dump(2) + "\n");
+  }
+  write_standard_output(fmt::format("{}: {} ({}x{}) in {:.0f} ms on {}\n", output, scene.name, options.width,
+                                    options.height, median(milliseconds), context.renderer()));
+  return kDone;
+}
+
+ExitStatus run(const Options& options) {
+  if (options.list_paths) {
+    write_standard_output("unified  everything per fragment in world space, any number of lights (default)\n");
+    return kDone;
+  }
+  if (options.list_scenes) {
+    for (const std::string& name : bundled_scenes()) {
+      write_standard_output(fmt::format("{:<12} {}\n", name, read_scene(bundled_scene_path(name)).description));
+    }
+    return kDone;
+  }
+  try {
+    if (options.gallery.empty()) return draw_scene(options);
+    std::vector<std::string> scenes = options.scenes.empty() ? bundled_scenes() : options.scenes;
+    std::ranges::transform(scenes, scenes.begin(), scene_path);
+    const gl::HeadlessContext context;
+    write_standard_output(fmt::format("drawing {} scenes on {}\n", scenes.size(), context.renderer()));
+    draw_gallery(scenes, options.gallery,
+                 {.fog_mode = fog_mode(options.fog),
+                  .width = options.width,
+                  .height = options.height,
+                  .skipping = options.no_skip ? Skipping::off : Skipping::on});
+    return kDone;
+  } catch (const gl::Unsupported& missing) {
+    throw MissingCapability(missing.what());
+  }
+}
+
+/// Options that would be passed over in silence, and values that only show as wrong beside others.
+void refuse_what_does_not_fit(const CLI::App& app, const Options& options) {
+  const auto is_given = [&app](const char* option) { return app.count(option) > 0; };
+  for (const char* list : {"--list-paths", "--list-scenes"}) {
+    if (is_given(list) && app.count_all() > 2) refuse_option(list, "given", "must stand alone");
+  }
+  if (options.list_paths || options.list_scenes) return;
+  for (const auto& [option, value] :
+       {std::pair{"--output", &options.output}, {"--stats", &options.stats}, {"--gallery", &options.gallery}}) {
+    if (is_given(option) && value->empty()) refuse_option(option, "", "must not be empty");
+  }
+  if (options.gallery.empty() && options.scenes.size() != 1) {
+    refuse_option("SCENE", std::to_string(options.scenes.size()) + " given", "must be one, or use --gallery FOLDER");
+  }
+  if (!options.gallery.empty()) {  // which draws every scene once at each of its own visibilities
+    for (const char* option : {"--output", "--stats", "--visibility", "--frames"}) {
+      if (is_given(option)) refuse_option("--gallery", options.gallery, std::string("must stand without ") + option);
+    }
+    if (options.fog == FogChoice::none) refuse_option("--gallery", options.gallery, "must stand without --fog none");
+  }
+  if (options.fog == FogChoice::none && is_given("--visibility")) {
+    refuse_option("--fog", "none", "must stand without --visibility");
+  }
+  if (is_given("--output") && !is_picture_path(options.output)) {
+    refuse_option("--output", options.output, "must end in .png or .exr");
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App app{"Draws a scene lit by lamps in fog, without a display (OpenGL 3.3 through EGL).", "litfog-demo"};
+  app.add_option("SCENE", options.scenes, "A scene of --list-scenes or a scene file; several with --gallery");
+  app.add_option("-o,--output", options.output, "Picture to write: .png (sRGB) or .exr (linear); default SCENE.png")
+      ->type_name("FILE");
+  add_choice(app, "--fog", options.fog, kFogNames, "How fog thickens with range (default exp)");
+  add_number(app, "--visibility", options.visibility, kNotNegative,
+             "Metres at which 5 % contrast is left; inf is clear air (default: one that the scene suggests)");
+  add_choice(app, "--path", options.path, kPathNames, "Lighting path (default unified)");
+  add_choice(app, "--fog-light", options.fog_lighting, kFogLightingNames,
+             "How lights light the fog: carried lights by Hales's peak (default peak)");
+  app.add_option_function<std::string>(
+         "--size", [&](const std::string& text) { parse_size(text, options); }, "Pixels (default 1280x720)")
+      ->type_name("WxH");
+  add_integer(app, "--frames", options.frames, 1, 100'000, "Frames to draw and time; the last is written (default 1)");
+  app.add_flag("--no-skip", options.no_skip, "Draw and light everything, even what cannot show");
+  app.add_option("--stats", options.stats, "Write times and counts as JSON")->type_name("FILE");
+  app.add_option("--gallery", options.gallery,
+                 "Draw the scenes (default all) clear and at their visibilities, and a contact sheet, into a folder")
+      ->type_name("FOLDER");
+  app.add_flag("--list-paths", options.list_paths, "List the lighting paths");
+  app.add_flag("--list-scenes", options.list_scenes, "List the scenes that come with litfog");
+  app.footer(
+      "Examples:\n"
+      "  litfog-demo headlights --visibility 150 -o fog.png\n"
+      "  litfog-demo approach --fog exp2 --visibility 800 --size 1920x1080 -o approach.exr\n"
+      "  litfog-demo --gallery out\n"
+      "\n"
+      "Exit status: 0 done, 1 wrong usage, 2 bad scene or light file, 3 no OpenGL 3.3 through EGL, 4 cannot write.");
+  return run_command(app, argc, argv, [&] {
+    refuse_what_does_not_fit(app, options);
+    return run(options);
+  });
+}

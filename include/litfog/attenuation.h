@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <limits>
+#include <optional>
+
+#include "litfog/refusal.h"
+
+namespace litfog {
+
+/// Range attenuation a(r) = min(1, 1 / (constant + linear r + quadratic r^2)) of a point or spot light, r in metres.
+/// (Hales 2004, "Lighting Algorithms"; the clamp is that of his texel formula.)
+template <typename Real>
+struct BasicAttenuation {
+  Real constant = 1;   ///< C, dimensionless, finite, >= 0. Below 1 the light is clamped to 1 up to its knee.
+  Real linear = 0;     ///< L, 1/m, finite, >= 0.
+  Real quadratic = 0;  ///< Q, 1/m^2, finite, >= 0. Not all three may be 0.
+
+  friend bool operator==(const BasicAttenuation&, const BasicAttenuation&) = default;
+};
+using Attenuation = BasicAttenuation<double>;
+using AttenuationF = BasicAttenuation<float>;
+
+/// Attenuation at which a light ends unless it says otherwise (Hales 2004: "a small attenuation value, e.g. 0.05").
+inline constexpr double kDefaultThreshold = 0.05;
+
+/// What is wrong with an attenuation (or threshold), or nothing.
+std::optional<Refusal> check(const Attenuation& attenuation);
+std::optional<Refusal> check_threshold(double threshold);
+
+/// a(r), the share of its near brightness that a light has at a range.
+///
+/// range    metres, >= 0; infinity gives the limit
+/// returns  [0, 1]
+double attenuation_at(const Attenuation& attenuation, double range);
+
+/// Extent: the range at which the attenuation falls to the threshold, the positive root E of
+/// Q r^2 + L r + (C - 1/t) = 0 (Hales 2004, "Embedding Range Attenuation in a Texture Map").
+///
+/// threshold  (0, 1)
+/// returns    metres; 0 where C >= 1/t, infinity where L = Q = 0 and C < 1/t
+/// max error  2 ulp; float: 1 ulp                                                         (attenuation_test.cpp)
+/// throws     std::invalid_argument naming field, value and rule
+double extent(const Attenuation& attenuation, double threshold);
+float extent(const AttenuationF& attenuation, float threshold);
+
+/// Knee: the range up to which the clamp holds the attenuation at 1, the root of C + L r + Q r^2 = 1.
+///
+/// returns    metres; 0 where C >= 1, infinity where L = Q = 0 and C < 1
+/// max error  2 ulp                                                                        (attenuation_test.cpp)
+/// throws     std::invalid_argument naming field, value and rule
+double knee(const Attenuation& attenuation);
+
+}  // namespace litfog

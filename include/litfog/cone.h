@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "litfog/refusal.h"
+
+namespace litfog {
+
+/// How a light's intensity falls with the angle u from its axis.
+enum class ConeProfile {
+  none,        ///< 1 everywhere: a point light
+  cosine,      ///< cos^exponent(u) for u < half_angle, else 0 (Hales 2004, "Lighting Algorithms")
+  smoothstep,  ///< smoothstep(cos outer, cos inner, cos u): the Cg Tutorial's dual cone (5.5.3)
+};
+
+/// Angular shape of a light. Angles are radians from the axis (half angles).
+struct Cone {
+  ConeProfile profile = ConeProfile::none;
+  double half_angle = 0;  ///< cosine: H in (0, pi/2], where the light is cut off
+  double exponent = 0;    ///< cosine: S >= 0, finite; 0 is a flat beam
+  double inner = 0;       ///< smoothstep: [0, outer), full intensity up to here
+  double outer = 0;       ///< smoothstep: (inner, pi], no light beyond
+
+  friend bool operator==(const Cone&, const Cone&) = default;
+
+  static Cone cosine(double half_angle, double exponent) {
+    return {.profile = ConeProfile::cosine, .half_angle = half_angle, .exponent = exponent};
+  }
+  static Cone smoothstep(double inner, double outer) {
+    return {.profile = ConeProfile::smoothstep, .inner = inner, .outer = outer};
+  }
+};
+
+/// What is wrong with a cone, or nothing.
+std::optional<Refusal> check(const Cone& cone);
+
+/// Half angle beyond which a cone is dark: radians, pi for a point light.
+double cutoff_angle(const Cone& cone);
+
+/// Share of the axial intensity that a cone sends into a direction.
+///
+/// cos_angle  cosine of the angle from the axis, [-1, 1]
+/// returns    [0, 1]
+double cone_at(const Cone& cone, double cos_angle);
+
+}  // namespace litfog

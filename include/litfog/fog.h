@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "litfog/refusal.h"
+
+namespace litfog {
+
+/// How the fog factor (transmittance) f falls with range.
+enum class FogMode {
+  exp,   ///< f(r) = e^(-d r)
+  exp2,  ///< f(r) = e^(-(d r)^2)
+};
+
+/// Contrast thresholds c that give a visibility its meaning: the range at which f has fallen to c.
+inline constexpr double kContrastMor = 0.05;          ///< meteorological optical range (WMO, ICAO Annex 3); the default
+inline constexpr double kContrastKoschmieder = 0.02;  ///< Koschmieder 1924
+inline constexpr double kContrastFlightgear = 0.01;   ///< FlightGear's fog density
+
+/// Homogeneous fog.
+template <typename Real>
+struct BasicFog {
+  FogMode mode = FogMode::exp;
+  Real density = 0;  ///< d, 1/m, >= 0. 0 is clear air, infinity total fog.
+
+  friend bool operator==(const BasicFog&, const BasicFog&) = default;
+
+  /// The fog of a visibility: exp d = -ln(c) / V, exp2 d = sqrt(-ln(c)) / V.
+  ///
+  /// metres    V >= 0; infinity is no fog (d = 0), 0 is total fog (d = infinity)
+  /// contrast  c in (0, 1)
+  /// max error 3 ulp                                                            (fog_test.cpp)
+  /// throws    std::invalid_argument naming field, value and rule
+  static BasicFog from_visibility(FogMode mode, Real metres, Real contrast = Real(kContrastMor));
+};
+using Fog = BasicFog<double>;
+using FogF = BasicFog<float>;
+
+/// What is wrong with a fog, or nothing.
+std::optional<Refusal> check(const Fog& fog);
+
+/// Fog as a light of a class sees it: the density times the class's scale (1/2.5 for FlightGear's runway lights).
+///
+/// density_scale  >= 0, finite; clear air stays clear and total fog stays total unless the scale is 0
+/// throws         std::invalid_argument naming field, value and rule
+Fog scaled(const Fog& fog, double density_scale);
+
+/// Fog factor f(r), the share of light that the fog lets through over a range.
+///
+/// range    metres, >= 0
+/// returns  [0, 1]
+double fog_factor(const Fog& fog, double range);
+
+/// Opacity 1 - f(r), without the cancellation of the plain form.
+///
+/// range      metres, >= 0
+/// returns    [0, 1]
+/// max error  4 ulp                                                             (fog_test.cpp)
+double opacity(const Fog& fog, double range);
+
+}  // namespace litfog

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace litfog::gl {
+
+/// A shader file's text under the name by which others include it.
+struct ShaderSource {
+  std::string_view name;  ///< e.g. "litfog/fog.glsl"
+  std::string_view text;
+};
+
+/// litfog's own shader files, as installed, embedded in the library.
+std::span<const ShaderSource> shader_library();
+
+}  // namespace litfog::gl

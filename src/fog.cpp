@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "litfog/fog.h"
+
+#include <cmath>
+
+#include "litfog/formulas.h"
+#include "require.h"
+
+namespace litfog {
+namespace {
+
+/// Optical depth d r or (d r)^2; 0 at range 0 in total fog and at any range in clear air, where the product is no
+/// value.
+double optical_depth(const Fog& fog, double range) {
+  if (fog.density == 0 || range == 0) return 0;
+  return fog.mode == FogMode::exp ? formulas::litfog_depth_exp(range, fog.density)
+                                  : formulas::litfog_depth_exp2(range, fog.density);
+}
+
+}  // namespace
+
+template <typename Real>
+BasicFog<Real> BasicFog<Real>::from_visibility(FogMode mode, Real metres, Real contrast) {
+  if (!(metres >= 0)) require(Refusal{"visibility", metres, "must be >= 0"});
+  if (!(contrast > 0 && contrast < 1)) require(Refusal{"contrast", contrast, "must be in (0, 1)"});
+  const double depth = -std::log(double(contrast));
+  return {mode, Real((mode == FogMode::exp ? depth : std::sqrt(depth)) / std::abs(double(metres)))};  // -0 is 0
+}
+
+template struct BasicFog<double>;
+template struct BasicFog<float>;
+
+std::optional<Refusal> check(const Fog& fog) {
+  if (!(fog.density >= 0)) return Refusal{"fog.density", fog.density, "must be >= 0"};
+  return std::nullopt;
+}
+
+Fog scaled(const Fog& fog, double density_scale) {
+  require(check(fog));
+  if (!is_finite_and_not_negative(density_scale)) {
+    require(Refusal{"density_scale", density_scale, "must be finite and >= 0"});
+  }
+  return {fog.mode, density_scale == 0 ? 0 : fog.density * density_scale};  // infinity * 0 is no value
+}
+
+double fog_factor(const Fog& fog, double range) { return std::exp(-optical_depth(fog, range)); }
+
+double opacity(const Fog& fog, double range) { return formulas::litfog_opacity(optical_depth(fog, range)); }
+
+}  // namespace litfog

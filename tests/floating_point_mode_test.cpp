@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cfenv>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
+
+#include "litfog/batch.h"
+#include "litfog/solve.h"
+
+// A host may run with any rounding mode, and engines often flush subnormals to zero. The stated errors are those of the
+// default mode; in others nothing may turn into NaN, leave its range or go far astray.
+
+namespace {
+
+using namespace litfog;
+
+/// The floating-point environment of a test, put back at its end.
+class FloatingPointMode : public testing::Test {
+ protected:
+  FloatingPointMode() { std::fegetenv(&before_); }
+  ~FloatingPointMode() override { std::fesetenv(&before_); }
+  void back_to_default() { std::fesetenv(&before_); }
+
+  /// Whether this machine can do it.
+  static bool flush_subnormals() {
+#if defined(__SSE2__)
+    _mm_setcsr(_mm_getcsr() | 0x8040);  // FTZ and DAZ
+    return true;
+#else
+    return false;
+#endif
+  }
+
+ private:
+  std::fenv_t before_;
+};
+
+constexpr double kFar = 1e-14;        // relative, double: 45 ulp
+constexpr double kFarInFloat = 2e-6;  // 17 ulp
+
+struct Case {
+  Attenuation attenuation;
+  Fog fog;
+  double threshold;
+};
+
+std::vector<Case> random_cases(std::size_t count) {
+  std::vector<Case> cases;
+  std::mt19937_64 engine(3);
+  const auto log_uniform = [&](double low, double high) {
+    return std::exp(std::uniform_real_distribution<>(std::log(low), std::log(high))(engine));
+  };
+  while (cases.size() < count) {
+    const auto coefficient = [&] { return engine() % 4 == 0 ? 0 : log_uniform(1e-8, 1e2); };
+    const Case c{{engine() % 3 == 0 ? 1 : coefficient(), coefficient(), coefficient()},
+                 {engine() % 2 ? FogMode::exp : FogMode::exp2, log_uniform(1e-5, 10)},
+                 log_uniform(1e-4, 0.5)};
+    if (!check(c.attenuation)) cases.push_back(c);
+  }
+  return cases;
+}
+
+bool is_near(double value, double usual, double far) {
+  return value == usual || std::abs(value - usual) <= far * usual;  // false for NaN
+}
+
+/// Solves the cases in the mode that `enter` sets, alone and as batches, and compares with the default mode.
+template <typename Enter, typename Leave>
+void expect_near_the_usual(const Enter& enter, const Leave& leave) {
+  const std::vector<Case> cases = random_cases(20'000);
+  std::vector<FogIntensity> usual;
+  for (const Case& c : cases) usual.push_back(solve_fog_intensity(c.attenuation, c.fog, c.threshold));
+  std::vector<FogIntensity> alone;
+  enter();
+  for (const Case& c : cases) alone.push_back(solve_fog_intensity(c.attenuation, c.fog, c.threshold));
+  leave();
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    ASSERT_EQ(alone[i].status, SolveStatus::ok) << i;
+    ASSERT_TRUE(is_near(alone[i].intensity, usual[i].intensity, kFar)) << i << ": " << alone[i].intensity;
+    ASSERT_TRUE(is_near(alone[i].extent, usual[i].extent, kFar)) << i << ": " << alone[i].extent;
+    ASSERT_TRUE(is_near(alone[i].peak_range, usual[i].peak_range, 1e-7)) << i << ": " << alone[i].peak_range;
+    ASSERT_LE(alone[i].intensity, 1);
+  }
+  const auto expect_batch_near = [&]<typename T>(T, double far) {
+    for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
+      std::vector<T> columns[5];
+      std::vector<std::size_t> places;
+      for (std::size_t i = 0; i < cases.size(); ++i) {
+        if (cases[i].fog.mode != mode) continue;
+        places.push_back(i);
+        const auto& [constant, linear, quadratic] = cases[i].attenuation;
+        const double values[] = {constant, linear, quadratic, cases[i].threshold, cases[i].fog.density};
+        for (int k = 0; k < 5; ++k) columns[k].push_back(T(values[k]));
+      }
+      std::vector<T> intensity(places.size());
+      enter();
+      const std::size_t refused =
+          solve_fog_intensities(mode, BasicBatchLights<T>{columns[0], columns[1], columns[2], columns[3], columns[4]},
+                                BasicBatchSolutions<T>{.intensity = intensity});
+      leave();
+      EXPECT_EQ(refused, 0u);
+      for (std::size_t k = 0; k < places.size(); ++k) {
+        const double truth =
+            solve_fog_intensity(Attenuation{double(columns[0][k]), double(columns[1][k]), double(columns[2][k])},
+                                Fog{mode, double(columns[4][k])}, double(columns[3][k]))
+                .intensity;
+        ASSERT_TRUE(is_near(double(intensity[k]), truth, far)) << places[k] << ": " << intensity[k] << " " << truth;
+      }
+    }
+  };
+  expect_batch_near(0.0, kFar);
+  expect_batch_near(0.0f, kFarInFloat);
+}
+
+/// Solves every combination of special values: refused, or in range.
+template <typename T, typename Enter, typename Leave>
+void expect_no_nan(const Enter& enter, const Leave& leave) {
+  using Limits = std::numeric_limits<T>;
+  const std::vector<T> values{T(0),    Limits::denorm_min(), Limits::min(),       T(1e-20), T(0.05), T(1),
+                              T(1e20), Limits::infinity(),   Limits::quiet_NaN(), T(-1)};
+  std::vector<T> columns[5];
+  for (const T c : values) {
+    for (const T l : values) {
+      for (const T q : values) {
+        for (const T d : values) {
+          for (const T t : {Limits::denorm_min(), T(0.05), T(1)}) {
+            const T light[] = {c, l, q, t, d};
+            for (int k = 0; k < 5; ++k) columns[k].push_back(light[k]);
+          }
+        }
+      }
+    }
+  }
+  const std::size_t count = columns[0].size();
+  for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
+    std::vector<T> intensity(count);
+    std::vector<T> peak_range(count);
+    std::vector<T> extent(count);
+    std::vector<BatchStatus> status(count);
+    enter();
+    solve_fog_intensities(
+        mode, BasicBatchLights<T>{columns[0], columns[1], columns[2], columns[3], columns[4]},
+        BasicBatchSolutions<T>{.intensity = intensity, .peak_range = peak_range, .extent = extent, .status = status});
+    leave();
+    for (std::size_t i = 0; i < count; ++i) {
+      ASSERT_TRUE(intensity[i] >= 0 && intensity[i] <= 1 && peak_range[i] >= 0 && extent[i] >= 0)
+          << "C " << columns[0][i] << " L " << columns[1][i] << " Q " << columns[2][i] << " t " << columns[3][i]
+          << " d " << columns[4][i] << ": " << intensity[i] << ", " << peak_range[i] << ", " << extent[i];
+      ASSERT_NE(status[i], BatchStatus::not_converged);
+    }
+  }
+}
+
+TEST_F(FloatingPointMode, NoRoundingModeLeadsAstray) {
+  for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO, FE_TONEAREST}) {
+    SCOPED_TRACE("rounding mode " + std::to_string(mode));
+    const auto enter = [mode] { std::fesetround(mode); };
+    const auto leave = [this] { back_to_default(); };
+    expect_near_the_usual(enter, leave);
+    expect_no_nan<double>(enter, leave);
+    expect_no_nan<float>(enter, leave);
+  }
+}
+
+TEST_F(FloatingPointMode, FlushingSubnormalsLeadsNowhereAstray) {
+  if (!flush_subnormals()) GTEST_SKIP() << "this machine cannot flush subnormals";
+  back_to_default();
+  const auto enter = [] { flush_subnormals(); };
+  const auto leave = [this] { back_to_default(); };
+  expect_near_the_usual(enter, leave);
+  expect_no_nan<double>(enter, leave);
+  expect_no_nan<float>(enter, leave);
+}
+
+}  // namespace

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <limits>
+#include <random>
+#include <string>
+
+#include "litfog/attenuation.h"
+#include "litfog/fog.h"
+
+namespace litfog::test {
+
+/// A light and its fog: the arguments of a solve.
+struct SolveCase {
+  Attenuation attenuation;
+  Fog fog;
+  double threshold;
+};
+
+inline std::string to_string(const SolveCase& c) {
+  char text[256];
+  std::snprintf(text, sizeof text, "%s fog, density %a = %.17g, constant %a = %.17g, linear %a = %.17g, ",
+                c.fog.mode == FogMode::exp ? "exp" : "exp2", c.fog.density, c.fog.density, c.attenuation.constant,
+                c.attenuation.constant, c.attenuation.linear, c.attenuation.linear);
+  std::string result = text;
+  std::snprintf(text, sizeof text, "quadratic %a = %.17g, threshold %a = %.17g", c.attenuation.quadratic,
+                c.attenuation.quadratic, c.threshold, c.threshold);
+  return result + text;
+}
+
+/// The same values on every machine and library: the standard's engine, no distribution of the library's.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : engine_(seed) {}
+
+  double uniform(double low, double high) { return low + (high - low) * (double(engine_() >> 11) * 0x1p-53); }
+  double log_uniform(double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); }
+  bool chance(double probability) { return uniform(0, 1) < probability; }
+
+  template <typename Container>
+  auto pick(const Container& container) {
+    return container[engine_() % std::size(container)];
+  }
+
+  /// Any positive finite T by its bits; one in eight is subnormal.
+  template <typename T>
+  T any_positive() {
+    using Bits = std::conditional_t<sizeof(T) == 8, std::uint64_t, std::uint32_t>;
+    const Bits largest = std::bit_cast<Bits>(std::numeric_limits<T>::max());
+    const Bits smallest_normal = std::bit_cast<Bits>(std::numeric_limits<T>::min());
+    const Bits bits = Bits(engine_());
+    return std::bit_cast<T>(Bits(1 + (chance(0.125) ? bits % (smallest_normal - 1) : bits % largest)));
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+/// Lights as they occur, with some of their kinds' corners: C = 0, C = 1, clamped, linear or quadratic only.
+inline SolveCase draw_ordinary_case(Random& random, FogMode mode) {
+  const double constant = random.chance(0.1) ? 0 : random.chance(0.2) ? 1 : random.log_uniform(0.05, 5);
+  const double linear = random.chance(0.15) ? 0 : random.log_uniform(1e-6, 1);
+  const double quadratic = linear > 0 && random.chance(0.15) ? 0 : random.log_uniform(1e-8, 1);
+  return {{constant, linear, quadratic}, {mode, random.log_uniform(1e-5, 1)}, random.log_uniform(2e-3, 0.19)};
+}
+
+}  // namespace litfog::test
