@@ -20,8 +20,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 // The method is that of solve.cpp, a vector of lights at a time: the stationary point by Halley steps in x = d r, then
 // one split evaluation at the range chosen. Two things differ. The guess is good enough for one step (float,
-// exp fog) or two, since the value is stationary in x. And knee and extent are found only where the stationary point asks for
-// them: with D the denominator there, the peak is at the knee where D <= 1 and at the extent where D >= 1 / threshold.
+// exp fog) or two, since the value is stationary in x. And knee and extent are found only where the stationary point
+// asks for them: with D the denominator there, the peak is at the knee where D <= 1 and at the extent where D >= 1 /
+// threshold.
 
 template <class V>
 struct Split {
@@ -74,55 +75,74 @@ HWY_INLINE Split<V> split_rise(D d, V linear, V quadratic, V range) {
   return {rise.high, hn::MulAdd(range, hn::Add(slope.low, curve.low), rise.low)};
 }
 
-constexpr double kSeriesDepth = 0.6875;
+/// e^(+-u), 0 <= u <= kMostExponent, as 2^(+-n) e^(+-rest) with |rest| <= ln 2 / 2.
+constexpr double kMostExponent = 64;  ///< no peak lies beyond, and 1 - e^-64 is 1
 
-/// p(u) = e^u - 1 - u for |u| <= kSeriesDepth, to the precision of the type.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE V expm1_minus_argument_series(D d, V u) {
+template <class V>
+struct ReducedExponent {
+  V scale;        ///< 2^n, or 2^-n
+  Split<V> rest;  ///< u - n ln 2; its low part lacks what u itself lacks
+};
+
+enum class Sign { plus, minus };
+
+template <Sign kSign, class D, class V = hn::Vec<D>>
+HWY_INLINE ReducedExponent<V> reduce_exponent(D d, V u) {
   using T = hn::TFromD<D>;
-  constexpr int kTerms = sizeof(T) == 4 ? 9 : 15;  // of u^n / (n + 2)!
-  constexpr double kReciprocals[] = {1. / 2,
-                                     1. / 6,
-                                     1. / 24,
-                                     1. / 120,
-                                     1. / 720,
-                                     1. / 5040,
-                                     1. / 40320,
-                                     1. / 362880,
-                                     1. / 3628800,
-                                     1. / 39916800,
-                                     1. / 479001600,
-                                     1. / 6227020800.,
-                                     1. / 87178291200.,
-                                     1. / 1307674368000.,
-                                     1. / 20922789888000.};
-  V sum = hn::Set(d, T(kReciprocals[kTerms - 1]));
-  for (int n = kTerms - 2; n >= 0; --n) sum = hn::MulAdd(sum, u, hn::Set(d, T(kReciprocals[n])));
-  return hn::Mul(hn::Mul(u, u), sum);
+  constexpr bool kIsFloat = sizeof(T) == 4;
+  constexpr T kLn2High = kIsFloat ? T(0x1.62ep-1) : T(0x1.62e42feep-1);  // short: n times it is exact
+  constexpr T kLn2Low = kIsFloat ? T(0x1.0bfbe8e7bcd5ep-15) : T(0x1.a39ef35793c76p-33);
+  constexpr T kExponentOne = kIsFloat ? T(0x1.8p+23) : T(0x1.8p+52);  // added to n: n stands in the lowest bits
+  const hn::RebindToUnsigned<D> di;
+  const V n = hn::Round(hn::Mul(u, hn::Set(d, T(1.4426950408889634))));  // to the nearest in every rounding mode
+  const auto exponent = hn::ShiftLeft < kIsFloat ? 23 : 52 > (hn::BitCast(di, hn::Add(n, hn::Set(d, kExponentOne))));
+  const auto one = hn::BitCast(di, hn::Set(d, T(1)));
+  const auto scale = kSign == Sign::plus ? hn::Add(one, exponent) : hn::Sub(one, exponent);
+  const V high = hn::NegMulAdd(n, hn::Set(d, kLn2High), u);  // exact
+  return {hn::BitCast(d, scale), {high, hn::Neg(hn::Mul(n, hn::Set(d, kLn2Low)))}};
 }
 
-/// p(u) for 0 <= u, as good as the place of a peak needs it: 2e-5 in float, the type's precision in double.
+/// q(f) = (e^f - 1 - f) / f^2 for |f| <= ln 2 / 2, to the precision of the type: its power series.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V expm1_minus_argument(D d, V u) {
-  const V one = hn::Set(d, 1);
-  const auto is_small = hn::Le(u, hn::Set(d, kSeriesDepth));
-  if constexpr (sizeof(hn::TFromD<D>) == 4) {
-    const V series =
-        hn::MulAdd(hn::MulAdd(hn::MulAdd(u, hn::Set(d, 1.0f / 100), hn::Set(d, 1.0f / 24)), u, hn::Set(d, 1.0f / 6)), u,
-                   hn::Set(d, 0.5f));
-    // e^u = 2^n 2^f with n from the exponent's bits and f in [-1/2, 1/2]; at most 2^100, where no peak is.
-    const hn::RebindToSigned<D> di;
-    const V power = hn::Min(hn::Mul(u, hn::Set(d, 1.44269504f)), hn::Set(d, 100.0f));
-    const auto whole = hn::ConvertTo(di, hn::Add(power, hn::Set(d, 0.5f)));  // towards 0 in every rounding mode
-    const V f = hn::Sub(power, hn::ConvertTo(d, whole));
-    V exponential = hn::MulAdd(f, hn::Set(d, 0.0096181f), hn::Set(d, 0.0555041f));
-    exponential = hn::MulAdd(hn::MulAdd(exponential, f, hn::Set(d, 0.2402265f)), f, hn::Set(d, 0.6931472f));
-    exponential = hn::MulAdd(exponential, f, one);
-    exponential = hn::BitCast(d, hn::Add(hn::BitCast(di, exponential), hn::ShiftLeft<23>(whole)));
-    return hn::IfThenElse(is_small, hn::Mul(hn::Mul(u, u), series), hn::Sub(hn::Sub(exponential, one), u));
-  } else {
-    return hn::IfThenElse(is_small, expm1_minus_argument_series(d, u), hn::Sub(hn::Sub(hn::Exp(d, u), one), u));
-  }
+HWY_INLINE V exponential_remainder(D d, V f) {
+  using T = hn::TFromD<D>;
+  constexpr int kTerms = sizeof(T) == 4 ? 7 : 13;  // of f^n / (n + 2)!
+  constexpr double kReciprocals[] = {1. / 2,         1. / 6,           1. / 24,          1. / 120,     1. / 720,
+                                     1. / 5040,      1. / 40320,       1. / 362880,      1. / 3628800, 1. / 39916800,
+                                     1. / 479001600, 1. / 6227020800., 1. / 87178291200.};
+  V sum = hn::Set(d, T(kReciprocals[kTerms - 1]));
+  for (int n = kTerms - 2; n >= 0; --n) sum = hn::MulAdd(sum, f, hn::Set(d, T(kReciprocals[n])));
+  return sum;
+}
+
+/// p(u) = e^u - 1 - u to 2e-6 of itself, for 0 <= u <= kMostExponent.
+template <class DF, class VF = hn::Vec<DF>>
+HWY_INLINE VF expm1_minus_argument(DF df, VF u) {
+  const auto [scale, rest] = reduce_exponent<Sign::plus>(df, u);
+  const VF f = hn::Add(rest.high, rest.low);
+  const VF scaled = hn::Mul(scale, f);
+  const VF below = hn::Sub(hn::Add(scaled, hn::Sub(scale, hn::Set(df, 1.0f))), u);  // exactly 0 where n = 0
+  return hn::MulAdd(hn::Mul(scaled, f), exponential_remainder(df, f), below);
+}
+
+/// What fog does to light over a depth.
+template <class V>
+struct Fogged {
+  Split<V> opacity;  ///< 1 - e^-depth, without cancellation
+  V fog_factor;      ///< e^-depth
+};
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Fogged<V> fogged_at(D d, const Split<V>& depth) {
+  const V most = hn::Set(d, kMostExponent);
+  const auto [scale, rest] = reduce_exponent<Sign::minus>(d, hn::Min(depth.high, most));
+  const V low = hn::Add(hn::IfThenElseZero(hn::Lt(depth.high, most), depth.low), rest.low);
+  const V f = hn::Add(rest.high, low);
+  // (1 - scale) + scale (f - f^2 q(-f)); the first is 0 or at least 1/2, a multiple of a power of two.
+  const Split<V> sum = fast_two_sum(hn::Sub(hn::Set(d, 1), scale), hn::Mul(scale, rest.high));
+  const V bend = hn::NegMulAdd(hn::Mul(f, f), exponential_remainder(d, hn::Neg(f)), low);
+  return {fast_two_sum(sum.high, hn::MulAdd(scale, bend, sum.low)),
+          hn::NegMulAdd(scale, hn::Add(rest.high, bend), scale)};
 }
 
 /// log(1 + x) for x >= 0 to 2e-3 of itself: enough for a guess.
@@ -161,89 +181,128 @@ HWY_INLINE V rough_quotient(D, V a, V b) {
   }
 }
 
-/// Square root to 4e-4, in float; 0 gives 0.
+/// Square root to 4e-4; 0 gives 0.
 template <class DF, class VF = hn::Vec<DF>>
 HWY_INLINE VF rough_sqrt(DF df, VF x) {
   return hn::Mul(x, hn::ApproximateReciprocalSqrt(hn::Max(x, hn::Set(df, 1e-37f))));
 }
 
-/// u with e^u - 1 - u = z, within 5 %.
+/// u with e^u - 1 - u = z, to 3e-3 of itself: the two first terms for small z and the logarithm for large z are right.
 template <class DF, class VF = hn::Vec<DF>>
 HWY_INLINE VF guess_depth(DF df, VF z) {
-  return rough_log1p(df, hn::Add(z, rough_sqrt(df, hn::Add(z, z))));
+  const VF one = hn::Set(df, 1.0f);
+  const VF root = rough_sqrt(df, hn::Add(z, z));
+  const VF third = rough_quotient(df, hn::Set(df, 1.0f / 3), hn::MulAdd(root, hn::Set(df, 0.18f), one));
+  return rough_log1p(df, hn::MulAdd(z, hn::Sub(one, third), root));
 }
 
-/// Guess of the stationary point within 8 %. Constant, A = L / d, B = Q / d^2 as in solve.cpp.
+/// Guess of the stationary point within 2 % (the constants are fitted). Constant, a = L / d, b = Q / d^2 as in
+/// solve.cpp.
 template <class DF, class VF = hn::Vec<DF>>
 HWY_INLINE VF guess_stationary_exp(DF df, VF constant, VF a, VF b) {
   const VF two_b = hn::Add(b, b);
-  const VF weight = hn::Add(a, two_b);
-  const VF x = guess_depth(df, rough_quotient(df, constant, weight));
-  // Right where B = 0. For A = 0 the root is lower by log(1 + s), s near x^2 / (x + 2.75).
-  const VF share = rough_quotient(df, hn::Mul(two_b, hn::Mul(x, x)), hn::Mul(weight, hn::Add(x, hn::Set(df, 2.75f))));
-  return hn::Sub(x, rough_log1p(df, share));
+  const VF reciprocal = hn::ApproximateReciprocal(hn::Add(a, two_b));
+  const VF x = guess_depth(df, hn::Mul(constant, reciprocal));
+  // Right where b = 0. Else the root is lower by log(1 + share x^2 / (x + 3.5)) or so.
+  const VF share = hn::Mul(two_b, reciprocal);
+  const VF damping = hn::MulAdd(share, hn::Set(df, 0.84f), hn::Add(x, hn::Set(df, 3.5f)));
+  return hn::Sub(x, rough_log1p(df, rough_quotient(df, hn::Mul(share, hn::Mul(x, x)), damping)));
 }
 
-/// The same for exp2 fog, within 8 %.
+/// The same for exp2 fog, within 2 %.
 template <class DF, class VF = hn::Vec<DF>>
 HWY_INLINE VF guess_stationary_exp2(DF df, VF constant, VF a, VF b) {
   const VF two_c = hn::Add(constant, constant);
   const VF two_b = hn::Add(b, b);
-  // p(x^2) = x (2 C + A x) / (A + 2 B x): x = 1 on the right gives a first x, that one the guess.
-  const VF far = rough_sqrt(df, guess_depth(df, rough_quotient(df, hn::Add(two_c, a), hn::Add(a, two_b))));
-  // Where x is small: x^4 = p x + q with p = A / B, q = 2 C / B, and (p^(4/3) + q)^(1/4) is within 3 %.
+  // p(x^2) = x (2 C + a x) / (a + 2 b x): a first x on the right gives the guess.
+  const auto improve = [&](VF x) HWY_ATTR {
+    return rough_sqrt(
+        df, guess_depth(df, rough_quotient(df, hn::Mul(x, hn::MulAdd(a, x, two_c)), hn::MulAdd(two_b, x, a))));
+  };
+  const VF far = improve(hn::Set(df, 1.05f));
+  // Where x is small: x^4 = p x + q with p = a / b, q = 2 C / b, and (p^(4/3) + q)^(1/4) is near.
   const VF reciprocal = hn::ApproximateReciprocal(hn::Max(b, hn::Set(df, 1e-30f)));
   const VF p = hn::Min(hn::Mul(a, reciprocal), hn::Set(df, 1e20f));
   const VF q = hn::Min(hn::Mul(two_c, reciprocal), hn::Set(df, 1e30f));
   const VF square = rough_sqrt(df, hn::MulAdd(p, rough_cube_root(df, p), q));
-  const VF x = hn::IfThenElse(hn::Lt(square, hn::Set(df, 0.5f)), rough_sqrt(df, square), far);
-  const VF z = rough_quotient(df, hn::Mul(x, hn::MulAdd(a, x, two_c)), hn::MulAdd(two_b, x, a));
-  return rough_sqrt(df, guess_depth(df, z));
+  const VF near = hn::Mul(rough_sqrt(df, square), hn::NegMulAdd(square, hn::Set(df, 0.18f), hn::Set(df, 1.0f)));
+  return improve(hn::IfThenElse(hn::Lt(square, hn::Set(df, 1.5f)), near, far));
 }
 
-/// The guess for either precision: made in float.
-template <FogMode kMode, class D, class V = hn::Vec<D>>
-HWY_INLINE V guess_stationary(D d, V constant, V a, V b) {
-  const hn::Rebind<float, D> df;
-  const auto guess = [&](auto c, auto l, auto q) HWY_ATTR {
-    return kMode == FogMode::exp ? guess_stationary_exp(df, c, l, q) : guess_stationary_exp2(df, c, l, q);
-  };
-  if constexpr (sizeof(hn::TFromD<D>) == 4) {
-    return guess(constant, a, b);
-  } else {
-    return hn::PromoteTo(d, guess(hn::DemoteTo(df, constant), hn::DemoteTo(df, a), hn::DemoteTo(df, b)));
-  }
+/// A function that changes its sign at the stationary point, and its derivatives.
+template <class VF>
+struct Slope {
+  VF value;
+  VF first;
+  VF second;
+  VF third;
+};
+
+/// Those of solve.cpp.
+template <class DF, class VF = hn::Vec<DF>>
+HWY_INLINE Slope<VF> slope_exp(DF df, VF constant, VF a, VF b, VF x) {
+  const VF two_b = hn::Add(b, b);
+  const VF growth = hn::MulAdd(two_b, x, a);  // D'(x)
+  const VF next = hn::Add(growth, two_b);
+  const VF p = expm1_minus_argument(df, hn::Min(x, hn::Set(df, float(kMostExponent))));
+  const VF e1 = hn::Add(x, p);
+  const VF e = hn::Add(e1, hn::Set(df, 1.0f));
+  return {hn::MulAdd(growth, p, hn::MulSub(hn::Mul(b, x), x, constant)), hn::Mul(e1, next),
+          hn::MulAdd(two_b, e1, hn::Mul(e, next)), hn::Mul(e, hn::Add(next, hn::Add(two_b, two_b)))};
 }
 
-/// A Halley step towards the stationary point; the slopes are those of solve.cpp.
-template <FogMode kMode, class D, class V = hn::Vec<D>>
-HWY_INLINE V halley_move(D d, V constant, V a, V b, V x) {
-  const V one = hn::Set(d, 1);
-  const V two_b = hn::Add(b, b);
-  V value;
-  V first;
-  V second;
-  if constexpr (kMode == FogMode::exp) {
-    const V p = expm1_minus_argument(d, x);
-    const V e1 = hn::Add(x, p);
-    const V growth = hn::MulAdd(two_b, hn::Add(one, x), a);
-    value = hn::MulAdd(hn::MulAdd(two_b, x, a), p, hn::Sub(hn::Mul(b, hn::Mul(x, x)), constant));
-    first = hn::Mul(e1, growth);
-    second = hn::MulAdd(two_b, e1, hn::Mul(hn::Add(e1, one), growth));
+/// Those of solve.cpp times 2 x, 2 x^2, 2 x^3 and 2 x^4, which spares the divisions; steps are then shares of x.
+template <class DF, class VF = hn::Vec<DF>>
+HWY_INLINE Slope<VF> slope_exp2(DF df, VF constant, VF a, VF b, VF x) {
+  const VF bend = hn::Mul(hn::Add(b, b), x);
+  const VF growth = hn::Add(a, bend);  // D'(x)
+  const VF w = hn::Mul(x, x);
+  const VF p = expm1_minus_argument(df, hn::Min(w, hn::Set(df, float(kMostExponent))));
+  const VF e1 = hn::Add(w, p);
+  const VF two_w = hn::Add(w, w);
+  const VF steep = hn::Mul(two_w, growth);
+  const VF grown = hn::Mul(hn::Add(e1, hn::Set(df, 1.0f)), w);  // w e^w
+  const VF rise = hn::Mul(e1, w);
+  const VF second = hn::MulAdd(rise, hn::Sub(bend, a), hn::MulAdd(grown, steep, hn::Mul(a, p)));
+  const VF inner = hn::MulAdd(two_w, hn::Add(hn::Sub(bend, a), hn::Add(bend, steep)), steep);
+  const VF outer = hn::Mul(hn::Mul(a, hn::Set(df, 3.0f)), hn::Sub(rise, p));
+  const VF third = hn::MulAdd(grown, inner, outer);
+  return {hn::MulSub(growth, p, hn::Mul(x, hn::MulAdd(a, x, hn::Add(constant, constant)))),
+          hn::Mul(e1, hn::Sub(steep, a)), hn::Add(second, second), hn::Add(third, third)};
+}
+
+enum class Step {
+  halley,      ///< leaves the third power of what a guess lacks, to the 4e-4 of rough_quotient
+  householder  ///< the fourth power
+};
+
+/// x = d r of the stationary point, in float, by one step from a guess within 2 %: to 4e-5 by Halley's, 3e-6 by
+/// Householder's. 0 where there is none, NaN where the guess was further off.
+template <FogMode kMode, Step kStep, class DF, class VF = hn::Vec<DF>>
+HWY_INLINE VF find_stationary(DF df, VF constant, VF a, VF b, VF x) {
+  const VF one = hn::Set(df, 1.0f);
+  const Slope<VF> slope = kMode == FogMode::exp ? slope_exp(df, constant, a, b, x) : slope_exp2(df, constant, a, b, x);
+  VF move;
+  if constexpr (kStep == Step::halley) {
+    const VF two_first = hn::Add(slope.first, slope.first);
+    move = rough_quotient(df, hn::Mul(two_first, slope.value),
+                          hn::MulSub(two_first, slope.first, hn::Mul(slope.value, slope.second)));
   } else {
-    const V w = hn::Mul(x, x);
-    const V p = expm1_minus_argument(d, w);
-    const V e1 = hn::Add(w, p);
-    const V reciprocal = hn::Div(one, x);
-    const V half = hn::Mul(hn::Mul(a, hn::Set(d, 0.5)), reciprocal);
-    const V growth = hn::Sub(hn::MulAdd(two_b, x, a), hn::Mul(half, reciprocal));
-    value = hn::Sub(hn::Sub(hn::Mul(hn::Add(half, b), p), hn::Mul(hn::Mul(a, x), hn::Set(d, 0.5))), constant);
-    first = hn::Mul(e1, growth);
-    const V bend = hn::MulAdd(half, hn::Mul(reciprocal, reciprocal), b);
-    second = hn::MulAdd(hn::Add(x, x), hn::Mul(hn::Add(e1, one), growth), hn::Mul(hn::Add(e1, e1), bend));
+    const VF newton = hn::Div(slope.value, slope.first);
+    const VF share = hn::Mul(newton, hn::ApproximateReciprocal(slope.first));
+    const VF half = hn::Mul(hn::Mul(share, slope.second), hn::Set(df, 0.5f));
+    const VF sixth = hn::Mul(hn::Mul(hn::Mul(share, newton), slope.third), hn::Set(df, 1.0f / 6));
+    const VF bent = hn::Sub(half, sixth);
+    move = hn::MulAdd(newton, rough_quotient(df, bent, hn::Sub(hn::Sub(one, half), bent)), newton);
   }
-  const V two_first = hn::Add(first, first);
-  return rough_quotient(d, hn::Mul(two_first, value), hn::Sub(hn::Mul(two_first, first), hn::Mul(value, second)));
+  if constexpr (kMode == FogMode::exp2) move = hn::Mul(move, x);
+  // At large x a step leaves some x^2 times as much. At the least ones solve_peak's slope cancels in double.
+  constexpr float kLeast = kStep == Step::halley ? 0 : kMode == FogMode::exp ? 1e-7f : 3e-4f;
+  const auto is_near =
+      hn::And(hn::Lt(hn::Mul(hn::Abs(move), hn::MulAdd(x, hn::Set(df, 0.1f), one)), hn::Mul(x, hn::Set(df, 0.03f))),
+              hn::Gt(x, hn::Set(df, kLeast)));
+  const auto has_none = hn::Eq(kMode == FogMode::exp ? constant : hn::Add(constant, a), hn::Zero(df));
+  return hn::IfThenZeroElse(has_none, hn::IfThenElse(is_near, hn::Sub(x, move), hn::NaN(df)));
 }
 
 /// One vector's columns in, and its results.
@@ -255,11 +314,10 @@ struct Lanes {
   V threshold;
   V density;
 };
-template <class V, class M>
+template <class V>
 struct Solved {
   V intensity;
   V peak_range;
-  M needs_scalar;  ///< lanes outside the range that the vector arithmetic is sure of, and refused ones
 };
 
 /// The range of 2 K / (l + sqrt(l^2 + 4 q K)), 0 where K <= 0; its argument is level * parameter.
@@ -300,56 +358,6 @@ HWY_INLINE V solve_extent(D d, const Lanes<V>& in) {
   return hn::IfThenElseZero(hn::Gt(excess.high, hn::Zero(d)), hn::IfThenElse(is_constant, no_fall, extent));
 }
 
-/// Limit cases go along with harmless values and are replaced at the end: clear air, total fog, constant attenuation.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE Lanes<V> without_limit_cases(D d, const Lanes<V>& in) {
-  const V zero = hn::Zero(d);
-  const V one = hn::Set(d, 1);
-  const auto is_limit = hn::Or(hn::Eq(in.density, zero), hn::Eq(in.density, hn::Inf(d)));
-  const auto is_constant = hn::Eq(hn::Add(in.linear, in.quadratic), zero);
-  return {in.constant, hn::IfThenElse(is_constant, one, in.linear), in.quadratic, in.threshold,
-          hn::IfThenElse(is_limit, one, in.density)};
-}
-
-/// The denominator in x = d r, as in solve.cpp.
-template <class V>
-struct ScaledDenominator {
-  V constant;
-  V linear;     // A = L / d
-  V quadratic;  // B = Q / d^2
-  V metres;     // 1 / d: r = x metres
-};
-
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE ScaledDenominator<V> scale_denominator(D d, const Lanes<V>& lanes) {
-  const Lanes<V> light = without_limit_cases(d, lanes);
-  const V metres = hn::Div(hn::Set(d, 1), light.density);
-  return {light.constant, hn::Mul(light.linear, metres), hn::Mul(light.quadratic, hn::Mul(metres, metres)), metres};
-}
-
-/// The range of the stationary point from a guess of x: 0 where there is none, NaN where the steps did not settle.
-template <FogMode kMode, class D, class V = hn::Vec<D>>
-HWY_INLINE V find_stationary(D d, const ScaledDenominator<V>& scaled, V x) {
-  using T = hn::TFromD<D>;
-  const V zero = hn::Zero(d);
-  const V one = hn::Set(d, 1);
-  const auto [constant, a, b, metres] = scaled;
-  // A step that moves x by the share m leaves at most m^3 (c + x^2 / 12) of it, c = 1/3 for exp and 2 for exp2. The
-  // last one has to leave 2e-4 (float), 4e-9 (double): the height is good to its square.
-  constexpr bool kIsFloat = sizeof(T) == 4;
-  constexpr int kSteps = kIsFloat && kMode == FogMode::exp ? 1 : 2;
-  constexpr double kLastMove = !kIsFloat ? 1.2e-3 : kMode == FogMode::exp ? 0.09 : 0.04;
-  V move = x;
-  for (int step = 0; step < kSteps; ++step) {
-    move = halley_move<kMode>(d, constant, a, b, x);
-    x = hn::Sub(x, move);
-  }
-  const V weighted_move = hn::Mul(hn::Abs(move), hn::MulAdd(x, hn::Set(d, T(0.1)), one));
-  const auto is_found = hn::And(hn::Gt(x, zero), hn::Lt(weighted_move, hn::Mul(hn::Set(d, T(kLastMove)), x)));
-  const auto has_none = kMode == FogMode::exp ? hn::Eq(constant, zero) : hn::Eq(hn::Add(constant, a), zero);
-  return hn::IfThenZeroElse(has_none, hn::IfThenElse(is_found, hn::Mul(x, metres), hn::NaN(d)));
-}
-
 /// Where the peak is: at a level of the attenuation (1 at the knee, the threshold at the extent), or stationary: level
 /// 0. The range lacks its correction.
 template <class V>
@@ -358,84 +366,137 @@ struct Peak {
   V range;
 };
 
+/// In double the stationary point is still as rough as this share of it, until solve_peak corrects it; a level as near
+/// counts as reached.
+constexpr double kRoughness = 4e-6;
+
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE Peak<V> place_peak(D d, const Lanes<V>& lanes, V stationary) {
+HWY_INLINE Peak<V> place_peak(D d, const Lanes<V>& in, V stationary) {
+  constexpr double kMargin = sizeof(hn::TFromD<D>) == 4 ? 0 : kRoughness;
   const V one = hn::Set(d, 1);
-  const auto [constant, linear, quadratic, threshold, density] = without_limit_cases(d, lanes);
-  const V there = hn::MulAdd(hn::MulAdd(quadratic, stationary, linear), stationary, constant);
-  const auto at_extent = hn::Ge(hn::Mul(there, threshold), one);
-  const auto at_knee = hn::And(hn::Le(there, one), hn::Lt(constant, one));
+  const auto denominator_at = [&](double share) HWY_ATTR {
+    const V range = share == 1 ? stationary : hn::Mul(stationary, hn::Set(d, share));
+    return hn::MulAdd(hn::MulAdd(in.quadratic, range, in.linear), range, in.constant);
+  };
+  const auto at_extent = hn::Ge(hn::Mul(denominator_at(1 + kMargin), in.threshold), one);
+  const auto at_knee = hn::And(hn::Le(denominator_at(1 - kMargin), one), hn::Lt(in.constant, one));
   const auto at_level = hn::Or(at_extent, at_knee);
-  const V level = hn::IfThenElse(at_extent, threshold, one);
-  const V excess = level_excess(d, constant, level).high;
-  const V range = level_root(d, excess, hn::Mul(level, linear), hn::Mul(level, quadratic));
+  const V level = hn::IfThenElse(at_extent, in.threshold, one);
+  const V excess = level_excess(d, in.constant, level).high;
+  const V range = level_root(d, excess, hn::Mul(level, in.linear), hn::Mul(level, in.quadratic));
   return {hn::IfThenElseZero(at_level, level), hn::IfThenElse(at_level, range, stationary)};
 }
 
-/// The intensity at the peak.
+/// The intensity at the peak, of lights that are no limit case. The peak range is NaN where it was not found.
 template <FogMode kMode, class D, class V = hn::Vec<D>>
-HWY_INLINE Solved<V, hn::Mask<D>> solve_peak(D d, const Lanes<V>& in, const Peak<V>& peak) {
+HWY_INLINE Solved<V> solve_peak(D d, const Lanes<V>& in, const Peak<V>& peak) {
   using T = hn::TFromD<D>;
-  const V zero = hn::Zero(d);
   const V one = hn::Set(d, 1);
-  const Lanes<V> light = without_limit_cases(d, in);
-  const V linear = light.linear;
-  const V density = light.density;
+  const V zero = hn::Zero(d);
   const auto [level, range] = peak;
   const auto at_level = hn::Gt(level, zero);
-  const Split<V> excess = level_excess(d, in.constant, level);
 
-  const Split<V> rise = split_rise(d, linear, in.quadratic, range);
-  const V correction = hn::IfThenElseZero(at_level, level_correction(d, excess, light, level, range, rise));
-  Split<V> depth = two_product(d, density, range);
-  depth.low = hn::MulAdd(density, correction, depth.low);
+  const Split<V> rise = split_rise(d, in.linear, in.quadratic, range);
+  const V correction =
+      hn::IfThenElseZero(at_level, level_correction(d, level_excess(d, in.constant, level), in, level, range, rise));
+  Split<V> depth = two_product(d, in.density, range);
+  depth.low = hn::MulAdd(in.density, correction, depth.low);
   if constexpr (kMode == FogMode::exp2) {
     const Split<V> square = two_product(d, depth.high, depth.high);
     depth = {square.high, hn::MulAdd(hn::Add(depth.high, depth.high), depth.low, square.low)};
   }
-  const auto is_thin = hn::Lt(depth.high, hn::Set(d, T(kSeriesDepth)));
-  const V minus_depth = hn::Neg(depth.high);
-  const V thin = expm1_minus_argument_series(d, hn::IfThenElseZero(is_thin, minus_depth));
-  const Split<V> difference = fast_two_sum(hn::IfThenElse(is_thin, depth.high, one),
-                                           hn::Neg(hn::IfThenElse(is_thin, thin, hn::Exp(d, minus_depth))));
-  const Split<V> opacity{difference.high, hn::MulAdd(hn::Sub(one, difference.high), depth.low, difference.low)};
+  const auto [opacity, fog_factor] = fogged_at(d, depth);
 
-  const V fall = hn::Add(in.linear, in.quadratic);
-  const auto is_clear = hn::Eq(in.density, zero);
-  const auto is_total = hn::Eq(in.density, hn::Inf(d));
-  const auto is_constant = hn::Eq(fall, zero);
-  const auto is_flat = hn::Or(is_total, is_constant);
-  const V near = hn::Max(in.constant, one);  // the denominator of a(0+)
-  Split<V> denominator = two_sum(in.constant, rise.high);
-  denominator.high = hn::IfThenElse(is_flat, near, denominator.high);
+  const Split<V> denominator = two_sum(in.constant, rise.high);
   const V reciprocal = hn::Div(one, denominator.high);
   const V quotient = hn::Mul(opacity.high, reciprocal);
   const Split<V> product = two_product(d, quotient, denominator.high);
   const V remainder = hn::Sub(hn::Sub(hn::Sub(opacity.high, product.high), product.low),
                               hn::MulSub(quotient, hn::Add(denominator.low, rise.low), opacity.low));
-  const V at_stationary = hn::MulAdd(remainder, reciprocal, quotient);
-  V intensity = hn::IfThenElse(at_level, hn::Mul(level, hn::Add(opacity.high, opacity.low)), at_stationary);
   V peak_range = hn::Add(range, correction);
+  V gain = zero;
+  if constexpr (sizeof(T) == 8) {
+    // The rough stationary point is one Newton step from the true one, and the height half that step's slope from its
+    // own: what is left is the cube of the roughness. From a level the step may only lead back inside.
+    const V curve = hn::Mul(in.quadratic, range);
+    const V growth = hn::Add(in.linear, hn::Add(curve, curve));
+    V fading;  // opacity'
+    V fall;    // -opacity''
+    if constexpr (kMode == FogMode::exp) {
+      fading = hn::Mul(fog_factor, in.density);
+      fall = hn::Mul(fading, in.density);
+    } else {
+      const V squared = hn::Mul(in.density, in.density);
+      const V twice = hn::Mul(fog_factor, hn::Add(squared, squared));
+      fading = hn::Mul(twice, range);
+      fall = hn::Mul(twice, hn::Sub(hn::Add(depth.high, depth.high), one));
+    }
+    const V slope = hn::MulSub(fading, denominator.high, hn::Mul(growth, opacity.high));
+    const V inward = hn::IfThenElse(hn::Eq(level, one), hn::Max(slope, zero), hn::Min(slope, zero));
+    const V wanted = hn::IfThenElse(at_level, inward, slope);
+    const V bend = hn::MulAdd(fall, denominator.high, hn::Mul(hn::Add(in.quadratic, in.quadratic), opacity.high));
+    const V move = hn::IfThenZeroElse(hn::Eq(wanted, zero), hn::Div(wanted, bend));
+    gain = hn::Mul(hn::Mul(move, slope), hn::Mul(hn::Set(d, 0.5), reciprocal));
+    const auto is_near = hn::Le(hn::Abs(move), hn::Mul(range, hn::Set(d, kRoughness)));
+    peak_range = hn::IfThenElse(is_near, hn::Add(peak_range, move), hn::NaN(d));
+  }
+  const V at_stationary = hn::MulAdd(hn::Add(remainder, gain), reciprocal, quotient);
+  const V at_border = hn::MulAdd(gain, reciprocal, hn::Mul(level, hn::Add(opacity.high, opacity.low)));
+  const V intensity = hn::IfThenElse(at_level, at_border, at_stationary);
+  return {hn::Min(intensity, one), peak_range};  // rounding upward may exceed 1
+}
 
-  intensity = hn::IfThenElse(is_flat, reciprocal, intensity);
-  peak_range = hn::IfThenElse(is_flat, hn::IfThenElseZero(hn::Not(is_total), hn::Inf(d)), peak_range);
-  const auto is_dark = hn::Or(is_clear, hn::Le(level_excess(d, in.constant, in.threshold).high, zero));
-
-  // Squares and cubes of what is within these limits stay within float's range. NaN is outside all limits; the sum of
-  // the coefficients is NaN, infinite or 0 where they may not be.
-  const V sum = hn::Add(in.constant, fall);
+/// Squares and cubes of what is within these limits stay within float's range. NaN is outside all of them; the sum of
+/// the coefficients is NaN, infinite or 0 where they may not be.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE hn::Mask<D> is_safe(D d, const Lanes<V>& in, hn::Mask<D> has_safe_fall) {
+  using T = hn::TFromD<D>;
+  const V sum = hn::Add(in.constant, hn::Add(in.linear, in.quadratic));
   const V least = hn::Min(in.constant, hn::Min(in.linear, in.quadratic));
   const auto is_safe_attenuation =
-      hn::And(hn::And(hn::Gt(sum, zero), hn::Le(sum, hn::Set(d, T(0x1p+20)))),
-              hn::And(hn::Ge(least, zero), hn::Or(is_constant, hn::Ge(fall, hn::Set(d, T(0x1p-30))))));
+      hn::And(hn::And(hn::Le(sum, hn::Set(d, T(0x1p+20))), has_safe_fall), hn::Ge(least, hn::Zero(d)));
+  const auto is_safe_threshold =
+      hn::And(hn::Ge(in.threshold, hn::Set(d, T(0x1p-14))), hn::Lt(in.threshold, hn::Set(d, 1)));
+  return hn::And(is_safe_attenuation, is_safe_threshold);
+}
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE hn::Mask<D> has_least_fall(D d, V fall) {
+  return hn::Ge(fall, hn::Set(d, hn::TFromD<D>(0x1p-30)));
+}
+
+/// Lights below their threshold everywhere.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE hn::Mask<D> is_dark(D d, const Lanes<V>& in) {
+  return hn::Ge(hn::Mul(in.constant, in.threshold), hn::Set(d, 1));
+}
+
+/// The lights that solve_peak holds for.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE hn::Mask<D> is_ordinary(D d, const Lanes<V>& in) {
+  using T = hn::TFromD<D>;
   const auto is_safe_density =
       hn::And(hn::Ge(in.density, hn::Set(d, T(0x1p-17))), hn::Le(in.density, hn::Set(d, T(0x1p+10))));
-  const auto is_safe_fog = hn::And(hn::Or(hn::Or(is_clear, is_total), is_safe_density),
-                                   hn::And(hn::Ge(in.threshold, hn::Set(d, T(0x1p-14))), hn::Lt(in.threshold, one)));
-  const auto is_found = hn::Or(hn::Eq(range, range), hn::Or(is_flat, is_dark));
-  intensity = hn::Min(intensity, one);  // rounding upward may exceed it
-  return {hn::IfThenZeroElse(is_dark, intensity), hn::IfThenZeroElse(is_dark, peak_range),
-          hn::Not(hn::And(hn::And(is_safe_attenuation, is_safe_fog), is_found))};
+  return hn::And(is_safe(d, in, has_least_fall(d, hn::Add(in.linear, in.quadratic))),
+                 hn::AndNot(is_dark(d, in), is_safe_density));
+}
+
+/// The limit cases among the others: clear air, total fog, constant attenuation, dark lights. The peak range is NaN in
+/// lanes that are none of them, or refused.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Solved<V> solve_limit_cases(D d, const Lanes<V>& in) {
+  const V one = hn::Set(d, 1);
+  const V zero = hn::Zero(d);
+  const V infinity = hn::Inf(d);
+  const V fall = hn::Add(in.linear, in.quadratic);
+  const auto is_constant = hn::And(hn::Eq(fall, zero), hn::Gt(in.constant, zero));
+  const auto is_valid = hn::And(is_safe(d, in, hn::Or(is_constant, has_least_fall(d, fall))), hn::Ge(in.density, zero));
+  const auto is_total = hn::Eq(in.density, infinity);
+  const auto is_unlit = hn::Or(hn::Eq(in.density, zero), is_dark(d, in));
+  const auto is_limit = hn::And(is_valid, hn::Or(is_unlit, hn::Or(is_total, is_constant)));
+  const V intensity = hn::IfThenZeroElse(is_unlit, hn::Div(one, hn::Max(in.constant, one)));  // a(0+)
+  const V peak_range = hn::IfThenZeroElse(hn::Or(is_unlit, is_total), infinity);
+  return {intensity, hn::IfThenElse(is_limit, peak_range, hn::NaN(d))};
 }
 
 /// A column at a light: one value for all where it has a single one.
@@ -456,8 +517,8 @@ T value_at(std::span<const T> column, std::size_t at) {
 
 /// One light by the scalar solver: returns whether it is refused.
 template <typename T>
-bool solve_one(FogMode mode, const BasicBatchLights<T>& lights, const BasicBatchSolutions<T>& solutions,
-               std::size_t at) {
+bool solve_one(FogMode mode, const BasicBatchLights<T>& lights, const BasicBatchSolutions<T>& solutions, std::size_t at,
+               T& peak_range) {
   const Attenuation attenuation{lights.constant[at], lights.linear[at], lights.quadratic[at]};
   const Fog fog{mode, value_at(lights.density, at)};
   const double threshold = value_at(lights.threshold, at);
@@ -465,7 +526,7 @@ bool solve_one(FogMode mode, const BasicBatchLights<T>& lights, const BasicBatch
   const FogIntensity solved =
       is_refused ? FogIntensity{0, 0, 0, SolveStatus::ok} : solve_fog_intensity(attenuation, fog, threshold);
   store(solutions.intensity, at, T(solved.intensity));
-  store(solutions.peak_range, at, T(solved.peak_range));
+  peak_range = T(solved.peak_range);
   store(solutions.extent, at, T(solved.extent));
   store(solutions.status, at,
         is_refused                         ? BatchStatus::refused
@@ -474,58 +535,141 @@ bool solve_one(FogMode mode, const BasicBatchLights<T>& lights, const BasicBatch
   return is_refused;
 }
 
+// Lights are solved in blocks, a stage at a time: each stage alone is short enough for the processor to overlap several
+// vectors of it.
+constexpr std::size_t kBlock = 256;
+
+/// x of the stationary points of a block's lights, in float.
+template <FogMode kMode, Step kStep>
+HWY_INLINE void find_stationary_points(const BasicBatchLights<float>& lights, std::size_t begin, std::size_t count,
+                                       float* x) {
+  const hn::ScalableTag<float> df;
+  float a[kBlock];
+  float b[kBlock];
+  const auto load_constant = [&](std::size_t k) HWY_ATTR { return hn::LoadU(df, lights.constant.data() + begin + k); };
+  for (std::size_t k = 0; k < count; k += hn::Lanes(df)) {
+    const auto metres = hn::Div(hn::Set(df, 1.0f), load(df, lights.density, begin + k));
+    const auto linear = hn::Mul(hn::LoadU(df, lights.linear.data() + begin + k), metres);
+    const auto quadratic = hn::Mul(hn::LoadU(df, lights.quadratic.data() + begin + k), hn::Mul(metres, metres));
+    const auto guess = kMode == FogMode::exp ? guess_stationary_exp(df, load_constant(k), linear, quadratic)
+                                             : guess_stationary_exp2(df, load_constant(k), linear, quadratic);
+    hn::StoreU(linear, df, a + k);
+    hn::StoreU(quadratic, df, b + k);
+    hn::StoreU(guess, df, x + k);
+  }
+  for (std::size_t k = 0; k < count; k += hn::Lanes(df)) {
+    hn::StoreU(find_stationary<kMode, kStep>(df, load_constant(k), hn::LoadU(df, a + k), hn::LoadU(df, b + k),
+                                             hn::LoadU(df, x + k)),
+               df, x + k);
+  }
+}
+
+template <class D, typename T>
+HWY_INLINE Lanes<hn::Vec<D>> load_lanes(D d, const BasicBatchLights<T>& lights, std::size_t at) {
+  return {hn::LoadU(d, lights.constant.data() + at), hn::LoadU(d, lights.linear.data() + at),
+          hn::LoadU(d, lights.quadratic.data() + at), load(d, lights.threshold, at), load(d, lights.density, at)};
+}
+
+/// The ranges of the stationary points of a block's lights.
+template <FogMode kMode>
+HWY_INLINE void find_stationary_ranges(const BasicBatchLights<float>& lights, std::size_t begin, std::size_t count,
+                                       float* ranges) {
+  const hn::ScalableTag<float> d;
+  find_stationary_points<kMode, Step::halley>(lights, begin, count, ranges);
+  for (std::size_t k = 0; k < count; k += hn::Lanes(d)) {
+    hn::StoreU(hn::Div(hn::LoadU(d, ranges + k), load(d, lights.density, begin + k)), d, ranges + k);
+  }
+}
+template <FogMode kMode>
+HWY_INLINE void find_stationary_ranges(const BasicBatchLights<double>& lights, std::size_t begin, std::size_t count,
+                                       double* ranges) {
+  const hn::ScalableTag<double> d;
+  const hn::Rebind<float, decltype(d)> df;
+  float columns[4][kBlock];
+  float x[kBlock];
+  for (std::size_t k = 0; k < count; k += hn::Lanes(d)) {
+    const auto in = load_lanes(d, lights, begin + k);
+    hn::StoreU(hn::DemoteTo(df, in.constant), df, columns[0] + k);
+    hn::StoreU(hn::DemoteTo(df, in.linear), df, columns[1] + k);
+    hn::StoreU(hn::DemoteTo(df, in.quadratic), df, columns[2] + k);
+    hn::StoreU(hn::DemoteTo(df, in.density), df, columns[3] + k);
+  }
+  const auto column = [&](int k) { return std::span<const float>(columns[k], count); };
+  find_stationary_points<kMode, Step::householder>({column(0), column(1), column(2), {}, column(3)}, 0, count, x);
+  for (std::size_t k = 0; k < count; k += hn::Lanes(d)) {
+    hn::StoreU(hn::Div(hn::PromoteTo(d, hn::LoadU(df, x + k)), load(d, lights.density, begin + k)), d, ranges + k);
+  }
+}
+
+/// What solve_block leaves: limit cases in vectors, the rest by the scalar solver. Returns how many are refused.
+template <FogMode kMode, typename T>
+HWY_NOINLINE std::size_t solve_rest(const BasicBatchLights<T>& lights, const BasicBatchSolutions<T>& solutions,
+                                    std::size_t begin, std::size_t count, T* ranges) {
+  const hn::ScalableTag<T> d;
+  std::size_t refused = 0;
+  for (std::size_t k = 0; k < count; k += hn::Lanes(d)) {
+    const auto range = hn::LoadU(d, ranges + k);
+    const auto is_missing = hn::IsNaN(range);
+    if (hn::AllFalse(d, is_missing)) continue;
+    T* const intensities = solutions.intensity.data() + begin + k;
+    const auto limit = solve_limit_cases(d, load_lanes(d, lights, begin + k));
+    hn::StoreU(hn::IfThenElse(is_missing, limit.peak_range, range), d, ranges + k);
+    hn::StoreU(hn::IfThenElse(is_missing, limit.intensity, hn::LoadU(d, intensities)), d, intensities);
+    for (std::size_t lane = k; lane < k + hn::Lanes(d); ++lane) {
+      if (ranges[lane] != ranges[lane]) refused += solve_one<T>(kMode, lights, solutions, begin + lane, ranges[lane]);
+    }
+  }
+  return refused;
+}
+
+/// A block of whole vectors.
+template <FogMode kMode, typename T>
+HWY_INLINE std::size_t solve_block(const BasicBatchLights<T>& lights, const BasicBatchSolutions<T>& solutions,
+                                   std::size_t begin, std::size_t count) {
+  const hn::ScalableTag<T> d;
+  T ranges[kBlock];
+  T levels[kBlock];
+  find_stationary_ranges<kMode>(lights, begin, count, ranges);
+  for (std::size_t k = 0; k < count; k += hn::Lanes(d)) {
+    const auto peak = place_peak(d, load_lanes(d, lights, begin + k), hn::LoadU(d, ranges + k));
+    hn::StoreU(peak.level, d, levels + k);
+    hn::StoreU(peak.range, d, ranges + k);
+  }
+  auto sum = hn::Zero(d);
+  for (std::size_t k = 0; k < count; k += hn::Lanes(d)) {
+    const auto in = load_lanes(d, lights, begin + k);
+    const auto solved = solve_peak<kMode>(d, in, {hn::LoadU(d, levels + k), hn::LoadU(d, ranges + k)});
+    const auto range = hn::IfThenElse(is_ordinary(d, in), solved.peak_range, hn::NaN(d));
+    sum = hn::Add(sum, range);  // NaN where any is
+    hn::StoreU(solved.intensity, d, solutions.intensity.data() + begin + k);
+    hn::StoreU(range, d, ranges + k);
+  }
+  if (!solutions.extent.empty()) {
+    for (std::size_t k = 0; k < count; k += hn::Lanes(d)) {
+      hn::StoreU(solve_extent(d, load_lanes(d, lights, begin + k)), d, solutions.extent.data() + begin + k);
+    }
+  }
+  const bool is_whole = hn::AllFalse(d, hn::IsNaN(sum));
+  const std::size_t refused = is_whole ? 0 : solve_rest<kMode>(lights, solutions, begin, count, ranges);
+  if (!solutions.peak_range.empty()) std::copy_n(ranges, count, solutions.peak_range.begin() + std::ptrdiff_t(begin));
+  return refused;
+}
+
 template <FogMode kMode, typename T>
 std::size_t solve_columns(const BasicBatchLights<T>& lights, const BasicBatchSolutions<T>& solutions) {
-  const hn::ScalableTag<T> d;
-  const std::size_t lanes = hn::Lanes(d);
+  const std::size_t lanes = hn::Lanes(hn::ScalableTag<float>());  // whole vectors of either type
   const std::size_t count = solutions.intensity.size();
   std::fill(solutions.status.begin(), solutions.status.end(), BatchStatus::ok);
   std::size_t refused = 0;
-  const auto lanes_at = [&](std::size_t at) HWY_ATTR {
-    return Lanes<hn::Vec<decltype(d)>>{
-        hn::LoadU(d, lights.constant.data() + at), hn::LoadU(d, lights.linear.data() + at),
-        hn::LoadU(d, lights.quadratic.data() + at), load(d, lights.threshold, at), load(d, lights.density, at)};
-  };
-  // In blocks, a stage at a time: each stage alone is short enough for the processor to overlap several vectors of it.
-  constexpr std::size_t kBlock = 256;
-  T ranges[kBlock];
-  T levels[kBlock];
   std::size_t at = 0;
   while (at + lanes <= count) {
-    const std::size_t begin = at;
-    const std::size_t end = begin + std::min(kBlock, (count - begin) / lanes * lanes);
-    for (at = begin; at < end; at += lanes) {
-      const auto scaled = scale_denominator(d, lanes_at(at));
-      hn::StoreU(guess_stationary<kMode>(d, scaled.constant, scaled.linear, scaled.quadratic), d,
-                 ranges + (at - begin));
-    }
-    for (at = begin; at < end; at += lanes) {
-      const auto guess = hn::LoadU(d, ranges + (at - begin));
-      hn::StoreU(find_stationary<kMode>(d, scale_denominator(d, lanes_at(at)), guess), d, ranges + (at - begin));
-    }
-    for (at = begin; at < end; at += lanes) {
-      const auto peak = place_peak(d, lanes_at(at), hn::LoadU(d, ranges + (at - begin)));
-      hn::StoreU(peak.level, d, levels + (at - begin));
-      hn::StoreU(peak.range, d, ranges + (at - begin));
-    }
-    for (at = begin; at < end; at += lanes) {
-      const auto in = lanes_at(at);
-      const auto solved =
-          solve_peak<kMode>(d, in, {hn::LoadU(d, levels + (at - begin)), hn::LoadU(d, ranges + (at - begin))});
-      hn::StoreU(solved.intensity, d, solutions.intensity.data() + at);
-      if (!solutions.peak_range.empty()) hn::StoreU(solved.peak_range, d, solutions.peak_range.data() + at);
-      if (!solutions.extent.empty()) hn::StoreU(solve_extent(d, in), d, solutions.extent.data() + at);
-      if (hn::AllFalse(d, solved.needs_scalar)) continue;
-      std::uint8_t bits[8] = {};
-      hn::StoreMaskBits(d, solved.needs_scalar, bits);
-      for (std::size_t lane = 0; lane < lanes; ++lane) {
-        if (bits[lane / 8] >> (lane % 8) & 1) refused += solve_one<T>(kMode, lights, solutions, at + lane);
-      }
-    }
+    const std::size_t block = std::min(kBlock, (count - at) / lanes * lanes);
+    refused += solve_block<kMode>(lights, solutions, at, block);
+    at += block;
   }
   // The rest through a padded copy of itself, so that a light's result does not depend on its place.
   if (at < count) {
-    constexpr std::size_t kMost = hn::MaxLanes(d);
+    constexpr std::size_t kMost = hn::MaxLanes(hn::ScalableTag<float>());
     T columns[5][kMost];
     T intensity[kMost];
     T peak_range[kMost];
