@@ -14,6 +14,13 @@
 // Highway's order: highway.h first.
 #include <hwy/contrib/math/math-inl.h>
 
+#undef LITFOG_HAS_FMA
+#if HWY_TARGET == HWY_SSSE3 || HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_EMU128 || HWY_TARGET == HWY_SCALAR
+#define LITFOG_HAS_FMA 0
+#else
+#define LITFOG_HAS_FMA 1
+#endif
+
 HWY_BEFORE_NAMESPACE();
 namespace litfog::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
@@ -33,8 +40,10 @@ struct Split {
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Split<V> two_product(D d, V a, V b) {
   const V product = hn::Mul(a, b);
-#if HWY_TARGET == HWY_SSSE3 || HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_EMU128 || HWY_TARGET == HWY_SCALAR
-  // Without a fused multiply-add: Veltkamp's splitting, Dekker's product.
+#if LITFOG_HAS_FMA
+  (void)d;
+  return {product, hn::MulSub(a, b, product)};
+#else  // Veltkamp's splitting, Dekker's product
   const V splitter = hn::Set(d, sizeof(hn::TFromD<D>) == 4 ? 4097 : 134217729);  // 2^12 + 1, 2^27 + 1
   const auto halves = [&](V x) HWY_ATTR {
     const V c = hn::Mul(splitter, x);
@@ -46,33 +55,52 @@ HWY_INLINE Split<V> two_product(D d, V a, V b) {
   const V rest =
       hn::Sub(hn::Sub(hn::Sub(product, hn::Mul(x.high, y.high)), hn::Mul(x.low, y.high)), hn::Mul(x.high, y.low));
   return {product, hn::Sub(hn::Mul(x.low, y.low), rest)};
-#else
-  (void)d;
-  return {product, hn::MulSub(a, b, product)};
 #endif
 }
 
-template <class V>
-HWY_INLINE Split<V> two_sum(V a, V b) {
-  const V sum = hn::Add(a, b);
-  const V b_part = hn::Sub(sum, a);
-  return {sum, hn::Add(hn::Sub(a, hn::Sub(sum, b_part)), hn::Sub(b, b_part))};
+/// c - a b without the rounding of the product.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V minus_product(D d, V c, V a, V b) {
+#if LITFOG_HAS_FMA
+  (void)d;
+  return hn::NegMulAdd(a, b, c);
+#else
+  const Split<V> product = two_product(d, a, b);
+  return hn::Sub(hn::Sub(c, product.high), product.low);
+#endif
 }
 
-/// The same where |a| >= |b|.
+/// a + b and its rounding error where |a| >= |b|.
 template <class V>
 HWY_INLINE Split<V> fast_two_sum(V a, V b) {
   const V sum = hn::Add(a, b);
   return {sum, hn::Sub(b, hn::Sub(sum, a))};
 }
 
-/// L r + Q r^2 with its rounding error, as in level_range.h.
+/// The same for a and b >= 0.
+template <class V>
+HWY_INLINE Split<V> two_sum(V a, V b) {
+  return fast_two_sum(hn::Max(a, b), hn::Min(a, b));
+}
+
+/// One vector's columns.
+template <class V>
+struct Lanes {
+  V constant;
+  V linear;
+  V quadratic;
+  V threshold;
+  V density;
+};
+
+/// C + L r + Q r^2 with its rounding error, as in level_range.h.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE Split<V> split_rise(D d, V linear, V quadratic, V range) {
-  const Split<V> curve = two_product(d, quadratic, range);
-  const Split<V> slope = two_sum(linear, curve.high);
+HWY_INLINE Split<V> split_denominator(D d, const Lanes<V>& in, V range) {
+  const Split<V> curve = two_product(d, in.quadratic, range);
+  const Split<V> slope = two_sum(in.linear, curve.high);
   const Split<V> rise = two_product(d, range, slope.high);
-  return {rise.high, hn::MulAdd(range, hn::Add(slope.low, curve.low), rise.low)};
+  const Split<V> sum = two_sum(in.constant, rise.high);
+  return {sum.high, hn::Add(sum.low, hn::MulAdd(range, hn::Add(slope.low, curve.low), rise.low))};
 }
 
 /// e^(+-u), 0 <= u <= kMostExponent, as 2^(+-n) e^(+-rest) with |rest| <= ln 2 / 2.
@@ -93,9 +121,10 @@ HWY_INLINE ReducedExponent<V> reduce_exponent(D d, V u) {
   constexpr T kLn2High = kIsFloat ? T(0x1.62ep-1) : T(0x1.62e42feep-1);  // short: n times it is exact
   constexpr T kLn2Low = kIsFloat ? T(0x1.0bfbe8e7bcd5ep-15) : T(0x1.a39ef35793c76p-33);
   constexpr T kExponentOne = kIsFloat ? T(0x1.8p+23) : T(0x1.8p+52);  // added to n: n stands in the lowest bits
+  constexpr int kMantissaBits = kIsFloat ? 23 : 52;
   const hn::RebindToUnsigned<D> di;
   const V n = hn::Round(hn::Mul(u, hn::Set(d, T(1.4426950408889634))));  // to the nearest in every rounding mode
-  const auto exponent = hn::ShiftLeft < kIsFloat ? 23 : 52 > (hn::BitCast(di, hn::Add(n, hn::Set(d, kExponentOne))));
+  const auto exponent = hn::ShiftLeft<kMantissaBits>(hn::BitCast(di, hn::Add(n, hn::Set(d, kExponentOne))));
   const auto one = hn::BitCast(di, hn::Set(d, T(1)));
   const auto scale = kSign == Sign::plus ? hn::Add(one, exponent) : hn::Sub(one, exponent);
   const V high = hn::NegMulAdd(n, hn::Set(d, kLn2High), u);  // exact
@@ -134,10 +163,9 @@ struct Fogged {
 
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Fogged<V> fogged_at(D d, const Split<V>& depth) {
-  const V most = hn::Set(d, kMostExponent);
-  const auto [scale, rest] = reduce_exponent<Sign::minus>(d, hn::Min(depth.high, most));
-  const V low = hn::Add(hn::IfThenElseZero(hn::Lt(depth.high, most), depth.low), rest.low);
-  const V f = hn::Add(rest.high, low);
+  const auto [scale, rest] = reduce_exponent<Sign::minus>(d, hn::Min(depth.high, hn::Set(d, kMostExponent)));
+  const V f = hn::Add(rest.high, rest.low);
+  const V low = hn::Add(rest.low, hn::NegMulAdd(depth.low, f, depth.low));
   // (1 - scale) + scale (f - f^2 q(-f)); the first is 0 or at least 1/2, a multiple of a power of two.
   const Split<V> sum = fast_two_sum(hn::Sub(hn::Set(d, 1), scale), hn::Mul(scale, rest.high));
   const V bend = hn::NegMulAdd(hn::Mul(f, f), exponential_remainder(d, hn::Neg(f)), low);
@@ -160,6 +188,14 @@ HWY_INLINE VF rough_log1p(DF df, VF x) {
   log = hn::MulAdd(m, log, hn::Set(df, -0.48625f));
   log = hn::Mul(m, hn::MulAdd(m, log, one));
   return hn::MulAdd(exponent, hn::Set(df, 0.69314718f), log);
+}
+
+/// log y for y >= 1 to 0.06, from the bits: linear between powers of two.
+template <class DF, class VF = hn::Vec<DF>>
+HWY_INLINE VF rough_log(DF df, VF y) {
+  constexpr float kUnit = 0.69314718f / 8388608;  // of the bits; 127 exponents are 0
+  const hn::RebindToSigned<DF> di;
+  return hn::MulAdd(hn::ConvertTo(df, hn::BitCast(di, y)), hn::Set(df, kUnit), hn::Set(df, -127 * 0.69314718f));
 }
 
 /// x^(1/3) within 4 %, from the bits: a third of the exponent.
@@ -214,19 +250,18 @@ template <class DF, class VF = hn::Vec<DF>>
 HWY_INLINE VF guess_stationary_exp2(DF df, VF constant, VF a, VF b) {
   const VF two_c = hn::Add(constant, constant);
   const VF two_b = hn::Add(b, b);
-  // p(x^2) = x (2 C + a x) / (a + 2 b x): a first x on the right gives the guess.
-  const auto improve = [&](VF x) HWY_ATTR {
-    return rough_sqrt(
-        df, guess_depth(df, rough_quotient(df, hn::Mul(x, hn::MulAdd(a, x, two_c)), hn::MulAdd(two_b, x, a))));
-  };
-  const VF far = improve(hn::Set(df, 1.05f));
+  // p(x^2) = x (2 C + a x) / (a + 2 b x): x = 1 on the right gives a first x, that one the guess.
+  const VF z = rough_quotient(df, hn::Add(two_c, a), hn::Add(a, two_b));
+  const VF far = rough_sqrt(df, rough_log(df, hn::Add(hn::Add(z, hn::Set(df, 1.0f)), rough_sqrt(df, hn::Add(z, z)))));
   // Where x is small: x^4 = p x + q with p = a / b, q = 2 C / b, and (p^(4/3) + q)^(1/4) is near.
   const VF reciprocal = hn::ApproximateReciprocal(hn::Max(b, hn::Set(df, 1e-30f)));
   const VF p = hn::Min(hn::Mul(a, reciprocal), hn::Set(df, 1e20f));
   const VF q = hn::Min(hn::Mul(two_c, reciprocal), hn::Set(df, 1e30f));
   const VF square = rough_sqrt(df, hn::MulAdd(p, rough_cube_root(df, p), q));
   const VF near = hn::Mul(rough_sqrt(df, square), hn::NegMulAdd(square, hn::Set(df, 0.18f), hn::Set(df, 1.0f)));
-  return improve(hn::IfThenElse(hn::Lt(square, hn::Set(df, 1.5f)), near, far));
+  const VF x = hn::IfThenElse(hn::Lt(square, hn::Set(df, 1.5f)), near, far);
+  const VF next = rough_quotient(df, hn::Mul(x, hn::MulAdd(a, x, two_c)), hn::MulAdd(two_b, x, a));
+  return rough_sqrt(df, guess_depth(df, next));
 }
 
 /// A function that changes its sign at the stationary point, and its derivatives.
@@ -305,15 +340,7 @@ HWY_INLINE VF find_stationary(DF df, VF constant, VF a, VF b, VF x) {
   return hn::IfThenZeroElse(has_none, hn::IfThenElse(is_near, hn::Sub(x, move), hn::NaN(df)));
 }
 
-/// One vector's columns in, and its results.
-template <class V>
-struct Lanes {
-  V constant;
-  V linear;
-  V quadratic;
-  V threshold;
-  V density;
-};
+/// One vector's results.
 template <class V>
 struct Solved {
   V intensity;
@@ -328,34 +355,35 @@ HWY_INLINE V level_root(D d, V excess, V linear, V quadratic) {
   return hn::IfThenElseZero(hn::Gt(excess, hn::Zero(d)), hn::Div(twice, hn::Add(linear, root)));
 }
 
-/// 1 - constant * level with its rounding error.
+/// The range of a level to half its precision, 0 where no light gets down to it.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE Split<V> level_excess(D d, V constant, V level) {
-  const Split<V> product = two_product(d, constant, level);
-  const Split<V> difference = fast_two_sum(hn::Set(d, 1), hn::Neg(product.high));  // dark lights aside
-  return {difference.high, hn::Sub(difference.low, product.low)};
+HWY_INLINE V rough_level_range(D d, const Lanes<V>& in, V level) {
+  const V excess = minus_product(d, hn::Set(d, 1), in.constant, level);
+  return level_root(d, excess, hn::Mul(level, in.linear), hn::Mul(level, in.quadratic));
 }
 
 /// What the range of a level lacks of the true one: a Newton step with the split residual.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V level_correction(D d, const Split<V>& excess, const Lanes<V>& in, V level, V range, const Split<V>& rise) {
+HWY_INLINE V level_correction(D d, const Lanes<V>& in, V level, V range, const Split<V>& denominator) {
   using T = hn::TFromD<D>;
-  const Split<V> scaled = two_product(d, level, rise.high);  // the excess, at the true root
-  const V residual =
-      hn::Add(hn::Sub(hn::Sub(excess.high, scaled.high), scaled.low), hn::NegMulAdd(level, rise.low, excess.low));
+  const V residual = hn::NegMulAdd(level, denominator.low, minus_product(d, hn::Set(d, 1), level, denominator.high));
   const V slope = hn::Mul(level, hn::MulAdd(hn::Add(in.quadratic, in.quadratic), range, in.linear));
   return rough_quotient(d, residual, hn::Max(slope, hn::Set(d, T(1e-37))));
 }
 
+/// Lights below their threshold everywhere.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE hn::Mask<D> is_dark(D d, const Lanes<V>& in) {
+  return hn::Ge(hn::Mul(in.constant, in.threshold), hn::Set(d, 1));
+}
+
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V solve_extent(D d, const Lanes<V>& in) {
-  const Split<V> excess = level_excess(d, in.constant, in.threshold);
-  const V range = level_root(d, excess.high, hn::Mul(in.threshold, in.linear), hn::Mul(in.threshold, in.quadratic));
-  const Split<V> rise = split_rise(d, in.linear, in.quadratic, range);
-  const V extent = hn::Add(range, level_correction(d, excess, in, in.threshold, range, rise));
-  const V no_fall = hn::Inf(d);
+  const V range = rough_level_range(d, in, in.threshold);
+  const V correction = level_correction(d, in, in.threshold, range, split_denominator(d, in, range));
   const auto is_constant = hn::Eq(hn::Add(in.linear, in.quadratic), hn::Zero(d));
-  return hn::IfThenElseZero(hn::Gt(excess.high, hn::Zero(d)), hn::IfThenElse(is_constant, no_fall, extent));
+  const V extent = hn::IfThenElse(is_constant, hn::Inf(d), hn::Add(range, correction));
+  return hn::IfThenZeroElse(is_dark(d, in), extent);
 }
 
 /// Where the peak is: at a level of the attenuation (1 at the knee, the threshold at the extent), or stationary: level
@@ -382,9 +410,7 @@ HWY_INLINE Peak<V> place_peak(D d, const Lanes<V>& in, V stationary) {
   const auto at_knee = hn::And(hn::Le(denominator_at(1 - kMargin), one), hn::Lt(in.constant, one));
   const auto at_level = hn::Or(at_extent, at_knee);
   const V level = hn::IfThenElse(at_extent, in.threshold, one);
-  const V excess = level_excess(d, in.constant, level).high;
-  const V range = level_root(d, excess, hn::Mul(level, in.linear), hn::Mul(level, in.quadratic));
-  return {hn::IfThenElseZero(at_level, level), hn::IfThenElse(at_level, range, stationary)};
+  return {hn::IfThenElseZero(at_level, level), hn::IfThenElse(at_level, rough_level_range(d, in, level), stationary)};
 }
 
 /// The intensity at the peak, of lights that are no limit case. The peak range is NaN where it was not found.
@@ -396,23 +422,21 @@ HWY_INLINE Solved<V> solve_peak(D d, const Lanes<V>& in, const Peak<V>& peak) {
   const auto [level, range] = peak;
   const auto at_level = hn::Gt(level, zero);
 
-  const Split<V> rise = split_rise(d, in.linear, in.quadratic, range);
-  const V correction =
-      hn::IfThenElseZero(at_level, level_correction(d, level_excess(d, in.constant, level), in, level, range, rise));
+  const Split<V> denominator = split_denominator(d, in, range);
+  const V correction = hn::IfThenElseZero(at_level, level_correction(d, in, level, range, denominator));
   Split<V> depth = two_product(d, in.density, range);
   depth.low = hn::MulAdd(in.density, correction, depth.low);
   if constexpr (kMode == FogMode::exp2) {
-    const Split<V> square = two_product(d, depth.high, depth.high);
-    depth = {square.high, hn::MulAdd(hn::Add(depth.high, depth.high), depth.low, square.low)};
+    const V root = hn::Min(depth.high, hn::Set(d, kMostExponent));
+    const Split<V> square = two_product(d, root, root);
+    depth = {square.high, hn::MulAdd(hn::Add(root, root), depth.low, square.low)};
   }
   const auto [opacity, fog_factor] = fogged_at(d, depth);
 
-  const Split<V> denominator = two_sum(in.constant, rise.high);
   const V reciprocal = hn::Div(one, denominator.high);
   const V quotient = hn::Mul(opacity.high, reciprocal);
-  const Split<V> product = two_product(d, quotient, denominator.high);
-  const V remainder = hn::Sub(hn::Sub(hn::Sub(opacity.high, product.high), product.low),
-                              hn::MulSub(quotient, hn::Add(denominator.low, rise.low), opacity.low));
+  const V remainder = hn::Add(minus_product(d, opacity.high, quotient, denominator.high),
+                              hn::NegMulAdd(quotient, denominator.low, opacity.low));
   V peak_range = hn::Add(range, correction);
   V gain = zero;
   if constexpr (sizeof(T) == 8) {
@@ -463,12 +487,6 @@ HWY_INLINE hn::Mask<D> is_safe(D d, const Lanes<V>& in, hn::Mask<D> has_safe_fal
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Mask<D> has_least_fall(D d, V fall) {
   return hn::Ge(fall, hn::Set(d, hn::TFromD<D>(0x1p-30)));
-}
-
-/// Lights below their threshold everywhere.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE hn::Mask<D> is_dark(D d, const Lanes<V>& in) {
-  return hn::Ge(hn::Mul(in.constant, in.threshold), hn::Set(d, 1));
 }
 
 /// The lights that solve_peak holds for.
