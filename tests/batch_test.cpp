@@ -8,10 +8,14 @@
 #include <cstdio>
 #include <limits>
 #include <random>
+#include <string>
 #include <thread>
 #include <vector>
 
 #include "litfog/solve.h"
+#include "random_light.h"
+#include "reference_solver.h"
+#include "ulp.h"
 
 namespace {
 
@@ -179,6 +183,48 @@ TEST_F(Batch, WideRangesAreAsExact) {
     expect_accurate("wide", wide_lights<float>(20'001), 2, 1, 5e-4);
     expect_accurate("wide", wide_lights<double>(20'001), 2, 1, 1e-8);
   });
+}
+
+/// Ordinary lights in one fog mode with their true intensities, rounded to float so that both precisions take the same.
+struct ReferenceLights {
+  Columns<float> columns;
+  std::vector<test::Digits50> intensity;
+
+  ReferenceLights(FogMode mode, int count) {
+    test::Random random(mode == FogMode::exp ? 7 : 8);
+    for (int i = 0; i < count; ++i) {
+      const auto& [attenuation, fog, threshold] = test::draw_ordinary_case(random, mode);
+      columns.add(attenuation.constant, attenuation.linear, attenuation.quadratic, threshold, fog.density);
+      intensity.push_back(
+          test::solve_reference({columns.constant.back(), columns.linear.back(), columns.quadratic.back()},
+                                {mode, columns.density.back()}, columns.threshold.back())
+              .intensity);
+    }
+  }
+};
+
+TEST_F(Batch, EveryTargetHoldsItsBoundAgainstFiftyDigits) {
+  for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
+    const ReferenceLights lights(mode, 4'003);
+    on_every_target([&] {
+      const std::string fog = mode == FogMode::exp ? "exp fog" : "exp2 fog";
+      const auto expect_near_reference = [&](auto columns, const char* precision, double bound) {
+        columns.solve(mode);
+        test::WorstError error("batch intensity", std::string("ordinary lights, ") + precision + ", " + fog, bound);
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+          error.add(test::ulp_error(columns.intensity[i], lights.intensity[i]), [&] { return columns.describe(i); });
+        }
+        error.check();
+      };
+      expect_near_reference(lights.columns, "float", 2);
+      Columns<double> in_double;
+      for (std::size_t i = 0; i < lights.columns.size(); ++i) {
+        in_double.add(lights.columns.constant[i], lights.columns.linear[i], lights.columns.quadratic[i],
+                      lights.columns.threshold[i], lights.columns.density[i]);
+      }
+      expect_near_reference(in_double, "double", 4);
+    });
+  }
 }
 
 template <typename T>
