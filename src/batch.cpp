@@ -25,11 +25,12 @@ HWY_BEFORE_NAMESPACE();
 namespace litfog::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// The method is that of solve.cpp, a vector of lights at a time: the stationary point by Halley steps in x = d r, then
-// one split evaluation at the range chosen. Two things differ. The guess is good enough for one step (float,
-// exp fog) or two, since the value is stationary in x. And knee and extent are found only where the stationary point
-// asks for them: with D the denominator there, the peak is at the knee where D <= 1 and at the extent where D >= 1 /
-// threshold.
+// The method is that of solve.cpp, a vector of lights at a time, with these differences:
+// - The stationary point is sought in float for both precisions: a guess within 2 %, then a single step. The height is
+//   stationary there, so float needs no more; double adds what a Newton step gains, without another exponential.
+// - Knee and extent are found only where the stationary point asks for them: with D the denominator there, the peak is
+//   at the knee where D <= 1 and at the extent where D >= 1 / threshold.
+// - Limit cases, and lights beyond what the arithmetic holds for, come out as NaN and are seen to afterwards.
 
 template <class V>
 struct Split {

@@ -170,17 +170,17 @@ class Batch : public testing::Test {
 };
 
 TEST_F(Batch, FloatIsExactToTwoUlpOverOrdinaryLights) {
-  on_every_target([] { expect_accurate("ordinary", ordinary_lights<float>(100'003), 2, 1, 5e-4); });
+  on_every_target([] { expect_accurate("ordinary", ordinary_lights<float>(100'003), 2, 1, 1e-4); });
 }
 
-TEST_F(Batch, DoubleIsExactToFourUlpOverOrdinaryLights) {
-  // 2 of the 4 ulp belong to the scalar solution that stands for the truth.
+TEST_F(Batch, DoubleIsNearTheScalarSolutionOverOrdinaryLights) {
+  // Each may be 2 ulp from the truth. EveryTargetHoldsItsBoundAgainstFiftyDigits is the test of the bound.
   on_every_target([] { expect_accurate("ordinary", ordinary_lights<double>(100'003), 2, 1, 1e-8); });
 }
 
 TEST_F(Batch, WideRangesAreAsExact) {
   on_every_target([] {
-    expect_accurate("wide", wide_lights<float>(20'001), 2, 1, 5e-4);
+    expect_accurate("wide", wide_lights<float>(20'001), 2, 1, 1e-4);
     expect_accurate("wide", wide_lights<double>(20'001), 2, 1, 1e-8);
   });
 }
@@ -222,7 +222,7 @@ TEST_F(Batch, EveryTargetHoldsItsBoundAgainstFiftyDigits) {
         in_double.add(lights.columns.constant[i], lights.columns.linear[i], lights.columns.quadratic[i],
                       lights.columns.threshold[i], lights.columns.density[i]);
       }
-      expect_near_reference(in_double, "double", 4);
+      expect_near_reference(in_double, "double", 2);
     });
   }
 }
@@ -303,7 +303,7 @@ void expect_special_values_as_scalar() {
       const FogIntensity truth = is_bad ? FogIntensity{0, 0, 0, SolveStatus::ok} : columns.scalar(mode, i);
       ASSERT_LE(ulps(columns.intensity[i], truth.intensity), 2) << columns.describe(i);
       ASSERT_LE(ulps(columns.extent[i], truth.extent), 2) << columns.describe(i);
-      ASSERT_LE(relative(double(columns.peak_range[i]), double(T(truth.peak_range))), 5e-4) << columns.describe(i);
+      ASSERT_LE(relative(double(columns.peak_range[i]), double(T(truth.peak_range))), 1e-4) << columns.describe(i);
     }
     EXPECT_EQ(columns.refused, refused);
   }
@@ -335,7 +335,7 @@ TEST_F(Batch, LimitCasesStandBesideOrdinaryLights) {
       const FogIntensity truth = columns.scalar(mode, i);
       EXPECT_LE(ulps(columns.intensity[i], truth.intensity), 2) << columns.describe(i);
       EXPECT_LE(ulps(columns.extent[i], truth.extent), 1) << columns.describe(i);
-      EXPECT_LE(relative(double(columns.peak_range[i]), truth.peak_range), 5e-4) << columns.describe(i);
+      EXPECT_LE(relative(double(columns.peak_range[i]), truth.peak_range), 1e-4) << columns.describe(i);
     }
   }
 }

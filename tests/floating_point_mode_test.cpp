@@ -14,6 +14,7 @@
 
 #include "litfog/batch.h"
 #include "litfog/solve.h"
+#include "litfog/updater.h"
 
 // A host may run with any rounding mode, and engines often flush subnormals to zero. The stated errors are those of the
 // default mode; in others nothing may turn into NaN, leave its range or go far astray.
@@ -159,6 +160,40 @@ void expect_no_nan(const Enter& enter, const Leave& leave) {
   }
 }
 
+/// Takes an updater through a change of the fog in the mode that `enter` sets: no light's intensity may then be further
+/// from the true one than the budget.
+template <typename Enter, typename Leave>
+void expect_updater_within_budget(const Enter& enter, const Leave& leave) {
+  const double budget = kDefaultSkipBudget255 / 255;
+  FogUpdater updater;
+  std::vector<FogLightHandle> handles;
+  const std::vector<Case> cases = random_cases(2'000);
+  for (const Case& c : cases) {
+    PlacedLight light;
+    light.light.attenuation = c.attenuation;
+    light.light.threshold = c.threshold;
+    light.carried = true;
+    handles.push_back(updater.add(light));
+  }
+  std::size_t skipped = 0;
+  for (const double visibility : {20.0, 300.0, 5'000.0}) {
+    for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
+      const Fog fog = Fog::from_visibility(mode, visibility);
+      enter();
+      updater.set_fog(fog);
+      leave();
+      skipped += updater.statistics().kinds_skipped;
+      for (std::size_t i = 0; i < cases.size(); ++i) {
+        const double stored = double(updater.entries()[updater.entry_of(handles[i])].color_intensity.w);
+        const double truth = solve_fog_intensity(cases[i].attenuation, fog, cases[i].threshold).intensity;
+        ASSERT_TRUE(is_near(stored, truth, kFarInFloat) || (stored == 0 && truth <= budget))
+            << i << ": " << stored << " " << truth;
+      }
+    }
+  }
+  EXPECT_GT(skipped, 0u);
+}
+
 TEST_F(FloatingPointMode, NoRoundingModeLeadsAstray) {
   for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO, FE_TONEAREST}) {
     SCOPED_TRACE("rounding mode " + std::to_string(mode));
@@ -167,6 +202,7 @@ TEST_F(FloatingPointMode, NoRoundingModeLeadsAstray) {
     expect_near_the_usual(enter, leave);
     expect_no_nan<double>(enter, leave);
     expect_no_nan<float>(enter, leave);
+    expect_updater_within_budget(enter, leave);
   }
 }
 
@@ -178,6 +214,7 @@ TEST_F(FloatingPointMode, FlushingSubnormalsLeadsNowhereAstray) {
   expect_near_the_usual(enter, leave);
   expect_no_nan<double>(enter, leave);
   expect_no_nan<float>(enter, leave);
+  expect_updater_within_budget(enter, leave);
 }
 
 }  // namespace

@@ -84,7 +84,7 @@ bool check_accuracy(std::size_t count) {
     Tally wide("intensity, double, all exponents" + fog, 2);
     Tally intensity("intensity, double, ordinary lights" + fog, 2);
     Tally single("intensity, float, ordinary lights" + fog, 1);
-    Tally batch("intensity, batch double, ordinary lights" + fog, 4);
+    Tally batch("intensity, batch double, ordinary lights" + fog, 2);
     Tally batch_single("intensity, batch float, ordinary lights" + fog, 2);
     Random random(mode == FogMode::exp ? 1 : 2);
     for (std::size_t i = 0; i < count / 4; ++i) {

@@ -52,7 +52,7 @@ float intensity_of(const PlacedLight& light, bool is_on, const Fog& fog) {
 }
 
 bool is_within_one_ulp(float a, float b) {
-  return a >= std::nextafter(b, -1.0f) && a <= std::nextafter(b, 2.0f);  // the batch errs by 4 ulp of double
+  return a >= std::nextafter(b, -1.0f) && a <= std::nextafter(b, 2.0f);  // the batch errs by 2 ulp of double
 }
 
 bool is_same(const FogLight& a, const FogLight& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
