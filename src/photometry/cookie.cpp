@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "../require.h"
+#include "require.h"
 
 namespace litfog {
 namespace {

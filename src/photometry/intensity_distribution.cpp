@@ -7,7 +7,7 @@
 #include <numbers>
 #include <span>
 
-#include "../require.h"
+#include "require.h"
 
 namespace litfog {
 namespace {
