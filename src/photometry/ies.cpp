@@ -166,10 +166,10 @@ Luminaire parse_ies(std::string text, const std::string& name) {
   const Piece lumens_piece = token();
   const double lumens = scanner.number(lumens_piece, "lumens per lamp");
   luminaire.is_absolute = lumens == -1;
-  if (!luminaire.is_absolute) {
-    if (!(lumens >= 0)) scanner.fail(lumens_piece, "lumens per lamp", "must be >= 0, or -1 for absolute photometry");
-    luminaire.lamp_flux = lamps * lumens;
+  if (!luminaire.is_absolute && !(lumens >= 0)) {
+    scanner.fail(lumens_piece, "lumens per lamp", "must be >= 0, or -1 for absolute photometry");
   }
+  if (lumens > 0) luminaire.lamp_flux = lamps * lumens;
   double factor = scanner.positive(token(), "candela multiplier");
   const int vertical_count = grid.count("number of vertical angles", 2);
   const int horizontal_count = grid.count("number of horizontal angles", 1);
