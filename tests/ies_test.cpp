@@ -232,10 +232,10 @@ TEST(Ies, RefusesTiltFilesThatAreMissingBadOrElsewhere) {
   std::ofstream(directory.path() / "bad.tlt") << "1 2\n0 90\n1 dark\n";
   EXPECT_EQ(refusal("good.tlt"), "(accepted)");
   EXPECT_EQ(refusal("bad.tlt"), "3:3: tilt factor = dark: must be a finite number");
-  const std::string place = "3:1: TILT = TILT=";
+  const std::string place = "3:6: TILT = ";
   EXPECT_EQ(refusal("none.tlt"), place + "none.tlt: must be NONE, INCLUDE or a file in this one's folder");
   EXPECT_EQ(refusal("."), place + ".: must be NONE, INCLUDE or a file in this one's folder");
-  EXPECT_EQ(refusal(""), place + ": must be NONE, INCLUDE or a file in this one's folder");
+  EXPECT_EQ(refusal(""), "3:6: TILT: must be given");
   EXPECT_EQ(refusal("../good.tlt"), place + "../good.tlt: must name a file below this one's folder");
   EXPECT_EQ(refusal("/dev/zero"), place + "/dev/zero: must name a file below this one's folder");
   try {
