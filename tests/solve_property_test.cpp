@@ -135,12 +135,14 @@ double axial_airlight(const SolveCase& c, double light_extent) {
   const double knee_opacity = opacity(c.fog, std::min(knee(c.attenuation), light_extent));
   const double extent_opacity = opacity(c.fog, light_extent);
   if (!(extent_opacity > knee_opacity)) return knee_opacity;
-  const auto attenuation_at_opacity = [&](double share) {
-    const double depth = -std::log1p(-share);
+  const double width = extent_opacity - knee_opacity;
+  const auto attenuation_at_share = [&](double share) {
+    const double depth = -std::log1p(-(knee_opacity + share * width));
     return attenuation_at(c.attenuation, (c.fog.mode == FogMode::exp ? depth : std::sqrt(depth)) / c.fog.density);
   };
+  // Over [0, 1], for it asserts on intervals that are narrow beside their ends.
   boost::math::quadrature::tanh_sinh<double> quadrature;
-  return knee_opacity + quadrature.integrate(attenuation_at_opacity, knee_opacity, extent_opacity, 1e-10);
+  return knee_opacity + width * quadrature.integrate(attenuation_at_share, 0.0, 1.0, 1e-10);
 }
 
 TEST(FogIntensityProperty, NeverExceedsTheAxialAirlight) {
