@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Installs the build tree BUILD_DIR under WORK_DIR, builds SOURCE_DIR against it as a project of a stranger would, and
-# runs it. CONSUMER core must come without any package but GLM and link nothing but litfog; gl asks for the component.
+# runs it. CONSUMER core must come without any package but GLM and link nothing but litfog; fit and gl ask for the
+# component.
 cmake_minimum_required(VERSION 3.25)
 
 function(run)
