@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "litfog/photometry/luminaire.h"
+
+namespace litfog {
+
+/// Whether text is an IES LM-63 file: it has that label, or a line with TILT=.
+bool is_ies(std::string_view text);
+
+/// Parses an IES LM-63 file of any edition: 1986 (without label), 1991, 1995, 2002, 2019. Numbers may be separated by
+/// white space, commas and line ends; counts may be written as decimals. Text is UTF-8, or else Latin-1.
+///
+/// Intensities are the file's, times its multiplier, its ballast factor and, in 1986 and 1991 only, the ballast-lamp
+/// photometric factor (later editions use its field otherwise). Neither the number of lamps nor TILT changes them.
+///
+/// Refused, beside what is no number or missing: intensities < 0 or all 0, a multiplier or factor <= 0, angles beyond
+/// their type's range or not increasing, more than 10,000 of them, a type C file whose horizontal angles are neither
+/// one nor run from 0 to 90, 180 or 360 or from 90 to 270 (a last plane short of 360 by no more than the widest step is
+/// closed with the first), numbers after the last intensity.
+///
+/// name       of the file, for messages; TILT=file is looked for below its folder
+/// throws     PhotometryError
+Luminaire parse_ies(std::string text, const std::string& name);
+
+}  // namespace litfog

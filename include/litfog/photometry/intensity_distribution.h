@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <optional>
+#include <vector>
+
+#include "litfog/refusal.h"
+
+namespace litfog {
+
+/// How a goniophotometer turned the luminaire, and so what its two angles mean (IES LM-63-2002, section 3; LM-75-01).
+///
+/// Directions are of the luminaire frame, the same for all three: the photometric axis is -z, +y is up (types A and B),
+/// and +x is to the right of one who looks along the axis.
+///     A  (cos V sin H, sin V, -cos V cos H)       half planes round the vertical axis, V is the elevation in one
+///     B  (sin H, cos H sin V, -cos H cos V)       half planes round the horizontal axis, H is the elevation in one
+///     C  (sin V cos H, sin V sin H, -cos V)       half planes round the photometric axis, V = 0 at the nadir
+/// So H runs clockwise from above in types A and B, and in type C (EULUMDAT: C and gamma) counterclockwise from above
+/// the luminaire, which is behind the light.
+enum class PhotometryType { a, b, c };
+
+/// The axis of every photometric file: the nadir in type C, H = V = 0 in types A and B.
+inline constexpr glm::dvec3 kPhotometricAxis{0, 0, -1};
+
+/// Luminous intensity by direction as measured. Between measured angles it is linear in each angle, outside of them it
+/// is 0; symmetry is applied at look-up, so that only what was measured is kept.
+struct IntensityDistribution {
+  PhotometryType type = PhotometryType::c;
+
+  /// Radians, strictly increasing. Type C: one angle (the same all round), or a span of pi / 2 (mirrored at both its
+  /// ends), pi (mirrored at its first angle) or 2 pi. Types A and B: at least two within [-pi, pi] (A) or
+  /// [-pi / 2, pi / 2] (B); mirrored at 0 where they start there.
+  std::vector<double> horizontal;
+  /// Radians, strictly increasing, at least two. Type C: within [0, pi]. Types A and B: within [-pi / 2, pi / 2] (A) or
+  /// [-pi, pi] (B); mirrored at 0 where they start there.
+  std::vector<double> vertical;
+  /// Candela, [0, 1e30], not all 0; that of horizontal[h] and vertical[v] is at h * vertical.size() + v.
+  std::vector<double> intensity;
+};
+
+/// What is wrong with a distribution, or nothing. Every call below but intensity_at throws std::invalid_argument where
+/// something is.
+std::optional<Refusal> check(const IntensityDistribution& distribution);
+
+/// Luminous intensity towards a direction.
+///
+/// distribution  one that check() finds nothing wrong with; not checked here
+/// direction     luminaire frame, of any length but 0
+/// returns       candela
+double intensity_at(const IntensityDistribution& distribution, const glm::dvec3& direction);
+
+/// Luminous flux in lumens: the intensity as interpolated, integrated over the sphere in closed form.
+///
+/// max error     1e-12 relative                                               (intensity_distribution_test.cpp)
+double luminous_flux(const IntensityDistribution& distribution);
+
+/// The largest intensity, always at measured angles.
+struct IntensityPeak {
+  double intensity;      ///< candela, > 0
+  glm::dvec3 direction;  ///< unit, luminaire frame; of several, one next to the photometric axis
+};
+IntensityPeak find_peak(const IntensityDistribution& distribution);
+
+/// Intensity on a circle about an axis.
+struct AxialSample {
+  double angle;      ///< from the axis, radians in [0, pi]
+  double mean;       ///< candela, over the turn
+  double deviation;  ///< candela, the largest one from the mean on the circle
+};
+
+/// What a cone about the axis is fitted to: the intensity against the angle from an axis, as the mean of 720 directions
+/// a turn. The angles are those measured where that is possible (type C about the photometric axis), else every quarter
+/// degree.
+///
+/// axis      luminaire frame, of any length but 0
+/// returns   angles increasing; it is dark beyond the last
+std::vector<AxialSample> axial_profile(const IntensityDistribution& distribution, const glm::dvec3& axis);
+
+/// The same along one half plane about the photometric axis, as data sheets show it: the deviation is 0.
+///
+/// turn      radians: 0 is towards +x (type C: the plane C0), pi / 2 towards +y (C90)
+std::vector<AxialSample> plane_profile(const IntensityDistribution& distribution, double turn);
+
+/// Angle at which a profile falls to a share of its peak: linear between the samples, the first one beyond the peak.
+/// Half of a data sheet's beam angle at 0.5, half of its field angle at 0.1.
+///
+/// profile   not empty
+/// share     (0, 1]
+/// returns   radians; the last sample's angle where the profile ends above the share
+double half_angle(const std::vector<AxialSample>& profile, double share);
+
+/// How far a beam is from any that is round about the axis: sqrt(integral of (I - mean)^2 / integral of I^2) over the
+/// sphere, with the mean taken over the turn. The mean is the closest round beam, so that this is the relative rms
+/// error that the best of all cone profiles is left with. 0 for a round beam, below 1 always.
+///
+/// axis       luminaire frame, of any length but 0
+/// max error  0.001 for beams that change little within a degree, by sampling every quarter degree from the axis and
+///            every half degree of the turn                                   (intensity_distribution_test.cpp)
+double asymmetry(const IntensityDistribution& distribution, const glm::dvec3& axis);
+
+}  // namespace litfog

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "litfog/photometry/ies.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <map>
+
+#include "photometric_grid.h"
+#include "text_scanner.h"
+
+namespace litfog {
+namespace {
+
+using Unit = TextScanner::Unit;
+using Piece = TextScanner::Piece;
+
+constexpr double kMetresPerFoot = 0.3048;
+constexpr int kNoLabel = 1986;  // the first edition had none
+
+std::string upper(std::string_view text) {
+  std::string result(text);
+  std::ranges::transform(result, result.begin(), [](unsigned char c) { return char(std::toupper(c)); });
+  return result;
+}
+
+std::string_view trimmed(std::string_view text) {
+  const auto begin = text.find_first_not_of(" \t");
+  if (begin == text.npos) return {};
+  return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
+}
+
+/// Year of the edition by the first line: "IESNA91", "IESNA:LM-63-1995", "IES:LM-63-2019".
+int edition_of(std::string_view first_line) {
+  const std::string label = upper(first_line.substr(0, 32));
+  if (!label.starts_with("IES")) return kNoLabel;
+  if (label.starts_with("IESNA91")) return 1991;
+  if (label.starts_with("IESNA86")) return 1986;
+  const auto year = label.find("63-");
+  if (year == label.npos || label.size() < year + 5) return 2002;
+  const std::string_view digits = std::string_view(label).substr(year + 3, 4);
+  if (digits.starts_with("86") || digits == "1986") return 1986;
+  if (digits.starts_with("91") || digits == "1991") return 1991;
+  return 2002;  // 1995, 2002 and 2019 differ in no number that is read here
+}
+
+/// What follows "TILT=" on a line, if that is what it is.
+std::optional<std::string_view> tilt_of(std::string_view line) {
+  if (upper(line.substr(0, 4)) != "TILT") return std::nullopt;
+  const std::string_view rest = trimmed(line.substr(4));
+  if (!rest.starts_with('=')) return std::nullopt;
+  return trimmed(rest.substr(1));
+}
+
+/// The lines before TILT=.
+struct Label {
+  int edition = kNoLabel;
+  std::string first_line;
+  /// The ones of interest. A [MORE] line goes on with the keyword before it, and so does a keyword given again.
+  std::map<std::string, std::string, std::less<>> keywords{{"LUMINAIRE", ""}, {"LUMCAT", ""}, {"MANUFAC", ""}};
+  Piece tilt_line;
+  std::string_view tilt;
+};
+
+Label read_label(TextScanner& scanner) {
+  Label label;
+  auto open = label.keywords.end();
+  for (bool is_first = true;;) {
+    const Piece line = scanner.next(Unit::line);
+    if (line.is_missing) scanner.fail(line, "TILT", "");
+    if (const auto tilt = tilt_of(line.text)) {
+      label.tilt_line = line;
+      label.tilt = *tilt;
+      return label;
+    }
+    if (is_first && !line.text.empty()) {
+      is_first = false;
+      label.edition = edition_of(line.text);
+      label.first_line = line.text;
+    }
+    const auto end = line.text.find(']');
+    if (!line.text.starts_with('[') || end == line.text.npos) continue;
+    if (const auto keyword = upper(line.text.substr(1, end - 1)); keyword != "MORE")
+      open = label.keywords.find(keyword);
+    const std::string_view value = trimmed(line.text.substr(end + 1));
+    if (open == label.keywords.end() || value.empty()) continue;
+    if (!open->second.empty()) open->second += ' ';
+    open->second += value;
+  }
+}
+
+std::string name_of(const Label& label) {
+  for (const char* keyword : {"LUMINAIRE", "LUMCAT"}) {
+    if (const auto& name = label.keywords.at(keyword); !name.empty()) return name;
+  }
+  return label.edition == kNoLabel ? label.first_line : "";
+}
+
+LampTilt read_tilt(TextScanner& scanner) {
+  PhotometricGrid grid(scanner, Unit::token);
+  LampTilt tilt;
+  tilt.geometry = scanner.integer(scanner.next(Unit::token), "lamp to luminaire geometry", 1, 3);
+  const int count = grid.count("number of tilt angles", 1);
+  tilt.angles = radians_from_degrees(grid.angles("tilt angle", count, 0, 180));
+  for (int i = 0; i < count; ++i) {
+    tilt.factors.push_back(scanner.positive(scanner.next(Unit::token), "tilt factor"));
+  }
+  return tilt;
+}
+
+/// A file names its tilt data by a path below its own folder: it may not make us read others.
+LampTilt read_tilt_file(const TextScanner& scanner, const Label& label) {
+  const std::filesystem::path named{std::string(label.tilt)};
+  const bool leaves = named.is_absolute() || std::ranges::find(named, "..") != named.end();
+  if (leaves) scanner.fail(label.tilt_line, "TILT", "must name a file below this one's folder");
+  const auto path = std::filesystem::path(scanner.name()).parent_path() / named;
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) {
+    scanner.fail(label.tilt_line, "TILT", "must be NONE, INCLUDE or a file in this one's folder");
+  }
+  TextScanner tilt_scanner(read_photometric_file(path.string()), path.string());
+  return read_tilt(tilt_scanner);
+}
+
+PhotometryType type_of(int number) {
+  return number == 1 ? PhotometryType::c : number == 2 ? PhotometryType::b : PhotometryType::a;
+}
+
+/// Whether planes of type C are the whole turn, or the part of it that a symmetry leaves.
+bool is_turn(const std::vector<double>& planes) {
+  const double first = planes.front(), last = planes.back();
+  if (planes.size() == 1 || (first == 90 && last == 270)) return true;
+  return first == 0 && (last == 90 || last == 180 || (last > 180 && is_closed_turn(planes)));
+}
+
+}  // namespace
+
+bool is_ies(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  if (upper(text.substr(0, 3)) == "IES") return true;
+  while (!text.empty()) {
+    const auto end = std::min(text.find_first_of("\r\n"), text.size());
+    if (tilt_of(trimmed(text.substr(0, end)))) return true;
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return false;
+}
+
+Luminaire parse_ies(std::string text, const std::string& name) {
+  TextScanner scanner(std::move(text), name);
+  const Label label = read_label(scanner);
+  Luminaire luminaire;
+  luminaire.name = name_of(label);
+  luminaire.manufacturer = label.keywords.at("MANUFAC");
+  if (const std::string tilt = upper(label.tilt); tilt == "INCLUDE") {
+    luminaire.tilt = read_tilt(scanner);
+  } else if (tilt != "NONE") {
+    luminaire.tilt = read_tilt_file(scanner, label);
+  }
+
+  const auto token = [&scanner] { return scanner.next(Unit::token); };
+  const auto number = [&](std::string_view what) { return scanner.number(token(), what); };
+  PhotometricGrid grid(scanner, Unit::token);
+
+  const int lamps = scanner.integer(token(), "number of lamps", 1, 1'000'000);
+  const Piece lumens_piece = token();
+  const double lumens = scanner.number(lumens_piece, "lumens per lamp");
+  luminaire.is_absolute = lumens == -1;
+  if (!luminaire.is_absolute) {
+    if (!(lumens >= 0)) scanner.fail(lumens_piece, "lumens per lamp", "must be >= 0, or -1 for absolute photometry");
+    luminaire.lamp_flux = lamps * lumens;
+  }
+  double factor = scanner.positive(token(), "candela multiplier");
+  const int vertical_count = grid.count("number of vertical angles", 2);
+  const int horizontal_count = grid.count("number of horizontal angles", 1);
+  const auto type = type_of(scanner.integer(token(), "photometric type", 1, 3));
+  const double unit = scanner.integer(token(), "units type", 1, 2) == 1 ? kMetresPerFoot : 1;
+  luminaire.opening = {unit * number("width"), unit * number("length"), unit * number("height")};
+  factor *= scanner.positive(token(), "ballast factor");
+  const Piece factor_piece = token();
+  if (label.edition < 1995) {
+    factor *= scanner.positive(factor_piece, "ballast-lamp photometric factor");
+  } else {
+    scanner.number(factor_piece, "field after the ballast factor");
+  }
+  number("input watts");
+
+  const bool is_c = type == PhotometryType::c;
+  const double vertical_limit = type == PhotometryType::a ? 90 : 180;
+  const double horizontal_limit = is_c ? 360 : type == PhotometryType::a ? 180 : 90;
+  const auto vertical = grid.angles("vertical angle", vertical_count, is_c ? 0 : -vertical_limit, vertical_limit);
+  auto horizontal = grid.angles("horizontal angle", horizontal_count, is_c ? 0 : -horizontal_limit, horizontal_limit);
+  if (is_c && !is_turn(horizontal)) {
+    scanner.fail(grid.last(), "last horizontal angle",
+                 "must be one of planes at 0, from 0 to 90, 180 or 360, or from 90 to 270");
+  }
+  if (!is_c && horizontal_count == 1) {
+    scanner.fail(grid.last(), "horizontal angle", "must not be the only one in types A and B");
+  }
+  auto intensity = grid.intensities(std::size_t(vertical_count) * std::size_t(horizontal_count), factor);
+  scanner.expect_no_more_numbers();
+  if (is_c && horizontal.front() == 0 && horizontal.back() > 180) close_turn(horizontal, intensity);
+  luminaire.distribution = {type, radians_from_degrees(horizontal), radians_from_degrees(vertical),
+                            std::move(intensity)};
+  return luminaire;
+}
+
+}  // namespace litfog

@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "litfog/photometry/intensity_distribution.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <span>
+
+#include "require.h"
+
+namespace litfog {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double kTolerance = 1e-9;       // radians: a direction at the last measured angle must not fall off it
+constexpr double kMaxIntensity = 1e30;    // candela: squares and sums stay finite
+constexpr int kTurnSteps = 720;           // directions of a circle about an axis
+constexpr int kAxialStepsPerTurn = 1440;  // a quarter degree from an axis
+
+double sum_of(const glm::dvec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
+
+// --- the measured grid: angles as measured from a direction ---
+
+struct PhotometricAngles {
+  double horizontal;
+  double vertical;
+};
+
+PhotometricAngles angles_of(PhotometryType type, const glm::dvec3& direction) {
+  const auto [x, y, z] = std::array{direction.x, direction.y, direction.z};
+  switch (type) {
+    case PhotometryType::a:
+      return {std::atan2(x, -z), std::atan2(y, std::hypot(x, z))};
+    case PhotometryType::b:
+      return {std::atan2(x, std::hypot(y, z)), std::atan2(y, -z)};
+    case PhotometryType::c:
+      break;
+  }
+  return {std::atan2(y, x), std::atan2(std::hypot(x, y), -z)};
+}
+
+glm::dvec3 direction_of(PhotometryType type, double horizontal, double vertical) {
+  const double sin_h = std::sin(horizontal), cos_h = std::cos(horizontal);
+  const double sin_v = std::sin(vertical), cos_v = std::cos(vertical);
+  switch (type) {
+    case PhotometryType::a:
+      return {cos_v * sin_h, sin_v, -cos_v * cos_h};
+    case PhotometryType::b:
+      return {sin_h, cos_h * sin_v, -cos_h * cos_v};
+    case PhotometryType::c:
+      break;
+  }
+  return {sin_v * cos_h, sin_v * sin_h, -cos_v};
+}
+
+/// How often the measured part of an angle's range goes into the whole: 1, 2 or 4.
+int turn_multiplicity(std::span<const double> turn) { return int(std::lround(2 * pi / (turn.back() - turn.front()))); }
+bool is_mirrored(std::span<const double> angles) { return angles.front() == 0; }
+
+/// The measured angle that a turn of type C mirrors to.
+double folded_turn(std::span<const double> turn, double angle) {
+  if (turn.size() == 1) return turn.front();
+  double offset = std::fmod(angle - turn.front(), 2 * pi);
+  if (offset < 0) offset += 2 * pi;
+  const int multiplicity = turn_multiplicity(turn);
+  if (multiplicity >= 2) offset = std::min(offset, 2 * pi - offset);
+  if (multiplicity == 4) offset = std::min(offset, pi - offset);
+  return std::min(turn.front() + offset, turn.back());
+}
+
+double folded(std::span<const double> angles, double angle) { return is_mirrored(angles) ? std::abs(angle) : angle; }
+
+/// Where an angle lies between two measured ones.
+struct Bracket {
+  std::size_t low, high;
+  double fraction;
+};
+
+std::optional<Bracket> locate(std::span<const double> angles, double angle) {
+  if (angles.size() == 1) return Bracket{0, 0, 0};
+  if (!(angle >= angles.front() - kTolerance && angle <= angles.back() + kTolerance)) return std::nullopt;
+  const auto above = std::upper_bound(angles.begin() + 1, angles.end() - 1, angle);
+  const auto high = std::size_t(above - angles.begin());
+  const double fraction = (angle - angles[high - 1]) / (angles[high] - angles[high - 1]);
+  return Bracket{high - 1, high, std::clamp(fraction, 0.0, 1.0)};
+}
+
+// --- integration ---
+
+/// Weights of the trapezoidal rule: the integral of what is linear between the angles.
+std::vector<double> trapezoidal_weights(std::span<const double> angles) {
+  std::vector<double> weights(angles.size(), 0);
+  for (std::size_t i = 1; i < angles.size(); ++i) {
+    const double half = (angles[i] - angles[i - 1]) / 2;
+    weights[i - 1] += half;
+    weights[i] += half;
+  }
+  return weights;
+}
+
+/// The same for an integral times the sine of the angle from the pole: with half width w about the middle m, an
+/// interval's two weights have the sum 2 sin m sin w and the difference 2 cos m (sin w / w - cos w).
+std::vector<double> polar_weights(std::span<const double> angles, double pole) {
+  std::vector<double> weights(angles.size(), 0);
+  for (std::size_t i = 1; i < angles.size(); ++i) {
+    const double half = (angles[i] - angles[i - 1]) / 2;
+    const double middle = (angles[i] + angles[i - 1]) / 2 - pole;
+    const double mean = std::sin(middle) * std::sin(half);
+    const double skew = std::cos(middle) * (std::sin(half) / half - std::cos(half));
+    weights[i - 1] += mean - skew;
+    weights[i] += mean + skew;
+  }
+  return weights;
+}
+
+// --- circles about an axis ---
+
+/// Directions by the angle from an axis and the turn about it, which starts to the right: +x for the photometric axis.
+class AxisFrame {
+ public:
+  explicit AxisFrame(const glm::dvec3& axis) : axis_(glm::normalize(axis / sum_of(axis))) {
+    const bool is_upright = std::abs(axis_.y) > 1 - 1e-12;
+    right_ = glm::normalize(glm::cross(axis_, is_upright ? glm::dvec3{0, 0, 1} : glm::dvec3{0, 1, 0}));
+    up_ = glm::cross(right_, axis_);
+  }
+
+  glm::dvec3 direction(double angle, double turn) const {
+    return axis_ * std::cos(angle) + (right_ * std::cos(turn) + up_ * std::sin(turn)) * std::sin(angle);
+  }
+
+  std::array<double, kTurnSteps> circle(const IntensityDistribution& distribution, double angle) const {
+    std::array<double, kTurnSteps> intensities;
+    for (int i = 0; i < kTurnSteps; ++i) {
+      intensities[std::size_t(i)] = intensity_at(distribution, direction(angle, 2 * pi * i / kTurnSteps));
+    }
+    return intensities;
+  }
+
+ private:
+  glm::dvec3 axis_, right_, up_;
+};
+
+double mean_of(std::span<const double> values) {
+  double sum = 0;
+  for (const double value : values) sum += value;
+  return sum / double(values.size());
+}
+
+std::vector<double> profile_angles(const IntensityDistribution& distribution, const glm::dvec3& axis) {
+  if (distribution.type == PhotometryType::c && axis == kPhotometricAxis) return distribution.vertical;
+  std::vector<double> angles;
+  for (int i = 0; i <= kAxialStepsPerTurn / 2; ++i) angles.push_back(2 * pi * i / kAxialStepsPerTurn);
+  return angles;
+}
+
+// --- checks ---
+
+std::optional<Refusal> check_angles(const char* field, std::span<const double> angles, double low, double high) {
+  if (angles.size() < 2) return Refusal{field, double(angles.size()), "must be at least two angles"};
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    if (!(angles[i] >= low - kTolerance && angles[i] <= high + kTolerance)) {
+      return Refusal{field, angles[i], "must be within the range of its photometry type"};
+    }
+    if (i > 0 && !(angles[i] > angles[i - 1])) return Refusal{field, angles[i], "must be in increasing order"};
+  }
+  return std::nullopt;
+}
+
+std::optional<Refusal> check_turn(std::span<const double> turn) {
+  constexpr const char* kField = "distribution.horizontal";
+  if (turn.size() == 1 && std::isfinite(turn.front())) return std::nullopt;
+  if (const auto refusal = check_angles(kField, turn, -2 * pi, 4 * pi)) return refusal;
+  const double span = turn.back() - turn.front();
+  for (const int multiplicity : {1, 2, 4}) {
+    if (std::abs(span - 2 * pi / multiplicity) <= kTolerance) return std::nullopt;
+  }
+  return Refusal{kField, span, "must span pi / 2, pi or 2 pi"};
+}
+
+void require_axis(const glm::dvec3& axis) {
+  const double size = sum_of(axis);
+  if (!(size > 0 && std::isfinite(size))) require(Refusal{"axis", size, "must be finite and not 0"});
+}
+
+}  // namespace
+
+std::optional<Refusal> check(const IntensityDistribution& distribution) {
+  const auto& [type, horizontal, vertical, intensity] = distribution;
+  const bool is_c = type == PhotometryType::c;
+  const double vertical_limit = type == PhotometryType::a ? pi / 2 : pi;
+  const double horizontal_limit = type == PhotometryType::a ? pi : pi / 2;
+  if (auto refusal = is_c ? check_turn(horizontal)
+                          : check_angles("distribution.horizontal", horizontal, -horizontal_limit, horizontal_limit)) {
+    return refusal;
+  }
+  if (auto refusal = check_angles("distribution.vertical", vertical, is_c ? 0 : -vertical_limit, vertical_limit)) {
+    return refusal;
+  }
+  constexpr const char* kField = "distribution.intensity";
+  if (intensity.size() != horizontal.size() * vertical.size()) {
+    return Refusal{kField, double(intensity.size()), "must be as many as pairs of angles"};
+  }
+  for (const double candela : intensity) {
+    if (!(candela >= 0 && candela <= kMaxIntensity)) return Refusal{kField, candela, "must be in [0, 1e30]"};
+  }
+  if (std::ranges::all_of(intensity, [](double candela) { return candela == 0; })) {
+    return Refusal{kField, 0, "must not be 0 everywhere"};
+  }
+  return std::nullopt;
+}
+
+double intensity_at(const IntensityDistribution& distribution, const glm::dvec3& direction) {
+  const auto& [type, horizontal, vertical, intensity] = distribution;
+  const PhotometricAngles angles = angles_of(type, direction);
+  const bool is_c = type == PhotometryType::c;
+  const auto h =
+      locate(horizontal, is_c ? folded_turn(horizontal, angles.horizontal) : folded(horizontal, angles.horizontal));
+  const auto v = locate(vertical, is_c ? angles.vertical : folded(vertical, angles.vertical));
+  if (!h || !v) return 0;
+  const auto in_plane = [&, &grid = intensity, rows = vertical.size()](std::size_t plane) {
+    return std::lerp(grid[plane * rows + v->low], grid[plane * rows + v->high], v->fraction);
+  };
+  return std::lerp(in_plane(h->low), in_plane(h->high), h->fraction);
+}
+
+double luminous_flux(const IntensityDistribution& distribution) {
+  require(check(distribution));
+  const auto& [type, horizontal, vertical, intensity] = distribution;
+  std::vector<double> horizontal_weights, vertical_weights;
+  double multiplicity = 1;
+  if (type == PhotometryType::c) {
+    vertical_weights = polar_weights(vertical, 0);
+    if (horizontal.size() == 1) {
+      horizontal_weights = {2 * pi};
+    } else {
+      horizontal_weights = trapezoidal_weights(horizontal);
+      multiplicity = turn_multiplicity(horizontal);
+    }
+  } else {
+    const bool is_a = type == PhotometryType::a;
+    horizontal_weights = is_a ? trapezoidal_weights(horizontal) : polar_weights(horizontal, -pi / 2);
+    vertical_weights = is_a ? polar_weights(vertical, -pi / 2) : trapezoidal_weights(vertical);
+    multiplicity = (is_mirrored(horizontal) ? 2 : 1) * (is_mirrored(vertical) ? 2 : 1);
+  }
+  double flux = 0;
+  for (std::size_t h = 0; h < horizontal.size(); ++h) {
+    double plane = 0;
+    for (std::size_t v = 0; v < vertical.size(); ++v) {
+      plane += vertical_weights[v] * intensity[h * vertical.size() + v];
+    }
+    flux += horizontal_weights[h] * plane;
+  }
+  return multiplicity * flux;
+}
+
+IntensityPeak find_peak(const IntensityDistribution& distribution) {
+  require(check(distribution));
+  const auto& [type, horizontal, vertical, intensity] = distribution;
+  IntensityPeak peak{0, kPhotometricAxis};
+  for (std::size_t i = 0; i < intensity.size(); ++i) {
+    if (intensity[i] < peak.intensity || intensity[i] == 0) continue;
+    const auto direction = direction_of(type, horizontal[i / vertical.size()], vertical[i % vertical.size()]);
+    if (intensity[i] > peak.intensity || direction.z < peak.direction.z) peak = {intensity[i], direction};
+  }
+  return peak;
+}
+
+std::vector<AxialSample> axial_profile(const IntensityDistribution& distribution, const glm::dvec3& axis) {
+  require(check(distribution));
+  require_axis(axis);
+  const AxisFrame frame(axis);
+  std::vector<AxialSample> profile;
+  for (const double angle : profile_angles(distribution, axis)) {
+    const auto circle = frame.circle(distribution, angle);
+    const double mean = mean_of(circle);
+    const auto [least, largest] = std::ranges::minmax_element(circle);
+    profile.push_back({angle, mean, std::max(mean - *least, *largest - mean)});
+  }
+  return profile;
+}
+
+std::vector<AxialSample> plane_profile(const IntensityDistribution& distribution, double turn) {
+  require(check(distribution));
+  if (!std::isfinite(turn)) require(Refusal{"turn", turn, "must be finite"});
+  const AxisFrame frame(kPhotometricAxis);
+  std::vector<AxialSample> profile;
+  for (const double angle : profile_angles(distribution, kPhotometricAxis)) {
+    profile.push_back({angle, intensity_at(distribution, frame.direction(angle, turn)), 0});
+  }
+  return profile;
+}
+
+double half_angle(const std::vector<AxialSample>& profile, double share) {
+  if (profile.empty()) require(Refusal{"profile", 0, "must hold a sample"});
+  if (!(share > 0 && share <= 1)) require(Refusal{"share", share, "must be in (0, 1]"});
+  const auto peak = std::ranges::max_element(profile, {}, &AxialSample::mean);
+  const double level = share * peak->mean;
+  const auto below = std::find_if(peak, profile.end(), [&](const AxialSample& s) { return s.mean < level; });
+  if (below == profile.end()) return profile.back().angle;
+  const AxialSample& above = below[-1];  // the peak itself is not below
+  return std::lerp(above.angle, below->angle, (above.mean - level) / (above.mean - below->mean));
+}
+
+double asymmetry(const IntensityDistribution& distribution, const glm::dvec3& axis) {
+  require(check(distribution));
+  require_axis(axis);
+  const AxisFrame frame(axis);
+  const double peak = find_peak(distribution).intensity;
+  double deviation = 0, total = 0;
+  for (int i = 0; i < kAxialStepsPerTurn / 2; ++i) {
+    const double angle = 2 * pi * (i + 0.5) / kAxialStepsPerTurn;
+    const auto circle = frame.circle(distribution, angle);
+    const double mean = mean_of(circle);
+    for (const double intensity : circle) {
+      deviation += std::sin(angle) * ((intensity - mean) / peak) * ((intensity - mean) / peak);
+      total += std::sin(angle) * (intensity / peak) * (intensity / peak);
+    }
+  }
+  return total > 0 ? std::sqrt(deviation / total) : 0;
+}
+
+}  // namespace litfog

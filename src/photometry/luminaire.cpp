@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "litfog/photometry/luminaire.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "litfog/photometry/eulumdat.h"
+#include "litfog/photometry/ies.h"
+#include "text_scanner.h"
+
+namespace litfog {
+namespace {
+
+bool is_named_ies(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  return ending == ".ies";
+}
+
+}  // namespace
+
+std::optional<double> stated_flux(const Luminaire& luminaire) {
+  if (!luminaire.lamp_flux || !luminaire.light_output_ratio) return std::nullopt;
+  return *luminaire.lamp_flux * *luminaire.light_output_ratio;
+}
+
+Luminaire read_luminaire(const std::string& path) {
+  std::string text = read_photometric_file(path);
+  return is_ies(text) || is_named_ies(path) ? parse_ies(std::move(text), path) : parse_eulumdat(std::move(text), path);
+}
+
+}  // namespace litfog

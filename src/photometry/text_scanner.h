@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "litfog/photometry/photometry_error.h"
+
+namespace litfog {
+
+/// The bytes of a file of at most 64 MiB; throws PhotometryError.
+std::string read_photometric_file(const std::string& path);
+
+/// A photometric file's text, taken piece by piece. Each refusal names the place of a piece.
+class TextScanner {
+ public:
+  enum class Unit {
+    token,  ///< up to white space or a comma
+    line,   ///< up to a line end (CR LF, LF or CR), without white space around it
+  };
+
+  struct Piece {
+    std::string_view text;
+    std::size_t offset;       ///< of its first byte
+    bool is_missing = false;  ///< the file had ended
+  };
+
+  /// Text that is no UTF-8 is taken as Latin-1.
+  TextScanner(std::string text, std::string name);
+  TextScanner(const TextScanner&) = delete;
+  TextScanner& operator=(const TextScanner&) = delete;
+
+  Piece next(Unit unit);
+  bool is_at_end() const { return cursor_ == text_.size(); }
+  const std::string& name() const { return name_; }
+
+  /// A piece as a number: decimal, whole and finite. `what` names it in refusals.
+  double number(const Piece& piece, std::string_view what) const;
+  int integer(const Piece& piece, std::string_view what, int low, int high) const;
+  double positive(const Piece& piece, std::string_view what) const;
+  /// Refuses a number in what is left of the file; other text may stand there.
+  void expect_no_more_numbers();
+
+  /// "what = value: rule", or "what: must be given" for a missing piece.
+  [[noreturn]] void fail(const Piece& piece, std::string_view what, std::string_view rule) const;
+
+ private:
+  Piece next_token();
+  Piece next_line();
+
+  std::string text_;
+  std::string name_;
+  std::size_t cursor_ = 0;
+};
+
+}  // namespace litfog
