@@ -2,7 +2,6 @@
 #include "litfog/photometry/ies.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <map>
 
@@ -20,13 +19,13 @@ constexpr int kNoLabel = 1986;  // the first edition had none
 
 std::string upper(std::string_view text) {
   std::string result(text);
-  std::ranges::transform(result, result.begin(), [](unsigned char c) { return char(std::toupper(c)); });
+  std::ranges::transform(result, result.begin(), [](char c) { return c >= 'a' && c <= 'z' ? char(c - 'a' + 'A') : c; });
   return result;
 }
 
 std::string_view trimmed(std::string_view text) {
   const auto begin = text.find_first_not_of(" \t");
-  if (begin == text.npos) return {};
+  if (begin == text.npos) return text.substr(text.size());
   return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
 }
 
@@ -58,8 +57,7 @@ struct Label {
   std::string first_line;
   /// The ones of interest. A [MORE] line goes on with the keyword before it, and so does a keyword given again.
   std::map<std::string, std::string, std::less<>> keywords{{"LUMINAIRE", ""}, {"LUMCAT", ""}, {"MANUFAC", ""}};
-  Piece tilt_line;
-  std::string_view tilt;
+  Piece tilt;  // what follows TILT=
 };
 
 Label read_label(TextScanner& scanner) {
@@ -69,8 +67,7 @@ Label read_label(TextScanner& scanner) {
     const Piece line = scanner.next(Unit::line);
     if (line.is_missing) scanner.fail(line, "TILT", "");
     if (const auto tilt = tilt_of(line.text)) {
-      label.tilt_line = line;
-      label.tilt = *tilt;
+      label.tilt = {*tilt, line.offset + std::size_t(tilt->data() - line.text.data())};
       return label;
     }
     if (is_first && !line.text.empty()) {
@@ -110,13 +107,13 @@ LampTilt read_tilt(TextScanner& scanner) {
 
 /// A file names its tilt data by a path below its own folder: it may not make us read others.
 LampTilt read_tilt_file(const TextScanner& scanner, const Label& label) {
-  const std::filesystem::path named{std::string(label.tilt)};
+  const std::filesystem::path named{std::string(label.tilt.text)};
   const bool leaves = named.is_absolute() || std::ranges::find(named, "..") != named.end();
-  if (leaves) scanner.fail(label.tilt_line, "TILT", "must name a file below this one's folder");
+  if (leaves) scanner.fail(label.tilt, "TILT", "must name a file below this one's folder");
   const auto path = std::filesystem::path(scanner.name()).parent_path() / named;
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) {
-    scanner.fail(label.tilt_line, "TILT", "must be NONE, INCLUDE or a file in this one's folder");
+    scanner.fail(label.tilt, "TILT", "must be NONE, INCLUDE or a file in this one's folder");
   }
   TextScanner tilt_scanner(read_photometric_file(path.string()), path.string());
   return read_tilt(tilt_scanner);
@@ -152,7 +149,7 @@ Luminaire parse_ies(std::string text, const std::string& name) {
   Luminaire luminaire;
   luminaire.name = name_of(label);
   luminaire.manufacturer = label.keywords.at("MANUFAC");
-  if (const std::string tilt = upper(label.tilt); tilt == "INCLUDE") {
+  if (const std::string tilt = upper(label.tilt.text); tilt == "INCLUDE") {
     luminaire.tilt = read_tilt(scanner);
   } else if (tilt != "NONE") {
     luminaire.tilt = read_tilt_file(scanner, label);
@@ -166,10 +163,10 @@ Luminaire parse_ies(std::string text, const std::string& name) {
   const Piece lumens_piece = token();
   const double lumens = scanner.number(lumens_piece, "lumens per lamp");
   luminaire.is_absolute = lumens == -1;
-  if (!luminaire.is_absolute) {
-    if (!(lumens >= 0)) scanner.fail(lumens_piece, "lumens per lamp", "must be >= 0, or -1 for absolute photometry");
-    luminaire.lamp_flux = lamps * lumens;
+  if (!luminaire.is_absolute && !(lumens >= 0)) {
+    scanner.fail(lumens_piece, "lumens per lamp", "must be >= 0, or -1 for absolute photometry");
   }
+  if (lumens > 0) luminaire.lamp_flux = lamps * lumens;
   double factor = scanner.positive(token(), "candela multiplier");
   const int vertical_count = grid.count("number of vertical angles", 2);
   const int horizontal_count = grid.count("number of horizontal angles", 1);

@@ -2,7 +2,6 @@
 #include "litfog/photometry/luminaire.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 
 #include "litfog/photometry/eulumdat.h"
@@ -14,7 +13,7 @@ namespace {
 
 bool is_named_ies(const std::string& path) {
   std::string ending = std::filesystem::path(path).extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  std::ranges::transform(ending, ending.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
   return ending == ".ies";
 }
 

@@ -10,6 +10,7 @@ namespace litfog {
 namespace {
 
 constexpr int kMaxAngles = 10'000;
+constexpr double kRadiansPerDegree = std::numbers::pi / 180;
 constexpr double kMaxCandela = 1e30;  // as check(IntensityDistribution) asks
 
 std::string as_written(double x) {
@@ -38,7 +39,7 @@ std::vector<double> PhotometricGrid::angles(std::string_view what, int count, do
     if (!(angle >= low && angle <= high)) {
       scanner_.fail(piece, name(), "must be in [" + as_written(low) + ", " + as_written(high) + "]");
     }
-    if (i > 0 && !(angle > angles.back())) {
+    if (i > 0 && !(angle * kRadiansPerDegree > angles.back() * kRadiansPerDegree)) {  // they may round to the same
       scanner_.fail(piece, name(), "must be greater than the one before, " + as_written(angles.back()));
     }
     angles.push_back(angle);
@@ -72,7 +73,8 @@ bool is_closed_turn(const std::vector<double>& planes_deg) {
 }
 
 void close_turn(std::vector<double>& planes_deg, std::vector<double>& intensity) {
-  if (planes_deg.back() == planes_deg.front() + 360) return;
+  constexpr double kNone = 1e-9;
+  if (planes_deg.front() + 360 - planes_deg.back() <= kNone) return;
   const std::vector<double> first_plane(intensity.begin(),
                                         intensity.begin() + std::ptrdiff_t(intensity.size() / planes_deg.size()));
   planes_deg.push_back(planes_deg.front() + 360);
@@ -80,7 +82,7 @@ void close_turn(std::vector<double>& planes_deg, std::vector<double>& intensity)
 }
 
 std::vector<double> radians_from_degrees(std::vector<double> angles) {
-  for (double& angle : angles) angle *= std::numbers::pi / 180;
+  for (double& angle : angles) angle *= kRadiansPerDegree;
   return angles;
 }
 

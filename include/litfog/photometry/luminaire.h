@@ -32,7 +32,7 @@ struct Luminaire {
   std::string manufacturer;  ///< likewise
   IntensityDistribution distribution;
 
-  /// Rated flux of all its lamps in lumens; nothing where the photometry is absolute and the file does not say.
+  /// Rated flux of all its lamps in lumens, > 0; nothing where the file does not say, as in absolute IES photometry.
   std::optional<double> lamp_flux;
   /// Stated share of the lamps' flux that leaves the luminaire (EULUMDAT's LORL); 1 is all.
   std::optional<double> light_output_ratio;
