@@ -357,7 +357,7 @@ TEST(ConeFit, RefusesTargetsNamingFieldValueAndRule) {
   EXPECT_EQ(refusal({.samples = {{0, 1}, {1, -1}}}), "samples[1].intensity = -1: must be finite and >= 0");
   EXPECT_EQ(refusal({.samples = {{0, kInfinity}, {1, 1}}}), "samples[0].intensity = inf: must be finite and >= 0");
   EXPECT_EQ(refusal({.samples = {{0, 1}, {1, 1, -1}}}), "samples[1].weight = -1: must be 0 or in [1e-100, 1e100]");
-  EXPECT_EQ(refusal({.samples = {{0, 0}, {1, 0}}}), "intensity = 0: must be > 0 for one of the samples with weight");
+  EXPECT_EQ(refusal({.samples = {{0, 0}, {1, 0}}}), "samples.intensity = 0: must be > 0 for one of the samples with weight");
 }
 
 TEST(ConeFit, TakesTheEndsOfItsRanges) {

@@ -20,9 +20,11 @@ namespace {
 using std::numbers::pi;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kGap = 1e-3;     // of the objective, left open by the bounds
-constexpr double kExact = 1e-20;  // of the shares' own sum: ten digits of each share
-constexpr std::size_t kMaxBoxes = 100'000;
+constexpr double kTolerance = 1e-3;  // of the objective: what is promised
+constexpr double kGap = 5e-4;        // of it: left open by the bounds
+constexpr double kEdgeCost = 4e-4;   // of it: for a cut-off where the beam ends rather than far out
+constexpr double kExact = 1e-20;     // of the shares' own sum: ten digits of each share
+constexpr std::size_t kMaxBoxes = 1'000'000;
 constexpr int kMaxRounds = 20;       // of a descent that moves the cut
 constexpr double kInvisible = 5e-4;  // share at which a cut-off does not show: 1.6 of 255 in sRGB
 constexpr double kBeamLevel = 0.5;
@@ -154,11 +156,6 @@ void describe(const LeastSquaresFit& fit, Candidate& candidate, std::size_t& ite
 class CosineProfile {
  public:
   CosineProfile(const std::vector<Point>& points, std::optional<double> half_angle) : points_(points) {
-    const auto lit_within = [this](double angle) {
-      const double cosine = std::cos(angle);
-      return static_cast<std::size_t>(
-          std::count_if(points_.begin(), points_.end(), [cosine](const Point& p) { return p.cosine > cosine; }));
-    };
     if (half_angle) {
       cuts_ = {lit_within(*half_angle)};
     } else {
@@ -216,9 +213,21 @@ class CosineProfile {
     return candidate;
   }
 
-  bool is_exponent_seen(std::size_t lit) const { return lit > 0 && points_[lit - 1].cosine < 1; }
+  std::size_t lit_within(double angle) const {
+    const double cosine = std::cos(angle);
+    return static_cast<std::size_t>(
+        std::count_if(points_.begin(), points_.end(), [cosine](const Point& p) { return p.cosine > cosine; }));
+  }
+
+  double objective_of(double exponent, std::size_t lit) const {
+    double sum = dark_losses_[lit];
+    for (std::size_t i = 0; i < lit; ++i) sum += points_[i].loss(std::pow(points_[i].cosine, exponent));
+    return sum;
+  }
 
  private:
+  bool is_exponent_seen(std::size_t lit) const { return lit > 0 && points_[lit - 1].cosine < 1; }
+
   double exponent_of(double parameter) const { return (1 - parameter) / (parameter * fall_); }  // infinity at 0
 
   /// How many points are best lit, and the objective then, or its bound over a range of exponents.
@@ -282,20 +291,20 @@ class SmoothstepProfile {
         *residuals++ = std::sqrt(point.weight) * (cone - point.share);
       }
     };
-    const ResidualFunction evaluate =
-        outer_ ? differentiate<1>([&](const auto* inner, auto* residuals) { subtract(*inner, *outer_, residuals); })
-               : differentiate<2>([&](const auto* both, auto* residuals) { subtract(both[0], both[1], residuals); });
     const std::size_t count = outer_ ? 1 : 2;
-    const auto evaluate_cones = [&](std::span<const double> parameters, std::span<double> residuals,
-                                    std::span<double> jacobian) {
-      return parameters[0] < (outer_ ? *outer_ : parameters[1]) && evaluate(parameters, residuals, jacobian);
-    };
-    const LeastSquaresFit fit = fit_least_squares({.residual_count = points_.size(),
-                                                   .evaluate = evaluate_cones,
-                                                   .lower = std::vector<double>(count, 0),
-                                                   .upper = std::vector<double>(count, 2)},
-                                                  {start.data(), count}, Descent::one);
-    Candidate candidate{.parameters = {fit.parameters[0], outer_ ? *outer_ : fit.parameters[1]}};
+    const LeastSquaresFit fit = fit_least_squares(
+        {.residual_count = points_.size(),
+         .evaluate =
+             outer_
+                 ? differentiate<1>([&](const auto* inner, auto* residuals) { subtract(*inner, *outer_, residuals); })
+                 : differentiate<2>([&](const auto* both, auto* residuals) { subtract(both[0], both[1], residuals); }),
+         .lower = std::vector<double>(count, 0),
+         .upper = std::vector<double>(count, 2)},
+        {start.data(), count}, Descent::one);
+    Candidate candidate;
+    candidate.parameters[1] = outer_ ? *outer_ : fit.parameters[1];
+    constexpr double kNarrowest = 1e-12;  // a descent may end in a step, which is the limit of cones
+    candidate.parameters[0] = std::min(fit.parameters[0], candidate.parameters[1] * (1 - kNarrowest));
     candidate.objective = objective(candidate.parameters);
     describe(fit, candidate, iterations);
     return candidate;
@@ -393,7 +402,9 @@ ConeProfileFit assess(const Cone& cone, const std::vector<Point>& points, const 
   return fit;
 }
 
-void add_proof(const Optimum& optimum, ConeProfileFit& fit) {
+void add_proof(const Optimum& optimum, double exact, ConeProfileFit& fit) {
+  const bool is_proved = optimum.best.objective <= exact || optimum.lower_bound >= (1 - kTolerance) * fit.objective;
+  fit.status = is_proved ? ConeFitStatus::optimal : ConeFitStatus::unproven;
   fit.lower_bound = std::min(optimum.lower_bound, fit.objective);
   fit.kkt_residual = optimum.best.kkt_residual;
   fit.iterations = optimum.iterations;
@@ -409,19 +420,23 @@ ConeProfileFit fit_cosine(const std::vector<Point>& points, const ConeTarget& ta
   const CosineProfile profile(points, target.half_angle);
   const Optimum optimum = minimise(profile, exact);
   const double exponent = optimum.best.parameters[0];
-  const std::size_t lit = optimum.best.lit;
-
-  std::array<double, 2> range{lit > 0 ? points[lit - 1].angle : 0,
-                              lit < points.size() ? std::min(points[lit].angle, pi / 2) : pi / 2};
+  const auto range_of = [&points](std::size_t lit) {
+    return std::array{lit > 0 ? points[lit - 1].angle : 0,
+                      lit < points.size() ? std::min(points[lit].angle, pi / 2) : pi / 2};
+  };
+  std::array<double, 2> range = range_of(optimum.best.lit);
   double half_angle = angle_at_level(Cone::cosine(pi / 2, exponent), kInvisible);
+  const std::size_t lit = profile.lit_within(half_angle);
   if (target.half_angle) {
     half_angle = *target.half_angle;
     range = {half_angle, half_angle};
-  } else if (half_angle <= range[0] || half_angle > range[1]) {
+  } else if (profile.objective_of(exponent, lit) <= std::max(exact, (1 + kEdgeCost) * optimum.best.objective)) {
+    range = range_of(lit);
+  } else {
     half_angle = (range[0] + range[1]) / 2;
   }
   ConeProfileFit fit = assess(Cone::cosine(half_angle, exponent), points, target);
-  add_proof(optimum, fit);
+  add_proof(optimum, exact, fit);
   fit.cutoff_range = range;
   if (optimum.best.covariance && count_off_axis(points) > 1) {
     fit.covariance = {{{optimum.best.covariance->front(), 0}, {0, 0}}};
@@ -440,7 +455,7 @@ ConeProfileFit fit_smoothstep(const std::vector<Point>& points, const ConeTarget
   };
   const Cone cone = Cone::smoothstep(angle_of(inner), target.half_angle ? *target.half_angle : angle_of(outer));
   ConeProfileFit fit = assess(cone, points, target);
-  add_proof(optimum, fit);
+  add_proof(optimum, exact, fit);
   fit.cutoff_range = {cone.outer, cone.outer};
   const std::size_t count = target.half_angle ? 1 : 2;
   if (is_identified && optimum.best.covariance && count_off_axis(points) > count) {
@@ -497,7 +512,8 @@ std::optional<ConeTargetRefusal> check(const ConeTarget& target) {
   if (!target.beam_angle && !target.field_angle && count < 2) {
     return refuse("samples", double(count), "must be at least two with weight where no beam or field angle is given");
   }
-  if (count > 0 && peak == 0) return refuse("intensity", peak, "must be > 0 for one of the samples with weight");
+  if (count > 0 && peak == 0)
+    return refuse("samples.intensity", peak, "must be > 0 for one of the samples with weight");
   return std::nullopt;
 }
 
@@ -524,12 +540,6 @@ ConeFit fit_cone(const ConeTarget& given) {
   ConeFit fit;
   if (target.choice != ConeChoice::smoothstep) fit.cosine = fit_cosine(points, target, exact);
   if (target.choice != ConeChoice::cosine) fit.smoothstep = fit_smoothstep(points, target, exact);
-  for (auto* profile : {&fit.cosine, &fit.smoothstep}) {
-    if (!*profile) continue;
-    const bool is_proved =
-        (*profile)->objective <= exact || (*profile)->lower_bound >= (1 - kGap) * (*profile)->objective;
-    (*profile)->status = is_proved ? ConeFitStatus::optimal : ConeFitStatus::unproven;
-  }
   const bool is_smoothstep_better =
       !fit.cosine ||
       (fit.smoothstep && fit.smoothstep->objective < fit.cosine->objective && fit.cosine->objective > exact);

@@ -109,9 +109,10 @@ struct ConeFit {
 ///
 /// Where the samples leave a choice it is the one that assumes the least: A cosine cone's cut-off only matters by the
 /// samples that it leaves dark. It is where the profile falls to 0.05 %, which does not show as an edge (1.6 of 255 in
-/// sRGB), if that is between the last lit sample and the first dark one, else half-way between these, or between the
-/// last sample and 90 degrees. Without a lit sample off the axis the exponent is 0. A dual cone with less than two
-/// samples in its edge has the softest edge that they allow, inner as small as the samples at full intensity let it be.
+/// sRGB), if the objective is the smallest there but for 0.04 %; else it is half-way between the last sample that is
+/// best lit and the first that is best dark, or 90 degrees. Without a lit sample off the axis the exponent is 0. A dual
+/// cone with less than two samples in its edge has the softest edge that they allow, inner as small as the samples at
+/// full intensity let it be.
 ///
 /// max error  objective 0.1 % above the global minimum, or 1e-20 of the sum of weight * share^2     (cone_fit_test.cpp)
 /// throws     std::invalid_argument with the sentence of check(target)
