@@ -239,7 +239,7 @@ TEST(AttenuationFit, ReachesTheStatedRangesOfTheOgreTable) {
     for (int i = 1; i < 10; ++i) target.samples.push_back({range * i / 10, attenuation_at(row, range * i / 10)});
     const AttenuationFit fit = fit_attenuation(target);
     EXPECT_NE(fit.status, AttenuationFitStatus::unproven);
-    error.add(std::abs(attenuation_at(fit.attenuation, range) - 0.0125), [&] { return std::to_string(range); });
+    error.add(std::abs(attenuation_at(fit.attenuation, range) - 0.0125), [&, r = range] { return std::to_string(r); });
     largest_change = std::max(largest_change, fit.largest_residual);
   }
   error.check();
@@ -338,7 +338,7 @@ TEST(AttenuationFit, IsNotPulledByOutliersWhenRobust) {
   for (int i = 0; i < 100; ++i) {
     const Attenuation light = draw_light(random, 60, false);
     AttenuationTarget target{.samples = draw({light, 2, 60, 20, 0.01}, random), .is_robust = true};
-    for (const std::size_t k : {4, 9, 15}) target.samples[k].attenuation *= random.uniform(0.1, 0.4);
+    for (const std::size_t k : {4u, 9u, 15u}) target.samples[k].attenuation *= random.uniform(0.1, 0.4);
     const auto off = [&](const AttenuationFit& fit) {
       double largest = 0;
       for (double r = 2; r <= 60; r += 2) {

@@ -44,17 +44,16 @@ std::optional<Refusal> check(const AttenuationSample& sample, const AttenuationS
 /// The target in the search's coordinates: its unit of length is a power of two, so that ranges and coefficients keep
 /// their digits.
 struct Scaled {
-  Falloff falloff;
-  double unit = 1;
-  double largest_weight = 0;
+  Falloff falloff = {};
+  double unit = 1;  ///< metres
 };
 
 Scaled scale(const AttenuationTarget& target) {
   Scaled scaled;
-  double log_sum = 0;
+  double log_sum = 0, largest_weight = 0;
   int count = 0;
   for (const auto& [range, attenuation, weight] : target.samples) {
-    scaled.largest_weight = std::max(scaled.largest_weight, weight);
+    largest_weight = std::max(largest_weight, weight);
     if (weight == 0 || range == 0) continue;
     log_sum += std::log2(range);
     ++count;
@@ -64,11 +63,12 @@ Scaled scale(const AttenuationTarget& target) {
   for (const auto& [range, attenuation, weight] : target.samples) {
     if (weight == 0) continue;
     scaled.falloff.samples.push_back(
-        {range / scaled.unit, -std::log(static_cast<long double>(attenuation)), weight / scaled.largest_weight});
+        {range / scaled.unit, -std::log(static_cast<long double>(attenuation)), weight / largest_weight});
   }
   scaled.falloff.constant = target.constant;
-  if (target.extent)
+  if (target.extent) {
     scaled.falloff.end = {*target.extent / scaled.unit, 1 / static_cast<long double>(target.threshold)};
+  }
   return scaled;
 }
 
@@ -126,7 +126,7 @@ FalloffSearch minimize_robustly(Falloff& falloff, std::size_t free) {
   return search(falloff, minimum);
 }
 
-void fill_in_samples(const AttenuationTarget& target, AttenuationFit& fit, const Loss& loss) {
+void fill_in_residuals(const AttenuationTarget& target, AttenuationFit& fit, const Loss& loss) {
   double squares = 0, weights = 0;
   for (const auto& [range, attenuation, weight] : target.samples) {
     const double residual = std::log(attenuation_at(fit.attenuation, range) / attenuation);
@@ -142,7 +142,7 @@ void fill_in_samples(const AttenuationTarget& target, AttenuationFit& fit, const
 
 /// The samples that no attenuation with the target's extent and constant meets, in words. What a table is off its own
 /// best attenuation is no contradiction.
-std::string describe_out_of_reach(const AttenuationTarget& target, const Falloff& falloff, double unit) {
+std::string describe_out_of_reach(const AttenuationTarget& target, const Scaled& scaled) {
   const auto distance = [&](const AttenuationSample& sample) {
     return sample.weight > 0 ? distance_from_reach(target, sample) : 0;
   };
@@ -150,7 +150,7 @@ std::string describe_out_of_reach(const AttenuationTarget& target, const Falloff
                    [&](const AttenuationSample& sample) { return distance(sample) > kReading; })) {
     return "";
   }
-  Falloff free = falloff;
+  Falloff free = scaled.falloff;
   free.constant.reset();
   free.end.reset();
   const FalloffMinimum own = free.samples.size() > 1 ? minimize(free).minimum : FalloffMinimum{};
@@ -160,7 +160,7 @@ std::string describe_out_of_reach(const AttenuationTarget& target, const Falloff
   for (const AttenuationSample& sample : target.samples) {
     const long double y = -std::log(static_cast<long double>(sample.attenuation));
     const double off = free.samples.size() > 1
-                           ? std::abs(free.residual(own.coefficients, {sample.range / unit, y, sample.weight}))
+                           ? std::abs(free.residual(own.coefficients, {sample.range / scaled.unit, y, sample.weight}))
                            : 0;
     if (distance(sample) > std::max(kReading, 3 * std::max(scatter, off))) {
       text += (text.empty() ? "" : "; ") + describe_reach(target, sample);
@@ -174,6 +174,51 @@ std::string format_percent(double share) {
   const double percent = share < 1e-11 ? 0 : 100 * share;
   const auto end = std::to_chars(text.data(), text.data() + text.size(), percent, std::chars_format::general, 3).ptr;
   return std::string(text.data(), end) + " %";
+}
+
+void fit_samples(const AttenuationTarget& target, AttenuationFit& fit) {
+  Scaled scaled = scale(target);
+  Falloff& falloff = scaled.falloff;
+  FalloffSearch found = target.is_robust ? minimize_robustly(falloff, free_count(target)) : minimize(falloff);
+  const bool is_one_of_many = falloff.samples.size() < free_count(target) || !found.minimum.covariance;
+  if (is_one_of_many && !target.constant) {
+    // If it is there, that with the constant of a lamp whose near brightness is its brightness.
+    Falloff normalized = falloff;
+    normalized.constant = 1;
+    const FalloffMinimum other = minimize(normalized).minimum;
+    if (other.objective <= found.minimum.objective + falloff.negligible()) {
+      found.minimum.coefficients = other.coefficients;
+    }
+  }
+  const Coefficients& q = found.minimum.coefficients;
+  fit.attenuation = {q[0], q[1] / scaled.unit, q[2] / scaled.unit / scaled.unit};
+  if (q == Coefficients{}) {  // C = 0 given, and nothing darker than 1: the clamp lets go at the last sample
+    fit.attenuation.linear = 1 / target.samples.back().range;
+  }
+  if (target.extent) meet_extent(fit.attenuation, *target.extent, target.threshold);
+  fit.loss_scale = falloff.loss.scale();
+  fit.kkt_residual = kkt_residual(falloff, q);
+  fit.iterations = found.minimum.iterations;
+  fit.boxes = found.boxes;
+  if (!is_one_of_many) {
+    fit.covariance = found.minimum.covariance;
+    const std::array<double, 3> units{1, scaled.unit, scaled.unit * scaled.unit};
+    for (std::size_t i = 0; i < 9; ++i) (*fit.covariance)[i] /= units[i / 3] * units[i % 3];
+  }
+  fill_in_residuals(target, fit, falloff.loss);
+  if (fit.status == AttenuationFitStatus::infeasible) return;
+
+  const std::string out_of_reach = describe_out_of_reach(target, scaled);
+  if (!out_of_reach.empty()) {
+    fit.status = AttenuationFitStatus::infeasible;
+    fit.sentence = out_of_reach;
+    return;
+  }
+  fit.status = found.is_proven ? AttenuationFitStatus::optimal : AttenuationFitStatus::unproven;
+  fit.sentence = found.is_proven ? "no better attenuation exists"
+                                 : "the best attenuation found; the search ended before it could rule out a better one";
+  fit.sentence +=
+      ": off by " + format_percent(fit.rms) + " (rms), " + format_percent(fit.largest_residual) + " at most";
 }
 
 }  // namespace
@@ -233,73 +278,25 @@ AttenuationFit fit_attenuation(const AttenuationTarget& asked) {
   AttenuationFit fit;
   fit.threshold = asked.threshold;
   AttenuationTarget target = asked;
-  std::string obstacle;
   const double largest_constant = kLargestConstantShare / asked.threshold;
   if (asked.extent && asked.constant && *asked.constant > largest_constant) {
-    obstacle = "constant " + format_exactly(*asked.constant) + " cannot be had with an extent of " +
-               format_exactly(*asked.extent) + " m at threshold " + format_exactly(asked.threshold) + ": from 0 to " +
-               format_exactly(largest_constant) + " can";
+    fit.status = AttenuationFitStatus::infeasible;
+    fit.sentence = "constant " + format_exactly(*asked.constant) + " cannot be had with an extent of " +
+                   format_exactly(*asked.extent) + " m at threshold " + format_exactly(asked.threshold) +
+                   ": from 0 to " + format_exactly(largest_constant) + " can";
     target.constant = largest_constant;
   }
-
-  Loss loss;
   if (target.samples.empty()) {
     fit.attenuation = member(target.family, target.constant.value_or(1), *target.extent, target.threshold);
+    if (fit.sentence.empty()) fit.sentence = "the extent is met";
   } else {
-    auto [falloff, unit, largest_weight] = scale(target);
-    const auto solve = [&] {
-      return target.is_robust ? minimize_robustly(falloff, free_count(target)) : minimize(falloff);
-    };
-    FalloffSearch found = solve();
-    const bool is_one_of_many = falloff.samples.size() < free_count(target) || !found.minimum.covariance;
-    if (is_one_of_many) found.minimum.covariance.reset();
-    if (is_one_of_many && !target.constant) {
-      // If it is there, that with the constant of a lamp whose near brightness is its brightness.
-      Falloff normalized = falloff;
-      normalized.constant = 1;
-      const FalloffMinimum other = minimize(normalized).minimum;
-      if (other.objective <= found.minimum.objective + falloff.negligible()) {
-        found.minimum.coefficients = other.coefficients;
-      }
-    }
-    const Coefficients& q = found.minimum.coefficients;
-    fit.attenuation = {q[0], q[1] / unit, q[2] / unit / unit};
-    if (q == Coefficients{}) {  // C = 0 given, and nothing darker than 1: the clamp lets go at the last sample
-      fit.attenuation.linear = 1 / target.samples.back().range;
-    }
-    if (target.extent) meet_extent(fit.attenuation, *target.extent, target.threshold);
-    if (!found.is_proven) fit.status = AttenuationFitStatus::unproven;
-    fit.kkt_residual = kkt_residual(falloff, q);
-    fit.iterations = found.minimum.iterations;
-    fit.boxes = found.boxes;
-    if (found.minimum.covariance) {
-      fit.covariance = found.minimum.covariance;
-      const std::array<double, 3> units{1, unit, unit * unit};
-      for (std::size_t i = 0; i < 9; ++i) (*fit.covariance)[i] /= units[i / 3] * units[i % 3];
-    }
-    loss = falloff.loss;
-    fit.loss_scale = loss.scale();
-    if (obstacle.empty()) obstacle = describe_out_of_reach(target, falloff, unit);
+    fit_samples(target, fit);
   }
-  fill_in_samples(target, fit, loss);
-
   if (target.extent) fit.active.push_back(AttenuationConstraint::extent);
   if (target.constant) fit.active.push_back(AttenuationConstraint::constant_given);
   if (!target.constant && fit.attenuation.constant == 0) fit.active.push_back(AttenuationConstraint::constant_zero);
   if (fit.attenuation.linear == 0) fit.active.push_back(AttenuationConstraint::linear_zero);
   if (fit.attenuation.quadratic == 0) fit.active.push_back(AttenuationConstraint::quadratic_zero);
-  if (!obstacle.empty()) {
-    fit.status = AttenuationFitStatus::infeasible;
-    fit.sentence = obstacle;
-  } else if (target.samples.empty()) {
-    fit.sentence = "the extent is met";
-  } else {
-    fit.sentence = fit.status == AttenuationFitStatus::optimal
-                       ? "no better attenuation exists"
-                       : "the best attenuation found; the search ended before it could rule out a better one";
-    fit.sentence +=
-        ": off by " + format_percent(fit.rms) + " (rms), " + format_percent(fit.largest_residual) + " at most";
-  }
   fit.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   return fit;
 }
