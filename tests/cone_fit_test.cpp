@@ -144,6 +144,7 @@ TEST(ConeFit, FindsTheGlobalOptimumOfBothProfiles) {
   double worst_smoothstep = 0;
   std::size_t most_boxes = 0;
   double most_milliseconds = 0;
+  double worst_kkt = 0;
   for (int i = 0; i < 60; ++i) {
     const auto samples = draw_samples(random);
     if (samples.size() < 2) continue;
@@ -157,6 +158,7 @@ TEST(ConeFit, FindsTheGlobalOptimumOfBothProfiles) {
       EXPECT_NEAR(found->objective, objective_of(found->cone, samples), 1e-14 + 1e-12 * found->objective);
       EXPECT_LE(found->lower_bound, found->objective);
       most_boxes = std::max(most_boxes, found->boxes);
+      worst_kkt = std::max(worst_kkt, found->kkt_residual);
     }
     EXPECT_LE(fit.cosine->lower_bound, cosine * (1 + 1e-12));
     EXPECT_LE(fit.smoothstep->lower_bound, smoothstep * (1 + 1e-12));
@@ -167,8 +169,8 @@ TEST(ConeFit, FindsTheGlobalOptimumOfBothProfiles) {
     most_milliseconds = std::max(most_milliseconds, fit.milliseconds);
     EXPECT_EQ(fit.best().objective, std::min(fit.cosine->objective, fit.smoothstep->objective));
   }
-  std::printf("objective above the best known: cosine %.2g, smoothstep %.2g; at most %zu boxes, %.3g ms\n",
-              worst_cosine, worst_smoothstep, most_boxes, most_milliseconds);
+  std::printf("objective above the best known: cosine %.2g, smoothstep %.2g; KKT %.2g; at most %zu boxes, %.3g ms\n",
+              worst_cosine, worst_smoothstep, worst_kkt, most_boxes, most_milliseconds);
 }
 
 TEST(ConeFit, RecoversTheConeThatDrewTheSamples) {
@@ -357,7 +359,8 @@ TEST(ConeFit, RefusesTargetsNamingFieldValueAndRule) {
   EXPECT_EQ(refusal({.samples = {{0, 1}, {1, -1}}}), "samples[1].intensity = -1: must be finite and >= 0");
   EXPECT_EQ(refusal({.samples = {{0, kInfinity}, {1, 1}}}), "samples[0].intensity = inf: must be finite and >= 0");
   EXPECT_EQ(refusal({.samples = {{0, 1}, {1, 1, -1}}}), "samples[1].weight = -1: must be 0 or in [1e-100, 1e100]");
-  EXPECT_EQ(refusal({.samples = {{0, 0}, {1, 0}}}), "samples.intensity = 0: must be > 0 for one of the samples with weight");
+  EXPECT_EQ(refusal({.samples = {{0, 0}, {1, 0}}}),
+            "samples.intensity = 0: must be > 0 for one of the samples with weight");
 }
 
 TEST(ConeFit, TakesTheEndsOfItsRanges) {
