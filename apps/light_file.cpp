@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "light_file.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <numbers>
 #include <string_view>
+
+#include "angle_deg.h"
 
 namespace {
 
 using litfog::Cone;
 using litfog::Light;
-
-/// Exact at 90 and 180 degrees, where the model's ranges end.
-double radians(double degrees) { return degrees / 180 * std::numbers::pi; }
 
 Cone parse_cone(const JsonValue& value) {
   const JsonValue profile = value.member("profile");
@@ -48,8 +48,24 @@ constexpr std::array<FileTerm, 3> kFileTerms{{
     {"cone.outer", "cone.outer_deg", "must be in (0, 180]"},
 }};
 
-/// Reports a refusal at the member that the model's field came from.
-[[noreturn]] void fail(const JsonValue& light, const litfog::Refusal& refusal) {
+/// The cone as a member with what goes before it, nothing for a point light.
+std::string cone_member(const Cone& cone) {
+  switch (cone.profile) {
+    case litfog::ConeProfile::cosine:
+      return fmt::format(",\n  \"cone\": {{\"profile\": \"cosine\", \"half_angle_deg\": {}, \"exponent\": {}}}",
+                         degrees(cone.half_angle), cone.exponent);
+    case litfog::ConeProfile::smoothstep:
+      return fmt::format(",\n  \"cone\": {{\"profile\": \"smoothstep\", \"inner_deg\": {}, \"outer_deg\": {}}}",
+                         degrees(cone.inner), degrees(cone.outer));
+    case litfog::ConeProfile::none:
+      break;
+  }
+  return "";
+}
+
+}  // namespace
+
+void fail_light(const JsonValue& light, const litfog::Refusal& refusal) {
   FileTerm term{refusal.field, refusal.field, refusal.rule};
   for (const FileTerm& candidate : kFileTerms) {
     if (candidate.field == term.field) term = candidate;
@@ -70,8 +86,6 @@ constexpr std::array<FileTerm, 3> kFileTerms{{
   value.fail(term.rule);
 }
 
-}  // namespace
-
 Light parse_light(const JsonValue& value) {
   value.allow_only(
       {"litfog", "version", "name", "source", "color", "attenuation", "threshold", "cone", "density_scale", "fit"});
@@ -89,7 +103,7 @@ Light parse_light(const JsonValue& value) {
   if (const auto cone = value.optional("cone")) light.cone = parse_cone(*cone);
   light.density_scale = value.number_or("density_scale", light.density_scale);
 
-  if (const auto refusal = check(light)) fail(value, *refusal);
+  if (const auto refusal = check(light)) fail_light(value, *refusal);
   return light;
 }
 
@@ -99,4 +113,18 @@ Light read_light(const std::string& path) {
   Light light = parse_light(root);
   if (light.name.empty()) light.name = std::filesystem::path(path).stem().string();
   return light;
+}
+
+std::string format_light(const Light& light, const std::vector<std::string>& source, std::string_view fit) {
+  std::string lines;
+  for (const std::string& line : source) lines += (lines.empty() ? "" : ",") + ("\n    " + json_quoted(line));
+  const auto& [constant, linear, quadratic] = light.attenuation;
+  return fmt::format("{{\n  \"litfog\": \"light\",\n  \"version\": 1,\n  \"name\": {}", json_quoted(light.name)) +
+         (lines.empty() ? "" : fmt::format(",\n  \"source\": [{}\n  ]", lines)) +
+         fmt::format(",\n  \"color\": [{}, {}, {}]", light.color.r, light.color.g, light.color.b) +
+         fmt::format(",\n  \"attenuation\": {{\"constant\": {}, \"linear\": {}, \"quadratic\": {}}}", constant, linear,
+                     quadratic) +
+         fmt::format(",\n  \"threshold\": {}", light.threshold) + cone_member(light.cone) +
+         (light.density_scale == 1 ? "" : fmt::format(",\n  \"density_scale\": {}", light.density_scale)) +
+         (fit.empty() ? "" : fmt::format(",\n  \"fit\": {}", fit)) + "\n}\n";
 }

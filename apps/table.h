@@ -15,8 +15,8 @@ enum class TableFormat {
 struct Table {
   using Cell = std::variant<std::string, double, std::monostate>;
 
-  std::vector<std::string> columns;
-  std::vector<std::vector<Cell>> rows;  ///< each as long as columns
+  std::vector<std::string> columns = {};
+  std::vector<std::vector<Cell>> rows = {};  ///< each as long as columns
 };
 
 /// The whole table as text, with a newline at its end.

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "litfog/cone.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "litfog/formulas.h"
 #include "require.h"
+#include "versine.h"
 
 namespace litfog {
 
@@ -55,6 +57,42 @@ double cone_at(const Cone& cone, double cos_angle) {
       break;
   }
   return 1;
+}
+
+double angle_at_level(const Cone& cone, double level) {
+  switch (cone.profile) {
+    case ConeProfile::cosine:
+      if (cone.exponent == 0) return cone.half_angle;
+      return std::min(cone.half_angle, angle_of_versine(-std::expm1(std::log(level) / cone.exponent)));
+    case ConeProfile::smoothstep: {
+      const double t = 0.5 - std::sin(std::asin(1 - 2 * level) / 3);  // root of t^2 (3 - 2 t) = level
+      const double inner = versine(cone.inner);
+      const double outer = versine(cone.outer);
+      return angle_of_versine(outer - t * (outer - inner));
+    }
+    case ConeProfile::none:
+      break;
+  }
+  return pi;
+}
+
+double flux_within(const Cone& cone, double angle) {
+  const double end = versine(std::min(angle, cutoff_angle(cone)));
+  switch (cone.profile) {
+    case ConeProfile::cosine:
+      return 2 * pi * -std::expm1((cone.exponent + 1) * std::log1p(-end)) / (cone.exponent + 1);
+    case ConeProfile::smoothstep: {
+      const double inner = versine(cone.inner);
+      const double outer = versine(cone.outer);
+      if (end <= inner) return 2 * pi * end;
+      // The integral of t^2 (3 - 2 t) from t to 1 is (1 - t) (1 + t + t^2 - t^3) / 2.
+      const double t = (outer - end) / (outer - inner);
+      return 2 * pi * (inner + (end - inner) * (1 + t * (1 + t * (1 - t))) / 2);
+    }
+    case ConeProfile::none:
+      break;
+  }
+  return 2 * pi * end;
 }
 
 }  // namespace litfog

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
@@ -44,6 +45,9 @@ const std::vector<std::string> kSolveColumns{"method",  "precision", "fog",     
                                              "max_ulp", "mean_ulp",  "max_error_255", "mean_error_255"};
 const std::vector<std::string> kUpdateColumns{
     "method", "fog", "lights", "kinds", "steps", "ms_per_step", "ms_spread", "skipped_share", "max_deviation_255"};
+
+const std::vector<std::string> kFitColumns{"problem",   "method",    "tables",       "ms",
+                                           "ms_spread", "objective", "solved_share", "digits"};
 
 void expect_machine(const Json& document) {
   ASSERT_TRUE(document.contains("machine"));
@@ -171,6 +175,44 @@ TEST_F(BenchMeasurement, UpdateStaysWithinItsBudget) {
   EXPECT_NE(read("update.svg").find("visibility (m)"), std::string::npos);
 }
 
+TEST_F(BenchMeasurement, FitFindsEveryOptimumToTheDigitsThatItStates) {
+#ifndef LITFOG_HAS_FIT
+  EXPECT_REFUSED(run("fit --quick"), kMissingCapability,
+                 "litfog-bench: this build has no litfog::fit; configure with -DLITFOG_BUILD_FIT=ON\n");
+  GTEST_SKIP() << "this build has no litfog::fit";
+#endif
+  const Outcome outcome = run("fit --quick --json fit.json --csv fit.csv --plot fit.svg");
+  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  const Json document = Json::parse(read("fit.json"));
+  expect_machine(document);
+  expect_columns(document["rows"], kFitColumns);
+  std::multiset<std::string> found;
+  std::map<std::string, double> least_objective;
+  for (const Json& row : document["rows"]) {
+    const std::string problem = row["problem"];
+    const double objective = row["objective"];
+    least_objective.try_emplace(problem, objective);
+    least_objective[problem] = std::min(least_objective[problem], objective);
+  }
+  for (const Json& row : document["rows"]) {
+    const std::string name = row.dump(), problem = row["problem"], method = row["method"];
+    found.insert(problem + " " + method);
+    EXPECT_GT(row["ms"].get<double>(), 0) << name;
+    EXPECT_GE(row["ms_spread"].get<double>(), 0) << name;
+    EXPECT_GE(row["digits"].get<double>(), method == "litfog" ? 9 : 0) << name;
+    if (method != "litfog") continue;
+    EXPECT_EQ(row["solved_share"], 1) << name;
+    EXPECT_LE(row["objective"].get<double>(), least_objective[problem] * (1 + 1e-9) + 1e-20) << name;
+  }
+  for (const char* problem : {"exact", "noise-2", "noise-20", "outliers", "clamped", "far", "near"}) {
+    for (const char* method : {" litfog", " ceres", " eigen-lm"}) {
+      EXPECT_EQ(found.count(std::string(problem) + method), 1u) << problem << method;
+    }
+  }
+  EXPECT_NE(read("fit.svg").find("digits of the optimum"), std::string::npos);
+}
+
 TEST_F(BenchMeasurement, IsaLimitsWhatBatchesUse) {
   const Outcome refused = run("update --quick --isa MMX");
   EXPECT_EQ(refused.status, kUsage);
@@ -211,7 +253,7 @@ TEST_F(BenchMeasurement, FullDiskIsNoticed) {
 TEST_F(BenchCommand, HelpNeedsNoReleaseBuild) {
   const Outcome help = run("--help");
   EXPECT_EQ(help.status, kDone);
-  for (const char* part : {"solve", "update", "--json", "--csv", "--plot", "--quick", "Exit status:"}) {
+  for (const char* part : {"solve", "update", "fit", "--json", "--csv", "--plot", "--quick", "Exit status:"}) {
     EXPECT_NE(help.out.find(part), std::string::npos) << part;
   }
   EXPECT_EQ(run("--version").status, kDone);
@@ -219,7 +261,7 @@ TEST_F(BenchCommand, HelpNeedsNoReleaseBuild) {
 
 TEST_F(BenchCommand, WrongUsageIsRefused) {
   EXPECT_REFUSED(run(""), kUsage, usage_message("benchmark is required"));
-  EXPECT_REFUSED(run("speed"), kUsage, usage_message("benchmark = speed: must be one of solve|update"));
+  EXPECT_REFUSED(run("speed"), kUsage, usage_message("benchmark = speed: must be one of solve|update|fit"));
   EXPECT_EQ(run("solve --quick --slow").status, kUsage);
   EXPECT_EQ(run("solve update").status, kUsage);
   EXPECT_EQ(run("solve --json").status, kUsage);

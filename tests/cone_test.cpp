@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <string>
 
+#include "digits50.h"
 #include "random_light.h"
 
 namespace litfog::test {
@@ -111,6 +113,79 @@ TEST(Cone, OfAnyAcceptedWidthIsNeverNan) {
           << "inner " << cone.inner << ", outer " << cone.outer << ", cosine " << cos_angle << ": " << share;
     }
   }
+}
+
+/// Cones as wide and as narrow as lights come.
+Cone draw_cone(Random& random) {
+  if (random.chance(0.5)) return Cone::cosine(random.log_uniform(1e-3, pi / 2), random.log_uniform(1e-3, 1e5));
+  const double outer = random.log_uniform(1e-3, pi);
+  return Cone::smoothstep(random.chance(0.1) ? 0 : random.uniform(0, 0.999 * outer), outer);
+}
+
+/// The definitions in 50 digits, for any angle from the axis.
+Digits50 share_at(const Cone& cone, const Digits50& angle) {
+  if (cone.profile == ConeProfile::cosine) return pow(cos(angle), Digits50(cone.exponent));
+  const Digits50 inner = cos(Digits50(cone.inner));
+  const Digits50 outer = cos(Digits50(cone.outer));
+  const Digits50 t = (cos(angle) - outer) / (inner - outer);
+  return t >= 1 ? Digits50(1) : t <= 0 ? Digits50(0) : t * t * (3 - 2 * t);
+}
+
+TEST(Cone, AngleAtALevelIsWhereTheConeFallsToIt) {
+  Random random(11);
+  double worst = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Cone cone = draw_cone(random);
+    const double level = random.log_uniform(1e-3, 0.999);
+    const double angle = angle_at_level(cone, level);
+    if (cone.profile == ConeProfile::cosine && angle == cone.half_angle) {
+      EXPECT_GE(share_at(cone, angle), level * (1 - 1e-9)) << "ends only where it is still brighter";
+      continue;
+    }
+    Digits50 low = 0;
+    Digits50 high = cone.profile == ConeProfile::cosine ? pi / 2 : cone.outer;
+    for (int step = 0; step < 90; ++step) {
+      const Digits50 middle = (low + high) / 2;
+      (share_at(cone, middle) > level ? low : high) = middle;
+    }
+    worst = std::max(worst, relative_error(angle, low));
+  }
+  std::printf("angle_at_level: worst error %.2g\n", worst);
+  EXPECT_LE(worst, 2e-15);
+}
+
+TEST(Cone, AngleAtALevelAboveTheEdgeIsTheCutOff) {
+  EXPECT_EQ(angle_at_level(Cone::cosine(0.5, 0), 0.5), 0.5);
+  EXPECT_EQ(angle_at_level(Cone::cosine(0.5, 1), 0.5), 0.5);
+  EXPECT_DOUBLE_EQ(angle_at_level(Cone::cosine(1.5, 1), 0.5), pi / 3);
+  EXPECT_EQ(angle_at_level(Cone{}, 0.5), pi);
+}
+
+TEST(Cone, FluxIsTheIntegralOverTheSphere) {
+  using Quadrature = boost::math::quadrature::gauss_kronrod<Digits50, 61>;
+  Random random(12);
+  double worst = 0;
+  for (int i = 0; i < 100; ++i) {
+    const Cone cone = draw_cone(random);
+    const double end = random.chance(0.5) ? pi : random.uniform(0, cutoff_angle(cone));
+    const auto density = [&cone](const Digits50& angle) { return share_at(cone, angle) * sin(angle); };
+    const Digits50 last = std::min(end, cutoff_angle(cone));
+    const Digits50 full = std::min<Digits50>(cone.inner, last);  // a smoothstep's; the integrand is smooth beyond
+    const Digits50 sphere = 2 * boost::math::constants::pi<Digits50>();
+    const Digits50 reference =
+        sphere * (1 - cos(full) + (last > full ? Quadrature::integrate(density, full, last, 12, 1e-18) : Digits50(0)));
+    worst = std::max(worst, relative_error(flux_within(cone, end), reference));
+  }
+  std::printf("flux_within: worst error %.2g\n", worst);
+  EXPECT_LE(worst, 2e-15);
+}
+
+TEST(Cone, FluxHasItsClosedForms) {
+  EXPECT_DOUBLE_EQ(flux_within(Cone{}, pi), 4 * pi);
+  EXPECT_DOUBLE_EQ(flux_within(Cone::cosine(pi / 2, 1), pi), pi);      // a Lambertian patch
+  EXPECT_DOUBLE_EQ(flux_within(Cone::cosine(pi / 3, 0), pi), pi);      // a flat spherical cap
+  EXPECT_DOUBLE_EQ(flux_within(Cone::smoothstep(0, pi), pi), 2 * pi);  // even about 90 degrees
+  EXPECT_DOUBLE_EQ(flux_within(Cone::smoothstep(pi / 3, pi / 2), pi / 3), pi);
 }
 
 }  // namespace

@@ -11,8 +11,10 @@
 #include <set>
 #include <string>
 
+#include "angle_deg.h"
 #include "exit_status.h"
 #include "litfog/attenuation.h"
+#include "random_light.h"
 
 namespace {
 
@@ -106,6 +108,42 @@ TEST(LightFile, RefusesConesInDegrees) {
             "f:2:64: cone.outer_deg = 181: must be in (0, 180]");
   EXPECT_EQ(with(R"({"profile": "cosine", "outer_deg": 9})"),
             "f:2:31: \"outer_deg\": must be one of profile, half_angle_deg, exponent");
+}
+
+TEST(LightFile, WrittenLightIsReadBackToTheDigit) {
+  litfog::test::Random random(31);
+  for (int i = 0; i < 300; ++i) {
+    Light light;
+    light.name = "lamp \"5\"\n";
+    light.color = {random.uniform(0, 1), random.log_uniform(1e-9, 1e9), 1. / 3};
+    light.attenuation = {random.uniform(0, 1), random.log_uniform(1e-300, 1e300), random.any_positive<double>()};
+    light.threshold = random.uniform(0.001, 0.999);
+    light.density_scale = random.chance(0.5) ? 1 : random.uniform(0, 2);
+    const double outer = pi / 180 * random.uniform(0.1, 180);
+    if (random.chance(0.4)) light.cone = litfog::Cone::smoothstep(random.uniform(0, 0.9) * outer, outer);
+    if (random.chance(0.4)) light.cone = litfog::Cone::cosine(outer / 2, random.log_uniform(1e-3, 1e5));
+    const std::string text = format_light(light, {"a", "\xC3\xA4\\"}, "{\"rms\": 0}");
+    Light back = parse(text);
+    // A degree is 57 radians: some angles have no double of degrees.
+    EXPECT_DOUBLE_EQ(back.cone.half_angle, light.cone.half_angle);
+    EXPECT_DOUBLE_EQ(back.cone.inner, light.cone.inner);
+    EXPECT_DOUBLE_EQ(back.cone.outer, light.cone.outer);
+    back.cone.half_angle = light.cone.half_angle;
+    back.cone.inner = light.cone.inner;
+    back.cone.outer = light.cone.outer;
+    EXPECT_EQ(back.name, light.name);
+    EXPECT_EQ(back.color, light.color);
+    EXPECT_EQ(back.attenuation, light.attenuation);
+    EXPECT_EQ(back.threshold, light.threshold);
+    EXPECT_EQ(back.density_scale, light.density_scale);
+    EXPECT_EQ(back.cone, light.cone);
+    const JsonValue source = parse_json(text, "f").member("source");
+    EXPECT_EQ(source.items()[1].string(), "\xC3\xA4\\");
+  }
+}
+
+TEST(LightFile, WritesAnglesAsTheyWereGivenInDegrees) {
+  for (const double angle : {5.0, 8.75, 10.5, 17.7, 90.0, 180.0, 0.1, 1e-3}) EXPECT_EQ(degrees(radians(angle)), angle);
 }
 
 TEST(LightFile, FileNeedsItsHeaderAndLendsItsName) {

@@ -44,4 +44,20 @@ double cutoff_angle(const Cone& cone);
 /// returns    [0, 1]
 double cone_at(const Cone& cone, double cos_angle);
 
+/// Angle up to which a cone keeps a share of its axial intensity: acos(level^(1/exponent)), the root of Hermite's cubic,
+/// or the cut-off where the cone ends with more than that.
+///
+/// level      (0, 1)
+/// returns    radians from the axis, [0, pi]; pi for a point light
+/// max error  2e-15 relative                                                                        (cone_test.cpp)
+double angle_at_level(const Cone& cone, double level);
+
+/// Flux of a cone whose axial intensity is 1, out to an angle: 2 pi times the integral of cone_at(cos u) sin u.
+/// Times candela on the axis it is lumens.
+///
+/// angle      radians from the axis, [0, pi]
+/// returns    steradians, [0, 4 pi]
+/// max error  2e-15 relative                                                                        (cone_test.cpp)
+double flux_within(const Cone& cone, double angle);
+
 }  // namespace litfog

@@ -195,6 +195,8 @@ ceres::Solver::Options solver_options() {
   options.linear_solver_type = ceres::DENSE_QR;
   options.logging_type = ceres::SILENT;
   options.max_num_iterations = 2000;
+  options.max_num_consecutive_invalid_steps =
+      options.max_num_iterations;  // beyond which Ceres writes to standard error
   options.function_tolerance = 1e-15;
   options.gradient_tolerance = 0;
   options.parameter_tolerance = 1e-14;
@@ -205,7 +207,10 @@ ceres::Solver::Options solver_options() {
 /// it starts on, and may end in the first hollow.
 std::vector<ceres::Solver::Options> strategies(Descent descent) {
   std::vector<ceres::Solver::Options> result{solver_options()};
-  if (descent == Descent::one) return result;
+  if (descent == Descent::one) {
+    result.back().function_tolerance = 1e-8;
+    return result;
+  }
   result.push_back(solver_options());
   result.back().initial_trust_region_radius = 1e-4;
   return result;

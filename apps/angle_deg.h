@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <numbers>
+
+// Angles as files have them.
+
+/// Exact at 90 and 180 degrees, where the model's ranges end.
+inline double radians(double degrees) { return degrees / 180 * std::numbers::pi; }
+
+/// The inverse: of the doubles next to the quotient the one with the fewest digits that is read back as the same angle,
+/// or the quotient where none is.
+double degrees(double radians);

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/fit_benchmark.h"
+
+#include <ceres/ceres.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+#include <unsupported/Eigen/NonLinearOptimization>
+#include <vector>
+
+#include "bench/stopwatch.h"
+#include "falloff_reference.h"
+#include "litfog/fit/attenuation_fit.h"
+#include "litfog/formulas.h"
+#include "progress.h"
+#include "random_light.h"
+
+namespace litfog::bench {
+namespace {
+
+using Samples = std::vector<AttenuationSample>;
+
+struct Scale {
+  int tables;
+  StopwatchSettings stopwatch;
+};
+constexpr Scale kFull{100, {15, 0.05}};
+constexpr Scale kQuick{8, {3, 0.001}};
+
+/// Digits of the optimum that the header states (attenuation_fit.h).
+constexpr double kStatedDigits = 9;
+
+/// What tables are drawn from.
+struct Family {
+  const char* name;
+  double least_range, most_range;  ///< of the last sample
+  double noise;                    ///< standard deviation of ln attenuation
+  double outliers;                 ///< share
+  bool is_clamped;
+};
+constexpr Family kFamilies[] = {
+    {"exact", 1, 1000, 0, 0, false},      {"noise-2", 1, 1000, 0.02, 0, false},
+    {"noise-20", 1, 1000, 0.2, 0, false}, {"outliers", 1, 1000, 0.02, 0.125, false},
+    {"clamped", 1, 1000, 0.02, 0, true},  {"far", 1e4, 1e6, 0.02, 0, false},
+    {"near", 1e-3, 0.1, 0.02, 0, false},
+};
+
+Samples draw_table(const Family& family, test::Random& random) {
+  const double last = random.log_uniform(family.least_range, family.most_range);
+  const Attenuation light{family.is_clamped ? random.uniform(0.1, 0.9) : random.uniform(1, 3),
+                          random.log_uniform(0.5, 10) / last, random.log_uniform(1, 40) / last / last};
+  Samples samples;
+  for (int i = 1; i <= 20; ++i) {
+    const double range = last * i / 20;
+    double log_error = 0;
+    for (int k = 0; k < 12; ++k) log_error += family.noise * random.uniform(-0.5, 0.5);  // of variance 1/12 each
+    if (random.chance(family.outliers)) log_error += random.pick(std::array{-1, 1}) * random.uniform(0.7, 3);
+    samples.push_back({range, std::min(1.0, attenuation_at(light, range) * std::exp(log_error))});
+  }
+  return samples;
+}
+
+Attenuation fit_by_litfog(const Samples& samples) { return fit_attenuation({.samples = samples}).attenuation; }
+
+/// ln a(r) less that of a sample, from coefficients of any scalar.
+struct Residual {
+  const AttenuationSample& sample;
+
+  template <typename T>
+  bool operator()(const T* coefficients, T* residual) const {
+    using std::log;
+    residual[0] =
+        log(formulas::litfog_attenuation(T(sample.range), coefficients[0], coefficients[1], coefficients[2])) -
+        std::log(sample.attenuation);
+    return true;
+  }
+};
+
+Attenuation fit_by_ceres(const Samples& samples) {
+  std::array<double, 3> coefficients{1, 1, 1};
+  ceres::Problem problem;
+  for (const AttenuationSample& sample : samples) {
+    problem.AddResidualBlock(new ceres::AutoDiffCostFunction<Residual, 1, 3>(new Residual{sample}), nullptr,
+                             coefficients.data());
+  }
+  for (int j = 0; j < 3; ++j) problem.SetParameterLowerBound(coefficients.data(), j, 0);
+  ceres::Solver::Options options;
+  options.logging_type = ceres::SILENT;
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, &problem, &summary);
+  return {coefficients[0], coefficients[1], coefficients[2]};
+}
+
+/// The residuals as Eigen's solver asks for them.
+struct EigenResiduals {
+  const Samples& samples;
+
+  int operator()(const Eigen::VectorXd& coefficients, Eigen::VectorXd& residuals) const {
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      Residual{samples[i]}(coefficients.data(), &residuals[Eigen::Index(i)]);
+    }
+    return 0;
+  }
+  int df(const Eigen::VectorXd& coefficients, Eigen::MatrixXd& jacobian) const {
+    using Jet = ceres::Jet<double, 3>;
+    const std::array<Jet, 3> variables{Jet(coefficients[0], 0), Jet(coefficients[1], 1), Jet(coefficients[2], 2)};
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      Jet residual;
+      Residual{samples[i]}(variables.data(), &residual);
+      jacobian.row(Eigen::Index(i)) = residual.v.transpose();
+    }
+    return 0;
+  }
+  int values() const { return static_cast<int>(samples.size()); }
+};
+
+Attenuation fit_by_eigen(const Samples& samples) {
+  Eigen::VectorXd coefficients = Eigen::VectorXd::Ones(3);
+  EigenResiduals residuals{samples};
+  Eigen::LevenbergMarquardt<EigenResiduals> solver(residuals);
+  solver.minimize(coefficients);
+  return {std::max(0.0, coefficients[0]), std::max(0.0, coefficients[1]), std::max(0.0, coefficients[2])};
+}
+
+struct Method {
+  const char* name;
+  Attenuation (*fit)(const Samples&);
+  double stated_digits;
+};
+constexpr Method kMethods[] = {
+    {"litfog", fit_by_litfog, kStatedDigits}, {"ceres", fit_by_ceres, 0}, {"eigen-lm", fit_by_eigen, 0}};
+
+double objective(const Attenuation& a, const Samples& samples) {
+  double sum = 0;
+  for (const AttenuationSample& sample : samples) {
+    const double residual = std::log(attenuation_at(a, sample.range) / sample.attenuation);
+    sum += residual * residual;
+  }
+  return sum;
+}
+
+struct Optimum {
+  std::vector<test::Digits50> log_attenuation;  ///< a sample each
+  double objective = std::numeric_limits<double>::infinity();
+};
+
+/// From the best of what was found for one table.
+Optimum certified_optimum(const Samples& samples, const std::vector<Attenuation>& found) {
+  const auto& best = *std::min_element(found.begin(), found.end(), [&](const Attenuation& a, const Attenuation& b) {
+    return objective(a, samples) < objective(b, samples);
+  });
+  const test::FalloffReferenceSearch search({.samples = samples}, std::numeric_limits<double>::infinity());
+  const test::FalloffReference reference = search.certify({best.constant, best.linear, best.quadratic});
+  if (!reference.is_certified) return {};
+  Optimum optimum;
+  optimum.objective = static_cast<double>(reference.objective);
+  const auto& [constant, linear, quadratic] = reference.coefficients;
+  for (const AttenuationSample& sample : samples) {
+    const test::Digits50 r = sample.range;
+    const test::Digits50 denominator = constant + r * (linear + r * quadratic);
+    optimum.log_attenuation.push_back(denominator > 1 ? test::Digits50(-log(denominator)) : test::Digits50(0));
+  }
+  return optimum;
+}
+
+double digits_of(const Attenuation& a, const Samples& samples, const Optimum& optimum) {
+  double worst = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const double error =
+        std::abs(static_cast<double>(std::log(attenuation_at(a, samples[i].range)) - optimum.log_attenuation[i]));
+    worst = std::isnan(error) ? 1 : std::max(worst, error);
+  }
+  return std::clamp(-std::log10(worst), 0.0, 17.0);
+}
+
+Figure draw(const Table& table) {
+  Chart chart{.x = {"processor time of one thread per table of 20 samples (ms)", true},
+              .y = {"digits of the optimum, the worst table"},
+              .key = KeyPlace::top_right};
+  for (const Method& method : kMethods) {
+    Series series{.name = method.name, .style = SeriesStyle::points};
+    for (const auto& row : table.rows) {
+      if (std::get<std::string>(row[1]) != method.name) continue;
+      series.points.push_back({std::get<double>(row[3]), std::get<double>(row[7]), std::get<std::string>(row[0])});
+    }
+    chart.series.push_back(series);
+  }
+  return {.title = "Attenuation from a falloff table: time against digits", .charts = {chart}};
+}
+
+}  // namespace
+
+Result measure_fit(bool quick) {
+  const Scale& scale = quick ? kQuick : kFull;
+  Progress progress;
+  struct Run {
+    const Family* family;
+    const Method* method;
+    const std::vector<Samples>* tables;
+    std::vector<Attenuation> found;
+  };
+  std::vector<std::vector<Samples>> tables;
+  std::vector<Run> runs;
+  test::Random random(20'040'601);
+  tables.reserve(std::size(kFamilies));
+  for (const Family& family : kFamilies) {
+    auto& drawn = tables.emplace_back();
+    for (int i = 0; i < scale.tables; ++i) drawn.push_back(draw_table(family, random));
+    for (const Method& method : kMethods)
+      runs.push_back({&family, &method, &drawn, std::vector<Attenuation>(drawn.size())});
+  }
+  std::vector<TimedPass> passes;
+  for (Run& run : runs) {
+    passes.push_back({run.tables->size(), [&run] {
+                        for (std::size_t i = 0; i < run.found.size(); ++i) {
+                          run.found[i] = run.method->fit((*run.tables)[i]);
+                        }
+                      }});
+  }
+  int count = 0;
+  const auto timings = time_passes(passes, scale.stopwatch, [&] {
+    progress.show(fmt::format("timing: run {} of about {}", ++count,
+                              passes.size() * static_cast<std::size_t>(scale.stopwatch.repetitions + 2)));
+  });
+
+  Result result;
+  result.table.columns = {"problem", "method", "tables", "ms", "ms_spread", "objective", "solved_share", "digits"};
+  for (std::size_t first = 0; first < runs.size(); first += std::size(kMethods)) {
+    const std::vector<Samples>& family_tables = *runs[first].tables;
+    std::vector<Optimum> optima;
+    for (std::size_t i = 0; i < family_tables.size(); ++i) {
+      std::vector<Attenuation> found;
+      for (std::size_t m = 0; m < std::size(kMethods); ++m) found.push_back(runs[first + m].found[i]);
+      optima.push_back(certified_optimum(family_tables[i], found));
+      if (optima.back().log_attenuation.empty()) {
+        result.failures.push_back(
+            fmt::format("{}, table {}: nothing found is an optimum", runs[first].family->name, i));
+      }
+    }
+    for (std::size_t m = first; m < first + std::size(kMethods); ++m) {
+      const Run& run = runs[m];
+      double sum = 0, digits = 17;
+      int solved = 0;
+      for (std::size_t i = 0; i < family_tables.size(); ++i) {
+        const double value = objective(run.found[i], family_tables[i]);
+        sum += value;
+        if (optima[i].log_attenuation.empty()) continue;
+        if (value <= optima[i].objective * 1.001 + 1e-20) ++solved;
+        digits = std::min(digits, digits_of(run.found[i], family_tables[i], optima[i]));
+      }
+      const auto size = static_cast<double>(family_tables.size());
+      result.table.rows.push_back({run.family->name, run.method->name, size, timings[m].median / 1e6,
+                                   timings[m].spread / 1e6, sum / size, solved / size, digits});
+      if (!(digits >= run.method->stated_digits)) {
+        result.failures.push_back(fmt::format("{} {}: digits = {}: must be at least {}", run.method->name,
+                                              run.family->name, digits, run.method->stated_digits));
+      }
+    }
+  }
+  result.figure = draw(result.table);
+  return result;
+}
+
+}  // namespace litfog::bench

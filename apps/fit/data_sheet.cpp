@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "data_sheet.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <utility>
+
+#include "angle_deg.h"
+#include "table.h"
+
+namespace {
+
+using litfog::AttenuationFit;
+using litfog::AttenuationTarget;
+using litfog::ConeFit;
+using litfog::ConeProfile;
+using litfog::ConeProfileFit;
+using litfog::ConeTarget;
+
+constexpr std::size_t kMostRows = 40;
+
+class Sheet {
+ public:
+  void add_heading(const std::string& text) { text_ += fmt::format("\n{}\n", text); }
+  void add(std::string_view name, const std::string& value) { text_ += fmt::format("  {:<16}{}\n", name, value); }
+  /// Rows evenly spread where there are too many to read.
+  void add(Table table) {
+    const std::size_t step = (table.rows.size() + kMostRows - 1) / kMostRows;
+    if (step > 1) {
+      text_ += fmt::format("\n  One of every {} samples:\n", step);
+      std::vector<std::vector<Table::Cell>> rows;
+      for (std::size_t i = 0; i < table.rows.size(); i += step) rows.push_back(std::move(table.rows[i]));
+      table.rows = std::move(rows);
+    } else {
+      text_ += "\n";
+    }
+    const std::string text = format_table(table, TableFormat::text);
+    for (std::size_t begin = 0; begin < text.size();) {
+      const std::size_t end = text.find('\n', begin) + 1;
+      text_ += "  " + text.substr(begin, end - begin);
+      begin = end;
+    }
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+std::string joined(const std::vector<std::string>& words) {
+  return words.empty() ? "none" : fmt::format("{}", fmt::join(words, ", "));
+}
+
+void add_range(Sheet& sheet, const AttenuationTarget& target, const AttenuationFit& fit) {
+  sheet.add_heading(fmt::format("Range: {}", name_of(fit.status)));
+  const auto& [constant, linear, quadratic] = fit.attenuation;
+  sheet.add("attenuation", fmt::format("1 / (C + L r + Q r^2), at most 1: C = {:.9g}, L = {:.9g} /m, Q = {:.9g} /m^2",
+                                       constant, linear, quadratic));
+  const double end = extent(fit.attenuation, fit.threshold);
+  sheet.add("extent", fmt::format("{:.6g} m, where the attenuation is {:.6g}", end, fit.threshold) +
+                          (target.extent ? fmt::format(" (wanted {:.6g} m)", *target.extent) : ""));
+  const double clamped = knee(fit.attenuation);
+  if (clamped > 0) sheet.add("knee", fmt::format("{:.6g} m, full brightness up to there", clamped));
+  if (!fit.sentence.empty()) sheet.add("outcome", fit.sentence);
+  std::vector<std::string> active;
+  for (const auto constraint : fit.active) active.emplace_back(litfog::name_of(constraint));
+  sheet.add("held by", joined(active));
+  if (!target.samples.empty()) {
+    sheet.add("error", fmt::format("rms {:.3g} %, largest {:+.3g} %, of the attenuation; objective {:.6g}",
+                                   100 * std::expm1(fit.rms), 100 * std::expm1(fit.largest_residual), fit.objective));
+    if (!fit.covariance) {
+      sheet.add("uncertainty", "not identifiable");
+    } else {
+      const auto deviation = [&fit](std::size_t i) { return std::sqrt((*fit.covariance)[4 * i]); };
+      sheet.add("uncertainty", fmt::format("C +-{:.2g}, L +-{:.2g}, Q +-{:.2g} (one standard deviation)", deviation(0),
+                                           deviation(1), deviation(2)));
+    }
+  }
+  sheet.add("certificate", fmt::format("KKT residual {:.1e}; {} boxes ruled out; {} iterations, {:.3g} ms",
+                                       fit.kkt_residual, fit.boxes, fit.iterations, fit.milliseconds));
+  if (target.samples.empty()) return;
+  Table table{.columns = {"range_m", "attenuation", "fitted", "error_%", "weight"}};
+  for (std::size_t i = 0; i < target.samples.size(); ++i) {
+    const auto& [range, attenuation, weight] = target.samples[i];
+    table.rows.push_back(
+        {range, attenuation, attenuation_at(fit.attenuation, range), 100 * std::expm1(fit.residuals[i]), weight});
+  }
+  sheet.add(table);
+}
+
+std::string percent(const std::optional<double>& error) { return error ? fmt::format("{:+.3g} %", 100 * *error) : "-"; }
+
+std::string shape_of(const litfog::Cone& cone) {
+  return cone.profile == ConeProfile::cosine
+             ? fmt::format("H = {:.6g} deg, S = {:.6g}", degrees(cone.half_angle), cone.exponent)
+             : fmt::format("inner {:.6g}, outer {:.6g} deg", degrees(cone.inner), degrees(cone.outer));
+}
+
+std::string uncertainty_of(const ConeProfileFit& fit) {
+  if (!fit.covariance) return "not identifiable";
+  const auto deviation = [&fit](std::size_t i) { return std::sqrt((*fit.covariance)[i][i]); };
+  if (fit.cone.profile == ConeProfile::cosine) return fmt::format("S +-{:.2g}", deviation(0));
+  const auto angle = [&](std::size_t i) {
+    return deviation(i) > 0 ? fmt::format("+-{:.2g} deg", deviation(i) / radians(1)) : std::string("held");
+  };
+  return angle(0) + ", " + angle(1);
+}
+
+std::string edge_of(const ConeProfileFit& fit) {
+  const auto [least, most] = fit.cutoff_range;
+  if (least == most) return "-";
+  return fmt::format("H in ({:.4g}, {:.4g}] deg", degrees(least), degrees(most));
+}
+
+void add_cone(Sheet& sheet, const ConeTarget& target, const ConeFit& fit) {
+  std::vector<const ConeProfileFit*> profiles;
+  for (const auto* profile : {&fit.cosine, &fit.smoothstep}) {
+    if (*profile) profiles.push_back(&**profile);
+  }
+  sheet.add_heading(fmt::format("Cone: {} ({})", name_of(fit.profile), name_of(fit.best().status)));
+  std::vector<std::string> wanted;
+  const auto add_angle = [&wanted](const char* name, const std::optional<double>& angle) {
+    if (angle) wanted.push_back(fmt::format("{} {:.6g} deg", name, degrees(*angle)));
+  };
+  add_angle("beam angle", target.beam_angle);
+  add_angle("field angle", target.field_angle);
+  add_angle("half angle", target.half_angle);
+  if (!target.samples.empty()) wanted.push_back(fmt::format("{} samples", target.samples.size()));
+  sheet.add("wanted", joined(wanted));
+
+  Table table{.columns = {"profile"}};
+  for (const auto* profile : profiles) table.columns.emplace_back(name_of(profile->cone.profile));
+  const auto add_row = [&](const char* name, const std::function<std::string(const ConeProfileFit&)>& cell) {
+    auto& row = table.rows.emplace_back();
+    row.emplace_back(name);
+    for (const auto* profile : profiles) row.emplace_back(cell(*profile));
+  };
+  add_row("shape", [](const auto& p) { return shape_of(p.cone); });
+  add_row("edge left open", edge_of);
+  add_row("held by", [&](const auto& p) { return joined(active_constraints(p.cone, target)); });
+  add_row("objective", [](const auto& p) { return fmt::format("{:.6g}", p.objective); });
+  add_row("none is below", [](const auto& p) { return fmt::format("{:.6g}", p.lower_bound); });
+  add_row("rms error", [](const auto& p) { return fmt::format("{:.3g} % of the peak", 100 * p.rms); });
+  add_row("largest error", [](const auto& p) {
+    return fmt::format("{:+.3g} % at {:.4g} deg", 100 * p.largest_error, degrees(p.largest_error_angle));
+  });
+  add_row("flux error", [](const auto& p) { return percent(p.flux_error); });
+  add_row("50 % angle off", [](const auto& p) { return percent(p.beam_angle_error); });
+  add_row("10 % angle off", [](const auto& p) { return percent(p.field_angle_error); });
+  add_row("lumens/candela", [](const auto& p) { return fmt::format("{:.4g}", flux_within(p.cone, radians(180))); });
+  add_row("uncertainty", uncertainty_of);
+  add_row("certificate", [](const auto& p) {
+    return fmt::format("KKT {:.1e}, {} boxes, {} iterations", p.kkt_residual, p.boxes, p.iterations);
+  });
+  sheet.add(table);
+  if (target.samples.empty()) return;
+
+  Table residuals{.columns = {"angle_deg", "share"}};
+  for (const auto* profile : profiles) {
+    residuals.columns.emplace_back(name_of(profile->cone.profile));
+    residuals.columns.emplace_back("error_%");
+  }
+  double peak = 0;
+  for (const auto& sample : target.samples) peak = std::max(peak, sample.weight > 0 ? sample.intensity : 0);
+  for (const auto& sample : target.samples) {
+    auto& row = residuals.rows.emplace_back();
+    row.insert(row.end(), {degrees(sample.angle), sample.intensity / peak});
+    for (const auto* profile : profiles) {
+      const double share = cone_at(profile->cone, std::cos(sample.angle));
+      row.insert(row.end(), {share, 100 * (share - sample.intensity / peak)});
+    }
+  }
+  sheet.add(residuals);
+}
+
+void add_luminaire(Sheet& sheet, const LightFit& fit) {
+  const litfog::Luminaire& luminaire = *fit.spec.luminaire;
+  const auto& distribution = luminaire.distribution;
+  sheet.add_heading("Photometry");
+  if (!luminaire.name.empty()) sheet.add("luminaire", luminaire.name);
+  if (!luminaire.manufacturer.empty()) sheet.add("manufacturer", luminaire.manufacturer);
+  sheet.add("peak", fmt::format("{:.6g} cd, {:.3g} deg off the photometric axis", find_peak(distribution).intensity,
+                                degrees(fit.peak_angle)));
+  const auto stated = stated_flux(luminaire);
+  const double flux = luminous_flux(distribution);
+  sheet.add("flux",
+            fmt::format("{:.5g} lm", flux) +
+                (stated ? fmt::format(", stated {:.5g} lm ({:+.2g} %)", *stated, 100 * (flux / *stated - 1)) : ""));
+  sheet.add("asymmetry", fmt::format("{:.3f} of the beam (rms) is not round about the axis", fit.asymmetry));
+}
+
+}  // namespace
+
+std::string format_data_sheet(const LightFit& fit) {
+  Sheet sheet;
+  sheet.add("light", fit.light.name);
+  sheet.add("from", fit.spec.file);
+  for (std::size_t i = 0; i < fit.spec.source.size(); ++i) sheet.add(i == 0 ? "source" : "", fit.spec.source[i]);
+  sheet.add("color",
+            fmt::format("{:.6g} {:.6g} {:.6g}, linear RGB", fit.light.color.r, fit.light.color.g, fit.light.color.b));
+  if (fit.light.density_scale != 1) sheet.add("density scale", fmt::format("{:.6g}", fit.light.density_scale));
+  if (fit.spec.luminaire) add_luminaire(sheet, fit);
+  if (fit.range) add_range(sheet, *fit.spec.range, *fit.range);
+  if (fit.cone) add_cone(sheet, *fit.spec.cone, *fit.cone);
+  const auto advice = fit.advice();
+  if (!advice.empty()) sheet.add_heading("Advice");
+  for (const std::string& sentence : advice) sheet.add("-", sentence);
+  return sheet.text();
+}

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "light_fit.h"
+
+/// A fitted light as a text to read: targets, what was fitted, how well and how that is known.
+std::string format_data_sheet(const LightFit& fit);

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fit_record.h"
+
+#include <nlohmann/json.hpp>
+
+#include "angle_deg.h"
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <typename Matrix>
+Json covariance_of(const std::optional<Matrix>& rows) {
+  return rows ? Json(*rows) : Json("not identifiable");
+}
+
+Json number_or_null(const std::optional<double>& number) { return number ? Json(*number) : Json(nullptr); }
+
+Json range_record(const litfog::AttenuationFit& fit, bool has_time) {
+  Json active = Json::array();
+  for (const auto constraint : fit.active) active.push_back(litfog::name_of(constraint));
+  std::optional<std::array<std::array<double, 3>, 3>> covariance;
+  if (fit.covariance) {
+    covariance.emplace();
+    for (std::size_t i = 0; i < fit.covariance->size(); ++i) (*covariance)[i / 3][i % 3] = (*fit.covariance)[i];
+  }
+  Json record{{"status", name_of(fit.status)},
+              {"objective", fit.objective},
+              {"rms", fit.rms},
+              {"largest_error", fit.largest_residual},
+              {"active", std::move(active)},
+              {"covariance", covariance_of(covariance)},
+              {"kkt_residual", fit.kkt_residual},
+              {"iterations", fit.iterations},
+              {"boxes", fit.boxes}};
+  if (has_time) record["milliseconds"] = fit.milliseconds;
+  return record;
+}
+
+Json cone_record(const litfog::Cone& cone) {
+  if (cone.profile == litfog::ConeProfile::cosine) {
+    return {{"profile", "cosine"}, {"half_angle_deg", degrees(cone.half_angle)}, {"exponent", cone.exponent}};
+  }
+  return {{"profile", "smoothstep"}, {"inner_deg", degrees(cone.inner)}, {"outer_deg", degrees(cone.outer)}};
+}
+
+Json profile_record(const litfog::ConeProfileFit& fit, const litfog::ConeTarget& target) {
+  Json covariance = "not identifiable";
+  if (fit.covariance) {
+    covariance = fit.cone.profile == litfog::ConeProfile::cosine ? Json::array({Json::array({(*fit.covariance)[0][0]})})
+                                                                 : Json(*fit.covariance);
+  }
+  return {{"cone", cone_record(fit.cone)},
+          {"status", name_of(fit.status)},
+          {"objective", fit.objective},
+          {"lower_bound", fit.lower_bound},
+          {"rms", fit.rms},
+          {"largest_error", fit.largest_error},
+          {"largest_error_deg", degrees(fit.largest_error_angle)},
+          {"flux_error", number_or_null(fit.flux_error)},
+          {"beam_angle_error", number_or_null(fit.beam_angle_error)},
+          {"field_angle_error", number_or_null(fit.field_angle_error)},
+          {"active", active_constraints(fit.cone, target)},
+          {"covariance", std::move(covariance)},
+          {"kkt_residual", fit.kkt_residual},
+          {"iterations", fit.iterations},
+          {"boxes", fit.boxes}};
+}
+
+}  // namespace
+
+std::string fit_record(const LightFit& fit, bool has_time) {
+  std::string members;
+  const auto add = [&members](const std::string& name, const Json& value) {
+    members += (members.empty() ? "\n    \"" : ",\n    \"") + name + "\": " + value.dump();
+  };
+  if (fit.range) add("range", range_record(*fit.range, has_time));
+  if (fit.cone) {
+    Json record{{"profile", name_of(fit.cone->profile)}};
+    if (fit.cone->cosine) record["cosine"] = profile_record(*fit.cone->cosine, *fit.spec.cone);
+    if (fit.cone->smoothstep) record["smoothstep"] = profile_record(*fit.cone->smoothstep, *fit.spec.cone);
+    if (has_time) record["milliseconds"] = fit.cone->milliseconds;
+    add("cone", record);
+  }
+  if (fit.spec.luminaire) add("asymmetry", fit.asymmetry);
+  return "{" + members + "\n  }";
+}

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "light_fit.h"
+
+/// What a light file says of its fit, the member "fit":
+///
+///     {"range": {"status": "optimal",           or unproven, infeasible
+///                "objective": 0.01,             sum of weight * (ln a - ln attenuation)^2
+///                "rms": 0.02, "largest_error": -0.05,           of ln a: 0.01 is 1 % too bright
+///                "active": ["extent"],          the constraints that hold C, L, Q where they are
+///                "covariance": [[...], ...],    of constant, linear, quadratic, or "not identifiable"
+///                "kkt_residual": 1e-12,         how far from the conditions of optimality
+///                "iterations": 12, "boxes": 40, "milliseconds": 0.2},
+///      "cone": {"profile": "cosine",            the light's
+///               "cosine": {                     each profile that was asked for
+///                 "cone": {...},                as in the light
+///                 "status": "optimal", "objective": 0.01, "lower_bound": 0.01,
+///                 "rms": 0.02, "largest_error": -0.05, "largest_error_deg": 11,
+///                 "flux_error": 0.01, "beam_angle_error": -0.01, "field_angle_error": 0.1,     relative, or null
+///                 "active": [], "covariance": [[...], ...],      of exponent, or of inner and outer in radians
+///                 "kkt_residual": 0, "iterations": 5, "boxes": 99},
+///               "smoothstep": {...}, "milliseconds": 0.3},
+///      "asymmetry": 0.02}                       of a beam from a photometric file: what no cone can follow
+///
+/// has_time  false leaves the milliseconds out: the same input then gives the same text
+std::string fit_record(const LightFit& fit, bool has_time);

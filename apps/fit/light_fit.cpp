@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "light_fit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <iterator>
+#include <numbers>
+
+#include "angle_deg.h"
+
+using litfog::AttenuationFitStatus;
+using litfog::Cone;
+using litfog::ConeFitStatus;
+using litfog::ConeProfile;
+
+LightFit fit_light(LightSpec spec, bool is_robust) {
+  LightFit fit;
+  fit.light.name = spec.name;
+  fit.light.color = spec.color;
+  fit.light.density_scale = spec.density_scale;
+  fit.light.attenuation = {1, 0, 0};
+  if (spec.range) {
+    spec.range->is_robust = is_robust;
+    fit.range = fit_attenuation(*spec.range);
+    fit.light.attenuation = fit.range->attenuation;
+    fit.light.threshold = fit.range->threshold;
+  }
+  if (spec.cone) {
+    fit.cone = fit_cone(*spec.cone);
+    fit.light.cone = fit.cone->best().cone;
+  }
+  if (spec.luminaire) {
+    const auto& distribution = spec.luminaire->distribution;
+    fit.asymmetry = asymmetry(distribution, litfog::kPhotometricAxis);
+    const double cosine = dot(find_peak(distribution).direction, litfog::kPhotometricAxis);
+    fit.peak_angle = std::acos(std::clamp(cosine, -1.0, 1.0));
+  }
+  fit.spec = std::move(spec);
+  return fit;
+}
+
+bool LightFit::is_proved() const {
+  return (!range || range->status == AttenuationFitStatus::optimal) &&
+         (!cone || cone->best().status == ConeFitStatus::optimal);
+}
+
+std::vector<std::string> LightFit::advice() const {
+  std::vector<std::string> advice;
+  const auto add = [&advice]<typename... Arguments>(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+    advice.push_back(fmt::format(format, std::forward<Arguments>(arguments)...));
+  };
+  if (!range) add("No range is given: the light does not fall off. Give its extent or a falloff table.");
+  if (range) {
+    const auto& samples = spec.range->samples;
+    const bool is_measured = samples.size() > 3;
+    if (is_measured && !spec.range->is_robust && range->rms > 0.01 &&
+        std::abs(range->largest_residual) > 3 * range->rms) {
+      add("One sample is off by {:.3g} times the rms error: if it is an outlier, try --robust.",
+          std::abs(range->largest_residual) / range->rms);
+    } else if (range->rms > 0.1) {
+      add("The range fit is off by {:.2g} % (rms): the table falls otherwise than 1/(C + L r + Q r^2) can.",
+          100 * std::expm1(range->rms));
+    }
+    if (is_measured && !range->covariance) {
+      add("The samples do not tell C, L and Q apart: other values fit as well.");
+    }
+  }
+  if (!cone) {
+    add("No cone is given: a point light.");
+    return advice;
+  }
+  const litfog::ConeProfileFit& best = cone->best();
+  if (spec.cone->samples.empty() && !(spec.cone->beam_angle && spec.cone->field_angle)) {
+    add("One angle does not give a beam its edge: the profile's is an assumption. Give the other angle, or samples.");
+  }
+  if (best.cone.profile == ConeProfile::cosine && !spec.cone->half_angle) {
+    const double edge = std::pow(std::cos(best.cone.half_angle), best.cone.exponent);
+    if (edge > 0.01) {
+      add("The cone ends at {:.3g} degrees with {:.2g} % of the peak, an edge that shows in fog: half_angle_deg moves "
+          "it.",
+          degrees(best.cone.half_angle), 100 * edge);
+    }
+  }
+  constexpr double kPlainMiss = 0.05;  // of an angle
+  if (best.field_angle_error && std::abs(*best.field_angle_error) > kPlainMiss) {
+    add("The cone misses the 10 % angle by {:+.1f} %.", 100 * *best.field_angle_error);
+  }
+  if (best.flux_error && std::abs(*best.flux_error) > 0.1) {
+    add("The cone's flux is off by {:+.0f} %: a cone of this profile has no room for the beam's spill.",
+        100 * *best.flux_error);
+  }
+  if (best.rms > 0.05) add("Neither profile follows the beam well (rms error {:.2g} of the peak).", best.rms);
+  if (spec.luminaire && asymmetry > 0.1) {
+    add("The beam is not round: {:.0f} % of it (rms) is lost with any cone. --cookie keeps its shape.",
+        100 * asymmetry);
+  }
+  if (spec.luminaire && peak_angle > radians(5)) {
+    add("The beam's peak is {:.3g} degrees off the photometric axis, about which the cone is.", degrees(peak_angle));
+  }
+  return advice;
+}
+
+std::vector<std::string> active_constraints(const Cone& cone, const litfog::ConeTarget& target) {
+  std::vector<std::string> active;
+  if (target.half_angle) active.emplace_back("half angle given");
+  if (cone.profile == ConeProfile::cosine && cone.exponent == 0) active.emplace_back("exponent = 0");
+  if (cone.profile == ConeProfile::smoothstep && cone.inner == 0) active.emplace_back("inner = 0");
+  if (cone.profile == ConeProfile::smoothstep && cone.outer == std::numbers::pi) active.emplace_back("outer = 180");
+  return active;
+}
+
+const char* name_of(AttenuationFitStatus status) {
+  switch (status) {
+    case AttenuationFitStatus::optimal:
+      return "optimal";
+    case AttenuationFitStatus::unproven:
+      return "unproven";
+    case AttenuationFitStatus::infeasible:
+      break;
+  }
+  return "infeasible";
+}
+
+const char* name_of(ConeFitStatus status) { return status == ConeFitStatus::optimal ? "optimal" : "unproven"; }
+
+const char* name_of(ConeProfile profile) { return profile == ConeProfile::cosine ? "cosine" : "smoothstep"; }

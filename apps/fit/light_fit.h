@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "litfog/light.h"
+#include "spec_file.h"
+
+/// A light made from its spec, with all that is known of the fits.
+struct LightFit {
+  LightSpec spec;
+  std::optional<litfog::AttenuationFit> range;  ///< without a target the attenuation is 1 everywhere
+  std::optional<litfog::ConeFit> cone;          ///< without a target it is a point light
+  litfog::Light light;
+
+  /// Beams of photometric files only.
+  double asymmetry = 0;                     ///< of the beam about the photometric axis, litfog/photometry
+  double peak_angle = 0;                    ///< radians from that axis to the largest intensity
+  bool is_proved() const;                   ///< every fit is feasible, and shown to be the best
+  std::vector<std::string> advice() const;  ///< what a light-spec author may want to know, a sentence each
+};
+
+/// is_robust  for the range's samples: outliers count less
+LightFit fit_light(LightSpec spec, bool is_robust);
+
+/// Which bounds and given figures hold a cone, in words.
+std::vector<std::string> active_constraints(const litfog::Cone& cone, const litfog::ConeTarget& target);
+
+/// What the words optimal, unproven and infeasible stand for in reports.
+const char* name_of(litfog::AttenuationFitStatus status);
+const char* name_of(litfog::ConeFitStatus status);
+const char* name_of(litfog::ConeProfile profile);

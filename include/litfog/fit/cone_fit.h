@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "litfog/cone.h"
+#include "litfog/photometry/intensity_distribution.h"
+#include "litfog/refusal.h"
+
+namespace litfog {
+
+/// A light's intensity into one direction.
+struct ConeSample {
+  double angle = 0;      ///< radians from the axis, [0, pi]
+  double intensity = 1;  ///< >= 0, in any unit: a fit sees its share of the largest with weight
+  double weight = 1;     ///< 0 (left out), or 1e-100 to 1e100
+};
+
+/// Samples of a measured beam, each of weight 1: its profile about an axis, at the angles of the file where it has them
+/// (litfog/photometry/intensity_distribution.h).
+std::vector<ConeSample> cone_samples(const std::vector<AxialSample>& profile);
+
+/// Which profiles to fit.
+enum class ConeChoice {
+  cosine,
+  smoothstep,
+  best,  ///< both; the one with the smaller objective, the cosine where they are equal
+};
+
+/// What a cone is to look like: samples, a beam or a field angle, or all of these.
+struct ConeTarget {
+  ConeChoice choice = ConeChoice::best;
+  /// Where the light ends, radians from the axis, in (0, pi/2], for a smoothstep alone (0, pi]: the cosine cone's
+  /// half_angle, the dual cone's outer. Free where absent.
+  std::optional<double> half_angle = std::nullopt;
+  std::optional<double> beam_angle = std::nullopt;   ///< full angle at 50 % of the peak, radians, (0, 2 pi]
+  std::optional<double> field_angle = std::nullopt;  ///< full angle at 10 %, above the beam angle
+  /// By increasing angle; at least two with weight where neither angle is given.
+  std::vector<ConeSample> samples = {};
+};
+
+/// Why a target was refused, and which sample of it, if it was one.
+struct ConeTargetRefusal {
+  Refusal refusal;
+  std::optional<std::size_t> sample;
+};
+
+/// As one sentence: "samples[3].angle = 4: must be in [0, pi]".
+std::string to_string(const ConeTargetRefusal& refusal);
+
+/// What is wrong with a target, or nothing.
+std::optional<ConeTargetRefusal> check(const ConeTarget& target);
+
+enum class ConeFitStatus {
+  optimal,   ///< no cone of the profile has an objective smaller by more than 0.1 %
+  unproven,  ///< the best cone found; the search ended before it could rule out a better one
+};
+
+/// A fitted profile, how good it is, and how that is known.
+struct ConeProfileFit {
+  Cone cone;
+  double objective = 0;      ///< sum of weight * (cone - share)^2 over the samples
+  double lower_bound = 0;    ///< no cone of this profile has a smaller objective
+  double rms = 0;            ///< sqrt(objective / sum of weights)
+  double largest_error = 0;  ///< signed: cone less share, at
+  double largest_error_angle = 0;
+  /// Flux of the cone per that of the samples, less 1, over the angles which the samples cover, linear between them.
+  /// Absent without samples.
+  std::optional<double> flux_error = std::nullopt;
+  /// Angle where the cone falls to 50 % and to 10 % per the target's, less 1. The target's is as stated, or where its
+  /// samples, linear between them, first fall to it beyond their peak. Absent where they do not.
+  std::optional<double> beam_angle_error = std::nullopt;
+  std::optional<double> field_angle_error = std::nullopt;
+  /// Largest |cosine| between the residuals and the effect of a parameter that is free to move; 0 at a smooth optimum.
+  double kkt_residual = 0;
+  /// Of the parameters, variances on the diagonal, with the residuals' own scatter: exponent alone, or inner and outer
+  /// in radians; 0 for one at a bound or given. Absent where the samples do not identify them: see fit_cone, or no
+  /// more samples off the axis than parameters.
+  std::optional<std::array<std::array<double, 2>, 2>> covariance = std::nullopt;
+  /// The objective is the same for every cut-off in (first, second]: the samples leave it open. Both the cut-off itself
+  /// where they do not.
+  std::array<double, 2> cutoff_range = {0, 0};
+  std::size_t iterations = 0;  ///< of all descents
+  std::size_t boxes = 0;       ///< of parameters that were ruled out to prove that no better ones are elsewhere
+  ConeFitStatus status = ConeFitStatus::optimal;
+};
+
+struct ConeFit {
+  std::optional<ConeProfileFit> cosine = std::nullopt;      ///< where it was chosen
+  std::optional<ConeProfileFit> smoothstep = std::nullopt;  ///< likewise
+  ConeProfile profile = ConeProfile::cosine;                ///< the better of them
+  double milliseconds = 0;
+
+  const ConeProfileFit& best() const { return profile == ConeProfile::cosine ? *cosine : *smoothstep; }
+};
+
+/// Fits a cone to a target: the parameters that minimise sum of weight * (cone_at(cos u) - I / I_max)^2, over all cones
+/// of the profile. A beam angle stands for a sample of 0.5 at half of it, a field angle for one of 0.1, each of weight
+/// 1, beside one of 1 on the axis.
+///
+/// The minimum is the global one, and shown to be. Both profiles rise with each of their parameters, so over a box of
+/// parameters each sample's share lies between those of two corners, and the sum of the squared distances to these
+/// intervals is a bound from below. Boxes are split, best first, until no bound is more than 0.1 % below the best cone
+/// found; what is found is refined by least squares.
+///
+/// Where the samples leave a choice it is the one that assumes the least: A cosine cone's cut-off only matters by the
+/// samples that it leaves dark. It is where the profile falls to 0.05 %, which does not show as an edge (1.6 of 255 in
+/// sRGB), if the objective is the smallest there but for 0.04 %; else it is half-way between the last sample that is
+/// best lit and the first that is best dark, or 90 degrees. Without a lit sample off the axis the exponent is 0. A dual
+/// cone with less than two samples in its edge has the softest edge that they allow, inner as small as the samples at
+/// full intensity let it be.
+///
+/// max error  objective 0.1 % above the global minimum, or 1e-20 of the sum of weight * share^2     (cone_fit_test.cpp)
+/// throws     std::invalid_argument with the sentence of check(target)
+ConeFit fit_cone(const ConeTarget& target);
+
+}  // namespace litfog

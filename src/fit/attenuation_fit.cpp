@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "litfog/fit/attenuation_fit.h"
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+
+#include "fit/attenuation_reach.h"
+#include "fit/falloff.h"
+#include "fit/falloff_search.h"
+
+namespace litfog {
+namespace {
+
+constexpr double kLeastAttenuation = 1e-100;
+constexpr double kLeastRange = 1e-30;
+constexpr double kLargestRange = 1e30;
+constexpr double kLargestFactor = 1e100;
+
+/// Distances from reach below this are left to the fit: figures are seldom given to more digits.
+constexpr double kReading = 1e-3;
+
+bool is_within(double x, double low, double high) { return x >= low && x <= high; }
+
+std::optional<Refusal> check(const AttenuationSample& sample, const AttenuationSample* previous) {
+  const auto [range, attenuation, weight] = sample;
+  if (range != 0 && !is_within(range, kLeastRange, kLargestRange)) {
+    return Refusal{"range", range, "must be 0, or in [1e-30, 1e30]"};
+  }
+  if (previous != nullptr && !(range > previous->range)) {
+    return Refusal{"range", range, "must be greater than the range before it"};
+  }
+  if (!is_within(attenuation, kLeastAttenuation, 1)) {
+    return Refusal{"attenuation", attenuation, "must be in [1e-100, 1]"};
+  }
+  if (weight != 0 && !is_within(weight, 1 / kLargestFactor, kLargestFactor)) {
+    return Refusal{"weight", weight, "must be 0, or in [1e-100, 1e100]"};
+  }
+  return std::nullopt;
+}
+
+/// The target in the search's coordinates: its unit of length is a power of two, so that ranges and coefficients keep
+/// their digits.
+struct Scaled {
+  Falloff falloff = {};
+  double unit = 1;  ///< metres
+};
+
+Scaled scale(const AttenuationTarget& target) {
+  Scaled scaled;
+  double log_sum = 0, largest_weight = 0;
+  int count = 0;
+  for (const auto& [range, attenuation, weight] : target.samples) {
+    largest_weight = std::max(largest_weight, weight);
+    if (weight == 0 || range == 0) continue;
+    log_sum += std::log2(range);
+    ++count;
+  }
+  const double log_unit = target.extent ? std::log2(*target.extent) : count > 0 ? log_sum / count : 0;
+  scaled.unit = std::exp2(std::floor(log_unit));
+  for (const auto& [range, attenuation, weight] : target.samples) {
+    if (weight == 0) continue;
+    scaled.falloff.samples.push_back(
+        {range / scaled.unit, -std::log(static_cast<long double>(attenuation)), weight / largest_weight});
+  }
+  scaled.falloff.constant = target.constant;
+  if (target.extent) {
+    scaled.falloff.end = {*target.extent / scaled.unit, 1 / static_cast<long double>(target.threshold)};
+  }
+  return scaled;
+}
+
+/// One of the last two coefficients anew from the others, so that the extent is exact in spite of their rounding: the
+/// one with the greater part in it.
+void meet_extent(Attenuation& attenuation, double extent, double threshold) {
+  const long double e = extent;
+  const long double rest = 1 / static_cast<long double>(threshold) - attenuation.constant;
+  const long double linear = attenuation.linear * e, quadratic = attenuation.quadratic * e * e;
+  if (linear > quadratic) {
+    attenuation.linear = double((rest - quadratic) / e);
+  } else {
+    attenuation.quadratic = double((rest - linear) / e / e);
+  }
+}
+
+Attenuation member(AttenuationFamily family, double constant, double extent, double threshold) {
+  const double rest = 1 / threshold - constant;
+  const double linear_share = family == AttenuationFamily::linear ? 1 : family == AttenuationFamily::mixed ? 0.5 : 0;
+  Attenuation attenuation{constant, linear_share * rest / extent, (1 - linear_share) * rest / extent / extent};
+  meet_extent(attenuation, extent, threshold);
+  return attenuation;
+}
+
+std::size_t free_count(const AttenuationTarget& target) {
+  return std::size_t(3) - (target.constant ? 1 : 0) - (target.extent ? 1 : 0);
+}
+
+FalloffSearch minimize(const Falloff& falloff) { return search(falloff, descend(falloff, linear_start(falloff))); }
+
+/// The scale of the residuals that are no outliers: see AttenuationFit::loss_scale.
+double loss_scale_of(const Falloff& falloff, const Coefficients& q, std::size_t free) {
+  std::vector<double> amounts;
+  for (const auto& sample : falloff.samples) amounts.push_back(std::abs(falloff.residual(q, sample)));
+  std::sort(amounts.begin(), amounts.end());
+  amounts.erase(amounts.begin(), amounts.begin() + std::ptrdiff_t(std::min(free, amounts.size() - 1)));
+  const std::size_t half = amounts.size() / 2;
+  const double median = amounts.size() % 2 == 1 ? amounts[half] : (amounts[half - 1] + amounts[half]) / 2;
+  return std::max(1e-6, 1.345 * 1.4826 * median);
+}
+
+FalloffSearch minimize_robustly(Falloff& falloff, std::size_t free) {
+  FalloffMinimum minimum = minimize(falloff).minimum;
+  std::size_t iterations = minimum.iterations;
+  const auto descend_with = [&](double scale) {
+    falloff.loss = Loss(scale);
+    minimum = descend(falloff, minimum.coefficients);
+    iterations += minimum.iterations;
+  };
+  // From squares to amounts by halves: the squares' own residuals are all large where there are outliers.
+  const double first = loss_scale_of(falloff, minimum.coefficients, free);
+  for (int i = 1; i <= 7; ++i) descend_with(std::ldexp(first, -i));
+  descend_with(loss_scale_of(falloff, minimum.coefficients, free));
+  minimum.iterations = iterations;
+  return search(falloff, minimum);
+}
+
+void fill_in_residuals(const AttenuationTarget& target, AttenuationFit& fit, const Loss& loss) {
+  double squares = 0, weights = 0;
+  for (const auto& [range, attenuation, weight] : target.samples) {
+    const double residual = std::log(attenuation_at(fit.attenuation, range) / attenuation);
+    fit.residuals.push_back(residual);
+    if (weight == 0) continue;
+    fit.objective += weight * loss.value(residual);
+    squares += weight * residual * residual;
+    weights += weight;
+    fit.largest_residual = std::max(fit.largest_residual, std::abs(residual));
+  }
+  fit.rms = weights > 0 ? std::sqrt(squares / weights) : 0;
+}
+
+/// The samples that no attenuation with the target's extent and constant meets, in words. What a table is off its own
+/// best attenuation is no contradiction.
+std::string describe_out_of_reach(const AttenuationTarget& target, const Scaled& scaled) {
+  const auto distance = [&](const AttenuationSample& sample) {
+    return sample.weight > 0 ? distance_from_reach(target, sample) : 0;
+  };
+  if (std::none_of(target.samples.begin(), target.samples.end(),
+                   [&](const AttenuationSample& sample) { return distance(sample) > kReading; })) {
+    return "";
+  }
+  Falloff free = scaled.falloff;
+  free.constant.reset();
+  free.end.reset();
+  const FalloffMinimum own = free.samples.size() > 1 ? minimize(free).minimum : FalloffMinimum{};
+  const double spare = std::max(1.0, double(free.samples.size()) - 3);
+  const double scatter = std::sqrt(own.objective / free.weight_sum() * double(free.samples.size()) / spare);
+  std::string text;
+  for (const AttenuationSample& sample : target.samples) {
+    const long double y = -std::log(static_cast<long double>(sample.attenuation));
+    const double off = free.samples.size() > 1
+                           ? std::abs(free.residual(own.coefficients, {sample.range / scaled.unit, y, sample.weight}))
+                           : 0;
+    if (distance(sample) > std::max(kReading, 3 * std::max(scatter, off))) {
+      text += (text.empty() ? "" : "; ") + describe_reach(target, sample);
+    }
+  }
+  return text;
+}
+
+std::string format_percent(double share) {
+  std::array<char, 32> text;
+  const double percent = share < 1e-11 ? 0 : 100 * share;
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), percent, std::chars_format::general, 3).ptr;
+  return std::string(text.data(), end) + " %";
+}
+
+void fit_samples(const AttenuationTarget& target, AttenuationFit& fit) {
+  Scaled scaled = scale(target);
+  Falloff& falloff = scaled.falloff;
+  FalloffSearch found = target.is_robust ? minimize_robustly(falloff, free_count(target)) : minimize(falloff);
+  const bool is_one_of_many = falloff.samples.size() < free_count(target) || !found.minimum.covariance;
+  if (is_one_of_many && !target.constant) {
+    // If it is there, that with the constant of a lamp whose near brightness is its brightness.
+    Falloff normalized = falloff;
+    normalized.constant = 1;
+    const FalloffMinimum other = minimize(normalized).minimum;
+    if (other.objective <= found.minimum.objective + falloff.negligible()) {
+      found.minimum.coefficients = other.coefficients;
+    }
+  }
+  const Coefficients& q = found.minimum.coefficients;
+  fit.attenuation = {q[0], q[1] / scaled.unit, q[2] / scaled.unit / scaled.unit};
+  if (q == Coefficients{}) {  // C = 0 given, and nothing darker than 1: the clamp lets go at the last sample
+    fit.attenuation.linear = 1 / target.samples.back().range;
+  }
+  if (target.extent) meet_extent(fit.attenuation, *target.extent, target.threshold);
+  fit.loss_scale = falloff.loss.scale();
+  fit.kkt_residual = kkt_residual(falloff, q);
+  fit.iterations = found.minimum.iterations;
+  fit.boxes = found.boxes;
+  if (!is_one_of_many) {
+    fit.covariance = found.minimum.covariance;
+    const std::array<double, 3> units{1, scaled.unit, scaled.unit * scaled.unit};
+    for (std::size_t i = 0; i < 9; ++i) (*fit.covariance)[i] /= units[i / 3] * units[i % 3];
+  }
+  fill_in_residuals(target, fit, falloff.loss);
+  if (fit.status == AttenuationFitStatus::infeasible) return;
+
+  const std::string out_of_reach = describe_out_of_reach(target, scaled);
+  if (!out_of_reach.empty()) {
+    fit.status = AttenuationFitStatus::infeasible;
+    fit.sentence = out_of_reach;
+    return;
+  }
+  fit.status = found.is_proven ? AttenuationFitStatus::optimal : AttenuationFitStatus::unproven;
+  fit.sentence = found.is_proven ? "no better attenuation exists"
+                                 : "the best attenuation found; the search ended before it could rule out a better one";
+  fit.sentence +=
+      ": off by " + format_percent(fit.rms) + " (rms), " + format_percent(fit.largest_residual) + " at most";
+}
+
+}  // namespace
+
+const char* name_of(AttenuationConstraint constraint) {
+  switch (constraint) {
+    case AttenuationConstraint::extent:
+      return "extent";
+    case AttenuationConstraint::constant_given:
+      return "constant given";
+    case AttenuationConstraint::constant_zero:
+      return "constant = 0";
+    case AttenuationConstraint::linear_zero:
+      return "linear = 0";
+    case AttenuationConstraint::quadratic_zero:
+      return "quadratic = 0";
+  }
+  return "";
+}
+
+std::string to_string(const AttenuationTargetRefusal& refusal) {
+  return (refusal.sample ? "samples[" + std::to_string(*refusal.sample) + "]." : "") + to_string(refusal.refusal);
+}
+
+std::optional<AttenuationTargetRefusal> check(const AttenuationTarget& target) {
+  const auto refuse = [](const char* field, double value, const char* rule) {
+    return AttenuationTargetRefusal{{field, value, rule}, std::nullopt};
+  };
+  if (!(target.threshold >= kLeastAttenuation && target.threshold < 1)) {
+    return refuse("threshold", target.threshold, "must be in [1e-100, 1)");
+  }
+  if (target.extent && !is_within(*target.extent, kLeastRange, kLargestRange)) {
+    return refuse("extent", *target.extent, "must be in [1e-30, 1e30]");
+  }
+  if (target.constant && !is_within(*target.constant, 0, kLargestFactor)) {
+    return refuse("constant", *target.constant, "must be in [0, 1e100]");
+  }
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < target.samples.size(); ++i) {
+    if (const auto refusal = check(target.samples[i], i > 0 ? &target.samples[i - 1] : nullptr)) {
+      return AttenuationTargetRefusal{*refusal, i};
+    }
+    if (target.samples[i].weight > 0) ++count;
+  }
+  if (!target.extent && count < 2) {
+    return refuse("samples", double(count), "must be two or more of weight > 0 where there is no extent");
+  }
+  if (!target.samples.empty() && count == 0) {
+    return refuse("samples", 0, "must be one or more of weight > 0 where there are any");
+  }
+  return std::nullopt;
+}
+
+AttenuationFit fit_attenuation(const AttenuationTarget& asked) {
+  if (const auto refusal = check(asked)) throw std::invalid_argument(to_string(*refusal));
+  const auto start = std::chrono::steady_clock::now();
+  AttenuationFit fit;
+  fit.threshold = asked.threshold;
+  AttenuationTarget target = asked;
+  const double largest_constant = kLargestConstantShare / asked.threshold;
+  if (asked.extent && asked.constant && *asked.constant > largest_constant) {
+    fit.status = AttenuationFitStatus::infeasible;
+    fit.sentence = "constant " + format_exactly(*asked.constant) + " cannot be had with an extent of " +
+                   format_exactly(*asked.extent) + " m at threshold " + format_exactly(asked.threshold) +
+                   ": from 0 to " + format_exactly(largest_constant) + " can";
+    target.constant = largest_constant;
+  }
+  if (target.samples.empty()) {
+    fit.attenuation = member(target.family, target.constant.value_or(1), *target.extent, target.threshold);
+    if (fit.sentence.empty()) fit.sentence = "the extent is met";
+  } else {
+    fit_samples(target, fit);
+  }
+  if (target.extent) fit.active.push_back(AttenuationConstraint::extent);
+  if (target.constant) fit.active.push_back(AttenuationConstraint::constant_given);
+  if (!target.constant && fit.attenuation.constant == 0) fit.active.push_back(AttenuationConstraint::constant_zero);
+  if (fit.attenuation.linear == 0) fit.active.push_back(AttenuationConstraint::linear_zero);
+  if (fit.attenuation.quadratic == 0) fit.active.push_back(AttenuationConstraint::quadratic_zero);
+  fit.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return fit;
+}
+
+}  // namespace litfog

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fit/attenuation_reach.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace litfog {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+struct Interval {
+  double low, high;
+};
+
+/// The denominators that can be had at a range. With an extent the terms C, L E and Q E^2 share 1/t, and the range's
+/// denominator is a mean of C, L r and Q r^2 with those shares.
+Interval reachable_denominators(const AttenuationTarget& target, double range) {
+  const double constant = target.constant.value_or(0);
+  if (!target.extent) return {constant, target.constant && range == 0 ? constant : kInfinity};
+  const double top = 1 / target.threshold;
+  const double x = range / *target.extent;
+  if (!target.constant) return {top * std::min(1.0, x * x), top * std::max(1.0, x * x)};
+  const double linear = constant + (top - constant) * x, quadratic = constant + (top - constant) * x * x;
+  return {std::min(linear, quadratic), std::max(linear, quadratic)};
+}
+
+/// The ranges, as shares of the extent, at which an attenuation can be had; low > high where there are none. Between
+/// 1/t at the extent and its constant, a denominator is had from where L alone reaches it to where Q alone does.
+Interval reachable_ranges(const AttenuationTarget& target, double attenuation) {
+  const double wanted = 1 / attenuation;
+  const double top = 1 / target.threshold;
+  if (!target.constant) {
+    const double quadratic = std::sqrt(target.threshold / attenuation);
+    return wanted < top ? Interval{0, quadratic} : Interval{quadratic, kInfinity};
+  }
+  const double linear = (wanted - *target.constant) / (top - *target.constant);
+  if (!(linear >= 0)) return {1, 0};
+  const double quadratic = std::sqrt(linear);
+  if (attenuation == 1) return {0, quadratic};  // the clamp has it up to there
+  return {std::min(linear, quadratic), std::max(linear, quadratic)};
+}
+
+/// To four digits, up or down: further digits where they are needed to stay between low and high.
+std::string format_within(double value, double low, double high) {
+  std::array<char, 32> text;
+  for (int digits = 4; digits < 17; ++digits) {
+    // The neighbours of the rounded number on its decimal grid are tried too.
+    const double unit = std::pow(10.0, std::floor(std::log10(value)) - digits + 1);
+    for (const double candidate : {value, value + unit, value - unit}) {
+      const auto end =
+          std::to_chars(text.data(), text.data() + text.size(), candidate, std::chars_format::general, digits).ptr;
+      double rounded = 0;
+      std::from_chars(text.data(), end, rounded);
+      if (rounded >= low && rounded <= high) return {text.data(), end};
+    }
+  }
+  return format_exactly(value);
+}
+
+}  // namespace
+
+std::string format_exactly(double value) {
+  std::array<char, 32> text;
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+
+double distance_from_reach(const AttenuationTarget& target, const AttenuationSample& sample) {
+  const auto [low, high] = reachable_denominators(target, sample.range);
+  const double y = -std::log(sample.attenuation);
+  return std::max({0.0, std::log(std::max(1.0, low)) - y, y - std::log(std::max(1.0, high))});
+}
+
+std::string describe_reach(const AttenuationTarget& target, const AttenuationSample& sample) {
+  std::string text = "attenuation " + format_exactly(sample.attenuation);
+  const std::string at_range = " at " + format_exactly(sample.range) + " m";
+  const std::string with_constant = target.constant ? " constant " + format_exactly(*target.constant) : "";
+  if (target.constant && !(1 / sample.attenuation >= *target.constant)) {
+    return text + " cannot be had with" + with_constant + ": at most " +
+           format_within(1 / *target.constant, 0, 1 / *target.constant) + " can";
+  }
+  if (!target.extent) {
+    return text + at_range + " cannot be had with" + with_constant + ": " +
+           format_exactly(std::min(1.0, 1 / *target.constant)) + " can";
+  }
+  text += at_range + " cannot be had with an extent of " + format_exactly(*target.extent) + " m" +
+          (target.constant ? " and" + with_constant : "") + ": ";
+  auto [low, high] = reachable_ranges(target, sample.attenuation);
+  low *= *target.extent;
+  high *= *target.extent;
+  if (low == high) return text + "only " + format_exactly(low) + " m can";
+  const std::string from = low > 0 ? format_within(low, low, high) : "0";
+  if (high == kInfinity) return text + "from " + from + " m on can";
+  return text + "between " + from + " and " + format_within(high, low, high) + " m can";
+}
+
+}  // namespace litfog

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "litfog/fit/attenuation_fit.h"
+
+namespace litfog {
+
+/// How far a sample lies out of what the attenuations with the target's extent and constant reach at its range: the
+/// distance of ln attenuation, 0 within.
+double distance_from_reach(const AttenuationTarget& target, const AttenuationSample& sample);
+
+/// Why a sample is out of reach, and at which ranges its attenuation could be had:
+/// "attenuation 0.5 at 40 m cannot be had with an extent of 100 m: between 0 and 31.62 m can".
+/// Bounds are rounded inwards: what is named can be had.
+std::string describe_reach(const AttenuationTarget& target, const AttenuationSample& sample);
+
+/// The shortest text that reads back exactly.
+std::string format_exactly(double value);
+
+}  // namespace litfog

@@ -1,0 +1,406 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fit/falloff.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cassert>
+
+namespace litfog {
+namespace {
+
+/// What the coefficients do to the denominator at x.
+template <typename Real>
+std::array<Real, 3> powers(Real x) {
+  return {Real(1), x, x * x};
+}
+
+std::vector<std::size_t> free_coefficients(const Falloff& falloff) {
+  return falloff.constant ? std::vector<std::size_t>{1, 2} : std::vector<std::size_t>{0, 1, 2};
+}
+
+/// What the free coefficients' terms must add up to at the end.
+long double rest_at_end(const Falloff& falloff) { return falloff.end->top - falloff.constant.value_or(0); }
+
+/// The coefficients as parameters within plain bounds. Without an end they are themselves, in units of the largest
+/// value that exceeds no sample; with one, C's share of the top and L's share of the rest. Those that start at a bound
+/// are left out: bounds that hold cost Ceres many steps.
+class Parameters {
+ public:
+  Parameters(const Falloff& falloff, const Coefficients& start) : falloff_(falloff), free_(free_coefficients(falloff)) {
+    if (falloff.end) {
+      const auto [e, top] = *falloff.end;
+      if (!falloff.constant) all_.push_back(std::min(start[0] / double(top), kLargestConstantShare));
+      const double linear = start[1] * e, quadratic = start[2] * e * e;
+      all_.push_back(linear + quadratic > 0 ? linear / (linear + quadratic) : 0);
+    } else {
+      for (const std::size_t j : free_) {
+        double unit = std::numeric_limits<double>::infinity();
+        for (const auto& [x, y, weight] : falloff.samples) {
+          if (j == 0 || x > 0) unit = std::min(unit, std::exp(double(y)) / powers(x)[j]);
+        }
+        units_[j] = unit;
+        all_.push_back(start[j] / unit);
+      }
+    }
+    for (std::size_t k = 0; k < all_.size(); ++k) {
+      if (all_[k] > 0 && all_[k] < upper_bound(k)) moving_.push_back(k);
+    }
+  }
+
+  std::size_t count() const { return moving_.size(); }
+
+  std::vector<double> start() const {
+    std::vector<double> result;
+    for (const std::size_t k : moving_) result.push_back(all_[k]);
+    return result;
+  }
+  std::vector<double> lower() const { return std::vector<double>(count(), 0.0); }
+  std::vector<double> upper() const {
+    std::vector<double> result;
+    for (const std::size_t k : moving_) result.push_back(upper_bound(k));
+    return result;
+  }
+
+  Coefficients coefficients(std::span<const double> parameters) const {
+    const auto all = filled(parameters);
+    Coefficients q{falloff_.constant.value_or(0), 0, 0};
+    if (!falloff_.end) {
+      for (std::size_t k = 0; k < free_.size(); ++k) q[free_[k]] = units_[free_[k]] * all[k];
+      return q;
+    }
+    const double e = falloff_.end->x;
+    if (!falloff_.constant) q[0] = double(falloff_.end->top) * all[0];
+    const double rest = rest_of(all);
+    q[1] = rest * all.back() / e;
+    q[2] = rest * (1 - all.back()) / e / e;
+    return q;
+  }
+
+  /// Derivatives of the coefficients by the i-th parameter.
+  Coefficients slope(std::span<const double> parameters, std::size_t i) const {
+    const auto all = filled(parameters);
+    const std::size_t k = moving_[i];
+    Coefficients slope{};
+    if (!falloff_.end) {
+      slope[free_[k]] = units_[free_[k]];
+      return slope;
+    }
+    const double e = falloff_.end->x, top = double(falloff_.end->top);
+    if (k + 1 < all.size()) return {top, -top * all.back() / e, -top * (1 - all.back()) / e / e};
+    return {0, rest_of(all) / e, -rest_of(all) / e / e};
+  }
+
+ private:
+  double upper_bound(std::size_t k) const {
+    if (!falloff_.end) return std::numeric_limits<double>::infinity();
+    return k + 1 < all_.size() ? kLargestConstantShare : 1;
+  }
+
+  std::vector<double> filled(std::span<const double> parameters) const {
+    std::vector<double> all = all_;
+    for (std::size_t i = 0; i < count(); ++i) all[moving_[i]] = parameters[i];
+    return all;
+  }
+
+  /// What is left at the end for L and Q.
+  double rest_of(const std::vector<double>& all) const {
+    return double(rest_at_end(falloff_)) * (falloff_.constant ? 1 : 1 - all[0]);
+  }
+
+  const Falloff& falloff_;
+  std::vector<std::size_t> free_;
+  std::vector<double> all_;
+  std::vector<std::size_t> moving_;
+  Coefficients units_{1, 1, 1};
+};
+
+/// Which coefficients are 0.
+std::array<bool, 3> zeros(const Coefficients& q) { return {q[0] == 0, q[1] == 0, q[2] == 0}; }
+
+/// Slope of the objective by the coefficients, and what it would be if all residuals were 1 to one side.
+template <typename Real>
+struct Slopes {
+  std::array<Real, 3> slope{};
+  std::array<Real, 3> scale{};
+  Eigen::Matrix<Real, 3, 3> curvature = Eigen::Matrix<Real, 3, 3>::Zero();
+};
+
+template <typename Real>
+Slopes<Real> slopes_at(const Falloff& falloff, const std::array<Real, 3>& q) {
+  using std::log;
+  Slopes<Real> result;
+  for (const auto& sample : falloff.samples) {
+    const auto power = powers(Real(sample.x));
+    const Real d = q[0] + power[1] * q[1] + power[2] * q[2];
+    if (d < 1) continue;  // at 1 what counts is the way on, for there is none back but through the clamp
+    const Real z = log(d) - Real(sample.y);
+    const Real first = Real(sample.weight) * falloff.loss.slope(z) / d;
+    const Real second = Real(sample.weight) * (falloff.loss.curvature(z) - falloff.loss.slope(z)) / (d * d);
+    for (std::size_t j = 0; j < 3; ++j) {
+      result.slope[j] += first * power[j];
+      result.scale[j] += 2 * Real(sample.weight) / d * power[j];
+      for (std::size_t k = 0; k < 3; ++k) {
+        result.curvature(Eigen::Index(j), Eigen::Index(k)) += second * power[j] * power[k];
+      }
+    }
+  }
+  return result;
+}
+
+/// The slopes less what the end takes up: 0 for each coefficient that is free to move.
+template <typename Real>
+void project_onto_end(const Falloff& falloff, const std::array<Real, 3>& q, std::array<Real, 3>& slope) {
+  if (!falloff.end) return;
+  const auto power = powers(Real(falloff.end->x));
+  // The multiplier in the mean of the terms at the end, each with its share.
+  Real sum = 0, weight = 0;
+  for (const std::size_t j : free_coefficients(falloff)) {
+    sum += q[j] * slope[j];
+    weight += q[j] * power[j];
+  }
+  for (const std::size_t j : free_coefficients(falloff)) slope[j] -= sum / weight * power[j];
+}
+
+/// C at its bound.
+template <typename Real>
+bool is_at_limit(const Falloff& falloff, const std::array<Real, 3>& q, std::size_t j) {
+  return j == 0 && falloff.end && q[0] >= kLargestConstantShare * Real(falloff.end->top);
+}
+
+template <typename Real>
+Real kkt_residual_of(const Falloff& falloff, const std::array<Real, 3>& q) {
+  Slopes<Real> at = slopes_at(falloff, q);
+  project_onto_end(falloff, q, at.slope);
+  if (falloff.end) {  // one scale for all: each slope has the multiplier's rounding in it
+    const auto power = powers(Real(falloff.end->x));
+    Real most = 0;
+    for (const std::size_t j : free_coefficients(falloff)) most = std::max(most, at.scale[j] / power[j]);
+    for (const std::size_t j : free_coefficients(falloff)) at.scale[j] = most * power[j];
+  }
+  Real worst = 0;
+  for (const std::size_t j : free_coefficients(falloff)) {
+    if (at.scale[j] == 0) continue;
+    const Real violation = q[j] == 0                    ? std::max(Real(0), -at.slope[j])
+                           : is_at_limit(falloff, q, j) ? std::max(Real(0), at.slope[j])
+                                                        : std::abs(at.slope[j]);
+    worst = std::max(worst, violation / at.scale[j]);
+  }
+  return worst;
+}
+
+/// Newton steps in extended precision, as long as they bring the slopes nearer to 0 and the objective does not rise.
+/// Gauss and Newton leave the curvature of large residuals out and converge slowly there.
+Coefficients refine(const Falloff& falloff, const Coefficients& start) {
+  using Real = long double;
+  const auto rounded = [](const std::array<Real, 3>& q) {
+    return Coefficients{double(q[0]), double(q[1]), double(q[2])};
+  };
+  std::array<Real, 3> q{start[0], start[1], start[2]};
+  Real kkt = kkt_residual_of(falloff, q);
+  double objective = falloff.objective(start);
+  const double slack = falloff.negligible();
+  for (int i = 0; i < 50 && kkt > 0; ++i) {
+    const Slopes<Real> at = slopes_at(falloff, q);
+    auto projected = at.slope;
+    project_onto_end(falloff, q, projected);
+    std::vector<std::size_t> moving;
+    for (const std::size_t j : free_coefficients(falloff)) {
+      if (is_at_limit(falloff, q, j) ? projected[j] > 0 : q[j] > 0 || projected[j] < 0) moving.push_back(j);
+    }
+    const auto count = static_cast<Eigen::Index>(moving.size());
+    const Eigen::Index size = count + (falloff.end ? 1 : 0);
+    // Each coefficient in units of its own curvature, and a last row and column for the end.
+    Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic, 0, 4, 4> system(size, size);
+    Eigen::Matrix<Real, Eigen::Dynamic, 1, 0, 4, 1> right(size);
+    std::array<Real, 3> unit;
+    system.setZero();
+    for (Eigen::Index j = 0; j < count; ++j) {
+      const auto at_j = Eigen::Index(moving[std::size_t(j)]);
+      const Real curvature = std::abs(at.curvature(at_j, at_j));
+      unit[std::size_t(j)] = curvature > 0 ? 1 / std::sqrt(curvature) : 1;
+      for (Eigen::Index k = 0; k <= j; ++k) {
+        system(j, k) = system(k, j) =
+            unit[std::size_t(j)] * unit[std::size_t(k)] * at.curvature(at_j, Eigen::Index(moving[std::size_t(k)]));
+      }
+      right[j] = -unit[std::size_t(j)] * at.slope[std::size_t(at_j)];
+    }
+    if (falloff.end) {
+      const auto power = powers(Real(falloff.end->x));
+      Real sum = 0, largest = 0;
+      for (std::size_t j = 0; j < 3; ++j) sum += q[j] * power[j];
+      for (std::size_t j = 0; j < moving.size(); ++j) largest = std::max(largest, unit[j] * power[moving[j]]);
+      for (Eigen::Index j = 0; j < count; ++j) {
+        system(j, count) = system(count, j) = unit[std::size_t(j)] * power[moving[std::size_t(j)]] / largest;
+      }
+      right[count] = (falloff.end->top - sum) / largest;
+    }
+    const auto step = system.fullPivLu().solve(right).eval();
+    Real share = 1;
+    std::size_t stopped = 3;
+    for (std::size_t j = 0; j < moving.size(); ++j) {
+      const Real change = unit[j] * step[Eigen::Index(j)];
+      if (q[moving[j]] + share * change < 0) {
+        share = q[moving[j]] / -change;
+        stopped = moving[j];
+      }
+    }
+    std::array<Real, 3> next = q;
+    for (std::size_t j = 0; j < moving.size(); ++j) next[moving[j]] += share * unit[j] * step[Eigen::Index(j)];
+    if (stopped < 3) next[stopped] = 0;
+    const Real next_kkt = kkt_residual_of(falloff, next);
+    const double next_objective = falloff.objective(rounded(next));
+    if (!(next_objective <= objective * (1 + 1e-12) + slack)) break;
+    if (!(next_kkt < kkt) && !(stopped < 3 && next_objective < objective)) break;
+    q = next;
+    kkt = next_kkt;
+    objective = next_objective;
+  }
+  return rounded(q);
+}
+
+}  // namespace
+
+Loss::Loss(double scale) : scale_(scale), convex_limit_(1) {
+  // z (1 + (z/s)^2) = 1 has one root in (0, 1]; bisected, for it is wanted once a fit.
+  double low = 0;
+  for (int i = 0; i < 60 && std::isfinite(scale); ++i) {
+    const double middle = (low + convex_limit_) / 2;
+    (middle * stretch(middle) * stretch(middle) > 1 ? convex_limit_ : low) = middle;
+  }
+}
+
+double Falloff::weight_sum() const {
+  double sum = 0;
+  for (const Sample& sample : samples) sum += sample.weight;
+  return sum;
+}
+
+double Falloff::residual(const Coefficients& q, const Sample& sample) const {
+  return double(sample.y) - std::log(std::max(1.0, denominator(q, sample.x)));
+}
+
+double Falloff::objective(const Coefficients& q) const {
+  double sum = 0;
+  for (const Sample& sample : samples) sum += sample.weight * loss.value(residual(q, sample));
+  return sum;
+}
+
+Coefficients linear_start(const Falloff& falloff) {
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  for (const auto& [x, y, weight] : falloff.samples) {
+    const double a = std::exp(-double(y));
+    const auto power = powers(x);
+    const Eigen::Vector3d row = a * Eigen::Vector3d(power[0], power[1], power[2]);
+    normal += weight * row * row.transpose();
+    right += weight * (1 - a * falloff.constant.value_or(0)) * row;
+  }
+  // Every set of coefficients that are not 0; the best whose least squares are positive is the constrained optimum.
+  Coefficients best{falloff.constant.value_or(0), 0, 0};
+  double best_value = falloff.end ? std::numeric_limits<double>::infinity() : 0;
+  for (unsigned set = 1; set < 8; ++set) {
+    if (falloff.constant && (set & 1) != 0) continue;
+    std::vector<Eigen::Index> chosen;
+    for (Eigen::Index j = 0; j < 3; ++j) {
+      if ((set >> j & 1) != 0) chosen.push_back(j);
+    }
+    const auto count = static_cast<Eigen::Index>(chosen.size());
+    const Eigen::Index size = count + (falloff.end ? 1 : 0);
+    Eigen::MatrixXd system = Eigen::MatrixXd::Zero(size, size);
+    Eigen::VectorXd values(size);
+    system.topLeftCorner(count, count) = normal(chosen, chosen);
+    values.head(count) = right(chosen);
+    if (falloff.end) {
+      const auto power = powers(falloff.end->x);
+      for (Eigen::Index j = 0; j < count; ++j) {
+        system(j, count) = system(count, j) = power[std::size_t(chosen[std::size_t(j)])];
+      }
+      values[count] = double(rest_at_end(falloff));
+    }
+    const Eigen::VectorXd solution = system.fullPivLu().solve(values);
+    Eigen::Vector3d q = Eigen::Vector3d::Zero();
+    q(chosen) = solution.head(count);
+    if (!((solution.head(count).array() > 0).all() && q.allFinite())) continue;
+    const double value = q.dot(normal * q) - 2 * right.dot(q);
+    if (value < best_value) {
+      best_value = value;
+      best = {falloff.constant.value_or(q[0]), q[1], q[2]};
+    }
+  }
+  return best;
+}
+
+namespace {
+
+/// One descent among the coefficients that are not 0, and Newton steps among all.
+FalloffMinimum descend_once(const Falloff& falloff, const Coefficients& start) {
+  const Parameters parameters(falloff, start);
+  FalloffMinimum minimum;
+  minimum.coefficients = start;
+  const std::size_t count = parameters.count();
+  if (count > 0) {
+    LeastSquaresProblem problem;
+    problem.residual_count = falloff.samples.size();
+    problem.lower = parameters.lower();
+    problem.upper = parameters.upper();
+    problem.evaluate = [&](std::span<const double> values, std::span<double> residuals, std::span<double> jacobian) {
+      const Coefficients q = parameters.coefficients(values);
+      std::array<Coefficients, 3> slopes;
+      for (std::size_t k = 0; k < count; ++k) slopes[k] = parameters.slope(values, k);
+      for (std::size_t i = 0; i < falloff.samples.size(); ++i) {
+        const auto& sample = falloff.samples[i];
+        const double z = falloff.residual(q, sample);
+        const double root = std::sqrt(sample.weight);
+        residuals[i] = root * falloff.loss.root(z);
+        if (jacobian.empty()) continue;
+        const double d = denominator(q, sample.x);
+        // At the clamp a sample with attenuation 1 tells nothing: a smaller D is as good.
+        const bool is_level = sample.y > 0 ? d < 1 : d <= 1;
+        const double outer = is_level ? 0 : -root * falloff.loss.root_slope(z) / d;
+        for (std::size_t k = 0; k < count; ++k) jacobian[i * count + k] = outer * denominator(slopes[k], sample.x);
+      }
+      return true;
+    };
+    const LeastSquaresFit fit = fit_least_squares(problem, parameters.start(), Descent::one);
+    minimum.coefficients = parameters.coefficients(fit.parameters);
+    minimum.iterations = fit.iterations;
+    if (fit.covariance) {
+      Eigen::Matrix<double, 3, 3, Eigen::RowMajor> covariance = Eigen::Matrix3d::Zero();
+      for (std::size_t k = 0; k < count; ++k) {
+        const Coefficients left = parameters.slope(fit.parameters, k);
+        for (std::size_t l = 0; l < count; ++l) {
+          const Coefficients right = parameters.slope(fit.parameters, l);
+          covariance += (*fit.covariance)[k * count + l] * Eigen::Map<const Eigen::Vector3d>(left.data()) *
+                        Eigen::Map<const Eigen::RowVector3d>(right.data());
+        }
+      }
+      std::copy_n(covariance.data(), 9, minimum.covariance.emplace().data());
+    }
+  } else {
+    minimum.covariance.emplace().fill(0);
+  }
+  minimum.coefficients = refine(falloff, minimum.coefficients);
+  minimum.objective = falloff.objective(minimum.coefficients);
+  return minimum;
+}
+
+}  // namespace
+
+FalloffMinimum descend(const Falloff& falloff, const Coefficients& start) {
+  FalloffMinimum minimum = descend_once(falloff, start);
+  // Once more where other coefficients are 0 than were left out: for the covariance, and all the way down.
+  std::array<bool, 3> left_out = zeros(start);
+  for (int i = 0; i < 4 && zeros(minimum.coefficients) != left_out; ++i) {
+    left_out = zeros(minimum.coefficients);
+    const std::size_t iterations = minimum.iterations;
+    minimum = descend_once(falloff, minimum.coefficients);
+    minimum.iterations += iterations;
+  }
+  return minimum;
+}
+
+double kkt_residual(const Falloff& falloff, const Coefficients& q) {
+  return double(kkt_residual_of<long double>(falloff, {q[0], q[1], q[2]}));
+}
+
+}  // namespace litfog

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "fit/least_squares.h"
+
+// The range fit in the coordinates that it is computed in. Internal.
+
+namespace litfog {
+
+/// C, L R, Q R^2 for the unit of length R.
+using Coefficients = std::array<double, 3>;
+
+/// What a residual z costs: z^2, beyond the scale s linearly. (Soft L1; s = infinity is plain least squares. Even, and
+/// with one inflection as a function of the denominator, so that the search below needs to know no other.)
+class Loss {
+ public:
+  explicit Loss(double scale = std::numeric_limits<double>::infinity());
+
+  double scale() const { return scale_; }
+
+  template <typename Real>
+  Real value(Real z) const {
+    return 2 * z * z / (1 + stretch(z));
+  }
+  template <typename Real>
+  Real slope(Real z) const {
+    return 2 * z / stretch(z);
+  }
+  template <typename Real>
+  Real curvature(Real z) const {
+    return 2 / (stretch(z) * stretch(z) * stretch(z));
+  }
+  /// What value is the square of, with z's sign, and its slope: the least squares that Ceres sees.
+  double root(double z) const { return z * std::sqrt(2 / (1 + stretch(z))); }
+  double root_slope(double z) const { return std::sqrt((1 + stretch(z)) / 2) / stretch(z); }
+  /// The residual >= 0 that costs `value`.
+  double residual(double value) const { return std::sqrt(value + value / scale_ * (value / scale_) / 4); }
+  /// The z up to which value(ln D - y) is convex in D: where curvature = slope.
+  double convex_limit() const { return convex_limit_; }
+
+ private:
+  template <typename Real>
+  Real stretch(Real z) const {
+    using std::sqrt;
+    return sqrt(1 + z / scale_ * (z / scale_));
+  }
+
+  double scale_;
+  double convex_limit_;
+};
+
+/// Minimise sum w loss(y - ln max(1, D)), D = q0 + q1 x + q2 x^2, over q >= 0.
+struct Falloff {
+  struct Sample {
+    double x;       ///< range in units of R
+    long double y;  ///< -ln of the attenuation, >= 0
+    double weight;  ///< > 0, at most 1
+  };
+
+  std::vector<Sample> samples;  ///< at least one, x ascending
+  std::optional<double> constant = {};
+  /// Extent: D is `top` at x = `end`.
+  struct End {
+    double x;
+    long double top;
+  };
+  std::optional<End> end = {};
+  Loss loss = Loss();
+
+  double weight_sum() const;
+  /// An objective that is nothing but rounding: residuals of 1e-12.
+  double negligible() const { return 1e-24 * weight_sum(); }
+  double objective(const Coefficients& q) const;
+  /// ln of the attenuation less that of the sample.
+  double residual(const Coefficients& q, const Sample& sample) const;
+};
+
+/// Bound of C where an extent is given, in units of 1/threshold.
+inline constexpr double kLargestConstantShare = 1 - 0x1p-20;
+
+inline double denominator(const Coefficients& q, double x) { return q[0] + x * (q[1] + x * q[2]); }
+
+/// A local minimum.
+struct FalloffMinimum {
+  Coefficients coefficients = {};
+  double objective = 0;
+  std::size_t iterations = 0;
+  std::optional<std::array<double, 9>> covariance = {};
+};
+
+/// The minimum of the weighted linear least squares of D a - 1, which is the residual to first order.
+Coefficients linear_start(const Falloff& falloff);
+
+/// The local minimum that a start leads to.
+FalloffMinimum descend(const Falloff& falloff, const Coefficients& start);
+
+/// Largest violation of the conditions of optimality. A coefficient's slope is divided by what it would be if all
+/// residuals were 1 to one side.
+double kkt_residual(const Falloff& falloff, const Coefficients& q);
+
+}  // namespace litfog
