@@ -44,8 +44,8 @@ using BatchSolutionsF = BasicBatchSolutions<float>;
 /// nothing, never throws, and may run on any number of threads at once. Columns whose lengths do not fit are our
 /// caller's bug and assert.
 ///
-/// Bound by arithmetic, not by memory: copying the same columns takes a fiftieth of the time from the caches and a
-/// tenth from memory (`litfog-bench solve`, rows batch and memory-copy).
+/// Bound by arithmetic, not by memory: copying the same columns takes a twentieth of the time from the caches and a
+/// fifth from memory (`litfog-bench solve`, rows batch and memory-copy).
 ///
 /// returns    how many lights were refused
 /// max error  float: intensity 2 ulp, extent 1 ulp, peak_range 1e-4 relative;
