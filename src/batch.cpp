@@ -14,13 +14,6 @@
 // Highway's order: highway.h first.
 #include <hwy/contrib/math/math-inl.h>
 
-#undef LITFOG_HAS_FMA
-#if HWY_TARGET == HWY_SSSE3 || HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_EMU128 || HWY_TARGET == HWY_SCALAR
-#define LITFOG_HAS_FMA 0
-#else
-#define LITFOG_HAS_FMA 1
-#endif
-
 HWY_BEFORE_NAMESPACE();
 namespace litfog::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
@@ -41,7 +34,7 @@ struct Split {
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Split<V> two_product(D d, V a, V b) {
   const V product = hn::Mul(a, b);
-#if LITFOG_HAS_FMA
+#if HWY_NATIVE_FMA
   (void)d;
   return {product, hn::MulSub(a, b, product)};
 #else  // Veltkamp's splitting, Dekker's product
@@ -62,7 +55,7 @@ HWY_INLINE Split<V> two_product(D d, V a, V b) {
 /// c - a b without the rounding of the product.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V minus_product(D d, V c, V a, V b) {
-#if LITFOG_HAS_FMA
+#if HWY_NATIVE_FMA
   (void)d;
   return hn::NegMulAdd(a, b, c);
 #else
