@@ -132,7 +132,8 @@ Slopes<Real> slopes_at(const Falloff& falloff, const std::array<Real, 3>& q) {
   for (const auto& sample : falloff.samples) {
     const auto power = powers(Real(sample.x));
     const Real d = q[0] + power[1] * q[1] + power[2] * q[2];
-    if (d < 1) continue;  // at 1 what counts is the way on, for there is none back but through the clamp
+    if (d < 1 && falloff.is_clamped_at(sample))
+      continue;  // at 1 what counts is the way on, for there is none back but through the clamp
     const Real z = log(d) - Real(sample.y);
     const Real first = Real(sample.weight) * falloff.loss.slope(z) / d;
     const Real second = Real(sample.weight) * (falloff.loss.curvature(z) - falloff.loss.slope(z)) / (d * d);
@@ -276,7 +277,8 @@ double Falloff::weight_sum() const {
 }
 
 double Falloff::residual(const Coefficients& q, const Sample& sample) const {
-  return double(sample.y) - std::log(std::max(1.0, denominator(q, sample.x)));
+  const double d = denominator(q, sample.x);
+  return double(sample.y) - std::log(is_clamped_at(sample) ? std::max(1.0, d) : d);
 }
 
 double Falloff::objective(const Coefficients& q) const {
@@ -355,7 +357,7 @@ FalloffMinimum descend_once(const Falloff& falloff, const Coefficients& start) {
         if (jacobian.empty()) continue;
         const double d = denominator(q, sample.x);
         // At the clamp a sample with attenuation 1 tells nothing: a smaller D is as good.
-        const bool is_level = sample.y > 0 ? d < 1 : d <= 1;
+        const bool is_level = falloff.is_clamped_at(sample) && (sample.y > 0 ? d < 1 : d <= 1);
         const double outer = is_level ? 0 : -root * falloff.loss.root_slope(z) / d;
         for (std::size_t k = 0; k < count; ++k) jacobian[i * count + k] = outer * denominator(slopes[k], sample.x);
       }

@@ -73,11 +73,14 @@ struct Falloff {
   };
   std::optional<End> end = {};
   Loss loss = Loss();
+  /// False: samples darker than 1 are met by -ln D even where D < 1. The search wants it so.
+  bool is_clamped = true;
 
   double weight_sum() const;
   /// An objective that is nothing but rounding: residuals of 1e-12.
   double negligible() const { return 1e-24 * weight_sum(); }
   double objective(const Coefficients& q) const;
+  bool is_clamped_at(const Sample& sample) const { return is_clamped || sample.y == 0; }
   /// ln of the attenuation less that of the sample.
   double residual(const Coefficients& q, const Sample& sample) const;
 };
