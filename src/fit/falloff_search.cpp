@@ -24,8 +24,9 @@ namespace {
 
 constexpr double kGap = 1e-7;
 constexpr double kRounding = 1e-13;  ///< by which bounds on D are widened
-/// Terms bounded before the search gives up: one or two seconds.
-constexpr std::size_t kLargestEffort = 20'000'000;
+/// Terms bounded before the search gives up, and a box's own work in terms: about a second.
+constexpr std::size_t kLargestEffort = 5'000'000;
+constexpr std::size_t kBoxEffort = 10;
 
 /// Below this D a dark sample's term is taken for what it is at 0, without a slope.
 constexpr double kLeastSmooth = 1e-6;
@@ -187,14 +188,14 @@ class Search {
     std::priority_queue<Box> boxes;
     Box root;
     if (falloff_.constant) root.q[0] = {*falloff_.constant, *falloff_.constant};
-    if (falloff_.end && !falloff_.constant) root.q[0].high = double(falloff_.end->top) * kLargestConstantShare;
+    if (falloff_.end && !falloff_.constant) root.q[0].high = falloff_.largest_constant();
     boxes.push(root);
     while (!boxes.empty()) {
       Box box = boxes.top();
       boxes.pop();
       if (box.bound > target()) return;  // and so are all others
       if (!contract(box)) continue;
-      if (++result_.boxes * rows_ > kLargestEffort) {
+      if (++result_.boxes * (rows_ + kBoxEffort) > kLargestEffort) {
         result_.is_proven = false;
         return;
       }
