@@ -31,6 +31,9 @@ constexpr std::size_t kBoxEffort = 10;
 /// Below this D a dark sample's term is taken for what it is at 0, without a slope.
 constexpr double kLeastSmooth = 1e-6;
 
+/// Boxes left before a number of held samples is worth a descent of its own, which costs as much as so many.
+constexpr std::size_t kPatience = 30;
+
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Interval {
@@ -185,6 +188,7 @@ class Search {
     bound_denominators(held);
     refer_to(result_.minimum.coefficients);
     bool has_own_reference = k == 0;
+    std::size_t boxes_left = 0;
     std::priority_queue<Box> boxes;
     Box root;
     if (falloff_.constant) root.q[0] = {*falloff_.constant, *falloff_.constant};
@@ -211,7 +215,7 @@ class Search {
         }
       }
       box.bound = std::max(box.bound, held + lower_bound(box, place));
-      if (box.bound <= target() && !has_own_reference) {
+      if (box.bound <= target() && !has_own_reference && ++boxes_left > kPatience) {
         has_own_reference = true;
         refer_to_held_minimum();
         box.bound = std::max(box.bound, held + lower_bound(box, place));
