@@ -180,6 +180,7 @@ void fit_samples(const AttenuationTarget& target, AttenuationFit& fit) {
   Scaled scaled = scale(target);
   Falloff& falloff = scaled.falloff;
   FalloffSearch found = target.is_robust ? minimize_robustly(falloff, free_count(target)) : minimize(falloff);
+  double kkt = kkt_residual(falloff, found.minimum.coefficients);
   const bool is_one_of_many = falloff.samples.size() < free_count(target) || !found.minimum.covariance;
   if (is_one_of_many && !target.constant) {
     // If it is there, that with the constant of a lamp whose near brightness is its brightness.
@@ -188,6 +189,7 @@ void fit_samples(const AttenuationTarget& target, AttenuationFit& fit) {
     const FalloffMinimum other = minimize(normalized).minimum;
     if (other.objective <= found.minimum.objective + falloff.negligible()) {
       found.minimum.coefficients = other.coefficients;
+      kkt = kkt_residual(normalized, other.coefficients);
     }
   }
   const Coefficients& q = found.minimum.coefficients;
@@ -197,7 +199,7 @@ void fit_samples(const AttenuationTarget& target, AttenuationFit& fit) {
   }
   if (target.extent) meet_extent(fit.attenuation, *target.extent, target.threshold);
   fit.loss_scale = falloff.loss.scale();
-  fit.kkt_residual = kkt_residual(falloff, q);
+  fit.kkt_residual = kkt;
   fit.iterations = found.minimum.iterations;
   fit.boxes = found.boxes;
   if (!is_one_of_many) {

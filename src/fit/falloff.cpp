@@ -29,7 +29,8 @@ class Parameters {
   Parameters(const Falloff& falloff, const Coefficients& start) : falloff_(falloff), free_(free_coefficients(falloff)) {
     if (falloff.end) {
       const auto [e, top] = *falloff.end;
-      if (!falloff.constant) all_.push_back(std::min(start[0] / double(top), kLargestConstantShare));
+      if (!falloff.constant)
+        all_.push_back(start[0] < falloff.largest_constant() ? start[0] / double(top) : kLargestConstantShare);
       const double linear = start[1] * e, quadratic = start[2] * e * e;
       all_.push_back(linear + quadratic > 0 ? linear / (linear + quadratic) : 0);
     } else {
@@ -132,7 +133,8 @@ Slopes<Real> slopes_at(const Falloff& falloff, const std::array<Real, 3>& q) {
   for (const auto& sample : falloff.samples) {
     const auto power = powers(Real(sample.x));
     const Real d = q[0] + power[1] * q[1] + power[2] * q[2];
-    if (d < 1) continue;  // at 1 what counts is the way on, for there is none back but through the clamp
+    if (d < 1 && falloff.is_clamped_at(sample))
+      continue;  // at 1 what counts is the way on, for there is none back but through the clamp
     const Real z = log(d) - Real(sample.y);
     const Real first = Real(sample.weight) * falloff.loss.slope(z) / d;
     const Real second = Real(sample.weight) * (falloff.loss.curvature(z) - falloff.loss.slope(z)) / (d * d);
@@ -147,6 +149,12 @@ Slopes<Real> slopes_at(const Falloff& falloff, const std::array<Real, 3>& q) {
   return result;
 }
 
+/// C at its bound.
+template <typename Real>
+bool is_at_limit(const Falloff& falloff, const std::array<Real, 3>& q, std::size_t j) {
+  return j == 0 && falloff.end && q[0] >= Real(falloff.largest_constant());
+}
+
 /// The slopes less what the end takes up: 0 for each coefficient that is free to move.
 template <typename Real>
 void project_onto_end(const Falloff& falloff, const std::array<Real, 3>& q, std::array<Real, 3>& slope) {
@@ -155,16 +163,12 @@ void project_onto_end(const Falloff& falloff, const std::array<Real, 3>& q, std:
   // The multiplier in the mean of the terms at the end, each with its share.
   Real sum = 0, weight = 0;
   for (const std::size_t j : free_coefficients(falloff)) {
+    if (is_at_limit(falloff, q, j)) continue;  // held by its own bound
     sum += q[j] * slope[j];
     weight += q[j] * power[j];
   }
+  if (!(weight > 0)) return;
   for (const std::size_t j : free_coefficients(falloff)) slope[j] -= sum / weight * power[j];
-}
-
-/// C at its bound.
-template <typename Real>
-bool is_at_limit(const Falloff& falloff, const std::array<Real, 3>& q, std::size_t j) {
-  return j == 0 && falloff.end && q[0] >= kLargestConstantShare * Real(falloff.end->top);
 }
 
 template <typename Real>
@@ -235,22 +239,29 @@ Coefficients refine(const Falloff& falloff, const Coefficients& start) {
       right[count] = (falloff.end->top - sum) / largest;
     }
     const auto step = system.fullPivLu().solve(right).eval();
-    Real share = 1;
+    // As far as the first bound.
+    Real share = 1, bound = 0;
     std::size_t stopped = 3;
-    for (std::size_t j = 0; j < moving.size(); ++j) {
-      const Real change = unit[j] * step[Eigen::Index(j)];
-      if (q[moving[j]] + share * change < 0) {
-        share = q[moving[j]] / -change;
-        stopped = moving[j];
+    const auto stop_at = [&](std::size_t j, Real limit, Real change) {
+      share = (limit - q[j]) / change;
+      bound = limit;
+      stopped = j;
+    };
+    for (std::size_t m = 0; m < moving.size(); ++m) {
+      const std::size_t j = moving[m];
+      const Real change = unit[m] * step[Eigen::Index(m)];
+      if (q[j] + share * change < 0) stop_at(j, 0, change);
+      if (j == 0 && falloff.end && q[0] + share * change > Real(falloff.largest_constant())) {
+        stop_at(0, Real(falloff.largest_constant()), change);
       }
     }
     std::array<Real, 3> next = q;
     for (std::size_t j = 0; j < moving.size(); ++j) next[moving[j]] += share * unit[j] * step[Eigen::Index(j)];
-    if (stopped < 3) next[stopped] = 0;
+    if (stopped < 3) next[stopped] = bound;
     const Real next_kkt = kkt_residual_of(falloff, next);
     const double next_objective = falloff.objective(rounded(next));
     if (!(next_objective <= objective * (1 + 1e-12) + slack)) break;
-    if (!(next_kkt < kkt) && !(stopped < 3 && next_objective < objective)) break;
+    if (!(next_kkt < kkt) && !(stopped < 3 && next_objective <= objective)) break;
     q = next;
     kkt = next_kkt;
     objective = next_objective;
@@ -276,7 +287,8 @@ double Falloff::weight_sum() const {
 }
 
 double Falloff::residual(const Coefficients& q, const Sample& sample) const {
-  return double(sample.y) - std::log(std::max(1.0, denominator(q, sample.x)));
+  const double d = denominator(q, sample.x);
+  return double(sample.y) - std::log(is_clamped_at(sample) ? std::max(1.0, d) : d);
 }
 
 double Falloff::objective(const Coefficients& q) const {
@@ -336,7 +348,7 @@ namespace {
 FalloffMinimum descend_once(const Falloff& falloff, const Coefficients& start) {
   const Parameters parameters(falloff, start);
   FalloffMinimum minimum;
-  minimum.coefficients = start;
+  minimum.coefficients = parameters.coefficients(parameters.start());
   const std::size_t count = parameters.count();
   if (count > 0) {
     LeastSquaresProblem problem;
@@ -355,7 +367,7 @@ FalloffMinimum descend_once(const Falloff& falloff, const Coefficients& start) {
         if (jacobian.empty()) continue;
         const double d = denominator(q, sample.x);
         // At the clamp a sample with attenuation 1 tells nothing: a smaller D is as good.
-        const bool is_level = sample.y > 0 ? d < 1 : d <= 1;
+        const bool is_level = falloff.is_clamped_at(sample) && (sample.y > 0 ? d < 1 : d <= 1);
         const double outer = is_level ? 0 : -root * falloff.loss.root_slope(z) / d;
         for (std::size_t k = 0; k < count; ++k) jacobian[i * count + k] = outer * denominator(slopes[k], sample.x);
       }
@@ -379,6 +391,9 @@ FalloffMinimum descend_once(const Falloff& falloff, const Coefficients& start) {
   } else {
     minimum.covariance.emplace().fill(0);
   }
+  // A share next to 1 has no digits for what is left to the other term, which may matter far beyond the end.
+  const bool may_start = !falloff.end || falloff.constant || start[0] <= falloff.largest_constant();
+  if (may_start && falloff.objective(start) < falloff.objective(minimum.coefficients)) minimum.coefficients = start;
   minimum.coefficients = refine(falloff, minimum.coefficients);
   minimum.objective = falloff.objective(minimum.coefficients);
   return minimum;

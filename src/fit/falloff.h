@@ -56,6 +56,9 @@ class Loss {
   double convex_limit_;
 };
 
+/// Bound of C where an extent is given, in units of 1/threshold.
+inline constexpr double kLargestConstantShare = 1 - 0x1p-20;
+
 /// Minimise sum w loss(y - ln max(1, D)), D = q0 + q1 x + q2 x^2, over q >= 0.
 struct Falloff {
   struct Sample {
@@ -73,17 +76,19 @@ struct Falloff {
   };
   std::optional<End> end = {};
   Loss loss = Loss();
+  /// False: samples darker than 1 are met by -ln D even where D < 1. The search wants it so.
+  bool is_clamped = true;
 
   double weight_sum() const;
   /// An objective that is nothing but rounding: residuals of 1e-12.
   double negligible() const { return 1e-24 * weight_sum(); }
   double objective(const Coefficients& q) const;
+  /// Largest C that leaves an extent; only with an end and without a constant.
+  double largest_constant() const { return kLargestConstantShare * double(end->top); }
+  bool is_clamped_at(const Sample& sample) const { return is_clamped || sample.y == 0; }
   /// ln of the attenuation less that of the sample.
   double residual(const Coefficients& q, const Sample& sample) const;
 };
-
-/// Bound of C where an extent is given, in units of 1/threshold.
-inline constexpr double kLargestConstantShare = 1 - 0x1p-20;
 
 inline double denominator(const Coefficients& q, double x) { return q[0] + x * (q[1] + x * q[2]); }
 

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fit/falloff_search.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <queue>
 
 // The samples that the clamp holds at 1 are the first ones, for D rises with the range: so many, then no more. For each
 // such number k the objective is smooth: a constant for the k samples, and beyond them terms that are convex in D up to
 // e^limit of the sample and concave from there. Whatever is better than the best known has each term alone below the
-// best objective, which bounds each D, and the boxes shrink to what these bounds leave. On a box each term lies above a
-// line in D (tangent where convex, chord where concave, level where both), and so the objective above a linear function
-// of the coefficients. The tangents at the best known minimum rule out at once all of a box in which every term is
-// convex: there it is the only minimum.
+// best objective, which bounds each D, and the boxes shrink to what these bounds leave. Then linear functions of the
+// coefficients bound the objective from below:
+// - term by term, a tangent where the term is convex in the box, a chord where it is concave, a level where it is both;
+// - all tangents together, less what the whole may bend down from them in the box (the least eigenvalue of a curvature
+//   that is nowhere less), which near a minimum is nothing, whatever its terms are.
+// Tangents are tried at a place in the box and at a reference, which is a minimum: where nothing bends down from there
+// to the box, all of the box is ruled out at once. The reference is the best known and, where that leaves a box of some
+// k, the minimum with those k samples held.
 //
 // A sample with attenuation 1 is never held: its term is level up to D = 1, and convex from the start.
 
@@ -19,14 +24,23 @@ namespace {
 
 constexpr double kGap = 1e-7;
 constexpr double kRounding = 1e-13;  ///< by which bounds on D are widened
-/// Terms evaluated before the search gives up: about a second.
-constexpr std::size_t kLargestEffort = 20'000'000;
+/// Terms bounded before the search gives up, and a box's own work in terms: about a second.
+constexpr std::size_t kLargestEffort = 5'000'000;
+constexpr std::size_t kBoxEffort = 10;
+
+/// Below this D a dark sample's term is taken for what it is at 0, without a slope.
+constexpr double kLeastSmooth = 1e-6;
+
+/// Boxes left before a number of held samples is worth a descent of its own, which costs as much as so many.
+constexpr std::size_t kPatience = 30;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Interval {
   double low = 0;
   double high = kInfinity;
+
+  Interval with(double x) const { return {std::min(low, x), std::max(high, x)}; }
 };
 
 struct Box {
@@ -42,11 +56,26 @@ struct Line {
   double slope;
 };
 
+/// A linear function of the coefficients.
+struct Plane {
+  double value = 0;
+  Coefficients slope{};
+
+  void add(const Line& line, double x) {
+    value += line.value;
+    slope[0] += line.slope;
+    slope[1] += line.slope * x;
+    slope[2] += line.slope * x * x;
+  }
+};
+
+using Matrix = Eigen::Matrix3d;
+
 class Search {
  public:
   Search(const Falloff& falloff, const FalloffMinimum& local) : falloff_(falloff) {
     result_.minimum = local;
-    for (const auto& sample : falloff.samples) terms_.push_back({sample.x, double(sample.y), sample.weight, {}, {}});
+    for (const auto& [x, y, weight] : falloff.samples) terms_.push_back({x, double(y), weight, {}, 1, 0, {}});
     rows_ = terms_.size();
   }
 
@@ -66,8 +95,9 @@ class Search {
  private:
   struct Term {
     double x, y, weight;
-    Interval d;    ///< where the objective can be better than the best known
-    Line tangent;  ///< at the best known
+    Interval d;                           ///< where the objective can be better than the best known
+    double reference_d, log_reference_d;  ///< D of the reference
+    Line tangent;                         ///< there; of a held sample, a line that is at most 0 up to D = 1
   };
 
   /// What a box must promise to be looked at.
@@ -89,8 +119,8 @@ class Search {
   }
   bool is_convex_to(const Term& term, double log_d) const { return log_d <= term.y + falloff_.loss.convex_limit(); }
 
-  /// Bounds of each D, and the tangents at the best known minimum.
-  void know_the_best(double held) {
+  /// Bounds of each D for an objective below the best known.
+  void bound_denominators(double held) {
     const double spare = std::max(0.0, result_.minimum.objective + falloff_.negligible() - held);
     for (std::size_t i = 0; i < rows_; ++i) {
       Term& term = terms_[i];
@@ -99,48 +129,98 @@ class Search {
       if (is_held(i)) term.d = {0, 1};
       term.d.low *= 1 - kRounding;
       term.d.high *= 1 + kRounding;
-      const double d = denominator(result_.minimum.coefficients, term.x);
-      const double log_d = std::log(d);
-      has_tangents_ = (i == 0 || has_tangents_) && (is_held(i) || (d > 0 && is_convex_to(term, log_d)));
-      term.tangent = tangent(term, d, log_d);
-      if (is_held(i)) {
-        // Beside the constant, any rising line that ends in 0 at D = 1: that which the best known minimum leans on.
-        const double slope = d > 1 ? std::max(0.0, term.tangent.slope) : 0;
-        term.tangent = {-slope, slope};
-      }
     }
+  }
+
+  void refer_to(const Coefficients& reference) {
+    reference_ = reference;
+    is_reference_smooth_ = true;
+    for (std::size_t i = 0; i < rows_; ++i) {
+      Term& term = terms_[i];
+      const double d = denominator(reference, term.x);
+      if (!is_held(i) && term.y > 0 && !(d > kLeastSmooth)) is_reference_smooth_ = false;
+      term.reference_d = std::max(d, kLeastSmooth);
+      term.log_reference_d = std::log(term.reference_d);
+      term.tangent = tangent(term, term.reference_d, term.log_reference_d);
+      if (is_held(i)) lean(term, d > 1 ? term.tangent.slope : 0);
+    }
+  }
+
+  static void lean(Term& term, double slope) {
+    slope = std::max(0.0, slope);
+    term.tangent = {-slope, slope};
+  }
+
+  /// Refers to the minimum with the first samples held: without minding their D where that is at most 1, else with D =
+  /// 1 at the last of them, on which it then leans.
+  void refer_to_held_minimum() {
+    std::size_t last = held_count_ - 1;
+    Falloff rest = falloff_;
+    rest.is_clamped = false;
+    std::erase_if(rest.samples,
+                  [&](const Falloff::Sample& sample) { return sample.y > 0 && sample.x <= terms_[last].x; });
+    if (rest.samples.empty()) return;
+    Coefficients q = descend(rest, result_.minimum.coefficients).coefficients;
+    const double x = terms_[last].x, d = denominator(q, x), given = falloff_.constant.value_or(0);
+    if (d <= 1 || falloff_.end || given >= 1) return refer_to(q);
+    const double share = (1 - given) / (d - given);
+    for (std::size_t j = falloff_.constant ? 1 : 0; j < 3; ++j) q[j] *= share;
+    if (x > 0) {
+      rest.end = {x, 1};
+    } else {
+      rest.constant = 1;
+    }
+    refer_to(descend(rest, q).coefficients);
+    Plane all;
+    for (std::size_t i = 0; i < rows_; ++i) {
+      if (!is_held(i)) all.add(terms_[i].tangent, terms_[i].x);
+    }
+    const Coefficients power{1, x, x * x};
+    std::size_t largest = 0;
+    for (std::size_t j = 0; j < 3; ++j) {
+      if (reference_[j] * power[j] > reference_[largest] * power[largest]) largest = j;
+    }
+    lean(terms_[last], -all.slope[largest] / power[largest]);
   }
 
   void search_with_held(std::size_t k, double held) {
     held_count_ = k;
-    know_the_best(held);
+    bound_denominators(held);
+    refer_to(result_.minimum.coefficients);
+    bool has_own_reference = k == 0;
+    std::size_t boxes_left = 0;
     std::priority_queue<Box> boxes;
     Box root;
     if (falloff_.constant) root.q[0] = {*falloff_.constant, *falloff_.constant};
-    if (falloff_.end && !falloff_.constant) root.q[0].high = double(falloff_.end->top) * kLargestConstantShare;
+    if (falloff_.end && !falloff_.constant) root.q[0].high = falloff_.largest_constant();
     boxes.push(root);
     while (!boxes.empty()) {
       Box box = boxes.top();
       boxes.pop();
       if (box.bound > target()) return;  // and so are all others
       if (!contract(box)) continue;
-      if (++result_.boxes * rows_ > kLargestEffort) {
+      if (++result_.boxes * (rows_ + kBoxEffort) > kLargestEffort) {
         result_.is_proven = false;
         return;
       }
       const Coefficients place = middle(box);
-      const double objective = falloff_.objective(place);
-      if (objective < target()) {
+      if (falloff_.objective(place) < target()) {
         FalloffMinimum better = descend(falloff_, place);
         better.iterations += result_.minimum.iterations;
         if (better.objective < target()) {
           result_.minimum = better;
-          know_the_best(held);
+          bound_denominators(held);
+          refer_to(better.coefficients);
+          has_own_reference = k == 0;
         }
       }
       box.bound = std::max(box.bound, held + lower_bound(box, place));
-      if (box.bound > target()) continue;
-      split(box, boxes);
+      if (box.bound <= target() && !has_own_reference && ++boxes_left > kPatience) {
+        has_own_reference = true;
+        refer_to_held_minimum();
+        box.bound = std::max(box.bound, held + lower_bound(box, place));
+      }
+      if (box.bound <= target()) split(box, boxes);
     }
   }
 
@@ -196,42 +276,98 @@ class Search {
   double lower_bound(const Box& box, const Coefficients& place) const {
     const Coefficients low{box.q[0].low, box.q[1].low, box.q[2].low};
     const Coefficients high{box.q[0].high, box.q[1].high, box.q[2].high};
-    double level = 0;  // sum of what each term is at least
-    Coefficients here{}, best{};
-    double here_value = 0, best_value = 0;
-    const auto add = [](const Line& line, double x, Coefficients& slope, double& value) {
-      value += line.value;
-      slope[0] += line.slope;
-      slope[1] += line.slope * x;
-      slope[2] += line.slope * x * x;
-    };
+    double level = 0;                      // sum of what each term is at least
+    Plane here, there;                     // term by term: tangents at the place or the reference, or other lines
+    Plane all_here, all_there;             // tangents of all terms
+    Matrix curvature = Matrix::Zero();     // nowhere in the box is the objective's less
+    Matrix curvature_to = Matrix::Zero();  // and nowhere from the reference to the box
+    bool is_convex = true, is_place_smooth = true;
     for (std::size_t i = 0; i < rows_; ++i) {
       const Term& term = terms_[i];
+      all_there.add(term.tangent, term.x);
       if (is_held(i)) {
-        add(term.tangent, term.x, best, best_value);
+        there.add(term.tangent, term.x);
         continue;
       }
       const double least = std::max(denominator(low, term.x), term.d.low);
       const double most = std::max(least, std::min(denominator(high, term.x), term.d.high));
-      const double log_least = std::log(least), log_most = std::log(most);
-      const double smallest = open_cost(term, std::clamp(term.y, log_least, log_most));
+      const Interval d{least, most}, log_d{std::log(least), std::log(most)};
+      const double smallest = open_cost(term, std::clamp(term.y, log_d.low, log_d.high));
       level += smallest;
-      if (is_convex_to(term, log_most)) {
-        const double d = std::clamp(denominator(place, term.x), least, most);
-        add(tangent(term, d, std::log(d)), term.x, here, here_value);
-        add(has_tangents_ ? term.tangent : Line{smallest, 0}, term.x, best, best_value);
-        continue;
+      const double d_place = std::max(denominator(place, term.x), kLeastSmooth);
+      if (term.y > 0 && d_place == kLeastSmooth) is_place_smooth = false;
+      all_here.add(tangent(term, d_place, std::log(d_place)), term.x);
+      add_square(curvature, least_curvature(term, d.with(d_place), log_d.with(std::log(d_place))), term.x);
+      add_square(curvature_to, least_curvature(term, d.with(term.reference_d), log_d.with(term.log_reference_d)),
+                 term.x);
+      if (is_convex_to(term, log_d.high)) {
+        const double d_here = std::clamp(d_place, least, most);
+        here.add(tangent(term, d_here, std::log(d_here)), term.x);
+        if (is_convex_to(term, term.log_reference_d)) {
+          there.add(term.tangent, term.x);
+          continue;
+        }
+        there.add({smallest, 0}, term.x);
+      } else {
+        Line line{smallest, 0};
+        if (least > 0 && log_d.low >= term.y + falloff_.loss.convex_limit() && most > least) {
+          const double at_least = cost(term, log_d.low);
+          const double slope = (cost(term, log_d.high) - at_least) / (most - least);
+          line = {at_least - slope * least, slope};
+        }
+        here.add(line, term.x);
+        there.add(line, term.x);
       }
-      Line line{smallest, 0};
-      if (least > 0 && log_least >= term.y + falloff_.loss.convex_limit() && most > least) {
-        const double at_least = cost(term, log_least);
-        const double slope = (cost(term, log_most) - at_least) / (most - least);
-        line = {at_least - slope * least, slope};
-      }
-      add(line, term.x, here, here_value);
-      add(line, term.x, best, best_value);
+      is_convex = false;
     }
-    return std::max({level, here_value + smallest_of(here, box), best_value + smallest_of(best, box)});
+    double bound =
+        std::max({level, here.value + smallest_of(here.slope, box), there.value + smallest_of(there.slope, box)});
+    if (is_convex) return bound;
+    if (is_place_smooth) {
+      bound = std::max(bound, all_here.value + smallest_of(all_here.slope, box) + smallest_bend(curvature, place, box));
+    }
+    if (is_reference_smooth_) {
+      bound = std::max(
+          bound, all_there.value + smallest_of(all_there.slope, box) + smallest_bend(curvature_to, reference_, box));
+    }
+    return bound;
+  }
+
+  /// A bound from below of a term's second derivative in D.
+  double least_curvature(const Term& term, const Interval& d, const Interval& log_d) const {
+    const bool is_level = term.y == 0 && d.low < 1;
+    const double z_low = is_level ? 0 : log_d.low - term.y;
+    const double z_high = is_level ? std::max(0.0, log_d.high) : log_d.high - term.y;
+    const double factor =
+        std::min(falloff_.loss.curvature(z_low), falloff_.loss.curvature(z_high)) - falloff_.loss.slope(z_high);
+    const double nearest = factor >= 0 ? d.high : is_level ? 1 : d.low;
+    const double curvature = term.weight * factor / (nearest * nearest);
+    return is_level ? std::min(0.0, curvature) : curvature;
+  }
+
+  static void add_square(Matrix& curvature, double weight, double x) {
+    const Eigen::Vector3d power(1, x, x * x);
+    curvature += weight * power * power.transpose();
+  }
+
+  /// The smallest value on the box of the quadratic form with this curvature about a place; not above 0.
+  double smallest_bend(const Matrix& curvature, const Coefficients& place, const Box& box) const {
+    Eigen::Vector3d reach;
+    for (std::size_t j = 0; j < 3; ++j) {
+      reach[Eigen::Index(j)] = std::max({0.0, box.q[j].high - place[j], place[j] - box.q[j].low});
+    }
+    Matrix scaled = reach.asDiagonal() * curvature * reach.asDiagonal();
+    if (falloff_.end) {  // across the plane of the end nothing moves
+      const double e = falloff_.end->x;
+      const Eigen::Vector3d across = reach.cwiseProduct(Eigen::Vector3d(1, e, e * e));
+      if (across.squaredNorm() > 0) {
+        scaled += 100 * scaled.cwiseAbs().maxCoeff() / across.squaredNorm() * across * across.transpose();
+      }
+    }
+    if (!scaled.allFinite()) return -kInfinity;
+    const double smallest = Eigen::SelfAdjointEigenSolver<Matrix>(scaled, Eigen::EigenvaluesOnly).eigenvalues()[0] -
+                            1e-15 * scaled.cwiseAbs().maxCoeff();
+    return 1.5 * std::min(0.0, smallest);  // half, times the squared length of at most 3
   }
 
   /// The smallest value of a linear function on the box, where it meets the end.
@@ -293,7 +429,8 @@ class Search {
   std::vector<Term> terms_;
   std::size_t rows_;
   std::size_t held_count_ = 0;
-  bool has_tangents_ = false;
+  Coefficients reference_{};
+  bool is_reference_smooth_ = false;  ///< no tangent there is another place's
   FalloffSearch result_;
 };
 
