@@ -180,17 +180,17 @@ double digits_of(const Attenuation& a, const Samples& samples, const Optimum& op
 
 Figure draw(const Table& table) {
   Chart chart{.x = {"processor time of one thread per table of 20 samples (ms)", true},
-              .y = {"digits of the optimum, the worst table"},
-              .key = KeyPlace::top_right};
+              .y = {.label = "tables whose optimum was found (%)", .least = -2, .most = 102},
+              .key = KeyPlace::below};
   for (const Method& method : kMethods) {
     Series series{.name = method.name, .style = SeriesStyle::points};
     for (const auto& row : table.rows) {
       if (std::get<std::string>(row[1]) != method.name) continue;
-      series.points.push_back({std::get<double>(row[3]), std::get<double>(row[7]), std::get<std::string>(row[0])});
+      series.points.push_back({std::get<double>(row[3]), 100 * std::get<double>(row[6])});
     }
     chart.series.push_back(series);
   }
-  return {.title = "Attenuation from a falloff table: time against digits", .charts = {chart}};
+  return {.title = "Attenuation from a falloff table, by kind of table", .charts = {chart}};
 }
 
 }  // namespace

@@ -19,8 +19,7 @@ namespace litfog::bench {
 /// ms_spread     from its 10th to its 90th percentile
 /// objective     mean over the tables
 /// solved_share  of the tables: objective within 0.1 % of the optimum's (and 1e-20)
-/// digits        the fewest over the tables in which ln attenuation agrees with the optimum's at all samples; at most
-/// 17
+/// digits        the fewest over the tables in which ln attenuation agrees with the optimum's at all samples, up to 17
 ///
 /// The optimum is the best found by any method, brought to 50 digits and certified there.
 ///
