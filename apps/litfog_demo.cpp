@@ -9,14 +9,19 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <optional>
 
 #include "command.h"
 #include "demo/gallery.h"
+#include "demo/heat_map.h"
+#include "demo/picture_error.h"
+#include "demo/reference_picture.h"
 #include "demo/renderer.h"
 #include "demo/scene_file.h"
 #include "litfog/gl/headless_context.h"
 #include "litfog/gl/unsupported.h"
 #include "number.h"
+#include "progress.h"
 #include "whole_file.h"
 
 namespace {
@@ -27,15 +32,21 @@ using namespace litfog::demo;
 constexpr int kMaxSide = 16'384;
 constexpr std::int64_t kMaxPixels = 40'000'000;  // some 2 GiB of framebuffer
 
+constexpr std::int64_t kMaxReferencePixels = 10'000'000;  // some 3 GiB of geometry buffer
+
 enum class FogChoice { exp, exp2, none };
-enum class LightingPath { unified };
 enum class FogLighting { peak };
 
 template <typename Choice>
 using Names = std::vector<std::pair<std::string, Choice>>;
 const Names<FogChoice> kFogNames{{"exp", FogChoice::exp}, {"exp2", FogChoice::exp2}, {"none", FogChoice::none}};
-const Names<LightingPath> kPathNames{{"unified", LightingPath::unified}};
 const Names<FogLighting> kFogLightingNames{{"peak", FogLighting::peak}};
+
+Names<const LightingPath*> path_names() {
+  Names<const LightingPath*> names;
+  for (const LightingPath& path : lighting_paths()) names.emplace_back(path.name, &path);
+  return names;
+}
 
 template <typename Choice>
 const std::string& name_of(const Names<Choice>& names, Choice choice) {
@@ -48,12 +59,13 @@ struct Options {
   std::string gallery;
   FogChoice fog = FogChoice::exp;
   double visibility = std::numeric_limits<double>::quiet_NaN();  // not given
-  LightingPath path = LightingPath::unified;
   FogLighting fog_lighting = FogLighting::peak;
   int width = 1280;
   int height = 720;
   int frames = 1;
-  bool no_skip = false;
+  RenderSettings render;
+  bool reference = false;
+  std::string heat_map;
   std::string stats;
   bool list_paths = false;
   bool list_scenes = false;
@@ -103,18 +115,47 @@ bool is_same_file(const std::string& a, const std::string& b) {
   return std::filesystem::equivalent(a, b, error) || plain(a) == plain(b);
 }
 
+bool needs_reference(const Options& options) { return options.reference || !options.heat_map.empty(); }
+
+void expect_places(const Options& options, const std::string& output) {
+  expect_place_for_file(output);
+  for (const auto& [option, path] : {std::pair{"--heat-map", &options.heat_map}, {"--stats", &options.stats}}) {
+    if (path->empty()) continue;
+    if (is_same_file(output, *path)) refuse_option(option, *path, "must not be the picture's file");
+    expect_place_for_file(*path);
+  }
+  if (!options.heat_map.empty() && !options.stats.empty() && is_same_file(options.heat_map, options.stats)) {
+    refuse_option("--stats", options.stats, "must not be the heat map's file");
+  }
+}
+
+struct Comparison {
+  Picture reference;
+  PictureError error;
+};
+
+/// Compares what the renderer draws with the reference before the lamps' points are drawn: they are the same over every
+/// path, and no path's shading. The reference gets those of the frame drawn before, so that it shows the whole scene.
+Comparison compare_with_reference(const Scene& scene, const Fog& fog, Renderer& renderer) {
+  const Picture with_points = renderer.read();
+  renderer.draw(LightPoints::off);
+  const Picture drawn = renderer.read();
+  Progress progress;
+  ReferencePicture reference = shade_reference(scene, fog, renderer, [&](double share) {
+    progress.show(fmt::format("shading the reference: {:.0f} %", 100 * share));
+  });
+  const PictureError error = picture_error(drawn, reference);
+  std::vector<float>& rgb = reference.picture.rgb;
+  for (std::size_t i = 0; i < rgb.size(); ++i) rgb[i] += with_points.rgb[i] - drawn.rgb[i];
+  return {std::move(reference.picture), error};
+}
+
 ExitStatus draw_scene(const Options& options) {
   const Scene scene = read_scene(scene_path(options.scenes.front()));
   const std::string output = options.output.empty() ? scene.name + ".png" : options.output;
-  expect_place_for_file(output);
-  if (!options.stats.empty()) {
-    if (is_same_file(output, options.stats)) {
-      refuse_option("--stats", options.stats, "must not be the picture's file");
-    }
-    expect_place_for_file(options.stats);
-  }
+  expect_places(options, output);
   const gl::HeadlessContext context;
-  Renderer renderer(scene, options.width, options.height, options.no_skip ? Skipping::off : Skipping::on);
+  Renderer renderer(scene, options.width, options.height, options.render);
   const double visibility = chosen_visibility(options, scene);
   const Fog fog = Fog::from_visibility(fog_mode(options.fog), visibility);
   renderer.set_fog(fog);
@@ -125,12 +166,18 @@ ExitStatus draw_scene(const Options& options) {
     counts = renderer.draw();
     milliseconds.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
   }
-  write_picture(output, renderer.read());
   std::ranges::sort(milliseconds);
+  std::optional<Comparison> comparison;
+  if (needs_reference(options)) comparison = compare_with_reference(scene, fog, renderer);
+  if (!options.heat_map.empty()) {
+    write_picture(options.heat_map,
+                  make_heat_map(comparison->error, fmt::format("{}, {}", scene.name, options.render.path->name)));
+  }
+  write_picture(output, options.reference ? comparison->reference : renderer.read());
   if (!options.stats.empty()) {
-    const nlohmann::ordered_json stats{
+    nlohmann::ordered_json stats{
         {"scene", scene.name},
-        {"path", name_of(kPathNames, options.path)},
+        {"path", options.render.path->name},
         {"fog_light", name_of(kFogLightingNames, options.fog_lighting)},
         {"fog", name_of(kFogNames, options.fog)},
         {"visibility_m", std::isinf(visibility) ? nlohmann::ordered_json("inf") : nlohmann::ordered_json(visibility)},
@@ -139,23 +186,35 @@ ExitStatus draw_scene(const Options& options) {
         {"frames", options.frames},
         {"ms_per_frame",
          {{"median", median(milliseconds)}, {"min", milliseconds.front()}, {"max", milliseconds.back()}}},
-        {"skip", !options.no_skip},
+        {"skip", options.render.skipping == Skipping::on},
         {"chunks_drawn", counts.chunks_drawn},
         {"chunks_skipped", counts.chunks_skipped},
         {"surface_lights_listed", counts.lights_listed},
         {"surface_lights_skipped", counts.lights_skipped},
         {"gl_renderer", context.renderer()},
         {"gl_version", context.version()}};
+    if (comparison) {
+      stats["max_error_255"] = comparison->error.largest;
+      stats["mean_error_255"] = comparison->error.mean;
+      stats["excepted_pixels"] = comparison->error.excepted;
+    }
     write_whole_file(options.stats, stats.dump(2) + "\n");
   }
   write_standard_output(fmt::format("{}: {} ({}x{}) in {:.0f} ms on {}\n", output, scene.name, options.width,
                                     options.height, median(milliseconds), context.renderer()));
+  if (comparison) {
+    const PictureError& error = comparison->error;
+    write_standard_output(fmt::format("{}: largest error {:.3g}, mean {:.3g} of 1/255, {} pixels excepted\n",
+                                      options.render.path->name, error.largest, error.mean, error.excepted));
+  }
   return kDone;
 }
 
 ExitStatus run(const Options& options) {
   if (options.list_paths) {
-    write_standard_output("unified  everything per fragment in world space, any number of lights (default)\n");
+    for (const LightingPath& path : lighting_paths()) {
+      write_standard_output(fmt::format("{:<12} {} ({})\n", path.name, path.description, path.source));
+    }
     return kDone;
   }
   if (options.list_scenes) {
@@ -174,7 +233,7 @@ ExitStatus run(const Options& options) {
                  {.fog_mode = fog_mode(options.fog),
                   .width = options.width,
                   .height = options.height,
-                  .skipping = options.no_skip ? Skipping::off : Skipping::on});
+                  .render = options.render});
     return kDone;
   } catch (const gl::Unsupported& missing) {
     throw MissingCapability(missing.what());
@@ -188,15 +247,17 @@ void refuse_what_does_not_fit(const CLI::App& app, const Options& options) {
     if (is_given(list) && app.count_all() > 2) refuse_option(list, "given", "must stand alone");
   }
   if (options.list_paths || options.list_scenes) return;
-  for (const auto& [option, value] :
-       {std::pair{"--output", &options.output}, {"--stats", &options.stats}, {"--gallery", &options.gallery}}) {
+  for (const auto& [option, value] : {std::pair{"--output", &options.output},
+                                      {"--heat-map", &options.heat_map},
+                                      {"--stats", &options.stats},
+                                      {"--gallery", &options.gallery}}) {
     if (is_given(option) && value->empty()) refuse_option(option, "", "must not be empty");
   }
   if (options.gallery.empty() && options.scenes.size() != 1) {
     refuse_option("SCENE", std::to_string(options.scenes.size()) + " given", "must be one, or use --gallery FOLDER");
   }
   if (!options.gallery.empty()) {  // which draws every scene once at each of its own visibilities
-    for (const char* option : {"--output", "--stats", "--visibility", "--frames"}) {
+    for (const char* option : {"--output", "--reference", "--heat-map", "--stats", "--visibility", "--frames"}) {
       if (is_given(option)) refuse_option("--gallery", options.gallery, std::string("must stand without ") + option);
     }
     if (options.fog == FogChoice::none) refuse_option("--gallery", options.gallery, "must stand without --fog none");
@@ -204,8 +265,27 @@ void refuse_what_does_not_fit(const CLI::App& app, const Options& options) {
   if (options.fog == FogChoice::none && is_given("--visibility")) {
     refuse_option("--fog", "none", "must stand without --visibility");
   }
+  const LightingPath& path = *options.render.path;
+  const auto refuse_beside_path = [&](const char* option, bool fits, const char* rule) {
+    if (is_given(option) && !fits) refuse_option("--path", path.name, rule);
+  };
+  refuse_beside_path("--map-size", path.maps != LightMapSet::none, "must be one with light maps beside --map-size");
+  refuse_beside_path("--flat-shading", path.evaluation == Evaluation::lookup && path.surface == SurfaceModel::diffuse,
+                     "must be lookup-3d or lookup-2d beside --flat-shading");
+  refuse_beside_path("--infinite-viewer", path.surface == SurfaceModel::basic,
+                     "must be one with highlights beside --infinite-viewer");
   if (is_given("--output") && !is_picture_path(options.output)) {
     refuse_option("--output", options.output, "must end in .png or .exr");
+  }
+  if (is_given("--heat-map") && std::filesystem::path(options.heat_map).extension() != ".png") {
+    refuse_option("--heat-map", options.heat_map, "must end in .png");
+  }
+  if (needs_reference(options) && options.render.is_flat_shaded) {
+    refuse_option("--flat-shading", "given", "must stand without --reference and --heat-map, which shade smoothly");
+  }
+  if (needs_reference(options) && std::int64_t(options.width) * options.height > kMaxReferencePixels) {
+    refuse_option("--size", fmt::format("{}x{}", options.width, options.height),
+                  fmt::format("must be at most {} pixels in all for a reference", kMaxReferencePixels));
   }
 }
 
@@ -220,14 +300,26 @@ int main(int argc, char** argv) {
   add_choice(app, "--fog", options.fog, kFogNames, "How fog thickens with range (default exp)");
   add_number(app, "--visibility", options.visibility, kNotNegative,
              "Metres at which 5 % contrast is left; inf is clear air (default: one that the scene suggests)");
-  add_choice(app, "--path", options.path, kPathNames, "Lighting path (default unified)");
+  add_choice(app, "--path", options.render.path, path_names(), "Lighting path of --list-paths (default unified)");
+  add_integer(app, "--map-size", options.render.map_size, 8, 256,
+              "Texels a side of the paths' light maps (default 128)");
+  app.add_flag("--flat-shading", options.render.is_flat_shaded,
+               "lookup-3d and lookup-2d: the directional light by the faces' normals");
+  app.add_flag("--infinite-viewer", options.render.has_infinite_viewer,
+               "Highlights as seen from far away along the camera's axis");
   add_choice(app, "--fog-light", options.fog_lighting, kFogLightingNames,
              "How lights light the fog: carried lights by Hales's peak (default peak)");
   app.add_option_function<std::string>(
          "--size", [&](const std::string& text) { parse_size(text, options); }, "Pixels (default 1280x720)")
       ->type_name("WxH");
   add_integer(app, "--frames", options.frames, 1, 100'000, "Frames to draw and time; the last is written (default 1)");
-  app.add_flag("--no-skip", options.no_skip, "Draw and light everything, even what cannot show");
+  app.add_flag_callback(
+      "--no-skip", [&] { options.render.skipping = Skipping::off; },
+      "Draw and light everything, even what cannot show");
+  app.add_flag("--reference", options.reference,
+               "Write the picture that the CPU shades in double by the path's plain formulas");
+  app.add_option("--heat-map", options.heat_map, "Write the path's error against that picture as colours, .png")
+      ->type_name("FILE");
   app.add_option("--stats", options.stats, "Write times and counts as JSON")->type_name("FILE");
   app.add_option("--gallery", options.gallery,
                  "Draw the scenes (default all) clear and at their visibilities, and a contact sheet, into a folder")
@@ -238,6 +330,7 @@ int main(int argc, char** argv) {
       "Examples:\n"
       "  litfog-demo headlights --visibility 150 -o fog.png\n"
       "  litfog-demo approach --fog exp2 --visibility 800 --size 1920x1080 -o approach.exr\n"
+      "  litfog-demo room --path vertex --heat-map error.png\n"
       "  litfog-demo --gallery out\n"
       "\n"
       "Exit status: 0 done, 1 wrong usage, 2 bad scene or light file, 3 no OpenGL 3.3 through EGL, 4 cannot write.");

@@ -64,6 +64,34 @@ TEST_F(DemoCommand, StatisticsSayWhatWasDrawn) {
   EXPECT_GT(stats["chunks_skipped"], 0);
 }
 
+TEST_F(DemoCommand, TheReferenceIsTheSamePictureToAStep) {
+  for (const char* options : {"-o a.exr", "--reference -o b.exr --stats s.json"}) {
+    const Outcome outcome = run(std::string("headlights --visibility 200 --size 64x36 ") + options);
+    ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  }
+  OIIO::ImageBuf drawn((directory() / "a.exr").string());
+  OIIO::ImageBuf reference((directory() / "b.exr").string());
+  const auto shown = [](const OIIO::ImageBuf& image, int x, int y) {
+    return litfog::test::srgb_from_linear(std::min(1.0, double(image.getchannel(x, y, 0, 1))));
+  };
+  for (int y = 0; y < 36; ++y) {  // the lamps' points too
+    for (int x = 0; x < 64; ++x) ASSERT_NEAR(shown(drawn, x, y), shown(reference, x, y), 1.0 / 255) << x << ", " << y;
+  }
+  const auto stats = nlohmann::json::parse(read("s.json"));
+  EXPECT_LT(stats["max_error_255"], 1);
+  EXPECT_LE(stats["mean_error_255"], stats["max_error_255"]);
+  EXPECT_EQ(stats["excepted_pixels"], 0);
+}
+
+TEST_F(DemoCommand, AHeatMapShowsThePathsErrorBesideItsPicture) {
+  const Outcome outcome = run("room --path vertex --size 64x36 -o a.png --heat-map h.png --stats s.json");
+  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  EXPECT_NE(outcome.out.find("vertex: largest error "), std::string::npos) << outcome.out;
+  EXPECT_EQ(OIIO::ImageBuf((directory() / "a.png").string()).spec().width, 64);
+  EXPECT_EQ(OIIO::ImageBuf((directory() / "h.png").string()).spec().width, 640);
+  EXPECT_GT(nlohmann::json::parse(read("s.json"))["max_error_255"], 1);
+}
+
 TEST_F(DemoCommand, TheMedianOfTwoFramesLiesBetweenThem) {
   ASSERT_EQ(run("room --size 8x8 --frames 2 -o a.png --stats s.json").status, kDone);
   const auto times = nlohmann::json::parse(read("s.json"))["ms_per_frame"];
@@ -71,9 +99,16 @@ TEST_F(DemoCommand, TheMedianOfTwoFramesLiesBetweenThem) {
 }
 
 TEST_F(DemoCommand, ListsPathsAndScenes) {
-  EXPECT_EQ(run("--list-paths").out.substr(0, 8), "unified ");
+  const std::string paths = run("--list-paths").out;
+  EXPECT_EQ(paths.substr(0, 8), "unified ");
+  EXPECT_EQ(std::ranges::count(paths, '\n'), 10);
+  for (const char* path :
+       {"lookup-3d", "lookup-2d", "radial", "radial-plane", "accumulate", "vertex", "mixed", "tangent", "legacy"}) {
+    EXPECT_NE(paths.find(std::string("\n") + path + " "), std::string::npos) << path;
+  }
   const std::string scenes = run("--list-scenes").out;
-  for (const char* scene : {"approach", "headlights", "room"}) EXPECT_NE(scenes.find(scene), std::string::npos);
+  for (const char* scene : {"approach", "headlights", "room", "tessellation"})
+    EXPECT_NE(scenes.find(scene), std::string::npos);
 }
 
 TEST_F(DemoCommand, GalleryDrawsEachVisibilityAndASheet) {
@@ -92,8 +127,11 @@ TEST_F(DemoCommand, WrongUsageIsRefused) {
     EXPECT_EQ(outcome.status, kUsage) << size;
     EXPECT_NE(outcome.err.find("must be WIDTHxHEIGHT"), std::string::npos) << outcome.err;
   }
-  EXPECT_REFUSED(run("room --path legacy"), kUsage,
-                 std::string("litfog-demo: --path = legacy: must be one of unified") + kSeeHelp);
+  EXPECT_REFUSED(
+      run("room --path phong"), kUsage,
+      std::string("litfog-demo: --path = phong: must be one of unified|lookup-3d|lookup-2d|radial|radial-plane|"
+                  "accumulate|vertex|mixed|tangent|legacy") +
+          kSeeHelp);
   EXPECT_EQ(run("room --bogus").status, kUsage);
   EXPECT_EQ(run("").status, kUsage);
   EXPECT_EQ(run("room --visibility -1").status, kUsage);
@@ -107,7 +145,8 @@ TEST_F(DemoCommand, OptionsThatWouldBePassedOverAreRefused) {
   const auto expect_usage = [this](const std::string& arguments, const std::string& sentence) {
     EXPECT_REFUSED(run(arguments), kUsage, "litfog-demo: " + sentence + kSeeHelp);
   };
-  for (const std::string option : {"--visibility 50", "--frames 2", "--fog none", "-o a.png", "--stats s.json"}) {
+  for (const std::string option : {"--visibility 50", "--frames 2", "--fog none", "-o a.png", "--stats s.json",
+                                   "--reference", "--heat-map h.png"}) {
     EXPECT_EQ(run("room --gallery g " + option).status, kUsage) << option;
   }
   expect_usage("room --gallery g --frames 2", "--gallery = g: must stand without --frames");
@@ -116,8 +155,20 @@ TEST_F(DemoCommand, OptionsThatWouldBePassedOverAreRefused) {
   expect_usage("--list-paths --size 8x8", "--list-paths = given: must stand alone");
   expect_usage("room -o ''", "--output = \"\": must not be empty");
   expect_usage("--gallery ''", "--gallery = \"\": must not be empty");
+  expect_usage("room --map-size 64", "--path = unified: must be one with light maps beside --map-size");
+  expect_usage("room --path radial --flat-shading",
+               "--path = radial: must be lookup-3d or lookup-2d beside --flat-shading");
+  expect_usage("room --path legacy --infinite-viewer",
+               "--path = legacy: must be one with highlights beside --infinite-viewer");
   expect_usage("room -o a.png --stats ./a.png", "--stats = ./a.png: must not be the picture's file");
   expect_usage("room --stats room.png", "--stats = room.png: must not be the picture's file");
+  expect_usage("room --path lookup-3d --flat-shading --reference",
+               "--flat-shading = given: must stand without --reference and --heat-map, which shade smoothly");
+  expect_usage("room --heat-map h.exr", "--heat-map = h.exr: must end in .png");
+  expect_usage("room -o a.png --heat-map a.png", "--heat-map = a.png: must not be the picture's file");
+  expect_usage("room --heat-map a.png --stats a.png", "--stats = a.png: must not be the heat map's file");
+  expect_usage("room --reference --size 4000x3000",
+               "--size = 4000x3000: must be at most 10000000 pixels in all for a reference");
   EXPECT_FALSE(std::filesystem::exists(directory() / "g"));
   EXPECT_FALSE(std::filesystem::exists(directory() / "a.png"));
 }

@@ -40,8 +40,8 @@ Scene open_air(const Cone& cone) {
   return scene;
 }
 
-Picture draw(const Scene& scene, const Fog& fog, Skipping skipping = Skipping::on) {
-  Renderer renderer(scene, kWidth, kHeight, skipping);
+Picture draw(const Scene& scene, const Fog& fog, const RenderSettings& settings = {}) {
+  Renderer renderer(scene, kWidth, kHeight, settings);
   renderer.set_fog(fog);
   renderer.draw();
   return renderer.read();
@@ -170,13 +170,16 @@ TEST_F(RendererTest, SkippingChangesNoPixel) {
   for (const std::string& name : bundled_scenes()) {
     const Scene scene = read_scene(bundled_scene_path(name));
     const Fog fog = Fog::from_visibility(FogMode::exp, scene.visibilities[0]);
-    EXPECT_EQ(largest_difference(draw(scene, fog, Skipping::on), draw(scene, fog, Skipping::off)), 0) << name;
+    EXPECT_EQ(
+        largest_difference(draw(scene, fog, {.skipping = Skipping::on}), draw(scene, fog, {.skipping = Skipping::off})),
+        0)
+        << name;
   }
 }
 
 TEST_F(RendererTest, SkippingLeavesOutMostOfTheApproach) {
   const Scene scene = read_scene(bundled_scene_path("approach"));
-  Renderer renderer(scene, kWidth, kHeight, Skipping::on);
+  Renderer renderer(scene, kWidth, kHeight, {});
   const FrameCounts counts = renderer.draw();
   EXPECT_GT(counts.chunks_skipped, 0u);
   EXPECT_GT(counts.lights_skipped, 10 * counts.lights_listed);
@@ -203,14 +206,14 @@ Scene rows(int boxes, int lamps, const Attenuation& attenuation) {
 TEST_F(RendererTest, FiftyThousandBoxesUnderTwentyThousandLampsLoadInSeconds) {
   const auto start = std::chrono::steady_clock::now();
   const Scene scene = rows(50'000, 20'000, {1, 0, 19.0 / 16});
-  EXPECT_NO_THROW(Renderer(scene, 8, 8, Skipping::on));
-  EXPECT_NO_THROW(Renderer(scene, 8, 8, Skipping::off));
+  EXPECT_NO_THROW(Renderer(scene, 8, 8, {.skipping = Skipping::on}));
+  EXPECT_NO_THROW(Renderer(scene, 8, 8, {.skipping = Skipping::off}));
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
 }
 
 TEST_F(RendererTest, MoreListedLightsThanMemoryIsForAreRefused) {
   const Scene scene = rows(50'000, 20'000, {1, 0, 0});  // each lamp reaches everything
-  EXPECT_THROW(Renderer(scene, 8, 8, Skipping::on), gl::Unsupported);
+  EXPECT_THROW(Renderer(scene, 8, 8, {.skipping = Skipping::on}), gl::Unsupported);
 }
 
 TEST_F(RendererTest, ABufferTextureLargerThanTheContextAllowsIsRefused) {

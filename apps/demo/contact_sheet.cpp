@@ -6,7 +6,8 @@
 
 #include <algorithm>
 #include <array>
-#include <stdexcept>
+
+#include "lettering.h"
 
 namespace litfog::demo {
 namespace {
@@ -15,7 +16,7 @@ constexpr int kMargin = 8;
 constexpr int kCaptionHeight = 26;
 constexpr int kFontSize = 15;
 constexpr std::array<float, 3> kGround{0.012f, 0.012f, 0.014f};
-constexpr std::array<float, 3> kInk{0.75f, 0.75f, 0.72f};
+constexpr glm::vec3 kInk{0.75f, 0.75f, 0.72f};
 
 OIIO::ImageSpec spec_of(int width, int height) { return {width, height, 3, OIIO::TypeDesc::FLOAT}; }
 
@@ -57,21 +58,20 @@ Picture make_contact_sheet(const std::vector<std::vector<SheetEntry>>& rows) {
     tops.push_back(height);
     height += tallest + kCaptionHeight + kMargin;
   }
-  OIIO::ImageBuf sheet(spec_of(int(columns) * (kSheetCellWidth + kMargin) + kMargin, height));
-  OIIO::ImageBufAlgo::fill(sheet, OIIO::cspan<float>(kGround.data(), 3));
+  Picture sheet{int(columns) * (kSheetCellWidth + kMargin) + kMargin, height, {}};
+  sheet.rgb.resize(std::size_t(sheet.width) * std::size_t(sheet.height) * 3);
+  OIIO::ImageBuf image(spec_of(sheet.width, sheet.height), sheet.rgb.data());
+  OIIO::ImageBufAlgo::fill(image, OIIO::cspan<float>(kGround.data(), 3));
   for (std::size_t r = 0; r < rows.size(); ++r) {
     for (std::size_t c = 0; c < rows[r].size(); ++c) {
       const Picture& cell = cells[r][c];
       const int left = kMargin + int(c) * (kSheetCellWidth + kMargin);
-      OIIO::ImageBufAlgo::paste(sheet, left, tops[r], 0, 0, to_image(cell));
+      OIIO::ImageBufAlgo::paste(image, left, tops[r], 0, 0, to_image(cell));
       const int baseline = tops[r] + cell.height + kCaptionHeight - 8;
-      if (!OIIO::ImageBufAlgo::render_text(sheet, left + 2, baseline, rows[r][c].caption, kFontSize, "DejaVuSans",
-                                           OIIO::cspan<float>(kInk.data(), 3))) {
-        throw std::runtime_error("captions cannot be drawn: " + sheet.geterror());
-      }
+      draw_text(sheet, left + 2, baseline, rows[r][c].caption, kFontSize, kInk);
     }
   }
-  return to_picture(sheet);
+  return sheet;
 }
 
 }  // namespace litfog::demo

@@ -10,15 +10,18 @@
 
 namespace litfog::demo {
 
-Framebuffer::Framebuffer(int width, int height) : width_(width), height_(height) {
+int Framebuffer::samples() {
+  GLint most = 0;
+  glGetIntegerv(GL_MAX_SAMPLES, &most);
+  return std::clamp(most, 1, 4);
+}
+
+Framebuffer::Framebuffer(int width, int height, bool has_stencil) : width_(width), height_(height) {
   GLint largest = 0;
-  GLint samples = 0;
   glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
-  glGetIntegerv(GL_MAX_SAMPLES, &samples);
   if (std::max(width, height) > largest) {
     throw gl::Unsupported(fmt::format("this driver draws at most {} pixels a side", largest));
   }
-  samples = std::min(samples, 4);
   glGenRenderbuffers(3, buffers_);
   const auto attach = [&](unsigned framebuffer, unsigned buffer, GLenum attachment, GLenum format, GLint count) {
     glBindRenderbuffer(GL_RENDERBUFFER, buffer);
@@ -30,8 +33,9 @@ Framebuffer::Framebuffer(int width, int height) : width_(width), height_(height)
   attach(resolved_, buffers_[2], GL_COLOR_ATTACHMENT0, GL_RGBA16F, 0);
   const bool resolved_is_whole = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
   glGenFramebuffers(1, &drawn_);
-  attach(drawn_, buffers_[0], GL_COLOR_ATTACHMENT0, GL_RGBA16F, samples);
-  attach(drawn_, buffers_[1], GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F, samples);
+  attach(drawn_, buffers_[0], GL_COLOR_ATTACHMENT0, GL_RGBA16F, samples());
+  attach(drawn_, buffers_[1], has_stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
+         has_stencil ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F, samples());
   const bool drawn_is_whole = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
   if (!resolved_is_whole || !drawn_is_whole || glGetError() != GL_NO_ERROR) {
     throw gl::Unsupported(fmt::format("this driver gives no half-float framebuffer of {}x{} pixels", width, height));

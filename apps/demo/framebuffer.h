@@ -5,17 +5,22 @@
 
 namespace litfog::demo {
 
-/// What the demo draws into: linear RGBA half floats and depth, four samples a pixel where the driver has them.
+/// What the demo draws into: linear RGBA half floats and depth, perhaps a stencil, four samples a pixel where the
+/// driver has them.
 class Framebuffer {
  public:
   /// throws gl::Unsupported where the driver has no framebuffer of that size
-  Framebuffer(int width, int height);
+  Framebuffer(int width, int height, bool has_stencil);
   ~Framebuffer();
   Framebuffer(const Framebuffer&) = delete;
   Framebuffer& operator=(const Framebuffer&) = delete;
 
+  /// Samples a pixel that this context draws with: four, or fewer where it has no more.
+  static int samples();
+
   int width() const { return width_; }
   int height() const { return height_; }
+  double aspect() const { return double(width_) / height_; }
   /// Makes it the target of drawing.
   void bind() const;
   /// Averages the samples and reads the picture back.
@@ -26,7 +31,7 @@ class Framebuffer {
   int height_;
   unsigned drawn_ = 0;
   unsigned resolved_ = 0;
-  unsigned buffers_[3] = {};  // drawn colour, drawn depth, resolved colour
+  unsigned buffers_[3] = {};  // drawn colour, drawn depth and stencil, resolved colour
 };
 
 }  // namespace litfog::demo

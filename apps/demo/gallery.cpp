@@ -75,7 +75,7 @@ void draw_gallery(const std::vector<std::string>& scenes, const std::string& fol
     if (!is_new) {
       throw BadInput(fmt::format("{}: name = {}: must not be that of {} too", name, scene.name, earlier->second));
     }
-    Renderer renderer(scene, settings.width, settings.height, settings.skipping);
+    Renderer renderer(scene, settings.width, settings.height, settings.render);
     report(fmt::format("{}: {} lights, loaded in {:.2f} s\n", scene.name, scene.lights.size(),
                        seconds_since(scene_start)));
     add_solutions(solutions, scene, settings.fog_mode);

@@ -87,37 +87,39 @@ std::uint8_t srgb(float linear) {
 
 std::uint8_t byte(float share) { return static_cast<std::uint8_t>(std::clamp(share, 0.0f, 1.0f) * 255.0f + 0.5f); }
 
-void bake_albedo(const Canvas& canvas, const glm::vec3& mean_albedo, std::vector<std::uint8_t>& out) {
+Texels bake_albedo(const Canvas& canvas, const glm::vec3& mean_albedo) {
   glm::dvec3 sum(0.0);
   for (const glm::vec3& color : canvas.color) sum += glm::dvec3(color);
   const glm::vec3 scale = mean_albedo / glm::vec3(sum / static_cast<double>(canvas.color.size()));
-  out.resize(4 * canvas.color.size());
+  Texels texels{canvas.size, canvas.size, std::vector<std::uint8_t>(4 * canvas.color.size())};
   for (std::size_t i = 0; i < canvas.color.size(); ++i) {
     const glm::vec3 color = canvas.color[i] * scale;
-    out[4 * i] = srgb(color.r);
-    out[4 * i + 1] = srgb(color.g);
-    out[4 * i + 2] = srgb(color.b);
-    out[4 * i + 3] = byte(canvas.gloss[i]);
+    texels.rgba[4 * i] = srgb(color.r);
+    texels.rgba[4 * i + 1] = srgb(color.g);
+    texels.rgba[4 * i + 2] = srgb(color.b);
+    texels.rgba[4 * i + 3] = byte(canvas.gloss[i]);
   }
+  return texels;
 }
 
 /// Normals of the height field at its true scale: central differences of metres over metres.
-void bake_normals(const Canvas& canvas, std::vector<std::uint8_t>& out) {
+Texels bake_normals(const Canvas& canvas) {
   const int size = canvas.size;
   const float per_texel = 0.5f / canvas.texel_m();
-  out.resize(4 * canvas.height.texels());
+  Texels texels{size, size, std::vector<std::uint8_t>(4 * canvas.height.texels())};
   for (int y = 0; y < size; ++y) {
     for (int x = 0; x < size; ++x) {
       const float du = (canvas.height.at(x + 1, y) - canvas.height.at(x - 1, y)) * per_texel;
       const float dv = (canvas.height.at(x, y + 1) - canvas.height.at(x, y - 1)) * per_texel;
       const float scale = 1.0f / std::sqrt(du * du + dv * dv + 1.0f);
-      const std::size_t texel = 4 * canvas.height.texel(x, y);
-      out[texel] = byte(0.5f - 0.5f * du * scale);
-      out[texel + 1] = byte(0.5f - 0.5f * dv * scale);
-      out[texel + 2] = byte(0.5f + 0.5f * scale);
-      out[texel + 3] = 255;
+      std::uint8_t* const texel = &texels.rgba[4 * canvas.height.texel(x, y)];
+      texel[0] = byte(0.5f - 0.5f * du * scale);
+      texel[1] = byte(0.5f - 0.5f * dv * scale);
+      texel[2] = byte(0.5f + 0.5f * scale);
+      texel[3] = 255;
     }
   }
+  return texels;
 }
 
 }  // namespace
@@ -137,11 +139,9 @@ Material make_material(std::string_view name) {
   if (recipe == std::end(kRecipes)) throw std::invalid_argument("no material " + std::string(name));
   Canvas canvas(recipe->size, recipe->size_m);
   recipe->paint(canvas);
-  Material material{std::string(name), recipe->size,      recipe->size_m,  {}, {},
-                    recipe->specular,  recipe->shininess, recipe->emissive};
-  bake_albedo(canvas, recipe->mean_albedo, material.albedo);
-  bake_normals(canvas, material.normal);
-  return material;
+  return {std::string(name),    recipe->size_m,   bake_albedo(canvas, recipe->mean_albedo),
+          bake_normals(canvas), recipe->specular, recipe->shininess,
+          recipe->emissive};
 }
 
 }  // namespace litfog::demo

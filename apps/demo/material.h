@@ -10,22 +10,28 @@
 
 namespace litfog::demo {
 
-/// A tiling surface. Row 0 of the pictures is v = 0 and texel 0 of a row is u = 0 (OpenGL's upload order).
+/// A tiling picture, RGBA8. Row 0 is v = 0 and texel 0 of a row is u = 0 (OpenGL's upload order).
+struct Texels {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgba;
+};
+
+/// What a surface is made of.
 struct Material {
   std::string name;
-  int size;                          ///< texels a side, a power of two
-  float size_m;                      ///< metres one tile covers: texture coordinate = Vertex::uv / size_m
-  std::vector<std::uint8_t> albedo;  ///< RGBA8: sRGB colour; A = gloss, linear, scales specular
-  std::vector<std::uint8_t> normal;  ///< RGBA8: tangent space, n = rgb / 127.5 - 1, +Z out of the surface; A = 255
-  glm::vec3 specular;                ///< linear, at gloss 1
-  float shininess;                   ///< Blinn-Phong exponent
-  glm::vec3 emissive;                ///< linear; 0 for what does not shine
+  float size_m;        ///< metres one tile covers: texture coordinate = Vertex::uv / size_m
+  Texels albedo;       ///< sRGB colour; A = gloss, linear, scales specular
+  Texels normal;       ///< tangent space, n = rgb / 127.5 - 1, +Z out of the surface; A = 255
+  glm::vec3 specular;  ///< linear, at gloss 1
+  float shininess;     ///< Blinn-Phong exponent
+  glm::vec3 emissive;  ///< linear; 0 for what does not shine
 };
 
 /// Every material there is, sorted.
 std::span<const std::string_view> material_names();
 
-/// Paints a material; the same name gives the same bytes.
+/// Paints a material, both pictures square and a power of two a side; the same name gives the same bytes.
 /// throws std::invalid_argument for an unknown name
 Material make_material(std::string_view name);
 

@@ -21,6 +21,7 @@
 #include "runway.h"
 #include "sign.h"
 #include "terrain.h"
+#include "tessellation.h"
 
 namespace litfog::demo {
 namespace {
@@ -243,6 +244,17 @@ std::vector<Entry> make_entries() {
                    {"wall_m", &Room::wall_m, 2.4, 10},
                    {"rise_m", &Room::rise_m, 0.3, 10},
                    {"bays", &Room::bays, 1, 40}}),
+      entry<Panel>(
+          "panel", "a square wall facing +Z in cells x cells squares; wire 1 shows its triangles' edges alone",
+          make_panel_model,
+          {{"size_m", &Panel::size_m, 0.1, 100}, {"cells", &Panel::cells, 1, 256}, {"wire", &Panel::wire, 0, 1}}),
+      entry<Drum>("drum", "an upright cylinder in segments and rings; wire 1 shows its triangles' edges alone",
+                  make_drum_model,
+                  {{"radius_m", &Drum::radius_m, 0.1, 50},
+                   {"height_m", &Drum::height_m, 0.1, 100},
+                   {"segments", &Drum::segments, 3, 256},
+                   {"rings", &Drum::rings, 1, 256},
+                   {"wire", &Drum::wire, 0, 1}}),
       entry<Crate>("crate", "a wooden crate", make_crate, {{"size_m", &Crate::size_m, 0.2, 3}}),
       entry<Barrel>("barrel", "a wooden barrel", make_barrel, {{"height_m", &Barrel::height_m, 0.3, 3}}),
       entry<Table>("table", "a table, its length along X", make_table,

@@ -1,82 +1,57 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <map>
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "framebuffer.h"
-#include "light_list.h"
+#include "geometry_buffer.h"
 #include "litfog/gl/fog_light_buffer.h"
 #include "litfog/gl/program.h"
 #include "litfog/solve.h"
-#include "material.h"
-#include "mesh_store.h"
 #include "scene.h"
-#include "texture.h"
+#include "scene_lights.h"
+#include "surface_painter.h"
 
 namespace litfog::demo {
 
-/// Whether the renderer leaves out what cannot show: surfaces out of view, lights out of reach of a surface.
-enum class Skipping { on, off };
+inline constexpr float kSkyDistance = 50'000;  ///< metres: beyond any visibility at which fog shows
 
-/// What a frame drew, and what it could leave out.
-struct FrameCounts {
-  std::size_t chunks_drawn = 0;
-  std::size_t chunks_skipped = 0;  ///< out of view
-  std::size_t lights_listed = 0;   ///< listed for all drawn chunks together
-  std::size_t lights_skipped = 0;  ///< not listed, for all drawn chunks together
-};
+/// Whether lamps are drawn as points, over the surfaces that they light.
+enum class LightPoints { on, off };
 
-/// Draws a scene by the path `unified` into a framebuffer. Needs a current GL 3.3 core context.
+/// Draws a scene by a lighting path into a framebuffer. Needs a current GL 3.3 core context.
 class Renderer {
  public:
   /// throws gl::Unsupported where this OpenGL cannot hold the scene's light lists, std::invalid_argument where the
   /// eye's vehicle carries more than kMaxFogLights
-  Renderer(const Scene& scene, int width, int height, Skipping skipping);
+  Renderer(const Scene& scene, int width, int height, const RenderSettings& settings);
 
   /// Takes a change of the fog: solves the carried lights and uploads the block.
   void set_fog(const Fog& fog);
   /// Draws a frame and waits for it.
-  FrameCounts draw();
+  FrameCounts draw(LightPoints light_points = LightPoints::on);
   Picture read() const { return framebuffer_.read(); }
 
- private:
-  struct MaterialTextures {
-    Material material;  // its texels are dropped after the upload
-    Texture albedo;
-    Texture normal;
-  };
-  struct Draw {
-    const MaterialTextures* material;
-    const Chunk* chunk;
-    glm::mat4 world_from_model;
-    Bounds bounds;  // world space
-    int list_first;
-    int list_count;
-  };
+  const RenderSettings& settings() const { return settings_; }
+  int width() const { return framebuffer_.width(); }
+  int height() const { return framebuffer_.height(); }
 
-  void load_materials();
-  void make_draws(const std::vector<double>& extents);
-  FrameCounts draw_surfaces(const glm::mat4& clip_from_world);
-  void draw_sky(const glm::mat4& clip_from_world);
+  /// Draws the surfaces of a frame into a geometry buffer of the same size.
+  void draw_geometry(const GeometryBuffer& geometry);
+  /// The surfaces' materials, without their texels, by their numbers in a geometry buffer.
+  std::vector<Material> materials() const { return surfaces_.materials(); }
+
+ private:
+  glm::mat4 clip_from_world() const;
+  void draw_sky();
   void draw_light_points(const glm::mat4& clip_from_world);
 
   const Scene& scene_;
-  Skipping skipping_;
+  RenderSettings settings_;
   Framebuffer framebuffer_;
-  std::vector<PlacedLight> carried_;
-  std::vector<PlacedLight> local_;  // the others, less those that are dark everywhere
-  gl::Program surface_program_;
+  SceneLights lights_;
+  gl::FogLightBuffer fog_lights_;
+  SurfacePainter surfaces_;
   gl::Program sky_program_;
   gl::Program light_point_program_;
-  gl::FogLightBuffer fog_lights_;
-  MeshStore meshes_;
-  std::map<std::string, MaterialTextures> materials_;
-  std::vector<Draw> draws_;
-  std::unique_ptr<BufferTexture> local_lights_;
-  std::unique_ptr<BufferTexture> light_list_;
 };
 
 }  // namespace litfog::demo

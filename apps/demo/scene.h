@@ -7,9 +7,16 @@
 #include <vector>
 
 #include "litfog/light.h"
+#include "material.h"
 #include "mesh.h"
 
 namespace litfog::demo {
+
+// What a scene may hold, so that no file asks for all memory or for what floats cannot draw.
+inline constexpr std::size_t kMaxSceneLights = 20'000;
+inline constexpr std::size_t kMaxTriangles = 20'000'000;
+inline constexpr double kMaxCoordinate = 1e7;  ///< metres: floats there still tell metres apart
+inline constexpr double kMaxColor = 1e4;       ///< a framebuffer's half floats end at 65,504
 
 /// The eye. Right-handed, Y up, metres.
 struct Camera {
@@ -41,6 +48,7 @@ struct Scene {
   std::string description;
   Camera camera;
   Environment environment;
+  std::vector<Material> materials;  ///< the scene's own; a part's other names are material.h's
   std::vector<Model> models;
   std::vector<Instance> instances;
   std::vector<PlacedLight> lights;

@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "exit_status.h"
+#include "gltf_scene.h"
 #include "json_document.h"
 #include "light_file.h"
 #include "litfog/fog_light_block.h"
@@ -20,12 +21,9 @@
 namespace litfog::demo {
 namespace {
 
-constexpr std::size_t kMaxCopies = 20'000;  // of one object or light, so that a count cannot ask for all memory
+constexpr std::size_t kMaxCopies = 20'000;  // of one object or light
 constexpr std::size_t kMaxInstances = 50'000;
-constexpr double kMaxCoordinate = 1e7;  // metres: floats there still tell metres apart
-constexpr double kMaxColor = 1e4;       // a framebuffer's half floats end at 65,504
 constexpr double kMaxDensityScale = 1e6;
-constexpr std::size_t kMaxTriangles = 20'000'000;
 
 bool is_color(const glm::dvec3& color) {
   return glm::all(glm::greaterThanEqual(color, glm::dvec3(0.0))) &&
@@ -213,7 +211,9 @@ class SceneReader {
     for (const glm::dvec3& position : read_repeat(value, light.position)) {
       light.position = position;
       scene_.lights.push_back(light);
-      if (scene_.lights.size() > kMaxCopies) value.fail("lights", "", fmt::format("must be at most {}", kMaxCopies));
+      if (scene_.lights.size() > kMaxSceneLights) {
+        value.fail("lights", "", fmt::format("must be at most {}", kMaxSceneLights));
+      }
       if (light.carried && ++carried_ > kMaxFogLights) {
         value.fail("lights", "", fmt::format("must be at most {} that are carried", kMaxFogLights));
       }
@@ -323,7 +323,9 @@ std::filesystem::path scene_folder() {
 
 }  // namespace
 
-Scene read_scene(const std::string& path) { return SceneReader(path).take(); }
+Scene read_scene(const std::string& path) {
+  return is_gltf_path(path) ? read_gltf_scene(path) : SceneReader(path).take();
+}
 
 std::vector<std::string> bundled_scenes() {
   std::vector<std::string> names;

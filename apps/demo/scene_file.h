@@ -43,7 +43,7 @@ namespace litfog::demo {
 /// Coordinates are within 10,000 km, parts of a colour at most 10,000.
 // clang-format on
 
-/// Reads a scene file. Throws BadInput.
+/// Reads a scene file, or a glTF file (gltf_scene.h) by its ending. Throws BadInput.
 Scene read_scene(const std::string& path);
 
 /// The scenes that come with litfog: names of files in data/scenes, sorted. Throws BadInput where there are none.

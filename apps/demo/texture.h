@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "material.h"
+
 namespace litfog::demo {
 
 /// A repeating, mipmapped RGBA8 texture.
@@ -11,8 +13,7 @@ class Texture {
  public:
   enum class Encoding { linear, srgb };
 
-  /// texels  size * size * 4 bytes, row 0 at v = 0
-  Texture(int size, const std::vector<std::uint8_t>& texels, Encoding encoding);
+  Texture(const Texels& texels, Encoding encoding);
   ~Texture();
   Texture(Texture&& other) noexcept;
   Texture& operator=(Texture&&) = delete;
@@ -20,6 +21,25 @@ class Texture {
   void bind(unsigned unit) const;
 
  private:
+  unsigned id_ = 0;
+};
+
+/// A map of 16-bit shares of 1 that is looked up between its texels, held at its edges: no repetition, no mipmaps.
+class LookupTexture {
+ public:
+  enum class Shape { line, square, volume, cube };
+
+  /// texels  size to the power of the shape's dimensions; a cube's faces +x -x +y -y +z -z
+  /// throws  gl::Unsupported where this OpenGL has no texture of that size
+  LookupTexture(Shape shape, int size, const std::vector<std::uint16_t>& texels);
+  ~LookupTexture();
+  LookupTexture(LookupTexture&& other) noexcept;
+  LookupTexture& operator=(LookupTexture&&) = delete;
+
+  void bind(unsigned unit) const;
+
+ private:
+  unsigned target_;
   unsigned id_ = 0;
 };
 

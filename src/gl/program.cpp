@@ -93,9 +93,15 @@ GLuint compile(GLenum stage, std::string_view name, std::span<const ShaderSource
 }  // namespace
 
 Program::Program(std::string_view vertex_name, std::string_view fragment_name, std::span<const ShaderSource> files)
+    : Program(vertex_name, {}, fragment_name, files) {}
+
+Program::Program(std::string_view vertex_name, std::string_view geometry_name, std::string_view fragment_name,
+                 std::span<const ShaderSource> files)
     : id_(glCreateProgram()) {
-  for (const auto& [stage, name] :
-       {std::pair{GL_VERTEX_SHADER, vertex_name}, std::pair{GL_FRAGMENT_SHADER, fragment_name}}) {
+  for (const auto& [stage, name] : {std::pair{GL_VERTEX_SHADER, vertex_name},
+                                    {GL_GEOMETRY_SHADER, geometry_name},
+                                    {GL_FRAGMENT_SHADER, fragment_name}}) {
+    if (name.empty()) continue;
     const GLuint shader = compile(GLenum(stage), name, files);
     glAttachShader(id_, shader);
     glDeleteShader(shader);  // goes with the program

@@ -3,7 +3,7 @@
 
 #include "litfog/fog.glsl"
 
-in vec3 seen_position;
+in vec3 seen_direction;
 
 uniform vec3 eye;
 uniform vec3 sky_zenith;
@@ -15,35 +15,41 @@ uniform float sky_distance;  // metres
 
 out vec4 color;
 
-float hash(vec3 cell) {
-  vec3 p = fract(cell * vec3(0.1031, 0.1030, 0.0973));
-  p += dot(p, p.yxz + 33.33);
-  return fract((p.x + p.y) * p.z);
+// Three numbers in [0, 1) for a cell, made of whole numbers, so that every device shows the same stars: pcg3d (Jarzynski
+// and Olano 2020, "Hash Functions for GPU Rendering").
+vec3 hash(ivec3 cell) {
+  uvec3 v = uvec3(cell) * 1664525u + 1013904223u;
+  v.x += v.y * v.z;
+  v.y += v.z * v.x;
+  v.z += v.x * v.y;
+  v ^= v >> 16u;
+  v.x += v.y * v.z;
+  v.y += v.z * v.x;
+  v.z += v.x * v.y;
+  return vec3(v >> 8u) / 16777216.0;
 }
 
-// At most one star in each cell of a grid on the direction's cube.
+// At most one star in each cell of a grid on the direction's cube, in the middle of the cell.
 float star(vec3 direction) {
   vec3 a = abs(direction);
   float largest = max(a.x, max(a.y, a.z));
-  vec3 on_cube = direction / largest * 90.0;
-  vec3 cell = floor(on_cube);
-  vec3 center = cell + 0.3 + 0.4 * vec3(hash(cell + 1.0), hash(cell + 2.0), hash(cell + 3.0));
-  center = normalize(center);
-  float presence = hash(cell);
+  vec3 cell = round(direction / largest * 90.0);
+  float presence = hash(ivec3(cell)).x;
   if (presence < 0.94) return 0.0;  // most cells are empty, and most stars faint
+  vec3 center = normalize(cell + 0.4 * hash(ivec3(cell) + 1000) - 0.2);
   float angle = distance(center, direction);
   float size = (presence - 0.94) / 0.06;
   return size * size * exp(-angle * angle * 3.0e6);
 }
 
 void main() {
-  vec3 direction = normalize(seen_position - eye);
+  vec3 direction = normalize(seen_direction);
   float height = max(direction.y, 0.0);
   vec3 sky = mix(sky_horizon, sky_zenith, 1.0 - pow(1.0 - height, 4.0));
   sky += star_brightness * star(direction) * smoothstep(0.0, 0.25, height);
   if (moon_color != vec3(0.0)) {
     float off = distance(direction, moon_direction);
-    sky += normalize(moon_color) * (smoothstep(0.0053, 0.0045, off) + 0.05 * exp(-off * 40.0));
+    sky += normalize(moon_color) * (1.0 - smoothstep(0.0045, 0.0053, off) + 0.05 * exp(-off * 40.0));
   }
   color = vec4(litfog_apply_fog(sky, eye + direction * sky_distance, eye), 1.0);
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // One triangle over the whole picture, at the far plane.
-uniform mat4 world_from_clip;
-out vec3 seen_position;
+uniform mat4 direction_from_clip;
+out vec3 seen_direction;
 
 void main() {
   vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
-  vec4 world = world_from_clip * vec4(corner, 0.0, 1.0);  // some way in front of the eye; the far plane may be at infinity
-  seen_position = world.xyz / world.w;
+  vec4 seen = direction_from_clip * vec4(corner, 0.0, 1.0);  // some way ahead; the far plane may be at infinity
+  seen_direction = seen.xyz / seen.w;
   gl_Position = vec4(corner, 1.0, 1.0);
 }

@@ -1,23 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-layout(location = 0) in vec3 vertex_position;
-layout(location = 1) in vec3 vertex_normal;
-layout(location = 2) in vec4 vertex_tangent;
-layout(location = 3) in vec2 vertex_uv;
+// Hands everything to the fragments (Cg Tutorial, example 5-2; Lacroix 2005, listing 2.3).
 
-uniform mat4 clip_from_world;
-uniform mat4 world_from_model;
+#include "vertex.glsl"
 
-out vec3 rasterised_position;
 out vec3 normal;
 out vec4 tangent;
-out vec2 uv;
 
 void main() {
-  vec4 world = world_from_model * vec4(vertex_position, 1.0);
-  rasterised_position = world.xyz;
-  // Models are turned and scaled evenly, so directions transform as positions do.
-  normal = mat3(world_from_model) * vertex_normal;
-  tangent = vec4(mat3(world_from_model) * vertex_tangent.xyz, vertex_tangent.w);
-  uv = vertex_uv;
-  gl_Position = clip_from_world * world;
+  place_vertex();
+  normal = world_direction(vertex_normal);
+  tangent = vec4(world_direction(vertex_tangent.xyz), vertex_tangent.w);
 }

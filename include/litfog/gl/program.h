@@ -8,14 +8,17 @@
 
 namespace litfog::gl {
 
-/// A linked GL program of a vertex and a fragment shader.
+/// A linked GL program of a vertex, perhaps a geometry, and a fragment shader.
 class Program {
  public:
-  /// Compiles two of the given files. A line `#include "name"` takes in a file of `files` or of shader_library(), each
-  /// once; `#version 330 core` is put before. Compile errors name file and line.
+  /// Compiles two or three of the given files. A line `#include "name"` takes in a file of `files` or of
+  /// shader_library(), each once; `#version 330 core` is put before. Compile errors name file and line.
   ///
   /// throws std::logic_error with the driver's log, for shaders are part of the program
   Program(std::string_view vertex_name, std::string_view fragment_name, std::span<const ShaderSource> files);
+  /// geometry_name  empty: none
+  Program(std::string_view vertex_name, std::string_view geometry_name, std::string_view fragment_name,
+          std::span<const ShaderSource> files);
   ~Program();
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;

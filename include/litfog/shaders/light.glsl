@@ -40,3 +40,12 @@ float litfog_range(FogLight light, float range) {
   if (range > light.position_extent.w) return 0.0;
   return litfog_attenuation(range, light.attenuation.x, light.attenuation.y, light.attenuation.z);
 }
+
+// What of a light arrives at a point: colour * cone * range attenuation.
+vec3 litfog_light_at(FogLight light, vec3 position) {
+  float range = distance(position, light.position_extent.xyz);
+  if (range > light.position_extent.w) return vec3(0.0);
+  float strength = litfog_cone(light, litfog_direction(light.position_extent.xyz, position));
+  if (strength <= 0.0) return vec3(0.0);
+  return light.color_intensity.rgb * (strength * litfog_range(light, range));
+}

@@ -16,19 +16,22 @@ struct Surface {
 
 vec3 litfog_ambient(Surface surface, vec3 ambient_light) { return surface.emissive + surface.diffuse * ambient_light; }
 
+// Diffuse and specular share of a light from a unit direction (C5E5_computeLighting).
+vec2 litfog_reflected_shares(vec3 normal, vec3 to_eye, float shininess, vec3 to_light) {
+  float diffuse = dot(normal, to_light);
+  if (diffuse <= 0.0) return vec2(0.0);
+  float facing = max(dot(normal, normalize(to_light + to_eye)), 0.0);
+  return vec2(diffuse, pow(facing, shininess));
+}
+
 // Light of a colour from a unit direction.
 vec3 litfog_reflect(Surface surface, vec3 to_light, vec3 color) {
-  float diffuse = dot(surface.normal, to_light);
-  if (diffuse <= 0.0) return vec3(0.0);
-  float facing = max(dot(surface.normal, normalize(to_light + surface.to_eye)), 0.0);
-  return color * (surface.diffuse * diffuse + surface.specular * pow(facing, surface.shininess));
+  vec2 shares = litfog_reflected_shares(surface.normal, surface.to_eye, surface.shininess, to_light);
+  return color * (surface.diffuse * shares.x + surface.specular * shares.y);
 }
 
 vec3 litfog_light_surface(Surface surface, FogLight light) {
-  float range = distance(surface.position, light.position_extent.xyz);
-  if (range > light.position_extent.w) return vec3(0.0);
-  vec3 to_light = litfog_direction(surface.position, light.position_extent.xyz);
-  float strength = litfog_cone(light, -to_light);
-  if (strength <= 0.0) return vec3(0.0);
-  return litfog_reflect(surface, to_light, light.color_intensity.rgb * (strength * litfog_range(light, range)));
+  vec3 arriving = litfog_light_at(light, surface.position);
+  if (arriving == vec3(0.0)) return vec3(0.0);
+  return litfog_reflect(surface, litfog_direction(surface.position, light.position_extent.xyz), arriving);
 }

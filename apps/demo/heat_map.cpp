@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "heat_map.h"
+
+#include <OpenImageIO/color.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/glm.hpp>
+#include <numbers>
+
+#include "lettering.h"
+
+namespace litfog::demo {
+namespace {
+
+constexpr double kLeast = 0.1;  // 1/255
+constexpr double kDecades = 3;
+constexpr int kLeastWidth = 640;  // pixels, for the words
+constexpr int kMargin = 10;
+constexpr int kFontSize = 14;
+constexpr int kLineHeight = 22;
+constexpr int kBarHeight = 14;
+constexpr glm::vec3 kGround{0.012f, 0.012f, 0.014f};
+constexpr glm::vec3 kInk{0.75f, 0.75f, 0.72f};
+constexpr glm::vec3 kExcepted{1, 0, 0};
+
+double share_of(double error) { return std::clamp(std::log10(error / kLeast) / kDecades, 0.0, 1.0); }
+
+/// Fills columns [left, right) of rows [top, bottom).
+void fill(Picture& picture, int left, int top, int right, int bottom, const glm::vec3& color) {
+  for (int y = top; y < bottom; ++y) {
+    for (int x = left; x < right; ++x) {
+      const std::size_t at = (std::size_t(y) * std::size_t(picture.width) + std::size_t(x)) * 3;
+      for (int channel = 0; channel < 3; ++channel) picture.rgb[at + std::size_t(channel)] = color[channel];
+    }
+  }
+}
+
+void draw_scale(Picture& picture, int top) {
+  const int left = kMargin;
+  const int length = kLeastWidth - 8 * kMargin;
+  const glm::vec3 frame = kInk * 0.3f;  // the scale begins as dark as the ground
+  fill(picture, left - 1, top - 1, left + length + 2, top + kBarHeight + 1, frame);
+  for (int i = 0; i <= length; ++i) {
+    fill(picture, left + i, top, left + i + 1, top + kBarHeight, heat_color(double(i) / length));
+  }
+  for (int decade = 0; decade <= int(kDecades); ++decade) {
+    const int x = left + int(length * decade / kDecades);
+    fill(picture, x, top + kBarHeight, x + 1, top + kBarHeight + 5, kInk);
+    const std::string label = fmt::format("{:g}", kLeast * std::pow(10.0, decade));
+    draw_text(picture, x + 4, top + kBarHeight + kFontSize, decade == 0 ? label + " of 1/255" : label, kFontSize, kInk);
+  }
+}
+
+}  // namespace
+
+glm::vec3 heat_color(double share) {
+  constexpr double kStart = 0.5;  // Green's default scheme
+  constexpr double kRotations = -1.5;
+  const double angle = 2 * std::numbers::pi * (kStart / 3 + 1 + kRotations * share);
+  const double amplitude = share * (1 - share) / 2;
+  const glm::dvec3 color = share + amplitude * (glm::dvec3(-0.14861, -0.29227, 1.97294) * std::cos(angle) +
+                                                glm::dvec3(1.78277, -0.90649, 0) * std::sin(angle));
+  const glm::vec3 shown(glm::clamp(color, 0.0, 1.0));
+  return {OIIO::sRGB_to_linear(shown.r), OIIO::sRGB_to_linear(shown.g), OIIO::sRGB_to_linear(shown.b)};
+}
+
+Picture make_heat_map(const PictureError& error, const std::string& title) {
+  const int magnified = (kLeastWidth + error.width - 1) / error.width;
+  const int width = error.width * magnified;
+  const int height = error.height * magnified;
+  Picture picture{width, height + 2 * kLineHeight + kBarHeight + 3 * kMargin, {}};
+  picture.rgb.resize(std::size_t(picture.width) * std::size_t(picture.height) * 3);
+  fill(picture, 0, 0, picture.width, picture.height, kGround);
+  for (int y = 0; y < error.height; ++y) {
+    for (int x = 0; x < error.width; ++x) {
+      const float value = error.pixels[std::size_t(y) * std::size_t(error.width) + std::size_t(x)];
+      fill(picture, x * magnified, y * magnified, (x + 1) * magnified, (y + 1) * magnified,
+           value < 0 ? kExcepted : heat_color(share_of(double(value))));
+    }
+  }
+  std::string words = fmt::format("{}: largest {:.3g}, mean {:.3g} of 1/255", title, error.largest, error.mean);
+  if (error.excepted > 0) words += fmt::format("; {} pixels excepted (red)", error.excepted);
+  draw_text(picture, kMargin, height + kLineHeight, words, kFontSize, kInk);
+  draw_scale(picture, height + kLineHeight + kMargin);
+  return picture;
+}
+
+}  // namespace litfog::demo

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <string>
+
+#include "picture.h"
+#include "picture_error.h"
+
+namespace litfog::demo {
+
+/// The errors of a picture as colours from black (0.1/255 and less) to white (100/255 and more), each tenfold as long
+/// as the last on the scale below them; excepted pixels are red. Small pictures are magnified, so that the words under
+/// them can be read.
+///
+/// title   what is compared; the largest and the mean error are put after it
+/// throws  std::runtime_error where no font is found
+Picture make_heat_map(const PictureError& error, const std::string& title);
+
+/// The colour of a share of the scale: cubehelix (Green 2011, "A colour scheme for the display of astronomical
+/// intensity images"), through all hues, each brighter than those before it. Linear RGB.
+///
+/// share  [0, 1]
+glm::vec3 heat_color(double share);
+
+}  // namespace litfog::demo

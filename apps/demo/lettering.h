@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <string>
+
+#include "picture.h"
+
+namespace litfog::demo {
+
+/// Writes words into a picture in a plain type.
+///
+/// left, baseline, size  pixels; baseline is where the letters stand, size about the height of a line
+/// ink                   linear RGB
+/// throws                std::runtime_error where no font is found
+void draw_text(Picture& picture, int left, int baseline, const std::string& text, int size, const glm::vec3& ink);
+
+}  // namespace litfog::demo

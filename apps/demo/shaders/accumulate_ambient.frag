@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: Apache-2.0
+// "The first thing to do is to clear the back buffer to the ambiant light color" (Frazier 2000, "Multiple Lights in a
+// Scene"); the directional light is part of it here.
+
+#include "light_coordinates.glsl"
+
+void main() { color = vec4(directional_light(directional_shade), 1.0); }

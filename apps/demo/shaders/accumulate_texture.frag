@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: Apache-2.0
+// "Finally, after all lights are rendered, render the base textures using dst_color : zero blending" (Frazier 2000,
+// "Multiple Lights in a Scene").
+
+#include "fragment.glsl"
+
+void main() { color = vec4(base_texture().rgb, 1.0); }

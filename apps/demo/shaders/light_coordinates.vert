@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Texture coordinates of up to four lights that share their maps, and the shading value of the directional light, passed
+// with the vertices (Hales 2004, "Embedding Range Attenuation in a Texture Map" to "Multiple Light Sources"; the same
+// mappings in Frazier 2000, with x0/2 + 0.5 for the range and -z for the light's direction).
+
+#include "light_batch.glsl"
+#include "scene.glsl"
+#include "vertex.glsl"
+
+uniform mat3 cone_from_world[batch_size];  // a rotation into the light's coordinates, scaled across its axis
+
+out vec3 range_coordinates[batch_size];  // 0 to 1 from -E to E
+out vec3 cone_coordinates[batch_size];
+out vec3 normal;
+out float directional_shade;  // d . n
+
+void main() {
+  vec3 v = place_vertex();
+  normal = world_normal();
+  directional_shade = dot(moon_direction, normal);
+  for (int i = 0; i < lights_in_pass; ++i) {
+    vec4 position_extent = batch_light(i).position_extent;
+    vec3 p = v - position_extent.xyz;
+    float k = 0.5 / position_extent.w;
+    range_coordinates[i] = 0.5 + k * p;
+    cone_coordinates[i] = cone_from_world[i] * p;
+  }
+}

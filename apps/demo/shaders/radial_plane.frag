@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Point and spot lights by one 2-D texture, the square of the plane's distance being a constant, and a cube map (Frazier
+// 2000, "Simplifying a Point Light to Use Only One Texture" to "Filtering a Point Light into a Spot Light").
+
+#include "fragment.glsl"
+#include "light_batch.glsl"
+#include "map_coordinate.glsl"
+#include "plane_rotation.glsl"
+
+uniform sampler2D range_map;
+uniform samplerCube cone_map;
+uniform mat3 cone_from_world[batch_size];
+
+in float directional_shade;
+in vec2 range_coordinates[batch_size];
+flat in vec3 plane_normal;
+flat in float square_distance[batch_size];
+in vec3 cone_coordinates[batch_size];
+
+void main() {
+  vec3 back = drawn_back();  // where the fragment's place is drawn back to its surface, the coordinates go with it
+  vec2 back_in_plane = rotate_plane(back, plane_normal).xy;
+  vec3 light = vec3(0.0);
+  for (int i = 0; i < lights_in_pass; ++i) {
+    vec2 st = range_coordinates[i] + back_in_plane * (0.5 / batch_light(i).position_extent.w);
+    float texture0 = texture(range_map, map_coordinate(st, textureSize(range_map, 0).x)).r;
+    float intensity = max(1.0 - (texture0 + square_distance[i]), 0.0);
+    light += batch_light(i).color_intensity.rgb * intensity * texture(cone_map, cone_coordinates[i] + cone_from_world[i] * back).r;
+  }
+  if (is_first_pass) light += ambient_light + moon_color * clamp(directional_shade, 0.0, 1.0);
+  vec3 lit = light * base_texture().rgb;
+  if (is_first_pass) lit += emissive;
+  color = seen_by_eye(lit, fragment_position());
+}

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// The corners of a triangle, whose plane radial_plane.geom needs before it names the fragments' place.
+
+#define rasterised_position corner_position
+#define uv corner_uv
+#include "scene.glsl"
+#include "vertex.glsl"
+
+out float corner_shade;  // d . n of the directional light
+
+void main() {
+  place_vertex();
+  corner_shade = dot(moon_direction, world_normal());
+}

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// A fragment of a surface as rasterised: its place and its textures.
+
+in vec3 rasterised_position;
+in vec2 uv;
+
+uniform vec3 bounds_low;  // of the surface drawn
+uniform vec3 bounds_high;
+uniform sampler2D albedo_map;  // rgb reflectance, a gloss
+uniform sampler2D normal_map;
+uniform float tile_size;  // metres that one tile covers
+
+// A pixel that a surface covers in part is shaded at its middle, which near the horizon may lie many metres beyond the
+// surface, in reach of other lights.
+vec3 fragment_position() { return clamp(rasterised_position, bounds_low, bounds_high); }
+vec3 drawn_back() { return fragment_position() - rasterised_position; }
+
+vec4 base_texture() { return texture(albedo_map, uv / tile_size); }
+
+// The normal map's normal in tangent space.
+vec3 mapped_normal() { return texture(normal_map, uv / tile_size).xyz * 2.0 - 1.0; }

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// The Basic model in tangent space with the normal as the map has it (Lacroix 2005, listing 1.2).
+
+#include "litfog/surface.glsl"
+#include "fragment.glsl"
+#include "light_batch.glsl"
+
+in vec3 to_viewer;
+in vec3 to_moon;
+in vec3 to_light[batch_size];
+in vec3 light_axis[batch_size];
+
+void main() {
+  vec4 albedo = base_texture();
+
+  Surface surface;
+  surface.position = vec3(0.0);
+  surface.normal = normalize(mapped_normal());
+  surface.to_eye = normalize(to_viewer);
+  surface.emissive = emissive;
+  surface.diffuse = albedo.rgb;
+  surface.specular = specular * albedo.a;
+  surface.shininess = shininess;
+
+  vec3 lit = vec3(0.0);
+  if (is_first_pass) {
+    lit = litfog_ambient(surface, ambient_light) + litfog_reflect(surface, normalize(to_moon), moon_color);
+  }
+  for (int i = 0; i < lights_in_pass; ++i) {
+    FogLight light = batch_light(i);
+    light.position_extent.xyz = to_light[i];
+    light.axis_profile.xyz = normalize(light_axis[i]);
+    lit += litfog_light_surface(surface, light);
+  }
+  color = seen_by_eye(lit, fragment_position());
+}

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Carries the lights of a pass into the vertex's tangent space (Lacroix 2005, listing 1.2). A light needs two registers, its
+// place and its axis, so only a few fit ("Light count restrictions"); further lights are added in further passes.
+
+#include "light_batch.glsl"
+#include "scene.glsl"
+#include "vertex.glsl"
+
+// In tangent space, from the vertex.
+out vec3 to_viewer;
+out vec3 to_moon;
+out vec3 to_light[batch_size];
+out vec3 light_axis[batch_size];
+
+void main() {
+  vec3 position = place_vertex();
+  vec3 n = world_normal();
+  vec3 tangent = world_direction(vertex_tangent.xyz);
+  vec3 t = normalize(tangent - n * dot(n, tangent));
+  vec3 b = cross(n, t) * vertex_tangent.w;
+  mat3 tangent_from_world = transpose(mat3(t, b, n));
+  to_viewer = tangent_from_world * (viewer.xyz - position * viewer.w);
+  to_moon = tangent_from_world * moon_direction;
+  for (int i = 0; i < lights_in_pass; ++i) {
+    FogLight light = batch_light(i);
+    to_light[i] = tangent_from_world * (light.position_extent.xyz - position);
+    light_axis[i] = tangent_from_world * light.axis_profile.xyz;
+  }
+}

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// The vertices' light on the material (Cg Tutorial, example 5-4: "modulate diffuse and specular by material color").
+
+#include "fragment.glsl"
+
+in vec3 diffuse_light;
+in vec3 specular_light;
+
+void main() {
+  vec4 albedo = base_texture();
+  vec3 lit = emissive + albedo.rgb * (ambient_light + vertex_light(diffuse_light)) +
+             specular * albedo.a * vertex_light(specular_light);
+  color = seen_by_eye(lit, fragment_position());
+}

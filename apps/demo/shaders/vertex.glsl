@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// A vertex in the world.
+layout(location = 0) in vec3 vertex_position;
+layout(location = 1) in vec3 vertex_normal;
+layout(location = 2) in vec4 vertex_tangent;
+layout(location = 3) in vec2 vertex_uv;
+
+uniform mat4 clip_from_world;
+uniform mat4 world_from_model;
+
+out vec3 rasterised_position;
+out vec2 uv;
+invariant gl_Position;  // the passes of a surface meet at one depth
+
+// Sets what every fragment shader takes; returns the position.
+vec3 place_vertex() {
+  vec4 world = world_from_model * vec4(vertex_position, 1.0);
+  rasterised_position = world.xyz;
+  uv = vertex_uv;
+  gl_Position = clip_from_world * world;
+  return world.xyz;
+}
+
+// Models are turned and scaled evenly, so directions transform as positions do.
+vec3 world_direction(vec3 direction) { return mat3(world_from_model) * direction; }
+vec3 world_normal() { return normalize(world_direction(vertex_normal)); }

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// The Basic model at the vertices, any number of lights (Cg Tutorial 5.2, examples 5-1, 5-4 and 5-5; Lacroix 2005, listing
+// 1.1): between them the light is interpolated, so what falls within a triangle is missed.
+
+#include "litfog/surface.glsl"
+#include "local_lights.glsl"
+#include "scene.glsl"
+#include "vertex.glsl"
+
+uniform float shininess;
+
+out vec3 diffuse_light;
+out vec3 specular_light;
+
+void main() {
+  vec3 position = place_vertex();
+  vec3 normal = world_normal();
+  vec3 to_eye = direction_to_viewer(position);
+  vec2 shares = litfog_reflected_shares(normal, to_eye, shininess, moon_direction);
+  diffuse_light = moon_color * shares.x;
+  specular_light = moon_color * shares.y;
+  for (int i = 0; i < reaching_light_count(); ++i) {
+    FogLight light = reaching_light(i);
+    vec3 arriving = litfog_light_at(light, position);
+    if (arriving == vec3(0.0)) continue;
+    vec3 to_light = litfog_direction(position, light.position_extent.xyz);
+    shares = litfog_reflected_shares(normal, to_eye, shininess, to_light);
+    diffuse_light += arriving * shares.x;
+    specular_light += arriving * shares.y;
+  }
+}

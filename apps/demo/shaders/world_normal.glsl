@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// The normal map's normal in world space, by the interpolated basis (Lacroix 2005, listing 2.2).
+
+#include "rasterised.glsl"
+
+in vec3 normal;
+in vec4 tangent;
+
+vec3 mapped_world_normal() {
+  vec3 bump = mapped_normal();
+  vec3 n = normalize(normal);
+  vec3 t = normalize(tangent.xyz - n * dot(n, tangent.xyz));
+  vec3 b = cross(n, t) * tangent.w;
+  return normalize(t * bump.x + b * bump.y + n * bump.z);
+}

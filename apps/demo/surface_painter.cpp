@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "surface_painter.h"
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+#include "demo_shaders.h"
+#include "texture_unit.h"
+#include "uniform.h"
+
+namespace litfog::demo {
+namespace {
+
+/// The demo's shader files, and what pass.glsl is for this program.
+std::vector<gl::ShaderSource> shader_files(const std::string& pass) {
+  std::vector<gl::ShaderSource> files(demo_shaders().begin(), demo_shaders().end());
+  files.push_back({"pass.glsl", pass});
+  return files;
+}
+
+/// Compile-time constants: what is drawn once for two headlights is a shader for two lights.
+std::string pass_constants(int lights, bool is_first) {
+  return fmt::format(
+      "const int lights_in_pass = {};\n"
+      "const int batch_size = {};  // arrays may not be empty\n"
+      "const bool is_first_pass = {};\n",
+      lights, std::max(lights, 1), is_first);
+}
+
+void set_blend(Blend blend) {
+  (blend == Blend::replace ? glDisable : glEnable)(GL_BLEND);
+  switch (blend) {
+    case Blend::replace:
+      break;
+    case Blend::add:
+      glBlendFunc(GL_ONE, GL_ONE);
+      break;
+    case Blend::multiply:
+      glBlendFunc(GL_DST_COLOR, GL_ZERO);
+      break;
+    case Blend::over:
+      glBlendFunc(GL_ONE, GL_SRC_ALPHA);
+      break;
+  }
+}
+
+/// The first pass of a surface decides its samples; the others take each of them once, though two of its triangles may
+/// lie in one plane: the stencil counts the passes that a sample has had.
+void select_samples(int pass) {
+  glDepthFunc(pass == 0 ? GL_LEQUAL : GL_EQUAL);
+  glDepthMask(pass == 0 ? GL_TRUE : GL_FALSE);
+  glStencilFunc(pass == 0 ? GL_ALWAYS : GL_EQUAL, pass == 0 ? 0 : (pass - 1) & 0xff, 0xff);
+  glStencilOp(GL_KEEP, GL_KEEP, pass == 0 ? GL_REPLACE : GL_INCR_WRAP);
+}
+
+}  // namespace
+
+SurfacePainter::SurfaceProgram::SurfaceProgram(const Variant& variant)
+    : program(variant.pass->vertex, variant.pass->geometry, variant.pass->fragment,
+              shader_files(pass_constants(variant.lights, variant.is_first))),
+      world_from_model(program.uniform("world_from_model")),
+      bounds_low(program.uniform("bounds_low")),
+      bounds_high(program.uniform("bounds_high")),
+      light_list_range(program.uniform("light_list_range")),
+      light_batch(program.uniform("light_batch")),
+      cone_from_world(program.uniform("cone_from_world")) {}
+
+SurfacePainter::SurfacePainter(const Scene& scene, const SceneLights& lights, const gl::FogLightBuffer& fog_lights,
+                               const RenderSettings& settings)
+    : scene_(scene),
+      lights_(lights),
+      fog_lights_(fog_lights),
+      settings_(settings),
+      surfaces_(scene, lights.local(), lights.local_extents(), settings.skipping),
+      maps_(settings.path->maps, lights, scene.camera, settings.map_size) {}
+
+FrameCounts SurfacePainter::draw(const LightingPath& path, const glm::mat4& clip_from_world) {
+  ++frame_;
+  clip_from_world_ = clip_from_world;
+  used_ = nullptr;
+  bound_ = nullptr;
+  has_several_passes_ = path.has_several_passes();
+  if (has_several_passes_) glEnable(GL_STENCIL_TEST);
+  select_samples(0);
+  surfaces_.bind_meshes();
+  surfaces_.bind_light_list(kLightListUnit);
+  lights_.bind_local(kLocalLightUnit);
+  FrameCounts counts;
+  const Frustum frustum = make_frustum(clip_from_world);
+  for (const Surface& surface : surfaces_.surfaces()) {
+    if (settings_.skipping == Skipping::on && !can_see(frustum, surface.bounds)) {
+      ++counts.chunks_skipped;
+      continue;
+    }
+    draw_surface(path, surface);
+    ++counts.chunks_drawn;
+    counts.lights_listed += std::size_t(surface.list_count);
+    counts.lights_skipped += lights_.local().size() - std::size_t(surface.list_count);
+  }
+  glDisable(GL_STENCIL_TEST);
+  set_blend(Blend::replace);
+  select_samples(0);
+  return counts;
+}
+
+/// All passes of a surface before the next surface: where two lie in one plane, the later one hides the earlier.
+void SurfacePainter::draw_surface(const LightingPath& path, const Surface& surface) {
+  bool has_found_lights = false;
+  drawn_passes_ = 0;
+  for (const SurfacePass& pass : path.passes) {
+    if (pass.lights == 0) {
+      draw_pass(surface, {&pass, 0, true}, {});
+      continue;
+    }
+    if (!has_found_lights) find_lights(surface);
+    has_found_lights = true;
+    std::span<const std::int32_t> rest = reaching_;
+    bool is_first = pass.blend == Blend::replace;  // which is drawn even without lights
+    while (is_first || !rest.empty()) {
+      const auto batch = rest.first(batch_length(rest, pass.lights));
+      draw_pass(surface, {&pass, int(batch.size()), is_first}, batch);
+      rest = rest.subspan(batch.size());
+      is_first = false;
+    }
+  }
+}
+
+std::size_t SurfacePainter::batch_length(std::span<const std::int32_t> lights, int most) const {
+  std::size_t length = std::min(lights.size(), std::size_t(most));
+  if (settings_.path->maps == LightMapSet::none) return length;
+  while (length > 1 && maps_.kind(std::size_t(lights[length - 1])) != maps_.kind(std::size_t(lights[0]))) --length;
+  return length;
+}
+
+void SurfacePainter::find_lights(const Surface& surface) {
+  const auto local = surfaces_.lights_of(surface);
+  reaching_.assign(local.begin(), local.end());
+  for (std::size_t i = lights_.local().size(); i < lights_.size(); ++i) {
+    const bool reaches =
+        settings_.skipping == Skipping::off || can_reach(lights_.light(i), lights_.extent(i), surface.bounds);
+    if (reaches) reaching_.push_back(std::int32_t(i));
+  }
+  if (settings_.path->maps != LightMapSet::none) {
+    std::ranges::stable_sort(reaching_, {}, [&](std::int32_t light) { return maps_.kind(std::size_t(light)); });
+  }
+}
+
+void SurfacePainter::draw_pass(const Surface& surface, const Variant& variant, std::span<const std::int32_t> batch) {
+  const SurfaceProgram& program = use(variant, *surface.material);
+  if (has_several_passes_) select_samples(drawn_passes_++);
+  glUniformMatrix4fv(program.world_from_model, 1, GL_FALSE, glm::value_ptr(surface.world_from_model));
+  glUniform3fv(program.bounds_low, 1, glm::value_ptr(surface.bounds.low));
+  glUniform3fv(program.bounds_high, 1, glm::value_ptr(surface.bounds.high));
+  glUniform2i(program.light_list_range, surface.list_first, surface.list_count);
+  if (!batch.empty()) {
+    batch_.clear();
+    for (const std::int32_t light : batch) batch_.push_back(lights_.packed(std::size_t(light)));
+    glUniform4fv(program.light_batch, GLsizei(5 * batch_.size()), glm::value_ptr(batch_[0].position_extent));
+    if (settings_.path->maps != LightMapSet::none) {
+      batch_cones_.clear();
+      for (const std::int32_t light : batch) batch_cones_.push_back(maps_.cone_from_world(std::size_t(light)));
+      glUniformMatrix3fv(program.cone_from_world, GLsizei(batch_cones_.size()), GL_FALSE,
+                         glm::value_ptr(batch_cones_[0]));
+      maps_.bind(maps_.kind(std::size_t(batch[0])));
+    }
+  }
+  surfaces_.draw(surface);
+}
+
+SurfacePainter::SurfaceProgram& SurfacePainter::use(const Variant& variant, const SurfaceMaterial& material) {
+  SurfaceProgram& program = programs_.try_emplace(variant, variant).first->second;
+  if (&program != used_) {
+    used_ = &program;
+    program.program.use();
+    set_blend(variant.pass->blend == Blend::replace && !variant.is_first ? Blend::add : variant.pass->blend);
+  }
+  if (program.frame != frame_) {
+    const Environment& environment = scene_.environment;
+    program.frame = frame_;
+    program.material = nullptr;
+    fog_lights_.bind(program.program, kFogLightBinding);
+    set_uniform(program.program, "clip_from_world", clip_from_world_);
+    set_uniform(program.program, "eye", scene_.camera.position);
+    const Camera& camera = scene_.camera;
+    set_uniform(program.program, "viewer",
+                settings_.has_infinite_viewer ? glm::vec4(glm::normalize(camera.position - camera.target), 0.0f)
+                                              : glm::vec4(camera.position, 1.0f));
+    set_uniform(program.program, "ambient_light", environment.ambient_light);
+    set_uniform(program.program, "moon_direction", environment.moon_direction);
+    set_uniform(program.program, "moon_color", environment.moon_color);
+    set_uniform(program.program, "is_flat_shaded", unsigned{settings_.is_flat_shaded});
+    set_uniform(program.program, "albedo_map", kAlbedoUnit);
+    set_uniform(program.program, "normal_map", kNormalUnit);
+    set_uniform(program.program, "local_lights", kLocalLightUnit);
+    set_uniform(program.program, "light_list", kLightListUnit);
+    set_uniform(program.program, "range_map", kRangeMapUnit);
+    set_uniform(program.program, "distance_map", kDistanceMapUnit);
+    set_uniform(program.program, "cone_map", kConeMapUnit);
+  }
+  if (&material != bound_) {
+    bound_ = &material;
+    material.albedo.bind(kAlbedoUnit);
+    material.normal.bind(kNormalUnit);
+  }
+  if (&material != program.material) {
+    program.material = &material;
+    set_uniform(program.program, "material", material.number);
+    set_uniform(program.program, "tile_size", material.material.size_m);
+    set_uniform(program.program, "specular", material.material.specular);
+    set_uniform(program.program, "shininess", material.material.shininess);
+    set_uniform(program.program, "emissive", material.material.emissive);
+  }
+  return program;
+}
+
+}  // namespace litfog::demo

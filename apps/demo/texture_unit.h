@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace litfog::demo {
+
+/// The texture units of the demo's shaders, one a sampler.
+enum TextureUnit : unsigned {
+  kAlbedoUnit,
+  kNormalUnit,
+  kLocalLightUnit,
+  kLightListUnit,
+  kRangeMapUnit,     // a light's attenuation, or the squares of x and y
+  kDistanceMapUnit,  // q of the pair, or the square of z
+  kConeMapUnit,
+};
+
+inline constexpr unsigned kFogLightBinding = 0;  ///< of the FogLightBlock
+
+}  // namespace litfog::demo

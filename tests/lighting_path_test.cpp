@@ -1,0 +1,359 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "lighting_path.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <numbers>
+
+#include "gl_test.h"
+#include "material.h"
+#include "primitive.h"
+#include "renderer.h"
+#include "scene_file.h"
+#include "ulp.h"
+
+namespace {
+
+using namespace litfog;
+using namespace litfog::demo;
+using glm::dvec3;
+
+constexpr int kWidth = 96;
+constexpr int kHeight = 64;
+constexpr double kWallZ = -5;
+
+TEST(LightingPath, ThereAreTenAndTheDefaultIsTheFirst) {
+  const std::vector<std::string_view> expected{"unified",    "lookup-3d", "lookup-2d", "radial",  "radial-plane",
+                                               "accumulate", "vertex",    "mixed",     "tangent", "legacy"};
+  std::vector<std::string_view> names;
+  for (const LightingPath& path : lighting_paths()) names.push_back(path.name);
+  EXPECT_EQ(names, expected);
+  EXPECT_EQ(RenderSettings{}.path->name, "unified");
+}
+
+TEST(LightingPath, IsFoundByItsNameAlone) {
+  EXPECT_EQ(find_lighting_path("radial-plane")->name, "radial-plane");
+  EXPECT_EQ(find_lighting_path("radial-"), nullptr);
+  EXPECT_EQ(find_lighting_path(""), nullptr);
+}
+
+// --- formula pixels: a wall of one colour that fills the picture ---
+
+/// A wall of so many cells across, facing +Z, of one colour.
+Scene wall(int cells) {
+  Scene scene;
+  scene.camera = {.position = {0, 0, 0}, .target = {0, 0, -1}, .field_of_view = 1.0f};
+  scene.environment.ambient_light = {0.1f, 0.12f, 0.14f};
+  scene.environment.ambient_fog_color = {0.02f, 0.03f, 0.04f};
+  scene.environment.moon_direction = glm::normalize(glm::vec3(0.3f, 0.4f, 0.8f));
+  scene.environment.moon_color = {0.05f, 0.06f, 0.09f};
+  std::vector<glm::vec3> points;
+  for (int j = 0; j <= cells; ++j) {
+    for (int i = 0; i <= cells; ++i)
+      points.emplace_back(12.0f * float(i) / float(cells) - 6, 8.0f * float(j) / float(cells) - 4, 0);
+  }
+  Mesh mesh = make_surface(points, cells + 1);
+  for (Vertex& vertex : mesh.vertices)
+    vertex.uv = glm::vec2(0.5f / 64);  // the first texel of 64 on a metre, everywhere
+  scene.models.push_back({{"sign_white", std::move(mesh)}});
+  scene.instances.push_back({0, glm::translate(glm::mat4(1), glm::vec3(0, 0, kWallZ))});
+  return scene;
+}
+
+PlacedLight lamp(const dvec3& position, const Attenuation& attenuation, const Cone& cone, bool carried) {
+  return {.light = {.name = "lamp", .color = {0.5, 0.4, 0.3}, .attenuation = attenuation, .cone = cone},
+          .position = position,
+          .direction = glm::normalize(dvec3(0.1, -0.05, -1)),
+          .carried = carried};
+}
+
+constexpr Attenuation kQuadratic{1, 0, 0.3};  // extent 8 m
+
+/// Six of one kind, so that four at a time are not all, a point light, and a local one, which is not seen itself
+/// because it shines away from the eye.
+std::vector<PlacedLight> lamps() {
+  std::vector<PlacedLight> lights;
+  for (int i = 0; i < 6; ++i) {
+    lights.push_back(
+        lamp({1.1 * i - 2.6, 0.7 * (i % 3) - 0.8, -0.6 - 0.3 * i}, kQuadratic, Cone::smoothstep(0.1, 0.7), true));
+  }
+  lights.push_back(lamp({-1, 0.6, -2}, {1, 0.1, 0.2}, Cone{}, true));
+  lights.push_back(lamp({1.2, -0.7, -1.5}, {1, 0, 0.5}, Cone::smoothstep(0.2, 1.3), false));
+  return lights;
+}
+
+Picture draw(const Scene& scene, const Fog& fog, const RenderSettings& settings) {
+  Renderer renderer(scene, kWidth, kHeight, settings);
+  renderer.set_fog(fog);
+  renderer.draw();
+  return renderer.read();
+}
+
+/// What the wall is made of. The colour is as drawn under a white ambient light alone: a driver may take an sRGB texel
+/// for a percent more or less than it is. Gloss and normal are the material's texels.
+struct Finish {
+  explicit Finish(const Scene& scene) {
+    Scene bare = scene;
+    bare.lights.clear();
+    bare.environment = {.ambient_light = glm::vec3(1)};
+    const Picture picture = draw(bare, Fog{}, {});
+    albedo = dvec3(picture.rgb[0], picture.rgb[1], picture.rgb[2]);
+    const Part& part = scene.models[0][0];
+    const Material material = make_material(part.material);
+    gloss = material.albedo.rgba[3] / 255.0;
+    specular = material.specular;
+    shininess = double(material.shininess);
+    const Vertex& vertex = part.mesh.vertices[0];
+    const dvec3 n(vertex.normal), t(vertex.tangent);
+    const dvec3 bump = dvec3(material.normal.rgba[0], material.normal.rgba[1], material.normal.rgba[2]) / 127.5 - 1.0;
+    mapped_normal = glm::normalize(t * bump.x + glm::cross(n, t) * double(vertex.tangent.w) * bump.y + n * bump.z);
+  }
+  dvec3 albedo, specular, mapped_normal;
+  double gloss, shininess;
+};
+
+/// What a path says that a point of the wall looks like, in double from the papers' formulas.
+dvec3 expected_color(const Scene& scene, const Finish& finish, const LightingPath& path, const Fog& fog,
+                     const dvec3& point, bool infinite_viewer) {
+  const Environment& environment = scene.environment;
+  const dvec3 normal = path.has_normal_maps ? finish.mapped_normal : dvec3(0, 0, 1);
+  const dvec3 to_eye = infinite_viewer ? dvec3(0, 0, 1) : glm::normalize(dvec3(scene.camera.position) - point);
+  const auto reflected = [&](const dvec3& to_light) {
+    const double diffuse = std::max(glm::dot(normal, to_light), 0.0);
+    if (path.surface != SurfaceModel::basic || diffuse <= 0) return finish.albedo * diffuse;
+    const double facing = std::max(glm::dot(normal, glm::normalize(to_light + to_eye)), 0.0);
+    return finish.albedo * diffuse + finish.specular * (finish.gloss * std::pow(facing, finish.shininess));
+  };
+  dvec3 surface = finish.albedo * dvec3(environment.ambient_light) +
+                  reflected(dvec3(environment.moon_direction)) * dvec3(environment.moon_color);
+  dvec3 fog_color = environment.ambient_fog_color;
+  for (const auto& [light, position, direction, carried] : scene.lights) {
+    const double reach = extent(light.attenuation, light.threshold);
+    const double range = glm::distance(point, position);
+    const dvec3 to_light = (position - point) / range;
+    const double cone = cone_at(light.cone, glm::dot(direction, -to_light));
+    if (carried && path.has_lit_fog) fog_color += light.color * (cone * solve_fog_intensity(light, fog).intensity);
+    if (range > reach) continue;
+    const double fall =
+        path.range == RangeLaw::radial ? 1 - range * range / (reach * reach) : attenuation_at(light.attenuation, range);
+    surface +=
+        light.color * (cone * fall) * (path.surface == SurfaceModel::unshaded ? finish.albedo : reflected(to_light));
+  }
+  const double through = fog_factor(fog, glm::length(point));
+  return through * surface + (1 - through) * fog_color;
+}
+
+dvec3 wall_point(const Scene& scene, int x, int y) {
+  const double half = std::tan(double(scene.camera.field_of_view) / 2);
+  return dvec3((2 * (x + 0.5) / kWidth - 1) * half * kWidth / kHeight, (1 - 2 * (y + 0.5) / kHeight) * half, -1) *
+         -kWallZ;
+}
+
+double largest_difference(const Picture& a, const Picture& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.rgb.size(); ++i)
+    largest = std::max(largest, std::abs(double(a.rgb[i]) - double(b.rgb[i])));
+  return largest;
+}
+
+/// Largest difference from the formula over all pixels.
+double worst_error(const Scene& scene, const Fog& fog, const RenderSettings& settings) {
+  const Finish finish(scene);
+  const Picture picture = draw(scene, fog, settings);
+  double worst = 0;
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      const dvec3 expected =
+          expected_color(scene, finish, *settings.path, fog, wall_point(scene, x, y), settings.has_infinite_viewer);
+      const float* at = &picture.rgb[std::size_t((y * kWidth + x) * 3)];
+      const dvec3 error = glm::abs(dvec3(at[0], at[1], at[2]) - expected);
+      worst = std::max({worst, error.x, error.y, error.z});
+    }
+  }
+  return worst;
+}
+
+class LightingPathPixels : public test::GlTest {
+ protected:
+  static RenderSettings settings(std::string_view path) { return {.path = find_lighting_path(path)}; }
+  static std::vector<Fog> clear_and_foggy() {
+    return {Fog{}, Fog::from_visibility(FogMode::exp, 20.0), Fog::from_visibility(FogMode::exp2, 12.0)};
+  }
+};
+
+// Half a step of the framebuffer's half floats below 4, which no pixel here exceeds.
+constexpr double kHalfFloat = 0x1p-10;
+
+/// Half floats: the last one, and in `accumulate` one a pass.
+double rounding(const LightingPath& path, std::size_t lights) {
+  return kHalfFloat * double(path.name == "accumulate" ? lights + 3 : 1 + lights / 4);
+}
+
+/// What a light's look-up may be wrong by, of its colour. Range: h^2 / 8 times the second derivatives of
+/// 1 / (1 + 19 r^2) or r^2, h = 2 / 127 (see light_map_test.cpp). Cone: likewise, h = 2 tan(half angle) / 127 and the
+/// second derivative of a smoothstep over the cone's edge, at most 6 / width^2, along both axes.
+double lookup_bound(const LightingPath& path, const Light& light) {
+  const double h = 2.0 / 127;
+  const double range = h * h / 8 * (path.range == RangeLaw::radial ? 6 : 6 * 19);
+  const Cone& cone = light.cone;
+  if (cone.profile == ConeProfile::none) return range;
+  const double texel = 2 * std::tan(std::min(cone.outer, std::numbers::pi / 4)) / 127;
+  const double width = cone.outer - cone.inner;
+  return range + texel * texel / 8 * 2 * 6 / (width * width);
+}
+
+TEST_F(LightingPathPixels, OfFragmentPathsAreTheBasicModel) {
+  Scene scene = wall(1);
+  scene.lights = lamps();
+  for (const char* path : {"unified", "tangent"}) {
+    test::WorstError error(path, "wall under eight lamps, clear and foggy", rounding(*find_lighting_path(path), 8),
+                           "absolute");
+    for (const Fog& fog : clear_and_foggy()) error.add(worst_error(scene, fog, settings(path)), [] { return ""; });
+    error.check();
+  }
+}
+
+TEST_F(LightingPathPixels, OfLookupPathsAreThePapersModelToWithinTheirTexels) {
+  Scene scene = wall(1);
+  const double albedo = Finish(scene).albedo.r;
+  for (const std::size_t count : {std::size_t{1}, lamps().size()}) {
+    scene.lights = lamps();
+    scene.lights.resize(count);
+    for (const LightingPath& path : lighting_paths()) {
+      if (path.evaluation != Evaluation::lookup) continue;
+      double bound = rounding(path, count);
+      for (const PlacedLight& light : scene.lights)
+        bound += albedo * light.light.color.r * lookup_bound(path, light.light);
+      test::WorstError error(std::string(path.name), count == 1 ? "wall under a lamp" : "wall under eight lamps", bound,
+                             "absolute");
+      for (const Fog& fog : clear_and_foggy())
+        error.add(worst_error(scene, fog, settings(path.name)), [] { return ""; });
+      error.check();
+    }
+  }
+}
+
+// Linear interpolation errs by the square of the triangles' size.
+TEST_F(LightingPathPixels, OfVertexPathsConvergeInTheSecondOrderAsTheWallIsTessellated) {
+  for (const char* path : {"vertex", "mixed", "legacy"}) {
+    std::vector<double> errors;
+    for (const int cells : {16, 32, 64}) {
+      Scene scene = wall(cells);
+      scene.lights = {lamp({-0.4, 0.2, -2.5}, {1, 0.1, 0.2}, Cone{}, true)};
+      scene.lights[0].light.color *= 8.0;
+      errors.push_back(worst_error(scene, Fog{}, settings(path)));
+    }
+    const double order = std::log2(errors[0] / errors[2]) / 2;
+    std::printf("%-8s errors at 16, 32 and 64 cells %.4f %.4f %.4f, order %.2f\n", path, errors[0], errors[1],
+                errors[2], order);
+    EXPECT_GT(order, 1.7) << path;
+    EXPECT_LT(order, 2.3) << path;
+  }
+}
+
+// The Cg Tutorial's figure 5-16, at its worst: a spot between the wall's corners.
+TEST_F(LightingPathPixels, OfVertexPathsMissWhatFallsWithinATriangle) {
+  Scene scene = wall(1);
+  scene.environment = {};
+  scene.lights = {lamp({0, 0, -2}, kQuadratic, Cone::smoothstep(0.1, 0.4), true)};
+  for (const char* path : {"vertex", "legacy"}) {
+    EXPECT_TRUE(std::ranges::all_of(draw(scene, Fog{}, settings(path)).rgb, [](float value) { return value == 0; }));
+  }
+  EXPECT_GT(std::ranges::max(draw(scene, Fog{}, settings("lookup-3d")).rgb), 0.05f);
+}
+
+TEST_F(LightingPathPixels, OfLegacyFogHaveOneColor) {
+  Scene scene = wall(1);
+  scene.lights = lamps();
+  const Picture picture = draw(scene, Fog::from_visibility(FogMode::exp, 0.1), settings("legacy"));
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_NEAR(picture.rgb[std::size_t(c)], scene.environment.ambient_fog_color[c], kHalfFloat);
+  }
+}
+
+TEST_F(LightingPathPixels, OfEverySceneAreFiniteByEveryPath) {
+  for (const std::string& name : bundled_scenes()) {
+    const Scene scene = read_scene(bundled_scene_path(name));
+    for (const LightingPath& path : lighting_paths()) {
+      const Picture picture = draw(scene, Fog::from_visibility(FogMode::exp, scene.visibilities[0]), {.path = &path});
+      EXPECT_TRUE(std::ranges::all_of(picture.rgb, [](float value) { return std::isfinite(value) && value >= 0; }))
+          << name << ", " << path.name;
+      EXPECT_GT(std::ranges::max(picture.rgb), 0.1f) << name << ", " << path.name;
+    }
+  }
+}
+
+// Lights that add nothing may come into a pass of their own, and half floats round once more. In `tangent` a light's
+// place beyond the edge of a triangle is extrapolated, to where it may be in reach.
+TEST_F(LightingPathPixels, AreTheSameWhateverIsSkipped) {
+  for (const char* name : {"room", "headlights"}) {
+    const Scene scene = read_scene(bundled_scene_path(name));
+    const Fog fog = Fog::from_visibility(FogMode::exp, scene.visibilities[0]);
+    for (const LightingPath& path : lighting_paths()) {
+      const Picture skipped = draw(scene, fog, {.path = &path});
+      const Picture whole = draw(scene, fog, {.skipping = Skipping::off, .path = &path});
+      const bool has_batches =
+          std::ranges::any_of(path.passes, [](const SurfacePass& pass) { return pass.lights > 0; });
+      const double bound = path.name == "tangent" ? 2.0 / 255 : has_batches ? 2 * kHalfFloat : 0;
+      EXPECT_LE(largest_difference(skipped, whole), bound) << name << ", " << path.name;
+    }
+  }
+}
+
+/// A ball in moonlight alone, twelve faces around.
+Scene moonlit_ball() {
+  Scene scene;
+  scene.camera = {.position = {0, 0, 3}, .target = {0, 0, 0}, .field_of_view = 0.6f};
+  scene.environment.moon_direction = glm::normalize(glm::vec3(1, 0.2f, 0.5f));
+  scene.environment.moon_color = glm::vec3(1);
+  Mesh mesh = make_sphere(0.8f, 12);
+  for (Vertex& vertex : mesh.vertices) vertex.uv = glm::vec2(0.5f / 64);
+  scene.models.push_back({{"sign_white", std::move(mesh)}});
+  scene.instances.push_back({0, glm::mat4(1)});
+  return scene;
+}
+
+/// How many shades a picture has.
+std::size_t count_shades(const Picture& picture) {
+  std::vector<float> shades = picture.rgb;
+  std::ranges::sort(shades);
+  return std::size_t(std::ranges::unique(shades).begin() - shades.begin());
+}
+
+TEST_F(LightingPathPixels, OfAFlatShadedFaceHaveOneShade) {
+  const RenderSettings smooth = settings("lookup-2d");
+  RenderSettings flat = smooth;
+  flat.is_flat_shaded = true;
+  // Three channels of the ball's faces in light and the few shades at their edges, where four samples are averaged.
+  EXPECT_LT(3 * count_shades(draw(moonlit_ball(), Fog{}, flat)), count_shades(draw(moonlit_ball(), Fog{}, smooth)));
+}
+
+// The lights of `accumulate` meet every sample of a surface once. (Where two triangles of one surface lie in one plane, as in
+// the room, its first pass shows the last of them and the others the first.)
+TEST_F(LightingPathPixels, OfTheThreeRadialPathsAgree) {
+  for (const char* name : {"headlights", "tessellation"}) {
+    const Scene scene = read_scene(bundled_scene_path(name));
+    const Fog fog = Fog::from_visibility(FogMode::exp, scene.visibilities[0]);
+    const Picture radial = draw(scene, fog, settings("radial"));
+    EXPECT_LE(largest_difference(radial, draw(scene, fog, settings("accumulate"))), 8 * kHalfFloat) << name;
+  }
+  // Elsewhere surfaces in one plane hide each other by the rounding of their depths, which is another after a geometry
+  // shader.
+  const Scene scene = read_scene(bundled_scene_path("tessellation"));
+  EXPECT_LE(largest_difference(draw(scene, Fog{}, settings("radial")), draw(scene, Fog{}, settings("radial-plane"))),
+            8 * kHalfFloat);
+}
+
+TEST_F(LightingPathPixels, OfAnInfiniteViewerHaveOneDirectionToTheEye) {
+  Scene scene = wall(1);
+  scene.lights = lamps();
+  RenderSettings infinite = settings("unified");
+  infinite.has_infinite_viewer = true;
+  EXPECT_LE(worst_error(scene, Fog{}, infinite), kHalfFloat);
+  EXPECT_GT(largest_difference(draw(scene, Fog{}, infinite), draw(scene, Fog{}, settings("unified"))), 0.01);
+}
+
+}  // namespace
