@@ -58,7 +58,8 @@ TEST_F(SceneFile, EveryBundledSceneLoadsWithGeometryLightsAndThreeVisibilities) 
     EXPECT_FALSE(scene.description.empty()) << name;
     EXPECT_GE(scene.lights.size(), 2u) << name;
     EXPECT_GE(scene.visibilities.size(), 3u) << name;
-    EXPECT_TRUE(std::ranges::any_of(scene.lights, &PlacedLight::carried)) << name;
+    const bool is_about_surfaces = name == "tessellation";  // the others show lit fog
+    EXPECT_NE(std::ranges::any_of(scene.lights, &PlacedLight::carried), is_about_surfaces) << name;
     EXPECT_FALSE(scene.instances.empty()) << name;
   }
 }
