@@ -63,6 +63,7 @@ struct Options {
   int width = 1280;
   int height = 720;
   int frames = 1;
+  double seconds = 0;
   RenderSettings render;
   bool reference = false;
   std::string heat_map;
@@ -151,7 +152,8 @@ Comparison compare_with_reference(const Scene& scene, const Fog& fog, Renderer& 
 }
 
 ExitStatus draw_scene(const Options& options) {
-  const Scene scene = read_scene(scene_path(options.scenes.front()));
+  Scene scene = read_scene(scene_path(options.scenes.front()));
+  turn_cookies(scene, options.seconds);
   const std::string output = options.output.empty() ? scene.name + ".png" : options.output;
   expect_places(options, output);
   const gl::HeadlessContext context;
@@ -257,7 +259,8 @@ void refuse_what_does_not_fit(const CLI::App& app, const Options& options) {
     refuse_option("SCENE", std::to_string(options.scenes.size()) + " given", "must be one, or use --gallery FOLDER");
   }
   if (!options.gallery.empty()) {  // which draws every scene once at each of its own visibilities
-    for (const char* option : {"--output", "--reference", "--heat-map", "--stats", "--visibility", "--frames"}) {
+    for (const char* option :
+         {"--output", "--reference", "--heat-map", "--stats", "--visibility", "--frames", "--time"}) {
       if (is_given(option)) refuse_option("--gallery", options.gallery, std::string("must stand without ") + option);
     }
     if (options.fog == FogChoice::none) refuse_option("--gallery", options.gallery, "must stand without --fog none");
@@ -294,7 +297,8 @@ void refuse_what_does_not_fit(const CLI::App& app, const Options& options) {
 int main(int argc, char** argv) {
   Options options;
   CLI::App app{"Draws a scene lit by lamps in fog, without a display (OpenGL 3.3 through EGL).", "litfog-demo"};
-  app.add_option("SCENE", options.scenes, "A scene of --list-scenes or a scene file; several with --gallery");
+  app.add_option("SCENE", options.scenes,
+                 "A scene of --list-scenes, a scene file or a glTF file; several with --gallery");
   app.add_option("-o,--output", options.output, "Picture to write: .png (sRGB) or .exr (linear); default SCENE.png")
       ->type_name("FILE");
   add_choice(app, "--fog", options.fog, kFogNames, "How fog thickens with range (default exp)");
@@ -312,6 +316,8 @@ int main(int argc, char** argv) {
   app.add_option_function<std::string>(
          "--size", [&](const std::string& text) { parse_size(text, options); }, "Pixels (default 1280x720)")
       ->type_name("WxH");
+  add_number(app, "--time", options.seconds, kFiniteNotNegative,
+             "Seconds for which the scene's cookies have been spinning (default 0)");
   add_integer(app, "--frames", options.frames, 1, 100'000, "Frames to draw and time; the last is written (default 1)");
   app.add_flag_callback(
       "--no-skip", [&] { options.render.skipping = Skipping::off; },

@@ -107,8 +107,17 @@ TEST_F(DemoCommand, ListsPathsAndScenes) {
     EXPECT_NE(paths.find(std::string("\n") + path + " "), std::string::npos) << path;
   }
   const std::string scenes = run("--list-scenes").out;
-  for (const char* scene : {"approach", "headlights", "room", "tessellation"})
+  for (const char* scene : {"approach", "cookies", "headlights", "room", "tessellation"})
     EXPECT_NE(scenes.find(scene), std::string::npos);
+}
+
+TEST_F(DemoCommand, CookiesTurnWithTime) {
+  for (const auto& [time, output] : {std::pair{"0", "a.png"}, {"0.25", "b.png"}, {"18", "c.png"}}) {
+    ASSERT_EQ(run(std::string("cookies --fog none --size 32x18 --time ") + time + " -o " + output).status, kDone);
+  }
+  EXPECT_NE(read("a.png"), read("b.png"));
+  EXPECT_EQ(read("a.png"), read("c.png"));  // whole turns of the ball, 20 degrees a second, and of the beacon
+  EXPECT_EQ(run("cookies --time -1").status, kUsage);
 }
 
 TEST_F(DemoCommand, GalleryDrawsEachVisibilityAndASheet) {

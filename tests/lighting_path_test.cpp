@@ -8,6 +8,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
+#include "cube_face.h"
 #include "gl_test.h"
 #include "material.h"
 #include "primitive.h"
@@ -130,11 +131,16 @@ dvec3 expected_color(const Scene& scene, const Finish& finish, const LightingPat
   dvec3 surface = finish.albedo * dvec3(environment.ambient_light) +
                   reflected(dvec3(environment.moon_direction)) * dvec3(environment.moon_color);
   dvec3 fog_color = environment.ambient_fog_color;
-  for (const auto& [light, position, direction, carried] : scene.lights) {
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    const auto& [light, position, direction, carried] = scene.lights[i];
     const double reach = extent(light.attenuation, light.threshold);
     const double range = glm::distance(point, position);
     const dvec3 to_light = (position - point) / range;
-    const double cone = cone_at(light.cone, glm::dot(direction, -to_light));
+    const auto cookie = scene.cookie_uses.find(i);
+    const double cone = cookie == scene.cookie_uses.end()
+                            ? cone_at(light.cone, glm::dot(direction, -to_light))
+                            : cookie_at(scene.cookies[cookie->second.cookie],
+                                        cookie_from_world(direction, cookie->second.roll) * -to_light);
     if (carried && path.has_lit_fog) fog_color += light.color * (cone * solve_fog_intensity(light, fog).intensity);
     if (range > reach) continue;
     const double fall =
@@ -303,6 +309,37 @@ TEST_F(LightingPathPixels, AreTheSameWhateverIsSkipped) {
   }
 }
 
+/// Six faces of a size, brighter to their own sides than to the others, without steps.
+Cookie smooth_cookie(int size) {
+  Cookie cookie{.size = size, .texels = {}};
+  for (int face = 0; face < 6; ++face) {
+    for (int row = 0; row < size; ++row) {
+      for (int column = 0; column < size; ++column) {
+        const auto middle = [size](int i) { return (2.0 * i + 1) / size - 1; };
+        const dvec3 d = glm::normalize(cube_direction(face, middle(column), middle(row)));
+        cookie.texels.push_back(float(0.5 + 0.3 * std::sin(5 * d.x) + 0.2 * std::cos(4 * d.y + 1)));
+      }
+    }
+  }
+  return cookie;
+}
+
+// Two cookies of two sizes, turned, on lights that light the fog.
+TEST_F(LightingPathPixels, OfCookiesAreTheirTexelsByEveryPath) {
+  Scene scene = wall(64);
+  scene.lights = {lamp({-1.2, 0.3, -1}, kQuadratic, Cone{}, true), lamp({1, -0.4, -1.8}, kQuadratic, Cone{}, true),
+                  lamp({0.2, 0.9, -1.4}, kQuadratic, Cone::smoothstep(0.1, 0.7), true)};
+  scene.cookies = {smooth_cookie(64), smooth_cookie(128)};
+  scene.cookie_uses = {{0, {.cookie = 0, .roll = 0.4}}, {1, {.cookie = 1, .spin = -0.3}}};
+  turn_cookies(scene, 2);
+  EXPECT_EQ(scene.cookie_uses[1].roll, -0.6);
+  for (const LightingPath& path : lighting_paths()) {
+    for (const Fog& fog : clear_and_foggy()) {
+      EXPECT_LE(worst_error(scene, fog, settings(path.name)), 1.0 / 255) << path.name;
+    }
+  }
+}
+
 /// A ball in moonlight alone, twelve faces around.
 Scene moonlit_ball() {
   Scene scene;
@@ -331,8 +368,8 @@ TEST_F(LightingPathPixels, OfAFlatShadedFaceHaveOneShade) {
   EXPECT_LT(3 * count_shades(draw(moonlit_ball(), Fog{}, flat)), count_shades(draw(moonlit_ball(), Fog{}, smooth)));
 }
 
-// The lights of `accumulate` meet every sample of a surface once. (Where two triangles of one surface lie in one plane, as in
-// the room, its first pass shows the last of them and the others the first.)
+// The lights of `accumulate` meet every sample of a surface once. (Where two triangles of one surface lie in one plane,
+// as in the room, its first pass shows the last of them and the others the first.)
 TEST_F(LightingPathPixels, OfTheThreeRadialPathsAgree) {
   for (const char* name : {"headlights", "tessellation"}) {
     const Scene scene = read_scene(bundled_scene_path(name));

@@ -136,7 +136,7 @@ TEST_F(ReferencePictureTest, AnEdgeOfTheModelThroughAPixelsMiddleIsExcepted) {
 /// edges of surfaces too, for the samples are the same.
 struct PathBound {
   std::string_view path;
-  double largest;           ///< 1/255, `beyond_maps` of paths with light maps; 0: not bounded
+  double largest;           ///< 1/255, of `beyond_maps`
   double mean;              ///< 1/255
   double share_far_beyond;  ///< of the pixels: how many may be more than 1/255 beyond the maps
 };
@@ -146,23 +146,19 @@ std::ostream& operator<<(std::ostream& out, const PathBound& bound) { return out
 /// Unified: what is left is the framebuffer's half floats. Where they are coarsest on the display, at 0.5, their last
 /// place is 2^-11, which is 0.082 steps there; samples and their mean are rounded, by some drivers towards zero: 0.164.
 ///
-/// Maps: a look-up lies between the light's values at the texels around it (ReferencePicture::least, most); 128 texels
-/// a side. Passes round in half floats each. The few pixels beyond are slivers of leaves and blades seen edge on, whose
-/// coordinates at the pixel's middle, outside of them, are extrapolated over thousands of metres, and the range map's
-/// coordinate 0.5 + k P then keeps few digits of P.
+/// Maps: a look-up lies between the light's values at the texels around it (ReferencePicture::least, most), 128 a side.
+/// Beyond that, half floats: the same once more for each pass, of which a pixel may have several. In `radial-plane`
+/// triangles come by way of a geometry shader, which leaves their depth another in its last place: of two surfaces in
+/// one plane, as on the ledge along the room's walls, the other one may be seen. Those pixels are counted.
 ///
-/// Vertex: interpolation misses what falls within a triangle, however bright; the mean says how much of the picture.
+/// Vertex: what falls within a triangle is missed, however bright, and no bound holds in a scene;
+/// PathsThatLightVerticesConvergeToItInTheSecondOrder says what does.
+constexpr double kAny = std::numeric_limits<double>::infinity();
 constexpr PathBound kPathBounds[] = {
-    {"unified", 0.25, 0.05, 0},
-    {"lookup-3d", 0, 0.1, 1e-3},
-    {"lookup-2d", 0, 0.1, 1e-3},
-    {"radial", 0, 0.15, 1e-3},
-    {"radial-plane", 0, 0.2, 1e-3},
-    {"accumulate", 0, 0.25, 1e-3},
-    {"tangent", 0, 1, 1},
-    {"vertex", 0, 6, 1},
-    {"mixed", 0, 6, 1},
-    {"legacy", 0, 6, 1},
+    {"unified", 0.25, 0.05, 0}, {"lookup-3d", 0.5, 0.1, 0},        {"lookup-2d", 0.5, 0.1, 0},
+    {"radial", 0.5, 0.15, 0},   {"radial-plane", kAny, 0.2, 1e-3}, {"accumulate", 0.5, 0.25, 0},
+    {"tangent", kAny, 0.5, 1},  {"vertex", kAny, kAny, 1},         {"mixed", kAny, kAny, 1},
+    {"legacy", kAny, kAny, 1},
 };
 
 class ReferenceOfPath : public test::GlTest, public testing::WithParamInterface<PathBound> {};
@@ -187,9 +183,7 @@ TEST_P(ReferenceOfPath, HoldsInEveryScene) {
                                      : "exp2",
           error.largest, error.beyond_maps, error.far_beyond_maps, error.mean, error.excepted);
       fmt::print("{}\n", place);
-      if (bound.largest > 0) {
-        EXPECT_LE(error.beyond_maps, bound.largest) << place;
-      }
+      EXPECT_LE(error.beyond_maps, bound.largest) << place;
       EXPECT_LE(error.mean, bound.mean) << place;
       EXPECT_LE(double(error.far_beyond_maps), bound.share_far_beyond * kWidth * kHeight) << place;
       EXPECT_LE(error.excepted, std::size_t{kWidth * kHeight / 400}) << place;

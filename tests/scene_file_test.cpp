@@ -46,7 +46,7 @@ constexpr const char* kLamp = R"("attenuation": {"constant": 1, "quadratic": 0.1
 
 TEST_F(SceneFile, BundledScenesAreThere) {
   const auto names = bundled_scenes();
-  for (const char* name : {"approach", "headlights", "room"}) {
+  for (const char* name : {"approach", "cookies", "headlights", "room", "tessellation"}) {
     EXPECT_NE(std::ranges::find(names, name), names.end()) << name;
   }
 }
@@ -58,8 +58,9 @@ TEST_F(SceneFile, EveryBundledSceneLoadsWithGeometryLightsAndThreeVisibilities) 
     EXPECT_FALSE(scene.description.empty()) << name;
     EXPECT_GE(scene.lights.size(), 2u) << name;
     EXPECT_GE(scene.visibilities.size(), 3u) << name;
-    const bool is_about_surfaces = name == "tessellation";  // the others show lit fog
-    EXPECT_NE(std::ranges::any_of(scene.lights, &PlacedLight::carried), is_about_surfaces) << name;
+    if (name != "tessellation") {  // whose lamps are to light what stands before them, and no fog
+      EXPECT_TRUE(std::ranges::any_of(scene.lights, &PlacedLight::carried)) << name;
+    }
     EXPECT_FALSE(scene.instances.empty()) << name;
   }
 }
@@ -74,6 +75,42 @@ TEST_F(SceneFile, TheApproachHasOverAThousandLightsAtTheirRealSpacings) {
   std::ranges::sort(edges);
   ASSERT_GT(edges.size(), 20u);
   for (std::size_t i = 1; i < edges.size(); ++i) EXPECT_NEAR(edges[i] - edges[i - 1], 60, 1e-9);
+}
+
+TEST_F(SceneFile, ACookieTakesTheConesPlaceAndIsReadOnceForAllItsLights) {
+  const std::string light = std::string("{\"light\": {") + kLamp +
+                            R"(, "cone": {"profile": "smoothstep", "inner_deg": 5, "outer_deg": 20}}, "position": )";
+  Scene scene = read("\"lights\": [" + light + "[0, 0, 0]}, " + light +
+                     R"([1, 0, 0], "cookie": {"pattern": "disco", "roll_deg": 90, "spin_deg_per_s": -180},
+                        "repeat": [{"count": 2, "step": [0, 0, 1]}]}, )" +
+                     light + R"([2, 0, 0], "cookie": {"pattern": "disco"}}, )" + light +
+                     R"([3, 0, 0], "cookie": {"pattern": "beacon"}}], "objects": [])");
+  ASSERT_EQ(scene.lights.size(), 5u);
+  EXPECT_EQ(scene.lights[0].light.cone.profile, litfog::ConeProfile::smoothstep);
+  EXPECT_EQ(scene.cookies.size(), 2u);
+  EXPECT_FALSE(scene.cookie_uses.contains(0));
+  for (const std::size_t i : {1u, 2u, 3u, 4u}) {
+    EXPECT_EQ(scene.lights[i].light.cone.profile, litfog::ConeProfile::none) << i;
+    EXPECT_EQ(scene.cookie_uses.at(i).cookie, i == 4 ? 1u : 0u) << i;
+  }
+  litfog::demo::turn_cookies(scene, 0.75);
+  EXPECT_DOUBLE_EQ(scene.cookie_uses.at(2).roll, glm::radians(90 - 0.75 * 180));
+  EXPECT_EQ(scene.cookie_uses.at(3).roll, 0);
+}
+
+TEST_F(SceneFile, ACookieThatIsNoneIsRefused) {
+  const auto refused = [&](const std::string& cookie) {
+    return refusal(std::string("\"objects\": [], \"lights\": [{\"light\": {") + kLamp +
+                   "}, \"position\": [0, 0, 0],\n\"cookie\": " + cookie + "}]");
+  };
+  EXPECT_EQ(refused(R"({"pattern": "stars"})"), ":4:23: lights[0].cookie.pattern = \"stars\": must be disco or beacon");
+  EXPECT_EQ(refused(R"({"pattern": "disco", "image": "a.exr"})"),
+            ":4:23: lights[0].cookie.pattern = \"disco\": must not stand beside image");
+  EXPECT_NE(refused(R"({"pattern": "disco", "spin": 3})").find("\"spin\": must be one of image, pattern, roll_deg"),
+            std::string::npos);
+  EXPECT_NE(refused(R"({"image": "none.exr"})").find("lights[0].cookie.image = \"none.exr\": must be a cookie: "),
+            std::string::npos);
+  EXPECT_NE(refused(R"({"roll_deg": 3})").find("image"), std::string::npos);
 }
 
 TEST_F(SceneFile, RepeatMakesACopyOfEachCopyAtEachStep) {

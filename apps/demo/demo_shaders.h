@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "litfog/gl/shader_library.h"
 
@@ -9,5 +10,13 @@ namespace litfog::demo {
 
 /// The files of apps/demo/shaders, embedded.
 std::span<const gl::ShaderSource> demo_shaders();
+
+/// The same for a scene with or without cookies.
+inline std::vector<gl::ShaderSource> scene_shaders(bool has_cookies) {
+  std::vector<gl::ShaderSource> files;
+  if (has_cookies) files.push_back({"cookie.glsl", "#include \"cube_cookie.glsl\"\n"});  // found before the file
+  files.insert(files.end(), demo_shaders().begin(), demo_shaders().end());
+  return files;
+}
 
 }  // namespace litfog::demo

@@ -2,12 +2,12 @@
 #include "light_map.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <numbers>
 
+#include "cube_face.h"
 #include "litfog/formulas.h"
 
 namespace litfog::demo {
@@ -30,13 +30,6 @@ double attenuation(const RangeProfile& profile, double share) {
 }
 
 bool is_drawn_in(const Cone& cone) { return cutoff_angle(cone) <= kWidestDrawnIn; }
-
-/// The direction in which a cube map is looked up at a place of a face, u and v in [-1, 1] (OpenGL 3.3, 3.8.6).
-glm::dvec3 face_direction(int face, double u, double v) {
-  const std::array<glm::dvec3, 6> directions{
-      {{1, -v, -u}, {-1, -v, u}, {u, 1, v}, {u, -1, -v}, {u, -v, 1}, {-u, -v, -1}}};
-  return directions[std::size_t(face)];
-}
 
 }  // namespace
 
@@ -106,7 +99,7 @@ MapTexels make_cone_cube(const Cone& cone, CubeAxis axis, int size) {
   for (int face = 0; face < 6; ++face) {
     for (int j = 0; j < size; ++j) {
       for (int i = 0; i < size; ++i) {
-        const glm::dvec3 looked_up = face_direction(face, across(i), across(j));
+        const glm::dvec3 looked_up = cube_direction(face, across(i), across(j));
         const glm::dvec3 direction = axis == CubeAxis::plus_x
                                          ? glm::dvec3(looked_up.x, looked_up.y / scale, looked_up.z / scale)
                                          : glm::dvec3(-looked_up.z, looked_up.x / scale, looked_up.y / scale);
@@ -114,6 +107,12 @@ MapTexels make_cone_cube(const Cone& cone, CubeAxis axis, int size) {
       }
     }
   }
+  return texels;
+}
+
+MapTexels make_cookie_cube(const Cookie& cookie) {
+  MapTexels texels;
+  for (const float share : cookie.texels) texels.push_back(texel(double(share)));
   return texels;
 }
 

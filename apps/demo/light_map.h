@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "cookie.h"
 #include "litfog/attenuation.h"
 #include "litfog/cone.h"
 
@@ -55,6 +56,9 @@ double cone_map_scale(const Cone& cone);
 
 /// Six faces in OpenGL's order: +x -x +y -y +z -z.
 MapTexels make_cone_cube(const Cone& cone, CubeAxis axis, int size);
+
+/// The same of a cookie, as it is.
+MapTexels make_cookie_cube(const Cookie& cookie);
 
 /// By what the coordinates across the axis are to be multiplied for that map: its scale, less half a texel at each end
 /// of a face where the map is drawn in, for OpenGL has texel i at (i + 0.5) / size.

@@ -19,7 +19,7 @@ int pair_size(int volume_size) { return int(std::sqrt(0.5 * volume_size * volume
 
 }  // namespace
 
-LightMapStore::LightMapStore(LightMapSet set, const SceneLights& lights, const Camera& camera, int size)
+LightMapStore::LightMapStore(LightMapSet set, const Scene& scene, const SceneLights& lights, int size)
     : set_(set), size_(size) {
   if (set == LightMapSet::none) return;
   glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
@@ -33,15 +33,19 @@ LightMapStore::LightMapStore(LightMapSet set, const SceneLights& lights, const C
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const PlacedLight& light = lights.light(i);
     const Cone& cone = light.light.cone;
-    const Maps maps{set == LightMapSet::radial ? &*squares_ : range_map(light, lights.extent(i)), cone_map(cone)};
+    const CookieUse* const cookie = lights.cookie(i);
+    const Maps maps{set == LightMapSet::radial ? &*squares_ : range_map(light, lights.extent(i)),
+                    cookie ? cookie_map(scene, cookie->cookie) : cone_map(cone)};
     auto found = std::ranges::find(maps_, maps);
     if (found == maps_.end()) found = maps_.insert(maps_.end(), maps);
     const double across = cone_coordinate_scale(cone, size);
     glm::dmat3 cone_from_world;
-    if (set == LightMapSet::radial) {
+    if (cookie) {
+      cone_from_world = cookie_from_world(light.direction, cookie->roll);
+    } else if (set == LightMapSet::radial) {
       cone_from_world = glm::dmat3(across, 0, 0, 0, across, 0, 0, 0, 1) * basis_from_world(light.direction);
     } else {
-      const Attitude viewpoint = light.carried ? attitude_of(camera) : Attitude{};
+      const Attitude viewpoint = light.carried ? attitude_of(scene.camera) : Attitude{};
       cone_from_world = glm::dmat3(1, 0, 0, 0, across, 0, 0, 0, across) *
                         light_from_world(bearing_of(light.direction, viewpoint), viewpoint);
     }
@@ -67,6 +71,13 @@ const LookupTexture* LightMapStore::cone_map(const Cone& cone) {
   const int side = cone.profile == ConeProfile::none ? 1 : size_;  // a point light's is white
   const CubeAxis axis = set_ == LightMapSet::radial ? CubeAxis::minus_z : CubeAxis::plus_x;
   return &cone_maps_.emplace_back(cone, LookupTexture(Shape::cube, side, make_cone_cube(cone, axis, side))).second;
+}
+
+const LookupTexture* LightMapStore::cookie_map(const Scene& scene, std::size_t cookie) {
+  const auto found = cookie_maps_.find(cookie);
+  if (found != cookie_maps_.end()) return &found->second;
+  const Cookie& image = scene.cookies[cookie];
+  return &cookie_maps_.try_emplace(cookie, Shape::cube, image.size, make_cookie_cube(image)).first->second;
 }
 
 void LightMapStore::bind(int kind) const {

@@ -19,7 +19,7 @@ class LightMapStore {
  public:
   /// size    texels a side of a 3-D map, a cube map's face and Frazier's maps; the 2-D pair has a volume's texels
   /// throws  gl::Unsupported where this OpenGL has no textures of that size
-  LightMapStore(LightMapSet set, const SceneLights& lights, const Camera& camera, int size);
+  LightMapStore(LightMapSet set, const Scene& scene, const SceneLights& lights, int size);
 
   /// Lights of one kind share their maps.
   int kind(std::size_t light) const { return kinds_[light].number; }
@@ -42,11 +42,13 @@ class LightMapStore {
 
   const LookupTexture* range_map(const PlacedLight& light, double extent);
   const LookupTexture* cone_map(const Cone& cone);
+  const LookupTexture* cookie_map(const Scene& scene, std::size_t cookie);
 
   LightMapSet set_;
   int size_;
   std::map<RangeProfile, LookupTexture> range_maps_;
   std::deque<std::pair<Cone, LookupTexture>> cone_maps_;
+  std::map<std::size_t, LookupTexture> cookie_maps_;
   std::optional<LookupTexture> squares_;   // of x and y
   std::optional<LookupTexture> distance_;  // q, or the square of z
   std::vector<Maps> maps_;

@@ -28,7 +28,10 @@ struct ReferenceLight {
   double exponent;
   double cone_texels;  ///< radians that a texel of its cone map spans at most, in shares of the map's texel
 
-  ReferenceLight(const PlacedLight& placed, const Fog& fog)
+  const Cookie* cookie;  ///< in place of the cone; null: none
+  glm::dmat3 cookie_from_world;
+
+  ReferenceLight(const PlacedLight& placed, const Fog& fog, const Scene& scene, const CookieUse* use)
       : position(placed.position),
         axis(placed.direction),
         color(placed.light.color),
@@ -40,8 +43,20 @@ struct ReferenceLight {
         cos_inner(std::cos(placed.light.cone.inner)),
         exponent(placed.light.cone.exponent),
         // A face's diagonal; over the cone of a map that is drawn in (cone_map_scale), else over a quarter.
-        cone_texels(std::numbers::sqrt2 / std::min(cone_map_scale(placed.light.cone), 1.0)) {}
+        cone_texels(std::numbers::sqrt2 / std::min(cone_map_scale(placed.light.cone), 1.0)),
+        cookie(use ? &scene.cookies[use->cookie] : nullptr),
+        cookie_from_world(use ? demo::cookie_from_world(placed.direction, use->roll) : glm::dmat3(1.0)) {}
 
+  /// The share that goes into a unit direction.
+  double share(const glm::dvec3& direction) const {
+    return cookie ? cookie_at(*cookie, cookie_from_world * direction) : cone(glm::dot(axis, direction));
+  }
+  /// Whether a direction is seen within a texel of where two faces of the cookie meet.
+  bool is_at_seam(const glm::dvec3& direction) const {
+    glm::dvec3 a = glm::abs(cookie_from_world * direction);
+    std::sort(&a.x, &a.x + 3);
+    return (a.z - a.y) / a.z < 2.0 / cookie->size;
+  }
   double cone(double cos_angle) const {
     switch (profile) {
       case ConeProfile::cosine:
@@ -98,8 +113,10 @@ class ReferenceShading {
         fog_(fog),
         materials_(materials),
         eye_(scene.camera.position) {
-    for (const PlacedLight& light : scene.lights) {
-      lights_.emplace_back(light, fog);
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+      const PlacedLight& light = scene.lights[i];
+      const auto use = scene.cookie_uses.find(i);
+      lights_.emplace_back(light, fog, scene, use == scene.cookie_uses.end() ? nullptr : &use->second);
       if (light.carried && path_.has_lit_fog) carried_.push_back(lights_.back());
     }
     if (path_.maps != LightMapSet::none) texel_ = 2.0 / (settings.map_size - 1);
@@ -194,7 +211,7 @@ class ReferenceShading {
     const glm::dvec3 direction = offset / range;
     const double error = rounding(point.position, light.position, range);
     const double cos_angle = glm::dot(light.axis, direction);
-    const double cone = light.cone(cos_angle);
+    const double cone = light.share(direction);
     const bool is_at_edge = light.profile == ConeProfile::cosine && std::abs(cos_angle - light.cos_outer) < error;
     const bool is_at_extent = std::abs(range - light.extent) < error * range;
     const double arriving = cone * falloff(light, range);
@@ -203,8 +220,15 @@ class ReferenceShading {
     if (texel_ > 0) {
       const double angle = std::acos(std::clamp(cos_angle, -1.0, 1.0));
       const double turned = light.cone_texels * texel_;
-      least = light.cone(std::cos(std::min(angle + turned, std::numbers::pi))) * falloff(light, range + around);
-      most = light.cone(std::cos(std::max(angle - turned, 0.0))) * falloff(light, std::max(range - around, 0.0));
+      double dimmest = light.cone(std::cos(std::min(angle + turned, std::numbers::pi)));
+      double brightest = light.cone(std::cos(std::max(angle - turned, 0.0)));
+      if (light.cookie) {  // whose own texels its cube map holds, but interpolated across the seams of the faces
+        const bool is_at_seam = light.is_at_seam(direction);
+        dimmest = is_at_seam ? 0 : cone;
+        brightest = is_at_seam ? 1 : cone;
+      }
+      least = dimmest * falloff(light, range + around);
+      most = brightest * falloff(light, std::max(range - around, 0.0));
     }
     if (most <= 0 && !is_at_edge && !is_at_extent) return;
     const glm::dvec3 share = light.color * (path_.surface == SurfaceModel::unshaded
@@ -226,8 +250,9 @@ class ReferenceShading {
     for (const ReferenceLight& light : carried_) {
       const double range = glm::distance(position, light.position);
       if (light.intensity <= 0 || !(range > 0)) continue;
-      const double cos_angle = glm::dot(light.axis, (position - light.position) / range);
-      fog_color += light.color * (light.cone(cos_angle) * light.intensity);
+      const glm::dvec3 direction = (position - light.position) / range;
+      const double cos_angle = glm::dot(light.axis, direction);
+      fog_color += light.color * (light.share(direction) * light.intensity);
       const double error = rounding(position, light.position, range);
       if (light.profile == ConeProfile::cosine && std::abs(cos_angle - light.cos_outer) < error) {
         shade.note_jump(light.color * (light.cone(light.cos_outer + error) * light.intensity * share));

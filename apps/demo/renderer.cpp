@@ -3,9 +3,11 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "demo_shaders.h"
+#include "light_map.h"
 #include "litfog/fog_light_block.h"
 #include "litfog/gl/headless_context.h"
 #include "texture_unit.h"
@@ -23,6 +25,17 @@ glm::mat4 view_from_world(const Camera& camera) {
   return glm::lookAt(camera.position, camera.target, glm::vec3(0, 1, 0));
 }
 
+/// All cookies in one array, each as large as the largest.
+std::unique_ptr<LayeredTexture> make_cookie_array(const std::vector<Cookie>& cookies) {
+  const int size = std::ranges::max(cookies, {}, &Cookie::size).size;
+  MapTexels texels;
+  for (const Cookie& cookie : cookies) {
+    const MapTexels faces = make_cookie_cube(cookie.size == size ? cookie : resized(cookie, size));
+    texels.insert(texels.end(), faces.begin(), faces.end());
+  }
+  return std::make_unique<LayeredTexture>(size, 6 * int(cookies.size()), texels);
+}
+
 }  // namespace
 
 Renderer::Renderer(const Scene& scene, int width, int height, const RenderSettings& settings)
@@ -31,9 +44,10 @@ Renderer::Renderer(const Scene& scene, int width, int height, const RenderSettin
       framebuffer_(width, height, settings.path->has_several_passes()),
       lights_(scene),
       surfaces_(scene, lights_, fog_lights_, settings),
-      sky_program_("sky.vert", "sky.frag", demo_shaders()),
-      light_point_program_("light_point.vert", "light_point.frag", demo_shaders()) {
+      sky_program_("sky.vert", "sky.frag", scene_shaders(!scene.cookies.empty())),
+      light_point_program_("light_point.vert", "light_point.frag", scene_shaders(!scene.cookies.empty())) {
   gl::check_fog_light_layout(sky_program_);
+  if (!scene.cookies.empty()) cookies_ = make_cookie_array(scene.cookies);
   set_fog(Fog{});
   gl::check_errors("uploading the scene");
 }
@@ -45,7 +59,13 @@ void Renderer::set_fog(const Fog& fog) {
     if (!settings_.path->has_lit_fog) solutions.back().intensity = 0;
   }
   const glm::dvec3 ambient_fog = scene_.environment.ambient_fog_color;
-  fog_lights_.upload(pack_fog_light_block(fog, ambient_fog, lights_.carried(), solutions));
+  FogLightBlock block = pack_fog_light_block(fog, ambient_fog, lights_.carried(), solutions);
+  for (std::size_t i = 0; i < solutions.size(); ++i) {  // cookies, which the library has not
+    const FogLight& light = lights_.packed(lights_.local().size() + i);
+    block.lights[i].axis_profile = light.axis_profile;
+    block.lights[i].cone = light.cone;
+  }
+  fog_lights_.upload(block);
 }
 
 glm::mat4 Renderer::clip_from_world() const {
@@ -60,6 +80,7 @@ FrameCounts Renderer::draw(LightPoints light_points) {
   glEnable(GL_CULL_FACE);
   glDepthMask(GL_TRUE);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  if (cookies_) cookies_->bind(kCookieUnit);
   const FrameCounts counts = surfaces_.draw(*settings_.path, clip);
   glDepthMask(GL_FALSE);
   draw_sky();
@@ -80,6 +101,7 @@ void Renderer::draw_sky() {
   const Environment& environment = scene_.environment;
   sky_program_.use();
   fog_lights_.bind(sky_program_, kFogLightBinding);
+  set_uniform(sky_program_, "cookies", kCookieUnit);
   // Without the eye's place, whose rounding would turn the sky: a near point less an eye far from the origin.
   const auto turned = glm::mat4(glm::mat3(view_from_world(scene_.camera)));
   set_uniform(sky_program_, "direction_from_clip",
@@ -99,6 +121,7 @@ void Renderer::draw_light_points(const glm::mat4& clip) {
   light_point_program_.use();
   fog_lights_.bind(light_point_program_, kFogLightBinding);
   lights_.bind_local(kLocalLightUnit);
+  set_uniform(light_point_program_, "cookies", kCookieUnit);
   set_uniform(light_point_program_, "clip_from_world", clip);
   set_uniform(light_point_program_, "eye", scene_.camera.position);
   set_uniform(light_point_program_, "pixel_scale", float(framebuffer_.height()) / 720.0f);

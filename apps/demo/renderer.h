@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
+
 #include "framebuffer.h"
 #include "geometry_buffer.h"
 #include "litfog/gl/fog_light_buffer.h"
@@ -48,6 +50,7 @@ class Renderer {
   RenderSettings settings_;
   Framebuffer framebuffer_;
   SceneLights lights_;
+  std::unique_ptr<LayeredTexture> cookies_;
   gl::FogLightBuffer fog_lights_;
   SurfacePainter surfaces_;
   gl::Program sky_program_;

@@ -3,9 +3,11 @@
 
 #include <cstddef>
 #include <glm/glm.hpp>
+#include <map>
 #include <string>
 #include <vector>
 
+#include "cookie.h"
 #include "litfog/light.h"
 #include "material.h"
 #include "mesh.h"
@@ -42,6 +44,13 @@ struct Instance {
   glm::mat4 world_from_model;
 };
 
+/// A cookie in place of a light's cone, turned about its axis to the right as seen along it.
+struct CookieUse {
+  std::size_t cookie;
+  double roll = 0;  ///< radians
+  double spin = 0;  ///< radians a second
+};
+
 /// Everything the demo draws. Plain data: no GL.
 struct Scene {
   std::string name;
@@ -52,7 +61,14 @@ struct Scene {
   std::vector<Model> models;
   std::vector<Instance> instances;
   std::vector<PlacedLight> lights;
-  std::vector<double> visibilities;  ///< metres: those at which the gallery shows the scene
+  std::vector<Cookie> cookies;
+  std::map<std::size_t, CookieUse> cookie_uses;  ///< by their lights, whose cones are none
+  std::vector<double> visibilities;              ///< metres: those at which the gallery shows the scene
 };
+
+/// Turns the spinning cookies on by so many seconds.
+inline void turn_cookies(Scene& scene, double seconds) {
+  for (auto& [light, use] : scene.cookie_uses) use.roll += use.spin * seconds;
+}
 
 }  // namespace litfog::demo

@@ -2,6 +2,7 @@
 #include "scene_file.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -23,6 +24,7 @@ namespace {
 
 constexpr std::size_t kMaxCopies = 20'000;  // of one object or light
 constexpr std::size_t kMaxInstances = 50'000;
+constexpr std::size_t kMaxCookies = 32;  // OpenGL 3.3 promises 256 layers, six a cookie
 constexpr double kMaxDensityScale = 1e6;
 
 bool is_color(const glm::dvec3& color) {
@@ -195,7 +197,7 @@ class SceneReader {
   }
 
   void read_light_entry(const JsonValue& value) {
-    value.allow_only({"light", "position", "aim", "direction", "color", "carried", "repeat"});
+    value.allow_only({"light", "position", "aim", "direction", "color", "cookie", "carried", "repeat"});
     PlacedLight light{.light = read_kind(value.member("light")), .position = position_of(value.member("position"))};
     light.light.color = color_or(value, "color", light.light.color);
     light.direction = {0, -1, 0};
@@ -207,9 +209,15 @@ class SceneReader {
     } else if (const auto axis = value.optional("direction")) {
       light.direction = direction(*axis);
     }
+    std::optional<CookieUse> cookie;
+    if (const auto given = value.optional("cookie")) {
+      cookie = read_cookie_use(*given);
+      light.light.cone = Cone{};
+    }
     if (const auto carried = value.optional("carried")) light.carried = carried->boolean();
     for (const glm::dvec3& position : read_repeat(value, light.position)) {
       light.position = position;
+      if (cookie) scene_.cookie_uses.emplace(scene_.lights.size(), *cookie);
       scene_.lights.push_back(light);
       if (scene_.lights.size() > kMaxSceneLights) {
         value.fail("lights", "", fmt::format("must be at most {}", kMaxSceneLights));
@@ -218,6 +226,35 @@ class SceneReader {
         value.fail("lights", "", fmt::format("must be at most {} that are carried", kMaxFogLights));
       }
     }
+  }
+
+  CookieUse read_cookie_use(const JsonValue& value) {
+    value.allow_only({"image", "pattern", "roll_deg", "spin_deg_per_s"});
+    return {.cookie = read_cookie_image(value),
+            .roll = glm::radians(number_in_or(value, "roll_deg", -360, 360, 0)),
+            .spin = glm::radians(number_in_or(value, "spin_deg_per_s", -3600, 3600, 0))};
+  }
+
+  /// The cookie of a file or pattern, read once for all lights that have it.
+  std::size_t read_cookie_image(const JsonValue& value) {
+    const auto pattern = value.optional("pattern");
+    if (pattern && value.optional("image")) pattern->fail("must not stand beside image");
+    const JsonValue source = pattern ? *pattern : value.member("image");
+    const std::string name = pattern ? source.string() : (folder_ / source.string()).string();
+    if (pattern && std::ranges::find(kCookiePatterns, name) == std::end(kCookiePatterns)) {
+      source.fail(fmt::format("must be {}", fmt::join(kCookiePatterns, " or ")));
+    }
+    const auto [entry, is_new] = cookies_.try_emplace({pattern.has_value(), name}, scene_.cookies.size());
+    if (is_new) {
+      if (scene_.cookies.size() == kMaxCookies)
+        value.fail(fmt::format("must be one of at most {} cookies", kMaxCookies));
+      try {
+        scene_.cookies.push_back(pattern ? make_cookie(name) : read_cookie(name));
+      } catch (const BadInput& refusal) {
+        source.fail(std::string("must be a cookie: ") + refusal.what());
+      }
+    }
+    return entry->second;
   }
 
   void read_object(const JsonValue& value) {
@@ -304,6 +341,7 @@ class SceneReader {
   std::filesystem::path folder_;
   Scene scene_;
   std::map<std::string, Light> lights_;
+  std::map<std::pair<bool, std::string>, std::size_t> cookies_;  // by whether they are patterns, and name
   std::map<std::string, std::size_t> models_;
   std::size_t triangles_ = 0;
   std::size_t carried_ = 0;

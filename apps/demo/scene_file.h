@@ -28,6 +28,9 @@ namespace litfog::demo {
 ///         "position": [-0.6, 0.7, 0],
 ///         "aim": [-0.6, 0, -30],                          a point, or "direction": [0, -0.02, -1]; default: down
 ///         "color": [2, 1.9, 1.6],                         optional: in place of the light's own
+///         "cookie": {"image": "beam.exr",                 optional: in place of the light's cone, a cube map as
+///                    "roll_deg": 20, "spin_deg_per_s": 90},  litfog-fit writes it, or "pattern": "disco" or "beacon";
+///                                                         turned about the axis, and on with --time
 ///         "carried": true,                                optional: by the eye's vehicle; default: false
 ///         "repeat": [{"count": 41, "step": [0, 0, -60]}]  optional: a copy at each step, of each copy before
 ///       }],

@@ -16,6 +16,7 @@ namespace litfog::demo {
 class SceneLights {
  public:
   /// throws  gl::Unsupported where a buffer texture cannot hold the local lights
+  /// scene  has to outlive this
   explicit SceneLights(const Scene& scene);
 
   const std::vector<PlacedLight>& carried() const { return carried_; }
@@ -27,8 +28,10 @@ class SceneLights {
   /// Local and carried lights in one row, the local ones first.
   std::size_t size() const { return local_.size() + carried_.size(); }
   const PlacedLight& light(std::size_t i) const { return i < local_.size() ? local_[i] : carried_[i - local_.size()]; }
-  /// Without its fog intensity.
+  /// Without its fog intensity. A cookie is profile 3 (see cube_cookie.glsl).
   const FogLight& packed(std::size_t i) const { return packed_[i]; }
+  /// The cookie in place of a light's cone; null where there is none.
+  const CookieUse* cookie(std::size_t i) const { return cookies_[i]; }
   double extent(std::size_t i) const {
     return i < local_.size() ? local_extents_[i] : carried_extents_[i - local_.size()];
   }
@@ -38,6 +41,7 @@ class SceneLights {
   std::vector<PlacedLight> local_;
   std::vector<double> carried_extents_;
   std::vector<double> local_extents_;
+  std::vector<const CookieUse*> cookies_;  // one a light
   std::vector<FogLight> packed_;
   std::unique_ptr<BufferTexture> local_texture_;
 };

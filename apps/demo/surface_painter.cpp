@@ -14,9 +14,9 @@
 namespace litfog::demo {
 namespace {
 
-/// The demo's shader files, and what pass.glsl is for this program.
-std::vector<gl::ShaderSource> shader_files(const std::string& pass) {
-  std::vector<gl::ShaderSource> files(demo_shaders().begin(), demo_shaders().end());
+/// The scene's shader files, and what pass.glsl is for this program.
+std::vector<gl::ShaderSource> shader_files(bool has_cookies, const std::string& pass) {
+  std::vector<gl::ShaderSource> files = scene_shaders(has_cookies);
   files.push_back({"pass.glsl", pass});
   return files;
 }
@@ -58,9 +58,9 @@ void select_samples(int pass) {
 
 }  // namespace
 
-SurfacePainter::SurfaceProgram::SurfaceProgram(const Variant& variant)
+SurfacePainter::SurfaceProgram::SurfaceProgram(const Variant& variant, bool has_cookies)
     : program(variant.pass->vertex, variant.pass->geometry, variant.pass->fragment,
-              shader_files(pass_constants(variant.lights, variant.is_first))),
+              shader_files(has_cookies, pass_constants(variant.lights, variant.is_first))),
       world_from_model(program.uniform("world_from_model")),
       bounds_low(program.uniform("bounds_low")),
       bounds_high(program.uniform("bounds_high")),
@@ -75,7 +75,7 @@ SurfacePainter::SurfacePainter(const Scene& scene, const SceneLights& lights, co
       fog_lights_(fog_lights),
       settings_(settings),
       surfaces_(scene, lights.local(), lights.local_extents(), settings.skipping),
-      maps_(settings.path->maps, lights, scene.camera, settings.map_size) {}
+      maps_(settings.path->maps, scene, lights, settings.map_size) {}
 
 FrameCounts SurfacePainter::draw(const LightingPath& path, const glm::mat4& clip_from_world) {
   ++frame_;
@@ -171,7 +171,7 @@ void SurfacePainter::draw_pass(const Surface& surface, const Variant& variant, s
 }
 
 SurfacePainter::SurfaceProgram& SurfacePainter::use(const Variant& variant, const SurfaceMaterial& material) {
-  SurfaceProgram& program = programs_.try_emplace(variant, variant).first->second;
+  SurfaceProgram& program = programs_.try_emplace(variant, variant, !scene_.cookies.empty()).first->second;
   if (&program != used_) {
     used_ = &program;
     program.program.use();
@@ -199,6 +199,7 @@ SurfacePainter::SurfaceProgram& SurfacePainter::use(const Variant& variant, cons
     set_uniform(program.program, "range_map", kRangeMapUnit);
     set_uniform(program.program, "distance_map", kDistanceMapUnit);
     set_uniform(program.program, "cone_map", kConeMapUnit);
+    set_uniform(program.program, "cookies", kCookieUnit);
   }
   if (&material != bound_) {
     bound_ = &material;

@@ -46,7 +46,7 @@ class SurfacePainter {
     auto operator<=>(const Variant&) const = default;
   };
   struct SurfaceProgram {
-    explicit SurfaceProgram(const Variant& variant);
+    SurfaceProgram(const Variant& variant, bool has_cookies);
 
     gl::Program program;
     int world_from_model, bounds_low, bounds_high, light_list_range, light_batch, cone_from_world;

@@ -92,6 +92,36 @@ void LookupTexture::bind(unsigned unit) const {
   glBindTexture(target_, id_);
 }
 
+LayeredTexture::LayeredTexture(int size, int layers, const std::vector<std::uint16_t>& texels) {
+  assert(texels.size() == std::size_t(size) * std::size_t(size) * std::size_t(layers));
+  GLint most = 0;
+  GLint largest = 0;
+  glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &most);
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+  if (layers > most || size > largest) {
+    throw gl::Unsupported("the scene's cookies need " + std::to_string(layers) + " layers of " + std::to_string(size) +
+                          " texels a side; this OpenGL has " + std::to_string(most) + " of " + std::to_string(largest));
+  }
+  glGenTextures(1, &id_);
+  glBindTexture(GL_TEXTURE_2D_ARRAY, id_);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 2);
+  glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_R16, size, size, layers, 0, GL_RED, GL_UNSIGNED_SHORT, texels.data());
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) {
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, wrap, GL_CLAMP_TO_EDGE);
+  }
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
+}
+
+LayeredTexture::~LayeredTexture() { glDeleteTextures(1, &id_); }
+
+void LayeredTexture::bind(unsigned unit) const {
+  glActiveTexture(GL_TEXTURE0 + unit);
+  glBindTexture(GL_TEXTURE_2D_ARRAY, id_);
+}
+
 std::size_t BufferTexture::max_texels() {
   GLint most = 0;
   glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);

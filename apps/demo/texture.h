@@ -43,6 +43,22 @@ class LookupTexture {
   unsigned id_ = 0;
 };
 
+/// Square pictures of 16-bit shares of 1, one behind the other, looked up between the texels of each.
+class LayeredTexture {
+ public:
+  /// texels  size * size * layers
+  /// throws  gl::Unsupported where this OpenGL has not so many or so large ones
+  LayeredTexture(int size, int layers, const std::vector<std::uint16_t>& texels);
+  ~LayeredTexture();
+  LayeredTexture(const LayeredTexture&) = delete;
+  LayeredTexture& operator=(const LayeredTexture&) = delete;
+
+  void bind(unsigned unit) const;
+
+ private:
+  unsigned id_ = 0;
+};
+
 /// A buffer of texels for a shader's texelFetch: four floats or one integer each.
 class BufferTexture {
  public:

@@ -12,6 +12,7 @@ enum TextureUnit : unsigned {
   kRangeMapUnit,     // a light's attenuation, or the squares of x and y
   kDistanceMapUnit,  // q of the pair, or the square of z
   kConeMapUnit,
+  kCookieUnit,
 };
 
 inline constexpr unsigned kFogLightBinding = 0;  ///< of the FogLightBlock

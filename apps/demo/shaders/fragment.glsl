@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A fragment of a surface: its material, and how it is seen through the fog.
 
+#include "cookie.glsl"
 #include "litfog/fog.glsl"
 #include "pass.glsl"
 #include "rasterised.glsl"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The baseline of Hales 2004, table 1: light at the vertices as OpenGL's fixed pipeline has it, ambient and diffuse.
 
+#include "cookie.glsl"
 #include "litfog/surface.glsl"
 #include "local_lights.glsl"
 #include "scene.glsl"

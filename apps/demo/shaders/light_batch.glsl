@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The few lights of a pass (lights_in_pass of them, see pass.glsl), as the vertices hand them to the fragments.
 
+#include "cookie.glsl"
 #include "litfog/light.glsl"
 #include "pass.glsl"
 

@@ -2,6 +2,7 @@
 // A light as the eye sees it from afar: a point as bright as the light it sends to the eye, through the fog at the
 // density of its class.
 
+#include "cookie.glsl"
 #include "litfog/fog.glsl"
 #include "local_lights.glsl"
 

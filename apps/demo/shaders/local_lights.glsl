@@ -2,6 +2,7 @@
 // The scene's lights that the eye's vehicle does not carry: any number, in a buffer texture of FogLights, and which of
 // them can reach the surface drawn.
 
+#include "cookie.glsl"
 #include "litfog/light.glsl"
 
 uniform samplerBuffer local_lights;

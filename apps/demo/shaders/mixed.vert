@@ -2,6 +2,7 @@
 // Diffuse at the vertices, specular at the fragments (Cg Tutorial, chapter 5, exercise 6): the half-angle vectors of a few
 // lights fit between the two, so further lights add their highlights in further passes.
 
+#include "cookie.glsl"
 #include "litfog/surface.glsl"
 #include "light_batch.glsl"
 #include "local_lights.glsl"

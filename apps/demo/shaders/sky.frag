@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The night sky: a gradient, stars and the moon, far behind all fog.
 
+#include "cookie.glsl"
 #include "litfog/fog.glsl"
 
 in vec3 seen_direction;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The Basic model in tangent space with the normal as the map has it (Lacroix 2005, listing 1.2).
 
+#include "cookie.glsl"
 #include "litfog/surface.glsl"
 #include "fragment.glsl"
 #include "light_batch.glsl"
@@ -9,6 +10,9 @@ in vec3 to_viewer;
 in vec3 to_moon;
 in vec3 to_light[batch_size];
 in vec3 light_axis[batch_size];
+#ifdef LITFOG_COOKIES
+in vec3 cookie_up[batch_size];
+#endif
 
 void main() {
   vec4 albedo = base_texture();
@@ -30,6 +34,9 @@ void main() {
     FogLight light = batch_light(i);
     light.position_extent.xyz = to_light[i];
     light.axis_profile.xyz = normalize(light_axis[i]);
+#ifdef LITFOG_COOKIES
+    if (light.axis_profile.w == 3.0) light.cone.yzw = normalize(cookie_up[i]);
+#endif
     lit += litfog_light_surface(surface, light);
   }
   color = seen_by_eye(lit, fragment_position());

@@ -11,6 +11,9 @@ out vec3 to_viewer;
 out vec3 to_moon;
 out vec3 to_light[batch_size];
 out vec3 light_axis[batch_size];
+#ifdef LITFOG_COOKIES
+out vec3 cookie_up[batch_size];
+#endif
 
 void main() {
   vec3 position = place_vertex();
@@ -25,5 +28,8 @@ void main() {
     FogLight light = batch_light(i);
     to_light[i] = tangent_from_world * (light.position_extent.xyz - position);
     light_axis[i] = tangent_from_world * light.axis_profile.xyz;
+#ifdef LITFOG_COOKIES
+    cookie_up[i] = tangent_from_world * light.cone.yzw;
+#endif
   }
 }

@@ -2,6 +2,7 @@
 // Everything per fragment in world space (Lacroix 2005, "Unified per-pixel lighting solution", listings 2.1 to 2.3), with
 // the Cg Tutorial's Basic model and Hales's fog.
 
+#include "cookie.glsl"
 #include "litfog/surface.glsl"
 #include "fragment.glsl"
 #include "local_lights.glsl"

@@ -8,7 +8,7 @@ const int LITFOG_MAX_LIGHTS = 128;
 
 struct FogLight {
   vec4 position_extent;  // xyz position, w extent
-  vec4 axis_profile;     // xyz unit axis, w profile: 0 none, 1 cosine, 2 smoothstep
+  vec4 axis_profile;     // xyz unit axis, w profile: 0 none, 1 cosine, 2 smoothstep, 3 the includer's
   vec4 color_intensity;  // rgb colour, w fog colour intensity
   vec4 attenuation;      // x constant, y linear, z quadratic, w density scale
   vec4 cone;             // cosine: x cos half angle, y exponent; smoothstep: x cos outer, y cos inner
@@ -27,11 +27,18 @@ vec3 litfog_direction(vec3 from, vec3 to) {
   return range > 0.0 ? offset / range : vec3(0.0);
 }
 
+#ifdef LITFOG_COOKIES  // the includer has lights of a shape of its own, profile 3, whose cone means what it likes
+float litfog_cookie(FogLight light, vec3 direction);
+#endif
+
 // Share of the axial intensity towards a direction (unit, from the light).
 float litfog_cone(FogLight light, vec3 direction) {
   float cos_angle = dot(light.axis_profile.xyz, direction);
   if (light.axis_profile.w == 1.0) return litfog_cosine_cone(cos_angle, light.cone.x, light.cone.y);
   if (light.axis_profile.w == 2.0) return litfog_smoothstep_cone(cos_angle, light.cone.y, light.cone.x);
+#ifdef LITFOG_COOKIES
+  if (light.axis_profile.w == 3.0) return litfog_cookie(light, direction);
+#endif
   return 1.0;
 }
 
