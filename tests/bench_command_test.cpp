@@ -210,7 +210,7 @@ TEST_F(BenchMeasurement, FitFindsEveryOptimumToTheDigitsThatItStates) {
       EXPECT_EQ(found.count(std::string(problem) + method), 1u) << problem << method;
     }
   }
-  EXPECT_NE(read("fit.svg").find("digits of the optimum"), std::string::npos);
+  EXPECT_NE(read("fit.svg").find("tables whose optimum was found"), std::string::npos);
 }
 
 TEST_F(BenchMeasurement, IsaLimitsWhatBatchesUse) {
