@@ -4,24 +4,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <numeric>
 #include <optional>
 
 #include "command.h"
+#include "demo/comparison.h"
+#include "demo/frame_times.h"
 #include "demo/gallery.h"
 #include "demo/heat_map.h"
-#include "demo/picture_error.h"
-#include "demo/reference_picture.h"
 #include "demo/renderer.h"
 #include "demo/scene_file.h"
 #include "litfog/gl/headless_context.h"
 #include "litfog/gl/unsupported.h"
 #include "number.h"
-#include "progress.h"
 #include "whole_file.h"
 
 namespace {
@@ -102,11 +99,6 @@ double chosen_visibility(const Options& options, const Scene& scene) {
   return scene.visibilities.empty() ? 200 : scene.visibilities[scene.visibilities.size() / 2];
 }
 
-double median(const std::vector<double>& sorted) {
-  const std::size_t half = sorted.size() / 2;
-  return sorted.size() % 2 == 1 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2;
-}
-
 /// Whether two paths, one of which need not be there yet, are one file.
 bool is_same_file(const std::string& a, const std::string& b) {
   std::error_code error;
@@ -130,27 +122,6 @@ void expect_places(const Options& options, const std::string& output) {
   }
 }
 
-struct Comparison {
-  Picture reference;
-  PictureError error;
-};
-
-/// Compares what the renderer draws with the reference before the lamps' points are drawn: they are the same over every
-/// path, and no path's shading. The reference gets those of the frame drawn before, so that it shows the whole scene.
-Comparison compare_with_reference(const Scene& scene, const Fog& fog, Renderer& renderer) {
-  const Picture with_points = renderer.read();
-  renderer.draw(LightPoints::off);
-  const Picture drawn = renderer.read();
-  Progress progress;
-  ReferencePicture reference = shade_reference(scene, fog, renderer, [&](double share) {
-    progress.show(fmt::format("shading the reference: {:.0f} %", 100 * share));
-  });
-  const PictureError error = picture_error(drawn, reference);
-  std::vector<float>& rgb = reference.picture.rgb;
-  for (std::size_t i = 0; i < rgb.size(); ++i) rgb[i] += with_points.rgb[i] - drawn.rgb[i];
-  return {std::move(reference.picture), error};
-}
-
 ExitStatus draw_scene(const Options& options) {
   Scene scene = read_scene(scene_path(options.scenes.front()));
   turn_cookies(scene, options.seconds);
@@ -161,21 +132,14 @@ ExitStatus draw_scene(const Options& options) {
   const double visibility = chosen_visibility(options, scene);
   const Fog fog = Fog::from_visibility(fog_mode(options.fog), visibility);
   renderer.set_fog(fog);
-  std::vector<double> milliseconds;
-  FrameCounts counts;
-  for (int frame = 0; frame < options.frames; ++frame) {
-    const auto start = std::chrono::steady_clock::now();
-    counts = renderer.draw();
-    milliseconds.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
-  }
-  std::ranges::sort(milliseconds);
+  const FrameTimes times = time_frames({&renderer}, options.frames).front();
   std::optional<Comparison> comparison;
   if (needs_reference(options)) comparison = compare_with_reference(scene, fog, renderer);
   if (!options.heat_map.empty()) {
     write_picture(options.heat_map,
                   make_heat_map(comparison->error, fmt::format("{}, {}", scene.name, options.render.path->name)));
   }
-  write_picture(output, options.reference ? comparison->reference : renderer.read());
+  write_picture(output, !comparison ? renderer.read() : options.reference ? comparison->reference : comparison->drawn);
   if (!options.stats.empty()) {
     nlohmann::ordered_json stats{
         {"scene", scene.name},
@@ -187,12 +151,15 @@ ExitStatus draw_scene(const Options& options) {
         {"lights", scene.lights.size()},
         {"frames", options.frames},
         {"ms_per_frame",
-         {{"median", median(milliseconds)}, {"min", milliseconds.front()}, {"max", milliseconds.back()}}},
+         {{"median", times.median()},
+          {"spread", times.spread()},
+          {"min", times.milliseconds.front()},
+          {"max", times.milliseconds.back()}}},
         {"skip", options.render.skipping == Skipping::on},
-        {"chunks_drawn", counts.chunks_drawn},
-        {"chunks_skipped", counts.chunks_skipped},
-        {"surface_lights_listed", counts.lights_listed},
-        {"surface_lights_skipped", counts.lights_skipped},
+        {"chunks_drawn", times.counts.chunks_drawn},
+        {"chunks_skipped", times.counts.chunks_skipped},
+        {"surface_lights_listed", times.counts.lights_listed},
+        {"surface_lights_skipped", times.counts.lights_skipped},
         {"gl_renderer", context.renderer()},
         {"gl_version", context.version()}};
     if (comparison) {
@@ -203,7 +170,7 @@ ExitStatus draw_scene(const Options& options) {
     write_whole_file(options.stats, stats.dump(2) + "\n");
   }
   write_standard_output(fmt::format("{}: {} ({}x{}) in {:.0f} ms on {}\n", output, scene.name, options.width,
-                                    options.height, median(milliseconds), context.renderer()));
+                                    options.height, times.median(), context.renderer()));
   if (comparison) {
     const PictureError& error = comparison->error;
     write_standard_output(fmt::format("{}: largest error {:.3g}, mean {:.3g} of 1/255, {} pixels excepted\n",
@@ -318,7 +285,8 @@ int main(int argc, char** argv) {
       ->type_name("WxH");
   add_number(app, "--time", options.seconds, kFiniteNotNegative,
              "Seconds for which the scene's cookies have been spinning (default 0)");
-  add_integer(app, "--frames", options.frames, 1, 100'000, "Frames to draw and time; the last is written (default 1)");
+  add_integer(app, "--frames", options.frames, 1, 100'000,
+              "Frames to draw and time, after one that is not timed (default 1)");
   app.add_flag_callback(
       "--no-skip", [&] { options.render.skipping = Skipping::off; },
       "Draw and light everything, even what cannot show");

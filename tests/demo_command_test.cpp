@@ -92,6 +92,12 @@ TEST_F(DemoCommand, AHeatMapShowsThePathsErrorBesideItsPicture) {
   EXPECT_GT(nlohmann::json::parse(read("s.json"))["max_error_255"], 1);
 }
 
+TEST_F(DemoCommand, APictureIsTheSameWithAHeatMapBesideIt) {
+  ASSERT_EQ(run("approach --size 64x36 -o a.png").status, kDone);
+  ASSERT_EQ(run("approach --size 64x36 -o b.png --heat-map h.png").status, kDone);
+  EXPECT_EQ(read("a.png"), read("b.png"));  // the lamps' points too
+}
+
 TEST_F(DemoCommand, TheMedianOfTwoFramesLiesBetweenThem) {
   ASSERT_EQ(run("room --size 8x8 --frames 2 -o a.png --stats s.json").status, kDone);
   const auto times = nlohmann::json::parse(read("s.json"))["ms_per_frame"];

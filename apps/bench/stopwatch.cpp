@@ -3,11 +3,10 @@
 
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
 #include <array>
-#include <cassert>
-#include <cmath>
 #include <string>
+
+#include "quantile.h"
 
 namespace litfog::bench {
 namespace {
@@ -34,15 +33,6 @@ class Collector : public benchmark::BenchmarkReporter {
 };
 
 }  // namespace
-
-double quantile(std::vector<double> values, double share) {
-  assert(!values.empty());
-  std::sort(values.begin(), values.end());
-  const double place = share * static_cast<double>(values.size() - 1);
-  const auto below = static_cast<std::size_t>(place);
-  const std::size_t above = std::min(below + 1, values.size() - 1);
-  return std::lerp(values[below], values[above], place - static_cast<double>(below));
-}
 
 std::vector<Timing> time_passes(const std::vector<TimedPass>& passes, const StopwatchSettings& settings,
                                 const std::function<void()>& on_run) {

@@ -24,9 +24,6 @@ struct StopwatchSettings {
   double least_seconds;  ///< a repetition runs as many passes as fill this time
 };
 
-/// The share of values below which a quantile lies, between neighbours in proportion; not empty.
-double quantile(std::vector<double> values, double share);
-
 /// Times the passes with Google Benchmark, the repetitions of all in random order, so that a slow spell of the machine
 /// hits no pass alone. on_run is called before each run.
 std::vector<Timing> time_passes(const std::vector<TimedPass>& passes, const StopwatchSettings& settings,

@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "bench/light_mix.h"
-#include "bench/stopwatch.h"
 #include "litfog/batch.h"
 #include "litfog/updater.h"
 #include "progress.h"
+#include "quantile.h"
 #include "random_light.h"
 
 namespace litfog::bench {

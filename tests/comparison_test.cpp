@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "comparison.h"
+
+#include <algorithm>
+
+#include "gl_test.h"
+#include "scene_file.h"
+
+namespace {
+
+using namespace litfog;
+using namespace litfog::demo;
+
+class ComparisonTest : public test::GlTest {};
+
+// The error is that of the shading: with the points of a thousand lamps in both pictures it stays as small.
+TEST_F(ComparisonTest, BothPicturesShowTheLampsPointsAndTheErrorDoesNot) {
+  const Scene scene = read_scene(bundled_scene_path("approach"));
+  const Fog fog = Fog::from_visibility(FogMode::exp, 2000.0);
+  Renderer renderer(scene, 64, 36, {});
+  renderer.set_fog(fog);
+  renderer.draw();
+  const Picture with_points = renderer.read();
+  const Comparison comparison = compare_with_reference(scene, fog, renderer);
+  EXPECT_EQ(comparison.drawn.rgb, with_points.rgb);
+  EXPECT_LT(comparison.error.largest, 1);
+  renderer.draw(LightPoints::off);
+  const Picture without_points = renderer.read();
+  double brightest_point = 0;
+  for (std::size_t i = 0; i < with_points.rgb.size(); ++i) {
+    brightest_point = std::max(brightest_point, double(with_points.rgb[i] - without_points.rgb[i]));
+    EXPECT_NEAR(comparison.reference.rgb[i], with_points.rgb[i], 0.01) << i;
+  }
+  EXPECT_GT(brightest_point, 0.1);
+}
+
+}  // namespace

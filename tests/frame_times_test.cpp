@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "frame_times.h"
+
+#include <algorithm>
+
+#include "gl_test.h"
+#include "scene_file.h"
+
+namespace {
+
+using namespace litfog;
+using namespace litfog::demo;
+
+TEST(FrameTimes, SpreadIsFromTheTenthToTheNinetiethPercentile) {
+  const FrameTimes times{.milliseconds = {10, 20, 30, 40, 50}};
+  EXPECT_EQ(times.median(), 30);
+  EXPECT_DOUBLE_EQ(times.spread(), 46 - 14);
+}
+
+class FrameTimesTest : public test::GlTest {};
+
+TEST_F(FrameTimesTest, EachRendererHasItsTimesInAscendingOrderAndItsCounts) {
+  const Scene scene = read_scene(bundled_scene_path("headlights"));
+  Renderer skipping(scene, 32, 18, {});
+  Renderer drawing_all(scene, 32, 18, {.skipping = Skipping::off});
+  const std::vector<FrameTimes> times = time_frames({&skipping, &drawing_all}, 3);
+  ASSERT_EQ(times.size(), 2u);
+  for (const FrameTimes& each : times) {
+    EXPECT_EQ(each.milliseconds.size(), 3u);
+    EXPECT_TRUE(std::ranges::is_sorted(each.milliseconds));
+    EXPECT_GT(each.milliseconds.front(), 0);
+  }
+  EXPECT_GT(times[0].counts.chunks_skipped, 0u);
+  EXPECT_EQ(times[1].counts.chunks_skipped, 0u);
+}
+
+}  // namespace
