@@ -98,7 +98,8 @@ void write_standard_output(std::string_view text) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) fail_to_write();
 }
 
-void flush_standard_output() {
+void report(std::string_view text) {
+  write_standard_output(text);
   if (std::fflush(stdout) != 0) fail_to_write();
 }
 

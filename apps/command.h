@@ -62,8 +62,8 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, Choice& target,
 /// Appends to standard output. Throws CannotWrite.
 void write_standard_output(std::string_view text);
 
-/// Shows what was written so far, to a pipe too. Throws CannotWrite.
-void flush_standard_output();
+/// The same, shown at once, to a pipe too: what a command that takes a while has done so far. Throws CannotWrite.
+void report(std::string_view text);
 
 /// Parses the command line, runs the command, and turns whatever comes of it into one message on standard error and an
 /// exit status. Adds --help and --version. Standard output is closed at the end, so that a full disk is noticed.

@@ -60,4 +60,10 @@ TEST(PictureError, OfAPixelThatIsNotANumberIsInfinite) {
   EXPECT_EQ(picture_error(picture({0, nan, 0.5f}), row({0, 0, 0})).largest, std::numeric_limits<double>::infinity());
 }
 
+TEST(PictureError, InWordsSaysHowManyPixelsAreExceptedIfAny) {
+  EXPECT_EQ(error_in_words({.largest = 0.13912, .mean = 0.0126}), "largest error 0.139, mean 0.0126 of 1/255");
+  EXPECT_EQ(error_in_words({.largest = 17.2, .mean = 2, .excepted = 3}),
+            "largest error 17.2, mean 2 of 1/255; 3 pixels excepted");
+}
+
 }  // namespace

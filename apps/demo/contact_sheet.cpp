@@ -13,10 +13,12 @@ namespace litfog::demo {
 namespace {
 
 constexpr int kMargin = 8;
-constexpr int kCaptionHeight = 26;
+constexpr int kLineHeight = 20;
+constexpr int kCaptionMargin = 6;  // under the last line
 constexpr int kFontSize = 15;
 constexpr std::array<float, 3> kGround{0.012f, 0.012f, 0.014f};
 constexpr glm::vec3 kInk{0.75f, 0.75f, 0.72f};
+constexpr glm::vec3 kFaintInk{0.33f, 0.33f, 0.31f};
 
 OIIO::ImageSpec spec_of(int width, int height) { return {width, height, 3, OIIO::TypeDesc::FLOAT}; }
 
@@ -50,13 +52,15 @@ Picture make_contact_sheet(const std::vector<std::vector<SheetEntry>>& rows) {
   for (const auto& row : rows) {
     columns = std::max(columns, row.size());
     int tallest = 0;
+    std::size_t lines = 0;
     for (const SheetEntry& entry : row) {
       cells.resize(tops.size() + 1);
       cells.back().push_back(reduced(entry.picture, kSheetCellWidth));
       tallest = std::max(tallest, cells.back().back().height);
+      lines = std::max(lines, entry.caption.size());
     }
     tops.push_back(height);
-    height += tallest + kCaptionHeight + kMargin;
+    height += tallest + int(lines) * kLineHeight + kCaptionMargin + kMargin;
   }
   Picture sheet{int(columns) * (kSheetCellWidth + kMargin) + kMargin, height, {}};
   sheet.rgb.resize(std::size_t(sheet.width) * std::size_t(sheet.height) * 3);
@@ -67,8 +71,13 @@ Picture make_contact_sheet(const std::vector<std::vector<SheetEntry>>& rows) {
       const Picture& cell = cells[r][c];
       const int left = kMargin + int(c) * (kSheetCellWidth + kMargin);
       OIIO::ImageBufAlgo::paste(image, left, tops[r], 0, 0, to_image(cell));
-      const int baseline = tops[r] + cell.height + kCaptionHeight - 8;
-      draw_text(sheet, left + 2, baseline, rows[r][c].caption, kFontSize, kInk);
+      int baseline = tops[r] + cell.height - 2;
+      for (const std::string& line : rows[r][c].caption) {
+        const bool is_first = &line == &rows[r][c].caption.front();
+        baseline += kLineHeight;
+        draw_text(sheet, left + 2, baseline, fitted_text(line, kFontSize, kSheetCellWidth - 4), kFontSize,
+                  is_first ? kInk : kFaintInk);
+      }
     }
   }
   return sheet;

@@ -10,13 +10,14 @@ namespace litfog::demo {
 
 inline constexpr int kSheetCellWidth = 480;  ///< pixels: the common width of a sheet's pictures
 
-/// One picture of a sheet with the words under it.
+/// One picture of a sheet with the lines of words under it, of which those after the first are fainter.
 struct SheetEntry {
   Picture picture;
-  std::string caption;
+  std::vector<std::string> caption;
 };
 
-/// Rows of pictures, each reduced to a common width, with captions in a plain type, on a dark ground.
+/// Rows of pictures, each reduced to a common width, with captions in a plain type, on a dark ground. Lines that are
+/// wider than a picture are cut short.
 /// throws std::runtime_error where no font is found for the captions
 Picture make_contact_sheet(const std::vector<std::vector<SheetEntry>>& rows);
 

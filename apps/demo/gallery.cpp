@@ -5,14 +5,11 @@
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
-#include <future>
-#include <map>
 #include <tuple>
 
 #include "command.h"
 #include "contact_sheet.h"
-#include "exit_status.h"
+#include "picture_folder.h"
 #include "scene_file.h"
 #include "table.h"
 
@@ -22,12 +19,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-/// Shown at once: a gallery takes a while.
-void report(const std::string& text) {
-  write_standard_output(text);
-  flush_standard_output();
-}
 
 /// Whether two lights have one row in the table: the name and all that the solution depends on are the same.
 bool is_same_kind(const Light& a, const Light& b) {
@@ -59,22 +50,14 @@ void add_solutions(Table& table, const Scene& scene, FogMode mode) {
 }  // namespace
 
 void draw_gallery(const std::vector<std::string>& scenes, const std::string& folder, const GallerySettings& settings) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw CannotWrite(folder + ": cannot be made: " + error.message());
-  const auto path_of = [&](const std::string& name) { return (std::filesystem::path(folder) / name).string(); };
   const Clock::time_point start = Clock::now();
+  PictureFolder pictures(folder);
   Table solutions{{"scene", "light", "visibility_m", "extent_m", "peak_range_m", "intensity"}, {}};
   std::vector<std::vector<SheetEntry>> sheet;
-  std::map<std::string, std::string> files;  // by their scenes' names
-  std::future<void> writing;                 // a picture is encoded while the next one is drawn
   for (const std::string& name : scenes) {
     const Clock::time_point scene_start = Clock::now();
     const Scene scene = read_scene(name);
-    const auto [earlier, is_new] = files.try_emplace(scene.name, name);
-    if (!is_new) {
-      throw BadInput(fmt::format("{}: name = {}: must not be that of {} too", name, scene.name, earlier->second));
-    }
+    pictures.add_scene(scene.name, name);
     Renderer renderer(scene, settings.width, settings.height, settings.render);
     report(fmt::format("{}: {} lights, loaded in {:.2f} s\n", scene.name, scene.lights.size(),
                        seconds_since(scene_start)));
@@ -85,7 +68,7 @@ void draw_gallery(const std::vector<std::string>& scenes, const std::string& fol
     for (const double visibility : visibilities) {
       const bool is_clear = std::isinf(visibility);
       const std::string label = is_clear ? "clear" : fmt::format("{}m", visibility);
-      const std::string path = path_of(scene.name + "-" + label + ".png");
+      const std::string file = scene.name + "-" + label + ".png";
       const Clock::time_point frame_start = Clock::now();
       renderer.set_fog(Fog::from_visibility(settings.fog_mode, visibility));
       renderer.draw();
@@ -93,17 +76,17 @@ void draw_gallery(const std::vector<std::string>& scenes, const std::string& fol
       const double draw_seconds = seconds_since(frame_start);
       const std::string caption =
           is_clear ? scene.name + ", clear air" : fmt::format("{}, visibility {} m", scene.name, visibility);
-      sheet.back().push_back({reduced(picture, kSheetCellWidth), caption});
-      if (writing.valid()) writing.get();
-      writing = std::async(std::launch::async, [path, drawn = std::move(picture)] { write_picture(path, drawn); });
-      report(fmt::format("  {:<40} drawn in {:.2f} s\n", path, draw_seconds));
+      sheet.back().push_back({reduced(picture, kSheetCellWidth), {caption}});
+      pictures.write(file, std::move(picture));
+      report(fmt::format("  {:<40} drawn in {:.2f} s\n", pictures.path_of(file), draw_seconds));
     }
   }
-  if (writing.valid()) writing.get();
-  const std::string sheet_path = path_of("contact-sheet.png");
-  write_picture(sheet_path, make_contact_sheet(sheet));
+  const std::string sheet_file = "contact-sheet.png";
+  pictures.write(sheet_file, make_contact_sheet(sheet));
+  pictures.finish();
   write_standard_output("\n" + format_table(solutions, TableFormat::text));
-  write_standard_output(fmt::format("\n{} shows all; {:.1f} s in all\n", sheet_path, seconds_since(start)));
+  write_standard_output(
+      fmt::format("\n{} shows all; {:.1f} s in all\n", pictures.path_of(sheet_file), seconds_since(start)));
 }
 
 }  // namespace litfog::demo

@@ -14,8 +14,6 @@
 namespace litfog::demo {
 namespace {
 
-constexpr double kLeast = 0.1;  // 1/255
-constexpr double kDecades = 3;
 constexpr int kLeastWidth = 640;  // pixels, for the words
 constexpr int kMargin = 10;
 constexpr int kFontSize = 14;
@@ -25,7 +23,7 @@ constexpr glm::vec3 kGround{0.012f, 0.012f, 0.014f};
 constexpr glm::vec3 kInk{0.75f, 0.75f, 0.72f};
 constexpr glm::vec3 kExcepted{1, 0, 0};
 
-double share_of(double error) { return std::clamp(std::log10(error / kLeast) / kDecades, 0.0, 1.0); }
+double share_of(double error) { return std::clamp(std::log10(error / kHeatLeast) / kHeatDecades, 0.0, 1.0); }
 
 /// Fills columns [left, right) of rows [top, bottom).
 void fill(Picture& picture, int left, int top, int right, int bottom, const glm::vec3& color) {
@@ -45,10 +43,10 @@ void draw_scale(Picture& picture, int top) {
   for (int i = 0; i <= length; ++i) {
     fill(picture, left + i, top, left + i + 1, top + kBarHeight, heat_color(double(i) / length));
   }
-  for (int decade = 0; decade <= int(kDecades); ++decade) {
-    const int x = left + int(length * decade / kDecades);
+  for (int decade = 0; decade <= kHeatDecades; ++decade) {
+    const int x = left + int(length * decade / kHeatDecades);
     fill(picture, x, top + kBarHeight, x + 1, top + kBarHeight + 5, kInk);
-    const std::string label = fmt::format("{:g}", kLeast * std::pow(10.0, decade));
+    const std::string label = fmt::format("{:g}", kHeatLeast * std::pow(10.0, decade));
     draw_text(picture, x + 4, top + kBarHeight + kFontSize, decade == 0 ? label + " of 1/255" : label, kFontSize, kInk);
   }
 }
@@ -80,8 +78,7 @@ Picture make_heat_map(const PictureError& error, const std::string& title) {
            value < 0 ? kExcepted : heat_color(share_of(double(value))));
     }
   }
-  std::string words = fmt::format("{}: largest {:.3g}, mean {:.3g} of 1/255", title, error.largest, error.mean);
-  if (error.excepted > 0) words += fmt::format("; {} pixels excepted (red)", error.excepted);
+  const std::string words = title + ": " + error_in_words(error) + (error.excepted > 0 ? " (red)" : "");
   draw_text(picture, kMargin, height + kLineHeight, words, kFontSize, kInk);
   draw_scale(picture, height + kLineHeight + kMargin);
   return picture;

@@ -9,6 +9,9 @@
 
 namespace litfog::demo {
 
+inline constexpr double kHeatLeast = 0.1;  ///< 1/255: where the scale of colours begins
+inline constexpr int kHeatDecades = 3;     ///< how often it grows tenfold
+
 /// The errors of a picture as colours from black (0.1/255 and less) to white (100/255 and more), each tenfold as long
 /// as the last on the scale below them; excepted pixels are red. Small pictures are magnified, so that the words under
 /// them can be read.

@@ -15,4 +15,7 @@ namespace litfog::demo {
 /// throws                std::runtime_error where no font is found
 void draw_text(Picture& picture, int left, int baseline, const std::string& text, int size, const glm::vec3& ink);
 
+/// A text that is no wider than so many pixels: the same, or its beginning and an ellipsis.
+std::string fitted_text(const std::string& text, int size, int width);
+
 }  // namespace litfog::demo

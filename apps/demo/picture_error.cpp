@@ -2,6 +2,7 @@
 #include "picture_error.h"
 
 #include <OpenImageIO/color.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cassert>
@@ -46,6 +47,11 @@ PictureError picture_error(const Picture& drawn, const ReferencePicture& referen
   const std::size_t compared = error.pixels.size() - error.excepted;
   error.mean = compared > 0 ? sum / double(compared) : 0;
   return error;
+}
+
+std::string error_in_words(const PictureError& error) {
+  const std::string words = fmt::format("largest error {:.3g}, mean {:.3g} of 1/255", error.largest, error.mean);
+  return error.excepted > 0 ? fmt::format("{}; {} pixels excepted", words, error.excepted) : words;
 }
 
 }  // namespace litfog::demo
