@@ -14,6 +14,7 @@
 #include "demo/frame_times.h"
 #include "demo/gallery.h"
 #include "demo/heat_map.h"
+#include "demo/path_comparison.h"
 #include "demo/renderer.h"
 #include "demo/scene_file.h"
 #include "litfog/gl/headless_context.h"
@@ -54,12 +55,13 @@ struct Options {
   std::vector<std::string> scenes;
   std::string output;
   std::string gallery;
+  std::string compare;
   FogChoice fog = FogChoice::exp;
   double visibility = std::numeric_limits<double>::quiet_NaN();  // not given
   FogLighting fog_lighting = FogLighting::peak;
   int width = 1280;
   int height = 720;
-  int frames = 1;
+  int frames = 0;  // not given
   double seconds = 0;
   RenderSettings render;
   bool reference = false;
@@ -92,11 +94,11 @@ std::string scene_path(const std::string& scene) {
 
 FogMode fog_mode(FogChoice choice) { return choice == FogChoice::exp2 ? FogMode::exp2 : FogMode::exp; }
 
-/// The fog asked for; without --visibility the scene's middle one, so that the picture shows what the scene is for.
-double chosen_visibility(const Options& options, const Scene& scene) {
+/// The visibility asked for, if any.
+std::optional<double> chosen_visibility(const Options& options) {
   if (options.fog == FogChoice::none) return std::numeric_limits<double>::infinity();
-  if (!std::isnan(options.visibility)) return options.visibility;
-  return scene.visibilities.empty() ? 200 : scene.visibilities[scene.visibilities.size() / 2];
+  if (std::isnan(options.visibility)) return std::nullopt;
+  return options.visibility;
 }
 
 /// Whether two paths, one of which need not be there yet, are one file.
@@ -108,7 +110,9 @@ bool is_same_file(const std::string& a, const std::string& b) {
   return std::filesystem::equivalent(a, b, error) || plain(a) == plain(b);
 }
 
-bool needs_reference(const Options& options) { return options.reference || !options.heat_map.empty(); }
+bool needs_reference(const Options& options) {
+  return options.reference || !options.heat_map.empty() || !options.compare.empty();
+}
 
 void expect_places(const Options& options, const std::string& output) {
   expect_place_for_file(output);
@@ -129,10 +133,11 @@ ExitStatus draw_scene(const Options& options) {
   expect_places(options, output);
   const gl::HeadlessContext context;
   Renderer renderer(scene, options.width, options.height, options.render);
-  const double visibility = chosen_visibility(options, scene);
+  const double visibility = chosen_visibility(options).value_or(suggested_visibility(scene));
   const Fog fog = Fog::from_visibility(fog_mode(options.fog), visibility);
   renderer.set_fog(fog);
-  const FrameTimes times = time_frames({&renderer}, options.frames).front();
+  const int frames = options.frames > 0 ? options.frames : 1;
+  const FrameTimes times = time_frames({&renderer}, frames).front();
   std::optional<Comparison> comparison;
   if (needs_reference(options)) comparison = compare_with_reference(scene, fog, renderer);
   if (!options.heat_map.empty()) {
@@ -149,7 +154,7 @@ ExitStatus draw_scene(const Options& options) {
         {"visibility_m", std::isinf(visibility) ? nlohmann::ordered_json("inf") : nlohmann::ordered_json(visibility)},
         {"size", {options.width, options.height}},
         {"lights", scene.lights.size()},
-        {"frames", options.frames},
+        {"frames", frames},
         {"ms_per_frame",
          {{"median", times.median()},
           {"spread", times.spread()},
@@ -172,11 +177,20 @@ ExitStatus draw_scene(const Options& options) {
   write_standard_output(fmt::format("{}: {} ({}x{}) in {:.0f} ms on {}\n", output, scene.name, options.width,
                                     options.height, times.median(), context.renderer()));
   if (comparison) {
-    const PictureError& error = comparison->error;
-    write_standard_output(fmt::format("{}: largest error {:.3g}, mean {:.3g} of 1/255, {} pixels excepted\n",
-                                      options.render.path->name, error.largest, error.mean, error.excepted));
+    write_standard_output(fmt::format("{}: {}\n", options.render.path->name, error_in_words(comparison->error)));
   }
   return kDone;
+}
+
+PathComparisonSettings path_comparison_settings(const Options& options) {
+  PathComparisonSettings settings{.fog_mode = fog_mode(options.fog),
+                                  .visibility = chosen_visibility(options),
+                                  .seconds = options.seconds,
+                                  .width = options.width,
+                                  .height = options.height,
+                                  .render = options.render};
+  if (options.frames > 0) settings.frames = options.frames;
+  return settings;
 }
 
 ExitStatus run(const Options& options) {
@@ -193,11 +207,15 @@ ExitStatus run(const Options& options) {
     return kDone;
   }
   try {
-    if (options.gallery.empty()) return draw_scene(options);
+    if (options.gallery.empty() && options.compare.empty()) return draw_scene(options);
     std::vector<std::string> scenes = options.scenes.empty() ? bundled_scenes() : options.scenes;
     std::ranges::transform(scenes, scenes.begin(), scene_path);
     const gl::HeadlessContext context;
     write_standard_output(fmt::format("drawing {} scenes on {}\n", scenes.size(), context.renderer()));
+    if (!options.compare.empty()) {
+      compare_paths(scenes, options.compare, context.renderer(), path_comparison_settings(options));
+      return kDone;
+    }
     draw_gallery(scenes, options.gallery,
                  {.fog_mode = fog_mode(options.fog),
                   .width = options.width,
@@ -219,11 +237,19 @@ void refuse_what_does_not_fit(const CLI::App& app, const Options& options) {
   for (const auto& [option, value] : {std::pair{"--output", &options.output},
                                       {"--heat-map", &options.heat_map},
                                       {"--stats", &options.stats},
-                                      {"--gallery", &options.gallery}}) {
+                                      {"--gallery", &options.gallery},
+                                      {"--compare", &options.compare}}) {
     if (is_given(option) && value->empty()) refuse_option(option, "", "must not be empty");
   }
-  if (options.gallery.empty() && options.scenes.size() != 1) {
-    refuse_option("SCENE", std::to_string(options.scenes.size()) + " given", "must be one, or use --gallery FOLDER");
+  if (options.gallery.empty() && options.compare.empty() && options.scenes.size() != 1) {
+    refuse_option("SCENE", std::to_string(options.scenes.size()) + " given",
+                  "must be one, or use --gallery FOLDER or --compare FOLDER");
+  }
+  if (!options.compare.empty()) {  // which draws every scene by every path, and its reference
+    for (const char* option :
+         {"--gallery", "--output", "--reference", "--heat-map", "--stats", "--path", "--flat-shading"}) {
+      if (is_given(option)) refuse_option("--compare", options.compare, std::string("must stand without ") + option);
+    }
   }
   if (!options.gallery.empty()) {  // which draws every scene once at each of its own visibilities
     for (const char* option :
@@ -237,7 +263,7 @@ void refuse_what_does_not_fit(const CLI::App& app, const Options& options) {
   }
   const LightingPath& path = *options.render.path;
   const auto refuse_beside_path = [&](const char* option, bool fits, const char* rule) {
-    if (is_given(option) && !fits) refuse_option("--path", path.name, rule);
+    if (is_given(option) && !fits && options.compare.empty()) refuse_option("--path", path.name, rule);
   };
   refuse_beside_path("--map-size", path.maps != LightMapSet::none, "must be one with light maps beside --map-size");
   refuse_beside_path("--flat-shading", path.evaluation == Evaluation::lookup && path.surface == SurfaceModel::diffuse,
@@ -265,7 +291,7 @@ int main(int argc, char** argv) {
   Options options;
   CLI::App app{"Draws a scene lit by lamps in fog, without a display (OpenGL 3.3 through EGL).", "litfog-demo"};
   app.add_option("SCENE", options.scenes,
-                 "A scene of --list-scenes, a scene file or a glTF file; several with --gallery");
+                 "A scene of --list-scenes, a scene file or a glTF file; several with --gallery or --compare");
   app.add_option("-o,--output", options.output, "Picture to write: .png (sRGB) or .exr (linear); default SCENE.png")
       ->type_name("FILE");
   add_choice(app, "--fog", options.fog, kFogNames, "How fog thickens with range (default exp)");
@@ -286,7 +312,7 @@ int main(int argc, char** argv) {
   add_number(app, "--time", options.seconds, kFiniteNotNegative,
              "Seconds for which the scene's cookies have been spinning (default 0)");
   add_integer(app, "--frames", options.frames, 1, 100'000,
-              "Frames to draw and time, after one that is not timed (default 1)");
+              "Frames to draw and time, after one that is not timed (default 1, with --compare 5 of each path)");
   app.add_flag_callback(
       "--no-skip", [&] { options.render.skipping = Skipping::off; },
       "Draw and light everything, even what cannot show");
@@ -298,6 +324,11 @@ int main(int argc, char** argv) {
   app.add_option("--gallery", options.gallery,
                  "Draw the scenes (default all) clear and at their visibilities, and a contact sheet, into a folder")
       ->type_name("FOLDER");
+  app.add_option(
+         "--compare", options.compare,
+         "Draw the scenes (default all) by every lighting path, timed in turn, with heat maps, contact sheets and "
+         "index.html, into a folder")
+      ->type_name("FOLDER");
   app.add_flag("--list-paths", options.list_paths, "List the lighting paths");
   app.add_flag("--list-scenes", options.list_scenes, "List the scenes that come with litfog");
   app.footer(
@@ -306,6 +337,7 @@ int main(int argc, char** argv) {
       "  litfog-demo approach --fog exp2 --visibility 800 --size 1920x1080 -o approach.exr\n"
       "  litfog-demo room --path vertex --heat-map error.png\n"
       "  litfog-demo --gallery out\n"
+      "  litfog-demo --compare paths room headlights --size 960x540\n"
       "\n"
       "Exit status: 0 done, 1 wrong usage, 2 bad scene or light file, 3 no OpenGL 3.3 through EGL, 4 cannot write.");
   return run_command(app, argc, argv, [&] {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <OpenImageIO/imagebuf.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "command_test.h"
 #include "exit_status.h"
@@ -133,6 +135,58 @@ TEST_F(DemoCommand, GalleryDrawsEachVisibilityAndASheet) {
     EXPECT_TRUE(std::filesystem::exists(directory() / "pictures" / name)) << name;
   }
   EXPECT_NE(outcome.out.find("intensity"), std::string::npos);
+}
+
+TEST_F(DemoCommand, AComparisonHasAPageOfEveryPathWithItsPictures) {
+  const std::string options = "room --size 64x36 --map-size 16 --fog exp2 --visibility 30 ";
+  const Outcome outcome = run(options + "--compare a/b --frames 2");
+  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  const std::string page = read("a/b/index.html");
+  EXPECT_NE(page.find("exp2 fog, visibility 30 m"), std::string::npos);
+  std::set<std::string> linked{"index.html"};
+  for (const std::string attribute : {" src=\"", " href=\""}) {
+    for (auto at = page.find(attribute); at != page.npos; at = page.find(attribute, at + 1)) {
+      const auto begin = at + attribute.size();
+      const std::string link = page.substr(begin, page.find('"', begin) - begin);
+      if (link.front() != '#') linked.insert(link);
+    }
+  }
+  std::set<std::string> written;
+  for (const auto& entry : std::filesystem::directory_iterator(directory() / "a/b")) {
+    written.insert(entry.path().filename().string());
+  }
+  EXPECT_EQ(linked, written);
+  EXPECT_TRUE(written.contains("room-reference.png"));
+  EXPECT_TRUE(written.contains("room-paths.png"));
+  for (const char* path : {"unified", "lookup-3d", "lookup-2d", "radial", "radial-plane", "accumulate", "vertex",
+                           "mixed", "tangent", "legacy"}) {
+    EXPECT_NE(page.find(std::string("<h3>") + path + "</h3>"), std::string::npos) << path;
+    EXPECT_TRUE(written.contains(std::string("room-") + path + ".png")) << path;
+    EXPECT_TRUE(written.contains(std::string("room-") + path + "-error.png")) << path;
+  }
+
+  ASSERT_EQ(run(options + "--path lookup-2d -o a.png --heat-map h.png --stats s.json").status, kDone);
+  const auto stats = nlohmann::json::parse(read("s.json"));
+  const auto figure = page.find("<h3>lookup-2d</h3>");
+  const std::string caption = page.substr(figure, page.find("</figure>", figure) - figure);
+  for (const char* error : {"max_error_255", "mean_error_255"}) {
+    EXPECT_NE(caption.find(fmt::format("<dd>{:.3g}</dd>", double(stats[error]))), std::string::npos) << caption;
+  }
+  EXPECT_EQ(read("a.png"), read("a/b/room-lookup-2d.png"));
+  EXPECT_EQ(read("h.png"), read("a/b/room-lookup-2d-error.png"));
+}
+
+TEST_F(DemoCommand, AComparisonRefusesWhatItWouldPassOver) {
+  for (const std::string option : {"--gallery g", "--output a.png", "--reference", "--heat-map h.png", "--stats s.json",
+                                   "--path vertex", "--flat-shading"}) {
+    EXPECT_REFUSED(run("room --compare c " + option), kUsage,
+                   "litfog-demo: --compare = c: must stand without " + option.substr(0, option.find(' ')) + kSeeHelp);
+  }
+  EXPECT_REFUSED(run("--compare ''"), kUsage,
+                 std::string("litfog-demo: --compare = \"\": must not be empty") + kSeeHelp);
+  EXPECT_EQ(run("room --compare c --size 4000x3000").status, kUsage);
+  EXPECT_EQ(run("room --compare c --fog none --visibility 5").status, kUsage);
+  EXPECT_FALSE(std::filesystem::exists(directory() / "c"));
 }
 
 TEST_F(DemoCommand, WrongUsageIsRefused) {

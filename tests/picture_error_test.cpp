@@ -63,7 +63,7 @@ TEST(PictureError, OfAPixelThatIsNotANumberIsInfinite) {
 TEST(PictureError, InWordsSaysHowManyPixelsAreExceptedIfAny) {
   EXPECT_EQ(error_in_words({.largest = 0.13912, .mean = 0.0126}), "largest error 0.139, mean 0.0126 of 1/255");
   EXPECT_EQ(error_in_words({.largest = 17.2, .mean = 2, .excepted = 3}),
-            "largest error 17.2, mean 2 of 1/255; 3 pixels excepted");
+            "largest error 17.2, mean 2 of 1/255; pixels excepted: 3");
 }
 
 }  // namespace

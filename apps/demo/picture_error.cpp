@@ -51,7 +51,7 @@ PictureError picture_error(const Picture& drawn, const ReferencePicture& referen
 
 std::string error_in_words(const PictureError& error) {
   const std::string words = fmt::format("largest error {:.3g}, mean {:.3g} of 1/255", error.largest, error.mean);
-  return error.excepted > 0 ? fmt::format("{}; {} pixels excepted", words, error.excepted) : words;
+  return error.excepted > 0 ? fmt::format("{}; pixels excepted: {}", words, error.excepted) : words;
 }
 
 }  // namespace litfog::demo

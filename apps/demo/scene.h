@@ -71,4 +71,10 @@ inline void turn_cookies(Scene& scene, double seconds) {
   for (auto& [light, use] : scene.cookie_uses) use.roll += use.spin * seconds;
 }
 
+/// The visibility at which a scene is shown where none is asked for, metres: its own middle one, so that the picture
+/// shows what the scene is for.
+inline double suggested_visibility(const Scene& scene) {
+  return scene.visibilities.empty() ? 200 : scene.visibilities[scene.visibilities.size() / 2];
+}
+
 }  // namespace litfog::demo

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "lighting_path.h"
+
+namespace litfog::demo {
+
+/// What a lighting path made of a scene. Errors are in 1/255 against the path's own reference.
+struct PathResult {
+  const LightingPath* path;
+  double milliseconds;  ///< a frame, the median
+  double spread;        ///< of the frames, from the 10th to the 90th percentile
+  double over_legacy;   ///< milliseconds over the legacy path's
+  double largest_error;
+  double mean_error;
+  std::size_t excepted;  ///< pixels
+};
+
+/// What all paths made of a scene, and the names of their pictures' files.
+struct SceneResult {
+  std::string name;
+  std::string description;
+  std::string conditions;  ///< in words: the fog
+  std::size_t lights;
+  std::vector<PathResult> paths = {};  ///< the default path first
+
+  std::string drawn_file(const LightingPath& path) const;
+  std::string error_file(const LightingPath& path) const;
+  /// SCENE-reference.png for the default path.
+  std::string reference_file(const LightingPath& path) const;
+  std::string sheet_file() const;
+};
+
+/// What the results of a page have in common.
+struct PageFacts {
+  std::string machine;  ///< in words: on what was drawn
+  int width;            ///< pixels
+  int height;
+  int frames;            ///< timed of each path
+  std::string settings;  ///< in words: what was not left at its default
+};
+
+/// "9.87", "41.2", "1234": milliseconds with three digits or all before the point.
+std::string milliseconds_text(double milliseconds);
+
+/// An HTML page that shows the results beside their pictures, which lie in its folder. It needs nothing else, no
+/// network and no script.
+std::string comparison_page(const PageFacts& facts, const std::vector<SceneResult>& scenes);
+
+}  // namespace litfog::demo

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace litfog::demo {
+
+/// A text as HTML takes it, between tags and in quoted attributes.
+std::string html_text(std::string_view text);
+
+/// A link to a file beside the page: all but letters, digits, '-', '.', '_' and '~' as %XX (RFC 3986).
+std::string html_link(std::string_view file);
+
+}  // namespace litfog::demo

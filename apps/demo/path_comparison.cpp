@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "path_comparison.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+
+#include "command.h"
+#include "comparison.h"
+#include "comparison_page.h"
+#include "contact_sheet.h"
+#include "frame_times.h"
+#include "heat_map.h"
+#include "picture_folder.h"
+#include "scene_file.h"
+#include "whole_file.h"
+
+namespace litfog::demo {
+namespace {
+
+constexpr std::size_t kSheetColumns = 4;
+
+std::string words_of(const Fog& fog, double visibility) {
+  if (std::isinf(visibility)) return "clear air";
+  return fmt::format("{} fog, visibility {} m", fog.mode == FogMode::exp2 ? "exp2" : "exp", visibility);
+}
+
+std::string words_of(const RenderSettings& settings) {
+  std::string words = settings.skipping == Skipping::on ? "what cannot show is skipped" : "nothing is skipped";
+  if (settings.has_infinite_viewer) words += ", highlights as seen from far away";
+  return fmt::format("{}, light maps of {} texels a side", words, settings.map_size);
+}
+
+/// Pictures in reading order, as rows of a sheet.
+class Sheet {
+ public:
+  void add(const Picture& picture, std::vector<std::string> caption) {
+    if (rows_.empty() || rows_.back().size() == kSheetColumns) rows_.emplace_back();
+    rows_.back().push_back({reduced(picture, kSheetCellWidth), std::move(caption)});
+  }
+  Picture picture() const { return make_contact_sheet(rows_); }
+
+ private:
+  std::vector<std::vector<SheetEntry>> rows_;
+};
+
+std::vector<std::unique_ptr<Renderer>> make_renderers(const Scene& scene, const Fog& fog,
+                                                      const PathComparisonSettings& settings) {
+  std::vector<std::unique_ptr<Renderer>> renderers;
+  for (const LightingPath& path : lighting_paths()) {
+    RenderSettings render = settings.render;
+    render.path = &path;
+    renderers.push_back(std::make_unique<Renderer>(scene, settings.width, settings.height, render));
+    renderers.back()->set_fog(fog);
+  }
+  return renderers;
+}
+
+/// The times of every path, in the paths' order.
+std::vector<FrameTimes> time_paths(const std::vector<std::unique_ptr<Renderer>>& renderers, int frames) {
+  std::vector<Renderer*> in_turn;
+  for (const auto& renderer : renderers) in_turn.push_back(renderer.get());
+  return time_frames(in_turn, frames);
+}
+
+SceneResult compare_scene(const Scene& scene, PictureFolder& pictures, const std::string& machine,
+                          const PathComparisonSettings& settings) {
+  const double visibility = settings.visibility.value_or(suggested_visibility(scene));
+  const Fog fog = Fog::from_visibility(settings.fog_mode, visibility);
+  SceneResult result{.name = scene.name,
+                     .description = scene.description,
+                     .conditions = words_of(fog, visibility),
+                     .lights = scene.lights.size()};
+  report(fmt::format("{}: {} lights, {}\n", scene.name, scene.lights.size(), result.conditions));
+  auto renderers = make_renderers(scene, fog, settings);
+  pictures.finish();  // encoding would take time from the frames
+  const std::vector<FrameTimes> times = time_paths(renderers, settings.frames);
+  const auto paths = lighting_paths();
+  const auto legacy = std::size_t(find_lighting_path("legacy") - paths.data());
+  Sheet sheet;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const LightingPath& path = paths[i];
+    Comparison comparison = compare_with_reference(scene, fog, *renderers[i]);
+    renderers[i].reset();
+    const PictureError& error = comparison.error;
+    const PathResult& row =
+        result.paths.emplace_back(PathResult{.path = &path,
+                                             .milliseconds = times[i].median(),
+                                             .spread = times[i].spread(),
+                                             .over_legacy = times[i].median() / times[legacy].median(),
+                                             .largest_error = error.largest,
+                                             .mean_error = error.mean,
+                                             .excepted = error.excepted});
+    if (i == 0) {
+      sheet.add(comparison.reference, {fmt::format("{}, {}: reference in double", scene.name, result.conditions),
+                                       fmt::format("{} x {} on {}", settings.width, settings.height, machine)});
+    }
+    const std::string time =
+        fmt::format("{} ms a frame, {:.2f} x legacy", milliseconds_text(row.milliseconds), row.over_legacy);
+    sheet.add(comparison.drawn, {fmt::format("{}: {}", path.name, time), error_in_words(error)});
+    report(fmt::format("  {:<12} {:>32}; {}\n", path.name, time, error_in_words(error)));
+    pictures.write(result.error_file(path), make_heat_map(error, fmt::format("{}, {}", scene.name, path.name)));
+    pictures.write(result.drawn_file(path), std::move(comparison.drawn));
+    pictures.write(result.reference_file(path), std::move(comparison.reference));
+  }
+  pictures.write(result.sheet_file(), sheet.picture());
+  return result;
+}
+
+}  // namespace
+
+void compare_paths(const std::vector<std::string>& scenes, const std::string& folder, const std::string& machine,
+                   const PathComparisonSettings& settings) {
+  PictureFolder pictures(folder);
+  const std::string page = pictures.path_of("index.html");
+  expect_place_for_file(page);
+  std::vector<SceneResult> results;
+  for (const std::string& file : scenes) {
+    Scene scene = read_scene(file);
+    pictures.add_scene(scene.name, file);
+    turn_cookies(scene, settings.seconds);
+    results.push_back(compare_scene(scene, pictures, machine, settings));
+  }
+  pictures.finish();
+  write_whole_file(page, comparison_page({.machine = machine,
+                                          .width = settings.width,
+                                          .height = settings.height,
+                                          .frames = settings.frames,
+                                          .settings = words_of(settings.render)},
+                                         results));
+  report(fmt::format("{} shows all\n", page));
+}
+
+}  // namespace litfog::demo

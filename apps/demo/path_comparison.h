@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderer.h"
+
+namespace litfog::demo {
+
+/// What the pictures of a comparison have in common.
+struct PathComparisonSettings {
+  FogMode fog_mode = FogMode::exp;
+  std::optional<double> visibility = {};  ///< metres; default: what each scene suggests
+  double seconds = 0;                     ///< for which the scenes' cookies have been spinning
+  int width = 1280;
+  int height = 720;
+  int frames = 5;         ///< timed of each path, >= 1
+  RenderSettings render;  ///< but the path
+};
+
+/// Draws scenes by every lighting path into a folder (made where missing): of each scene and path the picture, its heat
+/// map and its reference as PNG, a contact sheet, and index.html, which shows all with times and errors. All paths of a
+/// scene are timed in turn. Reports every result on standard output. Needs a current GL context. Throws BadInput where
+/// two scenes have one name.
+///
+/// scenes   paths of scene files
+/// machine  in words: on what is drawn
+void compare_paths(const std::vector<std::string>& scenes, const std::string& folder, const std::string& machine,
+                   const PathComparisonSettings& settings);
+
+}  // namespace litfog::demo
