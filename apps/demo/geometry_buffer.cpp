@@ -23,10 +23,11 @@ bool is_complete() { return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAME
 }  // namespace
 
 const LightingPath& geometry_path() {
-  static const LightingPath kPath{.name = "geometry",
-                                  .description = {},
-                                  .source = {},
-                                  .passes = {{.vertex = "geometry.vert", .geometry = {}, .fragment = "geometry.frag"}}};
+  static const LightingPath kPath{
+      .name = "geometry",
+      .description = {},
+      .source = {},
+      .passes = {{.vertex = "geometry.vert", .geometry = {}, .fragment = "geometry.frag", .shows_fog = false}}};
   return kPath;
 }
 

@@ -12,7 +12,7 @@ std::vector<LightingPath> make_paths() {
        .description = "everything per fragment in world space, normal maps, any number of lights",
        .source = "Lacroix 2005, listings 2.1 to 2.3",
        .has_normal_maps = true,
-       .passes = {{.vertex = "surface.vert", .geometry = {}, .fragment = "unified.frag"}}},
+       .passes = {{.vertex = "surface.vert", .geometry = {}, .fragment = "unified.frag", .lights = kAllLights}}},
       {.name = "lookup-3d",
        .description = "range from a 3-D texture, angle from a cube map whose +x face spans the cone",
        .source = "Hales 2004",
@@ -53,16 +53,21 @@ std::vector<LightingPath> make_paths() {
        .range = RangeLaw::radial,
        .evaluation = Evaluation::lookup,
        .maps = LightMapSet::radial,
-       .passes = {{.vertex = "light_coordinates.vert", .geometry = {}, .fragment = "accumulate_ambient.frag"},
+       .passes = {{.vertex = "light_coordinates.vert",
+                   .geometry = {},
+                   .fragment = "accumulate_ambient.frag",
+                   .shows_fog = false},
                   {.vertex = "light_coordinates.vert",
                    .geometry = {},
                    .fragment = "accumulate_light.frag",
                    .blend = Blend::add,
-                   .lights = 1},
+                   .lights = 1,
+                   .shows_fog = false},
                   {.vertex = "light_coordinates.vert",
                    .geometry = {},
                    .fragment = "accumulate_texture.frag",
-                   .blend = Blend::multiply},
+                   .blend = Blend::multiply,
+                   .shows_fog = false},
                   {.vertex = "light_coordinates.vert",
                    .geometry = {},
                    .fragment = "accumulate_fog.frag",
@@ -71,12 +76,12 @@ std::vector<LightingPath> make_paths() {
        .description = "the Basic model at the vertices, any number of lights",
        .source = "Cg Tutorial 5.2; Lacroix 2005, listing 1.1",
        .evaluation = Evaluation::vertex,
-       .passes = {{.vertex = "vertex.vert", .geometry = {}, .fragment = "vertex.frag"}}},
+       .passes = {{.vertex = "vertex.vert", .geometry = {}, .fragment = "vertex.frag", .lights = kAllLights}}},
       {.name = "mixed",
        .description = "diffuse at the vertices, specular at the fragments",
        .source = "Cg Tutorial 5, exercise 6",
        .evaluation = Evaluation::vertex,
-       .passes = {{.vertex = "mixed.vert", .geometry = {}, .fragment = "mixed.frag", .lights = 4}}},
+       .passes = {{.vertex = "mixed.vert", .geometry = {}, .fragment = "mixed.frag", .lights = 4, .lists_all = true}}},
       {.name = "tangent",
        .description = "normal maps, the lights carried into tangent space at the vertices, four a pass",
        .source = "Lacroix 2005, listing 1.2",
@@ -89,7 +94,7 @@ std::vector<LightingPath> make_paths() {
        .surface = SurfaceModel::diffuse,
        .evaluation = Evaluation::vertex,
        .has_lit_fog = false,
-       .passes = {{.vertex = "legacy.vert", .geometry = {}, .fragment = "legacy.frag"}}},
+       .passes = {{.vertex = "legacy.vert", .geometry = {}, .fragment = "legacy.frag", .lights = kAllLights}}},
   };
 }
 
@@ -98,6 +103,16 @@ std::vector<LightingPath> make_paths() {
 std::span<const LightingPath> lighting_paths() {
   static const std::vector<LightingPath> kPaths = make_paths();
   return kPaths;
+}
+
+const LightingPath& unlit_path() {
+  static const LightingPath kPath{
+      .name = "unlit",
+      .description = "the base texture alone",
+      .source = {},
+      .has_lit_fog = false,
+      .passes = {{.vertex = "unlit.vert", .geometry = {}, .fragment = "unlit.frag", .shows_fog = false}}};
+  return kPath;
 }
 
 const LightingPath* find_lighting_path(std::string_view name) {

@@ -36,16 +36,21 @@ enum class Blend {
   over,      ///< is added to its share alpha
 };
 
+inline constexpr int kAllLights = -1;
+
 /// One way of drawing a surface again. Shaders are files of apps/demo/shaders.
 struct SurfacePass {
   std::string_view vertex;
   std::string_view geometry;  ///< empty: none
   std::string_view fragment;
   Blend blend = Blend::replace;
-  /// 0: drawn once; its shaders go through the lights themselves or need none. Else at most so many lights at a time,
-  /// whose maps are the same: drawn once for them, and once more, added, for each so many others that reach the
-  /// surface.
+  /// 0: drawn once, and needs no lights. kAllLights: drawn once, by all lights that can reach the surface. Else at most
+  /// so many lights at a time, whose maps are the same: drawn once for them, and once more, added, for each so many
+  /// others that reach the surface.
   int lights = 0;
+  bool lists_all =
+      false;  ///< the first time of so many lights: where more reach the surface all of them are listed, too
+  bool shows_fog = true;  ///< the first time that it draws a surface it adds the light of the fog before it
 };
 
 /// The textures from which a path looks its lights up.
@@ -75,6 +80,9 @@ struct LightingPath {
 
 /// Every path, the default one first.
 std::span<const LightingPath> lighting_paths();
+
+/// The base texture alone, without light and fog: none of the paths, but what they cost more than.
+const LightingPath& unlit_path();
 
 /// Null where there is none of that name.
 const LightingPath* find_lighting_path(std::string_view name);

@@ -11,7 +11,7 @@
 namespace litfog::demo {
 namespace {
 
-constexpr float kCellSize = 40;  // metres: a few chunks a lamp, some hundred a scene
+constexpr float kCellSize = 20;  // metres: a few chunks a lamp, some thousand a scene
 
 using Cell = std::tuple<int, int, int>;
 

@@ -66,6 +66,7 @@ void Renderer::set_fog(const Fog& fog) {
     block.lights[i].cone = light.cone;
   }
   fog_lights_.upload(block);
+  surfaces_.set_fog(solutions);
 }
 
 glm::mat4 Renderer::clip_from_world() const {

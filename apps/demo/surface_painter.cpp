@@ -3,8 +3,12 @@
 
 #include <epoxy/gl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <limits>
+#include <ranges>
 #include <string>
 
 #include "demo_shaders.h"
@@ -21,13 +25,20 @@ std::vector<gl::ShaderSource> shader_files(bool has_cookies, const std::string& 
   return files;
 }
 
-/// Compile-time constants: what is drawn once for two headlights is a shader for two lights.
-std::string pass_constants(int lights, bool is_first) {
-  return fmt::format(
-      "const int lights_in_pass = {};\n"
-      "const int batch_size = {};  // arrays may not be empty\n"
-      "const bool is_first_pass = {};\n",
-      lights, std::max(lights, 1), is_first);
+/// The most lights handed over to light the fog, and to a pass that takes all; more are listed.
+constexpr std::size_t kMostHandedOver = 16;
+
+/// For how many lights a shader is compiled that takes so many: each number's own would be many shaders.
+std::size_t room_for(std::size_t lights) {
+  constexpr std::array<std::size_t, 9> kRooms{0, 1, 2, 3, 4, 6, 8, 12, kMostHandedOver};
+  return *std::ranges::lower_bound(kRooms, lights);
+}
+
+/// "DO(0) DO(1)": a loop over lights unrolled.
+std::string unrolled(std::size_t count) {
+  std::string calls;
+  for (std::size_t i = 0; i < count; ++i) calls += fmt::format(" DO({})", i);
+  return calls;
 }
 
 void set_blend(Blend blend) {
@@ -58,9 +69,30 @@ void select_samples(int pass) {
 
 }  // namespace
 
-SurfacePainter::SurfaceProgram::SurfaceProgram(const Variant& variant, bool has_cookies)
+std::string SurfacePainter::Variant::constants(bool has_moon) const {
+  const std::string none_if_empty = profiles.empty() ? "0" : profiles;  // arrays may not be empty
+  const std::size_t lights = profiles.size() - first_light;
+  return fmt::format(
+      "const int hand_size = {};\n"
+      "const float profiles[hand_size] = float[]({:.1f});\n"
+      "const int first_light_in_pass = {};\n"
+      "const int lights_in_pass = {};\n"
+      "const int batch_size = max(lights_in_pass, 1);\n"
+      "const bool has_listed_lights = {};  // too many to be handed over\n"
+      "const bool has_listed_fog_lights = {};\n"
+      "const bool is_first_pass = {};\n"
+      "const bool has_moon = {};\n"
+      "#define EACH_LIGHT(DO){}\n"
+      "#define EACH_FOG_LIGHT(DO){}\n",
+      none_if_empty.size(),
+      fmt::join(none_if_empty | std::views::transform([](char digit) { return double(digit - '0'); }), ", "),
+      first_light, lights, has_listed_lights, has_listed_fog_lights, is_first, has_moon, unrolled(lights),
+      unrolled(fog_lights));
+}
+
+SurfacePainter::SurfaceProgram::SurfaceProgram(const Variant& variant, const Scene& scene)
     : program(variant.pass->vertex, variant.pass->geometry, variant.pass->fragment,
-              shader_files(has_cookies, pass_constants(variant.lights, variant.is_first))),
+              shader_files(!scene.cookies.empty(), variant.constants(scene.environment.moon_color != glm::vec3(0.0f)))),
       world_from_model(program.uniform("world_from_model")),
       bounds_low(program.uniform("bounds_low")),
       bounds_high(program.uniform("bounds_high")),
@@ -72,10 +104,15 @@ SurfacePainter::SurfacePainter(const Scene& scene, const SceneLights& lights, co
                                const RenderSettings& settings)
     : scene_(scene),
       lights_(lights),
-      fog_lights_(fog_lights),
+      fog_light_buffer_(fog_lights),
       settings_(settings),
       surfaces_(scene, lights.local(), lights.local_extents(), settings.skipping),
       maps_(settings.path->maps, scene, lights, settings.map_size) {}
+
+void SurfacePainter::set_fog(std::span<const FogIntensity> solutions) {
+  fog_intensities_.clear();
+  for (const FogIntensity& solution : solutions) fog_intensities_.push_back(float(solution.intensity));
+}
 
 FrameCounts SurfacePainter::draw(const LightingPath& path, const glm::mat4& clip_from_world) {
   ++frame_;
@@ -108,22 +145,26 @@ FrameCounts SurfacePainter::draw(const LightingPath& path, const glm::mat4& clip
 
 /// All passes of a surface before the next surface: where two lie in one plane, the later one hides the earlier.
 void SurfacePainter::draw_surface(const LightingPath& path, const Surface& surface) {
-  bool has_found_lights = false;
+  if (std::ranges::any_of(path.passes, [](const SurfacePass& pass) { return pass.lights != 0; })) find_lights(surface);
+  if (std::ranges::any_of(path.passes, &SurfacePass::shows_fog)) find_fog_lights(surface);
   drawn_passes_ = 0;
   for (const SurfacePass& pass : path.passes) {
     if (pass.lights == 0) {
-      draw_pass(surface, {&pass, 0, true}, {});
-      continue;
-    }
-    if (!has_found_lights) find_lights(surface);
-    has_found_lights = true;
-    std::span<const std::int32_t> rest = reaching_;
-    bool is_first = pass.blend == Blend::replace;  // which is drawn even without lights
-    while (is_first || !rest.empty()) {
-      const auto batch = rest.first(batch_length(rest, pass.lights));
-      draw_pass(surface, {&pass, int(batch.size()), is_first}, batch);
-      rest = rest.subspan(batch.size());
-      is_first = false;
+      draw_pass(surface, {.pass = &pass}, {});
+    } else if (pass.lights == kAllLights) {
+      const bool are_too_many = reaching_.size() > kMostHandedOver;
+      draw_pass(surface, {.pass = &pass, .has_listed_lights = are_too_many},
+                are_too_many ? std::span<const std::int32_t>() : reaching_);
+    } else {
+      std::span<const std::int32_t> rest = reaching_;
+      bool is_first = pass.blend == Blend::replace;  // which is drawn even without lights
+      while (is_first || !rest.empty()) {
+        const auto batch = rest.first(batch_length(rest, pass.lights));
+        const bool are_listed = is_first && pass.lists_all && batch.size() < rest.size();
+        draw_pass(surface, {.pass = &pass, .is_first = is_first, .has_listed_lights = are_listed}, batch);
+        rest = rest.subspan(batch.size());
+        is_first = false;
+      }
     }
   }
 }
@@ -148,30 +189,73 @@ void SurfacePainter::find_lights(const Surface& surface) {
   }
 }
 
-void SurfacePainter::draw_pass(const Surface& surface, const Variant& variant, std::span<const std::int32_t> batch) {
+void SurfacePainter::find_fog_lights(const Surface& surface) {
+  reaching_fog_.clear();
+  const std::size_t first = lights_.local().size();
+  for (std::size_t i = 0; i < fog_intensities_.size(); ++i) {
+    constexpr double kFarthest = std::numeric_limits<double>::infinity();  // fog is lit as far as it is seen
+    const bool shows = settings_.skipping == Skipping::off ||
+                       (fog_intensities_[i] > 0 && can_reach(lights_.light(first + i), kFarthest, surface.bounds));
+    if (shows) reaching_fog_.push_back(std::int32_t(first + i));
+  }
+}
+
+FogLight SurfacePainter::light_handed_over(std::int32_t light) const {
+  FogLight packed = lights_.packed(std::size_t(light));
+  const auto carried = light - std::int32_t(lights_.local().size());
+  if (carried >= 0) packed.color_intensity.w = fog_intensities_[std::size_t(carried)];
+  return packed;
+}
+
+void SurfacePainter::make_room(std::size_t first) {
+  std::stable_sort(handed_.begin() + std::ptrdiff_t(first), handed_.end(),
+                   [](const FogLight& a, const FogLight& b) { return a.axis_profile.w < b.axis_profile.w; });
+  handed_.resize(first + room_for(handed_.size() - first));  // with black ones
+}
+
+void SurfacePainter::draw_pass(const Surface& surface, Variant variant, std::span<const std::int32_t> batch) {
+  const bool has_maps = settings_.path->maps != LightMapSet::none;
+  handed_.clear();
+  if (variant.is_first && variant.pass->shows_fog) {
+    variant.has_listed_fog_lights = reaching_fog_.size() > kMostHandedOver;
+    if (!variant.has_listed_fog_lights) {
+      for (const std::int32_t light : reaching_fog_) handed_.push_back(light_handed_over(light));
+    }
+    make_room(0);
+  }
+  variant.fog_lights = handed_.size();
+  // What the fog's lights and the surface's have in common is computed once where the pass takes all.
+  const bool shares = variant.pass->lights == kAllLights && !variant.has_listed_lights && variant.fog_lights > 0;
+  variant.first_light = shares ? 0 : variant.fog_lights;
+  for (const std::int32_t light : batch) {
+    if (shares && std::ranges::find(reaching_fog_, light) != reaching_fog_.end()) continue;
+    handed_.push_back(light_handed_over(light));
+    if (has_maps) handed_.back().axis_profile.w = 0;  // for the maps hold its cone
+  }
+  make_room(variant.fog_lights);
+  for (const FogLight& light : handed_) variant.profiles += char('0' + int(light.axis_profile.w));
+
   const SurfaceProgram& program = use(variant, *surface.material);
   if (has_several_passes_) select_samples(drawn_passes_++);
   glUniformMatrix4fv(program.world_from_model, 1, GL_FALSE, glm::value_ptr(surface.world_from_model));
   glUniform3fv(program.bounds_low, 1, glm::value_ptr(surface.bounds.low));
   glUniform3fv(program.bounds_high, 1, glm::value_ptr(surface.bounds.high));
   glUniform2i(program.light_list_range, surface.list_first, surface.list_count);
-  if (!batch.empty()) {
-    batch_.clear();
-    for (const std::int32_t light : batch) batch_.push_back(lights_.packed(std::size_t(light)));
-    glUniform4fv(program.light_batch, GLsizei(5 * batch_.size()), glm::value_ptr(batch_[0].position_extent));
-    if (settings_.path->maps != LightMapSet::none) {
-      batch_cones_.clear();
-      for (const std::int32_t light : batch) batch_cones_.push_back(maps_.cone_from_world(std::size_t(light)));
-      glUniformMatrix3fv(program.cone_from_world, GLsizei(batch_cones_.size()), GL_FALSE,
-                         glm::value_ptr(batch_cones_[0]));
-      maps_.bind(maps_.kind(std::size_t(batch[0])));
-    }
+  if (!handed_.empty()) {
+    glUniform4fv(program.light_batch, GLsizei(5 * handed_.size()), glm::value_ptr(handed_[0].position_extent));
+  }
+  if (has_maps && !batch.empty()) {
+    batch_cones_.clear();
+    for (const std::int32_t light : batch) batch_cones_.push_back(maps_.cone_from_world(std::size_t(light)));
+    glUniformMatrix3fv(program.cone_from_world, GLsizei(batch_cones_.size()), GL_FALSE,
+                       glm::value_ptr(batch_cones_[0]));
+    maps_.bind(maps_.kind(std::size_t(batch[0])));
   }
   surfaces_.draw(surface);
 }
 
 SurfacePainter::SurfaceProgram& SurfacePainter::use(const Variant& variant, const SurfaceMaterial& material) {
-  SurfaceProgram& program = programs_.try_emplace(variant, variant, !scene_.cookies.empty()).first->second;
+  SurfaceProgram& program = programs_.try_emplace(variant, variant, scene_).first->second;
   if (&program != used_) {
     used_ = &program;
     program.program.use();
@@ -181,7 +265,7 @@ SurfacePainter::SurfaceProgram& SurfacePainter::use(const Variant& variant, cons
     const Environment& environment = scene_.environment;
     program.frame = frame_;
     program.material = nullptr;
-    fog_lights_.bind(program.program, kFogLightBinding);
+    fog_light_buffer_.bind(program.program, kFogLightBinding);
     set_uniform(program.program, "clip_from_world", clip_from_world_);
     set_uniform(program.program, "eye", scene_.camera.position);
     const Camera& camera = scene_.camera;

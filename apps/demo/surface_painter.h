@@ -5,12 +5,14 @@
 #include <cstdint>
 #include <map>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "light_map_store.h"
 #include "litfog/fog_light_block.h"
 #include "litfog/gl/fog_light_buffer.h"
 #include "litfog/gl/program.h"
+#include "litfog/solve.h"
 #include "render_settings.h"
 #include "scene_lights.h"
 
@@ -32,6 +34,8 @@ class SurfacePainter {
   SurfacePainter(const Scene& scene, const SceneLights& lights, const gl::FogLightBuffer& fog_lights,
                  const RenderSettings& settings);
 
+  /// Takes the solutions of the carried lights, one each.
+  void set_fog(std::span<const FogIntensity> solutions);
   FrameCounts draw(const LightingPath& path, const glm::mat4& clip_from_world);
   /// By their numbers, without their texels.
   std::vector<Material> materials() const { return surfaces_.materials(); }
@@ -40,13 +44,18 @@ class SurfacePainter {
   /// A pass's shaders, compiled for a number of lights.
   struct Variant {
     const SurfacePass* pass;
-    int lights;
-    bool is_first;  // of the times that the pass draws a surface
+    bool is_first = true;  // of the times that the pass draws a surface
+    bool has_listed_lights = false;
+    bool has_listed_fog_lights = false;
+    std::string profiles = {};    // of the lights handed over, a digit each
+    std::size_t fog_lights = 0;   // the first of them
+    std::size_t first_light = 0;  // of the pass
 
+    std::string constants(bool has_moon) const;  // pass.glsl
     auto operator<=>(const Variant&) const = default;
   };
   struct SurfaceProgram {
-    SurfaceProgram(const Variant& variant, bool has_cookies);
+    SurfaceProgram(const Variant& variant, const Scene& scene);
 
     gl::Program program;
     int world_from_model, bounds_low, bounds_high, light_list_range, light_batch, cone_from_world;
@@ -55,22 +64,32 @@ class SurfacePainter {
   };
 
   void draw_surface(const LightingPath& path, const Surface& surface);
-  void draw_pass(const Surface& surface, const Variant& variant, std::span<const std::int32_t> batch);
+  /// A light as shaders take it, with its fog intensity.
+  FogLight light_handed_over(std::int32_t light) const;
+  /// Sorts the lights handed over, from one on, by profile, and adds black ones: fewer sorts of shaders.
+  void make_room(std::size_t first);
+  /// Draws a surface by the lights of its fog and a batch of its own; what the variant says of lights handed over is
+  /// found here.
+  void draw_pass(const Surface& surface, Variant variant, std::span<const std::int32_t> batch);
   SurfaceProgram& use(const Variant& variant, const SurfaceMaterial& material);
-  /// The lights that can reach a surface: indices of scene lights, by kind.
+  /// The lights that can reach a surface: indices of scene lights, by kind; and the carried ones that can light the fog
+  /// before it.
   void find_lights(const Surface& surface);
+  void find_fog_lights(const Surface& surface);
   /// How many of the first lights make a batch: those that share their maps, at most so many.
   std::size_t batch_length(std::span<const std::int32_t> lights, int most) const;
 
   const Scene& scene_;
   const SceneLights& lights_;
-  const gl::FogLightBuffer& fog_lights_;
+  const gl::FogLightBuffer& fog_light_buffer_;
   RenderSettings settings_;
   SurfaceList surfaces_;
   LightMapStore maps_;
   std::map<Variant, SurfaceProgram> programs_;
-  std::vector<std::int32_t> reaching_;  // what find_lights found
-  std::vector<FogLight> batch_;         // those of a pass
+  std::vector<float> fog_intensities_;      // of the carried lights
+  std::vector<std::int32_t> reaching_;      // what find_lights found
+  std::vector<std::int32_t> reaching_fog_;  // what find_fog_lights found
+  std::vector<FogLight> handed_;            // over to a pass
   std::vector<glm::mat3> batch_cones_;
   std::size_t frame_ = 0;
   glm::mat4 clip_from_world_{1.0f};

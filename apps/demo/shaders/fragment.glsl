@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // A fragment of a surface: its material, and how it is seen through the fog.
 
-#include "cookie.glsl"
+#define LITFOG_FOG_LIGHTS
+#include "light_batch.glsl"
 #include "litfog/fog.glsl"
-#include "pass.glsl"
 #include "rasterised.glsl"
 #include "scene.glsl"
 
@@ -12,6 +12,18 @@ uniform float shininess;
 uniform vec3 emissive;
 
 out vec4 color;
+
+// The lights of the fog: those handed over, or where they are too many all of the block.
+vec3 litfog_lights_fog(vec3 position) {
+  vec3 fog = vec3(0.0);
+  if (has_listed_fog_lights) {
+    for (int i = 0; i < int(litfog_fog.z); ++i) fog += litfog_light_fog(litfog_lights[i], position);
+  }
+#define ADD_LIGHT(i) fog += litfog_light_fog(handed_light(i), position);
+  EACH_FOG_LIGHT(ADD_LIGHT)
+#undef ADD_LIGHT
+  return fog;
+}
 
 // Light from the vertices: at the middle of a pixel that a triangle covers in part it is extrapolated, but not below none.
 vec3 vertex_light(vec3 interpolated) { return max(interpolated, vec3(0.0)); }

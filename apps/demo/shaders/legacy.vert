@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The baseline of Hales 2004, table 1: light at the vertices as OpenGL's fixed pipeline has it, ambient and diffuse.
 
-#include "cookie.glsl"
-#include "litfog/surface.glsl"
-#include "local_lights.glsl"
+#include "diffuse.glsl"
+#include "listed_lights.glsl"
 #include "scene.glsl"
 #include "vertex.glsl"
 
@@ -13,9 +12,8 @@ void main() {
   vec3 position = place_vertex();
   vec3 normal = world_normal();
   light = ambient_light + moon_color * max(dot(normal, moon_direction), 0.0);
-  for (int i = 0; i < reaching_light_count(); ++i) {
-    FogLight lamp = reaching_light(i);
-    vec3 to_light = litfog_direction(position, lamp.position_extent.xyz);
-    light += litfog_light_at(lamp, position) * max(dot(normal, to_light), 0.0);
-  }
+#define ADD_LIGHT(i) light += diffuse_reflection(batch_light(i), position, normal);
+  EACH_LIGHT(ADD_LIGHT)
+#undef ADD_LIGHT
+  for (int i = 0; i < listed_light_count(); ++i) light += diffuse_reflection(listed_light(i), position, normal);
 }

@@ -2,10 +2,8 @@
 // Diffuse at the vertices, specular at the fragments (Cg Tutorial, chapter 5, exercise 6): the half-angle vectors of a few
 // lights fit between the two, so further lights add their highlights in further passes.
 
-#include "cookie.glsl"
-#include "litfog/surface.glsl"
-#include "light_batch.glsl"
-#include "local_lights.glsl"
+#include "diffuse.glsl"
+#include "listed_lights.glsl"
 #include "scene.glsl"
 #include "vertex.glsl"
 
@@ -20,21 +18,19 @@ void main() {
   vec3 position = place_vertex();
   vec3 to_eye = direction_to_viewer(position);
   normal = world_normal();
+  diffuse_light = vec3(0.0);
   if (is_first_pass) {
     float facing = max(dot(normal, moon_direction), 0.0);
     moon_half_angle = normalize(moon_direction + to_eye);
     moon_specular_light = facing > 0.0 ? moon_color : vec3(0.0);
     diffuse_light = moon_color * facing;
-    for (int i = 0; i < reaching_light_count(); ++i) {
-      FogLight light = reaching_light(i);
-      vec3 to_light = litfog_direction(position, light.position_extent.xyz);
-      diffuse_light += litfog_light_at(light, position) * max(dot(normal, to_light), 0.0);
-    }
   }
   for (int i = 0; i < lights_in_pass; ++i) {
     FogLight light = batch_light(i);
     vec3 to_light = litfog_direction(position, light.position_extent.xyz);
     half_angle[i] = normalize(to_light + to_eye);
     specular_light[i] = dot(normal, to_light) > 0.0 ? litfog_light_at(light, position) : vec3(0.0);
+    if (is_first_pass && !has_listed_lights) diffuse_light += diffuse_reflection(light, position, normal);
   }
+  for (int i = 0; i < listed_light_count(); ++i) diffuse_light += diffuse_reflection(listed_light(i), position, normal);
 }

@@ -5,7 +5,7 @@
 #include "cookie.glsl"
 #include "litfog/surface.glsl"
 #include "fragment.glsl"
-#include "local_lights.glsl"
+#include "listed_lights.glsl"
 #include "world_normal.glsl"
 
 void main() {
@@ -21,14 +21,13 @@ void main() {
   surface.specular = specular * albedo.a;
   surface.shininess = shininess;
 
-  vec3 lit = litfog_ambient(surface, ambient_light) + litfog_reflect(surface, moon_direction, moon_color);
-  int carried = int(litfog_fog.z);
-  for (int i = 0; i < carried; ++i) lit += litfog_light_surface(surface, litfog_lights[i]);
-  for (int i = 0; i < light_list_range.y; ++i) {
-    int light = listed_light(i);
-    vec4 position_extent = local_light_position_extent(light);
-    if (distance(position_extent.xyz, position) > position_extent.w) continue;
-    lit += litfog_light_surface(surface, local_light(light));
+  vec3 lit = litfog_ambient(surface, ambient_light);
+  if (has_moon) lit += litfog_reflect(surface, moon_direction, moon_color);
+#define ADD_LIGHT(i) lit += litfog_light_surface(surface, batch_light(i));
+  EACH_LIGHT(ADD_LIGHT)
+#undef ADD_LIGHT
+  for (int i = 0; i < listed_light_count(); ++i) {
+    if (!is_out_of_reach(i, position)) lit += litfog_light_surface(surface, listed_light(i));
   }
   color = seen_by_eye(lit, position);
 }

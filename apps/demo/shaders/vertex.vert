@@ -4,7 +4,7 @@
 
 #include "cookie.glsl"
 #include "litfog/surface.glsl"
-#include "local_lights.glsl"
+#include "listed_lights.glsl"
 #include "scene.glsl"
 #include "vertex.glsl"
 
@@ -13,6 +13,15 @@ uniform float shininess;
 out vec3 diffuse_light;
 out vec3 specular_light;
 
+void add_light(FogLight light, vec3 position, vec3 normal, vec3 to_eye) {
+  vec3 arriving = litfog_light_at(light, position);
+  if (arriving == vec3(0.0)) return;
+  vec3 to_light = litfog_direction(position, light.position_extent.xyz);
+  vec2 shares = litfog_reflected_shares(normal, to_eye, shininess, to_light);
+  diffuse_light += arriving * shares.x;
+  specular_light += arriving * shares.y;
+}
+
 void main() {
   vec3 position = place_vertex();
   vec3 normal = world_normal();
@@ -20,13 +29,8 @@ void main() {
   vec2 shares = litfog_reflected_shares(normal, to_eye, shininess, moon_direction);
   diffuse_light = moon_color * shares.x;
   specular_light = moon_color * shares.y;
-  for (int i = 0; i < reaching_light_count(); ++i) {
-    FogLight light = reaching_light(i);
-    vec3 arriving = litfog_light_at(light, position);
-    if (arriving == vec3(0.0)) continue;
-    vec3 to_light = litfog_direction(position, light.position_extent.xyz);
-    shares = litfog_reflected_shares(normal, to_eye, shininess, to_light);
-    diffuse_light += arriving * shares.x;
-    specular_light += arriving * shares.y;
-  }
+#define ADD_LIGHT(i) add_light(batch_light(i), position, normal, to_eye);
+  EACH_LIGHT(ADD_LIGHT)
+#undef ADD_LIGHT
+  for (int i = 0; i < listed_light_count(); ++i) add_light(listed_light(i), position, normal, to_eye);
 }

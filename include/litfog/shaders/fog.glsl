@@ -17,13 +17,20 @@ vec3 litfog_light_fog(FogLight light, vec3 position) {
   return light.color_intensity.rgb * (litfog_cone(light, direction) * light.color_intensity.w);
 }
 
-// Fragment fog colour = ambient fog colour + the lights' parts.
-vec3 litfog_fog_color(vec3 position) {
-  vec3 color = litfog_ambient_fog_color.rgb;
+// All lights' parts together.
+#ifdef LITFOG_FOG_LIGHTS  // the includer knows which lights can light the fog where it draws, and adds up their parts
+vec3 litfog_lights_fog(vec3 position);
+#else
+vec3 litfog_lights_fog(vec3 position) {
+  vec3 color = vec3(0.0);
   int count = int(litfog_fog.z);
   for (int i = 0; i < count; ++i) color += litfog_light_fog(litfog_lights[i], position);
   return color;
 }
+#endif
+
+// Fragment fog colour = ambient fog colour + the lights' parts.
+vec3 litfog_fog_color(vec3 position) { return litfog_ambient_fog_color.rgb + litfog_lights_fog(position); }
 
 // The fragment as the eye sees it: mix(fog, surface, f).
 vec3 litfog_apply_fog(vec3 color, vec3 position, vec3 eye) {

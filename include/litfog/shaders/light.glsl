@@ -24,7 +24,7 @@ layout(std140) uniform FogLightBlock {
 vec3 litfog_direction(vec3 from, vec3 to) {
   vec3 offset = to - from;
   float range = length(offset);
-  return range > 0.0 ? offset / range : vec3(0.0);
+  return range > 0.0 ? offset * (1.0 / range) : vec3(0.0);
 }
 
 #ifdef LITFOG_COOKIES  // the includer has lights of a shape of its own, profile 3, whose cone means what it likes
