@@ -11,11 +11,13 @@
 
 #include "bench/fit_benchmark.h"
 #include "bench/machine.h"
+#include "bench/render_benchmark.h"
 #include "bench/result.h"
 #include "bench/simd_target.h"
 #include "bench/solve_benchmark.h"
 #include "bench/update_benchmark.h"
 #include "command.h"
+#include "litfog/gl/unsupported.h"
 #include "plot.h"
 #include "table.h"
 #include "whole_file.h"
@@ -29,6 +31,7 @@ constexpr const char* kDescription = R"(Measures litfog and its rivals: time bes
   litfog-bench solve   time against error of every way to a light's fog colour intensity
   litfog-bench update  time to follow a visibility step by step over a million lights
   litfog-bench fit     time and quality of fits of an attenuation to a falloff table
+  litfog-bench render  frame time and error of every lighting path
 )";
 
 constexpr const char* kExplanation =
@@ -46,18 +49,23 @@ ranges of kilometres and of millimetres. Methods: litfog, proof of the global op
 unsupported LevenbergMarquardt, both from C = L = Q = 1. digits: the fewest in which ln attenuation agrees with the
 optimum at all samples of any table; the optimum is certified at 50 digits.
 
-Times are processor time of one thread: medians, with the spread from the 10th to the 90th percentile of the repetitions
-(solve, fit) or steps (update). Errors ending in _255 are in steps of an 8-bit colour channel.
+render: every lighting path of litfog-demo, and the base texture alone (unlit), in exp fog: headlights with 1 to 256 lights
+at 640x360, what cannot show skipped or not; every scene that has lights with as many at 320x180; 1280x720. Frames of all
+paths in turn. Errors are against the path's own plain formulas, shaded in double. The picture has table 1 of Hales 2004.
+
+Times are processor time of one thread (render: wall time of a frame, drawn and waited for): medians, with the spread
+from the 10th to the 90th percentile of the repetitions (solve, fit), steps (update) or frames (render). Errors ending in
+_255 are in steps of an 8-bit colour channel.
 
 Examples:
   litfog-bench solve --quick
   litfog-bench solve --csv solve.csv --json solve.json --plot solve.png
   litfog-bench update --isa AVX2 --format json
 
-Exit status: 0 done; 1 wrong command line; 3 a Debug build, or --plot without gnuplot; 4 output cannot be written; 5 an
+Exit status: 0 done; 1 wrong command line; 3 a Debug build, no OpenGL, or --plot without gnuplot; 4 output cannot be written; 5 an
 error larger than litfog states for itself was found (the results are still written).)";
 
-enum class Benchmark { solve, update, fit };
+enum class Benchmark { solve, update, fit, render };
 
 struct Options {
   Benchmark benchmark = Benchmark::solve;
@@ -70,17 +78,20 @@ struct Options {
 };
 
 std::string json_of(const Result& result) {
-  return fmt::format("{{\n\"machine\": {},\n\"rows\": {}}}\n", to_json(this_machine()),
+  return fmt::format("{{\n\"machine\": {},\n\"rows\": {}}}\n", to_json(this_machine(result.gl_renderer)),
                      format_table(result.table, TableFormat::json));
 }
 
 /// With the machine in every row, so that the rows of several machines make one file.
 std::string csv_of(const Result& result) {
-  const Machine machine = this_machine();
+  const Machine machine = this_machine(result.gl_renderer);
   Table table = result.table;
-  for (const char* column : {"cpu", "isa", "compiler", "commit", "date"}) table.columns.emplace_back(column);
+  for (const char* column : {"cpu", "isa", "compiler", "commit", "gl_renderer", "date"}) {
+    table.columns.emplace_back(column);
+  }
   for (auto& row : table.rows) {
-    for (const auto& cell : {machine.cpu, machine.isa, machine.compiler, machine.commit, machine.date}) {
+    for (const auto& cell :
+         {machine.cpu, machine.isa, machine.compiler, machine.commit, machine.gl_renderer, machine.date}) {
       row.emplace_back(cell);
     }
   }
@@ -108,6 +119,16 @@ Result measure(const Options& options) {
       return measure_fit(options.quick);
 #else
       throw MissingCapability("this build has no litfog::fit; configure with -DLITFOG_BUILD_FIT=ON");
+#endif
+    case Benchmark::render:
+#ifdef LITFOG_HAS_GL
+      try {
+        return measure_render(options.quick);
+      } catch (const litfog::gl::Unsupported& missing) {
+        throw MissingCapability(missing.what());
+      }
+#else
+      throw MissingCapability("this build has no litfog::gl; configure with -DLITFOG_BUILD_GL=ON");
 #endif
     case Benchmark::solve:
       break;
@@ -152,12 +173,16 @@ int main(int argc, char** argv) {
   CLI::App app{kDescription, "litfog-bench"};
   app.footer(kExplanation);
   add_choice<Benchmark>(app, "benchmark", options.benchmark,
-                        {{"solve", Benchmark::solve}, {"update", Benchmark::update}, {"fit", Benchmark::fit}},
+                        {{"solve", Benchmark::solve},
+                         {"update", Benchmark::update},
+                         {"fit", Benchmark::fit},
+                         {"render", Benchmark::render}},
                         "What to measure")
       ->required();
   app.add_option("--json", options.json_file, "Write machine and rows as JSON")->type_name("FILE");
   app.add_option("--csv", options.csv_file, "Write the rows as CSV, the machine in each")->type_name("FILE");
-  app.add_option("--plot", options.plot_file, "Draw time against error (solve), visibility (update) or digits (fit)")
+  app.add_option("--plot", options.plot_file,
+                 "Draw time against error (solve), visibility (update), digits (fit) or lights (render)")
       ->type_name("FILE.png|FILE.svg");
   app.add_option("--isa", options.isa,
                  "Batches use no wider SIMD target than this, in Highway's words: AVX3, AVX2, SSE4")

@@ -32,12 +32,12 @@ std::string compiler_name() {
 
 }  // namespace
 
-Machine this_machine() {
+Machine this_machine(const std::string& gl_renderer) {
   return {.cpu = cpu_name(),
           .isa = simd_target(),
           .compiler = compiler_name(),
           .commit = LITFOG_COMMIT,
-          .gl_renderer = "none",
+          .gl_renderer = gl_renderer,
           .date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))};
 }
 

@@ -11,11 +11,11 @@ struct Machine {
   std::string isa;          ///< SIMD target of the batch, in Highway's words: "AVX2"
   std::string compiler;     ///< "GCC 12.2.0"
   std::string commit;       ///< as configured; "unknown" outside a git checkout
-  std::string gl_renderer;  ///< "none" where nothing is drawn
+  std::string gl_renderer;  ///< what drew; "none" where nothing is drawn
   std::string date;         ///< UTC, ISO 8601
 };
 
-Machine this_machine();
+Machine this_machine(const std::string& gl_renderer);
 
 /// As a JSON object.
 std::string to_json(const Machine& machine);

@@ -13,6 +13,7 @@ namespace litfog::bench {
 struct Result {
   Table table;
   Figure figure;
+  std::string gl_renderer = "none";   ///< what drew
   std::vector<std::string> failures;  ///< sentences: where litfog itself missed an error that it states
 };
 

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+
+#include "scene.h"
+
+namespace litfog::bench {
+
+/// A scene with another number of lights, to see what a light costs. Its own come first: those that the eye's vehicle
+/// carries in their order, then the local ones as they are near the eye. Where it has too few, copies of its local
+/// lights (of its carried ones where it has no others) are strewn evenly over the ground that the camera sees, out to
+/// one and a half times the range of its target; the copies of a light and itself are together as bright as it was.
+///
+/// scene  with a light at least
+/// count  >= 1
+demo::Scene with_light_count(demo::Scene scene, std::size_t count);
+
+}  // namespace litfog::bench

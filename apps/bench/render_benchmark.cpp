@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/render_benchmark.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <optional>
+#include <tuple>
+
+#include "bench/light_count.h"
+#include "comparison.h"
+#include "frame_times.h"
+#include "litfog/gl/headless_context.h"
+#include "progress.h"
+#include "scene_file.h"
+
+namespace litfog::bench {
+namespace {
+
+using namespace litfog::demo;
+
+/// What the frames of all paths have in common.
+struct Setting {
+  std::string scene;
+  std::size_t lights;
+  int width;
+  int height;
+  Skipping skipping;
+
+  auto operator<=>(const Setting&) const = default;
+};
+
+/// One path's frames in a setting.
+struct Trial {
+  Setting setting;
+  const LightingPath* path;
+  FrameTimes times;
+  std::optional<PictureError> error;  // none of the unlit pass, which has no formulas
+};
+
+constexpr const char* kTableScene = "headlights";  // as Hales's figure 1
+constexpr int kTableWidth = 640;
+constexpr int kTableHeight = 360;
+
+std::vector<Setting> settings(bool quick) {
+  if (quick) {
+    return {{kTableScene, 2, 80, 45, Skipping::on}, {kTableScene, 16, 80, 45, Skipping::on}};
+  }
+  std::vector<Setting> all;
+  for (const Skipping skipping : {Skipping::on, Skipping::off}) {
+    for (const std::size_t lights : {1, 2, 4, 16, 64, 256}) {
+      all.push_back({kTableScene, lights, kTableWidth, kTableHeight, skipping});
+    }
+  }
+  for (const std::string& scene : bundled_scenes()) {
+    for (const std::size_t lights : {1, 2, 4, 16, 64, 256}) {
+      if (!read_scene(bundled_scene_path(scene)).lights.empty()) all.push_back({scene, lights, 320, 180, Skipping::on});
+    }
+  }
+  all.push_back({kTableScene, 2, 1280, 720, Skipping::on});
+  return all;
+}
+
+std::vector<const LightingPath*> measured_paths() {
+  std::vector<const LightingPath*> paths{&unlit_path()};
+  for (const LightingPath& path : lighting_paths()) paths.push_back(&path);
+  return paths;
+}
+
+/// Frames of each path: as many as fit into some seconds, within bounds.
+int frames_for(const std::vector<Renderer*>& renderers, bool quick) {
+  constexpr int kFewest = 5;
+  constexpr int kMost = 25;
+  constexpr double kMilliseconds = 15'000;
+  if (quick) return kFewest;
+  double round = 0;
+  for (const FrameTimes& times : time_frames(renderers, 1)) round += times.median();
+  return std::clamp(int(kMilliseconds / round), kFewest, kMost);
+}
+
+std::vector<Trial> measure(const Setting& setting, bool quick) {
+  const Scene scene = with_light_count(read_scene(bundled_scene_path(setting.scene)), setting.lights);
+  const Fog fog = Fog::from_visibility(FogMode::exp, suggested_visibility(scene));
+  std::vector<std::unique_ptr<Renderer>> renderers;
+  std::vector<Renderer*> in_turn;
+  for (const LightingPath* path : measured_paths()) {
+    renderers.push_back(std::make_unique<Renderer>(scene, setting.width, setting.height,
+                                                   RenderSettings{.skipping = setting.skipping, .path = path}));
+    renderers.back()->set_fog(fog);
+    in_turn.push_back(renderers.back().get());
+  }
+  std::vector<FrameTimes> times = time_frames(in_turn, frames_for(in_turn, quick));
+  std::vector<Trial> trials;
+  for (std::size_t i = 0; i < renderers.size(); ++i) {
+    const LightingPath* path = renderers[i]->settings().path;
+    trials.push_back({setting, path, std::move(times[i]), std::nullopt});
+    if (path != &unlit_path()) trials.back().error = compare_with_reference(scene, fog, *renderers[i]).error;
+    renderers[i].reset();
+  }
+  return trials;
+}
+
+class TrialList {
+ public:
+  void add(std::vector<Trial> trials) {
+    for (Trial& trial : trials) trials_.push_back(std::move(trial));
+  }
+  const std::vector<Trial>& all() const { return trials_; }
+  /// Milliseconds a frame of a path in a setting, where it was measured.
+  std::optional<double> time(const Setting& setting, std::string_view path) const {
+    const auto found = std::ranges::find_if(
+        trials_, [&](const Trial& trial) { return trial.setting == setting && trial.path->name == path; });
+    if (found == trials_.end()) return std::nullopt;
+    return found->times.median();
+  }
+  /// Over legacy's frame of another number of lights, else the same setting.
+  std::optional<double> over_legacy(const Trial& trial, std::size_t lights_of_legacy) const {
+    Setting setting = trial.setting;
+    setting.lights = lights_of_legacy;
+    const auto legacy = time(setting, "legacy");
+    if (!legacy) return std::nullopt;
+    return trial.times.median() / *legacy;
+  }
+
+ private:
+  std::vector<Trial> trials_;
+};
+
+Table::Cell cell(std::optional<double> value) {
+  if (!value) return std::monostate{};
+  return *value;
+}
+
+Table make_table(const TrialList& trials) {
+  Table table{{"scene", "path", "fog_light", "lights", "size", "skip", "ms_per_frame", "ms_spread", "ratio_to_legacy",
+               "ratio_to_two_light_legacy", "max_error_255", "mean_error_255", "excepted_pixels"},
+              {}};
+  for (const Trial& trial : trials.all()) {
+    const auto& [scene, lights, width, height, skipping] = trial.setting;
+    const auto of_error = [&](auto member) {
+      return trial.error ? Table::Cell(double((*trial.error).*member)) : Table::Cell(std::monostate{});
+    };
+    table.rows.push_back({scene, std::string(trial.path->name), "peak", double(lights),
+                          fmt::format("{}x{}", width, height), skipping == Skipping::on ? "on" : "off",
+                          trial.times.median(), trial.times.spread(), cell(trials.over_legacy(trial, lights)),
+                          cell(trials.over_legacy(trial, 2)), of_error(&PictureError::largest),
+                          of_error(&PictureError::mean), of_error(&PictureError::excepted)});
+  }
+  return table;
+}
+
+/// Frame time over the number of lights in the scene of table 1, a line a path.
+Chart make_light_chart(const TrialList& trials, Skipping skipping) {
+  Chart chart{.title = fmt::format("{}, {}", kTableScene,
+                                   skipping == Skipping::on ? "what cannot show skipped" : "nothing skipped"),
+              .x = {"lights", true},
+              .y = {"wall time of a frame (ms)", true},
+              .key = KeyPlace::top_left};
+  for (const LightingPath* path : measured_paths()) {
+    Series series{.name = std::string(path->name), .style = SeriesStyle::line_and_points};
+    for (const Trial& trial : trials.all()) {
+      const Setting& setting = trial.setting;
+      const bool belongs = trial.path == path && setting.scene == kTableScene && setting.skipping == skipping &&
+                           setting.width == trials.all().front().setting.width;
+      if (belongs) series.points.push_back({double(setting.lights), trial.times.median()});
+    }
+    if (!series.points.empty()) chart.series.push_back(std::move(series));
+  }
+  return chart;
+}
+
+/// Hales 2004, table 1: "normalized graphics card data", per pixel over legacy of the same card.
+struct Card {
+  const char* name;
+  double legacy;
+  double shader;
+};
+constexpr Card kCards[] = {{"ATI Radeon X800 PRO", 1.0, 1.95},
+                           {"ATI Radeon 9800 PRO", 1.130, 2.450},
+                           {"Nvidia GeForce FX 5950", 1.847, 4.830}};
+
+/// Per pixel over legacy with two headlights: the paper's cards, then the paths here.
+Chart make_table_1(const TrialList& trials) {
+  Chart chart{.title = "Hales 2004, table 1: two headlights, frame time over legacy",
+              .x = {"frame time over legacy", false, 0, 6},
+              .y = {"", false, 0, 0},
+              .key = KeyPlace::bottom_right};
+  double row = 0;
+  Series cards{.name = "2004, per pixel on all polygons", .style = SeriesStyle::points};
+  for (const Card& card : kCards) cards.points.push_back({card.shader / card.legacy, row--, card.name});
+  Series here[2] = {{.name = "this machine, nothing skipped", .style = SeriesStyle::points},
+                    {.name = "this machine, what cannot show skipped", .style = SeriesStyle::points}};
+  double most = 3;
+  for (const LightingPath* path : measured_paths()) {
+    --row;
+    for (const Trial& trial : trials.all()) {
+      const Setting& setting = trial.setting;
+      const bool belongs = trial.path == path && setting.lights == 2 && setting.scene == kTableScene &&
+                           setting.width == trials.all().front().setting.width;
+      if (!belongs) continue;
+      const double ratio = *trials.over_legacy(trial, 2);
+      most = std::max(most, ratio);
+      const bool skips = setting.skipping == Skipping::on;
+      here[skips].points.push_back({ratio, row, skips ? std::string(path->name) : std::string{}});
+    }
+  }
+  chart.x.most = std::ceil(most * 1.35);
+  chart.y.least = row - 1;
+  chart.y.most = 1;
+  chart.series = {cards, here[0], here[1]};
+  std::erase_if(chart.series, [](const Series& series) { return series.points.empty(); });
+  return chart;
+}
+
+}  // namespace
+
+Result measure_render(bool quick) {
+  const gl::HeadlessContext context;
+  TrialList trials;
+  Progress progress;
+  const std::vector<Setting> all = settings(quick);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    progress.show(fmt::format("setting {} of {}: {}, {} lights, {}x{}", i + 1, all.size(), all[i].scene, all[i].lights,
+                              all[i].width, all[i].height));
+    trials.add(measure(all[i], quick));
+  }
+  Result result;
+  result.table = make_table(trials);
+  result.gl_renderer = context.renderer();
+  for (const Trial& trial : trials.all()) {
+    // What the unified path states: exact but for the rounding of floats and of the half-float framebuffer.
+    if (trial.path == &lighting_paths().front() && !(trial.error->largest <= 1)) {
+      result.failures.push_back(fmt::format("{} of {} with {} lights: error = {}/255: must be at most 1/255",
+                                            trial.path->name, trial.setting.scene, trial.setting.lights,
+                                            trial.error->largest));
+    }
+  }
+  result.figure = {.title = fmt::format("Frames of every lighting path, {}x{}, {}", all.front().width,
+                                        all.front().height, context.renderer()),
+                   .charts = {make_table_1(trials), make_light_chart(trials, Skipping::on)},
+                   .columns = 3,
+                   .width = 1800,
+                   .height = 700};
+  Chart unskipped = make_light_chart(trials, Skipping::off);
+  if (!unskipped.series.empty()) result.figure.charts.push_back(std::move(unskipped));
+  result.figure.columns = int(result.figure.charts.size());
+  return result;
+}
+
+}  // namespace litfog::bench

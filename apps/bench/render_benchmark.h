@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "bench/result.h"
+
+namespace litfog::bench {
+
+/// Frame time beside error of every lighting path, over scenes, numbers of lights (with_light_count) and sizes, in exp
+/// fog at the visibility that each scene suggests. Columns:
+///
+/// scene, path          path also: unlit, the base texture alone
+/// fog_light            peak: carried lights light the fog by their fog colour intensity
+/// lights, size         of the scene; WIDTHxHEIGHT in pixels, four samples each
+/// skip                 on or off: whether what cannot show is left out
+/// ms_per_frame         wall time: the median over frames, each drawn and waited for
+/// ms_spread            from their 10th to their 90th percentile
+/// ratio_to_legacy      of the medians; legacy's of the same scene, lights, size and skip, frames in turn
+/// ratio_to_two_light_legacy  of the medians; legacy's of two lights, else the same; empty where it was not measured
+/// max_error_255, mean_error_255  against the path's plain formulas in double (shade_reference), in steps of an 8-bit
+///                      colour channel; empty for unlit
+/// excepted_pixels      too close to a jump of the model to be compared
+///
+/// The picture shows frame time over the number of lights and Hales's table 1 (2004) beside this machine's.
+///
+/// quick   one scene, small, few lights: to see that it works
+/// throws  gl::Unsupported where there is no OpenGL 3.3 through EGL
+Result measure_render(bool quick);
+
+}  // namespace litfog::bench

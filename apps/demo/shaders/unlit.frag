@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
+// The base texture as it is: neither light nor fog.
+
+#include "rasterised.glsl"
+
+out vec4 color;
+
+void main() { color = vec4(base_texture().rgb, 1.0); }
