@@ -242,6 +242,24 @@ TEST_F(LightingPathPixels, OfLookupPathsAreThePapersModelToWithinTheirTexels) {
   }
 }
 
+// Attenuation without linear and quadratic parts never ends a light: one as far as floats go, and one that ends 10,000
+// km away, beside whose extent the way to a surface is nothing.
+TEST_F(LightingPathPixels, OfLightsWithoutAnEndInSightAreLitByEveryPath) {
+  for (const Attenuation& attenuation : {Attenuation{2, 0, 0}, Attenuation{1, 1.9e-6, 0}}) {
+    Scene scene = wall(256);
+    scene.lights = {lamp({0.4, -0.3, -2}, attenuation, Cone{}, true)};
+    for (const LightingPath& path : lighting_paths()) {
+      // Beside the framebuffer's rounding the vertices' is seen, and the texel at the light of the attenuation that
+      // falls.
+      const double fall = path.evaluation == Evaluation::lookup && attenuation.linear > 0 ? 0.15 : 0.002;
+      test::WorstError error(std::string(path.name), "wall under an endless lamp", fall, "absolute");
+      for (const Fog& fog : clear_and_foggy())
+        error.add(worst_error(scene, fog, settings(path.name)), [] { return ""; });
+      error.check();
+    }
+  }
+}
+
 // Linear interpolation errs by the square of the triangles' size.
 TEST_F(LightingPathPixels, OfVertexPathsConvergeInTheSecondOrderAsTheWallIsTessellated) {
   for (const char* path : {"vertex", "mixed", "legacy"}) {
