@@ -246,6 +246,12 @@ TEST_F(GltfScene, MetallicRoughnessBecomesTheBasicModel) {
   EXPECT_EQ(material.albedo.rgba, srgb);
 }
 
+// 128 stands for 0 there; as rgb / 127.5 - 1, which pictures of normals are read by, it would tilt every surface.
+TEST_F(GltfScene, WithoutANormalMapSurfacesAreFlat) {
+  const std::vector<std::uint8_t> flat{128, 128, 255, 0};
+  EXPECT_EQ(read(floor_scene()).materials.at(0).normal.rgba, flat);
+}
+
 TEST_F(GltfScene, PicturesAreReadFromFilesAndFromBuffers) {
   const std::vector<std::uint8_t> rgb{10, 20, 30, 40, 50, 60, 70, 80, 90, 100, 110, 120};
   const std::string bytes = png(path("base.png"), rgb, 2);

@@ -559,10 +559,11 @@ class GltfReader {
   }
 
   Texels normal_map(const Place& place, const tinygltf::NormalTextureInfo& given) {
+    if (given.index == -1) return {1, 1, {128, 128, 255, 0}};  // flat
     tinygltf::TextureInfo info;
     info.index = given.index;
     info.texCoord = given.texCoord;
-    Texels texels = texture(place, info, {128, 128, 255});
+    Texels texels = texture(place, info, {});
     if (given.scale == 1) return texels;
     if (!(std::abs(given.scale) <= 1000)) refuse(place / "scale", "must be at most 1000");
     for (std::size_t i = 0; i < texels.rgba.size(); i += 4) {

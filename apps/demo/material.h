@@ -22,7 +22,8 @@ struct Material {
   std::string name;
   float size_m;        ///< metres one tile covers: texture coordinate = Vertex::uv / size_m
   Texels albedo;       ///< sRGB colour; A = gloss, linear, scales specular
-  Texels normal;       ///< tangent space, n = rgb / 127.5 - 1, +Z out of the surface; A = 255
+  Texels normal;       ///< tangent space, +Z out of the surface; n = (rgb - 128) / 127.5 where A = 0, which can say
+                       ///< flat, and rgb / 127.5 - 1, glTF's, where A = 255
   glm::vec3 specular;  ///< linear, at gloss 1
   float shininess;     ///< Blinn-Phong exponent
   glm::vec3 emissive;  ///< linear; 0 for what does not shine
