@@ -320,6 +320,19 @@ TEST_F(GltfScene, RefusalsNamePlaceValueAndRule) {
             "materials[0].pbrMetallicRoughness.metallicFactor = 2: must be in [0, 1]");
   EXPECT_EQ(refusal(with("/nodes/0/translation", {1e9, 0, 0})),
             "nodes[0] = an object: must lie within 10000000 metres");
+  // What tinygltf takes as not given.
+  EXPECT_EQ(refusal(with("/asset/version", "1.0")), "asset.version = \"1.0\": must be \"2.0\"");
+  EXPECT_EQ(refusal(with("/nodes/0/mesh", "floor")), "nodes[0].mesh = \"floor\": must be a number");
+  EXPECT_EQ(refusal(with("/nodes/0/mesh", -1)), "nodes[0].mesh = -1: must be a whole number >= 0");
+  EXPECT_EQ(refusal(with("/nodes/0/matrix", {1, 0, 0})), "nodes[0].matrix = an array: must be 16 numbers");
+  EXPECT_EQ(refusal(with("/nodes/0/rotation", {0, 0, 0, 0})), "nodes[0].rotation = an array: must not be all 0");
+  EXPECT_EQ(refusal(with("/nodes/2/extensions/KHR_lights_punctual/light", "0")),
+            "nodes[2].extensions.KHR_lights_punctual.light = \"0\": must be a number");
+  EXPECT_EQ(refusal(with("/extensions/KHR_lights_punctual/lights/0/intensity", "bright")),
+            "extensions.KHR_lights_punctual.lights[0].intensity = \"bright\": must be a number");
+  EXPECT_EQ(refusal(with("/materials/0/pbrMetallicRoughness/baseColorFactor", {0.5})),
+            "materials[0].pbrMetallicRoughness.baseColorFactor = an array: must be 4 numbers");
+  EXPECT_EQ(refusal(with("/accessors/0/byteOffset", -4)), "accessors[0].byteOffset = -4: must be a whole number >= 0");
   std::string bad_index = floor_bytes();
   bad_index[128] = 4;
   EXPECT_EQ(refusal(floor_scene(), bad_index), "meshes[0].primitives[0].indices = 3: must be those of given vertices");
