@@ -404,6 +404,24 @@ TEST_F(GltfScene, NoDamageCrashesTheReader) {
 
 class GltfPicture : public test::GlTest {};
 
+// In 8 bits of sRGB these would be the same colour, some percent off.
+TEST_F(GltfPicture, ADarkColorIsNotRounded) {
+  const test::TemporaryDirectory directory;
+  const std::string path = (directory.path() / "floor.glb").string();
+  json file = floor_scene();
+  file["materials"][0] = {
+      {"pbrMetallicRoughness", {{"baseColorFactor", {0.0041, 0.004, 0.0039, 1}}, {"metallicFactor", 0}}}};
+  std::ofstream(path, std::ios::binary) << binary_file(file, floor_bytes());
+  Scene scene = read_scene(path);
+  scene.lights.clear();
+  scene.environment.ambient_light = glm::vec3(100);
+  Renderer renderer(scene, 80, 80, {});
+  renderer.draw(LightPoints::off);
+  const Picture picture = renderer.read();
+  const float* const middle = &picture.rgb[std::size_t(3 * (40 * 80 + 40))];
+  for (int channel = 0; channel < 3; ++channel) EXPECT_NEAR(middle[channel], 0.41f - 0.01f * float(channel), 1e-3f);
+}
+
 // Lit as the lamp's candela say: the Basic model written out, and the reference in every pixel.
 TEST_F(GltfPicture, TheFloorIsAsBrightAsItsLightSays) {
   const test::TemporaryDirectory directory;

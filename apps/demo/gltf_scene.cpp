@@ -605,7 +605,8 @@ class GltfReader {
             .normal = normal_map(place / "normalTexture", given.normalTexture),
             .specular = reflected * ((shininess + 8) / 8),
             .shininess = shininess,
-            .emissive = emissive};
+            .emissive = emissive,
+            .plain_albedo = pbr.baseColorTexture.index == -1 ? std::optional(kept) : std::nullopt};
   }
 
   glm::vec3 color_of(const Place& place, const Vector& given, std::size_t size) const {

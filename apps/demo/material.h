@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -27,6 +28,8 @@ struct Material {
   glm::vec3 specular;  ///< linear, at gloss 1
   float shininess;     ///< Blinn-Phong exponent
   glm::vec3 emissive;  ///< linear; 0 for what does not shine
+  /// Linear, gloss 1: in place of an albedo of one colour, which in 8 bits is up to some percent off where it is dark.
+  std::optional<glm::vec3> plain_albedo = std::nullopt;
 };
 
 /// Every material there is, sorted.
