@@ -246,6 +246,12 @@ TEST_F(GltfScene, MetallicRoughnessBecomesTheBasicModel) {
   EXPECT_EQ(material.albedo.rgba, srgb);
 }
 
+// 128 stands for 0 there; as rgb / 127.5 - 1, which pictures of normals are read by, it would tilt every surface.
+TEST_F(GltfScene, WithoutANormalMapSurfacesAreFlat) {
+  const std::vector<std::uint8_t> flat{128, 128, 255, 0};
+  EXPECT_EQ(read(floor_scene()).materials.at(0).normal.rgba, flat);
+}
+
 TEST_F(GltfScene, PicturesAreReadFromFilesAndFromBuffers) {
   const std::vector<std::uint8_t> rgb{10, 20, 30, 40, 50, 60, 70, 80, 90, 100, 110, 120};
   const std::string bytes = png(path("base.png"), rgb, 2);
@@ -314,6 +320,19 @@ TEST_F(GltfScene, RefusalsNamePlaceValueAndRule) {
             "materials[0].pbrMetallicRoughness.metallicFactor = 2: must be in [0, 1]");
   EXPECT_EQ(refusal(with("/nodes/0/translation", {1e9, 0, 0})),
             "nodes[0] = an object: must lie within 10000000 metres");
+  // What tinygltf takes as not given.
+  EXPECT_EQ(refusal(with("/asset/version", "1.0")), "asset.version = \"1.0\": must be \"2.0\"");
+  EXPECT_EQ(refusal(with("/nodes/0/mesh", "floor")), "nodes[0].mesh = \"floor\": must be a number");
+  EXPECT_EQ(refusal(with("/nodes/0/mesh", -1)), "nodes[0].mesh = -1: must be a whole number >= 0");
+  EXPECT_EQ(refusal(with("/nodes/0/matrix", {1, 0, 0})), "nodes[0].matrix = an array: must be 16 numbers");
+  EXPECT_EQ(refusal(with("/nodes/0/rotation", {0, 0, 0, 0})), "nodes[0].rotation = an array: must not be all 0");
+  EXPECT_EQ(refusal(with("/nodes/2/extensions/KHR_lights_punctual/light", "0")),
+            "nodes[2].extensions.KHR_lights_punctual.light = \"0\": must be a number");
+  EXPECT_EQ(refusal(with("/extensions/KHR_lights_punctual/lights/0/intensity", "bright")),
+            "extensions.KHR_lights_punctual.lights[0].intensity = \"bright\": must be a number");
+  EXPECT_EQ(refusal(with("/materials/0/pbrMetallicRoughness/baseColorFactor", {0.5})),
+            "materials[0].pbrMetallicRoughness.baseColorFactor = an array: must be 4 numbers");
+  EXPECT_EQ(refusal(with("/accessors/0/byteOffset", -4)), "accessors[0].byteOffset = -4: must be a whole number >= 0");
   std::string bad_index = floor_bytes();
   bad_index[128] = 4;
   EXPECT_EQ(refusal(floor_scene(), bad_index), "meshes[0].primitives[0].indices = 3: must be those of given vertices");
@@ -384,6 +403,24 @@ TEST_F(GltfScene, NoDamageCrashesTheReader) {
 }
 
 class GltfPicture : public test::GlTest {};
+
+// In 8 bits of sRGB these would be the same colour, some percent off.
+TEST_F(GltfPicture, ADarkColorIsNotRounded) {
+  const test::TemporaryDirectory directory;
+  const std::string path = (directory.path() / "floor.glb").string();
+  json file = floor_scene();
+  file["materials"][0] = {
+      {"pbrMetallicRoughness", {{"baseColorFactor", {0.0041, 0.004, 0.0039, 1}}, {"metallicFactor", 0}}}};
+  std::ofstream(path, std::ios::binary) << binary_file(file, floor_bytes());
+  Scene scene = read_scene(path);
+  scene.lights.clear();
+  scene.environment.ambient_light = glm::vec3(100);
+  Renderer renderer(scene, 80, 80, {});
+  renderer.draw(LightPoints::off);
+  const Picture picture = renderer.read();
+  const float* const middle = &picture.rgb[std::size_t(3 * (40 * 80 + 40))];
+  for (int channel = 0; channel < 3; ++channel) EXPECT_NEAR(middle[channel], 0.41f - 0.01f * float(channel), 1e-3f);
+}
 
 // Lit as the lamp's candela say: the Basic model written out, and the reference in every pixel.
 TEST_F(GltfPicture, TheFloorIsAsBrightAsItsLightSays) {

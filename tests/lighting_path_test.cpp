@@ -94,7 +94,7 @@ Picture draw(const Scene& scene, const Fog& fog, const RenderSettings& settings)
 }
 
 /// What the wall is made of. The colour is as drawn under a white ambient light alone: a driver may take an sRGB texel
-/// for a percent more or less than it is. Gloss and normal are the material's texels.
+/// for a percent more or less than it is. Gloss is the material's texel; its normal map is flat.
 struct Finish {
   explicit Finish(const Scene& scene) {
     Scene bare = scene;
@@ -107,12 +107,8 @@ struct Finish {
     gloss = material.albedo.rgba[3] / 255.0;
     specular = material.specular;
     shininess = double(material.shininess);
-    const Vertex& vertex = part.mesh.vertices[0];
-    const dvec3 n(vertex.normal), t(vertex.tangent);
-    const dvec3 bump = dvec3(material.normal.rgba[0], material.normal.rgba[1], material.normal.rgba[2]) / 127.5 - 1.0;
-    mapped_normal = glm::normalize(t * bump.x + glm::cross(n, t) * double(vertex.tangent.w) * bump.y + n * bump.z);
   }
-  dvec3 albedo, specular, mapped_normal;
+  dvec3 albedo, specular;
   double gloss, shininess;
 };
 
@@ -120,7 +116,7 @@ struct Finish {
 dvec3 expected_color(const Scene& scene, const Finish& finish, const LightingPath& path, const Fog& fog,
                      const dvec3& point, bool infinite_viewer) {
   const Environment& environment = scene.environment;
-  const dvec3 normal = path.has_normal_maps ? finish.mapped_normal : dvec3(0, 0, 1);
+  const dvec3 normal(0, 0, 1);
   const dvec3 to_eye = infinite_viewer ? dvec3(0, 0, 1) : glm::normalize(dvec3(scene.camera.position) - point);
   const auto reflected = [&](const dvec3& to_light) {
     const double diffuse = std::max(glm::dot(normal, to_light), 0.0);
@@ -235,6 +231,24 @@ TEST_F(LightingPathPixels, OfLookupPathsAreThePapersModelToWithinTheirTexels) {
         bound += albedo * light.light.color.r * lookup_bound(path, light.light);
       test::WorstError error(std::string(path.name), count == 1 ? "wall under a lamp" : "wall under eight lamps", bound,
                              "absolute");
+      for (const Fog& fog : clear_and_foggy())
+        error.add(worst_error(scene, fog, settings(path.name)), [] { return ""; });
+      error.check();
+    }
+  }
+}
+
+// Attenuation without linear and quadratic parts never ends a light: one as far as floats go, and one that ends 10,000
+// km away, beside whose extent the way to a surface is nothing.
+TEST_F(LightingPathPixels, OfLightsWithoutAnEndInSightAreLitByEveryPath) {
+  for (const Attenuation& attenuation : {Attenuation{2, 0, 0}, Attenuation{1, 1.9e-6, 0}}) {
+    Scene scene = wall(256);
+    scene.lights = {lamp({0.4, -0.3, -2}, attenuation, Cone{}, true)};
+    for (const LightingPath& path : lighting_paths()) {
+      // Beside the framebuffer's rounding the vertices' is seen, and the texel at the light of the attenuation that
+      // falls.
+      const double fall = path.evaluation == Evaluation::lookup && attenuation.linear > 0 ? 0.15 : 0.002;
+      test::WorstError error(std::string(path.name), "wall under an endless lamp", fall, "absolute");
       for (const Fog& fog : clear_and_foggy())
         error.add(worst_error(scene, fog, settings(path.name)), [] { return ""; });
       error.check();

@@ -83,14 +83,23 @@ TEST_P(EveryMaterial, HasUnitNormalsThatPointOut) {
   const Material material = make_material(GetParam());
   double worst = 0.0;
   for (std::size_t i = 0; i < material.normal.rgba.size(); i += 4) {
-    const double x = material.normal.rgba[i] / 127.5 - 1.0;
-    const double y = material.normal.rgba[i + 1] / 127.5 - 1.0;
-    const double z = material.normal.rgba[i + 2] / 127.5 - 1.0;
+    const double x = material.normal.rgba[i] / 127.5 - 256.0 / 255.0;
+    const double y = material.normal.rgba[i + 1] / 127.5 - 256.0 / 255.0;
+    const double z = material.normal.rgba[i + 2] / 127.5 - 256.0 / 255.0;
     worst = std::max(worst, std::abs(std::sqrt(x * x + y * y + z * z) - 1.0));
     ASSERT_GT(z, 0.0);
   }
   // Half a level in each of three channels is sqrt(3) / 255 = 0.0068.
   EXPECT_LE(worst, 0.0069);
+}
+
+TEST(Material, SmoothPaintIsFlat) {
+  const Material material = make_material("sign_white");
+  for (std::size_t i = 0; i < material.normal.rgba.size(); i += 4) {
+    ASSERT_EQ(material.normal.rgba[i], 128);
+    ASSERT_EQ(material.normal.rgba[i + 1], 128);
+    ASSERT_EQ(material.normal.rgba[i + 3], 0);
+  }
 }
 
 TEST_P(EveryMaterial, Tiles) {

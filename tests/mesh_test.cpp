@@ -300,5 +300,26 @@ TEST(Mesh, RoadPaintLiesOverTheRoad) {
   EXPECT_LE(paint.high.y, road_height(markings, 0.0f) + markings.lift_m + 1e-4f);
 }
 
+// Between vertices whose tangents jump, what is carried into tangent space is interpolated to nonsense.
+TEST(Mesh, TangentsWithoutTextureCoordinatesTurnWithTheNormal) {
+  constexpr int kSteps = 64;
+  const auto tangent = [](int ring, int turn) {
+    const double polar = 0.9 * 3.14159 * ring / kSteps;  // all but straight down
+    const double around = 2 * 3.14159 * turn / kSteps;
+    const glm::vec3 normal(std::sin(polar) * std::sin(around), std::cos(polar), std::sin(polar) * std::cos(around));
+    Mesh mesh;
+    mesh.vertices.push_back({normal, normal, {}, {}});
+    compute_tangents(mesh);
+    EXPECT_NEAR(glm::dot(normal, glm::vec3(mesh.vertices[0].tangent)), 0, 1e-6);
+    return glm::vec3(mesh.vertices[0].tangent);
+  };
+  for (int ring = 0; ring < kSteps; ++ring) {
+    for (int turn = 0; turn < kSteps; ++turn) {
+      EXPECT_LT(glm::distance(tangent(ring, turn), tangent(ring + 1, turn)), 0.25f);
+      EXPECT_LT(glm::distance(tangent(ring, turn), tangent(ring, turn + 1)), 0.25f);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace litfog::demo

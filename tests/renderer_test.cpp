@@ -216,6 +216,17 @@ TEST_F(RendererTest, MoreListedLightsThanMemoryIsForAreRefused) {
   EXPECT_THROW(Renderer(scene, 8, 8, {.skipping = Skipping::on}), gl::Unsupported);
 }
 
+TEST_F(RendererTest, MoreLightMapsThanMemoryIsForAreRefused) {
+  Scene scene = open_air(Cone{});
+  const PlacedLight lamp = scene.lights[0];
+  for (int i = 0; i < 64; ++i) {
+    scene.lights.push_back(lamp);
+    scene.lights.back().light.attenuation = {1, 0.01 * i, 0.1};
+  }
+  const RenderSettings large{.path = find_lighting_path("lookup-3d"), .map_size = 256};  // 32 MiB a lamp
+  EXPECT_THROW(Renderer(scene, 8, 8, large), gl::Unsupported);
+}
+
 TEST_F(RendererTest, ABufferTextureLargerThanTheContextAllowsIsRefused) {
   const std::vector<std::int32_t> texels(BufferTexture::max_texels() + 1);
   EXPECT_THROW(BufferTexture(texels.data(), texels.size() * sizeof(std::int32_t), BufferTexture::Texel::int1),

@@ -106,6 +106,66 @@ std::string json_chunk(const std::string& path, const std::string& bytes) {
   return bytes.substr(kHeaders, little_endian(bytes, 12));
 }
 
+/// Whole numbers >= 0, as indices and offsets are.
+void expect_index(const JsonValue& object, std::string_view name) {
+  const auto given = object.optional(name);
+  if (given && !(given->number() >= 0 && given->number() == std::floor(given->number()))) {
+    given->fail("must be a whole number >= 0");
+  }
+}
+
+void expect_number(const JsonValue& object, std::string_view name) {
+  if (const auto given = object.optional(name)) given->number();
+}
+
+void expect_numbers(const JsonValue& object, std::string_view name, std::size_t count) {
+  const auto given = object.optional(name);
+  if (!given) return;
+  const auto items = given->items();
+  if (items.size() != count) given->fail(fmt::format("must be {} numbers", count));
+  for (const JsonValue& item : items) item.number();
+}
+
+std::vector<JsonValue> items_of(const JsonValue& object, std::string_view name) {
+  const auto given = object.optional(name);
+  return given ? given->items() : std::vector<JsonValue>{};
+}
+
+/// Refuses what tinygltf passes over in silence, as if it were not given: members of a wrong kind or length.
+void expect_values(const JsonValue& root) {
+  const JsonValue version = root.member("asset").member("version");
+  if (!version.string().starts_with("2.")) version.fail("must be \"2.0\"");
+  for (const JsonValue& view : items_of(root, "bufferViews")) expect_index(view, "byteOffset");
+  for (const JsonValue& accessor : items_of(root, "accessors")) expect_index(accessor, "byteOffset");
+  for (const JsonValue& node : items_of(root, "nodes")) {
+    for (const char* name : {"mesh", "camera"}) expect_index(node, name);
+    for (const auto& [name, count] : {std::pair{"matrix", 16u}, {"translation", 3u}, {"rotation", 4u}, {"scale", 3u}}) {
+      expect_numbers(node, name, count);
+    }
+    if (const auto rotation = node.optional("rotation")) {
+      const auto is_zero = [](const JsonValue& item) { return item.number() == 0; };
+      if (std::ranges::all_of(rotation->items(), is_zero)) rotation->fail("must not be all 0");
+    }
+    const auto extensions = node.optional("extensions");
+    const auto punctual = extensions ? extensions->optional("KHR_lights_punctual") : std::nullopt;
+    if (punctual) expect_index(*punctual, "light");
+  }
+  for (const JsonValue& material : items_of(root, "materials")) {
+    expect_numbers(material, "emissiveFactor", 3);
+    const auto pbr = material.optional("pbrMetallicRoughness");
+    if (!pbr) continue;
+    expect_numbers(*pbr, "baseColorFactor", 4);
+    for (const char* name : {"metallicFactor", "roughnessFactor"}) expect_number(*pbr, name);
+  }
+  const auto extensions = root.optional("extensions");
+  const auto punctual = extensions ? extensions->optional("KHR_lights_punctual") : std::nullopt;
+  if (!punctual) return;
+  for (const JsonValue& light : items_of(*punctual, "lights")) {
+    expect_numbers(light, "color", 3);
+    for (const char* name : {"intensity", "range"}) expect_number(light, name);
+  }
+}
+
 float linear(std::uint8_t srgb) { return OIIO::sRGB_to_linear(float(srgb) / 255.0f); }
 std::uint8_t byte(float share) { return static_cast<std::uint8_t>(std::clamp(share, 0.0f, 1.0f) * 255.0f + 0.5f); }
 std::uint8_t srgb(float linear) { return byte(OIIO::linear_to_sRGB(std::clamp(linear, 0.0f, 1.0f))); }
@@ -183,6 +243,7 @@ class GltfReader {
       while (errors.ends_with(' ') || errors.ends_with('.')) errors.pop_back();
       throw BadInput(path + ": must be a glTF 2.0 file: " + errors);
     }
+    expect_values(root);
     return root;
   }
 
@@ -544,7 +605,8 @@ class GltfReader {
             .normal = normal_map(place / "normalTexture", given.normalTexture),
             .specular = reflected * ((shininess + 8) / 8),
             .shininess = shininess,
-            .emissive = emissive};
+            .emissive = emissive,
+            .plain_albedo = pbr.baseColorTexture.index == -1 ? std::optional(kept) : std::nullopt};
   }
 
   glm::vec3 color_of(const Place& place, const Vector& given, std::size_t size) const {
@@ -559,10 +621,11 @@ class GltfReader {
   }
 
   Texels normal_map(const Place& place, const tinygltf::NormalTextureInfo& given) {
+    if (given.index == -1) return {1, 1, {128, 128, 255, 0}};  // flat
     tinygltf::TextureInfo info;
     info.index = given.index;
     info.texCoord = given.texCoord;
-    Texels texels = texture(place, info, {128, 128, 255});
+    Texels texels = texture(place, info, {});
     if (given.scale == 1) return texels;
     if (!(std::abs(given.scale) <= 1000)) refuse(place / "scale", "must be at most 1000");
     for (std::size_t i = 0; i < texels.rgba.size(); i += 4) {

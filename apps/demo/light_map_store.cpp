@@ -7,12 +7,15 @@
 #include <cmath>
 
 #include "light_frame.h"
+#include "litfog/gl/unsupported.h"
 #include "texture_unit.h"
 
 namespace litfog::demo {
 namespace {
 
 using Shape = LookupTexture::Shape;
+
+constexpr std::size_t kMaxTexels = std::size_t{1} << 29;  // of two bytes: 1 GiB
 
 /// The side of two squares that have together the texels of a cube: 1024 for 128.
 int pair_size(int volume_size) { return int(std::sqrt(0.5 * volume_size * volume_size * volume_size)); }
@@ -53,12 +56,23 @@ LightMapStore::LightMapStore(LightMapSet set, const Scene& scene, const SceneLig
   }
 }
 
+void LightMapStore::expect_room(std::size_t texels) {
+  texels_ += texels;
+  if (texels_ > kMaxTexels) {
+    throw gl::Unsupported(
+        "the scene's lights are of too many shapes for this path: their light maps would take more than 1 GiB; a "
+        "smaller "
+        "--map-size may do");
+  }
+}
+
 const LookupTexture* LightMapStore::range_map(const PlacedLight& light, double extent) {
   const RangeProfile profile = range_profile(light.light.attenuation, extent);
   const auto found = range_maps_.find(profile);
   if (found != range_maps_.end()) return &found->second;
   const bool is_volume = set_ == LightMapSet::volume;
   const int side = is_volume ? size_ : pair_size(size_);
+  expect_room(std::size_t(side) * std::size_t(side) * std::size_t(is_volume ? side : 1));
   LookupTexture map(is_volume ? Shape::volume : Shape::square, side,
                     is_volume ? make_range_volume(profile, side) : make_range_map(profile, side));
   return &range_maps_.emplace(profile, std::move(map)).first->second;
@@ -69,6 +83,7 @@ const LookupTexture* LightMapStore::cone_map(const Cone& cone) {
     if (known == cone) return &map;
   }
   const int side = cone.profile == ConeProfile::none ? 1 : size_;  // a point light's is white
+  expect_room(6 * std::size_t(side) * std::size_t(side));
   const CubeAxis axis = set_ == LightMapSet::radial ? CubeAxis::minus_z : CubeAxis::plus_x;
   return &cone_maps_.emplace_back(cone, LookupTexture(Shape::cube, side, make_cone_cube(cone, axis, side))).second;
 }

@@ -18,7 +18,8 @@ namespace litfog::demo {
 class LightMapStore {
  public:
   /// size    texels a side of a 3-D map, a cube map's face and Frazier's maps; the 2-D pair has a volume's texels
-  /// throws  gl::Unsupported where this OpenGL has no textures of that size
+  /// throws  gl::Unsupported where this OpenGL has no textures of that size, or where the lights are of so many shapes
+  ///         that their maps would take more than 1 GiB
   LightMapStore(LightMapSet set, const Scene& scene, const SceneLights& lights, int size);
 
   /// Lights of one kind share their maps.
@@ -40,12 +41,15 @@ class LightMapStore {
     glm::mat3 cone_from_world;
   };
 
+  /// Counts a map that is going to be made.
+  void expect_room(std::size_t texels);
   const LookupTexture* range_map(const PlacedLight& light, double extent);
   const LookupTexture* cone_map(const Cone& cone);
   const LookupTexture* cookie_map(const Scene& scene, std::size_t cookie);
 
   LightMapSet set_;
   int size_;
+  std::size_t texels_ = 0;  // of all range and cone maps
   std::map<RangeProfile, LookupTexture> range_maps_;
   std::deque<std::pair<Cone, LookupTexture>> cone_maps_;
   std::map<std::size_t, LookupTexture> cookie_maps_;

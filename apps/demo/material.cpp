@@ -87,6 +87,9 @@ std::uint8_t srgb(float linear) {
 
 std::uint8_t byte(float share) { return static_cast<std::uint8_t>(std::clamp(share, 0.0f, 1.0f) * 255.0f + 0.5f); }
 
+/// A component of a normal where 128 is 0: with 127.5 no flat surface would be flat.
+std::uint8_t normal_byte(float component) { return byte((128.0f + 127.5f * component) / 255.0f); }
+
 Texels bake_albedo(const Canvas& canvas, const glm::vec3& mean_albedo) {
   glm::dvec3 sum(0.0);
   for (const glm::vec3& color : canvas.color) sum += glm::dvec3(color);
@@ -113,10 +116,10 @@ Texels bake_normals(const Canvas& canvas) {
       const float dv = (canvas.height.at(x, y + 1) - canvas.height.at(x, y - 1)) * per_texel;
       const float scale = 1.0f / std::sqrt(du * du + dv * dv + 1.0f);
       std::uint8_t* const texel = &texels.rgba[4 * canvas.height.texel(x, y)];
-      texel[0] = byte(0.5f - 0.5f * du * scale);
-      texel[1] = byte(0.5f - 0.5f * dv * scale);
-      texel[2] = byte(0.5f + 0.5f * scale);
-      texel[3] = 255;
+      texel[0] = normal_byte(-du * scale);
+      texel[1] = normal_byte(-dv * scale);
+      texel[2] = normal_byte(scale);
+      texel[3] = 0;
     }
   }
   return texels;

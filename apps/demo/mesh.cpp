@@ -8,9 +8,13 @@
 namespace litfog::demo {
 namespace {
 
+/// A tangent for a unit normal that turns with it everywhere but straight down, where every such field has to break
+/// (Frisvad 2012, "Building an Orthonormal Basis from a 3D Unit Vector Without Normalization"): what is carried into
+/// tangent space at the vertices is interpolated between them.
 glm::vec3 perpendicular(const glm::vec3& normal) {
-  const glm::vec3 other = std::abs(normal.x) < 0.7f ? glm::vec3(1, 0, 0) : glm::vec3(0, 0, 1);
-  return glm::normalize(other - normal * glm::dot(normal, other));
+  if (normal.y < -0.9999f) return glm::normalize(glm::vec3(1, 0, 0) - normal * normal.x);
+  const float share = normal.x / (1 + normal.y);
+  return glm::normalize(glm::vec3(1 - normal.x * share, -normal.x, -normal.z * share));
 }
 
 void extend(Bounds& box, const Mesh& mesh) {

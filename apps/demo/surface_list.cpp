@@ -77,7 +77,8 @@ void SurfaceList::load_materials(const Scene& scene) {
   }
   for (auto& [name, future] : made) {
     Material material = future.get();
-    Texture albedo(material.albedo, Texture::Encoding::srgb);
+    Texture albedo = material.plain_albedo ? Texture(glm::vec4(*material.plain_albedo, 1.0f))
+                                           : Texture(material.albedo, Texture::Encoding::srgb);
     Texture normal(material.normal, Texture::Encoding::linear);
     material.albedo = {};
     material.normal = {};

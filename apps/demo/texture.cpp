@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cassert>
+#include <glm/gtc/type_ptr.hpp>
 #include <string>
 #include <utility>
 
@@ -22,6 +23,14 @@ Texture::Texture(const Texels& texels, Encoding encoding) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER,
                   GL_LINEAR_MIPMAP_LINEAR);  // no anisotropy: Mesa's rasteriser takes minutes over it
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+}
+
+Texture::Texture(const glm::vec4& texel) {
+  glGenTextures(1, &id_);
+  glBindTexture(GL_TEXTURE_2D, id_);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, 1, 1, 0, GL_RGBA, GL_FLOAT, glm::value_ptr(texel));
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
 Texture::~Texture() { glDeleteTextures(1, &id_); }

@@ -14,6 +14,8 @@ class Texture {
   enum class Encoding { linear, srgb };
 
   Texture(const Texels& texels, Encoding encoding);
+  /// One texel of floats, linear.
+  explicit Texture(const glm::vec4& texel);
   ~Texture();
   Texture(Texture&& other) noexcept;
   Texture& operator=(Texture&&) = delete;

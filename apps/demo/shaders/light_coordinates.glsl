@@ -6,15 +6,17 @@
 
 uniform mat3 cone_from_world[batch_size];
 
-in vec3 range_coordinates[batch_size];
+in vec3 from_light[batch_size];
 in vec3 cone_coordinates[batch_size];
 in vec3 normal;
 in float directional_shade;
 
 // Where the fragment's place is drawn back to its surface, the coordinates go with it.
-vec3 range_coordinate(int i) {
-  return range_coordinates[i] + drawn_back() * (0.5 / batch_light(i).position_extent.w);
-}
+vec3 vector_from_light(int i) { return from_light[i] + drawn_back(); }
+
+// 0 to 1 from -E to E: 0.5 + k P with k = 0.5 / E. The papers have the vertices do this; but beside 0.5 a far-reaching
+// light's k P is rounded away, and with it the direction to the light.
+vec3 range_coordinate(int i) { return 0.5 + vector_from_light(i) * (0.5 / batch_light(i).position_extent.w); }
 vec3 cone_coordinate(int i) { return cone_coordinates[i] + cone_from_world[i] * drawn_back(); }
 
 // Ambient and directional light for a shading value d . n, which beyond the edge of a triangle is extrapolated.

@@ -9,7 +9,7 @@
 
 uniform mat3 cone_from_world[batch_size];  // a rotation into the light's coordinates, scaled across its axis
 
-out vec3 range_coordinates[batch_size];  // 0 to 1 from -E to E
+out vec3 from_light[batch_size];
 out vec3 cone_coordinates[batch_size];
 out vec3 normal;
 out float directional_shade;  // d . n
@@ -19,10 +19,8 @@ void main() {
   normal = world_normal();
   directional_shade = dot(moon_direction, normal);
   for (int i = 0; i < lights_in_pass; ++i) {
-    vec4 position_extent = batch_light(i).position_extent;
-    vec3 p = v - position_extent.xyz;
-    float k = 0.5 / position_extent.w;
-    range_coordinates[i] = 0.5 + k * p;
+    vec3 p = v - batch_light(i).position_extent.xyz;
+    from_light[i] = p;
     cone_coordinates[i] = cone_from_world[i] * p;
   }
 }

@@ -17,5 +17,8 @@ vec3 drawn_back() { return fragment_position() - rasterised_position; }
 
 vec4 base_texture() { return texture(albedo_map, uv / tile_size); }
 
-// The normal map's normal in tangent space.
-vec3 mapped_normal() { return texture(normal_map, uv / tile_size).xyz * 2.0 - 1.0; }
+// The normal map's normal in tangent space. Its alpha says which level is 0 (Material::normal): 128 at 0, 127.5 at 1.
+vec3 mapped_normal() {
+  vec4 texel = texture(normal_map, uv / tile_size);
+  return texel.xyz * 2.0 - (256.0 - texel.a) / 255.0;
+}
