@@ -150,6 +150,7 @@ ExitStatus run(const Options& options) {
     if (!file->empty()) expect_place_for_file(*file);
   }
   if (!options.isa.empty()) {
+    if (options.benchmark == Benchmark::render) refuse_option("--isa", options.isa, "must stand without render");
     const auto targets = simd_targets();
     if (std::ranges::find(targets, options.isa) == targets.end()) {
       refuse_option("--isa", options.isa, fmt::format("must be one of {} on this machine", fmt::join(targets, ", ")));

@@ -28,9 +28,10 @@ using namespace litfog;
 using namespace litfog::demo;
 
 constexpr int kMaxSide = 16'384;
-constexpr std::int64_t kMaxPixels = 40'000'000;  // some 2 GiB of framebuffer
+constexpr std::int64_t kMaxPixels = 40'000'000;  // some 2 GiB of framebuffer, 4 for paths of several passes
 
 constexpr std::int64_t kMaxReferencePixels = 10'000'000;  // some 3 GiB of geometry buffer
+constexpr std::int64_t kMaxComparedPixels = 2'500'000;   // some 3 GiB of ten framebuffers and a geometry buffer
 
 enum class FogChoice { exp, exp2, none };
 enum class FogLighting { peak };
@@ -279,9 +280,11 @@ void refuse_what_does_not_fit(const CLI::App& app, const Options& options) {
   if (needs_reference(options) && options.render.is_flat_shaded) {
     refuse_option("--flat-shading", "given", "must stand without --reference and --heat-map, which shade smoothly");
   }
-  if (needs_reference(options) && std::int64_t(options.width) * options.height > kMaxReferencePixels) {
+  const std::int64_t most = options.compare.empty() ? kMaxReferencePixels : kMaxComparedPixels;
+  if (needs_reference(options) && std::int64_t(options.width) * options.height > most) {
     refuse_option("--size", fmt::format("{}x{}", options.width, options.height),
-                  fmt::format("must be at most {} pixels in all for a reference", kMaxReferencePixels));
+                  fmt::format("must be at most {} pixels in all {}", most,
+                              options.compare.empty() ? "for a reference" : "beside --compare"));
   }
 }
 

@@ -49,7 +49,7 @@ const std::vector<std::string> kUpdateColumns{
 const std::vector<std::string> kFitColumns{"problem",   "method",    "tables",       "ms",
                                            "ms_spread", "objective", "solved_share", "digits"};
 
-void expect_machine(const Json& document) {
+void expect_machine(const Json& document, bool draws = false) {
   ASSERT_TRUE(document.contains("machine"));
   const Json& machine = document["machine"];
   ASSERT_EQ(machine.size(), 6u);
@@ -57,7 +57,7 @@ void expect_machine(const Json& document) {
     ASSERT_TRUE(machine.contains(member)) << member;
     EXPECT_NE(machine[member].get<std::string>(), "") << member;
   }
-  EXPECT_EQ(machine["gl_renderer"], "none");
+  EXPECT_EQ(machine["gl_renderer"] == "none", !draws);
   EXPECT_TRUE(std::regex_match(machine["commit"].get<std::string>(), std::regex("unknown|[0-9a-f]{12,}")));
   EXPECT_TRUE(
       std::regex_match(machine["date"].get<std::string>(), std::regex("\\d{4}-\\d\\d-\\d\\dT\\d\\d:\\d\\d:\\d\\dZ")));
@@ -274,5 +274,47 @@ TEST_F(BenchCommand, DebugBuildRefusesToMeasure) {
   EXPECT_REFUSED(run("solve --quick"), kMissingCapability,
                  "litfog-bench: a Debug build is not measured; configure with -DCMAKE_BUILD_TYPE=Release\n");
 }
+
+#ifdef LITFOG_HAS_GL
+const std::vector<std::string> kRenderColumns{
+    "scene",         "path",           "fog_light",      "lights",          "size",
+    "skip",          "ms_per_frame",   "ms_spread",      "ratio_to_legacy", "ratio_to_two_light_legacy",
+    "max_error_255", "mean_error_255", "excepted_pixels"};
+
+TEST_F(BenchMeasurement, RenderHasEveryPathBesideLegacyAndTheBareTexture) {
+  const Outcome outcome = run("render --quick --json render.json --csv render.csv --plot render.png");
+  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  const Json document = Json::parse(read("render.json"));
+  expect_machine(document, true);
+  const Json& rows = document["rows"];
+  expect_columns(rows, kRenderColumns);
+  std::map<int, std::map<std::string, Json>> by_lights;
+  for (const Json& row : rows) by_lights[row["lights"].get<int>()][row["path"].get<std::string>()] = row;
+  ASSERT_EQ(by_lights.size(), 2u);
+  const double two_lights = by_lights[2]["legacy"]["ms_per_frame"].get<double>();
+  for (auto& [lights, paths] : by_lights) {
+    EXPECT_EQ(paths.size(), 11u);
+    const double legacy = paths["legacy"]["ms_per_frame"].get<double>();
+    for (const auto& [path, row] : paths) {
+      const double ms = row["ms_per_frame"].get<double>();
+      EXPECT_GT(ms, 0) << path;
+      EXPECT_DOUBLE_EQ(row["ratio_to_legacy"].get<double>(), ms / legacy) << path;
+      EXPECT_DOUBLE_EQ(row["ratio_to_two_light_legacy"].get<double>(), ms / two_lights) << path;
+      EXPECT_EQ(row["max_error_255"].is_null(), path == "unlit") << path;
+    }
+    EXPECT_LT(paths["unified"]["max_error_255"].get<double>(), 0.25);  // as ReferenceOfPath
+  }
+  EXPECT_TRUE(std::filesystem::exists(directory() / "render.png"));
+}
+
+TEST_F(BenchCommand, RefusesATargetOfTheBatchForFrames) {
+#ifndef NDEBUG
+  GTEST_SKIP() << "a Debug build refuses to measure";
+#endif
+  const Outcome outcome = run("render --quick --isa AVX2");
+  EXPECT_EQ(outcome.status, kUsage);
+  EXPECT_EQ(outcome.err, usage_message("--isa = AVX2: must stand without render"));
+}
+#endif
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <glm/gtc/matrix_transform.hpp>
+#include <limits>
 #include <random>
 
 namespace {

@@ -218,6 +218,31 @@ TEST_F(LightingPathPixels, OfFragmentPathsAreTheBasicModel) {
   }
 }
 
+/// Lamps of every profile, every other one carried.
+std::vector<PlacedLight> crowd(int count) {
+  std::vector<PlacedLight> lights;
+  for (int i = 0; i < count; ++i) {
+    const bool carried = i % 2 == 0;
+    const Cone cone = i % 3 == 0 ? Cone::smoothstep(0.2, 0.9) : i % 3 == 1 || !carried ? Cone::cosine(0.8, 4) : Cone{};
+    lights.push_back(
+        lamp({0.37 * (i % 11) - 1.8, 0.31 * (i % 7) - 0.9, -0.5 - 0.11 * (i % 13)}, kQuadratic, cone, carried));
+    lights.back().light.color *= 4.0 / count;
+  }
+  return lights;
+}
+
+// Lights are handed over to a shader up to 16, its fog's and its surface's; more are listed.
+TEST_F(LightingPathPixels, OfFewAndOfManyLightsAreTheBasicModel) {
+  for (const int count : {1, 2, 3, 4, 5, 8, 9, 15, 16, 17, 31, 32, 33, 34, 40}) {
+    Scene scene = wall(1);
+    scene.lights = crowd(count);
+    const std::string lights = "wall under " + std::to_string(count) + " lamps of every profile";
+    test::WorstError error("unified", lights, rounding(*find_lighting_path("unified"), 1), "absolute");
+    for (const Fog& fog : clear_and_foggy()) error.add(worst_error(scene, fog, settings("unified")), [] { return ""; });
+    error.check();
+  }
+}
+
 TEST_F(LightingPathPixels, OfLookupPathsAreThePapersModelToWithinTheirTexels) {
   Scene scene = wall(1);
   const double albedo = Finish(scene).albedo.r;
@@ -306,8 +331,8 @@ TEST_F(LightingPathPixels, OfEverySceneAreFiniteByEveryPath) {
   }
 }
 
-// Lights are added in another order, those that add nothing may come into a pass of their own, and half floats round once
-// more. In `tangent` a light's place beyond the edge of a triangle is extrapolated, to where it may be in reach.
+// Lights are added in another order, those that add nothing may come into a pass of their own, and half floats round
+// once more. In `tangent` a light's place beyond the edge of a triangle is extrapolated, to where it may be in reach.
 TEST_F(LightingPathPixels, AreTheSameWhateverIsSkipped) {
   for (const char* name : {"room", "headlights"}) {
     const Scene scene = read_scene(bundled_scene_path(name));
@@ -366,8 +391,10 @@ Scene moonlit_ball() {
 }
 
 /// How many shades a picture has.
+/// In steps of 1/4096, coarser than the rounding of a face's normal.
 std::size_t count_shades(const Picture& picture) {
   std::vector<float> shades = picture.rgb;
+  for (float& shade : shades) shade = std::round(shade * 4096);
   std::ranges::sort(shades);
   return std::size_t(std::ranges::unique(shades).begin() - shades.begin());
 }

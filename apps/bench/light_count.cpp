@@ -21,8 +21,8 @@ glm::dvec2 strewn(std::size_t i) {
   return {std::fmod(0.5 + n / kPlastic, 1.0), std::fmod(0.5 + n / (kPlastic * kPlastic), 1.0)};
 }
 
-/// A place on the ground before the camera, for a point of the unit square: evenly over the part of the plane that its
-/// field of view spans.
+/// A place before the camera, for a point of the unit square: evenly over the part of the level plane through the eye
+/// that its field of view spans.
 glm::dvec3 place_in_view(const Camera& camera, glm::dvec2 point) {
   const glm::dvec3 eye = camera.position;
   glm::dvec3 forward = glm::dvec3(camera.target) - eye;
@@ -30,7 +30,8 @@ glm::dvec3 place_in_view(const Camera& camera, glm::dvec2 point) {
   forward = glm::normalize(glm::dvec3(forward.x, 0, forward.z));
   const glm::dvec3 right(-forward.z, 0, forward.x);
   const double range = farthest * std::sqrt(point.x);  // the view widens with range
-  const double half_width = range * std::tan(static_cast<double>(camera.field_of_view) / 2);
+  constexpr double kAspect = 16.0 / 9;                 // of every picture measured
+  const double half_width = range * kAspect * std::tan(static_cast<double>(camera.field_of_view) / 2);
   return eye + forward * range + right * (half_width * (2 * point.y - 1));
 }
 

@@ -41,7 +41,7 @@ struct PageFacts {
   int width;            ///< pixels
   int height;
   int frames;            ///< timed of each path
-  std::string settings;  ///< in words: what was not left at its default
+  std::string settings;  ///< in words: skipping, viewer, light maps
 };
 
 /// "9.87", "41.2", "1234": milliseconds with three digits or all before the point.

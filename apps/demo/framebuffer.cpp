@@ -16,7 +16,7 @@ int Framebuffer::samples() {
   return std::clamp(most, 1, 4);
 }
 
-Framebuffer::Framebuffer(int width, int height, bool has_stencil) : width_(width), height_(height) {
+Framebuffer::Framebuffer(int width, int height, Passes passes) : width_(width), height_(height) {
   GLint largest = 0;
   glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
   if (std::max(width, height) > largest) {
@@ -29,16 +29,18 @@ Framebuffer::Framebuffer(int width, int height, bool has_stencil) : width_(width
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
   };
+  const bool is_summed = passes == Passes::several;
+  const GLenum color = is_summed ? GL_RGBA32F : GL_RGBA16F;  // half floats would lose up to 1/2048 a pass
   glGenFramebuffers(1, &resolved_);
-  attach(resolved_, buffers_[2], GL_COLOR_ATTACHMENT0, GL_RGBA16F, 0);
+  attach(resolved_, buffers_[2], GL_COLOR_ATTACHMENT0, color, 0);
   const bool resolved_is_whole = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
   glGenFramebuffers(1, &drawn_);
-  attach(drawn_, buffers_[0], GL_COLOR_ATTACHMENT0, GL_RGBA16F, samples());
-  attach(drawn_, buffers_[1], has_stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
-         has_stencil ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F, samples());
+  attach(drawn_, buffers_[0], GL_COLOR_ATTACHMENT0, color, samples());
+  attach(drawn_, buffers_[1], is_summed ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
+         is_summed ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F, samples());
   const bool drawn_is_whole = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
   if (!resolved_is_whole || !drawn_is_whole || glGetError() != GL_NO_ERROR) {
-    throw gl::Unsupported(fmt::format("this driver gives no half-float framebuffer of {}x{} pixels", width, height));
+    throw gl::Unsupported(fmt::format("this driver gives no float framebuffer of {}x{} pixels", width, height));
   }
 }
 

@@ -5,12 +5,15 @@
 
 namespace litfog::demo {
 
-/// What the demo draws into: linear RGBA half floats and depth, perhaps a stencil, four samples a pixel where the
-/// driver has them.
+/// How often a surface is drawn at most.
+enum class Passes { one, several };
+
+/// What the demo draws into: linear RGBA half floats and depth; for several passes floats, whose sums round less, and a
+/// stencil, too. Four samples a pixel where the driver has them.
 class Framebuffer {
  public:
   /// throws gl::Unsupported where the driver has no framebuffer of that size
-  Framebuffer(int width, int height, bool has_stencil);
+  Framebuffer(int width, int height, Passes passes);
   ~Framebuffer();
   Framebuffer(const Framebuffer&) = delete;
   Framebuffer& operator=(const Framebuffer&) = delete;

@@ -17,6 +17,8 @@ Bounds transformed(const Bounds& box, const glm::mat4& to_from_box);
 
 /// Whether a light can light anything within a box: the box meets the sphere of the light's extent, and the box's
 /// sphere meets the light's cone. May say yes where it cannot; never no where it can.
+///
+/// extent  metres; infinity asks for the cone alone
 bool can_reach(const PlacedLight& light, double extent, const Bounds& box);
 
 /// Finds the lights that can reach a box among many. A scene's lights stand in rows, so neighbours in the list are

@@ -48,8 +48,8 @@ struct SurfacePass {
   /// so many lights at a time, whose maps are the same: drawn once for them, and once more, added, for each so many
   /// others that reach the surface.
   int lights = 0;
-  bool lists_all =
-      false;  ///< the first time of so many lights: where more reach the surface all of them are listed, too
+  /// The first time of so many lights: where more reach the surface all of them are listed, too.
+  bool lists_all = false;
   bool shows_fog = true;  ///< the first time that it draws a surface it adds the light of the fog before it
 };
 

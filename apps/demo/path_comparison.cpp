@@ -115,13 +115,14 @@ void compare_paths(const std::vector<std::string>& scenes, const std::string& fo
   PictureFolder pictures(folder);
   const std::string page = pictures.path_of("index.html");
   expect_place_for_file(page);
-  std::vector<SceneResult> results;
+  std::vector<Scene> read;  // what is wrong with one is said before minutes go into another
   for (const std::string& file : scenes) {
-    Scene scene = read_scene(file);
-    pictures.add_scene(scene.name, file);
-    turn_cookies(scene, settings.seconds);
-    results.push_back(compare_scene(scene, pictures, machine, settings));
+    read.push_back(read_scene(file));
+    pictures.add_scene(read.back().name, file);
+    turn_cookies(read.back(), settings.seconds);
   }
+  std::vector<SceneResult> results;
+  for (const Scene& scene : read) results.push_back(compare_scene(scene, pictures, machine, settings));
   pictures.finish();
   write_whole_file(page, comparison_page({.machine = machine,
                                           .width = settings.width,

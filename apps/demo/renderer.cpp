@@ -41,7 +41,7 @@ std::unique_ptr<LayeredTexture> make_cookie_array(const std::vector<Cookie>& coo
 Renderer::Renderer(const Scene& scene, int width, int height, const RenderSettings& settings)
     : scene_(scene),
       settings_(settings),
-      framebuffer_(width, height, settings.path->has_several_passes()),
+      framebuffer_(width, height, settings.path->has_several_passes() ? Passes::several : Passes::one),
       lights_(scene),
       surfaces_(scene, lights_, fog_lights_, settings),
       sky_program_("sky.vert", "sky.frag", scene_shaders(!scene.cookies.empty())),

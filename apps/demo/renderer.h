@@ -22,8 +22,8 @@ enum class LightPoints { on, off };
 /// Draws a scene by a lighting path into a framebuffer. Needs a current GL 3.3 core context.
 class Renderer {
  public:
-  /// throws gl::Unsupported where this OpenGL cannot hold the scene's light lists, std::invalid_argument where the
-  /// eye's vehicle carries more than kMaxFogLights
+  /// throws gl::Unsupported where this OpenGL cannot hold the scene's light lists or the path's light maps would take
+  /// more than 1 GiB, std::invalid_argument where the eye's vehicle carries more than kMaxFogLights
   Renderer(const Scene& scene, int width, int height, const RenderSettings& settings);
 
   /// Takes a change of the fog: solves the carried lights and uploads the block.

@@ -7,8 +7,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <limits>
-#include <ranges>
 #include <string>
 
 #include "demo_shaders.h"
@@ -28,11 +28,16 @@ std::vector<gl::ShaderSource> shader_files(bool has_cookies, const std::string& 
 /// The most lights handed over to light the fog, and to a pass that takes all; more are listed.
 constexpr std::size_t kMostHandedOver = 16;
 
-/// For how many lights a shader is compiled that takes so many: each number's own would be many shaders.
+/// For how many lights a shader is compiled that takes so many. A driver may take a second to compile it, and a frame
+/// needs shaders for many numbers of lights.
 std::size_t room_for(std::size_t lights) {
-  constexpr std::array<std::size_t, 9> kRooms{0, 1, 2, 3, 4, 6, 8, 12, kMostHandedOver};
+  assert(lights <= kMostHandedOver);
+  constexpr std::array<std::size_t, 6> kRooms{0, 1, 2, 4, 8, kMostHandedOver};
   return *std::ranges::lower_bound(kRooms, lights);
 }
+
+/// The profile of lights whose shader has to ask.
+constexpr int kAnyProfile = -1;
 
 /// "DO(0) DO(1)": a loop over lights unrolled.
 std::string unrolled(std::size_t count) {
@@ -70,11 +75,12 @@ void select_samples(int pass) {
 }  // namespace
 
 std::string SurfacePainter::Variant::constants(bool has_moon) const {
-  const std::string none_if_empty = profiles.empty() ? "0" : profiles;  // arrays may not be empty
+  const std::vector<int> hand = profiles.empty() ? std::vector{0} : profiles;  // arrays may not be empty
   const std::size_t lights = profiles.size() - first_light;
   return fmt::format(
       "const int hand_size = {};\n"
-      "const float profiles[hand_size] = float[]({:.1f});\n"
+      "const int profiles[hand_size] = int[]({});\n"
+      "const int any_profile = {};\n"
       "const int first_light_in_pass = {};\n"
       "const int lights_in_pass = {};\n"
       "const int batch_size = max(lights_in_pass, 1);\n"
@@ -84,10 +90,8 @@ std::string SurfacePainter::Variant::constants(bool has_moon) const {
       "const bool has_moon = {};\n"
       "#define EACH_LIGHT(DO){}\n"
       "#define EACH_FOG_LIGHT(DO){}\n",
-      none_if_empty.size(),
-      fmt::join(none_if_empty | std::views::transform([](char digit) { return double(digit - '0'); }), ", "),
-      first_light, lights, has_listed_lights, has_listed_fog_lights, is_first, has_moon, unrolled(lights),
-      unrolled(fog_lights));
+      hand.size(), fmt::join(hand, ", "), kAnyProfile, first_light, lights, has_listed_lights, has_listed_fog_lights,
+      is_first, has_moon, unrolled(lights), unrolled(fog_lights));
 }
 
 SurfacePainter::SurfaceProgram::SurfaceProgram(const Variant& variant, const Scene& scene)
@@ -97,7 +101,7 @@ SurfacePainter::SurfaceProgram::SurfaceProgram(const Variant& variant, const Sce
       bounds_low(program.uniform("bounds_low")),
       bounds_high(program.uniform("bounds_high")),
       light_list_range(program.uniform("light_list_range")),
-      light_batch(program.uniform("light_batch")),
+      handed_lights(program.uniform("handed_lights")),
       cone_from_world(program.uniform("cone_from_world")) {}
 
 SurfacePainter::SurfacePainter(const Scene& scene, const SceneLights& lights, const gl::FogLightBuffer& fog_lights,
@@ -189,15 +193,18 @@ void SurfacePainter::find_lights(const Surface& surface) {
   }
 }
 
+/// All or none: each number of them is another shader.
 void SurfacePainter::find_fog_lights(const Surface& surface) {
-  reaching_fog_.clear();
+  fog_lights_.clear();
   const std::size_t first = lights_.local().size();
+  bool shows = settings_.skipping == Skipping::off;
   for (std::size_t i = 0; i < fog_intensities_.size(); ++i) {
+    if (settings_.skipping == Skipping::on && fog_intensities_[i] <= 0) continue;
     constexpr double kFarthest = std::numeric_limits<double>::infinity();  // fog is lit as far as it is seen
-    const bool shows = settings_.skipping == Skipping::off ||
-                       (fog_intensities_[i] > 0 && can_reach(lights_.light(first + i), kFarthest, surface.bounds));
-    if (shows) reaching_fog_.push_back(std::int32_t(first + i));
+    shows = shows || can_reach(lights_.light(first + i), kFarthest, surface.bounds);
+    fog_lights_.push_back(std::int32_t(first + i));
   }
+  if (!shows) fog_lights_.clear();
 }
 
 FogLight SurfacePainter::light_handed_over(std::int32_t light) const {
@@ -207,33 +214,42 @@ FogLight SurfacePainter::light_handed_over(std::int32_t light) const {
   return packed;
 }
 
-void SurfacePainter::make_room(std::size_t first) {
-  std::stable_sort(handed_.begin() + std::ptrdiff_t(first), handed_.end(),
-                   [](const FogLight& a, const FogLight& b) { return a.axis_profile.w < b.axis_profile.w; });
-  handed_.resize(first + room_for(handed_.size() - first));  // with black ones
+void SurfacePainter::add_profiles(std::size_t first, std::vector<int>& profiles) const {
+  constexpr std::size_t kMostKnown = 2;  // of more, a shader for each mixture were too many
+  const std::span<const FogLight> lights = std::span(handed_).subspan(first);
+  if (lights.empty()) return;
+  const float profile = lights.front().axis_profile.w;
+  const bool is_known = lights.size() <= kMostKnown && std::ranges::all_of(lights, [&](const FogLight& light) {
+                          return light.axis_profile.w == profile;
+                        });
+  profiles.insert(profiles.end(), lights.size(), is_known ? int(profile) : kAnyProfile);
 }
 
 void SurfacePainter::draw_pass(const Surface& surface, Variant variant, std::span<const std::int32_t> batch) {
   const bool has_maps = settings_.path->maps != LightMapSet::none;
   handed_.clear();
   if (variant.is_first && variant.pass->shows_fog) {
-    variant.has_listed_fog_lights = reaching_fog_.size() > kMostHandedOver;
+    variant.has_listed_fog_lights = fog_lights_.size() > kMostHandedOver;
     if (!variant.has_listed_fog_lights) {
-      for (const std::int32_t light : reaching_fog_) handed_.push_back(light_handed_over(light));
+      for (const std::int32_t light : fog_lights_) handed_.push_back(light_handed_over(light));
+      handed_.resize(room_for(handed_.size()));  // with black lights
+      add_profiles(0, variant.profiles);
     }
-    make_room(0);
   }
   variant.fog_lights = handed_.size();
   // What the fog's lights and the surface's have in common is computed once where the pass takes all.
   const bool shares = variant.pass->lights == kAllLights && !variant.has_listed_lights && variant.fog_lights > 0;
   variant.first_light = shares ? 0 : variant.fog_lights;
   for (const std::int32_t light : batch) {
-    if (shares && std::ranges::find(reaching_fog_, light) != reaching_fog_.end()) continue;
+    if (shares && std::ranges::find(fog_lights_, light) != fog_lights_.end()) continue;
     handed_.push_back(light_handed_over(light));
-    if (has_maps) handed_.back().axis_profile.w = 0;  // for the maps hold its cone
   }
-  make_room(variant.fog_lights);
-  for (const FogLight& light : handed_) variant.profiles += char('0' + int(light.axis_profile.w));
+  if (has_maps) {  // which hold the cones
+    variant.profiles.resize(handed_.size(), kAnyProfile);
+  } else {
+    handed_.resize(variant.fog_lights + room_for(handed_.size() - variant.fog_lights));
+    add_profiles(variant.fog_lights, variant.profiles);
+  }
 
   const SurfaceProgram& program = use(variant, *surface.material);
   if (has_several_passes_) select_samples(drawn_passes_++);
@@ -242,7 +258,7 @@ void SurfacePainter::draw_pass(const Surface& surface, Variant variant, std::spa
   glUniform3fv(program.bounds_high, 1, glm::value_ptr(surface.bounds.high));
   glUniform2i(program.light_list_range, surface.list_first, surface.list_count);
   if (!handed_.empty()) {
-    glUniform4fv(program.light_batch, GLsizei(5 * handed_.size()), glm::value_ptr(handed_[0].position_extent));
+    glUniform4fv(program.handed_lights, GLsizei(5 * handed_.size()), glm::value_ptr(handed_[0].position_extent));
   }
   if (has_maps && !batch.empty()) {
     batch_cones_.clear();

@@ -30,7 +30,8 @@ struct FrameCounts {
 class SurfacePainter {
  public:
   /// scene, lights, fog_lights  have to outlive this
-  /// throws  gl::Unsupported where this OpenGL cannot hold the scene's light lists, or lays FogLights out otherwise
+  /// throws  gl::Unsupported where this OpenGL cannot hold the scene's light lists or the path's light maps, or lays
+  ///         FogLights out otherwise
   SurfacePainter(const Scene& scene, const SceneLights& lights, const gl::FogLightBuffer& fog_lights,
                  const RenderSettings& settings);
 
@@ -47,9 +48,9 @@ class SurfacePainter {
     bool is_first = true;  // of the times that the pass draws a surface
     bool has_listed_lights = false;
     bool has_listed_fog_lights = false;
-    std::string profiles = {};    // of the lights handed over, a digit each
-    std::size_t fog_lights = 0;   // the first of them
-    std::size_t first_light = 0;  // of the pass
+    std::vector<int> profiles = {};  // of the lights handed over, which are known to the shader
+    std::size_t fog_lights = 0;      // the first of them
+    std::size_t first_light = 0;     // of the pass
 
     std::string constants(bool has_moon) const;  // pass.glsl
     auto operator<=>(const Variant&) const = default;
@@ -58,7 +59,7 @@ class SurfacePainter {
     SurfaceProgram(const Variant& variant, const Scene& scene);
 
     gl::Program program;
-    int world_from_model, bounds_low, bounds_high, light_list_range, light_batch, cone_from_world;
+    int world_from_model, bounds_low, bounds_high, light_list_range, handed_lights, cone_from_world;
     std::size_t frame = 0;                      // for which its uniforms were set last
     const SurfaceMaterial* material = nullptr;  // to which they were set
   };
@@ -66,8 +67,8 @@ class SurfacePainter {
   void draw_surface(const LightingPath& path, const Surface& surface);
   /// A light as shaders take it, with its fog intensity.
   FogLight light_handed_over(std::int32_t light) const;
-  /// Sorts the lights handed over, from one on, by profile, and adds black ones: fewer sorts of shaders.
-  void make_room(std::size_t first);
+  /// The profiles of the lights handed over, from one on, as the shader knows them: their common one or none.
+  void add_profiles(std::size_t first, std::vector<int>& profiles) const;
   /// Draws a surface by the lights of its fog and a batch of its own; what the variant says of lights handed over is
   /// found here.
   void draw_pass(const Surface& surface, Variant variant, std::span<const std::int32_t> batch);
@@ -86,10 +87,10 @@ class SurfacePainter {
   SurfaceList surfaces_;
   LightMapStore maps_;
   std::map<Variant, SurfaceProgram> programs_;
-  std::vector<float> fog_intensities_;      // of the carried lights
-  std::vector<std::int32_t> reaching_;      // what find_lights found
-  std::vector<std::int32_t> reaching_fog_;  // what find_fog_lights found
-  std::vector<FogLight> handed_;            // over to a pass
+  std::vector<float> fog_intensities_;    // of the carried lights
+  std::vector<std::int32_t> reaching_;    // what find_lights found
+  std::vector<std::int32_t> fog_lights_;  // what find_fog_lights found
+  std::vector<FogLight> handed_;          // over to a pass
   std::vector<glm::mat3> batch_cones_;
   std::size_t frame_ = 0;
   glm::mat4 clip_from_world_{1.0f};

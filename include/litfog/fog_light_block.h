@@ -17,7 +17,7 @@ namespace litfog {
 /// std140, std430 and C++ agree.
 struct FogLight {
   glm::vec4 position_extent;  ///< xyz position, w extent; infinite extents are stored as the largest float
-  glm::vec4 axis_profile;     ///< xyz unit axis, w profile: 0 none, 1 cosine, 2 smoothstep
+  glm::vec4 axis_profile;     ///< xyz unit axis, w profile: 0 none, 1 cosine, 2 smoothstep; 3 is left to shaders
   glm::vec4 color_intensity;  ///< rgb linear colour, w fog colour intensity (0 where the light is not carried)
   glm::vec4 attenuation;      ///< x constant, y linear, z quadratic, w density scale
   glm::vec4 cone;             ///< cosine: x cos half angle, y exponent; smoothstep: x cos outer, y cos inner; none: 0

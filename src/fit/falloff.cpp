@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cassert>
+#include <limits>
 
 namespace litfog {
 namespace {

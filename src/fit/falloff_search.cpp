@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <limits>
 #include <queue>
 
 // The samples that the clamp holds at 1 are the first ones, for D rises with the range: so many, then no more. For each

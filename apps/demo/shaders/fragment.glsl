@@ -33,3 +33,6 @@ vec4 seen_by_eye(vec3 lit, vec3 position) {
   if (is_first_pass) return vec4(litfog_apply_fog(lit, position, eye), 1.0);
   return vec4(lit * (1.0 - litfog_fog_opacity(distance(position, eye), 1.0)), 1.0);
 }
+
+// Ambient and directional light for a shading value d . n, which beyond the edge of a triangle is extrapolated.
+vec3 directional_light(float shade) { return ambient_light + moon_color * clamp(shade, 0.0, 1.0); }

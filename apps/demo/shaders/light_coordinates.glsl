@@ -18,6 +18,3 @@ vec3 vector_from_light(int i) { return from_light[i] + drawn_back(); }
 // light's k P is rounded away, and with it the direction to the light.
 vec3 range_coordinate(int i) { return 0.5 + vector_from_light(i) * (0.5 / batch_light(i).position_extent.w); }
 vec3 cone_coordinate(int i) { return cone_coordinates[i] + cone_from_world[i] * drawn_back(); }
-
-// Ambient and directional light for a shading value d . n, which beyond the edge of a triangle is extrapolated.
-vec3 directional_light(float shade) { return ambient_light + moon_color * clamp(shade, 0.0, 1.0); }

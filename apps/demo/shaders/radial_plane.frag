@@ -25,9 +25,10 @@ void main() {
     vec2 st = range_coordinates[i] + back_in_plane * (0.5 / batch_light(i).position_extent.w);
     float texture0 = texture(range_map, map_coordinate(st, textureSize(range_map, 0).x)).r;
     float intensity = max(1.0 - (texture0 + square_distance[i]), 0.0);
-    light += batch_light(i).color_intensity.rgb * intensity * texture(cone_map, cone_coordinates[i] + cone_from_world[i] * back).r;
+    float aa = texture(cone_map, cone_coordinates[i] + cone_from_world[i] * back).r;
+    light += batch_light(i).color_intensity.rgb * intensity * aa;
   }
-  if (is_first_pass) light += ambient_light + moon_color * clamp(directional_shade, 0.0, 1.0);
+  if (is_first_pass) light += directional_light(directional_shade);
   vec3 lit = light * base_texture().rgb;
   if (is_first_pass) lit += emissive;
   color = seen_by_eye(lit, fragment_position());

@@ -20,10 +20,9 @@ vec3 litfog_ambient(Surface surface, vec3 ambient_light) { return surface.emissi
 vec2 litfog_reflected_shares(vec3 normal, vec3 to_eye, float shininess, vec3 to_light) {
   float diffuse = dot(normal, to_light);
   if (diffuse <= 0.0) return vec2(0.0);
-  // n . h of the half angle h = (l + v) / |l + v|; |l + v|^2 = 2 + 2 l . v, and 0 to which rounding adds is no light's.
-  float square = max(2.0 + 2.0 * dot(to_light, to_eye), 1.0e-12);
-  float facing = max((diffuse + dot(normal, to_eye)) * inversesqrt(square), 0.0);
-  return vec2(diffuse, pow(facing, shininess));
+  vec3 half_vector = to_light + to_eye;  // 0 where they are opposite: no highlight
+  float facing = dot(normal, half_vector) * inversesqrt(max(dot(half_vector, half_vector), 1.0e-30));
+  return vec2(diffuse, pow(clamp(facing, 0.0, 1.0), shininess));
 }
 
 // Light of a colour from a unit direction.
