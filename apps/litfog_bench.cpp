@@ -31,7 +31,7 @@ constexpr const char* kDescription = R"(Measures litfog and its rivals: time bes
   litfog-bench solve   time against error of every way to a light's fog colour intensity
   litfog-bench update  time to follow a visibility step by step over a million lights
   litfog-bench fit     time and quality of fits of an attenuation to a falloff table
-  litfog-bench render  frame time and error of every lighting path
+  litfog-bench render  frame time and error of every lighting path, over scenes, lights and sizes
 )";
 
 constexpr const char* kExplanation =
@@ -50,8 +50,9 @@ unsupported LevenbergMarquardt, both from C = L = Q = 1. digits: the fewest in w
 optimum at all samples of any table; the optimum is certified at 50 digits.
 
 render: every lighting path of litfog-demo, and the base texture alone (unlit), in exp fog: headlights with 1 to 256 lights
-at 640x360, what cannot show skipped or not; every scene that has lights with as many at 320x180; 1280x720. Frames of all
-paths in turn. Errors are against the path's own plain formulas, shaded in double. The picture has table 1 of Hales 2004.
+at 640x360, with 1 to 16 also with nothing skipped, and at 1280x720; every scene with 2, 16 and 64 lights at 320x180. Frames
+of all paths in turn. Errors are against the path's own plain formulas, shaded in double. The picture has table 1 of Hales
+2004. Takes some ten minutes without a GPU.
 
 Times are processor time of one thread (render: wall time of a frame, drawn and waited for): medians, with the spread
 from the 10th to the 90th percentile of the repetitions (solve, fit), steps (update) or frames (render). Errors ending in

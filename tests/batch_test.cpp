@@ -4,10 +4,11 @@
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <limits>
-#include <random>
 #include <string>
 #include <thread>
 #include <vector>
@@ -75,30 +76,20 @@ double relative(double computed, double reference) {
   return distance >= 0 ? distance : std::numeric_limits<double>::infinity();
 }
 
-class Random {
- public:
-  double log_uniform(double low, double high) {
-    return std::exp(std::uniform_real_distribution<>(std::log(low), std::log(high))(engine_));
-  }
-  double uniform() { return std::uniform_real_distribution<>(0, 1)(engine_); }
-  int below(int count) { return std::uniform_int_distribution<>(0, count - 1)(engine_); }
-
- private:
-  std::mt19937_64 engine_{20261121};
-};
+constexpr std::uint64_t kSeed = 20261121;
 
 /// Ordinary lights: extent 5 to 5000 m, visibility 50 m to 10 km; C below, at and above 1 and 0; each family.
 template <typename T>
 Columns<T> ordinary_lights(std::size_t count) {
   Columns<T> columns;
-  Random random;
+  test::Random random(kSeed);
   for (std::size_t i = 0; i < count; ++i) {
     const int kind = random.below(10);
     const double c = kind == 0 ? 0 : kind < 4 ? random.log_uniform(1e-4, 1) : kind < 7 ? 1 : random.log_uniform(1, 15);
     const double t = random.below(3) ? 0.05 : random.log_uniform(0.001, 0.06);
     const double excess = std::max(1 / t - c, 0.01);
     const double e = random.log_uniform(5, 5000);
-    const double mix = std::vector<double>{0, 1, random.uniform(), random.log_uniform(1e-6, 1)}[random.below(4)];
+    const double mix = random.pick(std::array{0.0, 1.0, random.uniform(0, 1), random.log_uniform(1e-6, 1)});
     columns.add(c, mix * excess / e, (1 - mix) * excess / (e * e), t, 3 / random.log_uniform(50, 10'000));
   }
   return columns;
@@ -108,7 +99,7 @@ Columns<T> ordinary_lights(std::size_t count) {
 template <typename T>
 Columns<T> wide_lights(std::size_t count) {
   Columns<T> columns;
-  Random random;
+  test::Random random(kSeed);
   for (std::size_t i = 0; i < count; ++i) {
     const auto coefficient = [&] { return random.below(5) ? random.log_uniform(1e-18, 1e18) : 0.0; };
     const double c = random.below(4) ? random.log_uniform(1e-9, 1e3) : coefficient();

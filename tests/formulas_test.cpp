@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "litfog/attenuation.h"
 #include "litfog/cone.h"

@@ -41,6 +41,7 @@ class Random {
   double uniform(double low, double high) { return low + (high - low) * (double(engine_() >> 11) * 0x1p-53); }
   double log_uniform(double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); }
   bool chance(double probability) { return uniform(0, 1) < probability; }
+  int below(int count) { return int(engine_() % std::uint64_t(count)); }
 
   template <typename Container>
   auto pick(const Container& container) {

@@ -17,7 +17,6 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <iterator>
-#include <limits>
 #include <numbers>
 #include <set>
 #include <variant>

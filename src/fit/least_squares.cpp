@@ -6,7 +6,6 @@
 #include <Eigen/Dense>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
 namespace litfog {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // "Finally, after all lights are rendered, render the base textures using dst_color : zero blending" (Frazier 2000,
-// "Multiple Lights in a Scene").
+// "Multiple Lights in a Scene"). His back buffer of eight bits ends at 1; this one does not.
 
 #include "fragment.glsl"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Hales 2004, "Fragment Program Lighting Equations": (sum of range attenuation * angle attenuation * (L . N) * light colour
-// + directional ambient + directional diffuse * (d . n)) * face texture, then fog. No specular, no normal map.
+// + directional ambient + directional diffuse * (d . n)) * face texture, then fog. No specular, no normal map. A light has no
+// ambient part of its own here, nothing is clamped to 1 on the way to the screen, and the cone of the lit fog is the formula.
 
 #include "light_coordinates.glsl"
 #include "map_coordinate.glsl"
