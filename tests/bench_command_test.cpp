@@ -96,7 +96,7 @@ TEST_F(BenchMeasurement, SolveHasEveryMethodForBothFogs) {
   std::string header = outcome.out.substr(0, outcome.out.find('\n'));
   header = std::regex_replace(header, std::regex(" +"), ",");
   const std::string csv = read("solve.csv");
-  EXPECT_EQ(header + ",cpu,isa,compiler,commit,date", csv.substr(0, csv.find('\n')));
+  EXPECT_EQ(header + ",cpu,isa,compiler,commit,gl_renderer,date", csv.substr(0, csv.find('\n')));
   EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), std::ptrdiff_t(rows.size() + 1));
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), std::ptrdiff_t(rows.size() + 1));
   EXPECT_TRUE(read("solve.png").starts_with("\x89PNG"));
@@ -261,7 +261,7 @@ TEST_F(BenchCommand, HelpNeedsNoReleaseBuild) {
 
 TEST_F(BenchCommand, WrongUsageIsRefused) {
   EXPECT_REFUSED(run(""), kUsage, usage_message("benchmark is required"));
-  EXPECT_REFUSED(run("speed"), kUsage, usage_message("benchmark = speed: must be one of solve|update|fit"));
+  EXPECT_REFUSED(run("speed"), kUsage, usage_message("benchmark = speed: must be one of solve|update|fit|render"));
   EXPECT_EQ(run("solve --quick --slow").status, kUsage);
   EXPECT_EQ(run("solve update").status, kUsage);
   EXPECT_EQ(run("solve --json").status, kUsage);
