@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "comparison_page.h"
 
-#include <OpenImageIO/color.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +8,7 @@
 
 #include "heat_map.h"
 #include "html_text.h"
+#include "material.h"
 
 namespace litfog::demo {
 namespace {
@@ -76,8 +76,8 @@ std::string heat_gradient() {
   std::string stops;
   for (int i = 0; i <= kSteps; ++i) {
     const glm::vec3 color = heat_color(double(i) / kSteps);
-    const auto shown = [](float linear) { return int(std::lround(255 * OIIO::linear_to_sRGB(linear))); };
-    stops += fmt::format(", #{:02x}{:02x}{:02x}", shown(color.r), shown(color.g), shown(color.b));
+    stops +=
+        fmt::format(", #{:02x}{:02x}{:02x}", srgb_level_of(color.r), srgb_level_of(color.g), srgb_level_of(color.b));
   }
   return "linear-gradient(to right" + stops + ")";
 }

@@ -166,8 +166,6 @@ void expect_values(const JsonValue& root) {
 }
 
 float linear(std::uint8_t srgb) { return OIIO::sRGB_to_linear(float(srgb) / 255.0f); }
-std::uint8_t byte(float share) { return static_cast<std::uint8_t>(std::clamp(share, 0.0f, 1.0f) * 255.0f + 0.5f); }
-std::uint8_t srgb(float linear) { return byte(OIIO::linear_to_sRGB(std::clamp(linear, 0.0f, 1.0f))); }
 
 /// The mean of a picture's texels, as colours or as they are.
 glm::vec3 mean(const Texels& texels, bool is_srgb) {
@@ -589,7 +587,7 @@ class GltfReader {
     for (std::size_t i = 0; i < base.rgba.size(); i += 4) {
       for (int channel = 0; channel < 3; ++channel) {
         std::uint8_t& texel = base.rgba[i + std::size_t(channel)];
-        if (kept[channel] != 1) texel = srgb(linear(texel) * kept[channel]);
+        if (kept[channel] != 1) texel = srgb_level_of(linear(texel) * kept[channel]);
       }
       base.rgba[i + 3] = 255;  // gloss
     }
@@ -631,7 +629,7 @@ class GltfReader {
       glm::vec3 normal;
       for (int axis = 0; axis < 3; ++axis) normal[axis] = float(texels.rgba[i + std::size_t(axis)]) / 127.5f - 1;
       normal = glm::normalize(normal * glm::vec3(float(given.scale), float(given.scale), 1));
-      for (int axis = 0; axis < 3; ++axis) texels.rgba[i + std::size_t(axis)] = byte(normal[axis] * 0.5f + 0.5f);
+      for (int axis = 0; axis < 3; ++axis) texels.rgba[i + std::size_t(axis)] = level_of(normal[axis] * 0.5f + 0.5f);
     }
     return texels;
   }

@@ -60,9 +60,8 @@ void LightMapStore::expect_room(std::size_t texels) {
   texels_ += texels;
   if (texels_ > kMaxTexels) {
     throw gl::Unsupported(
-        "the scene's lights are of too many shapes for this path: their light maps would take more than 1 GiB; a "
-        "smaller "
-        "--map-size may do");
+        "the scene's lights are of too many shapes for this path: their light maps would take more than 1 GiB; "
+        "a smaller --map-size may do");
   }
 }
 

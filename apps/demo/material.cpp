@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "material.h"
 
+#include <OpenImageIO/color.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -70,25 +72,18 @@ const Recipe kRecipes[] = {
 
 constexpr std::size_t kRecipeCount = std::size(kRecipes);
 
-/// sRGB of a linear value in [0, 1], by table: 4096 steps stay within half a level of the formula of IEC 61966-2-1
-/// everywhere but the first step.
+/// srgb_level_of by table, for many texels: 4096 steps stay within half a level of it everywhere but the first step.
 std::uint8_t srgb(float linear) {
   static const std::array<std::uint8_t, 4097> kTable = [] {
     std::array<std::uint8_t, 4097> table{};
-    for (std::size_t i = 0; i < table.size(); ++i) {
-      const double x = static_cast<double>(i) / 4096.0;
-      const double encoded = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1.0 / 2.4) - 0.055;
-      table[i] = static_cast<std::uint8_t>(std::lround(255.0 * encoded));
-    }
+    for (std::size_t i = 0; i < table.size(); ++i) table[i] = srgb_level_of(static_cast<float>(i) / 4096.0f);
     return table;
   }();
   return kTable[static_cast<std::size_t>(std::clamp(linear, 0.0f, 1.0f) * 4096.0f + 0.5f)];
 }
 
-std::uint8_t byte(float share) { return static_cast<std::uint8_t>(std::clamp(share, 0.0f, 1.0f) * 255.0f + 0.5f); }
-
 /// A component of a normal where 128 is 0: with 127.5 no flat surface would be flat.
-std::uint8_t normal_byte(float component) { return byte((128.0f + 127.5f * component) / 255.0f); }
+std::uint8_t normal_byte(float component) { return level_of((128.0f + 127.5f * component) / 255.0f); }
 
 Texels bake_albedo(const Canvas& canvas, const glm::vec3& mean_albedo) {
   glm::dvec3 sum(0.0);
@@ -100,7 +95,7 @@ Texels bake_albedo(const Canvas& canvas, const glm::vec3& mean_albedo) {
     texels.rgba[4 * i] = srgb(color.r);
     texels.rgba[4 * i + 1] = srgb(color.g);
     texels.rgba[4 * i + 2] = srgb(color.b);
-    texels.rgba[4 * i + 3] = byte(canvas.gloss[i]);
+    texels.rgba[4 * i + 3] = level_of(canvas.gloss[i]);
   }
   return texels;
 }
@@ -126,6 +121,10 @@ Texels bake_normals(const Canvas& canvas) {
 }
 
 }  // namespace
+
+std::uint8_t level_of(float share) { return static_cast<std::uint8_t>(std::clamp(share, 0.0f, 1.0f) * 255.0f + 0.5f); }
+
+std::uint8_t srgb_level_of(float linear) { return level_of(OIIO::linear_to_sRGB(std::clamp(linear, 0.0f, 1.0f))); }
 
 std::span<const std::string_view> material_names() {
   static const std::array<std::string_view, kRecipeCount> kNames = [] {

@@ -18,6 +18,10 @@ struct Texels {
   std::vector<std::uint8_t> rgba;
 };
 
+/// A texel's level for a share, clamped to [0, 1]; and for a linear value, clamped likewise, as sRGB.
+std::uint8_t level_of(float share);
+std::uint8_t srgb_level_of(float linear);
+
 /// What a surface is made of.
 struct Material {
   std::string name;
