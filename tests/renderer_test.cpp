@@ -170,10 +170,12 @@ TEST_F(RendererTest, SkippingChangesNoPixel) {
   for (const std::string& name : bundled_scenes()) {
     const Scene scene = read_scene(bundled_scene_path(name));
     const Fog fog = Fog::from_visibility(FogMode::exp, scene.visibilities[0]);
-    EXPECT_EQ(
-        largest_difference(draw(scene, fog, {.skipping = Skipping::on}), draw(scene, fog, {.skipping = Skipping::off})),
-        0)
-        << name;
+    const Picture skipped = draw(scene, fog, {.skipping = Skipping::on});
+    const Picture whole = draw(scene, fog, {.skipping = Skipping::off});
+    // Shaders of fewer lights may round otherwise: by a step of the framebuffer's half floats.
+    for (std::size_t i = 0; i < whole.rgb.size(); ++i) {
+      ASSERT_NEAR(skipped.rgb[i], whole.rgb[i], 0x1p-10f * whole.rgb[i] + 0x1p-24f) << name << ", value " << i;
+    }
   }
 }
 

@@ -27,7 +27,7 @@ const LightingPath& geometry_path() {
       .name = "geometry",
       .description = {},
       .source = {},
-      .passes = {{.vertex = "geometry.vert", .geometry = {}, .fragment = "geometry.frag", .shows_fog = false}}};
+      .passes = {{.vertex = "surface.vert", .geometry = {}, .fragment = "geometry.frag", .shows_fog = false}}};
   return kPath;
 }
 

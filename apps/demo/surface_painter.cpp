@@ -18,9 +18,24 @@
 namespace litfog::demo {
 namespace {
 
-/// The scene's shader files, and what pass.glsl is for this program.
-std::vector<gl::ShaderSource> shader_files(bool has_cookies, const std::string& pass) {
+std::string glsl(const glm::vec3& v) { return fmt::format("vec3({}, {}, {})", v.x, v.y, v.z); }
+
+/// What stays the same in a scene, as constants, environment.glsl: some drivers look a uniform up for every fragment.
+std::string environment_constants(const Environment& environment, const RenderSettings& settings) {
+  return fmt::format(
+      "const vec3 ambient_light = {};\n"
+      "const bool has_moon = {};  // the directional light\n"
+      "const vec3 moon_direction = {};\n"
+      "const vec3 moon_color = {};\n"
+      "const bool has_infinite_viewer = {};\n",
+      glsl(environment.ambient_light), environment.moon_color != glm::vec3(0.0f), glsl(environment.moon_direction),
+      glsl(environment.moon_color), settings.has_infinite_viewer);
+}
+
+/// The scene's shader files, and what environment.glsl and pass.glsl are for this program.
+std::vector<gl::ShaderSource> shader_files(bool has_cookies, const std::string& environment, const std::string& pass) {
   std::vector<gl::ShaderSource> files = scene_shaders(has_cookies);
+  files.push_back({"environment.glsl", environment});
   files.push_back({"pass.glsl", pass});
   return files;
 }
@@ -35,9 +50,6 @@ std::size_t room_for(std::size_t lights) {
   constexpr std::array<std::size_t, 6> kRooms{0, 1, 2, 4, 8, kMostHandedOver};
   return *std::ranges::lower_bound(kRooms, lights);
 }
-
-/// The profile of lights whose shader has to ask.
-constexpr int kAnyProfile = -1;
 
 /// "DO(0) DO(1)": a loop over lights unrolled.
 std::string unrolled(std::size_t count) {
@@ -74,9 +86,12 @@ void select_samples(int pass) {
 
 }  // namespace
 
-std::string SurfacePainter::Variant::constants(bool has_moon) const {
-  const std::vector<int> hand = profiles.empty() ? std::vector{0} : profiles;  // arrays may not be empty
-  const std::size_t lights = profiles.size() - first_light;
+std::string SurfacePainter::Variant::constants() const {
+  std::vector<int> profiles(fog_lights.count, fog_lights.profile);
+  profiles.insert(profiles.end(), lights.count, lights.profile);
+  const std::size_t first_light = shares_lights ? 0 : fog_lights.count;
+  const std::size_t lights_in_pass = profiles.size() - first_light;
+  if (profiles.empty()) profiles.push_back(kAnyProfile);  // arrays may not be empty
   return fmt::format(
       "const int hand_size = {};\n"
       "const int profiles[hand_size] = int[]({});\n"
@@ -87,16 +102,17 @@ std::string SurfacePainter::Variant::constants(bool has_moon) const {
       "const bool has_listed_lights = {};  // too many to be handed over\n"
       "const bool has_listed_fog_lights = {};\n"
       "const bool is_first_pass = {};\n"
-      "const bool has_moon = {};\n"
       "#define EACH_LIGHT(DO){}\n"
       "#define EACH_FOG_LIGHT(DO){}\n",
-      hand.size(), fmt::join(hand, ", "), kAnyProfile, first_light, lights, has_listed_lights, has_listed_fog_lights,
-      is_first, has_moon, unrolled(lights), unrolled(fog_lights));
+      profiles.size(), fmt::join(profiles, ", "), kAnyProfile, first_light, lights_in_pass, has_listed_lights,
+      has_listed_fog_lights, is_first, unrolled(lights_in_pass), unrolled(fog_lights.count));
 }
 
-SurfacePainter::SurfaceProgram::SurfaceProgram(const Variant& variant, const Scene& scene)
+SurfacePainter::SurfaceProgram::SurfaceProgram(const Variant& variant, const Scene& scene,
+                                               const RenderSettings& settings)
     : program(variant.pass->vertex, variant.pass->geometry, variant.pass->fragment,
-              shader_files(!scene.cookies.empty(), variant.constants(scene.environment.moon_color != glm::vec3(0.0f)))),
+              shader_files(!scene.cookies.empty(), environment_constants(scene.environment, settings),
+                           variant.constants())),
       world_from_model(program.uniform("world_from_model")),
       bounds_low(program.uniform("bounds_low")),
       bounds_high(program.uniform("bounds_high")),
@@ -214,15 +230,18 @@ FogLight SurfacePainter::light_handed_over(std::int32_t light) const {
   return packed;
 }
 
-void SurfacePainter::add_profiles(std::size_t first, std::vector<int>& profiles) const {
-  constexpr std::size_t kMostKnown = 2;  // of more, a shader for each mixture were too many
-  const std::span<const FogLight> lights = std::span(handed_).subspan(first);
-  if (lights.empty()) return;
-  const float profile = lights.front().axis_profile.w;
-  const bool is_known = lights.size() <= kMostKnown && std::ranges::all_of(lights, [&](const FogLight& light) {
-                          return light.axis_profile.w == profile;
-                        });
-  profiles.insert(profiles.end(), lights.size(), is_known ? int(profile) : kAnyProfile);
+SurfacePainter::HandedLights SurfacePainter::round_up(std::size_t first) {
+  constexpr std::size_t kMostKnown = 2;  // of more, a shader for each profile were too many
+  const std::size_t lights = handed_.size() - first;
+  handed_.resize(first + room_for(lights));
+  HandedLights handed{.count = handed_.size() - first};
+  if (lights == 0 || handed.count > kMostKnown) return handed;
+  const std::span<FogLight> known = std::span(handed_).subspan(first);
+  const float profile = known.front().axis_profile.w;
+  const bool is_common =
+      std::ranges::all_of(known, [&](const FogLight& light) { return light.axis_profile.w == profile; });
+  if (is_common) handed.profile = int(profile);
+  return handed;
 }
 
 void SurfacePainter::draw_pass(const Surface& surface, Variant variant, std::span<const std::int32_t> batch) {
@@ -232,23 +251,20 @@ void SurfacePainter::draw_pass(const Surface& surface, Variant variant, std::spa
     variant.has_listed_fog_lights = fog_lights_.size() > kMostHandedOver;
     if (!variant.has_listed_fog_lights) {
       for (const std::int32_t light : fog_lights_) handed_.push_back(light_handed_over(light));
-      handed_.resize(room_for(handed_.size()));  // with black lights
-      add_profiles(0, variant.profiles);
+      variant.fog_lights = round_up(0);
     }
   }
-  variant.fog_lights = handed_.size();
+  const std::size_t first = handed_.size();
   // What the fog's lights and the surface's have in common is computed once where the pass takes all.
-  const bool shares = variant.pass->lights == kAllLights && !variant.has_listed_lights && variant.fog_lights > 0;
-  variant.first_light = shares ? 0 : variant.fog_lights;
+  variant.shares_lights = variant.pass->lights == kAllLights && !variant.has_listed_lights && first > 0;
   for (const std::int32_t light : batch) {
-    if (shares && std::ranges::find(fog_lights_, light) != fog_lights_.end()) continue;
+    if (variant.shares_lights && std::ranges::find(fog_lights_, light) != fog_lights_.end()) continue;
     handed_.push_back(light_handed_over(light));
   }
   if (has_maps) {  // which hold the cones
-    variant.profiles.resize(handed_.size(), kAnyProfile);
+    variant.lights.count = handed_.size() - first;
   } else {
-    handed_.resize(variant.fog_lights + room_for(handed_.size() - variant.fog_lights));
-    add_profiles(variant.fog_lights, variant.profiles);
+    variant.lights = round_up(first);
   }
 
   const SurfaceProgram& program = use(variant, *surface.material);
@@ -271,26 +287,19 @@ void SurfacePainter::draw_pass(const Surface& surface, Variant variant, std::spa
 }
 
 SurfacePainter::SurfaceProgram& SurfacePainter::use(const Variant& variant, const SurfaceMaterial& material) {
-  SurfaceProgram& program = programs_.try_emplace(variant, variant, scene_).first->second;
+  SurfaceProgram& program = programs_.try_emplace(variant, variant, scene_, settings_).first->second;
   if (&program != used_) {
     used_ = &program;
     program.program.use();
     set_blend(variant.pass->blend == Blend::replace && !variant.is_first ? Blend::add : variant.pass->blend);
   }
   if (program.frame != frame_) {
-    const Environment& environment = scene_.environment;
     program.frame = frame_;
     program.material = nullptr;
     fog_light_buffer_.bind(program.program, kFogLightBinding);
     set_uniform(program.program, "clip_from_world", clip_from_world_);
     set_uniform(program.program, "eye", scene_.camera.position);
-    const Camera& camera = scene_.camera;
-    set_uniform(program.program, "viewer",
-                settings_.has_infinite_viewer ? glm::vec4(glm::normalize(camera.position - camera.target), 0.0f)
-                                              : glm::vec4(camera.position, 1.0f));
-    set_uniform(program.program, "ambient_light", environment.ambient_light);
-    set_uniform(program.program, "moon_direction", environment.moon_direction);
-    set_uniform(program.program, "moon_color", environment.moon_color);
+    set_uniform(program.program, "infinite_viewer", glm::normalize(scene_.camera.position - scene_.camera.target));
     set_uniform(program.program, "is_flat_shaded", unsigned{settings_.is_flat_shaded});
     set_uniform(program.program, "albedo_map", kAlbedoUnit);
     set_uniform(program.program, "normal_map", kNormalUnit);

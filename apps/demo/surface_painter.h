@@ -42,21 +42,30 @@ class SurfacePainter {
   std::vector<Material> materials() const { return surfaces_.materials(); }
 
  private:
+  static constexpr int kAnyProfile = -1;  // one that the shader has to ask for
+
+  /// What a shader is compiled for, of lights handed over.
+  struct HandedLights {
+    std::size_t count = 0;
+    int profile = kAnyProfile;  // that all of them have
+
+    auto operator<=>(const HandedLights&) const = default;
+  };
   /// A pass's shaders, compiled for a number of lights.
   struct Variant {
     const SurfacePass* pass;
     bool is_first = true;  // of the times that the pass draws a surface
     bool has_listed_lights = false;
     bool has_listed_fog_lights = false;
-    std::vector<int> profiles = {};  // of the lights handed over, which are known to the shader
-    std::size_t fog_lights = 0;      // the first of them
-    std::size_t first_light = 0;     // of the pass
+    HandedLights fog_lights = {};  // the first of those handed over
+    HandedLights lights = {};      // the others
+    bool shares_lights = false;    // the surface is lit by the fog's lights, too
 
-    std::string constants(bool has_moon) const;  // pass.glsl
+    std::string constants() const;  // pass.glsl
     auto operator<=>(const Variant&) const = default;
   };
   struct SurfaceProgram {
-    SurfaceProgram(const Variant& variant, const Scene& scene);
+    SurfaceProgram(const Variant& variant, const Scene& scene, const RenderSettings& settings);
 
     gl::Program program;
     int world_from_model, bounds_low, bounds_high, light_list_range, handed_lights, cone_from_world;
@@ -67,8 +76,8 @@ class SurfacePainter {
   void draw_surface(const LightingPath& path, const Surface& surface);
   /// A light as shaders take it, with its fog intensity.
   FogLight light_handed_over(std::int32_t light) const;
-  /// The profiles of the lights handed over, from one on, as the shader knows them: their common one or none.
-  void add_profiles(std::size_t first, std::vector<int>& profiles) const;
+  /// The lights handed over from one on, with black ones up to the number that a shader is compiled for.
+  HandedLights round_up(std::size_t first);
   /// Draws a surface by the lights of its fog and a batch of its own; what the variant says of lights handed over is
   /// found here.
   void draw_pass(const Surface& surface, Variant variant, std::span<const std::int32_t> batch);

@@ -5,6 +5,6 @@
 #include "litfog/light.glsl"
 
 vec3 diffuse_reflection(FogLight light, vec3 position, vec3 normal) {
-  vec3 to_light = litfog_direction(position, light.position_extent.xyz);
-  return litfog_light_at(light, position) * max(dot(normal, to_light), 0.0);
+  vec4 ray = litfog_ray(light.position_extent.xyz, position);
+  return litfog_light_along(light, ray) * max(-dot(normal, ray.xyz), 0.0);
 }

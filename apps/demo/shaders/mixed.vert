@@ -16,7 +16,7 @@ out vec3 moon_specular_light;
 
 void main() {
   vec3 position = place_vertex();
-  vec3 to_eye = direction_to_viewer(position);
+  vec3 to_eye = normalize(way_to_viewer(position));
   normal = world_normal();
   diffuse_light = vec3(0.0);
   if (is_first_pass) {
@@ -27,9 +27,9 @@ void main() {
   }
   for (int i = 0; i < lights_in_pass; ++i) {
     FogLight light = batch_light(i);
-    vec3 to_light = litfog_direction(position, light.position_extent.xyz);
-    half_angle[i] = normalize(to_light + to_eye);
-    specular_light[i] = dot(normal, to_light) > 0.0 ? litfog_light_at(light, position) : vec3(0.0);
+    vec4 ray = litfog_ray(light.position_extent.xyz, position);
+    half_angle[i] = normalize(to_eye - ray.xyz);
+    specular_light[i] = dot(normal, ray.xyz) < 0.0 ? litfog_light_along(light, ray) : vec3(0.0);
     if (is_first_pass && !has_listed_lights) diffuse_light += diffuse_reflection(light, position, normal);
   }
   for (int i = 0; i < listed_light_count(); ++i) diffuse_light += diffuse_reflection(listed_light(i), position, normal);

@@ -8,17 +8,16 @@ uniform vec3 bounds_low;  // of the surface drawn
 uniform vec3 bounds_high;
 uniform sampler2D albedo_map;  // rgb reflectance, a gloss
 uniform sampler2D normal_map;
-uniform float tile_size;  // metres that one tile covers
 
 // A pixel that a surface covers in part is shaded at its middle, which near the horizon may lie many metres beyond the
 // surface, in reach of other lights.
 vec3 fragment_position() { return clamp(rasterised_position, bounds_low, bounds_high); }
 vec3 drawn_back() { return fragment_position() - rasterised_position; }
 
-vec4 base_texture() { return texture(albedo_map, uv / tile_size); }
+vec4 base_texture() { return texture(albedo_map, uv); }
 
 // The normal map's normal in tangent space. Its alpha says which level is 0 (Material::normal): 128 at 0, 127.5 at 1.
 vec3 mapped_normal() {
-  vec4 texel = texture(normal_map, uv / tile_size);
-  return texel.xyz * 2.0 - (256.0 - texel.a) / 255.0;
+  vec4 texel = texture(normal_map, uv);
+  return texel.xyz * 2.0 - (256.0 - texel.a) * (1.0 / 255.0);
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The eye and what lights a scene beside its lamps.
 
-uniform vec3 eye;
-uniform vec4 viewer;  // w 1: xyz is the eye; w 0: xyz is the unit direction to an infinite viewer (Cg Tutorial, exercise 4)
-uniform vec3 ambient_light;
-uniform vec3 moon_direction;  // the directional light
-uniform vec3 moon_color;
+#include "environment.glsl"
 
-vec3 direction_to_viewer(vec3 position) { return normalize(viewer.xyz - position * viewer.w); }
+uniform vec3 eye;
+uniform vec3 infinite_viewer;  // the unit direction to it, where has_infinite_viewer (Cg Tutorial, exercise 4)
+
+// The way to the viewer, whose length has no meaning.
+vec3 way_to_viewer(vec3 position) { return has_infinite_viewer ? infinite_viewer : eye - position; }

@@ -3,11 +3,11 @@
 
 #include "vertex.glsl"
 
-out vec3 normal;
+out vec3 normal;  // unit at the vertices, as those paths take it that interpolate what they make of it
 out vec4 tangent;
 
 void main() {
   place_vertex();
-  normal = world_direction(vertex_normal);
-  tangent = vec4(world_direction(vertex_tangent.xyz), vertex_tangent.w);
+  normal = world_normal();
+  tangent = vec4(normalize(world_direction(vertex_tangent.xyz)), vertex_tangent.w);
 }

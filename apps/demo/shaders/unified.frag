@@ -15,7 +15,7 @@ void main() {
   Surface surface;
   surface.position = position;
   surface.normal = mapped_world_normal();
-  surface.to_eye = direction_to_viewer(position);
+  surface.to_eye = normalize(way_to_viewer(position));
   surface.emissive = emissive;
   surface.diffuse = albedo.rgb;
   surface.specular = specular * albedo.a;

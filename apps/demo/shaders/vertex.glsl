@@ -7,6 +7,7 @@ layout(location = 3) in vec2 vertex_uv;
 
 uniform mat4 clip_from_world;
 uniform mat4 world_from_model;
+uniform float tile_size;  // metres that one tile of the textures covers
 
 out vec3 rasterised_position;
 out vec2 uv;
@@ -16,7 +17,7 @@ invariant gl_Position;  // the passes of a surface meet at one depth
 vec3 place_vertex() {
   vec4 world = world_from_model * vec4(vertex_position, 1.0);
   rasterised_position = world.xyz;
-  uv = vertex_uv;
+  uv = vertex_uv / tile_size;
   gl_Position = clip_from_world * world;
   return world.xyz;
 }

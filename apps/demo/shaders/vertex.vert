@@ -14,10 +14,9 @@ out vec3 diffuse_light;
 out vec3 specular_light;
 
 void add_light(FogLight light, vec3 position, vec3 normal, vec3 to_eye) {
-  vec3 arriving = litfog_light_at(light, position);
-  if (arriving == vec3(0.0)) return;
-  vec3 to_light = litfog_direction(position, light.position_extent.xyz);
-  vec2 shares = litfog_reflected_shares(normal, to_eye, shininess, to_light);
+  vec4 ray = litfog_ray(light.position_extent.xyz, position);
+  vec3 arriving = litfog_light_along(light, ray);
+  vec2 shares = litfog_reflected_shares(normal, to_eye, shininess, -ray.xyz);
   diffuse_light += arriving * shares.x;
   specular_light += arriving * shares.y;
 }
@@ -25,7 +24,7 @@ void add_light(FogLight light, vec3 position, vec3 normal, vec3 to_eye) {
 void main() {
   vec3 position = place_vertex();
   vec3 normal = world_normal();
-  vec3 to_eye = direction_to_viewer(position);
+  vec3 to_eye = normalize(way_to_viewer(position));
   vec2 shares = litfog_reflected_shares(normal, to_eye, shininess, moon_direction);
   diffuse_light = moon_color * shares.x;
   specular_light = moon_color * shares.y;

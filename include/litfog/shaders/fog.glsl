@@ -12,8 +12,7 @@ float litfog_fog_opacity(float range, float density_scale) {
 // A light's part in the fog colour of a fragment: colour * cone * fog colour intensity (Hales 2004, "Lighting in Fog").
 // The one place where lights light the fog.
 vec3 litfog_light_fog(FogLight light, vec3 position) {
-  if (light.color_intensity.w <= 0.0) return vec3(0.0);
-  vec3 direction = litfog_direction(light.position_extent.xyz, position);
+  vec3 direction = litfog_ray(light.position_extent.xyz, position).xyz;
   return light.color_intensity.rgb * (litfog_cone(light, direction) * light.color_intensity.w);
 }
 

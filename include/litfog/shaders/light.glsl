@@ -20,11 +20,12 @@ layout(std140) uniform FogLightBlock {
   FogLight litfog_lights[LITFOG_MAX_LIGHTS];
 };
 
-// Unit vector from one point to another; 0, to which no cone and no surface is turned, where they are the same.
-vec3 litfog_direction(vec3 from, vec3 to) {
+// A ray from one point to another: xyz its unit direction, w its length. Where they are the same the direction is 0, to
+// which no cone and no surface is turned.
+vec4 litfog_ray(vec3 from, vec3 to) {
   vec3 offset = to - from;
   float range = length(offset);
-  return range > 0.0 ? offset * (1.0 / range) : vec3(0.0);
+  return vec4(range > 0.0 ? offset * (1.0 / range) : vec3(0.0), range);
 }
 
 #ifdef LITFOG_COOKIES  // the includer has lights of a shape of its own, profile 3, whose cone means what it likes
@@ -48,11 +49,8 @@ float litfog_range(FogLight light, float range) {
   return litfog_attenuation(range, light.attenuation.x, light.attenuation.y, light.attenuation.z);
 }
 
-// What of a light arrives at a point: colour * cone * range attenuation.
-vec3 litfog_light_at(FogLight light, vec3 position) {
-  float range = distance(position, light.position_extent.xyz);
-  if (range > light.position_extent.w) return vec3(0.0);
-  float strength = litfog_cone(light, litfog_direction(light.position_extent.xyz, position));
-  if (strength <= 0.0) return vec3(0.0);
-  return light.color_intensity.rgb * (strength * litfog_range(light, range));
+// What of a light arrives at the end of a ray from it: colour * cone * range attenuation. Without branches, which cost
+// some drivers more than what they leave out; whoever draws leaves lights out that do not reach.
+vec3 litfog_light_along(FogLight light, vec4 ray) {
+  return light.color_intensity.rgb * (litfog_cone(light, ray.xyz) * litfog_range(light, ray.w));
 }

@@ -32,7 +32,6 @@ vec3 litfog_reflect(Surface surface, vec3 to_light, vec3 color) {
 }
 
 vec3 litfog_light_surface(Surface surface, FogLight light) {
-  vec3 arriving = litfog_light_at(light, surface.position);
-  if (arriving == vec3(0.0)) return vec3(0.0);
-  return litfog_reflect(surface, litfog_direction(surface.position, light.position_extent.xyz), arriving);
+  vec4 ray = litfog_ray(light.position_extent.xyz, surface.position);
+  return litfog_reflect(surface, -ray.xyz, litfog_light_along(light, ray));
 }
