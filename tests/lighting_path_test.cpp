@@ -186,13 +186,8 @@ class LightingPathPixels : public test::GlTest {
   }
 };
 
-// Half a step of the framebuffer's half floats below 4, which no pixel here exceeds.
+// Half a step of the framebuffer's half floats below 4, which no pixel here exceeds; passes add up in floats before.
 constexpr double kHalfFloat = 0x1p-10;
-
-/// Half floats: the last one, and in `accumulate` one a pass.
-double rounding(const LightingPath& path, std::size_t lights) {
-  return kHalfFloat * double(path.name == "accumulate" ? lights + 3 : 1 + lights / 4);
-}
 
 /// What a light's look-up may be wrong by, of its colour. Range: h^2 / 8 times the second derivatives of
 /// 1 / (1 + 19 r^2) or r^2, h = 2 / 127 (see light_map_test.cpp). Cone: likewise, h = 2 tan(half angle) / 127 and the
@@ -211,8 +206,7 @@ TEST_F(LightingPathPixels, OfFragmentPathsAreTheBasicModel) {
   Scene scene = wall(1);
   scene.lights = lamps();
   for (const char* path : {"unified", "tangent"}) {
-    test::WorstError error(path, "wall under eight lamps, clear and foggy", rounding(*find_lighting_path(path), 8),
-                           "absolute");
+    test::WorstError error(path, "wall under eight lamps, clear and foggy", kHalfFloat, "absolute");
     for (const Fog& fog : clear_and_foggy()) error.add(worst_error(scene, fog, settings(path)), [] { return ""; });
     error.check();
   }
@@ -238,8 +232,7 @@ TEST_F(LightingPathPixels, OfFewAndOfManyLightsAreTheBasicModel) {
     scene.lights = crowd(count);
     const std::string lights = "wall under " + std::to_string(count) + " lamps of every profile";
     for (const char* path : {"unified", "tangent"}) {  // in one pass, in several
-      const std::size_t passes = find_lighting_path(path)->has_several_passes() ? std::size_t(count) : 1;
-      test::WorstError error(path, lights, rounding(*find_lighting_path(path), passes), "absolute");
+      test::WorstError error(path, lights, kHalfFloat, "absolute");
       for (const Fog& fog : clear_and_foggy()) error.add(worst_error(scene, fog, settings(path)), [] { return ""; });
       error.check();
     }
@@ -258,7 +251,7 @@ TEST_F(LightingPathPixels, OfLookupPathsAreThePapersModelToWithinTheirTexels) {
     }
     for (const LightingPath& path : lighting_paths()) {
       if (path.evaluation != Evaluation::lookup) continue;
-      double bound = rounding(path, count);
+      double bound = kHalfFloat;
       for (const PlacedLight& light : scene.lights)
         bound += albedo * light.light.color.r * lookup_bound(path, light.light);
       test::WorstError error(std::string(path.name), "wall under " + std::to_string(count) + " lamps", bound,
@@ -278,7 +271,7 @@ TEST_F(LightingPathPixels, OfLightsWithoutAnEndInSightAreLitByEveryPath) {
     scene.lights = {lamp({0.4, -0.3, -2}, attenuation, Cone{}, true)};
     const double reach = extent(attenuation, scene.lights[0].light.threshold);
     for (const LightingPath& path : lighting_paths()) {
-      double bound = rounding(path, 1);
+      double bound = kHalfFloat;
       if (path.evaluation == Evaluation::lookup && std::isfinite(reach)) {
         // The wall lies between the texels around the light, half a texel off along each axis.
         const double off = std::sqrt(3.0) / 127;  // of the extent
