@@ -31,7 +31,7 @@ constexpr int kMaxSide = 16'384;
 constexpr std::int64_t kMaxPixels = 40'000'000;  // some 2 GiB of framebuffer, 4 for paths of several passes
 
 constexpr std::int64_t kMaxReferencePixels = 10'000'000;  // some 3 GiB of geometry buffer
-constexpr std::int64_t kMaxComparedPixels = 2'500'000;   // some 3 GiB of ten framebuffers and a geometry buffer
+constexpr std::int64_t kMaxComparedPixels = 2'500'000;    // some 3 GiB of ten framebuffers and a geometry buffer
 
 enum class FogChoice { exp, exp2, none };
 enum class FogLighting { peak };
@@ -138,7 +138,7 @@ ExitStatus draw_scene(const Options& options) {
   const Fog fog = Fog::from_visibility(fog_mode(options.fog), visibility);
   renderer.set_fog(fog);
   const int frames = options.frames > 0 ? options.frames : 1;
-  const FrameTimes times = time_frames({&renderer}, frames).front();
+  const FrameTimes times = time_frames({&renderer}, FrameBudget::exactly(frames), scene.name).front();
   std::optional<Comparison> comparison;
   if (needs_reference(options)) comparison = compare_with_reference(scene, fog, renderer);
   if (!options.heat_map.empty()) {
@@ -175,8 +175,8 @@ ExitStatus draw_scene(const Options& options) {
     }
     write_whole_file(options.stats, stats.dump(2) + "\n");
   }
-  write_standard_output(fmt::format("{}: {} ({}x{}) in {:.0f} ms on {}\n", output, scene.name, options.width,
-                                    options.height, times.median(), context.renderer()));
+  write_standard_output(fmt::format("{}: {} ({}x{}) in {} ms on {}\n", output, scene.name, options.width,
+                                    options.height, milliseconds_text(times.median()), context.renderer()));
   if (comparison) {
     write_standard_output(fmt::format("{}: {}\n", options.render.path->name, error_in_words(comparison->error)));
   }

@@ -69,12 +69,4 @@ TEST(ComparisonPage, PicturesWithoutAnAlternativeTextThereAreNone) {
   EXPECT_EQ(count(page, "<img "), count(page, "alt=\"room"));
 }
 
-TEST(MillisecondsText, HasThreeDigitsOrAllBeforeThePoint) {
-  EXPECT_EQ(milliseconds_text(0.0123), "0.01");
-  EXPECT_EQ(milliseconds_text(9.994), "9.99");
-  EXPECT_EQ(milliseconds_text(9.996), "10.0");
-  EXPECT_EQ(milliseconds_text(99.96), "100");
-  EXPECT_EQ(milliseconds_text(1234.5), "1234");
-}
-
 }  // namespace

@@ -250,6 +250,7 @@ TEST_F(DemoCommand, AGalleryRefusesTwoScenesOfOneName) {
   const Outcome outcome = run("a.json b.json --gallery g --size 8x8");
   EXPECT_EQ(outcome.status, kBadInput);
   EXPECT_EQ(outcome.err, "b.json: name = same: must not be that of a.json too\n");
+  EXPECT_FALSE(std::filesystem::exists(directory() / "g"));
 }
 
 TEST_F(DemoCommand, AGallerysTableHasARowForEachSolution) {

@@ -12,7 +12,6 @@
 #include "comparison.h"
 #include "frame_times.h"
 #include "litfog/gl/headless_context.h"
-#include "progress.h"
 #include "scene_file.h"
 
 namespace litfog::bench {
@@ -66,18 +65,7 @@ std::vector<const LightingPath*> measured_paths() {
   return paths;
 }
 
-/// Frames of each path: as many as fit into some seconds, within bounds.
-int frames_for(const std::vector<Renderer*>& renderers, bool quick) {
-  constexpr int kFewest = 3;
-  constexpr int kMost = 25;
-  constexpr double kMilliseconds = 4'000;
-  if (quick) return kFewest;
-  double round = 0;
-  for (const FrameTimes& times : time_frames(renderers, 1)) round += times.median();
-  return std::clamp(int(kMilliseconds / round), kFewest, kMost);
-}
-
-std::vector<Trial> measure(const Setting& setting, bool quick) {
+std::vector<Trial> measure(const Setting& setting, const FrameBudget& budget, std::string_view what) {
   const Scene scene = with_light_count(read_scene(bundled_scene_path(setting.scene)), setting.lights);
   const Fog fog = Fog::from_visibility(FogMode::exp, suggested_visibility(scene));
   std::vector<std::unique_ptr<Renderer>> renderers;
@@ -88,7 +76,7 @@ std::vector<Trial> measure(const Setting& setting, bool quick) {
     renderers.back()->set_fog(fog);
     in_turn.push_back(renderers.back().get());
   }
-  std::vector<FrameTimes> times = time_frames(in_turn, frames_for(in_turn, quick));
+  std::vector<FrameTimes> times = time_frames(in_turn, budget, what);
   std::vector<Trial> trials;
   for (std::size_t i = 0; i < renderers.size(); ++i) {
     const LightingPath* path = renderers[i]->settings().path;
@@ -218,12 +206,13 @@ Chart make_table_1(const TrialList& trials) {
 Result measure_render(bool quick) {
   const gl::HeadlessContext context;
   TrialList trials;
-  Progress progress;
   const std::vector<Setting> all = settings(quick);
+  const FrameBudget budget = quick ? FrameBudget::exactly(3) : FrameBudget{.seconds = 20, .fewest = 3, .most = 25};
   for (std::size_t i = 0; i < all.size(); ++i) {
-    progress.show(fmt::format("setting {} of {}: {}, {} lights, {}x{}", i + 1, all.size(), all[i].scene, all[i].lights,
-                              all[i].width, all[i].height));
-    trials.add(measure(all[i], quick));
+    const auto& [scene, lights, width, height, skipping] = all[i];
+    trials.add(measure(all[i], budget,
+                       fmt::format("{} of {}, {} with {} lights, {}x{}{}", i + 1, all.size(), scene, lights, width,
+                                   height, skipping == Skipping::off ? ", nothing skipped" : "")));
   }
   Result result;
   result.table = make_table(trials);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "heat_map.h"
+#include "frame_times.h"
 #include "html_text.h"
 #include "material.h"
 
@@ -200,10 +201,6 @@ std::string SceneResult::reference_file(const LightingPath& path) const {
 }
 
 std::string SceneResult::sheet_file() const { return name + "-paths.png"; }
-
-std::string milliseconds_text(double milliseconds) {
-  return fmt::format("{:.{}f}", milliseconds, milliseconds < 9.995 ? 2 : milliseconds < 99.95 ? 1 : 0);
-}
 
 std::string comparison_page(const PageFacts& facts, const std::vector<SceneResult>& scenes) {
   std::string html = fmt::format(

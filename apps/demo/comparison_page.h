@@ -44,9 +44,6 @@ struct PageFacts {
   std::string settings;  ///< in words: skipping, viewer, light maps
 };
 
-/// "9.87", "41.2", "1234": milliseconds with three digits or all before the point.
-std::string milliseconds_text(double milliseconds);
-
 /// An HTML page that shows the results beside their pictures, which lie in its folder. It needs nothing else, no
 /// network and no script.
 std::string comparison_page(const PageFacts& facts, const std::vector<SceneResult>& scenes);

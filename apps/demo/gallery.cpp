@@ -52,16 +52,14 @@ void add_solutions(Table& table, const Scene& scene, FogMode mode) {
 
 void draw_gallery(const std::vector<std::string>& scenes, const std::string& folder, const GallerySettings& settings) {
   const Clock::time_point start = Clock::now();
+  const std::vector<Scene> read = read_scenes(scenes);
+  report(fmt::format("{} scenes loaded in {:.2f} s\n", read.size(), seconds_since(start)));
   PictureFolder pictures(folder);
   Table solutions{{"scene", "light", "visibility_m", "extent_m", "peak_range_m", "intensity"}, {}};
   std::vector<std::vector<SheetEntry>> sheet;
-  for (const std::string& name : scenes) {
-    const Clock::time_point scene_start = Clock::now();
-    const Scene scene = read_scene(name);
-    pictures.add_scene(scene.name, name);
+  for (const Scene& scene : read) {
     Renderer renderer(scene, settings.width, settings.height, settings.render);
-    report(fmt::format("{}: {} lights, loaded in {:.2f} s\n", scene.name, scene.lights.size(),
-                       seconds_since(scene_start)));
+    report(fmt::format("{}: {} lights\n", scene.name, scene.lights.size()));
     add_solutions(solutions, scene, settings.fog_mode);
     std::vector<double> visibilities{std::numeric_limits<double>::infinity()};
     visibilities.insert(visibilities.end(), scene.visibilities.begin(), scene.visibilities.end());

@@ -58,10 +58,11 @@ std::vector<std::unique_ptr<Renderer>> make_renderers(const Scene& scene, const 
 }
 
 /// The times of every path, in the paths' order.
-std::vector<FrameTimes> time_paths(const std::vector<std::unique_ptr<Renderer>>& renderers, int frames) {
+std::vector<FrameTimes> time_paths(const std::vector<std::unique_ptr<Renderer>>& renderers, int frames,
+                                   const std::string& scene) {
   std::vector<Renderer*> in_turn;
   for (const auto& renderer : renderers) in_turn.push_back(renderer.get());
-  return time_frames(in_turn, frames);
+  return time_frames(in_turn, FrameBudget::exactly(frames), scene);
 }
 
 SceneResult compare_scene(const Scene& scene, PictureFolder& pictures, const std::string& machine,
@@ -75,7 +76,7 @@ SceneResult compare_scene(const Scene& scene, PictureFolder& pictures, const std
   report(fmt::format("{}: {} lights, {}\n", scene.name, scene.lights.size(), result.conditions));
   auto renderers = make_renderers(scene, fog, settings);
   pictures.finish();  // encoding would take time from the frames
-  const std::vector<FrameTimes> times = time_paths(renderers, settings.frames);
+  const std::vector<FrameTimes> times = time_paths(renderers, settings.frames, scene.name);
   const auto paths = lighting_paths();
   const auto legacy = std::size_t(find_lighting_path("legacy") - paths.data());
   Sheet sheet;
@@ -112,15 +113,11 @@ SceneResult compare_scene(const Scene& scene, PictureFolder& pictures, const std
 
 void compare_paths(const std::vector<std::string>& scenes, const std::string& folder, const std::string& machine,
                    const PathComparisonSettings& settings) {
+  std::vector<Scene> read = read_scenes(scenes);  // what is wrong with one is said before minutes go into another
+  for (Scene& scene : read) turn_cookies(scene, settings.seconds);
   PictureFolder pictures(folder);
   const std::string page = pictures.path_of("index.html");
   expect_place_for_file(page);
-  std::vector<Scene> read;  // what is wrong with one is said before minutes go into another
-  for (const std::string& file : scenes) {
-    read.push_back(read_scene(file));
-    pictures.add_scene(read.back().name, file);
-    turn_cookies(read.back(), settings.seconds);
-  }
   std::vector<SceneResult> results;
   for (const Scene& scene : read) results.push_back(compare_scene(scene, pictures, machine, settings));
   pictures.finish();

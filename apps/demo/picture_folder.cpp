@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "picture_folder.h"
 
-#include <fmt/format.h>
-
 #include "exit_status.h"
 
 namespace litfog::demo {
@@ -11,11 +9,6 @@ PictureFolder::PictureFolder(const std::string& path) : path_(path) {
   std::error_code error;
   std::filesystem::create_directories(path_, error);
   if (error) throw CannotWrite(path + ": cannot be made: " + error.message());
-}
-
-void PictureFolder::add_scene(const std::string& name, const std::string& file) {
-  const auto [earlier, is_new] = scenes_.try_emplace(name, file);
-  if (!is_new) throw BadInput(fmt::format("{}: name = {}: must not be that of {} too", file, name, earlier->second));
 }
 
 void PictureFolder::write(const std::string& file, Picture picture) {

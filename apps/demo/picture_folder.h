@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <future>
-#include <map>
 #include <set>
 #include <string>
 
@@ -20,11 +19,6 @@ class PictureFolder {
   /// A file in the folder.
   std::string path_of(const std::string& file) const { return (path_ / file).string(); }
 
-  /// Throws BadInput where an earlier scene has that name, for their pictures would have one name too.
-  ///
-  /// file  the scene's, for the message
-  void add_scene(const std::string& name, const std::string& file);
-
   /// Writes a picture (write_picture) while the caller goes on; what the picture before it met is thrown here. Throws
   /// BadInput where the file has been written already: one scene may be named like another's picture.
   void write(const std::string& file, Picture picture);
@@ -34,7 +28,6 @@ class PictureFolder {
 
  private:
   std::filesystem::path path_;
-  std::map<std::string, std::string> scenes_;  // their files by their names
   std::set<std::string> files_;
   std::future<void> writing_;
 };

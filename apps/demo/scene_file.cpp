@@ -365,6 +365,19 @@ Scene read_scene(const std::string& path) {
   return is_gltf_path(path) ? read_gltf_scene(path) : SceneReader(path).take();
 }
 
+std::vector<Scene> read_scenes(const std::vector<std::string>& paths) {
+  std::vector<Scene> scenes;
+  for (const std::string& path : paths) {
+    scenes.push_back(read_scene(path));
+    const std::string& name = scenes.back().name;
+    const auto earlier = std::ranges::find(scenes, name, &Scene::name);
+    if (const auto i = std::size_t(earlier - scenes.begin()); i + 1 < scenes.size()) {
+      throw BadInput(fmt::format("{}: name = {}: must not be that of {} too", path, name, paths[i]));
+    }
+  }
+  return scenes;
+}
+
 std::vector<std::string> bundled_scenes() {
   std::vector<std::string> names;
   std::error_code missing;

@@ -49,6 +49,9 @@ namespace litfog::demo {
 /// Reads a scene file, or a glTF file (gltf_scene.h) by its ending. Throws BadInput.
 Scene read_scene(const std::string& path);
 
+/// Reads scenes whose pictures go into one folder. Throws BadInput, also where two have one name: their pictures would.
+std::vector<Scene> read_scenes(const std::vector<std::string>& paths);
+
 /// The scenes that come with litfog: names of files in data/scenes, sorted. Throws BadInput where there are none.
 std::vector<std::string> bundled_scenes();
 
