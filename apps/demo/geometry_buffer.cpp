@@ -22,13 +22,17 @@ bool is_complete() { return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAME
 
 }  // namespace
 
-const LightingPath& geometry_path() {
-  static const LightingPath kPath{
-      .name = "geometry",
-      .description = {},
-      .source = {},
-      .passes = {{.vertex = "surface.vert", .geometry = {}, .fragment = "geometry.frag", .shows_fog = false}}};
-  return kPath;
+const LightingPath& geometry_path(const LightingPath& beside) {
+  const auto make = [](std::string_view vertex, std::string_view geometry) {
+    return LightingPath{
+        .name = "geometry",
+        .description = {},
+        .source = {},
+        .passes = {{.vertex = vertex, .geometry = geometry, .fragment = "geometry.frag", .shows_fog = false}}};
+  };
+  static const LightingPath kDirect = make("surface.vert", {});
+  static const LightingPath kByGeometryShader = make("geometry_corner.vert", "geometry_corner.geom");
+  return beside.passes.front().geometry.empty() ? kDirect : kByGeometryShader;
 }
 
 GeometryBuffer::GeometryBuffer(int width, int height)

@@ -23,8 +23,8 @@ struct GeometrySample {
   friend bool operator==(const GeometrySample&, const GeometrySample&) = default;
 };
 
-/// The path that draws surfaces into a geometry buffer.
-const LightingPath& geometry_path();
+/// The path that draws surfaces into a geometry buffer with the samples that another path draws.
+const LightingPath& geometry_path(const LightingPath& beside);
 
 /// What the GPU rasterises of the scene's surfaces, sample by sample, as floats that can be read back: four samples a
 /// pixel where Framebuffer has four, so that the edges of surfaces are covered as in its pictures.

@@ -39,7 +39,6 @@ PictureError picture_error(const Picture& drawn, const ReferencePicture& referen
       beyond = std::max({beyond, shown(reference.least.rgb[i]) - value, value - shown(reference.most.rgb[i])});
     }
     error.beyond_maps = std::max(error.beyond_maps, beyond);
-    if (beyond > 1) ++error.far_beyond_maps;
     error.pixels.push_back(float(largest));
     error.largest = std::max(error.largest, largest);
     sum += largest;

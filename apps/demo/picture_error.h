@@ -19,9 +19,8 @@ struct PictureError {
   std::vector<float> pixels = {};  ///< the largest of the three channels' errors; -1 where the pixel is excepted
   double largest = 0;              ///< infinity where a pixel is not a number
   double mean = 0;
-  double beyond_maps = 0;  ///< the largest beyond what the path's light maps leave open; `largest` without maps
-  std::size_t far_beyond_maps = 0;  ///< pixels more than 1/255 beyond that
-  std::size_t excepted = 0;         ///< pixels at a jump of the model (ReferencePicture::is_at_jump)
+  double beyond_maps = 0;    ///< the largest beyond what the path's light maps leave open; `largest` without maps
+  std::size_t excepted = 0;  ///< pixels at a jump of the model (ReferencePicture::is_at_jump)
 };
 
 /// Compares two pictures of one size.

@@ -94,7 +94,7 @@ FrameCounts Renderer::draw(LightPoints light_points) {
 void Renderer::draw_geometry(const GeometryBuffer& geometry) {
   geometry.begin();
   glEnable(GL_CULL_FACE);
-  surfaces_.draw(geometry_path(), clip_from_world());
+  surfaces_.draw(geometry_path(*settings_.path), clip_from_world());
   gl::check_errors("drawing the geometry");
 }
 

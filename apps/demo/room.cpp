@@ -58,7 +58,7 @@ void add_side(Model& model, const Room& room, const glm::mat4& at) {
     append(part(model, "plaster"), make_panel(2.0f * half, niche.top - niche.bottom),
            glm::translate(at, glm::vec3(niche.left, niche.bottom, -kNicheDepth_m)));
     append(part(model, "stone"), make_bevelled_box({2.0f * half + 0.16f, 0.07f, kNicheDepth_m + 0.08f}, 0.015f),
-           glm::translate(at, glm::vec3(middle, niche.bottom - 0.07f, 0.04f - 0.5f * kNicheDepth_m)));
+           glm::translate(at, glm::vec3(middle, niche.bottom - 0.06f, 0.04f - 0.5f * kNicheDepth_m)));
   }
   append(part(model, "plaster"), make_wall(room.depth_m, room.wall_m, niches, kNicheDepth_m), at);
   for (int i = 0; i <= room.bays; ++i) {
