@@ -100,7 +100,8 @@ void add_axis(Script& script, char name, const Axis& axis, const std::vector<Ser
       most = std::max(most, name == 'x' ? point.x : point.y);
     }
   }
-  script.add("set format {} {}", name, axis.is_log && (least < 1e-4 || most > 1e5) ? "'10^{%T}'" : "'%g'");
+  const char* const format = axis.is_log && (least < 1e-4 || most > 1e5) ? "'10^{%T}'" : "'%g'";
+  script.add("set format {} {}", name, axis.label.empty() ? "''" : format);
 }
 
 const char* key_command(KeyPlace place) {
@@ -134,8 +135,9 @@ const char* label_command(LabelPlace place) {
 }
 
 std::string style_command(SeriesStyle style, std::size_t color) {
-  const std::string line = fmt::format("lc rgb '{}' lw 2", kPalette[color]);
-  const std::string mark = fmt::format("pt {} ps 1.1", kMarks[color]);
+  const std::size_t round = color / kPalette.size();  // the colours come again with other marks
+  const std::string line = fmt::format("lc rgb '{}' lw 2", kPalette[color % kPalette.size()]);
+  const std::string mark = fmt::format("pt {} ps 1.1", kMarks[(color + round) % kMarks.size()]);
   switch (style) {
     case SeriesStyle::line:
       return "lines " + line;
@@ -171,7 +173,7 @@ void add_chart(Script& script, const Chart& chart) {
     }
     plots += fmt::format("{} $series{} using 1:2 {} with {}", plots.empty() ? "plot" : ",", i,
                          series.name.empty() ? "notitle" : "title " + in_quotes(series.name),
-                         style_command(series.style, color % kPalette.size()));
+                         style_command(series.style, color));
   }
   script.add("{}", plots.empty() ? "set multiplot next" : plots);
 }

@@ -11,7 +11,7 @@
 ///     write_whole_file(path, draw_figure(figure, figure_format_of("--plot", path)));
 
 struct Axis {
-  std::string label;    ///< with its unit, "time (ns)"
+  std::string label;    ///< with its unit, "time (ns)"; empty: its values mean nothing, and are not written
   bool is_log = false;  ///< then every value must be > 0
   double least = 0;     ///< least and most shown; where both are 0, what the data needs
   double most = 0;
@@ -33,7 +33,8 @@ struct Series {
   std::string name = {};  ///< for the key; without a name it is not in it
   std::vector<PlotPoint> points = {};
   SeriesStyle style = SeriesStyle::line;
-  int color = -1;  ///< of eight that colour-blind readers can tell apart; -1: the next
+  int color = -1;  ///< of eight that colour-blind readers can tell apart, each with its mark, and again with other
+                   ///< marks; -1: the next
 };
 
 enum class KeyPlace { none, top_left, top_right, bottom_left, bottom_right, below };

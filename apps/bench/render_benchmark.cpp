@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -35,6 +36,8 @@ struct Trial {
   Setting setting;
   const LightingPath* path;
   FrameTimes times;
+  double over_legacy;                 // of the medians
+  double over_two_light_legacy;       // likewise
   std::optional<PictureError> error;  // none of the unlit pass, which has no formulas
 };
 
@@ -65,94 +68,74 @@ std::vector<const LightingPath*> measured_paths() {
   return paths;
 }
 
+/// The paths' frames, in turn; those of two-light legacy, too.
 std::vector<Trial> measure(const Setting& setting, const FrameBudget& budget, std::string_view what) {
-  const Scene scene = with_light_count(read_scene(bundled_scene_path(setting.scene)), setting.lights);
+  const Scene bundled = read_scene(bundled_scene_path(setting.scene));
+  const Scene scene = with_light_count(bundled, setting.lights);
+  const Scene two_lights = with_light_count(bundled, 2);
   const Fog fog = Fog::from_visibility(FogMode::exp, suggested_visibility(scene));
   std::vector<std::unique_ptr<Renderer>> renderers;
   std::vector<Renderer*> in_turn;
-  for (const LightingPath* path : measured_paths()) {
-    renderers.push_back(std::make_unique<Renderer>(scene, setting.width, setting.height,
+  const auto add = [&](const Scene& drawn, const LightingPath* path) {
+    renderers.push_back(std::make_unique<Renderer>(drawn, setting.width, setting.height,
                                                    RenderSettings{.skipping = setting.skipping, .path = path}));
     renderers.back()->set_fog(fog);
     in_turn.push_back(renderers.back().get());
-  }
-  std::vector<FrameTimes> times = time_frames(in_turn, budget, what);
+  };
+  const std::vector<const LightingPath*> paths = measured_paths();
+  for (const LightingPath* path : paths) add(scene, path);
+  const LightingPath* const legacy = find_lighting_path("legacy");
+  const auto legacy_at = std::size_t(std::ranges::find(paths, legacy) - paths.begin());
+  if (setting.lights != 2) add(two_lights, legacy);
+  const std::vector<FrameTimes> times = time_frames(in_turn, budget, what);
+  const double legacy_time = times[legacy_at].median();
+  const double two_light_time = setting.lights == 2 ? legacy_time : times.back().median();
   std::vector<Trial> trials;
-  for (std::size_t i = 0; i < renderers.size(); ++i) {
-    const LightingPath* path = renderers[i]->settings().path;
-    trials.push_back({setting, path, std::move(times[i]), std::nullopt});
-    if (path != &unlit_path()) trials.back().error = compare_with_reference(scene, fog, *renderers[i]).error;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const double time = times[i].median();
+    trials.push_back({setting, paths[i], times[i], time / legacy_time, time / two_light_time, std::nullopt});
+    if (paths[i] != &unlit_path()) trials.back().error = compare_with_reference(scene, fog, *renderers[i]).error;
     renderers[i].reset();
   }
   return trials;
 }
 
-class TrialList {
- public:
-  void add(std::vector<Trial> trials) {
-    for (Trial& trial : trials) trials_.push_back(std::move(trial));
-  }
-  const std::vector<Trial>& all() const { return trials_; }
-  /// Whether a trial is of the picture's scene and size: the first one's.
-  bool is_shown(const Trial& trial) const {
-    const Setting& shown = trials_.front().setting;
-    return trial.setting.scene == shown.scene && trial.setting.width == shown.width;
-  }
-  /// Milliseconds a frame of a path in a setting, where it was measured.
-  std::optional<double> time(const Setting& setting, std::string_view path) const {
-    const auto found = std::ranges::find_if(
-        trials_, [&](const Trial& trial) { return trial.setting == setting && trial.path->name == path; });
-    if (found == trials_.end()) return std::nullopt;
-    return found->times.median();
-  }
-  /// Over legacy's frame of another number of lights, else the same setting.
-  std::optional<double> over_legacy(const Trial& trial, std::size_t lights_of_legacy) const {
-    Setting setting = trial.setting;
-    setting.lights = lights_of_legacy;
-    const auto legacy = time(setting, "legacy");
-    if (!legacy) return std::nullopt;
-    return trial.times.median() / *legacy;
-  }
-
- private:
-  std::vector<Trial> trials_;
-};
-
-Table::Cell cell(std::optional<double> value) {
-  if (!value) return std::monostate{};
-  return *value;
+/// Whether a trial is of the picture's scene and size: the first one's.
+bool is_shown(const Trial& trial, const std::vector<Trial>& trials) {
+  const Setting& shown = trials.front().setting;
+  return trial.setting.scene == shown.scene && trial.setting.width == shown.width;
 }
 
-Table make_table(const TrialList& trials) {
+Table make_table(const std::vector<Trial>& trials) {
   Table table{{"scene", "path", "fog_light", "lights", "size", "skip", "ms_per_frame", "ms_spread", "ratio_to_legacy",
                "ratio_to_two_light_legacy", "max_error_255", "mean_error_255", "excepted_pixels"},
               {}};
-  for (const Trial& trial : trials.all()) {
+  for (const Trial& trial : trials) {
     const auto& [scene, lights, width, height, skipping] = trial.setting;
     const auto of_error = [&](auto member) {
       return trial.error ? Table::Cell(double((*trial.error).*member)) : Table::Cell(std::monostate{});
     };
     table.rows.push_back({scene, std::string(trial.path->name), "peak", double(lights),
                           fmt::format("{}x{}", width, height), skipping == Skipping::on ? "on" : "off",
-                          trial.times.median(), trial.times.spread(), cell(trials.over_legacy(trial, lights)),
-                          cell(trials.over_legacy(trial, 2)), of_error(&PictureError::largest),
-                          of_error(&PictureError::mean), of_error(&PictureError::excepted)});
+                          trial.times.median(), trial.times.spread(), trial.over_legacy, trial.over_two_light_legacy,
+                          of_error(&PictureError::largest), of_error(&PictureError::mean),
+                          of_error(&PictureError::excepted)});
   }
   return table;
 }
 
 /// Frame time over the number of lights in the scene of table 1, a line a path.
-Chart make_light_chart(const TrialList& trials, Skipping skipping) {
-  Chart chart{.title = fmt::format("{}, {}", trials.all().front().setting.scene,
+Chart make_light_chart(const std::vector<Trial>& trials, Skipping skipping) {
+  Chart chart{.title = fmt::format("{}, {}", trials.front().setting.scene,
                                    skipping == Skipping::on ? "what cannot show skipped" : "nothing skipped"),
               .x = {"lights", true},
               .y = {"wall time of a frame (ms)", true},
               .key = KeyPlace::top_left};
   for (const LightingPath* path : measured_paths()) {
     Series series{.name = std::string(path->name), .style = SeriesStyle::line_and_points};
-    for (const Trial& trial : trials.all()) {
+    for (const Trial& trial : trials) {
       const Setting& setting = trial.setting;
-      const bool belongs = trial.path == path && setting.skipping == skipping && trials.is_shown(trial);
+      const bool belongs = trial.path == path && setting.skipping == skipping && is_shown(trial, trials);
       if (belongs) series.points.push_back({double(setting.lights), trial.times.median()});
     }
     if (!series.points.empty()) chart.series.push_back(std::move(series));
@@ -171,7 +154,7 @@ constexpr Card kCards[] = {{"ATI Radeon X800 PRO", 1.0, 1.95},
                            {"Nvidia GeForce FX 5950", 1.847, 4.830}};
 
 /// Per pixel over legacy with two headlights: the paper's cards, then the paths here.
-Chart make_table_1(const TrialList& trials) {
+Chart make_table_1(const std::vector<Trial>& trials) {
   Chart chart{.title = "Hales 2004, table 1: two headlights, frame time over legacy",
               .x = {"frame time over legacy", false, 0, 6},
               .y = {"", false, 0, 0},
@@ -184,10 +167,10 @@ Chart make_table_1(const TrialList& trials) {
   double most = 3;
   for (const LightingPath* path : measured_paths()) {
     --row;
-    for (const Trial& trial : trials.all()) {
+    for (const Trial& trial : trials) {
       const Setting& setting = trial.setting;
-      if (trial.path != path || setting.lights != 2 || !trials.is_shown(trial)) continue;
-      const double ratio = *trials.over_legacy(trial, 2);
+      if (trial.path != path || setting.lights != 2 || !is_shown(trial, trials)) continue;
+      const double ratio = trial.over_legacy;
       most = std::max(most, ratio);
       const bool skips = setting.skipping == Skipping::on;
       here[skips].points.push_back({ratio, row, skips ? std::string(path->name) : std::string{}});
@@ -205,19 +188,21 @@ Chart make_table_1(const TrialList& trials) {
 
 Result measure_render(bool quick) {
   const gl::HeadlessContext context;
-  TrialList trials;
+  std::vector<Trial> trials;
   const std::vector<Setting> all = settings(quick);
   const FrameBudget budget = quick ? FrameBudget::exactly(3) : FrameBudget{.seconds = 20, .fewest = 3, .most = 25};
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto& [scene, lights, width, height, skipping] = all[i];
-    trials.add(measure(all[i], budget,
-                       fmt::format("{} of {}, {} with {} lights, {}x{}{}", i + 1, all.size(), scene, lights, width,
-                                   height, skipping == Skipping::off ? ", nothing skipped" : "")));
+    std::ranges::move(measure(all[i], budget,
+                              fmt::format("{} of {}: {}, {} {}, {}x{}{}", i + 1, all.size(), scene, lights,
+                                          lights == 1 ? "light" : "lights", width, height,
+                                          skipping == Skipping::off ? ", nothing skipped" : "")),
+                      std::back_inserter(trials));
   }
   Result result;
   result.table = make_table(trials);
   result.gl_renderer = context.renderer();
-  for (const Trial& trial : trials.all()) {
+  for (const Trial& trial : trials) {
     if (!trial.error) continue;
     // Unified states what is exact but for the rounding of floats and of the half-float framebuffer; all are finite.
     const bool is_unified = trial.path == &lighting_paths().front();

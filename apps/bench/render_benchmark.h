@@ -15,7 +15,7 @@ namespace litfog::bench {
 /// ms_per_frame         wall time: the median over frames, each drawn and waited for
 /// ms_spread            from their 10th to their 90th percentile
 /// ratio_to_legacy      of the medians; legacy's of the same scene, lights, size and skip, frames in turn
-/// ratio_to_two_light_legacy  of the medians; legacy's of two lights, else the same; empty where it was not measured
+/// ratio_to_two_light_legacy  of the medians; legacy's of two lights, else the same, in turn, too
 /// max_error_255, mean_error_255  against the path's plain formulas in double (shade_reference), in steps of an 8-bit
 ///                      colour channel; empty for unlit
 /// excepted_pixels      too close to a jump of the model to be compared
