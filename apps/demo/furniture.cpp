@@ -37,14 +37,17 @@ Model make_crate(const Crate& crate) {
            at);
   };
   const glm::mat4 middle = place({0.0f, 0.5f * s, 0.0f});
-  const float out = 0.5f * (s - thick);
+  const glm::vec3 out(0.0f, 0.0f, 0.5f * (s - thick));
+  // Frames meet along the edges: each of the three pairs is a little smaller than the last, so that none lie in one plane.
+  constexpr float kSmaller = 0.003f;
   for (int i = 0; i < 4; ++i) {
     const glm::mat4 turned = glm::rotate(middle, glm::half_pi<float>() * static_cast<float>(i), glm::vec3(0, 1, 0));
-    side(glm::translate(turned, glm::vec3(0.0f, 0.0f, out)));
+    const glm::vec3 scale(1.0f - kSmaller * static_cast<float>(i % 2));
+    side(glm::translate(glm::scale(turned, scale), out));
   }
   for (const float up : {-1.0f, 1.0f}) {
     const glm::mat4 turned = glm::rotate(middle, up * glm::half_pi<float>(), glm::vec3(1, 0, 0));
-    side(glm::translate(turned, glm::vec3(0.0f, 0.0f, out)));
+    side(glm::translate(glm::scale(turned, glm::vec3(1.0f - 2.0f * kSmaller)), out));
   }
   return model;
 }
