@@ -296,7 +296,9 @@ TEST_F(BenchMeasurement, RenderHasEveryPathBesideLegacyAndTheBareTexture) {
     const double legacy = paths["legacy"]["ms_per_frame"].get<double>();
     // Two-light legacy is timed again among the frames of other numbers of lights.
     const double two_lights = legacy / paths["legacy"]["ratio_to_two_light_legacy"].get<double>();
-    if (lights == 2) EXPECT_DOUBLE_EQ(two_lights, legacy);
+    if (lights == 2) {
+      EXPECT_DOUBLE_EQ(two_lights, legacy);
+    }
     for (const auto& [path, row] : paths) {
       const double ms = row["ms_per_frame"].get<double>();
       EXPECT_GT(ms, 0) << path;
