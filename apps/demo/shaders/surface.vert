@@ -9,5 +9,5 @@ out vec4 tangent;
 void main() {
   place_vertex();
   normal = world_normal();
-  tangent = vec4(normalize(world_direction(vertex_tangent.xyz)), vertex_tangent.w);
+  tangent = vec4(world_direction(vertex_tangent.xyz), vertex_tangent.w);
 }
