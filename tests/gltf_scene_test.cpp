@@ -324,6 +324,14 @@ TEST_F(GltfScene, RefusalsNamePlaceValueAndRule) {
   std::string bad_index = floor_bytes();
   bad_index[128] = 4;
   EXPECT_EQ(refusal(floor_scene(), bad_index), "meshes[0].primitives[0].indices = 3: must be those of given vertices");
+  json with_tangents = floor_scene();
+  with_tangents["meshes"][0]["primitives"][0]["attributes"]["TANGENT"] = 4;
+  with_tangents["accessors"].push_back({{"bufferView", 4}, {"componentType", 5126}, {"count", 4}, {"type", "VEC4"}});
+  with_tangents["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", 140}, {"byteLength", 64}});
+  with_tangents["buffers"][0]["byteLength"] = 204;
+  const std::vector<float> no_numbers(16, std::numeric_limits<float>::quiet_NaN());
+  EXPECT_EQ(refusal(with_tangents, floor_bytes() + std::string(reinterpret_cast<const char*>(no_numbers.data()), 64)),
+            "meshes[0].primitives[0].attributes = an object: must be finite and at most 10000000");
   const float infinity = std::numeric_limits<float>::infinity();
   for (const std::size_t at : {0, 48, 96}) {  // in a position, a normal and a texture coordinate
     std::string infinite = floor_bytes();

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "heat_map.h"
 #include "frame_times.h"
+#include "heat_map.h"
 #include "html_text.h"
 #include "material.h"
 

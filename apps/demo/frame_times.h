@@ -21,7 +21,7 @@ struct FrameTimes {
 /// "0.0987", "9.87", "41.2", "1234": milliseconds with three digits, or all before the point.
 std::string milliseconds_text(double milliseconds);
 
-/// How many frames to time: as many as fit into some seconds, but not fewer and not more than so many, both >= 1.
+/// How many frames to time: until so many seconds have gone, but not fewer and not more than so many, both >= 1.
 struct FrameBudget {
   double seconds;
   int fewest;

@@ -38,7 +38,8 @@ Model make_crate(const Crate& crate) {
   };
   const glm::mat4 middle = place({0.0f, 0.5f * s, 0.0f});
   const glm::vec3 out(0.0f, 0.0f, 0.5f * (s - thick));
-  // Frames meet along the edges: each of the three pairs is a little smaller than the last, so that none lie in one plane.
+  // Frames meet along the edges: each of the three pairs is a little smaller than the last, so that none lie in one
+  // plane.
   constexpr float kSmaller = 0.003f;
   for (int i = 0; i < 4; ++i) {
     const glm::mat4 turned = glm::rotate(middle, glm::half_pi<float>() * static_cast<float>(i), glm::vec3(0, 1, 0));

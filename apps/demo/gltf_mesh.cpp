@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "scene.h"
 
 namespace litfog::demo {
@@ -76,12 +74,12 @@ Mesh read_gltf_primitive(const GltfFile& file, const GltfPlace& place, const tin
   for (std::size_t i = 0; i < positions.count; ++i) {
     Vertex vertex{positions.vec3(i), glm::vec3(0, 1, 0), glm::vec4(0), glm::vec2(0)};
     if (normals.data) vertex.normal = normals.vec3(i);
-    has_tangents = has_tangents && glm::length(tangents.vec3(i)) > 0;
-    if (has_tangents) vertex.tangent = glm::vec4(tangents.vec3(i), tangents.at(i, 3) < 0 ? -1 : 1);
+    if (tangents.data) vertex.tangent = glm::vec4(tangents.vec3(i), tangents.at(i, 3) < 0 ? -1 : 1);
     if (uvs.data) vertex.uv = {uvs.at(i, 0), uvs.at(i, 1)};
     const bool is_sound = is_within_limits(vertex.position) && is_within_limits(vertex.normal) &&
                           is_within_limits(vertex.tangent) && is_within_limits(vertex.uv);
     if (!is_sound) file.refuse(place / "attributes", fmt::format("must be finite and at most {}", kMaxCoordinate));
+    has_tangents = has_tangents && glm::length(glm::vec3(vertex.tangent)) > 0;
     mesh.vertices.push_back(vertex);
   }
   read_indices(file, place, primitive, mesh);
