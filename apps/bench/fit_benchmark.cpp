@@ -14,11 +14,11 @@
 #include <vector>
 
 #include "bench/stopwatch.h"
-#include "falloff_reference.h"
+#include "reference/falloff_reference.h"
 #include "litfog/fit/attenuation_fit.h"
 #include "litfog/formulas.h"
-#include "progress.h"
-#include "random_light.h"
+#include "command/progress.h"
+#include "reference/random_light.h"
 
 namespace litfog::bench {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "scene.h"
+#include "scene/scene.h"
 
 namespace litfog::bench {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/light_mix.h"
 
-#include "random_light.h"
+#include "reference/random_light.h"
 
 namespace litfog::bench {
 

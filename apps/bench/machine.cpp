@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "bench/simd_target.h"
-#include "json_document.h"
+#include "command/json_document.h"
 
 namespace litfog::bench {
 namespace {

@@ -10,10 +10,10 @@
 #include <optional>
 
 #include "bench/light_count.h"
-#include "comparison.h"
-#include "frame_times.h"
+#include "measure/comparison.h"
+#include "measure/frame_times.h"
 #include "litfog/gl/headless_context.h"
-#include "scene_file.h"
+#include "scene/file/scene_file.h"
 
 namespace litfog::bench {
 namespace {

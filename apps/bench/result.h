@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "plot.h"
-#include "table.h"
+#include "command/plot.h"
+#include "command/table.h"
 
 namespace litfog::bench {
 

@@ -18,8 +18,8 @@
 #include "bench/stopwatch.h"
 #include "litfog/batch.h"
 #include "litfog/solve.h"
-#include "progress.h"
-#include "reference_solver.h"
+#include "command/progress.h"
+#include "reference/reference_solver.h"
 
 namespace litfog::bench {
 namespace {

@@ -6,7 +6,7 @@
 #include <array>
 #include <string>
 
-#include "quantile.h"
+#include "command/quantile.h"
 
 namespace litfog::bench {
 namespace {

@@ -14,9 +14,9 @@
 #include "bench/light_mix.h"
 #include "litfog/batch.h"
 #include "litfog/updater.h"
-#include "progress.h"
-#include "quantile.h"
-#include "random_light.h"
+#include "command/progress.h"
+#include "command/quantile.h"
+#include "reference/random_light.h"
 
 namespace litfog::bench {
 namespace {

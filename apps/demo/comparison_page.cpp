@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "comparison_page.h"
+#include "demo/comparison_page.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "frame_times.h"
-#include "heat_map.h"
-#include "html_text.h"
-#include "material.h"
+#include "measure/frame_times.h"
+#include "demo/heat_map.h"
+#include "demo/html_text.h"
+#include "scene/material.h"
 
 namespace litfog::demo {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lighting_path.h"
+#include "render/lighting_path.h"
 
 namespace litfog::demo {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "contact_sheet.h"
+#include "demo/contact_sheet.h"
 
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-#include "lettering.h"
+#include "demo/lettering.h"
 
 namespace litfog::demo {
 namespace {

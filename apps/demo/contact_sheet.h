@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "picture.h"
+#include "render/picture.h"
 
 namespace litfog::demo {
 

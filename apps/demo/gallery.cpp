@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gallery.h"
+#include "demo/gallery.h"
 
 #include <fmt/format.h>
 
@@ -8,11 +8,11 @@
 #include <limits>
 #include <tuple>
 
-#include "command.h"
-#include "contact_sheet.h"
-#include "picture_folder.h"
-#include "scene_file.h"
-#include "table.h"
+#include "command/command.h"
+#include "demo/contact_sheet.h"
+#include "demo/picture_folder.h"
+#include "scene/file/scene_file.h"
+#include "command/table.h"
 
 namespace litfog::demo {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer.h"
+#include "render/renderer.h"
 
 namespace litfog::demo {
 

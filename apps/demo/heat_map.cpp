@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "heat_map.h"
+#include "demo/heat_map.h"
 
 #include <OpenImageIO/color.h>
 #include <fmt/format.h>
@@ -9,7 +9,7 @@
 #include <glm/glm.hpp>
 #include <numbers>
 
-#include "lettering.h"
+#include "demo/lettering.h"
 
 namespace litfog::demo {
 namespace {

@@ -4,8 +4,8 @@
 #include <glm/vec3.hpp>
 #include <string>
 
-#include "picture.h"
-#include "picture_error.h"
+#include "render/picture.h"
+#include "measure/picture_error.h"
 
 namespace litfog::demo {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "html_text.h"
+#include "demo/html_text.h"
 
 #include <fmt/format.h>
 

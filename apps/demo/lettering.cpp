@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "lettering.h"
+#include "demo/lettering.h"
 
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>

@@ -4,7 +4,7 @@
 #include <glm/vec3.hpp>
 #include <string>
 
-#include "picture.h"
+#include "render/picture.h"
 
 namespace litfog::demo {
 

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "path_comparison.h"
+#include "demo/path_comparison.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <memory>
 
-#include "command.h"
-#include "comparison.h"
-#include "comparison_page.h"
-#include "contact_sheet.h"
-#include "frame_times.h"
-#include "heat_map.h"
-#include "picture_folder.h"
-#include "scene_file.h"
-#include "whole_file.h"
+#include "command/command.h"
+#include "measure/comparison.h"
+#include "demo/comparison_page.h"
+#include "demo/contact_sheet.h"
+#include "measure/frame_times.h"
+#include "demo/heat_map.h"
+#include "demo/picture_folder.h"
+#include "scene/file/scene_file.h"
+#include "command/whole_file.h"
 
 namespace litfog::demo {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "picture_folder.h"
+#include "demo/picture_folder.h"
 
-#include "exit_status.h"
+#include "command/exit_status.h"
 
 namespace litfog::demo {
 

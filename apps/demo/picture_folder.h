@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "picture.h"
+#include "render/picture.h"
 
 namespace litfog::demo {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cookie_file.h"
+#include "fit/cookie_file.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
-#include "exit_status.h"
-#include "whole_file.h"
+#include "command/exit_status.h"
+#include "command/whole_file.h"
 
 void write_cookie(const std::string& path, const litfog::Cookie& cookie) {
   OIIO::ImageSpec spec(cookie.size, 6 * cookie.size, 1, OIIO::TypeDesc::FLOAT);

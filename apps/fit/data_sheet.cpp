@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "data_sheet.h"
+#include "fit/data_sheet.h"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,8 @@
 #include <iterator>
 #include <utility>
 
-#include "angle_deg.h"
-#include "table.h"
+#include "command/angle_deg.h"
+#include "command/table.h"
 
 namespace {
 

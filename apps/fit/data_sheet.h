@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "light_fit.h"
+#include "fit/light_fit.h"
 
 /// A fitted light as a text to read: targets, what was fitted, how well and how that is known.
 std::string format_data_sheet(const LightFit& fit);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fit_figure.h"
+#include "fit/fit_figure.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "angle_deg.h"
+#include "command/angle_deg.h"
 
 namespace {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fit_record.h"
+#include "fit/fit_record.h"
 
 #include <nlohmann/json.hpp>
 
-#include "angle_deg.h"
+#include "command/angle_deg.h"
 
 namespace {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "light_fit.h"
+#include "fit/light_fit.h"
 
 /// What a light file says of its fit, the member "fit":
 ///

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "light_fit.h"
+#include "fit/light_fit.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <iterator>
 #include <numbers>
 
-#include "angle_deg.h"
+#include "command/angle_deg.h"
 
 using litfog::AttenuationFitStatus;
 using litfog::Cone;

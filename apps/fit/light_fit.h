@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "litfog/light.h"
-#include "spec_file.h"
+#include "fit/spec_file.h"
 
 /// A light made from its spec, with all that is known of the fits.
 struct LightFit {

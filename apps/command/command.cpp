@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command/command.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <stdexcept>
+
+#include "command/number.h"
+
+namespace {
+
+/// A file opened later must not become the standard output that the caller closed. Opened the wrong way round, so that
+/// using it fails as it would have.
+void occupy_closed_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (fcntl(stream, F_GETFD) != -1) continue;
+    if (open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) != stream) std::abort();
+  }
+}
+
+[[noreturn]] void fail_to_write() {
+  throw CannotWrite(std::string("standard output cannot be written: ") + std::strerror(errno));
+}
+
+void close_standard_output() {
+  if (std::fclose(stdout) != 0) fail_to_write();
+}
+
+ExitStatus parse_and_run(CLI::App& app, int argc, char** argv, const std::function<ExitStatus()>& run) {
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    write_standard_output(app.help());
+    return kDone;
+  } catch (const CLI::CallForVersion&) {
+    write_standard_output(app.get_name() + " " LITFOG_VERSION "\n");
+    return kDone;
+  }
+  return run();
+}
+
+}  // namespace
+
+void refuse_option(const std::string& name, std::string_view value, std::string_view rule) {
+  throw CLI::ValidationError(name + " = " + (value.empty() ? "\"\"" : std::string(value)) + ": " + std::string(rule));
+}
+
+CLI::Option* add_number(CLI::App& app, const std::string& name, double& target, NumberRule rule,
+                        const std::string& description) {
+  const auto parse = [&target, name, rule](const CLI::results_t& values) {
+    const auto number = parse_number(values.front());
+    if (!number || !rule.accepts(*number)) refuse_option(name, values.front(), rule.text);
+    target = *number;
+    return true;
+  };
+  return app.add_option(name, parse, description)->type_name("NUMBER");
+}
+
+CLI::Option* add_integer(CLI::App& app, const std::string& name, int& target, int least, int most,
+                         const std::string& description) {
+  const auto parse = [&target, name, least, most](const CLI::results_t& values) {
+    const auto number = parse_integer(values.front());
+    if (!number || *number < least || *number > most) {
+      refuse_option(name, values.front(),
+                    "must be an integer from " + std::to_string(least) + " to " + std::to_string(most));
+    }
+    target = *number;
+    return true;
+  };
+  return app.add_option(name, parse, description)->type_name("N");
+}
+
+CLI::Option* add_numbers(CLI::App& app, const std::string& name, std::vector<double>& target, NumberRule rule,
+                         const std::string& description) {
+  const auto parse = [&target, name, rule](const CLI::results_t& values) {
+    target.clear();
+    const std::string_view text = values.front();
+    for (std::size_t begin = 0; begin <= text.size();) {
+      const std::size_t end = std::min(text.find(',', begin), text.size());
+      const auto number = parse_number(text.substr(begin, end - begin));
+      if (!number || !rule.accepts(*number)) refuse_option(name, text.substr(begin, end - begin), rule.text);
+      target.push_back(*number);
+      begin = end + 1;
+    }
+    return true;
+  };
+  return app.add_option(name, parse, description)->type_name("NUMBER[,...]");
+}
+
+void write_standard_output(std::string_view text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) fail_to_write();
+}
+
+void report(std::string_view text) {
+  write_standard_output(text);
+  if (std::fflush(stdout) != 0) fail_to_write();
+}
+
+int run_command(CLI::App& app, int argc, char** argv, const std::function<ExitStatus()>& run) {
+  occupy_closed_standard_streams();
+  std::signal(SIGPIPE, SIG_IGN);  // a reader that went away is output that cannot be written: kCannotWrite
+  app.set_version_flag("--version", "");
+
+  const auto end = [&app](const std::string& message, ExitStatus status) {
+    std::fprintf(stderr, "%s: %s\n", app.get_name().c_str(), message.c_str());
+    return status;
+  };
+  try {
+    const ExitStatus status = parse_and_run(app, argc, argv, run);
+    close_standard_output();
+    return status;
+  } catch (const CLI::ParseError& error) {
+    return end(std::string(error.what()) + "; see " + app.get_name() + " --help", kUsage);
+  } catch (const BadInput& error) {
+    std::fprintf(stderr, "%s\n", error.what());  // starts with the file's name: editors can jump to it
+    return kBadInput;
+  } catch (const MissingCapability& error) {
+    return end(error.what(), kMissingCapability);
+  } catch (const CannotWrite& error) {
+    return end(error.what(), kCannotWrite);
+  } catch (const std::invalid_argument& error) {  // a refusal that no reader foresaw: the input asked for it
+    return end(error.what(), kBadInput);
+  } catch (const std::logic_error& error) {
+    return end(std::string("internal error: ") + error.what(), kInternalError);
+  } catch (const std::exception& error) {  // out of memory: the input asked for it
+    return end(error.what(), kBadInput);
+  }
+}

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "command/exit_status.h"
+
+/// What all commands share: their options' strictness, their standard output and the way they end.
+///
+///     int main(int argc, char** argv) {
+///       CLI::App app{"Computes this and that.", "litfog-this"};
+///       double threshold = 0.05;
+///       add_number(app, "--threshold", threshold, kOpenUnitInterval, "Attenuation at which a light ends");
+///       return run_command(app, argc, argv, [&] { write_standard_output("done\n"); return kDone; });
+///     }
+
+/// Which numbers an option takes, and how to say so.
+struct NumberRule {
+  bool (*accepts)(double);
+  const char* text;
+};
+inline constexpr NumberRule kNotNegative{[](double x) { return x >= 0; }, "must be a number >= 0 or inf"};
+inline constexpr NumberRule kFiniteNotNegative{[](double x) { return x >= 0 && x <= 1.7976931348623157e308; },
+                                               "must be a finite number >= 0"};
+inline constexpr NumberRule kOpenUnitInterval{[](double x) { return x > 0 && x < 1; }, "must be a number in (0, 1)"};
+
+/// Options whose value is checked as it is parsed; a refused one ends the command with status kUsage.
+CLI::Option* add_number(CLI::App& app, const std::string& name, double& target, NumberRule rule,
+                        const std::string& description);
+CLI::Option* add_integer(CLI::App& app, const std::string& name, int& target, int least, int most,
+                         const std::string& description);
+/// Numbers with commas between them.
+CLI::Option* add_numbers(CLI::App& app, const std::string& name, std::vector<double>& target, NumberRule rule,
+                         const std::string& description);
+
+/// Refuses an option's value: "--name = value: rule", status kUsage. For rules that only show after parsing, too.
+[[noreturn]] void refuse_option(const std::string& name, std::string_view value, std::string_view rule);
+
+/// An option that takes one of a few words.
+template <typename Choice>
+CLI::Option* add_choice(CLI::App& app, const std::string& name, Choice& target,
+                        std::vector<std::pair<std::string, Choice>> choices, const std::string& description) {
+  std::string words;
+  for (const auto& choice : choices) words += (words.empty() ? "" : "|") + choice.first;
+  const auto parse = [&target, name, words, choices = std::move(choices)](const CLI::results_t& values) {
+    for (const auto& [word, choice] : choices) {
+      if (word == values.front()) {
+        target = choice;
+        return true;
+      }
+    }
+    refuse_option(name, values.front(), "must be one of " + words);
+  };
+  return app.add_option(name, parse, description)->type_name(words);
+}
+
+/// Appends to standard output. Throws CannotWrite.
+void write_standard_output(std::string_view text);
+
+/// The same, shown at once, to a pipe too: what a command that takes a while has done so far. Throws CannotWrite.
+void report(std::string_view text);
+
+/// Parses the command line, runs the command, and turns whatever comes of it into one message on standard error and an
+/// exit status. Adds --help and --version. Standard output is closed at the end, so that a full disk is noticed.
+int run_command(CLI::App& app, int argc, char** argv, const std::function<ExitStatus()>& run);

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command/csv.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include "command/exit_status.h"
+
+namespace {
+
+constexpr std::size_t kMaxRecord = std::size_t{1} << 20;
+
+}  // namespace
+
+std::string_view CsvRecord::raw(std::size_t count) const {
+  count = std::min(count, fields_.size());
+  return std::string_view(raw_).substr(0, count == 0 ? 0 : fields_[count - 1].raw_end);
+}
+
+CsvReader::CsvReader(std::FILE* file, std::string name) : file_(file), name_(std::move(name)) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  peek();
+  if (std::string_view(buffer_.data(), filled_).starts_with(kByteOrderMark)) next_ = kByteOrderMark.size();
+}
+
+int CsvReader::peek() {
+  if (next_ == filled_) {
+    next_ = 0;
+    filled_ = std::fread(buffer_.data(), 1, buffer_.size(), file_);
+    if (filled_ == 0) {
+      if (std::ferror(file_)) throw BadInput(name_ + ": cannot be read: " + std::strerror(errno));
+      return kEnd;
+    }
+  }
+  return static_cast<unsigned char>(buffer_[next_]);
+}
+
+int CsvReader::take() {
+  const int byte = peek();
+  if (byte == kEnd) return kEnd;
+  ++next_;
+  if (byte == '\n') {
+    ++place_.line;
+    place_.column = 1;
+  } else if ((byte & 0xC0) != 0x80) {  // not within a code point
+    ++place_.column;
+  }
+  return byte;
+}
+
+bool CsvReader::read(CsvRecord& record) {
+  if (peek() == kEnd) return false;
+  const auto drop_content = [&record] {
+    record.text_.clear();
+    record.raw_.clear();
+    record.fields_.clear();
+  };
+  drop_content();
+  record.ends_in_crlf_ = false;
+  record.defect_ = nullptr;
+
+  const TextPlace start = place_;
+  enum class State { field_start, plain, quoted, quote_seen } state = State::field_start;
+  const auto note_defect = [&record](const char* rule, TextPlace place) {
+    if (record.defect_ == nullptr) {
+      record.defect_ = rule;
+      record.defect_place_ = place;
+    }
+  };
+  const auto begin_field = [&] { record.fields_.push_back({record.text_.size(), 0, 0, place_}); };
+  const auto end_field = [&] {
+    record.fields_.back().size = record.text_.size() - record.fields_.back().begin;
+    record.fields_.back().raw_end = record.raw_.size();
+    state = State::field_start;
+  };
+
+  bool is_too_long = false;
+  begin_field();
+  for (;;) {
+    const TextPlace place = place_;
+    const int taken = take();
+    const char byte = static_cast<char>(taken);
+    if (taken == kEnd || (state != State::quoted && (byte == '\n' || (byte == '\r' && peek() == '\n')))) {
+      if (taken == kEnd && state == State::quoted) {
+        note_defect("quote must be closed", record.fields_.back().place);
+        record.raw_ += '"';  // so that what is written behind stays outside
+      }
+      if (byte == '\r') {
+        record.ends_in_crlf_ = true;
+        take();
+      }
+      break;
+    }
+    if (record.raw_.size() == kMaxRecord) {  // read on to its end, but hold nothing of it
+      is_too_long = true;
+      drop_content();
+      begin_field();
+    }
+    if (state != State::quoted && byte == ',') {
+      end_field();
+      record.raw_ += byte;
+      begin_field();
+      continue;
+    }
+    record.raw_ += byte;
+    switch (state) {
+      case State::field_start:
+        state = byte == '"' ? State::quoted : State::plain;
+        if (state == State::plain) record.text_ += byte;
+        break;
+      case State::quoted:
+        if (byte == '"') {
+          state = State::quote_seen;
+        } else {
+          record.text_ += byte;
+        }
+        break;
+      case State::quote_seen:
+        record.text_ += byte;
+        if (byte == '"') {
+          state = State::quoted;
+        } else {
+          note_defect("quoted field must end at its quote", place);
+          state = State::plain;
+        }
+        break;
+      case State::plain:
+        record.text_ += byte;
+        break;
+    }
+  }
+  end_field();
+  if (is_too_long) {
+    drop_content();
+    record.defect_ = "record must not be longer than 1 MiB (is a quote left open?)";
+    record.defect_place_ = start;
+  }
+  return true;
+}
+
+std::string csv_quoted(std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == text.npos) return std::string(text);
+  std::string quoted = "\"";
+  for (const char byte : text) {
+    if (byte == '"') quoted += '"';
+    quoted += byte;
+  }
+  return quoted + "\"";
+}

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command/light_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <string_view>
+
+#include "command/angle_deg.h"
+
+namespace {
+
+using litfog::Cone;
+using litfog::Light;
+
+Cone parse_cone(const JsonValue& value) {
+  const JsonValue profile = value.member("profile");
+  if (profile.string() == "cosine") {
+    value.allow_only({"profile", "half_angle_deg", "exponent"});
+    return Cone::cosine(radians(value.member("half_angle_deg").number()), value.member("exponent").number());
+  }
+  if (profile.string() == "smoothstep") {
+    value.allow_only({"profile", "inner_deg", "outer_deg"});
+    return Cone::smoothstep(radians(value.member("inner_deg").number()), radians(value.member("outer_deg").number()));
+  }
+  profile.fail("must be \"cosine\" or \"smoothstep\"");
+}
+
+void check_source(const JsonValue& source) {
+  if (!source.is_array()) {
+    source.string();
+    return;
+  }
+  for (const JsonValue& item : source.items()) item.string();
+}
+
+/// Where the file's terms differ from the model's.
+struct FileTerm {
+  std::string_view field;
+  std::string_view path;
+  std::string_view rule;
+};
+constexpr std::array<FileTerm, 3> kFileTerms{{
+    {"cone.half_angle", "cone.half_angle_deg", "must be in (0, 90]"},
+    {"cone.inner", "cone.inner_deg", "must be in [0, outer_deg)"},
+    {"cone.outer", "cone.outer_deg", "must be in (0, 180]"},
+}};
+
+/// The cone as a member with what goes before it, nothing for a point light.
+std::string cone_member(const Cone& cone) {
+  switch (cone.profile) {
+    case litfog::ConeProfile::cosine:
+      return fmt::format(",\n  \"cone\": {{\"profile\": \"cosine\", \"half_angle_deg\": {}, \"exponent\": {}}}",
+                         degrees(cone.half_angle), cone.exponent);
+    case litfog::ConeProfile::smoothstep:
+      return fmt::format(",\n  \"cone\": {{\"profile\": \"smoothstep\", \"inner_deg\": {}, \"outer_deg\": {}}}",
+                         degrees(cone.inner), degrees(cone.outer));
+    case litfog::ConeProfile::none:
+      break;
+  }
+  return "";
+}
+
+}  // namespace
+
+void fail_light(const JsonValue& light, const litfog::Refusal& refusal) {
+  FileTerm term{refusal.field, refusal.field, refusal.rule};
+  for (const FileTerm& candidate : kFileTerms) {
+    if (candidate.field == term.field) term = candidate;
+  }
+  JsonValue value = light;
+  for (std::size_t begin = 0; begin < term.path.size();) {
+    const std::size_t end = std::min(term.path.find('.', begin), term.path.size());
+    const std::string_view name = term.path.substr(begin, end - begin);
+    if (value.is_array()) {
+      value = value.items()[std::string_view("rgb").find(name)];
+    } else if (const auto member = value.optional(name)) {
+      value = *member;
+    } else {  // refused because it is absent, which is 0
+      value.fail(value.path() + "." + std::string(name), "0", term.rule);
+    }
+    begin = end + 1;
+  }
+  value.fail(term.rule);
+}
+
+Light parse_light(const JsonValue& value) {
+  value.allow_only(
+      {"litfog", "version", "name", "source", "color", "attenuation", "threshold", "cone", "density_scale", "fit"});
+  if (value.optional("litfog") || value.optional("version")) expect_header(value, "light", 1);
+  if (const auto source = value.optional("source")) check_source(*source);
+
+  Light light;
+  if (const auto name = value.optional("name")) light.name = name->string();
+  if (const auto color = value.optional("color")) light.color = color->vec3();
+  const JsonValue attenuation = value.member("attenuation");
+  attenuation.allow_only({"constant", "linear", "quadratic"});
+  light.attenuation = {attenuation.number_or("constant", 0), attenuation.number_or("linear", 0),
+                       attenuation.number_or("quadratic", 0)};
+  light.threshold = value.number_or("threshold", light.threshold);
+  if (const auto cone = value.optional("cone")) light.cone = parse_cone(*cone);
+  light.density_scale = value.number_or("density_scale", light.density_scale);
+
+  if (const auto refusal = check(light)) fail_light(value, *refusal);
+  return light;
+}
+
+Light read_light(const std::string& path) {
+  const JsonValue root = read_json(path);
+  expect_header(root, "light", 1);
+  Light light = parse_light(root);
+  if (light.name.empty()) light.name = std::filesystem::path(path).stem().string();
+  return light;
+}
+
+std::string format_light(const Light& light, const std::vector<std::string>& source, std::string_view fit) {
+  std::string lines;
+  for (const std::string& line : source) lines += (lines.empty() ? "" : ",") + ("\n    " + json_quoted(line));
+  const auto& [constant, linear, quadratic] = light.attenuation;
+  return fmt::format("{{\n  \"litfog\": \"light\",\n  \"version\": 1,\n  \"name\": {}", json_quoted(light.name)) +
+         (lines.empty() ? "" : fmt::format(",\n  \"source\": [{}\n  ]", lines)) +
+         fmt::format(",\n  \"color\": [{}, {}, {}]", light.color.r, light.color.g, light.color.b) +
+         fmt::format(",\n  \"attenuation\": {{\"constant\": {}, \"linear\": {}, \"quadratic\": {}}}", constant, linear,
+                     quadratic) +
+         fmt::format(",\n  \"threshold\": {}", light.threshold) + cone_member(light.cone) +
+         (light.density_scale == 1 ? "" : fmt::format(",\n  \"density_scale\": {}", light.density_scale)) +
+         (fit.empty() ? "" : fmt::format(",\n  \"fit\": {}", fit)) + "\n}\n";
+}

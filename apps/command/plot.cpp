@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command/plot.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <iterator>
+#include <memory>
+#include <stdexcept>
+#include <string_view>
+
+#include "command/command.h"
+#include "command/exit_status.h"
+
+namespace {
+
+/// Okabe and Ito, "Color Universal Design" (2008), the dark ones first; marks differ too.
+constexpr std::array<const char*, 8> kPalette{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                                              "#000000", "#56B4E9", "#E69F00", "#888888"};
+constexpr std::array<int, 8> kMarks{7, 5, 9, 13, 11, 15, 6, 4};  // gnuplot's: disc, square, triangle, ...
+
+/// A text that gnuplot takes as it is: what could mean something to it stands as its octal code, and so does a digit
+/// behind a code, which gnuplot would read as one of the code's.
+std::string in_quotes(std::string_view text) {
+  std::string result = "\"";
+  bool is_behind_code = false;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool is_digit = c >= '0' && c <= '9';
+    const bool is_plain = byte >= 0x80 || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == ' ';
+    if (is_plain || (is_digit && !is_behind_code)) {
+      result += c;
+      is_behind_code = false;
+    } else {
+      result += fmt::format("\\{:03o}", byte < ' ' ? static_cast<unsigned char>(' ') : byte);
+      is_behind_code = true;
+    }
+  }
+  return result + "\"";
+}
+
+void expect_shown(double value, const Axis& axis) {
+  if (std::isfinite(value) && (!axis.is_log || value > 0)) return;
+  throw std::invalid_argument(
+      fmt::format("{} = {}: must be finite{}", axis.label, value, axis.is_log ? " and > 0 on a logarithmic axis" : ""));
+}
+
+void check(const Figure& figure) {
+  std::size_t count = 0;
+  for (const Chart& chart : figure.charts) {
+    for (const Series& series : chart.series) {
+      for (const PlotPoint& point : series.points) {
+        expect_shown(point.x, chart.x);
+        expect_shown(point.y, chart.y);
+        ++count;
+      }
+    }
+  }
+  if (count == 0) throw std::invalid_argument("figure: must have points");
+}
+
+class Script {
+ public:
+  template <typename... Arguments>
+  void add(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+    fmt::format_to(std::back_inserter(text_), format, std::forward<Arguments>(arguments)...);
+    text_ += '\n';
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+/// name is gnuplot's: x or y.
+void add_axis(Script& script, char name, const Axis& axis, const std::vector<Series>& series) {
+  script.add("set {}label {} noenhanced", name, in_quotes(axis.label));
+  script.add("{} logscale {}", axis.is_log ? "set" : "unset", name);
+  if (axis.least == 0 && axis.most == 0) {
+    script.add("set {}range [*:*]", name);
+  } else {
+    script.add("set {}range [{}:{}]", name, axis.least, axis.most);
+  }
+  // 1000 is easier to read than 10^3, and 10^-9 than 1e-09.
+  double least = axis.least > 0 ? axis.least : 1;
+  double most = axis.most > 0 ? axis.most : 1;
+  for (const Series& one : series) {
+    for (const PlotPoint& point : one.points) {
+      least = std::min(least, name == 'x' ? point.x : point.y);
+      most = std::max(most, name == 'x' ? point.x : point.y);
+    }
+  }
+  const char* const format = axis.is_log && (least < 1e-4 || most > 1e5) ? "'10^{%T}'" : "'%g'";
+  script.add("set format {} {}", name, axis.label.empty() ? "''" : format);
+}
+
+const char* key_command(KeyPlace place) {
+  switch (place) {
+    case KeyPlace::none:
+      return "unset key";
+    case KeyPlace::top_left:
+      return "set key inside top left Left reverse noenhanced";
+    case KeyPlace::top_right:
+      return "set key inside top right noenhanced";
+    case KeyPlace::bottom_left:
+      return "set key inside bottom left Left reverse noenhanced";
+    case KeyPlace::bottom_right:
+      return "set key inside bottom right noenhanced";
+    case KeyPlace::below:
+      break;
+  }
+  return "set key outside bottom center horizontal Left reverse noenhanced";
+}
+
+const char* label_command(LabelPlace place) {
+  switch (place) {
+    case LabelPlace::right:
+      return "left offset character 0.9, 0.4";
+    case LabelPlace::above:
+      return "center offset character 0, 0.9";
+    case LabelPlace::below:
+      break;
+  }
+  return "center offset character 0, -0.9";
+}
+
+std::string style_command(SeriesStyle style, std::size_t color) {
+  const std::size_t round = color / kPalette.size();  // the colours come again with other marks
+  const std::string line = fmt::format("lc rgb '{}' lw 2", kPalette[color % kPalette.size()]);
+  const std::string mark = fmt::format("pt {} ps 1.1", kMarks[(color + round) % kMarks.size()]);
+  switch (style) {
+    case SeriesStyle::line:
+      return "lines " + line;
+    case SeriesStyle::points:
+      return "points " + line + " " + mark;
+    case SeriesStyle::line_and_points:
+      return "linespoints " + line + " " + mark;
+    case SeriesStyle::dashes:
+      break;
+  }
+  return "lines dt 2 " + line;
+}
+
+void add_chart(Script& script, const Chart& chart) {
+  script.add("set title {} noenhanced", in_quotes(chart.title));
+  add_axis(script, 'x', chart.x, chart.series);
+  add_axis(script, 'y', chart.y, chart.series);
+  script.add("{}", key_command(chart.key));
+  script.add("unset label");
+  std::string plots;
+  std::size_t next_color = 0;
+  for (std::size_t i = 0; i < chart.series.size(); ++i) {
+    const Series& series = chart.series[i];
+    const std::size_t color = series.color < 0 ? next_color++ : static_cast<std::size_t>(series.color);
+    if (series.points.empty()) continue;
+    script.add("$series{} << END", i);
+    for (const PlotPoint& point : series.points) script.add("{} {}", point.x, point.y);
+    script.add("END");
+    for (const PlotPoint& point : series.points) {
+      if (point.label.empty()) continue;
+      script.add("set label {} at first {}, first {} {} noenhanced front textcolor rgb '{}'", in_quotes(point.label),
+                 point.x, point.y, label_command(point.label_place), kPalette[color % kPalette.size()]);
+    }
+    plots += fmt::format("{} $series{} using 1:2 {} with {}", plots.empty() ? "plot" : ",", i,
+                         series.name.empty() ? "notitle" : "title " + in_quotes(series.name),
+                         style_command(series.style, color));
+  }
+  script.add("{}", plots.empty() ? "set multiplot next" : plots);
+}
+
+std::string script_of(const Figure& figure, FigureFormat format) {
+  const int columns = std::max(figure.columns, 1);
+  const auto rows = (static_cast<int>(figure.charts.size()) + columns - 1) / columns;
+  Script script;
+  script.add("set encoding utf8");
+  script.add("set terminal {} enhanced size {},{} font 'DejaVu Sans,12' background rgb 'white'",
+             format == FigureFormat::png ? "pngcairo" : "svg", figure.width, figure.height);
+  script.add("set output");  // standard output
+  script.add("set grid lt 1 lc rgb '#DDDDDD' lw 1");
+  script.add("set multiplot layout {},{} rowsfirst title {} noenhanced", rows, columns, in_quotes(figure.title));
+  for (const Chart& chart : figure.charts) add_chart(script, chart);
+  script.add("unset multiplot");
+  return script.text();
+}
+
+using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+/// Without a name, gone when closed.
+File temporary_file() {
+  File file(std::tmpfile(), std::fclose);
+  if (!file) throw CannotWrite(fmt::format("temporary file cannot be written: {}", std::strerror(errno)));
+  return file;
+}
+
+std::string contents_of(std::FILE* file) {
+  std::string text;
+  std::rewind(file);
+  std::array<char, 4096> buffer;
+  while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file)) text.append(buffer.data(), count);
+  return text;
+}
+
+/// What gnuplot writes to its standard output. No shell and no file name takes part, so that no text can be a command.
+std::string run_gnuplot(const std::string& script) {
+  const File input = temporary_file();
+  const File output = temporary_file();
+  const File messages = temporary_file();
+  if (std::fwrite(script.data(), 1, script.size(), input.get()) != script.size() || std::fflush(input.get()) != 0) {
+    throw CannotWrite(fmt::format("temporary file cannot be written: {}", std::strerror(errno)));
+  }
+  std::rewind(input.get());
+
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, fileno(input.get()), STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, fileno(output.get()), STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, fileno(messages.get()), STDERR_FILENO);
+  std::string program = "gnuplot";
+  std::string defaults = "--default-settings";  // the user's start-up file is not ours
+  std::array<char*, 3> arguments{program.data(), defaults.data(), nullptr};
+  pid_t process = 0;
+  const int error = posix_spawnp(&process, program.c_str(), &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (error != 0) {
+    throw MissingCapability(fmt::format("gnuplot cannot be run: {}; install gnuplot-nox", std::strerror(error)));
+  }
+  int status = 0;
+  while (waitpid(process, &status, 0) < 0) {
+    if (errno != EINTR) throw MissingCapability(fmt::format("gnuplot cannot be run: {}", std::strerror(errno)));
+  }
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+    throw MissingCapability("gnuplot failed: " + contents_of(messages.get()));
+  }
+  return contents_of(output.get());
+}
+
+}  // namespace
+
+FigureFormat figure_format_of(const std::string& option, const std::string& path) {
+  const std::string ending = std::filesystem::path(path).extension().string();
+  if (ending == ".png") return FigureFormat::png;
+  if (ending == ".svg") return FigureFormat::svg;
+  refuse_option(option, path, "must end in .png or .svg");
+}
+
+void require_plotter() { run_gnuplot("set terminal pngcairo\n"); }
+
+std::string draw_figure(const Figure& figure, FigureFormat format) {
+  check(figure);
+  std::string picture = run_gnuplot(script_of(figure, format));
+  // A full temporary folder is not seen in gnuplot's exit status.
+  const bool is_whole = format == FigureFormat::png ? picture.ends_with(std::string_view("IEND\xAE\x42\x60\x82", 8))
+                                                    : picture.find("</svg>") != std::string::npos;
+  if (!is_whole) throw CannotWrite("picture cannot be written: gnuplot did not finish it");
+  return picture;
+}

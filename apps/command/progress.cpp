@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command/progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+using Clock = std::chrono::steady_clock;
+
+Progress::Progress() : is_watched_(isatty(STDERR_FILENO) != 0), next_(Clock::now() + std::chrono::seconds(2)) {}
+
+Progress::~Progress() {
+  if (is_shown_) std::fputs("\r\x1B[K", stderr);
+}
+
+void Progress::show(std::string_view text) {
+  if (!is_watched_ || Clock::now() < next_) return;
+  next_ = Clock::now() + std::chrono::milliseconds(200);
+  fmt::print(stderr, "\r\x1B[K{}", text);
+  is_shown_ = true;
+}

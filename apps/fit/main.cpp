@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: Apache-2.0
+// litfog-fit: makes lights from data sheets.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "command/angle_deg.h"
+#include "command/command.h"
+#include "fit/cookie_file.h"
+#include "fit/data_sheet.h"
+#include "fit/fit_figure.h"
+#include "fit/fit_record.h"
+#include "fit/light_fit.h"
+#include "command/json_document.h"
+#include "command/light_file.h"
+#include "litfog/attenuation.h"
+#include "command/plot.h"
+#include "command/progress.h"
+#include "fit/spec_file.h"
+#include "command/table.h"
+#include "command/whole_file.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using litfog::ConeChoice;
+
+constexpr const char* kDescription =
+    R"(Makes a light from its data sheet: the constants C, L, Q of its attenuation 1 / (C + L r + Q r^2), and a cone.
+
+  litfog-fit SPEC.json|FILE.ies|FILE.ldt  [-o LIGHT.json] [--plot FILE.png|.svg] [OPTIONS]
+  litfog-fit INPUT INPUT...                -o FOLDER      [OPTIONS]
+)";
+
+constexpr const char* kExplanation =
+    R"(A light spec is JSON. Give it what is known; every member but range or cone may be left out:
+
+  {"litfog": "light-spec", "version": 1, "name": "landing lamp",
+   "source": "the maker's data sheet", "color": [1, 0.9, 0.8],
+   "range": {"extent_m": 450, "threshold": 0.05,
+             "samples": [{"range_m": 100, "attenuation": 0.5}, {"range_m": 300, "attenuation": 0.1}]},
+   "cone": {"beam_angle_deg": 11, "field_angle_deg": 22}}
+
+Range. extent_m is where the attenuation is to be the threshold (0.05 if not given) and is met exactly. constant fixes C.
+samples are a falloff table; the fit minimises sum weight * (ln a(r) - ln attenuation)^2 with C, L, Q >= 0. An extent
+alone is met by C = 1 and the family: quadratic (if not given), linear or mixed.
+
+Cone. beam_angle_deg and field_angle_deg are the full angles at 50 % and 10 % of the peak; samples are angle_deg from the
+axis and intensity in any unit; half_angle_deg is where the light ends; photometry names an IES or EULUMDAT file in place
+of samples. The fit minimises sum weight * (cone - intensity/peak)^2. profile is cosine (cos^S u for u < H), smoothstep
+(inner to outer), or best: both are fitted and shown, the better one is the light's.
+
+A photometric file (IES LM-63 of any edition, EULUMDAT) is a light without a spec: its cone is fitted to the intensities
+at the file's own angles, each of weight 1, as the mean over the turn about the photometric axis; it is white; and it
+ends, at the threshold 0.05, where its peak gives 1 lx: C = 1, Q = (1/0.05 - 1) / (peak in cd / 1 lx). A spec with
+photometry and no range ends there, too. A beam that is not round is reported with a measure of it, and --cookie keeps
+its shape as a cube map.
+
+The optimum is the global one and is shown to be: the report has the bound below which nothing is.
+
+Examples:
+  litfog-fit landing-lamp.json                                the report
+  litfog-fit landing-lamp.json -o light.json --plot fit.png   the light, which litfog-solve and litfog-demo read
+  litfog-fit flood.ies -o flood.json --cookie flood.exr --cookie-size 128
+  litfog-fit specs/*.json lamps/*.ldt -o lights               a light each, and a table of all
+
+Exit status: 0 done; 1 wrong command line; 2 bad input, named file:line:column on standard error; 3 --plot without
+gnuplot; 4 output cannot be written; 5 a target that cannot be met, or an optimum that could not be shown: the best light
+is written. Of several inputs the worst.)";
+
+struct Options {
+  std::vector<std::string> inputs;
+  std::string output;
+  std::optional<ConeChoice> profile;
+  bool is_robust = false;
+  std::string plot;
+  std::string cookie;
+  int cookie_size = 256;
+  bool is_reproducible = false;
+  TableFormat format = TableFormat::text;
+};
+
+/// One input and what became of it.
+struct Outcome {
+  std::string input;
+  std::string output;  ///< empty for none
+  std::optional<LightFit> fit;
+  std::string light;   ///< text of its file
+  std::string reason;  ///< of a refusal
+  ExitStatus status = kDone;
+};
+
+bool is_spec(const std::string& path) { return fs::path(path).extension() == ".json"; }
+
+/// From harmless to grave.
+int gravity(ExitStatus status) {
+  switch (status) {
+    case kDone:
+      return 0;
+    case kNotToTolerance:
+      return 1;
+    case kBadInput:
+      return 2;
+    default:
+      return 3;
+  }
+}
+
+/// Where each input's light goes, before any work is done.
+std::vector<Outcome> plan(const Options& options) {
+  std::error_code error;
+  const bool is_folder = fs::is_directory(options.output, error);
+  if (options.inputs.size() > 1) {
+    if (!options.output.empty() && !is_folder)
+      refuse_option("-o", options.output, "must be a folder for several inputs");
+    if (!options.plot.empty()) refuse_option("--plot", options.plot, "must be given with a single input");
+    if (!options.cookie.empty()) refuse_option("--cookie", options.cookie, "must be given with a single input");
+  }
+  std::vector<Outcome> outcomes;
+  std::map<std::string, std::string> inputs;  // by output
+  for (const std::string& input : options.inputs) {
+    Outcome& outcome = outcomes.emplace_back();
+    outcome.input = input;
+    if (options.output.empty()) continue;
+    outcome.output =
+        is_folder ? (fs::path(options.output) / fs::path(input).stem()).string() + ".json" : options.output;
+    const auto [other, is_new] = inputs.emplace(outcome.output, input);
+    if (!is_new) {
+      refuse_option("-o", options.output, fmt::format("must not take {} and {} as one file", other->second, input));
+    }
+    if (fs::equivalent(input, outcome.output, error)) {
+      refuse_option("-o", options.output, "must not be in place of the input " + input);
+    }
+    expect_place_for_file(outcome.output);
+  }
+  return outcomes;
+}
+
+void fit(const Options& options, Outcome& outcome) {
+  LightSpec spec = is_spec(outcome.input)
+                       ? read_spec(outcome.input, options.profile)
+                       : read_photometric_spec(outcome.input, options.profile.value_or(ConeChoice::best));
+  if (!options.cookie.empty() && !spec.luminaire) {
+    throw BadInput(fmt::format("{}: cone.photometry: must be given for a cookie", outcome.input));
+  }
+  outcome.fit = fit_light(std::move(spec), options.is_robust);
+  outcome.light =
+      format_light(outcome.fit->light, outcome.fit->spec.source, fit_record(*outcome.fit, !options.is_reproducible));
+  if (!outcome.fit->is_proved()) outcome.status = kNotToTolerance;
+}
+
+std::string status_of(const Outcome& outcome) {
+  if (!outcome.fit) return "refused";
+  const auto& [range, cone] = std::pair(outcome.fit->range, outcome.fit->cone);
+  if (range && range->status != litfog::AttenuationFitStatus::optimal) return name_of(range->status);
+  return cone ? name_of(cone->best().status) : "optimal";
+}
+
+/// Why the status is 5, in a sentence.
+void report_shortfall(const Outcome& outcome) {
+  if (outcome.status != kNotToTolerance) return;
+  const LightFit& fit = *outcome.fit;
+  if (fit.range && fit.range->status != litfog::AttenuationFitStatus::optimal) {
+    fmt::print(stderr, "{}: range: {}: {}\n", outcome.input, name_of(fit.range->status), fit.range->sentence);
+  }
+  if (fit.cone && fit.cone->best().status != litfog::ConeFitStatus::optimal) {
+    fmt::print(stderr, "{}: cone: unproven: its objective is {:.6g}, another may have {:.6g}\n", outcome.input,
+               fit.cone->best().objective, fit.cone->best().lower_bound);
+  }
+}
+
+std::string json_of(const Outcome& outcome) {
+  std::string advice;
+  if (outcome.fit) {
+    for (const std::string& sentence : outcome.fit->advice())
+      advice += (advice.empty() ? "" : ", ") + json_quoted(sentence);
+  }
+  std::string text =
+      fmt::format("{{\"input\": {}, \"output\": {}, \"status\": \"{}\", \"reason\": {},\n\"advice\": [{}],\n",
+                  json_quoted(outcome.input), outcome.output.empty() ? "null" : json_quoted(outcome.output),
+                  status_of(outcome), outcome.reason.empty() ? "null" : json_quoted(outcome.reason), advice);
+  text += "\"light\": " + (outcome.fit ? outcome.light : std::string("null"));
+  while (text.ends_with('\n')) text.pop_back();
+  return text + "}";
+}
+
+Table summary_of(const std::vector<Outcome>& outcomes) {
+  Table table{.columns = {"input", "extent_m", "constant", "linear", "quadratic", "cone", "first", "second", "rms_%",
+                          "status"}};
+  for (const Outcome& outcome : outcomes) {
+    auto& row = table.rows.emplace_back();
+    row.emplace_back(outcome.input);
+    if (outcome.fit) {
+      const litfog::Light& light = outcome.fit->light;
+      const auto& [constant, linear, quadratic] = light.attenuation;
+      for (const double number : {extent(light.attenuation, light.threshold), constant, linear, quadratic}) {
+        row.emplace_back(number);
+      }
+      switch (light.cone.profile) {
+        case litfog::ConeProfile::none:
+          row.insert(row.end(), {"none", std::monostate(), std::monostate(), std::monostate()});
+          break;
+        case litfog::ConeProfile::cosine:
+          row.insert(row.end(), {"cosine", degrees(light.cone.half_angle), light.cone.exponent});
+          row.emplace_back(100 * outcome.fit->cone->best().rms);
+          break;
+        case litfog::ConeProfile::smoothstep:
+          row.insert(row.end(), {"smoothstep", degrees(light.cone.inner), degrees(light.cone.outer)});
+          row.emplace_back(100 * outcome.fit->cone->best().rms);
+          break;
+      }
+    }
+    row.resize(table.columns.size() - 1, std::monostate());
+    row.emplace_back(status_of(outcome));
+  }
+  return table;
+}
+
+std::string report_of(const std::vector<Outcome>& outcomes, TableFormat format) {
+  if (format == TableFormat::json) {
+    std::string text;
+    for (const Outcome& outcome : outcomes) text += (text.empty() ? "[\n" : ",\n") + json_of(outcome);
+    return text + "\n]\n";
+  }
+  if (outcomes.size() > 1) return format_table(summary_of(outcomes), TableFormat::text);
+  return outcomes.front().fit ? format_data_sheet(*outcomes.front().fit) : "";
+}
+
+ExitStatus run(const Options& options) {
+  std::optional<FigureFormat> figure_format;
+  if (!options.plot.empty()) figure_format = figure_format_of("--plot", options.plot);
+  if (!options.cookie.empty() && fs::path(options.cookie).extension() != ".exr") {
+    refuse_option("--cookie", options.cookie, "must end in .exr");
+  }
+  std::vector<Outcome> outcomes = plan(options);
+  for (const std::string* file : {&options.plot, &options.cookie}) {
+    if (!file->empty()) expect_place_for_file(*file);
+  }
+  if (figure_format) require_plotter();
+
+  ExitStatus worst = kDone;
+  {
+    Progress progress;
+    for (Outcome& outcome : outcomes) {
+      progress.show(fmt::format("{} of {}: {}", &outcome - outcomes.data() + 1, outcomes.size(), outcome.input));
+      try {
+        fit(options, outcome);
+        std::string figure;
+        if (figure_format) figure = draw_figure(fit_figure(*outcome.fit), *figure_format);
+        if (!outcome.output.empty()) write_whole_file(outcome.output, outcome.light);
+        if (figure_format) write_whole_file(options.plot, figure);
+        if (!options.cookie.empty()) {
+          write_cookie(options.cookie, bake_cookie(outcome.fit->spec.luminaire->distribution, options.cookie_size));
+        }
+      } catch (const BadInput& error) {
+        outcome.reason = error.what();
+        outcome.status = kBadInput;
+      }
+      if (gravity(outcome.status) > gravity(worst)) worst = outcome.status;
+    }
+  }
+  for (const Outcome& outcome : outcomes) {
+    if (!outcome.reason.empty()) fmt::print(stderr, "{}\n", outcome.reason);
+    report_shortfall(outcome);
+  }
+  // A single refused input has nothing to show.
+  if (outcomes.size() > 1 || outcomes.front().fit) write_standard_output(report_of(outcomes, options.format));
+  return worst;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App app{kDescription, "litfog-fit"};
+  app.footer(kExplanation);
+  app.add_option("input", options.inputs, "Light specs (.json) and photometric files (.ies, .ldt)")
+      ->type_name("FILE...")
+      ->required();
+  app.add_option("-o,--output", options.output,
+                 "Write the light here; of several inputs, NAME.json each in this folder")
+      ->type_name("FILE|FOLDER");
+  ConeChoice profile = ConeChoice::best;
+  add_choice<ConeChoice>(
+      app, "--profile", profile,
+      {{"cosine", ConeChoice::cosine}, {"smoothstep", ConeChoice::smoothstep}, {"best", ConeChoice::best}},
+      "Cone profile, in place of the spec's own");
+  app.add_flag("--robust", options.is_robust, "For measured falloff tables: samples that lie far off count less");
+  app.add_option("--plot", options.plot, "Draw targets, fits and errors over range and angle")
+      ->type_name("FILE.png|FILE.svg");
+  app.add_option("--cookie", options.cookie,
+                 "Write the beam of a photometric file as a cube map, six faces in a column")
+      ->type_name("FILE.exr");
+  add_integer(app, "--cookie-size", options.cookie_size, 1, 4096, "Edge of a face in texels, 256 if not given");
+  app.add_flag("--reproducible", options.is_reproducible,
+               "Leave the time out of the light's \"fit\": same input, same file");
+  add_choice<TableFormat>(app, "--format", options.format, {{"text", TableFormat::text}, {"json", TableFormat::json}},
+                          "Report's format, text if not given");
+  return run_command(app, argc, argv, [&] {
+    if (app.count("--profile") > 0) options.profile = profile;
+    if (app.count("--cookie-size") > 0 && options.cookie.empty()) {
+      throw CLI::ValidationError("--cookie-size needs --cookie");
+    }
+    return run(options);
+  });
+}

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "measure/frame_times.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <chrono>
+
+#include "command/progress.h"
+#include "command/quantile.h"
+
+namespace litfog::demo {
+
+double FrameTimes::median() const { return quantile(milliseconds, 0.5); }
+
+double FrameTimes::spread() const { return quantile(milliseconds, 0.9) - quantile(milliseconds, 0.1); }
+
+std::string milliseconds_text(double milliseconds) {
+  int decimals = 0;
+  for (double least = 99.95; milliseconds < least && decimals < 6; least /= 10) ++decimals;
+  return fmt::format("{:.{}f}", milliseconds, decimals);
+}
+
+std::vector<FrameTimes> time_frames(const std::vector<Renderer*>& renderers, const FrameBudget& budget,
+                                    std::string_view what) {
+  using Clock = std::chrono::steady_clock;
+  assert(budget.fewest >= 1 && budget.fewest <= budget.most);
+  std::vector<FrameTimes> times(renderers.size());
+  Progress progress;
+  Clock::time_point first_timed;
+  const auto is_enough = [&](int timed) {
+    if (timed < budget.fewest) return false;
+    return timed == budget.most || Clock::now() - first_timed >= std::chrono::duration<double>(budget.seconds);
+  };
+  for (int timed = -1; !is_enough(timed); ++timed) {  // the first is not
+    if (timed == 0) first_timed = Clock::now();
+    for (std::size_t i = 0; i < renderers.size(); ++i) {
+      progress.show(fmt::format("{}: {}, {} of {}", what,
+                                timed < 0 ? "first frames" : fmt::format("timing frames {}", timed + 1), i + 1,
+                                renderers.size()));
+      const auto start = Clock::now();
+      times[i].counts = renderers[i]->draw();
+      const std::chrono::duration<double, std::milli> taken = Clock::now() - start;
+      if (timed >= 0) times[i].milliseconds.push_back(taken.count());
+    }
+  }
+  for (FrameTimes& each : times) std::ranges::sort(each.milliseconds);
+  return times;
+}
+
+}  // namespace litfog::demo

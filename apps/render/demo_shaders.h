@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "litfog/gl/shader_library.h"
+
+namespace litfog::demo {
+
+/// The files of apps/render/shaders, embedded.
+std::span<const gl::ShaderSource> demo_shaders();
+
+/// The same for a scene with or without cookies.
+inline std::vector<gl::ShaderSource> scene_shaders(bool has_cookies) {
+  std::vector<gl::ShaderSource> files;
+  if (has_cookies) files.push_back({"cookie.glsl", "#include \"cube_cookie.glsl\"\n"});  // found before the file
+  files.insert(files.end(), demo_shaders().begin(), demo_shaders().end());
+  return files;
+}
+
+}  // namespace litfog::demo

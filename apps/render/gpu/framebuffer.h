@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "render/picture.h"
+
+namespace litfog::demo {
+
+/// How often a surface is drawn at most.
+enum class Passes { one, several };
+
+/// What the demo draws into: linear RGBA half floats and depth; for several passes floats, whose sums round less, and a
+/// stencil, too. Four samples a pixel where the driver has them.
+class Framebuffer {
+ public:
+  /// throws gl::Unsupported where the driver has no framebuffer of that size
+  Framebuffer(int width, int height, Passes passes);
+  ~Framebuffer();
+  Framebuffer(const Framebuffer&) = delete;
+  Framebuffer& operator=(const Framebuffer&) = delete;
+
+  /// Samples a pixel that this context draws with: four, or fewer where it has no more.
+  static int samples();
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  double aspect() const { return double(width_) / height_; }
+  /// Makes it the target of drawing.
+  void bind() const;
+  /// Averages the samples and reads the picture back.
+  Picture read() const;
+
+ private:
+  int width_;
+  int height_;
+  unsigned drawn_ = 0;
+  unsigned resolved_ = 0;
+  unsigned buffers_[3] = {};  // drawn colour, drawn depth and stencil, resolved colour
+};
+
+}  // namespace litfog::demo

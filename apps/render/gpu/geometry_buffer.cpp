@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/gpu/geometry_buffer.h"
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cstring>
+
+#include "render/demo_shaders.h"
+#include "render/gpu/framebuffer.h"
+#include "litfog/gl/unsupported.h"
+
+namespace litfog::demo {
+namespace {
+
+constexpr GLenum kAttachments[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2,
+                                   GL_COLOR_ATTACHMENT3};
+
+bool is_complete() { return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE; }
+
+}  // namespace
+
+const LightingPath& geometry_path(const LightingPath& beside) {
+  const auto make = [](std::string_view vertex, std::string_view geometry) {
+    return LightingPath{
+        .name = "geometry",
+        .description = {},
+        .source = {},
+        .passes = {{.vertex = vertex, .geometry = geometry, .fragment = "geometry.frag", .shows_fog = false}}};
+  };
+  static const LightingPath kDirect = make("surface.vert", {});
+  static const LightingPath kByGeometryShader = make("geometry_corner.vert", "geometry_corner.geom");
+  return beside.passes.front().geometry.empty() ? kDirect : kByGeometryShader;
+}
+
+GeometryBuffer::GeometryBuffer(int width, int height)
+    : width_(width),
+      height_(height),
+      samples_(Framebuffer::samples()),
+      sample_program_("whole_picture.vert", "geometry_sample.frag", demo_shaders()) {
+  static_assert(sizeof(GeometrySample) == kTargets * sizeof(glm::vec4));
+  glGenVertexArrays(1, &vertex_array_);
+  glGenTextures(kTargets, textures_);
+  glGenRenderbuffers(2, buffers_);
+  glGenFramebuffers(1, &drawn_);
+  glBindFramebuffer(GL_FRAMEBUFFER, drawn_);
+  for (int i = 0; i < kTargets; ++i) {
+    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, textures_[i]);
+    glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples_, GL_RGBA32F, width, height, GL_TRUE);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, kAttachments[i], GL_TEXTURE_2D_MULTISAMPLE, textures_[i], 0);
+  }
+  glBindRenderbuffer(GL_RENDERBUFFER, buffers_[0]);
+  glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples_, GL_DEPTH_COMPONENT32F, width, height);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, buffers_[0]);
+  glDrawBuffers(kTargets, kAttachments);
+  const bool drawn_is_whole = is_complete();
+  glGenFramebuffers(1, &read_);
+  glBindFramebuffer(GL_FRAMEBUFFER, read_);
+  glBindRenderbuffer(GL_RENDERBUFFER, buffers_[1]);
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA32F, width, std::min(height, kMostRows));
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, buffers_[1]);
+  if (!is_complete() || !drawn_is_whole || glGetError() != GL_NO_ERROR) {
+    throw gl::Unsupported(fmt::format("this driver gives no float framebuffer of {}x{} pixels", width, height));
+  }
+}
+
+GeometryBuffer::~GeometryBuffer() {
+  glDeleteFramebuffers(1, &drawn_);
+  glDeleteFramebuffers(1, &read_);
+  glDeleteTextures(kTargets, textures_);
+  glDeleteRenderbuffers(2, buffers_);
+  glDeleteVertexArrays(1, &vertex_array_);
+}
+
+void GeometryBuffer::begin() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, drawn_);
+  glViewport(0, 0, width_, height_);
+  glEnable(GL_DEPTH_TEST);
+  glDepthMask(GL_TRUE);
+  glClear(GL_DEPTH_BUFFER_BIT);
+  constexpr float kSky[] = {0, 0, 0, -1};
+  for (int i = 0; i < kTargets; ++i) glClearBufferfv(GL_COLOR, i, kSky);
+}
+
+std::vector<GeometrySample> GeometryBuffer::read_rows(int first, int count) const {
+  assert(first >= 0 && count >= 1 && count <= kMostRows && first + count <= height_);
+  const auto pixels = std::size_t(width_) * std::size_t(count);
+  const auto samples = std::size_t(samples_);
+  std::vector<GeometrySample> rows(pixels * samples);
+  std::vector<glm::vec4> texels(pixels);
+  glBindFramebuffer(GL_FRAMEBUFFER, read_);
+  glViewport(0, 0, width_, count);
+  glDisable(GL_DEPTH_TEST);
+  glBindVertexArray(vertex_array_);
+  sample_program_.use();
+  glUniform1i(sample_program_.uniform("target"), 0);
+  glUniform1i(sample_program_.uniform("top_row"), height_ - 1 - first);  // GL counts rows from the bottom
+  glActiveTexture(GL_TEXTURE0);
+  for (std::size_t i = 0; i < kTargets; ++i) {
+    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, textures_[i]);
+    for (std::size_t sample = 0; sample < samples; ++sample) {
+      glUniform1i(sample_program_.uniform("sample_index"), GLint(sample));
+      glDrawArrays(GL_TRIANGLES, 0, 3);
+      glReadPixels(0, 0, width_, count, GL_RGBA, GL_FLOAT, texels.data());
+      for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
+        std::memcpy(reinterpret_cast<char*>(&rows[pixel * samples + sample]) + i * sizeof(glm::vec4), &texels[pixel],
+                    sizeof(glm::vec4));
+      }
+    }
+  }
+  glEnable(GL_DEPTH_TEST);
+  return rows;
+}
+
+}  // namespace litfog::demo

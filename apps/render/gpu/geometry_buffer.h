@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "render/lighting_path.h"
+#include "litfog/gl/program.h"
+
+namespace litfog::demo {
+
+/// One sample of a picture as rasterised: what its fragment is shaded from. World space, metres.
+struct GeometrySample {
+  glm::vec3 position;       ///< within the bounds of the surface drawn
+  float material;           ///< its number (Renderer::materials), whole; -1 where the sky is seen
+  glm::vec3 mapped_normal;  ///< unit, by the normal map
+  float gloss;
+  glm::vec3 normal;  ///< interpolated from the vertices, where it is a unit vector
+  float unused;
+  glm::vec3 albedo;  ///< linear RGB
+  float unused_too;
+
+  friend bool operator==(const GeometrySample&, const GeometrySample&) = default;
+};
+
+/// The path that draws surfaces into a geometry buffer with the samples that another path draws.
+const LightingPath& geometry_path(const LightingPath& beside);
+
+/// What the GPU rasterises of the scene's surfaces, sample by sample, as floats that can be read back: four samples a
+/// pixel where Framebuffer has four, so that the edges of surfaces are covered as in its pictures.
+class GeometryBuffer {
+ public:
+  /// throws gl::Unsupported where the driver has no float framebuffer of that size
+  GeometryBuffer(int width, int height);
+  ~GeometryBuffer();
+  GeometryBuffer(const GeometryBuffer&) = delete;
+  GeometryBuffer& operator=(const GeometryBuffer&) = delete;
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  int samples() const { return samples_; }
+  /// Makes it the target of drawing, and empty: sky everywhere.
+  void begin() const;
+  /// Rows of samples, the picture's top row being row 0: all of a pixel's samples, then the next pixel's.
+  std::vector<GeometrySample> read_rows(int first, int count) const;
+
+  static constexpr int kMostRows = 64;  ///< at a time
+
+ private:
+  static constexpr int kTargets = 4;  // vec4s of a GeometrySample
+
+  int width_;
+  int height_;
+  int samples_;
+  gl::Program sample_program_;
+  unsigned drawn_ = 0;
+  unsigned read_ = 0;
+  unsigned textures_[kTargets] = {};
+  unsigned buffers_[2] = {};  // drawn depth, a target's rows to be read
+  unsigned vertex_array_ = 0;
+};
+
+}  // namespace litfog::demo

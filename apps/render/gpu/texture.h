@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "scene/material.h"
+
+namespace litfog::demo {
+
+/// A repeating, mipmapped RGBA8 texture.
+class Texture {
+ public:
+  enum class Encoding { linear, srgb };
+
+  Texture(const Texels& texels, Encoding encoding);
+  /// One texel of floats, linear.
+  explicit Texture(const glm::vec4& texel);
+  ~Texture();
+  Texture(Texture&& other) noexcept;
+  Texture& operator=(Texture&&) = delete;
+
+  void bind(unsigned unit) const;
+
+ private:
+  unsigned id_ = 0;
+};
+
+/// A map of 16-bit shares of 1 that is looked up between its texels, held at its edges: no repetition, no mipmaps.
+class LookupTexture {
+ public:
+  enum class Shape { line, square, volume, cube };
+
+  /// texels  size to the power of the shape's dimensions; a cube's faces +x -x +y -y +z -z
+  /// throws  gl::Unsupported where this OpenGL has no texture of that size
+  LookupTexture(Shape shape, int size, const std::vector<std::uint16_t>& texels);
+  ~LookupTexture();
+  LookupTexture(LookupTexture&& other) noexcept;
+  LookupTexture& operator=(LookupTexture&&) = delete;
+
+  void bind(unsigned unit) const;
+
+ private:
+  unsigned target_;
+  unsigned id_ = 0;
+};
+
+/// Square pictures of 16-bit shares of 1, one behind the other, looked up between the texels of each.
+class LayeredTexture {
+ public:
+  /// texels  size * size * layers
+  /// throws  gl::Unsupported where this OpenGL has not so many or so large ones
+  LayeredTexture(int size, int layers, const std::vector<std::uint16_t>& texels);
+  ~LayeredTexture();
+  LayeredTexture(const LayeredTexture&) = delete;
+  LayeredTexture& operator=(const LayeredTexture&) = delete;
+
+  void bind(unsigned unit) const;
+
+ private:
+  unsigned id_ = 0;
+};
+
+/// A buffer of texels for a shader's texelFetch: four floats or one integer each.
+class BufferTexture {
+ public:
+  enum class Texel { float4, int1 };
+
+  /// The most texels that a buffer texture of this context may have.
+  static std::size_t max_texels();
+
+  /// throws gl::Unsupported where that is less than the data's
+  BufferTexture(const void* data, std::size_t bytes, Texel texel);
+  ~BufferTexture();
+  BufferTexture(const BufferTexture&) = delete;
+  BufferTexture& operator=(const BufferTexture&) = delete;
+
+  void bind(unsigned unit) const;
+
+ private:
+  unsigned buffer_ = 0;
+  unsigned texture_ = 0;
+};
+
+}  // namespace litfog::demo

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "litfog/light.h"
+#include "scene/mesh.h"
+
+namespace litfog::demo {
+
+/// The box around a transformed box.
+Bounds transformed(const Bounds& box, const glm::mat4& to_from_box);
+
+/// Whether a light can light anything within a box: the box meets the sphere of the light's extent, and the box's
+/// sphere meets the light's cone. May say yes where it cannot; never no where it can.
+///
+/// extent  metres; infinity asks for the cone alone
+bool can_reach(const PlacedLight& light, double extent, const Bounds& box);
+
+/// Finds the lights that can reach a box among many. A scene's lights stand in rows, so neighbours in the list are
+/// neighbours in space: what is far from a whole group of them is not asked about each.
+class LightFinder {
+ public:
+  /// lights, extents (metres)  have to outlive this
+  LightFinder(std::span<const PlacedLight> lights, std::span<const double> extents);
+
+  /// Indices of the lights that can reach a box, in order.
+  std::vector<std::int32_t> reaching(const Bounds& box) const;
+  /// The same of some of the lights.
+  std::vector<std::int32_t> reaching(const Bounds& box, std::span<const std::int32_t> candidates) const;
+
+ private:
+  struct Box {
+    glm::dvec3 low;
+    glm::dvec3 high;
+  };
+
+  std::span<const PlacedLight> lights_;
+  std::span<const double> extents_;
+  std::vector<Box> groups_;  // what each group of lights can reach at most
+};
+
+/// The planes of what a camera sees: normal and offset, inside where dot(normal, p) + offset >= 0.
+using Frustum = std::array<glm::vec4, 6>;
+Frustum make_frustum(const glm::mat4& clip_from_world);
+
+/// Whether the camera can see anything of a box. May say yes where it cannot; never no where it can.
+bool can_see(const Frustum& frustum, const Bounds& box);
+
+}  // namespace litfog::demo

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/light_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <numbers>
+
+#include "scene/cube_face.h"
+#include "litfog/formulas.h"
+
+namespace litfog::demo {
+namespace {
+
+constexpr double kWidestDrawnIn = std::numbers::pi / 3;
+
+std::uint16_t texel(double share) { return std::uint16_t(std::lround(std::clamp(share, 0.0, 1.0) * 65535)); }
+
+/// Where texel i of n stands, as P / E: -1 to 1.
+double place(int i, int size) { return 2.0 * i / (size - 1) - 1; }
+
+bool is_boundary(int i, int size) { return i == 0 || i == size - 1; }
+
+/// The attenuation at a share of the extent, 0 beyond it.
+double attenuation(const RangeProfile& profile, double share) {
+  if (share > 1) return 0;
+  return formulas::litfog_attenuation(share, double(profile.constant), double(profile.linear),
+                                      double(profile.quadratic));
+}
+
+bool is_drawn_in(const Cone& cone) { return cutoff_angle(cone) <= kWidestDrawnIn; }
+
+}  // namespace
+
+RangeProfile range_profile(const Attenuation& attenuation, double extent) {
+  if (std::isinf(extent)) return {float(attenuation.constant), 0, 0};
+  return {float(attenuation.constant), float(attenuation.linear * extent),
+          float(attenuation.quadratic * extent * extent)};
+}
+
+MapTexels make_range_volume(const RangeProfile& profile, int size) {
+  MapTexels texels;
+  for (int k = 0; k < size; ++k) {
+    for (int j = 0; j < size; ++j) {
+      for (int i = 0; i < size; ++i) {
+        const bool is_dark = is_boundary(i, size) || is_boundary(j, size) || is_boundary(k, size);
+        const glm::dvec3 p(place(i, size), place(j, size), place(k, size));
+        texels.push_back(is_dark ? 0 : texel(attenuation(profile, glm::length(p))));
+      }
+    }
+  }
+  return texels;
+}
+
+MapTexels make_distance_map(int size) {
+  MapTexels texels;
+  for (int j = 0; j < size; ++j) {
+    for (int i = 0; i < size; ++i) texels.push_back(texel(0.5 + 0.5 * std::hypot(place(i, size), place(j, size))));
+  }
+  return texels;
+}
+
+MapTexels make_range_map(const RangeProfile& profile, int size) {
+  MapTexels texels;
+  for (int j = 0; j < size; ++j) {
+    for (int i = 0; i < size; ++i) {
+      const bool is_dark = is_boundary(i, size) || is_boundary(j, size);
+      texels.push_back(is_dark ? 0 : texel(attenuation(profile, std::hypot(place(i, size), place(j, size)))));
+    }
+  }
+  return texels;
+}
+
+MapTexels make_square_map(int size) {
+  MapTexels texels;
+  for (int j = 0; j < size; ++j) {
+    for (int i = 0; i < size; ++i) {
+      texels.push_back(texel(place(i, size) * place(i, size) + place(j, size) * place(j, size)));
+    }
+  }
+  return texels;
+}
+
+MapTexels make_square_ramp(int size) {
+  MapTexels texels;
+  for (int i = 0; i < size; ++i) texels.push_back(texel(place(i, size) * place(i, size)));
+  return texels;
+}
+
+double cone_map_scale(const Cone& cone) {
+  return is_drawn_in(cone) ? std::tan(std::numbers::pi / 2 - cutoff_angle(cone)) : 1.0;
+}
+
+MapTexels make_cone_cube(const Cone& cone, CubeAxis axis, int size) {
+  const double scale = cone_map_scale(cone);
+  const auto across = [&](int i) { return is_drawn_in(cone) ? place(i, size) : (2.0 * i + 1) / size - 1; };
+  MapTexels texels;
+  for (int face = 0; face < 6; ++face) {
+    for (int j = 0; j < size; ++j) {
+      for (int i = 0; i < size; ++i) {
+        const glm::dvec3 looked_up = cube_direction(face, across(i), across(j));
+        const glm::dvec3 direction = axis == CubeAxis::plus_x
+                                         ? glm::dvec3(looked_up.x, looked_up.y / scale, looked_up.z / scale)
+                                         : glm::dvec3(-looked_up.z, looked_up.x / scale, looked_up.y / scale);
+        texels.push_back(texel(cone_at(cone, direction.x / glm::length(direction))));
+      }
+    }
+  }
+  return texels;
+}
+
+MapTexels make_cookie_cube(const Cookie& cookie) {
+  MapTexels texels;
+  for (const float share : cookie.texels) texels.push_back(texel(double(share)));
+  return texels;
+}
+
+double cone_coordinate_scale(const Cone& cone, int size) {
+  return is_drawn_in(cone) ? cone_map_scale(cone) * (size - 1) / size : 1.0;
+}
+
+}  // namespace litfog::demo

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <vector>
+
+#include "scene/cookie.h"
+#include "litfog/attenuation.h"
+#include "litfog/cone.h"
+
+namespace litfog::demo {
+
+// The texels of the maps from which lights are looked up: 16-bit shares of 1, x running fastest, then y, then z or the
+// face. Texel i of `size` stands for the coordinate i / (size - 1), as Hales has it, which spans the map from 0 to 1.
+using MapTexels = std::vector<std::uint16_t>;
+
+/// Range attenuation over a share of the extent: its three parameters scaled by the powers of that. Lights that agree
+/// in them share their range map, for the map's coordinates are shares of the extent too.
+struct RangeProfile {
+  float constant;
+  float linear;     ///< L E
+  float quadratic;  ///< Q E^2
+
+  auto operator<=>(const RangeProfile&) const = default;
+};
+/// extent  metres; infinite where the attenuation is constant
+RangeProfile range_profile(const Attenuation& attenuation, double extent);
+
+/// 3-D range map over (s, t, r) = 0.5 + P / (2 E), P the vector from the light. Beyond the extent, and at the map's
+/// boundaries, 0 (Hales 2004, "Embedding Range Attenuation in a Texture Map"; his R2 > E is meant as R > E).
+MapTexels make_range_volume(const RangeProfile& profile, int size);
+
+/// The 2-D pair in its place (same section): q = 0.5 + |(Px, Py)| / (2 E) over (s, t), cut off at 1, and the
+/// attenuation over (q, r), 0 beyond the extent and at the boundaries.
+MapTexels make_distance_map(int size);
+MapTexels make_range_map(const RangeProfile& profile, int size);
+
+/// x^2 + y^2 over (s, t) and z^2 over r, coordinates 0.5 + P / (2 R) and squares of P / R, cut off at 1 (Frazier 2000,
+/// "Calculating Attenuation").
+MapTexels make_square_map(int size);
+MapTexels make_square_ramp(int size);
+
+/// The axis of a light in its cube map.
+enum class CubeAxis {
+  plus_x,   ///< Hales
+  minus_z,  ///< Frazier
+};
+
+/// How far a cube map of a cone is drawn in across its axis.
+///
+/// A cone of at most 60 degrees is drawn in by tan(90 deg - half angle), so that it spans the axis's face and the
+/// others are dark (Hales: a; Frazier: scaleFactor). A wider one would have few texels at its middle, and beyond 90
+/// degrees no scale at all: it spreads over all faces as it is, 1.
+double cone_map_scale(const Cone& cone);
+
+/// Six faces in OpenGL's order: +x -x +y -y +z -z.
+MapTexels make_cone_cube(const Cone& cone, CubeAxis axis, int size);
+
+/// The same of a cookie, as it is.
+MapTexels make_cookie_cube(const Cookie& cookie);
+
+/// By what the coordinates across the axis are to be multiplied for that map: its scale, less half a texel at each end
+/// of a face where the map is drawn in, for OpenGL has texel i at (i + 0.5) / size.
+double cone_coordinate_scale(const Cone& cone, int size);
+
+}  // namespace litfog::demo

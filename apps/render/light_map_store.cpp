@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/light_map_store.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/light_frame.h"
+#include "litfog/gl/unsupported.h"
+#include "render/gpu/texture_unit.h"
+
+namespace litfog::demo {
+namespace {
+
+using Shape = LookupTexture::Shape;
+
+constexpr std::size_t kMaxTexels = std::size_t{1} << 29;  // of two bytes: 1 GiB
+
+/// The side of two squares that have together the texels of a cube: 1024 for 128.
+int pair_size(int volume_size) { return int(std::sqrt(0.5 * volume_size * volume_size * volume_size)); }
+
+}  // namespace
+
+LightMapStore::LightMapStore(LightMapSet set, const Scene& scene, const SceneLights& lights, int size)
+    : set_(set), size_(size) {
+  if (set == LightMapSet::none) return;
+  glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+  if (set == LightMapSet::pair) {
+    distance_.emplace(Shape::square, pair_size(size), make_distance_map(pair_size(size)));
+  }
+  if (set == LightMapSet::radial) {
+    squares_.emplace(Shape::square, size, make_square_map(size));
+    distance_.emplace(Shape::line, size, make_square_ramp(size));
+  }
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const PlacedLight& light = lights.light(i);
+    const Cone& cone = light.light.cone;
+    const CookieUse* const cookie = lights.cookie(i);
+    const Maps maps{set == LightMapSet::radial ? &*squares_ : range_map(light, lights.extent(i)),
+                    cookie ? cookie_map(scene, cookie->cookie) : cone_map(cone)};
+    auto found = std::ranges::find(maps_, maps);
+    if (found == maps_.end()) found = maps_.insert(maps_.end(), maps);
+    const double across = cone_coordinate_scale(cone, size);
+    glm::dmat3 cone_from_world;
+    if (cookie) {
+      cone_from_world = cookie_from_world(light.direction, cookie->roll);
+    } else if (set == LightMapSet::radial) {
+      cone_from_world = glm::dmat3(across, 0, 0, 0, across, 0, 0, 0, 1) * basis_from_world(light.direction);
+    } else {
+      const Attitude viewpoint = light.carried ? attitude_of(scene.camera) : Attitude{};
+      cone_from_world = glm::dmat3(1, 0, 0, 0, across, 0, 0, 0, across) *
+                        light_from_world(bearing_of(light.direction, viewpoint), viewpoint);
+    }
+    kinds_.push_back({int(found - maps_.begin()), glm::mat3(cone_from_world)});
+  }
+}
+
+void LightMapStore::expect_room(std::size_t texels) {
+  texels_ += texels;
+  if (texels_ > kMaxTexels) {
+    throw gl::Unsupported(
+        "the scene's lights are of too many shapes for this path: their light maps would take more than 1 GiB; "
+        "a smaller --map-size may do");
+  }
+}
+
+const LookupTexture* LightMapStore::range_map(const PlacedLight& light, double extent) {
+  const RangeProfile profile = range_profile(light.light.attenuation, extent);
+  const auto found = range_maps_.find(profile);
+  if (found != range_maps_.end()) return &found->second;
+  const bool is_volume = set_ == LightMapSet::volume;
+  const int side = is_volume ? size_ : pair_size(size_);
+  expect_room(std::size_t(side) * std::size_t(side) * std::size_t(is_volume ? side : 1));
+  LookupTexture map(is_volume ? Shape::volume : Shape::square, side,
+                    is_volume ? make_range_volume(profile, side) : make_range_map(profile, side));
+  return &range_maps_.emplace(profile, std::move(map)).first->second;
+}
+
+const LookupTexture* LightMapStore::cone_map(const Cone& cone) {
+  for (const auto& [known, map] : cone_maps_) {
+    if (known == cone) return &map;
+  }
+  const int side = cone.profile == ConeProfile::none ? 1 : size_;  // a point light's is white
+  expect_room(6 * std::size_t(side) * std::size_t(side));
+  const CubeAxis axis = set_ == LightMapSet::radial ? CubeAxis::minus_z : CubeAxis::plus_x;
+  return &cone_maps_.emplace_back(cone, LookupTexture(Shape::cube, side, make_cone_cube(cone, axis, side))).second;
+}
+
+const LookupTexture* LightMapStore::cookie_map(const Scene& scene, std::size_t cookie) {
+  const auto found = cookie_maps_.find(cookie);
+  if (found != cookie_maps_.end()) return &found->second;
+  const Cookie& image = scene.cookies[cookie];
+  return &cookie_maps_.try_emplace(cookie, Shape::cube, image.size, make_cookie_cube(image)).first->second;
+}
+
+void LightMapStore::bind(int kind) const {
+  const Maps& maps = maps_[std::size_t(kind)];
+  maps.range->bind(kRangeMapUnit);
+  maps.cone->bind(kConeMapUnit);
+  if (distance_) distance_->bind(kDistanceMapUnit);
+}
+
+}  // namespace litfog::demo

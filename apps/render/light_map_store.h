@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <deque>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "render/light_map.h"
+#include "render/lighting_path.h"
+#include "render/scene_lights.h"
+#include "render/gpu/texture.h"
+
+namespace litfog::demo {
+
+/// The light maps of a path on the GPU, each once for all lights that agree in its parameters ("Multiple Light
+/// Sources", Hales 2004). Needs a current GL context.
+class LightMapStore {
+ public:
+  /// size    texels a side of a 3-D map, a cube map's face and Frazier's maps; the 2-D pair has a volume's texels
+  /// throws  gl::Unsupported where this OpenGL has no textures of that size, or where the lights are of so many shapes
+  ///         that their maps would take more than 1 GiB
+  LightMapStore(LightMapSet set, const Scene& scene, const SceneLights& lights, int size);
+
+  /// Lights of one kind share their maps.
+  int kind(std::size_t light) const { return kinds_[light].number; }
+  /// Turns vectors from the light into coordinates of its cube map.
+  const glm::mat3& cone_from_world(std::size_t light) const { return kinds_[light].cone_from_world; }
+  /// Binds a kind's maps.
+  void bind(int kind) const;
+
+ private:
+  struct Maps {
+    const LookupTexture* range;
+    const LookupTexture* cone;
+
+    friend bool operator==(const Maps&, const Maps&) = default;
+  };
+  struct LightKind {
+    int number;  // in maps_
+    glm::mat3 cone_from_world;
+  };
+
+  /// Counts a map that is going to be made.
+  void expect_room(std::size_t texels);
+  const LookupTexture* range_map(const PlacedLight& light, double extent);
+  const LookupTexture* cone_map(const Cone& cone);
+  const LookupTexture* cookie_map(const Scene& scene, std::size_t cookie);
+
+  LightMapSet set_;
+  int size_;
+  std::size_t texels_ = 0;  // of all range and cone maps
+  std::map<RangeProfile, LookupTexture> range_maps_;
+  std::deque<std::pair<Cone, LookupTexture>> cone_maps_;
+  std::map<std::size_t, LookupTexture> cookie_maps_;
+  std::optional<LookupTexture> squares_;   // of x and y
+  std::optional<LookupTexture> distance_;  // q, or the square of z
+  std::vector<Maps> maps_;
+  std::vector<LightKind> kinds_;  // one a light
+};
+
+}  // namespace litfog::demo

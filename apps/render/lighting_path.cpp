@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/lighting_path.h"
+
+#include <algorithm>
+
+namespace litfog::demo {
+namespace {
+
+std::vector<LightingPath> make_paths() {
+  return {
+      {.name = "unified",
+       .description = "everything per fragment in world space, normal maps, any number of lights",
+       .source = "Lacroix 2005, listings 2.1 to 2.3",
+       .has_normal_maps = true,
+       .passes = {{.vertex = "surface.vert", .geometry = {}, .fragment = "unified.frag", .lights = kAllLights}}},
+      {.name = "lookup-3d",
+       .description = "range from a 3-D texture, angle from a cube map whose +x face spans the cone",
+       .source = "Hales 2004",
+       .surface = SurfaceModel::diffuse,
+       .evaluation = Evaluation::lookup,
+       .maps = LightMapSet::volume,
+       .passes = {{.vertex = "light_coordinates.vert", .geometry = {}, .fragment = "lookup_3d.frag", .lights = 4}}},
+      {.name = "lookup-2d",
+       .description = "range from two 2-D textures, angle from the same cube map",
+       .source = "Hales 2004",
+       .surface = SurfaceModel::diffuse,
+       .evaluation = Evaluation::lookup,
+       .maps = LightMapSet::pair,
+       .passes = {{.vertex = "light_coordinates.vert", .geometry = {}, .fragment = "lookup_2d.frag", .lights = 4}}},
+      {.name = "radial",
+       .description = "1 - r^2 / E^2 from a 2-D and a 1-D texture, spots from a cube map",
+       .source = "Frazier 2000",
+       .surface = SurfaceModel::unshaded,
+       .range = RangeLaw::radial,
+       .evaluation = Evaluation::lookup,
+       .maps = LightMapSet::radial,
+       .passes = {{.vertex = "light_coordinates.vert", .geometry = {}, .fragment = "radial.frag", .lights = 4}}},
+      {.name = "radial-plane",
+       .description = "the same from one 2-D texture: each plane rotated to z = 0, z^2 a constant",
+       .source = "Frazier 2000",
+       .surface = SurfaceModel::unshaded,
+       .range = RangeLaw::radial,
+       .evaluation = Evaluation::lookup,
+       .maps = LightMapSet::radial,
+       .passes = {{.vertex = "radial_plane.vert",
+                   .geometry = "radial_plane.geom",
+                   .fragment = "radial_plane.frag",
+                   .lights = 4}}},
+      {.name = "accumulate",
+       .description = "lights added one by one over the ambient light, then multiplied by the base texture",
+       .source = "Frazier 2000",
+       .surface = SurfaceModel::unshaded,
+       .range = RangeLaw::radial,
+       .evaluation = Evaluation::lookup,
+       .maps = LightMapSet::radial,
+       .passes = {{.vertex = "light_coordinates.vert",
+                   .geometry = {},
+                   .fragment = "accumulate_ambient.frag",
+                   .shows_fog = false},
+                  {.vertex = "light_coordinates.vert",
+                   .geometry = {},
+                   .fragment = "accumulate_light.frag",
+                   .blend = Blend::add,
+                   .lights = 1,
+                   .shows_fog = false},
+                  {.vertex = "light_coordinates.vert",
+                   .geometry = {},
+                   .fragment = "accumulate_texture.frag",
+                   .blend = Blend::multiply,
+                   .shows_fog = false},
+                  {.vertex = "light_coordinates.vert",
+                   .geometry = {},
+                   .fragment = "accumulate_fog.frag",
+                   .blend = Blend::over}}},
+      {.name = "vertex",
+       .description = "the Basic model at the vertices, any number of lights",
+       .source = "Cg Tutorial 5.2; Lacroix 2005, listing 1.1",
+       .evaluation = Evaluation::vertex,
+       .passes = {{.vertex = "vertex.vert", .geometry = {}, .fragment = "vertex.frag", .lights = kAllLights}}},
+      {.name = "mixed",
+       .description = "diffuse at the vertices, specular at the fragments",
+       .source = "Cg Tutorial 5, exercise 6",
+       .evaluation = Evaluation::vertex,
+       .passes = {{.vertex = "mixed.vert", .geometry = {}, .fragment = "mixed.frag", .lights = 4, .lists_all = true}}},
+      {.name = "tangent",
+       .description = "normal maps, the lights carried into tangent space at the vertices, four a pass",
+       .source = "Lacroix 2005, listing 1.2",
+       .evaluation = Evaluation::vertex,
+       .has_normal_maps = true,
+       .passes = {{.vertex = "tangent.vert", .geometry = {}, .fragment = "tangent.frag", .lights = 4}}},
+      {.name = "legacy",
+       .description = "diffuse light at the vertices, texture and fog of one colour: the cost baseline",
+       .source = "Hales 2004, table 1",
+       .surface = SurfaceModel::diffuse,
+       .evaluation = Evaluation::vertex,
+       .has_lit_fog = false,
+       .passes = {{.vertex = "legacy.vert", .geometry = {}, .fragment = "legacy.frag", .lights = kAllLights}}},
+  };
+}
+
+}  // namespace
+
+std::span<const LightingPath> lighting_paths() {
+  static const std::vector<LightingPath> kPaths = make_paths();
+  return kPaths;
+}
+
+const LightingPath& unlit_path() {
+  static const LightingPath kPath{
+      .name = "unlit",
+      .description = "the base texture alone",
+      .source = {},
+      .has_lit_fog = false,
+      .passes = {{.vertex = "unlit.vert", .geometry = {}, .fragment = "unlit.frag", .shows_fog = false}}};
+  return kPath;
+}
+
+const LightingPath* find_lighting_path(std::string_view name) {
+  const auto paths = lighting_paths();
+  const auto found = std::ranges::find(paths, name, &LightingPath::name);
+  return found == paths.end() ? nullptr : &*found;
+}
+
+}  // namespace litfog::demo

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace litfog::demo {
+
+/// What a surface makes of the light that reaches it. Colours are linear; reflectance is the base texture.
+enum class SurfaceModel {
+  basic,     ///< emissive + ambient + diffuse + specular, specular zero where diffuse is (Cg Tutorial 5.2)
+  diffuse,   ///< emissive + (ambient + directional + sum of the lights x N.L) x base texture (Hales 2004)
+  unshaded,  ///< emissive + (ambient + directional + sum of the lights) x base texture, whichever way it faces
+             ///< (Frazier 2000; the directional light, which he has not, still falls by N.L)
+};
+
+/// How light falls with range, before the extent E; beyond it a light is dark.
+enum class RangeLaw {
+  attenuation,  ///< min(1, 1 / (C + L r + Q r^2)), the model's
+  radial,       ///< 1 - r^2 / E^2 (Frazier 2000)
+};
+
+/// Where the lights' part is computed, and so how near the picture comes to the surface model's formula.
+enum class Evaluation {
+  fragment,  ///< at each fragment: the formula itself
+  lookup,    ///< at each fragment, range and angle from textures: as near as their texels are dense
+  vertex,    ///< in part or whole at the vertices: as near as the triangles are small
+};
+
+/// How a pass's colour joins what the surface's earlier passes drew.
+enum class Blend {
+  replace,   ///< takes its place
+  add,       ///< is added
+  multiply,  ///< multiplies it
+  over,      ///< is added to its share alpha
+};
+
+inline constexpr int kAllLights = -1;
+
+/// One way of drawing a surface again. Shaders are files of apps/render/shaders.
+struct SurfacePass {
+  std::string_view vertex;
+  std::string_view geometry;  ///< empty: none
+  std::string_view fragment;
+  Blend blend = Blend::replace;
+  /// 0: drawn once, and needs no lights. kAllLights: drawn once, by all lights that can reach the surface. Else at most
+  /// so many lights at a time, whose maps are the same: drawn once for them, and once more, added, for each so many
+  /// others that reach the surface.
+  int lights = 0;
+  /// The first time of so many lights: where more reach the surface all of them are listed, too.
+  bool lists_all = false;
+  bool shows_fog = true;  ///< the first time that it draws a surface it adds the light of the fog before it
+};
+
+/// The textures from which a path looks its lights up.
+enum class LightMapSet {
+  none,
+  volume,  ///< Hales: 3-D range map, cone cube map about +x
+  pair,    ///< Hales: two 2-D maps for the range, cone cube map about +x
+  radial,  ///< Frazier: x^2 + y^2 in 2-D, z^2 in 1-D, cone cube map about -z
+};
+
+/// A published way to light a pixel.
+struct LightingPath {
+  std::string_view name;
+  std::string_view description;
+  std::string_view source;  ///< paper and section
+  SurfaceModel surface = SurfaceModel::basic;
+  RangeLaw range = RangeLaw::attenuation;
+  Evaluation evaluation = Evaluation::fragment;
+  bool has_normal_maps = false;  ///< else the vertices' normals
+  bool has_lit_fog = true;       ///< else the ambient fog colour alone
+  LightMapSet maps = LightMapSet::none;
+  std::vector<SurfacePass> passes;
+
+  /// Whether a surface may be drawn more than once, which needs a stencil.
+  bool has_several_passes() const { return passes.size() > 1 || passes[0].lights > 0; }
+};
+
+/// Every path, the default one first.
+std::span<const LightingPath> lighting_paths();
+
+/// The base texture alone, without light and fog: none of the paths, but what they cost more than.
+const LightingPath& unlit_path();
+
+/// Null where there is none of that name.
+const LightingPath* find_lighting_path(std::string_view name);
+
+}  // namespace litfog::demo

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/mesh_store.h"
+
+#include <epoxy/gl.h>
+
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <tuple>
+
+namespace litfog::demo {
+namespace {
+
+constexpr float kCellSize = 20;  // metres: a few chunks a lamp, some thousand a scene
+
+using Cell = std::tuple<int, int, int>;
+
+Cell cell_of(const glm::vec3& position) {
+  const glm::vec3 cell = glm::floor(position / kCellSize);
+  return {int(cell.x), int(cell.y), int(cell.z)};
+}
+
+}  // namespace
+
+std::vector<Chunk> cut_into_chunks(const Model& model, std::vector<Vertex>& vertices,
+                                   std::vector<std::uint32_t>& indices) {
+  std::vector<Chunk> chunks;
+  for (const Part& part : model) {
+    const Mesh& mesh = part.mesh;
+    const auto base = std::uint32_t(vertices.size());
+    vertices.insert(vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
+    const Bounds whole = bounds(mesh);
+    const bool is_large = glm::distance(whole.low, whole.high) > 2 * kCellSize;
+    std::map<Cell, std::vector<std::uint32_t>> cells;
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+      const std::uint32_t* triangle = &mesh.indices[i];
+      const glm::vec3 center = (mesh.vertices[triangle[0]].position + mesh.vertices[triangle[1]].position +
+                                mesh.vertices[triangle[2]].position) /
+                               3.0f;
+      auto& cell = cells[is_large ? cell_of(center) : Cell{}];
+      cell.insert(cell.end(), triangle, triangle + 3);
+    }
+    for (const auto& [cell, members] : cells) {
+      Chunk chunk{part.material,
+                  {mesh.vertices[members.front()].position, mesh.vertices[members.front()].position},
+                  indices.size(),
+                  int(members.size())};
+      for (const std::uint32_t index : members) {
+        chunk.bounds.low = glm::min(chunk.bounds.low, mesh.vertices[index].position);
+        chunk.bounds.high = glm::max(chunk.bounds.high, mesh.vertices[index].position);
+        indices.push_back(base + index);
+      }
+      chunks.push_back(std::move(chunk));
+    }
+  }
+  return chunks;
+}
+
+MeshStore::MeshStore(const std::vector<Model>& models) {
+  std::vector<Vertex> vertices;
+  std::vector<std::uint32_t> indices;
+  for (const Model& model : models) chunks_.push_back(cut_into_chunks(model, vertices, indices));
+  glGenVertexArrays(1, &vertex_array_);
+  glBindVertexArray(vertex_array_);
+  glGenBuffers(2, buffers_);
+  glBindBuffer(GL_ARRAY_BUFFER, buffers_[0]);
+  glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(vertices.size() * sizeof(Vertex)), vertices.data(), GL_STATIC_DRAW);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers_[1]);
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(indices.size() * sizeof(std::uint32_t)), indices.data(),
+               GL_STATIC_DRAW);
+  const auto attribute = [](GLuint location, GLint components, std::size_t offset) {
+    glEnableVertexAttribArray(location);
+    glVertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, sizeof(Vertex),
+                          reinterpret_cast<const void*>(offset));
+  };
+  attribute(0, 3, offsetof(Vertex, position));
+  attribute(1, 3, offsetof(Vertex, normal));
+  attribute(2, 4, offsetof(Vertex, tangent));
+  attribute(3, 2, offsetof(Vertex, uv));
+}
+
+MeshStore::~MeshStore() {
+  glDeleteVertexArrays(1, &vertex_array_);
+  glDeleteBuffers(2, buffers_);
+}
+
+void MeshStore::bind() const { glBindVertexArray(vertex_array_); }
+
+void MeshStore::draw(const Chunk& chunk) const {
+  glDrawElements(GL_TRIANGLES, chunk.index_count, GL_UNSIGNED_INT,
+                 reinterpret_cast<const void*>(chunk.first_index * sizeof(std::uint32_t)));
+}
+
+}  // namespace litfog::demo

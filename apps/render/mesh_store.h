@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene/mesh.h"
+
+namespace litfog::demo {
+
+/// A run of triangles of one material that lie together, so that it can be culled and has a short light list.
+struct Chunk {
+  std::string material;
+  Bounds bounds;  ///< model space
+  std::size_t first_index;
+  int index_count;
+};
+
+/// A model's parts as chunks: large parts are cut into cells. The indices are appended to those of a store.
+std::vector<Chunk> cut_into_chunks(const Model& model, std::vector<Vertex>& vertices,
+                                   std::vector<std::uint32_t>& indices);
+
+/// All models of a scene in one vertex array on the GPU.
+class MeshStore {
+ public:
+  explicit MeshStore(const std::vector<Model>& models);
+  ~MeshStore();
+  MeshStore(const MeshStore&) = delete;
+  MeshStore& operator=(const MeshStore&) = delete;
+
+  /// Of a model, by its place in the constructor's vector.
+  const std::vector<Chunk>& chunks(std::size_t model) const { return chunks_[model]; }
+  /// Makes the vertex array current: locations 0 position, 1 normal, 2 tangent, 3 uv.
+  void bind() const;
+  void draw(const Chunk& chunk) const;
+
+ private:
+  std::vector<std::vector<Chunk>> chunks_;
+  unsigned vertex_array_ = 0;
+  unsigned buffers_[2] = {};  // vertices, indices
+};
+
+}  // namespace litfog::demo

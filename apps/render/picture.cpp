@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/picture.h"
+
+#include <OpenImageIO/color.h>
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "command/exit_status.h"
+#include "command/whole_file.h"
+
+namespace litfog::demo {
+namespace {
+
+enum class Format { png, exr, unknown };
+
+Format format_of(const std::string& path) {
+  const std::string ending = std::filesystem::path(path).extension().string();
+  return ending == ".png" ? Format::png : ending == ".exr" ? Format::exr : Format::unknown;
+}
+
+/// A file's bytes, made in memory: OIIO's PNG writer does not notice a full disk. Throws CannotWrite naming the path.
+std::vector<unsigned char> encoded(const std::string& path, const OIIO::ImageSpec& spec,
+                                   const std::vector<float>& pixels) {
+  std::vector<unsigned char> bytes;
+  OIIO::Filesystem::IOVecOutput memory(bytes);
+  const auto output = OIIO::ImageOutput::create(path);
+  if (!output) throw CannotWrite(path + ": cannot be written: " + OIIO::geterror());
+  if (!output->set_ioproxy(&memory) || !output->open(path, spec) ||
+      !output->write_image(OIIO::TypeDesc::FLOAT, pixels.data()) || !output->close()) {
+    throw CannotWrite(path + ": cannot be written: " + output->geterror());
+  }
+  return bytes;
+}
+
+}  // namespace
+
+void write_picture(const std::string& path, const Picture& picture) {
+  const bool is_png = format_of(path) == Format::png;
+  OIIO::ImageSpec spec(picture.width, picture.height, 3, is_png ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::HALF);
+  spec.attribute("oiio:ColorSpace", is_png ? "sRGB" : "Linear");
+  if (is_png) {
+    spec.attribute("oiio:dither", 1);
+    spec.attribute("png:compressionLevel", 3);
+  } else {
+    spec.attribute("compression", "zip");
+  }
+  std::vector<float> pixels = picture.rgb;
+  if (is_png) {
+    for (float& value : pixels) value = OIIO::linear_to_sRGB(std::clamp(value, 0.0f, 1.0f));
+  }
+  const std::vector<unsigned char> bytes = encoded(path, spec, pixels);
+  write_whole_file(path, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+}
+
+bool is_picture_path(const std::string& path) { return format_of(path) != Format::unknown; }
+
+}  // namespace litfog::demo

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "render/lighting_path.h"
+#include "render/surface_list.h"
+
+namespace litfog::demo {
+
+/// How a renderer draws a scene.
+struct RenderSettings {
+  Skipping skipping = Skipping::on;
+  const LightingPath* path = &lighting_paths().front();
+  /// The directional light of Hales's paths by the faces' own normals, else by the vertices' (his flat and smooth
+  /// shading).
+  bool is_flat_shaded = false;
+  bool has_infinite_viewer = false;  ///< the Basic model's highlights as seen from far away along the camera's axis
+  int map_size = 128;                ///< texels a side of the light maps
+};
+
+}  // namespace litfog::demo

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/renderer.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "render/demo_shaders.h"
+#include "render/light_map.h"
+#include "litfog/fog_light_block.h"
+#include "litfog/gl/headless_context.h"
+#include "render/gpu/texture_unit.h"
+#include "render/gpu/uniform.h"
+
+namespace litfog::demo {
+namespace {
+
+glm::mat4 clip_from_view(const Camera& camera, double aspect) {
+  constexpr float kNear = 0.1f;  // metres
+  return glm::infinitePerspective(camera.field_of_view, float(aspect), kNear);
+}
+
+glm::mat4 view_from_world(const Camera& camera) {
+  return glm::lookAt(camera.position, camera.target, glm::vec3(0, 1, 0));
+}
+
+/// All cookies in one array, each as large as the largest.
+std::unique_ptr<LayeredTexture> make_cookie_array(const std::vector<Cookie>& cookies) {
+  const int size = std::ranges::max(cookies, {}, &Cookie::size).size;
+  MapTexels texels;
+  for (const Cookie& cookie : cookies) {
+    const MapTexels faces = make_cookie_cube(cookie.size == size ? cookie : resized(cookie, size));
+    texels.insert(texels.end(), faces.begin(), faces.end());
+  }
+  return std::make_unique<LayeredTexture>(size, 6 * int(cookies.size()), texels);
+}
+
+}  // namespace
+
+Renderer::Renderer(const Scene& scene, int width, int height, const RenderSettings& settings)
+    : scene_(scene),
+      settings_(settings),
+      framebuffer_(width, height, settings.path->has_several_passes() ? Passes::several : Passes::one),
+      lights_(scene),
+      surfaces_(scene, lights_, fog_lights_, settings),
+      sky_program_("sky.vert", "sky.frag", scene_shaders(!scene.cookies.empty())),
+      light_point_program_("light_point.vert", "light_point.frag", scene_shaders(!scene.cookies.empty())) {
+  gl::check_fog_light_layout(sky_program_);
+  if (!scene.cookies.empty()) cookies_ = make_cookie_array(scene.cookies);
+  set_fog(Fog{});
+  gl::check_errors("uploading the scene");
+}
+
+void Renderer::set_fog(const Fog& fog) {
+  std::vector<FogIntensity> solutions;
+  for (const PlacedLight& light : lights_.carried()) {
+    solutions.push_back(solve_fog_intensity(light.light, fog));
+    if (!settings_.path->has_lit_fog) solutions.back().intensity = 0;
+  }
+  const glm::dvec3 ambient_fog = scene_.environment.ambient_fog_color;
+  FogLightBlock block = pack_fog_light_block(fog, ambient_fog, lights_.carried(), solutions);
+  for (std::size_t i = 0; i < solutions.size(); ++i) {  // cookies, which the library has not
+    const FogLight& light = lights_.packed(lights_.local().size() + i);
+    block.lights[i].axis_profile = light.axis_profile;
+    block.lights[i].cone = light.cone;
+  }
+  fog_lights_.upload(block);
+  surfaces_.set_fog(solutions);
+}
+
+glm::mat4 Renderer::clip_from_world() const {
+  return clip_from_view(scene_.camera, framebuffer_.aspect()) * view_from_world(scene_.camera);
+}
+
+FrameCounts Renderer::draw(LightPoints light_points) {
+  const glm::mat4 clip = clip_from_world();
+  framebuffer_.bind();
+  glClearColor(0, 0, 0, 1);
+  glEnable(GL_DEPTH_TEST);
+  glEnable(GL_CULL_FACE);
+  glDepthMask(GL_TRUE);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  if (cookies_) cookies_->bind(kCookieUnit);
+  const FrameCounts counts = surfaces_.draw(*settings_.path, clip);
+  glDepthMask(GL_FALSE);
+  draw_sky();
+  if (light_points == LightPoints::on) draw_light_points(clip);
+  glFinish();
+  gl::check_errors("drawing a frame");
+  return counts;
+}
+
+void Renderer::draw_geometry(const GeometryBuffer& geometry) {
+  geometry.begin();
+  glEnable(GL_CULL_FACE);
+  surfaces_.draw(geometry_path(*settings_.path), clip_from_world());
+  gl::check_errors("drawing the geometry");
+}
+
+void Renderer::draw_sky() {
+  const Environment& environment = scene_.environment;
+  sky_program_.use();
+  fog_lights_.bind(sky_program_, kFogLightBinding);
+  set_uniform(sky_program_, "cookies", kCookieUnit);
+  // Without the eye's place, whose rounding would turn the sky: a near point less an eye far from the origin.
+  const auto turned = glm::mat4(glm::mat3(view_from_world(scene_.camera)));
+  set_uniform(sky_program_, "direction_from_clip",
+              glm::inverse(clip_from_view(scene_.camera, framebuffer_.aspect()) * turned));
+  set_uniform(sky_program_, "eye", scene_.camera.position);
+  set_uniform(sky_program_, "sky_zenith", environment.sky_zenith);
+  set_uniform(sky_program_, "sky_horizon", environment.sky_horizon);
+  set_uniform(sky_program_, "star_brightness", environment.star_brightness);
+  set_uniform(sky_program_, "moon_direction", environment.moon_direction);
+  set_uniform(sky_program_, "moon_color", environment.moon_color);
+  set_uniform(sky_program_, "sky_distance", kSkyDistance);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void Renderer::draw_light_points(const glm::mat4& clip) {
+  if (lights_.local().empty()) return;
+  light_point_program_.use();
+  fog_lights_.bind(light_point_program_, kFogLightBinding);
+  lights_.bind_local(kLocalLightUnit);
+  set_uniform(light_point_program_, "cookies", kCookieUnit);
+  set_uniform(light_point_program_, "clip_from_world", clip);
+  set_uniform(light_point_program_, "eye", scene_.camera.position);
+  set_uniform(light_point_program_, "pixel_scale", float(framebuffer_.height()) / 720.0f);
+  set_uniform(light_point_program_, "local_lights", kLocalLightUnit);
+  glEnable(GL_PROGRAM_POINT_SIZE);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE);
+  glDrawArrays(GL_POINTS, 0, GLsizei(lights_.local().size()));
+  glDisable(GL_BLEND);
+}
+
+}  // namespace litfog::demo

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+
+#include "render/gpu/framebuffer.h"
+#include "render/gpu/geometry_buffer.h"
+#include "litfog/gl/fog_light_buffer.h"
+#include "litfog/gl/program.h"
+#include "litfog/solve.h"
+#include "scene/scene.h"
+#include "render/scene_lights.h"
+#include "render/surface_painter.h"
+
+namespace litfog::demo {
+
+inline constexpr float kSkyDistance = 50'000;  ///< metres: beyond any visibility at which fog shows
+
+/// Whether lamps are drawn as points, over the surfaces that they light.
+enum class LightPoints { on, off };
+
+/// Draws a scene by a lighting path into a framebuffer. Needs a current GL 3.3 core context.
+class Renderer {
+ public:
+  /// throws gl::Unsupported where this OpenGL cannot hold the scene's light lists or the path's light maps would take
+  /// more than 1 GiB, std::invalid_argument where the eye's vehicle carries more than kMaxFogLights
+  Renderer(const Scene& scene, int width, int height, const RenderSettings& settings);
+
+  /// Takes a change of the fog: solves the carried lights and uploads the block.
+  void set_fog(const Fog& fog);
+  /// Draws a frame and waits for it.
+  FrameCounts draw(LightPoints light_points = LightPoints::on);
+  Picture read() const { return framebuffer_.read(); }
+
+  const RenderSettings& settings() const { return settings_; }
+  int width() const { return framebuffer_.width(); }
+  int height() const { return framebuffer_.height(); }
+
+  /// Draws the surfaces of a frame into a geometry buffer of the same size.
+  void draw_geometry(const GeometryBuffer& geometry);
+  /// The surfaces' materials, without their texels, by their numbers in a geometry buffer.
+  std::vector<Material> materials() const { return surfaces_.materials(); }
+
+ private:
+  glm::mat4 clip_from_world() const;
+  void draw_sky();
+  void draw_light_points(const glm::mat4& clip_from_world);
+
+  const Scene& scene_;
+  RenderSettings settings_;
+  Framebuffer framebuffer_;
+  SceneLights lights_;
+  std::unique_ptr<LayeredTexture> cookies_;
+  gl::FogLightBuffer fog_lights_;
+  SurfacePainter surfaces_;
+  gl::Program sky_program_;
+  gl::Program light_point_program_;
+};
+
+}  // namespace litfog::demo

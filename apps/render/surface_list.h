@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "render/light_list.h"
+#include "scene/material.h"
+#include "render/mesh_store.h"
+#include "scene/scene.h"
+#include "render/gpu/texture.h"
+
+namespace litfog::demo {
+
+/// Whether the renderer leaves out what cannot show: surfaces out of view, lights out of reach of a surface.
+enum class Skipping { on, off };
+
+/// A material with its pictures on the GPU.
+struct SurfaceMaterial {
+  Material material;  ///< without its texels
+  float number;       ///< in their row
+  Texture albedo;
+  Texture normal;
+};
+
+/// A run of triangles of one material in its place in the world, and the lights that can reach it.
+struct Surface {
+  const SurfaceMaterial* material;
+  const Chunk* chunk;
+  glm::mat4 world_from_model;
+  Bounds bounds;   ///< world space
+  int list_first;  ///< in the light list: the local lights that can reach it, of which there are
+  int list_count;
+};
+
+/// The surfaces of a scene, sorted by material. Needs a current GL context.
+class SurfaceList {
+ public:
+  /// local, extents  the lights to be listed, in order, and their extents (metres)
+  /// throws  gl::Unsupported where this OpenGL cannot hold the light lists
+  SurfaceList(const Scene& scene, std::span<const PlacedLight> local, std::span<const double> extents,
+              Skipping skipping);
+
+  const std::vector<Surface>& surfaces() const { return surfaces_; }
+  /// The local lights that can reach a surface: indices.
+  std::span<const std::int32_t> lights_of(const Surface& surface) const {
+    return std::span(list_).subspan(std::size_t(surface.list_first), std::size_t(surface.list_count));
+  }
+  /// Binds all surfaces' lists as a buffer texture of integers.
+  void bind_light_list(unsigned unit) const { list_texture_->bind(unit); }
+  /// Makes the vertices of all surfaces current (see MeshStore).
+  void bind_meshes() const { meshes_.bind(); }
+  /// In the row of their numbers.
+  std::vector<Material> materials() const;
+  void draw(const Surface& surface) const { meshes_.draw(*surface.chunk); }
+
+ private:
+  void load_materials(const Scene& scene);
+
+  MeshStore meshes_;
+  std::map<std::string, SurfaceMaterial> materials_;
+  std::vector<Surface> surfaces_;
+  std::vector<std::int32_t> list_;
+  std::unique_ptr<BufferTexture> list_texture_;
+};
+
+}  // namespace litfog::demo

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "command/json_document.h"
+
+namespace litfog::demo {
+
+/// Refuses what a glTF reader would pass over in silence as if it were not given, or misread: members of a wrong kind
+/// or length, of all that the demo reads of such a file (glTF 2.0, chapter 5; KHR_lights_punctual).
+///
+/// root    the file's JSON
+/// throws  BadInput
+void expect_gltf_members(const JsonValue& root);
+
+}  // namespace litfog::demo

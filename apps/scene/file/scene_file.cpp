@@ -1,0 +1,394 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/file/scene_file.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <glm/gtc/matrix_transform.hpp>
+#include <map>
+#include <numbers>
+#include <random>
+#include <stdexcept>
+
+#include "command/exit_status.h"
+#include "scene/file/gltf_scene.h"
+#include "command/json_document.h"
+#include "command/light_file.h"
+#include "litfog/fog_light_block.h"
+#include "scene/model/model.h"
+
+namespace litfog::demo {
+namespace {
+
+constexpr std::size_t kMaxCopies = 20'000;  // of one object or light
+constexpr std::size_t kMaxInstances = 50'000;
+constexpr std::size_t kMaxCookies = 32;  // OpenGL 3.3 promises 256 layers, six a cookie
+constexpr double kMaxDensityScale = 1e6;
+
+bool is_color(const glm::dvec3& color) {
+  return glm::all(glm::greaterThanEqual(color, glm::dvec3(0.0))) &&
+         glm::all(glm::lessThanEqual(color, glm::dvec3(kMaxColor)));
+}
+const std::string kColorRule = fmt::format("must be a colour of numbers in [0, {}]", kMaxColor);
+
+bool is_position(const glm::dvec3& position) {
+  return glm::all(glm::lessThanEqual(glm::abs(position), glm::dvec3(kMaxCoordinate)));
+}
+const std::string kPositionRule = fmt::format("must have coordinates in [{}, {}]", -kMaxCoordinate, kMaxCoordinate);
+
+glm::dvec3 position_of(const JsonValue& value) {
+  const glm::dvec3 position = value.vec3();
+  if (!is_position(position)) value.fail(kPositionRule);
+  return position;
+}
+
+glm::vec3 color_or(const JsonValue& object, std::string_view name, const glm::vec3& absent) {
+  const auto value = object.optional(name);
+  if (!value) return absent;
+  const glm::dvec3 color = value->vec3();
+  if (!is_color(color)) value->fail(kColorRule);
+  return color;
+}
+
+glm::dvec3 direction(const JsonValue& value) {
+  const glm::dvec3 vector = value.vec3();
+  if (!(glm::length(vector) > 1e-9 && glm::length(vector) < 1e9)) value.fail("must have a length in (1e-9, 1e9)");
+  return glm::normalize(vector);
+}
+
+double number_in(const JsonValue& value, double low, double high) {
+  const double number = value.number();
+  if (!(number >= low && number <= high)) value.fail(fmt::format("must be in [{}, {}]", low, high));
+  return number;
+}
+
+double number_in_or(const JsonValue& object, std::string_view name, double low, double high, double absent) {
+  const auto value = object.optional(name);
+  return value ? number_in(*value, low, high) : absent;
+}
+
+std::size_t count_in(const JsonValue& value, std::size_t most) {
+  const double count = number_in(value, 1, double(most));
+  if (count != std::floor(count)) value.fail("must be a whole number");
+  return std::size_t(count);
+}
+
+/// The positions of an object's copies: its own alone without "repeat".
+std::vector<glm::dvec3> read_repeat(const JsonValue& object, const glm::dvec3& position) {
+  std::vector<glm::dvec3> positions{position};
+  const auto repeats = object.optional("repeat");
+  if (!repeats) return positions;
+  for (const JsonValue& repeat : repeats->items()) {
+    repeat.allow_only({"count", "step"});
+    const std::size_t count = count_in(repeat.member("count"), kMaxCopies);
+    const glm::dvec3 step = repeat.member("step").vec3();
+    if (count * positions.size() > kMaxCopies) {
+      repeat.member("count").fail(fmt::format("must not make more than {} copies in all", kMaxCopies));
+    }
+    const std::size_t before = positions.size();
+    for (std::size_t i = 1; i < count; ++i) {
+      for (std::size_t k = 0; k < before; ++k) positions.push_back(positions[k] + step * double(i));
+    }
+    if (!std::ranges::all_of(positions, is_position)) {
+      repeat.member("step").fail("every copy's position " + kPositionRule);
+    }
+  }
+  return positions;
+}
+
+Camera read_camera(const JsonValue& value) {
+  value.allow_only({"position", "target", "field_of_view_deg"});
+  const Camera camera{.position = position_of(value.member("position")),
+                      .target = position_of(value.member("target")),
+                      .field_of_view = glm::radians(float(number_in_or(value, "field_of_view_deg", 1, 150, 50)))};
+  const glm::vec3 view = camera.target - camera.position;
+  if (!(glm::length(glm::vec2(view.x, view.z)) > 1e-4f * glm::length(view))) {
+    value.member("target").fail("must not be straight above or below the position, or at it");
+  }
+  return camera;
+}
+
+Environment read_environment(const JsonValue& value) {
+  value.allow_only({"ambient", "fog_color", "sky_zenith", "sky_horizon", "stars", "moon"});
+  Environment environment;
+  environment.ambient_light = color_or(value, "ambient", environment.ambient_light);
+  environment.ambient_fog_color = color_or(value, "fog_color", environment.ambient_fog_color);
+  environment.sky_zenith = color_or(value, "sky_zenith", environment.sky_zenith);
+  environment.sky_horizon = color_or(value, "sky_horizon", environment.sky_horizon);
+  environment.star_brightness = float(number_in_or(value, "stars", 0, 100, 0));
+  if (const auto moon = value.optional("moon")) {
+    moon->allow_only({"direction", "color"});
+    environment.moon_direction = direction(moon->member("direction"));
+    environment.moon_color = color_or(*moon, "color", glm::vec3{0.0f});
+  }
+  return environment;
+}
+
+/// Reads scenes; keeps light files and models that several entries share.
+class SceneReader {
+ public:
+  explicit SceneReader(const std::string& path) : folder_(std::filesystem::path(path).parent_path()) {
+    const JsonValue root = read_json(path);
+    expect_header(root, "scene", 1);
+    root.allow_only(
+        {"litfog", "version", "name", "description", "camera", "environment", "visibilities_m", "lights", "objects"});
+    read_name(root, std::filesystem::path(path).stem().string());
+    if (const auto description = root.optional("description")) scene_.description = description->string();
+    scene_.camera = read_camera(root.member("camera"));
+    if (const auto environment = root.optional("environment")) scene_.environment = read_environment(*environment);
+    if (const auto visibilities = root.optional("visibilities_m")) read_visibilities(*visibilities);
+    if (const auto lights = root.optional("lights")) {
+      for (const JsonValue& light : lights->items()) read_light_entry(light);
+    }
+    for (const JsonValue& object : root.member("objects").items()) read_object(object);
+  }
+
+  Scene take() { return std::move(scene_); }
+
+ private:
+  void read_name(const JsonValue& root, const std::string& absent) {
+    constexpr const char* kRule =
+        "must not be empty, start with a dot or hold '/' or control characters: files take it";
+    const auto name = root.optional("name");
+    scene_.name = name ? name->string() : absent;
+    const bool is_file_name = !scene_.name.empty() && scene_.name.front() != '.' &&
+                              scene_.name.find('/') == scene_.name.npos &&
+                              std::ranges::none_of(scene_.name, [](unsigned char c) { return c < ' ' || c == 127; });
+    if (is_file_name) return;
+    if (name) name->fail(kRule);
+    root.fail("name", quoted_excerpt(scene_.name), kRule);
+  }
+
+  void read_visibilities(const JsonValue& value) {
+    const auto items = value.items();
+    if (items.size() > 16) value.fail("must be at most 16 visibilities");
+    for (const JsonValue& item : items) {
+      if (!(item.number() > 0)) item.fail("must be > 0");
+      if (std::ranges::find(scene_.visibilities, item.number()) != scene_.visibilities.end()) {
+        item.fail("must not be given twice");
+      }
+      scene_.visibilities.push_back(item.number());
+    }
+  }
+
+  Light read_kind(const JsonValue& value) {
+    if (!value.is_string()) return checked(value, parse_light(value));
+    const auto [entry, is_new] = lights_.try_emplace(value.string());
+    if (is_new) {
+      try {
+        entry->second = read_light((folder_ / value.string()).string());
+      } catch (const BadInput& refusal) {
+        value.fail(std::string("must be a light file: ") + refusal.what());
+      }
+    }
+    return checked(value, entry->second);
+  }
+
+  /// What a light file may say but the renderer's floats cannot.
+  static const Light& checked(const JsonValue& value, const Light& light) {
+    if (!is_color(light.color)) value.fail(value.path() + ".color", "", kColorRule);
+    if (!(light.density_scale <= kMaxDensityScale)) {
+      value.fail(value.path() + ".density_scale", fmt::format("{}", light.density_scale),
+                 fmt::format("must be at most {}", kMaxDensityScale));
+    }
+    return light;
+  }
+
+  void read_light_entry(const JsonValue& value) {
+    value.allow_only({"light", "position", "aim", "direction", "color", "cookie", "carried", "repeat"});
+    PlacedLight light{.light = read_kind(value.member("light")), .position = position_of(value.member("position"))};
+    light.light.color = color_or(value, "color", light.light.color);
+    light.direction = {0, -1, 0};
+    if (const auto aim = value.optional("aim")) {
+      if (const auto twice = value.optional("direction")) twice->fail("must not stand beside aim");
+      const glm::dvec3 axis = position_of(*aim) - light.position;
+      if (!(glm::length(axis) > 1e-9)) aim->fail("must not be at the light's position");
+      light.direction = glm::normalize(axis);
+    } else if (const auto axis = value.optional("direction")) {
+      light.direction = direction(*axis);
+    }
+    std::optional<CookieUse> cookie;
+    if (const auto given = value.optional("cookie")) {
+      cookie = read_cookie_use(*given);
+      light.light.cone = Cone{};
+    }
+    if (const auto carried = value.optional("carried")) light.carried = carried->boolean();
+    for (const glm::dvec3& position : read_repeat(value, light.position)) {
+      light.position = position;
+      if (cookie) scene_.cookie_uses.emplace(scene_.lights.size(), *cookie);
+      scene_.lights.push_back(light);
+      if (scene_.lights.size() > kMaxSceneLights) {
+        value.fail("lights", "", fmt::format("must be at most {}", kMaxSceneLights));
+      }
+      if (light.carried && ++carried_ > kMaxFogLights) {
+        value.fail("lights", "", fmt::format("must be at most {} that are carried", kMaxFogLights));
+      }
+    }
+  }
+
+  CookieUse read_cookie_use(const JsonValue& value) {
+    value.allow_only({"image", "pattern", "roll_deg", "spin_deg_per_s"});
+    return {.cookie = read_cookie_image(value),
+            .roll = glm::radians(number_in_or(value, "roll_deg", -360, 360, 0)),
+            .spin = glm::radians(number_in_or(value, "spin_deg_per_s", -3600, 3600, 0))};
+  }
+
+  /// The cookie of a file or pattern, read once for all lights that have it.
+  std::size_t read_cookie_image(const JsonValue& value) {
+    const auto pattern = value.optional("pattern");
+    if (pattern && value.optional("image")) pattern->fail("must not stand beside image");
+    const JsonValue source = pattern ? *pattern : value.member("image");
+    const std::string name = pattern ? source.string() : (folder_ / source.string()).string();
+    if (pattern && std::ranges::find(kCookiePatterns, name) == std::end(kCookiePatterns)) {
+      source.fail(fmt::format("must be {}", fmt::join(kCookiePatterns, " or ")));
+    }
+    const auto [entry, is_new] = cookies_.try_emplace({pattern.has_value(), name}, scene_.cookies.size());
+    if (is_new) {
+      if (scene_.cookies.size() == kMaxCookies)
+        value.fail(fmt::format("must be one of at most {} cookies", kMaxCookies));
+      try {
+        scene_.cookies.push_back(pattern ? make_cookie(name) : read_cookie(name));
+      } catch (const BadInput& refusal) {
+        source.fail(std::string("must be a cookie: ") + refusal.what());
+      }
+    }
+    return entry->second;
+  }
+
+  void read_object(const JsonValue& value) {
+    const std::size_t model = read_model(value);
+    const glm::dvec3 position = value.optional("position") ? position_of(value.member("position")) : glm::dvec3{0.0};
+    const float heading = glm::radians(float(number_in_or(value, "heading_deg", -360, 360, 0)));
+    const double scale = number_in_or(value, "scale", 0.001, 1000, 1);
+    if (const auto scatter = value.optional("scatter")) {
+      if (const auto repeat = value.optional("repeat")) repeat->fail("must not stand beside scatter");
+      read_scatter(*scatter, model, position.y, scale);
+      return;
+    }
+    for (const glm::dvec3& copy : read_repeat(value, position)) add_instance(value, model, copy, heading, scale);
+  }
+
+  void read_scatter(const JsonValue& value, std::size_t model, double height, double scale) {
+    value.allow_only({"count", "area", "seed", "scale"});
+    const std::size_t count = count_in(value.member("count"), kMaxCopies);
+    const auto area = value.member("area").items();
+    if (area.size() != 4) value.member("area").fail("must be x and z of one corner, then of the other");
+    for (const JsonValue& side : area) number_in(side, -kMaxCoordinate, kMaxCoordinate);
+    double low = 1;
+    double high = 1;
+    if (const auto range = value.optional("scale")) {
+      const auto ends = range->items();
+      if (ends.size() != 2) range->fail("must be two numbers");
+      low = number_in(ends[0], 0.001, 1000);
+      high = number_in(ends[1], low, 1000);
+    }
+    std::minstd_rand random(unsigned(number_in_or(value, "seed", 1, 1e9, 1)));
+    const auto between = [&](double from, double to) {  // std's distributions differ between libraries
+      return from + (to - from) * (double(random()) / double(std::minstd_rand::max()));
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+      const double x = between(area[0].number(), area[2].number());
+      const double z = between(area[1].number(), area[3].number());
+      const float heading = float(between(0, 2 * std::numbers::pi));
+      add_instance(value, model, {x, height, z}, heading, scale * between(low, high));
+    }
+  }
+
+  /// The model of an object, made once for all objects with the same parameters.
+  std::size_t read_model(const JsonValue& value) {
+    const JsonValue name = value.member("model");
+    const ModelInfo* info = find_model(name.string());
+    if (!info) {
+      std::string names;
+      for (const ModelInfo& known : models()) names += (names.empty() ? "" : ", ") + std::string(known.name);
+      name.fail("must be one of " + names);
+    }
+    std::vector<std::string_view> allowed{"model", "position", "heading_deg", "scale", "repeat", "scatter"};
+    ModelParameters parameters;
+    std::string key = name.string();
+    for (const ParameterInfo& parameter : info->parameters) {
+      allowed.push_back(parameter.name);
+      if (const auto given = value.optional(parameter.name)) {
+        if (const std::string rule = refusal(parameter, given->number()); !rule.empty()) given->fail(rule);
+        parameters.set(parameter.name, given->number());
+        key += fmt::format(" {}={}", parameter.name, given->number());
+      }
+    }
+    value.allow_only(allowed);
+    const auto [entry, is_new] = models_.try_emplace(key, scene_.models.size());
+    if (is_new) {
+      try {
+        scene_.models.push_back(make_model(name.string(), parameters));
+      } catch (const std::invalid_argument& refusal) {  // a rule across parameters
+        name.fail("model", name.string(), refusal.what());
+      }
+    }
+    return entry->second;
+  }
+
+  void add_instance(const JsonValue& at, std::size_t model, const glm::dvec3& position, float heading, double scale) {
+    triangles_ += triangle_count(scene_.models[model]);
+    if (triangles_ > kMaxTriangles) at.fail("triangles", "", fmt::format("must be at most {}", kMaxTriangles));
+    if (scene_.instances.size() == kMaxInstances) {
+      at.fail("objects", "", fmt::format("must be at most {} with all copies", kMaxInstances));
+    }
+    const glm::mat4 world_from_model = glm::scale(place(position, heading), glm::vec3(float(scale)));
+    scene_.instances.push_back({model, world_from_model});
+  }
+
+  std::filesystem::path folder_;
+  Scene scene_;
+  std::map<std::string, Light> lights_;
+  std::map<std::pair<bool, std::string>, std::size_t> cookies_;  // by whether they are patterns, and name
+  std::map<std::string, std::size_t> models_;
+  std::size_t triangles_ = 0;
+  std::size_t carried_ = 0;
+};
+
+/// Where an install put the scenes, seen from the running program, so that the whole may be moved; in a build tree they
+/// are the sources'.
+std::filesystem::path scene_folder() {
+  std::error_code error;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
+  const std::filesystem::path installed =
+      (program.parent_path() / LITFOG_DATA_FROM_PROGRAM / "scenes").lexically_normal();
+  if (std::filesystem::is_directory(installed, error)) return installed;
+  const std::filesystem::path sources = std::filesystem::path(LITFOG_SOURCE_DATA_DIR) / "scenes";
+  return std::filesystem::is_directory(sources, error) ? sources : installed;
+}
+
+}  // namespace
+
+Scene read_scene(const std::string& path) {
+  return is_gltf_path(path) ? read_gltf_scene(path) : SceneReader(path).take();
+}
+
+std::vector<Scene> read_scenes(const std::vector<std::string>& paths) {
+  std::vector<Scene> scenes;
+  for (const std::string& path : paths) {
+    scenes.push_back(read_scene(path));
+    const std::string& name = scenes.back().name;
+    const auto earlier = std::ranges::find(scenes, name, &Scene::name);
+    if (const auto i = std::size_t(earlier - scenes.begin()); i + 1 < scenes.size()) {
+      throw BadInput(fmt::format("{}: name = {}: must not be that of {} too", path, name, paths[i]));
+    }
+  }
+  return scenes;
+}
+
+std::vector<std::string> bundled_scenes() {
+  std::vector<std::string> names;
+  std::error_code missing;
+  for (const auto& entry : std::filesystem::directory_iterator(scene_folder(), missing)) {
+    if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
+  }
+  if (names.empty()) throw BadInput(scene_folder().string() + ": cannot be read: litfog's scenes are not there");
+  std::ranges::sort(names);
+  return names;
+}
+
+std::string bundled_scene_path(const std::string& name) { return (scene_folder() / (name + ".json")).string(); }
+
+}  // namespace litfog::demo

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace litfog::demo {
+
+// clang-format off
+/// Scene files, version 1. Metres, Y up; colours are linear RGB.
+///
+///     {
+///       "litfog": "scene",
+///       "version": 1,
+///       "name": "headlights",                             optional: the file's name without its ending
+///       "description": "two headlights on a road",        optional
+///       "camera": {"position": [0, 1.4, 0], "target": [0, 1, -20], "field_of_view_deg": 45},
+///       "environment": {                                  optional, and each member of it
+///         "ambient": [0.01, 0.01, 0.02], "fog_color": [0.02, 0.02, 0.03],
+///         "sky_zenith": [0, 0, 0.01], "sky_horizon": [0.01, 0.01, 0.02], "stars": 0.8,
+///         "moon": {"direction": [0.3, 0.5, -1], "color": [0.02, 0.02, 0.03]}
+///       },
+///       "visibilities_m": [500, 150, 50],                 optional: for the gallery; at most 16
+///       "lights": [{
+///         "light": "../lights/headlight.json",            relative to this file, or a light written out here
+///         "position": [-0.6, 0.7, 0],
+///         "aim": [-0.6, 0, -30],                          a point, or "direction": [0, -0.02, -1]; default: down
+///         "color": [2, 1.9, 1.6],                         optional: in place of the light's own
+///         "cookie": {"image": "beam.exr",                 optional: in place of the light's cone, a cube map as
+///                    "roll_deg": 20, "spin_deg_per_s": 90},  litfog-fit writes it, or "pattern": "disco" or "beacon";
+///                                                         turned about the axis, and on with --time
+///         "carried": true,                                optional: by the eye's vehicle; default: false
+///         "repeat": [{"count": 41, "step": [0, 0, -60]}]  optional: a copy at each step, of each copy before
+///       }],
+///       "objects": [{
+///         "model": "spruce", "height_m": 9, "seed": 3,    a model of model.h and its parameters
+///         "position": [4, 0, -20], "heading_deg": 30, "scale": 1.1,      optional: the origin, 0, 1
+///         "repeat": [...],                                as above, or
+///         "scatter": {"count": 80, "area": [10, -200, 60, 0], "seed": 1, "scale": [0.8, 1.2]}
+///       }]                                                area: x and z of two corners; headings at random
+///     }
+///
+/// "aim" moves along with a repeated light. A scene has at most 20,000 lights, 128 of them carried, and 50,000 objects.
+/// Coordinates are within 10,000 km, parts of a colour at most 10,000.
+// clang-format on
+
+/// Reads a scene file, or a glTF file (gltf_scene.h) by its ending. Throws BadInput.
+Scene read_scene(const std::string& path);
+
+/// Reads scenes whose pictures go into one folder. Throws BadInput, also where two have one name: their pictures would.
+std::vector<Scene> read_scenes(const std::vector<std::string>& paths);
+
+/// The scenes that come with litfog: names of files in data/scenes, sorted. Throws BadInput where there are none.
+std::vector<std::string> bundled_scenes();
+
+/// Path of a bundled scene's file, whether there is one of that name or not.
+std::string bundled_scene_path(const std::string& name);
+
+}  // namespace litfog::demo

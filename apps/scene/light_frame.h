@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "scene/scene.h"
+
+namespace litfog::demo {
+
+/// How a viewpoint is turned in the world: radians. Heading to the right of -Z, pitch up, roll to the right.
+struct Attitude {
+  double heading = 0;
+  double pitch = 0;
+  double roll = 0;
+};
+Attitude attitude_of(const Camera& camera);
+
+/// Where a viewpoint sees a direction: radians. Azimuth to its right, elevation up.
+struct Bearing {
+  double azimuth;
+  double elevation;
+};
+Bearing bearing_of(const glm::dvec3& direction, const Attitude& viewpoint);
+
+/// Rotation into light coordinates: x in the direction of the light, y to its left, z up. "Typically a spot light may
+/// be defined relative to a viewpoint, with an azimuth and elevation. The viewpoint also may have heading, pitch, and
+/// roll." (Hales 2004, "Embedding Angle Attenuation in a Texture Map")
+glm::dmat3 light_from_world(const Bearing& light, const Attitude& viewpoint);
+
+/// Rotation into the orthonormal basis of a light: x to its right, y up, -z along its direction (Frazier 2000,
+/// "Filtering a Point Light into a Spot Light").
+///
+/// direction  unit
+glm::dmat3 basis_from_world(const glm::dvec3& direction);
+
+}  // namespace litfog::demo

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/mesh.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <limits>
+#include <utility>
+
+namespace litfog::demo {
+namespace {
+
+/// A tangent for a unit normal that turns with it everywhere but straight down, where every such field has to break
+/// (Frisvad 2012, "Building an Orthonormal Basis from a 3D Unit Vector Without Normalization"): what is carried into
+/// tangent space at the vertices is interpolated between them.
+glm::vec3 perpendicular(const glm::vec3& normal) {
+  if (normal.y < -0.9999f) return glm::normalize(glm::vec3(1, 0, 0) - normal * normal.x);
+  const float share = normal.x / (1 + normal.y);
+  return glm::normalize(glm::vec3(1 - normal.x * share, -normal.x, -normal.z * share));
+}
+
+void extend(Bounds& box, const Mesh& mesh) {
+  for (const Vertex& vertex : mesh.vertices) {
+    box.low = glm::min(box.low, vertex.position);
+    box.high = glm::max(box.high, vertex.position);
+  }
+}
+
+constexpr Bounds kEmpty{glm::vec3(std::numeric_limits<float>::max()), glm::vec3(std::numeric_limits<float>::lowest())};
+
+}  // namespace
+
+Bounds bounds(const Mesh& mesh) {
+  Bounds box = kEmpty;
+  extend(box, mesh);
+  return box;
+}
+
+Bounds bounds(const Model& model) {
+  Bounds box = kEmpty;
+  for (const Part& piece : model) extend(box, piece.mesh);
+  return box;
+}
+
+std::size_t triangle_count(const Model& model) {
+  std::size_t count = 0;
+  for (const Part& piece : model) count += piece.mesh.indices.size() / 3;
+  return count;
+}
+
+void append(Mesh& to, const Mesh& from, const glm::mat4& to_from_from) {
+  const glm::mat3 linear(to_from_from);
+  const glm::mat3 normals = glm::transpose(glm::inverse(linear));
+  const bool mirrored = glm::determinant(linear) < 0.0f;
+  const auto first = static_cast<std::uint32_t>(to.vertices.size());
+  for (const Vertex& vertex : from.vertices) {
+    const glm::vec3 normal = glm::normalize(normals * vertex.normal);
+    // An uneven scale tilts the tangent off the normal's plane.
+    glm::vec3 tangent = linear * glm::vec3(vertex.tangent);
+    tangent = glm::normalize(tangent - normal * glm::dot(normal, tangent));
+    to.vertices.push_back({glm::vec3(to_from_from * glm::vec4(vertex.position, 1.0f)), normal,
+                           glm::vec4(tangent, mirrored ? -vertex.tangent.w : vertex.tangent.w), vertex.uv});
+  }
+  for (std::size_t i = 0; i + 2 < from.indices.size(); i += 3) {
+    to.indices.push_back(first + from.indices[i]);
+    to.indices.push_back(first + from.indices[mirrored ? i + 2 : i + 1]);
+    to.indices.push_back(first + from.indices[mirrored ? i + 1 : i + 2]);
+  }
+}
+
+void append(Model& to, const Model& from, const glm::mat4& to_from_from) {
+  for (const Part& piece : from) append(part(to, piece.material), piece.mesh, to_from_from);
+}
+
+Mesh& part(Model& model, std::string_view material) {
+  for (Part& piece : model) {
+    if (piece.material == material) return piece.mesh;
+  }
+  return model.emplace_back(Part{std::string(material), {}}).mesh;
+}
+
+glm::mat4 place(const glm::vec3& position, float yaw) {
+  return glm::rotate(glm::translate(glm::mat4(1.0f), position), yaw, glm::vec3(0, 1, 0));
+}
+
+void compute_tangents(Mesh& mesh) {
+  std::vector<std::pair<glm::vec3, glm::vec3>> sums(mesh.vertices.size(), {glm::vec3(0), glm::vec3(0)});
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    const Vertex& a = mesh.vertices[mesh.indices[i]];
+    const Vertex& b = mesh.vertices[mesh.indices[i + 1]];
+    const Vertex& c = mesh.vertices[mesh.indices[i + 2]];
+    const glm::vec3 ab = b.position - a.position;
+    const glm::vec3 ac = c.position - a.position;
+    const glm::vec2 uv_ab = b.uv - a.uv;
+    const glm::vec2 uv_ac = c.uv - a.uv;
+    const float determinant = uv_ab.x * uv_ac.y - uv_ab.y * uv_ac.x;
+    if (determinant == 0.0f) continue;
+    // The division by the determinant's size is left out: that weights by area, as it should be.
+    const float sign = determinant < 0.0f ? -1.0f : 1.0f;
+    const glm::vec3 tangent = sign * (ab * uv_ac.y - ac * uv_ab.y);
+    const glm::vec3 bitangent = sign * (ac * uv_ab.x - ab * uv_ac.x);
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      auto& [tangent_sum, bitangent_sum] = sums[mesh.indices[i + corner]];
+      tangent_sum += tangent;
+      bitangent_sum += bitangent;
+    }
+  }
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+    Vertex& vertex = mesh.vertices[i];
+    const auto& [tangent_sum, bitangent_sum] = sums[i];
+    glm::vec3 tangent = tangent_sum - vertex.normal * glm::dot(vertex.normal, tangent_sum);
+    const float length = glm::length(tangent);
+    const bool usable = length > 1e-3f * glm::length(tangent_sum) && length > 1e-20f;
+    tangent = usable ? tangent / length : perpendicular(vertex.normal);
+    const float sign = glm::dot(glm::cross(vertex.normal, tangent), bitangent_sum) < 0.0f ? -1.0f : 1.0f;
+    vertex.tangent = glm::vec4(tangent, sign);
+  }
+}
+
+void add_back_faces(Mesh& mesh) {
+  const auto vertices = static_cast<std::uint32_t>(mesh.vertices.size());
+  const std::size_t indices = mesh.indices.size();
+  mesh.vertices.reserve(2 * mesh.vertices.size());
+  mesh.indices.reserve(2 * indices);
+  for (std::uint32_t i = 0; i < vertices; ++i) {
+    Vertex vertex = mesh.vertices[i];
+    vertex.normal = -vertex.normal;
+    vertex.tangent.w = -vertex.tangent.w;
+    mesh.vertices.push_back(vertex);
+  }
+  for (std::size_t i = 0; i + 2 < indices; i += 3) {
+    mesh.indices.push_back(vertices + mesh.indices[i]);
+    mesh.indices.push_back(vertices + mesh.indices[i + 2]);
+    mesh.indices.push_back(vertices + mesh.indices[i + 1]);
+  }
+}
+
+}  // namespace litfog::demo

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "scene/mesh.h"
+
+namespace litfog::demo {
+
+/// A broadleaf tree: a forking trunk, and leaves in sprays at the ends of its twigs.
+struct BroadleafTree {
+  float height_m = 7.0f;
+  float spread = 0.55f;  ///< reach of the lowest boughs as a share of the height
+  float leaves = 0.7f;   ///< 0: bare as in winter, 1: full summer
+  float leaf_m = 0.16f;  ///< length of a spray
+  int forks = 3;         ///< how often stem, bough and twig divide: 2 is for far away
+  int seed = 1;
+};
+Model make_broadleaf_tree(const BroadleafTree& tree);
+
+/// The same without a trunk: stems from the ground.
+struct Bush {
+  float height_m = 1.4f;
+  float leaves = 0.8f;
+  float leaf_m = 0.11f;
+  int stems = 7;
+  int seed = 1;
+};
+Model make_bush(const Bush& bush);
+
+}  // namespace litfog::demo

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "scene/mesh.h"
+
+namespace litfog::demo {
+
+/// A parked hatchback of 4.3 m. It heads for -Z, so whoever looks along -Z sees its back.
+struct Car {
+  int paint = 0;   ///< index in kCarPaints
+  int lights = 0;  ///< 1: tail lamps and headlamps shine
+  int number = 47;
+};
+inline constexpr std::string_view kCarPaints[] = {"paint_blue", "paint_red", "paint_white", "paint_grey",
+                                                  "paint_green"};
+Model make_car(const Car& car);
+
+}  // namespace litfog::demo

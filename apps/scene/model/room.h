@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "scene/mesh.h"
+
+namespace litfog::demo {
+
+/// A room seen from inside, after Frazier 2000's "room with a curved ceiling": a barrel vault with ribs along Z, piers
+/// and niches at the sides, a door in the wall at -Z. The floor is y = 0, its middle the origin.
+struct Room {
+  float width_m = 7.0f;
+  float depth_m = 11.0f;
+  float wall_m = 2.6f;  ///< height of the walls, where the vault starts
+  float rise_m = 1.7f;  ///< of the vault over that
+  int bays = 4;         ///< between the ribs
+};
+Model make_room(const Room& room);
+
+}  // namespace litfog::demo

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "scene/mesh.h"
+
+namespace litfog::demo {
+
+// What light at the vertices needs: one shape in finer and finer triangles (Cg Tutorial, figure 5-16).
+
+/// A square wall standing on y = 0, facing +Z, of cells x cells squares.
+struct Panel {
+  float size_m = 2.0f;
+  int cells = 1;
+  int wire = 0;  ///< 1: the edges of its triangles alone
+};
+Model make_panel_model(const Panel& panel);
+
+/// An upright cylinder without lids, standing on y = 0.
+struct Drum {
+  float radius_m = 0.75f;
+  float height_m = 2.0f;
+  int segments = 8;
+  int rings = 1;
+  int wire = 0;  ///< 1: the edges of its triangles alone
+};
+Model make_drum_model(const Drum& drum);
+
+}  // namespace litfog::demo

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "scene/paint/field.h"
+
+namespace litfog::demo {
+
+// Painters of surfaces. Colours need only be right relative to each other: make_material scales each channel to the
+// material's mean albedo. Every painter gives the same texels each time.
+
+// painter_ground.cpp
+void paint_asphalt(Canvas& canvas);
+void paint_runway(Canvas& canvas);
+void paint_road_paint(Canvas& canvas);
+void paint_grass(Canvas& canvas);
+void paint_gravel(Canvas& canvas);
+void paint_soil(Canvas& canvas);
+void paint_concrete_slabs(Canvas& canvas);
+
+// painter_building.cpp
+void paint_concrete(Canvas& canvas);
+void paint_brick(Canvas& canvas);
+void paint_plaster(Canvas& canvas);
+void paint_wood_floor(Canvas& canvas);
+void paint_wood(Canvas& canvas);
+void paint_roof_tiles(Canvas& canvas);
+void paint_stone(Canvas& canvas);
+void paint_corrugated(Canvas& canvas);
+
+// painter_plant.cpp
+void paint_bark(Canvas& canvas);
+void paint_needles(Canvas& canvas);
+void paint_leaves(Canvas& canvas);
+void paint_blades(Canvas& canvas);
+
+// painter_plain.cpp: paints, metals, glass, rubber, lamps
+void paint_painted(Canvas& canvas);
+void paint_galvanised(Canvas& canvas);
+void paint_smooth(Canvas& canvas);
+void paint_rubber(Canvas& canvas);
+void paint_prisms(Canvas& canvas);
+
+}  // namespace litfog::demo

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <glm/glm.hpp>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "scene/cookie.h"
+#include "litfog/light.h"
+#include "scene/material.h"
+#include "scene/mesh.h"
+
+namespace litfog::demo {
+
+// What a scene may hold, so that no file asks for all memory or for what floats cannot draw.
+inline constexpr std::size_t kMaxSceneLights = 20'000;
+inline constexpr std::size_t kMaxTriangles = 20'000'000;
+inline constexpr double kMaxCoordinate = 1e7;  ///< metres: floats there still tell metres apart
+inline constexpr double kMaxColor = 1e4;       ///< a framebuffer's half floats end at 65,504
+
+/// The eye. Right-handed, Y up, metres.
+struct Camera {
+  glm::vec3 position{0.0f, 1.6f, 0.0f};
+  glm::vec3 target{0.0f, 1.6f, -1.0f};
+  float field_of_view = 1.0f;  ///< vertical, radians
+};
+
+/// What lights a scene beside its lamps. Colours are linear RGB.
+struct Environment {
+  glm::vec3 ambient_light{0.0f};
+  glm::vec3 ambient_fog_color{0.0f};
+  glm::vec3 sky_zenith{0.0f};
+  glm::vec3 sky_horizon{0.0f};
+  float star_brightness = 0.0f;
+  glm::vec3 moon_direction{0.0f, 1.0f, 0.0f};  ///< unit, towards the moon
+  glm::vec3 moon_color{0.0f};                  ///< of its light on surfaces; 0 is no moon
+};
+
+/// A model put somewhere.
+struct Instance {
+  std::size_t model;
+  glm::mat4 world_from_model;
+};
+
+/// A cookie in place of a light's cone, turned about its axis to the right as seen along it.
+struct CookieUse {
+  std::size_t cookie;
+  double roll = 0;  ///< radians
+  double spin = 0;  ///< radians a second
+};
+
+/// Everything the demo draws. Plain data: no GL.
+struct Scene {
+  std::string name;
+  std::string description;
+  Camera camera;
+  Environment environment;
+  std::vector<Material> materials;  ///< the scene's own; a part's other names are material.h's
+  std::vector<Model> models;
+  std::vector<Instance> instances;
+  std::vector<PlacedLight> lights;
+  std::vector<Cookie> cookies;
+  std::map<std::size_t, CookieUse> cookie_uses;  ///< by their lights, whose cones are none
+  std::vector<double> visibilities;              ///< metres: those at which the gallery shows the scene
+};
+
+/// Turns the spinning cookies on by so many seconds.
+inline void turn_cookies(Scene& scene, double seconds) {
+  for (auto& [light, use] : scene.cookie_uses) use.roll += use.spin * seconds;
+}
+
+/// The visibility at which a scene is shown where none is asked for, metres: its own middle one, so that the picture
+/// shows what the scene is for.
+inline double suggested_visibility(const Scene& scene) {
+  return scene.visibilities.empty() ? 200 : scene.visibilities[scene.visibilities.size() / 2];
+}
+
+}  // namespace litfog::demo

@@ -1,0 +1,393 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <initializer_list>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "command/command.h"
+#include "command/csv.h"
+#include "command/light_file.h"
+#include "litfog/solve.h"
+#include "command/number.h"
+#include "command/table.h"
+
+namespace {
+
+using litfog::Attenuation;
+using litfog::Fog;
+using litfog::FogIntensity;
+using litfog::FogMode;
+using litfog::Light;
+using litfog::SolveStatus;
+
+constexpr const char* kDescription =
+    R"(Computes how brightly a light makes fog glow: the intensity, the range where it peaks, the light's extent.
+
+  litfog-solve --constant C --linear L --quadratic Q  --visibility M[,M...] | --density D[,D...]  [OPTIONS]
+  litfog-solve --light FILE...                        --visibility M[,M...] | --density D[,D...]  [OPTIONS]
+  litfog-solve --csv FILE|-
+)";
+
+constexpr const char* kExamples =
+    R"(Units: metres, 1/m (density, linear), 1/m^2 (quadratic). The intensity is the largest share of the light's colour
+that the fog throws back along the light's axis: the peak of (1 - f(r)) / (constant + linear r + quadratic r^2), its
+denominator at least 1, for r from 0 to the extent.
+
+Examples:
+  litfog-solve --constant 1 --quadratic 0.0002 --visibility 50,200,1000
+  litfog-solve --light landing-lamp.json headlight.json --fog exp2 --density 0.01 --format json
+  litfog-solve --csv rows.csv > solved.csv     rows.csv starts: fog,density,constant,linear,quadratic,threshold
+
+The batch form reads a row a light, in CSV with those six columns in any order; other columns pass through. It appends
+extent,peak_range,intensity,status. A bad row keeps its place and has the reason as its status.
+
+Exit status: 0 done; 1 wrong command line; 2 bad input, named file:line:column on standard error (in the batch form the
+good rows are solved all the same); 4 output cannot be written; 5 a solve did not converge.)";
+
+enum class Method { exact, sampled };
+
+struct Options {
+  Attenuation attenuation{0, 0, 0};
+  std::vector<std::string> light_files;
+  FogMode mode = FogMode::exp;
+  std::vector<double> visibilities;
+  double contrast = litfog::kContrastMor;
+  std::vector<double> densities;
+  std::optional<double> threshold;
+  Method method = Method::exact;
+  int samples = 64;
+  TableFormat format = TableFormat::text;
+  std::string csv_file;
+};
+
+FogIntensity solve(const Options& options, const Attenuation& attenuation, const Fog& fog, double threshold) {
+  return options.method == Method::exact ? solve_fog_intensity(attenuation, fog, threshold)
+                                         : sample_fog_intensity(attenuation, fog, threshold, options.samples);
+}
+
+const char* name_of(FogMode mode) { return mode == FogMode::exp ? "exp" : "exp2"; }
+
+std::optional<FogMode> parse_mode(std::string_view text) {
+  for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
+    if (text == name_of(mode)) return mode;
+  }
+  return std::nullopt;
+}
+
+const char* name_of(SolveStatus status) { return status == SolveStatus::ok ? "ok" : "not_converged"; }
+
+std::vector<Light> lights_of(const Options& options) {
+  std::vector<Light> lights;
+  if (options.light_files.empty()) {
+    lights.emplace_back().attenuation = options.attenuation;
+  } else {
+    std::transform(options.light_files.begin(), options.light_files.end(), std::back_inserter(lights), read_light);
+  }
+  if (options.threshold) {
+    for (Light& light : lights) light.threshold = *options.threshold;
+  }
+  return lights;
+}
+
+/// One row for each light in each fog.
+ExitStatus solve_table(const Options& options) {
+  const bool has_visibility = !options.visibilities.empty();
+  Table table;
+  table.columns = {"light", "fog"};
+  if (has_visibility) table.columns.push_back("visibility_m");
+  for (const char* column :
+       {"density", "constant", "linear", "quadratic", "threshold", "extent", "peak_range", "intensity", "status"}) {
+    table.columns.push_back(column);
+  }
+
+  ExitStatus status = kDone;
+  for (const Light& light : lights_of(options)) {
+    for (const double value : has_visibility ? options.visibilities : options.densities) {
+      const Fog scene_fog =
+          has_visibility ? Fog::from_visibility(options.mode, value, options.contrast) : Fog{options.mode, value};
+      const Fog fog = scaled(scene_fog, light.density_scale);
+      const auto [constant, linear, quadratic] = light.attenuation;
+      const FogIntensity result = solve(options, light.attenuation, fog, light.threshold);
+      if (result.status != SolveStatus::ok) status = kNotToTolerance;
+      auto& row = table.rows.emplace_back();
+      row = {light.name, name_of(fog.mode)};
+      if (has_visibility) row.emplace_back(value);
+      for (const double cell : {fog.density, constant, linear, quadratic, light.threshold, result.extent,
+                                result.peak_range, result.intensity}) {
+        row.emplace_back(cell);
+      }
+      row.emplace_back(name_of(result.status));
+    }
+  }
+  write_standard_output(format_table(table, options.format));
+  return status;
+}
+
+/// The batch form's columns, in the order in which they are named to people.
+enum Column { kFog, kDensity, kConstant, kLinear, kQuadratic, kThreshold, kColumnCount };
+constexpr std::array<std::string_view, kColumnCount> kColumnNames{"fog",    "density",   "constant",
+                                                                  "linear", "quadratic", "threshold"};
+constexpr std::array<std::string_view, 4> kAppendedNames{"extent", "peak_range", "intensity", "status"};
+
+/// What is wrong with a row, and where.
+struct Defect {
+  TextPlace place;
+  std::string reason;
+};
+
+std::string located(const std::string& file, const Defect& defect) {
+  return fmt::format("{}:{}:{}: {}", file, defect.place.line, defect.place.column, defect.reason);
+}
+
+/// The header: which field of a row holds which column.
+struct Header {
+  std::array<std::size_t, kColumnCount> index;
+  std::size_t field_count;
+};
+
+std::optional<Defect> read_header(const CsvRecord& record, Header& header) {
+  if (record.defect() != nullptr) return Defect{record.defect_place(), fmt::format("header: {}", record.defect())};
+  std::array<bool, kColumnCount> is_found{};
+  header.field_count = record.size();
+  for (std::size_t i = 0; i < record.size(); ++i) {
+    const std::string_view name = record.field(i);
+    if (std::find(kAppendedNames.begin(), kAppendedNames.end(), name) != kAppendedNames.end()) {
+      return Defect{record.place(i), fmt::format("column {}: must not be given, it is computed", name)};
+    }
+    const auto known = std::find(kColumnNames.begin(), kColumnNames.end(), name);
+    if (known == kColumnNames.end()) continue;
+    const auto column = static_cast<std::size_t>(known - kColumnNames.begin());
+    if (is_found[column]) return Defect{record.place(i), fmt::format("column {}: must not be given twice", name)};
+    is_found[column] = true;
+    header.index[column] = i;
+  }
+  for (std::size_t column = 0; column < kColumnCount; ++column) {
+    if (!is_found[column]) return Defect{{}, fmt::format("column {}: must be given", kColumnNames[column])};
+  }
+  return std::nullopt;
+}
+
+/// A row's input.
+struct Row {
+  Fog fog;
+  Attenuation attenuation;
+  double threshold;
+};
+
+std::optional<Defect> read_row(const Header& header, const CsvRecord& record, Row& row) {
+  if (record.defect() != nullptr) return Defect{record.defect_place(), record.defect()};
+  if (record.size() != header.field_count) {
+    return Defect{record.place(std::min(record.size(), header.field_count + 1) - 1),
+                  fmt::format("number of fields = {}: must be {} as in the header", record.size(), header.field_count)};
+  }
+  const auto defect_of = [&](std::size_t column, std::string_view rule) {
+    const std::size_t i = header.index[column];
+    return Defect{record.place(i),
+                  fmt::format("{} = {}: {}", kColumnNames[column], quoted_excerpt(record.field(i)), rule)};
+  };
+  const auto mode = parse_mode(record.field(header.index[kFog]));
+  if (!mode) return defect_of(kFog, "must be exp or exp2");
+  std::array<double, kColumnCount> values;
+  for (std::size_t column = kDensity; column < kColumnCount; ++column) {
+    const auto number = parse_number(record.field(header.index[column]));
+    if (!number) return defect_of(column, "must be a number");
+    values[column] = *number;
+  }
+  row = {{*mode, values[kDensity]}, {values[kConstant], values[kLinear], values[kQuadratic]}, values[kThreshold]};
+
+  auto refusal = check(row.fog);
+  if (!refusal) refusal = check(row.attenuation);
+  if (!refusal) refusal = litfog::check_threshold(row.threshold);
+  if (!refusal) return std::nullopt;
+  std::string_view field = refusal->field;
+  field.remove_prefix(field.rfind('.') + 1);  // "attenuation.linear" is the column linear
+  const auto column = std::find(kColumnNames.begin(), kColumnNames.end(), field);
+  return defect_of(static_cast<std::size_t>(column - kColumnNames.begin()), refusal->rule);
+}
+
+/// Bad rows on standard error, at most a screenful of them, and a sign of life where somebody watches.
+class BatchReport {
+ public:
+  explicit BatchReport(const std::string& file) : file_(file) {}
+
+  void add_defect(const Defect& defect) {
+    if (++defects_ > kMaxReported) return;
+    clear_progress();
+    fmt::print(stderr, "{}\n", located(file_, defect));
+  }
+
+  void add_row() {
+    if (++rows_ % 1024 != 0 || !is_watched_) return;
+    const auto now = std::chrono::steady_clock::now();
+    if (now < next_progress_) return;
+    next_progress_ = now + std::chrono::milliseconds(200);
+    fmt::print(stderr, "\r{} rows", rows_);
+    has_progress_ = true;
+  }
+
+  bool finish() {
+    clear_progress();
+    if (defects_ > kMaxReported) fmt::print(stderr, "{}: {} more bad rows\n", file_, defects_ - kMaxReported);
+    return defects_ == 0;
+  }
+
+ private:
+  static constexpr long kMaxReported = 20;
+
+  void clear_progress() {
+    if (has_progress_) fmt::print(stderr, "\r\x1B[K");
+    has_progress_ = false;
+  }
+
+  std::string file_;
+  long defects_ = 0;
+  long rows_ = 0;
+  const bool is_watched_ = isatty(STDERR_FILENO) != 0;
+  bool has_progress_ = false;
+  std::chrono::steady_clock::time_point next_progress_ = std::chrono::steady_clock::now() + std::chrono::seconds(2);
+};
+
+/// Rows from CSV to CSV, as they come.
+ExitStatus solve_batch(const Options& options) {
+  const bool is_standard_input = options.csv_file == "-";
+  const std::string name = is_standard_input ? "<stdin>" : options.csv_file;
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(
+      is_standard_input ? stdin : std::fopen(options.csv_file.c_str(), "rb"), std::fclose);
+  if (!file) throw BadInput(name + ": cannot be read: " + std::strerror(errno));
+  CsvReader reader(file.get(), name);
+  CsvRecord record;
+  Header header;
+  if (!reader.read(record)) throw BadInput(located(name, {{}, "header: must be given"}));
+  if (const auto defect = read_header(record, header)) throw BadInput(located(name, *defect));
+
+  const char* const line_end = record.ends_in_crlf() ? "\r\n" : "\n";
+  fmt::memory_buffer out;
+  fmt::format_to(std::back_inserter(out), "{},{}{}", record.raw(record.size()), fmt::join(kAppendedNames, ","),
+                 line_end);
+  BatchReport report(name);
+  ExitStatus status = kDone;
+  while (reader.read(record)) {
+    Row row;
+    if (record.is_blank()) {  // no row, and still none in the output
+      fmt::format_to(std::back_inserter(out), "{}", line_end);
+    } else if (const auto defect = read_row(header, record, row)) {
+      report.add_defect(*defect);
+      // As many fields as the header has, so that the status stands in its column.
+      const std::size_t count = std::min(record.size(), header.field_count);
+      const std::size_t missing = header.field_count - std::max(count, std::size_t{1});
+      fmt::format_to(std::back_inserter(out), "{}{:,>{}},,,,{}{}", record.raw(count), "", missing,
+                     csv_quoted(defect->reason), line_end);
+    } else {
+      const FogIntensity result = solve(options, row.attenuation, row.fog, row.threshold);
+      if (result.status != SolveStatus::ok) status = kNotToTolerance;
+      fmt::format_to(std::back_inserter(out), "{},{},{},{},{}{}", record.raw(record.size()), result.extent,
+                     result.peak_range, result.intensity, name_of(result.status), line_end);
+    }
+    report.add_row();
+    constexpr std::size_t kChunk = std::size_t{1} << 16;
+    if (out.size() >= kChunk) {
+      write_standard_output({out.data(), out.size()});
+      out.clear();
+    }
+  }
+  write_standard_output({out.data(), out.size()});
+  return report.finish() ? status : kBadInput;
+}
+
+CLI::Option* add_contrast(CLI::App& app, double& target) {
+  const auto parse = [&target](const CLI::results_t& values) {
+    const std::string& text = values.front();
+    const auto number = text == "mor"           ? litfog::kContrastMor
+                        : text == "koschmieder" ? litfog::kContrastKoschmieder
+                        : text == "flightgear"  ? litfog::kContrastFlightgear
+                                                : parse_number(text);
+    if (!number || !kOpenUnitInterval.accepts(*number)) {
+      refuse_option("--contrast", text, "must be mor, koschmieder, flightgear or a number in (0, 1)");
+    }
+    target = *number;
+    return true;
+  };
+  return app
+      .add_option("--contrast", parse,
+                  "Contrast left at the visibility: mor (0.05, the default), koschmieder (0.02), flightgear (0.01)")
+      ->type_name("mor|koschmieder|flightgear|NUMBER");
+}
+
+[[noreturn]] void refuse_form(const std::string& sentence) { throw CLI::ValidationError(sentence); }
+
+/// What the options mean together.
+void check_form(const CLI::App& app, const Options& options) {
+  const auto is_given = [&app](const char* name) { return app.count(name) > 0; };
+  const auto refuse_beside = [&](const char* name, std::initializer_list<const char*> others) {
+    for (const char* other : others) {
+      if (is_given(other)) refuse_form(fmt::format("{} cannot be given with {}", other, name));
+    }
+  };
+  if (is_given("--samples") && options.method != Method::sampled) refuse_form("--samples needs --method sampled");
+  if (is_given("--csv")) {
+    refuse_beside("--csv", {"--constant", "--linear", "--quadratic", "--light", "--fog", "--visibility", "--contrast",
+                            "--density", "--threshold", "--format"});
+    return;
+  }
+  if (is_given("--light")) {
+    refuse_beside("--light", {"--constant", "--linear", "--quadratic"});
+  } else if (!is_given("--constant") && !is_given("--linear") && !is_given("--quadratic")) {
+    refuse_form("a light must be given: --constant, --linear, --quadratic or --light or --csv");
+  } else if (const auto refusal = check(options.attenuation)) {
+    refuse_option("--constant", fmt::format("{}", refusal->value), refusal->rule);
+  }
+  if (is_given("--density")) {
+    refuse_beside("--density", {"--visibility", "--contrast"});
+  } else if (!is_given("--visibility")) {
+    refuse_form("a fog must be given: --visibility or --density");
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App app{kDescription, "litfog-solve"};
+  app.footer(kExamples);
+  add_number(app, "--constant", options.attenuation.constant, kFiniteNotNegative,
+             "Attenuation's constant, 0 if not given");
+  add_number(app, "--linear", options.attenuation.linear, kFiniteNotNegative, "Its linear term in 1/m, 0 if not given");
+  add_number(app, "--quadratic", options.attenuation.quadratic, kFiniteNotNegative,
+             "Its quadratic term in 1/m^2, 0 if not given");
+  app.add_option("--light", options.light_files, "Light files, in place of these three; one row each")
+      ->type_name("FILE");
+  add_choice<FogMode>(app, "--fog", options.mode, {{"exp", FogMode::exp}, {"exp2", FogMode::exp2}},
+                      "Fog's falloff, exp if not given");
+  add_numbers(app, "--visibility", options.visibilities, kNotNegative, "Visibilities in metres; inf is clear air");
+  add_contrast(app, options.contrast);
+  add_numbers(app, "--density", options.densities, kNotNegative,
+              "Fog densities in 1/m, in place of visibilities; inf is total fog");
+  double threshold = 0;
+  add_number(app, "--threshold", threshold, kOpenUnitInterval,
+             "Attenuation at which a light ends; the light's own or 0.05 if not given");
+  add_choice<Method>(app, "--method", options.method, {{"exact", Method::exact}, {"sampled", Method::sampled}},
+                     "How to solve, exact if not given; sampled is Hales's, kept for comparison");
+  add_integer(app, "--samples", options.samples, 1, 1'000'000'000, "Samples of --method sampled, 64 if not given");
+  add_choice<TableFormat>(app, "--format", options.format,
+                          {{"table", TableFormat::text}, {"csv", TableFormat::csv}, {"json", TableFormat::json}},
+                          "Result's format, table if not given");
+  app.add_option("--csv", options.csv_file, "Batch form: rows from this file, - is standard input")
+      ->type_name("FILE|-");
+  return run_command(app, argc, argv, [&] {
+    if (app.count("--threshold") > 0) options.threshold = threshold;
+    check_form(app, options);
+    return app.count("--csv") > 0 ? solve_batch(options) : solve_table(options);
+  });
+}

@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "command/command_test.h"
+#include "command/exit_status.h"
+
+// What the benchmark prints and writes, and the errors it finds. Its times are only times: positive and finite.
+
+namespace {
+
+using litfog::test::Outcome;
+using Json = nlohmann::json;
+
+class BenchCommand : public litfog::test::CommandTest {
+ protected:
+  BenchCommand() : CommandTest(LITFOG_BENCH_PATH) {}
+};
+
+/// The tests of what a Release build measures; a Debug build has but one thing to say.
+class BenchMeasurement : public BenchCommand {
+ protected:
+  void SetUp() override {
+#ifndef NDEBUG
+    GTEST_SKIP() << "a Debug build refuses to measure";
+#endif
+  }
+};
+
+std::string usage_message(const std::string& reason) {
+  return "litfog-bench: " + reason + "; see litfog-bench --help\n";
+}
+
+const std::vector<std::string> kSolveColumns{"method",  "precision", "fog",           "ns_per_light",  "ns_spread",
+                                             "max_ulp", "mean_ulp",  "max_error_255", "mean_error_255"};
+const std::vector<std::string> kUpdateColumns{
+    "method", "fog", "lights", "kinds", "steps", "ms_per_step", "ms_spread", "skipped_share", "max_deviation_255"};
+
+const std::vector<std::string> kFitColumns{"problem",   "method",    "tables",       "ms",
+                                           "ms_spread", "objective", "solved_share", "digits"};
+
+void expect_machine(const Json& document, bool draws = false) {
+  ASSERT_TRUE(document.contains("machine"));
+  const Json& machine = document["machine"];
+  ASSERT_EQ(machine.size(), 6u);
+  for (const char* member : {"cpu", "isa", "compiler", "commit", "gl_renderer", "date"}) {
+    ASSERT_TRUE(machine.contains(member)) << member;
+    EXPECT_NE(machine[member].get<std::string>(), "") << member;
+  }
+  EXPECT_EQ(machine["gl_renderer"] == "none", !draws);
+  EXPECT_TRUE(std::regex_match(machine["commit"].get<std::string>(), std::regex("unknown|[0-9a-f]{12,}")));
+  EXPECT_TRUE(
+      std::regex_match(machine["date"].get<std::string>(), std::regex("\\d{4}-\\d\\d-\\d\\dT\\d\\d:\\d\\d:\\d\\dZ")));
+}
+
+void expect_columns(const Json& rows, const std::vector<std::string>& columns) {
+  for (const Json& row : rows) {
+    EXPECT_EQ(row.size(), columns.size());
+    for (const std::string& column : columns) EXPECT_TRUE(row.contains(column)) << column;
+  }
+}
+
+TEST_F(BenchMeasurement, SolveHasEveryMethodForBothFogs) {
+  const Outcome outcome = run("solve --quick --json solve.json --csv solve.csv --plot solve.png");
+  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  const Json document = Json::parse(read("solve.json"));
+  expect_machine(document);
+  const Json& rows = document["rows"];
+  expect_columns(rows, kSolveColumns);
+
+  std::multiset<std::string> found;
+  for (const Json& row : rows) {
+    if (row["fog"].is_string()) {
+      found.insert(row["method"].get<std::string>() + " " + row["precision"].get<std::string>() + " " +
+                   row["fog"].get<std::string>());
+    }
+  }
+  for (const char* method :
+       {"hales-16 double", "hales-64 double", "hales-256 double", "hales-1024 double", "hales-16-simd float",
+        "hales-64-simd float", "hales-256-simd float", "hales-1024-simd float", "golden-section double",
+        "boost-brent double", "exact double", "exact float", "batch double", "batch float"}) {
+    for (const char* fog : {" exp", " exp2"}) EXPECT_EQ(found.count(std::string(method) + fog), 1u) << method << fog;
+  }
+
+  std::string header = outcome.out.substr(0, outcome.out.find('\n'));
+  header = std::regex_replace(header, std::regex(" +"), ",");
+  const std::string csv = read("solve.csv");
+  EXPECT_EQ(header + ",cpu,isa,compiler,commit,gl_renderer,date", csv.substr(0, csv.find('\n')));
+  EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), std::ptrdiff_t(rows.size() + 1));
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), std::ptrdiff_t(rows.size() + 1));
+  EXPECT_TRUE(read("solve.png").starts_with("\x89PNG"));
+}
+
+TEST_F(BenchMeasurement, SolveFindsTheErrorsThatTheHeadersState) {
+  const Outcome outcome = run("solve --quick --format json");
+  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  const Json rows = Json::parse(outcome.out)["rows"];
+  const auto max_error_255 = [&](const std::string& method, const std::string& fog) {
+    const auto row =
+        std::find_if(rows.begin(), rows.end(), [&](const Json& r) { return r["method"] == method && r["fog"] == fog; });
+    return row == rows.end() ? std::nan("") : (*row)["max_error_255"].get<double>();
+  };
+  for (const Json& row : rows) {
+    const std::string method = row["method"];
+    const bool is_float = row["precision"] == "float";
+    const std::string name = row.dump();
+    EXPECT_GT(row["ns_per_light"].get<double>(), 0) << name;
+    EXPECT_LT(row["ns_per_light"].get<double>(), 1e9) << name;
+    EXPECT_GE(row["ns_spread"].get<double>(), 0) << name;
+    if (method.starts_with("memory-copy")) {
+      EXPECT_TRUE(row["fog"].is_null() && row["max_ulp"].is_null() && row["max_error_255"].is_null()) << name;
+      continue;
+    }
+    const double max_ulp = row["max_ulp"];
+    const double max_255 = row["max_error_255"];
+    EXPECT_TRUE(std::isfinite(max_ulp) && std::isfinite(max_255)) << name;
+    EXPECT_GE(max_ulp, row["mean_ulp"].get<double>()) << name;
+    EXPECT_GE(max_255, row["mean_error_255"].get<double>()) << name;
+    if (method == "exact") {
+      EXPECT_LE(max_ulp, is_float ? 1 : 2) << name;
+    }
+    if (method.starts_with("batch")) {
+      EXPECT_LE(max_ulp, is_float ? 2 : 4) << name;
+    }
+    // The steps of 1/255 are those of ulps: an intensity is at most 1, so its ulp at most epsilon / 2.
+    EXPECT_LE(max_255, max_ulp * 255 * (is_float ? 0x1p-24 : 0x1p-53) * 1.001) << name;
+    // To within a share of 1e-8 of the range, a peak at a knee errs by as much.
+    if (method == "golden-section" || method == "boost-brent") {
+      EXPECT_LT(max_255, 1e-4) << name;
+    }
+  }
+  for (const std::string fog : {"exp", "exp2"}) {
+    for (const std::string samples : {"16", "64", "256", "1024"}) {
+      const double scalar = max_error_255("hales-" + samples, fog);
+      EXPECT_GT(scalar, 0.01) << "sampling has become exact: " << samples << ", " << fog;
+      EXPECT_NEAR(max_error_255("hales-" + samples + "-simd", fog), scalar, 1e-3) << samples << ", " << fog;
+    }
+    EXPECT_LE(max_error_255("hales-1024", fog), max_error_255("hales-16", fog));
+  }
+}
+
+TEST_F(BenchMeasurement, UpdateStaysWithinItsBudget) {
+  const Outcome outcome = run("update --quick --json update.json --csv update.csv --plot update.svg");
+  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  const Json document = Json::parse(read("update.json"));
+  expect_machine(document);
+  expect_columns(document["rows"], kUpdateColumns);
+  std::multiset<std::string> found;
+  for (const Json& row : document["rows"]) {
+    const std::string method = row["method"];
+    const std::string name = row.dump();
+    found.insert(method + " " + row["fog"].get<std::string>());
+    EXPECT_GT(row["lights"].get<double>(), row["kinds"].get<double>()) << name;
+    EXPECT_GT(row["kinds"].get<double>(), 1) << name;
+    EXPECT_GT(row["steps"].get<double>(), 1) << name;
+    EXPECT_GT(row["ms_per_step"].get<double>(), 0) << name;
+    EXPECT_GE(row["ms_spread"].get<double>(), 0) << name;
+    const double skipped = row["skipped_share"];
+    EXPECT_TRUE(method == "updater" ? skipped > 0 && skipped < 1 : skipped == 0) << name;
+    EXPECT_LE(row["max_deviation_255"].get<double>(), method == "updater" ? 0.5 : 1e-3) << name;
+  }
+  EXPECT_EQ(found, (std::multiset<std::string>{"updater exp", "updater exp2", "updater-no-skip exp",
+                                               "updater-no-skip exp2", "batch-of-all exp", "batch-of-all exp2"}));
+  EXPECT_NE(read("update.svg").find("visibility (m)"), std::string::npos);
+}
+
+TEST_F(BenchMeasurement, FitFindsEveryOptimumToTheDigitsThatItStates) {
+#ifndef LITFOG_HAS_FIT
+  EXPECT_REFUSED(run("fit --quick"), kMissingCapability,
+                 "litfog-bench: this build has no litfog::fit; configure with -DLITFOG_BUILD_FIT=ON\n");
+  GTEST_SKIP() << "this build has no litfog::fit";
+#endif
+  const Outcome outcome = run("fit --quick --json fit.json --csv fit.csv --plot fit.svg");
+  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  const Json document = Json::parse(read("fit.json"));
+  expect_machine(document);
+  expect_columns(document["rows"], kFitColumns);
+  std::multiset<std::string> found;
+  std::map<std::string, double> least_objective;
+  for (const Json& row : document["rows"]) {
+    const std::string problem = row["problem"];
+    const double objective = row["objective"];
+    least_objective.try_emplace(problem, objective);
+    least_objective[problem] = std::min(least_objective[problem], objective);
+  }
+  for (const Json& row : document["rows"]) {
+    const std::string name = row.dump(), problem = row["problem"], method = row["method"];
+    found.insert(problem + " " + method);
+    EXPECT_GT(row["ms"].get<double>(), 0) << name;
+    EXPECT_GE(row["ms_spread"].get<double>(), 0) << name;
+    EXPECT_GE(row["digits"].get<double>(), method == "litfog" ? 9 : 0) << name;
+    if (method != "litfog") continue;
+    EXPECT_EQ(row["solved_share"], 1) << name;
+    EXPECT_LE(row["objective"].get<double>(), least_objective[problem] * (1 + 1e-9) + 1e-20) << name;
+  }
+  for (const char* problem : {"exact", "noise-2", "noise-20", "outliers", "clamped", "far", "near"}) {
+    for (const char* method : {" litfog", " ceres", " eigen-lm"}) {
+      EXPECT_EQ(found.count(std::string(problem) + method), 1u) << problem << method;
+    }
+  }
+  EXPECT_NE(read("fit.svg").find("tables whose optimum was found"), std::string::npos);
+}
+
+TEST_F(BenchMeasurement, IsaLimitsWhatBatchesUse) {
+  const Outcome refused = run("update --quick --isa MMX");
+  EXPECT_EQ(refused.status, kUsage);
+  ASSERT_TRUE(refused.err.starts_with("litfog-bench: --isa = MMX: must be one of ")) << refused.err;
+  std::string names = refused.err.substr(std::string("litfog-bench: --isa = MMX: must be one of ").size());
+  names = names.substr(0, names.find(" on this machine"));
+  std::istringstream list(names);
+  for (std::string name; std::getline(list >> std::ws, name, ',');) {
+    const Outcome outcome = run("solve --quick --format json --isa " + name);
+    ASSERT_EQ(outcome.status, kDone) << name << ": " << outcome.err;
+    EXPECT_EQ(Json::parse(outcome.out)["machine"]["isa"], name);
+  }
+}
+
+TEST_F(BenchMeasurement, RefusesWhatItCannotWriteBeforeItMeasures) {
+  EXPECT_REFUSED(run("solve --json absent/x.json"), kCannotWrite,
+                 "litfog-bench: absent/x.json: cannot be written: no folder absent\n");
+  EXPECT_REFUSED(run("solve --csv ."), kCannotWrite, "litfog-bench: .: cannot be written: is a folder\n");
+  EXPECT_REFUSED(run("update --plot absent/x.png"), kCannotWrite,
+                 "litfog-bench: absent/x.png: cannot be written: no folder absent\n");
+  EXPECT_REFUSED(run("update --plot x.jpg"), kUsage, usage_message("--plot = x.jpg: must end in .png or .svg"));
+  EXPECT_REFUSED(run("solve --plot x.png", "PATH=/nowhere"), kMissingCapability,
+                 "litfog-bench: gnuplot cannot be run: No such file or directory; install gnuplot-nox\n");
+  for (const auto& entry : std::filesystem::directory_iterator(directory())) {
+    EXPECT_TRUE(entry.path().filename() == "out" || entry.path().filename() == "err") << entry.path();
+  }
+}
+
+TEST_F(BenchMeasurement, FullDiskIsNoticed) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
+  for (const char* arguments : {"--json /dev/full", "--csv /dev/full", ">/dev/full"}) {
+    const Outcome outcome = run(std::string("update --quick ") + arguments);
+    EXPECT_EQ(outcome.status, kCannotWrite) << arguments;
+    EXPECT_NE(outcome.err.find("cannot be written: No space left on device"), std::string::npos) << outcome.err;
+  }
+}
+
+TEST_F(BenchCommand, HelpNeedsNoReleaseBuild) {
+  const Outcome help = run("--help");
+  EXPECT_EQ(help.status, kDone);
+  for (const char* part : {"solve", "update", "fit", "--json", "--csv", "--plot", "--quick", "Exit status:"}) {
+    EXPECT_NE(help.out.find(part), std::string::npos) << part;
+  }
+  EXPECT_EQ(run("--version").status, kDone);
+}
+
+TEST_F(BenchCommand, WrongUsageIsRefused) {
+  EXPECT_REFUSED(run(""), kUsage, usage_message("benchmark is required"));
+  EXPECT_REFUSED(run("speed"), kUsage, usage_message("benchmark = speed: must be one of solve|update|fit|render"));
+  EXPECT_EQ(run("solve --quick --slow").status, kUsage);
+  EXPECT_EQ(run("solve update").status, kUsage);
+  EXPECT_EQ(run("solve --json").status, kUsage);
+}
+
+TEST_F(BenchCommand, DebugBuildRefusesToMeasure) {
+#ifdef NDEBUG
+  GTEST_SKIP() << "this is no Debug build";
+#endif
+  EXPECT_REFUSED(run("solve --quick"), kMissingCapability,
+                 "litfog-bench: a Debug build is not measured; configure with -DCMAKE_BUILD_TYPE=Release\n");
+}
+
+#ifdef LITFOG_HAS_GL
+const std::vector<std::string> kRenderColumns{
+    "scene",         "path",           "fog_light",      "lights",          "size",
+    "skip",          "ms_per_frame",   "ms_spread",      "ratio_to_legacy", "ratio_to_two_light_legacy",
+    "max_error_255", "mean_error_255", "excepted_pixels"};
+
+TEST_F(BenchMeasurement, RenderHasEveryPathBesideLegacyAndTheBareTexture) {
+  const Outcome outcome = run("render --quick --json render.json --csv render.csv --plot render.png");
+  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  const Json document = Json::parse(read("render.json"));
+  expect_machine(document, true);
+  const Json& rows = document["rows"];
+  expect_columns(rows, kRenderColumns);
+  std::map<int, std::map<std::string, Json>> by_lights;
+  for (const Json& row : rows) by_lights[row["lights"].get<int>()][row["path"].get<std::string>()] = row;
+  ASSERT_EQ(by_lights.size(), 2u);
+  for (auto& [lights, paths] : by_lights) {
+    EXPECT_EQ(paths.size(), 11u);
+    const double legacy = paths["legacy"]["ms_per_frame"].get<double>();
+    // Two-light legacy is timed again among the frames of other numbers of lights.
+    const double two_lights = legacy / paths["legacy"]["ratio_to_two_light_legacy"].get<double>();
+    if (lights == 2) {
+      EXPECT_DOUBLE_EQ(two_lights, legacy);
+    }
+    for (const auto& [path, row] : paths) {
+      const double ms = row["ms_per_frame"].get<double>();
+      EXPECT_GT(ms, 0) << path;
+      EXPECT_DOUBLE_EQ(row["ratio_to_legacy"].get<double>(), ms / legacy) << path;
+      EXPECT_NEAR(row["ratio_to_two_light_legacy"].get<double>() * two_lights / ms, 1, 1e-12) << path;
+      EXPECT_EQ(row["max_error_255"].is_null(), path == "unlit") << path;
+    }
+    EXPECT_LT(paths["unified"]["max_error_255"].get<double>(), 0.25);  // as ReferenceOfPath
+  }
+  EXPECT_TRUE(std::filesystem::exists(directory() / "render.png"));
+}
+
+TEST_F(BenchCommand, RefusesATargetOfTheBatchForFrames) {
+#ifndef NDEBUG
+  GTEST_SKIP() << "a Debug build refuses to measure";
+#endif
+  const Outcome outcome = run("render --quick --isa AVX2");
+  EXPECT_EQ(outcome.status, kUsage);
+  EXPECT_EQ(outcome.err, usage_message("--isa = AVX2: must stand without render"));
+}
+#endif
+
+}  // namespace

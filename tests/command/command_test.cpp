@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command/command.h"
+
+#include <gtest/gtest.h>
+
+#include <new>
+#include <stdexcept>
+
+namespace {
+
+template <typename Error>
+int status_after(const Error& error) {
+  CLI::App app{"", "litfog-test"};
+  char name[] = "litfog-test";
+  char* arguments[] = {name, nullptr};
+  return run_command(app, 1, arguments, [&]() -> ExitStatus { throw error; });
+}
+
+TEST(Command, OurOwnFaultsAreNotTheInputs) {
+  EXPECT_EQ(status_after(std::logic_error("shader")), kInternalError);
+  EXPECT_EQ(status_after(std::out_of_range("vector")), kInternalError);
+}
+
+TEST(Command, WhatWentWrongGivesTheStatus) {
+  EXPECT_EQ(status_after(std::invalid_argument("refused")), kBadInput);
+  EXPECT_EQ(status_after(std::bad_alloc()), kBadInput);
+  EXPECT_EQ(status_after(BadInput("a.json:1:1: a = 1: must be 2")), kBadInput);
+  EXPECT_EQ(status_after(MissingCapability("no OpenGL")), kMissingCapability);
+  EXPECT_EQ(status_after(CannotWrite("full")), kCannotWrite);
+}
+
+}  // namespace

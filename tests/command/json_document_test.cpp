@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command/json_document.h"
+
+#include <gtest/gtest.h>
+
+#include <clocale>
+#include <functional>
+#include <string>
+
+#include "command/exit_status.h"
+
+namespace {
+
+/// The message with which a reading is refused; a text that no message equals where it is not.
+std::string refusal_of(const std::function<void()>& read) {
+  try {
+    read();
+  } catch (const BadInput& error) {
+    return error.what();
+  }
+  return "(accepted)";
+}
+
+std::string refusal_of(const std::string& text) {
+  return refusal_of([&] { parse_json(text, "f"); });
+}
+
+TEST(JsonDocument, ReadsEveryKind) {
+  const JsonValue root =
+      parse_json(R"({"n": -1.5e2, "i": 3, "b": true, "s": "a\n\u00e4\"]", "v": [1, 2, 3], "o": {"z": null}})", "f");
+  EXPECT_EQ(root.member("n").number(), -150);
+  EXPECT_EQ(root.member("i").number(), 3);
+  EXPECT_TRUE(root.member("b").boolean());
+  EXPECT_EQ(root.member("s").string(), "a\n\xC3\xA4\"]");
+  EXPECT_EQ(root.member("v").vec3(), glm::dvec3(1, 2, 3));
+  EXPECT_EQ(root.member("v").items().size(), 3u);
+  EXPECT_TRUE(root.member("o").is_object());
+  EXPECT_FALSE(root.optional("absent"));
+  EXPECT_EQ(root.number_or("absent", 7), 7);
+  EXPECT_EQ(root.number_or("i", 7), 3);
+  EXPECT_EQ(root.file(), "f");
+  EXPECT_EQ(root.member("o").member("z").path(), "o.z");
+}
+
+TEST(JsonDocument, ValuesOutliveTheirRoot) {
+  const auto item = [] {
+    return parse_json("[[\"kept alive, and too long to be stored in place\"]]", "f").items()[0].items()[0];
+  }();
+  EXPECT_EQ(item.string(), "kept alive, and too long to be stored in place");
+  EXPECT_EQ(item.path(), "[0][0]");
+}
+
+TEST(JsonDocument, EveryValueKnowsItsPlace) {
+  const JsonValue root = parse_json(
+      "{\n  \"a\" : [10 ,\r\n\t{\"b\\\"}\" :\"x\"}, -2.5e1,true\n, null, [ ] ], \"\xC3\xA4\": 1 , \"c\":0\n}", "f");
+  const auto place = [](const JsonValue& value) {
+    const std::string message = refusal_of([&] { value.fail("w", "", "r"); });
+    return message.substr(0, message.find(": w: r"));
+  };
+  EXPECT_EQ(place(root), "f:1:1");
+  const auto items = root.member("a").items();
+  EXPECT_EQ(place(root.member("a")), "f:2:9");
+  EXPECT_EQ(place(items[0]), "f:2:10");
+  EXPECT_EQ(place(items[1]), "f:3:2");
+  EXPECT_EQ(place(items[1].member("b\"}")), "f:3:11");
+  EXPECT_EQ(place(items[2]), "f:3:17");
+  EXPECT_EQ(place(items[3]), "f:3:24");
+  EXPECT_EQ(place(items[4]), "f:4:3");
+  EXPECT_EQ(place(items[5]), "f:4:9");
+  EXPECT_EQ(place(root.member("\xC3\xA4")), "f:4:21") << "a column is a code point";
+  EXPECT_EQ(place(root.member("c")), "f:4:29");
+}
+
+TEST(JsonDocument, ByteOrderMarkIsNoColumn) {
+  const JsonValue root = parse_json("\xEF\xBB\xBF{\"a\":1}", "f");
+  EXPECT_EQ(refusal_of([&] { root.member("a").fail("must be 2"); }), "f:1:6: a = 1: must be 2");
+  EXPECT_EQ(refusal_of([&] { root.fail("must be 2"); }), "f:1:1: document = an object: must be 2");
+  EXPECT_EQ(refusal_of("\xEF\xBB\xBF{]"),
+            "f:1:2: syntax error while parsing object key - unexpected ']'; expected string literal");
+}
+
+TEST(JsonDocument, RefusesBrokenTextWithItsPlace) {
+  EXPECT_EQ(refusal_of(""),
+            "f:1:1: syntax error while parsing value - unexpected end of input; expected '[', '{', or a literal");
+  EXPECT_EQ(refusal_of("{\n \"a\": 1,\n}"),
+            "f:3:1: syntax error while parsing object key - unexpected '}'; expected string literal");
+  EXPECT_EQ(refusal_of("{\"a\": 1 \"b\": 2}"),
+            "f:1:9: syntax error while parsing object - unexpected string literal; expected '}'");
+  EXPECT_EQ(refusal_of("[1, 2"), "f:1:6: syntax error while parsing array - unexpected end of input; expected ']'");
+  EXPECT_EQ(refusal_of("[tru]"), "f:1:5: syntax error while parsing value - invalid literal");
+  EXPECT_EQ(refusal_of("[01]"), "f:1:3: syntax error while parsing array - unexpected number literal; expected ']'");
+  EXPECT_EQ(refusal_of("[1.]"), "f:1:4: syntax error while parsing value - invalid number; expected digit after '.'");
+  EXPECT_EQ(refusal_of("[NaN]"), "f:1:2: syntax error while parsing value - invalid literal");
+  EXPECT_EQ(refusal_of("[+1]"), "f:1:2: syntax error while parsing value - invalid literal");
+  EXPECT_EQ(refusal_of("// no\n1"), "f:1:1: syntax error while parsing value - invalid literal");
+  EXPECT_EQ(refusal_of("{} {}"), "f:1:4: syntax error while parsing value - unexpected '{'; expected end of input");
+  EXPECT_EQ(refusal_of("[\"\xFF\"]"),
+            "f:1:3: syntax error while parsing value - invalid string: ill-formed UTF-8 byte");
+  EXPECT_EQ(refusal_of(std::string("\0\0\0\0", 4)), "f:1:1: file: must be text, without zero bytes");
+  EXPECT_EQ(refusal_of(std::string("[]\0[]", 5)), "f:1:3: file: must be text, without zero bytes");
+  EXPECT_EQ(refusal_of("[1 true]"), "f:1:4: syntax error while parsing array - unexpected true literal; expected ']'");
+  EXPECT_EQ(refusal_of("[1 false]"),
+            "f:1:4: syntax error while parsing array - unexpected false literal; expected ']'");
+  EXPECT_EQ(refusal_of("[1,,2]"),
+            "f:1:4: syntax error while parsing value - unexpected ','; expected '[', '{', or a literal");
+  EXPECT_EQ(refusal_of("\x7F\x45LF\x02\x01"), "f:1:1: syntax error while parsing value - invalid literal");
+}
+
+TEST(JsonDocument, RefusesNumbersBeyondDouble) {
+  EXPECT_EQ(refusal_of("[1,\n 1e999]"), "f:2:2: number = 1e999: must be within the range of a double");
+  EXPECT_EQ(refusal_of("[-1e999]"), "f:1:2: number = -1e999: must be within the range of a double");
+  EXPECT_EQ(refusal_of("[1e-999]"), "f:1:2: number = 1e-999: must be within the range of a double");
+  EXPECT_EQ(parse_json("123456789012345678901234567890", "f").number(), 123456789012345678901234567890.0);
+}
+
+TEST(JsonDocument, RefusesMembersGivenTwice) {
+  EXPECT_EQ(refusal_of("{\"a\": 1,\n \"b\": {\"a\": 2},\n  \"a\": 3}"), "f:3:3: \"a\": must not be given twice");
+  EXPECT_EQ(refusal_of(R"({"a": 1, "\u0061": 2})"), "f:1:10: \"a\": must not be given twice");
+}
+
+TEST(JsonDocument, RefusesDeepNesting) {
+  EXPECT_EQ(refusal_of(std::string(64, '[') + std::string(64, ']')), "(accepted)");
+  EXPECT_EQ(refusal_of(std::string(65, '[') + std::string(65, ']')), "f:1:65: nesting: must not be deeper than 64");
+  EXPECT_EQ(refusal_of(std::string(10'000'000, '[')), "f:1:65: nesting: must not be deeper than 64");
+}
+
+TEST(JsonDocument, RefusesTooManyValues) {
+  std::string text = "[0";
+  for (int i = 0; i < 1'000'000; ++i) text += ",0";
+  EXPECT_EQ(refusal_of(text + "]"), "f:1:2000000: file: must not hold more than 1000000 values");
+  text.resize(text.size() - 4);
+  EXPECT_EQ(parse_json(text + "]", "f").items().size(), 999'999u) << "and the array itself";
+}
+
+TEST(JsonDocument, RefusesAnotherKindWithPathAndValue) {
+  const JsonValue root = parse_json(R"({"a": [{"t": "x"}, 2, {}], "b": true, "v": [1, 2], "w": [1, "y", 3]})", "f");
+  const auto a = root.member("a").items();
+  EXPECT_EQ(refusal_of([&] { a[0].member("t").number(); }), "f:1:14: a[0].t = \"x\": must be a number");
+  EXPECT_EQ(refusal_of([&] { a[1].string(); }), "f:1:20: a[1] = 2: must be a string");
+  EXPECT_EQ(refusal_of([&] { a[1].boolean(); }), "f:1:20: a[1] = 2: must be true or false");
+  EXPECT_EQ(refusal_of([&] { a[2].items(); }), "f:1:23: a[2] = an object: must be an array");
+  EXPECT_EQ(refusal_of([&] { root.member("b").member("c"); }), "f:1:33: b = true: must be an object");
+  EXPECT_EQ(refusal_of([&] { a[0].member("u"); }), "f:1:8: a[0].u: must be given");
+  EXPECT_EQ(refusal_of([&] { root.member("v").vec3(); }), "f:1:44: v = an array: must be an array of three numbers");
+  EXPECT_EQ(refusal_of([&] { root.member("w").vec3(); }), "f:1:61: w[1] = \"y\": must be a number");
+}
+
+TEST(JsonDocument, RefusesUnknownMembersAtTheirName) {
+  const JsonValue root = parse_json("{\"a\": 1,\n  \"aa\": {}}", "f");
+  root.allow_only({"aa", "a", "b"});
+  EXPECT_EQ(refusal_of([&] { root.allow_only({"a", "b"}); }), "f:2:3: \"aa\": must be one of a, b");
+}
+
+TEST(JsonDocument, ShowsLongAndBrokenValuesShort) {
+  EXPECT_EQ(quoted_excerpt("a\"\n"), R"("a\"\n")");
+  EXPECT_EQ(quoted_excerpt(std::string(1000, 'x')), '"' + std::string(40, 'x') + "\"...");
+  EXPECT_EQ(quoted_excerpt(std::string(39, 'x') + "\xC3\xA4"), '"' + std::string(39, 'x') + "\"...")
+      << "not half a letter";
+  EXPECT_EQ(quoted_excerpt("\xFF\x1B"), "\"\xEF\xBF\xBD\\u001b\"");
+}
+
+TEST(JsonDocument, HeaderMustNameKindAndKnownVersion) {
+  const auto refusal_of_header = [](const std::string& text, int newest_version) {
+    return refusal_of([&] { expect_header(parse_json(text, "f"), "light", newest_version); });
+  };
+  EXPECT_EQ(refusal_of_header(R"({"litfog": "light", "version": 1})", 1), "(accepted)");
+  EXPECT_EQ(refusal_of_header(R"({"litfog": "light", "version": 2})", 2), "(accepted)");
+  EXPECT_EQ(refusal_of_header("[]", 1), "f:1:1: document = an array: must be an object");
+  EXPECT_EQ(refusal_of_header("{}", 1), "f:1:1: litfog: must be given");
+  EXPECT_EQ(refusal_of_header(R"({"litfog": "light"})", 1), "f:1:1: version: must be given");
+  EXPECT_EQ(refusal_of_header(R"({"litfog": "scene", "version": 1})", 1),
+            "f:1:12: litfog = \"scene\": must be \"light\"");
+  EXPECT_EQ(refusal_of_header(R"({"litfog": "light", "version": 2})", 1),
+            "f:1:32: version = 2: must be 1, the one that this program reads");
+  EXPECT_EQ(refusal_of_header(R"({"litfog": "light", "version": 1.5})", 2),
+            "f:1:32: version = 1.5: must be from 1 to 2, the ones that this program reads");
+}
+
+TEST(JsonDocument, MissingFilesAndDirectoriesAreBadInput) {
+  EXPECT_EQ(refusal_of([] { read_json("/nonexistent/x.json"); }),
+            "/nonexistent/x.json: cannot be read: No such file or directory");
+  EXPECT_EQ(refusal_of([] { read_json("/tmp"); }), "/tmp: cannot be read: Is a directory");
+  EXPECT_EQ(refusal_of([] { read_json("/dev/zero"); }), "/dev/zero: file: must not be larger than 67108864 bytes");
+  EXPECT_EQ(
+      refusal_of([] { read_json("/dev/null"); }),
+      "/dev/null:1:1: syntax error while parsing value - unexpected end of input; expected '[', '{', or a literal");
+}
+
+TEST(JsonDocument, NumbersDoNotDependOnTheLocale) {
+  const char* const comma_locale = std::setlocale(LC_ALL, "de_DE.UTF-8");
+  if (comma_locale == nullptr) GTEST_SKIP() << "this machine has no de_DE.UTF-8 locale";
+  const double number = parse_json("[1.5, 2.25e1]", "f").items()[1].number();
+  const std::string refusal = refusal_of("[1e999]");
+  std::setlocale(LC_ALL, "C");
+  EXPECT_EQ(number, 22.5);
+  EXPECT_EQ(refusal, "f:1:2: number = 1e999: must be within the range of a double");
+}
+
+}  // namespace

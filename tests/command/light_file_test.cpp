@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command/light_file.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <set>
+#include <string>
+
+#include "command/angle_deg.h"
+#include "command/exit_status.h"
+#include "litfog/attenuation.h"
+#include "reference/random_light.h"
+
+namespace {
+
+using litfog::ConeProfile;
+using litfog::Light;
+using std::numbers::pi;
+
+Light parse(const std::string& text) { return parse_light(parse_json(text, "f")); }
+
+std::string refusal_of(const std::string& text) {
+  try {
+    parse(text);
+  } catch (const BadInput& error) {
+    return error.what();
+  }
+  return "(accepted)";
+}
+
+TEST(LightFile, ReadsEveryMember) {
+  const Light light =
+      parse(R"({"litfog": "light", "version": 1, "name": "lamp", "source": ["a", "b"], "color": [1, 0.5, 2],
+    "attenuation": {"constant": 0.5, "linear": 0.25, "quadratic": 0.125}, "threshold": 0.01, "density_scale": 0.4,
+    "cone": {"profile": "cosine", "half_angle_deg": 45, "exponent": 16}, "fit": {"rms": 0}})");
+  EXPECT_EQ(light.name, "lamp");
+  EXPECT_EQ(light.color, glm::dvec3(1, 0.5, 2));
+  EXPECT_EQ(light.attenuation, (litfog::Attenuation{0.5, 0.25, 0.125}));
+  EXPECT_EQ(light.threshold, 0.01);
+  EXPECT_EQ(light.density_scale, 0.4);
+  EXPECT_EQ(light.cone, litfog::Cone::cosine(pi / 4, 16));
+}
+
+TEST(LightFile, DefaultsAreTheModels) {
+  const Light light = parse(R"({"attenuation": {"linear": 1}})");
+  EXPECT_EQ(light.name, "");
+  EXPECT_EQ(light.color, glm::dvec3(1));
+  EXPECT_EQ(light.attenuation, (litfog::Attenuation{0, 1, 0}))
+      << "a coefficient that is not given is 0, the constant too";
+  EXPECT_EQ(light.threshold, 0.05);
+  EXPECT_EQ(light.density_scale, 1);
+  EXPECT_EQ(light.cone.profile, ConeProfile::none);
+}
+
+TEST(LightFile, WidestAnglesAreExact) {
+  const auto cone_of = [](const std::string& cone) {
+    return parse(R"({"attenuation": {"linear": 1}, "cone": )" + cone + "}").cone;
+  };
+  EXPECT_EQ(cone_of(R"({"profile": "cosine", "half_angle_deg": 90, "exponent": 0})"), litfog::Cone::cosine(pi / 2, 0));
+  EXPECT_EQ(cone_of(R"({"profile": "smoothstep", "inner_deg": 0, "outer_deg": 180})"), litfog::Cone::smoothstep(0, pi));
+}
+
+TEST(LightFile, RefusesMembersAtTheirPlaceInTheFilesTerms) {
+  const auto with = [](const std::string& members) {
+    return refusal_of("{\"attenuation\": {\"linear\": 1},\n" + members + "}");
+  };
+  EXPECT_EQ(refusal_of("{}"), "f:1:1: attenuation: must be given");
+  EXPECT_EQ(refusal_of(R"({"attenuation": 1})"), "f:1:17: attenuation = 1: must be an object");
+  EXPECT_EQ(refusal_of(R"({"attenuation": {}})"),
+            "f:1:17: attenuation.constant = 0: must be > 0 where linear and quadratic are 0");
+  EXPECT_EQ(refusal_of(R"({"attenuation": {"constant": 0}})"),
+            "f:1:30: attenuation.constant = 0: must be > 0 where linear and quadratic are 0");
+  EXPECT_EQ(refusal_of(R"({"attenuation": {"linear": -1}})"),
+            "f:1:28: attenuation.linear = -1: must be finite and >= 0");
+  EXPECT_EQ(refusal_of(R"({"attenuation": {"square": 1}})"),
+            "f:1:18: \"square\": must be one of constant, linear, quadratic");
+  EXPECT_EQ(with(R"("threshold": 1)"), "f:2:14: threshold = 1: must be in (0, 1)");
+  EXPECT_EQ(with(R"("threshold": null)"), "f:2:14: threshold = null: must be a number");
+  EXPECT_EQ(with(R"("color": [1, -0.5, 1])"), "f:2:14: color[1] = -0.5: must be finite and >= 0");
+  EXPECT_EQ(with(R"("color": [1, 1])"), "f:2:10: color = an array: must be an array of three numbers");
+  EXPECT_EQ(with(R"("density_scale": -1)"), "f:2:18: density_scale = -1: must be finite and >= 0");
+  EXPECT_EQ(with(R"("source": [1])"), "f:2:12: source[0] = 1: must be a string");
+  EXPECT_EQ(with(R"("name": 1)"), "f:2:9: name = 1: must be a string");
+  EXPECT_TRUE(with(R"("light_point_only": true)").starts_with("f:2:1: \"light_point_only\": must be one of litfog, "));
+  EXPECT_EQ(with(R"("litfog": "scene", "version": 1)"), "f:2:11: litfog = \"scene\": must be \"light\"");
+  EXPECT_EQ(with(R"("version": 1)"), "f:1:1: litfog: must be given");
+}
+
+TEST(LightFile, RefusesConesInDegrees) {
+  const auto with = [](const std::string& cone) {
+    return refusal_of("{\"attenuation\": {\"linear\": 1},\n\"cone\": " + cone + "}");
+  };
+  EXPECT_EQ(with("{}"), "f:2:9: cone.profile: must be given");
+  EXPECT_EQ(with(R"({"profile": "best"})"), R"(f:2:21: cone.profile = "best": must be "cosine" or "smoothstep")");
+  EXPECT_EQ(with(R"({"profile": "cosine", "exponent": 1})"), "f:2:9: cone.half_angle_deg: must be given");
+  EXPECT_EQ(with(R"({"profile": "cosine", "half_angle_deg": 90.5, "exponent": 1})"),
+            "f:2:49: cone.half_angle_deg = 90.5: must be in (0, 90]");
+  EXPECT_EQ(with(R"({"profile": "cosine", "half_angle_deg": 9, "exponent": -1})"),
+            "f:2:64: cone.exponent = -1: must be finite and >= 0");
+  EXPECT_EQ(with(R"({"profile": "smoothstep", "inner_deg": 9, "outer_deg": 9})"),
+            "f:2:48: cone.inner_deg = 9: must be in [0, outer_deg)");
+  EXPECT_EQ(with(R"({"profile": "smoothstep", "inner_deg": 9, "outer_deg": 181})"),
+            "f:2:64: cone.outer_deg = 181: must be in (0, 180]");
+  EXPECT_EQ(with(R"({"profile": "cosine", "outer_deg": 9})"),
+            "f:2:31: \"outer_deg\": must be one of profile, half_angle_deg, exponent");
+}
+
+TEST(LightFile, WrittenLightIsReadBackToTheDigit) {
+  litfog::test::Random random(31);
+  for (int i = 0; i < 300; ++i) {
+    Light light;
+    light.name = "lamp \"5\"\n";
+    light.color = {random.uniform(0, 1), random.log_uniform(1e-9, 1e9), 1. / 3};
+    light.attenuation = {random.uniform(0, 1), random.log_uniform(1e-300, 1e300), random.any_positive<double>()};
+    light.threshold = random.uniform(0.001, 0.999);
+    light.density_scale = random.chance(0.5) ? 1 : random.uniform(0, 2);
+    const double outer = pi / 180 * random.uniform(0.1, 180);
+    if (random.chance(0.4)) light.cone = litfog::Cone::smoothstep(random.uniform(0, 0.9) * outer, outer);
+    if (random.chance(0.4)) light.cone = litfog::Cone::cosine(outer / 2, random.log_uniform(1e-3, 1e5));
+    const std::string text = format_light(light, {"a", "\xC3\xA4\\"}, "{\"rms\": 0}");
+    Light back = parse(text);
+    // A degree is 57 radians: some angles have no double of degrees.
+    EXPECT_DOUBLE_EQ(back.cone.half_angle, light.cone.half_angle);
+    EXPECT_DOUBLE_EQ(back.cone.inner, light.cone.inner);
+    EXPECT_DOUBLE_EQ(back.cone.outer, light.cone.outer);
+    back.cone.half_angle = light.cone.half_angle;
+    back.cone.inner = light.cone.inner;
+    back.cone.outer = light.cone.outer;
+    EXPECT_EQ(back.name, light.name);
+    EXPECT_EQ(back.color, light.color);
+    EXPECT_EQ(back.attenuation, light.attenuation);
+    EXPECT_EQ(back.threshold, light.threshold);
+    EXPECT_EQ(back.density_scale, light.density_scale);
+    EXPECT_EQ(back.cone, light.cone);
+    const JsonValue source = parse_json(text, "f").member("source");
+    EXPECT_EQ(source.items()[1].string(), "\xC3\xA4\\");
+  }
+}
+
+TEST(LightFile, WritesAnglesAsTheyWereGivenInDegrees) {
+  for (const double angle : {5.0, 8.75, 10.5, 17.7, 90.0, 180.0, 0.1, 1e-3}) EXPECT_EQ(degrees(radians(angle)), angle);
+}
+
+TEST(LightFile, FileNeedsItsHeaderAndLendsItsName) {
+  const auto path =
+      std::filesystem::temp_directory_path() / ("litfog-light-" + std::to_string(getpid()) + ".lamp.json");
+  std::ofstream(path) << R"({"litfog": "light", "version": 1, "attenuation": {"linear": 1}})";
+  EXPECT_EQ(read_light(path.string()).name, path.stem().string());
+  std::ofstream(path) << R"({"attenuation": {"linear": 1}})";
+  std::string refusal;
+  try {
+    read_light(path.string());
+  } catch (const BadInput& error) {
+    refusal = error.what();
+  }
+  EXPECT_EQ(refusal, path.string() + ":1:1: litfog: must be given");
+  std::filesystem::remove(path);
+}
+
+// The lights that come with litfog, by the rule that their sources state.
+class ShippedLights : public testing::Test {
+ protected:
+  ShippedLights() {
+    for (const auto& entry : std::filesystem::directory_iterator(LITFOG_DATA_DIR "/lights"))
+      paths_.insert(entry.path());
+  }
+  std::set<std::filesystem::path> paths_;
+};
+
+TEST_F(ShippedLights, AreMany) { EXPECT_GE(paths_.size(), 12u); }
+
+TEST_F(ShippedLights, HaveUniqueNamesSourcesAndSaneColors) {
+  std::set<std::string> names;
+  for (const auto& path : paths_) {
+    const Light light = read_light(path.string());
+    EXPECT_TRUE(names.insert(light.name).second) << path;
+    EXPECT_EQ(std::max({light.color.r, light.color.g, light.color.b}), 1) << path;
+    EXPECT_GE(read_json(path.string()).member("source").items().size(), 3u) << path << ": figure, attenuation, cone";
+  }
+}
+
+TEST_F(ShippedLights, QuadraticOnesEndWhereTheirSourceSays) {
+  int found = 0;
+  for (const auto& path : paths_) {
+    const Light light = read_light(path.string());
+    if (light.attenuation.linear != 0) continue;
+    const std::string rule = read_json(path.string()).member("source").items()[1].string();
+    const std::string before = "1 lx) = ";
+    ASSERT_NE(rule.find(before), std::string::npos) << path;
+    const double stated_extent = std::stod(rule.substr(rule.find(before) + before.size()));
+    EXPECT_NEAR(extent(light.attenuation, light.threshold), stated_extent, stated_extent * 1e-3) << path;
+    ++found;
+  }
+  EXPECT_GE(found, 12);
+}
+
+TEST_F(ShippedLights, ShowEveryProfileAndALightClampedNearby) {
+  std::set<ConeProfile> profiles;
+  double least_constant = 1;
+  for (const auto& path : paths_) {
+    const Light light = read_light(path.string());
+    profiles.insert(light.cone.profile);
+    least_constant = std::min(least_constant, light.attenuation.constant);
+  }
+  EXPECT_EQ(profiles.size(), 3u);
+  EXPECT_LT(least_constant, 1);
+}
+
+}  // namespace

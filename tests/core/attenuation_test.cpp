@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "litfog/attenuation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "reference/double_limits.h"
+#include "reference/random_light.h"
+#include "reference/reference_solver.h"
+#include "core/refused.h"
+#include "reference/ulp.h"
+
+namespace litfog::test {
+namespace {
+
+std::string describe(const Attenuation& a, double threshold) { return to_string(SolveCase{a, Fog{}, threshold}); }
+
+/// Extents and knees of lights drawn by `draw`, against 50 digits.
+template <typename Draw>
+void check_extent_and_knee(const char* range, int count, const Draw& draw) {
+  WorstError extent_error("extent", range, 2);
+  WorstError knee_error("knee", range, 2);
+  Random random(20040101);
+  for (int i = 0; i < count; ++i) {
+    const auto [a, threshold] = draw(random);
+    const auto text = [&, a = a, t = threshold] { return describe(a, t); };
+    extent_error.add(ulp_error(extent(a, threshold), reference_extent(a, threshold)), text);
+    knee_error.add(ulp_error(knee(a), reference_knee(a)), text);
+  }
+  extent_error.check();
+  knee_error.check();
+}
+
+struct Drawn {
+  Attenuation attenuation;
+  double threshold;
+};
+
+TEST(Extent, IsExactToTwoUlpOverOrdinaryLights) {
+  check_extent_and_knee("C 1e-3..10, L 1e-6..10, Q 1e-9..10", 20000, [](Random& random) {
+    const double linear = random.chance(0.1) ? 0 : random.log_uniform(1e-6, 10);
+    const double quadratic = linear > 0 && random.chance(0.1) ? 0 : random.log_uniform(1e-9, 10);
+    return Drawn{{random.chance(0.1) ? 0 : random.log_uniform(1e-3, 10), linear, quadratic},
+                 random.log_uniform(1e-3, 0.5)};
+  });
+}
+
+TEST(Extent, IsExactToTwoUlpOverSixtyDecades) {
+  check_extent_and_knee("C, L, Q 1e-30..1e30, t 1e-30..1", 20000, [](Random& random) {
+    const auto draw = [&] { return random.log_uniform(1e-30, 1e30); };
+    return Drawn{{draw(), draw(), draw()}, random.log_uniform(1e-30, 0.99)};
+  });
+}
+
+TEST(Extent, IsExactToTwoUlpOverAllDoubles) {
+  check_extent_and_knee("C, L, Q all doubles, t all below 1", 20000, [](Random& random) {
+    const auto draw = [&] { return random.any_positive<double>(); };
+    const double linear = random.chance(0.1) ? 0 : draw();
+    const double quadratic = linear > 0 && random.chance(0.1) ? 0 : draw();
+    double threshold = draw();
+    while (!(threshold < 1)) threshold = draw();
+    return Drawn{{random.chance(0.3) ? 0 : draw(), linear, quadratic}, threshold};
+  });
+}
+
+TEST(Extent, IsExactToTwoUlpWhereTheLightIsBarelyAboveItsThreshold) {
+  check_extent_and_knee("C a few ulp..1e-6 below 1/t (and below 1)", 20000, [](Random& random) {
+    const double threshold =
+        random.chance(0.3) ? random.pick(std::array{0.05, 1 / 255., 0.5, 0.1}) : random.log_uniform(1e-6, 0.999);
+    const double limit = random.chance(0.3) ? 1 : 1 / threshold;
+    const double constant =
+        random.chance(0.5) ? limit * (1 - random.log_uniform(1e-16, 1e-6)) : std::nextafter(limit, 0.0);
+    const double linear = random.chance(0.2) ? 0 : random.log_uniform(1e-12, 1e3);
+    return Drawn{{constant, linear, linear > 0 && random.chance(0.2) ? 0 : random.log_uniform(1e-12, 1e3)}, threshold};
+  });
+}
+
+TEST(Extent, IsExactToTwoUlpNextToTheEndsOfTheThreshold) {
+  check_extent_and_knee("t next to 0 and to 1", 20000, [](Random& random) {
+    const double threshold = random.pick(std::array{kDenormMin, std::numeric_limits<double>::min(), 1e-300, 1e-100,
+                                                    1 - 0x1p-53, 1 - 0x1p-52, 1 - 1e-9, 0.5, std::nextafter(0.5, 0.0)});
+    return Drawn{
+        {random.chance(0.3) ? random.pick(std::array{0.0, 1.0, 1 - 0x1p-53, 1 + 0x1p-52}) : random.log_uniform(1e-3, 2),
+         random.log_uniform(1e-9, 1e3), random.log_uniform(1e-9, 1e3)},
+        threshold};
+  });
+}
+
+TEST(Extent, IsFiniteAndRightWhereSinglePrecisionLosesTheTextbookRoot) {
+  for (const float quadratic : {1e-8f, 1e-9f}) {
+    const float textbook = (-1 + std::sqrt(1 - 4 * quadratic * (1 - 1 / 0.05f))) / (2 * quadratic);
+    const Digits50 reference = reference_extent({1, 1, quadratic}, double(0.05f));
+    EXPECT_GT(relative_error(textbook, reference), 0.05) << "no longer the case that it was written for";
+    EXPECT_LE(ulp_error(extent(AttenuationF{1, 1, quadratic}, 0.05f), reference), 1) << quadratic;
+  }
+}
+
+TEST(Extent, InSinglePrecisionIsExactToOneUlp) {
+  WorstError error("extent, float", "C, L, Q all floats, t all below 1", 1);
+  Random random(7);
+  for (int i = 0; i < 20000; ++i) {
+    const auto draw = [&] { return random.any_positive<float>(); };
+    const AttenuationF a{random.chance(0.5) ? float(random.log_uniform(1e-3, 10)) : draw(), draw(), draw()};
+    float threshold = draw();
+    while (!(threshold < 1)) threshold = draw();
+    const Attenuation wide{a.constant, a.linear, a.quadratic};
+    error.add(ulp_error(extent(a, threshold), reference_extent(wide, double(threshold))),
+              [&] { return describe(wide, threshold); });
+  }
+  error.check();
+}
+
+TEST(Extent, IsZeroWhereTheLightStartsAtOrBelowItsThreshold) {
+  EXPECT_EQ(extent(Attenuation{20, 1, 1}, 0.05), 0);  // 0.05 is above 1/20 by a quarter ulp
+  EXPECT_EQ(extent(Attenuation{4, 1, 1}, 0.25), 0);
+  EXPECT_EQ(extent(Attenuation{4, 0, 0}, 0.25), 0);
+  EXPECT_EQ(extent(Attenuation{5, 1, 1}, 0.25), 0);
+  EXPECT_EQ(extent(Attenuation{kMax, 0, kDenormMin}, 0.5), 0);
+  EXPECT_EQ(extent(AttenuationF{4, 1, 1}, 0.25f), 0);
+}
+
+TEST(Extent, IsInfiniteForConstantAttenuationAboveTheThreshold) {
+  EXPECT_EQ(extent(Attenuation{1, 0, 0}, 0.05), kInfinity);
+  EXPECT_EQ(extent(Attenuation{std::nextafter(4.0, 0.0), 0, 0}, 0.25), kInfinity);
+  EXPECT_EQ(extent(Attenuation{kDenormMin, 0, 0}, kDenormMin), kInfinity);
+  EXPECT_EQ(extent(AttenuationF{1, 0, 0}, 0.05f), std::numeric_limits<float>::infinity());
+}
+
+TEST(Extent, HasTheClosedFormsOfOneTerm) {
+  EXPECT_DOUBLE_EQ(extent(Attenuation{0, 0.5, 0}, 0.25), 8);
+  EXPECT_DOUBLE_EQ(extent(Attenuation{1, 0.5, 0}, 0.25), 6);
+  EXPECT_DOUBLE_EQ(extent(Attenuation{0, 0, 0.25}, 0.0625), 8);
+  EXPECT_DOUBLE_EQ(extent(Attenuation{3, 0, 0.25}, 0.25), 2);
+}
+
+TEST(Extent, FallsToTheAttenuationOfItsThreshold) {
+  Random random(11);
+  for (int i = 0; i < 10000; ++i) {
+    const Attenuation a{random.log_uniform(1e-3, 3), random.log_uniform(1e-6, 10), random.log_uniform(1e-9, 10)};
+    const double threshold = random.log_uniform(1e-3, 0.3);
+    EXPECT_LE(relative_error(attenuation_at(a, extent(a, threshold)), threshold), 8e-16) << describe(a, threshold);
+  }
+}
+
+TEST(Knee, IsZeroFromConstantOneOn) {
+  EXPECT_EQ(knee({1, 1, 1}), 0);
+  EXPECT_EQ(knee({1, 0, 0}), 0);
+  EXPECT_EQ(knee({kMax, 1, 1}), 0);
+}
+
+TEST(Knee, IsInfiniteForConstantAttenuationBelowOne) {
+  EXPECT_EQ(knee({0.5, 0, 0}), kInfinity);
+  EXPECT_EQ(knee({std::nextafter(1.0, 0.0), 0, 0}), kInfinity);
+}
+
+TEST(Knee, IsWhereTheClampLetsGo) {
+  const Attenuation a{0.5, 0.25, 0};
+  EXPECT_EQ(knee(a), 2);
+  EXPECT_EQ(attenuation_at(a, 2), 1);
+  EXPECT_EQ(attenuation_at(a, 1), 1);
+  EXPECT_LT(attenuation_at(a, std::nextafter(2.0, 3.0) + 1e-15), 1);
+}
+
+TEST(AttenuationAt, IsTheClampedQuotient) {
+  EXPECT_EQ(attenuation_at({1, 0, 0}, 5), 1);
+  EXPECT_EQ(attenuation_at({2, 0, 0}, 5), 0.5);
+  EXPECT_EQ(attenuation_at({1, 2, 3}, 0), 1);
+  EXPECT_EQ(attenuation_at({1, 2, 3}, 1), 1 / 6.);
+  EXPECT_EQ(attenuation_at({0.25, 0, 0}, 1), 1);
+  EXPECT_EQ(attenuation_at({0, 0, 0.25}, 0), 1) << "1/0, clamped";
+}
+
+TEST(AttenuationAt, HasItsLimitAtInfinity) {
+  EXPECT_EQ(attenuation_at({1, 0, 0}, kInfinity), 1);
+  EXPECT_EQ(attenuation_at({4, 0, 0}, kInfinity), 0.25);
+  EXPECT_EQ(attenuation_at({0.5, 0, 0}, kInfinity), 1);
+  EXPECT_EQ(attenuation_at({1, kDenormMin, 0}, kInfinity), 0);
+  EXPECT_EQ(attenuation_at({1, 0, kDenormMin}, kInfinity), 0);
+}
+
+TEST(AttenuationAt, IsNeverNanAndNeverLeavesItsRange) {
+  const double values[] = {0, kDenormMin, 1e-300, 1e-5, 0.5, 1, 1e5, 1e300, kMax};
+  for (const double constant : values) {
+    for (const double linear : values) {
+      for (const double quadratic : values) {
+        const Attenuation a{constant, linear, quadratic};
+        if (check(a)) continue;
+        double last = 1;
+        for (const double range : {0.0, kDenormMin, 1e-300, 1e-5, 1.0, 1e5, 1e300, kMax, kInfinity}) {
+          const double value = attenuation_at(a, range);
+          EXPECT_TRUE(value >= 0 && value <= last) << describe(a, 0.05) << ", range " << range << ": " << value;
+          last = value;
+        }
+      }
+    }
+  }
+}
+
+TEST(AttenuationCheck, NamesFieldValueAndRule) {
+  const auto refusal = [](const Attenuation& a) { return check(a) ? to_string(*check(a)) : "accepted"; };
+  EXPECT_EQ(refusal({-1, 0, 0}), "attenuation.constant = -1: must be finite and >= 0");
+  EXPECT_EQ(refusal({kInfinity, 0, 0}), "attenuation.constant = inf: must be finite and >= 0");
+  EXPECT_EQ(refusal({kNan, 0, 0}), "attenuation.constant = nan: must be finite and >= 0");
+  EXPECT_EQ(refusal({1, -0.125, 0}), "attenuation.linear = -0.125: must be finite and >= 0");
+  EXPECT_EQ(refusal({1, kInfinity, 0}), "attenuation.linear = inf: must be finite and >= 0");
+  EXPECT_EQ(refusal({1, kNan, 0}), "attenuation.linear = nan: must be finite and >= 0");
+  EXPECT_EQ(refusal({1, 1, -5e-324}), "attenuation.quadratic = -5e-324: must be finite and >= 0");
+  EXPECT_EQ(refusal({1, 1, kInfinity}), "attenuation.quadratic = inf: must be finite and >= 0");
+  EXPECT_EQ(refusal({1, 1, kNan}), "attenuation.quadratic = nan: must be finite and >= 0");
+  EXPECT_EQ(refusal({0, 0, 0}), "attenuation.constant = 0: must be > 0 where linear and quadratic are 0");
+  EXPECT_EQ(refusal({0, 0, kDenormMin}), "accepted");
+  EXPECT_EQ(refusal({kMax, kMax, kMax}), "accepted");
+}
+
+TEST(AttenuationCheck, RefusesThresholdsOffTheOpenUnitInterval) {
+  const auto refusal = [](double t) { return check_threshold(t) ? to_string(*check_threshold(t)) : "accepted"; };
+  EXPECT_EQ(refusal(0), "threshold = 0: must be in (0, 1)");
+  EXPECT_EQ(refusal(1), "threshold = 1: must be in (0, 1)");
+  EXPECT_EQ(refusal(-0.05), "threshold = -0.05: must be in (0, 1)");
+  EXPECT_EQ(refusal(kInfinity), "threshold = inf: must be in (0, 1)");
+  EXPECT_EQ(refusal(kNan), "threshold = nan: must be in (0, 1)");
+  EXPECT_EQ(refusal(kDenormMin), "accepted");
+  EXPECT_EQ(refusal(1 - 0x1p-53), "accepted");
+  EXPECT_EQ(refusal(kDefaultThreshold), "accepted");
+}
+
+TEST(AttenuationCheck, IsEnforcedByExtentAndKnee) {
+  EXPECT_EQ(refusal_of([] {
+              extent(Attenuation{1, -1, 0}, 0.05);
+            }),
+            "attenuation.linear = -1: must be finite and >= 0");
+  EXPECT_EQ(refusal_of([] { extent(Attenuation{1, 1, 0}, 1); }), "threshold = 1: must be in (0, 1)");
+  EXPECT_EQ(refusal_of([] { extent(AttenuationF{1, 1, 0}, -0.5f); }), "threshold = -0.5: must be in (0, 1)");
+  EXPECT_EQ(refusal_of([] {
+              knee({0, 0, 0});
+            }),
+            "attenuation.constant = 0: must be > 0 where linear and quadratic are 0");
+}
+
+}  // namespace
+}  // namespace litfog::test

@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "litfog/batch.h"
+
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <limits>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "litfog/solve.h"
+#include "reference/random_light.h"
+#include "reference/reference_solver.h"
+#include "reference/ulp.h"
+
+namespace {
+
+using namespace litfog;
+
+/// Lights in columns, and the results of a batch over them.
+template <typename T>
+struct Columns {
+  std::vector<T> constant, linear, quadratic, threshold, density;
+  std::vector<T> intensity, peak_range, extent;
+  std::vector<BatchStatus> status;
+  std::size_t refused = 0;
+
+  void add(double c, double l, double q, double t, double d) {
+    constant.push_back(T(c));
+    linear.push_back(T(l));
+    quadratic.push_back(T(q));
+    threshold.push_back(T(t));
+    density.push_back(T(d));
+  }
+  std::size_t size() const { return constant.size(); }
+  BasicBatchLights<T> lights() const { return {constant, linear, quadratic, threshold, density}; }
+  void solve(FogMode mode) {
+    for (auto* column : {&intensity, &peak_range, &extent}) column->assign(size(), T(-1));
+    status.assign(size(), BatchStatus::not_converged);
+    refused = solve_fog_intensities(
+        mode, lights(), {.intensity = intensity, .peak_range = peak_range, .extent = extent, .status = status});
+  }
+  /// The scalar solution of a light, in double: at most 2 ulp of double from the truth (solve_test.cpp).
+  FogIntensity scalar(FogMode mode, std::size_t i) const {
+    return solve_fog_intensity(Attenuation{double(constant[i]), double(linear[i]), double(quadratic[i])},
+                               Fog{mode, double(density[i])}, double(threshold[i]));
+  }
+  std::string describe(std::size_t i) const {
+    char text[200];
+    std::snprintf(text, sizeof text, "C %.9g L %.9g Q %.9g t %.9g d %.9g", double(constant[i]), double(linear[i]),
+                  double(quadratic[i]), double(threshold[i]), double(density[i]));
+    return text;
+  }
+};
+
+/// Distance of a computed value from a double in units in the last place of T; NaN is infinitely far.
+template <typename T>
+double ulps(T computed, double reference) {
+  if (std::isinf(reference) || std::isinf(computed)) {
+    return double(computed) == double(T(reference)) ? 0 : std::numeric_limits<double>::infinity();
+  }
+  const T magnitude = T(std::abs(reference));
+  const double unit = double(std::nextafter(magnitude, std::numeric_limits<T>::infinity()) - magnitude);
+  const double distance = std::abs(double(computed) - reference) / unit;
+  return distance >= 0 ? distance : std::numeric_limits<double>::infinity();
+}
+
+double relative(double computed, double reference) {
+  if (computed == reference) return 0;
+  const double distance = std::abs(computed - reference) / std::abs(reference);
+  return distance >= 0 ? distance : std::numeric_limits<double>::infinity();
+}
+
+constexpr std::uint64_t kSeed = 20261121;
+
+/// Ordinary lights: extent 5 to 5000 m, visibility 50 m to 10 km; C below, at and above 1 and 0; each family.
+template <typename T>
+Columns<T> ordinary_lights(std::size_t count) {
+  Columns<T> columns;
+  test::Random random(kSeed);
+  for (std::size_t i = 0; i < count; ++i) {
+    const int kind = random.below(10);
+    const double c = kind == 0 ? 0 : kind < 4 ? random.log_uniform(1e-4, 1) : kind < 7 ? 1 : random.log_uniform(1, 15);
+    const double t = random.below(3) ? 0.05 : random.log_uniform(0.001, 0.06);
+    const double excess = std::max(1 / t - c, 0.01);
+    const double e = random.log_uniform(5, 5000);
+    const double mix = random.pick(std::array{0.0, 1.0, random.uniform(0, 1), random.log_uniform(1e-6, 1)});
+    columns.add(c, mix * excess / e, (1 - mix) * excess / (e * e), t, 3 / random.log_uniform(50, 10'000));
+  }
+  return columns;
+}
+
+/// Lights over a wide range of exponents, beyond what the vector arithmetic takes.
+template <typename T>
+Columns<T> wide_lights(std::size_t count) {
+  Columns<T> columns;
+  test::Random random(kSeed);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto coefficient = [&] { return random.below(5) ? random.log_uniform(1e-18, 1e18) : 0.0; };
+    const double c = random.below(4) ? random.log_uniform(1e-9, 1e3) : coefficient();
+    columns.add(c, coefficient(), coefficient(), random.log_uniform(1e-9, 0.999), random.log_uniform(1e-12, 1e12));
+    if (columns.constant.back() + columns.linear.back() + columns.quadratic.back() == 0) columns.constant.back() = 1;
+  }
+  return columns;
+}
+
+template <typename T>
+void expect_accurate(const char* name, Columns<T> columns, double intensity_bound, double extent_bound,
+                     double peak_bound) {
+  for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
+    columns.solve(mode);
+    EXPECT_EQ(columns.refused, 0u);
+    double worst_intensity = 0;
+    double worst_extent = 0;
+    double worst_peak = 0;
+    double sum = 0;
+    std::size_t worst = 0;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      ASSERT_EQ(columns.status[i], BatchStatus::ok) << columns.describe(i);
+      const FogIntensity truth = columns.scalar(mode, i);
+      const double error = ulps(columns.intensity[i], truth.intensity);
+      if (!(error <= worst_intensity)) worst = i;
+      worst_intensity = std::max(worst_intensity, error);
+      sum += error;
+      worst_extent = std::max(worst_extent, ulps(columns.extent[i], truth.extent));
+      worst_peak = std::max(worst_peak, relative(double(columns.peak_range[i]), double(T(truth.peak_range))));
+    }
+    std::printf(
+        "batch %-9s %-6s %-4s %zu lights: intensity max %.3f mean %.3f ulp (bound %g), extent %.3f ulp (%g), "
+        "peak %.2g (%g)\n",
+        name, sizeof(T) == 4 ? "float" : "double", mode == FogMode::exp ? "exp" : "exp2", columns.size(),
+        worst_intensity, sum / double(columns.size()), intensity_bound, worst_extent, extent_bound, worst_peak,
+        peak_bound);
+    // The scalar reference may itself be 2 ulp of double off; of float's that is nothing.
+    EXPECT_LE(worst_intensity, intensity_bound) << columns.describe(worst);
+    EXPECT_LE(worst_extent, extent_bound);
+    EXPECT_LE(worst_peak, peak_bound);
+  }
+}
+
+/// Runs a test on every SIMD target that this processor has.
+class Batch : public testing::Test {
+ protected:
+  template <typename Check>
+  void on_every_target(const Check& check) {
+    for (std::int64_t targets = hwy::SupportedTargets(); targets != 0;) {
+      const std::int64_t best = targets & -targets;
+      hwy::SetSupportedTargetsForTest(targets);
+      SCOPED_TRACE(hwy::TargetName(best));
+      std::printf("%s\n", hwy::TargetName(best));
+      check();
+      targets &= ~best;
+    }
+    hwy::SetSupportedTargetsForTest(0);
+  }
+};
+
+TEST_F(Batch, FloatIsExactToTwoUlpOverOrdinaryLights) {
+  on_every_target([] { expect_accurate("ordinary", ordinary_lights<float>(100'003), 2, 1, 1e-4); });
+}
+
+TEST_F(Batch, DoubleIsNearTheScalarSolutionOverOrdinaryLights) {
+  // Each may be 2 ulp from the truth. EveryTargetHoldsItsBoundAgainstFiftyDigits is the test of the bound.
+  on_every_target([] { expect_accurate("ordinary", ordinary_lights<double>(100'003), 2, 1, 1e-8); });
+}
+
+TEST_F(Batch, WideRangesAreAsExact) {
+  on_every_target([] {
+    expect_accurate("wide", wide_lights<float>(20'001), 2, 1, 1e-4);
+    expect_accurate("wide", wide_lights<double>(20'001), 2, 1, 1e-8);
+  });
+}
+
+/// Ordinary lights in one fog mode with their true intensities, rounded to float so that both precisions take the same.
+struct ReferenceLights {
+  Columns<float> columns;
+  std::vector<test::Digits50> intensity;
+
+  ReferenceLights(FogMode mode, int count) {
+    test::Random random(mode == FogMode::exp ? 7 : 8);
+    for (int i = 0; i < count; ++i) {
+      const auto& [attenuation, fog, threshold] = test::draw_ordinary_case(random, mode);
+      columns.add(attenuation.constant, attenuation.linear, attenuation.quadratic, threshold, fog.density);
+      intensity.push_back(
+          test::solve_reference({columns.constant.back(), columns.linear.back(), columns.quadratic.back()},
+                                {mode, columns.density.back()}, columns.threshold.back())
+              .intensity);
+    }
+  }
+};
+
+TEST_F(Batch, EveryTargetHoldsItsBoundAgainstFiftyDigits) {
+  for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
+    const ReferenceLights lights(mode, 4'003);
+    on_every_target([&] {
+      const std::string fog = mode == FogMode::exp ? "exp fog" : "exp2 fog";
+      const auto expect_near_reference = [&](auto columns, const char* precision, double bound) {
+        columns.solve(mode);
+        test::WorstError error("batch intensity", std::string("ordinary lights, ") + precision + ", " + fog, bound);
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+          error.add(test::ulp_error(columns.intensity[i], lights.intensity[i]), [&] { return columns.describe(i); });
+        }
+        error.check();
+      };
+      expect_near_reference(lights.columns, "float", 2);
+      Columns<double> in_double;
+      for (std::size_t i = 0; i < lights.columns.size(); ++i) {
+        in_double.add(lights.columns.constant[i], lights.columns.linear[i], lights.columns.quadratic[i],
+                      lights.columns.threshold[i], lights.columns.density[i]);
+      }
+      expect_near_reference(in_double, "double", 2);
+    });
+  }
+}
+
+template <typename T>
+void expect_place_does_not_matter() {
+  const Columns<T> all = ordinary_lights<T>(67);
+  Columns<T> whole = all;
+  whole.solve(FogMode::exp);
+  for (std::size_t count = 0; count <= all.size(); ++count) {
+    Columns<T> part;
+    for (std::size_t i = all.size() - count; i < all.size(); ++i) {
+      part.add(all.constant[i], all.linear[i], all.quadratic[i], all.threshold[i], all.density[i]);
+    }
+    part.solve(FogMode::exp);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t same = all.size() - count + i;
+      ASSERT_EQ(part.intensity[i], whole.intensity[same]) << count << " lights, light " << i;
+      ASSERT_EQ(part.peak_range[i], whole.peak_range[same]);
+      ASSERT_EQ(part.extent[i], whole.extent[same]);
+    }
+  }
+}
+
+TEST_F(Batch, ALightsResultDependsNeitherOnItsPlaceNorOnTheLength) {
+  on_every_target([] {
+    expect_place_does_not_matter<float>();
+    expect_place_does_not_matter<double>();
+  });
+}
+
+TEST_F(Batch, ASingleThresholdOrDensityServesAll) {
+  Columns<double> columns = ordinary_lights<double>(37);
+  columns.threshold.assign(37, 0.05);
+  columns.density.assign(37, 0.01);
+  columns.solve(FogMode::exp2);
+  const std::vector<double> before = columns.intensity;
+  columns.threshold.resize(1);
+  columns.density.resize(1);
+  solve_fog_intensities(FogMode::exp2, columns.lights(), {.intensity = columns.intensity});
+  EXPECT_EQ(columns.intensity, before);
+}
+
+template <typename T>
+void expect_special_values_as_scalar() {
+  using Limits = std::numeric_limits<T>;
+  const std::vector<T> values{T(0),
+                              T(-0.0),
+                              Limits::denorm_min(),
+                              T(1e-12),
+                              T(0.03),
+                              T(1),
+                              Limits::max(),
+                              Limits::infinity(),
+                              Limits::quiet_NaN(),
+                              T(-1)};
+  Columns<T> columns;
+  for (const T c : values) {
+    for (const T l : values) {
+      for (const T q : values) {
+        for (const T d : values) {
+          for (const T t : {T(0), T(0.05), T(0.9), T(1), Limits::quiet_NaN(), Limits::denorm_min()}) {
+            columns.add(double(c), double(l), double(q), double(t), double(d));
+          }
+        }
+      }
+    }
+  }
+  for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
+    columns.solve(mode);
+    std::size_t refused = 0;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      const bool is_bad =
+          check(Attenuation{double(columns.constant[i]), double(columns.linear[i]), double(columns.quadratic[i])}) ||
+          check(Fog{mode, double(columns.density[i])}) || check_threshold(double(columns.threshold[i]));
+      ASSERT_EQ(columns.status[i], is_bad ? BatchStatus::refused : BatchStatus::ok) << columns.describe(i);
+      refused += is_bad;
+      const FogIntensity truth = is_bad ? FogIntensity{0, 0, 0, SolveStatus::ok} : columns.scalar(mode, i);
+      ASSERT_LE(ulps(columns.intensity[i], truth.intensity), 2) << columns.describe(i);
+      ASSERT_LE(ulps(columns.extent[i], truth.extent), 2) << columns.describe(i);
+      ASSERT_LE(relative(double(columns.peak_range[i]), double(T(truth.peak_range))), 1e-4) << columns.describe(i);
+    }
+    EXPECT_EQ(columns.refused, refused);
+  }
+}
+
+TEST_F(Batch, SpecialValuesGiveTheScalarResultOrAreRefused) {
+  on_every_target([] {
+    expect_special_values_as_scalar<float>();
+    expect_special_values_as_scalar<double>();
+  });
+}
+
+// Degenerate lanes among ordinary ones: each lane has a kind of its own, so that a slip across lanes shows.
+TEST_F(Batch, LimitCasesStandBesideOrdinaryLights) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  Columns<float> columns;
+  for (int round = 0; round < 11; ++round) {
+    columns.add(1, 0.01, 0.001, 0.05, 0.01);
+    columns.add(30, 0.01, 0.001, 0.05, 0.01);       // extent 0
+    columns.add(2, 0, 0, 0.05, 0.01);               // constant
+    columns.add(0.5, 0.01, 0.001, 0.05, 0);         // clear air
+    columns.add(0.5, 0.01, 0.001, 0.05, infinity);  // total fog
+    columns.add(0, 1, 0, 0.05, 0.02);               // inverse linear, peak at the knee for exp
+    columns.add(1, 0, 0.0019, 0.05, 1e-5);          // thin fog
+  }
+  for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
+    columns.solve(mode);
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      const FogIntensity truth = columns.scalar(mode, i);
+      EXPECT_LE(ulps(columns.intensity[i], truth.intensity), 2) << columns.describe(i);
+      EXPECT_LE(ulps(columns.extent[i], truth.extent), 1) << columns.describe(i);
+      EXPECT_LE(relative(double(columns.peak_range[i]), truth.peak_range), 1e-4) << columns.describe(i);
+    }
+  }
+}
+
+TEST_F(Batch, ThreadsMayShareTheCallAndItsColumns) {
+  const Columns<float> shared = ordinary_lights<float>(5'000);
+  Columns<float> expected = shared;
+  expected.solve(FogMode::exp);
+  std::vector<std::vector<float>> results(4, std::vector<float>(shared.size()));
+  {
+    std::vector<std::jthread> threads;
+    for (auto& result : results) {
+      threads.emplace_back([&] { solve_fog_intensities(FogMode::exp, shared.lights(), {.intensity = result}); });
+    }
+  }
+  for (const auto& result : results) EXPECT_EQ(result, expected.intensity);
+}
+
+}  // namespace

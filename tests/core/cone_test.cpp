@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "litfog/cone.h"
+
+#include <gtest/gtest.h>
+
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+
+#include "reference/digits50.h"
+#include "reference/random_light.h"
+
+namespace litfog::test {
+namespace {
+
+using std::numbers::pi;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+TEST(Cone, OfAPointLightIsOneEverywhere) {
+  for (const double cos_angle : {-1.0, -0.5, 0.0, 0.5, 1.0}) EXPECT_EQ(cone_at(Cone{}, cos_angle), 1);
+  EXPECT_EQ(cutoff_angle(Cone{}), pi);
+}
+
+TEST(Cone, OfCosineProfileIsAPowerOfTheCosineInsideTheHalfAngle) {
+  const Cone cone = Cone::cosine(0.5, 8);
+  EXPECT_EQ(cone_at(cone, 1), 1);
+  EXPECT_DOUBLE_EQ(cone_at(cone, std::cos(0.3)), std::pow(std::cos(0.3), 8));
+  EXPECT_DOUBLE_EQ(cone_at(cone, std::cos(0.4999)), std::pow(std::cos(0.4999), 8));
+  EXPECT_EQ(cutoff_angle(cone), 0.5);
+}
+
+TEST(Cone, OfCosineProfileIsDarkFromTheHalfAngleOn) {
+  const Cone cone = Cone::cosine(0.5, 0);
+  EXPECT_EQ(cone_at(cone, std::cos(0.5)), 0);
+  EXPECT_EQ(cone_at(cone, std::cos(0.501)), 0);
+  EXPECT_EQ(cone_at(cone, 0), 0);
+  EXPECT_EQ(cone_at(cone, -1), 0);
+}
+
+TEST(Cone, OfExponentZeroIsAFlatBeam) {
+  const Cone cone = Cone::cosine(0.5, 0);
+  for (const double angle : {0.0, 0.1, 0.4, 0.499}) EXPECT_EQ(cone_at(cone, std::cos(angle)), 1);
+}
+
+TEST(Cone, OfSmoothstepProfileIsFullInsideAndDarkOutside) {
+  const Cone cone = Cone::smoothstep(0.2, 0.6);
+  EXPECT_EQ(cone_at(cone, 1), 1);
+  EXPECT_EQ(cone_at(cone, std::cos(0.2)), 1);
+  EXPECT_EQ(cone_at(cone, std::cos(0.6)), 0);
+  EXPECT_EQ(cone_at(cone, std::cos(0.7)), 0);
+  EXPECT_EQ(cone_at(cone, -1), 0);
+  EXPECT_EQ(cutoff_angle(cone), 0.6);
+}
+
+TEST(Cone, OfSmoothstepProfileIsHermitesCubicBetween) {
+  const Cone cone = Cone::smoothstep(0.2, 0.6);
+  const double inner = std::cos(0.2);
+  const double outer = std::cos(0.6);
+  EXPECT_NEAR(cone_at(cone, (inner + outer) / 2), 0.5, 1e-15);
+  EXPECT_NEAR(cone_at(cone, outer + 0.25 * (inner - outer)), 0.25 * 0.25 * (3 - 2 * 0.25), 1e-15);
+}
+
+TEST(Cone, NeverRisesWithTheAngleAndNeverLeavesItsRange) {
+  Random random(5);
+  for (int i = 0; i < 1000; ++i) {
+    const double outer = random.uniform(1e-3, pi);
+    const Cone cone = random.chance(0.5) ? Cone::cosine(random.uniform(1e-3, pi / 2), random.log_uniform(1e-3, 1e3))
+                                         : Cone::smoothstep(random.uniform(0, outer * 0.999), outer);
+    ASSERT_FALSE(check(cone));
+    double last = 1;
+    for (int step = 0; step <= 200; ++step) {
+      const double share = cone_at(cone, 1 - step / 100.);
+      ASSERT_TRUE(share >= 0 && share <= last) << "angle " << std::acos(1 - step / 100.) << ": " << share;
+      last = share;
+    }
+  }
+}
+
+TEST(Cone, RefusesAnglesAndExponentsOffTheirRange) {
+  const auto refusal = [](const Cone& cone) { return check(cone) ? to_string(*check(cone)) : "accepted"; };
+  EXPECT_EQ(refusal(Cone::cosine(0, 1)), "cone.half_angle = 0: must be in (0, pi/2]");
+  EXPECT_EQ(refusal(Cone::cosine(2, 1)), "cone.half_angle = 2: must be in (0, pi/2]");
+  EXPECT_EQ(refusal(Cone::cosine(kNan, 1)), "cone.half_angle = nan: must be in (0, pi/2]");
+  EXPECT_EQ(refusal(Cone::cosine(1, -1)), "cone.exponent = -1: must be finite and >= 0");
+  EXPECT_EQ(refusal(Cone::cosine(1, kInfinity)), "cone.exponent = inf: must be finite and >= 0");
+  EXPECT_EQ(refusal(Cone::cosine(1, kNan)), "cone.exponent = nan: must be finite and >= 0");
+  EXPECT_EQ(refusal(Cone::smoothstep(0, 0)), "cone.outer = 0: must be in (0, pi]");
+  EXPECT_EQ(refusal(Cone::smoothstep(0, 4)), "cone.outer = 4: must be in (0, pi]");
+  EXPECT_EQ(refusal(Cone::smoothstep(0, kNan)), "cone.outer = nan: must be in (0, pi]");
+  EXPECT_EQ(refusal(Cone::smoothstep(0.5, 0.5)), "cone.inner = 0.5: must be in [0, outer)");
+  EXPECT_EQ(refusal(Cone::smoothstep(-0.5, 0.5)), "cone.inner = -0.5: must be in [0, outer)");
+  EXPECT_EQ(refusal(Cone::smoothstep(kNan, 0.5)), "cone.inner = nan: must be in [0, outer)");
+}
+
+TEST(Cone, AcceptsTheEndsOfItsRanges) {
+  EXPECT_FALSE(check(Cone{}));
+  EXPECT_FALSE(check(Cone::cosine(pi / 2, 0)));
+  EXPECT_FALSE(check(Cone::cosine(1e-300, std::numeric_limits<double>::max())));
+  EXPECT_FALSE(check(Cone::smoothstep(0, pi)));
+}
+
+TEST(Cone, OfAnyAcceptedWidthIsNeverNan) {
+  for (const Cone& cone : {Cone::smoothstep(0, 1e-9), Cone::smoothstep(0, 1e-300), Cone::smoothstep(1, 1 + 1e-15),
+                           Cone::smoothstep(std::nextafter(pi, 0), pi), Cone::cosine(1e-300, 1e300),
+                           Cone::cosine(pi / 2, std::numeric_limits<double>::max())}) {
+    ASSERT_FALSE(check(cone));
+    for (const double cos_angle : {-1.0, -std::cos(1e-9), 0.0, std::cos(1.0), std::cos(1e-9), 1 - 0x1p-53, 1.0}) {
+      const double share = cone_at(cone, cos_angle);
+      EXPECT_TRUE(share >= 0 && share <= 1)
+          << "inner " << cone.inner << ", outer " << cone.outer << ", cosine " << cos_angle << ": " << share;
+    }
+  }
+}
+
+/// Cones as wide and as narrow as lights come.
+Cone draw_cone(Random& random) {
+  if (random.chance(0.5)) return Cone::cosine(random.log_uniform(1e-3, pi / 2), random.log_uniform(1e-3, 1e5));
+  const double outer = random.log_uniform(1e-3, pi);
+  return Cone::smoothstep(random.chance(0.1) ? 0 : random.uniform(0, 0.999 * outer), outer);
+}
+
+/// The definitions in 50 digits, for any angle from the axis.
+Digits50 share_at(const Cone& cone, const Digits50& angle) {
+  if (cone.profile == ConeProfile::cosine) return pow(cos(angle), Digits50(cone.exponent));
+  const Digits50 inner = cos(Digits50(cone.inner));
+  const Digits50 outer = cos(Digits50(cone.outer));
+  const Digits50 t = (cos(angle) - outer) / (inner - outer);
+  return t >= 1 ? Digits50(1) : t <= 0 ? Digits50(0) : t * t * (3 - 2 * t);
+}
+
+TEST(Cone, AngleAtALevelIsWhereTheConeFallsToIt) {
+  Random random(11);
+  double worst = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Cone cone = draw_cone(random);
+    const double level = random.log_uniform(1e-3, 0.999);
+    const double angle = angle_at_level(cone, level);
+    if (cone.profile == ConeProfile::cosine && angle == cone.half_angle) {
+      EXPECT_GE(share_at(cone, angle), level * (1 - 1e-9)) << "ends only where it is still brighter";
+      continue;
+    }
+    Digits50 low = 0;
+    Digits50 high = cone.profile == ConeProfile::cosine ? pi / 2 : cone.outer;
+    for (int step = 0; step < 90; ++step) {
+      const Digits50 middle = (low + high) / 2;
+      (share_at(cone, middle) > level ? low : high) = middle;
+    }
+    worst = std::max(worst, relative_error(angle, low));
+  }
+  std::printf("angle_at_level: worst error %.2g\n", worst);
+  EXPECT_LE(worst, 2e-15);
+}
+
+TEST(Cone, AngleAtALevelAboveTheEdgeIsTheCutOff) {
+  EXPECT_EQ(angle_at_level(Cone::cosine(0.5, 0), 0.5), 0.5);
+  EXPECT_EQ(angle_at_level(Cone::cosine(0.5, 1), 0.5), 0.5);
+  EXPECT_DOUBLE_EQ(angle_at_level(Cone::cosine(1.5, 1), 0.5), pi / 3);
+  EXPECT_EQ(angle_at_level(Cone{}, 0.5), pi);
+}
+
+TEST(Cone, FluxIsTheIntegralOverTheSphere) {
+  using Quadrature = boost::math::quadrature::gauss_kronrod<Digits50, 61>;
+  Random random(12);
+  double worst = 0;
+  for (int i = 0; i < 100; ++i) {
+    const Cone cone = draw_cone(random);
+    const double end = random.chance(0.5) ? pi : random.uniform(0, cutoff_angle(cone));
+    const auto density = [&cone](const Digits50& angle) { return share_at(cone, angle) * sin(angle); };
+    const Digits50 last = std::min(end, cutoff_angle(cone));
+    const Digits50 full = std::min<Digits50>(cone.inner, last);  // a smoothstep's; the integrand is smooth beyond
+    const Digits50 sphere = 2 * boost::math::constants::pi<Digits50>();
+    const Digits50 reference =
+        sphere * (1 - cos(full) + (last > full ? Quadrature::integrate(density, full, last, 12, 1e-18) : Digits50(0)));
+    worst = std::max(worst, relative_error(flux_within(cone, end), reference));
+  }
+  std::printf("flux_within: worst error %.2g\n", worst);
+  EXPECT_LE(worst, 2e-15);
+}
+
+TEST(Cone, FluxHasItsClosedForms) {
+  EXPECT_DOUBLE_EQ(flux_within(Cone{}, pi), 4 * pi);
+  EXPECT_DOUBLE_EQ(flux_within(Cone::cosine(pi / 2, 1), pi), pi);      // a Lambertian patch
+  EXPECT_DOUBLE_EQ(flux_within(Cone::cosine(pi / 3, 0), pi), pi);      // a flat spherical cap
+  EXPECT_DOUBLE_EQ(flux_within(Cone::smoothstep(0, pi), pi), 2 * pi);  // even about 90 degrees
+  EXPECT_DOUBLE_EQ(flux_within(Cone::smoothstep(pi / 3, pi / 2), pi / 3), pi);
+}
+
+}  // namespace
+}  // namespace litfog::test

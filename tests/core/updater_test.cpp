@@ -1,0 +1,624 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "litfog/updater.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "core/allocation_count.h"
+#include "reference/random_light.h"
+#include "core/refused.h"
+
+namespace litfog::test {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr std::array kModes{FogMode::exp, FogMode::exp2};
+constexpr Fog kMist{FogMode::exp, 0.01};
+
+PlacedLight carried_light(const Attenuation& attenuation = {1, 0.1, 0.01}, const glm::dvec3& color = glm::dvec3{1}) {
+  PlacedLight light;
+  light.light.color = color;
+  light.light.attenuation = attenuation;
+  light.carried = true;
+  return light;
+}
+
+float largest_component(const FogLight& entry) {
+  return std::max({entry.color_intensity.r, entry.color_intensity.g, entry.color_intensity.b});
+}
+
+/// What the entry of a light has to be, but for the intensity.
+FogLight pack_with_intensity_0(const PlacedLight& light, bool is_on) {
+  const double light_extent = extent(light.light.attenuation, light.light.threshold);
+  FogLight entry = pack_fog_light(light, {.intensity = 0, .peak_range = 0, .extent = light_extent, .status = {}});
+  if (!is_on) entry.color_intensity = glm::vec4{0};
+  return entry;
+}
+
+/// What the entry of a light stores when every light is solved.
+float intensity_of(const PlacedLight& light, bool is_on, const Fog& fog) {
+  const FogLight entry = pack_fog_light(light, solve_fog_intensity(light.light, fog));
+  return is_on && largest_component(entry) > 0 ? entry.color_intensity.w : 0;
+}
+
+bool is_within_one_ulp(float a, float b) {
+  return a >= std::nextafter(b, -1.0f) && a <= std::nextafter(b, 2.0f);  // the batch errs by 2 ulp of double
+}
+
+bool is_same(const FogLight& a, const FogLight& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+/// The updater's lights once more, and the buffer of a caller that uploads the dirty ranges and nothing else.
+class Mirror {
+ public:
+  explicit Mirror(double skip_budget_255) : updater(skip_budget_255), budget_(skip_budget_255 / 255) {}
+
+  struct Held {
+    FogLightHandle handle;
+    PlacedLight light;
+    bool is_on = true;
+  };
+
+  void add(const PlacedLight& light) { lights.push_back({updater.add(light), light}); }
+
+  void change(std::size_t i, const PlacedLight& light) {
+    updater.change(lights[i].handle, light);
+    lights[i].light = light;
+  }
+
+  void switch_light(std::size_t i, bool is_on) {
+    updater.switch_light(lights[i].handle, is_on);
+    lights[i].is_on = is_on;
+  }
+
+  void remove(std::size_t i) {
+    updater.remove(lights[i].handle);
+    lights[i] = lights.back();
+    lights.pop_back();
+  }
+
+  void set_fog(const Fog& fog) {
+    const auto ranges = updater.set_fog(fog);
+    FogLight garbage;
+    std::memset(&garbage, 0xa5, sizeof garbage);
+    buffer_.resize(updater.entries().size(), garbage);
+    range_count = ranges.size();
+    std::size_t dirty = 0;
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+      ASSERT_LT(ranges[i].begin, ranges[i].end);
+      ASSERT_LE(ranges[i].end, buffer_.size());
+      if (i > 0) {
+        ASSERT_GT(ranges[i].begin, ranges[i - 1].end);
+      }
+      std::copy(updater.entries().begin() + std::ptrdiff_t(ranges[i].begin),
+                updater.entries().begin() + std::ptrdiff_t(ranges[i].end),
+                buffer_.begin() + std::ptrdiff_t(ranges[i].begin));
+      dirty += ranges[i].end - ranges[i].begin;
+    }
+    ASSERT_EQ(updater.statistics().entries_dirty, dirty);
+    ASSERT_LE(updater.statistics().lights_skipped, lights.size());
+    ASSERT_TRUE(std::ranges::equal(buffer_, updater.entries(), is_same));
+    check_entries(fog);
+  }
+
+  FogUpdater updater;
+  std::vector<Held> lights;
+  std::size_t range_count = 0;  // of the last set_fog
+  std::size_t skipped = 0;      // lights found with intensity 0 for another, in all set_fog
+
+ private:
+  void check_entries(const Fog& fog) {
+    std::vector<bool> is_used(buffer_.size());
+    for (const Held& held : lights) {
+      const std::size_t at = updater.entry_of(held.handle);
+      ASSERT_LT(at, buffer_.size());
+      ASSERT_FALSE(is_used[at]);
+      is_used[at] = true;
+      FogLight entry = buffer_[at];
+      const float stored = entry.color_intensity.w;
+      const float solved = intensity_of(held.light, held.is_on, fog);
+      if (!is_within_one_ulp(stored, solved)) {
+        ASSERT_EQ(stored, 0) << "instead of " << solved;
+        ASSERT_LT(double(solved) * double(largest_component(entry)), budget_ * (1 + 1e-7));  // solved is a float
+        ++skipped;
+      }
+      entry.color_intensity.w = 0;
+      ASSERT_TRUE(is_same(entry, pack_with_intensity_0(held.light, held.is_on)));
+    }
+    for (std::size_t i = 0; i < buffer_.size(); ++i) {
+      ASSERT_TRUE(is_used[i] || is_same(buffer_[i], FogLight{})) << "entry " << i;
+    }
+  }
+
+  double budget_;
+  std::vector<FogLight> buffer_;
+};
+
+/// A light of one of twelve kinds, two of them corners, with one of few colours, or of a kind of its own.
+PlacedLight draw_light(Random& random) {
+  static const std::array<Attenuation, 4> attenuations{{{1, 0.1, 0.01}, {0.5, 0, 1e-4}, {1, 0, 0}, {30, 1, 1}}};
+  PlacedLight light = carried_light(random.pick(attenuations));
+  if (random.chance(0.2)) light.light.attenuation = draw_ordinary_case(random, FogMode::exp).attenuation;
+  light.light.threshold = random.chance(0.8) ? 0.05 : 0.01;
+  light.light.density_scale = random.pick(std::array{1., 0.4, 2.5, 0.});
+  light.light.color = glm::dvec3{random.pick(std::array{0., 0.01, 0.5, 1., 1., 30.})} * glm::dvec3{0.5, 1, 0.25};
+  light.light.cone = Cone::cosine(0.5, random.uniform(0, 10));
+  light.position = {random.uniform(-100, 100), random.uniform(-100, 100), 2};
+  light.carried = random.chance(0.8);
+  return light;
+}
+
+Fog draw_fog(Random& random, const Fog& last) {
+  if (random.chance(0.1)) return last;
+  if (random.chance(0.1)) return {last.mode, last.density * (1 + 1e-12)};
+  if (random.chance(0.1)) return {random.pick(kModes), random.pick(std::array{0., 1e-300, 1e300, kInfinity})};
+  return {random.pick(kModes), random.log_uniform(1e-7, 1)};
+}
+
+/// Random calls; set_fog is one in calls_per_fog.
+void run_random_calls(Mirror& mirror, Random& random, int calls, double calls_per_fog, double removed_share) {
+  Fog fog;
+  for (int call = 0; call < calls; ++call) {
+    if (random.chance(1 / calls_per_fog)) {
+      fog = draw_fog(random, fog);
+      ASSERT_NO_FATAL_FAILURE(mirror.set_fog(fog));
+    }
+    if (mirror.lights.empty() || random.chance(0.4)) {
+      mirror.add(draw_light(random));
+      continue;
+    }
+    const std::size_t i = std::size_t(random.uniform(0, double(mirror.lights.size())));
+    if (random.chance(removed_share)) {
+      mirror.remove(i);
+    } else if (random.chance(0.5)) {
+      mirror.switch_light(i, random.chance(0.5));
+    } else {
+      mirror.change(i, draw_light(random));
+    }
+  }
+  ASSERT_NO_FATAL_FAILURE(mirror.set_fog(fog));
+}
+
+TEST(FogUpdater, KeepsACallersBufferRightThroughAnyCalls) {
+  Random random(51);
+  std::size_t skipped = 0;
+  for (const double budget : {0., 0.5, 20.}) {
+    for (int sequence = 0; sequence < 60; ++sequence) {
+      Mirror mirror(budget);
+      run_random_calls(mirror, random, 400, 3, random.pick(std::array{0.3, 0.6, 0.9}));
+      if (HasFatalFailure()) return;
+      if (budget == 0) {
+        ASSERT_EQ(mirror.skipped, 0u);
+      } else {
+        skipped += mirror.skipped;
+      }
+    }
+  }
+  EXPECT_GT(skipped, 1000u);
+}
+
+TEST(FogUpdater, KeepsACallersBufferRightThroughManyLights) {
+  Random random(52);
+  Mirror mirror(0.5);
+  run_random_calls(mirror, random, 30000, 1000, 0.2);
+  EXPECT_GT(mirror.lights.size(), 5000u);
+}
+
+TEST(FogUpdater, SkipsNoLightAboveTheBudget) {
+  Random random(53);
+  std::size_t checked = 0;
+  std::size_t dim = 0;
+  std::size_t skipped = 0;
+  for (int round = 0; round < 400; ++round) {
+    const double budget_255 = random.log_uniform(1e-3, 30);
+    FogUpdater updater(budget_255);
+    std::vector<PlacedLight> lights;
+    std::vector<FogLightHandle> handles;
+    const bool is_wide = round % 4 == 0;
+    for (int i = 0; i < 500; ++i) {
+      SolveCase c = draw_ordinary_case(random, FogMode::exp);
+      if (is_wide) {
+        const auto draw = [&] { return random.chance(0.2) ? 0 : random.log_uniform(1e-30, 1e30); };
+        c = {{draw(), draw(), random.log_uniform(1e-30, 1e30)}, {}, random.log_uniform(1e-30, 0.99)};
+      }
+      PlacedLight light = carried_light(c.attenuation, glm::dvec3{0.1, random.log_uniform(0.1, 100), 0.1});
+      light.light.threshold = c.threshold;
+      lights.push_back(light);
+      handles.push_back(updater.add(light));
+    }
+    for (int step = 0; step < 10; ++step) {
+      const Fog fog{random.pick(kModes), is_wide ? random.log_uniform(1e-30, 1e30) : random.log_uniform(1e-6, 1)};
+      updater.set_fog(fog);
+      for (std::size_t i = 0; i < lights.size(); ++i) {
+        const FogLight& entry = updater.entries()[updater.entry_of(handles[i])];
+        const double intensity = solve_fog_intensity(lights[i].light, fog).intensity;
+        const double share = intensity * double(largest_component(entry)) / (budget_255 / 255);
+        ++checked;
+        if (share < 1 && float(intensity) > 0) ++dim;
+        if (is_within_one_ulp(entry.color_intensity.w, float(intensity))) continue;
+        ASSERT_EQ(entry.color_intensity.w, 0);
+        ASSERT_LT(share, 1) << to_string(SolveCase{lights[i].light.attenuation, fog, lights[i].light.threshold});
+        ++skipped;
+      }
+    }
+  }
+  std::printf("fog updater: %zu lights, %.2f %% below their budget, %.2f %% of these skipped\n", checked,
+              100. * double(dim) / double(checked), 100. * double(skipped) / double(dim));
+  EXPECT_GT(double(skipped), 0.5 * double(dim));
+}
+
+TEST(FogUpdater, SolvesAKindOnceHoweverManyLightsItHas) {
+  FogUpdater updater;
+  for (int i = 0; i < 1000; ++i) updater.add(carried_light({1, 0.1 * (1 + i % 3), 0.01}));
+  updater.set_fog(kMist);
+  EXPECT_EQ(updater.statistics().kinds_solved, 3u);
+  EXPECT_EQ(updater.statistics().kinds_skipped, 0u);
+  EXPECT_EQ(updater.statistics().lights_skipped, 0u);
+  EXPECT_EQ(updater.statistics().entries_dirty, updater.entries().size());
+}
+
+TEST(FogUpdater, TellsKindsByEveryParameterOfTheSolve) {
+  FogUpdater updater;
+  std::array<PlacedLight, 6> lights;
+  lights.fill(carried_light());
+  lights[1].light.attenuation.constant = 2;
+  lights[2].light.attenuation.linear = 0.2;
+  lights[3].light.attenuation.quadratic = 0.02;
+  lights[4].light.threshold = 0.2;
+  lights[5].light.density_scale = 0.4;
+  for (const PlacedLight& light : lights) updater.add(light);
+  PlacedLight of_first_kind = lights[0];
+  of_first_kind.light.cone = Cone::cosine(1, 2);
+  of_first_kind.light.color = {0.5, 0, 0};
+  of_first_kind.position = {1, 2, 3};
+  updater.add(of_first_kind);
+  updater.set_fog(kMist);
+  EXPECT_EQ(updater.statistics().kinds_solved, 6u);
+}
+
+// --- each reason to skip, alone ---
+
+TEST(FogUpdater, SkipsLightsThatAreNotCarried) {
+  FogUpdater updater(0);
+  PlacedLight light = carried_light();
+  light.carried = false;
+  const FogLightHandle handle = updater.add(light);
+  EXPECT_EQ(updater.set_fog(kMist).size(), 1u);  // the new light
+  EXPECT_EQ(updater.statistics().kinds_solved, 0u);
+  EXPECT_EQ(updater.statistics().lights_skipped, 1u);
+  EXPECT_TRUE(updater.set_fog({FogMode::exp, 0.02}).empty());
+  EXPECT_TRUE(is_same(updater.entries()[updater.entry_of(handle)], pack_with_intensity_0(light, true)));
+}
+
+TEST(FogUpdater, SkipsLightsThatAreOff) {
+  FogUpdater updater(0);
+  const FogLightHandle handle = updater.add(carried_light());
+  updater.set_fog(kMist);
+  EXPECT_EQ(updater.statistics().kinds_solved, 1u);
+  updater.switch_light(handle, false);
+  EXPECT_EQ(updater.set_fog(kMist).size(), 1u);
+  EXPECT_EQ(updater.entries()[updater.entry_of(handle)].color_intensity, glm::vec4(0));
+  EXPECT_TRUE(updater.set_fog({FogMode::exp, 0.02}).empty());
+  EXPECT_EQ(updater.statistics().kinds_solved, 0u);
+  EXPECT_EQ(updater.statistics().kinds_skipped, 1u);
+  EXPECT_EQ(updater.statistics().lights_skipped, 1u);
+  updater.switch_light(handle, true);
+  EXPECT_EQ(updater.set_fog({FogMode::exp, 0.02}).size(), 1u);
+  EXPECT_EQ(updater.entries()[0].color_intensity.w, intensity_of(carried_light(), true, {FogMode::exp, 0.02}));
+}
+
+TEST(FogUpdater, CountsLightsThatAreOffAsSkippedAmongOthersThatAreOn) {
+  FogUpdater updater(0);
+  updater.add(carried_light());
+  updater.switch_light(updater.add(carried_light()), false);
+  updater.set_fog(kMist);
+  EXPECT_EQ(updater.statistics().kinds_solved, 1u);
+  EXPECT_EQ(updater.statistics().lights_skipped, 1u);
+}
+
+TEST(FogUpdater, SkipsBlackLights) {
+  FogUpdater updater(0);
+  updater.add(carried_light({1, 0.1, 0.01}, glm::dvec3{0}));
+  updater.set_fog(kMist);
+  EXPECT_EQ(updater.statistics().kinds_solved, 0u);
+  EXPECT_EQ(updater.statistics().lights_skipped, 1u);
+  EXPECT_EQ(updater.entries()[0].color_intensity.w, 0);
+}
+
+TEST(FogUpdater, SkipsLightsBelowTheBudget) {
+  const PlacedLight light = carried_light();
+  const Fog thin_mist{FogMode::exp, 1e-4};
+  const double intensity_255 = 255 * double(intensity_of(light, true, thin_mist));
+  FogUpdater updater(1.01 * intensity_255);
+  updater.add(light);
+  updater.set_fog(thin_mist);
+  EXPECT_EQ(updater.statistics().kinds_solved, 0u);
+  EXPECT_EQ(updater.statistics().kinds_skipped, 1u);
+  EXPECT_EQ(updater.statistics().lights_skipped, 1u);
+  EXPECT_EQ(updater.entries()[0].color_intensity.w, 0);
+  updater.set_fog(kMist);
+  EXPECT_EQ(updater.statistics().kinds_solved, 1u);
+  EXPECT_GT(updater.entries()[0].color_intensity.w, 0);
+  EXPECT_EQ(updater.set_fog(thin_mist).size(), 1u);  // back to 0
+  EXPECT_EQ(updater.entries()[0].color_intensity.w, 0);
+}
+
+TEST(FogUpdater, MeasuresAKindInTheFogItsClassSees) {
+  PlacedLight light = carried_light();
+  const Fog thin_mist{FogMode::exp, 1e-4};
+  FogUpdater updater(1.01 * 255 * double(intensity_of(light, true, thin_mist)));
+  light.light.density_scale = 2.5;
+  const FogLightHandle handle = updater.add(light);
+  updater.set_fog(thin_mist);
+  EXPECT_EQ(updater.statistics().kinds_solved, 1u);
+  light.light.density_scale = 0.4;
+  updater.change(handle, light);
+  updater.set_fog({FogMode::exp, 2e-4});
+  EXPECT_EQ(updater.statistics().kinds_solved, 0u);
+}
+
+TEST(FogUpdater, MeasuresAKindByItsBrightestLight) {
+  const Fog thin_mist{FogMode::exp, 1e-4};
+  const double intensity_255 = 255 * double(intensity_of(carried_light(), true, thin_mist));
+  FogUpdater updater(2 * intensity_255);
+  updater.add(carried_light());
+  const FogLightHandle bright = updater.add(carried_light({1, 0.1, 0.01}, {0, 3, 0}));
+  const FogLightHandle as_bright = updater.add(carried_light({1, 0.1, 0.01}, {0, 0, 3}));
+  const auto kinds_solved = [&] {
+    updater.set_fog(thin_mist);
+    return updater.statistics().kinds_solved;
+  };
+  EXPECT_EQ(kinds_solved(), 1u);
+  updater.switch_light(bright, false);
+  EXPECT_EQ(kinds_solved(), 1u);
+  updater.remove(as_bright);
+  EXPECT_EQ(kinds_solved(), 0u);
+  EXPECT_EQ(updater.statistics().lights_skipped, 2u);
+  updater.switch_light(bright, true);
+  EXPECT_EQ(kinds_solved(), 1u);
+  updater.change(bright, carried_light({1, 0.1, 0.01}, {0, 1.5, 0}));
+  EXPECT_EQ(kinds_solved(), 0u);
+  EXPECT_EQ(updater.statistics().lights_skipped, 2u);
+}
+
+TEST(FogUpdater, SkipsNothingOfABudgetOfZero) {
+  FogUpdater updater(0);
+  updater.add(carried_light());
+  updater.add(carried_light({30, 0, 0}));  // without extent: intensity 0
+  updater.set_fog({FogMode::exp2, 1e-200});
+  EXPECT_EQ(updater.statistics().kinds_solved, 2u);
+  EXPECT_EQ(updater.statistics().lights_skipped, 0u);
+}
+
+TEST(FogUpdater, SkipsAFogThatHasNotChanged) {
+  FogUpdater updater;
+  updater.add(carried_light());
+  EXPECT_FALSE(updater.set_fog(kMist).empty());
+  EXPECT_TRUE(updater.set_fog(kMist).empty());
+  EXPECT_EQ(updater.statistics().kinds_solved, 0u);
+  EXPECT_EQ(updater.statistics().kinds_skipped, 1u);
+  EXPECT_EQ(updater.statistics().lights_skipped, 1u);
+  EXPECT_EQ(updater.statistics().entries_dirty, 0u);
+  EXPECT_FALSE(updater.set_fog({FogMode::exp2, kMist.density}).empty());
+}
+
+TEST(FogUpdater, FindsNothingDirtyWhereTheStoredValueStays) {
+  FogUpdater updater;
+  updater.add(carried_light());
+  updater.set_fog(kMist);
+  EXPECT_TRUE(updater.set_fog({FogMode::exp, kMist.density * (1 + 1e-12)}).empty());
+  EXPECT_EQ(updater.statistics().kinds_solved, 1u);
+  EXPECT_EQ(updater.statistics().entries_dirty, 0u);
+}
+
+TEST(FogUpdater, SolvesOnlyTheKindOfALightThatHasChanged) {
+  FogUpdater updater;
+  for (int i = 0; i < 100; ++i) updater.add(carried_light({1, 0.1 * (1 + i / 10), 0.01}));
+  const FogLightHandle handle = updater.add(carried_light());
+  updater.set_fog(kMist);
+  PlacedLight moved = carried_light();
+  moved.position = {1, 2, 3};
+  updater.change(handle, moved);
+  const auto ranges = updater.set_fog(kMist);
+  const std::size_t entry = updater.entry_of(handle);
+  ASSERT_EQ(ranges.size(), 1u);
+  EXPECT_EQ(ranges[0], (EntryRange{entry, entry + 1}));
+  EXPECT_EQ(updater.statistics().kinds_solved, 1u);
+  EXPECT_EQ(updater.statistics().kinds_skipped, 9u);
+}
+
+// --- the block ---
+
+TEST(FogUpdater, HoldsTheLimitsOfFogAndAttenuation) {
+  const std::array attenuations{Attenuation{4, 0.1, 0}, Attenuation{0, 0.1, 0}, Attenuation{4, 0, 0},
+                                Attenuation{30, 1, 0}};
+  for (const FogMode mode : kModes) {
+    FogUpdater updater;
+    for (const Attenuation& attenuation : attenuations) updater.add(carried_light(attenuation));
+    const auto intensities = [&](double density) {
+      updater.set_fog({mode, density});
+      std::array<float, 4> values;
+      for (std::size_t i = 0; i < 4; ++i) values[i] = updater.entries()[i].color_intensity.w;
+      return values;
+    };
+    EXPECT_EQ(intensities(kInfinity), (std::array{0.25f, 1.0f, 0.25f, 0.0f}));
+    EXPECT_EQ(intensities(1e-300), (std::array{0.0f, 0.0f, 0.25f, 0.0f}));
+    EXPECT_EQ(intensities(0), (std::array{0.0f, 0.0f, 0.0f, 0.0f}));
+  }
+}
+
+TEST(FogUpdater, WastesNoEntryOnKindsOfFewLightsAndAtMostAQuarterOnOthers) {
+  FogUpdater updater;
+  for (int i = 0; i < 128; ++i) updater.add(carried_light({1, 0.1 * (1 + i % 16), 0.01}));
+  EXPECT_EQ(updater.entries().size(), 128u);
+  for (std::size_t i = 128; i < 20000; ++i) {
+    updater.add(carried_light({1, 0.1 * double(1 + i % 16), 0.01}));
+    ASSERT_LE(updater.entries().size(), (i + 1) + (i + 1) / 4 + 16);
+  }
+}
+
+TEST(FogUpdater, ReusesTheEntriesOfRemovedLights) {
+  FogUpdater updater;
+  std::size_t entries = 0;
+  for (int round = 0; round < 20; ++round) {
+    std::vector<FogLightHandle> handles;
+    for (int i = 0; i < 1000; ++i) handles.push_back(updater.add(carried_light({1, 0.1 * (1 + i % 4 + round), 0.01})));
+    updater.set_fog(kMist);
+    EXPECT_EQ(updater.statistics().kinds_solved + updater.statistics().kinds_skipped, 4u);
+    if (round == 0) entries = updater.entries().size();
+    for (const FogLightHandle handle : handles) updater.remove(handle);
+  }
+  EXPECT_EQ(updater.entries().size(), entries);
+  updater.set_fog(kMist);
+  EXPECT_EQ(updater.statistics().kinds_skipped, 0u);
+  EXPECT_EQ(updater.statistics().lights_skipped, 0u);
+}
+
+TEST(FogUpdater, JoinsRangesOverSmallGapsOnly) {
+  FogUpdater updater;
+  std::vector<FogLightHandle> handles;
+  for (int i = 0; i < 1000; ++i) {  // each of a kind of its own: entries in the order of adding
+    handles.push_back(updater.add(carried_light({1, 0.1 * (1 + i), 0.01})));
+  }
+  updater.set_fog(kMist);
+  for (const std::size_t i : {0u, 100u, 400u}) updater.switch_light(handles[i], false);
+  const auto ranges = updater.set_fog(kMist);
+  ASSERT_EQ(ranges.size(), 2u);
+  EXPECT_EQ(ranges[0], (EntryRange{0, 101}));
+  EXPECT_EQ(ranges[1], (EntryRange{400, 401}));
+}
+
+TEST(FogUpdater, KeepsKindsThatChangeApartFromThoseThatDoNot) {
+  Mirror mirror(0.5);
+  for (int i = 0; i < 20000; ++i) {  // in turn: one of a kind that fog changes, one of constant attenuation
+    mirror.add(carried_light());
+    mirror.add(carried_light({1, 0, 0}));
+  }
+  mirror.set_fog(kMist);
+  for (const double density : {0.02, 1e-9, 0.02}) {
+    mirror.set_fog({FogMode::exp, density});
+    EXPECT_LE(mirror.range_count, 30u);
+    EXPECT_LE(mirror.updater.statistics().entries_dirty, 22000u);
+  }
+}
+
+TEST(FogUpdater, AllocatesNothingInSetFog) {
+  Random random(54);
+  FogUpdater updater;
+  std::vector<FogLightHandle> handles;
+  for (int i = 0; i < 5000; ++i) handles.push_back(updater.add(draw_light(random)));
+  const std::size_t before = allocation_count();
+  Fog fog;
+  for (int step = 0; step < 200; ++step) {
+    fog = draw_fog(random, fog);
+    updater.set_fog(fog);
+    for (int i = 0; i < 10; ++i) updater.switch_light(random.pick(handles), random.chance(0.5));
+  }
+  EXPECT_EQ(allocation_count(), before);
+  FogUpdater().add(carried_light());
+  EXPECT_GT(allocation_count(), before);  // it does count
+}
+
+// --- handles ---
+
+TEST(FogUpdater, KnowsAHandleUntilItsLightIsRemoved) {
+  FogUpdater updater;
+  const FogLightHandle first = updater.add(carried_light());
+  const FogLightHandle second = updater.add(carried_light());
+  EXPECT_NE(first, second);
+  updater.remove(first);
+  const FogLightHandle third = updater.add(carried_light());
+  EXPECT_EQ(third.slot, first.slot);
+  EXPECT_NE(third, first);
+  const std::string refusal = "handle.slot = 0: must be that of a light held";
+  EXPECT_EQ(refusal_of([&] { updater.remove(first); }), refusal);
+  EXPECT_EQ(refusal_of([&] { updater.change(first, carried_light()); }), refusal);
+  EXPECT_EQ(refusal_of([&] { updater.switch_light(first, false); }), refusal);
+  EXPECT_EQ(refusal_of([&] { (void)updater.entry_of(first); }), refusal);
+  EXPECT_EQ(refusal_of([&] { updater.remove(FogLightHandle{}); }), refusal);
+  EXPECT_EQ(refusal_of([&] { updater.remove({.slot = 7, .generation = 1}); }),
+            "handle.slot = 7: must be that of a light held");
+  updater.remove(third);
+  EXPECT_EQ(refusal_of([&] { updater.remove(third); }), refusal);
+  EXPECT_EQ(refusal_of([&] { updater.remove({.slot = third.slot, .generation = third.generation + 1}); }), refusal);
+  updater.remove(second);
+}
+
+TEST(FogUpdater, KeepsALightsEntryThroughEverythingButAChangeOfKind) {
+  FogUpdater updater;
+  const FogLightHandle handle = updater.add(carried_light());
+  const std::size_t entry = updater.entry_of(handle);
+  std::vector<FogLightHandle> others;
+  for (int i = 0; i < 1000; ++i) others.push_back(updater.add(carried_light({1, 0.1 * (1 + i % 3), 0.01})));
+  updater.set_fog(kMist);
+  updater.switch_light(handle, false);
+  updater.change(handle, carried_light({1, 0.1, 0.01}, {0.5, 0.25, 1}));
+  updater.switch_light(handle, true);
+  for (const FogLightHandle other : others) updater.remove(other);
+  updater.set_fog({FogMode::exp, 0.02});
+  EXPECT_EQ(updater.entry_of(handle), entry);
+  updater.change(handle, carried_light({1, 0.7, 0.01}));
+  EXPECT_NE(updater.entry_of(handle), entry);
+}
+
+TEST(FogUpdater, KeepsALightOffThroughAChange) {
+  FogUpdater updater;
+  const FogLightHandle handle = updater.add(carried_light());
+  updater.switch_light(handle, false);
+  const PlacedLight other = carried_light({1, 0.7, 0.01}, {0.5, 0.25, 1});
+  updater.change(handle, other);
+  updater.set_fog(kMist);
+  EXPECT_TRUE(is_same(updater.entries()[updater.entry_of(handle)], pack_with_intensity_0(other, false)));
+  updater.switch_light(handle, true);
+  updater.set_fog(kMist);
+  EXPECT_EQ(updater.entries()[updater.entry_of(handle)].color_intensity,
+            glm::vec4(0.5, 0.25, 1, intensity_of(other, true, kMist)));
+}
+
+TEST(FogUpdater, RefusesWrongArgumentsAndStaysAsItWas) {
+  EXPECT_EQ(refusal_of([] { FogUpdater(-1); }), "skip_budget_255 = -1: must be finite and >= 0");
+  EXPECT_EQ(refusal_of([] { FogUpdater(std::nan("")); }), "skip_budget_255 = nan: must be finite and >= 0");
+  FogUpdater updater;
+  const FogLightHandle handle = updater.add(carried_light());
+  updater.set_fog(kMist);
+  const FogLight before = updater.entries()[0];
+  const PlacedLight wrong = carried_light({-1, 0, 0});
+  EXPECT_EQ(refusal_of([&] { updater.add(wrong); }), "attenuation.constant = -1: must be finite and >= 0");
+  EXPECT_EQ(refusal_of([&] { updater.change(handle, wrong); }), "attenuation.constant = -1: must be finite and >= 0");
+  const PlacedLight wrong_color = carried_light({1, 0, 0}, {0, -1, 0});
+  EXPECT_EQ(refusal_of([&] { updater.add(wrong_color); }), "color.g = -1: must be finite and >= 0");
+  EXPECT_EQ(refusal_of([&] { updater.change(handle, wrong_color); }), "color.g = -1: must be finite and >= 0");
+  EXPECT_EQ(refusal_of([&] { updater.set_fog({FogMode::exp, -1}); }), "fog.density = -1: must be >= 0");
+  EXPECT_TRUE(updater.set_fog(kMist).empty());
+  EXPECT_TRUE(is_same(updater.entries()[0], before));
+}
+
+TEST(FogUpdater, ServesTwoThreadsByTwoUpdaters) {
+  const auto run = [](std::vector<FogLight>& entries) {
+    Random random(55);
+    Mirror mirror(0.5);
+    run_random_calls(mirror, random, 1000, 5, 0.3);
+    entries.assign(mirror.updater.entries().begin(), mirror.updater.entries().end());
+  };
+  std::array<std::vector<FogLight>, 3> entries;
+  std::thread first(run, std::ref(entries[0]));
+  std::thread second(run, std::ref(entries[1]));
+  first.join();
+  second.join();
+  run(entries[2]);
+  for (const auto& threads : {entries[0], entries[1]}) {
+    EXPECT_TRUE(std::ranges::equal(threads, entries[2], is_same));
+  }
+}
+
+}  // namespace
+}  // namespace litfog::test

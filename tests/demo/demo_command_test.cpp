@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <OpenImageIO/imagebuf.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "command/command_test.h"
+#include "command/exit_status.h"
+#include "reference/srgb.h"
+
+namespace {
+
+using litfog::test::CommandTest;
+using litfog::test::Outcome;
+
+class DemoCommand : public CommandTest {
+ protected:
+  DemoCommand() : CommandTest(LITFOG_DEMO_PATH) {
+    if (run("room --size 8x8 -o probe.png").status == kMissingCapability) has_gl_ = false;
+  }
+  void SetUp() override {
+    if (has_gl_) return;
+    const char* const required = std::getenv("LITFOG_REQUIRE_GL");
+    if (required && *required) FAIL() << read("err");
+    GTEST_SKIP() << read("err");
+  }
+
+ private:
+  bool has_gl_ = true;
+};
+
+constexpr const char* kSeeHelp = "; see litfog-demo --help\n";
+
+TEST_F(DemoCommand, DrawsASceneAsPngAndExrOfTheSameLight) {
+  for (const char* output : {"a.png", "a.exr"}) {
+    const Outcome outcome = run(std::string("headlights --visibility 200 --size 64x36 -o ") + output);
+    ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  }
+  OIIO::ImageBuf png((directory() / "a.png").string());
+  OIIO::ImageBuf exr((directory() / "a.exr").string());
+  ASSERT_EQ(png.spec().width, 64);
+  ASSERT_EQ(png.spec().height, 36);
+  for (int y = 0; y < 36; ++y) {
+    for (int x = 0; x < 64; ++x) {
+      const double linear = double(exr.getchannel(x, y, 0, 1));
+      const double shown = litfog::test::srgb_from_linear(std::min(1.0, linear));
+      ASSERT_NEAR(double(png.getchannel(x, y, 0, 1)), shown, 1.5 / 255) << x << ", " << y;
+    }
+  }
+}
+
+TEST_F(DemoCommand, StatisticsSayWhatWasDrawn) {
+  ASSERT_EQ(run("approach --visibility 800 --fog exp2 --size 64x36 --frames 3 -o a.png --stats s.json").status, kDone);
+  const auto stats = nlohmann::json::parse(read("s.json"));
+  EXPECT_EQ(stats["scene"], "approach");
+  EXPECT_EQ(stats["path"], "unified");
+  EXPECT_EQ(stats["fog"], "exp2");
+  EXPECT_EQ(stats["fog_light"], "peak");
+  EXPECT_EQ(stats["visibility_m"], 800);
+  EXPECT_EQ(stats["frames"], 3);
+  EXPECT_GT(stats["lights"], 1000);
+  EXPECT_GT(stats["ms_per_frame"]["median"], 0);
+  EXPECT_GE(stats["ms_per_frame"]["max"], stats["ms_per_frame"]["min"]);
+  EXPECT_GT(stats["chunks_skipped"], 0);
+}
+
+TEST_F(DemoCommand, TheReferenceIsTheSamePictureToAStep) {
+  for (const char* options : {"-o a.exr", "--reference -o b.exr --stats s.json"}) {
+    const Outcome outcome = run(std::string("headlights --visibility 200 --size 64x36 ") + options);
+    ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  }
+  OIIO::ImageBuf drawn((directory() / "a.exr").string());
+  OIIO::ImageBuf reference((directory() / "b.exr").string());
+  const auto shown = [](const OIIO::ImageBuf& image, int x, int y) {
+    return litfog::test::srgb_from_linear(std::min(1.0, double(image.getchannel(x, y, 0, 1))));
+  };
+  for (int y = 0; y < 36; ++y) {  // the lamps' points too
+    for (int x = 0; x < 64; ++x) ASSERT_NEAR(shown(drawn, x, y), shown(reference, x, y), 1.0 / 255) << x << ", " << y;
+  }
+  const auto stats = nlohmann::json::parse(read("s.json"));
+  EXPECT_LT(stats["max_error_255"], 1);
+  EXPECT_LE(stats["mean_error_255"], stats["max_error_255"]);
+  EXPECT_EQ(stats["excepted_pixels"], 0);
+}
+
+TEST_F(DemoCommand, AHeatMapShowsThePathsErrorBesideItsPicture) {
+  const Outcome outcome = run("room --path vertex --size 64x36 -o a.png --heat-map h.png --stats s.json");
+  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  EXPECT_NE(outcome.out.find("vertex: largest error "), std::string::npos) << outcome.out;
+  EXPECT_EQ(OIIO::ImageBuf((directory() / "a.png").string()).spec().width, 64);
+  EXPECT_EQ(OIIO::ImageBuf((directory() / "h.png").string()).spec().width, 640);
+  EXPECT_GT(nlohmann::json::parse(read("s.json"))["max_error_255"], 1);
+}
+
+TEST_F(DemoCommand, APictureIsTheSameWithAHeatMapBesideIt) {
+  ASSERT_EQ(run("approach --size 64x36 -o a.png").status, kDone);
+  ASSERT_EQ(run("approach --size 64x36 -o b.png --heat-map h.png").status, kDone);
+  EXPECT_EQ(read("a.png"), read("b.png"));  // the lamps' points too
+}
+
+TEST_F(DemoCommand, TheMedianOfTwoFramesLiesBetweenThem) {
+  ASSERT_EQ(run("room --size 8x8 --frames 2 -o a.png --stats s.json").status, kDone);
+  const auto times = nlohmann::json::parse(read("s.json"))["ms_per_frame"];
+  EXPECT_DOUBLE_EQ(times["median"], (double(times["min"]) + double(times["max"])) / 2);
+}
+
+TEST_F(DemoCommand, ListsPathsAndScenes) {
+  const std::string paths = run("--list-paths").out;
+  EXPECT_EQ(paths.substr(0, 8), "unified ");
+  EXPECT_EQ(std::ranges::count(paths, '\n'), 10);
+  for (const char* path :
+       {"lookup-3d", "lookup-2d", "radial", "radial-plane", "accumulate", "vertex", "mixed", "tangent", "legacy"}) {
+    EXPECT_NE(paths.find(std::string("\n") + path + " "), std::string::npos) << path;
+  }
+  const std::string scenes = run("--list-scenes").out;
+  for (const char* scene : {"approach", "cookies", "headlights", "room", "tessellation"})
+    EXPECT_NE(scenes.find(scene), std::string::npos);
+}
+
+TEST_F(DemoCommand, CookiesTurnWithTime) {
+  for (const auto& [time, output] : {std::pair{"0", "a.png"}, {"0.25", "b.png"}, {"18", "c.png"}}) {
+    ASSERT_EQ(run(std::string("cookies --fog none --size 32x18 --time ") + time + " -o " + output).status, kDone);
+  }
+  EXPECT_NE(read("a.png"), read("b.png"));
+  EXPECT_EQ(read("a.png"), read("c.png"));  // whole turns of the ball, 20 degrees a second, and of the beacon
+  EXPECT_EQ(run("cookies --time -1").status, kUsage);
+}
+
+TEST_F(DemoCommand, GalleryDrawsEachVisibilityAndASheet) {
+  const Outcome outcome = run("room --gallery pictures --size 64x36");
+  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  for (const char* name : {"room-clear.png", "room-60m.png", "room-20m.png", "room-6m.png", "contact-sheet.png"}) {
+    EXPECT_TRUE(std::filesystem::exists(directory() / "pictures" / name)) << name;
+  }
+  EXPECT_NE(outcome.out.find("intensity"), std::string::npos);
+}
+
+TEST_F(DemoCommand, AComparisonHasAPageOfEveryPathWithItsPictures) {
+  const std::string options = "room --size 64x36 --map-size 16 --fog exp2 --visibility 30 ";
+  const Outcome outcome = run(options + "--compare a/b --frames 2");
+  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  const std::string page = read("a/b/index.html");
+  EXPECT_NE(page.find("exp2 fog, visibility 30 m"), std::string::npos);
+  std::set<std::string> linked{"index.html"};
+  for (const std::string attribute : {" src=\"", " href=\""}) {
+    for (auto at = page.find(attribute); at != page.npos; at = page.find(attribute, at + 1)) {
+      const auto begin = at + attribute.size();
+      const std::string link = page.substr(begin, page.find('"', begin) - begin);
+      if (link.front() != '#') linked.insert(link);
+    }
+  }
+  std::set<std::string> written;
+  for (const auto& entry : std::filesystem::directory_iterator(directory() / "a/b")) {
+    written.insert(entry.path().filename().string());
+  }
+  EXPECT_EQ(linked, written);
+  EXPECT_TRUE(written.contains("room-reference.png"));
+  EXPECT_TRUE(written.contains("room-paths.png"));
+  for (const char* path : {"unified", "lookup-3d", "lookup-2d", "radial", "radial-plane", "accumulate", "vertex",
+                           "mixed", "tangent", "legacy"}) {
+    EXPECT_NE(page.find(std::string("<h3>") + path + "</h3>"), std::string::npos) << path;
+    EXPECT_TRUE(written.contains(std::string("room-") + path + ".png")) << path;
+    EXPECT_TRUE(written.contains(std::string("room-") + path + "-error.png")) << path;
+  }
+
+  ASSERT_EQ(run(options + "--path lookup-2d -o a.png --heat-map h.png --stats s.json").status, kDone);
+  const auto stats = nlohmann::json::parse(read("s.json"));
+  const auto figure = page.find("<h3>lookup-2d</h3>");
+  const std::string caption = page.substr(figure, page.find("</figure>", figure) - figure);
+  for (const char* error : {"max_error_255", "mean_error_255"}) {
+    EXPECT_NE(caption.find(fmt::format("<dd>{:.3g}</dd>", double(stats[error]))), std::string::npos) << caption;
+  }
+  EXPECT_EQ(read("a.png"), read("a/b/room-lookup-2d.png"));
+  EXPECT_EQ(read("h.png"), read("a/b/room-lookup-2d-error.png"));
+}
+
+TEST_F(DemoCommand, AComparisonRefusesWhatItWouldPassOver) {
+  for (const std::string option : {"--gallery g", "--output a.png", "--reference", "--heat-map h.png", "--stats s.json",
+                                   "--path vertex", "--flat-shading"}) {
+    EXPECT_REFUSED(run("room --compare c " + option), kUsage,
+                   "litfog-demo: --compare = c: must stand without " + option.substr(0, option.find(' ')) + kSeeHelp);
+  }
+  EXPECT_REFUSED(run("--compare ''"), kUsage,
+                 std::string("litfog-demo: --compare = \"\": must not be empty") + kSeeHelp);
+  EXPECT_EQ(run("room --compare c --size 4000x3000").status, kUsage);
+  EXPECT_EQ(run("room --compare c --fog none --visibility 5").status, kUsage);
+  EXPECT_FALSE(std::filesystem::exists(directory() / "c"));
+}
+
+TEST_F(DemoCommand, WrongUsageIsRefused) {
+  for (const char* size :
+       {"0x0", "0x10", "100000x100000", "100000x1", "-5x5", "10", "10x", "axb", "10x10x10", "1e3x5"}) {
+    const Outcome outcome = run(std::string("room --size ") + size + " -o a.png");
+    EXPECT_EQ(outcome.status, kUsage) << size;
+    EXPECT_NE(outcome.err.find("must be WIDTHxHEIGHT"), std::string::npos) << outcome.err;
+  }
+  EXPECT_REFUSED(
+      run("room --path phong"), kUsage,
+      std::string("litfog-demo: --path = phong: must be one of unified|lookup-3d|lookup-2d|radial|radial-plane|"
+                  "accumulate|vertex|mixed|tangent|legacy") +
+          kSeeHelp);
+  EXPECT_EQ(run("room --bogus").status, kUsage);
+  EXPECT_EQ(run("").status, kUsage);
+  EXPECT_EQ(run("room --visibility -1").status, kUsage);
+  EXPECT_EQ(run("room --visibility nan").status, kUsage);
+  EXPECT_EQ(run("room --frames 0").status, kUsage);
+  EXPECT_EQ(run("room -o a.bmp").status, kUsage);
+  EXPECT_FALSE(std::filesystem::exists(directory() / "a.png"));
+}
+
+TEST_F(DemoCommand, OptionsThatWouldBePassedOverAreRefused) {
+  const auto expect_usage = [this](const std::string& arguments, const std::string& sentence) {
+    EXPECT_REFUSED(run(arguments), kUsage, "litfog-demo: " + sentence + kSeeHelp);
+  };
+  for (const std::string option : {"--visibility 50", "--frames 2", "--fog none", "-o a.png", "--stats s.json",
+                                   "--reference", "--heat-map h.png"}) {
+    EXPECT_EQ(run("room --gallery g " + option).status, kUsage) << option;
+  }
+  expect_usage("room --gallery g --frames 2", "--gallery = g: must stand without --frames");
+  expect_usage("room --fog none --visibility 50", "--fog = none: must stand without --visibility");
+  expect_usage("room --list-scenes", "--list-scenes = given: must stand alone");
+  expect_usage("--list-paths --size 8x8", "--list-paths = given: must stand alone");
+  expect_usage("room -o ''", "--output = \"\": must not be empty");
+  expect_usage("--gallery ''", "--gallery = \"\": must not be empty");
+  expect_usage("room --map-size 64", "--path = unified: must be one with light maps beside --map-size");
+  expect_usage("room --path radial --flat-shading",
+               "--path = radial: must be lookup-3d or lookup-2d beside --flat-shading");
+  expect_usage("room --path legacy --infinite-viewer",
+               "--path = legacy: must be one with highlights beside --infinite-viewer");
+  expect_usage("room -o a.png --stats ./a.png", "--stats = ./a.png: must not be the picture's file");
+  expect_usage("room --stats room.png", "--stats = room.png: must not be the picture's file");
+  expect_usage("room --path lookup-3d --flat-shading --reference",
+               "--flat-shading = given: must stand without --reference and --heat-map, which shade smoothly");
+  expect_usage("room --heat-map h.exr", "--heat-map = h.exr: must end in .png");
+  expect_usage("room -o a.png --heat-map a.png", "--heat-map = a.png: must not be the picture's file");
+  expect_usage("room --heat-map a.png --stats a.png", "--stats = a.png: must not be the heat map's file");
+  expect_usage("room --reference --size 4000x3000",
+               "--size = 4000x3000: must be at most 10000000 pixels in all for a reference");
+  EXPECT_FALSE(std::filesystem::exists(directory() / "g"));
+  EXPECT_FALSE(std::filesystem::exists(directory() / "a.png"));
+}
+
+TEST_F(DemoCommand, AGalleryRefusesTwoScenesOfOneName) {
+  const std::string scene = R"({"litfog": "scene", "version": 1, "name": "same", "objects": [],
+                                "camera": {"position": [0, 1, 5], "target": [0, 1, 0]}})";
+  write("a.json", scene);
+  write("b.json", scene);
+  const Outcome outcome = run("a.json b.json --gallery g --size 8x8");
+  EXPECT_EQ(outcome.status, kBadInput);
+  EXPECT_EQ(outcome.err, "b.json: name = same: must not be that of a.json too\n");
+  EXPECT_FALSE(std::filesystem::exists(directory() / "g"));
+}
+
+TEST_F(DemoCommand, AGallerysTableHasARowForEachSolution) {
+  write("two.json", R"({"litfog": "scene", "version": 1, "objects": [], "visibilities_m": [50],
+    "camera": {"position": [0, 1, 5], "target": [0, 1, 0]}, "lights": [
+    {"position": [0, 0, 0], "light": {"name": "lamp", "attenuation": {"constant": 1, "quadratic": 0.5}}},
+    {"position": [0, 0, 1], "light": {"name": "lamp", "attenuation": {"constant": 1, "quadratic": 0.5}}},
+    {"position": [0, 0, 2], "light": {"name": "lamp", "attenuation": {"constant": 1, "quadratic": 0.25}}}]})");
+  const Outcome outcome = run("two.json --gallery g --size 8x8");
+  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  std::size_t rows = 0;
+  for (auto at = outcome.out.find(" lamp "); at != std::string::npos; at = outcome.out.find(" lamp ", at + 1)) ++rows;
+  EXPECT_EQ(rows, 2u) << outcome.out;
+}
+
+TEST_F(DemoCommand, ABadSceneIsRefusedWithItsPlace) {
+  EXPECT_EQ(run("none.json").status, kBadInput);
+  write("scene.json", "{\"litfog\": \"scene\", \"version\": 1,\n  \"camra\": 1}");
+  const Outcome outcome = run("scene.json -o a.png");
+  EXPECT_EQ(outcome.status, kBadInput);
+  EXPECT_NE(outcome.err.find("scene.json:2:3: \"camra\""), std::string::npos) << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(directory() / "a.png"));
+}
+
+TEST_F(DemoCommand, AnUnwritableOutputIsSaidAndAnEarlierOneStaysWhole) {
+  EXPECT_EQ(run("room --size 8x8 -o none/a.png").status, kCannotWrite);
+  EXPECT_EQ(run("room --size 8x8 -o a.png --stats none/s.json").status, kCannotWrite);
+  write("a.exr", "earlier");
+  EXPECT_EQ(run("none.json -o a.exr").status, kBadInput);
+  EXPECT_EQ(read("a.exr"), "earlier");
+  EXPECT_EQ(run("room --size 8x8 -o " + std::string(300, 'a') + ".png").status, kCannotWrite);
+}
+
+TEST_F(DemoCommand, AFullDiskLeavesTheEarlierPicture) {
+  for (const std::string name : {"a.png", "a.exr"}) {
+    write(name, "earlier");
+    const Outcome outcome = run("room --size 256x256 -o " + name, "ulimit -f 1; trap '' XFSZ;");
+    EXPECT_EQ(outcome.status, kCannotWrite) << name;
+    EXPECT_EQ(outcome.err, "litfog-demo: " + name + ": cannot be written: File too large\n");
+    EXPECT_EQ(read(name), "earlier") << name;
+  }
+}
+
+TEST_F(DemoCommand, WithoutEglTheMissingCapabilityIsSaid) {
+  // libglvnd finds no driver in an empty folder.
+  const Outcome outcome = run("room --size 8x8 -o b.png", "__EGL_VENDOR_LIBRARY_DIRS=" + directory().string());
+  EXPECT_EQ(outcome.status, kMissingCapability);
+  EXPECT_NE(outcome.err.find("EGL"), std::string::npos) << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(directory() / "b.png"));
+}
+
+TEST_F(DemoCommand, WithoutTheLibrariesTheMissingOneIsSaid) {
+  const auto missing = [this](const std::string& folder, const std::vector<std::string>& libraries) {
+    std::filesystem::create_directory(directory() / folder);
+    for (const std::string& library : libraries) write(folder + "/" + library, "no library");
+    return run("room --size 8x8 -o b.png", "LD_LIBRARY_PATH=" + folder);
+  };
+  EXPECT_REFUSED(missing("no-egl", {"libEGL.so.1"}), kMissingCapability,
+                 "litfog-demo: EGL is missing: libEGL.so.1 cannot be loaded (install libegl1)\n");
+  EXPECT_REFUSED(
+      missing("no-gl", {"libGL.so.1", "libOpenGL.so.0"}), kMissingCapability,
+      "litfog-demo: OpenGL is missing: neither libOpenGL.so.0 nor libGL.so.1 can be loaded (install libgl1)\n");
+}
+
+TEST_F(DemoCommand, AnInstalledProgramFindsItsOwnScenesWhereverItIs) {
+  namespace fs = std::filesystem;
+  fs::create_directories(directory() / "bin");
+  fs::create_directories(directory() / "share/litfog/scenes");
+  fs::copy_file(LITFOG_DEMO_PATH, directory() / "bin/litfog-demo");
+  write("share/litfog/scenes/own.json", R"({"litfog": "scene", "version": 1, "description": "its own", "objects": [],
+                                           "camera": {"position": [0, 1, 5], "target": [0, 1, 0]}})");
+  const Outcome outcome = run("--version; bin/litfog-demo --list-scenes");
+  EXPECT_EQ(outcome.status, kDone) << outcome.err;
+  EXPECT_NE(outcome.out.find("own          its own\n"), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.find("headlights"), std::string::npos) << outcome.out;
+}
+
+}  // namespace

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "demo/heat_map.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/glm.hpp>
+#include <limits>
+
+namespace {
+
+using namespace litfog::demo;
+
+double luminance(const glm::vec3& color) { return glm::dot(glm::dvec3(color), glm::dvec3(0.2126, 0.7152, 0.0722)); }
+
+glm::vec3 pixel(const Picture& picture, int x, int y) {
+  const float* at = &picture.rgb[(std::size_t(y) * std::size_t(picture.width) + std::size_t(x)) * 3];
+  return {at[0], at[1], at[2]};
+}
+
+TEST(HeatMap, ColorsGrowBrighterFromBlackToWhite) {
+  EXPECT_LT(luminance(heat_color(0)), 1e-6);
+  EXPECT_NEAR(luminance(heat_color(1)), 1, 1e-4);
+  for (int i = 1; i <= 255; ++i) {
+    EXPECT_GT(luminance(heat_color(i / 255.0)), luminance(heat_color((i - 1) / 255.0))) << i;
+  }
+}
+
+TEST(HeatMap, ShowsEachPixelsErrorOnTheScaleMagnifiedByAWholeNumber) {
+  const float inf = std::numeric_limits<float>::infinity();
+  const PictureError error{.width = 6, .height = 1, .pixels = {0, 0.1f, 3.1623f, 100, inf, -1}};
+  const Picture map = make_heat_map(error, "test");
+  ASSERT_GE(map.width, 640);
+  ASSERT_EQ(map.width % 6, 0);
+  const int cell = map.width / 6;
+  const glm::vec3 expected[] = {heat_color(0), heat_color(0), heat_color(0.5), heat_color(1), heat_color(1), {1, 0, 0}};
+  for (int i = 0; i < 6; ++i) {
+    for (const int x : {i * cell, (i + 1) * cell - 1}) {
+      EXPECT_LT(glm::distance(pixel(map, x, cell - 1), expected[i]), 1e-3f) << i;
+    }
+  }
+}
+
+TEST(HeatMap, HasAScaleWithWordsUnderIt) {
+  const PictureError error{.width = 700, .height = 2, .pixels = std::vector<float>(1400, 0.0f)};
+  const Picture map = make_heat_map(error, "test");
+  double brightest = 0;
+  for (int y = 3; y < map.height; ++y) {
+    for (int x = 0; x < map.width; ++x) brightest = std::max(brightest, luminance(pixel(map, x, y)));
+  }
+  EXPECT_GT(brightest, 0.9);  // the end of the scale
+}
+
+}  // namespace

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "demo/picture_folder.h"
+
+#include <gtest/gtest.h>
+
+#include "command/exit_status.h"
+#include "command/temporary_directory.h"
+
+namespace {
+
+using namespace litfog::demo;
+
+const Picture kPixel{1, 1, {0.1f, 0.2f, 0.3f}};
+
+class PictureFolderTest : public testing::Test {
+ protected:
+  std::string path(const std::string& name) const { return (directory_.path() / name).string(); }
+
+ private:
+  litfog::test::TemporaryDirectory directory_;
+};
+
+TEST_F(PictureFolderTest, IsMadeWithAllAboveItAndHasWhatWasWritten) {
+  PictureFolder pictures(path("a/b"));
+  pictures.write("first.png", kPixel);
+  pictures.write("second.png", kPixel);
+  pictures.finish();
+  for (const char* name : {"first.png", "second.png"}) EXPECT_TRUE(std::filesystem::exists(path("a/b") + "/" + name));
+}
+
+TEST_F(PictureFolderTest, RefusesWhatWouldReplaceAnotherScenesPicture) {
+  PictureFolder pictures(path("a"));
+  pictures.write("room-vertex-reference.png", kPixel);
+  EXPECT_THROW(pictures.write("room-vertex-reference.png", kPixel), BadInput);
+}
+
+TEST_F(PictureFolderTest, SaysWhatCannotBeWritten) {
+  PictureFolder pictures(path("a"));
+  std::filesystem::create_directory(path("a") + "/taken.png");
+  pictures.write("taken.png", kPixel);
+  EXPECT_THROW(pictures.finish(), CannotWrite);
+  EXPECT_THROW(PictureFolder(pictures.path_of("none.png") + std::string(300, 'a')), CannotWrite);
+}
+
+}  // namespace

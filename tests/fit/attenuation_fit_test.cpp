@@ -1,0 +1,549 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "litfog/fit/attenuation_fit.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "reference/double_limits.h"
+#include "reference/falloff_reference.h"
+#include "reference/random_light.h"
+#include "core/refused.h"
+#include "reference/ulp.h"
+
+namespace litfog::test {
+namespace {
+
+using Samples = std::vector<AttenuationSample>;
+
+std::string describe(const AttenuationTarget& target) {
+  char text[128];
+  std::snprintf(text, sizeof text, "threshold %.17g, extent %.17g, constant %.17g%s, samples", target.threshold,
+                target.extent.value_or(kNan), target.constant.value_or(kNan), target.is_robust ? ", robust" : "");
+  std::string result = text;
+  for (const auto& [range, attenuation, weight] : target.samples) {
+    std::snprintf(text, sizeof text, " (%.17g, %.17g, %.17g)", range, attenuation, weight);
+    result += text;
+  }
+  return result;
+}
+
+/// What a table is drawn from.
+struct Table {
+  Attenuation light;
+  double first = 1;  ///< metres
+  double last = 100;
+  int count = 20;
+  double noise = 0;     ///< standard deviation of ln attenuation
+  double outliers = 0;  ///< share of the samples that are wrong by a factor of 2 to 20
+  bool is_weighted = false;
+};
+
+Samples draw(const Table& table, Random& random) {
+  Samples samples;
+  double last_range = -1;
+  for (int i = 0; i < table.count; ++i) {
+    const double share = (i + (i > 0 && i + 1 < table.count ? random.uniform(-0.3, 0.3) : 0)) / (table.count - 1);
+    const double range = table.first * std::pow(table.last / table.first, share);
+    if (!(range > last_range)) continue;
+    last_range = range;
+    double log_error = 0;
+    for (int k = 0; k < 12; ++k) log_error += table.noise * random.uniform(-0.5, 0.5);
+    if (random.chance(table.outliers)) log_error += random.pick(std::array{-1, 1}) * random.uniform(0.7, 3);
+    const double attenuation = std::min(1.0, attenuation_at(table.light, range) * std::exp(log_error));
+    samples.push_back({range, attenuation, table.is_weighted ? random.log_uniform(0.01, 100) : 1});
+  }
+  return samples;
+}
+
+/// A light whose terms all matter within a range.
+Attenuation draw_light(Random& random, double range, bool is_clamped) {
+  return {is_clamped ? random.uniform(0.1, 0.9) : random.uniform(1, 3), random.log_uniform(0.5, 10) / range,
+          random.log_uniform(1, 40) / range / range};
+}
+
+struct Problem {
+  std::string family;
+  AttenuationTarget target;
+};
+
+/// A hundred fits of ten kinds.
+std::vector<Problem> certified_problems() {
+  std::vector<Problem> problems;
+  Random random(4);
+  const auto add = [&](const std::string& family, const Table& table, const auto& change) {
+    Problem problem{family, {.samples = draw(table, random)}};
+    change(problem.target, table.light);
+    problems.push_back(problem);
+  };
+  const auto as_is = [](AttenuationTarget&, const Attenuation&) {};
+  for (int i = 0; i < 10; ++i) {
+    const double far = random.log_uniform(5, 2000);
+    const Attenuation light = draw_light(random, far, i % 3 == 2);
+    const bool is_weighted = i % 2 == 1;
+    const auto with_extent = [&](AttenuationTarget& target, const Attenuation& a) {
+      target.extent = extent(a, target.threshold) * random.uniform(0.9, 1.1);
+      if (i % 2 == 1) target.constant = a.constant;
+    };
+    const auto with_constant = [&](AttenuationTarget& target, const Attenuation& a) {
+      target.constant = i % 2 == 0 ? 1 : a.constant;
+    };
+    add("exact", {light, far / 50, far, 12 + i, 0, 0, is_weighted}, as_is);
+    add("noise 1 %", {light, far / 50, far, 12 + i, 0.01, 0, is_weighted}, as_is);
+    add("noise 20 %", {light, far / 50, far, 12 + i, 0.2, 0, is_weighted}, as_is);
+    add("outliers", {light, far / 50, far, 20, 0.02, 0.15, is_weighted}, as_is);
+    add("outliers, robust", {light, far / 50, far, 20, 0.02, 0.15, is_weighted},
+        [](AttenuationTarget& target, const Attenuation&) { target.is_robust = true; });
+    add("three points", {light, far / 10, far, 3, i < 5 ? 0 : 0.1, 0, is_weighted}, as_is);
+    add("extent", {light, far / 50, far, 12, 0.05, 0, is_weighted}, with_extent);
+    add("constant given", {light, far / 50, far, 12, 0.05, 0, is_weighted}, with_constant);
+    const Attenuation plain = i < 5 ? Attenuation{random.uniform(1.2, 5), 0, 0}                             // flat
+                                    : Attenuation{1, 3 / far, random.log_uniform(1e-9, 1e-3) / far / far};  // linear
+    add(i < 5 ? "flat" : "nearly linear", {plain, far / 50, far, 15, 0.01, 0, is_weighted}, as_is);
+    const double unit = i % 2 == 0 ? random.log_uniform(1e-6, 1e-4) : random.log_uniform(1e6, 1e9);
+    add("huge and tiny ranges", {draw_light(random, unit, false), unit / 100, unit, 15, 0.03, 0, is_weighted}, as_is);
+  }
+  return problems;
+}
+
+TEST(AttenuationFit, HasNineDigitsOfAHundredOptimaCertifiedAtFiftyDigits) {
+  Random random(5);
+  int certified = 0, unidentified = 0;
+  std::map<std::string, double> fewest;
+  double worst_kkt = 0;
+  for (const auto& [family, target] : certified_problems()) {
+    const AttenuationFit fit = fit_attenuation(target);
+    const FalloffReferenceSearch search(target, fit.loss_scale);
+    const FalloffReference reference = search.certify(search.explore(random, 20));
+    EXPECT_NE(fit.status, AttenuationFitStatus::unproven) << family << ": " << describe(target);
+    worst_kkt = std::max(worst_kkt, fit.kkt_residual);
+    EXPECT_TRUE(reference.is_certified) << family << ": " << describe(target);
+    EXPECT_LE(fit.objective, double(reference.objective) * (1 + 1e-12) + 1e-26) << family << ": " << describe(target);
+    if (!reference.is_certified) continue;
+    ++certified;
+    double digits = 17;
+    const double found[] = {fit.attenuation.constant, fit.attenuation.linear, fit.attenuation.quadratic};
+    for (std::size_t j = 0; j < 3; ++j) {
+      const double error = relative_error(found[j], reference.coefficients[j]);
+      digits = std::min(digits, error > 0 ? -std::log10(error) : 17);
+    }
+    if (digits < 9 && !fit.covariance) {
+      ++unidentified;
+      continue;
+    }
+    EXPECT_GE(digits, 9) << family << ": " << describe(target);
+    fewest.try_emplace(family, 17);
+    fewest[family] = std::min(fewest[family], digits);
+  }
+  for (const auto& [family, digits] : fewest) std::printf("%-22s fewest digits %4.1f\n", family.c_str(), digits);
+  std::printf("%d certified, %d of them not identifiable; largest KKT residual %.1e\n", certified, unidentified,
+              worst_kkt);
+  EXPECT_EQ(certified, 100);
+}
+
+TEST(AttenuationFit, IsBeatenByNoSearchFromManyStarts) {
+  Random random(6);
+  WorstError excess("objective", "above the best of 8 random descents a face", 1e-7, "relative");
+  std::size_t boxes = 0;
+  for (int i = 0; i < 200; ++i) {
+    const double far = random.log_uniform(1, 5000);
+    Attenuation light = draw_light(random, far, random.chance(0.5));
+    if (random.chance(0.2)) light.constant = 0;
+    if (random.chance(0.2)) light.linear = 0;
+    const Table table{.light = light,
+                      .first = far * random.log_uniform(1e-6, 0.1),
+                      .last = far,
+                      .count = int(random.uniform(2, 25)),
+                      .noise = random.pick(std::array{0.0, 0.02, 0.2, 1.0}),
+                      .outliers = random.pick(std::array{0.0, 0.2}),
+                      .is_weighted = random.chance(0.5)};
+    AttenuationTarget target{.samples = draw(table, random)};
+    if (random.chance(0.4)) target.extent = far * random.log_uniform(0.3, 3);
+    if (random.chance(0.4)) target.constant = random.pick(std::array{0.0, 0.5, 1.0, 1.5});
+    target.is_robust = random.chance(0.2);
+    const AttenuationFit fit = fit_attenuation(target);
+    EXPECT_NE(fit.status, AttenuationFitStatus::unproven) << describe(target);
+    EXPECT_FALSE(check(fit.attenuation)) << describe(target);
+    const FalloffReferenceSearch search(target, fit.loss_scale);
+    const double best = search.objective(search.explore(random, 8));
+    double weights = 0;
+    for (const auto& sample : target.samples) weights += sample.weight;
+    excess.add(std::max(0.0, fit.objective - best) / std::max(best, 1e-22 * weights), [&] { return describe(target); });
+    boxes += fit.boxes;
+  }
+  excess.check();
+  std::printf("%.0f boxes a proof\n", double(boxes) / 200);
+}
+
+TEST(AttenuationFit, MeetsEveryExtentExactly) {
+  Random random(7);
+  WorstError error("extent", "1e-29..1e29 m, t 1e-6..0.99", 1e-12, "relative");
+  for (int i = 0; i < 3000; ++i) {
+    AttenuationTarget target{.threshold = random.chance(0.5) ? 0.05 : random.log_uniform(1e-6, 0.99),
+                             .extent = random.log_uniform(1e-29, 1e29)};
+    const double top = 1 / target.threshold;
+    if (random.chance(0.5)) {
+      target.constant = top * random.pick(std::array{0.0, random.uniform(0, 1), 1 - random.log_uniform(1e-5, 1)});
+    }
+    target.family =
+        random.pick(std::array{AttenuationFamily::quadratic, AttenuationFamily::linear, AttenuationFamily::mixed});
+    if (i % 10 == 0) {
+      for (int k = 1; k < 6; ++k) {
+        target.samples.push_back({*target.extent * 0.2 * k, random.uniform(target.threshold, 1)});
+      }
+    }
+    const AttenuationFit fit = fit_attenuation(target);
+    error.add(std::abs(extent(fit.attenuation, target.threshold) / *target.extent - 1),
+              [&] { return describe(target); });
+  }
+  error.check();
+}
+
+TEST(AttenuationFit, FitsEveryTargetThatItAccepts) {
+  Random random(13);
+  WorstError error("extent", "accepted targets of all magnitudes", 1e-12, "relative");
+  for (int i = 0; i < 400; ++i) {
+    const double decades = random.pick(std::array{1.0, 5.0, 29.0}), middle = random.uniform(-29, 29);
+    const auto draw_range = [&] {
+      return std::pow(10, std::clamp(middle + random.uniform(-decades, decades), -29.9, 29.9));
+    };
+    std::vector<double> ranges;
+    for (int k = int(random.uniform(0, 8)); k > 0; --k) ranges.push_back(draw_range());
+    if (random.chance(0.2)) ranges.push_back(0);
+    std::sort(ranges.begin(), ranges.end());
+    ranges.erase(std::unique(ranges.begin(), ranges.end()), ranges.end());
+    const double darkest = random.pick(std::array{1.0, 5.0, 100.0}), weights = random.pick(std::array{0.0, 1.0, 100.0});
+    AttenuationTarget target{.threshold = random.chance(0.5) ? 0.05 : std::pow(10, -random.uniform(1e-9, 100)),
+                             .is_robust = random.chance(0.3)};
+    for (const double range : ranges) {
+      target.samples.push_back({range, random.chance(0.2) ? 1 : std::pow(10, -random.uniform(0, darkest)),
+                                std::pow(10, random.uniform(-weights, weights))});
+    }
+    if (random.chance(0.5)) target.extent = draw_range();
+    if (random.chance(0.4)) target.constant = random.pick(std::array{0.0, 1.0, std::pow(10, random.uniform(-99, 99))});
+    if (check(target)) continue;
+    const AttenuationFit fit = fit_attenuation(target);
+    EXPECT_FALSE(check(fit.attenuation)) << describe(target);
+    EXPECT_TRUE(std::isfinite(fit.objective) && fit.objective >= 0) << describe(target);
+    EXPECT_NE(fit.sentence, "") << describe(target);
+    if (!target.extent) continue;
+    error.add(std::abs(extent(fit.attenuation, target.threshold) / *target.extent - 1),
+              [&] { return describe(target); });
+  }
+  error.check();
+}
+
+TEST(AttenuationFit, HasTheClosedFormsOfAnExtentAlone) {
+  const auto fit = [](AttenuationFamily family, std::optional<double> constant) {
+    return fit_attenuation({.threshold = 0.25, .extent = 6, .constant = constant, .family = family}).attenuation;
+  };
+  EXPECT_EQ(fit(AttenuationFamily::quadratic, {}), (Attenuation{1, 0, 3 / 36.}));
+  EXPECT_EQ(fit(AttenuationFamily::linear, {}), (Attenuation{1, 0.5, 0}));
+  EXPECT_EQ(fit(AttenuationFamily::mixed, {}), (Attenuation{1, 0.25, 1.5 / 36}));
+  EXPECT_EQ(fit(AttenuationFamily::quadratic, 0), (Attenuation{0, 0, 4 / 36.}));
+  EXPECT_EQ(fit(AttenuationFamily::linear, 2.5), (Attenuation{2.5, 0.25, 0}));
+}
+
+TEST(AttenuationFit, HasTheClosedFormOfAnExtentAndAPoint) {
+  // C = 1 and a = 1/2 at 2 of 6: 2 L + 4 Q = 1, 6 L + 36 Q = 3.
+  const AttenuationFit fit = fit_attenuation({.threshold = 0.25, .extent = 6, .constant = 1, .samples = {{2, 0.5}}});
+  EXPECT_EQ(fit.status, AttenuationFitStatus::optimal) << fit.sentence;
+  EXPECT_NEAR(fit.attenuation.linear, 0.5, 1e-15);
+  EXPECT_NEAR(fit.attenuation.quadratic, 0, 1e-16);
+  EXPECT_NEAR(fit.objective, 0, 1e-30);
+}
+
+TEST(AttenuationFit, ReachesTheStatedRangesOfTheOgreTable) {
+  // The OGRE wiki's rows, "-Point Light Attenuation": range, L, Q; C = 1. What they are at their range lies 11 % apart.
+  const double rows[][3] = {{3250, .0014, .000007}, {600, .007, .0002}, {325, .014, .0007}, {200, .022, .0019},
+                            {160, .027, .0028},     {100, .045, .0075}, {65, .07, .017},    {50, .09, .032},
+                            {32, .14, .07},         {20, .22, .20},     {13, .35, .44},     {7, .7, 1.8}};
+  WorstError error("attenuation", "at the stated range, 12 OGRE rows at 1.25 %", 1e-12, "");
+  double largest_change = 0;
+  for (const auto& [range, linear, quadratic] : rows) {
+    const Attenuation row{1, linear, quadratic};
+    AttenuationTarget target{.threshold = 0.0125, .extent = range, .constant = 1};
+    for (int i = 1; i < 10; ++i) target.samples.push_back({range * i / 10, attenuation_at(row, range * i / 10)});
+    const AttenuationFit fit = fit_attenuation(target);
+    EXPECT_NE(fit.status, AttenuationFitStatus::unproven);
+    error.add(std::abs(attenuation_at(fit.attenuation, range) - 0.0125), [&, r = range] { return std::to_string(r); });
+    largest_change = std::max(largest_change, fit.largest_residual);
+  }
+  error.check();
+  EXPECT_LT(largest_change, std::log(1.25 / 1.06)) << "more than the rows are off at their range";
+}
+
+TEST(AttenuationFit, GivesBackTheLightThatATableWasDrawnFrom) {
+  Random random(8);
+  WorstError error("C, L, Q", "from 20 exact samples", 1e-11, "relative");
+  for (int i = 0; i < 1000; ++i) {
+    const double far = random.log_uniform(1e-6, 1e9);
+    const Attenuation light = draw_light(random, far, i % 4 == 0);
+    const AttenuationTarget target{.samples = draw({light, far / 100, far, 20}, random)};
+    const Attenuation found = fit_attenuation(target).attenuation;
+    if (light.constant < 1 && target.samples[8].attenuation == 1) continue;  // the clamp has hidden the near half
+    for (const auto& [a, b] : {std::pair(found.constant, light.constant),
+                               {found.linear, light.linear},
+                               {found.quadratic, light.quadratic}}) {
+      error.add(std::abs(a / b - 1), [&] { return describe(target); });
+    }
+  }
+  error.check();
+}
+
+TEST(AttenuationFit, FindsCoefficientsThatAreZero) {
+  for (const Attenuation light :
+       {Attenuation{0, 2, 0.5}, {0, 1, 0}, {0, 0, 0.3}, {2, 0, 0.25}, {1.5, 0.25, 0}, {3, 0, 0}}) {
+    Samples samples;
+    for (int i = 2; i < 9; ++i) samples.push_back({double(i), attenuation_at(light, i)});
+    const AttenuationFit fit = fit_attenuation({.samples = samples});
+    EXPECT_NEAR(fit.attenuation.constant, light.constant, 1e-12);
+    EXPECT_NEAR(fit.attenuation.linear, light.linear, 1e-12);
+    EXPECT_NEAR(fit.attenuation.quadratic, light.quadratic, 1e-12);
+    EXPECT_LT(fit.rms, 1e-14);
+  }
+}
+
+TEST(AttenuationFit, DoesNotDependOnUnitsOrOnTheWeightsSum) {
+  Random random(9);
+  const Table table{.light = draw_light(random, 50, false), .last = 50, .count = 12, .noise = 0.1, .is_weighted = true};
+  const AttenuationTarget target{.samples = draw(table, random)};
+  AttenuationTarget scaled = target;
+  for (auto& sample : scaled.samples) {
+    sample.range *= 0x1p40;
+    sample.weight *= 0x1p-60;
+  }
+  const Attenuation a = fit_attenuation(target).attenuation, b = fit_attenuation(scaled).attenuation;
+  EXPECT_EQ(a, (Attenuation{b.constant, b.linear * 0x1p40, b.quadratic * 0x1p80}));
+}
+
+TEST(AttenuationFit, LeavesOutSamplesWithoutWeight) {
+  AttenuationTarget target{.samples = {{1, 0.5}, {2, 0.3}, {3, 0.2}, {4, 0.1}}};
+  const AttenuationFit without = fit_attenuation(target);
+  target.samples.insert(target.samples.begin() + 2, {2.5, 0.9, 0});
+  const AttenuationFit with = fit_attenuation(target);
+  EXPECT_EQ(with.attenuation, without.attenuation);
+  EXPECT_EQ(with.rms, without.rms);
+  ASSERT_EQ(with.residuals.size(), 5u);
+  EXPECT_NEAR(with.residuals[2], std::log(attenuation_at(with.attenuation, 2.5) / 0.9), 1e-15);
+}
+
+TEST(AttenuationFit, ReportsItsResidualsInLnAttenuation) {
+  const AttenuationTarget target{.samples = {{1, 0.5, 2}, {2, 0.5, 3}, {3, 0.1, 1}, {5, 0.12, 1}}};
+  const AttenuationFit fit = fit_attenuation(target);
+  double objective = 0, largest = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto& [range, attenuation, weight] = target.samples[i];
+    const double residual = std::log(attenuation_at(fit.attenuation, range)) - std::log(attenuation);
+    EXPECT_NEAR(fit.residuals[i], residual, 1e-15);
+    objective += weight * residual * residual;
+    largest = std::max(largest, std::abs(residual));
+  }
+  EXPECT_NEAR(fit.objective, objective, 1e-14);
+  EXPECT_NEAR(fit.rms, std::sqrt(objective / 7), 1e-14);
+  EXPECT_NEAR(fit.largest_residual, largest, 1e-15);
+  EXPECT_GE(fit.milliseconds, 0);
+  EXPECT_GT(fit.iterations, 0u);
+}
+
+TEST(AttenuationFit, NamesTheConstraintsThatHoldIt) {
+  const auto active = [](const AttenuationTarget& target) {
+    std::string names;
+    for (const auto constraint : fit_attenuation(target).active) names += std::string(name_of(constraint)) + ";";
+    return names;
+  };
+  EXPECT_EQ(active({.extent = 10}), "extent;linear = 0;");
+  EXPECT_EQ(active({.extent = 10, .constant = 1, .family = AttenuationFamily::linear}),
+            "extent;constant given;quadratic = 0;");
+  EXPECT_EQ(active({.samples = {{1, 0.5}, {2, 0.25}, {4, 0.125}}}), "constant = 0;quadratic = 0;");
+  EXPECT_EQ(active({.samples = {{1, 0.5}, {2, 0.3}, {4, 0.1}, {5, 0.07}}}).find("extent"), std::string::npos);
+}
+
+TEST(AttenuationFit, IsNotPulledByOutliersWhenRobust) {
+  Random random(10);
+  double worst_robust = 0, worst_plain = 0;
+  for (int i = 0; i < 100; ++i) {
+    const Attenuation light = draw_light(random, 60, false);
+    AttenuationTarget target{.samples = draw({light, 2, 60, 20, 0.01}, random), .is_robust = true};
+    for (const std::size_t k : {4u, 9u, 15u}) target.samples[k].attenuation *= random.uniform(0.1, 0.4);
+    const auto off = [&](const AttenuationFit& fit) {
+      double largest = 0;
+      for (double r = 2; r <= 60; r += 2) {
+        largest = std::max(largest, std::abs(std::log(attenuation_at(fit.attenuation, r) / attenuation_at(light, r))));
+      }
+      return largest;
+    };
+    const AttenuationFit robust = fit_attenuation(target);
+    worst_robust = std::max(worst_robust, off(robust));
+    EXPECT_GT(robust.loss_scale, 0.005) << "1.345 standard deviations of the good samples, as they happen to be";
+    EXPECT_LT(robust.loss_scale, 0.04);
+    target.is_robust = false;
+    worst_plain = std::max(worst_plain, off(fit_attenuation(target)));
+  }
+  std::printf("three of 20 samples 2.5 to 10 times too dark: off by at most %.3f robust, %.3f plain\n", worst_robust,
+              worst_plain);
+  EXPECT_LT(worst_robust, 0.06);
+  EXPECT_GT(worst_plain, 5 * worst_robust);
+}
+
+TEST(AttenuationFit, HasTheCovarianceThatRepeatedTablesShow) {
+  Random random(11);
+  const Attenuation light{1.5, 0.05, 0.003};
+  constexpr int kTables = 4000;
+  std::array<double, 3> mean{};
+  std::array<double, 9> product{}, reported{};
+  for (int i = 0; i < kTables; ++i) {
+    const AttenuationFit fit = fit_attenuation({.samples = draw({light, 1, 60, 15, 0.01}, random)});
+    ASSERT_TRUE(fit.covariance);
+    const double found[] = {fit.attenuation.constant, fit.attenuation.linear, fit.attenuation.quadratic};
+    for (std::size_t j = 0; j < 3; ++j) mean[j] += found[j] / kTables;
+    for (std::size_t j = 0; j < 9; ++j) {
+      product[j] += (found[j / 3] - (j / 3 == 0   ? 1.5
+                                     : j / 3 == 1 ? 0.05
+                                                  : 0.003)) *
+                    (found[j % 3] - (j % 3 == 0   ? 1.5
+                                     : j % 3 == 1 ? 0.05
+                                                  : 0.003)) /
+                    kTables;
+      reported[j] += (*fit.covariance)[j] / kTables;
+    }
+  }
+  // Sampling error of a variance from 4000 tables: 2.2 %; of the mean of the reported, less.
+  for (std::size_t j = 0; j < 9; ++j) EXPECT_NEAR(reported[j] / product[j], 1, 0.1) << j;
+}
+
+TEST(AttenuationFit, SaysWhatTheSamplesDoNotIdentify) {
+  EXPECT_FALSE(fit_attenuation({.samples = {{1, 0.5}, {2, 0.3}}}).covariance) << "two samples, three coefficients";
+  EXPECT_FALSE(fit_attenuation({.samples = {{1, 0.6}, {2, 0.45}, {4, 0.3}}}).covariance) << "no sample to spare";
+  EXPECT_FALSE(fit_attenuation({.samples = {{1, 1}, {2, 1}, {3, 1}, {4, 1}}}).covariance) << "all clamped";
+  EXPECT_TRUE(fit_attenuation({.samples = {{1, 0.6}, {2, 0.45}, {4, 0.3}, {5, 0.2}}}).covariance);
+}
+
+TEST(AttenuationFit, PrefersConstantOneAmongEqualOptima) {
+  const AttenuationFit two = fit_attenuation({.samples = {{1, 0.5}, {2, 0.25}}});
+  EXPECT_EQ(two.attenuation.constant, 1);
+  EXPECT_LT(two.rms, 1e-15);
+  EXPECT_EQ(fit_attenuation({.samples = {{1, 1}, {2, 1}, {3, 1}}}).attenuation, (Attenuation{1, 0, 0}));
+  // None with C = 1 meets these.
+  EXPECT_LT(fit_attenuation({.samples = {{1, 0.9}, {2, 0.3}}}).rms, 1e-15);
+}
+
+TEST(AttenuationFit, NeedsNoTermWhereTheClampMeetsTheTable) {
+  const AttenuationFit fit = fit_attenuation({.constant = 0, .samples = {{1, 1}, {2, 1}}});
+  EXPECT_FALSE(check(fit.attenuation));
+  EXPECT_EQ(fit.objective, 0);
+}
+
+TEST(AttenuationFit, SaysWhichConstantsAnExtentLeaves) {
+  const AttenuationFit fit = fit_attenuation({.extent = 100, .constant = 25});
+  EXPECT_EQ(fit.status, AttenuationFitStatus::infeasible);
+  EXPECT_TRUE(
+      fit.sentence.starts_with("constant 25 cannot be had with an extent of 100 m at threshold 0.05: from 0 to "
+                               "19.99998"))
+      << fit.sentence;
+  EXPECT_NEAR(extent(fit.attenuation, 0.05), 100, 1e-10) << "the nearest that has the extent";
+}
+
+TEST(AttenuationFit, SaysAtWhichRangesAnAttenuationCanBeHad) {
+  const auto sentence = [](const AttenuationTarget& target) {
+    const AttenuationFit fit = fit_attenuation(target);
+    return fit.status == AttenuationFitStatus::infeasible ? fit.sentence : "feasible: " + fit.sentence;
+  };
+  EXPECT_EQ(sentence({.extent = 100, .samples = {{40, 0.5}}}),
+            "attenuation 0.5 at 40 m cannot be had with an extent of 100 m: between 0 and 31.62 m can");
+  EXPECT_EQ(sentence({.extent = 100, .constant = 1, .samples = {{40, 0.5}}}),
+            "attenuation 0.5 at 40 m cannot be had with an extent of 100 m and constant 1: between 5.264 and 22.94 m "
+            "can");
+  EXPECT_EQ(sentence({.extent = 100, .constant = 1, .samples = {{4, 0.5}}}),
+            "attenuation 0.5 at 4 m cannot be had with an extent of 100 m and constant 1: between 5.264 and 22.94 m "
+            "can");
+  EXPECT_EQ(sentence({.extent = 100, .samples = {{120, 0.01}}}),
+            "attenuation 0.01 at 120 m cannot be had with an extent of 100 m: from 223.7 m on can");
+  EXPECT_EQ(sentence({.extent = 100, .constant = 1, .samples = {{90, 0.05}}}),
+            "attenuation 0.05 at 90 m cannot be had with an extent of 100 m and constant 1: only 100 m can");
+  EXPECT_EQ(sentence({.extent = 100, .constant = 4, .samples = {{10, 0.5}}}),
+            "attenuation 0.5 cannot be had with constant 4: at most 0.25 can");
+  EXPECT_EQ(sentence({.constant = 4, .samples = {{10, 0.5}, {20, 0.1}}}),
+            "attenuation 0.5 cannot be had with constant 4: at most 0.25 can");
+  EXPECT_EQ(sentence({.constant = 2, .samples = {{0, 0.25}, {20, 0.1}}}),
+            "attenuation 0.25 at 0 m cannot be had with constant 2: 0.5 can");
+  EXPECT_EQ(sentence({.extent = 100, .samples = {{10, 0.9}, {40, 0.5}}}),
+            "attenuation 0.5 at 40 m cannot be had with an extent of 100 m: between 0 and 31.62 m can");
+  EXPECT_TRUE(sentence({.extent = 100, .samples = {{30, 0.5}}}).starts_with("feasible: "));
+}
+
+TEST(AttenuationFit, ReturnsTheBestFitOfAnInfeasibleTarget) {
+  const AttenuationFit fit = fit_attenuation({.extent = 100, .samples = {{40, 0.5}}});
+  EXPECT_NEAR(fit.attenuation.quadratic, 20e-4, 1e-17) << "Q alone is brightest";
+  EXPECT_EQ(fit.attenuation.constant, 0);
+  EXPECT_EQ(fit.attenuation.linear, 0);
+  EXPECT_NEAR(fit.residuals[0], std::log(1 / 3.2 / 0.5), 1e-14);
+}
+
+TEST(AttenuationFit, MeetsAPointWithinTheStatedRangesAndNoneOutside) {
+  Random random(12);
+  int tried = 0;
+  while (tried < 300) {
+    AttenuationTarget target{.threshold = random.log_uniform(0.01, 0.3), .extent = random.log_uniform(1, 1000)};
+    if (random.chance(0.5)) target.constant = random.uniform(0, 0.9) / target.threshold;
+    const double attenuation = random.chance(0.2) ? random.uniform(0.001, 0.3) : random.uniform(target.threshold, 1);
+    target.samples = {{*target.extent * random.log_uniform(0.01, 10), attenuation}};
+    const std::string sentence = fit_attenuation(target).sentence;
+    const auto between = sentence.find(": between ");
+    if (between == std::string::npos) continue;
+    ++tried;
+    double low = 0, high = 0;
+    ASSERT_EQ(std::sscanf(sentence.c_str() + between, ": between %lf and %lf m can", &low, &high), 2) << sentence;
+    for (const double range : {low, high, low + random.uniform(0, 1) * (high - low)}) {
+      target.samples[0].range = range;
+      EXPECT_LT(fit_attenuation(target).rms, 1e-9) << sentence << ", but not " << range;
+    }
+    target.samples[0].range = high * 1.01;
+    EXPECT_GT(fit_attenuation(target).rms, 1e-7) << sentence << ", but 1 % beyond as well";
+    target.samples[0].range = low * 0.99;
+    if (low > 0) {
+      EXPECT_GT(fit_attenuation(target).rms, 1e-7) << sentence << ", but 1 % before as well";
+    }
+  }
+}
+
+TEST(AttenuationTarget, IsRefusedBySampleFieldValueAndRule) {
+  const auto refusal = [](const AttenuationTarget& target) { return refusal_of([&] { fit_attenuation(target); }); };
+  const auto table = [&](AttenuationSample third) { return refusal({.samples = {{1, 0.9}, {2, 0.5}, third}}); };
+  EXPECT_EQ(table({3, 0}), "samples[2].attenuation = 0: must be in [1e-100, 1]");
+  EXPECT_EQ(table({3, -0.5}), "samples[2].attenuation = -0.5: must be in [1e-100, 1]");
+  EXPECT_EQ(table({3, 1.5}), "samples[2].attenuation = 1.5: must be in [1e-100, 1]");
+  EXPECT_EQ(table({3, kNan}), "samples[2].attenuation = nan: must be in [1e-100, 1]");
+  EXPECT_EQ(table({2, 0.4}), "samples[2].range = 2: must be greater than the range before it");
+  EXPECT_EQ(table({1.5, 0.4}), "samples[2].range = 1.5: must be greater than the range before it");
+  EXPECT_EQ(table({-1, 0.4}), "samples[2].range = -1: must be 0, or in [1e-30, 1e30]");
+  EXPECT_EQ(table({kInfinity, 0.4}), "samples[2].range = inf: must be 0, or in [1e-30, 1e30]");
+  EXPECT_EQ(table({kNan, 0.4}), "samples[2].range = nan: must be 0, or in [1e-30, 1e30]");
+  EXPECT_EQ(table({3, 0.4, -1}), "samples[2].weight = -1: must be 0, or in [1e-100, 1e100]");
+  EXPECT_EQ(table({3, 0.4, kNan}), "samples[2].weight = nan: must be 0, or in [1e-100, 1e100]");
+  EXPECT_EQ(refusal({.threshold = 0, .extent = 1}), "threshold = 0: must be in [1e-100, 1)");
+  EXPECT_EQ(refusal({.threshold = 1, .extent = 1}), "threshold = 1: must be in [1e-100, 1)");
+  EXPECT_EQ(refusal({.threshold = kNan, .extent = 1}), "threshold = nan: must be in [1e-100, 1)");
+  EXPECT_EQ(refusal({.extent = 0}), "extent = 0: must be in [1e-30, 1e30]");
+  EXPECT_EQ(refusal({.extent = kInfinity}), "extent = inf: must be in [1e-30, 1e30]");
+  EXPECT_EQ(refusal({.extent = 1, .constant = -1}), "constant = -1: must be in [0, 1e100]");
+  EXPECT_EQ(refusal({}), "samples = 0: must be two or more of weight > 0 where there is no extent");
+  EXPECT_EQ(refusal({.samples = {{1, 0.5}}}),
+            "samples = 1: must be two or more of weight > 0 where there is no extent");
+  EXPECT_EQ(refusal({.samples = {{1, 0.5}, {2, 0.3, 0}}}),
+            "samples = 1: must be two or more of weight > 0 where there is no extent");
+  EXPECT_EQ(refusal({.extent = 1, .samples = {{1, 0.5, 0}}}),
+            "samples = 0: must be one or more of weight > 0 where there are any");
+  const auto found = check(AttenuationTarget{.samples = {{1, 0.9}, {2, 0}}});
+  ASSERT_TRUE(found && found->sample);
+  EXPECT_EQ(*found->sample, 1u);
+}
+
+}  // namespace
+}  // namespace litfog::test

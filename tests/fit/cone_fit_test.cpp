@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "litfog/fit/cone_fit.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "reference/random_light.h"
+#include "core/refused.h"
+
+namespace litfog::test {
+namespace {
+
+using std::numbers::pi;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+constexpr double degrees(double angle) { return angle / 180 * pi; }
+
+ConeTarget target_of(ConeChoice choice, std::vector<ConeSample> samples) {
+  return {.choice = choice, .samples = std::move(samples)};
+}
+
+std::vector<ConeSample> sampled(const Cone& cone, double last, int count) {
+  std::vector<ConeSample> samples;
+  for (int i = 0; i < count; ++i) {
+    const double angle = last * i / (count - 1);
+    samples.push_back({angle, cone_at(cone, std::cos(angle))});
+  }
+  return samples;
+}
+
+std::string to_string(const Cone& cone) {
+  char text[200];
+  std::snprintf(text, sizeof text, "half angle %.17g, exponent %.17g, inner %.17g, outer %.17g", cone.half_angle,
+                cone.exponent, cone.inner, cone.outer);
+  return text;
+}
+
+double objective_of(const Cone& cone, const std::vector<ConeSample>& samples) {
+  double peak = 0;
+  for (const ConeSample& sample : samples) peak = std::max(peak, sample.intensity);
+  double sum = 0;
+  for (const auto& [angle, intensity, weight] : samples) {
+    const double error = cone_at(cone, std::cos(angle)) - intensity / peak;
+    sum += weight * error * error;
+  }
+  return sum;
+}
+
+// ---- the best cone by another way: every cut or a fine grid, the most promising refined by Brent's method ----
+
+double best_cosine_objective(const std::vector<ConeSample>& samples) {
+  double best = kInfinity;
+  std::vector<double> cuts{samples.front().angle / 2};
+  for (std::size_t i = 1; i < samples.size(); ++i) cuts.push_back((samples[i - 1].angle + samples[i].angle) / 2);
+  cuts.push_back(pi / 2);
+  for (const double cut : cuts) {
+    if (!(cut > 0 && cut <= pi / 2)) continue;
+    const auto loss = [&](double log_exponent) {
+      return objective_of(Cone::cosine(cut, std::exp(log_exponent)), samples);
+    };
+    best = std::min(best, objective_of(Cone::cosine(cut, 0), samples));
+    constexpr int kSteps = 120;
+    const auto place = [](int i) { return -8 + 24. * i / kSteps; };
+    for (int i = 1; i < kSteps; ++i) {
+      if (loss(place(i)) > loss(place(i - 1)) || loss(place(i)) > loss(place(i + 1))) continue;
+      best = std::min(best, boost::math::tools::brent_find_minima(loss, place(i - 1), place(i + 1), 40).second);
+    }
+  }
+  return best;
+}
+
+double best_smoothstep_objective(const std::vector<ConeSample>& samples) {
+  constexpr int kSteps = 80;
+  const double last = samples.back().angle;
+  std::vector<std::pair<double, Cone>> seeds;
+  for (int i = 0; i < kSteps; ++i) {
+    for (int j = i + 1; j <= 2 * kSteps; ++j) {
+      const double outer = j <= kSteps ? last * j / kSteps : last + (pi - last) * (j - kSteps) / kSteps;
+      const Cone cone = Cone::smoothstep(last * i / kSteps, outer);
+      if (cone.inner < cone.outer) seeds.emplace_back(objective_of(cone, samples), cone);
+    }
+  }
+  const std::size_t count = std::min<std::size_t>(seeds.size(), 12);
+  std::partial_sort(seeds.begin(), seeds.begin() + std::ptrdiff_t(count), seeds.end(),
+                    [](const auto& a, const auto& b) { return a.first < b.first; });
+  double best = kInfinity;
+  for (std::size_t i = 0; i < count; ++i) {
+    auto [objective, cone] = seeds[i];
+    double reach = last / kSteps;  // pattern search
+    while (reach > 1e-10) {
+      bool is_better = false;
+      for (const auto& [x, y] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}, {1, -1}, {-1, 1}}) {
+        const Cone next = Cone::smoothstep(std::max(0.0, cone.inner + x * reach), std::min(pi, cone.outer + y * reach));
+        if (check(next)) continue;
+        const double value = objective_of(next, samples);
+        if (value < objective) {
+          objective = value;
+          cone = next;
+          is_better = true;
+        }
+      }
+      reach *= is_better ? 1.5 : 0.5;
+    }
+    best = std::min(best, objective);
+  }
+  return best;
+}
+
+/// Beams as measured, and what is none: noise, lobes, rings.
+std::vector<ConeSample> draw_samples(Random& random) {
+  const double last = random.log_uniform(degrees(2), degrees(180));
+  const int count = 3 + int(random.uniform(0, 20));
+  const double width = last * random.uniform(0.1, 1);
+  const int kind = int(random.uniform(0, 5));
+  std::vector<ConeSample> samples;
+  double angle = random.chance(0.8) ? 0 : random.uniform(0, last / 10);
+  for (int i = 0; i < count; ++i) {
+    const double x = angle / width;
+    double share = random.uniform(0, 1);                                                              // anything
+    if (kind == 0) share = std::exp(-x * x * 2);                                                      // Gaussian
+    if (kind == 1) share = 1 / (1 + std::pow(x * 2, 4)) + 0.02;                                       // with spill
+    if (kind == 2) share = std::max(0.0, 1 - x) * (1 + random.uniform(-0.1, 0.1));                    // noisy
+    if (kind == 3) share = 0.1 + std::exp(-x * x * 4) + 0.8 * std::exp(-(x - 1.5) * (x - 1.5) * 20);  // a ring
+    samples.push_back({angle, share * 12345, random.chance(0.5) ? 1 : random.log_uniform(0.1, 10)});
+    angle += last / count * random.uniform(0.5, 1.4);
+    if (angle > pi) break;
+  }
+  return samples;
+}
+
+TEST(ConeFit, FindsTheGlobalOptimumOfBothProfiles) {
+  Random random(21);
+  double worst_cosine = 0;
+  double worst_smoothstep = 0;
+  std::size_t most_boxes = 0;
+  double most_milliseconds = 0;
+  double worst_kkt = 0;
+  for (int i = 0; i < 60; ++i) {
+    const auto samples = draw_samples(random);
+    if (samples.size() < 2) continue;
+    SCOPED_TRACE(i);
+    const ConeFit fit = fit_cone(target_of(ConeChoice::best, samples));
+    const double cosine = best_cosine_objective(samples);
+    const double smoothstep = best_smoothstep_objective(samples);
+    for (const auto* found : {&*fit.cosine, &*fit.smoothstep}) {
+      EXPECT_EQ(found->status, ConeFitStatus::optimal);
+      EXPECT_FALSE(check(found->cone));
+      EXPECT_NEAR(found->objective, objective_of(found->cone, samples), 1e-14 + 1e-12 * found->objective);
+      EXPECT_LE(found->lower_bound, found->objective);
+      most_boxes = std::max(most_boxes, found->boxes);
+      worst_kkt = std::max(worst_kkt, found->kkt_residual);
+    }
+    EXPECT_LE(fit.cosine->lower_bound, cosine * (1 + 1e-12));
+    EXPECT_LE(fit.smoothstep->lower_bound, smoothstep * (1 + 1e-12));
+    worst_cosine = std::max(worst_cosine, fit.cosine->objective / cosine - 1);
+    worst_smoothstep = std::max(worst_smoothstep, fit.smoothstep->objective / smoothstep - 1);
+    EXPECT_LE(fit.cosine->objective, cosine * 1.001 + 1e-20);
+    EXPECT_LE(fit.smoothstep->objective, smoothstep * 1.001 + 1e-20);
+    most_milliseconds = std::max(most_milliseconds, fit.milliseconds);
+    EXPECT_EQ(fit.best().objective, std::min(fit.cosine->objective, fit.smoothstep->objective));
+  }
+  std::printf("objective above the best known: cosine %.2g, smoothstep %.2g; KKT %.2g; at most %zu boxes, %.3g ms\n",
+              worst_cosine, worst_smoothstep, worst_kkt, most_boxes, most_milliseconds);
+}
+
+TEST(ConeFit, RecoversTheConeThatDrewTheSamples) {
+  Random random(22);
+  double worst_exponent = 0;
+  double worst_angle = 0;
+  for (int i = 0; i < 200; ++i) {
+    const double half_angle = random.log_uniform(degrees(1), degrees(89));
+    const double fall = -std::log(std::cos(half_angle));
+    const Cone cosine = Cone::cosine(half_angle, random.log_uniform(0.01, 6) / fall);
+    const auto cosine_fit = fit_cone(target_of(ConeChoice::best, sampled(cosine, 1.23 * half_angle, 25)));
+    EXPECT_EQ(cosine_fit.profile, ConeProfile::cosine);
+    EXPECT_LT(cosine_fit.best().rms, 1e-9);
+    worst_exponent = std::max(worst_exponent, std::abs(cosine_fit.best().cone.exponent / cosine.exponent - 1));
+    EXPECT_LT(cosine_fit.best().cutoff_range[0], half_angle);
+    EXPECT_GE(cosine_fit.best().cutoff_range[1], half_angle);
+
+    const double outer = random.log_uniform(degrees(1), degrees(150));
+    const Cone dual = Cone::smoothstep(random.uniform(0, 0.8) * outer, outer);
+    const auto dual_fit = fit_cone(target_of(ConeChoice::best, sampled(dual, 1.2 * outer, 25)));
+    EXPECT_EQ(dual_fit.profile, ConeProfile::smoothstep);
+    EXPECT_LT(dual_fit.best().rms, 1e-9);
+    worst_angle = std::max({worst_angle, std::abs(dual_fit.best().cone.inner - dual.inner) / outer,
+                            std::abs(dual_fit.best().cone.outer - dual.outer) / outer});
+  }
+  std::printf("round trip: exponent %.2g, angles %.2g\n", worst_exponent, worst_angle);
+  EXPECT_LE(worst_exponent, 1e-8);
+  EXPECT_LE(worst_angle, 1e-8);
+}
+
+TEST(ConeFit, BeamAngleAloneIsMetInClosedForm) {
+  const ConeTarget target{.beam_angle = degrees(20)};
+  const ConeFit fit = fit_cone(target);
+  EXPECT_EQ(fit.profile, ConeProfile::cosine) << "both are exact";
+  EXPECT_NEAR(fit.cosine->cone.exponent, std::log(0.5) / std::log(std::cos(degrees(10))), 1e-9);
+  EXPECT_NEAR(cone_at(Cone::cosine(pi / 2, fit.cosine->cone.exponent), std::cos(fit.cosine->cone.half_angle)), 5e-4,
+              1e-12);
+  EXPECT_EQ(fit.smoothstep->cone.inner, 0) << "the softest edge";
+  EXPECT_NEAR(std::cos(fit.smoothstep->cone.outer), 2 * std::cos(degrees(10)) - 1, 1e-15);
+  EXPECT_NEAR(*fit.smoothstep->beam_angle_error, 0, 1e-12);
+  EXPECT_FALSE(fit.smoothstep->covariance);
+  EXPECT_FALSE(fit.smoothstep->field_angle_error);
+  EXPECT_FALSE(fit.smoothstep->flux_error);
+}
+
+TEST(ConeFit, BeamAndFieldAngleAreMetByTheDualCone) {
+  const ConeFit fit = fit_cone({.beam_angle = degrees(11), .field_angle = degrees(13)});
+  EXPECT_EQ(fit.profile, ConeProfile::smoothstep);
+  EXPECT_NEAR(cone_at(fit.best().cone, std::cos(degrees(5.5))), 0.5, 1e-12);
+  EXPECT_NEAR(cone_at(fit.best().cone, std::cos(degrees(6.5))), 0.1, 1e-12);
+  EXPECT_NEAR(*fit.best().beam_angle_error, 0, 1e-12);
+  EXPECT_NEAR(*fit.best().field_angle_error, 0, 1e-12);
+  EXPECT_FALSE(fit.best().covariance) << "as many angles as parameters: no scatter to estimate it from";
+}
+
+TEST(ConeFit, CosineConeOfALambertianPatchHasExponentOneAndItsGivenEdge) {
+  const ConeFit fit =
+      fit_cone({.choice = ConeChoice::cosine, .half_angle = degrees(80), .beam_angle = degrees(120), .samples = {}});
+  EXPECT_NEAR(fit.best().cone.exponent, 1, 1e-12);
+  EXPECT_EQ(fit.best().cone.half_angle, degrees(80));
+  EXPECT_EQ(fit.best().cutoff_range, (std::array{degrees(80), degrees(80)}));
+  EXPECT_FALSE(fit.smoothstep);
+}
+
+TEST(ConeFit, GivenHalfAngleIsWhereEitherProfileEnds) {
+  const auto samples = sampled(Cone::cosine(degrees(40), 20), degrees(60), 31);
+  ConeTarget target = target_of(ConeChoice::best, samples);
+  target.half_angle = degrees(50);
+  const ConeFit fit = fit_cone(target);
+  EXPECT_EQ(fit.cosine->cone.half_angle, degrees(50));
+  EXPECT_EQ(fit.smoothstep->cone.outer, degrees(50));
+  EXPECT_EQ(fit.cosine->status, ConeFitStatus::optimal);
+  EXPECT_EQ(fit.smoothstep->status, ConeFitStatus::optimal);
+}
+
+TEST(ConeFit, EdgeBetweenSamplesIsAsSoftAsTheyAllow) {
+  const ConeFit fit = fit_cone(target_of(ConeChoice::smoothstep, {{0, 1}, {degrees(5), 1}, {degrees(8.75), 0}}));
+  EXPECT_EQ(fit.best().cone, Cone::smoothstep(degrees(5), degrees(8.75)));
+  EXPECT_EQ(fit.best().objective, 0);
+  const ConeFit through =
+      fit_cone(target_of(ConeChoice::smoothstep, {{0, 1}, {degrees(5), 1}, {degrees(6), 0.5}, {degrees(20), 0}}));
+  EXPECT_DOUBLE_EQ(through.best().cone.inner, degrees(5));
+  EXPECT_NEAR(std::cos(through.best().cone.outer), 2 * std::cos(degrees(6)) - std::cos(degrees(5)), 1e-15);
+}
+
+TEST(ConeFit, CutOffOfTheCosineConeIsBetweenTheLastLitAndTheFirstDarkSample) {
+  const ConeFit flat = fit_cone(
+      target_of(ConeChoice::cosine, {{0, 1}, {degrees(10), 1}, {degrees(20), 1}, {degrees(30), 0}, {degrees(40), 0}}));
+  EXPECT_EQ(flat.best().cone.exponent, 0);
+  EXPECT_EQ(flat.best().cutoff_range, (std::array{degrees(20), degrees(30)}));
+  EXPECT_DOUBLE_EQ(flat.best().cone.half_angle, degrees(25));
+  EXPECT_EQ(flat.best().objective, 0);
+  const ConeFit axis_only = fit_cone(target_of(ConeChoice::cosine, {{0, 1}, {degrees(10), 0}}));
+  EXPECT_EQ(axis_only.best().cone, Cone::cosine(degrees(5), 0));
+  EXPECT_FALSE(axis_only.best().covariance);
+}
+
+TEST(ConeFit, WeightedFitOfAFlatBeamIsItsWeightedMean) {
+  // One free share: the samples inside the edge of a cosine cone that all stand at one angle but for rounding.
+  const double angle = degrees(30);
+  ConeTarget target{.choice = ConeChoice::cosine, .half_angle = degrees(60), .beam_angle = 2 * angle};
+  target.samples = {{0, 1}, {angle, 0.8, 3}};
+  const ConeFit fit = fit_cone(target);
+  const double mean = (0.5 * 1 + 0.8 * 3) / 4;
+  EXPECT_NEAR(fit.best().cone.exponent, std::log(mean) / std::log(std::cos(angle)), 1e-10);
+  EXPECT_NEAR(fit.best().objective, std::pow(mean - 0.5, 2) + 3 * std::pow(mean - 0.8, 2), 1e-15);
+  EXPECT_NEAR(fit.best().rms, std::sqrt(fit.best().objective / 6), 1e-15);
+  EXPECT_NEAR(fit.best().largest_error, mean - 0.5, 1e-9);
+  EXPECT_EQ(fit.best().largest_error_angle, angle);
+  EXPECT_LE(fit.best().kkt_residual, 1e-6);
+}
+
+TEST(ConeFit, CosineMatchedAtTheBeamAngleMissesTheFieldAngleOfRealBeams) {
+  // Known answers of two luminaires: half angles at 50 % and 10 % of the peak.
+  for (const auto& [beam, field] : {std::pair{5.00, 10.09}, {15.01, 20.87}}) {
+    const Cone matched = fit_cone({.choice = ConeChoice::cosine, .beam_angle = degrees(2 * beam)}).best().cone;
+    const ConeFit fit = fit_cone({.beam_angle = degrees(2 * beam), .field_angle = degrees(2 * field)});
+    EXPECT_GT(std::abs(angle_at_level(matched, 0.1) / degrees(field) - 1), 0.09);
+    EXPECT_LT(std::abs(*fit.best().field_angle_error), std::abs(angle_at_level(matched, 0.1) / degrees(field) - 1));
+  }
+}
+
+TEST(ConeFit, FluxErrorComparesWithTheSamplesFlux) {
+  // Linear from 1 to 0 in a right angle: 2 pi * integral of (1 - 2 u / pi) sin u = 2 pi (1 - 2 / pi).
+  const ConeFit fit = fit_cone(target_of(ConeChoice::best, {{0, 7}, {pi / 2, 0}}));
+  const double flux = 2 * pi * (1 - 2 / pi);
+  for (const auto* profile : {&*fit.cosine, &*fit.smoothstep}) {
+    EXPECT_NEAR(*profile->flux_error, flux_within(profile->cone, pi) / flux - 1, 1e-13);
+  }
+}
+
+TEST(ConeFit, CovarianceHasTheScatterOfRepeatedFits) {
+  Random random(23);
+  const Cone truth = Cone::smoothstep(degrees(6), degrees(18));
+  const auto normal = [&random] { return random.uniform(-1, 1) + random.uniform(-1, 1) + random.uniform(-1, 1); };
+  std::vector<ConeSample> clean{{0, 1}};
+  for (double angle = degrees(8); angle < degrees(16.5); angle += degrees(0.25)) {
+    clean.push_back({angle, cone_at(truth, std::cos(angle))});
+  }
+  constexpr int kFits = 200;
+  double inner_squares = 0;
+  double outer_squares = 0;
+  double inner_variance = 0;
+  double outer_variance = 0;
+  for (int i = 0; i < kFits; ++i) {
+    ConeTarget target = target_of(ConeChoice::smoothstep, clean);
+    for (std::size_t k = 1; k < clean.size(); ++k) target.samples[k].intensity += 0.01 * normal();
+    const auto fit = fit_cone(target).best();
+    ASSERT_TRUE(fit.covariance);
+    inner_squares += std::pow(fit.cone.inner - truth.inner, 2) / kFits;
+    outer_squares += std::pow(fit.cone.outer - truth.outer, 2) / kFits;
+    inner_variance += (*fit.covariance)[0][0] / kFits;
+    outer_variance += (*fit.covariance)[1][1] / kFits;
+  }
+  EXPECT_NEAR(inner_variance / inner_squares, 1, 0.25);  // 200 fits: a standard error of 10 %
+  EXPECT_NEAR(outer_variance / outer_squares, 1, 0.25);
+}
+
+TEST(ConeFit, LeavesOutSamplesWithoutWeight) {
+  const auto samples = sampled(Cone::smoothstep(0.1, 0.4), 0.5, 21);
+  auto with_outliers = samples;
+  for (const std::size_t i : {7u, 12u}) with_outliers[i] = {with_outliers[i].angle, 99, 0};
+  auto without = samples;
+  without.erase(without.begin() + 12);
+  without.erase(without.begin() + 7);
+  EXPECT_EQ(fit_cone(target_of(ConeChoice::best, with_outliers)).best().cone,
+            fit_cone(target_of(ConeChoice::best, without)).best().cone);
+}
+
+TEST(ConeFit, RefusesTargetsNamingFieldValueAndRule) {
+  const auto refusal = [](const ConeTarget& target) { return refusal_of([&] { fit_cone(target); }); };
+  EXPECT_EQ(refusal({}), "samples = 0: must be at least two with weight where no beam or field angle is given");
+  EXPECT_EQ(refusal({.samples = {{0, 1}, {1, 1, 0}}}),
+            "samples = 1: must be at least two with weight where no beam or field angle is given");
+  EXPECT_EQ(refusal({.half_angle = 1.6, .beam_angle = 1}), "half_angle = 1.6: must be in (0, pi/2]");
+  EXPECT_EQ(refusal({.choice = ConeChoice::smoothstep, .half_angle = 3.5, .beam_angle = 1}),
+            "half_angle = 3.5: must be in (0, pi]");
+  EXPECT_EQ(refusal({.beam_angle = 0}), "beam_angle = 0: must be in (0, 2 pi]");
+  EXPECT_EQ(refusal({.beam_angle = kNan}), "beam_angle = nan: must be in (0, 2 pi]");
+  EXPECT_EQ(refusal({.field_angle = 7}), "field_angle = 7: must be in (0, 2 pi]");
+  EXPECT_EQ(refusal({.beam_angle = 1, .field_angle = 1}), "field_angle = 1: must be larger than the beam angle");
+  EXPECT_EQ(refusal({.samples = {{0, 1}, {4, 1}}}), "samples[1].angle = 4: must be in [0, pi]");
+  EXPECT_EQ(refusal({.samples = {{-0.1, 1}, {1, 1}}}), "samples[0].angle = -0.1: must be in [0, pi]");
+  EXPECT_EQ(refusal({.samples = {{0, 1}, {1, 1}, {1, 2}}}), "samples[2].angle = 1: must be larger than the one before");
+  EXPECT_EQ(refusal({.samples = {{0, 1}, {kNan, 1}}}), "samples[1].angle = nan: must be in [0, pi]");
+  EXPECT_EQ(refusal({.samples = {{0, 1}, {1, -1}}}), "samples[1].intensity = -1: must be finite and >= 0");
+  EXPECT_EQ(refusal({.samples = {{0, kInfinity}, {1, 1}}}), "samples[0].intensity = inf: must be finite and >= 0");
+  EXPECT_EQ(refusal({.samples = {{0, 1}, {1, 1, -1}}}), "samples[1].weight = -1: must be 0 or in [1e-100, 1e100]");
+  EXPECT_EQ(refusal({.samples = {{0, 0}, {1, 0}}}),
+            "samples.intensity = 0: must be > 0 for one of the samples with weight");
+}
+
+TEST(ConeFit, TakesTheEndsOfItsRanges) {
+  for (const ConeTarget& target :
+       {ConeTarget{.beam_angle = 1e-6}, ConeTarget{.beam_angle = 2 * pi}, ConeTarget{.field_angle = 2 * pi},
+        ConeTarget{.beam_angle = 1, .field_angle = 2 * pi}, target_of(ConeChoice::best, {{0, 1}, {1e-300, 1}}),
+        target_of(ConeChoice::best, {{0, 1}, {pi, 1}}), target_of(ConeChoice::best, {{pi / 2, 1}, {pi, 0.5}}),
+        target_of(ConeChoice::best, {{0, 1e-300}, {1, 1e308}}), target_of(ConeChoice::best, {{0, 1, 1e100}, {1, 0.5}}),
+        target_of(ConeChoice::best, {{0, 0}, {0.1, 0}, {0.2, 1}, {0.3, 0}})}) {
+    const ConeFit fit = fit_cone(target);
+    for (const auto* profile : {&*fit.cosine, &*fit.smoothstep}) {
+      EXPECT_FALSE(check(profile->cone)) << to_string(*check(profile->cone));
+      EXPECT_TRUE(std::isfinite(profile->objective));
+      EXPECT_EQ(profile->status, ConeFitStatus::optimal)
+          << to_string(profile->cone) << profile->objective << " " << profile->lower_bound << " " << profile->boxes;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace litfog::test

@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "command/command_test.h"
+#include "command/exit_status.h"
+#include "command/json_document.h"
+#include "command/light_file.h"
+#include "litfog/attenuation.h"
+#include "litfog/fit/cone_fit.h"
+#include "litfog/photometry/cookie.h"
+#include "litfog/photometry/luminaire.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using litfog::Light;
+using litfog::test::Outcome;
+using std::numbers::pi;
+
+/// A falloff table and a beam.
+constexpr const char* kSpec = R"({"litfog": "light-spec", "version": 1, "name": "flood", "source": "a test",
+  "color": [1, 0.5, 0.25], "density_scale": 0.4,
+  "range": {"extent_m": 120, "samples": [{"range_m": 10, "attenuation": 0.9}, {"range_m": 20, "attenuation": 0.66},
+            {"range_m": 40, "attenuation": 0.31}, {"range_m": 60, "attenuation": 0.17}]},
+  "cone": {"samples": [{"angle_deg": 0, "intensity": 20}, {"angle_deg": 5, "intensity": 17},
+           {"angle_deg": 10, "intensity": 9}, {"angle_deg": 15, "intensity": 2}, {"angle_deg": 20, "intensity": 0}]}})";
+
+constexpr const char* kBeam = R"({"litfog": "light-spec", "version": 1, "range": {"extent_m": 100},
+  "cone": {"beam_angle_deg": 11, "field_angle_deg": 22}})";
+
+/// No attenuation with C = 1 is this bright at 90 m and ends at 100 m.
+constexpr const char* kInfeasible = R"({"litfog": "light-spec", "version": 1,
+  "range": {"extent_m": 100, "constant": 1, "samples": [{"range_m": 90, "attenuation": 0.5}]}})";
+
+/// 100 cd on the axis, half as wide towards 90 degrees.
+constexpr const char* kIes = R"(IESNA:LM-63-2002
+[LUMINAIRE] spot
+TILT=NONE
+1 -1 1 4 2 1 2 0 0 0
+1 1 10
+0 5 10 90
+0 90
+100 80 20 0
+100 40 5 0
+)";
+
+class FitCommand : public litfog::test::CommandTest {
+ protected:
+  FitCommand() : CommandTest(LITFOG_FIT_PATH) {
+    write("lamp.json", kSpec);
+    write("beam.json", kBeam);
+    write("spot.ies", kIes);
+  }
+
+  std::set<std::string> files() const {
+    std::set<std::string> names;
+    for (const auto& entry : fs::recursive_directory_iterator(directory())) {
+      names.insert(fs::relative(entry.path(), directory()).string());
+    }
+    return names;
+  }
+
+  Light light(const std::string& name) const { return read_light((directory() / name).string()); }
+};
+
+std::string usage_message(const std::string& reason) { return "litfog-fit: " + reason + "; see litfog-fit --help\n"; }
+
+TEST_F(FitCommand, HelpTeachesAndVersionSucceeds) {
+  const Outcome help = run("--help");
+  EXPECT_EQ(help.status, kDone);
+  for (const char* part : {"\"light-spec\"", "Examples:", "Exit status:", "1 lx", "--cookie", "field_angle_deg"}) {
+    EXPECT_NE(help.out.find(part), std::string::npos) << part;
+  }
+  EXPECT_EQ(run("--version").out.substr(0, 11), "litfog-fit ");
+}
+
+TEST_F(FitCommand, ReportNamesTargetsFitErrorsAndCertificate) {
+  const Outcome outcome = run("lamp.json");
+  EXPECT_EQ(outcome.status, kDone);
+  EXPECT_EQ(outcome.err, "");
+  for (const char* part :
+       {"flood", "a test", "Range: optimal", "120 m", "held by", "KKT", "range_m", "Cone: ", "cosine", "smoothstep",
+        "flux error", "50 % angle off", "10 % angle off", "none is below", "angle_deg", "uncertainty"}) {
+    EXPECT_NE(outcome.out.find(part), std::string::npos) << part;
+  }
+}
+
+TEST_F(FitCommand, LightIsReadBackAndMeetsItsTarget) {
+  ASSERT_EQ(run("lamp.json -o light.json").status, kDone);
+  const Light fitted = light("light.json");
+  EXPECT_EQ(fitted.name, "flood");
+  EXPECT_EQ(fitted.color, glm::dvec3(1, 0.5, 0.25));
+  EXPECT_EQ(fitted.density_scale, 0.4);
+  EXPECT_NEAR(extent(fitted.attenuation, fitted.threshold), 120, 120 * 1e-12);
+  EXPECT_NEAR(attenuation_at(fitted.attenuation, 40), 0.31, 0.02);
+  EXPECT_NEAR(cone_at(fitted.cone, std::cos(pi / 18)), 0.45, 0.05);
+  EXPECT_EQ(read_json((directory() / "light.json").string()).member("source").items()[0].string(), "a test");
+}
+
+TEST_F(FitCommand, SolveReadsTheLightUnchanged) {
+  ASSERT_EQ(run("lamp.json -o light.json").status, kDone);
+  const std::string solve = "cd " + directory().string() +
+                            " && " LITFOG_SOLVE_PATH " --light light.json --visibility 200 --format json >solved 2>err";
+  ASSERT_EQ(std::system(solve.c_str()), 0) << read("err");
+  const auto row = nlohmann::json::parse(read("solved"))[0];
+  EXPECT_EQ(row["light"], "flood");
+  EXPECT_EQ(row["constant"].get<double>(), light("light.json").attenuation.constant);
+  EXPECT_EQ(row["quadratic"].get<double>(), light("light.json").attenuation.quadratic);
+}
+
+TEST_F(FitCommand, FitMemberHasTheProofOfBothFits) {
+  ASSERT_EQ(run("lamp.json -o light.json").status, kDone);
+  const auto fit = nlohmann::json::parse(read("light.json"))["fit"];
+  for (const char* name : {"status", "objective", "rms", "largest_error", "active", "covariance", "kkt_residual",
+                           "iterations", "boxes", "milliseconds"}) {
+    EXPECT_TRUE(fit["range"].contains(name)) << name;
+  }
+  EXPECT_EQ(fit["range"]["active"], nlohmann::json({"extent"}));
+  EXPECT_EQ(fit["range"]["covariance"].size(), 3u);
+  EXPECT_EQ(fit["cone"]["profile"], nlohmann::json::parse(read("light.json"))["cone"]["profile"]);
+  for (const char* profile : {"cosine", "smoothstep"}) {
+    for (const char* name : {"cone", "status", "objective", "lower_bound", "rms", "largest_error", "flux_error",
+                             "beam_angle_error", "field_angle_error", "active", "covariance", "kkt_residual"}) {
+      EXPECT_TRUE(fit["cone"][profile].contains(name)) << profile << " " << name;
+    }
+  }
+  EXPECT_GE(fit["cone"]["milliseconds"].get<double>(), 0);
+}
+
+TEST_F(FitCommand, ReproducibleLightsAreTheSameToTheByte) {
+  ASSERT_EQ(run("lamp.json -o a.json --reproducible").status, kDone);
+  ASSERT_EQ(run("lamp.json -o b.json --reproducible").status, kDone);
+  EXPECT_EQ(read("a.json"), read("b.json"));
+  EXPECT_EQ(read("a.json").find("milliseconds"), std::string::npos);
+}
+
+TEST_F(FitCommand, ProfileOptionWinsOverTheSpecs) {
+  ASSERT_EQ(run("lamp.json -o a.json --profile cosine").status, kDone);
+  EXPECT_EQ(light("a.json").cone.profile, litfog::ConeProfile::cosine);
+  EXPECT_FALSE(nlohmann::json::parse(read("a.json"))["fit"]["cone"].contains("smoothstep"));
+  ASSERT_EQ(run("lamp.json -o b.json --profile smoothstep").status, kDone);
+  EXPECT_EQ(light("b.json").cone.profile, litfog::ConeProfile::smoothstep);
+}
+
+TEST_F(FitCommand, RobustFitLeavesAnOutlierAside) {
+  // C = 1, L = 0.01, Q = 0.001 but for one sample.
+  std::string samples;
+  for (int range = 5; range <= 60; range += 5) {
+    const double value = range == 30 ? 0.9 : 1 / (1 + 0.01 * range + 0.001 * range * range);
+    samples += (samples.empty() ? "" : ", ") + ("{\"range_m\": " + std::to_string(range)) +
+               ", \"attenuation\": " + std::to_string(value) + "}";
+  }
+  write("measured.json", R"({"litfog": "light-spec", "version": 1, "range": {"samples": [)" + samples + "]}}");
+  const Outcome plain = run("measured.json -o plain.json");
+  EXPECT_NE(plain.out.find("try --robust"), std::string::npos) << plain.out;
+  ASSERT_EQ(run("measured.json -o robust.json --robust").status, kDone);
+  const auto error = [this](const std::string& name) {
+    return std::abs(attenuation_at(light(name).attenuation, 60) * (1 + 0.6 + 3.6) - 1);
+  };
+  EXPECT_LT(error("robust.json"), 0.02);
+  EXPECT_LT(error("robust.json"), 0.5 * error("plain.json"));
+}
+
+TEST_F(FitCommand, InfeasibleTargetHasItsReasonAndStillALight) {
+  write("far.json", kInfeasible);
+  const Outcome outcome = run("far.json -o light.json");
+  EXPECT_EQ(outcome.status, kNotToTolerance);
+  EXPECT_TRUE(outcome.err.starts_with("far.json: range: infeasible: ")) << outcome.err;
+  EXPECT_NE(outcome.out.find("Range: infeasible"), std::string::npos);
+  const Light best = light("light.json");
+  EXPECT_NEAR(extent(best.attenuation, best.threshold), 100, 1e-10);
+  EXPECT_EQ(nlohmann::json::parse(read("light.json"))["fit"]["range"]["status"], "infeasible");
+}
+
+TEST_F(FitCommand, JsonReportHoldsTheLights) {
+  write("bad.json", "{}");
+  const Outcome outcome = run("lamp.json bad.json --format json");
+  EXPECT_EQ(outcome.status, kBadInput);
+  const auto report = nlohmann::json::parse(outcome.out);
+  ASSERT_EQ(report.size(), 2u);
+  EXPECT_EQ(report[0]["input"], "lamp.json");
+  EXPECT_EQ(report[0]["status"], "optimal");
+  EXPECT_EQ(report[0]["light"]["litfog"], "light");
+  EXPECT_TRUE(report[0]["reason"].is_null());
+  EXPECT_EQ(report[1]["status"], "refused");
+  EXPECT_EQ(report[1]["reason"], "bad.json:1:1: litfog: must be given");
+  EXPECT_TRUE(report[1]["light"].is_null());
+}
+
+TEST_F(FitCommand, SeveralInputsMakeALightEachATableAndTheWorstStatus) {
+  fs::create_directory(directory() / "lights");
+  write("bad.json", "{}");
+  write("far.json", kInfeasible);
+  const Outcome outcome = run("lamp.json far.json bad.json spot.ies -o lights");
+  EXPECT_EQ(outcome.status, kBadInput);
+  EXPECT_NE(outcome.err.find("bad.json:1:1: litfog: must be given\n"), std::string::npos);
+  EXPECT_NE(outcome.err.find("far.json: range: infeasible: "), std::string::npos);
+  EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 5);
+  EXPECT_TRUE(outcome.out.starts_with("input "));
+  for (const char* name : {"lights/lamp.json", "lights/far.json", "lights/spot.json"}) {
+    EXPECT_TRUE(files().contains(name)) << name;
+  }
+  EXPECT_FALSE(files().contains("lights/bad.json"));
+  EXPECT_EQ(run("lamp.json far.json").status, kNotToTolerance);
+}
+
+TEST_F(FitCommand, PhotometricFileIsALight) {
+  ASSERT_EQ(run("spot.ies -o spot.json").status, kDone);
+  const Light fitted = light("spot.json");
+  EXPECT_EQ(fitted.name, "spot");
+  EXPECT_EQ(fitted.color, glm::dvec3(1));
+  EXPECT_EQ(fitted.attenuation.constant, 1);
+  EXPECT_NEAR(extent(fitted.attenuation, fitted.threshold), 10, 1e-11) << "100 cd give 1 lx at 10 m";
+  const std::string report = run("spot.ies").out;
+  EXPECT_NE(report.find("The beam is not round"), std::string::npos);
+  EXPECT_NE(report.find("100 cd, 0 deg off the photometric axis"), std::string::npos);
+}
+
+TEST_F(FitCommand, CookieIsTheDistributionByDirection) {
+  ASSERT_EQ(run("spot.ies --cookie spot.exr --cookie-size 33").status, kDone);
+  const auto image = OIIO::ImageInput::open((directory() / "spot.exr").string());
+  ASSERT_TRUE(image);
+  ASSERT_EQ(image->spec().width, 33);
+  ASSERT_EQ(image->spec().height, 6 * 33);
+  ASSERT_EQ(image->spec().nchannels, 1);
+  std::vector<float> texels(33 * 6 * 33);
+  ASSERT_TRUE(image->read_image(0, 0, 0, 1, OIIO::TypeDesc::FLOAT, texels.data()));
+  const std::size_t last_face = 5 * 33 * 33;  // -z, the axis in its middle texel
+  EXPECT_EQ(texels[last_face + 16 * 33 + 16], 1);
+  const auto luminaire = litfog::read_luminaire((directory() / "spot.ies").string());
+  EXPECT_EQ(texels, litfog::bake_cookie(luminaire.distribution, 33).texels);
+}
+
+TEST_F(FitCommand, PlotsArePicturesOfTheirEnding) {
+  ASSERT_EQ(run("lamp.json --plot fit.png").status, kDone);
+  EXPECT_EQ(read("fit.png").substr(1, 3), "PNG");
+  ASSERT_EQ(run("beam.json --plot fit.svg").status, kDone);
+  for (const char* label : {"range (m)", "angle from the axis (deg)", "smoothstep", "target", "error (%)"}) {
+    EXPECT_NE(read("fit.svg").find(label), std::string::npos) << label;
+  }
+  EXPECT_EQ(run("spot.ies --plot fit.svg").status, kDone);
+}
+
+TEST_F(FitCommand, BadInputIsRefusedAndNothingIsWritten) {
+  write("bad.json", "{\"litfog\": \"light-spec\", \"version\": 1,\n \"range\": {\"samples\": []}}");
+  const Outcome outcome = run("bad.json -o light.json --plot fit.svg");
+  EXPECT_EQ(outcome.status, kBadInput);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_TRUE(outcome.err.starts_with("bad.json:2:23: range.samples")) << outcome.err;
+  write("hostile.ies", "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 2147483648 2147483648 1 2 0 0 0\n1 1 10\n");
+  const Outcome hostile = run("hostile.ies -o light.json");
+  EXPECT_EQ(hostile.status, kBadInput);
+  EXPECT_TRUE(hostile.err.starts_with("hostile.ies:3:")) << hostile.err;
+  EXPECT_EQ(run("absent.json -o light.json").status, kBadInput);
+  EXPECT_EQ(run("absent.ies -o light.json").status, kBadInput);
+  EXPECT_EQ(run("lamp.json -o light.json --cookie c.exr").status, kBadInput);
+  for (const char* name : {"light.json", "fit.svg", "c.exr"}) EXPECT_FALSE(files().contains(name)) << name;
+}
+
+TEST_F(FitCommand, EarlierLightStaysWhereTheSpecIsRefused) {
+  write("light.json", "earlier");
+  write("bad.json", "{");
+  EXPECT_EQ(run("bad.json -o light.json").status, kBadInput);
+  EXPECT_EQ(read("light.json"), "earlier");
+}
+
+TEST_F(FitCommand, WrongUsageIsRefusedBeforeAnyWork) {
+  const auto expect = [this](const std::string& arguments, const std::string& reason) {
+    SCOPED_TRACE(arguments);
+    EXPECT_REFUSED(run(arguments), kUsage, usage_message(reason));
+  };
+  expect("lamp.json beam.json -o light.json", "-o = light.json: must be a folder for several inputs");
+  expect("lamp.json beam.json --plot a.png", "--plot = a.png: must be given with a single input");
+  expect("lamp.json beam.json --cookie a.exr", "--cookie = a.exr: must be given with a single input");
+  expect("lamp.json --plot a.pdf", "--plot = a.pdf: must end in .png or .svg");
+  expect("spot.ies --cookie a.png", "--cookie = a.png: must end in .exr");
+  expect("spot.ies --cookie-size 64", "--cookie-size needs --cookie");
+  expect("spot.ies --cookie a.exr --cookie-size 0", "--cookie-size = 0: must be an integer from 1 to 4096");
+  expect("lamp.json --profile round", "--profile = round: must be one of cosine|smoothstep|best");
+  expect("lamp.json -o lamp.json", "-o = lamp.json: must not be in place of the input lamp.json");
+  expect("lamp.json -o .", "-o = .: must not be in place of the input lamp.json");
+  EXPECT_EQ(run("").status, kUsage);
+  EXPECT_EQ(run("lamp.json --colour").status, kUsage);
+  fs::create_directory(directory() / "a");
+  write("a/lamp.json", kBeam);
+  fs::create_directory(directory() / "folder");
+  expect("lamp.json a/lamp.json -o folder", "-o = folder: must not take lamp.json and a/lamp.json as one file");
+  EXPECT_EQ(read("lamp.json"), kSpec);
+}
+
+TEST_F(FitCommand, OutputThatCannotBeWrittenIsItsOwnStatus) {
+  const Outcome outcome = run("lamp.json -o absent/light.json");
+  EXPECT_EQ(outcome.status, kCannotWrite);
+  EXPECT_EQ(outcome.err, "litfog-fit: absent/light.json: cannot be written: no folder absent\n");
+  EXPECT_EQ(run("lamp.json --plot absent/fit.svg").status, kCannotWrite);
+  EXPECT_EQ(run("lamp.json >/dev/full").status, kCannotWrite);
+}
+
+TEST_F(FitCommand, WithoutGnuplotAPlotIsAMissingCapability) {
+  const Outcome outcome = run("lamp.json -o light.json --plot fit.svg", "PATH=/nowhere");
+  EXPECT_EQ(outcome.status, kMissingCapability);
+  EXPECT_FALSE(files().contains("light.json"));
+}
+
+// ---- the lights that come with litfog ----
+
+TEST_F(FitCommand, ShippedLightsAreWhatTheirSpecsGive) {
+  fs::create_directory(directory() / "lights");
+  ASSERT_EQ(run("--reproducible " LITFOG_DATA_DIR "/specs/*.json -o lights").status, kDone);
+  std::size_t count = 0;
+  for (const auto& entry : fs::directory_iterator(LITFOG_DATA_DIR "/specs")) {
+    const std::string name = entry.path().filename().string();
+    SCOPED_TRACE(name);
+    ++count;
+    const Light made = light("lights/" + name);
+    const Light shipped = read_light(LITFOG_DATA_DIR "/lights/" + name);
+    EXPECT_EQ(made.name, shipped.name);
+    EXPECT_EQ(made.color, shipped.color);
+    EXPECT_EQ(made.threshold, shipped.threshold);
+    EXPECT_EQ(made.density_scale, shipped.density_scale);
+    // Another compiler's mathematics may differ in the last digits.
+    const auto expect_near = [](double a, double b) { EXPECT_NEAR(a, b, 1e-9 * std::abs(b)); };
+    expect_near(made.attenuation.constant, shipped.attenuation.constant);
+    expect_near(made.attenuation.linear, shipped.attenuation.linear);
+    expect_near(made.attenuation.quadratic, shipped.attenuation.quadratic);
+    EXPECT_EQ(made.cone.profile, shipped.cone.profile);
+    expect_near(made.cone.half_angle, shipped.cone.half_angle);
+    expect_near(made.cone.exponent, shipped.cone.exponent);
+    expect_near(made.cone.inner, shipped.cone.inner);
+    expect_near(made.cone.outer, shipped.cone.outer);
+    const auto lines = [](const std::string& path) {
+      return nlohmann::json(nlohmann::json::parse(std::ifstream(path)));
+    };
+    EXPECT_EQ(lines(LITFOG_DATA_DIR "/specs/" + name)["source"], lines(LITFOG_DATA_DIR "/lights/" + name)["source"]);
+  }
+  EXPECT_GE(count, 20u);
+}
+
+}  // namespace

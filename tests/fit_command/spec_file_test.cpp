@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fit/spec_file.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <numbers>
+#include <string>
+
+#include "command/exit_status.h"
+#include "command/temporary_directory.h"
+
+namespace {
+
+using litfog::AttenuationFamily;
+using litfog::ConeChoice;
+using std::numbers::pi;
+
+/// A round beam of 100 cd on the axis.
+constexpr const char* kIes = R"(IESNA:LM-63-2002
+[LUMINAIRE] spot
+[MANUFAC] maker
+TILT=NONE
+1 -1 1 4 1 1 2 0 0 0
+1 1 10
+0 5 10 90
+0
+100 80 20 0
+)";
+
+class SpecFile : public testing::Test {
+ protected:
+  std::string write(const std::string& name, const std::string& text) const {
+    const auto path = directory_.path() / name;
+    std::ofstream(path, std::ios::binary) << text;
+    return path.string();
+  }
+
+  LightSpec read(const std::string& text) const { return read_spec(write("f.json", text)); }
+
+  /// The sentence less the folder.
+  std::string refusal_of(const std::string& text) const {
+    try {
+      read(text);
+    } catch (const BadInput& error) {
+      std::string message = error.what();
+      const std::string folder = directory_.path().string() + "/";
+      for (auto at = message.find(folder); at != std::string::npos; at = message.find(folder)) {
+        message.erase(at, folder.size());
+      }
+      return message;
+    }
+    return "(accepted)";
+  }
+
+  /// Of a spec whose second line is one member.
+  std::string refusal_with(const std::string& member) const {
+    return refusal_of("{\"litfog\": \"light-spec\", \"version\": 1,\n" + member + "}");
+  }
+
+  litfog::test::TemporaryDirectory directory_;
+};
+
+TEST_F(SpecFile, ReadsEveryMember) {
+  const LightSpec spec = read(R"({"litfog": "light-spec", "version": 1, "name": "lamp", "source": ["a", "b"],
+    "color": [1, 0.5, 0.25], "density_scale": 0.4,
+    "range": {"threshold": 0.1, "extent_m": 120, "constant": 1,
+              "samples": [{"range_m": 10, "attenuation": 0.8}, {"range_m": 20, "attenuation": 0.5, "weight": 3}]},
+    "cone": {"profile": "smoothstep", "half_angle_deg": 45, "beam_angle_deg": 11, "field_angle_deg": 22,
+             "samples": [{"angle_deg": 0, "intensity": 7}, {"angle_deg": 18, "intensity": 2, "weight": 2}]}})");
+  EXPECT_EQ(spec.name, "lamp");
+  EXPECT_EQ(spec.source, (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(spec.color, glm::dvec3(1, 0.5, 0.25));
+  EXPECT_EQ(spec.density_scale, 0.4);
+  ASSERT_TRUE(spec.range);
+  EXPECT_EQ(spec.range->threshold, 0.1);
+  EXPECT_EQ(spec.range->extent, 120);
+  EXPECT_EQ(spec.range->constant, 1);
+  ASSERT_EQ(spec.range->samples.size(), 2u);
+  EXPECT_EQ(spec.range->samples[0].weight, 1);
+  EXPECT_EQ(spec.range->samples[1].range, 20);
+  EXPECT_EQ(spec.range->samples[1].attenuation, 0.5);
+  EXPECT_EQ(spec.range->samples[1].weight, 3);
+  ASSERT_TRUE(spec.cone);
+  EXPECT_EQ(spec.cone->choice, ConeChoice::smoothstep);
+  EXPECT_EQ(spec.cone->half_angle, pi / 4);
+  EXPECT_DOUBLE_EQ(*spec.cone->beam_angle, 11 * pi / 180);
+  EXPECT_DOUBLE_EQ(*spec.cone->field_angle, 22 * pi / 180);
+  ASSERT_EQ(spec.cone->samples.size(), 2u);
+  EXPECT_DOUBLE_EQ(spec.cone->samples[1].angle, pi / 10);
+  EXPECT_EQ(spec.cone->samples[1].intensity, 2);
+  EXPECT_EQ(spec.cone->samples[1].weight, 2);
+  EXPECT_FALSE(spec.luminaire);
+}
+
+TEST_F(SpecFile, DefaultsAreTheModels) {
+  const LightSpec spec = read(R"({"litfog": "light-spec", "version": 1, "range": {"extent_m": 9}})");
+  EXPECT_EQ(spec.name, "f");
+  EXPECT_TRUE(spec.source.empty());
+  EXPECT_EQ(spec.color, glm::dvec3(1));
+  EXPECT_EQ(spec.density_scale, 1);
+  EXPECT_EQ(spec.range->threshold, 0.05);
+  EXPECT_EQ(spec.range->family, AttenuationFamily::quadratic);
+  EXPECT_FALSE(spec.cone);
+  EXPECT_EQ(read(R"({"litfog": "light-spec", "version": 1, "cone": {"beam_angle_deg": 9}})").cone->choice,
+            ConeChoice::best);
+}
+
+TEST_F(SpecFile, ProfileOfTheCallerWins) {
+  const std::string path =
+      write("f.json", R"({"litfog": "light-spec", "version": 1, "cone": {"profile": "cosine", "beam_angle_deg": 9}})");
+  EXPECT_EQ(read_spec(path).cone->choice, ConeChoice::cosine);
+  EXPECT_EQ(read_spec(path, ConeChoice::best).cone->choice, ConeChoice::best);
+}
+
+TEST_F(SpecFile, PhotometryIsRelativeToTheSpecAndGivesAnExtent) {
+  write("lamp.ies", kIes);
+  const LightSpec spec =
+      read(R"({"litfog": "light-spec", "version": 1, "cone": {"photometry": "lamp.ies"}, "color": [1, 0, 0]})");
+  ASSERT_TRUE(spec.luminaire);
+  ASSERT_EQ(spec.cone->samples.size(), 4u);
+  EXPECT_DOUBLE_EQ(spec.cone->samples[1].angle, pi / 36);
+  EXPECT_NEAR(spec.cone->samples[1].intensity, 80, 1e-12);
+  EXPECT_EQ(spec.cone->samples[1].weight, 1);
+  EXPECT_EQ(spec.range->extent, 10) << "100 cd give 1 lx at 10 m";
+  EXPECT_NE(spec.source.back().find("sqrt(100 cd / 1 lx) = 10 m"), std::string::npos);
+  const LightSpec given =
+      read(R"({"litfog": "light-spec", "version": 1, "cone": {"photometry": "lamp.ies"}, "range": {"extent_m": 7}})");
+  EXPECT_EQ(given.range->extent, 7);
+  EXPECT_TRUE(given.source.empty());
+}
+
+TEST_F(SpecFile, PhotometricFileAloneIsAWhiteLightNamedByIt) {
+  const LightSpec spec = read_photometric_spec(write("lamp.ies", kIes));
+  EXPECT_EQ(spec.name, "spot");
+  EXPECT_EQ(spec.color, glm::dvec3(1));
+  EXPECT_EQ(spec.range->extent, 10);
+  EXPECT_EQ(spec.cone->samples.size(), 4u);
+  ASSERT_EQ(spec.source.size(), 3u);
+  EXPECT_EQ(spec.source[0], "lamp.ies: maker");
+}
+
+TEST_F(SpecFile, RefusesMembersAtTheirPlace) {
+  EXPECT_EQ(refusal_of("{}"), "f.json:1:1: litfog: must be given");
+  EXPECT_EQ(refusal_of(R"({"litfog": "light", "version": 1})"),
+            "f.json:1:12: litfog = \"light\": must be \"light-spec\"");
+  EXPECT_EQ(refusal_with("\"name\": \"x\""), "f.json:1:1: range or cone: must be given");
+  EXPECT_EQ(refusal_with("\"beam\": 1"),
+            "f.json:2:1: \"beam\": must be one of litfog, version, name, source, color, density_scale, range, cone");
+  EXPECT_EQ(refusal_with("\"color\": [1, -1, 1], \"range\": {\"extent_m\": 1}"),
+            "f.json:2:14: color[1] = -1: must be finite and >= 0");
+  EXPECT_EQ(refusal_with("\"density_scale\": -1, \"range\": {\"extent_m\": 1}"),
+            "f.json:2:18: density_scale = -1: must be finite and >= 0");
+  EXPECT_EQ(refusal_with("\"range\": {\"extent\": 1}"),
+            "f.json:2:11: \"extent\": must be one of threshold, extent_m, constant, family, samples");
+  EXPECT_EQ(refusal_with("\"cone\": {\"angle\": 1}"),
+            "f.json:2:10: \"angle\": must be one of profile, half_angle_deg, beam_angle_deg, field_angle_deg, samples, "
+            "photometry");
+  EXPECT_EQ(refusal_with("\"range\": {\"extent_m\": NaN}").substr(0, 12), "f.json:2:23:");
+}
+
+TEST_F(SpecFile, RefusesRangesThatNoFitTakes) {
+  const auto with = [this](const std::string& members) { return refusal_with("\"range\": {" + members + "}"); };
+  const auto with_samples = [&with](const std::string& samples) { return with("\"samples\": [" + samples + "]"); };
+  const std::string first = "{\"range_m\": 10, \"attenuation\": 0.8}";
+  EXPECT_EQ(with("\"family\": \"cubic\""),
+            "f.json:2:21: range.family = \"cubic\": must be one of quadratic, linear, mixed");
+  EXPECT_EQ(with("\"family\": \"linear\", \"samples\": [" + first + ", {\"range_m\": 20, \"attenuation\": 0.5}]"),
+            "f.json:2:21: range.family = \"linear\": must not be given beside samples, which choose for themselves");
+  EXPECT_TRUE(with("").starts_with("f.json:2:10: range.")) << with("");
+  EXPECT_TRUE(with("\"threshold\": 1, \"extent_m\": 9").starts_with("f.json:2:24: range.threshold = 1: must be "));
+  EXPECT_TRUE(with("\"extent_m\": -9").starts_with("f.json:2:23: range.extent_m = -9: must be "));
+  EXPECT_TRUE(with("\"constant\": -1, \"extent_m\": 9").starts_with("f.json:2:23: range.constant = -1: must be "));
+  EXPECT_TRUE(with_samples("").starts_with("f.json:2:22: range.samples")) << with_samples("");
+  EXPECT_TRUE(with_samples(first).starts_with("f.json:2:22: range.samples")) << with_samples(first);
+  EXPECT_TRUE(with_samples(first + ", {\"range_m\": 20, \"attenuation\": 0}")
+                  .starts_with("f.json:2:91: range.samples[1].attenuation = 0: must be "));
+  EXPECT_TRUE(with_samples(first + ", {\"range_m\": 20, \"attenuation\": -0.5}")
+                  .starts_with("f.json:2:91: range.samples[1].attenuation = -0.5: must be "));
+  EXPECT_TRUE(with_samples(first + ", {\"range_m\": 5, \"attenuation\": 0.5}")
+                  .starts_with("f.json:2:72: range.samples[1].range_m = 5: must be "));
+  EXPECT_TRUE(with_samples(first + ", {\"range_m\": 10, \"attenuation\": 0.5}")
+                  .starts_with("f.json:2:72: range.samples[1].range_m = 10: must be "));
+  EXPECT_TRUE(with_samples(first + ", {\"range_m\": 20, \"attenuation\": 0.5, \"weight\": -1}")
+                  .starts_with("f.json:2:106: range.samples[1].weight = -1: must be "));
+  EXPECT_EQ(with_samples("{\"range_m\": 10}"), "f.json:2:23: range.samples[0].attenuation: must be given");
+  EXPECT_EQ(with_samples("{\"range_m\": \"10\", \"attenuation\": 1}"),
+            "f.json:2:35: range.samples[0].range_m = \"10\": must be a number");
+}
+
+TEST_F(SpecFile, RefusesConesThatNoFitTakes) {
+  const auto with = [this](const std::string& members) { return refusal_with("\"cone\": {" + members + "}"); };
+  const auto with_samples = [&with](const std::string& samples) { return with("\"samples\": [" + samples + "]"); };
+  const std::string first = "{\"angle_deg\": 10, \"intensity\": 1}";
+  EXPECT_EQ(with("\"profile\": \"round\""),
+            "f.json:2:21: cone.profile = \"round\": must be one of best, cosine, smoothstep");
+  EXPECT_EQ(with(""),
+            "f.json:2:9: cone.samples = 0: must be at least two with weight where no beam or field angle is given");
+  EXPECT_EQ(with_samples(""),
+            "f.json:2:21: cone.samples = 0: must be at least two with weight where no beam or field angle is given");
+  EXPECT_EQ(with_samples(first),
+            "f.json:2:21: cone.samples = 1: must be at least two with weight where no beam or field angle is given");
+  EXPECT_EQ(with("\"half_angle_deg\": 91, \"beam_angle_deg\": 9"),
+            "f.json:2:28: cone.half_angle_deg = 91: must be in (0, 90]");
+  EXPECT_EQ(with("\"profile\": \"smoothstep\", \"half_angle_deg\": 181, \"beam_angle_deg\": 9"),
+            "f.json:2:53: cone.half_angle_deg = 181: must be in (0, 180]");
+  EXPECT_EQ(with("\"beam_angle_deg\": 361"), "f.json:2:28: cone.beam_angle_deg = 361: must be in (0, 360]");
+  EXPECT_EQ(with("\"beam_angle_deg\": 20, \"field_angle_deg\": 10"),
+            "f.json:2:51: cone.field_angle_deg = 10: must be larger than the beam angle");
+  EXPECT_EQ(with_samples(first + ", {\"angle_deg\": 181, \"intensity\": 1}"),
+            "f.json:2:71: cone.samples[1].angle_deg = 181: must be in [0, 180]");
+  EXPECT_EQ(with_samples(first + ", {\"angle_deg\": 10, \"intensity\": 1}"),
+            "f.json:2:71: cone.samples[1].angle_deg = 10: must be larger than the one before");
+  EXPECT_EQ(with_samples(first + ", {\"angle_deg\": 20, \"intensity\": -1}"),
+            "f.json:2:88: cone.samples[1].intensity = -1: must be finite and >= 0");
+  EXPECT_EQ(with_samples("{\"angle_deg\": 0, \"intensity\": 0}, {\"angle_deg\": 20, \"intensity\": 0}"),
+            "f.json:2:21: cone.samples.intensity = 0: must be > 0 for one of the samples with weight");
+  EXPECT_EQ(with_samples(first + ", {\"angle_deg\": 20, \"intensity\": 1, \"weight\": -1}"),
+            "f.json:2:101: cone.samples[1].weight = -1: must be 0 or in [1e-100, 1e100]");
+}
+
+TEST_F(SpecFile, RefusesPhotometryThatCannotBeUsed) {
+  write("lamp.ies", kIes);
+  write("broken.ies", "IESNA:LM-63-2002\nTILT=NONE\n1 -1 x\n");
+  EXPECT_EQ(refusal_with(R"("cone": {"photometry": "lamp.ies", "samples": []})"),
+            "f.json:2:24: cone.photometry = \"lamp.ies\": must not be given beside samples");
+  EXPECT_TRUE(refusal_with(R"("cone": {"photometry": "broken.ies"})").starts_with("broken.ies:3:6: "))
+      << refusal_with(R"("cone": {"photometry": "broken.ies"})");
+  EXPECT_TRUE(
+      refusal_with(R"("cone": {"photometry": "absent.ies"})")
+          .starts_with("f.json:2:24: cone.photometry = \"absent.ies\": must be a photometric file: absent.ies: "))
+      << refusal_with(R"("cone": {"photometry": "absent.ies"})");
+  EXPECT_EQ(refusal_with(R"("cone": {"photometry": 1})"), "f.json:2:24: cone.photometry = 1: must be a string");
+}
+
+}  // namespace

@@ -1,0 +1,488 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "litfog/photometry/ies.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <fstream>
+#include <numbers>
+#include <string>
+
+#include "photometry/photometric_file.h"
+#include "command/temporary_directory.h"
+
+namespace litfog::test {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double kDegree = pi / 180;
+
+/// A sound file; each test spoils a part of it.
+struct IesText {
+  std::string label = "IESNA:LM-63-2002\n[TEST] 1\n";
+  std::string tilt = "TILT=NONE\n";
+  std::string lamps = "1 1000 1 ";
+  std::string counts = "3 2 ";
+  std::string type_and_units = "1 2 ";
+  std::string dimensions = "0 0 0\n";
+  std::string factors = "1 1 50\n";
+  std::string vertical = "0 45 90\n";
+  std::string horizontal = "0 90\n";
+  std::string intensities = "100 50 0\n90 40 0\n";
+
+  std::string str() const {
+    return label + tilt + lamps + counts + type_and_units + dimensions + factors + vertical + horizontal + intensities;
+  }
+};
+
+Luminaire parse(const std::string& text) { return parse_ies(text, "lamp.ies"); }
+std::string refusal_of(const std::string& text) {
+  return photometry_refusal_of([&] { parse(text); });
+}
+
+/// The refusal of the sound file with one part replaced.
+std::string refusal_of(std::string IesText::*part, const std::string& text) {
+  IesText ies;
+  ies.*part = text;
+  return refusal_of(ies.str());
+}
+
+std::string number(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.17g", x);
+  return text;
+}
+
+// --- editions ---
+
+TEST(Ies, FactorAfterTheBallastFactorMultipliesBefore1995Only) {
+  for (const auto& [file, factor] : {std::pair{"edition_1986.ies", 2 * 0.9 * 0.5},
+                                     {"edition_1991.ies", 2 * 0.9 * 0.5},
+                                     {"edition_1995.ies", 2 * 0.9},
+                                     {"edition_2002.ies", 2 * 0.9},
+                                     {"edition_2019.ies", 2 * 0.9}}) {
+    EXPECT_DOUBLE_EQ(find_peak(our_luminaire(file).distribution).intensity, 1000 * factor) << file;
+  }
+}
+
+TEST(Ies, NumberOfLampsMultipliesTheirFluxButNoIntensity) {
+  const Luminaire two = our_luminaire("edition_2002.ies");
+  EXPECT_EQ(two.lamp_flux, 2000);
+  EXPECT_FALSE(two.is_absolute);
+  IesText three;
+  three.lamps = "3 1000 1 ";
+  EXPECT_EQ(parse(three.str()).lamp_flux, 3000);
+  EXPECT_EQ(find_peak(parse(three.str()).distribution).intensity, 100);
+}
+
+TEST(Ies, LumensOfMinusOneAreAbsolutePhotometry) {
+  const Luminaire absolute = our_luminaire("edition_2019.ies");
+  EXPECT_TRUE(absolute.is_absolute);
+  EXPECT_FALSE(absolute.lamp_flux);
+  EXPECT_FALSE(stated_flux(absolute));
+  IesText unknown;
+  unknown.lamps = "1 0 1 ";
+  EXPECT_FALSE(parse(unknown.str()).is_absolute);
+  EXPECT_FALSE(parse(unknown.str()).lamp_flux);
+}
+
+TEST(Ies, NamesTheLuminaireAsItsLabelDoes) {
+  EXPECT_EQ(our_luminaire("edition_1986.ies").name, "Round lamp");  // its first line, for want of keywords
+  EXPECT_EQ(our_luminaire("edition_1991.ies").name, "Round lamp");
+  EXPECT_EQ(our_luminaire("edition_1991.ies").manufacturer, "litfog");
+  IesText ies;
+  ies.label = "IESNA:LM-63-2002\n[LUMCAT] L 1\n[OTHER] x\n[MORE] y\n";
+  EXPECT_EQ(parse(ies.str()).name, "L 1");
+  ies.label += "[LUMINAIRE] Street\n[MORE] light\n[TEST] 1\n[MORE] 2\n[LUMINAIRE] tall\n";
+  EXPECT_EQ(parse(ies.str()).name, "Street light tall");
+}
+
+TEST(Ies, TakesTextThatIsNoUtf8AsLatin1) {
+  const Luminaire luminaire = our_luminaire("latin_1.ies");
+  EXPECT_EQ(luminaire.name, "30\xC2\xB0 spot");
+  EXPECT_EQ(luminaire.manufacturer, "W\xC3\xA4rmel\xC3\xA4mpchen");
+}
+
+TEST(Ies, MeasuresTheOpeningInMetres) {
+  const LuminousOpening feet = our_luminaire("latin_1.ies").opening;
+  EXPECT_DOUBLE_EQ(feet.width, 0.3048);
+  EXPECT_DOUBLE_EQ(feet.length, 0.6096);
+  EXPECT_DOUBLE_EQ(feet.height, 0.9144);
+  EXPECT_EQ(our_luminaire("spelling.ies").opening.width, -0.3);  // round
+}
+
+TEST(Ies, ReadsItsNumbersHoweverTheyAreSpelled) {
+  const Luminaire spelled = our_luminaire("spelling.ies");
+  EXPECT_EQ(spelled.name, "Quadrant lamp");
+  EXPECT_EQ(spelled.lamp_flux, 2500);
+  expect_same_beam(spelled, our_luminaire("type_c_quadrant.ies"));
+}
+
+TEST(Ies, KnowsAllLineEnds) {
+  const std::string text = bytes_of(std::string(LITFOG_PHOTOMETRY_DIR) + "/type_c_quadrant.ies");
+  for (const char* line_end : {"\r\n", "\r"}) {
+    std::string changed;
+    for (const char c : text) changed += c == '\n' ? line_end : std::string(1, c);
+    expect_same_beam(parse(changed), parse(text));
+    changed.replace(changed.find("2500"), 4, "x");
+    EXPECT_EQ(refusal_of(changed), "6:3: lumens per lamp = x: must be a finite number");
+  }
+}
+
+TEST(Ies, IsKnownByItsLabelOrTiltLine) {
+  EXPECT_TRUE(is_ies("IESNA91\n"));
+  EXPECT_TRUE(is_ies("\xEF\xBB\xBFIES:LM-63-2019"));
+  EXPECT_TRUE(is_ies("a lamp\r\n  tilt = NONE\r\n"));
+  EXPECT_FALSE(is_ies("litfog\n1\n0\n24\n"));
+  EXPECT_FALSE(is_ies(""));
+}
+
+// --- symmetry and types ---
+
+TEST(Ies, ReadsTheSameLampFromEverySymmetry) {
+  const Luminaire quadrant = our_luminaire("type_c_quadrant.ies");
+  for (const char* other : {"type_c_half.ies", "type_c_other_half.ies", "type_c_whole.ies", "type_c_open_whole.ies"}) {
+    SCOPED_TRACE(other);
+    expect_same_beam(quadrant, our_luminaire(other));
+  }
+  EXPECT_NEAR(intensity_at(quadrant.distribution, {0, -std::sin(30 * kDegree), -std::cos(30 * kDegree)}), 600, 1e-9);
+}
+
+TEST(Ies, ReadsAllThreeTypes) {
+  const auto direction = [](double x, double y) {
+    return glm::dvec3{std::sin(x * kDegree), std::sin(y * kDegree), -1};
+  };
+  const auto b = our_luminaire("type_b.ies").distribution;
+  EXPECT_EQ(b.type, PhotometryType::b);
+  EXPECT_NEAR(intensity_at(b, {0, 0, -1}), 900, 1e-9);
+  EXPECT_NEAR(intensity_at(b, {0, 1, 0}), 250, 1e-9);   // V = 90 is up
+  EXPECT_NEAR(intensity_at(b, {0, -1, 0}), 200, 1e-9);  // V = -90
+  EXPECT_NEAR(intensity_at(b, {1, 0, -1e-9}), 150, 1e-6);
+  const auto a = our_luminaire("type_a.ies").distribution;
+  EXPECT_EQ(a.type, PhotometryType::a);
+  EXPECT_NEAR(intensity_at(a, {std::sin(20 * kDegree), 0, -std::cos(20 * kDegree)}), 150, 1e-9);
+  EXPECT_NEAR(intensity_at(a, {-std::sin(30 * kDegree), 0, -std::cos(30 * kDegree)}), 300, 1e-9);
+  EXPECT_EQ(intensity_at(a, direction(0, 6)), 0);
+  const auto quadrant = our_luminaire("type_b_quadrant.ies").distribution;
+  for (const int x : {-1, 1}) {
+    for (const int y : {-1, 1}) {
+      EXPECT_NEAR(intensity_at(quadrant, {x * std::sqrt(0.5), y * 0.5, -0.5}), 200, 1e-9);
+    }
+  }
+}
+
+TEST(Ies, ReadsBackWhatWasWritten) {
+  Random random(1);
+  for (const int type : {1, 2, 3}) {
+    IntensityDistribution written{type == 1   ? PhotometryType::c
+                                  : type == 2 ? PhotometryType::b
+                                              : PhotometryType::a,
+                                  {},
+                                  {},
+                                  {}};
+    IesText ies;
+    ies.type_and_units = std::to_string(type) + " 2 ";
+    ies.counts = "19 13 ";
+    ies.vertical = ies.horizontal = ies.intensities = "";
+    for (int v = 0; v < 19; ++v) {
+      const double deg = type == 1 ? 10 * v : -90 + 10 * v;
+      ies.vertical += number(deg) + (v % 5 == 4 ? "\r\n" : ", ");
+      written.vertical.push_back(deg * pi / 180);
+    }
+    for (int h = 0; h < 13; ++h) {
+      const double deg = type == 1 ? 30 * h : -90 + 15 * h;
+      ies.horizontal += number(deg) + "\n";
+      written.horizontal.push_back(deg * pi / 180);
+    }
+    for (int i = 0; i < 19 * 13; ++i) {
+      written.intensity.push_back(random.log_uniform(1e-3, 1e6));
+      ies.intensities += number(written.intensity.back()) + " ";
+    }
+    const auto read = parse(ies.str()).distribution;
+    EXPECT_EQ(read.type, written.type);
+    EXPECT_EQ(read.intensity, written.intensity);
+    for (std::size_t i = 0; i < 19; ++i) EXPECT_DOUBLE_EQ(read.vertical[i], written.vertical[i]);
+    for (std::size_t i = 0; i < 13; ++i) EXPECT_DOUBLE_EQ(read.horizontal[i], written.horizontal[i]);
+  }
+}
+
+// --- tilt ---
+
+TEST(Ies, KeepsTiltFactorsBesideTheIntensities) {
+  for (const char* file : {"tilt_include.ies", "tilt_file.ies"}) {
+    const Luminaire luminaire = our_luminaire(file);
+    ASSERT_TRUE(luminaire.tilt) << file;
+    EXPECT_EQ(luminaire.tilt->geometry, 2);
+    EXPECT_EQ(luminaire.tilt->angles, (std::vector<double>{0, pi / 4, pi / 2}));
+    EXPECT_EQ(luminaire.tilt->factors, (std::vector<double>{1, 0.95, 0.9}));
+    EXPECT_EQ(find_peak(luminaire.distribution).intensity, 1000);
+  }
+  EXPECT_FALSE(our_luminaire("edition_1991.ies").tilt);
+}
+
+TEST(Ies, RefusesTiltFilesThatAreMissingBadOrElsewhere) {
+  const TemporaryDirectory directory;
+  const auto refusal = [&](const std::string& tilt) {
+    IesText ies;
+    ies.tilt = "TILT=" + tilt + "\n";
+    return photometry_refusal_of([&] { parse_ies(ies.str(), (directory.path() / "lamp.ies").string()); });
+  };
+  std::ofstream(directory.path() / "good.tlt") << "1 2\n0 90\n1 0.8\n";
+  std::ofstream(directory.path() / "bad.tlt") << "1 2\n0 90\n1 dark\n";
+  EXPECT_EQ(refusal("good.tlt"), "(accepted)");
+  EXPECT_EQ(refusal("bad.tlt"), "3:3: tilt factor = dark: must be a finite number");
+  const std::string place = "3:6: TILT = ";
+  EXPECT_EQ(refusal("none.tlt"), place + "none.tlt: must be NONE, INCLUDE or a file in this one's folder");
+  EXPECT_EQ(refusal("."), place + ".: must be NONE, INCLUDE or a file in this one's folder");
+  EXPECT_EQ(refusal(""), "3:6: TILT: must be given");
+  EXPECT_EQ(refusal("../good.tlt"), place + "../good.tlt: must name a file below this one's folder");
+  EXPECT_EQ(refusal("/dev/zero"), place + "/dev/zero: must name a file below this one's folder");
+  try {
+    IesText ies;
+    ies.tilt = "TILT=bad.tlt\n";
+    parse_ies(ies.str(), (directory.path() / "lamp.ies").string());
+  } catch (const PhotometryError& error) {
+    EXPECT_EQ(error.file, (directory.path() / "bad.tlt").string());
+  }
+}
+
+TEST(Ies, RefusesTiltDataThatAreNone) {
+  const auto refusal = [](const std::string& tilt) {
+    return refusal_of(&IesText::tilt, "TILT=INCLUDE\n" + tilt + "\n");
+  };
+  EXPECT_EQ(refusal("1 2 0 90 1 0.5"), "(accepted)");
+  EXPECT_EQ(refusal("4 2 0 90 1 0.5"), "4:1: lamp to luminaire geometry = 4: must be an integer from 1 to 3");
+  EXPECT_EQ(refusal("1 99999999 0"), "4:3: number of tilt angles = 99999999: must be an integer from 1 to 10000");
+  EXPECT_EQ(refusal("1 2 90 0 1 1"), "4:8: tilt angle 2 of 2 = 0: must be greater than the one before, 90");
+  EXPECT_EQ(refusal("1 2 0 181 1 1"), "4:7: tilt angle 2 of 2 = 181: must be in [0, 180]");
+  EXPECT_EQ(refusal("1 2 0 90 1 0"), "4:12: tilt factor = 0: must be > 0");
+}
+
+// --- refusals ---
+
+TEST(Ies, RefusesBadValuesWithTheirPlace) {
+  const std::string kFinite = "must be a finite number";
+  EXPECT_EQ(refusal_of(IesText().str()), "(accepted)");
+  EXPECT_EQ(refusal_of(&IesText::lamps, "0 1000 1 "), "4:1: number of lamps = 0: must be an integer from 1 to 1000000");
+  EXPECT_EQ(refusal_of(&IesText::lamps, "1.5 1000 1 "),
+            "4:1: number of lamps = 1.5: must be an integer from 1 to 1000000");
+  EXPECT_EQ(refusal_of(&IesText::lamps, "one 1000 1 "), "4:1: number of lamps = one: " + kFinite);
+  EXPECT_EQ(refusal_of(&IesText::lamps, "1 -2 1 "),
+            "4:3: lumens per lamp = -2: must be >= 0, or -1 for absolute photometry");
+  EXPECT_EQ(refusal_of(&IesText::lamps, "1 nan 1 "), "4:3: lumens per lamp = nan: " + kFinite);
+  EXPECT_EQ(refusal_of(&IesText::lamps, "1 1000 0 "), "4:8: candela multiplier = 0: must be > 0");
+  EXPECT_EQ(refusal_of(&IesText::lamps, "1 1000 inf "), "4:8: candela multiplier = inf: " + kFinite);
+  EXPECT_EQ(refusal_of(&IesText::lamps, "1 1000 1e999 "), "4:8: candela multiplier = 1e999: " + kFinite);
+  EXPECT_EQ(refusal_of(&IesText::type_and_units, "4 2 "), "4:14: photometric type = 4: must be an integer from 1 to 3");
+  EXPECT_EQ(refusal_of(&IesText::type_and_units, "1 3 "), "4:16: units type = 3: must be an integer from 1 to 2");
+  EXPECT_EQ(refusal_of(&IesText::dimensions, "0 0 wide\n"), "4:22: height = wide: " + kFinite);
+  EXPECT_EQ(refusal_of(&IesText::factors, "-1 1 50\n"), "5:1: ballast factor = -1: must be > 0");
+  EXPECT_EQ(refusal_of(&IesText::factors, "1 x 50\n"), "5:3: field after the ballast factor = x: " + kFinite);
+  EXPECT_EQ(refusal_of(&IesText::factors, "1 1 W\n"), "5:5: input watts = W: " + kFinite);
+  EXPECT_EQ(refusal_of(&IesText::intensities, "100 50 0\n90 -40 0\n"), "9:4: intensity 5 of 6 = -40: must be >= 0");
+  EXPECT_EQ(refusal_of(&IesText::intensities, "100 5O 0\n90 40 0\n"), "8:5: intensity = 5O: " + kFinite);
+  EXPECT_EQ(refusal_of(&IesText::intensities, "100 1e31 0\n90 40 0\n"),
+            "8:5: intensity 2 of 6 = 1e31: must be at most 1e30 candela, with all factors");
+  EXPECT_EQ(refusal_of(&IesText::intensities, "0 0 0\n0 0 0\n"),
+            "9:5: intensity 6 of 6 = 0: must not be 0 as all others are");
+  EXPECT_EQ(refusal_of(&IesText::intensities, "100 50 0\n90 40 0\n9"),
+            "10:1: number after the last intensity = 9: must not be there by the file's counts");
+  EXPECT_EQ(refusal_of(&IesText::intensities, "100 50 0\n90 40 0\nEND\n"), "(accepted)");
+  IesText old;
+  old.label = "IESNA91\n";
+  old.factors = "1 0 50\n";
+  EXPECT_EQ(refusal_of(old.str()), "4:3: ballast-lamp photometric factor = 0: must be > 0");
+}
+
+TEST(Ies, RefusesBadAnglesWithTheirPlace) {
+  const std::string kTurn = "must be one of planes at 0, from 0 to 90, 180 or 360, or from 90 to 270";
+  EXPECT_EQ(refusal_of(&IesText::vertical, "0 45 181\n"), "6:6: vertical angle 3 of 3 = 181: must be in [0, 180]");
+  EXPECT_EQ(refusal_of(&IesText::vertical, "-1 45 90\n"), "6:1: vertical angle 1 of 3 = -1: must be in [0, 180]");
+  EXPECT_EQ(refusal_of(&IesText::vertical, "0 45 45\n"),
+            "6:6: vertical angle 3 of 3 = 45: must be greater than the one before, 45");
+  EXPECT_EQ(refusal_of(&IesText::vertical, "0 29 29.000000000000004\n"),  // the same in radians
+            "6:6: vertical angle 3 of 3 = 29.000000000000004: must be greater than the one before, 29");
+  EXPECT_EQ(refusal_of(&IesText::horizontal, "90 0\n"),
+            "7:4: horizontal angle 2 of 2 = 0: must be greater than the one before, 90");
+  EXPECT_EQ(refusal_of(&IesText::horizontal, "0 361\n"), "7:3: horizontal angle 2 of 2 = 361: must be in [0, 360]");
+  EXPECT_EQ(refusal_of(&IesText::horizontal, "0 45\n"), "7:3: last horizontal angle = 45: " + kTurn);
+  EXPECT_EQ(refusal_of(&IesText::horizontal, "10 100\n"), "7:4: last horizontal angle = 100: " + kTurn);
+  IesText open;
+  open.counts = "2 4 ";
+  open.vertical = "0 90\n";
+  open.intensities = "1 1 1 1 1 1 1 1\n";
+  open.horizontal = "0 90 180 270\n";
+  EXPECT_EQ(refusal_of(open.str()), "(accepted)");
+  open.horizontal = "0 80 160 240\n";  // 120 degrees are missing
+  EXPECT_EQ(refusal_of(open.str()), "7:10: last horizontal angle = 240: " + kTurn);
+
+  IesText b;
+  b.type_and_units = "2 2 ";
+  EXPECT_EQ(refusal_of(b.str()), "(accepted)");
+  b.horizontal = "0 91\n";
+  EXPECT_EQ(refusal_of(b.str()), "7:3: horizontal angle 2 of 2 = 91: must be in [-90, 90]");
+  b.horizontal = "0\n";
+  b.counts = "3 1 ";
+  EXPECT_EQ(refusal_of(b.str()), "7:1: horizontal angle = 0: must not be the only one in types A and B");
+  IesText a;
+  a.type_and_units = "3 2 ";
+  a.vertical = "-91 0 90\n";
+  EXPECT_EQ(refusal_of(a.str()), "6:1: vertical angle 1 of 3 = -91: must be in [-90, 90]");
+}
+
+TEST(Ies, RefusesCountsThatTheFileDoesNotHold) {
+  EXPECT_EQ(refusal_of(&IesText::counts, "2147483648 2 "),
+            "4:10: number of vertical angles = 2147483648: must be an integer from 2 to 10000");
+  EXPECT_EQ(refusal_of(&IesText::counts, "3 2147483648 "),
+            "4:12: number of horizontal angles = 2147483648: must be an integer from 1 to 10000");
+  EXPECT_EQ(refusal_of(&IesText::counts, "1 2 "),
+            "4:10: number of vertical angles = 1: must be an integer from 2 to 10000");
+  EXPECT_EQ(refusal_of(&IesText::counts, "-3 2 "),
+            "4:10: number of vertical angles = -3: must be an integer from 2 to 10000");
+  EXPECT_EQ(refusal_of(&IesText::intensities, "100 50 0\n"),
+            "9:1: intensity 4 of 6: must be given");  // a plane missing
+  EXPECT_EQ(refusal_of(&IesText::horizontal, ""),
+            "7:5: horizontal angle 2 of 2 = 50: must be greater than the one before, 100");
+}
+
+TEST(Ies, RefusesTextThatIsNone) {
+  EXPECT_EQ(refusal_of(""), "1:1: TILT: must be given");
+  EXPECT_EQ(refusal_of("IESNA:LM-63-2002\n[TEST] 1\n"), "3:1: TILT: must be given");
+  EXPECT_EQ(refusal_of("IESNA:LM-63-2002\nTILT=NONE"), "2:10: number of lamps: must be given");
+  EXPECT_EQ(refusal_of(std::string("TILT=NONE\n\0\0 1", 14)), "2:1: number of lamps = ??: must be a finite number");
+}
+
+TEST(Ies, CountsColumnsInCodePointsWithoutByteOrderMark) {
+  IesText ies;
+  ies.label = "";
+  ies.tilt = "\xEF\xBB\xBFTILT=NONE\n\xC3\xA4 ";
+  EXPECT_EQ(refusal_of(ies.str()), "2:1: number of lamps = \xC3\xA4: must be a finite number");
+  ies.tilt = "TILT=NONE\n1 \xC3\xA4\xE2\x82\xAC x ";
+  EXPECT_EQ(refusal_of(ies.str()), "2:3: lumens per lamp = \xC3\xA4\xE2\x82\xAC: must be a finite number");
+  ies.tilt = "TILT=NONE\n1 1\t\xE4 ";
+  EXPECT_EQ(refusal_of(ies.str()), "2:5: candela multiplier = \xC3\xA4: must be a finite number");
+}
+
+TEST(Ies, CutsLongValuesInMessages) {
+  EXPECT_EQ(refusal_of("TILT=NONE\n" + std::string(100, 'x')),
+            "2:1: number of lamps = " + std::string(40, 'x') + "...: must be a finite number");
+}
+
+TEST(Ies, StaysFastOnHostileText) {
+  const std::size_t kMany = 4'000'000;  // time that grows with the square would not end here
+  EXPECT_EQ(refusal_of(std::string(kMany, '\r')), std::to_string(kMany + 1) + ":1: TILT: must be given");
+  std::string more = "IESNA91\n[LUMINAIRE] x\n";
+  while (more.size() < kMany) more += "[MORE] y\n[A" + std::to_string(more.size()) + "]\n";
+  EXPECT_NE(refusal_of(more).find("TILT: must be given"), std::string::npos);
+  EXPECT_EQ(refusal_of("TILT=NONE\n" + std::string(kMany, ',')), "2:4000001: number of lamps: must be given");
+  EXPECT_EQ(refusal_of("TILT=NONE\n1 1 " + std::string(kMany, '1')),
+            "2:5: candela multiplier = " + std::string(40, '1') + "...: must be a finite number");
+  std::string zeros = "TILT=NONE\n1 1 1 10000 10000 1 1 0 0 0 1 1 1 ";
+  while (zeros.size() < kMany) zeros += "0 ";
+  EXPECT_EQ(refusal_of(zeros), "2:37: vertical angle 2 of 10000 = 0: must be greater than the one before, 0");
+}
+
+TEST(Ies, ReadsOrRefusesEveryMutation) {
+  std::uint64_t seed = 1;
+  for (const auto& entry : std::filesystem::directory_iterator(LITFOG_PHOTOMETRY_DIR)) {
+    if (entry.path().extension() != ".ies") continue;
+    SCOPED_TRACE(entry.path().string());
+    expect_mutations_read_or_refused(bytes_of(entry.path()), 2000, ++seed,
+                                     [&](const std::string& text) { return parse_ies(text, entry.path().string()); });
+  }
+}
+
+// --- luminaires ---
+
+TEST(Luminaire, IsReadByContentThenByEnding) {
+  const TemporaryDirectory directory;
+  const auto write = [&](const char* name, const std::string& bytes) {
+    std::ofstream(directory.path() / name, std::ios::binary) << bytes;
+    return (directory.path() / name).string();
+  };
+  const std::string ours = LITFOG_PHOTOMETRY_DIR;
+  EXPECT_EQ(read_luminaire(write("a.LDT", IesText().str())).lamp_flux, 1000);
+  EXPECT_EQ(read_luminaire(write("b.IES", IesText().str())).lamp_flux, 1000);
+  EXPECT_EQ(read_luminaire(write("c", bytes_of(ours + "/isym_4.ldt"))).lamp_flux, 2500);
+  EXPECT_EQ(photometry_refusal_of([&] { read_luminaire(write("d.Ies", "x\n")); }), "2:1: TILT: must be given");
+  EXPECT_EQ(photometry_refusal_of([&] { read_luminaire(write("e.ldt", "x\n")); }),
+            "2:1: type indicator Ityp: must be given");
+}
+
+TEST(Luminaire, CannotBeReadFromWhereNoFileIs) {
+  const TemporaryDirectory directory;
+  EXPECT_EQ(photometry_refusal_of([&] { read_luminaire((directory.path() / "none.ies").string()); }),
+            "0:0: file: cannot be read: No such file or directory");
+  EXPECT_EQ(photometry_refusal_of([&] { read_luminaire(directory.path().string()); }),
+            "0:0: file: cannot be read: Is a directory");
+}
+
+TEST(Luminaire, IsNotReadFromMoreThan64Mebibytes) {
+  const TemporaryDirectory directory;
+  const std::string path = (directory.path() / "large.ies").string();
+  std::ofstream(path) << "TILT=NONE\n";
+  std::filesystem::resize_file(path, (std::size_t{64} << 20) + 1);
+  EXPECT_EQ(photometry_refusal_of([&] { read_luminaire(path); }), "0:0: file: must not be larger than 67108864 bytes");
+}
+
+// --- real files ---
+
+constexpr const char* kRealFiles = LITFOG_SHARED_DIR "/photometry/ies/";
+
+/// Peak and half angles known beforehand, in the plane C0; 0 is unknown.
+struct KnownBeam {
+  const char* file;
+  double peak, half_deg, tenth_deg, flux;
+};
+
+TEST(RealIesFiles, HaveTheKnownFluxPeakAndHalfAngles) {
+  if (!std::filesystem::exists(kRealFiles)) GTEST_SKIP() << "no real files at " << kRealFiles;
+  for (const auto& [file, peak, half_deg, tenth_deg, flux] :
+       {KnownBeam{"erco_22619000_hit70_68kcd_spot.ies", 68000, 5.00, 10.09, 0},
+        {"els_dt106_15deg_track_mult1.498.ies", 14635, 8.29, 17.04, 0},
+        {"erco_22619000_hipar35_30deg_spot.ies", 7400, 15.01, 20.87, 0},
+        {"infinity_wpsq_mh175_wall_9planes.ies", 25790, 14.89, 28.29, 0},
+        {"bega_50804k3_bidirectional_IESNA91.ies", 0, 0, 0, 4777}}) {
+    SCOPED_TRACE(file);
+    const auto distribution = read_luminaire(std::string(kRealFiles) + file).distribution;
+    if (flux > 0) {
+      EXPECT_NEAR(luminous_flux(distribution), flux, 0.005 * flux);
+    }
+    if (peak == 0) continue;
+    const auto plane = plane_profile(distribution, 0);
+    EXPECT_NEAR(find_peak(distribution).intensity, peak, 0.5);
+    EXPECT_NEAR(half_angle(plane, 0.5) / kDegree, half_deg, 0.005);
+    EXPECT_NEAR(half_angle(plane, 0.1) / kDegree, tenth_deg, 0.005);
+  }
+}
+
+TEST(RealIesFiles, SendOutLessThanTheirLampsGive) {
+  if (!std::filesystem::exists(kRealFiles)) GTEST_SKIP() << "no real files at " << kRealFiles;
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(kRealFiles)) {
+    const Luminaire luminaire = read_luminaire(entry.path().string());
+    const double flux = luminous_flux(luminaire.distribution);
+    std::printf("%-45s %9.1f lm, asymmetry %.3f", entry.path().filename().c_str(), flux,
+                asymmetry(luminaire.distribution, kPhotometricAxis));
+    if (luminaire.lamp_flux) {
+      std::printf(", %.1f %% of the lamps'", 100 * flux / *luminaire.lamp_flux);
+      EXPECT_LT(flux, *luminaire.lamp_flux);
+      EXPECT_GT(flux, 0.3 * *luminaire.lamp_flux);
+    }
+    std::printf("\n");
+    ++count;
+  }
+  EXPECT_EQ(count, 10);
+}
+
+TEST(RealIesFiles, AreReadOrRefusedInEveryMutation) {
+  if (!std::filesystem::exists(kRealFiles)) GTEST_SKIP() << "no real files at " << kRealFiles;
+  for (const char* file : {"erco_22619000_hit70_68kcd_spot.ies", "infinity_iceal8_flood_2lamps_feet.ies",
+                           "infinity_th75_halogen250_narrow.ies"}) {
+    expect_mutations_read_or_refused(bytes_of(std::string(kRealFiles) + file), 2000, 3, parse);
+  }
+}
+
+}  // namespace
+}  // namespace litfog::test

@@ -1,0 +1,442 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "litfog/photometry/intensity_distribution.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
+#include <functional>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "litfog/photometry/cookie.h"
+#include "reference/random_light.h"
+#include "core/refused.h"
+
+namespace litfog::test {
+namespace {
+
+using std::numbers::pi;
+using Angles = std::vector<double>;
+
+constexpr double kDegree = pi / 180;
+
+Angles degrees(double first, double last, double step) {
+  Angles angles;
+  const int count = int(std::lround((last - first) / step));
+  for (int i = 0; i <= count; ++i) angles.push_back((first + (last - first) * i / count) * kDegree);
+  return angles;
+}
+
+/// A distribution that holds a function of its two angles.
+IntensityDistribution sampled(PhotometryType type, const Angles& horizontal, const Angles& vertical,
+                              const std::function<double(double, double)>& intensity) {
+  IntensityDistribution distribution{type, horizontal, vertical, {}};
+  for (const double h : horizontal) {
+    for (const double v : vertical) distribution.intensity.push_back(intensity(h, v));
+  }
+  return distribution;
+}
+
+/// The direction of two angles by rotations of the axis, as the goniophotometer turns: the header's formulas otherwise.
+glm::dvec3 turned(PhotometryType type, double horizontal, double vertical) {
+  const auto up = [](glm::dvec3 d, double a) {  // about the horizontal axis x
+    return glm::dvec3{d.x, d.y * std::cos(a) - d.z * std::sin(a), d.y * std::sin(a) + d.z * std::cos(a)};
+  };
+  const auto right = [](glm::dvec3 d, double a) {  // about the vertical axis y, clockwise from above
+    return glm::dvec3{d.x * std::cos(a) - d.z * std::sin(a), d.y, d.x * std::sin(a) + d.z * std::cos(a)};
+  };
+  const auto round = [](glm::dvec3 d, double a) {  // about the photometric axis, counterclockwise from behind the light
+    return glm::dvec3{d.x * std::cos(a) - d.y * std::sin(a), d.x * std::sin(a) + d.y * std::cos(a), d.z};
+  };
+  switch (type) {
+    case PhotometryType::a:
+      return right(up({0, 0, -1}, vertical), horizontal);
+    case PhotometryType::b:
+      return up(right({0, 0, -1}, horizontal), vertical);
+    case PhotometryType::c:
+      break;
+  }
+  return round(right({0, 0, -1}, vertical), horizontal);
+}
+
+glm::dvec3 random_direction(Random& random) {
+  const double z = random.uniform(-1, 1), turn = random.uniform(0, 2 * pi);
+  return {std::sqrt(1 - z * z) * std::cos(turn), std::sqrt(1 - z * z) * std::sin(turn), z};
+}
+
+Angles random_angles(Random& random, double low, double high) {
+  Angles angles{low, high};
+  for (int i = 0; i < 6; ++i) angles.push_back(random.uniform(low, high));
+  std::ranges::sort(angles);
+  return angles;
+}
+
+// --- where directions lie ---
+
+TEST(IntensityDistribution, TurnsItsAnglesAsTheGoniophotometerOfItsType) {
+  Random random(1);
+  for (const PhotometryType type : {PhotometryType::a, PhotometryType::b, PhotometryType::c}) {
+    const bool is_c = type == PhotometryType::c;
+    const auto horizontal = is_c ? degrees(0, 360, 15) : degrees(-90, 90, 15);
+    const auto vertical = is_c ? degrees(0, 180, 15) : degrees(-90, 90, 15);
+    // Linear in both angles, so that it tells them apart and is interpolated exactly.
+    const auto linear = sampled(type, horizontal, vertical, [](double h, double v) { return 1000 + 10 * h + v; });
+    for (int i = 0; i < 2000; ++i) {
+      const double h = random.uniform(horizontal.front(), horizontal.back());
+      const double v = random.uniform(vertical.front(), vertical.back());
+      EXPECT_NEAR(intensity_at(linear, turned(type, h, v)), 1000 + 10 * h + v, 1e-6) << h << " " << v;
+    }
+  }
+}
+
+TEST(IntensityDistribution, HasTheAxisAheadRightAtPlusXAndUpAtPlusY) {
+  const auto peak_of = [](PhotometryType type, double h_deg, double v_deg) {
+    const bool is_c = type == PhotometryType::c;
+    const auto horizontal = is_c ? degrees(0, 360, 45) : degrees(-90, 90, 45);
+    const auto vertical = is_c ? degrees(0, 180, 45) : degrees(-90, 90, 45);
+    return find_peak(sampled(type, horizontal, vertical,
+                             [&](double h, double v) {
+                               return 1 / (1 + std::abs(h - h_deg * kDegree) + std::abs(v - v_deg * kDegree));
+                             }))
+        .direction;
+  };
+  const auto near = [](const glm::dvec3& a, const glm::dvec3& b) { return glm::length(a - b) < 1e-12; };
+  const double s = std::sqrt(0.5);
+  EXPECT_TRUE(near(peak_of(PhotometryType::a, 0, 0), kPhotometricAxis));
+  EXPECT_TRUE(near(peak_of(PhotometryType::a, 90, 0), {1, 0, 0}));
+  EXPECT_TRUE(near(peak_of(PhotometryType::a, 0, 45), {0, s, -s}));
+  EXPECT_TRUE(near(peak_of(PhotometryType::a, 45, 45), {0.5, s, -0.5}));
+  EXPECT_TRUE(near(peak_of(PhotometryType::b, 0, 0), kPhotometricAxis));
+  EXPECT_TRUE(near(peak_of(PhotometryType::b, 45, 0), {s, 0, -s}));
+  EXPECT_TRUE(near(peak_of(PhotometryType::b, 0, 90), {0, 1, 0}));
+  EXPECT_TRUE(near(peak_of(PhotometryType::b, 45, 45), {s, 0.5, -0.5}));
+  EXPECT_TRUE(near(peak_of(PhotometryType::c, 0, 90), {1, 0, 0}));
+  EXPECT_TRUE(near(peak_of(PhotometryType::c, 90, 90), {0, 1, 0}));
+  EXPECT_TRUE(near(peak_of(PhotometryType::c, 180, 45), {-s, 0, -s}));
+}
+
+TEST(IntensityDistribution, IsDarkWhereItWasNotMeasured) {
+  const auto one = [](double, double) { return 1.0; };
+  const auto c = sampled(PhotometryType::c, {0}, degrees(0, 90, 10), one);
+  EXPECT_EQ(intensity_at(c, {1, 2, 0}), 1);
+  EXPECT_EQ(intensity_at(c, {1, 2, 1e-6}), 0);
+  const auto a = sampled(PhotometryType::a, degrees(-30, 40, 10), degrees(-10, 20, 10), one);
+  EXPECT_EQ(intensity_at(a, turned(PhotometryType::a, 40 * kDegree, 20 * kDegree)), 1);
+  EXPECT_EQ(intensity_at(a, turned(PhotometryType::a, -31 * kDegree, 0)), 0);
+  EXPECT_EQ(intensity_at(a, turned(PhotometryType::a, 0, 21 * kDegree)), 0);
+  EXPECT_EQ(intensity_at(a, {0, 0, 1}), 0);
+  const auto b = sampled(PhotometryType::b, degrees(-30, 40, 10), degrees(-10, 20, 10), one);
+  EXPECT_EQ(intensity_at(b, turned(PhotometryType::b, -30 * kDegree, -10 * kDegree)), 1);
+  EXPECT_EQ(intensity_at(b, turned(PhotometryType::b, 41 * kDegree, 0)), 0);
+  EXPECT_EQ(intensity_at(b, {0, 0, 1}), 0);
+}
+
+// --- symmetry ---
+
+TEST(IntensityDistribution, IsTheSameWrittenAsQuadrantHalfOrWhole) {
+  const auto lamp = [](double c, double gamma) {
+    return 100 * std::exp(-gamma) * (2 + std::cos(2 * c) + 0.3 * std::cos(4 * c));
+  };
+  const auto gamma = degrees(0, 120, 10);
+  const auto whole = sampled(PhotometryType::c, degrees(0, 360, 15), gamma, lamp);
+  const auto half = sampled(PhotometryType::c, degrees(0, 180, 15), gamma, lamp);
+  const auto other_half = sampled(PhotometryType::c, degrees(90, 270, 15), gamma, lamp);
+  const auto quadrant = sampled(PhotometryType::c, degrees(0, 90, 15), gamma, lamp);
+  Random random(2);
+  for (int i = 0; i < 5000; ++i) {
+    const auto direction = random_direction(random);
+    const double expected = intensity_at(whole, direction);
+    for (const auto* part : {&half, &other_half, &quadrant}) {
+      EXPECT_NEAR(intensity_at(*part, direction), expected, 1e-12 * 400);
+    }
+  }
+  for (const auto* part : {&half, &other_half, &quadrant}) {
+    EXPECT_NEAR(luminous_flux(*part), luminous_flux(whole), 1e-12 * luminous_flux(whole));
+  }
+}
+
+TEST(IntensityDistribution, MirrorsAHalfAtThePlaneItStartsFrom) {
+  const auto gamma = degrees(0, 180, 30);
+  const auto about_c0 = [](double c, double g) { return 50 + 20 * std::cos(c) * std::sin(g); };   // even in y
+  const auto about_c90 = [](double c, double g) { return 50 + 20 * std::sin(c) * std::sin(g); };  // even in x
+  const std::vector<std::pair<IntensityDistribution, IntensityDistribution>> pairs{
+      {sampled(PhotometryType::c, degrees(0, 180, 30), gamma, about_c0),
+       sampled(PhotometryType::c, degrees(0, 360, 30), gamma, about_c0)},
+      {sampled(PhotometryType::c, degrees(90, 270, 30), gamma, about_c90),
+       sampled(PhotometryType::c, degrees(0, 360, 30), gamma, about_c90)},
+      {sampled(PhotometryType::c, degrees(-90, 90, 30), gamma, about_c90),
+       sampled(PhotometryType::c, degrees(0, 360, 30), gamma, about_c90)}};
+  Random random(3);
+  for (const auto& [half, whole] : pairs) {
+    for (int i = 0; i < 1000; ++i) {
+      const auto direction = random_direction(random);
+      EXPECT_NEAR(intensity_at(half, direction), intensity_at(whole, direction), 1e-10);
+    }
+  }
+}
+
+TEST(IntensityDistribution, MirrorsTypesAAndBAtTheAxisTheyStartFrom) {
+  const auto even = [](double h, double v) { return 10 + std::cos(2 * h) + std::cos(3 * v); };
+  Random random(4);
+  for (const PhotometryType type : {PhotometryType::a, PhotometryType::b}) {
+    const auto whole = sampled(type, degrees(-90, 90, 10), degrees(-90, 90, 10), even);
+    const auto quadrant = sampled(type, degrees(0, 90, 10), degrees(0, 90, 10), even);
+    const auto half = sampled(type, degrees(0, 90, 10), degrees(-90, 90, 10), even);
+    for (int i = 0; i < 1000; ++i) {
+      const auto direction = random_direction(random);
+      EXPECT_NEAR(intensity_at(quadrant, direction), intensity_at(whole, direction), 1e-12);
+      EXPECT_NEAR(intensity_at(half, direction), intensity_at(whole, direction), 1e-12);
+    }
+    EXPECT_NEAR(luminous_flux(quadrant), luminous_flux(whole), 1e-12 * luminous_flux(whole));
+    EXPECT_NEAR(luminous_flux(half), luminous_flux(whole), 1e-12 * luminous_flux(whole));
+  }
+}
+
+// --- flux ---
+
+TEST(LuminousFlux, IsExactForIntensitiesThatAreLinearInTheAngles) {
+  const auto linear = [](double h, double v) { return (3 + 0.4 * h) * (5 + 0.7 * v); };
+  const auto sine_moment = [](double low, double high) {  // integral of (5 + 0.7 v) cos v
+    const auto antiderivative = [](double v) { return 5 * std::sin(v) + 0.7 * (v * std::sin(v) + std::cos(v)); };
+    return antiderivative(high) - antiderivative(low);
+  };
+  const auto moment = [](double low, double high) { return 3 * (high - low) + 0.2 * (high * high - low * low); };
+  Random random(5);
+  for (int i = 0; i < 100; ++i) {
+    // Type C is the same with v = gamma - pi / 2: 5 + 0.7 v is not shifted, so shift the integrand.
+    const auto c = sampled(PhotometryType::c, random_angles(random, 0, 2 * pi), random_angles(random, 0, pi),
+                           [&](double h, double gamma) { return linear(h, gamma - pi / 2); });
+    const double expected_c = moment(0, 2 * pi) * sine_moment(-pi / 2, pi / 2);
+    EXPECT_NEAR(luminous_flux(c), expected_c, 1e-12 * expected_c);
+
+    const double h0 = random.uniform(-1.5, -0.5), h1 = random.uniform(0.5, 1.5);
+    const double v0 = random.uniform(-1.5, -0.5), v1 = random.uniform(0.5, 1.5);
+    const auto a = sampled(PhotometryType::a, random_angles(random, h0, h1), random_angles(random, v0, v1), linear);
+    const double expected_a = moment(h0, h1) * sine_moment(v0, v1);
+    EXPECT_NEAR(luminous_flux(a), expected_a, 1e-12 * expected_a);
+    const auto b = sampled(PhotometryType::b, random_angles(random, v0, v1), random_angles(random, h0, h1),
+                           [&](double h, double v) { return linear(v, h); });
+    EXPECT_NEAR(luminous_flux(b), expected_a, 1e-12 * expected_a);
+  }
+}
+
+TEST(LuminousFlux, HoldsItsDigitsOnAFineGrid) {
+  const auto fine = sampled(PhotometryType::c, {0}, degrees(0, 180, 0.02), [](double, double) { return 1.0; });
+  EXPECT_NEAR(luminous_flux(fine), 4 * pi, 1e-12 * 4 * pi);
+}
+
+TEST(LuminousFlux, IsTheIntegralOfTheIntensityOverDirections) {
+  Random random(6);
+  using Gauss = boost::math::quadrature::gauss<double, 15>;
+  for (const PhotometryType type : {PhotometryType::a, PhotometryType::b, PhotometryType::c}) {
+    const bool is_c = type == PhotometryType::c;
+    const auto horizontal = is_c ? random_angles(random, 0, 2 * pi) : random_angles(random, -1.4, 1.2);
+    const auto vertical = is_c ? random_angles(random, 0, 2.5) : random_angles(random, -1.1, 1.3);
+    const auto beam = sampled(type, horizontal, vertical, [&](double, double) { return random.uniform(0, 100); });
+    double flux = 0;
+    for (std::size_t h = 1; h < horizontal.size(); ++h) {
+      for (std::size_t v = 1; v < vertical.size(); ++v) {
+        const auto along_h = [&](double x) {
+          const auto along_v = [&](double y) {
+            const double area = is_c ? std::sin(y) : type == PhotometryType::a ? std::cos(y) : std::cos(x);
+            return area * intensity_at(beam, turned(type, x, y));
+          };
+          return Gauss::integrate(along_v, vertical[v - 1], vertical[v]);
+        };
+        flux += Gauss::integrate(along_h, horizontal[h - 1], horizontal[h]);
+      }
+    }
+    EXPECT_NEAR(luminous_flux(beam), flux, 1e-10 * flux);
+  }
+}
+
+/// cos^n of the angle from the axis is cos^n H cos^n V in types A and B. Its second derivative in any angle is at most
+/// n, so that linear interpolation with step h errs by at most n h^2 / 8 an angle.
+TEST(LuminousFlux, OfACosinePowerIsTheSameInAllTypes) {
+  for (const double n : {1.0, 4.0, 20.0}) {
+    const auto beam = [n](double h, double v) { return 1000 * std::pow(std::abs(std::cos(h) * std::cos(v)), n); };
+    const double bound = 1000 * 2 * n * kDegree * kDegree / 8;
+    const auto a = sampled(PhotometryType::a, degrees(-90, 90, 1), degrees(-90, 90, 1), beam);
+    const auto b = sampled(PhotometryType::b, degrees(0, 90, 1), degrees(0, 90, 1), beam);
+    const auto c = sampled(PhotometryType::c, {0}, degrees(0, 90, 1), [&](double, double v) { return beam(0, v); });
+    for (const auto* each : {&a, &b, &c}) {
+      EXPECT_NEAR(luminous_flux(*each), 1000 * 2 * pi / (n + 1), bound * 2 * pi);
+      Random random(7);
+      for (int i = 0; i < 2000; ++i) {
+        const auto direction = random_direction(random);
+        const double expected = direction.z < 0 ? 1000 * std::pow(-direction.z, n) : 0;
+        EXPECT_NEAR(intensity_at(*each, direction), expected, bound);
+      }
+    }
+  }
+}
+
+// --- profiles ---
+
+TEST(AxialProfile, OfARoundBeamIsWhatWasMeasured) {
+  const auto lamp = sampled(PhotometryType::c, {0}, {0, 0.1, 0.3, 1.2}, [](double, double g) { return 10 - 5 * g; });
+  const auto profile = axial_profile(lamp, kPhotometricAxis);
+  ASSERT_EQ(profile.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(profile[i].angle, lamp.vertical[i]);
+    EXPECT_NEAR(profile[i].mean, lamp.intensity[i], 1e-12);
+    EXPECT_NEAR(profile[i].deviation, 0, 1e-12);
+  }
+}
+
+TEST(AxialProfile, AveragesTheTurnAndTellsTheLargestDeviation) {
+  const IntensityDistribution lamp{
+      PhotometryType::c, degrees(0, 90, 45), degrees(0, 60, 30), {1000, 800, 400, 1000, 600, 100, 1000, 700, 0}};
+  const auto profile = axial_profile(lamp, kPhotometricAxis);
+  ASSERT_EQ(profile.size(), 3u);
+  EXPECT_NEAR(profile[0].mean, 1000, 1e-9);
+  EXPECT_NEAR(profile[1].mean, 675, 1e-9);  // (800 / 2 + 600 + 700 / 2) / 2
+  EXPECT_NEAR(profile[1].deviation, 125, 1e-9);
+  EXPECT_NEAR(profile[2].mean, 150, 1e-9);
+  EXPECT_NEAR(profile[2].deviation, 250, 1e-9);
+  const auto plane = plane_profile(lamp, pi / 2);
+  ASSERT_EQ(plane.size(), 3u);
+  EXPECT_NEAR(plane[1].mean, 700, 1e-9);
+}
+
+TEST(AxialProfile, FollowsABeamAimedOffTheAxis) {
+  const glm::dvec3 aim = turned(PhotometryType::a, 20 * kDegree, -10 * kDegree);
+  const auto beam = sampled(PhotometryType::a, degrees(-90, 90, 1), degrees(-90, 90, 1), [&](double h, double v) {
+    return 5000 * std::pow(std::max(0.0, glm::dot(aim, turned(PhotometryType::a, h, v))), 30);
+  });
+  const auto peak = find_peak(beam);
+  EXPECT_NEAR(glm::dot(peak.direction, aim), 1, 1e-12);
+  const double half = std::acos(std::pow(0.5, 1 / 30.0));
+  EXPECT_NEAR(half_angle(axial_profile(beam, aim), 0.5), half, 0.1 * kDegree);
+  EXPECT_LT(asymmetry(beam, aim), 0.005);
+  EXPECT_GT(asymmetry(beam, kPhotometricAxis), 0.5);
+}
+
+TEST(HalfAngle, IsLinearBetweenSamplesAndBeyondThePeak) {
+  const std::vector<AxialSample> profile{{0, 20, 0}, {1, 100, 0}, {2, 60, 0}, {3, 0, 0}, {4, 80, 0}};
+  EXPECT_DOUBLE_EQ(half_angle(profile, 0.8), 1.5);
+  EXPECT_DOUBLE_EQ(half_angle(profile, 0.3), 2.5);
+  EXPECT_DOUBLE_EQ(half_angle({{0, 5, 0}, {1, 4, 0}}, 0.5), 1);
+  EXPECT_EQ(refusal_of([&] { half_angle(profile, 0); }), "share = 0: must be in (0, 1]");
+  EXPECT_EQ(refusal_of([] { half_angle({}, 0.5); }), "profile = 0: must hold a sample");
+}
+
+// --- asymmetry ---
+
+TEST(Asymmetry, OfARoundBeamIsZero) {
+  const auto lamp = sampled(PhotometryType::c, {0}, degrees(0, 90, 5), [](double, double g) { return std::cos(g); });
+  EXPECT_LT(asymmetry(lamp, kPhotometricAxis), 1e-12);
+}
+
+/// f(gamma) (1 + a cos 2C) has the mean f and the mean square f^2 (1 + a^2 / 2).
+TEST(Asymmetry, IsTheRelativeRmsDistanceFromTheMeanOverTheTurn) {
+  for (const double a : {0.01, 0.3, 1.0}) {
+    const auto lamp = sampled(PhotometryType::c, degrees(0, 90, 1), degrees(0, 90, 1), [a](double c, double g) {
+      return 300 * std::pow(std::cos(g), 3) * (1 + a * std::cos(2 * c));
+    });
+    EXPECT_NEAR(asymmetry(lamp, kPhotometricAxis), std::sqrt(a * a / 2 / (1 + a * a / 2)), 0.001);
+  }
+}
+
+// --- cookies ---
+
+/// OpenGL 4.6, section 8.13 and table 8.19: the face and texel that a direction selects, nearest filtering.
+std::size_t selected_texel(const glm::dvec3& r, int size) {
+  const glm::dvec3 m = glm::abs(r);
+  int face;
+  double sc, tc, ma;
+  if (m.x >= m.y && m.x >= m.z) {
+    face = r.x > 0 ? 0 : 1;
+    sc = r.x > 0 ? -r.z : r.z, tc = -r.y, ma = m.x;
+  } else if (m.y >= m.z) {
+    face = r.y > 0 ? 2 : 3;
+    sc = r.x, tc = r.y > 0 ? r.z : -r.z, ma = m.y;
+  } else {
+    face = r.z > 0 ? 4 : 5;
+    sc = r.z > 0 ? r.x : -r.x, tc = -r.y, ma = m.z;
+  }
+  const auto texel = [size](double c) { return std::min(int((c + 1) / 2 * size), size - 1); };
+  return std::size_t((face * size + texel(tc / ma)) * size + texel(sc / ma));
+}
+
+TEST(Cookie, HoldsTheBeamWhereAGlCubeMapLooksItUp) {
+  // Smooth, and different in all directions: no face or axis can be taken for another.
+  const auto beam = sampled(PhotometryType::c, degrees(0, 360, 2), degrees(0, 180, 2), [](double c, double g) {
+    const auto d = turned(PhotometryType::c, c, g);
+    return 100 + 30 * d.x + 20 * d.y - 40 * d.z;
+  });
+  const double peak = find_peak(beam).intensity;
+  constexpr int kSize = 32;
+  const Cookie cookie = bake_cookie(beam, kSize);
+  ASSERT_EQ(cookie.size, kSize);
+  ASSERT_EQ(cookie.texels.size(), 6u * kSize * kSize);
+  // A texel's centre is at most half its diagonal away, sqrt(2) / 32 on the cube; the beam's gradient is at most
+  // |(30, 20, 40)| < 54 a radian.
+  const double bound = 54 * std::sqrt(2) / kSize / peak;
+  Random random(8);
+  for (int i = 0; i < 10000; ++i) {
+    const auto direction = random_direction(random);
+    EXPECT_NEAR(cookie.texels[selected_texel(direction, kSize)], intensity_at(beam, direction) / peak, bound);
+  }
+}
+
+TEST(Cookie, HasThePeakOfASpotInTheMiddleOfItsLastFace) {
+  const auto spot =
+      sampled(PhotometryType::c, {0}, degrees(0, 30, 1), [](double, double g) { return 9000 - 9000 * g; });
+  const Cookie cookie = bake_cookie(spot, 5);
+  EXPECT_EQ(cookie.texels[5 * 25 + 12], 1);
+  EXPECT_EQ(std::ranges::count(cookie.texels, 1.0f), 1);
+  EXPECT_EQ(std::ranges::count(cookie.texels, 0.0f), 5 * 25 + 16);  // 30 degrees reach the inner nine texels
+}
+
+TEST(Cookie, RefusesSizesThatAreNone) {
+  const auto lamp = sampled(PhotometryType::c, {0}, {0, 1}, [](double, double) { return 1.0; });
+  EXPECT_EQ(refusal_of([&] { bake_cookie(lamp, 0); }), "size = 0: must be in [1, 4096]");
+  EXPECT_EQ(refusal_of([&] { bake_cookie(lamp, 4097); }), "size = 4097: must be in [1, 4096]");
+}
+
+// --- checks ---
+
+TEST(IntensityDistributionCheck, NamesWhatIsWrong) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto refusal = [](PhotometryType type, Angles horizontal, Angles vertical, Angles intensity) {
+    return refusal_of([&] { luminous_flux({type, std::move(horizontal), std::move(vertical), std::move(intensity)}); });
+  };
+  constexpr auto kA = PhotometryType::a, kB = PhotometryType::b, kC = PhotometryType::c;
+  EXPECT_EQ(refusal(kC, {0}, {0, 1}, {1, 0}), "not refused");
+  EXPECT_EQ(refusal(kC, {}, {0, 1}, {}), "distribution.horizontal = 0: must be at least two angles");
+  EXPECT_EQ(refusal(kC, {0}, {0}, {1}), "distribution.vertical = 1: must be at least two angles");
+  EXPECT_EQ(refusal(kC, {0}, {0, 0}, {1, 1}), "distribution.vertical = 0: must be in increasing order");
+  EXPECT_EQ(refusal(kC, {0}, {0, nan}, {1, 1}),
+            "distribution.vertical = nan: must be within the range of its photometry type");
+  EXPECT_EQ(refusal(kC, {0}, {-0.1, 1}, {1, 1}),
+            "distribution.vertical = -0.1: must be within the range of its photometry type");
+  EXPECT_EQ(refusal(kC, {0, 1}, {0, 1}, {1, 1, 1, 1}), "distribution.horizontal = 1: must span pi / 2, pi or 2 pi");
+  EXPECT_EQ(refusal(kA, {0}, {0, 1}, {1, 1}), "distribution.horizontal = 1: must be at least two angles");
+  EXPECT_EQ(refusal(kA, {0, 1}, {0, 1.6}, {1, 1, 1, 1}),
+            "distribution.vertical = 1.6: must be within the range of its photometry type");
+  EXPECT_EQ(refusal(kB, {0, 1.6}, {0, 1}, {1, 1, 1, 1}),
+            "distribution.horizontal = 1.6: must be within the range of its photometry type");
+  EXPECT_EQ(refusal(kB, {0, 1}, {-3, 3}, {1, 1, 1, 1}), "not refused");
+  EXPECT_EQ(refusal(kC, {0}, {0, 1}, {1}), "distribution.intensity = 1: must be as many as pairs of angles");
+  EXPECT_EQ(refusal(kC, {0}, {0, 1}, {1, -1}), "distribution.intensity = -1: must be in [0, 1e30]");
+  EXPECT_EQ(refusal(kC, {0}, {0, 1}, {1, nan}), "distribution.intensity = nan: must be in [0, 1e30]");
+  EXPECT_EQ(refusal(kC, {0}, {0, 1}, {0, 0}), "distribution.intensity = 0: must not be 0 everywhere");
+}
+
+TEST(IntensityDistributionCheck, RefusesAxesWithoutDirection) {
+  const auto lamp = sampled(PhotometryType::c, {0}, {0, 1}, [](double, double) { return 1.0; });
+  EXPECT_EQ(refusal_of([&] { asymmetry(lamp, {0, 0, 0}); }), "axis = 0: must be finite and not 0");
+  EXPECT_EQ(refusal_of([&] {
+              axial_profile(lamp, {0, std::numeric_limits<double>::infinity(), 0});
+            }),
+            "axis = inf: must be finite and not 0");
+}
+
+}  // namespace
+}  // namespace litfog::test

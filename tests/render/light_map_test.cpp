@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/light_map.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <numbers>
+
+#include "reference/random_light.h"
+#include "reference/ulp.h"
+
+namespace {
+
+using namespace litfog;
+using namespace litfog::demo;
+using glm::dvec3;
+using test::Random;
+using test::WorstError;
+
+constexpr int kSize = 32;
+constexpr double kHalfStep = 0.5 / 65535;
+constexpr Attenuation kLamp{1, 0, 19.0 / 10'000};  // extent 100 m at 0.05
+
+double stored(const MapTexels& texels, int i, int j = 0, int k = 0, int size = kSize) {
+  const auto at = (std::size_t(k) * std::size_t(size) + std::size_t(j)) * std::size_t(size) + std::size_t(i);
+  return texels[at] / 65535.0;
+}
+
+/// Hales's coordinate of a texel, as a vector from the light in extents.
+double place(int i, int size = kSize) { return (double(i) / (size - 1) - 0.5) / 0.5; }
+
+TEST(LightMap, VolumeHoldsTheAttenuationInsideTheExtentAndNothingBeyond) {
+  const MapTexels map = make_range_volume(range_profile(kLamp, 100), kSize);
+  ASSERT_EQ(map.size(), std::size_t(kSize) * kSize * kSize);
+  for (int k = 1; k < kSize - 1; ++k) {
+    for (int j = 1; j < kSize - 1; ++j) {
+      for (int i = 1; i < kSize - 1; ++i) {
+        const double range = 100 * glm::length(dvec3(place(i), place(j), place(k)));
+        ASSERT_NEAR(stored(map, i, j, k), range > 100 ? 0 : attenuation_at(kLamp, range), kHalfStep + 1e-6);
+      }
+    }
+  }
+}
+
+TEST(LightMap, VolumesBoundariesAreDark) {
+  for (const Attenuation& attenuation : {kLamp, Attenuation{2, 0, 0}}) {
+    const double reach = extent(attenuation, 0.05);
+    const MapTexels map = make_range_volume(range_profile(attenuation, reach), kSize);
+    for (int a = 0; a < kSize; ++a) {
+      for (int b = 0; b < kSize; ++b) {
+        for (const int side : {0, kSize - 1}) {
+          EXPECT_EQ(stored(map, side, a, b), 0);
+          EXPECT_EQ(stored(map, a, side, b), 0);
+          EXPECT_EQ(stored(map, a, b, side), 0);
+        }
+      }
+    }
+  }
+}
+
+TEST(LightMap, PairGivesTheDistanceInThePlaneAndThenTheAttenuation) {
+  const MapTexels distance = make_distance_map(kSize);
+  const MapTexels range = make_range_map(range_profile(kLamp, 100), kSize);
+  for (int j = 1; j < kSize - 1; ++j) {
+    for (int i = 1; i < kSize - 1; ++i) {
+      const double in_plane = std::hypot(place(i), place(j));
+      EXPECT_NEAR(stored(distance, i, j), std::min(0.5 + 0.5 * in_plane, 1.0), kHalfStep);
+      EXPECT_NEAR(stored(range, i, j), in_plane > 1 ? 0 : attenuation_at(kLamp, 100 * in_plane), kHalfStep + 1e-6);
+    }
+  }
+  for (int i = 0; i < kSize; ++i) EXPECT_EQ(stored(range, i, kSize - 1) + stored(range, kSize - 1, i), 0);
+}
+
+TEST(LightMap, SquaresAddUpToTheSquareOfTheDistance) {
+  const MapTexels plane = make_square_map(kSize);
+  const MapTexels line = make_square_ramp(kSize);
+  for (int j = 0; j < kSize; ++j) {
+    for (int i = 0; i < kSize; ++i) {
+      const double expected = std::min(1.0, place(i) * place(i) + place(j) * place(j));
+      EXPECT_NEAR(stored(plane, i, j), expected, kHalfStep);
+    }
+    EXPECT_NEAR(stored(line, j), place(j) * place(j), kHalfStep);
+  }
+}
+
+TEST(LightMap, LightsOfOneShapeShareTheirRangeProfile) {
+  for (const double reach : {3.0, 50.0, 447.2}) {
+    const Attenuation scaled{1, 0, 19 / (reach * reach)};
+    EXPECT_EQ(range_profile(scaled, extent(scaled, 0.05)), (RangeProfile{1, 0, 19})) << reach;
+  }
+  const Attenuation linear{1, 0.5, 0};
+  EXPECT_EQ(range_profile(linear, extent(linear, 0.05)), (RangeProfile{1, 19, 0}));
+  const Attenuation constant{2, 0, 0};
+  EXPECT_EQ(range_profile(constant, extent(constant, 0.05)), (RangeProfile{2, 0, 0}));
+}
+
+/// A texel of a face, by OpenGL's rule for cube maps, looked up at a direction; the nearest one.
+double nearest_texel(const MapTexels& cube, const dvec3& d, int size) {
+  const dvec3 a = glm::abs(d);
+  int face;
+  double s, t, m;
+  if (a.x >= a.y && a.x >= a.z) {
+    face = d.x > 0 ? 0 : 1, m = a.x, s = d.x > 0 ? -d.z : d.z, t = -d.y;
+  } else if (a.y >= a.z) {
+    face = d.y > 0 ? 2 : 3, m = a.y, s = d.x, t = d.y > 0 ? d.z : -d.z;
+  } else {
+    face = d.z > 0 ? 4 : 5, m = a.z, s = d.z > 0 ? d.x : -d.x, t = -d.y;
+  }
+  const auto index = [&](double u) { return std::min(int((u / m + 1) / 2 * size), size - 1); };
+  return stored(cube, index(s), index(t), face, size);
+}
+
+class ConeCube : public testing::TestWithParam<Cone> {};
+
+TEST_P(ConeCube, HoldsTheConeAboutItsAxisForEveryDirection) {
+  constexpr int kSide = 256;
+  const Cone cone = GetParam();
+  const double scale = cone_coordinate_scale(cone, kSide);
+  for (const CubeAxis axis : {CubeAxis::plus_x, CubeAxis::minus_z}) {
+    const MapTexels cube = make_cone_cube(cone, axis, kSide);
+    Random random(6);
+    double flux = 0;
+    for (int i = 0; i < 20'000; ++i) {
+      const double u = random.uniform(0, std::min(cutoff_angle(cone) * 1.2, std::numbers::pi));
+      const double around = random.uniform(0, 2 * std::numbers::pi);
+      const dvec3 along(std::cos(u), std::sin(u) * std::cos(around), std::sin(u) * std::sin(around));
+      const dvec3 drawn_in(along.x, scale * along.y, scale * along.z);
+      const double found =
+          nearest_texel(cube, axis == CubeAxis::plus_x ? drawn_in : dvec3(drawn_in.y, drawn_in.z, -drawn_in.x), kSide);
+      // Half a texel away in each direction; at the middle of a drawn-in face a texel is 2 tan(half angle) / 255.
+      const double texel =
+          cone_map_scale(cone) > 0.5 && cutoff_angle(cone) < 1.1 ? 2 * std::tan(cutoff_angle(cone)) / 255 : 2.0 / 256;
+      const double away = 0.75 * texel;
+      const double high = cone_at(cone, std::cos(std::max(u - away, 0.0)));
+      const double low = cone_at(cone, std::cos(std::min(u + away, std::numbers::pi)));
+      ASSERT_GE(found, low - 1e-4) << u;
+      ASSERT_LE(found, high + 1e-4) << u;
+      flux += found;
+    }
+    EXPECT_GT(flux, 0);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(LightMap, ConeCube,
+                         testing::Values(Cone::cosine(0.11, 1256), Cone::cosine(1.0, 0), Cone::cosine(1.396, 1),
+                                         Cone::cosine(std::numbers::pi / 2, 3), Cone::smoothstep(0.02, 0.38),
+                                         Cone::smoothstep(0.17, 1.92), Cone::smoothstep(1, std::numbers::pi)));
+
+TEST(LightMap, DrawnInConesSpanTheirFaceAndLeaveTheOthersDark) {
+  const Cone cone = Cone::cosine(0.3, 4);
+  EXPECT_NEAR(cone_map_scale(cone), std::tan(std::numbers::pi / 2 - 0.3), 1e-12);
+  const MapTexels cube = make_cone_cube(cone, CubeAxis::plus_x, kSize);
+  for (int face = 1; face < 6; ++face) {
+    for (int j = 0; j < kSize; ++j) {
+      for (int i = 0; i < kSize; ++i) EXPECT_EQ(stored(cube, i, j, face), 0);
+    }
+  }
+  EXPECT_GT(stored(cube, 1, kSize / 2), 0.8 * std::pow(std::cos(0.3), 4));  // next to the edge of the face and the cone
+  EXPECT_EQ(stored(cube, 0, kSize / 2), 0);                                 // at it
+}
+
+TEST(LightMap, OfAPointLightIsWhite) {
+  for (const std::uint16_t texel : make_cone_cube(Cone{}, CubeAxis::plus_x, 1)) EXPECT_EQ(texel, 65535);
+}
+
+/// What an ideal sampler reads between a volume's texels.
+double trilinear(const MapTexels& map, const dvec3& place_in_extents, int size) {
+  const dvec3 at = (0.5 + 0.5 * place_in_extents) * double(size - 1);
+  const glm::ivec3 low = glm::min(glm::ivec3(at), size - 2);
+  const dvec3 f = at - dvec3(low);
+  double sum = 0;
+  for (int c = 0; c < 8; ++c) {
+    const glm::ivec3 d(c & 1, c >> 1 & 1, c >> 2);
+    const double weight = (d.x ? f.x : 1 - f.x) * (d.y ? f.y : 1 - f.y) * (d.z ? f.z : 1 - f.z);
+    sum += weight * stored(map, low.x + d.x, low.y + d.y, low.z + d.z, size);
+  }
+  return sum;
+}
+
+// Linear interpolation errs by at most h^2 / 8 times the sum of the second derivatives along the axes, which of a
+// function of the distance is at most |a''| + 2 |a'| / r: 6 q at the light itself for a = 1 / (1 + q r^2), and less
+// elsewhere. Within a texel's diagonal of the extent, where the map steps to 0, it errs by at most the threshold more.
+TEST(LightMap, VolumesErrBetweenTheirTexelsByTheirSecondDerivative) {
+  constexpr double kQ = 19;
+  for (const int size : {16, 32, 64, 128}) {
+    const MapTexels map = make_range_volume(range_profile(kLamp, 100), size);
+    const double h = 2.0 / (size - 1);
+    const double bound = h * h / 8 * 6 * kQ + kHalfStep;
+    char name[64];
+    std::snprintf(name, sizeof name, "range map %d^3, shares of %.4f", size, bound);
+    WorstError inside("3-D lookup", name, bound, "absolute");
+    WorstError edge("3-D lookup", "at the extent", bound + 0.05, "absolute");
+    Random random(7);
+    for (int i = 0; i < 50'000; ++i) {
+      const dvec3 p(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+      const double r = glm::length(p);
+      const double exact = r > 1 ? 0 : 1 / (1 + kQ * r * r);
+      const double error = std::abs(trilinear(map, p, size) - exact);
+      const auto text = [&] { return std::to_string(r); };
+      const bool is_at_edge =
+          std::abs(r - 1) < std::sqrt(3.0) * h || glm::any(glm::greaterThan(glm::abs(p), dvec3(1 - h)));
+      (is_at_edge ? edge : inside).add(error, text);
+    }
+    inside.check();
+    edge.check();
+  }
+}
+
+}  // namespace

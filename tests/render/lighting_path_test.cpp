@@ -1,0 +1,440 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/lighting_path.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <numbers>
+
+#include "scene/cube_face.h"
+#include "gl/gl_test.h"
+#include "scene/material.h"
+#include "scene/model/primitive.h"
+#include "render/renderer.h"
+#include "scene/file/scene_file.h"
+#include "reference/ulp.h"
+
+namespace {
+
+using namespace litfog;
+using namespace litfog::demo;
+using glm::dvec3;
+
+constexpr int kWidth = 96;
+constexpr int kHeight = 64;
+constexpr double kWallZ = -5;
+
+TEST(LightingPath, ThereAreTenAndTheDefaultIsTheFirst) {
+  const std::vector<std::string_view> expected{"unified",    "lookup-3d", "lookup-2d", "radial",  "radial-plane",
+                                               "accumulate", "vertex",    "mixed",     "tangent", "legacy"};
+  std::vector<std::string_view> names;
+  for (const LightingPath& path : lighting_paths()) names.push_back(path.name);
+  EXPECT_EQ(names, expected);
+  EXPECT_EQ(RenderSettings{}.path->name, "unified");
+}
+
+TEST(LightingPath, IsFoundByItsNameAlone) {
+  EXPECT_EQ(find_lighting_path("radial-plane")->name, "radial-plane");
+  EXPECT_EQ(find_lighting_path("radial-"), nullptr);
+  EXPECT_EQ(find_lighting_path(""), nullptr);
+}
+
+// --- formula pixels: a wall of one colour that fills the picture ---
+
+/// A wall of so many cells across, facing +Z, of one colour.
+Scene wall(int cells) {
+  Scene scene;
+  scene.camera = {.position = {0, 0, 0}, .target = {0, 0, -1}, .field_of_view = 1.0f};
+  scene.environment.ambient_light = {0.1f, 0.12f, 0.14f};
+  scene.environment.ambient_fog_color = {0.02f, 0.03f, 0.04f};
+  scene.environment.moon_direction = glm::normalize(glm::vec3(0.3f, 0.4f, 0.8f));
+  scene.environment.moon_color = {0.05f, 0.06f, 0.09f};
+  std::vector<glm::vec3> points;
+  for (int j = 0; j <= cells; ++j) {
+    for (int i = 0; i <= cells; ++i)
+      points.emplace_back(12.0f * float(i) / float(cells) - 6, 8.0f * float(j) / float(cells) - 4, 0);
+  }
+  Mesh mesh = make_surface(points, cells + 1);
+  for (Vertex& vertex : mesh.vertices)
+    vertex.uv = glm::vec2(0.5f / 64);  // the first texel of 64 on a metre, everywhere
+  scene.models.push_back({{"sign_white", std::move(mesh)}});
+  scene.instances.push_back({0, glm::translate(glm::mat4(1), glm::vec3(0, 0, kWallZ))});
+  return scene;
+}
+
+PlacedLight lamp(const dvec3& position, const Attenuation& attenuation, const Cone& cone, bool carried) {
+  return {.light = {.name = "lamp", .color = {0.5, 0.4, 0.3}, .attenuation = attenuation, .cone = cone},
+          .position = position,
+          .direction = glm::normalize(dvec3(0.1, -0.05, -1)),
+          .carried = carried};
+}
+
+constexpr Attenuation kQuadratic{1, 0, 0.3};  // extent 8 m
+
+/// Six of one kind, so that four at a time are not all, a point light, and a local one, which is not seen itself
+/// because it shines away from the eye.
+std::vector<PlacedLight> lamps() {
+  std::vector<PlacedLight> lights;
+  for (int i = 0; i < 6; ++i) {
+    lights.push_back(
+        lamp({1.1 * i - 2.6, 0.7 * (i % 3) - 0.8, -0.6 - 0.3 * i}, kQuadratic, Cone::smoothstep(0.1, 0.7), true));
+  }
+  lights.push_back(lamp({-1, 0.6, -2}, {1, 0.1, 0.2}, Cone{}, true));
+  lights.push_back(lamp({1.2, -0.7, -1.5}, {1, 0, 0.5}, Cone::smoothstep(0.2, 1.3), false));
+  return lights;
+}
+
+Picture draw(const Scene& scene, const Fog& fog, const RenderSettings& settings) {
+  Renderer renderer(scene, kWidth, kHeight, settings);
+  renderer.set_fog(fog);
+  renderer.draw();
+  return renderer.read();
+}
+
+/// What the wall is made of. The colour is as drawn under a white ambient light alone: a driver may take an sRGB texel
+/// for a percent more or less than it is. Gloss is the material's texel; its normal map is flat.
+struct Finish {
+  explicit Finish(const Scene& scene) {
+    Scene bare = scene;
+    bare.lights.clear();
+    bare.environment = {.ambient_light = glm::vec3(1)};
+    const Picture picture = draw(bare, Fog{}, {});
+    albedo = dvec3(picture.rgb[0], picture.rgb[1], picture.rgb[2]);
+    const Part& part = scene.models[0][0];
+    const Material material = make_material(part.material);
+    gloss = material.albedo.rgba[3] / 255.0;
+    specular = material.specular;
+    shininess = double(material.shininess);
+  }
+  dvec3 albedo, specular;
+  double gloss, shininess;
+};
+
+/// What a path says that a point of the wall looks like, in double from the papers' formulas.
+dvec3 expected_color(const Scene& scene, const Finish& finish, const LightingPath& path, const Fog& fog,
+                     const dvec3& point, bool infinite_viewer) {
+  const Environment& environment = scene.environment;
+  const dvec3 normal(0, 0, 1);
+  const dvec3 to_eye = infinite_viewer ? dvec3(0, 0, 1) : glm::normalize(dvec3(scene.camera.position) - point);
+  const auto reflected = [&](const dvec3& to_light) {
+    const double diffuse = std::max(glm::dot(normal, to_light), 0.0);
+    if (path.surface != SurfaceModel::basic || diffuse <= 0) return finish.albedo * diffuse;
+    const double facing = std::max(glm::dot(normal, glm::normalize(to_light + to_eye)), 0.0);
+    return finish.albedo * diffuse + finish.specular * (finish.gloss * std::pow(facing, finish.shininess));
+  };
+  dvec3 surface = finish.albedo * dvec3(environment.ambient_light) +
+                  reflected(dvec3(environment.moon_direction)) * dvec3(environment.moon_color);
+  dvec3 fog_color = environment.ambient_fog_color;
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    const auto& [light, position, direction, carried] = scene.lights[i];
+    const double reach = extent(light.attenuation, light.threshold);
+    const double range = glm::distance(point, position);
+    const dvec3 to_light = (position - point) / range;
+    const auto cookie = scene.cookie_uses.find(i);
+    const double cone = cookie == scene.cookie_uses.end()
+                            ? cone_at(light.cone, glm::dot(direction, -to_light))
+                            : cookie_at(scene.cookies[cookie->second.cookie],
+                                        cookie_from_world(direction, cookie->second.roll) * -to_light);
+    if (carried && path.has_lit_fog) fog_color += light.color * (cone * solve_fog_intensity(light, fog).intensity);
+    if (range > reach) continue;
+    const double fall =
+        path.range == RangeLaw::radial ? 1 - range * range / (reach * reach) : attenuation_at(light.attenuation, range);
+    surface +=
+        light.color * (cone * fall) * (path.surface == SurfaceModel::unshaded ? finish.albedo : reflected(to_light));
+  }
+  const double through = fog_factor(fog, glm::length(point));
+  return through * surface + (1 - through) * fog_color;
+}
+
+dvec3 wall_point(const Scene& scene, int x, int y) {
+  const double half = std::tan(double(scene.camera.field_of_view) / 2);
+  return dvec3((2 * (x + 0.5) / kWidth - 1) * half * kWidth / kHeight, (1 - 2 * (y + 0.5) / kHeight) * half, -1) *
+         -kWallZ;
+}
+
+double largest_difference(const Picture& a, const Picture& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.rgb.size(); ++i)
+    largest = std::max(largest, std::abs(double(a.rgb[i]) - double(b.rgb[i])));
+  return largest;
+}
+
+/// Largest difference from the formula over all pixels.
+double worst_error(const Scene& scene, const Fog& fog, const RenderSettings& settings) {
+  const Finish finish(scene);
+  const Picture picture = draw(scene, fog, settings);
+  double worst = 0;
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      const dvec3 expected =
+          expected_color(scene, finish, *settings.path, fog, wall_point(scene, x, y), settings.has_infinite_viewer);
+      const float* at = &picture.rgb[std::size_t((y * kWidth + x) * 3)];
+      const dvec3 error = glm::abs(dvec3(at[0], at[1], at[2]) - expected);
+      worst = std::max({worst, error.x, error.y, error.z});
+    }
+  }
+  return worst;
+}
+
+class LightingPathPixels : public test::GlTest {
+ protected:
+  static RenderSettings settings(std::string_view path) { return {.path = find_lighting_path(path)}; }
+  static std::vector<Fog> clear_and_foggy() {
+    return {Fog{}, Fog::from_visibility(FogMode::exp, 20.0), Fog::from_visibility(FogMode::exp2, 12.0)};
+  }
+};
+
+// Half a step of the framebuffer's half floats below 4, which no pixel here exceeds; passes add up in floats before.
+constexpr double kHalfFloat = 0x1p-10;
+
+/// What a light's look-up may be wrong by, of its colour. Range: h^2 / 8 times the second derivatives of
+/// 1 / (1 + 19 r^2) or r^2, h = 2 / 127 (see light_map_test.cpp). Cone: likewise, h = 2 tan(half angle) / 127 and the
+/// second derivative of a smoothstep over the cone's edge, at most 6 / width^2, along both axes.
+double lookup_bound(const LightingPath& path, const Light& light) {
+  const double h = 2.0 / 127;
+  const double range = h * h / 8 * (path.range == RangeLaw::radial ? 6 : 6 * 19);
+  const Cone& cone = light.cone;
+  if (cone.profile == ConeProfile::none) return range;
+  const double texel = 2 * std::tan(std::min(cone.outer, std::numbers::pi / 4)) / 127;
+  const double width = cone.outer - cone.inner;
+  return range + texel * texel / 8 * 2 * 6 / (width * width);
+}
+
+TEST_F(LightingPathPixels, OfFragmentPathsAreTheBasicModel) {
+  Scene scene = wall(1);
+  scene.lights = lamps();
+  for (const char* path : {"unified", "tangent"}) {
+    test::WorstError error(path, "wall under eight lamps, clear and foggy", kHalfFloat, "absolute");
+    for (const Fog& fog : clear_and_foggy()) error.add(worst_error(scene, fog, settings(path)), [] { return ""; });
+    error.check();
+  }
+}
+
+/// Lamps of every profile, every other one carried.
+std::vector<PlacedLight> crowd(int count) {
+  std::vector<PlacedLight> lights;
+  for (int i = 0; i < count; ++i) {
+    const bool carried = i % 2 == 0;
+    const Cone cone = i % 3 == 0 ? Cone::smoothstep(0.2, 0.9) : i % 3 == 1 || !carried ? Cone::cosine(0.8, 4) : Cone{};
+    lights.push_back(
+        lamp({0.37 * (i % 11) - 1.8, 0.31 * (i % 7) - 0.9, -0.5 - 0.11 * (i % 13)}, kQuadratic, cone, carried));
+    lights.back().light.color *= 4.0 / count;
+  }
+  return lights;
+}
+
+// Lights are handed over to a shader up to 16, its fog's and its surface's; more are listed.
+TEST_F(LightingPathPixels, OfFewAndOfManyLightsAreTheBasicModel) {
+  for (const int count : {1, 2, 3, 4, 5, 8, 9, 15, 16, 17, 31, 32, 33, 34, 40}) {
+    Scene scene = wall(1);
+    scene.lights = crowd(count);
+    const std::string lights = "wall under " + std::to_string(count) + " lamps of every profile";
+    for (const char* path : {"unified", "tangent"}) {  // in one pass, in several
+      test::WorstError error(path, lights, kHalfFloat, "absolute");
+      for (const Fog& fog : clear_and_foggy()) error.add(worst_error(scene, fog, settings(path)), [] { return ""; });
+      error.check();
+    }
+  }
+}
+
+TEST_F(LightingPathPixels, OfLookupPathsAreThePapersModelToWithinTheirTexels) {
+  Scene scene = wall(1);
+  const double albedo = Finish(scene).albedo.r;
+  const std::vector<PlacedLight> few = lamps();
+  for (const std::size_t count : {std::size_t{1}, few.size(), 5 * few.size()}) {  // the last too many to hand over
+    scene.lights.clear();
+    for (std::size_t i = 0; i < count; ++i) {
+      scene.lights.push_back(few[i % few.size()]);
+      if (count > few.size()) scene.lights.back().light.color /= 5.0;
+    }
+    for (const LightingPath& path : lighting_paths()) {
+      if (path.evaluation != Evaluation::lookup) continue;
+      double bound = kHalfFloat;
+      for (const PlacedLight& light : scene.lights)
+        bound += albedo * light.light.color.r * lookup_bound(path, light.light);
+      test::WorstError error(std::string(path.name), "wall under " + std::to_string(count) + " lamps", bound,
+                             "absolute");
+      for (const Fog& fog : clear_and_foggy())
+        error.add(worst_error(scene, fog, settings(path.name)), [] { return ""; });
+      error.check();
+    }
+  }
+}
+
+// Attenuation without linear and quadratic parts never ends a light: one as far as floats go, and one that ends 10,000
+// km away, beside whose extent the way to a surface is nothing.
+TEST_F(LightingPathPixels, OfLightsWithoutAnEndInSightAreLitByEveryPath) {
+  for (const Attenuation& attenuation : {Attenuation{2, 0, 0}, Attenuation{1, 1.9e-6, 0}}) {
+    Scene scene = wall(256);
+    scene.lights = {lamp({0.4, -0.3, -2}, attenuation, Cone{}, true)};
+    const double reach = extent(attenuation, scene.lights[0].light.threshold);
+    for (const LightingPath& path : lighting_paths()) {
+      double bound = kHalfFloat;
+      if (path.evaluation == Evaluation::lookup && std::isfinite(reach)) {
+        // The wall lies between the texels around the light, half a texel off along each axis.
+        const double off = std::sqrt(3.0) / 127;  // of the extent
+        const double fall = path.range == RangeLaw::radial ? off * off : 1 - attenuation_at(attenuation, off * reach);
+        bound += Finish(scene).albedo.r * scene.lights[0].light.color.r * fall;
+      }
+      test::WorstError error(std::string(path.name), "wall under an endless lamp", bound, "absolute");
+      for (const Fog& fog : clear_and_foggy())
+        error.add(worst_error(scene, fog, settings(path.name)), [] { return ""; });
+      error.check();
+    }
+  }
+}
+
+// Linear interpolation errs by the square of the triangles' size.
+TEST_F(LightingPathPixels, OfVertexPathsConvergeInTheSecondOrderAsTheWallIsTessellated) {
+  for (const char* path : {"vertex", "mixed", "legacy"}) {
+    std::vector<double> errors;
+    for (const int cells : {16, 32, 64}) {
+      Scene scene = wall(cells);
+      scene.lights = {lamp({-0.4, 0.2, -2.5}, {1, 0.1, 0.2}, Cone{}, true)};
+      scene.lights[0].light.color *= 8.0;
+      errors.push_back(worst_error(scene, Fog{}, settings(path)));
+    }
+    const double order = std::log2(errors[0] / errors[2]) / 2;
+    std::printf("%-8s errors at 16, 32 and 64 cells %.4f %.4f %.4f, order %.2f\n", path, errors[0], errors[1],
+                errors[2], order);
+    EXPECT_GT(order, 1.7) << path;
+    EXPECT_LT(order, 2.3) << path;
+  }
+}
+
+// The Cg Tutorial's figure 5-16, at its worst: a spot between the wall's corners.
+TEST_F(LightingPathPixels, OfVertexPathsMissWhatFallsWithinATriangle) {
+  Scene scene = wall(1);
+  scene.environment = {};
+  scene.lights = {lamp({0, 0, -2}, kQuadratic, Cone::smoothstep(0.1, 0.4), true)};
+  for (const char* path : {"vertex", "legacy"}) {
+    EXPECT_TRUE(std::ranges::all_of(draw(scene, Fog{}, settings(path)).rgb, [](float value) { return value == 0; }));
+  }
+  EXPECT_GT(std::ranges::max(draw(scene, Fog{}, settings("lookup-3d")).rgb), 0.05f);
+}
+
+TEST_F(LightingPathPixels, OfLegacyFogHaveOneColor) {
+  Scene scene = wall(1);
+  scene.lights = lamps();
+  const Picture picture = draw(scene, Fog::from_visibility(FogMode::exp, 0.1), settings("legacy"));
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_NEAR(picture.rgb[std::size_t(c)], scene.environment.ambient_fog_color[c], kHalfFloat);
+  }
+}
+
+TEST_F(LightingPathPixels, OfEverySceneAreFiniteByEveryPath) {
+  for (const std::string& name : bundled_scenes()) {
+    const Scene scene = read_scene(bundled_scene_path(name));
+    for (const LightingPath& path : lighting_paths()) {
+      const Picture picture = draw(scene, Fog::from_visibility(FogMode::exp, scene.visibilities[0]), {.path = &path});
+      EXPECT_TRUE(std::ranges::all_of(picture.rgb, [](float value) { return std::isfinite(value) && value >= 0; }))
+          << name << ", " << path.name;
+      EXPECT_GT(std::ranges::max(picture.rgb), 0.1f) << name << ", " << path.name;
+    }
+  }
+}
+
+// Lights are added in another order, those that add nothing may come into a pass of their own, and half floats round
+// once more. In `tangent` a light's place beyond the edge of a triangle is extrapolated, to where it may be in reach.
+TEST_F(LightingPathPixels, AreTheSameWhateverIsSkipped) {
+  for (const char* name : {"room", "headlights"}) {
+    const Scene scene = read_scene(bundled_scene_path(name));
+    const Fog fog = Fog::from_visibility(FogMode::exp, scene.visibilities[0]);
+    for (const LightingPath& path : lighting_paths()) {
+      const Picture skipped = draw(scene, fog, {.path = &path});
+      const Picture whole = draw(scene, fog, {.skipping = Skipping::off, .path = &path});
+      const double bound = path.name == "tangent" ? 2.0 / 255 : 2 * kHalfFloat;
+      EXPECT_LE(largest_difference(skipped, whole), bound) << name << ", " << path.name;
+    }
+  }
+}
+
+/// Six faces of a size, brighter to their own sides than to the others, without steps.
+Cookie smooth_cookie(int size) {
+  Cookie cookie{.size = size, .texels = {}};
+  for (int face = 0; face < 6; ++face) {
+    for (int row = 0; row < size; ++row) {
+      for (int column = 0; column < size; ++column) {
+        const auto middle = [size](int i) { return (2.0 * i + 1) / size - 1; };
+        const dvec3 d = glm::normalize(cube_direction(face, middle(column), middle(row)));
+        cookie.texels.push_back(float(0.5 + 0.3 * std::sin(5 * d.x) + 0.2 * std::cos(4 * d.y + 1)));
+      }
+    }
+  }
+  return cookie;
+}
+
+// Two cookies of two sizes, turned, on lights that light the fog.
+TEST_F(LightingPathPixels, OfCookiesAreTheirTexelsByEveryPath) {
+  Scene scene = wall(64);
+  scene.lights = {lamp({-1.2, 0.3, -1}, kQuadratic, Cone{}, true), lamp({1, -0.4, -1.8}, kQuadratic, Cone{}, true),
+                  lamp({0.2, 0.9, -1.4}, kQuadratic, Cone::smoothstep(0.1, 0.7), true)};
+  scene.cookies = {smooth_cookie(64), smooth_cookie(128)};
+  scene.cookie_uses = {{0, {.cookie = 0, .roll = 0.4}}, {1, {.cookie = 1, .spin = -0.3}}};
+  turn_cookies(scene, 2);
+  EXPECT_EQ(scene.cookie_uses[1].roll, -0.6);
+  for (const LightingPath& path : lighting_paths()) {
+    for (const Fog& fog : clear_and_foggy()) {
+      EXPECT_LE(worst_error(scene, fog, settings(path.name)), 1.0 / 255) << path.name;
+    }
+  }
+}
+
+/// A ball in moonlight alone, twelve faces around.
+Scene moonlit_ball() {
+  Scene scene;
+  scene.camera = {.position = {0, 0, 3}, .target = {0, 0, 0}, .field_of_view = 0.6f};
+  scene.environment.moon_direction = glm::normalize(glm::vec3(1, 0.2f, 0.5f));
+  scene.environment.moon_color = glm::vec3(1);
+  Mesh mesh = make_sphere(0.8f, 12);
+  for (Vertex& vertex : mesh.vertices) vertex.uv = glm::vec2(0.5f / 64);
+  scene.models.push_back({{"sign_white", std::move(mesh)}});
+  scene.instances.push_back({0, glm::mat4(1)});
+  return scene;
+}
+
+/// How many shades a picture has.
+/// In steps of 1/4096, coarser than the rounding of a face's normal.
+std::size_t count_shades(const Picture& picture) {
+  std::vector<float> shades = picture.rgb;
+  for (float& shade : shades) shade = std::round(shade * 4096);
+  std::ranges::sort(shades);
+  return std::size_t(std::ranges::unique(shades).begin() - shades.begin());
+}
+
+TEST_F(LightingPathPixels, OfAFlatShadedFaceHaveOneShade) {
+  const RenderSettings smooth = settings("lookup-2d");
+  RenderSettings flat = smooth;
+  flat.is_flat_shaded = true;
+  // Three channels of the ball's faces in light and the few shades at their edges, where four samples are averaged.
+  EXPECT_LT(3 * count_shades(draw(moonlit_ball(), Fog{}, flat)), count_shades(draw(moonlit_ball(), Fog{}, smooth)));
+}
+
+// The lights of `accumulate` meet every sample of a surface once. (Where two triangles of one surface lie in one plane,
+// as in the room, its first pass shows the last of them and the others the first.)
+TEST_F(LightingPathPixels, OfTheThreeRadialPathsAgree) {
+  for (const char* name : {"headlights", "tessellation"}) {
+    const Scene scene = read_scene(bundled_scene_path(name));
+    const Fog fog = Fog::from_visibility(FogMode::exp, scene.visibilities[0]);
+    const Picture radial = draw(scene, fog, settings("radial"));
+    EXPECT_LE(largest_difference(radial, draw(scene, fog, settings("accumulate"))), 8 * kHalfFloat) << name;
+  }
+  // Elsewhere surfaces in one plane hide each other by the rounding of their depths, which is another after a geometry
+  // shader.
+  const Scene scene = read_scene(bundled_scene_path("tessellation"));
+  EXPECT_LE(largest_difference(draw(scene, Fog{}, settings("radial")), draw(scene, Fog{}, settings("radial-plane"))),
+            8 * kHalfFloat);
+}
+
+TEST_F(LightingPathPixels, OfAnInfiniteViewerHaveOneDirectionToTheEye) {
+  Scene scene = wall(1);
+  scene.lights = lamps();
+  RenderSettings infinite = settings("unified");
+  infinite.has_infinite_viewer = true;
+  EXPECT_LE(worst_error(scene, Fog{}, infinite), kHalfFloat);
+  EXPECT_GT(largest_difference(draw(scene, Fog{}, infinite), draw(scene, Fog{}, settings("unified"))), 0.01);
+}
+
+}  // namespace

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/picture.h"
+
+#include <OpenImageIO/imagebuf.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "command/exit_status.h"
+#include "reference/srgb.h"
+#include "command/temporary_directory.h"
+#include "command/whole_file.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using litfog::demo::Picture;
+using litfog::demo::write_picture;
+using litfog::test::srgb_from_linear;
+
+class PictureFile : public testing::Test {
+ protected:
+  std::string path(const std::string& name) const { return (directory_.path() / name).string(); }
+
+  std::vector<float> read(const std::string& name) const {
+    OIIO::ImageBuf image(path(name));
+    std::vector<float> values(std::size_t(image.spec().image_pixels()) * 3);
+    EXPECT_TRUE(image.get_pixels(image.roi(), OIIO::TypeDesc::FLOAT, values.data())) << image.geterror();
+    return values;
+  }
+
+  litfog::test::TemporaryDirectory directory_;
+};
+
+Picture gradient(int width, int height, double scale) {
+  Picture picture{width, height, {}};
+  for (int i = 0; i < width * height * 3; ++i) picture.rgb.push_back(float(scale * i / (width * height * 3)));
+  return picture;
+}
+
+TEST_F(PictureFile, PngHoldsSrgbWithinTheDither) {
+  const Picture picture = gradient(64, 48, 1);
+  write_picture(path("a.png"), picture);
+  const std::vector<float> values = read("a.png");
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    ASSERT_NEAR(values[i] * 255, srgb_from_linear(double(picture.rgb[i])) * 255, 1.01) << i;
+  }
+}
+
+TEST_F(PictureFile, PngIsDitheredAroundTheTrueValue) {
+  const double linear = 0.0105;
+  write_picture(path("a.png"), {128, 128, std::vector<float>(128 * 128 * 3, float(linear))});
+  std::set<float> levels;
+  double sum = 0;
+  const std::vector<float> values = read("a.png");
+  for (const float value : values) {
+    levels.insert(value);
+    sum += double(value);
+  }
+  EXPECT_GE(levels.size(), 2u);
+  EXPECT_NEAR(sum / double(values.size()) * 255, srgb_from_linear(linear) * 255, 0.05);
+}
+
+TEST_F(PictureFile, PngClampsWhatADisplayCannotShow) {
+  write_picture(path("a.png"), {1, 1, {-1.0f, 2.0f, 50.0f}});
+  const std::vector<float> values = read("a.png");
+  EXPECT_LE(values[0], 1.0f / 255);
+  EXPECT_GE(values[1], 254.0f / 255);
+  EXPECT_GE(values[2], 254.0f / 255);
+}
+
+TEST_F(PictureFile, ExrHoldsLinearLightBeyondOne) {
+  const Picture picture = gradient(32, 16, 20);
+  write_picture(path("a.exr"), picture);
+  const std::vector<float> values = read("a.exr");
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    ASSERT_NEAR(values[i], picture.rgb[i], picture.rgb[i] / 2048 + 1e-7f) << i;  // half a unit of half's 11 bits
+  }
+}
+
+TEST_F(PictureFile, AnEarlierFileStaysWholeWhenWritingFails) {
+  std::ofstream(path("a.txt")) << "earlier";
+  EXPECT_THROW(write_whole_file(path("a.txt"),
+                                [](const std::string& temporary) {
+                                  std::ofstream(temporary) << "half";
+                                  throw CannotWrite("disk full");
+                                }),
+               CannotWrite);
+  std::ifstream file(path("a.txt"));
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(file), {}), "earlier");
+  EXPECT_EQ(std::distance(fs::directory_iterator(directory_.path()), {}), 1) << "a temporary file was left behind";
+}
+
+TEST_F(PictureFile, ALinkStaysAndItsTargetIsWritten) {
+  fs::create_directory(path("there"));
+  for (const char* target : {"there/old.txt", "there/new.txt"}) {
+    if (std::string_view(target) == "there/old.txt") std::ofstream(path(target)) << "earlier";
+    const std::string link = path("link.txt");
+    fs::remove(link);
+    fs::create_symlink(target, link);
+    write_whole_file(link, "text");
+    EXPECT_TRUE(fs::is_symlink(link)) << target;
+    std::ifstream file(path(target));
+    EXPECT_EQ(std::string(std::istreambuf_iterator<char>(file), {}), "text") << target;
+  }
+}
+
+TEST_F(PictureFile, LinksInACircleAreRefused) {
+  fs::create_symlink("b.txt", path("a.txt"));
+  fs::create_symlink("a.txt", path("b.txt"));
+  EXPECT_THROW(write_whole_file(path("a.txt"), "text"), CannotWrite);
+  EXPECT_TRUE(fs::is_symlink(path("a.txt")));
+}
+
+TEST_F(PictureFile, UnwritablePathsAreRefused) {
+  const Picture picture = gradient(2, 2, 1);
+  EXPECT_THROW(write_picture(path("none/a.png"), picture), CannotWrite);
+  EXPECT_THROW(write_picture(path(""), picture), CannotWrite);
+  EXPECT_THROW(write_picture(path(std::string(300, 'a') + ".png"), picture), CannotWrite);
+  EXPECT_THROW(write_whole_file("/dev/full", "text"), CannotWrite);
+}
+
+}  // namespace

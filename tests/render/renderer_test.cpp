@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/renderer.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <limits>
+#include <numbers>
+
+#include "gl/gl_test.h"
+#include "litfog/gl/unsupported.h"
+#include "scene/model/model.h"
+#include "scene/file/scene_file.h"
+#include "render/gpu/texture.h"
+
+namespace {
+
+using namespace litfog;
+using namespace litfog::demo;
+
+constexpr int kWidth = 96;
+constexpr int kHeight = 64;
+constexpr double kPixelTolerance = 1.0 / 255;
+
+/// Nothing but sky over a carried spot light beside the eye.
+Scene open_air(const Cone& cone) {
+  Scene scene;
+  scene.camera = {.position = {0, 2, 0}, .target = {0, 2, -10}, .field_of_view = 1.0f};
+  scene.environment.ambient_fog_color = {0.02f, 0.03f, 0.04f};
+  scene.environment.sky_zenith = scene.environment.sky_horizon = {0.3f, 0.2f, 0.1f};
+  PlacedLight light;
+  light.light = {.name = "spot", .color = {0.9, 0.8, 0.7}, .attenuation = {1, 0, 0.01}, .cone = cone};
+  light.position = {0.5, 1.5, 0};
+  light.direction = glm::normalize(glm::dvec3(0.1, 0.05, -1));
+  light.carried = true;
+  scene.lights.push_back(light);
+  return scene;
+}
+
+Picture draw(const Scene& scene, const Fog& fog, const RenderSettings& settings = {}) {
+  Renderer renderer(scene, kWidth, kHeight, settings);
+  renderer.set_fog(fog);
+  renderer.draw();
+  return renderer.read();
+}
+
+glm::dvec3 pixel(const Picture& picture, int x, int y) {
+  const float* at = &picture.rgb[(std::size_t(y) * std::size_t(picture.width) + std::size_t(x)) * 3];
+  return {at[0], at[1], at[2]};
+}
+
+/// The direction in which a pixel's middle is seen.
+glm::dvec3 view_direction(const Camera& camera, double x, double y) {
+  const glm::dvec3 forward = glm::normalize(glm::dvec3(camera.target - camera.position));
+  const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0, 1, 0)));
+  const glm::dvec3 up = glm::cross(right, forward);
+  const double half = std::tan(double(camera.field_of_view) / 2);
+  return glm::normalize(forward + right * ((2 * x / kWidth - 1) * half * kWidth / kHeight) +
+                        up * ((1 - 2 * y / kHeight) * half));
+}
+
+double largest_difference(const Picture& a, const Picture& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.rgb.size(); ++i) {
+    const auto shown = [](float value) { return std::min(1.0, double(value)); };
+    largest = std::max(largest, std::abs(shown(a.rgb[i]) - shown(b.rgb[i])));
+  }
+  return largest;
+}
+
+class RendererTest : public test::GlTest {};
+
+// Far sky in fog shows the fog alone: ambient fog + colour * cone * intensity, in every pixel.
+TEST_F(RendererTest, TheBeamInTheFogFollowsTheConeInEveryPixel) {
+  for (const Cone& cone : {Cone::cosine(0.3, 20), Cone::smoothstep(0.1, 0.4), Cone{}}) {
+    const Scene scene = open_air(cone);
+    const PlacedLight& light = scene.lights[0];
+    for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
+      const Fog fog = Fog::from_visibility(mode, 60.0);
+      const Picture picture = draw(scene, fog);
+      const double intensity = solve_fog_intensity(light.light, fog).intensity;
+      for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+          // The four samples lie within the pixel; a cone that is cut off between its corners has an edge here.
+          double low = 1;
+          double high = 0;
+          for (const double dx : {0.0, 0.5, 1.0}) {
+            for (const double dy : {0.0, 0.5, 1.0}) {
+              const double value =
+                  cone_at(cone, glm::dot(view_direction(scene.camera, x + dx, y + dy), light.direction));
+              low = std::min(low, value);
+              high = std::max(high, value);
+            }
+          }
+          const glm::dvec3 ambient = scene.environment.ambient_fog_color;
+          const glm::dvec3 least = ambient + light.light.color * (low * intensity) - kPixelTolerance;
+          const glm::dvec3 most = ambient + light.light.color * (high * intensity) + kPixelTolerance;
+          const glm::dvec3 drawn = pixel(picture, x, y);
+          ASSERT_TRUE(glm::all(glm::lessThanEqual(least, drawn)) && glm::all(glm::lessThanEqual(drawn, most)))
+              << "pixel " << x << ", " << y << ": " << drawn.r << " not in [" << least.r << ", " << most.r << "]";
+        }
+      }
+    }
+  }
+}
+
+TEST_F(RendererTest, FogBrightensInTheBeamAndOnlyThereAsVisibilityFalls) {
+  const Scene scene = open_air(Cone::smoothstep(0.1, 0.4));
+  double before = 0;
+  for (const double visibility : {1000.0, 300.0, 100.0, 30.0, 10.0}) {
+    const Picture picture = draw(scene, Fog::from_visibility(FogMode::exp, visibility));
+    const double in_beam = pixel(picture, kWidth / 2 + 5, kHeight / 2 - 3).r;
+    EXPECT_GT(in_beam, before * 1.2) << visibility;
+    before = in_beam;
+    EXPECT_NEAR(pixel(picture, 2, 2).r, 0.02, kPixelTolerance) << visibility;  // outside the cone: ambient fog
+  }
+}
+
+TEST_F(RendererTest, ClearAirShowsNeitherFogNorBeam) {
+  Scene scene = open_air(Cone::smoothstep(0.1, 0.4));
+  const Picture clear = draw(scene, Fog{FogMode::exp, 0});
+  for (int y = 0; y < kHeight; ++y) EXPECT_NEAR(pixel(clear, kWidth / 2, y).r, 0.3, 1e-3);
+  scene.environment.ambient_fog_color = {1, 1, 1};
+  scene.lights.clear();
+  EXPECT_EQ(largest_difference(clear, draw(scene, Fog{FogMode::exp, 0})), 0);
+}
+
+TEST_F(RendererTest, OnlyCarriedLightsLightTheFog) {
+  Scene scene = open_air(Cone{});
+  scene.lights[0].carried = false;
+  scene.lights[0].position = {0, 2, 20};  // behind the eye: not seen as a point
+  const Picture picture = draw(scene, Fog::from_visibility(FogMode::exp, 30.0));
+  EXPECT_NEAR(pixel(picture, kWidth / 2, kHeight / 2).r, 0.02, kPixelTolerance);
+}
+
+TEST_F(RendererTest, TotalFogHidesTheScene) {
+  const Scene scene = read_scene(bundled_scene_path("room"));
+  const Picture picture = draw(scene, Fog{FogMode::exp, std::numeric_limits<double>::infinity()});
+  for (const float value : picture.rgb) ASSERT_TRUE(std::isfinite(value));
+  EXPECT_NEAR(pixel(picture, kWidth - 1, kHeight - 1).r, double(scene.environment.ambient_fog_color.r),
+              kPixelTolerance);
+}
+
+TEST_F(RendererTest, ALightPointIsSeenThroughTheFogAtTheDensityOfItsClass) {
+  const auto brightness = [](double density_scale) {
+    Scene scene = open_air(Cone{});
+    PlacedLight lamp = scene.lights[0];
+    lamp.carried = false;
+    lamp.position = {0, 2, -300};
+    lamp.light.density_scale = density_scale;
+    scene.lights = {lamp};
+    const Picture picture = draw(scene, Fog::from_visibility(FogMode::exp, 200.0));
+    double sum = 0;  // over what the fog alone shows
+    const double fog_alone = pixel(picture, 2, 2).r;
+    for (int y = 0; y < kHeight; ++y) {
+      for (int x = 0; x < kWidth; ++x) sum += pixel(picture, x, y).r - fog_alone;
+    }
+    return sum;
+  };
+  // Below full brightness a point's size is fixed, so sums compare as transmittances: e^(-d r) and e^(-0.4 d r).
+  const double depth = -std::log(0.05) * 300 / 200;
+  EXPECT_GT(brightness(1.0), 0);
+  EXPECT_NEAR(std::log(brightness(0.4) / brightness(1.0)), 0.6 * depth, 0.15 * depth);
+}
+
+TEST_F(RendererTest, SkippingChangesNoPixel) {
+  for (const std::string& name : bundled_scenes()) {
+    const Scene scene = read_scene(bundled_scene_path(name));
+    const Fog fog = Fog::from_visibility(FogMode::exp, scene.visibilities[0]);
+    const Picture skipped = draw(scene, fog, {.skipping = Skipping::on});
+    const Picture whole = draw(scene, fog, {.skipping = Skipping::off});
+    // Shaders of fewer lights may round otherwise: by a step of the framebuffer's half floats.
+    for (std::size_t i = 0; i < whole.rgb.size(); ++i) {
+      ASSERT_NEAR(skipped.rgb[i], whole.rgb[i], 0x1p-10f * whole.rgb[i] + 0x1p-24f) << name << ", value " << i;
+    }
+  }
+}
+
+TEST_F(RendererTest, SkippingLeavesOutMostOfTheApproach) {
+  const Scene scene = read_scene(bundled_scene_path("approach"));
+  Renderer renderer(scene, kWidth, kHeight, {});
+  const FrameCounts counts = renderer.draw();
+  EXPECT_GT(counts.chunks_skipped, 0u);
+  EXPECT_GT(counts.lights_skipped, 10 * counts.lights_listed);
+}
+
+/// Boxes in a row and lamps in a row beside it.
+Scene rows(int boxes, int lamps, const Attenuation& attenuation) {
+  Scene scene;
+  scene.camera = {.position = {0, 6, 0}, .target = {0, 0, -20}, .field_of_view = 1.0f};
+  scene.models.push_back(make_model("box", {}));
+  for (int i = 0; i < boxes; ++i) {
+    scene.instances.push_back({0, glm::translate(glm::mat4(1), glm::vec3(0, 0, -float(i)))});
+  }
+  PlacedLight lamp;
+  lamp.light = {.name = "lamp", .attenuation = attenuation, .cone = {}};
+  lamp.direction = {0, -1, 0};
+  for (int i = 0; i < lamps; ++i) {
+    lamp.position = {3, 2, -double(i) * boxes / lamps};
+    scene.lights.push_back(lamp);
+  }
+  return scene;
+}
+
+TEST_F(RendererTest, FiftyThousandBoxesUnderTwentyThousandLampsLoadInSeconds) {
+  const auto start = std::chrono::steady_clock::now();
+  const Scene scene = rows(50'000, 20'000, {1, 0, 19.0 / 16});
+  EXPECT_NO_THROW(Renderer(scene, 8, 8, {.skipping = Skipping::on}));
+  EXPECT_NO_THROW(Renderer(scene, 8, 8, {.skipping = Skipping::off}));
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
+}
+
+TEST_F(RendererTest, MoreListedLightsThanMemoryIsForAreRefused) {
+  const Scene scene = rows(50'000, 20'000, {1, 0, 0});  // each lamp reaches everything
+  EXPECT_THROW(Renderer(scene, 8, 8, {.skipping = Skipping::on}), gl::Unsupported);
+}
+
+TEST_F(RendererTest, MoreLightMapsThanMemoryIsForAreRefused) {
+  Scene scene = open_air(Cone{});
+  const PlacedLight lamp = scene.lights[0];
+  for (int i = 0; i < 64; ++i) {
+    scene.lights.push_back(lamp);
+    scene.lights.back().light.attenuation = {1, 0.01 * i, 0.1};
+  }
+  const RenderSettings large{.path = find_lighting_path("lookup-3d"), .map_size = 256};  // 32 MiB a lamp
+  EXPECT_THROW(Renderer(scene, 8, 8, large), gl::Unsupported);
+}
+
+TEST_F(RendererTest, ABufferTextureLargerThanTheContextAllowsIsRefused) {
+  const std::vector<std::int32_t> texels(BufferTexture::max_texels() + 1);
+  EXPECT_THROW(BufferTexture(texels.data(), texels.size() * sizeof(std::int32_t), BufferTexture::Texel::int1),
+               gl::Unsupported);
+}
+
+TEST_F(RendererTest, ALightThatIsDarkEverywhereShowsNoPoint) {
+  Scene scene = open_air(Cone{});
+  scene.lights[0].carried = false;
+  scene.lights[0].position = {0, 2, -10};
+  Scene dark = scene;
+  dark.lights[0].light.attenuation = {100, 0, 0};  // 1 % at the lamp: below the threshold
+  Scene none = scene;
+  none.lights.clear();
+  const Picture without = draw(none, Fog{});
+  EXPECT_GT(largest_difference(draw(scene, Fog{}), without), 0.1);
+  EXPECT_EQ(largest_difference(draw(dark, Fog{}), without), 0);
+}
+
+TEST_F(RendererTest, TheLargestFiguresOfASceneGiveFinitePixels) {
+  Scene scene = rows(3, 3, {1, 0, 0.01});
+  for (PlacedLight& light : scene.lights) {
+    light.light.color = glm::dvec3(1e4);
+    light.light.density_scale = 1e6;
+    light.light.cone = Cone::cosine(0.5, 1e300);
+  }
+  scene.lights[1].carried = true;
+  scene.lights[2].position = scene.camera.position;
+  for (const double visibility : {1e-300, 1e-3, 50.0, 1e300}) {
+    for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
+      const Picture picture = draw(scene, Fog::from_visibility(mode, visibility));
+      EXPECT_TRUE(std::ranges::all_of(picture.rgb, [](float value) { return std::isfinite(value); })) << visibility;
+    }
+  }
+}
+
+// A floor under a lamp, in clear air, against the Basic model's diffuse term for the floor's flat colour.
+TEST_F(RendererTest, SurfacesAreDarkBeyondTheExtentAndBrightBelowTheLamp) {
+  Scene scene;
+  scene.camera = {.position = {0, 6, 0.01f}, .target = {0, 0, -0.6f}, .field_of_view = 1.6f};
+  scene.models.push_back(make_model("box", {{"width_m", 40}, {"depth_m", 40}, {"height_m", 0.2}}));
+  scene.instances.push_back({0, glm::translate(glm::mat4(1), glm::vec3(0, -0.2f, 0))});
+  PlacedLight lamp;
+  lamp.light = {.name = "lamp", .attenuation = {1, 0, 19.0 / 9}, .cone = {}};  // extent 3 m
+  lamp.position = {0, 1, -0.6};
+  lamp.direction = {0, -1, 0};
+  lamp.carried = true;
+  scene.lights.push_back(lamp);
+  const Picture picture = draw(scene, Fog{});
+  const double below = pixel(picture, kWidth / 2, kHeight / 2).g;
+  EXPECT_GT(below, 0.02);
+  EXPECT_EQ(pixel(picture, 1, 1).g, 0);
+  EXPECT_EQ(pixel(picture, kWidth - 2, kHeight - 2).g, 0);
+}
+
+}  // namespace

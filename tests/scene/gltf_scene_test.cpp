@@ -1,0 +1,452 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/file/gltf_scene.h"
+
+#include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <random>
+
+#include "command/exit_status.h"
+#include "gl/gl_test.h"
+#include "litfog/attenuation.h"
+#include "measure/picture_error.h"
+#include "measure/reference_picture.h"
+#include "scene/file/scene_file.h"
+#include "command/temporary_directory.h"
+
+namespace {
+
+using namespace litfog;
+using namespace litfog::demo;
+using nlohmann::json;
+using std::numbers::pi;
+
+std::string base64(const std::string& bytes) {
+  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t group = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    }
+    for (std::size_t k = 0; k < 4; ++k) text += i + k <= bytes.size() ? kDigits[group >> (18 - 6 * k) & 63] : '=';
+  }
+  return text;
+}
+
+template <typename Number>
+std::string bytes_of(const std::vector<Number>& numbers) {
+  return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(Number)};
+}
+
+/// A floor of 20 m by 20 m at height 0, u to +x and v to +z, from (0, 0) to (1, 1): 4 vertices, 2 triangles.
+std::string floor_bytes() {
+  return bytes_of(std::vector<float>{-10, 0, -10, 10, 0, -10, 10, 0, 10, -10, 0, 10}) +
+         bytes_of(std::vector<float>{0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0}) +
+         bytes_of(std::vector<float>{0, 0, 1, 0, 1, 1, 0, 1}) + bytes_of(std::vector<std::uint16_t>{0, 2, 1, 0, 3, 2});
+}
+
+/// The floor under a camera that looks at it from 5 m, at a slant, and a point light of 40 cd 2 m above it.
+json floor_scene() {
+  return json::parse(R"({
+    "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1, 2]}],
+    "extensionsUsed": ["KHR_lights_punctual"],
+    "extensions": {"KHR_lights_punctual": {"lights": [
+      {"type": "point", "name": "lamp", "color": [1, 0.5, 0.25], "intensity": 40}]}},
+    "nodes": [
+      {"mesh": 0},
+      {"camera": 0, "translation": [0, 5, 5], "rotation": [-0.38268343, 0, 0, 0.92387953]},
+      {"translation": [0.5, 2, 0], "extensions": {"KHR_lights_punctual": {"light": 0}}}],
+    "cameras": [{"type": "perspective", "perspective": {"yfov": 0.9, "znear": 0.1}}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 1, "TEXCOORD_0": 2}, "indices": 3,
+                                "material": 0}]}],
+    "materials": [{"pbrMetallicRoughness": {"baseColorFactor": [1, 0, 1, 1], "metallicFactor": 0}}],
+    "accessors": [
+      {"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [-10, 0, -10], "max": [10, 0, 10]},
+      {"bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC3"},
+      {"bufferView": 2, "componentType": 5126, "count": 4, "type": "VEC2"},
+      {"bufferView": 3, "componentType": 5123, "count": 6, "type": "SCALAR"}],
+    "bufferViews": [
+      {"buffer": 0, "byteOffset": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 48},
+      {"buffer": 0, "byteOffset": 96, "byteLength": 32}, {"buffer": 0, "byteOffset": 128, "byteLength": 12}],
+    "buffers": [{"byteLength": 140}]})");
+}
+
+void append_word(std::string& bytes, std::size_t value) {
+  const auto word = std::uint32_t(value);
+  bytes.append(reinterpret_cast<const char*>(&word), sizeof(word));  // little-endian, as the machines here
+}
+
+std::string binary_file(const json& scene, std::string buffer) {
+  std::string text = scene.dump();
+  text.resize((text.size() + 3) / 4 * 4, ' ');
+  buffer.resize((buffer.size() + 3) / 4 * 4);
+  std::string bytes = "glTF";
+  append_word(bytes, 2);
+  append_word(bytes, 28 + text.size() + buffer.size());
+  append_word(bytes, text.size());
+  bytes += "JSON" + text;
+  append_word(bytes, buffer.size());
+  return bytes + std::string("BIN\0", 4) + buffer;
+}
+
+class GltfScene : public testing::Test {
+ protected:
+  std::string path(const std::string& name) const { return (directory_.path() / name).string(); }
+
+  std::string write(const std::string& name, const std::string& bytes) const {
+    std::ofstream(path(name), std::ios::binary) << bytes;
+    return path(name);
+  }
+  /// As text, with the buffer in it.
+  Scene read(json scene, const std::string& buffer = floor_bytes()) const {
+    if (scene.contains("buffers")) {
+      scene["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(buffer);
+    }
+    return read_scene(write("scene.gltf", scene.dump(1)));
+  }
+  /// The sentence without the file's name, line and column.
+  std::string refusal(const json& scene, const std::string& buffer = floor_bytes()) const {
+    try {
+      read(scene, buffer);
+    } catch (const BadInput& bad) {
+      const std::string sentence = bad.what();
+      return sentence.substr(sentence.find(": ") + 2);
+    }
+    return "not refused";
+  }
+
+ private:
+  test::TemporaryDirectory directory_;
+};
+
+/// A picture of a colour, as the bytes of a PNG file.
+std::string png(const std::string& path, const std::vector<std::uint8_t>& rgb, int width) {
+  const auto output = OIIO::ImageOutput::create(path);
+  OIIO::ImageSpec spec(width, int(rgb.size()) / 3 / width, 3, OIIO::TypeDesc::UINT8);
+  EXPECT_TRUE(output->open(path, spec) && output->write_image(OIIO::TypeDesc::UINT8, rgb.data()) && output->close());
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST_F(GltfScene, HasItsMeshesInTheirPlacesAndItsCamera) {
+  json file = floor_scene();
+  file["nodes"][0] = {{"translation", {1, 2, 3}}, {"scale", {1, 1, 0.5}}, {"children", {3}}};
+  file["nodes"].push_back({{"mesh", 0}, {"rotation", {0, 0.70710678, 0, 0.70710678}}});
+  const Scene scene = read(file);
+  ASSERT_EQ(scene.instances.size(), 1u);
+  const Bounds box = bounds(scene.models.at(0));
+  EXPECT_LT(glm::distance(box.low, glm::vec3(-9, 2, -2)), 1e-5f);
+  EXPECT_LT(glm::distance(box.high, glm::vec3(11, 2, 8)), 1e-5f);
+  EXPECT_EQ(triangle_count(scene.models[0]), 2u);
+  EXPECT_LT(glm::distance(scene.camera.position, glm::vec3(0, 5, 5)), 1e-6f);
+  const float slant = std::sqrt(0.5f);
+  EXPECT_LT(glm::distance(scene.camera.target - scene.camera.position, glm::vec3(0, -slant, -slant)), 1e-6f);
+  EXPECT_FLOAT_EQ(scene.camera.field_of_view, 0.9f);
+}
+
+TEST_F(GltfScene, ABinaryFileAndOneWithItsBufferBesideItAreTheSame) {
+  const Scene text = read(floor_scene());
+  const Scene binary = read_scene(write("binary.glb", binary_file(floor_scene(), floor_bytes())));
+  write("floor buffer.bin", floor_bytes());
+  json beside = floor_scene();
+  beside["buffers"][0]["uri"] = "floor%20buffer.bin";
+  const Scene external = read_scene(write("beside.gltf", beside.dump()));
+  for (const Scene* scene : {&binary, &external}) {
+    ASSERT_EQ(triangle_count(scene->models.at(0)), 2u);
+    const auto& vertices = text.models[0][0].mesh.vertices;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      EXPECT_EQ(scene->models[0][0].mesh.vertices[i].position, vertices[i].position);
+    }
+  }
+}
+
+// I / (pi r^2) of the display's white on a white surface, up to 16 times the white.
+TEST_F(GltfScene, APointLightFallsWithTheSquareOfRangeFromItsKnee) {
+  const Scene scene = read(floor_scene());
+  ASSERT_EQ(scene.lights.size(), 1u);
+  const Light& light = scene.lights[0].light;
+  EXPECT_EQ(light.name, "lamp");
+  for (const double range : {1.0, 3.0, 20.0, 70.0}) {
+    const glm::dvec3 arriving = light.color * attenuation_at(light.attenuation, range);
+    EXPECT_LT(glm::distance(arriving, glm::dvec3(1, 0.5, 0.25) * 40.0 / (pi * range * range)), 1e-12) << range;
+  }
+  EXPECT_NEAR(light.color.r * attenuation_at(light.attenuation, 0), 16, 1e-12);
+  EXPECT_NEAR(knee(light.attenuation), std::sqrt(40 / (16 * pi)), 1e-12);
+  const double reach = extent(light.attenuation, light.threshold);
+  EXPECT_NEAR(40 / (pi * reach * reach), 1.0 / 512, 1e-12);  // half of 1/256
+  EXPECT_FALSE(scene.lights[0].carried);
+}
+
+TEST_F(GltfScene, ALightEndsAtItsRange) {
+  json file = floor_scene();
+  json& light = file["extensions"]["KHR_lights_punctual"]["lights"][0];
+  for (const double range : {0.5, 7.0, 500.0}) {
+    light["range"] = range;
+    const Scene scene = read(file);
+    const Light& given = scene.lights.at(0).light;
+    EXPECT_NEAR(extent(given.attenuation, given.threshold), range, 1e-12 * range);
+    EXPECT_NEAR(given.color.r * attenuation_at(given.attenuation, range * 0.9), 40 / (pi * range * range * 0.81),
+                1e-9 / (range * range));
+  }
+}
+
+TEST_F(GltfScene, ASpotAtTheCameraIsCarriedAndLooksWithIt) {
+  json file = floor_scene();
+  json& lights = file["extensions"]["KHR_lights_punctual"]["lights"];
+  lights[0] = {{"type", "spot"}, {"intensity", 900}, {"spot", {{"innerConeAngle", 0.1}, {"outerConeAngle", 0.3}}}};
+  file["nodes"][1]["children"] = {2};
+  file["scenes"][0]["nodes"] = {0, 1};
+  const Scene scene = read(file);
+  const PlacedLight& light = scene.lights.at(0);
+  EXPECT_TRUE(light.carried);
+  EXPECT_EQ(light.light.cone, Cone::smoothstep(0.1, 0.3));
+  EXPECT_LT(glm::distance(light.direction, glm::dvec3(0, -std::sqrt(0.5), -std::sqrt(0.5))), 1e-7);
+  EXPECT_NEAR(glm::distance(light.position, glm::dvec3(0, 5, 5)), std::sqrt(0.25 + 4), 1e-6);
+}
+
+TEST_F(GltfScene, ADirectionalLightIsTheMoon) {
+  json file = floor_scene();
+  file["extensions"]["KHR_lights_punctual"]["lights"][0] = {{"type", "directional"}, {"intensity", 0.2}};
+  const Scene scene = read(file);
+  EXPECT_TRUE(scene.lights.empty());
+  EXPECT_NEAR(double(scene.environment.moon_color.r), 0.2 / pi, 1e-8);
+  EXPECT_LT(glm::distance(scene.environment.moon_direction, glm::vec3(0, 0, 1)), 1e-6f);
+}
+
+TEST_F(GltfScene, AFileWithoutLightsOrCameraIsStillSeen) {
+  json file = floor_scene();
+  file["scenes"][0]["nodes"] = {0};
+  const Scene scene = read(file);
+  EXPECT_GT(scene.environment.ambient_light.r, 0.5f);
+  EXPECT_GT(glm::distance(scene.camera.position, glm::vec3(0)), 14.2f);  // outside of the floor
+  EXPECT_EQ(scene.camera.target, glm::vec3(0));
+}
+
+TEST_F(GltfScene, MetallicRoughnessBecomesTheBasicModel) {
+  json file = floor_scene();
+  file["materials"][0] = {
+      {"pbrMetallicRoughness",
+       {{"baseColorFactor", {0.5, 0.25, 1, 1}}, {"metallicFactor", 0.25}, {"roughnessFactor", 0.5}}},
+      {"emissiveFactor", {0, 0.5, 0}}};
+  const Scene scene = read(file);
+  const Material& material = scene.materials.at(0);
+  const float shininess = 2 / 0.0625f - 2;  // alpha = 0.25
+  EXPECT_FLOAT_EQ(material.shininess, shininess);
+  EXPECT_FLOAT_EQ(material.specular.g, (0.75f * 0.04f + 0.25f * 0.25f) * (shininess + 8) / 8);
+  EXPECT_EQ(material.emissive, glm::vec3(0, 0.5f, 0));
+  const std::vector<std::uint8_t> srgb{165, 120, 225, 255};  // of 0.375, 0.1875, 0.75
+  EXPECT_EQ(material.albedo.rgba, srgb);
+}
+
+// 128 stands for 0 there; as rgb / 127.5 - 1, which pictures of normals are read by, it would tilt every surface.
+TEST_F(GltfScene, WithoutANormalMapSurfacesAreFlat) {
+  const std::vector<std::uint8_t> flat{128, 128, 255, 0};
+  EXPECT_EQ(read(floor_scene()).materials.at(0).normal.rgba, flat);
+}
+
+TEST_F(GltfScene, PicturesAreReadFromFilesAndFromBuffers) {
+  const std::vector<std::uint8_t> rgb{10, 20, 30, 40, 50, 60, 70, 80, 90, 100, 110, 120};
+  const std::string bytes = png(path("base.png"), rgb, 2);
+  json file = floor_scene();
+  file["materials"][0] = {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}, {"metallicFactor", 0}}}};
+  file["textures"] = {{{"source", 0}}};
+  file["images"] = {{{"uri", "base.png"}}};
+  const Scene external = read(file);
+  file["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", 140}, {"byteLength", bytes.size()}});
+  file["buffers"][0]["byteLength"] = 140 + bytes.size();
+  file["images"] = {{{"bufferView", 4}, {"mimeType", "image/png"}}};
+  const Scene embedded = read(file, floor_bytes() + bytes);
+  const std::vector<std::uint8_t> rgba{10, 20, 30, 255, 40, 50, 60, 255, 70, 80, 90, 255, 100, 110, 120, 255};
+  for (const Scene* scene : {&external, &embedded}) {
+    EXPECT_EQ(scene->materials.at(0).albedo.width, 2);
+    EXPECT_EQ(scene->materials[0].albedo.height, 2);
+    EXPECT_EQ(scene->materials[0].albedo.rgba, rgba);
+  }
+}
+
+// "+Y up" in the picture, whose v runs down: here to +z, so that up is -z.
+TEST_F(GltfScene, TheBitangentPointsUpInTheNormalMap) {
+  const Scene scene = read(floor_scene());
+  for (const Vertex& vertex : scene.models[0][0].mesh.vertices) {
+    const glm::vec3 bitangent = glm::cross(vertex.normal, glm::vec3(vertex.tangent)) * vertex.tangent.w;
+    EXPECT_LT(glm::distance(glm::vec3(vertex.tangent), glm::vec3(1, 0, 0)), 1e-6f);
+    EXPECT_LT(glm::distance(bitangent, glm::vec3(0, 0, -1)), 1e-6f);
+  }
+}
+
+TEST_F(GltfScene, WithoutNormalsEachTriangleIsFlat) {
+  json file = floor_scene();
+  file["meshes"][0]["primitives"][0]["attributes"].erase("NORMAL");
+  const Scene scene = read(file);
+  ASSERT_EQ(scene.models[0][0].mesh.vertices.size(), 6u);
+  for (const Vertex& vertex : scene.models[0][0].mesh.vertices) EXPECT_EQ(vertex.normal, glm::vec3(0, 1, 0));
+}
+
+TEST_F(GltfScene, RefusalsNamePlaceValueAndRule) {
+  const auto with = [](const std::string& pointer, const json& value) {
+    json file = floor_scene();
+    file[json::json_pointer(pointer)] = value;
+    return file;
+  };
+  EXPECT_EQ(refusal(with("/nodes/0/mesh", 7)), "nodes[0].mesh = 7: must be in [0, 0]");
+  EXPECT_EQ(refusal(with("/scene", 3)), "scene = 3: must be in [0, 0]");
+  EXPECT_EQ(refusal(with("/accessors/0/count", 5)), "accessors[0].count = 5: must be > 0 and within its buffer view");
+  EXPECT_EQ(refusal(with("/accessors/0/type", "VEC2")),
+            "accessors[0].type = \"VEC2\": must be that of what it is used for");
+  EXPECT_EQ(refusal(with("/bufferViews/0/byteLength", 1000)),
+            "bufferViews[0].byteLength = 1000: must end within its buffer");
+  EXPECT_EQ(refusal(with("/bufferViews/0/buffer", 2)), "bufferViews[0].buffer = 2: must be in [0, 0]");
+  EXPECT_EQ(refusal(with("/meshes/0/primitives/0/mode", 1)),
+            "meshes[0].primitives[0].mode = 1: must be 4: this program draws triangles");
+  EXPECT_EQ(refusal(with("/extensionsRequired", {"KHR_draco_mesh_compression"})),
+            "extensionsRequired[0] = \"KHR_draco_mesh_compression\": must be KHR_lights_punctual, the only one that "
+            "this program knows");
+  EXPECT_EQ(refusal(with("/nodes/0/children", {0})), "nodes[0] = an object: must be one node's child only");
+  EXPECT_EQ(refusal(with("/nodes/2/extensions/KHR_lights_punctual/light", 1)),
+            "nodes[2].extensions.KHR_lights_punctual.light = 1: must be in [0, 0]");
+  EXPECT_EQ(refusal(with("/extensions/KHR_lights_punctual/lights/0/intensity", -1)),
+            "extensions.KHR_lights_punctual.lights[0].intensity = -1: must be >= 0");
+  EXPECT_EQ(refusal(with("/extensions/KHR_lights_punctual/lights/0/range", -2)),
+            "extensions.KHR_lights_punctual.lights[0].range = -2: must be > 0 and at most 1e7");
+  EXPECT_EQ(refusal(with("/materials/0/pbrMetallicRoughness/metallicFactor", 2)),
+            "materials[0].pbrMetallicRoughness.metallicFactor = 2: must be in [0, 1]");
+  EXPECT_EQ(refusal(with("/nodes/0/translation", {1e9, 0, 0})),
+            "nodes[0] = an object: must lie within 10000000 metres");
+  EXPECT_EQ(refusal(with("/nodes/0/mesh", "floor")), "nodes[0].mesh = \"floor\": must be a number");  // GltfMembers
+  std::string bad_index = floor_bytes();
+  bad_index[128] = 4;
+  EXPECT_EQ(refusal(floor_scene(), bad_index), "meshes[0].primitives[0].indices = 3: must be those of given vertices");
+  json with_tangents = floor_scene();
+  with_tangents["meshes"][0]["primitives"][0]["attributes"]["TANGENT"] = 4;
+  with_tangents["accessors"].push_back({{"bufferView", 4}, {"componentType", 5126}, {"count", 4}, {"type", "VEC4"}});
+  with_tangents["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", 140}, {"byteLength", 64}});
+  with_tangents["buffers"][0]["byteLength"] = 204;
+  const std::vector<float> no_numbers(16, std::numeric_limits<float>::quiet_NaN());
+  EXPECT_EQ(refusal(with_tangents, floor_bytes() + std::string(reinterpret_cast<const char*>(no_numbers.data()), 64)),
+            "meshes[0].primitives[0].attributes = an object: must be finite and at most 10000000");
+  const float infinity = std::numeric_limits<float>::infinity();
+  for (const std::size_t at : {0, 48, 96}) {  // in a position, a normal and a texture coordinate
+    std::string infinite = floor_bytes();
+    std::memcpy(infinite.data() + at, &infinity, sizeof(infinity));
+    EXPECT_EQ(refusal(floor_scene(), infinite),
+              "meshes[0].primitives[0].attributes = an object: must be finite and at most 10000000");
+  }
+}
+
+TEST_F(GltfScene, RefusesPicturesThatCannotBeRead) {
+  json file = floor_scene();
+  file["materials"][0] = {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}};
+  file["textures"] = {{{"source", 0}}};
+  file["images"] = {{{"uri", "none.png"}}};
+  EXPECT_EQ(refusal(file), "images[0] = an object: must be a picture that can be read");
+  write("text.png", "no picture");
+  file["images"] = {{{"uri", "text.png"}}};
+  EXPECT_EQ(refusal(file), "images[0] = an object: must be a PNG or JPEG picture");
+  const std::string whole = png(path("whole.png"), std::vector<std::uint8_t>(3 * 64 * 64, 77), 64);
+  write("half.png", whole.substr(0, whole.size() / 2));
+  file["images"] = {{{"uri", "half.png"}}};
+  EXPECT_EQ(refusal(file).find("images[0] = an object: must be a sound picture: "), 0u) << refusal(file);
+}
+
+TEST_F(GltfScene, RefusesFilesThatAreNone) {
+  EXPECT_THROW(read_scene(path("none.gltf")), BadInput);
+  EXPECT_THROW(read_scene(write("empty.gltf", "")), BadInput);
+  EXPECT_THROW(read_scene(write("empty.glb", "")), BadInput);
+  EXPECT_THROW(read_scene(write("text.glb", "glTF but not binary, and longer than its headers")), BadInput);
+  std::string old = binary_file(floor_scene(), floor_bytes());
+  old[4] = 1;
+  EXPECT_THROW(read_scene(write("old.glb", old)), BadInput);
+  EXPECT_THROW(read_scene(write("old.gltf", R"({"nodes": []})")), BadInput);
+  try {
+    read_scene(write("comma.gltf", "{\"asset\": {\"version\": \"2.0\"},\n  }"));
+    FAIL();
+  } catch (const BadInput& bad) {
+    EXPECT_NE(std::string(bad.what()).find("comma.gltf:2:3: "), std::string::npos) << bad.what();
+  }
+}
+
+// Whatever a byte is changed to, and wherever the file ends: it is read, or refused with a sentence.
+TEST_F(GltfScene, NoDamageCrashesTheReader) {
+  json file = floor_scene();
+  const std::string picture = png(path("base.png"), std::vector<std::uint8_t>(12, 99), 2);
+  file["materials"][0] = {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}};
+  file["textures"] = {{{"source", 0}}};
+  file["images"] = {{{"bufferView", 4}, {"mimeType", "image/png"}}};
+  file["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", 140}, {"byteLength", picture.size()}});
+  file["buffers"][0]["byteLength"] = 140 + picture.size();
+  const std::string whole = binary_file(file, floor_bytes() + picture);
+  std::mt19937 random(1);
+  int refused = 0;
+  constexpr int kTrials = 3000;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    std::string damaged = whole;
+    for (unsigned i = 0; i <= random() % 3; ++i) {
+      const std::size_t at = random() % damaged.size();
+      damaged[at] = random() % 2 == 0 ? char(random()) : "0123456789-.,[]{}\""[random() % 18];
+    }
+    if (trial % 10 == 0) damaged.resize(random() % damaged.size());
+    try {
+      read_scene(write("damaged.glb", damaged));
+    } catch (const BadInput&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, kTrials / 4);
+  EXPECT_LT(refused, kTrials);
+}
+
+class GltfPicture : public test::GlTest {};
+
+// In 8 bits of sRGB these would be the same colour, some percent off.
+TEST_F(GltfPicture, ADarkColorIsNotRounded) {
+  const test::TemporaryDirectory directory;
+  const std::string path = (directory.path() / "floor.glb").string();
+  json file = floor_scene();
+  file["materials"][0] = {
+      {"pbrMetallicRoughness", {{"baseColorFactor", {0.0041, 0.004, 0.0039, 1}}, {"metallicFactor", 0}}}};
+  std::ofstream(path, std::ios::binary) << binary_file(file, floor_bytes());
+  Scene scene = read_scene(path);
+  scene.lights.clear();
+  scene.environment.ambient_light = glm::vec3(100);
+  Renderer renderer(scene, 80, 80, {});
+  renderer.draw(LightPoints::off);
+  const Picture picture = renderer.read();
+  const float* const middle = &picture.rgb[std::size_t(3 * (40 * 80 + 40))];
+  for (int channel = 0; channel < 3; ++channel) EXPECT_NEAR(middle[channel], 0.41f - 0.01f * float(channel), 1e-3f);
+}
+
+// Lit as the lamp's candela say: the Basic model written out, and the reference in every pixel.
+TEST_F(GltfPicture, TheFloorIsAsBrightAsItsLightSays) {
+  const test::TemporaryDirectory directory;
+  const std::string path = (directory.path() / "floor.glb").string();
+  std::ofstream(path, std::ios::binary) << binary_file(floor_scene(), floor_bytes());
+  const Scene scene = read_scene(path);
+  Renderer renderer(scene, 80, 80, {});
+  renderer.draw(LightPoints::off);
+  const Picture picture = renderer.read();
+  EXPECT_LE(picture_error(picture, shade_reference(scene, Fog{}, renderer)).largest, 0.25);
+  // The middle of the picture looks at the origin; the pixel below and right of it half a pixel on.
+  const glm::dvec3 eye = scene.camera.position;
+  const double pixel = 2 * std::tan(0.45) / 80;
+  const glm::dvec3 forward = glm::normalize(-eye);
+  const glm::dvec3 right(1, 0, 0);
+  const glm::dvec3 view = forward + (right - glm::cross(right, forward)) * (pixel / 2);
+  const glm::dvec3 position = eye - view * (eye.y / view.y);
+  const glm::dvec3 to_light = glm::dvec3(0.5, 2, 0) - position;
+  const double range = glm::length(to_light);
+  const double facing = to_light.y / range;
+  const double highlight = glm::normalize(to_light / range + glm::normalize(eye - position)).y;
+  const double specular = 0.04 * 9 / 8 * highlight;  // roughness 1: shininess 1
+  const double red = double(scene.environment.ambient_light.r) + 40 / (pi * range * range) * (facing + specular);
+  EXPECT_NEAR(double(picture.rgb[std::size_t(3 * (40 * 80 + 40))]), red, 2e-3 * red);
+}
+
+}  // namespace

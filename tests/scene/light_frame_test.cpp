@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/light_frame.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "reference/random_light.h"
+
+namespace {
+
+using namespace litfog;
+using namespace litfog::demo;
+using glm::dvec3;
+
+constexpr double kRounding = 1e-14;
+
+void expect_near(const dvec3& a, const dvec3& b, double tolerance = kRounding) {
+  EXPECT_NEAR(a.x, b.x, tolerance);
+  EXPECT_NEAR(a.y, b.y, tolerance);
+  EXPECT_NEAR(a.z, b.z, tolerance);
+}
+
+void expect_rotation(const glm::dmat3& rotation) {
+  const glm::dmat3 product = rotation * glm::transpose(rotation);
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(product[i][k], i == k ? 1 : 0, kRounding);
+  }
+  EXPECT_NEAR(glm::determinant(rotation), 1, kRounding);
+}
+
+dvec3 random_direction(test::Random& random) {
+  return glm::normalize(dvec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)));
+}
+
+constexpr double kQuarter = std::numbers::pi / 2;
+
+TEST(LightFrame, OfAViewpointThatLooksNorthHasXAheadYLeftZUp) {
+  const glm::dmat3 rotation = light_from_world({0, 0}, {});
+  expect_near(rotation * dvec3(0, 0, -1), {1, 0, 0});
+  expect_near(rotation * dvec3(-1, 0, 0), {0, 1, 0});
+  expect_near(rotation * dvec3(0, 1, 0), {0, 0, 1});
+}
+
+TEST(LightFrame, TurnsRightWithHeadingAndAzimuthUpWithPitchAndElevation) {
+  expect_near(light_from_world({0, 0}, {.heading = kQuarter}) * dvec3(1, 0, 0), {1, 0, 0});
+  expect_near(light_from_world({kQuarter, 0}, {}) * dvec3(1, 0, 0), {1, 0, 0});
+  expect_near(light_from_world({0, 0}, {.pitch = kQuarter}) * dvec3(0, 1, 0), {1, 0, 0});
+  expect_near(light_from_world({0, kQuarter}, {}) * dvec3(0, 1, 0), {1, 0, 0});
+}
+
+TEST(LightFrame, RollsToTheRightAboutTheDirectionOfView) {
+  const glm::dmat3 rotation = light_from_world({0, 0}, {.roll = kQuarter});
+  expect_near(rotation * dvec3(0, 0, -1), {1, 0, 0});
+  expect_near(rotation * dvec3(1, 0, 0), {0, 0, 1});  // the right side's direction is up for who lies on the left
+}
+
+TEST(LightFrame, OfABearingHasTheSeenDirectionAhead) {
+  test::Random random(4);
+  for (int i = 0; i < 1000; ++i) {
+    const Attitude viewpoint{random.uniform(-3, 3), random.uniform(-1.5, 1.5), random.uniform(-3, 3)};
+    const dvec3 direction = random_direction(random);
+    const glm::dmat3 rotation = light_from_world(bearing_of(direction, viewpoint), viewpoint);
+    expect_rotation(rotation);
+    expect_near(rotation * direction, {1, 0, 0}, 1e-7);  // acos near 1: an asin at a pole loses half the digits
+  }
+}
+
+TEST(LightFrame, OfACameraLooksAtItsTarget) {
+  const Camera camera{.position = {1, 2, 3}, .target = {4, 1, -2}};
+  expect_near(light_from_world({0, 0}, attitude_of(camera)) * glm::normalize(dvec3(3, -1, -5)), {1, 0, 0});
+}
+
+TEST(LightFrame, BasisHasTheDirectionAtMinusZAndStandsUpright) {
+  test::Random random(5);
+  for (int i = 0; i < 1000; ++i) {
+    const dvec3 direction = random_direction(random);
+    const glm::dmat3 basis = basis_from_world(direction);
+    expect_rotation(basis);
+    expect_near(basis * direction, {0, 0, -1});
+    if (std::abs(direction.y) < 0.99) {
+      EXPECT_GT((basis * dvec3(0, 1, 0)).y, 0);
+    }
+  }
+  for (const double up : {1.0, -1.0}) {
+    expect_rotation(basis_from_world({0, up, 0}));
+    expect_near(basis_from_world({0, up, 0}) * dvec3(0, up, 0), {0, 0, -1});
+  }
+}
+
+}  // namespace

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/file/scene_file.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "command/exit_status.h"
+#include "litfog/fog_light_block.h"
+#include "command/temporary_directory.h"
+
+namespace {
+
+using litfog::PlacedLight;
+using litfog::demo::bundled_scene_path;
+using litfog::demo::bundled_scenes;
+using litfog::demo::read_scene;
+using litfog::demo::Scene;
+
+class SceneFile : public testing::Test {
+ protected:
+  /// A scene of which some members are given; the rest is the least that a scene needs.
+  Scene read(const std::string& members) const {
+    std::ofstream(path()) << "{\"litfog\": \"scene\", \"version\": 1,\n"
+                             " \"camera\": {\"position\": [0, 1, 5], \"target\": [0, 1, 0]},\n"
+                          << members << "}";
+    return read_scene(path());
+  }
+  /// The sentence without the file's name.
+  std::string refusal(const std::string& members) const {
+    try {
+      read(members);
+    } catch (const BadInput& bad) {
+      const std::string sentence = bad.what();
+      return sentence.starts_with(path()) ? sentence.substr(path().size()) : sentence;
+    }
+    return "not refused";
+  }
+  std::string path() const { return (directory_.path() / "scene.json").string(); }
+
+  litfog::test::TemporaryDirectory directory_;
+};
+
+constexpr const char* kLamp = R"("attenuation": {"constant": 1, "quadratic": 0.1})";
+
+TEST_F(SceneFile, BundledScenesAreThere) {
+  const auto names = bundled_scenes();
+  for (const char* name : {"approach", "cookies", "headlights", "room", "tessellation"}) {
+    EXPECT_NE(std::ranges::find(names, name), names.end()) << name;
+  }
+}
+
+TEST_F(SceneFile, EveryBundledSceneLoadsWithGeometryLightsAndThreeVisibilities) {
+  for (const std::string& name : bundled_scenes()) {
+    const Scene scene = read_scene(bundled_scene_path(name));
+    EXPECT_EQ(scene.name, name);
+    EXPECT_FALSE(scene.description.empty()) << name;
+    EXPECT_GE(scene.lights.size(), 2u) << name;
+    EXPECT_GE(scene.visibilities.size(), 3u) << name;
+    if (name != "tessellation") {  // whose lamps are to light what stands before them, and no fog
+      EXPECT_TRUE(std::ranges::any_of(scene.lights, &PlacedLight::carried)) << name;
+    }
+    EXPECT_FALSE(scene.instances.empty()) << name;
+  }
+}
+
+TEST_F(SceneFile, TheApproachHasOverAThousandLightsAtTheirRealSpacings) {
+  const Scene scene = read_scene(bundled_scene_path("approach"));
+  EXPECT_GT(scene.lights.size(), 1000u);
+  std::vector<double> edges;  // along the right-hand edge of the runway
+  for (const PlacedLight& light : scene.lights) {
+    if (light.light.name.starts_with("runway edge") && light.position.x > 0) edges.push_back(light.position.z);
+  }
+  std::ranges::sort(edges);
+  ASSERT_GT(edges.size(), 20u);
+  for (std::size_t i = 1; i < edges.size(); ++i) EXPECT_NEAR(edges[i] - edges[i - 1], 60, 1e-9);
+}
+
+TEST_F(SceneFile, ACookieTakesTheConesPlaceAndIsReadOnceForAllItsLights) {
+  const std::string light = std::string("{\"light\": {") + kLamp +
+                            R"(, "cone": {"profile": "smoothstep", "inner_deg": 5, "outer_deg": 20}}, "position": )";
+  Scene scene = read("\"lights\": [" + light + "[0, 0, 0]}, " + light +
+                     R"([1, 0, 0], "cookie": {"pattern": "disco", "roll_deg": 90, "spin_deg_per_s": -180},
+                        "repeat": [{"count": 2, "step": [0, 0, 1]}]}, )" +
+                     light + R"([2, 0, 0], "cookie": {"pattern": "disco"}}, )" + light +
+                     R"([3, 0, 0], "cookie": {"pattern": "beacon"}}], "objects": [])");
+  ASSERT_EQ(scene.lights.size(), 5u);
+  EXPECT_EQ(scene.lights[0].light.cone.profile, litfog::ConeProfile::smoothstep);
+  EXPECT_EQ(scene.cookies.size(), 2u);
+  EXPECT_FALSE(scene.cookie_uses.contains(0));
+  for (const std::size_t i : {1u, 2u, 3u, 4u}) {
+    EXPECT_EQ(scene.lights[i].light.cone.profile, litfog::ConeProfile::none) << i;
+    EXPECT_EQ(scene.cookie_uses.at(i).cookie, i == 4 ? 1u : 0u) << i;
+  }
+  litfog::demo::turn_cookies(scene, 0.75);
+  EXPECT_DOUBLE_EQ(scene.cookie_uses.at(2).roll, glm::radians(90 - 0.75 * 180));
+  EXPECT_EQ(scene.cookie_uses.at(3).roll, 0);
+}
+
+TEST_F(SceneFile, ACookieThatIsNoneIsRefused) {
+  const auto refused = [&](const std::string& cookie) {
+    return refusal(std::string("\"objects\": [], \"lights\": [{\"light\": {") + kLamp +
+                   "}, \"position\": [0, 0, 0],\n\"cookie\": " + cookie + "}]");
+  };
+  EXPECT_EQ(refused(R"({"pattern": "stars"})"), ":4:23: lights[0].cookie.pattern = \"stars\": must be disco or beacon");
+  EXPECT_EQ(refused(R"({"pattern": "disco", "image": "a.exr"})"),
+            ":4:23: lights[0].cookie.pattern = \"disco\": must not stand beside image");
+  EXPECT_NE(refused(R"({"pattern": "disco", "spin": 3})").find("\"spin\": must be one of image, pattern, roll_deg"),
+            std::string::npos);
+  EXPECT_NE(refused(R"({"image": "none.exr"})").find("lights[0].cookie.image = \"none.exr\": must be a cookie: "),
+            std::string::npos);
+  EXPECT_NE(refused(R"({"roll_deg": 3})").find("image"), std::string::npos);
+}
+
+TEST_F(SceneFile, RepeatMakesACopyOfEachCopyAtEachStep) {
+  const Scene scene = read(std::string("\"lights\": [{\"light\": {") + kLamp +
+                           "}, \"position\": [1, 2, 3], \"repeat\": [{\"count\": 3, \"step\": [10, 0, 0]},"
+                           " {\"count\": 2, \"step\": [0, 0, 5]}]}], \"objects\": []");
+  ASSERT_EQ(scene.lights.size(), 6u);
+  EXPECT_EQ(scene.lights[0].position, glm::dvec3(1, 2, 3));
+  EXPECT_EQ(scene.lights[2].position, glm::dvec3(21, 2, 3));
+  EXPECT_EQ(scene.lights[5].position, glm::dvec3(21, 2, 8));
+}
+
+TEST_F(SceneFile, AimTurnsIntoAUnitDirection) {
+  const Scene scene = read(std::string("\"lights\": [{\"light\": {") + kLamp +
+                           "}, \"position\": [0, 3, 0], \"aim\": [0, 0, -4], \"carried\": true}], \"objects\": []");
+  EXPECT_NEAR(glm::distance(scene.lights[0].direction, glm::dvec3(0, -0.6, -0.8)), 0, 1e-15);
+  EXPECT_TRUE(scene.lights[0].carried);
+}
+
+TEST_F(SceneFile, EqualModelsAreMadeOnce) {
+  const Scene scene = read(
+      "\"objects\": [{\"model\": \"crate\"}, {\"model\": \"crate\", \"position\": [3, 0, 0]},"
+      " {\"model\": \"crate\", \"size_m\": 0.5}]");
+  EXPECT_EQ(scene.models.size(), 2u);
+  EXPECT_EQ(scene.instances.size(), 3u);
+}
+
+TEST_F(SceneFile, RefusalsNamePlaceValueAndRule) {
+  EXPECT_EQ(refusal("\"objects\": [{\"model\": \"crate\", \"size_m\": 99}]"),
+            ":3:42: objects[0].size_m = 99: must be in [0.2, 3]");
+  EXPECT_EQ(refusal("\"visibilities_m\": [100, -5], \"objects\": []"), ":3:25: visibilities_m[1] = -5: must be > 0");
+  EXPECT_EQ(refusal("\"environment\": {\"ambient\": [0, -1, 0]}, \"objects\": []"),
+            ":3:28: environment.ambient = an array: must be a colour of numbers in [0, 10000]");
+  EXPECT_EQ(refusal("\"objects\": [{\"model\": \"crate\", \"repeat\": [{\"count\": 1e9, \"step\": [1, 0, 0]}]}]"),
+            ":3:53: objects[0].repeat[0].count = 1e9: must be in [1, 20000]");
+}
+
+TEST_F(SceneFile, RefusesWhatItDoesNotKnow) {
+  EXPECT_NE(refusal("\"colour\": 1, \"objects\": []").find(":3:1: \"colour\""), std::string::npos);
+  EXPECT_NE(refusal("\"objects\": [{\"model\": \"dragon\"}]").find(":3:23: objects[0].model"), std::string::npos);
+  EXPECT_NE(refusal("\"objects\": [{\"model\": \"crate\", \"wings\": 2}]").find("wings"), std::string::npos);
+  EXPECT_NE(
+      refusal("\"lights\": [{\"light\": \"none.json\", \"position\": [0, 0, 0]}], \"objects\": []").find("none.json"),
+      std::string::npos);
+}
+
+TEST_F(SceneFile, RefusesWhatFloatsCannotDraw) {
+  const auto refusal_of_light = [this](const std::string& members) {
+    return refusal(std::string("\"objects\": [], \"lights\": [{\"light\": {") + kLamp + members + "}]");
+  };
+  EXPECT_EQ(refusal_of_light("}, \"position\": [0, 1e8, 0]").substr(8),
+            "lights[0].position = an array: must have coordinates in [-10000000, 10000000]");
+  EXPECT_NE(refusal_of_light("}, \"position\": [0, 0, 0], \"aim\": [1e308, 0, 0]").find("lights[0].aim"),
+            std::string::npos);
+  EXPECT_NE(refusal_of_light("}, \"position\": [0, 0, 0], \"direction\": [1e308, 1e308, 0]").find("must have a length"),
+            std::string::npos);
+  EXPECT_NE(refusal_of_light("}, \"position\": [0, 0, 0], \"color\": [0, 0, 1e5]").find("must be a colour"),
+            std::string::npos);
+  EXPECT_NE(refusal_of_light(", \"color\": [0, 0, 1e300]}, \"position\": [0, 0, 0]").find("lights[0].light.color"),
+            std::string::npos);
+  EXPECT_NE(refusal_of_light(", \"density_scale\": 1e300}, \"position\": [0, 0, 0]").find("must be at most 1000000"),
+            std::string::npos);
+  EXPECT_NE(refusal_of_light("}, \"position\": [0, 0, 0], \"repeat\": [{\"count\": 9, \"step\": [1e307, 0, 0]}]")
+                .find("repeat[0].step"),
+            std::string::npos);
+  EXPECT_NE(refusal("\"objects\": [{\"model\": \"crate\", \"scatter\": {\"count\": 2, \"area\": [0, 0, 1e300, 1]}}]")
+                .find("objects[0].scatter.area[2]"),
+            std::string::npos);
+}
+
+TEST_F(SceneFile, RefusesMoreCarriedLightsThanTheBlockHolds) {
+  const auto carried = [this](std::size_t count) {
+    return refusal(std::string("\"objects\": [],\n\"lights\": [{\"light\": {") + kLamp +
+                   "}, \"position\": [0, 0, 0], \"carried\": true, \"repeat\": [{\"count\": " + std::to_string(count) +
+                   ", \"step\": [1, 0, 0]}]}]");
+  };
+  EXPECT_EQ(carried(litfog::kMaxFogLights), "not refused");
+  EXPECT_EQ(carried(litfog::kMaxFogLights + 1), ":4:12: lights: must be at most 128 that are carried");
+}
+
+TEST_F(SceneFile, RefusesMoreObjectsThanTheRendererCanList) {
+  std::string objects;
+  for (int i = 0; i < 3; ++i) {
+    objects +=
+        std::string(i > 0 ? "," : "") + "{\"model\": \"box\", \"repeat\": [{\"count\": 20000, \"step\": [1, 0, 0]}]}";
+  }
+  EXPECT_NE(refusal("\"objects\": [" + objects + "]").find("objects: must be at most 50000 with all copies"),
+            std::string::npos);
+}
+
+TEST_F(SceneFile, RefusesAMissingLightFileAtItsPlace) {
+  const std::string sentence =
+      refusal("\"lights\": [{\"light\": \"none.json\", \"position\": [0, 0, 0]}], \"objects\": []");
+  EXPECT_EQ(sentence.find(":3:22: lights[0].light = \"none.json\": must be a light file: "), 0u) << sentence;
+  EXPECT_NE(sentence.find("none.json: cannot be read: No such file or directory"), std::string::npos) << sentence;
+}
+
+TEST_F(SceneFile, RefusesANameThatIsNoFileName) {
+  for (const char* name : {"", ".", "..", ".hidden", "a/b", "/etc/passwd", "../up", "a\\u0000b", "a\\nb"}) {
+    EXPECT_EQ(refusal(std::string("\"name\": \"") + name + "\", \"objects\": []").substr(0, 14), ":3:9: name = \"")
+        << name;
+  }
+  EXPECT_EQ(refusal("\"name\": \"two words\", \"objects\": []"), "not refused");
+}
+
+TEST_F(SceneFile, RefusesEqualVisibilities) {
+  EXPECT_EQ(refusal("\"visibilities_m\": [100, 50, 1e2], \"objects\": []"),
+            ":3:29: visibilities_m[2] = 1e2: must not be given twice");
+}
+
+TEST_F(SceneFile, RefusesARuleAcrossParametersInPlace) {
+  EXPECT_EQ(refusal("\"objects\": [{\"model\": \"road\", \"length_m\": 50, \"bend_m\": 100}]").substr(0, 7), ":3:23: ");
+}
+
+TEST_F(SceneFile, RefusesACameraThatLooksStraightUp) {
+  std::ofstream(path()) << "{\"litfog\": \"scene\", \"version\": 1,\n"
+                           " \"camera\": {\"position\": [0, 1, 5], \"target\": [0, 9, 5]}, \"objects\": []}";
+  EXPECT_THROW(read_scene(path()), BadInput);
+}
+
+}  // namespace

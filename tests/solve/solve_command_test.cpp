@@ -1,0 +1,457 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <clocale>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "command/command_test.h"
+#include "command/exit_status.h"
+#include "litfog/solve.h"
+
+namespace {
+
+using litfog::Attenuation;
+using litfog::Fog;
+using litfog::FogMode;
+
+using litfog::test::Outcome;
+
+class SolveCommand : public litfog::test::CommandTest {
+ protected:
+  SolveCommand() : CommandTest(LITFOG_SOLVE_PATH) {}
+
+  /// The batch form over a file named rows.csv.
+  Outcome run_batch(const std::string& rows) const {
+    write("rows.csv", rows);
+    return run("--csv rows.csv");
+  }
+};
+
+std::string usage_message(const std::string& reason) {
+  return "litfog-solve: " + reason + "; see litfog-solve --help\n";
+}
+
+/// What is appended to the row exp,1,0,1,0,0.05. Inverse linear: the peak is at the knee, 1 m, where the attenuation
+/// is 1.
+const std::string kSolved =
+    fmt::format(",20,1,{},ok", solve_fog_intensity(Attenuation{0, 1, 0}, Fog{FogMode::exp, 1}, 0.05).intensity);
+
+constexpr const char* kHeader = "fog,density,constant,linear,quadratic,threshold\n";
+constexpr const char* kSolvedHeader =
+    "fog,density,constant,linear,quadratic,threshold,extent,peak_range,intensity,status\n";
+
+TEST_F(SolveCommand, HelpAndVersionSucceed) {
+  const Outcome help = run("--help");
+  EXPECT_EQ(help.status, kDone);
+  EXPECT_EQ(help.err, "");
+  for (const char* part : {"Computes how brightly", "Examples:", "Exit status:", "Units:", "--csv", "--visibility"}) {
+    EXPECT_NE(help.out.find(part), std::string::npos) << part;
+  }
+  const Outcome version = run("--version");
+  EXPECT_EQ(version.status, kDone);
+  EXPECT_TRUE(std::regex_match(version.out, std::regex("litfog-solve [0-9]+\\.[0-9]+\\.[0-9]+\n"))) << version.out;
+}
+
+TEST_F(SolveCommand, JsonReadsBackAsTheLibrarysResult) {
+  const Outcome outcome = run(
+      "--constant 1 --linear 0.01 --quadratic 0.0002 --visibility 50,123.4 --fog exp2 --threshold 0.1 --format json");
+  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  const auto rows = nlohmann::json::parse(outcome.out);
+  ASSERT_EQ(rows.size(), 2u);
+  for (const auto& row : rows) {
+    const Fog fog = Fog::from_visibility(FogMode::exp2, row["visibility_m"].get<double>());
+    const auto expected = solve_fog_intensity(Attenuation{1, 0.01, 0.0002}, fog, 0.1);
+    EXPECT_EQ(row["density"].get<double>(), fog.density);
+    EXPECT_EQ(row["extent"].get<double>(), expected.extent);
+    EXPECT_EQ(row["peak_range"].get<double>(), expected.peak_range);
+    EXPECT_EQ(row["intensity"].get<double>(), expected.intensity);
+    EXPECT_EQ(row["threshold"].get<double>(), 0.1);
+    EXPECT_EQ(row["fog"], "exp2");
+    EXPECT_EQ(row["status"], "ok");
+    EXPECT_EQ(row["light"], "");
+  }
+  EXPECT_EQ(rows[0]["visibility_m"], 50);
+  EXPECT_EQ(rows[1]["visibility_m"], 123.4);
+}
+
+TEST_F(SolveCommand, TableAndCsvHaveTheSameColumns) {
+  // The intensity is 1 - e^-1.
+  EXPECT_EQ(run("--linear 1 --density 1").out,
+            "light  fog  density  constant  linear  quadratic  threshold  extent  peak_range  intensity  status\n"
+            "-      exp        1         0       1          0       0.05      20           1   0.632121  ok\n");
+  EXPECT_EQ(run("--linear 1 --density 1 --format csv").out,
+            "light,fog,density,constant,linear,quadratic,threshold,extent,peak_range,intensity,status\n"
+            ",exp,1,0,1,0,0.05" +
+                kSolved + "\n");
+}
+
+TEST_F(SolveCommand, InfinityIsWrittenAndRead) {
+  EXPECT_EQ(run("--constant 2 --density inf,0.1 --format csv").out,
+            "light,fog,density,constant,linear,quadratic,threshold,extent,peak_range,intensity,status\n"
+            ",exp,inf,2,0,0,0.05,inf,0,0.5,ok\n"
+            ",exp,0.1,2,0,0,0.05,inf,inf,0.5,ok\n");
+  const auto rows = nlohmann::json::parse(run("--linear 1 --visibility inf,0 --format json").out);
+  EXPECT_EQ(rows[0]["visibility_m"], "inf");
+  EXPECT_EQ(rows[0]["density"], 0);
+  EXPECT_EQ(rows[0]["intensity"], 0);
+  EXPECT_EQ(rows[1]["density"], "inf");
+  EXPECT_EQ(rows[1]["intensity"], 1);
+}
+
+TEST_F(SolveCommand, ContrastGivesVisibilityItsMeaning) {
+  const auto density_of = [this](const std::string& contrast) {
+    return nlohmann::json::parse(run("--linear 1 --visibility 100 --format json " + contrast).out)[0]["density"]
+        .get<double>();
+  };
+  EXPECT_DOUBLE_EQ(density_of(""), -std::log(0.05) / 100);
+  EXPECT_DOUBLE_EQ(density_of("--contrast mor"), -std::log(0.05) / 100);
+  EXPECT_DOUBLE_EQ(density_of("--contrast koschmieder"), -std::log(0.02) / 100);
+  EXPECT_DOUBLE_EQ(density_of("--contrast flightgear"), -std::log(0.01) / 100);
+  EXPECT_DOUBLE_EQ(density_of("--contrast 0.5"), -std::log(0.5) / 100);
+}
+
+TEST_F(SolveCommand, SampledMethodIsHalesWith64SamplesUnlessTold) {
+  const auto intensity_of = [this](const std::string& method) {
+    return nlohmann::json::parse(
+               run("--constant 1 --quadratic 0.01 --density 0.03 --format json " + method).out)[0]["intensity"]
+        .get<double>();
+  };
+  const Attenuation attenuation{1, 0, 0.01};
+  const Fog fog{FogMode::exp, 0.03};
+  EXPECT_EQ(intensity_of("--method exact"), solve_fog_intensity(attenuation, fog).intensity);
+  EXPECT_EQ(intensity_of("--method sampled"), sample_fog_intensity(attenuation, fog, 0.05, 64).intensity);
+  EXPECT_EQ(intensity_of("--method sampled --samples 3"), sample_fog_intensity(attenuation, fog, 0.05, 3).intensity);
+  EXPECT_LT(intensity_of("--method sampled --samples 3"), intensity_of("--method exact"));
+}
+
+TEST_F(SolveCommand, EachLightFileIsARowSeenThroughItsOwnDensity) {
+  write("a.json",
+        R"({"litfog": "light", "version": 1, "name": "A", "attenuation": {"linear": 1}, "density_scale": 0.25})");
+  write("b.json",
+        R"({"litfog": "light", "version": 1, "attenuation": {"constant": 1, "linear": 2}, "threshold": 0.5})");
+  const auto rows = nlohmann::json::parse(run("--light a.json b.json --density 4,2 --format json").out);
+  ASSERT_EQ(rows.size(), 4u);
+  const auto expect = [](const nlohmann::json& row, const char* name, const Attenuation& attenuation, double density,
+                         double threshold) {
+    EXPECT_EQ(row["light"], name);
+    EXPECT_EQ(row["density"].get<double>(), density);
+    EXPECT_EQ(row["intensity"].get<double>(),
+              solve_fog_intensity(attenuation, Fog{FogMode::exp, density}, threshold).intensity);
+  };
+  expect(rows[0], "A", {0, 1, 0}, 1, 0.05);
+  expect(rows[1], "A", {0, 1, 0}, 0.5, 0.05);
+  expect(rows[2], "b", {1, 2, 0}, 4, 0.5);
+  expect(rows[3], "b", {1, 2, 0}, 2, 0.5);
+}
+
+TEST_F(SolveCommand, ThresholdOptionWinsOverTheLights) {
+  write("b.json",
+        R"({"litfog": "light", "version": 1, "attenuation": {"constant": 1, "linear": 2}, "threshold": 0.5})");
+  const auto extent_of = [this](const std::string& option) {
+    return nlohmann::json::parse(run("--light b.json --density 1 --format json " + option).out)[0]["extent"]
+        .get<double>();
+  };
+  EXPECT_EQ(extent_of(""), 0.5);
+  EXPECT_EQ(extent_of("--threshold 0.25"), 1.5);
+}
+
+TEST_F(SolveCommand, ShippedLightsSolve) {
+  const Outcome outcome = run("--light " LITFOG_DATA_DIR "/lights/*.json --visibility 200 --format json");
+  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  const auto rows = nlohmann::json::parse(outcome.out);
+  EXPECT_GE(rows.size(), 12u);
+  for (const auto& row : rows) {
+    EXPECT_GT(row["intensity"].get<double>(), 0) << row;
+    EXPECT_LT(row["intensity"].get<double>(), 1) << row;
+  }
+}
+
+TEST_F(SolveCommand, WrongValuesAreUsageErrors) {
+  const auto expect = [this](const std::string& arguments, const std::string& reason) {
+    SCOPED_TRACE(arguments);
+    EXPECT_REFUSED(run(arguments), kUsage, usage_message(reason));
+  };
+  for (const std::string bad : {"-1", "nan", "0x10", "+1", "1e999", "1m", "-inf", "1,5", "inf"}) {
+    expect("--density 1 --constant " + bad, "--constant = " + bad + ": must be a finite number >= 0");
+  }
+  expect("--density 1 --linear ''", "--linear = \"\": must be a finite number >= 0");
+  expect("--constant 1 --density 1,-2", "--density = -2: must be a number >= 0 or inf");
+  expect("--constant 1 --density 1,,2", "--density = \"\": must be a number >= 0 or inf");
+  expect("--constant 1 --density 1,", "--density = \"\": must be a number >= 0 or inf");
+  expect("--constant 1 --visibility ' 1'", "--visibility =  1: must be a number >= 0 or inf");
+  expect("--constant 1 --density 1 --threshold 1", "--threshold = 1: must be a number in (0, 1)");
+  expect("--constant 1 --visibility 1 --contrast haze",
+         "--contrast = haze: must be mor, koschmieder, flightgear or a number in (0, 1)");
+  expect("--constant 1 --visibility 1 --contrast 0",
+         "--contrast = 0: must be mor, koschmieder, flightgear or a number in (0, 1)");
+  expect("--constant 1 --density 1 --fog exp3", "--fog = exp3: must be one of exp|exp2");
+  expect("--constant 1 --density 1 --fog 1", "--fog = 1: must be one of exp|exp2");
+  expect("--constant 1 --density 1 --format xml", "--format = xml: must be one of table|csv|json");
+  expect("--constant 1 --density 1 --method sampled --samples 0",
+         "--samples = 0: must be an integer from 1 to 1000000000");
+  expect("--constant 1 --density 1 --method sampled --samples 1e3",
+         "--samples = 1e3: must be an integer from 1 to 1000000000");
+  expect("--constant 0 --density 1", "--constant = 0: must be > 0 where linear and quadratic are 0");
+}
+
+TEST_F(SolveCommand, WrongFormsAreUsageErrors) {
+  const auto expect = [this](const std::string& arguments, const std::string& reason) {
+    SCOPED_TRACE(arguments);
+    EXPECT_REFUSED(run(arguments), kUsage, usage_message(reason));
+  };
+  expect("", "a light must be given: --constant, --linear, --quadratic or --light or --csv");
+  expect("--density 1", "a light must be given: --constant, --linear, --quadratic or --light or --csv");
+  expect("--constant 1", "a fog must be given: --visibility or --density");
+  expect("--constant 1 --density 1 --visibility 1", "--visibility cannot be given with --density");
+  expect("--constant 1 --density 1 --contrast mor", "--contrast cannot be given with --density");
+  expect("--constant 1 --light a.json --density 1", "--constant cannot be given with --light");
+  expect("--constant 1 --density 1 --samples 9", "--samples needs --method sampled");
+  expect("--csv rows.csv --format json", "--format cannot be given with --csv");
+  expect("--csv rows.csv --density 1", "--density cannot be given with --csv");
+  expect("--constant 1 --density 1 --colour red", "The following arguments were not expected: red --colour");
+  expect("--constant 1 --density 1 surplus", "The following argument was not expected: surplus");
+  expect("--constant 1 --density 1 --density 2", "--density: At Most 1 required but received 2");
+  expect("--constant 1 --dens 1", "The following arguments were not expected: 1 --dens");
+}
+
+TEST_F(SolveCommand, WrongLightFilesAreBadInputAndNothingIsPrinted) {
+  write("good.json", R"({"litfog": "light", "version": 1, "attenuation": {"linear": 1}})");
+  write("bad.json", "{\"litfog\": \"light\", \"version\": 1,\r\n\"attenuation\": {\"linear\": -1}}");
+  write("empty.json", "");
+  EXPECT_REFUSED(run("--density 1 --light good.json bad.json"), kBadInput,
+                 "bad.json:2:27: attenuation.linear = -1: must be finite and >= 0\n");
+  EXPECT_REFUSED(run("--density 1 --light empty.json"), kBadInput,
+                 "empty.json:1:1: syntax error while parsing value - unexpected end of input; expected '[', '{', or a "
+                 "literal\n");
+  EXPECT_REFUSED(run("--density 1 --light absent.json"), kBadInput,
+                 "absent.json: cannot be read: No such file or directory\n");
+  EXPECT_REFUSED(run("--density 1 --light ."), kBadInput, ".: cannot be read: Is a directory\n");
+}
+
+TEST_F(SolveCommand, OutputThatCannotBeWrittenIsStatusFour) {
+  write("rows.csv", std::string(kHeader) + "exp,1,0,1,0,0.05\n");
+  for (const char* arguments : {"--help", "--version", "--linear 1 --density 1", "--csv rows.csv"}) {
+    SCOPED_TRACE(arguments);
+    EXPECT_REFUSED(run(std::string(arguments) + " >/dev/full"), kCannotWrite,
+                   "litfog-solve: standard output cannot be written: No space left on device\n");
+    EXPECT_REFUSED(run(std::string(arguments) + " >&-"), kCannotWrite,
+                   "litfog-solve: standard output cannot be written: Bad file descriptor\n");
+  }
+}
+
+TEST_F(SolveCommand, AReaderThatLeftIsStatusFour) {
+  std::string rows = kHeader;
+  for (int i = 0; i < 20000; ++i) rows += "exp,1,0,1,0,0.05\n";
+  write("rows.csv", rows);
+  run("--csv rows.csv 2>left; echo $? >status; } | { head -c 10");
+  EXPECT_EQ(read("status"), "4\n");
+  EXPECT_EQ(read("left"), "litfog-solve: standard output cannot be written: Broken pipe\n");
+}
+
+TEST_F(SolveCommand, BatchSolvesRowsInPlace) {
+  const Outcome outcome = run_batch(std::string(kHeader) +
+                                    "exp,1,0,1,0,0.05\n"
+                                    "exp2,inf,2,0,0.5,0.05\n"
+                                    "exp,0,1,0,1,0.5");
+  EXPECT_EQ(outcome.status, kDone);
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(outcome.out, std::string(kSolvedHeader) + "exp,1,0,1,0,0.05" + kSolved +
+                             "\n"
+                             "exp2,inf,2,0,0.5,0.05,6,0,0.5,ok\n"
+                             "exp,0,1,0,1,0.5,1,0,0,ok\n");
+}
+
+TEST_F(SolveCommand, BatchResultsReadBackAsTheLibrarys) {
+  std::string rows = kHeader;
+  for (int i = 0; i < 300; ++i) {
+    rows += (i % 2 != 0 ? "exp," : "exp2,") + std::to_string(0.001 * (i + 1)) + ",1," + std::to_string(0.003 * i) +
+            ",0.01,0.05\n";
+  }
+  std::istringstream lines(run_batch(rows).out);
+  std::string line;
+  std::getline(lines, line);
+  int count = 0;
+  for (; std::getline(lines, line); ++count) {
+    std::vector<std::string> f;
+    std::istringstream fields(line);
+    for (std::string field; std::getline(fields, field, ',');) f.push_back(field);
+    ASSERT_EQ(f.size(), 10u) << line;
+    const auto expected =
+        solve_fog_intensity(Attenuation{std::stod(f[2]), std::stod(f[3]), std::stod(f[4])},
+                            Fog{f[0] == "exp" ? FogMode::exp : FogMode::exp2, std::stod(f[1])}, std::stod(f[5]));
+    EXPECT_EQ(std::stod(f[6]), expected.extent);
+    EXPECT_EQ(std::stod(f[7]), expected.peak_range);
+    EXPECT_EQ(std::stod(f[8]), expected.intensity);
+  }
+  EXPECT_EQ(count, 300);
+}
+
+TEST_F(SolveCommand, BatchPassesOtherColumnsThroughAsWritten) {
+  const Outcome outcome = run_batch(
+      "\xEF\xBB\xBF\"my, id\",threshold,quadratic,linear,constant,density,\"fog\",\"note\"\r\n"
+      "007,0.05,0,1,0,1,exp,\"say \"\"hi\"\",\r\n1.0\"\r\n"
+      "\r\n"
+      "\"1.50\",\"0.05\",0,1,0,1.0e0,exp,\xC3\xA4");
+  EXPECT_EQ(outcome.status, kDone) << outcome.err;
+  EXPECT_EQ(
+      outcome.out,
+      "\"my, id\",threshold,quadratic,linear,constant,density,\"fog\",\"note\",extent,peak_range,intensity,status\r\n"
+      "007,0.05,0,1,0,1,exp,\"say \"\"hi\"\",\r\n1.0\"" +
+          kSolved +
+          "\r\n"
+          "\r\n"
+          "\"1.50\",\"0.05\",0,1,0,1.0e0,exp,\xC3\xA4" +
+          kSolved + "\r\n");
+}
+
+TEST_F(SolveCommand, BatchReadsStandardInput) {
+  write("rows.csv", std::string(kHeader) + "exp,1,0,1,0,0.05\nexp,x,0,1,0,0.05\n");
+  const Outcome outcome = run("--csv - <rows.csv");
+  EXPECT_EQ(outcome.status, kBadInput);
+  EXPECT_EQ(outcome.out, std::string(kSolvedHeader) + "exp,1,0,1,0,0.05" + kSolved +
+                             "\n"
+                             "exp,x,0,1,0,0.05,,,,\"density = \"\"x\"\": must be a number\"\n");
+  EXPECT_EQ(outcome.err, "<stdin>:3:5: density = \"x\": must be a number\n");
+}
+
+TEST_F(SolveCommand, BatchKeepsBadRowsInPlaceWithTheirReason) {
+  const Outcome outcome = run_batch(
+      "id,fog,density,constant,linear,quadratic,threshold\n"
+      "a,exp,1,0,1,0,0.05\n"
+      "b,mist,1,0,1,0,0.05\n"
+      "c,exp,nan,0,1,0,0.05\n"
+      "d,exp,1, 0,1,0,0.05\n"
+      "e,exp,-1,0,1,0,0.05\n"
+      "f,exp,1,0,inf,0,0.05\n"
+      "g,exp,1,0,0,0,0.05\n"
+      "\"h\n\",exp,1,0,1,0,1\n"
+      "i,exp,1\n"
+      "j,exp,1,0,1,0,0.05,8,9\n"
+      "\"k\"k,exp,1,0,1,0,0.05\n"
+      "l,exp,1,0,1,0,0.05\n"
+      "\"m,exp,1,0,1,0,0.05\n");
+  EXPECT_EQ(outcome.status, kBadInput);
+  EXPECT_EQ(outcome.out,
+            "id,fog,density,constant,linear,quadratic,threshold,extent,peak_range,intensity,status\n"
+            "a,exp,1,0,1,0,0.05" +
+                kSolved +
+                "\n"
+                "b,mist,1,0,1,0,0.05,,,,\"fog = \"\"mist\"\": must be exp or exp2\"\n"
+                "c,exp,nan,0,1,0,0.05,,,,\"density = \"\"nan\"\": must be a number\"\n"
+                "d,exp,1, 0,1,0,0.05,,,,\"constant = \"\" 0\"\": must be a number\"\n"
+                "e,exp,-1,0,1,0,0.05,,,,\"density = \"\"-1\"\": must be >= 0\"\n"
+                "f,exp,1,0,inf,0,0.05,,,,\"linear = \"\"inf\"\": must be finite and >= 0\"\n"
+                "g,exp,1,0,0,0,0.05,,,,\"constant = \"\"0\"\": must be > 0 where linear and quadratic are 0\"\n"
+                "\"h\n\",exp,1,0,1,0,1,,,,\"threshold = \"\"1\"\": must be in (0, 1)\"\n"
+                "i,exp,1,,,,,,,,number of fields = 3: must be 7 as in the header\n"
+                "j,exp,1,0,1,0,0.05,,,,number of fields = 9: must be 7 as in the header\n"
+                "\"k\"k,exp,1,0,1,0,0.05,,,,quoted field must end at its quote\n"
+                "l,exp,1,0,1,0,0.05" +
+                kSolved +
+                "\n"
+                "\"m,exp,1,0,1,0,0.05\n\",,,,,,,,,,quote must be closed\n");
+  EXPECT_EQ(outcome.err,
+            "rows.csv:3:3: fog = \"mist\": must be exp or exp2\n"
+            "rows.csv:4:7: density = \"nan\": must be a number\n"
+            "rows.csv:5:9: constant = \" 0\": must be a number\n"
+            "rows.csv:6:7: density = \"-1\": must be >= 0\n"
+            "rows.csv:7:11: linear = \"inf\": must be finite and >= 0\n"
+            "rows.csv:8:9: constant = \"0\": must be > 0 where linear and quadratic are 0\n"
+            "rows.csv:10:15: threshold = \"1\": must be in (0, 1)\n"
+            "rows.csv:11:7: number of fields = 3: must be 7 as in the header\n"
+            "rows.csv:12:20: number of fields = 9: must be 7 as in the header\n"
+            "rows.csv:13:4: quoted field must end at its quote\n"
+            "rows.csv:15:1: quote must be closed\n");
+}
+
+TEST_F(SolveCommand, BatchKeepsTheRowsAroundAHugeOne) {
+  const Outcome outcome =
+      run_batch(std::string(kHeader) + "exp,1,0,1,0,0.05\n" + std::string(3 << 20, 'x') + "\nexp,1,0,1,0,0.05\n");
+  EXPECT_EQ(outcome.status, kBadInput);
+  EXPECT_EQ(outcome.out, std::string(kSolvedHeader) + "exp,1,0,1,0,0.05" + kSolved +
+                             "\n"
+                             ",,,,,,,,,record must not be longer than 1 MiB (is a quote left open?)\n"
+                             "exp,1,0,1,0,0.05" +
+                             kSolved + "\n");
+  EXPECT_EQ(outcome.err, "rows.csv:3:1: record must not be longer than 1 MiB (is a quote left open?)\n");
+}
+
+TEST_F(SolveCommand, BatchNamesTwentyBadRowsAndCountsTheRest) {
+  std::string rows = kHeader;
+  for (int i = 0; i < 23; ++i) rows += "exp,,0,1,0,0.05\n";
+  const Outcome outcome = run_batch(rows);
+  EXPECT_EQ(outcome.status, kBadInput);
+  EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 24);
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 21);
+  EXPECT_TRUE(outcome.err.ends_with("rows.csv:21:5: density = \"\": must be a number\nrows.csv: 3 more bad rows\n"))
+      << outcome.err;
+}
+
+TEST_F(SolveCommand, BatchWithAWrongHeaderPrintsNothing) {
+  const auto expect = [this](const std::string& header, const std::string& message) {
+    SCOPED_TRACE(header);
+    EXPECT_REFUSED(run_batch(header + "\nexp,1,0,1,0,0.05\n"), kBadInput, "rows.csv:" + message + "\n");
+  };
+  expect("fog,density,constant,linear,quadratic", "1:1: column threshold: must be given");
+  expect("fog, density,constant,linear,quadratic,threshold", "1:1: column density: must be given");
+  expect("Fog,density,constant,linear,quadratic,threshold", "1:1: column fog: must be given");
+  expect("fog,density,constant,linear,\xC3\xA4,quadratic,threshold,density",
+         "1:51: column density: must not be given twice");
+  expect("fog,density,constant,linear,quadratic,threshold,status",
+         "1:49: column status: must not be given, it is computed");
+  expect("\"a\nb\",extent,fog,density,constant,linear,quadratic,threshold",
+         "2:4: column extent: must not be given, it is computed");
+  expect("\"fog\"x,density,constant,linear,quadratic,threshold", "1:6: header: quoted field must end at its quote");
+}
+
+TEST_F(SolveCommand, BatchOfAnEmptyFileOrOfGarbageIsBadInput) {
+  EXPECT_REFUSED(run_batch(""), kBadInput, "rows.csv:1:1: header: must be given\n");
+  EXPECT_REFUSED(run_batch("\xEF\xBB\xBF"), kBadInput, "rows.csv:1:1: header: must be given\n");
+  EXPECT_REFUSED(run_batch(std::string("\x7F\x45LF\0\0\xFF\n,,\"", 11)), kBadInput,
+                 "rows.csv:1:1: column fog: must be given\n");
+  EXPECT_REFUSED(run_batch(std::string(3 << 20, ',')), kBadInput,
+                 "rows.csv:1:1: header: record must not be longer than 1 MiB (is a quote left open?)\n");
+  EXPECT_REFUSED(run("--csv absent.csv"), kBadInput, "absent.csv: cannot be read: No such file or directory\n");
+  EXPECT_REFUSED(run("--csv ."), kBadInput, ".: cannot be read: Is a directory\n");
+  EXPECT_REFUSED(run("--csv - <&-"), kBadInput, "<stdin>: cannot be read: Bad file descriptor\n");
+}
+
+TEST_F(SolveCommand, BatchOfOnlyAHeaderIsOnlyAHeader) {
+  const Outcome outcome = run_batch(kHeader);
+  EXPECT_EQ(outcome.status, kDone);
+  EXPECT_EQ(outcome.out, kSolvedHeader);
+}
+
+TEST_F(SolveCommand, BatchTakesTheMethod) {
+  write("rows.csv", std::string(kHeader) + "exp,0.03,1,0,0.01,0.05\n");
+  const auto expected = sample_fog_intensity(Attenuation{1, 0, 0.01}, Fog{FogMode::exp, 0.03}, 0.05, 3);
+  const std::string out = run("--csv rows.csv --method sampled --samples 3").out;
+  const std::size_t status = out.rfind(',');
+  const std::size_t intensity = out.rfind(',', status - 1) + 1;
+  EXPECT_EQ(std::stod(out.substr(intensity, status - intensity)), expected.intensity);
+}
+
+// The command never sets a locale; this holds it to that.
+TEST_F(SolveCommand, NumbersDoNotDependOnTheLocale) {
+  const bool has_locale = std::setlocale(LC_ALL, "de_DE.UTF-8") != nullptr;
+  std::setlocale(LC_ALL, "C");
+  if (!has_locale) GTEST_SKIP() << "this machine has no de_DE.UTF-8 locale";
+  setenv("LC_ALL", "de_DE.UTF-8", 1);
+  const Outcome outcome = run("--linear 1 --density 1.0 --format csv");
+  unsetenv("LC_ALL");
+  EXPECT_EQ(outcome.status, kDone) << outcome.err;
+  EXPECT_TRUE(outcome.out.ends_with(",exp,1,0,1,0,0.05" + kSolved + "\n")) << outcome.out;
+}
+
+}  // namespace
