@@ -17,20 +17,20 @@ double level_range_in_double(const Attenuation& attenuation, double level) {
 
 }  // namespace
 
-std::optional<Refusal> check(const Attenuation& attenuation) {
+std::optional<ValueError> check(const Attenuation& attenuation) {
   const auto [constant, linear, quadratic] = attenuation;
   constexpr const char* kRule = "must be finite and >= 0";
-  if (!is_finite_and_not_negative(constant)) return Refusal{"attenuation.constant", constant, kRule};
-  if (!is_finite_and_not_negative(linear)) return Refusal{"attenuation.linear", linear, kRule};
-  if (!is_finite_and_not_negative(quadratic)) return Refusal{"attenuation.quadratic", quadratic, kRule};
+  if (!is_finite_and_not_negative(constant)) return ValueError{"attenuation.constant", constant, kRule};
+  if (!is_finite_and_not_negative(linear)) return ValueError{"attenuation.linear", linear, kRule};
+  if (!is_finite_and_not_negative(quadratic)) return ValueError{"attenuation.quadratic", quadratic, kRule};
   if (constant == 0 && linear == 0 && quadratic == 0) {
-    return Refusal{"attenuation.constant", constant, "must be > 0 where linear and quadratic are 0"};
+    return ValueError{"attenuation.constant", constant, "must be > 0 where linear and quadratic are 0"};
   }
   return std::nullopt;
 }
 
-std::optional<Refusal> check_threshold(double threshold) {
-  if (!(threshold > 0 && threshold < 1)) return Refusal{"threshold", threshold, "must be in (0, 1)"};
+std::optional<ValueError> check_threshold(double threshold) {
+  if (!(threshold > 0 && threshold < 1)) return ValueError{"threshold", threshold, "must be in (0, 1)"};
   return std::nullopt;
 }
 
@@ -42,17 +42,17 @@ double attenuation_at(const Attenuation& attenuation, double range) {
   return formulas::litfog_attenuation(range, constant, linear, quadratic);
 }
 
-double extent(const Attenuation& attenuation, double threshold) {
+double compute_extent(const Attenuation& attenuation, double threshold) {
   require(check(attenuation));
   require(check_threshold(threshold));
   return level_range_in_double(attenuation, threshold);
 }
 
-float extent(const AttenuationF& attenuation, float threshold) {
-  return float(extent(Attenuation{attenuation.constant, attenuation.linear, attenuation.quadratic}, double(threshold)));
+float compute_extent(const AttenuationF& attenuation, float threshold) {
+  return float(compute_extent(Attenuation{attenuation.constant, attenuation.linear, attenuation.quadratic}, double(threshold)));
 }
 
-double knee(const Attenuation& attenuation) {
+double compute_knee(const Attenuation& attenuation) {
   require(check(attenuation));
   return level_range_in_double(attenuation, 1);
 }

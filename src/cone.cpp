@@ -13,22 +13,22 @@ namespace litfog {
 
 using std::numbers::pi;
 
-std::optional<Refusal> check(const Cone& cone) {
+std::optional<ValueError> check(const Cone& cone) {
   switch (cone.profile) {
     case ConeProfile::none:
       break;
     case ConeProfile::cosine:
       if (!(cone.half_angle > 0 && cone.half_angle <= pi / 2)) {
-        return Refusal{"cone.half_angle", cone.half_angle, "must be in (0, pi/2]"};
+        return ValueError{"cone.half_angle", cone.half_angle, "must be in (0, pi/2]"};
       }
       if (!is_finite_and_not_negative(cone.exponent)) {
-        return Refusal{"cone.exponent", cone.exponent, "must be finite and >= 0"};
+        return ValueError{"cone.exponent", cone.exponent, "must be finite and >= 0"};
       }
       break;
     case ConeProfile::smoothstep:
-      if (!(cone.outer > 0 && cone.outer <= pi)) return Refusal{"cone.outer", cone.outer, "must be in (0, pi]"};
+      if (!(cone.outer > 0 && cone.outer <= pi)) return ValueError{"cone.outer", cone.outer, "must be in (0, pi]"};
       if (!(cone.inner >= 0 && cone.inner < cone.outer)) {
-        return Refusal{"cone.inner", cone.inner, "must be in [0, outer)"};
+        return ValueError{"cone.inner", cone.inner, "must be in [0, outer)"};
       }
       break;
   }

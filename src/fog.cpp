@@ -21,8 +21,8 @@ double optical_depth(const Fog& fog, double range) {
 
 template <typename Real>
 BasicFog<Real> BasicFog<Real>::from_visibility(FogMode mode, Real metres, Real contrast) {
-  if (!(metres >= 0)) require(Refusal{"visibility", metres, "must be >= 0"});
-  if (!(contrast > 0 && contrast < 1)) require(Refusal{"contrast", contrast, "must be in (0, 1)"});
+  if (!(metres >= 0)) require(ValueError{"visibility", metres, "must be >= 0"});
+  if (!(contrast > 0 && contrast < 1)) require(ValueError{"contrast", contrast, "must be in (0, 1)"});
   const double depth = -std::log(double(contrast));
   return {mode, Real((mode == FogMode::exp ? depth : std::sqrt(depth)) / std::abs(double(metres)))};  // -0 is 0
 }
@@ -30,21 +30,21 @@ BasicFog<Real> BasicFog<Real>::from_visibility(FogMode mode, Real metres, Real c
 template struct BasicFog<double>;
 template struct BasicFog<float>;
 
-std::optional<Refusal> check(const Fog& fog) {
-  if (!(fog.density >= 0)) return Refusal{"fog.density", fog.density, "must be >= 0"};
+std::optional<ValueError> check(const Fog& fog) {
+  if (!(fog.density >= 0)) return ValueError{"fog.density", fog.density, "must be >= 0"};
   return std::nullopt;
 }
 
 Fog scaled(const Fog& fog, double density_scale) {
   require(check(fog));
   if (!is_finite_and_not_negative(density_scale)) {
-    require(Refusal{"density_scale", density_scale, "must be finite and >= 0"});
+    require(ValueError{"density_scale", density_scale, "must be finite and >= 0"});
   }
   return {fog.mode, density_scale == 0 ? 0 : fog.density * density_scale};  // infinity * 0 is no value
 }
 
-double fog_factor(const Fog& fog, double range) { return std::exp(-optical_depth(fog, range)); }
+double fog_factor_at(const Fog& fog, double range) { return std::exp(-optical_depth(fog, range)); }
 
-double opacity(const Fog& fog, double range) { return formulas::litfog_opacity(optical_depth(fog, range)); }
+double opacity_at(const Fog& fog, double range) { return formulas::litfog_opacity(optical_depth(fog, range)); }
 
 }  // namespace litfog

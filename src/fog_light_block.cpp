@@ -58,9 +58,9 @@ FogLight pack_fog_light(const PlacedLight& placed, const FogIntensity& solution)
 FogLightBlock pack_fog_light_block(const Fog& fog, const glm::dvec3& ambient_fog_color,
                                    std::span<const PlacedLight> lights, std::span<const FogIntensity> solutions) {
   require(check(fog));
-  if (lights.size() > kMaxFogLights) require(Refusal{"lights", double(lights.size()), "must be at most 128"});
+  if (lights.size() > kMaxFogLights) require(ValueError{"lights", double(lights.size()), "must be at most 128"});
   if (solutions.size() != lights.size()) {
-    require(Refusal{"solutions", double(solutions.size()), "must be as many as the lights"});
+    require(ValueError{"solutions", double(solutions.size()), "must be as many as the lights"});
   }
   FogLightBlock block{};
   block.fog = {finite_float(fog.density), fog.mode == FogMode::exp2 ? 1.0f : 0.0f, float(lights.size()), 0.0f};

@@ -5,12 +5,12 @@
 #include <optional>
 #include <stdexcept>
 
-#include "litfog/refusal.h"
+#include "litfog/value_error.h"
 
 namespace litfog {
 
 /// Turns a refusal into the exception that the public calls promise.
-inline void require(const std::optional<Refusal>& refusal) {
+inline void require(const std::optional<ValueError>& refusal) {
   if (refusal) throw std::invalid_argument(to_string(*refusal));
 }
 

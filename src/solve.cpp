@@ -182,7 +182,7 @@ bool is_limit_case(const Attenuation& attenuation, const Fog& fog) {
 }
 
 FogIntensity solve_limit_case(const Attenuation& attenuation, const Fog& fog, double threshold) {
-  const double light_extent = extent(attenuation, threshold);
+  const double light_extent = compute_extent(attenuation, threshold);
   if (light_extent == 0 || fog.density == 0) return {0, 0, light_extent, SolveStatus::ok};
   // Total fog takes the attenuation at 0+, constant attenuation the opacity 1 at infinity.
   return {attenuation_at(attenuation, 0), std::isinf(fog.density) ? 0 : kInfinity<double>, light_extent,
@@ -215,13 +215,13 @@ FogIntensityF solve_fog_intensity(const AttenuationF& attenuation, const FogF& f
 FogIntensity sample_fog_intensity(const Attenuation& attenuation, const Fog& fog, double threshold, int samples) {
   require(check(attenuation));
   require(check(fog));
-  if (!(samples >= 1)) require(Refusal{"samples", double(samples), "must be >= 1"});
+  if (!(samples >= 1)) require(ValueError{"samples", double(samples), "must be >= 1"});
   if (is_limit_case(attenuation, fog)) return solve_limit_case(attenuation, fog, threshold);
-  const double light_extent = extent(attenuation, threshold);
+  const double light_extent = compute_extent(attenuation, threshold);
   FogIntensity best{0, 0, light_extent, SolveStatus::ok};
   for (int i = 1; i <= samples; ++i) {
     const double range = light_extent * (double(i) / samples);
-    const double intensity = opacity(fog, range) * attenuation_at(attenuation, range);
+    const double intensity = opacity_at(fog, range) * attenuation_at(attenuation, range);
     if (intensity > best.intensity) best = {intensity, range, light_extent, SolveStatus::ok};
   }
   return best;

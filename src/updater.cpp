@@ -47,7 +47,7 @@ std::size_t FogUpdater::KindKeyHash::operator()(const KindKey& key) const {
 
 FogUpdater::FogUpdater(double skip_budget_255) : skip_budget_(skip_budget_255 / 255) {
   if (!is_finite_and_not_negative(skip_budget_255)) {
-    require(Refusal{"skip_budget_255", skip_budget_255, "must be finite and >= 0"});
+    require(ValueError{"skip_budget_255", skip_budget_255, "must be finite and >= 0"});
   }
   kinds_.push_back({.key = {}, .bound = {Attenuation{}, kDefaultThreshold}, .extent = 0});
 }
@@ -152,7 +152,7 @@ std::size_t FogUpdater::entry_of(FogLightHandle handle) const { return records_[
 std::uint32_t FogUpdater::slot_of(FogLightHandle handle) const {
   if (handle.slot >= records_.size() || !records_[handle.slot].is_held ||
       records_[handle.slot].generation != handle.generation) {
-    require(Refusal{"handle.slot", double(handle.slot), "must be that of a light held"});
+    require(ValueError{"handle.slot", double(handle.slot), "must be that of a light held"});
   }
   return handle.slot;
 }
@@ -163,7 +163,7 @@ std::uint32_t FogUpdater::find_or_add_kind(const PlacedLight& placed) {
   const KindKey key{light.attenuation, light.threshold, light.density_scale};
   if (const auto found = kind_of_key_.find(key); found != kind_of_key_.end()) return found->second;
   const Kind kind{
-      .key = key, .bound = {light.attenuation, light.threshold}, .extent = extent(light.attenuation, light.threshold)};
+      .key = key, .bound = {light.attenuation, light.threshold}, .extent = compute_extent(light.attenuation, light.threshold)};
   std::uint32_t index = std::uint32_t(kinds_.size());
   if (free_kinds_.empty()) {
     kinds_.push_back(kind);
@@ -202,7 +202,7 @@ void FogUpdater::leave(const Record& record) {
 /// Writes the entry of a hidden light.
 void FogUpdater::pack(Record& record, const PlacedLight& placed) {
   const Light& light = placed.light;
-  const double light_extent = placed.carried ? kinds_[record.kind].extent : extent(light.attenuation, light.threshold);
+  const double light_extent = placed.carried ? kinds_[record.kind].extent : compute_extent(light.attenuation, light.threshold);
   FogLight& entry = entries_[record.entry];
   entry = pack_fog_light(placed, {.intensity = 0, .peak_range = 0, .extent = light_extent, .status = SolveStatus::ok});
   record.color = glm::vec3(entry.color_intensity);

@@ -26,7 +26,7 @@ struct Airlight {
 
 double golden_section_intensity(const Attenuation& attenuation, const Fog& fog, double threshold) {
   const Airlight airlight{attenuation, fog};
-  const double end = extent(attenuation, threshold);
+  const double end = compute_extent(attenuation, threshold);
   constexpr double kRatio = 0.61803398874989485;  // (sqrt(5) - 1) / 2
   double low = 0;
   double high = end;
@@ -54,7 +54,7 @@ double golden_section_intensity(const Attenuation& attenuation, const Fog& fog, 
 
 double brent_intensity(const Attenuation& attenuation, const Fog& fog, double threshold) {
   const Airlight airlight{attenuation, fog};
-  const double end = extent(attenuation, threshold);
+  const double end = compute_extent(attenuation, threshold);
   constexpr int kBits = std::numeric_limits<double>::digits / 2;
   const auto [range, minimum] =
       boost::math::tools::brent_find_minima([&](double r) { return -airlight(r); }, 0.0, end, kBits);

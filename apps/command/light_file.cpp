@@ -65,7 +65,7 @@ std::string cone_member(const Cone& cone) {
 
 }  // namespace
 
-void fail_light(const JsonValue& light, const litfog::Refusal& refusal) {
+void fail_light(const JsonValue& light, const litfog::ValueError& refusal) {
   FileTerm term{refusal.field, refusal.field, refusal.rule};
   for (const FileTerm& candidate : kFileTerms) {
     if (candidate.field == term.field) term = candidate;

@@ -32,7 +32,7 @@ litfog::Light read_light(const std::string& path);
 litfog::Light parse_light(const JsonValue& value);
 
 /// Refuses a member of a light that is in an object of another kind of file, at its place.
-[[noreturn]] void fail_light(const JsonValue& value, const litfog::Refusal& refusal);
+[[noreturn]] void fail_light(const JsonValue& value, const litfog::ValueError& refusal);
 
 /// A light as the text of its file: numbers are read back exactly, but for angles that no number of degrees stands for,
 /// which are off by their last bit. fit is the JSON text of that member, or empty.

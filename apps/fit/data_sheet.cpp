@@ -60,10 +60,10 @@ void add_range(Sheet& sheet, const AttenuationTarget& target, const AttenuationF
   const auto& [constant, linear, quadratic] = fit.attenuation;
   sheet.add("attenuation", fmt::format("1 / (C + L r + Q r^2), at most 1: C = {:.9g}, L = {:.9g} /m, Q = {:.9g} /m^2",
                                        constant, linear, quadratic));
-  const double end = extent(fit.attenuation, fit.threshold);
+  const double end = compute_extent(fit.attenuation, fit.threshold);
   sheet.add("extent", fmt::format("{:.6g} m, where the attenuation is {:.6g}", end, fit.threshold) +
                           (target.extent ? fmt::format(" (wanted {:.6g} m)", *target.extent) : ""));
-  const double clamped = knee(fit.attenuation);
+  const double clamped = compute_knee(fit.attenuation);
   if (clamped > 0) sheet.add("knee", fmt::format("{:.6g} m, full brightness up to there", clamped));
   if (!fit.sentence.empty()) sheet.add("outcome", fit.sentence);
   std::vector<std::string> active;

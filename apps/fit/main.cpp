@@ -200,7 +200,7 @@ Table summary_of(const std::vector<Outcome>& outcomes) {
     if (outcome.fit) {
       const litfog::Light& light = outcome.fit->light;
       const auto& [constant, linear, quadratic] = light.attenuation;
-      for (const double number : {extent(light.attenuation, light.threshold), constant, linear, quadratic}) {
+      for (const double number : {compute_extent(light.attenuation, light.threshold), constant, linear, quadratic}) {
         row.emplace_back(number);
       }
       switch (light.cone.profile) {

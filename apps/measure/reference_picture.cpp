@@ -36,7 +36,7 @@ struct ReferenceLight {
         axis(placed.direction),
         color(placed.light.color),
         attenuation(placed.light.attenuation),
-        extent(litfog::extent(attenuation, placed.light.threshold)),
+        extent(litfog::compute_extent(attenuation, placed.light.threshold)),
         intensity(placed.carried ? solve_fog_intensity(placed.light, fog).intensity : 0),
         profile(placed.light.cone.profile),
         cos_outer(std::cos(cutoff_angle(placed.light.cone))),
@@ -244,7 +244,7 @@ class ReferenceShading {
 
   /// mix(fog, surface, f) with fog = ambient fog + sum of colour * cone * intensity (Hales 2004, "Lighting in Fog").
   void add_fog(Shade& shade, const glm::dvec3& position) const {
-    const double share = opacity(fog_, glm::distance(position, eye_));
+    const double share = opacity_at(fog_, glm::distance(position, eye_));
     if (share <= 0) return;
     glm::dvec3 fog_color = environment_.ambient_fog_color;
     for (const ReferenceLight& light : carried_) {

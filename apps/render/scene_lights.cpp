@@ -22,7 +22,7 @@ SceneLights::SceneLights(const Scene& scene) {
     const PlacedLight& light = scene.lights[i];
     const auto use = scene.cookie_uses.find(i);
     const CookieUse* const cookie = use == scene.cookie_uses.end() ? nullptr : &use->second;
-    const double reach = litfog::extent(light.light.attenuation, light.light.threshold);
+    const double reach = litfog::compute_extent(light.light.attenuation, light.light.threshold);
     if (light.carried) {
       carried_.push_back(light);
       carried_cookies.push_back(cookie);

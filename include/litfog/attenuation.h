@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "litfog/refusal.h"
+#include "litfog/value_error.h"
 
 namespace litfog {
 
@@ -24,8 +24,8 @@ using AttenuationF = BasicAttenuation<float>;
 inline constexpr double kDefaultThreshold = 0.05;
 
 /// What is wrong with an attenuation (or threshold), or nothing.
-std::optional<Refusal> check(const Attenuation& attenuation);
-std::optional<Refusal> check_threshold(double threshold);
+std::optional<ValueError> check(const Attenuation& attenuation);
+std::optional<ValueError> check_threshold(double threshold);
 
 /// a(r), the share of its near brightness that a light has at a range.
 ///
@@ -40,14 +40,14 @@ double attenuation_at(const Attenuation& attenuation, double range);
 /// returns    metres; 0 where C >= 1/t, infinity where L = Q = 0 and C < 1/t
 /// max error  2 ulp; float: 1 ulp                                                         (attenuation_test.cpp)
 /// throws     std::invalid_argument naming field, value and rule
-double extent(const Attenuation& attenuation, double threshold);
-float extent(const AttenuationF& attenuation, float threshold);
+double compute_extent(const Attenuation& attenuation, double threshold);
+float compute_extent(const AttenuationF& attenuation, float threshold);
 
 /// Knee: the range up to which the clamp holds the attenuation at 1, the root of C + L r + Q r^2 = 1.
 ///
 /// returns    metres; 0 where C >= 1, infinity where L = Q = 0 and C < 1
 /// max error  2 ulp                                                                        (attenuation_test.cpp)
 /// throws     std::invalid_argument naming field, value and rule
-double knee(const Attenuation& attenuation);
+double compute_knee(const Attenuation& attenuation);
 
 }  // namespace litfog

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "litfog/refusal.h"
+#include "litfog/value_error.h"
 
 namespace litfog {
 
@@ -33,7 +33,7 @@ struct Cone {
 };
 
 /// What is wrong with a cone, or nothing.
-std::optional<Refusal> check(const Cone& cone);
+std::optional<ValueError> check(const Cone& cone);
 
 /// Half angle beyond which a cone is dark: radians, pi for a point light.
 double cutoff_angle(const Cone& cone);

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "litfog/refusal.h"
+#include "litfog/value_error.h"
 
 namespace litfog {
 
@@ -38,7 +38,7 @@ using Fog = BasicFog<double>;
 using FogF = BasicFog<float>;
 
 /// What is wrong with a fog, or nothing.
-std::optional<Refusal> check(const Fog& fog);
+std::optional<ValueError> check(const Fog& fog);
 
 /// Fog as a light of a class sees it: the density times the class's scale (1/2.5 for FlightGear's runway lights).
 ///
@@ -50,13 +50,13 @@ Fog scaled(const Fog& fog, double density_scale);
 ///
 /// range    metres, >= 0
 /// returns  [0, 1]
-double fog_factor(const Fog& fog, double range);
+double fog_factor_at(const Fog& fog, double range);
 
 /// Opacity 1 - f(r), without the cancellation of the plain form.
 ///
 /// range      metres, >= 0
 /// returns    [0, 1]
 /// max error  4 ulp                                                             (fog_test.cpp)
-double opacity(const Fog& fog, double range);
+double opacity_at(const Fog& fog, double range);
 
 }  // namespace litfog

@@ -7,7 +7,7 @@
 
 #include "litfog/attenuation.h"
 #include "litfog/cone.h"
-#include "litfog/refusal.h"
+#include "litfog/value_error.h"
 
 namespace litfog {
 
@@ -30,6 +30,6 @@ struct PlacedLight {
 };
 
 /// What is wrong with a light, or nothing.
-std::optional<Refusal> check(const Light& light);
+std::optional<ValueError> check(const Light& light);
 
 }  // namespace litfog

@@ -24,19 +24,19 @@ constexpr double kReading = 1e-3;
 
 bool is_within(double x, double low, double high) { return x >= low && x <= high; }
 
-std::optional<Refusal> check(const AttenuationSample& sample, const AttenuationSample* previous) {
+std::optional<ValueError> check(const AttenuationSample& sample, const AttenuationSample* previous) {
   const auto [range, attenuation, weight] = sample;
   if (range != 0 && !is_within(range, kLeastRange, kLargestRange)) {
-    return Refusal{"range", range, "must be 0, or in [1e-30, 1e30]"};
+    return ValueError{"range", range, "must be 0, or in [1e-30, 1e30]"};
   }
   if (previous != nullptr && !(range > previous->range)) {
-    return Refusal{"range", range, "must be greater than the range before it"};
+    return ValueError{"range", range, "must be greater than the range before it"};
   }
   if (!is_within(attenuation, kLeastAttenuation, 1)) {
-    return Refusal{"attenuation", attenuation, "must be in [1e-100, 1]"};
+    return ValueError{"attenuation", attenuation, "must be in [1e-100, 1]"};
   }
   if (weight != 0 && !is_within(weight, 1 / kLargestFactor, kLargestFactor)) {
-    return Refusal{"weight", weight, "must be 0, or in [1e-100, 1e100]"};
+    return ValueError{"weight", weight, "must be 0, or in [1e-100, 1e100]"};
   }
   return std::nullopt;
 }

@@ -25,7 +25,7 @@ constexpr std::array<CubeFace, 6> kFaces{{
 }  // namespace
 
 Cookie bake_cookie(const IntensityDistribution& distribution, int size) {
-  if (!(size >= 1 && size <= 4096)) require(Refusal{"size", double(size), "must be in [1, 4096]"});
+  if (!(size >= 1 && size <= 4096)) require(ValueError{"size", double(size), "must be in [1, 4096]"});
   const double peak = find_peak(distribution).intensity;
   const auto texel_centre = [size](int i) { return (2 * i + 1) / double(size) - 1; };
   Cookie cookie{.size = size, .texels = {}};

@@ -157,18 +157,18 @@ std::vector<double> profile_angles(const IntensityDistribution& distribution, co
 
 // --- checks ---
 
-std::optional<Refusal> check_angles(const char* field, std::span<const double> angles, double low, double high) {
-  if (angles.size() < 2) return Refusal{field, double(angles.size()), "must be at least two angles"};
+std::optional<ValueError> check_angles(const char* field, std::span<const double> angles, double low, double high) {
+  if (angles.size() < 2) return ValueError{field, double(angles.size()), "must be at least two angles"};
   for (std::size_t i = 0; i < angles.size(); ++i) {
     if (!(angles[i] >= low - kTolerance && angles[i] <= high + kTolerance)) {
-      return Refusal{field, angles[i], "must be within the range of its photometry type"};
+      return ValueError{field, angles[i], "must be within the range of its photometry type"};
     }
-    if (i > 0 && !(angles[i] > angles[i - 1])) return Refusal{field, angles[i], "must be in increasing order"};
+    if (i > 0 && !(angles[i] > angles[i - 1])) return ValueError{field, angles[i], "must be in increasing order"};
   }
   return std::nullopt;
 }
 
-std::optional<Refusal> check_turn(std::span<const double> turn) {
+std::optional<ValueError> check_turn(std::span<const double> turn) {
   constexpr const char* kField = "distribution.horizontal";
   if (turn.size() == 1 && std::isfinite(turn.front())) return std::nullopt;
   if (const auto refusal = check_angles(kField, turn, -2 * pi, 4 * pi)) return refusal;
@@ -176,17 +176,17 @@ std::optional<Refusal> check_turn(std::span<const double> turn) {
   for (const int multiplicity : {1, 2, 4}) {
     if (std::abs(span - 2 * pi / multiplicity) <= kTolerance) return std::nullopt;
   }
-  return Refusal{kField, span, "must span pi / 2, pi or 2 pi"};
+  return ValueError{kField, span, "must span pi / 2, pi or 2 pi"};
 }
 
 void require_axis(const glm::dvec3& axis) {
   const double size = sum_of(axis);
-  if (!(size > 0 && std::isfinite(size))) require(Refusal{"axis", size, "must be finite and not 0"});
+  if (!(size > 0 && std::isfinite(size))) require(ValueError{"axis", size, "must be finite and not 0"});
 }
 
 }  // namespace
 
-std::optional<Refusal> check(const IntensityDistribution& distribution) {
+std::optional<ValueError> check(const IntensityDistribution& distribution) {
   const auto& [type, horizontal, vertical, intensity] = distribution;
   const bool is_c = type == PhotometryType::c;
   const double vertical_limit = type == PhotometryType::a ? pi / 2 : pi;
@@ -200,13 +200,13 @@ std::optional<Refusal> check(const IntensityDistribution& distribution) {
   }
   constexpr const char* kField = "distribution.intensity";
   if (intensity.size() != horizontal.size() * vertical.size()) {
-    return Refusal{kField, double(intensity.size()), "must be as many as pairs of angles"};
+    return ValueError{kField, double(intensity.size()), "must be as many as pairs of angles"};
   }
   for (const double candela : intensity) {
-    if (!(candela >= 0 && candela <= kMaxIntensity)) return Refusal{kField, candela, "must be in [0, 1e30]"};
+    if (!(candela >= 0 && candela <= kMaxIntensity)) return ValueError{kField, candela, "must be in [0, 1e30]"};
   }
   if (std::ranges::all_of(intensity, [](double candela) { return candela == 0; })) {
-    return Refusal{kField, 0, "must not be 0 everywhere"};
+    return ValueError{kField, 0, "must not be 0 everywhere"};
   }
   return std::nullopt;
 }
@@ -283,7 +283,7 @@ std::vector<AxialSample> axial_profile(const IntensityDistribution& distribution
 
 std::vector<AxialSample> plane_profile(const IntensityDistribution& distribution, double turn) {
   require(check(distribution));
-  if (!std::isfinite(turn)) require(Refusal{"turn", turn, "must be finite"});
+  if (!std::isfinite(turn)) require(ValueError{"turn", turn, "must be finite"});
   const AxisFrame frame(kPhotometricAxis);
   std::vector<AxialSample> profile;
   for (const double angle : profile_angles(distribution, kPhotometricAxis)) {
@@ -293,8 +293,8 @@ std::vector<AxialSample> plane_profile(const IntensityDistribution& distribution
 }
 
 double half_angle(const std::vector<AxialSample>& profile, double share) {
-  if (profile.empty()) require(Refusal{"profile", 0, "must hold a sample"});
-  if (!(share > 0 && share <= 1)) require(Refusal{"share", share, "must be in (0, 1]"});
+  if (profile.empty()) require(ValueError{"profile", 0, "must hold a sample"});
+  if (!(share > 0 && share <= 1)) require(ValueError{"share", share, "must be in (0, 1]"});
   const auto peak = std::ranges::max_element(profile, {}, &AxialSample::mean);
   const double level = share * peak->mean;
   const auto below = std::find_if(peak, profile.end(), [&](const AxialSample& s) { return s.mean < level; });

@@ -193,7 +193,7 @@ TEST_F(ShippedLights, QuadraticOnesEndWhereTheirSourceSays) {
     const std::string before = "1 lx) = ";
     ASSERT_NE(rule.find(before), std::string::npos) << path;
     const double stated_extent = std::stod(rule.substr(rule.find(before) + before.size()));
-    EXPECT_NEAR(extent(light.attenuation, light.threshold), stated_extent, stated_extent * 1e-3) << path;
+    EXPECT_NEAR(compute_extent(light.attenuation, light.threshold), stated_extent, stated_extent * 1e-3) << path;
     ++found;
   }
   EXPECT_GE(found, 12);

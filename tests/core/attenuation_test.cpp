@@ -10,7 +10,7 @@
 #include "reference/double_limits.h"
 #include "reference/random_light.h"
 #include "reference/reference_solver.h"
-#include "core/refused.h"
+#include "core/value_errors.h"
 #include "reference/ulp.h"
 
 namespace litfog::test {
@@ -27,8 +27,8 @@ void check_extent_and_knee(const char* range, int count, const Draw& draw) {
   for (int i = 0; i < count; ++i) {
     const auto [a, threshold] = draw(random);
     const auto text = [&, a = a, t = threshold] { return describe(a, t); };
-    extent_error.add(ulp_error(extent(a, threshold), reference_extent(a, threshold)), text);
-    knee_error.add(ulp_error(knee(a), reference_knee(a)), text);
+    extent_error.add(ulp_error(compute_extent(a, threshold), reference_extent(a, threshold)), text);
+    knee_error.add(ulp_error(compute_knee(a), reference_knee(a)), text);
   }
   extent_error.check();
   knee_error.check();
@@ -94,7 +94,7 @@ TEST(Extent, IsFiniteAndRightWhereSinglePrecisionLosesTheTextbookRoot) {
     const float textbook = (-1 + std::sqrt(1 - 4 * quadratic * (1 - 1 / 0.05f))) / (2 * quadratic);
     const Digits50 reference = reference_extent({1, 1, quadratic}, double(0.05f));
     EXPECT_GT(relative_error(textbook, reference), 0.05) << "no longer the case that it was written for";
-    EXPECT_LE(ulp_error(extent(AttenuationF{1, 1, quadratic}, 0.05f), reference), 1) << quadratic;
+    EXPECT_LE(ulp_error(compute_extent(AttenuationF{1, 1, quadratic}, 0.05f), reference), 1) << quadratic;
   }
 }
 
@@ -107,33 +107,33 @@ TEST(Extent, InSinglePrecisionIsExactToOneUlp) {
     float threshold = draw();
     while (!(threshold < 1)) threshold = draw();
     const Attenuation wide{a.constant, a.linear, a.quadratic};
-    error.add(ulp_error(extent(a, threshold), reference_extent(wide, double(threshold))),
+    error.add(ulp_error(compute_extent(a, threshold), reference_extent(wide, double(threshold))),
               [&] { return describe(wide, threshold); });
   }
   error.check();
 }
 
 TEST(Extent, IsZeroWhereTheLightStartsAtOrBelowItsThreshold) {
-  EXPECT_EQ(extent(Attenuation{20, 1, 1}, 0.05), 0);  // 0.05 is above 1/20 by a quarter ulp
-  EXPECT_EQ(extent(Attenuation{4, 1, 1}, 0.25), 0);
-  EXPECT_EQ(extent(Attenuation{4, 0, 0}, 0.25), 0);
-  EXPECT_EQ(extent(Attenuation{5, 1, 1}, 0.25), 0);
-  EXPECT_EQ(extent(Attenuation{kMax, 0, kDenormMin}, 0.5), 0);
-  EXPECT_EQ(extent(AttenuationF{4, 1, 1}, 0.25f), 0);
+  EXPECT_EQ(compute_extent(Attenuation{20, 1, 1}, 0.05), 0);  // 0.05 is above 1/20 by a quarter ulp
+  EXPECT_EQ(compute_extent(Attenuation{4, 1, 1}, 0.25), 0);
+  EXPECT_EQ(compute_extent(Attenuation{4, 0, 0}, 0.25), 0);
+  EXPECT_EQ(compute_extent(Attenuation{5, 1, 1}, 0.25), 0);
+  EXPECT_EQ(compute_extent(Attenuation{kMax, 0, kDenormMin}, 0.5), 0);
+  EXPECT_EQ(compute_extent(AttenuationF{4, 1, 1}, 0.25f), 0);
 }
 
 TEST(Extent, IsInfiniteForConstantAttenuationAboveTheThreshold) {
-  EXPECT_EQ(extent(Attenuation{1, 0, 0}, 0.05), kInfinity);
-  EXPECT_EQ(extent(Attenuation{std::nextafter(4.0, 0.0), 0, 0}, 0.25), kInfinity);
-  EXPECT_EQ(extent(Attenuation{kDenormMin, 0, 0}, kDenormMin), kInfinity);
-  EXPECT_EQ(extent(AttenuationF{1, 0, 0}, 0.05f), std::numeric_limits<float>::infinity());
+  EXPECT_EQ(compute_extent(Attenuation{1, 0, 0}, 0.05), kInfinity);
+  EXPECT_EQ(compute_extent(Attenuation{std::nextafter(4.0, 0.0), 0, 0}, 0.25), kInfinity);
+  EXPECT_EQ(compute_extent(Attenuation{kDenormMin, 0, 0}, kDenormMin), kInfinity);
+  EXPECT_EQ(compute_extent(AttenuationF{1, 0, 0}, 0.05f), std::numeric_limits<float>::infinity());
 }
 
 TEST(Extent, HasTheClosedFormsOfOneTerm) {
-  EXPECT_DOUBLE_EQ(extent(Attenuation{0, 0.5, 0}, 0.25), 8);
-  EXPECT_DOUBLE_EQ(extent(Attenuation{1, 0.5, 0}, 0.25), 6);
-  EXPECT_DOUBLE_EQ(extent(Attenuation{0, 0, 0.25}, 0.0625), 8);
-  EXPECT_DOUBLE_EQ(extent(Attenuation{3, 0, 0.25}, 0.25), 2);
+  EXPECT_DOUBLE_EQ(compute_extent(Attenuation{0, 0.5, 0}, 0.25), 8);
+  EXPECT_DOUBLE_EQ(compute_extent(Attenuation{1, 0.5, 0}, 0.25), 6);
+  EXPECT_DOUBLE_EQ(compute_extent(Attenuation{0, 0, 0.25}, 0.0625), 8);
+  EXPECT_DOUBLE_EQ(compute_extent(Attenuation{3, 0, 0.25}, 0.25), 2);
 }
 
 TEST(Extent, FallsToTheAttenuationOfItsThreshold) {
@@ -141,24 +141,24 @@ TEST(Extent, FallsToTheAttenuationOfItsThreshold) {
   for (int i = 0; i < 10000; ++i) {
     const Attenuation a{random.log_uniform(1e-3, 3), random.log_uniform(1e-6, 10), random.log_uniform(1e-9, 10)};
     const double threshold = random.log_uniform(1e-3, 0.3);
-    EXPECT_LE(relative_error(attenuation_at(a, extent(a, threshold)), threshold), 8e-16) << describe(a, threshold);
+    EXPECT_LE(relative_error(attenuation_at(a, compute_extent(a, threshold)), threshold), 8e-16) << describe(a, threshold);
   }
 }
 
 TEST(Knee, IsZeroFromConstantOneOn) {
-  EXPECT_EQ(knee({1, 1, 1}), 0);
-  EXPECT_EQ(knee({1, 0, 0}), 0);
-  EXPECT_EQ(knee({kMax, 1, 1}), 0);
+  EXPECT_EQ(compute_knee({1, 1, 1}), 0);
+  EXPECT_EQ(compute_knee({1, 0, 0}), 0);
+  EXPECT_EQ(compute_knee({kMax, 1, 1}), 0);
 }
 
 TEST(Knee, IsInfiniteForConstantAttenuationBelowOne) {
-  EXPECT_EQ(knee({0.5, 0, 0}), kInfinity);
-  EXPECT_EQ(knee({std::nextafter(1.0, 0.0), 0, 0}), kInfinity);
+  EXPECT_EQ(compute_knee({0.5, 0, 0}), kInfinity);
+  EXPECT_EQ(compute_knee({std::nextafter(1.0, 0.0), 0, 0}), kInfinity);
 }
 
 TEST(Knee, IsWhereTheClampLetsGo) {
   const Attenuation a{0.5, 0.25, 0};
-  EXPECT_EQ(knee(a), 2);
+  EXPECT_EQ(compute_knee(a), 2);
   EXPECT_EQ(attenuation_at(a, 2), 1);
   EXPECT_EQ(attenuation_at(a, 1), 1);
   EXPECT_LT(attenuation_at(a, std::nextafter(2.0, 3.0) + 1e-15), 1);
@@ -229,13 +229,13 @@ TEST(AttenuationCheck, RefusesThresholdsOffTheOpenUnitInterval) {
 
 TEST(AttenuationCheck, IsEnforcedByExtentAndKnee) {
   EXPECT_EQ(refusal_of([] {
-              extent(Attenuation{1, -1, 0}, 0.05);
+              compute_extent(Attenuation{1, -1, 0}, 0.05);
             }),
             "attenuation.linear = -1: must be finite and >= 0");
-  EXPECT_EQ(refusal_of([] { extent(Attenuation{1, 1, 0}, 1); }), "threshold = 1: must be in (0, 1)");
-  EXPECT_EQ(refusal_of([] { extent(AttenuationF{1, 1, 0}, -0.5f); }), "threshold = -0.5: must be in (0, 1)");
+  EXPECT_EQ(refusal_of([] { compute_extent(Attenuation{1, 1, 0}, 1); }), "threshold = 1: must be in (0, 1)");
+  EXPECT_EQ(refusal_of([] { compute_extent(AttenuationF{1, 1, 0}, -0.5f); }), "threshold = -0.5: must be in (0, 1)");
   EXPECT_EQ(refusal_of([] {
-              knee({0, 0, 0});
+              compute_knee({0, 0, 0});
             }),
             "attenuation.constant = 0: must be > 0 where linear and quadratic are 0");
 }

@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "core/refused.h"
+#include "core/value_errors.h"
 
 namespace litfog::test {
 namespace {

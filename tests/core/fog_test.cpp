@@ -11,7 +11,7 @@
 #include "reference/double_limits.h"
 #include "reference/random_light.h"
 #include "reference/reference_solver.h"
-#include "core/refused.h"
+#include "core/value_errors.h"
 #include "reference/ulp.h"
 
 namespace litfog::test {
@@ -72,7 +72,7 @@ TEST(FogFromVisibility, HasItsContrastAsFogFactorAtTheVisibility) {
   for (const FogMode mode : kModes) {
     for (const double contrast : kPresets) {
       for (const double metres : {0.5, 200.0, 50000.0}) {
-        EXPECT_NEAR(fog_factor(Fog::from_visibility(mode, metres, contrast), metres), contrast, 8e-16 * contrast * 5);
+        EXPECT_NEAR(fog_factor_at(Fog::from_visibility(mode, metres, contrast), metres), contrast, 8e-16 * contrast * 5);
       }
     }
   }
@@ -134,7 +134,7 @@ void check_opacity(const char* range, const Draw& draw) {
     Random random(9);
     for (int i = 0; i < 10000; ++i) {
       const auto [density, metres] = draw(random);
-      error.add(ulp_error(opacity({mode, density}, metres), reference_opacity(mode, density, metres)),
+      error.add(ulp_error(opacity_at({mode, density}, metres), reference_opacity(mode, density, metres)),
                 [&, d = density, m = metres] { return describe(mode, d, m); });
     }
     error.check();
@@ -158,23 +158,23 @@ TEST(Opacity, IsExactToFourUlp) {
 }
 
 TEST(Opacity, OfThinFogIsItsDepth) {
-  EXPECT_EQ(opacity({FogMode::exp, 1e-20}, 1), 1e-20);
-  EXPECT_EQ(opacity({FogMode::exp, 0x1p-60}, 1), 0x1p-60);
-  EXPECT_EQ(opacity({FogMode::exp2, 0x1p-40}, 1), 0x1p-80);
-  EXPECT_EQ(opacity({FogMode::exp, kDenormMin}, 1), kDenormMin);
+  EXPECT_EQ(opacity_at({FogMode::exp, 1e-20}, 1), 1e-20);
+  EXPECT_EQ(opacity_at({FogMode::exp, 0x1p-60}, 1), 0x1p-60);
+  EXPECT_EQ(opacity_at({FogMode::exp2, 0x1p-40}, 1), 0x1p-80);
+  EXPECT_EQ(opacity_at({FogMode::exp, kDenormMin}, 1), kDenormMin);
 }
 
 TEST(Opacity, OfClearAirIsZeroAndOfTotalFogOneBeyondRangeZero) {
   for (const FogMode mode : kModes) {
     for (const double range : {0.0, kDenormMin, 1.0, kMax, kInfinity}) {
-      EXPECT_EQ(opacity({mode, 0}, range), 0);
-      EXPECT_EQ(fog_factor({mode, 0}, range), 1);
-      EXPECT_EQ(opacity({mode, kInfinity}, range), range == 0 ? 0 : 1);
-      EXPECT_EQ(fog_factor({mode, kInfinity}, range), range == 0 ? 1 : 0);
+      EXPECT_EQ(opacity_at({mode, 0}, range), 0);
+      EXPECT_EQ(fog_factor_at({mode, 0}, range), 1);
+      EXPECT_EQ(opacity_at({mode, kInfinity}, range), range == 0 ? 0 : 1);
+      EXPECT_EQ(fog_factor_at({mode, kInfinity}, range), range == 0 ? 1 : 0);
     }
-    EXPECT_EQ(opacity({mode, 1e-3}, 0), 0);
-    EXPECT_EQ(opacity({mode, kDenormMin}, kInfinity), 1);
-    EXPECT_EQ(fog_factor({mode, kDenormMin}, kInfinity), 0);
+    EXPECT_EQ(opacity_at({mode, 1e-3}, 0), 0);
+    EXPECT_EQ(opacity_at({mode, kDenormMin}, kInfinity), 1);
+    EXPECT_EQ(fog_factor_at({mode, kDenormMin}, kInfinity), 0);
   }
 }
 
@@ -183,7 +183,7 @@ TEST(Opacity, AndFogFactorMakeOne) {
   for (int i = 0; i < 10000; ++i) {
     const Fog fog{random.pick(kModes), random.log_uniform(1e-6, 10)};
     const double range = random.log_uniform(1e-3, 1e5);
-    EXPECT_NEAR(opacity(fog, range) + fog_factor(fog, range), 1, 0x1p-51) << describe(fog.mode, fog.density, range);
+    EXPECT_NEAR(opacity_at(fog, range) + fog_factor_at(fog, range), 1, 0x1p-51) << describe(fog.mode, fog.density, range);
   }
 }
 
@@ -193,10 +193,10 @@ TEST(Opacity, NeitherNanNorOffItsRangeNorFallingOnSpecialValues) {
     for (const double density : values) {
       double last = 0;
       for (const double range : values) {
-        const double value = opacity({mode, density}, range);
+        const double value = opacity_at({mode, density}, range);
         EXPECT_TRUE(value >= last && value <= 1) << describe(mode, density, range) << ": " << value;
         last = value;
-        const double factor = fog_factor({mode, density}, range);
+        const double factor = fog_factor_at({mode, density}, range);
         EXPECT_TRUE(factor >= 0 && factor <= 1) << describe(mode, density, range) << ": " << factor;
       }
     }

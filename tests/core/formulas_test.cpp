@@ -57,8 +57,8 @@ TEST(Formulas, InDoubleAreTheLibrarysFunctions) {
     const Attenuation a{random.log_uniform(1e-3, 10), random.log_uniform(1e-6, 10), random.log_uniform(1e-9, 10)};
     EXPECT_EQ(litfog_attenuation(range, a.constant, a.linear, a.quadratic), attenuation_at(a, range));
     const double density = random.log_uniform(1e-6, 1);
-    EXPECT_EQ(litfog_opacity(litfog_depth_exp(range, density)), opacity({FogMode::exp, density}, range));
-    EXPECT_EQ(litfog_opacity(litfog_depth_exp2(range, density)), opacity({FogMode::exp2, density}, range));
+    EXPECT_EQ(litfog_opacity(litfog_depth_exp(range, density)), opacity_at({FogMode::exp, density}, range));
+    EXPECT_EQ(litfog_opacity(litfog_depth_exp2(range, density)), opacity_at({FogMode::exp2, density}, range));
     const Cone dual = Cone::smoothstep(random.uniform(0, 0.5), random.uniform(0.5, 3));
     const Cone hard = Cone::cosine(random.uniform(0.01, 1.5), random.log_uniform(1e-2, 100));
     const double cos_angle = random.uniform(-1, 1);

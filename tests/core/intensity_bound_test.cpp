@@ -10,7 +10,7 @@
 
 #include "litfog/solve.h"
 #include "reference/random_light.h"
-#include "core/refused.h"
+#include "core/value_errors.h"
 
 namespace litfog::test {
 namespace {
@@ -67,9 +67,9 @@ TEST(IntensityBound, ExceedsTheIntensityByLessThanHalfTheOpticalDepthOfTheExtent
   int checked = 0;
   for (int i = 0; i < 300000; ++i) {
     SolveCase c = draw_ordinary_case(random, random.pick(kModes));
-    c.fog.density = random.log_uniform(1e-7, 1) / extent(c.attenuation, c.threshold);
+    c.fog.density = random.log_uniform(1e-7, 1) / compute_extent(c.attenuation, c.threshold);
     if (!std::isfinite(c.fog.density)) continue;
-    const double reach = c.fog.density * extent(c.attenuation, c.threshold);
+    const double reach = c.fog.density * compute_extent(c.attenuation, c.threshold);
     const double depth = c.fog.mode == FogMode::exp ? reach : reach * reach;
     const double bound = IntensityBound(c.attenuation, c.threshold).at(c.fog);
     const double intensity = solve_fog_intensity(c.attenuation, c.fog, c.threshold).intensity;
@@ -86,7 +86,7 @@ TEST(IntensityBound, IsTheSlopeInThinFog) {
   };
   // Largest r a(r): at the knee (twice; sqrt(C / Q) is 0 and 10), at sqrt(C / Q) = 100, at the extent 50.
   EXPECT_NEAR(bound({0, 0.1, 0}, FogMode::exp) / (kDensity * 10), 1, 64 * kUlp);
-  EXPECT_NEAR(bound({0.1, 0.01, 1e-3}, FogMode::exp) / (kDensity * knee({0.1, 0.01, 1e-3})), 1, 64 * kUlp);
+  EXPECT_NEAR(bound({0.1, 0.01, 1e-3}, FogMode::exp) / (kDensity * compute_knee({0.1, 0.01, 1e-3})), 1, 64 * kUlp);
   EXPECT_NEAR(bound({1, 0, 1e-4}, FogMode::exp) / (kDensity * 50), 1, 64 * kUlp);
   EXPECT_NEAR(bound({15, 0.1, 0}, FogMode::exp) / (kDensity * 50 * 0.05), 1, 64 * kUlp);
   // Largest r^2 a(r): at the extent, 190 and 50.

@@ -90,7 +90,7 @@ TEST(FogIntensityProperty, NeverFallsBelowASampledValue) {
     }
     for (int i = -500; i <= 500; ++i) {  // around the peak, over four decades
       const double range = std::min(solved.peak_range * std::pow(10, 0.004 * i), solved.extent);
-      ASSERT_LE(opacity(c.fog, range) * attenuation_at(c.attenuation, range),
+      ASSERT_LE(opacity_at(c.fog, range) * attenuation_at(c.attenuation, range),
                 solved.intensity * (1 + kRoundingOfSample))
           << to_string(c) << ", range " << range;
     }
@@ -100,7 +100,7 @@ TEST(FogIntensityProperty, NeverFallsBelowASampledValue) {
 TEST(FogIntensityProperty, IsTakenAtThePeakRange) {
   for_random_lights(10000, [](Random&, const SolveCase& c) {
     const FogIntensity solved = solve_fog_intensity(c.attenuation, c.fog, c.threshold);
-    const double there = opacity(c.fog, solved.peak_range) * attenuation_at(c.attenuation, solved.peak_range);
+    const double there = opacity_at(c.fog, solved.peak_range) * attenuation_at(c.attenuation, solved.peak_range);
     ASSERT_NEAR(there, solved.intensity, solved.intensity * kRoundingOfSample) << to_string(c);
   });
 }
@@ -132,8 +132,8 @@ TEST(FogIntensityProperty, HasNoBetterNeighbourAtAnyScale) {
 
 /// Integral of a(r) d(1 - f(r)) over [0, extent]: the light that an eye at the light sees scattered back.
 double axial_airlight(const SolveCase& c, double light_extent) {
-  const double knee_opacity = opacity(c.fog, std::min(knee(c.attenuation), light_extent));
-  const double extent_opacity = opacity(c.fog, light_extent);
+  const double knee_opacity = opacity_at(c.fog, std::min(compute_knee(c.attenuation), light_extent));
+  const double extent_opacity = opacity_at(c.fog, light_extent);
   if (!(extent_opacity > knee_opacity)) return knee_opacity;
   const double width = extent_opacity - knee_opacity;
   const auto attenuation_at_share = [&](double share) {

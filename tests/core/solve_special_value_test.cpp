@@ -10,7 +10,7 @@
 #include "litfog/solve.h"
 #include "reference/random_light.h"
 #include "reference/reference_solver.h"
-#include "core/refused.h"
+#include "core/value_errors.h"
 
 // Every combination of the values at which arithmetic turns: refused with the right sentence, or solved as documented.
 
@@ -38,17 +38,17 @@ constexpr std::array<Real, 15> special_values() {
 }
 
 /// What solve.h says has to be refused, first argument first.
-std::optional<Refusal> expected_refusal(const SolveCase& c) {
+std::optional<ValueError> expected_refusal(const SolveCase& c) {
   const auto is_coefficient = [](double x) { return x >= 0 && x < std::numeric_limits<double>::infinity(); };
   const auto& [constant, linear, quadratic] = c.attenuation;
-  if (!is_coefficient(constant)) return Refusal{"attenuation.constant", constant, "must be finite and >= 0"};
-  if (!is_coefficient(linear)) return Refusal{"attenuation.linear", linear, "must be finite and >= 0"};
-  if (!is_coefficient(quadratic)) return Refusal{"attenuation.quadratic", quadratic, "must be finite and >= 0"};
+  if (!is_coefficient(constant)) return ValueError{"attenuation.constant", constant, "must be finite and >= 0"};
+  if (!is_coefficient(linear)) return ValueError{"attenuation.linear", linear, "must be finite and >= 0"};
+  if (!is_coefficient(quadratic)) return ValueError{"attenuation.quadratic", quadratic, "must be finite and >= 0"};
   if (constant + linear + quadratic == 0) {
-    return Refusal{"attenuation.constant", constant, "must be > 0 where linear and quadratic are 0"};
+    return ValueError{"attenuation.constant", constant, "must be > 0 where linear and quadratic are 0"};
   }
-  if (!(c.fog.density >= 0)) return Refusal{"fog.density", c.fog.density, "must be >= 0"};
-  if (!(c.threshold > 0 && c.threshold < 1)) return Refusal{"threshold", c.threshold, "must be in (0, 1)"};
+  if (!(c.fog.density >= 0)) return ValueError{"fog.density", c.fog.density, "must be >= 0"};
+  if (!(c.threshold > 0 && c.threshold < 1)) return ValueError{"threshold", c.threshold, "must be in (0, 1)"};
   return std::nullopt;
 }
 
@@ -84,7 +84,7 @@ void check_special_values() {
               const BasicAttenuation<Real> a{constant, linear, quadratic};
               const BasicFog<Real> fog{mode, density};
               const SolveCase c{{constant, linear, quadratic}, {mode, density}, threshold};
-              const std::optional<Refusal> refusal = expected_refusal(c);
+              const std::optional<ValueError> refusal = expected_refusal(c);
               if (!refusal) {
                 ++accepted;
                 const auto solved = solve_fog_intensity(a, fog, threshold);

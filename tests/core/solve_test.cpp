@@ -16,7 +16,7 @@
 #include "reference/double_limits.h"
 #include "reference/random_light.h"
 #include "reference/reference_solver.h"
-#include "core/refused.h"
+#include "core/value_errors.h"
 #include "reference/ulp.h"
 
 namespace litfog::test {
@@ -139,7 +139,7 @@ TEST(SolveFogIntensity, IsExactWhereThePeakIsNextToTheKneeOrTheExtent) {
   check_family("stationary point 1e-15..1e-3 from knee or extent", [](Random& random, FogMode mode) {
     SolveCase c{
         {random.uniform(0.01, 0.99), random.log_uniform(1e-4, 1), random.log_uniform(1e-8, 1)}, {mode, 1}, 0.05};
-    const double border = random.chance(0.5) ? knee(c.attenuation) : extent(c.attenuation, c.threshold);
+    const double border = random.chance(0.5) ? compute_knee(c.attenuation) : compute_extent(c.attenuation, c.threshold);
     // The density that puts the stationary point there: the point falls with the density.
     double thin = 1e-9 / border;
     double dense = 1e3 / border;
@@ -283,7 +283,7 @@ TEST(SolveLimits, ThinFogPeaksAtTheExtentWithTheThresholdsShare) {
     const Fog fog{mode, 1e-9};
     const FogIntensity solved = solve_fog_intensity({1, 0.5, 0}, fog, 0.25);
     EXPECT_EQ(solved.peak_range, 6);
-    EXPECT_DOUBLE_EQ(solved.intensity, 0.25 * opacity(fog, 6));
+    EXPECT_DOUBLE_EQ(solved.intensity, 0.25 * opacity_at(fog, 6));
   }
 }
 
@@ -292,7 +292,7 @@ TEST(SolveLimits, DenseFogPeaksAtTheKneeOfAClampedLight) {
     const Fog fog{mode, 10};
     const FogIntensity solved = solve_fog_intensity({0.5, 0.25, 0}, fog, 0.05);
     EXPECT_EQ(solved.peak_range, 2);
-    EXPECT_DOUBLE_EQ(solved.intensity, opacity(fog, 2));
+    EXPECT_DOUBLE_EQ(solved.intensity, opacity_at(fog, 2));
   }
 }
 
@@ -339,7 +339,7 @@ TEST(SampleFogIntensity, IsTheLargestSampleAsPublished) {
     const SolveCase c = draw_ordinary_case(random, random.pick(kModes));
     const int samples = random.pick(std::array{1, 2, 3, 16, 64, 1024});
     const FogIntensity sampled = sample_fog_intensity(c.attenuation, c.fog, c.threshold, samples);
-    const double light_extent = extent(c.attenuation, c.threshold);
+    const double light_extent = compute_extent(c.attenuation, c.threshold);
     EXPECT_EQ(sampled.extent, light_extent);
     EXPECT_EQ(sampled.status, SolveStatus::ok);
     EXPECT_LE(relative_error(sampled.intensity, sample_as_published(c.attenuation, c.fog, light_extent, samples)),
@@ -349,7 +349,7 @@ TEST(SampleFogIntensity, IsTheLargestSampleAsPublished) {
     EXPECT_NEAR(index, std::round(index), 1e-9) << "a sample's place";
     EXPECT_TRUE(index > 0.5 && index < samples + 0.5) << index;
     EXPECT_EQ(sampled.intensity,
-              opacity(c.fog, sampled.peak_range) * attenuation_at(c.attenuation, sampled.peak_range));
+              opacity_at(c.fog, sampled.peak_range) * attenuation_at(c.attenuation, sampled.peak_range));
   }
 }
 

@@ -182,7 +182,7 @@ bool check_certificates(std::size_t count) {
       for (std::size_t k = 0; k < kAbreast; ++k) {
         ++tried;
         const auto& [intensity, peak, extent, status] = solved[k];
-        const double knee = litfog::knee(cases[k].attenuation);
+        const double knee = litfog::compute_knee(cases[k].attenuation);
         // Below the knee the product rises with the opacity; behind the extent the light ends.
         const bool rises = peak <= knee * (1 + 1e-9) || slope_sign(cases[k], peak * (1 - 1e-6)) >= 0;
         const bool falls = peak >= extent * (1 - 1e-9) || slope_sign(cases[k], peak * (1 + 1e-6)) <= 0;

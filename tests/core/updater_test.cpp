@@ -16,7 +16,7 @@
 
 #include "core/allocation_count.h"
 #include "reference/random_light.h"
-#include "core/refused.h"
+#include "core/value_errors.h"
 
 namespace litfog::test {
 namespace {
@@ -39,7 +39,7 @@ float largest_component(const FogLight& entry) {
 
 /// What the entry of a light has to be, but for the intensity.
 FogLight pack_with_intensity_0(const PlacedLight& light, bool is_on) {
-  const double light_extent = extent(light.light.attenuation, light.light.threshold);
+  const double light_extent = compute_extent(light.light.attenuation, light.light.threshold);
   FogLight entry = pack_fog_light(light, {.intensity = 0, .peak_range = 0, .extent = light_extent, .status = {}});
   if (!is_on) entry.color_intensity = glm::vec4{0};
   return entry;

@@ -14,7 +14,7 @@
 #include "reference/double_limits.h"
 #include "reference/falloff_reference.h"
 #include "reference/random_light.h"
-#include "core/refused.h"
+#include "core/value_errors.h"
 #include "reference/ulp.h"
 
 namespace litfog::test {
@@ -88,7 +88,7 @@ std::vector<Problem> certified_problems() {
     const Attenuation light = draw_light(random, far, i % 3 == 2);
     const bool is_weighted = i % 2 == 1;
     const auto with_extent = [&](AttenuationTarget& target, const Attenuation& a) {
-      target.extent = extent(a, target.threshold) * random.uniform(0.9, 1.1);
+      target.extent = compute_extent(a, target.threshold) * random.uniform(0.9, 1.1);
       if (i % 2 == 1) target.constant = a.constant;
     };
     const auto with_constant = [&](AttenuationTarget& target, const Attenuation& a) {
@@ -199,7 +199,7 @@ TEST(AttenuationFit, MeetsEveryExtentExactly) {
       }
     }
     const AttenuationFit fit = fit_attenuation(target);
-    error.add(std::abs(extent(fit.attenuation, target.threshold) / *target.extent - 1),
+    error.add(std::abs(compute_extent(fit.attenuation, target.threshold) / *target.extent - 1),
               [&] { return describe(target); });
   }
   error.check();
@@ -233,7 +233,7 @@ TEST(AttenuationFit, FitsEveryTargetThatItAccepts) {
     EXPECT_TRUE(std::isfinite(fit.objective) && fit.objective >= 0) << describe(target);
     EXPECT_NE(fit.sentence, "") << describe(target);
     if (!target.extent) continue;
-    error.add(std::abs(extent(fit.attenuation, target.threshold) / *target.extent - 1),
+    error.add(std::abs(compute_extent(fit.attenuation, target.threshold) / *target.extent - 1),
               [&] { return describe(target); });
   }
   error.check();
@@ -447,7 +447,7 @@ TEST(AttenuationFit, SaysWhichConstantsAnExtentLeaves) {
       fit.sentence.starts_with("constant 25 cannot be had with an extent of 100 m at threshold 0.05: from 0 to "
                                "19.99998"))
       << fit.sentence;
-  EXPECT_NEAR(extent(fit.attenuation, 0.05), 100, 1e-10) << "the nearest that has the extent";
+  EXPECT_NEAR(compute_extent(fit.attenuation, 0.05), 100, 1e-10) << "the nearest that has the extent";
 }
 
 TEST(AttenuationFit, SaysAtWhichRangesAnAttenuationCanBeHad) {

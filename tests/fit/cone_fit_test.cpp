@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "reference/random_light.h"
-#include "core/refused.h"
+#include "core/value_errors.h"
 
 namespace litfog::test {
 namespace {

@@ -101,7 +101,7 @@ TEST_F(FitCommand, LightIsReadBackAndMeetsItsTarget) {
   EXPECT_EQ(fitted.name, "flood");
   EXPECT_EQ(fitted.color, glm::dvec3(1, 0.5, 0.25));
   EXPECT_EQ(fitted.density_scale, 0.4);
-  EXPECT_NEAR(extent(fitted.attenuation, fitted.threshold), 120, 120 * 1e-12);
+  EXPECT_NEAR(compute_extent(fitted.attenuation, fitted.threshold), 120, 120 * 1e-12);
   EXPECT_NEAR(attenuation_at(fitted.attenuation, 40), 0.31, 0.02);
   EXPECT_NEAR(cone_at(fitted.cone, std::cos(pi / 18)), 0.45, 0.05);
   EXPECT_EQ(read_json((directory() / "light.json").string()).member("source").items()[0].string(), "a test");
@@ -178,7 +178,7 @@ TEST_F(FitCommand, InfeasibleTargetHasItsReasonAndStillALight) {
   EXPECT_TRUE(outcome.err.starts_with("far.json: range: infeasible: ")) << outcome.err;
   EXPECT_NE(outcome.out.find("Range: infeasible"), std::string::npos);
   const Light best = light("light.json");
-  EXPECT_NEAR(extent(best.attenuation, best.threshold), 100, 1e-10);
+  EXPECT_NEAR(compute_extent(best.attenuation, best.threshold), 100, 1e-10);
   EXPECT_EQ(nlohmann::json::parse(read("light.json"))["fit"]["range"]["status"], "infeasible");
 }
 
@@ -220,7 +220,7 @@ TEST_F(FitCommand, PhotometricFileIsALight) {
   EXPECT_EQ(fitted.name, "spot");
   EXPECT_EQ(fitted.color, glm::dvec3(1));
   EXPECT_EQ(fitted.attenuation.constant, 1);
-  EXPECT_NEAR(extent(fitted.attenuation, fitted.threshold), 10, 1e-11) << "100 cd give 1 lx at 10 m";
+  EXPECT_NEAR(compute_extent(fitted.attenuation, fitted.threshold), 10, 1e-11) << "100 cd give 1 lx at 10 m";
   const std::string report = run("spot.ies").out;
   EXPECT_NE(report.find("The beam is not round"), std::string::npos);
   EXPECT_NE(report.find("100 cd, 0 deg off the photometric axis"), std::string::npos);

@@ -404,7 +404,7 @@ TEST_F(FormulaPixelsTest, OfAFragmentInFogMixSurfaceAndFogByTheEyesRange) {
         "result = vec4(litfog_apply_fog(vec3(0.75, 0.5, 0.25), given(0).xyz, vec3(0.0, 1.0, 0.5)), 1.0);", {points});
     WorstError error("litfog_apply_fog, GL", "range 0.1..100, d = 0.02", kColorBound, "absolute");
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const double factor = fog_factor(fog, glm::length(dvec3(points[i]) - eye));
+      const double factor = fog_factor_at(fog, glm::length(dvec3(points[i]) - eye));
       const dvec3 expected =
           factor * surface + (1 - factor) * expected_fog_color(lights, fog, kAmbient, dvec3(points[i]));
       error.add(largest_difference(results[i], expected), [&] { return describe(points[i]); });

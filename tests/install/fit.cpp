@@ -5,5 +5,5 @@
 
 int main() {
   const auto fit = litfog::fit_attenuation({.threshold = 0.25, .extent = 6, .samples = {{2, 0.5}, {4, 0.3}}});
-  std::printf("%.4g %.4g\n", litfog::extent(fit.attenuation, 0.25), litfog::attenuation_at(fit.attenuation, 2));
+  std::printf("%.4g %.4g\n", litfog::compute_extent(fit.attenuation, 0.25), litfog::attenuation_at(fit.attenuation, 2));
 }

@@ -78,7 +78,7 @@ TEST_F(ReferencePictureTest, AFloorUnderALampIsTheModelInClosedForm) {
   scene.lights.push_back(lamp);
   const Fog fog = Fog::from_visibility(FogMode::exp2, 30.0);
   const double intensity = solve_fog_intensity(lamp.light, fog).intensity;
-  const double reach = extent(lamp.light.attenuation, lamp.light.threshold);
+  const double reach = compute_extent(lamp.light.attenuation, lamp.light.threshold);
   // From the normal map's one texel, (-1, 1, 1) in the floor's tangent space: u grows to +x, v to -z.
   const glm::dvec3 normal = glm::normalize(glm::dvec3(-1, 1, -1));
   const glm::dvec3 diffuse(1, 0, 1);
@@ -106,7 +106,7 @@ TEST_F(ReferencePictureTest, AFloorUnderALampIsTheModelInClosedForm) {
       }
       const glm::dvec3 fog_color =
           glm::dvec3(scene.environment.ambient_fog_color) + lamp.light.color * (cone * intensity);
-      expected = glm::mix(fog_color, expected, fog_factor(fog, glm::distance(position, eye)));
+      expected = glm::mix(fog_color, expected, fog_factor_at(fog, glm::distance(position, eye)));
       // The GPU interpolates the position in floats, and at its own places: some thousandths of a pixel.
       ASSERT_LT(glm::distance(pixel(reference.picture, x, y), expected), 3e-4) << x << ", " << y;
     }

@@ -15,7 +15,7 @@
 
 #include "litfog/photometry/cookie.h"
 #include "reference/random_light.h"
-#include "core/refused.h"
+#include "core/value_errors.h"
 
 namespace litfog::test {
 namespace {

@@ -46,7 +46,7 @@ TEST(LightMap, VolumeHoldsTheAttenuationInsideTheExtentAndNothingBeyond) {
 
 TEST(LightMap, VolumesBoundariesAreDark) {
   for (const Attenuation& attenuation : {kLamp, Attenuation{2, 0, 0}}) {
-    const double reach = extent(attenuation, 0.05);
+    const double reach = compute_extent(attenuation, 0.05);
     const MapTexels map = make_range_volume(range_profile(attenuation, reach), kSize);
     for (int a = 0; a < kSize; ++a) {
       for (int b = 0; b < kSize; ++b) {
@@ -88,12 +88,12 @@ TEST(LightMap, SquaresAddUpToTheSquareOfTheDistance) {
 TEST(LightMap, LightsOfOneShapeShareTheirRangeProfile) {
   for (const double reach : {3.0, 50.0, 447.2}) {
     const Attenuation scaled{1, 0, 19 / (reach * reach)};
-    EXPECT_EQ(range_profile(scaled, extent(scaled, 0.05)), (RangeProfile{1, 0, 19})) << reach;
+    EXPECT_EQ(range_profile(scaled, compute_extent(scaled, 0.05)), (RangeProfile{1, 0, 19})) << reach;
   }
   const Attenuation linear{1, 0.5, 0};
-  EXPECT_EQ(range_profile(linear, extent(linear, 0.05)), (RangeProfile{1, 19, 0}));
+  EXPECT_EQ(range_profile(linear, compute_extent(linear, 0.05)), (RangeProfile{1, 19, 0}));
   const Attenuation constant{2, 0, 0};
-  EXPECT_EQ(range_profile(constant, extent(constant, 0.05)), (RangeProfile{2, 0, 0}));
+  EXPECT_EQ(range_profile(constant, compute_extent(constant, 0.05)), (RangeProfile{2, 0, 0}));
 }
 
 /// A texel of a face, by OpenGL's rule for cube maps, looked up at a direction; the nearest one.

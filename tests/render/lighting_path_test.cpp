@@ -129,7 +129,7 @@ dvec3 expected_color(const Scene& scene, const Finish& finish, const LightingPat
   dvec3 fog_color = environment.ambient_fog_color;
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     const auto& [light, position, direction, carried] = scene.lights[i];
-    const double reach = extent(light.attenuation, light.threshold);
+    const double reach = compute_extent(light.attenuation, light.threshold);
     const double range = glm::distance(point, position);
     const dvec3 to_light = (position - point) / range;
     const auto cookie = scene.cookie_uses.find(i);
@@ -144,7 +144,7 @@ dvec3 expected_color(const Scene& scene, const Finish& finish, const LightingPat
     surface +=
         light.color * (cone * fall) * (path.surface == SurfaceModel::unshaded ? finish.albedo : reflected(to_light));
   }
-  const double through = fog_factor(fog, glm::length(point));
+  const double through = fog_factor_at(fog, glm::length(point));
   return through * surface + (1 - through) * fog_color;
 }
 
@@ -269,7 +269,7 @@ TEST_F(LightingPathPixels, OfLightsWithoutAnEndInSightAreLitByEveryPath) {
   for (const Attenuation& attenuation : {Attenuation{2, 0, 0}, Attenuation{1, 1.9e-6, 0}}) {
     Scene scene = wall(256);
     scene.lights = {lamp({0.4, -0.3, -2}, attenuation, Cone{}, true)};
-    const double reach = extent(attenuation, scene.lights[0].light.threshold);
+    const double reach = compute_extent(attenuation, scene.lights[0].light.threshold);
     for (const LightingPath& path : lighting_paths()) {
       double bound = kHalfFloat;
       if (path.evaluation == Evaluation::lookup && std::isfinite(reach)) {

@@ -179,8 +179,8 @@ TEST_F(GltfScene, APointLightFallsWithTheSquareOfRangeFromItsKnee) {
     EXPECT_LT(glm::distance(arriving, glm::dvec3(1, 0.5, 0.25) * 40.0 / (pi * range * range)), 1e-12) << range;
   }
   EXPECT_NEAR(light.color.r * attenuation_at(light.attenuation, 0), 16, 1e-12);
-  EXPECT_NEAR(knee(light.attenuation), std::sqrt(40 / (16 * pi)), 1e-12);
-  const double reach = extent(light.attenuation, light.threshold);
+  EXPECT_NEAR(compute_knee(light.attenuation), std::sqrt(40 / (16 * pi)), 1e-12);
+  const double reach = compute_extent(light.attenuation, light.threshold);
   EXPECT_NEAR(40 / (pi * reach * reach), 1.0 / 512, 1e-12);  // half of 1/256
   EXPECT_FALSE(scene.lights[0].carried);
 }
@@ -192,7 +192,7 @@ TEST_F(GltfScene, ALightEndsAtItsRange) {
     light["range"] = range;
     const Scene scene = read(file);
     const Light& given = scene.lights.at(0).light;
-    EXPECT_NEAR(extent(given.attenuation, given.threshold), range, 1e-12 * range);
+    EXPECT_NEAR(compute_extent(given.attenuation, given.threshold), range, 1e-12 * range);
     EXPECT_NEAR(given.color.r * attenuation_at(given.attenuation, range * 0.9), 40 / (pi * range * range * 0.81),
                 1e-9 / (range * range));
   }

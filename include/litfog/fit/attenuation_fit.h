@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "litfog/attenuation.h"
-#include "litfog/refusal.h"
+#include "litfog/value_error.h"
 
 namespace litfog {
 
@@ -44,7 +44,7 @@ struct AttenuationTarget {
 
 /// Why a target was refused, and which sample of it, if it was one.
 struct AttenuationTargetRefusal {
-  Refusal refusal;
+  ValueError refusal;
   std::optional<std::size_t> sample;
 };
 

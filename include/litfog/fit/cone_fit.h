@@ -9,7 +9,7 @@
 
 #include "litfog/cone.h"
 #include "litfog/photometry/intensity_distribution.h"
-#include "litfog/refusal.h"
+#include "litfog/value_error.h"
 
 namespace litfog {
 
@@ -45,7 +45,7 @@ struct ConeTarget {
 
 /// Why a target was refused, and which sample of it, if it was one.
 struct ConeTargetRefusal {
-  Refusal refusal;
+  ValueError refusal;
   std::optional<std::size_t> sample;
 };
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "litfog/refusal.h"
+#include "litfog/value_error.h"
 
 namespace litfog {
 
@@ -41,7 +41,7 @@ struct IntensityDistribution {
 
 /// What is wrong with a distribution, or nothing. Every call below but intensity_at throws std::invalid_argument where
 /// something is.
-std::optional<Refusal> check(const IntensityDistribution& distribution);
+std::optional<ValueError> check(const IntensityDistribution& distribution);
 
 /// Luminous intensity towards a direction.
 ///

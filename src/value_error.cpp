@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "litfog/refusal.h"
+#include "litfog/value_error.h"
 
 #include <array>
 #include <charconv>
 
 namespace litfog {
 
-std::string to_string(const Refusal& refusal) {
+std::string to_string(const ValueError& refusal) {
   std::array<char, 32> digits;  // the shortest text that reads back exactly is at most 24 characters
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), refusal.value).ptr;
   return std::string(refusal.field) + " = " + std::string(digits.data(), end) + ": " + refusal.rule;

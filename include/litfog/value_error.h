@@ -6,13 +6,13 @@
 namespace litfog {
 
 /// Why an argument was refused. Holds no memory of its own, so that a batch can report one without allocating.
-struct Refusal {
+struct ValueError {
   const char* field;  ///< what was refused, e.g. "attenuation.linear"
   double value;       ///< the value given
   const char* rule;   ///< what it has to be, e.g. "must be finite and >= 0"
 };
 
 /// The refusal as one sentence: "attenuation.linear = -1: must be finite and >= 0".
-std::string to_string(const Refusal& refusal);
+std::string to_string(const ValueError& refusal);
 
 }  // namespace litfog
