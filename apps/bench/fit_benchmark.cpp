@@ -14,10 +14,10 @@
 #include <vector>
 
 #include "bench/stopwatch.h"
-#include "reference/falloff_reference.h"
+#include "command/progress.h"
 #include "litfog/fit/attenuation_fit.h"
 #include "litfog/formulas.h"
-#include "command/progress.h"
+#include "reference/falloff_reference.h"
 #include "reference/random_light.h"
 
 namespace litfog::bench {
@@ -178,12 +178,12 @@ double digits_of(const Attenuation& a, const Samples& samples, const Optimum& op
   return std::clamp(-std::log10(worst), 0.0, 17.0);
 }
 
-Figure draw(const Table& table) {
-  Chart chart{.x = {"processor time of one thread per table of 20 samples (ms)", true},
-              .y = {.label = "tables whose optimum was found (%)", .least = -2, .most = 102},
-              .key = KeyPlace::below};
+command::Figure draw(const command::Table& table) {
+  command::Chart chart{.x = {"processor time of one thread per table of 20 samples (ms)", true},
+                       .y = {.label = "tables whose optimum was found (%)", .least = -2, .most = 102},
+                       .key = command::KeyPlace::below};
   for (const Method& method : kMethods) {
-    Series series{.name = method.name, .style = SeriesStyle::points};
+    command::Series series{.name = method.name, .style = command::SeriesStyle::points};
     for (const auto& row : table.rows) {
       if (std::get<std::string>(row[1]) != method.name) continue;
       series.points.push_back({std::get<double>(row[3]), 100 * std::get<double>(row[6])});
@@ -197,7 +197,7 @@ Figure draw(const Table& table) {
 
 Result measure_fit(bool quick) {
   const Scale& scale = quick ? kQuick : kFull;
-  Progress progress;
+  command::Progress progress;
   struct Run {
     const Family* family;
     const Method* method;

@@ -10,8 +10,8 @@
 namespace litfog::bench {
 namespace {
 
-using demo::Camera;
-using demo::Scene;
+using scene::Camera;
+using scene::Scene;
 
 /// Point i of an even strewing of the unit square: R2 (Roberts 2018, "The Unreasonable Effectiveness of Quasirandom
 /// Sequences").
@@ -23,7 +23,7 @@ glm::dvec2 strewn(std::size_t i) {
 
 /// A place before the camera, for a point of the unit square: evenly over the part of the level plane through the eye
 /// that its field of view spans.
-glm::dvec3 place_in_view(const Camera& camera, glm::dvec2 point) {
+glm::dvec3 place_in_view(const scene::Camera& camera, glm::dvec2 point) {
   const glm::dvec3 eye = camera.position;
   glm::dvec3 forward = glm::dvec3(camera.target) - eye;
   const double farthest = 1.5 * glm::length(forward);
@@ -37,7 +37,7 @@ glm::dvec3 place_in_view(const Camera& camera, glm::dvec2 point) {
 
 }  // namespace
 
-Scene with_light_count(Scene scene, std::size_t count) {
+scene::Scene with_light_count(scene::Scene scene, std::size_t count) {
   assert(!scene.lights.empty() && count >= 1);
   std::vector<std::size_t> order(scene.lights.size());
   std::iota(order.begin(), order.end(), 0);

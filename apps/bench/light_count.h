@@ -15,6 +15,6 @@ namespace litfog::bench {
 ///
 /// scene  with a light at least, its camera not straight up or down
 /// count  >= 1
-demo::Scene with_light_count(demo::Scene scene, std::size_t count);
+scene::Scene with_light_count(scene::Scene scene, std::size_t count);
 
 }  // namespace litfog::bench

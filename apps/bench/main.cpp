@@ -17,14 +17,15 @@
 #include "bench/solve_benchmark.h"
 #include "bench/update_benchmark.h"
 #include "command/command.h"
-#include "litfog/gl/unsupported.h"
 #include "command/plot.h"
 #include "command/table.h"
 #include "command/whole_file.h"
+#include "litfog/gl/unsupported.h"
 
 namespace {
 
 using namespace litfog::bench;
+using namespace litfog::command;
 
 constexpr const char* kDescription = R"(Measures litfog and its rivals: time beside error, in the same run.
 

@@ -10,15 +10,15 @@
 #include <optional>
 
 #include "bench/light_count.h"
+#include "litfog/gl/headless_context.h"
 #include "measure/comparison.h"
 #include "measure/frame_times.h"
-#include "litfog/gl/headless_context.h"
 #include "scene/file/scene_file.h"
 
 namespace litfog::bench {
 namespace {
 
-using namespace litfog::demo;
+using namespace litfog::bench;
 
 /// What the frames of all paths have in common.
 struct Setting {
@@ -26,17 +26,17 @@ struct Setting {
   std::size_t lights;
   int width;
   int height;
-  Skipping skipping;
+  render::Skipping skipping;
 };
 
 /// One path's frames in a setting.
 struct Trial {
   Setting setting;
-  const LightingPath* path;
-  FrameTimes times;
-  double over_legacy;                 // of the medians
-  double over_two_light_legacy;       // likewise
-  std::optional<PictureError> error;  // none of the unlit pass, which has no formulas
+  const render::LightingPath* path;
+  measure::FrameTimes times;
+  double over_legacy;                          // of the medians
+  double over_two_light_legacy;                // likewise
+  std::optional<measure::PictureError> error;  // none of the unlit pass, which has no formulas
 };
 
 constexpr const char* kTableScene = "headlights";  // as Hales's figure 1
@@ -45,55 +45,55 @@ constexpr int kTableHeight = 360;
 
 std::vector<Setting> settings(bool quick) {
   if (quick) {
-    return {{"room", 2, 80, 45, Skipping::on}, {"room", 16, 80, 45, Skipping::on}};
+    return {{"room", 2, 80, 45, render::Skipping::on}, {"room", 16, 80, 45, render::Skipping::on}};
   }
   std::vector<Setting> all;
   for (const std::size_t lights : {1, 2, 4, 16, 64, 256}) {
-    all.push_back({kTableScene, lights, kTableWidth, kTableHeight, Skipping::on});
+    all.push_back({kTableScene, lights, kTableWidth, kTableHeight, render::Skipping::on});
     // Of more, the paths of several passes would take minutes a frame.
-    if (lights <= 16) all.push_back({kTableScene, lights, kTableWidth, kTableHeight, Skipping::off});
+    if (lights <= 16) all.push_back({kTableScene, lights, kTableWidth, kTableHeight, render::Skipping::off});
   }
-  for (const std::string& scene : bundled_scenes()) {
-    for (const std::size_t lights : {2, 16, 64}) all.push_back({scene, lights, 320, 180, Skipping::on});
+  for (const std::string& scene : scene::bundled_scenes()) {
+    for (const std::size_t lights : {2, 16, 64}) all.push_back({scene, lights, 320, 180, render::Skipping::on});
   }
-  all.push_back({kTableScene, 2, 1280, 720, Skipping::on});
+  all.push_back({kTableScene, 2, 1280, 720, render::Skipping::on});
   return all;
 }
 
-std::vector<const LightingPath*> measured_paths() {
-  std::vector<const LightingPath*> paths{&unlit_path()};
-  for (const LightingPath& path : lighting_paths()) paths.push_back(&path);
+std::vector<const render::LightingPath*> measured_paths() {
+  std::vector<const render::LightingPath*> paths{&render::unlit_path()};
+  for (const render::LightingPath& path : render::lighting_paths()) paths.push_back(&path);
   return paths;
 }
 
 /// The paths' frames, in turn; those of two-light legacy, too.
-std::vector<Trial> measure(const Setting& setting, const FrameBudget& budget, std::string_view what) {
-  const Scene bundled = read_scene(bundled_scene_path(setting.scene));
-  const Scene scene = with_light_count(bundled, setting.lights);
-  const Scene two_lights = with_light_count(bundled, 2);
-  const Fog fog = Fog::from_visibility(FogMode::exp, suggested_visibility(scene));
-  std::vector<std::unique_ptr<Renderer>> renderers;
-  std::vector<Renderer*> in_turn;
-  const auto add = [&](const Scene& drawn, const LightingPath* path) {
-    renderers.push_back(std::make_unique<Renderer>(drawn, setting.width, setting.height,
-                                                   RenderSettings{.skipping = setting.skipping, .path = path}));
+std::vector<Trial> measure(const Setting& setting, const measure::FrameBudget& budget, std::string_view what) {
+  const scene::Scene bundled = scene::read_scene(scene::bundled_scene_path(setting.scene));
+  const scene::Scene scene = with_light_count(bundled, setting.lights);
+  const scene::Scene two_lights = with_light_count(bundled, 2);
+  const Fog fog = Fog::from_visibility(FogMode::exp, scene::suggested_visibility(scene));
+  std::vector<std::unique_ptr<render::Renderer>> renderers;
+  std::vector<render::Renderer*> in_turn;
+  const auto add = [&](const scene::Scene& drawn, const render::LightingPath* path) {
+    renderers.push_back(std::make_unique<render::Renderer>(
+        drawn, setting.width, setting.height, render::RenderSettings{.skipping = setting.skipping, .path = path}));
     renderers.back()->set_fog(fog);
     in_turn.push_back(renderers.back().get());
   };
-  const std::vector<const LightingPath*> paths = measured_paths();
-  for (const LightingPath* path : paths) add(scene, path);
-  const LightingPath* const legacy = find_lighting_path("legacy");
+  const std::vector<const render::LightingPath*> paths = measured_paths();
+  for (const render::LightingPath* path : paths) add(scene, path);
+  const render::LightingPath* const legacy = render::find_lighting_path("legacy");
   const auto legacy_at = std::size_t(std::ranges::find(paths, legacy) - paths.begin());
   if (setting.lights != 2) add(two_lights, legacy);
-  const std::vector<FrameTimes> times = time_frames(in_turn, budget, what);
+  const std::vector<measure::FrameTimes> times = measure::time_frames(in_turn, budget, what);
   const double legacy_time = times[legacy_at].median();
   const double two_light_time = setting.lights == 2 ? legacy_time : times.back().median();
   std::vector<Trial> trials;
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const double time = times[i].median();
     trials.push_back({setting, paths[i], times[i], time / legacy_time, time / two_light_time, std::nullopt});
-    if (paths[i] != &unlit_path()) {
-      trials.back().error = compare_with_reference(scene, fog, *renderers[i]).error;
+    if (paths[i] != &render::unlit_path()) {
+      trials.back().error = measure::compare_with_reference(scene, fog, *renderers[i]).error;
       trials.back().error->pixels.clear();  // nobody looks at them
     }
     renderers[i].reset();
@@ -107,33 +107,36 @@ bool is_shown(const Trial& trial, const std::vector<Trial>& trials) {
   return trial.setting.scene == shown.scene && trial.setting.width == shown.width;
 }
 
-Table make_table(const std::vector<Trial>& trials) {
-  Table table{{"scene", "path", "fog_light", "lights", "size", "skip", "ms_per_frame", "ms_spread", "ratio_to_legacy",
-               "ratio_to_two_light_legacy", "max_error_255", "mean_error_255", "excepted_pixels"},
-              {}};
+command::Table make_table(const std::vector<Trial>& trials) {
+  command::Table table{
+      {"scene", "path", "fog_light", "lights", "size", "skip", "ms_per_frame", "ms_spread", "ratio_to_legacy",
+       "ratio_to_two_light_legacy", "max_error_255", "mean_error_255", "excepted_pixels"},
+      {}};
   for (const Trial& trial : trials) {
     const auto& [scene, lights, width, height, skipping] = trial.setting;
     const auto of_error = [&](auto member) {
-      return trial.error ? Table::Cell(double((*trial.error).*member)) : Table::Cell(std::monostate{});
+      return trial.error ? command::Table::Cell(double((*trial.error).*member))
+                         : command::Table::Cell(std::monostate{});
     };
     table.rows.push_back({scene, std::string(trial.path->name), "peak", double(lights),
-                          fmt::format("{}x{}", width, height), skipping == Skipping::on ? "on" : "off",
+                          fmt::format("{}x{}", width, height), skipping == render::Skipping::on ? "on" : "off",
                           trial.times.median(), trial.times.spread(), trial.over_legacy, trial.over_two_light_legacy,
-                          of_error(&PictureError::largest), of_error(&PictureError::mean),
-                          of_error(&PictureError::excepted)});
+                          of_error(&measure::PictureError::largest), of_error(&measure::PictureError::mean),
+                          of_error(&measure::PictureError::excepted)});
   }
   return table;
 }
 
 /// Frame time over the number of lights in the scene of table 1, a line a path.
-Chart make_light_chart(const std::vector<Trial>& trials, Skipping skipping) {
-  Chart chart{.title = fmt::format("{}, {}", trials.front().setting.scene,
-                                   skipping == Skipping::on ? "what cannot show skipped" : "nothing skipped"),
-              .x = {"lights", true},
-              .y = {"wall time of a frame (ms)", true},
-              .key = KeyPlace::top_left};
-  for (const LightingPath* path : measured_paths()) {
-    Series series{.name = std::string(path->name), .style = SeriesStyle::line_and_points};
+command::Chart make_light_chart(const std::vector<Trial>& trials, render::Skipping skipping) {
+  command::Chart chart{
+      .title = fmt::format("{}, {}", trials.front().setting.scene,
+                           skipping == render::Skipping::on ? "what cannot show skipped" : "nothing skipped"),
+      .x = {"lights", true},
+      .y = {"wall time of a frame (ms)", true},
+      .key = command::KeyPlace::top_left};
+  for (const render::LightingPath* path : measured_paths()) {
+    command::Series series{.name = std::string(path->name), .style = command::SeriesStyle::line_and_points};
     for (const Trial& trial : trials) {
       const Setting& setting = trial.setting;
       const bool belongs = trial.path == path && setting.skipping == skipping && is_shown(trial, trials);
@@ -155,25 +158,25 @@ constexpr Card kCards[] = {{"ATI Radeon X800 PRO", 1.0, 1.95},
                            {"Nvidia GeForce FX 5950", 1.847, 4.830}};
 
 /// Per pixel over legacy with two headlights: the paper's cards, then the paths here.
-Chart make_table_1(const std::vector<Trial>& trials) {
-  Chart chart{.title = "Hales 2004, table 1: two headlights, frame time over legacy",
-              .x = {"frame time over legacy", false, 0, 6},
-              .y = {"", false, 0, 0},
-              .key = KeyPlace::bottom_right};
+command::Chart make_table_1(const std::vector<Trial>& trials) {
+  command::Chart chart{.title = "Hales 2004, table 1: two headlights, frame time over legacy",
+                       .x = {"frame time over legacy", false, 0, 6},
+                       .y = {"", false, 0, 0},
+                       .key = command::KeyPlace::bottom_right};
   double row = 0;
-  Series cards{.name = "2004, per pixel on all polygons", .style = SeriesStyle::points};
+  command::Series cards{.name = "2004, per pixel on all polygons", .style = command::SeriesStyle::points};
   for (const Card& card : kCards) cards.points.push_back({card.shader / card.legacy, row--, card.name});
-  Series here[2] = {{.name = "this machine, nothing skipped", .style = SeriesStyle::points},
-                    {.name = "this machine, what cannot show skipped", .style = SeriesStyle::points}};
+  command::Series here[2] = {{.name = "this machine, nothing skipped", .style = command::SeriesStyle::points},
+                             {.name = "this machine, what cannot show skipped", .style = command::SeriesStyle::points}};
   double most = 3;
-  for (const LightingPath* path : measured_paths()) {
+  for (const render::LightingPath* path : measured_paths()) {
     --row;
     for (const Trial& trial : trials) {
       const Setting& setting = trial.setting;
       if (trial.path != path || setting.lights != 2 || !is_shown(trial, trials)) continue;
       const double ratio = trial.over_legacy;
       most = std::max(most, ratio);
-      const bool skips = setting.skipping == Skipping::on;
+      const bool skips = setting.skipping == render::Skipping::on;
       here[skips].points.push_back({ratio, row, skips ? std::string(path->name) : std::string{}});
     }
   }
@@ -181,7 +184,7 @@ Chart make_table_1(const std::vector<Trial>& trials) {
   chart.y.least = row - 1;
   chart.y.most = 1;
   chart.series = {cards, here[0], here[1]};
-  std::erase_if(chart.series, [](const Series& series) { return series.points.empty(); });
+  std::erase_if(chart.series, [](const command::Series& series) { return series.points.empty(); });
   return chart;
 }
 
@@ -191,13 +194,14 @@ Result measure_render(bool quick) {
   const gl::HeadlessContext context;
   std::vector<Trial> trials;
   const std::vector<Setting> all = settings(quick);
-  const FrameBudget budget = quick ? FrameBudget::exactly(3) : FrameBudget{.seconds = 20, .fewest = 3, .most = 25};
+  const measure::FrameBudget budget =
+      quick ? measure::FrameBudget::exactly(3) : measure::FrameBudget{.seconds = 20, .fewest = 3, .most = 25};
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto& [scene, lights, width, height, skipping] = all[i];
     std::ranges::move(measure(all[i], budget,
                               fmt::format("{} of {}: {}, {} {}, {}x{}{}", i + 1, all.size(), scene, lights,
                                           lights == 1 ? "light" : "lights", width, height,
-                                          skipping == Skipping::off ? ", nothing skipped" : "")),
+                                          skipping == render::Skipping::off ? ", nothing skipped" : "")),
                       std::back_inserter(trials));
   }
   Result result;
@@ -206,7 +210,7 @@ Result measure_render(bool quick) {
   for (const Trial& trial : trials) {
     if (!trial.error) continue;
     // Unified states what is exact but for the rounding of floats and of the half-float framebuffer; all are finite.
-    const bool is_unified = trial.path == &lighting_paths().front();
+    const bool is_unified = trial.path == &render::lighting_paths().front();
     if (trial.error->largest <= (is_unified ? 1 : std::numeric_limits<double>::max())) continue;
     result.failures.push_back(fmt::format("{} of {} with {} lights: error = {}/255: must be {}", trial.path->name,
                                           trial.setting.scene, trial.setting.lights, trial.error->largest,
@@ -214,10 +218,10 @@ Result measure_render(bool quick) {
   }
   result.figure = {.title = fmt::format("Frames of every lighting path, {}x{}, {}", all.front().width,
                                         all.front().height, context.renderer()),
-                   .charts = {make_table_1(trials), make_light_chart(trials, Skipping::on)},
+                   .charts = {make_table_1(trials), make_light_chart(trials, render::Skipping::on)},
                    .width = 1800,
                    .height = 700};
-  Chart unskipped = make_light_chart(trials, Skipping::off);
+  command::Chart unskipped = make_light_chart(trials, render::Skipping::off);
   if (!unskipped.series.empty()) result.figure.charts.push_back(std::move(unskipped));
   result.figure.columns = int(result.figure.charts.size());
   return result;

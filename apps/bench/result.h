@@ -11,8 +11,8 @@ namespace litfog::bench {
 
 /// What a benchmark found.
 struct Result {
-  Table table;
-  Figure figure;
+  command::Table table;
+  command::Figure figure;
   std::string gl_renderer = "none";   ///< what drew
   std::vector<std::string> failures;  ///< sentences: where litfog itself missed an error that it states
 };

@@ -16,9 +16,9 @@
 #include "bench/rival.h"
 #include "bench/sampled_batch.h"
 #include "bench/stopwatch.h"
+#include "command/progress.h"
 #include "litfog/batch.h"
 #include "litfog/solve.h"
-#include "command/progress.h"
 #include "reference/reference_solver.h"
 
 namespace litfog::bench {
@@ -77,7 +77,7 @@ struct Problem {
   std::vector<Digits50> references;
   std::vector<Real> intensity;  ///< where the passes store
 
-  Problem(FogMode fog_mode, LightColumns<Real> columns, std::size_t reference_count, Progress& progress)
+  Problem(FogMode fog_mode, LightColumns<Real> columns, std::size_t reference_count, command::Progress& progress)
       : mode(fog_mode), lights(std::move(columns)), intensity(lights.size()) {
     for (std::size_t i = 0; i < reference_count; ++i) {
       const Attenuation attenuation{lights.constant[i], lights.linear[i], lights.quadratic[i]};
@@ -175,49 +175,51 @@ struct Look {
   std::string method;
   std::string precision;
   std::string label;
-  LabelPlace place;
+  command::LabelPlace place;
   int color;
 };
 
-Chart draw_pareto(const std::string& fog, const Table& table) {
+command::Chart draw_pareto(const std::string& fog, const command::Table& table) {
   const std::vector<Look> looks{
-      {"golden-section", "double", "golden section", LabelPlace::right, 3},
-      {"boost-brent", "double", "Brent (Boost.Math)", LabelPlace::below, 4},
-      {"exact", "double", "litfog, double", LabelPlace::right, 2},
-      {"exact", "float", "litfog, float", LabelPlace::above, 2},
-      {"batch", "double", "litfog batch, double", LabelPlace::below, 0},
-      {"batch", "float", "litfog batch, float", LabelPlace::above, 0},
+      {"golden-section", "double", "golden section", command::LabelPlace::right, 3},
+      {"boost-brent", "double", "Brent (Boost.Math)", command::LabelPlace::below, 4},
+      {"exact", "double", "litfog, double", command::LabelPlace::right, 2},
+      {"exact", "float", "litfog, float", command::LabelPlace::above, 2},
+      {"batch", "double", "litfog batch, double", command::LabelPlace::below, 0},
+      {"batch", "float", "litfog batch, float", command::LabelPlace::above, 0},
   };
-  Chart chart{.title = fog + " fog",
-              .x = {"processor time of one thread per light (ns)", true, 0.05, 5e4},
-              .y = {"largest error of the intensity (1/255)", true, 1e-16, 1e4},
-              .key = KeyPlace::none};
-  Series scalar_sampling{.style = SeriesStyle::line_and_points, .color = 1};
-  Series simd_sampling{.style = SeriesStyle::line_and_points, .color = 6};
-  const auto text = [](const Table::Cell& cell) { return std::get<std::string>(cell); };
+  command::Chart chart{.title = fog + " fog",
+                       .x = {"processor time of one thread per light (ns)", true, 0.05, 5e4},
+                       .y = {"largest error of the intensity (1/255)", true, 1e-16, 1e4},
+                       .key = command::KeyPlace::none};
+  command::Series scalar_sampling{.style = command::SeriesStyle::line_and_points, .color = 1};
+  command::Series simd_sampling{.style = command::SeriesStyle::line_and_points, .color = 6};
+  const auto text = [](const command::Table::Cell& cell) { return std::get<std::string>(cell); };
   for (const auto& row : table.rows) {
     const std::string method = text(row[0]);
     const double time = std::get<double>(row[3]);
     if (method == "memory-copy") {
       const bool is_float = text(row[1]) == "float";
-      const PlotPoint label{time, 1e-9, is_float ? "" : "copy of a light's bytes: float, double"};
-      chart.series.push_back(
-          {.points = {{time, chart.y.least}, label, {time, chart.y.most}}, .style = SeriesStyle::dashes, .color = 7});
+      const command::PlotPoint label{time, 1e-9, is_float ? "" : "copy of a light's bytes: float, double"};
+      chart.series.push_back({.points = {{time, chart.y.least}, label, {time, chart.y.most}},
+                              .style = command::SeriesStyle::dashes,
+                              .color = 7});
     }
     if (!std::holds_alternative<std::string>(row[2]) || text(row[2]) != fog) continue;
     const double error = std::max(std::get<double>(row[7]), chart.y.least);  // exactly 0 stands at the axis's end
     if (method.starts_with("hales-")) {
       const bool is_simd = method.ends_with("-simd");
-      Series& series = is_simd ? simd_sampling : scalar_sampling;
+      command::Series& series = is_simd ? simd_sampling : scalar_sampling;
       const std::string samples = method.substr(6, method.find('-', 6) - 6);
       const bool is_first = series.points.empty();
       series.points.push_back({time, error, (is_first ? is_simd ? "Hales SIMD, N = " : "Hales, N = " : "") + samples,
-                               is_first ? LabelPlace::above : LabelPlace::right});
+                               is_first ? command::LabelPlace::above : command::LabelPlace::right});
     }
     for (const Look& look : looks) {
       if (method != look.method || text(row[1]) != look.precision) continue;
-      chart.series.push_back(
-          {.points = {{time, error, look.label, look.place}}, .style = SeriesStyle::points, .color = look.color});
+      chart.series.push_back({.points = {{time, error, look.label, look.place}},
+                              .style = command::SeriesStyle::points,
+                              .color = look.color});
     }
   }
   chart.series.push_back(scalar_sampling);
@@ -229,7 +231,7 @@ Chart draw_pareto(const std::string& fog, const Table& table) {
 
 Result measure_solve(bool quick) {
   const Scale& scale = quick ? kQuick : kFull;
-  Progress progress;
+  command::Progress progress;
   std::vector<Problem<double>> problems;
   std::vector<Problem<float>> problems_f;
   for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
@@ -269,11 +271,11 @@ Result measure_solve(bool quick) {
     const Method& method = methods[i];
     auto& row = result.table.rows.emplace_back();
     row = {method.name, method.precision};
-    row.push_back(method.fog.empty() ? Table::Cell(std::monostate()) : method.fog);
+    row.push_back(method.fog.empty() ? command::Table::Cell(std::monostate()) : method.fog);
     row.emplace_back(timings[i].median);
     row.emplace_back(timings[i].spread);
     if (!method.errors) {
-      row.resize(result.table.columns.size(), Table::Cell(std::monostate()));
+      row.resize(result.table.columns.size(), command::Table::Cell(std::monostate()));
       continue;
     }
     method.pass.run();  // the results of this method, not of the one timed last

@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "bench/light_mix.h"
-#include "litfog/batch.h"
-#include "litfog/updater.h"
 #include "command/progress.h"
 #include "command/quantile.h"
+#include "litfog/batch.h"
+#include "litfog/updater.h"
 #include "reference/random_light.h"
 
 namespace litfog::bench {
@@ -86,7 +86,7 @@ double thread_milliseconds() {
 }
 
 Record follow(const Follower& follower, FogMode mode, const std::vector<PlacedLight>& lights, const Scale& scale,
-              Progress& progress) {
+              command::Progress& progress) {
   Record record;
   follower.step(Fog::from_visibility(mode, kClearest));  // what only the first step does is not measured
   for (std::size_t step = 1; step <= scale.steps; ++step) {
@@ -113,7 +113,7 @@ Record follow(const Follower& follower, FogMode mode, const std::vector<PlacedLi
 }
 
 Record follow_by_updater(const std::string& name, double budget_255, FogMode mode,
-                         const std::vector<PlacedLight>& lights, const Scale& scale, Progress& progress) {
+                         const std::vector<PlacedLight>& lights, const Scale& scale, command::Progress& progress) {
   FogUpdater updater(budget_255);
   std::vector<FogLightHandle> handles;
   handles.reserve(lights.size());
@@ -129,7 +129,7 @@ Record follow_by_updater(const std::string& name, double budget_255, FogMode mod
 }
 
 Record follow_by_batch(const std::string& name, FogMode mode, const std::vector<PlacedLight>& lights,
-                       const Scale& scale, Progress& progress) {
+                       const Scale& scale, command::Progress& progress) {
   LightColumns<float> columns;
   std::vector<float> density_scales;
   for (const PlacedLight& placed : lights) {
@@ -160,9 +160,9 @@ Record follow_by_batch(const std::string& name, FogMode mode, const std::vector<
 }
 
 /// Time and skipped share over the visibility, one chart a fog.
-void draw(const std::string& name, FogMode mode, const Record& record, Chart& times, Chart& shares) {
-  Series time{.name = name};
-  Series share{.name = name};
+void draw(const std::string& name, FogMode mode, const Record& record, command::Chart& times, command::Chart& shares) {
+  command::Series time{.name = name};
+  command::Series share{.name = name};
   // Down to the thickest fog only: the way back has the same visibilities.
   for (std::size_t i = 0; i < record.milliseconds.size() / 2; ++i) {
     const double visibility = visibility_at(i + 1, record.milliseconds.size());
@@ -179,15 +179,16 @@ void draw(const std::string& name, FogMode mode, const Record& record, Chart& ti
 Result measure_update(bool quick) {
   const Scale& scale = quick ? kQuick : kFull;
   const auto lights = draw_lights(scale);
-  Progress progress;
+  command::Progress progress;
   Result result;
   result.table.columns = {"method",    "fog",           "lights",           "kinds", "steps", "ms_per_step",
                           "ms_spread", "skipped_share", "max_deviation_255"};
-  const Axis visibility{"visibility (m)", true, kThickest, kClearest};
-  std::vector<Chart> times(
-      2, {.x = visibility, .y = {"processor time of one thread per step (ms)", true}, .key = KeyPlace::bottom_left});
-  std::vector<Chart> shares(
-      2, {.x = visibility, .y = {"lights skipped by the updater (%)", false, -2, 102}, .key = KeyPlace::none});
+  const command::Axis visibility{"visibility (m)", true, kThickest, kClearest};
+  std::vector<command::Chart> times(2, {.x = visibility,
+                                        .y = {"processor time of one thread per step (ms)", true},
+                                        .key = command::KeyPlace::bottom_left});
+  std::vector<command::Chart> shares(
+      2, {.x = visibility, .y = {"lights skipped by the updater (%)", false, -2, 102}, .key = command::KeyPlace::none});
 
   // The batch has floats for arguments: some ulps of the intensity each, far below a thousandth of a step.
   constexpr double kRounding255 = 1e-3;
@@ -197,8 +198,9 @@ Result measure_update(bool quick) {
       for (const double one : record.skipped_shares) share += one / static_cast<double>(scale.steps);
       result.table.rows.push_back(
           {name, name_of(mode), static_cast<double>(scale.lights), static_cast<double>(scale.kinds),
-           static_cast<double>(scale.steps), quantile(record.milliseconds, 0.5),
-           quantile(record.milliseconds, 0.9) - quantile(record.milliseconds, 0.1), share, record.max_deviation_255});
+           static_cast<double>(scale.steps), command::quantile(record.milliseconds, 0.5),
+           command::quantile(record.milliseconds, 0.9) - command::quantile(record.milliseconds, 0.1), share,
+           record.max_deviation_255});
       if (!(record.max_deviation_255 <= allowed_255)) {
         result.failures.push_back(fmt::format("{} {}: deviation = {}/255: must be at most {}/255", name, name_of(mode),
                                               record.max_deviation_255, allowed_255));

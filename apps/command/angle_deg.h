@@ -3,6 +3,8 @@
 
 #include <numbers>
 
+namespace litfog::command {
+
 // Angles as files have them.
 
 /// Exact at 90 and 180 degrees, where the model's ranges end.
@@ -11,3 +13,5 @@ inline double radians(double degrees) { return degrees / 180 * std::numbers::pi;
 /// The inverse: of the doubles next to the quotient the one with the fewest digits that is read back as the same angle,
 /// or the quotient where none is.
 double degrees(double radians);
+
+}  // namespace litfog::command

@@ -14,6 +14,8 @@
 
 #include "command/number.h"
 
+namespace litfog::command {
+
 namespace {
 
 /// A file opened later must not become the standard output that the caller closed. Opened the wrong way round, so that
@@ -133,3 +135,5 @@ int run_command(CLI::App& app, int argc, char** argv, const std::function<ExitSt
     return end(error.what(), kBadInput);
   }
 }
+
+}  // namespace litfog::command

@@ -10,6 +10,8 @@
 
 #include "command/exit_status.h"
 
+namespace litfog::command {
+
 /// What all commands share: their options' strictness, their standard output and the way they end.
 ///
 ///     int main(int argc, char** argv) {
@@ -68,3 +70,5 @@ void report(std::string_view text);
 /// Parses the command line, runs the command, and turns whatever comes of it into one message on standard error and an
 /// exit status. Adds --help and --version. Standard output is closed at the end, so that a full disk is noticed.
 int run_command(CLI::App& app, int argc, char** argv, const std::function<ExitStatus()>& run);
+
+}  // namespace litfog::command

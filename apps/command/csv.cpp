@@ -8,6 +8,8 @@
 
 #include "command/exit_status.h"
 
+namespace litfog::command {
+
 namespace {
 
 constexpr std::size_t kMaxRecord = std::size_t{1} << 20;
@@ -149,3 +151,5 @@ std::string csv_quoted(std::string_view text) {
   }
   return quoted + "\"";
 }
+
+}  // namespace litfog::command

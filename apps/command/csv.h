@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+namespace litfog::command {
+
 /// CSV as RFC 4180 has it: quoted fields may hold commas, quotes (doubled) and newlines; lines end in LF or CRLF, the
 /// last one in nothing at will; a byte order mark at the start is skipped. Quotes within an unquoted field are plain
 /// text.
@@ -84,3 +86,5 @@ class CsvReader {
 
 /// A text as a CSV field, in quotes where it needs them.
 std::string csv_quoted(std::string_view text);
+
+}  // namespace litfog::command

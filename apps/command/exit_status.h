@@ -3,6 +3,8 @@
 
 #include <stdexcept>
 
+namespace litfog::command {
+
 /// What a command's exit status says; the same for every command.
 enum ExitStatus {
   kDone = 0,
@@ -28,3 +30,5 @@ struct MissingCapability : std::runtime_error {
 struct CannotWrite : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+
+}  // namespace litfog::command

@@ -14,6 +14,8 @@
 #include "command/exit_status.h"
 #include "command/number.h"
 
+using namespace litfog::command;
+
 /// The text stays with the tree: a place is a byte offset until a message wants its line and column.
 struct JsonDocument {
   std::string name;

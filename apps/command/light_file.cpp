@@ -10,6 +10,8 @@
 
 #include "command/angle_deg.h"
 
+using namespace litfog::command;
+
 namespace {
 
 using litfog::Cone;

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+namespace litfog::command {
+
 namespace {
 
 template <typename Number>
@@ -23,3 +25,5 @@ std::optional<double> parse_number(std::string_view text) {
 }
 
 std::optional<int> parse_integer(std::string_view text) { return parse<int>(text); }
+
+}  // namespace litfog::command

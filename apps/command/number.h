@@ -4,9 +4,13 @@
 #include <optional>
 #include <string_view>
 
+namespace litfog::command {
+
 /// A whole text as a number, whatever the locale: "1", "-2.5e3", ".5", "inf", "infinity" in any case.
 /// Nothing for an empty text, white space, a leading +, hexadecimal, nan, trailing text, or a number beyond the type.
 std::optional<double> parse_number(std::string_view text);
 
 /// The same for an integer: decimal digits with an optional minus.
 std::optional<int> parse_integer(std::string_view text);
+
+}  // namespace litfog::command

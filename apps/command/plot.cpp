@@ -22,6 +22,8 @@
 #include "command/command.h"
 #include "command/exit_status.h"
 
+namespace litfog::command {
+
 namespace {
 
 /// Okabe and Ito, "Color Universal Design" (2008), the dark ones first; marks differ too.
@@ -264,3 +266,5 @@ std::string draw_figure(const Figure& figure, FigureFormat format) {
   if (!is_whole) throw CannotWrite("picture cannot be written: gnuplot did not finish it");
   return picture;
 }
+
+}  // namespace litfog::command

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+namespace litfog::command {
+
 /// Charts as PNG or SVG, drawn by gnuplot (the program, Debian's gnuplot-nox); no display is needed.
 ///
 ///     const Figure figure{.title = "Landing lamp",
@@ -67,3 +69,5 @@ void require_plotter();
 /// The figure as the bytes of a PNG or SVG file. Throws MissingCapability where gnuplot is not installed, and
 /// std::invalid_argument for a figure without points, or a value that its axis cannot show.
 std::string draw_figure(const Figure& figure, FigureFormat format);
+
+}  // namespace litfog::command

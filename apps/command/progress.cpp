@@ -6,6 +6,8 @@
 
 #include <cstdio>
 
+namespace litfog::command {
+
 using Clock = std::chrono::steady_clock;
 
 Progress::Progress() : is_watched_(isatty(STDERR_FILENO) != 0), next_(Clock::now() + std::chrono::seconds(2)) {}
@@ -20,3 +22,5 @@ void Progress::show(std::string_view text) {
   fmt::print(stderr, "\r\x1B[K{}", text);
   is_shown_ = true;
 }
+
+}  // namespace litfog::command

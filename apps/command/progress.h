@@ -4,6 +4,8 @@
 #include <chrono>
 #include <string_view>
 
+namespace litfog::command {
+
 /// A sign of life on standard error, where somebody watches, of what takes more than two seconds.
 class Progress {
  public:
@@ -20,3 +22,5 @@ class Progress {
   bool is_shown_ = false;
   std::chrono::steady_clock::time_point next_;
 };
+
+}  // namespace litfog::command

@@ -5,6 +5,8 @@
 #include <cassert>
 #include <cmath>
 
+namespace litfog::command {
+
 double quantile(std::vector<double> values, double share) {
   assert(!values.empty());
   std::sort(values.begin(), values.end());
@@ -13,3 +15,5 @@ double quantile(std::vector<double> values, double share) {
   const std::size_t above = std::min(below + 1, values.size() - 1);
   return std::lerp(values[below], values[above], place - static_cast<double>(below));
 }
+
+}  // namespace litfog::command

@@ -12,6 +12,8 @@
 #include "command/csv.h"
 #include "command/json_document.h"
 
+namespace litfog::command {
+
 namespace {
 
 using Cell = Table::Cell;
@@ -103,3 +105,5 @@ std::string format_table(const Table& table, TableFormat format) {
   }
   return format_json(table);
 }
+
+}  // namespace litfog::command

@@ -5,6 +5,8 @@
 #include <variant>
 #include <vector>
 
+namespace litfog::command {
+
 enum class TableFormat {
   text,  ///< aligned for reading, six digits
   csv,   ///< RFC 4180, numbers read back exactly, infinity is inf
@@ -21,3 +23,5 @@ struct Table {
 
 /// The whole table as text, with a newline at its end.
 std::string format_table(const Table& table, TableFormat format);
+
+}  // namespace litfog::command

@@ -10,6 +10,8 @@
 
 #include "command/exit_status.h"
 
+namespace litfog::command {
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -66,3 +68,5 @@ void write_whole_file(const std::string& path, std::string_view text) {
     if (!file) throw CannotWrite(path + ": cannot be written: " + std::strerror(errno));
   });
 }
+
+}  // namespace litfog::command

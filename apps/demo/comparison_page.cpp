@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "measure/frame_times.h"
 #include "demo/heat_map.h"
 #include "demo/html_text.h"
+#include "measure/frame_times.h"
 #include "scene/material.h"
 
 namespace litfog::demo {
@@ -77,8 +77,8 @@ std::string heat_gradient() {
   std::string stops;
   for (int i = 0; i <= kSteps; ++i) {
     const glm::vec3 color = heat_color(double(i) / kSteps);
-    stops +=
-        fmt::format(", #{:02x}{:02x}{:02x}", srgb_level_of(color.r), srgb_level_of(color.g), srgb_level_of(color.b));
+    stops += fmt::format(", #{:02x}{:02x}{:02x}", scene::srgb_level_of(color.r), scene::srgb_level_of(color.g),
+                         scene::srgb_level_of(color.b));
   }
   return "linear-gradient(to right" + stops + ")";
 }
@@ -98,7 +98,7 @@ std::string value(std::string_view term, const std::string& description) {
 }
 
 std::string reference_figure(const SceneResult& scene) {
-  const LightingPath& path = *scene.paths.front().path;
+  const render::LightingPath& path = *scene.paths.front().path;
   const std::string file = scene.reference_file(path);
   return "<figure>\n<div class=\"picture\">\n" +
          image("only", file, fmt::format("{}: the reference of {}", scene.name, path.name)) +
@@ -111,7 +111,7 @@ std::string reference_figure(const SceneResult& scene) {
 }
 
 std::string figure(const SceneResult& scene, const PathResult& result) {
-  const LightingPath& path = *result.path;
+  const render::LightingPath& path = *result.path;
   const std::string title = fmt::format("{}, {}", scene.name, path.name);
   std::string html = "<figure>\n<div class=\"picture\">\n";
   html += image("drawn", scene.drawn_file(path), title + ": the picture");
@@ -122,7 +122,8 @@ std::string figure(const SceneResult& scene, const PathResult& result) {
   html += fmt::format("</div>\n<figcaption>\n<h3>{}</h3>\n<p class=\"source\">{}</p>\n<p>{}</p>\n<dl>\n",
                       html_text(path.name), html_text(path.source), html_text(path.description));
   html += value("ms a frame", fmt::format(R"(<span title="10th to 90th percentile: {} ms">{}</span>)",
-                                          milliseconds_text(result.spread), milliseconds_text(result.milliseconds)));
+                                          measure::milliseconds_text(result.spread),
+                                          measure::milliseconds_text(result.milliseconds)));
   html += value("&times; legacy", fmt::format("{:.2f}", result.over_legacy));
   html += value("largest error", error_text(result.largest_error));
   html += value("mean error", error_text(result.mean_error));
@@ -155,7 +156,7 @@ std::string table(const std::vector<SceneResult>& scenes) {
   std::string html = fmt::format(
       "<div class=\"table\">\n<table>\n<thead>\n<tr><td></td>{}</tr>\n<tr><td></td>{}</tr>\n</thead>\n<tbody>\n", names,
       columns);
-  for (const LightingPath& path : lighting_paths()) {
+  for (const render::LightingPath& path : render::lighting_paths()) {
     html += fmt::format("<tr><th scope=\"row\">{}</th>", html_text(path.name));
     for (const SceneResult& scene : scenes) {
       const auto result = std::ranges::find(scene.paths, &path, &PathResult::path);
@@ -187,16 +188,16 @@ std::string navigation() {
 
 }  // namespace
 
-std::string SceneResult::drawn_file(const LightingPath& path) const {
+std::string SceneResult::drawn_file(const render::LightingPath& path) const {
   return fmt::format("{}-{}.png", name, path.name);
 }
 
-std::string SceneResult::error_file(const LightingPath& path) const {
+std::string SceneResult::error_file(const render::LightingPath& path) const {
   return fmt::format("{}-{}-error.png", name, path.name);
 }
 
-std::string SceneResult::reference_file(const LightingPath& path) const {
-  if (&path == &lighting_paths().front()) return name + "-reference.png";
+std::string SceneResult::reference_file(const render::LightingPath& path) const {
+  if (&path == &render::lighting_paths().front()) return name + "-reference.png";
   return fmt::format("{}-{}-reference.png", name, path.name);
 }
 

@@ -11,7 +11,7 @@ namespace litfog::demo {
 
 /// What a lighting path made of a scene. Errors are in 1/255 against the path's own reference.
 struct PathResult {
-  const LightingPath* path;
+  const render::LightingPath* path;
   double milliseconds;  ///< a frame, the median
   double spread;        ///< of the frames, from the 10th to the 90th percentile
   double over_legacy;   ///< milliseconds over the legacy path's
@@ -28,10 +28,10 @@ struct SceneResult {
   std::size_t lights;
   std::vector<PathResult> paths = {};  ///< the default path first
 
-  std::string drawn_file(const LightingPath& path) const;
-  std::string error_file(const LightingPath& path) const;
+  std::string drawn_file(const render::LightingPath& path) const;
+  std::string error_file(const render::LightingPath& path) const;
   /// SCENE-reference.png for the default path.
-  std::string reference_file(const LightingPath& path) const;
+  std::string reference_file(const render::LightingPath& path) const;
   std::string sheet_file() const;
 };
 

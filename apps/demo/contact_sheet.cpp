@@ -22,14 +22,14 @@ constexpr glm::vec3 kFaintInk{0.33f, 0.33f, 0.31f};
 
 OIIO::ImageSpec spec_of(int width, int height) { return {width, height, 3, OIIO::TypeDesc::FLOAT}; }
 
-Picture to_picture(const OIIO::ImageBuf& image) {
-  Picture picture{image.spec().width, image.spec().height, {}};
+render::Picture to_picture(const OIIO::ImageBuf& image) {
+  render::Picture picture{image.spec().width, image.spec().height, {}};
   picture.rgb.resize(std::size_t(picture.width) * std::size_t(picture.height) * 3);
   image.get_pixels(image.roi(), OIIO::TypeDesc::FLOAT, picture.rgb.data());
   return picture;
 }
 
-OIIO::ImageBuf to_image(const Picture& picture) {
+OIIO::ImageBuf to_image(const render::Picture& picture) {
   OIIO::ImageBuf image(spec_of(picture.width, picture.height));
   image.set_pixels(image.roi(), OIIO::TypeDesc::FLOAT, picture.rgb.data());
   return image;
@@ -37,17 +37,18 @@ OIIO::ImageBuf to_image(const Picture& picture) {
 
 }  // namespace
 
-Picture reduced(const Picture& picture, int width) {
-  Picture shown = picture;  // clamped as the screen would, so that a bright lamp does not spread over its neighbours
+render::Picture reduced(const render::Picture& picture, int width) {
+  render::Picture shown =
+      picture;  // clamped as the screen would, so that a bright lamp does not spread over its neighbours
   for (float& value : shown.rgb) value = std::clamp(value, 0.0f, 1.0f);
   const int height = std::max(1, int(double(picture.height) * width / picture.width + 0.5));
   return to_picture(OIIO::ImageBufAlgo::resize(to_image(shown), "box", 0, OIIO::ROI(0, width, 0, height, 0, 1, 0, 3)));
 }
 
-Picture make_contact_sheet(const std::vector<std::vector<SheetEntry>>& rows) {
+render::Picture make_contact_sheet(const std::vector<std::vector<SheetEntry>>& rows) {
   std::size_t columns = 1;
   int height = kMargin;
-  std::vector<std::vector<Picture>> cells;
+  std::vector<std::vector<render::Picture>> cells;
   std::vector<int> tops;
   for (const auto& row : rows) {
     columns = std::max(columns, row.size());
@@ -62,13 +63,13 @@ Picture make_contact_sheet(const std::vector<std::vector<SheetEntry>>& rows) {
     tops.push_back(height);
     height += tallest + int(lines) * kLineHeight + kCaptionMargin + kMargin;
   }
-  Picture sheet{int(columns) * (kSheetCellWidth + kMargin) + kMargin, height, {}};
+  render::Picture sheet{int(columns) * (kSheetCellWidth + kMargin) + kMargin, height, {}};
   sheet.rgb.resize(std::size_t(sheet.width) * std::size_t(sheet.height) * 3);
   OIIO::ImageBuf image(spec_of(sheet.width, sheet.height), sheet.rgb.data());
   OIIO::ImageBufAlgo::fill(image, OIIO::cspan<float>(kGround.data(), 3));
   for (std::size_t r = 0; r < rows.size(); ++r) {
     for (std::size_t c = 0; c < rows[r].size(); ++c) {
-      const Picture& cell = cells[r][c];
+      const render::Picture& cell = cells[r][c];
       const int left = kMargin + int(c) * (kSheetCellWidth + kMargin);
       OIIO::ImageBufAlgo::paste(image, left, tops[r], 0, 0, to_image(cell));
       int baseline = tops[r] + cell.height - 2;

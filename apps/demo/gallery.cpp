@@ -9,10 +9,10 @@
 #include <tuple>
 
 #include "command/command.h"
+#include "command/table.h"
 #include "demo/contact_sheet.h"
 #include "demo/picture_folder.h"
 #include "scene/file/scene_file.h"
-#include "command/table.h"
 
 namespace litfog::demo {
 namespace {
@@ -32,7 +32,7 @@ bool is_same_kind(const Light& a, const Light& b) {
 }
 
 /// Extent, peak range and intensity of each kind of light in a scene at each visibility.
-void add_solutions(Table& table, const Scene& scene, FogMode mode) {
+void add_solutions(command::Table& table, const scene::Scene& scene, FogMode mode) {
   std::vector<const Light*> kinds;
   for (const PlacedLight& placed : scene.lights) {
     const bool is_known =
@@ -52,14 +52,14 @@ void add_solutions(Table& table, const Scene& scene, FogMode mode) {
 
 void draw_gallery(const std::vector<std::string>& scenes, const std::string& folder, const GallerySettings& settings) {
   const Clock::time_point start = Clock::now();
-  const std::vector<Scene> read = read_scenes(scenes);
-  report(fmt::format("{} scenes loaded in {:.2f} s\n", read.size(), seconds_since(start)));
+  const std::vector<scene::Scene> read = scene::read_scenes(scenes);
+  command::report(fmt::format("{} scenes loaded in {:.2f} s\n", read.size(), seconds_since(start)));
   PictureFolder pictures(folder);
-  Table solutions{{"scene", "light", "visibility_m", "extent_m", "peak_range_m", "intensity"}, {}};
+  command::Table solutions{{"scene", "light", "visibility_m", "extent_m", "peak_range_m", "intensity"}, {}};
   std::vector<std::vector<SheetEntry>> sheet;
-  for (const Scene& scene : read) {
-    Renderer renderer(scene, settings.width, settings.height, settings.render);
-    report(fmt::format("{}: {} lights\n", scene.name, scene.lights.size()));
+  for (const scene::Scene& scene : read) {
+    render::Renderer renderer(scene, settings.width, settings.height, settings.render);
+    command::report(fmt::format("{}: {} lights\n", scene.name, scene.lights.size()));
     add_solutions(solutions, scene, settings.fog_mode);
     std::vector<double> visibilities{std::numeric_limits<double>::infinity()};
     visibilities.insert(visibilities.end(), scene.visibilities.begin(), scene.visibilities.end());
@@ -71,20 +71,20 @@ void draw_gallery(const std::vector<std::string>& scenes, const std::string& fol
       const Clock::time_point frame_start = Clock::now();
       renderer.set_fog(Fog::from_visibility(settings.fog_mode, visibility));
       renderer.draw();
-      Picture picture = renderer.read();
+      render::Picture picture = renderer.read();
       const double draw_seconds = seconds_since(frame_start);
       const std::string caption =
           is_clear ? scene.name + ", clear air" : fmt::format("{}, visibility {} m", scene.name, visibility);
       sheet.back().push_back({reduced(picture, kSheetCellWidth), {caption}});
       pictures.write(file, std::move(picture));
-      report(fmt::format("  {:<40} drawn in {:.2f} s\n", pictures.path_of(file), draw_seconds));
+      command::report(fmt::format("  {:<40} drawn in {:.2f} s\n", pictures.path_of(file), draw_seconds));
     }
   }
   const std::string sheet_file = "contact-sheet.png";
   pictures.write(sheet_file, make_contact_sheet(sheet));
   pictures.finish();
-  write_standard_output("\n" + format_table(solutions, TableFormat::text));
-  write_standard_output(
+  command::write_standard_output("\n" + command::format_table(solutions, command::TableFormat::text));
+  command::write_standard_output(
       fmt::format("\n{} shows all; {:.1f} s in all\n", pictures.path_of(sheet_file), seconds_since(start)));
 }
 

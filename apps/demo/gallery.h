@@ -13,7 +13,7 @@ struct GallerySettings {
   FogMode fog_mode = FogMode::exp;
   int width = 1280;
   int height = 720;
-  RenderSettings render;
+  render::RenderSettings render;
 };
 
 /// Draws scenes clear and at each of their visibilities into a folder (made where missing), one PNG each, and

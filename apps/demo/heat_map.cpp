@@ -26,7 +26,7 @@ constexpr glm::vec3 kExcepted{1, 0, 0};
 double share_of(double error) { return std::clamp(std::log10(error / kHeatLeast) / kHeatDecades, 0.0, 1.0); }
 
 /// Fills columns [left, right) of rows [top, bottom).
-void fill(Picture& picture, int left, int top, int right, int bottom, const glm::vec3& color) {
+void fill(render::Picture& picture, int left, int top, int right, int bottom, const glm::vec3& color) {
   for (int y = top; y < bottom; ++y) {
     for (int x = left; x < right; ++x) {
       const std::size_t at = (std::size_t(y) * std::size_t(picture.width) + std::size_t(x)) * 3;
@@ -35,7 +35,7 @@ void fill(Picture& picture, int left, int top, int right, int bottom, const glm:
   }
 }
 
-void draw_scale(Picture& picture, int top) {
+void draw_scale(render::Picture& picture, int top) {
   const int left = kMargin;
   const int length = kLeastWidth - 8 * kMargin;
   const glm::vec3 frame = kInk * 0.3f;  // the scale begins as dark as the ground
@@ -64,11 +64,11 @@ glm::vec3 heat_color(double share) {
   return {OIIO::sRGB_to_linear(shown.r), OIIO::sRGB_to_linear(shown.g), OIIO::sRGB_to_linear(shown.b)};
 }
 
-Picture make_heat_map(const PictureError& error, const std::string& title) {
+render::Picture make_heat_map(const measure::PictureError& error, const std::string& title) {
   const int magnified = (kLeastWidth + error.width - 1) / error.width;
   const int width = error.width * magnified;
   const int height = error.height * magnified;
-  Picture picture{width, height + 2 * kLineHeight + kBarHeight + 3 * kMargin, {}};
+  render::Picture picture{width, height + 2 * kLineHeight + kBarHeight + 3 * kMargin, {}};
   picture.rgb.resize(std::size_t(picture.width) * std::size_t(picture.height) * 3);
   fill(picture, 0, 0, picture.width, picture.height, kGround);
   for (int y = 0; y < error.height; ++y) {
@@ -78,7 +78,7 @@ Picture make_heat_map(const PictureError& error, const std::string& title) {
            value < 0 ? kExcepted : heat_color(share_of(double(value))));
     }
   }
-  const std::string words = title + ": " + error_in_words(error) + (error.excepted > 0 ? " (red)" : "");
+  const std::string words = title + ": " + measure::error_in_words(error) + (error.excepted > 0 ? " (red)" : "");
   draw_text(picture, kMargin, height + kLineHeight, words, kFontSize, kInk);
   draw_scale(picture, height + kLineHeight + kMargin);
   return picture;

@@ -4,8 +4,8 @@
 #include <glm/vec3.hpp>
 #include <string>
 
-#include "render/picture.h"
 #include "measure/picture_error.h"
+#include "render/picture.h"
 
 namespace litfog::demo {
 
@@ -18,7 +18,7 @@ inline constexpr int kHeatDecades = 3;     ///< how often it grows tenfold
 ///
 /// title   what is compared; the largest and the mean error are put after it
 /// throws  std::runtime_error where no font is found
-Picture make_heat_map(const PictureError& error, const std::string& title);
+render::Picture make_heat_map(const measure::PictureError& error, const std::string& title);
 
 /// The colour of a share of the scale: cubehelix (Green 2011, "A colour scheme for the display of astronomical
 /// intensity images"), through all hues, each brighter than those before it. Linear RGB.

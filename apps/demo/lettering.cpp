@@ -13,7 +13,8 @@ constexpr const char* kFont = "DejaVuSans";
 
 }  // namespace
 
-void draw_text(Picture& picture, int left, int baseline, const std::string& text, int size, const glm::vec3& ink) {
+void draw_text(render::Picture& picture, int left, int baseline, const std::string& text, int size,
+               const glm::vec3& ink) {
   const OIIO::ImageSpec spec(picture.width, picture.height, 3, OIIO::TypeDesc::FLOAT);
   OIIO::ImageBuf image(spec, picture.rgb.data());  // draws into the picture's own pixels
   if (!OIIO::ImageBufAlgo::render_text(image, left, baseline, text, size, kFont, OIIO::cspan<float>(&ink.x, 3))) {

@@ -13,7 +13,8 @@ namespace litfog::demo {
 /// left, baseline, size  pixels; baseline is where the letters stand, size about the height of a line
 /// ink                   linear RGB
 /// throws                std::runtime_error where no font is found
-void draw_text(Picture& picture, int left, int baseline, const std::string& text, int size, const glm::vec3& ink);
+void draw_text(render::Picture& picture, int left, int baseline, const std::string& text, int size,
+               const glm::vec3& ink);
 
 /// A text that is no wider than so many pixels: the same, or its beginning and an ellipsis.
 std::string fitted_text(const std::string& text, int size, int width);

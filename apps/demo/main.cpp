@@ -10,22 +10,26 @@
 #include <optional>
 
 #include "command/command.h"
-#include "measure/comparison.h"
-#include "measure/frame_times.h"
+#include "command/number.h"
+#include "command/whole_file.h"
 #include "demo/gallery.h"
 #include "demo/heat_map.h"
 #include "demo/path_comparison.h"
-#include "render/renderer.h"
-#include "scene/file/scene_file.h"
 #include "litfog/gl/headless_context.h"
 #include "litfog/gl/unsupported.h"
-#include "command/number.h"
-#include "command/whole_file.h"
+#include "measure/comparison.h"
+#include "measure/frame_times.h"
+#include "render/renderer.h"
+#include "scene/file/scene_file.h"
 
 namespace {
 
 using namespace litfog;
 using namespace litfog::demo;
+using namespace litfog::scene;
+using namespace litfog::render;
+using namespace litfog::measure;
+using namespace litfog::command;
 
 constexpr int kMaxSide = 16'384;
 constexpr std::int64_t kMaxPixels = 40'000'000;  // some 2 GiB of framebuffer, 4 for paths of several passes

@@ -7,14 +7,14 @@
 #include <memory>
 
 #include "command/command.h"
-#include "measure/comparison.h"
+#include "command/whole_file.h"
 #include "demo/comparison_page.h"
 #include "demo/contact_sheet.h"
-#include "measure/frame_times.h"
 #include "demo/heat_map.h"
 #include "demo/picture_folder.h"
+#include "measure/comparison.h"
+#include "measure/frame_times.h"
 #include "scene/file/scene_file.h"
-#include "command/whole_file.h"
 
 namespace litfog::demo {
 namespace {
@@ -26,8 +26,8 @@ std::string words_of(const Fog& fog, double visibility) {
   return fmt::format("{} fog, visibility {} m", fog.mode == FogMode::exp2 ? "exp2" : "exp", visibility);
 }
 
-std::string words_of(const RenderSettings& settings) {
-  std::string words = settings.skipping == Skipping::on ? "what cannot show is skipped" : "nothing is skipped";
+std::string words_of(const render::RenderSettings& settings) {
+  std::string words = settings.skipping == render::Skipping::on ? "what cannot show is skipped" : "nothing is skipped";
   if (settings.has_infinite_viewer) words += ", highlights as seen from far away";
   return fmt::format("{}, light maps of {} texels a side", words, settings.map_size);
 }
@@ -35,56 +35,56 @@ std::string words_of(const RenderSettings& settings) {
 /// Pictures in reading order, as rows of a sheet.
 class Sheet {
  public:
-  void add(const Picture& picture, std::vector<std::string> caption) {
+  void add(const render::Picture& picture, std::vector<std::string> caption) {
     if (rows_.empty() || rows_.back().size() == kSheetColumns) rows_.emplace_back();
     rows_.back().push_back({reduced(picture, kSheetCellWidth), std::move(caption)});
   }
-  Picture picture() const { return make_contact_sheet(rows_); }
+  render::Picture picture() const { return make_contact_sheet(rows_); }
 
  private:
   std::vector<std::vector<SheetEntry>> rows_;
 };
 
-std::vector<std::unique_ptr<Renderer>> make_renderers(const Scene& scene, const Fog& fog,
-                                                      const PathComparisonSettings& settings) {
-  std::vector<std::unique_ptr<Renderer>> renderers;
-  for (const LightingPath& path : lighting_paths()) {
-    RenderSettings render = settings.render;
+std::vector<std::unique_ptr<render::Renderer>> make_renderers(const scene::Scene& scene, const Fog& fog,
+                                                              const PathComparisonSettings& settings) {
+  std::vector<std::unique_ptr<render::Renderer>> renderers;
+  for (const render::LightingPath& path : render::lighting_paths()) {
+    render::RenderSettings render = settings.render;
     render.path = &path;
-    renderers.push_back(std::make_unique<Renderer>(scene, settings.width, settings.height, render));
+    renderers.push_back(std::make_unique<render::Renderer>(scene, settings.width, settings.height, render));
     renderers.back()->set_fog(fog);
   }
   return renderers;
 }
 
 /// The times of every path, in the paths' order.
-std::vector<FrameTimes> time_paths(const std::vector<std::unique_ptr<Renderer>>& renderers, int frames,
-                                   const std::string& scene) {
-  std::vector<Renderer*> in_turn;
+std::vector<measure::FrameTimes> time_paths(const std::vector<std::unique_ptr<render::Renderer>>& renderers, int frames,
+                                            const std::string& scene) {
+  std::vector<render::Renderer*> in_turn;
   for (const auto& renderer : renderers) in_turn.push_back(renderer.get());
-  return time_frames(in_turn, FrameBudget::exactly(frames), scene);
+  return measure::time_frames(in_turn, measure::FrameBudget::exactly(frames), scene);
 }
 
-SceneResult compare_scene(const Scene& scene, PictureFolder& pictures, const std::string& machine,
+SceneResult compare_scene(const scene::Scene& scene, PictureFolder& pictures, const std::string& machine,
                           const PathComparisonSettings& settings) {
-  const double visibility = settings.visibility.value_or(suggested_visibility(scene));
+  const double visibility = settings.visibility.value_or(scene::suggested_visibility(scene));
   const Fog fog = Fog::from_visibility(settings.fog_mode, visibility);
   SceneResult result{.name = scene.name,
                      .description = scene.description,
                      .conditions = words_of(fog, visibility),
                      .lights = scene.lights.size()};
-  report(fmt::format("{}: {} lights, {}\n", scene.name, scene.lights.size(), result.conditions));
+  command::report(fmt::format("{}: {} lights, {}\n", scene.name, scene.lights.size(), result.conditions));
   auto renderers = make_renderers(scene, fog, settings);
   pictures.finish();  // encoding would take time from the frames
-  const std::vector<FrameTimes> times = time_paths(renderers, settings.frames, scene.name);
-  const auto paths = lighting_paths();
-  const auto legacy = std::size_t(find_lighting_path("legacy") - paths.data());
+  const std::vector<measure::FrameTimes> times = time_paths(renderers, settings.frames, scene.name);
+  const auto paths = render::lighting_paths();
+  const auto legacy = std::size_t(render::find_lighting_path("legacy") - paths.data());
   Sheet sheet;
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    const LightingPath& path = paths[i];
-    Comparison comparison = compare_with_reference(scene, fog, *renderers[i]);
+    const render::LightingPath& path = paths[i];
+    measure::Comparison comparison = measure::compare_with_reference(scene, fog, *renderers[i]);
     renderers[i].reset();
-    const PictureError& error = comparison.error;
+    const measure::PictureError& error = comparison.error;
     const PathResult& row =
         result.paths.emplace_back(PathResult{.path = &path,
                                              .milliseconds = times[i].median(),
@@ -98,9 +98,9 @@ SceneResult compare_scene(const Scene& scene, PictureFolder& pictures, const std
                                        fmt::format("{} x {} on {}", settings.width, settings.height, machine)});
     }
     const std::string time =
-        fmt::format("{} ms a frame, {:.2f} x legacy", milliseconds_text(row.milliseconds), row.over_legacy);
-    sheet.add(comparison.drawn, {fmt::format("{}: {}", path.name, time), error_in_words(error)});
-    report(fmt::format("  {:<12} {:>32}; {}\n", path.name, time, error_in_words(error)));
+        fmt::format("{} ms a frame, {:.2f} x legacy", measure::milliseconds_text(row.milliseconds), row.over_legacy);
+    sheet.add(comparison.drawn, {fmt::format("{}: {}", path.name, time), measure::error_in_words(error)});
+    command::report(fmt::format("  {:<12} {:>32}; {}\n", path.name, time, measure::error_in_words(error)));
     pictures.write(result.error_file(path), make_heat_map(error, fmt::format("{}, {}", scene.name, path.name)));
     pictures.write(result.drawn_file(path), std::move(comparison.drawn));
     pictures.write(result.reference_file(path), std::move(comparison.reference));
@@ -113,21 +113,22 @@ SceneResult compare_scene(const Scene& scene, PictureFolder& pictures, const std
 
 void compare_paths(const std::vector<std::string>& scenes, const std::string& folder, const std::string& machine,
                    const PathComparisonSettings& settings) {
-  std::vector<Scene> read = read_scenes(scenes);  // what is wrong with one is said before minutes go into another
-  for (Scene& scene : read) turn_cookies(scene, settings.seconds);
+  std::vector<scene::Scene> read =
+      scene::read_scenes(scenes);  // what is wrong with one is said before minutes go into another
+  for (scene::Scene& scene : read) scene::turn_cookies(scene, settings.seconds);
   PictureFolder pictures(folder);
   const std::string page = pictures.path_of("index.html");
-  expect_place_for_file(page);
+  command::expect_place_for_file(page);
   std::vector<SceneResult> results;
-  for (const Scene& scene : read) results.push_back(compare_scene(scene, pictures, machine, settings));
+  for (const scene::Scene& scene : read) results.push_back(compare_scene(scene, pictures, machine, settings));
   pictures.finish();
-  write_whole_file(page, comparison_page({.machine = machine,
-                                          .width = settings.width,
-                                          .height = settings.height,
-                                          .frames = settings.frames,
-                                          .settings = words_of(settings.render)},
-                                         results));
-  report(fmt::format("{} shows all\n", page));
+  command::write_whole_file(page, comparison_page({.machine = machine,
+                                                   .width = settings.width,
+                                                   .height = settings.height,
+                                                   .frames = settings.frames,
+                                                   .settings = words_of(settings.render)},
+                                                  results));
+  command::report(fmt::format("{} shows all\n", page));
 }
 
 }  // namespace litfog::demo

@@ -16,8 +16,8 @@ struct PathComparisonSettings {
   double seconds = 0;                     ///< for which the scenes' cookies have been spinning
   int width = 1280;
   int height = 720;
-  int frames = 5;         ///< timed of each path, >= 1
-  RenderSettings render;  ///< but the path
+  int frames = 5;                 ///< timed of each path, >= 1
+  render::RenderSettings render;  ///< but the path
 };
 
 /// Draws scenes by every lighting path into a folder (made where missing): of each scene and path the picture, its heat

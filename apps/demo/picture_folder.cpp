@@ -8,14 +8,15 @@ namespace litfog::demo {
 PictureFolder::PictureFolder(const std::string& path) : path_(path) {
   std::error_code error;
   std::filesystem::create_directories(path_, error);
-  if (error) throw CannotWrite(path + ": cannot be made: " + error.message());
+  if (error) throw command::CannotWrite(path + ": cannot be made: " + error.message());
 }
 
-void PictureFolder::write(const std::string& file, Picture picture) {
-  if (!files_.insert(file).second) throw BadInput(path_of(file) + ": would be a picture of two scenes: rename one");
+void PictureFolder::write(const std::string& file, render::Picture picture) {
+  if (!files_.insert(file).second)
+    throw command::BadInput(path_of(file) + ": would be a picture of two scenes: rename one");
   finish();
   writing_ = std::async(std::launch::async,
-                        [path = path_of(file), picture = std::move(picture)] { write_picture(path, picture); });
+                        [path = path_of(file), picture = std::move(picture)] { render::write_picture(path, picture); });
 }
 
 void PictureFolder::finish() {

@@ -21,7 +21,7 @@ class PictureFolder {
 
   /// Writes a picture (write_picture) while the caller goes on; what the picture before it met is thrown here. Throws
   /// BadInput where the file has been written already: one scene may be named like another's picture.
-  void write(const std::string& file, Picture picture);
+  void write(const std::string& file, render::Picture picture);
 
   /// Waits until all is written. Throws what that met.
   void finish();

@@ -7,6 +7,8 @@
 #include "command/exit_status.h"
 #include "command/whole_file.h"
 
+namespace litfog::fit {
+
 void write_cookie(const std::string& path, const litfog::Cookie& cookie) {
   OIIO::ImageSpec spec(cookie.size, 6 * cookie.size, 1, OIIO::TypeDesc::FLOAT);
   spec.channelnames = {"Y"};
@@ -17,10 +19,12 @@ void write_cookie(const std::string& path, const litfog::Cookie& cookie) {
   std::vector<unsigned char> bytes;  // first, so that a full disk is noticed
   OIIO::Filesystem::IOVecOutput memory(bytes);
   const auto output = OIIO::ImageOutput::create("exr");
-  if (!output) throw CannotWrite(path + ": cannot be written: " + OIIO::geterror());
+  if (!output) throw command::CannotWrite(path + ": cannot be written: " + OIIO::geterror());
   if (!output->set_ioproxy(&memory) || !output->open(path, spec) ||
       !output->write_image(OIIO::TypeDesc::FLOAT, cookie.texels.data()) || !output->close()) {
-    throw CannotWrite(path + ": cannot be written: " + output->geterror());
+    throw command::CannotWrite(path + ": cannot be written: " + output->geterror());
   }
-  write_whole_file(path, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+  command::write_whole_file(path, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
 }
+
+}  // namespace litfog::fit

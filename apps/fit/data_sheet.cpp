@@ -12,6 +12,8 @@
 #include "command/angle_deg.h"
 #include "command/table.h"
 
+namespace litfog::fit {
+
 namespace {
 
 using litfog::AttenuationFit;
@@ -28,17 +30,17 @@ class Sheet {
   void add_heading(const std::string& text) { text_ += fmt::format("\n{}\n", text); }
   void add(std::string_view name, const std::string& value) { text_ += fmt::format("  {:<16}{}\n", name, value); }
   /// Rows evenly spread where there are too many to read.
-  void add(Table table) {
+  void add(command::Table table) {
     const std::size_t step = (table.rows.size() + kMostRows - 1) / kMostRows;
     if (step > 1) {
       text_ += fmt::format("\n  One of every {} samples:\n", step);
-      std::vector<std::vector<Table::Cell>> rows;
+      std::vector<std::vector<command::Table::Cell>> rows;
       for (std::size_t i = 0; i < table.rows.size(); i += step) rows.push_back(std::move(table.rows[i]));
       table.rows = std::move(rows);
     } else {
       text_ += "\n";
     }
-    const std::string text = format_table(table, TableFormat::text);
+    const std::string text = command::format_table(table, command::TableFormat::text);
     for (std::size_t begin = 0; begin < text.size();) {
       const std::size_t end = text.find('\n', begin) + 1;
       text_ += "  " + text.substr(begin, end - begin);
@@ -83,7 +85,7 @@ void add_range(Sheet& sheet, const AttenuationTarget& target, const AttenuationF
   sheet.add("certificate", fmt::format("KKT residual {:.1e}; {} boxes ruled out; {} iterations, {:.3g} ms",
                                        fit.kkt_residual, fit.boxes, fit.iterations, fit.milliseconds));
   if (target.samples.empty()) return;
-  Table table{.columns = {"range_m", "attenuation", "fitted", "error_%", "weight"}};
+  command::Table table{.columns = {"range_m", "attenuation", "fitted", "error_%", "weight"}};
   for (std::size_t i = 0; i < target.samples.size(); ++i) {
     const auto& [range, attenuation, weight] = target.samples[i];
     table.rows.push_back(
@@ -96,8 +98,9 @@ std::string percent(const std::optional<double>& error) { return error ? fmt::fo
 
 std::string shape_of(const litfog::Cone& cone) {
   return cone.profile == ConeProfile::cosine
-             ? fmt::format("H = {:.6g} deg, S = {:.6g}", degrees(cone.half_angle), cone.exponent)
-             : fmt::format("inner {:.6g}, outer {:.6g} deg", degrees(cone.inner), degrees(cone.outer));
+             ? fmt::format("H = {:.6g} deg, S = {:.6g}", command::degrees(cone.half_angle), cone.exponent)
+             : fmt::format("inner {:.6g}, outer {:.6g} deg", command::degrees(cone.inner),
+                           command::degrees(cone.outer));
 }
 
 std::string uncertainty_of(const ConeProfileFit& fit) {
@@ -105,7 +108,7 @@ std::string uncertainty_of(const ConeProfileFit& fit) {
   const auto deviation = [&fit](std::size_t i) { return std::sqrt((*fit.covariance)[i][i]); };
   if (fit.cone.profile == ConeProfile::cosine) return fmt::format("S +-{:.2g}", deviation(0));
   const auto angle = [&](std::size_t i) {
-    return deviation(i) > 0 ? fmt::format("+-{:.2g} deg", deviation(i) / radians(1)) : std::string("held");
+    return deviation(i) > 0 ? fmt::format("+-{:.2g} deg", deviation(i) / command::radians(1)) : std::string("held");
   };
   return angle(0) + ", " + angle(1);
 }
@@ -113,7 +116,7 @@ std::string uncertainty_of(const ConeProfileFit& fit) {
 std::string edge_of(const ConeProfileFit& fit) {
   const auto [least, most] = fit.cutoff_range;
   if (least == most) return "-";
-  return fmt::format("H in ({:.4g}, {:.4g}] deg", degrees(least), degrees(most));
+  return fmt::format("H in ({:.4g}, {:.4g}] deg", command::degrees(least), command::degrees(most));
 }
 
 void add_cone(Sheet& sheet, const ConeTarget& target, const ConeFit& fit) {
@@ -124,7 +127,7 @@ void add_cone(Sheet& sheet, const ConeTarget& target, const ConeFit& fit) {
   sheet.add_heading(fmt::format("Cone: {} ({})", name_of(fit.profile), name_of(fit.best().status)));
   std::vector<std::string> wanted;
   const auto add_angle = [&wanted](const char* name, const std::optional<double>& angle) {
-    if (angle) wanted.push_back(fmt::format("{} {:.6g} deg", name, degrees(*angle)));
+    if (angle) wanted.push_back(fmt::format("{} {:.6g} deg", name, command::degrees(*angle)));
   };
   add_angle("beam angle", target.beam_angle);
   add_angle("field angle", target.field_angle);
@@ -132,7 +135,7 @@ void add_cone(Sheet& sheet, const ConeTarget& target, const ConeFit& fit) {
   if (!target.samples.empty()) wanted.push_back(fmt::format("{} samples", target.samples.size()));
   sheet.add("wanted", joined(wanted));
 
-  Table table{.columns = {"profile"}};
+  command::Table table{.columns = {"profile"}};
   for (const auto* profile : profiles) table.columns.emplace_back(name_of(profile->cone.profile));
   const auto add_row = [&](const char* name, const std::function<std::string(const ConeProfileFit&)>& cell) {
     auto& row = table.rows.emplace_back();
@@ -146,12 +149,13 @@ void add_cone(Sheet& sheet, const ConeTarget& target, const ConeFit& fit) {
   add_row("none is below", [](const auto& p) { return fmt::format("{:.6g}", p.lower_bound); });
   add_row("rms error", [](const auto& p) { return fmt::format("{:.3g} % of the peak", 100 * p.rms); });
   add_row("largest error", [](const auto& p) {
-    return fmt::format("{:+.3g} % at {:.4g} deg", 100 * p.largest_error, degrees(p.largest_error_angle));
+    return fmt::format("{:+.3g} % at {:.4g} deg", 100 * p.largest_error, command::degrees(p.largest_error_angle));
   });
   add_row("flux error", [](const auto& p) { return percent(p.flux_error); });
   add_row("50 % angle off", [](const auto& p) { return percent(p.beam_angle_error); });
   add_row("10 % angle off", [](const auto& p) { return percent(p.field_angle_error); });
-  add_row("lumens/candela", [](const auto& p) { return fmt::format("{:.4g}", flux_within(p.cone, radians(180))); });
+  add_row("lumens/candela",
+          [](const auto& p) { return fmt::format("{:.4g}", flux_within(p.cone, command::radians(180))); });
   add_row("uncertainty", uncertainty_of);
   add_row("certificate", [](const auto& p) {
     return fmt::format("KKT {:.1e}, {} boxes, {} iterations", p.kkt_residual, p.boxes, p.iterations);
@@ -159,7 +163,7 @@ void add_cone(Sheet& sheet, const ConeTarget& target, const ConeFit& fit) {
   sheet.add(table);
   if (target.samples.empty()) return;
 
-  Table residuals{.columns = {"angle_deg", "share"}};
+  command::Table residuals{.columns = {"angle_deg", "share"}};
   for (const auto* profile : profiles) {
     residuals.columns.emplace_back(name_of(profile->cone.profile));
     residuals.columns.emplace_back("error_%");
@@ -168,7 +172,7 @@ void add_cone(Sheet& sheet, const ConeTarget& target, const ConeFit& fit) {
   for (const auto& sample : target.samples) peak = std::max(peak, sample.weight > 0 ? sample.intensity : 0);
   for (const auto& sample : target.samples) {
     auto& row = residuals.rows.emplace_back();
-    row.insert(row.end(), {degrees(sample.angle), sample.intensity / peak});
+    row.insert(row.end(), {command::degrees(sample.angle), sample.intensity / peak});
     for (const auto* profile : profiles) {
       const double share = cone_at(profile->cone, std::cos(sample.angle));
       row.insert(row.end(), {share, 100 * (share - sample.intensity / peak)});
@@ -184,7 +188,7 @@ void add_luminaire(Sheet& sheet, const LightFit& fit) {
   if (!luminaire.name.empty()) sheet.add("luminaire", luminaire.name);
   if (!luminaire.manufacturer.empty()) sheet.add("manufacturer", luminaire.manufacturer);
   sheet.add("peak", fmt::format("{:.6g} cd, {:.3g} deg off the photometric axis", find_peak(distribution).intensity,
-                                degrees(fit.peak_angle)));
+                                command::degrees(fit.peak_angle)));
   const auto stated = stated_flux(luminaire);
   const double flux = luminous_flux(distribution);
   sheet.add("flux",
@@ -211,3 +215,5 @@ std::string format_data_sheet(const LightFit& fit) {
   for (const std::string& sentence : advice) sheet.add("-", sentence);
   return sheet.text();
 }
+
+}  // namespace litfog::fit

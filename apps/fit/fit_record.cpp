@@ -5,6 +5,8 @@
 
 #include "command/angle_deg.h"
 
+namespace litfog::fit {
+
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -39,9 +41,11 @@ Json range_record(const litfog::AttenuationFit& fit, bool has_time) {
 
 Json cone_record(const litfog::Cone& cone) {
   if (cone.profile == litfog::ConeProfile::cosine) {
-    return {{"profile", "cosine"}, {"half_angle_deg", degrees(cone.half_angle)}, {"exponent", cone.exponent}};
+    return {{"profile", "cosine"}, {"half_angle_deg", command::degrees(cone.half_angle)}, {"exponent", cone.exponent}};
   }
-  return {{"profile", "smoothstep"}, {"inner_deg", degrees(cone.inner)}, {"outer_deg", degrees(cone.outer)}};
+  return {{"profile", "smoothstep"},
+          {"inner_deg", command::degrees(cone.inner)},
+          {"outer_deg", command::degrees(cone.outer)}};
 }
 
 Json profile_record(const litfog::ConeProfileFit& fit, const litfog::ConeTarget& target) {
@@ -56,7 +60,7 @@ Json profile_record(const litfog::ConeProfileFit& fit, const litfog::ConeTarget&
           {"lower_bound", fit.lower_bound},
           {"rms", fit.rms},
           {"largest_error", fit.largest_error},
-          {"largest_error_deg", degrees(fit.largest_error_angle)},
+          {"largest_error_deg", command::degrees(fit.largest_error_angle)},
           {"flux_error", number_or_null(fit.flux_error)},
           {"beam_angle_error", number_or_null(fit.beam_angle_error)},
           {"field_angle_error", number_or_null(fit.field_angle_error)},
@@ -85,3 +89,5 @@ std::string fit_record(const LightFit& fit, bool has_time) {
   if (fit.spec.luminaire) add("asymmetry", fit.asymmetry);
   return "{" + members + "\n  }";
 }
+
+}  // namespace litfog::fit

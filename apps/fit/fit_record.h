@@ -5,6 +5,8 @@
 
 #include "fit/light_fit.h"
 
+namespace litfog::fit {
+
 /// What a light file says of its fit, the member "fit":
 ///
 ///     {"range": {"status": "optimal",           or unproven, infeasible
@@ -27,3 +29,5 @@
 ///
 /// has_time  false leaves the milliseconds out: the same input then gives the same text
 std::string fit_record(const LightFit& fit, bool has_time);
+
+}  // namespace litfog::fit

@@ -11,6 +11,8 @@
 
 #include "command/angle_deg.h"
 
+namespace litfog::fit {
+
 using litfog::AttenuationFitStatus;
 using litfog::Cone;
 using litfog::ConeFitStatus;
@@ -81,7 +83,7 @@ std::vector<std::string> LightFit::advice() const {
     if (edge > 0.01) {
       add("The cone ends at {:.3g} degrees with {:.2g} % of the peak, an edge that shows in fog: half_angle_deg moves "
           "it.",
-          degrees(best.cone.half_angle), 100 * edge);
+          command::degrees(best.cone.half_angle), 100 * edge);
     }
   }
   constexpr double kPlainMiss = 0.05;  // of an angle
@@ -97,8 +99,9 @@ std::vector<std::string> LightFit::advice() const {
     add("The beam is not round: {:.0f} % of it (rms) is lost with any cone. --cookie keeps its shape.",
         100 * asymmetry);
   }
-  if (spec.luminaire && peak_angle > radians(5)) {
-    add("The beam's peak is {:.3g} degrees off the photometric axis, about which the cone is.", degrees(peak_angle));
+  if (spec.luminaire && peak_angle > command::radians(5)) {
+    add("The beam's peak is {:.3g} degrees off the photometric axis, about which the cone is.",
+        command::degrees(peak_angle));
   }
   return advice;
 }
@@ -127,3 +130,5 @@ const char* name_of(AttenuationFitStatus status) {
 const char* name_of(ConeFitStatus status) { return status == ConeFitStatus::optimal ? "optimal" : "unproven"; }
 
 const char* name_of(ConeProfile profile) { return profile == ConeProfile::cosine ? "cosine" : "smoothstep"; }
+
+}  // namespace litfog::fit

@@ -5,8 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "litfog/light.h"
 #include "fit/spec_file.h"
+#include "litfog/light.h"
+
+namespace litfog::fit {
 
 /// A light made from its spec, with all that is known of the fits.
 struct LightFit {
@@ -32,3 +34,5 @@ std::vector<std::string> active_constraints(const litfog::Cone& cone, const litf
 const char* name_of(litfog::AttenuationFitStatus status);
 const char* name_of(litfog::ConeFitStatus status);
 const char* name_of(litfog::ConeProfile profile);
+
+}  // namespace litfog::fit

@@ -13,19 +13,22 @@
 
 #include "command/angle_deg.h"
 #include "command/command.h"
+#include "command/json_document.h"
+#include "command/light_file.h"
+#include "command/plot.h"
+#include "command/progress.h"
+#include "command/table.h"
+#include "command/whole_file.h"
 #include "fit/cookie_file.h"
 #include "fit/data_sheet.h"
 #include "fit/fit_figure.h"
 #include "fit/fit_record.h"
 #include "fit/light_fit.h"
-#include "command/json_document.h"
-#include "command/light_file.h"
-#include "litfog/attenuation.h"
-#include "command/plot.h"
-#include "command/progress.h"
 #include "fit/spec_file.h"
-#include "command/table.h"
-#include "command/whole_file.h"
+#include "litfog/attenuation.h"
+
+using namespace litfog::command;
+using namespace litfog::fit;
 
 namespace {
 

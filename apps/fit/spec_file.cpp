@@ -17,6 +17,8 @@
 #include "litfog/light.h"
 #include "litfog/photometry/photometry_error.h"
 
+using namespace litfog::command;
+
 namespace {
 
 using litfog::AttenuationFamily;

@@ -6,13 +6,13 @@
 #include "command/progress.h"
 #include "measure/reference_picture.h"
 
-namespace litfog::demo {
+namespace litfog::measure {
 
-Comparison compare_with_reference(const Scene& scene, const Fog& fog, Renderer& renderer) {
-  Picture drawn = renderer.read();
-  renderer.draw(LightPoints::off);
-  const Picture shading = renderer.read();
-  Progress progress;
+Comparison compare_with_reference(const scene::Scene& scene, const Fog& fog, render::Renderer& renderer) {
+  render::Picture drawn = renderer.read();
+  renderer.draw(render::LightPoints::off);
+  const render::Picture shading = renderer.read();
+  command::Progress progress;
   ReferencePicture reference = shade_reference(scene, fog, renderer, [&](double share) {
     progress.show(fmt::format("shading the reference: {:.0f} %", 100 * share));
   });
@@ -22,4 +22,4 @@ Comparison compare_with_reference(const Scene& scene, const Fog& fog, Renderer& 
   return {std::move(drawn), std::move(reference.picture), error};
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::measure

@@ -10,11 +10,13 @@
 #include "command/progress.h"
 #include "command/quantile.h"
 
-namespace litfog::demo {
+namespace litfog::measure {
 
-double FrameTimes::median() const { return quantile(milliseconds, 0.5); }
+double FrameTimes::median() const { return command::quantile(milliseconds, 0.5); }
 
-double FrameTimes::spread() const { return quantile(milliseconds, 0.9) - quantile(milliseconds, 0.1); }
+double FrameTimes::spread() const {
+  return command::quantile(milliseconds, 0.9) - command::quantile(milliseconds, 0.1);
+}
 
 std::string milliseconds_text(double milliseconds) {
   int decimals = 0;
@@ -22,12 +24,12 @@ std::string milliseconds_text(double milliseconds) {
   return fmt::format("{:.{}f}", milliseconds, decimals);
 }
 
-std::vector<FrameTimes> time_frames(const std::vector<Renderer*>& renderers, const FrameBudget& budget,
+std::vector<FrameTimes> time_frames(const std::vector<render::Renderer*>& renderers, const FrameBudget& budget,
                                     std::string_view what) {
   using Clock = std::chrono::steady_clock;
   assert(budget.fewest >= 1 && budget.fewest <= budget.most);
   std::vector<FrameTimes> times(renderers.size());
-  Progress progress;
+  command::Progress progress;
   Clock::time_point first_timed;
   const auto is_enough = [&](int timed) {
     if (timed < budget.fewest) return false;
@@ -49,4 +51,4 @@ std::vector<FrameTimes> time_frames(const std::vector<Renderer*>& renderers, con
   return times;
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::measure

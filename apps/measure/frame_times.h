@@ -7,12 +7,12 @@
 
 #include "render/renderer.h"
 
-namespace litfog::demo {
+namespace litfog::measure {
 
 /// Wall times of a renderer's frames, each drawn and waited for.
 struct FrameTimes {
   std::vector<double> milliseconds = {};  ///< ascending, not empty
-  FrameCounts counts = {};                ///< of each frame
+  render::FrameCounts counts = {};        ///< of each frame
 
   double median() const;
   double spread() const;  ///< from the 10th to the 90th percentile
@@ -38,7 +38,7 @@ struct FrameBudget {
 /// budget     for all renderers together; their numbers of frames are equal
 /// what       is timed, for the progress shown
 /// returns    the renderers' times, in their order
-std::vector<FrameTimes> time_frames(const std::vector<Renderer*>& renderers, const FrameBudget& budget,
+std::vector<FrameTimes> time_frames(const std::vector<render::Renderer*>& renderers, const FrameBudget& budget,
                                     std::string_view what);
 
-}  // namespace litfog::demo
+}  // namespace litfog::measure

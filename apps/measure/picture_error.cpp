@@ -9,15 +9,15 @@
 #include <cmath>
 #include <limits>
 
-namespace litfog::demo {
+namespace litfog::measure {
 namespace {
 
 double shown(float linear) { return 255 * double(OIIO::linear_to_sRGB(std::clamp(linear, 0.0f, 1.0f))); }
 
 }  // namespace
 
-PictureError picture_error(const Picture& drawn, const ReferencePicture& reference) {
-  const Picture& exact = reference.picture;
+PictureError picture_error(const render::Picture& drawn, const ReferencePicture& reference) {
+  const render::Picture& exact = reference.picture;
   assert(drawn.width == exact.width && drawn.height == exact.height);
   PictureError error{.width = drawn.width, .height = drawn.height};
   double sum = 0;
@@ -53,4 +53,4 @@ std::string error_in_words(const PictureError& error) {
   return error.excepted > 0 ? fmt::format("{}; pixels excepted: {}", words, error.excepted) : words;
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::measure

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "render/picture.h"
 #include "measure/reference_picture.h"
+#include "render/picture.h"
 
-namespace litfog::demo {
+namespace litfog::measure {
 
 /// How far a picture is from its reference, in steps of 1/255 of what a display shows: linear light clamped to [0, 1]
 /// and encoded as sRGB, the values that a PNG holds before they are rounded. A night scene is dark, and in linear light
@@ -24,9 +24,9 @@ struct PictureError {
 };
 
 /// Compares two pictures of one size.
-PictureError picture_error(const Picture& drawn, const ReferencePicture& reference);
+PictureError picture_error(const render::Picture& drawn, const ReferencePicture& reference);
 
 /// "largest error 0.139, mean 0.0126 of 1/255", and how many pixels are excepted if any are.
 std::string error_in_words(const PictureError& error);
 
-}  // namespace litfog::demo
+}  // namespace litfog::measure

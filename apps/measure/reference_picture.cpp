@@ -7,11 +7,11 @@
 #include <numbers>
 #include <thread>
 
-#include "render/light_map.h"
 #include "litfog/fog_light_block.h"
 #include "litfog/formulas.h"
+#include "render/light_map.h"
 
-namespace litfog::demo {
+namespace litfog::measure {
 namespace {
 
 /// A light with all that does not depend on the place it lights.
@@ -28,10 +28,10 @@ struct ReferenceLight {
   double exponent;
   double cone_texels;  ///< radians that a texel of its cone map spans at most, in shares of the map's texel
 
-  const Cookie* cookie;  ///< in place of the cone; null: none
+  const scene::Cookie* cookie;  ///< in place of the cone; null: none
   glm::dmat3 cookie_from_world;
 
-  ReferenceLight(const PlacedLight& placed, const Fog& fog, const Scene& scene, const CookieUse* use)
+  ReferenceLight(const PlacedLight& placed, const Fog& fog, const scene::Scene& scene, const scene::CookieUse* use)
       : position(placed.position),
         axis(placed.direction),
         color(placed.light.color),
@@ -43,13 +43,13 @@ struct ReferenceLight {
         cos_inner(std::cos(placed.light.cone.inner)),
         exponent(placed.light.cone.exponent),
         // A face's diagonal; over the cone of a map that is drawn in (cone_map_scale), else over a quarter.
-        cone_texels(std::numbers::sqrt2 / std::min(cone_map_scale(placed.light.cone), 1.0)),
+        cone_texels(std::numbers::sqrt2 / std::min(render::cone_map_scale(placed.light.cone), 1.0)),
         cookie(use ? &scene.cookies[use->cookie] : nullptr),
-        cookie_from_world(use ? demo::cookie_from_world(placed.direction, use->roll) : glm::dmat3(1.0)) {}
+        cookie_from_world(use ? scene::cookie_from_world(placed.direction, use->roll) : glm::dmat3(1.0)) {}
 
   /// The share that goes into a unit direction.
   double share(const glm::dvec3& direction) const {
-    return cookie ? cookie_at(*cookie, cookie_from_world * direction) : cone(glm::dot(axis, direction));
+    return cookie ? scene::cookie_at(*cookie, cookie_from_world * direction) : cone(glm::dot(axis, direction));
   }
   /// Whether a direction is seen within a texel of where two faces of the cookie meet.
   bool is_at_seam(const glm::dvec3& direction) const {
@@ -105,8 +105,8 @@ double rounding(const glm::dvec3& from, const glm::dvec3& to, double range) {
 
 class ReferenceShading {
  public:
-  ReferenceShading(const RenderSettings& settings, const Scene& scene, const Fog& fog,
-                   const std::vector<Material>& materials, int width, int height)
+  ReferenceShading(const render::RenderSettings& settings, const scene::Scene& scene, const Fog& fog,
+                   const std::vector<scene::Material>& materials, int width, int height)
       : settings_(settings),
         path_(*settings.path),
         environment_(scene.environment),
@@ -119,7 +119,7 @@ class ReferenceShading {
       lights_.emplace_back(light, fog, scene, use == scene.cookie_uses.end() ? nullptr : &use->second);
       if (light.carried && path_.has_lit_fog) carried_.push_back(lights_.back());
     }
-    if (path_.maps != LightMapSet::none) texel_ = 2.0 / (settings.map_size - 1);
+    if (path_.maps != render::LightMapSet::none) texel_ = 2.0 / (settings.map_size - 1);
     forward_ = glm::normalize(glm::dvec3(scene.camera.target) - eye_);
     const double half_height = std::tan(double(scene.camera.field_of_view) / 2);
     const glm::dvec3 right = glm::normalize(glm::cross(forward_, glm::dvec3(0, 1, 0)));
@@ -129,7 +129,7 @@ class ReferenceShading {
   }
 
   /// The mean of a pixel's samples.
-  Shade pixel(std::span<const GeometrySample> samples, int x, int y) const {
+  Shade pixel(std::span<const render::GeometrySample> samples, int x, int y) const {
     Shade sum;
     Shade last;
     for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -146,10 +146,10 @@ class ReferenceShading {
   }
 
  private:
-  Shade surface(const GeometrySample& sample) const {
-    const Material& material = materials_[std::size_t(sample.material)];
+  Shade surface(const render::GeometrySample& sample) const {
+    const scene::Material& material = materials_[std::size_t(sample.material)];
     const glm::dvec3 position = sample.position;
-    const bool is_basic = path_.surface == SurfaceModel::basic;
+    const bool is_basic = path_.surface == render::SurfaceModel::basic;
     const SurfacePoint point{
         .position = position,
         .normal = path_.has_normal_maps ? sample.mapped_normal : glm::normalize(sample.normal),
@@ -160,7 +160,7 @@ class ReferenceShading {
     Shade shade;
     shade.add(glm::dvec3(material.emissive) + point.diffuse * glm::dvec3(environment_.ambient_light));
     const glm::dvec3 moon = environment_.moon_direction;
-    if (path_.evaluation == Evaluation::lookup) {  // Hales: the vertices' shading value, interpolated
+    if (path_.evaluation == render::Evaluation::lookup) {  // Hales: the vertices' shading value, interpolated
       const double shading = std::clamp(glm::dot(glm::dvec3(sample.normal), moon), 0.0, 1.0);
       shade.add(point.diffuse * glm::dvec3(environment_.moon_color) * shading);
     } else {
@@ -194,7 +194,7 @@ class ReferenceShading {
   /// The light's range law, 0 beyond its extent.
   double falloff(const ReferenceLight& light, double range) const {
     if (range > light.extent) return 0;
-    if (path_.range == RangeLaw::radial) return 1 - (range / light.extent) * (range / light.extent);
+    if (path_.range == render::RangeLaw::radial) return 1 - (range / light.extent) * (range / light.extent);
     const auto& [constant, linear, quadratic] = light.attenuation;
     return formulas::litfog_attenuation(range, constant, linear, quadratic);
   }
@@ -231,7 +231,7 @@ class ReferenceShading {
       most = brightest * falloff(light, std::max(range - around, 0.0));
     }
     if (most <= 0 && !is_at_edge && !is_at_extent) return;
-    const glm::dvec3 share = light.color * (path_.surface == SurfaceModel::unshaded
+    const glm::dvec3 share = light.color * (path_.surface == render::SurfaceModel::unshaded
                                                 ? point.diffuse
                                                 : reflected(shade, point, -direction, light.color * arriving, error));
     const double within = falloff(light, std::min(range, light.extent));
@@ -274,7 +274,7 @@ class ReferenceShading {
       const double disc = 1 - glm::smoothstep(0.0045, 0.0053, off);
       shade.add(glm::normalize(glm::dvec3(environment_.moon_color)) * (disc + 0.05 * std::exp(-off * 40)));
     }
-    add_fog(shade, eye_ + direction * double(kSkyDistance));
+    add_fog(shade, eye_ + direction * double(render::kSkyDistance));
     return shade;
   }
 
@@ -299,11 +299,11 @@ class ReferenceShading {
     return glm::dvec3(v) / 16777216.0;
   }
 
-  RenderSettings settings_;
-  const LightingPath& path_;
-  const Environment& environment_;
+  render::RenderSettings settings_;
+  const render::LightingPath& path_;
+  const scene::Environment& environment_;
   Fog fog_;
-  const std::vector<Material>& materials_;
+  const std::vector<scene::Material>& materials_;
   glm::dvec3 eye_;
   std::vector<ReferenceLight> lights_;
   std::vector<ReferenceLight> carried_;
@@ -316,21 +316,21 @@ class ReferenceShading {
 
 }  // namespace
 
-ReferencePicture shade_reference(const Scene& scene, const Fog& fog, Renderer& renderer,
+ReferencePicture shade_reference(const scene::Scene& scene, const Fog& fog, render::Renderer& renderer,
                                  const std::function<void(double)>& progress) {
-  const GeometryBuffer geometry(renderer.width(), renderer.height());
+  const render::GeometryBuffer geometry(renderer.width(), renderer.height());
   renderer.draw_geometry(geometry);
   const int width = geometry.width();
   const int height = geometry.height();
   const auto samples = std::size_t(geometry.samples());
-  const std::vector<Material> materials = renderer.materials();
+  const std::vector<scene::Material> materials = renderer.materials();
   const ReferenceShading shading(renderer.settings(), scene, fog, materials, width, height);
   const std::size_t pixels = std::size_t(width) * std::size_t(height);
-  const Picture empty{width, height, std::vector<float>(3 * pixels)};
+  const render::Picture empty{width, height, std::vector<float>(3 * pixels)};
   ReferencePicture reference{empty, empty, empty, std::vector<std::uint8_t>(pixels)};
-  for (int first = 0; first < height; first += GeometryBuffer::kMostRows) {
-    const int count = std::min(GeometryBuffer::kMostRows, height - first);
-    const std::vector<GeometrySample> rows = geometry.read_rows(first, count);
+  for (int first = 0; first < height; first += render::GeometryBuffer::kMostRows) {
+    const int count = std::min(render::GeometryBuffer::kMostRows, height - first);
+    const std::vector<render::GeometrySample> rows = geometry.read_rows(first, count);
     std::atomic<int> next = 0;
     const auto shade_rows = [&] {
       for (int row = next++; row < count; row = next++) {
@@ -358,4 +358,4 @@ ReferencePicture shade_reference(const Scene& scene, const Fog& fog, Renderer& r
   return reference;
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::measure

@@ -10,15 +10,15 @@
 #include "render/renderer.h"
 #include "scene/scene.h"
 
-namespace litfog::demo {
+namespace litfog::measure {
 
 /// A picture to compare others with.
 struct ReferencePicture {
-  Picture picture;
+  render::Picture picture;
   /// Between which values the texels of the path's light maps leave the picture: a look-up lies between the light's
   /// values at the texels around it. Of paths without maps the picture itself.
-  Picture least;
-  Picture most;
+  render::Picture least;
+  render::Picture most;
   /// A pixel each: 1 where a sample lies so close to a jump of the model (a light's extent, the edge of a cosine cone,
   /// the line beyond which a surface is turned away) that the rounding of floats decides on which side.
   std::vector<std::uint8_t> is_at_jump;
@@ -33,7 +33,7 @@ struct ReferencePicture {
 /// scene     the renderer's
 /// progress  called now and then with the share done, [0, 1]
 /// throws    gl::Unsupported where the driver has no float framebuffer of the picture's size
-ReferencePicture shade_reference(const Scene& scene, const Fog& fog, Renderer& renderer,
+ReferencePicture shade_reference(const scene::Scene& scene, const Fog& fog, render::Renderer& renderer,
                                  const std::function<void(double)>& progress = {});
 
-}  // namespace litfog::demo
+}  // namespace litfog::measure

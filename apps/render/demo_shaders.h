@@ -6,7 +6,7 @@
 
 #include "litfog/gl/shader_library.h"
 
-namespace litfog::demo {
+namespace litfog::render {
 
 /// The files of apps/render/shaders, embedded.
 std::span<const gl::ShaderSource> demo_shaders();
@@ -19,4 +19,4 @@ inline std::vector<gl::ShaderSource> scene_shaders(bool has_cookies) {
   return files;
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::render

@@ -6,14 +6,14 @@
 #include <iterator>
 #include <numbers>
 
-namespace litfog::demo {
+namespace litfog::render {
 namespace {
 
 constexpr std::size_t kGroupSize = 64;
 
 }  // namespace
 
-Bounds transformed(const Bounds& box, const glm::mat4& to_from_box) {
+scene::Bounds transformed(const scene::Bounds& box, const glm::mat4& to_from_box) {
   const glm::vec3 center = glm::vec3(to_from_box * glm::vec4((box.low + box.high) * 0.5f, 1.0f));
   const glm::vec3 half = (box.high - box.low) * 0.5f;
   const glm::vec3 reach = glm::abs(glm::vec3(to_from_box[0])) * half.x + glm::abs(glm::vec3(to_from_box[1])) * half.y +
@@ -21,7 +21,7 @@ Bounds transformed(const Bounds& box, const glm::mat4& to_from_box) {
   return {center - reach, center + reach};
 }
 
-bool can_reach(const PlacedLight& light, double extent, const Bounds& box) {
+bool can_reach(const PlacedLight& light, double extent, const scene::Bounds& box) {
   const glm::dvec3 low = box.low;
   const glm::dvec3 high = box.high;
   const glm::dvec3 nearest = glm::clamp(light.position, low, high);
@@ -45,7 +45,7 @@ LightFinder::LightFinder(std::span<const PlacedLight> lights, std::span<const do
   }
 }
 
-std::vector<std::int32_t> LightFinder::reaching(const Bounds& box) const {
+std::vector<std::int32_t> LightFinder::reaching(const scene::Bounds& box) const {
   std::vector<std::int32_t> found;
   for (std::size_t group = 0; group < groups_.size(); ++group) {
     const bool meets = glm::all(glm::lessThanEqual(groups_[group].low, glm::dvec3(box.high))) &&
@@ -59,7 +59,8 @@ std::vector<std::int32_t> LightFinder::reaching(const Bounds& box) const {
   return found;
 }
 
-std::vector<std::int32_t> LightFinder::reaching(const Bounds& box, std::span<const std::int32_t> candidates) const {
+std::vector<std::int32_t> LightFinder::reaching(const scene::Bounds& box,
+                                                std::span<const std::int32_t> candidates) const {
   std::vector<std::int32_t> found;
   std::ranges::copy_if(candidates, std::back_inserter(found), [&](std::int32_t i) {
     return can_reach(lights_[std::size_t(i)], extents_[std::size_t(i)], box);
@@ -73,7 +74,7 @@ Frustum make_frustum(const glm::mat4& clip_from_world) {
           rows[3] - rows[1], rows[3] + rows[2], rows[3] - rows[2]};
 }
 
-bool can_see(const Frustum& frustum, const Bounds& box) {
+bool can_see(const Frustum& frustum, const scene::Bounds& box) {
   return std::ranges::all_of(frustum, [&](const glm::vec4& plane) {
     const glm::vec3 farthest{plane.x > 0 ? box.high.x : box.low.x, plane.y > 0 ? box.high.y : box.low.y,
                              plane.z > 0 ? box.high.z : box.low.z};
@@ -81,4 +82,4 @@ bool can_see(const Frustum& frustum, const Bounds& box) {
   });
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::render

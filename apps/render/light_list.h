@@ -10,16 +10,16 @@
 #include "litfog/light.h"
 #include "scene/mesh.h"
 
-namespace litfog::demo {
+namespace litfog::render {
 
 /// The box around a transformed box.
-Bounds transformed(const Bounds& box, const glm::mat4& to_from_box);
+scene::Bounds transformed(const scene::Bounds& box, const glm::mat4& to_from_box);
 
 /// Whether a light can light anything within a box: the box meets the sphere of the light's extent, and the box's
 /// sphere meets the light's cone. May say yes where it cannot; never no where it can.
 ///
 /// extent  metres; infinity asks for the cone alone
-bool can_reach(const PlacedLight& light, double extent, const Bounds& box);
+bool can_reach(const PlacedLight& light, double extent, const scene::Bounds& box);
 
 /// Finds the lights that can reach a box among many. A scene's lights stand in rows, so neighbours in the list are
 /// neighbours in space: what is far from a whole group of them is not asked about each.
@@ -29,9 +29,9 @@ class LightFinder {
   LightFinder(std::span<const PlacedLight> lights, std::span<const double> extents);
 
   /// Indices of the lights that can reach a box, in order.
-  std::vector<std::int32_t> reaching(const Bounds& box) const;
+  std::vector<std::int32_t> reaching(const scene::Bounds& box) const;
   /// The same of some of the lights.
-  std::vector<std::int32_t> reaching(const Bounds& box, std::span<const std::int32_t> candidates) const;
+  std::vector<std::int32_t> reaching(const scene::Bounds& box, std::span<const std::int32_t> candidates) const;
 
  private:
   struct Box {
@@ -49,6 +49,6 @@ using Frustum = std::array<glm::vec4, 6>;
 Frustum make_frustum(const glm::mat4& clip_from_world);
 
 /// Whether the camera can see anything of a box. May say yes where it cannot; never no where it can.
-bool can_see(const Frustum& frustum, const Bounds& box);
+bool can_see(const Frustum& frustum, const scene::Bounds& box);
 
-}  // namespace litfog::demo
+}  // namespace litfog::render

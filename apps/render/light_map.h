@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "scene/cookie.h"
 #include "litfog/attenuation.h"
 #include "litfog/cone.h"
+#include "scene/cookie.h"
 
-namespace litfog::demo {
+namespace litfog::render {
 
 // The texels of the maps from which lights are looked up: 16-bit shares of 1, x running fastest, then y, then z or the
 // face. Texel i of `size` stands for the coordinate i / (size - 1), as Hales has it, which spans the map from 0 to 1.
@@ -58,10 +58,10 @@ double cone_map_scale(const Cone& cone);
 MapTexels make_cone_cube(const Cone& cone, CubeAxis axis, int size);
 
 /// The same of a cookie, as it is.
-MapTexels make_cookie_cube(const Cookie& cookie);
+MapTexels make_cookie_cube(const scene::Cookie& cookie);
 
 /// By what the coordinates across the axis are to be multiplied for that map: its scale, less half a texel at each end
 /// of a face where the map is drawn in, for OpenGL has texel i at (i + 0.5) / size.
 double cone_coordinate_scale(const Cone& cone, int size);
 
-}  // namespace litfog::demo
+}  // namespace litfog::render

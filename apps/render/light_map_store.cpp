@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/light_frame.h"
 #include "litfog/gl/unsupported.h"
 #include "render/gpu/texture_unit.h"
+#include "scene/light_frame.h"
 
-namespace litfog::demo {
+namespace litfog::render {
 namespace {
 
 using Shape = LookupTexture::Shape;
@@ -22,7 +22,7 @@ int pair_size(int volume_size) { return int(std::sqrt(0.5 * volume_size * volume
 
 }  // namespace
 
-LightMapStore::LightMapStore(LightMapSet set, const Scene& scene, const SceneLights& lights, int size)
+LightMapStore::LightMapStore(LightMapSet set, const scene::Scene& scene, const SceneLights& lights, int size)
     : set_(set), size_(size) {
   if (set == LightMapSet::none) return;
   glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
@@ -36,7 +36,7 @@ LightMapStore::LightMapStore(LightMapSet set, const Scene& scene, const SceneLig
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const PlacedLight& light = lights.light(i);
     const Cone& cone = light.light.cone;
-    const CookieUse* const cookie = lights.cookie(i);
+    const scene::CookieUse* const cookie = lights.cookie(i);
     const Maps maps{set == LightMapSet::radial ? &*squares_ : range_map(light, lights.extent(i)),
                     cookie ? cookie_map(scene, cookie->cookie) : cone_map(cone)};
     auto found = std::ranges::find(maps_, maps);
@@ -44,13 +44,13 @@ LightMapStore::LightMapStore(LightMapSet set, const Scene& scene, const SceneLig
     const double across = cone_coordinate_scale(cone, size);
     glm::dmat3 cone_from_world;
     if (cookie) {
-      cone_from_world = cookie_from_world(light.direction, cookie->roll);
+      cone_from_world = scene::cookie_from_world(light.direction, cookie->roll);
     } else if (set == LightMapSet::radial) {
-      cone_from_world = glm::dmat3(across, 0, 0, 0, across, 0, 0, 0, 1) * basis_from_world(light.direction);
+      cone_from_world = glm::dmat3(across, 0, 0, 0, across, 0, 0, 0, 1) * scene::basis_from_world(light.direction);
     } else {
-      const Attitude viewpoint = light.carried ? attitude_of(scene.camera) : Attitude{};
+      const scene::Attitude viewpoint = light.carried ? scene::attitude_of(scene.camera) : scene::Attitude{};
       cone_from_world = glm::dmat3(1, 0, 0, 0, across, 0, 0, 0, across) *
-                        light_from_world(bearing_of(light.direction, viewpoint), viewpoint);
+                        scene::light_from_world(scene::bearing_of(light.direction, viewpoint), viewpoint);
     }
     kinds_.push_back({int(found - maps_.begin()), glm::mat3(cone_from_world)});
   }
@@ -87,10 +87,10 @@ const LookupTexture* LightMapStore::cone_map(const Cone& cone) {
   return &cone_maps_.emplace_back(cone, LookupTexture(Shape::cube, side, make_cone_cube(cone, axis, side))).second;
 }
 
-const LookupTexture* LightMapStore::cookie_map(const Scene& scene, std::size_t cookie) {
+const LookupTexture* LightMapStore::cookie_map(const scene::Scene& scene, std::size_t cookie) {
   const auto found = cookie_maps_.find(cookie);
   if (found != cookie_maps_.end()) return &found->second;
-  const Cookie& image = scene.cookies[cookie];
+  const scene::Cookie& image = scene.cookies[cookie];
   return &cookie_maps_.try_emplace(cookie, Shape::cube, image.size, make_cookie_cube(image)).first->second;
 }
 
@@ -101,4 +101,4 @@ void LightMapStore::bind(int kind) const {
   if (distance_) distance_->bind(kDistanceMapUnit);
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::render

@@ -6,12 +6,12 @@
 #include <optional>
 #include <vector>
 
+#include "render/gpu/texture.h"
 #include "render/light_map.h"
 #include "render/lighting_path.h"
 #include "render/scene_lights.h"
-#include "render/gpu/texture.h"
 
-namespace litfog::demo {
+namespace litfog::render {
 
 /// The light maps of a path on the GPU, each once for all lights that agree in its parameters ("Multiple Light
 /// Sources", Hales 2004). Needs a current GL context.
@@ -20,7 +20,7 @@ class LightMapStore {
   /// size    texels a side of a 3-D map, a cube map's face and Frazier's maps; the 2-D pair has a volume's texels
   /// throws  gl::Unsupported where this OpenGL has no textures of that size, or where the lights are of so many shapes
   ///         that their maps would take more than 1 GiB
-  LightMapStore(LightMapSet set, const Scene& scene, const SceneLights& lights, int size);
+  LightMapStore(LightMapSet set, const scene::Scene& scene, const SceneLights& lights, int size);
 
   /// Lights of one kind share their maps.
   int kind(std::size_t light) const { return kinds_[light].number; }
@@ -45,7 +45,7 @@ class LightMapStore {
   void expect_room(std::size_t texels);
   const LookupTexture* range_map(const PlacedLight& light, double extent);
   const LookupTexture* cone_map(const Cone& cone);
-  const LookupTexture* cookie_map(const Scene& scene, std::size_t cookie);
+  const LookupTexture* cookie_map(const scene::Scene& scene, std::size_t cookie);
 
   LightMapSet set_;
   int size_;
@@ -59,4 +59,4 @@ class LightMapStore {
   std::vector<LightKind> kinds_;  // one a light
 };
 
-}  // namespace litfog::demo
+}  // namespace litfog::render

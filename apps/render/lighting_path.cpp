@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace litfog::demo {
+namespace litfog::render {
 namespace {
 
 std::vector<LightingPath> make_paths() {
@@ -121,4 +121,4 @@ const LightingPath* find_lighting_path(std::string_view name) {
   return found == paths.end() ? nullptr : &*found;
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::render

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace litfog::demo {
+namespace litfog::render {
 
 /// What a surface makes of the light that reaches it. Colours are linear; reflectance is the base texture.
 enum class SurfaceModel {
@@ -87,4 +87,4 @@ const LightingPath& unlit_path();
 /// Null where there is none of that name.
 const LightingPath* find_lighting_path(std::string_view name);
 
-}  // namespace litfog::demo
+}  // namespace litfog::render

@@ -8,7 +8,7 @@
 #include <map>
 #include <tuple>
 
-namespace litfog::demo {
+namespace litfog::render {
 namespace {
 
 constexpr float kCellSize = 20;  // metres: a few chunks a lamp, some thousand a scene
@@ -22,14 +22,14 @@ Cell cell_of(const glm::vec3& position) {
 
 }  // namespace
 
-std::vector<Chunk> cut_into_chunks(const Model& model, std::vector<Vertex>& vertices,
+std::vector<Chunk> cut_into_chunks(const scene::Model& model, std::vector<scene::Vertex>& vertices,
                                    std::vector<std::uint32_t>& indices) {
   std::vector<Chunk> chunks;
-  for (const Part& part : model) {
-    const Mesh& mesh = part.mesh;
+  for (const scene::Part& part : model) {
+    const scene::Mesh& mesh = part.mesh;
     const auto base = std::uint32_t(vertices.size());
     vertices.insert(vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
-    const Bounds whole = bounds(mesh);
+    const scene::Bounds whole = scene::bounds(mesh);
     const bool is_large = glm::distance(whole.low, whole.high) > 2 * kCellSize;
     std::map<Cell, std::vector<std::uint32_t>> cells;
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
@@ -56,27 +56,27 @@ std::vector<Chunk> cut_into_chunks(const Model& model, std::vector<Vertex>& vert
   return chunks;
 }
 
-MeshStore::MeshStore(const std::vector<Model>& models) {
-  std::vector<Vertex> vertices;
+MeshStore::MeshStore(const std::vector<scene::Model>& models) {
+  std::vector<scene::Vertex> vertices;
   std::vector<std::uint32_t> indices;
-  for (const Model& model : models) chunks_.push_back(cut_into_chunks(model, vertices, indices));
+  for (const scene::Model& model : models) chunks_.push_back(cut_into_chunks(model, vertices, indices));
   glGenVertexArrays(1, &vertex_array_);
   glBindVertexArray(vertex_array_);
   glGenBuffers(2, buffers_);
   glBindBuffer(GL_ARRAY_BUFFER, buffers_[0]);
-  glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(vertices.size() * sizeof(Vertex)), vertices.data(), GL_STATIC_DRAW);
+  glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(vertices.size() * sizeof(scene::Vertex)), vertices.data(), GL_STATIC_DRAW);
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers_[1]);
   glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(indices.size() * sizeof(std::uint32_t)), indices.data(),
                GL_STATIC_DRAW);
   const auto attribute = [](GLuint location, GLint components, std::size_t offset) {
     glEnableVertexAttribArray(location);
-    glVertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, sizeof(Vertex),
+    glVertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, sizeof(scene::Vertex),
                           reinterpret_cast<const void*>(offset));
   };
-  attribute(0, 3, offsetof(Vertex, position));
-  attribute(1, 3, offsetof(Vertex, normal));
-  attribute(2, 4, offsetof(Vertex, tangent));
-  attribute(3, 2, offsetof(Vertex, uv));
+  attribute(0, 3, offsetof(scene::Vertex, position));
+  attribute(1, 3, offsetof(scene::Vertex, normal));
+  attribute(2, 4, offsetof(scene::Vertex, tangent));
+  attribute(3, 2, offsetof(scene::Vertex, uv));
 }
 
 MeshStore::~MeshStore() {
@@ -91,4 +91,4 @@ void MeshStore::draw(const Chunk& chunk) const {
                  reinterpret_cast<const void*>(chunk.first_index * sizeof(std::uint32_t)));
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::render

@@ -6,24 +6,24 @@
 
 #include "scene/mesh.h"
 
-namespace litfog::demo {
+namespace litfog::render {
 
 /// A run of triangles of one material that lie together, so that it can be culled and has a short light list.
 struct Chunk {
   std::string material;
-  Bounds bounds;  ///< model space
+  scene::Bounds bounds;  ///< model space
   std::size_t first_index;
   int index_count;
 };
 
 /// A model's parts as chunks: large parts are cut into cells. The indices are appended to those of a store.
-std::vector<Chunk> cut_into_chunks(const Model& model, std::vector<Vertex>& vertices,
+std::vector<Chunk> cut_into_chunks(const scene::Model& model, std::vector<scene::Vertex>& vertices,
                                    std::vector<std::uint32_t>& indices);
 
 /// All models of a scene in one vertex array on the GPU.
 class MeshStore {
  public:
-  explicit MeshStore(const std::vector<Model>& models);
+  explicit MeshStore(const std::vector<scene::Model>& models);
   ~MeshStore();
   MeshStore(const MeshStore&) = delete;
   MeshStore& operator=(const MeshStore&) = delete;
@@ -40,4 +40,4 @@ class MeshStore {
   unsigned buffers_[2] = {};  // vertices, indices
 };
 
-}  // namespace litfog::demo
+}  // namespace litfog::render

@@ -11,7 +11,7 @@
 #include "command/exit_status.h"
 #include "command/whole_file.h"
 
-namespace litfog::demo {
+namespace litfog::render {
 namespace {
 
 enum class Format { png, exr, unknown };
@@ -27,10 +27,10 @@ std::vector<unsigned char> encoded(const std::string& path, const OIIO::ImageSpe
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput memory(bytes);
   const auto output = OIIO::ImageOutput::create(path);
-  if (!output) throw CannotWrite(path + ": cannot be written: " + OIIO::geterror());
+  if (!output) throw command::CannotWrite(path + ": cannot be written: " + OIIO::geterror());
   if (!output->set_ioproxy(&memory) || !output->open(path, spec) ||
       !output->write_image(OIIO::TypeDesc::FLOAT, pixels.data()) || !output->close()) {
-    throw CannotWrite(path + ": cannot be written: " + output->geterror());
+    throw command::CannotWrite(path + ": cannot be written: " + output->geterror());
   }
   return bytes;
 }
@@ -52,9 +52,9 @@ void write_picture(const std::string& path, const Picture& picture) {
     for (float& value : pixels) value = OIIO::linear_to_sRGB(std::clamp(value, 0.0f, 1.0f));
   }
   const std::vector<unsigned char> bytes = encoded(path, spec, pixels);
-  write_whole_file(path, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+  command::write_whole_file(path, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
 }
 
 bool is_picture_path(const std::string& path) { return format_of(path) != Format::unknown; }
 
-}  // namespace litfog::demo
+}  // namespace litfog::render

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace litfog::demo {
+namespace litfog::render {
 
 /// Linear RGB, top row first.
 struct Picture {
@@ -20,4 +20,4 @@ void write_picture(const std::string& path, const Picture& picture);
 /// Whether a path has one of those endings.
 bool is_picture_path(const std::string& path);
 
-}  // namespace litfog::demo
+}  // namespace litfog::render

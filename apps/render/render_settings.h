@@ -4,7 +4,7 @@
 #include "render/lighting_path.h"
 #include "render/surface_list.h"
 
-namespace litfog::demo {
+namespace litfog::render {
 
 /// How a renderer draws a scene.
 struct RenderSettings {
@@ -17,4 +17,4 @@ struct RenderSettings {
   int map_size = 128;                ///< texels a side of the light maps
 };
 
-}  // namespace litfog::demo
+}  // namespace litfog::render

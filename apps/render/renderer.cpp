@@ -6,31 +6,31 @@
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "render/demo_shaders.h"
-#include "render/light_map.h"
 #include "litfog/fog_light_block.h"
 #include "litfog/gl/headless_context.h"
+#include "render/demo_shaders.h"
 #include "render/gpu/texture_unit.h"
 #include "render/gpu/uniform.h"
+#include "render/light_map.h"
 
-namespace litfog::demo {
+namespace litfog::render {
 namespace {
 
-glm::mat4 clip_from_view(const Camera& camera, double aspect) {
+glm::mat4 clip_from_view(const scene::Camera& camera, double aspect) {
   constexpr float kNear = 0.1f;  // metres
   return glm::infinitePerspective(camera.field_of_view, float(aspect), kNear);
 }
 
-glm::mat4 view_from_world(const Camera& camera) {
+glm::mat4 view_from_world(const scene::Camera& camera) {
   return glm::lookAt(camera.position, camera.target, glm::vec3(0, 1, 0));
 }
 
 /// All cookies in one array, each as large as the largest.
-std::unique_ptr<LayeredTexture> make_cookie_array(const std::vector<Cookie>& cookies) {
-  const int size = std::ranges::max(cookies, {}, &Cookie::size).size;
+std::unique_ptr<LayeredTexture> make_cookie_array(const std::vector<scene::Cookie>& cookies) {
+  const int size = std::ranges::max(cookies, {}, &scene::Cookie::size).size;
   MapTexels texels;
-  for (const Cookie& cookie : cookies) {
-    const MapTexels faces = make_cookie_cube(cookie.size == size ? cookie : resized(cookie, size));
+  for (const scene::Cookie& cookie : cookies) {
+    const MapTexels faces = make_cookie_cube(cookie.size == size ? cookie : scene::resized(cookie, size));
     texels.insert(texels.end(), faces.begin(), faces.end());
   }
   return std::make_unique<LayeredTexture>(size, 6 * int(cookies.size()), texels);
@@ -38,7 +38,7 @@ std::unique_ptr<LayeredTexture> make_cookie_array(const std::vector<Cookie>& coo
 
 }  // namespace
 
-Renderer::Renderer(const Scene& scene, int width, int height, const RenderSettings& settings)
+Renderer::Renderer(const scene::Scene& scene, int width, int height, const RenderSettings& settings)
     : scene_(scene),
       settings_(settings),
       framebuffer_(width, height, settings.path->has_several_passes() ? Passes::several : Passes::one),
@@ -99,7 +99,7 @@ void Renderer::draw_geometry(const GeometryBuffer& geometry) {
 }
 
 void Renderer::draw_sky() {
-  const Environment& environment = scene_.environment;
+  const scene::Environment& environment = scene_.environment;
   sky_program_.use();
   fog_lights_.bind(sky_program_, kFogLightBinding);
   set_uniform(sky_program_, "cookies", kCookieUnit);
@@ -134,4 +134,4 @@ void Renderer::draw_light_points(const glm::mat4& clip) {
   glDisable(GL_BLEND);
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::render

@@ -3,16 +3,16 @@
 
 #include <memory>
 
-#include "render/gpu/framebuffer.h"
-#include "render/gpu/geometry_buffer.h"
 #include "litfog/gl/fog_light_buffer.h"
 #include "litfog/gl/program.h"
 #include "litfog/solve.h"
-#include "scene/scene.h"
+#include "render/gpu/framebuffer.h"
+#include "render/gpu/geometry_buffer.h"
 #include "render/scene_lights.h"
 #include "render/surface_painter.h"
+#include "scene/scene.h"
 
-namespace litfog::demo {
+namespace litfog::render {
 
 inline constexpr float kSkyDistance = 50'000;  ///< metres: beyond any visibility at which fog shows
 
@@ -24,7 +24,7 @@ class Renderer {
  public:
   /// throws gl::Unsupported where this OpenGL cannot hold the scene's light lists or the path's light maps would take
   /// more than 1 GiB, std::invalid_argument where the eye's vehicle carries more than kMaxFogLights
-  Renderer(const Scene& scene, int width, int height, const RenderSettings& settings);
+  Renderer(const scene::Scene& scene, int width, int height, const RenderSettings& settings);
 
   /// Takes a change of the fog: solves the carried lights and uploads the block.
   void set_fog(const Fog& fog);
@@ -39,14 +39,14 @@ class Renderer {
   /// Draws the surfaces of a frame into a geometry buffer of the same size.
   void draw_geometry(const GeometryBuffer& geometry);
   /// The surfaces' materials, without their texels, by their numbers in a geometry buffer.
-  std::vector<Material> materials() const { return surfaces_.materials(); }
+  std::vector<scene::Material> materials() const { return surfaces_.materials(); }
 
  private:
   glm::mat4 clip_from_world() const;
   void draw_sky();
   void draw_light_points(const glm::mat4& clip_from_world);
 
-  const Scene& scene_;
+  const scene::Scene& scene_;
   RenderSettings settings_;
   Framebuffer framebuffer_;
   SceneLights lights_;
@@ -57,4 +57,4 @@ class Renderer {
   gl::Program light_point_program_;
 };
 
-}  // namespace litfog::demo
+}  // namespace litfog::render

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "litfog/fog_light_block.h"
-#include "scene/scene.h"
 #include "render/gpu/texture.h"
+#include "scene/scene.h"
 
-namespace litfog::demo {
+namespace litfog::render {
 
 /// The lights of a scene as the renderer takes them: those that the eye's vehicle carries, which light the fog too, and
 /// the local ones, less those of extent 0, which light nothing and must not show as points either. Needs a current GL
@@ -17,7 +17,7 @@ class SceneLights {
  public:
   /// throws  gl::Unsupported where a buffer texture cannot hold the local lights
   /// scene  has to outlive this
-  explicit SceneLights(const Scene& scene);
+  explicit SceneLights(const scene::Scene& scene);
 
   const std::vector<PlacedLight>& carried() const { return carried_; }
   const std::vector<PlacedLight>& local() const { return local_; }
@@ -31,7 +31,7 @@ class SceneLights {
   /// Without its fog intensity. A cookie is profile 3 (see cube_cookie.glsl).
   const FogLight& packed(std::size_t i) const { return packed_[i]; }
   /// The cookie in place of a light's cone; null where there is none.
-  const CookieUse* cookie(std::size_t i) const { return cookies_[i]; }
+  const scene::CookieUse* cookie(std::size_t i) const { return cookies_[i]; }
   double extent(std::size_t i) const {
     return i < local_.size() ? local_extents_[i] : carried_extents_[i - local_.size()];
   }
@@ -41,9 +41,9 @@ class SceneLights {
   std::vector<PlacedLight> local_;
   std::vector<double> carried_extents_;
   std::vector<double> local_extents_;
-  std::vector<const CookieUse*> cookies_;  // one a light
+  std::vector<const scene::CookieUse*> cookies_;  // one a light
   std::vector<FogLight> packed_;
   std::unique_ptr<BufferTexture> local_texture_;
 };
 
-}  // namespace litfog::demo
+}  // namespace litfog::render

@@ -7,20 +7,20 @@
 
 #include "litfog/gl/unsupported.h"
 
-namespace litfog::demo {
+namespace litfog::render {
 namespace {
 
 constexpr std::size_t kMaxListed = 1 << 25;  // lights in all surfaces' lists: 128 MiB
 
-Bounds around(const std::vector<Bounds>& boxes) {
-  Bounds whole = boxes.front();
-  for (const Bounds& box : boxes) whole = {glm::min(whole.low, box.low), glm::max(whole.high, box.high)};
+scene::Bounds around(const std::vector<scene::Bounds>& boxes) {
+  scene::Bounds whole = boxes.front();
+  for (const scene::Bounds& box : boxes) whole = {glm::min(whole.low, box.low), glm::max(whole.high, box.high)};
   return whole;
 }
 
 }  // namespace
 
-SurfaceList::SurfaceList(const Scene& scene, std::span<const PlacedLight> local, std::span<const double> extents,
+SurfaceList::SurfaceList(const scene::Scene& scene, std::span<const PlacedLight> local, std::span<const double> extents,
                          Skipping skipping)
     : meshes_(scene.models) {
   load_materials(scene);
@@ -30,9 +30,9 @@ SurfaceList::SurfaceList(const Scene& scene, std::span<const PlacedLight> local,
     list_.resize(local.size());
     std::iota(list_.begin(), list_.end(), 0);
   }
-  for (const Instance& instance : scene.instances) {
+  for (const scene::Instance& instance : scene.instances) {
     const auto& chunks = meshes_.chunks(instance.model);
-    std::vector<Bounds> boxes;
+    std::vector<scene::Bounds> boxes;
     for (const Chunk& chunk : chunks) boxes.push_back(transformed(chunk.bounds, instance.world_from_model));
     std::vector<std::int32_t> near;  // lights that can reach the instance
     if (skipping == Skipping::on && !boxes.empty()) near = finder.reaching(around(boxes));
@@ -62,21 +62,21 @@ SurfaceList::SurfaceList(const Scene& scene, std::span<const PlacedLight> local,
       std::make_unique<BufferTexture>(list_.data(), list_.size() * sizeof(std::int32_t), BufferTexture::Texel::int1);
 }
 
-void SurfaceList::load_materials(const Scene& scene) {
-  std::map<std::string, std::future<Material>> made;  // in parallel: each is some 10 ms of noise
+void SurfaceList::load_materials(const scene::Scene& scene) {
+  std::map<std::string, std::future<scene::Material>> made;  // in parallel: each is some 10 ms of noise
   for (std::size_t model = 0; model < scene.models.size(); ++model) {
     for (const Chunk& chunk : meshes_.chunks(model)) {
       auto& material = made[chunk.material];
       if (!material.valid()) {
-        const auto own = std::ranges::find(scene.materials, chunk.material, &Material::name);
+        const auto own = std::ranges::find(scene.materials, chunk.material, &scene::Material::name);
         material = own != scene.materials.end()
                        ? std::async(std::launch::deferred, [own] { return *own; })
-                       : std::async(std::launch::async, [name = chunk.material] { return make_material(name); });
+                       : std::async(std::launch::async, [name = chunk.material] { return scene::make_material(name); });
       }
     }
   }
   for (auto& [name, future] : made) {
-    Material material = future.get();
+    scene::Material material = future.get();
     Texture albedo = material.plain_albedo ? Texture(glm::vec4(*material.plain_albedo, 1.0f))
                                            : Texture(material.albedo, Texture::Encoding::srgb);
     Texture normal(material.normal, Texture::Encoding::linear);
@@ -87,10 +87,10 @@ void SurfaceList::load_materials(const Scene& scene) {
   }
 }
 
-std::vector<Material> SurfaceList::materials() const {
-  std::vector<Material> materials;
+std::vector<scene::Material> SurfaceList::materials() const {
+  std::vector<scene::Material> materials;
   for (const auto& [name, material] : materials_) materials.push_back(material.material);
   return materials;
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::render

@@ -8,21 +8,21 @@
 #include <string>
 #include <vector>
 
-#include "render/light_list.h"
-#include "scene/material.h"
-#include "render/mesh_store.h"
-#include "scene/scene.h"
 #include "render/gpu/texture.h"
+#include "render/light_list.h"
+#include "render/mesh_store.h"
+#include "scene/material.h"
+#include "scene/scene.h"
 
-namespace litfog::demo {
+namespace litfog::render {
 
 /// Whether the renderer leaves out what cannot show: surfaces out of view, lights out of reach of a surface.
 enum class Skipping { on, off };
 
 /// A material with its pictures on the GPU.
 struct SurfaceMaterial {
-  Material material;  ///< without its texels
-  float number;       ///< in their row
+  scene::Material material;  ///< without its texels
+  float number;              ///< in their row
   Texture albedo;
   Texture normal;
 };
@@ -32,8 +32,8 @@ struct Surface {
   const SurfaceMaterial* material;
   const Chunk* chunk;
   glm::mat4 world_from_model;
-  Bounds bounds;   ///< world space
-  int list_first;  ///< in the light list: the local lights that can reach it, of which there are
+  scene::Bounds bounds;  ///< world space
+  int list_first;        ///< in the light list: the local lights that can reach it, of which there are
   int list_count;
 };
 
@@ -42,7 +42,7 @@ class SurfaceList {
  public:
   /// local, extents  the lights to be listed, in order, and their extents (metres)
   /// throws  gl::Unsupported where this OpenGL cannot hold the light lists
-  SurfaceList(const Scene& scene, std::span<const PlacedLight> local, std::span<const double> extents,
+  SurfaceList(const scene::Scene& scene, std::span<const PlacedLight> local, std::span<const double> extents,
               Skipping skipping);
 
   const std::vector<Surface>& surfaces() const { return surfaces_; }
@@ -55,11 +55,11 @@ class SurfaceList {
   /// Makes the vertices of all surfaces current (see MeshStore).
   void bind_meshes() const { meshes_.bind(); }
   /// In the row of their numbers.
-  std::vector<Material> materials() const;
+  std::vector<scene::Material> materials() const;
   void draw(const Surface& surface) const { meshes_.draw(*surface.chunk); }
 
  private:
-  void load_materials(const Scene& scene);
+  void load_materials(const scene::Scene& scene);
 
   MeshStore meshes_;
   std::map<std::string, SurfaceMaterial> materials_;
@@ -68,4 +68,4 @@ class SurfaceList {
   std::unique_ptr<BufferTexture> list_texture_;
 };
 
-}  // namespace litfog::demo
+}  // namespace litfog::render

@@ -15,13 +15,13 @@
 #include "render/gpu/texture_unit.h"
 #include "render/gpu/uniform.h"
 
-namespace litfog::demo {
+namespace litfog::render {
 namespace {
 
 std::string glsl(const glm::vec3& v) { return fmt::format("vec3({}, {}, {})", v.x, v.y, v.z); }
 
 /// What stays the same in a scene, as constants, environment.glsl: some drivers look a uniform up for every fragment.
-std::string environment_constants(const Environment& environment, const RenderSettings& settings) {
+std::string environment_constants(const scene::Environment& environment, const RenderSettings& settings) {
   return fmt::format(
       "const vec3 ambient_light = {};\n"
       "const bool has_moon = {};  // the directional light\n"
@@ -108,7 +108,7 @@ std::string SurfacePainter::Variant::constants() const {
       has_listed_fog_lights, is_first, unrolled(lights_in_pass), unrolled(fog_lights.count));
 }
 
-SurfacePainter::SurfaceProgram::SurfaceProgram(const Variant& variant, const Scene& scene,
+SurfacePainter::SurfaceProgram::SurfaceProgram(const Variant& variant, const scene::Scene& scene,
                                                const RenderSettings& settings)
     : program(variant.pass->vertex, variant.pass->geometry, variant.pass->fragment,
               shader_files(!scene.cookies.empty(), environment_constants(scene.environment, settings),
@@ -120,8 +120,8 @@ SurfacePainter::SurfaceProgram::SurfaceProgram(const Variant& variant, const Sce
       handed_lights(program.uniform("handed_lights")),
       cone_from_world(program.uniform("cone_from_world")) {}
 
-SurfacePainter::SurfacePainter(const Scene& scene, const SceneLights& lights, const gl::FogLightBuffer& fog_lights,
-                               const RenderSettings& settings)
+SurfacePainter::SurfacePainter(const scene::Scene& scene, const SceneLights& lights,
+                               const gl::FogLightBuffer& fog_lights, const RenderSettings& settings)
     : scene_(scene),
       lights_(lights),
       fog_light_buffer_(fog_lights),
@@ -326,4 +326,4 @@ SurfacePainter::SurfaceProgram& SurfacePainter::use(const Variant& variant, cons
   return program;
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::render

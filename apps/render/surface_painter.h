@@ -8,15 +8,15 @@
 #include <string>
 #include <vector>
 
-#include "render/light_map_store.h"
 #include "litfog/fog_light_block.h"
 #include "litfog/gl/fog_light_buffer.h"
 #include "litfog/gl/program.h"
 #include "litfog/solve.h"
+#include "render/light_map_store.h"
 #include "render/render_settings.h"
 #include "render/scene_lights.h"
 
-namespace litfog::demo {
+namespace litfog::render {
 
 /// What a frame drew, and what it could leave out.
 struct FrameCounts {
@@ -32,14 +32,14 @@ class SurfacePainter {
   /// scene, lights, fog_lights  have to outlive this
   /// throws  gl::Unsupported where this OpenGL cannot hold the scene's light lists or the path's light maps, or lays
   ///         FogLights out otherwise
-  SurfacePainter(const Scene& scene, const SceneLights& lights, const gl::FogLightBuffer& fog_lights,
+  SurfacePainter(const scene::Scene& scene, const SceneLights& lights, const gl::FogLightBuffer& fog_lights,
                  const RenderSettings& settings);
 
   /// Takes the solutions of the carried lights, one each.
   void set_fog(std::span<const FogIntensity> solutions);
   FrameCounts draw(const LightingPath& path, const glm::mat4& clip_from_world);
   /// By their numbers, without their texels.
-  std::vector<Material> materials() const { return surfaces_.materials(); }
+  std::vector<scene::Material> materials() const { return surfaces_.materials(); }
 
  private:
   static constexpr int kAnyProfile = -1;  // one that the shader has to ask for
@@ -65,7 +65,7 @@ class SurfacePainter {
     auto operator<=>(const Variant&) const = default;
   };
   struct SurfaceProgram {
-    SurfaceProgram(const Variant& variant, const Scene& scene, const RenderSettings& settings);
+    SurfaceProgram(const Variant& variant, const scene::Scene& scene, const RenderSettings& settings);
 
     gl::Program program;
     int world_from_model, bounds_low, bounds_high, light_list_range, handed_lights, cone_from_world;
@@ -89,7 +89,7 @@ class SurfacePainter {
   /// How many of the first lights make a batch: those that share their maps, at most so many.
   std::size_t batch_length(std::span<const std::int32_t> lights, int most) const;
 
-  const Scene& scene_;
+  const scene::Scene& scene_;
   const SceneLights& lights_;
   const gl::FogLightBuffer& fog_light_buffer_;
   RenderSettings settings_;
@@ -109,4 +109,4 @@ class SurfacePainter {
   const SurfaceMaterial* bound_ = nullptr;
 };
 
-}  // namespace litfog::demo
+}  // namespace litfog::render

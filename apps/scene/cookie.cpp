@@ -8,11 +8,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "scene/cube_face.h"
 #include "command/exit_status.h"
+#include "scene/cube_face.h"
 #include "scene/light_frame.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 namespace {
 
 constexpr int kMaxSize = 4096;     // texels along an edge: 400 MB as floats
@@ -56,7 +56,9 @@ Cookie painted(int size, const ShareAt& share_at) {
   return cookie;
 }
 
-[[noreturn]] void refuse(const std::string& path, const std::string& what) { throw BadInput(path + ": " + what); }
+[[noreturn]] void refuse(const std::string& path, const std::string& what) {
+  throw command::BadInput(path + ": " + what);
+}
 
 }  // namespace
 
@@ -109,4 +111,4 @@ glm::dmat3 cookie_from_world(const glm::dvec3& direction, double roll) {
   return glm::dmat3(c, s, 0, -s, c, 0, 0, 0, 1) * basis_from_world(direction);
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace litfog::demo {
+namespace litfog::scene {
 
 /// A light's shape by direction, in place of a cone (Frazier 2000, "Neat Tricks Using the Spot Light"). The axis is -z,
 /// y is up.
@@ -40,4 +40,4 @@ Cookie resized(const Cookie& cookie, int size);
 /// roll       radians
 glm::dmat3 cookie_from_world(const glm::dvec3& direction, double roll);
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

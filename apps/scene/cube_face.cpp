@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace litfog::demo {
+namespace litfog::scene {
 
 glm::dvec3 cube_direction(int face, double u, double v) {
   const std::array<glm::dvec3, 6> directions{
@@ -19,4 +19,4 @@ CubePlace cube_place(const glm::dvec3& d) {
   return {d.z > 0 ? 4 : 5, (d.z > 0 ? d.x : -d.x) / a.z, -d.y / a.z};
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

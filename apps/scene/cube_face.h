@@ -3,7 +3,7 @@
 
 #include <glm/glm.hpp>
 
-namespace litfog::demo {
+namespace litfog::scene {
 
 /// The direction in which a cube map is looked up at a place of a face (OpenGL 3.3, 3.8.6).
 ///
@@ -18,4 +18,4 @@ struct CubePlace {
 };
 CubePlace cube_place(const glm::dvec3& direction);
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

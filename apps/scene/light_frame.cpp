@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace litfog::demo {
+namespace litfog::scene {
 namespace {
 
 /// A matrix by its rows.
@@ -51,4 +51,4 @@ glm::dmat3 basis_from_world(const glm::dvec3& direction) {
   return rows(right, glm::cross(right, direction), -direction);
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

@@ -5,7 +5,7 @@
 
 #include "scene/scene.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 
 /// How a viewpoint is turned in the world: radians. Heading to the right of -Z, pitch up, roll to the right.
 struct Attitude {
@@ -33,4 +33,4 @@ glm::dmat3 light_from_world(const Bearing& light, const Attitude& viewpoint);
 /// direction  unit
 glm::dmat3 basis_from_world(const glm::dvec3& direction);
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

@@ -10,7 +10,7 @@
 
 #include "scene/paint/painter.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 namespace {
 
 struct Recipe {
@@ -146,4 +146,4 @@ Material make_material(std::string_view name) {
           recipe->emissive};
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace litfog::demo {
+namespace litfog::scene {
 
 /// A tiling picture, RGBA8. Row 0 is v = 0 and texel 0 of a row is u = 0 (OpenGL's upload order).
 struct Texels {
@@ -43,4 +43,4 @@ std::span<const std::string_view> material_names();
 /// throws std::invalid_argument for an unknown name
 Material make_material(std::string_view name);
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-namespace litfog::demo {
+namespace litfog::scene {
 namespace {
 
 /// A tangent for a unit normal that turns with it everywhere but straight down, where every such field has to break
@@ -133,4 +133,4 @@ void add_back_faces(Mesh& mesh) {
   }
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

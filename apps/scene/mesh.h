@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace litfog::demo {
+namespace litfog::scene {
 
 /// Metres, right-handed, Y up. The bitangent, the direction in which v grows, is cross(normal, tangent.xyz) *
 /// tangent.w.
@@ -64,4 +64,4 @@ void compute_tangents(Mesh& mesh);
 /// Adds the back of every face, for leaves and blades, which are seen from both sides where culling is on.
 void add_back_faces(Mesh& mesh);
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace litfog::demo {
+namespace litfog::scene {
 
 /// Bijective 32-bit mixer ("lowbias32", Wellons 2018). The standard library's distributions differ between
 /// implementations; models and materials must not.
@@ -88,4 +88,4 @@ inline float octave_noise(float x, float y, int octaves, std::uint32_t seed) {
   return sum;
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "scene/cookie.h"
 #include "litfog/light.h"
+#include "scene/cookie.h"
 #include "scene/material.h"
 #include "scene/mesh.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 
 // What a scene may hold, so that no file asks for all memory or for what floats cannot draw.
 inline constexpr std::size_t kMaxSceneLights = 20'000;
@@ -77,4 +77,4 @@ inline double suggested_visibility(const Scene& scene) {
   return scene.visibilities.empty() ? 200 : scene.visibilities[scene.visibilities.size() / 2];
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

@@ -19,9 +19,11 @@
 #include "command/command.h"
 #include "command/csv.h"
 #include "command/light_file.h"
-#include "litfog/solve.h"
 #include "command/number.h"
 #include "command/table.h"
+#include "litfog/solve.h"
+
+using namespace litfog::command;
 
 namespace {
 

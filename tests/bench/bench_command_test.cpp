@@ -15,6 +15,9 @@
 #include "command/command_test.h"
 #include "command/exit_status.h"
 
+namespace litfog::test {
+using namespace command;
+
 // What the benchmark prints and writes, and the errors it finds. Its times are only times: positive and finite.
 
 namespace {
@@ -322,3 +325,5 @@ TEST_F(BenchCommand, RefusesATargetOfTheBatchForFrames) {
 #endif
 
 }  // namespace
+
+}  // namespace litfog::test

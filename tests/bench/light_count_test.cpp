@@ -9,10 +9,12 @@
 
 #include "scene/file/scene_file.h"
 
+namespace litfog::test {
+using namespace bench;
+using namespace scene;
+
 namespace {
 
-using namespace litfog;
-using namespace litfog::demo;
 using litfog::bench::with_light_count;
 
 double brightness(const Scene& scene) {
@@ -94,3 +96,5 @@ TEST(LightCount, CopiesFillTheFieldOfView) {
 }
 
 }  // namespace
+
+}  // namespace litfog::test

@@ -6,6 +6,9 @@
 #include <new>
 #include <stdexcept>
 
+namespace litfog::test {
+using namespace command;
+
 namespace {
 
 template <typename Error>
@@ -30,3 +33,5 @@ TEST(Command, WhatWentWrongGivesTheStatus) {
 }
 
 }  // namespace
+
+}  // namespace litfog::test

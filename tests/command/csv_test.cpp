@@ -10,6 +10,9 @@
 
 #include "command/exit_status.h"
 
+namespace litfog::test {
+using namespace command;
+
 namespace {
 
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
@@ -178,3 +181,5 @@ TEST(Csv, QuotesOnlyWhatNeedsIt) {
 }
 
 }  // namespace
+
+}  // namespace litfog::test

@@ -9,6 +9,9 @@
 
 #include "command/exit_status.h"
 
+namespace litfog::test {
+using namespace command;
+
 namespace {
 
 /// The message with which a reading is refused; a text that no message equals where it is not.
@@ -197,3 +200,5 @@ TEST(JsonDocument, NumbersDoNotDependOnTheLocale) {
 }
 
 }  // namespace
+
+}  // namespace litfog::test

@@ -16,6 +16,9 @@
 #include "litfog/attenuation.h"
 #include "reference/random_light.h"
 
+namespace litfog::test {
+using namespace command;
+
 namespace {
 
 using litfog::ConeProfile;
@@ -212,3 +215,5 @@ TEST_F(ShippedLights, ShowEveryProfileAndALightClampedNearby) {
 }
 
 }  // namespace
+
+}  // namespace litfog::test

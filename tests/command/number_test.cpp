@@ -5,6 +5,9 @@
 
 #include <limits>
 
+namespace litfog::test {
+using namespace command;
+
 namespace {
 
 TEST(Number, ReadsWholeTokensExactly) {
@@ -34,3 +37,5 @@ TEST(Number, RefusesWhatIsNotOneNumber) {
 }
 
 }  // namespace
+
+}  // namespace litfog::test

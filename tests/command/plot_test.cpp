@@ -14,6 +14,9 @@
 
 #include "command/exit_status.h"
 
+namespace litfog::test {
+using namespace command;
+
 namespace {
 
 Figure one_line() {
@@ -146,3 +149,5 @@ TEST(Plot, SaysThatGnuplotIsMissing) {
 }
 
 }  // namespace
+
+}  // namespace litfog::test

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+namespace litfog::test {
+using namespace command;
+
 namespace {
 
 TEST(Quantile, LiesBetweenNeighboursInProportionWhateverTheOrder) {
@@ -21,3 +24,5 @@ TEST(Quantile, OfOneValueIsThatValue) {
 }
 
 }  // namespace
+
+}  // namespace litfog::test

@@ -6,6 +6,9 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+namespace litfog::test {
+using namespace command;
+
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -53,3 +56,5 @@ TEST(Table, WithoutRowsIsStillWellFormed) {
 }
 
 }  // namespace
+
+}  // namespace litfog::test

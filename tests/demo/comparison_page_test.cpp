@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace litfog::test {
+using namespace demo;
+using namespace render;
 
-using namespace litfog::demo;
+namespace {
 
 const PageFacts kFacts{
     .machine = "a <fast> card", .width = 640, .height = 360, .frames = 7, .settings = "nothing is skipped"};
@@ -70,3 +72,5 @@ TEST(ComparisonPage, PicturesWithoutAnAlternativeTextThereAreNone) {
 }
 
 }  // namespace
+
+}  // namespace litfog::test

@@ -10,6 +10,9 @@
 #include "command/exit_status.h"
 #include "reference/srgb.h"
 
+namespace litfog::test {
+using namespace command;
+
 namespace {
 
 using litfog::test::CommandTest;
@@ -329,3 +332,5 @@ TEST_F(DemoCommand, AnInstalledProgramFindsItsOwnScenesWhereverItIs) {
 }
 
 }  // namespace
+
+}  // namespace litfog::test

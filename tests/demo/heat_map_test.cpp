@@ -6,9 +6,12 @@
 #include <glm/glm.hpp>
 #include <limits>
 
-namespace {
+namespace litfog::test {
+using namespace demo;
+using namespace measure;
+using namespace render;
 
-using namespace litfog::demo;
+namespace {
 
 double luminance(const glm::vec3& color) { return glm::dot(glm::dvec3(color), glm::dvec3(0.2126, 0.7152, 0.0722)); }
 
@@ -51,3 +54,5 @@ TEST(HeatMap, HasAScaleWithWordsUnderIt) {
 }
 
 }  // namespace
+
+}  // namespace litfog::test

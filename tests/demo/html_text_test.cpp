@@ -3,9 +3,10 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace litfog::test {
+using namespace demo;
 
-using namespace litfog::demo;
+namespace {
 
 TEST(HtmlText, CannotEndAnElementOrAnAttribute) {
   EXPECT_EQ(html_text("<b class=\"a\" id='b'>R&amp;D</b>"),
@@ -22,3 +23,5 @@ TEST(HtmlLink, NamesAFileBesideThePageWhateverItsName) {
 }
 
 }  // namespace
+
+}  // namespace litfog::test

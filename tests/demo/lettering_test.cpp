@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace litfog::test {
+using namespace demo;
+using namespace render;
 
-using namespace litfog::demo;
+namespace {
 
 TEST(FittedText, IsTheTextItselfWhereItFits) {
   EXPECT_EQ(fitted_text("room, clear air", 15, 480), "room, clear air");
@@ -30,3 +32,5 @@ TEST(FittedText, CutsNoLetterOfSeveralBytes) {
 }
 
 }  // namespace
+
+}  // namespace litfog::test

@@ -6,9 +6,12 @@
 #include "command/exit_status.h"
 #include "command/temporary_directory.h"
 
-namespace {
+namespace litfog::test {
+using namespace demo;
+using namespace render;
+using namespace command;
 
-using namespace litfog::demo;
+namespace {
 
 const Picture kPixel{1, 1, {0.1f, 0.2f, 0.3f}};
 
@@ -43,3 +46,5 @@ TEST_F(PictureFolderTest, SaysWhatCannotBeWritten) {
 }
 
 }  // namespace
+
+}  // namespace litfog::test

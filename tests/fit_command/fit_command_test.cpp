@@ -20,6 +20,9 @@
 #include "litfog/photometry/cookie.h"
 #include "litfog/photometry/luminaire.h"
 
+namespace litfog::test {
+using namespace command;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -347,3 +350,5 @@ TEST_F(FitCommand, ShippedLightsAreWhatTheirSpecsGive) {
 }
 
 }  // namespace
+
+}  // namespace litfog::test

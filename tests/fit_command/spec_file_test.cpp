@@ -10,6 +10,9 @@
 #include "command/exit_status.h"
 #include "command/temporary_directory.h"
 
+namespace litfog::test {
+using namespace command;
+
 namespace {
 
 using litfog::AttenuationFamily;
@@ -234,3 +237,5 @@ TEST_F(SpecFile, RefusesPhotometryThatCannotBeUsed) {
 }
 
 }  // namespace
+
+}  // namespace litfog::test

@@ -6,10 +6,12 @@
 #include "gl/gl_test.h"
 #include "scene/file/scene_file.h"
 
-namespace {
+namespace litfog::test {
+using namespace render;
+using namespace scene;
+using namespace measure;
 
-using namespace litfog;
-using namespace litfog::demo;
+namespace {
 
 class ComparisonTest : public test::GlTest {};
 
@@ -36,3 +38,5 @@ TEST_F(ComparisonTest, BothPicturesShowTheLampsPointsAndTheErrorDoesNot) {
 }
 
 }  // namespace
+
+}  // namespace litfog::test

@@ -6,10 +6,12 @@
 #include "gl/gl_test.h"
 #include "scene/file/scene_file.h"
 
-namespace {
+namespace litfog::test {
+using namespace render;
+using namespace scene;
+using namespace measure;
 
-using namespace litfog;
-using namespace litfog::demo;
+namespace {
 
 TEST(FrameTimes, SpreadIsFromTheTenthToTheNinetiethPercentile) {
   const FrameTimes times{.milliseconds = {10, 20, 30, 40, 50}};
@@ -53,3 +55,5 @@ TEST_F(FrameTimesTest, ABudgetOfNoTimeTakesTheFewestAndOneWithoutEndTheMost) {
 }
 
 }  // namespace
+
+}  // namespace litfog::test

@@ -8,9 +8,12 @@
 
 #include "reference/srgb.h"
 
+namespace litfog::test {
+using namespace render;
+using namespace measure;
+
 namespace {
 
-using namespace litfog::demo;
 using litfog::test::srgb_from_linear;
 
 ReferencePicture row(const std::vector<float>& rgb) {
@@ -67,3 +70,5 @@ TEST(PictureError, InWordsSaysHowManyPixelsAreExceptedIfAny) {
 }
 
 }  // namespace
+
+}  // namespace litfog::test

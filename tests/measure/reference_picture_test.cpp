@@ -11,14 +11,16 @@
 #include <numeric>
 
 #include "gl/gl_test.h"
-#include "scene/model/model.h"
 #include "measure/picture_error.h"
 #include "scene/file/scene_file.h"
+#include "scene/model/model.h"
+
+namespace litfog::test {
+using namespace render;
+using namespace scene;
+using namespace measure;
 
 namespace {
-
-using namespace litfog;
-using namespace litfog::demo;
 
 constexpr int kWidth = 160;
 constexpr int kHeight = 90;
@@ -227,3 +229,5 @@ TEST_F(ReferencePictureTest, PathsThatLightVerticesConvergeToItInTheSecondOrder)
 }
 
 }  // namespace
+
+}  // namespace litfog::test

@@ -7,12 +7,15 @@
 #include <limits>
 #include <random>
 
+namespace litfog::test {
+using namespace render;
+
 namespace {
 
 using litfog::Cone;
 using litfog::PlacedLight;
-using litfog::demo::Bounds;
-using litfog::demo::can_see;
+using render::can_see;
+using scene::Bounds;
 
 class Random {
  public:
@@ -66,7 +69,7 @@ TEST(LightList, NamesTheLightsThatReachInTheirOrder) {
   lamps[2].position = {3, 0, 0};
   const std::vector<double> extents{5, 5, 5};
   const Bounds box{{1, -1, -1}, {2, 1, 1}};
-  const litfog::demo::LightFinder finder(lamps, extents);
+  const render::LightFinder finder(lamps, extents);
   EXPECT_EQ(finder.reaching(box), (std::vector<std::int32_t>{0, 2}));
   EXPECT_EQ(finder.reaching(box, std::vector<std::int32_t>{1, 2}), (std::vector<std::int32_t>{2}));
 }
@@ -80,7 +83,7 @@ TEST(LightList, AmongManyLightsNoneThatCanReachIsLost) {
     lamps[i].direction = {0, -1, 0};
     extents.push_back(i == 77 ? std::numeric_limits<double>::infinity() : double(i % 20));
   }
-  const litfog::demo::LightFinder finder(lamps, extents);
+  const render::LightFinder finder(lamps, extents);
   for (int place = 0; place < 100; ++place) {
     const glm::vec3 low{float(place * 3), -2, float(place * 2)};
     const Bounds box{low, low + glm::vec3(5, 1, 9)};
@@ -95,7 +98,7 @@ TEST(LightList, AmongManyLightsNoneThatCanReachIsLost) {
 TEST(LightList, BoxesBehindTheEyeAreOutOfView) {
   const glm::mat4 clip = glm::infinitePerspective(1.0f, 1.5f, 0.1f) *
                          glm::lookAt(glm::vec3(0, 2, 0), glm::vec3(0, 2, -1), glm::vec3(0, 1, 0));
-  const auto frustum = litfog::demo::make_frustum(clip);
+  const auto frustum = render::make_frustum(clip);
   EXPECT_TRUE(can_see(frustum, {{-1, 0, -12}, {1, 2, -10}}));
   EXPECT_TRUE(can_see(frustum, {{-1, 0, -1e6f}, {1, 2, -1e5f}}));
   EXPECT_FALSE(can_see(frustum, {{-1, 0, 10}, {1, 2, 12}}));
@@ -109,7 +112,7 @@ TEST(LightList, NeverLeavesABoxOutOfViewOfWhichAPointIsInThePicture) {
     const glm::vec3 eye = random.point(20);
     const glm::mat4 clip = glm::infinitePerspective(float(random.between(0.2, 2)), 1.5f, 0.1f) *
                            glm::lookAt(eye, eye + glm::vec3(random.point(1)), glm::vec3(0, 1, 0));
-    const auto frustum = litfog::demo::make_frustum(clip);
+    const auto frustum = render::make_frustum(clip);
     const Bounds box = random.box();
     const glm::vec4 seen = clip * glm::vec4(glm::vec3(random.point_in(box)), 1.0f);
     if (!glm::all(glm::lessThanEqual(glm::abs(glm::vec3(seen)), glm::vec3(seen.w)))) continue;
@@ -133,3 +136,5 @@ TEST(LightList, ATransformedBoxHoldsItsTransformedCorners) {
 }
 
 }  // namespace
+
+}  // namespace litfog::test

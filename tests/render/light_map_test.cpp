@@ -11,10 +11,11 @@
 #include "reference/random_light.h"
 #include "reference/ulp.h"
 
+namespace litfog::test {
+using namespace render;
+
 namespace {
 
-using namespace litfog;
-using namespace litfog::demo;
 using glm::dvec3;
 using test::Random;
 using test::WorstError;
@@ -209,3 +210,5 @@ TEST(LightMap, VolumesErrBetweenTheirTexelsByTheirSecondDerivative) {
 }
 
 }  // namespace
+
+}  // namespace litfog::test

@@ -8,18 +8,20 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
-#include "scene/cube_face.h"
 #include "gl/gl_test.h"
+#include "reference/ulp.h"
+#include "render/renderer.h"
+#include "scene/cube_face.h"
+#include "scene/file/scene_file.h"
 #include "scene/material.h"
 #include "scene/model/primitive.h"
-#include "render/renderer.h"
-#include "scene/file/scene_file.h"
-#include "reference/ulp.h"
+
+namespace litfog::test {
+using namespace scene;
+using namespace render;
 
 namespace {
 
-using namespace litfog;
-using namespace litfog::demo;
 using glm::dvec3;
 
 constexpr int kWidth = 96;
@@ -438,3 +440,5 @@ TEST_F(LightingPathPixels, OfAnInfiniteViewerHaveOneDirectionToTheEye) {
 }
 
 }  // namespace
+
+}  // namespace litfog::test

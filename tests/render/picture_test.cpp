@@ -10,16 +10,20 @@
 #include <set>
 
 #include "command/exit_status.h"
-#include "reference/srgb.h"
 #include "command/temporary_directory.h"
 #include "command/whole_file.h"
+#include "reference/srgb.h"
+
+namespace litfog::test {
+using namespace render;
+using namespace command;
 
 namespace {
 
 namespace fs = std::filesystem;
-using litfog::demo::Picture;
-using litfog::demo::write_picture;
 using litfog::test::srgb_from_linear;
+using render::Picture;
+using render::write_picture;
 
 class PictureFile : public testing::Test {
  protected:
@@ -124,3 +128,5 @@ TEST_F(PictureFile, UnwritablePathsAreRefused) {
 }
 
 }  // namespace
+
+}  // namespace litfog::test

@@ -12,14 +12,15 @@
 
 #include "gl/gl_test.h"
 #include "litfog/gl/unsupported.h"
-#include "scene/model/model.h"
-#include "scene/file/scene_file.h"
 #include "render/gpu/texture.h"
+#include "scene/file/scene_file.h"
+#include "scene/model/model.h"
+
+namespace litfog::test {
+using namespace scene;
+using namespace render;
 
 namespace {
-
-using namespace litfog;
-using namespace litfog::demo;
 
 constexpr int kWidth = 96;
 constexpr int kHeight = 64;
@@ -285,3 +286,5 @@ TEST_F(RendererTest, SurfacesAreDarkBeyondTheExtentAndBrightBelowTheLamp) {
 }
 
 }  // namespace
+
+}  // namespace litfog::test

@@ -6,14 +6,17 @@
 
 #include <numbers>
 
-#include "scene/cube_face.h"
 #include "command/exit_status.h"
-#include "reference/random_light.h"
 #include "command/temporary_directory.h"
+#include "reference/random_light.h"
+#include "scene/cube_face.h"
+
+namespace litfog::test {
+using namespace scene;
+using namespace command;
 
 namespace {
 
-using namespace litfog::demo;
 using glm::dvec3;
 using litfog::test::Random;
 
@@ -168,3 +171,5 @@ TEST_F(CookieFile, RefusesAMissingFile) {
 }
 
 }  // namespace
+
+}  // namespace litfog::test

@@ -8,6 +8,10 @@
 
 #include "command/exit_status.h"
 
+namespace litfog::test {
+using namespace scene;
+using namespace command;
+
 namespace {
 
 using nlohmann::json;
@@ -41,7 +45,7 @@ json sound_file() {
 /// The sentence without file, line and column; empty where there is none.
 std::string refusal(const json& file) {
   try {
-    litfog::demo::expect_gltf_members(parse_json(file.dump(), "a.gltf"));
+    scene::expect_gltf_members(parse_json(file.dump(), "a.gltf"));
   } catch (const BadInput& bad) {
     const std::string sentence = bad.what();
     return sentence.substr(sentence.find(": ") + 2);
@@ -110,3 +114,5 @@ TEST(GltfMembers, AreRefusedWithPlaceValueAndRule) {
 }
 
 }  // namespace
+
+}  // namespace litfog::test

@@ -14,17 +14,21 @@
 #include <random>
 
 #include "command/exit_status.h"
+#include "command/temporary_directory.h"
 #include "gl/gl_test.h"
 #include "litfog/attenuation.h"
 #include "measure/picture_error.h"
 #include "measure/reference_picture.h"
 #include "scene/file/scene_file.h"
-#include "command/temporary_directory.h"
+
+namespace litfog::test {
+using namespace render;
+using namespace scene;
+using namespace measure;
+using namespace command;
 
 namespace {
 
-using namespace litfog;
-using namespace litfog::demo;
 using nlohmann::json;
 using std::numbers::pi;
 
@@ -450,3 +454,5 @@ TEST_F(GltfPicture, TheFloorIsAsBrightAsItsLightSays) {
 }
 
 }  // namespace
+
+}  // namespace litfog::test

@@ -7,10 +7,11 @@
 
 #include "reference/random_light.h"
 
+namespace litfog::test {
+using namespace scene;
+
 namespace {
 
-using namespace litfog;
-using namespace litfog::demo;
 using glm::dvec3;
 
 constexpr double kRounding = 1e-14;
@@ -89,3 +90,5 @@ TEST(LightFrame, BasisHasTheDirectionAtMinusZAndStandsUpright) {
 }
 
 }  // namespace
+
+}  // namespace litfog::test

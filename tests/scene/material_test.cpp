@@ -8,9 +8,12 @@
 #include <map>
 #include <stdexcept>
 
-#include "scene/paint/field.h"
-#include "scene/noise.h"
 #include "reference/srgb.h"
+#include "scene/noise.h"
+#include "scene/paint/field.h"
+
+namespace litfog::test {
+using namespace scene;
 
 namespace litfog::demo {
 namespace {
@@ -210,3 +213,5 @@ TEST(Noise, HasMeanZeroAndStaysBounded) {
 
 }  // namespace
 }  // namespace litfog::demo
+
+}  // namespace litfog::test

@@ -16,6 +16,9 @@
 #include "scene/model/primitive.h"
 #include "scene/model/terrain.h"
 
+namespace litfog::test {
+using namespace scene;
+
 namespace litfog::demo {
 namespace {
 
@@ -325,3 +328,5 @@ TEST(Mesh, TangentsWithoutTextureCoordinatesTurnWithTheNormal) {
 
 }  // namespace
 }  // namespace litfog::demo
+
+}  // namespace litfog::test

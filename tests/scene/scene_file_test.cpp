@@ -7,16 +7,20 @@
 #include <fstream>
 
 #include "command/exit_status.h"
-#include "litfog/fog_light_block.h"
 #include "command/temporary_directory.h"
+#include "litfog/fog_light_block.h"
+
+namespace litfog::test {
+using namespace scene;
+using namespace command;
 
 namespace {
 
 using litfog::PlacedLight;
-using litfog::demo::bundled_scene_path;
-using litfog::demo::bundled_scenes;
-using litfog::demo::read_scene;
-using litfog::demo::Scene;
+using scene::bundled_scene_path;
+using scene::bundled_scenes;
+using scene::read_scene;
+using scene::Scene;
 
 class SceneFile : public testing::Test {
  protected:
@@ -93,7 +97,7 @@ TEST_F(SceneFile, ACookieTakesTheConesPlaceAndIsReadOnceForAllItsLights) {
     EXPECT_EQ(scene.lights[i].light.cone.profile, litfog::ConeProfile::none) << i;
     EXPECT_EQ(scene.cookie_uses.at(i).cookie, i == 4 ? 1u : 0u) << i;
   }
-  litfog::demo::turn_cookies(scene, 0.75);
+  scene::turn_cookies(scene, 0.75);
   EXPECT_DOUBLE_EQ(scene.cookie_uses.at(2).roll, glm::radians(90 - 0.75 * 180));
   EXPECT_EQ(scene.cookie_uses.at(3).roll, 0);
 }
@@ -232,3 +236,5 @@ TEST_F(SceneFile, RefusesACameraThatLooksStraightUp) {
 }
 
 }  // namespace
+
+}  // namespace litfog::test

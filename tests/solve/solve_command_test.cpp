@@ -19,6 +19,9 @@
 #include "command/exit_status.h"
 #include "litfog/solve.h"
 
+namespace litfog::test {
+using namespace command;
+
 namespace {
 
 using litfog::Attenuation;
@@ -455,3 +458,5 @@ TEST_F(SolveCommand, NumbersDoNotDependOnTheLocale) {
 }
 
 }  // namespace
+
+}  // namespace litfog::test

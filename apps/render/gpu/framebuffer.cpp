@@ -8,7 +8,7 @@
 
 #include "litfog/gl/unsupported.h"
 
-namespace litfog::demo {
+namespace litfog::render {
 
 int Framebuffer::samples() {
   GLint most = 0;
@@ -71,4 +71,4 @@ Picture Framebuffer::read() const {
   return picture;
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::render

@@ -3,7 +3,7 @@
 
 #include "render/picture.h"
 
-namespace litfog::demo {
+namespace litfog::render {
 
 /// How often a surface is drawn at most.
 enum class Passes { one, several };
@@ -37,4 +37,4 @@ class Framebuffer {
   unsigned buffers_[3] = {};  // drawn colour, drawn depth and stencil, resolved colour
 };
 
-}  // namespace litfog::demo
+}  // namespace litfog::render

@@ -8,11 +8,11 @@
 #include <cassert>
 #include <cstring>
 
+#include "litfog/gl/unsupported.h"
 #include "render/demo_shaders.h"
 #include "render/gpu/framebuffer.h"
-#include "litfog/gl/unsupported.h"
 
-namespace litfog::demo {
+namespace litfog::render {
 namespace {
 
 constexpr GLenum kAttachments[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2,
@@ -114,4 +114,4 @@ std::vector<GeometrySample> GeometryBuffer::read_rows(int first, int count) cons
   return rows;
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::render

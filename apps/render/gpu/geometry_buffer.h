@@ -4,10 +4,10 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "render/lighting_path.h"
 #include "litfog/gl/program.h"
+#include "render/lighting_path.h"
 
-namespace litfog::demo {
+namespace litfog::render {
 
 /// One sample of a picture as rasterised: what its fragment is shaded from. World space, metres.
 struct GeometrySample {
@@ -60,4 +60,4 @@ class GeometryBuffer {
   unsigned vertex_array_ = 0;
 };
 
-}  // namespace litfog::demo
+}  // namespace litfog::render

@@ -11,9 +11,9 @@
 
 #include "litfog/gl/unsupported.h"
 
-namespace litfog::demo {
+namespace litfog::render {
 
-Texture::Texture(const Texels& texels, Encoding encoding) {
+Texture::Texture(const scene::Texels& texels, Encoding encoding) {
   assert(texels.rgba.size() == std::size_t(texels.width) * std::size_t(texels.height) * 4);
   glGenTextures(1, &id_);
   glBindTexture(GL_TEXTURE_2D, id_);
@@ -163,4 +163,4 @@ void BufferTexture::bind(unsigned unit) const {
   glBindTexture(GL_TEXTURE_BUFFER, texture_);
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::render

@@ -6,14 +6,14 @@
 
 #include "scene/material.h"
 
-namespace litfog::demo {
+namespace litfog::render {
 
 /// A repeating, mipmapped RGBA8 texture.
 class Texture {
  public:
   enum class Encoding { linear, srgb };
 
-  Texture(const Texels& texels, Encoding encoding);
+  Texture(const scene::Texels& texels, Encoding encoding);
   /// One texel of floats, linear.
   explicit Texture(const glm::vec4& texel);
   ~Texture();
@@ -82,4 +82,4 @@ class BufferTexture {
   unsigned texture_ = 0;
 };
 
-}  // namespace litfog::demo
+}  // namespace litfog::render

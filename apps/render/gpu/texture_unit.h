@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-namespace litfog::demo {
+namespace litfog::render {
 
 /// The texture units of the demo's shaders, one a sampler.
 enum TextureUnit : unsigned {
@@ -17,4 +17,4 @@ enum TextureUnit : unsigned {
 
 inline constexpr unsigned kFogLightBinding = 0;  ///< of the FogLightBlock
 
-}  // namespace litfog::demo
+}  // namespace litfog::render

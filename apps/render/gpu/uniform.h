@@ -8,7 +8,7 @@
 
 #include "litfog/gl/program.h"
 
-namespace litfog::demo {
+namespace litfog::render {
 
 // Sets a uniform of the program in use, by name; one that the compiler dropped is passed over.
 
@@ -29,4 +29,4 @@ inline void set_uniform(const gl::Program& program, const char* name, unsigned v
   glUniform1i(program.uniform(name), GLint(value));
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::render

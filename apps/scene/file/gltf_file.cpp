@@ -13,7 +13,7 @@
 #include "command/exit_status.h"
 #include "scene/file/gltf_members.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 namespace {
 
 constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
@@ -22,7 +22,7 @@ std::string whole_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::string bytes;
   if (file) bytes.assign(std::istreambuf_iterator<char>(file), {});
-  if (!file) throw BadInput(path + ": cannot be read");
+  if (!file) throw command::BadInput(path + ": cannot be read");
   return bytes;
 }
 
@@ -37,9 +37,9 @@ std::string json_chunk(const std::string& path, const std::string& bytes) {
   constexpr std::size_t kHeaders = 20;  // of the file and of the chunk
   if (bytes.size() < kHeaders || !bytes.starts_with("glTF") || bytes.compare(16, 4, "JSON") != 0 ||
       little_endian(bytes, 12) > bytes.size() - kHeaders) {
-    throw BadInput(path + ": must be a binary glTF file that begins with its JSON chunk");
+    throw command::BadInput(path + ": must be a binary glTF file that begins with its JSON chunk");
   }
-  if (little_endian(bytes, 4) != 2) throw BadInput(path + ": must be a binary glTF file of version 2");
+  if (little_endian(bytes, 4) != 2) throw command::BadInput(path + ": must be a binary glTF file of version 2");
   return bytes.substr(kHeaders, little_endian(bytes, 12));
 }
 
@@ -86,7 +86,7 @@ GltfFile::GltfFile(const std::string& path) : path_(path), root_(load()) {}
 JsonValue GltfFile::load() {
   std::error_code error;
   if (std::filesystem::file_size(path_, error) > kMaxBytes && !error) {
-    throw BadInput(fmt::format("{}: must be at most {} MiB", path_, kMaxBytes >> 20));
+    throw command::BadInput(fmt::format("{}: must be at most {} MiB", path_, kMaxBytes >> 20));
   }
   const std::string bytes = whole_file(path_);
   const bool is_binary = std::filesystem::path(path_).extension() == ".glb";
@@ -110,7 +110,7 @@ JsonValue GltfFile::load() {
   if (!is_loaded) {
     std::ranges::replace(errors, '\n', ' ');
     while (errors.ends_with(' ') || errors.ends_with('.')) errors.pop_back();
-    throw BadInput(path_ + ": must be a glTF 2.0 file: " + errors);
+    throw command::BadInput(path_ + ": must be a glTF 2.0 file: " + errors);
   }
   return root;
 }
@@ -169,4 +169,4 @@ std::span<const unsigned char> GltfFile::view(const GltfPlace& place, int number
   return std::span(bytes).subspan(view.byteOffset, view.byteLength);
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

@@ -12,7 +12,7 @@
 
 #include "command/json_document.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 
 /// The way to a value from a glTF file's root: names of members and places in arrays.
 using GltfPlace = std::vector<std::variant<std::string, std::size_t>>;
@@ -60,4 +60,4 @@ class GltfFile {
   JsonValue root_;
 };
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

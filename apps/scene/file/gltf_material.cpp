@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace litfog::demo {
+namespace litfog::scene {
 namespace {
 
 constexpr std::size_t kMaxTexels = std::size_t{1} << 27;  // of all pictures together: 512 MiB
@@ -158,4 +158,4 @@ Texels GltfMaterials::decode(const GltfPlace& place, std::span<const unsigned ch
   return texels;
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

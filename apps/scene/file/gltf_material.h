@@ -11,7 +11,7 @@
 #include "scene/file/gltf_file.h"
 #include "scene/material.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 
 /// Makes the demo's materials of those of a glTF file that are used (read_gltf_scene tells how).
 class GltfMaterials {
@@ -45,4 +45,4 @@ class GltfMaterials {
   std::size_t texels_ = 0;
 };
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

@@ -8,7 +8,7 @@
 #include <initializer_list>
 #include <limits>
 
-namespace litfog::demo {
+namespace litfog::scene {
 namespace {
 
 enum class Kind { index, indices, number, numbers, boolean, string };
@@ -165,4 +165,4 @@ void expect_gltf_members(const JsonValue& root) {
   }
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

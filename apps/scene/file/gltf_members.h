@@ -3,7 +3,7 @@
 
 #include "command/json_document.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 
 /// Refuses what a glTF reader would pass over in silence as if it were not given, or misread: members of a wrong kind
 /// or length, of all that the demo reads of such a file (glTF 2.0, chapter 5; KHR_lights_punctual).
@@ -12,4 +12,4 @@ namespace litfog::demo {
 /// throws  BadInput
 void expect_gltf_members(const JsonValue& root);
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

@@ -5,7 +5,7 @@
 
 #include "scene/scene.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 namespace {
 
 void read_indices(const GltfFile& file, const GltfPlace& place, const tinygltf::Primitive& primitive, Mesh& mesh) {
@@ -102,4 +102,4 @@ Mesh read_gltf_primitive(const GltfFile& file, const GltfPlace& place, const tin
   return mesh;
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

@@ -4,7 +4,7 @@
 #include "scene/file/gltf_file.h"
 #include "scene/mesh.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 
 /// Reads a primitive's triangles: normals made unit, flat ones where none are given; tangents computed where they are
 /// not; the backs of faces where its material shows them.
@@ -13,4 +13,4 @@ namespace litfog::demo {
 /// throws  BadInput
 Mesh read_gltf_primitive(const GltfFile& file, const GltfPlace& place, const tinygltf::Primitive& primitive);
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

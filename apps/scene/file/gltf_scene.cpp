@@ -12,12 +12,12 @@
 #include <numbers>
 
 #include "command/exit_status.h"
+#include "litfog/fog_light_block.h"
 #include "scene/file/gltf_file.h"
 #include "scene/file/gltf_material.h"
 #include "scene/file/gltf_mesh.h"
-#include "litfog/fog_light_block.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 namespace {
 
 constexpr double kBrightestAtKnee = 16;          // of the display's white
@@ -44,7 +44,7 @@ class GltfReader {
                           .sky_horizon = kNightFog};
     scene_.models.emplace_back();
     read_nodes();
-    if (scene_.models[0].empty()) throw BadInput(path + ": meshes: must hold triangles");
+    if (scene_.models[0].empty()) throw command::BadInput(path + ": meshes: must hold triangles");
     scene_.instances.push_back({0, glm::mat4(1.0f)});
     const Bounds box = bounds(scene_.models[0]);
     const double size = std::max(0.01, double(glm::distance(box.low, box.high)));
@@ -64,7 +64,7 @@ class GltfReader {
   void read_name() {
     scene_.name = std::filesystem::path(file_.path()).stem().string();
     if (scene_.name.empty() || scene_.name.front() == '.')
-      throw BadInput(file_.path() + ": must have a name before its ending");
+      throw command::BadInput(file_.path() + ": must have a name before its ending");
   }
 
   // --- nodes ---
@@ -247,4 +247,4 @@ bool is_gltf_path(const std::string& path) {
 
 Scene read_gltf_scene(const std::string& path) { return GltfReader(path).take(); }
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

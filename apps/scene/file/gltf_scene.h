@@ -5,7 +5,7 @@
 
 #include "scene/scene.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 
 /// Whether a path ends as glTF files do: .gltf or .glb.
 bool is_gltf_path(const std::string& path);
@@ -32,4 +32,4 @@ bool is_gltf_path(const std::string& path);
 /// throws  BadInput
 Scene read_gltf_scene(const std::string& path);
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

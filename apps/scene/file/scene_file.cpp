@@ -13,13 +13,13 @@
 #include <stdexcept>
 
 #include "command/exit_status.h"
-#include "scene/file/gltf_scene.h"
 #include "command/json_document.h"
 #include "command/light_file.h"
 #include "litfog/fog_light_block.h"
+#include "scene/file/gltf_scene.h"
 #include "scene/model/model.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 namespace {
 
 constexpr std::size_t kMaxCopies = 20'000;  // of one object or light
@@ -179,7 +179,7 @@ class SceneReader {
     if (is_new) {
       try {
         entry->second = read_light((folder_ / value.string()).string());
-      } catch (const BadInput& refusal) {
+      } catch (const command::BadInput& refusal) {
         value.fail(std::string("must be a light file: ") + refusal.what());
       }
     }
@@ -250,7 +250,7 @@ class SceneReader {
         value.fail(fmt::format("must be one of at most {} cookies", kMaxCookies));
       try {
         scene_.cookies.push_back(pattern ? make_cookie(name) : read_cookie(name));
-      } catch (const BadInput& refusal) {
+      } catch (const command::BadInput& refusal) {
         source.fail(std::string("must be a cookie: ") + refusal.what());
       }
     }
@@ -372,7 +372,7 @@ std::vector<Scene> read_scenes(const std::vector<std::string>& paths) {
     const std::string& name = scenes.back().name;
     const auto earlier = std::ranges::find(scenes, name, &Scene::name);
     if (const auto i = std::size_t(earlier - scenes.begin()); i + 1 < scenes.size()) {
-      throw BadInput(fmt::format("{}: name = {}: must not be that of {} too", path, name, paths[i]));
+      throw command::BadInput(fmt::format("{}: name = {}: must not be that of {} too", path, name, paths[i]));
     }
   }
   return scenes;
@@ -384,11 +384,12 @@ std::vector<std::string> bundled_scenes() {
   for (const auto& entry : std::filesystem::directory_iterator(scene_folder(), missing)) {
     if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
   }
-  if (names.empty()) throw BadInput(scene_folder().string() + ": cannot be read: litfog's scenes are not there");
+  if (names.empty())
+    throw command::BadInput(scene_folder().string() + ": cannot be read: litfog's scenes are not there");
   std::ranges::sort(names);
   return names;
 }
 
 std::string bundled_scene_path(const std::string& name) { return (scene_folder() / (name + ".json")).string(); }
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

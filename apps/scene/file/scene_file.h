@@ -6,7 +6,7 @@
 
 #include "scene/scene.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 
 // clang-format off
 /// Scene files, version 1. Metres, Y up; colours are linear RGB.
@@ -58,4 +58,4 @@ std::vector<std::string> bundled_scenes();
 /// Path of a bundled scene's file, whether there is one of that name or not.
 std::string bundled_scene_path(const std::string& name);
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

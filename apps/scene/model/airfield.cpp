@@ -8,7 +8,7 @@
 
 #include "scene/model/primitive.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 namespace {
 
 const glm::mat4 kHere(1.0f);
@@ -264,4 +264,4 @@ Model make_tower(const Tower& tower) {
   return model;
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

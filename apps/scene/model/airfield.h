@@ -3,7 +3,7 @@
 
 #include "scene/mesh.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 
 // Lights of an airfield face +Z, towards who approaches looking along -Z.
 
@@ -43,4 +43,4 @@ struct Tower {
 };
 Model make_tower(const Tower& tower);
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
-#include "scene/noise.h"
 #include "scene/model/primitive.h"
+#include "scene/noise.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 namespace {
 
 struct Growth {
@@ -151,4 +151,4 @@ Model make_bush(const Bush& bush) {
   return finish(growth);
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

@@ -3,7 +3,7 @@
 
 #include "scene/mesh.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 
 /// A broadleaf tree: a forking trunk, and leaves in sprays at the ends of its twigs.
 struct BroadleafTree {
@@ -26,4 +26,4 @@ struct Bush {
 };
 Model make_bush(const Bush& bush);
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

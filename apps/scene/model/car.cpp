@@ -10,7 +10,7 @@
 #include "scene/model/numeral.h"
 #include "scene/model/primitive.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 namespace {
 
 const glm::mat4 kHere(1.0f);
@@ -258,4 +258,4 @@ Model make_car(const Car& car) {
   return model;
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

@@ -3,7 +3,7 @@
 
 #include "scene/mesh.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 
 /// A parked hatchback of 4.3 m. It heads for -Z, so whoever looks along -Z sees its back.
 struct Car {
@@ -15,4 +15,4 @@ inline constexpr std::string_view kCarPaints[] = {"paint_blue", "paint_red", "pa
                                                   "paint_green"};
 Model make_car(const Car& car);
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
-#include "scene/noise.h"
 #include "scene/model/primitive.h"
+#include "scene/noise.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 namespace {
 
 /// Adds a triangle of needles. Its normal leans towards `out`, away from the trunk: real needles stand all ways, and a
@@ -126,4 +126,4 @@ Model make_spruce(const Spruce& spruce) {
   return model;
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

@@ -3,7 +3,7 @@
 
 #include "scene/mesh.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 
 /// A spruce: whorls of drooping branches, long below and short above, with hanging twigs; no two alike.
 struct Spruce {
@@ -17,4 +17,4 @@ struct Spruce {
 };
 Model make_spruce(const Spruce& spruce);
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

@@ -7,11 +7,11 @@
 
 #include "scene/model/broadleaf.h"
 #include "scene/model/conifer.h"
-#include "scene/noise.h"
 #include "scene/model/primitive.h"
 #include "scene/model/rock.h"
+#include "scene/noise.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 namespace {
 
 glm::vec3 random_spot(const Band& band, Random& random) {
@@ -133,4 +133,4 @@ Model make_rocks(const Rocks& rocks) {
   return model;
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

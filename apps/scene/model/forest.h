@@ -4,7 +4,7 @@
 #include "scene/mesh.h"
 #include "scene/model/terrain.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 
 /// A strip beside the path on which things are strewn: they stand on the ground, so the ground's parameters belong to
 /// it.
@@ -43,4 +43,4 @@ struct Rocks : Band {
 };
 Model make_rocks(const Rocks& rocks);
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

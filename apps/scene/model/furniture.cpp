@@ -5,10 +5,10 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "scene/noise.h"
 #include "scene/model/primitive.h"
+#include "scene/noise.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 namespace {
 
 const glm::mat4 kHere(1.0f);
@@ -152,4 +152,4 @@ Model make_shelf(const Shelf& shelf) {
   return model;
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

@@ -3,7 +3,7 @@
 
 #include "scene/mesh.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 
 struct Crate {
   float size_m = 0.8f;
@@ -37,4 +37,4 @@ struct Shelf {
 };
 Model make_shelf(const Shelf& shelf);
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

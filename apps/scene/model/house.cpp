@@ -8,7 +8,7 @@
 
 #include "scene/noise.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 namespace {
 
 const glm::mat4 kHere(1.0f);
@@ -190,4 +190,4 @@ Model make_house(const House& house) {
   return model;
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

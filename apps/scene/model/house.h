@@ -4,7 +4,7 @@
 #include "scene/mesh.h"
 #include "scene/model/primitive.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 
 /// A house with a pitched roof; its door faces +Z, its ridge runs along X.
 struct House {
@@ -24,4 +24,4 @@ void add_window(Model& model, const Opening& opening, const glm::mat4& model_fro
 /// Fills one with a panelled door.
 void add_door(Model& model, const Opening& opening, const glm::mat4& model_from_wall, std::string_view paint);
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

@@ -23,7 +23,7 @@
 #include "scene/model/terrain.h"
 #include "scene/model/tessellation.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 namespace {
 
 /// The shortest decimal that gives the float, so that 0.12f is listed as 0.12.
@@ -343,4 +343,4 @@ Model make_model(std::string_view name, const ModelParameters& parameters) {
   throw std::invalid_argument("no model " + std::string(name));
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

@@ -9,7 +9,7 @@
 
 #include "scene/mesh.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 
 /// What a scene file says about a model beside its name: {"model":"spruce", "height_m":9, "seed":3}.
 class ModelParameters {
@@ -56,4 +56,4 @@ std::string refusal(const ParameterInfo& parameter, double value);
 /// is too much for its length_m
 Model make_model(std::string_view name, const ModelParameters& parameters = {});
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

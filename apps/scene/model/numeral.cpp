@@ -6,7 +6,7 @@
 
 #include "scene/model/primitive.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 namespace {
 
 constexpr float kWidth = 0.56f;
@@ -77,4 +77,4 @@ void add_numeral(Mesh& mesh, int number, int digits, const glm::mat4& to_from_nu
   append(mesh, flat, to_from_numeral);
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

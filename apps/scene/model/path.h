@@ -4,7 +4,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-namespace litfog::demo {
+namespace litfog::scene {
 
 /// The line that a road and all that stands along it follow: from the origin towards -Z, a parabola that has left the
 /// -Z axis by `bend_m` (to +X, the right) at its end.
@@ -43,4 +43,4 @@ struct Path {
   }
 };
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

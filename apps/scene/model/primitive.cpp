@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
-namespace litfog::demo {
+namespace litfog::scene {
 namespace {
 
 constexpr float kCosCrease = 0.766f;  // 40 degrees
@@ -346,4 +346,4 @@ Mesh make_wall(float width, float height, std::span<const Opening> openings, flo
   return mesh;
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

@@ -6,7 +6,7 @@
 
 #include "scene/mesh.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 
 // Every mesh here has its tangents. Boxes, cylinders and lathes stand on y = 0 in the middle of x and z.
 
@@ -74,4 +74,4 @@ Mesh make_plate(std::span<const glm::vec2> outline, float thickness);
 /// z = -depth. Openings lie inside the wall and do not overlap.
 Mesh make_wall(float width, float height, std::span<const Opening> openings, float depth);
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

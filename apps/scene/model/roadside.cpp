@@ -6,10 +6,10 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "scene/noise.h"
 #include "scene/model/primitive.h"
+#include "scene/noise.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 namespace {
 
 const glm::mat4 kHere(1.0f);
@@ -206,4 +206,4 @@ Model make_power_line(const PowerLine& power) {
   return model;
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

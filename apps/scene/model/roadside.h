@@ -4,7 +4,7 @@
 #include "scene/mesh.h"
 #include "scene/model/path.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 
 /// Things in a row along a path, beside it by offset_m (to the right; negative: left).
 struct Row : Path {
@@ -67,4 +67,4 @@ struct PowerLine : Row {
 };
 Model make_power_line(const PowerLine& line);
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

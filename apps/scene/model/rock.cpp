@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/model/rock.h"
 
-#include "scene/noise.h"
 #include "scene/model/primitive.h"
+#include "scene/noise.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 
 Model make_rock(const Rock& rock) {
   const auto seed = static_cast<std::uint32_t>(rock.seed);
@@ -49,4 +49,4 @@ Model make_rock(const Rock& rock) {
   return model;
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

@@ -3,7 +3,7 @@
 
 #include "scene/mesh.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 
 /// A boulder, sunk a little into the ground.
 struct Rock {
@@ -12,4 +12,4 @@ struct Rock {
 };
 Model make_rock(const Rock& rock);
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

@@ -9,7 +9,7 @@
 #include "scene/model/house.h"
 #include "scene/model/primitive.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 namespace {
 
 const glm::mat4 kHere(1.0f);
@@ -160,4 +160,4 @@ Model make_room(const Room& room) {
   return model;
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

@@ -3,7 +3,7 @@
 
 #include "scene/mesh.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 
 /// A room seen from inside, after Frazier 2000's "room with a curved ceiling": a barrel vault with ribs along Z, piers
 /// and niches at the sides, a door in the wall at -Z. The floor is y = 0, its middle the origin.
@@ -16,4 +16,4 @@ struct Room {
 };
 Model make_room(const Room& room);
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

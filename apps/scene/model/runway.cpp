@@ -9,7 +9,7 @@
 #include "scene/model/numeral.h"
 #include "scene/model/primitive.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 namespace {
 
 const glm::mat4 kHere(1.0f);
@@ -119,4 +119,4 @@ Model make_runway(const Runway& runway) {
   return model;
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

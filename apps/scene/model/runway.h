@@ -3,7 +3,7 @@
 
 #include "scene/mesh.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 
 /// A paved runway from its threshold at the origin to -Z, 45 m wide, with the markings of ICAO annex 14 for a code 4
 /// precision approach runway at both ends.
@@ -16,4 +16,4 @@ struct Runway {
 inline constexpr float kRunwayWidth_m = 45.0f;
 Model make_runway(const Runway& runway);
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

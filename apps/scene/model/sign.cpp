@@ -8,7 +8,7 @@
 #include "scene/model/numeral.h"
 #include "scene/model/primitive.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 namespace {
 
 // Layers of a plate stand this far before each other: enough for a depth buffer at 50 m.
@@ -128,4 +128,4 @@ Model make_chevron_sign(const Chevron& sign) {
   return model;
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

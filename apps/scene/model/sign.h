@@ -3,7 +3,7 @@
 
 #include "scene/mesh.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 
 // Road signs on a galvanised post at the origin. They face +Z, towards a driver who looks along -Z.
 
@@ -24,4 +24,4 @@ struct Chevron : Sign {
 };
 Model make_chevron_sign(const Chevron& sign);  ///< red and white chevrons that point into a bend
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/noise.h"
 #include "scene/model/primitive.h"
+#include "scene/noise.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 namespace {
 
 constexpr int kMostCells = 400;    // a side of the ground
@@ -99,4 +99,4 @@ Model make_road_markings(const RoadMarkings& markings) {
   return model;
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

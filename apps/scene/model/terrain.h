@@ -4,7 +4,7 @@
 #include "scene/mesh.h"
 #include "scene/model/path.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 
 /// A flat strip at y = 0 that the ground leaves free for a road or runway. Starts at the origin.
 struct Corridor : Path {
@@ -48,4 +48,4 @@ Model make_road_markings(const RoadMarkings& markings);
 /// Adds paint: a strip of the given width `lift` over the road.
 void add_stripe(Mesh& mesh, const Road& road, float from, float to, float offset, float width, float lift);
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

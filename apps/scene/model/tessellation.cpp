@@ -8,7 +8,7 @@
 
 #include "scene/model/primitive.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 namespace {
 
 constexpr float kWire_m = 0.012f;
@@ -58,4 +58,4 @@ Model make_drum_model(const Drum& drum) {
   return finished(make_lathe(profile, drum.segments), drum.wire);
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

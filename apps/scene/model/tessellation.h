@@ -3,7 +3,7 @@
 
 #include "scene/mesh.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 
 // What light at the vertices needs: one shape in finer and finer triangles (Cg Tutorial, figure 5-16).
 
@@ -25,4 +25,4 @@ struct Drum {
 };
 Model make_drum_model(const Drum& drum);
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

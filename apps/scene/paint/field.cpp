@@ -5,7 +5,7 @@
 
 #include "scene/noise.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 
 void add_noise(Field& field, int across, int along, float amplitude, std::uint32_t seed) {
   const int size = field.size();
@@ -61,4 +61,4 @@ Field make_octaves(int size, int features, int octaves, std::uint32_t seed, floa
   return field;
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-namespace litfog::demo {
+namespace litfog::scene {
 
 /// A square picture of one number a texel, which repeats in both directions. The side is a power of two.
 class Field {
@@ -69,4 +69,4 @@ struct Canvas {
   float texel_m() const { return size_m / static_cast<float>(size); }
 };
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

@@ -3,7 +3,7 @@
 
 #include "scene/paint/field.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 
 // Painters of surfaces. Colours need only be right relative to each other: make_material scales each channel to the
 // material's mean albedo. Every painter gives the same texels each time.
@@ -40,4 +40,4 @@ void paint_smooth(Canvas& canvas);
 void paint_rubber(Canvas& canvas);
 void paint_prisms(Canvas& canvas);
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

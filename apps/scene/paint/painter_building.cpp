@@ -6,7 +6,7 @@
 #include "scene/noise.h"
 #include "scene/paint/painter.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 namespace {
 
 /// 1 within `reach` of the edge of a cell, falling to 0 over `soft` texels.
@@ -189,4 +189,4 @@ void paint_corrugated(Canvas& canvas) {
   }
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

@@ -5,7 +5,7 @@
 #include "scene/noise.h"
 #include "scene/paint/painter.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 namespace {
 
 float saturate(float x) { return std::clamp(x, 0.0f, 1.0f); }
@@ -214,4 +214,4 @@ void paint_concrete_slabs(Canvas& canvas) {
   }
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

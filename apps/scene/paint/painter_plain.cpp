@@ -5,7 +5,7 @@
 #include "scene/noise.h"
 #include "scene/paint/painter.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 
 void paint_painted(Canvas& canvas) {
   // Orange peel under gloss, dust that runs down (v), a few chips.
@@ -89,4 +89,4 @@ void paint_prisms(Canvas& canvas) {
   }
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene

@@ -6,7 +6,7 @@
 #include "scene/noise.h"
 #include "scene/paint/painter.h"
 
-namespace litfog::demo {
+namespace litfog::scene {
 namespace {
 
 /// Strokes of one leaf or needle each, laid over each other: `lean` is the half-angle about the v axis.
@@ -97,4 +97,4 @@ void paint_blades(Canvas& canvas) {
   }
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::scene
