@@ -14,8 +14,8 @@
 #include "command/exit_status.h"
 #include "command/json_document.h"
 #include "command/light_file.h"
+#include "litfog/input_error.h"
 #include "litfog/light.h"
-#include "litfog/photometry/photometry_error.h"
 
 using namespace litfog::command;
 
@@ -114,9 +114,9 @@ struct UnreadableFile : BadInput {
 Luminaire read_luminaire_file(const std::string& path) {
   try {
     return litfog::read_luminaire(path);
-  } catch (const litfog::PhotometryError& error) {
-    if (error.line == 0) throw UnreadableFile(fmt::format("{}: {}", error.file, error.what()));
-    throw BadInput(fmt::format("{}:{}:{}: {}", error.file, error.line, error.column, error.what()));
+  } catch (const litfog::InputError& error) {
+    if (error.location().line == 0) throw UnreadableFile(error.what());
+    throw BadInput(error.what());
   }
 }
 

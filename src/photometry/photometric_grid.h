@@ -20,7 +20,7 @@ class PhotometricGrid {
   std::vector<double> angles(std::string_view what, int count, double low, double high);
   /// Intensities times a factor: candela.
   std::vector<double> intensities(std::size_t count, double factor);
-  /// What was read last, for a refusal.
+  /// What was read last, for an error.
   const TextScanner::Piece& last() const { return last_; }
 
  private:

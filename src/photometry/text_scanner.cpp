@@ -1,72 +1,39 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "text_scanner.h"
 
+#include <utf8.h>
+
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
-#include <cstring>
-#include <functional>
-#include <memory>
 #include <optional>
-#include <vector>
+
+#include "file_text.h"
 
 namespace litfog {
 namespace {
 
 constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
 constexpr std::size_t kMaxShown = 40;  // of a value in a message
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+constexpr std::size_t kByteOrderMarkSize = 3;
 constexpr std::string_view kBlank = " \t\v\f\x1A";  // 0x1A ended a file under DOS
 constexpr std::string_view kLineEnd = "\r\n";
 constexpr std::string_view kSeparators = " \t\v\f\x1A\r\n,";
 
-unsigned byte_of(char c) { return static_cast<unsigned char>(c); }
-bool continues_code_point(char c) { return (byte_of(c) & 0xC0) == 0x80; }
-
-bool is_utf8(std::string_view text) {
-  while (!text.empty()) {
-    const unsigned lead = byte_of(text.front());
-    const std::size_t length = lead < 0x80   ? 1
-                               : lead < 0xC2 ? 0
-                               : lead < 0xE0 ? 2
-                               : lead < 0xF0 ? 3
-                               : lead < 0xF5 ? 4
-                                             : 0;
-    if (length == 0 || text.size() < length) return false;
-    const std::string_view rest = text.substr(1, length - 1);
-    if (!std::ranges::all_of(rest, continues_code_point)) return false;
-    // Overlong forms, surrogates, and what lies beyond U+10FFFF show in the second byte.
-    const unsigned second = rest.empty() ? 0 : byte_of(rest.front());
-    if ((lead == 0xE0 && second < 0xA0) || (lead == 0xED && second > 0x9F)) return false;
-    if ((lead == 0xF0 && second < 0x90) || (lead == 0xF4 && second > 0x8F)) return false;
-    text.remove_prefix(length);
-  }
-  return true;
-}
-
 std::string utf8_from_latin1(std::string_view text) {
   std::string result;
-  for (const char c : text) {
-    if (byte_of(c) < 0x80) {
-      result += c;
-    } else {
-      result += char(0xC0 | (byte_of(c) >> 6));
-      result += char(0x80 | (byte_of(c) & 0x3F));
-    }
-  }
+  for (const char c : text) utf8::append(char32_t(static_cast<unsigned char>(c)), result);
   return result;
 }
 
 /// Text for a message: cut where it is long, control characters replaced.
 std::string excerpt(std::string_view text) {
-  std::size_t end = std::min(text.size(), kMaxShown);
-  while (end < text.size() && end > 0 && continues_code_point(text[end])) --end;
-  std::string shown(text.substr(0, end));
+  std::string shown(text.substr(0, kMaxShown));
+  shown.resize(std::min(shown.size(), utf8::find_invalid(shown)));  // no half of a code point
+  const std::size_t length = shown.size();
   std::ranges::replace_if(
-      shown, [](char c) { return byte_of(c) < 0x20 || byte_of(c) == 0x7F; }, '?');
-  return end < text.size() ? shown + "..." : shown;
+      shown, [](char c) { return (c >= 0 && c < 0x20) || c == 0x7F; }, '?');
+  return length < text.size() ? shown + "..." : shown;
 }
 
 std::optional<double> parse_number(std::string_view text) {
@@ -80,23 +47,11 @@ std::optional<double> parse_number(std::string_view text) {
 
 }  // namespace
 
-std::string read_photometric_file(const std::string& path) {
-  const auto fail = [&path](const std::string& sentence) { throw PhotometryError(path, 0, 0, sentence); };
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
-  if (!file) fail(std::string("file: cannot be read: ") + std::strerror(errno));
-  std::string text;
-  std::vector<char> chunk(65536);
-  while (const std::size_t count = std::fread(chunk.data(), 1, chunk.size(), file.get())) {
-    text.append(chunk.data(), count);
-    if (text.size() > kMaxBytes) fail("file: must not be larger than 67108864 bytes");
-  }
-  if (std::ferror(file.get())) fail(std::string("file: cannot be read: ") + std::strerror(errno));
-  return text;
-}
+std::string read_photometric_file(const std::string& path) { return read_file_text(path, kMaxBytes); }
 
 TextScanner::TextScanner(std::string text, std::string name) : text_(std::move(text)), name_(std::move(name)) {
-  if (text_.starts_with(kByteOrderMark)) text_.erase(0, kByteOrderMark.size());
-  if (!is_utf8(text_)) text_ = utf8_from_latin1(text_);
+  if (utf8::starts_with_bom(text_)) text_.erase(0, kByteOrderMarkSize);
+  if (!utf8::is_valid(text_)) text_ = utf8_from_latin1(text_);
 }
 
 TextScanner::Piece TextScanner::next(Unit unit) { return unit == Unit::token ? next_token() : next_line(); }
@@ -159,10 +114,10 @@ void TextScanner::fail(const Piece& piece, std::string_view what, std::string_vi
       line_begin = i + 1;
     }
   }
-  const auto column = 1 + std::ranges::count_if(before.substr(line_begin), std::not_fn(continues_code_point));
-  std::string sentence(what);
-  sentence += piece.text.empty() ? ": must be given" : " = " + excerpt(piece.text) + ": " + std::string(rule);
-  throw PhotometryError(name_, line, std::size_t(column), sentence);
+  const auto column = 1 + utf8::distance(before.begin() + std::ptrdiff_t(line_begin), before.end());
+  const InputLocation location{name_, line, std::size_t(column)};
+  if (piece.text.empty()) throw InputError(location, what, "", "must be given");
+  throw InputError(location, what, excerpt(piece.text), rule);
 }
 
 }  // namespace litfog

@@ -5,14 +5,14 @@
 #include <string>
 #include <string_view>
 
-#include "litfog/photometry/photometry_error.h"
+#include "litfog/input_error.h"
 
 namespace litfog {
 
-/// The bytes of a file of at most 64 MiB; throws PhotometryError.
+/// The bytes of a file of at most 64 MiB; throws InputError.
 std::string read_photometric_file(const std::string& path);
 
-/// A photometric file's text, taken piece by piece. Each refusal names the place of a piece.
+/// A photometric file's text, read piece by piece. Each error names the location of a piece.
 class TextScanner {
  public:
   enum class Unit {
@@ -35,11 +35,11 @@ class TextScanner {
   bool is_at_end() const { return cursor_ == text_.size(); }
   const std::string& name() const { return name_; }
 
-  /// A piece as a number: decimal, whole and finite. `what` names it in refusals.
+  /// A piece as a number: decimal, whole and finite. `what` names it in errors.
   double number(const Piece& piece, std::string_view what) const;
   int integer(const Piece& piece, std::string_view what, int low, int high) const;
   double positive(const Piece& piece, std::string_view what) const;
-  /// Refuses a number in what is left of the file; other text may stand there.
+  /// Fails at a number in the rest of the file, where other text is allowed.
   void expect_no_more_numbers();
 
   /// "what = value: rule", or "what: must be given" for a missing piece.

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Installs the build tree BUILD_DIR under WORK_DIR, builds SOURCE_DIR against it as a project of a stranger would, and
-# runs it. CONSUMER core must come without any package but GLM and link nothing but litfog; fit and gl ask for the
-# component.
+# runs it. CONSUMER core must come without any package but GLM and link nothing but litfog, photometry without Ceres or
+# what else the fits, the commands and GL need; each but core asks for the component of its name.
 cmake_minimum_required(VERSION 3.25)
 
 function(run)
@@ -27,7 +27,7 @@ endforeach()
 
 set(options -G ${GENERATOR} -DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix -DCMAKE_BUILD_TYPE=${CONFIG}
             -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DCMAKE_CXX_FLAGS=${CXX_FLAGS} -DCONSUMER=${CONSUMER})
-if(CONSUMER STREQUAL "core")
+if(CONSUMER MATCHES "^(core|photometry)$")
   foreach(package Ceres PkgConfig OpenGL OpenImageIO nlohmann_json CLI11 fmt)
     list(APPEND options -DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
   endforeach()
@@ -38,13 +38,19 @@ run(${CMAKE_COMMAND} --build ${WORK_DIR}/build --verbose)
 if(NOT output MATCHES "liblitfog\\.(a|so)")
   message(FATAL_ERROR "no link line to be seen:\n${output}")
 endif()
-set(foreign "(-l|lib)(litfog_fit|litfog_gl|ceres|glog|GL|OpenGL|EGL|epoxy|OpenImageIO|fmt)[^A-Za-z]")
-if(CONSUMER STREQUAL "core" AND output MATCHES "${foreign}")
-  message(FATAL_ERROR "the core links ${CMAKE_MATCH_2}:\n${output}")
+set(foreign litfog_fit|litfog_gl|ceres|glog|GL|OpenGL|EGL|epoxy|OpenImageIO|fmt)
+if(CONSUMER STREQUAL "core")
+  string(APPEND foreign |litfog_photometry)
+endif()
+if(CONSUMER MATCHES "^(core|photometry)$" AND output MATCHES "(-l|lib)(${foreign})[^A-Za-z]")
+  message(FATAL_ERROR "${CONSUMER} links ${CMAKE_MATCH_2}:\n${output}")
 endif()
 
 run(${WORK_DIR}/build/consumer)
 if(CONSUMER STREQUAL "core" AND NOT output STREQUAL "0.0625 at 6 of 6\n")
+  message(FATAL_ERROR "the consumer printed \"${output}\"")
+endif()
+if(CONSUMER STREQUAL "photometry" AND NOT output STREQUAL "99.61 lm\n")
   message(FATAL_ERROR "the consumer printed \"${output}\"")
 endif()
 if(CONSUMER STREQUAL "fit" AND NOT output MATCHES "^6 0\\.4")

@@ -33,11 +33,11 @@ struct EulumdatText {
 
 Luminaire parse(const std::string& text) { return parse_eulumdat(text, "lamp.ldt"); }
 
-/// The refusal of the sound file with one line replaced.
-std::string refusal_of(std::size_t line, const std::string& text) {
+/// What is wrong with the sound file with one line replaced.
+std::string error_of(std::size_t line, const std::string& text) {
   EulumdatText eulumdat;
   eulumdat.lines[line - 1] = text;
-  return photometry_refusal_of([&] { parse(eulumdat.str()); });
+  return photometry_error_of([&] { parse(eulumdat.str()); });
 }
 
 TEST(Eulumdat, ScalesItsIntensitiesByTheFluxOfTheLamps) {
@@ -110,8 +110,8 @@ TEST(Eulumdat, TakesDecimalCommasAndLatin1) {
   const Luminaire luminaire = our_luminaire("spelling.ldt");
   EXPECT_EQ(luminaire.name, "Quadrant l\xC3\xA4mp");
   EXPECT_EQ(luminaire.manufacturer, "litfog");
-  EXPECT_EQ(refusal_of(29, "1,000.5"), "29:1: flux of lamps = 1,000.5: must be a finite number");
-  EXPECT_EQ(refusal_of(29, "1,000,5"), "29:1: flux of lamps = 1,000,5: must be a finite number");
+  EXPECT_EQ(error_of(29, "1,000.5"), "29:1: flux of lamps = 1,000.5: must be a finite number");
+  EXPECT_EQ(error_of(29, "1,000,5"), "29:1: flux of lamps = 1,000,5: must be a finite number");
 }
 
 TEST(Eulumdat, MeasuresTheOpeningInMetres) {
@@ -138,52 +138,52 @@ TEST(Eulumdat, DoesWithoutLinesThatItDoesNotUse) {
 
 TEST(Eulumdat, RefusesBadValuesWithTheirPlace) {
   const std::string kFinite = "must be a finite number";
-  EXPECT_EQ(refusal_of(1, "another company"), "(accepted)");
-  EXPECT_EQ(refusal_of(2, "4"), "2:1: type indicator Ityp = 4: must be an integer from 0 to 3");
-  EXPECT_EQ(refusal_of(3, "5"), "3:1: symmetry indicator Isym = 5: must be an integer from 0 to 4");
-  EXPECT_EQ(refusal_of(3, ""), "3:1: symmetry indicator Isym: must be given");
-  EXPECT_EQ(refusal_of(4, "2147483648"), "4:1: number of C planes Mc = 2147483648: must be an integer from 1 to 10000");
-  EXPECT_EQ(refusal_of(6, "-2"), "6:1: number of gamma angles Ng = -2: must be an integer from 2 to 10000");
-  EXPECT_EQ(refusal_of(6, "two"), "6:1: number of gamma angles Ng = two: " + kFinite);
-  EXPECT_EQ(refusal_of(13, "long"), "13:1: length = long: " + kFinite);
-  EXPECT_EQ(refusal_of(23, "-1"), "23:1: light output ratio = -1: must be >= 0");
-  EXPECT_EQ(refusal_of(24, "0"), "24:1: conversion factor = 0: must be > 0");
-  EXPECT_EQ(refusal_of(26, "0"), "26:1: number of lamp sets = 0: must be an integer from 1 to 100");
-  EXPECT_EQ(refusal_of(29, "0"), "29:1: flux of lamps = 0: must be > 0");
-  EXPECT_EQ(refusal_of(29, "inf"), "29:1: flux of lamps = inf: " + kFinite);
-  EXPECT_EQ(refusal_of(33, "x"), "33:1: direct ratio = x: " + kFinite);
-  EXPECT_EQ(refusal_of(43, "361"), "43:1: C plane 1 of 1 = 361: must be in [0, 360]");
-  EXPECT_EQ(refusal_of(45, "180.5"), "45:1: gamma angle 2 of 2 = 180.5: must be in [0, 180]");
-  EXPECT_EQ(refusal_of(45, "0"), "45:1: gamma angle 2 of 2 = 0: must be greater than the one before, 0");
-  EXPECT_EQ(refusal_of(46, "-1"), "46:1: intensity 1 of 2 = -1: must be >= 0");
-  EXPECT_EQ(refusal_of(47, " nan"), "47:2: intensity = nan: " + kFinite);
-  EXPECT_EQ(refusal_of(47, "100\n5"),
+  EXPECT_EQ(error_of(1, "another company"), "(accepted)");
+  EXPECT_EQ(error_of(2, "4"), "2:1: type indicator Ityp = 4: must be an integer from 0 to 3");
+  EXPECT_EQ(error_of(3, "5"), "3:1: symmetry indicator Isym = 5: must be an integer from 0 to 4");
+  EXPECT_EQ(error_of(3, ""), "3:1: symmetry indicator Isym: must be given");
+  EXPECT_EQ(error_of(4, "2147483648"), "4:1: number of C planes Mc = 2147483648: must be an integer from 1 to 10000");
+  EXPECT_EQ(error_of(6, "-2"), "6:1: number of gamma angles Ng = -2: must be an integer from 2 to 10000");
+  EXPECT_EQ(error_of(6, "two"), "6:1: number of gamma angles Ng = two: " + kFinite);
+  EXPECT_EQ(error_of(13, "long"), "13:1: length = long: " + kFinite);
+  EXPECT_EQ(error_of(23, "-1"), "23:1: light output ratio = -1: must be >= 0");
+  EXPECT_EQ(error_of(24, "0"), "24:1: conversion factor = 0: must be > 0");
+  EXPECT_EQ(error_of(26, "0"), "26:1: number of lamp sets = 0: must be an integer from 1 to 100");
+  EXPECT_EQ(error_of(29, "0"), "29:1: flux of lamps = 0: must be > 0");
+  EXPECT_EQ(error_of(29, "inf"), "29:1: flux of lamps = inf: " + kFinite);
+  EXPECT_EQ(error_of(33, "x"), "33:1: direct ratio = x: " + kFinite);
+  EXPECT_EQ(error_of(43, "361"), "43:1: C plane 1 of 1 = 361: must be in [0, 360]");
+  EXPECT_EQ(error_of(45, "180.5"), "45:1: gamma angle 2 of 2 = 180.5: must be in [0, 180]");
+  EXPECT_EQ(error_of(45, "0"), "45:1: gamma angle 2 of 2 = 0: must be greater than the one before, 0");
+  EXPECT_EQ(error_of(46, "-1"), "46:1: intensity 1 of 2 = -1: must be >= 0");
+  EXPECT_EQ(error_of(47, " nan"), "47:2: intensity = nan: " + kFinite);
+  EXPECT_EQ(error_of(47, "100\n5"),
             "48:1: number after the last intensity = 5: must not be there by the file's counts");
-  EXPECT_EQ(refusal_of(47, ""), "47:1: intensity 2 of 2: must be given");
+  EXPECT_EQ(error_of(47, ""), "47:1: intensity 2 of 2: must be given");
 }
 
 TEST(Eulumdat, RefusesPlanesThatDoNotFitTheSymmetry) {
-  const auto refusal = [](const char* symmetry, std::vector<std::string> planes) {
+  const auto error = [](const char* symmetry, std::vector<std::string> planes) {
     EulumdatText eulumdat;
     eulumdat.lines[2] = symmetry;
     eulumdat.lines[3] = std::to_string(planes.size());
     eulumdat.lines.erase(eulumdat.lines.begin() + 42);
     eulumdat.lines.insert(eulumdat.lines.begin() + 42, planes.begin(), planes.end());
-    const std::string text = photometry_refusal_of([&] { parse(eulumdat.str()); });
+    const std::string text = photometry_error_of([&] { parse(eulumdat.str()); });
     return text.substr(0, text.find(':', text.find('=')));
   };
-  EXPECT_EQ(refusal("0", {"0", "90", "180"}), "45:1: last C plane = 180");
-  EXPECT_EQ(refusal("2", {"0", "90", "170", "270"}), "46:1: last C plane = 270");
-  EXPECT_EQ(refusal("2", {"0", "120", "240"}), "45:1: last C plane = 240");
-  EXPECT_EQ(refusal("3", {"0", "90", "180", "280"}), "46:1: last C plane = 280");
-  EXPECT_EQ(refusal("4", {"0", "180"}), "44:1: last C plane = 180");
-  EXPECT_EQ(refusal("4", {"0", "80", "180", "270"}), "46:1: last C plane = 270");
+  EXPECT_EQ(error("0", {"0", "90", "180"}), "45:1: last C plane = 180");
+  EXPECT_EQ(error("2", {"0", "90", "170", "270"}), "46:1: last C plane = 270");
+  EXPECT_EQ(error("2", {"0", "120", "240"}), "45:1: last C plane = 240");
+  EXPECT_EQ(error("3", {"0", "90", "180", "280"}), "46:1: last C plane = 280");
+  EXPECT_EQ(error("4", {"0", "180"}), "44:1: last C plane = 180");
+  EXPECT_EQ(error("4", {"0", "80", "180", "270"}), "46:1: last C plane = 270");
 }
 
 TEST(Eulumdat, RefusesAMissingPlane) {
   std::string text = bytes_of(std::string(LITFOG_PHOTOMETRY_DIR) + "/isym_0.ldt");
   for (int line = 0; line < 4; ++line) text.erase(text.rfind('\n', text.size() - 2) + 1);
-  EXPECT_NE(photometry_refusal_of([&] { parse(text); }).find("intensity 29 of 32: must be given"), std::string::npos);
+  EXPECT_NE(photometry_error_of([&] { parse(text); }).find("intensity 29 of 32: must be given"), std::string::npos);
 }
 
 TEST(Eulumdat, ReadsOrRefusesEveryMutation) {
@@ -191,7 +191,7 @@ TEST(Eulumdat, ReadsOrRefusesEveryMutation) {
   for (const auto& entry : std::filesystem::directory_iterator(LITFOG_PHOTOMETRY_DIR)) {
     if (entry.path().extension() != ".ldt") continue;
     SCOPED_TRACE(entry.path().string());
-    expect_mutations_read_or_refused(bytes_of(entry.path()), 2000, ++seed, parse);
+    expect_mutations_read_or_fail(bytes_of(entry.path()), 2000, ++seed, parse);
   }
 }
 
@@ -214,7 +214,7 @@ TEST(RealEulumdatFiles, HaveTheFluxTheyState) {
 
 TEST(RealEulumdatFiles, AreReadOrRefusedInEveryMutation) {
   if (!std::filesystem::exists(kRealFiles)) GTEST_SKIP() << "no real files at " << kRealFiles;
-  expect_mutations_read_or_refused(bytes_of(std::string(kRealFiles) + "sample4.ldt"), 2000, 5, parse);
+  expect_mutations_read_or_fail(bytes_of(std::string(kRealFiles) + "sample4.ldt"), 2000, 5, parse);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <sstream>
 #include <string>
 
+#include "litfog/input_error.h"
 #include "litfog/photometry/luminaire.h"
 #include "reference/random_light.h"
 
@@ -28,27 +29,28 @@ inline Luminaire our_luminaire(const std::string& name) {
   return read_luminaire(std::string(LITFOG_PHOTOMETRY_DIR) + "/" + name);
 }
 
-/// Where and why a photometric text or file is refused: "line:column: sentence".
-inline std::string photometry_refusal_of(const std::function<void()>& read) {
+/// What is wrong with a photometric text or file, "line:column: sentence", without the file's name.
+inline std::string photometry_error_of(const std::function<void()>& read) {
   try {
     read();
-  } catch (const PhotometryError& error) {
-    return std::to_string(error.line) + ":" + std::to_string(error.column) + ": " + error.what();
+  } catch (const InputError& error) {
+    return std::string(error.what()).substr(error.location().file.size() + 1);
   }
   return "(accepted)";
 }
 
-/// Text that is read gives a sound distribution; text that is not is refused at a place within it. Whatever else
+/// Text that is read gives a sound distribution; text that is not is an error at a location within it. Whatever else
 /// happens fails the test, or the sanitizer.
 template <typename Parse>
-void expect_read_or_refused(const std::string& text, const Parse& parse) {
+void expect_read_or_fail(const std::string& text, const Parse& parse) {
   try {
     const Luminaire luminaire = parse(text);
     EXPECT_FALSE(check(luminaire.distribution)) << text;
     EXPECT_TRUE(std::isfinite(luminous_flux(luminaire.distribution))) << text;
-  } catch (const PhotometryError& error) {
+  } catch (const InputError& error) {
+    const auto& [file, line, column] = error.location();
     const auto lines = std::size_t(std::ranges::count_if(text, [](char c) { return c == '\n' || c == '\r'; })) + 1;
-    EXPECT_TRUE(error.line >= 1 && error.line <= lines && error.column >= 1) << error.what() << "\n" << text;
+    EXPECT_TRUE(line >= 1 && line <= lines && column >= 1) << error.what() << "\n" << text;
     EXPECT_NE(std::string(error.what()).find(": must "), std::string::npos) << error.what();
   }
 }
@@ -56,8 +58,8 @@ void expect_read_or_refused(const std::string& text, const Parse& parse) {
 /// Every truncation, and thousands of random edits of one to four bytes: changed, dropped, doubled or made a token that
 /// parsers trip over.
 template <typename Parse>
-void expect_mutations_read_or_refused(const std::string& text, int edits, std::uint64_t seed, const Parse& parse) {
-  for (std::size_t size = 0; size < text.size(); ++size) expect_read_or_refused(text.substr(0, size), parse);
+void expect_mutations_read_or_fail(const std::string& text, int edits, std::uint64_t seed, const Parse& parse) {
+  for (std::size_t size = 0; size < text.size(); ++size) expect_read_or_fail(text.substr(0, size), parse);
   Random random(seed);
   const std::vector<std::string> tokens{"-1",  "2147483648", "4294967297", "1e999", "1e-999", "nan",
                                         "inf", "0x10",       "",           "-0.",   "\xFF",   "\r",
@@ -77,7 +79,7 @@ void expect_mutations_read_or_refused(const std::string& text, int edits, std::u
         mutated.replace(at, length, random.pick(tokens));
       }
     }
-    expect_read_or_refused(mutated, parse);
+    expect_read_or_fail(mutated, parse);
   }
 }
 

@@ -18,7 +18,7 @@ namespace litfog {
 /// numbers after the last intensity.
 ///
 /// name       of the file, for messages
-/// throws     PhotometryError
+/// throws     InputError
 Luminaire parse_eulumdat(std::string text, const std::string& name);
 
 }  // namespace litfog

@@ -23,7 +23,7 @@ bool is_ies(std::string_view text);
 /// closed with the first), numbers after the last intensity.
 ///
 /// name       of the file, for messages; TILT=file is looked for below its folder
-/// throws     PhotometryError
+/// throws     InputError
 Luminaire parse_ies(std::string text, const std::string& name);
 
 }  // namespace litfog

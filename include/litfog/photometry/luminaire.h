@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "litfog/photometry/intensity_distribution.h"
-#include "litfog/photometry/photometry_error.h"
 
 namespace litfog {
 
@@ -49,7 +48,7 @@ std::optional<double> stated_flux(const Luminaire& luminaire);
 /// Reads an IES LM-63 or EULUMDAT file of at most 64 MiB. It is IES LM-63 if it has that label or a TILT line, or if
 /// its name ends in .ies; else it is EULUMDAT.
 ///
-/// throws     PhotometryError
+/// throws     InputError
 Luminaire read_luminaire(const std::string& path);
 
 }  // namespace litfog

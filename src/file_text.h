@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace litfog {
+
+/// The bytes of a file or of a pipe; folders and devices are errors, since a device may have no end.
+///
+/// max_bytes  a larger file is an error, found without reading more of it
+/// throws     InputError for the file as a whole
+std::string read_file_text(const std::string& path, std::size_t max_bytes);
+
+}  // namespace litfog
