@@ -466,52 +466,46 @@ ConeProfileFit fit_smoothstep(const std::vector<Point>& points, const ConeTarget
 
 }  // namespace
 
-std::optional<ConeTargetRefusal> check(const ConeTarget& target) {
-  const auto refuse = [](const char* field, double value, const char* rule, std::optional<std::size_t> sample = {}) {
-    return ConeTargetRefusal{{field, value, rule}, sample};
+std::optional<TargetError> check(const ConeTarget& target) {
+  const auto error = [](const char* field, double value, const char* rule, std::optional<std::size_t> sample = {}) {
+    return TargetError{{field, value, rule}, sample};
   };
   if (target.half_angle) {
     const bool is_wide = target.choice == ConeChoice::smoothstep;
     if (!(*target.half_angle > 0 && *target.half_angle <= (is_wide ? pi : pi / 2))) {
-      return refuse("half_angle", *target.half_angle, is_wide ? "must be in (0, pi]" : "must be in (0, pi/2]");
+      return error("half_angle", *target.half_angle, is_wide ? "must be in (0, pi]" : "must be in (0, pi/2]");
     }
   }
   if (target.beam_angle && !(*target.beam_angle > 0 && *target.beam_angle <= 2 * pi)) {
-    return refuse("beam_angle", *target.beam_angle, "must be in (0, 2 pi]");
+    return error("beam_angle", *target.beam_angle, "must be in (0, 2 pi]");
   }
   if (target.field_angle && !(*target.field_angle > 0 && *target.field_angle <= 2 * pi)) {
-    return refuse("field_angle", *target.field_angle, "must be in (0, 2 pi]");
+    return error("field_angle", *target.field_angle, "must be in (0, 2 pi]");
   }
   if (target.beam_angle && target.field_angle && !(*target.field_angle > *target.beam_angle)) {
-    return refuse("field_angle", *target.field_angle, "must be larger than the beam angle");
+    return error("field_angle", *target.field_angle, "must be larger than the beam angle");
   }
   double peak = 0;
   std::size_t count = 0;
   for (std::size_t i = 0; i < target.samples.size(); ++i) {
     const auto& [angle, intensity, weight] = target.samples[i];
-    if (!(angle >= 0 && angle <= pi)) return refuse("angle", angle, "must be in [0, pi]", i);
+    if (!(angle >= 0 && angle <= pi)) return error("angle", angle, "must be in [0, pi]", i);
     if (i > 0 && !(angle > target.samples[i - 1].angle)) {
-      return refuse("angle", angle, "must be larger than the one before", i);
+      return error("angle", angle, "must be larger than the one before", i);
     }
-    if (!is_finite_and_not_negative(intensity)) return refuse("intensity", intensity, "must be finite and >= 0", i);
+    if (!is_finite_and_not_negative(intensity)) return error("intensity", intensity, "must be finite and >= 0", i);
     if (!(weight == 0 || (weight >= 1e-100 && weight <= 1e100))) {
-      return refuse("weight", weight, "must be 0 or in [1e-100, 1e100]", i);
+      return error("weight", weight, "must be 0 or in [1e-100, 1e100]", i);
     }
     if (weight == 0) continue;
     ++count;
     peak = std::max(peak, intensity);
   }
   if (!target.beam_angle && !target.field_angle && count < 2) {
-    return refuse("samples", double(count), "must be at least two with weight where no beam or field angle is given");
+    return error("samples", double(count), "must be at least two with weight where no beam or field angle is given");
   }
-  if (count > 0 && peak == 0)
-    return refuse("samples.intensity", peak, "must be > 0 for one of the samples with weight");
+  if (count > 0 && peak == 0) return error("samples.intensity", peak, "must be > 0 for one of the samples with weight");
   return std::nullopt;
-}
-
-std::string to_string(const ConeTargetRefusal& refusal) {
-  const std::string sentence = to_string(refusal.refusal);
-  return refusal.sample ? "samples[" + std::to_string(*refusal.sample) + "]." + sentence : sentence;
 }
 
 std::vector<ConeSample> cone_samples(const std::vector<AxialSample>& profile) {
@@ -521,7 +515,7 @@ std::vector<ConeSample> cone_samples(const std::vector<AxialSample>& profile) {
 }
 
 ConeFit fit_cone(const ConeTarget& given) {
-  if (const auto refusal = check(given)) throw std::invalid_argument(to_string(*refusal));
+  if (const auto error = check(given)) throw std::invalid_argument(to_string(*error));
   ConeTarget target = given;
   std::erase_if(target.samples, [](const ConeSample& sample) { return sample.weight == 0; });
   const auto begin = std::chrono::steady_clock::now();
