@@ -68,16 +68,15 @@ std::string rule_in_degrees(std::string rule) {
 }
 
 /// Refuses what a fit refuses, at the member that it came from, or at the nearest one that is given.
-template <typename TargetRefusal>
-[[noreturn]] void fail(const JsonValue& target, const TargetRefusal& refusal) {
-  const auto& [field, value, rule] = refusal.refusal;
+[[noreturn]] void fail(const JsonValue& target, const litfog::TargetError& error) {
+  const auto& [field, value, rule] = error.error;
   JsonValue holder = target;
-  if (refusal.sample) holder = target.member("samples").items()[*refusal.sample];
+  if (error.sample) holder = target.member("samples").items()[*error.sample];
   const std::string name = member_name(field);
   const std::string rule_shown = name.ends_with("_deg") ? rule_in_degrees(rule) : rule;
   auto member = holder.optional(name);
   if (member && !member->is_array()) member->fail(rule_shown);
-  if (!member && !refusal.sample) member = holder.optional("samples");  // what they lack together
+  if (!member && !error.sample) member = holder.optional("samples");  // what they lack together
   (member ? *member : holder).fail(holder.path() + "." + name, fmt::format("{}", value), rule_shown);
 }
 

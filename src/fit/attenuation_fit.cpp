@@ -10,6 +10,7 @@
 #include "fit/attenuation_reach.h"
 #include "fit/falloff.h"
 #include "fit/falloff_search.h"
+#include "number_text.h"
 
 namespace litfog {
 namespace {
@@ -97,7 +98,7 @@ std::size_t free_count(const AttenuationTarget& target) {
   return std::size_t(3) - (target.constant ? 1 : 0) - (target.extent ? 1 : 0);
 }
 
-FalloffSearch minimize(const Falloff& falloff) { return search(falloff, descend(falloff, linear_start(falloff))); }
+FalloffSearch minimise(const Falloff& falloff) { return search(falloff, descend(falloff, linear_start(falloff))); }
 
 /// The scale of the residuals that are no outliers: see AttenuationFit::loss_scale.
 double loss_scale_of(const Falloff& falloff, const Coefficients& q, std::size_t free) {
@@ -110,8 +111,8 @@ double loss_scale_of(const Falloff& falloff, const Coefficients& q, std::size_t 
   return std::max(1e-6, 1.345 * 1.4826 * median);
 }
 
-FalloffSearch minimize_robustly(Falloff& falloff, std::size_t free) {
-  FalloffMinimum minimum = minimize(falloff).minimum;
+FalloffSearch minimise_robustly(Falloff& falloff, std::size_t free) {
+  FalloffMinimum minimum = minimise(falloff).minimum;
   std::size_t iterations = minimum.iterations;
   const auto descend_with = [&](double scale) {
     falloff.loss = Loss(scale);
@@ -153,7 +154,7 @@ std::string describe_out_of_reach(const AttenuationTarget& target, const Scaled&
   Falloff free = scaled.falloff;
   free.constant.reset();
   free.end.reset();
-  const FalloffMinimum own = free.samples.size() > 1 ? minimize(free).minimum : FalloffMinimum{};
+  const FalloffMinimum own = free.samples.size() > 1 ? minimise(free).minimum : FalloffMinimum{};
   const double spare = std::max(1.0, double(free.samples.size()) - 3);
   const double scatter = std::sqrt(own.objective / free.weight_sum() * double(free.samples.size()) / spare);
   std::string text;
@@ -179,14 +180,14 @@ std::string format_percent(double share) {
 void fit_samples(const AttenuationTarget& target, AttenuationFit& fit) {
   Scaled scaled = scale(target);
   Falloff& falloff = scaled.falloff;
-  FalloffSearch found = target.is_robust ? minimize_robustly(falloff, free_count(target)) : minimize(falloff);
+  FalloffSearch found = target.is_robust ? minimise_robustly(falloff, free_count(target)) : minimise(falloff);
   double kkt = kkt_residual(falloff, found.minimum.coefficients);
   const bool is_one_of_many = falloff.samples.size() < free_count(target) || !found.minimum.covariance;
   if (is_one_of_many && !target.constant) {
     // If it is there, that with the constant of a lamp whose near brightness is its brightness.
     Falloff normalized = falloff;
     normalized.constant = 1;
-    const FalloffMinimum other = minimize(normalized).minimum;
+    const FalloffMinimum other = minimise(normalized).minimum;
     if (other.objective <= found.minimum.objective + falloff.negligible()) {
       found.minimum.coefficients = other.coefficients;
       kkt = kkt_residual(normalized, other.coefficients);
@@ -241,41 +242,37 @@ const char* name_of(AttenuationConstraint constraint) {
   return "";
 }
 
-std::string to_string(const AttenuationTargetRefusal& refusal) {
-  return (refusal.sample ? "samples[" + std::to_string(*refusal.sample) + "]." : "") + to_string(refusal.refusal);
-}
-
-std::optional<AttenuationTargetRefusal> check(const AttenuationTarget& target) {
-  const auto refuse = [](const char* field, double value, const char* rule) {
-    return AttenuationTargetRefusal{{field, value, rule}, std::nullopt};
+std::optional<TargetError> check(const AttenuationTarget& target) {
+  const auto error = [](const char* field, double value, const char* rule) {
+    return TargetError{{field, value, rule}, std::nullopt};
   };
   if (!(target.threshold >= kLeastAttenuation && target.threshold < 1)) {
-    return refuse("threshold", target.threshold, "must be in [1e-100, 1)");
+    return error("threshold", target.threshold, "must be in [1e-100, 1)");
   }
   if (target.extent && !is_within(*target.extent, kLeastRange, kLargestRange)) {
-    return refuse("extent", *target.extent, "must be in [1e-30, 1e30]");
+    return error("extent", *target.extent, "must be in [1e-30, 1e30]");
   }
   if (target.constant && !is_within(*target.constant, 0, kLargestFactor)) {
-    return refuse("constant", *target.constant, "must be in [0, 1e100]");
+    return error("constant", *target.constant, "must be in [0, 1e100]");
   }
   std::size_t count = 0;
   for (std::size_t i = 0; i < target.samples.size(); ++i) {
-    if (const auto refusal = check(target.samples[i], i > 0 ? &target.samples[i - 1] : nullptr)) {
-      return AttenuationTargetRefusal{*refusal, i};
+    if (const auto found = check(target.samples[i], i > 0 ? &target.samples[i - 1] : nullptr)) {
+      return TargetError{*found, i};
     }
     if (target.samples[i].weight > 0) ++count;
   }
   if (!target.extent && count < 2) {
-    return refuse("samples", double(count), "must be two or more of weight > 0 where there is no extent");
+    return error("samples", double(count), "must be two or more of weight > 0 where there is no extent");
   }
   if (!target.samples.empty() && count == 0) {
-    return refuse("samples", 0, "must be one or more of weight > 0 where there are any");
+    return error("samples", 0, "must be one or more of weight > 0 where there are any");
   }
   return std::nullopt;
 }
 
 AttenuationFit fit_attenuation(const AttenuationTarget& asked) {
-  if (const auto refusal = check(asked)) throw std::invalid_argument(to_string(*refusal));
+  if (const auto error = check(asked)) throw std::invalid_argument(to_string(*error));
   const auto start = std::chrono::steady_clock::now();
   AttenuationFit fit;
   fit.threshold = asked.threshold;
@@ -283,9 +280,9 @@ AttenuationFit fit_attenuation(const AttenuationTarget& asked) {
   const double largest_constant = kLargestConstantShare / asked.threshold;
   if (asked.extent && asked.constant && *asked.constant > largest_constant) {
     fit.status = AttenuationFitStatus::infeasible;
-    fit.sentence = "constant " + format_exactly(*asked.constant) + " cannot be had with an extent of " +
-                   format_exactly(*asked.extent) + " m at threshold " + format_exactly(asked.threshold) +
-                   ": from 0 to " + format_exactly(largest_constant) + " can";
+    fit.sentence = "constant " + number_text(*asked.constant) + " cannot be had with an extent of " +
+                   number_text(*asked.extent) + " m at threshold " + number_text(asked.threshold) + ": from 0 to " +
+                   number_text(largest_constant) + " can";
     target.constant = largest_constant;
   }
   if (target.samples.empty()) {

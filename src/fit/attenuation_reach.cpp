@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "number_text.h"
+
 namespace litfog {
 namespace {
 
@@ -58,15 +60,10 @@ std::string format_within(double value, double low, double high) {
       if (rounded >= low && rounded <= high) return {text.data(), end};
     }
   }
-  return format_exactly(value);
+  return number_text(value);
 }
 
 }  // namespace
-
-std::string format_exactly(double value) {
-  std::array<char, 32> text;
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
-}
 
 double distance_from_reach(const AttenuationTarget& target, const AttenuationSample& sample) {
   const auto [low, high] = reachable_denominators(target, sample.range);
@@ -75,23 +72,23 @@ double distance_from_reach(const AttenuationTarget& target, const AttenuationSam
 }
 
 std::string describe_reach(const AttenuationTarget& target, const AttenuationSample& sample) {
-  std::string text = "attenuation " + format_exactly(sample.attenuation);
-  const std::string at_range = " at " + format_exactly(sample.range) + " m";
-  const std::string with_constant = target.constant ? " constant " + format_exactly(*target.constant) : "";
+  std::string text = "attenuation " + number_text(sample.attenuation);
+  const std::string at_range = " at " + number_text(sample.range) + " m";
+  const std::string with_constant = target.constant ? " constant " + number_text(*target.constant) : "";
   if (target.constant && !(1 / sample.attenuation >= *target.constant)) {
     return text + " cannot be had with" + with_constant + ": at most " +
            format_within(1 / *target.constant, 0, 1 / *target.constant) + " can";
   }
   if (!target.extent) {
     return text + at_range + " cannot be had with" + with_constant + ": " +
-           format_exactly(std::min(1.0, 1 / *target.constant)) + " can";
+           number_text(std::min(1.0, 1 / *target.constant)) + " can";
   }
-  text += at_range + " cannot be had with an extent of " + format_exactly(*target.extent) + " m" +
+  text += at_range + " cannot be had with an extent of " + number_text(*target.extent) + " m" +
           (target.constant ? " and" + with_constant : "") + ": ";
   auto [low, high] = reachable_ranges(target, sample.attenuation);
   low *= *target.extent;
   high *= *target.extent;
-  if (low == high) return text + "only " + format_exactly(low) + " m can";
+  if (low == high) return text + "only " + number_text(low) + " m can";
   const std::string from = low > 0 ? format_within(low, low, high) : "0";
   if (high == kInfinity) return text + "from " + from + " m on can";
   return text + "between " + from + " and " + format_within(high, low, high) + " m can";

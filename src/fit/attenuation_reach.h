@@ -16,7 +16,4 @@ double distance_from_reach(const AttenuationTarget& target, const AttenuationSam
 /// Bounds are rounded inwards: what is named can be had.
 std::string describe_reach(const AttenuationTarget& target, const AttenuationSample& sample);
 
-/// The shortest text that reads back exactly.
-std::string format_exactly(double value);
-
 }  // namespace litfog

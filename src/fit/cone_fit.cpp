@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <queue>
 #include <stdexcept>
 
+#include "fit/branch_and_bound.h"
 #include "fit/least_squares.h"
 #include "litfog/formulas.h"
 #include "require.h"
@@ -70,13 +70,10 @@ std::vector<Point> points_of(const ConeTarget& target) {
 /// One or two parameters of a profile.
 using Parameters = std::array<double, 2>;
 
-/// A range of parameters, and a bound from below of the objective on it.
+/// A range of each parameter.
 struct Box {
   Parameters least;
   Parameters most;
-  double bound = 0;
-
-  bool operator<(const Box& other) const { return bound > other.bound; }  // the best on a queue's top
 };
 
 /// Where a descent ended.
@@ -88,62 +85,56 @@ struct Candidate {
   std::optional<std::vector<double>> covariance = std::nullopt;
 };
 
+/// The best parameters of a profile, and what is known of all others.
 struct Optimum {
   Candidate best;
   double lower_bound = 0;
-  std::size_t boxes = 1;
+  std::size_t boxes = 0;
   std::size_t iterations = 0;
 };
 
-void take(Candidate& candidate, Optimum& optimum) {
-  if (candidate.objective < optimum.best.objective) optimum.best = std::move(candidate);
-}
-
-/// The best parameters of a profile by splitting boxes, best first. A profile has
-///     root()                    the box of all parameters
-///     bound(box)                what no parameters in the box go below
-///     start(box)                some parameters in it
+/// A profile's search as a problem for branch_and_bound. A profile has
+///     root()                      the box of all parameters
+///     bound(box)                  what no parameters in the box go below; infinite where the box holds no cone
+///     start(box)                  some parameters in it, unless it holds no cone
 ///     objective(parameters)
 ///     descend(start, iterations)  the local minimum below a start
 template <typename Profile>
-Optimum minimise(const Profile& profile, double exact) {
-  Optimum optimum;
-  const auto try_start = [&](const Box& box) {
-    const Parameters start = profile.start(box);
-    if (!(profile.objective(start) < optimum.best.objective)) return;
-    Candidate candidate = profile.descend(start, optimum.iterations);
-    take(candidate, optimum);
-  };
-  std::priority_queue<Box> open;
-  double least_closed = kInfinity;
-  const auto is_closed = [&](double bound) {
-    return optimum.best.objective <= exact || bound >= (1 - kGap) * optimum.best.objective;
-  };
-  const auto add = [&](Box box, double parent_bound) {
-    box.bound = std::max(parent_bound, profile.bound(box));
-    if (box.bound == kInfinity) return;  // holds no cone
-    try_start(box);
-    if (is_closed(box.bound)) {
-      least_closed = std::min(least_closed, box.bound);
-    } else {
-      open.push(box);
-    }
-  };
-  add(profile.root(), 0);
-  for (; !open.empty() && !is_closed(open.top().bound) && optimum.boxes < kMaxBoxes; optimum.boxes += 2) {
-    const Box box = open.top();
-    open.pop();
-    const std::size_t wide = box.most[0] - box.least[0] >= box.most[1] - box.least[1] ? 0 : 1;
-    Box low = box;
-    Box high = box;
-    low.most[wide] = high.least[wide] = (box.least[wide] + box.most[wide]) / 2;
-    add(low, box.bound);
-    add(high, box.bound);
+class ConeSearch {
+ public:
+  ConeSearch(const Profile& profile, double exact) : profile_(profile), exact_(exact) {}
+
+  Optimum run() {
+    const BranchAndBoundResult result = branch_and_bound<Evaluation::eager>(*this, kMaxBoxes);
+    optimum_.lower_bound = std::min(optimum_.best.objective, result.lower_bound);
+    optimum_.boxes = result.boxes;
+    return optimum_;
   }
-  optimum.lower_bound =
-      std::min(optimum.best.objective, open.empty() ? least_closed : std::min(least_closed, open.top().bound));
-  return optimum;
-}
+
+  Box root() const { return profile_.root(); }
+  bool contract(Box&) const { return true; }
+  double bound(const Box& box) const { return profile_.bound(box); }
+  bool is_closed(double bound) const {
+    return optimum_.best.objective <= exact_ || bound >= (1 - kGap) * optimum_.best.objective;
+  }
+  void try_inside(const Box& box) {
+    const std::optional<Parameters> start = profile_.start(box);
+    if (!start || !(profile_.objective(*start) < optimum_.best.objective)) return;
+    Candidate candidate = profile_.descend(*start, optimum_.iterations);
+    if (candidate.objective < optimum_.best.objective) optimum_.best = std::move(candidate);
+  }
+  std::optional<std::array<Box, 2>> split(const Box& box) const {
+    const std::size_t widest = box.most[0] - box.least[0] >= box.most[1] - box.least[1] ? 0 : 1;
+    std::array<Box, 2> halves{box, box};
+    halves[0].most[widest] = halves[1].least[widest] = (box.least[widest] + box.most[widest]) / 2;
+    return halves;
+  }
+
+ private:
+  const Profile& profile_;
+  double exact_;
+  Optimum optimum_;
+};
 
 void describe(const LeastSquaresFit& fit, Candidate& candidate, std::size_t& iterations) {
   candidate.kkt_residual = fit.gradient;
@@ -174,7 +165,7 @@ class CosineProfile {
   }
 
   Box root() const { return {{0, 0}, {1, 0}}; }
-  Parameters start(const Box& box) const { return {(box.least[0] + box.most[0]) / 2, 0}; }
+  std::optional<Parameters> start(const Box& box) const { return Parameters{(box.least[0] + box.most[0]) / 2, 0}; }
   double objective(const Parameters& parameters) const {
     const double exponent = exponent_of(parameters[0]);
     return best_cut(exponent, exponent).second;
@@ -264,7 +255,8 @@ class SmoothstepProfile {
     return {{0, outer_ ? *outer_ : 0}, {farthest, outer_ ? *outer_ : 2}};
   }
   /// The middle, or near the diagonal the corner that is a cone at all.
-  Parameters start(const Box& box) const {
+  std::optional<Parameters> start(const Box& box) const {
+    if (!(box.least[0] < box.most[1])) return std::nullopt;
     const Parameters middle{(box.least[0] + box.most[0]) / 2, (box.least[1] + box.most[1]) / 2};
     return middle[0] < middle[1] ? middle : Parameters{box.least[0], box.most[1]};
   }
@@ -418,7 +410,7 @@ std::size_t count_off_axis(const std::vector<Point>& points) {
 
 ConeProfileFit fit_cosine(const std::vector<Point>& points, const ConeTarget& target, double exact) {
   const CosineProfile profile(points, target.half_angle);
-  const Optimum optimum = minimise(profile, exact);
+  const Optimum optimum = ConeSearch(profile, exact).run();
   const double exponent = optimum.best.parameters[0];
   const auto range_of = [&points](std::size_t lit) {
     return std::array{lit > 0 ? points[lit - 1].angle : 0,
@@ -446,7 +438,7 @@ ConeProfileFit fit_cosine(const std::vector<Point>& points, const ConeTarget& ta
 
 ConeProfileFit fit_smoothstep(const std::vector<Point>& points, const ConeTarget& target, double exact) {
   const SmoothstepProfile profile(points, target.half_angle);
-  const Optimum optimum = minimise(profile, exact);
+  const Optimum optimum = ConeSearch(profile, exact).run();
   bool is_identified = false;
   const auto [inner, outer] = profile.softest(optimum.best.parameters, exact, is_identified);
   const auto angle_of = [&points](double versine) {  // a sample's own angle, to the digit
@@ -474,52 +466,46 @@ ConeProfileFit fit_smoothstep(const std::vector<Point>& points, const ConeTarget
 
 }  // namespace
 
-std::optional<ConeTargetRefusal> check(const ConeTarget& target) {
-  const auto refuse = [](const char* field, double value, const char* rule, std::optional<std::size_t> sample = {}) {
-    return ConeTargetRefusal{{field, value, rule}, sample};
+std::optional<TargetError> check(const ConeTarget& target) {
+  const auto error = [](const char* field, double value, const char* rule, std::optional<std::size_t> sample = {}) {
+    return TargetError{{field, value, rule}, sample};
   };
   if (target.half_angle) {
     const bool is_wide = target.choice == ConeChoice::smoothstep;
     if (!(*target.half_angle > 0 && *target.half_angle <= (is_wide ? pi : pi / 2))) {
-      return refuse("half_angle", *target.half_angle, is_wide ? "must be in (0, pi]" : "must be in (0, pi/2]");
+      return error("half_angle", *target.half_angle, is_wide ? "must be in (0, pi]" : "must be in (0, pi/2]");
     }
   }
   if (target.beam_angle && !(*target.beam_angle > 0 && *target.beam_angle <= 2 * pi)) {
-    return refuse("beam_angle", *target.beam_angle, "must be in (0, 2 pi]");
+    return error("beam_angle", *target.beam_angle, "must be in (0, 2 pi]");
   }
   if (target.field_angle && !(*target.field_angle > 0 && *target.field_angle <= 2 * pi)) {
-    return refuse("field_angle", *target.field_angle, "must be in (0, 2 pi]");
+    return error("field_angle", *target.field_angle, "must be in (0, 2 pi]");
   }
   if (target.beam_angle && target.field_angle && !(*target.field_angle > *target.beam_angle)) {
-    return refuse("field_angle", *target.field_angle, "must be larger than the beam angle");
+    return error("field_angle", *target.field_angle, "must be larger than the beam angle");
   }
   double peak = 0;
   std::size_t count = 0;
   for (std::size_t i = 0; i < target.samples.size(); ++i) {
     const auto& [angle, intensity, weight] = target.samples[i];
-    if (!(angle >= 0 && angle <= pi)) return refuse("angle", angle, "must be in [0, pi]", i);
+    if (!(angle >= 0 && angle <= pi)) return error("angle", angle, "must be in [0, pi]", i);
     if (i > 0 && !(angle > target.samples[i - 1].angle)) {
-      return refuse("angle", angle, "must be larger than the one before", i);
+      return error("angle", angle, "must be larger than the one before", i);
     }
-    if (!is_finite_and_not_negative(intensity)) return refuse("intensity", intensity, "must be finite and >= 0", i);
+    if (!is_finite_and_not_negative(intensity)) return error("intensity", intensity, "must be finite and >= 0", i);
     if (!(weight == 0 || (weight >= 1e-100 && weight <= 1e100))) {
-      return refuse("weight", weight, "must be 0 or in [1e-100, 1e100]", i);
+      return error("weight", weight, "must be 0 or in [1e-100, 1e100]", i);
     }
     if (weight == 0) continue;
     ++count;
     peak = std::max(peak, intensity);
   }
   if (!target.beam_angle && !target.field_angle && count < 2) {
-    return refuse("samples", double(count), "must be at least two with weight where no beam or field angle is given");
+    return error("samples", double(count), "must be at least two with weight where no beam or field angle is given");
   }
-  if (count > 0 && peak == 0)
-    return refuse("samples.intensity", peak, "must be > 0 for one of the samples with weight");
+  if (count > 0 && peak == 0) return error("samples.intensity", peak, "must be > 0 for one of the samples with weight");
   return std::nullopt;
-}
-
-std::string to_string(const ConeTargetRefusal& refusal) {
-  const std::string sentence = to_string(refusal.refusal);
-  return refusal.sample ? "samples[" + std::to_string(*refusal.sample) + "]." + sentence : sentence;
 }
 
 std::vector<ConeSample> cone_samples(const std::vector<AxialSample>& profile) {
@@ -529,7 +515,7 @@ std::vector<ConeSample> cone_samples(const std::vector<AxialSample>& profile) {
 }
 
 ConeFit fit_cone(const ConeTarget& given) {
-  if (const auto refusal = check(given)) throw std::invalid_argument(to_string(*refusal));
+  if (const auto error = check(given)) throw std::invalid_argument(to_string(*error));
   ConeTarget target = given;
   std::erase_if(target.samples, [](const ConeSample& sample) { return sample.weight == 0; });
   const auto begin = std::chrono::steady_clock::now();

@@ -6,6 +6,8 @@
 #include <cassert>
 #include <limits>
 
+#include "fit/active_set.h"
+
 namespace litfog {
 namespace {
 
@@ -193,6 +195,20 @@ Real kkt_residual_of(const Falloff& falloff, const std::array<Real, 3>& q) {
   return worst;
 }
 
+/// The objective about some coefficients, and what they may be.
+template <typename Real>
+BoundedModel<Real, 3> model_at(const Falloff& falloff, const std::array<Real, 3>& q, const Slopes<Real>& at) {
+  constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
+  BoundedModel<Real, 3> model{q, at.slope, at.curvature, {0, 0, 0}, {kInfinity, kInfinity, kInfinity}};
+  if (falloff.constant) {
+    model.lower[0] = model.upper[0] = q[0];
+  } else if (falloff.end) {
+    model.upper[0] = Real(falloff.largest_constant());
+  }
+  if (falloff.end) model.plane = {powers(Real(falloff.end->x)), falloff.end->top};
+  return model;
+}
+
 /// Newton steps in extended precision, as long as they bring the slopes nearer to 0 and the objective does not rise.
 /// Gauss and Newton leave the curvature of large residuals out and converge slowly there.
 Coefficients refine(const Falloff& falloff, const Coefficients& start) {
@@ -203,66 +219,16 @@ Coefficients refine(const Falloff& falloff, const Coefficients& start) {
   std::array<Real, 3> q{start[0], start[1], start[2]};
   Real kkt = kkt_residual_of(falloff, q);
   double objective = falloff.objective(start);
-  const double slack = falloff.negligible();
   for (int i = 0; i < 50 && kkt > 0; ++i) {
     const Slopes<Real> at = slopes_at(falloff, q);
-    auto projected = at.slope;
-    project_onto_end(falloff, q, projected);
-    std::vector<std::size_t> moving;
-    for (const std::size_t j : free_coefficients(falloff)) {
-      if (is_at_limit(falloff, q, j) ? projected[j] > 0 : q[j] > 0 || projected[j] < 0) moving.push_back(j);
-    }
-    const auto count = static_cast<Eigen::Index>(moving.size());
-    const Eigen::Index size = count + (falloff.end ? 1 : 0);
-    // Each coefficient in units of its own curvature, and a last row and column for the end.
-    Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic, 0, 4, 4> system(size, size);
-    Eigen::Matrix<Real, Eigen::Dynamic, 1, 0, 4, 1> right(size);
-    std::array<Real, 3> unit;
-    system.setZero();
-    for (Eigen::Index j = 0; j < count; ++j) {
-      const auto at_j = Eigen::Index(moving[std::size_t(j)]);
-      const Real curvature = std::abs(at.curvature(at_j, at_j));
-      unit[std::size_t(j)] = curvature > 0 ? 1 / std::sqrt(curvature) : 1;
-      for (Eigen::Index k = 0; k <= j; ++k) {
-        system(j, k) = system(k, j) =
-            unit[std::size_t(j)] * unit[std::size_t(k)] * at.curvature(at_j, Eigen::Index(moving[std::size_t(k)]));
-      }
-      right[j] = -unit[std::size_t(j)] * at.slope[std::size_t(at_j)];
-    }
-    if (falloff.end) {
-      const auto power = powers(Real(falloff.end->x));
-      Real sum = 0, largest = 0;
-      for (std::size_t j = 0; j < 3; ++j) sum += q[j] * power[j];
-      for (std::size_t j = 0; j < moving.size(); ++j) largest = std::max(largest, unit[j] * power[moving[j]]);
-      for (Eigen::Index j = 0; j < count; ++j) {
-        system(j, count) = system(count, j) = unit[std::size_t(j)] * power[moving[std::size_t(j)]] / largest;
-      }
-      right[count] = (falloff.end->top - sum) / largest;
-    }
-    const auto step = system.fullPivLu().solve(right).eval();
-    // As far as the first bound.
-    Real share = 1, bound = 0;
-    std::size_t stopped = 3;
-    const auto stop_at = [&](std::size_t j, Real limit, Real change) {
-      share = (limit - q[j]) / change;
-      bound = limit;
-      stopped = j;
-    };
-    for (std::size_t m = 0; m < moving.size(); ++m) {
-      const std::size_t j = moving[m];
-      const Real change = unit[m] * step[Eigen::Index(m)];
-      if (q[j] + share * change < 0) stop_at(j, 0, change);
-      if (j == 0 && falloff.end && q[0] + share * change > Real(falloff.largest_constant())) {
-        stop_at(0, Real(falloff.largest_constant()), change);
-      }
-    }
-    std::array<Real, 3> next = q;
-    for (std::size_t j = 0; j < moving.size(); ++j) next[moving[j]] += share * unit[j] * step[Eigen::Index(j)];
-    if (stopped < 3) next[stopped] = bound;
+    auto slope_along_end = at.slope;
+    project_onto_end(falloff, q, slope_along_end);
+    const auto model = model_at(falloff, q, at);
+    const auto [next, blocked] = active_set_step(model, free_variables(model, slope_along_end));
     const Real next_kkt = kkt_residual_of(falloff, next);
     const double next_objective = falloff.objective(rounded(next));
-    if (!(next_objective <= objective * (1 + 1e-12) + slack)) break;
-    if (!(next_kkt < kkt) && !(stopped < 3 && next_objective <= objective)) break;
+    if (!(next_objective <= objective * (1 + 1e-12) + falloff.negligible())) break;
+    if (!(next_kkt < kkt) && !(blocked && next_objective <= objective)) break;
     q = next;
     kkt = next_kkt;
     objective = next_objective;

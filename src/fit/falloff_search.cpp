@@ -4,21 +4,40 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <limits>
-#include <queue>
 
-// The samples that the clamp holds at 1 are the first ones, for D rises with the range: so many, then no more. For each
-// such number k the objective is smooth: a constant for the k samples, and beyond them terms that are convex in D up to
-// e^limit of the sample and concave from there. Whatever is better than the best known has each term alone below the
-// best objective, which bounds each D, and the boxes shrink to what these bounds leave. Then linear functions of the
-// coefficients bound the objective from below:
-// - term by term, a tangent where the term is convex in the box, a chord where it is concave, a level where it is both;
-// - all tangents together, less what the whole may bend down from them in the box (the least eigenvalue of a curvature
-//   that is nowhere less), which near a minimum is nothing, whatever its terms are.
-// Tangents are tried at a place in the box and at a reference, which is a minimum: where nothing bends down from there
-// to the box, all of the box is ruled out at once. The reference is the best known and, where that leaves a box of some
-// k, the minimum with those k samples held.
+#include "fit/branch_and_bound.h"
+
+// The proof. With D_i(q) = q0 + q1 x_i + q2 x_i^2 = v_i . q the objective is
 //
-// A sample with attenuation 1 is never held: its term is level up to D = 1, and convex from the start.
+//     F(q) = sum_i f_i(D_i(q)),    f_i(D) = w_i loss(ln max(1, D) - y_i).
+//
+// D rises with the range, so the samples that the clamp holds at 1 are the first k, for some k. For each k they cost
+// the constant sum_{i<k} w_i loss(y_i), and the clamp can be dropped from the other terms: they are convex in D up to
+// D = e^(y_i + limit) and concave from there (Loss::convex_limit). Only a sample with y_i = 0 keeps the clamp and is
+// never held: its term is 0 up to D = 1 and convex from there on.
+//
+// Coefficients better than the best known F* have f_i(D_i) < F* for each i alone, that is
+// |ln D_i - y_i| < loss^-1(F* / w_i). These bounds on each D shrink a box B of coefficients. On what is left:
+//
+// 1. Term by term. With lines a_i + b_i D <= f_i(D) over the D_i of the box (a tangent where the term is convex there,
+// a
+//    chord where it is concave, its minimum where it is both),
+//
+//        F(q) >= sum_i a_i + min_{q in B} sum_i b_i D_i(q),
+//
+//    a linear function's minimum on the box, where it meets the end.
+// 2. All terms together, about any point p. With curvatures c_i <= f_i''(D) between D_i(p) and the D_i of the box, and
+//    K = sum_i c_i v_i v_i^T,
+//
+//        F(q) >= F(p) + grad F(p) . (q - p) + 1/2 (q - p)^T K (q - p)
+//             >= F(p) + min_{q in B} grad F(p) . (q - p) + 3/2 min(0, lambda_min(R K R)),
+//
+//    R being the diagonal matrix of the largest |q_j - p_j| in the box, so that |R^-1 (q - p)|^2 <= 3. Near a minimum
+//    lambda_min is positive whatever the single terms are.
+//
+// Both are taken at the middle of the box and at a reference, which is a minimum: if nothing bends down between it and
+// the box, the whole box is ruled out at once. The reference is the best known minimum; if that leaves boxes of some k
+// open, it becomes the minimum with those k samples held.
 
 namespace litfog {
 namespace {
@@ -32,7 +51,7 @@ constexpr std::size_t kBoxEffort = 10;
 /// Below this D a dark sample's term is taken for what it is at 0, without a slope.
 constexpr double kLeastSmooth = 1e-6;
 
-/// Boxes left before a number of held samples is worth a descent of its own, which costs as much as so many.
+/// Boxes left before a number of held samples is worth a descent of its own, which costs as much as that many.
 constexpr std::size_t kPatience = 30;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -44,12 +63,10 @@ struct Interval {
   Interval with(double x) const { return {std::min(low, x), std::max(high, x)}; }
 };
 
-struct Box {
-  std::array<Interval, 3> q;
-  double bound = 0;  ///< of the objective, from below
+using Box = std::array<Interval, 3>;
 
-  friend bool operator<(const Box& a, const Box& b) { return a.bound > b.bound; }  // the most promising first
-};
+Coefficients low_corner(const Box& box) { return {box[0].low, box[1].low, box[2].low}; }
+Coefficients high_corner(const Box& box) { return {box[0].high, box[1].high, box[2].high}; }
 
 /// value + slope D, nowhere above a term.
 struct Line {
@@ -72,25 +89,90 @@ struct Plane {
 
 using Matrix = Eigen::Matrix3d;
 
-class Search {
+/// Below which a minimum is better than the best known, beyond the gap that is left open and beyond rounding.
+double wanted_objective(const Falloff& falloff, const FalloffMinimum& best) {
+  return best.objective - std::max(kGap * best.objective, falloff.negligible());
+}
+
+/// The search with the first samples held by the clamp: a problem for branch_and_bound.
+class HeldSearch {
  public:
-  Search(const Falloff& falloff, const FalloffMinimum& local) : falloff_(falloff) {
-    result_.minimum = local;
+  /// held_cost  what the held samples cost, together
+  HeldSearch(const Falloff& falloff, std::size_t held_count, double held_cost, FalloffMinimum& best)
+      : falloff_(falloff), held_count_(held_count), held_cost_(held_cost), best_(best) {
     for (const auto& [x, y, weight] : falloff.samples) terms_.push_back({x, double(y), weight, {}, 1, 0, {}});
-    rows_ = terms_.size();
+    ranges_.resize(terms_.size());
+    restart();
   }
 
-  FalloffSearch run() {
-    result_.is_proven = true;
-    double held = 0;
-    for (std::size_t k = 0; result_.is_proven; ++k) {
-      if (held > target()) break;
-      search_with_held(k, held);
-      while (k < rows_ && terms_[k].y == 0) ++k;
-      if (k >= rows_) break;
-      held += terms_[k].weight * falloff_.loss.value(terms_[k].y);
+  Box root() const {
+    Box box;
+    if (falloff_.constant) box[0] = {*falloff_.constant, *falloff_.constant};
+    if (falloff_.end && !falloff_.constant) box[0].high = falloff_.largest_constant();
+    return box;
+  }
+
+  bool is_closed(double bound) const { return bound > wanted_objective(falloff_, best_); }
+
+  /// Shrinks the box to where each D is within its bounds.
+  bool contract(Box& box) const {
+    for (int pass = 0; pass < 2; ++pass) {
+      for (const Term& term : terms_) {
+        if (!contract(box, term.x, term.d)) return false;
+      }
+      if (falloff_.end) {
+        const double top = double(falloff_.end->top);
+        if (!contract(box, falloff_.end->x, {top * (1 - kRounding), top * (1 + kRounding)})) return false;
+      }
     }
-    return result_;
+    return true;
+  }
+
+  void try_inside(const Box& box) {
+    const Coefficients start = middle(box);
+    if (!(falloff_.objective(start) < wanted_objective(falloff_, best_))) return;
+    FalloffMinimum better = descend(falloff_, start);
+    better.iterations += best_.iterations;
+    if (!(better.objective < wanted_objective(falloff_, best_))) return;
+    best_ = better;
+    restart();
+  }
+
+  double bound(const Box& box) {
+    double bound = held_cost_ + lower_bound(box);
+    if (!is_closed(bound) && !has_own_reference_ && ++boxes_left_ > kPatience) {
+      has_own_reference_ = true;
+      refer_to_held_minimum();
+      bound = std::max(bound, held_cost_ + lower_bound(box));
+    }
+    return bound;
+  }
+
+  /// Along the coefficient that changes some D most, for its size; below 1 the clamp takes all changes.
+  std::optional<std::array<Box, 2>> split(const Box& box) const {
+    const Coefficients point = middle(box);
+    std::size_t widest = 0;
+    double most = -1;
+    for (std::size_t j = 0; j < 3; ++j) {
+      const double width = box[j].high - box[j].low;
+      for (const Term& term : terms_) {
+        const double change =
+            width * Coefficients{1, term.x, term.x * term.x}[j] / std::max(1.0, denominator(point, term.x));
+        if (change > most) {
+          most = change;
+          widest = j;
+        }
+      }
+    }
+    const auto [low, high] = box[widest];
+    // Bounds may be decades apart.
+    double at = (low + high) / 2;
+    if (low > 0 && high > 8 * low) at = std::sqrt(low) * std::sqrt(high);
+    if (low == 0) at = high / 8;
+    if (!(at > low && at < high)) return std::nullopt;  // neighbouring numbers
+    std::array<Box, 2> halves{box, box};
+    halves[0][widest].high = halves[1][widest].low = at;
+    return halves;
   }
 
  private:
@@ -101,16 +183,17 @@ class Search {
     Line tangent;                         ///< there; of a held sample, a line that is at most 0 up to D = 1
   };
 
-  /// What a box must promise to be looked at.
-  double target() const {
-    return result_.minimum.objective - std::max(kGap * result_.minimum.objective, falloff_.negligible());
-  }
+  /// Where a term's D lies in a box.
+  struct Range {
+    Interval d, log_d;
+  };
 
   bool is_held(std::size_t i) const { return i < held_count_ && terms_[i].y > 0; }
 
   double cost(const Term& term, double log_d) const { return term.weight * falloff_.loss.value(log_d - term.y); }
-  /// With the clamp of a sample with attenuation 1.
-  double open_cost(const Term& term, double log_d) const {
+  /// The term's minimum where D is in a range.
+  double least_cost(const Term& term, const Range& range) const {
+    const double log_d = std::clamp(term.y, range.log_d.low, range.log_d.high);
     return cost(term, term.y == 0 ? std::max(0.0, log_d) : log_d);
   }
   Line tangent(const Term& term, double d, double log_d) const {
@@ -120,10 +203,17 @@ class Search {
   }
   bool is_convex_to(const Term& term, double log_d) const { return log_d <= term.y + falloff_.loss.convex_limit(); }
 
+  /// What depends on the best known minimum.
+  void restart() {
+    bound_denominators();
+    refer_to(best_.coefficients);
+    has_own_reference_ = held_count_ == 0;
+  }
+
   /// Bounds of each D for an objective below the best known.
-  void bound_denominators(double held) {
-    const double spare = std::max(0.0, result_.minimum.objective + falloff_.negligible() - held);
-    for (std::size_t i = 0; i < rows_; ++i) {
+  void bound_denominators() {
+    const double spare = std::max(0.0, best_.objective + falloff_.negligible() - held_cost_);
+    for (std::size_t i = 0; i < terms_.size(); ++i) {
       Term& term = terms_[i];
       const double reach = falloff_.loss.residual(spare / term.weight);
       term.d = {term.y == 0 ? 0 : std::max(1.0, std::exp(term.y - reach)), std::exp(term.y + reach)};
@@ -136,7 +226,7 @@ class Search {
   void refer_to(const Coefficients& reference) {
     reference_ = reference;
     is_reference_smooth_ = true;
-    for (std::size_t i = 0; i < rows_; ++i) {
+    for (std::size_t i = 0; i < terms_.size(); ++i) {
       Term& term = terms_[i];
       const double d = denominator(reference, term.x);
       if (!is_held(i) && term.y > 0 && !(d > kLeastSmooth)) is_reference_smooth_ = false;
@@ -161,7 +251,7 @@ class Search {
     std::erase_if(rest.samples,
                   [&](const Falloff::Sample& sample) { return sample.y > 0 && sample.x <= terms_[last].x; });
     if (rest.samples.empty()) return;
-    Coefficients q = descend(rest, result_.minimum.coefficients).coefficients;
+    Coefficients q = descend(rest, best_.coefficients).coefficients;
     const double x = terms_[last].x, d = denominator(q, x), given = falloff_.constant.value_or(0);
     if (d <= 1 || falloff_.end || given >= 1) return refer_to(q);
     const double share = (1 - given) / (d - given);
@@ -173,7 +263,7 @@ class Search {
     }
     refer_to(descend(rest, q).coefficients);
     Plane all;
-    for (std::size_t i = 0; i < rows_; ++i) {
+    for (std::size_t i = 0; i < terms_.size(); ++i) {
       if (!is_held(i)) all.add(terms_[i].tangent, terms_[i].x);
     }
     const Coefficients power{1, x, x * x};
@@ -184,71 +274,16 @@ class Search {
     lean(terms_[last], -all.slope[largest] / power[largest]);
   }
 
-  void search_with_held(std::size_t k, double held) {
-    held_count_ = k;
-    bound_denominators(held);
-    refer_to(result_.minimum.coefficients);
-    bool has_own_reference = k == 0;
-    std::size_t boxes_left = 0;
-    std::priority_queue<Box> boxes;
-    Box root;
-    if (falloff_.constant) root.q[0] = {*falloff_.constant, *falloff_.constant};
-    if (falloff_.end && !falloff_.constant) root.q[0].high = falloff_.largest_constant();
-    boxes.push(root);
-    while (!boxes.empty()) {
-      Box box = boxes.top();
-      boxes.pop();
-      if (box.bound > target()) return;  // and so are all others
-      if (!contract(box)) continue;
-      if (++result_.boxes * (rows_ + kBoxEffort) > kLargestEffort) {
-        result_.is_proven = false;
-        return;
-      }
-      const Coefficients place = middle(box);
-      if (falloff_.objective(place) < target()) {
-        FalloffMinimum better = descend(falloff_, place);
-        better.iterations += result_.minimum.iterations;
-        if (better.objective < target()) {
-          result_.minimum = better;
-          bound_denominators(held);
-          refer_to(better.coefficients);
-          has_own_reference = k == 0;
-        }
-      }
-      box.bound = std::max(box.bound, held + lower_bound(box, place));
-      if (box.bound <= target() && !has_own_reference && ++boxes_left > kPatience) {
-        has_own_reference = true;
-        refer_to_held_minimum();
-        box.bound = std::max(box.bound, held + lower_bound(box, place));
-      }
-      if (box.bound <= target()) split(box, boxes);
-    }
-  }
-
-  /// Shrinks the box to where each D is within its bounds. False where nothing is left.
-  bool contract(Box& box) const {
-    for (int pass = 0; pass < 2; ++pass) {
-      for (std::size_t i = 0; i < rows_; ++i) {
-        if (!contract(box, terms_[i].x, terms_[i].d)) return false;
-      }
-      if (falloff_.end) {
-        const double top = double(falloff_.end->top);
-        if (!contract(box, falloff_.end->x, {top * (1 - kRounding), top * (1 + kRounding)})) return false;
-      }
-    }
-    return true;
-  }
-
   static bool contract(Box& box, double x, const Interval& d) {
     const Coefficients power{1, x, x * x};
     for (std::size_t j = 0; j < 3; ++j) {
       double low = 0, high = 0;  // what the others add up to
       for (std::size_t k = 0; k < 3; ++k) {
         if (k == j || !(power[k] > 0)) continue;
-        low += power[k] * box.q[k].low;
-        high += power[k] * box.q[k].high;
+        low += power[k] * box[k].low;
+        high += power[k] * box[k].high;
       }
-      Interval& q = box.q[j];
+      Interval& q = box[j];
       if (!(power[j] > 0)) continue;
       q.high = std::min(q.high, (d.high - low) / power[j]);
       q.low = std::max(q.low, (d.low - high) / power[j]);
@@ -260,78 +295,125 @@ class Search {
     return true;
   }
 
-  /// A place in the box that meets the end.
+  /// A point in the box that meets the end.
   Coefficients middle(const Box& box) const {
     double share = 0.5;
     if (falloff_.end) {
-      const Coefficients low{box.q[0].low, box.q[1].low, box.q[2].low};
-      const Coefficients high{box.q[0].high, box.q[1].high, box.q[2].high};
+      const Coefficients low{box[0].low, box[1].low, box[2].low};
+      const Coefficients high{box[0].high, box[1].high, box[2].high};
       const double least = denominator(low, falloff_.end->x), most = denominator(high, falloff_.end->x);
       share = most > least ? std::clamp((double(falloff_.end->top) - least) / (most - least), 0.0, 1.0) : 0;
     }
-    Coefficients place;
-    for (std::size_t j = 0; j < 3; ++j) place[j] = box.q[j].low + share * (box.q[j].high - box.q[j].low);
-    return place;
+    Coefficients point;
+    for (std::size_t j = 0; j < 3; ++j) point[j] = box[j].low + share * (box[j].high - box[j].low);
+    return point;
   }
 
-  double lower_bound(const Box& box, const Coefficients& place) const {
-    const Coefficients low{box.q[0].low, box.q[1].low, box.q[2].low};
-    const Coefficients high{box.q[0].high, box.q[1].high, box.q[2].high};
-    double level = 0;                      // sum of what each term is at least
-    Plane here, there;                     // term by term: tangents at the place or the reference, or other lines
-    Plane all_here, all_there;             // tangents of all terms
-    Matrix curvature = Matrix::Zero();     // nowhere in the box is the objective's less
-    Matrix curvature_to = Matrix::Zero();  // and nowhere from the reference to the box
-    bool is_convex = true, is_place_smooth = true;
-    for (std::size_t i = 0; i < rows_; ++i) {
+  /// Of the objective, but for the held samples' cost.
+  double lower_bound(const Box& box) {
+    const Coefficients low = low_corner(box), high = high_corner(box), point = middle(box);
+    for (std::size_t i = 0; i < terms_.size(); ++i) {
+      if (is_held(i)) continue;
       const Term& term = terms_[i];
-      all_there.add(term.tangent, term.x);
-      if (is_held(i)) {
-        there.add(term.tangent, term.x);
-        continue;
-      }
       const double least = std::max(denominator(low, term.x), term.d.low);
       const double most = std::max(least, std::min(denominator(high, term.x), term.d.high));
-      const Interval d{least, most}, log_d{std::log(least), std::log(most)};
-      const double smallest = open_cost(term, std::clamp(term.y, log_d.low, log_d.high));
-      level += smallest;
-      const double d_place = std::max(denominator(place, term.x), kLeastSmooth);
-      if (term.y > 0 && d_place == kLeastSmooth) is_place_smooth = false;
-      all_here.add(tangent(term, d_place, std::log(d_place)), term.x);
-      add_square(curvature, least_curvature(term, d.with(d_place), log_d.with(std::log(d_place))), term.x);
-      add_square(curvature_to, least_curvature(term, d.with(term.reference_d), log_d.with(term.log_reference_d)),
-                 term.x);
+      ranges_[i] = {{least, most}, {std::log(least), std::log(most)}};
+    }
+    const double by_terms = std::max({level_bound(), line_bound(box, point), reference_line_bound(box)});
+    if (is_convex()) return by_terms;
+    return std::max({by_terms, curvature_bound(box, point), reference_curvature_bound(box)});
+  }
+
+  /// Whether all terms are convex in the box and from there to the reference: then the lines are tangents, and no
+  /// curvature takes anything from them.
+  bool is_convex() const {
+    for (std::size_t i = 0; i < terms_.size(); ++i) {
+      const double most = std::max(ranges_[i].log_d.high, terms_[i].log_reference_d);
+      if (!is_held(i) && !is_convex_to(terms_[i], most)) return false;
+    }
+    return true;
+  }
+
+  /// Inequality 1 with each term's minimum.
+  double level_bound() const {
+    double level = 0;
+    for (std::size_t i = 0; i < terms_.size(); ++i) {
+      if (!is_held(i)) level += least_cost(terms_[i], ranges_[i]);
+    }
+    return level;
+  }
+
+  /// Inequality 1 with tangents at a point in the box, chords and minima.
+  double line_bound(const Box& box, const Coefficients& point) const {
+    Plane sum;
+    for (std::size_t i = 0; i < terms_.size(); ++i) {
+      if (is_held(i)) continue;
+      const Term& term = terms_[i];
+      const auto& [d, log_d] = ranges_[i];
       if (is_convex_to(term, log_d.high)) {
-        const double d_here = std::clamp(d_place, least, most);
-        here.add(tangent(term, d_here, std::log(d_here)), term.x);
-        if (is_convex_to(term, term.log_reference_d)) {
-          there.add(term.tangent, term.x);
-          continue;
-        }
-        there.add({smallest, 0}, term.x);
+        const double d_point = std::clamp(std::max(denominator(point, term.x), kLeastSmooth), d.low, d.high);
+        sum.add(tangent(term, d_point, std::log(d_point)), term.x);
       } else {
-        Line line{smallest, 0};
-        if (least > 0 && log_d.low >= term.y + falloff_.loss.convex_limit() && most > least) {
-          const double at_least = cost(term, log_d.low);
-          const double slope = (cost(term, log_d.high) - at_least) / (most - least);
-          line = {at_least - slope * least, slope};
-        }
-        here.add(line, term.x);
-        there.add(line, term.x);
+        sum.add(chord(term, ranges_[i]), term.x);
       }
-      is_convex = false;
     }
-    double bound =
-        std::max({level, here.value + smallest_of(here.slope, box), there.value + smallest_of(there.slope, box)});
-    if (is_convex) return bound;
-    if (is_place_smooth) {
-      bound = std::max(bound, all_here.value + smallest_of(all_here.slope, box) + smallest_bend(curvature, place, box));
+    return sum.value + smallest_of(sum.slope, box);
+  }
+
+  /// Inequality 1 with tangents at the reference, chords and minima.
+  double reference_line_bound(const Box& box) const {
+    Plane sum;
+    for (std::size_t i = 0; i < terms_.size(); ++i) {
+      const Term& term = terms_[i];
+      const bool is_convex = is_held(i) || is_convex_to(term, ranges_[i].log_d.high);
+      if (is_held(i) || (is_convex && is_convex_to(term, term.log_reference_d))) {
+        sum.add(term.tangent, term.x);
+      } else {
+        sum.add(is_convex ? Line{least_cost(term, ranges_[i]), 0} : chord(term, ranges_[i]), term.x);
+      }
     }
-    if (is_reference_smooth_) {
-      bound = std::max(
-          bound, all_there.value + smallest_of(all_there.slope, box) + smallest_bend(curvature_to, reference_, box));
+    return sum.value + smallest_of(sum.slope, box);
+  }
+
+  /// Inequality 2 about a point in the box; 0 if a term has no tangent there.
+  double curvature_bound(const Box& box, const Coefficients& point) const {
+    Plane tangents;
+    Matrix curvature = Matrix::Zero();
+    for (std::size_t i = 0; i < terms_.size(); ++i) {
+      if (is_held(i)) continue;
+      const Term& term = terms_[i];
+      const double d = denominator(point, term.x);
+      if (term.y > 0 && !(d > kLeastSmooth)) return 0;
+      const double d_point = std::max(d, kLeastSmooth), log_d = std::log(d_point);
+      tangents.add(tangent(term, d_point, log_d), term.x);
+      add_square(curvature, least_curvature(term, ranges_[i].d.with(d_point), ranges_[i].log_d.with(log_d)), term.x);
     }
-    return bound;
+    return tangents.value + smallest_of(tangents.slope, box) + smallest_bend(curvature, point, box);
+  }
+
+  /// Inequality 2 about the reference; 0 if a term has no tangent there.
+  double reference_curvature_bound(const Box& box) const {
+    if (!is_reference_smooth_) return 0;
+    Plane tangents;
+    Matrix curvature = Matrix::Zero();
+    for (std::size_t i = 0; i < terms_.size(); ++i) {
+      const Term& term = terms_[i];
+      tangents.add(term.tangent, term.x);
+      if (is_held(i)) continue;
+      const auto& [d, log_d] = ranges_[i];
+      add_square(curvature, least_curvature(term, d.with(term.reference_d), log_d.with(term.log_reference_d)), term.x);
+    }
+    return tangents.value + smallest_of(tangents.slope, box) + smallest_bend(curvature, reference_, box);
+  }
+
+  /// A line below a term that is not convex in its range: its chord where it is concave, else its minimum.
+  Line chord(const Term& term, const Range& range) const {
+    const auto& [d, log_d] = range;
+    const bool is_concave = d.low > 0 && log_d.low >= term.y + falloff_.loss.convex_limit() && d.high > d.low;
+    if (!is_concave) return {least_cost(term, range), 0};
+    const double at_low = cost(term, log_d.low);
+    const double slope = (cost(term, log_d.high) - at_low) / (d.high - d.low);
+    return {at_low - slope * d.low, slope};
   }
 
   /// A bound from below of a term's second derivative in D.
@@ -351,11 +433,11 @@ class Search {
     curvature += weight * power * power.transpose();
   }
 
-  /// The smallest value on the box of the quadratic form with this curvature about a place; not above 0.
-  double smallest_bend(const Matrix& curvature, const Coefficients& place, const Box& box) const {
+  /// The smallest value on the box of the quadratic form with this curvature about a point; not above 0.
+  double smallest_bend(const Matrix& curvature, const Coefficients& point, const Box& box) const {
     Eigen::Vector3d reach;
     for (std::size_t j = 0; j < 3; ++j) {
-      reach[Eigen::Index(j)] = std::max({0.0, box.q[j].high - place[j], place[j] - box.q[j].low});
+      reach[Eigen::Index(j)] = std::max({0.0, box[j].high - point[j], point[j] - box[j].low});
     }
     Matrix scaled = reach.asDiagonal() * curvature * reach.asDiagonal();
     if (falloff_.end) {  // across the plane of the end nothing moves
@@ -375,7 +457,7 @@ class Search {
   double smallest_of(const Coefficients& slope, const Box& box) const {
     if (!falloff_.end) {
       double value = 0;
-      for (std::size_t j = 0; j < 3; ++j) value += slope[j] * (slope[j] > 0 ? box.q[j].low : box.q[j].high);
+      for (std::size_t j = 0; j < 3; ++j) value += slope[j] * (slope[j] > 0 ? box[j].low : box[j].high);
       return value;
     }
     // From the low corner up to the end, first along what costs least for its share there.
@@ -386,57 +468,47 @@ class Search {
               [&](std::size_t a, std::size_t b) { return slope[a] * power[b] < slope[b] * power[a]; });
     double value = 0, rest = double(falloff_.end->top);
     for (std::size_t j = 0; j < 3; ++j) {
-      value += slope[j] * box.q[j].low;
-      rest -= power[j] * box.q[j].low;
+      value += slope[j] * box[j].low;
+      rest -= power[j] * box[j].low;
     }
     for (const std::size_t j : order) {
-      const double part = std::clamp(rest, 0.0, power[j] * (box.q[j].high - box.q[j].low));
+      const double part = std::clamp(rest, 0.0, power[j] * (box[j].high - box[j].low));
       value += slope[j] * part / power[j];
       rest -= part;
     }
     return value;
   }
 
-  /// Along the coefficient that changes some D most, for its size; below 1 the clamp takes all changes.
-  void split(const Box& box, std::priority_queue<Box>& boxes) const {
-    const Coefficients place = middle(box);
-    std::size_t widest = 0;
-    double most = -1;
-    for (std::size_t j = 0; j < 3; ++j) {
-      const double width = box.q[j].high - box.q[j].low;
-      for (const Term& term : terms_) {
-        const double change =
-            width * Coefficients{1, term.x, term.x * term.x}[j] / std::max(1.0, denominator(place, term.x));
-        if (change > most) {
-          most = change;
-          widest = j;
-        }
-      }
-    }
-    const Interval whole = box.q[widest];
-    // Bounds may be decades apart.
-    double at = (whole.low + whole.high) / 2;
-    if (whole.low > 0 && whole.high > 8 * whole.low) at = std::sqrt(whole.low) * std::sqrt(whole.high);
-    if (whole.low == 0) at = whole.high / 8;
-    if (!(at > whole.low && at < whole.high)) return;  // a box of neighbouring numbers
-    Box part = box;
-    part.q[widest] = {whole.low, at};
-    boxes.push(part);
-    part.q[widest] = {at, whole.high};
-    boxes.push(part);
-  }
-
   const Falloff& falloff_;
+  std::size_t held_count_;
+  double held_cost_;
+  FalloffMinimum& best_;
   std::vector<Term> terms_;
-  std::size_t rows_;
-  std::size_t held_count_ = 0;
+  std::vector<Range> ranges_;  ///< of the terms that are not held, in the box at hand
   Coefficients reference_{};
-  bool is_reference_smooth_ = false;  ///< no tangent there is another place's
-  FalloffSearch result_;
+  bool is_reference_smooth_ = false;  ///< each term has a tangent there
+  bool has_own_reference_ = false;    ///< other than the best known minimum
+  std::size_t boxes_left_ = 0;        ///< open after the first bound
 };
 
 }  // namespace
 
-FalloffSearch search(const Falloff& falloff, const FalloffMinimum& local) { return Search(falloff, local).run(); }
+FalloffSearch search(const Falloff& falloff, const FalloffMinimum& local) {
+  const auto& samples = falloff.samples;
+  FalloffSearch result{local, 0, true};
+  const std::size_t max_boxes = kLargestEffort / (samples.size() + kBoxEffort);
+  double held_cost = 0;
+  for (std::size_t k = 0; result.is_proven && held_cost <= wanted_objective(falloff, result.minimum); ++k) {
+    HeldSearch problem(falloff, k, held_cost, result.minimum);
+    const auto [bound, boxes, is_proven] =
+        branch_and_bound<Evaluation::lazy>(problem, max_boxes - std::min(max_boxes, result.boxes));
+    result.boxes += boxes;
+    result.is_proven = is_proven;
+    while (k < samples.size() && samples[k].y == 0) ++k;
+    if (k >= samples.size()) break;
+    held_cost += samples[k].weight * falloff.loss.value(double(samples[k].y));
+  }
+  return result;
+}
 
 }  // namespace litfog

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "litfog/attenuation.h"
-#include "litfog/value_error.h"
+#include "litfog/fit/target_error.h"
 
 namespace litfog {
 
@@ -42,17 +42,8 @@ struct AttenuationTarget {
   bool is_robust = false;
 };
 
-/// Why a target was refused, and which sample of it, if it was one.
-struct AttenuationTargetRefusal {
-  ValueError refusal;
-  std::optional<std::size_t> sample;
-};
-
-/// As one sentence: "samples[3].attenuation = 0: must be in [1e-100, 1]".
-std::string to_string(const AttenuationTargetRefusal& refusal);
-
 /// What is wrong with a target, or nothing.
-std::optional<AttenuationTargetRefusal> check(const AttenuationTarget& target);
+std::optional<TargetError> check(const AttenuationTarget& target);
 
 enum class AttenuationFitStatus {
   optimal,     ///< no attenuation that meets the extent (and constant) has a smaller objective by more than 1e-7 of it

@@ -4,12 +4,11 @@
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "litfog/cone.h"
+#include "litfog/fit/target_error.h"
 #include "litfog/photometry/intensity_distribution.h"
-#include "litfog/value_error.h"
 
 namespace litfog {
 
@@ -43,17 +42,8 @@ struct ConeTarget {
   std::vector<ConeSample> samples = {};
 };
 
-/// Why a target was refused, and which sample of it, if it was one.
-struct ConeTargetRefusal {
-  ValueError refusal;
-  std::optional<std::size_t> sample;
-};
-
-/// As one sentence: "samples[3].angle = 4: must be in [0, pi]".
-std::string to_string(const ConeTargetRefusal& refusal);
-
 /// What is wrong with a target, or nothing.
-std::optional<ConeTargetRefusal> check(const ConeTarget& target);
+std::optional<TargetError> check(const ConeTarget& target);
 
 enum class ConeFitStatus {
   optimal,   ///< no cone of the profile has an objective smaller by more than 0.1 %

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "litfog/value_error.h"
+
+namespace litfog {
+
+/// What is wrong with the target of a fit.
+struct TargetError {
+  ValueError error;
+  std::optional<std::size_t> sample = std::nullopt;  ///< the sample that the field belongs to; absent: to the target
+};
+
+/// As one sentence: "samples[3].attenuation = 0: must be in [1e-100, 1]".
+std::string to_string(const TargetError& error);
+
+}  // namespace litfog

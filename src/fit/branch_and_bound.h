@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <queue>
+
+// Best-first branch and bound (Land and Doig 1960, "An automatic method of solving discrete programming problems"),
+// over boxes of parameters. Internal.
+
+namespace litfog {
+
+/// When a box is examined (Clausen 1999, "Branch and bound algorithms - principles and examples").
+enum class Evaluation {
+  eager,  ///< when it is made. Boxes are split in the order of their own bounds.
+  lazy,   ///< when its turn comes; until then it has its parent's bound. For bounds that improve with the best known.
+};
+
+struct BranchAndBoundResult {
+  double lower_bound = std::numeric_limits<double>::infinity();  ///< of the objective in all boxes that were examined
+  std::size_t boxes = 0;                                         ///< examined and not empty
+  bool is_proven = false;                                        ///< no box is left open
+};
+
+/// Minimises over problem.root(). The problem keeps the best parameters known; it has
+///     Box root()
+///     bool contract(Box&)       removes what cannot be better than the best known; false if nothing is left
+///     void try_inside(Box)      looks for better parameters in the box
+///     double bound(Box)         what the objective nowhere in the box goes below
+///     bool is_closed(double)    whether a box with this bound holds nothing enough better than the best known
+///     std::optional<std::array<Box, 2>> split(Box)    nothing if the box is a point
+/// max_boxes  where the search gives up; it may exceed this by one
+template <Evaluation kEvaluation, typename Problem>
+BranchAndBoundResult branch_and_bound(Problem& problem, std::size_t max_boxes) {
+  struct Node {
+    decltype(problem.root()) box;
+    double bound;
+
+    bool operator<(const Node& other) const { return bound > other.bound; }  // the queue's top has the least bound
+  };
+  BranchAndBoundResult result;
+  const auto is_left_open = [&](Node& node) {
+    if (!problem.contract(node.box)) return false;
+    ++result.boxes;
+    problem.try_inside(node.box);
+    node.bound = std::max(node.bound, problem.bound(node.box));
+    if (!problem.is_closed(node.bound)) return true;
+    result.lower_bound = std::min(result.lower_bound, node.bound);
+    return false;
+  };
+  std::priority_queue<Node> open;
+  const auto add = [&](Node node) {
+    if (kEvaluation == Evaluation::lazy || is_left_open(node)) open.push(node);
+  };
+  add({problem.root(), 0});
+  while (!open.empty() && !problem.is_closed(open.top().bound) && result.boxes < max_boxes) {
+    Node node = open.top();
+    open.pop();
+    if (kEvaluation == Evaluation::lazy && !is_left_open(node)) continue;
+    if (const auto halves = problem.split(node.box)) {
+      for (const auto& half : *halves) add({half, node.bound});
+    } else {
+      result.lower_bound = std::min(result.lower_bound, node.bound);
+    }
+  }
+  if (!open.empty()) result.lower_bound = std::min(result.lower_bound, open.top().bound);
+  result.is_proven = open.empty() || problem.is_closed(open.top().bound);
+  return result;
+}
+
+}  // namespace litfog
