@@ -24,7 +24,7 @@ void FogLightBuffer::upload(const FogLightBlock& block) {
 }
 
 void FogLightBuffer::bind(const Program& program, unsigned binding) const {
-  const GLuint index = glGetUniformBlockIndex(program.id(), "FogLightBlock");
+  const GLuint index = glGetUniformBlockIndex(program.id(), "LitfogLightBlock");
   if (index != GL_INVALID_INDEX) glUniformBlockBinding(program.id(), index, binding);
   glBindBufferBase(GL_UNIFORM_BUFFER, binding, id_);
 }
@@ -37,7 +37,7 @@ void check_fog_light_layout(const Program& program) {
     GLint offset = -1;
     if (index != GL_INVALID_INDEX) glGetActiveUniformsiv(program.id(), 1, &index, GL_UNIFORM_OFFSET, &offset);
     if (offset != GLint(expected)) {
-      throw Unsupported("FogLightBlock: the driver puts " + name + " at byte " + std::to_string(offset) +
+      throw Unsupported("LitfogLightBlock: the driver puts " + name + " at byte " + std::to_string(offset) +
                         ", std140 has it at " + std::to_string(expected));
     }
   };

@@ -8,7 +8,7 @@ namespace litfog::gl {
 
 /// A shader file's text under the name by which others include it.
 struct ShaderSource {
-  std::string_view name;  ///< e.g. "litfog/fog.glsl"
+  std::string_view name;  ///< e.g. "litfog/shaders/fog.glsl"
   std::string_view text;
 };
 
