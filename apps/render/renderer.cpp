@@ -9,7 +9,7 @@
 #include "render/demo_shaders.h"
 #include "render/light_map.h"
 #include "litfog/fog_light_block.h"
-#include "litfog/gl/headless_context.h"
+#include "litfog/gl/check_errors.h"
 #include "render/gpu/texture_unit.h"
 #include "render/gpu/uniform.h"
 

@@ -13,6 +13,8 @@ struct ShaderSource {
 };
 
 /// litfog's own shader files, as installed, embedded in the library.
+///
+/// threads  any
 std::span<const ShaderSource> shader_library();
 
 }  // namespace litfog::gl
