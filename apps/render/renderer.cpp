@@ -7,7 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "litfog/fog_light_block.h"
-#include "litfog/gl/headless_context.h"
+#include "litfog/gl/check_errors.h"
 #include "render/demo_shaders.h"
 #include "render/gpu/texture_unit.h"
 #include "render/gpu/uniform.h"
@@ -126,7 +126,7 @@ void Renderer::draw_light_points(const glm::mat4& clip) {
   set_uniform(light_point_program_, "clip_from_world", clip);
   set_uniform(light_point_program_, "eye", scene_.camera.position);
   set_uniform(light_point_program_, "pixel_scale", float(framebuffer_.height()) / 720.0f);
-  set_uniform(light_point_program_, "local_lights", kLocalLightUnit);
+  set_uniform(light_point_program_, "litfog_light_buffer", kLocalLightUnit);
   glEnable(GL_PROGRAM_POINT_SIZE);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);

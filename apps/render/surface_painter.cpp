@@ -303,7 +303,7 @@ SurfacePainter::SurfaceProgram& SurfacePainter::use(const Variant& variant, cons
     set_uniform(program.program, "is_flat_shaded", unsigned{settings_.is_flat_shaded});
     set_uniform(program.program, "albedo_map", kAlbedoUnit);
     set_uniform(program.program, "normal_map", kNormalUnit);
-    set_uniform(program.program, "local_lights", kLocalLightUnit);
+    set_uniform(program.program, "litfog_light_buffer", kLocalLightUnit);
     set_uniform(program.program, "light_list", kLightListUnit);
     set_uniform(program.program, "range_map", kRangeMapUnit);
     set_uniform(program.program, "distance_map", kDistanceMapUnit);

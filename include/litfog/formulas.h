@@ -15,8 +15,8 @@ Real litfog_expm1(const Real& x) {
 
 using std::pow;
 
+#define LITFOG_REAL Real
 #define LITFOG_FUNCTION template <typename Real>
-#include "litfog/shaders/formulas.glsl"
-#undef LITFOG_FUNCTION
+#include "litfog/shaders/formulas.glsl"  // undefines both
 
 }  // namespace litfog::formulas

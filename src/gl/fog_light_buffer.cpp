@@ -11,22 +11,19 @@
 namespace litfog::gl {
 
 FogLightBuffer::FogLightBuffer() {
-  glGenBuffers(1, &id_);
-  glBindBuffer(GL_UNIFORM_BUFFER, id_);
+  glBindBuffer(GL_UNIFORM_BUFFER, name_.id());
   glBufferData(GL_UNIFORM_BUFFER, sizeof(FogLightBlock), nullptr, GL_DYNAMIC_DRAW);
 }
 
-FogLightBuffer::~FogLightBuffer() { glDeleteBuffers(1, &id_); }
-
 void FogLightBuffer::upload(const FogLightBlock& block) {
-  glBindBuffer(GL_UNIFORM_BUFFER, id_);
+  glBindBuffer(GL_UNIFORM_BUFFER, name_.id());
   glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof(block), &block);
 }
 
 void FogLightBuffer::bind(const Program& program, unsigned binding) const {
-  const GLuint index = glGetUniformBlockIndex(program.id(), "FogLightBlock");
+  const GLuint index = glGetUniformBlockIndex(program.id(), "LitfogLightBlock");
   if (index != GL_INVALID_INDEX) glUniformBlockBinding(program.id(), index, binding);
-  glBindBufferBase(GL_UNIFORM_BUFFER, binding, id_);
+  glBindBufferBase(GL_UNIFORM_BUFFER, binding, name_.id());
 }
 
 void check_fog_light_layout(const Program& program) {
@@ -37,7 +34,7 @@ void check_fog_light_layout(const Program& program) {
     GLint offset = -1;
     if (index != GL_INVALID_INDEX) glGetActiveUniformsiv(program.id(), 1, &index, GL_UNIFORM_OFFSET, &offset);
     if (offset != GLint(expected)) {
-      throw Unsupported("FogLightBlock: the driver puts " + name + " at byte " + std::to_string(offset) +
+      throw Unsupported("LitfogLightBlock: the driver puts " + name + " at byte " + std::to_string(offset) +
                         ", std140 has it at " + std::to_string(expected));
     }
   };

@@ -6,7 +6,7 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
-#include <stdexcept>
+#include <initializer_list>
 #include <vector>
 
 #include "litfog/gl/unsupported.h"
@@ -14,14 +14,33 @@
 namespace litfog::gl {
 namespace {
 
-bool can_load(const char* library) { return dlopen(library, RTLD_LAZY | RTLD_LOCAL) != nullptr; }  // for good
-
-/// libepoxy opens these at the first call that needs them, and aborts where they are missing.
-void expect_libraries() {
-  if (!can_load("libEGL.so.1")) throw Unsupported("EGL is missing: libEGL.so.1 cannot be loaded (install libegl1)");
-  if (!can_load("libOpenGL.so.0") && !can_load("libGL.so.1")) {
-    throw Unsupported("OpenGL is missing: neither libOpenGL.so.0 nor libGL.so.1 can be loaded (install libgl1)");
+/// Loads, for good, the first library that can be loaded; null where there is none.
+void* load(const char*& loaded, std::initializer_list<const char*> libraries) {
+  for (const char* library : libraries) {
+    loaded = library;
+    if (void* const handle = dlopen(library, RTLD_LAZY | RTLD_LOCAL)) return handle;
   }
+  return nullptr;
+}
+
+void expect_functions(void* handle, const char* library, std::initializer_list<const char*> functions) {
+  for (const char* function : functions) {
+    if (!dlsym(handle, function)) throw Unsupported(std::string(library) + " is unusable: it lacks " + function);
+  }
+}
+
+/// libepoxy opens these at the first call that needs them, and aborts where one of them or a function is missing.
+void expect_libraries() {
+  const char* library = nullptr;
+  void* const egl = load(library, {"libEGL.so.1"});
+  if (!egl) throw Unsupported("EGL is missing: libEGL.so.1 cannot be loaded (install libegl1)");
+  expect_functions(egl, library,
+                   {"eglBindAPI", "eglCreateContext", "eglDestroyContext", "eglGetCurrentContext",
+                    "eglGetCurrentDisplay", "eglGetCurrentSurface", "eglGetError", "eglGetProcAddress", "eglInitialize",
+                    "eglMakeCurrent", "eglQueryAPI", "eglQueryContext", "eglQueryString"});
+  void* const gl = load(library, {"libOpenGL.so.0", "libGL.so.1"});
+  if (!gl) throw Unsupported("OpenGL is missing: neither libOpenGL.so.0 nor libGL.so.1 can be loaded (install libgl1)");
+  expect_functions(gl, library, {"glGetError", "glGetIntegerv", "glGetString"});
 }
 
 /// Displays to try, best first.
@@ -49,7 +68,7 @@ std::vector<EGLDisplay> candidate_displays() {
   return displays;
 }
 
-/// A current 3.3 core context on an initialised display, or EGL_NO_CONTEXT.
+/// A current 3.3 core context on an initialised display, or EGL_NO_CONTEXT. Binds the OpenGL API.
 EGLContext make_current_context(EGLDisplay display) {
   if (!epoxy_has_egl_extension(display, "EGL_KHR_surfaceless_context") ||
       !epoxy_has_egl_extension(display, "EGL_KHR_no_config_context") || !eglBindAPI(EGL_OPENGL_API)) {
@@ -65,6 +84,20 @@ EGLContext make_current_context(EGLDisplay display) {
   return EGL_NO_CONTEXT;
 }
 
+/// What is current on the thread when this is made.
+struct Current {
+  EGLenum api = eglQueryAPI();
+  EGLDisplay display = eglGetCurrentDisplay();
+  EGLContext context = eglGetCurrentContext();
+  EGLSurface draw = eglGetCurrentSurface(EGL_DRAW);
+  EGLSurface read = eglGetCurrentSurface(EGL_READ);
+
+  void restore() const {
+    eglBindAPI(api);
+    if (context != EGL_NO_CONTEXT) eglMakeCurrent(display, draw, read, context);
+  }
+};
+
 std::string gl_string(GLenum name) {
   const GLubyte* text = glGetString(name);
   return text ? reinterpret_cast<const char*>(text) : "unknown";
@@ -72,36 +105,45 @@ std::string gl_string(GLenum name) {
 
 }  // namespace
 
+// A display is never terminated: it is one for the whole process, and eglTerminate ends every context on it.
+struct HeadlessContext::Egl {
+  Egl() {
+    for (EGLDisplay candidate : candidate_displays()) {
+      if (!eglInitialize(candidate, nullptr, nullptr)) continue;
+      display = candidate;
+      context = make_current_context(display);
+      if (context != EGL_NO_CONTEXT) return;
+    }
+    previous.restore();
+    throw Unsupported(
+        "no EGL device gives an OpenGL 3.3 core context without a display (Mesa: install libgl1-mesa-dri)");
+  }
+  ~Egl() {
+    if (eglGetCurrentContext() == context) {
+      eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+      previous.restore();
+    }
+    eglDestroyContext(display, context);
+  }
+  Egl(const Egl&) = delete;
+  Egl& operator=(const Egl&) = delete;
+
+  Current previous;
+  EGLDisplay display = EGL_NO_DISPLAY;
+  EGLContext context = EGL_NO_CONTEXT;
+};
+
 HeadlessContext::HeadlessContext() {
   expect_libraries();
   if (!eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS)) {
     throw Unsupported("EGL without a display is missing: no EGL client extensions (is libEGL installed?)");
   }
-  for (EGLDisplay display : candidate_displays()) {
-    if (!eglInitialize(display, nullptr, nullptr)) continue;
-    if (const EGLContext context = make_current_context(display); context != EGL_NO_CONTEXT) {
-      display_ = display;
-      context_ = context;
-      return;
-    }
-    eglTerminate(display);
-  }
-  throw Unsupported("no EGL device gives an OpenGL 3.3 core context without a display (Mesa: install libgl1-mesa-dri)");
+  egl_ = std::make_unique<Egl>();
 }
 
-HeadlessContext::~HeadlessContext() {
-  eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-  eglDestroyContext(display_, context_);
-  eglTerminate(display_);
-}
+HeadlessContext::~HeadlessContext() = default;
 
 std::string HeadlessContext::renderer() const { return gl_string(GL_RENDERER); }
 std::string HeadlessContext::version() const { return gl_string(GL_VERSION); }
-
-void check_errors(const char* place) {
-  if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
-    throw std::logic_error("OpenGL error " + std::to_string(error) + " after " + place);
-  }
-}
 
 }  // namespace litfog::gl

@@ -11,7 +11,7 @@
 namespace litfog::gl {
 namespace {
 
-/// Puts a shader together from its files; `#line` keeps each file's own line numbers, by the file's place in names().
+/// Puts a shader together from its files; `#line` keeps each file's own line numbers, by the file's index in names().
 class Assembly {
  public:
   explicit Assembly(std::span<const ShaderSource> files) : files_(files) {}
@@ -71,22 +71,24 @@ std::string info_log(GLuint object, GetParameter get_parameter, GetLog get_log) 
   return log;
 }
 
-GLuint compile(GLenum stage, std::string_view name, std::span<const ShaderSource> files) {
+/// Compiles a shader into a program, with which it is deleted.
+void add_shader(GLuint program, GLenum stage, std::string_view name, std::span<const ShaderSource> files) {
   Assembly assembly(files);
   const std::string text = assembly.assemble(name);
   const GLuint shader = glCreateShader(stage);
+  glAttachShader(program, shader);
+  glDeleteShader(shader);
   const char* const pointer = text.c_str();
   glShaderSource(shader, 1, &pointer, nullptr);
   glCompileShader(shader);
   GLint compiled = GL_FALSE;
   glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
-  if (compiled == GL_TRUE) return shader;
+  if (compiled == GL_TRUE) return;
   std::string message = "shader " + std::string(name) + " does not compile:\n" +
                         info_log(shader, glGetShaderiv, glGetShaderInfoLog) + "\nfile numbers:";
   for (std::size_t i = 0; i < assembly.names().size(); ++i) {
     message.append(" ").append(std::to_string(i)).append(" = ").append(assembly.names()[i]);
   }
-  glDeleteShader(shader);
   throw std::logic_error(message);
 }
 
@@ -96,29 +98,23 @@ Program::Program(std::string_view vertex_name, std::string_view fragment_name, s
     : Program(vertex_name, {}, fragment_name, files) {}
 
 Program::Program(std::string_view vertex_name, std::string_view geometry_name, std::string_view fragment_name,
-                 std::span<const ShaderSource> files)
-    : id_(glCreateProgram()) {
+                 std::span<const ShaderSource> files) {
   for (const auto& [stage, name] : {std::pair{GL_VERTEX_SHADER, vertex_name},
                                     {GL_GEOMETRY_SHADER, geometry_name},
                                     {GL_FRAGMENT_SHADER, fragment_name}}) {
-    if (name.empty()) continue;
-    const GLuint shader = compile(GLenum(stage), name, files);
-    glAttachShader(id_, shader);
-    glDeleteShader(shader);  // goes with the program
+    if (!name.empty()) add_shader(id(), GLenum(stage), name, files);
   }
-  glLinkProgram(id_);
+  glLinkProgram(id());
   GLint linked = GL_FALSE;
-  glGetProgramiv(id_, GL_LINK_STATUS, &linked);
+  glGetProgramiv(id(), GL_LINK_STATUS, &linked);
   if (linked != GL_TRUE) {
     throw std::logic_error("shaders " + std::string(vertex_name) + " and " + std::string(fragment_name) +
-                           " do not link:\n" + info_log(id_, glGetProgramiv, glGetProgramInfoLog));
+                           " do not link:\n" + info_log(id(), glGetProgramiv, glGetProgramInfoLog));
   }
 }
 
-Program::~Program() { glDeleteProgram(id_); }
+void Program::use() const { glUseProgram(id()); }
 
-void Program::use() const { glUseProgram(id_); }
-
-int Program::uniform(const char* name) const { return glGetUniformLocation(id_, name); }
+int Program::uniform(const char* name) const { return glGetUniformLocation(id(), name); }
 
 }  // namespace litfog::gl

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <optional>
 
+#include "litfog/gl/check_errors.h"
 #include "litfog/gl/headless_context.h"
 #include "litfog/gl/unsupported.h"
 

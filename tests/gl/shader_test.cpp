@@ -41,8 +41,8 @@ class FormulaPixelsTest : public GlTest {
   /// Answers of a formula `vec4 result = ...` to inputs; the text may name given(k) and, after upload(), the block.
   std::vector<vec4> draw(const std::string& statements, const std::vector<std::vector<vec4>>& inputs) {
     const gl::Program program = FormulaPixels::program(
-        "#include \"test/input.glsl\"\n#include \"litfog/fog.glsl\"\n"
-        "#include \"litfog/surface.glsl\"\nvoid main() { " +
+        "#include \"test/input.glsl\"\n#include \"litfog/shaders/fog.glsl\"\n"
+        "#include \"litfog/shaders/surface.glsl\"\nvoid main() { " +
         statements + " }\n");
     gl::FogLightBuffer buffer;
     buffer.upload(block_);
@@ -247,7 +247,7 @@ TEST_F(FormulaPixelsTest, ReadEveryNumberOfTheBlockBack) {
   }
   upload({FogMode::exp2, 0.125}, {0.25, 0.5, 0.75}, lights, solutions);
   const auto results = draw(R"(
-    FogLight light = litfog_lights[int(given(0).x)];
+    LitfogLight light = litfog_lights[int(given(0).x)];
     vec4 fields[7] = vec4[7](light.position_extent, light.axis_profile, light.color_intensity, light.attenuation,
                              light.cone, litfog_fog, litfog_ambient_fog_color);
     result = fields[int(given(0).y)];)",
@@ -273,7 +273,8 @@ TEST_F(FormulaPixelsTest, OfALightsRangeEndAtItsExtent) {
       points.emplace_back(i, range, 0, 0);
     }
   }
-  const auto results = draw("result = vec4(litfog_range(litfog_lights[int(given(0).x)], given(0).y));", {points});
+  const auto results =
+      draw("result = vec4(litfog_range_attenuation(litfog_lights[int(given(0).x)], given(0).y));", {points});
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto& light = lights[std::size_t(points[i].x)].light;
     const double range = double(points[i].y);
@@ -293,9 +294,10 @@ TEST_F(FormulaPixelsTest, OfALightWithoutEndNeverEnd) {
        .carried = true}};
   const Fog fog{FogMode::exp, 0.01};
   upload(fog, {}, lights, solve_all(lights, fog));
-  const auto results =
-      draw("result = vec4(litfog_range(litfog_lights[0], given(0).x), litfog_lights[0].color_intensity.w, 0, 0);",
-           {{vec4(1), vec4(1e30f), vec4(kLargestFloat)}});
+  const auto results = draw(
+      "result = vec4(litfog_range_attenuation(litfog_lights[0], given(0).x), litfog_lights[0].color_intensity.w, 0, "
+      "0);",
+      {{vec4(1), vec4(1e30f), vec4(kLargestFloat)}});
   for (const vec4& result : results) {
     EXPECT_EQ(result.x, 0.5f);
     EXPECT_EQ(result.y, 0.5f);
@@ -451,7 +453,8 @@ TEST_F(FormulaPixelsTest, OfALitSurfaceAreTheBasicModels) {
   });
   for (std::size_t k = 0; k < lights.size(); ++k) {
     const auto results = draw(
-        "Surface surface = Surface(given(0).xyz, given(1).xyz, given(2).xyz, vec3(9.0), vec3(0.5, 0.25, 0.125), "
+        "LitfogSurface surface = LitfogSurface(given(0).xyz, given(1).xyz, given(2).xyz, vec3(9.0), vec3(0.5, 0.25, "
+        "0.125), "
         "vec3(0.25, 0.5, 0.75), 8.0); result = vec4(litfog_light_surface(surface, litfog_lights[" +
             std::to_string(k) + "]), 1.0);",
         {positions, normals, to_eyes});
@@ -484,7 +487,8 @@ TEST_F(FormulaPixelsTest, OfALitSurfaceAreTheBasicModels) {
 
 TEST_F(FormulaPixelsTest, OfTheAmbientTermAreEmissionAndReflectedAmbientLight) {
   const auto results = draw(
-      "Surface surface = Surface(vec3(0.0), vec3(0.0, 1.0, 0.0), vec3(0.0, 1.0, 0.0), vec3(0.125, 0.25, 0.5), "
+      "LitfogSurface surface = LitfogSurface(vec3(0.0), vec3(0.0, 1.0, 0.0), vec3(0.0, 1.0, 0.0), vec3(0.125, 0.25, "
+      "0.5), "
       "vec3(0.5, 0.25, 0.125), vec3(1.0), 8.0); result = vec4(litfog_ambient(surface, vec3(1.0, 2.0, 4.0)), 1.0);",
       {{vec4(0)}});
   EXPECT_EQ(results[0], vec4(0.625, 0.75, 1, 1));
@@ -497,7 +501,8 @@ TEST_F(FormulaPixelsTest, AtALightItselfAreFinite) {
     const Fog fog{FogMode::exp, 0.1};
     upload(fog, kAmbient, lights, solve_all(lights, fog));
     const auto results = draw(
-        "vec3 position = given(0).xyz; Surface surface = Surface(position, vec3(0.0, 1.0, 0.0), vec3(0.0, 0.0, 1.0), "
+        "vec3 position = given(0).xyz; LitfogSurface surface = LitfogSurface(position, vec3(0.0, 1.0, 0.0), vec3(0.0, "
+        "0.0, 1.0), "
         "vec3(0.0), vec3(0.5), vec3(0.5), 8.0); result = vec4(litfog_fog_color(position).r, "
         "litfog_apply_fog(vec3(0.5), "
         "position, vec3(0.0)).r, litfog_light_surface(surface, litfog_lights[0]).r, 1.0);",
@@ -527,39 +532,39 @@ class FogLightLayout : public GlTest {
 };
 
 TEST_F(FogLightLayout, OfTheDriverIsOurs) {
-  EXPECT_EQ(refusal_of_block("#include \"litfog/light.glsl\"\n"), "accepted");
+  EXPECT_EQ(refusal_of_block("#include \"litfog/shaders/light_block.glsl\"\n"), "accepted");
 }
 
 TEST_F(FogLightLayout, WithSwappedMembersIsRefused) {
   EXPECT_EQ(refusal_of_block(R"(
-struct FogLight { vec4 axis_profile; vec4 position_extent; vec4 color_intensity; vec4 attenuation; vec4 cone; };
-layout(std140) uniform FogLightBlock { vec4 litfog_fog; vec4 litfog_ambient_fog_color; FogLight litfog_lights[128]; };
+struct LitfogLight { vec4 axis_profile; vec4 position_extent; vec4 color_intensity; vec4 attenuation; vec4 cone; };
+layout(std140) uniform LitfogLightBlock { vec4 litfog_fog; vec4 litfog_ambient_fog_color; LitfogLight litfog_lights[128]; };
 )"),
-            "FogLightBlock: the driver puts litfog_lights[0].position_extent at byte 48, std140 has it at 32");
+            "LitfogLightBlock: the driver puts litfog_lights[0].position_extent at byte 48, std140 has it at 32");
 }
 
 TEST_F(FogLightLayout, WithAMemberTooManyIsRefused) {
   EXPECT_EQ(refusal_of_block(R"(
-struct FogLight { vec4 position_extent; vec4 axis_profile; vec4 color_intensity; vec4 attenuation; vec4 cone, extra; };
-layout(std140) uniform FogLightBlock { vec4 litfog_fog; vec4 litfog_ambient_fog_color; FogLight litfog_lights[128]; };
+struct LitfogLight { vec4 position_extent; vec4 axis_profile; vec4 color_intensity; vec4 attenuation; vec4 cone, extra; };
+layout(std140) uniform LitfogLightBlock { vec4 litfog_fog; vec4 litfog_ambient_fog_color; LitfogLight litfog_lights[128]; };
 )"),
-            "FogLightBlock: the driver puts litfog_lights[1].position_extent at byte 128, std140 has it at 112");
+            "LitfogLightBlock: the driver puts litfog_lights[1].position_extent at byte 128, std140 has it at 112");
 }
 
 TEST_F(FogLightLayout, WithSwappedFogAndAmbientColorIsRefused) {
   EXPECT_EQ(refusal_of_block(R"(
-struct FogLight { vec4 position_extent; vec4 axis_profile; vec4 color_intensity; vec4 attenuation; vec4 cone; };
-layout(std140) uniform FogLightBlock { vec4 litfog_ambient_fog_color; vec4 litfog_fog; FogLight litfog_lights[128]; };
+struct LitfogLight { vec4 position_extent; vec4 axis_profile; vec4 color_intensity; vec4 attenuation; vec4 cone; };
+layout(std140) uniform LitfogLightBlock { vec4 litfog_ambient_fog_color; vec4 litfog_fog; LitfogLight litfog_lights[128]; };
 )"),
-            "FogLightBlock: the driver puts litfog_fog at byte 16, std140 has it at 0");
+            "LitfogLightBlock: the driver puts litfog_fog at byte 16, std140 has it at 0");
 }
 
 TEST_F(FogLightLayout, WithTooFewLightsIsRefused) {
   EXPECT_EQ(refusal_of_block(R"(
-struct FogLight { vec4 position_extent; vec4 axis_profile; vec4 color_intensity; vec4 attenuation; vec4 cone; };
-layout(std140) uniform FogLightBlock { vec4 litfog_fog; vec4 litfog_ambient_fog_color; FogLight litfog_lights[64]; };
+struct LitfogLight { vec4 position_extent; vec4 axis_profile; vec4 color_intensity; vec4 attenuation; vec4 cone; };
+layout(std140) uniform LitfogLightBlock { vec4 litfog_fog; vec4 litfog_ambient_fog_color; LitfogLight litfog_lights[64]; };
 )"),
-            "FogLightBlock: the driver puts litfog_lights[127].position_extent at byte -1, std140 has it at 10192");
+            "LitfogLightBlock: the driver puts litfog_lights[127].position_extent at byte -1, std140 has it at 10192");
 }
 
 class ProgramTest : public GlTest {
@@ -633,7 +638,6 @@ TEST_F(ProgramTest, FindsItsUniforms) {
 
 TEST_F(ProgramTest, OfEachShaderOfTheLibraryCompilesByItself) {
   for (const gl::ShaderSource& source : gl::shader_library()) {
-    if (source.name == "litfog/formulas.glsl") continue;  // its includer defines the scalar type
     const std::string text =
         "#include \"" + std::string(source.name) + "\"\nout vec4 result;\nvoid main() { result = vec4(1.0); }\n";
     EXPECT_NO_THROW(FormulaPixels::program(text)) << source.name;
@@ -661,8 +665,8 @@ TEST_F(GlTest, CheckErrorsNamesErrorAndPlaceOnce) {
 }
 
 TEST(ShaderLibrary, HoldsTheInstalledFiles) {
-  for (const char* name :
-       {"litfog/expm1.glsl", "litfog/fog.glsl", "litfog/formulas.glsl", "litfog/light.glsl", "litfog/surface.glsl"}) {
+  for (const char* name : {"litfog/shaders/expm1.glsl", "litfog/shaders/fog.glsl", "litfog/shaders/formulas.glsl",
+                           "litfog/shaders/light.glsl", "litfog/shaders/surface.glsl"}) {
     const auto found = std::ranges::find(gl::shader_library(), name, &gl::ShaderSource::name);
     ASSERT_NE(found, gl::shader_library().end()) << name;
     EXPECT_TRUE(found->text.starts_with("// SPDX-License-Identifier: Apache-2.0")) << name;

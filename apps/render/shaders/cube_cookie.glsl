@@ -3,12 +3,12 @@
 // lie in one array, for a loop over lights cannot choose among cube maps: six faces each, +x -x +y -y +z -z.
 
 #define LITFOG_COOKIES
-#include "litfog/light.glsl"
+#include "litfog/shaders/light.glsl"
 
 uniform sampler2DArray cookies;
 
 // A cookie's light has profile 3; its cone is the cookie's number and the world's direction of its y.
-float litfog_cookie(FogLight light, vec3 direction) {
+float litfog_cookie(LitfogLight light, vec3 direction) {
   vec3 up = light.cone.yzw;
   vec3 right = cross(light.axis_profile.xyz, up);
   vec3 d = vec3(dot(direction, right), dot(direction, up), -dot(direction, light.axis_profile.xyz));

@@ -2,9 +2,9 @@
 // The diffuse term of a light at a vertex (Cg Tutorial 5.2): what arrives of it times N.L.
 
 #include "cookie.glsl"
-#include "litfog/light.glsl"
+#include "litfog/shaders/light.glsl"
 
-vec3 diffuse_reflection(FogLight light, vec3 position, vec3 normal) {
+vec3 diffuse_reflection(LitfogLight light, vec3 position, vec3 normal) {
   vec4 ray = litfog_ray(light.position_extent.xyz, position);
   return litfog_light_along(light, ray) * max(-dot(normal, ray.xyz), 0.0);
 }

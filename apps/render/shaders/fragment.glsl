@@ -3,7 +3,7 @@
 
 #define LITFOG_FOG_LIGHTS
 #include "light_batch.glsl"
-#include "litfog/fog.glsl"
+#include "litfog/shaders/fog.glsl"
 #include "rasterised.glsl"
 #include "scene.glsl"
 

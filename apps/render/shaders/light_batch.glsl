@@ -6,18 +6,18 @@
 // EACH_LIGHT and EACH_FOG_LIGHT unroll what loops would: some drivers leave the longer ones alone.
 
 #include "cookie.glsl"
-#include "litfog/light.glsl"
+#include "litfog/shaders/light.glsl"
 #include "pass.glsl"
 
 uniform vec4 handed_lights[5 * hand_size];
 
-FogLight handed_light(int i) {
+LitfogLight handed_light(int i) {
   int first = 5 * i;
-  FogLight light = FogLight(handed_lights[first], handed_lights[first + 1], handed_lights[first + 2],
+  LitfogLight light = LitfogLight(handed_lights[first], handed_lights[first + 1], handed_lights[first + 2],
                             handed_lights[first + 3], handed_lights[first + 4]);
   if (profiles[i] != any_profile) light.axis_profile.w = float(profiles[i]);
   return light;
 }
 
 // Light i of the pass.
-FogLight batch_light(int i) { return handed_light(first_light_in_pass + i); }
+LitfogLight batch_light(int i) { return handed_light(first_light_in_pass + i); }

@@ -3,21 +3,21 @@
 // density of its class.
 
 #include "cookie.glsl"
-#include "litfog/fog.glsl"
-#include "local_lights.glsl"
+#include "litfog/shaders/fog.glsl"
+#include "litfog/shaders/light_buffer.glsl"
 
 uniform mat4 clip_from_world;
 uniform vec3 eye;
 uniform float pixel_scale;  // of a picture 720 pixels high
 
 flat out vec3 point_color;
-flat out float core_share;
+flat out float core_fraction;
 
 // An eye at night sees a light long before a surface shows it: the attenuation that gives a point full brightness.
 const float full_brightness = 1.0 / 2000.0;
 
 void main() {
-  FogLight light = local_light(gl_VertexID);
+  LitfogLight light = litfog_buffered_light(gl_VertexID);
   vec3 to_eye = eye - light.position_extent.xyz;
   float range = length(to_eye);
   to_eye /= range;
@@ -28,7 +28,7 @@ void main() {
   float growth = clamp(pow(max(brightness, 1.0), 0.3), 1.0, 8.0);
   float radius = 1.3 * growth * pixel_scale;
   point_color = light.color_intensity.rgb * min(brightness, 1.5);
-  core_share = 1.0 / growth;
+  core_fraction = 1.0 / growth;
   gl_PointSize = max(2.0 * 2.5 * radius, 2.0);
   // Lifted off its own housing towards the eye, so that this does not hide it.
   vec3 seen_at = light.position_extent.xyz + to_eye * min(0.4, 0.5 * range);

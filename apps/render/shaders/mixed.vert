@@ -16,7 +16,7 @@ out vec3 moon_specular_light;
 
 void main() {
   vec3 position = place_vertex();
-  vec3 to_eye = normalize(way_to_viewer(position));
+  vec3 to_eye = normalize(vector_to_viewer(position));
   normal = world_normal();
   diffuse_light = vec3(0.0);
   if (is_first_pass) {
@@ -26,7 +26,7 @@ void main() {
     diffuse_light = moon_color * facing;
   }
   for (int i = 0; i < lights_in_pass; ++i) {
-    FogLight light = batch_light(i);
+    LitfogLight light = batch_light(i);
     vec4 ray = litfog_ray(light.position_extent.xyz, position);
     half_angle[i] = normalize(to_eye - ray.xyz);
     specular_light[i] = dot(normal, ray.xyz) < 0.0 ? litfog_light_along(light, ray) : vec3(0.0);

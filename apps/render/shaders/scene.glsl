@@ -7,4 +7,4 @@ uniform vec3 eye;
 uniform vec3 infinite_viewer;  // the unit direction to it, where has_infinite_viewer (Cg Tutorial, exercise 4)
 
 // The way to the viewer, whose length has no meaning.
-vec3 way_to_viewer(vec3 position) { return has_infinite_viewer ? infinite_viewer : eye - position; }
+vec3 vector_to_viewer(vec3 position) { return has_infinite_viewer ? infinite_viewer : eye - position; }

@@ -2,7 +2,7 @@
 // The night sky: a gradient, stars and the moon, far behind all fog.
 
 #include "cookie.glsl"
-#include "litfog/fog.glsl"
+#include "litfog/shaders/fog.glsl"
 
 in vec3 seen_direction;
 

@@ -2,7 +2,7 @@
 // The Basic model in tangent space with the normal as the map has it (Lacroix 2005, listing 1.2).
 
 #include "cookie.glsl"
-#include "litfog/surface.glsl"
+#include "litfog/shaders/surface.glsl"
 #include "fragment.glsl"
 #include "light_batch.glsl"
 
@@ -17,7 +17,7 @@ in vec3 cookie_up[batch_size];
 void main() {
   vec4 albedo = base_texture();
 
-  Surface surface;
+  LitfogSurface surface;
   surface.position = vec3(0.0);
   surface.normal = normalize(mapped_normal());
   surface.to_eye = normalize(to_viewer);
@@ -32,7 +32,7 @@ void main() {
     if (has_moon) lit += litfog_reflect(surface, normalize(to_moon), moon_color);
   }
   for (int i = 0; i < lights_in_pass; ++i) {
-    FogLight light = batch_light(i);
+    LitfogLight light = batch_light(i);
     light.position_extent.xyz = to_light[i];
     light.axis_profile.xyz = normalize(light_axis[i]);
 #ifdef LITFOG_COOKIES

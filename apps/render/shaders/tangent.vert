@@ -23,10 +23,10 @@ void main() {
   vec3 t = normalize(tangent - n * dot(n, tangent));
   vec3 b = cross(n, t) * vertex_tangent.w;
   mat3 tangent_from_world = transpose(mat3(t, b, n));
-  to_viewer = tangent_from_world * way_to_viewer(position);
+  to_viewer = tangent_from_world * vector_to_viewer(position);
   to_moon = tangent_from_world * moon_direction;
   for (int i = 0; i < lights_in_pass; ++i) {
-    FogLight light = batch_light(i);
+    LitfogLight light = batch_light(i);
     to_light[i] = tangent_from_world * (light.position_extent.xyz - position);
     light_axis[i] = tangent_from_world * light.axis_profile.xyz;
 #ifdef LITFOG_COOKIES

@@ -3,7 +3,7 @@
 // the Cg Tutorial's Basic model and Hales's fog.
 
 #include "cookie.glsl"
-#include "litfog/surface.glsl"
+#include "litfog/shaders/surface.glsl"
 #include "fragment.glsl"
 #include "listed_lights.glsl"
 #include "world_normal.glsl"
@@ -12,10 +12,10 @@ void main() {
   vec3 position = fragment_position();
   vec4 albedo = base_texture();
 
-  Surface surface;
+  LitfogSurface surface;
   surface.position = position;
   surface.normal = mapped_world_normal();
-  surface.to_eye = normalize(way_to_viewer(position));
+  surface.to_eye = normalize(vector_to_viewer(position));
   surface.emissive = emissive;
   surface.diffuse = albedo.rgb;
   surface.specular = specular * albedo.a;

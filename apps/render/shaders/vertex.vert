@@ -3,7 +3,7 @@
 // 1.1): between them the light is interpolated, so what falls within a triangle is missed.
 
 #include "cookie.glsl"
-#include "litfog/surface.glsl"
+#include "litfog/shaders/surface.glsl"
 #include "listed_lights.glsl"
 #include "scene.glsl"
 #include "vertex.glsl"
@@ -13,21 +13,21 @@ uniform float shininess;
 out vec3 diffuse_light;
 out vec3 specular_light;
 
-void add_light(FogLight light, vec3 position, vec3 normal, vec3 to_eye) {
+void add_light(LitfogLight light, vec3 position, vec3 normal, vec3 to_eye) {
   vec4 ray = litfog_ray(light.position_extent.xyz, position);
   vec3 arriving = litfog_light_along(light, ray);
-  vec2 shares = litfog_reflected_shares(normal, to_eye, shininess, -ray.xyz);
-  diffuse_light += arriving * shares.x;
-  specular_light += arriving * shares.y;
+  vec2 factors = litfog_reflection_factors(normal, to_eye, shininess, -ray.xyz);
+  diffuse_light += arriving * factors.x;
+  specular_light += arriving * factors.y;
 }
 
 void main() {
   vec3 position = place_vertex();
   vec3 normal = world_normal();
-  vec3 to_eye = normalize(way_to_viewer(position));
-  vec2 shares = litfog_reflected_shares(normal, to_eye, shininess, moon_direction);
-  diffuse_light = moon_color * shares.x;
-  specular_light = moon_color * shares.y;
+  vec3 to_eye = normalize(vector_to_viewer(position));
+  vec2 factors = litfog_reflection_factors(normal, to_eye, shininess, moon_direction);
+  diffuse_light = moon_color * factors.x;
+  specular_light = moon_color * factors.y;
 #define ADD_LIGHT(i) add_light(batch_light(i), position, normal, to_eye);
   EACH_LIGHT(ADD_LIGHT)
 #undef ADD_LIGHT

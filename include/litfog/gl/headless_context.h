@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <string>
 
 namespace litfog::gl {
 
 /// An OpenGL 3.3 core context through EGL without a display or window, current on the creating thread.
 /// Takes the first EGL device that gives one (a GPU before a software rasteriser), else Mesa's surfaceless platform.
+///
+/// It leaves the contexts of others alone: what was current on the thread is current again when it is destroyed, and
+/// EGL's display, which the process shares, stays initialised until the process ends.
+///
+/// threads  any number of threads may make, use and destroy contexts of their own at once. One context belongs to the
+///          thread that made it, which destroys it; contexts nested on a thread are destroyed in reverse order.
 class HeadlessContext {
  public:
   /// throws Unsupported saying what is missing
@@ -19,12 +26,8 @@ class HeadlessContext {
   std::string version() const;   ///< GL_VERSION
 
  private:
-  void* display_ = nullptr;  // EGLDisplay and EGLContext, kept out of this header
-  void* context_ = nullptr;
+  struct Egl;
+  std::unique_ptr<Egl> egl_;
 };
-
-/// Refuses a pending GL error: one is our own bug.
-/// throws std::logic_error naming the error and the place
-void check_errors(const char* place);
 
 }  // namespace litfog::gl

@@ -8,11 +8,13 @@ namespace litfog::gl {
 
 /// A shader file's text under the name by which others include it.
 struct ShaderSource {
-  std::string_view name;  ///< e.g. "litfog/fog.glsl"
+  std::string_view name;  ///< e.g. "litfog/shaders/fog.glsl"
   std::string_view text;
 };
 
 /// litfog's own shader files, as installed, embedded in the library.
+///
+/// threads  any
 std::span<const ShaderSource> shader_library();
 
 }  // namespace litfog::gl

@@ -1,14 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// litfog: what formulas.glsl wants of its includer, for GLSL 3.30 and later.
+// litfog: expm1, which GLSL lacks. Every other file of litfog includes this one first; in GLSL ES it makes highp the default
+// precision of float and int.
 
-#define Real float
-#define LITFOG_FUNCTION
+#ifndef LITFOG_EXPM1_GLSL
+#define LITFOG_EXPM1_GLSL
 
-// e^x - 1 for x <= 0 without cancellation, which GLSL lacks. Near 0 from x / (h coth h - h), h = x / 2, with the series
-// of h coth h; error 4 ulp of float there, that of the driver's exp beyond.
+#ifdef GL_ES
+precision highp float;
+precision highp int;
+#endif
+
+// e^x - 1 for x <= 0 without cancellation. Near 0 it is x / (h coth h - h) with h = x / 2 and the series of h coth h.
+// Largest error: 4 ulp of float down to x = -0.6875, the driver's error of exp below that.
 float litfog_expm1(float x) {
   if (x < -0.6875) return exp(x) - 1.0;
   float x2 = x * x;
   float h_coth_h = 1.0 + x2 * (1.0 / 12.0 + x2 * (-1.0 / 720.0 + x2 * (1.0 / 30240.0)));
   return x / (h_coth_h - 0.5 * x);
 }
+
+#endif

@@ -1,23 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
-// litfog: fog between the eye and a fragment, and the lights' part in it.
+// litfog: the fog between the eye and a fragment, lit by the lights of the block.
+//
+// LITFOG_FOG_LIGHTS, defined before the first include of litfog, leaves litfog_lights_fog() to the including program,
+// which adds up litfog_light_fog() over lights of its own choice, in the block or elsewhere.
 
-#include "litfog/light.glsl"
+#ifndef LITFOG_FOG_GLSL
+#define LITFOG_FOG_GLSL
 
-// Opacity 1 - f of the fog over a range, for what sees its density scaled (light classes; surfaces: 1).
+#include "litfog/shaders/light_block.glsl"
+
+// Opacity 1 - f of the fog over a range. density_scale is the light's for what a light class sees, 1 for surfaces.
 float litfog_fog_opacity(float range, float density_scale) {
   float density = min(litfog_fog.x * density_scale, 3.4e38);  // finite: at range 0 infinity would give NaN
   return litfog_opacity(litfog_fog.y == 0.0 ? litfog_depth_exp(range, density) : litfog_depth_exp2(range, density));
 }
 
-// A light's part in the fog colour of a fragment: colour * cone * fog colour intensity (Hales 2004, "Lighting in Fog").
-// The one place where lights light the fog.
-vec3 litfog_light_fog(FogLight light, vec3 position) {
+// What one light adds to the fog colour of a fragment: colour * cone * fog colour intensity (Hales 2004, "Lighting in
+// Fog"). No other function lights the fog.
+vec3 litfog_light_fog(LitfogLight light, vec3 position) {
   vec3 direction = litfog_ray(light.position_extent.xyz, position).xyz;
   return light.color_intensity.rgb * (litfog_cone(light, direction) * light.color_intensity.w);
 }
 
-// All lights' parts together.
-#ifdef LITFOG_FOG_LIGHTS  // the includer knows which lights can light the fog where it draws, and adds up their parts
+// The sum of litfog_light_fog() over the lights that light the fog.
+#ifdef LITFOG_FOG_LIGHTS
 vec3 litfog_lights_fog(vec3 position);
 #else
 vec3 litfog_lights_fog(vec3 position) {
@@ -28,7 +34,7 @@ vec3 litfog_lights_fog(vec3 position) {
 }
 #endif
 
-// Fragment fog colour = ambient fog colour + the lights' parts.
+// Fragment fog colour = ambient fog colour + what the lights add.
 vec3 litfog_fog_color(vec3 position) { return litfog_ambient_fog_color.rgb + litfog_lights_fog(position); }
 
 // The fragment as the eye sees it: mix(fog, surface, f).
@@ -37,3 +43,5 @@ vec3 litfog_apply_fog(vec3 color, vec3 position, vec3 eye) {
   if (opacity <= 0.0) return color;
   return color + (litfog_fog_color(position) - color) * opacity;
 }
+
+#endif

@@ -1,35 +1,54 @@
 // SPDX-License-Identifier: Apache-2.0
-// litfog: the scalar formulas of the model, compiled as they stand by C++ (litfog/formulas.h, any scalar type) and by
-// GLSL.
-// The includer defines Real, LITFOG_FUNCTION and litfog_expm1. Metres, 1/m, cosines.
+// litfog: the scalar formulas of the model in metres, 1/m and cosines. GLSL includes this file like any other; C++ takes
+// the same text through litfog/formulas.h, which defines LITFOG_REAL, LITFOG_FUNCTION and litfog_expm1 first.
+
+#ifndef LITFOG_FORMULAS_GLSL
+#define LITFOG_FORMULAS_GLSL
+
+#ifndef __cplusplus
+#include "litfog/shaders/expm1.glsl"
+#define LITFOG_REAL float
+#define LITFOG_FUNCTION
+#endif
 
 // C + L r + Q r^2
-LITFOG_FUNCTION Real litfog_denominator(Real range, Real constant, Real linear, Real quadratic) {
+LITFOG_FUNCTION LITFOG_REAL litfog_denominator(LITFOG_REAL range, LITFOG_REAL constant, LITFOG_REAL linear,
+                                               LITFOG_REAL quadratic) {
   return constant + range * (linear + range * quadratic);
 }
 
 // Range attenuation min(1, 1 / (C + L r + Q r^2))  (Hales 2004)
-LITFOG_FUNCTION Real litfog_attenuation(Real range, Real constant, Real linear, Real quadratic) {
-  Real denominator = litfog_denominator(range, constant, linear, quadratic);
-  return denominator > Real(1.0) ? Real(1.0) / denominator : Real(1.0);
+LITFOG_FUNCTION LITFOG_REAL litfog_attenuation(LITFOG_REAL range, LITFOG_REAL constant, LITFOG_REAL linear,
+                                               LITFOG_REAL quadratic) {
+  LITFOG_REAL denominator = litfog_denominator(range, constant, linear, quadratic);
+  return denominator > LITFOG_REAL(1.0) ? LITFOG_REAL(1.0) / denominator : LITFOG_REAL(1.0);
 }
 
 // Optical depth of exp fog, d r, and of exp2 fog, (d r)^2
-LITFOG_FUNCTION Real litfog_depth_exp(Real range, Real density) { return density * range; }
-LITFOG_FUNCTION Real litfog_depth_exp2(Real range, Real density) { return (density * range) * (density * range); }
+LITFOG_FUNCTION LITFOG_REAL litfog_depth_exp(LITFOG_REAL range, LITFOG_REAL density) { return density * range; }
+LITFOG_FUNCTION LITFOG_REAL litfog_depth_exp2(LITFOG_REAL range, LITFOG_REAL density) {
+  return (density * range) * (density * range);
+}
 
 // 1 - e^-depth without cancellation
-LITFOG_FUNCTION Real litfog_opacity(Real depth) { return -litfog_expm1(-depth); }
+LITFOG_FUNCTION LITFOG_REAL litfog_opacity(LITFOG_REAL depth) { return -litfog_expm1(-depth); }
 
 // Cosine cone: cos^S u inside the half angle, 0 outside  (Hales 2004)
-LITFOG_FUNCTION Real litfog_cosine_cone(Real cos_angle, Real cos_half_angle, Real exponent) {
-  return cos_angle > cos_half_angle ? pow(cos_angle, exponent) : Real(0.0);
+LITFOG_FUNCTION LITFOG_REAL litfog_cosine_cone(LITFOG_REAL cos_angle, LITFOG_REAL cos_half_angle,
+                                               LITFOG_REAL exponent) {
+  return cos_angle > cos_half_angle ? pow(cos_angle, exponent) : LITFOG_REAL(0.0);
 }
 
 // Dual cone: smoothstep from the outer to the inner cosine  (Cg Tutorial 5.5.3)
-LITFOG_FUNCTION Real litfog_smoothstep_cone(Real cos_angle, Real cos_inner, Real cos_outer) {
-  if (cos_angle >= cos_inner) return Real(1.0);  // first, for the cosines of a narrow cone may be equal
-  if (cos_angle <= cos_outer) return Real(0.0);
-  Real t = (cos_angle - cos_outer) / (cos_inner - cos_outer);
-  return t * t * (Real(3.0) - Real(2.0) * t);
+LITFOG_FUNCTION LITFOG_REAL litfog_smoothstep_cone(LITFOG_REAL cos_angle, LITFOG_REAL cos_inner,
+                                                   LITFOG_REAL cos_outer) {
+  if (cos_angle >= cos_inner) return LITFOG_REAL(1.0);  // first, because a narrow cone's cosines may be equal
+  if (cos_angle <= cos_outer) return LITFOG_REAL(0.0);
+  LITFOG_REAL t = (cos_angle - cos_outer) / (cos_inner - cos_outer);
+  return t * t * (LITFOG_REAL(3.0) - LITFOG_REAL(2.0) * t);
 }
+
+#undef LITFOG_FUNCTION
+#undef LITFOG_REAL
+
+#endif

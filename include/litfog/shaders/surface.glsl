@@ -2,9 +2,12 @@
 // litfog: the Cg Tutorial's Basic model (chapter 5.2): emissive + ambient + sum over lights of diffuse + specular,
 // specular zero where diffuse is; attenuated by range (5.5.1) and cone (5.5.2, 5.5.3).
 
-#include "litfog/light.glsl"
+#ifndef LITFOG_SURFACE_GLSL
+#define LITFOG_SURFACE_GLSL
 
-struct Surface {
+#include "litfog/shaders/light.glsl"
+
+struct LitfogSurface {
   vec3 position;
   vec3 normal;  // unit
   vec3 to_eye;  // unit
@@ -14,10 +17,12 @@ struct Surface {
   float shininess;
 };
 
-vec3 litfog_ambient(Surface surface, vec3 ambient_light) { return surface.emissive + surface.diffuse * ambient_light; }
+vec3 litfog_ambient(LitfogSurface surface, vec3 ambient_light) {
+  return surface.emissive + surface.diffuse * ambient_light;
+}
 
-// Diffuse and specular share of a light from a unit direction (C5E5_computeLighting).
-vec2 litfog_reflected_shares(vec3 normal, vec3 to_eye, float shininess, vec3 to_light) {
+// Diffuse and specular factor of a light from a unit direction (C5E5_computeLighting).
+vec2 litfog_reflection_factors(vec3 normal, vec3 to_eye, float shininess, vec3 to_light) {
   float diffuse = dot(normal, to_light);
   if (diffuse <= 0.0) return vec2(0.0);
   vec3 half_vector = to_light + to_eye;  // 0 where they are opposite: no highlight
@@ -25,13 +30,16 @@ vec2 litfog_reflected_shares(vec3 normal, vec3 to_eye, float shininess, vec3 to_
   return vec2(diffuse, pow(clamp(facing, 0.0, 1.0), shininess));
 }
 
-// Light of a colour from a unit direction.
-vec3 litfog_reflect(Surface surface, vec3 to_light, vec3 color) {
-  vec2 shares = litfog_reflected_shares(surface.normal, surface.to_eye, surface.shininess, to_light);
-  return color * (surface.diffuse * shares.x + surface.specular * shares.y);
+// Reflection of light of a colour from a unit direction.
+vec3 litfog_reflect(LitfogSurface surface, vec3 to_light, vec3 color) {
+  vec2 factors = litfog_reflection_factors(surface.normal, surface.to_eye, surface.shininess, to_light);
+  return color * (surface.diffuse * factors.x + surface.specular * factors.y);
 }
 
-vec3 litfog_light_surface(Surface surface, FogLight light) {
+// Reflection of a light, without ambient and emissive.
+vec3 litfog_light_surface(LitfogSurface surface, LitfogLight light) {
   vec4 ray = litfog_ray(light.position_extent.xyz, surface.position);
   return litfog_reflect(surface, -ray.xyz, litfog_light_along(light, ray));
 }
+
+#endif

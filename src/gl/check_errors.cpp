@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "litfog/gl/check_errors.h"
+
+#include <epoxy/gl.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace litfog::gl {
+
+void check_errors(const char* place) {
+  if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
+    throw std::logic_error("OpenGL error " + std::to_string(error) + " after " + place);
+  }
+}
+
+}  // namespace litfog::gl
