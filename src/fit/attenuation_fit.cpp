@@ -86,7 +86,8 @@ void meet_extent(Attenuation& attenuation, double extent, double threshold) {
   }
 }
 
-Attenuation member(AttenuationFamily family, double constant, double extent, double threshold) {
+/// The attenuation of a family that has an extent.
+Attenuation attenuation_of(AttenuationFamily family, double constant, double extent, double threshold) {
   const double rest = 1 / threshold - constant;
   const double linear_share = family == AttenuationFamily::linear ? 1 : family == AttenuationFamily::mixed ? 0.5 : 0;
   Attenuation attenuation{constant, linear_share * rest / extent, (1 - linear_share) * rest / extent / extent};
@@ -286,7 +287,7 @@ AttenuationFit fit_attenuation(const AttenuationTarget& asked) {
     target.constant = largest_constant;
   }
   if (target.samples.empty()) {
-    fit.attenuation = member(target.family, target.constant.value_or(1), *target.extent, target.threshold);
+    fit.attenuation = attenuation_of(target.family, target.constant.value_or(1), *target.extent, target.threshold);
     if (fit.sentence.empty()) fit.sentence = "the extent is met";
   } else {
     fit_samples(target, fit);

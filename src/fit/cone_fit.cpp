@@ -23,10 +23,10 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kTolerance = 1e-3;  // of the objective: what is promised
 constexpr double kGap = 5e-4;        // of it: left open by the bounds
 constexpr double kEdgeCost = 4e-4;   // of it: for a cut-off where the beam ends rather than far out
-constexpr double kExact = 1e-20;     // of the shares' own sum: ten digits of each share
+constexpr double kExact = 1e-20;     // of the fractions' own sum: ten digits of each
 constexpr std::size_t kMaxBoxes = 1'000'000;
 constexpr int kMaxRounds = 20;       // of a descent that moves the cut
-constexpr double kInvisible = 5e-4;  // share at which a cut-off does not show: 1.6 of 255 in sRGB
+constexpr double kInvisible = 5e-4;  // fraction at which a cut-off does not show: 1.6 of 255 in sRGB
 constexpr double kBeamLevel = 0.5;
 constexpr double kFieldLevel = 0.1;
 
@@ -34,20 +34,20 @@ constexpr double kFieldLevel = 0.1;
 struct Point {
   double angle;
   double cosine;
-  double versine;  ///< 1 - cosine, to all digits
-  double share;
+  double versine;   ///< 1 - cosine, to all digits
+  double fraction;  ///< of the largest intensity
   double weight;
 
-  Point(double angle_given, double share_given, double weight_given)
+  Point(double angle_given, double fraction_given, double weight_given)
       : angle(angle_given),
         cosine(std::cos(angle_given)),
         versine(litfog::versine(angle_given)),
-        share(share_given),
+        fraction(fraction_given),
         weight(weight_given) {}
 
-  double loss(double cone) const { return weight * (cone - share) * (cone - share); }
-  /// The least loss where the cone's share is between two values.
-  double loss(double least, double most) const { return loss(std::clamp(share, least, most)); }
+  double loss(double cone) const { return weight * (cone - fraction) * (cone - fraction); }
+  /// The least loss where the cone is between two values.
+  double loss(double least, double most) const { return loss(std::clamp(fraction, least, most)); }
 };
 
 double peak_of(const std::vector<ConeSample>& samples) {
@@ -136,11 +136,30 @@ class ConeSearch {
   Optimum optimum_;
 };
 
-void describe(const LeastSquaresFit& fit, Candidate& candidate, std::size_t& iterations) {
-  candidate.kkt_residual = fit.gradient;
-  candidate.covariance = fit.covariance;
-  iterations += fit.iterations;
-}
+/// The errors of both fits are differences of fractions, not their ratios: what light falls on a surface is seen by its
+/// amount, and beams end in darkness, which has no logarithm.
+struct CosineResidual {
+  const Point& point;
+  double edge;  ///< cosine of the half angle
+
+  template <typename T>
+  T operator()(const T& exponent) const {
+    return std::sqrt(point.weight) *
+           (formulas::litfog_cosine_cone(T(point.cosine), T(edge), exponent) - point.fraction);
+  }
+};
+
+/// The formula sees differences of cosines alone, so it is given negative versines, which keep their digits near the
+/// axis.
+struct SmoothstepResidual {
+  const Point& point;
+
+  template <typename T>
+  T operator()(const T& inner, const T& outer) const {
+    return std::sqrt(point.weight) *
+           (formulas::litfog_smoothstep_cone(T(-point.versine), T(-inner), T(-outer)) - point.fraction);
+  }
+};
 
 /// cos^S u for u < H. Which points are lit depends on H alone, and the best of these for an S is found by one pass over
 /// the points: the search is over S. Its parameter is 1 / (1 + S m), m = -ln cos u of a typical point, in [0, 1].
@@ -175,8 +194,8 @@ class CosineProfile {
   Candidate descend(const Parameters& start, std::size_t& iterations) const {
     Candidate candidate;
     candidate.parameters = {exponent_of(start[0]), 0};
-    for (int round = 0; round < kMaxRounds;
-         ++round) {  // a round's cut is the best for the exponent of the round before
+    // A round's cut is the best for the exponent of the round before.
+    for (int round = 0; round < kMaxRounds; ++round) {
       const auto [lit, objective] = best_cut(candidate.parameters[0], candidate.parameters[0]);
       const bool is_settled = lit == candidate.lit && round > 0;
       candidate.lit = lit;
@@ -189,17 +208,15 @@ class CosineProfile {
       }
       const double edge = lit < points_.size() ? std::max(points_[lit].cosine, 0.0) : 0;
       const auto model = [this, edge](const auto* exponent, auto* residuals) {
-        using Real = std::decay_t<decltype(*exponent)>;
-        for (const Point& point : points_) {
-          const Real cone = formulas::litfog_cosine_cone(Real(point.cosine), Real(edge), *exponent);
-          *residuals++ = std::sqrt(point.weight) * (cone - point.share);
-        }
+        for (const Point& point : points_) *residuals++ = CosineResidual{point, edge}(*exponent);
       };
       const LeastSquaresFit fit = fit_least_squares(
           {.residual_count = points_.size(), .evaluate = differentiate<1>(model), .lower = {0}, .upper = {kInfinity}},
           {candidate.parameters.data(), 1}, Descent::one);
-      describe(fit, candidate, iterations);
       candidate.parameters[0] = fit.parameters[0];
+      candidate.kkt_residual = fit.gradient;
+      candidate.covariance = fit.covariance;
+      iterations += fit.iterations;
     }
     return candidate;
   }
@@ -242,8 +259,7 @@ class CosineProfile {
   double fall_ = 1;
 };
 
-/// smoothstep(cos outer, cos inner, cos u). The formula sees differences of cosines alone, so that it is given negative
-/// versines. Parameters are the versines of inner and outer.
+/// smoothstep(cos outer, cos inner, cos u). Parameters are the versines of inner and outer.
 class SmoothstepProfile {
  public:
   SmoothstepProfile(const std::vector<Point>& points, std::optional<double> outer) : points_(points) {
@@ -276,29 +292,28 @@ class SmoothstepProfile {
   }
 
   Candidate descend(const Parameters& start, std::size_t& iterations) const {
-    const auto subtract = [this](const auto& inner, const auto& outer, auto* residuals) {
-      using Real = std::decay_t<decltype(inner)>;
-      for (const Point& point : points_) {
-        const Real cone = formulas::litfog_smoothstep_cone(Real(-point.versine), Real(-inner), Real(-outer));
-        *residuals++ = std::sqrt(point.weight) * (cone - point.share);
-      }
+    const auto edge_given = [this](const auto* inner, auto* residuals) {
+      const std::decay_t<decltype(*inner)> outer(*outer_);
+      for (const Point& point : points_) *residuals++ = SmoothstepResidual{point}(*inner, outer);
+    };
+    const auto edge_free = [this](const auto* edge, auto* residuals) {
+      for (const Point& point : points_) *residuals++ = SmoothstepResidual{point}(edge[0], edge[1]);
     };
     const std::size_t count = outer_ ? 1 : 2;
-    const LeastSquaresFit fit = fit_least_squares(
-        {.residual_count = points_.size(),
-         .evaluate =
-             outer_
-                 ? differentiate<1>([&](const auto* inner, auto* residuals) { subtract(*inner, *outer_, residuals); })
-                 : differentiate<2>([&](const auto* both, auto* residuals) { subtract(both[0], both[1], residuals); }),
-         .lower = std::vector<double>(count, 0),
-         .upper = std::vector<double>(count, 2)},
-        {start.data(), count}, Descent::one);
+    const LeastSquaresFit fit =
+        fit_least_squares({.residual_count = points_.size(),
+                           .evaluate = outer_ ? differentiate<1>(edge_given) : differentiate<2>(edge_free),
+                           .lower = std::vector<double>(count, 0),
+                           .upper = std::vector<double>(count, 2)},
+                          {start.data(), count}, Descent::one);
     Candidate candidate;
     candidate.parameters[1] = outer_ ? *outer_ : fit.parameters[1];
     constexpr double kNarrowest = 1e-12;  // a descent may end in a step, which is the limit of cones
     candidate.parameters[0] = std::min(fit.parameters[0], candidate.parameters[1] * (1 - kNarrowest));
     candidate.objective = objective(candidate.parameters);
-    describe(fit, candidate, iterations);
+    candidate.kkt_residual = fit.gradient;
+    candidate.covariance = fit.covariance;
+    iterations += fit.iterations;
     return candidate;
   }
 
@@ -307,7 +322,7 @@ class SmoothstepProfile {
     double full = 0;
     double dark = outer_ ? *outer_ : 2;
     double inside = 0;
-    double share = 0;
+    double part = 0;        // of the edge beyond it, linear in the versine
     std::size_t count = 0;  // of different angles
     for (const Point& point : points_) {
       const double cone = cone_at(point, parameters);
@@ -318,16 +333,16 @@ class SmoothstepProfile {
         dark = std::min(dark, point.versine);
       } else if (count == 0 || point.versine > inside) {
         inside = point.versine;
-        share = (parameters[1] - inside) / (parameters[1] - parameters[0]);  // of the edge, linear
+        part = (parameters[1] - inside) / (parameters[1] - parameters[0]);
         ++count;
       }
     }
     is_identified = count >= (outer_ ? 1u : 2u);
     if (is_identified) return parameters;
     Parameters result{full, dark};
-    if (count == 1) {  // outer - inside = share * (outer - inner)
-      const double outer = (inside - share * full) / (1 - share);
-      result = outer <= dark ? Parameters{full, outer} : Parameters{(inside - (1 - share) * dark) / share, dark};
+    if (count == 1) {  // outer - inside = part * (outer - inner)
+      const double outer = (inside - part * full) / (1 - part);
+      result = outer <= dark ? Parameters{full, outer} : Parameters{(inside - (1 - part) * dark) / part, dark};
     }
     return objective(result) <= std::max(objective(parameters) * (1 + 1e-12), exact) ? result : parameters;
   }
@@ -343,11 +358,11 @@ class SmoothstepProfile {
   std::optional<double> outer_;  // versine, where given
 };
 
-/// Angle where the points first fall to a share of their peak, if they do.
-std::optional<double> half_angle_of(const std::vector<Point>& points, double share) {
+/// Angle where the points first fall to a fraction of their peak, if they do.
+std::optional<double> half_angle_of(const std::vector<Point>& points, double fraction) {
   std::vector<AxialSample> profile;
-  for (const Point& point : points) profile.push_back({point.angle, point.share, 0});
-  const double angle = half_angle(profile, share);
+  for (const Point& point : points) profile.push_back({point.angle, point.fraction, 0});
+  const double angle = half_angle(profile, fraction);
   return angle < profile.back().angle ? std::optional(angle) : std::nullopt;
 }
 
@@ -365,12 +380,12 @@ double flux_of(const std::vector<ConeSample>& samples) {
   return 4 * pi * sum;
 }
 
-/// What can be said of a cone whatever found it.
+/// The figures of a cone against its target, whatever found it.
 ConeProfileFit assess(const Cone& cone, const std::vector<Point>& points, const ConeTarget& target) {
   ConeProfileFit fit{.cone = cone};
   double weights = 0;
   for (const Point& point : points) {
-    const double error = cone_at(cone, point.cosine) - point.share;
+    const double error = cone_at(cone, point.cosine) - point.fraction;
     fit.objective += point.weight * error * error;
     weights += point.weight;
     if (std::abs(error) > std::abs(fit.largest_error)) {
@@ -394,9 +409,9 @@ ConeProfileFit assess(const Cone& cone, const std::vector<Point>& points, const 
   return fit;
 }
 
-void add_proof(const Optimum& optimum, double exact, ConeProfileFit& fit) {
-  const bool is_proved = optimum.best.objective <= exact || optimum.lower_bound >= (1 - kTolerance) * fit.objective;
-  fit.status = is_proved ? ConeFitStatus::optimal : ConeFitStatus::unproven;
+void fill_in_proof(const Optimum& optimum, double exact, ConeProfileFit& fit) {
+  const bool is_proven = optimum.best.objective <= exact || optimum.lower_bound >= (1 - kTolerance) * fit.objective;
+  fit.status = is_proven ? ConeFitStatus::optimal : ConeFitStatus::unproven;
   fit.lower_bound = std::min(optimum.lower_bound, fit.objective);
   fit.kkt_residual = optimum.best.kkt_residual;
   fit.iterations = optimum.iterations;
@@ -428,7 +443,7 @@ ConeProfileFit fit_cosine(const std::vector<Point>& points, const ConeTarget& ta
     half_angle = (range[0] + range[1]) / 2;
   }
   ConeProfileFit fit = assess(Cone::cosine(half_angle, exponent), points, target);
-  add_proof(optimum, exact, fit);
+  fill_in_proof(optimum, exact, fit);
   fit.cutoff_range = range;
   if (optimum.best.covariance && count_off_axis(points) > 1) {
     fit.covariance = {{{optimum.best.covariance->front(), 0}, {0, 0}}};
@@ -447,7 +462,7 @@ ConeProfileFit fit_smoothstep(const std::vector<Point>& points, const ConeTarget
   };
   const Cone cone = Cone::smoothstep(angle_of(inner), target.half_angle ? *target.half_angle : angle_of(outer));
   ConeProfileFit fit = assess(cone, points, target);
-  add_proof(optimum, exact, fit);
+  fill_in_proof(optimum, exact, fit);
   fit.cutoff_range = {cone.outer, cone.outer};
   const std::size_t count = target.half_angle ? 1 : 2;
   if (is_identified && optimum.best.covariance && count_off_axis(points) > count) {

@@ -253,11 +253,6 @@ double Falloff::weight_sum() const {
   return sum;
 }
 
-double Falloff::residual(const Coefficients& q, const Sample& sample) const {
-  const double d = denominator(q, sample.x);
-  return double(sample.y) - std::log(is_clamped_at(sample) ? std::max(1.0, d) : d);
-}
-
 double Falloff::objective(const Coefficients& q) const {
   double sum = 0;
   for (const Sample& sample : samples) sum += sample.weight * loss.value(residual(q, sample));
@@ -311,6 +306,19 @@ Coefficients linear_start(const Falloff& falloff) {
 
 namespace {
 
+/// What Ceres squares: ln attenuation, because the errors of a falloff table are fractions of values that span decades,
+/// weighted, and bent so that its square is the loss. It is written over D, in which the coefficients are linear, so
+/// that one derivative does for all of them.
+struct FalloffResidual {
+  const Falloff& falloff;
+  const Falloff::Sample& sample;
+
+  template <typename T>
+  T operator()(const T& d) const {
+    return std::sqrt(sample.weight) * falloff.loss.root(falloff.residual(d, sample));
+  }
+};
+
 /// One descent among the coefficients that are not 0, and Newton steps among all.
 FalloffMinimum descend_once(const Falloff& falloff, const Coefficients& start) {
   const Parameters parameters(falloff, start);
@@ -328,15 +336,12 @@ FalloffMinimum descend_once(const Falloff& falloff, const Coefficients& start) {
       for (std::size_t k = 0; k < count; ++k) slopes[k] = parameters.slope(values, k);
       for (std::size_t i = 0; i < falloff.samples.size(); ++i) {
         const auto& sample = falloff.samples[i];
-        const double z = falloff.residual(q, sample);
-        const double root = std::sqrt(sample.weight);
-        residuals[i] = root * falloff.loss.root(z);
+        using Jet = ceres::Jet<double, 1>;
+        const Jet residual = FalloffResidual{falloff, sample}(Jet(denominator(q, sample.x), 0));
+        residuals[i] = residual.a;
         if (jacobian.empty()) continue;
-        const double d = denominator(q, sample.x);
-        // At the clamp a sample with attenuation 1 tells nothing: a smaller D is as good.
-        const bool is_level = falloff.is_clamped_at(sample) && (sample.y > 0 ? d < 1 : d <= 1);
-        const double outer = is_level ? 0 : -root * falloff.loss.root_slope(z) / d;
-        for (std::size_t k = 0; k < count; ++k) jacobian[i * count + k] = outer * denominator(slopes[k], sample.x);
+        for (std::size_t k = 0; k < count; ++k)
+          jacobian[i * count + k] = residual.v[0] * denominator(slopes[k], sample.x);
       }
       return true;
     };

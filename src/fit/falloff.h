@@ -17,6 +17,9 @@ namespace litfog {
 /// C, L R, Q R^2 for the unit of length R.
 using Coefficients = std::array<double, 3>;
 
+/// D at x.
+inline double denominator(const Coefficients& q, double x) { return q[0] + x * (q[1] + x * q[2]); }
+
 /// What a residual z costs: z^2, beyond the scale s linearly. (Soft L1; s = infinity is plain least squares. Even, and
 /// with one inflection as a function of the denominator, so that the search below needs to know no other.)
 class Loss {
@@ -37,9 +40,12 @@ class Loss {
   Real curvature(Real z) const {
     return 2 / (stretch(z) * stretch(z) * stretch(z));
   }
-  /// What value is the square of, with z's sign, and its slope: the least squares that Ceres sees.
-  double root(double z) const { return z * std::sqrt(2 / (1 + stretch(z))); }
-  double root_slope(double z) const { return std::sqrt((1 + stretch(z)) / 2) / stretch(z); }
+  /// What value is the square of, with z's sign.
+  template <typename Real>
+  Real root(const Real& z) const {
+    using std::sqrt;
+    return z * sqrt(2.0 / (1.0 + stretch(z)));
+  }
   /// The residual >= 0 that costs `value`.
   double residual(double value) const { return std::sqrt(value + value / scale_ * (value / scale_) / 4); }
   /// The z up to which value(ln D - y) is convex in D: where curvature = slope.
@@ -49,7 +55,7 @@ class Loss {
   template <typename Real>
   Real stretch(Real z) const {
     using std::sqrt;
-    return sqrt(1 + z / scale_ * (z / scale_));
+    return sqrt(1.0 + z / scale_ * (z / scale_));
   }
 
   double scale_;
@@ -86,11 +92,18 @@ struct Falloff {
   /// Largest C that leaves an extent; only with an end and without a constant.
   double largest_constant() const { return kLargestConstantShare * double(end->top); }
   bool is_clamped_at(const Sample& sample) const { return is_clamped || sample.y == 0; }
-  /// ln of the attenuation less that of the sample.
-  double residual(const Coefficients& q, const Sample& sample) const;
+  /// ln of the attenuation at the denominator D minus that of the sample.
+  template <typename Real>
+  Real residual(const Real& d, const Sample& sample) const {
+    using std::log;
+    // At D = 1 a sample with attenuation 1 has no slope: a smaller D is as good.
+    const bool is_level = is_clamped_at(sample) && (sample.y > 0 ? d < 1.0 : d <= 1.0);
+    return is_level ? Real(double(sample.y)) : double(sample.y) - log(d);
+  }
+  double residual(const Coefficients& q, const Sample& sample) const {
+    return residual(denominator(q, sample.x), sample);
+  }
 };
-
-inline double denominator(const Coefficients& q, double x) { return q[0] + x * (q[1] + x * q[2]); }
 
 /// A local minimum.
 struct FalloffMinimum {

@@ -40,14 +40,14 @@ class CostFunction final : public ceres::CostFunction {
   std::size_t parameter_count_;
 };
 
-/// What is known of the problem at one place.
-struct Place {
+/// What is known of the problem at some parameters.
+struct Iterate {
   Vector parameters;
   Vector residuals;
   Matrix jacobian;
   std::vector<bool> is_held;  ///< at a bound, and the objective falls beyond it
   Vector step;                ///< of Gauss and Newton, in the free parameters
-  double reach = 0;           ///< length of the residuals' projection onto what the free parameters can do
+  double projection = 0;      ///< norm of the residuals projected onto the free columns of the Jacobian
   double gradient = 0;
   double relative_step = 0;  ///< both in what they do to the residuals
   bool has_full_rank = false;
@@ -56,138 +56,134 @@ struct Place {
   double objective() const { return 0.5 * residuals.squaredNorm(); }
 };
 
-class Descender {
- public:
-  Descender(const LeastSquaresProblem& problem, std::span<const double> start)
-      : problem_(problem), start_(Eigen::Map<const Vector>(start.data(), static_cast<Index>(start.size()))) {}
+/// Whether a parameter is at a bound.
+bool is_at_lower(const LeastSquaresProblem& problem, const Vector& parameters, Index i) {
+  const auto at = static_cast<std::size_t>(i);
+  return at < problem.lower.size() && parameters[i] <= problem.lower[at];
+}
+bool is_at_upper(const LeastSquaresProblem& problem, const Vector& parameters, Index i) {
+  const auto at = static_cast<std::size_t>(i);
+  return at < problem.upper.size() && parameters[i] >= problem.upper[at];
+}
 
-  /// The place, or nothing where the model has no finite value and slope.
-  std::optional<Place> look(const Vector& parameters) const {
-    Place place;
-    place.parameters = parameters;
-    place.residuals.resize(static_cast<Index>(problem_.residual_count));
-    place.jacobian.resize(place.residuals.size(), parameters.size());
-    const auto span = [](auto& values) { return std::span(values.data(), static_cast<std::size_t>(values.size())); };
-    if (!problem_.evaluate(span(parameters), span(place.residuals), span(place.jacobian)) ||
-        !place.residuals.allFinite() || !place.jacobian.allFinite()) {
-      return std::nullopt;
-    }
-    solve_linear(place);
-    return place;
+/// Which parameters are free, and the linear least squares in them. Columns are brought to one length first: the
+/// rank must not depend on the parameters' units.
+void solve_linear(const LeastSquaresProblem& problem, Iterate& iterate) {
+  const Vector slope = iterate.jacobian.transpose() * iterate.residuals;
+  std::vector<Index> free;
+  for (Index i = 0; i < iterate.parameters.size(); ++i) {
+    const bool is_held = (is_at_lower(problem, iterate.parameters, i) && slope[i] >= 0) ||
+                         (is_at_upper(problem, iterate.parameters, i) && slope[i] <= 0);
+    iterate.is_held.push_back(is_held);
+    if (!is_held) free.push_back(i);
   }
+  const auto free_count = static_cast<Index>(free.size());
+  iterate.step = Vector::Zero(iterate.parameters.size());
+  iterate.covariance = Matrix::Zero(iterate.parameters.size(), iterate.parameters.size());
+  iterate.has_full_rank = iterate.residuals.size() >= free_count;
+  if (free_count == 0) return;
 
-  std::optional<Place> descend(const ceres::Solver::Options& options, std::size_t& iterations) const {
-    Vector parameters = start_;
-    CostFunction cost(problem_, static_cast<std::size_t>(parameters.size()));
-    ceres::Problem::Options problem_options;
-    problem_options.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-    ceres::Problem ceres_problem(problem_options);
-    ceres_problem.AddResidualBlock(&cost, nullptr, parameters.data());
-    for (std::size_t i = 0; i < problem_.lower.size(); ++i) {
-      if (std::isfinite(problem_.lower[i])) {
-        ceres_problem.SetParameterLowerBound(parameters.data(), static_cast<int>(i), problem_.lower[i]);
-      }
-    }
-    for (std::size_t i = 0; i < problem_.upper.size(); ++i) {
-      if (std::isfinite(problem_.upper[i])) {
-        ceres_problem.SetParameterUpperBound(parameters.data(), static_cast<int>(i), problem_.upper[i]);
-      }
-    }
-    ceres::Solver::Summary summary;
-    ceres::Solve(options, &ceres_problem, &summary);
-    iterations += summary.iterations.size();
-    auto place = look(parameters);
-    return place ? polish(*place, iterations) : place;
+  Matrix columns(iterate.residuals.size(), free_count);
+  Vector lengths(free_count);
+  Vector scaled_parameters(free_count);
+  for (Index i = 0; i < free_count; ++i) {
+    const Index at = free[static_cast<std::size_t>(i)];
+    const auto column = iterate.jacobian.col(at);
+    lengths[i] = column.norm();
+    columns.col(i) = lengths[i] > 0 ? Vector(column / lengths[i]) : Vector::Zero(columns.rows());
+    scaled_parameters[i] = lengths[i] * iterate.parameters[at];
   }
-
- private:
-  bool is_at_lower(const Vector& parameters, Index i) const {
-    const auto at = static_cast<std::size_t>(i);
-    return at < problem_.lower.size() && parameters[i] <= problem_.lower[at];
+  const double residual_length = iterate.residuals.norm();
+  if (residual_length > 0) {
+    iterate.gradient = (columns.transpose() * iterate.residuals).cwiseAbs().maxCoeff() / residual_length;
   }
-  bool is_at_upper(const Vector& parameters, Index i) const {
-    const auto at = static_cast<std::size_t>(i);
-    return at < problem_.upper.size() && parameters[i] >= problem_.upper[at];
+  const Eigen::ColPivHouseholderQR<Matrix> decomposition(columns);
+  const Index rank = decomposition.rank();
+  iterate.has_full_rank = rank == free_count;
+  iterate.projection = (decomposition.householderQ().adjoint() * iterate.residuals).head(rank).norm();
+  const Vector step = -decomposition.solve(iterate.residuals);
+  const double parameter_length = scaled_parameters.norm();
+  iterate.relative_step = parameter_length > 0 ? step.norm() / parameter_length : step.norm();
+  Matrix covariance = Matrix::Zero(free_count, free_count);
+  if (iterate.has_full_rank) {
+    const Matrix inverse = decomposition.matrixR()
+                               .topLeftCorner(rank, rank)
+                               .triangularView<Eigen::Upper>()
+                               .solve(Matrix::Identity(rank, rank));
+    covariance =
+        decomposition.colsPermutation() * (inverse * inverse.transpose()) * decomposition.colsPermutation().transpose();
   }
-
-  /// Which parameters are free, and the linear least squares in them. Columns are brought to one length first: the
-  /// rank must not depend on the parameters' units.
-  void solve_linear(Place& place) const {
-    const Vector slope = place.jacobian.transpose() * place.residuals;
-    std::vector<Index> free;
-    for (Index i = 0; i < place.parameters.size(); ++i) {
-      const bool is_held =
-          (is_at_lower(place.parameters, i) && slope[i] >= 0) || (is_at_upper(place.parameters, i) && slope[i] <= 0);
-      place.is_held.push_back(is_held);
-      if (!is_held) free.push_back(i);
-    }
-    const auto free_count = static_cast<Index>(free.size());
-    place.step = Vector::Zero(place.parameters.size());
-    place.covariance = Matrix::Zero(place.parameters.size(), place.parameters.size());
-    place.has_full_rank = place.residuals.size() >= free_count;
-    if (free_count == 0) return;
-
-    Matrix columns(place.residuals.size(), free_count);
-    Vector lengths(free_count);
-    Vector scaled_parameters(free_count);
-    for (Index i = 0; i < free_count; ++i) {
-      const Index at = free[static_cast<std::size_t>(i)];
-      const auto column = place.jacobian.col(at);
-      lengths[i] = column.norm();
-      columns.col(i) = lengths[i] > 0 ? Vector(column / lengths[i]) : Vector::Zero(columns.rows());
-      scaled_parameters[i] = lengths[i] * place.parameters[at];
-    }
-    const double residual_length = place.residuals.norm();
-    if (residual_length > 0) {
-      place.gradient = (columns.transpose() * place.residuals).cwiseAbs().maxCoeff() / residual_length;
-    }
-    const Eigen::ColPivHouseholderQR<Matrix> decomposition(columns);
-    const Index rank = decomposition.rank();
-    place.has_full_rank = rank == free_count;
-    place.reach = (decomposition.householderQ().adjoint() * place.residuals).head(rank).norm();
-    const Vector step = -decomposition.solve(place.residuals);
-    const double parameter_length = scaled_parameters.norm();
-    place.relative_step = parameter_length > 0 ? step.norm() / parameter_length : step.norm();
-    Matrix covariance = Matrix::Zero(free_count, free_count);
-    if (place.has_full_rank) {
-      const Matrix inverse = decomposition.matrixR()
-                                 .topLeftCorner(rank, rank)
-                                 .triangularView<Eigen::Upper>()
-                                 .solve(Matrix::Identity(rank, rank));
-      covariance = decomposition.colsPermutation() * (inverse * inverse.transpose()) *
-                   decomposition.colsPermutation().transpose();
-    }
-    for (Index i = 0; i < free_count; ++i) {
-      const Index at = free[std::size_t(i)];
-      place.step[at] = lengths[i] > 0 ? step[i] / lengths[i] : 0;
-      for (Index j = 0; j < free_count; ++j) {
-        if (place.has_full_rank) {
-          place.covariance(at, free[std::size_t(j)]) = covariance(i, j) / (lengths[i] * lengths[j]);
-        }
+  for (Index i = 0; i < free_count; ++i) {
+    const Index at = free[std::size_t(i)];
+    iterate.step[at] = lengths[i] > 0 ? step[i] / lengths[i] : 0;
+    for (Index j = 0; j < free_count; ++j) {
+      if (iterate.has_full_rank) {
+        iterate.covariance(at, free[std::size_t(j)]) = covariance(i, j) / (lengths[i] * lengths[j]);
       }
     }
   }
+}
 
-  /// Gauss-Newton to the last digits. Near the optimum the objective no longer tells two places apart, its slope does:
-  /// a descent that asks for a smaller objective, as Ceres does, stops with half the digits.
-  Place polish(Place place, std::size_t& iterations) const {
-    for (int i = 0; i < 60; ++i) {
-      Vector next = place.parameters + place.step;
-      for (std::size_t k = 0; k < problem_.lower.size(); ++k)
-        next[Index(k)] = std::max(next[Index(k)], problem_.lower[k]);
-      for (std::size_t k = 0; k < problem_.upper.size(); ++k)
-        next[Index(k)] = std::min(next[Index(k)], problem_.upper[k]);
-      auto tried = look(next);
-      ++iterations;
-      if (!tried || !(tried->reach < place.reach) || !(tried->objective() <= place.objective() * (1 + 1e-9))) break;
-      place = *std::move(tried);
-    }
-    return place;
+/// The iterate, or nothing where the model has no finite value and slope.
+std::optional<Iterate> evaluate(const LeastSquaresProblem& problem, const Vector& parameters) {
+  Iterate iterate;
+  iterate.parameters = parameters;
+  iterate.residuals.resize(static_cast<Index>(problem.residual_count));
+  iterate.jacobian.resize(iterate.residuals.size(), parameters.size());
+  const auto span = [](auto& values) { return std::span(values.data(), static_cast<std::size_t>(values.size())); };
+  if (!problem.evaluate(span(parameters), span(iterate.residuals), span(iterate.jacobian)) ||
+      !iterate.residuals.allFinite() || !iterate.jacobian.allFinite()) {
+    return std::nullopt;
   }
+  solve_linear(problem, iterate);
+  return iterate;
+}
 
-  const LeastSquaresProblem& problem_;
-  Vector start_;
-};
+/// Gauss-Newton to the last digits. Near the optimum the objective no longer distinguishes two iterates, its slope
+/// does: a descent that asks for a smaller objective, as Ceres does, stops with half the digits.
+Iterate polish(const LeastSquaresProblem& problem, Iterate iterate, std::size_t& iterations) {
+  for (int i = 0; i < 60; ++i) {
+    Vector parameters = iterate.parameters + iterate.step;
+    for (std::size_t k = 0; k < problem.lower.size(); ++k) {
+      parameters[Index(k)] = std::max(parameters[Index(k)], problem.lower[k]);
+    }
+    for (std::size_t k = 0; k < problem.upper.size(); ++k) {
+      parameters[Index(k)] = std::min(parameters[Index(k)], problem.upper[k]);
+    }
+    auto next = evaluate(problem, parameters);
+    ++iterations;
+    if (!next || !(next->projection < iterate.projection) || !(next->objective() <= iterate.objective() * (1 + 1e-9))) {
+      break;
+    }
+    iterate = *std::move(next);
+  }
+  return iterate;
+}
+
+/// Where Ceres ends from a start, polished; nothing where the model has no value there.
+std::optional<Iterate> descend(const LeastSquaresProblem& problem, Vector parameters,
+                               const ceres::Solver::Options& options, std::size_t& iterations) {
+  CostFunction cost(problem, static_cast<std::size_t>(parameters.size()));
+  ceres::Problem::Options problem_options;
+  problem_options.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  ceres::Problem ceres_problem(problem_options);
+  ceres_problem.AddResidualBlock(&cost, nullptr, parameters.data());
+  for (std::size_t i = 0; i < problem.lower.size(); ++i) {
+    if (std::isfinite(problem.lower[i])) {
+      ceres_problem.SetParameterLowerBound(parameters.data(), static_cast<int>(i), problem.lower[i]);
+    }
+  }
+  for (std::size_t i = 0; i < problem.upper.size(); ++i) {
+    if (std::isfinite(problem.upper[i])) {
+      ceres_problem.SetParameterUpperBound(parameters.data(), static_cast<int>(i), problem.upper[i]);
+    }
+  }
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, &ceres_problem, &summary);
+  iterations += summary.iterations.size();
+  auto iterate = evaluate(problem, parameters);
+  return iterate ? polish(problem, *std::move(iterate), iterations) : iterate;
+}
 
 ceres::Solver::Options solver_options() {
   ceres::Solver::Options options;
@@ -221,12 +217,12 @@ LeastSquaresFit fit_least_squares(const LeastSquaresProblem& problem, std::span<
   assert(problem.residual_count > 0 && !start.empty());
   LeastSquaresFit fit;
   fit.parameters.assign(start.begin(), start.end());
-  const Descender descender(problem, start);
-  std::optional<Place> best = descender.look(Eigen::Map<const Vector>(start.data(), Index(start.size())));
+  const Vector first = Eigen::Map<const Vector>(start.data(), Index(start.size()));
+  std::optional<Iterate> best = evaluate(problem, first);
   if (!best) return fit;
   for (const auto& options : strategies(descent)) {
-    const auto place = descender.descend(options, fit.iterations);
-    if (place && place->objective() < best->objective()) best = place;
+    const auto end = descend(problem, first, options, fit.iterations);
+    if (end && end->objective() < best->objective()) best = end;
   }
   fit.parameters.assign(best->parameters.begin(), best->parameters.end());
   fit.objective = best->objective();
@@ -234,9 +230,9 @@ LeastSquaresFit fit_least_squares(const LeastSquaresProblem& problem, std::span<
   const bool has_converged = best->gradient <= 1e-6 || best->relative_step <= 1e-10;
   fit.status = has_converged ? LeastSquaresStatus::converged : LeastSquaresStatus::stalled;
   const Index free_count = std::count(best->is_held.begin(), best->is_held.end(), false);
-  const Index spare = best->residuals.size() - free_count;
-  if (best->has_full_rank && spare > 0) {
-    const Matrix covariance = best->covariance * (2 * fit.objective / double(spare));
+  const Index degrees_of_freedom = best->residuals.size() - free_count;
+  if (best->has_full_rank && degrees_of_freedom > 0) {
+    const Matrix covariance = best->covariance * (2 * fit.objective / double(degrees_of_freedom));
     fit.covariance.emplace(covariance.data(), covariance.data() + covariance.size());
   }
   return fit;

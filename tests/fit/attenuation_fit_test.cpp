@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
+#include "core/value_errors.h"
 #include "reference/double_limits.h"
 #include "reference/falloff_reference.h"
 #include "reference/random_light.h"
-#include "core/value_errors.h"
 #include "reference/ulp.h"
 
 namespace litfog::test {

@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "reference/random_light.h"
 #include "core/value_errors.h"
+#include "reference/random_light.h"
 
 namespace litfog::test {
 namespace {
