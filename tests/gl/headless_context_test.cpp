@@ -103,9 +103,10 @@ TEST_F(HeadlessContextTest, ThreadsMakeAndDestroyContextsAtOnce) {
   EXPECT_TRUE(can_draw());
 }
 
-/// What a process prints in which the first libEGL.so.1 is the one in a folder.
-std::string output_of_probe(const std::string& folder) {
-  const std::string command = "LD_LIBRARY_PATH=" + folder + " " LITFOG_CONTEXT_PROBE " 2>&1";
+/// What context_probe prints where the library of a name is one without functions.
+std::string output_of_probe(const std::string& empty_library) {
+  const std::string command =
+      "LD_LIBRARY_PATH=" LITFOG_EMPTY_LIBRARIES "/empty_" + empty_library + " " LITFOG_CONTEXT_PROBE " 2>&1";
   std::FILE* const pipe = popen(command.c_str(), "r");
   if (!pipe) return "no process";
   std::array<char, 512> text{};
@@ -115,7 +116,8 @@ std::string output_of_probe(const std::string& folder) {
 }
 
 TEST(HeadlessContext, LibraryWithoutItsFunctionsIsUnsupported) {
-  EXPECT_EQ(output_of_probe(LITFOG_EMPTY_EGL_DIR), "libEGL.so.1 is unusable: it lacks eglBindAPI\n");
+  EXPECT_EQ(output_of_probe("EGL"), "libEGL.so.1 is unusable: it lacks eglBindAPI\n");
+  EXPECT_EQ(output_of_probe("OpenGL"), "libOpenGL.so.0 is unusable: it lacks glGetError\n");
 }
 
 }  // namespace
