@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "litfog/gl/gl_name.h"
 #include "litfog/gl/program.h"
 
 namespace litfog::test {
@@ -33,37 +34,24 @@ vec4 given(int row) { return texelFetch(test_inputs, ivec2(int(gl_FragCoord.x), 
     return gl::Program(kVertexShader.name, "test/formula.frag", files);
   }
 
-  FormulaPixels() {
-    glGenVertexArrays(1, &vertex_array_);
-    glGenFramebuffers(1, &framebuffer_);
-    glGenTextures(2, textures_);
-  }
-  ~FormulaPixels() {
-    glDeleteTextures(2, textures_);
-    glDeleteFramebuffers(1, &framebuffer_);
-    glDeleteVertexArrays(1, &vertex_array_);
-  }
-  FormulaPixels(const FormulaPixels&) = delete;
-  FormulaPixels& operator=(const FormulaPixels&) = delete;
-
   /// One result a point; inputs[k][i] is point i's given(k). At most 8192 points.
   std::vector<glm::vec4> draw(const gl::Program& program, const std::vector<std::vector<glm::vec4>>& inputs) {
     const auto count = GLsizei(inputs.at(0).size());
     std::vector<glm::vec4> texels;
     for (const auto& row : inputs) texels.insert(texels.end(), row.begin(), row.end());
     glActiveTexture(GL_TEXTURE0);
-    set_image(textures_[0], count, GLsizei(inputs.size()), texels.data());
-    set_image(textures_[1], count, 1, nullptr);
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, textures_[1], 0);
+    set_image(inputs_.id(), count, GLsizei(inputs.size()), texels.data());
+    set_image(results_.id(), count, 1, nullptr);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, results_.id(), 0);
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
       throw std::runtime_error("the driver does not draw float pixels");
     }
-    glBindTexture(GL_TEXTURE_2D, textures_[0]);
+    glBindTexture(GL_TEXTURE_2D, inputs_.id());
     glViewport(0, 0, count, 1);
     glDisable(GL_BLEND);
     glDisable(GL_DEPTH_TEST);
-    glBindVertexArray(vertex_array_);
+    glBindVertexArray(vertex_array_.id());
     program.use();
     glUniform1i(program.uniform("test_inputs"), 0);
     glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -80,9 +68,10 @@ vec4 given(int row) { return texelFetch(test_inputs, ivec2(int(gl_FragCoord.x), 
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   }
 
-  GLuint vertex_array_ = 0;
-  GLuint framebuffer_ = 0;
-  GLuint textures_[2] = {};
+  gl::VertexArrayName vertex_array_;
+  gl::FramebufferName framebuffer_;
+  gl::TextureName inputs_;
+  gl::TextureName results_;
 };
 
 }  // namespace litfog::test

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Installs the build tree BUILD_DIR under WORK_DIR, builds SOURCE_DIR against it as a project of a stranger would, and
 # runs it. CONSUMER core must come without any package but GLM and link nothing but litfog, photometry without Ceres or
-# what else the fits, the commands and GL need; each but core asks for the component of its name.
+# what else the fits, the commands and GL need; each asks for the component of its name, but core and shaders, which
+# takes the installed shaders alone.
 cmake_minimum_required(VERSION 3.25)
 
 function(run)
@@ -19,11 +20,13 @@ foreach(header attenuation cone fit/attenuation_fit fog fog_light_block formulas
     message(FATAL_ERROR "litfog/${header}.h is not installed")
   endif()
 endforeach()
-foreach(shader expm1 fog formulas light light_block light_buffer surface)
-  if(NOT EXISTS ${WORK_DIR}/prefix/include/litfog/shaders/${shader}.glsl)
-    message(FATAL_ERROR "litfog/shaders/${shader}.glsl is not installed")
-  endif()
-endforeach()
+
+if(CONSUMER STREQUAL "shaders")
+  run(${CMAKE_COMMAND} -DINCLUDE_DIR=${WORK_DIR}/prefix/include -DWORK_DIR=${WORK_DIR}/shaders
+      -P ${CMAKE_CURRENT_LIST_DIR}/../shaders/glslang_test.cmake)
+  file(REMOVE_RECURSE ${WORK_DIR})
+  return()
+endif()
 
 set(options -G ${GENERATOR} -DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix -DCMAKE_BUILD_TYPE=${CONFIG}
             -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DCMAKE_CXX_FLAGS=${CXX_FLAGS} -DCONSUMER=${CONSUMER})

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// "Then, additively render each light into the scene to create a lightmap" (Frazier 2000, "Multiple Lights in a Scene").
+// "Then, additively render each light into the scene to create a lightmap" (Frazier 2000, "Multiple Lights in a
+// Scene").
 
 #include "radial.glsl"
 

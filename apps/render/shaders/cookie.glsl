@@ -1,2 +1,2 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stands before litfog's own files. A scene with cookies has cube_cookie.glsl in its place.
+// Included before litfog's own files. In a scene with cookies, cube_cookie.glsl replaces it.

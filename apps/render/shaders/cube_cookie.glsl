@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lights shaped by a cube map in place of a cone (Frazier 2000, "Neat Tricks Using the Spot Light"). All cookies of a scene
-// lie in one array, for a loop over lights cannot choose among cube maps: six faces each, +x -x +y -y +z -z.
+// Lights shaped by a cube map in place of a cone (Frazier 2000, "Neat Tricks Using the Spot Light"). All cookies of a
+// scene lie in one array, for a loop over lights cannot choose among cube maps: six faces each, +x -x +y -y +z -z.
 
 #define LITFOG_COOKIES
 #include "litfog/shaders/light.glsl"

@@ -13,7 +13,7 @@ uniform vec3 emissive;
 
 out vec4 color;
 
-// The lights of the fog: those handed over, or where they are too many all of the block.
+// The lights of the fog: those passed as uniforms, or all of the block if they are too many for that.
 vec3 litfog_lights_fog(vec3 position) {
   vec3 fog = vec3(0.0);
   if (has_listed_fog_lights) {
@@ -25,7 +25,8 @@ vec3 litfog_lights_fog(vec3 position) {
   return fog;
 }
 
-// Light from the vertices: at the middle of a pixel that a triangle covers in part it is extrapolated, but not below none.
+// Light from the vertices: at the middle of a pixel that a triangle covers in part it is extrapolated, but not below
+// none.
 vec3 vertex_light(vec3 interpolated) { return max(interpolated, vec3(0.0)); }
 
 // A pass's light from the surface as the eye sees it; the fog's own light is the first pass's to add.

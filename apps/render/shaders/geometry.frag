@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a surface's fragment is shaded from, as it is: for the shading in double on the CPU.
+// What a surface's fragment is shaded from, unchanged, for the shading in double on the CPU.
 
 #include "world_normal.glsl"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hands a triangle on as it is: beside a path whose triangles come by way of a geometry shader, which may leave their depth
-// another in its last place, so that of two surfaces in one place the same one is seen.
+// Passes a triangle on unchanged, for comparison with a path that has a geometry shader: such a shader may change the
+// last bit of depth, and of two surfaces in one plane the same one must be visible.
 
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 3) out;

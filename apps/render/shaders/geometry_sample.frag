@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One sample of each pixel of a target of a geometry buffer, its rows turned round: the top one comes first.
+// One sample of each pixel of a geometry buffer's target, top row first.
 uniform sampler2DMS target;
 uniform int top_row;
 uniform int sample_index;

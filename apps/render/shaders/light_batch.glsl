@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The few lights of a pass, handed over with the surface: those of the fog before it, then those of the surface itself;
-// where the pass takes all (first_light_in_pass is 0) the fog's are the surface's, too, and stand there once. Their number
-// and, of one or two, their profile are known when the shader is compiled (pass.glsl), so that nothing of a light is looked
-// up and no other profile's cone computed, which some drivers take longer over than to light a fragment. For the same reason
-// EACH_LIGHT and EACH_FOG_LIGHT unroll what loops would: some drivers leave the longer ones alone.
+// The few lights of a pass, passed as uniforms: first those that light the fog, then those that light the surface. If
+// the pass takes all lights (first_light_in_pass is 0), the fog's lights also light the surface and are stored once.
+// Their number and, for one or two lights, their profile are known when the shader is compiled (pass.glsl), so that no
+// light is looked up and no other profile's cone is computed: on some drivers that costs more than lighting the
+// fragment. EACH_LIGHT and EACH_FOG_LIGHT are unrolled loops for the same reason, because some drivers do not unroll
+// the longer ones.
 
 #include "cookie.glsl"
 #include "litfog/shaders/light.glsl"

@@ -11,7 +11,7 @@ in vec3 cone_coordinates[batch_size];
 in vec3 normal;
 in float directional_shade;
 
-// Where the fragment's place is drawn back to its surface, the coordinates go with it.
+// If the fragment's position is drawn back to its surface, its coordinates follow.
 vec3 vector_from_light(int i) { return from_light[i] + drawn_back(); }
 
 // 0 to 1 from -E to E: 0.5 + k P with k = 0.5 / E. The papers have the vertices do this; but beside 0.5 a far-reaching

@@ -13,7 +13,7 @@ uniform float pixel_scale;  // of a picture 720 pixels high
 flat out vec3 point_color;
 flat out float core_fraction;
 
-// An eye at night sees a light long before a surface shows it: the attenuation that gives a point full brightness.
+// Attenuation at which a point has full brightness: at night an eye sees a light long before a surface lit by it.
 const float full_brightness = 1.0 / 2000.0;
 
 void main() {
@@ -30,7 +30,7 @@ void main() {
   point_color = light.color_intensity.rgb * min(brightness, 1.5);
   core_fraction = 1.0 / growth;
   gl_PointSize = max(2.0 * 2.5 * radius, 2.0);
-  // Lifted off its own housing towards the eye, so that this does not hide it.
+  // Moved towards the eye, so that its own housing does not hide it.
   vec3 seen_at = light.position_extent.xyz + to_eye * min(0.4, 0.5 * range);
   gl_Position = brightness * max(max(light.color_intensity.r, light.color_intensity.g), light.color_intensity.b) < 0.002
                     ? vec4(0.0, 0.0, 2.0, 1.0)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lights that are too many to be handed over with the surface drawn: those that the eye's vehicle carries, then the local
-// ones of the surface's list.
+// The lights of a surface that has too many for uniforms: first those that the eye's vehicle carries, then the local
+// lights in the surface's light list.
 
 #include "light_batch.glsl"
 #include "litfog/shaders/light_block.glsl"
@@ -16,7 +16,7 @@ LitfogLight listed_light(int i) {
   return litfog_buffered_light(local_number(i));
 }
 
-// Whether a light's extent ends before a place: asked of a local one before all of it is fetched.
+// Whether a position is beyond a light's extent: for a local light, known before the rest of it is fetched.
 bool is_out_of_reach(int i, vec3 position) {
   if (i < int(litfog_fog.z)) return false;
   vec4 position_extent = litfog_buffered_position_extent(local_number(i));

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hales 2004, "Fragment Program Lighting Equations": (sum of range attenuation * angle attenuation * (L . N) * light colour
-// + directional ambient + directional diffuse * (d . n)) * face texture, then fog. No specular, no normal map. A light has no
-// ambient part of its own here, nothing is clamped to 1 on the way to the screen, and the cone of the lit fog is the formula.
+// Hales 2004, "Fragment Program Lighting Equations": (sum of range attenuation * angle attenuation * (L . N) * light
+// colour + directional ambient + directional diffuse * (d . n)) * face texture, then fog. No specular, no normal map. A
+// light has no ambient term of its own here, nothing is clamped to 1 before the screen, and the lit fog's cone comes
+// from the formula.
 
 #include "light_coordinates.glsl"
 #include "map_coordinate.glsl"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Point and spot lights by one 2-D texture, the square of the plane's distance being a constant, and a cube map (Frazier
-// 2000, "Simplifying a Point Light to Use Only One Texture" to "Filtering a Point Light into a Spot Light").
+// Point and spot lights by one 2-D texture, the square of the plane's distance being a constant, and a cube map
+// (Frazier 2000, "Simplifying a Point Light to Use Only One Texture" to "Filtering a Point Light into a Spot Light").
 
 #include "fragment.glsl"
 #include "light_batch.glsl"
@@ -18,7 +18,7 @@ flat in float square_distance[batch_size];
 in vec3 cone_coordinates[batch_size];
 
 void main() {
-  vec3 back = drawn_back();  // where the fragment's place is drawn back to its surface, the coordinates go with it
+  vec3 back = drawn_back();  // if the fragment is drawn back to its surface, its coordinates follow
   vec2 back_in_plane = rotate_plane(back, plane_normal).xy;
   vec3 light = vec3(0.0);
   for (int i = 0; i < lights_in_pass; ++i) {

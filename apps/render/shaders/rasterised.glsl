@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A fragment of a surface as rasterised: its place and its textures.
+// A fragment of a surface as rasterised: its position and its textures.
 
 in vec3 rasterised_position;
 in vec2 uv;
@@ -9,14 +9,15 @@ uniform vec3 bounds_high;
 uniform sampler2D albedo_map;  // rgb reflectance, a gloss
 uniform sampler2D normal_map;
 
-// A pixel that a surface covers in part is shaded at its middle, which near the horizon may lie many metres beyond the
-// surface, in reach of other lights.
+// A partly covered pixel is shaded at its centre, which near the horizon may lie many metres beyond the surface, within
+// reach of other lights.
 vec3 fragment_position() { return clamp(rasterised_position, bounds_low, bounds_high); }
 vec3 drawn_back() { return fragment_position() - rasterised_position; }
 
 vec4 base_texture() { return texture(albedo_map, uv); }
 
-// The normal map's normal in tangent space. Its alpha says which level is 0 (Material::normal): 128 at 0, 127.5 at 1.
+// The normal map's normal in tangent space. Its alpha gives the level that means 0 (Material::normal): 128 at 0, 127.5
+// at 1.
 vec3 mapped_normal() {
   vec4 texel = texture(normal_map, uv);
   return texel.xyz * 2.0 - (256.0 - texel.a) * (1.0 / 255.0);

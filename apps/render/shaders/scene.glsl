@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The eye and what lights a scene beside its lamps.
+// The eye, and what lights a scene besides its lamps.
 
 #include "environment.glsl"
 
 uniform vec3 eye;
 uniform vec3 infinite_viewer;  // the unit direction to it, where has_infinite_viewer (Cg Tutorial, exercise 4)
 
-// The way to the viewer, whose length has no meaning.
+// The vector to the viewer; its length has no meaning.
 vec3 vector_to_viewer(vec3 position) { return has_infinite_viewer ? infinite_viewer : eye - position; }

@@ -16,8 +16,8 @@ uniform float sky_distance;  // metres
 
 out vec4 color;
 
-// Three numbers in [0, 1) for a cell, made of whole numbers, so that every device shows the same stars: pcg3d (Jarzynski
-// and Olano 2020, "Hash Functions for GPU Rendering").
+// Three numbers in [0, 1) for a cell, made of whole numbers, so that every device shows the same stars: pcg3d
+// (Jarzynski and Olano 2020, "Hash Functions for GPU Rendering").
 vec3 hash(ivec3 cell) {
   uvec3 v = uvec3(cell) * 1664525u + 1013904223u;
   v.x += v.y * v.z;

@@ -5,7 +5,7 @@ out vec3 seen_direction;
 
 void main() {
   vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
-  vec4 seen = direction_from_clip * vec4(corner, 0.0, 1.0);  // some way ahead; the far plane may be at infinity
+  vec4 seen = direction_from_clip * vec4(corner, 0.0, 1.0);  // at a finite depth; the far plane may be at infinity
   seen_direction = seen.xyz / seen.w;
   gl_Position = vec4(corner, 1.0, 1.0);
 }

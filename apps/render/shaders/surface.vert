@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hands everything to the fragments (Cg Tutorial, example 5-2; Lacroix 2005, listing 2.3).
+// Passes everything on to the fragments (Cg Tutorial, example 5-2; Lacroix 2005, listing 2.3).
 
 #include "vertex.glsl"
 
-out vec3 normal;  // unit at the vertices, as those paths take it that interpolate what they make of it
+out vec3 normal;  // unit at the vertices, as paths that interpolate their own results take it
 out vec4 tangent;
 
 void main() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Everything per fragment in world space (Lacroix 2005, "Unified per-pixel lighting solution", listings 2.1 to 2.3), with
-// the Cg Tutorial's Basic model and Hales's fog.
+// Everything per fragment in world space (Lacroix 2005, "Unified per-pixel lighting solution", listings 2.1 to 2.3),
+// with the Cg Tutorial's Basic model and Hales's fog.
 
 #include "cookie.glsl"
 #include "litfog/shaders/surface.glsl"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The base texture as it is: neither light nor fog.
+// The base texture unchanged: neither light nor fog.
 
 #include "rasterised.glsl"
 

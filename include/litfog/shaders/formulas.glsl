@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// litfog: the scalar formulas of the model in metres, 1/m and cosines. GLSL includes this file like any other; C++ takes
-// the same text through litfog/formulas.h, which defines LITFOG_REAL, LITFOG_FUNCTION and litfog_expm1 first.
+// litfog: the scalar formulas of the model in metres, 1/m and cosines. GLSL includes this file like any other; C++
+// takes the same text through litfog/formulas.h, which defines LITFOG_REAL, LITFOG_FUNCTION and litfog_expm1 first.
 
 #ifndef LITFOG_FORMULAS_GLSL
 #define LITFOG_FORMULAS_GLSL

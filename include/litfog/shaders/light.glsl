@@ -50,8 +50,8 @@ float litfog_range_attenuation(LitfogLight light, float range) {
   return litfog_attenuation(range, light.attenuation.x, light.attenuation.y, light.attenuation.z);
 }
 
-// Light that arrives at the end of a ray from the light: colour * cone * range attenuation. It has no early exit, because
-// on some drivers a branch costs more than it saves; the caller leaves out lights that do not reach.
+// Light that arrives at the end of a ray from the light: colour * cone * range attenuation. It has no early exit,
+// because on some drivers a branch costs more than it saves; the caller leaves out lights that do not reach.
 vec3 litfog_light_along(LitfogLight light, vec4 ray) {
   return light.color_intensity.rgb * (litfog_cone(light, ray.xyz) * litfog_range_attenuation(light, ray.w));
 }

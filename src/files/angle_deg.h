@@ -3,15 +3,13 @@
 
 #include <numbers>
 
-namespace litfog::command {
+namespace litfog::files {
 
-// Angles as files have them.
-
-/// Exact at 90 and 180 degrees, where the model's ranges end.
+/// An angle in a file, in radians. Exact at 90 and 180 degrees, where the model's ranges end.
 inline double radians(double degrees) { return degrees / 180 * std::numbers::pi; }
 
 /// The inverse: of the doubles next to the quotient the one with the fewest digits that is read back as the same angle,
-/// or the quotient where none is.
+/// or the quotient if there is none.
 double degrees(double radians);
 
-}  // namespace litfog::command
+}  // namespace litfog::files

@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "command/light_file.h"
+#include "litfog/files/light_file.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <iterator>
 #include <string_view>
+#include <utility>
 
-#include "command/angle_deg.h"
+#include "files/angle_deg.h"
+#include "files/json_document.h"
+#include "files/json_text.h"
+#include "files/light_json.h"
 
-using namespace litfog::command;
-
+namespace litfog {
+namespace files {
 namespace {
-
-using litfog::Cone;
-using litfog::Light;
 
 Cone parse_cone(const JsonValue& value) {
   const JsonValue profile = value.member("profile");
@@ -50,25 +52,19 @@ constexpr std::array<FileTerm, 3> kFileTerms{{
     {"cone.outer", "cone.outer_deg", "must be in (0, 180]"},
 }};
 
-/// The cone as a member with what goes before it, nothing for a point light.
-std::string cone_member(const Cone& cone) {
-  switch (cone.profile) {
-    case litfog::ConeProfile::cosine:
-      return fmt::format(",\n  \"cone\": {{\"profile\": \"cosine\", \"half_angle_deg\": {}, \"exponent\": {}}}",
-                         degrees(cone.half_angle), cone.exponent);
-    case litfog::ConeProfile::smoothstep:
-      return fmt::format(",\n  \"cone\": {{\"profile\": \"smoothstep\", \"inner_deg\": {}, \"outer_deg\": {}}}",
-                         degrees(cone.inner), degrees(cone.outer));
-    case litfog::ConeProfile::none:
-      break;
+std::string cone_json(const Cone& cone) {
+  if (cone.profile == ConeProfile::cosine) {
+    return fmt::format("{{\"profile\": \"cosine\", \"half_angle_deg\": {}, \"exponent\": {}}}",
+                       degrees(cone.half_angle), cone.exponent);
   }
-  return "";
+  return fmt::format("{{\"profile\": \"smoothstep\", \"inner_deg\": {}, \"outer_deg\": {}}}", degrees(cone.inner),
+                     degrees(cone.outer));
 }
 
 }  // namespace
 
-void fail_light(const JsonValue& light, const litfog::ValueError& refusal) {
-  FileTerm term{refusal.field, refusal.field, refusal.rule};
+void fail_light(const JsonValue& light, const ValueError& error) {
+  FileTerm term{error.field, error.field, error.rule};
   for (const FileTerm& candidate : kFileTerms) {
     if (candidate.field == term.field) term = candidate;
   }
@@ -80,8 +76,8 @@ void fail_light(const JsonValue& light, const litfog::ValueError& refusal) {
       value = value.items()[std::string_view("rgb").find(name)];
     } else if (const auto member = value.optional(name)) {
       value = *member;
-    } else {  // refused because it is absent, which is 0
-      value.fail(value.path() + "." + std::string(name), "0", term.rule);
+    } else {  // wrong because it is absent, which is 0
+      value.fail(value.path_of(name), "0", term.rule);
     }
     begin = end + 1;
   }
@@ -105,28 +101,40 @@ Light parse_light(const JsonValue& value) {
   if (const auto cone = value.optional("cone")) light.cone = parse_cone(*cone);
   light.density_scale = value.number_or("density_scale", light.density_scale);
 
-  if (const auto refusal = check(light)) fail_light(value, *refusal);
+  if (const auto error = check(light)) fail_light(value, *error);
   return light;
 }
 
+}  // namespace files
+
 Light read_light(const std::string& path) {
-  const JsonValue root = read_json(path);
-  expect_header(root, "light", 1);
-  Light light = parse_light(root);
+  const files::JsonValue root = files::read_json(path);
+  files::expect_header(root, "light", 1);
+  Light light = files::parse_light(root);
   if (light.name.empty()) light.name = std::filesystem::path(path).stem().string();
   return light;
 }
 
 std::string format_light(const Light& light, const std::vector<std::string>& source, std::string_view fit) {
-  std::string lines;
-  for (const std::string& line : source) lines += (lines.empty() ? "" : ",") + ("\n    " + json_quoted(line));
+  std::string text =
+      fmt::format("{{\n  \"litfog\": \"light\",\n  \"version\": 1,\n  \"name\": {}", files::json_quoted(light.name));
+  const auto add = [&text]<typename... Values>(fmt::format_string<Values...> member, Values&&... values) {
+    text += ",\n  ";
+    fmt::format_to(std::back_inserter(text), member, std::forward<Values>(values)...);
+  };
+  if (!source.empty()) {
+    std::string lines;
+    for (const std::string& line : source) lines += (lines.empty() ? "" : ",") + ("\n    " + files::json_quoted(line));
+    add("\"source\": [{}\n  ]", lines);
+  }
   const auto& [constant, linear, quadratic] = light.attenuation;
-  return fmt::format("{{\n  \"litfog\": \"light\",\n  \"version\": 1,\n  \"name\": {}", json_quoted(light.name)) +
-         (lines.empty() ? "" : fmt::format(",\n  \"source\": [{}\n  ]", lines)) +
-         fmt::format(",\n  \"color\": [{}, {}, {}]", light.color.r, light.color.g, light.color.b) +
-         fmt::format(",\n  \"attenuation\": {{\"constant\": {}, \"linear\": {}, \"quadratic\": {}}}", constant, linear,
-                     quadratic) +
-         fmt::format(",\n  \"threshold\": {}", light.threshold) + cone_member(light.cone) +
-         (light.density_scale == 1 ? "" : fmt::format(",\n  \"density_scale\": {}", light.density_scale)) +
-         (fit.empty() ? "" : fmt::format(",\n  \"fit\": {}", fit)) + "\n}\n";
+  add("\"color\": [{}, {}, {}]", light.color.r, light.color.g, light.color.b);
+  add("\"attenuation\": {{\"constant\": {}, \"linear\": {}, \"quadratic\": {}}}", constant, linear, quadratic);
+  add("\"threshold\": {}", light.threshold);
+  if (light.cone.profile != ConeProfile::none) add("\"cone\": {}", files::cone_json(light.cone));
+  if (light.density_scale != 1) add("\"density_scale\": {}", light.density_scale);
+  if (!fit.empty()) add("\"fit\": {}", fit);
+  return text + "\n}\n";
 }
+
+}  // namespace litfog

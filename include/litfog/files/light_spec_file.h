@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "litfog/attenuation.h"
+#include "litfog/input_error.h"
+
+namespace litfog {
+
+// clang-format off
+/// Light-spec files, version 1: what a light's data sheet says, for litfog-fit to make a light of.
+///
+///     {
+///       "litfog": "light-spec",
+///       "version": 1,
+///       "name": "landing lamp",                 optional: the file's name without its ending
+///       "source": "where the figures are from", optional, or an array of such; the light's
+///       "color": [1, 0.9, 0.8],                 optional: white; the light's
+///       "density_scale": 0.4,                   optional: 1; the light's
+///       "range": {                              optional, and each member of it, but not an extent and samples both
+///         "threshold": 0.05,                    the light's
+///         "extent_m": 120,                      where the attenuation is to be the threshold, met exactly
+///         "constant": 1,                        C, to be kept
+///         "family": "quadratic",                of an extent alone: quadratic, linear or mixed (half and half)
+///         "samples": [{"range_m": 10, "attenuation": 0.8, "weight": 1}]      by increasing range; weight optional
+///       },
+///       "cone": {                               optional: a point light; each member optional, but not all angles,
+///                                               samples and photometry
+///         "profile": "best",                    best (of both), cosine or smoothstep
+///         "half_angle_deg": 30,                 where the light ends
+///         "beam_angle_deg": 11,                 full angle at 50 % of the peak
+///         "field_angle_deg": 22,                full angle at 10 %
+///         "samples": [{"angle_deg": 0, "intensity": 1, "weight": 1}],        by increasing angle; weight optional
+///         "photometry": "lamp.ies"              in place of samples: IES LM-63 or EULUMDAT, relative to this file;
+///                                               without a range the light ends where its peak gives 1 lx
+///       }
+///     }
+///
+/// It has a range, a cone or both. JSON of at most 64 MiB. Nothing here depends on the locale.
+// clang-format on
+
+/// The member "range".
+struct RangeSpec {
+  enum class Family { quadratic, linear, mixed };
+  struct Sample {
+    double range = 0;  ///< metres
+    double attenuation = 1;
+    double weight = 1;
+  };
+
+  double threshold = kDefaultThreshold;
+  std::optional<double> extent = {};  ///< metres
+  std::optional<double> constant = {};
+  Family family = Family::quadratic;
+  std::vector<Sample> samples = {};
+};
+
+/// The member "cone".
+struct ConeSpec {
+  enum class Profile { best, cosine, smoothstep };
+  struct Sample {
+    double angle = 0;  ///< radians
+    double intensity = 1;
+    double weight = 1;
+  };
+
+  Profile profile = Profile::best;
+  std::optional<double> half_angle = {};   ///< radians
+  std::optional<double> beam_angle = {};   ///< radians
+  std::optional<double> field_angle = {};  ///< radians
+  std::vector<Sample> samples = {};
+  std::optional<std::string> photometry = {};  ///< a path: the file's own folder stands before a relative one
+};
+
+struct LightSpecText;
+
+/// What a light-spec file says. Its figures are of the right types; whether a light can have them is for the fits to
+/// say.
+struct LightSpec {
+  std::string file;  ///< its path
+  std::string name;
+  std::vector<std::string> source = {};
+  glm::dvec3 color{1.0};
+  double density_scale = 1;
+  std::optional<RangeSpec> range = {};
+  std::optional<ConeSpec> cone = {};
+  std::shared_ptr<const LightSpecText> text = {};  ///< the file as read, for error_at
+
+  /// What is wrong with a value of this spec, at its location in the file and in the file's terms, degrees for radians:
+  ///
+  ///     throw spec.error_at("cone.beam_angle", "6.3", "must be in (0, 2 pi]");
+  ///     lamp.json:9:23: cone.beam_angle_deg = 361: must be in (0, 360]
+  ///
+  /// field  a member of this struct, as in "range.samples[3].attenuation"; if the file lacks it, the error is at the
+  ///        samples or at the nearest member that it is missing from
+  /// value  to show if the file lacks the field; else its own text is shown
+  InputError error_at(std::string_view field, std::string_view value, std::string_view rule) const;
+};
+
+/// Reads a light-spec file.
+///
+/// throws  InputError with the location of what is wrong
+LightSpec read_light_spec(const std::string& path);
+
+}  // namespace litfog

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "files/angle_deg.h"
+
+#include <array>
+#include <charconv>
+
+namespace litfog::files {
+
+double degrees(double radians) {
+  const double quotient = radians / std::numbers::pi * 180;
+  constexpr int kMostDigits = 17;
+  for (int digits = 1; digits <= kMostDigits; ++digits) {
+    std::array<char, 32> text;  // 17 digits, a sign, a point and an exponent
+    char* const end =
+        std::to_chars(text.data(), text.data() + text.size(), quotient, std::chars_format::scientific, digits - 1).ptr;
+    double rounded = 0;
+    std::from_chars(text.data(), end, rounded);
+    if (files::radians(rounded) == radians) return rounded;
+  }
+  return quotient;
+}
+
+}  // namespace litfog::files

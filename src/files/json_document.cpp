@@ -1,0 +1,359 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "files/json_document.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <rapidjson/memorystream.h>
+#include <rapidjson/reader.h>
+#include <utf8.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <map>
+#include <utility>
+#include <variant>
+
+#include "code_points.h"
+#include "file_text.h"
+#include "files/json_text.h"
+
+namespace litfog::files {
+
+/// A value as parsed.
+struct JsonNode {
+  using Array = std::vector<JsonNode>;
+  using Object = std::map<std::string, JsonNode, std::less<>>;
+
+  std::variant<std::monostate, bool, double, std::string, Array, Object> value;  // monostate: null
+  std::size_t offset = 0;       ///< byte in the document's text where it starts
+  std::size_t name_offset = 0;  ///< of a member: where its name starts
+};
+
+/// The text stays with the tree: a location is a byte offset until a message wants its line and column.
+struct JsonDocument {
+  std::string name;
+  std::string text;
+  JsonNode root;
+
+  InputError error(std::size_t offset, std::string_view what, std::string_view value, std::string_view rule) const;
+  [[noreturn]] void fail(std::size_t offset, std::string_view what, std::string_view value,
+                         std::string_view rule) const {
+    throw error(offset, what, value, rule);
+  }
+  /// The text from an offset to the end of a number or literal, cut where it is long.
+  std::string_view word_at(std::size_t offset) const;
+};
+
+namespace {
+
+constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
+constexpr std::size_t kMaxDepth = 64;
+constexpr std::size_t kMaxValues = 1'000'000;  // a member takes some 200 bytes: 64 MiB of "[],[]," would take 4 GiB
+constexpr std::size_t kMaxShown = 40;          // of a number in a message
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+constexpr std::string_view kBetweenTokens = " \t\r\n,:";
+constexpr std::string_view kWordEnds = " \t\r\n,:]}";
+constexpr std::string_view kRangeRule = "must be within the range of a double";
+
+/// What an error of RapidJSON is about (a text, a number or a string), and the rule that was broken.
+struct SyntaxRule {
+  std::string_view what;
+  std::string_view rule;
+};
+
+/// found  the character at the error, nothing at the file's end
+SyntaxRule syntax_rule(rapidjson::ParseErrorCode code, std::string_view found) {
+  switch (code) {
+    case rapidjson::kParseErrorDocumentEmpty:
+    case rapidjson::kParseErrorValueInvalid:
+      return {"text", "must be an object, an array, a string, a number, true, false or null"};
+    case rapidjson::kParseErrorDocumentRootNotSingular:
+      return {"text", "must not follow the end of the document"};
+    case rapidjson::kParseErrorObjectMissName:
+      return {"text", "must be a member's name in quotes"};
+    case rapidjson::kParseErrorObjectMissColon:
+      return {"text", "must be ':'"};
+    case rapidjson::kParseErrorObjectMissCommaOrCurlyBracket:
+      return {"text", "must be ',' or '}'"};
+    case rapidjson::kParseErrorArrayMissCommaOrSquareBracket:
+      return {"text", "must be ',' or ']'"};
+    case rapidjson::kParseErrorStringUnicodeEscapeInvalidHex:
+      return {"string", "must have four hexadecimal digits after \\u"};
+    case rapidjson::kParseErrorStringUnicodeSurrogateInvalid:
+      return {"string", "must have one of \\udc00 to \\udfff after \\ud800 to \\udbff"};
+    case rapidjson::kParseErrorStringEscapeInvalid:
+      if (found != "\\") return {"string", "must not hold a control character that is not escaped"};
+      return {"string", "must have one of \" \\ / b f n r t u after a backslash"};
+    case rapidjson::kParseErrorStringMissQuotationMark:
+      return {"string", "must end in a quotation mark"};
+    case rapidjson::kParseErrorStringInvalidEncoding:
+      return {"string", "must be UTF-8"};
+    case rapidjson::kParseErrorNumberTooBig:
+      return {"number", kRangeRule};
+    case rapidjson::kParseErrorNumberMissFraction:
+      return {"number", "must have a digit after the point"};
+    case rapidjson::kParseErrorNumberMissExponent:
+      return {"number", "must have a digit in its exponent"};
+    case rapidjson::kParseErrorNone:
+    case rapidjson::kParseErrorTermination:  // no event asks for it
+    case rapidjson::kParseErrorUnspecificSyntaxError:
+      break;
+  }
+  return {"text", "must be JSON"};
+}
+
+/// Builds the tree from RapidJSON's events.
+class TreeBuilder : public rapidjson::BaseReaderHandler<rapidjson::UTF8<>, TreeBuilder> {
+ public:
+  explicit TreeBuilder(JsonDocument& document)
+      : document_(document), stream_(document.text.data(), document.text.size()) {}
+
+  void parse() {
+    constexpr unsigned kFlags =
+        rapidjson::kParseIterativeFlag | rapidjson::kParseValidateEncodingFlag | rapidjson::kParseNumbersAsStringsFlag;
+    rapidjson::Reader reader;
+    const rapidjson::ParseResult result = reader.Parse<kFlags>(stream_, *this);
+    if (result.IsError()) fail_syntax(result.Code(), result.Offset());
+  }
+
+  // The names and the unused parameters are RapidJSON's.
+  bool Null() {
+    add_scalar(std::monostate());
+    return true;
+  }
+  bool Bool(bool value) {
+    add_scalar(value);
+    return true;
+  }
+  bool RawNumber(const char*, rapidjson::SizeType, bool) {
+    const std::size_t offset = token_offset();
+    const std::size_t end = std::min(document_.text.find_first_of(kWordEnds, offset), document_.text.size());
+    double number = 0;
+    const auto [stop, error] = std::from_chars(document_.text.data() + offset, document_.text.data() + end, number);
+    if (stop != document_.text.data() + end) {
+      document_.fail(offset, "number", document_.word_at(offset), "must be decimal, such as 16 or -1.5e3");
+    }
+    if (error != std::errc()) document_.fail(offset, "number", document_.word_at(offset), kRangeRule);
+    add_scalar(number);
+    return true;
+  }
+  bool String(const char* text, rapidjson::SizeType size, bool) {
+    expect_utf8(text, size);
+    add_scalar(std::string(text, size));
+    return true;
+  }
+  bool Key(const char* text, rapidjson::SizeType size, bool) {
+    expect_utf8(text, size);
+    const std::size_t offset = token_offset();
+    auto& members = std::get<JsonNode::Object>(open_.back()->value);
+    const auto [member, is_new] = members.try_emplace(std::string(text, size));
+    if (!is_new) document_.fail(offset, quoted_excerpt(member->first), "", "must not be given twice");
+    member->second.name_offset = offset;
+    next_member_ = &member->second;
+    last_token_end_ = stream_.Tell();
+    return true;
+  }
+  bool StartObject() { return open(JsonNode::Object()); }
+  bool StartArray() { return open(JsonNode::Array()); }
+  bool EndObject(rapidjson::SizeType) { return close(); }
+  bool EndArray(rapidjson::SizeType) { return close(); }
+
+ private:
+  /// Where the token starts whose event this is: behind the last one there is nothing but blanks, a comma or a colon.
+  std::size_t token_offset() const {
+    return std::min(document_.text.find_first_not_of(kBetweenTokens, last_token_end_), document_.text.size());
+  }
+
+  /// RapidJSON has validated the string as written; but it takes an escape of the second half of a surrogate pair
+  /// alone.
+  void expect_utf8(const char* text, std::size_t size) const {
+    if (utf8::is_valid(text, text + size)) return;
+    document_.fail(token_offset(), "string", "", "must have one of \\ud800 to \\udbff before \\udc00 to \\udfff");
+  }
+
+  JsonNode& add_value(std::size_t offset) {
+    if (++values_ > kMaxValues) {
+      document_.fail(offset, "file", "", fmt::format("must not hold more than {} values", kMaxValues));
+    }
+    JsonNode* node = &document_.root;
+    if (!open_.empty()) {
+      auto* const items = std::get_if<JsonNode::Array>(&open_.back()->value);
+      node = items ? &items->emplace_back() : next_member_;
+    }
+    node->offset = offset;
+    return *node;
+  }
+
+  template <typename Value>
+  void add_scalar(Value value) {
+    add_value(token_offset()).value = std::move(value);
+    last_token_end_ = stream_.Tell();
+  }
+
+  // The events of brackets come before they are taken from the stream, those of all other tokens after.
+  template <typename Container>
+  bool open(Container container) {
+    JsonNode& node = add_value(stream_.Tell());
+    if (open_.size() == kMaxDepth) {
+      document_.fail(node.offset, "nesting", "", fmt::format("must not be deeper than {}", kMaxDepth));
+    }
+    node.value = std::move(container);
+    open_.push_back(&node);
+    last_token_end_ = node.offset + 1;
+    return true;
+  }
+
+  bool close() {
+    open_.pop_back();
+    last_token_end_ = stream_.Tell() + 1;
+    return true;
+  }
+
+  [[noreturn]] void fail_syntax(rapidjson::ParseErrorCode code, std::size_t offset) const;
+
+  JsonDocument& document_;
+  rapidjson::MemoryStream stream_;
+  std::size_t last_token_end_ = 0;
+  std::size_t values_ = 0;
+  std::vector<JsonNode*> open_;  // stays valid: an array grows only while none of its items is open
+  JsonNode* next_member_ = nullptr;
+};
+
+void TreeBuilder::fail_syntax(rapidjson::ParseErrorCode code, std::size_t offset) const {
+  const std::string& text = document_.text;
+  const auto [what, rule] = syntax_rule(code, text.substr(offset, 1));
+  if (offset == text.size()) document_.fail(offset, "end of file", "", rule);
+  const std::string_view word = document_.word_at(std::min(token_offset(), offset));
+  if (what == "string") document_.fail(offset, what, "", rule);
+  if (what == "number") document_.fail(offset, what, word, rule);
+  document_.fail(offset, what, quoted_excerpt(word.empty() ? text.substr(offset, 1) : word), rule);
+}
+
+/// A value as a message shows it: as written, or its type where that would be long.
+std::string shown(const JsonDocument& document, const JsonNode& node) {
+  if (std::holds_alternative<JsonNode::Array>(node.value)) return "an array";
+  if (std::holds_alternative<JsonNode::Object>(node.value)) return "an object";
+  if (const auto* text = std::get_if<std::string>(&node.value)) return quoted_excerpt(*text);
+  return std::string(document.word_at(node.offset));
+}
+
+}  // namespace
+
+InputError JsonDocument::error(std::size_t offset, std::string_view what, std::string_view value,
+                               std::string_view rule) const {
+  const auto before = std::string_view(text).substr(0, offset);
+  const auto line = std::size_t(std::ranges::count(before, '\n')) + 1;
+  const std::size_t column = count_code_points(before.substr(before.rfind('\n') + 1)) + 1;
+  return InputError({name, line, column}, what, value, rule);
+}
+
+std::string_view JsonDocument::word_at(std::size_t offset) const {
+  const std::size_t end = std::min(text.find_first_of(kWordEnds, offset), text.size());
+  return std::string_view(text).substr(offset, std::min(end - offset, kMaxShown));
+}
+
+JsonValue::JsonValue(std::shared_ptr<const JsonDocument> document)
+    : document_(std::move(document)), node_(&document_->root) {}
+
+JsonValue::JsonValue(std::shared_ptr<const JsonDocument> document, const JsonNode& node, std::string path)
+    : document_(std::move(document)), node_(&node), path_(std::move(path)) {}
+
+bool JsonValue::is_object() const { return std::holds_alternative<JsonNode::Object>(node_->value); }
+bool JsonValue::is_array() const { return std::holds_alternative<JsonNode::Array>(node_->value); }
+bool JsonValue::is_string() const { return std::holds_alternative<std::string>(node_->value); }
+
+template <typename Type>
+const Type& JsonValue::expect(std::string_view rule) const {
+  const Type* const value = std::get_if<Type>(&node_->value);
+  if (!value) fail(rule);
+  return *value;
+}
+
+JsonValue JsonValue::member(std::string_view name) const {
+  const auto value = optional(name);
+  if (!value) fail(path_of(name), "", "must be given");
+  return *value;
+}
+
+std::optional<JsonValue> JsonValue::optional(std::string_view name) const {
+  const auto& members = expect<JsonNode::Object>("must be an object");
+  const auto member = members.find(name);
+  if (member == members.end()) return std::nullopt;
+  return JsonValue(document_, member->second, path_of(name));
+}
+
+void JsonValue::allow_only(const std::vector<std::string_view>& names) const {
+  for (const auto& [name, node] : expect<JsonNode::Object>("must be an object")) {
+    if (std::ranges::find(names, name) != names.end()) continue;
+    document_->fail(node.name_offset, quoted_excerpt(name), "",
+                    fmt::format("must be one of {}", fmt::join(names, ", ")));
+  }
+}
+
+std::vector<JsonValue> JsonValue::items() const {
+  std::vector<JsonValue> values;
+  for (const JsonNode& node : expect<JsonNode::Array>("must be an array")) {
+    values.push_back({document_, node, fmt::format("{}[{}]", path_, values.size())});
+  }
+  return values;
+}
+
+double JsonValue::number() const { return expect<double>("must be a number"); }
+
+double JsonValue::number_or(std::string_view name, double absent) const {
+  const auto value = optional(name);
+  return value ? value->number() : absent;
+}
+
+bool JsonValue::boolean() const { return expect<bool>("must be true or false"); }
+
+const std::string& JsonValue::string() const { return expect<std::string>("must be a string"); }
+
+glm::dvec3 JsonValue::vec3() const {
+  constexpr const char* kRule = "must be an array of three numbers";
+  if (expect<JsonNode::Array>(kRule).size() != 3) fail(kRule);
+  const auto components = items();
+  return {components[0].number(), components[1].number(), components[2].number()};
+}
+
+InputError JsonValue::error(std::string_view rule) const { return error(path_, shown(*document_, *node_), rule); }
+
+InputError JsonValue::error(std::string_view what, std::string_view value, std::string_view rule) const {
+  return document_->error(node_->offset, what.empty() ? "document" : what, value, rule);
+}
+
+std::string JsonValue::path_of(std::string_view name) const {
+  return path_.empty() ? std::string(name) : fmt::format("{}.{}", path_, name);
+}
+
+const std::string& JsonValue::file() const { return document_->name; }
+
+JsonValue read_json(const std::string& path) { return parse_json(read_file_text(path, kMaxBytes), path); }
+
+JsonValue parse_json(std::string text, std::string name) {
+  if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
+  const auto document = std::make_shared<JsonDocument>();
+  document->name = std::move(name);
+  document->text = std::move(text);
+  if (const auto zero = document->text.find('\0'); zero != std::string::npos) {  // an end of input to RapidJSON
+    document->fail(zero, "file", "", "must be text, without zero bytes");
+  }
+  TreeBuilder(*document).parse();
+  return JsonValue(document);
+}
+
+void expect_header(const JsonValue& root, std::string_view kind, int newest_version) {
+  const JsonValue litfog = root.member("litfog");
+  if (litfog.string() != kind) litfog.fail(fmt::format("must be \"{}\"", kind));
+  const JsonValue version = root.member("version");
+  const double number = version.number();
+  for (int known = 1; known <= newest_version; ++known) {
+    if (number == known) return;
+  }
+  version.fail(newest_version == 1
+                   ? std::string("must be 1, the one that this program reads")
+                   : fmt::format("must be from 1 to {}, the ones that this program reads", newest_version));
+}
+
+}  // namespace litfog::files

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "files/json_text.h"
+
+#include <cstddef>
+#include <nlohmann/json.hpp>
+
+#include "code_points.h"
+
+namespace litfog::files {
+
+std::string json_quoted(std::string_view text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string quoted_excerpt(std::string_view text) {
+  constexpr std::size_t kMaxShown = 40;
+  if (text.size() <= kMaxShown) return json_quoted(text);
+  std::size_t end = kMaxShown;
+  while (end > 0 && !starts_code_point(text[end])) --end;
+  return json_quoted(text.substr(0, end)) + "...";
+}
+
+}  // namespace litfog::files

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "litfog/files/light_spec_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstddef>
+#include <filesystem>
+#include <utility>
+
+#include "files/angle_deg.h"
+#include "files/json_document.h"
+#include "files/light_json.h"
+#include "litfog/light.h"
+
+namespace litfog {
+
+struct LightSpecText {
+  files::JsonValue root;
+};
+
+namespace files {
+namespace {
+
+template <typename Choice, std::size_t kCount>
+Choice choice_of(const JsonValue& value, const std::array<std::pair<std::string_view, Choice>, kCount>& choices) {
+  std::string words;
+  for (const auto& [word, choice] : choices) {
+    if (value.string() == word) return choice;
+    words += (words.empty() ? "" : ", ") + std::string(word);
+  }
+  value.fail("must be one of " + words);
+}
+
+std::optional<double> number_of(const JsonValue& value, std::string_view name) {
+  const auto member = value.optional(name);
+  return member ? std::optional(member->number()) : std::nullopt;
+}
+
+std::optional<double> angle_of(const JsonValue& value, std::string_view name) {
+  const auto degrees = number_of(value, name);
+  return degrees ? std::optional(radians(*degrees)) : std::nullopt;
+}
+
+RangeSpec parse_range(const JsonValue& value) {
+  value.allow_only({"threshold", "extent_m", "constant", "family", "samples"});
+  RangeSpec range;
+  range.threshold = value.number_or("threshold", range.threshold);
+  range.extent = number_of(value, "extent_m");
+  range.constant = number_of(value, "constant");
+  if (const auto samples = value.optional("samples")) {
+    for (const JsonValue& sample : samples->items()) {
+      sample.allow_only({"range_m", "attenuation", "weight"});
+      range.samples.push_back(
+          {sample.member("range_m").number(), sample.member("attenuation").number(), sample.number_or("weight", 1)});
+    }
+  }
+  if (const auto family = value.optional("family")) {
+    using Family = RangeSpec::Family;
+    constexpr std::array<std::pair<std::string_view, Family>, 3> kFamilies{
+        {{"quadratic", Family::quadratic}, {"linear", Family::linear}, {"mixed", Family::mixed}}};
+    range.family = choice_of(*family, kFamilies);
+    if (!range.samples.empty()) family->fail("must not be given beside samples, which choose for themselves");
+  }
+  return range;
+}
+
+ConeSpec parse_cone(const JsonValue& value) {
+  value.allow_only({"profile", "half_angle_deg", "beam_angle_deg", "field_angle_deg", "samples", "photometry"});
+  ConeSpec cone;
+  if (const auto profile = value.optional("profile")) {
+    using Profile = ConeSpec::Profile;
+    constexpr std::array<std::pair<std::string_view, Profile>, 3> kProfiles{
+        {{"best", Profile::best}, {"cosine", Profile::cosine}, {"smoothstep", Profile::smoothstep}}};
+    cone.profile = choice_of(*profile, kProfiles);
+  }
+  cone.half_angle = angle_of(value, "half_angle_deg");
+  cone.beam_angle = angle_of(value, "beam_angle_deg");
+  cone.field_angle = angle_of(value, "field_angle_deg");
+  if (const auto samples = value.optional("samples")) {
+    for (const JsonValue& sample : samples->items()) {
+      sample.allow_only({"angle_deg", "intensity", "weight"});
+      cone.samples.push_back({radians(sample.member("angle_deg").number()), sample.member("intensity").number(),
+                              sample.number_or("weight", 1)});
+    }
+  }
+  if (const auto photometry = value.optional("photometry")) {
+    if (value.optional("samples")) photometry->fail("must not be given beside samples");
+    cone.photometry = (std::filesystem::path(value.file()).parent_path() / photometry->string()).string();
+  }
+  return cone;
+}
+
+/// The file's name for a field of a range or a cone.
+std::string member_name(std::string_view field) {
+  if (field == "extent" || field == "range") return std::string(field) + "_m";
+  if (field.ends_with("angle")) return std::string(field) + "_deg";
+  return std::string(field);
+}
+
+/// A step on the way to a value: a member, and the item of it if it is an array.
+struct Step {
+  std::string name;  // the file's
+  std::optional<std::size_t> index;
+};
+
+/// "range.samples[3].range" as range, samples[3], range_m.
+std::vector<Step> steps_of(std::string_view field) {
+  std::vector<Step> steps;
+  while (!field.empty()) {
+    const std::string_view word = field.substr(0, field.find('.'));
+    field.remove_prefix(std::min(word.size() + 1, field.size()));
+    const std::string_view name = word.substr(0, word.find('['));
+    Step& step = steps.emplace_back(Step{steps.empty() ? std::string(name) : member_name(name), {}});
+    if (name.size() == word.size()) continue;
+    std::size_t index = 0;
+    std::from_chars(word.data() + name.size() + 1, word.data() + word.size(), index);
+    step.index = index;
+  }
+  return steps;
+}
+
+/// A rule in the file's terms.
+std::string rule_in_degrees(std::string_view rule) {
+  std::string result(rule);
+  for (const auto& [radians, degrees] : {std::pair{"2 pi", "360"}, {"pi/2", "90"}, {"pi", "180"}}) {
+    if (const auto at = result.find(radians); at != result.npos) {
+      return result.replace(at, std::string_view(radians).size(), degrees);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+}  // namespace files
+
+InputError LightSpec::error_at(std::string_view field, std::string_view value, std::string_view rule) const {
+  files::JsonValue given = text->root;  // the innermost value on the way to the field that the file has
+  std::string path;                     // of the field
+  bool is_complete = true;
+  for (const files::Step& step : files::steps_of(field)) {
+    path += (path.empty() ? "" : ".") + step.name;
+    if (step.index) path += fmt::format("[{}]", *step.index);
+    const auto member = is_complete && given.is_object() ? given.optional(step.name) : std::nullopt;
+    is_complete = member.has_value();
+    if (member) given = step.index ? member->items().at(*step.index) : *member;
+  }
+  const std::string shown_rule = path.ends_with("_deg") ? files::rule_in_degrees(rule) : std::string(rule);
+  if (is_complete && !given.is_array()) return given.error(shown_rule);
+  // What a range or a cone lacks is lacking in its samples.
+  const bool is_part = given.path() == "range" || given.path() == "cone";
+  if (const auto samples = is_part ? given.optional("samples") : std::nullopt) given = *samples;
+  return given.error(path, value, shown_rule);
+}
+
+LightSpec read_light_spec(const std::string& path) {
+  using files::JsonValue;
+  const JsonValue root = files::read_json(path);
+  files::expect_header(root, "light-spec", 1);
+  root.allow_only({"litfog", "version", "name", "source", "color", "density_scale", "range", "cone"});
+  LightSpec spec{.file = path, .name = std::filesystem::path(path).stem().string()};
+  if (const auto name = root.optional("name")) spec.name = name->string();
+  if (const auto source = root.optional("source")) {
+    const auto lines = source->is_array() ? source->items() : std::vector{*source};
+    for (const JsonValue& line : lines) spec.source.push_back(line.string());
+  }
+  if (const auto color = root.optional("color")) spec.color = color->vec3();
+  spec.density_scale = root.number_or("density_scale", spec.density_scale);
+  Light light;
+  light.color = spec.color;
+  light.density_scale = spec.density_scale;
+  if (const auto error = check(light)) files::fail_light(root, *error);
+
+  const auto range = root.optional("range");
+  const auto cone = root.optional("cone");
+  if (!range && !cone) root.fail("range or cone", "", "must be given");
+  if (range) spec.range = files::parse_range(*range);
+  if (cone) spec.cone = files::parse_cone(*cone);
+  spec.text = std::make_shared<const LightSpecText>(LightSpecText{root});
+  return spec;
+}
+
+}  // namespace litfog

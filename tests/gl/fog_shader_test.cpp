@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <limits>
+#include <vector>
+
+#include "gl/example_lights.h"
+#include "reference/reference_solver.h"
+#include "reference/ulp.h"
+
+namespace litfog::test {
+namespace {
+
+using glm::dvec3;
+using glm::vec4;
+
+constexpr std::array kModes{FogMode::exp, FogMode::exp2};
+
+class FogShader : public ExampleLightsTest {
+ protected:
+  dvec3 expected_fog_color(const Fog& fog, const dvec3& point) const {
+    dvec3 color = kAmbient;
+    for (const PlacedLight& light : lights_) {
+      if (!light.carried) continue;
+      color += light.light.color * (expected_cone(light, point) * solve_fog_intensity(light.light, fog).intensity);
+    }
+    return color;
+  }
+};
+
+TEST_F(FogShader, OpacityIsThatOfTheScaledFog) {
+  for (const FogMode mode : kModes) {
+    const Fog fog{mode, double(0.0173f)};
+    upload(fog, {}, {}, {});
+    const auto points = random_points([](Random& random) {
+      return vec4(random.log_uniform(1e-2, 1e4), random.pick(std::array{1.0, 0.4, 0.75, 0.0}), 0, 0);
+    });
+    const auto results = draw("result = vec4(litfog_fog_opacity(given(0).x, given(0).y));", {points});
+    // The function's 4 ulp (10 in thick fog) and up to 5 roundings of the depth before it.
+    WorstError error("litfog_fog_opacity, GL", mode == FogMode::exp ? "exp, scales 0..1" : "exp2, scales 0..1", 10);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double scale = double(points[i].y);
+      error.add(ulp_error(results[i].x, reference_opacity(mode, Digits50(fog.density) * scale, double(points[i].x))),
+                [&] { return describe(points[i]); });
+    }
+    error.check();
+  }
+}
+
+TEST_F(FogShader, OpacityOfTotalFogIsOneAndOfClearAirZero) {
+  for (const FogMode mode : kModes) {
+    upload({mode, std::numeric_limits<double>::infinity()}, {}, {}, {});
+    const std::vector<std::vector<vec4>> points = {{vec4(1e-3f), vec4(1), vec4(1e5f)}};
+    for (const vec4& result : draw("result = vec4(litfog_fog_opacity(given(0).x, 1.0));", points))
+      EXPECT_EQ(result.x, 1);
+    upload({mode, 0}, {}, {}, {});
+    for (const vec4& result : draw("result = vec4(litfog_fog_opacity(given(0).x, 1.0));", points))
+      EXPECT_EQ(result.x, 0);
+  }
+}
+
+constexpr double kColorBound = 2e-5;  // of colours up to 8: a two-hundredth of a step of 1/255
+
+TEST_F(FogShader, FogColorAddsTheCarriedLightsToTheAmbient) {
+  const std::vector<vec4> points = random_positions();
+  for (const FogMode mode : kModes) {
+    const Fog fog{mode, 0.02};
+    upload_lights(fog);
+    const auto results = draw("result = vec4(litfog_fog_color(given(0).xyz), 1.0);", {points});
+    WorstError error("litfog_fog_color, GL", "two carried lights and one not", kColorBound, "absolute");
+    double brightest = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const dvec3 expected = expected_fog_color(fog, dvec3(points[i]));
+      brightest = std::max(brightest, expected.r);
+      error.add(color_error(results[i], expected), [&] { return describe(points[i]); });
+    }
+    error.check();
+    EXPECT_GT(brightest, kAmbient.r + 0.1) << "the lights are to be seen";
+  }
+}
+
+TEST_F(FogShader, FragmentInFogMixesSurfaceAndFogByTheEyesRange) {
+  const std::vector<vec4> points = random_positions();
+  const dvec3 eye{0, 1, 0.5};
+  const dvec3 surface{0.75, 0.5, 0.25};
+  for (const FogMode mode : kModes) {
+    const Fog fog{mode, 0.02};
+    upload_lights(fog);
+    const auto results = draw(
+        "result = vec4(litfog_apply_fog(vec3(0.75, 0.5, 0.25), given(0).xyz, vec3(0.0, 1.0, 0.5)), 1.0);", {points});
+    WorstError error("litfog_apply_fog, GL", "range 0.1..100, d = 0.02", kColorBound, "absolute");
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double factor = fog_factor_at(fog, glm::length(dvec3(points[i]) - eye));
+      const dvec3 expected = factor * surface + (1 - factor) * expected_fog_color(fog, dvec3(points[i]));
+      error.add(color_error(results[i], expected), [&] { return describe(points[i]); });
+    }
+    error.check();
+  }
+}
+
+TEST_F(FogShader, FragmentInClearAirIsTheSurface) {
+  upload_lights({FogMode::exp, 0});
+  const auto points = random_positions();
+  for (const vec4& result :
+       draw("result = vec4(litfog_apply_fog(vec3(0.75, 0.5, 0.25), given(0).xyz, vec3(0.0, 1.0, 0.5)), 1.0);",
+            {points})) {
+    ASSERT_EQ(result, vec4(0.75, 0.5, 0.25, 1));
+  }
+}
+
+}  // namespace
+}  // namespace litfog::test
