@@ -5,6 +5,7 @@
 #include <cassert>
 
 #include "litfog/solve.h"
+#include "unchecked.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "batch.cpp"  // this file, once for each SIMD target
@@ -191,11 +192,12 @@ HWY_INLINE VF rough_log(DF df, VF y) {
   return hn::MulAdd(hn::ConvertTo(df, hn::BitCast(di, y)), hn::Set(df, kUnit), hn::Set(df, -127 * 0.69314718f));
 }
 
-/// x^(1/3) within 4 %, from the bits: a third of the exponent.
+/// x^(1/3) for x >= 0 within 4 %, from the bits: a third of the exponent.
 template <class DF, class VF = hn::Vec<DF>>
 HWY_INLINE VF rough_cube_root(DF df, VF x) {
   const hn::RebindToSigned<DF> di;
-  const VF third = hn::Mul(hn::ConvertTo(df, hn::BitCast(di, x)), hn::Set(df, 1.0f / 3));
+  const auto bits = hn::BitCast(di, hn::Abs(x));  // those of -0 are far from those of 0
+  const VF third = hn::Mul(hn::ConvertTo(df, bits), hn::Set(df, 1.0f / 3));
   return hn::BitCast(df, hn::Add(hn::ConvertTo(di, third), hn::Set(di, 709921077)));
 }
 
@@ -535,7 +537,7 @@ bool solve_one(FogMode mode, const BasicBatchLights<T>& lights, const BasicBatch
   const double threshold = value_at(lights.threshold, at);
   const bool is_refused = check(attenuation) || check(fog) || check_threshold(threshold);
   const FogIntensity solved =
-      is_refused ? FogIntensity{0, 0, 0, SolveStatus::ok} : solve_fog_intensity(attenuation, fog, threshold);
+      is_refused ? FogIntensity{0, 0, 0, SolveStatus::ok} : unchecked::solve_fog_intensity(attenuation, fog, threshold);
   store(solutions.intensity, at, T(solved.intensity));
   peak_range = T(solved.peak_range);
   store(solutions.extent, at, T(solved.extent));

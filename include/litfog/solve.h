@@ -3,6 +3,7 @@
 
 #include "litfog/attenuation.h"
 #include "litfog/fog.h"
+#include "litfog/light.h"
 
 namespace litfog {
 
@@ -35,6 +36,11 @@ using FogIntensityF = BasicFogIntensity<float>;
 FogIntensity solve_fog_intensity(const Attenuation& attenuation, const Fog& fog, double threshold = kDefaultThreshold);
 FogIntensityF solve_fog_intensity(const AttenuationF& attenuation, const FogF& fog,
                                   float threshold = float(kDefaultThreshold));
+
+/// The same of a light, in the fog that its class sees.
+///
+/// throws  std::invalid_argument naming field, value and rule
+FogIntensity solve_fog_intensity(const Light& light, const Fog& fog);
 
 /// The same as published: the largest of N samples at r = extent * i / N, i = 1..N (Hales 2004, "Lighting in Fog").
 /// Kept as the reference of speed and error. But for rounding it never lies above the intensity. With 64 samples it is

@@ -3,14 +3,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <glm/vec3.hpp>
+#include <memory>
 #include <span>
-#include <unordered_map>
-#include <vector>
 
 #include "litfog/fog.h"
 #include "litfog/fog_light_block.h"
-#include "litfog/intensity_bound.h"
 #include "litfog/light.h"
 
 namespace litfog {
@@ -62,6 +59,11 @@ class FogUpdater {
   /// skip_budget_255  1/255, finite, >= 0; 0 skips no light that is on, carried and not black
   /// throws           std::invalid_argument naming field, value and rule
   explicit FogUpdater(double skip_budget_255 = kDefaultSkipBudget255);
+  ~FogUpdater();
+
+  /// A moved-from updater may only be assigned to or destroyed.
+  FogUpdater(FogUpdater&&) noexcept;
+  FogUpdater& operator=(FogUpdater&&) noexcept;
 
   /// Adds a light, switched on. Its entry is right after the next set_fog; so with all that follow.
   ///
@@ -91,102 +93,18 @@ class FogUpdater {
   std::span<const EntryRange> set_fog(const Fog& fog);
 
   /// Grows with the lights; does not shrink.
-  std::span<const FogLight> entries() const { return entries_; }
+  std::span<const FogLight> entries() const;
 
   /// Where a light is among the entries.
   ///
   /// throws  std::invalid_argument if the handle is no light's
   std::size_t entry_of(FogLightHandle handle) const;
 
-  const FogUpdateStatistics& statistics() const { return statistics_; }
+  const FogUpdateStatistics& statistics() const;
 
  private:
-  struct KindKey {
-    Attenuation attenuation;
-    double threshold;
-    double density_scale;
-
-    friend bool operator==(const KindKey&, const KindKey&) = default;
-  };
-  struct KindKeyHash {
-    std::size_t operator()(const KindKey& key) const;
-  };
-
-  /// Lights that share an intensity. Every lit one, that is on and not black, has `intensity` in its entry, others 0.
-  struct Kind {
-    KindKey key;
-    IntensityBound bound;
-    double extent;
-    float intensity = 0;
-    float brightest = 0;                ///< largest colour component among the lit lights...
-    std::uint32_t brightest_count = 0;  ///< ...that so many have; if 0, to be found again
-    std::uint32_t lit_count = 0;
-    std::uint32_t light_count = 0;
-    bool has_changed = true;  ///< any of its lights since the last set_fog
-    bool is_stored = true;    ///< false while set_fog has yet to write the intensity to the entries
-    std::vector<std::uint32_t> pages = {};
-    std::vector<std::uint32_t> free_entries = {};  ///< of its pages
-  };
-
-  /// A run of entries of one kind, or of none.
-  struct Page {
-    std::uint32_t begin;
-    std::uint32_t end;  ///< begin + a power of 2
-    std::uint32_t dirty_begin;
-    std::uint32_t dirty_end;  ///< not above dirty_begin: none is dirty
-    std::uint32_t kind;       ///< that it was last given to
-
-    void mark_dirty(std::uint32_t first, std::uint32_t last);
-    void mark_clean();
-  };
-
-  struct Record {
-    std::uint32_t generation = 1;
-    std::uint32_t kind = 0;
-    std::uint32_t entry = 0;
-    glm::vec3 color{0};  ///< as stored when on
-    bool is_on = false;
-    bool is_held = false;
-  };
-
-  /// Arguments and result of the batch solve, a place for every kind.
-  struct Columns {
-    std::vector<double> constant, linear, quadratic, threshold, density, intensity;
-    std::vector<std::uint32_t> kind;
-
-    void resize(std::size_t size);
-  };
-
-  std::uint32_t slot_of(FogLightHandle handle) const;
-  std::uint32_t find_or_add_kind(const PlacedLight& placed);
-  void enter(Record& record, std::uint32_t kind_index);
-  void leave(const Record& record);
-  void pack(Record& record, const PlacedLight& placed);
-  void show(const Record& record);
-  void hide(const Record& record);
-  void add_page(std::uint32_t kind_index);
-  Page& page_of(std::uint32_t entry);
-  bool is_below_budget(Kind& kind, const Fog& seen_fog) const;
-  void find_brightest(Kind& kind) const;
-  static void set_intensity(Kind& kind, float intensity);
-  void store_intensity(Page& page);
-  std::span<const EntryRange> update_entries();
-
-  double skip_budget_;
-  Fog fog_;
-  bool has_changed_ = false;  // any light since the last set_fog
-  std::vector<FogLight> entries_;
-  std::vector<Page> pages_;                    // in the order of their entries
-  std::vector<std::uint32_t> free_pages_[11];  // by the logarithm of the size
-  std::vector<Kind> kinds_;                    // the first is that of lights not carried: never solved, intensity 0
-  std::vector<std::uint32_t> free_kinds_;
-  std::unordered_map<KindKey, std::uint32_t, KindKeyHash> kind_of_key_;
-  std::vector<Record> records_;
-  std::vector<std::uint32_t> free_records_;
-  std::size_t light_count_ = 0;
-  Columns columns_;
-  std::vector<EntryRange> ranges_;  // room for a range a page
-  FogUpdateStatistics statistics_;
+  class Store;
+  std::unique_ptr<Store> store_;
 };
 
 }  // namespace litfog

@@ -307,6 +307,39 @@ TEST_F(Batch, SpecialValuesGiveTheScalarResultOrAreRefused) {
   });
 }
 
+template <typename T>
+void expect_negative_zero_as_zero() {
+  Columns<T> zeros;
+  Columns<T> negative_zeros;
+  const auto negated = [](double x) { return x == 0 ? -0.0 : x; };
+  for (const double c : {0.0, 0.4, 1.0, 3.0}) {
+    for (const double l : {0.0, 0.01, 0.3}) {
+      for (const double q : {0.0, 1e-5, 0.02}) {
+        for (const double d : {0.0, 1e-4, 0.02, 1.0}) {
+          if (c + l + q == 0) continue;
+          zeros.add(c, l, q, 0.05, d);
+          negative_zeros.add(negated(c), negated(l), negated(q), 0.05, negated(d));
+        }
+      }
+    }
+  }
+  for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
+    zeros.solve(mode);
+    negative_zeros.solve(mode);
+    EXPECT_EQ(negative_zeros.intensity, zeros.intensity);
+    EXPECT_EQ(negative_zeros.peak_range, zeros.peak_range);
+    EXPECT_EQ(negative_zeros.extent, zeros.extent);
+    EXPECT_EQ(negative_zeros.status, zeros.status);
+  }
+}
+
+TEST_F(Batch, NegativeZeroIsZero) {
+  on_every_target([] {
+    expect_negative_zero_as_zero<float>();
+    expect_negative_zero_as_zero<double>();
+  });
+}
+
 // Degenerate lanes among ordinary ones: each lane has a kind of its own, so that a slip across lanes shows.
 TEST_F(Batch, LimitCasesStandBesideOrdinaryLights) {
   const double infinity = std::numeric_limits<double>::infinity();

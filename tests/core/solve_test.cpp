@@ -13,10 +13,10 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "core/value_errors.h"
 #include "reference/double_limits.h"
 #include "reference/random_light.h"
 #include "reference/reference_solver.h"
-#include "core/value_errors.h"
 #include "reference/ulp.h"
 
 namespace litfog::test {
@@ -311,6 +311,21 @@ TEST(SolveLimits, UnitsCancel) {
     EXPECT_EQ(halves.intensity, metres.intensity);
     EXPECT_EQ(halves.extent, 2 * metres.extent);
     EXPECT_EQ(halves.peak_range, 2 * metres.peak_range);
+  }
+}
+
+TEST(SolveFogIntensity, TakesNegativeZeroAsZero) {
+  for (const FogMode mode : kModes) {
+    for (const double density : {0.0, 1e-40, 0.06, 1e40, kInfinity}) {  // 1e+-40: solved in long double
+      for (const Attenuation& a : {Attenuation{0, 0.1, 0.01}, Attenuation{0, 0.1, 0}, Attenuation{0, 0, 0.01},
+                                   Attenuation{1, 0, 0.01}, Attenuation{1, 0.1, 0}, Attenuation{0.5, 0, 0}}) {
+        const auto negated = [](double x) { return x == 0 ? -0.0 : x; };
+        const FogIntensity expected = solve_fog_intensity(a, Fog{mode, density});
+        const FogIntensity solved = solve_fog_intensity({negated(a.constant), negated(a.linear), negated(a.quadratic)},
+                                                        Fog{mode, negated(density)});
+        expect_peak(solved, expected.intensity, expected.peak_range, expected.extent);
+      }
+    }
   }
 }
 
