@@ -101,8 +101,8 @@ struct Root {
 };
 
 /// The one sign change of a slope on (0, upper]: Halley from a guess, kept inside the bracket, bisected on escape.
-/// A step that moves x by the share m leaves about m^3 (1 + x^2 / 12) of it, so that a step below the bound leaves the
-/// place good to 1e-9 and the height to its square.
+/// A step that moves x by the fraction m leaves an error of about m^3 (1 + x^2 / 12), so that a step below the bound
+/// leaves the peak's range good to 1e-9 and its height to the square of that.
 template <typename T, typename SlopeAt>
 Root<T> find_sign_change(const SlopeAt& slope_at, T guess, T upper) {
   constexpr int kMaxSteps = 100;

@@ -49,8 +49,8 @@ struct Kind {
   IntensityBound bound;
   double extent;
   float intensity = 0;
-  float brightest = 0;                ///< largest colour component among the lit lights...
-  std::uint32_t brightest_count = 0;  ///< ...that so many have; if 0, to be found again
+  float brightest = 0;                ///< largest colour component among the lit lights
+  std::uint32_t brightest_count = 0;  ///< lit lights that have it; 0: to be found again
   std::uint32_t lit_count = 0;
   std::uint32_t light_count = 0;
   bool has_changed = true;  ///< any of its lights since the last set_fog
@@ -64,8 +64,8 @@ struct Page {
   std::uint32_t begin;
   std::uint32_t end;  ///< begin + a power of 2
   std::uint32_t dirty_begin;
-  std::uint32_t dirty_end;  ///< not above dirty_begin: none is dirty
-  std::uint32_t kind;       ///< that it was last given to
+  std::uint32_t dirty_end;  ///< at most dirty_begin where none is dirty
+  std::uint32_t kind;       ///< the last that it was given to
 
   void mark_dirty(std::uint32_t first, std::uint32_t last) {
     dirty_begin = std::min(dirty_begin, first);
@@ -86,7 +86,7 @@ struct Record {
   bool is_held = false;
 };
 
-/// Arguments and result of the batch solve, a place for every kind.
+/// Arguments and result of the batch solve, with room for every kind.
 struct Columns {
   std::vector<double> constant, linear, quadratic, threshold, density, intensity;
   std::vector<std::uint32_t> kind;
@@ -277,7 +277,7 @@ std::uint32_t FogUpdater::Store::find_or_add_kind(const PlacedLight& placed) {
   return index;
 }
 
-/// Gives a light a place among the entries of a kind.
+/// Gives a light one of the entries of a kind.
 void FogUpdater::Store::enter(Record& record, std::uint32_t kind_index) {
   Kind& kind = kinds_[kind_index];
   if (kind.free_entries.empty()) add_page(kind_index);

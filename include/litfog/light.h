@@ -18,7 +18,7 @@ struct Light {
   Attenuation attenuation;
   double threshold = kDefaultThreshold;  ///< (0, 1): attenuation at which the light ends
   Cone cone;
-  double density_scale = 1;  ///< finite, >= 0: its class sees this share of the fog's density; 0 sees through all fog
+  double density_scale = 1;  ///< finite, >= 0: its class sees this fraction of the fog's density; 0: no fog
 };
 
 /// Largest coordinate of a light's position in metres, 2^24: beyond it the floats of the shaders are 2 m apart.

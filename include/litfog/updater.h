@@ -12,10 +12,10 @@
 
 namespace litfog {
 
-/// A light that a FogUpdater holds. Stays good until the light is removed, and is known as bad from then on.
+/// A light that a FogUpdater holds. Valid until the light is removed; later calls with it throw.
 struct FogLightHandle {
   std::uint32_t slot = 0;
-  std::uint32_t generation = 0;  ///< 0: no light's
+  std::uint32_t generation = 0;  ///< 0: of no light
 
   friend bool operator==(const FogLightHandle&, const FogLightHandle&) = default;
 };
@@ -39,19 +39,20 @@ struct FogUpdateStatistics {
 /// Skip budget unless the updater is told otherwise, in 1/255: half a step of an 8-bit picture.
 inline constexpr double kDefaultSkipBudget255 = 0.5;
 
-/// The lights of a scene as the shaders' parameters, kept right through every change of the visibility.
+/// The lights of a scene as the shaders' parameters, kept up to date through every change of the visibility.
 ///
 /// The caller adds, changes, switches and removes lights, then calls set_fog once a frame and uploads the entries of
-/// the ranges it returns to a uniform, texture or storage buffer. Only what can change is worked on:
+/// the ranges it returns to a uniform, texture or storage buffer. It works only on what can change:
 /// - each kind is solved once, however many lights it has, and not where nothing of it or of the fog has changed;
-/// - lights that are not carried store no intensity (see pack_fog_light) and are never looked at;
+/// - lights that are not carried store no intensity (see pack_fog_light) and are never visited;
 /// - a kind is not solved, and its lights store intensity 0, where IntensityBound times the largest colour component
-///   among its lights that are on is below the budget: what a pixel loses is below the budget for each such light;
+///   among its lights that are on is below the budget: a pixel loses less than the budget for each such light;
 /// - entries are touched only where the float that is stored changes.
 /// A light keeps its entry until it is removed or changed into another kind. Entries of a kind lie together in pages
-/// that grow with the kind (1, 2, 4, ... 1024 entries), so that a kind's change is few ranges in any order of adding,
-/// fewest kind by kind. Kinds of up to eight lights leave no entry empty, others at most a quarter; a removed light's
-/// entry goes to the next of its kind. Entries that hold no light are all zero, which is a black light.
+/// that grow with the kind (1, 2, 4, ... 1024 entries), so that a change of a kind dirties few ranges in any order of
+/// adding, and the fewest if lights are added kind by kind. Kinds of up to eight lights leave no entry empty, others at
+/// most a quarter; a removed light's entry goes to the next of its kind. Entries that hold no light are all zero, which
+/// is a black light.
 ///
 /// Different updaters may be used on different threads at once.
 class FogUpdater {
@@ -65,39 +66,39 @@ class FogUpdater {
   FogUpdater(FogUpdater&&) noexcept;
   FogUpdater& operator=(FogUpdater&&) noexcept;
 
-  /// Adds a light, switched on. Its entry is right after the next set_fog; so with all that follow.
+  /// Adds a light, switched on. Its entry is valid after the next set_fog; this holds for every change below, too.
   ///
   /// throws  std::invalid_argument naming field, value and rule
   FogLightHandle add(const PlacedLight& light);
 
-  /// Makes another light of it; switched off, it stays so.
+  /// Replaces a light. If it is switched off, it stays so.
   ///
   /// throws  std::invalid_argument naming field, value and rule
   void change(FogLightHandle handle, const PlacedLight& light);
 
-  /// Off, a light's entry holds the colour black and intensity 0.
+  /// The entry of a light that is off holds the colour black and intensity 0.
   ///
-  /// throws  std::invalid_argument if the handle is no light's
+  /// throws  std::invalid_argument if the handle is of no light held
   void switch_light(FogLightHandle handle, bool is_on);
 
-  /// throws  std::invalid_argument if the handle is no light's
+  /// throws  std::invalid_argument if the handle is of no light held
   void remove(FogLightHandle handle);
 
   /// Brings the entries up to date with the fog (clear air before the first call) and with all changes of lights since
   /// the last call. Allocates nothing.
   ///
-  /// returns  what must be uploaded: sorted and apart from each other, covering every entry that differs from what it
-  ///          was after the last call and all entries new since; joined over gaps that cost less than an upload call;
-  ///          good until the next call
+  /// returns  what must be uploaded: sorted, disjoint ranges that cover every entry that has changed or is new since
+  /// the
+  ///          last call; joined over gaps that cost less than an upload call; valid until the next call
   /// throws   std::invalid_argument naming field, value and rule
   std::span<const EntryRange> set_fog(const Fog& fog);
 
   /// Grows with the lights; does not shrink.
   std::span<const FogLight> entries() const;
 
-  /// Where a light is among the entries.
+  /// Index of a light among the entries.
   ///
-  /// throws  std::invalid_argument if the handle is no light's
+  /// throws  std::invalid_argument if the handle is of no light held
   std::size_t entry_of(FogLightHandle handle) const;
 
   const FogUpdateStatistics& statistics() const;

@@ -165,25 +165,5 @@ TEST(FogLightBlock, RefusesTooManyLightsMissingSolutionsAndWrongFog) {
             "fog.density = -1: must be >= 0");
 }
 
-TEST(SolveOfALight, SeesTheFogThroughItsDensityScale) {
-  const Light light = distinct_light().light;
-  const Fog fog{FogMode::exp, 0.05};
-  const FogIntensity solved = solve_fog_intensity(light, fog);
-  const FogIntensity direct = solve_fog_intensity(light.attenuation, scaled(fog, 0.4), light.threshold);
-  EXPECT_EQ(solved.intensity, direct.intensity);
-  EXPECT_EQ(solved.peak_range, direct.peak_range);
-  EXPECT_EQ(solved.extent, direct.extent);
-  EXPECT_LT(solved.intensity, solve_fog_intensity(light.attenuation, fog, light.threshold).intensity);
-}
-
-TEST(SolveOfALight, RefusesWhatIsWrongWithIt) {
-  Light light;
-  light.density_scale = -1;
-  EXPECT_EQ(refusal_of([&] {
-              solve_fog_intensity(light, Fog{FogMode::exp, 1});
-            }),
-            "density_scale = -1: must be finite and >= 0");
-}
-
 }  // namespace
 }  // namespace litfog::test

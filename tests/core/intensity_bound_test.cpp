@@ -120,7 +120,7 @@ TEST(IntensityBound, IsAboveZeroWhereTheIntensityRoundsToZero) {
   EXPECT_GT(IntensityBound({0, 10, 0}, 0.05).at({FogMode::exp2, 1e-200}), 0);
 }
 
-TEST(IntensityBound, OfConstantAttenuationIsItsValueInAnyFog) {
+TEST(IntensityBound, IsTheValueOfConstantAttenuationInAnyFog) {
   for (const FogMode mode : kModes) {
     for (const double density : {std::numeric_limits<double>::denorm_min(), 1e-3, kInfinity}) {
       EXPECT_EQ(IntensityBound({0.5, 0, 0}, 0.05).at({mode, density}), 1);

@@ -240,12 +240,12 @@ TEST(FogUpdater, SkipsNoLightAboveTheBudget) {
       for (std::size_t i = 0; i < lights.size(); ++i) {
         const FogLight& entry = updater.entries()[updater.entry_of(handles[i])];
         const double intensity = solve_fog_intensity(lights[i].light, fog).intensity;
-        const double share = intensity * double(largest_component(entry)) / (budget_255 / 255);
+        const double part = intensity * double(largest_component(entry)) / (budget_255 / 255);
         ++checked;
-        if (share < 1 && float(intensity) > 0) ++dim;
+        if (part < 1 && float(intensity) > 0) ++dim;
         if (is_within_one_ulp(entry.color_intensity.w, float(intensity))) continue;
         ASSERT_EQ(entry.color_intensity.w, 0);
-        ASSERT_LT(share, 1) << to_string(SolveCase{lights[i].light.attenuation, fog, lights[i].light.threshold});
+        ASSERT_LT(part, 1) << to_string(SolveCase{lights[i].light.attenuation, fog, lights[i].light.threshold});
         ++skipped;
       }
     }
@@ -498,7 +498,7 @@ TEST(FogUpdater, JoinsRangesOverSmallGapsOnly) {
 
 TEST(FogUpdater, KeepsKindsThatChangeApartFromThoseThatDoNot) {
   Mirror mirror(0.5);
-  for (int i = 0; i < 20000; ++i) {  // in turn: one of a kind that fog changes, one of constant attenuation
+  for (int i = 0; i < 20000; ++i) {  // interleaved: one of a kind that fog changes, one of constant attenuation
     mirror.add(carried_light());
     mirror.add(carried_light({1, 0, 0}));
   }
