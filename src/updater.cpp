@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "litfog/batch.h"
-#include "litfog/intensity_bound.h"
 #include "require.h"
 #include "unchecked.h"
 

@@ -8,6 +8,7 @@
 
 #include "litfog/fog.h"
 #include "litfog/fog_light_block.h"
+#include "litfog/intensity_bound.h"  // by which lights are skipped: for callers to ask the same
 #include "litfog/light.h"
 
 namespace litfog {
