@@ -4,6 +4,7 @@
 #include "level_range.h"
 #include "litfog/formulas.h"
 #include "require.h"
+#include "unchecked.h"
 
 namespace litfog {
 namespace {
@@ -42,14 +43,19 @@ double attenuation_at(const Attenuation& attenuation, double range) {
   return formulas::litfog_attenuation(range, constant, linear, quadratic);
 }
 
-double compute_extent(const Attenuation& attenuation, double threshold) {
-  require(check(attenuation));
-  require(check_threshold(threshold));
+double unchecked::compute_extent(const Attenuation& attenuation, double threshold) {
   return level_range_in_double(attenuation, threshold);
 }
 
+double compute_extent(const Attenuation& attenuation, double threshold) {
+  require(check(attenuation));
+  require(check_threshold(threshold));
+  return unchecked::compute_extent(attenuation, threshold);
+}
+
 float compute_extent(const AttenuationF& attenuation, float threshold) {
-  return float(compute_extent(Attenuation{attenuation.constant, attenuation.linear, attenuation.quadratic}, double(threshold)));
+  return float(
+      compute_extent(Attenuation{attenuation.constant, attenuation.linear, attenuation.quadratic}, double(threshold)));
 }
 
 double compute_knee(const Attenuation& attenuation) {

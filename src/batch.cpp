@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cassert>
 
+#include "batch_guess.h"
 #include "litfog/solve.h"
+#include "unchecked.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "batch.cpp"  // this file, once for each SIMD target
@@ -18,11 +20,11 @@ namespace litfog::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 // The method is that of solve.cpp, a vector of lights at a time, with these differences:
-// - The stationary point is sought in float for both precisions: a guess within 2 %, then a single step. The height is
+// - The stationary point is sought in float for both precisions: a guess within 3 %, then a single step. The height is
 //   stationary there, so float needs no more; double adds what a Newton step gains, without another exponential.
 // - Knee and extent are found only where the stationary point asks for them: with D the denominator there, the peak is
 //   at the knee where D <= 1 and at the extent where D >= 1 / threshold.
-// - Limit cases, and lights beyond what the arithmetic holds for, come out as NaN and are seen to afterwards.
+// - Limit cases, and lights beyond what the arithmetic holds for, come out as NaN and are handled afterwards.
 
 template <class V>
 struct Split {
@@ -149,13 +151,13 @@ HWY_INLINE VF expm1_minus_argument(DF df, VF u) {
 
 /// What fog does to light over a depth.
 template <class V>
-struct Fogged {
+struct FogLoss {
   Split<V> opacity;  ///< 1 - e^-depth, without cancellation
   V fog_factor;      ///< e^-depth
 };
 
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE Fogged<V> fogged_at(D d, const Split<V>& depth) {
+HWY_INLINE FogLoss<V> fog_loss_at(D d, const Split<V>& depth) {
   const auto [scale, rest] = reduce_exponent<Sign::minus>(d, hn::Min(depth.high, hn::Set(d, kMostExponent)));
   const V f = hn::Add(rest.high, rest.low);
   const V low = hn::Add(rest.low, hn::NegMulAdd(depth.low, f, depth.low));
@@ -166,7 +168,7 @@ HWY_INLINE Fogged<V> fogged_at(D d, const Split<V>& depth) {
           hn::NegMulAdd(scale, hn::Add(rest.high, bend), scale)};
 }
 
-/// log(1 + x) for x >= 0 to 2e-3 of itself: enough for a guess.
+/// log(1 + x) for x >= 0 to 2.4e-3 of itself: enough for a guess.
 template <class DF, class VF = hn::Vec<DF>>
 HWY_INLINE VF rough_log1p(DF df, VF x) {
   const hn::RebindToSigned<DF> di;
@@ -176,9 +178,8 @@ HWY_INLINE VF rough_log1p(DF df, VF x) {
   const VF exponent = hn::ConvertTo(df, hn::Sub(hn::ShiftRight<23>(bits), hn::Set(di, 127)));
   const auto mantissa = hn::Or(hn::And(bits, hn::Set(di, 0x007fffff)), hn::BitCast(di, one));
   const VF m = hn::IfThenElse(hn::Lt(x, one), x, hn::Sub(hn::BitCast(df, mantissa), one));  // x may vanish beside 1
-  // log(1 + m) = m - m^2 / 2 + ..., fitted on [0, 1] with the true slope at 0 and value at 1.
-  VF log = hn::MulAdd(m, hn::Set(df, -0.0831f), hn::Set(df, 0.2625f));
-  log = hn::MulAdd(m, log, hn::Set(df, -0.48625f));
+  VF log = hn::MulAdd(m, hn::Set(df, batch_guess::kLog1p[2]), hn::Set(df, batch_guess::kLog1p[1]));
+  log = hn::MulAdd(m, log, hn::Set(df, batch_guess::kLog1p[0]));
   log = hn::Mul(m, hn::MulAdd(m, log, one));
   return hn::MulAdd(exponent, hn::Set(df, 0.69314718f), log);
 }
@@ -191,12 +192,13 @@ HWY_INLINE VF rough_log(DF df, VF y) {
   return hn::MulAdd(hn::ConvertTo(df, hn::BitCast(di, y)), hn::Set(df, kUnit), hn::Set(df, -127 * 0.69314718f));
 }
 
-/// x^(1/3) within 4 %, from the bits: a third of the exponent.
+/// x^(1/3) for x >= 0 within 4 %, from the bits: a third of the exponent.
 template <class DF, class VF = hn::Vec<DF>>
 HWY_INLINE VF rough_cube_root(DF df, VF x) {
   const hn::RebindToSigned<DF> di;
-  const VF third = hn::Mul(hn::ConvertTo(df, hn::BitCast(di, x)), hn::Set(df, 1.0f / 3));
-  return hn::BitCast(df, hn::Add(hn::ConvertTo(di, third), hn::Set(di, 709921077)));
+  const auto bits = hn::BitCast(di, hn::Abs(x));  // those of -0 are far from those of 0
+  const VF third = hn::Mul(hn::ConvertTo(df, bits), hn::Set(df, 1.0f / 3));
+  return hn::BitCast(df, hn::Add(hn::ConvertTo(di, third), hn::Set(di, batch_guess::kCubeRootBits)));
 }
 
 /// a / b to 4e-4: enough for guesses, last steps and corrections in float. Exact in double, where no such instruction
@@ -221,24 +223,25 @@ template <class DF, class VF = hn::Vec<DF>>
 HWY_INLINE VF guess_depth(DF df, VF z) {
   const VF one = hn::Set(df, 1.0f);
   const VF root = rough_sqrt(df, hn::Add(z, z));
-  const VF third = rough_quotient(df, hn::Set(df, 1.0f / 3), hn::MulAdd(root, hn::Set(df, 0.18f), one));
+  const VF third =
+      rough_quotient(df, hn::Set(df, 1.0f / 3), hn::MulAdd(root, hn::Set(df, batch_guess::kDepthBend), one));
   return rough_log1p(df, hn::MulAdd(z, hn::Sub(one, third), root));
 }
 
-/// Guess of the stationary point within 2 % (the constants are fitted). Constant, a = L / d, b = Q / d^2 as in
-/// solve.cpp.
+/// Guess of the stationary point within 2 %. Constant, a = L / d, b = Q / d^2 as in solve.cpp.
 template <class DF, class VF = hn::Vec<DF>>
 HWY_INLINE VF guess_stationary_exp(DF df, VF constant, VF a, VF b) {
   const VF two_b = hn::Add(b, b);
   const VF reciprocal = hn::ApproximateReciprocal(hn::Add(a, two_b));
   const VF x = guess_depth(df, hn::Mul(constant, reciprocal));
-  // Right where b = 0. Else the root is lower by log(1 + share x^2 / (x + 3.5)) or so.
-  const VF share = hn::Mul(two_b, reciprocal);
-  const VF damping = hn::MulAdd(share, hn::Set(df, 0.84f), hn::Add(x, hn::Set(df, 3.5f)));
-  return hn::Sub(x, rough_log1p(df, rough_quotient(df, hn::Mul(share, hn::Mul(x, x)), damping)));
+  // Right where b = 0; else too large.
+  const VF weight = hn::Mul(two_b, reciprocal);
+  const VF damping = hn::MulAdd(weight, hn::Set(df, batch_guess::kExpDampingByWeight),
+                                hn::Add(x, hn::Set(df, batch_guess::kExpDamping)));
+  return hn::Sub(x, rough_log1p(df, rough_quotient(df, hn::Mul(weight, hn::Mul(x, x)), damping)));
 }
 
-/// The same for exp2 fog, within 2 %.
+/// The same for exp2 fog, within 3 %.
 template <class DF, class VF = hn::Vec<DF>>
 HWY_INLINE VF guess_stationary_exp2(DF df, VF constant, VF a, VF b) {
   const VF two_c = hn::Add(constant, constant);
@@ -251,8 +254,9 @@ HWY_INLINE VF guess_stationary_exp2(DF df, VF constant, VF a, VF b) {
   const VF p = hn::Min(hn::Mul(a, reciprocal), hn::Set(df, 1e20f));
   const VF q = hn::Min(hn::Mul(two_c, reciprocal), hn::Set(df, 1e30f));
   const VF square = rough_sqrt(df, hn::MulAdd(p, rough_cube_root(df, p), q));
-  const VF near = hn::Mul(rough_sqrt(df, square), hn::NegMulAdd(square, hn::Set(df, 0.18f), hn::Set(df, 1.0f)));
-  const VF x = hn::IfThenElse(hn::Lt(square, hn::Set(df, 1.5f)), near, far);
+  const VF near =
+      hn::Mul(rough_sqrt(df, square), hn::NegMulAdd(square, hn::Set(df, batch_guess::kExp2Bend), hn::Set(df, 1.0f)));
+  const VF x = hn::IfThenElse(hn::Lt(square, hn::Set(df, batch_guess::kExp2Limit)), near, far);
   const VF next = rough_quotient(df, hn::Mul(x, hn::MulAdd(a, x, two_c)), hn::MulAdd(two_b, x, a));
   return rough_sqrt(df, guess_depth(df, next));
 }
@@ -279,7 +283,7 @@ HWY_INLINE Slope<VF> slope_exp(DF df, VF constant, VF a, VF b, VF x) {
           hn::MulAdd(two_b, e1, hn::Mul(e, next)), hn::Mul(e, hn::Add(next, hn::Add(two_b, two_b)))};
 }
 
-/// Those of solve.cpp times 2 x, 2 x^2, 2 x^3 and 2 x^4, which spares the divisions; steps are then shares of x.
+/// Those of solve.cpp times 2 x, 2 x^2, 2 x^3 and 2 x^4, which saves the divisions; steps are then relative to x.
 template <class DF, class VF = hn::Vec<DF>>
 HWY_INLINE Slope<VF> slope_exp2(DF df, VF constant, VF a, VF b, VF x) {
   const VF bend = hn::Mul(hn::Add(b, b), x);
@@ -304,7 +308,7 @@ enum class Step {
   householder  ///< the fourth power
 };
 
-/// x = d r of the stationary point, in float, by one step from a guess within 2 %: to 4e-5 by Halley's, 3e-6 by
+/// x = d r of the stationary point, in float, by one step from a guess within 3 %: to 4e-5 by Halley's, 3e-6 by
 /// Householder's. 0 where there is none, NaN where the guess was further off.
 template <FogMode kMode, Step kStep, class DF, class VF = hn::Vec<DF>>
 HWY_INLINE VF find_stationary(DF df, VF constant, VF a, VF b, VF x) {
@@ -317,9 +321,9 @@ HWY_INLINE VF find_stationary(DF df, VF constant, VF a, VF b, VF x) {
                           hn::MulSub(two_first, slope.first, hn::Mul(slope.value, slope.second)));
   } else {
     const VF newton = hn::Div(slope.value, slope.first);
-    const VF share = hn::Mul(newton, hn::ApproximateReciprocal(slope.first));
-    const VF half = hn::Mul(hn::Mul(share, slope.second), hn::Set(df, 0.5f));
-    const VF sixth = hn::Mul(hn::Mul(hn::Mul(share, newton), slope.third), hn::Set(df, 1.0f / 6));
+    const VF scaled = hn::Mul(newton, hn::ApproximateReciprocal(slope.first));
+    const VF half = hn::Mul(hn::Mul(scaled, slope.second), hn::Set(df, 0.5f));
+    const VF sixth = hn::Mul(hn::Mul(hn::Mul(scaled, newton), slope.third), hn::Set(df, 1.0f / 6));
     const VF bent = hn::Sub(half, sixth);
     move = hn::MulAdd(newton, rough_quotient(df, bent, hn::Sub(hn::Sub(one, half), bent)), newton);
   }
@@ -387,16 +391,16 @@ struct Peak {
   V range;
 };
 
-/// In double the stationary point is still as rough as this share of it, until solve_peak corrects it; a level as near
-/// counts as reached.
+/// In double the stationary point has this relative error until solve_peak corrects it; a level as near counts as
+/// reached.
 constexpr double kRoughness = 4e-6;
 
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Peak<V> place_peak(D d, const Lanes<V>& in, V stationary) {
   constexpr double kMargin = sizeof(hn::TFromD<D>) == 4 ? 0 : kRoughness;
   const V one = hn::Set(d, 1);
-  const auto denominator_at = [&](double share) HWY_ATTR {
-    const V range = share == 1 ? stationary : hn::Mul(stationary, hn::Set(d, share));
+  const auto denominator_at = [&](double fraction) HWY_ATTR {
+    const V range = fraction == 1 ? stationary : hn::Mul(stationary, hn::Set(d, fraction));
     return hn::MulAdd(hn::MulAdd(in.quadratic, range, in.linear), range, in.constant);
   };
   const auto at_extent = hn::Ge(hn::Mul(denominator_at(1 + kMargin), in.threshold), one);
@@ -424,7 +428,7 @@ HWY_INLINE Solved<V> solve_peak(D d, const Lanes<V>& in, const Peak<V>& peak) {
     const Split<V> square = two_product(d, root, root);
     depth = {square.high, hn::MulAdd(hn::Add(root, root), depth.low, square.low)};
   }
-  const auto [opacity, fog_factor] = fogged_at(d, depth);
+  const auto [opacity, fog_factor] = fog_loss_at(d, depth);
 
   const V reciprocal = hn::Div(one, denominator.high);
   const V quotient = hn::Mul(opacity.high, reciprocal);
@@ -493,7 +497,7 @@ HWY_INLINE hn::Mask<D> is_ordinary(D d, const Lanes<V>& in) {
 }
 
 /// The limit cases among the others: clear air, total fog, constant attenuation, dark lights. The peak range is NaN in
-/// lanes that are none of them, or refused.
+/// lanes that are none of them, or invalid.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Solved<V> solve_limit_cases(D d, const Lanes<V>& in) {
   const V one = hn::Set(d, 1);
@@ -526,24 +530,24 @@ T value_at(std::span<const T> column, std::size_t at) {
   return column[column.size() == 1 ? 0 : at];
 }
 
-/// One light by the scalar solver: returns whether it is refused.
+/// One light by the scalar solver: returns whether it is invalid.
 template <typename T>
 bool solve_one(FogMode mode, const BasicBatchLights<T>& lights, const BasicBatchSolutions<T>& solutions, std::size_t at,
                T& peak_range) {
   const Attenuation attenuation{lights.constant[at], lights.linear[at], lights.quadratic[at]};
   const Fog fog{mode, value_at(lights.density, at)};
   const double threshold = value_at(lights.threshold, at);
-  const bool is_refused = check(attenuation) || check(fog) || check_threshold(threshold);
+  const bool is_invalid = check(attenuation) || check(fog) || check_threshold(threshold);
   const FogIntensity solved =
-      is_refused ? FogIntensity{0, 0, 0, SolveStatus::ok} : solve_fog_intensity(attenuation, fog, threshold);
+      is_invalid ? FogIntensity{0, 0, 0, SolveStatus::ok} : unchecked::solve_fog_intensity(attenuation, fog, threshold);
   store(solutions.intensity, at, T(solved.intensity));
   peak_range = T(solved.peak_range);
   store(solutions.extent, at, T(solved.extent));
   store(solutions.status, at,
-        is_refused                         ? BatchStatus::refused
+        is_invalid                         ? BatchStatus::invalid
         : solved.status == SolveStatus::ok ? BatchStatus::ok
                                            : BatchStatus::not_converged);
-  return is_refused;
+  return is_invalid;
 }
 
 // Lights are solved in blocks, a stage at a time: each stage alone is short enough for the processor to overlap several
@@ -612,12 +616,12 @@ HWY_INLINE void find_stationary_ranges(const BasicBatchLights<double>& lights, s
   }
 }
 
-/// What solve_block leaves: limit cases in vectors, the rest by the scalar solver. Returns how many are refused.
+/// What solve_block leaves: limit cases in vectors, the rest by the scalar solver. Returns how many are invalid.
 template <FogMode kMode, typename T>
 HWY_NOINLINE std::size_t solve_rest(const BasicBatchLights<T>& lights, const BasicBatchSolutions<T>& solutions,
                                     std::size_t begin, std::size_t count, T* ranges) {
   const hn::ScalableTag<T> d;
-  std::size_t refused = 0;
+  std::size_t invalid = 0;
   for (std::size_t k = 0; k < count; k += hn::Lanes(d)) {
     const auto range = hn::LoadU(d, ranges + k);
     const auto is_missing = hn::IsNaN(range);
@@ -627,10 +631,10 @@ HWY_NOINLINE std::size_t solve_rest(const BasicBatchLights<T>& lights, const Bas
     hn::StoreU(hn::IfThenElse(is_missing, limit.peak_range, range), d, ranges + k);
     hn::StoreU(hn::IfThenElse(is_missing, limit.intensity, hn::LoadU(d, intensities)), d, intensities);
     for (std::size_t lane = k; lane < k + hn::Lanes(d); ++lane) {
-      if (ranges[lane] != ranges[lane]) refused += solve_one<T>(kMode, lights, solutions, begin + lane, ranges[lane]);
+      if (ranges[lane] != ranges[lane]) invalid += solve_one<T>(kMode, lights, solutions, begin + lane, ranges[lane]);
     }
   }
-  return refused;
+  return invalid;
 }
 
 /// A block of whole vectors.
@@ -661,9 +665,9 @@ HWY_INLINE std::size_t solve_block(const BasicBatchLights<T>& lights, const Basi
     }
   }
   const bool is_whole = hn::AllFalse(d, hn::IsNaN(sum));
-  const std::size_t refused = is_whole ? 0 : solve_rest<kMode>(lights, solutions, begin, count, ranges);
+  const std::size_t invalid = is_whole ? 0 : solve_rest<kMode>(lights, solutions, begin, count, ranges);
   if (!solutions.peak_range.empty()) std::copy_n(ranges, count, solutions.peak_range.begin() + std::ptrdiff_t(begin));
-  return refused;
+  return invalid;
 }
 
 template <FogMode kMode, typename T>
@@ -671,14 +675,14 @@ std::size_t solve_columns(const BasicBatchLights<T>& lights, const BasicBatchSol
   const std::size_t lanes = hn::Lanes(hn::ScalableTag<float>());  // whole vectors of either type
   const std::size_t count = solutions.intensity.size();
   std::fill(solutions.status.begin(), solutions.status.end(), BatchStatus::ok);
-  std::size_t refused = 0;
+  std::size_t invalid = 0;
   std::size_t at = 0;
   while (at + lanes <= count) {
     const std::size_t block = std::min(kBlock, (count - at) / lanes * lanes);
-    refused += solve_block<kMode>(lights, solutions, at, block);
+    invalid += solve_block<kMode>(lights, solutions, at, block);
     at += block;
   }
-  // The rest through a padded copy of itself, so that a light's result does not depend on its place.
+  // The rest through a padded copy of itself, so that a light's result does not depend on its position.
   if (at < count) {
     constexpr std::size_t kMost = hn::MaxLanes(hn::ScalableTag<float>());
     T columns[5][kMost];
@@ -708,10 +712,10 @@ std::size_t solve_columns(const BasicBatchLights<T>& lights, const BasicBatchSol
       store(solutions.peak_range, at + lane, peak_range[lane]);
       store(solutions.extent, at + lane, extent[lane]);
       store(solutions.status, at + lane, status[lane]);
-      refused += status[lane] == BatchStatus::refused;
+      invalid += status[lane] == BatchStatus::invalid;
     }
   }
-  return refused;
+  return invalid;
 }
 
 std::size_t solve_exp_double(const BatchLights& lights, const BatchSolutions& solutions) {

@@ -5,6 +5,7 @@
 
 #include "litfog/formulas.h"
 #include "require.h"
+#include "unchecked.h"
 
 namespace litfog {
 namespace {
@@ -35,12 +36,16 @@ std::optional<ValueError> check(const Fog& fog) {
   return std::nullopt;
 }
 
+Fog unchecked::scaled(const Fog& fog, double density_scale) {
+  return {fog.mode, density_scale == 0 ? 0 : fog.density * density_scale};  // infinity * 0 is no value
+}
+
 Fog scaled(const Fog& fog, double density_scale) {
   require(check(fog));
   if (!is_finite_and_not_negative(density_scale)) {
     require(ValueError{"density_scale", density_scale, "must be finite and >= 0"});
   }
-  return {fog.mode, density_scale == 0 ? 0 : fog.density * density_scale};  // infinity * 0 is no value
+  return unchecked::scaled(fog, density_scale);
 }
 
 double fog_factor_at(const Fog& fog, double range) { return std::exp(-optical_depth(fog, range)); }

@@ -6,12 +6,14 @@
 #include <limits>
 
 #include "require.h"
+#include "unchecked.h"
 
 namespace litfog {
 namespace {
 
-/// A shader multiplies infinity by zero; the largest float behaves as infinity without that.
-float finite_float(double x) { return float(std::min(x, double(std::numeric_limits<float>::max()))); }
+/// A value >= 0 as a float, without the two that a shader may stumble over: infinity, of which the product with 0 is
+/// NaN, as the largest float; -0 as 0.
+float finite_float(double x) { return float(std::min(std::abs(x), double(std::numeric_limits<float>::max()))); }
 glm::vec3 finite_floats(const glm::dvec3& v) { return {finite_float(v.x), finite_float(v.y), finite_float(v.z)}; }
 
 glm::vec4 pack_cone(const Cone& cone) {
@@ -40,11 +42,7 @@ float pack_profile(ConeProfile profile) {
 
 }  // namespace
 
-FogIntensity solve_fog_intensity(const Light& light, const Fog& fog) {
-  return solve_fog_intensity(light.attenuation, scaled(fog, light.density_scale), light.threshold);
-}
-
-FogLight pack_fog_light(const PlacedLight& placed, const FogIntensity& solution) {
+FogLight unchecked::pack_fog_light(const PlacedLight& placed, const FogIntensity& solution) {
   const auto& [light, position, direction, carried] = placed;
   const Attenuation& attenuation = light.attenuation;
   return {.position_extent = {glm::vec3(position), finite_float(solution.extent)},
@@ -55,9 +53,15 @@ FogLight pack_fog_light(const PlacedLight& placed, const FogIntensity& solution)
           .cone = pack_cone(light.cone)};
 }
 
+FogLight pack_fog_light(const PlacedLight& light, const FogIntensity& solution) {
+  require(check(light));
+  return unchecked::pack_fog_light(light, solution);
+}
+
 FogLightBlock pack_fog_light_block(const Fog& fog, const glm::dvec3& ambient_fog_color,
                                    std::span<const PlacedLight> lights, std::span<const FogIntensity> solutions) {
   require(check(fog));
+  require(check_color(ambient_fog_color, {"ambient_fog_color.r", "ambient_fog_color.g", "ambient_fog_color.b"}));
   if (lights.size() > kMaxFogLights) require(ValueError{"lights", double(lights.size()), "must be at most 128"});
   if (solutions.size() != lights.size()) {
     require(ValueError{"solutions", double(solutions.size()), "must be as many as the lights"});

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "level_range.h"
+#include "litfog/batch.h"
 #include "require.h"
 
 namespace litfog {
@@ -13,8 +14,11 @@ namespace {
 
 using Limits = std::numeric_limits<double>;
 
-/// The header's 16 epsilons, and the next double in case that x is subnormal.
-double raise(long double x) { return std::nextafter(double(x * (1 + 16 * Limits::epsilon())), Limits::infinity()); }
+/// Raised by the header's margin, and to the next double in case that x is subnormal.
+double raise(long double x) {
+  constexpr double kMargin = 8 * kBatchIntensityMaxUlp * Limits::epsilon();
+  return std::nextafter(double(x * (1 + kMargin)), Limits::infinity());
+}
 
 /// The supremum of r a(r) over [0, extent] for a light that ends somewhere.
 long double find_exp_reach(const BasicAttenuation<long double>& attenuation, long double extent) {

@@ -80,9 +80,10 @@ bool is_in_safe_range(Doubles... values) {
   return (is_safe(values) && ...);
 }
 
+/// Coefficients >= 0, with -0 as 0: 1 / -0 is -infinity.
 template <typename T>
 BasicAttenuation<T> convert(const Attenuation& attenuation) {
-  return {T(attenuation.constant), T(attenuation.linear), T(attenuation.quadratic)};
+  return {std::abs(T(attenuation.constant)), std::abs(T(attenuation.linear)), std::abs(T(attenuation.quadratic))};
 }
 
 }  // namespace litfog

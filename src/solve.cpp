@@ -7,6 +7,7 @@
 
 #include "level_range.h"
 #include "require.h"
+#include "unchecked.h"
 
 namespace litfog {
 namespace {
@@ -100,8 +101,8 @@ struct Root {
 };
 
 /// The one sign change of a slope on (0, upper]: Halley from a guess, kept inside the bracket, bisected on escape.
-/// A step that moves x by the share m leaves about m^3 (1 + x^2 / 12) of it, so that a step below the bound leaves the
-/// place good to 1e-9 and the height to its square.
+/// A step that moves x by the fraction m leaves an error of about m^3 (1 + x^2 / 12), so that a step below the bound
+/// leaves the peak's range good to 1e-9 and its height to the square of that.
 template <typename T, typename SlopeAt>
 Root<T> find_sign_change(const SlopeAt& slope_at, T guess, T upper) {
   constexpr int kMaxSteps = 100;
@@ -182,19 +183,15 @@ bool is_limit_case(const Attenuation& attenuation, const Fog& fog) {
 }
 
 FogIntensity solve_limit_case(const Attenuation& attenuation, const Fog& fog, double threshold) {
-  const double light_extent = compute_extent(attenuation, threshold);
-  if (light_extent == 0 || fog.density == 0) return {0, 0, light_extent, SolveStatus::ok};
+  const double extent = unchecked::compute_extent(attenuation, threshold);
+  if (extent == 0 || fog.density == 0) return {0, 0, extent, SolveStatus::ok};
   // Total fog takes the attenuation at 0+, constant attenuation the opacity 1 at infinity.
-  return {attenuation_at(attenuation, 0), std::isinf(fog.density) ? 0 : kInfinity<double>, light_extent,
-          SolveStatus::ok};
+  return {attenuation_at(attenuation, 0), std::isinf(fog.density) ? 0 : kInfinity<double>, extent, SolveStatus::ok};
 }
 
 }  // namespace
 
-FogIntensity solve_fog_intensity(const Attenuation& attenuation, const Fog& fog, double threshold) {
-  require(check(attenuation));
-  require(check(fog));
-  require(check_threshold(threshold));
+FogIntensity unchecked::solve_fog_intensity(const Attenuation& attenuation, const Fog& fog, double threshold) {
   if (is_limit_case(attenuation, fog)) return solve_limit_case(attenuation, fog, threshold);
   const auto bounded = [](double intensity) { return std::min(intensity, 1.0); };  // rounding upward may exceed 1
   if (is_in_safe_range(attenuation.constant, attenuation.linear, attenuation.quadratic, fog.density, threshold)) {
@@ -206,6 +203,20 @@ FogIntensity solve_fog_intensity(const Attenuation& attenuation, const Fog& fog,
   return {bounded(double(wide.intensity)), double(wide.peak_range), double(wide.extent), wide.status};
 }
 
+FogIntensity solve_fog_intensity(const Attenuation& attenuation, const Fog& fog, double threshold) {
+  require(check(attenuation));
+  require(check(fog));
+  require(check_threshold(threshold));
+  return unchecked::solve_fog_intensity(attenuation, fog, threshold);
+}
+
+FogIntensity solve_fog_intensity(const Light& light, const Fog& fog) {
+  require(check(light));
+  require(check(fog));
+  return unchecked::solve_fog_intensity(light.attenuation, unchecked::scaled(fog, light.density_scale),
+                                        light.threshold);
+}
+
 FogIntensityF solve_fog_intensity(const AttenuationF& attenuation, const FogF& fog, float threshold) {
   const auto wide = solve_fog_intensity(Attenuation{attenuation.constant, attenuation.linear, attenuation.quadratic},
                                         Fog{fog.mode, fog.density}, double(threshold));
@@ -215,14 +226,15 @@ FogIntensityF solve_fog_intensity(const AttenuationF& attenuation, const FogF& f
 FogIntensity sample_fog_intensity(const Attenuation& attenuation, const Fog& fog, double threshold, int samples) {
   require(check(attenuation));
   require(check(fog));
+  require(check_threshold(threshold));
   if (!(samples >= 1)) require(ValueError{"samples", double(samples), "must be >= 1"});
   if (is_limit_case(attenuation, fog)) return solve_limit_case(attenuation, fog, threshold);
-  const double light_extent = compute_extent(attenuation, threshold);
-  FogIntensity best{0, 0, light_extent, SolveStatus::ok};
+  const double extent = unchecked::compute_extent(attenuation, threshold);
+  FogIntensity best{0, 0, extent, SolveStatus::ok};
   for (int i = 1; i <= samples; ++i) {
-    const double range = light_extent * (double(i) / samples);
+    const double range = extent * (double(i) / samples);
     const double intensity = opacity_at(fog, range) * attenuation_at(attenuation, range);
-    if (intensity > best.intensity) best = {intensity, range, light_extent, SolveStatus::ok};
+    if (intensity > best.intensity) best = {intensity, range, extent, SolveStatus::ok};
   }
   return best;
 }

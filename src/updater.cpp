@@ -4,10 +4,15 @@
 #include <algorithm>
 #include <bit>
 #include <functional>
+#include <glm/vec3.hpp>
 #include <iterator>
+#include <memory>
+#include <unordered_map>
+#include <vector>
 
 #include "litfog/batch.h"
 #include "require.h"
+#include "unchecked.h"
 
 namespace litfog {
 namespace {
@@ -18,42 +23,137 @@ constexpr std::size_t kJoinedGap = 128;       // entries: 10 KiB take about as l
 
 float brightness_of(const glm::vec3& color) { return std::max({color.r, color.g, color.b}); }
 
+struct KindKey {
+  Attenuation attenuation;
+  double threshold;
+  double density_scale;
+
+  friend bool operator==(const KindKey&, const KindKey&) = default;
+};
+struct KindKeyHash {
+  std::size_t operator()(const KindKey& key) const {
+    std::size_t hash = 0;
+    for (const double value : {key.attenuation.constant, key.attenuation.linear, key.attenuation.quadratic,
+                               key.threshold, key.density_scale}) {
+      hash = (hash ^ std::hash<double>{}(value)) * 0x9e3779b97f4a7c15u;  // 2^64 / golden ratio (Knuth, TAOCP 3, 6.4)
+      hash ^= hash >> 32;
+    }
+    return hash;
+  }
+};
+
+/// Lights that share an intensity. Every lit one, that is on and not black, has `intensity` in its entry, others 0.
+struct Kind {
+  KindKey key;
+  IntensityBound bound;
+  double extent;
+  float intensity = 0;
+  float brightest = 0;                ///< largest colour component among the lit lights
+  std::uint32_t brightest_count = 0;  ///< lit lights that have it; 0: to be found again
+  std::uint32_t lit_count = 0;
+  std::uint32_t light_count = 0;
+  bool has_changed = true;  ///< any of its lights since the last set_fog
+  bool is_stored = true;    ///< false while set_fog has yet to write the intensity to the entries
+  std::vector<std::uint32_t> pages = {};
+  std::vector<std::uint32_t> free_entries = {};  ///< of its pages
+};
+
+/// A run of entries of one kind, or of none.
+struct Page {
+  std::uint32_t begin;
+  std::uint32_t end;  ///< begin + a power of 2
+  std::uint32_t dirty_begin;
+  std::uint32_t dirty_end;  ///< at most dirty_begin where none is dirty
+  std::uint32_t kind;       ///< the last that it was given to
+
+  void mark_dirty(std::uint32_t first, std::uint32_t last) {
+    dirty_begin = std::min(dirty_begin, first);
+    dirty_end = std::max(dirty_end, last);
+  }
+  void mark_clean() {
+    dirty_begin = end;
+    dirty_end = begin;
+  }
+};
+
+struct Record {
+  std::uint32_t generation = 1;
+  std::uint32_t kind = 0;
+  std::uint32_t entry = 0;
+  glm::vec3 color{0};  ///< as stored when on
+  bool is_on = false;
+  bool is_held = false;
+};
+
+/// Arguments and result of the batch solve, with room for every kind.
+struct Columns {
+  std::vector<double> constant, linear, quadratic, threshold, density, intensity;
+  std::vector<std::uint32_t> kind;
+
+  void resize(std::size_t size) {
+    for (auto* column : {&constant, &linear, &quadratic, &threshold, &density, &intensity}) column->resize(size);
+    kind.resize(size);
+  }
+};
+
 }  // namespace
 
-void FogUpdater::Page::mark_dirty(std::uint32_t first, std::uint32_t last) {
-  dirty_begin = std::min(dirty_begin, first);
-  dirty_end = std::max(dirty_end, last);
-}
+/// Everything of the updater; its public face forwards to the public calls here, which are documented there.
+class FogUpdater::Store {
+ public:
+  explicit Store(double skip_budget_255);
 
-void FogUpdater::Page::mark_clean() {
-  dirty_begin = end;
-  dirty_end = begin;
-}
+  FogLightHandle add(const PlacedLight& light);
+  void change(FogLightHandle handle, const PlacedLight& light);
+  void switch_light(FogLightHandle handle, bool is_on);
+  void remove(FogLightHandle handle);
+  std::span<const EntryRange> set_fog(const Fog& fog);
+  std::span<const FogLight> entries() const { return entries_; }
+  std::size_t entry_of(FogLightHandle handle) const { return records_[slot_of(handle)].entry; }
+  const FogUpdateStatistics& statistics() const { return statistics_; }
 
-void FogUpdater::Columns::resize(std::size_t size) {
-  for (auto* column : {&constant, &linear, &quadratic, &threshold, &density, &intensity}) column->resize(size);
-  kind.resize(size);
-}
+ private:
+  std::uint32_t slot_of(FogLightHandle handle) const;
+  std::uint32_t find_or_add_kind(const PlacedLight& placed);
+  void enter(Record& record, std::uint32_t kind_index);
+  void leave(const Record& record);
+  void pack(Record& record, const PlacedLight& placed);
+  void show(const Record& record);
+  void hide(const Record& record);
+  void add_page(std::uint32_t kind_index);
+  Page& page_of(std::uint32_t entry);
+  bool is_below_budget(Kind& kind, const Fog& seen_fog) const;
+  void find_brightest(Kind& kind) const;
+  static void set_intensity(Kind& kind, float intensity);
+  void store_intensity(Page& page);
+  std::span<const EntryRange> update_entries();
 
-std::size_t FogUpdater::KindKeyHash::operator()(const KindKey& key) const {
-  std::size_t hash = 0;
-  for (const double value : {key.attenuation.constant, key.attenuation.linear, key.attenuation.quadratic, key.threshold,
-                             key.density_scale}) {
-    hash = (hash ^ std::hash<double>{}(value)) * 0x9e3779b97f4a7c15u;  // 2^64 / golden ratio (Knuth, TAOCP 3, 6.4)
-    hash ^= hash >> 32;
-  }
-  return hash;
-}
+  double skip_budget_;
+  Fog fog_;
+  bool has_changed_ = false;  // any light since the last set_fog
+  std::vector<FogLight> entries_;
+  std::vector<Page> pages_;                    // in the order of their entries
+  std::vector<std::uint32_t> free_pages_[11];  // by the logarithm of the size
+  std::vector<Kind> kinds_;                    // the first is that of lights not carried: never solved, intensity 0
+  std::vector<std::uint32_t> free_kinds_;
+  std::unordered_map<KindKey, std::uint32_t, KindKeyHash> kind_of_key_;
+  std::vector<Record> records_;
+  std::vector<std::uint32_t> free_records_;
+  std::size_t light_count_ = 0;
+  Columns columns_;
+  std::vector<EntryRange> ranges_;  // room for a range a page
+  FogUpdateStatistics statistics_;
+};
 
-FogUpdater::FogUpdater(double skip_budget_255) : skip_budget_(skip_budget_255 / 255) {
+FogUpdater::Store::Store(double skip_budget_255) : skip_budget_(skip_budget_255 / 255) {
   if (!is_finite_and_not_negative(skip_budget_255)) {
     require(ValueError{"skip_budget_255", skip_budget_255, "must be finite and >= 0"});
   }
   kinds_.push_back({.key = {}, .bound = {Attenuation{}, kDefaultThreshold}, .extent = 0});
 }
 
-FogLightHandle FogUpdater::add(const PlacedLight& light) {
-  require(check(light.light));
+FogLightHandle FogUpdater::Store::add(const PlacedLight& light) {
+  require(check(light));
   const std::uint32_t kind = find_or_add_kind(light);
   if (free_records_.empty()) {
     free_records_.push_back(std::uint32_t(records_.size()));
@@ -70,9 +170,9 @@ FogLightHandle FogUpdater::add(const PlacedLight& light) {
   return {slot, record.generation};
 }
 
-void FogUpdater::change(FogLightHandle handle, const PlacedLight& light) {
+void FogUpdater::Store::change(FogLightHandle handle, const PlacedLight& light) {
   Record& record = records_[slot_of(handle)];
-  require(check(light.light));
+  require(check(light));
   const std::uint32_t kind = find_or_add_kind(light);
   hide(record);
   if (kind != record.kind) {
@@ -82,7 +182,7 @@ void FogUpdater::change(FogLightHandle handle, const PlacedLight& light) {
   pack(record, light);
 }
 
-void FogUpdater::switch_light(FogLightHandle handle, bool is_on) {
+void FogUpdater::Store::switch_light(FogLightHandle handle, bool is_on) {
   Record& record = records_[slot_of(handle)];
   if (is_on == record.is_on) return;
   hide(record);
@@ -90,7 +190,7 @@ void FogUpdater::switch_light(FogLightHandle handle, bool is_on) {
   show(record);
 }
 
-void FogUpdater::remove(FogLightHandle handle) {
+void FogUpdater::Store::remove(FogLightHandle handle) {
   Record& record = records_[slot_of(handle)];
   hide(record);
   leave(record);
@@ -100,7 +200,7 @@ void FogUpdater::remove(FogLightHandle handle) {
   --light_count_;
 }
 
-std::span<const EntryRange> FogUpdater::set_fog(const Fog& fog) {
+std::span<const EntryRange> FogUpdater::Store::set_fog(const Fog& fog) {
   require(check(fog));
   const bool is_new_fog = fog != fog_;
   fog_ = fog;
@@ -117,7 +217,7 @@ std::span<const EntryRange> FogUpdater::set_fog(const Fog& fog) {
     kind.has_changed = false;
     kind.is_stored = true;
     if (!is_due || kind.lit_count == 0) continue;
-    const Fog seen_fog = scaled(fog, kind.key.density_scale);
+    const Fog seen_fog = unchecked::scaled(fog, kind.key.density_scale);
     if (is_below_budget(kind, seen_fog)) {
       set_intensity(kind, 0);
       continue;
@@ -147,9 +247,7 @@ std::span<const EntryRange> FogUpdater::set_fog(const Fog& fog) {
   return update_entries();
 }
 
-std::size_t FogUpdater::entry_of(FogLightHandle handle) const { return records_[slot_of(handle)].entry; }
-
-std::uint32_t FogUpdater::slot_of(FogLightHandle handle) const {
+std::uint32_t FogUpdater::Store::slot_of(FogLightHandle handle) const {
   if (handle.slot >= records_.size() || !records_[handle.slot].is_held ||
       records_[handle.slot].generation != handle.generation) {
     require(ValueError{"handle.slot", double(handle.slot), "must be that of a light held"});
@@ -157,13 +255,14 @@ std::uint32_t FogUpdater::slot_of(FogLightHandle handle) const {
   return handle.slot;
 }
 
-std::uint32_t FogUpdater::find_or_add_kind(const PlacedLight& placed) {
+std::uint32_t FogUpdater::Store::find_or_add_kind(const PlacedLight& placed) {
   if (!placed.carried) return kNotCarried;
   const Light& light = placed.light;
   const KindKey key{light.attenuation, light.threshold, light.density_scale};
   if (const auto found = kind_of_key_.find(key); found != kind_of_key_.end()) return found->second;
-  const Kind kind{
-      .key = key, .bound = {light.attenuation, light.threshold}, .extent = compute_extent(light.attenuation, light.threshold)};
+  const Kind kind{.key = key,
+                  .bound = {light.attenuation, light.threshold},
+                  .extent = unchecked::compute_extent(light.attenuation, light.threshold)};
   std::uint32_t index = std::uint32_t(kinds_.size());
   if (free_kinds_.empty()) {
     kinds_.push_back(kind);
@@ -177,8 +276,8 @@ std::uint32_t FogUpdater::find_or_add_kind(const PlacedLight& placed) {
   return index;
 }
 
-/// Gives a light a place among the entries of a kind.
-void FogUpdater::enter(Record& record, std::uint32_t kind_index) {
+/// Gives a light one of the entries of a kind.
+void FogUpdater::Store::enter(Record& record, std::uint32_t kind_index) {
   Kind& kind = kinds_[kind_index];
   if (kind.free_entries.empty()) add_page(kind_index);
   record.kind = kind_index;
@@ -188,7 +287,7 @@ void FogUpdater::enter(Record& record, std::uint32_t kind_index) {
 }
 
 /// Empties a light's entry. A kind's last light takes the kind with it; what is left of it is written over by the next.
-void FogUpdater::leave(const Record& record) {
+void FogUpdater::Store::leave(const Record& record) {
   entries_[record.entry] = {};
   Kind& kind = kinds_[record.kind];
   kind.free_entries.push_back(record.entry);
@@ -200,17 +299,19 @@ void FogUpdater::leave(const Record& record) {
 }
 
 /// Writes the entry of a hidden light.
-void FogUpdater::pack(Record& record, const PlacedLight& placed) {
+void FogUpdater::Store::pack(Record& record, const PlacedLight& placed) {
   const Light& light = placed.light;
-  const double light_extent = placed.carried ? kinds_[record.kind].extent : compute_extent(light.attenuation, light.threshold);
+  const double extent =
+      placed.carried ? kinds_[record.kind].extent : unchecked::compute_extent(light.attenuation, light.threshold);
   FogLight& entry = entries_[record.entry];
-  entry = pack_fog_light(placed, {.intensity = 0, .peak_range = 0, .extent = light_extent, .status = SolveStatus::ok});
+  entry =
+      unchecked::pack_fog_light(placed, {.intensity = 0, .peak_range = 0, .extent = extent, .status = SolveStatus::ok});
   record.color = glm::vec3(entry.color_intensity);
   show(record);
 }
 
 /// Writes a light's colour and intensity, and counts it where it is lit.
-void FogUpdater::show(const Record& record) {
+void FogUpdater::Store::show(const Record& record) {
   Kind& kind = kinds_[record.kind];
   const glm::vec3 color = record.is_on ? record.color : glm::vec3{0};
   const float brightness = brightness_of(color);
@@ -230,7 +331,7 @@ void FogUpdater::show(const Record& record) {
 }
 
 /// Undoes show's counting; the light leaves its entry, or is shown again.
-void FogUpdater::hide(const Record& record) {
+void FogUpdater::Store::hide(const Record& record) {
   Kind& kind = kinds_[record.kind];
   const float brightness = record.is_on ? brightness_of(record.color) : 0;
   if (brightness > 0) {
@@ -243,7 +344,7 @@ void FogUpdater::hide(const Record& record) {
 }
 
 /// Adds a quarter to a kind's entries, down to a power of 2; at least 1 and at most the largest page.
-void FogUpdater::add_page(std::uint32_t kind_index) {
+void FogUpdater::Store::add_page(std::uint32_t kind_index) {
   Kind& kind = kinds_[kind_index];
   const std::uint32_t wanted = std::clamp(std::bit_floor(kind.light_count / 4), 1u, kLargestPage);
   std::vector<std::uint32_t>& free_pages = free_pages_[std::countr_zero(wanted)];
@@ -262,16 +363,16 @@ void FogUpdater::add_page(std::uint32_t kind_index) {
   for (std::uint32_t entry = pages_[index].end; entry-- > pages_[index].begin;) kind.free_entries.push_back(entry);
 }
 
-FogUpdater::Page& FogUpdater::page_of(std::uint32_t entry) {
+Page& FogUpdater::Store::page_of(std::uint32_t entry) {
   return *std::prev(std::ranges::upper_bound(pages_, entry, {}, &Page::begin));
 }
 
-bool FogUpdater::is_below_budget(Kind& kind, const Fog& seen_fog) const {
+bool FogUpdater::Store::is_below_budget(Kind& kind, const Fog& seen_fog) const {
   if (kind.brightest_count == 0) find_brightest(kind);
   return kind.bound.at(seen_fog) * kind.brightest < skip_budget_;
 }
 
-void FogUpdater::find_brightest(Kind& kind) const {
+void FogUpdater::Store::find_brightest(Kind& kind) const {
   kind.brightest = 0;
   for (const std::uint32_t page : kind.pages) {
     for (std::uint32_t i = pages_[page].begin; i < pages_[page].end; ++i) {
@@ -285,12 +386,12 @@ void FogUpdater::find_brightest(Kind& kind) const {
   }
 }
 
-void FogUpdater::set_intensity(Kind& kind, float intensity) {
+void FogUpdater::Store::set_intensity(Kind& kind, float intensity) {
   kind.is_stored = intensity == kind.intensity;
   kind.intensity = intensity;
 }
 
-void FogUpdater::store_intensity(Page& page) {
+void FogUpdater::Store::store_intensity(Page& page) {
   Kind& kind = kinds_[page.kind];
   if (kind.is_stored) return;
   std::uint32_t first = page.end;
@@ -306,7 +407,7 @@ void FogUpdater::store_intensity(Page& page) {
 }
 
 /// In the order of memory: kind by kind takes twice as long where kinds lie between each other.
-std::span<const EntryRange> FogUpdater::update_entries() {
+std::span<const EntryRange> FogUpdater::Store::update_entries() {
   ranges_.clear();
   for (Page& page : pages_) {
     store_intensity(page);
@@ -321,5 +422,19 @@ std::span<const EntryRange> FogUpdater::update_entries() {
   for (const EntryRange& range : ranges_) statistics_.entries_dirty += range.end - range.begin;
   return ranges_;
 }
+
+FogUpdater::FogUpdater(double skip_budget_255) : store_(std::make_unique<Store>(skip_budget_255)) {}
+FogUpdater::~FogUpdater() = default;
+FogUpdater::FogUpdater(FogUpdater&&) noexcept = default;
+FogUpdater& FogUpdater::operator=(FogUpdater&&) noexcept = default;
+
+FogLightHandle FogUpdater::add(const PlacedLight& light) { return store_->add(light); }
+void FogUpdater::change(FogLightHandle handle, const PlacedLight& light) { store_->change(handle, light); }
+void FogUpdater::switch_light(FogLightHandle handle, bool is_on) { store_->switch_light(handle, is_on); }
+void FogUpdater::remove(FogLightHandle handle) { store_->remove(handle); }
+std::span<const EntryRange> FogUpdater::set_fog(const Fog& fog) { return store_->set_fog(fog); }
+std::span<const FogLight> FogUpdater::entries() const { return store_->entries(); }
+std::size_t FogUpdater::entry_of(FogLightHandle handle) const { return store_->entry_of(handle); }
+const FogUpdateStatistics& FogUpdater::statistics() const { return store_->statistics(); }
 
 }  // namespace litfog

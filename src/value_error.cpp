@@ -6,10 +6,10 @@
 
 namespace litfog {
 
-std::string to_string(const ValueError& refusal) {
+std::string to_string(const ValueError& error) {
   std::array<char, 32> digits;  // the shortest text that reads back exactly is at most 24 characters
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), refusal.value).ptr;
-  return std::string(refusal.field) + " = " + std::string(digits.data(), end) + ": " + refusal.rule;
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), error.value).ptr;
+  return std::string(error.field) + " = " + std::string(digits.data(), end) + ": " + error.rule;
 }
 
 }  // namespace litfog

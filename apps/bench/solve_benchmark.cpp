@@ -38,12 +38,6 @@ constexpr Scale kQuick{512, 200, 100'000, {3, 0.0005}};
 constexpr std::uint64_t kSeed = 20'040'601;
 constexpr int kSamples[] = {16, 64, 256, 1024};
 
-/// Max error of intensity that the headers state (solve.h, batch.h), in ulp.
-constexpr double kExactUlp = 2;
-constexpr double kExactFloatUlp = 1;
-constexpr double kBatchUlp = 4;
-constexpr double kBatchFloatUlp = 2;
-
 const char* name_of(FogMode mode) { return mode == FogMode::exp ? "exp" : "exp2"; }
 template <typename Real>
 constexpr const char* kPrecisionName = sizeof(Real) == sizeof(float) ? "float" : "double";
@@ -127,7 +121,7 @@ Method batch(const std::string& name, Problem<Real>& problem) {
   Method method = at_once(name, problem, [&problem] {
     solve_fog_intensities(problem.mode, problem.lights.view(), BasicBatchSolutions<Real>{problem.intensity});
   });
-  method.stated_ulp = sizeof(Real) == sizeof(float) ? kBatchFloatUlp : kBatchUlp;
+  method.stated_ulp = kBatchIntensityMaxUlp;
   return method;
 }
 
@@ -160,11 +154,11 @@ std::vector<Method> methods_of(Problem<double>& problem, Problem<float>& problem
   methods.push_back(light_by_light("exact", problem, [](const Attenuation& attenuation, const Fog& fog, double t) {
     return solve_fog_intensity(attenuation, fog, t).intensity;
   }));
-  methods.back().stated_ulp = kExactUlp;
+  methods.back().stated_ulp = kIntensityMaxUlp<double>;
   methods.push_back(light_by_light("exact", problem_f, [](const AttenuationF& attenuation, const FogF& fog, float t) {
     return solve_fog_intensity(attenuation, fog, t).intensity;
   }));
-  methods.back().stated_ulp = kExactFloatUlp;
+  methods.back().stated_ulp = kIntensityMaxUlp<float>;
   methods.push_back(batch("batch", problem));
   methods.push_back(batch("batch", problem_f));
   return methods;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <type_traits>
 
 #include "litfog/value_error.h"
 
@@ -27,18 +28,28 @@ inline constexpr double kDefaultThreshold = 0.05;
 std::optional<ValueError> check(const Attenuation& attenuation);
 std::optional<ValueError> check_threshold(double threshold);
 
-/// a(r), the share of its near brightness that a light has at a range.
+/// Largest error of attenuation_at in ulp: five roundings.
+inline constexpr double kAttenuationMaxUlp = 5;
+
+/// a(r), the fraction of its near brightness that a light has at a range.
 ///
-/// range    metres, >= 0; infinity gives the limit
-/// returns  [0, 1]
+/// range      metres, >= 0; infinity gives the limit
+/// returns    [0, 1]
+/// max error  kAttenuationMaxUlp where the coefficients and the range are 0 or within 1e-100..1e100; beyond, the
+///            denominator may leave double's range, and the result is 0 there (attenuation_test.cpp)
 double attenuation_at(const Attenuation& attenuation, double range);
+
+/// Largest error of compute_extent in ulp, and of compute_knee.
+template <typename Real>
+inline constexpr double kExtentMaxUlp = std::is_same_v<Real, float> ? 1 : 2;
+inline constexpr double kKneeMaxUlp = 2;
 
 /// Extent: the range at which the attenuation falls to the threshold, the positive root E of
 /// Q r^2 + L r + (C - 1/t) = 0 (Hales 2004, "Embedding Range Attenuation in a Texture Map").
 ///
 /// threshold  (0, 1)
 /// returns    metres; 0 where C >= 1/t, infinity where L = Q = 0 and C < 1/t
-/// max error  2 ulp; float: 1 ulp                                                         (attenuation_test.cpp)
+/// max error  kExtentMaxUlp                                                                  (attenuation_test.cpp)
 /// throws     std::invalid_argument naming field, value and rule
 double compute_extent(const Attenuation& attenuation, double threshold);
 float compute_extent(const AttenuationF& attenuation, float threshold);
@@ -46,7 +57,7 @@ float compute_extent(const AttenuationF& attenuation, float threshold);
 /// Knee: the range up to which the clamp holds the attenuation at 1, the root of C + L r + Q r^2 = 1.
 ///
 /// returns    metres; 0 where C >= 1, infinity where L = Q = 0 and C < 1
-/// max error  2 ulp                                                                        (attenuation_test.cpp)
+/// max error  kKneeMaxUlp                                                                    (attenuation_test.cpp)
 /// throws     std::invalid_argument naming field, value and rule
 double compute_knee(const Attenuation& attenuation);
 

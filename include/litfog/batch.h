@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 #include "litfog/fog.h"
 
@@ -13,7 +14,7 @@ namespace litfog {
 enum class BatchStatus : std::uint8_t {
   ok,             ///< solved to the stated error
   not_converged,  ///< as SolveStatus::not_converged
-  refused,        ///< an argument breaks its rule (see solve.h); intensity, peak range and extent are 0
+  invalid,        ///< an argument breaks its rule (see solve.h): intensity, peak range and extent are 0
 };
 
 /// The lights of a batch, a column a parameter. Columns hold one value a light; threshold and density may also hold a
@@ -29,7 +30,7 @@ struct BasicBatchLights {
 using BatchLights = BasicBatchLights<double>;
 using BatchLightsF = BasicBatchLights<float>;
 
-/// Where a batch's results go. A column holds one value a light; an empty one is not wanted and not computed.
+/// Where a batch's results go. A column holds one value a light; an empty one is not computed.
 template <typename Real>
 struct BasicBatchSolutions {
   std::span<Real> intensity;
@@ -40,16 +41,24 @@ struct BasicBatchSolutions {
 using BatchSolutions = BasicBatchSolutions<double>;
 using BatchSolutionsF = BasicBatchSolutions<float>;
 
+/// Largest errors of solve_fog_intensities: of the intensity and the extent in ulp, of the peak range relative.
+inline constexpr double kBatchIntensityMaxUlp = 2;
+template <typename Real>
+inline constexpr double kBatchExtentMaxUlp = std::is_same_v<Real, float> ? 1 : 2;
+template <typename Real>
+inline constexpr double kBatchPeakRangeMaxError = std::is_same_v<Real, float> ? 1e-4 : 1e-8;
+
 /// solve_fog_intensity for many lights: SIMD of the widest kind that the processor has, chosen at run time. Allocates
-/// nothing, never throws, and may run on any number of threads at once. Columns whose lengths do not fit are our
-/// caller's bug and assert.
+/// nothing, never throws, and may run on any number of threads at once. No column of results may overlap a column of
+/// the lights or another of results: a light's parameters are read again after results have been written. Columns whose
+/// lengths do not fit are a bug of the caller's and assert.
 ///
 /// Bound by arithmetic, not by memory: copying the same columns takes a twentieth of the time from the caches and a
 /// fifth from memory (`litfog-bench solve`, rows batch and memory-copy).
 ///
-/// returns    how many lights were refused
-/// max error  float: intensity 2 ulp, extent 1 ulp, peak_range 1e-4 relative;
-///            double: intensity 2 ulp, extent 2 ulp, peak_range 1e-8 relative; on every target     (batch_test.cpp)
+/// returns    how many lights are invalid
+/// max error  on every target: intensity kBatchIntensityMaxUlp, extent kBatchExtentMaxUlp,
+///            peak_range kBatchPeakRangeMaxError                                                   (batch_test.cpp)
 std::size_t solve_fog_intensities(FogMode mode, const BatchLights& lights, const BatchSolutions& solutions);
 std::size_t solve_fog_intensities(FogMode mode, const BatchLightsF& lights, const BatchSolutionsF& solutions);
 

@@ -38,18 +38,29 @@ std::optional<ValueError> check(const Cone& cone);
 /// Half angle beyond which a cone is dark: radians, pi for a point light.
 double cutoff_angle(const Cone& cone);
 
-/// Share of the axial intensity that a cone sends into a direction.
+/// Largest errors of cone_at: of a cosine cone in ulp; of a smoothstep cone absolute, multiplied by the width of its
+/// edge, cos inner - cos outer, because the cosines are rounded.
+inline constexpr double kCosineConeMaxUlp = 1;
+inline constexpr double kSmoothstepConeMaxErrorTimesWidth = 4e-16;
+
+/// Fraction of the axial intensity that a cone sends into a direction.
 ///
 /// cos_angle  cosine of the angle from the axis, [-1, 1]
 /// returns    [0, 1]
+/// max error  kCosineConeMaxUlp, but for a half angle whose rounded cosine is cos_angle's neighbour;
+///            kSmoothstepConeMaxErrorTimesWidth / (cos inner - cos outer)                           (cone_test.cpp)
 double cone_at(const Cone& cone, double cos_angle);
 
-/// Angle up to which a cone keeps a share of its axial intensity: acos(level^(1/exponent)), the root of Hermite's cubic,
-/// or the cut-off where the cone ends with more than that.
+/// Largest errors of angle_at_level and flux_within, relative.
+inline constexpr double kAngleAtLevelMaxError = 2e-15;
+inline constexpr double kFluxMaxError = 2e-15;
+
+/// Angle up to which a cone keeps a fraction of its axial intensity: acos(level^(1/exponent)), the root of Hermite's
+/// cubic, or the cut-off where the cone ends with more than that.
 ///
 /// level      (0, 1)
 /// returns    radians from the axis, [0, pi]; pi for a point light
-/// max error  2e-15 relative                                                                        (cone_test.cpp)
+/// max error  kAngleAtLevelMaxError                                                                 (cone_test.cpp)
 double angle_at_level(const Cone& cone, double level);
 
 /// Flux of a cone whose axial intensity is 1, out to an angle: 2 pi times the integral of cone_at(cos u) sin u.
@@ -57,7 +68,7 @@ double angle_at_level(const Cone& cone, double level);
 ///
 /// angle      radians from the axis, [0, pi]
 /// returns    steradians, [0, 4 pi]
-/// max error  2e-15 relative                                                                        (cone_test.cpp)
+/// max error  kFluxMaxError                                                                         (cone_test.cpp)
 double flux_within(const Cone& cone, double angle);
 
 }  // namespace litfog

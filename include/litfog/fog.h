@@ -18,6 +18,9 @@ inline constexpr double kContrastMor = 0.05;          ///< meteorological optica
 inline constexpr double kContrastKoschmieder = 0.02;  ///< Koschmieder 1924
 inline constexpr double kContrastFlightgear = 0.01;   ///< FlightGear's fog density
 
+/// Largest error of BasicFog::from_visibility in ulp.
+inline constexpr double kDensityMaxUlp = 3;
+
 /// Homogeneous fog.
 template <typename Real>
 struct BasicFog {
@@ -30,7 +33,7 @@ struct BasicFog {
   ///
   /// metres    V >= 0; infinity is no fog (d = 0), 0 is total fog (d = infinity)
   /// contrast  c in (0, 1)
-  /// max error 3 ulp                                                            (fog_test.cpp)
+  /// max error kDensityMaxUlp                                                   (fog_test.cpp)
   /// throws    std::invalid_argument naming field, value and rule
   static BasicFog from_visibility(FogMode mode, Real metres, Real contrast = Real(kContrastMor));
 };
@@ -46,17 +49,25 @@ std::optional<ValueError> check(const Fog& fog);
 /// throws         std::invalid_argument naming field, value and rule
 Fog scaled(const Fog& fog, double density_scale);
 
-/// Fog factor f(r), the share of light that the fog lets through over a range.
+/// Largest error of fog_factor_at, absolute: a relative error of the optical depth x, 3 roundings at most, counts
+/// x e^-x < 0.37, and the exponential adds less than an ulp.
+inline constexpr double kFogFactorMaxError = 2.5e-16;
+
+/// Fog factor f(r), the fraction of light that the fog lets through over a range.
 ///
-/// range    metres, >= 0
-/// returns  [0, 1]
+/// range      metres, >= 0
+/// returns    [0, 1]
+/// max error  kFogFactorMaxError                                                (fog_test.cpp)
 double fog_factor_at(const Fog& fog, double range);
+
+/// Largest error of opacity_at in ulp.
+inline constexpr double kOpacityMaxUlp = 4;
 
 /// Opacity 1 - f(r), without the cancellation of the plain form.
 ///
 /// range      metres, >= 0
 /// returns    [0, 1]
-/// max error  4 ulp                                                             (fog_test.cpp)
+/// max error  kOpacityMaxUlp                                                    (fog_test.cpp)
 double opacity_at(const Fog& fog, double range);
 
 }  // namespace litfog

@@ -37,20 +37,18 @@ static_assert(offsetof(FogLight, axis_profile) == 16 && offsetof(FogLight, color
 static_assert(offsetof(FogLightBlock, ambient_fog_color) == 16 && offsetof(FogLightBlock, lights) == 32 &&
               sizeof(FogLightBlock) == 32 + kMaxFogLights * 80 && sizeof(FogLightBlock) <= 16384);
 
-/// Solves the light in the fog that its class sees.
-///
-/// throws  std::invalid_argument naming field, value and rule
-FogIntensity solve_fog_intensity(const Light& light, const Fog& fog);
-
 /// One light's parameters. The intensity is stored for carried lights only: Hales's term presumes a light near the eye.
 ///
 /// solution  of this light in the fog of the block
+/// throws    std::invalid_argument naming field, value and rule of the light
 FogLight pack_fog_light(const PlacedLight& light, const FogIntensity& solution);
 
 /// The whole block from lights and their solutions, in order; unused entries are zero.
 /// An infinite density is stored as the largest float.
 ///
-/// throws  std::invalid_argument when there are more than kMaxFogLights, or not one solution a light
+/// ambient_fog_color  linear RGB, finite, >= 0
+/// throws             std::invalid_argument naming field, value and rule; also for more than kMaxFogLights lights, or
+///                    not one solution a light
 FogLightBlock pack_fog_light_block(const Fog& fog, const glm::dvec3& ambient_fog_color,
                                    std::span<const PlacedLight> lights, std::span<const FogIntensity> solutions);
 

@@ -17,11 +17,11 @@ namespace litfog {
 ///   r = sqrt(C/Q) and falls from there (C = 0: falls, Q = 0: rises). Hence M1 is r a(r) at sqrt(C/Q) brought between
 ///   the knee and E.
 /// - r^2 a(r) rises everywhere: its derivative beyond the knee has the sign of 2 C + L r. Hence it is largest at E,
-/// where
-///   a is the threshold t: S = E sqrt(t).
-/// Rounding. All terms are positive, so that nothing cancels, and the computed values err by some ulps of long double
-/// (a knee or extent by 2; sqrt(C/Q) by 2, which counts squared, r a(r) being stationary there). They are raised by
-/// 16 epsilons of double, four times the batch's error with as much to spare for the multiplications that follow.
+///   where a is the threshold t: S = E sqrt(t).
+/// Rounding. All terms are positive, so nothing cancels, and the computed values err by a few ulps of long double (a
+/// knee or extent by 2; sqrt(C/Q) by 2, which counts squared because r a(r) is stationary there). They are raised by
+/// eight times the batch's largest error: half of that for an intensity that is computed too high, half for the
+/// multiplications of at().
 class IntensityBound {
  public:
   /// attenuation  finite, >= 0, not all zero
@@ -30,8 +30,8 @@ class IntensityBound {
   IntensityBound(const Attenuation& attenuation, double threshold);
 
   /// fog      as the light's class sees it (see scaled()); density >= 0, infinity is total fog
-  /// returns  [0, 1], never below the intensity, exact or computed. Above it by less than the share x / 2, x being the
-  ///          optical depth of the extent, d E or (d E)^2: near in thin fog           (intensity_bound_test.cpp)
+  /// returns  [0, 1], never below the intensity, exact or computed. Above it by less than the fraction x / 2, x being
+  ///          the optical depth of the extent, d E or (d E)^2: tight in thin fog       (intensity_bound_test.cpp)
   double at(const Fog& fog) const;
 
  private:

@@ -18,18 +18,27 @@ struct Light {
   Attenuation attenuation;
   double threshold = kDefaultThreshold;  ///< (0, 1): attenuation at which the light ends
   Cone cone;
-  double density_scale = 1;  ///< finite, >= 0: its class sees this share of the fog's density; 0 sees through all fog
+  double density_scale = 1;  ///< finite, >= 0: its class sees this fraction of the fog's density; 0: no fog
 };
 
-/// A light in a scene. Positions are world space, metres.
+/// Largest coordinate of a light's position in metres, 2^24: beyond it the floats of the shaders are 2 m apart.
+inline constexpr double kMaxPosition = 16'777'216;
+
+/// How far from 1 the length of a light's direction may be: ten times what normalising in float leaves.
+inline constexpr double kDirectionTolerance = 1e-6;
+
+/// A light in a scene. World space, metres.
 struct PlacedLight {
   Light light;
-  glm::dvec3 position{0.0};
-  glm::dvec3 direction{0.0, 0.0, -1.0};  ///< unit axis of the cone
+  glm::dvec3 position{0.0};              ///< each coordinate at most kMaxPosition in magnitude
+  glm::dvec3 direction{0.0, 0.0, -1.0};  ///< axis of the cone; its length is 1 within kDirectionTolerance
   bool carried = false;  ///< by the eye's vehicle: such lights, and only they, light the fog by Hales's term
 };
 
 /// What is wrong with a light, or nothing.
 std::optional<ValueError> check(const Light& light);
+
+/// What is wrong with a placed light, its light included, or nothing. The value of a wrong direction is its length.
+std::optional<ValueError> check(const PlacedLight& light);
 
 }  // namespace litfog

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <type_traits>
+
 #include "litfog/attenuation.h"
 #include "litfog/fog.h"
+#include "litfog/light.h"
 
 namespace litfog {
 
@@ -23,6 +26,12 @@ struct BasicFogIntensity {
 using FogIntensity = BasicFogIntensity<double>;
 using FogIntensityF = BasicFogIntensity<float>;
 
+/// Largest errors of solve_fog_intensity: of the intensity in ulp, of the peak range relative. In float the peak range
+/// is that of double, rounded.
+template <typename Real>
+inline constexpr double kIntensityMaxUlp = std::is_same_v<Real, float> ? 1 : 2;
+inline constexpr double kPeakRangeMaxError = 1e-8;
+
 /// Fog colour intensity of a light: the supremum over [0, extent] of opacity(r) * attenuation(r).
 /// Hales 2004, "Lighting in Fog", there by sampling; here exactly: beyond the knee the derivative's sign is that of a
 /// power series with one change of sign, so the one peak is at the knee, at the stationary point, or at the extent.
@@ -30,16 +39,23 @@ using FogIntensityF = BasicFogIntensity<float>;
 /// attenuation  constant (1), linear (1/m), quadratic (1/m^2): finite, >= 0, not all zero
 /// fog.density  1/m, >= 0; 0 is clear air (intensity 0), infinity is total fog (attenuation at 0+)
 /// threshold    (0, 1): attenuation at which the light ends
-/// max error    intensity and extent 2 ulp, peak_range 1e-8 relative; float: 1 ulp  (solve_test.cpp)
+/// max error    intensity kIntensityMaxUlp, extent kExtentMaxUlp, peak_range kPeakRangeMaxError  (solve_test.cpp)
 /// throws       std::invalid_argument naming field, value and rule
 FogIntensity solve_fog_intensity(const Attenuation& attenuation, const Fog& fog, double threshold = kDefaultThreshold);
 FogIntensityF solve_fog_intensity(const AttenuationF& attenuation, const FogF& fog,
                                   float threshold = float(kDefaultThreshold));
 
+/// The same of a light, in the fog that its class sees.
+///
+/// throws  std::invalid_argument naming field, value and rule
+FogIntensity solve_fog_intensity(const Light& light, const Fog& fog);
+
+inline constexpr double kSampled64MaxError = 0.024;
+
 /// The same as published: the largest of N samples at r = extent * i / N, i = 1..N (Hales 2004, "Lighting in Fog").
 /// Kept as the reference of speed and error. But for rounding it never lies above the intensity. With 64 samples it is
-/// up to 0.024 too low over the OGRE wiki's table of lights from 10 m visibility up (solve_test.cpp), and by
-/// more in thicker fog or at lower thresholds.
+/// up to kSampled64MaxError too low over the OGRE wiki's table of lights from 10 m visibility up (solve_test.cpp), and
+/// by more in thicker fog or at lower thresholds.
 ///
 /// samples  N >= 1
 /// throws   std::invalid_argument naming field, value and rule

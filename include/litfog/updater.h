@@ -3,22 +3,20 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <glm/vec3.hpp>
+#include <memory>
 #include <span>
-#include <unordered_map>
-#include <vector>
 
 #include "litfog/fog.h"
 #include "litfog/fog_light_block.h"
-#include "litfog/intensity_bound.h"
+#include "litfog/intensity_bound.h"  // by which lights are skipped: for callers to ask the same
 #include "litfog/light.h"
 
 namespace litfog {
 
-/// A light that a FogUpdater holds. Stays good until the light is removed, and is known as bad from then on.
+/// A light that a FogUpdater holds. Valid until the light is removed; later calls with it throw.
 struct FogLightHandle {
   std::uint32_t slot = 0;
-  std::uint32_t generation = 0;  ///< 0: no light's
+  std::uint32_t generation = 0;  ///< 0: of no light
 
   friend bool operator==(const FogLightHandle&, const FogLightHandle&) = default;
 };
@@ -42,19 +40,20 @@ struct FogUpdateStatistics {
 /// Skip budget unless the updater is told otherwise, in 1/255: half a step of an 8-bit picture.
 inline constexpr double kDefaultSkipBudget255 = 0.5;
 
-/// The lights of a scene as the shaders' parameters, kept right through every change of the visibility.
+/// The lights of a scene as the shaders' parameters, kept up to date through every change of the visibility.
 ///
 /// The caller adds, changes, switches and removes lights, then calls set_fog once a frame and uploads the entries of
-/// the ranges it returns to a uniform, texture or storage buffer. Only what can change is worked on:
+/// the ranges it returns to a uniform, texture or storage buffer. It works only on what can change:
 /// - each kind is solved once, however many lights it has, and not where nothing of it or of the fog has changed;
-/// - lights that are not carried store no intensity (see pack_fog_light) and are never looked at;
+/// - lights that are not carried store no intensity (see pack_fog_light) and are never visited;
 /// - a kind is not solved, and its lights store intensity 0, where IntensityBound times the largest colour component
-///   among its lights that are on is below the budget: what a pixel loses is below the budget for each such light;
+///   among its lights that are on is below the budget: a pixel loses less than the budget for each such light;
 /// - entries are touched only where the float that is stored changes.
 /// A light keeps its entry until it is removed or changed into another kind. Entries of a kind lie together in pages
-/// that grow with the kind (1, 2, 4, ... 1024 entries), so that a kind's change is few ranges in any order of adding,
-/// fewest kind by kind. Kinds of up to eight lights leave no entry empty, others at most a quarter; a removed light's
-/// entry goes to the next of its kind. Entries that hold no light are all zero, which is a black light.
+/// that grow with the kind (1, 2, 4, ... 1024 entries), so that a change of a kind dirties few ranges in any order of
+/// adding, and the fewest if lights are added kind by kind. Kinds of up to eight lights leave no entry empty, others at
+/// most a quarter; a removed light's entry goes to the next of its kind. Entries that hold no light are all zero, which
+/// is a black light.
 ///
 /// Different updaters may be used on different threads at once.
 class FogUpdater {
@@ -62,131 +61,52 @@ class FogUpdater {
   /// skip_budget_255  1/255, finite, >= 0; 0 skips no light that is on, carried and not black
   /// throws           std::invalid_argument naming field, value and rule
   explicit FogUpdater(double skip_budget_255 = kDefaultSkipBudget255);
+  ~FogUpdater();
 
-  /// Adds a light, switched on. Its entry is right after the next set_fog; so with all that follow.
+  /// A moved-from updater may only be assigned to or destroyed.
+  FogUpdater(FogUpdater&&) noexcept;
+  FogUpdater& operator=(FogUpdater&&) noexcept;
+
+  /// Adds a light, switched on. Its entry is valid after the next set_fog; this holds for every change below, too.
   ///
   /// throws  std::invalid_argument naming field, value and rule
   FogLightHandle add(const PlacedLight& light);
 
-  /// Makes another light of it; switched off, it stays so.
+  /// Replaces a light. If it is switched off, it stays so.
   ///
   /// throws  std::invalid_argument naming field, value and rule
   void change(FogLightHandle handle, const PlacedLight& light);
 
-  /// Off, a light's entry holds the colour black and intensity 0.
+  /// The entry of a light that is off holds the colour black and intensity 0.
   ///
-  /// throws  std::invalid_argument if the handle is no light's
+  /// throws  std::invalid_argument if the handle is of no light held
   void switch_light(FogLightHandle handle, bool is_on);
 
-  /// throws  std::invalid_argument if the handle is no light's
+  /// throws  std::invalid_argument if the handle is of no light held
   void remove(FogLightHandle handle);
 
   /// Brings the entries up to date with the fog (clear air before the first call) and with all changes of lights since
   /// the last call. Allocates nothing.
   ///
-  /// returns  what must be uploaded: sorted and apart from each other, covering every entry that differs from what it
-  ///          was after the last call and all entries new since; joined over gaps that cost less than an upload call;
-  ///          good until the next call
+  /// returns  what must be uploaded: sorted, disjoint ranges that cover every entry that has changed or is new since
+  /// the
+  ///          last call; joined over gaps that cost less than an upload call; valid until the next call
   /// throws   std::invalid_argument naming field, value and rule
   std::span<const EntryRange> set_fog(const Fog& fog);
 
   /// Grows with the lights; does not shrink.
-  std::span<const FogLight> entries() const { return entries_; }
+  std::span<const FogLight> entries() const;
 
-  /// Where a light is among the entries.
+  /// Index of a light among the entries.
   ///
-  /// throws  std::invalid_argument if the handle is no light's
+  /// throws  std::invalid_argument if the handle is of no light held
   std::size_t entry_of(FogLightHandle handle) const;
 
-  const FogUpdateStatistics& statistics() const { return statistics_; }
+  const FogUpdateStatistics& statistics() const;
 
  private:
-  struct KindKey {
-    Attenuation attenuation;
-    double threshold;
-    double density_scale;
-
-    friend bool operator==(const KindKey&, const KindKey&) = default;
-  };
-  struct KindKeyHash {
-    std::size_t operator()(const KindKey& key) const;
-  };
-
-  /// Lights that share an intensity. Every lit one, that is on and not black, has `intensity` in its entry, others 0.
-  struct Kind {
-    KindKey key;
-    IntensityBound bound;
-    double extent;
-    float intensity = 0;
-    float brightest = 0;                ///< largest colour component among the lit lights...
-    std::uint32_t brightest_count = 0;  ///< ...that so many have; if 0, to be found again
-    std::uint32_t lit_count = 0;
-    std::uint32_t light_count = 0;
-    bool has_changed = true;  ///< any of its lights since the last set_fog
-    bool is_stored = true;    ///< false while set_fog has yet to write the intensity to the entries
-    std::vector<std::uint32_t> pages = {};
-    std::vector<std::uint32_t> free_entries = {};  ///< of its pages
-  };
-
-  /// A run of entries of one kind, or of none.
-  struct Page {
-    std::uint32_t begin;
-    std::uint32_t end;  ///< begin + a power of 2
-    std::uint32_t dirty_begin;
-    std::uint32_t dirty_end;  ///< not above dirty_begin: none is dirty
-    std::uint32_t kind;       ///< that it was last given to
-
-    void mark_dirty(std::uint32_t first, std::uint32_t last);
-    void mark_clean();
-  };
-
-  struct Record {
-    std::uint32_t generation = 1;
-    std::uint32_t kind = 0;
-    std::uint32_t entry = 0;
-    glm::vec3 color{0};  ///< as stored when on
-    bool is_on = false;
-    bool is_held = false;
-  };
-
-  /// Arguments and result of the batch solve, a place for every kind.
-  struct Columns {
-    std::vector<double> constant, linear, quadratic, threshold, density, intensity;
-    std::vector<std::uint32_t> kind;
-
-    void resize(std::size_t size);
-  };
-
-  std::uint32_t slot_of(FogLightHandle handle) const;
-  std::uint32_t find_or_add_kind(const PlacedLight& placed);
-  void enter(Record& record, std::uint32_t kind_index);
-  void leave(const Record& record);
-  void pack(Record& record, const PlacedLight& placed);
-  void show(const Record& record);
-  void hide(const Record& record);
-  void add_page(std::uint32_t kind_index);
-  Page& page_of(std::uint32_t entry);
-  bool is_below_budget(Kind& kind, const Fog& seen_fog) const;
-  void find_brightest(Kind& kind) const;
-  static void set_intensity(Kind& kind, float intensity);
-  void store_intensity(Page& page);
-  std::span<const EntryRange> update_entries();
-
-  double skip_budget_;
-  Fog fog_;
-  bool has_changed_ = false;  // any light since the last set_fog
-  std::vector<FogLight> entries_;
-  std::vector<Page> pages_;                    // in the order of their entries
-  std::vector<std::uint32_t> free_pages_[11];  // by the logarithm of the size
-  std::vector<Kind> kinds_;                    // the first is that of lights not carried: never solved, intensity 0
-  std::vector<std::uint32_t> free_kinds_;
-  std::unordered_map<KindKey, std::uint32_t, KindKeyHash> kind_of_key_;
-  std::vector<Record> records_;
-  std::vector<std::uint32_t> free_records_;
-  std::size_t light_count_ = 0;
-  Columns columns_;
-  std::vector<EntryRange> ranges_;  // room for a range a page
-  FogUpdateStatistics statistics_;
+  class Store;
+  std::unique_ptr<Store> store_;
 };
 
 }  // namespace litfog

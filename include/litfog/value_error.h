@@ -5,14 +5,14 @@
 
 namespace litfog {
 
-/// Why an argument was refused. Holds no memory of its own, so that a batch can report one without allocating.
+/// What is wrong with an argument. Holds no memory of its own, so that a batch can report one without allocating.
 struct ValueError {
-  const char* field;  ///< what was refused, e.g. "attenuation.linear"
+  const char* field;  ///< which argument, e.g. "attenuation.linear"
   double value;       ///< the value given
   const char* rule;   ///< what it has to be, e.g. "must be finite and >= 0"
 };
 
-/// The refusal as one sentence: "attenuation.linear = -1: must be finite and >= 0".
-std::string to_string(const ValueError& refusal);
+/// The error as one sentence: "attenuation.linear = -1: must be finite and >= 0".
+std::string to_string(const ValueError& error);
 
 }  // namespace litfog

@@ -14,6 +14,8 @@
 
 #include "command/command_test.h"
 #include "command/exit_status.h"
+#include "litfog/batch.h"
+#include "litfog/solve.h"
 
 namespace litfog::test {
 using namespace command;
@@ -131,10 +133,10 @@ TEST_F(BenchMeasurement, SolveFindsTheErrorsThatTheHeadersState) {
     EXPECT_GE(max_ulp, row["mean_ulp"].get<double>()) << name;
     EXPECT_GE(max_255, row["mean_error_255"].get<double>()) << name;
     if (method == "exact") {
-      EXPECT_LE(max_ulp, is_float ? 1 : 2) << name;
+      EXPECT_LE(max_ulp, is_float ? litfog::kIntensityMaxUlp<float> : litfog::kIntensityMaxUlp<double>) << name;
     }
     if (method.starts_with("batch")) {
-      EXPECT_LE(max_ulp, is_float ? 2 : 4) << name;
+      EXPECT_LE(max_ulp, litfog::kBatchIntensityMaxUlp) << name;
     }
     // The steps of 1/255 are those of ulps: an intensity is at most 1, so its ulp at most epsilon / 2.
     EXPECT_LE(max_255, max_ulp * 255 * (is_float ? 0x1p-24 : 0x1p-53) * 1.001) << name;

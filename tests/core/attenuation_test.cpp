@@ -7,10 +7,10 @@
 #include <limits>
 #include <string>
 
+#include "core/value_errors.h"
 #include "reference/double_limits.h"
 #include "reference/random_light.h"
 #include "reference/reference_solver.h"
-#include "core/value_errors.h"
 #include "reference/ulp.h"
 
 namespace litfog::test {
@@ -21,8 +21,8 @@ std::string describe(const Attenuation& a, double threshold) { return to_string(
 /// Extents and knees of lights drawn by `draw`, against 50 digits.
 template <typename Draw>
 void check_extent_and_knee(const char* range, int count, const Draw& draw) {
-  WorstError extent_error("extent", range, 2);
-  WorstError knee_error("knee", range, 2);
+  WorstError extent_error("extent", range, kExtentMaxUlp<double>);
+  WorstError knee_error("knee", range, kKneeMaxUlp);
   Random random(20040101);
   for (int i = 0; i < count; ++i) {
     const auto [a, threshold] = draw(random);
@@ -94,12 +94,13 @@ TEST(Extent, IsFiniteAndRightWhereSinglePrecisionLosesTheTextbookRoot) {
     const float textbook = (-1 + std::sqrt(1 - 4 * quadratic * (1 - 1 / 0.05f))) / (2 * quadratic);
     const Digits50 reference = reference_extent({1, 1, quadratic}, double(0.05f));
     EXPECT_GT(relative_error(textbook, reference), 0.05) << "no longer the case that it was written for";
-    EXPECT_LE(ulp_error(compute_extent(AttenuationF{1, 1, quadratic}, 0.05f), reference), 1) << quadratic;
+    EXPECT_LE(ulp_error(compute_extent(AttenuationF{1, 1, quadratic}, 0.05f), reference), kExtentMaxUlp<float>)
+        << quadratic;
   }
 }
 
-TEST(Extent, InSinglePrecisionIsExactToOneUlp) {
-  WorstError error("extent, float", "C, L, Q all floats, t all below 1", 1);
+TEST(Extent, IsExactToOneUlpInSinglePrecision) {
+  WorstError error("extent, float", "C, L, Q all floats, t all below 1", kExtentMaxUlp<float>);
   Random random(7);
   for (int i = 0; i < 20000; ++i) {
     const auto draw = [&] { return random.any_positive<float>(); };
@@ -141,7 +142,8 @@ TEST(Extent, FallsToTheAttenuationOfItsThreshold) {
   for (int i = 0; i < 10000; ++i) {
     const Attenuation a{random.log_uniform(1e-3, 3), random.log_uniform(1e-6, 10), random.log_uniform(1e-9, 10)};
     const double threshold = random.log_uniform(1e-3, 0.3);
-    EXPECT_LE(relative_error(attenuation_at(a, compute_extent(a, threshold)), threshold), 8e-16) << describe(a, threshold);
+    EXPECT_LE(relative_error(attenuation_at(a, compute_extent(a, threshold)), threshold), 8e-16)
+        << describe(a, threshold);
   }
 }
 
@@ -171,6 +173,26 @@ TEST(AttenuationAt, IsTheClampedQuotient) {
   EXPECT_EQ(attenuation_at({1, 2, 3}, 1), 1 / 6.);
   EXPECT_EQ(attenuation_at({0.25, 0, 0}, 1), 1);
   EXPECT_EQ(attenuation_at({0, 0, 0.25}, 0), 1) << "1/0, clamped";
+}
+
+TEST(AttenuationAt, IsExactToItsRoundings) {
+  WorstError ordinary("attenuation_at", "C 0..10, L 1e-6..10, Q 1e-9..10, r 1e-3..1e5", kAttenuationMaxUlp);
+  WorstError wide("attenuation_at", "C, L, Q, r 0 or 1e-100..1e100", kAttenuationMaxUlp);
+  Random random(2008);
+  const auto add = [](WorstError& error, const Attenuation& a, double range) {
+    error.add(ulp_error(attenuation_at(a, range), reference_attenuation(a, range)),
+              [&] { return describe(a, 0.05) + ", range " + std::to_string(range); });
+  };
+  for (int i = 0; i < 20000; ++i) {
+    const double constant = random.chance(0.1) ? 0 : random.log_uniform(1e-3, 10);
+    add(ordinary, {constant, random.log_uniform(1e-6, 10), random.log_uniform(1e-9, 10)},
+        random.log_uniform(1e-3, 1e5));
+    const auto draw = [&] { return random.chance(0.1) ? 0 : random.log_uniform(1e-100, 1e100); };
+    const Attenuation a{draw(), draw(), draw()};
+    if (!check(a)) add(wide, a, draw());
+  }
+  ordinary.check();
+  wide.check();
 }
 
 TEST(AttenuationAt, HasItsLimitAtInfinity) {

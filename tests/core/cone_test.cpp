@@ -10,21 +10,21 @@
 #include <string>
 
 #include "reference/digits50.h"
+#include "reference/double_limits.h"
 #include "reference/random_light.h"
+#include "reference/ulp.h"
 
 namespace litfog::test {
 namespace {
 
 using std::numbers::pi;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-TEST(Cone, OfAPointLightIsOneEverywhere) {
+TEST(PointLightCone, IsOneEverywhere) {
   for (const double cos_angle : {-1.0, -0.5, 0.0, 0.5, 1.0}) EXPECT_EQ(cone_at(Cone{}, cos_angle), 1);
   EXPECT_EQ(cutoff_angle(Cone{}), pi);
 }
 
-TEST(Cone, OfCosineProfileIsAPowerOfTheCosineInsideTheHalfAngle) {
+TEST(CosineCone, IsAPowerOfTheCosineInsideTheHalfAngle) {
   const Cone cone = Cone::cosine(0.5, 8);
   EXPECT_EQ(cone_at(cone, 1), 1);
   EXPECT_DOUBLE_EQ(cone_at(cone, std::cos(0.3)), std::pow(std::cos(0.3), 8));
@@ -32,7 +32,7 @@ TEST(Cone, OfCosineProfileIsAPowerOfTheCosineInsideTheHalfAngle) {
   EXPECT_EQ(cutoff_angle(cone), 0.5);
 }
 
-TEST(Cone, OfCosineProfileIsDarkFromTheHalfAngleOn) {
+TEST(CosineCone, IsDarkFromTheHalfAngleOn) {
   const Cone cone = Cone::cosine(0.5, 0);
   EXPECT_EQ(cone_at(cone, std::cos(0.5)), 0);
   EXPECT_EQ(cone_at(cone, std::cos(0.501)), 0);
@@ -40,12 +40,12 @@ TEST(Cone, OfCosineProfileIsDarkFromTheHalfAngleOn) {
   EXPECT_EQ(cone_at(cone, -1), 0);
 }
 
-TEST(Cone, OfExponentZeroIsAFlatBeam) {
+TEST(CosineCone, IsAFlatBeamForExponentZero) {
   const Cone cone = Cone::cosine(0.5, 0);
   for (const double angle : {0.0, 0.1, 0.4, 0.499}) EXPECT_EQ(cone_at(cone, std::cos(angle)), 1);
 }
 
-TEST(Cone, OfSmoothstepProfileIsFullInsideAndDarkOutside) {
+TEST(SmoothstepCone, IsFullInsideAndDarkOutside) {
   const Cone cone = Cone::smoothstep(0.2, 0.6);
   EXPECT_EQ(cone_at(cone, 1), 1);
   EXPECT_EQ(cone_at(cone, std::cos(0.2)), 1);
@@ -55,7 +55,7 @@ TEST(Cone, OfSmoothstepProfileIsFullInsideAndDarkOutside) {
   EXPECT_EQ(cutoff_angle(cone), 0.6);
 }
 
-TEST(Cone, OfSmoothstepProfileIsHermitesCubicBetween) {
+TEST(SmoothstepCone, IsHermitesCubicBetween) {
   const Cone cone = Cone::smoothstep(0.2, 0.6);
   const double inner = std::cos(0.2);
   const double outer = std::cos(0.6);
@@ -72,9 +72,9 @@ TEST(Cone, NeverRisesWithTheAngleAndNeverLeavesItsRange) {
     ASSERT_FALSE(check(cone));
     double last = 1;
     for (int step = 0; step <= 200; ++step) {
-      const double share = cone_at(cone, 1 - step / 100.);
-      ASSERT_TRUE(share >= 0 && share <= last) << "angle " << std::acos(1 - step / 100.) << ": " << share;
-      last = share;
+      const double fraction = cone_at(cone, 1 - step / 100.);
+      ASSERT_TRUE(fraction >= 0 && fraction <= last) << "angle " << std::acos(1 - step / 100.) << ": " << fraction;
+      last = fraction;
     }
   }
 }
@@ -102,15 +102,15 @@ TEST(Cone, AcceptsTheEndsOfItsRanges) {
   EXPECT_FALSE(check(Cone::smoothstep(0, pi)));
 }
 
-TEST(Cone, OfAnyAcceptedWidthIsNeverNan) {
+TEST(Cone, IsNeverNanAtAnyAcceptedWidth) {
   for (const Cone& cone : {Cone::smoothstep(0, 1e-9), Cone::smoothstep(0, 1e-300), Cone::smoothstep(1, 1 + 1e-15),
                            Cone::smoothstep(std::nextafter(pi, 0), pi), Cone::cosine(1e-300, 1e300),
                            Cone::cosine(pi / 2, std::numeric_limits<double>::max())}) {
     ASSERT_FALSE(check(cone));
     for (const double cos_angle : {-1.0, -std::cos(1e-9), 0.0, std::cos(1.0), std::cos(1e-9), 1 - 0x1p-53, 1.0}) {
-      const double share = cone_at(cone, cos_angle);
-      EXPECT_TRUE(share >= 0 && share <= 1)
-          << "inner " << cone.inner << ", outer " << cone.outer << ", cosine " << cos_angle << ": " << share;
+      const double fraction = cone_at(cone, cos_angle);
+      EXPECT_TRUE(fraction >= 0 && fraction <= 1)
+          << "inner " << cone.inner << ", outer " << cone.outer << ", cosine " << cos_angle << ": " << fraction;
     }
   }
 }
@@ -122,6 +122,13 @@ Cone draw_cone(Random& random) {
   return Cone::smoothstep(random.chance(0.1) ? 0 : random.uniform(0, 0.999 * outer), outer);
 }
 
+std::string describe(const Cone& cone, double argument) {
+  char text[160];
+  std::snprintf(text, sizeof text, "half angle %a, exponent %a, inner %a, outer %a; %a", cone.half_angle, cone.exponent,
+                cone.inner, cone.outer, argument);
+  return text;
+}
+
 /// The definitions in 50 digits, for any angle from the axis.
 Digits50 share_at(const Cone& cone, const Digits50& angle) {
   if (cone.profile == ConeProfile::cosine) return pow(cos(angle), Digits50(cone.exponent));
@@ -131,9 +138,40 @@ Digits50 share_at(const Cone& cone, const Digits50& angle) {
   return t >= 1 ? Digits50(1) : t <= 0 ? Digits50(0) : t * t * (3 - 2 * t);
 }
 
+TEST(CosineCone, IsExactToAnUlpInsideItsEdge) {
+  WorstError error("cone_at, cosine", "half angle 1e-3..pi/2, exponent 1e-3..1e5", kCosineConeMaxUlp);
+  Random random(13);
+  for (int i = 0; i < 20000; ++i) {
+    const Cone cone = Cone::cosine(random.log_uniform(1e-3, pi / 2), random.log_uniform(1e-3, 1e5));
+    const double edge = std::cos(cone.half_angle);
+    const double cosine = random.uniform(edge, 1);
+    if (!(cosine > std::nextafter(edge, 2.0))) continue;
+    error.add(ulp_error(cone_at(cone, cosine), Digits50(pow(Digits50(cosine), Digits50(cone.exponent)))),
+              [&] { return describe(cone, cosine); });
+  }
+  error.check();
+}
+
+TEST(SmoothstepCone, IsExactToItsBoundTimesTheWidthOfItsEdge) {
+  WorstError error("cone_at, smoothstep", "outer 1e-3..pi", kSmoothstepConeMaxErrorTimesWidth, "times width");
+  Random random(14);
+  for (int i = 0; i < 20000; ++i) {
+    const double outer = random.log_uniform(1e-3, pi);
+    const Cone cone = Cone::smoothstep(random.chance(0.1) ? 0 : outer * (1 - random.log_uniform(1e-4, 1)), outer);
+    const Digits50 inner_cosine = cos(Digits50(cone.inner)), outer_cosine = cos(Digits50(cone.outer));
+    const Digits50 width = inner_cosine - outer_cosine;
+    const double cosine = random.uniform(std::cos(cone.outer), std::cos(cone.inner));
+    const Digits50 t = (cosine - outer_cosine) / width;
+    const Digits50 reference = t >= 1 ? Digits50(1) : t <= 0 ? Digits50(0) : Digits50(t * t * (3 - 2 * t));
+    error.add(static_cast<double>(abs(cone_at(cone, cosine) - reference) * width),
+              [&] { return describe(cone, cosine); });
+  }
+  error.check();
+}
+
 TEST(Cone, AngleAtALevelIsWhereTheConeFallsToIt) {
   Random random(11);
-  double worst = 0;
+  WorstError error("angle_at_level", "level 1e-3..0.999", kAngleAtLevelMaxError, "relative");
   for (int i = 0; i < 300; ++i) {
     const Cone cone = draw_cone(random);
     const double level = random.log_uniform(1e-3, 0.999);
@@ -148,10 +186,9 @@ TEST(Cone, AngleAtALevelIsWhereTheConeFallsToIt) {
       const Digits50 middle = (low + high) / 2;
       (share_at(cone, middle) > level ? low : high) = middle;
     }
-    worst = std::max(worst, relative_error(angle, low));
+    error.add(relative_error(angle, low), [&] { return describe(cone, level); });
   }
-  std::printf("angle_at_level: worst error %.2g\n", worst);
-  EXPECT_LE(worst, 2e-15);
+  error.check();
 }
 
 TEST(Cone, AngleAtALevelAboveTheEdgeIsTheCutOff) {
@@ -164,7 +201,7 @@ TEST(Cone, AngleAtALevelAboveTheEdgeIsTheCutOff) {
 TEST(Cone, FluxIsTheIntegralOverTheSphere) {
   using Quadrature = boost::math::quadrature::gauss_kronrod<Digits50, 61>;
   Random random(12);
-  double worst = 0;
+  WorstError error("flux_within", "any angle", kFluxMaxError, "relative");
   for (int i = 0; i < 100; ++i) {
     const Cone cone = draw_cone(random);
     const double end = random.chance(0.5) ? pi : random.uniform(0, cutoff_angle(cone));
@@ -174,10 +211,9 @@ TEST(Cone, FluxIsTheIntegralOverTheSphere) {
     const Digits50 sphere = 2 * boost::math::constants::pi<Digits50>();
     const Digits50 reference =
         sphere * (1 - cos(full) + (last > full ? Quadrature::integrate(density, full, last, 12, 1e-18) : Digits50(0)));
-    worst = std::max(worst, relative_error(flux_within(cone, end), reference));
+    error.add(relative_error(flux_within(cone, end), reference), [&] { return describe(cone, end); });
   }
-  std::printf("flux_within: worst error %.2g\n", worst);
-  EXPECT_LE(worst, 2e-15);
+  error.check();
 }
 
 TEST(Cone, FluxHasItsClosedForms) {

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "core/value_errors.h"
+#include "reference/double_limits.h"
 
 namespace litfog::test {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr float kLargestFloat = std::numeric_limits<float>::max();
 
 /// Every field another value.
@@ -75,6 +75,38 @@ TEST(FogLight, HoldsInfiniteAndOverlargeValuesAsTheLargestFloat) {
             kLargestFloat);
 }
 
+TEST(FogLight, RefusesALightThatIsWronglyPlaced) {
+  const auto error_after = [](const auto& change) {
+    PlacedLight light = distinct_light();
+    change(light);
+    return refusal_of([&] { pack_fog_light(light, kSolution); });
+  };
+  EXPECT_EQ(error_after([](PlacedLight& p) { p.position.z = 1e300; }),
+            "position.z = 1e+300: must be at most 16777216 in magnitude");
+  EXPECT_EQ(error_after([](PlacedLight& p) {
+              p.direction = {0, 0, 0};
+            }),
+            "direction = 0: length must be 1 within 1e-6");
+  EXPECT_EQ(error_after([](PlacedLight& p) { p.light.color.g = kNan; }), "color.g = nan: must be finite and >= 0");
+}
+
+TEST(FogLightBlock, RefusesALightThatIsWronglyPlaced) {
+  std::vector<PlacedLight> lights(2, distinct_light());
+  lights[1].position.x = kNan;
+  const std::vector<FogIntensity> solutions(2, kSolution);
+  EXPECT_EQ(refusal_of([&] { pack_fog_light_block({}, {}, lights, solutions); }),
+            "position.x = nan: must be at most 16777216 in magnitude");
+}
+
+TEST(FogLightBlock, RefusesAnAmbientFogColorThatIsNoLight) {
+  const auto error_of = [](const glm::dvec3& color) {
+    return refusal_of([&] { pack_fog_light_block({}, color, {}, {}); });
+  };
+  EXPECT_EQ(error_of({kNan, 0, 0}), "ambient_fog_color.r = nan: must be finite and >= 0");
+  EXPECT_EQ(error_of({0, -1, 0}), "ambient_fog_color.g = -1: must be finite and >= 0");
+  EXPECT_EQ(error_of({0, 0, kInfinity}), "ambient_fog_color.b = inf: must be finite and >= 0");
+}
+
 TEST(FogLightBlock, HoldsFogCountAndAmbientColor) {
   const std::vector<PlacedLight> lights(3, distinct_light());
   const std::vector<FogIntensity> solutions(3, kSolution);
@@ -131,26 +163,6 @@ TEST(FogLightBlock, RefusesTooManyLightsMissingSolutionsAndWrongFog) {
               pack_fog_light_block({FogMode::exp, -1}, {}, {}, {});
             }),
             "fog.density = -1: must be >= 0");
-}
-
-TEST(SolveOfALight, SeesTheFogThroughItsDensityScale) {
-  const Light light = distinct_light().light;
-  const Fog fog{FogMode::exp, 0.05};
-  const FogIntensity solved = solve_fog_intensity(light, fog);
-  const FogIntensity direct = solve_fog_intensity(light.attenuation, scaled(fog, 0.4), light.threshold);
-  EXPECT_EQ(solved.intensity, direct.intensity);
-  EXPECT_EQ(solved.peak_range, direct.peak_range);
-  EXPECT_EQ(solved.extent, direct.extent);
-  EXPECT_LT(solved.intensity, solve_fog_intensity(light.attenuation, fog, light.threshold).intensity);
-}
-
-TEST(SolveOfALight, RefusesWhatIsWrongWithIt) {
-  Light light;
-  light.density_scale = -1;
-  EXPECT_EQ(refusal_of([&] {
-              solve_fog_intensity(light, Fog{FogMode::exp, 1});
-            }),
-            "density_scale = -1: must be finite and >= 0");
 }
 
 }  // namespace

@@ -8,10 +8,10 @@
 #include <limits>
 #include <string>
 
+#include "core/value_errors.h"
 #include "reference/double_limits.h"
 #include "reference/random_light.h"
 #include "reference/reference_solver.h"
-#include "core/value_errors.h"
 #include "reference/ulp.h"
 
 namespace litfog::test {
@@ -33,7 +33,7 @@ Digits50 reference_density(FogMode mode, double metres, double contrast) {
 /// Densities of `count` visibilities and contrasts drawn by `draw`.
 template <typename Real, typename Draw>
 void check_from_visibility(const char* range, const Draw& draw) {
-  WorstError error(sizeof(Real) == 8 ? "from_visibility" : "from_visibility, float", range, 3);
+  WorstError error(sizeof(Real) == 8 ? "from_visibility" : "from_visibility, float", range, kDensityMaxUlp);
   Random random(5);
   for (const FogMode mode : kModes) {
     for (int i = 0; i < 5000; ++i) {
@@ -58,7 +58,7 @@ TEST(FogFromVisibility, IsExactToThreeUlp) {
   });
 }
 
-TEST(FogFromVisibility, InSinglePrecisionIsExactToThreeUlp) {
+TEST(FogFromVisibility, IsExactToThreeUlpInSinglePrecision) {
   check_from_visibility<float>("V 1e-3..1e6, presets", [](Random& random) {
     return std::pair{float(random.log_uniform(1e-3, 1e6)), float(random.pick(kPresets))};
   });
@@ -72,7 +72,8 @@ TEST(FogFromVisibility, HasItsContrastAsFogFactorAtTheVisibility) {
   for (const FogMode mode : kModes) {
     for (const double contrast : kPresets) {
       for (const double metres : {0.5, 200.0, 50000.0}) {
-        EXPECT_NEAR(fog_factor_at(Fog::from_visibility(mode, metres, contrast), metres), contrast, 8e-16 * contrast * 5);
+        EXPECT_NEAR(fog_factor_at(Fog::from_visibility(mode, metres, contrast), metres), contrast,
+                    8e-16 * contrast * 5);
       }
     }
   }
@@ -92,7 +93,7 @@ TEST(FogFromVisibility, KeepsItsMode) {
   for (const FogMode mode : kModes) EXPECT_EQ(Fog::from_visibility(mode, 10).mode, mode);
 }
 
-TEST(FogFromVisibility, OfInfiniteVisibilityIsClearAirAndOfZeroTotalFog) {
+TEST(FogFromVisibility, GivesClearAirForInfinityAndTotalFogForZero) {
   for (const FogMode mode : kModes) {
     EXPECT_EQ(Fog::from_visibility(mode, kInfinity).density, 0);
     EXPECT_EQ(Fog::from_visibility(mode, 0).density, kInfinity);
@@ -126,22 +127,28 @@ TEST(FogCheck, RefusesNegativeDensities) {
   for (const double d : {0.0, -0.0, kDenormMin, 1.0, kMax, kInfinity}) EXPECT_EQ(refusal(d), "");
 }
 
-/// Opacities of densities and ranges drawn by `draw`.
+/// Opacities and fog factors of densities and ranges drawn by `draw`.
 template <typename Draw>
 void check_opacity(const char* range, const Draw& draw) {
   for (const FogMode mode : kModes) {
-    WorstError error(mode == FogMode::exp ? "opacity, exp" : "opacity, exp2", range, 4);
+    WorstError error(mode == FogMode::exp ? "opacity, exp" : "opacity, exp2", range, kOpacityMaxUlp);
+    WorstError factor_error(mode == FogMode::exp ? "fog factor, exp" : "fog factor, exp2", range, kFogFactorMaxError,
+                            "absolute");
     Random random(9);
     for (int i = 0; i < 10000; ++i) {
       const auto [density, metres] = draw(random);
-      error.add(ulp_error(opacity_at({mode, density}, metres), reference_opacity(mode, density, metres)),
-                [&, d = density, m = metres] { return describe(mode, d, m); });
+      const Digits50 opacity = reference_opacity(mode, density, metres);
+      const auto text = [&, d = density, m = metres] { return describe(mode, d, m); };
+      error.add(ulp_error(opacity_at({mode, density}, metres), opacity), text);
+      const Digits50 factor_difference = fog_factor_at({mode, density}, metres) - (1 - opacity);
+      factor_error.add(static_cast<double>(abs(factor_difference)), text);
     }
     error.check();
+    factor_error.check();
   }
 }
 
-TEST(Opacity, IsExactToFourUlp) {
+TEST(Opacity, IsExactToFourUlpAndTheFogFactorToAnEpsilon) {
   check_opacity("d 1e-6..10, r 1e-3..1e5", [](Random& random) {
     return std::pair{random.log_uniform(1e-6, 10), random.log_uniform(1e-3, 1e5)};
   });
@@ -157,14 +164,14 @@ TEST(Opacity, IsExactToFourUlp) {
   });
 }
 
-TEST(Opacity, OfThinFogIsItsDepth) {
+TEST(Opacity, EqualsTheOpticalDepthInThinFog) {
   EXPECT_EQ(opacity_at({FogMode::exp, 1e-20}, 1), 1e-20);
   EXPECT_EQ(opacity_at({FogMode::exp, 0x1p-60}, 1), 0x1p-60);
   EXPECT_EQ(opacity_at({FogMode::exp2, 0x1p-40}, 1), 0x1p-80);
   EXPECT_EQ(opacity_at({FogMode::exp, kDenormMin}, 1), kDenormMin);
 }
 
-TEST(Opacity, OfClearAirIsZeroAndOfTotalFogOneBeyondRangeZero) {
+TEST(Opacity, IsZeroInClearAirAndOneInTotalFogBeyondRangeZero) {
   for (const FogMode mode : kModes) {
     for (const double range : {0.0, kDenormMin, 1.0, kMax, kInfinity}) {
       EXPECT_EQ(opacity_at({mode, 0}, range), 0);
@@ -178,16 +185,17 @@ TEST(Opacity, OfClearAirIsZeroAndOfTotalFogOneBeyondRangeZero) {
   }
 }
 
-TEST(Opacity, AndFogFactorMakeOne) {
+TEST(Opacity, AddsUpToOneWithTheFogFactor) {
   Random random(3);
   for (int i = 0; i < 10000; ++i) {
     const Fog fog{random.pick(kModes), random.log_uniform(1e-6, 10)};
     const double range = random.log_uniform(1e-3, 1e5);
-    EXPECT_NEAR(opacity_at(fog, range) + fog_factor_at(fog, range), 1, 0x1p-51) << describe(fog.mode, fog.density, range);
+    EXPECT_NEAR(opacity_at(fog, range) + fog_factor_at(fog, range), 1, 0x1p-51)
+        << describe(fog.mode, fog.density, range);
   }
 }
 
-TEST(Opacity, NeitherNanNorOffItsRangeNorFallingOnSpecialValues) {
+TEST(Opacity, NeverFallsNorLeavesItsRangeOnSpecialValues) {
   const std::array values{0.0, kDenormMin, 1e-308, 1e-160, 1e-30, 1e-5, 1.0, 1e5, 1e30, 1e160, kMax, kInfinity};
   for (const FogMode mode : kModes) {
     for (const double density : values) {

@@ -50,7 +50,7 @@ namespace {
 using foreign::Dual;
 using namespace formulas;
 
-TEST(Formulas, InDoubleAreTheLibrarysFunctions) {
+TEST(Formulas, AreTheLibrarysFunctionsInDouble) {
   Random random(1);
   for (int i = 0; i < 2000; ++i) {
     const double range = random.log_uniform(1e-3, 1e5);
@@ -68,8 +68,8 @@ TEST(Formulas, InDoubleAreTheLibrarysFunctions) {
 }
 
 // The bounds are the count of roundings, each half an ulp, which a result low in its binade sees twice as large.
-TEST(Formulas, InFloatAreRightToTheirRoundings) {
-  WorstError attenuation_error("litfog_attenuation, float", "r 1e-3..1e5, C 1e-3..10", 5);
+TEST(Formulas, AreRightToTheirRoundingsInFloat) {
+  WorstError attenuation_error("litfog_attenuation, float", "r 1e-3..1e5, C 1e-3..10", kAttenuationMaxUlp);
   WorstError exp_error("litfog_opacity, float", "exp, d 1e-6..1, r 1e-3..1e5", 3);
   WorstError exp2_error("litfog_opacity, float", "exp2, d 1e-6..1, r 1e-3..1e5", 5);
   Random random(2);
@@ -107,10 +107,10 @@ TEST(Formulas, HaveTheClosedDerivativesInAForeignScalarType) {
     const auto text = [&] { return to_string(SolveCase{a, {}, r}); };
 
     const Dual attenuation = litfog_attenuation(range, Dual(a.constant), Dual(a.linear), Dual(a.quadratic));
-    const double share = attenuation_at(a, r);
-    EXPECT_EQ(attenuation.value, share);
-    attenuation_error.add(relative_error(attenuation.derivative, -share * share * (a.linear + 2 * a.quadratic * r)),
-                          text);
+    const double fraction = attenuation_at(a, r);
+    EXPECT_EQ(attenuation.value, fraction);
+    attenuation_error.add(
+        relative_error(attenuation.derivative, -fraction * fraction * (a.linear + 2 * a.quadratic * r)), text);
 
     const double d = random.log_uniform(1e-3, 20) / r;
     exp_error.add(relative_error(litfog_opacity(litfog_depth_exp(range, Dual(d))).derivative, d * std::exp(-d * r)),
@@ -125,7 +125,7 @@ TEST(Formulas, HaveTheClosedDerivativesInAForeignScalarType) {
   exp2_error.check();
 }
 
-TEST(Formulas, OfConesDifferentiateInAForeignScalarType) {
+TEST(Formulas, DifferentiateConesInAForeignScalarType) {
   const Dual cosine = litfog_cosine_cone(Dual(0.9, 1), Dual(0.8), Dual(3.0));
   EXPECT_DOUBLE_EQ(cosine.value, 0.9 * 0.9 * 0.9);
   EXPECT_DOUBLE_EQ(cosine.derivative, 3 * 0.9 * 0.9);
@@ -134,13 +134,13 @@ TEST(Formulas, OfConesDifferentiateInAForeignScalarType) {
   EXPECT_NEAR(step.derivative, 1.5 / 0.1, 1e-12);
 }
 
-TEST(Formulas, OfTheClampHaveNoSlopeBelowTheKnee) {
+TEST(Formulas, HaveNoSlopeBelowTheKnee) {
   const Dual attenuation = litfog_attenuation(Dual(1, 1), Dual(0.25), Dual(0.25), Dual(0.25));
   EXPECT_EQ(attenuation.value, 1);
   EXPECT_EQ(attenuation.derivative, 0);
 }
 
-TEST(Formulas, OfANarrowSmoothstepConeAreAStepNotNan) {
+TEST(Formulas, GiveAStepForANarrowSmoothstepCone) {
   EXPECT_EQ(litfog_smoothstep_cone(1.0f, 1.0f, 1.0f), 1);
   EXPECT_EQ(litfog_smoothstep_cone(0.999f, 1.0f, 1.0f), 0);
 }

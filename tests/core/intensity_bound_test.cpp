@@ -8,16 +8,15 @@
 #include <cstdio>
 #include <limits>
 
-#include "litfog/solve.h"
-#include "reference/random_light.h"
 #include "core/value_errors.h"
+#include "litfog/solve.h"
+#include "reference/double_limits.h"
+#include "reference/random_light.h"
 
 namespace litfog::test {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kUlp = std::numeric_limits<double>::epsilon();
-constexpr std::array kModes{FogMode::exp, FogMode::exp2};
 
 /// Lights over sixty decades, and one in eight over all that doubles can hold.
 SolveCase draw_wide_case(Random& random, FogMode mode) {
@@ -121,12 +120,25 @@ TEST(IntensityBound, IsAboveZeroWhereTheIntensityRoundsToZero) {
   EXPECT_GT(IntensityBound({0, 10, 0}, 0.05).at({FogMode::exp2, 1e-200}), 0);
 }
 
-TEST(IntensityBound, OfConstantAttenuationIsItsValueInAnyFog) {
+TEST(IntensityBound, IsTheValueOfConstantAttenuationInAnyFog) {
   for (const FogMode mode : kModes) {
     for (const double density : {std::numeric_limits<double>::denorm_min(), 1e-3, kInfinity}) {
       EXPECT_EQ(IntensityBound({0.5, 0, 0}, 0.05).at({mode, density}), 1);
       EXPECT_NEAR(IntensityBound({4, 0, 0}, 0.05).at({mode, density}), 0.25, 32 * kUlp);
     }
+  }
+}
+
+TEST(IntensityBound, TakesNegativeZeroAsZero) {
+  for (const FogMode mode : kModes) {
+    for (const double density : {0.0, 1e-300, 1e-3, 0.06, 1e3, kInfinity}) {
+      const auto bound = [&](const Attenuation& a) { return IntensityBound(a, 0.05).at({mode, density}); };
+      EXPECT_EQ(bound({-0.0, 0.1, 0}), bound({0, 0.1, 0}));
+      EXPECT_EQ(bound({1, 0.1, -0.0}), bound({1, 0.1, 0}));
+      EXPECT_EQ(bound({1, -0.0, 0.01}), bound({1, 0, 0.01}));
+      EXPECT_EQ(bound({0.5, -0.0, -0.0}), bound({0.5, 0, 0}));
+    }
+    EXPECT_EQ(IntensityBound({1, 0.1, 0}, 0.05).at({mode, -0.0}), 0);
   }
 }
 

@@ -3,54 +3,97 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 #include <string>
+
+#include "reference/double_limits.h"
+#include "reference/random_light.h"
 
 namespace litfog::test {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
-/// The refusal of a light that differs from the accepted default by one change.
-template <typename Change>
-std::string refusal_after(const Change& change) {
-  Light light;
+/// The error of a light that differs from the accepted default by one change.
+template <typename Checked = Light, typename Change>
+std::string error_after(const Change& change) {
+  Checked light;
   change(light);
-  const auto refusal = check(light);
-  return refusal ? to_string(*refusal) : "accepted";
+  const auto error = check(light);
+  return error ? to_string(*error) : "accepted";
 }
 
-TEST(Light, OfDefaultsIsAccepted) { EXPECT_FALSE(check(Light{})); }
+TEST(Light, IsAcceptedByDefault) { EXPECT_FALSE(check(Light{})); }
 
 TEST(Light, RefusesColorsThatAreNoLight) {
-  EXPECT_EQ(refusal_after([](Light& l) { l.color.r = -1; }), "color.r = -1: must be finite and >= 0");
-  EXPECT_EQ(refusal_after([](Light& l) { l.color.g = kNan; }), "color.g = nan: must be finite and >= 0");
-  EXPECT_EQ(refusal_after([](Light& l) { l.color.b = kInfinity; }), "color.b = inf: must be finite and >= 0");
+  EXPECT_EQ(error_after([](Light& l) { l.color.r = -1; }), "color.r = -1: must be finite and >= 0");
+  EXPECT_EQ(error_after([](Light& l) { l.color.g = kNan; }), "color.g = nan: must be finite and >= 0");
+  EXPECT_EQ(error_after([](Light& l) { l.color.b = kInfinity; }), "color.b = inf: must be finite and >= 0");
 }
 
 TEST(Light, AcceptsBlackAndOverbrightColors) {
-  EXPECT_EQ(refusal_after([](Light& l) { l.color = {0, 0, 0}; }), "accepted");
-  EXPECT_EQ(refusal_after([](Light& l) { l.color = {1e6, 1, 0}; }), "accepted");
+  EXPECT_EQ(error_after([](Light& l) { l.color = {0, 0, 0}; }), "accepted");
+  EXPECT_EQ(error_after([](Light& l) { l.color = {1e6, 1, 0}; }), "accepted");
 }
 
 TEST(Light, RefusesNegativeOrInfiniteDensityScales) {
-  EXPECT_EQ(refusal_after([](Light& l) { l.density_scale = -0.4; }), "density_scale = -0.4: must be finite and >= 0");
-  EXPECT_EQ(refusal_after([](Light& l) { l.density_scale = kInfinity; }),
-            "density_scale = inf: must be finite and >= 0");
-  EXPECT_EQ(refusal_after([](Light& l) { l.density_scale = kNan; }), "density_scale = nan: must be finite and >= 0");
-  EXPECT_EQ(refusal_after([](Light& l) { l.density_scale = 0; }), "accepted");
+  EXPECT_EQ(error_after([](Light& l) { l.density_scale = -0.4; }), "density_scale = -0.4: must be finite and >= 0");
+  EXPECT_EQ(error_after([](Light& l) { l.density_scale = kInfinity; }), "density_scale = inf: must be finite and >= 0");
+  EXPECT_EQ(error_after([](Light& l) { l.density_scale = kNan; }), "density_scale = nan: must be finite and >= 0");
+  EXPECT_EQ(error_after([](Light& l) { l.density_scale = 0; }), "accepted");
 }
 
 TEST(Light, RefusesWhatItsPartsRefuse) {
-  EXPECT_EQ(refusal_after([](Light& l) {
+  EXPECT_EQ(error_after([](Light& l) {
               l.attenuation = {0, 0, 0};
             }),
             "attenuation.constant = 0: must be > 0 where linear and quadratic are 0");
-  EXPECT_EQ(refusal_after([](Light& l) { l.threshold = 1; }), "threshold = 1: must be in (0, 1)");
-  EXPECT_EQ(refusal_after([](Light& l) { l.cone = Cone::cosine(3, 1); }), "cone.half_angle = 3: must be in (0, pi/2]");
-  EXPECT_EQ(refusal_after([](Light& l) { l.cone = Cone::smoothstep(1, 0.5); }),
-            "cone.inner = 1: must be in [0, outer)");
+  EXPECT_EQ(error_after([](Light& l) { l.threshold = 1; }), "threshold = 1: must be in (0, 1)");
+  EXPECT_EQ(error_after([](Light& l) { l.cone = Cone::cosine(3, 1); }), "cone.half_angle = 3: must be in (0, pi/2]");
+  EXPECT_EQ(error_after([](Light& l) { l.cone = Cone::smoothstep(1, 0.5); }), "cone.inner = 1: must be in [0, outer)");
+}
+
+template <typename Change>
+std::string placed_error_after(const Change& change) {
+  return error_after<PlacedLight>(change);
+}
+
+TEST(PlacedLight, IsAcceptedByDefault) { EXPECT_FALSE(check(PlacedLight{})); }
+
+TEST(PlacedLight, RefusesPositionsBeyondTheUseOfFloat) {
+  const std::string rule = ": must be at most 16777216 in magnitude";
+  EXPECT_EQ(kMaxPosition, 16777216);
+  EXPECT_EQ(placed_error_after([](PlacedLight& p) { p.position.x = kNan; }), "position.x = nan" + rule);
+  EXPECT_EQ(placed_error_after([](PlacedLight& p) { p.position.x = 1e300; }), "position.x = 1e+300" + rule);
+  EXPECT_EQ(placed_error_after([](PlacedLight& p) { p.position.y = -kInfinity; }), "position.y = -inf" + rule);
+  EXPECT_EQ(placed_error_after([](PlacedLight& p) { p.position.z = -16777217; }), "position.z = -16777217" + rule);
+  EXPECT_EQ(placed_error_after([](PlacedLight& p) { p.position = {kMaxPosition, -kMaxPosition, -0.0}; }), "accepted");
+}
+
+TEST(PlacedLight, RefusesDirectionsThatAreNoUnitVectors) {
+  const std::string rule = ": length must be 1 within 1e-6";
+  const auto error_of = [](const glm::dvec3& direction) {
+    return placed_error_after([&](PlacedLight& p) { p.direction = direction; });
+  };
+  EXPECT_EQ(kDirectionTolerance, 1e-6);
+  EXPECT_EQ(error_of({0, 0, -0.5}), "direction = 0.5" + rule);
+  EXPECT_EQ(error_of({0, 0, 0}), "direction = 0" + rule);
+  EXPECT_EQ(error_of({0, kNan, 1}), "direction = nan" + rule);
+  EXPECT_EQ(error_of({-kInfinity, 0, 0}), "direction = inf" + rule);
+  EXPECT_EQ(error_of({1e200, 0, 0}), "direction = inf" + rule);
+  EXPECT_EQ(error_of({0, 0, 1 + 2e-6}), "direction = 1.000002" + rule);
+  EXPECT_EQ(error_of({0, 0, 1 - 0.9e-6}), "accepted");
+}
+
+TEST(PlacedLight, AcceptsWhatFloatNormalises) {
+  Random random(61);
+  for (int i = 0; i < 10000; ++i) {
+    const glm::vec3 v(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(0.01, 1));
+    ASSERT_EQ(placed_error_after([&](PlacedLight& p) { p.direction = glm::dvec3(glm::normalize(v)); }), "accepted");
+  }
+}
+
+TEST(PlacedLight, RefusesWhatItsLightRefuses) {
+  EXPECT_EQ(placed_error_after([](PlacedLight& p) { p.light.threshold = 1; }), "threshold = 1: must be in (0, 1)");
 }
 
 }  // namespace

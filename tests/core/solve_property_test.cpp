@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "reference/double_limits.h"
 #include "litfog/solve.h"
+#include "reference/double_limits.h"
 #include "reference/random_light.h"
 #include "reference/reference_solver.h"
 
@@ -114,17 +114,17 @@ TEST(FogIntensityProperty, HasNoBetterNeighbourAtAnyScale) {
       return Digits50(reference_opacity(c.fog.mode, c.fog.density, range) *
                       reference_attenuation(c.attenuation, range));
     };
-    // The place is good to 1e-9, so that a hundred-millionth to either side is worse.
-    Digits50 there = 0;  // at the best of the doubles next to the place: a knee falls off by their spacing
+    // The peak range is good to 1e-9, so that a hundred-millionth to either side is worse.
+    Digits50 there = 0;  // at the best of the doubles next to it: a knee falls off by their spacing
     for (const double range :
          {std::nextafter(solved.peak_range, 0.0), solved.peak_range, std::nextafter(solved.peak_range, 1e300)}) {
       there = std::max(there, height_at(std::min(Digits50(range), light_extent)));
     }
-    for (const double share : {2e-8, 1e-6, 1e-4, 1e-2, 0.5}) {
-      ASSERT_LE(height_at(Digits50(solved.peak_range) * (1 - share)), there) << to_string(c) << ", -" << share;
-      const Digits50 beyond = Digits50(solved.peak_range) * (1 + share);
+    for (const double fraction : {2e-8, 1e-6, 1e-4, 1e-2, 0.5}) {
+      ASSERT_LE(height_at(Digits50(solved.peak_range) * (1 - fraction)), there) << to_string(c) << ", -" << fraction;
+      const Digits50 beyond = Digits50(solved.peak_range) * (1 + fraction);
       if (beyond <= light_extent) {
-        ASSERT_LE(height_at(beyond), there) << to_string(c) << ", +" << share;
+        ASSERT_LE(height_at(beyond), there) << to_string(c) << ", +" << fraction;
       }
     }
   });
@@ -136,13 +136,13 @@ double axial_airlight(const SolveCase& c, double light_extent) {
   const double extent_opacity = opacity_at(c.fog, light_extent);
   if (!(extent_opacity > knee_opacity)) return knee_opacity;
   const double width = extent_opacity - knee_opacity;
-  const auto attenuation_at_share = [&](double share) {
-    const double depth = -std::log1p(-(knee_opacity + share * width));
+  const auto attenuation_at_fraction = [&](double fraction) {
+    const double depth = -std::log1p(-(knee_opacity + fraction * width));
     return attenuation_at(c.attenuation, (c.fog.mode == FogMode::exp ? depth : std::sqrt(depth)) / c.fog.density);
   };
   // Over [0, 1], for it asserts on intervals that are narrow beside their ends.
   boost::math::quadrature::tanh_sinh<double> quadrature;
-  return knee_opacity + width * quadrature.integrate(attenuation_at_share, 0.0, 1.0, 1e-10);
+  return knee_opacity + width * quadrature.integrate(attenuation_at_fraction, 0.0, 1.0, 1e-10);
 }
 
 TEST(FogIntensityProperty, NeverExceedsTheAxialAirlight) {

@@ -7,10 +7,11 @@
 #include <optional>
 #include <string>
 
+#include "core/value_errors.h"
 #include "litfog/solve.h"
+#include "reference/double_limits.h"
 #include "reference/random_light.h"
 #include "reference/reference_solver.h"
-#include "core/value_errors.h"
 
 // Every combination of the values at which arithmetic turns: refused with the right sentence, or solved as documented.
 
@@ -55,7 +56,6 @@ std::optional<ValueError> expected_refusal(const SolveCase& c) {
 /// True where the fields of a solution are as documented; NaN is as nothing.
 template <typename Real>
 bool is_as_documented(const BasicFogIntensity<Real>& solved, const SolveCase& c) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const auto& [constant, linear, quadratic] = c.attenuation;
   const Real largest = Real(constant > 1 ? 1 / constant : 1);
   if (!(solved.intensity >= 0 && solved.intensity <= largest && solved.peak_range >= 0)) return false;
@@ -75,7 +75,7 @@ void check_special_values() {
   constexpr std::array kValues = special_values<Real>();
   int accepted = 0;
   int refused = 0;
-  for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
+  for (const FogMode mode : kModes) {
     for (const Real constant : kValues) {
       for (const Real linear : kValues) {
         for (const Real quadratic : kValues) {
@@ -104,11 +104,11 @@ void check_special_values() {
 }
 
 TEST(SolveSpecialValues, AreRefusedOrSolvedAsDocumented) { check_special_values<double>(); }
-TEST(SolveSpecialValues, InSinglePrecisionAreRefusedOrSolvedAsDocumented) { check_special_values<float>(); }
+TEST(SolveSpecialValues, AreRefusedOrSolvedAsDocumentedInSinglePrecision) { check_special_values<float>(); }
 
-TEST(SolveSpecialValues, OfSamplingAreNeverNan) {
+TEST(SolveSpecialValues, AreNeverSampledToNan) {
   constexpr std::array kValues = special_values<double>();
-  for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
+  for (const FogMode mode : kModes) {
     for (const double constant : kValues) {
       for (const double linear : kValues) {
         for (const double quadratic : kValues) {

@@ -10,41 +10,19 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
-#include <limits>
 #include <string>
 #include <vector>
 
-#include "reference/digits50.h"
 #include "litfog/batch.h"
 #include "litfog/solve.h"
+#include "reference/digits50.h"
+#include "reference/double_limits.h"
+#include "reference/error_tally.h"
 #include "reference/random_light.h"
 #include "reference/reference_solver.h"
 
 namespace litfog::test {
 namespace {
-
-/// Worst and mean of an error that has a bound.
-class Tally {
- public:
-  Tally(std::string name, double bound) : name_(std::move(name)), bound_(bound) {}
-  void add(double error) {
-    ++count_;
-    sum_ += error;
-    if (!(error <= worst_)) worst_ = std::isnan(error) ? std::numeric_limits<double>::infinity() : error;
-  }
-  bool print() const {
-    std::printf("%-44s %9lld  bound %4g ulp  worst %7.3f  mean %6.3f\n", name_.c_str(), count_, bound_, worst_,
-                sum_ / double(count_));
-    return worst_ <= bound_ && count_ > 0;
-  }
-
- private:
-  std::string name_;
-  double bound_;
-  double worst_ = 0;
-  double sum_ = 0;
-  long long count_ = 0;
-};
 
 /// Coefficients, density and threshold over the whole range of a type's exponents.
 template <typename T>
@@ -79,41 +57,48 @@ std::vector<T> solve_as_batch(FogMode mode, const std::vector<SolveCase>& cases)
 
 bool check_accuracy(std::size_t count) {
   bool is_good = true;
-  for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
-    const std::string fog = mode == FogMode::exp ? ", exp" : ", exp2";
-    Tally extent("extent, double, all exponents" + fog, 2);
-    Tally wide("intensity, double, all exponents" + fog, 2);
-    Tally intensity("intensity, double, ordinary lights" + fog, 2);
-    Tally single("intensity, float, ordinary lights" + fog, 1);
-    Tally batch("intensity, batch double, ordinary lights" + fog, 2);
-    Tally batch_single("intensity, batch float, ordinary lights" + fog, 2);
+  for (const FogMode mode : kModes) {
+    const auto tally = [&](const char* function, const char* lights, double bound) {
+      return ErrorTally(function + std::string(", ") + name_of(mode), lights, bound);
+    };
+    ErrorTally extent = tally("extent", "all exponents", kExtentMaxUlp<double>);
+    ErrorTally wide = tally("intensity", "all exponents", kIntensityMaxUlp<double>);
+    ErrorTally intensity = tally("intensity", "ordinary lights", kIntensityMaxUlp<double>);
+    ErrorTally single = tally("intensity, float", "ordinary lights", kIntensityMaxUlp<float>);
+    ErrorTally batch = tally("batch intensity", "ordinary lights", kBatchIntensityMaxUlp);
+    ErrorTally batch_single = tally("batch intensity, float", "ordinary lights", kBatchIntensityMaxUlp);
     Random random(mode == FogMode::exp ? 1 : 2);
     for (std::size_t i = 0; i < count / 4; ++i) {
       const SolveCase c = draw_any_case<double>(random, mode);
       if (!(c.attenuation.constant * c.threshold < 1)) continue;
       const ReferencePeak truth = solve_reference(c.attenuation, c.fog, c.threshold);
       const FogIntensity solved = solve_fog_intensity(c.attenuation, c.fog, c.threshold);
-      extent.add(ulp_error(solved.extent, truth.extent));
-      wide.add(ulp_error(solved.intensity, truth.intensity));
+      const auto text = [&] { return to_string(c); };
+      extent.add(ulp_error(solved.extent, truth.extent), text);
+      wide.add(ulp_error(solved.intensity, truth.intensity), text);
     }
     std::vector<SolveCase> cases;
     for (std::size_t i = 0; i < count / 4; ++i) cases.push_back(rounded_to_float(draw_ordinary_case(random, mode)));
     const std::vector<double> in_double = solve_as_batch<double>(mode, cases);
     const std::vector<float> in_float = solve_as_batch<float>(mode, cases);
     for (std::size_t i = 0; i < cases.size(); ++i) {
-      const auto& [attenuation, density, threshold] = cases[i];
-      const Digits50 truth = solve_reference(attenuation, cases[i].fog, threshold).intensity;
+      const auto& [attenuation, fog, threshold] = cases[i];
       const auto& [constant, linear, quadratic] = attenuation;
-      intensity.add(ulp_error(solve_fog_intensity(attenuation, cases[i].fog, threshold).intensity, truth));
-      single.add(ulp_error(solve_fog_intensity(AttenuationF{float(constant), float(linear), float(quadratic)},
-                                               FogF{mode, float(cases[i].fog.density)}, float(threshold))
-                               .intensity,
-                           truth));
-      batch.add(ulp_error(in_double[i], truth));
-      batch_single.add(ulp_error(in_float[i], truth));
+      const Digits50 truth = solve_reference(attenuation, fog, threshold).intensity;
+      const auto text = [&] { return to_string(cases[i]); };
+      intensity.add(ulp_error(solve_fog_intensity(attenuation, fog, threshold).intensity, truth), text);
+      const FogIntensityF in_single =
+          solve_fog_intensity(AttenuationF{float(constant), float(linear), float(quadratic)},
+                              FogF{mode, float(fog.density)}, float(threshold));
+      single.add(ulp_error(in_single.intensity, truth), text);
+      batch.add(ulp_error(in_double[i], truth), text);
+      batch_single.add(ulp_error(in_float[i], truth), text);
     }
-    for (const Tally* tally : {&extent, &wide, &intensity, &single, &batch, &batch_single}) {
-      is_good = tally->print() && is_good;
+    for (const ErrorTally* error : {&extent, &wide, &intensity, &single, &batch, &batch_single}) {
+      error->print();
+      if (error->is_within_bound()) continue;
+      std::printf("broken: %s\n", error->worst_case().c_str());
+      is_good = false;
     }
   }
   return is_good;
@@ -166,7 +151,7 @@ int slope_sign(const SolveCase& c, double range) {
 
 bool check_certificates(std::size_t count) {
   bool is_good = true;
-  for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
+  for (const FogMode mode : kModes) {
     Random random(mode == FogMode::exp ? 3 : 4);
     long long tried = 0;
     long long broken = 0;
@@ -190,7 +175,7 @@ bool check_certificates(std::size_t count) {
         if (++broken <= 5) std::printf("broken: %s\n", to_string(cases[k]).c_str());
       }
     }
-    std::printf("certificate, %-30s %9lld solves, %lld broken\n", mode == FogMode::exp ? "exp" : "exp2", tried, broken);
+    std::printf("certificate, %-30s %9lld solves, %lld broken\n", name_of(mode), tried, broken);
     is_good = is_good && broken == 0 && tried > 0;
   }
   return is_good;

@@ -9,20 +9,19 @@
 #include <cstdio>
 #include <cstring>
 #include <functional>
-#include <limits>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "core/allocation_count.h"
-#include "reference/random_light.h"
 #include "core/value_errors.h"
+#include "reference/double_limits.h"
+#include "reference/random_light.h"
 
 namespace litfog::test {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr std::array kModes{FogMode::exp, FogMode::exp2};
 constexpr Fog kMist{FogMode::exp, 0.01};
 
 PlacedLight carried_light(const Attenuation& attenuation = {1, 0.1, 0.01}, const glm::dvec3& color = glm::dvec3{1}) {
@@ -241,12 +240,12 @@ TEST(FogUpdater, SkipsNoLightAboveTheBudget) {
       for (std::size_t i = 0; i < lights.size(); ++i) {
         const FogLight& entry = updater.entries()[updater.entry_of(handles[i])];
         const double intensity = solve_fog_intensity(lights[i].light, fog).intensity;
-        const double share = intensity * double(largest_component(entry)) / (budget_255 / 255);
+        const double part = intensity * double(largest_component(entry)) / (budget_255 / 255);
         ++checked;
-        if (share < 1 && float(intensity) > 0) ++dim;
+        if (part < 1 && float(intensity) > 0) ++dim;
         if (is_within_one_ulp(entry.color_intensity.w, float(intensity))) continue;
         ASSERT_EQ(entry.color_intensity.w, 0);
-        ASSERT_LT(share, 1) << to_string(SolveCase{lights[i].light.attenuation, fog, lights[i].light.threshold});
+        ASSERT_LT(part, 1) << to_string(SolveCase{lights[i].light.attenuation, fog, lights[i].light.threshold});
         ++skipped;
       }
     }
@@ -499,7 +498,7 @@ TEST(FogUpdater, JoinsRangesOverSmallGapsOnly) {
 
 TEST(FogUpdater, KeepsKindsThatChangeApartFromThoseThatDoNot) {
   Mirror mirror(0.5);
-  for (int i = 0; i < 20000; ++i) {  // in turn: one of a kind that fog changes, one of constant attenuation
+  for (int i = 0; i < 20000; ++i) {  // interleaved: one of a kind that fog changes, one of constant attenuation
     mirror.add(carried_light());
     mirror.add(carried_light({1, 0, 0}));
   }
@@ -597,9 +596,83 @@ TEST(FogUpdater, RefusesWrongArgumentsAndStaysAsItWas) {
   const PlacedLight wrong_color = carried_light({1, 0, 0}, {0, -1, 0});
   EXPECT_EQ(refusal_of([&] { updater.add(wrong_color); }), "color.g = -1: must be finite and >= 0");
   EXPECT_EQ(refusal_of([&] { updater.change(handle, wrong_color); }), "color.g = -1: must be finite and >= 0");
+  PlacedLight lost = carried_light();
+  lost.position.y = kNan;
+  EXPECT_EQ(refusal_of([&] { updater.add(lost); }), "position.y = nan: must be at most 16777216 in magnitude");
+  EXPECT_EQ(refusal_of([&] { updater.change(handle, lost); }),
+            "position.y = nan: must be at most 16777216 in magnitude");
+  PlacedLight short_axis = carried_light();
+  short_axis.direction = {0, 0, -0.5};
+  EXPECT_EQ(refusal_of([&] { updater.add(short_axis); }), "direction = 0.5: length must be 1 within 1e-6");
+  EXPECT_EQ(refusal_of([&] { updater.change(handle, short_axis); }), "direction = 0.5: length must be 1 within 1e-6");
   EXPECT_EQ(refusal_of([&] { updater.set_fog({FogMode::exp, -1}); }), "fog.density = -1: must be >= 0");
   EXPECT_TRUE(updater.set_fog(kMist).empty());
   EXPECT_TRUE(is_same(updater.entries()[0], before));
+}
+
+/// Lights of one kind, each with other zeros negative.
+std::vector<PlacedLight> lights_with_negative_zeros(const Light& light) {
+  std::vector<PlacedLight> lights;
+  for (unsigned negative = 0; negative < 64; ++negative) {
+    PlacedLight placed;
+    placed.light = light;
+    placed.carried = true;
+    auto& [constant, linear, quadratic] = placed.light.attenuation;
+    double* const fields[] = {&constant,
+                              &linear,
+                              &quadratic,
+                              &placed.light.density_scale,
+                              &placed.light.color.r,
+                              &placed.light.cone.exponent};
+    for (unsigned k = 0; k < 6; ++k) {
+      if (*fields[k] == 0 && (negative >> k & 1) != 0) *fields[k] = -0.0;
+    }
+    lights.push_back(placed);
+  }
+  return lights;
+}
+
+TEST(FogUpdater, TakesNegativeZeroAsZero) {
+  for (const Attenuation& attenuation : {Attenuation{0, 0.1, 0}, Attenuation{0, 0, 0.01}, Attenuation{0, 0.1, 0.01},
+                                         Attenuation{1, 0, 0.01}, Attenuation{0.5, 0, 0}}) {
+    for (const double density_scale : {0.0, 1.0}) {
+      Light light;
+      light.color = {0, 1, 0.5};
+      light.attenuation = attenuation;
+      light.density_scale = density_scale;
+      light.cone = Cone::cosine(0.5, 0);
+      for (const FogMode mode : kModes) {
+        for (const double density : {0.0, -0.0, 1e-3, 0.06, kInfinity}) {
+          const Fog fog{mode, density};
+          FogUpdater expected;
+          const FogLightHandle positive = expected.add(lights_with_negative_zeros(light).front());
+          expected.set_fog({mode, std::abs(density)});
+          const FogLight& entry = expected.entries()[expected.entry_of(positive)];
+          for (const PlacedLight& placed : lights_with_negative_zeros(light)) {
+            FogUpdater updater;
+            const FogLightHandle handle = updater.add(placed);
+            updater.set_fog(fog);
+            ASSERT_TRUE(is_same(updater.entries()[updater.entry_of(handle)], entry));
+            ASSERT_EQ(updater.statistics().kinds_solved, expected.statistics().kinds_solved);
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(FogUpdater, KeepsItsLightsWhenItIsMoved) {
+  FogUpdater first;
+  const FogLightHandle handle = first.add(carried_light());
+  first.set_fog(kMist);
+  const FogLight before = first.entries()[first.entry_of(handle)];
+  FogUpdater second = std::move(first);
+  EXPECT_TRUE(is_same(second.entries()[second.entry_of(handle)], before));
+  EXPECT_TRUE(second.set_fog(kMist).empty());
+  first = FogUpdater();
+  EXPECT_EQ(refusal_of([&] { (void)first.entry_of(handle); }), "handle.slot = 0: must be that of a light held");
+  first = std::move(second);
+  EXPECT_TRUE(is_same(first.entries()[first.entry_of(handle)], before));
 }
 
 TEST(FogUpdater, ServesTwoThreadsByTwoUpdaters) {

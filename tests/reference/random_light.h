@@ -22,11 +22,13 @@ struct SolveCase {
   double threshold;
 };
 
+inline const char* name_of(FogMode mode) { return mode == FogMode::exp ? "exp" : "exp2"; }
+
 inline std::string to_string(const SolveCase& c) {
   char text[256];
   std::snprintf(text, sizeof text, "%s fog, density %a = %.17g, constant %a = %.17g, linear %a = %.17g, ",
-                c.fog.mode == FogMode::exp ? "exp" : "exp2", c.fog.density, c.fog.density, c.attenuation.constant,
-                c.attenuation.constant, c.attenuation.linear, c.attenuation.linear);
+                name_of(c.fog.mode), c.fog.density, c.fog.density, c.attenuation.constant, c.attenuation.constant,
+                c.attenuation.linear, c.attenuation.linear);
   std::string result = text;
   std::snprintf(text, sizeof text, "quadratic %a = %.17g, threshold %a = %.17g", c.attenuation.quadratic,
                 c.attenuation.quadratic, c.threshold, c.threshold);

@@ -4,9 +4,9 @@
 #include <limits>
 #include <stdexcept>
 
-#include "reference/digits50.h"
 #include "litfog/attenuation.h"
 #include "litfog/fog.h"
+#include "reference/digits50.h"
 
 // The solver's reference to 50 digits: what the model's definitions give for exactly these doubles, by bisection on the
 // sign of the derivative. Terms of one sign only are added anywhere, so that no digits cancel at any exponent.
@@ -21,7 +21,7 @@ struct ReferencePeak {
 
 /// e^u - 1 - u.
 template <typename Real>
-Real reference_expm1_less_argument(const Real& u) {
+Real reference_expm1_minus_argument(const Real& u) {
   using std::abs, std::exp;
   if (abs(u) > Real(0.5)) return exp(u) - 1 - u;
   Real term = u * u / 2;
@@ -37,7 +37,7 @@ inline Digits50 reference_opacity(FogMode mode, const Digits50& density, const D
   const Digits50 product = density * range;
   const Digits50 depth = mode == FogMode::exp ? product : Digits50(product * product);
   if (depth > Digits50(0.5)) return depth > 1000 ? Digits50(1) : Digits50(1 - exp(-depth));
-  return depth == 0 ? Digits50(0) : Digits50(depth - reference_expm1_less_argument(Digits50(-depth)));
+  return depth == 0 ? Digits50(0) : Digits50(depth - reference_expm1_minus_argument(Digits50(-depth)));
 }
 
 inline Digits50 reference_denominator(const Attenuation& a, const Digits50& range) {
@@ -57,8 +57,9 @@ inline Digits50 reference_level_range(const Attenuation& a, double level) {
   if (excess <= 0) return 0;
   const Digits50 root = 2 * excess / (linear + sqrt(linear * linear + 4 * quadratic * excess));
   const auto is_beyond = [&](const Digits50& r) { return r * (linear + r * quadratic) > excess; };
-  const Digits50 share("1e-45");
-  if (is_beyond(root * (1 - share)) || !is_beyond(root * (1 + share))) throw std::logic_error("reference: no root");
+  const Digits50 fraction("1e-45");
+  if (is_beyond(root * (1 - fraction)) || !is_beyond(root * (1 + fraction)))
+    throw std::logic_error("reference: no root");
   return root;
 }
 
@@ -74,17 +75,17 @@ bool is_falling(const Attenuation& a, const Fog& fog, const Real& r) {
   const Real depth = density * r;
   // Whatever the doubles, e^10000 outgrows all other factors.
   if (fog.mode == FogMode::exp) {
-    return depth > 10000 || quadratic * r * r + growth * reference_expm1_less_argument(depth) / density > constant;
+    return depth > 10000 || quadratic * r * r + growth * reference_expm1_minus_argument(depth) / density > constant;
   }
-  return depth > 100 || growth * reference_expm1_less_argument(Real(depth * depth)) >
+  return depth > 100 || growth * reference_expm1_minus_argument(Real(depth * depth)) >
                             density * density * r * (2 * constant + linear * r);
 }
 
-/// The change from rising to falling in [low, high], to a share of itself.
+/// The change from rising to falling in [low, high], to a fraction of itself.
 template <typename Real>
-Real bisect_peak(const Attenuation& a, const Fog& fog, Real low, Real high, const Real& share) {
+Real bisect_peak(const Attenuation& a, const Fog& fog, Real low, Real high, const Real& fraction) {
   using std::sqrt;
-  while (high > low * (1 + share)) {
+  while (high > low * (1 + fraction)) {
     const Real middle = high > 2 * low ? Real(sqrt(low) * sqrt(high)) : Real((low + high) / 2);
     (is_falling(a, fog, middle) ? high : low) = middle;
   }
@@ -104,15 +105,15 @@ inline ReferencePeak solve_reference(const Attenuation& a, const Fog& fog, doubl
   // From the limits of double: no peak of doubles lies nearer to 0 but the one at 0.
   const Digits50 low = std::max(knee, ldexp(Digits50(1), -2200));
   if (is_falling(a, fog, low)) return at(knee);
-  // The place in long double, where 50 digits confirm it.
-  const auto place = Digits50(bisect_peak<long double>(a, fog, static_cast<long double>(low) / 2,
-                                                       2 * static_cast<long double>(extent), 1e-15L));
-  const Digits50 share("1e-13");
-  if (place > low && !is_falling(a, fog, Digits50(place * (1 - share))) &&
-      is_falling(a, fog, Digits50(place * (1 + share))) && place < extent) {
-    return at(place);
+  // Found in long double, where 50 digits confirm it.
+  const auto peak = Digits50(bisect_peak<long double>(a, fog, static_cast<long double>(low) / 2,
+                                                      2 * static_cast<long double>(extent), 1e-15L));
+  const Digits50 fraction("1e-13");
+  if (peak > low && !is_falling(a, fog, Digits50(peak * (1 - fraction))) &&
+      is_falling(a, fog, Digits50(peak * (1 + fraction))) && peak < extent) {
+    return at(peak);
   }
-  return at(bisect_peak(a, fog, low, extent, share));
+  return at(bisect_peak(a, fog, low, extent, fraction));
 }
 
 }  // namespace litfog::test

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "litfog/attenuation.h"
+#include "litfog/fog.h"
+#include "litfog/fog_light_block.h"
+#include "litfog/light.h"
+#include "litfog/solve.h"
+
+// The public calls of the same names for arguments that have passed check(). Internal: a call checks what it is given
+// once, at its edge, and uses these from there on.
+
+namespace litfog::unchecked {
+
+double compute_extent(const Attenuation& attenuation, double threshold);
+Fog scaled(const Fog& fog, double density_scale);
+FogIntensity solve_fog_intensity(const Attenuation& attenuation, const Fog& fog, double threshold);
+FogLight pack_fog_light(const PlacedLight& light, const FogIntensity& solution);
+
+}  // namespace litfog::unchecked
