@@ -67,4 +67,8 @@ double cookie_at(const Cookie& cookie, const glm::dvec3& direction) {
                   glm::mix(texel(left, top + 1), texel(left + 1, top + 1), x - left), y - top);
 }
 
+Cookie resize_cookie(const Cookie& cookie, int size) {
+  return make_cookie(size, [&](const glm::dvec3& direction) { return cookie_at(cookie, direction); });
+}
+
 }  // namespace litfog

@@ -50,7 +50,7 @@ std::string with_window(const std::string& bytes, std::array<std::int32_t, 4> co
 
 constexpr const char* kUnreadable = "cannot be read as OpenEXR: ";
 
-TEST(CookieFile, ReadsBackEveryTexel) {
+TEST(CookieFile, EveryTexelIsReadBack) {
   for (const int size : {1, 2, 5, 16, 33}) {
     const Cookie written = random_cookie(size);
     const Cookie read = parse_cookie(format_cookie(written), "c.exr");
@@ -60,7 +60,7 @@ TEST(CookieFile, ReadsBackEveryTexel) {
 }
 
 TEST(CookieFile, LargeCookieOfOneValueIsReadBackFromAThousandthOfItsBytes) {
-  constexpr int kSize = 2048;
+  constexpr int kSize = 1024;
   const Cookie written{.size = kSize, .texels = std::vector<float>(std::size_t{6} * kSize * kSize, 1.0f)};
   const std::string bytes = format_cookie(written);
   EXPECT_LT(bytes.size(), written.texels.size() * sizeof(float) / 900);

@@ -47,4 +47,7 @@ Cookie bake_cookie(const IntensityDistribution& distribution, int size);
 /// direction  of any length but 0
 double cookie_at(const Cookie& cookie, const glm::dvec3& direction);
 
+/// The same shape with another number of texels along an edge, by cookie_at() at their centres.
+Cookie resize_cookie(const Cookie& cookie, int size);
+
 }  // namespace litfog
