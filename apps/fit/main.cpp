@@ -19,13 +19,13 @@
 #include "command/progress.h"
 #include "command/table.h"
 #include "command/whole_file.h"
-#include "fit/cookie_file.h"
 #include "fit/data_sheet.h"
 #include "fit/fit_figure.h"
 #include "fit/fit_record.h"
 #include "fit/light_fit.h"
 #include "fit/spec_file.h"
 #include "litfog/attenuation.h"
+#include "litfog/photometry/cookie_file.h"
 
 using namespace litfog::command;
 using namespace litfog::fit;
@@ -260,7 +260,8 @@ ExitStatus run(const Options& options) {
         if (!outcome.output.empty()) write_whole_file(outcome.output, outcome.light);
         if (figure_format) write_whole_file(options.plot, figure);
         if (!options.cookie.empty()) {
-          write_cookie(options.cookie, bake_cookie(outcome.fit->spec.luminaire->distribution, options.cookie_size));
+          write_whole_file(options.cookie, format_cookie(bake_cookie(outcome.fit->spec.luminaire->distribution,
+                                                                     options.cookie_size)));
         }
       } catch (const BadInput& error) {
         outcome.reason = error.what();

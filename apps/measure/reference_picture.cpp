@@ -10,6 +10,7 @@
 #include "litfog/fog_light_block.h"
 #include "litfog/formulas.h"
 #include "render/light_map.h"
+#include "scene/light_frame.h"
 
 namespace litfog::measure {
 namespace {
@@ -28,7 +29,7 @@ struct ReferenceLight {
   double exponent;
   double cone_texels;  ///< radians that a texel of its cone map spans at most, in shares of the map's texel
 
-  const scene::Cookie* cookie;  ///< in place of the cone; null: none
+  const Cookie* cookie;  ///< in place of the cone; null: none
   glm::dmat3 cookie_from_world;
 
   ReferenceLight(const PlacedLight& placed, const Fog& fog, const scene::Scene& scene, const scene::CookieUse* use)
@@ -49,7 +50,7 @@ struct ReferenceLight {
 
   /// The share that goes into a unit direction.
   double share(const glm::dvec3& direction) const {
-    return cookie ? scene::cookie_at(*cookie, cookie_from_world * direction) : cone(glm::dot(axis, direction));
+    return cookie ? cookie_at(*cookie, cookie_from_world * direction) : cone(glm::dot(axis, direction));
   }
   /// Whether a direction is seen within a texel of where two faces of the cookie meet.
   bool is_at_seam(const glm::dvec3& direction) const {

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "litfog/formulas.h"
-#include "scene/cube_face.h"
+#include "litfog/photometry/cube_face.h"
 
 namespace litfog::render {
 namespace {
@@ -99,7 +99,7 @@ MapTexels make_cone_cube(const Cone& cone, CubeAxis axis, int size) {
   for (int face = 0; face < 6; ++face) {
     for (int j = 0; j < size; ++j) {
       for (int i = 0; i < size; ++i) {
-        const glm::dvec3 looked_up = scene::cube_direction(face, across(i), across(j));
+        const glm::dvec3 looked_up = cube_direction({face, across(i), across(j)});
         const glm::dvec3 direction = axis == CubeAxis::plus_x
                                          ? glm::dvec3(looked_up.x, looked_up.y / scale, looked_up.z / scale)
                                          : glm::dvec3(-looked_up.z, looked_up.x / scale, looked_up.y / scale);
@@ -110,7 +110,7 @@ MapTexels make_cone_cube(const Cone& cone, CubeAxis axis, int size) {
   return texels;
 }
 
-MapTexels make_cookie_cube(const scene::Cookie& cookie) {
+MapTexels make_cookie_cube(const Cookie& cookie) {
   MapTexels texels;
   for (const float share : cookie.texels) texels.push_back(texel(double(share)));
   return texels;

@@ -7,7 +7,7 @@
 
 #include "litfog/attenuation.h"
 #include "litfog/cone.h"
-#include "scene/cookie.h"
+#include "litfog/photometry/cookie.h"
 
 namespace litfog::render {
 
@@ -58,7 +58,7 @@ double cone_map_scale(const Cone& cone);
 MapTexels make_cone_cube(const Cone& cone, CubeAxis axis, int size);
 
 /// The same of a cookie, as it is.
-MapTexels make_cookie_cube(const scene::Cookie& cookie);
+MapTexels make_cookie_cube(const Cookie& cookie);
 
 /// By what the coordinates across the axis are to be multiplied for that map: its scale, less half a texel at each end
 /// of a face where the map is drawn in, for OpenGL has texel i at (i + 0.5) / size.

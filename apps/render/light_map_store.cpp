@@ -90,7 +90,7 @@ const LookupTexture* LightMapStore::cone_map(const Cone& cone) {
 const LookupTexture* LightMapStore::cookie_map(const scene::Scene& scene, std::size_t cookie) {
   const auto found = cookie_maps_.find(cookie);
   if (found != cookie_maps_.end()) return &found->second;
-  const scene::Cookie& image = scene.cookies[cookie];
+  const Cookie& image = scene.cookies[cookie];
   return &cookie_maps_.try_emplace(cookie, Shape::cube, image.size, make_cookie_cube(image)).first->second;
 }
 

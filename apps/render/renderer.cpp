@@ -26,11 +26,11 @@ glm::mat4 view_from_world(const scene::Camera& camera) {
 }
 
 /// All cookies in one array, each as large as the largest.
-std::unique_ptr<LayeredTexture> make_cookie_array(const std::vector<scene::Cookie>& cookies) {
-  const int size = std::ranges::max(cookies, {}, &scene::Cookie::size).size;
+std::unique_ptr<LayeredTexture> make_cookie_array(const std::vector<Cookie>& cookies) {
+  const int size = std::ranges::max(cookies, {}, &Cookie::size).size;
   MapTexels texels;
-  for (const scene::Cookie& cookie : cookies) {
-    const MapTexels faces = make_cookie_cube(cookie.size == size ? cookie : scene::resized(cookie, size));
+  for (const Cookie& cookie : cookies) {
+    const MapTexels faces = make_cookie_cube(cookie.size == size ? cookie : resize_cookie(cookie, size));
     texels.insert(texels.end(), faces.begin(), faces.end());
   }
   return std::make_unique<LayeredTexture>(size, 6 * int(cookies.size()), texels);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/scene_lights.h"
 
+#include "scene/light_frame.h"
+
 namespace litfog::render {
 namespace {
 

@@ -51,4 +51,9 @@ glm::dmat3 basis_from_world(const glm::dvec3& direction) {
   return rows(right, glm::cross(right, direction), -direction);
 }
 
+glm::dmat3 cookie_from_world(const glm::dvec3& direction, double roll) {
+  const double c = std::cos(roll), s = std::sin(roll);
+  return glm::dmat3(c, s, 0, -s, c, 0, 0, 0, 1) * basis_from_world(direction);
+}
+
 }  // namespace litfog::scene

@@ -33,4 +33,10 @@ glm::dmat3 light_from_world(const Bearing& light, const Attitude& viewpoint);
 /// direction  unit
 glm::dmat3 basis_from_world(const glm::dvec3& direction);
 
+/// Rotation into the frame of a light's cookie: that basis, turned about the direction to the right as seen along it.
+///
+/// direction  unit
+/// roll       radians
+glm::dmat3 cookie_from_world(const glm::dvec3& direction, double roll);
+
 }  // namespace litfog::scene

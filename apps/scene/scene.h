@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "litfog/light.h"
-#include "scene/cookie.h"
+#include "litfog/photometry/cookie.h"
 #include "scene/material.h"
 #include "scene/mesh.h"
 

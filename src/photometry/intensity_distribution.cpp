@@ -14,7 +14,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kTolerance = 1e-9;       // radians: a direction at the last measured angle must not fall off it
+constexpr double kTolerance = 1e-9;       // radians: a direction at the last measured angle must not round to beyond it
 constexpr double kMaxIntensity = 1e30;    // candela: squares and sums stay finite
 constexpr int kTurnSteps = 720;           // directions of a circle about an axis
 constexpr int kAxialStepsPerTurn = 1440;  // a quarter degree from an axis
@@ -55,7 +55,7 @@ glm::dvec3 direction_of(PhotometryType type, double horizontal, double vertical)
   return {sin_v * cos_h, sin_v * sin_h, -cos_v};
 }
 
-/// How often the measured part of an angle's range goes into the whole: 1, 2 or 4.
+/// The number of measured parts in a whole turn: 1, 2 or 4.
 int turn_multiplicity(std::span<const double> turn) { return int(std::lround(2 * pi / (turn.back() - turn.front()))); }
 bool is_mirrored(std::span<const double> angles) { return angles.front() == 0; }
 
@@ -72,7 +72,7 @@ double folded_turn(std::span<const double> turn, double angle) {
 
 double folded(std::span<const double> angles, double angle) { return is_mirrored(angles) ? std::abs(angle) : angle; }
 
-/// Where an angle lies between two measured ones.
+/// The measured angles on both sides of an angle.
 struct Bracket {
   std::size_t low, high;
   double fraction;
@@ -171,7 +171,7 @@ std::optional<ValueError> check_angles(const char* field, std::span<const double
 std::optional<ValueError> check_turn(std::span<const double> turn) {
   constexpr const char* kField = "distribution.horizontal";
   if (turn.size() == 1 && std::isfinite(turn.front())) return std::nullopt;
-  if (const auto refusal = check_angles(kField, turn, -2 * pi, 4 * pi)) return refusal;
+  if (const auto error = check_angles(kField, turn, -2 * pi, 4 * pi)) return error;
   const double span = turn.back() - turn.front();
   for (const int multiplicity : {1, 2, 4}) {
     if (std::abs(span - 2 * pi / multiplicity) <= kTolerance) return std::nullopt;
@@ -191,12 +191,12 @@ std::optional<ValueError> check(const IntensityDistribution& distribution) {
   const bool is_c = type == PhotometryType::c;
   const double vertical_limit = type == PhotometryType::a ? pi / 2 : pi;
   const double horizontal_limit = type == PhotometryType::a ? pi : pi / 2;
-  if (auto refusal = is_c ? check_turn(horizontal)
+  if (auto error = is_c ? check_turn(horizontal)
                           : check_angles("distribution.horizontal", horizontal, -horizontal_limit, horizontal_limit)) {
-    return refusal;
+    return error;
   }
-  if (auto refusal = check_angles("distribution.vertical", vertical, is_c ? 0 : -vertical_limit, vertical_limit)) {
-    return refusal;
+  if (auto error = check_angles("distribution.vertical", vertical, is_c ? 0 : -vertical_limit, vertical_limit)) {
+    return error;
   }
   constexpr const char* kField = "distribution.intensity";
   if (intensity.size() != horizontal.size() * vertical.size()) {
@@ -292,11 +292,16 @@ std::vector<AxialSample> plane_profile(const IntensityDistribution& distribution
   return profile;
 }
 
-double half_angle(const std::vector<AxialSample>& profile, double share) {
-  if (profile.empty()) require(ValueError{"profile", 0, "must hold a sample"});
-  if (!(share > 0 && share <= 1)) require(ValueError{"share", share, "must be in (0, 1]"});
+double half_angle(const std::vector<AxialSample>& profile, double fraction) {
+  if (profile.empty()) require(ValueError{"profile", 0, "must have at least one sample"});
+  if (!(fraction > 0 && fraction <= 1)) require(ValueError{"fraction", fraction, "must be in (0, 1]"});
+  for (const AxialSample& sample : profile) {
+    if (!is_finite_and_not_negative(sample.mean)) {
+      require(ValueError{"profile.mean", sample.mean, "must be finite and >= 0"});
+    }
+  }
   const auto peak = std::ranges::max_element(profile, {}, &AxialSample::mean);
-  const double level = share * peak->mean;
+  const double level = fraction * peak->mean;
   const auto below = std::find_if(peak, profile.end(), [&](const AxialSample& s) { return s.mean < level; });
   if (below == profile.end()) return profile.back().angle;
   const AxialSample& above = below[-1];  // the peak itself is not below

@@ -13,7 +13,6 @@
 #include <string>
 #include <vector>
 
-#include "litfog/photometry/cookie.h"
 #include "reference/random_light.h"
 #include "core/value_errors.h"
 
@@ -78,7 +77,7 @@ Angles random_angles(Random& random, double low, double high) {
 
 // --- where directions lie ---
 
-TEST(IntensityDistribution, TurnsItsAnglesAsTheGoniophotometerOfItsType) {
+TEST(IntensityDistribution, AnglesTurnAsTheGoniophotometerOfTheirType) {
   Random random(1);
   for (const PhotometryType type : {PhotometryType::a, PhotometryType::b, PhotometryType::c}) {
     const bool is_c = type == PhotometryType::c;
@@ -94,7 +93,7 @@ TEST(IntensityDistribution, TurnsItsAnglesAsTheGoniophotometerOfItsType) {
   }
 }
 
-TEST(IntensityDistribution, HasTheAxisAheadRightAtPlusXAndUpAtPlusY) {
+TEST(IntensityDistribution, AxisIsAheadRightIsPlusXAndUpIsPlusY) {
   const auto peak_of = [](PhotometryType type, double h_deg, double v_deg) {
     const bool is_c = type == PhotometryType::c;
     const auto horizontal = is_c ? degrees(0, 360, 45) : degrees(-90, 90, 45);
@@ -120,7 +119,7 @@ TEST(IntensityDistribution, HasTheAxisAheadRightAtPlusXAndUpAtPlusY) {
   EXPECT_TRUE(near(peak_of(PhotometryType::c, 180, 45), {-s, 0, -s}));
 }
 
-TEST(IntensityDistribution, IsDarkWhereItWasNotMeasured) {
+TEST(IntensityDistribution, UnmeasuredDirectionsAreDark) {
   const auto one = [](double, double) { return 1.0; };
   const auto c = sampled(PhotometryType::c, {0}, degrees(0, 90, 10), one);
   EXPECT_EQ(intensity_at(c, {1, 2, 0}), 1);
@@ -138,7 +137,7 @@ TEST(IntensityDistribution, IsDarkWhereItWasNotMeasured) {
 
 // --- symmetry ---
 
-TEST(IntensityDistribution, IsTheSameWrittenAsQuadrantHalfOrWhole) {
+TEST(IntensityDistribution, QuadrantHalfAndWholeAreTheSame) {
   const auto lamp = [](double c, double gamma) {
     return 100 * std::exp(-gamma) * (2 + std::cos(2 * c) + 0.3 * std::cos(4 * c));
   };
@@ -160,7 +159,7 @@ TEST(IntensityDistribution, IsTheSameWrittenAsQuadrantHalfOrWhole) {
   }
 }
 
-TEST(IntensityDistribution, MirrorsAHalfAtThePlaneItStartsFrom) {
+TEST(IntensityDistribution, HalfIsMirroredAtItsFirstPlane) {
   const auto gamma = degrees(0, 180, 30);
   const auto about_c0 = [](double c, double g) { return 50 + 20 * std::cos(c) * std::sin(g); };   // even in y
   const auto about_c90 = [](double c, double g) { return 50 + 20 * std::sin(c) * std::sin(g); };  // even in x
@@ -180,7 +179,7 @@ TEST(IntensityDistribution, MirrorsAHalfAtThePlaneItStartsFrom) {
   }
 }
 
-TEST(IntensityDistribution, MirrorsTypesAAndBAtTheAxisTheyStartFrom) {
+TEST(IntensityDistribution, TypesAAndBAreMirroredAtTheAxisTheyStartFrom) {
   const auto even = [](double h, double v) { return 10 + std::cos(2 * h) + std::cos(3 * v); };
   Random random(4);
   for (const PhotometryType type : {PhotometryType::a, PhotometryType::b}) {
@@ -199,7 +198,7 @@ TEST(IntensityDistribution, MirrorsTypesAAndBAtTheAxisTheyStartFrom) {
 
 // --- flux ---
 
-TEST(LuminousFlux, IsExactForIntensitiesThatAreLinearInTheAngles) {
+TEST(LuminousFlux, FluxOfLinearIntensitiesIsExact) {
   const auto linear = [](double h, double v) { return (3 + 0.4 * h) * (5 + 0.7 * v); };
   const auto sine_moment = [](double low, double high) {  // integral of (5 + 0.7 v) cos v
     const auto antiderivative = [](double v) { return 5 * std::sin(v) + 0.7 * (v * std::sin(v) + std::cos(v)); };
@@ -225,12 +224,12 @@ TEST(LuminousFlux, IsExactForIntensitiesThatAreLinearInTheAngles) {
   }
 }
 
-TEST(LuminousFlux, HoldsItsDigitsOnAFineGrid) {
+TEST(LuminousFlux, FineGridLosesNoDigits) {
   const auto fine = sampled(PhotometryType::c, {0}, degrees(0, 180, 0.02), [](double, double) { return 1.0; });
   EXPECT_NEAR(luminous_flux(fine), 4 * pi, 1e-12 * 4 * pi);
 }
 
-TEST(LuminousFlux, IsTheIntegralOfTheIntensityOverDirections) {
+TEST(LuminousFlux, FluxIsTheIntegralOfTheIntensityOverDirections) {
   Random random(6);
   using Gauss = boost::math::quadrature::gauss<double, 15>;
   for (const PhotometryType type : {PhotometryType::a, PhotometryType::b, PhotometryType::c}) {
@@ -257,7 +256,7 @@ TEST(LuminousFlux, IsTheIntegralOfTheIntensityOverDirections) {
 
 /// cos^n of the angle from the axis is cos^n H cos^n V in types A and B. Its second derivative in any angle is at most
 /// n, so that linear interpolation with step h errs by at most n h^2 / 8 an angle.
-TEST(LuminousFlux, OfACosinePowerIsTheSameInAllTypes) {
+TEST(LuminousFlux, CosinePowerHasTheSameFluxInAllTypes) {
   for (const double n : {1.0, 4.0, 20.0}) {
     const auto beam = [n](double h, double v) { return 1000 * std::pow(std::abs(std::cos(h) * std::cos(v)), n); };
     const double bound = 1000 * 2 * n * kDegree * kDegree / 8;
@@ -278,7 +277,7 @@ TEST(LuminousFlux, OfACosinePowerIsTheSameInAllTypes) {
 
 // --- profiles ---
 
-TEST(AxialProfile, OfARoundBeamIsWhatWasMeasured) {
+TEST(AxialProfile, SymmetricBeamHasItsMeasuredProfile) {
   const auto lamp = sampled(PhotometryType::c, {0}, {0, 0.1, 0.3, 1.2}, [](double, double g) { return 10 - 5 * g; });
   const auto profile = axial_profile(lamp, kPhotometricAxis);
   ASSERT_EQ(profile.size(), 4u);
@@ -289,7 +288,7 @@ TEST(AxialProfile, OfARoundBeamIsWhatWasMeasured) {
   }
 }
 
-TEST(AxialProfile, AveragesTheTurnAndTellsTheLargestDeviation) {
+TEST(AxialProfile, ProfileIsTheMeanOverTheTurnWithTheLargestDeviation) {
   const IntensityDistribution lamp{
       PhotometryType::c, degrees(0, 90, 45), degrees(0, 60, 30), {1000, 800, 400, 1000, 600, 100, 1000, 700, 0}};
   const auto profile = axial_profile(lamp, kPhotometricAxis);
@@ -304,7 +303,7 @@ TEST(AxialProfile, AveragesTheTurnAndTellsTheLargestDeviation) {
   EXPECT_NEAR(plane[1].mean, 700, 1e-9);
 }
 
-TEST(AxialProfile, FollowsABeamAimedOffTheAxis) {
+TEST(AxialProfile, ProfileAboutAnyAxisFollowsABeamAimedThere) {
   const glm::dvec3 aim = turned(PhotometryType::a, 20 * kDegree, -10 * kDegree);
   const auto beam = sampled(PhotometryType::a, degrees(-90, 90, 1), degrees(-90, 90, 1), [&](double h, double v) {
     return 5000 * std::pow(std::max(0.0, glm::dot(aim, turned(PhotometryType::a, h, v))), 30);
@@ -317,24 +316,32 @@ TEST(AxialProfile, FollowsABeamAimedOffTheAxis) {
   EXPECT_GT(asymmetry(beam, kPhotometricAxis), 0.5);
 }
 
-TEST(HalfAngle, IsLinearBetweenSamplesAndBeyondThePeak) {
+TEST(HalfAngle, HalfAngleIsLinearBetweenSamplesBeyondThePeak) {
   const std::vector<AxialSample> profile{{0, 20, 0}, {1, 100, 0}, {2, 60, 0}, {3, 0, 0}, {4, 80, 0}};
   EXPECT_DOUBLE_EQ(half_angle(profile, 0.8), 1.5);
   EXPECT_DOUBLE_EQ(half_angle(profile, 0.3), 2.5);
   EXPECT_DOUBLE_EQ(half_angle({{0, 5, 0}, {1, 4, 0}}, 0.5), 1);
-  EXPECT_EQ(refusal_of([&] { half_angle(profile, 0); }), "share = 0: must be in (0, 1]");
-  EXPECT_EQ(refusal_of([] { half_angle({}, 0.5); }), "profile = 0: must hold a sample");
+  EXPECT_EQ(refusal_of([&] { half_angle(profile, 0); }), "fraction = 0: must be in (0, 1]");
+  EXPECT_EQ(refusal_of([] { half_angle({}, 0.5); }), "profile = 0: must have at least one sample");
+  EXPECT_EQ(half_angle({{0, 0, 0}, {1, 0, 0}}, 0.5), 1);  // dark all over
+}
+
+TEST(HalfAngle, MeansMustBeIntensities) {
+  for (const double mean : {-1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    EXPECT_THROW(half_angle({{0.1, mean, 0}}, 0.5), std::invalid_argument) << mean;
+  }
+  EXPECT_EQ(refusal_of([] { half_angle({{0.1, -1, 0}}, 0.5); }), "profile.mean = -1: must be finite and >= 0");
 }
 
 // --- asymmetry ---
 
-TEST(Asymmetry, OfARoundBeamIsZero) {
+TEST(Asymmetry, SymmetricBeamHasNone) {
   const auto lamp = sampled(PhotometryType::c, {0}, degrees(0, 90, 5), [](double, double g) { return std::cos(g); });
   EXPECT_LT(asymmetry(lamp, kPhotometricAxis), 1e-12);
 }
 
 /// f(gamma) (1 + a cos 2C) has the mean f and the mean square f^2 (1 + a^2 / 2).
-TEST(Asymmetry, IsTheRelativeRmsDistanceFromTheMeanOverTheTurn) {
+TEST(Asymmetry, AsymmetryIsTheRelativeRmsDistanceFromTheMeanOverTheTurn) {
   for (const double a : {0.01, 0.3, 1.0}) {
     const auto lamp = sampled(PhotometryType::c, degrees(0, 90, 1), degrees(0, 90, 1), [a](double c, double g) {
       return 300 * std::pow(std::cos(g), 3) * (1 + a * std::cos(2 * c));
@@ -343,66 +350,9 @@ TEST(Asymmetry, IsTheRelativeRmsDistanceFromTheMeanOverTheTurn) {
   }
 }
 
-// --- cookies ---
-
-/// OpenGL 4.6, section 8.13 and table 8.19: the face and texel that a direction selects, nearest filtering.
-std::size_t selected_texel(const glm::dvec3& r, int size) {
-  const glm::dvec3 m = glm::abs(r);
-  int face;
-  double sc, tc, ma;
-  if (m.x >= m.y && m.x >= m.z) {
-    face = r.x > 0 ? 0 : 1;
-    sc = r.x > 0 ? -r.z : r.z, tc = -r.y, ma = m.x;
-  } else if (m.y >= m.z) {
-    face = r.y > 0 ? 2 : 3;
-    sc = r.x, tc = r.y > 0 ? r.z : -r.z, ma = m.y;
-  } else {
-    face = r.z > 0 ? 4 : 5;
-    sc = r.z > 0 ? r.x : -r.x, tc = -r.y, ma = m.z;
-  }
-  const auto texel = [size](double c) { return std::min(int((c + 1) / 2 * size), size - 1); };
-  return std::size_t((face * size + texel(tc / ma)) * size + texel(sc / ma));
-}
-
-TEST(Cookie, HoldsTheBeamWhereAGlCubeMapLooksItUp) {
-  // Smooth, and different in all directions: no face or axis can be taken for another.
-  const auto beam = sampled(PhotometryType::c, degrees(0, 360, 2), degrees(0, 180, 2), [](double c, double g) {
-    const auto d = turned(PhotometryType::c, c, g);
-    return 100 + 30 * d.x + 20 * d.y - 40 * d.z;
-  });
-  const double peak = find_peak(beam).intensity;
-  constexpr int kSize = 32;
-  const Cookie cookie = bake_cookie(beam, kSize);
-  ASSERT_EQ(cookie.size, kSize);
-  ASSERT_EQ(cookie.texels.size(), 6u * kSize * kSize);
-  // A texel's centre is at most half its diagonal away, sqrt(2) / 32 on the cube; the beam's gradient is at most
-  // |(30, 20, 40)| < 54 a radian.
-  const double bound = 54 * std::sqrt(2) / kSize / peak;
-  Random random(8);
-  for (int i = 0; i < 10000; ++i) {
-    const auto direction = random_direction(random);
-    EXPECT_NEAR(cookie.texels[selected_texel(direction, kSize)], intensity_at(beam, direction) / peak, bound);
-  }
-}
-
-TEST(Cookie, HasThePeakOfASpotInTheMiddleOfItsLastFace) {
-  const auto spot =
-      sampled(PhotometryType::c, {0}, degrees(0, 30, 1), [](double, double g) { return 9000 - 9000 * g; });
-  const Cookie cookie = bake_cookie(spot, 5);
-  EXPECT_EQ(cookie.texels[5 * 25 + 12], 1);
-  EXPECT_EQ(std::ranges::count(cookie.texels, 1.0f), 1);
-  EXPECT_EQ(std::ranges::count(cookie.texels, 0.0f), 5 * 25 + 16);  // 30 degrees reach the inner nine texels
-}
-
-TEST(Cookie, RefusesSizesThatAreNone) {
-  const auto lamp = sampled(PhotometryType::c, {0}, {0, 1}, [](double, double) { return 1.0; });
-  EXPECT_EQ(refusal_of([&] { bake_cookie(lamp, 0); }), "size = 0: must be in [1, 4096]");
-  EXPECT_EQ(refusal_of([&] { bake_cookie(lamp, 4097); }), "size = 4097: must be in [1, 4096]");
-}
-
 // --- checks ---
 
-TEST(IntensityDistributionCheck, NamesWhatIsWrong) {
+TEST(IntensityDistributionCheck, ErrorNamesWhatIsWrong) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto refusal = [](PhotometryType type, Angles horizontal, Angles vertical, Angles intensity) {
     return refusal_of([&] { luminous_flux({type, std::move(horizontal), std::move(vertical), std::move(intensity)}); });
@@ -429,7 +379,7 @@ TEST(IntensityDistributionCheck, NamesWhatIsWrong) {
   EXPECT_EQ(refusal(kC, {0}, {0, 1}, {0, 0}), "distribution.intensity = 0: must not be 0 everywhere");
 }
 
-TEST(IntensityDistributionCheck, RefusesAxesWithoutDirection) {
+TEST(IntensityDistributionCheck, AxisWithoutDirectionIsAnError) {
   const auto lamp = sampled(PhotometryType::c, {0}, {0, 1}, [](double, double) { return 1.0; });
   EXPECT_EQ(refusal_of([&] { asymmetry(lamp, {0, 0, 0}); }), "axis = 0: must be finite and not 0");
   EXPECT_EQ(refusal_of([&] {

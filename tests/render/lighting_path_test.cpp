@@ -9,10 +9,11 @@
 #include <numbers>
 
 #include "gl/gl_test.h"
+#include "litfog/photometry/cube_face.h"
 #include "reference/ulp.h"
 #include "render/renderer.h"
-#include "scene/cube_face.h"
 #include "scene/file/scene_file.h"
+#include "scene/light_frame.h"
 #include "scene/material.h"
 #include "scene/model/primitive.h"
 
@@ -360,7 +361,7 @@ Cookie smooth_cookie(int size) {
     for (int row = 0; row < size; ++row) {
       for (int column = 0; column < size; ++column) {
         const auto middle = [size](int i) { return (2.0 * i + 1) / size - 1; };
-        const dvec3 d = glm::normalize(cube_direction(face, middle(column), middle(row)));
+        const dvec3 d = glm::normalize(cube_direction({face, middle(column), middle(row)}));
         cookie.texels.push_back(float(0.5 + 0.3 * std::sin(5 * d.x) + 0.2 * std::cos(4 * d.y + 1)));
       }
     }

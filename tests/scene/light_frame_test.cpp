@@ -89,6 +89,15 @@ TEST(LightFrame, BasisHasTheDirectionAtMinusZAndStandsUpright) {
   }
 }
 
+TEST(LightFrame, CookieTurnsToTheRightAsSeenAlongItsAxis) {
+  const dvec3 ahead(0, 0, -1);
+  const glm::dmat3 level = cookie_from_world(ahead, 0);
+  EXPECT_NEAR(glm::distance(level * dvec3(0, 1, 0), dvec3(0, 1, 0)), 0, 1e-15);
+  const glm::dmat3 turned = cookie_from_world(ahead, std::numbers::pi / 2);
+  EXPECT_NEAR(glm::distance(turned * dvec3(1, 0, 0), dvec3(0, 1, 0)), 0, 1e-15);  // its up is now on the right
+  EXPECT_NEAR(glm::distance(turned * ahead, ahead), 0, 1e-15);
+}
+
 }  // namespace
 
 }  // namespace litfog::test

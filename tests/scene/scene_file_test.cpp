@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/file/scene_file.h"
 
+#include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include "command/exit_status.h"
 #include "command/temporary_directory.h"
 #include "litfog/fog_light_block.h"
+#include "litfog/photometry/cookie_file.h"
 
 namespace litfog::test {
 using namespace scene;
@@ -115,6 +117,59 @@ TEST_F(SceneFile, ACookieThatIsNoneIsRefused) {
   EXPECT_NE(refused(R"({"image": "none.exr"})").find("lights[0].cookie.image = \"none.exr\": must be a cookie: "),
             std::string::npos);
   EXPECT_NE(refused(R"({"roll_deg": 3})").find("image"), std::string::npos);
+}
+
+class SceneCookieFile : public SceneFile {
+ protected:
+  /// Texels of six faces in a column as an image of the ending's format.
+  void write(const std::string& name, int size) const {
+    const std::string path = (directory_.path() / name).string();
+    const auto output = OIIO::ImageOutput::create(path);
+    const std::vector<float> texels(std::size_t(6 * size * size), 0.25f);
+    ASSERT_TRUE(output && output->open(path, OIIO::ImageSpec(size, 6 * size, 1, OIIO::TypeDesc::FLOAT)));
+    ASSERT_TRUE(output->write_image(OIIO::TypeDesc::FLOAT, texels.data()) && output->close());
+  }
+
+  /// The members of a scene with a light for each cookie.
+  static std::string members(const std::vector<std::string>& files) {
+    std::string lights;
+    for (const std::string& file : files) {
+      lights += (lights.empty() ? "" : ",\n") + std::string("{\"light\": {") + kLamp +
+                "}, \"position\": [0, 0, 0], \"cookie\": {\"image\": \"" + file + "\"}}";
+    }
+    return "\"objects\": [], \"lights\": [" + lights + "]";
+  }
+};
+
+TEST_F(SceneCookieFile, CookieOfAnotherWriterIsRead) {
+  write("a.exr", 5);
+  const Scene scene = read(members({"a.exr"}));
+  EXPECT_EQ(scene.cookies[0].size, 5);
+  EXPECT_EQ(scene.cookies[0].texels, std::vector<float>(150, 0.25f));
+}
+
+TEST_F(SceneCookieFile, FormatsOtherThanOpenExrAreRefused) {
+  write("a.tif", 5);
+  EXPECT_NE(refusal(members({"a.tif"})).find("a.tif: cannot be read as OpenEXR: "), std::string::npos);
+}
+
+TEST_F(SceneCookieFile, OneFileIsOneCookieHoweverItIsSpelled) {
+  write("a.exr", 5);
+  std::filesystem::create_symlink("a.exr", directory_.path() / "link.exr");
+  const Scene scene = read(members({"a.exr", "./a.exr", "././a.exr", "link.exr"}));
+  EXPECT_EQ(scene.lights.size(), 4u);
+  EXPECT_EQ(scene.cookies.size(), 1u);
+}
+
+TEST_F(SceneCookieFile, CookiesMayHave268435456TexelsTogether) {
+  const std::string large = (directory_.path() / "large.exr").string();
+  std::ofstream(large, std::ios::binary) << format_cookie(
+      {.size = 1700, .texels = std::vector<float>(std::size_t{6} * 1700 * 1700, 1.0f)});
+  std::vector<std::string> files{"large.exr"};
+  for (int i = 1; i < 16; ++i) write(files.emplace_back("small" + std::to_string(i) + ".exr"), 1);
+  EXPECT_EQ(refusal(members(files)),
+            ":18:106: lights[15].cookie.image = \"small15.exr\": must leave the scene's cookies, all as large as the "
+            "largest, at most 268435456 texels");
 }
 
 TEST_F(SceneFile, RepeatMakesACopyOfEachCopyAtEachStep) {

@@ -16,8 +16,11 @@
 #include "command/json_document.h"
 #include "command/light_file.h"
 #include "litfog/fog_light_block.h"
+#include "litfog/input_error.h"
+#include "litfog/photometry/cookie_file.h"
 #include "scene/file/gltf_scene.h"
 #include "scene/model/model.h"
+#include "scene/paint/cookie_pattern.h"
 
 namespace litfog::scene {
 namespace {
@@ -25,6 +28,7 @@ namespace {
 constexpr std::size_t kMaxCopies = 20'000;  // of one object or light
 constexpr std::size_t kMaxInstances = 50'000;
 constexpr std::size_t kMaxCookies = 32;  // OpenGL 3.3 promises 256 layers, six a cookie
+constexpr std::size_t kMaxCookieTexels = std::size_t{1} << 28;  // 1 GiB of floats
 constexpr double kMaxDensityScale = 1e6;
 
 bool is_color(const glm::dvec3& color) {
@@ -37,6 +41,13 @@ bool is_position(const glm::dvec3& position) {
   return glm::all(glm::lessThanEqual(glm::abs(position), glm::dvec3(kMaxCoordinate)));
 }
 const std::string kPositionRule = fmt::format("must have coordinates in [{}, {}]", -kMaxCoordinate, kMaxCoordinate);
+
+/// One file's path however it is spelled.
+std::filesystem::path canonical_path(const std::filesystem::path& path) {
+  std::error_code error;
+  const auto found = std::filesystem::weakly_canonical(path, error);
+  return error ? path : found;
+}
 
 glm::dvec3 position_of(const JsonValue& value) {
   const glm::dvec3 position = value.vec3();
@@ -240,7 +251,7 @@ class SceneReader {
     const auto pattern = value.optional("pattern");
     if (pattern && value.optional("image")) pattern->fail("must not stand beside image");
     const JsonValue source = pattern ? *pattern : value.member("image");
-    const std::string name = pattern ? source.string() : (folder_ / source.string()).string();
+    const std::string name = pattern ? source.string() : canonical_path(folder_ / source.string()).string();
     if (pattern && std::ranges::find(kCookiePatterns, name) == std::end(kCookiePatterns)) {
       source.fail(fmt::format("must be {}", fmt::join(kCookiePatterns, " or ")));
     }
@@ -249,9 +260,14 @@ class SceneReader {
       if (scene_.cookies.size() == kMaxCookies)
         value.fail(fmt::format("must be one of at most {} cookies", kMaxCookies));
       try {
-        scene_.cookies.push_back(pattern ? make_cookie(name) : read_cookie(name));
-      } catch (const command::BadInput& refusal) {
-        source.fail(std::string("must be a cookie: ") + refusal.what());
+        scene_.cookies.push_back(pattern ? paint_cookie(name) : read_cookie((folder_ / source.string()).string()));
+      } catch (const InputError& error) {
+        source.fail(std::string("must be a cookie: ") + error.what());
+      }
+      const auto largest = std::size_t(std::ranges::max(scene_.cookies, {}, &Cookie::size).size);
+      if (scene_.cookies.size() * 6 * largest * largest > kMaxCookieTexels) {  // a renderer makes them of one size
+        source.fail(fmt::format("must leave the scene's cookies, all as large as the largest, at most {} texels",
+                                kMaxCookieTexels));
       }
     }
     return entry->second;

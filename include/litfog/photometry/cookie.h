@@ -1,25 +1,53 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
+#include <glm/vec3.hpp>
+#include <optional>
 #include <vector>
 
 #include "litfog/photometry/intensity_distribution.h"
+#include "litfog/value_error.h"
 
 namespace litfog {
 
-/// A light's full angular shape as a cube map (Frazier 2000, "Real-Time Per-Pixel Point Lights and Spot Lights").
+/// Texels along the edge of a cookie: 1 to this. The largest cookie has 400 MB of texels.
+inline constexpr int kMaxCookieSize = 4096;
+
+/// A light's full angular shape as a cube map (Frazier 2000, "Real-Time Per-Pixel Point Lights and Spot Lights"). It is
+/// looked up by directions in the light's frame: the axis is -z, as the default direction of a placed light is, and +y
+/// is up.
 struct Cookie {
-  int size = 0;  ///< texels along an edge
-  /// Intensity over the distribution's peak, [0, 1]: 6 * size * size texels, faces +x -x +y -y +z -z, each with its
-  /// rows and columns as glTexImage2D takes them (OpenGL 4.6, table 8.19).
+  int size = 0;  ///< texels along an edge, [1, kMaxCookieSize]
+  /// Intensity over the light's peak, [0, 1]: 6 * size * size texels, faces +x -x +y -y +z -z, each with its rows and
+  /// columns as glTexImage2D takes them (OpenGL 4.6, table 8.19).
   std::vector<float> texels;
 };
 
-/// Samples a distribution at the centres of a cube map's texels. The light's frame is the luminaire frame: the axis is
-/// -z, as the default direction of a placed light is, and +y is up.
+/// What is wrong with a cookie, or nothing.
+std::optional<ValueError> check(const Cookie& cookie);
+
+/// Samples a function at the centres of a cube map's texels.
 ///
-/// size       [1, 4096]
+/// size               [1, kMaxCookieSize]
+/// fraction_towards   intensity over the peak, [0, 1], towards a direction of length 1 to sqrt(3)
+/// throws             std::invalid_argument naming field, value and rule
+Cookie make_cookie(int size, const std::function<double(const glm::dvec3& direction)>& fraction_towards);
+
+/// The cookie of a measured light, whose frame is the luminaire frame.
+///
+/// size       [1, kMaxCookieSize]
 /// throws     std::invalid_argument naming field, value and rule
 Cookie bake_cookie(const IntensityDistribution& distribution, int size);
+
+/// Intensity over the light's peak towards a direction: bilinear between the four nearest texels of its face, as a cube
+/// map without seamless filtering is looked up.
+///
+/// cookie     one that check() finds nothing wrong with; not checked here
+/// direction  of any length but 0
+double cookie_at(const Cookie& cookie, const glm::dvec3& direction);
+
+/// The same shape with another number of texels along an edge, by cookie_at() at their centres.
+Cookie resize_cookie(const Cookie& cookie, int size);
 
 }  // namespace litfog

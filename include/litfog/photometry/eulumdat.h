@@ -11,9 +11,9 @@ namespace litfog {
 /// is UTF-8, or else Latin-1.
 ///
 /// Intensities are the file's cd/klm times its conversion factor times the flux of the first set of lamps (the others
-/// are alternatives). The listed angles hold; their distances Dc and Dg are not needed, 0 or not.
+/// are alternatives). The listed angles are used; the distances Dc and Dg between them are not.
 ///
-/// Refused, beside what is no number or missing: intensities < 0 or all 0, a conversion factor or flux <= 0, angles
+/// Errors, besides missing or malformed numbers: intensities < 0 or all 0, a conversion factor or flux <= 0, angles
 /// beyond [0, 360] and [0, 180] or not increasing, more than 10,000 of them, planes that do not fit the symmetry,
 /// numbers after the last intensity.
 ///

@@ -17,10 +17,10 @@ bool is_ies(std::string_view text);
 /// Intensities are the file's, times its multiplier, its ballast factor and, in 1986 and 1991 only, the ballast-lamp
 /// photometric factor (later editions use its field otherwise). Neither the number of lamps nor TILT changes them.
 ///
-/// Refused, beside what is no number or missing: intensities < 0 or all 0, a multiplier or factor <= 0, angles beyond
-/// their type's range or not increasing, more than 10,000 of them, a type C file whose horizontal angles are neither
-/// one nor run from 0 to 90, 180 or 360 or from 90 to 270 (a last plane short of 360 by no more than the widest step is
-/// closed with the first), numbers after the last intensity.
+/// Errors, besides missing or malformed numbers: intensities < 0 or all 0, a multiplier or factor <= 0, angles beyond
+/// their type's range or not increasing, more than 10,000 of them, horizontal angles of type C that are more than one
+/// and do not run from 0 to 90, 180 or 360 or from 90 to 270, numbers after the last intensity. A turn whose last plane
+/// is short of 360 by no more than the widest step is closed with the first plane.
 ///
 /// name       of the file, for messages; TILT=file is looked for below its folder
 /// throws     InputError

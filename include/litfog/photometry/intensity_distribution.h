@@ -23,23 +23,23 @@ enum class PhotometryType { a, b, c };
 /// The axis of every photometric file: the nadir in type C, H = V = 0 in types A and B.
 inline constexpr glm::dvec3 kPhotometricAxis{0, 0, -1};
 
-/// Luminous intensity by direction as measured. Between measured angles it is linear in each angle, outside of them it
-/// is 0; symmetry is applied at look-up, so that only what was measured is kept.
+/// Luminous intensity by direction, as measured. It is bilinear between the measured angles and 0 outside them. Symmetry
+/// is applied at look-up, so that only the measured part is stored.
 struct IntensityDistribution {
   PhotometryType type = PhotometryType::c;
 
-  /// Radians, strictly increasing. Type C: one angle (the same all round), or a span of pi / 2 (mirrored at both its
+  /// Radians, strictly increasing. Type C: one angle (rotationally symmetric), or a span of pi / 2 (mirrored at both
   /// ends), pi (mirrored at its first angle) or 2 pi. Types A and B: at least two within [-pi, pi] (A) or
-  /// [-pi / 2, pi / 2] (B); mirrored at 0 where they start there.
+  /// [-pi / 2, pi / 2] (B); mirrored at 0 if they start there.
   std::vector<double> horizontal;
   /// Radians, strictly increasing, at least two. Type C: within [0, pi]. Types A and B: within [-pi / 2, pi / 2] (A) or
-  /// [-pi, pi] (B); mirrored at 0 where they start there.
+  /// [-pi, pi] (B); mirrored at 0 if they start there.
   std::vector<double> vertical;
   /// Candela, [0, 1e30], not all 0; that of horizontal[h] and vertical[v] is at h * vertical.size() + v.
   std::vector<double> intensity;
 };
 
-/// What is wrong with a distribution, or nothing. Every call below but intensity_at throws std::invalid_argument where
+/// What is wrong with a distribution, or nothing. Every call below except intensity_at throws std::invalid_argument if
 /// something is.
 std::optional<ValueError> check(const IntensityDistribution& distribution);
 
@@ -58,7 +58,7 @@ double luminous_flux(const IntensityDistribution& distribution);
 /// The largest intensity, always at measured angles.
 struct IntensityPeak {
   double intensity;      ///< candela, > 0
-  glm::dvec3 direction;  ///< unit, luminaire frame; of several, one next to the photometric axis
+  glm::dvec3 direction;  ///< unit, luminaire frame; of several equal peaks one closest to the photometric axis
 };
 IntensityPeak find_peak(const IntensityDistribution& distribution);
 
@@ -66,15 +66,15 @@ IntensityPeak find_peak(const IntensityDistribution& distribution);
 struct AxialSample {
   double angle;      ///< from the axis, radians in [0, pi]
   double mean;       ///< candela, over the turn
-  double deviation;  ///< candela, the largest one from the mean on the circle
+  double deviation;  ///< candela, the largest from the mean on the circle, in magnitude
 };
 
-/// What a cone about the axis is fitted to: the intensity against the angle from an axis, as the mean of 720 directions
-/// a turn. The angles are those measured where that is possible (type C about the photometric axis), else every quarter
+/// Intensity against the angle from an axis, as the mean over 720 directions of each circle: what a cone about the axis
+/// is fitted to. The angles are the measured ones if the axis is the photometric one of type C, else every quarter
 /// degree.
 ///
 /// axis      luminaire frame, of any length but 0
-/// returns   angles increasing; it is dark beyond the last
+/// returns   increasing angles; the intensity is 0 beyond the last
 std::vector<AxialSample> axial_profile(const IntensityDistribution& distribution, const glm::dvec3& axis);
 
 /// The same along one half plane about the photometric axis, as data sheets show it: the deviation is 0.
@@ -82,21 +82,22 @@ std::vector<AxialSample> axial_profile(const IntensityDistribution& distribution
 /// turn      radians: 0 is towards +x (type C: the plane C0), pi / 2 towards +y (C90)
 std::vector<AxialSample> plane_profile(const IntensityDistribution& distribution, double turn);
 
-/// Angle at which a profile falls to a share of its peak: linear between the samples, the first one beyond the peak.
-/// Half of a data sheet's beam angle at 0.5, half of its field angle at 0.1.
+/// The first angle beyond the peak at which a profile, linear between its samples, falls to a fraction of the peak: half
+/// of a data sheet's beam angle at 0.5, half of its field angle at 0.1.
 ///
-/// profile   not empty
-/// share     (0, 1]
-/// returns   radians; the last sample's angle where the profile ends above the share
-double half_angle(const std::vector<AxialSample>& profile, double share);
+/// profile   at least one sample, means finite and >= 0
+/// fraction  (0, 1]
+/// returns   radians; the last sample's angle if the profile ends above the fraction
+/// throws    std::invalid_argument naming field, value and rule
+double half_angle(const std::vector<AxialSample>& profile, double fraction);
 
-/// How far a beam is from any that is round about the axis: sqrt(integral of (I - mean)^2 / integral of I^2) over the
-/// sphere, with the mean taken over the turn. The mean is the closest round beam, so that this is the relative rms
-/// error that the best of all cone profiles is left with. 0 for a round beam, below 1 always.
+/// How far a beam is from rotational symmetry about an axis: sqrt(integral of (I - mean)^2 / integral of I^2) over the
+/// sphere, with the mean taken over the turn. The mean is the closest symmetric beam, so no cone profile can have a
+/// smaller relative rms error than this. 0 for a symmetric beam, always below 1.
 ///
 /// axis       luminaire frame, of any length but 0
-/// max error  0.001 for beams that change little within a degree, by sampling every quarter degree from the axis and
-///            every half degree of the turn                                   (intensity_distribution_test.cpp)
+/// max error  0.001 for beams that change little within a degree: sampled every quarter degree from the axis and every
+///            half degree of the turn                                         (intensity_distribution_test.cpp)
 double asymmetry(const IntensityDistribution& distribution, const glm::dvec3& axis);
 
 }  // namespace litfog

@@ -9,16 +9,16 @@
 
 namespace litfog {
 
-/// How the output of a lamp changes as its luminaire is tilted from the attitude in which it was measured (IES LM-63,
-/// TILT). The intensities are those of that attitude: the factor of another one multiplies them all. It is kept, not
-/// applied, because a file does not say how its luminaire will be mounted.
+/// How a lamp's output changes as its luminaire is tilted from the attitude in which it was measured (IES LM-63, TILT).
+/// The intensities are those of that attitude; the factor of another attitude multiplies them all. It is stored, not
+/// applied, because a file does not state how its luminaire will be mounted.
 struct LampTilt {
   int geometry = 1;             ///< 1: the lamp is vertical; 2, 3: horizontal, in the plane of 0 or of 90 degrees
   std::vector<double> angles;   ///< radians in [0, pi], strictly increasing
-  std::vector<double> factors;  ///< > 0, one for each angle
+  std::vector<double> factors;  ///< > 0, one per angle
 };
 
-/// The luminous opening in metres. A negative size is a round one's diameter (IES LM-63), 0 is none.
+/// The luminous opening in metres. A negative size is the diameter of a round one (IES LM-63), 0 is none.
 struct LuminousOpening {
   double width = 0;   ///< across the plane of 0 degrees
   double length = 0;  ///< along it
@@ -27,26 +27,28 @@ struct LuminousOpening {
 
 /// What a photometric file says about a luminaire.
 struct Luminaire {
-  std::string name;          ///< UTF-8, as all text; empty where the file does not say
+  std::string name;          ///< UTF-8, as all text; empty if the file does not state it
   std::string manufacturer;  ///< likewise
   IntensityDistribution distribution;
 
-  /// Rated flux of all its lamps in lumens, > 0; nothing where the file does not say, as in absolute IES photometry.
+  /// Rated flux of all its lamps in lumens, > 0; nothing if the file does not state it, as in absolute IES photometry.
   std::optional<double> lamp_flux;
-  /// Stated share of the lamps' flux that leaves the luminaire (EULUMDAT's LORL); 1 is all.
+  /// Stated fraction of the lamps' flux that leaves the luminaire (EULUMDAT's LORL).
   std::optional<double> light_output_ratio;
-  bool is_absolute = false;  ///< measured as a whole, without rating its lamps by themselves
+  bool is_absolute = false;  ///< measured as a whole, without separate ratings of its lamps
 
   LuminousOpening opening;
   std::optional<LampTilt> tilt;
 };
 
-/// Flux of the luminaire in lumens as its file states it, to compare with luminous_flux(distribution). Only EULUMDAT
-/// states it: lamp_flux * light_output_ratio.
+/// The luminaire's flux in lumens as its file states it, to compare with luminous_flux(distribution): lamp_flux *
+/// light_output_ratio, which only EULUMDAT has.
 std::optional<double> stated_flux(const Luminaire& luminaire);
 
-/// Reads an IES LM-63 or EULUMDAT file of at most 64 MiB. It is IES LM-63 if it has that label or a TILT line, or if
-/// its name ends in .ies; else it is EULUMDAT.
+/// Reads an IES LM-63 or EULUMDAT file. It is IES LM-63 if it has that label or a TILT line, or if its name ends in
+/// .ies; else it is EULUMDAT.
+///
+/// The file, and that with the tilt data, may have 64 MiB each. Reading takes at most ten times a file's size in memory.
 ///
 /// throws     InputError
 Luminaire read_luminaire(const std::string& path);

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "litfog/photometry/cookie.h"
+
+namespace litfog {
+
+/// A cookie as the bytes of an OpenEXR file: scan lines of one 32-bit channel Y, zip compression, the faces in one
+/// column from the top. The same cookie gives the same bytes: no time stands in them.
+///
+/// throws     std::invalid_argument for what check(cookie) finds
+std::string format_cookie(const Cookie& cookie);
+
+/// Parses a cookie file. Only what format_cookie() could have written is taken: one part, scan lines, one 32-bit float
+/// channel, N columns and 6 N rows from (0, 0), N at most kMaxCookieSize, compressed by zip, all rows there, all values
+/// in [0, 1]. A header that claims more texels than zip can have packed into the bytes is an error before memory is
+/// taken for them.
+///
+/// name       of the file, for messages
+/// throws     InputError for the file as a whole
+Cookie parse_cookie(std::string_view bytes, const std::string& name);
+
+/// Reads a cookie file of at most 400 MiB.
+///
+/// throws     InputError for the file as a whole
+Cookie read_cookie(const std::string& path);
+
+}  // namespace litfog

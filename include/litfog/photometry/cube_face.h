@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/vec3.hpp>
+
+namespace litfog {
+
+/// A position on a cube map, as OpenGL looks it up (OpenGL 4.6, section 8.13 and table 8.19).
+struct CubePosition {
+  int face;     ///< 0 to 5: +x -x +y -y +z -z
+  double u, v;  ///< [-1, 1] along the face's columns and rows, as glTexImage2D takes them
+};
+
+/// The direction that looks a position up, of length 1 to sqrt(3): its largest component is 1 in magnitude.
+glm::dvec3 cube_direction(const CubePosition& position);
+
+/// The position that a direction of any length but 0 looks up.
+CubePosition cube_position(const glm::dvec3& direction);
+
+}  // namespace litfog
