@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "bench/light_count.h"
+#include "command/progress.h"
 #include "litfog/gl/headless_context.h"
 #include "measure/comparison.h"
 #include "measure/frame_times.h"
@@ -67,7 +68,8 @@ std::vector<const render::LightingPath*> measured_paths() {
 }
 
 /// The paths' frames, in turn; those of two-light legacy, too.
-std::vector<Trial> measure(const Setting& setting, const measure::FrameBudget& budget, std::string_view what) {
+std::vector<Trial> measure(const Setting& setting, const measure::FrameBudget& budget,
+                           const measure::Progress& progress) {
   const scene::Scene bundled = scene::read_scene(scene::bundled_scene_path(setting.scene));
   const scene::Scene scene = with_light_count(bundled, setting.lights);
   const scene::Scene two_lights = with_light_count(bundled, 2);
@@ -85,7 +87,7 @@ std::vector<Trial> measure(const Setting& setting, const measure::FrameBudget& b
   const render::LightingPath* const legacy = render::find_lighting_path("legacy");
   const auto legacy_at = std::size_t(std::ranges::find(paths, legacy) - paths.begin());
   if (setting.lights != 2) add(two_lights, legacy);
-  const std::vector<measure::FrameTimes> times = measure::time_frames(in_turn, budget, what);
+  const std::vector<measure::FrameTimes> times = measure::time_frames(in_turn, budget, progress);
   const double legacy_time = times[legacy_at].median();
   const double two_light_time = setting.lights == 2 ? legacy_time : times.back().median();
   std::vector<Trial> trials;
@@ -93,7 +95,7 @@ std::vector<Trial> measure(const Setting& setting, const measure::FrameBudget& b
     const double time = times[i].median();
     trials.push_back({setting, paths[i], times[i], time / legacy_time, time / two_light_time, std::nullopt});
     if (paths[i] != &render::unlit_path()) {
-      trials.back().error = measure::compare_with_reference(scene, fog, *renderers[i]).error;
+      trials.back().error = measure::compare_with_reference(*renderers[i], progress).error;
       trials.back().error->pixels.clear();  // nobody looks at them
     }
     renderers[i].reset();
@@ -196,13 +198,14 @@ Result measure_render(bool quick) {
   const std::vector<Setting> all = settings(quick);
   const measure::FrameBudget budget =
       quick ? measure::FrameBudget::exactly(3) : measure::FrameBudget{.seconds = 20, .fewest = 3, .most = 25};
+  command::Progress shown;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto& [scene, lights, width, height, skipping] = all[i];
-    std::ranges::move(measure(all[i], budget,
-                              fmt::format("{} of {}: {}, {} {}, {}x{}{}", i + 1, all.size(), scene, lights,
-                                          lights == 1 ? "light" : "lights", width, height,
-                                          skipping == render::Skipping::off ? ", nothing skipped" : "")),
-                      std::back_inserter(trials));
+    const std::string setting =
+        fmt::format("{} of {}: {}, {} {}, {}x{}{}", i + 1, all.size(), scene, lights, lights == 1 ? "light" : "lights",
+                    width, height, skipping == render::Skipping::off ? ", nothing skipped" : "");
+    const measure::Progress progress = [&](std::string_view step) { shown.show(fmt::format("{}: {}", setting, step)); };
+    std::ranges::move(measure(all[i], budget, progress), std::back_inserter(trials));
   }
   Result result;
   result.table = make_table(trials);

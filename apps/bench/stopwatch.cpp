@@ -6,7 +6,7 @@
 #include <array>
 #include <string>
 
-#include "command/quantile.h"
+#include "measure/quantile.h"
 
 namespace litfog::bench {
 namespace {
@@ -63,7 +63,7 @@ std::vector<Timing> time_passes(const std::vector<TimedPass>& passes, const Stop
     for (const double seconds : collector.seconds(i)) {
       times.push_back(seconds * 1e9 / static_cast<double>(passes[i].items));
     }
-    timings.push_back({command::quantile(times, 0.5), command::quantile(times, 0.9) - command::quantile(times, 0.1)});
+    timings.push_back({measure::quantile(times, 0.5), measure::quantile(times, 0.9) - measure::quantile(times, 0.1)});
   }
   return timings;
 }

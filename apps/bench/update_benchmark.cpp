@@ -13,9 +13,9 @@
 
 #include "bench/light_mix.h"
 #include "command/progress.h"
-#include "command/quantile.h"
 #include "litfog/batch.h"
 #include "litfog/updater.h"
+#include "measure/quantile.h"
 #include "reference/random_light.h"
 
 namespace litfog::bench {
@@ -198,8 +198,8 @@ Result measure_update(bool quick) {
       for (const double one : record.skipped_shares) share += one / static_cast<double>(scale.steps);
       result.table.rows.push_back(
           {name, name_of(mode), static_cast<double>(scale.lights), static_cast<double>(scale.kinds),
-           static_cast<double>(scale.steps), command::quantile(record.milliseconds, 0.5),
-           command::quantile(record.milliseconds, 0.9) - command::quantile(record.milliseconds, 0.1), share,
+           static_cast<double>(scale.steps), measure::quantile(record.milliseconds, 0.5),
+           measure::quantile(record.milliseconds, 0.9) - measure::quantile(record.milliseconds, 0.1), share,
            record.max_deviation_255});
       if (!(record.max_deviation_255 <= allowed_255)) {
         result.failures.push_back(fmt::format("{} {}: deviation = {}/255: must be at most {}/255", name, name_of(mode),

@@ -11,6 +11,7 @@
 
 #include "command/command.h"
 #include "command/number.h"
+#include "command/progress.h"
 #include "command/whole_file.h"
 #include "demo/gallery.h"
 #include "demo/heat_map.h"
@@ -142,9 +143,11 @@ ExitStatus draw_scene(const Options& options) {
   const Fog fog = Fog::from_visibility(fog_mode(options.fog), visibility);
   renderer.set_fog(fog);
   const int frames = options.frames > 0 ? options.frames : 1;
-  const FrameTimes times = time_frames({&renderer}, FrameBudget::exactly(frames), scene.name).front();
+  command::Progress shown;
+  const measure::Progress progress = [&](std::string_view step) { shown.show(step); };
+  const FrameTimes times = time_frames({&renderer}, FrameBudget::exactly(frames), progress).front();
   std::optional<Comparison> comparison;
-  if (needs_reference(options)) comparison = compare_with_reference(scene, fog, renderer);
+  if (needs_reference(options)) comparison = compare_with_reference(renderer, progress);
   if (!options.heat_map.empty()) {
     write_picture(options.heat_map,
                   make_heat_map(comparison->error, fmt::format("{}, {}", scene.name, options.render.path->name)));

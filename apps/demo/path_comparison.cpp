@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "command/command.h"
+#include "command/progress.h"
 #include "command/whole_file.h"
 #include "demo/comparison_page.h"
 #include "demo/contact_sheet.h"
@@ -59,10 +60,10 @@ std::vector<std::unique_ptr<render::Renderer>> make_renderers(const scene::Scene
 
 /// The times of every path, in the paths' order.
 std::vector<measure::FrameTimes> time_paths(const std::vector<std::unique_ptr<render::Renderer>>& renderers, int frames,
-                                            const std::string& scene) {
+                                            const measure::Progress& progress) {
   std::vector<render::Renderer*> in_turn;
   for (const auto& renderer : renderers) in_turn.push_back(renderer.get());
-  return measure::time_frames(in_turn, measure::FrameBudget::exactly(frames), scene);
+  return measure::time_frames(in_turn, measure::FrameBudget::exactly(frames), progress);
 }
 
 SceneResult compare_scene(const scene::Scene& scene, PictureFolder& pictures, const std::string& machine,
@@ -76,13 +77,17 @@ SceneResult compare_scene(const scene::Scene& scene, PictureFolder& pictures, co
   command::report(fmt::format("{}: {} lights, {}\n", scene.name, scene.lights.size(), result.conditions));
   auto renderers = make_renderers(scene, fog, settings);
   pictures.finish();  // encoding would take time from the frames
-  const std::vector<measure::FrameTimes> times = time_paths(renderers, settings.frames, scene.name);
+  command::Progress shown;
+  const measure::Progress progress = [&](std::string_view step) {
+    shown.show(fmt::format("{}: {}", scene.name, step));
+  };
+  const std::vector<measure::FrameTimes> times = time_paths(renderers, settings.frames, progress);
   const auto paths = render::lighting_paths();
   const auto legacy = std::size_t(render::find_lighting_path("legacy") - paths.data());
   Sheet sheet;
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const render::LightingPath& path = paths[i];
-    measure::Comparison comparison = measure::compare_with_reference(scene, fog, *renderers[i]);
+    measure::Comparison comparison = measure::compare_with_reference(*renderers[i], progress);
     renderers[i].reset();
     const measure::PictureError& error = comparison.error;
     const PathResult& row =

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "measure/picture_error.h"
+#include "measure/progress.h"
 #include "render/picture.h"
 #include "render/renderer.h"
-#include "scene/scene.h"
 
 namespace litfog::measure {
 
@@ -16,9 +16,9 @@ struct Comparison {
   PictureError error;
 };
 
-/// Compares the frame that a renderer has drawn last with its reference (shade_reference, whose errors it throws, too).
+/// Compares the frame that a renderer has drawn last with its reference.
 ///
-/// scene, fog  the renderer's
-Comparison compare_with_reference(const scene::Scene& scene, const Fog& fog, render::Renderer& renderer);
+/// throws  what shade_reference throws
+Comparison compare_with_reference(render::Renderer& renderer, const Progress& progress = {});
 
 }  // namespace litfog::measure

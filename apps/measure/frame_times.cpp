@@ -7,16 +7,13 @@
 #include <cassert>
 #include <chrono>
 
-#include "command/progress.h"
-#include "command/quantile.h"
+#include "measure/quantile.h"
 
 namespace litfog::measure {
 
-double FrameTimes::median() const { return command::quantile(milliseconds, 0.5); }
+double FrameTimes::median() const { return quantile(milliseconds, 0.5); }
 
-double FrameTimes::spread() const {
-  return command::quantile(milliseconds, 0.9) - command::quantile(milliseconds, 0.1);
-}
+double FrameTimes::spread() const { return quantile(milliseconds, 0.9) - quantile(milliseconds, 0.1); }
 
 std::string milliseconds_text(double milliseconds) {
   int decimals = 0;
@@ -25,11 +22,10 @@ std::string milliseconds_text(double milliseconds) {
 }
 
 std::vector<FrameTimes> time_frames(const std::vector<render::Renderer*>& renderers, const FrameBudget& budget,
-                                    std::string_view what) {
+                                    const Progress& progress) {
   using Clock = std::chrono::steady_clock;
   assert(budget.fewest >= 1 && budget.fewest <= budget.most);
   std::vector<FrameTimes> times(renderers.size());
-  command::Progress progress;
   Clock::time_point first_timed;
   const auto is_enough = [&](int timed) {
     if (timed < budget.fewest) return false;
@@ -38,9 +34,10 @@ std::vector<FrameTimes> time_frames(const std::vector<render::Renderer*>& render
   for (int timed = -1; !is_enough(timed); ++timed) {  // the first is not
     if (timed == 0) first_timed = Clock::now();
     for (std::size_t i = 0; i < renderers.size(); ++i) {
-      progress.show(fmt::format("{}: {}, {} of {}", what,
-                                timed < 0 ? "first frames" : fmt::format("timing frames {}", timed + 1), i + 1,
-                                renderers.size()));
+      if (progress) {
+        progress(fmt::format("{}, {} of {}", timed < 0 ? "first frames" : fmt::format("timing frames {}", timed + 1),
+                             i + 1, renderers.size()));
+      }
       const auto start = Clock::now();
       times[i].counts = renderers[i]->draw();
       const std::chrono::duration<double, std::milli> taken = Clock::now() - start;

@@ -2,14 +2,14 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "measure/progress.h"
 #include "render/renderer.h"
 
 namespace litfog::measure {
 
-/// Wall times of a renderer's frames, each drawn and waited for.
+/// Wall times of a renderer's frames, each drawn to its end.
 struct FrameTimes {
   std::vector<double> milliseconds = {};  ///< ascending, not empty
   render::FrameCounts counts = {};        ///< of each frame
@@ -21,7 +21,7 @@ struct FrameTimes {
 /// "0.0987", "9.87", "41.2", "1234": milliseconds with three digits, or all before the point.
 std::string milliseconds_text(double milliseconds);
 
-/// How many frames to time: until so many seconds have gone, but not fewer and not more than so many, both >= 1.
+/// How many frames to time: until `seconds` have passed, but at least `fewest` and at most `most`, both >= 1.
 struct FrameBudget {
   double seconds;
   int fewest;
@@ -30,15 +30,14 @@ struct FrameBudget {
   static FrameBudget exactly(int frames) { return {.seconds = 0, .fewest = frames, .most = frames}; }
 };
 
-/// Draws and times frames, one of each renderer in turn, so that a slow spell of the machine hits none alone; before
-/// them one of each that is not timed, for drivers compile shaders when they are first drawn with. The renderers show
-/// their last frame.
+/// Draws and times frames, the renderers' interleaved, so that no renderer alone is hit where the machine is slow for a
+/// while. The first frame of each is not timed, because drivers compile a shader when it is first drawn with.
 ///
-/// renderers  of the current GL context
-/// budget     for all renderers together; their numbers of frames are equal
-/// what       is timed, for the progress shown
+/// renderers  of the current GL context; they hold their last frame afterwards
+/// budget     for all renderers together; each draws the same number of frames
+/// progress   called before each frame
 /// returns    the renderers' times, in their order
 std::vector<FrameTimes> time_frames(const std::vector<render::Renderer*>& renderers, const FrameBudget& budget,
-                                    std::string_view what);
+                                    const Progress& progress = {});
 
 }  // namespace litfog::measure

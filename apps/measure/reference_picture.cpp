@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "measure/reference_picture.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -317,15 +319,14 @@ class ReferenceShading {
 
 }  // namespace
 
-ReferencePicture shade_reference(const scene::Scene& scene, const Fog& fog, render::Renderer& renderer,
-                                 const std::function<void(double)>& progress) {
+ReferencePicture shade_reference(render::Renderer& renderer, const Progress& progress) {
   const render::GeometryBuffer geometry(renderer.width(), renderer.height());
   renderer.draw_geometry(geometry);
   const int width = geometry.width();
   const int height = geometry.height();
   const auto samples = std::size_t(geometry.samples());
   const std::vector<scene::Material> materials = renderer.materials();
-  const ReferenceShading shading(renderer.settings(), scene, fog, materials, width, height);
+  const ReferenceShading shading(renderer.settings(), renderer.scene(), renderer.fog(), materials, width, height);
   const std::size_t pixels = std::size_t(width) * std::size_t(height);
   const render::Picture empty{width, height, std::vector<float>(3 * pixels)};
   ReferencePicture reference{empty, empty, empty, std::vector<std::uint8_t>(pixels)};
@@ -354,7 +355,7 @@ ReferencePicture shade_reference(const scene::Scene& scene, const Fog& fog, rend
       for (std::jthread& thread : threads) thread = std::jthread(shade_rows);
       shade_rows();
     }
-    if (progress) progress(double(first + count) / height);
+    if (progress) progress(fmt::format("shading the reference: {:.0f} %", 100.0 * (first + count) / height));
   }
   return reference;
 }

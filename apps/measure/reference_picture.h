@@ -2,13 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
+#include "measure/progress.h"
 #include "render/gpu/geometry_buffer.h"
 #include "render/picture.h"
 #include "render/renderer.h"
-#include "scene/scene.h"
 
 namespace litfog::measure {
 
@@ -30,10 +29,7 @@ struct ReferencePicture {
 /// geometry buffer holds: places, normals and colours as rasterised, in floats.
 /// The samples of a pixel are averaged in double, before anything is clamped, as the framebuffer does.
 ///
-/// scene     the renderer's
-/// progress  called now and then with the share done, [0, 1]
-/// throws    gl::Unsupported where the driver has no float framebuffer of the picture's size
-ReferencePicture shade_reference(const scene::Scene& scene, const Fog& fog, render::Renderer& renderer,
-                                 const std::function<void(double)>& progress = {});
+/// throws  gl::Unsupported where the driver has no float framebuffer of the picture's size
+ReferencePicture shade_reference(render::Renderer& renderer, const Progress& progress = {});
 
 }  // namespace litfog::measure

@@ -53,6 +53,7 @@ Renderer::Renderer(const scene::Scene& scene, int width, int height, const Rende
 }
 
 void Renderer::set_fog(const Fog& fog) {
+  fog_ = fog;
   std::vector<FogIntensity> solutions;
   for (const PlacedLight& light : lights_.carried()) {
     solutions.push_back(solve_fog_intensity(light.light, fog));

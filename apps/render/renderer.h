@@ -32,6 +32,8 @@ class Renderer {
   FrameCounts draw(LightPoints light_points = LightPoints::on);
   Picture read() const { return framebuffer_.read(); }
 
+  const scene::Scene& scene() const { return scene_; }
+  const Fog& fog() const { return fog_; }
   const RenderSettings& settings() const { return settings_; }
   int width() const { return framebuffer_.width(); }
   int height() const { return framebuffer_.height(); }
@@ -47,6 +49,7 @@ class Renderer {
   void draw_light_points(const glm::mat4& clip_from_world);
 
   const scene::Scene& scene_;
+  Fog fog_;
   RenderSettings settings_;
   Framebuffer framebuffer_;
   SceneLights lights_;

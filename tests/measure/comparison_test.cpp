@@ -23,7 +23,7 @@ TEST_F(ComparisonTest, BothPicturesShowTheLampsPointsAndTheErrorDoesNot) {
   renderer.set_fog(fog);
   renderer.draw();
   const Picture with_points = renderer.read();
-  const Comparison comparison = compare_with_reference(scene, fog, renderer);
+  const Comparison comparison = compare_with_reference(renderer);
   EXPECT_EQ(comparison.drawn.rgb, with_points.rgb);
   EXPECT_LT(comparison.error.largest, 1);
   renderer.draw(LightPoints::off);

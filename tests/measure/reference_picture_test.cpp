@@ -29,7 +29,8 @@ class ReferencePictureTest : public test::GlTest {};
 
 ReferencePicture shade(const Scene& scene, const Fog& fog) {
   Renderer renderer(scene, kWidth, kHeight, {});
-  return shade_reference(scene, fog, renderer);
+  renderer.set_fog(fog);
+  return shade_reference(renderer);
 }
 
 glm::dvec3 pixel(const Picture& picture, int x, int y) {
@@ -172,7 +173,7 @@ TEST_P(ReferenceOfPath, HoldsInEveryScene) {
          {Fog{}, Fog::from_visibility(FogMode::exp, visibility), Fog::from_visibility(FogMode::exp2, visibility)}) {
       renderer.set_fog(fog);
       renderer.draw(LightPoints::off);
-      const PictureError error = picture_error(renderer.read(), shade_reference(scene, fog, renderer));
+      const PictureError error = picture_error(renderer.read(), shade_reference(renderer));
       const std::string place =
           fmt::format("{:<12} {:<12} {:<5} largest {:7.3f}, beyond maps {:7.3f}, mean {:.4f} of 1/255, {} excepted",
                       bound.path, name,
@@ -219,7 +220,7 @@ TEST_F(ReferencePictureTest, PathsThatLightVerticesConvergeToItInTheSecondOrder)
       scene.lights.push_back(lamp);
       Renderer renderer(scene, kWidth, kHeight, {.path = find_lighting_path(path)});
       renderer.draw(LightPoints::off);
-      means.push_back(picture_error(renderer.read(), shade_reference(scene, Fog{}, renderer)).mean);
+      means.push_back(picture_error(renderer.read(), shade_reference(renderer)).mean);
     }
     const double order = std::log2(means[0] / means[2]) / 2;
     fmt::print("{:<8} mean error at 8, 16 and 32 cells: {:.4f} {:.4f} {:.4f} of 1/255, order {:.2f}\n", path, means[0],

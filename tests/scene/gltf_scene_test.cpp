@@ -436,7 +436,7 @@ TEST_F(GltfPicture, TheFloorIsAsBrightAsItsLightSays) {
   Renderer renderer(scene, 80, 80, {});
   renderer.draw(LightPoints::off);
   const Picture picture = renderer.read();
-  EXPECT_LE(picture_error(picture, shade_reference(scene, Fog{}, renderer)).largest, 0.25);
+  EXPECT_LE(picture_error(picture, shade_reference(renderer)).largest, 0.25);
   // The middle of the picture looks at the origin; the pixel below and right of it half a pixel on.
   const glm::dvec3 eye = scene.camera.position;
   const double pixel = 2 * std::tan(0.45) / 80;

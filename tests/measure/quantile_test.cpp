@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "command/quantile.h"
+#include "measure/quantile.h"
 
 #include <gtest/gtest.h>
 
 namespace litfog::test {
-using namespace command;
+using namespace measure;
 
 namespace {
 
@@ -17,10 +17,10 @@ TEST(Quantile, LiesBetweenNeighboursInProportionWhateverTheOrder) {
   EXPECT_EQ(quantile(values, 1), 50);
 }
 
-TEST(Quantile, OfTwoValuesHalfwayIsTheirMean) { EXPECT_EQ(quantile({3, 1}, 0.5), 2); }
+TEST(Quantile, MedianOfTwoValuesIsTheirMean) { EXPECT_EQ(quantile({3, 1}, 0.5), 2); }
 
-TEST(Quantile, OfOneValueIsThatValue) {
-  for (const double share : {0.0, 0.3, 1.0}) EXPECT_EQ(quantile({7}, share), 7) << share;
+TEST(Quantile, OneValueIsEachOfItsQuantiles) {
+  for (const double fraction : {0.0, 0.3, 1.0}) EXPECT_EQ(quantile({7}, fraction), 7) << fraction;
 }
 
 }  // namespace
