@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cmath>
 #include <numbers>
+#include <system_error>
 #include <thread>
 
 #include "litfog/fog_light_block.h"
@@ -350,7 +351,10 @@ ReferencePicture shade_reference(const scene::Scene& scene, const Fog& fog, rend
     };
     {
       std::vector<std::jthread> threads(std::max(1u, std::thread::hardware_concurrency()) - 1);
-      for (std::jthread& thread : threads) thread = std::jthread(shade_rows);
+      try {
+        for (std::jthread& thread : threads) thread = std::jthread(shade_rows);
+      } catch (const std::system_error&) {  // those that have started, and this one, shade all
+      }
       shade_rows();
     }
     if (progress) progress(double(first + count) / height);
