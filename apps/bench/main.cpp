@@ -17,6 +17,7 @@
 #include "bench/solve_benchmark.h"
 #include "bench/update_benchmark.h"
 #include "command/command.h"
+#include "command/output_files.h"
 #include "command/plot.h"
 #include "command/table.h"
 #include "command/whole_file.h"
@@ -71,9 +72,9 @@ enum class Benchmark { solve, update, fit, render };
 
 struct Options {
   Benchmark benchmark = Benchmark::solve;
-  std::string json_file;
-  std::string csv_file;
-  std::string plot_file;
+  std::optional<std::string> json_file;
+  std::optional<std::string> csv_file;
+  std::optional<std::string> plot_file;
   std::string isa;
   TableFormat format = TableFormat::text;
   bool quick = false;
@@ -144,27 +145,30 @@ ExitStatus run(const Options& options) {
   }
   // What would fail after minutes fails now.
   std::optional<FigureFormat> figure_format;
-  if (!options.plot_file.empty()) {
-    figure_format = figure_format_of("--plot", options.plot_file);
+  if (options.plot_file) {
+    figure_format = figure_format_of("--plot", *options.plot_file);
     require_plotter();
   }
-  for (const std::string* file : {&options.json_file, &options.csv_file, &options.plot_file}) {
-    if (!file->empty()) expect_place_for_file(*file);
+  OutputFiles outputs;
+  for (const auto& [option, file] :
+       {std::pair{"--json", &options.json_file}, {"--csv", &options.csv_file}, {"--plot", &options.plot_file}}) {
+    if (*file) outputs.add(option, **file);
   }
   if (!options.isa.empty()) {
-    if (options.benchmark == Benchmark::render) refuse_option("--isa", options.isa, "must stand without render");
+    const bool has_batches = options.benchmark == Benchmark::solve || options.benchmark == Benchmark::update;
+    if (!has_batches) fail_option("--isa", options.isa, "must be given with solve or update: the others have no batches");
     const auto targets = simd_targets();
     if (std::ranges::find(targets, options.isa) == targets.end()) {
-      refuse_option("--isa", options.isa, fmt::format("must be one of {} on this machine", fmt::join(targets, ", ")));
+      fail_option("--isa", options.isa, fmt::format("must be one of {} on this machine", fmt::join(targets, ", ")));
     }
     limit_simd_target(options.isa);
   }
 
   const Result result = measure(options);
   write_standard_output(text_of(result, options.format));
-  if (!options.csv_file.empty()) write_whole_file(options.csv_file, csv_of(result));
-  if (!options.json_file.empty()) write_whole_file(options.json_file, json_of(result));
-  if (figure_format) write_whole_file(options.plot_file, draw_figure(result.figure, *figure_format));
+  if (options.csv_file) write_whole_file(*options.csv_file, csv_of(result));
+  if (options.json_file) write_whole_file(*options.json_file, json_of(result));
+  if (figure_format) write_whole_file(*options.plot_file, draw_figure(result.figure, *figure_format));
   for (const std::string& failure : result.failures) fmt::print(stderr, "litfog-bench: {}\n", failure);
   return result.failures.empty() ? kDone : kNotToTolerance;
 }

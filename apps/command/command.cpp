@@ -11,8 +11,11 @@
 #include <cstdlib>
 #include <cstring>
 #include <stdexcept>
+#include <system_error>
 
 #include "command/number.h"
+#include "command/printable.h"
+#include "command/whole_file.h"
 
 namespace litfog::command {
 
@@ -50,7 +53,7 @@ ExitStatus parse_and_run(CLI::App& app, int argc, char** argv, const std::functi
 
 }  // namespace
 
-void refuse_option(const std::string& name, std::string_view value, std::string_view rule) {
+void fail_option(const std::string& name, std::string_view value, std::string_view rule) {
   throw CLI::ValidationError(name + " = " + (value.empty() ? "\"\"" : std::string(value)) + ": " + std::string(rule));
 }
 
@@ -58,7 +61,7 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, double& target, 
                         const std::string& description) {
   const auto parse = [&target, name, rule](const CLI::results_t& values) {
     const auto number = parse_number(values.front());
-    if (!number || !rule.accepts(*number)) refuse_option(name, values.front(), rule.text);
+    if (!number || !rule.accepts(*number)) fail_option(name, values.front(), rule.text);
     target = *number;
     return true;
   };
@@ -70,7 +73,7 @@ CLI::Option* add_integer(CLI::App& app, const std::string& name, int& target, in
   const auto parse = [&target, name, least, most](const CLI::results_t& values) {
     const auto number = parse_integer(values.front());
     if (!number || *number < least || *number > most) {
-      refuse_option(name, values.front(),
+      fail_option(name, values.front(),
                     "must be an integer from " + std::to_string(least) + " to " + std::to_string(most));
     }
     target = *number;
@@ -87,7 +90,7 @@ CLI::Option* add_numbers(CLI::App& app, const std::string& name, std::vector<dou
     for (std::size_t begin = 0; begin <= text.size();) {
       const std::size_t end = std::min(text.find(',', begin), text.size());
       const auto number = parse_number(text.substr(begin, end - begin));
-      if (!number || !rule.accepts(*number)) refuse_option(name, text.substr(begin, end - begin), rule.text);
+      if (!number || !rule.accepts(*number)) fail_option(name, text.substr(begin, end - begin), rule.text);
       target.push_back(*number);
       begin = end + 1;
     }
@@ -101,17 +104,20 @@ void write_standard_output(std::string_view text) {
 }
 
 void report(std::string_view text) {
-  write_standard_output(text);
+  write_standard_output(printable_lines(text));
   if (std::fflush(stdout) != 0) fail_to_write();
 }
 
 int run_command(CLI::App& app, int argc, char** argv, const std::function<ExitStatus()>& run) {
   occupy_closed_standard_streams();
-  std::signal(SIGPIPE, SIG_IGN);  // a reader that went away is output that cannot be written: kCannotWrite
+  // A reader that went away and a file that grew beyond its limit are output that cannot be written: kCannotWrite.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+  remove_temporaries_on_signals();
   app.set_version_flag("--version", "");
 
   const auto end = [&app](const std::string& message, ExitStatus status) {
-    std::fprintf(stderr, "%s: %s\n", app.get_name().c_str(), message.c_str());
+    std::fprintf(stderr, "%s: %s\n", app.get_name().c_str(), printable(message).c_str());
     return status;
   };
   try {
@@ -121,13 +127,15 @@ int run_command(CLI::App& app, int argc, char** argv, const std::function<ExitSt
   } catch (const CLI::ParseError& error) {
     return end(std::string(error.what()) + "; see " + app.get_name() + " --help", kUsage);
   } catch (const BadInput& error) {
-    std::fprintf(stderr, "%s\n", error.what());  // starts with the file's name: editors can jump to it
+    std::fprintf(stderr, "%s\n", printable(error.what()).c_str());  // starts with the file's name: editors can jump to it
     return kBadInput;
   } catch (const MissingCapability& error) {
     return end(error.what(), kMissingCapability);
   } catch (const CannotWrite& error) {
     return end(error.what(), kCannotWrite);
-  } catch (const std::invalid_argument& error) {  // a refusal that no reader foresaw: the input asked for it
+  } catch (const std::system_error& error) {
+    return end(error.what(), kMissingCapability);
+  } catch (const std::invalid_argument& error) {  // an error that no reader foresaw: the input asked for it
     return end(error.what(), kBadInput);
   } catch (const std::logic_error& error) {
     return end(std::string("internal error: ") + error.what(), kInternalError);

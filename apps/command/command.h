@@ -31,7 +31,7 @@ inline constexpr NumberRule kFiniteNotNegative{[](double x) { return x >= 0 && x
                                                "must be a finite number >= 0"};
 inline constexpr NumberRule kOpenUnitInterval{[](double x) { return x > 0 && x < 1; }, "must be a number in (0, 1)"};
 
-/// Options whose value is checked as it is parsed; a refused one ends the command with status kUsage.
+/// Options whose value is checked as it is parsed; a wrong one ends the command with status kUsage.
 CLI::Option* add_number(CLI::App& app, const std::string& name, double& target, NumberRule rule,
                         const std::string& description);
 CLI::Option* add_integer(CLI::App& app, const std::string& name, int& target, int least, int most,
@@ -40,8 +40,8 @@ CLI::Option* add_integer(CLI::App& app, const std::string& name, int& target, in
 CLI::Option* add_numbers(CLI::App& app, const std::string& name, std::vector<double>& target, NumberRule rule,
                          const std::string& description);
 
-/// Refuses an option's value: "--name = value: rule", status kUsage. For rules that only show after parsing, too.
-[[noreturn]] void refuse_option(const std::string& name, std::string_view value, std::string_view rule);
+/// Throws the usage error of an option's value: "--name = value: rule". For rules that only show after parsing, too.
+[[noreturn]] void fail_option(const std::string& name, std::string_view value, std::string_view rule);
 
 /// An option that takes one of a few words.
 template <typename Choice>
@@ -56,7 +56,7 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, Choice& target,
         return true;
       }
     }
-    refuse_option(name, values.front(), "must be one of " + words);
+    fail_option(name, values.front(), "must be one of " + words);
   };
   return app.add_option(name, parse, description)->type_name(words);
 }
@@ -64,11 +64,13 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, Choice& target,
 /// Appends to standard output. Throws CannotWrite.
 void write_standard_output(std::string_view text);
 
-/// The same, shown at once, to a pipe too: what a command that takes a while has done so far. Throws CannotWrite.
+/// Lines for people (printable_lines), shown at once, to a pipe too: what a command that takes a while has done so far.
+/// Throws CannotWrite.
 void report(std::string_view text);
 
 /// Parses the command line, runs the command, and turns whatever comes of it into one message on standard error and an
-/// exit status. Adds --help and --version. Standard output is closed at the end, so that a full disk is noticed.
+/// exit status. Adds --help and --version. Standard output is closed at the end, so that a full disk is noticed. A signal
+/// that ends the command leaves no temporary files behind.
 int run_command(CLI::App& app, int argc, char** argv, const std::function<ExitStatus()>& run);
 
 }  // namespace litfog::command

@@ -21,6 +21,7 @@
 
 #include "command/command.h"
 #include "command/exit_status.h"
+#include "command/printable.h"
 
 namespace litfog::command {
 
@@ -31,12 +32,12 @@ constexpr std::array<const char*, 8> kPalette{"#0072B2", "#D55E00", "#009E73", "
                                               "#000000", "#56B4E9", "#E69F00", "#888888"};
 constexpr std::array<int, 8> kMarks{7, 5, 9, 13, 11, 15, 6, 4};  // gnuplot's: disc, square, triangle, ...
 
-/// A text that gnuplot takes as it is: what could mean something to it stands as its octal code, and so does a digit
-/// behind a code, which gnuplot would read as one of the code's.
+/// A text that gnuplot takes unchanged: whatever could mean something to it is written as its octal code, and so is a
+/// digit behind a code, which gnuplot would read as one of the code's. It is printable, so that an SVG file is XML.
 std::string in_quotes(std::string_view text) {
   std::string result = "\"";
   bool is_behind_code = false;
-  for (const char c : text) {
+  for (const char c : printable(text)) {
     const auto byte = static_cast<unsigned char>(c);
     const bool is_digit = c >= '0' && c <= '9';
     const bool is_plain = byte >= 0x80 || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == ' ';
@@ -44,7 +45,7 @@ std::string in_quotes(std::string_view text) {
       result += c;
       is_behind_code = false;
     } else {
-      result += fmt::format("\\{:03o}", byte < ' ' ? static_cast<unsigned char>(' ') : byte);
+      result += fmt::format("\\{:03o}", byte);
       is_behind_code = true;
     }
   }
@@ -252,7 +253,7 @@ FigureFormat figure_format_of(const std::string& option, const std::string& path
   const std::string ending = std::filesystem::path(path).extension().string();
   if (ending == ".png") return FigureFormat::png;
   if (ending == ".svg") return FigureFormat::svg;
-  refuse_option(option, path, "must end in .png or .svg");
+  fail_option(option, path, "must end in .png or .svg");
 }
 
 void require_plotter() { run_gnuplot("set terminal pngcairo\n"); }

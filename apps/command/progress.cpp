@@ -6,6 +6,8 @@
 
 #include <cstdio>
 
+#include "command/printable.h"
+
 namespace litfog::command {
 
 using Clock = std::chrono::steady_clock;
@@ -19,7 +21,7 @@ Progress::~Progress() {
 void Progress::show(std::string_view text) {
   if (!is_watched_ || Clock::now() < next_) return;
   next_ = Clock::now() + std::chrono::milliseconds(200);
-  fmt::print(stderr, "\r\x1B[K{}", text);
+  fmt::print(stderr, "\r\x1B[K{}", printable(text));
   is_shown_ = true;
 }
 

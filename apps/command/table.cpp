@@ -2,6 +2,7 @@
 #include "command/table.h"
 
 #include <fmt/format.h>
+#include <utf8.h>
 
 #include <algorithm>
 #include <cassert>
@@ -11,6 +12,7 @@
 
 #include "command/csv.h"
 #include "command/json_document.h"
+#include "command/printable.h"
 
 namespace litfog::command {
 
@@ -25,7 +27,7 @@ std::string text_cell(const Cell& cell) {
   if (is_empty(cell)) return "-";
   if (is_number(cell)) return fmt::format("{:.6g}", std::get<double>(cell));
   const auto& text = std::get<std::string>(cell);
-  return text.empty() ? "-" : text;
+  return text.empty() ? "-" : printable(text);
 }
 
 std::string csv_cell(const Cell& cell) {
@@ -41,9 +43,8 @@ std::string json_cell(const Cell& cell) {
 }
 
 /// Code points, which is what a terminal lines up.
-std::size_t width_of(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(
-      text.begin(), text.end(), [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0) != 0x80; }));
+std::size_t width_of(const std::string& printed) {
+  return static_cast<std::size_t>(utf8::distance(printed.begin(), printed.end()));
 }
 
 std::string format_text(const Table& table) {

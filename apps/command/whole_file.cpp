@@ -1,12 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command/whole_file.h"
 
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
+#include <atomic>
 #include <cerrno>
+#include <climits>
+#include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
+#include <random>
+#include <utility>
 
 #include "command/exit_status.h"
 
@@ -16,57 +26,155 @@ namespace fs = std::filesystem;
 
 namespace {
 
+[[noreturn]] void fail_to_write(const std::string& path, const char* reason) {
+  throw CannotWrite(fmt::format("{}: cannot be written: {}", path, reason));
+}
+
+/// A temporary file's name where a signal handler may read it: at a fixed address, behind an atomic flag.
+struct TemporaryName {
+  std::atomic<bool> is_taken = false;
+  std::atomic<bool> is_set = false;
+  std::array<char, PATH_MAX> path;
+};
+static_assert(std::atomic<bool>::is_always_lock_free);
+std::array<TemporaryName, 4> temporary_names;  // a command writes at most two files at a time
+
+extern "C" void remove_temporaries_and_end(int signal) {
+  for (const TemporaryName& name : temporary_names) {
+    if (name.is_set) unlink(name.path.data());
+  }
+  raise(signal);  // delivered when this handler returns, to the default action that SA_RESETHAND has restored
+}
+
+/// An empty file of a name that nobody can guess. It is removed unless it has taken another's name.
+class TemporaryFile {
+ public:
+  /// mode  as of open(): the process's umask applies
+  TemporaryFile(const fs::path& folder, mode_t mode) {
+    std::random_device random;
+    path_ = (folder / fmt::format(".litfog-{:08x}{:08x}", random(), random())).string();
+    announce();
+    // O_EXCL: neither a file nor a link that somebody has put there is opened.
+    file_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
+    if (file_ < 0) withdraw();
+  }
+  ~TemporaryFile() {
+    if (file_ >= 0) close(file_);
+    if (is_there_) unlink(path_.c_str());
+    withdraw();
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  // Each returns whether it succeeded, else errno says why not.
+  bool is_open() const { return file_ >= 0; }
+  bool set_mode(mode_t mode) const { return fchmod(file_, mode) == 0; }
+  bool fill(std::string_view text) {
+    while (!text.empty()) {
+      const ssize_t written = write(file_, text.data(), text.size());
+      if (written < 0 && errno != EINTR) return false;
+      text.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
+    }
+    return close(std::exchange(file_, -1)) == 0;
+  }
+  bool rename_to(const fs::path& target) {
+    is_there_ = rename(path_.c_str(), target.c_str()) != 0;
+    return !is_there_;
+  }
+
+ private:
+  void announce() {
+    for (TemporaryName& name : temporary_names) {
+      if (path_.size() >= name.path.size() || name.is_taken.exchange(true)) continue;
+      std::memcpy(name.path.data(), path_.c_str(), path_.size() + 1);
+      name.is_set = true;
+      name_ = &name;
+      return;
+    }
+  }
+  void withdraw() {
+    if (name_ == nullptr) return;
+    name_->is_set = false;
+    name_->is_taken = false;
+    name_ = nullptr;
+  }
+
+  std::string path_;
+  int file_ = -1;
+  bool is_there_ = true;
+  TemporaryName* name_ = nullptr;
+};
+
 fs::path folder_of(const fs::path& target) { return target.has_parent_path() ? target.parent_path() : fs::path("."); }
 
-/// What a link stands for, whether that is there yet or not: the link itself is to stay.
+/// The file that a link leads to, whether that exists yet or not: the link itself is to stay.
 fs::path behind_links(fs::path path) {
   constexpr int kMaxLinks = 40;  // as many as Linux follows
   std::error_code error;
   for (int links = 0; fs::is_symlink(path, error); ++links) {
-    if (links == kMaxLinks) throw CannotWrite(path.string() + ": cannot be written: is a link to itself");
+    if (links == kMaxLinks) fail_to_write(path.string(), "is a link to itself");
     path = folder_of(path) / fs::read_symlink(path, error);
   }
   return path;
 }
 
-}  // namespace
-
-void expect_place_for_file(const std::string& path) {
-  std::error_code error;
-  if (fs::is_directory(path, error)) throw CannotWrite(path + ": cannot be written: is a folder");
-  const fs::path folder = folder_of(path);
-  if (!fs::is_directory(folder, error)) throw CannotWrite(path + ": cannot be written: no folder " + folder.string());
+/// The standard stream that goes to a file, or null.
+std::FILE* standard_stream_to(const struct stat& file) {
+  for (std::FILE* stream : {stdout, stderr}) {
+    struct stat status;
+    const bool is_known = fstat(fileno(stream), &status) == 0;
+    if (is_known && status.st_dev == file.st_dev && status.st_ino == file.st_ino) return stream;
+  }
+  return nullptr;
 }
 
-void write_whole_file(const std::string& path, const std::function<void(const std::string& temporary)>& write) {
-  const fs::path target = behind_links(path);
-  expect_place_for_file(target.string());
-  // A device (/dev/full, a pipe) cannot be replaced; it is written straight.
+void write_to(std::FILE* stream, const std::string& path, std::string_view text) {
+  const bool is_written = std::fwrite(text.data(), 1, text.size(), stream) == text.size();
+  if (!is_written || std::fflush(stream) != 0) fail_to_write(path, std::strerror(errno));
+}
+
+void write_in_place(const std::string& path, std::string_view text) {
+  std::FILE* const file = std::fopen(path.c_str(), "wb");
+  if (file == nullptr) fail_to_write(path, std::strerror(errno));
+  const bool is_written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
+  const int reason = errno;
+  if (std::fclose(file) != 0) fail_to_write(path, std::strerror(errno));
+  if (!is_written) fail_to_write(path, std::strerror(reason));
+}
+
+}  // namespace
+
+void expect_writable(const std::string& path) {
   std::error_code error;
-  const bool is_special = fs::exists(target, error) && !fs::is_regular_file(target, error);
-  if (is_special) return write(path);
-  const std::string name = "." + target.stem().string() + "." + std::to_string(getpid()) + target.extension().string();
-  const fs::path temporary = folder_of(target) / name;
-  try {
-    write(temporary.string());
-  } catch (...) {
-    fs::remove(temporary, error);
-    throw;
-  }
-  fs::rename(temporary, target, error);
-  if (!error) return;
-  const std::string reason = error.message();
-  fs::remove(temporary, error);
-  throw CannotWrite(path + ": cannot be written: " + reason);
+  if (fs::is_directory(path, error)) fail_to_write(path, "is a folder");
+  const fs::path folder = folder_of(path);
+  if (!fs::is_directory(folder, error)) fail_to_write(path, ("no folder " + folder.string()).c_str());
 }
 
 void write_whole_file(const std::string& path, std::string_view text) {
-  write_whole_file(path, [&](const std::string& temporary) {
-    std::ofstream file(temporary, std::ios::binary);
-    file << text;
-    file.close();
-    if (!file) throw CannotWrite(path + ": cannot be written: " + std::strerror(errno));
-  });
+  struct stat earlier;
+  const bool exists = stat(path.c_str(), &earlier) == 0;
+  if (exists && !S_ISDIR(earlier.st_mode)) {
+    if (std::FILE* const stream = standard_stream_to(earlier)) return write_to(stream, path, text);
+    if (!S_ISREG(earlier.st_mode)) return write_in_place(path, text);
+  }
+  const fs::path target = behind_links(path);
+  expect_writable(target.string());
+  const mode_t mode = exists ? earlier.st_mode & mode_t{0777} : mode_t{0666};
+  TemporaryFile file(folder_of(target), mode);
+  const bool is_written = file.is_open() && (!exists || file.set_mode(mode)) && file.fill(text) && file.rename_to(target);
+  if (!is_written) fail_to_write(path, std::strerror(errno));
+}
+
+void remove_temporaries_on_signals() {
+  for (const int signal : {SIGHUP, SIGINT, SIGQUIT, SIGTERM}) {
+    struct sigaction action {};
+    if (sigaction(signal, nullptr, &action) != 0 || action.sa_handler == SIG_IGN) continue;
+    action = {};
+    action.sa_handler = remove_temporaries_and_end;
+    action.sa_flags = int(SA_RESETHAND);
+    sigaction(signal, &action, nullptr);
+  }
 }
 
 }  // namespace litfog::command

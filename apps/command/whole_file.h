@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <functional>
 #include <string>
 #include <string_view>
 
 namespace litfog::command {
 
-/// Writes a file whole or not at all: `write` fills a temporary file beside it, with the same ending, which then takes
-/// its name. An earlier file stays as it was when anything fails. Throws CannotWrite.
-void write_whole_file(const std::string& path, const std::function<void(const std::string& temporary)>& write);
-
-/// The same for a text.
+/// Writes a file atomically: a temporary file beside it is filled and then takes its name, so that an earlier file stays
+/// as it was when anything fails. An earlier file's mode is kept, and a link stays a link. A device, a pipe, and the file
+/// that standard output or standard error goes to cannot be replaced: they are written to. Throws CannotWrite.
 void write_whole_file(const std::string& path, std::string_view text);
 
-/// Throws CannotWrite where the path is a folder or in none: for commands that work long before they write.
-void expect_place_for_file(const std::string& path);
+/// Throws CannotWrite if the path is a folder or its folder does not exist: for commands that work long before they
+/// write.
+void expect_writable(const std::string& path);
+
+/// From now on a signal that ends the program (SIGHUP, SIGINT, SIGQUIT, SIGTERM) removes temporary files first. Signals
+/// that the caller had ignored stay ignored.
+void remove_temporaries_on_signals();
 
 }  // namespace litfog::command

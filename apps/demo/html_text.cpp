@@ -3,11 +3,13 @@
 
 #include <fmt/format.h>
 
+#include "command/printable.h"
+
 namespace litfog::demo {
 
 std::string html_text(std::string_view text) {
   std::string html;
-  for (const char c : text) {
+  for (const char c : command::printable_lines(text)) {
     switch (c) {
       case '&':
         html += "&amp;";

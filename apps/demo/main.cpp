@@ -83,7 +83,7 @@ void parse_size(const std::string& text, Options& options) {
   const auto height = cross == std::string::npos ? width : parse_integer(std::string_view(text).substr(cross + 1));
   const bool is_side = width && height && *width >= 1 && *height >= 1 && *width <= kMaxSide && *height <= kMaxSide;
   if (cross == std::string::npos || !is_side || std::int64_t(*width) * *height > kMaxPixels) {
-    refuse_option("--size", text,
+    fail_option("--size", text,
                   fmt::format("must be WIDTHxHEIGHT, each in [1, {}], at most {} pixels in all", kMaxSide, kMaxPixels));
   }
   options.width = *width;
@@ -121,14 +121,14 @@ bool needs_reference(const Options& options) {
 }
 
 void expect_places(const Options& options, const std::string& output) {
-  expect_place_for_file(output);
+  expect_writable(output);
   for (const auto& [option, path] : {std::pair{"--heat-map", &options.heat_map}, {"--stats", &options.stats}}) {
     if (path->empty()) continue;
-    if (is_same_file(output, *path)) refuse_option(option, *path, "must not be the picture's file");
-    expect_place_for_file(*path);
+    if (is_same_file(output, *path)) fail_option(option, *path, "must not be the picture's file");
+    expect_writable(*path);
   }
   if (!options.heat_map.empty() && !options.stats.empty() && is_same_file(options.heat_map, options.stats)) {
-    refuse_option("--stats", options.stats, "must not be the heat map's file");
+    fail_option("--stats", options.stats, "must not be the heat map's file");
   }
 }
 
@@ -239,7 +239,7 @@ ExitStatus run(const Options& options) {
 void refuse_what_does_not_fit(const CLI::App& app, const Options& options) {
   const auto is_given = [&app](const char* option) { return app.count(option) > 0; };
   for (const char* list : {"--list-paths", "--list-scenes"}) {
-    if (is_given(list) && app.count_all() > 2) refuse_option(list, "given", "must stand alone");
+    if (is_given(list) && app.count_all() > 2) fail_option(list, "given", "must stand alone");
   }
   if (options.list_paths || options.list_scenes) return;
   for (const auto& [option, value] : {std::pair{"--output", &options.output},
@@ -247,31 +247,31 @@ void refuse_what_does_not_fit(const CLI::App& app, const Options& options) {
                                       {"--stats", &options.stats},
                                       {"--gallery", &options.gallery},
                                       {"--compare", &options.compare}}) {
-    if (is_given(option) && value->empty()) refuse_option(option, "", "must not be empty");
+    if (is_given(option) && value->empty()) fail_option(option, "", "must not be empty");
   }
   if (options.gallery.empty() && options.compare.empty() && options.scenes.size() != 1) {
-    refuse_option("SCENE", std::to_string(options.scenes.size()) + " given",
+    fail_option("SCENE", std::to_string(options.scenes.size()) + " given",
                   "must be one, or use --gallery FOLDER or --compare FOLDER");
   }
   if (!options.compare.empty()) {  // which draws every scene by every path, and its reference
     for (const char* option :
          {"--gallery", "--output", "--reference", "--heat-map", "--stats", "--path", "--flat-shading"}) {
-      if (is_given(option)) refuse_option("--compare", options.compare, std::string("must stand without ") + option);
+      if (is_given(option)) fail_option("--compare", options.compare, std::string("must stand without ") + option);
     }
   }
   if (!options.gallery.empty()) {  // which draws every scene once at each of its own visibilities
     for (const char* option :
          {"--output", "--reference", "--heat-map", "--stats", "--visibility", "--frames", "--time"}) {
-      if (is_given(option)) refuse_option("--gallery", options.gallery, std::string("must stand without ") + option);
+      if (is_given(option)) fail_option("--gallery", options.gallery, std::string("must stand without ") + option);
     }
-    if (options.fog == FogChoice::none) refuse_option("--gallery", options.gallery, "must stand without --fog none");
+    if (options.fog == FogChoice::none) fail_option("--gallery", options.gallery, "must stand without --fog none");
   }
   if (options.fog == FogChoice::none && is_given("--visibility")) {
-    refuse_option("--fog", "none", "must stand without --visibility");
+    fail_option("--fog", "none", "must stand without --visibility");
   }
   const LightingPath& path = *options.render.path;
   const auto refuse_beside_path = [&](const char* option, bool fits, const char* rule) {
-    if (is_given(option) && !fits && options.compare.empty()) refuse_option("--path", path.name, rule);
+    if (is_given(option) && !fits && options.compare.empty()) fail_option("--path", path.name, rule);
   };
   refuse_beside_path("--map-size", path.maps != LightMapSet::none, "must be one with light maps beside --map-size");
   refuse_beside_path("--flat-shading", path.evaluation == Evaluation::lookup && path.surface == SurfaceModel::diffuse,
@@ -279,17 +279,17 @@ void refuse_what_does_not_fit(const CLI::App& app, const Options& options) {
   refuse_beside_path("--infinite-viewer", path.surface == SurfaceModel::basic,
                      "must be one with highlights beside --infinite-viewer");
   if (is_given("--output") && !is_picture_path(options.output)) {
-    refuse_option("--output", options.output, "must end in .png or .exr");
+    fail_option("--output", options.output, "must end in .png or .exr");
   }
   if (is_given("--heat-map") && std::filesystem::path(options.heat_map).extension() != ".png") {
-    refuse_option("--heat-map", options.heat_map, "must end in .png");
+    fail_option("--heat-map", options.heat_map, "must end in .png");
   }
   if (needs_reference(options) && options.render.is_flat_shaded) {
-    refuse_option("--flat-shading", "given", "must stand without --reference and --heat-map, which shade smoothly");
+    fail_option("--flat-shading", "given", "must stand without --reference and --heat-map, which shade smoothly");
   }
   const std::int64_t most = options.compare.empty() ? kMaxReferencePixels : kMaxComparedPixels;
   if (needs_reference(options) && std::int64_t(options.width) * options.height > most) {
-    refuse_option("--size", fmt::format("{}x{}", options.width, options.height),
+    fail_option("--size", fmt::format("{}x{}", options.width, options.height),
                   fmt::format("must be at most {} pixels in all {}", most,
                               options.compare.empty() ? "for a reference" : "beside --compare"));
   }

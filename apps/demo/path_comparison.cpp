@@ -123,7 +123,7 @@ void compare_paths(const std::vector<std::string>& scenes, const std::string& fo
   for (scene::Scene& scene : read) scene::turn_cookies(scene, settings.seconds);
   PictureFolder pictures(folder);
   const std::string page = pictures.path_of("index.html");
-  command::expect_place_for_file(page);
+  command::expect_writable(page);
   std::vector<SceneResult> results;
   for (const scene::Scene& scene : read) results.push_back(compare_scene(scene, pictures, machine, settings));
   pictures.finish();

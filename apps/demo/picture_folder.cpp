@@ -15,7 +15,8 @@ void PictureFolder::write(const std::string& file, render::Picture picture) {
   if (!files_.insert(file).second)
     throw command::BadInput(path_of(file) + ": would be a picture of two scenes: rename one");
   finish();
-  writing_ = std::async(std::launch::async,
+  const auto anywhere = std::launch::async | std::launch::deferred;  // without a thread to spare, in finish()
+  writing_ = std::async(anywhere,
                         [path = path_of(file), picture = std::move(picture)] { render::write_picture(path, picture); });
 }
 

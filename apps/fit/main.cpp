@@ -122,9 +122,9 @@ std::vector<Outcome> plan(const Options& options) {
   const bool is_folder = fs::is_directory(options.output, error);
   if (options.inputs.size() > 1) {
     if (!options.output.empty() && !is_folder)
-      refuse_option("-o", options.output, "must be a folder for several inputs");
-    if (!options.plot.empty()) refuse_option("--plot", options.plot, "must be given with a single input");
-    if (!options.cookie.empty()) refuse_option("--cookie", options.cookie, "must be given with a single input");
+      fail_option("-o", options.output, "must be a folder for several inputs");
+    if (!options.plot.empty()) fail_option("--plot", options.plot, "must be given with a single input");
+    if (!options.cookie.empty()) fail_option("--cookie", options.cookie, "must be given with a single input");
   }
   std::vector<Outcome> outcomes;
   std::map<std::string, std::string> inputs;  // by output
@@ -136,12 +136,12 @@ std::vector<Outcome> plan(const Options& options) {
         is_folder ? (fs::path(options.output) / fs::path(input).stem()).string() + ".json" : options.output;
     const auto [other, is_new] = inputs.emplace(outcome.output, input);
     if (!is_new) {
-      refuse_option("-o", options.output, fmt::format("must not take {} and {} as one file", other->second, input));
+      fail_option("-o", options.output, fmt::format("must not take {} and {} as one file", other->second, input));
     }
     if (fs::equivalent(input, outcome.output, error)) {
-      refuse_option("-o", options.output, "must not be in place of the input " + input);
+      fail_option("-o", options.output, "must not be in place of the input " + input);
     }
-    expect_place_for_file(outcome.output);
+    expect_writable(outcome.output);
   }
   return outcomes;
 }
@@ -240,11 +240,11 @@ ExitStatus run(const Options& options) {
   std::optional<FigureFormat> figure_format;
   if (!options.plot.empty()) figure_format = figure_format_of("--plot", options.plot);
   if (!options.cookie.empty() && fs::path(options.cookie).extension() != ".exr") {
-    refuse_option("--cookie", options.cookie, "must end in .exr");
+    fail_option("--cookie", options.cookie, "must end in .exr");
   }
   std::vector<Outcome> outcomes = plan(options);
   for (const std::string* file : {&options.plot, &options.cookie}) {
-    if (!file->empty()) expect_place_for_file(*file);
+    if (!file->empty()) expect_writable(*file);
   }
   if (figure_format) require_plotter();
 

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cmath>
 #include <numbers>
+#include <system_error>
 #include <thread>
 
 #include "litfog/fog_light_block.h"
@@ -352,7 +353,10 @@ ReferencePicture shade_reference(render::Renderer& renderer, const Progress& pro
     };
     {
       std::vector<std::jthread> threads(std::max(1u, std::thread::hardware_concurrency()) - 1);
-      for (std::jthread& thread : threads) thread = std::jthread(shade_rows);
+      try {
+        for (std::jthread& thread : threads) thread = std::jthread(shade_rows);
+      } catch (const std::system_error&) {  // those that have started, and this one, shade all
+      }
       shade_rows();
     }
     if (progress) progress(fmt::format("shading the reference: {:.0f} %", 100.0 * (first + count) / height));

@@ -71,7 +71,7 @@ void SurfaceList::load_materials(const scene::Scene& scene) {
         const auto own = std::ranges::find(scene.materials, chunk.material, &scene::Material::name);
         material = own != scene.materials.end()
                        ? std::async(std::launch::deferred, [own] { return *own; })
-                       : std::async(std::launch::async, [name = chunk.material] { return scene::make_material(name); });
+                       : std::async(std::launch::async | std::launch::deferred, [name = chunk.material] { return scene::make_material(name); });
       }
     }
   }

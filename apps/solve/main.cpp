@@ -20,6 +20,8 @@
 #include "command/csv.h"
 #include "command/light_file.h"
 #include "command/number.h"
+#include "command/output_files.h"
+#include "command/printable.h"
 #include "command/table.h"
 #include "litfog/solve.h"
 
@@ -141,6 +143,7 @@ ExitStatus solve_table(const Options& options) {
 enum Column { kFog, kDensity, kConstant, kLinear, kQuadratic, kThreshold, kColumnCount };
 constexpr std::array<std::string_view, kColumnCount> kColumnNames{"fog",    "density",   "constant",
                                                                   "linear", "quadratic", "threshold"};
+constexpr std::size_t kMaxColumns = 1024;  // a row that is shorter than the header is filled up
 constexpr std::array<std::string_view, 4> kAppendedNames{"extent", "peak_range", "intensity", "status"};
 
 /// What is wrong with a row, and where.
@@ -161,6 +164,9 @@ struct Header {
 
 std::optional<Defect> read_header(const CsvRecord& record, Header& header) {
   if (record.defect() != nullptr) return Defect{record.defect_place(), fmt::format("header: {}", record.defect())};
+  if (record.size() > kMaxColumns) {
+    return Defect{record.place(kMaxColumns), fmt::format("header: must not have more than {} columns", kMaxColumns)};
+  }
   std::array<bool, kColumnCount> is_found{};
   header.field_count = record.size();
   for (std::size_t i = 0; i < record.size(); ++i) {
@@ -227,7 +233,7 @@ class BatchReport {
   void add_defect(const Defect& defect) {
     if (++defects_ > kMaxReported) return;
     clear_progress();
-    fmt::print(stderr, "{}\n", located(file_, defect));
+    fmt::print(stderr, "{}\n", printable(located(file_, defect)));
   }
 
   void add_row() {
@@ -268,6 +274,11 @@ ExitStatus solve_batch(const Options& options) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(
       is_standard_input ? stdin : std::fopen(options.csv_file.c_str(), "rb"), std::fclose);
   if (!file) throw BadInput(name + ": cannot be read: " + std::strerror(errno));
+  if (!is_standard_input) {
+    OutputFiles outputs;
+    outputs.add_standard_output();
+    outputs.expect_apart_from(options.csv_file);
+  }
   CsvReader reader(file.get(), name);
   CsvRecord record;
   Header header;
@@ -316,7 +327,7 @@ CLI::Option* add_contrast(CLI::App& app, double& target) {
                         : text == "flightgear"  ? litfog::kContrastFlightgear
                                                 : parse_number(text);
     if (!number || !kOpenUnitInterval.accepts(*number)) {
-      refuse_option("--contrast", text, "must be mor, koschmieder, flightgear or a number in (0, 1)");
+      fail_option("--contrast", text, "must be mor, koschmieder, flightgear or a number in (0, 1)");
     }
     target = *number;
     return true;
@@ -348,7 +359,7 @@ void check_form(const CLI::App& app, const Options& options) {
   } else if (!is_given("--constant") && !is_given("--linear") && !is_given("--quadratic")) {
     refuse_form("a light must be given: --constant, --linear, --quadratic or --light or --csv");
   } else if (const auto refusal = check(options.attenuation)) {
-    refuse_option("--constant", fmt::format("{}", refusal->value), refusal->rule);
+    fail_option("--constant", fmt::format("{}", refusal->value), refusal->rule);
   }
   if (is_given("--density")) {
     refuse_beside("--density", {"--visibility", "--contrast"});

@@ -108,6 +108,14 @@ TEST(Plot, TextsAreNeverCommands) {
   }
 }
 
+TEST(Plot, SvgOfAnyTextIsXml) {
+  Figure figure = one_line();
+  figure.title = "U+FFFE \xEF\xBF\xBE, no UTF-8 \xFF, bell \x07";
+  const std::string svg = draw_figure(figure, FigureFormat::svg);
+  EXPECT_TRUE(contains(svg, "U+FFFE \\ufffe, no UTF-8 \\xff, bell \\x07")) << svg;
+  for (const char* forbidden : {"\xEF\xBF\xBE", "\xFF", "\x07"}) EXPECT_FALSE(contains(svg, forbidden));
+}
+
 TEST(Plot, RefusesValuesThatItsAxisCannotShow) {
   const auto refusal = [](PlotPoint point) -> std::string {
     Figure figure = one_line();

@@ -25,6 +25,11 @@ TEST(Table, TextIsAlignedByCodePoints) {
             "-          inf  ok\n");
 }
 
+TEST(Table, TextSendsATerminalNoCommands) {
+  EXPECT_EQ(format_table({{"name", "x"}, {{"\x1B[2J\n\xFF", 1.0}}}, TableFormat::text),
+            "name              x\n\\x1b[2J\\x0a\\xff  1\n");
+}
+
 TEST(Table, CsvQuotesWhatNeedsItAndKeepsEveryDigit) {
   EXPECT_EQ(format_table(two_rows(), TableFormat::csv),
             "name,x,status\n\"a, \"\"b\"\"\n\",0.3333333333333333,ok\n\xC3\xA4,inf,bad\n");

@@ -5,6 +5,7 @@
 
 #include "command/exit_status.h"
 #include "command/temporary_directory.h"
+#include "measure/no_more_threads.h"
 
 namespace litfog::test {
 using namespace demo;
@@ -35,6 +36,15 @@ TEST_F(PictureFolderTest, RefusesWhatWouldReplaceAnotherScenesPicture) {
   PictureFolder pictures(path("a"));
   pictures.write("room-vertex-reference.png", kPixel);
   EXPECT_THROW(pictures.write("room-vertex-reference.png", kPixel), BadInput);
+}
+
+TEST_F(PictureFolderTest, IsFilledWithoutAThreadToSpare) {
+  const NoMoreThreads limit;
+  PictureFolder pictures(path("a"));
+  pictures.write("first.png", kPixel);
+  pictures.write("second.png", kPixel);
+  pictures.finish();
+  for (const char* name : {"first.png", "second.png"}) EXPECT_TRUE(std::filesystem::exists(path("a") + "/" + name));
 }
 
 TEST_F(PictureFolderTest, SaysWhatCannotBeWritten) {

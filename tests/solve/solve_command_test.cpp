@@ -418,6 +418,30 @@ TEST_F(SolveCommand, BatchWithAWrongHeaderPrintsNothing) {
   expect("\"fog\"x,density,constant,linear,quadratic,threshold", "1:6: header: quoted field must end at its quote");
 }
 
+TEST_F(SolveCommand, BatchWithMoreThan1024ColumnsPrintsNothing) {
+  const auto header = [](std::size_t columns) {
+    return "fog,density,constant,linear,quadratic,threshold" + std::string(columns - 6, ',');
+  };
+  EXPECT_EQ(run_batch(header(1024) + "\nx\n").status, kBadInput);
+  EXPECT_REFUSED(run_batch(header(1025) + "\nx\n"), kBadInput,
+                 "rows.csv:1:1066: header: must not have more than 1024 columns\n");
+}
+
+TEST_F(SolveCommand, BatchIsNotAppendedToItsOwnRows) {
+  const std::string rows = std::string(kHeader) + "exp,1,0,1,0,0.05\n";
+  write("rows.csv", rows);
+  const Outcome outcome = run("--csv rows.csv >>rows.csv");
+  EXPECT_EQ(outcome.status, kUsage);
+  EXPECT_TRUE(outcome.err.ends_with("rows.csv: must not be a file that is read, rows.csv; see litfog-solve --help\n"))
+      << outcome.err;
+  EXPECT_EQ(read("rows.csv"), rows);
+}
+
+TEST_F(SolveCommand, BatchSendsATerminalNoCommands) {
+  const Outcome outcome = run_batch("fog,density,constant,linear,quadratic,threshold\n\x1B[2J,1,1,1,1,0.5\n");
+  EXPECT_EQ(outcome.err.find('\x1B'), outcome.err.npos) << outcome.err;
+}
+
 TEST_F(SolveCommand, BatchOfAnEmptyFileOrOfGarbageIsBadInput) {
   EXPECT_REFUSED(run_batch(""), kBadInput, "rows.csv:1:1: header: must be given\n");
   EXPECT_REFUSED(run_batch("\xEF\xBB\xBF"), kBadInput, "rows.csv:1:1: header: must be given\n");

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command/output_files.h"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "command/command.h"
+#include "command/whole_file.h"
+
+namespace litfog::command {
+
+namespace fs = std::filesystem;
+
+std::optional<OutputFiles::Identity> OutputFiles::Identity::of(const std::string& path) {
+  Identity identity;
+  struct stat status;
+  if (stat(path.c_str(), &status) == 0) {
+    if (!S_ISREG(status.st_mode)) return std::nullopt;
+    identity.inode = {status.st_dev, status.st_ino};
+  }
+  std::error_code error;
+  identity.path = fs::weakly_canonical(fs::absolute(path, error), error);
+  return identity;
+}
+
+bool OutputFiles::Identity::is_same_as(const Identity& other) const {
+  return path == other.path || (inode && inode == other.inode);
+}
+
+void OutputFiles::add(const std::string& option, const std::string& path) {
+  if (path.empty()) fail_option(option, path, "must not be empty");
+  expect_writable(path);
+  const auto identity = Identity::of(path);
+  if (!identity) return;
+  for (const Output& other : outputs_) {
+    if (identity->is_same_as(other.identity)) fail_option(option, path, "must not be the file of " + other.option);
+  }
+  outputs_.push_back({option, path, *identity});
+}
+
+void OutputFiles::add_standard_output() {
+  const std::string path = "/proc/self/fd/" + std::to_string(STDOUT_FILENO);
+  if (const auto identity = Identity::of(path); identity && identity->inode) {
+    outputs_.push_back({"standard output", identity->path.string(), *identity});
+  }
+}
+
+void OutputFiles::expect_apart_from(const std::string& input) const {
+  const auto identity = Identity::of(input);
+  if (!identity) return;
+  for (const Output& output : outputs_) {
+    if (output.identity.is_same_as(*identity)) {
+      fail_option(output.option, output.path, "must not be a file that is read, " + input);
+    }
+  }
+}
+
+}  // namespace litfog::command

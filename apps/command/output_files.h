@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace litfog::command {
+
+/// The files that a command is going to write. They are checked before any work is done: none may be another's, none a
+/// file that the command reads, directly or through another file. Devices and pipes are never the same file.
+///
+///     OutputFiles outputs;
+///     outputs.add("--output", options.output);
+///     outputs.add("--stats", options.stats);
+///     for (const std::string& file : scene.files) outputs.expect_apart_from(file);
+class OutputFiles {
+ public:
+  /// Throws a usage error (CLI::ValidationError) for an empty path and for the file of another output; CannotWrite for a
+  /// folder, or if its folder does not exist.
+  void add(const std::string& option, const std::string& path);
+
+  /// Adds standard output, if it goes to a file.
+  void add_standard_output();
+
+  /// Throws a usage error if an output is this file, which the command reads.
+  void expect_apart_from(const std::string& input) const;
+
+ private:
+  /// What is known of a path's file: where it lies and, if it exists, its device and inode.
+  struct Identity {
+    std::filesystem::path path;
+    std::optional<std::pair<dev_t, ino_t>> inode;
+
+    static std::optional<Identity> of(const std::string& path);  ///< none of a device or a pipe
+    bool is_same_as(const Identity& other) const;
+  };
+  struct Output {
+    std::string option;
+    std::string path;
+    Identity identity;
+  };
+
+  std::vector<Output> outputs_;
+};
+
+}  // namespace litfog::command

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command/output_files.h"
+
+#include <gtest/gtest.h>
+
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <functional>
+
+#include "command/exit_status.h"
+#include "command/temporary_directory.h"
+
+namespace litfog::test {
+using namespace command;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+class OutputFilesTest : public testing::Test {
+ protected:
+  std::string path(const std::string& name) const { return (directory_.path() / name).string(); }
+  void make(const std::string& name) const { std::ofstream(path(name)) << "text"; }
+
+ private:
+  TemporaryDirectory directory_;
+};
+
+std::string error_of(const std::function<void()>& run) {
+  try {
+    run();
+  } catch (const CLI::ValidationError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST_F(OutputFilesTest, EmptyNamesAreUsageErrors) {
+  OutputFiles outputs;
+  EXPECT_EQ(error_of([&] { outputs.add("--stats", ""); }), "--stats = \"\": must not be empty");
+}
+
+TEST_F(OutputFilesTest, TwoOutputsOfOneFileAreUsageErrors) {
+  fs::create_directory(path("folder"));
+  fs::create_symlink("a.png", path("link"));
+  for (const std::string other : {"a.png", "./a.png", "folder/../a.png", "link"}) {
+    OutputFiles outputs;
+    outputs.add("--output", path("a.png"));  // which is not there yet
+    EXPECT_EQ(error_of([&] { outputs.add("--stats", path(other)); }),
+              "--stats = " + path(other) + ": must not be the file of --output");
+  }
+  OutputFiles outputs;
+  outputs.add("--output", path("a.png"));
+  outputs.add("--stats", path("b.png"));
+}
+
+TEST_F(OutputFilesTest, InputsAreNotOverwritten) {
+  make("scene.json");
+  fs::create_hard_link(path("scene.json"), path("hard"));
+  fs::create_symlink("scene.json", path("soft"));
+  for (const std::string output : {"scene.json", "./scene.json", "hard", "soft"}) {
+    OutputFiles outputs;
+    outputs.add("--output", path(output));
+    EXPECT_EQ(error_of([&] { outputs.expect_apart_from(path("scene.json")); }),
+              "--output = " + path(output) + ": must not be a file that is read, " + path("scene.json"));
+    outputs.expect_apart_from(path("other.json"));
+  }
+}
+
+TEST_F(OutputFilesTest, DevicesAreNotFiles) {
+  OutputFiles outputs;
+  outputs.add("--output", "/dev/null");
+  outputs.add("--stats", "/dev/null");
+  outputs.expect_apart_from("/dev/null");
+}
+
+TEST_F(OutputFilesTest, AnOutputNeedsAFolder) {
+  OutputFiles outputs;
+  EXPECT_THROW(outputs.add("--output", path("none/a.png")), CannotWrite);
+  EXPECT_THROW(outputs.add("--output", path("")), CannotWrite);
+}
+
+}  // namespace
+
+}  // namespace litfog::test

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command/whole_file.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <future>
+#include <iterator>
+#include <thread>
+
+#include "command/exit_status.h"
+#include "command/temporary_directory.h"
+
+namespace litfog::test {
+using namespace command;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+class WholeFile : public testing::Test {
+ protected:
+  std::string path(const std::string& name) const { return (directory_.path() / name).string(); }
+  std::size_t file_count() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(directory_.path()), {}));
+  }
+  std::string read(const std::string& name) const {
+    std::ifstream file(path(name), std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  fs::perms mode(const std::string& name) const { return fs::status(path(name)).permissions(); }
+
+ private:
+  TemporaryDirectory directory_;
+};
+
+/// The status of a child process that runs a function, as waitpid() returns it.
+int status_of_child(const std::function<void()>& run) {
+  const pid_t child = fork();
+  if (child == 0) {
+    run();
+    std::_Exit(0);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return status;
+}
+
+TEST_F(WholeFile, IsWrittenAndReplaced) {
+  for (const std::string text : {"first", "second, longer", ""}) {
+    write_whole_file(path("a"), text);
+    EXPECT_EQ(read("a"), text);
+  }
+  EXPECT_EQ(file_count(), 1u);
+}
+
+TEST_F(WholeFile, KeepsTheModeOfAnEarlierFile) {
+  const mode_t umask_before = umask(022);
+  write_whole_file(path("a"), "new");
+  EXPECT_EQ(mode("a"), fs::perms(0644));
+  for (const fs::perms kept : {fs::perms(0600), fs::perms(0666), fs::perms(0640)}) {
+    fs::permissions(path("a"), kept);
+    write_whole_file(path("a"), "again");
+    EXPECT_EQ(mode("a"), kept);
+  }
+  umask(umask_before);
+}
+
+TEST_F(WholeFile, WritesBehindALinkThatStays) {
+  fs::create_symlink("target", path("link"));  // which is not there yet
+  write_whole_file(path("link"), "text");
+  EXPECT_TRUE(fs::is_symlink(path("link")));
+  EXPECT_EQ(read("target"), "text");
+}
+
+TEST_F(WholeFile, OpensNoTemporaryThatSomebodyHasPutThere) {
+  std::ofstream(path("victim")) << "precious";
+  const std::string guess = "." + std::string("a.") + std::to_string(getpid()) + ".png";
+  fs::create_symlink("victim", path(guess));
+  write_whole_file(path("a.png"), "picture");
+  EXPECT_EQ(read("victim"), "precious");
+  EXPECT_TRUE(fs::is_symlink(path(guess)));
+  EXPECT_EQ(read("a.png"), "picture");
+}
+
+TEST_F(WholeFile, MayHaveAsLongANameAsTheFileSystemTakes) {
+  const std::string longest = std::string(251, 'a') + ".png";
+  write_whole_file(path(longest), "picture");
+  EXPECT_EQ(read(longest), "picture");
+  EXPECT_THROW(write_whole_file(path("a" + longest), "picture"), CannotWrite);
+  EXPECT_EQ(file_count(), 1u);
+}
+
+TEST_F(WholeFile, IsWrittenToAPipe) {
+  ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
+  auto writer = std::async(std::launch::async, [&] { write_whole_file(path("pipe"), "text"); });
+  EXPECT_EQ(read("pipe"), "text");
+  writer.get();
+  EXPECT_TRUE(fs::is_fifo(path("pipe")));
+}
+
+TEST_F(WholeFile, GoesWhereStandardOutputGoes) {
+  const int status = status_of_child([&] {
+    if (std::freopen(path("log").c_str(), "wb", stdout) == nullptr) std::_Exit(1);
+    std::fputs("before\n", stdout);
+    write_whole_file("/dev/stdout", "text\n");
+    write_whole_file(path("log"), "again\n");
+    std::fputs("behind\n", stdout);
+    std::fflush(stdout);
+  });
+  EXPECT_EQ(status, 0);
+  EXPECT_EQ(read("log"), "before\ntext\nagain\nbehind\n");
+}
+
+TEST_F(WholeFile, IsRefusedInPlaceOfAFolder) {
+  EXPECT_THROW(expect_writable(path("")), CannotWrite);
+  EXPECT_THROW(write_whole_file(path(""), "text"), CannotWrite);
+  EXPECT_THROW(write_whole_file(path("none/a"), "text"), CannotWrite);
+}
+
+TEST_F(WholeFile, LeavesNothingBehindWhenItsSizeIsLimited) {
+  write_whole_file(path("a"), "earlier");
+  const int status = status_of_child([&] {
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{1000, 1000};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    try {
+      write_whole_file(path("a"), std::string(5000, 'x'));
+    } catch (const CannotWrite&) {
+      std::_Exit(4);
+    }
+  });
+  EXPECT_EQ(WEXITSTATUS(status), 4);
+  EXPECT_EQ(read("a"), "earlier");
+  EXPECT_EQ(file_count(), 1u);
+}
+
+TEST_F(WholeFile, LeavesNothingBehindAfterASignal) {
+  for (const int signal : {SIGHUP, SIGINT, SIGTERM}) {
+    for (int attempt = 0; attempt < 20; ++attempt) {
+      const pid_t child = fork();
+      if (child == 0) {
+        remove_temporaries_on_signals();
+        const std::string text(8 << 20, 'x');
+        for (;;) write_whole_file(path("a"), text);
+      }
+      while (file_count() < 2) std::this_thread::yield();  // until a temporary is there
+      kill(child, signal);
+      int status = 0;
+      waitpid(child, &status, 0);
+      EXPECT_TRUE(WIFSIGNALED(status));
+      EXPECT_EQ(WTERMSIG(status), signal);
+      for (const auto& entry : fs::directory_iterator(fs::path(path("a")).parent_path())) {
+        EXPECT_EQ(entry.path().filename(), "a");
+      }
+      fs::remove(path("a"));
+    }
+  }
+}
+
+}  // namespace
+
+}  // namespace litfog::test
