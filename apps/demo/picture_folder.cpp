@@ -2,6 +2,7 @@
 #include "demo/picture_folder.h"
 
 #include "command/exit_status.h"
+#include "demo/picture_file.h"
 
 namespace litfog::demo {
 
@@ -16,7 +17,7 @@ void PictureFolder::write(const std::string& file, render::Picture picture) {
     throw command::BadInput(path_of(file) + ": would be a picture of two scenes: rename one");
   finish();
   writing_ = std::async(std::launch::async,
-                        [path = path_of(file), picture = std::move(picture)] { render::write_picture(path, picture); });
+                        [path = path_of(file), picture = std::move(picture)] { write_picture(path, picture); });
 }
 
 void PictureFolder::finish() {

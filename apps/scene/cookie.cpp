@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/cookie.h"
 
-#include <OpenImageIO/imageio.h>
-
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <numbers>
 
-#include "command/exit_status.h"
 #include "scene/cube_face.h"
 #include "scene/light_frame.h"
 
 namespace litfog::scene {
 namespace {
 
-constexpr int kMaxSize = 4096;     // texels along an edge: 400 MB as floats
 constexpr int kPatternSize = 256;  // a texel is a third of a degree
 
 double smooth_edge(double cos_outer, double cos_inner, double x) {
@@ -56,10 +52,6 @@ Cookie painted(int size, const ShareAt& share_at) {
   return cookie;
 }
 
-[[noreturn]] void refuse(const std::string& path, const std::string& what) {
-  throw command::BadInput(path + ": " + what);
-}
-
 }  // namespace
 
 double cookie_at(const Cookie& cookie, const glm::dvec3& direction) {
@@ -75,26 +67,6 @@ double cookie_at(const Cookie& cookie, const glm::dvec3& direction) {
   };
   return glm::mix(glm::mix(texel(left, top), texel(left + 1, top), x - left),
                   glm::mix(texel(left, top + 1), texel(left + 1, top + 1), x - left), y - top);
-}
-
-Cookie read_cookie(const std::string& path) {
-  const auto input = OIIO::ImageInput::open(path);
-  if (!input) refuse(path, "cannot be read as an image: " + OIIO::geterror());
-  const OIIO::ImageSpec& spec = input->spec();
-  if (spec.nchannels != 1) refuse(path, "channels = " + std::to_string(spec.nchannels) + ": must be 1");
-  if (spec.width < 1 || spec.width > kMaxSize || spec.height != 6 * spec.width) {
-    refuse(path, "size = " + std::to_string(spec.width) + "x" + std::to_string(spec.height) +
-                     ": must be N x 6 N, six faces in a column, N at most " + std::to_string(kMaxSize));
-  }
-  Cookie cookie{.size = spec.width, .texels = {}};
-  cookie.texels.resize(6 * std::size_t(cookie.size) * std::size_t(cookie.size));
-  if (!input->read_image(0, 0, 0, 1, OIIO::TypeDesc::FLOAT, cookie.texels.data())) {
-    refuse(path, "cannot be read as an image: " + input->geterror());
-  }
-  if (!std::ranges::all_of(cookie.texels, [](float share) { return share >= 0 && share <= 1; })) {
-    refuse(path, "texels: must be shares in [0, 1]");
-  }
-  return cookie;
 }
 
 Cookie make_cookie(std::string_view pattern) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <glm/glm.hpp>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -21,9 +20,6 @@ struct Cookie {
 ///
 /// direction  not 0
 double cookie_at(const Cookie& cookie, const glm::dvec3& direction);
-
-/// Reads a cookie from an image of one channel, its faces in one column, as litfog-fit writes it. Throws BadInput.
-Cookie read_cookie(const std::string& path);
 
 /// Names of the patterns that need no file: a mirror ball's spots all around, and a beacon's two beams across its axis.
 inline constexpr std::string_view kCookiePatterns[] = {"disco", "beacon"};

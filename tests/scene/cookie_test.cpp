@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scene/cookie.h"
+#include "scene/file/cookie_file.h"
 
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>

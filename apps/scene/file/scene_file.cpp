@@ -16,8 +16,10 @@
 #include "command/json_document.h"
 #include "command/light_file.h"
 #include "litfog/fog_light_block.h"
+#include "scene/file/cookie_file.h"
 #include "scene/file/gltf_scene.h"
 #include "scene/model/model.h"
+#include "scene/paint/material_catalogue.h"
 
 namespace litfog::scene {
 namespace {
@@ -143,6 +145,7 @@ class SceneReader {
       for (const JsonValue& light : lights->items()) read_light_entry(light);
     }
     for (const JsonValue& object : root.member("objects").items()) read_object(object);
+    add_materials(scene_);
   }
 
   Scene take() { return std::move(scene_); }
