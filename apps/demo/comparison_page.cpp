@@ -9,7 +9,7 @@
 #include "demo/heat_map.h"
 #include "demo/html_text.h"
 #include "measure/frame_times.h"
-#include "scene/material.h"
+#include "scene/texels.h"
 
 namespace litfog::demo {
 namespace {

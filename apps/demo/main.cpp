@@ -16,6 +16,7 @@
 #include "demo/gallery.h"
 #include "demo/heat_map.h"
 #include "demo/path_comparison.h"
+#include "demo/picture_file.h"
 #include "litfog/gl/headless_context.h"
 #include "litfog/gl/unsupported.h"
 #include "measure/comparison.h"

@@ -2,6 +2,7 @@
 #include "demo/picture_folder.h"
 
 #include "command/exit_status.h"
+#include "demo/picture_file.h"
 
 namespace litfog::demo {
 
@@ -17,7 +18,7 @@ void PictureFolder::write(const std::string& file, render::Picture picture) {
   finish();
   const auto anywhere = std::launch::async | std::launch::deferred;  // without a thread to spare, in finish()
   writing_ = std::async(anywhere,
-                        [path = path_of(file), picture = std::move(picture)] { render::write_picture(path, picture); });
+                        [path = path_of(file), picture = std::move(picture)] { write_picture(path, picture); });
 }
 
 void PictureFolder::finish() {

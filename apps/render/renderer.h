@@ -23,7 +23,8 @@ enum class LightPoints { on, off };
 class Renderer {
  public:
   /// throws gl::Unsupported where this OpenGL cannot hold the scene's light lists or the path's light maps would take
-  /// more than 1 GiB, std::invalid_argument where the eye's vehicle carries more than kMaxFogLights
+  /// more than 1 GiB, std::invalid_argument where the eye's vehicle carries more than kMaxFogLights or a part is of a
+  /// material that the scene lacks
   Renderer(const scene::Scene& scene, int width, int height, const RenderSettings& settings);
 
   /// Takes a change of the fog: solves the carried lights and uploads the block.

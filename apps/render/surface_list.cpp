@@ -2,8 +2,8 @@
 #include "render/surface_list.h"
 
 #include <algorithm>
-#include <future>
 #include <numeric>
+#include <stdexcept>
 
 #include "litfog/gl/unsupported.h"
 
@@ -18,12 +18,36 @@ scene::Bounds around(const std::vector<scene::Bounds>& boxes) {
   return whole;
 }
 
+SurfaceMaterial upload(const scene::Material& material, float number) {
+  return {.material = {.name = material.name,
+                       .size_m = material.size_m,
+                       .albedo = {},
+                       .normal = {},
+                       .specular = material.specular,
+                       .shininess = material.shininess,
+                       .emissive = material.emissive,
+                       .plain_albedo = material.plain_albedo},
+          .number = number,
+          .albedo = material.plain_albedo ? Texture(glm::vec4(*material.plain_albedo, 1.0f))
+                                          : Texture(material.albedo, Texture::Encoding::srgb),
+          .normal = Texture(material.normal, Texture::Encoding::linear)};
+}
+
+/// A scene's materials on the GPU, sorted by name.
+std::vector<SurfaceMaterial> upload(const std::vector<scene::Material>& materials) {
+  std::vector<const scene::Material*> sorted;
+  for (const scene::Material& material : materials) sorted.push_back(&material);
+  std::ranges::sort(sorted, {}, &scene::Material::name);
+  std::vector<SurfaceMaterial> uploaded;
+  for (const scene::Material* material : sorted) uploaded.push_back(upload(*material, float(uploaded.size())));
+  return uploaded;
+}
+
 }  // namespace
 
 SurfaceList::SurfaceList(const scene::Scene& scene, std::span<const PlacedLight> local, std::span<const double> extents,
                          Skipping skipping)
-    : meshes_(scene.models) {
-  load_materials(scene);
+    : meshes_(scene.models), materials_(upload(scene.materials)) {
   const LightFinder finder(local, extents);
   const std::size_t most = std::min(kMaxListed, BufferTexture::max_texels());
   if (skipping == Skipping::off) {  // one list for all
@@ -37,7 +61,7 @@ SurfaceList::SurfaceList(const scene::Scene& scene, std::span<const PlacedLight>
     std::vector<std::int32_t> near;  // lights that can reach the instance
     if (skipping == Skipping::on && !boxes.empty()) near = finder.reaching(around(boxes));
     for (std::size_t i = 0; i < chunks.size(); ++i) {
-      Surface surface{.material = &materials_.at(chunks[i].material),
+      Surface surface{.material = &material(chunks[i].material),
                       .chunk = &chunks[i],
                       .world_from_model = instance.world_from_model,
                       .bounds = boxes[i],
@@ -62,34 +86,17 @@ SurfaceList::SurfaceList(const scene::Scene& scene, std::span<const PlacedLight>
       std::make_unique<BufferTexture>(list_.data(), list_.size() * sizeof(std::int32_t), BufferTexture::Texel::int1);
 }
 
-void SurfaceList::load_materials(const scene::Scene& scene) {
-  std::map<std::string, std::future<scene::Material>> made;  // in parallel: each is some 10 ms of noise
-  for (std::size_t model = 0; model < scene.models.size(); ++model) {
-    for (const Chunk& chunk : meshes_.chunks(model)) {
-      auto& material = made[chunk.material];
-      if (!material.valid()) {
-        const auto own = std::ranges::find(scene.materials, chunk.material, &scene::Material::name);
-        material = own != scene.materials.end()
-                       ? std::async(std::launch::deferred, [own] { return *own; })
-                       : std::async(std::launch::async | std::launch::deferred, [name = chunk.material] { return scene::make_material(name); });
-      }
-    }
-  }
-  for (auto& [name, future] : made) {
-    scene::Material material = future.get();
-    Texture albedo = material.plain_albedo ? Texture(glm::vec4(*material.plain_albedo, 1.0f))
-                                           : Texture(material.albedo, Texture::Encoding::srgb);
-    Texture normal(material.normal, Texture::Encoding::linear);
-    material.albedo = {};
-    material.normal = {};
-    const auto number = float(materials_.size());
-    materials_.emplace(name, SurfaceMaterial{std::move(material), number, std::move(albedo), std::move(normal)});
-  }
+const SurfaceMaterial& SurfaceList::material(const std::string& name) const {
+  const auto name_of = [](const SurfaceMaterial& each) -> const std::string& { return each.material.name; };
+  const auto found = std::ranges::lower_bound(materials_, name, {}, name_of);
+  if (found == materials_.end() || name_of(*found) != name)
+    throw std::invalid_argument("material = " + name + ": must be one of the scene's");
+  return *found;
 }
 
 std::vector<scene::Material> SurfaceList::materials() const {
   std::vector<scene::Material> materials;
-  for (const auto& [name, material] : materials_) materials.push_back(material.material);
+  for (const SurfaceMaterial& material : materials_) materials.push_back(material.material);
   return materials;
 }
 

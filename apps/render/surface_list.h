@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -41,7 +40,8 @@ struct Surface {
 class SurfaceList {
  public:
   /// local, extents  the lights to be listed, in order, and their extents (metres)
-  /// throws  gl::Unsupported where this OpenGL cannot hold the light lists
+  /// throws  gl::Unsupported where this OpenGL cannot hold the light lists, std::invalid_argument where a part is of a
+  ///         material that the scene lacks
   SurfaceList(const scene::Scene& scene, std::span<const PlacedLight> local, std::span<const double> extents,
               Skipping skipping);
 
@@ -59,10 +59,10 @@ class SurfaceList {
   void draw(const Surface& surface) const { meshes_.draw(*surface.chunk); }
 
  private:
-  void load_materials(const scene::Scene& scene);
+  const SurfaceMaterial& material(const std::string& name) const;
 
   MeshStore meshes_;
-  std::map<std::string, SurfaceMaterial> materials_;
+  std::vector<SurfaceMaterial> materials_;  // sorted by name
   std::vector<Surface> surfaces_;
   std::vector<std::int32_t> list_;
   std::unique_ptr<BufferTexture> list_texture_;

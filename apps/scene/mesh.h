@@ -25,7 +25,7 @@ struct Mesh {
   std::vector<std::uint32_t> indices;
 };
 
-/// A mesh and the name of what it is made of (see material.h).
+/// A mesh and the name of what it is made of (Scene::materials).
 struct Part {
   std::string material;
   Mesh mesh;

@@ -57,7 +57,7 @@ struct Scene {
   std::string description;
   Camera camera;
   Environment environment;
-  std::vector<Material> materials;  ///< the scene's own; a part's other names are material.h's
+  std::vector<Material> materials;  ///< all that its parts name
   std::vector<Model> models;
   std::vector<Instance> instances;
   std::vector<PlacedLight> lights;

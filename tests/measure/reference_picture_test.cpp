@@ -14,6 +14,7 @@
 #include "measure/picture_error.h"
 #include "scene/file/scene_file.h"
 #include "scene/model/model.h"
+#include "scene/paint/material_catalogue.h"
 
 namespace litfog::test {
 using namespace render;
@@ -212,6 +213,7 @@ TEST_F(ReferencePictureTest, PathsThatLightVerticesConvergeToItInTheSecondOrder)
       scene.camera = {.position = {0, 1, 2}, .target = {0, 1, 0}, .field_of_view = 0.6f};
       scene.environment.ambient_light = glm::vec3(0.05f);
       scene.models.push_back(make_model("drum", {{"segments", 2 * cells}, {"rings", cells}}));
+      add_materials(scene);
       scene.instances.push_back({0, glm::mat4(1)});
       PlacedLight lamp;
       lamp.light.attenuation = {1, 0.2, 0.5};

@@ -14,7 +14,7 @@
 #include "render/renderer.h"
 #include "scene/file/scene_file.h"
 #include "scene/light_frame.h"
-#include "scene/material.h"
+#include "scene/paint/material_catalogue.h"
 #include "scene/model/primitive.h"
 
 namespace litfog::test {
@@ -64,6 +64,7 @@ Scene wall(int cells) {
     vertex.uv = glm::vec2(0.5f / 64);  // the first texel of 64 on a metre, everywhere
   scene.models.push_back({{"sign_white", std::move(mesh)}});
   scene.instances.push_back({0, glm::translate(glm::mat4(1), glm::vec3(0, 0, kWallZ))});
+  add_materials(scene);
   return scene;
 }
 
@@ -105,8 +106,7 @@ struct Finish {
     bare.environment = {.ambient_light = glm::vec3(1)};
     const Picture picture = draw(bare, Fog{}, {});
     albedo = dvec3(picture.rgb[0], picture.rgb[1], picture.rgb[2]);
-    const Part& part = scene.models[0][0];
-    const Material material = make_material(part.material);
+    const Material& material = scene.materials[0];
     gloss = material.albedo.rgba[3] / 255.0;
     specular = material.specular;
     shininess = double(material.shininess);
@@ -395,6 +395,7 @@ Scene moonlit_ball() {
   for (Vertex& vertex : mesh.vertices) vertex.uv = glm::vec2(0.5f / 64);
   scene.models.push_back({{"sign_white", std::move(mesh)}});
   scene.instances.push_back({0, glm::mat4(1)});
+  add_materials(scene);
   return scene;
 }
 

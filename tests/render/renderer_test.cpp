@@ -15,6 +15,7 @@
 #include "render/gpu/texture.h"
 #include "scene/file/scene_file.h"
 #include "scene/model/model.h"
+#include "scene/paint/material_catalogue.h"
 
 namespace litfog::test {
 using namespace scene;
@@ -193,6 +194,7 @@ Scene rows(int boxes, int lamps, const Attenuation& attenuation) {
   Scene scene;
   scene.camera = {.position = {0, 6, 0}, .target = {0, 0, -20}, .field_of_view = 1.0f};
   scene.models.push_back(make_model("box", {}));
+  add_materials(scene);
   for (int i = 0; i < boxes; ++i) {
     scene.instances.push_back({0, glm::translate(glm::mat4(1), glm::vec3(0, 0, -float(i)))});
   }
@@ -204,6 +206,12 @@ Scene rows(int boxes, int lamps, const Attenuation& attenuation) {
     scene.lights.push_back(lamp);
   }
   return scene;
+}
+
+TEST_F(RendererTest, PartOfAMaterialThatTheSceneLacksIsAnError) {
+  Scene scene = rows(1, 1, {1, 0, 0.01});
+  scene.materials.clear();
+  EXPECT_THROW(Renderer(scene, 8, 8, {}), std::invalid_argument);
 }
 
 TEST_F(RendererTest, FiftyThousandBoxesUnderTwentyThousandLampsLoadInSeconds) {
@@ -271,6 +279,7 @@ TEST_F(RendererTest, SurfacesAreDarkBeyondTheExtentAndBrightBelowTheLamp) {
   Scene scene;
   scene.camera = {.position = {0, 6, 0.01f}, .target = {0, 0, -0.6f}, .field_of_view = 1.6f};
   scene.models.push_back(make_model("box", {{"width_m", 40}, {"depth_m", 40}, {"height_m", 0.2}}));
+  add_materials(scene);
   scene.instances.push_back({0, glm::translate(glm::mat4(1), glm::vec3(0, -0.2f, 0))});
   PlacedLight lamp;
   lamp.light = {.name = "lamp", .attenuation = {1, 0, 19.0 / 9}, .cone = {}};  // extent 3 m

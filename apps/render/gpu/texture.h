@@ -2,9 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <vector>
 
-#include "scene/material.h"
+#include "scene/texels.h"
 
 namespace litfog::render {
 

@@ -21,6 +21,7 @@
 #include "scene/file/gltf_scene.h"
 #include "scene/model/model.h"
 #include "scene/paint/cookie_pattern.h"
+#include "scene/paint/material_catalogue.h"
 
 namespace litfog::scene {
 namespace {
@@ -154,6 +155,7 @@ class SceneReader {
       for (const JsonValue& light : lights->items()) read_light_entry(light);
     }
     for (const JsonValue& object : root.member("objects").items()) read_object(object);
+    add_materials(scene_);
   }
 
   Scene take() { return std::move(scene_); }

@@ -5,7 +5,7 @@
 
 namespace litfog::scene {
 
-// Painters of surfaces. Colours need only be right relative to each other: make_material scales each channel to the
+// Painters of surfaces. Colours need only be right relative to each other: make_material (material_catalogue.h) scales each channel to the
 // material's mean albedo. Every painter gives the same texels each time.
 
 // painter_ground.cpp

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scene/material.h"
-
-#include <OpenImageIO/color.h>
+#include "scene/paint/material_catalogue.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <future>
+#include <set>
 #include <stdexcept>
 
 #include "scene/paint/painter.h"
@@ -18,7 +18,7 @@ struct Recipe {
   void (*paint)(Canvas&);
   int size;
   float size_m;
-  glm::vec3 mean_albedo;  ///< linear; measured values where the comment names a source, otherwise by eye
+  glm::vec3 mean_albedo;  ///< linear
   glm::vec3 specular;
   float shininess;
   glm::vec3 emissive;
@@ -26,7 +26,7 @@ struct Recipe {
 
 constexpr glm::vec3 kDark(0.0f);
 
-/// Sorted by name.
+/// Sorted by name. All values are by eye: none is measured.
 const Recipe kRecipes[] = {
     {"asphalt", paint_asphalt, 512, 4.0f, {0.11f, 0.11f, 0.113f}, glm::vec3(0.16f), 22.0f, kDark},
     {"bark", paint_bark, 256, 1.0f, {0.11f, 0.095f, 0.075f}, glm::vec3(0.04f), 10.0f, kDark},
@@ -76,10 +76,10 @@ constexpr std::size_t kRecipeCount = std::size(kRecipes);
 std::uint8_t srgb(float linear) {
   static const std::array<std::uint8_t, 4097> kTable = [] {
     std::array<std::uint8_t, 4097> table{};
-    for (std::size_t i = 0; i < table.size(); ++i) table[i] = srgb_level_of(static_cast<float>(i) / 4096.0f);
+    for (std::size_t i = 0; i < table.size(); ++i) table[i] = srgb_level_of(float(i) / 4096.0f);
     return table;
   }();
-  return kTable[static_cast<std::size_t>(std::clamp(linear, 0.0f, 1.0f) * 4096.0f + 0.5f)];
+  return kTable[std::size_t(std::clamp(linear, 0.0f, 1.0f) * 4096.0f + 0.5f)];
 }
 
 /// A component of a normal where 128 is 0: with 127.5 no flat surface would be flat.
@@ -88,7 +88,7 @@ std::uint8_t normal_byte(float component) { return level_of((128.0f + 127.5f * c
 Texels bake_albedo(const Canvas& canvas, const glm::vec3& mean_albedo) {
   glm::dvec3 sum(0.0);
   for (const glm::vec3& color : canvas.color) sum += glm::dvec3(color);
-  const glm::vec3 scale = mean_albedo / glm::vec3(sum / static_cast<double>(canvas.color.size()));
+  const glm::vec3 scale = mean_albedo / glm::vec3(sum / double(canvas.color.size()));
   Texels texels{canvas.size, canvas.size, std::vector<std::uint8_t>(4 * canvas.color.size())};
   for (std::size_t i = 0; i < canvas.color.size(); ++i) {
     const glm::vec3 color = canvas.color[i] * scale;
@@ -122,10 +122,6 @@ Texels bake_normals(const Canvas& canvas) {
 
 }  // namespace
 
-std::uint8_t level_of(float share) { return static_cast<std::uint8_t>(std::clamp(share, 0.0f, 1.0f) * 255.0f + 0.5f); }
-
-std::uint8_t srgb_level_of(float linear) { return level_of(OIIO::linear_to_sRGB(std::clamp(linear, 0.0f, 1.0f))); }
-
 std::span<const std::string_view> material_names() {
   static const std::array<std::string_view, kRecipeCount> kNames = [] {
     std::array<std::string_view, kRecipeCount> names;
@@ -144,6 +140,25 @@ Material make_material(std::string_view name) {
   return {std::string(name),    recipe->size_m,   bake_albedo(canvas, recipe->mean_albedo),
           bake_normals(canvas), recipe->specular, recipe->shininess,
           recipe->emissive};
+}
+
+std::vector<Material> make_materials(std::span<const std::string> names) {
+  std::vector<std::future<Material>> painted;  // without a thread to spare one is painted when asked for
+  for (const std::string& name : names) painted.push_back(std::async([name] { return make_material(name); }));
+  std::vector<Material> materials;
+  for (std::future<Material>& material : painted) materials.push_back(material.get());
+  return materials;
+}
+
+void add_materials(Scene& scene) {
+  std::set<std::string> missing;
+  for (const Model& model : scene.models) {
+    for (const Part& part : model) missing.insert(part.material);
+  }
+  for (const Material& own : scene.materials) missing.erase(own.name);
+  for (Material& made : make_materials(std::vector(missing.begin(), missing.end()))) {
+    scene.materials.push_back(std::move(made));
+  }
 }
 
 }  // namespace litfog::scene

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/picture.h"
+#include "demo/picture_file.h"
 
 #include <OpenImageIO/imagebuf.h>
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 using litfog::test::srgb_from_linear;
 using render::Picture;
-using render::write_picture;
+using demo::write_picture;
 
 class PictureFile : public testing::Test {
  protected:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/picture.h"
+#include "demo/picture_file.h"
 
 #include <OpenImageIO/color.h>
 #include <OpenImageIO/filesystem.h>
@@ -11,7 +11,7 @@
 #include "command/exit_status.h"
 #include "command/whole_file.h"
 
-namespace litfog::render {
+namespace litfog::demo {
 namespace {
 
 enum class Format { png, exr, unknown };
@@ -37,7 +37,7 @@ std::vector<unsigned char> encoded(const std::string& path, const OIIO::ImageSpe
 
 }  // namespace
 
-void write_picture(const std::string& path, const Picture& picture) {
+void write_picture(const std::string& path, const render::Picture& picture) {
   const bool is_png = format_of(path) == Format::png;
   OIIO::ImageSpec spec(picture.width, picture.height, 3, is_png ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::HALF);
   spec.attribute("oiio:ColorSpace", is_png ? "sRGB" : "Linear");
@@ -57,4 +57,4 @@ void write_picture(const std::string& path, const Picture& picture) {
 
 bool is_picture_path(const std::string& path) { return format_of(path) != Format::unknown; }
 
-}  // namespace litfog::render
+}  // namespace litfog::demo

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scene/material.h"
+#include "scene/paint/material_catalogue.h"
 
 #include <gtest/gtest.h>
 
@@ -130,6 +130,19 @@ INSTANTIATE_TEST_SUITE_P(Material, EveryMaterial, testing::ValuesIn(names()),
                          [](const auto& tested) { return tested.param; });
 
 TEST(Material, NamesAreSorted) { EXPECT_TRUE(std::is_sorted(material_names().begin(), material_names().end())); }
+
+TEST(Material, SceneGetsEachMaterialThatItNamesAndLacksOnce) {
+  Scene scene;
+  scene.materials.push_back({.name = "wood", .size_m = 7});
+  scene.models.push_back({Part{"wood", {}}, Part{"sign_red", {}}});
+  scene.models.push_back({Part{"sign_red", {}}, Part{"glass", {}}});
+  add_materials(scene);
+  std::vector<std::string> added;
+  for (const Material& material : scene.materials) added.push_back(material.name);
+  EXPECT_EQ(added, (std::vector<std::string>{"wood", "glass", "sign_red"}));
+  EXPECT_EQ(scene.materials[0].size_m, 7);
+  EXPECT_EQ(scene.materials[1].albedo.rgba, make_material("glass").albedo.rgba);
+}
 
 TEST(Material, RefusesAnUnknownName) { EXPECT_THROW(make_material("no_such_material"), std::invalid_argument); }
 

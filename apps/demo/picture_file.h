@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "render/picture.h"
+
+namespace litfog::demo {
+
+/// Writes a picture atomically: .png as sRGB, 8 bits, dithered against banding (clamped to [0, 1]); .exr as linear half
+/// floats. Throws CannotWrite.
+void write_picture(const std::string& path, const render::Picture& picture);
+
+/// Whether a path has one of those endings.
+bool is_picture_path(const std::string& path);
+
+}  // namespace litfog::demo

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace litfog::scene {
+
+/// A tiling picture, RGBA8. Row 0 is v = 0 and texel 0 of a row is u = 0 (OpenGL's upload order).
+struct Texels {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgba;
+};
+
+/// A texel's level for a fraction, clamped to [0, 1]; and for a linear value, clamped likewise, as sRGB
+/// (IEC 61966-2-1).
+std::uint8_t level_of(float fraction);
+std::uint8_t srgb_level_of(float linear);
+
+}  // namespace litfog::scene

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: Apache-2.0
+# Includes run one way only:
+#
+#     core  <-  photometry, files, gl  <-  fit                                                           (src)
+#     command  <-  scene  <-  render  <-  measure  <-  demo, bench;   solve and fit on command alone     (apps)
+#
+# cmake -DROOT=<the repository> -P layers_test.cmake
+
+set(failures 0)
+
+# layer(<files, a glob below ROOT>... FORBIDDEN <what no include there begins with>...)
+function(layer)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "" "FORBIDDEN")
+  list(JOIN arg_FORBIDDEN "|" forbidden)
+  foreach(glob IN LISTS arg_UNPARSED_ARGUMENTS)
+    if(glob MATCHES "\\*\\*$")
+      string(REPLACE "**" "*" recursive "${glob}")
+      file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/${recursive})
+    else()
+      file(GLOB files RELATIVE ${ROOT} ${ROOT}/${glob})
+    endif()
+    list(FILTER files INCLUDE REGEX "\\.(h|cpp)$")
+    if(NOT files)
+      message("${glob}: holds no sources")
+      math(EXPR failures "${failures} + 1")
+    endif()
+    foreach(file IN LISTS files)
+      file(STRINGS ${ROOT}/${file} includes REGEX "^ *# *include *[<\"](${forbidden})")
+      foreach(include IN LISTS includes)
+        message("${file}: ${include}: must not be included there")
+        math(EXPR failures "${failures} + 1")
+      endforeach()
+    endforeach()
+  endforeach()
+  set(failures ${failures} PARENT_SCOPE)
+endfunction()
+
+set(ceres ceres/ Eigen/)
+set(json nlohmann/ rapidjson/)
+set(graphics epoxy/ EGL/ GL/)
+set(images OpenImageIO/ openexr ImfC)
+set(foreign ${ceres} ${json} ${graphics} ${images} tiny_gltf CLI/)
+set(commands command/ scene/ render/ measure/ solve/ demo/ bench/)
+
+# src. The public headers show no other library but GLM.
+set(apps command/ scene/ render/ measure/ solve/ demo/ bench/)
+set(photometry photometry/ litfog/photometry/)
+set(files files/ litfog/files/)
+set(gl gl/ litfog/gl/)
+set(fit fit/ litfog/fit/)
+layer(src/* include/litfog/* FORBIDDEN ${apps} ${photometry} ${files} ${gl} ${fit} ${foreign} fmt/)
+layer(src/photometry/** FORBIDDEN ${apps} ${files} ${gl} ${fit} ${ceres} ${json} ${graphics} OpenImageIO/)
+layer(src/gl/** FORBIDDEN ${apps} ${photometry} ${files} ${fit} ${ceres} ${json} ${images})
+layer(src/fit/** FORBIDDEN ${apps} ${gl} ${json} ${graphics} ${images})
+layer(include/litfog/photometry/** FORBIDDEN ${files} ${gl} ${fit})
+layer(include/litfog/gl/** FORBIDDEN ${photometry} ${files} ${fit})
+layer(include/litfog/fit/** FORBIDDEN ${gl})
+layer(include/litfog/** FORBIDDEN ${apps} ${foreign} fmt/)
+
+# apps. Scene data and the renderer know no file; only the scenes' readers do.
+set(catalogues scene/model/ scene/paint/)
+set(above_scene render/ measure/ demo/ bench/)
+layer(apps/command/** FORBIDDEN scene/ solve/ ${above_scene} ${fit} ${gl} ${graphics})
+layer(apps/scene/* FORBIDDEN command/ scene/file/ ${catalogues} ${above_scene} ${files} ${gl} ${fit} ${foreign} fmt/)
+layer(apps/scene/model/** apps/scene/paint/** FORBIDDEN command/ scene/file/ ${above_scene} ${files} ${gl} ${foreign} fmt/)
+layer(apps/scene/file/** FORBIDDEN ${above_scene} ${gl} ${graphics})
+layer(apps/render/** FORBIDDEN command/ scene/file/ ${catalogues} measure/ demo/ bench/ litfog/files/ ${fit} ${ceres} ${json}
+      ${images} tiny_gltf CLI/)
+layer(apps/measure/** FORBIDDEN scene/file/ ${catalogues} demo/ bench/ litfog/files/ ${fit} ${ceres} ${json} CLI/)
+layer(apps/demo/** FORBIDDEN solve/ fit/ bench/)
+layer(apps/solve/** apps/fit/** FORBIDDEN scene/ ${above_scene} ${gl} ${graphics})
+layer(apps/bench/** FORBIDDEN demo/ solve/ fit/ core/ gl/)  # of tests/ it may know reference/
+
+# tests. Only the benchmark's know its sources; what the benchmark takes from here is reference/.
+layer(tests/reference/** FORBIDDEN ${apps} core/ ${files} ${gl})
+layer(tests/core/** tests/photometry/** FORBIDDEN scene/ ${above_scene} ${gl} ${fit} ${ceres} ${graphics})
+layer(tests/gl/** tests/fit/** FORBIDDEN scene/ ${above_scene})
+layer(tests/scene/** tests/render/** tests/measure/** tests/demo/** tests/solve/** FORBIDDEN bench/)
+
+if(failures GREATER 0)
+  message(FATAL_ERROR "${failures} includes against the layers")
+endif()
