@@ -89,8 +89,8 @@ void meet_extent(Attenuation& attenuation, double extent, double threshold) {
 /// The attenuation of a family that has an extent.
 Attenuation attenuation_of(AttenuationFamily family, double constant, double extent, double threshold) {
   const double rest = 1 / threshold - constant;
-  const double linear_share = family == AttenuationFamily::linear ? 1 : family == AttenuationFamily::mixed ? 0.5 : 0;
-  Attenuation attenuation{constant, linear_share * rest / extent, (1 - linear_share) * rest / extent / extent};
+  const double linear_fraction = family == AttenuationFamily::linear ? 1 : family == AttenuationFamily::mixed ? 0.5 : 0;
+  Attenuation attenuation{constant, linear_fraction * rest / extent, (1 - linear_fraction) * rest / extent / extent};
   meet_extent(attenuation, extent, threshold);
   return attenuation;
 }
@@ -171,9 +171,9 @@ std::string describe_out_of_reach(const AttenuationTarget& target, const Scaled&
   return text;
 }
 
-std::string format_percent(double share) {
+std::string format_percent(double fraction) {
   std::array<char, 32> text;
-  const double percent = share < 1e-11 ? 0 : 100 * share;
+  const double percent = fraction < 1e-11 ? 0 : 100 * fraction;
   const auto end = std::to_chars(text.data(), text.data() + text.size(), percent, std::chars_format::general, 3).ptr;
   return std::string(text.data(), end) + " %";
 }
@@ -278,10 +278,10 @@ AttenuationFit fit_attenuation(const AttenuationTarget& asked) {
   AttenuationFit fit;
   fit.threshold = asked.threshold;
   AttenuationTarget target = asked;
-  const double largest_constant = kLargestConstantShare / asked.threshold;
+  const double largest_constant = kLargestConstantFraction / asked.threshold;
   if (asked.extent && asked.constant && *asked.constant > largest_constant) {
     fit.status = AttenuationFitStatus::infeasible;
-    fit.sentence = "constant " + number_text(*asked.constant) + " cannot be had with an extent of " +
+    fit.sentence = "constant " + number_text(*asked.constant) + " cannot be reached with an extent of " +
                    number_text(*asked.extent) + " m at threshold " + number_text(asked.threshold) + ": from 0 to " +
                    number_text(largest_constant) + " can";
     target.constant = largest_constant;

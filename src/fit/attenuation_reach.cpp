@@ -18,8 +18,8 @@ struct Interval {
   double low, high;
 };
 
-/// The denominators that can be had at a range. With an extent the terms C, L E and Q E^2 share 1/t, and the range's
-/// denominator is a mean of C, L r and Q r^2 with those shares.
+/// The denominators that can be reached at a range. With an extent the terms C, L E and Q E^2 add up to 1/t, and with
+/// x = r / E the denominator is that sum with weights 1, x and x^2.
 Interval reachable_denominators(const AttenuationTarget& target, double range) {
   const double constant = target.constant.value_or(0);
   if (!target.extent) return {constant, target.constant && range == 0 ? constant : kInfinity};
@@ -30,8 +30,8 @@ Interval reachable_denominators(const AttenuationTarget& target, double range) {
   return {std::min(linear, quadratic), std::max(linear, quadratic)};
 }
 
-/// The ranges, as shares of the extent, at which an attenuation can be had; low > high where there are none. Between
-/// 1/t at the extent and its constant, a denominator is had from where L alone reaches it to where Q alone does.
+/// The ranges, as fractions of the extent, at which an attenuation can be reached; low > high if there are none.
+/// Between the constant and 1/t, a denominator is reached from where L alone has it to where Q alone does.
 Interval reachable_ranges(const AttenuationTarget& target, double attenuation) {
   const double wanted = 1 / attenuation;
   const double top = 1 / target.threshold;
@@ -42,7 +42,7 @@ Interval reachable_ranges(const AttenuationTarget& target, double attenuation) {
   const double linear = (wanted - *target.constant) / (top - *target.constant);
   if (!(linear >= 0)) return {1, 0};
   const double quadratic = std::sqrt(linear);
-  if (attenuation == 1) return {0, quadratic};  // the clamp has it up to there
+  if (attenuation == 1) return {0, quadratic};  // the clamp holds it up to there
   return {std::min(linear, quadratic), std::max(linear, quadratic)};
 }
 
@@ -76,14 +76,14 @@ std::string describe_reach(const AttenuationTarget& target, const AttenuationSam
   const std::string at_range = " at " + number_text(sample.range) + " m";
   const std::string with_constant = target.constant ? " constant " + number_text(*target.constant) : "";
   if (target.constant && !(1 / sample.attenuation >= *target.constant)) {
-    return text + " cannot be had with" + with_constant + ": at most " +
+    return text + " cannot be reached with" + with_constant + ": at most " +
            format_within(1 / *target.constant, 0, 1 / *target.constant) + " can";
   }
   if (!target.extent) {
-    return text + at_range + " cannot be had with" + with_constant + ": " +
+    return text + at_range + " cannot be reached with" + with_constant + ": " +
            number_text(std::min(1.0, 1 / *target.constant)) + " can";
   }
-  text += at_range + " cannot be had with an extent of " + number_text(*target.extent) + " m" +
+  text += at_range + " cannot be reached with an extent of " + number_text(*target.extent) + " m" +
           (target.constant ? " and" + with_constant : "") + ": ";
   auto [low, high] = reachable_ranges(target, sample.attenuation);
   low *= *target.extent;

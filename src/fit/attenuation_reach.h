@@ -11,9 +11,9 @@ namespace litfog {
 /// distance of ln attenuation, 0 within.
 double distance_from_reach(const AttenuationTarget& target, const AttenuationSample& sample);
 
-/// Why a sample is out of reach, and at which ranges its attenuation could be had:
-/// "attenuation 0.5 at 40 m cannot be had with an extent of 100 m: between 0 and 31.62 m can".
-/// Bounds are rounded inwards: what is named can be had.
+/// Why a sample is out of reach, and at which ranges its attenuation could be reached:
+/// "attenuation 0.5 at 40 m cannot be reached with an extent of 100 m: between 0 and 31.62 m can".
+/// Bounds are rounded inwards: what is named can be reached.
 std::string describe_reach(const AttenuationTarget& target, const AttenuationSample& sample);
 
 }  // namespace litfog

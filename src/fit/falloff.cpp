@@ -25,15 +25,15 @@ std::vector<std::size_t> free_coefficients(const Falloff& falloff) {
 long double rest_at_end(const Falloff& falloff) { return falloff.end->top - falloff.constant.value_or(0); }
 
 /// The coefficients as parameters within plain bounds. Without an end they are themselves, in units of the largest
-/// value that exceeds no sample; with one, C's share of the top and L's share of the rest. Those that start at a bound
-/// are left out: bounds that hold cost Ceres many steps.
+/// value that exceeds no sample; with one, C's fraction of the top and L's fraction of the rest. Those that start at a
+/// bound are left out: bounds that hold cost Ceres many steps.
 class Parameters {
  public:
   Parameters(const Falloff& falloff, const Coefficients& start) : falloff_(falloff), free_(free_coefficients(falloff)) {
     if (falloff.end) {
       const auto [e, top] = *falloff.end;
       if (!falloff.constant)
-        all_.push_back(start[0] < falloff.largest_constant() ? start[0] / double(top) : kLargestConstantShare);
+        all_.push_back(start[0] < falloff.largest_constant() ? start[0] / double(top) : kLargestConstantFraction);
       const double linear = start[1] * e, quadratic = start[2] * e * e;
       all_.push_back(linear + quadratic > 0 ? linear / (linear + quadratic) : 0);
     } else {
@@ -97,7 +97,7 @@ class Parameters {
  private:
   double upper_bound(std::size_t k) const {
     if (!falloff_.end) return std::numeric_limits<double>::infinity();
-    return k + 1 < all_.size() ? kLargestConstantShare : 1;
+    return k + 1 < all_.size() ? kLargestConstantFraction : 1;
   }
 
   std::vector<double> filled(std::span<const double> parameters) const {
@@ -158,12 +158,12 @@ bool is_at_limit(const Falloff& falloff, const std::array<Real, 3>& q, std::size
   return j == 0 && falloff.end && q[0] >= Real(falloff.largest_constant());
 }
 
-/// The slopes less what the end takes up: 0 for each coefficient that is free to move.
+/// The slopes minus what the end takes up: 0 for each coefficient that is free to move.
 template <typename Real>
 void project_onto_end(const Falloff& falloff, const std::array<Real, 3>& q, std::array<Real, 3>& slope) {
   if (!falloff.end) return;
   const auto power = powers(Real(falloff.end->x));
-  // The multiplier in the mean of the terms at the end, each with its share.
+  // The multiplier in the mean of the terms at the end, weighted by its fraction of them.
   Real sum = 0, weight = 0;
   for (const std::size_t j : free_coefficients(falloff)) {
     if (is_at_limit(falloff, q, j)) continue;  // held by its own bound
@@ -363,7 +363,7 @@ FalloffMinimum descend_once(const Falloff& falloff, const Coefficients& start) {
   } else {
     minimum.covariance.emplace().fill(0);
   }
-  // A share next to 1 has no digits for what is left to the other term, which may matter far beyond the end.
+  // A fraction next to 1 has no digits for what is left to the other term, which may matter far beyond the end.
   const bool may_start = !falloff.end || falloff.constant || start[0] <= falloff.largest_constant();
   if (may_start && falloff.objective(start) < falloff.objective(minimum.coefficients)) minimum.coefficients = start;
   minimum.coefficients = refine(falloff, minimum.coefficients);

@@ -63,7 +63,7 @@ class Loss {
 };
 
 /// Bound of C where an extent is given, in units of 1/threshold.
-inline constexpr double kLargestConstantShare = 1 - 0x1p-20;
+inline constexpr double kLargestConstantFraction = 1 - 0x1p-20;
 
 /// Minimise sum w loss(y - ln max(1, D)), D = q0 + q1 x + q2 x^2, over q >= 0.
 struct Falloff {
@@ -90,7 +90,7 @@ struct Falloff {
   double negligible() const { return 1e-24 * weight_sum(); }
   double objective(const Coefficients& q) const;
   /// Largest C that leaves an extent; only with an end and without a constant.
-  double largest_constant() const { return kLargestConstantShare * double(end->top); }
+  double largest_constant() const { return kLargestConstantFraction * double(end->top); }
   bool is_clamped_at(const Sample& sample) const { return is_clamped || sample.y == 0; }
   /// ln of the attenuation at the denominator D minus that of the sample.
   template <typename Real>

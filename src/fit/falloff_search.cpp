@@ -254,8 +254,8 @@ class HeldSearch {
     Coefficients q = descend(rest, best_.coefficients).coefficients;
     const double x = terms_[last].x, d = denominator(q, x), given = falloff_.constant.value_or(0);
     if (d <= 1 || falloff_.end || given >= 1) return refer_to(q);
-    const double share = (1 - given) / (d - given);
-    for (std::size_t j = falloff_.constant ? 1 : 0; j < 3; ++j) q[j] *= share;
+    const double factor = (1 - given) / (d - given);
+    for (std::size_t j = falloff_.constant ? 1 : 0; j < 3; ++j) q[j] *= factor;
     if (x > 0) {
       rest.end = {x, 1};
     } else {
@@ -297,15 +297,15 @@ class HeldSearch {
 
   /// A point in the box that meets the end.
   Coefficients middle(const Box& box) const {
-    double share = 0.5;
+    double fraction = 0.5;
     if (falloff_.end) {
       const Coefficients low{box[0].low, box[1].low, box[2].low};
       const Coefficients high{box[0].high, box[1].high, box[2].high};
       const double least = denominator(low, falloff_.end->x), most = denominator(high, falloff_.end->x);
-      share = most > least ? std::clamp((double(falloff_.end->top) - least) / (most - least), 0.0, 1.0) : 0;
+      fraction = most > least ? std::clamp((double(falloff_.end->top) - least) / (most - least), 0.0, 1.0) : 0;
     }
     Coefficients point;
-    for (std::size_t j = 0; j < 3; ++j) point[j] = box[j].low + share * (box[j].high - box[j].low);
+    for (std::size_t j = 0; j < 3; ++j) point[j] = box[j].low + fraction * (box[j].high - box[j].low);
     return point;
   }
 
@@ -460,7 +460,7 @@ class HeldSearch {
       for (std::size_t j = 0; j < 3; ++j) value += slope[j] * (slope[j] > 0 ? box[j].low : box[j].high);
       return value;
     }
-    // From the low corner up to the end, first along what costs least for its share there.
+    // From the low corner up to the end, first along what costs least for what it adds there.
     const double e = falloff_.end->x;
     const Coefficients power{1, e, e * e};
     std::array<std::size_t, 3> order{0, 1, 2};

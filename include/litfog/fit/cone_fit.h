@@ -15,7 +15,7 @@ namespace litfog {
 /// A light's intensity into one direction.
 struct ConeSample {
   double angle = 0;      ///< radians from the axis, [0, pi]
-  double intensity = 1;  ///< >= 0, in any unit: a fit sees its share of the largest with weight
+  double intensity = 1;  ///< >= 0, in any unit: a fit sees its fraction of the largest one with weight
   double weight = 1;     ///< 0 (left out), or 1e-100 to 1e100
 };
 
@@ -53,29 +53,28 @@ enum class ConeFitStatus {
 /// A fitted profile, how good it is, and how that is known.
 struct ConeProfileFit {
   Cone cone;
-  double objective = 0;      ///< sum of weight * (cone - share)^2 over the samples
-  double lower_bound = 0;    ///< no cone of this profile has a smaller objective
-  double rms = 0;            ///< sqrt(objective / sum of weights)
-  double largest_error = 0;  ///< signed: cone less share, at
-  double largest_error_angle = 0;
-  /// Flux of the cone per that of the samples, less 1, over the angles which the samples cover, linear between them.
-  /// Absent without samples.
+  double objective = 0;            ///< sum of weight * (cone - I / I_max)^2 over the samples
+  double lower_bound = 0;          ///< no cone of this profile has a smaller objective
+  double rms = 0;                  ///< sqrt(objective / sum of weights)
+  double largest_error = 0;        ///< cone - I / I_max of the sample where it is largest in magnitude
+  double largest_error_angle = 0;  ///< that sample's angle
+  /// Flux of the cone / flux of the samples - 1, over the angles that the samples cover, linear between them. Absent
+  /// without samples.
   std::optional<double> flux_error = std::nullopt;
-  /// Angle where the cone falls to 50 % and to 10 % per the target's, less 1. The target's is as stated, or where its
-  /// samples, linear between them, first fall to it beyond their peak. Absent where they do not.
+  /// Angle where the cone falls to 50 % / the target's - 1. The target's is as stated, or where its samples, linear
+  /// between them, first fall to 50 % beyond their peak. Absent where they do not.
   std::optional<double> beam_angle_error = std::nullopt;
-  std::optional<double> field_angle_error = std::nullopt;
+  std::optional<double> field_angle_error = std::nullopt;  ///< the same at 10 %
   /// Largest |cosine| between the residuals and the effect of a parameter that is free to move; 0 at a smooth optimum.
   double kkt_residual = 0;
-  /// Of the parameters, variances on the diagonal, with the residuals' own scatter: exponent alone, or inner and outer
-  /// in radians; 0 for one at a bound or given. Absent where the samples do not identify them: see fit_cone, or no
-  /// more samples off the axis than parameters.
+  /// Of the parameters, from the residuals' own variance: exponent alone, or inner and outer in radians; 0 for one at a
+  /// bound or given. Absent where the samples do not identify them (fit_cone) or leave no degrees of freedom.
   std::optional<std::array<std::array<double, 2>, 2>> covariance = std::nullopt;
-  /// The objective is the same for every cut-off in (first, second]: the samples leave it open. Both the cut-off itself
-  /// where they do not.
+  /// The objective is the same for every cut-off in (first, second], which the samples leave open. Both are the cut-off
+  /// itself where the samples determine it.
   std::array<double, 2> cutoff_range = {0, 0};
   std::size_t iterations = 0;  ///< of all descents
-  std::size_t boxes = 0;       ///< of parameters that were ruled out to prove that no better ones are elsewhere
+  std::size_t boxes = 0;       ///< boxes of parameters examined for the proof that no others are better
   ConeFitStatus status = ConeFitStatus::optimal;
 };
 
@@ -88,24 +87,23 @@ struct ConeFit {
   const ConeProfileFit& best() const { return profile == ConeProfile::cosine ? *cosine : *smoothstep; }
 };
 
-/// Fits a cone to a target: the parameters that minimise sum of weight * (cone_at(cos u) - I / I_max)^2, over all cones
-/// of the profile. A beam angle stands for a sample of 0.5 at half of it, a field angle for one of 0.1, each of weight
-/// 1, beside one of 1 on the axis.
+/// Fits a cone to a target: the global minimum of sum of weight * (cone_at(cos u) - I / I_max)^2 over all cones of a
+/// profile. A beam angle adds the sample 0.5 at half of it, a field angle 0.1 at half of it, each of weight 1, and
+/// either adds 1 on the axis.
 ///
-/// The minimum is the global one, and shown to be. Both profiles rise with each of their parameters, so over a box of
-/// parameters each sample's share lies between those of two corners, and the sum of the squared distances to these
-/// intervals is a bound from below. Boxes are split, best first, until no bound is more than 0.1 % below the best cone
-/// found; what is found is refined by least squares.
+/// search       branch and bound: a cone rises with each of its parameters, so two corners of a box of them bound it at
+///              every sample. The best found is refined by least squares
 ///
-/// Where the samples leave a choice it is the one that assumes the least: A cosine cone's cut-off only matters by the
-/// samples that it leaves dark. It is where the profile falls to 0.05 %, which does not show as an edge (1.6 of 255 in
-/// sRGB), if the objective is the smallest there but for 0.04 %; else it is half-way between the last sample that is
-/// best lit and the first that is best dark, or 90 degrees. Without a lit sample off the axis the exponent is 0. A dual
-/// cone with less than two samples in its edge has the softest edge that they allow, inner as small as the samples at
-/// full intensity let it be.
+/// Where the samples leave a choice:
+/// cosine       half_angle is where the cone falls to 0.05 % (which does not show as an edge: 1.6 of 255 in sRGB), if
+///              that raises the objective by at most 0.04 %; else half-way between the last sample that is best lit and
+///              the first that is best dark, or 90 degrees. Without a lit sample off the axis the exponent is 0
+/// smoothstep   with fewer samples in the edge than free angles, the softest edge that they allow: inner as small as
+///              the samples at full intensity let it be
 ///
-/// max error  objective 0.1 % above the global minimum, or 1e-20 of the sum of weight * share^2     (cone_fit_test.cpp)
-/// throws     std::invalid_argument with the sentence of check(target)
+/// returns      each profile chosen, and which is better; covariance is absent where the rules above made the choice
+/// max error    objective 0.1 % above the global minimum, or 1e-20 of sum of weight * (I / I_max)^2 (cone_fit_test.cpp)
+/// throws       std::invalid_argument with the sentence of check(target)
 ConeFit fit_cone(const ConeTarget& target);
 
 }  // namespace litfog
