@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "bench/simd_target.h"
-#include "command/json_document.h"
+#include "files/json_text.h"
 
 namespace litfog::bench {
 namespace {
@@ -43,8 +43,9 @@ Machine this_machine(const std::string& gl_renderer) {
 
 std::string to_json(const Machine& machine) {
   return fmt::format(R"({{"cpu": {}, "isa": {}, "compiler": {}, "commit": {}, "gl_renderer": {}, "date": {}}})",
-                     json_quoted(machine.cpu), json_quoted(machine.isa), json_quoted(machine.compiler),
-                     json_quoted(machine.commit), json_quoted(machine.gl_renderer), json_quoted(machine.date));
+                     files::json_quoted(machine.cpu), files::json_quoted(machine.isa),
+                     files::json_quoted(machine.compiler), files::json_quoted(machine.commit),
+                     files::json_quoted(machine.gl_renderer), files::json_quoted(machine.date));
 }
 
 bool is_measurable_build() {

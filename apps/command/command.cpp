@@ -16,6 +16,7 @@
 #include "command/number.h"
 #include "command/printable.h"
 #include "command/whole_file.h"
+#include "litfog/input_error.h"
 
 namespace litfog::command {
 
@@ -126,7 +127,7 @@ int run_command(CLI::App& app, int argc, char** argv, const std::function<ExitSt
     return status;
   } catch (const CLI::ParseError& error) {
     return end(std::string(error.what()) + "; see " + app.get_name() + " --help", kUsage);
-  } catch (const BadInput& error) {
+  } catch (const InputError& error) {
     std::fprintf(stderr, "%s\n", printable(error.what()).c_str());  // starts with the file's name: editors can jump to it
     return kBadInput;
   } catch (const MissingCapability& error) {

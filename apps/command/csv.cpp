@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "command/exit_status.h"
+#include "litfog/input_error.h"
 
 namespace litfog::command {
 
@@ -32,7 +33,7 @@ int CsvReader::peek() {
     next_ = 0;
     filled_ = std::fread(buffer_.data(), 1, buffer_.size(), file_);
     if (filled_ == 0) {
-      if (std::ferror(file_)) throw BadInput(name_ + ": cannot be read: " + std::strerror(errno));
+      if (std::ferror(file_)) throw InputError({.file = name_}, std::string("cannot be read: ") + std::strerror(errno));
       return kEnd;
     }
   }

@@ -65,7 +65,7 @@ class CsvReader {
   /// file stays the caller's; name stands in messages.
   CsvReader(std::FILE* file, std::string name);
 
-  /// The next record, or false at the end. Throws BadInput where the file cannot be read.
+  /// The next record, or false at the end. Throws InputError where the file cannot be read.
   bool read(CsvRecord& record);
 
   const std::string& name() const { return name_; }

@@ -16,11 +16,6 @@ enum ExitStatus {
   kInternalError = 70,  ///< the program is at fault (EX_SOFTWARE of sysexits.h)
 };
 
-/// Thrown for a file that cannot be used. what() is the whole sentence, "file:line:column: what = value: rule".
-struct BadInput : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
 /// Thrown where the machine lacks what was asked for. what() says what.
 struct MissingCapability : std::runtime_error {
   using std::runtime_error::runtime_error;

@@ -11,8 +11,8 @@
 #include <iterator>
 
 #include "command/csv.h"
-#include "command/json_document.h"
 #include "command/printable.h"
+#include "files/json_text.h"
 
 namespace litfog::command {
 
@@ -37,7 +37,7 @@ std::string csv_cell(const Cell& cell) {
 
 std::string json_cell(const Cell& cell) {
   if (is_empty(cell)) return "null";
-  if (!is_number(cell)) return json_quoted(std::get<std::string>(cell));
+  if (!is_number(cell)) return files::json_quoted(std::get<std::string>(cell));
   const double number = std::get<double>(cell);
   return std::isfinite(number) ? fmt::format("{}", number) : fmt::format("\"{}\"", number);
 }
@@ -85,7 +85,7 @@ std::string format_json(const Table& table) {
   for (const auto& row : table.rows) {
     out += out.size() == 1 ? "\n  {" : ",\n  {";
     for (std::size_t i = 0; i < row.size(); ++i) {
-      out += (i == 0 ? "" : ", ") + json_quoted(table.columns[i]) + ": " + json_cell(row[i]);
+      out += (i == 0 ? "" : ", ") + files::json_quoted(table.columns[i]) + ": " + json_cell(row[i]);
     }
     out += "}";
   }

@@ -18,7 +18,7 @@ struct GallerySettings {
 
 /// Draws scenes clear and at each of their visibilities into a folder (made where missing), one PNG each, and
 /// contact-sheet.png with all of them. Reports every step, the solved table (light x visibility) and the times on
-/// standard output. Needs a current GL context. Throws BadInput before anything is drawn (read_scenes).
+/// standard output. Needs a current GL context. Throws InputError before anything is drawn (read_scenes).
 ///
 /// scenes  paths of scene files
 void draw_gallery(const std::vector<std::string>& scenes, const std::string& folder, const GallerySettings& settings);

@@ -22,8 +22,8 @@ struct PathComparisonSettings {
 
 /// Draws scenes by every lighting path into a folder (made where missing): of each scene and path the picture, its heat
 /// map and its reference as PNG, a contact sheet, and index.html, which shows all with times and errors. All paths of a
-/// scene are timed in turn. Reports every result on standard output. Needs a current GL context. Throws BadInput where
-/// two scenes have one name, CannotWrite, and gl::Unsupported where a path cannot draw a scene here.
+/// scene are timed in turn. Reports every result on standard output. Needs a current GL context. Throws InputError
+/// where two scenes have one name, CannotWrite, and gl::Unsupported where a path cannot draw a scene here.
 ///
 /// scenes   paths of scene files
 /// machine  in words: on what is drawn

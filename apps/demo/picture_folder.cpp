@@ -3,6 +3,7 @@
 
 #include "command/exit_status.h"
 #include "demo/picture_file.h"
+#include "litfog/input_error.h"
 
 namespace litfog::demo {
 
@@ -14,7 +15,7 @@ PictureFolder::PictureFolder(const std::string& path) : path_(path) {
 
 void PictureFolder::write(const std::string& file, render::Picture picture) {
   if (!files_.insert(file).second)
-    throw command::BadInput(path_of(file) + ": would be a picture of two scenes: rename one");
+    throw InputError({.file = path_of(file)}, "would be a picture of two scenes: rename one");
   finish();
   const auto anywhere = std::launch::async | std::launch::deferred;  // without a thread to spare, in finish()
   writing_ = std::async(anywhere,

@@ -20,7 +20,7 @@ class PictureFolder {
   std::string path_of(const std::string& file) const { return (path_ / file).string(); }
 
   /// Writes a picture (write_picture) while the caller goes on; what the picture before it met is thrown here. Throws
-  /// BadInput where the file has been written already: one scene may be named like another's picture.
+  /// InputError where the file has been written already: one scene may be named like another's picture.
   void write(const std::string& file, render::Picture picture);
 
   /// Waits until all is written. Throws what that met.

@@ -9,8 +9,8 @@
 #include <iterator>
 #include <utility>
 
-#include "command/angle_deg.h"
 #include "command/table.h"
+#include "files/angle_deg.h"
 
 namespace litfog::fit {
 
@@ -98,9 +98,8 @@ std::string percent(const std::optional<double>& error) { return error ? fmt::fo
 
 std::string shape_of(const litfog::Cone& cone) {
   return cone.profile == ConeProfile::cosine
-             ? fmt::format("H = {:.6g} deg, S = {:.6g}", command::degrees(cone.half_angle), cone.exponent)
-             : fmt::format("inner {:.6g}, outer {:.6g} deg", command::degrees(cone.inner),
-                           command::degrees(cone.outer));
+             ? fmt::format("H = {:.6g} deg, S = {:.6g}", files::degrees(cone.half_angle), cone.exponent)
+             : fmt::format("inner {:.6g}, outer {:.6g} deg", files::degrees(cone.inner), files::degrees(cone.outer));
 }
 
 std::string uncertainty_of(const ConeProfileFit& fit) {
@@ -108,7 +107,7 @@ std::string uncertainty_of(const ConeProfileFit& fit) {
   const auto deviation = [&fit](std::size_t i) { return std::sqrt((*fit.covariance)[i][i]); };
   if (fit.cone.profile == ConeProfile::cosine) return fmt::format("S +-{:.2g}", deviation(0));
   const auto angle = [&](std::size_t i) {
-    return deviation(i) > 0 ? fmt::format("+-{:.2g} deg", deviation(i) / command::radians(1)) : std::string("held");
+    return deviation(i) > 0 ? fmt::format("+-{:.2g} deg", deviation(i) / files::radians(1)) : std::string("held");
   };
   return angle(0) + ", " + angle(1);
 }
@@ -116,7 +115,7 @@ std::string uncertainty_of(const ConeProfileFit& fit) {
 std::string edge_of(const ConeProfileFit& fit) {
   const auto [least, most] = fit.cutoff_range;
   if (least == most) return "-";
-  return fmt::format("H in ({:.4g}, {:.4g}] deg", command::degrees(least), command::degrees(most));
+  return fmt::format("H in ({:.4g}, {:.4g}] deg", files::degrees(least), files::degrees(most));
 }
 
 void add_cone(Sheet& sheet, const ConeTarget& target, const ConeFit& fit) {
@@ -127,7 +126,7 @@ void add_cone(Sheet& sheet, const ConeTarget& target, const ConeFit& fit) {
   sheet.add_heading(fmt::format("Cone: {} ({})", name_of(fit.profile), name_of(fit.best().status)));
   std::vector<std::string> wanted;
   const auto add_angle = [&wanted](const char* name, const std::optional<double>& angle) {
-    if (angle) wanted.push_back(fmt::format("{} {:.6g} deg", name, command::degrees(*angle)));
+    if (angle) wanted.push_back(fmt::format("{} {:.6g} deg", name, files::degrees(*angle)));
   };
   add_angle("beam angle", target.beam_angle);
   add_angle("field angle", target.field_angle);
@@ -149,13 +148,13 @@ void add_cone(Sheet& sheet, const ConeTarget& target, const ConeFit& fit) {
   add_row("none is below", [](const auto& p) { return fmt::format("{:.6g}", p.lower_bound); });
   add_row("rms error", [](const auto& p) { return fmt::format("{:.3g} % of the peak", 100 * p.rms); });
   add_row("largest error", [](const auto& p) {
-    return fmt::format("{:+.3g} % at {:.4g} deg", 100 * p.largest_error, command::degrees(p.largest_error_angle));
+    return fmt::format("{:+.3g} % at {:.4g} deg", 100 * p.largest_error, files::degrees(p.largest_error_angle));
   });
   add_row("flux error", [](const auto& p) { return percent(p.flux_error); });
   add_row("50 % angle off", [](const auto& p) { return percent(p.beam_angle_error); });
   add_row("10 % angle off", [](const auto& p) { return percent(p.field_angle_error); });
   add_row("lumens/candela",
-          [](const auto& p) { return fmt::format("{:.4g}", flux_within(p.cone, command::radians(180))); });
+          [](const auto& p) { return fmt::format("{:.4g}", flux_within(p.cone, files::radians(180))); });
   add_row("uncertainty", uncertainty_of);
   add_row("certificate", [](const auto& p) {
     return fmt::format("KKT {:.1e}, {} boxes, {} iterations", p.kkt_residual, p.boxes, p.iterations);
@@ -172,7 +171,7 @@ void add_cone(Sheet& sheet, const ConeTarget& target, const ConeFit& fit) {
   for (const auto& sample : target.samples) peak = std::max(peak, sample.weight > 0 ? sample.intensity : 0);
   for (const auto& sample : target.samples) {
     auto& row = residuals.rows.emplace_back();
-    row.insert(row.end(), {command::degrees(sample.angle), sample.intensity / peak});
+    row.insert(row.end(), {files::degrees(sample.angle), sample.intensity / peak});
     for (const auto* profile : profiles) {
       const double share = cone_at(profile->cone, std::cos(sample.angle));
       row.insert(row.end(), {share, 100 * (share - sample.intensity / peak)});
@@ -182,13 +181,13 @@ void add_cone(Sheet& sheet, const ConeTarget& target, const ConeFit& fit) {
 }
 
 void add_luminaire(Sheet& sheet, const LightFit& fit) {
-  const litfog::Luminaire& luminaire = *fit.spec.luminaire;
+  const litfog::Luminaire& luminaire = *fit.target.luminaire;
   const auto& distribution = luminaire.distribution;
   sheet.add_heading("Photometry");
   if (!luminaire.name.empty()) sheet.add("luminaire", luminaire.name);
   if (!luminaire.manufacturer.empty()) sheet.add("manufacturer", luminaire.manufacturer);
   sheet.add("peak", fmt::format("{:.6g} cd, {:.3g} deg off the photometric axis", find_peak(distribution).intensity,
-                                command::degrees(fit.peak_angle)));
+                                files::degrees(fit.peak_angle)));
   const auto stated = stated_flux(luminaire);
   const double flux = luminous_flux(distribution);
   sheet.add("flux",
@@ -202,14 +201,14 @@ void add_luminaire(Sheet& sheet, const LightFit& fit) {
 std::string format_data_sheet(const LightFit& fit) {
   Sheet sheet;
   sheet.add("light", fit.light.name);
-  sheet.add("from", fit.spec.file);
-  for (std::size_t i = 0; i < fit.spec.source.size(); ++i) sheet.add(i == 0 ? "source" : "", fit.spec.source[i]);
+  sheet.add("from", fit.target.file);
+  for (std::size_t i = 0; i < fit.target.source.size(); ++i) sheet.add(i == 0 ? "source" : "", fit.target.source[i]);
   sheet.add("color",
             fmt::format("{:.6g} {:.6g} {:.6g}, linear RGB", fit.light.color.r, fit.light.color.g, fit.light.color.b));
   if (fit.light.density_scale != 1) sheet.add("density scale", fmt::format("{:.6g}", fit.light.density_scale));
-  if (fit.spec.luminaire) add_luminaire(sheet, fit);
-  if (fit.range) add_range(sheet, *fit.spec.range, *fit.range);
-  if (fit.cone) add_cone(sheet, *fit.spec.cone, *fit.cone);
+  if (fit.target.luminaire) add_luminaire(sheet, fit);
+  if (fit.range) add_range(sheet, *fit.target.range, *fit.range);
+  if (fit.cone) add_cone(sheet, *fit.target.cone, *fit.cone);
   const auto advice = fit.advice();
   if (!advice.empty()) sheet.add_heading("Advice");
   for (const std::string& sentence : advice) sheet.add("-", sentence);

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "command/angle_deg.h"
+#include "files/angle_deg.h"
 
 namespace litfog::fit {
 
@@ -25,7 +25,7 @@ command::Series zero_line(double end) {
 }
 
 std::vector<command::Chart> range_charts(const LightFit& fit) {
-  const auto& target = *fit.spec.range;
+  const auto& target = *fit.target.range;
   const auto& attenuation = fit.range->attenuation;
   command::Series targets{.name = "target", .style = command::SeriesStyle::points, .color = kTargetColor};
   command::Series errors{.style = command::SeriesStyle::points, .color = kFirstColor};
@@ -53,22 +53,22 @@ std::vector<command::Chart> range_charts(const LightFit& fit) {
 }
 
 std::vector<command::Chart> angle_charts(const LightFit& fit) {
-  const auto& target = *fit.spec.cone;
+  const auto& target = *fit.target.cone;
   command::Series targets{.name = "target", .style = command::SeriesStyle::points, .color = kTargetColor};
-  if (target.beam_angle) targets.points.push_back({command::degrees(*target.beam_angle / 2), 0.5});
-  if (target.field_angle) targets.points.push_back({command::degrees(*target.field_angle / 2), 0.1});
+  if (target.beam_angle) targets.points.push_back({files::degrees(*target.beam_angle / 2), 0.5});
+  if (target.field_angle) targets.points.push_back({files::degrees(*target.field_angle / 2), 0.1});
   double peak = 0;
   for (const auto& sample : target.samples) peak = std::max(peak, sample.weight > 0 ? sample.intensity : 0);
   double end = 0;  // of what is lit
   for (const auto& sample : target.samples) {
-    targets.points.push_back({command::degrees(sample.angle), sample.intensity / peak});
-    if (sample.intensity > 0.002 * peak) end = std::max(end, command::degrees(sample.angle));
+    targets.points.push_back({files::degrees(sample.angle), sample.intensity / peak});
+    if (sample.intensity > 0.002 * peak) end = std::max(end, files::degrees(sample.angle));
   }
   std::vector<command::Series> lines;
   std::vector<command::Series> errors;
   int color = kFirstColor;
   for (const auto* profile : {&fit.cone->cosine, &fit.cone->smoothstep}) {
-    if (*profile) end = std::max(end, command::degrees(angle_at_level((*profile)->cone, 0.002)));
+    if (*profile) end = std::max(end, files::degrees(angle_at_level((*profile)->cone, 0.002)));
   }
   for (const command::PlotPoint& point : targets.points) {
     if (point.y > 0.002) end = std::max(end, point.x);
@@ -78,7 +78,7 @@ std::vector<command::Chart> angle_charts(const LightFit& fit) {
   for (const auto* profile : {&fit.cone->cosine, &fit.cone->smoothstep}) {
     if (!*profile) continue;
     const auto share = [cone = (*profile)->cone](double angle) {
-      return cone_at(cone, std::cos(command::radians(angle)));
+      return cone_at(cone, std::cos(files::radians(angle)));
     };
     lines.push_back({.name = name_of((*profile)->cone.profile), .color = color});
     for (int i = 0; i <= kSteps; ++i) lines.back().points.push_back({end * i / kSteps, share(end * i / kSteps)});

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "command/angle_deg.h"
+#include "files/angle_deg.h"
 
 namespace litfog::fit {
 
@@ -41,11 +41,10 @@ Json range_record(const litfog::AttenuationFit& fit, bool has_time) {
 
 Json cone_record(const litfog::Cone& cone) {
   if (cone.profile == litfog::ConeProfile::cosine) {
-    return {{"profile", "cosine"}, {"half_angle_deg", command::degrees(cone.half_angle)}, {"exponent", cone.exponent}};
+    return {{"profile", "cosine"}, {"half_angle_deg", files::degrees(cone.half_angle)}, {"exponent", cone.exponent}};
   }
-  return {{"profile", "smoothstep"},
-          {"inner_deg", command::degrees(cone.inner)},
-          {"outer_deg", command::degrees(cone.outer)}};
+  return {
+      {"profile", "smoothstep"}, {"inner_deg", files::degrees(cone.inner)}, {"outer_deg", files::degrees(cone.outer)}};
 }
 
 Json profile_record(const litfog::ConeProfileFit& fit, const litfog::ConeTarget& target) {
@@ -60,7 +59,7 @@ Json profile_record(const litfog::ConeProfileFit& fit, const litfog::ConeTarget&
           {"lower_bound", fit.lower_bound},
           {"rms", fit.rms},
           {"largest_error", fit.largest_error},
-          {"largest_error_deg", command::degrees(fit.largest_error_angle)},
+          {"largest_error_deg", files::degrees(fit.largest_error_angle)},
           {"flux_error", number_or_null(fit.flux_error)},
           {"beam_angle_error", number_or_null(fit.beam_angle_error)},
           {"field_angle_error", number_or_null(fit.field_angle_error)},
@@ -81,12 +80,12 @@ std::string fit_record(const LightFit& fit, bool has_time) {
   if (fit.range) add("range", range_record(*fit.range, has_time));
   if (fit.cone) {
     Json record{{"profile", name_of(fit.cone->profile)}};
-    if (fit.cone->cosine) record["cosine"] = profile_record(*fit.cone->cosine, *fit.spec.cone);
-    if (fit.cone->smoothstep) record["smoothstep"] = profile_record(*fit.cone->smoothstep, *fit.spec.cone);
+    if (fit.cone->cosine) record["cosine"] = profile_record(*fit.cone->cosine, *fit.target.cone);
+    if (fit.cone->smoothstep) record["smoothstep"] = profile_record(*fit.cone->smoothstep, *fit.target.cone);
     if (has_time) record["milliseconds"] = fit.cone->milliseconds;
     add("cone", record);
   }
-  if (fit.spec.luminaire) add("asymmetry", fit.asymmetry);
+  if (fit.target.luminaire) add("asymmetry", fit.asymmetry);
   return "{" + members + "\n  }";
 }
 

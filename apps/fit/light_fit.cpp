@@ -9,7 +9,7 @@
 #include <iterator>
 #include <numbers>
 
-#include "command/angle_deg.h"
+#include "files/angle_deg.h"
 
 namespace litfog::fit {
 
@@ -18,29 +18,29 @@ using litfog::Cone;
 using litfog::ConeFitStatus;
 using litfog::ConeProfile;
 
-LightFit fit_light(LightSpec spec, bool is_robust) {
+LightFit fit_light(LightTarget target, bool is_robust) {
   LightFit fit;
-  fit.light.name = spec.name;
-  fit.light.color = spec.color;
-  fit.light.density_scale = spec.density_scale;
+  fit.light.name = target.name;
+  fit.light.color = target.color;
+  fit.light.density_scale = target.density_scale;
   fit.light.attenuation = {1, 0, 0};
-  if (spec.range) {
-    spec.range->is_robust = is_robust;
-    fit.range = fit_attenuation(*spec.range);
+  if (target.range) {
+    target.range->is_robust = is_robust;
+    fit.range = fit_attenuation(*target.range);
     fit.light.attenuation = fit.range->attenuation;
     fit.light.threshold = fit.range->threshold;
   }
-  if (spec.cone) {
-    fit.cone = fit_cone(*spec.cone);
+  if (target.cone) {
+    fit.cone = fit_cone(*target.cone);
     fit.light.cone = fit.cone->best().cone;
   }
-  if (spec.luminaire) {
-    const auto& distribution = spec.luminaire->distribution;
+  if (target.luminaire) {
+    const auto& distribution = target.luminaire->distribution;
     fit.asymmetry = asymmetry(distribution, litfog::kPhotometricAxis);
     const double cosine = dot(find_peak(distribution).direction, litfog::kPhotometricAxis);
     fit.peak_angle = std::acos(std::clamp(cosine, -1.0, 1.0));
   }
-  fit.spec = std::move(spec);
+  fit.target = std::move(target);
   return fit;
 }
 
@@ -56,9 +56,9 @@ std::vector<std::string> LightFit::advice() const {
   };
   if (!range) add("No range is given: the light does not fall off. Give its extent or a falloff table.");
   if (range) {
-    const auto& samples = spec.range->samples;
+    const auto& samples = target.range->samples;
     const bool is_measured = samples.size() > 3;
-    if (is_measured && !spec.range->is_robust && range->rms > 0.01 &&
+    if (is_measured && !target.range->is_robust && range->rms > 0.01 &&
         std::abs(range->largest_residual) > 3 * range->rms) {
       add("One sample is off by {:.3g} times the rms error: if it is an outlier, try --robust.",
           std::abs(range->largest_residual) / range->rms);
@@ -75,15 +75,15 @@ std::vector<std::string> LightFit::advice() const {
     return advice;
   }
   const litfog::ConeProfileFit& best = cone->best();
-  if (spec.cone->samples.empty() && !(spec.cone->beam_angle && spec.cone->field_angle)) {
+  if (target.cone->samples.empty() && !(target.cone->beam_angle && target.cone->field_angle)) {
     add("One angle does not give a beam its edge: the profile's is an assumption. Give the other angle, or samples.");
   }
-  if (best.cone.profile == ConeProfile::cosine && !spec.cone->half_angle) {
+  if (best.cone.profile == ConeProfile::cosine && !target.cone->half_angle) {
     const double edge = std::pow(std::cos(best.cone.half_angle), best.cone.exponent);
     if (edge > 0.01) {
       add("The cone ends at {:.3g} degrees with {:.2g} % of the peak, an edge that shows in fog: half_angle_deg moves "
           "it.",
-          command::degrees(best.cone.half_angle), 100 * edge);
+          files::degrees(best.cone.half_angle), 100 * edge);
     }
   }
   constexpr double kPlainMiss = 0.05;  // of an angle
@@ -95,13 +95,13 @@ std::vector<std::string> LightFit::advice() const {
         100 * *best.flux_error);
   }
   if (best.rms > 0.05) add("Neither profile follows the beam well (rms error {:.2g} of the peak).", best.rms);
-  if (spec.luminaire && asymmetry > 0.1) {
+  if (target.luminaire && asymmetry > 0.1) {
     add("The beam is not round: {:.0f} % of it (rms) is lost with any cone. --cookie keeps its shape.",
         100 * asymmetry);
   }
-  if (spec.luminaire && peak_angle > command::radians(5)) {
+  if (target.luminaire && peak_angle > files::radians(5)) {
     add("The beam's peak is {:.3g} degrees off the photometric axis, about which the cone is.",
-        command::degrees(peak_angle));
+        files::degrees(peak_angle));
   }
   return advice;
 }

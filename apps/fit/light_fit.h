@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "fit/spec_file.h"
+#include "fit/light_target.h"
 #include "litfog/light.h"
 
 namespace litfog::fit {
 
 /// A light made from its spec, with all that is known of the fits.
 struct LightFit {
-  LightSpec spec;
+  LightTarget target;
   std::optional<litfog::AttenuationFit> range;  ///< without a target the attenuation is 1 everywhere
   std::optional<litfog::ConeFit> cone;          ///< without a target it is a point light
   litfog::Light light;
@@ -25,7 +25,7 @@ struct LightFit {
 };
 
 /// is_robust  for the range's samples: outliers count less
-LightFit fit_light(LightSpec spec, bool is_robust);
+LightFit fit_light(LightTarget target, bool is_robust);
 
 /// Which bounds and given figures hold a cone, in words.
 std::vector<std::string> active_constraints(const litfog::Cone& cone, const litfog::ConeTarget& target);

@@ -11,20 +11,21 @@
 #include <utility>
 #include <vector>
 
-#include "command/angle_deg.h"
 #include "command/command.h"
-#include "command/json_document.h"
-#include "command/light_file.h"
 #include "command/plot.h"
 #include "command/progress.h"
 #include "command/table.h"
 #include "command/whole_file.h"
+#include "files/angle_deg.h"
+#include "files/json_text.h"
 #include "fit/data_sheet.h"
 #include "fit/fit_figure.h"
 #include "fit/fit_record.h"
 #include "fit/light_fit.h"
-#include "fit/spec_file.h"
+#include "fit/light_target.h"
 #include "litfog/attenuation.h"
+#include "litfog/files/light_file.h"
+#include "litfog/input_error.h"
 #include "litfog/photometry/cookie_file.h"
 
 using namespace litfog::command;
@@ -147,15 +148,15 @@ std::vector<Outcome> plan(const Options& options) {
 }
 
 void fit(const Options& options, Outcome& outcome) {
-  LightSpec spec = is_spec(outcome.input)
-                       ? read_spec(outcome.input, options.profile)
-                       : read_photometric_spec(outcome.input, options.profile.value_or(ConeChoice::best));
-  if (!options.cookie.empty() && !spec.luminaire) {
-    throw BadInput(fmt::format("{}: cone.photometry: must be given for a cookie", outcome.input));
+  LightTarget target = is_spec(outcome.input)
+                           ? read_spec(outcome.input, options.profile)
+                           : read_photometric_spec(outcome.input, options.profile.value_or(ConeChoice::best));
+  if (!options.cookie.empty() && !target.luminaire) {
+    throw litfog::InputError({.file = outcome.input}, "cone.photometry", "", "must be given for a cookie");
   }
-  outcome.fit = fit_light(std::move(spec), options.is_robust);
-  outcome.light =
-      format_light(outcome.fit->light, outcome.fit->spec.source, fit_record(*outcome.fit, !options.is_reproducible));
+  outcome.fit = fit_light(std::move(target), options.is_robust);
+  outcome.light = litfog::format_light(outcome.fit->light, outcome.fit->target.source,
+                                       fit_record(*outcome.fit, !options.is_reproducible));
   if (!outcome.fit->is_proved()) outcome.status = kNotToTolerance;
 }
 
@@ -183,12 +184,13 @@ std::string json_of(const Outcome& outcome) {
   std::string advice;
   if (outcome.fit) {
     for (const std::string& sentence : outcome.fit->advice())
-      advice += (advice.empty() ? "" : ", ") + json_quoted(sentence);
+      advice += (advice.empty() ? "" : ", ") + litfog::files::json_quoted(sentence);
   }
   std::string text =
       fmt::format("{{\"input\": {}, \"output\": {}, \"status\": \"{}\", \"reason\": {},\n\"advice\": [{}],\n",
-                  json_quoted(outcome.input), outcome.output.empty() ? "null" : json_quoted(outcome.output),
-                  status_of(outcome), outcome.reason.empty() ? "null" : json_quoted(outcome.reason), advice);
+                  litfog::files::json_quoted(outcome.input),
+                  outcome.output.empty() ? "null" : litfog::files::json_quoted(outcome.output), status_of(outcome),
+                  outcome.reason.empty() ? "null" : litfog::files::json_quoted(outcome.reason), advice);
   text += "\"light\": " + (outcome.fit ? outcome.light : std::string("null"));
   while (text.ends_with('\n')) text.pop_back();
   return text + "}";
@@ -211,11 +213,12 @@ Table summary_of(const std::vector<Outcome>& outcomes) {
           row.insert(row.end(), {"none", std::monostate(), std::monostate(), std::monostate()});
           break;
         case litfog::ConeProfile::cosine:
-          row.insert(row.end(), {"cosine", degrees(light.cone.half_angle), light.cone.exponent});
+          row.insert(row.end(), {"cosine", litfog::files::degrees(light.cone.half_angle), light.cone.exponent});
           row.emplace_back(100 * outcome.fit->cone->best().rms);
           break;
         case litfog::ConeProfile::smoothstep:
-          row.insert(row.end(), {"smoothstep", degrees(light.cone.inner), degrees(light.cone.outer)});
+          row.insert(row.end(), {"smoothstep", litfog::files::degrees(light.cone.inner),
+                                 litfog::files::degrees(light.cone.outer)});
           row.emplace_back(100 * outcome.fit->cone->best().rms);
           break;
       }
@@ -260,10 +263,10 @@ ExitStatus run(const Options& options) {
         if (!outcome.output.empty()) write_whole_file(outcome.output, outcome.light);
         if (figure_format) write_whole_file(options.plot, figure);
         if (!options.cookie.empty()) {
-          write_whole_file(options.cookie, format_cookie(bake_cookie(outcome.fit->spec.luminaire->distribution,
+          write_whole_file(options.cookie, format_cookie(bake_cookie(outcome.fit->target.luminaire->distribution,
                                                                      options.cookie_size)));
         }
-      } catch (const BadInput& error) {
+      } catch (const litfog::InputError& error) {
         outcome.reason = error.what();
         outcome.status = kBadInput;
       }

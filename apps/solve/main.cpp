@@ -18,11 +18,13 @@
 
 #include "command/command.h"
 #include "command/csv.h"
-#include "command/light_file.h"
 #include "command/number.h"
 #include "command/output_files.h"
 #include "command/printable.h"
 #include "command/table.h"
+#include "files/json_text.h"
+#include "litfog/files/light_file.h"
+#include "litfog/input_error.h"
 #include "litfog/solve.h"
 
 using namespace litfog::command;
@@ -97,7 +99,8 @@ std::vector<Light> lights_of(const Options& options) {
   if (options.light_files.empty()) {
     lights.emplace_back().attenuation = options.attenuation;
   } else {
-    std::transform(options.light_files.begin(), options.light_files.end(), std::back_inserter(lights), read_light);
+    std::transform(options.light_files.begin(), options.light_files.end(), std::back_inserter(lights),
+                   litfog::read_light);
   }
   if (options.threshold) {
     for (Light& light : lights) light.threshold = *options.threshold;
@@ -152,8 +155,9 @@ struct Defect {
   std::string reason;
 };
 
-std::string located(const std::string& file, const Defect& defect) {
-  return fmt::format("{}:{}:{}: {}", file, defect.place.line, defect.place.column, defect.reason);
+litfog::InputError located(const std::string& file, const Defect& defect) {
+  const auto& [line, column] = defect.place;
+  return {{file, static_cast<std::size_t>(line), static_cast<std::size_t>(column)}, defect.reason};
 }
 
 /// The header: which field of a row holds which column.
@@ -202,8 +206,8 @@ std::optional<Defect> read_row(const Header& header, const CsvRecord& record, Ro
   }
   const auto defect_of = [&](std::size_t column, std::string_view rule) {
     const std::size_t i = header.index[column];
-    return Defect{record.place(i),
-                  fmt::format("{} = {}: {}", kColumnNames[column], quoted_excerpt(record.field(i)), rule)};
+    return Defect{record.place(i), fmt::format("{} = {}: {}", kColumnNames[column],
+                                               litfog::files::quoted_excerpt(record.field(i)), rule)};
   };
   const auto mode = parse_mode(record.field(header.index[kFog]));
   if (!mode) return defect_of(kFog, "must be exp or exp2");
@@ -233,7 +237,7 @@ class BatchReport {
   void add_defect(const Defect& defect) {
     if (++defects_ > kMaxReported) return;
     clear_progress();
-    fmt::print(stderr, "{}\n", printable(located(file_, defect)));
+    fmt::print(stderr, "{}\n", printable(located(file_, defect).what()));
   }
 
   void add_row() {
@@ -273,7 +277,7 @@ ExitStatus solve_batch(const Options& options) {
   const std::string name = is_standard_input ? "<stdin>" : options.csv_file;
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(
       is_standard_input ? stdin : std::fopen(options.csv_file.c_str(), "rb"), std::fclose);
-  if (!file) throw BadInput(name + ": cannot be read: " + std::strerror(errno));
+  if (!file) throw litfog::InputError({.file = name}, std::string("cannot be read: ") + std::strerror(errno));
   if (!is_standard_input) {
     OutputFiles outputs;
     outputs.add_standard_output();
@@ -282,8 +286,8 @@ ExitStatus solve_batch(const Options& options) {
   CsvReader reader(file.get(), name);
   CsvRecord record;
   Header header;
-  if (!reader.read(record)) throw BadInput(located(name, {{}, "header: must be given"}));
-  if (const auto defect = read_header(record, header)) throw BadInput(located(name, *defect));
+  if (!reader.read(record)) throw located(name, {{}, "header: must be given"});
+  if (const auto defect = read_header(record, header)) throw located(name, *defect);
 
   const char* const line_end = record.ends_in_crlf() ? "\r\n" : "\n";
   fmt::memory_buffer out;

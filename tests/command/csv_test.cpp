@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "command/exit_status.h"
+#include "litfog/input_error.h"
 
 namespace litfog::test {
 using namespace command;
@@ -166,7 +167,7 @@ TEST(Csv, WhatCannotBeReadIsBadInput) {
   try {
     CsvReader reader(file.get(), "dir");
     FAIL() << "a directory was read";
-  } catch (const BadInput& error) {
+  } catch (const InputError& error) {
     EXPECT_STREQ(error.what(), "dir: cannot be read: Is a directory");
   }
 }

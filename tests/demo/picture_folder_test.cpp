@@ -5,6 +5,7 @@
 
 #include "command/exit_status.h"
 #include "command/temporary_directory.h"
+#include "litfog/input_error.h"
 #include "measure/no_more_threads.h"
 
 namespace litfog::test {
@@ -35,7 +36,7 @@ TEST_F(PictureFolderTest, IsMadeWithAllAboveItAndHasWhatWasWritten) {
 TEST_F(PictureFolderTest, RefusesWhatWouldReplaceAnotherScenesPicture) {
   PictureFolder pictures(path("a"));
   pictures.write("room-vertex-reference.png", kPixel);
-  EXPECT_THROW(pictures.write("room-vertex-reference.png", kPixel), BadInput);
+  EXPECT_THROW(pictures.write("room-vertex-reference.png", kPixel), InputError);
 }
 
 TEST_F(PictureFolderTest, IsFilledWithoutAThreadToSpare) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "command/light_file.h"
+#include "litfog/files/light_file.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -11,13 +11,14 @@
 #include <set>
 #include <string>
 
-#include "command/angle_deg.h"
-#include "command/exit_status.h"
+#include "files/angle_deg.h"
+#include "files/json_document.h"
+#include "files/light_json.h"
 #include "litfog/attenuation.h"
 #include "reference/random_light.h"
 
 namespace litfog::test {
-using namespace command;
+using namespace files;
 
 namespace {
 
@@ -27,10 +28,10 @@ using std::numbers::pi;
 
 Light parse(const std::string& text) { return parse_light(parse_json(text, "f")); }
 
-std::string refusal_of(const std::string& text) {
+std::string error_of(const std::string& text) {
   try {
     parse(text);
-  } catch (const BadInput& error) {
+  } catch (const InputError& error) {
     return error.what();
   }
   return "(accepted)";
@@ -70,17 +71,16 @@ TEST(LightFile, WidestAnglesAreExact) {
 
 TEST(LightFile, RefusesMembersAtTheirPlaceInTheFilesTerms) {
   const auto with = [](const std::string& members) {
-    return refusal_of("{\"attenuation\": {\"linear\": 1},\n" + members + "}");
+    return error_of("{\"attenuation\": {\"linear\": 1},\n" + members + "}");
   };
-  EXPECT_EQ(refusal_of("{}"), "f:1:1: attenuation: must be given");
-  EXPECT_EQ(refusal_of(R"({"attenuation": 1})"), "f:1:17: attenuation = 1: must be an object");
-  EXPECT_EQ(refusal_of(R"({"attenuation": {}})"),
+  EXPECT_EQ(error_of("{}"), "f:1:1: attenuation: must be given");
+  EXPECT_EQ(error_of(R"({"attenuation": 1})"), "f:1:17: attenuation = 1: must be an object");
+  EXPECT_EQ(error_of(R"({"attenuation": {}})"),
             "f:1:17: attenuation.constant = 0: must be > 0 where linear and quadratic are 0");
-  EXPECT_EQ(refusal_of(R"({"attenuation": {"constant": 0}})"),
+  EXPECT_EQ(error_of(R"({"attenuation": {"constant": 0}})"),
             "f:1:30: attenuation.constant = 0: must be > 0 where linear and quadratic are 0");
-  EXPECT_EQ(refusal_of(R"({"attenuation": {"linear": -1}})"),
-            "f:1:28: attenuation.linear = -1: must be finite and >= 0");
-  EXPECT_EQ(refusal_of(R"({"attenuation": {"square": 1}})"),
+  EXPECT_EQ(error_of(R"({"attenuation": {"linear": -1}})"), "f:1:28: attenuation.linear = -1: must be finite and >= 0");
+  EXPECT_EQ(error_of(R"({"attenuation": {"square": 1}})"),
             "f:1:18: \"square\": must be one of constant, linear, quadratic");
   EXPECT_EQ(with(R"("threshold": 1)"), "f:2:14: threshold = 1: must be in (0, 1)");
   EXPECT_EQ(with(R"("threshold": null)"), "f:2:14: threshold = null: must be a number");
@@ -96,7 +96,7 @@ TEST(LightFile, RefusesMembersAtTheirPlaceInTheFilesTerms) {
 
 TEST(LightFile, RefusesConesInDegrees) {
   const auto with = [](const std::string& cone) {
-    return refusal_of("{\"attenuation\": {\"linear\": 1},\n\"cone\": " + cone + "}");
+    return error_of("{\"attenuation\": {\"linear\": 1},\n\"cone\": " + cone + "}");
   };
   EXPECT_EQ(with("{}"), "f:2:9: cone.profile: must be given");
   EXPECT_EQ(with(R"({"profile": "best"})"), R"(f:2:21: cone.profile = "best": must be "cosine" or "smoothstep")");
@@ -158,7 +158,7 @@ TEST(LightFile, FileNeedsItsHeaderAndLendsItsName) {
   std::string refusal;
   try {
     read_light(path.string());
-  } catch (const BadInput& error) {
+  } catch (const InputError& error) {
     refusal = error.what();
   }
   EXPECT_EQ(refusal, path.string() + ":1:1: litfog: must be given");

@@ -14,9 +14,9 @@
 
 #include "command/command_test.h"
 #include "command/exit_status.h"
-#include "command/json_document.h"
-#include "command/light_file.h"
+#include "files/json_document.h"
 #include "litfog/attenuation.h"
+#include "litfog/files/light_file.h"
 #include "litfog/fit/cone_fit.h"
 #include "litfog/photometry/cookie_file.h"
 #include "litfog/photometry/luminaire.h"
@@ -108,7 +108,7 @@ TEST_F(FitCommand, LightIsReadBackAndMeetsItsTarget) {
   EXPECT_NEAR(compute_extent(fitted.attenuation, fitted.threshold), 120, 120 * 1e-12);
   EXPECT_NEAR(attenuation_at(fitted.attenuation, 40), 0.31, 0.02);
   EXPECT_NEAR(cone_at(fitted.cone, std::cos(pi / 18)), 0.45, 0.05);
-  EXPECT_EQ(read_json((directory() / "light.json").string()).member("source").items()[0].string(), "a test");
+  EXPECT_EQ(files::read_json((directory() / "light.json").string()).member("source").items()[0].string(), "a test");
 }
 
 TEST_F(FitCommand, SolveReadsTheLightUnchanged) {

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "command/exit_status.h"
+#include "litfog/input_error.h"
 
 namespace litfog::test {
 using namespace scene;
@@ -45,8 +46,8 @@ json sound_file() {
 /// The sentence without file, line and column; empty where there is none.
 std::string refusal(const json& file) {
   try {
-    scene::expect_gltf_members(parse_json(file.dump(), "a.gltf"));
-  } catch (const BadInput& bad) {
+    scene::expect_gltf_members(files::parse_json(file.dump(), "a.gltf"));
+  } catch (const InputError& bad) {
     const std::string sentence = bad.what();
     return sentence.substr(sentence.find(": ") + 2);
   }

@@ -17,6 +17,7 @@
 #include "command/temporary_directory.h"
 #include "gl/gl_test.h"
 #include "litfog/attenuation.h"
+#include "litfog/input_error.h"
 #include "measure/picture_error.h"
 #include "measure/reference_picture.h"
 #include "scene/file/scene_file.h"
@@ -120,7 +121,7 @@ class GltfScene : public testing::Test {
   std::string refusal(const json& scene, const std::string& buffer = floor_bytes()) const {
     try {
       read(scene, buffer);
-    } catch (const BadInput& bad) {
+    } catch (const InputError& bad) {
       const std::string sentence = bad.what();
       return sentence.substr(sentence.find(": ") + 2);
     }
@@ -361,18 +362,18 @@ TEST_F(GltfScene, RefusesPicturesThatCannotBeRead) {
 }
 
 TEST_F(GltfScene, RefusesFilesThatAreNone) {
-  EXPECT_THROW(read_scene(path("none.gltf")), BadInput);
-  EXPECT_THROW(read_scene(write("empty.gltf", "")), BadInput);
-  EXPECT_THROW(read_scene(write("empty.glb", "")), BadInput);
-  EXPECT_THROW(read_scene(write("text.glb", "glTF but not binary, and longer than its headers")), BadInput);
+  EXPECT_THROW(read_scene(path("none.gltf")), InputError);
+  EXPECT_THROW(read_scene(write("empty.gltf", "")), InputError);
+  EXPECT_THROW(read_scene(write("empty.glb", "")), InputError);
+  EXPECT_THROW(read_scene(write("text.glb", "glTF but not binary, and longer than its headers")), InputError);
   std::string old = binary_file(floor_scene(), floor_bytes());
   old[4] = 1;
-  EXPECT_THROW(read_scene(write("old.glb", old)), BadInput);
-  EXPECT_THROW(read_scene(write("old.gltf", R"({"nodes": []})")), BadInput);
+  EXPECT_THROW(read_scene(write("old.glb", old)), InputError);
+  EXPECT_THROW(read_scene(write("old.gltf", R"({"nodes": []})")), InputError);
   try {
     read_scene(write("comma.gltf", "{\"asset\": {\"version\": \"2.0\"},\n  }"));
     FAIL();
-  } catch (const BadInput& bad) {
+  } catch (const InputError& bad) {
     EXPECT_NE(std::string(bad.what()).find("comma.gltf:2:3: "), std::string::npos) << bad.what();
   }
 }
@@ -399,7 +400,7 @@ TEST_F(GltfScene, NoDamageCrashesTheReader) {
     if (trial % 10 == 0) damaged.resize(random() % damaged.size());
     try {
       read_scene(write("damaged.glb", damaged));
-    } catch (const BadInput&) {
+    } catch (const InputError&) {
       ++refused;
     }
   }

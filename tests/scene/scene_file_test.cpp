@@ -10,6 +10,7 @@
 #include "command/exit_status.h"
 #include "command/temporary_directory.h"
 #include "litfog/fog_light_block.h"
+#include "litfog/input_error.h"
 #include "litfog/photometry/cookie_file.h"
 
 namespace litfog::test {
@@ -37,7 +38,7 @@ class SceneFile : public testing::Test {
   std::string refusal(const std::string& members) const {
     try {
       read(members);
-    } catch (const BadInput& bad) {
+    } catch (const InputError& bad) {
       const std::string sentence = bad.what();
       return sentence.starts_with(path()) ? sentence.substr(path().size()) : sentence;
     }
@@ -287,7 +288,7 @@ TEST_F(SceneFile, RefusesARuleAcrossParametersInPlace) {
 TEST_F(SceneFile, RefusesACameraThatLooksStraightUp) {
   std::ofstream(path()) << "{\"litfog\": \"scene\", \"version\": 1,\n"
                            " \"camera\": {\"position\": [0, 1, 5], \"target\": [0, 9, 5]}, \"objects\": []}";
-  EXPECT_THROW(read_scene(path()), BadInput);
+  EXPECT_THROW(read_scene(path()), InputError);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <iterator>
 
 #include "command/exit_status.h"
+#include "litfog/input_error.h"
 #include "scene/file/gltf_members.h"
 
 namespace litfog::scene {
@@ -22,7 +23,7 @@ std::string whole_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::string bytes;
   if (file) bytes.assign(std::istreambuf_iterator<char>(file), {});
-  if (!file) throw command::BadInput(path + ": cannot be read");
+  if (!file) throw InputError({.file = path}, "cannot be read");
   return bytes;
 }
 
@@ -37,9 +38,9 @@ std::string json_chunk(const std::string& path, const std::string& bytes) {
   constexpr std::size_t kHeaders = 20;  // of the file and of the chunk
   if (bytes.size() < kHeaders || !bytes.starts_with("glTF") || bytes.compare(16, 4, "JSON") != 0 ||
       little_endian(bytes, 12) > bytes.size() - kHeaders) {
-    throw command::BadInput(path + ": must be a binary glTF file that begins with its JSON chunk");
+    throw InputError({.file = path}, "must be a binary glTF file that begins with its JSON chunk");
   }
-  if (little_endian(bytes, 4) != 2) throw command::BadInput(path + ": must be a binary glTF file of version 2");
+  if (little_endian(bytes, 4) != 2) throw InputError({.file = path}, "must be a binary glTF file of version 2");
   return bytes.substr(kHeaders, little_endian(bytes, 12));
 }
 
@@ -86,11 +87,11 @@ GltfFile::GltfFile(const std::string& path) : path_(path), root_(load()) {}
 JsonValue GltfFile::load() {
   std::error_code error;
   if (std::filesystem::file_size(path_, error) > kMaxBytes && !error) {
-    throw command::BadInput(fmt::format("{}: must be at most {} MiB", path_, kMaxBytes >> 20));
+    throw InputError({.file = path_}, fmt::format("must be at most {} MiB", kMaxBytes >> 20));
   }
   const std::string bytes = whole_file(path_);
   const bool is_binary = std::filesystem::path(path_).extension() == ".glb";
-  JsonValue root = parse_json(is_binary ? json_chunk(path_, bytes) : bytes, path_);
+  JsonValue root = files::parse_json(is_binary ? json_chunk(path_, bytes) : bytes, path_);
   expect_gltf_members(root);
   tinygltf::TinyGLTF loader;
   loader.SetImageLoader(&keep_encoded, nullptr);
@@ -110,7 +111,7 @@ JsonValue GltfFile::load() {
   if (!is_loaded) {
     std::ranges::replace(errors, '\n', ' ');
     while (errors.ends_with(' ') || errors.ends_with('.')) errors.pop_back();
-    throw command::BadInput(path_ + ": must be a glTF 2.0 file: " + errors);
+    throw InputError({.file = path_}, "must be a glTF 2.0 file: " + errors);
   }
   return root;
 }

@@ -10,9 +10,11 @@
 #include <variant>
 #include <vector>
 
-#include "command/json_document.h"
+#include "files/json_document.h"
 
 namespace litfog::scene {
+
+using files::JsonValue;
 
 /// The way to a value from a glTF file's root: names of members and places in arrays.
 using GltfPlace = std::vector<std::variant<std::string, std::size_t>>;
@@ -37,13 +39,13 @@ struct GltfNumbers {
 /// name the place.
 class GltfFile {
  public:
-  /// throws  BadInput
+  /// throws  InputError
   explicit GltfFile(const std::string& path);
 
   const std::string& path() const { return path_; }
   const tinygltf::Model& model() const { return model_; }
 
-  /// Refuses the value at a place of the file: throws BadInput.
+  /// Refuses the value at a place of the file: throws InputError.
   [[noreturn]] void refuse(const GltfPlace& place, const std::string& rule) const;
   /// An index into one of the file's arrays.
   std::size_t index(const GltfPlace& place, int value, std::size_t size) const;

@@ -24,7 +24,7 @@ class GltfMaterials {
   ///
   /// place   of the number
   /// number  -1: glTF's default material
-  /// throws  BadInput
+  /// throws  InputError
   std::string use(const GltfPlace& place, int number);
 
   /// Those made.

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "command/json_document.h"
+#include "files/json_document.h"
 
 namespace litfog::scene {
+
+using files::JsonValue;
 
 /// Refuses what a glTF reader would pass over in silence as if it were not given, or misread: members of a wrong kind
 /// or length, of all that the demo reads of such a file (glTF 2.0, chapter 5; KHR_lights_punctual).
 ///
 /// root    the file's JSON
-/// throws  BadInput
+/// throws  InputError
 void expect_gltf_members(const JsonValue& root);
 
 }  // namespace litfog::scene

@@ -10,7 +10,7 @@ namespace litfog::scene {
 /// not; the backs of faces where its material shows them.
 ///
 /// place   the primitive's
-/// throws  BadInput
+/// throws  InputError
 Mesh read_gltf_primitive(const GltfFile& file, const GltfPlace& place, const tinygltf::Primitive& primitive);
 
 }  // namespace litfog::scene

@@ -13,6 +13,7 @@
 
 #include "command/exit_status.h"
 #include "litfog/fog_light_block.h"
+#include "litfog/input_error.h"
 #include "scene/file/gltf_file.h"
 #include "scene/file/gltf_material.h"
 #include "scene/file/gltf_mesh.h"
@@ -44,7 +45,7 @@ class GltfReader {
                           .sky_horizon = kNightFog};
     scene_.models.emplace_back();
     read_nodes();
-    if (scene_.models[0].empty()) throw command::BadInput(path + ": meshes: must hold triangles");
+    if (scene_.models[0].empty()) throw InputError({.file = path}, "meshes: must hold triangles");
     scene_.instances.push_back({0, glm::mat4(1.0f)});
     const Bounds box = bounds(scene_.models[0]);
     const double size = std::max(0.01, double(glm::distance(box.low, box.high)));
@@ -64,7 +65,7 @@ class GltfReader {
   void read_name() {
     scene_.name = std::filesystem::path(file_.path()).stem().string();
     if (scene_.name.empty() || scene_.name.front() == '.')
-      throw command::BadInput(file_.path() + ": must have a name before its ending");
+      throw InputError({.file = file_.path()}, "must have a name before its ending");
   }
 
   // --- nodes ---

@@ -29,7 +29,7 @@ bool is_gltf_path(const std::string& path);
 /// the moon of colour E / pi. Ambient light and fog are a night's; in a file without lights the ambient light is
 /// bright.
 ///
-/// throws  BadInput
+/// throws  InputError
 Scene read_gltf_scene(const std::string& path);
 
 }  // namespace litfog::scene

@@ -13,8 +13,10 @@
 #include <stdexcept>
 
 #include "command/exit_status.h"
-#include "command/json_document.h"
-#include "command/light_file.h"
+#include "files/json_document.h"
+#include "files/json_text.h"
+#include "files/light_json.h"
+#include "litfog/files/light_file.h"
 #include "litfog/fog_light_block.h"
 #include "litfog/input_error.h"
 #include "litfog/photometry/cookie_file.h"
@@ -25,6 +27,8 @@
 
 namespace litfog::scene {
 namespace {
+
+using files::JsonValue;
 
 constexpr std::size_t kMaxCopies = 20'000;  // of one object or light
 constexpr std::size_t kMaxInstances = 50'000;
@@ -142,7 +146,7 @@ Environment read_environment(const JsonValue& value) {
 class SceneReader {
  public:
   explicit SceneReader(const std::string& path) : folder_(std::filesystem::path(path).parent_path()) {
-    const JsonValue root = read_json(path);
+    const JsonValue root = files::read_json(path);
     expect_header(root, "scene", 1);
     root.allow_only(
         {"litfog", "version", "name", "description", "camera", "environment", "visibilities_m", "lights", "objects"});
@@ -171,7 +175,7 @@ class SceneReader {
                               std::ranges::none_of(scene_.name, [](unsigned char c) { return c < ' ' || c == 127; });
     if (is_file_name) return;
     if (name) name->fail(kRule);
-    root.fail("name", quoted_excerpt(scene_.name), kRule);
+    root.fail("name", files::quoted_excerpt(scene_.name), kRule);
   }
 
   void read_visibilities(const JsonValue& value) {
@@ -192,7 +196,7 @@ class SceneReader {
     if (is_new) {
       try {
         entry->second = read_light((folder_ / value.string()).string());
-      } catch (const command::BadInput& refusal) {
+      } catch (const InputError& refusal) {
         value.fail(std::string("must be a light file: ") + refusal.what());
       }
     }
@@ -390,7 +394,7 @@ std::vector<Scene> read_scenes(const std::vector<std::string>& paths) {
     const std::string& name = scenes.back().name;
     const auto earlier = std::ranges::find(scenes, name, &Scene::name);
     if (const auto i = std::size_t(earlier - scenes.begin()); i + 1 < scenes.size()) {
-      throw command::BadInput(fmt::format("{}: name = {}: must not be that of {} too", path, name, paths[i]));
+      throw InputError({.file = path}, "name", name, fmt::format("must not be that of {} too", paths[i]));
     }
   }
   return scenes;
@@ -403,7 +407,7 @@ std::vector<std::string> bundled_scenes() {
     if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
   }
   if (names.empty())
-    throw command::BadInput(scene_folder().string() + ": cannot be read: litfog's scenes are not there");
+    throw InputError({.file = scene_folder().string()}, "cannot be read: litfog's scenes are not there");
   std::ranges::sort(names);
   return names;
 }

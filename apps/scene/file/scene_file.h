@@ -46,13 +46,14 @@ namespace litfog::scene {
 /// Coordinates are within 10,000 km, parts of a colour at most 10,000.
 // clang-format on
 
-/// Reads a scene file, or a glTF file (gltf_scene.h) by its ending. Throws BadInput.
+/// Reads a scene file, or a glTF file (gltf_scene.h) by its ending. Throws InputError.
 Scene read_scene(const std::string& path);
 
-/// Reads scenes whose pictures go into one folder. Throws BadInput, also where two have one name: their pictures would.
+/// Reads scenes whose pictures go into one folder. Throws InputError, also where two have one name: their pictures
+/// would.
 std::vector<Scene> read_scenes(const std::vector<std::string>& paths);
 
-/// The scenes that come with litfog: names of files in data/scenes, sorted. Throws BadInput where there are none.
+/// The scenes that come with litfog: names of files in data/scenes, sorted. Throws InputError where there are none.
 std::vector<std::string> bundled_scenes();
 
 /// Path of a bundled scene's file, whether there is one of that name or not.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fit/spec_file.h"
+#include "fit/light_target.h"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,10 @@
 
 #include "command/exit_status.h"
 #include "command/temporary_directory.h"
+#include "litfog/input_error.h"
 
 namespace litfog::test {
-using namespace command;
+using namespace fit;
 
 namespace {
 
@@ -31,7 +32,7 @@ TILT=NONE
 100 80 20 0
 )";
 
-class SpecFile : public testing::Test {
+class LightTargetFile : public testing::Test {
  protected:
   std::string write(const std::string& name, const std::string& text) const {
     const auto path = directory_.path() / name;
@@ -39,13 +40,13 @@ class SpecFile : public testing::Test {
     return path.string();
   }
 
-  LightSpec read(const std::string& text) const { return read_spec(write("f.json", text)); }
+  LightTarget read(const std::string& text) const { return read_spec(write("f.json", text)); }
 
   /// The sentence less the folder.
-  std::string refusal_of(const std::string& text) const {
+  std::string error_of(const std::string& text) const {
     try {
       read(text);
-    } catch (const BadInput& error) {
+    } catch (const InputError& error) {
       std::string message = error.what();
       const std::string folder = directory_.path().string() + "/";
       for (auto at = message.find(folder); at != std::string::npos; at = message.find(folder)) {
@@ -57,113 +58,113 @@ class SpecFile : public testing::Test {
   }
 
   /// Of a spec whose second line is one member.
-  std::string refusal_with(const std::string& member) const {
-    return refusal_of("{\"litfog\": \"light-spec\", \"version\": 1,\n" + member + "}");
+  std::string error_with(const std::string& member) const {
+    return error_of("{\"litfog\": \"light-spec\", \"version\": 1,\n" + member + "}");
   }
 
   litfog::test::TemporaryDirectory directory_;
 };
 
-TEST_F(SpecFile, ReadsEveryMember) {
-  const LightSpec spec = read(R"({"litfog": "light-spec", "version": 1, "name": "lamp", "source": ["a", "b"],
+TEST_F(LightTargetFile, ReadsEveryMember) {
+  const LightTarget target = read(R"({"litfog": "light-spec", "version": 1, "name": "lamp", "source": ["a", "b"],
     "color": [1, 0.5, 0.25], "density_scale": 0.4,
     "range": {"threshold": 0.1, "extent_m": 120, "constant": 1,
               "samples": [{"range_m": 10, "attenuation": 0.8}, {"range_m": 20, "attenuation": 0.5, "weight": 3}]},
     "cone": {"profile": "smoothstep", "half_angle_deg": 45, "beam_angle_deg": 11, "field_angle_deg": 22,
              "samples": [{"angle_deg": 0, "intensity": 7}, {"angle_deg": 18, "intensity": 2, "weight": 2}]}})");
-  EXPECT_EQ(spec.name, "lamp");
-  EXPECT_EQ(spec.source, (std::vector<std::string>{"a", "b"}));
-  EXPECT_EQ(spec.color, glm::dvec3(1, 0.5, 0.25));
-  EXPECT_EQ(spec.density_scale, 0.4);
-  ASSERT_TRUE(spec.range);
-  EXPECT_EQ(spec.range->threshold, 0.1);
-  EXPECT_EQ(spec.range->extent, 120);
-  EXPECT_EQ(spec.range->constant, 1);
-  ASSERT_EQ(spec.range->samples.size(), 2u);
-  EXPECT_EQ(spec.range->samples[0].weight, 1);
-  EXPECT_EQ(spec.range->samples[1].range, 20);
-  EXPECT_EQ(spec.range->samples[1].attenuation, 0.5);
-  EXPECT_EQ(spec.range->samples[1].weight, 3);
-  ASSERT_TRUE(spec.cone);
-  EXPECT_EQ(spec.cone->choice, ConeChoice::smoothstep);
-  EXPECT_EQ(spec.cone->half_angle, pi / 4);
-  EXPECT_DOUBLE_EQ(*spec.cone->beam_angle, 11 * pi / 180);
-  EXPECT_DOUBLE_EQ(*spec.cone->field_angle, 22 * pi / 180);
-  ASSERT_EQ(spec.cone->samples.size(), 2u);
-  EXPECT_DOUBLE_EQ(spec.cone->samples[1].angle, pi / 10);
-  EXPECT_EQ(spec.cone->samples[1].intensity, 2);
-  EXPECT_EQ(spec.cone->samples[1].weight, 2);
-  EXPECT_FALSE(spec.luminaire);
+  EXPECT_EQ(target.name, "lamp");
+  EXPECT_EQ(target.source, (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(target.color, glm::dvec3(1, 0.5, 0.25));
+  EXPECT_EQ(target.density_scale, 0.4);
+  ASSERT_TRUE(target.range);
+  EXPECT_EQ(target.range->threshold, 0.1);
+  EXPECT_EQ(target.range->extent, 120);
+  EXPECT_EQ(target.range->constant, 1);
+  ASSERT_EQ(target.range->samples.size(), 2u);
+  EXPECT_EQ(target.range->samples[0].weight, 1);
+  EXPECT_EQ(target.range->samples[1].range, 20);
+  EXPECT_EQ(target.range->samples[1].attenuation, 0.5);
+  EXPECT_EQ(target.range->samples[1].weight, 3);
+  ASSERT_TRUE(target.cone);
+  EXPECT_EQ(target.cone->choice, ConeChoice::smoothstep);
+  EXPECT_EQ(target.cone->half_angle, pi / 4);
+  EXPECT_DOUBLE_EQ(*target.cone->beam_angle, 11 * pi / 180);
+  EXPECT_DOUBLE_EQ(*target.cone->field_angle, 22 * pi / 180);
+  ASSERT_EQ(target.cone->samples.size(), 2u);
+  EXPECT_DOUBLE_EQ(target.cone->samples[1].angle, pi / 10);
+  EXPECT_EQ(target.cone->samples[1].intensity, 2);
+  EXPECT_EQ(target.cone->samples[1].weight, 2);
+  EXPECT_FALSE(target.luminaire);
 }
 
-TEST_F(SpecFile, DefaultsAreTheModels) {
-  const LightSpec spec = read(R"({"litfog": "light-spec", "version": 1, "range": {"extent_m": 9}})");
-  EXPECT_EQ(spec.name, "f");
-  EXPECT_TRUE(spec.source.empty());
-  EXPECT_EQ(spec.color, glm::dvec3(1));
-  EXPECT_EQ(spec.density_scale, 1);
-  EXPECT_EQ(spec.range->threshold, 0.05);
-  EXPECT_EQ(spec.range->family, AttenuationFamily::quadratic);
-  EXPECT_FALSE(spec.cone);
+TEST_F(LightTargetFile, DefaultsAreTheModels) {
+  const LightTarget target = read(R"({"litfog": "light-spec", "version": 1, "range": {"extent_m": 9}})");
+  EXPECT_EQ(target.name, "f");
+  EXPECT_TRUE(target.source.empty());
+  EXPECT_EQ(target.color, glm::dvec3(1));
+  EXPECT_EQ(target.density_scale, 1);
+  EXPECT_EQ(target.range->threshold, 0.05);
+  EXPECT_EQ(target.range->family, AttenuationFamily::quadratic);
+  EXPECT_FALSE(target.cone);
   EXPECT_EQ(read(R"({"litfog": "light-spec", "version": 1, "cone": {"beam_angle_deg": 9}})").cone->choice,
             ConeChoice::best);
 }
 
-TEST_F(SpecFile, ProfileOfTheCallerWins) {
+TEST_F(LightTargetFile, ProfileOfTheCallerWins) {
   const std::string path =
       write("f.json", R"({"litfog": "light-spec", "version": 1, "cone": {"profile": "cosine", "beam_angle_deg": 9}})");
   EXPECT_EQ(read_spec(path).cone->choice, ConeChoice::cosine);
   EXPECT_EQ(read_spec(path, ConeChoice::best).cone->choice, ConeChoice::best);
 }
 
-TEST_F(SpecFile, PhotometryIsRelativeToTheSpecAndGivesAnExtent) {
+TEST_F(LightTargetFile, PhotometryIsRelativeToTheSpecAndGivesAnExtent) {
   write("lamp.ies", kIes);
-  const LightSpec spec =
+  const LightTarget target =
       read(R"({"litfog": "light-spec", "version": 1, "cone": {"photometry": "lamp.ies"}, "color": [1, 0, 0]})");
-  ASSERT_TRUE(spec.luminaire);
-  ASSERT_EQ(spec.cone->samples.size(), 4u);
-  EXPECT_DOUBLE_EQ(spec.cone->samples[1].angle, pi / 36);
-  EXPECT_NEAR(spec.cone->samples[1].intensity, 80, 1e-12);
-  EXPECT_EQ(spec.cone->samples[1].weight, 1);
-  EXPECT_EQ(spec.range->extent, 10) << "100 cd give 1 lx at 10 m";
-  EXPECT_NE(spec.source.back().find("sqrt(100 cd / 1 lx) = 10 m"), std::string::npos);
-  const LightSpec given =
+  ASSERT_TRUE(target.luminaire);
+  ASSERT_EQ(target.cone->samples.size(), 4u);
+  EXPECT_DOUBLE_EQ(target.cone->samples[1].angle, pi / 36);
+  EXPECT_NEAR(target.cone->samples[1].intensity, 80, 1e-12);
+  EXPECT_EQ(target.cone->samples[1].weight, 1);
+  EXPECT_EQ(target.range->extent, 10) << "100 cd give 1 lx at 10 m";
+  EXPECT_NE(target.source.back().find("sqrt(100 cd / 1 lx) = 10 m"), std::string::npos);
+  const LightTarget given =
       read(R"({"litfog": "light-spec", "version": 1, "cone": {"photometry": "lamp.ies"}, "range": {"extent_m": 7}})");
   EXPECT_EQ(given.range->extent, 7);
   EXPECT_TRUE(given.source.empty());
 }
 
-TEST_F(SpecFile, PhotometricFileAloneIsAWhiteLightNamedByIt) {
-  const LightSpec spec = read_photometric_spec(write("lamp.ies", kIes));
-  EXPECT_EQ(spec.name, "spot");
-  EXPECT_EQ(spec.color, glm::dvec3(1));
-  EXPECT_EQ(spec.range->extent, 10);
-  EXPECT_EQ(spec.cone->samples.size(), 4u);
-  ASSERT_EQ(spec.source.size(), 3u);
-  EXPECT_EQ(spec.source[0], "lamp.ies: maker");
+TEST_F(LightTargetFile, PhotometricFileAloneIsAWhiteLightNamedByIt) {
+  const LightTarget target = read_photometric_spec(write("lamp.ies", kIes));
+  EXPECT_EQ(target.name, "spot");
+  EXPECT_EQ(target.color, glm::dvec3(1));
+  EXPECT_EQ(target.range->extent, 10);
+  EXPECT_EQ(target.cone->samples.size(), 4u);
+  ASSERT_EQ(target.source.size(), 3u);
+  EXPECT_EQ(target.source[0], "lamp.ies: maker");
 }
 
-TEST_F(SpecFile, RefusesMembersAtTheirPlace) {
-  EXPECT_EQ(refusal_of("{}"), "f.json:1:1: litfog: must be given");
-  EXPECT_EQ(refusal_of(R"({"litfog": "light", "version": 1})"),
+TEST_F(LightTargetFile, RefusesMembersAtTheirPlace) {
+  EXPECT_EQ(error_of("{}"), "f.json:1:1: litfog: must be given");
+  EXPECT_EQ(error_of(R"({"litfog": "light", "version": 1})"),
             "f.json:1:12: litfog = \"light\": must be \"light-spec\"");
-  EXPECT_EQ(refusal_with("\"name\": \"x\""), "f.json:1:1: range or cone: must be given");
-  EXPECT_EQ(refusal_with("\"beam\": 1"),
+  EXPECT_EQ(error_with("\"name\": \"x\""), "f.json:1:1: range or cone: must be given");
+  EXPECT_EQ(error_with("\"beam\": 1"),
             "f.json:2:1: \"beam\": must be one of litfog, version, name, source, color, density_scale, range, cone");
-  EXPECT_EQ(refusal_with("\"color\": [1, -1, 1], \"range\": {\"extent_m\": 1}"),
+  EXPECT_EQ(error_with("\"color\": [1, -1, 1], \"range\": {\"extent_m\": 1}"),
             "f.json:2:14: color[1] = -1: must be finite and >= 0");
-  EXPECT_EQ(refusal_with("\"density_scale\": -1, \"range\": {\"extent_m\": 1}"),
+  EXPECT_EQ(error_with("\"density_scale\": -1, \"range\": {\"extent_m\": 1}"),
             "f.json:2:18: density_scale = -1: must be finite and >= 0");
-  EXPECT_EQ(refusal_with("\"range\": {\"extent\": 1}"),
+  EXPECT_EQ(error_with("\"range\": {\"extent\": 1}"),
             "f.json:2:11: \"extent\": must be one of threshold, extent_m, constant, family, samples");
-  EXPECT_EQ(refusal_with("\"cone\": {\"angle\": 1}"),
+  EXPECT_EQ(error_with("\"cone\": {\"angle\": 1}"),
             "f.json:2:10: \"angle\": must be one of profile, half_angle_deg, beam_angle_deg, field_angle_deg, samples, "
             "photometry");
-  EXPECT_EQ(refusal_with("\"range\": {\"extent_m\": NaN}").substr(0, 12), "f.json:2:23:");
+  EXPECT_EQ(error_with("\"range\": {\"extent_m\": NaN}").substr(0, 12), "f.json:2:23:");
 }
 
-TEST_F(SpecFile, RefusesRangesThatNoFitTakes) {
-  const auto with = [this](const std::string& members) { return refusal_with("\"range\": {" + members + "}"); };
+TEST_F(LightTargetFile, RefusesRangesThatNoFitTakes) {
+  const auto with = [this](const std::string& members) { return error_with("\"range\": {" + members + "}"); };
   const auto with_samples = [&with](const std::string& samples) { return with("\"samples\": [" + samples + "]"); };
   const std::string first = "{\"range_m\": 10, \"attenuation\": 0.8}";
   EXPECT_EQ(with("\"family\": \"cubic\""),
@@ -191,8 +192,8 @@ TEST_F(SpecFile, RefusesRangesThatNoFitTakes) {
             "f.json:2:35: range.samples[0].range_m = \"10\": must be a number");
 }
 
-TEST_F(SpecFile, RefusesConesThatNoFitTakes) {
-  const auto with = [this](const std::string& members) { return refusal_with("\"cone\": {" + members + "}"); };
+TEST_F(LightTargetFile, RefusesConesThatNoFitTakes) {
+  const auto with = [this](const std::string& members) { return error_with("\"cone\": {" + members + "}"); };
   const auto with_samples = [&with](const std::string& samples) { return with("\"samples\": [" + samples + "]"); };
   const std::string first = "{\"angle_deg\": 10, \"intensity\": 1}";
   EXPECT_EQ(with("\"profile\": \"round\""),
@@ -222,18 +223,18 @@ TEST_F(SpecFile, RefusesConesThatNoFitTakes) {
             "f.json:2:101: cone.samples[1].weight = -1: must be 0 or in [1e-100, 1e100]");
 }
 
-TEST_F(SpecFile, RefusesPhotometryThatCannotBeUsed) {
+TEST_F(LightTargetFile, RefusesPhotometryThatCannotBeUsed) {
   write("lamp.ies", kIes);
   write("broken.ies", "IESNA:LM-63-2002\nTILT=NONE\n1 -1 x\n");
-  EXPECT_EQ(refusal_with(R"("cone": {"photometry": "lamp.ies", "samples": []})"),
+  EXPECT_EQ(error_with(R"("cone": {"photometry": "lamp.ies", "samples": []})"),
             "f.json:2:24: cone.photometry = \"lamp.ies\": must not be given beside samples");
-  EXPECT_TRUE(refusal_with(R"("cone": {"photometry": "broken.ies"})").starts_with("broken.ies:3:6: "))
-      << refusal_with(R"("cone": {"photometry": "broken.ies"})");
+  EXPECT_TRUE(error_with(R"("cone": {"photometry": "broken.ies"})").starts_with("broken.ies:3:6: "))
+      << error_with(R"("cone": {"photometry": "broken.ies"})");
   EXPECT_TRUE(
-      refusal_with(R"("cone": {"photometry": "absent.ies"})")
+      error_with(R"("cone": {"photometry": "absent.ies"})")
           .starts_with("f.json:2:24: cone.photometry = \"absent.ies\": must be a photometric file: absent.ies: "))
-      << refusal_with(R"("cone": {"photometry": "absent.ies"})");
-  EXPECT_EQ(refusal_with(R"("cone": {"photometry": 1})"), "f.json:2:24: cone.photometry = 1: must be a string");
+      << error_with(R"("cone": {"photometry": "absent.ies"})");
+  EXPECT_EQ(error_with(R"("cone": {"photometry": 1})"), "f.json:2:24: cone.photometry = 1: must be a string");
 }
 
 }  // namespace

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fit/light_target.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "litfog/files/light_spec_file.h"
+#include "litfog/input_error.h"
+
+namespace litfog::fit {
+namespace {
+
+/// Illuminance at which a photometric file's light ends: 1 lx, as for the lights of data/lights.
+constexpr double kEndIlluminance = 1;
+
+std::vector<ConeSample> samples_of(const Luminaire& luminaire) {
+  return cone_samples(axial_profile(luminaire.distribution, kPhotometricAxis));
+}
+
+AttenuationTarget range_of(const Luminaire& luminaire) {
+  return {.extent = std::sqrt(find_peak(luminaire.distribution).intensity / kEndIlluminance)};
+}
+
+std::string sentence_on_range(const Luminaire& luminaire) {
+  const double peak = find_peak(luminaire.distribution).intensity;
+  return fmt::format(
+      "Attenuation: C = 1 and no L; Q = (1/0.05 - 1)/E^2 puts the threshold 0.05 at E = sqrt({:.6g} cd / 1 lx) = "
+      "{:.4g} "
+      "m, where the lamp gives 1 lx.",
+      peak, std::sqrt(peak / kEndIlluminance));
+}
+
+std::string sentence_on_cone(const std::string& file) {
+  return fmt::format("Cone: fitted to {}, the mean over the turn about the photometric axis.", file);
+}
+
+/// What a fit does not take, at the value of the spec that it comes from.
+///
+/// part  the target's member of the spec: "range" or "cone"
+InputError error_at(const LightSpec& spec, const char* part, const TargetError& error) {
+  const std::string holder = error.sample ? fmt::format("{}.samples[{}]", part, *error.sample) : part;
+  const auto& [field, value, rule] = error.error;
+  return spec.error_at(fmt::format("{}.{}", holder, field), fmt::format("{}", value), rule);
+}
+
+AttenuationFamily family_of(RangeSpec::Family family) {
+  switch (family) {
+    case RangeSpec::Family::quadratic:
+      break;
+    case RangeSpec::Family::linear:
+      return AttenuationFamily::linear;
+    case RangeSpec::Family::mixed:
+      return AttenuationFamily::mixed;
+  }
+  return AttenuationFamily::quadratic;
+}
+
+ConeChoice choice_of(ConeSpec::Profile profile) {
+  switch (profile) {
+    case ConeSpec::Profile::best:
+      break;
+    case ConeSpec::Profile::cosine:
+      return ConeChoice::cosine;
+    case ConeSpec::Profile::smoothstep:
+      return ConeChoice::smoothstep;
+  }
+  return ConeChoice::best;
+}
+
+AttenuationTarget range_of(const LightSpec& spec) {
+  const RangeSpec& range = *spec.range;
+  AttenuationTarget target{.threshold = range.threshold, .extent = range.extent, .constant = range.constant};
+  for (const auto& sample : range.samples) {
+    target.samples.push_back({.range = sample.range, .attenuation = sample.attenuation, .weight = sample.weight});
+  }
+  target.family = family_of(range.family);
+  if (const auto error = check(target)) throw error_at(spec, "range", *error);
+  return target;
+}
+
+Luminaire read_luminaire_of(const LightSpec& spec) {
+  try {
+    return read_luminaire(*spec.cone->photometry);
+  } catch (const InputError& error) {
+    if (error.location().line > 0) throw;
+    throw spec.error_at("cone.photometry", "", std::string("must be a photometric file: ") + error.what());
+  }
+}
+
+ConeTarget cone_of(const LightSpec& spec, const std::optional<Luminaire>& luminaire) {
+  const ConeSpec& cone = *spec.cone;
+  ConeTarget target{.choice = choice_of(cone.profile),
+                    .half_angle = cone.half_angle,
+                    .beam_angle = cone.beam_angle,
+                    .field_angle = cone.field_angle};
+  for (const auto& sample : cone.samples) {
+    target.samples.push_back({.angle = sample.angle, .intensity = sample.intensity, .weight = sample.weight});
+  }
+  if (luminaire) target.samples = samples_of(*luminaire);
+  return target;
+}
+
+void expect_fittable(const LightSpec& spec, const ConeTarget& target) {
+  const auto error = check(target);
+  if (!error) return;
+  if (error->sample && spec.cone->photometry) throw spec.error_at("cone.photometry", "", to_string(*error));
+  throw error_at(spec, "cone", *error);
+}
+
+}  // namespace
+
+LightTarget read_spec(const std::string& path, std::optional<ConeChoice> profile) {
+  const LightSpec spec = read_light_spec(path);
+  LightTarget target{.file = spec.file,
+                     .name = spec.name,
+                     .source = spec.source,
+                     .color = spec.color,
+                     .density_scale = spec.density_scale};
+  if (spec.range) target.range = range_of(spec);
+  if (spec.cone) {
+    if (spec.cone->photometry) target.luminaire = read_luminaire_of(spec);
+    target.cone = cone_of(spec, target.luminaire);
+    if (profile) target.cone->choice = *profile;
+    expect_fittable(spec, *target.cone);
+  }
+  if (target.luminaire && !target.range) {
+    target.range = range_of(*target.luminaire);
+    target.source.push_back(sentence_on_range(*target.luminaire));
+  }
+  return target;
+}
+
+LightTarget read_photometric_spec(const std::string& path, ConeChoice profile) {
+  LightTarget target{.file = path, .name = std::filesystem::path(path).stem().string()};
+  target.luminaire = read_luminaire(path);
+  const Luminaire& luminaire = *target.luminaire;
+  const std::string file = std::filesystem::path(path).filename().string();
+  if (!luminaire.name.empty()) target.name = luminaire.name;
+  target.source = {luminaire.manufacturer.empty() ? file : fmt::format("{}: {}", file, luminaire.manufacturer),
+                   sentence_on_range(luminaire), sentence_on_cone(file)};
+  target.range = range_of(luminaire);
+  target.cone = ConeTarget{.choice = profile, .samples = samples_of(luminaire)};
+  return target;
+}
+
+}  // namespace litfog::fit

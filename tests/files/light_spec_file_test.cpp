@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "litfog/files/light_spec_file.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <numbers>
+#include <string>
+
+#include "command/temporary_directory.h"
+
+namespace litfog::test {
+namespace {
+
+using std::numbers::pi;
+
+class LightSpecFile : public testing::Test {
+ protected:
+  /// Of a file whose second line holds these members.
+  LightSpec read(const std::string& members) const {
+    const auto path = directory_.path() / "f.json";
+    std::ofstream(path) << "{\"litfog\": \"light-spec\", \"version\": 1,\n" << members << "}";
+    return read_light_spec(path.string());
+  }
+
+  /// Less the folder.
+  std::string error_of(const std::string& members) const {
+    try {
+      read(members);
+    } catch (const InputError& error) {
+      return without_folder(error);
+    }
+    return "(accepted)";
+  }
+
+  std::string without_folder(const InputError& error) const {
+    return std::string(error.what()).substr(directory_.path().string().size() + 1);
+  }
+
+  TemporaryDirectory directory_;
+};
+
+TEST_F(LightSpecFile, EveryMemberIsReadInSiUnits) {
+  const LightSpec spec = read(R"("name": "lamp", "source": ["a", "b"], "color": [1, 0.5, 0.25], "density_scale": 0.4,
+    "range": {"threshold": 0.1, "extent_m": 120, "constant": 1,
+              "samples": [{"range_m": 10, "attenuation": 0.8}, {"range_m": 20, "attenuation": 0.5, "weight": 3}]},
+    "cone": {"profile": "smoothstep", "half_angle_deg": 45, "beam_angle_deg": 90, "field_angle_deg": 180,
+             "samples": [{"angle_deg": 0, "intensity": 7}, {"angle_deg": 18, "intensity": 2, "weight": 2}]})");
+  EXPECT_EQ(spec.file, (directory_.path() / "f.json").string());
+  EXPECT_EQ(spec.name, "lamp");
+  EXPECT_EQ(spec.source, (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(spec.color, glm::dvec3(1, 0.5, 0.25));
+  EXPECT_EQ(spec.density_scale, 0.4);
+  ASSERT_TRUE(spec.range);
+  EXPECT_EQ(spec.range->threshold, 0.1);
+  EXPECT_EQ(spec.range->extent, 120);
+  EXPECT_EQ(spec.range->constant, 1);
+  ASSERT_EQ(spec.range->samples.size(), 2u);
+  EXPECT_EQ(spec.range->samples[0].weight, 1);
+  EXPECT_EQ(spec.range->samples[1].range, 20);
+  EXPECT_EQ(spec.range->samples[1].attenuation, 0.5);
+  EXPECT_EQ(spec.range->samples[1].weight, 3);
+  ASSERT_TRUE(spec.cone);
+  EXPECT_EQ(spec.cone->profile, ConeSpec::Profile::smoothstep);
+  EXPECT_EQ(spec.cone->half_angle, pi / 4);
+  EXPECT_EQ(spec.cone->beam_angle, pi / 2);
+  EXPECT_EQ(spec.cone->field_angle, pi);
+  ASSERT_EQ(spec.cone->samples.size(), 2u);
+  EXPECT_DOUBLE_EQ(spec.cone->samples[1].angle, pi / 10);
+  EXPECT_EQ(spec.cone->samples[1].intensity, 2);
+  EXPECT_EQ(spec.cone->samples[1].weight, 2);
+  EXPECT_FALSE(spec.cone->photometry);
+}
+
+TEST_F(LightSpecFile, WhatIsNotGivenHasItsDefault) {
+  const LightSpec spec = read(R"("range": {"extent_m": 9})");
+  EXPECT_EQ(spec.name, "f");
+  EXPECT_TRUE(spec.source.empty());
+  EXPECT_EQ(spec.color, glm::dvec3(1));
+  EXPECT_EQ(spec.density_scale, 1);
+  EXPECT_EQ(spec.range->threshold, 0.05);
+  EXPECT_EQ(spec.range->family, RangeSpec::Family::quadratic);
+  EXPECT_FALSE(spec.cone);
+  EXPECT_EQ(read(R"("cone": {})").cone->profile, ConeSpec::Profile::best);
+}
+
+TEST_F(LightSpecFile, PhotometryIsRelativeToTheFile) {
+  EXPECT_EQ(read(R"("cone": {"photometry": "a/lamp.ies"})").cone->photometry,
+            (directory_.path() / "a/lamp.ies").string());
+  EXPECT_EQ(read(R"("cone": {"photometry": "/a/lamp.ies"})").cone->photometry, "/a/lamp.ies");
+}
+
+TEST_F(LightSpecFile, ErrorsAreAtTheirMembers) {
+  EXPECT_EQ(error_of(R"("name": "x")"), "f.json:1:1: range or cone: must be given");
+  EXPECT_EQ(error_of(R"("color": [1, -1, 1], "range": {"extent_m": 1})"),
+            "f.json:2:14: color[1] = -1: must be finite and >= 0");
+  EXPECT_EQ(error_of(R"("range": {"samples": [{"range_m": 10}]})"),
+            "f.json:2:23: range.samples[0].attenuation: must be given");
+  EXPECT_EQ(error_of(R"("cone": {"photometry": "lamp.ies", "samples": []})"),
+            "f.json:2:24: cone.photometry = \"lamp.ies\": must not be given beside samples");
+}
+
+TEST_F(LightSpecFile, ErrorsOfACallerAreInTheFilesTerms) {
+  const LightSpec spec = read(R"("range": {"extent_m": 9e0, "samples": [{"range_m": 1, "attenuation": 1}]},
+"cone": {"beam_angle_deg": 361, "photometry": "lamp.ies"})");
+  const auto error_at = [&](std::string_view field, std::string_view value, std::string_view rule) {
+    return without_folder(spec.error_at(field, value, rule));
+  };
+  EXPECT_EQ(error_at("range.extent", "9", "must be odd"), "f.json:2:23: range.extent_m = 9e0: must be odd");
+  EXPECT_EQ(error_at("range.samples[0].range", "1", "must be 0"),
+            "f.json:2:52: range.samples[0].range_m = 1: must be 0");
+  EXPECT_EQ(error_at("range.samples[0].weight", "1", "must be 2"),
+            "f.json:2:40: range.samples[0].weight = 1: must be 2");
+  EXPECT_EQ(error_at("range.samples", "1", "must be two"), "f.json:2:39: range.samples = 1: must be two");
+  EXPECT_EQ(error_at("range.samples.weight", "0", "must be > 0"), "f.json:2:39: range.samples.weight = 0: must be > 0");
+  EXPECT_EQ(error_at("range.constant", "0", "must be 1"), "f.json:2:39: range.constant = 0: must be 1")
+      << "at the samples that lack it";
+  EXPECT_EQ(error_at("cone.beam_angle", "6.3", "must be in (0, 2 pi]"),
+            "f.json:3:28: cone.beam_angle_deg = 361: must be in (0, 360]");
+  EXPECT_EQ(error_at("cone.half_angle", "4", "must be in (0, pi/2]"),
+            "f.json:3:9: cone.half_angle_deg = 4: must be in (0, 90]");
+  EXPECT_EQ(error_at("cone.photometry", "", "must be round"),
+            "f.json:3:47: cone.photometry = \"lamp.ies\": must be round");
+}
+
+}  // namespace
+}  // namespace litfog::test
