@@ -156,7 +156,7 @@ void fit(const Options& options, Outcome& outcome) {
   outcome.fit = fit_light(std::move(spec), options.is_robust);
   outcome.light =
       format_light(outcome.fit->light, outcome.fit->spec.source, fit_record(*outcome.fit, !options.is_reproducible));
-  if (!outcome.fit->is_proved()) outcome.status = kNotToTolerance;
+  if (!outcome.fit->is_proven()) outcome.status = kNotToTolerance;
 }
 
 std::string status_of(const Outcome& outcome) {
