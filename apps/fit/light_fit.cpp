@@ -44,7 +44,7 @@ LightFit fit_light(LightTarget target, bool is_robust) {
   return fit;
 }
 
-bool LightFit::is_proved() const {
+bool LightFit::is_proven() const {
   return (!range || range->status == AttenuationFitStatus::optimal) &&
          (!cone || cone->best().status == ConeFitStatus::optimal);
 }

@@ -20,7 +20,7 @@ struct LightFit {
   /// Beams of photometric files only.
   double asymmetry = 0;                     ///< of the beam about the photometric axis, litfog/photometry
   double peak_angle = 0;                    ///< radians from that axis to the largest intensity
-  bool is_proved() const;                   ///< every fit is feasible, and shown to be the best
+  bool is_proven() const;                   ///< every fit is feasible, and shown to be the best
   std::vector<std::string> advice() const;  ///< what a light-spec author may want to know, a sentence each
 };
 

@@ -157,7 +157,7 @@ void fit(const Options& options, Outcome& outcome) {
   outcome.fit = fit_light(std::move(target), options.is_robust);
   outcome.light = litfog::format_light(outcome.fit->light, outcome.fit->target.source,
                                        fit_record(*outcome.fit, !options.is_reproducible));
-  if (!outcome.fit->is_proved()) outcome.status = kNotToTolerance;
+  if (!outcome.fit->is_proven()) outcome.status = kNotToTolerance;
 }
 
 std::string status_of(const Outcome& outcome) {
