@@ -20,7 +20,9 @@ std::vector<ConeSample> samples_of(const Luminaire& luminaire) {
 }
 
 AttenuationTarget range_of(const Luminaire& luminaire) {
-  return {.extent = std::sqrt(find_peak(luminaire.distribution).intensity / kEndIlluminance)};
+  AttenuationTarget target{.extent = std::sqrt(find_peak(luminaire.distribution).intensity / kEndIlluminance)};
+  if (const auto error = check(target)) throw InputError({.file = luminaire.file}, to_string(*error));
+  return target;
 }
 
 std::string sentence_on_range(const Luminaire& luminaire) {
@@ -142,6 +144,7 @@ LightTarget read_photometric_spec(const std::string& path, ConeChoice profile) {
                    sentence_on_range(luminaire), sentence_on_cone(file)};
   target.range = range_of(luminaire);
   target.cone = ConeTarget{.choice = profile, .samples = samples_of(luminaire)};
+  if (const auto error = check(*target.cone)) throw InputError({.file = path}, to_string(*error));
   return target;
 }
 

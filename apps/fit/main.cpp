@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "command/command.h"
+#include "command/output_files.h"
 #include "command/plot.h"
 #include "command/progress.h"
 #include "command/table.h"
@@ -95,9 +95,10 @@ struct Options {
 struct Outcome {
   std::string input;
   std::string output;  ///< empty for none
+  std::optional<LightTarget> target;
   std::optional<LightFit> fit;
   std::string light;   ///< text of its file
-  std::string reason;  ///< of a refusal
+  std::string reason;  ///< why there is none
   ExitStatus status = kDone;
 };
 
@@ -117,47 +118,75 @@ int gravity(ExitStatus status) {
   }
 }
 
-/// Where each input's light goes, before any work is done.
+/// Where each input's light goes.
 std::vector<Outcome> plan(const Options& options) {
   std::error_code error;
   const bool is_folder = fs::is_directory(options.output, error);
   if (options.inputs.size() > 1) {
-    if (!options.output.empty() && !is_folder)
-      fail_option("-o", options.output, "must be a folder for several inputs");
+    if (!options.output.empty() && !is_folder) fail_option("-o", options.output, "must be a folder for several inputs");
     if (!options.plot.empty()) fail_option("--plot", options.plot, "must be given with a single input");
     if (!options.cookie.empty()) fail_option("--cookie", options.cookie, "must be given with a single input");
   }
   std::vector<Outcome> outcomes;
-  std::map<std::string, std::string> inputs;  // by output
   for (const std::string& input : options.inputs) {
+    if (input.empty()) fail_option("input", input, "must not be empty");
     Outcome& outcome = outcomes.emplace_back();
     outcome.input = input;
     if (options.output.empty()) continue;
     outcome.output =
         is_folder ? (fs::path(options.output) / fs::path(input).stem()).string() + ".json" : options.output;
-    const auto [other, is_new] = inputs.emplace(outcome.output, input);
-    if (!is_new) {
-      fail_option("-o", options.output, fmt::format("must not take {} and {} as one file", other->second, input));
-    }
-    if (fs::equivalent(input, outcome.output, error)) {
-      fail_option("-o", options.output, "must not be in place of the input " + input);
-    }
-    expect_writable(outcome.output);
   }
   return outcomes;
 }
 
-void fit(const Options& options, Outcome& outcome) {
+OutputFiles outputs_of(const Options& options, const std::vector<Outcome>& outcomes) {
+  OutputFiles outputs;
+  for (const Outcome& outcome : outcomes) {
+    if (!outcome.output.empty()) outputs.add("-o", outcome.output);
+  }
+  if (!options.plot.empty()) outputs.add("--plot", options.plot);
+  if (!options.cookie.empty()) outputs.add("--cookie", options.cookie);
+  for (const Outcome& outcome : outcomes) outputs.expect_apart_from(outcome.input);
+  return outputs;
+}
+
+void read(const Options& options, Outcome& outcome) try {
   LightTarget target = is_spec(outcome.input)
                            ? read_spec(outcome.input, options.profile)
                            : read_photometric_spec(outcome.input, options.profile.value_or(ConeChoice::best));
   if (!options.cookie.empty() && !target.luminaire) {
     throw litfog::InputError({.file = outcome.input}, "cone.photometry", "", "must be given for a cookie");
   }
-  outcome.fit = fit_light(std::move(target), options.is_robust);
+  outcome.target = std::move(target);
+} catch (const litfog::InputError& error) {
+  outcome.reason = error.what();
+  outcome.status = kBadInput;
+}
+
+/// The same for the files that an input names.
+void expect_apart_from_files_of(const LightTarget& target, const OutputFiles& outputs) {
+  if (!target.luminaire) return;
+  outputs.expect_apart_from(target.luminaire->file);
+  const auto& tilt = target.luminaire->tilt;
+  if (tilt && !tilt->file.empty()) outputs.expect_apart_from(tilt->file);
+}
+
+void fit(const Options& options, Outcome& outcome) {
+  outcome.fit = fit_light(std::move(*outcome.target), options.is_robust);
   outcome.light = litfog::format_light(outcome.fit->light, outcome.fit->target.source,
                                        fit_record(*outcome.fit, !options.is_reproducible));
   if (!outcome.fit->is_proven()) outcome.status = kNotToTolerance;
+}
+
+void write(const Options& options, const Outcome& outcome, std::optional<FigureFormat> figure_format) {
+  std::string figure;
+  if (figure_format) figure = draw_figure(fit_figure(*outcome.fit), *figure_format);
+  if (!outcome.output.empty()) write_whole_file(outcome.output, outcome.light);
+  if (figure_format) write_whole_file(options.plot, figure);
+  if (!options.cookie.empty()) {
+    const auto& distribution = outcome.fit->target.luminaire->distribution;
+    write_whole_file(options.cookie, format_cookie(bake_cookie(distribution, options.cookie_size)));
+  }
 }
 
 std::string status_of(const Outcome& outcome) {
@@ -246,29 +275,21 @@ ExitStatus run(const Options& options) {
     fail_option("--cookie", options.cookie, "must end in .exr");
   }
   std::vector<Outcome> outcomes = plan(options);
-  for (const std::string* file : {&options.plot, &options.cookie}) {
-    if (!file->empty()) expect_writable(*file);
-  }
+  const OutputFiles outputs = outputs_of(options, outcomes);
   if (figure_format) require_plotter();
+  for (Outcome& outcome : outcomes) {  // all before the first is written
+    read(options, outcome);
+    if (outcome.target) expect_apart_from_files_of(*outcome.target, outputs);
+  }
 
   ExitStatus worst = kDone;
   {
     Progress progress;
     for (Outcome& outcome : outcomes) {
       progress.show(fmt::format("{} of {}: {}", &outcome - outcomes.data() + 1, outcomes.size(), outcome.input));
-      try {
+      if (outcome.target) {
         fit(options, outcome);
-        std::string figure;
-        if (figure_format) figure = draw_figure(fit_figure(*outcome.fit), *figure_format);
-        if (!outcome.output.empty()) write_whole_file(outcome.output, outcome.light);
-        if (figure_format) write_whole_file(options.plot, figure);
-        if (!options.cookie.empty()) {
-          write_whole_file(options.cookie, format_cookie(bake_cookie(outcome.fit->target.luminaire->distribution,
-                                                                     options.cookie_size)));
-        }
-      } catch (const litfog::InputError& error) {
-        outcome.reason = error.what();
-        outcome.status = kBadInput;
+        write(options, outcome, figure_format);
       }
       if (gravity(outcome.status) > gravity(worst)) worst = outcome.status;
     }
@@ -311,6 +332,10 @@ int main(int argc, char** argv) {
   add_choice<TableFormat>(app, "--format", options.format, {{"text", TableFormat::text}, {"json", TableFormat::json}},
                           "Report's format, text if not given");
   return run_command(app, argc, argv, [&] {
+    for (const auto& [option, value] :
+         {std::pair{"-o", &options.output}, {"--plot", &options.plot}, {"--cookie", &options.cookie}}) {
+      if (app.count(option) > 0 && value->empty()) fail_option(option, "", "must not be empty");
+    }
     if (app.count("--profile") > 0) options.profile = profile;
     if (app.count("--cookie-size") > 0 && options.cookie.empty()) {
       throw CLI::ValidationError("--cookie-size needs --cookie");

@@ -76,7 +76,7 @@ void write_header(exr_context_t exr, int size) {
 int write_chunk(exr_context_t exr, int row, const Cookie& cookie) {
   exr_chunk_info_t chunk;
   require_success(exr_write_scanline_chunk_info(exr, kPart, row, &chunk));
-  exr_encode_pipeline_t pipeline = EXR_ENCODE_PIPELINE_INITIALIZER;
+  exr_encode_pipeline_t pipeline{};
   exr_result_t result = exr_encoding_initialize(exr, kPart, &chunk, &pipeline);
   if (result == EXR_ERR_SUCCESS) {
     const float* const texels = cookie.texels.data() + std::size_t(row) * std::size_t(cookie.size);
@@ -173,7 +173,7 @@ class CookieParser {
   int parse_chunk(int row, Cookie& cookie) const {
     exr_chunk_info_t chunk;
     expect_success(exr_read_scanline_chunk_info(exr_.get(), kPart, row, &chunk));
-    exr_decode_pipeline_t pipeline = EXR_DECODE_PIPELINE_INITIALIZER;
+    exr_decode_pipeline_t pipeline{};
     exr_result_t result = exr_decoding_initialize(exr_.get(), kPart, &chunk, &pipeline);
     if (result == EXR_ERR_SUCCESS) {
       float* const texels = cookie.texels.data() + std::size_t(row) * std::size_t(cookie.size);

@@ -67,6 +67,7 @@ Luminaire parse_eulumdat(std::string text, const std::string& name) {
   };
 
   Luminaire luminaire;
+  luminaire.file = name;
   luminaire.manufacturer = line("company").text;
   integer("type indicator Ityp", 0, 3);
   const auto symmetry = Symmetry(integer("symmetry indicator Isym", 0, 4));

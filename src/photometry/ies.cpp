@@ -116,7 +116,9 @@ LampTilt read_tilt_file(const TextScanner& scanner, const Label& label) {
     scanner.fail(label.tilt, "TILT", "must be NONE, INCLUDE or a file in this one's folder");
   }
   TextScanner tilt_scanner(read_photometric_file(path.string()), path.string());
-  return read_tilt(tilt_scanner);
+  LampTilt tilt = read_tilt(tilt_scanner);
+  tilt.file = path.string();
+  return tilt;
 }
 
 PhotometryType type_of(int number) {
@@ -147,6 +149,7 @@ Luminaire parse_ies(std::string text, const std::string& name) {
   TextScanner scanner(std::move(text), name);
   const Label label = read_label(scanner);
   Luminaire luminaire;
+  luminaire.file = name;
   luminaire.name = name_of(label);
   luminaire.manufacturer = label.keywords.at("MANUFAC");
   if (const std::string tilt = upper(label.tilt.text); tilt == "INCLUDE") {

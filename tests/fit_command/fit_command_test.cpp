@@ -293,15 +293,52 @@ TEST_F(FitCommand, WrongUsageIsRefusedBeforeAnyWork) {
   expect("spot.ies --cookie-size 64", "--cookie-size needs --cookie");
   expect("spot.ies --cookie a.exr --cookie-size 0", "--cookie-size = 0: must be an integer from 1 to 4096");
   expect("lamp.json --profile round", "--profile = round: must be one of cosine|smoothstep|best");
-  expect("lamp.json -o lamp.json", "-o = lamp.json: must not be in place of the input lamp.json");
-  expect("lamp.json -o .", "-o = .: must not be in place of the input lamp.json");
+  expect("lamp.json -o lamp.json", "-o = lamp.json: must not be a file that is read, lamp.json");
+  expect("lamp.json -o .", "-o = ./lamp.json: must not be a file that is read, lamp.json");
+  for (const char* option : {"-o", "--plot", "--cookie"}) {
+    expect(std::string("spot.ies ") + option + " ''", std::string(option) + " = \"\": must not be empty");
+  }
+  expect("lamp.json ''", "input = \"\": must not be empty");
   EXPECT_EQ(run("").status, kUsage);
   EXPECT_EQ(run("lamp.json --colour").status, kUsage);
   fs::create_directory(directory() / "a");
   write("a/lamp.json", kBeam);
   fs::create_directory(directory() / "folder");
-  expect("lamp.json a/lamp.json -o folder", "-o = folder: must not take lamp.json and a/lamp.json as one file");
+  expect("lamp.json a/lamp.json -o folder", "-o = folder/lamp.json: must not be the file of -o");
   EXPECT_EQ(read("lamp.json"), kSpec);
+}
+
+TEST_F(FitCommand, OutputsInPlaceOfInputsOrOfOneAnotherAreRefusedBeforeAnythingIsWritten) {
+  write("spot.json", R"({"litfog": "light-spec", "version": 1, "cone": {"photometry": "tilted.ies"}})");
+  std::string tilted = kIes;
+  tilted.replace(tilted.find("NONE"), 4, "lamp.tlt");
+  write("tilted.ies", tilted);
+  write("lamp.tlt", "1 2\n0 90\n1 0.8\n");
+  run("--version");  // makes the files of its own output
+  const auto before = files();
+  const auto expect = [&](const std::string& arguments, const std::string& reason) {
+    SCOPED_TRACE(arguments);
+    EXPECT_REFUSED(run(arguments), kUsage, usage_message(reason));
+    EXPECT_EQ(files(), before);
+    EXPECT_EQ(read("tilted.ies"), tilted);
+    EXPECT_EQ(read("lamp.tlt"), "1 2\n0 90\n1 0.8\n");
+  };
+  expect("spot.json -o tilted.ies", "-o = tilted.ies: must not be a file that is read, tilted.ies");
+  expect("spot.json -o lamp.tlt", "-o = lamp.tlt: must not be a file that is read, lamp.tlt");
+  expect("spot.json -o ./lamp.tlt", "-o = ./lamp.tlt: must not be a file that is read, lamp.tlt");
+  expect("spot.json -o a.svg --plot ./a.svg", "--plot = ./a.svg: must not be the file of -o");
+  expect("spot.json -o a.exr --cookie a.exr", "--cookie = a.exr: must not be the file of -o");
+}
+
+TEST_F(FitCommand, InputThatNoFitTakesIsNamedAndTheOthersAreFitted) {
+  write("tiny.ies", "IESNA:LM-63-2002\nTILT=NONE\n1 1000 1e-300 2 1 1 2 0 0 0\n1 1 0\n0 90\n0\n100 100\n");
+  fs::create_directory(directory() / "lights");
+  const Outcome outcome = run("beam.json tiny.ies spot.ies -o lights");
+  EXPECT_EQ(outcome.status, kBadInput);
+  EXPECT_EQ(outcome.err, "tiny.ies: extent = 1e-149: must be in [1e-30, 1e30]\n");
+  EXPECT_TRUE(files().contains("lights/beam.json"));
+  EXPECT_TRUE(files().contains("lights/spot.json"));
+  EXPECT_FALSE(files().contains("lights/tiny.json"));
 }
 
 TEST_F(FitCommand, OutputThatCannotBeWrittenIsItsOwnStatus) {

@@ -213,6 +213,8 @@ TEST(Ies, TiltFactorsAreStoredBesideTheIntensities) {
   for (const char* file : {"tilt_include.ies", "tilt_file.ies"}) {
     const Luminaire luminaire = our_luminaire(file);
     ASSERT_TRUE(luminaire.tilt) << file;
+    EXPECT_EQ(luminaire.file, std::string(LITFOG_PHOTOMETRY_DIR "/") + file);
+    EXPECT_EQ(luminaire.tilt->file, file == std::string("tilt_file.ies") ? LITFOG_PHOTOMETRY_DIR "/lamp.tlt" : "");
     EXPECT_EQ(luminaire.tilt->geometry, 2);
     EXPECT_EQ(luminaire.tilt->angles, (std::vector<double>{0, pi / 4, pi / 2}));
     EXPECT_EQ(luminaire.tilt->factors, (std::vector<double>{1, 0.95, 0.9}));

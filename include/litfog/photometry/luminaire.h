@@ -13,6 +13,7 @@ namespace litfog {
 /// The intensities are those of that attitude; the factor of another attitude multiplies them all. It is stored, not
 /// applied, because a file does not state how its luminaire will be mounted.
 struct LampTilt {
+  std::string file = {};        ///< with these data, as found; empty if they stand in the luminaire's own
   int geometry = 1;             ///< 1: the lamp is vertical; 2, 3: horizontal, in the plane of 0 or of 90 degrees
   std::vector<double> angles;   ///< radians in [0, pi], strictly increasing
   std::vector<double> factors;  ///< > 0, one per angle
@@ -27,6 +28,7 @@ struct LuminousOpening {
 
 /// What a photometric file says about a luminaire.
 struct Luminaire {
+  std::string file = {};     ///< as named to the reader
   std::string name;          ///< UTF-8, as all text; empty if the file does not state it
   std::string manufacturer;  ///< likewise
   IntensityDistribution distribution;
@@ -48,7 +50,8 @@ std::optional<double> stated_flux(const Luminaire& luminaire);
 /// Reads an IES LM-63 or EULUMDAT file. It is IES LM-63 if it has that label or a TILT line, or if its name ends in
 /// .ies; else it is EULUMDAT.
 ///
-/// The file, and that with the tilt data, may have 64 MiB each. Reading takes at most ten times a file's size in memory.
+/// The file, and that with the tilt data, may have 64 MiB each. Memory is taken for the numbers that are read, not for
+/// the counts that a file states.
 ///
 /// throws     InputError
 Luminaire read_luminaire(const std::string& path);
