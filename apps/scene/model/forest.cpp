@@ -46,7 +46,7 @@ void add_tuft(Mesh& mesh, const Grass& grass, const glm::vec3& spot, Random& ran
     for (const float hand : {1.0f, -1.0f}) {
       const glm::vec3 front = hand * face;
       const glm::vec3 normal = glm::normalize(front + 0.7f * (glm::vec3(0, 1, 0) - front * front.y));
-      const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+      const auto first = std::uint32_t(mesh.vertices.size());
       const float u = random.unit();
       mesh.vertices.push_back({foot - half * side, normal, {}, {u - half, 0.0f}});
       mesh.vertices.push_back({foot + half * side, normal, {}, {u + half, 0.0f}});
@@ -66,7 +66,7 @@ void add_tuft(Mesh& mesh, const Grass& grass, const glm::vec3& spot, Random& ran
 }  // namespace
 
 Model make_forest(const Forest& forest) {
-  Random random(static_cast<std::uint32_t>(forest.seed));
+  Random random(std::uint32_t(forest.seed));
   Model model;
   std::vector<glm::vec3> trunks;
   for (int tree = 0; tree < forest.trees; ++tree) {
@@ -84,7 +84,7 @@ Model make_forest(const Forest& forest) {
     trunks.push_back(spot);
     const float height = random.between(forest.least_height_m, std::max(forest.least_height_m, forest.most_height_m));
     const bool far_away = std::abs(forest.offset_of(spot.x, spot.z)) > forest.clear_m + 12.0f;
-    const int seed = static_cast<int>(random.bits() >> 12);
+    const int seed = int(random.bits() >> 12);
     const glm::mat4 at = standing(spot, random.between(0.0f, glm::two_pi<float>()), 1.0f);
     if (random.unit() < forest.broadleaf) {
       BroadleafTree kind;
@@ -110,7 +110,7 @@ Model make_forest(const Forest& forest) {
 }
 
 Model make_grass(const Grass& grass) {
-  Random random(static_cast<std::uint32_t>(grass.seed));
+  Random random(std::uint32_t(grass.seed));
   Model model;
   Mesh& mesh = part(model, "blades");
   for (int tuft = 0; tuft < grass.tufts; ++tuft) add_tuft(mesh, grass, random_spot(grass, random), random);
@@ -119,14 +119,14 @@ Model make_grass(const Grass& grass) {
 }
 
 Model make_rocks(const Rocks& rocks) {
-  Random random(static_cast<std::uint32_t>(rocks.seed));
+  Random random(std::uint32_t(rocks.seed));
   Model model;
   for (int rock = 0; rock < rocks.rocks; ++rock) {
     Rock kind;
     // Small ones are more frequent.
     const float share = random.unit();
     kind.size_m = glm::mix(rocks.least_size_m, std::max(rocks.least_size_m, rocks.most_size_m), share * share * share);
-    kind.seed = static_cast<int>(random.bits() >> 12);
+    kind.seed = int(random.bits() >> 12);
     const glm::vec3 spot = random_spot(rocks, random);
     append(model, make_rock(kind), standing(spot, random.between(0.0f, glm::two_pi<float>()), 1.0f));
   }

@@ -28,14 +28,14 @@ void add_block(Mesh& mesh, const glm::vec3& low, const glm::vec3& high, const gl
 /// A wall, its windows and perhaps a door in the bay `door` (counted from the left; -1: none).
 void add_facade(Model& model, const House& house, float width, int door, const glm::mat4& at, Random& random) {
   const std::string_view material = house.brick != 0 ? "brick" : "plaster";
-  const float height = kPlinth_m + kStorey_m * static_cast<float>(house.storeys);
-  const int bays = std::max(1, static_cast<int>(width / 2.5f));
+  const float height = kPlinth_m + kStorey_m * float(house.storeys);
+  const int bays = std::max(1, int(width / 2.5f));
   std::vector<Opening> openings;
-  const float bay = width / static_cast<float>(bays);
+  const float bay = width / float(bays);
   for (int storey = 0; storey < house.storeys; ++storey) {
     for (int i = 0; i < bays; ++i) {
-      const float middle = bay * (static_cast<float>(i) + 0.5f);
-      const float floor = kPlinth_m + kStorey_m * static_cast<float>(storey);
+      const float middle = bay * (float(i) + 0.5f);
+      const float floor = kPlinth_m + kStorey_m * float(storey);
       if (storey == 0 && i == door) {
         const Opening opening{middle - 0.5f, 0.18f, middle + 0.5f, floor + 2.05f};
         openings.push_back(opening);
@@ -55,14 +55,14 @@ void add_facade(Model& model, const House& house, float width, int door, const g
   }
   append(part(model, material), make_wall(width, height, openings, kReveal_m), at);
   // The plinth runs round, but not before the door.
-  const float left = door < 0 ? width : bay * (static_cast<float>(door) + 0.5f) - 0.5f;
+  const float left = door < 0 ? width : bay * (float(door) + 0.5f) - 0.5f;
   add_block(part(model, "stone"), {-0.04f, -0.5f, -0.1f}, {std::min(left, width + 0.04f), kPlinth_m, 0.04f}, at);
   if (door >= 0) add_block(part(model, "stone"), {left + 1.0f, -0.5f, -0.1f}, {width + 0.04f, kPlinth_m, 0.04f}, at);
 }
 
 void add_roof(Model& model, const House& house) {
   const float slope = glm::radians(house.pitch_deg);
-  const float wall = kPlinth_m + kStorey_m * static_cast<float>(house.storeys);
+  const float wall = kPlinth_m + kStorey_m * float(house.storeys);
   const float half_depth = 0.5f * house.depth_m;
   const float half_width = 0.5f * house.width_m + kVerge_m;
   const float ridge = wall + half_depth * std::tan(slope) + kRoofThickness_m / std::cos(slope);
@@ -88,7 +88,7 @@ void add_roof(Model& model, const House& house) {
     // Gutter: a half pipe under the tiles' edge, and a downpipe at one end.
     std::vector<glm::vec2> half_pipe;
     for (int i = 0; i <= 6; ++i) {
-      const float angle = glm::pi<float>() * (1.0f + static_cast<float>(i) / 6.0f);
+      const float angle = glm::pi<float>() * (1.0f + float(i) / 6.0f);
       half_pipe.emplace_back(0.06f * std::cos(angle), 0.06f * std::sin(angle));
     }
     const std::vector<glm::vec2> inside(half_pipe.rbegin(), half_pipe.rend());
@@ -169,15 +169,15 @@ void add_door(Model& model, const Opening& opening, const glm::mat4& at, std::st
 }
 
 Model make_house(const House& house) {
-  Random random(static_cast<std::uint32_t>(house.seed));
+  Random random(std::uint32_t(house.seed));
   Model model;
   const float half_width = 0.5f * house.width_m;
   const float half_depth = 0.5f * house.depth_m;
   const float right = glm::half_pi<float>();
-  const int bays = std::max(1, static_cast<int>(house.width_m / 2.5f));
+  const int bays = std::max(1, int(house.width_m / 2.5f));
   add_facade(model, house, house.width_m, bays / 2, place({-half_width, 0.0f, half_depth}), random);
   add_facade(model, house, house.width_m, -1, place({half_width, 0.0f, -half_depth}, 2.0f * right), random);
-  const float wall = kPlinth_m + kStorey_m * static_cast<float>(house.storeys);
+  const float wall = kPlinth_m + kStorey_m * float(house.storeys);
   const float rise = half_depth * std::tan(glm::radians(house.pitch_deg));
   for (const float side : {1.0f, -1.0f}) {
     const glm::mat4 at = place({side * half_width, 0.0f, side * half_depth}, side * right);

@@ -29,7 +29,7 @@ namespace {
 /// The shortest decimal that gives the float, so that 0.12f is listed as 0.12.
 double decimal(float value) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.7g", static_cast<double>(value));
+  std::snprintf(text, sizeof text, "%.7g", double(value));
   return std::stod(text);
 }
 
@@ -38,10 +38,10 @@ template <typename Parameters>
 struct Field {
   Field(std::string_view name, float Parameters::*member, double minimum, double maximum)
       : info{name, decimal(Parameters{}.*member), minimum, maximum, false},
-        set([member](Parameters& to, double value) { to.*member = static_cast<float>(value); }) {}
+        set([member](Parameters& to, double value) { to.*member = float(value); }) {}
   Field(std::string_view name, int Parameters::*member, double minimum, double maximum)
-      : info{name, static_cast<double>(Parameters{}.*member), minimum, maximum, true},
-        set([member](Parameters& to, double value) { to.*member = static_cast<int>(value); }) {}
+      : info{name, double(Parameters{}.*member), minimum, maximum, true},
+        set([member](Parameters& to, double value) { to.*member = int(value); }) {}
   ParameterInfo info;
   std::function<void(Parameters&, double)> set;
 };

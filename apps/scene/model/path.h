@@ -33,10 +33,10 @@ struct Path {
   }
   /// Points from `from` to `to`, at most `step` metres apart.
   std::vector<glm::vec3> line(float from, float to, float step, float offset, float height) const {
-    const int pieces = std::max(1, static_cast<int>(std::ceil((to - from) / step)));
+    const int pieces = std::max(1, int(std::ceil((to - from) / step)));
     std::vector<glm::vec3> points;
     for (int i = 0; i <= pieces; ++i) {
-      const float along = from + (to - from) * static_cast<float>(i) / static_cast<float>(pieces);
+      const float along = from + (to - from) * float(i) / float(pieces);
       points.push_back(point(along, offset) + glm::vec3(0.0f, height, 0.0f));
     }
     return points;

@@ -66,7 +66,7 @@ void add_face(Mesh& mesh, std::span<const glm::vec3> corners) {
   const glm::vec3 right =
       glm::normalize(wall ? glm::cross(glm::vec3(0, 1, 0), normal) : glm::vec3(1, 0, 0) - normal * normal.x);
   const glm::vec3 up = glm::cross(normal, right);
-  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+  const auto first = std::uint32_t(mesh.vertices.size());
   for (const glm::vec3& corner : corners) {
     mesh.vertices.push_back({corner, normal, glm::vec4(right, 1.0f), {glm::dot(corner, right), glm::dot(corner, up)}});
   }
@@ -173,13 +173,13 @@ Mesh make_lathe(std::span<const glm::vec2> profile, int segments) {
   for (const glm::vec2& point : profile) widest = std::max(widest, point.x);
   // A whole number of metres or of sixteenths around would be needed for a seam that tiles; the seam faces +Z at angle
   // 0, which builders turn away.
-  const auto columns = static_cast<std::uint32_t>(segments + 1);
+  const auto columns = std::uint32_t(segments + 1);
   for (std::size_t i = 0; i + 1 < rows.size(); i += 2) {
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    const auto first = std::uint32_t(mesh.vertices.size());
     for (const ProfileRow& row : {rows[i], rows[i + 1]}) {
       const bool cap = std::abs(row.normal.y) > 0.95f;
       for (std::uint32_t k = 0; k < columns; ++k) {
-        const float turn = kTwoPi * static_cast<float>(k) / static_cast<float>(segments);
+        const float turn = kTwoPi * float(k) / float(segments);
         const float sine = std::sin(turn);
         const float cosine = std::cos(turn);
         const glm::vec3 position(row.point.x * sine, row.point.y, row.point.x * cosine);
@@ -202,7 +202,7 @@ Mesh make_sphere(float radius, int segments) {
   std::vector<glm::vec2> profile;
   const int rings = std::max(3, segments / 2);
   for (int i = 0; i <= rings; ++i) {
-    const float angle = glm::pi<float>() * static_cast<float>(i) / static_cast<float>(rings);
+    const float angle = glm::pi<float>() * float(i) / float(rings);
     const bool pole = i == 0 || i == rings;
     profile.emplace_back(pole ? 0.0f : radius * std::sin(angle), -radius * std::cos(angle));
   }
@@ -212,9 +212,9 @@ Mesh make_sphere(float radius, int segments) {
 Mesh make_sweep(std::span<const glm::vec2> profile, std::span<const glm::vec3> path, const glm::vec3& up) {
   Mesh mesh;
   const std::vector<ProfileRow> rows = profile_rows(profile);
-  const auto stations = static_cast<std::uint32_t>(path.size());
+  const auto stations = std::uint32_t(path.size());
   for (std::size_t i = 0; i + 1 < rows.size(); i += 2) {
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    const auto first = std::uint32_t(mesh.vertices.size());
     for (const ProfileRow& row : {rows[i], rows[i + 1]}) {
       float length = 0.0f;
       for (std::uint32_t k = 0; k < stations; ++k) {
@@ -237,13 +237,13 @@ Mesh make_sweep(std::span<const glm::vec2> profile, std::span<const glm::vec3> p
 Mesh make_tube(std::span<const glm::vec3> path, std::span<const float> radii, int segments) {
   Mesh mesh;
   const std::size_t stations = path.size();
-  const auto columns = static_cast<std::uint32_t>(segments + 1);
+  const auto columns = std::uint32_t(segments + 1);
   glm::vec3 right(0.0f);
   float length = 0.0f;
   const auto ring = [&](std::size_t k, const glm::vec3& along, const glm::vec3* cap_normal) {
     const glm::vec3 forward = glm::cross(right, along);
     for (std::uint32_t i = 0; i < columns; ++i) {
-      const float turn = kTwoPi * static_cast<float>(i) / static_cast<float>(segments);
+      const float turn = kTwoPi * float(i) / float(segments);
       const glm::vec3 out = right * std::cos(turn) + forward * -std::sin(turn);
       mesh.vertices.push_back(
           {path[k] + out * radii[k],
@@ -255,7 +255,7 @@ Mesh make_tube(std::span<const glm::vec3> path, std::span<const float> radii, in
   const auto add_cap = [&](std::size_t k, const glm::vec3& along, bool end) {
     if (radii[k] <= 0.0f) return;
     const glm::vec3 normal = end ? along : -along;
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    const auto first = std::uint32_t(mesh.vertices.size());
     ring(k, along, &normal);
     for (std::uint32_t i = 1; i + 2 < columns; ++i) {
       add_triangle(mesh, first, first + (end ? i : i + 1), first + (end ? i + 1 : i));
@@ -268,7 +268,7 @@ Mesh make_tube(std::span<const glm::vec3> path, std::span<const float> radii, in
     right = glm::normalize(right - along * glm::dot(right, along));
     if (k > 0) length += glm::distance(path[k - 1], path[k]);
     if (k == 0) add_cap(k, along, false);
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    const auto first = std::uint32_t(mesh.vertices.size());
     ring(k, along, nullptr);
     if (k == 0) continue;
     const std::uint32_t before = first - columns;
@@ -288,8 +288,8 @@ Mesh make_tube(std::span<const glm::vec3> path, float radius, int segments) {
 
 Mesh make_surface(std::span<const glm::vec3> points, int columns) {
   Mesh mesh;
-  const int rows = static_cast<int>(points.size()) / columns;
-  const auto at = [&](int column, int row) { return points[static_cast<std::size_t>(row * columns + column)]; };
+  const int rows = int(points.size()) / columns;
+  const auto at = [&](int column, int row) { return points[std::size_t(row * columns + column)]; };
   for (int j = 0; j < rows; ++j) {
     for (int i = 0; i < columns; ++i) {
       const glm::vec3 across = at(std::min(i + 1, columns - 1), j) - at(std::max(i - 1, 0), j);
@@ -297,14 +297,12 @@ Mesh make_surface(std::span<const glm::vec3> points, int columns) {
       const std::size_t here = mesh.vertices.size();
       const float u = i == 0 ? 0.0f : mesh.vertices[here - 1].uv.x + glm::distance(at(i - 1, j), at(i, j));
       const float v =
-          j == 0 ? 0.0f
-                 : mesh.vertices[here - static_cast<std::size_t>(columns)].uv.y + glm::distance(at(i, j - 1), at(i, j));
+          j == 0 ? 0.0f : mesh.vertices[here - std::size_t(columns)].uv.y + glm::distance(at(i, j - 1), at(i, j));
       mesh.vertices.push_back({at(i, j), glm::normalize(glm::cross(across, upwards)), {}, {u, v}});
     }
   }
   for (int j = 0; j + 1 < rows; ++j) {
-    add_strip(mesh, static_cast<std::uint32_t>(j * columns), static_cast<std::uint32_t>((j + 1) * columns),
-              static_cast<std::uint32_t>(columns));
+    add_strip(mesh, std::uint32_t(j * columns), std::uint32_t((j + 1) * columns), std::uint32_t(columns));
   }
   compute_tangents(mesh);
   return mesh;

@@ -29,7 +29,7 @@ std::vector<float> stations(const Row& row) {
 }  // namespace
 
 Model make_fence(const Fence& fence) {
-  Random random(static_cast<std::uint32_t>(fence.seed));
+  Random random(std::uint32_t(fence.seed));
   Model model;
   Mesh& wood = part(model, "wood");
   const std::vector<float> posts = stations(fence);
@@ -41,7 +41,7 @@ Model make_fence(const Fence& fence) {
     append(wood, make_beam(foot, foot + lean * height, 0.11f, 0.11f, -fence.direction(posts[i])), kHere);
     if (i + 1 == posts.size()) break;
     for (int rail = 0; rail < fence.rails; ++rail) {
-      const float level = fence.height_m * (static_cast<float>(rail) + 0.75f) / static_cast<float>(fence.rails);
+      const float level = fence.height_m * (float(rail) + 0.75f) / float(fence.rails);
       const auto end = [&](float along, float beyond) {
         return fence.point(along + beyond, fence.offset_m + (fence.offset_m > 0.0f ? -0.075f : 0.075f)) +
                glm::vec3(0.0f, level + random.between(-0.025f, 0.025f), 0.0f);
@@ -133,12 +133,12 @@ Model make_street_lamp(const StreetLamp& lamp) {
   for (const float t : {0.0f, 0.5f, 1.0f}) line.emplace_back(0.0f, 1.15f + t * (straight - 1.15f), 0.0f);
   constexpr int kBends = 8;
   for (int i = 1; i <= kBends; ++i) {
-    const float turn = glm::half_pi<float>() * 0.94f * static_cast<float>(i) / kBends;
+    const float turn = glm::half_pi<float>() * 0.94f * float(i) / kBends;
     line.emplace_back(bend * (1.0f - std::cos(turn)), straight + bend * std::sin(turn), 0.0f);
   }
   line.emplace_back(lamp.arm_m - 0.2f, h, 0.0f);
   for (std::size_t i = 0; i < line.size(); ++i) {
-    radii.push_back(glm::mix(0.085f, 0.035f, static_cast<float>(i) / static_cast<float>(line.size() - 1)));
+    radii.push_back(glm::mix(0.085f, 0.035f, float(i) / float(line.size() - 1)));
   }
   append(steel, make_tube(line, radii, 10), kHere);
   // The head: a flat shell with its lens below.
@@ -196,7 +196,7 @@ Model make_power_line(const PowerLine& power) {
       std::vector<glm::vec3> wire;
       constexpr int kPieces = 10;
       for (int k = 0; k <= kPieces; ++k) {
-        const float t = static_cast<float>(k) / kPieces;
+        const float t = float(k) / kPieces;
         const float sag = 0.02f * power.spacing_m * 4.0f * t * (1.0f - t);  // a parabola is a catenary this flat
         wire.push_back(glm::mix(from, to, t) - glm::vec3(0.0f, sag, 0.0f));
       }

@@ -7,7 +7,7 @@
 namespace litfog::scene {
 
 Model make_rock(const Rock& rock) {
-  const auto seed = static_cast<std::uint32_t>(rock.seed);
+  const auto seed = std::uint32_t(rock.seed);
   Random random(seed);
   const glm::vec3 stretch(random.between(0.8f, 1.2f), random.between(0.55f, 0.8f), random.between(0.8f, 1.2f));
   const auto surface = [&](const glm::vec3& direction) {
@@ -28,8 +28,8 @@ Model make_rock(const Rock& rock) {
     const glm::vec3 z(0, 0, octant & 4 ? -1.0f : 1.0f);
     const bool flipped = x.x * y.y * z.z < 0.0f;
     const auto point = [&](int i, int j) {
-      const float a = static_cast<float>(i) / kCuts;
-      const float b = static_cast<float>(j) / kCuts;
+      const float a = float(i) / kCuts;
+      const float b = float(j) / kCuts;
       return surface(glm::normalize(x * a + y * b + z * (1.0f - a - b)));
     };
     const auto face = [&](const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {

@@ -18,7 +18,7 @@ constexpr float kThickness_m = 0.02f;
 std::vector<glm::vec2> regular(int corners, float radius, float first_turn) {
   std::vector<glm::vec2> outline;
   for (int i = 0; i < corners; ++i) {
-    const float turn = first_turn + glm::two_pi<float>() * static_cast<float>(i) / static_cast<float>(corners);
+    const float turn = first_turn + glm::two_pi<float>() * float(i) / float(corners);
     outline.emplace_back(radius * std::cos(turn), radius * std::sin(turn));
   }
   return outline;
@@ -32,7 +32,7 @@ std::vector<glm::vec2> rectangle(float width, float height) {
 
 void add_flat(Mesh& mesh, std::span<const glm::vec2> outline, const glm::mat4& at, int layer) {
   std::vector<glm::vec3> corners;
-  for (const glm::vec2& corner : outline) corners.emplace_back(corner, kLayer_m * static_cast<float>(layer));
+  for (const glm::vec2& corner : outline) corners.emplace_back(corner, kLayer_m * float(layer));
   Mesh flat;
   add_face(flat, corners);
   append(mesh, flat, at);
@@ -113,7 +113,7 @@ Model make_chevron_sign(const Chevron& sign) {
   const float reach = 0.42f * height;  // of the point before the ends
   const float hand = sign.left != 0 ? -1.0f : 1.0f;
   for (int i = 0; i < 3; ++i) {
-    const float x = (static_cast<float>(i) - 1.0f) * 0.29f * width - 0.22f * reach;
+    const float x = (float(i) - 1.0f) * 0.29f * width - 0.22f * reach;
     const float stroke = 0.14f * width;
     const float half = 0.44f * height;
     for (const float side : {-1.0f, 1.0f}) {

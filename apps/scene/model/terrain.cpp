@@ -15,12 +15,12 @@ constexpr float kBlend_m = 12.0f;  // from the corridor's edge to full relief
 constexpr float kBankReach_m = 60.0f;
 constexpr float kRoadStep_m = 4.0f;
 
-int cells(float length, float cell) { return std::clamp(static_cast<int>(std::ceil(length / cell)), 1, kMostCells); }
+int cells(float length, float cell) { return std::clamp(int(std::ceil(length / cell)), 1, kMostCells); }
 
 }  // namespace
 
 float ground_height(const Ground& ground, float x, float z) {
-  const auto seed = static_cast<std::uint32_t>(ground.ground_seed);
+  const auto seed = std::uint32_t(ground.ground_seed);
   // Bumps of 40 m and less; the sum of the octaves stays within about +-1.
   const float noise = octave_noise(x / 40.0f, z / 40.0f, 3, seed) + 0.08f * gradient_noise(x / 3.0f, z / 3.0f, seed);
   const float relief = ground.relief_m * noise;
@@ -36,11 +36,11 @@ Model make_ground(const Ground& ground) {
   const int columns = cells(ground.width_m, ground.cell_m) + 1;
   const int rows = cells(ground.depth_m, ground.cell_m) + 1;
   std::vector<glm::vec3> points;
-  points.reserve(static_cast<std::size_t>(columns * rows));
+  points.reserve(std::size_t(columns * rows));
   for (int j = 0; j < rows; ++j) {
-    const float z = ground.centre_z_m + ground.depth_m * (0.5f - static_cast<float>(j) / static_cast<float>(rows - 1));
+    const float z = ground.centre_z_m + ground.depth_m * (0.5f - float(j) / float(rows - 1));
     for (int i = 0; i < columns; ++i) {
-      const float x = ground.width_m * (static_cast<float>(i) / static_cast<float>(columns - 1) - 0.5f);
+      const float x = ground.width_m * (float(i) / float(columns - 1) - 0.5f);
       points.emplace_back(x, ground_height(ground, x, z), z);
     }
   }

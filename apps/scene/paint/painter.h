@@ -5,8 +5,8 @@
 
 namespace litfog::scene {
 
-// Painters of surfaces. Colours need only be right relative to each other: make_material (material_catalogue.h) scales each channel to the
-// material's mean albedo. Every painter gives the same texels each time.
+// Painters of surfaces. Colours need only be right relative to each other: make_material (material_catalogue.h) scales
+// each channel to the material's mean albedo. Every painter gives the same texels each time.
 
 // painter_ground.cpp
 void paint_asphalt(Canvas& canvas);
