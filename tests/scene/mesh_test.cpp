@@ -11,7 +11,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "scene/model/model.h"
+#include "scene/model/model_catalogue.h"
 #include "scene/model/primitive.h"
 #include "scene/model/terrain.h"
 #include "scene/paint/material_catalogue.h"

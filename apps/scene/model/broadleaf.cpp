@@ -5,8 +5,8 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
+#include "scene/hash_random.h"
 #include "scene/model/primitive.h"
-#include "scene/noise.h"
 
 namespace litfog::scene {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 struct Growth {
   Mesh wood;
   Mesh leaves;
-  Random random;
+  HashRandom random;
   glm::vec3 crown;  ///< leaves face away from here
   float leaf_share;
   float leaf_m;
@@ -22,7 +22,7 @@ struct Growth {
   int forks;
 };
 
-glm::vec3 any_direction(Random& random) {
+glm::vec3 any_direction(HashRandom& random) {
   const float y = random.between(-1.0f, 1.0f);
   const float turn = random.between(0.0f, glm::two_pi<float>());
   const float flat = std::sqrt(1.0f - y * y);
@@ -31,7 +31,7 @@ glm::vec3 any_direction(Random& random) {
 
 /// A leaf: two triangles folded along the midrib, seen from both sides.
 void add_leaf(Growth& growth, const glm::vec3& at) {
-  Random& random = growth.random;
+  HashRandom& random = growth.random;
   const glm::vec3 away = glm::normalize(at - growth.crown + glm::vec3(0.0f, 1e-3f, 0.0f));
   const glm::vec3 along = glm::normalize(any_direction(random) + 0.5f * away - glm::vec3(0.0f, 0.35f, 0.0f));
   const glm::vec3 across = glm::normalize(glm::cross(along, any_direction(random) + 0.1f * along));
@@ -60,7 +60,7 @@ void add_leaf(Growth& growth, const glm::vec3& at) {
 }
 
 void grow(Growth& growth, const glm::vec3& root, glm::vec3 direction, float length, float radius, int level) {
-  Random& random = growth.random;
+  HashRandom& random = growth.random;
   const int pieces = level == growth.forks && level > 2 ? 2 : 4;
   std::vector<glm::vec3> line{root};
   std::vector<float> radii{radius};
@@ -117,7 +117,7 @@ Model make_broadleaf_tree(const BroadleafTree& tree) {
   const float height = tree.height_m;
   Growth growth{{},
                 {},
-                Random(std::uint32_t(tree.seed)),
+                HashRandom(std::uint32_t(tree.seed)),
                 glm::vec3(0.0f, 0.55f * height, 0.0f),
                 tree.leaves,
                 tree.leaf_m,
@@ -133,7 +133,7 @@ Model make_broadleaf_tree(const BroadleafTree& tree) {
 Model make_bush(const Bush& bush) {
   const float height = bush.height_m;
   Growth growth{
-      {},   {}, Random(std::uint32_t(bush.seed)), glm::vec3(0.0f, 0.2f * height, 0.0f), bush.leaves, bush.leaf_m,
+      {},   {}, HashRandom(std::uint32_t(bush.seed)), glm::vec3(0.0f, 0.2f * height, 0.0f), bush.leaves, bush.leaf_m,
       0.5f, 3};
   for (int i = 0; i < bush.stems; ++i) {
     const float turn = glm::two_pi<float>() * (float(i) + growth.random.unit()) / float(bush.stems);

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
+#include "scene/hash_random.h"
 #include "scene/model/primitive.h"
-#include "scene/noise.h"
 
 namespace litfog::scene {
 namespace {
@@ -34,7 +34,7 @@ struct Branch {
   float droop;  ///< how far the middle hangs, a share of the length
 };
 
-void add_branch(Mesh& mesh, const Branch& branch, int twigs, Random& random) {
+void add_branch(Mesh& mesh, const Branch& branch, int twigs, HashRandom& random) {
   const auto pieces = float(twigs);
   const glm::vec3 out(std::sin(branch.turn), 0.0f, std::cos(branch.turn));
   const glm::vec3 side(out.z, 0.0f, -out.x);
@@ -76,7 +76,7 @@ void add_branch(Mesh& mesh, const Branch& branch, int twigs, Random& random) {
 }  // namespace
 
 Model make_spruce(const Spruce& spruce) {
-  Random random(std::uint32_t(spruce.seed));
+  HashRandom random(std::uint32_t(spruce.seed));
   Model model;
   const float height = spruce.height_m;
   const float lean_x = random.between(-0.02f, 0.02f) * height;

@@ -5,8 +5,8 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "scene/hash_random.h"
 #include "scene/model/primitive.h"
-#include "scene/noise.h"
 
 namespace litfog::scene {
 namespace {
@@ -75,7 +75,7 @@ Model make_barrel(const Barrel& barrel) {
   return model;
 }
 
-Model make_table(const Table& table) {
+Model make_dining_table(const DiningTable& table) {
   Model model;
   Mesh& wood = part(model, "wood_floor");
   const float x = 0.5f * table.length_m - 0.08f;
@@ -116,7 +116,7 @@ Model make_chair(const Chair& chair) {
 }
 
 Model make_shelf(const Shelf& shelf) {
-  Random random(std::uint32_t(shelf.seed));
+  HashRandom random(std::uint32_t(shelf.seed));
   Model model;
   Mesh& wood = part(model, "wood_floor");
   constexpr float kDepth_m = 0.3f;

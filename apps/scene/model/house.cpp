@@ -6,7 +6,9 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "scene/noise.h"
+#include "scene/hash_random.h"
+#include "scene/model/primitive.h"
+#include "scene/model/wall.h"
 
 namespace litfog::scene {
 namespace {
@@ -14,19 +16,12 @@ namespace {
 const glm::mat4 kHere(1.0f);
 constexpr float kStorey_m = 2.7f;
 constexpr float kPlinth_m = 0.35f;
-constexpr float kReveal_m = 0.18f;
 constexpr float kEaves_m = 0.5f;
 constexpr float kVerge_m = 0.35f;
 constexpr float kRoofThickness_m = 0.14f;
 
-/// A box between two corners, in the wall's frame.
-void add_block(Mesh& mesh, const glm::vec3& low, const glm::vec3& high, const glm::mat4& at) {
-  append(mesh, make_box(high - low),
-         glm::translate(at, glm::vec3(0.5f * (low.x + high.x), low.y, 0.5f * (low.z + high.z))));
-}
-
 /// A wall, its windows and perhaps a door in the bay `door` (counted from the left; -1: none).
-void add_facade(Model& model, const House& house, float width, int door, const glm::mat4& at, Random& random) {
+void add_facade(Model& model, const House& house, float width, int door, const glm::mat4& at, HashRandom& random) {
   const std::string_view material = house.brick != 0 ? "brick" : "plaster";
   const float height = kPlinth_m + kStorey_m * float(house.storeys);
   const int bays = std::max(1, int(width / 2.5f));
@@ -40,12 +35,12 @@ void add_facade(Model& model, const House& house, float width, int door, const g
         const Opening opening{middle - 0.5f, 0.18f, middle + 0.5f, floor + 2.05f};
         openings.push_back(opening);
         add_door(model, opening, at, "paint_green");
-        add_block(part(model, "concrete"), {middle - 0.9f, 0.0f, 0.0f}, {middle + 0.9f, 0.17f, 0.9f}, at);
+        add_box(part(model, "concrete"), {middle - 0.9f, 0.0f, 0.0f}, {middle + 0.9f, 0.17f, 0.9f}, at);
         // The lamp beside the door.
         append(part(model, "lamp_white"), make_sphere(0.08f, 12),
                glm::translate(at, glm::vec3(middle + 0.75f, floor + 1.75f, 0.13f)));
-        add_block(part(model, "paint_grey"), {middle + 0.70f, floor + 1.83f, 0.0f},
-                  {middle + 0.80f, floor + 1.88f, 0.2f}, at);
+        add_box(part(model, "paint_grey"), {middle + 0.70f, floor + 1.83f, 0.0f}, {middle + 0.80f, floor + 1.88f, 0.2f},
+                at);
         continue;
       }
       const Opening opening{middle - 0.55f, floor + 0.85f, middle + 0.55f, floor + 2.1f};
@@ -56,8 +51,8 @@ void add_facade(Model& model, const House& house, float width, int door, const g
   append(part(model, material), make_wall(width, height, openings, kReveal_m), at);
   // The plinth runs round, but not before the door.
   const float left = door < 0 ? width : bay * (float(door) + 0.5f) - 0.5f;
-  add_block(part(model, "stone"), {-0.04f, -0.5f, -0.1f}, {std::min(left, width + 0.04f), kPlinth_m, 0.04f}, at);
-  if (door >= 0) add_block(part(model, "stone"), {left + 1.0f, -0.5f, -0.1f}, {width + 0.04f, kPlinth_m, 0.04f}, at);
+  add_box(part(model, "stone"), {-0.04f, -0.5f, -0.1f}, {std::min(left, width + 0.04f), kPlinth_m, 0.04f}, at);
+  if (door >= 0) add_box(part(model, "stone"), {left + 1.0f, -0.5f, -0.1f}, {width + 0.04f, kPlinth_m, 0.04f}, at);
 }
 
 void add_roof(Model& model, const House& house) {
@@ -114,62 +109,8 @@ void add_roof(Model& model, const House& house) {
 
 }  // namespace
 
-void add_window(Model& model, const Opening& opening, const glm::mat4& at, bool lit) {
-  const float back = -kReveal_m;
-  const float w = 0.06f;
-  Mesh& frame = part(model, "paint_white");
-  const float l = opening.left;
-  const float r = opening.right;
-  const float b = opening.bottom;
-  const float t = opening.top;
-  add_block(frame, {l, b, back}, {r, b + w, back + 0.06f}, at);
-  add_block(frame, {l, t - w, back}, {r, t, back + 0.06f}, at);
-  add_block(frame, {l, b + w, back}, {l + w, t - w, back + 0.06f}, at);
-  add_block(frame, {r - w, b + w, back}, {r, t - w, back + 0.06f}, at);
-  const float middle = 0.5f * (l + r);
-  add_block(frame, {middle - 0.04f, b + w, back}, {middle + 0.04f, t - w, back + 0.055f}, at);
-  const float bar = b + 0.66f * (t - b);
-  add_block(frame, {l + w, bar - 0.016f, back}, {middle - 0.04f, bar + 0.016f, back + 0.045f}, at);
-  add_block(frame, {middle + 0.04f, bar - 0.016f, back}, {r - w, bar + 0.016f, back + 0.045f}, at);
-  Mesh pane;
-  add_face(pane, {{l, b, back + 0.02f}, {r, b, back + 0.02f}, {r, t, back + 0.02f}, {l, t, back + 0.02f}});
-  append(part(model, lit ? "window_lit" : "glass"), pane, at);
-  add_block(part(model, "stone"), {l - 0.06f, b - 0.07f, back}, {r + 0.06f, b, 0.07f}, at);
-}
-
-void add_door(Model& model, const Opening& opening, const glm::mat4& at, std::string_view paint) {
-  const float back = -kReveal_m;
-  const float l = opening.left;
-  const float r = opening.right;
-  const float b = opening.bottom;
-  const float t = opening.top;
-  const float w = 0.08f;
-  Mesh& frame = part(model, "paint_white");
-  add_block(frame, {l, b, back}, {l + w, t, back + 0.09f}, at);
-  add_block(frame, {r - w, b, back}, {r, t, back + 0.09f}, at);
-  add_block(frame, {l + w, t - w, back}, {r - w, t, back + 0.09f}, at);
-  Mesh& leaf = part(model, paint);
-  add_block(leaf, {l + w, b, back}, {r - w, t - w, back + 0.03f}, at);
-  // Rails and stiles stand before the panels.
-  const float z = back + 0.03f;
-  const float inner_l = l + w;
-  const float inner_r = r - w;
-  const float height = t - w - b;
-  const float middle = 0.5f * (l + r);
-  const float stile = 0.11f;
-  for (const float level : {0.0f, 0.42f, 0.92f}) {
-    add_block(leaf, {inner_l, b + level * height, z}, {inner_r, b + level * height + 0.08f * height, z + 0.025f}, at);
-  }
-  for (const float x : {inner_l, middle - 0.5f * stile, inner_r - stile}) {
-    add_block(leaf, {x, b + 0.08f * height, z}, {x + stile, b + 0.42f * height, z + 0.025f}, at);
-    add_block(leaf, {x, b + 0.50f * height, z}, {x + stile, b + 0.92f * height, z + 0.025f}, at);
-  }
-  append(part(model, "galvanised"), make_sphere(0.03f, 10),
-         glm::translate(at, glm::vec3(inner_r - 0.06f, b + 0.47f * height, z + 0.06f)));
-}
-
 Model make_house(const House& house) {
-  Random random(std::uint32_t(house.seed));
+  HashRandom random(std::uint32_t(house.seed));
   Model model;
   const float half_width = 0.5f * house.width_m;
   const float half_depth = 0.5f * house.depth_m;

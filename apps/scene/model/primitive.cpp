@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 
 namespace litfog::scene {
 namespace {
@@ -85,6 +86,11 @@ Mesh make_box(const glm::vec3& size) {
   add_face(mesh, {{-x, y, z}, {x, y, z}, {x, y, -z}, {-x, y, -z}});
   add_face(mesh, {{-x, 0, -z}, {x, 0, -z}, {x, 0, z}, {-x, 0, z}});
   return mesh;
+}
+
+void add_box(Mesh& mesh, const glm::vec3& low, const glm::vec3& high, const glm::mat4& mesh_from_box) {
+  append(mesh, make_box(high - low),
+         glm::translate(mesh_from_box, glm::vec3(0.5f * (low.x + high.x), low.y, 0.5f * (low.z + high.z))));
 }
 
 Mesh make_bevelled_box(const glm::vec3& size, float bevel) {
@@ -305,42 +311,6 @@ Mesh make_surface(std::span<const glm::vec3> points, int columns) {
     add_strip(mesh, std::uint32_t(j * columns), std::uint32_t((j + 1) * columns), std::uint32_t(columns));
   }
   compute_tangents(mesh);
-  return mesh;
-}
-
-Mesh make_wall(float width, float height, std::span<const Opening> openings, float depth) {
-  // The edges of all openings cut the wall into a grid; a cell is wall unless its middle is in an opening.
-  std::vector<float> xs{0.0f, width};
-  std::vector<float> ys{0.0f, height};
-  Mesh mesh;
-  for (const Opening& hole : openings) {
-    xs.insert(xs.end(), {hole.left, hole.right});
-    ys.insert(ys.end(), {hole.bottom, hole.top});
-    const float l = hole.left;
-    const float r = hole.right;
-    const float b = hole.bottom;
-    const float t = hole.top;
-    const float d = -depth;
-    add_face(mesh, {{l, b, 0}, {l, b, d}, {l, t, d}, {l, t, 0}});
-    add_face(mesh, {{r, b, d}, {r, b, 0}, {r, t, 0}, {r, t, d}});
-    add_face(mesh, {{l, t, d}, {r, t, d}, {r, t, 0}, {l, t, 0}});
-    if (b > 0.0f) add_face(mesh, {{l, b, 0}, {r, b, 0}, {r, b, d}, {l, b, d}});
-  }
-  for (std::vector<float>* cuts : {&xs, &ys}) {
-    std::sort(cuts->begin(), cuts->end());
-    const auto same = [](float a, float b) { return b - a < 1e-4f; };
-    cuts->erase(std::unique(cuts->begin(), cuts->end(), same), cuts->end());
-  }
-  for (std::size_t j = 0; j + 1 < ys.size(); ++j) {
-    for (std::size_t i = 0; i + 1 < xs.size(); ++i) {
-      const glm::vec2 middle(0.5f * (xs[i] + xs[i + 1]), 0.5f * (ys[j] + ys[j + 1]));
-      const bool open = std::any_of(openings.begin(), openings.end(), [&](const Opening& hole) {
-        return middle.x > hole.left && middle.x < hole.right && middle.y > hole.bottom && middle.y < hole.top;
-      });
-      if (open) continue;
-      add_face(mesh, {{xs[i], ys[j], 0}, {xs[i + 1], ys[j], 0}, {xs[i + 1], ys[j + 1], 0}, {xs[i], ys[j + 1], 0}});
-    }
-  }
   return mesh;
 }
 

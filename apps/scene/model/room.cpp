@@ -6,8 +6,8 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "scene/model/house.h"
 #include "scene/model/primitive.h"
+#include "scene/model/wall.h"
 
 namespace litfog::scene {
 namespace {
@@ -95,7 +95,7 @@ void add_end(Model& model, const Room& room, bool door, const glm::mat4& at) {
     append(part(model, "stone"), make_bevelled_box({1.75f, 0.22f, 0.14f}, 0.025f),
            glm::translate(at, glm::vec3(middle, 2.15f, 0.04f)));
   }
-  append(plaster, make_wall(room.width_m, room.wall_m, openings, 0.18f), at);
+  append(plaster, make_wall(room.width_m, room.wall_m, openings, kReveal_m), at);
   std::vector<glm::vec3> lunette;
   for (const glm::vec2& point : vault_arc(room, 32)) lunette.emplace_back(middle - point.x, point.y, 0.0f);
   Mesh face;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "scene/paint/field.h"
+#include "scene/paint/canvas.h"
 
 namespace litfog::scene {
 

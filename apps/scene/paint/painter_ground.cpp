@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <glm/gtc/constants.hpp>
 
-#include "scene/noise.h"
+#include "scene/hash_random.h"
 #include "scene/paint/painter.h"
 
 namespace litfog::scene {
@@ -18,7 +18,7 @@ struct Stones {
 };
 
 void add_stones(Canvas& canvas, const Stones& stones, float contrast, std::uint32_t seed) {
-  Random random(seed);
+  HashRandom random(seed);
   const auto size = float(canvas.size);
   for (int i = 0; i < stones.count; ++i) {
     const glm::vec2 middle(random.unit() * size, random.unit() * size);
@@ -44,7 +44,7 @@ void add_stones(Canvas& canvas, const Stones& stones, float contrast, std::uint3
 }
 
 /// A crack wanders as a chain of short cuts.
-void add_crack(Canvas& canvas, glm::vec2 at, float turn, int steps, float width, float depth_m, Random& random) {
+void add_crack(Canvas& canvas, glm::vec2 at, float turn, int steps, float width, float depth_m, HashRandom& random) {
   for (int i = 0; i < steps; ++i) {
     turn += random.between(-0.35f, 0.35f);
     at += 1.2f * glm::vec2(std::cos(turn), std::sin(turn));
@@ -78,7 +78,7 @@ void bitumen(Canvas& canvas, std::uint32_t seed) {
 
 void paint_asphalt(Canvas& canvas) {
   bitumen(canvas, 11);
-  Random random(12);
+  HashRandom random(12);
   const auto size = float(canvas.size);
   add_crack(canvas, {0.2f * size, 0.1f * size}, 1.2f, 190, 0.7f, 0.004f, random);
   add_crack(canvas, {0.7f * size, 0.5f * size}, 0.3f, 110, 0.6f, 0.004f, random);
@@ -130,7 +130,7 @@ void paint_grass(Canvas& canvas) {
     canvas.gloss[i] = 0.05f;
   }
   // Blades as bent strokes; later ones lie higher. Most are green, some straw; dry and lush patches.
-  Random random(42);
+  HashRandom random(42);
   const int blades = size * size / 22;
   for (int blade = 0; blade < blades; ++blade) {
     glm::vec2 at(random.unit() * float(size), random.unit() * float(size));

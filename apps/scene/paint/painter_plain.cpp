@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/noise.h"
+#include "scene/hash_random.h"
 #include "scene/paint/painter.h"
 
 namespace litfog::scene {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
-#include "scene/noise.h"
+#include "scene/hash_random.h"
 #include "scene/paint/painter.h"
 
 namespace litfog::scene {
@@ -20,7 +20,7 @@ struct Strokes {
 
 void add_strokes(Canvas& canvas, const Strokes& strokes, const glm::vec3& dull, const glm::vec3& fresh,
                  std::uint32_t seed) {
-  Random random(seed);
+  HashRandom random(seed);
   const auto size = float(canvas.size);
   for (int i = 0; i < strokes.count; ++i) {
     const float level = float(i) / float(strokes.count);
