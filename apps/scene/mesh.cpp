@@ -50,7 +50,7 @@ void append(Mesh& to, const Mesh& from, const glm::mat4& to_from_from) {
   const glm::mat3 linear(to_from_from);
   const glm::mat3 normals = glm::transpose(glm::inverse(linear));
   const bool mirrored = glm::determinant(linear) < 0.0f;
-  const auto first = static_cast<std::uint32_t>(to.vertices.size());
+  const auto first = std::uint32_t(to.vertices.size());
   for (const Vertex& vertex : from.vertices) {
     const glm::vec3 normal = glm::normalize(normals * vertex.normal);
     // An uneven scale tilts the tangent off the normal's plane.
@@ -116,7 +116,7 @@ void compute_tangents(Mesh& mesh) {
 }
 
 void add_back_faces(Mesh& mesh) {
-  const auto vertices = static_cast<std::uint32_t>(mesh.vertices.size());
+  const auto vertices = std::uint32_t(mesh.vertices.size());
   const std::size_t indices = mesh.indices.size();
   mesh.vertices.reserve(2 * mesh.vertices.size());
   mesh.indices.reserve(2 * indices);

@@ -1,41 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
+#include "scene/hash_random.h"
+
 namespace litfog::scene {
-
-/// Bijective 32-bit mixer ("lowbias32", Wellons 2018). The standard library's distributions differ between
-/// implementations; models and materials must not.
-constexpr std::uint32_t hash(std::uint32_t x) {
-  x ^= x >> 16;
-  x *= 0x7feb352du;
-  x ^= x >> 15;
-  x *= 0x846ca68bu;
-  return x ^ (x >> 16);
-}
-
-constexpr std::uint32_t hash(std::uint32_t x, std::uint32_t y, std::uint32_t seed) {
-  return hash(x + hash(y + hash(seed)));
-}
-
-/// [0, 1): the upper 24 bits, which a float holds exactly.
-constexpr float unit_float(std::uint32_t bits) { return static_cast<float>(bits >> 8) * 0x1p-24f; }
-
-/// A seeded stream of numbers, the same on every machine.
-class Random {
- public:
-  explicit Random(std::uint32_t seed) : key_(hash(seed)) {}
-  std::uint32_t bits() { return hash(counter_++ + key_); }
-  float unit() { return unit_float(bits()); }
-  float between(float low, float high) { return low + (high - low) * unit(); }
-
- private:
-  std::uint32_t key_;
-  std::uint32_t counter_ = 0;
-};
 
 /// Quintic fade of Perlin 2002: first and second derivative vanish at 0 and 1, so normals show no lattice.
 constexpr float fade(float t) { return t * t * t * (t * (t * 6.0f - 15.0f) + 10.0f); }
@@ -46,7 +17,7 @@ struct Gradient {
 };
 constexpr Gradient lattice_gradient(std::uint32_t column, std::uint32_t row, std::uint32_t seed) {
   const std::uint32_t bits = hash(column, row, seed);
-  return {static_cast<float>(bits & 0xffffu) * 0x1p-15f - 1.0f, static_cast<float>(bits >> 16) * 0x1p-15f - 1.0f};
+  return {float(bits & 0xffffu) * 0x1p-15f - 1.0f, float(bits >> 16) * 0x1p-15f - 1.0f};
 }
 
 /// Gradient noise along a row of the lattice. At a height y inside the cell row, the contribution of a cell's left and
@@ -68,8 +39,8 @@ constexpr float noise_between(NoiseEdge left, NoiseEdge right, float x, float fa
 inline float gradient_noise(float x, float y, std::uint32_t seed) {
   const float column = std::floor(x);
   const float row = std::floor(y);
-  const auto i = static_cast<std::uint32_t>(static_cast<std::int32_t>(column));
-  const auto j = static_cast<std::uint32_t>(static_cast<std::int32_t>(row));
+  const auto i = std::uint32_t(std::int32_t(column));
+  const auto j = std::uint32_t(std::int32_t(row));
   const NoiseEdge left = noise_edge(lattice_gradient(i, j, seed), lattice_gradient(i, j + 1, seed), y - row);
   const NoiseEdge right = noise_edge(lattice_gradient(i + 1, j, seed), lattice_gradient(i + 1, j + 1, seed), y - row);
   return noise_between(left, right, x - column, fade(x - column));
@@ -80,7 +51,7 @@ inline float octave_noise(float x, float y, int octaves, std::uint32_t seed) {
   float sum = 0.0f;
   float amplitude = 1.0f;
   for (int octave = 0; octave < octaves; ++octave) {
-    sum += amplitude * gradient_noise(x, y, seed + static_cast<std::uint32_t>(octave));
+    sum += amplitude * gradient_noise(x, y, seed + std::uint32_t(octave));
     x *= 2.0f;
     y *= 2.0f;
     amplitude *= 0.5f;

@@ -13,7 +13,7 @@
 #include "gl/gl_test.h"
 #include "measure/picture_error.h"
 #include "scene/file/scene_file.h"
-#include "scene/model/model.h"
+#include "scene/model/model_catalogue.h"
 #include "scene/paint/material_catalogue.h"
 
 namespace litfog::test {

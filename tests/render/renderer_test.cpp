@@ -14,7 +14,7 @@
 #include "litfog/gl/unsupported.h"
 #include "render/gpu/texture.h"
 #include "scene/file/scene_file.h"
-#include "scene/model/model.h"
+#include "scene/model/model_catalogue.h"
 #include "scene/paint/material_catalogue.h"
 
 namespace litfog::test {

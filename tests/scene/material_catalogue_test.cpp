@@ -26,7 +26,7 @@ double mean_luminance(const Material& material) {
     sum += 0.2126 * linear(material.albedo.rgba[i]) + 0.7152 * linear(material.albedo.rgba[i + 1]) +
            0.0722 * linear(material.albedo.rgba[i + 2]);
   }
-  return sum / (static_cast<double>(material.albedo.width) * material.albedo.height);
+  return sum / (double(material.albedo.width) * material.albedo.height);
 }
 
 /// Mean difference of bytes between two neighbouring rows (or columns) of a picture of four channels.
@@ -37,7 +37,7 @@ double mean_jump(const std::vector<std::uint8_t>& picture, int size, int line, b
     for (int channel = 0; channel < 4; ++channel) {
       const auto at = [&](int k) {
         const int texel = rows ? k * size + i : i * size + k;
-        return static_cast<int>(picture[static_cast<std::size_t>(4 * texel + channel)]);
+        return int(picture[std::size_t(4 * texel + channel)]);
       };
       sum += std::abs(at(line) - at(next));
     }
@@ -70,8 +70,7 @@ TEST_P(EveryMaterial, IsWhole) {
   EXPECT_EQ(material.normal.width, material.albedo.width);
   EXPECT_EQ(material.normal.height, material.albedo.width);
   EXPECT_GT(material.size_m, 0.0f);
-  const auto texels =
-      static_cast<std::size_t>(material.albedo.width) * static_cast<std::size_t>(material.albedo.height);
+  const auto texels = std::size_t(material.albedo.width) * std::size_t(material.albedo.height);
   EXPECT_EQ(material.albedo.rgba.size(), 4 * texels);
   EXPECT_EQ(material.normal.rgba.size(), 4 * texels);
   for (int i = 0; i < 3; ++i) {
@@ -195,7 +194,7 @@ TEST(Field, NoiseIsThatOfThePointFormula) {
   add_noise(field, 8, 8, 1.0f, 7);
   for (int y = 0; y < 56; ++y) {
     for (int x = 0; x < 56; ++x) {
-      EXPECT_NEAR(field.at(x, y), gradient_noise(static_cast<float>(x) / 8.0f, static_cast<float>(y) / 8.0f, 7), 1e-5f);
+      EXPECT_NEAR(field.at(x, y), gradient_noise(float(x) / 8.0f, float(y) / 8.0f, 7), 1e-5f);
     }
   }
 }
@@ -214,7 +213,7 @@ TEST(Noise, HasMeanZeroAndStaysBounded) {
   constexpr int kSide = 400;
   for (int y = 0; y < kSide; ++y) {
     for (int x = 0; x < kSide; ++x) {
-      const float value = gradient_noise(0.37f * static_cast<float>(x), 0.41f * static_cast<float>(y) - 50.0f, 3);
+      const float value = gradient_noise(0.37f * float(x), 0.41f * float(y) - 50.0f, 3);
       sum += value;
       most = std::max(most, std::abs(value));
     }

@@ -11,10 +11,10 @@
 #include <set>
 #include <stdexcept>
 
-#include "scene/paint/material_catalogue.h"
-#include "scene/model/model.h"
+#include "scene/model/model_catalogue.h"
 #include "scene/model/primitive.h"
 #include "scene/model/terrain.h"
+#include "scene/paint/material_catalogue.h"
 
 namespace litfog::test {
 using namespace scene;

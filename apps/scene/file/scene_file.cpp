@@ -21,7 +21,7 @@
 #include "litfog/input_error.h"
 #include "litfog/photometry/cookie_file.h"
 #include "scene/file/gltf_scene.h"
-#include "scene/model/model.h"
+#include "scene/model/model_catalogue.h"
 #include "scene/paint/cookie_pattern.h"
 #include "scene/paint/material_catalogue.h"
 
@@ -333,8 +333,8 @@ class SceneReader {
     for (const ParameterInfo& parameter : info->parameters) {
       allowed.push_back(parameter.name);
       if (const auto given = value.optional(parameter.name)) {
-        if (const std::string rule = refusal(parameter, given->number()); !rule.empty()) given->fail(rule);
-        parameters.set(parameter.name, given->number());
+        if (const auto rule = check(parameter, given->number())) given->fail(*rule);
+        parameters.emplace(parameter.name, given->number());
         key += fmt::format(" {}={}", parameter.name, given->number());
       }
     }

@@ -16,7 +16,7 @@ constexpr int kTowerSides = 8;
 
 /// The point of a regular tower ring, a flat side towards +Z.
 glm::vec3 ring_point(int i, float radius, float height) {
-  const float turn = glm::two_pi<float>() * (static_cast<float>(i) - 0.5f) / kTowerSides;
+  const float turn = glm::two_pi<float>() * (float(i) - 0.5f) / kTowerSides;
   return {radius * std::sin(turn), height, radius * std::cos(turn)};
 }
 
@@ -59,22 +59,22 @@ Model make_approach_light(const ApproachLight& light) {
   Model model;
   const float h = light.height_m;
   Mesh& mast = part(model, "paint_yellow");
-  const float half = 0.5f * light.spacing_m * static_cast<float>(light.lamps - 1);
+  const float half = 0.5f * light.spacing_m * float(light.lamps - 1);
   // A lattice of three legs for the higher ones, a single pipe for the low.
   if (h > 1.2f) {
     const float spread = 0.22f;
     for (int leg = 0; leg < 3; ++leg) {
-      const float turn = glm::two_pi<float>() * static_cast<float>(leg) / 3.0f;
-      const float next = glm::two_pi<float>() * static_cast<float>(leg + 1) / 3.0f;
+      const float turn = glm::two_pi<float>() * float(leg) / 3.0f;
+      const float next = glm::two_pi<float>() * float(leg + 1) / 3.0f;
       const auto at = [&](float angle, float y) {
         return glm::vec3(spread * std::sin(angle), y, spread * std::cos(angle));
       };
       const glm::vec3 pipe[] = {at(turn, -0.3f), at(turn, h - 0.12f)};
       append(mast, make_tube(pipe, 0.02f, 6), kHere);
-      const int bays = std::clamp(static_cast<int>(h / 0.6f), 1, 40);
+      const int bays = std::clamp(int(h / 0.6f), 1, 40);
       for (int bay = 0; bay < bays; ++bay) {
-        const float low = (h - 0.15f) * static_cast<float>(bay) / static_cast<float>(bays);
-        const float high = (h - 0.15f) * static_cast<float>(bay + 1) / static_cast<float>(bays);
+        const float low = (h - 0.15f) * float(bay) / float(bays);
+        const float high = (h - 0.15f) * float(bay + 1) / float(bays);
         const glm::vec3 brace[] = {at(bay % 2 == 0 ? turn : next, low), at(bay % 2 == 0 ? next : turn, high)};
         append(mast, make_tube(brace, 0.01f, 4), kHere);
       }
@@ -86,7 +86,7 @@ Model make_approach_light(const ApproachLight& light) {
   if (light.lamps > 1)
     append(mast, make_beam({-half - 0.1f, h - 0.12f, 0.0f}, {half + 0.1f, h - 0.12f, 0.0f}, 0.06f, 0.06f), kHere);
   for (int lamp = 0; lamp < light.lamps; ++lamp) {
-    const glm::mat4 at = place({light.spacing_m * static_cast<float>(lamp) - half, h, 0.0f});
+    const glm::mat4 at = place({light.spacing_m * float(lamp) - half, h, 0.0f});
     const glm::mat4 forward = glm::rotate(at, glm::half_pi<float>(), glm::vec3(1, 0, 0));
     append(part(model, "paint_grey"),
            make_lathe({{0.0f, -0.12f}, {0.05f, -0.11f}, {0.1f, -0.02f}, {0.105f, 0.06f}, {0.095f, 0.06f}}, 14),
@@ -124,14 +124,14 @@ Model make_hangar(const Hangar& hangar) {
   constexpr int kPieces = 28;
   std::vector<glm::vec2> outline{{-half, -0.3f}};
   for (int i = 0; i <= kPieces; ++i) {
-    const float turn = glm::pi<float>() * static_cast<float>(i) / kPieces;
+    const float turn = glm::pi<float>() * float(i) / kPieces;
     outline.emplace_back(-half * std::cos(turn), side + rise * std::sin(turn));
   }
   outline.emplace_back(half, -0.3f);
   // Walked over the top from the right, the outside is on the right.
   std::vector<glm::vec2> shell(outline.rbegin(), outline.rend());
   std::vector<glm::vec3> axis;
-  for (int i = 0; i <= 8; ++i) axis.emplace_back(0.0f, 0.0f, -hangar.depth_m * static_cast<float>(i) / 8.0f);
+  for (int i = 0; i <= 8; ++i) axis.emplace_back(0.0f, 0.0f, -hangar.depth_m * float(i) / 8.0f);
   append(part(model, "corrugated"), make_sweep(shell, axis), kHere);
   std::vector<glm::vec3> back;
   for (std::size_t i = outline.size(); i-- > 0;) back.emplace_back(-outline[i].x, outline[i].y, -hangar.depth_m);
@@ -144,7 +144,7 @@ Model make_hangar(const Hangar& hangar) {
   const float door = std::min(0.62f * hangar.height_m, 0.9f * arch(door_half));
   Mesh front;
   for (int i = 0; i < kPieces; ++i) {
-    const auto x_at = [&](int k) { return -half * std::cos(glm::pi<float>() * static_cast<float>(k) / kPieces); };
+    const auto x_at = [&](int k) { return -half * std::cos(glm::pi<float>() * float(k) / kPieces); };
     const float left = x_at(i);
     const float right = x_at(i + 1);
     // A column that the door's edge crosses is cut there.
@@ -167,7 +167,7 @@ Model make_hangar(const Hangar& hangar) {
   constexpr int kLeaves = 6;
   const float leaf = 2.0f * door_half / kLeaves;
   for (int i = 0; i < kLeaves; ++i) {
-    const float x = -door_half + leaf * (static_cast<float>(i) + 0.5f);
+    const float x = -door_half + leaf * (float(i) + 0.5f);
     const float z = i % 2 == 0 ? -0.12f : -0.3f;
     append(part(model, "paint_green"), make_box({leaf + 0.15f, door + 0.1f, 0.08f}), place({x, 0.0f, z}));
     for (const float stile : {-0.5f, 0.0f, 0.5f}) {
@@ -213,9 +213,9 @@ Model make_tower(const Tower& tower) {
   // Windows up the stairs, and the door.
   const std::string_view pane = tower.lit != 0 ? "window_lit" : "glass";
   const float flat = shaft * std::cos(glm::pi<float>() / kTowerSides);
-  const int floors = static_cast<int>((cab_floor - 4.0f) / 2.8f);
+  const int floors = int((cab_floor - 4.0f) / 2.8f);
   for (int floor = 1; floor <= floors; ++floor) {
-    const float y = 2.8f * static_cast<float>(floor) + 0.6f;
+    const float y = 2.8f * float(floor) + 0.6f;
     append(part(model, pane), make_box({0.55f, 1.0f, 0.04f}), place({0.0f, y, flat}));
     append(part(model, "paint_grey"), make_box({0.75f, 0.1f, 0.12f}), place({0.0f, y - 0.1f, flat}));
     append(part(model, "paint_grey"), make_box({0.75f, 0.1f, 0.12f}), place({0.0f, y + 1.0f, flat}));

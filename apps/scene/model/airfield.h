@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/mesh.h"
+#include "scene/model/parameter_list.h"
 
 namespace litfog::scene {
 
@@ -10,6 +11,8 @@ namespace litfog::scene {
 /// One box of a precision approach path indicator; its light leaves from (0, 0.55, 0.42).
 struct PapiBox {
   int white = 1;  ///< 1: seen white, 0: red
+
+  void describe(ParameterList& list) { list.add("white", white, 0, 1); }
 };
 Model make_papi_box(const PapiBox& box);
 
@@ -18,12 +21,20 @@ struct ApproachLight {
   float height_m = 2.0f;
   int lamps = 5;
   float spacing_m = 1.0f;
+
+  void describe(ParameterList& list) {
+    list.add("height_m", height_m, 0.4, 30);
+    list.add("lamps", lamps, 1, 11);
+    list.add("spacing_m", spacing_m, 0.3, 5);
+  }
 };
 Model make_approach_light(const ApproachLight& light);
 
 /// An elevated runway edge light; its light leaves from (0, 0.33, 0).
 struct EdgeLight {
   int red = 0;  ///< 1: red, for the end of the runway
+
+  void describe(ParameterList& list) { list.add("red", red, 0, 1); }
 };
 Model make_edge_light(const EdgeLight& light);
 
@@ -33,6 +44,13 @@ struct Hangar {
   float depth_m = 32.0f;
   float height_m = 9.0f;
   int lit = 1;  ///< windows and the lamps over the doors
+
+  void describe(ParameterList& list) {
+    list.add("width_m", width_m, 8, 80);
+    list.add("depth_m", depth_m, 5, 120);
+    list.add("height_m", height_m, 4, 25);
+    list.add("lit", lit, 0, 1);
+  }
 };
 Model make_hangar(const Hangar& hangar);
 
@@ -40,6 +58,11 @@ Model make_hangar(const Hangar& hangar);
 struct Tower {
   float height_m = 18.0f;
   int lit = 1;
+
+  void describe(ParameterList& list) {
+    list.add("height_m", height_m, 10, 60);
+    list.add("lit", lit, 0, 1);
+  }
 };
 Model make_tower(const Tower& tower);
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
+#include "scene/hash_random.h"
 #include "scene/model/primitive.h"
-#include "scene/noise.h"
 
 namespace litfog::scene {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 struct Growth {
   Mesh wood;
   Mesh leaves;
-  Random random;
+  HashRandom random;
   glm::vec3 crown;  ///< leaves face away from here
   float leaf_share;
   float leaf_m;
@@ -22,7 +22,7 @@ struct Growth {
   int forks;
 };
 
-glm::vec3 any_direction(Random& random) {
+glm::vec3 any_direction(HashRandom& random) {
   const float y = random.between(-1.0f, 1.0f);
   const float turn = random.between(0.0f, glm::two_pi<float>());
   const float flat = std::sqrt(1.0f - y * y);
@@ -31,7 +31,7 @@ glm::vec3 any_direction(Random& random) {
 
 /// A leaf: two triangles folded along the midrib, seen from both sides.
 void add_leaf(Growth& growth, const glm::vec3& at) {
-  Random& random = growth.random;
+  HashRandom& random = growth.random;
   const glm::vec3 away = glm::normalize(at - growth.crown + glm::vec3(0.0f, 1e-3f, 0.0f));
   const glm::vec3 along = glm::normalize(any_direction(random) + 0.5f * away - glm::vec3(0.0f, 0.35f, 0.0f));
   const glm::vec3 across = glm::normalize(glm::cross(along, any_direction(random) + 0.1f * along));
@@ -49,7 +49,7 @@ void add_leaf(Growth& growth, const glm::vec3& at) {
     const glm::vec3 face = side * front;
     const float lean = glm::dot(face, away) > 0.0f ? 1.0f : 0.3f;
     const glm::vec3 normal = glm::normalize(face + lean * (away - face * glm::dot(face, away)));
-    const auto first = static_cast<std::uint32_t>(growth.leaves.vertices.size());
+    const auto first = std::uint32_t(growth.leaves.vertices.size());
     for (std::size_t i = 0; i < corners.size(); ++i) growth.leaves.vertices.push_back({corners[i], normal, {}, uv[i]});
     for (const std::uint32_t i : {1u, 2u}) {
       const std::uint32_t next = i + 1;
@@ -60,7 +60,7 @@ void add_leaf(Growth& growth, const glm::vec3& at) {
 }
 
 void grow(Growth& growth, const glm::vec3& root, glm::vec3 direction, float length, float radius, int level) {
-  Random& random = growth.random;
+  HashRandom& random = growth.random;
   const int pieces = level == growth.forks && level > 2 ? 2 : 4;
   std::vector<glm::vec3> line{root};
   std::vector<float> radii{radius};
@@ -69,16 +69,16 @@ void grow(Growth& growth, const glm::vec3& root, glm::vec3 direction, float leng
     // Boughs turn up towards the light; twigs go anywhere.
     direction =
         glm::normalize(direction + wander * any_direction(random) + glm::vec3(0.0f, level < 2 ? 0.12f : 0.03f, 0.0f));
-    line.push_back(line.back() + direction * (length / static_cast<float>(pieces)));
-    radii.push_back(radius * (1.0f - 0.62f * static_cast<float>(i) / static_cast<float>(pieces)));
+    line.push_back(line.back() + direction * (length / float(pieces)));
+    radii.push_back(radius * (1.0f - 0.62f * float(i) / float(pieces)));
   }
   append(growth.wood, make_tube(line, radii, level == 0 ? 8 : level == 1 ? 5 : 3), glm::mat4(1.0f));
   if (level >= growth.forks - 1) {
     for (int i = 1; i <= pieces; ++i) {
       const float wanted = 4.5f * growth.leaf_share;
-      const int count = static_cast<int>(wanted + random.unit());
+      const int count = int(wanted + random.unit());
       for (int k = 0; k < count; ++k) {
-        add_leaf(growth, line[static_cast<std::size_t>(i)] + 0.6f * growth.leaf_m * any_direction(random));
+        add_leaf(growth, line[std::size_t(i)] + 0.6f * growth.leaf_m * any_direction(random));
       }
     }
   }
@@ -86,13 +86,13 @@ void grow(Growth& growth, const glm::vec3& root, glm::vec3 direction, float leng
   const int children = level == 0 ? 8 : 5;
   const float turn = random.between(0.0f, glm::two_pi<float>());
   for (int i = 0; i < children; ++i) {
-    const float t = glm::mix(level == 0 ? 0.38f : 0.3f, 1.0f, static_cast<float>(i) / static_cast<float>(children - 1));
-    const float place = t * static_cast<float>(pieces);
-    const auto piece = std::min(static_cast<std::size_t>(place), static_cast<std::size_t>(pieces - 1));
-    const glm::vec3 start = glm::mix(line[piece], line[piece + 1], place - static_cast<float>(piece));
+    const float t = glm::mix(level == 0 ? 0.38f : 0.3f, 1.0f, float(i) / float(children - 1));
+    const float place = t * float(pieces);
+    const auto piece = std::min(std::size_t(place), std::size_t(pieces - 1));
+    const glm::vec3 start = glm::mix(line[piece], line[piece + 1], place - float(piece));
     const glm::vec3 along = glm::normalize(line[piece + 1] - line[piece]);
     // Round the stem by the golden angle, as buds are set.
-    const float angle = turn + 2.39996f * static_cast<float>(i) + random.between(-0.3f, 0.3f);
+    const float angle = turn + 2.39996f * float(i) + random.between(-0.3f, 0.3f);
     const glm::vec3 other = std::abs(along.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
     const glm::vec3 side = glm::normalize(glm::cross(along, other));
     const glm::vec3 out = side * std::cos(angle) + glm::cross(along, side) * std::sin(angle);
@@ -117,7 +117,7 @@ Model make_broadleaf_tree(const BroadleafTree& tree) {
   const float height = tree.height_m;
   Growth growth{{},
                 {},
-                Random(static_cast<std::uint32_t>(tree.seed)),
+                HashRandom(std::uint32_t(tree.seed)),
                 glm::vec3(0.0f, 0.55f * height, 0.0f),
                 tree.leaves,
                 tree.leaf_m,
@@ -132,17 +132,11 @@ Model make_broadleaf_tree(const BroadleafTree& tree) {
 
 Model make_bush(const Bush& bush) {
   const float height = bush.height_m;
-  Growth growth{{},
-                {},
-                Random(static_cast<std::uint32_t>(bush.seed)),
-                glm::vec3(0.0f, 0.2f * height, 0.0f),
-                bush.leaves,
-                bush.leaf_m,
-                0.5f,
-                3};
+  Growth growth{
+      {},   {}, HashRandom(std::uint32_t(bush.seed)), glm::vec3(0.0f, 0.2f * height, 0.0f), bush.leaves, bush.leaf_m,
+      0.5f, 3};
   for (int i = 0; i < bush.stems; ++i) {
-    const float turn =
-        glm::two_pi<float>() * (static_cast<float>(i) + growth.random.unit()) / static_cast<float>(bush.stems);
+    const float turn = glm::two_pi<float>() * (float(i) + growth.random.unit()) / float(bush.stems);
     const glm::vec3 out(std::sin(turn), 0.0f, std::cos(turn));
     grow(growth, 0.08f * height * out - glm::vec3(0.0f, 0.05f, 0.0f),
          glm::normalize(out * growth.random.between(0.3f, 1.0f) + glm::vec3(0.0f, 1.0f, 0.0f)),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/mesh.h"
+#include "scene/model/parameter_list.h"
 
 namespace litfog::scene {
 
@@ -13,6 +14,15 @@ struct BroadleafTree {
   float leaf_m = 0.16f;  ///< length of a spray
   int forks = 3;         ///< how often stem, bough and twig divide: 2 is for far away
   int seed = 1;
+
+  void describe(ParameterList& list) {
+    list.add("height_m", height_m, 1, 30);
+    list.add("spread", spread, 0.2, 1);
+    list.add("leaves", leaves, 0, 1);
+    list.add("leaf_m", leaf_m, 0.05, 0.5);
+    list.add("forks", forks, 2, 3);
+    list.add("seed", seed, 0, kMaxSeed);
+  }
 };
 Model make_broadleaf_tree(const BroadleafTree& tree);
 
@@ -23,6 +33,14 @@ struct Bush {
   float leaf_m = 0.11f;
   int stems = 7;
   int seed = 1;
+
+  void describe(ParameterList& list) {
+    list.add("height_m", height_m, 0.3, 4);
+    list.add("leaves", leaves, 0, 1);
+    list.add("leaf_m", leaf_m, 0.05, 0.5);
+    list.add("stems", stems, 1, 16);
+    list.add("seed", seed, 0, kMaxSeed);
+  }
 };
 Model make_bush(const Bush& bush);
 

@@ -76,7 +76,7 @@ Mesh make_shell() {
   for (const Station& s : kBody) zs.push_back(s.z);
   for (const float axle : {-kAxle_m, kAxle_m}) {
     for (int i = 0; i <= 12; ++i) {
-      const float turn = glm::pi<float>() * static_cast<float>(i) / 12.0f;
+      const float turn = glm::pi<float>() * float(i) / 12.0f;
       zs.push_back(axle - (kArch_m + (i == 0 || i == 12 ? 0.002f : 0.0f)) * std::cos(turn));
     }
   }
@@ -88,7 +88,7 @@ Mesh make_shell() {
     for (const glm::vec2& p : half) points.emplace_back(p.x, p.y, z);
     for (std::size_t i = half.size() - 1; i-- > 0;) points.emplace_back(-half[i].x, half[i].y, z);
   }
-  const int columns = 2 * static_cast<int>(half_section(kBody[0]).size()) - 1;
+  const int columns = 2 * int(half_section(kBody[0]).size()) - 1;
   Mesh shell = make_surface(points, columns);
   std::vector<glm::vec3> front(points.begin(), points.begin() + columns);
   std::vector<glm::vec3> back(points.end() - columns, points.end());
@@ -147,11 +147,11 @@ void add_cabin(Model& model, std::string_view paint) {
   constexpr int kColumns = 9;
   constexpr int kRows = 8;
   for (int j = 0; j < kRows; ++j) {
-    const float t = static_cast<float>(j) / (kRows - 1);
+    const float t = float(j) / (kRows - 1);
     const glm::vec3 edge =
         t < 0.36f ? glm::mix(high[0], high[1], t / 0.36f) : glm::mix(high[1], high[2], (t - 0.36f) / 0.64f);
     for (int i = 0; i < kColumns; ++i) {
-      const float s = 1.0f - 2.0f * static_cast<float>(i) / (kColumns - 1);
+      const float s = 1.0f - 2.0f * float(i) / (kColumns - 1);
       // Flat at both ends, where the straight edges of the windows end under it.
       const float crown = (0.06f * (1.0f - s * s) + 0.015f) * std::sqrt(std::max(0.0f, std::sin(glm::pi<float>() * t)));
       roof.emplace_back(1.07f * edge.x * s, edge.y + 0.005f + crown,
@@ -181,7 +181,7 @@ void add_wheel(Model& model, const glm::mat4& at) {
   append(rim, make_lathe({{0.21f, -0.01f}, {0.185f, 0.0f}, {0.18f, -0.05f}}, 28), turned);
   append(rim, make_lathe({{0.06f, -0.04f}, {0.05f, 0.0f}, {0.0f, 0.005f}}, 12), turned);
   for (int i = 0; i < 5; ++i) {
-    const float turn = glm::two_pi<float>() * static_cast<float>(i) / 5.0f;
+    const float turn = glm::two_pi<float>() * float(i) / 5.0f;
     const glm::vec3 out(std::sin(turn), 0.0f, std::cos(turn));
     append(rim, make_beam(0.04f * out - glm::vec3(0, 0.02f, 0), 0.19f * out - glm::vec3(0, 0.025f, 0), 0.055f, 0.03f),
            turned);

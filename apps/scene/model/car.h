@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/mesh.h"
+#include "scene/model/parameter_list.h"
 
 namespace litfog::scene {
 
@@ -10,6 +11,12 @@ struct Car {
   int paint = 0;   ///< index in kCarPaints
   int lights = 0;  ///< 1: tail lamps and headlamps shine
   int number = 47;
+
+  void describe(ParameterList& list) {
+    list.add("paint", paint, 0, 4);
+    list.add("lights", lights, 0, 1);
+    list.add("number", number, 0, 99);
+  }
 };
 inline constexpr std::string_view kCarPaints[] = {"paint_blue", "paint_red", "paint_white", "paint_grey",
                                                   "paint_green"};

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
+#include "scene/hash_random.h"
 #include "scene/model/primitive.h"
-#include "scene/noise.h"
 
 namespace litfog::scene {
 namespace {
@@ -20,7 +20,7 @@ void add_needles(Mesh& mesh, const std::array<glm::vec3, 3>& corners, const std:
     const glm::vec3 front = side * face;
     const float lean = glm::dot(front, out) > 0.0f ? 0.9f : 0.35f;
     const glm::vec3 normal = glm::normalize(front + lean * (out - front * glm::dot(front, out)));
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    const auto first = std::uint32_t(mesh.vertices.size());
     for (std::size_t i = 0; i < 3; ++i) mesh.vertices.push_back({corners[i], normal, {}, uv[i]});
     mesh.indices.insert(mesh.indices.end(), {first, first + (side > 0 ? 1u : 2u), first + (side > 0 ? 2u : 1u)});
   }
@@ -34,8 +34,8 @@ struct Branch {
   float droop;  ///< how far the middle hangs, a share of the length
 };
 
-void add_branch(Mesh& mesh, const Branch& branch, int twigs, Random& random) {
-  const auto pieces = static_cast<float>(twigs);
+void add_branch(Mesh& mesh, const Branch& branch, int twigs, HashRandom& random) {
+  const auto pieces = float(twigs);
   const glm::vec3 out(std::sin(branch.turn), 0.0f, std::cos(branch.turn));
   const glm::vec3 side(out.z, 0.0f, -out.x);
   // Rises or falls from the trunk, hangs, and lifts its tip.
@@ -45,7 +45,7 @@ void add_branch(Mesh& mesh, const Branch& branch, int twigs, Random& random) {
   };
   const float width = 0.36f * branch.length + 0.1f;
   for (int i = 0; i < twigs; ++i) {
-    const float t0 = 0.03f + 0.97f * static_cast<float>(i) / pieces;
+    const float t0 = 0.03f + 0.97f * float(i) / pieces;
     const float t1 = i + 1 == twigs ? 1.0f : t0 + 1.3f * 0.97f / pieces;
     const glm::vec3 from = spine(t0);
     const glm::vec3 to = spine(std::min(t1, 1.0f));
@@ -76,7 +76,7 @@ void add_branch(Mesh& mesh, const Branch& branch, int twigs, Random& random) {
 }  // namespace
 
 Model make_spruce(const Spruce& spruce) {
-  Random random(static_cast<std::uint32_t>(spruce.seed));
+  HashRandom random(std::uint32_t(spruce.seed));
   Model model;
   const float height = spruce.height_m;
   const float lean_x = random.between(-0.02f, 0.02f) * height;
@@ -94,7 +94,7 @@ Model make_spruce(const Spruce& spruce) {
   Mesh& needles = part(model, "needles");
   for (int whorl = 0; whorl < spruce.whorls; ++whorl) {
     // Whorls stand closer towards the top.
-    const float share = (static_cast<float>(whorl) + random.between(-0.3f, 0.3f)) / static_cast<float>(spruce.whorls);
+    const float share = (float(whorl) + random.between(-0.3f, 0.3f)) / float(spruce.whorls);
     const float t = spruce.bare + (0.97f - spruce.bare) * std::pow(glm::clamp(share, 0.0f, 1.0f), 0.9f);
     const float crown = 1.0f - (t - spruce.bare) / (1.0f - spruce.bare);
     // Slightly convex outline; the lowest branches, in the shade of the others, are shorter.
@@ -102,10 +102,10 @@ Model make_spruce(const Spruce& spruce) {
     const float first_turn = random.between(0.0f, glm::two_pi<float>());
     for (int i = 0; i < spruce.branches; ++i) {
       Branch branch;
-      branch.turn = first_turn + glm::two_pi<float>() * (static_cast<float>(i) + random.between(-0.35f, 0.35f)) /
-                                     static_cast<float>(spruce.branches);
+      branch.turn =
+          first_turn + glm::two_pi<float>() * (float(i) + random.between(-0.35f, 0.35f)) / float(spruce.branches);
       branch.length = height * spruce.spread * outline * random.between(0.72f, 1.15f) + 0.02f * height;
-      const float offset = random.between(-0.4f, 0.4f) / static_cast<float>(spruce.whorls);
+      const float offset = random.between(-0.4f, 0.4f) / float(spruce.whorls);
       branch.root = trunk(glm::clamp(t + offset, 0.02f, 0.985f));
       // Old branches below fall, young ones near the top rise.
       branch.rise = glm::mix(0.75f, -0.15f, std::min(1.0f, 1.3f * crown)) + random.between(-0.12f, 0.12f);
@@ -116,7 +116,7 @@ Model make_spruce(const Spruce& spruce) {
   // The leader.
   const glm::vec3 top = trunk(1.0f);
   for (int i = 0; i < 3; ++i) {
-    const float turn = glm::two_pi<float>() * static_cast<float>(i) / 3.0f;
+    const float turn = glm::two_pi<float>() * float(i) / 3.0f;
     const glm::vec3 out(std::sin(turn), 0.0f, std::cos(turn));
     const glm::vec3 foot = trunk(0.93f);
     add_needles(needles, {foot, foot + 0.025f * height * out + glm::vec3(0.0f, 0.02f * height, 0.0f), top},

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/mesh.h"
+#include "scene/model/parameter_list.h"
 
 namespace litfog::scene {
 
@@ -14,6 +15,16 @@ struct Spruce {
   int branches = 7;  ///< a whorl
   int twigs = 6;     ///< a side of a branch
   int seed = 1;
+
+  void describe(ParameterList& list) {
+    list.add("height_m", height_m, 1, 40);
+    list.add("spread", spread, 0.1, 0.5);
+    list.add("bare", bare, 0, 0.6);
+    list.add("whorls", whorls, 4, 40);
+    list.add("branches", branches, 3, 12);
+    list.add("twigs", twigs, 2, 8);
+    list.add("seed", seed, 0, kMaxSeed);
+  }
 };
 Model make_spruce(const Spruce& spruce);
 

@@ -5,8 +5,8 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "scene/hash_random.h"
 #include "scene/model/primitive.h"
-#include "scene/noise.h"
 
 namespace litfog::scene {
 namespace {
@@ -42,8 +42,8 @@ Model make_crate(const Crate& crate) {
   // plane.
   constexpr float kSmaller = 0.003f;
   for (int i = 0; i < 4; ++i) {
-    const glm::mat4 turned = glm::rotate(middle, glm::half_pi<float>() * static_cast<float>(i), glm::vec3(0, 1, 0));
-    const glm::vec3 scale(1.0f - kSmaller * static_cast<float>(i % 2));
+    const glm::mat4 turned = glm::rotate(middle, glm::half_pi<float>() * float(i), glm::vec3(0, 1, 0));
+    const glm::vec3 scale(1.0f - kSmaller * float(i % 2));
     side(glm::translate(glm::scale(turned, scale), out));
   }
   for (const float up : {-1.0f, 1.0f}) {
@@ -58,8 +58,7 @@ Model make_barrel(const Barrel& barrel) {
   const float h = barrel.height_m;
   const auto radius = [&](float t) { return h * (0.28f + 0.24f * t * (1.0f - t)); };
   std::vector<glm::vec2> profile{{0.0f, 0.0f}, {radius(0.0f), 0.0f}};
-  for (int i = 1; i <= 10; ++i)
-    profile.emplace_back(radius(0.1f * static_cast<float>(i)), 0.1f * h * static_cast<float>(i));
+  for (int i = 1; i <= 10; ++i) profile.emplace_back(radius(0.1f * float(i)), 0.1f * h * float(i));
   profile.emplace_back(radius(1.0f) - 0.03f * h, h);
   profile.emplace_back(radius(1.0f) - 0.03f * h, 0.95f * h);
   profile.emplace_back(0.0f, 0.95f * h);
@@ -76,7 +75,7 @@ Model make_barrel(const Barrel& barrel) {
   return model;
 }
 
-Model make_table(const Table& table) {
+Model make_dining_table(const DiningTable& table) {
   Model model;
   Mesh& wood = part(model, "wood_floor");
   const float x = 0.5f * table.length_m - 0.08f;
@@ -117,7 +116,7 @@ Model make_chair(const Chair& chair) {
 }
 
 Model make_shelf(const Shelf& shelf) {
-  Random random(static_cast<std::uint32_t>(shelf.seed));
+  HashRandom random(std::uint32_t(shelf.seed));
   Model model;
   Mesh& wood = part(model, "wood_floor");
   constexpr float kDepth_m = 0.3f;
@@ -126,12 +125,12 @@ Model make_shelf(const Shelf& shelf) {
   for (const float x : {-half, half})
     append(wood, make_box({kBoard_m, shelf.height_m, kDepth_m}), place({x, 0.0f, 0.5f * kDepth_m}));
   append(part(model, "wood"), make_box({shelf.width_m, shelf.height_m, 0.008f}), place({0.0f, 0.0f, 0.004f}));
-  const int boards = std::max(2, static_cast<int>(shelf.height_m / 0.37f));
-  const float pitch = (shelf.height_m - 0.1f - kBoard_m) / static_cast<float>(boards);
+  const int boards = std::max(2, int(shelf.height_m / 0.37f));
+  const float pitch = (shelf.height_m - 0.1f - kBoard_m) / float(boards);
   constexpr std::string_view kCovers[] = {"paint_red",   "paint_green", "paint_blue", "paint_grey",
                                           "paint_black", "paint_white", "wood"};
   for (int i = 0; i <= boards; ++i) {
-    const float level = 0.08f + pitch * static_cast<float>(i);
+    const float level = 0.08f + pitch * float(i);
     append(wood,
            make_beam({-half + 0.5f * kBoard_m, level + 0.5f * kBoard_m, 0.5f * kDepth_m},
                      {half - 0.5f * kBoard_m, level + 0.5f * kBoard_m, 0.5f * kDepth_m}, kDepth_m, kBoard_m),

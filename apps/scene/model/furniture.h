@@ -2,29 +2,42 @@
 #pragma once
 
 #include "scene/mesh.h"
+#include "scene/model/parameter_list.h"
 
 namespace litfog::scene {
 
 struct Crate {
   float size_m = 0.8f;
+
+  void describe(ParameterList& list) { list.add("size_m", size_m, 0.2, 3); }
 };
 Model make_crate(const Crate& crate);
 
 struct Barrel {
   float height_m = 0.9f;
+
+  void describe(ParameterList& list) { list.add("height_m", height_m, 0.3, 3); }
 };
 Model make_barrel(const Barrel& barrel);
 
-struct Table {
+struct DiningTable {
   float length_m = 1.8f;
   float width_m = 0.85f;
   float height_m = 0.75f;
+
+  void describe(ParameterList& list) {
+    list.add("length_m", length_m, 0.5, 5);
+    list.add("width_m", width_m, 0.4, 2);
+    list.add("height_m", height_m, 0.4, 1.2);
+  }
 };
-Model make_table(const Table& table);
+Model make_dining_table(const DiningTable& table);
 
 /// Its back is at +Z: who sits on it looks along -Z.
 struct Chair {
   float seat_m = 0.45f;
+
+  void describe(ParameterList& list) { list.add("seat_m", seat_m, 0.3, 0.8); }
 };
 Model make_chair(const Chair& chair);
 
@@ -34,6 +47,13 @@ struct Shelf {
   float height_m = 1.9f;
   float books = 0.8f;  ///< share of each board that is filled
   int seed = 1;
+
+  void describe(ParameterList& list) {
+    list.add("width_m", width_m, 0.4, 4);
+    list.add("height_m", height_m, 0.6, 3);
+    list.add("books", books, 0, 1);
+    list.add("seed", seed, 0, kMaxSeed);
+  }
 };
 Model make_shelf(const Shelf& shelf);
 

@@ -6,7 +6,9 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "scene/noise.h"
+#include "scene/hash_random.h"
+#include "scene/model/primitive.h"
+#include "scene/model/wall.h"
 
 namespace litfog::scene {
 namespace {
@@ -14,38 +16,31 @@ namespace {
 const glm::mat4 kHere(1.0f);
 constexpr float kStorey_m = 2.7f;
 constexpr float kPlinth_m = 0.35f;
-constexpr float kReveal_m = 0.18f;
 constexpr float kEaves_m = 0.5f;
 constexpr float kVerge_m = 0.35f;
 constexpr float kRoofThickness_m = 0.14f;
 
-/// A box between two corners, in the wall's frame.
-void add_block(Mesh& mesh, const glm::vec3& low, const glm::vec3& high, const glm::mat4& at) {
-  append(mesh, make_box(high - low),
-         glm::translate(at, glm::vec3(0.5f * (low.x + high.x), low.y, 0.5f * (low.z + high.z))));
-}
-
 /// A wall, its windows and perhaps a door in the bay `door` (counted from the left; -1: none).
-void add_facade(Model& model, const House& house, float width, int door, const glm::mat4& at, Random& random) {
+void add_facade(Model& model, const House& house, float width, int door, const glm::mat4& at, HashRandom& random) {
   const std::string_view material = house.brick != 0 ? "brick" : "plaster";
-  const float height = kPlinth_m + kStorey_m * static_cast<float>(house.storeys);
-  const int bays = std::max(1, static_cast<int>(width / 2.5f));
+  const float height = kPlinth_m + kStorey_m * float(house.storeys);
+  const int bays = std::max(1, int(width / 2.5f));
   std::vector<Opening> openings;
-  const float bay = width / static_cast<float>(bays);
+  const float bay = width / float(bays);
   for (int storey = 0; storey < house.storeys; ++storey) {
     for (int i = 0; i < bays; ++i) {
-      const float middle = bay * (static_cast<float>(i) + 0.5f);
-      const float floor = kPlinth_m + kStorey_m * static_cast<float>(storey);
+      const float middle = bay * (float(i) + 0.5f);
+      const float floor = kPlinth_m + kStorey_m * float(storey);
       if (storey == 0 && i == door) {
         const Opening opening{middle - 0.5f, 0.18f, middle + 0.5f, floor + 2.05f};
         openings.push_back(opening);
         add_door(model, opening, at, "paint_green");
-        add_block(part(model, "concrete"), {middle - 0.9f, 0.0f, 0.0f}, {middle + 0.9f, 0.17f, 0.9f}, at);
+        add_box(part(model, "concrete"), {middle - 0.9f, 0.0f, 0.0f}, {middle + 0.9f, 0.17f, 0.9f}, at);
         // The lamp beside the door.
         append(part(model, "lamp_white"), make_sphere(0.08f, 12),
                glm::translate(at, glm::vec3(middle + 0.75f, floor + 1.75f, 0.13f)));
-        add_block(part(model, "paint_grey"), {middle + 0.70f, floor + 1.83f, 0.0f},
-                  {middle + 0.80f, floor + 1.88f, 0.2f}, at);
+        add_box(part(model, "paint_grey"), {middle + 0.70f, floor + 1.83f, 0.0f}, {middle + 0.80f, floor + 1.88f, 0.2f},
+                at);
         continue;
       }
       const Opening opening{middle - 0.55f, floor + 0.85f, middle + 0.55f, floor + 2.1f};
@@ -55,14 +50,14 @@ void add_facade(Model& model, const House& house, float width, int door, const g
   }
   append(part(model, material), make_wall(width, height, openings, kReveal_m), at);
   // The plinth runs round, but not before the door.
-  const float left = door < 0 ? width : bay * (static_cast<float>(door) + 0.5f) - 0.5f;
-  add_block(part(model, "stone"), {-0.04f, -0.5f, -0.1f}, {std::min(left, width + 0.04f), kPlinth_m, 0.04f}, at);
-  if (door >= 0) add_block(part(model, "stone"), {left + 1.0f, -0.5f, -0.1f}, {width + 0.04f, kPlinth_m, 0.04f}, at);
+  const float left = door < 0 ? width : bay * (float(door) + 0.5f) - 0.5f;
+  add_box(part(model, "stone"), {-0.04f, -0.5f, -0.1f}, {std::min(left, width + 0.04f), kPlinth_m, 0.04f}, at);
+  if (door >= 0) add_box(part(model, "stone"), {left + 1.0f, -0.5f, -0.1f}, {width + 0.04f, kPlinth_m, 0.04f}, at);
 }
 
 void add_roof(Model& model, const House& house) {
   const float slope = glm::radians(house.pitch_deg);
-  const float wall = kPlinth_m + kStorey_m * static_cast<float>(house.storeys);
+  const float wall = kPlinth_m + kStorey_m * float(house.storeys);
   const float half_depth = 0.5f * house.depth_m;
   const float half_width = 0.5f * house.width_m + kVerge_m;
   const float ridge = wall + half_depth * std::tan(slope) + kRoofThickness_m / std::cos(slope);
@@ -88,7 +83,7 @@ void add_roof(Model& model, const House& house) {
     // Gutter: a half pipe under the tiles' edge, and a downpipe at one end.
     std::vector<glm::vec2> half_pipe;
     for (int i = 0; i <= 6; ++i) {
-      const float angle = glm::pi<float>() * (1.0f + static_cast<float>(i) / 6.0f);
+      const float angle = glm::pi<float>() * (1.0f + float(i) / 6.0f);
       half_pipe.emplace_back(0.06f * std::cos(angle), 0.06f * std::sin(angle));
     }
     const std::vector<glm::vec2> inside(half_pipe.rbegin(), half_pipe.rend());
@@ -114,70 +109,16 @@ void add_roof(Model& model, const House& house) {
 
 }  // namespace
 
-void add_window(Model& model, const Opening& opening, const glm::mat4& at, bool lit) {
-  const float back = -kReveal_m;
-  const float w = 0.06f;
-  Mesh& frame = part(model, "paint_white");
-  const float l = opening.left;
-  const float r = opening.right;
-  const float b = opening.bottom;
-  const float t = opening.top;
-  add_block(frame, {l, b, back}, {r, b + w, back + 0.06f}, at);
-  add_block(frame, {l, t - w, back}, {r, t, back + 0.06f}, at);
-  add_block(frame, {l, b + w, back}, {l + w, t - w, back + 0.06f}, at);
-  add_block(frame, {r - w, b + w, back}, {r, t - w, back + 0.06f}, at);
-  const float middle = 0.5f * (l + r);
-  add_block(frame, {middle - 0.04f, b + w, back}, {middle + 0.04f, t - w, back + 0.055f}, at);
-  const float bar = b + 0.66f * (t - b);
-  add_block(frame, {l + w, bar - 0.016f, back}, {middle - 0.04f, bar + 0.016f, back + 0.045f}, at);
-  add_block(frame, {middle + 0.04f, bar - 0.016f, back}, {r - w, bar + 0.016f, back + 0.045f}, at);
-  Mesh pane;
-  add_face(pane, {{l, b, back + 0.02f}, {r, b, back + 0.02f}, {r, t, back + 0.02f}, {l, t, back + 0.02f}});
-  append(part(model, lit ? "window_lit" : "glass"), pane, at);
-  add_block(part(model, "stone"), {l - 0.06f, b - 0.07f, back}, {r + 0.06f, b, 0.07f}, at);
-}
-
-void add_door(Model& model, const Opening& opening, const glm::mat4& at, std::string_view paint) {
-  const float back = -kReveal_m;
-  const float l = opening.left;
-  const float r = opening.right;
-  const float b = opening.bottom;
-  const float t = opening.top;
-  const float w = 0.08f;
-  Mesh& frame = part(model, "paint_white");
-  add_block(frame, {l, b, back}, {l + w, t, back + 0.09f}, at);
-  add_block(frame, {r - w, b, back}, {r, t, back + 0.09f}, at);
-  add_block(frame, {l + w, t - w, back}, {r - w, t, back + 0.09f}, at);
-  Mesh& leaf = part(model, paint);
-  add_block(leaf, {l + w, b, back}, {r - w, t - w, back + 0.03f}, at);
-  // Rails and stiles stand before the panels.
-  const float z = back + 0.03f;
-  const float inner_l = l + w;
-  const float inner_r = r - w;
-  const float height = t - w - b;
-  const float middle = 0.5f * (l + r);
-  const float stile = 0.11f;
-  for (const float level : {0.0f, 0.42f, 0.92f}) {
-    add_block(leaf, {inner_l, b + level * height, z}, {inner_r, b + level * height + 0.08f * height, z + 0.025f}, at);
-  }
-  for (const float x : {inner_l, middle - 0.5f * stile, inner_r - stile}) {
-    add_block(leaf, {x, b + 0.08f * height, z}, {x + stile, b + 0.42f * height, z + 0.025f}, at);
-    add_block(leaf, {x, b + 0.50f * height, z}, {x + stile, b + 0.92f * height, z + 0.025f}, at);
-  }
-  append(part(model, "galvanised"), make_sphere(0.03f, 10),
-         glm::translate(at, glm::vec3(inner_r - 0.06f, b + 0.47f * height, z + 0.06f)));
-}
-
 Model make_house(const House& house) {
-  Random random(static_cast<std::uint32_t>(house.seed));
+  HashRandom random(std::uint32_t(house.seed));
   Model model;
   const float half_width = 0.5f * house.width_m;
   const float half_depth = 0.5f * house.depth_m;
   const float right = glm::half_pi<float>();
-  const int bays = std::max(1, static_cast<int>(house.width_m / 2.5f));
+  const int bays = std::max(1, int(house.width_m / 2.5f));
   add_facade(model, house, house.width_m, bays / 2, place({-half_width, 0.0f, half_depth}), random);
   add_facade(model, house, house.width_m, -1, place({half_width, 0.0f, -half_depth}, 2.0f * right), random);
-  const float wall = kPlinth_m + kStorey_m * static_cast<float>(house.storeys);
+  const float wall = kPlinth_m + kStorey_m * float(house.storeys);
   const float rise = half_depth * std::tan(glm::radians(house.pitch_deg));
   for (const float side : {1.0f, -1.0f}) {
     const glm::mat4 at = place({side * half_width, 0.0f, side * half_depth}, side * right);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "scene/mesh.h"
-#include "scene/model/primitive.h"
+#include "scene/model/parameter_list.h"
 
 namespace litfog::scene {
 
@@ -15,13 +15,17 @@ struct House {
   int brick = 0;     ///< 1: brick walls, 0: plaster
   float lit = 0.5f;  ///< share of windows with light behind them
   int seed = 1;
+
+  void describe(ParameterList& list) {
+    list.add("width_m", width_m, 4, 40);
+    list.add("depth_m", depth_m, 4, 20);
+    list.add("storeys", storeys, 1, 4);
+    list.add("pitch_deg", pitch_deg, 15, 60);
+    list.add("brick", brick, 0, 1);
+    list.add("lit", lit, 0, 1);
+    list.add("seed", seed, 0, kMaxSeed);
+  }
 };
 Model make_house(const House& house);
-
-/// Fills an opening of make_wall with a frame, glazing bars, a pane and a sill.
-void add_window(Model& model, const Opening& opening, const glm::mat4& model_from_wall, bool lit);
-
-/// Fills one with a panelled door.
-void add_door(Model& model, const Opening& opening, const glm::mat4& model_from_wall, std::string_view paint);
 
 }  // namespace litfog::scene

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 
 namespace litfog::scene {
 namespace {
@@ -66,7 +67,7 @@ void add_face(Mesh& mesh, std::span<const glm::vec3> corners) {
   const glm::vec3 right =
       glm::normalize(wall ? glm::cross(glm::vec3(0, 1, 0), normal) : glm::vec3(1, 0, 0) - normal * normal.x);
   const glm::vec3 up = glm::cross(normal, right);
-  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+  const auto first = std::uint32_t(mesh.vertices.size());
   for (const glm::vec3& corner : corners) {
     mesh.vertices.push_back({corner, normal, glm::vec4(right, 1.0f), {glm::dot(corner, right), glm::dot(corner, up)}});
   }
@@ -85,6 +86,11 @@ Mesh make_box(const glm::vec3& size) {
   add_face(mesh, {{-x, y, z}, {x, y, z}, {x, y, -z}, {-x, y, -z}});
   add_face(mesh, {{-x, 0, -z}, {x, 0, -z}, {x, 0, z}, {-x, 0, z}});
   return mesh;
+}
+
+void add_box(Mesh& mesh, const glm::vec3& low, const glm::vec3& high, const glm::mat4& mesh_from_box) {
+  append(mesh, make_box(high - low),
+         glm::translate(mesh_from_box, glm::vec3(0.5f * (low.x + high.x), low.y, 0.5f * (low.z + high.z))));
 }
 
 Mesh make_bevelled_box(const glm::vec3& size, float bevel) {
@@ -173,13 +179,13 @@ Mesh make_lathe(std::span<const glm::vec2> profile, int segments) {
   for (const glm::vec2& point : profile) widest = std::max(widest, point.x);
   // A whole number of metres or of sixteenths around would be needed for a seam that tiles; the seam faces +Z at angle
   // 0, which builders turn away.
-  const auto columns = static_cast<std::uint32_t>(segments + 1);
+  const auto columns = std::uint32_t(segments + 1);
   for (std::size_t i = 0; i + 1 < rows.size(); i += 2) {
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    const auto first = std::uint32_t(mesh.vertices.size());
     for (const ProfileRow& row : {rows[i], rows[i + 1]}) {
       const bool cap = std::abs(row.normal.y) > 0.95f;
       for (std::uint32_t k = 0; k < columns; ++k) {
-        const float turn = kTwoPi * static_cast<float>(k) / static_cast<float>(segments);
+        const float turn = kTwoPi * float(k) / float(segments);
         const float sine = std::sin(turn);
         const float cosine = std::cos(turn);
         const glm::vec3 position(row.point.x * sine, row.point.y, row.point.x * cosine);
@@ -202,7 +208,7 @@ Mesh make_sphere(float radius, int segments) {
   std::vector<glm::vec2> profile;
   const int rings = std::max(3, segments / 2);
   for (int i = 0; i <= rings; ++i) {
-    const float angle = glm::pi<float>() * static_cast<float>(i) / static_cast<float>(rings);
+    const float angle = glm::pi<float>() * float(i) / float(rings);
     const bool pole = i == 0 || i == rings;
     profile.emplace_back(pole ? 0.0f : radius * std::sin(angle), -radius * std::cos(angle));
   }
@@ -212,9 +218,9 @@ Mesh make_sphere(float radius, int segments) {
 Mesh make_sweep(std::span<const glm::vec2> profile, std::span<const glm::vec3> path, const glm::vec3& up) {
   Mesh mesh;
   const std::vector<ProfileRow> rows = profile_rows(profile);
-  const auto stations = static_cast<std::uint32_t>(path.size());
+  const auto stations = std::uint32_t(path.size());
   for (std::size_t i = 0; i + 1 < rows.size(); i += 2) {
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    const auto first = std::uint32_t(mesh.vertices.size());
     for (const ProfileRow& row : {rows[i], rows[i + 1]}) {
       float length = 0.0f;
       for (std::uint32_t k = 0; k < stations; ++k) {
@@ -237,13 +243,13 @@ Mesh make_sweep(std::span<const glm::vec2> profile, std::span<const glm::vec3> p
 Mesh make_tube(std::span<const glm::vec3> path, std::span<const float> radii, int segments) {
   Mesh mesh;
   const std::size_t stations = path.size();
-  const auto columns = static_cast<std::uint32_t>(segments + 1);
+  const auto columns = std::uint32_t(segments + 1);
   glm::vec3 right(0.0f);
   float length = 0.0f;
   const auto ring = [&](std::size_t k, const glm::vec3& along, const glm::vec3* cap_normal) {
     const glm::vec3 forward = glm::cross(right, along);
     for (std::uint32_t i = 0; i < columns; ++i) {
-      const float turn = kTwoPi * static_cast<float>(i) / static_cast<float>(segments);
+      const float turn = kTwoPi * float(i) / float(segments);
       const glm::vec3 out = right * std::cos(turn) + forward * -std::sin(turn);
       mesh.vertices.push_back(
           {path[k] + out * radii[k],
@@ -255,7 +261,7 @@ Mesh make_tube(std::span<const glm::vec3> path, std::span<const float> radii, in
   const auto add_cap = [&](std::size_t k, const glm::vec3& along, bool end) {
     if (radii[k] <= 0.0f) return;
     const glm::vec3 normal = end ? along : -along;
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    const auto first = std::uint32_t(mesh.vertices.size());
     ring(k, along, &normal);
     for (std::uint32_t i = 1; i + 2 < columns; ++i) {
       add_triangle(mesh, first, first + (end ? i : i + 1), first + (end ? i + 1 : i));
@@ -268,7 +274,7 @@ Mesh make_tube(std::span<const glm::vec3> path, std::span<const float> radii, in
     right = glm::normalize(right - along * glm::dot(right, along));
     if (k > 0) length += glm::distance(path[k - 1], path[k]);
     if (k == 0) add_cap(k, along, false);
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    const auto first = std::uint32_t(mesh.vertices.size());
     ring(k, along, nullptr);
     if (k == 0) continue;
     const std::uint32_t before = first - columns;
@@ -288,8 +294,8 @@ Mesh make_tube(std::span<const glm::vec3> path, float radius, int segments) {
 
 Mesh make_surface(std::span<const glm::vec3> points, int columns) {
   Mesh mesh;
-  const int rows = static_cast<int>(points.size()) / columns;
-  const auto at = [&](int column, int row) { return points[static_cast<std::size_t>(row * columns + column)]; };
+  const int rows = int(points.size()) / columns;
+  const auto at = [&](int column, int row) { return points[std::size_t(row * columns + column)]; };
   for (int j = 0; j < rows; ++j) {
     for (int i = 0; i < columns; ++i) {
       const glm::vec3 across = at(std::min(i + 1, columns - 1), j) - at(std::max(i - 1, 0), j);
@@ -297,52 +303,14 @@ Mesh make_surface(std::span<const glm::vec3> points, int columns) {
       const std::size_t here = mesh.vertices.size();
       const float u = i == 0 ? 0.0f : mesh.vertices[here - 1].uv.x + glm::distance(at(i - 1, j), at(i, j));
       const float v =
-          j == 0 ? 0.0f
-                 : mesh.vertices[here - static_cast<std::size_t>(columns)].uv.y + glm::distance(at(i, j - 1), at(i, j));
+          j == 0 ? 0.0f : mesh.vertices[here - std::size_t(columns)].uv.y + glm::distance(at(i, j - 1), at(i, j));
       mesh.vertices.push_back({at(i, j), glm::normalize(glm::cross(across, upwards)), {}, {u, v}});
     }
   }
   for (int j = 0; j + 1 < rows; ++j) {
-    add_strip(mesh, static_cast<std::uint32_t>(j * columns), static_cast<std::uint32_t>((j + 1) * columns),
-              static_cast<std::uint32_t>(columns));
+    add_strip(mesh, std::uint32_t(j * columns), std::uint32_t((j + 1) * columns), std::uint32_t(columns));
   }
   compute_tangents(mesh);
-  return mesh;
-}
-
-Mesh make_wall(float width, float height, std::span<const Opening> openings, float depth) {
-  // The edges of all openings cut the wall into a grid; a cell is wall unless its middle is in an opening.
-  std::vector<float> xs{0.0f, width};
-  std::vector<float> ys{0.0f, height};
-  Mesh mesh;
-  for (const Opening& hole : openings) {
-    xs.insert(xs.end(), {hole.left, hole.right});
-    ys.insert(ys.end(), {hole.bottom, hole.top});
-    const float l = hole.left;
-    const float r = hole.right;
-    const float b = hole.bottom;
-    const float t = hole.top;
-    const float d = -depth;
-    add_face(mesh, {{l, b, 0}, {l, b, d}, {l, t, d}, {l, t, 0}});
-    add_face(mesh, {{r, b, d}, {r, b, 0}, {r, t, 0}, {r, t, d}});
-    add_face(mesh, {{l, t, d}, {r, t, d}, {r, t, 0}, {l, t, 0}});
-    if (b > 0.0f) add_face(mesh, {{l, b, 0}, {r, b, 0}, {r, b, d}, {l, b, d}});
-  }
-  for (std::vector<float>* cuts : {&xs, &ys}) {
-    std::sort(cuts->begin(), cuts->end());
-    const auto same = [](float a, float b) { return b - a < 1e-4f; };
-    cuts->erase(std::unique(cuts->begin(), cuts->end(), same), cuts->end());
-  }
-  for (std::size_t j = 0; j + 1 < ys.size(); ++j) {
-    for (std::size_t i = 0; i + 1 < xs.size(); ++i) {
-      const glm::vec2 middle(0.5f * (xs[i] + xs[i + 1]), 0.5f * (ys[j] + ys[j + 1]));
-      const bool open = std::any_of(openings.begin(), openings.end(), [&](const Opening& hole) {
-        return middle.x > hole.left && middle.x < hole.right && middle.y > hole.bottom && middle.y < hole.top;
-      });
-      if (open) continue;
-      add_face(mesh, {{xs[i], ys[j], 0}, {xs[i + 1], ys[j], 0}, {xs[i + 1], ys[j + 1], 0}, {xs[i], ys[j + 1], 0}});
-    }
-  }
   return mesh;
 }
 

@@ -19,6 +19,9 @@ inline void add_face(Mesh& mesh, std::initializer_list<glm::vec3> corners) {
 
 Mesh make_box(const glm::vec3& size);
 
+/// Adds a box between two corners.
+void add_box(Mesh& mesh, const glm::vec3& low, const glm::vec3& high, const glm::mat4& mesh_from_box);
+
 /// A box whose edges and corners are cut off at 45 degrees. bevel < half of the smallest side.
 Mesh make_bevelled_box(const glm::vec3& size, float bevel);
 
@@ -62,16 +65,7 @@ Mesh make_tube(std::span<const glm::vec3> path, float radius, int segments);
 /// rows upwards. uv from the lengths along rows and columns.
 Mesh make_surface(std::span<const glm::vec3> points, int columns);
 
-/// A hole in a wall: a window, door or niche, from (left, bottom) to (right, top), metres on the wall.
-struct Opening {
-  float left, bottom, right, top;
-};
-
 /// A flat plate with its front at z = 0, facing +Z: a convex outline, counter-clockwise, and its rim and back.
 Mesh make_plate(std::span<const glm::vec2> outline, float thickness);
-
-/// A wall from (0, 0) to (width, height) in the plane z = 0, seen from +Z, with openings whose sides go back to
-/// z = -depth. Openings lie inside the wall and do not overlap.
-Mesh make_wall(float width, float height, std::span<const Opening> openings, float depth);
 
 }  // namespace litfog::scene

@@ -6,8 +6,8 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "scene/hash_random.h"
 #include "scene/model/primitive.h"
-#include "scene/noise.h"
 
 namespace litfog::scene {
 namespace {
@@ -20,30 +20,31 @@ constexpr std::array<float, 3> kInsulators_m{-0.9f, 0.35f, 0.9f};
 constexpr float kInsulatorHeight_m = 0.2f;
 constexpr float kArmBelowTop_m = 0.35f;
 
-std::vector<float> stations(const Row& row) {
+std::vector<float> stations(const RoadsideRow& row) {
   std::vector<float> along;
-  for (float at = 0.0f; at <= row.length_m; at += row.spacing_m) along.push_back(at);
+  for (float at = 0.0f; at <= row.path.length_m; at += row.spacing_m) along.push_back(at);
   return along;
 }
 
 }  // namespace
 
 Model make_fence(const Fence& fence) {
-  Random random(static_cast<std::uint32_t>(fence.seed));
+  HashRandom random(std::uint32_t(fence.seed));
   Model model;
   Mesh& wood = part(model, "wood");
-  const std::vector<float> posts = stations(fence);
+  const std::vector<float> posts = stations(fence.row);
   for (std::size_t i = 0; i < posts.size(); ++i) {
     // Nothing old stands quite upright.
-    const glm::vec3 foot = fence.point(posts[i], fence.offset_m) - glm::vec3(0.0f, kSunk_m, 0.0f);
+    const glm::vec3 foot = fence.row.path.point(posts[i], fence.row.offset_m) - glm::vec3(0.0f, kSunk_m, 0.0f);
     const glm::vec3 lean(random.between(-0.03f, 0.03f), 1.0f, random.between(-0.03f, 0.03f));
     const float height = fence.height_m + kSunk_m + random.between(0.05f, 0.15f);
-    append(wood, make_beam(foot, foot + lean * height, 0.11f, 0.11f, -fence.direction(posts[i])), kHere);
+    append(wood, make_beam(foot, foot + lean * height, 0.11f, 0.11f, -fence.row.path.direction(posts[i])), kHere);
     if (i + 1 == posts.size()) break;
     for (int rail = 0; rail < fence.rails; ++rail) {
-      const float level = fence.height_m * (static_cast<float>(rail) + 0.75f) / static_cast<float>(fence.rails);
+      const float level = fence.height_m * (float(rail) + 0.75f) / float(fence.rails);
       const auto end = [&](float along, float beyond) {
-        return fence.point(along + beyond, fence.offset_m + (fence.offset_m > 0.0f ? -0.075f : 0.075f)) +
+        return fence.row.path.point(along + beyond,
+                                    fence.row.offset_m + (fence.row.offset_m > 0.0f ? -0.075f : 0.075f)) +
                glm::vec3(0.0f, level + random.between(-0.025f, 0.025f), 0.0f);
       };
       const glm::vec3 from = end(posts[i], -0.06f);
@@ -56,7 +57,7 @@ Model make_fence(const Fence& fence) {
 Model make_guard_rail(const GuardRail& rail) {
   Model model;
   Mesh& steel = part(model, "galvanised");
-  const float hand = rail.offset_m > 0.0f ? -1.0f : 1.0f;  // towards the path
+  const float hand = rail.row.offset_m > 0.0f ? -1.0f : 1.0f;  // towards the path
   // The W beam of EN 1317 barriers: 310 mm high, 80 mm deep, middle at 0.6 m.
   const std::array<glm::vec2, 10> profile{
       glm::vec2(0.005f, -0.155f), glm::vec2(0.02f, -0.14f), glm::vec2(0.08f, -0.105f), glm::vec2(0.08f, -0.055f),
@@ -66,11 +67,12 @@ Model make_guard_rail(const GuardRail& rail) {
   for (const glm::vec2& p : profile) front.emplace_back(hand * (p.x + 0.09f), p.y + 0.6f);
   if (hand < 0.0f) std::reverse(front.begin(), front.end());
   const std::vector<glm::vec2> back(front.rbegin(), front.rend());
-  const std::vector<glm::vec3> line = rail.line(0.0f, rail.length_m, rail.spacing_m, rail.offset_m, 0.0f);
+  const std::vector<glm::vec3> line =
+      rail.row.path.line(0.0f, rail.row.path.length_m, rail.row.spacing_m, rail.row.offset_m, 0.0f);
   append(steel, make_sweep(front, line), kHere);
   append(steel, make_sweep(back, line), kHere);
-  for (const float along : stations(rail)) {
-    const glm::mat4 at = place(rail.point(along, rail.offset_m), rail.yaw(along));
+  for (const float along : stations(rail.row)) {
+    const glm::mat4 at = place(rail.row.path.point(along, rail.row.offset_m), rail.row.path.yaw(along));
     append(steel, make_box({0.06f, 0.75f + kSunk_m, 0.12f}), glm::translate(at, glm::vec3(0.0f, -kSunk_m, 0.0f)));
     append(steel, make_box({0.06f, 0.16f, 0.1f}), glm::translate(at, glm::vec3(hand * 0.06f, 0.52f, 0.0f)));
   }
@@ -109,10 +111,12 @@ Model make_delineator(const Delineator& delineator) {
 
 Model make_delineators(const Delineators& delineators) {
   Model model;
-  const Model post = make_delineator({delineators.height_m});
-  for (const float along : stations(delineators)) {
+  const Model post = make_delineator(delineators.post);
+  for (const float along : stations(delineators.row)) {
     for (const float side : {-1.0f, 1.0f}) {
-      append(model, post, place(delineators.point(along, side * delineators.offset_m), delineators.yaw(along)));
+      append(
+          model, post,
+          place(delineators.row.path.point(along, side * delineators.row.offset_m), delineators.row.path.yaw(along)));
     }
   }
   return model;
@@ -133,12 +137,12 @@ Model make_street_lamp(const StreetLamp& lamp) {
   for (const float t : {0.0f, 0.5f, 1.0f}) line.emplace_back(0.0f, 1.15f + t * (straight - 1.15f), 0.0f);
   constexpr int kBends = 8;
   for (int i = 1; i <= kBends; ++i) {
-    const float turn = glm::half_pi<float>() * 0.94f * static_cast<float>(i) / kBends;
+    const float turn = glm::half_pi<float>() * 0.94f * float(i) / kBends;
     line.emplace_back(bend * (1.0f - std::cos(turn)), straight + bend * std::sin(turn), 0.0f);
   }
   line.emplace_back(lamp.arm_m - 0.2f, h, 0.0f);
   for (std::size_t i = 0; i < line.size(); ++i) {
-    radii.push_back(glm::mix(0.085f, 0.035f, static_cast<float>(i) / static_cast<float>(line.size() - 1)));
+    radii.push_back(glm::mix(0.085f, 0.035f, float(i) / float(line.size() - 1)));
   }
   append(steel, make_tube(line, radii, 10), kHere);
   // The head: a flat shell with its lens below.
@@ -182,22 +186,22 @@ Model make_utility_pole(const UtilityPole& pole) {
 
 Model make_power_line(const PowerLine& power) {
   Model model;
-  const Model pole = make_utility_pole({power.height_m});
-  const std::vector<float> poles = stations(power);
+  const Model pole = make_utility_pole(power.pole);
+  const std::vector<float> poles = stations(power.row);
   for (const float along : poles) {
-    append(model, pole, place(power.point(along, power.offset_m), power.yaw(along)));
+    append(model, pole, place(power.row.path.point(along, power.row.offset_m), power.row.path.yaw(along)));
   }
-  const float height = power.height_m - kArmBelowTop_m + kInsulatorHeight_m;
+  const float height = power.pole.height_m - kArmBelowTop_m + kInsulatorHeight_m;
   for (std::size_t i = 0; i + 1 < poles.size(); ++i) {
     for (const float x : kInsulators_m) {
       const glm::vec3 up(0.0f, height, 0.0f);
-      const glm::vec3 from = power.point(poles[i], power.offset_m + x) + up;
-      const glm::vec3 to = power.point(poles[i + 1], power.offset_m + x) + up;
+      const glm::vec3 from = power.row.path.point(poles[i], power.row.offset_m + x) + up;
+      const glm::vec3 to = power.row.path.point(poles[i + 1], power.row.offset_m + x) + up;
       std::vector<glm::vec3> wire;
       constexpr int kPieces = 10;
       for (int k = 0; k <= kPieces; ++k) {
-        const float t = static_cast<float>(k) / kPieces;
-        const float sag = 0.02f * power.spacing_m * 4.0f * t * (1.0f - t);  // a parabola is a catenary this flat
+        const float t = float(k) / kPieces;
+        const float sag = 0.02f * power.row.spacing_m * 4.0f * t * (1.0f - t);  // a parabola is a catenary this flat
         wire.push_back(glm::mix(from, to, t) - glm::vec3(0.0f, sag, 0.0f));
       }
       append(part(model, "paint_black"), make_tube(wire, 0.012f, 4), kHere);

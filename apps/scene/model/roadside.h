@@ -2,45 +2,64 @@
 #pragma once
 
 #include "scene/mesh.h"
-#include "scene/model/path.h"
+#include "scene/model/road_path.h"
 
 namespace litfog::scene {
 
-/// Things in a row along a path, beside it by offset_m (to the right; negative: left).
-struct Row : Path {
+/// Things at equal distances along a path, beside it by offset_m (to the right; negative: left).
+struct RoadsideRow {
   float offset_m = 5.0f;
   float spacing_m = 25.0f;
+  RoadPath path;
+
+  void describe(ParameterList& list, double least_spacing_m) {
+    list.add("offset_m", offset_m, -80, 80);
+    list.add("spacing_m", spacing_m, least_spacing_m, 500);
+    path.describe(list);
+  }
 };
 
-struct Fence : Row {
-  Fence() {
-    offset_m = 9.0f;
-    spacing_m = 2.5f;
-  }
+/// A wooden fence.
+struct Fence {
   float height_m = 1.2f;
   int rails = 3;
   int seed = 1;
+  RoadsideRow row{.offset_m = 9.0f, .spacing_m = 2.5f, .path = {}};
+
+  void describe(ParameterList& list) {
+    list.add("height_m", height_m, 0.4, 3);
+    list.add("rails", rails, 1, 6);
+    list.add("seed", seed, 0, kMaxSeed);
+    row.describe(list, 1);
+  }
 };
 Model make_fence(const Fence& fence);
 
 /// A steel barrier with its W-shaped beam towards the path's middle.
-struct GuardRail : Row {
-  GuardRail() {
-    offset_m = 4.6f;
-    spacing_m = 2.0f;
-  }
+struct GuardRail {
+  RoadsideRow row{.offset_m = 4.6f, .spacing_m = 2.0f, .path = {}};
+
+  void describe(ParameterList& list) { row.describe(list, 1); }
 };
 Model make_guard_rail(const GuardRail& rail);
 
 /// A marker post: white, slanted top, black band, reflectors on both faces (+Z, towards the driver, and -Z).
 struct Delineator {
   float height_m = 1.0f;
+
+  void describe(ParameterList& list) { list.add("height_m", height_m, 0.4, 2); }
 };
 Model make_delineator(const Delineator& delineator);
 
 /// Marker posts on both sides, at +-offset_m.
-struct Delineators : Row {
-  float height_m = 1.0f;
+struct Delineators {
+  Delineator post;
+  RoadsideRow row;
+
+  void describe(ParameterList& list) {
+    post.describe(list);
+    row.describe(list, 2);
+  }
 };
 Model make_delineators(const Delineators& delineators);
 
@@ -48,22 +67,31 @@ Model make_delineators(const Delineators& delineators);
 struct StreetLamp {
   float height_m = 7.0f;
   float arm_m = 1.8f;  ///< to +X
+
+  void describe(ParameterList& list) {
+    list.add("height_m", height_m, 3, 15);
+    list.add("arm_m", arm_m, 0.6, 4);
+  }
 };
 Model make_street_lamp(const StreetLamp& lamp);
 
 /// A wooden pole with a cross-arm and insulators.
 struct UtilityPole {
   float height_m = 8.5f;
+
+  void describe(ParameterList& list) { list.add("height_m", height_m, 4, 15); }
 };
 Model make_utility_pole(const UtilityPole& pole);
 
-/// Such poles in a row with three sagging wires.
-struct PowerLine : Row {
-  PowerLine() {
-    offset_m = 11.0f;
-    spacing_m = 45.0f;
+/// A row of utility poles with three sagging wires.
+struct PowerLine {
+  UtilityPole pole;
+  RoadsideRow row{.offset_m = 11.0f, .spacing_m = 45.0f, .path = {}};
+
+  void describe(ParameterList& list) {
+    pole.describe(list);
+    row.describe(list, 10);
   }
-  float height_m = 8.5f;
 };
 Model make_power_line(const PowerLine& line);
 

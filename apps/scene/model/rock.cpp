@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/model/rock.h"
 
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+
 #include "scene/model/primitive.h"
 #include "scene/noise.h"
 
 namespace litfog::scene {
 
 Model make_rock(const Rock& rock) {
-  const auto seed = static_cast<std::uint32_t>(rock.seed);
-  Random random(seed);
+  const auto seed = std::uint32_t(rock.seed);
+  HashRandom random(seed);
   const glm::vec3 stretch(random.between(0.8f, 1.2f), random.between(0.55f, 0.8f), random.between(0.8f, 1.2f));
   const auto surface = [&](const glm::vec3& direction) {
     const glm::vec3 p = 1.3f * direction;
@@ -28,8 +32,8 @@ Model make_rock(const Rock& rock) {
     const glm::vec3 z(0, 0, octant & 4 ? -1.0f : 1.0f);
     const bool flipped = x.x * y.y * z.z < 0.0f;
     const auto point = [&](int i, int j) {
-      const float a = static_cast<float>(i) / kCuts;
-      const float b = static_cast<float>(j) / kCuts;
+      const float a = float(i) / kCuts;
+      const float b = float(j) / kCuts;
       return surface(glm::normalize(x * a + y * b + z * (1.0f - a - b)));
     };
     const auto face = [&](const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
@@ -45,6 +49,22 @@ Model make_rock(const Rock& rock) {
         if (i + j + 1 < kCuts) face(point(i + 1, j), point(i + 1, j + 1), point(i, j + 1));
       }
     }
+  }
+  return model;
+}
+
+Model make_rocks(const Rocks& rocks) {
+  HashRandom random(std::uint32_t(rocks.band.seed));
+  Model model;
+  for (int i = 0; i < rocks.rocks; ++i) {
+    Rock rock;
+    // Small ones are more frequent.
+    const float fraction = random.unit();
+    rock.size_m =
+        glm::mix(rocks.least_size_m, std::max(rocks.least_size_m, rocks.most_size_m), fraction * fraction * fraction);
+    rock.seed = int(random.bits() >> 12);
+    const glm::vec3 spot = random_point(rocks.band, random);
+    append(model, make_rock(rock), place(spot, random.between(0.0f, glm::two_pi<float>())));
   }
   return model;
 }

@@ -6,8 +6,8 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "scene/model/house.h"
 #include "scene/model/primitive.h"
+#include "scene/model/wall.h"
 
 namespace litfog::scene {
 namespace {
@@ -26,7 +26,7 @@ std::vector<glm::vec2> vault_arc(const Room& room, int pieces) {
       std::atan2(half, radius - room.rise_m);  // beyond a quarter turn where the rise exceeds the half width
   std::vector<glm::vec2> arc;
   for (int i = 0; i <= pieces; ++i) {
-    const float angle = reach * (2.0f * static_cast<float>(i) / static_cast<float>(pieces) - 1.0f);
+    const float angle = reach * (2.0f * float(i) / float(pieces) - 1.0f);
     arc.emplace_back(radius * std::sin(angle), room.wall_m + room.rise_m - radius * (1.0f - std::cos(angle)));
   }
   return arc;
@@ -34,23 +34,22 @@ std::vector<glm::vec2> vault_arc(const Room& room, int pieces) {
 
 /// A flat panel of about kTile_m squares from (0, 0) to (width, height), facing +Z.
 Mesh make_panel(float width, float height) {
-  const int columns = static_cast<int>(std::ceil(width / kTile_m));
-  const int rows = static_cast<int>(std::ceil(height / kTile_m));
+  const int columns = int(std::ceil(width / kTile_m));
+  const int rows = int(std::ceil(height / kTile_m));
   std::vector<glm::vec3> points;
   for (int j = 0; j <= rows; ++j) {
     for (int i = 0; i <= columns; ++i) {
-      points.emplace_back(width * static_cast<float>(i) / static_cast<float>(columns),
-                          height * static_cast<float>(j) / static_cast<float>(rows), 0.0f);
+      points.emplace_back(width * float(i) / float(columns), height * float(j) / float(rows), 0.0f);
     }
   }
   return make_surface(points, columns + 1);
 }
 
 void add_side(Model& model, const Room& room, const glm::mat4& at) {
-  const float bay = room.depth_m / static_cast<float>(room.bays);
+  const float bay = room.depth_m / float(room.bays);
   std::vector<Opening> niches;
   for (int i = 0; i < room.bays; ++i) {
-    const float middle = bay * (static_cast<float>(i) + 0.5f);
+    const float middle = bay * (float(i) + 0.5f);
     const float half = std::min(0.55f, 0.5f * bay - 0.35f);
     if (half < 0.2f) break;  // no room for a niche between the piers
     const Opening niche{middle - half, 0.75f, middle + half, std::min(2.15f, room.wall_m - 0.3f)};
@@ -62,7 +61,7 @@ void add_side(Model& model, const Room& room, const glm::mat4& at) {
   }
   append(part(model, "plaster"), make_wall(room.depth_m, room.wall_m, niches, kNicheDepth_m), at);
   for (int i = 0; i <= room.bays; ++i) {
-    const float along = std::clamp(bay * static_cast<float>(i), 0.5f * kPier_m, room.depth_m - 0.5f * kPier_m);
+    const float along = std::clamp(bay * float(i), 0.5f * kPier_m, room.depth_m - 0.5f * kPier_m);
     Mesh& stone = part(model, "stone");
     const auto block = [&](float wider, float low, float high) {
       append(stone, make_bevelled_box({kPier_m + wider, high - low, kPierDepth_m + wider}, 0.018f),
@@ -75,9 +74,7 @@ void add_side(Model& model, const Room& room, const glm::mat4& at) {
   }
   for (int i = 0; i < room.bays; ++i) {
     append(part(model, "wood"),
-           make_beam({bay * static_cast<float>(i), 0.09f, 0.012f}, {bay * static_cast<float>(i + 1), 0.09f, 0.012f},
-                     0.024f, 0.18f),
-           at);
+           make_beam({bay * float(i), 0.09f, 0.012f}, {bay * float(i + 1), 0.09f, 0.012f}, 0.024f, 0.18f), at);
   }
 }
 
@@ -98,7 +95,7 @@ void add_end(Model& model, const Room& room, bool door, const glm::mat4& at) {
     append(part(model, "stone"), make_bevelled_box({1.75f, 0.22f, 0.14f}, 0.025f),
            glm::translate(at, glm::vec3(middle, 2.15f, 0.04f)));
   }
-  append(plaster, make_wall(room.width_m, room.wall_m, openings, 0.18f), at);
+  append(plaster, make_wall(room.width_m, room.wall_m, openings, kReveal_m), at);
   std::vector<glm::vec3> lunette;
   for (const glm::vec2& point : vault_arc(room, 32)) lunette.emplace_back(middle - point.x, point.y, 0.0f);
   Mesh face;
@@ -129,9 +126,9 @@ Model make_room(const Room& room) {
   add_end(model, room, false, place({half_width, 0.0f, half_depth}, 2.0f * right));
   // Vault and side mouldings run from the near end to the far one.
   std::vector<glm::vec3> axis;
-  const int steps = static_cast<int>(std::ceil(room.depth_m / kTile_m));
+  const int steps = int(std::ceil(room.depth_m / kTile_m));
   for (int i = 0; i <= steps; ++i) {
-    axis.emplace_back(0.0f, 0.0f, half_depth - room.depth_m * static_cast<float>(i) / static_cast<float>(steps));
+    axis.emplace_back(0.0f, 0.0f, half_depth - room.depth_m * float(i) / float(steps));
   }
   const std::vector<glm::vec2> arc = vault_arc(room, 40);
   append(part(model, "vault_plaster"), make_sweep(arc, axis), kHere);
@@ -147,8 +144,8 @@ Model make_room(const Room& room) {
   }
   // Ribs over the piers.
   for (int i = 0; i <= room.bays; ++i) {
-    const float along = std::clamp(room.depth_m * static_cast<float>(i) / static_cast<float>(room.bays), 0.5f * kPier_m,
-                                   room.depth_m - 0.5f * kPier_m);
+    const float along =
+        std::clamp(room.depth_m * float(i) / float(room.bays), 0.5f * kPier_m, room.depth_m - 0.5f * kPier_m);
     std::vector<glm::vec3> rib;
     for (const glm::vec2& point : arc) rib.emplace_back(point, half_depth - along);
     append(stone,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/mesh.h"
+#include "scene/model/parameter_list.h"
 
 namespace litfog::scene {
 
@@ -13,6 +14,14 @@ struct Room {
   float wall_m = 2.6f;  ///< height of the walls, where the vault starts
   float rise_m = 1.7f;  ///< of the vault over that
   int bays = 4;         ///< between the ribs
+
+  void describe(ParameterList& list) {
+    list.add("width_m", width_m, 3, 30);
+    list.add("depth_m", depth_m, 4, 60);
+    list.add("wall_m", wall_m, 2.4, 10);
+    list.add("rise_m", rise_m, 0.3, 10);
+    list.add("bays", bays, 1, 40);
+  }
 };
 Model make_room(const Room& room);
 

@@ -19,13 +19,13 @@ constexpr float kPiece_m = 15.0f;
 
 /// A level surface from `left` to `right`, from -`from` to -`to` along Z.
 Mesh make_level(float left, float right, float from, float to, float height, float cell) {
-  const int columns = std::max(1, static_cast<int>(std::ceil((right - left) / cell)));
-  const int rows = std::max(1, static_cast<int>(std::ceil((to - from) / cell)));
+  const int columns = std::max(1, int(std::ceil((right - left) / cell)));
+  const int rows = std::max(1, int(std::ceil((to - from) / cell)));
   std::vector<glm::vec3> points;
   for (int j = 0; j <= rows; ++j) {
     for (int i = 0; i <= columns; ++i) {
-      points.emplace_back(glm::mix(left, right, static_cast<float>(i) / static_cast<float>(columns)), height,
-                          -glm::mix(from, to, static_cast<float>(j) / static_cast<float>(rows)));
+      points.emplace_back(glm::mix(left, right, float(i) / float(columns)), height,
+                          -glm::mix(from, to, float(j) / float(rows)));
     }
   }
   Mesh mesh = make_surface(points, columns + 1);
@@ -53,7 +53,7 @@ void add_half(Mesh& paint, const Runway& runway, int number) {
   const float middle = 0.5f * runway.length_m;
   // Threshold: 12 stripes of 30 m for 45 m of width, 1.8 m wide and apart, twice that in the middle.
   for (int i = 0; i < 6; ++i) {
-    const float left = 1.8f + 3.6f * static_cast<float>(i);
+    const float left = 1.8f + 3.6f * float(i);
     add_pair(paint, {left, left + 1.8f, 6.0f, 36.0f}, lift);
   }
   // Designator: 9 m high, 12 m beyond the stripes, its top away from who lands.
@@ -69,12 +69,12 @@ void add_half(Mesh& paint, const Runway& runway, int number) {
   add_pair(paint, {9.0f, 17.0f, aiming, aiming + 50.0f}, lift);
   // Touchdown zone: pairs every 150 m, fewer bars the further in, none within 50 m of the aiming point.
   const float zone = std::min(900.0f, middle - 50.0f);
-  for (int pair = 1; 150.0f * static_cast<float>(pair) <= zone; ++pair) {
-    const float from = 150.0f * static_cast<float>(pair);
+  for (int pair = 1; 150.0f * float(pair) <= zone; ++pair) {
+    const float from = 150.0f * float(pair);
     if (std::abs(from - aiming) < 50.0f) continue;
     const int bars = pair <= 2 ? 3 : pair <= 4 ? 2 : 1;
     for (int bar = 0; bar < bars; ++bar) {
-      const float left = 9.0f + 3.3f * static_cast<float>(bar);
+      const float left = 9.0f + 3.3f * float(bar);
       add_pair(paint, {left, left + 1.8f, from, from + 22.5f}, lift);
     }
   }

@@ -18,7 +18,7 @@ constexpr float kThickness_m = 0.02f;
 std::vector<glm::vec2> regular(int corners, float radius, float first_turn) {
   std::vector<glm::vec2> outline;
   for (int i = 0; i < corners; ++i) {
-    const float turn = first_turn + glm::two_pi<float>() * static_cast<float>(i) / static_cast<float>(corners);
+    const float turn = first_turn + glm::two_pi<float>() * float(i) / float(corners);
     outline.emplace_back(radius * std::cos(turn), radius * std::sin(turn));
   }
   return outline;
@@ -32,7 +32,7 @@ std::vector<glm::vec2> rectangle(float width, float height) {
 
 void add_flat(Mesh& mesh, std::span<const glm::vec2> outline, const glm::mat4& at, int layer) {
   std::vector<glm::vec3> corners;
-  for (const glm::vec2& corner : outline) corners.emplace_back(corner, kLayer_m * static_cast<float>(layer));
+  for (const glm::vec2& corner : outline) corners.emplace_back(corner, kLayer_m * float(layer));
   Mesh flat;
   add_face(flat, corners);
   append(mesh, flat, at);
@@ -62,13 +62,14 @@ glm::mat4 add_sign(Model& model, const Sign& sign, const Face& face) {
 
 }  // namespace
 
-Model make_speed_sign(const SpeedSign& sign) {
+Model make_speed_sign(const SpeedSign& speed) {
   Model model;
+  const Sign& sign = speed.sign;
   const float radius = 0.5f * sign.size_m;
   const glm::mat4 at =
       add_sign(model, sign, {regular(40, radius, 0.0f), regular(40, 0.78f * radius, 0.0f), "sign_red", "sign_white"});
-  const float digits = sign.number >= 10 ? 0.40f : 0.5f;
-  add_numeral(part(model, "paint_black"), sign.number, 1,
+  const float digits = speed.number >= 10 ? 0.40f : 0.5f;
+  add_numeral(part(model, "paint_black"), speed.number, 1,
               glm::scale(glm::translate(at, glm::vec3(0.0f, 0.0f, 3.0f * kLayer_m)), glm::vec3(digits * sign.size_m)));
   return model;
 }
@@ -103,17 +104,18 @@ Model make_direction_sign(const Sign& sign) {
   return model;
 }
 
-Model make_chevron_sign(const Chevron& sign) {
+Model make_chevron_sign(const ChevronSign& chevron) {
   Model model;
+  const Sign& sign = chevron.sign;
   const float width = sign.size_m;
   const float height = 0.6f * sign.size_m;
   const glm::mat4 at = add_sign(
       model, sign, {rectangle(width, height), rectangle(0.97f * width, 0.96f * height), "sign_white", "sign_white"});
   Mesh& red = part(model, "sign_red");
   const float reach = 0.42f * height;  // of the point before the ends
-  const float hand = sign.left != 0 ? -1.0f : 1.0f;
+  const float hand = chevron.left != 0 ? -1.0f : 1.0f;
   for (int i = 0; i < 3; ++i) {
-    const float x = (static_cast<float>(i) - 1.0f) * 0.29f * width - 0.22f * reach;
+    const float x = (float(i) - 1.0f) * 0.29f * width - 0.22f * reach;
     const float stroke = 0.14f * width;
     const float half = 0.44f * height;
     for (const float side : {-1.0f, 1.0f}) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/mesh.h"
+#include "scene/model/parameter_list.h"
 
 namespace litfog::scene {
 
@@ -10,18 +11,41 @@ namespace litfog::scene {
 struct Sign {
   float size_m = 0.75f;   ///< diameter, side or width of the plate
   float height_m = 2.2f;  ///< of the plate's middle
+
+  void describe(ParameterList& list) {
+    list.add("size_m", size_m, 0.2, 3);
+    list.add("height_m", height_m, 0.5, 8);
+  }
 };
 
-struct SpeedSign : Sign {
+/// Triangle, red border, an exclamation mark.
+Model make_warning_sign(const Sign& sign);
+
+/// Rectangle, blue with a white border and arrow.
+Model make_direction_sign(const Sign& sign);
+
+/// Round, red border, a number.
+struct SpeedSign {
   int number = 50;
-};
-Model make_speed_sign(const SpeedSign& sign);  ///< round, red border, a number
-Model make_warning_sign(const Sign& sign);     ///< triangle, red border, an exclamation mark
-Model make_direction_sign(const Sign& sign);   ///< rectangle, blue with a white border and arrow
+  Sign sign;
 
-struct Chevron : Sign {
-  int left = 0;  ///< 1: the bend goes left
+  void describe(ParameterList& list) {
+    list.add("number", number, 1, 99);
+    sign.describe(list);
+  }
 };
-Model make_chevron_sign(const Chevron& sign);  ///< red and white chevrons that point into a bend
+Model make_speed_sign(const SpeedSign& speed);
+
+/// Red and white chevrons that point into a bend.
+struct ChevronSign {
+  int left = 0;  ///< 1: the bend goes left
+  Sign sign;
+
+  void describe(ParameterList& list) {
+    list.add("left", left, 0, 1);
+    sign.describe(list);
+  }
+};
+Model make_chevron_sign(const ChevronSign& chevron);
 
 }  // namespace litfog::scene

@@ -2,50 +2,48 @@
 #pragma once
 
 #include "scene/mesh.h"
-#include "scene/model/path.h"
+#include "scene/model/road_path.h"
 
 namespace litfog::scene {
 
-/// A flat strip at y = 0 that the ground leaves free for a road or runway. Starts at the origin.
-struct Corridor : Path {
+/// The height of the land, with an optional flat corridor at y = 0 along the path for a road or runway. The same
+/// parameters give the same height everywhere, so models that stand on the ground (forest, grass) take them too.
+struct Terrain {
+  RoadPath path;
+  float relief_m = 0.8f;          ///< height of the bumps, about +-
+  float bank_m = 0.0f;            ///< how much higher the land is 60 m beside the corridor
   float corridor_m = 0.0f;        ///< full width of the flat part; 0: none
   float corridor_drop_m = 0.12f;  ///< how far the ground lies below y = 0 there, so that a road covers it
+  int ground_seed = 1;
+
+  void describe(ParameterList& list) {
+    list.add("relief_m", relief_m, 0, 10);
+    list.add("bank_m", bank_m, -10, 30);
+    list.add("corridor_m", corridor_m, 0, 500);
+    list.add("corridor_drop_m", corridor_drop_m, 0, 2);
+    list.add("ground_seed", ground_seed, 0, kMaxSeed);
+    path.describe(list);
+  }
 };
 
-/// Ground in the middle of which, at (0, 0), a road may start. Same parameters, same height everywhere: things placed
-/// on it (forest, grass) take them too.
-struct Ground : Corridor {
+float height_at(const Terrain& terrain, float x, float z);
+
+/// A rectangular patch of grass on the terrain.
+struct Ground {
   float width_m = 400.0f;
   float depth_m = 400.0f;
   float centre_z_m = 0.0f;  ///< the middle of the patch
   float cell_m = 4.0f;
-  float relief_m = 0.8f;  ///< height of the bumps, about +-
-  float bank_m = 0.0f;    ///< how much higher the land is 60 m beside the corridor
-  int ground_seed = 1;
-};
+  Terrain terrain;
 
-float ground_height(const Ground& ground, float x, float z);
+  void describe(ParameterList& list) {
+    list.add("width_m", width_m, 1, 4000);
+    list.add("depth_m", depth_m, 1, 4000);
+    list.add("centre_z_m", centre_z_m, -4000, 4000);
+    list.add("cell_m", cell_m, 0.25, 100);
+    terrain.describe(list);
+  }
+};
 Model make_ground(const Ground& ground);
-
-struct Road : Path {
-  float width_m = 7.0f;
-  float shoulder_m = 1.2f;  ///< gravel beside the asphalt; below it a verge falls off into the ground
-  float camber = 0.025f;    ///< slope from the crown to either edge
-};
-
-/// Height of the road's surface over the path, `offset` metres from the middle (asphalt only).
-float road_height(const Road& road, float offset);
-Model make_road(const Road& road);
-
-struct RoadMarkings : Road {
-  float dash_m = 3.0f;
-  float gap_m = 6.0f;  ///< 0: a solid centre line
-  float line_m = 0.12f;
-  float lift_m = 0.012f;
-};
-Model make_road_markings(const RoadMarkings& markings);
-
-/// Adds paint: a strip of the given width `lift` over the road.
-void add_stripe(Mesh& mesh, const Road& road, float from, float to, float offset, float width, float lift);
 
 }  // namespace litfog::scene

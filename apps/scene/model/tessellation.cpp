@@ -43,7 +43,7 @@ Model make_panel_model(const Panel& panel) {
   std::vector<glm::vec3> points;
   for (int j = 0; j <= panel.cells; ++j) {
     for (int i = 0; i <= panel.cells; ++i) {
-      const glm::vec2 share = glm::vec2(i, j) / static_cast<float>(panel.cells);
+      const glm::vec2 share = glm::vec2(i, j) / float(panel.cells);
       points.emplace_back(panel.size_m * (share.x - 0.5f), panel.size_m * share.y, 0.0f);
     }
   }
@@ -53,7 +53,7 @@ Model make_panel_model(const Panel& panel) {
 Model make_drum_model(const Drum& drum) {
   std::vector<glm::vec2> profile;
   for (int i = 0; i <= drum.rings; ++i) {
-    profile.emplace_back(drum.radius_m, drum.height_m * static_cast<float>(i) / static_cast<float>(drum.rings));
+    profile.emplace_back(drum.radius_m, drum.height_m * float(i) / float(drum.rings));
   }
   return finished(make_lathe(profile, drum.segments), drum.wire);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/mesh.h"
+#include "scene/model/parameter_list.h"
 
 namespace litfog::scene {
 
@@ -12,6 +13,12 @@ struct Panel {
   float size_m = 2.0f;
   int cells = 1;
   int wire = 0;  ///< 1: the edges of its triangles alone
+
+  void describe(ParameterList& list) {
+    list.add("size_m", size_m, 0.1, 100);
+    list.add("cells", cells, 1, 256);
+    list.add("wire", wire, 0, 1);
+  }
 };
 Model make_panel_model(const Panel& panel);
 
@@ -22,6 +29,14 @@ struct Drum {
   int segments = 8;
   int rings = 1;
   int wire = 0;  ///< 1: the edges of its triangles alone
+
+  void describe(ParameterList& list) {
+    list.add("radius_m", radius_m, 0.1, 50);
+    list.add("height_m", height_m, 0.1, 100);
+    list.add("segments", segments, 3, 256);
+    list.add("rings", rings, 1, 256);
+    list.add("wire", wire, 0, 1);
+  }
 };
 Model make_drum_model(const Drum& drum);
 

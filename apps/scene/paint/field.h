@@ -11,15 +11,14 @@ namespace litfog::scene {
 /// A square picture of one number a texel, which repeats in both directions. The side is a power of two.
 class Field {
  public:
-  explicit Field(int size, float value = 0.0f)
-      : size_(size), values_(static_cast<std::size_t>(size) * static_cast<std::size_t>(size), value) {}
+  explicit Field(int size, float value = 0.0f) : size_(size), values_(std::size_t(size) * std::size_t(size), value) {}
   int size() const { return size_; }
   std::size_t texels() const { return values_.size(); }
   float& operator[](std::size_t texel) { return values_[texel]; }
   float operator[](std::size_t texel) const { return values_[texel]; }
   std::size_t texel(int x, int y) const {
     const int mask = size_ - 1;
-    return static_cast<std::size_t>((y & mask) * size_ + (x & mask));
+    return std::size_t((y & mask) * size_ + (x & mask));
   }
   float at(int x, int y) const { return values_[texel(x, y)]; }
 
@@ -45,28 +44,15 @@ Field make_octaves(int size, int features, int octaves, std::uint32_t seed, floa
 /// dy are the texel's distances from it. Wraps around the edges, so what is stamped so repeats. reach < size / 2.
 template <typename Visit>
 void stamp(const Field& field, glm::vec2 middle, glm::vec2 reach, Visit visit) {
-  const int x0 = static_cast<int>(std::ceil(middle.x - reach.x));
-  const int x1 = static_cast<int>(std::floor(middle.x + reach.x));
-  const int y0 = static_cast<int>(std::ceil(middle.y - reach.y));
-  const int y1 = static_cast<int>(std::floor(middle.y + reach.y));
+  const int x0 = int(std::ceil(middle.x - reach.x));
+  const int x1 = int(std::floor(middle.x + reach.x));
+  const int y0 = int(std::ceil(middle.y - reach.y));
+  const int y1 = int(std::floor(middle.y + reach.y));
   for (int y = y0; y <= y1; ++y) {
     for (int x = x0; x <= x1; ++x) {
-      visit(field.texel(x, y), static_cast<float>(x) - middle.x, static_cast<float>(y) - middle.y);
+      visit(field.texel(x, y), float(x) - middle.x, float(y) - middle.y);
     }
   }
 }
-
-/// What a painter fills in: height (metres; the normals come from it), linear colour and gloss a texel.
-struct Canvas {
-  Canvas(int texels, float metres)
-      : size(texels), size_m(metres), height(texels), gloss(texels, 1.0f), color(height.texels(), glm::vec3(1.0f)) {}
-  int size;
-  float size_m;
-  Field height;
-  Field gloss;  ///< [0, 1]
-  std::vector<glm::vec3> color;
-
-  float texel_m() const { return size_m / static_cast<float>(size); }
-};
 
 }  // namespace litfog::scene

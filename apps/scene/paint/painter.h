@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "scene/paint/field.h"
+#include "scene/paint/canvas.h"
 
 namespace litfog::scene {
 
-// Painters of surfaces. Colours need only be right relative to each other: make_material (material_catalogue.h) scales each channel to the
-// material's mean albedo. Every painter gives the same texels each time.
+// Painters of surfaces. Colours need only be right relative to each other: make_material (material_catalogue.h) scales
+// each channel to the material's mean albedo. Every painter gives the same texels each time.
 
 // painter_ground.cpp
 void paint_asphalt(Canvas& canvas);

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
-#include "scene/noise.h"
+#include "scene/hash_random.h"
 #include "scene/paint/painter.h"
 
 namespace litfog::scene {
@@ -35,20 +35,20 @@ void paint_boards(Canvas& canvas, const Boards& boards, const glm::vec3& pale, c
   for (int y = 0; y < size; ++y) {
     for (int x = 0; x < size; ++x) {
       const int board = x / width;
-      const std::uint32_t key = hash(static_cast<std::uint32_t>(board), 0, seed);
+      const std::uint32_t key = hash(std::uint32_t(board), 0, seed);
       // Each board starts elsewhere, so that the cross joints are broken.
       const int length = size / boards.lengths;
-      const int shifted = (y + static_cast<int>(key % static_cast<std::uint32_t>(length))) & (size - 1);
+      const int shifted = (y + int(key % std::uint32_t(length))) & (size - 1);
       const int piece = shifted / length;
-      const std::uint32_t tint = hash(static_cast<std::uint32_t>(board), static_cast<std::uint32_t>(piece), seed + 5);
+      const std::uint32_t tint = hash(std::uint32_t(board), std::uint32_t(piece), seed + 5);
       const float tone = 0.85f + 0.3f * unit_float(tint);
-      const float to_side = static_cast<float>(std::min(x % width, width - 1 - x % width));
-      const float to_end = static_cast<float>(std::min(shifted % length, length - 1 - shifted % length));
+      const float to_side = float(std::min(x % width, width - 1 - x % width));
+      const float to_end = float(std::min(shifted % length, length - 1 - shifted % length));
       const float gap =
           boards.lengths > 1 ? joint(std::min(to_side, to_end), boards.gap, 1.0f) : joint(to_side, boards.gap, 1.0f);
       const std::size_t texel = canvas.height.texel(x, y);
       // Rings: contours of a drawn-out noise, shifted from board to board.
-      const std::size_t elsewhere = canvas.height.texel(x, y + static_cast<int>(tint & 1023u));
+      const std::size_t elsewhere = canvas.height.texel(x, y + int(tint & 1023u));
       const float ring = 0.5f + 0.5f * std::sin(glm::two_pi<float>() * (4.0f * rings[elsewhere] + unit_float(tint)));
       const float shade =
           std::clamp(0.35f + boards.contrast * (0.5f * grain[elsewhere] + 0.35f * ring - 0.1f), 0.0f, 1.0f);
@@ -78,20 +78,20 @@ void paint_brick(Canvas& canvas) {
   const int size = canvas.size;
   const Field rough = make_octaves(size, 32, 4, 111, 0.75f);
   const Field soot = make_octaves(size, 2, 4, 112, 0.6f);
-  const float brick_width = static_cast<float>(size) / 8.0f;
-  const float course_height = static_cast<float>(size) / 24.0f;
+  const float brick_width = float(size) / 8.0f;
+  const float course_height = float(size) / 24.0f;
   for (int y = 0; y < size; ++y) {
-    const auto course = static_cast<int>(static_cast<float>(y) / course_height);
-    const float up = static_cast<float>(y) - static_cast<float>(course) * course_height;
+    const auto course = int(float(y) / course_height);
+    const float up = float(y) - float(course) * course_height;
     for (int x = 0; x < size; ++x) {
       const std::size_t texel = canvas.height.texel(x, y);
-      const float along = static_cast<float>(x) + (course % 2 == 0 ? 0.0f : 0.5f * brick_width);
-      const auto column = static_cast<int>(along / brick_width);
-      const float across = along - static_cast<float>(column) * brick_width;
+      const float along = float(x) + (course % 2 == 0 ? 0.0f : 0.5f * brick_width);
+      const auto column = int(along / brick_width);
+      const float across = along - float(column) * brick_width;
       const float wobble = 0.8f * rough[texel];
       const float to_edge = std::min(std::min(across, brick_width - across), std::min(up, course_height - up)) + wobble;
       const float mortar = joint(to_edge, 1.2f, 1.2f);
-      const std::uint32_t key = hash(static_cast<std::uint32_t>(column % 8), static_cast<std::uint32_t>(course), 113);
+      const std::uint32_t key = hash(std::uint32_t(column % 8), std::uint32_t(course), 113);
       const float fired = unit_float(key);
       const glm::vec3 clay = glm::mix(glm::vec3(0.36f, 0.145f, 0.085f), glm::vec3(0.22f, 0.09f, 0.07f), fired * fired) *
                              (0.85f + 0.3f * unit_float(hash(key)));
@@ -152,12 +152,12 @@ void paint_roof_tiles(Canvas& canvas) {
   for (int y = 0; y < size; ++y) {
     for (int x = 0; x < size; ++x) {
       const std::size_t texel = canvas.height.texel(x, y);
-      const float u = static_cast<float>(x % cell) / static_cast<float>(cell);
-      const float v = static_cast<float>(y % cell) / static_cast<float>(cell);
+      const float u = float(x % cell) / float(cell);
+      const float v = float(y % cell) / float(cell);
       const float wave = std::sin(glm::two_pi<float>() * u);
-      const float foot = joint(static_cast<float>(y % cell), 1.0f, 2.0f);
-      const float seam = joint(static_cast<float>(std::min(x % cell, cell - 1 - x % cell)), 0.5f, 1.5f);
-      const std::uint32_t key = hash(static_cast<std::uint32_t>(x / cell), static_cast<std::uint32_t>(y / cell), 153);
+      const float foot = joint(float(y % cell), 1.0f, 2.0f);
+      const float seam = joint(float(std::min(x % cell, cell - 1 - x % cell)), 0.5f, 1.5f);
+      const std::uint32_t key = hash(std::uint32_t(x / cell), std::uint32_t(y / cell), 153);
       const float moss = std::clamp(2.2f * weather[texel] - 0.5f + 0.4f * v, 0.0f, 1.0f);
       const glm::vec3 clay = glm::vec3(0.30f, 0.115f, 0.07f) * (0.75f + 0.5f * unit_float(key));
       canvas.color[texel] = glm::mix(clay, glm::vec3(0.10f, 0.11f, 0.07f), 0.6f * moss) *
@@ -175,11 +175,11 @@ void paint_corrugated(Canvas& canvas) {
   Field runs(size);
   add_noise(runs, 64, 2, 0.9f, 162);
   for (int y = 0; y < size; ++y) {
-    const float lap = joint(static_cast<float>(std::min(y, size - y)), 1.0f, 2.0f);
+    const float lap = joint(float(std::min(y, size - y)), 1.0f, 2.0f);
     for (int x = 0; x < size; ++x) {
       const std::size_t texel = canvas.height.texel(x, y);
-      const float wave = std::sin(glm::two_pi<float>() * 16.0f * static_cast<float>(x) / static_cast<float>(size));
-      const float down = 1.0f - static_cast<float>(y) / static_cast<float>(size);
+      const float wave = std::sin(glm::two_pi<float>() * 16.0f * float(x) / float(size));
+      const float down = 1.0f - float(y) / float(size);
       const float rust = std::clamp(1.2f * weather[texel] + 0.9f * runs[texel] * down - 0.35f, 0.0f, 1.0f);
       canvas.color[texel] = glm::mix(glm::vec3(0.40f, 0.42f, 0.43f), glm::vec3(0.22f, 0.11f, 0.06f), rust) *
                             (1.0f + 0.08f * wave) * (1.0f - 0.4f * lap);

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <glm/gtc/constants.hpp>
 
-#include "scene/noise.h"
+#include "scene/hash_random.h"
 #include "scene/paint/painter.h"
 
 namespace litfog::scene {
@@ -18,8 +18,8 @@ struct Stones {
 };
 
 void add_stones(Canvas& canvas, const Stones& stones, float contrast, std::uint32_t seed) {
-  Random random(seed);
-  const auto size = static_cast<float>(canvas.size);
+  HashRandom random(seed);
+  const auto size = float(canvas.size);
   for (int i = 0; i < stones.count; ++i) {
     const glm::vec2 middle(random.unit() * size, random.unit() * size);
     const float radius = random.between(stones.least_radius, stones.most_radius);
@@ -44,7 +44,7 @@ void add_stones(Canvas& canvas, const Stones& stones, float contrast, std::uint3
 }
 
 /// A crack wanders as a chain of short cuts.
-void add_crack(Canvas& canvas, glm::vec2 at, float turn, int steps, float width, float depth_m, Random& random) {
+void add_crack(Canvas& canvas, glm::vec2 at, float turn, int steps, float width, float depth_m, HashRandom& random) {
   for (int i = 0; i < steps; ++i) {
     turn += random.between(-0.35f, 0.35f);
     at += 1.2f * glm::vec2(std::cos(turn), std::sin(turn));
@@ -78,8 +78,8 @@ void bitumen(Canvas& canvas, std::uint32_t seed) {
 
 void paint_asphalt(Canvas& canvas) {
   bitumen(canvas, 11);
-  Random random(12);
-  const auto size = static_cast<float>(canvas.size);
+  HashRandom random(12);
+  const auto size = float(canvas.size);
   add_crack(canvas, {0.2f * size, 0.1f * size}, 1.2f, 190, 0.7f, 0.004f, random);
   add_crack(canvas, {0.7f * size, 0.5f * size}, 0.3f, 110, 0.6f, 0.004f, random);
 }
@@ -130,21 +130,21 @@ void paint_grass(Canvas& canvas) {
     canvas.gloss[i] = 0.05f;
   }
   // Blades as bent strokes; later ones lie higher. Most are green, some straw; dry and lush patches.
-  Random random(42);
+  HashRandom random(42);
   const int blades = size * size / 22;
   for (int blade = 0; blade < blades; ++blade) {
-    glm::vec2 at(random.unit() * static_cast<float>(size), random.unit() * static_cast<float>(size));
-    const float lush = clumps.at(static_cast<int>(at.x), static_cast<int>(at.y));
+    glm::vec2 at(random.unit() * float(size), random.unit() * float(size));
+    const float lush = clumps.at(int(at.x), int(at.y));
     float turn = random.between(0.0f, glm::two_pi<float>());
     const float bend = random.between(-0.09f, 0.09f);
-    const float level = static_cast<float>(blade) / static_cast<float>(blades);
-    const int steps = static_cast<int>(random.between(9.0f, 26.0f));
+    const float level = float(blade) / float(blades);
+    const int steps = int(random.between(9.0f, 26.0f));
     const bool straw = random.unit() < 0.16f - 0.2f * lush;
     const float tone = random.between(0.55f, 1.25f) * (0.45f + 0.75f * level);
     const glm::vec3 root = tone * (straw ? glm::vec3(0.20f, 0.16f, 0.075f) : glm::vec3(0.045f, 0.085f, 0.022f));
     const glm::vec3 tip = tone * (straw ? glm::vec3(0.36f, 0.30f, 0.16f) : glm::vec3(0.13f, 0.19f, 0.05f));
     for (int step = 0; step < steps; ++step) {
-      const float t = static_cast<float>(step) / static_cast<float>(steps);
+      const float t = float(step) / float(steps);
       turn += bend;
       const glm::vec2 along(std::cos(turn), std::sin(turn));
       at += along;
@@ -153,9 +153,8 @@ void paint_grass(Canvas& canvas) {
       // Two texels wide at the root, one at the tip.
       const int width = t < 0.6f ? 2 : 1;
       for (int k = 0; k < width; ++k) {
-        const glm::vec2 p = at + static_cast<float>(k) * glm::vec2(-along.y, along.x);
-        const std::size_t texel =
-            canvas.height.texel(static_cast<int>(std::floor(p.x)), static_cast<int>(std::floor(p.y)));
+        const glm::vec2 p = at + float(k) * glm::vec2(-along.y, along.x);
+        const std::size_t texel = canvas.height.texel(int(std::floor(p.x)), int(std::floor(p.y)));
         if (height < canvas.height[texel] - 0.004f) continue;
         canvas.height[texel] = height;
         canvas.color[texel] = color;
@@ -186,7 +185,7 @@ void paint_soil(Canvas& canvas) {
   for (int y = 0; y < canvas.size; ++y) {
     for (int x = 0; x < canvas.size; ++x) {
       const std::size_t texel = canvas.height.texel(x, y);
-      const float phase = 8.0f * (static_cast<float>(x) / static_cast<float>(canvas.size) + 0.02f * wander[texel]);
+      const float phase = 8.0f * (float(x) / float(canvas.size) + 0.02f * wander[texel]);
       const float furrow = std::sin(glm::two_pi<float>() * phase);
       const float height = 0.5f * furrow + 0.9f * clods[texel];
       canvas.height[texel] = 0.035f * height;
@@ -204,7 +203,7 @@ void paint_concrete_slabs(Canvas& canvas) {
     for (int x = 0; x < canvas.size; ++x) {
       const int to_joint = std::min(std::min(x % half, half - 1 - x % half), std::min(y % half, half - 1 - y % half));
       const std::size_t texel = canvas.height.texel(x, y);
-      const std::uint32_t slab = hash(static_cast<std::uint32_t>(x / half), static_cast<std::uint32_t>(y / half), 71);
+      const std::uint32_t slab = hash(std::uint32_t(x / half), std::uint32_t(y / half), 71);
       canvas.color[texel] *= 0.9f + 0.2f * unit_float(slab);
       if (to_joint > 2) continue;
       const float inside = to_joint < 2 ? 1.0f : 0.5f;

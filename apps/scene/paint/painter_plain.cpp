@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/noise.h"
+#include "scene/hash_random.h"
 #include "scene/paint/painter.h"
 
 namespace litfog::scene {
@@ -27,8 +27,8 @@ void paint_galvanised(Canvas& canvas) {
   const int cell = canvas.size / cells;
   const Field weather = make_octaves(canvas.size, 2, 5, 312, 0.6f);
   const auto seed_of = [&](int column, int row, int which) {
-    return unit_float(hash(static_cast<std::uint32_t>(column & (cells - 1)),
-                           static_cast<std::uint32_t>(row & (cells - 1)), 311u + static_cast<std::uint32_t>(which)));
+    return unit_float(
+        hash(std::uint32_t(column & (cells - 1)), std::uint32_t(row & (cells - 1)), 311u + std::uint32_t(which)));
   };
   for (int y = 0; y < canvas.size; ++y) {
     for (int x = 0; x < canvas.size; ++x) {
@@ -36,10 +36,8 @@ void paint_galvanised(Canvas& canvas) {
       float tone = 0.0f;
       for (int row = y / cell - 1; row <= y / cell + 1; ++row) {
         for (int column = x / cell - 1; column <= x / cell + 1; ++column) {
-          const float dx =
-              (static_cast<float>(column) + seed_of(column, row, 0)) * static_cast<float>(cell) - static_cast<float>(x);
-          const float dy =
-              (static_cast<float>(row) + seed_of(column, row, 1)) * static_cast<float>(cell) - static_cast<float>(y);
+          const float dx = (float(column) + seed_of(column, row, 0)) * float(cell) - float(x);
+          const float dy = (float(row) + seed_of(column, row, 1)) * float(cell) - float(y);
           const float distance = dx * dx + dy * dy;
           if (distance >= nearest) continue;
           nearest = distance;
@@ -79,11 +77,11 @@ void paint_prisms(Canvas& canvas) {
   const int cell = canvas.size / 8;
   for (int y = 0; y < canvas.size; ++y) {
     for (int x = 0; x < canvas.size; ++x) {
-      const float u = std::abs(2.0f * static_cast<float>(x % cell) / static_cast<float>(cell) - 1.0f);
-      const float v = std::abs(2.0f * static_cast<float>(y % cell) / static_cast<float>(cell) - 1.0f);
+      const float u = std::abs(2.0f * float(x % cell) / float(cell) - 1.0f);
+      const float v = std::abs(2.0f * float(y % cell) / float(cell) - 1.0f);
       const float rise = 1.0f - std::max(u, v);
       const std::size_t texel = canvas.height.texel(x, y);
-      canvas.height[texel] = 0.4f * canvas.texel_m() * static_cast<float>(cell) * 0.5f * rise;
+      canvas.height[texel] = 0.4f * canvas.texel_m() * float(cell) * 0.5f * rise;
       canvas.color[texel] = glm::vec3(0.75f + 0.5f * rise);
     }
   }

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
-#include "scene/noise.h"
+#include "scene/hash_random.h"
 #include "scene/paint/painter.h"
 
 namespace litfog::scene {
@@ -20,10 +20,10 @@ struct Strokes {
 
 void add_strokes(Canvas& canvas, const Strokes& strokes, const glm::vec3& dull, const glm::vec3& fresh,
                  std::uint32_t seed) {
-  Random random(seed);
-  const auto size = static_cast<float>(canvas.size);
+  HashRandom random(seed);
+  const auto size = float(canvas.size);
   for (int i = 0; i < strokes.count; ++i) {
-    const float level = static_cast<float>(i) / static_cast<float>(strokes.count);
+    const float level = float(i) / float(strokes.count);
     const glm::vec2 middle(random.unit() * size, random.unit() * size);
     const float half_length = 0.5f * random.between(strokes.least_length, strokes.most_length);
     const float turn = random.between(-strokes.lean, strokes.lean);
