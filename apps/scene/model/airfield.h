@@ -18,6 +18,7 @@ struct ApproachLight {
   float height_m = 2.0f;
   int lamps = 5;
   float spacing_m = 1.0f;
+  int red = 0;  ///< 1: red, for side rows
 };
 Model make_approach_light(const ApproachLight& light);
 
