@@ -39,6 +39,8 @@ constexpr std::int64_t kMaxPixels = 40'000'000;  // some 2 GiB of framebuffer, 4
 constexpr std::int64_t kMaxReferencePixels = 10'000'000;  // some 3 GiB of geometry buffer
 constexpr std::int64_t kMaxComparedPixels = 2'500'000;    // some 3 GiB of ten framebuffers and a geometry buffer
 
+constexpr NumberRule kSeconds{[](double x) { return x >= 0 && x <= kMaxSeconds; }, "must be a number in [0, 1e9]"};
+
 enum class FogChoice { exp, exp2, none };
 enum class FogLighting { peak };
 
@@ -320,7 +322,7 @@ int main(int argc, char** argv) {
   app.add_option_function<std::string>(
          "--size", [&](const std::string& text) { parse_size(text, options); }, "Pixels (default 1280x720)")
       ->type_name("WxH");
-  add_number(app, "--time", options.seconds, kFiniteNotNegative,
+  add_number(app, "--time", options.seconds, kSeconds,
              "Seconds for which the scene's cookies have been spinning (default 0)");
   add_integer(app, "--frames", options.frames, 1, 100'000,
               "Frames to draw and time, after one that is not timed (default 1, with --compare 5 of each path)");

@@ -34,10 +34,10 @@ LightMapStore::LightMapStore(LightMapSet set, const scene::Scene& scene, const S
     distance_.emplace(Shape::line, size, make_square_ramp(size));
   }
   for (std::size_t i = 0; i < lights.size(); ++i) {
-    const PlacedLight& light = lights.light(i);
+    const PlacedLight& light = lights.lights()[i];
     const Cone& cone = light.light.cone;
     const scene::CookieUse* const cookie = lights.cookie(i);
-    const Maps maps{set == LightMapSet::radial ? &*squares_ : range_map(light, lights.extent(i)),
+    const Maps maps{set == LightMapSet::radial ? &*squares_ : range_map(light, lights.extents()[i]),
                     cookie ? cookie_map(scene, cookie->cookie) : cone_map(cone)};
     auto found = std::ranges::find(maps_, maps);
     if (found == maps_.end()) found = maps_.insert(maps_.end(), maps);
@@ -52,7 +52,8 @@ LightMapStore::LightMapStore(LightMapSet set, const scene::Scene& scene, const S
       cone_from_world = glm::dmat3(1, 0, 0, 0, across, 0, 0, 0, across) *
                         scene::light_from_world(scene::bearing_of(light.direction, viewpoint), viewpoint);
     }
-    kinds_.push_back({int(found - maps_.begin()), glm::mat3(cone_from_world)});
+    kinds_.push_back(int(found - maps_.begin()));
+    cones_from_world_.emplace_back(cone_from_world);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <deque>
 #include <map>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "render/gpu/texture.h"
@@ -22,10 +23,10 @@ class LightMapStore {
   ///         that their maps would take more than 1 GiB
   LightMapStore(LightMapSet set, const scene::Scene& scene, const SceneLights& lights, int size);
 
-  /// Lights of one kind share their maps.
-  int kind(std::size_t light) const { return kinds_[light].number; }
+  /// Of all lights: those of one kind share their maps. Empty where the path has none.
+  std::span<const int> kinds() const { return kinds_; }
   /// Turns vectors from the light into coordinates of its cube map.
-  const glm::mat3& cone_from_world(std::size_t light) const { return kinds_[light].cone_from_world; }
+  const glm::mat3& cone_from_world(std::size_t light) const { return cones_from_world_[light]; }
   /// Binds a kind's maps.
   void bind(int kind) const;
 
@@ -35,10 +36,6 @@ class LightMapStore {
     const LookupTexture* cone;
 
     friend bool operator==(const Maps&, const Maps&) = default;
-  };
-  struct LightKind {
-    int number;  // in maps_
-    glm::mat3 cone_from_world;
   };
 
   /// Counts a map that is going to be made.
@@ -56,7 +53,8 @@ class LightMapStore {
   std::optional<LookupTexture> squares_;   // of x and y
   std::optional<LookupTexture> distance_;  // q, or the square of z
   std::vector<Maps> maps_;
-  std::vector<LightKind> kinds_;  // one a light
+  std::vector<int> kinds_;  // in maps_, one a light
+  std::vector<glm::mat3> cones_from_world_;
 };
 
 }  // namespace litfog::render

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -12,7 +13,7 @@ enum class SurfaceModel {
   basic,     ///< emissive + ambient + diffuse + specular, specular zero where diffuse is (Cg Tutorial 5.2)
   diffuse,   ///< emissive + (ambient + directional + sum of the lights x N.L) x base texture (Hales 2004)
   unshaded,  ///< emissive + (ambient + directional + sum of the lights) x base texture, whichever way it faces
-             ///< (Frazier 2000; the directional light, which he has not, still falls by N.L)
+             ///< (Frazier 2000; the directional light, which he lacks, still falls by N.L)
 };
 
 /// How light falls with range, before the extent E; beyond it a light is dark.
@@ -30,26 +31,31 @@ enum class Evaluation {
 
 /// How a pass's colour joins what the surface's earlier passes drew.
 enum class Blend {
-  replace,   ///< takes its place
+  replace,   ///< replaces it
   add,       ///< is added
   multiply,  ///< multiplies it
-  over,      ///< is added to its share alpha
+  over,      ///< is added to alpha times that
 };
 
-inline constexpr int kAllLights = -1;
+/// How a pass takes its lights.
+struct LightFeed {
+  enum class Kind {
+    none,     ///< drawn once, without lights
+    all,      ///< drawn once, by all lights that can reach the surface
+    batches,  ///< drawn once for each batch of them, the later ones added; without lights once, unless it is itself added
+  };
+  Kind kind = Kind::none;
+  std::size_t batch_size = 0;  ///< batches: the most lights of one, which share their maps
+  bool lists_rest = false;     ///< batches: where there are several the first also sees all lights, by the light list
+};
 
 /// One way of drawing a surface again. Shaders are files of apps/render/shaders.
 struct SurfacePass {
   std::string_view vertex;
-  std::string_view geometry;  ///< empty: none
+  std::string_view geometry = {};  ///< empty: none
   std::string_view fragment;
   Blend blend = Blend::replace;
-  /// 0: drawn once, and needs no lights. kAllLights: drawn once, by all lights that can reach the surface. Else at most
-  /// so many lights at a time, whose maps are the same: drawn once for them, and once more, added, for each so many
-  /// others that reach the surface.
-  int lights = 0;
-  /// The first time of so many lights: where more reach the surface all of them are listed, too.
-  bool lists_all = false;
+  LightFeed lights = {};
   bool shows_fog = true;  ///< the first time that it draws a surface it adds the light of the fog before it
 };
 
@@ -75,7 +81,7 @@ struct LightingPath {
   std::vector<SurfacePass> passes;
 
   /// Whether a surface may be drawn more than once, which needs a stencil.
-  bool has_several_passes() const { return passes.size() > 1 || passes[0].lights > 0; }
+  bool has_several_passes() const { return passes.size() > 1 || passes[0].lights.kind == LightFeed::Kind::batches; }
 };
 
 /// Every path, the default one first.

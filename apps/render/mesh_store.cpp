@@ -6,7 +6,10 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <string>
 #include <tuple>
+
+#include "litfog/gl/unsupported.h"
 
 namespace litfog::render {
 namespace {
@@ -18,6 +21,17 @@ using Cell = std::tuple<int, int, int>;
 Cell cell_of(const glm::vec3& position) {
   const glm::vec3 cell = glm::floor(position / kCellSize);
   return {int(cell.x), int(cell.y), int(cell.z)};
+}
+
+template <typename Element>
+void fill(GLenum target, const gl::BufferName& buffer, const std::vector<Element>& elements) {
+  const std::size_t bytes = elements.size() * sizeof(Element);
+  if (bytes >= std::size_t{1} << 31) {
+    throw gl::Unsupported("the scene's triangles need " + std::to_string(bytes) +
+                          " bytes in one buffer, which must be less than 2^31");
+  }
+  glBindBuffer(target, buffer.id());
+  glBufferData(target, GLsizeiptr(bytes), elements.data(), GL_STATIC_DRAW);
 }
 
 }  // namespace
@@ -60,14 +74,9 @@ MeshStore::MeshStore(const std::vector<scene::Model>& models) {
   std::vector<scene::Vertex> vertices;
   std::vector<std::uint32_t> indices;
   for (const scene::Model& model : models) chunks_.push_back(cut_into_chunks(model, vertices, indices));
-  glGenVertexArrays(1, &vertex_array_);
-  glBindVertexArray(vertex_array_);
-  glGenBuffers(2, buffers_);
-  glBindBuffer(GL_ARRAY_BUFFER, buffers_[0]);
-  glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(vertices.size() * sizeof(scene::Vertex)), vertices.data(), GL_STATIC_DRAW);
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers_[1]);
-  glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(indices.size() * sizeof(std::uint32_t)), indices.data(),
-               GL_STATIC_DRAW);
+  glBindVertexArray(vertex_array_.id());
+  fill(GL_ARRAY_BUFFER, vertices_, vertices);
+  fill(GL_ELEMENT_ARRAY_BUFFER, indices_, indices);
   const auto attribute = [](GLuint location, GLint components, std::size_t offset) {
     glEnableVertexAttribArray(location);
     glVertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, sizeof(scene::Vertex),
@@ -79,12 +88,7 @@ MeshStore::MeshStore(const std::vector<scene::Model>& models) {
   attribute(3, 2, offsetof(scene::Vertex, uv));
 }
 
-MeshStore::~MeshStore() {
-  glDeleteVertexArrays(1, &vertex_array_);
-  glDeleteBuffers(2, buffers_);
-}
-
-void MeshStore::bind() const { glBindVertexArray(vertex_array_); }
+void MeshStore::bind() const { glBindVertexArray(vertex_array_.id()); }
 
 void MeshStore::draw(const Chunk& chunk) const {
   glDrawElements(GL_TRIANGLES, chunk.index_count, GL_UNSIGNED_INT,

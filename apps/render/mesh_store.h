@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "litfog/gl/gl_name.h"
 #include "scene/mesh.h"
 
 namespace litfog::render {
@@ -23,12 +24,10 @@ std::vector<Chunk> cut_into_chunks(const scene::Model& model, std::vector<scene:
 /// All models of a scene in one vertex array on the GPU.
 class MeshStore {
  public:
+  /// throws gl::Unsupported where its vertices or indices would take 2^31 bytes or more, which drivers do not hold
   explicit MeshStore(const std::vector<scene::Model>& models);
-  ~MeshStore();
-  MeshStore(const MeshStore&) = delete;
-  MeshStore& operator=(const MeshStore&) = delete;
 
-  /// Of a model, by its place in the constructor's vector.
+  /// Of a model, by its index in the constructor's vector.
   const std::vector<Chunk>& chunks(std::size_t model) const { return chunks_[model]; }
   /// Makes the vertex array current: locations 0 position, 1 normal, 2 tangent, 3 uv.
   void bind() const;
@@ -36,8 +35,9 @@ class MeshStore {
 
  private:
   std::vector<std::vector<Chunk>> chunks_;
-  unsigned vertex_array_ = 0;
-  unsigned buffers_[2] = {};  // vertices, indices
+  gl::VertexArrayName vertex_array_;
+  gl::BufferName vertices_;
+  gl::BufferName indices_;
 };
 
 }  // namespace litfog::render

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "render/lighting_path.h"
-#include "render/surface_list.h"
 
 namespace litfog::render {
+
+/// Whether the renderer leaves out what cannot show: surfaces out of view, lights out of reach of a surface.
+enum class Skipping { on, off };
 
 /// How a renderer draws a scene.
 struct RenderSettings {

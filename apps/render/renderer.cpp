@@ -16,8 +16,9 @@
 namespace litfog::render {
 namespace {
 
+constexpr float kNear = 0.1f;  // metres
+
 glm::mat4 clip_from_view(const scene::Camera& camera, double aspect) {
-  constexpr float kNear = 0.1f;  // metres
   return glm::infinitePerspective(camera.field_of_view, float(aspect), kNear);
 }
 
@@ -26,14 +27,14 @@ glm::mat4 view_from_world(const scene::Camera& camera) {
 }
 
 /// All cookies in one array, each as large as the largest.
-std::unique_ptr<LayeredTexture> make_cookie_array(const std::vector<Cookie>& cookies) {
+LayeredTexture make_cookie_array(const std::vector<Cookie>& cookies) {
   const int size = std::ranges::max(cookies, {}, &Cookie::size).size;
   MapTexels texels;
   for (const Cookie& cookie : cookies) {
     const MapTexels faces = make_cookie_cube(cookie.size == size ? cookie : resize_cookie(cookie, size));
     texels.insert(texels.end(), faces.begin(), faces.end());
   }
-  return std::make_unique<LayeredTexture>(size, 6 * int(cookies.size()), texels);
+  return LayeredTexture(size, 6 * int(cookies.size()), texels);
 }
 
 }  // namespace
@@ -42,8 +43,9 @@ Renderer::Renderer(const scene::Scene& scene, int width, int height, const Rende
     : scene_(scene),
       settings_(settings),
       framebuffer_(width, height, settings.path->has_several_passes() ? Passes::several : Passes::one),
-      lights_(scene),
-      surfaces_(scene, lights_, fog_lights_, settings),
+      lights_(scene, *settings.path),
+      light_buffer_(lights_.entries().data(), lights_.entries().size_bytes(), BufferTexture::Texel::float4),
+      surfaces_(scene, lights_, fog_block_, settings),
       sky_program_("sky.vert", "sky.frag", scene_shaders(!scene.cookies.empty())),
       light_point_program_("light_point.vert", "light_point.frag", scene_shaders(!scene.cookies.empty())) {
   gl::check_fog_light_layout(sky_program_);
@@ -54,20 +56,11 @@ Renderer::Renderer(const scene::Scene& scene, int width, int height, const Rende
 
 void Renderer::set_fog(const Fog& fog) {
   fog_ = fog;
-  std::vector<FogIntensity> solutions;
-  for (const PlacedLight& light : lights_.carried()) {
-    solutions.push_back(solve_fog_intensity(light.light, fog));
-    if (!settings_.path->has_lit_fog) solutions.back().intensity = 0;
+  for (const EntryRange& range : lights_.set_fog(fog)) {
+    light_buffer_.update(range.begin * sizeof(FogLight), &lights_.entries()[range.begin],
+                         (range.end - range.begin) * sizeof(FogLight));
   }
-  const glm::dvec3 ambient_fog = scene_.environment.ambient_fog_color;
-  FogLightBlock block = pack_fog_light_block(fog, ambient_fog, lights_.carried(), solutions);
-  for (std::size_t i = 0; i < solutions.size(); ++i) {  // cookies, which the library has not
-    const FogLight& light = lights_.packed(lights_.local().size() + i);
-    block.lights[i].axis_profile = light.axis_profile;
-    block.lights[i].cone = light.cone;
-  }
-  fog_lights_.upload(block);
-  surfaces_.set_fog(solutions);
+  fog_block_.upload(pack_fog_light_block(fog, scene_.environment.ambient_fog_color, {}, {}));
 }
 
 glm::mat4 Renderer::clip_from_world() const {
@@ -75,18 +68,20 @@ glm::mat4 Renderer::clip_from_world() const {
 }
 
 FrameCounts Renderer::draw(LightPoints light_points) {
-  const glm::mat4 clip = clip_from_world();
+  const glm::mat4 clip_from_world = this->clip_from_world();
   framebuffer_.bind();
   glClearColor(0, 0, 0, 1);
   glEnable(GL_DEPTH_TEST);
   glEnable(GL_CULL_FACE);
   glDepthMask(GL_TRUE);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  light_buffer_.bind(kLightBufferUnit);
+  surfaces_.surfaces().bind_light_list(kLightListUnit);
   if (cookies_) cookies_->bind(kCookieUnit);
-  const FrameCounts counts = surfaces_.draw(*settings_.path, clip);
+  const FrameCounts counts = surfaces_.draw(*settings_.path, clip_from_world);
   glDepthMask(GL_FALSE);
   draw_sky();
-  if (light_points == LightPoints::on) draw_light_points(clip);
+  if (light_points == LightPoints::on) draw_light_points(clip_from_world);
   glFinish();
   gl::check_errors("drawing a frame");
   return counts;
@@ -102,9 +97,12 @@ void Renderer::draw_geometry(const GeometryBuffer& geometry) {
 void Renderer::draw_sky() {
   const scene::Environment& environment = scene_.environment;
   sky_program_.use();
-  fog_lights_.bind(sky_program_, kFogLightBinding);
+  fog_block_.bind(sky_program_, kFogLightBinding);
   set_uniform(sky_program_, "cookies", kCookieUnit);
-  // Without the eye's place, whose rounding would turn the sky: a near point less an eye far from the origin.
+  set_uniform(sky_program_, "litfog_light_buffer", kLightBufferUnit);
+  set_uniform(sky_program_, "light_list", kLightListUnit);
+  set_uniform(sky_program_, "carried_count", carried_count());
+  // Without the eye's position, whose rounding would turn the sky: a near point minus an eye far from the origin.
   const auto turned = glm::mat4(glm::mat3(view_from_world(scene_.camera)));
   set_uniform(sky_program_, "direction_from_clip",
               glm::inverse(clip_from_view(scene_.camera, framebuffer_.aspect()) * turned));
@@ -118,20 +116,22 @@ void Renderer::draw_sky() {
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void Renderer::draw_light_points(const glm::mat4& clip) {
-  if (lights_.local().empty()) return;
+void Renderer::draw_light_points(const glm::mat4& clip_from_world) {
+  if (lights_.local_count() == 0) return;
   light_point_program_.use();
-  fog_lights_.bind(light_point_program_, kFogLightBinding);
-  lights_.bind_local(kLocalLightUnit);
+  fog_block_.bind(light_point_program_, kFogLightBinding);
   set_uniform(light_point_program_, "cookies", kCookieUnit);
-  set_uniform(light_point_program_, "clip_from_world", clip);
+  set_uniform(light_point_program_, "clip_from_world", clip_from_world);
   set_uniform(light_point_program_, "eye", scene_.camera.position);
+  set_uniform(light_point_program_, "near_plane", kNear);
   set_uniform(light_point_program_, "pixel_scale", float(framebuffer_.height()) / 720.0f);
-  set_uniform(light_point_program_, "litfog_light_buffer", kLocalLightUnit);
+  set_uniform(light_point_program_, "litfog_light_buffer", kLightBufferUnit);
+  set_uniform(light_point_program_, "light_list", kLightListUnit);
+  set_uniform(light_point_program_, "carried_count", carried_count());
   glEnable(GL_PROGRAM_POINT_SIZE);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);
-  glDrawArrays(GL_POINTS, 0, GLsizei(lights_.local().size()));
+  glDrawArrays(GL_POINTS, 0, GLsizei(lights_.local_count()));
   glDisable(GL_BLEND);
 }
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <memory>
+#include <optional>
 
 #include "litfog/gl/fog_light_buffer.h"
 #include "litfog/gl/program.h"
-#include "litfog/solve.h"
 #include "render/gpu/framebuffer.h"
 #include "render/gpu/geometry_buffer.h"
 #include "render/scene_lights.h"
@@ -23,11 +22,11 @@ enum class LightPoints { on, off };
 class Renderer {
  public:
   /// throws gl::Unsupported where this OpenGL cannot hold the scene's light lists or the path's light maps would take
-  /// more than 1 GiB, std::invalid_argument where the eye's vehicle carries more than kMaxFogLights or a part is of a
-  /// material that the scene lacks
+  /// more than 1 GiB, std::invalid_argument where a part is of a material that the scene lacks
+  /// scene  has to outlive this
   Renderer(const scene::Scene& scene, int width, int height, const RenderSettings& settings);
 
-  /// Takes a change of the fog: solves the carried lights and uploads the block.
+  /// Takes a change of the fog: solves the carried lights and uploads what changed of them.
   void set_fog(const Fog& fog);
   /// Draws a frame and waits for it.
   FrameCounts draw(LightPoints light_points = LightPoints::on);
@@ -42,20 +41,23 @@ class Renderer {
   /// Draws the surfaces of a frame into a geometry buffer of the same size.
   void draw_geometry(const GeometryBuffer& geometry);
   /// The surfaces' materials, without their texels, by their numbers in a geometry buffer.
-  std::vector<scene::Material> materials() const { return surfaces_.materials(); }
+  std::vector<scene::Material> materials() const { return surfaces_.surfaces().materials(); }
 
  private:
   glm::mat4 clip_from_world() const;
+  unsigned carried_count() const { return unsigned(lights_.size() - lights_.local_count()); }
   void draw_sky();
   void draw_light_points(const glm::mat4& clip_from_world);
 
   const scene::Scene& scene_;
   Fog fog_;
   RenderSettings settings_;
+  Fog fog_;
   Framebuffer framebuffer_;
   SceneLights lights_;
-  std::unique_ptr<LayeredTexture> cookies_;
-  gl::FogLightBuffer fog_lights_;
+  BufferTexture light_buffer_;  // its entries
+  std::optional<LayeredTexture> cookies_;
+  gl::FogLightBuffer fog_block_;  // holds no lights
   SurfacePainter surfaces_;
   gl::Program sky_program_;
   gl::Program light_point_program_;

@@ -6,39 +6,49 @@
 namespace litfog::render {
 namespace {
 
-FogLight packed(const PlacedLight& light, double extent, const scene::CookieUse* cookie) {
-  FogLight packed = pack_fog_light(light, {.intensity = 0, .peak_range = 0, .extent = extent, .status = {}});
-  if (cookie) {
-    const glm::dvec3 up = glm::transpose(scene::cookie_from_world(light.direction, cookie->roll))[1];
-    packed.axis_profile.w = 3;
-    packed.cone = glm::vec4(float(cookie->cookie), glm::vec3(up));
-  }
-  return packed;
+constexpr double kSkipsNothing = 0;  // in 1/255: pictures are compared with a reference that has every light
+
+void set_cookie(FogLight& packed, const PlacedLight& light, const scene::CookieUse& use) {
+  const glm::dvec3 up = glm::transpose(scene::cookie_from_world(light.direction, use.roll))[1];
+  packed.axis_profile.w = 3;
+  packed.cone = glm::vec4(float(use.cookie), glm::vec3(up));
 }
 
 }  // namespace
 
-SceneLights::SceneLights(const scene::Scene& scene) {
-  std::vector<const scene::CookieUse*> carried_cookies;
-  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-    const PlacedLight& light = scene.lights[i];
-    const auto use = scene.cookie_uses.find(i);
-    const scene::CookieUse* const cookie = use == scene.cookie_uses.end() ? nullptr : &use->second;
-    const double reach = litfog::compute_extent(light.light.attenuation, light.light.threshold);
-    if (light.carried) {
-      carried_.push_back(light);
-      carried_cookies.push_back(cookie);
-      carried_extents_.push_back(reach);
-    } else if (reach > 0) {
-      local_.push_back(light);
-      cookies_.push_back(cookie);
-      local_extents_.push_back(reach);
+SceneLights::SceneLights(const scene::Scene& scene, const LightingPath& path) : updater_(kSkipsNothing) {
+  std::vector<FogLightHandle> handles;
+  for (const bool is_carried : {false, true}) {
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+      PlacedLight light = scene.lights[i];
+      if (light.carried != is_carried) continue;
+      const double extent = compute_extent(light.light.attenuation, light.light.threshold);
+      if (!is_carried && !(extent > 0)) continue;
+      const auto use = scene.cookie_uses.find(i);
+      lights_.push_back(light);
+      extents_.push_back(extent);
+      cookies_.push_back(use == scene.cookie_uses.end() ? nullptr : &use->second);
+      light.carried = is_carried && path.has_lit_fog;
+      handles.push_back(updater_.add(light));
+    }
+    if (!is_carried) local_count_ = lights_.size();
+  }
+  updater_.set_fog(Fog{});
+  entries_.assign(updater_.entries().begin(), updater_.entries().end());
+  for (std::size_t i = 0; i < lights_.size(); ++i) {
+    entry_of_.push_back(updater_.entry_of(handles[i]));
+    if (cookies_[i]) set_cookie(entries_[entry_of_[i]], lights_[i], *cookies_[i]);
+  }
+}
+
+std::span<const EntryRange> SceneLights::set_fog(const Fog& fog) {
+  const std::span<const EntryRange> changed = updater_.set_fog(fog);
+  for (const EntryRange& range : changed) {
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      entries_[i].color_intensity = updater_.entries()[i].color_intensity;
     }
   }
-  cookies_.insert(cookies_.end(), carried_cookies.begin(), carried_cookies.end());
-  for (std::size_t i = 0; i < size(); ++i) packed_.push_back(render::packed(light(i), extent(i), cookies_[i]));
-  local_texture_ =
-      std::make_unique<BufferTexture>(packed_.data(), local_.size() * sizeof(FogLight), BufferTexture::Texel::float4);
+  return changed;
 }
 
 }  // namespace litfog::render

@@ -1,49 +1,48 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <memory>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "litfog/fog_light_block.h"
-#include "render/gpu/texture.h"
+#include "litfog/updater.h"
+#include "render/lighting_path.h"
 #include "scene/scene.h"
 
 namespace litfog::render {
 
-/// The lights of a scene as the renderer takes them: those that the eye's vehicle carries, which light the fog too, and
-/// the local ones, less those of extent 0, which light nothing and must not show as points either. Needs a current GL
-/// context.
+/// The lights of a scene as the renderer takes them: first the local ones, minus those of extent 0, which light nothing
+/// and must not show as points either; then those that the eye's vehicle carries, which light the fog too.
 class SceneLights {
  public:
-  /// throws  gl::Unsupported where a buffer texture cannot hold the local lights
   /// scene  has to outlive this
-  explicit SceneLights(const scene::Scene& scene);
+  /// path   whose lights light the fog or not
+  SceneLights(const scene::Scene& scene, const LightingPath& path);
 
-  const std::vector<PlacedLight>& carried() const { return carried_; }
-  const std::vector<PlacedLight>& local() const { return local_; }
-  const std::vector<double>& local_extents() const { return local_extents_; }
-  /// Binds the local lights as a buffer texture of FogLights.
-  void bind_local(unsigned unit) const { local_texture_->bind(unit); }
-
-  /// Local and carried lights in one row, the local ones first.
-  std::size_t size() const { return local_.size() + carried_.size(); }
-  const PlacedLight& light(std::size_t i) const { return i < local_.size() ? local_[i] : carried_[i - local_.size()]; }
-  /// Without its fog intensity. A cookie is profile 3 (see cube_cookie.glsl).
-  const FogLight& packed(std::size_t i) const { return packed_[i]; }
+  std::size_t size() const { return lights_.size(); }
+  std::size_t local_count() const { return local_count_; }
+  std::span<const PlacedLight> lights() const { return lights_; }
+  /// Metres, one a light.
+  std::span<const double> extents() const { return extents_; }
   /// The cookie in place of a light's cone; null where there is none.
-  const scene::CookieUse* cookie(std::size_t i) const { return cookies_[i]; }
-  double extent(std::size_t i) const {
-    return i < local_.size() ? local_extents_[i] : carried_extents_[i - local_.size()];
-  }
+  const scene::CookieUse* cookie(std::size_t light) const { return cookies_[light]; }
+
+  /// Takes a change of the fog. Returns the entries that changed, good until the next call.
+  std::span<const EntryRange> set_fog(const Fog& fog);
+  /// What shaders take of the lights, in an order of its own. A cookie is profile 3 (see cube_cookie.glsl).
+  std::span<const FogLight> entries() const { return entries_; }
+  std::size_t entry_of(std::size_t light) const { return entry_of_[light]; }
+  const FogLight& packed(std::size_t light) const { return entries_[entry_of_[light]]; }
 
  private:
-  std::vector<PlacedLight> carried_;
-  std::vector<PlacedLight> local_;
-  std::vector<double> carried_extents_;
-  std::vector<double> local_extents_;
-  std::vector<const scene::CookieUse*> cookies_;  // one a light
-  std::vector<FogLight> packed_;
-  std::unique_ptr<BufferTexture> local_texture_;
+  std::vector<PlacedLight> lights_;
+  std::size_t local_count_ = 0;
+  std::vector<double> extents_;
+  std::vector<const scene::CookieUse*> cookies_;
+  FogUpdater updater_;
+  std::vector<std::size_t> entry_of_;
+  std::vector<FogLight> entries_;  // the updater's, with cookies
 };
 
 }  // namespace litfog::render

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "litfog/gl/unsupported.h"
+#include "render/light_finder.h"
 
 namespace litfog::render {
 namespace {
@@ -45,15 +46,19 @@ std::vector<SurfaceMaterial> upload(const std::vector<scene::Material>& material
 
 }  // namespace
 
-SurfaceList::SurfaceList(const scene::Scene& scene, std::span<const PlacedLight> local, std::span<const double> extents,
-                         Skipping skipping)
-    : meshes_(scene.models), materials_(upload(scene.materials)) {
-  const LightFinder finder(local, extents);
+SurfaceList::SurfaceList(const scene::Scene& scene, const SceneLights& lights, Skipping skipping)
+    : meshes_(scene.models),
+      materials_(upload(scene.materials)),
+      list_texture_(list_lights(scene, lights, skipping)) {}
+
+BufferTexture SurfaceList::list_lights(const scene::Scene& scene, const SceneLights& lights, Skipping skipping) {
+  const std::size_t local_count = lights.local_count();
   const std::size_t most = std::min(kMaxListed, BufferTexture::max_texels());
-  if (skipping == Skipping::off) {  // one list for all
-    list_.resize(local.size());
-    std::iota(list_.begin(), list_.end(), 0);
-  }
+  list_.resize(lights.size());
+  std::iota(list_.begin(), list_.end(), 0);
+  std::ranges::rotate(list_, list_.begin() + std::ptrdiff_t(local_count));  // the carried ones to the front
+  const auto first_local = int(lights.size() - local_count);
+  const LightFinder finder(lights.lights().first(local_count), lights.extents().first(local_count));
   for (const scene::Instance& instance : scene.instances) {
     const auto& chunks = meshes_.chunks(instance.model);
     std::vector<scene::Bounds> boxes;
@@ -65,8 +70,8 @@ SurfaceList::SurfaceList(const scene::Scene& scene, std::span<const PlacedLight>
                       .chunk = &chunks[i],
                       .world_from_model = instance.world_from_model,
                       .bounds = boxes[i],
-                      .list_first = 0,
-                      .list_count = int(list_.size())};
+                      .list_first = first_local,
+                      .list_count = int(local_count)};
       if (skipping == Skipping::on) {
         const std::vector<std::int32_t> reaching = finder.reaching(boxes[i], near);
         surface.list_first = int(list_.size());
@@ -82,8 +87,9 @@ SurfaceList::SurfaceList(const scene::Scene& scene, std::span<const PlacedLight>
   }
   // By name, not by address: where surfaces lie in one plane the order decides, and pictures have to come out the same.
   std::ranges::stable_sort(surfaces_, {}, [](const Surface& surface) { return surface.material->material.name; });
-  list_texture_ =
-      std::make_unique<BufferTexture>(list_.data(), list_.size() * sizeof(std::int32_t), BufferTexture::Texel::int1);
+  std::vector<std::int32_t> entries;
+  for (const std::int32_t light : list_) entries.push_back(std::int32_t(lights.entry_of(std::size_t(light))));
+  return BufferTexture(entries.data(), entries.size() * sizeof(std::int32_t), BufferTexture::Texel::int1);
 }
 
 const SurfaceMaterial& SurfaceList::material(const std::string& name) const {

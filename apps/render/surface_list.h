@@ -2,31 +2,28 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "render/gpu/texture.h"
-#include "render/light_list.h"
 #include "render/mesh_store.h"
+#include "render/render_settings.h"
+#include "render/scene_lights.h"
 #include "scene/material.h"
 #include "scene/scene.h"
 
 namespace litfog::render {
 
-/// Whether the renderer leaves out what cannot show: surfaces out of view, lights out of reach of a surface.
-enum class Skipping { on, off };
-
 /// A material with its pictures on the GPU.
 struct SurfaceMaterial {
   scene::Material material;  ///< without its texels
-  float number;              ///< in their row
+  float number;              ///< in their order
   Texture albedo;
   Texture normal;
 };
 
-/// A run of triangles of one material in its place in the world, and the lights that can reach it.
+/// A run of triangles of one material, placed in the world, and the lights that can reach it.
 struct Surface {
   const SurfaceMaterial* material;
   const Chunk* chunk;
@@ -39,33 +36,34 @@ struct Surface {
 /// The surfaces of a scene, sorted by material. Needs a current GL context.
 class SurfaceList {
  public:
-  /// local, extents  the lights to be listed, in order, and their extents (metres)
   /// throws  gl::Unsupported where this OpenGL cannot hold the light lists, std::invalid_argument where a part is of a
   ///         material that the scene lacks
-  SurfaceList(const scene::Scene& scene, std::span<const PlacedLight> local, std::span<const double> extents,
-              Skipping skipping);
+  SurfaceList(const scene::Scene& scene, const SceneLights& lights, Skipping skipping);
 
   const std::vector<Surface>& surfaces() const { return surfaces_; }
-  /// The local lights that can reach a surface: indices.
+  /// The local lights that can reach a surface: indices in SceneLights.
   std::span<const std::int32_t> lights_of(const Surface& surface) const {
     return std::span(list_).subspan(std::size_t(surface.list_first), std::size_t(surface.list_count));
   }
-  /// Binds all surfaces' lists as a buffer texture of integers.
-  void bind_light_list(unsigned unit) const { list_texture_->bind(unit); }
+  /// Binds the light list as a buffer texture of integers, entries of SceneLights: those of the carried lights, of the
+  /// local ones, and of each surface's.
+  void bind_light_list(unsigned unit) const { list_texture_.bind(unit); }
   /// Makes the vertices of all surfaces current (see MeshStore).
   void bind_meshes() const { meshes_.bind(); }
-  /// In the row of their numbers.
+  /// In the order of their numbers.
   std::vector<scene::Material> materials() const;
   void draw(const Surface& surface) const { meshes_.draw(*surface.chunk); }
 
  private:
   const SurfaceMaterial& material(const std::string& name) const;
+  /// Fills surfaces_ and list_.
+  BufferTexture list_lights(const scene::Scene& scene, const SceneLights& lights, Skipping skipping);
 
   MeshStore meshes_;
   std::vector<SurfaceMaterial> materials_;  // sorted by name
   std::vector<Surface> surfaces_;
-  std::vector<std::int32_t> list_;
-  std::unique_ptr<BufferTexture> list_texture_;
+  std::vector<std::int32_t> list_;  // indices in SceneLights
+  BufferTexture list_texture_;
 };
 
 }  // namespace litfog::render

@@ -40,6 +40,14 @@ Bounds bounds(const Model& model) {
   return box;
 }
 
+Bounds transformed(const Bounds& box, const glm::mat4& to_from_box) {
+  const glm::vec3 center = glm::vec3(to_from_box * glm::vec4((box.low + box.high) * 0.5f, 1.0f));
+  const glm::vec3 half = (box.high - box.low) * 0.5f;
+  const glm::vec3 reach = glm::abs(glm::vec3(to_from_box[0])) * half.x + glm::abs(glm::vec3(to_from_box[1])) * half.y +
+                          glm::abs(glm::vec3(to_from_box[2])) * half.z;
+  return {center - reach, center + reach};
+}
+
 std::size_t triangle_count(const Model& model) {
   std::size_t count = 0;
   for (const Part& piece : model) count += piece.mesh.indices.size() / 3;

@@ -45,6 +45,9 @@ struct Bounds {
 Bounds bounds(const Mesh& mesh);
 Bounds bounds(const Model& model);
 
+/// The box around a transformed box.
+Bounds transformed(const Bounds& box, const glm::mat4& to_from_box);
+
 std::size_t triangle_count(const Model& model);
 
 /// Adds a transformed copy. A mirroring transform keeps front faces in front.

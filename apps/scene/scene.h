@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <glm/glm.hpp>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@ namespace litfog::scene {
 // What a scene may hold, so that no file asks for all memory or for what floats cannot draw.
 inline constexpr std::size_t kMaxSceneLights = 20'000;
 inline constexpr std::size_t kMaxTriangles = 20'000'000;
+inline constexpr std::size_t kMaxVertices = 20'000'000;  ///< of all models: 960 MB, below the 2 GiB of a GL buffer
 inline constexpr double kMaxCoordinate = 1e7;  ///< metres: floats there still tell metres apart
 inline constexpr double kMaxColor = 1e4;       ///< a framebuffer's half floats end at 65,504
 
@@ -66,8 +68,15 @@ struct Scene {
   std::vector<double> visibilities;              ///< metres: those at which the gallery shows the scene
 };
 
-/// Turns the spinning cookies on by so many seconds.
+/// A cookie of ten turns a second is then still where it should be to a thousandth of a degree.
+inline constexpr double kMaxSeconds = 1e9;
+
+/// Turns the spinning cookies on.
+///
+/// seconds  [0, kMaxSeconds]
+/// throws   std::invalid_argument
 inline void turn_cookies(Scene& scene, double seconds) {
+  if (!(seconds >= 0 && seconds <= kMaxSeconds)) throw std::invalid_argument("seconds: must be in [0, 1e9]");
   for (auto& [light, use] : scene.cookie_uses) use.roll += use.spin * seconds;
 }
 

@@ -129,6 +129,7 @@ TEST_F(DemoCommand, CookiesTurnWithTime) {
   EXPECT_NE(read("a.png"), read("b.png"));
   EXPECT_EQ(read("a.png"), read("c.png"));  // whole turns of the ball, 20 degrees a second, and of the beacon
   EXPECT_EQ(run("cookies --time -1").status, kUsage);
+  EXPECT_EQ(run("cookies --time 1e308").status, kUsage);
 }
 
 TEST_F(DemoCommand, GalleryDrawsEachVisibilityAndASheet) {

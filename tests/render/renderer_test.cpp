@@ -9,6 +9,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 #include "gl/gl_test.h"
 #include "litfog/gl/unsupported.h"
@@ -206,6 +207,46 @@ Scene rows(int boxes, int lamps, const Attenuation& attenuation) {
     scene.lights.push_back(lamp);
   }
   return scene;
+}
+
+/// The light of a picture's pixels together.
+double total(const Picture& picture) { return std::accumulate(picture.rgb.begin(), picture.rgb.end(), 0.0); }
+
+TEST_F(RendererTest, PointOfALampShortlyBehindAWallIsHidden) {
+  Scene scene;
+  scene.camera = {.position = {0, 1, 20}, .target = {0, 1, 0}, .field_of_view = 0.3f};
+  scene.models.push_back(make_model("box", {{"width_m", 20}, {"depth_m", 0.02}, {"height_m", 20}}));
+  scene.instances.push_back({0, glm::translate(glm::mat4(1), glm::vec3(0, -5, 0))});
+  add_materials(scene);
+  PlacedLight lamp;
+  lamp.light.attenuation = {1, 0, 0.01};
+  const auto seen_at = [&](double z) {
+    lamp.position = {0, 1, z};
+    scene.lights = {lamp};
+    Renderer renderer(scene, kWidth, kHeight, {});
+    renderer.draw(LightPoints::on);
+    const double with_points = total(renderer.read());
+    renderer.draw(LightPoints::off);
+    return with_points - total(renderer.read());
+  };
+  EXPECT_GT(seen_at(0.05), 0);
+  EXPECT_EQ(seen_at(-0.2), 0);  // its light passes the wall all the same: there are no shadows
+  EXPECT_EQ(seen_at(-0.35), 0);
+}
+
+TEST_F(RendererTest, GlareOfALampDoesNotShrinkAsFogThickens) {
+  Scene scene = open_air(Cone{});
+  scene.environment = {};
+  scene.lights[0].carried = false;
+  scene.lights[0].position = {0, 2, -30};
+  std::ptrdiff_t widest = 0;
+  for (const double visibility : {1000.0, 300.0, 100.0}) {
+    const Picture picture = draw(scene, Fog::from_visibility(FogMode::exp, visibility));
+    const auto lit = std::ranges::count_if(picture.rgb, [](float value) { return value > 0; });
+    EXPECT_GE(lit, widest) << visibility;
+    widest = std::max(widest, lit);
+  }
+  EXPECT_GT(widest, 3 * 12);  // more than a point that has not grown
 }
 
 TEST_F(RendererTest, PartOfAMaterialThatTheSceneLacksIsAnError) {

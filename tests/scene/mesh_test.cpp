@@ -326,6 +326,19 @@ TEST(Mesh, TangentsWithoutTextureCoordinatesTurnWithTheNormal) {
   }
 }
 
+TEST(Bounds, TransformedBoxHoldsItsTransformedCorners) {
+  const Bounds box{{-1, 0, 2}, {3, 1, 4}};
+  const glm::mat4 turn = glm::translate(glm::rotate(glm::mat4(1), 0.7f, glm::vec3(0.6f, 0.8f, 0)), {5, 6, 7});
+  const Bounds around = transformed(box, turn);
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::vec3 at{corner & 1 ? box.high.x : box.low.x, corner & 2 ? box.high.y : box.low.y,
+                       corner & 4 ? box.high.z : box.low.z};
+    const glm::vec3 moved = glm::vec3(turn * glm::vec4(at, 1));
+    EXPECT_TRUE(glm::all(glm::lessThanEqual(around.low, moved + 1e-4f)));
+    EXPECT_TRUE(glm::all(glm::lessThanEqual(moved, around.high + 1e-4f)));
+  }
+}
+
 }  // namespace
 }  // namespace litfog::demo
 

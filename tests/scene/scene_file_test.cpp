@@ -103,6 +103,7 @@ TEST_F(SceneFile, ACookieTakesTheConesPlaceAndIsReadOnceForAllItsLights) {
   scene::turn_cookies(scene, 0.75);
   EXPECT_DOUBLE_EQ(scene.cookie_uses.at(2).roll, glm::radians(90 - 0.75 * 180));
   EXPECT_EQ(scene.cookie_uses.at(3).roll, 0);
+  EXPECT_THROW(scene::turn_cookies(scene, 1e308), std::invalid_argument);
 }
 
 TEST_F(SceneFile, ACookieThatIsNoneIsRefused) {

@@ -22,21 +22,18 @@ Framebuffer::Framebuffer(int width, int height, Passes passes) : width_(width), 
   if (std::max(width, height) > largest) {
     throw gl::Unsupported(fmt::format("this driver draws at most {} pixels a side", largest));
   }
-  glGenRenderbuffers(3, buffers_);
-  const auto attach = [&](unsigned framebuffer, unsigned buffer, GLenum attachment, GLenum format, GLint count) {
-    glBindRenderbuffer(GL_RENDERBUFFER, buffer);
+  const auto attach = [&](const gl::FramebufferName& framebuffer, const gl::RenderbufferName& buffer, GLenum attachment, GLenum format, GLint count) {
+    glBindRenderbuffer(GL_RENDERBUFFER, buffer.id());
     glRenderbufferStorageMultisample(GL_RENDERBUFFER, count, format, width, height);
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer.id());
   };
   const bool is_summed = passes == Passes::several;
   const GLenum color = is_summed ? GL_RGBA32F : GL_RGBA16F;  // half floats would lose up to 1/2048 a pass
-  glGenFramebuffers(1, &resolved_);
-  attach(resolved_, buffers_[2], GL_COLOR_ATTACHMENT0, color, 0);
+  attach(resolved_, resolved_color_, GL_COLOR_ATTACHMENT0, color, 0);
   const bool resolved_is_whole = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
-  glGenFramebuffers(1, &drawn_);
-  attach(drawn_, buffers_[0], GL_COLOR_ATTACHMENT0, color, samples());
-  attach(drawn_, buffers_[1], is_summed ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
+  attach(drawn_, drawn_color_, GL_COLOR_ATTACHMENT0, color, samples());
+  attach(drawn_, drawn_depth_, is_summed ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
          is_summed ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F, samples());
   const bool drawn_is_whole = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
   if (!resolved_is_whole || !drawn_is_whole || glGetError() != GL_NO_ERROR) {
@@ -44,22 +41,16 @@ Framebuffer::Framebuffer(int width, int height, Passes passes) : width_(width), 
   }
 }
 
-Framebuffer::~Framebuffer() {
-  glDeleteFramebuffers(1, &drawn_);
-  glDeleteFramebuffers(1, &resolved_);
-  glDeleteRenderbuffers(3, buffers_);
-}
-
 void Framebuffer::bind() const {
-  glBindFramebuffer(GL_FRAMEBUFFER, drawn_);
+  glBindFramebuffer(GL_FRAMEBUFFER, drawn_.id());
   glViewport(0, 0, width_, height_);
 }
 
 Picture Framebuffer::read() const {
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_);
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.id());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.id());
   glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.id());
   Picture picture{width_, height_, std::vector<float>(std::size_t(width_) * std::size_t(height_) * 3)};
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, width_, height_, GL_RGB, GL_FLOAT, picture.rgb.data());

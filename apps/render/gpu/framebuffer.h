@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "litfog/gl/gl_name.h"
 #include "render/picture.h"
 
 namespace litfog::render {
@@ -14,9 +15,6 @@ class Framebuffer {
  public:
   /// throws gl::Unsupported where the driver has no framebuffer of that size
   Framebuffer(int width, int height, Passes passes);
-  ~Framebuffer();
-  Framebuffer(const Framebuffer&) = delete;
-  Framebuffer& operator=(const Framebuffer&) = delete;
 
   /// Samples a pixel that this context draws with: four, or fewer where it has no more.
   static int samples();
@@ -32,9 +30,11 @@ class Framebuffer {
  private:
   int width_;
   int height_;
-  unsigned drawn_ = 0;
-  unsigned resolved_ = 0;
-  unsigned buffers_[3] = {};  // drawn colour, drawn depth and stencil, resolved colour
+  gl::FramebufferName drawn_;
+  gl::FramebufferName resolved_;
+  gl::RenderbufferName drawn_color_;
+  gl::RenderbufferName drawn_depth_;  // and stencil
+  gl::RenderbufferName resolved_color_;
 };
 
 }  // namespace litfog::render

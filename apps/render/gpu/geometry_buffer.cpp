@@ -22,7 +22,7 @@ bool is_complete() { return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAME
 
 }  // namespace
 
-const LightingPath& geometry_path(const LightingPath& beside) {
+const LightingPath& geometry_path(const LightingPath& other) {
   const auto make = [](std::string_view vertex, std::string_view geometry) {
     return LightingPath{
         .name = "geometry",
@@ -32,7 +32,7 @@ const LightingPath& geometry_path(const LightingPath& beside) {
   };
   static const LightingPath kDirect = make("surface.vert", {});
   static const LightingPath kByGeometryShader = make("geometry_corner.vert", "geometry_corner.geom");
-  return beside.passes.front().geometry.empty() ? kDirect : kByGeometryShader;
+  return other.passes.front().geometry.empty() ? kDirect : kByGeometryShader;
 }
 
 GeometryBuffer::GeometryBuffer(int width, int height)
@@ -41,41 +41,28 @@ GeometryBuffer::GeometryBuffer(int width, int height)
       samples_(Framebuffer::samples()),
       sample_program_("whole_picture.vert", "geometry_sample.frag", demo_shaders()) {
   static_assert(sizeof(GeometrySample) == kTargets * sizeof(glm::vec4));
-  glGenVertexArrays(1, &vertex_array_);
-  glGenTextures(kTargets, textures_);
-  glGenRenderbuffers(2, buffers_);
-  glGenFramebuffers(1, &drawn_);
-  glBindFramebuffer(GL_FRAMEBUFFER, drawn_);
+  glBindFramebuffer(GL_FRAMEBUFFER, drawn_.id());
   for (int i = 0; i < kTargets; ++i) {
-    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, textures_[i]);
+    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, textures_[i].id());
     glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples_, GL_RGBA32F, width, height, GL_TRUE);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, kAttachments[i], GL_TEXTURE_2D_MULTISAMPLE, textures_[i], 0);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, kAttachments[i], GL_TEXTURE_2D_MULTISAMPLE, textures_[i].id(), 0);
   }
-  glBindRenderbuffer(GL_RENDERBUFFER, buffers_[0]);
+  glBindRenderbuffer(GL_RENDERBUFFER, drawn_depth_.id());
   glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples_, GL_DEPTH_COMPONENT32F, width, height);
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, buffers_[0]);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, drawn_depth_.id());
   glDrawBuffers(kTargets, kAttachments);
   const bool drawn_is_whole = is_complete();
-  glGenFramebuffers(1, &read_);
-  glBindFramebuffer(GL_FRAMEBUFFER, read_);
-  glBindRenderbuffer(GL_RENDERBUFFER, buffers_[1]);
+  glBindFramebuffer(GL_FRAMEBUFFER, read_.id());
+  glBindRenderbuffer(GL_RENDERBUFFER, read_color_.id());
   glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA32F, width, std::min(height, kMostRows));
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, buffers_[1]);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, read_color_.id());
   if (!is_complete() || !drawn_is_whole || glGetError() != GL_NO_ERROR) {
     throw gl::Unsupported(fmt::format("this driver gives no float framebuffer of {}x{} pixels", width, height));
   }
 }
 
-GeometryBuffer::~GeometryBuffer() {
-  glDeleteFramebuffers(1, &drawn_);
-  glDeleteFramebuffers(1, &read_);
-  glDeleteTextures(kTargets, textures_);
-  glDeleteRenderbuffers(2, buffers_);
-  glDeleteVertexArrays(1, &vertex_array_);
-}
-
 void GeometryBuffer::begin() const {
-  glBindFramebuffer(GL_FRAMEBUFFER, drawn_);
+  glBindFramebuffer(GL_FRAMEBUFFER, drawn_.id());
   glViewport(0, 0, width_, height_);
   glEnable(GL_DEPTH_TEST);
   glDepthMask(GL_TRUE);
@@ -90,16 +77,16 @@ std::vector<GeometrySample> GeometryBuffer::read_rows(int first, int count) cons
   const auto samples = std::size_t(samples_);
   std::vector<GeometrySample> rows(pixels * samples);
   std::vector<glm::vec4> texels(pixels);
-  glBindFramebuffer(GL_FRAMEBUFFER, read_);
+  glBindFramebuffer(GL_FRAMEBUFFER, read_.id());
   glViewport(0, 0, width_, count);
   glDisable(GL_DEPTH_TEST);
-  glBindVertexArray(vertex_array_);
+  glBindVertexArray(vertex_array_.id());
   sample_program_.use();
   glUniform1i(sample_program_.uniform("target"), 0);
   glUniform1i(sample_program_.uniform("top_row"), height_ - 1 - first);  // GL counts rows from the bottom
   glActiveTexture(GL_TEXTURE0);
   for (std::size_t i = 0; i < kTargets; ++i) {
-    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, textures_[i]);
+    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, textures_[i].id());
     for (std::size_t sample = 0; sample < samples; ++sample) {
       glUniform1i(sample_program_.uniform("sample_index"), GLint(sample));
       glDrawArrays(GL_TRIANGLES, 0, 3);

@@ -4,6 +4,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "litfog/gl/gl_name.h"
 #include "litfog/gl/program.h"
 #include "render/lighting_path.h"
 
@@ -23,8 +24,8 @@ struct GeometrySample {
   friend bool operator==(const GeometrySample&, const GeometrySample&) = default;
 };
 
-/// The path that draws surfaces into a geometry buffer with the samples that another path draws.
-const LightingPath& geometry_path(const LightingPath& beside);
+/// A path that rasterises exactly the samples of `other` and writes surface attributes instead of colour.
+const LightingPath& geometry_path(const LightingPath& other);
 
 /// What the GPU rasterises of the scene's surfaces, sample by sample, as floats that can be read back: four samples a
 /// pixel where Framebuffer has four, so that the edges of surfaces are covered as in its pictures.
@@ -32,9 +33,6 @@ class GeometryBuffer {
  public:
   /// throws gl::Unsupported where the driver has no float framebuffer of that size
   GeometryBuffer(int width, int height);
-  ~GeometryBuffer();
-  GeometryBuffer(const GeometryBuffer&) = delete;
-  GeometryBuffer& operator=(const GeometryBuffer&) = delete;
 
   int width() const { return width_; }
   int height() const { return height_; }
@@ -53,11 +51,12 @@ class GeometryBuffer {
   int height_;
   int samples_;
   gl::Program sample_program_;
-  unsigned drawn_ = 0;
-  unsigned read_ = 0;
-  unsigned textures_[kTargets] = {};
-  unsigned buffers_[2] = {};  // drawn depth, a target's rows to be read
-  unsigned vertex_array_ = 0;
+  gl::FramebufferName drawn_;
+  gl::FramebufferName read_;
+  gl::TextureName textures_[kTargets];
+  gl::RenderbufferName drawn_depth_;
+  gl::RenderbufferName read_color_;    // a target's rows
+  gl::VertexArrayName vertex_array_;  // of no attributes
 };
 
 }  // namespace litfog::render

@@ -7,7 +7,6 @@
 #include <cassert>
 #include <glm/gtc/type_ptr.hpp>
 #include <string>
-#include <utility>
 
 #include "litfog/gl/unsupported.h"
 
@@ -15,8 +14,7 @@ namespace litfog::render {
 
 Texture::Texture(const scene::Texels& texels, Encoding encoding) {
   assert(texels.rgba.size() == std::size_t(texels.width) * std::size_t(texels.height) * 4);
-  glGenTextures(1, &id_);
-  glBindTexture(GL_TEXTURE_2D, id_);
+  glBindTexture(GL_TEXTURE_2D, name_.id());
   glTexImage2D(GL_TEXTURE_2D, 0, encoding == Encoding::srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, texels.width, texels.height,
                0, GL_RGBA, GL_UNSIGNED_BYTE, texels.rgba.data());
   glGenerateMipmap(GL_TEXTURE_2D);
@@ -26,20 +24,15 @@ Texture::Texture(const scene::Texels& texels, Encoding encoding) {
 }
 
 Texture::Texture(const glm::vec4& texel) {
-  glGenTextures(1, &id_);
-  glBindTexture(GL_TEXTURE_2D, id_);
+  glBindTexture(GL_TEXTURE_2D, name_.id());
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, 1, 1, 0, GL_RGBA, GL_FLOAT, glm::value_ptr(texel));
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
-Texture::~Texture() { glDeleteTextures(1, &id_); }
-
-Texture::Texture(Texture&& other) noexcept : id_(std::exchange(other.id_, 0)) {}
-
 void Texture::bind(unsigned unit) const {
   glActiveTexture(GL_TEXTURE0 + unit);
-  glBindTexture(GL_TEXTURE_2D, id_);
+  glBindTexture(GL_TEXTURE_2D, name_.id());
 }
 
 LookupTexture::LookupTexture(Shape shape, int size, const std::vector<std::uint16_t>& texels) {
@@ -62,8 +55,7 @@ LookupTexture::LookupTexture(Shape shape, int size, const std::vector<std::uint1
                           std::to_string(largest));
   }
   target_ = kind.target;
-  glGenTextures(1, &id_);
-  glBindTexture(target_, id_);
+  glBindTexture(target_, name_.id());
   glPixelStorei(GL_UNPACK_ALIGNMENT, 2);
   switch (shape) {
     case Shape::line:
@@ -91,14 +83,9 @@ LookupTexture::LookupTexture(Shape shape, int size, const std::vector<std::uint1
   glTexParameteri(target_, GL_TEXTURE_MAX_LEVEL, 0);
 }
 
-LookupTexture::~LookupTexture() { glDeleteTextures(1, &id_); }
-
-LookupTexture::LookupTexture(LookupTexture&& other) noexcept
-    : target_(other.target_), id_(std::exchange(other.id_, 0)) {}
-
 void LookupTexture::bind(unsigned unit) const {
   glActiveTexture(GL_TEXTURE0 + unit);
-  glBindTexture(target_, id_);
+  glBindTexture(target_, name_.id());
 }
 
 LayeredTexture::LayeredTexture(int size, int layers, const std::vector<std::uint16_t>& texels) {
@@ -111,8 +98,7 @@ LayeredTexture::LayeredTexture(int size, int layers, const std::vector<std::uint
     throw gl::Unsupported("the scene's cookies need " + std::to_string(layers) + " layers of " + std::to_string(size) +
                           " texels a side; this OpenGL has " + std::to_string(most) + " of " + std::to_string(largest));
   }
-  glGenTextures(1, &id_);
-  glBindTexture(GL_TEXTURE_2D_ARRAY, id_);
+  glBindTexture(GL_TEXTURE_2D_ARRAY, name_.id());
   glPixelStorei(GL_UNPACK_ALIGNMENT, 2);
   glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_R16, size, size, layers, 0, GL_RED, GL_UNSIGNED_SHORT, texels.data());
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
@@ -124,11 +110,9 @@ LayeredTexture::LayeredTexture(int size, int layers, const std::vector<std::uint
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
 }
 
-LayeredTexture::~LayeredTexture() { glDeleteTextures(1, &id_); }
-
 void LayeredTexture::bind(unsigned unit) const {
   glActiveTexture(GL_TEXTURE0 + unit);
-  glBindTexture(GL_TEXTURE_2D_ARRAY, id_);
+  glBindTexture(GL_TEXTURE_2D_ARRAY, name_.id());
 }
 
 std::size_t BufferTexture::max_texels() {
@@ -144,23 +128,21 @@ BufferTexture::BufferTexture(const void* data, std::size_t bytes, Texel texel) {
                           " texels; this OpenGL has at most " + std::to_string(max_texels()));
   }
   constexpr std::array<char, 16> kOneTexel{};  // GL has no empty buffer textures
-  glGenBuffers(1, &buffer_);
-  glBindBuffer(GL_TEXTURE_BUFFER, buffer_);
+  glBindBuffer(GL_TEXTURE_BUFFER, buffer_.id());
   glBufferData(GL_TEXTURE_BUFFER, GLsizeiptr(bytes > 0 ? bytes : kOneTexel.size()), bytes > 0 ? data : kOneTexel.data(),
                GL_STATIC_DRAW);
-  glGenTextures(1, &texture_);
-  glBindTexture(GL_TEXTURE_BUFFER, texture_);
-  glTexBuffer(GL_TEXTURE_BUFFER, texel == Texel::float4 ? GL_RGBA32F : GL_R32I, buffer_);
+  glBindTexture(GL_TEXTURE_BUFFER, texture_.id());
+  glTexBuffer(GL_TEXTURE_BUFFER, texel == Texel::float4 ? GL_RGBA32F : GL_R32I, buffer_.id());
 }
 
-BufferTexture::~BufferTexture() {
-  glDeleteTextures(1, &texture_);
-  glDeleteBuffers(1, &buffer_);
+void BufferTexture::update(std::size_t offset, const void* data, std::size_t bytes) {
+  glBindBuffer(GL_TEXTURE_BUFFER, buffer_.id());
+  glBufferSubData(GL_TEXTURE_BUFFER, GLintptr(offset), GLsizeiptr(bytes), data);
 }
 
 void BufferTexture::bind(unsigned unit) const {
   glActiveTexture(GL_TEXTURE0 + unit);
-  glBindTexture(GL_TEXTURE_BUFFER, texture_);
+  glBindTexture(GL_TEXTURE_BUFFER, texture_.id());
 }
 
 }  // namespace litfog::render

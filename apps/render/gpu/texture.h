@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "litfog/gl/gl_name.h"
 #include "scene/texels.h"
 
 namespace litfog::render {
@@ -17,17 +18,14 @@ class Texture {
   Texture(const scene::Texels& texels, Encoding encoding);
   /// One texel of floats, linear.
   explicit Texture(const glm::vec4& texel);
-  ~Texture();
-  Texture(Texture&& other) noexcept;
-  Texture& operator=(Texture&&) = delete;
 
   void bind(unsigned unit) const;
 
  private:
-  unsigned id_ = 0;
+  gl::TextureName name_;
 };
 
-/// A map of 16-bit shares of 1 that is looked up between its texels, held at its edges: no repetition, no mipmaps.
+/// A map of 16-bit fractions that is looked up between its texels, held at its edges: no repetition, no mipmaps.
 class LookupTexture {
  public:
   enum class Shape { line, square, volume, cube };
@@ -35,31 +33,25 @@ class LookupTexture {
   /// texels  size to the power of the shape's dimensions; a cube's faces +x -x +y -y +z -z
   /// throws  gl::Unsupported where this OpenGL has no texture of that size
   LookupTexture(Shape shape, int size, const std::vector<std::uint16_t>& texels);
-  ~LookupTexture();
-  LookupTexture(LookupTexture&& other) noexcept;
-  LookupTexture& operator=(LookupTexture&&) = delete;
 
   void bind(unsigned unit) const;
 
  private:
   unsigned target_;
-  unsigned id_ = 0;
+  gl::TextureName name_;
 };
 
-/// Square pictures of 16-bit shares of 1, one behind the other, looked up between the texels of each.
+/// Square pictures of 16-bit fractions, one behind the other, looked up between the texels of each.
 class LayeredTexture {
  public:
   /// texels  size * size * layers
-  /// throws  gl::Unsupported where this OpenGL has not so many or so large ones
+  /// throws  gl::Unsupported if the driver's layer or size limit is exceeded
   LayeredTexture(int size, int layers, const std::vector<std::uint16_t>& texels);
-  ~LayeredTexture();
-  LayeredTexture(const LayeredTexture&) = delete;
-  LayeredTexture& operator=(const LayeredTexture&) = delete;
 
   void bind(unsigned unit) const;
 
  private:
-  unsigned id_ = 0;
+  gl::TextureName name_;
 };
 
 /// A buffer of texels for a shader's texelFetch: four floats or one integer each.
@@ -72,15 +64,15 @@ class BufferTexture {
 
   /// throws gl::Unsupported where that is less than the data's
   BufferTexture(const void* data, std::size_t bytes, Texel texel);
-  ~BufferTexture();
-  BufferTexture(const BufferTexture&) = delete;
-  BufferTexture& operator=(const BufferTexture&) = delete;
+
+  /// Replaces bytes from an offset on.
+  void update(std::size_t offset, const void* data, std::size_t bytes);
 
   void bind(unsigned unit) const;
 
  private:
-  unsigned buffer_ = 0;
-  unsigned texture_ = 0;
+  gl::BufferName buffer_;
+  gl::TextureName texture_;
 };
 
 }  // namespace litfog::render

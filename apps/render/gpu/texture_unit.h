@@ -7,7 +7,7 @@ namespace litfog::render {
 enum TextureUnit : unsigned {
   kAlbedoUnit,
   kNormalUnit,
-  kLocalLightUnit,
+  kLightBufferUnit,
   kLightListUnit,
   kRangeMapUnit,     // a light's attenuation, or the squares of x and y
   kDistanceMapUnit,  // q of the pair, or the square of z

@@ -3,6 +3,7 @@
 
 #define LITFOG_FOG_LIGHTS
 #include "light_batch.glsl"
+#include "light_list.glsl"
 #include "litfog/shaders/fog.glsl"
 #include "rasterised.glsl"
 #include "scene.glsl"
@@ -13,13 +14,13 @@ uniform vec3 emissive;
 
 out vec4 color;
 
-// The lights of the fog: those passed as uniforms, or all of the block if they are too many for that.
+// The lights of the fog: those passed as uniforms, or all by the light list if they are too many for that.
 vec3 litfog_lights_fog(vec3 position) {
   vec3 fog = vec3(0.0);
   if (has_listed_fog_lights) {
-    for (int i = 0; i < int(litfog_fog.z); ++i) fog += litfog_light_fog(litfog_lights[i], position);
+    for (int i = 0; i < carried_count; ++i) fog += litfog_light_fog(carried_light(i), position);
   }
-#define ADD_LIGHT(i) fog += litfog_light_fog(handed_light(i), position);
+#define ADD_LIGHT(i) fog += litfog_light_fog(uniform_light(i), position);
   EACH_FOG_LIGHT(ADD_LIGHT)
 #undef ADD_LIGHT
   return fog;

@@ -10,15 +10,15 @@
 #include "litfog/shaders/light.glsl"
 #include "pass.glsl"
 
-uniform vec4 handed_lights[5 * hand_size];
+uniform vec4 uniform_lights[5 * uniform_light_count];
 
-LitfogLight handed_light(int i) {
+LitfogLight uniform_light(int i) {
   int first = 5 * i;
-  LitfogLight light = LitfogLight(handed_lights[first], handed_lights[first + 1], handed_lights[first + 2],
-                            handed_lights[first + 3], handed_lights[first + 4]);
+  LitfogLight light = LitfogLight(uniform_lights[first], uniform_lights[first + 1], uniform_lights[first + 2],
+                                  uniform_lights[first + 3], uniform_lights[first + 4]);
   if (profiles[i] != any_profile) light.axis_profile.w = float(profiles[i]);
   return light;
 }
 
 // Light i of the pass.
-LitfogLight batch_light(int i) { return handed_light(first_light_in_pass + i); }
+LitfogLight batch_light(int i) { return uniform_light(first_light_in_pass + i); }

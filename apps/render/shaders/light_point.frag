@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// A bright core and, where the point has grown, a faint halo (glare in the eye).
+// A bright core and, where the point has grown, a faint halo (glare in the eye). The figures are by eye.
+
+#include "light_point.glsl"
+
 flat in vec3 point_color;
 flat in float core_fraction;
 out vec4 color;
 
+const float least_core = 0.02;   // of the squared radius: a pixel of a point that has grown
+const float halo_falloff = 0.8;  // per squared radius: 1/150 at the point's edge
+const float halo_brightness = 0.25;
+
 void main() {
-  vec2 offset = (gl_PointCoord - 0.5) * 5.0;  // in radii
+  vec2 offset = (gl_PointCoord - 0.5) * point_radii;
   float square = dot(offset, offset);
-  float core = exp(-square / (core_fraction * core_fraction + 0.02));
-  float halo = exp(-square * 0.8) * 0.25 * (1.0 - core_fraction);
+  float core = exp(-square / (core_fraction * core_fraction + least_core));
+  float halo = exp(-square * halo_falloff) * halo_brightness * (1.0 - core_fraction);
   color = vec4(point_color * (core + halo), 1.0);
 }

@@ -1,38 +1,53 @@
 // SPDX-License-Identifier: Apache-2.0
 // A light as the eye sees it from afar: a point as bright as the light it sends to the eye, through the fog at the
-// density of its class.
+// density of its class. The figures are by eye unless they say otherwise.
 
 #include "cookie.glsl"
+#include "light_list.glsl"
+#include "light_point.glsl"
 #include "litfog/shaders/fog.glsl"
-#include "litfog/shaders/light_buffer.glsl"
 
 uniform mat4 clip_from_world;
 uniform vec3 eye;
-uniform float pixel_scale;  // of a picture 720 pixels high
+uniform float pixel_scale;   // of a picture 720 pixels high
+uniform float near_plane;  // metres
 
 flat out vec3 point_color;
 flat out float core_fraction;
 
 // Attenuation at which a point has full brightness: at night an eye sees a light long before a surface lit by it.
 const float full_brightness = 1.0 / 2000.0;
+const float brightest = 1.5;     // beyond full brightness, so that its core is white
+const float darkest = 0.002;     // half a step of an 8-bit picture: nothing would show
+const float core_radius = 1.3;   // pixels, at full brightness
+const float glare_power = 0.3;   // of brightness: how glare grows, near Stevens's 0.33 (1957, "On the psychophysical law")
+const float largest_glare = 8.0; // times the core's radius
+const float lens_radius = 0.1;   // metres: a light is in or on its lens; that of a runway edge light has 0.08
+const float most_lifted = 0.4;   // metres
+
+// How far a point is lifted towards the eye, so that neither its lens nor the depth buffer's rounding hides it, but a wall
+// before it does. One unit of a float just below 1, as a depth d = 1 - near / z, spans 2^-24 z^2 / near.
+float lift(float range) {
+  float rounding = 4.0 * 5.960464e-8 * range * range / near_plane;
+  return min(min(lens_radius + rounding, most_lifted), 0.5 * range);
+}
 
 void main() {
-  LitfogLight light = litfog_buffered_light(gl_VertexID);
+  LitfogLight light = local_light(gl_VertexID);
   vec3 to_eye = eye - light.position_extent.xyz;
   float range = length(to_eye);
   to_eye /= range;
   float attenuation = litfog_attenuation(range, light.attenuation.x, light.attenuation.y, light.attenuation.z);
   float through = 1.0 - litfog_fog_opacity(range, light.attenuation.w);
-  float brightness = attenuation * litfog_cone(light, to_eye) * through / full_brightness;
-  // Beyond full brightness a point grows instead; below, it fades.
-  float growth = clamp(pow(max(brightness, 1.0), 0.3), 1.0, 8.0);
-  float radius = 1.3 * growth * pixel_scale;
-  point_color = light.color_intensity.rgb * min(brightness, 1.5);
+  float sent = attenuation * litfog_cone(light, to_eye);
+  float brightness = sent * through / full_brightness;
+  // Beyond full brightness a point grows instead; below, it fades. Fog dims a point's glare, but does not shrink it.
+  float growth = clamp(pow(max(sent / full_brightness, 1.0), glare_power), 1.0, largest_glare);
+  float radius = core_radius * growth * pixel_scale;
+  point_color = light.color_intensity.rgb * min(brightness, brightest);
   core_fraction = 1.0 / growth;
-  gl_PointSize = max(2.0 * 2.5 * radius, 2.0);
-  // Moved towards the eye, so that its own housing does not hide it.
-  vec3 seen_at = light.position_extent.xyz + to_eye * min(0.4, 0.5 * range);
-  gl_Position = brightness * max(max(light.color_intensity.r, light.color_intensity.g), light.color_intensity.b) < 0.002
-                    ? vec4(0.0, 0.0, 2.0, 1.0)
-                    : clip_from_world * vec4(seen_at, 1.0);
+  gl_PointSize = max(point_radii * radius, 2.0);
+  float shown = brightness * max(max(light.color_intensity.r, light.color_intensity.g), light.color_intensity.b);
+  vec4 lifted = clip_from_world * vec4(light.position_extent.xyz + to_eye * lift(range), 1.0);
+  gl_Position = shown < darkest ? vec4(0.0, 0.0, 2.0, 1.0) : lifted;  // else outside the picture
 }

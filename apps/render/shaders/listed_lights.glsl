@@ -3,22 +3,16 @@
 // lights in the surface's light list.
 
 #include "light_batch.glsl"
-#include "litfog/shaders/light_block.glsl"
-#include "litfog/shaders/light_buffer.glsl"
+#include "light_list.glsl"
 
-uniform isamplerBuffer light_list;
 uniform ivec2 light_list_range;  // first, count: of this surface
 
-int listed_light_count() { return has_listed_lights ? int(litfog_fog.z) + light_list_range.y : 0; }
-int local_number(int i) { return texelFetch(light_list, light_list_range.x + i - int(litfog_fog.z)).x; }
-LitfogLight listed_light(int i) {
-  if (i < int(litfog_fog.z)) return litfog_lights[i];
-  return litfog_buffered_light(local_number(i));
-}
+int listed_light_count() { return has_listed_lights ? carried_count + light_list_range.y : 0; }
+int listed_entry(int i) { return light_entry(i < carried_count ? i : light_list_range.x + i - carried_count); }
+LitfogLight listed_light(int i) { return litfog_buffered_light(listed_entry(i)); }
 
-// Whether a position is beyond a light's extent: for a local light, known before the rest of it is fetched.
+// Whether a position is beyond a light's extent: known before the rest of the light is fetched.
 bool is_out_of_reach(int i, vec3 position) {
-  if (i < int(litfog_fog.z)) return false;
-  vec4 position_extent = litfog_buffered_position_extent(local_number(i));
+  vec4 position_extent = litfog_buffered_position_extent(listed_entry(i));
   return distance(position_extent.xyz, position) > position_extent.w;
 }

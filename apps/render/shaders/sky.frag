@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The night sky: a gradient, stars and the moon, far behind all fog.
 
+#define LITFOG_FOG_LIGHTS
 #include "cookie.glsl"
+#include "light_list.glsl"
 #include "litfog/shaders/fog.glsl"
 
 in vec3 seen_direction;
@@ -15,6 +17,12 @@ uniform vec3 moon_color;
 uniform float sky_distance;  // metres
 
 out vec4 color;
+
+vec3 litfog_lights_fog(vec3 position) {
+  vec3 fog = vec3(0.0);
+  for (int i = 0; i < carried_count; ++i) fog += litfog_light_fog(carried_light(i), position);
+  return fog;
+}
 
 // Three numbers in [0, 1) for a cell, made of whole numbers, so that every device shows the same stars: pcg3d
 // (Jarzynski and Olano 2020, "Hash Functions for GPU Rendering").

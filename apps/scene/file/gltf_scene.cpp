@@ -222,8 +222,8 @@ class GltfReader {
       const Mesh mesh = read_gltf_primitive(file_, own, primitives[i]);
       triangles_ += mesh.indices.size() / 3;
       vertices_ += mesh.vertices.size();
-      if (triangles_ > kMaxTriangles || vertices_ > 3 * kMaxTriangles) {
-        file_.refuse(own, fmt::format("triangles must be at most {} in all, vertices three times that", kMaxTriangles));
+      if (triangles_ > kMaxTriangles || vertices_ > kMaxVertices) {
+        file_.refuse(own, fmt::format("triangles must be at most {} in all, vertices {}", kMaxTriangles, kMaxVertices));
       }
       append(part(scene_.models[0], materials_.use(own / "material", primitives[i].material)), mesh, world_from_node);
     }

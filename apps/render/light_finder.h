@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
@@ -11,9 +10,6 @@
 #include "scene/mesh.h"
 
 namespace litfog::render {
-
-/// The box around a transformed box.
-scene::Bounds transformed(const scene::Bounds& box, const glm::mat4& to_from_box);
 
 /// Whether a light can light anything within a box: the box meets the sphere of the light's extent, and the box's
 /// sphere meets the light's cone. May say yes where it cannot; never no where it can.
@@ -43,12 +39,5 @@ class LightFinder {
   std::span<const double> extents_;
   std::vector<Box> groups_;  // what each group of lights can reach at most
 };
-
-/// The planes of what a camera sees: normal and offset, inside where dot(normal, p) + offset >= 0.
-using Frustum = std::array<glm::vec4, 6>;
-Frustum make_frustum(const glm::mat4& clip_from_world);
-
-/// Whether the camera can see anything of a box. May say yes where it cannot; never no where it can.
-bool can_see(const Frustum& frustum, const scene::Bounds& box);
 
 }  // namespace litfog::render

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/light_list.h"
+#include "render/light_finder.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 
 namespace litfog::render {
 namespace {
@@ -12,14 +11,6 @@ namespace {
 constexpr std::size_t kGroupSize = 64;
 
 }  // namespace
-
-scene::Bounds transformed(const scene::Bounds& box, const glm::mat4& to_from_box) {
-  const glm::vec3 center = glm::vec3(to_from_box * glm::vec4((box.low + box.high) * 0.5f, 1.0f));
-  const glm::vec3 half = (box.high - box.low) * 0.5f;
-  const glm::vec3 reach = glm::abs(glm::vec3(to_from_box[0])) * half.x + glm::abs(glm::vec3(to_from_box[1])) * half.y +
-                          glm::abs(glm::vec3(to_from_box[2])) * half.z;
-  return {center - reach, center + reach};
-}
 
 bool can_reach(const PlacedLight& light, double extent, const scene::Bounds& box) {
   const glm::dvec3 low = box.low;
@@ -66,20 +57,6 @@ std::vector<std::int32_t> LightFinder::reaching(const scene::Bounds& box,
     return can_reach(lights_[std::size_t(i)], extents_[std::size_t(i)], box);
   });
   return found;
-}
-
-Frustum make_frustum(const glm::mat4& clip_from_world) {
-  const glm::mat4 rows = glm::transpose(clip_from_world);
-  return {rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1],
-          rows[3] - rows[1], rows[3] + rows[2], rows[3] - rows[2]};
-}
-
-bool can_see(const Frustum& frustum, const scene::Bounds& box) {
-  return std::ranges::all_of(frustum, [&](const glm::vec4& plane) {
-    const glm::vec3 farthest{plane.x > 0 ? box.high.x : box.low.x, plane.y > 0 ? box.high.y : box.low.y,
-                             plane.z > 0 ? box.high.z : box.low.z};
-    return glm::dot(glm::vec3(plane), farthest) + plane.w >= 0;
-  });
 }
 
 }  // namespace litfog::render

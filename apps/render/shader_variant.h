@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <span>
+#include <string>
+
+#include "litfog/fog_light_block.h"
+#include "render/lighting_path.h"
+
+namespace litfog::render {
+
+/// The most lights that light the fog, or the surface in a pass that takes all, as uniforms; more are read through the
+/// light list.
+inline constexpr std::size_t kMaxUniformLights = 16;
+
+/// For how many lights a shader is compiled that takes at least `lights`, at most kMaxUniformLights.
+std::size_t compiled_light_count(std::size_t lights);
+
+/// What a shader is compiled for, of lights that it takes as uniforms.
+struct UniformLights {
+  static constexpr int kAnyProfile = -1;  ///< one that the shader has to ask for
+
+  std::size_t count = 0;
+  int profile = kAnyProfile;  ///< that all of them have
+
+  auto operator<=>(const UniformLights&) const = default;
+};
+
+/// A shader of compiled_light_count() lights for these.
+UniformLights compiled_for(std::span<const FogLight> lights);
+
+/// What a pass's shaders are compiled for.
+struct ShaderVariant {
+  const SurfacePass* pass;
+  bool is_first = true;  ///< of the times that the pass draws a surface
+  bool has_listed_lights = false;
+  bool has_listed_fog_lights = false;
+  UniformLights fog_lights = {};  ///< the first of the uniform array
+  UniformLights lights = {};      ///< the others
+  bool shares_lights = false;     ///< the surface is lit by the fog's lights, too
+
+  auto operator<=>(const ShaderVariant&) const = default;
+};
+
+/// The text of pass.glsl for a variant.
+std::string pass_constants(const ShaderVariant& variant);
+
+}  // namespace litfog::render

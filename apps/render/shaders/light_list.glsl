@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// The scene's lights in the light buffer, by the light list: the entries of the lights that the eye's vehicle carries, of the
+// local ones, and of the local ones that reach each surface.
+
+#include "cookie.glsl"
+#include "litfog/shaders/light_buffer.glsl"
+
+uniform isamplerBuffer light_list;
+uniform int carried_count;
+
+int light_entry(int i) { return texelFetch(light_list, i).x; }
+LitfogLight carried_light(int i) { return litfog_buffered_light(light_entry(i)); }
+LitfogLight local_light(int i) { return litfog_buffered_light(light_entry(carried_count + i)); }

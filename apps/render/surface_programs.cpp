@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/surface_programs.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+#include <vector>
+
+#include "render/demo_shaders.h"
+
+namespace litfog::render {
+namespace {
+
+std::string glsl(const glm::vec3& v) { return fmt::format("vec3({}, {}, {})", v.x, v.y, v.z); }
+
+/// What stays the same in a scene, as constants: some drivers look a uniform up for every fragment.
+std::string environment_constants(const scene::Environment& environment, const RenderSettings& settings) {
+  return fmt::format(
+      "const vec3 ambient_light = {};\n"
+      "const bool has_moon = {};  // the directional light\n"
+      "const vec3 moon_direction = {};\n"
+      "const vec3 moon_color = {};\n"
+      "const bool has_infinite_viewer = {};\n",
+      glsl(environment.ambient_light), environment.moon_color != glm::vec3(0.0f), glsl(environment.moon_direction),
+      glsl(environment.moon_color), settings.has_infinite_viewer);
+}
+
+}  // namespace
+
+SurfaceProgram::SurfaceProgram(gl::Program linked)
+    : program(std::move(linked)),
+      world_from_model(program.uniform("world_from_model")),
+      bounds_low(program.uniform("bounds_low")),
+      bounds_high(program.uniform("bounds_high")),
+      light_list_range(program.uniform("light_list_range")),
+      uniform_lights(program.uniform("uniform_lights")),
+      cone_from_world(program.uniform("cone_from_world")) {}
+
+SurfacePrograms::SurfacePrograms(const scene::Scene& scene, const RenderSettings& settings)
+    : has_cookies_(!scene.cookies.empty()), environment_(environment_constants(scene.environment, settings)) {}
+
+SurfaceProgram& SurfacePrograms::program(const ShaderVariant& variant) {
+  const auto found = programs_.find(variant);
+  if (found != programs_.end()) return found->second;
+  const std::string pass = pass_constants(variant);
+  std::vector<gl::ShaderSource> files = scene_shaders(has_cookies_);
+  files.push_back({"environment.glsl", environment_});
+  files.push_back({"pass.glsl", pass});
+  gl::Program program(variant.pass->vertex, variant.pass->geometry, variant.pass->fragment, files);
+  return programs_.emplace(variant, std::move(program)).first->second;
+}
+
+}  // namespace litfog::render

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "litfog/gl/program.h"
+#include "render/render_settings.h"
+#include "render/shader_variant.h"
+#include "render/surface_list.h"
+#include "scene/scene.h"
+
+namespace litfog::render {
+
+/// A variant's program, and what its uniforms were set to last.
+struct SurfaceProgram {
+  explicit SurfaceProgram(gl::Program linked);
+
+  gl::Program program;
+  int world_from_model, bounds_low, bounds_high, light_list_range, uniform_lights, cone_from_world;
+  std::size_t frame = 0;
+  const SurfaceMaterial* material = nullptr;
+};
+
+/// The programs that draw a scene's surfaces, each compiled when it is first asked for. Needs a current GL context.
+class SurfacePrograms {
+ public:
+  SurfacePrograms(const scene::Scene& scene, const RenderSettings& settings);
+
+  /// Good as long as this.
+  SurfaceProgram& program(const ShaderVariant& variant);
+
+ private:
+  bool has_cookies_;
+  std::string environment_;  // environment.glsl
+  std::map<ShaderVariant, SurfaceProgram> programs_;
+};
+
+}  // namespace litfog::render

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/light_finder.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "reference/random_light.h"
+#include "render/random_box.h"
+
+namespace litfog::test {
+using namespace render;
+
+namespace {
+
+using scene::Bounds;
+
+bool lights(const PlacedLight& light, double extent, const glm::dvec3& point) {
+  const double range = glm::distance(point, light.position);
+  return range <= extent && cone_at(light.light.cone, glm::dot(point - light.position, light.direction) / range) > 0;
+}
+
+TEST(LightFinder, NeverLeavesOutALightThatReachesAPointOfTheBox) {
+  Random random(7);
+  int reached = 0;
+  int left_out = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const Bounds box = random_box(random);
+    PlacedLight light;
+    light.position = random_point(random, 40);
+    light.direction = glm::normalize(random_point(random, 1));
+    if (i % 3 == 1) light.light.cone = Cone::cosine(random.uniform(0.05, 1.5), 2);
+    if (i % 3 == 2) light.light.cone = Cone::smoothstep(0.01, random.uniform(0.05, 3.1));
+    const double extent = random.uniform(1, 60);
+    const bool listed = can_reach(light, extent, box);
+    if (!listed) ++left_out;
+    for (int sample = 0; sample < 50; ++sample) {
+      if (!lights(light, extent, random_point_in(random, box))) continue;
+      ++reached;
+      ASSERT_TRUE(listed) << "case " << i;
+    }
+  }
+  EXPECT_GT(reached, 10'000);
+  EXPECT_GT(left_out, 5'000);
+}
+
+TEST(LightFinder, NamesTheLightsThatReachInTheirOrder) {
+  std::vector<PlacedLight> lamps(3);
+  lamps[0].position = {0, 0, 0};
+  lamps[1].position = {100, 0, 0};
+  lamps[2].position = {3, 0, 0};
+  const std::vector<double> extents{5, 5, 5};
+  const Bounds box{{1, -1, -1}, {2, 1, 1}};
+  const render::LightFinder finder(lamps, extents);
+  EXPECT_EQ(finder.reaching(box), (std::vector<std::int32_t>{0, 2}));
+  EXPECT_EQ(finder.reaching(box, std::vector<std::int32_t>{1, 2}), (std::vector<std::int32_t>{2}));
+}
+
+TEST(LightFinder, AmongManyLightsNoneThatCanReachIsLost) {
+  std::vector<PlacedLight> lamps(1000);
+  std::vector<double> extents;
+  for (std::size_t i = 0; i < lamps.size(); ++i) {
+    lamps[i].position = {double(i % 40) * 7, double(i % 3), double(i / 40) * 11};
+    lamps[i].light.cone = i % 2 == 0 ? Cone{} : Cone::cosine(0.4, 10);
+    lamps[i].direction = {0, -1, 0};
+    extents.push_back(i == 77 ? std::numeric_limits<double>::infinity() : double(i % 20));
+  }
+  const render::LightFinder finder(lamps, extents);
+  for (int place = 0; place < 100; ++place) {
+    const glm::vec3 low{float(place * 3), -2, float(place * 2)};
+    const Bounds box{low, low + glm::vec3(5, 1, 9)};
+    std::vector<std::int32_t> expected;
+    for (std::size_t i = 0; i < lamps.size(); ++i) {
+      if (can_reach(lamps[i], extents[i], box)) expected.push_back(std::int32_t(i));
+    }
+    EXPECT_EQ(finder.reaching(box), expected) << place;
+  }
+}
+
+}  // namespace
+
+}  // namespace litfog::test

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/light_selection.h"
+
+#include <gtest/gtest.h>
+
+namespace litfog::test {
+using namespace render;
+
+namespace {
+
+using Indices = std::vector<std::int32_t>;
+
+constexpr scene::Bounds kBox{{-1, -1, -11}, {1, 1, -9}};
+
+/// Shines along -z, out to 19 m.
+PlacedLight lamp(const glm::dvec3& position, bool carried) {
+  return {.light = {.name = "lamp", .attenuation = {1, 1, 0}, .cone = Cone::smoothstep(0.1, 0.2)},
+          .position = position,
+          .direction = {0, 0, -1},
+          .carried = carried};
+}
+
+/// Lights 0 and 1 are local; 2 is carried and meets kBox, 3 is carried and shines past it.
+scene::Scene four_lamps() {
+  scene::Scene scene;
+  scene.lights = {lamp({0, 0, 0}, true), lamp({0, 0, -5}, false), lamp({0, 0, -4}, false), lamp({50, 0, 0}, true)};
+  return scene;
+}
+
+LightSelection select(const scene::Scene& scene, const Fog& fog, const LightingPath& path,
+                      std::span<const int> map_kinds = {}, Skipping skipping = Skipping::on) {
+  SceneLights lights(scene, path);
+  lights.set_fog(fog);
+  return select_lights(lights, Indices{0, 1}, kBox, map_kinds, skipping);
+}
+
+const LightingPath& unified() { return lighting_paths().front(); }
+const Fog kFog{FogMode::exp, 0.05};
+
+TEST(LightSelection, SurfaceTakesTheLocalLightsThenTheCarriedOnesThatReachIt) {
+  EXPECT_EQ(select(four_lamps(), kFog, unified()).surface, (Indices{0, 1, 2}));
+}
+
+TEST(LightSelection, FogTakesAllCarriedLightsWhereOneOfThemMeetsTheSurface) {
+  EXPECT_EQ(select(four_lamps(), kFog, unified()).fog, (Indices{2, 3}));
+  scene::Scene scene = four_lamps();
+  scene.lights[0].position = {-50, 0, 0};
+  EXPECT_EQ(select(scene, kFog, unified()).fog, Indices{});
+}
+
+TEST(LightSelection, ClearAirAndPathsWithoutLitFogTakeNoLightForTheFog) {
+  EXPECT_EQ(select(four_lamps(), Fog{}, unified()).fog, Indices{});
+  EXPECT_EQ(select(four_lamps(), kFog, *find_lighting_path("legacy")).fog, Indices{});
+}
+
+TEST(LightSelection, WithoutSkippingEveryLightIsTaken) {
+  const LightSelection all = select(four_lamps(), Fog{}, unified(), {}, Skipping::off);
+  EXPECT_EQ(all.surface, (Indices{0, 1, 2, 3}));
+  EXPECT_EQ(all.fog, (Indices{2, 3}));
+}
+
+TEST(LightSelection, LightsThatShareTheirMapsComeTogetherAndMakeBatches) {
+  const std::vector<int> kinds{1, 0, 1, 0};
+  const Indices surface = select(four_lamps(), kFog, unified(), kinds).surface;
+  EXPECT_EQ(surface, (Indices{1, 0, 2}));
+  EXPECT_EQ(batch_length(surface, 4, kinds), 1u);
+  EXPECT_EQ(batch_length(std::span(surface).subspan(1), 4, kinds), 2u);
+  EXPECT_EQ(batch_length(std::span(surface).subspan(1), 1, kinds), 1u);
+  EXPECT_EQ(batch_length(surface, 4, {}), 3u);
+  EXPECT_EQ(batch_length({}, 4, kinds), 0u);
+}
+
+TEST(SceneLights, LightThatEndsAtOnceIsLeftOutUnlessItIsCarried) {
+  scene::Scene scene = four_lamps();
+  for (PlacedLight& light : scene.lights) light.light.attenuation = {100, 0, 0};
+  const SceneLights lights(scene, unified());
+  EXPECT_EQ(lights.local_count(), 0u);
+  EXPECT_EQ(lights.size(), 2u);
+}
+
+TEST(SceneLights, EntriesHoldTheirLightsAndTheIntensityOfTheLastFog) {
+  const scene::Scene scene = four_lamps();
+  SceneLights lights(scene, unified());
+  lights.set_fog(kFog);
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const PlacedLight& light = lights.lights()[i];
+    EXPECT_EQ(glm::dvec3(lights.packed(i).position_extent), light.position);
+    EXPECT_EQ(double(lights.packed(i).position_extent.w), double(float(lights.extents()[i])));
+    const double intensity = light.carried ? solve_fog_intensity(light.light, kFog).intensity : 0;
+    EXPECT_FLOAT_EQ(lights.packed(i).color_intensity.w, float(intensity));
+  }
+}
+
+}  // namespace
+
+}  // namespace litfog::test
