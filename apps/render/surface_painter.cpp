@@ -75,8 +75,9 @@ void set_blend(Blend blend) {
   }
 }
 
-/// The first pass of a surface decides its samples; the others take each of them once, though two of its triangles may
-/// lie in one plane: the stencil counts the passes that a sample has had.
+/// The first pass of a surface decides its samples. The others draw each of them once more, though several of its
+/// triangles may have the same depth there: the stencil counts the passes that a sample has had. Where they have, the
+/// first pass leaves the last triangle; so the others draw the triangles in reverse, and the first to come is the same.
 void select_samples(int pass) {
   glDepthFunc(pass == 0 ? GL_LEQUAL : GL_EQUAL);
   glDepthMask(pass == 0 ? GL_TRUE : GL_FALSE);
@@ -268,6 +269,7 @@ void SurfacePainter::draw_pass(const Surface& surface, Variant variant, std::spa
   }
 
   const SurfaceProgram& program = use(variant, *surface.material);
+  const bool is_later = drawn_passes_ > 0;
   if (has_several_passes_) select_samples(drawn_passes_++);
   glUniformMatrix4fv(program.world_from_model, 1, GL_FALSE, glm::value_ptr(surface.world_from_model));
   glUniform3fv(program.bounds_low, 1, glm::value_ptr(surface.bounds.low));
@@ -283,7 +285,7 @@ void SurfacePainter::draw_pass(const Surface& surface, Variant variant, std::spa
                        glm::value_ptr(batch_cones_[0]));
     maps_.bind(maps_.kind(std::size_t(batch[0])));
   }
-  surfaces_.draw(surface);
+  surfaces_.draw(surface, is_later ? TriangleOrder::reversed : TriangleOrder::stored);
 }
 
 SurfacePainter::SurfaceProgram& SurfacePainter::use(const Variant& variant, const SurfaceMaterial& material) {
