@@ -124,7 +124,7 @@ command::Table make_table(const std::vector<Trial>& trials) {
                           fmt::format("{}x{}", width, height), skipping == render::Skipping::on ? "on" : "off",
                           trial.times.median(), trial.times.spread(), trial.over_legacy, trial.over_two_light_legacy,
                           of_error(&measure::PictureError::largest), of_error(&measure::PictureError::mean),
-                          of_error(&measure::PictureError::excepted)});
+                          of_error(&measure::PictureError::excluded)});
   }
   return table;
 }

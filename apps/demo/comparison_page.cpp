@@ -129,7 +129,7 @@ std::string figure(const SceneResult& scene, const PathResult& result) {
   html += value("mean error", error_text(result.mean_error));
   html += fmt::format("</dl>\n<p class=\"files\">{} &middot; {} &middot; {}", link(scene.drawn_file(path), "picture"),
                       link(scene.error_file(path), "error"), link(scene.reference_file(path), "reference"));
-  if (result.excepted > 0) html += fmt::format(" &middot; pixels excepted: {}", result.excepted);
+  if (result.excluded > 0) html += fmt::format(" &middot; pixels excluded: {}", result.excluded);
   return html + "</p>\n</figcaption>\n</figure>\n";
 }
 
@@ -182,7 +182,7 @@ std::string navigation() {
                     "<span class=\"hint\">Hold a picture to flip between drawn and reference.</span>\n"
                     "<span class=\"scale\">{:g} <span class=\"colors\" style=\"background: {}\"></span> {:g} of 1/255, "
                     "logarithmic; red is "
-                    "excepted</span>\n</nav>\n",
+                    "excluded</span>\n</nav>\n",
                     labels, kHeatLeast, heat_gradient(), kHeatLeast * std::pow(10.0, kHeatDecades));
 }
 

@@ -17,7 +17,7 @@ struct PathResult {
   double over_legacy;   ///< milliseconds over the legacy path's
   double largest_error;
   double mean_error;
-  std::size_t excepted;  ///< pixels
+  std::size_t excluded;  ///< pixels
 };
 
 /// What all paths made of a scene, and the names of their pictures' files.

@@ -37,11 +37,14 @@ OIIO::ImageBuf to_image(const render::Picture& picture) {
 
 }  // namespace
 
-render::Picture reduced(const render::Picture& picture, int width) {
-  render::Picture shown =
-      picture;  // clamped as the screen would, so that a bright lamp does not spread over its neighbours
+render::Picture fitted_to_cell(const render::Picture& picture) {
+  render::Picture shown = picture;
+  // Clamped as a screen would, so that a bright lamp does not spread over its neighbours.
   for (float& value : shown.rgb) value = std::clamp(value, 0.0f, 1.0f);
-  const int height = std::max(1, int(double(picture.height) * width / picture.width + 0.5));
+  const double scale = std::min(double(kSheetCellWidth) / picture.width, double(kSheetCellHeight) / picture.height);
+  const auto scaled = [scale](int size) { return std::max(1, int(size * scale + 0.5)); };
+  const int width = scaled(picture.width);
+  const int height = scaled(picture.height);
   return to_picture(OIIO::ImageBufAlgo::resize(to_image(shown), "box", 0, OIIO::ROI(0, width, 0, height, 0, 1, 0, 3)));
 }
 
@@ -56,7 +59,7 @@ render::Picture make_contact_sheet(const std::vector<std::vector<SheetEntry>>& r
     std::size_t lines = 0;
     for (const SheetEntry& entry : row) {
       cells.resize(tops.size() + 1);
-      cells.back().push_back(reduced(entry.picture, kSheetCellWidth));
+      cells.back().push_back(fitted_to_cell(entry.picture));
       tallest = std::max(tallest, cells.back().back().height);
       lines = std::max(lines, entry.caption.size());
     }

@@ -8,7 +8,8 @@
 
 namespace litfog::demo {
 
-inline constexpr int kSheetCellWidth = 480;  ///< pixels: the common width of a sheet's pictures
+inline constexpr int kSheetCellWidth = 480;   ///< pixels: the width of a sheet's pictures
+inline constexpr int kSheetCellHeight = 960;  ///< at most; a picture that would be taller is narrower instead
 
 /// One picture of a sheet with the lines of words under it, of which those after the first are fainter.
 struct SheetEntry {
@@ -16,12 +17,12 @@ struct SheetEntry {
   std::vector<std::string> caption;
 };
 
-/// Rows of pictures, each reduced to a common width, with captions in a plain type, on a dark ground. Lines that are
-/// wider than a picture are cut short.
+/// Rows of pictures, each fitted to a cell, with captions in a plain type, on a dark ground. Lines that are wider than
+/// a cell are cut short.
 /// throws std::runtime_error where no font is found for the captions
 render::Picture make_contact_sheet(const std::vector<std::vector<SheetEntry>>& rows);
 
-/// A picture at another width in the same shape, averaged.
-render::Picture reduced(const render::Picture& picture, int width);
+/// A picture in the same shape as wide as a cell, or as tall if that makes it smaller; averaged, and clamped to [0, 1].
+render::Picture fitted_to_cell(const render::Picture& picture);
 
 }  // namespace litfog::demo

@@ -75,7 +75,7 @@ void draw_gallery(const std::vector<std::string>& scenes, const std::string& fol
       const double draw_seconds = seconds_since(frame_start);
       const std::string caption =
           is_clear ? scene.name + ", clear air" : fmt::format("{}, visibility {} m", scene.name, visibility);
-      sheet.back().push_back({reduced(picture, kSheetCellWidth), {caption}});
+      sheet.back().push_back({fitted_to_cell(picture), {caption}});
       pictures.write(file, std::move(picture));
       command::report(fmt::format("  {:<40} drawn in {:.2f} s\n", pictures.path_of(file), draw_seconds));
     }

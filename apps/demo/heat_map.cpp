@@ -15,13 +15,14 @@ namespace litfog::demo {
 namespace {
 
 constexpr int kLeastWidth = 640;  // pixels, for the words
+constexpr int kMostMagnifiedHeight = 2048;
 constexpr int kMargin = 10;
 constexpr int kFontSize = 14;
 constexpr int kLineHeight = 22;
 constexpr int kBarHeight = 14;
 constexpr glm::vec3 kGround{0.012f, 0.012f, 0.014f};
 constexpr glm::vec3 kInk{0.75f, 0.75f, 0.72f};
-constexpr glm::vec3 kExcepted{1, 0, 0};
+constexpr glm::vec3 kExcluded{1, 0, 0};
 
 double share_of(double error) { return std::clamp(std::log10(error / kHeatLeast) / kHeatDecades, 0.0, 1.0); }
 
@@ -65,8 +66,9 @@ glm::vec3 heat_color(double share) {
 }
 
 render::Picture make_heat_map(const measure::PictureError& error, const std::string& title) {
-  const int magnified = (kLeastWidth + error.width - 1) / error.width;
-  const int width = error.width * magnified;
+  const int to_least_width = (kLeastWidth + error.width - 1) / error.width;
+  const int magnified = std::clamp(kMostMagnifiedHeight / error.height, 1, to_least_width);
+  const int width = std::max(error.width * magnified, kLeastWidth);
   const int height = error.height * magnified;
   render::Picture picture{width, height + 2 * kLineHeight + kBarHeight + 3 * kMargin, {}};
   picture.rgb.resize(std::size_t(picture.width) * std::size_t(picture.height) * 3);
@@ -75,10 +77,10 @@ render::Picture make_heat_map(const measure::PictureError& error, const std::str
     for (int x = 0; x < error.width; ++x) {
       const float value = error.pixels[std::size_t(y) * std::size_t(error.width) + std::size_t(x)];
       fill(picture, x * magnified, y * magnified, (x + 1) * magnified, (y + 1) * magnified,
-           value < 0 ? kExcepted : heat_color(share_of(double(value))));
+           value < 0 ? kExcluded : heat_color(share_of(double(value))));
     }
   }
-  const std::string words = title + ": " + measure::error_in_words(error) + (error.excepted > 0 ? " (red)" : "");
+  const std::string words = title + ": " + measure::error_in_words(error) + (error.excluded > 0 ? " (red)" : "");
   draw_text(picture, kMargin, height + kLineHeight, words, kFontSize, kInk);
   draw_scale(picture, height + kLineHeight + kMargin);
   return picture;

@@ -13,8 +13,8 @@ inline constexpr double kHeatLeast = 0.1;  ///< 1/255: where the scale of colour
 inline constexpr int kHeatDecades = 3;     ///< how often it grows tenfold
 
 /// The errors of a picture as colours from black (0.1/255 and less) to white (100/255 and more), each tenfold as long
-/// as the last on the scale below them; excepted pixels are red. Small pictures are magnified, so that the words under
-/// them can be read.
+/// as the last on the scale below them; excluded pixels are red. Small pictures are magnified to the width of the words
+/// under them, but not beyond 2048 pixels of height.
 ///
 /// title   what is compared; the largest and the mean error are put after it
 /// throws  std::runtime_error where no font is found

@@ -181,7 +181,7 @@ ExitStatus draw_scene(const Options& options) {
     if (comparison) {
       stats["max_error_255"] = comparison->error.largest;
       stats["mean_error_255"] = comparison->error.mean;
-      stats["excepted_pixels"] = comparison->error.excepted;
+      stats["excepted_pixels"] = comparison->error.excluded;
     }
     write_whole_file(options.stats, stats.dump(2) + "\n");
   }

@@ -38,7 +38,7 @@ class Sheet {
  public:
   void add(const render::Picture& picture, std::vector<std::string> caption) {
     if (rows_.empty() || rows_.back().size() == kSheetColumns) rows_.emplace_back();
-    rows_.back().push_back({reduced(picture, kSheetCellWidth), std::move(caption)});
+    rows_.back().push_back({fitted_to_cell(picture), std::move(caption)});
   }
   render::Picture picture() const { return make_contact_sheet(rows_); }
 
@@ -97,7 +97,7 @@ SceneResult compare_scene(const scene::Scene& scene, PictureFolder& pictures, co
                                              .over_legacy = times[i].median() / times[legacy].median(),
                                              .largest_error = error.largest,
                                              .mean_error = error.mean,
-                                             .excepted = error.excepted});
+                                             .excluded = error.excluded});
     if (i == 0) {
       sheet.add(comparison.reference, {fmt::format("{}, {}: reference in double", scene.name, result.conditions),
                                        fmt::format("{} x {} on {}", settings.width, settings.height, machine)});

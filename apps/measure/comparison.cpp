@@ -10,10 +10,8 @@ Comparison compare_with_reference(render::Renderer& renderer, const Progress& pr
   renderer.draw(render::LightPoints::off);
   const render::Picture shading = renderer.read();
   ReferencePicture reference = shade_reference(renderer, progress);
-  const PictureError error = picture_error(shading, reference);
-  std::vector<float>& rgb = reference.picture.rgb;
-  for (std::size_t i = 0; i < rgb.size(); ++i) rgb[i] += drawn.rgb[i] - shading.rgb[i];
-  return {std::move(drawn), std::move(reference.picture), error};
+  PictureError error = picture_error(shading, reference);
+  return {std::move(drawn), std::move(reference.picture), std::move(error)};
 }
 
 }  // namespace litfog::measure

@@ -8,12 +8,12 @@
 
 namespace litfog::measure {
 
-/// A picture beside what its lighting path's plain formulas give in double. Both show the lamps' points; the error is
-/// that of the shading before they are drawn: they are the same over every path, and no path's shading.
+/// A frame beside what its lighting path's plain formulas give in double. The points of lamps are left out of the
+/// reference and of the error: every path draws them alike, and no path shades them.
 struct Comparison {
-  render::Picture drawn;
+  render::Picture drawn;  ///< with the lamps' points
   render::Picture reference;
-  PictureError error;
+  PictureError error;  ///< of the frame drawn without the lamps' points
 };
 
 /// Compares the frame that a renderer has drawn last with its reference.

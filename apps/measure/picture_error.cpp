@@ -8,11 +8,27 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace litfog::measure {
 namespace {
 
-double shown(float linear) { return 255 * double(OIIO::linear_to_sRGB(std::clamp(linear, 0.0f, 1.0f))); }
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Linear light in steps of PictureError.
+double steps(float linear) {
+  constexpr double kSlopeAt1 = 1.055 / 2.4;  // of sRGB (IEC 61966-2-1)
+  if (linear <= 1) return 255 * double(OIIO::linear_to_sRGB(std::max(linear, 0.0f)));
+  return 255 * (1 + kSlopeAt1 * std::log(double(linear)));
+}
+
+std::span<const float> channels(const render::Picture& picture, std::size_t pixel) {
+  return std::span(picture.rgb).subspan(3 * pixel, 3);
+}
+
+bool is_finite(const render::Picture& picture, std::size_t pixel) {
+  return std::ranges::all_of(channels(picture, pixel), [](float value) { return std::isfinite(value); });
+}
 
 }  // namespace
 
@@ -22,35 +38,36 @@ PictureError picture_error(const render::Picture& drawn, const ReferencePicture&
   PictureError error{.width = drawn.width, .height = drawn.height};
   double sum = 0;
   for (std::size_t pixel = 0; pixel < reference.is_at_jump.size(); ++pixel) {
-    if (reference.is_at_jump[pixel]) {
-      error.pixels.push_back(-1);
-      ++error.excepted;
-      continue;
-    }
     double largest = 0;
     double beyond = 0;
-    for (std::size_t i = 3 * pixel; i < 3 * pixel + 3; ++i) {
-      const double value = shown(drawn.rgb[i]);
-      if (std::isnan(drawn.rgb[i])) {
-        largest = beyond = std::numeric_limits<double>::infinity();
-        break;
+    if (!is_finite(drawn, pixel) || !is_finite(exact, pixel) || !is_finite(reference.least, pixel) ||
+        !is_finite(reference.most, pixel)) {
+      largest = beyond = kInfinity;
+    } else if (reference.is_at_jump[pixel]) {
+      error.pixels.push_back(-1);
+      ++error.excluded;
+      continue;
+    } else {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const double value = steps(channels(drawn, pixel)[i]);
+        largest = std::max(largest, std::abs(value - steps(channels(exact, pixel)[i])));
+        beyond = std::max({beyond, steps(channels(reference.least, pixel)[i]) - value,
+                           value - steps(channels(reference.most, pixel)[i])});
       }
-      largest = std::max(largest, std::abs(value - shown(exact.rgb[i])));
-      beyond = std::max({beyond, shown(reference.least.rgb[i]) - value, value - shown(reference.most.rgb[i])});
     }
-    error.beyond_maps = std::max(error.beyond_maps, beyond);
     error.pixels.push_back(float(largest));
     error.largest = std::max(error.largest, largest);
+    error.beyond_maps = std::max(error.beyond_maps, beyond);
     sum += largest;
   }
-  const std::size_t compared = error.pixels.size() - error.excepted;
+  const std::size_t compared = error.pixels.size() - error.excluded;
   error.mean = compared > 0 ? sum / double(compared) : 0;
   return error;
 }
 
 std::string error_in_words(const PictureError& error) {
   const std::string words = fmt::format("largest error {:.3g}, mean {:.3g} of 1/255", error.largest, error.mean);
-  return error.excepted > 0 ? fmt::format("{}; pixels excepted: {}", words, error.excepted) : words;
+  return error.excluded > 0 ? fmt::format("{}; pixels excluded: {}", words, error.excluded) : words;
 }
 
 }  // namespace litfog::measure

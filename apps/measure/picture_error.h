@@ -10,23 +10,27 @@
 
 namespace litfog::measure {
 
-/// How far a picture is from its reference, in steps of 1/255 of what a display shows: linear light clamped to [0, 1]
-/// and encoded as sRGB, the values that a PNG holds before they are rounded. A night scene is dark, and in linear light
-/// 1/255 would pass errors there that are 13 steps on the display.
+/// How far a picture is from its reference, in steps of 1/255 of what a display shows.
+///
+/// Up to 1 these are steps of linear light encoded as sRGB, the values that a PNG holds before they are rounded. (A
+/// night scene is dark, and 1/255 of linear light would pass errors there that are 13 steps on the display.) Above 1,
+/// where a display shows no more, steps are relative: the scale goes on as a logarithm with the slope that sRGB has at
+/// 1, and a step is 0.9 % of the light. Light below 0 counts as 0.
 struct PictureError {
   int width = 0;
   int height = 0;
-  std::vector<float> pixels = {};  ///< the largest of the three channels' errors; -1 where the pixel is excepted
-  double largest = 0;              ///< infinity where a pixel is not a number
-  double mean = 0;
+  std::vector<float> pixels = {};  ///< the largest of the three channels' errors; -1 where the pixel is excluded
+  /// Infinity where any pixel of either picture, excluded ones too, is infinite or not a number.
+  double largest = 0;
+  double mean = 0;           ///< likewise
   double beyond_maps = 0;    ///< the largest beyond what the path's light maps leave open; `largest` without maps
-  std::size_t excepted = 0;  ///< pixels at a jump of the model (ReferencePicture::is_at_jump)
+  std::size_t excluded = 0;  ///< pixels at a jump of the model (ReferencePicture::is_at_jump)
 };
 
 /// Compares two pictures of one size.
 PictureError picture_error(const render::Picture& drawn, const ReferencePicture& reference);
 
-/// "largest error 0.139, mean 0.0126 of 1/255", and how many pixels are excepted if any are.
+/// "largest error 0.139, mean 0.0126 of 1/255", and how many pixels are excluded if any are.
 std::string error_in_words(const PictureError& error);
 
 }  // namespace litfog::measure

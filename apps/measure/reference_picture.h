@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "measure/progress.h"
-#include "render/gpu/geometry_buffer.h"
 #include "render/picture.h"
 #include "render/renderer.h"
 
@@ -14,20 +13,23 @@ namespace litfog::measure {
 /// A picture to compare others with.
 struct ReferencePicture {
   render::Picture picture;
-  /// Between which values the texels of the path's light maps leave the picture: a look-up lies between the light's
-  /// values at the texels around it. Of paths without maps the picture itself.
+  /// The values between which the texels of the path's light maps leave the picture (LookupBounds). Without maps they
+  /// are the picture itself.
   render::Picture least;
   render::Picture most;
-  /// A pixel each: 1 where a sample lies so close to a jump of the model (a light's extent, the edge of a cosine cone,
-  /// the line beyond which a surface is turned away) that the rounding of floats decides on which side.
+  /// One a pixel: 1 where a sample lies so close to a jump of the model that the rounding of floats decides on which
+  /// side (JumpWatch).
   std::vector<std::uint8_t> is_at_jump;
 };
 
-/// Shades what a renderer's scene shows, without its light points, on the CPU in double by the plain formulas of its
-/// lighting path: every light on every sample by the path's range law up to its extent, its cone and the path's surface
-/// model; the fog by the exact intensities of the carried lights; the sky. No shader's result is used but what the
-/// geometry buffer holds: places, normals and colours as rasterised, in floats.
-/// The samples of a pixel are averaged in double, before anything is clamped, as the framebuffer does.
+/// Shades what a renderer's scene shows, without the points of its lamps, on the CPU in double by the plain formulas of
+/// its lighting path: Model for surfaces and fog, night_sky for the sky.
+///
+/// From the GPU come only what it rasterises, in floats, for each sample: the position, the vertices' normals and
+/// tangents interpolated, and what its texture unit makes of the material's maps, whose filter and level of detail
+/// OpenGL leaves to the driver.
+///
+/// A pixel's samples are averaged in double, before anything is clamped, as the framebuffer averages them.
 ///
 /// throws  gl::Unsupported where the driver has no float framebuffer of the picture's size
 ReferencePicture shade_reference(render::Renderer& renderer, const Progress& progress = {});

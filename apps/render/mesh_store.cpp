@@ -3,6 +3,7 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -74,6 +75,11 @@ MeshStore::MeshStore(const std::vector<scene::Model>& models) {
   std::vector<scene::Vertex> vertices;
   std::vector<std::uint32_t> indices;
   for (const scene::Model& model : models) chunks_.push_back(cut_into_chunks(model, vertices, indices));
+  index_count_ = indices.size();
+  indices.resize(2 * index_count_);
+  for (std::size_t i = 0; i < index_count_; i += 3) {
+    std::copy_n(indices.begin() + std::ptrdiff_t(i), 3, indices.end() - std::ptrdiff_t(i) - 3);
+  }
   glBindVertexArray(vertex_array_.id());
   fill(GL_ARRAY_BUFFER, vertices_, vertices);
   fill(GL_ELEMENT_ARRAY_BUFFER, indices_, indices);
@@ -90,9 +96,12 @@ MeshStore::MeshStore(const std::vector<scene::Model>& models) {
 
 void MeshStore::bind() const { glBindVertexArray(vertex_array_.id()); }
 
-void MeshStore::draw(const Chunk& chunk) const {
+void MeshStore::draw(const Chunk& chunk, TriangleOrder order) const {
+  const std::size_t first = order == TriangleOrder::stored
+                                ? chunk.first_index
+                                : 2 * index_count_ - chunk.first_index - std::size_t(chunk.index_count);
   glDrawElements(GL_TRIANGLES, chunk.index_count, GL_UNSIGNED_INT,
-                 reinterpret_cast<const void*>(chunk.first_index * sizeof(std::uint32_t)));
+                 reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
 }
 
 }  // namespace litfog::render

@@ -21,6 +21,9 @@ struct Chunk {
 std::vector<Chunk> cut_into_chunks(const scene::Model& model, std::vector<scene::Vertex>& vertices,
                                    std::vector<std::uint32_t>& indices);
 
+/// In which order a chunk's triangles are drawn.
+enum class TriangleOrder { stored, reversed };
+
 /// All models of a scene in one vertex array on the GPU.
 class MeshStore {
  public:
@@ -31,10 +34,11 @@ class MeshStore {
   const std::vector<Chunk>& chunks(std::size_t model) const { return chunks_[model]; }
   /// Makes the vertex array current: locations 0 position, 1 normal, 2 tangent, 3 uv.
   void bind() const;
-  void draw(const Chunk& chunk) const;
+  void draw(const Chunk& chunk, TriangleOrder order) const;
 
  private:
   std::vector<std::vector<Chunk>> chunks_;
+  std::size_t index_count_;  // in stored order; as many follow with the triangles reversed
   gl::VertexArrayName vertex_array_;
   gl::BufferName vertices_;
   gl::BufferName indices_;

@@ -52,7 +52,7 @@ class SurfaceList {
   void bind_meshes() const { meshes_.bind(); }
   /// In the order of their numbers.
   std::vector<scene::Material> materials() const;
-  void draw(const Surface& surface) const { meshes_.draw(*surface.chunk); }
+  void draw(const Surface& surface, TriangleOrder order) const { meshes_.draw(*surface.chunk, order); }
 
  private:
   const SurfaceMaterial& material(const std::string& name) const;

@@ -30,8 +30,9 @@ void set_blend(Blend blend) {
   }
 }
 
-/// The first pass of a surface decides its samples; the others take each of them once, though two of its triangles may
-/// lie in one plane: the stencil counts the passes that a sample has had.
+/// The first pass of a surface decides its samples. The others draw each of them once more, though several of its
+/// triangles may have the same depth there: the stencil counts the passes that a sample has had. Where they have, the
+/// first pass leaves the last triangle; so the others draw the triangles in reverse, and the first to come is the same.
 void select_samples(int pass) {
   glDepthFunc(pass == 0 ? GL_LEQUAL : GL_EQUAL);
   glDepthMask(pass == 0 ? GL_TRUE : GL_FALSE);
@@ -153,6 +154,7 @@ void SurfacePainter::draw_pass(Frame& frame, const Surface& surface, ShaderVaria
   }
 
   const SurfaceProgram& program = use(frame, variant, *surface.material);
+  const bool is_later = frame.passes_drawn > 0;
   if (frame.path.has_several_passes()) select_samples(frame.passes_drawn++);
   glUniformMatrix4fv(program.world_from_model, 1, GL_FALSE, glm::value_ptr(surface.world_from_model));
   glUniform3fv(program.bounds_low, 1, glm::value_ptr(surface.bounds.low));
@@ -167,7 +169,7 @@ void SurfacePainter::draw_pass(Frame& frame, const Surface& surface, ShaderVaria
     glUniformMatrix3fv(program.cone_from_world, GLsizei(cones.size()), GL_FALSE, glm::value_ptr(cones[0]));
     maps_.bind(maps_.kinds()[std::size_t(batch[0])]);
   }
-  surfaces_.draw(surface);
+  surfaces_.draw(surface, is_later ? TriangleOrder::reversed : TriangleOrder::stored);
 }
 
 SurfaceProgram& SurfacePainter::use(Frame& frame, const ShaderVariant& variant, const SurfaceMaterial& material) {

@@ -21,7 +21,7 @@ SceneResult result(const std::string& name) {
                            .over_legacy = 1.234,
                            .largest_error = 0.98765,
                            .mean_error = 0.0123,
-                           .excepted = 0});
+                           .excluded = 0});
   }
   return scene;
 }
@@ -41,11 +41,11 @@ TEST(ComparisonPage, SaysOfEveryPathWhatItIsAndWhatWasMeasured) {
   }
   for (const char* value : {">12.3<", ">1.23<", ">0.988<", ">0.0123<"}) EXPECT_GE(count(page, value), 10u) << value;
   EXPECT_NE(page.find("7 frames"), page.npos);
-  EXPECT_EQ(page.find("pixels excepted"), page.npos);
+  EXPECT_EQ(page.find("pixels excluded"), page.npos);
 
   SceneResult scene = result("room");
-  scene.paths[3].excepted = 26;
-  EXPECT_EQ(count(comparison_page(kFacts, {scene}), "pixels excepted: 26<"), 1u);
+  scene.paths[3].excluded = 26;
+  EXPECT_EQ(count(comparison_page(kFacts, {scene}), "pixels excluded: 26<"), 1u);
 }
 
 TEST(ComparisonPage, ShowsFilesTextsAsTexts) {

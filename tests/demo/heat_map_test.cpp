@@ -43,6 +43,17 @@ TEST(HeatMap, ShowsEachPixelsErrorOnTheScaleMagnifiedByAWholeNumber) {
   }
 }
 
+TEST(HeatMap, NarrowPictureIsMagnifiedNoFurtherThanToTwoThousandRows) {
+  const PictureError error{.width = 1, .height = 1000, .pixels = std::vector<float>(1000, 100.0f)};
+  const Picture map = make_heat_map(error, "test");
+  EXPECT_EQ(map.width, 640);  // of the words
+  EXPECT_LT(map.height, 2048 + 100);
+  EXPECT_LT(glm::distance(pixel(map, 1, 1999), heat_color(1)), 1e-3f);
+  EXPECT_LT(luminance(pixel(map, 2, 1999)), 0.02);  // beside the picture
+  const PictureError tall{.width = 1, .height = 16384, .pixels = std::vector<float>(16384, 100.0f)};
+  EXPECT_LT(make_heat_map(tall, "test").height, 16384 + 100);
+}
+
 TEST(HeatMap, HasAScaleWithWordsUnderIt) {
   const PictureError error{.width = 700, .height = 2, .pixels = std::vector<float>(1400, 0.0f)};
   const Picture map = make_heat_map(error, "test");

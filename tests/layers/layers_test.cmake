@@ -66,7 +66,7 @@ layer(apps/scene/model/** apps/scene/paint/** FORBIDDEN command/ scene/file/ ${a
 layer(apps/scene/file/** FORBIDDEN ${above_scene} ${gl} ${graphics})
 layer(apps/render/** FORBIDDEN command/ scene/file/ ${catalogues} measure/ demo/ bench/ litfog/files/ ${fit} ${ceres} ${json}
       ${images} tiny_gltf CLI/)
-layer(apps/measure/** FORBIDDEN scene/file/ ${catalogues} demo/ bench/ litfog/files/ ${fit} ${ceres} ${json} CLI/)
+layer(apps/measure/** FORBIDDEN command/ scene/file/ ${catalogues} demo/ bench/ litfog/files/ ${fit} ${ceres} ${json} CLI/)
 layer(apps/demo/** FORBIDDEN solve/ fit/ bench/)
 layer(apps/solve/** apps/fit/** FORBIDDEN scene/ ${above_scene} ${gl} ${graphics})
 layer(apps/bench/** FORBIDDEN demo/ solve/ fit/ core/ gl/)  # of tests/ it may know reference/

@@ -23,7 +23,7 @@ ReferencePicture row(const std::vector<float>& rgb) {
 
 Picture picture(const std::vector<float>& rgb) { return {int(rgb.size() / 3), 1, rgb}; }
 
-TEST(PictureError, IsThatOfTheSrgbValuesInThe255thPartsOfTheDisplaysRange) {
+TEST(PictureError, IsMeasuredInStepsOfTheDisplayUpTo1) {
   const PictureError error =
       picture_error(picture({0.25f, 0, 0, 0.5f, 0.002f, 0.5f}), row({0.2f, 0, 0, 0.5f, 0, 0.5f}));
   const double first = 255 * (srgb_from_linear(0.25) - srgb_from_linear(0.2));
@@ -34,22 +34,31 @@ TEST(PictureError, IsThatOfTheSrgbValuesInThe255thPartsOfTheDisplaysRange) {
   EXPECT_NEAR(error.mean, (first + second) / 2, 1e-4);
 }
 
-TEST(PictureError, IsNothingBeyondWhatADisplayShows) {
-  const PictureError error = picture_error(picture({1, 50, -1}), row({2, 7, 0}));
-  EXPECT_EQ(error.largest, 0);
+TEST(PictureError, IsRelativeAbove1) {
+  const double ten_percent = 255 * 1.055 / 2.4 * std::log(1.1);
+  EXPECT_NEAR(picture_error(picture({1.1f, 1, 1}), row({1, 1, 1})).largest, ten_percent, 1e-3);
+  EXPECT_NEAR(picture_error(picture({55, 1, 1}), row({50, 1, 1})).largest, ten_percent, 1e-3);
 }
 
-TEST(PictureError, ExceptedPixelsAreCountedAndNothingElse) {
+TEST(PictureError, StepsAreAsLargeJustAbove1AsJustBelow) {
+  const double below = picture_error(picture({0.999f, 1, 1}), row({1, 1, 1})).largest;
+  const double above = picture_error(picture({1.001f, 1, 1}), row({1, 1, 1})).largest;
+  EXPECT_NEAR(below / above, 1, 0.01);
+}
+
+TEST(PictureError, LightBelow0CountsAs0) { EXPECT_EQ(picture_error(picture({-1, 0, 0}), row({0, 0, 0})).largest, 0); }
+
+TEST(PictureError, ExcludedPixelsAreCountedAndNotCompared) {
   ReferencePicture reference = row({0.5f, 0.5f, 0.5f, 0.5f, 0.5f, 0.5f});
   reference.is_at_jump[0] = 1;
   const PictureError error = picture_error(picture({0, 0, 0, 0.5f, 0.5f, 0.5f}), reference);
-  EXPECT_EQ(error.excepted, 1u);
+  EXPECT_EQ(error.excluded, 1u);
   EXPECT_EQ(error.pixels[0], -1);
   EXPECT_EQ(error.largest, 0);
   EXPECT_EQ(error.mean, 0);
 }
 
-TEST(PictureError, BeyondMapsIsWhatTheLeastAndTheMostDoNotExplain) {
+TEST(PictureError, ErrorBeyondMapsIsWhatTheirTexelsDoNotExplain) {
   ReferencePicture reference = row({0.5f, 0.5f, 0.5f});
   reference.least.rgb = {0.4f, 0.5f, 0.5f};
   reference.most.rgb = {0.5f, 0.7f, 0.5f};
@@ -58,15 +67,30 @@ TEST(PictureError, BeyondMapsIsWhatTheLeastAndTheMostDoNotExplain) {
   EXPECT_NEAR(picture_error(picture({0.3f, 0.65f, 0.5f}), reference).beyond_maps, below, 1e-4);
 }
 
-TEST(PictureError, OfAPixelThatIsNotANumberIsInfinite) {
-  const float nan = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_EQ(picture_error(picture({0, nan, 0.5f}), row({0, 0, 0})).largest, std::numeric_limits<double>::infinity());
+TEST(PictureError, IsInfiniteWhereAPixelOfEitherPictureIsNotFinite) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const float value : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+    const std::vector<float> good{0.5f, 0.5f, 0.5f};
+    const std::vector<float> bad{0.5f, value, 0.5f};
+    for (const PictureError& error : {picture_error(picture(bad), row(good)), picture_error(picture(good), row(bad)),
+                                      picture_error(picture(bad), row(bad))}) {
+      EXPECT_EQ(error.largest, kInfinity);
+      EXPECT_EQ(error.mean, kInfinity);
+      EXPECT_EQ(error.beyond_maps, kInfinity);
+    }
+    ReferencePicture excluded = row(good);
+    excluded.is_at_jump[0] = 1;
+    EXPECT_EQ(picture_error(picture(bad), excluded).largest, kInfinity);
+    ReferencePicture open = row(good);
+    open.most.rgb[1] = value;
+    EXPECT_EQ(picture_error(picture(good), open).beyond_maps, kInfinity);
+  }
 }
 
-TEST(PictureError, InWordsSaysHowManyPixelsAreExceptedIfAny) {
+TEST(PictureError, WordsSayHowManyPixelsAreExcludedIfAny) {
   EXPECT_EQ(error_in_words({.largest = 0.13912, .mean = 0.0126}), "largest error 0.139, mean 0.0126 of 1/255");
-  EXPECT_EQ(error_in_words({.largest = 17.2, .mean = 2, .excepted = 3}),
-            "largest error 17.2, mean 2 of 1/255; pixels excepted: 3");
+  EXPECT_EQ(error_in_words({.largest = 17.2, .mean = 2, .excluded = 3}),
+            "largest error 17.2, mean 2 of 1/255; pixels excluded: 3");
 }
 
 }  // namespace

@@ -416,10 +416,45 @@ TEST_F(LightingPathPixels, OfAFlatShadedFaceHaveOneShade) {
   EXPECT_LT(3 * count_shades(draw(moonlit_ball(), Fog{}, flat)), count_shades(draw(moonlit_ball(), Fog{}, smooth)));
 }
 
-// The lights of `accumulate` meet every sample of a surface once. (Where two triangles of one surface lie in one plane,
-// as in the room, its first pass shows the last of them and the others the first.)
+// Two sheets of one surface at the same depth: all passes draw the later one, and no sample is lit twice.
+TEST_F(LightingPathPixels, WhereTrianglesOfASurfaceCoincideEveryPassShowsTheLast) {
+  Scene last = wall(1);
+  last.lights = lamps();
+  last.lights.resize(5);  // more than the four of a pass
+  last.materials.push_back({.name = "halves",
+                            .size_m = 1,
+                            .albedo = {2, 1, {250, 30, 60, 255, 20, 200, 90, 255}},
+                            .normal = {1, 1, {128, 128, 255, 0}},
+                            .specular = glm::vec3(0.3f),
+                            .shininess = 20,
+                            .emissive = {}});
+  Part& part = last.models[0][0];
+  part.material = "halves";
+  Scene both = last;
+  Mesh& mesh = both.models[0][0].mesh;
+  for (Vertex& vertex : mesh.vertices) vertex.uv = glm::vec2(0.25f, 0.5f);
+  for (Vertex& vertex : part.mesh.vertices) vertex.uv = glm::vec2(0.75f, 0.5f);
+  append(mesh, part.mesh, glm::mat4(1));
+  for (const LightingPath& path : lighting_paths()) {
+    if (!path.has_several_passes()) continue;
+    EXPECT_EQ(largest_difference(draw(both, Fog{}, {.path = &path}), draw(last, Fog{}, {.path = &path})), 0)
+        << path.name;
+  }
+}
+
+// At full size more triangles that share a plane are seen.
+TEST_F(LightingPathPixels, OfAccumulateAgreeWithRadialAtFullSize) {
+  const Scene scene = read_scene(bundled_scene_path("headlights"));
+  const auto draw_large = [&](const char* path) {
+    Renderer renderer(scene, 1280, 720, settings(path));
+    renderer.draw();
+    return renderer.read();
+  };
+  EXPECT_LE(largest_difference(draw_large("radial"), draw_large("accumulate")), 8 * kHalfFloat);
+}
+
 TEST_F(LightingPathPixels, OfTheThreeRadialPathsAgree) {
-  for (const char* name : {"headlights", "tessellation"}) {
+  for (const char* name : {"headlights", "tessellation", "room"}) {
     const Scene scene = read_scene(bundled_scene_path(name));
     const Fog fog = Fog::from_visibility(FogMode::exp, scene.visibilities[0]);
     const Picture radial = draw(scene, fog, settings("radial"));

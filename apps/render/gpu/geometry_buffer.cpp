@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cstring>
+#include <iterator>
 
 #include "litfog/gl/unsupported.h"
 #include "render/demo_shaders.h"
@@ -16,7 +17,7 @@ namespace litfog::render {
 namespace {
 
 constexpr GLenum kAttachments[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2,
-                                   GL_COLOR_ATTACHMENT3};
+                                   GL_COLOR_ATTACHMENT3, GL_COLOR_ATTACHMENT4};
 
 bool is_complete() { return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE; }
 
@@ -40,7 +41,7 @@ GeometryBuffer::GeometryBuffer(int width, int height)
       height_(height),
       samples_(Framebuffer::samples()),
       sample_program_("whole_picture.vert", "geometry_sample.frag", demo_shaders()) {
-  static_assert(sizeof(GeometrySample) == kTargets * sizeof(glm::vec4));
+  static_assert(sizeof(GeometrySample) == kTargets * sizeof(glm::vec4) && std::size(kAttachments) == kTargets);
   glBindFramebuffer(GL_FRAMEBUFFER, drawn_.id());
   for (int i = 0; i < kTargets; ++i) {
     glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, textures_[i].id());

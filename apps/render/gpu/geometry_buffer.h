@@ -12,14 +12,14 @@ namespace litfog::render {
 
 /// One sample of a picture as rasterised: what its fragment is shaded from. World space, metres.
 struct GeometrySample {
-  glm::vec3 position;       ///< within the bounds of the surface drawn
-  float material;           ///< its number (Renderer::materials), whole; -1 where the sky is seen
-  glm::vec3 mapped_normal;  ///< unit, by the normal map
+  glm::vec3 position;      ///< within the bounds of the surface drawn
+  float material;          ///< its number (Renderer::materials), whole; -1 where the sky is seen
+  glm::vec4 normal_texel;  ///< of the normal map (Material::normal), filtered by the GPU; [0, 1]
+  glm::vec4 tangent;       ///< Vertex::tangent, interpolated
+  glm::vec3 normal;        ///< interpolated from the vertices, where it is a unit vector
   float gloss;
-  glm::vec3 normal;  ///< interpolated from the vertices, where it is a unit vector
-  float unused;
   glm::vec3 albedo;  ///< linear RGB
-  float unused_too;
+  float unused;
 
   friend bool operator==(const GeometrySample&, const GeometrySample&) = default;
 };
@@ -45,7 +45,7 @@ class GeometryBuffer {
   static constexpr int kMostRows = 64;  ///< at a time
 
  private:
-  static constexpr int kTargets = 4;  // vec4s of a GeometrySample
+  static constexpr int kTargets = 5;  // vec4s of a GeometrySample
 
   int width_;
   int height_;

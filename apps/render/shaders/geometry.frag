@@ -1,19 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a surface's fragment is shaded from, unchanged, for the shading in double on the CPU.
+// What a surface's fragment is shaded from, before any formula is applied, for the shading in double on the CPU.
 
-#include "world_normal.glsl"
+#include "rasterised.glsl"
+
+in vec3 normal;
+in vec4 tangent;
 
 uniform float material;  // its number
 
 layout(location = 0) out vec4 position_material;
-layout(location = 1) out vec4 mapped_normal_gloss;
-layout(location = 2) out vec4 normal_unused;
-layout(location = 3) out vec4 albedo_unused;
+layout(location = 1) out vec4 normal_texel;
+layout(location = 2) out vec4 vertex_tangent;
+layout(location = 3) out vec4 vertex_normal_gloss;
+layout(location = 4) out vec4 albedo_unused;
 
 void main() {
   vec4 base = base_texture();
   position_material = vec4(fragment_position(), material);
-  mapped_normal_gloss = vec4(mapped_world_normal(), base.a);
-  normal_unused = vec4(normal, 0.0);
+  normal_texel = texture(normal_map, uv);
+  vertex_tangent = tangent;
+  vertex_normal_gloss = vec4(normal, base.a);
   albedo_unused = vec4(base.rgb, 0.0);
 }

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "measure/jump_watch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace litfog::measure {
+namespace {
+
+constexpr double kUnit = 0x1p-22;       // some units in the last place of a float near 1
+constexpr double kMostRounding = 5e-4;  // of an extent, some kilometres from the origin
+
+bool is_seen(const glm::dvec3& jump) {
+  constexpr double kLeast = 1e-4;  // a third of a step on the display where it is darkest
+  return std::max({jump.r, jump.g, jump.b}) > kLeast;
+}
+
+/// Relative rounding of the vector from a light to a position, both of them floats: larger where it is short beside
+/// their distance from the origin.
+double rounding_of(const ReferenceLight& light, const glm::dvec3& position, double range) {
+  const glm::dvec3 largest = glm::max(glm::abs(light.position), glm::abs(position));
+  return kUnit * (1 + std::max({largest.x, largest.y, largest.z}) / range);
+}
+
+double cos_cutoff(const ReferenceLight& light) { return std::cos(cutoff_angle(light.cone)); }
+
+bool is_at_cone_edge(const ReferenceLight& light, const LightRay& ray, double rounding) {
+  return light.cone.profile == ConeProfile::cosine &&
+         std::abs(glm::dot(light.axis, ray.direction) - cos_cutoff(light)) < rounding;
+}
+
+/// What a cone sends just within its edge.
+double emitted_at_edge(const ReferenceLight& light, double rounding) {
+  return cone_at(light.cone, std::min(cos_cutoff(light) + rounding, 1.0));
+}
+
+}  // namespace
+
+bool JumpWatch::is_at_jump(const SurfacePoint& point) const {
+  const scene::Environment& environment = model_.environment();
+  const glm::dvec3 moon = environment.moon_direction;
+  if (model_.path().evaluation != render::Evaluation::lookup && std::abs(glm::dot(point.normal, moon)) < kUnit &&
+      is_seen(glm::dvec3(environment.moon_color) * model_.highlight(point, moon))) {
+    return true;
+  }
+  return std::ranges::any_of(model_.lights(), [&](const ReferenceLight& light) {
+    const auto ray = ray_within(light.extent * (1 + kMostRounding), light, point.position);
+    return ray && is_at_jump(point, light, *ray);
+  });
+}
+
+bool JumpWatch::is_at_jump(const SurfacePoint& point, const ReferenceLight& light, const LightRay& ray) const {
+  const glm::dvec3 to_light = -ray.direction;
+  const double rounding = rounding_of(light, point.position, ray.range);
+  const bool is_just_turned_away = std::abs(glm::dot(point.normal, to_light)) < rounding;
+  const bool is_at_extent = std::abs(ray.range - light.extent) < rounding * ray.range;
+  const bool is_at_edge = is_at_cone_edge(light, ray, rounding);
+  if (!is_just_turned_away && !is_at_extent && !is_at_edge) return false;
+  const glm::dvec3 on_axis = light.color * model_.falloff(light, std::min(ray.range, light.extent));
+  const glm::dvec3 arriving = on_axis * light.emitted(ray.direction);
+  const glm::dvec3 reflectance = model_.reflectance(point, to_light);
+  return (is_just_turned_away && is_seen(arriving * model_.highlight(point, to_light))) ||
+         (is_at_extent && is_seen(arriving * reflectance)) ||
+         (is_at_edge && is_seen(on_axis * emitted_at_edge(light, rounding) * reflectance));
+}
+
+bool JumpWatch::is_at_jump(const Veil& veil, const glm::dvec3& position) const {
+  if (veil.opacity <= 0) return false;
+  return std::ranges::any_of(model_.lights(), [&](const ReferenceLight& light) {
+    if (!model_.lights_fog(light)) return false;
+    const auto ray = ray_within(kAnyRange, light, position);
+    if (!ray) return false;
+    const double rounding = rounding_of(light, position, ray->range);
+    return is_at_cone_edge(light, *ray, rounding) &&
+           is_seen(light.color * emitted_at_edge(light, rounding) * light.fog_intensity * veil.opacity);
+  });
+}
+
+}  // namespace litfog::measure

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "measure/model.h"
+
+namespace litfog::measure {
+
+/// Finds the samples whose side of a jump of the model is decided by the rounding of floats: at a light's extent, at
+/// the edge of a cosine cone, and where a surface with highlights is just turned away. Jumps too small to be seen do
+/// not count.
+class JumpWatch {
+ public:
+  /// model  has to outlive this
+  explicit JumpWatch(const Model& model) : model_(model) {}
+
+  /// Of the light that a surface sends to the eye.
+  bool is_at_jump(const SurfacePoint& point) const;
+  /// Of the fog before a position.
+  bool is_at_jump(const Veil& veil, const glm::dvec3& position) const;
+
+ private:
+  bool is_at_jump(const SurfacePoint& point, const ReferenceLight& light, const LightRay& ray) const;
+
+  const Model& model_;
+};
+
+}  // namespace litfog::measure

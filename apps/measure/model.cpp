@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "measure/model.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace litfog::measure {
+namespace {
+
+/// Lacroix 2005, listing 2.3: the normal map's normal from the interpolated tangent space into world space. How the
+/// texel says which level is 0 is Material::normal's rule.
+glm::dvec3 mapped_normal(const render::GeometrySample& sample) {
+  const glm::dvec4 texel = sample.normal_texel;
+  const glm::dvec3 bump = 2.0 * glm::dvec3(texel) - (256 - texel.a) / 255;
+  const glm::dvec3 n = glm::normalize(glm::dvec3(sample.normal));
+  const glm::dvec3 t = glm::normalize(glm::dvec3(sample.tangent));
+  const glm::dvec3 b = glm::normalize(glm::cross(n, t)) * double(sample.tangent.w);
+  return glm::normalize(t * bump.x + b * bump.y + n * bump.z);
+}
+
+}  // namespace
+
+std::optional<LightRay> ray_within(double range, const ReferenceLight& light, const glm::dvec3& position) {
+  const glm::dvec3 offset = position - light.position;
+  const double square = glm::dot(offset, offset);
+  if (!(square > 0 && square <= range * range)) return std::nullopt;
+  const double length = std::sqrt(square);
+  return LightRay{offset / length, length};
+}
+
+Model::Model(const render::Renderer& renderer)
+    : settings_(renderer.settings()),
+      path_(*renderer.settings().path),
+      environment_(renderer.scene().environment),
+      fog_(renderer.fog()),
+      materials_(renderer.materials()),
+      lights_(reference_lights(renderer.scene(), renderer.fog())),
+      eye_(renderer.scene().camera.position),
+      forward_(glm::normalize(glm::dvec3(renderer.scene().camera.target) - eye_)) {}
+
+SurfacePoint Model::surface_point(const render::GeometrySample& sample) const {
+  const scene::Material& material = materials_[std::size_t(sample.material)];
+  const glm::dvec3 position = sample.position;
+  const bool is_basic = path_.surface == render::SurfaceModel::basic;
+  return {.position = position,
+          .normal = path_.has_normal_maps ? mapped_normal(sample) : glm::normalize(glm::dvec3(sample.normal)),
+          .to_eye = settings_.has_infinite_viewer ? -forward_ : glm::normalize(eye_ - position),
+          .emissive = material.emissive,
+          .diffuse = sample.albedo,
+          .specular = is_basic ? glm::dvec3(material.specular) * double(sample.gloss) : glm::dvec3(0.0),
+          .shininess = material.shininess,
+          .vertex_moon_cosine = glm::dot(glm::dvec3(sample.normal), glm::dvec3(environment_.moon_direction))};
+}
+
+glm::dvec3 Model::surface_color(const SurfacePoint& point) const {
+  glm::dvec3 color = without_lamps(point);
+  for (const ReferenceLight& light : lights_) {
+    const auto ray = ray_within(light.extent, light, point.position);
+    if (!ray) continue;
+    const double arriving = light.emitted(ray->direction) * falloff(light, ray->range);
+    if (arriving > 0) color += light.color * arriving * reflectance(point, -ray->direction);
+  }
+  return color;
+}
+
+glm::dvec3 Model::without_lamps(const SurfacePoint& point) const {
+  const glm::dvec3 moon_color = environment_.moon_color;
+  const glm::dvec3 color = point.emissive + point.diffuse * glm::dvec3(environment_.ambient_light);
+  if (path_.evaluation == render::Evaluation::lookup) {  // Hales: the shading value, interpolated
+    return color + moon_color * point.diffuse * std::clamp(point.vertex_moon_cosine, 0.0, 1.0);
+  }
+  return color + moon_color * reflectance(point, environment_.moon_direction);
+}
+
+double Model::falloff(const ReferenceLight& light, double range) const {
+  if (range > light.extent) return 0;
+  if (path_.range == render::RangeLaw::attenuation) return attenuation_at(light.attenuation, range);
+  const double fraction = range / light.extent;
+  return 1 - fraction * fraction;
+}
+
+glm::dvec3 Model::reflectance(const SurfacePoint& point, const glm::dvec3& to_light) const {
+  if (path_.surface == render::SurfaceModel::unshaded) return point.diffuse;
+  const double cosine = glm::dot(point.normal, to_light);
+  return cosine > 0 ? point.diffuse * cosine + highlight(point, to_light) : glm::dvec3(0.0);
+}
+
+glm::dvec3 Model::highlight(const SurfacePoint& point, const glm::dvec3& to_light) const {
+  if (point.specular == glm::dvec3(0.0)) return glm::dvec3(0.0);
+  const glm::dvec3 half_vector = glm::normalize(to_light + point.to_eye);
+  return point.specular * std::pow(std::max(glm::dot(point.normal, half_vector), 0.0), point.shininess);
+}
+
+/// Hales 2004, "Lighting in Fog": ambient fog + sum over the carried lights of color * cone * intensity.
+Veil Model::veil(const glm::dvec3& position) const {
+  Veil veil{.color = environment_.ambient_fog_color, .opacity = opacity_at(fog_, glm::distance(position, eye_))};
+  if (veil.opacity <= 0) return veil;
+  for (const ReferenceLight& light : lights_) {
+    if (!lights_fog(light)) continue;
+    const auto ray = ray_within(kAnyRange, light, position);
+    if (ray) veil.color += light.color * light.emitted(ray->direction) * light.fog_intensity;
+  }
+  return veil;
+}
+
+}  // namespace litfog::measure

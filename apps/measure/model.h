@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/glm.hpp>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "measure/reference_light.h"
+#include "render/gpu/geometry_buffer.h"
+#include "render/renderer.h"
+
+namespace litfog::measure {
+
+/// What the Cg Tutorial's Basic model (5.2) asks of a point of a surface.
+struct SurfacePoint {
+  glm::dvec3 position;
+  glm::dvec3 normal;  ///< unit
+  glm::dvec3 to_eye;  ///< unit
+  glm::dvec3 emissive;
+  glm::dvec3 diffuse;   ///< also the ambient reflectance
+  glm::dvec3 specular;  ///< 0 where the path has no highlights
+  double shininess;
+  double vertex_moon_cosine;  ///< normal . moon direction at the vertices, interpolated
+};
+
+/// From a light to a position.
+struct LightRay {
+  glm::dvec3 direction;  ///< unit
+  double range;          ///< metres
+};
+/// None where the position is farther than a range, or the light's own, to which there is no direction.
+inline constexpr double kAnyRange = std::numeric_limits<double>::infinity();
+std::optional<LightRay> ray_within(double range, const ReferenceLight& light, const glm::dvec3& position);
+
+/// The fog before a position: over(colour) is how the eye sees the colour behind it.
+struct Veil {
+  glm::dvec3 color;
+  double opacity;
+
+  glm::dvec3 over(const glm::dvec3& color_behind) const { return glm::mix(color_behind, color, opacity); }
+};
+
+/// The formulas of a renderer's lighting path in double, written as the papers have them: no maps, no tessellation, no
+/// skipping. Every light is evaluated at every sample.
+class Model {
+ public:
+  /// renderer  has to outlive this
+  explicit Model(const render::Renderer& renderer);
+
+  const std::vector<ReferenceLight>& lights() const { return lights_; }
+  const render::LightingPath& path() const { return path_; }
+  const scene::Environment& environment() const { return environment_; }
+
+  /// sample.material  not that of the sky
+  SurfacePoint surface_point(const render::GeometrySample& sample) const;
+
+  /// What a surface sends to the eye, before fog: without_lamps + sum over the lights of color * emitted * falloff *
+  /// reflectance.
+  glm::dvec3 surface_color(const SurfacePoint& point) const;
+  /// Its emissive, ambient and directional light.
+  glm::dvec3 without_lamps(const SurfacePoint& point) const;
+  /// A light's attenuation by the path's range law, 0 beyond its extent.
+  double falloff(const ReferenceLight& light, double range) const;
+  /// The fraction of the light from a unit direction that the surface reflects.
+  glm::dvec3 reflectance(const SurfacePoint& point, const glm::dvec3& to_light) const;
+  /// The specular part of it, as if the surface faced the light.
+  glm::dvec3 highlight(const SurfacePoint& point, const glm::dvec3& to_light) const;
+
+  Veil veil(const glm::dvec3& position) const;
+  /// Whether a light lights the fog; only then `veil` shows it.
+  bool lights_fog(const ReferenceLight& light) const { return path_.has_lit_fog && light.fog_intensity > 0; }
+
+ private:
+  const render::RenderSettings& settings_;
+  const render::LightingPath& path_;
+  const scene::Environment& environment_;
+  Fog fog_;
+  std::vector<scene::Material> materials_;
+  std::vector<ReferenceLight> lights_;
+  glm::dvec3 eye_;
+  glm::dvec3 forward_;  // unit: the camera's axis
+};
+
+}  // namespace litfog::measure
