@@ -50,7 +50,6 @@ class Renderer {
   void draw_light_points(const glm::mat4& clip_from_world);
 
   const scene::Scene& scene_;
-  Fog fog_;
   RenderSettings settings_;
   Fog fog_;
   Framebuffer framebuffer_;
