@@ -183,7 +183,8 @@ ExitStatus draw_scene(const Options& options) {
       stats["mean_error_255"] = comparison->error.mean;
       stats["excepted_pixels"] = comparison->error.excluded;
     }
-    write_whole_file(options.stats, stats.dump(2) + "\n");
+    constexpr auto kReplace = nlohmann::ordered_json::error_handler_t::replace;  // a file's name may be no UTF-8
+    write_whole_file(options.stats, stats.dump(2, ' ', false, kReplace) + "\n");
   }
   write_standard_output(fmt::format("{}: {} ({}x{}) in {} ms on {}\n", output, scene.name, options.width,
                                     options.height, milliseconds_text(times.median()), context.renderer()));

@@ -54,6 +54,14 @@ TEST_F(DemoCommand, DrawsASceneAsPngAndExrOfTheSameLight) {
   }
 }
 
+TEST_F(DemoCommand, StatisticsOfASceneWhoseFileNameIsNotUtf8AreWritten) {
+  write("\xFF.json", R"({"litfog": "scene", "version": 1, "camera": {"position": [0, 2, 5], "target": [0, 0, 0]},
+                         "objects": []})");
+  const Outcome outcome = run("\xFF.json --size 8x8 -o a.png --stats s.json");
+  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  EXPECT_EQ(nlohmann::json::parse(read("s.json"))["scene"], "\xEF\xBF\xBD");
+}
+
 TEST_F(DemoCommand, StatisticsSayWhatWasDrawn) {
   ASSERT_EQ(run("approach --visibility 800 --fog exp2 --size 64x36 --frames 3 -o a.png --stats s.json").status, kDone);
   const auto stats = nlohmann::json::parse(read("s.json"));

@@ -235,8 +235,7 @@ TEST_F(SolveCommand, WrongLightFilesAreBadInputAndNothingIsPrinted) {
   EXPECT_REFUSED(run("--density 1 --light good.json bad.json"), kBadInput,
                  "bad.json:2:27: attenuation.linear = -1: must be finite and >= 0\n");
   EXPECT_REFUSED(run("--density 1 --light empty.json"), kBadInput,
-                 "empty.json:1:1: syntax error while parsing value - unexpected end of input; expected '[', '{', or a "
-                 "literal\n");
+                 "empty.json:1:1: end of file: must be an object, an array, a string, a number, true, false or null\n");
   EXPECT_REFUSED(run("--density 1 --light absent.json"), kBadInput,
                  "absent.json: cannot be read: No such file or directory\n");
   EXPECT_REFUSED(run("--density 1 --light ."), kBadInput, ".: cannot be read: Is a directory\n");
