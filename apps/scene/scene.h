@@ -14,10 +14,10 @@
 
 namespace litfog::scene {
 
-// What a scene may hold, so that no file asks for all memory or for what floats cannot draw.
+// Limits of a scene, so that no file exhausts the memory or exceeds what floats can draw.
 inline constexpr std::size_t kMaxSceneLights = 20'000;
 inline constexpr std::size_t kMaxTriangles = 20'000'000;
-inline constexpr double kMaxCoordinate = 1e7;  ///< metres: floats there still tell metres apart
+inline constexpr double kMaxCoordinate = 1e7;  ///< metres: floats there still resolve a metre
 inline constexpr double kMaxColor = 1e4;       ///< a framebuffer's half floats end at 65,504
 
 /// The eye. Right-handed, Y up, metres.
@@ -27,7 +27,7 @@ struct Camera {
   float field_of_view = 1.0f;  ///< vertical, radians
 };
 
-/// What lights a scene beside its lamps. Colours are linear RGB.
+/// What lights a scene besides its lamps. Colours are linear RGB.
 struct Environment {
   glm::vec3 ambient_light{0.0f};
   glm::vec3 ambient_fog_color{0.0f};
@@ -66,13 +66,12 @@ struct Scene {
   std::vector<double> visibilities;              ///< metres: those at which the gallery shows the scene
 };
 
-/// Turns the spinning cookies on by so many seconds.
+/// Turns the spinning cookies by what they turn in `seconds`.
 inline void turn_cookies(Scene& scene, double seconds) {
   for (auto& [light, use] : scene.cookie_uses) use.roll += use.spin * seconds;
 }
 
-/// The visibility at which a scene is shown where none is asked for, metres: its own middle one, so that the picture
-/// shows what the scene is for.
+/// The visibility at which a scene is drawn if none is given, metres: the middle one of its own, or 200.
 inline double suggested_visibility(const Scene& scene) {
   return scene.visibilities.empty() ? 200 : scene.visibilities[scene.visibilities.size() / 2];
 }

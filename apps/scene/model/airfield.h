@@ -6,11 +6,11 @@
 
 namespace litfog::scene {
 
-// Lights of an airfield face +Z, towards who approaches looking along -Z.
+// Lights of an airfield face +Z, towards a pilot who approaches along -Z.
 
 /// One box of a precision approach path indicator; its light leaves from (0, 0.55, 0.42).
 struct PapiBox {
-  int white = 1;  ///< 1: seen white, 0: red
+  int white = 1;  ///< 1: seen white, 0: seen red
 
   void describe(ParameterList& list) { list.add("white", white, 0, 1); }
 };
