@@ -91,7 +91,8 @@ Model make_approach_light(const ApproachLight& light) {
     append(part(model, "paint_grey"),
            make_lathe({{0.0f, -0.12f}, {0.05f, -0.11f}, {0.1f, -0.02f}, {0.105f, 0.06f}, {0.095f, 0.06f}}, 14),
            forward);
-    append(part(model, "lamp_white"), make_lathe({{0.095f, 0.05f}, {0.06f, 0.065f}, {0.0f, 0.07f}}, 14), forward);
+    append(part(model, light.red != 0 ? "lamp_red" : "lamp_white"),
+           make_lathe({{0.095f, 0.05f}, {0.06f, 0.065f}, {0.0f, 0.07f}}, 14), forward);
     append(mast, make_cylinder({0.018f, 0.018f, 0.1f, 6}), glm::translate(at, glm::vec3(0.0f, -0.14f, 0.0f)));
   }
   return model;

@@ -21,11 +21,13 @@ struct ApproachLight {
   float height_m = 2.0f;
   int lamps = 5;
   float spacing_m = 1.0f;
+  int red = 0;  ///< 1: red lenses, for side rows
 
   void describe(ParameterList& list) {
     list.add("height_m", height_m, 0.4, 30);
     list.add("lamps", lamps, 1, 11);
     list.add("spacing_m", spacing_m, 0.3, 5);
+    list.add("red", red, 0, 1);
   }
 };
 Model make_approach_light(const ApproachLight& light);
