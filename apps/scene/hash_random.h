@@ -19,7 +19,7 @@ constexpr std::uint32_t hash(std::uint32_t x, std::uint32_t y, std::uint32_t see
   return hash(x + hash(y + hash(seed)));
 }
 
-/// [0, 1): the upper 24 bits, which a float holds exactly.
+/// A number in [0, 1) of the upper 24 bits, which a float holds exactly.
 constexpr float unit_float(std::uint32_t bits) { return float(bits >> 8) * 0x1p-24f; }
 
 /// A seeded sequence of numbers, the same on every machine: the hashes of a counter.

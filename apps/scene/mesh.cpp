@@ -8,13 +8,14 @@
 namespace litfog::scene {
 namespace {
 
-/// A tangent for a unit normal that turns with it everywhere but straight down, where every such field has to break
-/// (Frisvad 2012, "Building an Orthonormal Basis from a 3D Unit Vector Without Normalization"): what is carried into
-/// tangent space at the vertices is interpolated between them.
+/// A tangent for a unit normal, continuous in the normal everywhere but straight down, where every such field must
+/// break (Frisvad 2012, "Building an Orthonormal Basis from a 3D Unit Vector Without Normalization"). It must be
+/// continuous because values in tangent space are interpolated between vertices; basis_from_world (light_frame.h) is
+/// not.
 glm::vec3 perpendicular(const glm::vec3& normal) {
   if (normal.y < -0.9999f) return glm::normalize(glm::vec3(1, 0, 0) - normal * normal.x);
-  const float share = normal.x / (1 + normal.y);
-  return glm::normalize(glm::vec3(1 - normal.x * share, -normal.x, -normal.z * share));
+  const float tilt = normal.x / (1 + normal.y);
+  return glm::normalize(glm::vec3(1 - normal.x * tilt, -normal.x, -normal.z * tilt));
 }
 
 void extend(Bounds& box, const Mesh& mesh) {
@@ -54,28 +55,28 @@ std::size_t triangle_count(const Model& model) {
   return count;
 }
 
-void append(Mesh& to, const Mesh& from, const glm::mat4& to_from_from) {
-  const glm::mat3 linear(to_from_from);
+void append(Mesh& whole, const Mesh& piece, const glm::mat4& whole_from_piece) {
+  const glm::mat3 linear(whole_from_piece);
   const glm::mat3 normals = glm::transpose(glm::inverse(linear));
   const bool mirrored = glm::determinant(linear) < 0.0f;
-  const auto first = std::uint32_t(to.vertices.size());
-  for (const Vertex& vertex : from.vertices) {
+  const auto first = std::uint32_t(whole.vertices.size());
+  for (const Vertex& vertex : piece.vertices) {
     const glm::vec3 normal = glm::normalize(normals * vertex.normal);
     // An uneven scale tilts the tangent off the normal's plane.
     glm::vec3 tangent = linear * glm::vec3(vertex.tangent);
     tangent = glm::normalize(tangent - normal * glm::dot(normal, tangent));
-    to.vertices.push_back({glm::vec3(to_from_from * glm::vec4(vertex.position, 1.0f)), normal,
-                           glm::vec4(tangent, mirrored ? -vertex.tangent.w : vertex.tangent.w), vertex.uv});
+    whole.vertices.push_back({glm::vec3(whole_from_piece * glm::vec4(vertex.position, 1.0f)), normal,
+                              glm::vec4(tangent, mirrored ? -vertex.tangent.w : vertex.tangent.w), vertex.uv});
   }
-  for (std::size_t i = 0; i + 2 < from.indices.size(); i += 3) {
-    to.indices.push_back(first + from.indices[i]);
-    to.indices.push_back(first + from.indices[mirrored ? i + 2 : i + 1]);
-    to.indices.push_back(first + from.indices[mirrored ? i + 1 : i + 2]);
+  for (std::size_t i = 0; i + 2 < piece.indices.size(); i += 3) {
+    whole.indices.push_back(first + piece.indices[i]);
+    whole.indices.push_back(first + piece.indices[mirrored ? i + 2 : i + 1]);
+    whole.indices.push_back(first + piece.indices[mirrored ? i + 1 : i + 2]);
   }
 }
 
-void append(Model& to, const Model& from, const glm::mat4& to_from_from) {
-  for (const Part& piece : from) append(part(to, piece.material), piece.mesh, to_from_from);
+void append(Model& whole, const Model& piece, const glm::mat4& whole_from_piece) {
+  for (const Part& each : piece) append(part(whole, each.material), each.mesh, whole_from_piece);
 }
 
 Mesh& part(Model& model, std::string_view material) {
@@ -101,7 +102,7 @@ void compute_tangents(Mesh& mesh) {
     const glm::vec2 uv_ac = c.uv - a.uv;
     const float determinant = uv_ab.x * uv_ac.y - uv_ab.y * uv_ac.x;
     if (determinant == 0.0f) continue;
-    // The division by the determinant's size is left out: that weights by area, as it should be.
+    // Not divided by the determinant's magnitude, so that each triangle weighs by its area.
     const float sign = determinant < 0.0f ? -1.0f : 1.0f;
     const glm::vec3 tangent = sign * (ab * uv_ac.y - ac * uv_ab.y);
     const glm::vec3 bitangent = sign * (ac * uv_ab.x - ab * uv_ac.x);

@@ -16,7 +16,7 @@ struct Vertex {
   glm::vec3 position;
   glm::vec3 normal;
   glm::vec4 tangent;  ///< xyz: the direction in which u grows; w: +1 or -1
-  glm::vec2 uv;       ///< metres of surface; the material knows how many of them one tile covers
+  glm::vec2 uv;       ///< metres of surface; Material::size_m is how many of them one tile covers
 };
 
 /// Indexed triangles, front faces counter-clockwise. Plain data: no GL.
@@ -31,9 +31,8 @@ struct Part {
   Mesh mesh;
 };
 
-/// Something to put into a scene: one part a material. Origin on the ground in the middle unless its builder says
-/// otherwise; things with a front face -Z.
-/// A deque, so that the reference that part() gives outlives the next part.
+/// Something to put into a scene: one part per material. The origin is on the ground in the middle, and things with a
+/// front face -Z, unless the builder states otherwise. A deque, so that a reference from part() survives later parts.
 using Model = std::deque<Part>;
 
 struct Bounds {
@@ -41,7 +40,7 @@ struct Bounds {
   glm::vec3 high;
 };
 
-/// The axis-aligned box around the vertices; low > high where there are none.
+/// The axis-aligned box around the vertices; low > high if there are none.
 Bounds bounds(const Mesh& mesh);
 Bounds bounds(const Model& model);
 
@@ -51,8 +50,8 @@ Bounds transformed(const Bounds& box, const glm::mat4& to_from_box);
 std::size_t triangle_count(const Model& model);
 
 /// Adds a transformed copy. A mirroring transform keeps front faces in front.
-void append(Mesh& to, const Mesh& from, const glm::mat4& to_from_from);
-void append(Model& to, const Model& from, const glm::mat4& to_from_from);
+void append(Mesh& whole, const Mesh& piece, const glm::mat4& whole_from_piece);
+void append(Model& whole, const Model& piece, const glm::mat4& whole_from_piece);
 
 /// The mesh of a model's part of that material, made if there is none.
 Mesh& part(Model& model, std::string_view material);
@@ -60,11 +59,11 @@ Mesh& part(Model& model, std::string_view material);
 /// Rotation by yaw about +Y (radians; counter-clockwise seen from above), then translation.
 glm::mat4 place(const glm::vec3& position, float yaw = 0.0f);
 
-/// Fills the tangents from positions, normals and uv; call it when those are final. Where uv says nothing, any
+/// Fills the tangents from positions, normals and uv; call it when those are final. Where uv is constant, any
 /// perpendicular of the normal.
 void compute_tangents(Mesh& mesh);
 
-/// Adds the back of every face, for leaves and blades, which are seen from both sides where culling is on.
+/// Adds the back of every face: leaves and blades are seen from both sides, and back faces are culled.
 void add_back_faces(Mesh& mesh);
 
 }  // namespace litfog::scene

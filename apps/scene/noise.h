@@ -21,7 +21,7 @@ constexpr Gradient lattice_gradient(std::uint32_t column, std::uint32_t row, std
 }
 
 /// Gradient noise along a row of the lattice. At a height y inside the cell row, the contribution of a cell's left and
-/// right corner is linear in x: slope * x + offset. A picture's row then costs two multiply-adds a texel.
+/// right corner is linear in x: slope * x + offset. A picture's row then costs two multiply-adds per texel.
 struct NoiseEdge {
   float slope, offset;
 };
@@ -35,7 +35,7 @@ constexpr float noise_between(NoiseEdge left, NoiseEdge right, float x, float fa
   return at_left + (at_right - at_left) * faded_x;
 }
 
-/// Gradient noise at a point: about [-0.7, 0.7], mean 0, one feature a unit. Does not repeat within 2^31 units.
+/// Gradient noise at a point: about [-0.7, 0.7], mean 0, one feature per unit. Does not repeat within 2^31 units.
 inline float gradient_noise(float x, float y, std::uint32_t seed) {
   const float column = std::floor(x);
   const float row = std::floor(y);

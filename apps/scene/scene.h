@@ -15,11 +15,11 @@
 
 namespace litfog::scene {
 
-// What a scene may hold, so that no file asks for all memory or for what floats cannot draw.
+// Limits of a scene, so that no file exhausts the memory or exceeds what floats can draw.
 inline constexpr std::size_t kMaxSceneLights = 20'000;
 inline constexpr std::size_t kMaxTriangles = 20'000'000;
 inline constexpr std::size_t kMaxVertices = 20'000'000;  ///< of all models: 960 MB, below the 2 GiB of a GL buffer
-inline constexpr double kMaxCoordinate = 1e7;  ///< metres: floats there still tell metres apart
+inline constexpr double kMaxCoordinate = 1e7;  ///< metres: floats there still resolve a metre
 inline constexpr double kMaxColor = 1e4;       ///< a framebuffer's half floats end at 65,504
 
 /// The eye. Right-handed, Y up, metres.
@@ -29,7 +29,7 @@ struct Camera {
   float field_of_view = 1.0f;  ///< vertical, radians
 };
 
-/// What lights a scene beside its lamps. Colours are linear RGB.
+/// What lights a scene besides its lamps. Colours are linear RGB.
 struct Environment {
   glm::vec3 ambient_light{0.0f};
   glm::vec3 ambient_fog_color{0.0f};
@@ -68,20 +68,19 @@ struct Scene {
   std::vector<double> visibilities;              ///< metres: those at which the gallery shows the scene
 };
 
-/// A cookie of ten turns a second is then still where it should be to a thousandth of a degree.
+/// Largest time: a cookie of ten turns a second is then still in place to a thousandth of a degree.
 inline constexpr double kMaxSeconds = 1e9;
 
-/// Turns the spinning cookies on.
+/// Turns the spinning cookies by what they turn in `seconds`.
 ///
 /// seconds  [0, kMaxSeconds]
-/// throws   std::invalid_argument
+/// throws   std::invalid_argument naming the rule
 inline void turn_cookies(Scene& scene, double seconds) {
   if (!(seconds >= 0 && seconds <= kMaxSeconds)) throw std::invalid_argument("seconds: must be in [0, 1e9]");
   for (auto& [light, use] : scene.cookie_uses) use.roll += use.spin * seconds;
 }
 
-/// The visibility at which a scene is shown where none is asked for, metres: its own middle one, so that the picture
-/// shows what the scene is for.
+/// The visibility at which a scene is drawn if none is given, metres: the middle one of its own, or 200.
 inline double suggested_visibility(const Scene& scene) {
   return scene.visibilities.empty() ? 200 : scene.visibilities[scene.visibilities.size() / 2];
 }

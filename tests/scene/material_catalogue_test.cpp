@@ -9,16 +9,13 @@
 #include <stdexcept>
 
 #include "reference/srgb.h"
-#include "scene/noise.h"
-#include "scene/paint/field.h"
 
 namespace litfog::test {
 using namespace scene;
 
-namespace litfog::demo {
 namespace {
 
-double linear(std::uint8_t srgb) { return test::linear_from_srgb(srgb / 255.0); }
+double linear(std::uint8_t srgb) { return linear_from_srgb(srgb / 255.0); }
 
 double mean_luminance(const Material& material) {
   double sum = 0.0;
@@ -61,7 +58,7 @@ Jumps jumps(const std::vector<std::uint8_t>& picture, int size, bool rows) {
 
 class EveryMaterial : public testing::TestWithParam<std::string> {};
 
-TEST_P(EveryMaterial, IsWhole) {
+TEST_P(EveryMaterial, PicturesAreSquareAndValuesAreInRange) {
   const Material material = make_material(GetParam());
   EXPECT_EQ(material.name, GetParam());
   EXPECT_GE(material.albedo.width, 16);
@@ -81,7 +78,7 @@ TEST_P(EveryMaterial, IsWhole) {
   EXPECT_GE(material.shininess, 1.0f);
 }
 
-TEST_P(EveryMaterial, HasUnitNormalsThatPointOut) {
+TEST_P(EveryMaterial, NormalsAreUnitVectorsThatPointOut) {
   const Material material = make_material(GetParam());
   double worst = 0.0;
   for (std::size_t i = 0; i < material.normal.rgba.size(); i += 4) {
@@ -95,7 +92,7 @@ TEST_P(EveryMaterial, HasUnitNormalsThatPointOut) {
   EXPECT_LE(worst, 0.0069);
 }
 
-TEST(Material, SmoothPaintIsFlat) {
+TEST(MaterialCatalogue, SmoothPaintIsFlat) {
   const Material material = make_material("sign_white");
   for (std::size_t i = 0; i < material.normal.rgba.size(); i += 4) {
     ASSERT_EQ(material.normal.rgba[i], 128);
@@ -104,7 +101,7 @@ TEST(Material, SmoothPaintIsFlat) {
   }
 }
 
-TEST_P(EveryMaterial, Tiles) {
+TEST_P(EveryMaterial, PicturesTile) {
   const Material material = make_material(GetParam());
   for (const bool rows : {false, true}) {
     for (const auto* picture : {&material.albedo, &material.normal}) {
@@ -116,7 +113,7 @@ TEST_P(EveryMaterial, Tiles) {
   }
 }
 
-TEST_P(EveryMaterial, ComesOutTheSameTwice) {
+TEST_P(EveryMaterial, PicturesAreTheSameTwice) {
   const Material first = make_material(GetParam());
   const Material second = make_material(GetParam());
   EXPECT_EQ(first.albedo.rgba, second.albedo.rgba);
@@ -125,14 +122,19 @@ TEST_P(EveryMaterial, ComesOutTheSameTwice) {
 
 std::vector<std::string> names() { return {material_names().begin(), material_names().end()}; }
 
-INSTANTIATE_TEST_SUITE_P(Material, EveryMaterial, testing::ValuesIn(names()),
+INSTANTIATE_TEST_SUITE_P(MaterialCatalogue, EveryMaterial, testing::ValuesIn(names()),
                          [](const auto& tested) { return tested.param; });
 
-TEST(Material, NamesAreSorted) { EXPECT_TRUE(std::is_sorted(material_names().begin(), material_names().end())); }
+TEST(MaterialCatalogue, NamesAreSorted) {
+  EXPECT_TRUE(std::is_sorted(material_names().begin(), material_names().end()));
+}
 
-TEST(Material, SceneGetsEachMaterialThatItNamesAndLacksOnce) {
+TEST(MaterialCatalogue, SceneGetsEachMaterialThatItNamesAndLacksOnce) {
+  Material wood{};
+  wood.name = "wood";
+  wood.size_m = 7;
   Scene scene;
-  scene.materials.push_back({.name = "wood", .size_m = 7});
+  scene.materials.push_back(wood);
   scene.models.push_back({Part{"wood", {}}, Part{"sign_red", {}}});
   scene.models.push_back({Part{"sign_red", {}}, Part{"glass", {}}});
   add_materials(scene);
@@ -143,12 +145,12 @@ TEST(Material, SceneGetsEachMaterialThatItNamesAndLacksOnce) {
   EXPECT_EQ(scene.materials[1].albedo.rgba, make_material("glass").albedo.rgba);
 }
 
-TEST(Material, RefusesAnUnknownName) { EXPECT_THROW(make_material("no_such_material"), std::invalid_argument); }
+TEST(MaterialCatalogue, UnknownNameIsAnError) {
+  EXPECT_THROW(make_material("no_such_material"), std::invalid_argument);
+}
 
-/// Luminance of real surfaces (linear), as published for road lighting (asphalt 0.07-0.15, concrete 0.3-0.4, fresh
-/// paint over 0.6) and for daylight work (grass 0.1-0.2 with soil between, brick 0.15-0.25, plaster 0.5-0.6, spruce
-/// under 0.1).
-TEST(Material, HasTheMeanAlbedoOfTheRealSurface) {
+/// Ranges of luminance (linear) by eye.
+TEST(MaterialCatalogue, MeanAlbedosAreNearThoseOfRealSurfaces) {
   const std::map<std::string, std::pair<double, double>> ranges{
       {"asphalt", {0.09, 0.14}},     {"runway", {0.09, 0.14}},         {"road_paint", {0.58, 0.68}},
       {"grass", {0.09, 0.20}},       {"gravel", {0.18, 0.30}},         {"soil", {0.06, 0.12}},
@@ -166,7 +168,7 @@ TEST(Material, HasTheMeanAlbedoOfTheRealSurface) {
   }
 }
 
-TEST(Material, OnlyLampsAndLitWindowsShine) {
+TEST(MaterialCatalogue, OnlyLampsAndLitWindowsShine) {
   for (const std::string_view name : material_names()) {
     const bool should = name.starts_with("lamp_") || name == "window_lit";
     const glm::vec3 emissive = make_material(name).emissive;
@@ -174,56 +176,5 @@ TEST(Material, OnlyLampsAndLitWindowsShine) {
   }
 }
 
-TEST(Field, NoiseRepeats) {
-  Field field(64);
-  add_noise(field, 8, 4, 1.0f, 7);
-  // The two halves differ, and the wrapped neighbours are as close as those inside.
-  double across_border = 0.0;
-  double inside = 0.0;
-  for (int y = 0; y < 64; ++y) {
-    across_border += std::abs(field.at(63, y) - field.at(64, y));
-    inside += std::abs(field.at(31, y) - field.at(32, y));
-  }
-  EXPECT_LT(across_border, 3.0 * inside);
-  EXPECT_NE(field.at(5, 5), field.at(37, 5));
-}
-
-TEST(Field, NoiseIsThatOfThePointFormula) {
-  // Within the tile, away from the lattice column that wraps.
-  Field field(64);
-  add_noise(field, 8, 8, 1.0f, 7);
-  for (int y = 0; y < 56; ++y) {
-    for (int x = 0; x < 56; ++x) {
-      EXPECT_NEAR(field.at(x, y), gradient_noise(float(x) / 8.0f, float(y) / 8.0f, 7), 1e-5f);
-    }
-  }
-}
-
-TEST(Field, OtherSeedsGiveOtherNoise) {
-  const Field a = make_octaves(64, 4, 3, 1);
-  const Field b = make_octaves(64, 4, 3, 100);
-  double difference = 0.0;
-  for (std::size_t i = 0; i < a.texels(); ++i) difference += std::abs(a[i] - b[i]);
-  EXPECT_GT(difference / 4096.0, 0.1);
-}
-
-TEST(Noise, HasMeanZeroAndStaysBounded) {
-  double sum = 0.0;
-  float most = 0.0f;
-  constexpr int kSide = 400;
-  for (int y = 0; y < kSide; ++y) {
-    for (int x = 0; x < kSide; ++x) {
-      const float value = gradient_noise(0.37f * float(x), 0.41f * float(y) - 50.0f, 3);
-      sum += value;
-      most = std::max(most, std::abs(value));
-    }
-  }
-  EXPECT_NEAR(sum / (kSide * kSide), 0.0, 0.01);
-  EXPECT_GT(most, 0.5f);
-  EXPECT_LT(most, 1.0f);
-}
-
 }  // namespace
-}  // namespace litfog::demo
-
 }  // namespace litfog::test

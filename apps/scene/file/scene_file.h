@@ -35,7 +35,7 @@ namespace litfog::scene {
 ///         "repeat": [{"count": 41, "step": [0, 0, -60]}]  optional: a copy at each step, of each copy before
 ///       }],
 ///       "objects": [{
-///         "model": "spruce", "height_m": 9, "seed": 3,    a model of model.h and its parameters
+///         "model": "spruce", "height_m": 9, "seed": 3,    a model of model_catalogue.h, its parameters
 ///         "position": [4, 0, -20], "heading_deg": 30, "scale": 1.1,      optional: the origin, 0, 1
 ///         "repeat": [...],                                as above, or
 ///         "scatter": {"count": 80, "area": [10, -200, 60, 0], "seed": 1, "scale": [0.8, 1.2]}

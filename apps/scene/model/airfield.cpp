@@ -119,7 +119,7 @@ Model make_edge_light(const EdgeLight& light) {
 Model make_hangar(const Hangar& hangar) {
   Model model;
   const float half = 0.5f * hangar.width_m;
-  const float side = 0.35f * hangar.height_m;  // the walls stand upright so far
+  const float side = 0.35f * hangar.height_m;  // the walls are upright up to here
   const float rise = hangar.height_m - side;
   const auto arch = [&](float x) { return side + rise * std::sqrt(std::max(0.0f, 1.0f - (x / half) * (x / half))); };
   constexpr int kPieces = 28;
@@ -140,7 +140,7 @@ Model make_hangar(const Hangar& hangar) {
   Mesh rear;
   add_face(rear, back);
   append(part(model, "corrugated"), rear, kHere);
-  // The front: columns under the arch, above the door where there is one.
+  // The front: columns under the arch, above the door if there is one.
   const float door_half = 0.78f * half;
   const float door = std::min(0.62f * hangar.height_m, 0.9f * arch(door_half));
   Mesh front;

@@ -6,11 +6,11 @@
 
 namespace litfog::scene {
 
-// Lights of an airfield face +Z, towards who approaches looking along -Z.
+// Lights of an airfield face +Z, towards a pilot who approaches along -Z.
 
 /// One box of a precision approach path indicator; its light leaves from (0, 0.55, 0.42).
 struct PapiBox {
-  int white = 1;  ///< 1: seen white, 0: red
+  int white = 1;  ///< 1: seen white, 0: seen red
 
   void describe(ParameterList& list) { list.add("white", white, 0, 1); }
 };
@@ -21,7 +21,7 @@ struct ApproachLight {
   float height_m = 2.0f;
   int lamps = 5;
   float spacing_m = 1.0f;
-  int red = 0;  ///< 1: red, for side rows
+  int red = 0;  ///< 1: red lenses, for side rows
 
   void describe(ParameterList& list) {
     list.add("height_m", height_m, 0.4, 30);

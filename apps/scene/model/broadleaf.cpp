@@ -16,7 +16,7 @@ struct Growth {
   Mesh leaves;
   HashRandom random;
   glm::vec3 crown;  ///< leaves face away from here
-  float leaf_share;
+  float leaf_fraction;
   float leaf_m;
   float spread;
   int forks;
@@ -45,7 +45,7 @@ void add_leaf(Growth& growth, const glm::vec3& at) {
   const std::array<glm::vec2, 4> uv{shift, shift + glm::vec2(half, 0.5f * length), shift + glm::vec2(0.0f, length),
                                     shift + glm::vec2(-half, 0.5f * length)};
   for (const float side : {1.0f, -1.0f}) {
-    // Leaning the normal out of the crown lets a tree look round instead of like confetti.
+    // Normals that lean out of the crown make a tree look round instead of like confetti.
     const glm::vec3 face = side * front;
     const float lean = glm::dot(face, away) > 0.0f ? 1.0f : 0.3f;
     const glm::vec3 normal = glm::normalize(face + lean * (away - face * glm::dot(face, away)));
@@ -75,7 +75,7 @@ void grow(Growth& growth, const glm::vec3& root, glm::vec3 direction, float leng
   append(growth.wood, make_tube(line, radii, level == 0 ? 8 : level == 1 ? 5 : 3), glm::mat4(1.0f));
   if (level >= growth.forks - 1) {
     for (int i = 1; i <= pieces; ++i) {
-      const float wanted = 4.5f * growth.leaf_share;
+      const float wanted = 4.5f * growth.leaf_fraction;
       const int count = int(wanted + random.unit());
       for (int k = 0; k < count; ++k) {
         add_leaf(growth, line[std::size_t(i)] + 0.6f * growth.leaf_m * any_direction(random));
@@ -97,8 +97,8 @@ void grow(Growth& growth, const glm::vec3& root, glm::vec3 direction, float leng
     const glm::vec3 side = glm::normalize(glm::cross(along, other));
     const glm::vec3 out = side * std::cos(angle) + glm::cross(along, side) * std::sin(angle);
     const float open = glm::mix(1.25f, 0.5f, t) * (level == 0 ? 2.0f * growth.spread : 0.9f);
-    const float share = level == 0 ? glm::mix(0.62f, 0.42f, t) : 0.55f;
-    grow(growth, start, glm::normalize(along + out * open), length * share * random.between(0.8f, 1.15f),
+    const float ratio = level == 0 ? glm::mix(0.62f, 0.42f, t) : 0.55f;
+    grow(growth, start, glm::normalize(along + out * open), length * ratio * random.between(0.8f, 1.15f),
          radius * (1.0f - 0.62f * t) * 0.62f, level + 1);
   }
 }

@@ -9,10 +9,10 @@ namespace litfog::scene {
 /// A broadleaf tree: a forking trunk, and leaves in sprays at the ends of its twigs.
 struct BroadleafTree {
   float height_m = 7.0f;
-  float spread = 0.55f;  ///< reach of the lowest boughs as a share of the height
+  float spread = 0.55f;  ///< reach of the lowest boughs as a fraction of the height
   float leaves = 0.7f;   ///< 0: bare as in winter, 1: full summer
   float leaf_m = 0.16f;  ///< length of a spray
-  int forks = 3;         ///< how often stem, bough and twig divide: 2 is for far away
+  int forks = 3;         ///< levels of forks from the stem to the twigs; 2 suits trees far away
   int seed = 1;
 
   void describe(ParameterList& list) {

@@ -6,10 +6,10 @@
 
 namespace litfog::scene {
 
-/// A parked hatchback of 4.3 m. It heads for -Z, so whoever looks along -Z sees its back.
+/// A parked hatchback of 4.3 m. It faces -Z, so a viewer who looks along -Z sees its back.
 struct Car {
   int paint = 0;   ///< index in kCarPaints
-  int lights = 0;  ///< 1: tail lamps and headlamps shine
+  int lights = 0;  ///< 1: tail lamps and headlamps are on
   int number = 47;
 
   void describe(ParameterList& list) {

@@ -31,7 +31,7 @@ struct Branch {
   float turn;  ///< about the trunk
   float length;
   float rise;   ///< slope at the trunk
-  float droop;  ///< how far the middle hangs, a share of the length
+  float droop;  ///< how far the middle hangs, as a fraction of the length
 };
 
 void add_branch(Mesh& mesh, const Branch& branch, int twigs, HashRandom& random) {
@@ -63,7 +63,7 @@ void add_branch(Mesh& mesh, const Branch& branch, int twigs, HashRandom& random)
           hand < 0 ? glm::vec2(-reach, along) : glm::vec2(0.0f, along + branch.length * (t1 - t0))};
       add_needles(mesh, corners, uv, glm::normalize(normal + side * (0.5f * hand)));
     }
-    // The fringe that hangs below the spine, which is what a spruce shows from the side.
+    // The fringe that hangs below the spine, which is what one sees of a spruce from the side.
     const float hang = (0.22f * branch.length + 0.12f) * random.between(0.6f, 1.3f) * (1.0f - 0.4f * t0);
     const glm::vec3 low = glm::mix(from, to, 0.6f) - glm::vec3(0.0f, hang, 0.0f) + side * random.between(-0.1f, 0.1f);
     add_needles(mesh, {from, low, to},
@@ -94,11 +94,11 @@ Model make_spruce(const Spruce& spruce) {
   Mesh& needles = part(model, "needles");
   for (int whorl = 0; whorl < spruce.whorls; ++whorl) {
     // Whorls stand closer towards the top.
-    const float share = (float(whorl) + random.between(-0.3f, 0.3f)) / float(spruce.whorls);
-    const float t = spruce.bare + (0.97f - spruce.bare) * std::pow(glm::clamp(share, 0.0f, 1.0f), 0.9f);
+    const float fraction = (float(whorl) + random.between(-0.3f, 0.3f)) / float(spruce.whorls);
+    const float t = spruce.bare + (0.97f - spruce.bare) * std::pow(glm::clamp(fraction, 0.0f, 1.0f), 0.9f);
     const float crown = 1.0f - (t - spruce.bare) / (1.0f - spruce.bare);
     // Slightly convex outline; the lowest branches, in the shade of the others, are shorter.
-    const float outline = std::pow(crown, 0.85f) * (share < 0.08f ? 0.8f : 1.0f);
+    const float outline = std::pow(crown, 0.85f) * (fraction < 0.08f ? 0.8f : 1.0f);
     const float first_turn = random.between(0.0f, glm::two_pi<float>());
     for (int i = 0; i < spruce.branches; ++i) {
       Branch branch;

@@ -9,11 +9,11 @@ namespace litfog::scene {
 /// A spruce: whorls of drooping branches, long below and short above, with hanging twigs; no two alike.
 struct Spruce {
   float height_m = 9.0f;
-  float spread = 0.22f;  ///< radius of the lowest branches as a share of the height
-  float bare = 0.06f;    ///< share of the trunk without branches
+  float spread = 0.22f;  ///< radius of the lowest branches as a fraction of the height
+  float bare = 0.06f;    ///< fraction of the trunk without branches
   int whorls = 18;
-  int branches = 7;  ///< a whorl
-  int twigs = 6;     ///< a side of a branch
+  int branches = 7;  ///< per whorl
+  int twigs = 6;     ///< per side of a branch
   int seed = 1;
 
   void describe(ParameterList& list) {

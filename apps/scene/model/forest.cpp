@@ -16,7 +16,7 @@ Model make_forest(const Forest& forest) {
   Model model;
   std::vector<glm::vec3> trunks;
   for (int i = 0; i < forest.trees; ++i) {
-    // The best of a few spots: far enough from the others, or as far as it goes.
+    // The first of twelve spots that is far enough from the other trunks, or the farthest of them.
     glm::vec3 spot{};
     float best = -1.0f;
     for (int attempt = 0; attempt < 12 && best < forest.spacing_m; ++attempt) {

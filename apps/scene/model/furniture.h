@@ -33,7 +33,7 @@ struct DiningTable {
 };
 Model make_dining_table(const DiningTable& table);
 
-/// Its back is at +Z: who sits on it looks along -Z.
+/// Its back is at +Z: a person on it looks along -Z.
 struct Chair {
   float seat_m = 0.45f;
 
@@ -45,7 +45,7 @@ Model make_chair(const Chair& chair);
 struct Shelf {
   float width_m = 1.0f;
   float height_m = 1.9f;
-  float books = 0.8f;  ///< share of each board that is filled
+  float books = 0.8f;  ///< fraction of each board that is filled
   int seed = 1;
 
   void describe(ParameterList& list) {

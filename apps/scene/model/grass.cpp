@@ -23,7 +23,7 @@ void add_tuft(Mesh& mesh, const Grass& grass, const glm::vec3& spot, HashRandom&
     const glm::vec3 foot = spot + 0.12f * grass.height_m * out * random.unit() - glm::vec3(0.0f, 0.02f, 0.0f);
     const glm::vec3 knee = foot + 0.35f * lean * out + glm::vec3(0.0f, 0.65f * height, 0.0f);
     const glm::vec3 tip = foot + lean * out + glm::vec3(0.0f, height, 0.0f);
-    // Grass is lit from above like the lawn it stands on, whichever way a blade turns.
+    // Normals lean upwards whichever way a blade turns, so that grass is lit like the lawn it stands on.
     const glm::vec3 face = glm::normalize(glm::cross(side, knee - foot));
     for (const float hand : {1.0f, -1.0f}) {
       const glm::vec3 front = hand * face;

@@ -13,7 +13,7 @@ struct House {
   int storeys = 1;
   float pitch_deg = 42.0f;
   int brick = 0;     ///< 1: brick walls, 0: plaster
-  float lit = 0.5f;  ///< share of windows with light behind them
+  float lit = 0.5f;  ///< fraction of windows with light behind them
   int seed = 1;
 
   void describe(ParameterList& list) {

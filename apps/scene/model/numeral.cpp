@@ -62,7 +62,7 @@ std::vector<Quad> strokes(int digit) {
 
 }  // namespace
 
-void add_numeral(Mesh& mesh, int number, int digits, const glm::mat4& to_from_numeral) {
+void add_numeral(Mesh& mesh, int number, int digits, const glm::mat4& mesh_from_numeral) {
   const bool two = number >= 10 || digits == 2;
   Mesh flat;
   const auto add_digit = [&](int digit, float left) {
@@ -74,7 +74,7 @@ void add_numeral(Mesh& mesh, int number, int digits, const glm::mat4& to_from_nu
   };
   if (two) add_digit(number / 10, -0.5f * (kPitch + kWidth));
   add_digit(number % 10, two ? 0.5f * (kPitch - kWidth) : -0.5f * kWidth);
-  append(mesh, flat, to_from_numeral);
+  append(mesh, flat, mesh_from_numeral);
 }
 
 }  // namespace litfog::scene

@@ -19,7 +19,7 @@ struct ProfileRow {
   float length;
 };
 
-/// Two rows a segment: neighbours share a normal where the corner is soft.
+/// Two rows per segment: neighbours share a normal if the corner is soft.
 std::vector<ProfileRow> profile_rows(std::span<const glm::vec2> profile) {
   std::vector<glm::vec2> normals;
   for (std::size_t i = 0; i + 1 < profile.size(); ++i) {

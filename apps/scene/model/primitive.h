@@ -25,8 +25,8 @@ void add_box(Mesh& mesh, const glm::vec3& low, const glm::vec3& high, const glm:
 /// A box whose edges and corners are cut off at 45 degrees. bevel < half of the smallest side.
 Mesh make_bevelled_box(const glm::vec3& size, float bevel);
 
-/// A squared bar from one point to another; `up` (not along it) is where its height goes. v runs along it, as grain
-/// does.
+/// A squared bar from one point to another; `up` (not parallel to it) is the direction of its height. v runs along
+/// it, as grain does.
 Mesh make_beam(const glm::vec3& from, const glm::vec3& to, float width, float height,
                const glm::vec3& up = glm::vec3(0, 1, 0));
 
@@ -38,8 +38,8 @@ struct Cylinder {
 };
 Mesh make_cylinder(const Cylinder& cylinder);
 
-/// Turns a profile of (radius, y) points, walked with the outside on the right (upwards for a post), about the Y axis.
-/// Corners sharper than 40 degrees stay sharp.
+/// Turns a profile of (radius, y) points, in order with the outside on the right (upwards for a post), about the Y
+/// axis. Corners sharper than 40 degrees stay sharp.
 Mesh make_lathe(std::span<const glm::vec2> profile, int segments);
 inline Mesh make_lathe(std::initializer_list<glm::vec2> profile, int segments) {
   return make_lathe(std::span<const glm::vec2>(profile.begin(), profile.size()), segments);
@@ -48,7 +48,7 @@ inline Mesh make_lathe(std::initializer_list<glm::vec2> profile, int segments) {
 /// Centred on the origin.
 Mesh make_sphere(float radius, int segments);
 
-/// Carries a profile of (right, up) points, walked with the outside on the right, along a path. `up` must not be
+/// Sweeps a profile of (right, up) points, in order with the outside on the right, along a path. `up` must not be
 /// parallel to it. Corners of the profile sharper than 40 degrees stay sharp. u runs to the right, v along.
 Mesh make_sweep(std::span<const glm::vec2> profile, std::span<const glm::vec3> path,
                 const glm::vec3& up = glm::vec3(0, 1, 0));
@@ -57,12 +57,12 @@ inline Mesh make_sweep(std::initializer_list<glm::vec2> profile, std::span<const
   return make_sweep(std::span<const glm::vec2>(profile.begin(), profile.size()), path, up);
 }
 
-/// A round pipe along a path with a radius a point; both ends closed unless the radius is 0 there.
+/// A round pipe along a path with one radius per point; both ends are closed unless the radius is 0 there.
 Mesh make_tube(std::span<const glm::vec3> path, std::span<const float> radii, int segments);
 Mesh make_tube(std::span<const glm::vec3> path, float radius, int segments);
 
-/// A smooth surface through a grid of points (row by row); its front is where the columns grow to the right and the
-/// rows upwards. uv from the lengths along rows and columns.
+/// A smooth surface through a grid of points (row by row); seen from its front, columns go to the right and rows
+/// upwards. uv from the lengths along rows and columns.
 Mesh make_surface(std::span<const glm::vec3> points, int columns);
 
 /// A flat plate with its front at z = 0, facing +Z: a convex outline, counter-clockwise, and its rim and back.

@@ -13,9 +13,9 @@ namespace litfog::scene {
 namespace {
 
 const glm::mat4 kHere(1.0f);
-constexpr float kSunk_m = 0.4f;  // posts go that deep, so that uneven ground shows no gap
+constexpr float kSunk_m = 0.4f;  // how deep posts go, so that uneven ground shows no gap
 
-/// Where the insulators stand on a cross-arm of 2 m, and how high over its top.
+/// The insulators' positions along a cross-arm of 2 m, and their height over its top.
 constexpr std::array<float, 3> kInsulators_m{-0.9f, 0.35f, 0.9f};
 constexpr float kInsulatorHeight_m = 0.2f;
 constexpr float kArmBelowTop_m = 0.35f;

@@ -16,7 +16,7 @@ const glm::mat4 kHere(1.0f);
 constexpr float kNicheDepth_m = 0.32f;
 constexpr float kPier_m = 0.42f;
 constexpr float kPierDepth_m = 0.16f;
-constexpr float kTile_m = 1.0f;  // floors and walls are cut no finer than this for lighting per vertex
+constexpr float kTile_m = 1.0f;  // floors and walls are cut into squares of about this size, for lighting per vertex
 
 /// The vault's cross-section from the left springing to the right one, a circle's segment.
 std::vector<glm::vec2> vault_arc(const Room& room, int pieces) {
@@ -51,7 +51,7 @@ void add_side(Model& model, const Room& room, const glm::mat4& at) {
   for (int i = 0; i < room.bays; ++i) {
     const float middle = bay * (float(i) + 0.5f);
     const float half = std::min(0.55f, 0.5f * bay - 0.35f);
-    if (half < 0.2f) break;  // no room for a niche between the piers
+    if (half < 0.2f) break;  // too little space for a niche between the piers
     const Opening niche{middle - half, 0.75f, middle + half, std::min(2.15f, room.wall_m - 0.3f)};
     niches.push_back(niche);
     append(part(model, "plaster"), make_panel(2.0f * half, niche.top - niche.bottom),
@@ -78,7 +78,7 @@ void add_side(Model& model, const Room& room, const glm::mat4& at) {
   }
 }
 
-/// An end wall with the lunette under the vault; a door in the one that has a depth for it.
+/// An end wall with the lunette under the vault.
 void add_end(Model& model, const Room& room, bool door, const glm::mat4& at) {
   Mesh& plaster = part(model, "plaster");
   const float middle = 0.5f * room.width_m;

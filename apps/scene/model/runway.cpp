@@ -13,7 +13,7 @@ namespace litfog::scene {
 namespace {
 
 const glm::mat4 kHere(1.0f);
-constexpr float kCell_m = 9.0f;  // the surface is cut no finer than this for lighting per vertex
+constexpr float kCell_m = 9.0f;  // the surface is cut into squares of about this size, for lighting per vertex
 constexpr float kHalf_m = 0.5f * kRunwayWidth_m;
 constexpr float kPiece_m = 15.0f;
 
@@ -56,7 +56,7 @@ void add_half(Mesh& paint, const Runway& runway, int number) {
     const float left = 1.8f + 3.6f * float(i);
     add_pair(paint, {left, left + 1.8f, 6.0f, 36.0f}, lift);
   }
-  // Designator: 9 m high, 12 m beyond the stripes, its top away from who lands.
+  // Designator: 9 m high, 12 m beyond the stripes, its top away from the landing pilot.
   glm::mat4 numeral = glm::translate(kHere, glm::vec3(0.0f, lift, -52.5f));
   numeral = glm::rotate(numeral, -glm::half_pi<float>(), glm::vec3(1, 0, 0));
   add_numeral(paint, number, 2, glm::scale(numeral, glm::vec3(5.4f, 9.0f, 1.0f)));
@@ -92,7 +92,7 @@ Model make_runway(const Runway& runway) {
   // Pavement goes on 60 m before each threshold; its edge falls off into the ground.
   constexpr float kOverrun_m = 60.0f;
   const float outer = kHalf_m + runway.shoulder_m;
-  const float low = -0.02f;  // the joint between shoulder and runway is a small step, as it is outside
+  const float low = -0.02f;  // the joint between shoulder and runway is a small step, as on real ones
   for (const float side : {-1.0f, 1.0f}) {
     const float inner = side * kHalf_m;
     const float far = side * outer;

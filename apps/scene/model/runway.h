@@ -6,8 +6,8 @@
 
 namespace litfog::scene {
 
-/// A paved runway from its threshold at the origin to -Z, 45 m wide, with the markings of ICAO annex 14 for a code 4
-/// precision approach runway at both ends.
+/// A paved runway from its threshold at the origin to -Z, 45 m wide, with the markings at both ends of a code 4
+/// precision approach runway (ICAO Annex 14, "Aerodromes", volume I).
 struct Runway {
   float length_m = 1500.0f;
   int number = 27;          ///< designator of the end at the origin; the other end differs by 18

@@ -43,8 +43,8 @@ Model make_panel_model(const Panel& panel) {
   std::vector<glm::vec3> points;
   for (int j = 0; j <= panel.cells; ++j) {
     for (int i = 0; i <= panel.cells; ++i) {
-      const glm::vec2 share = glm::vec2(i, j) / float(panel.cells);
-      points.emplace_back(panel.size_m * (share.x - 0.5f), panel.size_m * share.y, 0.0f);
+      const glm::vec2 fraction = glm::vec2(i, j) / float(panel.cells);
+      points.emplace_back(panel.size_m * (fraction.x - 0.5f), panel.size_m * fraction.y, 0.0f);
     }
   }
   return finished(make_surface(points, panel.cells + 1), panel.wire);

@@ -6,13 +6,14 @@
 
 namespace litfog::scene {
 
-// What light at the vertices needs: one shape in finer and finer triangles (Cg Tutorial, figure 5-16).
+// One shape in finer and finer triangles, which lighting at the vertices needs (Fernando and Kilgard 2003, "The Cg
+// Tutorial", figure 5-16).
 
 /// A square wall standing on y = 0, facing +Z, of cells x cells squares.
 struct Panel {
   float size_m = 2.0f;
   int cells = 1;
-  int wire = 0;  ///< 1: the edges of its triangles alone
+  int wire = 0;  ///< 1: only the edges of its triangles
 
   void describe(ParameterList& list) {
     list.add("size_m", size_m, 0.1, 100);
@@ -28,7 +29,7 @@ struct Drum {
   float height_m = 2.0f;
   int segments = 8;
   int rings = 1;
-  int wire = 0;  ///< 1: the edges of its triangles alone
+  int wire = 0;  ///< 1: only the edges of its triangles
 
   void describe(ParameterList& list) {
     list.add("radius_m", radius_m, 0.1, 50);

@@ -8,7 +8,7 @@
 
 namespace litfog::scene {
 
-/// A square picture of one number a texel, which repeats in both directions. The side is a power of two.
+/// A square picture with one number per texel, which repeats in both directions. The side is a power of two.
 class Field {
  public:
   explicit Field(int size, float value = 0.0f) : size_(size), values_(std::size_t(size) * std::size_t(size), value) {}
@@ -27,11 +27,11 @@ class Field {
   std::vector<float> values_;
 };
 
-/// Adds gradient noise with that many features across and along (powers of two, at most size / 2), about
-/// +-0.7 * amplitude.
+/// Adds gradient noise of about +-0.7 * amplitude, with `across` by `along` features (powers of two, at most size / 2).
 void add_noise(Field& field, int across, int along, float amplitude, std::uint32_t seed);
 
-/// Adds octaves of it, each twice as fine and `decay` times as high as the one before, until the texels end.
+/// Adds octaves of gradient noise, each twice as fine and `decay` times as high as the one before, as far as the texels
+/// resolve them.
 void add_octaves(Field& field, int features, int octaves, float amplitude, std::uint32_t seed, float decay = 0.5f);
 
 /// Adds an independent number in +-amplitude to every texel.
@@ -40,8 +40,8 @@ void add_grain(Field& field, float amplitude, std::uint32_t seed);
 /// A field of octaves alone.
 Field make_octaves(int size, int features, int octaves, std::uint32_t seed, float decay = 0.5f);
 
-/// Calls visit(texel, dx, dy) for every texel whose middle lies within `reach` (both ways, in texels) of a point; dx,
-/// dy are the texel's distances from it. Wraps around the edges, so what is stamped so repeats. reach < size / 2.
+/// Calls visit(texel, dx, dy) for every texel whose middle lies within +-`reach` (texels, < size / 2) of a point; (dx,
+/// dy) is the texel's distance from it. Wraps around the edges, so that the picture still repeats.
 template <typename Visit>
 void stamp(const Field& field, glm::vec2 middle, glm::vec2 reach, Visit visit) {
   const int x0 = int(std::ceil(middle.x - reach.x));

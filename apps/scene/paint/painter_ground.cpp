@@ -61,7 +61,7 @@ void add_crack(Canvas& canvas, glm::vec2 at, float turn, int steps, float width,
 
 void bitumen(Canvas& canvas, std::uint32_t seed) {
   std::fill(canvas.color.begin(), canvas.color.end(), glm::vec3(0.62f, 0.63f, 0.66f));
-  // A stone for every ten texels; the bitumen between them is darker.
+  // One stone per ten texels; the bitumen between them is darker.
   const int count = canvas.size * canvas.size / 10;
   add_stones(canvas, {count, 1.0f, 2.6f, 0.002f}, 0.28f, seed);
   const Field damp = make_octaves(canvas.size, 2, 4, seed + 10, 0.6f);

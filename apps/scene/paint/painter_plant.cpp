@@ -9,11 +9,11 @@
 namespace litfog::scene {
 namespace {
 
-/// Strokes of one leaf or needle each, laid over each other: `lean` is the half-angle about the v axis.
+/// Strokes that overlap, each one leaf or needle; `lean` is the half-angle about the v axis.
 struct Strokes {
   int count;
   float least_length, most_length;  ///< texels
-  float half_width;                 ///< texels, at the widest place
+  float half_width;                 ///< texels, at the widest point
   float lean;                       ///< radians
   float relief_m;
 };

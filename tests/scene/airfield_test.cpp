@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/model/airfield.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "scene/file/scene_file.h"
+
+namespace litfog::test {
+using namespace scene;
+
+namespace {
+
+/// The materials of the lenses that lie within 0.1 m of a point. Their models are taken as not turned.
+std::vector<std::string> lenses_at(const Scene& scene, const glm::vec3& point) {
+  std::vector<std::string> lenses;
+  for (const Instance& instance : scene.instances) {
+    const glm::vec3 in_model = point - glm::vec3(instance.world_from_model[3]);
+    for (const Part& part : scene.models[instance.model]) {
+      if (!part.material.starts_with("lamp_")) continue;
+      const Bounds box = bounds(part.mesh);
+      const glm::vec3 nearest = glm::clamp(in_model, box.low, box.high);
+      if (glm::distance(nearest, in_model) < 0.1f) lenses.push_back(part.material);
+    }
+  }
+  return lenses;
+}
+
+TEST(Airfield, ApproachLampsHaveLensesOfTheirColor) {
+  const Scene scene = read_scene(bundled_scene_path("approach"));
+  int red = 0;
+  int white = 0;
+  for (const PlacedLight& light : scene.lights) {
+    if (!light.light.name.starts_with("approach") || light.position.z < 0) continue;
+    const bool is_red = light.light.color.g < 0.5 * light.light.color.r;
+    ++(is_red ? red : white);
+    EXPECT_EQ(lenses_at(scene, light.position), std::vector<std::string>{is_red ? "lamp_red" : "lamp_white"})
+        << light.light.name << " at " << light.position.x << ", " << light.position.z;
+  }
+  EXPECT_EQ(red, 54);
+  EXPECT_EQ(white, 168);
+}
+
+}  // namespace
+}  // namespace litfog::test
