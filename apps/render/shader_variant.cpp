@@ -24,7 +24,7 @@ std::string unrolled(std::size_t count) {
 std::size_t compiled_light_count(std::size_t lights) {
   assert(lights <= kMaxUniformLights);
   // A driver may take a second to compile a shader, and a frame needs shaders for many numbers of lights.
-  constexpr std::array<std::size_t, 6> kCounts{0, 1, 2, 4, 8, kMaxUniformLights};
+  constexpr std::array<std::size_t, 8> kCounts{0, 1, 2, 3, 4, 6, 8, kMaxUniformLights};
   return *std::ranges::lower_bound(kCounts, lights);
 }
 
