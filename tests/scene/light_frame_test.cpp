@@ -36,27 +36,27 @@ dvec3 random_direction(test::Random& random) {
 
 constexpr double kQuarter = std::numbers::pi / 2;
 
-TEST(LightFrame, OfAViewpointThatLooksNorthHasXAheadYLeftZUp) {
+TEST(LightFrame, ViewpointThatLooksNorthHasXAheadYLeftZUp) {
   const glm::dmat3 rotation = light_from_world({0, 0}, {});
   expect_near(rotation * dvec3(0, 0, -1), {1, 0, 0});
   expect_near(rotation * dvec3(-1, 0, 0), {0, 1, 0});
   expect_near(rotation * dvec3(0, 1, 0), {0, 0, 1});
 }
 
-TEST(LightFrame, TurnsRightWithHeadingAndAzimuthUpWithPitchAndElevation) {
+TEST(LightFrame, HeadingAndAzimuthTurnRightPitchAndElevationUp) {
   expect_near(light_from_world({0, 0}, {.heading = kQuarter}) * dvec3(1, 0, 0), {1, 0, 0});
   expect_near(light_from_world({kQuarter, 0}, {}) * dvec3(1, 0, 0), {1, 0, 0});
   expect_near(light_from_world({0, 0}, {.pitch = kQuarter}) * dvec3(0, 1, 0), {1, 0, 0});
   expect_near(light_from_world({0, kQuarter}, {}) * dvec3(0, 1, 0), {1, 0, 0});
 }
 
-TEST(LightFrame, RollsToTheRightAboutTheDirectionOfView) {
+TEST(LightFrame, RollTurnsRightAboutTheDirectionOfView) {
   const glm::dmat3 rotation = light_from_world({0, 0}, {.roll = kQuarter});
   expect_near(rotation * dvec3(0, 0, -1), {1, 0, 0});
   expect_near(rotation * dvec3(1, 0, 0), {0, 0, 1});  // the right side's direction is up for who lies on the left
 }
 
-TEST(LightFrame, OfABearingHasTheSeenDirectionAhead) {
+TEST(LightFrame, BearingOfADirectionHasItAhead) {
   test::Random random(4);
   for (int i = 0; i < 1000; ++i) {
     const Attitude viewpoint{random.uniform(-3, 3), random.uniform(-1.5, 1.5), random.uniform(-3, 3)};
@@ -67,7 +67,7 @@ TEST(LightFrame, OfABearingHasTheSeenDirectionAhead) {
   }
 }
 
-TEST(LightFrame, OfACameraLooksAtItsTarget) {
+TEST(LightFrame, AttitudeOfACameraLooksAtItsTarget) {
   const Camera camera{.position = {1, 2, 3}, .target = {4, 1, -2}};
   expect_near(light_from_world({0, 0}, attitude_of(camera)) * glm::normalize(dvec3(3, -1, -5)), {1, 0, 0});
 }

@@ -149,8 +149,8 @@ TEST(MaterialCatalogue, UnknownNameIsAnError) {
   EXPECT_THROW(make_material("no_such_material"), std::invalid_argument);
 }
 
-/// Ranges of luminance (linear) by eye.
-TEST(MaterialCatalogue, MeanAlbedosAreNearThoseOfRealSurfaces) {
+/// Luminance (linear) that looks right for each surface, by eye.
+TEST(MaterialCatalogue, MeanAlbedosAreInTheirRanges) {
   const std::map<std::string, std::pair<double, double>> ranges{
       {"asphalt", {0.09, 0.14}},     {"runway", {0.09, 0.14}},         {"road_paint", {0.58, 0.68}},
       {"grass", {0.09, 0.20}},       {"gravel", {0.18, 0.30}},         {"soil", {0.06, 0.12}},

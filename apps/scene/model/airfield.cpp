@@ -11,7 +11,6 @@
 namespace litfog::scene {
 namespace {
 
-const glm::mat4 kHere(1.0f);
 constexpr int kTowerSides = 8;
 
 /// The point of a regular tower ring, a flat side towards +Z.
@@ -70,21 +69,21 @@ Model make_approach_light(const ApproachLight& light) {
         return glm::vec3(spread * std::sin(angle), y, spread * std::cos(angle));
       };
       const glm::vec3 pipe[] = {at(turn, -0.3f), at(turn, h - 0.12f)};
-      append(mast, make_tube(pipe, 0.02f, 6), kHere);
+      append(mast, make_tube(pipe, 0.02f, 6));
       const int bays = std::clamp(int(h / 0.6f), 1, 40);
       for (int bay = 0; bay < bays; ++bay) {
         const float low = (h - 0.15f) * float(bay) / float(bays);
         const float high = (h - 0.15f) * float(bay + 1) / float(bays);
         const glm::vec3 brace[] = {at(bay % 2 == 0 ? turn : next, low), at(bay % 2 == 0 ? next : turn, high)};
-        append(mast, make_tube(brace, 0.01f, 4), kHere);
+        append(mast, make_tube(brace, 0.01f, 4));
       }
     }
   } else {
     const glm::vec3 pipe[] = {{0.0f, -0.3f, 0.0f}, {0.0f, h - 0.12f, 0.0f}};
-    append(mast, make_tube(pipe, 0.035f, 8), kHere);
+    append(mast, make_tube(pipe, 0.035f, 8));
   }
   if (light.lamps > 1)
-    append(mast, make_beam({-half - 0.1f, h - 0.12f, 0.0f}, {half + 0.1f, h - 0.12f, 0.0f}, 0.06f, 0.06f), kHere);
+    append(mast, make_beam({-half - 0.1f, h - 0.12f, 0.0f}, {half + 0.1f, h - 0.12f, 0.0f}, 0.06f, 0.06f));
   for (int lamp = 0; lamp < light.lamps; ++lamp) {
     const glm::mat4 at = place({light.spacing_m * float(lamp) - half, h, 0.0f});
     const glm::mat4 forward = glm::rotate(at, glm::half_pi<float>(), glm::vec3(1, 0, 0));
@@ -101,18 +100,16 @@ Model make_approach_light(const ApproachLight& light) {
 Model make_edge_light(const EdgeLight& light) {
   Model model;
   append(part(model, "concrete"), make_cylinder({0.3f, 0.28f, 0.13f, 16}), place({0.0f, -0.1f, 0.0f}));
-  append(part(model, "paint_yellow"),
-         make_lathe({{0.11f, 0.02f},
-                     {0.11f, 0.05f},
-                     {0.03f, 0.07f},
-                     {0.025f, 0.2f},
-                     {0.07f, 0.22f},
-                     {0.085f, 0.27f},
-                     {0.0f, 0.275f}},
-                    14),
-         kHere);
+  append(part(model, "paint_yellow"), make_lathe({{0.11f, 0.02f},
+                                                  {0.11f, 0.05f},
+                                                  {0.03f, 0.07f},
+                                                  {0.025f, 0.2f},
+                                                  {0.07f, 0.22f},
+                                                  {0.085f, 0.27f},
+                                                  {0.0f, 0.275f}},
+                                                 14));
   append(part(model, light.red != 0 ? "lamp_red" : "lamp_white"),
-         make_lathe({{0.075f, 0.27f}, {0.078f, 0.33f}, {0.06f, 0.375f}, {0.03f, 0.395f}, {0.0f, 0.4f}}, 16), kHere);
+         make_lathe({{0.075f, 0.27f}, {0.078f, 0.33f}, {0.06f, 0.375f}, {0.03f, 0.395f}, {0.0f, 0.4f}}, 16));
   return model;
 }
 
@@ -133,13 +130,13 @@ Model make_hangar(const Hangar& hangar) {
   std::vector<glm::vec2> shell(outline.rbegin(), outline.rend());
   std::vector<glm::vec3> axis;
   for (int i = 0; i <= 8; ++i) axis.emplace_back(0.0f, 0.0f, -hangar.depth_m * float(i) / 8.0f);
-  append(part(model, "corrugated"), make_sweep(shell, axis), kHere);
+  append(part(model, "corrugated"), make_sweep(shell, axis));
   std::vector<glm::vec3> back;
   for (std::size_t i = outline.size(); i-- > 0;) back.emplace_back(-outline[i].x, outline[i].y, -hangar.depth_m);
   std::reverse(back.begin(), back.end());
   Mesh rear;
   add_face(rear, back);
-  append(part(model, "corrugated"), rear, kHere);
+  append(part(model, "corrugated"), rear);
   // The front: columns under the arch, above the door if there is one.
   const float door_half = 0.78f * half;
   const float door = std::min(0.62f * hangar.height_m, 0.9f * arch(door_half));
@@ -163,7 +160,7 @@ Model make_hangar(const Hangar& hangar) {
       add_face(front, {{a, foot, 0.0f}, {b, foot, 0.0f}, {b, top(b), 0.0f}, {a, top(a), 0.0f}});
     }
   }
-  append(part(model, "corrugated"), front, kHere);
+  append(part(model, "corrugated"), front);
   // Sliding doors on two rails, every other leaf before its neighbour, each with a strip of windows.
   constexpr int kLeaves = 6;
   const float leaf = 2.0f * door_half / kLeaves;
@@ -188,14 +185,14 @@ Model make_hangar(const Hangar& hangar) {
   // An edge trim along the arch, and lamps over the doors.
   std::vector<glm::vec3> trim;
   for (std::size_t i = 0; i < outline.size(); ++i) trim.emplace_back(outline[i], 0.02f);
-  append(part(model, "paint_grey"), make_tube(trim, 0.12f, 8), kHere);
+  append(part(model, "paint_grey"), make_tube(trim, 0.12f, 8));
   for (const float x : {-0.55f, 0.0f, 0.55f}) {
     const glm::mat4 at = place({x * half, door + 0.55f, 0.35f});
     append(part(model, "paint_grey"), make_lathe({{0.24f, 0.0f}, {0.2f, 0.12f}, {0.06f, 0.2f}, {0.0f, 0.21f}}, 14), at);
     append(part(model, hangar.lit != 0 ? "lamp_white" : "glass"),
            make_lathe({{0.0f, -0.03f}, {0.12f, -0.02f}, {0.22f, 0.01f}}, 14), at);
     append(part(model, "paint_grey"),
-           make_beam({x * half, door + 0.7f, 0.0f}, {x * half, door + 0.72f, 0.3f}, 0.05f, 0.05f), kHere);
+           make_beam({x * half, door + 0.7f, 0.0f}, {x * half, door + 0.72f, 0.3f}, 0.05f, 0.05f));
   }
   return model;
 }
@@ -231,7 +228,7 @@ Model make_tower(const Tower& tower) {
     const glm::vec3 b = ring_point(i + 1, 3.9f, cab_floor);
     for (const float level : {0.55f, 1.05f}) {
       const glm::vec3 rail[] = {a + glm::vec3(0, level, 0), b + glm::vec3(0, level, 0)};
-      append(steel, make_tube(rail, 0.025f, 6), kHere);
+      append(steel, make_tube(rail, 0.025f, 6));
     }
     for (const float t : {0.0f, 0.5f})
       append(steel, make_cylinder({0.025f, 0.025f, 1.05f, 6}), place(glm::mix(a, b, t)));
@@ -243,12 +240,11 @@ Model make_tower(const Tower& tower) {
   for (int i = 0; i < kTowerSides; ++i) {
     const glm::vec3 low = ring_point(i, 2.9f, cab_floor + 0.85f);
     const glm::vec3 high = ring_point(i, 3.4f, top);
-    append(part(model, "paint_grey"), make_beam(low, high, 0.12f, 0.12f, glm::normalize(glm::vec3(low.x, 0.0f, low.z))),
-           kHere);
+    append(part(model, "paint_grey"),
+           make_beam(low, high, 0.12f, 0.12f, glm::normalize(glm::vec3(low.x, 0.0f, low.z))));
     const glm::vec3 next_low = ring_point(i + 1, 2.9f, cab_floor + 0.85f);
     const glm::vec3 next_high = ring_point(i + 1, 3.4f, top);
-    append(part(model, "paint_grey"), make_beam(0.5f * (low + next_low), 0.5f * (high + next_high), 0.07f, 0.07f),
-           kHere);
+    append(part(model, "paint_grey"), make_beam(0.5f * (low + next_low), 0.5f * (high + next_high), 0.07f, 0.07f));
   }
   Mesh& roof = part(model, "paint_white");
   add_deck(roof, 4.0f, top, false);
@@ -256,11 +252,11 @@ Model make_tower(const Tower& tower) {
   add_deck(roof, 4.0f, top + 0.45f, true);
   // Antennas and the obstruction lamp.
   const glm::vec3 mast[] = {{0.0f, top + 0.4f, 0.0f}, {0.0f, top + 3.4f, 0.0f}};
-  append(steel, make_tube(mast, 0.05f, 8), kHere);
+  append(steel, make_tube(mast, 0.05f, 8));
   append(part(model, "lamp_red"), make_sphere(0.16f, 14), place({0.0f, top + 3.5f, 0.0f}));
   for (const float x : {-1.6f, 1.6f}) {
     const glm::vec3 whip[] = {{x, top + 0.4f, 0.8f}, {x, top + 2.6f, 0.8f}};
-    append(steel, make_tube(whip, 0.02f, 5), kHere);
+    append(steel, make_tube(whip, 0.02f, 5));
   }
   return model;
 }

@@ -72,7 +72,7 @@ void grow(Growth& growth, const glm::vec3& root, glm::vec3 direction, float leng
     line.push_back(line.back() + direction * (length / float(pieces)));
     radii.push_back(radius * (1.0f - 0.62f * float(i) / float(pieces)));
   }
-  append(growth.wood, make_tube(line, radii, level == 0 ? 8 : level == 1 ? 5 : 3), glm::mat4(1.0f));
+  append(growth.wood, make_tube(line, radii, level == 0 ? 8 : level == 1 ? 5 : 3));
   if (level >= growth.forks - 1) {
     for (int i = 1; i <= pieces; ++i) {
       const float wanted = 4.5f * growth.leaf_fraction;

@@ -13,7 +13,6 @@
 namespace litfog::scene {
 namespace {
 
-const glm::mat4 kHere(1.0f);
 constexpr float kAxle_m = 1.28f;  // before and behind the middle
 constexpr float kWheel_m = 0.31f;
 constexpr float kArch_m = 0.365f;
@@ -101,7 +100,7 @@ Mesh make_shell() {
   }
   // Seen from inside through the wheel arches.
   add_back_faces(shell);
-  append(shell, ends, kHere);
+  append(shell, ends);
   return shell;
 }
 
@@ -122,18 +121,16 @@ void add_cabin(Model& model, std::string_view paint) {
     for (std::size_t i = 0; i < 2; ++i) {
       add_face(half, {low[i], high[i], high[i + 1], low[i + 1]});
     }
-    const glm::mat4 at = glm::scale(kHere, glm::vec3(side, 1.0f, 1.0f));
+    const glm::mat4 at = glm::scale(glm::mat4(1.0f), glm::vec3(side, 1.0f, 1.0f));
     append(glass, half, at);
     Mesh frame;
     const float widths[] = {0.075f, 0.085f, 0.16f};
     const float inwards[] = {0.015f, 0.0f, 0.02f};
     for (std::size_t i = 0; i < 3; ++i) {
-      append(frame,
-             make_beam(low[i] - glm::vec3(inwards[i], 0.03f, 0), high[i] - glm::vec3(inwards[i], 0.02f, 0), widths[i],
-                       0.05f, glm::vec3(1, 0, 0)),
-             kHere);
+      append(frame, make_beam(low[i] - glm::vec3(inwards[i], 0.03f, 0), high[i] - glm::vec3(inwards[i], 0.02f, 0),
+                              widths[i], 0.05f, glm::vec3(1, 0, 0)));
     }
-    for (std::size_t i = 0; i < 2; ++i) append(frame, make_beam(high[i], high[i + 1], 0.07f, 0.06f), kHere);
+    for (std::size_t i = 0; i < 2; ++i) append(frame, make_beam(high[i], high[i + 1], 0.07f, 0.06f));
     append(body, frame, at);
     // Mirror.
     Mesh mirror_shell;
@@ -160,7 +157,7 @@ void add_cabin(Model& model, std::string_view paint) {
                                               : 0.0f));
     }
   }
-  append(body, make_surface(roof, kColumns), kHere);
+  append(body, make_surface(roof, kColumns));
 }
 
 void add_wheel(Model& model, const glm::mat4& at) {
@@ -200,7 +197,7 @@ void add_seam(Mesh& mesh, float z, float side) {
     Mesh strip;
     add_face(strip, {a, b, b + wide, a + wide});
     add_back_faces(strip);
-    append(mesh, strip, glm::scale(kHere, glm::vec3(side, 1.0f, 1.0f)));
+    append(mesh, strip, glm::scale(glm::mat4(1.0f), glm::vec3(side, 1.0f, 1.0f)));
   }
 }
 
@@ -218,7 +215,7 @@ void add_ends(Model& model, const Car& car) {
   append(black, make_box({0.66f, 0.16f, 0.004f}), place({0.0f, 0.575f, 2.151f}));
   append(part(model, "galvanised"), make_bevelled_box({0.5f, 0.025f, 0.03f}, 0.008f), place({0.0f, 0.745f, 2.15f}));
   const glm::vec3 exhaust[] = {{0.5f, 0.24f, 1.9f}, {0.5f, 0.24f, 2.22f}};
-  append(part(model, "galvanised"), make_tube(exhaust, 0.03f, 10), kHere);
+  append(part(model, "galvanised"), make_tube(exhaust, 0.03f, 10));
   for (const float side : {-1.0f, 1.0f}) {
     const float turned = side * 0.42f;
     append(part(model, on ? "lamp_red" : "reflector_red"), make_bevelled_box({0.2f, 0.2f, 0.1f}, 0.025f),

@@ -89,7 +89,7 @@ Model make_spruce(const Spruce& spruce) {
     line.push_back(trunk(t));
     radii.push_back(girth * (1.0f - t) * (t < 0.0f ? 1.5f : 1.0f) + 0.004f);
   }
-  append(part(model, "bark"), make_tube(line, radii, 7), glm::mat4(1.0f));
+  append(part(model, "bark"), make_tube(line, radii, 7));
 
   Mesh& needles = part(model, "needles");
   for (int whorl = 0; whorl < spruce.whorls; ++whorl) {

@@ -9,12 +9,6 @@
 #include "scene/model/primitive.h"
 
 namespace litfog::scene {
-namespace {
-
-const glm::mat4 kHere(1.0f);
-
-}  // namespace
-
 Model make_crate(const Crate& crate) {
   Model model;
   Mesh& wood = part(model, "wood");
@@ -62,15 +56,14 @@ Model make_barrel(const Barrel& barrel) {
   profile.emplace_back(radius(1.0f) - 0.03f * h, h);
   profile.emplace_back(radius(1.0f) - 0.03f * h, 0.95f * h);
   profile.emplace_back(0.0f, 0.95f * h);
-  append(part(model, "wood"), make_lathe(profile, 24), kHere);
+  append(part(model, "wood"), make_lathe(profile, 24));
   for (const float t : {0.02f, 0.22f, 0.72f, 0.92f}) {
     const float low = radius(t) + 0.006f * h;
     const float high = radius(t + 0.06f) + 0.006f * h;
     append(part(model, "galvanised"),
            make_lathe(
                {{low - 0.006f * h, t * h}, {low, t * h}, {high, (t + 0.06f) * h}, {high - 0.006f * h, (t + 0.06f) * h}},
-               24),
-           kHere);
+               24));
   }
   return model;
 }
@@ -86,10 +79,9 @@ Model make_dining_table(const DiningTable& table) {
   for (const float sx : {-x, x}) {
     for (const float sz : {-z, z})
       append(wood, make_bevelled_box({0.07f, under, 0.07f}, 0.006f), place({sx, 0.0f, sz}));
-    append(wood, make_beam({sx, under - 0.05f, -z}, {sx, under - 0.05f, z}, 0.022f, 0.1f), kHere);
+    append(wood, make_beam({sx, under - 0.05f, -z}, {sx, under - 0.05f, z}, 0.022f, 0.1f));
   }
-  for (const float sz : {-z, z})
-    append(wood, make_beam({-x, under - 0.05f, sz}, {x, under - 0.05f, sz}, 0.022f, 0.1f), kHere);
+  for (const float sz : {-z, z}) append(wood, make_beam({-x, under - 0.05f, sz}, {x, under - 0.05f, sz}, 0.022f, 0.1f));
   return model;
 }
 
@@ -101,17 +93,15 @@ Model make_chair(const Chair& chair) {
   append(wood, make_bevelled_box({0.42f, 0.035f, 0.42f}, 0.01f), place({0.0f, seat - 0.035f, 0.0f}));
   for (const float x : {-reach, reach}) {
     append(wood, make_bevelled_box({0.04f, seat - 0.035f, 0.04f}, 0.005f), place({x, 0.0f, -reach}));
-    append(wood, make_beam({x, 0.0f, reach}, {x, seat, reach}, 0.04f, 0.04f, glm::vec3(0, 0, 1)), kHere);
-    append(wood, make_beam({x, seat, reach}, {x, 2.05f * seat, reach + 0.07f}, 0.04f, 0.03f, glm::vec3(0, 0, 1)),
-           kHere);
-    append(wood, make_beam({x, 0.4f * seat, -reach}, {x, 0.4f * seat, reach}, 0.02f, 0.035f), kHere);
+    append(wood, make_beam({x, 0.0f, reach}, {x, seat, reach}, 0.04f, 0.04f, glm::vec3(0, 0, 1)));
+    append(wood, make_beam({x, seat, reach}, {x, 2.05f * seat, reach + 0.07f}, 0.04f, 0.03f, glm::vec3(0, 0, 1)));
+    append(wood, make_beam({x, 0.4f * seat, -reach}, {x, 0.4f * seat, reach}, 0.02f, 0.035f));
   }
   for (const float level : {1.35f, 1.65f, 1.92f}) {
     const float z = reach + 0.07f * (level - 1.0f) / 1.05f;
-    append(wood, make_beam({-reach, level * seat, z}, {reach, level * seat, z}, 0.018f, level > 1.9f ? 0.09f : 0.05f),
-           kHere);
+    append(wood, make_beam({-reach, level * seat, z}, {reach, level * seat, z}, 0.018f, level > 1.9f ? 0.09f : 0.05f));
   }
-  append(wood, make_beam({-reach, 0.55f * seat, -reach}, {reach, 0.55f * seat, -reach}, 0.02f, 0.035f), kHere);
+  append(wood, make_beam({-reach, 0.55f * seat, -reach}, {reach, 0.55f * seat, -reach}, 0.02f, 0.035f));
   return model;
 }
 
@@ -131,10 +121,8 @@ Model make_shelf(const Shelf& shelf) {
                                           "paint_black", "paint_white", "wood"};
   for (int i = 0; i <= boards; ++i) {
     const float level = 0.08f + pitch * float(i);
-    append(wood,
-           make_beam({-half + 0.5f * kBoard_m, level + 0.5f * kBoard_m, 0.5f * kDepth_m},
-                     {half - 0.5f * kBoard_m, level + 0.5f * kBoard_m, 0.5f * kDepth_m}, kDepth_m, kBoard_m),
-           kHere);
+    append(wood, make_beam({-half + 0.5f * kBoard_m, level + 0.5f * kBoard_m, 0.5f * kDepth_m},
+                           {half - 0.5f * kBoard_m, level + 0.5f * kBoard_m, 0.5f * kDepth_m}, kDepth_m, kBoard_m));
     if (i == boards) break;
     const float end = -half + 0.03f + shelf.books * (shelf.width_m - 0.06f) * random.between(0.8f, 1.0f);
     for (float x = -half + 0.03f; x < end;) {

@@ -13,7 +13,6 @@
 namespace litfog::scene {
 namespace {
 
-const glm::mat4 kHere(1.0f);
 constexpr float kStorey_m = 2.7f;
 constexpr float kPlinth_m = 0.35f;
 constexpr float kEaves_m = 0.5f;
@@ -65,7 +64,7 @@ void add_roof(Model& model, const House& house) {
   const float eaves = ridge - run * std::tan(slope);
   const glm::vec3 down(0.0f, -kRoofThickness_m * std::cos(slope), -kRoofThickness_m * std::sin(slope));
   for (const float turn : {0.0f, glm::pi<float>()}) {
-    const glm::mat4 at = glm::rotate(kHere, turn, glm::vec3(0, 1, 0));
+    const glm::mat4 at = glm::rotate(glm::mat4(1.0f), turn, glm::vec3(0, 1, 0));
     const glm::vec3 a(-half_width, eaves, run);
     const glm::vec3 b(half_width, eaves, run);
     const glm::vec3 c(half_width, ridge, 0.0f);
@@ -98,7 +97,7 @@ void add_roof(Model& model, const House& house) {
     append(part(model, "galvanised"), make_tube(pipe, 0.04f, 8), at);
   }
   const glm::vec3 crest[] = {{-half_width, ridge - 0.02f, 0.0f}, {half_width, ridge - 0.02f, 0.0f}};
-  append(part(model, "roof_tiles"), make_tube(crest, 0.11f, 10), kHere);
+  append(part(model, "roof_tiles"), make_tube(crest, 0.11f, 10));
   // Chimney.
   const float x = -0.27f * house.width_m;
   const float foot = wall;

@@ -32,17 +32,18 @@ struct Entry {
   std::function<Model(const ModelParameters&)> make;
 };
 
-template <typename Builder>
-Entry entry(std::string_view name, std::string_view description, Model (*make)(const Builder&)) {
-  Builder defaults;
+/// A model whose parameters, members of a struct, become those of the catalogue.
+template <typename Parameters>
+Entry entry(std::string_view name, std::string_view description, Model (*make)(const Parameters&)) {
+  Parameters defaults;
   ParameterList list;
   defaults.describe(list);
-  return {{name, description, list.infos()}, [make](const ModelParameters& parameters) {
-            Builder builder;
+  return {{name, description, list.infos()}, [make](const ModelParameters& given) {
+            Parameters parameters;
             ParameterList members;
-            builder.describe(members);
-            members.set(parameters);
-            return make(builder);
+            parameters.describe(members);
+            members.set(given);
+            return make(parameters);
           }};
 }
 

@@ -28,9 +28,9 @@ inline constexpr double kMaxSeed = 1e6;
 /// What a scene file states about a model besides its name: {"model":"spruce", "height_m":9, "seed":3}.
 using ModelParameters = std::map<std::string, double, std::less<>>;
 
-/// The parameters of one builder's struct. Each such struct has a member function describe(ParameterList&) that adds
-/// its members, those of its own first; the default is what a member holds when it is added. The struct must outlive
-/// the list.
+/// The parameters that are members of one struct. A model's struct has a function describe(ParameterList&) that adds
+/// its own members, then those of the structs it holds; the default is what a member holds when it is added. The list
+/// refers to the struct, which must outlive it.
 class ParameterList {
  public:
   void add(std::string_view name, float& member, double minimum, double maximum);

@@ -31,7 +31,7 @@ Model make_road(const Road& road) {
   const float lip = -0.04f * road.shoulder_m;
   for (const auto& side : {make_sweep({{verge, -verge_depth}, {shoulder, lip}, {edge, 0.0f}}, path),
                            make_sweep({{-edge, 0.0f}, {-shoulder, lip}, {-verge, -verge_depth}}, path)}) {
-    append(gravel, side, glm::mat4(1.0f));
+    append(gravel, side);
   }
   return model;
 }
@@ -44,11 +44,9 @@ Model make_road_markings(const RoadMarkings& markings) {
     const float right = offset + 0.5f * markings.line_m;
     const float left = offset - 0.5f * markings.line_m;
     const std::vector<glm::vec3> path = carriageway.path.line(from, to, kStep_m, 0.0f, 0.0f);
-    append(paint,
-           make_sweep({{right, height_at(carriageway, right) + markings.lift_m},
-                       {left, height_at(carriageway, left) + markings.lift_m}},
-                      path),
-           glm::mat4(1.0f));
+    append(paint, make_sweep({{right, height_at(carriageway, right) + markings.lift_m},
+                              {left, height_at(carriageway, left) + markings.lift_m}},
+                             path));
   };
   const float edge = 0.5f * carriageway.width_m - 0.25f;
   const float length = carriageway.path.length_m;

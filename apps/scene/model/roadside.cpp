@@ -12,7 +12,6 @@
 namespace litfog::scene {
 namespace {
 
-const glm::mat4 kHere(1.0f);
 constexpr float kSunk_m = 0.4f;  // how deep posts go, so that uneven ground shows no gap
 
 /// The insulators' positions along a cross-arm of 2 m, and their height over its top.
@@ -38,7 +37,7 @@ Model make_fence(const Fence& fence) {
     const glm::vec3 foot = fence.row.path.point(posts[i], fence.row.offset_m) - glm::vec3(0.0f, kSunk_m, 0.0f);
     const glm::vec3 lean(random.between(-0.03f, 0.03f), 1.0f, random.between(-0.03f, 0.03f));
     const float height = fence.height_m + kSunk_m + random.between(0.05f, 0.15f);
-    append(wood, make_beam(foot, foot + lean * height, 0.11f, 0.11f, -fence.row.path.direction(posts[i])), kHere);
+    append(wood, make_beam(foot, foot + lean * height, 0.11f, 0.11f, -fence.row.path.direction(posts[i])));
     if (i + 1 == posts.size()) break;
     for (int rail = 0; rail < fence.rails; ++rail) {
       const float level = fence.height_m * (float(rail) + 0.75f) / float(fence.rails);
@@ -48,7 +47,7 @@ Model make_fence(const Fence& fence) {
                glm::vec3(0.0f, level + random.between(-0.025f, 0.025f), 0.0f);
       };
       const glm::vec3 from = end(posts[i], -0.06f);
-      append(wood, make_beam(from, end(posts[i + 1], 0.06f), 0.04f, 0.12f), kHere);
+      append(wood, make_beam(from, end(posts[i + 1], 0.06f), 0.04f, 0.12f));
     }
   }
   return model;
@@ -69,8 +68,8 @@ Model make_guard_rail(const GuardRail& rail) {
   const std::vector<glm::vec2> back(front.rbegin(), front.rend());
   const std::vector<glm::vec3> line =
       rail.row.path.line(0.0f, rail.row.path.length_m, rail.row.spacing_m, rail.row.offset_m, 0.0f);
-  append(steel, make_sweep(front, line), kHere);
-  append(steel, make_sweep(back, line), kHere);
+  append(steel, make_sweep(front, line));
+  append(steel, make_sweep(back, line));
   for (const float along : stations(rail.row)) {
     const glm::mat4 at = place(rail.row.path.point(along, rail.row.offset_m), rail.row.path.yaw(along));
     append(steel, make_box({0.06f, 0.75f + kSunk_m, 0.12f}), glm::translate(at, glm::vec3(0.0f, -kSunk_m, 0.0f)));
@@ -127,7 +126,7 @@ Model make_street_lamp(const StreetLamp& lamp) {
   const float h = lamp.height_m;
   Mesh& steel = part(model, "galvanised");
   append(steel, make_cylinder({0.11f, 0.11f, 1.2f + kSunk_m, 14}), place({0.0f, -kSunk_m, 0.0f}));
-  append(steel, make_cylinder({0.16f, 0.16f, 0.04f, 14}), kHere);
+  append(steel, make_cylinder({0.16f, 0.16f, 0.04f, 14}));
   append(part(model, "paint_grey"), make_box({0.09f, 0.45f, 0.02f}), place({0.0f, 0.5f, 0.105f}));
   // Mast and arm are one pipe that bends over.
   std::vector<glm::vec3> line;
@@ -144,9 +143,10 @@ Model make_street_lamp(const StreetLamp& lamp) {
   for (std::size_t i = 0; i < line.size(); ++i) {
     radii.push_back(glm::mix(0.085f, 0.035f, float(i) / float(line.size() - 1)));
   }
-  append(steel, make_tube(line, radii, 10), kHere);
+  append(steel, make_tube(line, radii, 10));
   // The head: a flat shell with its lens below.
-  const glm::mat4 head = glm::rotate(glm::translate(kHere, glm::vec3(lamp.arm_m, h, 0.0f)), 0.07f, glm::vec3(0, 0, 1));
+  const glm::mat4 head =
+      glm::rotate(glm::translate(glm::mat4(1.0f), glm::vec3(lamp.arm_m, h, 0.0f)), 0.07f, glm::vec3(0, 0, 1));
   append(
       part(model, "paint_grey"),
       make_lathe({{0.0f, -0.05f}, {0.5f, -0.05f}, {0.5f, -0.015f}, {0.42f, 0.045f}, {0.25f, 0.08f}, {0.0f, 0.09f}}, 20),
@@ -162,11 +162,11 @@ Model make_utility_pole(const UtilityPole& pole) {
   Mesh& wood = part(model, "wood");
   append(wood, make_cylinder({0.15f, 0.10f, h + kSunk_m, 12}), place({0.0f, -kSunk_m, 0.0f}));
   const float arm = h - kArmBelowTop_m;
-  append(wood, make_beam({-1.05f, arm - 0.05f, 0.13f}, {1.05f, arm - 0.05f, 0.13f}, 0.09f, 0.1f), kHere);
+  append(wood, make_beam({-1.05f, arm - 0.05f, 0.13f}, {1.05f, arm - 0.05f, 0.13f}, 0.09f, 0.1f));
   Mesh& steel = part(model, "galvanised");
   for (const float side : {-1.0f, 1.0f}) {
     const glm::vec3 brace[] = {{side * 0.6f, arm - 0.06f, 0.12f}, {0.0f, arm - 0.65f, 0.12f}};
-    append(steel, make_tube(brace, 0.014f, 5), kHere);
+    append(steel, make_tube(brace, 0.014f, 5));
   }
   for (const float x : kInsulators_m) {
     append(part(model, "paint_white"),
@@ -204,7 +204,7 @@ Model make_power_line(const PowerLine& power) {
         const float sag = 0.02f * power.row.spacing_m * 4.0f * t * (1.0f - t);  // a parabola is a catenary this flat
         wire.push_back(glm::mix(from, to, t) - glm::vec3(0.0f, sag, 0.0f));
       }
-      append(part(model, "paint_black"), make_tube(wire, 0.012f, 4), kHere);
+      append(part(model, "paint_black"), make_tube(wire, 0.012f, 4));
     }
   }
   return model;

@@ -12,7 +12,6 @@
 namespace litfog::scene {
 namespace {
 
-const glm::mat4 kHere(1.0f);
 constexpr float kNicheDepth_m = 0.32f;
 constexpr float kPier_m = 0.42f;
 constexpr float kPierDepth_m = 0.16f;
@@ -131,7 +130,7 @@ Model make_room(const Room& room) {
     axis.emplace_back(0.0f, 0.0f, half_depth - room.depth_m * float(i) / float(steps));
   }
   const std::vector<glm::vec2> arc = vault_arc(room, 40);
-  append(part(model, "vault_plaster"), make_sweep(arc, axis), kHere);
+  append(part(model, "vault_plaster"), make_sweep(arc, axis));
   Mesh& stone = part(model, "stone");
   for (const float side : {-1.0f, 1.0f}) {
     std::vector<glm::vec2> moulding;
@@ -140,7 +139,7 @@ Model make_room(const Room& room) {
       moulding.emplace_back(side * (p.x - half_width), p.y + room.wall_m - 0.02f);
     }
     if (side > 0.0f) std::reverse(moulding.begin(), moulding.end());
-    append(stone, make_sweep(moulding, axis), kHere);
+    append(stone, make_sweep(moulding, axis));
   }
   // Ribs over the piers.
   for (int i = 0; i <= room.bays; ++i) {
@@ -151,8 +150,7 @@ Model make_room(const Room& room) {
     append(stone,
            make_sweep(
                {{-0.02f, -0.15f}, {0.10f, -0.15f}, {0.14f, -0.11f}, {0.14f, 0.11f}, {0.10f, 0.15f}, {-0.02f, 0.15f}},
-               rib, glm::vec3(0, 0, 1)),
-           kHere);
+               rib, glm::vec3(0, 0, 1)));
   }
   return model;
 }

@@ -12,7 +12,6 @@
 namespace litfog::scene {
 namespace {
 
-const glm::mat4 kHere(1.0f);
 constexpr float kCell_m = 9.0f;  // the surface is cut into squares of about this size, for lighting per vertex
 constexpr float kHalf_m = 0.5f * kRunwayWidth_m;
 constexpr float kPiece_m = 15.0f;
@@ -38,7 +37,7 @@ struct Stripe {
 };
 
 void add_stripe(Mesh& paint, const Stripe& stripe, float lift) {
-  append(paint, make_level(stripe.left, stripe.right, stripe.from, stripe.to, lift, kPiece_m), kHere);
+  append(paint, make_level(stripe.left, stripe.right, stripe.from, stripe.to, lift, kPiece_m));
 }
 
 /// A stripe on both sides of the centre line.
@@ -57,7 +56,7 @@ void add_half(Mesh& paint, const Runway& runway, int number) {
     add_pair(paint, {left, left + 1.8f, 6.0f, 36.0f}, lift);
   }
   // Designator: 9 m high, 12 m beyond the stripes, its top away from the landing pilot.
-  glm::mat4 numeral = glm::translate(kHere, glm::vec3(0.0f, lift, -52.5f));
+  glm::mat4 numeral = glm::translate(glm::mat4(1.0f), glm::vec3(0.0f, lift, -52.5f));
   numeral = glm::rotate(numeral, -glm::half_pi<float>(), glm::vec3(1, 0, 0));
   add_numeral(paint, number, 2, glm::scale(numeral, glm::vec3(5.4f, 9.0f, 1.0f)));
   // Centre line: 30 m stripes, 20 m gaps, from 12 m beyond the designator.
@@ -96,22 +95,21 @@ Model make_runway(const Runway& runway) {
   for (const float side : {-1.0f, 1.0f}) {
     const float inner = side * kHalf_m;
     const float far = side * outer;
-    append(shoulder, make_level(std::min(inner, far), std::max(inner, far), 0.0f, runway.length_m, low, kCell_m),
-           kHere);
+    append(shoulder, make_level(std::min(inner, far), std::max(inner, far), 0.0f, runway.length_m, low, kCell_m));
   }
   for (const float from : {-kOverrun_m, runway.length_m}) {
-    append(shoulder, make_level(-outer, outer, from, from + kOverrun_m, low, kCell_m), kHere);
+    append(shoulder, make_level(-outer, outer, from, from + kOverrun_m, low, kCell_m));
   }
   const glm::vec3 sides[] = {{0.0f, 0.0f, kOverrun_m}, {0.0f, 0.0f, -runway.length_m - kOverrun_m}};
   for (const float side : {-1.0f, 1.0f}) {
     std::vector<glm::vec2> edge{{side * (outer + 1.5f), -0.4f}, {side * outer, low}};
     if (side < 0.0f) std::reverse(edge.begin(), edge.end());
-    append(part(model, "gravel"), make_sweep(edge, sides), kHere);
+    append(part(model, "gravel"), make_sweep(edge, sides));
   }
   Mesh half;
   add_half(half, runway, runway.number);
   Mesh& paint = part(model, "road_paint");
-  append(paint, half, kHere);
+  append(paint, half);
   Mesh other;
   const int opposite = (runway.number + 17) % 36 + 1;
   add_half(other, runway, opposite);

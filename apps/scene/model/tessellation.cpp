@@ -26,8 +26,7 @@ Mesh make_wires(const Mesh& mesh) {
     const glm::vec3 from = mesh.vertices[a].position;
     const glm::vec3 to = mesh.vertices[b].position;
     const bool is_upright = std::abs(to.y - from.y) > 0.9f * glm::distance(from, to);
-    append(wires, make_beam(from, to, kWire_m, kWire_m, is_upright ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0)),
-           glm::mat4(1.0f));
+    append(wires, make_beam(from, to, kWire_m, kWire_m, is_upright ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0)));
   }
   return wires;
 }
