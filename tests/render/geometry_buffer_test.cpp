@@ -8,8 +8,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "gl/gl_test.h"
+#include "reference/random_light.h"
 #include "render/renderer.h"
-#include "scene/noise.h"
 
 namespace litfog::test {
 using namespace render;
@@ -30,7 +30,7 @@ Scene noisy_floor() {
   scene.camera = {.position = {0.3f, 1.5f, 9}, .target = {0, 0, 3}, .field_of_view = 0.9f};
   Random random(7);
   Texels noise{kMapSize, kMapSize, {}};
-  for (int i = 0; i < 4 * kMapSize * kMapSize; ++i) noise.rgba.push_back(std::uint8_t(random.bits() >> 24));
+  for (int i = 0; i < 4 * kMapSize * kMapSize; ++i) noise.rgba.push_back(std::uint8_t(random.uniform(0, 256)));
   scene.materials.push_back({.name = "noise",
                              .size_m = kTileSize,
                              .albedo = {1, 1, {255, 255, 255, 51}},
