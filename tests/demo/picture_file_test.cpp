@@ -85,19 +85,6 @@ TEST_F(PictureFile, ExrHoldsLinearLightBeyondOne) {
   }
 }
 
-TEST_F(PictureFile, AnEarlierFileStaysWholeWhenWritingFails) {
-  std::ofstream(path("a.txt")) << "earlier";
-  EXPECT_THROW(write_whole_file(path("a.txt"),
-                                [](const std::string& temporary) {
-                                  std::ofstream(temporary) << "half";
-                                  throw CannotWrite("disk full");
-                                }),
-               CannotWrite);
-  std::ifstream file(path("a.txt"));
-  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(file), {}), "earlier");
-  EXPECT_EQ(std::distance(fs::directory_iterator(directory_.path()), {}), 1) << "a temporary file was left behind";
-}
-
 TEST_F(PictureFile, ALinkStaysAndItsTargetIsWritten) {
   fs::create_directory(path("there"));
   for (const char* target : {"there/old.txt", "there/new.txt"}) {
