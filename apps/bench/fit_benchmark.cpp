@@ -40,7 +40,7 @@ struct Family {
   const char* name;
   double least_range, most_range;  ///< of the last sample
   double noise;                    ///< standard deviation of ln attenuation
-  double outliers;                 ///< share
+  double outliers;                 ///< fraction of the samples
   bool is_clamped;
 };
 constexpr Family kFamilies[] = {
@@ -67,7 +67,7 @@ Samples draw_table(const Family& family, test::Random& random) {
 
 Attenuation fit_by_litfog(const Samples& samples) { return fit_attenuation({.samples = samples}).attenuation; }
 
-/// ln a(r) less that of a sample, from coefficients of any scalar.
+/// ln a(r) minus that of a sample, from coefficients of any scalar.
 struct Residual {
   const AttenuationSample& sample;
 
@@ -178,19 +178,39 @@ double digits_of(const Attenuation& a, const Samples& samples, const Optimum& op
   return std::clamp(-std::log10(worst), 0.0, 17.0);
 }
 
-command::Figure draw(const command::Table& table) {
+/// A method on the tables of a family, and what was measured of it.
+struct Measurement {
+  const Family* family;
+  const Method* method;
+  std::size_t tables;
+  Timing timing;           ///< ns a table
+  double objective;        ///< mean over the tables
+  double solved_fraction;  ///< of the tables
+  double digits;
+};
+
+command::Figure draw(const std::vector<Measurement>& measurements) {
   command::Chart chart{.x = {"processor time of one thread per table of 20 samples (ms)", true},
                        .y = {.label = "tables whose optimum was found (%)", .least = -2, .most = 102},
                        .key = command::KeyPlace::below};
   for (const Method& method : kMethods) {
     command::Series series{.name = method.name, .style = command::SeriesStyle::points};
-    for (const auto& row : table.rows) {
-      if (std::get<std::string>(row[1]) != method.name) continue;
-      series.points.push_back({std::get<double>(row[3]), 100 * std::get<double>(row[6])});
+    for (const Measurement& measurement : measurements) {
+      if (measurement.method != &method) continue;
+      series.points.push_back({measurement.timing.median / 1e6, 100 * measurement.solved_fraction});
     }
     chart.series.push_back(series);
   }
   return {.title = "Attenuation from a falloff table, by kind of table", .charts = {chart}};
+}
+
+command::Table make_table(const std::vector<Measurement>& measurements) {
+  command::Table table{{"problem", "method", "tables", "ms", "ms_spread", "objective", "solved_share", "digits"}};
+  for (const Measurement& m : measurements) {
+    table.rows.push_back({m.family->name, m.method->name, static_cast<double>(m.tables), m.timing.median / 1e6,
+                          m.timing.spread / 1e6, m.objective, m.solved_fraction, m.digits});
+  }
+  return table;
 }
 
 }  // namespace
@@ -229,7 +249,7 @@ Result measure_fit(bool quick) {
   });
 
   Result result;
-  result.table.columns = {"problem", "method", "tables", "ms", "ms_spread", "objective", "solved_share", "digits"};
+  std::vector<Measurement> measurements;
   for (std::size_t first = 0; first < runs.size(); first += std::size(kMethods)) {
     const std::vector<Samples>& family_tables = *runs[first].tables;
     std::vector<Optimum> optima;
@@ -254,15 +274,16 @@ Result measure_fit(bool quick) {
         digits = std::min(digits, digits_of(run.found[i], family_tables[i], optima[i]));
       }
       const auto size = static_cast<double>(family_tables.size());
-      result.table.rows.push_back({run.family->name, run.method->name, size, timings[m].median / 1e6,
-                                   timings[m].spread / 1e6, sum / size, solved / size, digits});
+      measurements.push_back(
+          {run.family, run.method, family_tables.size(), timings[m], sum / size, solved / size, digits});
       if (!(digits >= run.method->stated_digits)) {
         result.failures.push_back(fmt::format("{} {}: digits = {}: must be at least {}", run.method->name,
                                               run.family->name, digits, run.method->stated_digits));
       }
     }
   }
-  result.figure = draw(result.table);
+  result.table = make_table(measurements);
+  result.figure = draw(measurements);
   return result;
 }
 

@@ -13,12 +13,12 @@ LightColumns<double> draw_light_mix(FogMode mode, std::size_t count, std::uint64
     const double extent = random.log_uniform(5, 5000);
     const double visibility = random.log_uniform(50, 10'000);
     const double below = random.uniform(0, 1);
-    const double share = kind / 3 == 0 ? 1 : kind / 3 == 1 ? 0 : random.uniform(0, 1);
+    const double fraction = kind / 3 == 0 ? 1 : kind / 3 == 1 ? 0 : random.uniform(0, 1);
     const double constant = kind % 3 == 0 ? below : kind % 3 == 1 ? 1 : 5 - 4 * below;
     const double excess = 1 / kDefaultThreshold - constant;
     lights.constant.push_back(constant);
-    lights.linear.push_back(share * excess / extent);
-    lights.quadratic.push_back((1 - share) * excess / (extent * extent));
+    lights.linear.push_back(fraction * excess / extent);
+    lights.quadratic.push_back((1 - fraction) * excess / (extent * extent));
     lights.threshold.push_back(kDefaultThreshold);
     lights.density.push_back(Fog::from_visibility(mode, visibility).density);
   }

@@ -53,7 +53,7 @@ optimum at all samples of any table; the optimum is certified at 50 digits.
 
 render: every lighting path of litfog-demo, and the base texture alone (unlit), in exp fog: headlights with 1 to 256 lights
 at 640x360, with 1 to 16 also with nothing skipped, and at 1280x720; every scene with 2, 16 and 64 lights at 320x180. Frames
-of all paths in turn. Errors are against the path's own plain formulas, shaded in double. The picture has table 1 of Hales
+of all paths interleaved. Errors are against the path's own plain formulas, shaded in double. The picture has table 1 of Hales
 2004. Takes some twenty minutes without a GPU.
 
 Times are processor time of one thread (render: wall time of a frame, drawn and waited for): medians, with the spread

@@ -67,7 +67,7 @@ std::vector<const render::LightingPath*> measured_paths() {
   return paths;
 }
 
-/// The paths' frames, in turn; those of two-light legacy, too.
+/// The paths' frames, interleaved, and with them those of two-light legacy.
 std::vector<Trial> measure(const Setting& setting, const measure::FrameBudget& budget,
                            const measure::Progress& progress) {
   const scene::Scene bundled = scene::read_scene(scene::bundled_scene_path(setting.scene));

@@ -14,8 +14,8 @@ namespace litfog::bench {
 /// skip                 on or off: whether what cannot show is left out
 /// ms_per_frame         wall time: the median over frames, each drawn and waited for
 /// ms_spread            from their 10th to their 90th percentile
-/// ratio_to_legacy      of the medians; legacy's of the same scene, lights, size and skip, frames in turn
-/// ratio_to_two_light_legacy  of the medians; legacy's of two lights, else the same, in turn, too
+/// ratio_to_legacy      of the medians; legacy's of the same scene, lights, size and skip, frames interleaved
+/// ratio_to_two_light_legacy  of the medians; legacy's of two lights, else the same, interleaved, too
 /// max_error_255, mean_error_255  against the path's plain formulas in double (shade_reference), in steps of an 8-bit
 ///                      colour channel; empty for unlit
 /// excepted_pixels      too close to a jump of the model to be compared

@@ -9,6 +9,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "bench/rival.h"
 #include "bench/sampled_batch.h"
 #include "bench/stopwatch.h"
+#include "command/fog_mode_name.h"
 #include "command/progress.h"
 #include "litfog/batch.h"
 #include "litfog/solve.h"
@@ -38,7 +40,6 @@ constexpr Scale kQuick{512, 200, 100'000, {3, 0.0005}};
 constexpr std::uint64_t kSeed = 20'040'601;
 constexpr int kSamples[] = {16, 64, 256, 1024};
 
-const char* name_of(FogMode mode) { return mode == FogMode::exp ? "exp" : "exp2"; }
 template <typename Real>
 constexpr const char* kPrecisionName = sizeof(Real) == sizeof(float) ? "float" : "double";
 
@@ -78,19 +79,41 @@ struct Problem {
       references.push_back(
           test::solve_reference(attenuation, Fog{mode, lights.density[i]}, lights.threshold[i]).intensity);
       progress.show(
-          fmt::format("references, {} {}: {} of {}", name_of(mode), kPrecisionName<Real>, i + 1, reference_count));
+          fmt::format("references, {} {}: {} of {}", command::fog_mode_name(mode), kPrecisionName<Real>, i + 1, reference_count));
     }
   }
 };
 
-/// A row of the table before it is measured.
+/// How a method is drawn: as a point with a label.
+struct Look {
+  std::string label;
+  command::LabelPlace place;
+  int color;
+};
+
+/// Hales's sampling, drawn as one line over the numbers of samples.
+struct Sampling {
+  int samples;
+  bool is_simd;
+};
+
+/// A way to the intensity of all lights of a problem.
 struct Method {
   std::string name;
   std::string precision;
-  std::string fog;
+  std::optional<FogMode> fog;  ///< none: it solves nothing
   TimedPass pass;
-  std::function<Errors()> errors;  ///< after a pass; empty where the pass solves nothing
+  std::function<Errors()> errors = {};  ///< after a pass; empty if it solves nothing
   double stated_ulp = std::numeric_limits<double>::infinity();
+  std::optional<Look> look = {};
+  std::optional<Sampling> sampling = {};
+};
+
+/// A method and what was measured of it.
+struct Measurement {
+  Method method;
+  Timing timing;
+  std::optional<Errors> errors;  ///< none if it solves nothing
 };
 
 /// A pass that calls a function light by light.
@@ -103,7 +126,7 @@ Method light_by_light(const std::string& name, Problem<Real>& problem, const Sol
                 problem.lights.threshold[i]);
     }
   };
-  return {name, kPrecisionName<Real>, name_of(problem.mode), {problem.lights.size(), run}, [&problem] {
+  return {name, kPrecisionName<Real>, problem.mode, {problem.lights.size(), run}, [&problem] {
             return errors_of(problem.intensity, problem.references);
           }};
 }
@@ -111,19 +134,19 @@ Method light_by_light(const std::string& name, Problem<Real>& problem, const Sol
 /// A pass that solves all lights by one call.
 template <typename Real>
 Method at_once(const std::string& name, Problem<Real>& problem, const std::function<void()>& run) {
-  return {name, kPrecisionName<Real>, name_of(problem.mode), {problem.lights.size(), run}, [&problem] {
+  return {name, kPrecisionName<Real>, problem.mode, {problem.lights.size(), run}, [&problem] {
             return errors_of(problem.intensity, problem.references);
           }};
 }
 
 template <typename Real>
 Method batch(const std::string& name, Problem<Real>& problem) {
-  Method method = at_once(name, problem, [&problem] {
+  return at_once(name, problem, [&problem] {
     solve_fog_intensities(problem.mode, problem.lights.view(), BasicBatchSolutions<Real>{problem.intensity});
   });
-  method.stated_ulp = kBatchIntensityMaxUlp;
-  return method;
 }
+
+constexpr const char* kCopyName = "memory-copy";
 
 /// The floor: as many bytes moved as the batch reads and writes. It reads five columns and writes one; copying three
 /// columns reads three and writes three.
@@ -133,92 +156,98 @@ Method memory_copy(const std::string& name, std::size_t lights) {
   const auto from = std::make_shared<std::vector<Real>>(3 * lights, Real(1));
   const auto to = std::make_shared<std::vector<Real>>(3 * lights);
   const auto run = [from, to] { std::memcpy(to->data(), from->data(), to->size() * sizeof(Real)); };
-  return {name, kPrecisionName<Real>, "", {lights, run}, {}};
+  return {name, kPrecisionName<Real>, std::nullopt, {lights, run}};
 }
 
 std::vector<Method> methods_of(Problem<double>& problem, Problem<float>& problem_f) {
   std::vector<Method> methods;
+  const auto add = [&](Method method, Look look, double stated_ulp = std::numeric_limits<double>::infinity()) {
+    method.look = std::move(look);
+    method.stated_ulp = stated_ulp;
+    methods.push_back(std::move(method));
+  };
   for (const int samples : kSamples) {
     methods.push_back(light_by_light(fmt::format("hales-{}", samples), problem,
                                      [samples](const Attenuation& attenuation, const Fog& fog, double threshold) {
                                        return sample_fog_intensity(attenuation, fog, threshold, samples).intensity;
                                      }));
+    methods.back().sampling = {samples, false};
   }
   for (const int samples : kSamples) {
     methods.push_back(at_once(fmt::format("hales-{}-simd", samples), problem_f, [&problem_f, samples] {
       sample_fog_intensities(problem_f.mode, problem_f.lights.view(), samples, problem_f.intensity);
     }));
+    methods.back().sampling = {samples, true};
   }
-  methods.push_back(light_by_light("golden-section", problem, golden_section_intensity));
-  methods.push_back(light_by_light("boost-brent", problem, brent_intensity));
-  methods.push_back(light_by_light("exact", problem, [](const Attenuation& attenuation, const Fog& fog, double t) {
-    return solve_fog_intensity(attenuation, fog, t).intensity;
-  }));
-  methods.back().stated_ulp = kIntensityMaxUlp<double>;
-  methods.push_back(light_by_light("exact", problem_f, [](const AttenuationF& attenuation, const FogF& fog, float t) {
-    return solve_fog_intensity(attenuation, fog, t).intensity;
-  }));
-  methods.back().stated_ulp = kIntensityMaxUlp<float>;
-  methods.push_back(batch("batch", problem));
-  methods.push_back(batch("batch", problem_f));
+  add(light_by_light("golden-section", problem, golden_section_intensity),
+      {"golden section", command::LabelPlace::right, 3});
+  add(light_by_light("boost-brent", problem, brent_intensity), {"Brent (Boost.Math)", command::LabelPlace::below, 4});
+  add(light_by_light("exact", problem,
+                     [](const Attenuation& attenuation, const Fog& fog, double threshold) {
+                       return solve_fog_intensity(attenuation, fog, threshold).intensity;
+                     }),
+      {"litfog, double", command::LabelPlace::right, 2}, kIntensityMaxUlp<double>);
+  add(light_by_light("exact", problem_f,
+                     [](const AttenuationF& attenuation, const FogF& fog, float threshold) {
+                       return solve_fog_intensity(attenuation, fog, threshold).intensity;
+                     }),
+      {"litfog, float", command::LabelPlace::above, 2}, kIntensityMaxUlp<float>);
+  add(batch("batch", problem), {"litfog batch, double", command::LabelPlace::below, 0}, kBatchIntensityMaxUlp);
+  add(batch("batch", problem_f), {"litfog batch, float", command::LabelPlace::above, 0}, kBatchIntensityMaxUlp);
   return methods;
 }
 
-/// A method in the picture.
-struct Look {
-  std::string method;
-  std::string precision;
-  std::string label;
-  command::LabelPlace place;
-  int color;
-};
-
-command::Chart draw_pareto(const std::string& fog, const command::Table& table) {
-  const std::vector<Look> looks{
-      {"golden-section", "double", "golden section", command::LabelPlace::right, 3},
-      {"boost-brent", "double", "Brent (Boost.Math)", command::LabelPlace::below, 4},
-      {"exact", "double", "litfog, double", command::LabelPlace::right, 2},
-      {"exact", "float", "litfog, float", command::LabelPlace::above, 2},
-      {"batch", "double", "litfog batch, double", command::LabelPlace::below, 0},
-      {"batch", "float", "litfog batch, float", command::LabelPlace::above, 0},
-  };
-  command::Chart chart{.title = fog + " fog",
+command::Chart draw_pareto(FogMode fog, const std::vector<Measurement>& measurements) {
+  command::Chart chart{.title = fmt::format("{} fog", command::fog_mode_name(fog)),
                        .x = {"processor time of one thread per light (ns)", true, 0.05, 5e4},
                        .y = {"largest error of the intensity (1/255)", true, 1e-16, 1e4},
                        .key = command::KeyPlace::none};
   command::Series scalar_sampling{.style = command::SeriesStyle::line_and_points, .color = 1};
   command::Series simd_sampling{.style = command::SeriesStyle::line_and_points, .color = 6};
-  const auto text = [](const command::Table::Cell& cell) { return std::get<std::string>(cell); };
-  for (const auto& row : table.rows) {
-    const std::string method = text(row[0]);
-    const double time = std::get<double>(row[3]);
-    if (method == "memory-copy") {
-      const bool is_float = text(row[1]) == "float";
+  for (const auto& [method, timing, errors] : measurements) {
+    const double time = timing.median;
+    if (method.name == kCopyName) {
+      const bool is_float = method.precision == kPrecisionName<float>;
       const command::PlotPoint label{time, 1e-9, is_float ? "" : "copy of a light's bytes: float, double"};
       chart.series.push_back({.points = {{time, chart.y.least}, label, {time, chart.y.most}},
                               .style = command::SeriesStyle::dashes,
                               .color = 7});
     }
-    if (!std::holds_alternative<std::string>(row[2]) || text(row[2]) != fog) continue;
-    const double error = std::max(std::get<double>(row[7]), chart.y.least);  // exactly 0 stands at the axis's end
-    if (method.starts_with("hales-")) {
-      const bool is_simd = method.ends_with("-simd");
+    if (method.fog != fog) continue;
+    const double error = std::max(errors->max_255, chart.y.least);  // exactly 0 stands at the axis's end
+    if (method.sampling) {
+      const auto [samples, is_simd] = *method.sampling;
       command::Series& series = is_simd ? simd_sampling : scalar_sampling;
-      const std::string samples = method.substr(6, method.find('-', 6) - 6);
       const bool is_first = series.points.empty();
-      series.points.push_back({time, error, (is_first ? is_simd ? "Hales SIMD, N = " : "Hales, N = " : "") + samples,
+      const char* const line = !is_first ? "" : is_simd ? "Hales SIMD, N = " : "Hales, N = ";
+      series.points.push_back({time, error, fmt::format("{}{}", line, samples),
                                is_first ? command::LabelPlace::above : command::LabelPlace::right});
     }
-    for (const Look& look : looks) {
-      if (method != look.method || text(row[1]) != look.precision) continue;
-      chart.series.push_back({.points = {{time, error, look.label, look.place}},
+    if (method.look) {
+      chart.series.push_back({.points = {{time, error, method.look->label, method.look->place}},
                               .style = command::SeriesStyle::points,
-                              .color = look.color});
+                              .color = method.look->color});
     }
   }
   chart.series.push_back(scalar_sampling);
   chart.series.push_back(simd_sampling);
   return chart;
+}
+
+command::Table make_table(const std::vector<Measurement>& measurements) {
+  command::Table table{{"method", "precision", "fog", "ns_per_light", "ns_spread", "max_ulp", "mean_ulp",
+                        "max_error_255", "mean_error_255"}};
+  using Cell = command::Table::Cell;
+  for (const auto& measurement : measurements) {
+    const Method& method = measurement.method;
+    const auto error = [&errors = measurement.errors](double Errors::*member) {
+      return errors ? Cell((*errors).*member) : Cell(std::monostate());
+    };
+    table.rows.push_back({method.name, method.precision, method.fog ? Cell(command::fog_mode_name(*method.fog)) : std::monostate(),
+                          measurement.timing.median, measurement.timing.spread, error(&Errors::max_ulp),
+                          error(&Errors::mean_ulp), error(&Errors::max_255), error(&Errors::mean_255)});
+  }
+  return table;
 }
 
 }  // namespace
@@ -244,9 +273,11 @@ Result measure_solve(bool quick) {
     for (Method& method : methods_of(problems[i], problems_f[i])) methods.push_back(std::move(method));
   }
   methods.push_back(batch("batch-uncached", uncached));
+  methods.back().stated_ulp = kBatchIntensityMaxUlp;
   methods.push_back(batch("batch-uncached", uncached_f));
-  methods.push_back(memory_copy<double>("memory-copy", scale.lights));
-  methods.push_back(memory_copy<float>("memory-copy", scale.lights));
+  methods.back().stated_ulp = kBatchIntensityMaxUlp;
+  methods.push_back(memory_copy<double>(kCopyName, scale.lights));
+  methods.push_back(memory_copy<float>(kCopyName, scale.lights));
   methods.push_back(memory_copy<double>("memory-copy-uncached", scale.uncached));
   methods.push_back(memory_copy<float>("memory-copy-uncached", scale.uncached));
 
@@ -259,31 +290,23 @@ Result measure_solve(bool quick) {
   });
 
   Result result;
-  result.table.columns = {"method",  "precision", "fog",           "ns_per_light",  "ns_spread",
-                          "max_ulp", "mean_ulp",  "max_error_255", "mean_error_255"};
+  std::vector<Measurement> measurements;
   for (std::size_t i = 0; i < methods.size(); ++i) {
     const Method& method = methods[i];
-    auto& row = result.table.rows.emplace_back();
-    row = {method.name, method.precision};
-    row.push_back(method.fog.empty() ? command::Table::Cell(std::monostate()) : method.fog);
-    row.emplace_back(timings[i].median);
-    row.emplace_back(timings[i].spread);
-    if (!method.errors) {
-      row.resize(result.table.columns.size(), command::Table::Cell(std::monostate()));
-      continue;
-    }
+    measurements.push_back({method, timings[i], std::nullopt});
+    if (!method.errors) continue;
     method.pass.run();  // the results of this method, not of the one timed last
     const Errors errors = method.errors();
-    for (const double error : {errors.max_ulp, errors.mean_ulp, errors.max_255, errors.mean_255}) {
-      row.emplace_back(error);
-    }
+    measurements.back().errors = errors;
     if (!(errors.max_ulp <= method.stated_ulp)) {
       result.failures.push_back(fmt::format("{} {} {}: error = {} ulp: must be at most {}", method.name,
-                                            method.precision, method.fog, errors.max_ulp, method.stated_ulp));
+                                            method.precision, command::fog_mode_name(*method.fog), errors.max_ulp,
+                                            method.stated_ulp));
     }
   }
+  result.table = make_table(measurements);
   result.figure = {.title = "Fog colour intensity of a light: time against error",
-                   .charts = {draw_pareto("exp", result.table), draw_pareto("exp2", result.table)},
+                   .charts = {draw_pareto(FogMode::exp, measurements), draw_pareto(FogMode::exp2, measurements)},
                    .columns = 2,
                    .width = 1300,
                    .height = 600};

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "bench/light_mix.h"
+#include "command/fog_mode_name.h"
 #include "command/progress.h"
 #include "litfog/batch.h"
 #include "litfog/updater.h"
@@ -25,7 +26,7 @@ struct Scale {
   std::size_t lights;
   std::size_t kinds;
   std::size_t steps;
-  std::size_t full_check;  ///< all lights are compared at every so manyeth step, one light a kind at each
+  std::size_t full_check;  ///< every full_check-th step compares all lights, the others one light of each kind
 };
 constexpr Scale kFull{1'000'000, 200, 1000, 50};
 constexpr Scale kQuick{10'000, 20, 30, 10};
@@ -34,12 +35,10 @@ constexpr std::uint64_t kSeed = 20'050'301;
 constexpr double kClearest = 10'000;  // metres
 constexpr double kThickest = 50;
 
-const char* name_of(FogMode mode) { return mode == FogMode::exp ? "exp" : "exp2"; }
-
 double visibility_at(std::size_t step, std::size_t steps) {
   const double phase = static_cast<double>(step) / static_cast<double>(steps);
-  const double share = (1 + std::cos(2 * std::numbers::pi * phase)) / 2;
-  return kThickest * std::pow(kClearest / kThickest, share);
+  const double fraction = (1 + std::cos(2 * std::numbers::pi * phase)) / 2;
+  return kThickest * std::pow(kClearest / kThickest, fraction);
 }
 
 /// Light i is of kind i modulo the number of kinds.
@@ -107,7 +106,7 @@ Record follow(const Follower& follower, FogMode mode, const std::vector<PlacedLi
       const double deviation = 255 * brightest * std::abs(follower.intensity(i) - exact[i % scale.kinds]);
       record.max_deviation_255 = std::max(record.max_deviation_255, deviation);
     }
-    progress.show(fmt::format("{}, {} fog: step {} of {}", follower.name, name_of(mode), step, scale.steps));
+    progress.show(fmt::format("{}, {} fog: step {} of {}", follower.name, command::fog_mode_name(mode), step, scale.steps));
   }
   return record;
 }
@@ -159,7 +158,7 @@ Record follow_by_batch(const std::string& name, FogMode mode, const std::vector<
   return follow(follower, mode, lights, scale, progress);
 }
 
-/// Time and skipped share over the visibility, one chart a fog.
+/// Time and skipped fraction over the visibility, one chart a fog.
 void draw(const std::string& name, FogMode mode, const Record& record, command::Chart& times, command::Chart& shares) {
   command::Series time{.name = name};
   command::Series share{.name = name};
@@ -169,7 +168,7 @@ void draw(const std::string& name, FogMode mode, const Record& record, command::
     time.points.push_back({visibility, record.milliseconds[i]});
     share.points.push_back({visibility, 100 * record.skipped_shares[i]});
   }
-  times.title = shares.title = std::string(name_of(mode)) + " fog";
+  times.title = shares.title = std::string(command::fog_mode_name(mode)) + " fog";
   times.series.push_back(time);
   if (name == "updater") shares.series.push_back(share);
 }
@@ -197,12 +196,12 @@ Result measure_update(bool quick) {
       double share = 0;
       for (const double one : record.skipped_shares) share += one / static_cast<double>(scale.steps);
       result.table.rows.push_back(
-          {name, name_of(mode), static_cast<double>(scale.lights), static_cast<double>(scale.kinds),
+          {name, command::fog_mode_name(mode), static_cast<double>(scale.lights), static_cast<double>(scale.kinds),
            static_cast<double>(scale.steps), measure::quantile(record.milliseconds, 0.5),
            measure::quantile(record.milliseconds, 0.9) - measure::quantile(record.milliseconds, 0.1), share,
            record.max_deviation_255});
       if (!(record.max_deviation_255 <= allowed_255)) {
-        result.failures.push_back(fmt::format("{} {}: deviation = {}/255: must be at most {}/255", name, name_of(mode),
+        result.failures.push_back(fmt::format("{} {}: deviation = {}/255: must be at most {}/255", name, command::fog_mode_name(mode),
                                               record.max_deviation_255, allowed_255));
       }
       const std::size_t column = mode == FogMode::exp ? 0 : 1;

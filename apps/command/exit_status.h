@@ -8,8 +8,8 @@ namespace litfog::command {
 /// What a command's exit status says; the same for every command.
 enum ExitStatus {
   kDone = 0,
-  kUsage = 1,              ///< the command line was wrong: unknown option, missing or refused value
-  kBadInput = 2,           ///< a file was wrong; where the output has a place for each row, the good rows are written
+  kUsage = 1,              ///< the command line was wrong: unknown option, missing or wrong value
+  kBadInput = 2,           ///< a file was wrong; if the output has a row for each input, the good ones are written
   kMissingCapability = 3,  ///< the machine lacks something: no GL, no extension
   kCannotWrite = 4,        ///< output could not be written
   kNotToTolerance = 5,  ///< solved, but not to the stated tolerance, or target infeasible; the best result is written

@@ -19,7 +19,7 @@ std::optional<OutputFiles::Identity> OutputFiles::Identity::of(const std::string
     identity.inode = {status.st_dev, status.st_ino};
   }
   std::error_code error;
-  identity.path = fs::weakly_canonical(fs::absolute(path, error), error);
+  identity.path = fs::weakly_canonical(fs::absolute(behind_links(path), error), error);
   return identity;
 }
 

@@ -14,8 +14,16 @@ using Clock = std::chrono::steady_clock;
 
 Progress::Progress() : is_watched_(isatty(STDERR_FILENO) != 0), next_(Clock::now() + std::chrono::seconds(2)) {}
 
-Progress::~Progress() {
+Progress::~Progress() { clear(); }
+
+void Progress::clear() {
   if (is_shown_) std::fputs("\r\x1B[K", stderr);
+  is_shown_ = false;
+}
+
+void Progress::print(std::string_view line) {
+  clear();
+  fmt::print(stderr, "{}\n", printable(line));
 }
 
 void Progress::show(std::string_view text) {

@@ -6,7 +6,7 @@
 
 namespace litfog::command {
 
-/// A sign of life on standard error, where somebody watches, of what takes more than two seconds.
+/// Progress on standard error of what takes more than two seconds, if that is a terminal.
 class Progress {
  public:
   Progress();
@@ -17,7 +17,12 @@ class Progress {
   /// Shows the text in place of the last one, at most five times a second.
   void show(std::string_view text);
 
+  /// Prints a line that stays, on a terminal or not: an error that does not end the work.
+  void print(std::string_view line);
+
  private:
+  void clear();
+
   bool is_watched_;
   bool is_shown_ = false;
   std::chrono::steady_clock::time_point next_;

@@ -107,17 +107,6 @@ class TemporaryFile {
 
 fs::path folder_of(const fs::path& target) { return target.has_parent_path() ? target.parent_path() : fs::path("."); }
 
-/// The file that a link leads to, whether that exists yet or not: the link itself is to stay.
-fs::path behind_links(fs::path path) {
-  constexpr int kMaxLinks = 40;  // as many as Linux follows
-  std::error_code error;
-  for (int links = 0; fs::is_symlink(path, error); ++links) {
-    if (links == kMaxLinks) fail_to_write(path.string(), "is a link to itself");
-    path = folder_of(path) / fs::read_symlink(path, error);
-  }
-  return path;
-}
-
 /// The standard stream that goes to a file, or null.
 std::FILE* standard_stream_to(const struct stat& file) {
   for (std::FILE* stream : {stdout, stderr}) {
@@ -143,6 +132,16 @@ void write_in_place(const std::string& path, std::string_view text) {
 }
 
 }  // namespace
+
+fs::path behind_links(fs::path path) {
+  constexpr int kMaxLinks = 40;  // as many as Linux follows
+  std::error_code error;
+  for (int links = 0; fs::is_symlink(path, error); ++links) {
+    if (links == kMaxLinks) fail_to_write(path.string(), "is a link to itself");
+    path = folder_of(path) / fs::read_symlink(path, error);
+  }
+  return path;
+}
 
 void expect_writable(const std::string& path) {
   std::error_code error;

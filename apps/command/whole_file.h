@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -10,6 +11,9 @@ namespace litfog::command {
 /// as it was when anything fails. An earlier file's mode is kept, and a link stays a link. A device, a pipe, and the file
 /// that standard output or standard error goes to cannot be replaced: they are written to. Throws CannotWrite.
 void write_whole_file(const std::string& path, std::string_view text);
+
+/// The file that a path leads to through links, whether that exists yet or not. Throws CannotWrite for links in a circle.
+std::filesystem::path behind_links(std::filesystem::path path);
 
 /// Throws CannotWrite if the path is a folder or its folder does not exist: for commands that work long before they
 /// write.

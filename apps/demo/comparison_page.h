@@ -35,6 +35,9 @@ struct SceneResult {
   std::string sheet_file() const;
 };
 
+/// Names of all pictures of a scene.
+std::vector<std::string> picture_files(const std::string& scene);
+
 /// What the results of a page have in common.
 struct PageFacts {
   std::string machine;  ///< in words: on what was drawn

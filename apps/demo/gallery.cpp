@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <tuple>
 
@@ -48,26 +49,46 @@ void add_solutions(command::Table& table, const scene::Scene& scene, FogMode mod
   }
 }
 
+constexpr const char* kSheetFile = "contact-sheet.png";
+
+/// Infinity, clear air, before the scene's own.
+std::vector<double> shown_visibilities(const scene::Scene& scene) {
+  std::vector<double> visibilities{std::numeric_limits<double>::infinity()};
+  visibilities.insert(visibilities.end(), scene.visibilities.begin(), scene.visibilities.end());
+  return visibilities;
+}
+
+std::string picture_file(const scene::Scene& scene, double visibility) {
+  return scene.name + (std::isinf(visibility) ? "-clear" : fmt::format("-{}m", visibility)) + ".png";
+}
+
+PictureFolder make_folder(const std::string& path, const std::vector<scene::Scene>& scenes) {
+  std::vector<std::string> files{kSheetFile};
+  std::vector<std::string> inputs;
+  for (const scene::Scene& scene : scenes) {
+    for (const double visibility : shown_visibilities(scene)) files.push_back(picture_file(scene, visibility));
+    inputs.insert(inputs.end(), scene.files.begin(), scene.files.end());
+  }
+  return {path, files, inputs};
+}
+
 }  // namespace
 
 void draw_gallery(const std::vector<std::string>& scenes, const std::string& folder, const GallerySettings& settings) {
   const Clock::time_point start = Clock::now();
   const std::vector<scene::Scene> read = scene::read_scenes(scenes);
   command::report(fmt::format("{} scenes loaded in {:.2f} s\n", read.size(), seconds_since(start)));
-  PictureFolder pictures(folder);
+  PictureFolder pictures = make_folder(folder, read);
   command::Table solutions{{"scene", "light", "visibility_m", "extent_m", "peak_range_m", "intensity"}, {}};
   std::vector<std::vector<SheetEntry>> sheet;
   for (const scene::Scene& scene : read) {
     render::Renderer renderer(scene, settings.width, settings.height, settings.render);
     command::report(fmt::format("{}: {} lights\n", scene.name, scene.lights.size()));
     add_solutions(solutions, scene, settings.fog_mode);
-    std::vector<double> visibilities{std::numeric_limits<double>::infinity()};
-    visibilities.insert(visibilities.end(), scene.visibilities.begin(), scene.visibilities.end());
     sheet.emplace_back();
-    for (const double visibility : visibilities) {
+    for (const double visibility : shown_visibilities(scene)) {
       const bool is_clear = std::isinf(visibility);
-      const std::string label = is_clear ? "clear" : fmt::format("{}m", visibility);
-      const std::string file = scene.name + "-" + label + ".png";
+      const std::string file = picture_file(scene, visibility);
       const Clock::time_point frame_start = Clock::now();
       renderer.set_fog(Fog::from_visibility(settings.fog_mode, visibility));
       renderer.draw();
@@ -80,12 +101,10 @@ void draw_gallery(const std::vector<std::string>& scenes, const std::string& fol
       command::report(fmt::format("  {:<40} drawn in {:.2f} s\n", pictures.path_of(file), draw_seconds));
     }
   }
-  const std::string sheet_file = "contact-sheet.png";
-  pictures.write(sheet_file, make_contact_sheet(sheet));
+  pictures.write(kSheetFile, make_contact_sheet(sheet));
   pictures.finish();
-  command::write_standard_output("\n" + command::format_table(solutions, command::TableFormat::text));
-  command::write_standard_output(
-      fmt::format("\n{} shows all; {:.1f} s in all\n", pictures.path_of(sheet_file), seconds_since(start)));
+  command::report("\n" + command::format_table(solutions, command::TableFormat::text));
+  command::report(fmt::format("\n{} shows all; {:.1f} s in all\n", pictures.path_of(kSheetFile), seconds_since(start)));
 }
 
 }  // namespace litfog::demo

@@ -24,7 +24,7 @@ constexpr glm::vec3 kGround{0.012f, 0.012f, 0.014f};
 constexpr glm::vec3 kInk{0.75f, 0.75f, 0.72f};
 constexpr glm::vec3 kExcluded{1, 0, 0};
 
-double share_of(double error) { return std::clamp(std::log10(error / kHeatLeast) / kHeatDecades, 0.0, 1.0); }
+double fraction_of(double error) { return std::clamp(std::log10(error / kHeatLeast) / kHeatDecades, 0.0, 1.0); }
 
 /// Fills columns [left, right) of rows [top, bottom).
 void fill(render::Picture& picture, int left, int top, int right, int bottom, const glm::vec3& color) {
@@ -54,12 +54,12 @@ void draw_scale(render::Picture& picture, int top) {
 
 }  // namespace
 
-glm::vec3 heat_color(double share) {
+glm::vec3 heat_color(double fraction) {
   constexpr double kStart = 0.5;  // Green's default scheme
   constexpr double kRotations = -1.5;
-  const double angle = 2 * std::numbers::pi * (kStart / 3 + 1 + kRotations * share);
-  const double amplitude = share * (1 - share) / 2;
-  const glm::dvec3 color = share + amplitude * (glm::dvec3(-0.14861, -0.29227, 1.97294) * std::cos(angle) +
+  const double angle = 2 * std::numbers::pi * (kStart / 3 + 1 + kRotations * fraction);
+  const double amplitude = fraction * (1 - fraction) / 2;
+  const glm::dvec3 color = fraction + amplitude * (glm::dvec3(-0.14861, -0.29227, 1.97294) * std::cos(angle) +
                                                 glm::dvec3(1.78277, -0.90649, 0) * std::sin(angle));
   const glm::vec3 shown(glm::clamp(color, 0.0, 1.0));
   return {OIIO::sRGB_to_linear(shown.r), OIIO::sRGB_to_linear(shown.g), OIIO::sRGB_to_linear(shown.b)};
@@ -77,7 +77,7 @@ render::Picture make_heat_map(const measure::PictureError& error, const std::str
     for (int x = 0; x < error.width; ++x) {
       const float value = error.pixels[std::size_t(y) * std::size_t(error.width) + std::size_t(x)];
       fill(picture, x * magnified, y * magnified, (x + 1) * magnified, (y + 1) * magnified,
-           value < 0 ? kExcluded : heat_color(share_of(double(value))));
+           value < 0 ? kExcluded : heat_color(fraction_of(double(value))));
     }
   }
   const std::string words = title + ": " + measure::error_in_words(error) + (error.excluded > 0 ? " (red)" : "");

@@ -20,10 +20,10 @@ inline constexpr int kHeatDecades = 3;     ///< how often it grows tenfold
 /// throws  std::runtime_error where no font is found
 render::Picture make_heat_map(const measure::PictureError& error, const std::string& title);
 
-/// The colour of a share of the scale: cubehelix (Green 2011, "A colour scheme for the display of astronomical
+/// The colour of a fraction of the scale: cubehelix (Green 2011, "A colour scheme for the display of astronomical
 /// intensity images"), through all hues, each brighter than those before it. Linear RGB.
 ///
-/// share  [0, 1]
-glm::vec3 heat_color(double share);
+/// fraction  [0, 1]
+glm::vec3 heat_color(double fraction);
 
 }  // namespace litfog::demo

@@ -16,7 +16,7 @@ namespace litfog::demo {
 void draw_text(render::Picture& picture, int left, int baseline, const std::string& text, int size,
                const glm::vec3& ink);
 
-/// A text that is no wider than so many pixels: the same, or its beginning and an ellipsis.
+/// The text, or as much of its beginning as fits into a width in pixels, and an ellipsis.
 std::string fitted_text(const std::string& text, int size, int width);
 
 }  // namespace litfog::demo

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "command/command.h"
+#include "command/fog_mode_name.h"
 #include "command/progress.h"
 #include "command/whole_file.h"
 #include "demo/comparison_page.h"
@@ -15,7 +16,7 @@
 #include "demo/picture_folder.h"
 #include "measure/comparison.h"
 #include "measure/frame_times.h"
-#include "scene/file/scene_file.h"
+#include "scene/scene.h"
 
 namespace litfog::demo {
 namespace {
@@ -24,7 +25,7 @@ constexpr std::size_t kSheetColumns = 4;
 
 std::string words_of(const Fog& fog, double visibility) {
   if (std::isinf(visibility)) return "clear air";
-  return fmt::format("{} fog, visibility {} m", fog.mode == FogMode::exp2 ? "exp2" : "exp", visibility);
+  return fmt::format("{} fog, visibility {} m", command::fog_mode_name(fog.mode), visibility);
 }
 
 std::string words_of(const render::RenderSettings& settings) {
@@ -114,18 +115,27 @@ SceneResult compare_scene(const scene::Scene& scene, PictureFolder& pictures, co
   return result;
 }
 
+constexpr const char* kPageFile = "index.html";
+
+PictureFolder make_folder(const std::string& path, const std::vector<scene::Scene>& scenes) {
+  std::vector<std::string> files{kPageFile};
+  std::vector<std::string> inputs;
+  for (const scene::Scene& scene : scenes) {
+    const std::vector<std::string> pictures = picture_files(scene.name);
+    files.insert(files.end(), pictures.begin(), pictures.end());
+    inputs.insert(inputs.end(), scene.files.begin(), scene.files.end());
+  }
+  return {path, files, inputs};
+}
+
 }  // namespace
 
-void compare_paths(const std::vector<std::string>& scenes, const std::string& folder, const std::string& machine,
+void compare_paths(const std::vector<scene::Scene>& scenes, const std::string& folder, const std::string& machine,
                    const PathComparisonSettings& settings) {
-  std::vector<scene::Scene> read =
-      scene::read_scenes(scenes);  // what is wrong with one is said before minutes go into another
-  for (scene::Scene& scene : read) scene::turn_cookies(scene, settings.seconds);
-  PictureFolder pictures(folder);
-  const std::string page = pictures.path_of("index.html");
-  command::expect_writable(page);
+  PictureFolder pictures = make_folder(folder, scenes);
+  const std::string page = pictures.path_of(kPageFile);
   std::vector<SceneResult> results;
-  for (const scene::Scene& scene : read) results.push_back(compare_scene(scene, pictures, machine, settings));
+  for (const scene::Scene& scene : scenes) results.push_back(compare_scene(scene, pictures, machine, settings));
   pictures.finish();
   command::write_whole_file(page, comparison_page({.machine = machine,
                                                    .width = settings.width,

@@ -13,7 +13,6 @@ namespace litfog::demo {
 struct PathComparisonSettings {
   FogMode fog_mode = FogMode::exp;
   std::optional<double> visibility = {};  ///< metres; default: what each scene suggests
-  double seconds = 0;                     ///< for which the scenes' cookies have been spinning
   int width = 1280;
   int height = 720;
   int frames = 5;                 ///< timed of each path, >= 1
@@ -22,12 +21,12 @@ struct PathComparisonSettings {
 
 /// Draws scenes by every lighting path into a folder (made where missing): of each scene and path the picture, its heat
 /// map and its reference as PNG, a contact sheet, and index.html, which shows all with times and errors. All paths of a
-/// scene are timed in turn. Reports every result on standard output. Needs a current GL context. Throws InputError
-/// where two scenes have one name, CannotWrite, and gl::Unsupported where a path cannot draw a scene here.
+/// scene are timed interleaved. Reports every result on standard output. Needs a current GL context. Throws CannotWrite, and
+/// gl::Unsupported where a path cannot draw a scene here.
 ///
-/// scenes   paths of scene files
+/// scenes   of different names
 /// machine  in words: on what is drawn
-void compare_paths(const std::vector<std::string>& scenes, const std::string& folder, const std::string& machine,
+void compare_paths(const std::vector<scene::Scene>& scenes, const std::string& folder, const std::string& machine,
                    const PathComparisonSettings& settings);
 
 }  // namespace litfog::demo

@@ -3,8 +3,8 @@
 
 #include <filesystem>
 #include <future>
-#include <set>
 #include <string>
+#include <vector>
 
 #include "render/picture.h"
 
@@ -13,22 +13,25 @@ namespace litfog::demo {
 /// A folder to fill with pictures of scenes.
 class PictureFolder {
  public:
-  /// Makes the folder where it is missing. Throws CannotWrite.
-  explicit PictureFolder(const std::string& path);
+  /// Makes the folder if it does not exist.
+  ///
+  /// files   names of the pictures, and of what else is written there; each must be another: one scene may be named like
+  ///         another's picture
+  /// inputs  files that the command reads, none of which may be replaced
+  /// throws  InputError, CLI::ValidationError or CannotWrite, before anything is written
+  PictureFolder(const std::string& path, const std::vector<std::string>& files, const std::vector<std::string>& inputs);
 
   /// A file in the folder.
   std::string path_of(const std::string& file) const { return (path_ / file).string(); }
 
-  /// Writes a picture (write_picture) while the caller goes on; what the picture before it met is thrown here. Throws
-  /// InputError where the file has been written already: one scene may be named like another's picture.
+  /// Writes a picture (write_picture) while the caller goes on. Throws the error of the picture before it.
   void write(const std::string& file, render::Picture picture);
 
-  /// Waits until all is written. Throws what that met.
+  /// Waits until all is written. Throws the last picture's error.
   void finish();
 
  private:
   std::filesystem::path path_;
-  std::set<std::string> files_;
   std::future<void> writing_;
 };
 

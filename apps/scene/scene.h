@@ -55,6 +55,7 @@ struct CookieUse {
 
 /// Everything the demo draws. Plain data: no GL.
 struct Scene {
+  std::vector<std::string> files;  ///< all that it was read from: its own, light files, cookies, buffers, pictures
   std::string name;
   std::string description;
   Camera camera;

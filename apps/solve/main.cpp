@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <chrono>
 #include <cstdio>
 #include <cstring>
-#include <initializer_list>
 #include <iterator>
 #include <memory>
 #include <optional>
@@ -18,9 +15,11 @@
 
 #include "command/command.h"
 #include "command/csv.h"
+#include "command/fog_mode_name.h"
 #include "command/number.h"
+#include "command/option_rule.h"
 #include "command/output_files.h"
-#include "command/printable.h"
+#include "command/progress.h"
 #include "command/table.h"
 #include "files/json_text.h"
 #include "litfog/files/light_file.h"
@@ -47,7 +46,7 @@ constexpr const char* kDescription =
 )";
 
 constexpr const char* kExamples =
-    R"(Units: metres, 1/m (density, linear), 1/m^2 (quadratic). The intensity is the largest share of the light's colour
+    R"(Units: metres, 1/m (density, linear), 1/m^2 (quadratic). The intensity is the largest fraction of the light's colour
 that the fog throws back along the light's axis: the peak of (1 - f(r)) / (constant + linear r + quadratic r^2), its
 denominator at least 1, for r from 0 to the extent.
 
@@ -57,7 +56,7 @@ Examples:
   litfog-solve --csv rows.csv > solved.csv     rows.csv starts: fog,density,constant,linear,quadratic,threshold
 
 The batch form reads a row a light, in CSV with those six columns in any order; other columns pass through. It appends
-extent,peak_range,intensity,status. A bad row keeps its place and has the reason as its status.
+extent,peak_range,intensity,status. A bad row stays, with the reason as its status.
 
 Exit status: 0 done; 1 wrong command line; 2 bad input, named file:line:column on standard error (in the batch form the
 good rows are solved all the same); 4 output cannot be written; 5 a solve did not converge.)";
@@ -81,15 +80,6 @@ struct Options {
 FogIntensity solve(const Options& options, const Attenuation& attenuation, const Fog& fog, double threshold) {
   return options.method == Method::exact ? solve_fog_intensity(attenuation, fog, threshold)
                                          : sample_fog_intensity(attenuation, fog, threshold, options.samples);
-}
-
-const char* name_of(FogMode mode) { return mode == FogMode::exp ? "exp" : "exp2"; }
-
-std::optional<FogMode> parse_mode(std::string_view text) {
-  for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
-    if (text == name_of(mode)) return mode;
-  }
-  return std::nullopt;
 }
 
 const char* name_of(SolveStatus status) { return status == SolveStatus::ok ? "ok" : "not_converged"; }
@@ -129,7 +119,7 @@ ExitStatus solve_table(const Options& options) {
       const FogIntensity result = solve(options, light.attenuation, fog, light.threshold);
       if (result.status != SolveStatus::ok) status = kNotToTolerance;
       auto& row = table.rows.emplace_back();
-      row = {light.name, name_of(fog.mode)};
+      row = {light.name, fog_mode_name(fog.mode)};
       if (has_visibility) row.emplace_back(value);
       for (const double cell : {fog.density, constant, linear, quadratic, light.threshold, result.extent,
                                 result.peak_range, result.intensity}) {
@@ -209,7 +199,7 @@ std::optional<Defect> read_row(const Header& header, const CsvRecord& record, Ro
     return Defect{record.place(i), fmt::format("{} = {}: {}", kColumnNames[column],
                                                litfog::files::quoted_excerpt(record.field(i)), rule)};
   };
-  const auto mode = parse_mode(record.field(header.index[kFog]));
+  const auto mode = parse_fog_mode(record.field(header.index[kFog]));
   if (!mode) return defect_of(kFog, "must be exp or exp2");
   std::array<double, kColumnCount> values;
   for (std::size_t column = kDensity; column < kColumnCount; ++column) {
@@ -219,56 +209,42 @@ std::optional<Defect> read_row(const Header& header, const CsvRecord& record, Ro
   }
   row = {{*mode, values[kDensity]}, {values[kConstant], values[kLinear], values[kQuadratic]}, values[kThreshold]};
 
-  auto refusal = check(row.fog);
-  if (!refusal) refusal = check(row.attenuation);
-  if (!refusal) refusal = litfog::check_threshold(row.threshold);
-  if (!refusal) return std::nullopt;
-  std::string_view field = refusal->field;
+  auto error = check(row.fog);
+  if (!error) error = check(row.attenuation);
+  if (!error) error = litfog::check_threshold(row.threshold);
+  if (!error) return std::nullopt;
+  std::string_view field = error->field;
   field.remove_prefix(field.rfind('.') + 1);  // "attenuation.linear" is the column linear
   const auto column = std::find(kColumnNames.begin(), kColumnNames.end(), field);
-  return defect_of(static_cast<std::size_t>(column - kColumnNames.begin()), refusal->rule);
+  return defect_of(static_cast<std::size_t>(column - kColumnNames.begin()), error->rule);
 }
 
-/// Bad rows on standard error, at most a screenful of them, and a sign of life where somebody watches.
+/// Bad rows on standard error, at most a screenful of them, and the progress.
 class BatchReport {
  public:
   explicit BatchReport(const std::string& file) : file_(file) {}
 
   void add_defect(const Defect& defect) {
-    if (++defects_ > kMaxReported) return;
-    clear_progress();
-    fmt::print(stderr, "{}\n", printable(located(file_, defect).what()));
+    if (++defects_ <= kMaxReported) progress_.print(located(file_, defect).what());
   }
 
   void add_row() {
-    if (++rows_ % 1024 != 0 || !is_watched_) return;
-    const auto now = std::chrono::steady_clock::now();
-    if (now < next_progress_) return;
-    next_progress_ = now + std::chrono::milliseconds(200);
-    fmt::print(stderr, "\r{} rows", rows_);
-    has_progress_ = true;
+    if (++rows_ % 1024 == 0) progress_.show(fmt::format("{} rows", rows_));
   }
 
+  /// Returns whether all rows were good.
   bool finish() {
-    clear_progress();
-    if (defects_ > kMaxReported) fmt::print(stderr, "{}: {} more bad rows\n", file_, defects_ - kMaxReported);
+    if (defects_ > kMaxReported) progress_.print(fmt::format("{}: {} more bad rows", file_, defects_ - kMaxReported));
     return defects_ == 0;
   }
 
  private:
   static constexpr long kMaxReported = 20;
 
-  void clear_progress() {
-    if (has_progress_) fmt::print(stderr, "\r\x1B[K");
-    has_progress_ = false;
-  }
-
   std::string file_;
   long defects_ = 0;
   long rows_ = 0;
-  const bool is_watched_ = isatty(STDERR_FILENO) != 0;
-  bool has_progress_ = false;
-  std::chrono::steady_clock::time_point next_progress_ = std::chrono::steady_clock::now() + std::chrono::seconds(2);
+  Progress progress_;
 };
 
 /// Rows from CSV to CSV, as they come.
@@ -342,33 +318,31 @@ CLI::Option* add_contrast(CLI::App& app, double& target) {
       ->type_name("mor|koschmieder|flightgear|NUMBER");
 }
 
-[[noreturn]] void refuse_form(const std::string& sentence) { throw CLI::ValidationError(sentence); }
+[[noreturn]] void fail_form(const std::string& sentence) { throw CLI::ValidationError(sentence); }
 
 /// What the options mean together.
 void check_form(const CLI::App& app, const Options& options) {
   const auto is_given = [&app](const char* name) { return app.count(name) > 0; };
-  const auto refuse_beside = [&](const char* name, std::initializer_list<const char*> others) {
-    for (const char* other : others) {
-      if (is_given(other)) refuse_form(fmt::format("{} cannot be given with {}", other, name));
+  check_options(
+      app,
+      {{"--method exact", options.method == Method::exact, {"--samples"}, "it takes none"},
+       {"--csv",
+        is_given("--csv"),
+        {"--constant", "--linear", "--quadratic", "--light", "--fog", "--visibility", "--contrast", "--density",
+         "--threshold", "--format"}},
+       {"--light", is_given("--light"), {"--constant", "--linear", "--quadratic"}},
+       {"--density", is_given("--density"), {"--visibility", "--contrast"}}});
+  if (is_given("--csv")) return;
+  if (!is_given("--light") && !is_given("--constant") && !is_given("--linear") && !is_given("--quadratic")) {
+    fail_form("a light must be given: --constant, --linear, --quadratic or --light or --csv");
+  }
+  if (!is_given("--light")) {
+    if (const auto error = check(options.attenuation)) {
+      fail_option("--constant", fmt::format("{}", error->value), error->rule);
     }
-  };
-  if (is_given("--samples") && options.method != Method::sampled) refuse_form("--samples needs --method sampled");
-  if (is_given("--csv")) {
-    refuse_beside("--csv", {"--constant", "--linear", "--quadratic", "--light", "--fog", "--visibility", "--contrast",
-                            "--density", "--threshold", "--format"});
-    return;
   }
-  if (is_given("--light")) {
-    refuse_beside("--light", {"--constant", "--linear", "--quadratic"});
-  } else if (!is_given("--constant") && !is_given("--linear") && !is_given("--quadratic")) {
-    refuse_form("a light must be given: --constant, --linear, --quadratic or --light or --csv");
-  } else if (const auto refusal = check(options.attenuation)) {
-    fail_option("--constant", fmt::format("{}", refusal->value), refusal->rule);
-  }
-  if (is_given("--density")) {
-    refuse_beside("--density", {"--visibility", "--contrast"});
-  } else if (!is_given("--visibility")) {
-    refuse_form("a fog must be given: --visibility or --density");
+  if (!is_given("--density") && !is_given("--visibility")) {
+    fail_form("a fog must be given: --visibility or --density");
   }
 }
 
@@ -383,14 +357,14 @@ int main(int argc, char** argv) {
   add_number(app, "--linear", options.attenuation.linear, kFiniteNotNegative, "Its linear term in 1/m, 0 if not given");
   add_number(app, "--quadratic", options.attenuation.quadratic, kFiniteNotNegative,
              "Its quadratic term in 1/m^2, 0 if not given");
-  app.add_option("--light", options.light_files, "Light files, in place of these three; one row each")
+  app.add_option("--light", options.light_files, "Light files instead of these three; one row each")
       ->type_name("FILE");
   add_choice<FogMode>(app, "--fog", options.mode, {{"exp", FogMode::exp}, {"exp2", FogMode::exp2}},
                       "Fog's falloff, exp if not given");
   add_numbers(app, "--visibility", options.visibilities, kNotNegative, "Visibilities in metres; inf is clear air");
   add_contrast(app, options.contrast);
   add_numbers(app, "--density", options.densities, kNotNegative,
-              "Fog densities in 1/m, in place of visibilities; inf is total fog");
+              "Fog densities in 1/m instead of visibilities; inf is total fog");
   double threshold = 0;
   add_number(app, "--threshold", threshold, kOpenUnitInterval,
              "Attenuation at which a light ends; the light's own or 0.05 if not given");

@@ -241,6 +241,10 @@ TEST_F(BenchMeasurement, RefusesWhatItCannotWriteBeforeItMeasures) {
   EXPECT_REFUSED(run("update --plot x.jpg"), kUsage, usage_message("--plot = x.jpg: must end in .png or .svg"));
   EXPECT_REFUSED(run("solve --plot x.png", "PATH=/nowhere"), kMissingCapability,
                  "litfog-bench: gnuplot cannot be run: No such file or directory; install gnuplot-nox\n");
+  EXPECT_REFUSED(run("solve --csv ''"), kUsage, usage_message("--csv = \"\": must not be empty"));
+  EXPECT_REFUSED(run("solve --csv a --json ./a"), kUsage, usage_message("--csv = a: must not be the file of --json"));
+  EXPECT_REFUSED(run("fit --isa AVX2"), kUsage,
+                 usage_message("--isa = AVX2: must be given with solve or update: the others have no batches"));
   for (const auto& entry : std::filesystem::directory_iterator(directory())) {
     EXPECT_TRUE(entry.path().filename() == "out" || entry.path().filename() == "err") << entry.path();
   }
@@ -322,7 +326,7 @@ TEST_F(BenchCommand, RefusesATargetOfTheBatchForFrames) {
 #endif
   const Outcome outcome = run("render --quick --isa AVX2");
   EXPECT_EQ(outcome.status, kUsage);
-  EXPECT_EQ(outcome.err, usage_message("--isa = AVX2: must stand without render"));
+  EXPECT_EQ(outcome.err, usage_message("--isa = AVX2: must be given with solve or update: the others have no batches"));
 }
 #endif
 

@@ -27,7 +27,7 @@ TEST(Table, TextIsAlignedByCodePoints) {
 
 TEST(Table, TextSendsATerminalNoCommands) {
   EXPECT_EQ(format_table({{"name", "x"}, {{"\x1B[2J\n\xFF", 1.0}}}, TableFormat::text),
-            "name              x\n\\x1b[2J\\x0a\\xff  1\n");
+            "name             x\n\\x1b[2J\\x0a\\xff  1\n");
 }
 
 TEST(Table, CsvQuotesWhatNeedsItAndKeepsEveryDigit) {

@@ -81,6 +81,17 @@ TEST_F(WholeFile, WritesBehindALinkThatStays) {
   EXPECT_EQ(read("target"), "text");
 }
 
+TEST_F(WholeFile, IsNotWrittenBehindLinksInACircle) {
+  fs::create_symlink("b", path("a"));
+  fs::create_symlink("a", path("b"));
+  EXPECT_THROW(write_whole_file(path("a"), "text"), CannotWrite);
+  EXPECT_TRUE(fs::is_symlink(path("a")));
+}
+
+TEST_F(WholeFile, IsNotWrittenToAFullDevice) {
+  EXPECT_THROW(write_whole_file("/dev/full", "text"), CannotWrite);
+}
+
 TEST_F(WholeFile, OpensNoTemporaryThatSomebodyHasPutThere) {
   std::ofstream(path("victim")) << "precious";
   const std::string guess = "." + std::string("a.") + std::to_string(getpid()) + ".png";
@@ -120,7 +131,7 @@ TEST_F(WholeFile, GoesWhereStandardOutputGoes) {
   EXPECT_EQ(read("log"), "before\ntext\nagain\nbehind\n");
 }
 
-TEST_F(WholeFile, IsRefusedInPlaceOfAFolder) {
+TEST_F(WholeFile, DoesNotReplaceAFolder) {
   EXPECT_THROW(expect_writable(path("")), CannotWrite);
   EXPECT_THROW(write_whole_file(path(""), "text"), CannotWrite);
   EXPECT_THROW(write_whole_file(path("none/a"), "text"), CannotWrite);

@@ -5,13 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <set>
 
 #include "command/exit_status.h"
 #include "command/temporary_directory.h"
-#include "command/whole_file.h"
 #include "reference/srgb.h"
 
 namespace litfog::test {
@@ -85,33 +82,11 @@ TEST_F(PictureFile, ExrHoldsLinearLightBeyondOne) {
   }
 }
 
-TEST_F(PictureFile, ALinkStaysAndItsTargetIsWritten) {
-  fs::create_directory(path("there"));
-  for (const char* target : {"there/old.txt", "there/new.txt"}) {
-    if (std::string_view(target) == "there/old.txt") std::ofstream(path(target)) << "earlier";
-    const std::string link = path("link.txt");
-    fs::remove(link);
-    fs::create_symlink(target, link);
-    write_whole_file(link, "text");
-    EXPECT_TRUE(fs::is_symlink(link)) << target;
-    std::ifstream file(path(target));
-    EXPECT_EQ(std::string(std::istreambuf_iterator<char>(file), {}), "text") << target;
-  }
-}
-
-TEST_F(PictureFile, LinksInACircleAreRefused) {
-  fs::create_symlink("b.txt", path("a.txt"));
-  fs::create_symlink("a.txt", path("b.txt"));
-  EXPECT_THROW(write_whole_file(path("a.txt"), "text"), CannotWrite);
-  EXPECT_TRUE(fs::is_symlink(path("a.txt")));
-}
-
 TEST_F(PictureFile, UnwritablePathsAreRefused) {
   const Picture picture = gradient(2, 2, 1);
   EXPECT_THROW(write_picture(path("none/a.png"), picture), CannotWrite);
   EXPECT_THROW(write_picture(path(""), picture), CannotWrite);
   EXPECT_THROW(write_picture(path(std::string(300, 'a') + ".png"), picture), CannotWrite);
-  EXPECT_THROW(write_whole_file("/dev/full", "text"), CannotWrite);
 }
 
 }  // namespace

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <CLI/CLI.hpp>
+#include <fstream>
+
 #include "command/exit_status.h"
 #include "command/temporary_directory.h"
 #include "litfog/input_error.h"
@@ -26,7 +29,7 @@ class PictureFolderTest : public testing::Test {
 };
 
 TEST_F(PictureFolderTest, IsMadeWithAllAboveItAndHasWhatWasWritten) {
-  PictureFolder pictures(path("a/b"));
+  PictureFolder pictures(path("a/b"), {"first.png", "second.png"}, {});
   pictures.write("first.png", kPixel);
   pictures.write("second.png", kPixel);
   pictures.finish();
@@ -34,14 +37,20 @@ TEST_F(PictureFolderTest, IsMadeWithAllAboveItAndHasWhatWasWritten) {
 }
 
 TEST_F(PictureFolderTest, RefusesWhatWouldReplaceAnotherScenesPicture) {
-  PictureFolder pictures(path("a"));
-  pictures.write("room-vertex-reference.png", kPixel);
-  EXPECT_THROW(pictures.write("room-vertex-reference.png", kPixel), InputError);
+  EXPECT_THROW(PictureFolder(path("a"), {"room-vertex-reference.png", "room-vertex-reference.png"}, {}), InputError);
+  EXPECT_FALSE(std::filesystem::exists(path("a")));
+}
+
+TEST_F(PictureFolderTest, RefusesWhatWouldReplaceAnInput) {
+  std::filesystem::create_directory(path("a"));
+  std::ofstream(path("a/room-clear.png")) << "a texture";
+  EXPECT_THROW(PictureFolder(path("a"), {"room-clear.png"}, {path("a/room-clear.png")}), CLI::ValidationError);
+  PictureFolder(path("a"), {"room-60m.png"}, {path("a/room-clear.png")});
 }
 
 TEST_F(PictureFolderTest, IsFilledWithoutAThreadToSpare) {
   const NoMoreThreads limit;
-  PictureFolder pictures(path("a"));
+  PictureFolder pictures(path("a"), {"first.png", "second.png"}, {});
   pictures.write("first.png", kPixel);
   pictures.write("second.png", kPixel);
   pictures.finish();
@@ -49,11 +58,11 @@ TEST_F(PictureFolderTest, IsFilledWithoutAThreadToSpare) {
 }
 
 TEST_F(PictureFolderTest, SaysWhatCannotBeWritten) {
-  PictureFolder pictures(path("a"));
+  PictureFolder pictures(path("a"), {"taken.png"}, {});
   std::filesystem::create_directory(path("a") + "/taken.png");
   pictures.write("taken.png", kPixel);
   EXPECT_THROW(pictures.finish(), CannotWrite);
-  EXPECT_THROW(PictureFolder(pictures.path_of("none.png") + std::string(300, 'a')), CannotWrite);
+  EXPECT_THROW(PictureFolder(pictures.path_of("none.png") + std::string(300, 'a'), {}, {}), CannotWrite);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "gl/gl_test.h"
+#include "measure/no_more_threads.h"
 #include "measure/picture_error.h"
 #include "scene/file/scene_file.h"
 #include "scene/model/model_catalogue.h"
@@ -116,6 +117,14 @@ TEST_F(ReferencePictureTest, AFloorUnderALampIsTheModelInClosedForm) {
     }
   }
   EXPECT_GT(lit, 1000);
+}
+
+TEST_F(ReferencePictureTest, WithoutThreadsToStartTheReferenceIsTheSame) {
+  const Scene scene = flat_floor();
+  Renderer renderer(scene, kWidth, kHeight, {});
+  const ReferencePicture usual = shade_reference(renderer);
+  const NoMoreThreads limit;
+  EXPECT_EQ(shade_reference(renderer).picture.rgb, usual.picture.rgb);
 }
 
 TEST_F(ReferencePictureTest, AnEdgeOfTheModelThroughAPixelsMiddleIsExcluded) {

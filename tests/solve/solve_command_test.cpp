@@ -219,7 +219,7 @@ TEST_F(SolveCommand, WrongFormsAreUsageErrors) {
   expect("--constant 1 --density 1 --visibility 1", "--visibility cannot be given with --density");
   expect("--constant 1 --density 1 --contrast mor", "--contrast cannot be given with --density");
   expect("--constant 1 --light a.json --density 1", "--constant cannot be given with --light");
-  expect("--constant 1 --density 1 --samples 9", "--samples needs --method sampled");
+  expect("--constant 1 --density 1 --samples 9", "--samples cannot be given with --method exact: it takes none");
   expect("--csv rows.csv --format json", "--format cannot be given with --csv");
   expect("--csv rows.csv --density 1", "--density cannot be given with --csv");
   expect("--constant 1 --density 1 --colour red", "The following arguments were not expected: red --colour");
@@ -423,7 +423,7 @@ TEST_F(SolveCommand, BatchWithMoreThan1024ColumnsPrintsNothing) {
   };
   EXPECT_EQ(run_batch(header(1024) + "\nx\n").status, kBadInput);
   EXPECT_REFUSED(run_batch(header(1025) + "\nx\n"), kBadInput,
-                 "rows.csv:1:1066: header: must not have more than 1024 columns\n");
+                 "rows.csv:1:1067: header: must not have more than 1024 columns\n");
 }
 
 TEST_F(SolveCommand, BatchIsNotAppendedToItsOwnRows) {

@@ -51,6 +51,12 @@ bool keep_encoded(tinygltf::Image* image, int, std::string*, std::string*, int, 
   return true;
 }
 
+/// For tinygltf: reads a file that the file names, and notes it in `files`, a std::vector<std::string>.
+bool read_named_file(std::vector<unsigned char>* bytes, std::string* error, const std::string& path, void* files) {
+  static_cast<std::vector<std::string>*>(files)->push_back(path);
+  return tinygltf::ReadWholeFile(bytes, error, path, nullptr);
+}
+
 }  // namespace
 
 GltfPlace operator/(GltfPlace place, std::string name) {
@@ -80,7 +86,7 @@ double GltfNumbers::at(std::size_t i, std::size_t component) const {
   }
 }
 
-GltfFile::GltfFile(const std::string& path) : path_(path), root_(load()) {}
+GltfFile::GltfFile(const std::string& path) : path_(path), files_{path}, root_(load()) {}
 
 /// Reads the whole file twice: by litfog's own JSON reader, which bounds its size and depth and knows the places of
 /// what is refused later, and by tinygltf, which also brings the buffers.
@@ -95,6 +101,8 @@ JsonValue GltfFile::load() {
   expect_gltf_members(root);
   tinygltf::TinyGLTF loader;
   loader.SetImageLoader(&keep_encoded, nullptr);
+  loader.SetFsCallbacks(
+      {&tinygltf::FileExists, &tinygltf::ExpandFilePath, &read_named_file, &tinygltf::WriteWholeFile, &files_});
   const std::string folder = std::filesystem::absolute(path_).parent_path().string();
   std::string errors;
   std::string warnings;

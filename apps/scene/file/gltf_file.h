@@ -44,6 +44,8 @@ class GltfFile {
 
   const std::string& path() const { return path_; }
   const tinygltf::Model& model() const { return model_; }
+  /// The file and all that it names: buffers and pictures.
+  const std::vector<std::string>& files() const { return files_; }
 
   /// Refuses the value at a place of the file: throws InputError.
   [[noreturn]] void refuse(const GltfPlace& place, const std::string& rule) const;
@@ -58,6 +60,7 @@ class GltfFile {
   JsonValue load();
 
   std::string path_;
+  std::vector<std::string> files_;
   tinygltf::Model model_;
   JsonValue root_;
 };

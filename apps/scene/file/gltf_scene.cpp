@@ -57,6 +57,7 @@ class GltfReader {
   }
 
   Scene take() {
+    scene_.files = file_.files();
     scene_.materials = materials_.take();
     return std::move(scene_);
   }

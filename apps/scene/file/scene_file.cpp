@@ -146,6 +146,7 @@ Environment read_environment(const JsonValue& value) {
 class SceneReader {
  public:
   explicit SceneReader(const std::string& path) : folder_(std::filesystem::path(path).parent_path()) {
+    scene_.files.push_back(path);
     const JsonValue root = files::read_json(path);
     expect_header(root, "scene", 1);
     root.allow_only(
@@ -195,7 +196,8 @@ class SceneReader {
     const auto [entry, is_new] = lights_.try_emplace(value.string());
     if (is_new) {
       try {
-        entry->second = read_light((folder_ / value.string()).string());
+        scene_.files.push_back((folder_ / value.string()).string());
+        entry->second = read_light(scene_.files.back());
       } catch (const InputError& refusal) {
         value.fail(std::string("must be a light file: ") + refusal.what());
       }
@@ -266,7 +268,8 @@ class SceneReader {
       if (scene_.cookies.size() == kMaxCookies)
         value.fail(fmt::format("must be one of at most {} cookies", kMaxCookies));
       try {
-        scene_.cookies.push_back(pattern ? paint_cookie(name) : read_cookie((folder_ / source.string()).string()));
+        if (!pattern) scene_.files.push_back((folder_ / source.string()).string());
+        scene_.cookies.push_back(pattern ? paint_cookie(name) : read_cookie(scene_.files.back()));
       } catch (const InputError& error) {
         source.fail(std::string("must be a cookie: ") + error.what());
       }

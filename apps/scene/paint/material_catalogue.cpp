@@ -144,7 +144,11 @@ Material make_material(std::string_view name) {
 
 std::vector<Material> make_materials(std::span<const std::string> names) {
   std::vector<std::future<Material>> painted;  // without a thread to spare one is painted when asked for
-  for (const std::string& name : names) painted.push_back(std::async([name] { return make_material(name); }));
+  for (const std::string& name : names) {
+    // An lvalue, which is copied: libstdc++ would move it into the thread that does not start.
+    const auto paint = [name] { return make_material(name); };
+    painted.push_back(std::async(paint));
+  }
   std::vector<Material> materials;
   for (std::future<Material>& material : painted) materials.push_back(material.get());
   return materials;

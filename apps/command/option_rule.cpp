@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command/option_rule.h"
+
+namespace litfog::command {
+
+void check_options(const CLI::App& app, const std::vector<OptionRule>& rules) {
+  for (const OptionRule& rule : rules) {
+    if (!rule.applies) continue;
+    for (const std::string& option : rule.excluded) {
+      if (app.count(option) == 0) continue;
+      throw CLI::ValidationError(option + " cannot be given with " + rule.condition +
+                                 (rule.reason.empty() ? "" : ": " + rule.reason));
+    }
+  }
+}
+
+}  // namespace litfog::command

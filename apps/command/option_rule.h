@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+namespace litfog::command {
+
+/// A condition under which other options would have no effect. They are usage errors then: nothing that somebody asks for
+/// is passed over in silence.
+struct OptionRule {
+  std::string condition;              ///< as typed: "--fog none"
+  bool applies;                       ///< whether it holds for the command line
+  std::vector<std::string> excluded;  ///< the options without effect
+  std::string reason = {};            ///< "there is nothing to see through"; may be left out
+};
+
+/// Throws the usage error of the first option that is given although it is excluded: "--visibility cannot be given with
+/// --fog none: there is nothing to see through".
+void check_options(const CLI::App& app, const std::vector<OptionRule>& rules);
+
+}  // namespace litfog::command

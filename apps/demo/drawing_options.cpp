@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "demo/drawing_options.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "command/command.h"
+#include "command/number.h"
+#include "render/lighting_path.h"
+#include "scene/scene.h"
+
+namespace litfog::demo {
+namespace {
+
+constexpr int kMaxSide = 16'384;
+constexpr command::NumberRule kSeconds{[](double x) { return x >= 0 && x <= scene::kMaxSeconds; },
+                                       "must be a number in [0, 1e9]"};
+constexpr std::int64_t kMaxPixels = 40'000'000;  // some 2 GiB of framebuffer, 4 for paths of several passes
+
+void parse_size(const std::string& text, DrawingOptions& options) {
+  const auto cross = text.find('x');
+  const auto width = command::parse_integer(std::string_view(text).substr(0, cross));
+  const auto height =
+      cross == std::string::npos ? std::nullopt : command::parse_integer(std::string_view(text).substr(cross + 1));
+  const bool is_side = width && height && *width >= 1 && *height >= 1 && *width <= kMaxSide && *height <= kMaxSide;
+  if (!is_side || std::int64_t(*width) * *height > kMaxPixels) {
+    command::fail_option("--size", text,
+                         fmt::format("must be WIDTHxHEIGHT, each in [1, {}], at most {} pixels in all", kMaxSide,
+                                     kMaxPixels));
+  }
+  options.width = *width;
+  options.height = *height;
+}
+
+std::vector<std::pair<std::string, const render::LightingPath*>> path_names() {
+  std::vector<std::pair<std::string, const render::LightingPath*>> names;
+  for (const render::LightingPath& path : render::lighting_paths()) names.emplace_back(path.name, &path);
+  return names;
+}
+
+}  // namespace
+
+std::optional<double> DrawingOptions::chosen_visibility() const {
+  return fog ? visibility : std::numeric_limits<double>::infinity();
+}
+
+void add_fog(CLI::App& app, DrawingOptions& options) {
+  command::add_choice<std::optional<FogMode>>(app, "--fog", options.fog,
+                                              {{"exp", FogMode::exp}, {"exp2", FogMode::exp2}},
+                                              "How fog thickens with range (default exp)");
+}
+
+void add_fog_and_visibility(CLI::App& app, DrawingOptions& options) {
+  command::add_choice<std::optional<FogMode>>(
+      app, "--fog", options.fog, {{"exp", FogMode::exp}, {"exp2", FogMode::exp2}, {"none", std::nullopt}},
+      "How fog thickens with range (default exp)");
+  app.add_option_function<std::string>(
+         "--visibility",
+         [&options](const std::string& text) {
+           options.visibility = command::parse_number(text);
+           if (!options.visibility || !command::kNotNegative.accepts(*options.visibility)) {
+             command::fail_option("--visibility", text, command::kNotNegative.text);
+           }
+         },
+         "Range in metres at which 5 % of the contrast is left; inf is clear air (default: what the scene suggests)")
+      ->type_name("NUMBER");
+}
+
+void add_path(CLI::App& app, DrawingOptions& options) {
+  command::add_choice(app, "--path", options.render.path, path_names(),
+                      "Lighting path: see `litfog-demo list paths` (default unified)");
+  app.add_flag("--flat-shading", options.render.is_flat_shaded,
+               "With lookup-3d and lookup-2d: the directional light by the faces' normals");
+}
+
+void add_rendering(CLI::App& app, DrawingOptions& options) {
+  app.add_option_function<std::string>(
+         "--size", [&options](const std::string& text) { parse_size(text, options); }, "Pixels (default 1280x720)")
+      ->type_name("WxH");
+  command::add_integer(app, "--map-size", options.render.map_size, 8, 256,
+                       "Edge of the path's light maps in texels (default 128)");
+  app.add_flag("--infinite-viewer", options.render.has_infinite_viewer,
+               "Highlights as seen from far away along the camera's axis");
+  app.add_flag_callback(
+      "--no-skip", [&options] { options.render.skipping = render::Skipping::off; },
+      "Draw and light everything, even what cannot be visible");
+}
+
+void add_time(CLI::App& app, DrawingOptions& options) {
+  command::add_number(app, "--time", options.seconds, kSeconds,
+                      "Seconds for which the scene's cookies have been spinning (default 0)");
+}
+
+std::vector<command::OptionRule> drawing_rules(const DrawingOptions& options) {
+  const render::LightingPath& path = *options.render.path;
+  const std::string name = fmt::format("--path {}", path.name);
+  const bool can_be_flat =
+      path.evaluation == render::Evaluation::lookup && path.surface == render::SurfaceModel::diffuse;
+  return {{"--fog none", !options.fog, {"--visibility"}, "the air is clear"},
+          {name, path.maps == render::LightMapSet::none, {"--map-size"}, "it has no light maps"},
+          {name, !can_be_flat, {"--flat-shading"}, "only lookup-3d and lookup-2d have it"},
+          {name, path.surface != render::SurfaceModel::basic, {"--infinite-viewer"}, "it has no highlights"}};
+}
+
+void expect_pixels(const DrawingOptions& options, std::int64_t most, const std::string& what) {
+  if (std::int64_t(options.width) * options.height <= most) return;
+  command::fail_option("--size", fmt::format("{}x{}", options.width, options.height),
+                       fmt::format("must be at most {} pixels in all {}", most, what));
+}
+
+}  // namespace litfog::demo

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "command/option_rule.h"
+#include "litfog/fog.h"
+#include "render/render_settings.h"
+
+namespace litfog::demo {
+
+/// What the jobs of litfog-demo have in common: how they draw. A job adds the options that mean something to it.
+struct DrawingOptions {
+  std::optional<FogMode> fog = FogMode::exp;  ///< none: clear air
+  std::optional<double> visibility = {};      ///< metres; default: what each scene suggests
+  double seconds = 0;                         ///< for which the scenes' cookies have been spinning
+  int width = 1280;                           ///< pixels
+  int height = 720;
+  render::RenderSettings render = {};
+
+  /// The visibility that is asked for, infinite in clear air.
+  std::optional<double> chosen_visibility() const;
+  FogMode fog_mode() const { return fog.value_or(FogMode::exp); }
+};
+
+/// --fog, for a job that draws clear air anyway.
+void add_fog(CLI::App& app, DrawingOptions& options);
+/// --fog, which may be none, and --visibility.
+void add_fog_and_visibility(CLI::App& app, DrawingOptions& options);
+/// --path and --flat-shading, which belongs to two of the paths.
+void add_path(CLI::App& app, DrawingOptions& options);
+/// --size, --map-size, --infinite-viewer and --no-skip.
+void add_rendering(CLI::App& app, DrawingOptions& options);
+void add_time(CLI::App& app, DrawingOptions& options);
+
+/// Of --fog none and of the chosen path.
+std::vector<command::OptionRule> drawing_rules(const DrawingOptions& options);
+
+/// Throws the usage error of a --size of more pixels than this. what: of which, "for a reference"
+void expect_pixels(const DrawingOptions& options, std::int64_t most, const std::string& what);
+
+}  // namespace litfog::demo

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command/option_rule.h"
+
+#include <gtest/gtest.h>
+
+namespace litfog::test {
+using namespace command;
+
+namespace {
+
+std::string error_of(const std::string& arguments, const std::vector<OptionRule>& rules) {
+  CLI::App app;
+  for (const char* name : {"--fog", "--visibility", "--density"}) app.add_flag(name);
+  app.parse(arguments);
+  try {
+    check_options(app, rules);
+  } catch (const CLI::ValidationError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(OptionRule, AnExcludedOptionIsAUsageErrorWithItsReason) {
+  EXPECT_EQ(error_of("--visibility", {{"--fog none", true, {"--density", "--visibility"}, "the air is clear"}}),
+            "--visibility cannot be given with --fog none: the air is clear");
+  EXPECT_EQ(error_of("--visibility", {{"--density", true, {"--visibility"}}}),
+            "--visibility cannot be given with --density");
+}
+
+TEST(OptionRule, OtherOptionsAndOtherConditionsAreFine) {
+  EXPECT_EQ(error_of("--fog", {{"--density", true, {"--visibility"}}}), "");
+  EXPECT_EQ(error_of("--fog --visibility", {{"--fog none", false, {"--visibility"}}}), "");
+}
+
+}  // namespace
+
+}  // namespace litfog::test
