@@ -22,14 +22,14 @@ double place(int i, int size) { return 2.0 * i / (size - 1) - 1; }
 
 bool is_boundary(int i, int size) { return i == 0 || i == size - 1; }
 
-/// The attenuation at a share of the extent, 0 beyond it.
-double attenuation(const RangeProfile& profile, double share) {
-  if (share > 1) return 0;
-  return formulas::litfog_attenuation(share, double(profile.constant), double(profile.linear),
+/// The attenuation at a fraction of the extent, 0 beyond it.
+double attenuation(const RangeProfile& profile, double fraction) {
+  if (fraction > 1) return 0;
+  return formulas::litfog_attenuation(fraction, double(profile.constant), double(profile.linear),
                                       double(profile.quadratic));
 }
 
-bool is_drawn_in(const Cone& cone) { return cutoff_angle(cone) <= kWidestDrawnIn; }
+bool is_narrowed(const Cone& cone) { return cutoff_angle(cone) <= kWidestDrawnIn; }
 
 }  // namespace
 
@@ -89,12 +89,12 @@ MapTexels make_square_ramp(int size) {
 }
 
 double cone_map_scale(const Cone& cone) {
-  return is_drawn_in(cone) ? std::tan(std::numbers::pi / 2 - cutoff_angle(cone)) : 1.0;
+  return is_narrowed(cone) ? std::tan(std::numbers::pi / 2 - cutoff_angle(cone)) : 1.0;
 }
 
 MapTexels make_cone_cube(const Cone& cone, CubeAxis axis, int size) {
   const double scale = cone_map_scale(cone);
-  const auto across = [&](int i) { return is_drawn_in(cone) ? place(i, size) : (2.0 * i + 1) / size - 1; };
+  const auto across = [&](int i) { return is_narrowed(cone) ? place(i, size) : (2.0 * i + 1) / size - 1; };
   MapTexels texels;
   for (int face = 0; face < 6; ++face) {
     for (int j = 0; j < size; ++j) {
@@ -117,7 +117,7 @@ MapTexels make_cookie_cube(const Cookie& cookie) {
 }
 
 double cone_coordinate_scale(const Cone& cone, int size) {
-  return is_drawn_in(cone) ? cone_map_scale(cone) * (size - 1) / size : 1.0;
+  return is_narrowed(cone) ? cone_map_scale(cone) * (size - 1) / size : 1.0;
 }
 
 }  // namespace litfog::render

@@ -11,12 +11,12 @@
 
 namespace litfog::render {
 
-// The texels of the maps from which lights are looked up: 16-bit shares of 1, x running fastest, then y, then z or the
+// The texels of the maps from which lights are looked up: 16-bit fractions, x running fastest, then y, then z or the
 // face. Texel i of `size` stands for the coordinate i / (size - 1), as Hales has it, which spans the map from 0 to 1.
 using MapTexels = std::vector<std::uint16_t>;
 
-/// Range attenuation over a share of the extent: its three parameters scaled by the powers of that. Lights that agree
-/// in them share their range map, for the map's coordinates are shares of the extent too.
+/// Range attenuation over a fraction of the extent: its three parameters scaled by the powers of that. Lights that agree
+/// in them share their range map, for the map's coordinates are fractions of the extent too.
 struct RangeProfile {
   float constant;
   float linear;     ///< L E
@@ -60,7 +60,7 @@ MapTexels make_cone_cube(const Cone& cone, CubeAxis axis, int size);
 /// The same of a cookie, as it is.
 MapTexels make_cookie_cube(const Cookie& cookie);
 
-/// By what the coordinates across the axis are to be multiplied for that map: its scale, less half a texel at each end
+/// By what the coordinates across the axis are to be multiplied for that map: its scale, minus half a texel at each end
 /// of a face where the map is drawn in, for OpenGL has texel i at (i + 0.5) / size.
 double cone_coordinate_scale(const Cone& cone, int size);
 

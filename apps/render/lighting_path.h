@@ -42,7 +42,8 @@ struct LightFeed {
   enum class Kind {
     none,     ///< drawn once, without lights
     all,      ///< drawn once, by all lights that can reach the surface
-    batches,  ///< drawn once for each batch of them, the later ones added; without lights once, unless it is itself added
+    batches,  ///< drawn once for each batch of them, the later ones added; without lights once, unless it is itself
+              ///< added
   };
   Kind kind = Kind::none;
   std::size_t batch_size = 0;  ///< batches: the most lights of one, which share their maps

@@ -47,9 +47,7 @@ std::vector<SurfaceMaterial> upload(const std::vector<scene::Material>& material
 }  // namespace
 
 SurfaceList::SurfaceList(const scene::Scene& scene, const SceneLights& lights, Skipping skipping)
-    : meshes_(scene.models),
-      materials_(upload(scene.materials)),
-      list_texture_(list_lights(scene, lights, skipping)) {}
+    : meshes_(scene.models), materials_(upload(scene.materials)), list_texture_(list_lights(scene, lights, skipping)) {}
 
 BufferTexture SurfaceList::list_lights(const scene::Scene& scene, const SceneLights& lights, Skipping skipping) {
   const std::size_t local_count = lights.local_count();

@@ -41,9 +41,8 @@ void select_samples(int pass) {
 }
 
 bool needs_lights(const LightingPath& path) {
-  return std::ranges::any_of(path.passes, [](const SurfacePass& pass) {
-    return pass.shows_fog || pass.lights.kind != LightFeed::Kind::none;
-  });
+  return std::ranges::any_of(
+      path.passes, [](const SurfacePass& pass) { return pass.shows_fog || pass.lights.kind != LightFeed::Kind::none; });
 }
 
 }  // namespace
@@ -140,8 +139,7 @@ void SurfacePainter::draw_pass(Frame& frame, const Surface& surface, ShaderVaria
   }
   const std::size_t first = uniforms.size();
   // What the fog's lights and the surface's have in common is computed once where the pass takes all.
-  variant.shares_lights =
-      variant.pass->lights.kind == LightFeed::Kind::all && !variant.has_listed_lights && first > 0;
+  variant.shares_lights = variant.pass->lights.kind == LightFeed::Kind::all && !variant.has_listed_lights && first > 0;
   for (const std::int32_t light : batch) {
     if (variant.shares_lights && std::ranges::find(fog_lights, light) != fog_lights.end()) continue;
     uniforms.push_back(lights_.packed(std::size_t(light)));

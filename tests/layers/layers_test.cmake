@@ -62,7 +62,7 @@ set(catalogues scene/model/ scene/paint/)
 set(above_scene render/ measure/ demo/ bench/)
 layer(apps/command/** FORBIDDEN scene/ solve/ ${above_scene} ${fit} ${gl} ${graphics})
 layer(apps/scene/* FORBIDDEN command/ scene/file/ ${catalogues} ${above_scene} ${files} ${gl} ${fit} ${foreign} fmt/)
-layer(apps/scene/model/** apps/scene/paint/** FORBIDDEN command/ scene/file/ ${above_scene} ${files} ${gl} ${foreign} fmt/)
+layer(apps/scene/model/** apps/scene/paint/** FORBIDDEN command/ scene/file/ ${above_scene} ${files} ${gl} ${foreign})
 layer(apps/scene/file/** FORBIDDEN ${above_scene} ${gl} ${graphics})
 layer(apps/render/** FORBIDDEN command/ scene/file/ ${catalogues} measure/ demo/ bench/ litfog/files/ ${fit} ${ceres} ${json}
       ${images} tiny_gltf CLI/)

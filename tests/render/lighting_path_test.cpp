@@ -205,7 +205,7 @@ double lookup_bound(const LightingPath& path, const Light& light) {
   return range + texel * texel / 8 * 2 * 6 / (width * width);
 }
 
-TEST_F(LightingPathPixels, OfFragmentPathsAreTheBasicModel) {
+TEST_F(LightingPathPixels, FragmentPathsAreTheBasicModel) {
   Scene scene = wall(1);
   scene.lights = lamps();
   for (const char* path : {"unified", "tangent"}) {
@@ -229,7 +229,7 @@ std::vector<PlacedLight> crowd(int count) {
 }
 
 // Lights are handed over to a shader up to 16, its fog's and its surface's; more are listed.
-TEST_F(LightingPathPixels, OfFewAndOfManyLightsAreTheBasicModel) {
+TEST_F(LightingPathPixels, FewAndManyLightsAreTheBasicModel) {
   for (const int count : {1, 2, 3, 4, 5, 8, 9, 15, 16, 17, 31, 32, 33, 34, 40}) {
     Scene scene = wall(1);
     scene.lights = crowd(count);
@@ -242,7 +242,7 @@ TEST_F(LightingPathPixels, OfFewAndOfManyLightsAreTheBasicModel) {
   }
 }
 
-TEST_F(LightingPathPixels, OfLookupPathsAreThePapersModelToWithinTheirTexels) {
+TEST_F(LightingPathPixels, LookupPathsAreThePapersModelToWithinTheirTexels) {
   Scene scene = wall(1);
   const double albedo = Finish(scene).albedo.r;
   const std::vector<PlacedLight> few = lamps();
@@ -268,7 +268,7 @@ TEST_F(LightingPathPixels, OfLookupPathsAreThePapersModelToWithinTheirTexels) {
 
 // Attenuation without linear and quadratic parts never ends a light: one as far as floats go, and one that ends 10,000
 // km away, beside whose extent the way to a surface is nothing.
-TEST_F(LightingPathPixels, OfLightsWithoutAnEndInSightAreLitByEveryPath) {
+TEST_F(LightingPathPixels, LightsWithoutAnEndInSightLightEveryPath) {
   for (const Attenuation& attenuation : {Attenuation{2, 0, 0}, Attenuation{1, 1.9e-6, 0}}) {
     Scene scene = wall(256);
     scene.lights = {lamp({0.4, -0.3, -2}, attenuation, Cone{}, true)};
@@ -290,7 +290,7 @@ TEST_F(LightingPathPixels, OfLightsWithoutAnEndInSightAreLitByEveryPath) {
 }
 
 // Linear interpolation errs by the square of the triangles' size.
-TEST_F(LightingPathPixels, OfVertexPathsConvergeInTheSecondOrderAsTheWallIsTessellated) {
+TEST_F(LightingPathPixels, VertexPathsConvergeInTheSecondOrderAsTheWallIsTessellated) {
   for (const char* path : {"vertex", "mixed", "legacy"}) {
     std::vector<double> errors;
     for (const int cells : {16, 32, 64}) {
@@ -308,7 +308,7 @@ TEST_F(LightingPathPixels, OfVertexPathsConvergeInTheSecondOrderAsTheWallIsTesse
 }
 
 // The Cg Tutorial's figure 5-16, at its worst: a spot between the wall's corners.
-TEST_F(LightingPathPixels, OfVertexPathsMissWhatFallsWithinATriangle) {
+TEST_F(LightingPathPixels, VertexPathsMissWhatFallsWithinATriangle) {
   Scene scene = wall(1);
   scene.environment = {};
   scene.lights = {lamp({0, 0, -2}, kQuadratic, Cone::smoothstep(0.1, 0.4), true)};
@@ -318,7 +318,7 @@ TEST_F(LightingPathPixels, OfVertexPathsMissWhatFallsWithinATriangle) {
   EXPECT_GT(std::ranges::max(draw(scene, Fog{}, settings("lookup-3d")).rgb), 0.05f);
 }
 
-TEST_F(LightingPathPixels, OfLegacyFogHaveOneColor) {
+TEST_F(LightingPathPixels, LegacyFogHasOneColor) {
   Scene scene = wall(1);
   scene.lights = lamps();
   const Picture picture = draw(scene, Fog::from_visibility(FogMode::exp, 0.1), settings("legacy"));
@@ -327,7 +327,7 @@ TEST_F(LightingPathPixels, OfLegacyFogHaveOneColor) {
   }
 }
 
-TEST_F(LightingPathPixels, OfEverySceneAreFiniteByEveryPath) {
+TEST_F(LightingPathPixels, EverySceneIsFiniteByEveryPath) {
   for (const std::string& name : bundled_scenes()) {
     const Scene scene = read_scene(bundled_scene_path(name));
     for (const LightingPath& path : lighting_paths()) {
@@ -370,7 +370,7 @@ Cookie smooth_cookie(int size) {
 }
 
 // Two cookies of two sizes, turned, on lights that light the fog.
-TEST_F(LightingPathPixels, OfCookiesAreTheirTexelsByEveryPath) {
+TEST_F(LightingPathPixels, CookiesAreTheirTexelsByEveryPath) {
   Scene scene = wall(64);
   scene.lights = {lamp({-1.2, 0.3, -1}, kQuadratic, Cone{}, true), lamp({1, -0.4, -1.8}, kQuadratic, Cone{}, true),
                   lamp({0.2, 0.9, -1.4}, kQuadratic, Cone::smoothstep(0.1, 0.7), true)};
@@ -408,7 +408,7 @@ std::size_t count_shades(const Picture& picture) {
   return std::size_t(std::ranges::unique(shades).begin() - shades.begin());
 }
 
-TEST_F(LightingPathPixels, OfAFlatShadedFaceHaveOneShade) {
+TEST_F(LightingPathPixels, FlatShadedFaceHasOneShade) {
   const RenderSettings smooth = settings("lookup-2d");
   RenderSettings flat = smooth;
   flat.is_flat_shaded = true;
@@ -443,7 +443,7 @@ TEST_F(LightingPathPixels, WhereTrianglesOfASurfaceCoincideEveryPassShowsTheLast
 }
 
 // At full size more triangles that share a plane are seen.
-TEST_F(LightingPathPixels, OfAccumulateAgreeWithRadialAtFullSize) {
+TEST_F(LightingPathPixels, AccumulateAgreesWithRadialAtFullSize) {
   const Scene scene = read_scene(bundled_scene_path("headlights"));
   const auto draw_large = [&](const char* path) {
     Renderer renderer(scene, 1280, 720, settings(path));
@@ -453,7 +453,7 @@ TEST_F(LightingPathPixels, OfAccumulateAgreeWithRadialAtFullSize) {
   EXPECT_LE(largest_difference(draw_large("radial"), draw_large("accumulate")), 8 * kHalfFloat);
 }
 
-TEST_F(LightingPathPixels, OfTheThreeRadialPathsAgree) {
+TEST_F(LightingPathPixels, TheThreeRadialPathsAgree) {
   for (const char* name : {"headlights", "tessellation", "room"}) {
     const Scene scene = read_scene(bundled_scene_path(name));
     const Fog fog = Fog::from_visibility(FogMode::exp, scene.visibilities[0]);
@@ -467,7 +467,7 @@ TEST_F(LightingPathPixels, OfTheThreeRadialPathsAgree) {
             8 * kHalfFloat);
 }
 
-TEST_F(LightingPathPixels, OfAnInfiniteViewerHaveOneDirectionToTheEye) {
+TEST_F(LightingPathPixels, InfiniteViewerIsInOneDirectionFromEveryPoint) {
   Scene scene = wall(1);
   scene.lights = lamps();
   RenderSettings infinite = settings("unified");

@@ -263,12 +263,12 @@ TEST_F(RendererTest, FiftyThousandBoxesUnderTwentyThousandLampsLoadInSeconds) {
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
 }
 
-TEST_F(RendererTest, MoreListedLightsThanMemoryIsForAreRefused) {
+TEST_F(RendererTest, MoreListedLightsThanMemoryHoldsAreAnError) {
   const Scene scene = rows(50'000, 20'000, {1, 0, 0});  // each lamp reaches everything
   EXPECT_THROW(Renderer(scene, 8, 8, {.skipping = Skipping::on}), gl::Unsupported);
 }
 
-TEST_F(RendererTest, MoreLightMapsThanMemoryIsForAreRefused) {
+TEST_F(RendererTest, MoreLightMapsThanMemoryHoldsAreAnError) {
   Scene scene = open_air(Cone{});
   const PlacedLight lamp = scene.lights[0];
   for (int i = 0; i < 64; ++i) {
@@ -279,7 +279,7 @@ TEST_F(RendererTest, MoreLightMapsThanMemoryIsForAreRefused) {
   EXPECT_THROW(Renderer(scene, 8, 8, large), gl::Unsupported);
 }
 
-TEST_F(RendererTest, ABufferTextureLargerThanTheContextAllowsIsRefused) {
+TEST_F(RendererTest, BufferTextureLargerThanTheContextAllowsIsAnError) {
   const std::vector<std::int32_t> texels(BufferTexture::max_texels() + 1);
   EXPECT_THROW(BufferTexture(texels.data(), texels.size() * sizeof(std::int32_t), BufferTexture::Texel::int1),
                gl::Unsupported);

@@ -22,7 +22,8 @@ Framebuffer::Framebuffer(int width, int height, Passes passes) : width_(width), 
   if (std::max(width, height) > largest) {
     throw gl::Unsupported(fmt::format("this driver draws at most {} pixels a side", largest));
   }
-  const auto attach = [&](const gl::FramebufferName& framebuffer, const gl::RenderbufferName& buffer, GLenum attachment, GLenum format, GLint count) {
+  const auto attach = [&](const gl::FramebufferName& framebuffer, const gl::RenderbufferName& buffer, GLenum attachment,
+                          GLenum format, GLint count) {
     glBindRenderbuffer(GL_RENDERBUFFER, buffer.id());
     glRenderbufferStorageMultisample(GL_RENDERBUFFER, count, format, width, height);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());

@@ -55,7 +55,7 @@ class GeometryBuffer {
   gl::FramebufferName read_;
   gl::TextureName textures_[kTargets];
   gl::RenderbufferName drawn_depth_;
-  gl::RenderbufferName read_color_;    // a target's rows
+  gl::RenderbufferName read_color_;   // a target's rows
   gl::VertexArrayName vertex_array_;  // of no attributes
 };
 
