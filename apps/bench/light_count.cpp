@@ -41,11 +41,13 @@ scene::Scene with_light_count(scene::Scene scene, std::size_t count) {
   assert(!scene.lights.empty() && count >= 1);
   std::vector<std::size_t> order(scene.lights.size());
   std::iota(order.begin(), order.end(), 0);
-  const auto local = std::ranges::stable_partition(order, [&](std::size_t i) { return scene.lights[i].carried; });
-  std::ranges::stable_sort(local, {}, [&](std::size_t i) {
+  const auto is_carried = [&](std::size_t i) { return scene.lights[i].carried; };
+  const auto distance = [&](std::size_t i) {
     return glm::distance(scene.lights[i].position, glm::dvec3(scene.camera.position));
-  });
-  const std::vector<std::size_t> sources = local.empty() ? order : std::vector(local.begin(), local.end());
+  };
+  const auto first_local = std::stable_partition(order.begin(), order.end(), is_carried);
+  std::stable_sort(first_local, order.end(), [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
+  const std::vector<std::size_t> sources = first_local == order.end() ? order : std::vector(first_local, order.end());
 
   const std::vector<PlacedLight> lights = std::move(scene.lights);
   const auto uses = std::move(scene.cookie_uses);

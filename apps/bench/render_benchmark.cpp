@@ -49,13 +49,13 @@ std::vector<Setting> settings(bool quick) {
     return {{"room", 2, 80, 45, render::Skipping::on}, {"room", 16, 80, 45, render::Skipping::on}};
   }
   std::vector<Setting> all;
-  for (const std::size_t lights : {1, 2, 4, 16, 64, 256}) {
+  for (const std::size_t lights : {1u, 2u, 4u, 16u, 64u, 256u}) {
     all.push_back({kTableScene, lights, kTableWidth, kTableHeight, render::Skipping::on});
     // Of more, the paths of several passes would take minutes a frame.
     if (lights <= 16) all.push_back({kTableScene, lights, kTableWidth, kTableHeight, render::Skipping::off});
   }
   for (const std::string& scene : scene::bundled_scenes()) {
-    for (const std::size_t lights : {2, 16, 64}) all.push_back({scene, lights, 320, 180, render::Skipping::on});
+    for (const std::size_t lights : {2u, 16u, 64u}) all.push_back({scene, lights, 320, 180, render::Skipping::on});
   }
   all.push_back({kTableScene, 2, 1280, 720, render::Skipping::on});
   return all;

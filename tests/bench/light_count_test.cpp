@@ -26,7 +26,7 @@ double brightness(const Scene& scene) {
 TEST(LightCount, IsWhatWasAskedForInEveryScene) {
   for (const std::string& name : bundled_scenes()) {
     const Scene scene = read_scene(bundled_scene_path(name));
-    for (const std::size_t count : {1, 2, 5, 16, 256}) {
+    for (const std::size_t count : {1u, 2u, 5u, 16u, 256u}) {
       EXPECT_EQ(with_light_count(scene, count).lights.size(), count) << name;
     }
   }
@@ -67,12 +67,13 @@ TEST(LightCount, CopiesKeepTheirCookies) {
   const Scene scene = read_scene(bundled_scene_path("cookies"));
   const Scene many = with_light_count(scene, 50);
   EXPECT_GT(many.cookie_uses.size(), scene.cookie_uses.size());
-  for (const auto& [light, use] : many.cookie_uses) {
-    ASSERT_LT(light, many.lights.size());
+  for (const auto& copy : many.cookie_uses) {
+    ASSERT_LT(copy.first, many.lights.size());
+    const std::string& name = many.lights[copy.first].light.name;
     const auto source = std::ranges::find_if(scene.cookie_uses, [&](const auto& one) {
-      return scene.lights[one.first].light.name == many.lights[light].light.name && one.second.cookie == use.cookie;
+      return scene.lights[one.first].light.name == name && one.second.cookie == copy.second.cookie;
     });
-    EXPECT_NE(source, scene.cookie_uses.end()) << many.lights[light].light.name;
+    EXPECT_NE(source, scene.cookie_uses.end()) << name;
   }
 }
 

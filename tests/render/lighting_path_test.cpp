@@ -404,8 +404,8 @@ Scene moonlit_ball() {
 std::size_t count_shades(const Picture& picture) {
   std::vector<float> shades = picture.rgb;
   for (float& shade : shades) shade = std::round(shade * 4096);
-  std::ranges::sort(shades);
-  return std::size_t(std::ranges::unique(shades).begin() - shades.begin());
+  std::sort(shades.begin(), shades.end());
+  return std::size_t(std::unique(shades.begin(), shades.end()) - shades.begin());
 }
 
 TEST_F(LightingPathPixels, FlatShadedFaceHasOneShade) {

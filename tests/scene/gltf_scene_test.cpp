@@ -338,7 +338,7 @@ TEST_F(GltfScene, RefusalsNamePlaceValueAndRule) {
   EXPECT_EQ(refusal(with_tangents, floor_bytes() + std::string(reinterpret_cast<const char*>(no_numbers.data()), 64)),
             "meshes[0].primitives[0].attributes = an object: must be finite and at most 10000000");
   const float infinity = std::numeric_limits<float>::infinity();
-  for (const std::size_t at : {0, 48, 96}) {  // in a position, a normal and a texture coordinate
+  for (const std::size_t at : {0u, 48u, 96u}) {  // in a position, a normal and a texture coordinate
     std::string infinite = floor_bytes();
     std::memcpy(infinite.data() + at, &infinity, sizeof(infinity));
     EXPECT_EQ(refusal(floor_scene(), infinite),

@@ -75,7 +75,7 @@ LookupTexture::LookupTexture(Shape shape, int size, const std::vector<std::uint1
       break;
   }
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
+  for (const GLenum wrap : {GLenum{GL_TEXTURE_WRAP_S}, GLenum{GL_TEXTURE_WRAP_T}, GLenum{GL_TEXTURE_WRAP_R}}) {
     glTexParameteri(target_, wrap, GL_CLAMP_TO_EDGE);
   }
   glTexParameteri(target_, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
@@ -102,7 +102,7 @@ LayeredTexture::LayeredTexture(int size, int layers, const std::vector<std::uint
   glPixelStorei(GL_UNPACK_ALIGNMENT, 2);
   glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_R16, size, size, layers, 0, GL_RED, GL_UNSIGNED_SHORT, texels.data());
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) {
+  for (const GLenum wrap : {GLenum{GL_TEXTURE_WRAP_S}, GLenum{GL_TEXTURE_WRAP_T}}) {
     glTexParameteri(GL_TEXTURE_2D_ARRAY, wrap, GL_CLAMP_TO_EDGE);
   }
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
