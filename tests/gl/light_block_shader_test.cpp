@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 #include <vector>
 
@@ -26,7 +27,7 @@ TEST_F(LightBlockShader, ReadsEveryNumberOfTheBlock) {
                            .cone = i % 2 ? Cone::cosine(1, n + 7) : Cone::smoothstep(0.25, 1),
                            .density_scale = n + 8},
                  .position = {n + 9, n + 10, n + 11},
-                 .direction = {n + 12, n + 13, n + 14},
+                 .direction = glm::normalize(glm::dvec3(n + 12, -n - 13, 14)),
                  .carried = true};
     solutions[i] = {.intensity = n + 15, .peak_range = 0, .extent = n + 16, .status = SolveStatus::ok};
     for (int field = 0; field < 7; ++field) indices.emplace_back(i, field, 0, 0);
