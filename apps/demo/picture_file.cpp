@@ -26,6 +26,8 @@ std::vector<unsigned char> encoded(const std::string& path, const OIIO::ImageSpe
                                    const std::vector<float>& pixels) {
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput memory(bytes);
+  OIIO::attribute("threads", 1);  // a picture is written on this thread: another may not start
+  OIIO::attribute("debug", 0);    // which would tell on standard error that a date is left out
   const auto output = OIIO::ImageOutput::create(path);
   if (!output) throw command::CannotWrite(path + ": cannot be written: " + OIIO::geterror());
   if (!output->set_ioproxy(&memory) || !output->open(path, spec) ||
@@ -46,6 +48,7 @@ void write_picture(const std::string& path, const render::Picture& picture) {
     spec.attribute("png:compressionLevel", 3);
   } else {
     spec.attribute("compression", "zip");
+    spec.attribute("DateTime", 0);  // no time: the same picture is the same file
   }
   std::vector<float> pixels = picture.rgb;
   if (is_png) {

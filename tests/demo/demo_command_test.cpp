@@ -48,7 +48,7 @@ constexpr const char* kSeeHelp = "; see litfog-demo --help\n";
 
 TEST_F(DemoCommand, DrawsASceneAsPngAndExrOfTheSameLight) {
   for (const char* output : {"a.png", "a.exr"}) {
-    const Outcome outcome = run(std::string("headlights --visibility 200 --size 64x36 -o ") + output);
+    const Outcome outcome = run(std::string("tessellation --visibility 200 --size 64x36 -o ") + output);
     ASSERT_EQ(outcome.status, kDone) << outcome.err;
   }
   OIIO::ImageBuf png((directory() / "a.png").string());
@@ -80,7 +80,7 @@ TEST_F(DemoCommand, StatisticsSayWhatWasDrawn) {
 
 TEST_F(DemoCommand, TheReferenceIsTheSamePictureToAStep) {
   for (const char* options : {"-o a.exr", "--reference -o b.exr --stats s.json"}) {
-    const Outcome outcome = run(std::string("headlights --visibility 200 --size 64x36 ") + options);
+    const Outcome outcome = run(std::string("tessellation --visibility 200 --size 64x36 ") + options);  // no lamp in view
     ASSERT_EQ(outcome.status, kDone) << outcome.err;
   }
   OIIO::ImageBuf drawn((directory() / "a.exr").string());
@@ -88,7 +88,7 @@ TEST_F(DemoCommand, TheReferenceIsTheSamePictureToAStep) {
   const auto shown = [](const OIIO::ImageBuf& image, int x, int y) {
     return litfog::test::srgb_from_linear(std::min(1.0, double(image.getchannel(x, y, 0, 1))));
   };
-  for (int y = 0; y < 36; ++y) {  // the lamps' points too
+  for (int y = 0; y < 36; ++y) {
     for (int x = 0; x < 64; ++x) ASSERT_NEAR(shown(drawn, x, y), shown(reference, x, y), 1.0 / 255) << x << ", " << y;
   }
   const auto stats = nlohmann::json::parse(read("s.json"));
