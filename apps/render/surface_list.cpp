@@ -2,8 +2,10 @@
 #include "render/surface_list.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include "litfog/gl/unsupported.h"
 #include "render/light_finder.h"
@@ -19,28 +21,33 @@ scene::Bounds around(const std::vector<scene::Bounds>& boxes) {
   return whole;
 }
 
-SurfaceMaterial upload(const scene::Material& material, float number) {
-  return {.material = {.name = material.name,
-                       .size_m = material.size_m,
-                       .albedo = {},
-                       .normal = {},
-                       .specular = material.specular,
-                       .shininess = material.shininess,
-                       .emissive = material.emissive,
-                       .plain_albedo = material.plain_albedo},
-          .number = number,
-          .albedo = material.plain_albedo ? Texture(glm::vec4(*material.plain_albedo, 1.0f))
-                                          : Texture(material.albedo, Texture::Encoding::srgb),
-          .normal = Texture(material.normal, Texture::Encoding::linear)};
-}
+/// A scene's pictures on the GPU, each once.
+class TextureStore {
+ public:
+  std::shared_ptr<const Texture> upload(const std::shared_ptr<const scene::Texels>& texels,
+                                        Texture::Encoding encoding) {
+    std::shared_ptr<const Texture>& texture = textures_[{texels.get(), encoding}];
+    if (!texture) texture = std::make_shared<const Texture>(*texels, encoding);
+    return texture;
+  }
+
+ private:
+  std::map<std::pair<const scene::Texels*, Texture::Encoding>, std::shared_ptr<const Texture>> textures_;
+};
 
 /// A scene's materials on the GPU, sorted by name.
-std::vector<SurfaceMaterial> upload(const std::vector<scene::Material>& materials) {
-  std::vector<const scene::Material*> sorted;
-  for (const scene::Material& material : materials) sorted.push_back(&material);
-  std::ranges::sort(sorted, {}, &scene::Material::name);
+std::vector<SurfaceMaterial> upload(std::vector<scene::Material> materials) {
+  std::ranges::sort(materials, {}, &scene::Material::name);
+  TextureStore textures;
   std::vector<SurfaceMaterial> uploaded;
-  for (const scene::Material* material : sorted) uploaded.push_back(upload(*material, float(uploaded.size())));
+  for (scene::Material& material : materials) {
+    auto albedo = material.plain_albedo ? std::make_shared<const Texture>(glm::vec4(*material.plain_albedo, 1.0f))
+                                        : textures.upload(material.albedo, Texture::Encoding::srgb);
+    auto normal = textures.upload(material.normal, Texture::Encoding::linear);
+    material.albedo.reset();
+    material.normal.reset();
+    uploaded.push_back({std::move(material), float(uploaded.size()), std::move(albedo), std::move(normal)});
+  }
   return uploaded;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,10 +18,10 @@ namespace litfog::render {
 
 /// A material with its pictures on the GPU.
 struct SurfaceMaterial {
-  scene::Material material;  ///< without its texels
-  float number;              ///< in their order
-  Texture albedo;
-  Texture normal;
+  scene::Material material;               ///< without its texels
+  float number;                           ///< in their order
+  std::shared_ptr<const Texture> albedo;  ///< materials of the same texels share their texture
+  std::shared_ptr<const Texture> normal;
 };
 
 /// A run of triangles of one material, placed in the world, and the lights that can reach it.

@@ -197,8 +197,8 @@ SurfaceProgram& SurfacePainter::use(Frame& frame, const ShaderVariant& variant, 
   }
   if (&material != frame.bound) {
     frame.bound = &material;
-    material.albedo.bind(kAlbedoUnit);
-    material.normal.bind(kNormalUnit);
+    material.albedo->bind(kAlbedoUnit);
+    material.normal->bind(kNormalUnit);
   }
   if (&material != program.material) {
     program.material = &material;

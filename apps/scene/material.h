@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -12,10 +13,12 @@ namespace litfog::scene {
 /// What a surface is made of.
 struct Material {
   std::string name;
-  float size_m;   ///< metres one tile covers: texture coordinate = Vertex::uv / size_m
-  Texels albedo;  ///< sRGB colour; A = gloss, linear, scales specular
-  Texels normal;  ///< tangent space, +Z out of the surface; A = 0: n = (rgb - 128) / 127.5, in which flat is exact;
-                  ///< A = 255: n = rgb / 127.5 - 1, as in glTF
+  float size_m;  ///< metres one tile covers: texture coordinate = Vertex::uv / size_m
+  /// sRGB colour; A = gloss, linear, scales specular. Materials share pictures that are the same.
+  std::shared_ptr<const Texels> albedo;
+  /// Tangent space, +Z out of the surface; A = 0: n = (rgb - 128) / 127.5, in which flat is exact; A = 255: n = rgb /
+  /// 127.5 - 1, as in glTF.
+  std::shared_ptr<const Texels> normal;
   glm::vec3 specular;  ///< linear, at gloss 1
   float shininess;     ///< Blinn-Phong exponent
   glm::vec3 emissive;  ///< linear; 0 if it emits nothing

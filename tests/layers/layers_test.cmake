@@ -39,7 +39,7 @@ set(ceres ceres/ Eigen/)
 set(json nlohmann/ rapidjson/)
 set(graphics epoxy/ EGL/ GL/)
 set(images OpenImageIO/ openexr ImfC)
-set(foreign ${ceres} ${json} ${graphics} ${images} tiny_gltf CLI/)
+set(foreign ${ceres} ${json} ${graphics} ${images} CLI/)
 set(commands command/ scene/ render/ measure/ solve/ demo/ bench/)
 
 # src. The public headers show no other library but GLM.
@@ -65,7 +65,7 @@ layer(apps/scene/* FORBIDDEN command/ scene/file/ ${catalogues} ${above_scene} $
 layer(apps/scene/model/** apps/scene/paint/** FORBIDDEN command/ scene/file/ ${above_scene} ${files} ${gl} ${foreign})
 layer(apps/scene/file/** FORBIDDEN ${above_scene} ${gl} ${graphics})
 layer(apps/render/** FORBIDDEN command/ scene/file/ ${catalogues} measure/ demo/ bench/ litfog/files/ ${fit} ${ceres} ${json}
-      ${images} tiny_gltf CLI/)
+      ${images} CLI/)
 layer(apps/measure/** FORBIDDEN command/ scene/file/ ${catalogues} demo/ bench/ litfog/files/ ${fit} ${ceres} ${json} CLI/)
 layer(apps/demo/** FORBIDDEN solve/ fit/ bench/)
 layer(apps/solve/** apps/fit/** FORBIDDEN scene/ ${above_scene} ${gl} ${graphics})

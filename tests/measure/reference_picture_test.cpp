@@ -57,8 +57,8 @@ Scene flat_floor() {
   scene.environment.ambient_fog_color = {0.1f, 0.11f, 0.12f};
   scene.materials.push_back({.name = "plain",
                              .size_m = 1,
-                             .albedo = {1, 1, {255, 0, 255, 51}},
-                             .normal = {1, 1, {0, 255, 255, 255}},
+                             .albedo = std::make_shared<const Texels>(Texels{1, 1, {255, 0, 255, 51}}),
+                             .normal = std::make_shared<const Texels>(Texels{1, 1, {0, 255, 255, 255}}),
                              .specular = glm::vec3(0.5f),
                              .shininess = 20,
                              .emissive = {0, 0.01f, 0}});

@@ -33,8 +33,8 @@ Scene noisy_floor() {
   for (int i = 0; i < 4 * kMapSize * kMapSize; ++i) noise.rgba.push_back(std::uint8_t(random.uniform(0, 256)));
   scene.materials.push_back({.name = "noise",
                              .size_m = kTileSize,
-                             .albedo = {1, 1, {255, 255, 255, 51}},
-                             .normal = noise,
+                             .albedo = std::make_shared<const Texels>(Texels{1, 1, {255, 255, 255, 51}}),
+                             .normal = std::make_shared<const Texels>(noise),
                              .specular = glm::vec3(0.5f),
                              .shininess = 20,
                              .emissive = {}});

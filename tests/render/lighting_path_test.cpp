@@ -14,8 +14,8 @@
 #include "render/renderer.h"
 #include "scene/file/scene_file.h"
 #include "scene/light_frame.h"
-#include "scene/paint/material_catalogue.h"
 #include "scene/model/primitive.h"
+#include "scene/paint/material_catalogue.h"
 
 namespace litfog::test {
 using namespace scene;
@@ -107,7 +107,7 @@ struct Finish {
     const Picture picture = draw(bare, Fog{}, {});
     albedo = dvec3(picture.rgb[0], picture.rgb[1], picture.rgb[2]);
     const Material& material = scene.materials[0];
-    gloss = material.albedo.rgba[3] / 255.0;
+    gloss = material.albedo->rgba[3] / 255.0;
     specular = material.specular;
     shininess = double(material.shininess);
   }
@@ -421,13 +421,14 @@ TEST_F(LightingPathPixels, WhereTrianglesOfASurfaceCoincideEveryPassShowsTheLast
   Scene last = wall(1);
   last.lights = lamps();
   last.lights.resize(5);  // more than the four of a pass
-  last.materials.push_back({.name = "halves",
-                            .size_m = 1,
-                            .albedo = {2, 1, {250, 30, 60, 255, 20, 200, 90, 255}},
-                            .normal = {1, 1, {128, 128, 255, 0}},
-                            .specular = glm::vec3(0.3f),
-                            .shininess = 20,
-                            .emissive = {}});
+  last.materials.push_back(
+      {.name = "halves",
+       .size_m = 1,
+       .albedo = std::make_shared<const Texels>(Texels{2, 1, {250, 30, 60, 255, 20, 200, 90, 255}}),
+       .normal = std::make_shared<const Texels>(Texels{1, 1, {128, 128, 255, 0}}),
+       .specular = glm::vec3(0.3f),
+       .shininess = 20,
+       .emissive = {}});
   Part& part = last.models[0][0];
   part.material = "halves";
   Scene both = last;

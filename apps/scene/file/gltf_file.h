@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <tiny_gltf.h>
-
 #include <cstddef>
+#include <glm/vec3.hpp>
 #include <initializer_list>
 #include <span>
 #include <string>
-#include <variant>
+#include <string_view>
 #include <vector>
 
 #include "files/json_document.h"
@@ -16,53 +15,61 @@ namespace litfog::scene {
 
 using files::JsonValue;
 
-/// The way to a value from a glTF file's root: names of members and places in arrays.
-using GltfPlace = std::vector<std::variant<std::string, std::size_t>>;
+/// An accessor's "componentType".
+enum class GltfComponent { unsigned_byte = 5121, unsigned_short = 5123, unsigned_int = 5125, floating = 5126 };
 
-GltfPlace operator/(GltfPlace place, std::string name);
-GltfPlace operator/(GltfPlace place, std::size_t index);
+/// An accessor's "type".
+struct GltfType {
+  std::string_view name;
+  std::size_t components;
+};
+inline constexpr GltfType kGltfScalar{"SCALAR", 1};
+inline constexpr GltfType kGltfVec2{"VEC2", 2};
+inline constexpr GltfType kGltfVec3{"VEC3", 3};
+inline constexpr GltfType kGltfVec4{"VEC4", 4};
 
 /// An accessor's numbers, checked against its buffer. They live as long as the file.
 struct GltfNumbers {
-  const unsigned char* data = nullptr;  ///< null: not given
-  std::size_t stride = 0;               ///< bytes
+  const char* data = nullptr;  ///< null: not given
+  std::size_t stride = 0;      ///< bytes
   std::size_t count = 0;
-  int component_type = 0;  ///< TINYGLTF_COMPONENT_TYPE_...
+  GltfComponent component = GltfComponent::floating;
   bool is_normalized = false;
 
-  double at(std::size_t i, std::size_t component) const;
+  double at(std::size_t i, std::size_t component_index) const;
   glm::vec3 vec3(std::size_t i) const { return {at(i, 0), at(i, 1), at(i, 2)}; }
 };
 
-/// A glTF 2.0 file with its buffers, at most 1 GiB; pictures stay encoded. What it says is of the kinds that glTF wants
-/// (expect_gltf_members); whether it makes sense is for those to ask who use it, by these functions, whose refusals
-/// name the place.
+/// A glTF 2.0 file with its buffers, at most 1 GiB in all; pictures stay encoded. The JSON is checked where it is used:
+/// an error names the location of the value that is wrong.
 class GltfFile {
  public:
   /// throws  InputError
   explicit GltfFile(const std::string& path);
 
-  const std::string& path() const { return path_; }
-  const tinygltf::Model& model() const { return model_; }
-  /// The file and all that it names: buffers and pictures.
-  const std::vector<std::string>& files() const { return files_; }
+  const JsonValue& root() const { return root_; }
 
-  /// Refuses the value at a place of the file: throws InputError.
-  [[noreturn]] void refuse(const GltfPlace& place, const std::string& rule) const;
-  /// An index into one of the file's arrays.
-  std::size_t index(const GltfPlace& place, int value, std::size_t size) const;
-  /// An accessor's numbers, which have to be of a type (TINYGLTF_TYPE_...) and one of some component types.
-  GltfNumbers numbers(const GltfPlace& place, int number, int type, std::initializer_list<int> component_types) const;
+  /// An accessor's numbers, which have to be of a type and of one of some component types.
+  ///
+  /// throws  InputError
+  GltfNumbers numbers(const JsonValue& accessor_index, const GltfType& type,
+                      std::initializer_list<GltfComponent> components) const;
   /// The bytes of a buffer view.
-  std::span<const unsigned char> view(const GltfPlace& place, int number) const;
+  ///
+  /// throws  InputError
+  std::string_view view(const JsonValue& view_index) const;
 
  private:
-  JsonValue load();
+  /// Reads the JSON, and of a binary file its buffer.
+  JsonValue read(const std::string& path);
+  void read_buffers();
 
-  std::string path_;
-  std::vector<std::string> files_;
-  tinygltf::Model model_;
+  std::string binary_chunk_;  // of a binary file: becomes its first buffer
   JsonValue root_;
+  std::vector<JsonValue> accessors_;
+  std::vector<JsonValue> views_;
+  std::vector<JsonValue> buffers_;
+  std::vector<std::string> bytes_;  // of each buffer
 };
 
 }  // namespace litfog::scene

@@ -3,46 +3,59 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
-#include <span>
+#include <map>
+#include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scene/file/gltf_file.h"
+#include "scene/file/gltf_picture.h"
 #include "scene/material.h"
 
 namespace litfog::scene {
+
+/// A material of a glTF file that is used.
+struct GltfMaterial {
+  std::size_t index;  ///< of those made, in their order
+  std::string name;
+  bool is_double_sided;
+};
 
 /// Makes the demo's materials of those of a glTF file that are used (read_gltf_scene tells how).
 class GltfMaterials {
  public:
   /// file  has to outlive this
-  explicit GltfMaterials(const GltfFile& file) : file_(file), is_used_(file.model().materials.size() + 1) {}
+  explicit GltfMaterials(const GltfFile& file);
 
-  /// The name of a material, which is made when first used. Its pictures have at most 2^27 pixels together with those
-  /// made before.
+  /// A primitive's material, which is made when first used.
   ///
-  /// place   of the number
-  /// number  -1: glTF's default material
   /// throws  InputError
-  std::string use(const GltfPlace& place, int number);
+  const GltfMaterial& use(const JsonValue& primitive);
 
   /// Those made.
   std::vector<Material> take() { return std::move(materials_); }
 
  private:
-  Material make(const std::string& name, const GltfPlace& place, const tinygltf::Material& given);
-  glm::vec3 color_of(const GltfPlace& place, const std::vector<double>& given, std::size_t size) const;
-  float share_of(const GltfPlace& place, double given) const;
-  Texels normal_map(const GltfPlace& place, const tinygltf::NormalTextureInfo& given);
-  /// A texture's picture, or one texel where there is none.
-  Texels texture(const GltfPlace& place, const tinygltf::TextureInfo& info, const std::array<std::uint8_t, 3>& absent);
-  Texels decode(const GltfPlace& place, std::span<const unsigned char> bytes);
+  using SharedTexels = std::shared_ptr<const Texels>;
 
-  const GltfFile& file_;
-  std::vector<bool> is_used_;
+  Material make(const std::string& name, const JsonValue& given);
+  /// A picture's colours times a factor.
+  SharedTexels tinted(const JsonValue& material, const SharedTexels& picture, const glm::vec3& factor);
+  SharedTexels normal_map(const JsonValue& material);
+
+  JsonValue empty_;  // an object: glTF's default material, and a material's default model
+  std::vector<JsonValue> given_;
+  std::vector<std::optional<GltfMaterial>> used_;  // of those given, then the default
   std::vector<Material> materials_;
-  std::size_t texels_ = 0;
+  GltfPictures pictures_;
+  GltfPicture white_;
+  SharedTexels flat_;  // a normal map
+  // Pictures made of a file's pictures, shared where they are the same.
+  std::map<std::pair<const Texels*, std::array<float, 3>>, SharedTexels> tinted_;
+  std::map<std::pair<const Texels*, float>, SharedTexels> scaled_normals_;
+  TexelBudget made_;
 };
 
 }  // namespace litfog::scene

@@ -3,25 +3,24 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdint>
+
+#include "scene/file/gltf_value.h"
 #include "scene/scene.h"
 
 namespace litfog::scene {
 namespace {
 
-void read_indices(const GltfFile& file, const GltfPlace& place, const tinygltf::Primitive& primitive, Mesh& mesh) {
-  std::size_t count = mesh.vertices.size();
-  GltfNumbers indices;
-  if (primitive.indices >= 0) {
-    indices = file.numbers(place / "indices", primitive.indices, TINYGLTF_TYPE_SCALAR,
-                           {TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT,
-                            TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT});
-    count = indices.count;
-  }
-  if (count % 3 != 0) file.refuse(place / "indices", "must be three a triangle");
-  if (count > 3 * kMaxTriangles) file.refuse(place / "indices", fmt::format("must be at most {}", 3 * kMaxTriangles));
+constexpr std::size_t kTriangles = 4;  // a primitive's "mode"
+
+/// Three indices a triangle: those given, or the vertices in their order.
+void read_indices(const JsonValue& primitive, const GltfNumbers& given, std::size_t count, Mesh& mesh) {
   for (std::size_t i = 0; i < count; ++i) {
-    const double vertex = indices.data ? indices.at(i, 0) : double(i);
-    if (!(vertex < double(mesh.vertices.size()))) file.refuse(place / "indices", "must be those of given vertices");
+    const double vertex = given.data ? given.at(i, 0) : double(i);
+    if (!(vertex < double(mesh.vertices.size()))) {
+      primitive.member("indices").fail("must be those of given vertices");
+    }
     mesh.indices.push_back(std::uint32_t(vertex));
   }
 }
@@ -47,28 +46,43 @@ bool is_within_limits(const glm::vec<N, float>& v) {
 
 }  // namespace
 
-Mesh read_gltf_primitive(const GltfFile& file, const GltfPlace& place, const tinygltf::Primitive& primitive) {
-  constexpr int kFloat = TINYGLTF_COMPONENT_TYPE_FLOAT;
-  constexpr int kByte = TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE;
-  constexpr int kShort = TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
-  if (primitive.mode != TINYGLTF_MODE_TRIANGLES && primitive.mode != -1) {
-    file.refuse(place / "mode", "must be 4: this program draws triangles");
+void MeshBudget::take(const JsonValue& primitive, std::size_t triangles, std::size_t vertices) {
+  triangles_ += triangles;
+  vertices_ += vertices;
+  if (triangles_ > kMaxTriangles || vertices_ > kMaxVertices) {
+    primitive.fail(fmt::format("triangles must be at most {} in all, vertices {}", kMaxTriangles, kMaxVertices));
   }
-  const auto attribute = [&](const char* name, int type, std::initializer_list<int> components) {
-    const auto found = primitive.attributes.find(name);
-    if (found == primitive.attributes.end()) return GltfNumbers{};
-    return file.numbers(place / "attributes" / name, found->second, type, components);
+}
+
+Mesh read_gltf_primitive(const GltfFile& file, const JsonValue& primitive, bool is_double_sided, MeshBudget& budget) {
+  using enum GltfComponent;
+  if (const auto mode = primitive.optional("mode"); mode && whole_number(*mode) != kTriangles) {
+    mode->fail("must be 4: this program draws triangles");
+  }
+  const JsonValue attributes = primitive.member("attributes");
+  const GltfNumbers positions = file.numbers(attributes.member("POSITION"), kGltfVec3, {floating});
+  const auto attribute = [&](const char* name, const GltfType& type, std::initializer_list<GltfComponent> components) {
+    const auto index = attributes.optional(name);
+    if (!index) return GltfNumbers{};
+    const GltfNumbers given = file.numbers(*index, type, components);
+    if (given.count != positions.count) index->fail("must have as many elements as POSITION");
+    return given;
   };
-  const GltfNumbers positions = attribute("POSITION", TINYGLTF_TYPE_VEC3, {kFloat});
-  if (!positions.data) file.refuse(place / "attributes" / "POSITION", "must be given");
-  const GltfNumbers normals = attribute("NORMAL", TINYGLTF_TYPE_VEC3, {kFloat});
-  const GltfNumbers tangents = attribute("TANGENT", TINYGLTF_TYPE_VEC4, {kFloat});
-  const GltfNumbers uvs = attribute("TEXCOORD_0", TINYGLTF_TYPE_VEC2, {kFloat, kByte, kShort});
-  for (const auto& [name, given] : {std::pair{"NORMAL", normals}, {"TANGENT", tangents}, {"TEXCOORD_0", uvs}}) {
-    if (given.data && given.count != positions.count) {
-      file.refuse(place / "attributes" / name, "must have as many elements as POSITION");
-    }
+  const GltfNumbers normals = attribute("NORMAL", kGltfVec3, {floating});
+  const GltfNumbers tangents = attribute("TANGENT", kGltfVec4, {floating});
+  const GltfNumbers uvs = attribute("TEXCOORD_0", kGltfVec2, {floating, unsigned_byte, unsigned_short});
+  GltfNumbers indices;
+  if (const auto index = primitive.optional("indices")) {
+    indices = file.numbers(*index, kGltfScalar, {unsigned_byte, unsigned_short, unsigned_int});
   }
+  const std::size_t index_count = indices.data ? indices.count : positions.count;
+  if (index_count % 3 != 0) {
+    const auto index = primitive.optional("indices");
+    (index ? *index : primitive).fail(primitive.path_of("indices"), "", "must be three a triangle");
+  }
+  const std::size_t sides = is_double_sided ? 2 : 1;
+  const std::size_t vertex_count = normals.data ? positions.count : std::max(positions.count, index_count);
+  budget.take(primitive, sides * index_count / 3, sides * vertex_count);
   Mesh mesh;
   bool has_tangents = normals.data && tangents.data && uvs.data;
   for (std::size_t i = 0; i < positions.count; ++i) {
@@ -78,11 +92,11 @@ Mesh read_gltf_primitive(const GltfFile& file, const GltfPlace& place, const tin
     if (uvs.data) vertex.uv = {uvs.at(i, 0), uvs.at(i, 1)};
     const bool is_sound = is_within_limits(vertex.position) && is_within_limits(vertex.normal) &&
                           is_within_limits(vertex.tangent) && is_within_limits(vertex.uv);
-    if (!is_sound) file.refuse(place / "attributes", fmt::format("must be finite and at most {}", kMaxCoordinate));
+    if (!is_sound) attributes.fail(fmt::format("must be finite and at most {}", kMaxCoordinate));
     has_tangents = has_tangents && glm::length(glm::vec3(vertex.tangent)) > 0;
     mesh.vertices.push_back(vertex);
   }
-  read_indices(file, place, primitive, mesh);
+  read_indices(primitive, indices, index_count, mesh);
   if (!normals.data) flatten(mesh);
   for (Vertex& vertex : mesh.vertices) {
     const float length = glm::length(vertex.normal);
@@ -93,12 +107,7 @@ Mesh read_gltf_primitive(const GltfFile& file, const GltfPlace& place, const tin
     // There v grows along the bitangent; glTF's v runs down a picture whose normals have +Y up.
     for (Vertex& vertex : mesh.vertices) vertex.tangent.w = -vertex.tangent.w;
   }
-  const bool is_seen_from_behind =
-      primitive.material >= 0 &&
-      file.model()
-          .materials[file.index(place / "material", primitive.material, file.model().materials.size())]
-          .doubleSided;
-  if (is_seen_from_behind) add_back_faces(mesh);
+  if (is_double_sided) add_back_faces(mesh);
   return mesh;
 }
 

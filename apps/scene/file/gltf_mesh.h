@@ -1,16 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+
 #include "scene/file/gltf_file.h"
 #include "scene/mesh.h"
 
 namespace litfog::scene {
 
+/// Counts triangles and vertices up to a scene's limits (kMaxTriangles, kMaxVertices).
+class MeshBudget {
+ public:
+  /// primitive  what is counted
+  /// throws     InputError at the primitive that exceeds a limit
+  void take(const JsonValue& primitive, std::size_t triangles, std::size_t vertices);
+
+ private:
+  std::size_t triangles_ = 0;
+  std::size_t vertices_ = 0;
+};
+
 /// Reads a primitive's triangles: normals made unit, flat ones where none are given; tangents computed where they are
-/// not; the backs of faces where its material shows them.
+/// not; the backs of faces, too, if it is double-sided.
 ///
-/// place   the primitive's
+/// budget  counts the mesh before its memory is allocated
 /// throws  InputError
-Mesh read_gltf_primitive(const GltfFile& file, const GltfPlace& place, const tinygltf::Primitive& primitive);
+Mesh read_gltf_primitive(const GltfFile& file, const JsonValue& primitive, bool is_double_sided, MeshBudget& budget);
 
 }  // namespace litfog::scene

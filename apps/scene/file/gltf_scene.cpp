@@ -11,12 +11,13 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <numbers>
 
-#include "command/exit_status.h"
 #include "litfog/fog_light_block.h"
 #include "litfog/input_error.h"
 #include "scene/file/gltf_file.h"
 #include "scene/file/gltf_material.h"
 #include "scene/file/gltf_mesh.h"
+#include "scene/file/gltf_uri.h"
+#include "scene/file/gltf_value.h"
 
 namespace litfog::scene {
 namespace {
@@ -30,19 +31,26 @@ constexpr glm::vec3 kZenith{0.0012f, 0.0018f, 0.005f};
 
 class GltfReader {
  public:
-  explicit GltfReader(const std::string& path) : file_(path), model_(file_.model()), materials_(file_) {
-    for (std::size_t i = 0; i < model_.extensionsRequired.size(); ++i) {
-      if (model_.extensionsRequired[i] != "KHR_lights_punctual") {
-        file_.refuse(GltfPlace{} / "extensionsRequired" / i,
-                     "must be KHR_lights_punctual, the only one that this program knows");
+  explicit GltfReader(const std::string& path)
+      : file_(path),
+        nodes_(items_of(file_.root(), "nodes")),
+        cameras_(items_of(file_.root(), "cameras")),
+        meshes_(items_of(file_.root(), "meshes")),
+        primitives_(meshes_.size()),
+        materials_(file_) {
+    for (const JsonValue& extension : items_of(file_.root(), "extensionsRequired")) {
+      if (extension.string() != "KHR_lights_punctual") {
+        extension.fail("must be KHR_lights_punctual, the only one that this program knows");
       }
     }
-    read_name();
+    if (const auto punctual = punctual_lights(file_.root())) lights_ = items_of(*punctual, "lights");
+    read_name(path);
     scene_.description = "a glTF file";
     scene_.environment = {.ambient_light = kNightAmbient,
                           .ambient_fog_color = kNightFog,
                           .sky_zenith = kZenith,
                           .sky_horizon = kNightFog};
+    note_files(path);
     scene_.models.emplace_back();
     read_nodes();
     if (scene_.models[0].empty()) throw InputError({.file = path}, "meshes: must hold triangles");
@@ -57,29 +65,43 @@ class GltfReader {
   }
 
   Scene take() {
-    scene_.files = file_.files();
     scene_.materials = materials_.take();
     return std::move(scene_);
   }
 
  private:
-  void read_name() {
-    scene_.name = std::filesystem::path(file_.path()).stem().string();
-    if (scene_.name.empty() || scene_.name.front() == '.')
-      throw InputError({.file = file_.path()}, "must have a name before its ending");
+  void note_files(const std::string& path) {
+    scene_.files = {path};
+    for (const char* name : {"buffers", "images"}) {
+      for (const JsonValue& owner : items_of(file_.root(), name)) {
+        if (auto named = gltf_uri_path(owner)) scene_.files.push_back(*std::move(named));
+      }
+    }
+  }
+
+  void read_name(const std::string& path) {
+    scene_.name = std::filesystem::path(path).stem().string();
+    if (scene_.name.empty() || scene_.name.front() == '.') {
+      throw InputError({.file = path}, "must have a name before its ending");
+    }
   }
 
   // --- nodes ---
 
-  static glm::dmat4 local_transform(const tinygltf::Node& node) {
-    if (node.matrix.size() == 16) return glm::make_mat4(node.matrix.data());
+  static glm::dmat4 local_transform(const JsonValue& node) {
+    if (const auto matrix = node.optional("matrix")) return glm::make_mat4(numbers(*matrix, 16).data());
     glm::dmat4 transform(1.0);
-    if (node.translation.size() == 3) transform = glm::translate(transform, glm::make_vec3(node.translation.data()));
-    if (node.rotation.size() == 4) {
-      const std::vector<double>& r = node.rotation;
+    if (const auto translation = node.optional("translation")) {
+      transform = glm::translate(transform, glm::make_vec3(numbers(*translation, 3).data()));
+    }
+    if (const auto rotation = node.optional("rotation")) {
+      const std::vector<double> r = numbers(*rotation, 4);
+      if (std::ranges::count(r, 0.0) == 4) rotation->fail("must not be all 0");
       transform *= glm::mat4_cast(glm::normalize(glm::dquat(r[3], r[0], r[1], r[2])));
     }
-    if (node.scale.size() == 3) transform = glm::scale(transform, glm::make_vec3(node.scale.data()));
+    if (const auto scale = node.optional("scale")) {
+      transform = glm::scale(transform, glm::make_vec3(numbers(*scale, 3).data()));
+    }
     return transform;
   }
 
@@ -90,56 +112,52 @@ class GltfReader {
       bool is_carried;
     };
     std::vector<Visit> visits;
-    const auto add = [&](const GltfPlace& place, const std::vector<int>& nodes, const glm::dmat4& transform,
-                         bool carried) {
+    const auto add = [&](const std::vector<JsonValue>& nodes, const glm::dmat4& transform, bool carried) {
       for (std::size_t i = nodes.size(); i-- > 0;) {  // the first one comes off the stack first
-        visits.push_back({file_.index(place / i, nodes[i], model_.nodes.size()), transform, carried});
+        visits.push_back({index_in(nodes_, nodes[i]), transform, carried});
       }
     };
-    if (model_.scenes.empty()) file_.refuse({}, "must hold a scene");
-    const std::size_t scene =
-        model_.defaultScene < 0 ? 0 : file_.index(GltfPlace{} / "scene", model_.defaultScene, model_.scenes.size());
-    add(GltfPlace{} / "scenes" / scene / "nodes", model_.scenes[scene].nodes, glm::dmat4(1.0), false);
-    std::vector<bool> is_met(model_.nodes.size());
+    const std::vector<JsonValue> scenes = items_of(file_.root(), "scenes");
+    if (scenes.empty()) file_.root().fail("must hold a scene");
+    const auto chosen = file_.root().optional("scene");
+    add(items_of(scenes[chosen ? index_in(scenes, *chosen) : 0], "nodes"), glm::dmat4(1.0), false);
+    std::vector<bool> is_met(nodes_.size());
     while (!visits.empty()) {
       Visit visit = visits.back();
       visits.pop_back();
-      const tinygltf::Node& node = model_.nodes[visit.node];
-      const GltfPlace place = GltfPlace{} / "nodes" / visit.node;
-      if (is_met[visit.node]) file_.refuse(place, "must be one node's child only");
+      const JsonValue& node = nodes_[visit.node];
+      if (is_met[visit.node]) node.fail("must be one node's child only");
       is_met[visit.node] = true;
       const glm::dmat4 world_from_node = visit.world_from_parent * local_transform(node);
       const double* const first = glm::value_ptr(world_from_node);
       if (!std::all_of(first, first + 16, [](double x) { return std::abs(x) <= kMaxCoordinate; })) {
-        file_.refuse(place, fmt::format("must lie within {} metres", kMaxCoordinate));
+        node.fail(fmt::format("must lie within {} metres", kMaxCoordinate));
       }
-      if (node.camera >= 0) visit.is_carried |= read_camera(place / "camera", node.camera, world_from_node);
-      if (node.mesh >= 0) read_mesh(place / "mesh", node.mesh, world_from_node);
-      if (const auto light = node.extensions.find("KHR_lights_punctual"); light != node.extensions.end()) {
-        const int number = light->second.Has("light") ? light->second.Get("light").GetNumberAsInt() : -1;
-        read_light(place / "extensions" / "KHR_lights_punctual" / "light", number, world_from_node, visit.is_carried);
+      if (const auto camera = node.optional("camera")) visit.is_carried |= read_camera(*camera, world_from_node);
+      if (const auto mesh = node.optional("mesh")) read_mesh(*mesh, world_from_node);
+      if (const auto punctual = punctual_lights(node)) {
+        read_light(punctual->member("light"), world_from_node, visit.is_carried);
       }
-      add(place / "children", node.children, world_from_node, visit.is_carried);
+      add(items_of(node, "children"), world_from_node, visit.is_carried);
     }
   }
 
   // --- camera ---
 
   /// Returns whether it is the camera that sees the scene.
-  bool read_camera(const GltfPlace& place, int number, const glm::dmat4& world_from_node) {
-    const tinygltf::Camera& camera = model_.cameras[file_.index(place, number, model_.cameras.size())];
-    if (has_camera_ || camera.type != "perspective") return false;
-    const GltfPlace yfov = GltfPlace{} / "cameras" / std::size_t(number) / "perspective" / "yfov";
-    if (!(camera.perspective.yfov > 0 && camera.perspective.yfov < std::numbers::pi * 0.95)) {
-      file_.refuse(yfov, "must be in (0, 2.98) radians");
-    }
+  bool read_camera(const JsonValue& index, const glm::dmat4& world_from_node) {
+    const JsonValue& camera = cameras_[index_in(cameras_, index)];
+    if (has_camera_ || camera.member("type").string() != "perspective") return false;
+    const JsonValue field_of_view = camera.member("perspective").member("yfov");
+    const double yfov = field_of_view.number();
+    if (!(yfov > 0 && yfov < std::numbers::pi * 0.95)) field_of_view.fail("must be in (0, 2.98) radians");
     const glm::dvec3 forward = -glm::dvec3(world_from_node[2]);
     if (!(glm::length(glm::dvec2(forward.x, forward.z)) > 1e-4 * glm::length(forward))) {
-      file_.refuse(place, "must not look straight up or down");
+      index.fail("must not look straight up or down");
     }
     scene_.camera = {.position = glm::dvec3(world_from_node[3]),
                      .target = glm::dvec3(world_from_node[3]) + glm::normalize(forward),
-                     .field_of_view = float(camera.perspective.yfov)};
+                     .field_of_view = float(yfov)};
     has_camera_ = true;
     return true;
   }
@@ -156,87 +174,115 @@ class GltfReader {
 
   // --- lights ---
 
-  void read_light(const GltfPlace& place, int number, const glm::dmat4& world_from_node, bool is_carried) {
-    const tinygltf::Light& light = model_.lights[file_.index(place, number, model_.lights.size())];
-    const GltfPlace own = GltfPlace{} / "extensions" / "KHR_lights_punctual" / "lights" / std::size_t(number);
+  void read_light(const JsonValue& index, const glm::dmat4& world_from_node, bool is_carried) {
+    const std::size_t number = index_in(lights_, index);
+    const JsonValue& light = lights_[number];
+    const JsonValue type = light.member("type");
+    const bool is_spot = type.string() == "spot";
+    const bool is_directional = type.string() == "directional";
+    if (!is_spot && !is_directional && type.string() != "point") type.fail("must be directional, point or spot");
     glm::dvec3 color(1.0);
-    if (!light.color.empty()) color = glm::make_vec3(light.color.data());
-    if (!glm::all(glm::greaterThanEqual(color, glm::dvec3(0.0)))) file_.refuse(own / "color", "must be >= 0");
-    if (!(light.intensity >= 0)) file_.refuse(own / "intensity", "must be >= 0");
-    const glm::dvec3 at_one_metre = color * (light.intensity / std::numbers::pi);
+    if (const auto given = light.optional("color")) {
+      color = glm::make_vec3(numbers(*given, 3).data());
+      if (!glm::all(glm::greaterThanEqual(color, glm::dvec3(0.0)))) given->fail("must be >= 0");
+    }
+    const double intensity = light.number_or("intensity", 1);
+    if (!(intensity >= 0)) light.member("intensity").fail("must be >= 0");
+    const glm::dvec3 at_one_metre = color * (intensity / std::numbers::pi);
     const double brightest = std::max({at_one_metre.r, at_one_metre.g, at_one_metre.b});
     if (brightest == 0) return;
     const glm::dvec3 axis = -glm::dvec3(world_from_node[2]);
-    if (!(glm::length(axis) > 0)) file_.refuse(place, "must not be at a node of scale 0");
-    if (light.type == "directional") {
-      if (scene_.environment.moon_color != glm::vec3(0.0f)) file_.refuse(own, "must be the only directional light");
-      if (!(brightest <= kMaxColor))
-        file_.refuse(own / "intensity", "must not show more than 10000 times the display's white");
+    if (!(glm::length(axis) > 0)) index.fail("must not be at a node of scale 0");
+    if (is_directional) {
+      if (scene_.environment.moon_color != glm::vec3(0.0f)) light.fail("must be the only directional light");
+      if (!(brightest <= kMaxColor)) {
+        fail_at(light, "intensity", "must not show more than 10000 times the display's white");
+      }
       scene_.environment.moon_color = at_one_metre;
       scene_.environment.moon_direction = glm::normalize(-axis);
       return;
     }
     PlacedLight placed;
-    placed.light.name = light.name.empty() ? fmt::format("light {}", number) : light.name;
+    const auto name = light.optional("name");
+    placed.light.name = name && !name->string().empty() ? name->string() : fmt::format("light {}", number);
     placed.position = glm::dvec3(world_from_node[3]);
     placed.direction = glm::normalize(axis);
     placed.carried = is_carried;
     double knee_square = brightest / kBrightestAtKnee;
     placed.light.threshold = kThreshold;
-    if (light.range != 0) {
-      if (!(light.range > 0 && light.range <= kMaxCoordinate))
-        file_.refuse(own / "range", "must be > 0 and at most 1e7");
-      knee_square = std::min(knee_square, light.range * light.range / 4);
-      placed.light.threshold = knee_square / (light.range * light.range);
+    if (const double range = light.number_or("range", 0); range != 0) {
+      if (!(range > 0 && range <= kMaxCoordinate)) light.member("range").fail("must be > 0 and at most 1e7");
+      knee_square = std::min(knee_square, range * range / 4);
+      placed.light.threshold = knee_square / (range * range);
     }
     placed.light.attenuation = {.constant = 0, .linear = 0, .quadratic = 1 / knee_square};
     placed.light.color = at_one_metre / knee_square;
-    if (light.type == "spot") {
-      placed.light.cone = Cone::smoothstep(light.spot.innerConeAngle, light.spot.outerConeAngle);
-      if (!(light.spot.outerConeAngle <= std::numbers::pi / 2)) {
-        file_.refuse(own / "spot" / "outerConeAngle", "must be at most pi/2");
-      }
-    } else if (light.type != "point") {
-      file_.refuse(own / "type", "must be directional, point or spot");
-    }
-    if (const auto refusal = check(placed.light)) file_.refuse(own, refusal->field + std::string(" ") + refusal->rule);
+    if (is_spot) placed.light.cone = read_cone(light.member("spot"));
+    if (const auto error = check(placed)) light.fail(fmt::format("{} {}", error->field, error->rule));
     if (!(brightest / knee_square <= kMaxColor)) {
-      file_.refuse(own / "range", "must not end a light where it shows more than 2500 times the display's white");
+      fail_at(light, "range", "must not end a light where it shows more than 2500 times the display's white");
     }
     scene_.lights.push_back(placed);
-    if (scene_.lights.size() > kMaxSceneLights) {
-      file_.refuse(place, fmt::format("lights must be at most {}", kMaxSceneLights));
-    };
+    if (scene_.lights.size() > kMaxSceneLights) index.fail(fmt::format("lights must be at most {}", kMaxSceneLights));
     if (is_carried && ++carried_ > kMaxFogLights) {
-      file_.refuse(place, fmt::format("lights at the camera must be at most {}", kMaxFogLights));
+      index.fail(fmt::format("lights at the camera must be at most {}", kMaxFogLights));
     }
+  }
+
+  static Cone read_cone(const JsonValue& spot) {
+    const double outer = spot.number_or("outerConeAngle", std::numbers::pi / 4);
+    if (!(outer <= std::numbers::pi / 2)) spot.member("outerConeAngle").fail("must be at most pi/2");
+    return Cone::smoothstep(spot.number_or("innerConeAngle", 0), outer);
+  }
+
+  /// Fails at a member, whether it is given or not.
+  [[noreturn]] static void fail_at(const JsonValue& object, const char* name, const char* rule) {
+    if (const auto member = object.optional(name)) member->fail(rule);
+    object.fail(object.path_of(name), "", rule);
   }
 
   // --- meshes ---
 
-  void read_mesh(const GltfPlace& place, int number, const glm::dmat4& world_from_node) {
+  /// A primitive as read, once for all nodes that it is drawn at.
+  struct Primitive {
+    JsonValue json;
+    std::size_t part;  // of the scene's model
+    Mesh mesh;
+  };
+
+  void read_mesh(const JsonValue& index, const glm::dmat4& world_from_node) {
     if (!(std::abs(glm::determinant(glm::dmat3(world_from_node))) > 1e-18)) return;  // flattened to nothing
-    const std::size_t at = file_.index(place, number, model_.meshes.size());
-    const auto& primitives = model_.meshes[at].primitives;
-    for (std::size_t i = 0; i < primitives.size(); ++i) {
-      const GltfPlace own = GltfPlace{} / "meshes" / at / "primitives" / i;
-      const Mesh mesh = read_gltf_primitive(file_, own, primitives[i]);
-      triangles_ += mesh.indices.size() / 3;
-      vertices_ += mesh.vertices.size();
-      if (triangles_ > kMaxTriangles || vertices_ > kMaxVertices) {
-        file_.refuse(own, fmt::format("triangles must be at most {} in all, vertices {}", kMaxTriangles, kMaxVertices));
-      }
-      append(part(scene_.models[0], materials_.use(own / "material", primitives[i].material)), mesh, world_from_node);
+    Model& model = scene_.models[0];
+    for (const Primitive& primitive : primitives_of(index_in(meshes_, index))) {
+      const Mesh& mesh = primitive.mesh;
+      drawn_.take(primitive.json, mesh.indices.size() / 3, mesh.vertices.size());
+      append(model[primitive.part].mesh, mesh, world_from_node);
     }
   }
 
+  const std::vector<Primitive>& primitives_of(std::size_t mesh) {
+    std::vector<Primitive>& primitives = primitives_[mesh];
+    if (!primitives.empty()) return primitives;
+    for (const JsonValue& json : meshes_[mesh].member("primitives").items()) {
+      const GltfMaterial& material = materials_.use(json);
+      Model& model = scene_.models[0];
+      if (material.index == model.size()) model.push_back({material.name, {}});  // a part a material, in their order
+      primitives.push_back({json, material.index, read_gltf_primitive(file_, json, material.is_double_sided, read_)});
+    }
+    return primitives;
+  }
+
   GltfFile file_;
-  const tinygltf::Model& model_;
+  std::vector<JsonValue> nodes_;
+  std::vector<JsonValue> cameras_;
+  std::vector<JsonValue> lights_;
+  std::vector<JsonValue> meshes_;
+  std::vector<std::vector<Primitive>> primitives_;  // of each mesh; empty until it is drawn
   GltfMaterials materials_;
   Scene scene_;
   bool has_camera_ = false;
-  std::size_t triangles_ = 0;
-  std::size_t vertices_ = 0;
+  MeshBudget read_;
+  MeshBudget drawn_;
   std::size_t carried_ = 0;
 };
 

@@ -137,9 +137,13 @@ Material make_material(std::string_view name) {
   if (recipe == std::end(kRecipes)) throw std::invalid_argument("no material " + std::string(name));
   Canvas canvas(recipe->size, recipe->size_m);
   recipe->paint(canvas);
-  return {std::string(name),    recipe->size_m,   bake_albedo(canvas, recipe->mean_albedo),
-          bake_normals(canvas), recipe->specular, recipe->shininess,
-          recipe->emissive};
+  return {.name = std::string(name),
+          .size_m = recipe->size_m,
+          .albedo = std::make_shared<const Texels>(bake_albedo(canvas, recipe->mean_albedo)),
+          .normal = std::make_shared<const Texels>(bake_normals(canvas)),
+          .specular = recipe->specular,
+          .shininess = recipe->shininess,
+          .emissive = recipe->emissive};
 }
 
 std::vector<Material> make_materials(std::span<const std::string> names) {

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/file/gltf_uri.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <filesystem>
+
+#include "file_text.h"
+#include "litfog/input_error.h"
+
+namespace litfog::scene {
+namespace {
+
+constexpr std::uint8_t kNone = 64;  // of a character that is no digit of base64
+
+/// A path from a URI, in which %20 stands for a blank.
+std::string percent_decoded(std::string_view text) {
+  std::string decoded;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    unsigned char byte = 0;
+    const char* const digits = text.data() + i + 1;
+    const bool is_escape =
+        text[i] == '%' && i + 2 < text.size() && std::from_chars(digits, digits + 2, byte, 16).ptr == digits + 2;
+    decoded += is_escape ? char(byte) : text[i];
+    if (is_escape) i += 2;
+  }
+  return decoded;
+}
+
+}  // namespace
+
+std::optional<std::string> decode_base64(std::string_view text) {
+  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  static const auto kValues = [&] {
+    std::array<std::uint8_t, 256> values;
+    values.fill(kNone);
+    for (std::size_t i = 0; i < kDigits.size(); ++i) values[static_cast<unsigned char>(kDigits[i])] = std::uint8_t(i);
+    return values;
+  }();
+  if (text.size() % 4 == 0) {
+    for (int padding = 0; padding < 2 && text.ends_with('='); ++padding) text.remove_suffix(1);
+  }
+  if (text.size() % 4 == 1) return std::nullopt;  // six bits are no byte
+  std::string bytes;
+  bytes.reserve(text.size() / 4 * 3 + 2);
+  std::uint32_t bits = 0;
+  int bit_count = 0;
+  for (const char digit : text) {
+    const std::uint8_t value = kValues[static_cast<unsigned char>(digit)];
+    if (value == kNone) return std::nullopt;
+    bits = bits << 6 | value;
+    bit_count += 6;
+    if (bit_count < 8) continue;
+    bit_count -= 8;
+    bytes += char(bits >> bit_count);
+  }
+  return bytes;
+}
+
+std::optional<std::string> gltf_uri_path(const JsonValue& owner) {
+  const auto uri = owner.optional("uri");
+  if (!uri || uri->string().starts_with("data:")) return std::nullopt;
+  const std::filesystem::path path = percent_decoded(uri->string());
+  return (std::filesystem::path(owner.file()).parent_path() / path.relative_path()).string();
+}
+
+std::string read_gltf_uri(const JsonValue& owner, std::string_view noun, std::size_t max_bytes) {
+  const auto path = gltf_uri_path(owner);
+  if (!path) {
+    const JsonValue uri = owner.member("uri");
+    const std::string_view text = uri.string();
+    const std::size_t comma = text.find(',');
+    if (!text.substr(0, comma).ends_with(";base64")) uri.fail("must be a data URI in base64");
+    auto bytes = decode_base64(text.substr(comma + 1));
+    if (!bytes) uri.fail("must hold base64 after its comma");
+    return *std::move(bytes);
+  }
+  try {
+    return read_file_text(*path, max_bytes);
+  } catch (const InputError& error) {
+    owner.fail(fmt::format("must be a {} that can be read: {}", noun, error.what()));
+  }
+}
+
+}  // namespace litfog::scene
