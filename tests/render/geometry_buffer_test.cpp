@@ -125,7 +125,7 @@ TEST_F(GeometryBufferTest, NormalTexelIsTheMapsAtALevelOfDetailThatOpenGlAllows)
   const GeometryBuffer geometry(kWidth, kHeight);
   renderer.draw_geometry(geometry);
   const std::vector<GeometrySample> samples = geometry.read_rows(0, kHeight);
-  const MipChain map(scene.materials[0].normal);
+  const MipChain map(*scene.materials[0].normal);
   const auto sample_at = [&](int x, int y) -> const GeometrySample& {
     return samples[std::size_t(y * kWidth + x) * std::size_t(geometry.samples())];
   };

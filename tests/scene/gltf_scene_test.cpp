@@ -294,6 +294,12 @@ TEST_F(GltfScene, TheBitangentPointsUpInTheNormalMap) {
   }
 }
 
+TEST_F(GltfScene, AFileWithoutTrianglesFails) {
+  json file = floor_scene();
+  file["meshes"][0]["primitives"] = json::array();
+  EXPECT_EQ(error_of(file), "meshes: must hold triangles");
+}
+
 TEST_F(GltfScene, WithoutNormalsEachTriangleIsFlat) {
   json file = floor_scene();
   file["meshes"][0]["primitives"][0]["attributes"].erase("NORMAL");
@@ -437,7 +443,12 @@ TEST_F(GltfScene, ABinaryChunkEndsWithinItsFile) {
   file["buffers"][0]["byteLength"] = 148;
   std::string bytes = binary_file(file, floor_bytes());
   bytes[bytes.size() - 140 - 8] = char(148);  // the chunk's length
-  EXPECT_THROW(read_scene(write("over.glb", bytes)), InputError);
+  try {
+    read_scene(write("over.glb", bytes));
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.what(), path("over.glb") + ": must not end within its binary chunk");
+  }
 }
 
 // 3 vertices and a million triangles of them: 20 nodes are within the limit.

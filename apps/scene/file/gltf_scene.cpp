@@ -53,7 +53,7 @@ class GltfReader {
     note_files(path);
     scene_.models.emplace_back();
     read_nodes();
-    if (scene_.models[0].empty()) throw InputError({.file = path}, "meshes: must hold triangles");
+    if (scene_.models[0].empty()) file_.root().fail("meshes", "", "must hold triangles");
     scene_.instances.push_back({0, glm::mat4(1.0f)});
     const Bounds box = bounds(scene_.models[0]);
     const double size = std::max(0.01, double(glm::distance(box.low, box.high)));
