@@ -20,7 +20,7 @@
 #include "command/output_files.h"
 #include "command/plot.h"
 #include "command/table.h"
-#include "command/whole_file.h"
+#include "files/whole_file.h"
 #include "litfog/gl/unsupported.h"
 
 namespace {
@@ -166,9 +166,9 @@ ExitStatus run(const Options& options) {
 
   const Result result = measure(options);
   write_standard_output(text_of(result, options.format));
-  if (options.csv_file) write_whole_file(*options.csv_file, csv_of(result));
-  if (options.json_file) write_whole_file(*options.json_file, json_of(result));
-  if (figure_format) write_whole_file(*options.plot_file, draw_figure(result.figure, *figure_format));
+  if (options.csv_file) litfog::files::write_whole_file(*options.csv_file, csv_of(result));
+  if (options.json_file) litfog::files::write_whole_file(*options.json_file, json_of(result));
+  if (figure_format) litfog::files::write_whole_file(*options.plot_file, draw_figure(result.figure, *figure_format));
   for (const std::string& failure : result.failures) fmt::print(stderr, "litfog-bench: {}\n", failure);
   return result.failures.empty() ? kDone : kNotToTolerance;
 }

@@ -15,7 +15,8 @@
 
 #include "command/number.h"
 #include "command/printable.h"
-#include "command/whole_file.h"
+#include "files/whole_file.h"
+#include "litfog/files/output_error.h"
 #include "litfog/input_error.h"
 
 namespace litfog::command {
@@ -32,7 +33,7 @@ void occupy_closed_standard_streams() {
 }
 
 [[noreturn]] void fail_to_write() {
-  throw CannotWrite(std::string("standard output cannot be written: ") + std::strerror(errno));
+  throw OutputError(std::string("standard output cannot be written: ") + std::strerror(errno));
 }
 
 void close_standard_output() {
@@ -114,7 +115,7 @@ int run_command(CLI::App& app, int argc, char** argv, const std::function<ExitSt
   // A reader that went away and a file that grew beyond its limit are output that cannot be written: kCannotWrite.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
-  remove_temporaries_on_signals();
+  files::remove_temporaries_on_signals();
   app.set_version_flag("--version", "");
 
   const auto end = [&app](const std::string& message, ExitStatus status) {
@@ -132,7 +133,7 @@ int run_command(CLI::App& app, int argc, char** argv, const std::function<ExitSt
     return kBadInput;
   } catch (const MissingCapability& error) {
     return end(error.what(), kMissingCapability);
-  } catch (const CannotWrite& error) {
+  } catch (const OutputError& error) {
     return end(error.what(), kCannotWrite);
   } catch (const std::system_error& error) {
     return end(error.what(), kMissingCapability);

@@ -61,11 +61,11 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, Choice& target,
   return app.add_option(name, parse, description)->type_name(words);
 }
 
-/// Appends to standard output. Throws CannotWrite.
+/// Appends to standard output. Throws OutputError.
 void write_standard_output(std::string_view text);
 
 /// Lines for people (printable_lines), shown at once, to a pipe too: what a command that takes a while has done so far.
-/// Throws CannotWrite.
+/// Throws OutputError.
 void report(std::string_view text);
 
 /// Parses the command line, runs the command, and turns whatever comes of it into one message on standard error and an

@@ -21,9 +21,4 @@ struct MissingCapability : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Thrown where output could not be written. what() says which and why.
-struct CannotWrite : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
 }  // namespace litfog::command

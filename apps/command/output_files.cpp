@@ -5,7 +5,7 @@
 #include <unistd.h>
 
 #include "command/command.h"
-#include "command/whole_file.h"
+#include "files/whole_file.h"
 
 namespace litfog::command {
 
@@ -19,7 +19,7 @@ std::optional<OutputFiles::Identity> OutputFiles::Identity::of(const std::string
     identity.inode = {status.st_dev, status.st_ino};
   }
   std::error_code error;
-  identity.path = fs::weakly_canonical(fs::absolute(behind_links(path), error), error);
+  identity.path = fs::weakly_canonical(fs::absolute(files::behind_links(path), error), error);
   return identity;
 }
 
@@ -29,7 +29,7 @@ bool OutputFiles::Identity::is_same_as(const Identity& other) const {
 
 void OutputFiles::add(const std::string& option, const std::string& path) {
   if (path.empty()) fail_option(option, path, "must not be empty");
-  expect_writable(path);
+  files::expect_writable(path);
   const auto identity = Identity::of(path);
   if (!identity) return;
   for (const Output& other : outputs_) {

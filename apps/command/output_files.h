@@ -20,7 +20,7 @@ namespace litfog::command {
 ///     for (const std::string& file : scene.files) outputs.expect_apart_from(file);
 class OutputFiles {
  public:
-  /// Throws a usage error (CLI::ValidationError) for an empty path and for the file of another output; CannotWrite for a
+  /// Throws a usage error (CLI::ValidationError) for an empty path and for the file of another output; OutputError for a
   /// folder, or if its folder does not exist.
   void add(const std::string& option, const std::string& path);
 

@@ -22,6 +22,7 @@
 #include "command/command.h"
 #include "command/exit_status.h"
 #include "command/printable.h"
+#include "litfog/files/output_error.h"
 
 namespace litfog::command {
 
@@ -201,7 +202,7 @@ using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 /// Without a name, gone when closed.
 File temporary_file() {
   File file(std::tmpfile(), std::fclose);
-  if (!file) throw CannotWrite(fmt::format("temporary file cannot be written: {}", std::strerror(errno)));
+  if (!file) throw OutputError(fmt::format("temporary file cannot be written: {}", std::strerror(errno)));
   return file;
 }
 
@@ -219,7 +220,7 @@ std::string run_gnuplot(const std::string& script) {
   const File output = temporary_file();
   const File messages = temporary_file();
   if (std::fwrite(script.data(), 1, script.size(), input.get()) != script.size() || std::fflush(input.get()) != 0) {
-    throw CannotWrite(fmt::format("temporary file cannot be written: {}", std::strerror(errno)));
+    throw OutputError(fmt::format("temporary file cannot be written: {}", std::strerror(errno)));
   }
   std::rewind(input.get());
 
@@ -264,7 +265,7 @@ std::string draw_figure(const Figure& figure, FigureFormat format) {
   // A full temporary folder is not seen in gnuplot's exit status.
   const bool is_whole = format == FigureFormat::png ? picture.ends_with(std::string_view("IEND\xAE\x42\x60\x82", 8))
                                                     : picture.find("</svg>") != std::string::npos;
-  if (!is_whole) throw CannotWrite("picture cannot be written: gnuplot did not finish it");
+  if (!is_whole) throw OutputError("picture cannot be written: gnuplot did not finish it");
   return picture;
 }
 

@@ -10,7 +10,7 @@ namespace litfog::command {
 ///
 ///     const Figure figure{.title = "Landing lamp",
 ///                         .charts = {{.x = {"range (m)"}, .y = {"attenuation"}, .series = {{"fit", points}}}}};
-///     write_whole_file(path, draw_figure(figure, figure_format_of("--plot", path)));
+///     files::write_whole_file(path, draw_figure(figure, figure_format_of("--plot", path)));
 
 struct Axis {
   std::string label;    ///< with its unit, "time (ns)"; empty: its values mean nothing, and are not written

@@ -14,7 +14,7 @@
 #include "command/command.h"
 #include "command/option_rule.h"
 #include "command/output_files.h"
-#include "command/whole_file.h"
+#include "files/whole_file.h"
 #include "demo/drawing.h"
 #include "demo/drawing_options.h"
 #include "demo/gallery.h"
@@ -145,7 +145,7 @@ Job add_picture_job(CLI::App& app) {
                                           fmt::format("{}, {}", scene.name, drawing.render.path->name)));
     }
     write_picture(output, options->reference ? drawn.comparison->reference : drawn.picture);
-    if (is_given("--stats")) write_whole_file(options->stats, stats_json(scene, drawing, drawn));
+    if (is_given("--stats")) files::write_whole_file(options->stats, stats_json(scene, drawing, drawn));
     report(fmt::format("{}: {} ({}x{}) in {} ms on {}\n", output, scene.name, drawing.width, drawing.height,
                        measure::milliseconds_text(drawn.times.median()), drawn.gl_renderer));
     if (drawn.comparison) {

@@ -9,7 +9,7 @@
 #include "command/command.h"
 #include "command/fog_mode_name.h"
 #include "command/progress.h"
-#include "command/whole_file.h"
+#include "files/whole_file.h"
 #include "demo/comparison_page.h"
 #include "demo/contact_sheet.h"
 #include "demo/heat_map.h"
@@ -137,7 +137,7 @@ void compare_paths(const std::vector<scene::Scene>& scenes, const std::string& f
   std::vector<SceneResult> results;
   for (const scene::Scene& scene : scenes) results.push_back(compare_scene(scene, pictures, machine, settings));
   pictures.finish();
-  command::write_whole_file(page, comparison_page({.machine = machine,
+  files::write_whole_file(page, comparison_page({.machine = machine,
                                                    .width = settings.width,
                                                    .height = settings.height,
                                                    .frames = settings.frames,

@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "command/exit_status.h"
-#include "command/whole_file.h"
+#include "files/whole_file.h"
+#include "litfog/files/output_error.h"
 
 namespace litfog::demo {
 namespace {
@@ -21,7 +21,7 @@ Format format_of(const std::string& path) {
   return ending == ".png" ? Format::png : ending == ".exr" ? Format::exr : Format::unknown;
 }
 
-/// A file's bytes, made in memory: OIIO's PNG writer does not notice a full disk. Throws CannotWrite naming the path.
+/// A file's bytes, made in memory: OIIO's PNG writer does not notice a full disk. Throws OutputError naming the path.
 std::vector<unsigned char> encoded(const std::string& path, const OIIO::ImageSpec& spec,
                                    const std::vector<float>& pixels) {
   std::vector<unsigned char> bytes;
@@ -29,10 +29,10 @@ std::vector<unsigned char> encoded(const std::string& path, const OIIO::ImageSpe
   OIIO::attribute("threads", 1);  // a picture is written on this thread: another may not start
   OIIO::attribute("debug", 0);    // which would tell on standard error that a date is left out
   const auto output = OIIO::ImageOutput::create(path);
-  if (!output) throw command::CannotWrite(path + ": cannot be written: " + OIIO::geterror());
+  if (!output) throw OutputError(path + ": cannot be written: " + OIIO::geterror());
   if (!output->set_ioproxy(&memory) || !output->open(path, spec) ||
       !output->write_image(OIIO::TypeDesc::FLOAT, pixels.data()) || !output->close()) {
-    throw command::CannotWrite(path + ": cannot be written: " + output->geterror());
+    throw OutputError(path + ": cannot be written: " + output->geterror());
   }
   return bytes;
 }
@@ -55,7 +55,7 @@ void write_picture(const std::string& path, const render::Picture& picture) {
     for (float& value : pixels) value = OIIO::linear_to_sRGB(std::clamp(value, 0.0f, 1.0f));
   }
   const std::vector<unsigned char> bytes = encoded(path, spec, pixels);
-  command::write_whole_file(path, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+  files::write_whole_file(path, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
 }
 
 bool is_picture_path(const std::string& path) { return format_of(path) != Format::unknown; }

@@ -8,7 +8,7 @@
 namespace litfog::demo {
 
 /// Writes a picture atomically: .png as sRGB, 8 bits, dithered against banding (clamped to [0, 1]); .exr as linear half
-/// floats. Throws CannotWrite.
+/// floats. Throws OutputError.
 void write_picture(const std::string& path, const render::Picture& picture);
 
 /// Whether a path has one of those endings.

@@ -4,9 +4,9 @@
 #include <memory>
 #include <set>
 
-#include "command/exit_status.h"
 #include "command/output_files.h"
 #include "demo/picture_file.h"
+#include "litfog/files/output_error.h"
 #include "litfog/input_error.h"
 
 namespace litfog::demo {
@@ -20,7 +20,7 @@ PictureFolder::PictureFolder(const std::string& path, const std::vector<std::str
   }
   std::error_code error;
   std::filesystem::create_directories(path_, error);
-  if (error) throw command::CannotWrite(path + ": cannot be made: " + error.message());
+  if (error) throw OutputError(path + ": cannot be made: " + error.message());
   command::OutputFiles outputs;
   for (const std::string& file : files) outputs.add("--output", path_of(file));
   for (const std::string& input : inputs) outputs.expect_apart_from(input);

@@ -18,7 +18,7 @@ class PictureFolder {
   /// files   names of the pictures, and of what else is written there; each must be another: one scene may be named like
   ///         another's picture
   /// inputs  files that the command reads, none of which may be replaced
-  /// throws  InputError, CLI::ValidationError or CannotWrite, before anything is written
+  /// throws  InputError, CLI::ValidationError or OutputError, before anything is written
   PictureFolder(const std::string& path, const std::vector<std::string>& files, const std::vector<std::string>& inputs);
 
   /// A file in the folder.

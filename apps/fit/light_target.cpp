@@ -19,9 +19,14 @@ std::vector<ConeSample> samples_of(const Luminaire& luminaire) {
   return cone_samples(axial_profile(luminaire.distribution, kPhotometricAxis));
 }
 
+/// What is wrong is shown as the file's, which has intensities and no extent.
 AttenuationTarget range_of(const Luminaire& luminaire) {
-  AttenuationTarget target{.extent = std::sqrt(find_peak(luminaire.distribution).intensity / kEndIlluminance)};
-  if (const auto error = check(target)) throw InputError({.file = luminaire.file}, to_string(*error));
+  const double peak = find_peak(luminaire.distribution).intensity;
+  AttenuationTarget target{.extent = std::sqrt(peak / kEndIlluminance)};
+  if (const auto error = check(target)) {
+    throw InputError({.file = luminaire.file}, "largest intensity", fmt::format("{}", peak),
+                     "must give an extent: " + to_string(*error));
+  }
   return target;
 }
 

@@ -15,7 +15,7 @@
 #include "command/plot.h"
 #include "command/progress.h"
 #include "command/table.h"
-#include "command/whole_file.h"
+#include "files/whole_file.h"
 #include "files/angle_deg.h"
 #include "files/json_text.h"
 #include "fit/data_sheet.h"
@@ -181,11 +181,11 @@ void fit(const Options& options, Outcome& outcome) {
 void write(const Options& options, const Outcome& outcome, std::optional<FigureFormat> figure_format) {
   std::string figure;
   if (figure_format) figure = draw_figure(fit_figure(*outcome.fit), *figure_format);
-  if (!outcome.output.empty()) write_whole_file(outcome.output, outcome.light);
-  if (figure_format) write_whole_file(options.plot, figure);
+  if (!outcome.output.empty()) litfog::files::write_whole_file(outcome.output, outcome.light);
+  if (figure_format) litfog::files::write_whole_file(options.plot, figure);
   if (!options.cookie.empty()) {
     const auto& distribution = outcome.fit->target.luminaire->distribution;
-    write_whole_file(options.cookie, format_cookie(bake_cookie(distribution, options.cookie_size)));
+    litfog::files::write_whole_file(options.cookie, format_cookie(bake_cookie(distribution, options.cookie_size)));
   }
 }
 

@@ -1,15 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "files/json_text.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <cstddef>
 #include <nlohmann/json.hpp>
 
 #include "code_points.h"
 
 namespace litfog::files {
+namespace {
+
+std::string in_lines(const std::vector<std::string>& items, int depth) {
+  const std::string end = "\n" + std::string(2 * std::size_t(depth), ' ');
+  return end + "  " + fmt::format("{}", fmt::join(items, "," + end + "  ")) + end;
+}
+
+}  // namespace
 
 std::string json_quoted(std::string_view text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string json_object(const std::vector<std::string>& members, int depth) {
+  return fmt::format("{{{}}}", in_lines(members, depth));
+}
+
+std::string json_array(const std::vector<std::string>& items, int depth) {
+  return fmt::format("[{}]", in_lines(items, depth));
 }
 
 std::string quoted_excerpt(std::string_view text) {

@@ -6,14 +6,14 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <iterator>
 #include <string_view>
-#include <utility>
 
 #include "files/angle_deg.h"
 #include "files/json_document.h"
 #include "files/json_text.h"
 #include "files/light_json.h"
+#include "files/whole_file.h"
+#include "require.h"
 
 namespace litfog {
 namespace files {
@@ -105,6 +105,19 @@ Light parse_light(const JsonValue& value) {
   return light;
 }
 
+std::vector<std::string> first_members(std::string_view kind, std::string_view name,
+                                       const std::vector<std::string>& source, const glm::dvec3& color) {
+  std::vector<std::string> members{fmt::format("\"litfog\": {}", json_quoted(kind)), "\"version\": 1",
+                                   "\"name\": " + json_quoted(name)};
+  if (!source.empty()) {
+    std::vector<std::string> lines;
+    for (const std::string& line : source) lines.push_back(json_quoted(line));
+    members.push_back("\"source\": " + json_array(lines, 1));
+  }
+  members.push_back(fmt::format("\"color\": [{}, {}, {}]", color.r, color.g, color.b));
+  return members;
+}
+
 }  // namespace files
 
 Light read_light(const std::string& path) {
@@ -116,25 +129,20 @@ Light read_light(const std::string& path) {
 }
 
 std::string format_light(const Light& light, const std::vector<std::string>& source, std::string_view fit) {
-  std::string text =
-      fmt::format("{{\n  \"litfog\": \"light\",\n  \"version\": 1,\n  \"name\": {}", files::json_quoted(light.name));
-  const auto add = [&text]<typename... Values>(fmt::format_string<Values...> member, Values&&... values) {
-    text += ",\n  ";
-    fmt::format_to(std::back_inserter(text), member, std::forward<Values>(values)...);
-  };
-  if (!source.empty()) {
-    std::string lines;
-    for (const std::string& line : source) lines += (lines.empty() ? "" : ",") + ("\n    " + files::json_quoted(line));
-    add("\"source\": [{}\n  ]", lines);
-  }
+  std::vector<std::string> members = files::first_members("light", light.name, source, light.color);
   const auto& [constant, linear, quadratic] = light.attenuation;
-  add("\"color\": [{}, {}, {}]", light.color.r, light.color.g, light.color.b);
-  add("\"attenuation\": {{\"constant\": {}, \"linear\": {}, \"quadratic\": {}}}", constant, linear, quadratic);
-  add("\"threshold\": {}", light.threshold);
-  if (light.cone.profile != ConeProfile::none) add("\"cone\": {}", files::cone_json(light.cone));
-  if (light.density_scale != 1) add("\"density_scale\": {}", light.density_scale);
-  if (!fit.empty()) add("\"fit\": {}", fit);
-  return text + "\n}\n";
+  members.push_back(fmt::format("\"attenuation\": {{\"constant\": {}, \"linear\": {}, \"quadratic\": {}}}", constant,
+                                linear, quadratic));
+  members.push_back(fmt::format("\"threshold\": {}", light.threshold));
+  if (light.cone.profile != ConeProfile::none) members.push_back("\"cone\": " + files::cone_json(light.cone));
+  if (light.density_scale != 1) members.push_back(fmt::format("\"density_scale\": {}", light.density_scale));
+  if (!fit.empty()) members.push_back(fmt::format("\"fit\": {}", fit));
+  return files::json_object(members) + "\n";
+}
+
+void write_light(const std::string& path, const Light& light, const std::vector<std::string>& source) {
+  require(check(light));
+  files::write_whole_file(path, format_light(light, source));
 }
 
 }  // namespace litfog

@@ -12,7 +12,9 @@
 
 #include "files/angle_deg.h"
 #include "files/json_document.h"
+#include "files/json_text.h"
 #include "files/light_json.h"
+#include "files/whole_file.h"
 #include "litfog/light.h"
 
 namespace litfog {
@@ -24,8 +26,18 @@ struct LightSpecText {
 namespace files {
 namespace {
 
-template <typename Choice, std::size_t kCount>
-Choice choice_of(const JsonValue& value, const std::array<std::pair<std::string_view, Choice>, kCount>& choices) {
+template <typename Choice>
+using Choices = std::array<std::pair<std::string_view, Choice>, 3>;
+
+constexpr Choices<RangeSpec::Family> kFamilies{{{"quadratic", RangeSpec::Family::quadratic},
+                                                {"linear", RangeSpec::Family::linear},
+                                                {"mixed", RangeSpec::Family::mixed}}};
+constexpr Choices<ConeSpec::Profile> kProfiles{{{"best", ConeSpec::Profile::best},
+                                                {"cosine", ConeSpec::Profile::cosine},
+                                                {"smoothstep", ConeSpec::Profile::smoothstep}}};
+
+template <typename Choice>
+Choice choice_of(const JsonValue& value, const Choices<Choice>& choices) {
   std::string words;
   for (const auto& [word, choice] : choices) {
     if (value.string() == word) return choice;
@@ -58,9 +70,6 @@ RangeSpec parse_range(const JsonValue& value) {
     }
   }
   if (const auto family = value.optional("family")) {
-    using Family = RangeSpec::Family;
-    constexpr std::array<std::pair<std::string_view, Family>, 3> kFamilies{
-        {{"quadratic", Family::quadratic}, {"linear", Family::linear}, {"mixed", Family::mixed}}};
     range.family = choice_of(*family, kFamilies);
     if (!range.samples.empty()) family->fail("must not be given beside samples, which choose for themselves");
   }
@@ -70,12 +79,7 @@ RangeSpec parse_range(const JsonValue& value) {
 ConeSpec parse_cone(const JsonValue& value) {
   value.allow_only({"profile", "half_angle_deg", "beam_angle_deg", "field_angle_deg", "samples", "photometry"});
   ConeSpec cone;
-  if (const auto profile = value.optional("profile")) {
-    using Profile = ConeSpec::Profile;
-    constexpr std::array<std::pair<std::string_view, Profile>, 3> kProfiles{
-        {{"best", Profile::best}, {"cosine", Profile::cosine}, {"smoothstep", Profile::smoothstep}}};
-    cone.profile = choice_of(*profile, kProfiles);
-  }
+  if (const auto profile = value.optional("profile")) cone.profile = choice_of(*profile, kProfiles);
   cone.half_angle = angle_of(value, "half_angle_deg");
   cone.beam_angle = angle_of(value, "beam_angle_deg");
   cone.field_angle = angle_of(value, "field_angle_deg");
@@ -91,6 +95,91 @@ ConeSpec parse_cone(const JsonValue& value) {
     cone.photometry = (std::filesystem::path(value.file()).parent_path() / photometry->string()).string();
   }
   return cone;
+}
+
+LightSpec parse_spec(const JsonValue& root) {
+  expect_header(root, "light-spec", 1);
+  root.allow_only({"litfog", "version", "name", "source", "color", "density_scale", "range", "cone"});
+  LightSpec spec{.file = root.file(), .name = std::filesystem::path(root.file()).stem().string()};
+  if (const auto name = root.optional("name")) spec.name = name->string();
+  if (const auto source = root.optional("source")) {
+    const auto lines = source->is_array() ? source->items() : std::vector{*source};
+    for (const JsonValue& line : lines) spec.source.push_back(line.string());
+  }
+  if (const auto color = root.optional("color")) spec.color = color->vec3();
+  spec.density_scale = root.number_or("density_scale", spec.density_scale);
+  Light light;
+  light.color = spec.color;
+  light.density_scale = spec.density_scale;
+  if (const auto error = check(light)) fail_light(root, *error);
+
+  const auto range = root.optional("range");
+  const auto cone = root.optional("cone");
+  if (!range && !cone) root.fail("range or cone", "", "must be given");
+  if (range) spec.range = parse_range(*range);
+  if (cone) spec.cone = parse_cone(*cone);
+  spec.text = std::make_shared<const LightSpecText>(LightSpecText{root});
+  return spec;
+}
+
+template <typename Choice>
+std::string choice_json(Choice choice, const Choices<Choice>& choices) {
+  const auto found = std::ranges::find(choices, choice, &std::pair<std::string_view, Choice>::second);
+  return json_quoted(found->first);
+}
+
+void add_number(std::vector<std::string>& members, std::string_view name, std::optional<double> number) {
+  if (number) members.push_back(fmt::format("\"{}\": {}", name, *number));
+}
+
+void add_angle(std::vector<std::string>& members, std::string_view name, std::optional<double> angle) {
+  if (angle) add_number(members, name, degrees(*angle));
+}
+
+std::string sample_json(std::string_view at_name, double at, std::string_view value_name, double value, double weight) {
+  const std::string shown_weight = weight == 1 ? "" : fmt::format(", \"weight\": {}", weight);
+  return fmt::format("{{\"{}\": {}, \"{}\": {}{}}}", at_name, at, value_name, value, shown_weight);
+}
+
+void add_samples(std::vector<std::string>& members, const std::vector<std::string>& samples) {
+  if (!samples.empty()) members.push_back("\"samples\": " + json_array(samples, 2));
+}
+
+std::string range_json(const RangeSpec& range) {
+  std::vector<std::string> members;
+  add_number(members, "threshold", range.threshold);
+  add_number(members, "extent_m", range.extent);
+  add_number(members, "constant", range.constant);
+  if (range.samples.empty()) members.push_back("\"family\": " + choice_json(range.family, kFamilies));
+  std::vector<std::string> samples;
+  for (const auto& [at, attenuation, weight] : range.samples) {
+    samples.push_back(sample_json("range_m", at, "attenuation", attenuation, weight));
+  }
+  add_samples(members, samples);
+  return json_object(members, 1);
+}
+
+/// From a folder to a file in it; the absolute path of another.
+std::string path_from(const std::filesystem::path& folder, const std::filesystem::path& path) {
+  auto [in_folder, in_path] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
+  if (in_folder != folder.end()) return std::filesystem::absolute(path).string();
+  std::filesystem::path rest;
+  for (; in_path != path.end(); ++in_path) rest /= *in_path;
+  return rest.string();
+}
+
+std::string cone_json(const ConeSpec& cone, const std::filesystem::path& folder) {
+  std::vector<std::string> members{"\"profile\": " + choice_json(cone.profile, kProfiles)};
+  add_angle(members, "half_angle_deg", cone.half_angle);
+  add_angle(members, "beam_angle_deg", cone.beam_angle);
+  add_angle(members, "field_angle_deg", cone.field_angle);
+  std::vector<std::string> samples;
+  for (const auto& [angle, intensity, weight] : cone.samples) {
+    samples.push_back(sample_json("angle_deg", degrees(angle), "intensity", intensity, weight));
+  }
+  add_samples(members, samples);
+  if (cone.photometry) members.push_back("\"photometry\": " + json_quoted(path_from(folder, *cone.photometry)));
+  return json_object(members, 1);
 }
 
 /// The file's name for a field of a range or a cone.
@@ -155,31 +244,22 @@ InputError LightSpec::error_at(std::string_view field, std::string_view value, s
   return given.error(path, value, shown_rule);
 }
 
-LightSpec read_light_spec(const std::string& path) {
-  using files::JsonValue;
-  const JsonValue root = files::read_json(path);
-  files::expect_header(root, "light-spec", 1);
-  root.allow_only({"litfog", "version", "name", "source", "color", "density_scale", "range", "cone"});
-  LightSpec spec{.file = path, .name = std::filesystem::path(path).stem().string()};
-  if (const auto name = root.optional("name")) spec.name = name->string();
-  if (const auto source = root.optional("source")) {
-    const auto lines = source->is_array() ? source->items() : std::vector{*source};
-    for (const JsonValue& line : lines) spec.source.push_back(line.string());
-  }
-  if (const auto color = root.optional("color")) spec.color = color->vec3();
-  spec.density_scale = root.number_or("density_scale", spec.density_scale);
-  Light light;
-  light.color = spec.color;
-  light.density_scale = spec.density_scale;
-  if (const auto error = check(light)) files::fail_light(root, *error);
+LightSpec read_light_spec(const std::string& path) { return files::parse_spec(files::read_json(path)); }
 
-  const auto range = root.optional("range");
-  const auto cone = root.optional("cone");
-  if (!range && !cone) root.fail("range or cone", "", "must be given");
-  if (range) spec.range = files::parse_range(*range);
-  if (cone) spec.cone = files::parse_cone(*cone);
-  spec.text = std::make_shared<const LightSpecText>(LightSpecText{root});
-  return spec;
+std::string format_light_spec(const LightSpec& spec) {
+  std::vector<std::string> members = files::first_members("light-spec", spec.name, spec.source, spec.color);
+  if (spec.density_scale != 1) files::add_number(members, "density_scale", spec.density_scale);
+  const std::filesystem::path folder = std::filesystem::path(spec.file).parent_path();
+  if (spec.range) members.push_back("\"range\": " + files::range_json(*spec.range));
+  if (spec.cone) members.push_back("\"cone\": " + files::cone_json(*spec.cone, folder));
+  return files::json_object(members) + "\n";
+}
+
+void write_light_spec(const std::string& path, LightSpec spec) {
+  spec.file = path;
+  const std::string text = format_light_spec(spec);
+  files::parse_spec(files::parse_json(text, path));
+  files::write_whole_file(path, text);
 }
 
 }  // namespace litfog

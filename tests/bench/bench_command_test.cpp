@@ -180,12 +180,8 @@ TEST_F(BenchMeasurement, UpdateStaysWithinItsBudget) {
   EXPECT_NE(read("update.svg").find("visibility (m)"), std::string::npos);
 }
 
+#ifdef LITFOG_HAS_FIT
 TEST_F(BenchMeasurement, FitFindsEveryOptimumToTheDigitsThatItStates) {
-#ifndef LITFOG_HAS_FIT
-  EXPECT_REFUSED(run("fit --quick"), kMissingCapability,
-                 "litfog-bench: this build has no litfog::fit; configure with -DLITFOG_BUILD_FIT=ON\n");
-  GTEST_SKIP() << "this build has no litfog::fit";
-#endif
   const Outcome outcome = run("fit --quick --json fit.json --csv fit.csv --plot fit.svg");
   ASSERT_EQ(outcome.status, kDone) << outcome.err;
   EXPECT_EQ(outcome.err, "");
@@ -217,6 +213,12 @@ TEST_F(BenchMeasurement, FitFindsEveryOptimumToTheDigitsThatItStates) {
   }
   EXPECT_NE(read("fit.svg").find("tables whose optimum was found"), std::string::npos);
 }
+#else
+TEST_F(BenchMeasurement, BuildWithoutFitsHasNoFitBenchmark) {
+  EXPECT_REFUSED(run("fit --quick"), kMissingCapability,
+                 "litfog-bench: this build has no litfog::fit; configure with -DLITFOG_BUILD_FIT=ON\n");
+}
+#endif
 
 TEST_F(BenchMeasurement, IsaLimitsWhatBatchesUse) {
   const Outcome refused = run("update --quick --isa MMX");
@@ -251,7 +253,7 @@ TEST_F(BenchMeasurement, RefusesWhatItCannotWriteBeforeItMeasures) {
 }
 
 TEST_F(BenchMeasurement, FullDiskIsNoticed) {
-  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
+  ASSERT_TRUE(std::filesystem::is_character_file("/dev/full"));
   for (const char* arguments : {"--json /dev/full", "--csv /dev/full", ">/dev/full"}) {
     const Outcome outcome = run(std::string("update --quick ") + arguments);
     EXPECT_EQ(outcome.status, kCannotWrite) << arguments;
@@ -319,10 +321,7 @@ TEST_F(BenchMeasurement, RenderHasEveryPathBesideLegacyAndTheBareTexture) {
   EXPECT_TRUE(std::filesystem::exists(directory() / "render.png"));
 }
 
-TEST_F(BenchCommand, RefusesATargetOfTheBatchForFrames) {
-#ifndef NDEBUG
-  GTEST_SKIP() << "a Debug build refuses to measure";
-#endif
+TEST_F(BenchMeasurement, RefusesATargetOfTheBatchForFrames) {
   const Outcome outcome = run("render --quick --isa AVX2");
   EXPECT_EQ(outcome.status, kUsage);
   EXPECT_EQ(outcome.err, usage_message("--isa = AVX2: must be given with solve or update: the others have no batches"));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command/command.h"
+#include "litfog/files/output_error.h"
 #include "litfog/input_error.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +31,7 @@ TEST(Command, WhatWentWrongGivesTheStatus) {
   EXPECT_EQ(status_after(std::bad_alloc()), kBadInput);
   EXPECT_EQ(status_after(InputError({"a.json", 1, 1}, "a", "1", "must be 2")), kBadInput);
   EXPECT_EQ(status_after(MissingCapability("no OpenGL")), kMissingCapability);
-  EXPECT_EQ(status_after(CannotWrite("full")), kCannotWrite);
+  EXPECT_EQ(status_after(OutputError("full")), kCannotWrite);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "command/exit_status.h"
+#include "litfog/files/output_error.h"
 #include "litfog/input_error.h"
 
 namespace litfog::test {
@@ -20,7 +21,7 @@ using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
 File file_of(const std::string& text) {
   File file(std::tmpfile(), std::fclose);
-  if (std::fwrite(text.data(), 1, text.size(), file.get()) != text.size()) throw CannotWrite("temporary file");
+  if (std::fwrite(text.data(), 1, text.size(), file.get()) != text.size()) throw OutputError("temporary file");
   std::rewind(file.get());
   return file;
 }

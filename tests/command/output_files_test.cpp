@@ -9,6 +9,7 @@
 
 #include "command/exit_status.h"
 #include "command/temporary_directory.h"
+#include "litfog/files/output_error.h"
 
 namespace litfog::test {
 using namespace command;
@@ -76,8 +77,8 @@ TEST_F(OutputFilesTest, DevicesAreNotFiles) {
 
 TEST_F(OutputFilesTest, AnOutputNeedsAFolder) {
   OutputFiles outputs;
-  EXPECT_THROW(outputs.add("--output", path("none/a.png")), CannotWrite);
-  EXPECT_THROW(outputs.add("--output", path("")), CannotWrite);
+  EXPECT_THROW(outputs.add("--output", path("none/a.png")), OutputError);
+  EXPECT_THROW(outputs.add("--output", path("")), OutputError);
 }
 
 }  // namespace

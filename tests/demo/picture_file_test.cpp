@@ -9,6 +9,7 @@
 
 #include "command/exit_status.h"
 #include "command/temporary_directory.h"
+#include "litfog/files/output_error.h"
 #include "reference/srgb.h"
 
 namespace litfog::test {
@@ -84,9 +85,9 @@ TEST_F(PictureFile, ExrHoldsLinearLightBeyondOne) {
 
 TEST_F(PictureFile, UnwritablePathsAreRefused) {
   const Picture picture = gradient(2, 2, 1);
-  EXPECT_THROW(write_picture(path("none/a.png"), picture), CannotWrite);
-  EXPECT_THROW(write_picture(path(""), picture), CannotWrite);
-  EXPECT_THROW(write_picture(path(std::string(300, 'a') + ".png"), picture), CannotWrite);
+  EXPECT_THROW(write_picture(path("none/a.png"), picture), OutputError);
+  EXPECT_THROW(write_picture(path(""), picture), OutputError);
+  EXPECT_THROW(write_picture(path(std::string(300, 'a') + ".png"), picture), OutputError);
 }
 
 }  // namespace

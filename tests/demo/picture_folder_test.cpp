@@ -8,6 +8,7 @@
 
 #include "command/exit_status.h"
 #include "command/temporary_directory.h"
+#include "litfog/files/output_error.h"
 #include "litfog/input_error.h"
 #include "measure/no_more_threads.h"
 
@@ -61,8 +62,8 @@ TEST_F(PictureFolderTest, SaysWhatCannotBeWritten) {
   PictureFolder pictures(path("a"), {"taken.png"}, {});
   std::filesystem::create_directory(path("a") + "/taken.png");
   pictures.write("taken.png", kPixel);
-  EXPECT_THROW(pictures.finish(), CannotWrite);
-  EXPECT_THROW(PictureFolder(pictures.path_of("none.png") + std::string(300, 'a'), {}, {}), CannotWrite);
+  EXPECT_THROW(pictures.finish(), OutputError);
+  EXPECT_THROW(PictureFolder(pictures.path_of("none.png") + std::string(300, 'a'), {}, {}), OutputError);
 }
 
 }  // namespace

@@ -9,8 +9,10 @@
 #include <fstream>
 #include <numbers>
 #include <set>
+#include <stdexcept>
 #include <string>
 
+#include "command/temporary_directory.h"
 #include "files/angle_deg.h"
 #include "files/json_document.h"
 #include "files/light_json.h"
@@ -143,6 +145,19 @@ TEST(LightFile, WrittenLightIsReadBackToTheDigit) {
     const JsonValue source = parse_json(text, "f").member("source");
     EXPECT_EQ(source.items()[1].string(), "\xC3\xA4\\");
   }
+}
+
+TEST(LightFile, WrittenFileIsReadAndAWrongLightLeavesTheEarlierOne) {
+  const TemporaryDirectory directory;
+  const std::string path = (directory.path() / "lamp.json").string();
+  Light light{.name = "lamp", .attenuation = {1, 0, 0.1}, .cone = litfog::Cone::cosine(radians(12), 7)};
+  write_light(path, light, {"a test"});
+  EXPECT_EQ(read_light(path).cone, light.cone);
+  EXPECT_EQ(read_json(path).member("source").items()[0].string(), "a test");
+  light.threshold = 7;
+  EXPECT_THROW(write_light(path, light), std::invalid_argument);
+  EXPECT_EQ(read_light(path).threshold, 0.05);
+  EXPECT_THROW(write_light((directory.path() / "none/lamp.json").string(), Light{}), OutputError);
 }
 
 TEST(LightFile, WritesAnglesAsTheyWereGivenInDegrees) {

@@ -69,6 +69,7 @@ TEST_F(SceneFile, EveryBundledSceneLoadsWithGeometryLightsAndThreeVisibilities) 
       EXPECT_TRUE(std::ranges::any_of(scene.lights, &PlacedLight::carried)) << name;
     }
     EXPECT_FALSE(scene.instances.empty()) << name;
+    for (const PlacedLight& light : scene.lights) EXPECT_FALSE(check(light)) << name << ": " << light.light.name;
   }
 }
 
@@ -189,6 +190,22 @@ TEST_F(SceneFile, AimTurnsIntoAUnitDirection) {
                            "}, \"position\": [0, 3, 0], \"aim\": [0, 0, -4], \"carried\": true}], \"objects\": []");
   EXPECT_NEAR(glm::distance(scene.lights[0].direction, glm::dvec3(0, -0.6, -0.8)), 0, 1e-15);
   EXPECT_TRUE(scene.lights[0].carried);
+}
+
+TEST_F(SceneFile, EveryLightIsOneThatTheLibraryTakes) {
+  const auto light = [](const std::string& members) { return std::string("{\"light\": {") + kLamp + "}, " + members; };
+  const Scene scene = read("\"lights\": [" + light(R"("position": [1e7, -1e7, 1e7], "direction": [1e8, 2e8, 3e8]}, )") +
+                           light(R"("position": [0, 0, 0], "direction": [-2e-9, 1e-9, 3e-9], "carried": true}, )") +
+                           light(R"("position": [-1e7, -1e7, -1e7], "aim": [1e7, 1e7, 1e7], "color": [0, 1e4, 0]}, )") +
+                           light(R"("position": [1, 1, 1], "aim": [1, 1, 1.00000001], "carried": true}, )") +
+                           light(R"("position": [0, 0, 0], "cookie": {"pattern": "disco"},
+                    "repeat": [{"count": 2, "step": [1e7, 0, 0]}]}], "objects": [])"));
+  ASSERT_EQ(scene.lights.size(), 6u);
+  for (const PlacedLight& placed : scene.lights) EXPECT_FALSE(check(placed)) << to_string(*check(placed));
+  EXPECT_EQ(refusal("\"lights\": [" + light("\"position\": [0, 0, 0],\n\"direction\": [0, 0, 0]}], \"objects\": []")),
+            ":4:14: lights[0].direction = an array: must have a length in (1e-9, 1e9)");
+  EXPECT_EQ(refusal("\"lights\": [" + light("\"position\": [4, 5, 6],\n\"aim\": [4, 5, 6]}], \"objects\": []")),
+            ":4:8: lights[0].aim = an array: must not be at the light's position");
 }
 
 TEST_F(SceneFile, EqualModelsAreMadeOnce) {

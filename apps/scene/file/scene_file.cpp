@@ -42,6 +42,8 @@ bool is_color(const glm::dvec3& color) {
 }
 const std::string kColorRule = fmt::format("must be a colour of numbers in [0, {}]", kMaxColor);
 
+// Hence check(PlacedLight) finds nothing wrong with a light that is read here.
+static_assert(kMaxCoordinate <= kMaxPosition);
 bool is_position(const glm::dvec3& position) {
   return glm::all(glm::lessThanEqual(glm::abs(position), glm::dvec3(kMaxCoordinate)));
 }

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "litfog/files/output_error.h"
 #include "litfog/input_error.h"
 #include "litfog/light.h"
 
@@ -43,5 +44,10 @@ Light read_light(const std::string& path);
 /// source  lines of the member "source"; without any it is left out
 /// fit     JSON text of the member "fit"; empty: left out
 std::string format_light(const Light& light, const std::vector<std::string>& source = {}, std::string_view fit = {});
+
+/// Writes a light file atomically: an earlier file stays as it was when anything fails.
+///
+/// throws  std::invalid_argument for a light with which check() finds something wrong; OutputError
+void write_light(const std::string& path, const Light& light, const std::vector<std::string>& source = {});
 
 }  // namespace litfog

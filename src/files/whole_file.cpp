@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "command/whole_file.h"
+#include "files/whole_file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -18,16 +18,16 @@
 #include <random>
 #include <utility>
 
-#include "command/exit_status.h"
+#include "litfog/files/output_error.h"
 
-namespace litfog::command {
+namespace litfog::files {
 
 namespace fs = std::filesystem;
 
 namespace {
 
 [[noreturn]] void fail_to_write(const std::string& path, const char* reason) {
-  throw CannotWrite(fmt::format("{}: cannot be written: {}", path, reason));
+  throw OutputError(fmt::format("{}: cannot be written: {}", path, reason));
 }
 
 /// A temporary file's name where a signal handler may read it: at a fixed address, behind an atomic flag.
@@ -37,7 +37,7 @@ struct TemporaryName {
   std::array<char, PATH_MAX> path;
 };
 static_assert(std::atomic<bool>::is_always_lock_free);
-std::array<TemporaryName, 4> temporary_names;  // a command writes at most two files at a time
+std::array<TemporaryName, 4> temporary_names;  // a fifth written at once would stay: a command writes two at most
 
 extern "C" void remove_temporaries_and_end(int signal) {
   for (const TemporaryName& name : temporary_names) {
@@ -161,7 +161,8 @@ void write_whole_file(const std::string& path, std::string_view text) {
   expect_writable(target.string());
   const mode_t mode = exists ? earlier.st_mode & mode_t{0777} : mode_t{0666};
   TemporaryFile file(folder_of(target), mode);
-  const bool is_written = file.is_open() && (!exists || file.set_mode(mode)) && file.fill(text) && file.rename_to(target);
+  const bool is_written =
+      file.is_open() && (!exists || file.set_mode(mode)) && file.fill(text) && file.rename_to(target);
   if (!is_written) fail_to_write(path, std::strerror(errno));
 }
 
@@ -176,4 +177,4 @@ void remove_temporaries_on_signals() {
   }
 }
 
-}  // namespace litfog::command
+}  // namespace litfog::files

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "command/whole_file.h"
+#include "files/whole_file.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -16,11 +16,11 @@
 #include <iterator>
 #include <thread>
 
-#include "command/exit_status.h"
 #include "command/temporary_directory.h"
+#include "litfog/files/output_error.h"
 
 namespace litfog::test {
-using namespace command;
+using namespace files;
 
 namespace {
 
@@ -84,12 +84,12 @@ TEST_F(WholeFile, WritesBehindALinkThatStays) {
 TEST_F(WholeFile, IsNotWrittenBehindLinksInACircle) {
   fs::create_symlink("b", path("a"));
   fs::create_symlink("a", path("b"));
-  EXPECT_THROW(write_whole_file(path("a"), "text"), CannotWrite);
+  EXPECT_THROW(write_whole_file(path("a"), "text"), OutputError);
   EXPECT_TRUE(fs::is_symlink(path("a")));
 }
 
 TEST_F(WholeFile, IsNotWrittenToAFullDevice) {
-  EXPECT_THROW(write_whole_file("/dev/full", "text"), CannotWrite);
+  EXPECT_THROW(write_whole_file("/dev/full", "text"), OutputError);
 }
 
 TEST_F(WholeFile, OpensNoTemporaryThatSomebodyHasPutThere) {
@@ -106,7 +106,7 @@ TEST_F(WholeFile, MayHaveAsLongANameAsTheFileSystemTakes) {
   const std::string longest = std::string(251, 'a') + ".png";
   write_whole_file(path(longest), "picture");
   EXPECT_EQ(read(longest), "picture");
-  EXPECT_THROW(write_whole_file(path("a" + longest), "picture"), CannotWrite);
+  EXPECT_THROW(write_whole_file(path("a" + longest), "picture"), OutputError);
   EXPECT_EQ(file_count(), 1u);
 }
 
@@ -132,9 +132,9 @@ TEST_F(WholeFile, GoesWhereStandardOutputGoes) {
 }
 
 TEST_F(WholeFile, DoesNotReplaceAFolder) {
-  EXPECT_THROW(expect_writable(path("")), CannotWrite);
-  EXPECT_THROW(write_whole_file(path(""), "text"), CannotWrite);
-  EXPECT_THROW(write_whole_file(path("none/a"), "text"), CannotWrite);
+  EXPECT_THROW(expect_writable(path("")), OutputError);
+  EXPECT_THROW(write_whole_file(path(""), "text"), OutputError);
+  EXPECT_THROW(write_whole_file(path("none/a"), "text"), OutputError);
 }
 
 TEST_F(WholeFile, LeavesNothingBehindWhenItsSizeIsLimited) {
@@ -145,7 +145,7 @@ TEST_F(WholeFile, LeavesNothingBehindWhenItsSizeIsLimited) {
     setrlimit(RLIMIT_FSIZE, &limit);
     try {
       write_whole_file(path("a"), std::string(5000, 'x'));
-    } catch (const CannotWrite&) {
+    } catch (const OutputError&) {
       std::_Exit(4);
     }
   });

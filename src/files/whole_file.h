@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace litfog::files {
+
+/// Writes a file atomically: a temporary file beside it is filled and then takes its name, so that an earlier file
+/// stays as it was when anything fails. An earlier file's mode is kept, and a link stays a link. A device, a pipe, and
+/// the file that standard output or standard error goes to cannot be replaced: they are written to. Throws OutputError.
+void write_whole_file(const std::string& path, std::string_view text);
+
+/// The file that a path leads to through links, whether that exists yet or not. Throws OutputError for links in a
+/// circle.
+std::filesystem::path behind_links(std::filesystem::path path);
+
+/// Throws OutputError if the path is a folder or its folder does not exist: for commands that work long before they
+/// write.
+void expect_writable(const std::string& path);
+
+/// From now on a signal that ends the program (SIGHUP, SIGINT, SIGQUIT, SIGTERM) removes temporary files first. Signals
+/// that the caller had ignored stay ignored.
+void remove_temporaries_on_signals();
+
+}  // namespace litfog::files
