@@ -26,7 +26,7 @@ TEST(Command, OurOwnFaultsAreNotTheInputs) {
 }
 
 TEST(Command, WhatWentWrongGivesTheStatus) {
-  EXPECT_EQ(status_after(std::invalid_argument("refused")), kBadInput);
+  EXPECT_EQ(status_after(std::invalid_argument("error")), kBadInput);
   EXPECT_EQ(status_after(std::bad_alloc()), kBadInput);
   EXPECT_EQ(status_after(InputError({"a.json", 1, 1}, "a", "1", "must be 2")), kBadInput);
   EXPECT_EQ(status_after(MissingCapability("no OpenGL")), kMissingCapability);

@@ -117,7 +117,7 @@ TEST(Plot, SvgOfAnyTextIsXml) {
 }
 
 TEST(Plot, RefusesValuesThatItsAxisCannotShow) {
-  const auto refusal = [](PlotPoint point) -> std::string {
+  const auto error_with = [](PlotPoint point) -> std::string {
     Figure figure = one_line();
     figure.charts[0].series[0].points[1] = point;
     try {
@@ -127,11 +127,11 @@ TEST(Plot, RefusesValuesThatItsAxisCannotShow) {
     }
     return "";
   };
-  EXPECT_EQ(refusal({0, 1}), "range (m) = 0: must be finite and > 0 on a logarithmic axis");
-  EXPECT_EQ(refusal({1, -1}), "attenuation = -1: must be finite and > 0 on a logarithmic axis");
-  EXPECT_EQ(refusal({1, std::numeric_limits<double>::infinity()}),
+  EXPECT_EQ(error_with({0, 1}), "range (m) = 0: must be finite and > 0 on a logarithmic axis");
+  EXPECT_EQ(error_with({1, -1}), "attenuation = -1: must be finite and > 0 on a logarithmic axis");
+  EXPECT_EQ(error_with({1, std::numeric_limits<double>::infinity()}),
             "attenuation = inf: must be finite and > 0 on a logarithmic axis");
-  EXPECT_EQ(refusal({1, std::numeric_limits<double>::quiet_NaN()}),
+  EXPECT_EQ(error_with({1, std::numeric_limits<double>::quiet_NaN()}),
             "attenuation = nan: must be finite and > 0 on a logarithmic axis");
   EXPECT_THROW(draw_figure({}, FigureFormat::png), std::invalid_argument);
   Figure without_points = one_line();

@@ -222,41 +222,41 @@ TEST(AttenuationAt, IsNeverNanAndNeverLeavesItsRange) {
 }
 
 TEST(AttenuationCheck, NamesFieldValueAndRule) {
-  const auto refusal = [](const Attenuation& a) { return check(a) ? to_string(*check(a)) : "accepted"; };
-  EXPECT_EQ(refusal({-1, 0, 0}), "attenuation.constant = -1: must be finite and >= 0");
-  EXPECT_EQ(refusal({kInfinity, 0, 0}), "attenuation.constant = inf: must be finite and >= 0");
-  EXPECT_EQ(refusal({kNan, 0, 0}), "attenuation.constant = nan: must be finite and >= 0");
-  EXPECT_EQ(refusal({1, -0.125, 0}), "attenuation.linear = -0.125: must be finite and >= 0");
-  EXPECT_EQ(refusal({1, kInfinity, 0}), "attenuation.linear = inf: must be finite and >= 0");
-  EXPECT_EQ(refusal({1, kNan, 0}), "attenuation.linear = nan: must be finite and >= 0");
-  EXPECT_EQ(refusal({1, 1, -5e-324}), "attenuation.quadratic = -5e-324: must be finite and >= 0");
-  EXPECT_EQ(refusal({1, 1, kInfinity}), "attenuation.quadratic = inf: must be finite and >= 0");
-  EXPECT_EQ(refusal({1, 1, kNan}), "attenuation.quadratic = nan: must be finite and >= 0");
-  EXPECT_EQ(refusal({0, 0, 0}), "attenuation.constant = 0: must be > 0 where linear and quadratic are 0");
-  EXPECT_EQ(refusal({0, 0, kDenormMin}), "accepted");
-  EXPECT_EQ(refusal({kMax, kMax, kMax}), "accepted");
+  const auto error = [](const Attenuation& a) { return check(a) ? to_string(*check(a)) : "accepted"; };
+  EXPECT_EQ(error({-1, 0, 0}), "attenuation.constant = -1: must be finite and >= 0");
+  EXPECT_EQ(error({kInfinity, 0, 0}), "attenuation.constant = inf: must be finite and >= 0");
+  EXPECT_EQ(error({kNan, 0, 0}), "attenuation.constant = nan: must be finite and >= 0");
+  EXPECT_EQ(error({1, -0.125, 0}), "attenuation.linear = -0.125: must be finite and >= 0");
+  EXPECT_EQ(error({1, kInfinity, 0}), "attenuation.linear = inf: must be finite and >= 0");
+  EXPECT_EQ(error({1, kNan, 0}), "attenuation.linear = nan: must be finite and >= 0");
+  EXPECT_EQ(error({1, 1, -5e-324}), "attenuation.quadratic = -5e-324: must be finite and >= 0");
+  EXPECT_EQ(error({1, 1, kInfinity}), "attenuation.quadratic = inf: must be finite and >= 0");
+  EXPECT_EQ(error({1, 1, kNan}), "attenuation.quadratic = nan: must be finite and >= 0");
+  EXPECT_EQ(error({0, 0, 0}), "attenuation.constant = 0: must be > 0 where linear and quadratic are 0");
+  EXPECT_EQ(error({0, 0, kDenormMin}), "accepted");
+  EXPECT_EQ(error({kMax, kMax, kMax}), "accepted");
 }
 
 TEST(AttenuationCheck, RefusesThresholdsOffTheOpenUnitInterval) {
-  const auto refusal = [](double t) { return check_threshold(t) ? to_string(*check_threshold(t)) : "accepted"; };
-  EXPECT_EQ(refusal(0), "threshold = 0: must be in (0, 1)");
-  EXPECT_EQ(refusal(1), "threshold = 1: must be in (0, 1)");
-  EXPECT_EQ(refusal(-0.05), "threshold = -0.05: must be in (0, 1)");
-  EXPECT_EQ(refusal(kInfinity), "threshold = inf: must be in (0, 1)");
-  EXPECT_EQ(refusal(kNan), "threshold = nan: must be in (0, 1)");
-  EXPECT_EQ(refusal(kDenormMin), "accepted");
-  EXPECT_EQ(refusal(1 - 0x1p-53), "accepted");
-  EXPECT_EQ(refusal(kDefaultThreshold), "accepted");
+  const auto error = [](double t) { return check_threshold(t) ? to_string(*check_threshold(t)) : "accepted"; };
+  EXPECT_EQ(error(0), "threshold = 0: must be in (0, 1)");
+  EXPECT_EQ(error(1), "threshold = 1: must be in (0, 1)");
+  EXPECT_EQ(error(-0.05), "threshold = -0.05: must be in (0, 1)");
+  EXPECT_EQ(error(kInfinity), "threshold = inf: must be in (0, 1)");
+  EXPECT_EQ(error(kNan), "threshold = nan: must be in (0, 1)");
+  EXPECT_EQ(error(kDenormMin), "accepted");
+  EXPECT_EQ(error(1 - 0x1p-53), "accepted");
+  EXPECT_EQ(error(kDefaultThreshold), "accepted");
 }
 
 TEST(AttenuationCheck, IsEnforcedByExtentAndKnee) {
-  EXPECT_EQ(refusal_of([] {
+  EXPECT_EQ(error_of([] {
               compute_extent(Attenuation{1, -1, 0}, 0.05);
             }),
             "attenuation.linear = -1: must be finite and >= 0");
-  EXPECT_EQ(refusal_of([] { compute_extent(Attenuation{1, 1, 0}, 1); }), "threshold = 1: must be in (0, 1)");
-  EXPECT_EQ(refusal_of([] { compute_extent(AttenuationF{1, 1, 0}, -0.5f); }), "threshold = -0.5: must be in (0, 1)");
-  EXPECT_EQ(refusal_of([] {
+  EXPECT_EQ(error_of([] { compute_extent(Attenuation{1, 1, 0}, 1); }), "threshold = 1: must be in (0, 1)");
+  EXPECT_EQ(error_of([] { compute_extent(AttenuationF{1, 1, 0}, -0.5f); }), "threshold = -0.5: must be in (0, 1)");
+  EXPECT_EQ(error_of([] {
               compute_knee({0, 0, 0});
             }),
             "attenuation.constant = 0: must be > 0 where linear and quadratic are 0");

@@ -80,19 +80,19 @@ TEST(Cone, NeverRisesWithTheAngleAndNeverLeavesItsRange) {
 }
 
 TEST(Cone, RefusesAnglesAndExponentsOffTheirRange) {
-  const auto refusal = [](const Cone& cone) { return check(cone) ? to_string(*check(cone)) : "accepted"; };
-  EXPECT_EQ(refusal(Cone::cosine(0, 1)), "cone.half_angle = 0: must be in (0, pi/2]");
-  EXPECT_EQ(refusal(Cone::cosine(2, 1)), "cone.half_angle = 2: must be in (0, pi/2]");
-  EXPECT_EQ(refusal(Cone::cosine(kNan, 1)), "cone.half_angle = nan: must be in (0, pi/2]");
-  EXPECT_EQ(refusal(Cone::cosine(1, -1)), "cone.exponent = -1: must be finite and >= 0");
-  EXPECT_EQ(refusal(Cone::cosine(1, kInfinity)), "cone.exponent = inf: must be finite and >= 0");
-  EXPECT_EQ(refusal(Cone::cosine(1, kNan)), "cone.exponent = nan: must be finite and >= 0");
-  EXPECT_EQ(refusal(Cone::smoothstep(0, 0)), "cone.outer = 0: must be in (0, pi]");
-  EXPECT_EQ(refusal(Cone::smoothstep(0, 4)), "cone.outer = 4: must be in (0, pi]");
-  EXPECT_EQ(refusal(Cone::smoothstep(0, kNan)), "cone.outer = nan: must be in (0, pi]");
-  EXPECT_EQ(refusal(Cone::smoothstep(0.5, 0.5)), "cone.inner = 0.5: must be in [0, outer)");
-  EXPECT_EQ(refusal(Cone::smoothstep(-0.5, 0.5)), "cone.inner = -0.5: must be in [0, outer)");
-  EXPECT_EQ(refusal(Cone::smoothstep(kNan, 0.5)), "cone.inner = nan: must be in [0, outer)");
+  const auto error = [](const Cone& cone) { return check(cone) ? to_string(*check(cone)) : "accepted"; };
+  EXPECT_EQ(error(Cone::cosine(0, 1)), "cone.half_angle = 0: must be in (0, pi/2]");
+  EXPECT_EQ(error(Cone::cosine(2, 1)), "cone.half_angle = 2: must be in (0, pi/2]");
+  EXPECT_EQ(error(Cone::cosine(kNan, 1)), "cone.half_angle = nan: must be in (0, pi/2]");
+  EXPECT_EQ(error(Cone::cosine(1, -1)), "cone.exponent = -1: must be finite and >= 0");
+  EXPECT_EQ(error(Cone::cosine(1, kInfinity)), "cone.exponent = inf: must be finite and >= 0");
+  EXPECT_EQ(error(Cone::cosine(1, kNan)), "cone.exponent = nan: must be finite and >= 0");
+  EXPECT_EQ(error(Cone::smoothstep(0, 0)), "cone.outer = 0: must be in (0, pi]");
+  EXPECT_EQ(error(Cone::smoothstep(0, 4)), "cone.outer = 4: must be in (0, pi]");
+  EXPECT_EQ(error(Cone::smoothstep(0, kNan)), "cone.outer = nan: must be in (0, pi]");
+  EXPECT_EQ(error(Cone::smoothstep(0.5, 0.5)), "cone.inner = 0.5: must be in [0, outer)");
+  EXPECT_EQ(error(Cone::smoothstep(-0.5, 0.5)), "cone.inner = -0.5: must be in [0, outer)");
+  EXPECT_EQ(error(Cone::smoothstep(kNan, 0.5)), "cone.inner = nan: must be in [0, outer)");
 }
 
 TEST(Cone, AcceptsTheEndsOfItsRanges) {

@@ -79,7 +79,7 @@ TEST(FogLight, RefusesALightThatIsWronglyPlaced) {
   const auto error_after = [](const auto& change) {
     PlacedLight light = distinct_light();
     change(light);
-    return refusal_of([&] { pack_fog_light(light, kSolution); });
+    return error_of([&] { pack_fog_light(light, kSolution); });
   };
   EXPECT_EQ(error_after([](PlacedLight& p) { p.position.z = 1e300; }),
             "position.z = 1e+300: must be at most 16777216 in magnitude");
@@ -94,17 +94,17 @@ TEST(FogLightBlock, RefusesALightThatIsWronglyPlaced) {
   std::vector<PlacedLight> lights(2, distinct_light());
   lights[1].position.x = kNan;
   const std::vector<FogIntensity> solutions(2, kSolution);
-  EXPECT_EQ(refusal_of([&] { pack_fog_light_block({}, {}, lights, solutions); }),
+  EXPECT_EQ(error_of([&] { pack_fog_light_block({}, {}, lights, solutions); }),
             "position.x = nan: must be at most 16777216 in magnitude");
 }
 
 TEST(FogLightBlock, RefusesAnAmbientFogColorThatIsNoLight) {
-  const auto error_of = [](const glm::dvec3& color) {
-    return refusal_of([&] { pack_fog_light_block({}, color, {}, {}); });
+  const auto error_with = [](const glm::dvec3& color) {
+    return error_of([&] { pack_fog_light_block({}, color, {}, {}); });
   };
-  EXPECT_EQ(error_of({kNan, 0, 0}), "ambient_fog_color.r = nan: must be finite and >= 0");
-  EXPECT_EQ(error_of({0, -1, 0}), "ambient_fog_color.g = -1: must be finite and >= 0");
-  EXPECT_EQ(error_of({0, 0, kInfinity}), "ambient_fog_color.b = inf: must be finite and >= 0");
+  EXPECT_EQ(error_with({kNan, 0, 0}), "ambient_fog_color.r = nan: must be finite and >= 0");
+  EXPECT_EQ(error_with({0, -1, 0}), "ambient_fog_color.g = -1: must be finite and >= 0");
+  EXPECT_EQ(error_with({0, 0, kInfinity}), "ambient_fog_color.b = inf: must be finite and >= 0");
 }
 
 TEST(FogLightBlock, HoldsFogCountAndAmbientColor) {
@@ -154,15 +154,12 @@ TEST(FogLightBlock, RefusesTooManyLightsMissingSolutionsAndWrongFog) {
   const std::vector<PlacedLight> lights(kMaxFogLights + 1, distinct_light());
   const std::vector<FogIntensity> solutions(kMaxFogLights + 1, kSolution);
   const std::span<const PlacedLight> two(lights.data(), 2);
-  EXPECT_EQ(refusal_of([&] { pack_fog_light_block({}, {}, lights, solutions); }), "lights = 129: must be at most 128");
-  EXPECT_EQ(refusal_of([&] { pack_fog_light_block({}, {}, two, std::span(solutions.data(), 1)); }),
+  EXPECT_EQ(error_of([&] { pack_fog_light_block({}, {}, lights, solutions); }), "lights = 129: must be at most 128");
+  EXPECT_EQ(error_of([&] { pack_fog_light_block({}, {}, two, std::span(solutions.data(), 1)); }),
             "solutions = 1: must be as many as the lights");
-  EXPECT_EQ(refusal_of([&] { pack_fog_light_block({}, {}, two, std::span(solutions.data(), 3)); }),
+  EXPECT_EQ(error_of([&] { pack_fog_light_block({}, {}, two, std::span(solutions.data(), 3)); }),
             "solutions = 3: must be as many as the lights");
-  EXPECT_EQ(refusal_of([&] {
-              pack_fog_light_block({FogMode::exp, -1}, {}, {}, {});
-            }),
-            "fog.density = -1: must be >= 0");
+  EXPECT_EQ(error_of([&] { pack_fog_light_block({FogMode::exp, -1}, {}, {}, {}); }), "fog.density = -1: must be >= 0");
 }
 
 }  // namespace

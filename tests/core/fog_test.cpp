@@ -104,27 +104,27 @@ TEST(FogFromVisibility, GivesClearAirForInfinityAndTotalFogForZero) {
 }
 
 TEST(FogFromVisibility, RefusesWhatIsNoVisibilityOrContrast) {
-  const auto refusal = [](double metres, double contrast) {
-    return refusal_of([&] { Fog::from_visibility(FogMode::exp, metres, contrast); });
+  const auto error = [](double metres, double contrast) {
+    return error_of([&] { Fog::from_visibility(FogMode::exp, metres, contrast); });
   };
-  EXPECT_EQ(refusal(-1, 0.05), "visibility = -1: must be >= 0");
-  EXPECT_EQ(refusal(-kInfinity, 0.05), "visibility = -inf: must be >= 0");
-  EXPECT_EQ(refusal(kNan, 0.05), "visibility = nan: must be >= 0");
-  EXPECT_EQ(refusal(100, 0), "contrast = 0: must be in (0, 1)");
-  EXPECT_EQ(refusal(100, 1), "contrast = 1: must be in (0, 1)");
-  EXPECT_EQ(refusal(100, -0.5), "contrast = -0.5: must be in (0, 1)");
-  EXPECT_EQ(refusal(100, kNan), "contrast = nan: must be in (0, 1)");
-  EXPECT_EQ(refusal_of([] { FogF::from_visibility(FogMode::exp2, -2.5f); }), "visibility = -2.5: must be >= 0");
+  EXPECT_EQ(error(-1, 0.05), "visibility = -1: must be >= 0");
+  EXPECT_EQ(error(-kInfinity, 0.05), "visibility = -inf: must be >= 0");
+  EXPECT_EQ(error(kNan, 0.05), "visibility = nan: must be >= 0");
+  EXPECT_EQ(error(100, 0), "contrast = 0: must be in (0, 1)");
+  EXPECT_EQ(error(100, 1), "contrast = 1: must be in (0, 1)");
+  EXPECT_EQ(error(100, -0.5), "contrast = -0.5: must be in (0, 1)");
+  EXPECT_EQ(error(100, kNan), "contrast = nan: must be in (0, 1)");
+  EXPECT_EQ(error_of([] { FogF::from_visibility(FogMode::exp2, -2.5f); }), "visibility = -2.5: must be >= 0");
 }
 
 TEST(FogCheck, RefusesNegativeDensities) {
-  const auto refusal = [](double d) {
+  const auto error = [](double d) {
     return check(Fog{FogMode::exp, d}) ? to_string(*check(Fog{FogMode::exp, d})) : "";
   };
-  EXPECT_EQ(refusal(-0.5), "fog.density = -0.5: must be >= 0");
-  EXPECT_EQ(refusal(-kInfinity), "fog.density = -inf: must be >= 0");
-  EXPECT_EQ(refusal(kNan), "fog.density = nan: must be >= 0");
-  for (const double d : {0.0, -0.0, kDenormMin, 1.0, kMax, kInfinity}) EXPECT_EQ(refusal(d), "");
+  EXPECT_EQ(error(-0.5), "fog.density = -0.5: must be >= 0");
+  EXPECT_EQ(error(-kInfinity), "fog.density = -inf: must be >= 0");
+  EXPECT_EQ(error(kNan), "fog.density = nan: must be >= 0");
+  for (const double d : {0.0, -0.0, kDenormMin, 1.0, kMax, kInfinity}) EXPECT_EQ(error(d), "");
 }
 
 /// Opacities and fog factors of densities and ranges drawn by `draw`.
@@ -226,10 +226,10 @@ TEST(ScaledFog, StaysClearAndStaysTotalUnlessTheScaleIsZero) {
 }
 
 TEST(ScaledFog, RefusesNegativeOrInfiniteScalesAndWrongFogs) {
-  EXPECT_EQ(refusal_of([] { scaled({}, -1); }), "density_scale = -1: must be finite and >= 0");
-  EXPECT_EQ(refusal_of([] { scaled({}, kInfinity); }), "density_scale = inf: must be finite and >= 0");
-  EXPECT_EQ(refusal_of([] { scaled({}, kNan); }), "density_scale = nan: must be finite and >= 0");
-  EXPECT_EQ(refusal_of([] { scaled({FogMode::exp, -3}, 1); }), "fog.density = -3: must be >= 0");
+  EXPECT_EQ(error_of([] { scaled({}, -1); }), "density_scale = -1: must be finite and >= 0");
+  EXPECT_EQ(error_of([] { scaled({}, kInfinity); }), "density_scale = inf: must be finite and >= 0");
+  EXPECT_EQ(error_of([] { scaled({}, kNan); }), "density_scale = nan: must be finite and >= 0");
+  EXPECT_EQ(error_of([] { scaled({FogMode::exp, -3}, 1); }), "fog.density = -3: must be >= 0");
 }
 
 }  // namespace

@@ -143,8 +143,8 @@ TEST(IntensityBound, TakesNegativeZeroAsZero) {
 }
 
 TEST(IntensityBound, RefusesWhatIsNoLight) {
-  EXPECT_EQ(refusal_of([] { IntensityBound({-1, 0, 0}, 0.05); }), "attenuation.constant = -1: must be finite and >= 0");
-  EXPECT_EQ(refusal_of([] { IntensityBound({1, 0, 0}, 1); }), "threshold = 1: must be in (0, 1)");
+  EXPECT_EQ(error_of([] { IntensityBound({-1, 0, 0}, 0.05); }), "attenuation.constant = -1: must be finite and >= 0");
+  EXPECT_EQ(error_of([] { IntensityBound({1, 0, 0}, 1); }), "threshold = 1: must be in (0, 1)");
 }
 
 }  // namespace

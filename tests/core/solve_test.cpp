@@ -410,33 +410,33 @@ TEST(SampleFogIntensity, HasTheLimitsOfTheExactSolve) {
 
 TEST(SolveArguments, AreRefusedByFieldValueAndRule) {
   const auto exact = [](const Attenuation& a, const Fog& fog, double threshold) {
-    return refusal_of([&] { solve_fog_intensity(a, fog, threshold); });
+    return error_of([&] { solve_fog_intensity(a, fog, threshold); });
   };
   const auto sampled = [](const Attenuation& a, const Fog& fog, double threshold) {
-    return refusal_of([&] { sample_fog_intensity(a, fog, threshold, 64); });
+    return error_of([&] { sample_fog_intensity(a, fog, threshold, 64); });
   };
   const Fog fog{FogMode::exp, 0.01};
-  for (const auto& refusal : {std::function<std::string(const Attenuation&, const Fog&, double)>(exact),
-                              std::function<std::string(const Attenuation&, const Fog&, double)>(sampled)}) {
-    EXPECT_EQ(refusal({1, -1, 0}, fog, 0.05), "attenuation.linear = -1: must be finite and >= 0");
-    EXPECT_EQ(refusal({0, 0, 0}, fog, 0.05), "attenuation.constant = 0: must be > 0 where linear and quadratic are 0");
-    EXPECT_EQ(refusal({1, 1, 0}, {FogMode::exp2, -0.5}, 0.05), "fog.density = -0.5: must be >= 0");
-    EXPECT_EQ(refusal({1, 1, 0}, {FogMode::exp2, kNan}, 0.05), "fog.density = nan: must be >= 0");
-    EXPECT_EQ(refusal({1, 1, 0}, fog, 1), "threshold = 1: must be in (0, 1)");
-    EXPECT_EQ(refusal({1, 1, 0}, fog, kNan), "threshold = nan: must be in (0, 1)");
-    // Limit cases are refused as all others.
-    EXPECT_EQ(refusal({1, 0, 0}, fog, 2), "threshold = 2: must be in (0, 1)");
-    EXPECT_EQ(refusal({1, 1, 0}, {FogMode::exp, 0}, 0), "threshold = 0: must be in (0, 1)");
+  for (const auto& error : {std::function<std::string(const Attenuation&, const Fog&, double)>(exact),
+                            std::function<std::string(const Attenuation&, const Fog&, double)>(sampled)}) {
+    EXPECT_EQ(error({1, -1, 0}, fog, 0.05), "attenuation.linear = -1: must be finite and >= 0");
+    EXPECT_EQ(error({0, 0, 0}, fog, 0.05), "attenuation.constant = 0: must be > 0 where linear and quadratic are 0");
+    EXPECT_EQ(error({1, 1, 0}, {FogMode::exp2, -0.5}, 0.05), "fog.density = -0.5: must be >= 0");
+    EXPECT_EQ(error({1, 1, 0}, {FogMode::exp2, kNan}, 0.05), "fog.density = nan: must be >= 0");
+    EXPECT_EQ(error({1, 1, 0}, fog, 1), "threshold = 1: must be in (0, 1)");
+    EXPECT_EQ(error({1, 1, 0}, fog, kNan), "threshold = nan: must be in (0, 1)");
+    // A wrong argument is an error in limit cases too.
+    EXPECT_EQ(error({1, 0, 0}, fog, 2), "threshold = 2: must be in (0, 1)");
+    EXPECT_EQ(error({1, 1, 0}, {FogMode::exp, 0}, 0), "threshold = 0: must be in (0, 1)");
   }
 }
 
 TEST(SolveArguments, HaveAtLeastOneSample) {
-  const auto refusal = [](int samples) {
-    return refusal_of([&] { sample_fog_intensity({1, 1, 0}, Fog{FogMode::exp, 0.01}, 0.05, samples); });
+  const auto error = [](int samples) {
+    return error_of([&] { sample_fog_intensity({1, 1, 0}, Fog{FogMode::exp, 0.01}, 0.05, samples); });
   };
-  EXPECT_EQ(refusal(0), "samples = 0: must be >= 1");
-  EXPECT_EQ(refusal(-3), "samples = -3: must be >= 1");
-  EXPECT_EQ(refusal(1), "not refused");
+  EXPECT_EQ(error(0), "samples = 0: must be >= 1");
+  EXPECT_EQ(error(-3), "samples = -3: must be >= 1");
+  EXPECT_EQ(error(1), "no error");
 }
 
 /// A light of a class that sees less fog than others.
@@ -462,7 +462,7 @@ TEST(SolveLight, RefusesAWrongLightAndAWrongFog) {
     Light light = runway_light();
     Fog fog{FogMode::exp, 1};
     change(light, fog);
-    return refusal_of([&] { solve_fog_intensity(light, fog); });
+    return error_of([&] { solve_fog_intensity(light, fog); });
   };
   EXPECT_EQ(error_after([](Light& light, Fog&) { light.density_scale = -1; }),
             "density_scale = -1: must be finite and >= 0");

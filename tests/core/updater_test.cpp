@@ -538,17 +538,17 @@ TEST(FogUpdater, KnowsAHandleUntilItsLightIsRemoved) {
   const FogLightHandle third = updater.add(carried_light());
   EXPECT_EQ(third.slot, first.slot);
   EXPECT_NE(third, first);
-  const std::string refusal = "handle.slot = 0: must be that of a light held";
-  EXPECT_EQ(refusal_of([&] { updater.remove(first); }), refusal);
-  EXPECT_EQ(refusal_of([&] { updater.change(first, carried_light()); }), refusal);
-  EXPECT_EQ(refusal_of([&] { updater.switch_light(first, false); }), refusal);
-  EXPECT_EQ(refusal_of([&] { (void)updater.entry_of(first); }), refusal);
-  EXPECT_EQ(refusal_of([&] { updater.remove(FogLightHandle{}); }), refusal);
-  EXPECT_EQ(refusal_of([&] { updater.remove({.slot = 7, .generation = 1}); }),
+  const std::string error = "handle.slot = 0: must be that of a light held";
+  EXPECT_EQ(error_of([&] { updater.remove(first); }), error);
+  EXPECT_EQ(error_of([&] { updater.change(first, carried_light()); }), error);
+  EXPECT_EQ(error_of([&] { updater.switch_light(first, false); }), error);
+  EXPECT_EQ(error_of([&] { (void)updater.entry_of(first); }), error);
+  EXPECT_EQ(error_of([&] { updater.remove(FogLightHandle{}); }), error);
+  EXPECT_EQ(error_of([&] { updater.remove({.slot = 7, .generation = 1}); }),
             "handle.slot = 7: must be that of a light held");
   updater.remove(third);
-  EXPECT_EQ(refusal_of([&] { updater.remove(third); }), refusal);
-  EXPECT_EQ(refusal_of([&] { updater.remove({.slot = third.slot, .generation = third.generation + 1}); }), refusal);
+  EXPECT_EQ(error_of([&] { updater.remove(third); }), error);
+  EXPECT_EQ(error_of([&] { updater.remove({.slot = third.slot, .generation = third.generation + 1}); }), error);
   updater.remove(second);
 }
 
@@ -584,28 +584,27 @@ TEST(FogUpdater, KeepsALightOffThroughAChange) {
 }
 
 TEST(FogUpdater, RefusesWrongArgumentsAndStaysAsItWas) {
-  EXPECT_EQ(refusal_of([] { FogUpdater(-1); }), "skip_budget_255 = -1: must be finite and >= 0");
-  EXPECT_EQ(refusal_of([] { FogUpdater(std::nan("")); }), "skip_budget_255 = nan: must be finite and >= 0");
+  EXPECT_EQ(error_of([] { FogUpdater(-1); }), "skip_budget_255 = -1: must be finite and >= 0");
+  EXPECT_EQ(error_of([] { FogUpdater(std::nan("")); }), "skip_budget_255 = nan: must be finite and >= 0");
   FogUpdater updater;
   const FogLightHandle handle = updater.add(carried_light());
   updater.set_fog(kMist);
   const FogLight before = updater.entries()[0];
   const PlacedLight wrong = carried_light({-1, 0, 0});
-  EXPECT_EQ(refusal_of([&] { updater.add(wrong); }), "attenuation.constant = -1: must be finite and >= 0");
-  EXPECT_EQ(refusal_of([&] { updater.change(handle, wrong); }), "attenuation.constant = -1: must be finite and >= 0");
+  EXPECT_EQ(error_of([&] { updater.add(wrong); }), "attenuation.constant = -1: must be finite and >= 0");
+  EXPECT_EQ(error_of([&] { updater.change(handle, wrong); }), "attenuation.constant = -1: must be finite and >= 0");
   const PlacedLight wrong_color = carried_light({1, 0, 0}, {0, -1, 0});
-  EXPECT_EQ(refusal_of([&] { updater.add(wrong_color); }), "color.g = -1: must be finite and >= 0");
-  EXPECT_EQ(refusal_of([&] { updater.change(handle, wrong_color); }), "color.g = -1: must be finite and >= 0");
+  EXPECT_EQ(error_of([&] { updater.add(wrong_color); }), "color.g = -1: must be finite and >= 0");
+  EXPECT_EQ(error_of([&] { updater.change(handle, wrong_color); }), "color.g = -1: must be finite and >= 0");
   PlacedLight lost = carried_light();
   lost.position.y = kNan;
-  EXPECT_EQ(refusal_of([&] { updater.add(lost); }), "position.y = nan: must be at most 16777216 in magnitude");
-  EXPECT_EQ(refusal_of([&] { updater.change(handle, lost); }),
-            "position.y = nan: must be at most 16777216 in magnitude");
+  EXPECT_EQ(error_of([&] { updater.add(lost); }), "position.y = nan: must be at most 16777216 in magnitude");
+  EXPECT_EQ(error_of([&] { updater.change(handle, lost); }), "position.y = nan: must be at most 16777216 in magnitude");
   PlacedLight short_axis = carried_light();
   short_axis.direction = {0, 0, -0.5};
-  EXPECT_EQ(refusal_of([&] { updater.add(short_axis); }), "direction = 0.5: length must be 1 within 1e-6");
-  EXPECT_EQ(refusal_of([&] { updater.change(handle, short_axis); }), "direction = 0.5: length must be 1 within 1e-6");
-  EXPECT_EQ(refusal_of([&] { updater.set_fog({FogMode::exp, -1}); }), "fog.density = -1: must be >= 0");
+  EXPECT_EQ(error_of([&] { updater.add(short_axis); }), "direction = 0.5: length must be 1 within 1e-6");
+  EXPECT_EQ(error_of([&] { updater.change(handle, short_axis); }), "direction = 0.5: length must be 1 within 1e-6");
+  EXPECT_EQ(error_of([&] { updater.set_fog({FogMode::exp, -1}); }), "fog.density = -1: must be >= 0");
   EXPECT_TRUE(updater.set_fog(kMist).empty());
   EXPECT_TRUE(is_same(updater.entries()[0], before));
 }
@@ -670,7 +669,7 @@ TEST(FogUpdater, KeepsItsLightsWhenItIsMoved) {
   EXPECT_TRUE(is_same(second.entries()[second.entry_of(handle)], before));
   EXPECT_TRUE(second.set_fog(kMist).empty());
   first = FogUpdater();
-  EXPECT_EQ(refusal_of([&] { (void)first.entry_of(handle); }), "handle.slot = 0: must be that of a light held");
+  EXPECT_EQ(error_of([&] { (void)first.entry_of(handle); }), "handle.slot = 0: must be that of a light held");
   first = std::move(second);
   EXPECT_TRUE(is_same(first.entries()[first.entry_of(handle)], before));
 }

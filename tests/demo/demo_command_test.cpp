@@ -139,8 +139,8 @@ TEST_F(DemoCommand, CookiesTurnWithTime) {
   EXPECT_EQ(read("a.png"), read("c.png"));  // whole turns of the ball, 20 degrees a second, and of the beacon
   EXPECT_EQ(run("cookies --time -1").status, kUsage);
   EXPECT_EQ(run("cookies --time 1e308").status, kUsage);
-  EXPECT_REFUSED(run("room --time 1"), kUsage,
-                 std::string("litfog-demo: --time cannot be given with room: it has no spinning cookie") + kSeeHelp);
+  EXPECT_ERROR(run("room --time 1"), kUsage,
+               std::string("litfog-demo: --time cannot be given with room: it has no spinning cookie") + kSeeHelp);
 }
 
 TEST_F(DemoCommand, GalleryDrawsEachVisibilityAndASheet) {
@@ -192,26 +192,26 @@ TEST_F(DemoCommand, AComparisonHasAPageOfEveryPathWithItsPictures) {
 }
 
 TEST_F(DemoCommand, AComparisonRefusesWhatItWouldPassOver) {
-  for (const std::string option : {"--gallery", "--reference", "--heat-map h.png", "--stats s.json", "--path vertex",
-                                   "--flat-shading"}) {
+  for (const std::string option :
+       {"--gallery", "--reference", "--heat-map h.png", "--stats s.json", "--path vertex", "--flat-shading"}) {
     const Outcome outcome = run("compare room -o c " + option);
     EXPECT_EQ(outcome.status, kUsage) << option;
     EXPECT_NE(outcome.err.find("not expected: " + option.substr(0, option.find(' '))), std::string::npos)
         << outcome.err;
   }
-  EXPECT_REFUSED(run("compare -o ''"), kUsage,
-                 std::string("litfog-demo: --output = \"\": must not be empty") + kSeeHelp);
-  EXPECT_REFUSED(run("compare room -o c --size 4000x3000"), kUsage,
-                 std::string("litfog-demo: --size = 4000x3000: must be at most 2500000 pixels in all for a comparison") +
-                     kSeeHelp);
+  EXPECT_ERROR(run("compare -o ''"), kUsage, std::string("litfog-demo: --output = \"\": must not be empty") + kSeeHelp);
+  EXPECT_ERROR(run("compare room -o c --size 4000x3000"), kUsage,
+               std::string("litfog-demo: --size = 4000x3000: must be at most 2500000 pixels in all for a comparison") +
+                   kSeeHelp);
   EXPECT_EQ(run("compare room -o c --fog none --visibility 5").status, kUsage);
   EXPECT_EQ(run("compare room -o c --time 1").status, kUsage);
   EXPECT_FALSE(std::filesystem::exists(directory() / "c"));
 }
 
 TEST_F(DemoCommand, OptionsOfAPictureStandBeforeNoOtherJob) {
-  for (const auto& [arguments, option] :
-       {std::pair{"room gallery", "SCENE"}, {"--fog exp2 gallery room", "--fog"}, {"--size 8x8 list paths", "--size"}}) {
+  for (const auto& [arguments, option] : {std::pair{"room gallery", "SCENE"},
+                                          {"--fog exp2 gallery room", "--fog"},
+                                          {"--size 8x8 list paths", "--size"}}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.status, kUsage) << arguments;
     EXPECT_TRUE(outcome.err.starts_with(std::string("litfog-demo: ") + option + " cannot be given before "))
@@ -222,8 +222,8 @@ TEST_F(DemoCommand, OptionsOfAPictureStandBeforeNoOtherJob) {
 TEST_F(DemoCommand, HelpTeachesEachJob) {
   const Outcome help = run("--help");
   EXPECT_EQ(help.status, kDone);
-  for (const char* part : {"litfog-demo gallery", "litfog-demo compare", "litfog-demo list", "Examples:", "--visibility",
-                           "Exit status:"}) {
+  for (const char* part : {"litfog-demo gallery", "litfog-demo compare", "litfog-demo list",
+                           "Examples:", "--visibility", "Exit status:"}) {
     EXPECT_NE(help.out.find(part), std::string::npos) << part;
   }
   for (const auto& [job, part] : {std::pair{"gallery", "--path"}, {"compare", "--frames"}, {"list", "scenes|paths"}}) {
@@ -240,7 +240,7 @@ TEST_F(DemoCommand, WrongUsageIsRefused) {
     EXPECT_EQ(outcome.status, kUsage) << size;
     EXPECT_NE(outcome.err.find("must be WIDTHxHEIGHT"), std::string::npos) << outcome.err;
   }
-  EXPECT_REFUSED(
+  EXPECT_ERROR(
       run("room --path phong"), kUsage,
       std::string("litfog-demo: --path = phong: must be one of unified|lookup-3d|lookup-2d|radial|radial-plane|"
                   "accumulate|vertex|mixed|tangent|legacy") +
@@ -256,10 +256,10 @@ TEST_F(DemoCommand, WrongUsageIsRefused) {
 
 TEST_F(DemoCommand, OptionsThatWouldBePassedOverAreRefused) {
   const auto expect_usage = [this](const std::string& arguments, const std::string& sentence) {
-    EXPECT_REFUSED(run(arguments), kUsage, "litfog-demo: " + sentence + kSeeHelp);
+    EXPECT_ERROR(run(arguments), kUsage, "litfog-demo: " + sentence + kSeeHelp);
   };
-  for (const std::string option :
-       {"--visibility 50", "--frames 2", "--fog none", "--stats s.json", "--reference", "--heat-map h.png", "--time 1"}) {
+  for (const std::string option : {"--visibility 50", "--frames 2", "--fog none", "--stats s.json", "--reference",
+                                   "--heat-map h.png", "--time 1"}) {
     EXPECT_EQ(run("gallery room -o g " + option).status, kUsage) << option;
   }
   expect_usage("room --fog none --visibility 50", "--visibility cannot be given with --fog none: the air is clear");
@@ -286,7 +286,7 @@ TEST_F(DemoCommand, OptionsThatWouldBePassedOverAreRefused) {
 
 TEST_F(DemoCommand, OutputsOfOneFileAreRefused) {
   const auto expect_usage = [this](const std::string& arguments, const std::string& sentence) {
-    EXPECT_REFUSED(run(arguments), kUsage, "litfog-demo: " + sentence + kSeeHelp);
+    EXPECT_ERROR(run(arguments), kUsage, "litfog-demo: " + sentence + kSeeHelp);
   };
   expect_usage("room -o a.png --stats ./a.png", "--stats = ./a.png: must not be the file of --output");
   expect_usage("room --stats room.png", "--stats = room.png: must not be the file of --output");
@@ -313,8 +313,8 @@ TEST_F(DemoCommand, NoInputIsOverwritten) {
 }
 
 TEST_F(DemoCommand, AMistypedSceneIsAnsweredWithTheScenesThereAre) {
-  EXPECT_REFUSED(run("rooom"), kBadInput,
-                 "rooom: must be a scene file or one of approach, cookies, headlights, room, tessellation\n");
+  EXPECT_ERROR(run("rooom"), kBadInput,
+               "rooom: must be a scene file or one of approach, cookies, headlights, room, tessellation\n");
 }
 
 TEST_F(DemoCommand, ASceneNamedByNoUtf8HasItsStatistics) {
@@ -405,9 +405,9 @@ TEST_F(DemoCommand, WithoutTheLibrariesTheMissingOneIsSaid) {
     for (const std::string& library : libraries) write(folder + "/" + library, "no library");
     return run("room --size 8x8 -o b.png", "LD_LIBRARY_PATH=" + folder);
   };
-  EXPECT_REFUSED(missing("no-egl", {"libEGL.so.1"}), kMissingCapability,
-                 "litfog-demo: EGL is missing: libEGL.so.1 cannot be loaded (install libegl1)\n");
-  EXPECT_REFUSED(
+  EXPECT_ERROR(missing("no-egl", {"libEGL.so.1"}), kMissingCapability,
+               "litfog-demo: EGL is missing: libEGL.so.1 cannot be loaded (install libegl1)\n");
+  EXPECT_ERROR(
       missing("no-gl", {"libGL.so.1", "libOpenGL.so.0"}), kMissingCapability,
       "litfog-demo: OpenGL is missing: neither libOpenGL.so.0 nor libGL.so.1 can be loaded (install libgl1)\n");
 }

@@ -155,13 +155,13 @@ TEST(LightFile, FileNeedsItsHeaderAndLendsItsName) {
   std::ofstream(path) << R"({"litfog": "light", "version": 1, "attenuation": {"linear": 1}})";
   EXPECT_EQ(read_light(path.string()).name, path.stem().string());
   std::ofstream(path) << R"({"attenuation": {"linear": 1}})";
-  std::string refusal;
+  std::string what;
   try {
     read_light(path.string());
   } catch (const InputError& error) {
-    refusal = error.what();
+    what = error.what();
   }
-  EXPECT_EQ(refusal, path.string() + ":1:1: litfog: must be given");
+  EXPECT_EQ(what, path.string() + ":1:1: litfog: must be given");
   std::filesystem::remove(path);
 }
 

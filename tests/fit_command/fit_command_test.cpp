@@ -196,7 +196,7 @@ TEST_F(FitCommand, JsonReportHoldsTheLights) {
   EXPECT_EQ(report[0]["status"], "optimal");
   EXPECT_EQ(report[0]["light"]["litfog"], "light");
   EXPECT_TRUE(report[0]["reason"].is_null());
-  EXPECT_EQ(report[1]["status"], "refused");
+  EXPECT_EQ(report[1]["status"], "error");
   EXPECT_EQ(report[1]["reason"], "bad.json:1:1: litfog: must be given");
   EXPECT_TRUE(report[1]["light"].is_null());
 }
@@ -283,7 +283,7 @@ TEST_F(FitCommand, EarlierLightStaysWhereTheSpecIsRefused) {
 TEST_F(FitCommand, WrongUsageIsRefusedBeforeAnyWork) {
   const auto expect = [this](const std::string& arguments, const std::string& reason) {
     SCOPED_TRACE(arguments);
-    EXPECT_REFUSED(run(arguments), kUsage, usage_message(reason));
+    EXPECT_ERROR(run(arguments), kUsage, usage_message(reason));
   };
   expect("lamp.json beam.json -o light.json", "-o = light.json: must be a folder for several inputs");
   expect("lamp.json beam.json --plot a.png", "--plot = a.png: must be given with a single input");
@@ -318,7 +318,7 @@ TEST_F(FitCommand, OutputsInPlaceOfInputsOrOfOneAnotherAreRefusedBeforeAnythingI
   const auto before = files();
   const auto expect = [&](const std::string& arguments, const std::string& reason) {
     SCOPED_TRACE(arguments);
-    EXPECT_REFUSED(run(arguments), kUsage, usage_message(reason));
+    EXPECT_ERROR(run(arguments), kUsage, usage_message(reason));
     EXPECT_EQ(files(), before);
     EXPECT_EQ(read("tilted.ies"), tilted);
     EXPECT_EQ(read("lamp.tlt"), "1 2\n0 90\n1 0.8\n");
