@@ -75,7 +75,7 @@ void expect_columns(const Json& rows, const std::vector<std::string>& columns) {
   }
 }
 
-TEST_F(BenchMeasurement, SolveHasEveryMethodForBothFogs) {
+TEST_F(BenchMeasurement, SolveMeasuresEveryMethodInBothFogs) {
   const Outcome outcome = run("solve --quick --json solve.json --csv solve.csv --plot solve.png");
   ASSERT_EQ(outcome.status, kDone) << outcome.err;
   EXPECT_EQ(outcome.err, "");
@@ -232,7 +232,7 @@ TEST_F(BenchMeasurement, IsaLimitsWhatBatchesUse) {
   }
 }
 
-TEST_F(BenchMeasurement, RefusesWhatItCannotWriteBeforeItMeasures) {
+TEST_F(BenchMeasurement, UnwritableOutputIsAnErrorBeforeTheMeasurement) {
   EXPECT_ERROR(run("solve --json absent/x.json"), kCannotWrite,
                "litfog-bench: absent/x.json: cannot be written: no folder absent\n");
   EXPECT_ERROR(run("solve --csv ."), kCannotWrite, "litfog-bench: .: cannot be written: is a folder\n");
@@ -268,7 +268,7 @@ TEST_F(BenchCommand, HelpNeedsNoReleaseBuild) {
   EXPECT_EQ(run("--version").status, kDone);
 }
 
-TEST_F(BenchCommand, WrongUsageIsRefused) {
+TEST_F(BenchCommand, WrongUsageIsAnError) {
   EXPECT_ERROR(run(""), kUsage, usage_message("benchmark is required"));
   EXPECT_ERROR(run("speed"), kUsage, usage_message("benchmark = speed: must be one of solve|update|fit|render"));
   EXPECT_EQ(run("solve --quick --slow").status, kUsage);
@@ -276,7 +276,7 @@ TEST_F(BenchCommand, WrongUsageIsRefused) {
   EXPECT_EQ(run("solve --json").status, kUsage);
 }
 
-TEST_F(BenchCommand, DebugBuildRefusesToMeasure) {
+TEST_F(BenchCommand, DebugBuildDoesNotMeasure) {
 #ifdef NDEBUG
   GTEST_SKIP() << "this is no Debug build";
 #endif
@@ -290,7 +290,7 @@ const std::vector<std::string> kRenderColumns{
     "skip",          "ms_per_frame",   "ms_spread",      "ratio_to_legacy", "ratio_to_two_light_legacy",
     "max_error_255", "mean_error_255", "excepted_pixels"};
 
-TEST_F(BenchMeasurement, RenderHasEveryPathBesideLegacyAndTheBareTexture) {
+TEST_F(BenchMeasurement, RenderMeasuresEveryPathBesideLegacyAndTheBareTexture) {
   const Outcome outcome = run("render --quick --json render.json --csv render.csv --plot render.png");
   ASSERT_EQ(outcome.status, kDone) << outcome.err;
   const Json document = Json::parse(read("render.json"));
@@ -320,7 +320,7 @@ TEST_F(BenchMeasurement, RenderHasEveryPathBesideLegacyAndTheBareTexture) {
   EXPECT_TRUE(std::filesystem::exists(directory() / "render.png"));
 }
 
-TEST_F(BenchCommand, RefusesATargetOfTheBatchForFrames) {
+TEST_F(BenchCommand, TargetOfTheBatchIsAnErrorForFrames) {
 #ifndef NDEBUG
   GTEST_SKIP() << "a Debug build does not measure";
 #endif

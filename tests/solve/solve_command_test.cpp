@@ -252,7 +252,7 @@ TEST_F(SolveCommand, OutputThatCannotBeWrittenIsStatusFour) {
   }
 }
 
-TEST_F(SolveCommand, AReaderThatLeftIsStatusFour) {
+TEST_F(SolveCommand, ClosedReaderIsStatusFour) {
   std::string rows = kHeader;
   for (int i = 0; i < 20000; ++i) rows += "exp,1,0,1,0,0.05\n";
   write("rows.csv", rows);
