@@ -335,7 +335,7 @@ TEST(HalfAngle, MeansMustBeIntensities) {
 
 // --- asymmetry ---
 
-TEST(Asymmetry, SymmetricBeamHasNone) {
+TEST(Asymmetry, SymmetricBeamHasNoAsymmetry) {
   const auto lamp = sampled(PhotometryType::c, {0}, degrees(0, 90, 5), [](double, double g) { return std::cos(g); });
   EXPECT_LT(asymmetry(lamp, kPhotometricAxis), 1e-12);
 }
