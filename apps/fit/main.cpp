@@ -190,7 +190,7 @@ void write(const Options& options, const Outcome& outcome, std::optional<FigureF
 }
 
 std::string status_of(const Outcome& outcome) {
-  if (!outcome.fit) return "refused";
+  if (!outcome.fit) return "error";
   const auto& [range, cone] = std::pair(outcome.fit->range, outcome.fit->cone);
   if (range && range->status != litfog::AttenuationFitStatus::optimal) return name_of(range->status);
   return cone ? name_of(cone->best().status) : "optimal";
@@ -298,7 +298,7 @@ ExitStatus run(const Options& options) {
     if (!outcome.reason.empty()) fmt::print(stderr, "{}\n", outcome.reason);
     report_shortfall(outcome);
   }
-  // A single refused input has nothing to show.
+  // A single input with an error has nothing to show.
   if (outcomes.size() > 1 || outcomes.front().fit) write_standard_output(report_of(outcomes, options.format));
   return worst;
 }

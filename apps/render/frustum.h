@@ -12,7 +12,7 @@ namespace litfog::render {
 using Frustum = std::array<glm::vec4, 6>;
 Frustum make_frustum(const glm::mat4& clip_from_world);
 
-/// Whether the camera can see anything of a box. May say yes where it cannot; never no where it can.
+/// Whether the camera can see anything of a box. Never false where it can; may be true where it cannot.
 bool can_see(const Frustum& frustum, const scene::Bounds& box);
 
 }  // namespace litfog::render

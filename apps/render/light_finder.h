@@ -12,13 +12,13 @@
 namespace litfog::render {
 
 /// Whether a light can light anything within a box: the box meets the sphere of the light's extent, and the box's
-/// sphere meets the light's cone. May say yes where it cannot; never no where it can.
+/// sphere meets the light's cone. Never false where it can; may be true where it cannot.
 ///
 /// extent  metres; infinity asks for the cone alone
 bool can_reach(const PlacedLight& light, double extent, const scene::Bounds& box);
 
-/// Finds the lights that can reach a box among many. A scene's lights stand in rows, so neighbours in the list are
-/// neighbours in space: what is far from a whole group of them is not asked about each.
+/// Finds the lights, among many, that can reach a box. Neighbours in a scene's list are mostly neighbours in space,
+/// because its lights stand in rows: a box that no light of a group can reach is not tested against each of them.
 class LightFinder {
  public:
   /// lights, extents (metres)  have to outlive this

@@ -17,7 +17,7 @@ constexpr double kWidestDrawnIn = std::numbers::pi / 3;
 
 std::uint16_t texel(double share) { return std::uint16_t(std::lround(std::clamp(share, 0.0, 1.0) * 65535)); }
 
-/// Where texel i of n stands, as P / E: -1 to 1.
+/// The position of texel i of n as P / E: -1 to 1.
 double place(int i, int size) { return 2.0 * i / (size - 1) - 1; }
 
 bool is_boundary(int i, int size) { return i == 0 || i == size - 1; }

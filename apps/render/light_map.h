@@ -11,12 +11,13 @@
 
 namespace litfog::render {
 
-// The texels of the maps from which lights are looked up: 16-bit fractions, x running fastest, then y, then z or the
-// face. Texel i of `size` stands for the coordinate i / (size - 1), as Hales has it, which spans the map from 0 to 1.
+// The texels of the light maps: 16-bit fractions, x running fastest, then y, then z or the face. Texel i of `size` is
+// at the coordinate i / (size - 1), as in Steven Hales 2004, "Realtime Pixel Lighting Using Fragment Programs": the
+// first texel is at 0 and the last at 1.
 using MapTexels = std::vector<std::uint16_t>;
 
-/// Range attenuation over a fraction of the extent: its three parameters scaled by the powers of that. Lights that agree
-/// in them share their range map, for the map's coordinates are fractions of the extent too.
+/// Range attenuation over a fraction of the extent: its three parameters scaled by the powers of the extent. Lights
+/// with equal profiles share their range map, because the map's coordinates are fractions of the extent too.
 struct RangeProfile {
   float constant;
   float linear;     ///< L E
@@ -31,13 +32,13 @@ RangeProfile range_profile(const Attenuation& attenuation, double extent);
 /// boundaries, 0 (Hales 2004, "Embedding Range Attenuation in a Texture Map"; his R2 > E is meant as R > E).
 MapTexels make_range_volume(const RangeProfile& profile, int size);
 
-/// The 2-D pair in its place (same section): q = 0.5 + |(Px, Py)| / (2 E) over (s, t), cut off at 1, and the
-/// attenuation over (q, r), 0 beyond the extent and at the boundaries.
+/// The pair of 2-D maps that replaces the 3-D map (same section): q = 0.5 + |(Px, Py)| / (2 E) over (s, t), clamped to
+/// 1, and the attenuation over (q, r), 0 beyond the extent and at the boundaries.
 MapTexels make_distance_map(int size);
 MapTexels make_range_map(const RangeProfile& profile, int size);
 
-/// x^2 + y^2 over (s, t) and z^2 over r, coordinates 0.5 + P / (2 R) and squares of P / R, cut off at 1 (Frazier 2000,
-/// "Calculating Attenuation").
+/// x^2 + y^2 over (s, t) and z^2 over r, coordinates 0.5 + P / (2 R) and squares of P / R, clamped to 1 (Ronald Frazier
+/// 2000, "Real-Time Per-Pixel Point Lights and Spot Lights in OpenGL", section "Calculating Attenuation").
 MapTexels make_square_map(int size);
 MapTexels make_square_ramp(int size);
 
@@ -47,21 +48,21 @@ enum class CubeAxis {
   minus_z,  ///< Frazier
 };
 
-/// How far a cube map of a cone is drawn in across its axis.
+/// The scale of the coordinates across the axis in a cone's cube map.
 ///
-/// A cone of at most 60 degrees is drawn in by tan(90 deg - half angle), so that it spans the axis's face and the
-/// others are dark (Hales: a; Frazier: scaleFactor). A wider one would have few texels at its middle, and beyond 90
-/// degrees no scale at all: it spreads over all faces as it is, 1.
+/// A cone of at most 60 degrees is scaled by tan(90 deg - half angle), so that it spans the axis's face and the others
+/// are dark (Hales: a; Frazier: scaleFactor). A wider cone has scale 1 and extends over all faces, because scaled it
+/// would have few texels at its middle, and beyond 90 degrees there is no such scale.
 double cone_map_scale(const Cone& cone);
 
 /// Six faces in OpenGL's order: +x -x +y -y +z -z.
 MapTexels make_cone_cube(const Cone& cone, CubeAxis axis, int size);
 
-/// The same of a cookie, as it is.
+/// The same for a cookie, unscaled.
 MapTexels make_cookie_cube(const Cookie& cookie);
 
-/// By what the coordinates across the axis are to be multiplied for that map: its scale, minus half a texel at each end
-/// of a face where the map is drawn in, for OpenGL has texel i at (i + 0.5) / size.
+/// The factor of the coordinates across the axis when the map is looked up: its scale. A scale other than 1 is reduced
+/// by half a texel at each end of a face, because OpenGL has texel i at (i + 0.5) / size.
 double cone_coordinate_scale(const Cone& cone, int size);
 
 }  // namespace litfog::render

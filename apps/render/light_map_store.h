@@ -14,20 +14,20 @@
 
 namespace litfog::render {
 
-/// The light maps of a path on the GPU, each once for all lights that agree in its parameters ("Multiple Light
-/// Sources", Hales 2004). Needs a current GL context.
+/// The light maps of a path on the GPU, each made once for all lights that agree in its parameters (Steven Hales 2004,
+/// "Realtime Pixel Lighting Using Fragment Programs", section "Multiple Light Sources"). Needs a current GL context.
 class LightMapStore {
  public:
   /// size    texels a side of a 3-D map, a cube map's face and Frazier's maps; the 2-D pair has a volume's texels
-  /// throws  gl::Unsupported where this OpenGL has no textures of that size, or where the lights are of so many shapes
-  ///         that their maps would take more than 1 GiB
+  /// throws  gl::Unsupported where this OpenGL has no textures of that size, or where the maps of all shapes of lights
+  ///         would take more than 1 GiB
   LightMapStore(LightMapSet set, const scene::Scene& scene, const SceneLights& lights, int size);
 
-  /// Of all lights: those of one kind share their maps. Empty where the path has none.
+  /// One number a light: lights of the same number share their maps. Empty where the path has no maps.
   std::span<const int> kinds() const { return kinds_; }
   /// Turns vectors from the light into coordinates of its cube map.
   const glm::mat3& cone_from_world(std::size_t light) const { return cones_from_world_[light]; }
-  /// Binds a kind's maps.
+  /// Binds the maps of such a number.
   void bind(int kind) const;
 
  private:

@@ -10,10 +10,16 @@ namespace litfog::render {
 
 /// What a surface makes of the light that reaches it. Colours are linear; reflectance is the base texture.
 enum class SurfaceModel {
-  basic,     ///< emissive + ambient + diffuse + specular, specular zero where diffuse is (Cg Tutorial 5.2)
-  diffuse,   ///< emissive + (ambient + directional + sum of the lights x N.L) x base texture (Hales 2004)
-  unshaded,  ///< emissive + (ambient + directional + sum of the lights) x base texture, whichever way it faces
-             ///< (Frazier 2000; the directional light, which he lacks, still falls by N.L)
+  /// Emissive + ambient + diffuse + specular, specular zero where diffuse is (Randima Fernando and Mark Kilgard 2003,
+  /// "The Cg Tutorial", section 5.2).
+  basic,
+  /// Emissive + (ambient + directional + sum of the lights x N.L) x base texture (Steven Hales 2004, "Realtime Pixel
+  /// Lighting Using Fragment Programs").
+  diffuse,
+  /// Emissive + (ambient + directional + sum of the lights) x base texture. Only the directional light depends on the
+  /// surface's orientation, by N.L (Ronald Frazier 2000, "Real-Time Per-Pixel Point Lights and Spot Lights in OpenGL",
+  /// which has no directional light).
+  unshaded,
 };
 
 /// How light falls with range, before the extent E; beyond it a light is dark.
@@ -40,10 +46,11 @@ enum class Blend {
 /// How a pass takes its lights.
 struct LightFeed {
   enum class Kind {
-    none,     ///< drawn once, without lights
-    all,      ///< drawn once, by all lights that can reach the surface
-    batches,  ///< drawn once for each batch of them, the later ones added; without lights once, unless it is itself
-              ///< added
+    none,  ///< drawn once, without lights
+    all,   ///< drawn once, by all lights that can reach the surface
+    /// Drawn once for each batch of them, the later batches added. Without lights it is drawn once, unless the pass
+    /// itself is added.
+    batches,
   };
   Kind kind = Kind::none;
   std::size_t batch_size = 0;  ///< batches: the most lights of one, which share their maps
@@ -57,7 +64,7 @@ struct SurfacePass {
   std::string_view fragment;
   Blend blend = Blend::replace;
   LightFeed lights = {};
-  bool shows_fog = true;  ///< the first time that it draws a surface it adds the light of the fog before it
+  bool shows_fog = true;  ///< adds the light of the fog before a surface, the first time that it draws it
 };
 
 /// The textures from which a path looks its lights up.
@@ -88,10 +95,10 @@ struct LightingPath {
 /// Every path, the default one first.
 std::span<const LightingPath> lighting_paths();
 
-/// The base texture alone, without light and fog: none of the paths, but what they cost more than.
+/// The base texture alone, without light and fog. Not one of the paths: it is the floor of their cost.
 const LightingPath& unlit_path();
 
-/// Null where there is none of that name.
+/// Null if no path has that name.
 const LightingPath* find_lighting_path(std::string_view name);
 
 }  // namespace litfog::render

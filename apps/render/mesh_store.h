@@ -9,7 +9,7 @@
 
 namespace litfog::render {
 
-/// A run of triangles of one material that lie together, so that it can be culled and has a short light list.
+/// A run of neighbouring triangles of one material, small enough to be culled and to have a short light list.
 struct Chunk {
   std::string material;
   scene::Bounds bounds;  ///< model space

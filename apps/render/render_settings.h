@@ -5,14 +5,14 @@
 
 namespace litfog::render {
 
-/// Whether the renderer leaves out what cannot show: surfaces out of view, lights out of reach of a surface.
+/// Whether the renderer leaves out what cannot be visible: surfaces out of view, lights out of reach of a surface.
 enum class Skipping { on, off };
 
 /// How a renderer draws a scene.
 struct RenderSettings {
   Skipping skipping = Skipping::on;
   const LightingPath* path = &lighting_paths().front();
-  /// The directional light of Hales's paths by the faces' own normals, else by the vertices' (his flat and smooth
+  /// Hales's paths shade the directional light by the faces' normals, else by the vertices' (his flat and smooth
   /// shading).
   bool is_flat_shaded = false;
   bool has_infinite_viewer = false;  ///< the Basic model's highlights as seen from far away along the camera's axis

@@ -102,7 +102,7 @@ void Renderer::draw_sky() {
   set_uniform(sky_program_, "litfog_light_buffer", kLightBufferUnit);
   set_uniform(sky_program_, "light_list", kLightListUnit);
   set_uniform(sky_program_, "carried_count", carried_count());
-  // Without the eye's position, whose rounding would turn the sky: a near point minus an eye far from the origin.
+  // Without the eye's position: far from the origin, the rounding of a near point minus the eye would rotate the sky.
   const auto turned = glm::mat4(glm::mat3(view_from_world(scene_.camera)));
   set_uniform(sky_program_, "direction_from_clip",
               glm::inverse(clip_from_view(scene_.camera, framebuffer_.aspect()) * turned));

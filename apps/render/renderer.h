@@ -13,9 +13,9 @@
 
 namespace litfog::render {
 
-inline constexpr float kSkyDistance = 50'000;  ///< metres: beyond any visibility at which fog shows
+inline constexpr float kSkyDistance = 50'000;  ///< metres: beyond any visibility at which fog is visible
 
-/// Whether lamps are drawn as points, over the surfaces that they light.
+/// Whether lamps are drawn as points over the surfaces.
 enum class LightPoints { on, off };
 
 /// Draws a scene by a lighting path into a framebuffer. Needs a current GL 3.3 core context.

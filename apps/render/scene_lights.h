@@ -12,8 +12,8 @@
 
 namespace litfog::render {
 
-/// The lights of a scene as the renderer takes them: first the local ones, minus those of extent 0, which light nothing
-/// and must not show as points either; then those that the eye's vehicle carries, which light the fog too.
+/// The lights of a scene as the renderer takes them: first the local lights, then those that the eye's vehicle carries,
+/// which light the fog too. Local lights of extent 0 are left out: they light nothing and have no visible point.
 class SceneLights {
  public:
   /// scene  has to outlive this
@@ -25,12 +25,12 @@ class SceneLights {
   std::span<const PlacedLight> lights() const { return lights_; }
   /// Metres, one a light.
   std::span<const double> extents() const { return extents_; }
-  /// The cookie in place of a light's cone; null where there is none.
+  /// The cookie that replaces a light's cone, or null.
   const scene::CookieUse* cookie(std::size_t light) const { return cookies_[light]; }
 
   /// Takes a change of the fog. Returns the entries that changed, good until the next call.
   std::span<const EntryRange> set_fog(const Fog& fog);
-  /// What shaders take of the lights, in an order of its own. A cookie is profile 3 (see cube_cookie.glsl).
+  /// The lights as shaders read them, in the updater's order. A cookie is profile 3 (cube_cookie.glsl).
   std::span<const FogLight> entries() const { return entries_; }
   std::size_t entry_of(std::size_t light) const { return entry_of_[light]; }
   const FogLight& packed(std::size_t light) const { return entries_[entry_of_[light]]; }

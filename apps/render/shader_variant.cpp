@@ -23,13 +23,13 @@ std::string unrolled(std::size_t count) {
 
 std::size_t compiled_light_count(std::size_t lights) {
   assert(lights <= kMaxUniformLights);
-  // A driver may take a second to compile a shader, and a frame needs shaders for many numbers of lights.
+  // Few numbers, because a driver may take a second to compile a shader, and a frame has many numbers of lights.
   constexpr std::array<std::size_t, 8> kCounts{0, 1, 2, 3, 4, 6, 8, kMaxUniformLights};
   return *std::ranges::lower_bound(kCounts, lights);
 }
 
 UniformLights compiled_for(std::span<const FogLight> lights) {
-  constexpr std::size_t kMaxOfKnownProfile = 2;  // of more, a shader for each profile would be too many
+  constexpr std::size_t kMaxOfKnownProfile = 2;  // of more lights, a shader for each profile would be too many
   UniformLights compiled{.count = compiled_light_count(lights.size())};
   if (lights.empty() || compiled.count > kMaxOfKnownProfile) return compiled;
   const float profile = lights.front().axis_profile.w;

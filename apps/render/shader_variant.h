@@ -11,14 +11,15 @@
 
 namespace litfog::render {
 
-/// The most lights that light the fog, or the surface in a pass that takes all, as uniforms; more are read through the
-/// light list.
+/// The most lights that are passed as uniforms, for the fog as for the surface in a pass that takes all lights. More
+/// lights are read through the light list.
 inline constexpr std::size_t kMaxUniformLights = 16;
 
-/// For how many lights a shader is compiled that takes at least `lights`, at most kMaxUniformLights.
+/// The number of lights that a shader for `lights` lights is compiled for: at least `lights`, at most
+/// kMaxUniformLights.
 std::size_t compiled_light_count(std::size_t lights);
 
-/// What a shader is compiled for, of lights that it takes as uniforms.
+/// The uniform lights that a shader is compiled for.
 struct UniformLights {
   static constexpr int kAnyProfile = -1;  ///< one that the shader has to ask for
 

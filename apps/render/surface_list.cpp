@@ -90,7 +90,7 @@ BufferTexture SurfaceList::list_lights(const scene::Scene& scene, const SceneLig
       surfaces_.push_back(surface);
     }
   }
-  // By name, not by address: where surfaces lie in one plane the order decides, and pictures have to come out the same.
+  // By name, not by address, because the order decides which of two coplanar surfaces is visible.
   std::ranges::stable_sort(surfaces_, {}, [](const Surface& surface) { return surface.material->material.name; });
   std::vector<std::int32_t> entries;
   for (const std::int32_t light : list_) entries.push_back(std::int32_t(lights.entry_of(std::size_t(light))));

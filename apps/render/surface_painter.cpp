@@ -30,9 +30,9 @@ void set_blend(Blend blend) {
   }
 }
 
-/// The first pass of a surface decides its samples. The others draw each of them once more, though several of its
-/// triangles may have the same depth there: the stencil counts the passes that a sample has had. Where they have, the
-/// first pass leaves the last triangle; so the others draw the triangles in reverse, and the first to come is the same.
+/// The first pass of a surface decides which samples it covers. Each later pass draws each of them once, because the
+/// stencil counts the passes of a sample. Where several triangles have the same depth, the first pass keeps the last
+/// one; later passes keep the first one, so they draw the triangles in reverse order.
 void select_samples(int pass) {
   glDepthFunc(pass == 0 ? GL_LEQUAL : GL_EQUAL);
   glDepthMask(pass == 0 ? GL_TRUE : GL_FALSE);
@@ -90,7 +90,7 @@ FrameCounts SurfacePainter::draw(const LightingPath& path, const glm::mat4& clip
   return counts;
 }
 
-/// All passes of a surface before the next surface: where two lie in one plane, the later one hides the earlier.
+/// Draws all passes of a surface before the next surface, because the later of two coplanar ones hides the earlier.
 void SurfacePainter::draw_surface(Frame& frame, const Surface& surface) {
   LightSelection selection;
   if (needs_lights(frame.path)) {
@@ -138,7 +138,7 @@ void SurfacePainter::draw_pass(Frame& frame, const Surface& surface, ShaderVaria
     }
   }
   const std::size_t first = uniforms.size();
-  // What the fog's lights and the surface's have in common is computed once where the pass takes all.
+  // A pass that takes all lights computes once what the fog's lights and the surface's have in common.
   variant.shares_lights = variant.pass->lights.kind == LightFeed::Kind::all && !variant.has_listed_lights && first > 0;
   for (const std::int32_t light : batch) {
     if (variant.shares_lights && std::ranges::find(fog_lights, light) != fog_lights.end()) continue;

@@ -37,8 +37,7 @@ class SurfacePainter {
   struct Frame;
 
   void draw_surface(Frame& frame, const Surface& surface);
-  /// Draws a surface by the lights of its fog and a batch of its own. What the variant says of uniform lights is found
-  /// here.
+  /// Draws a surface by the lights of its fog and a batch of its own. Fills in the variant's uniform lights.
   void draw_pass(Frame& frame, const Surface& surface, ShaderVariant variant, std::span<const std::int32_t> fog_lights,
                  std::span<const std::int32_t> batch);
   SurfaceProgram& use(Frame& frame, const ShaderVariant& variant, const SurfaceMaterial& material);

@@ -13,7 +13,7 @@ namespace {
 
 std::string glsl(const glm::vec3& v) { return fmt::format("vec3({}, {}, {})", v.x, v.y, v.z); }
 
-/// What stays the same in a scene, as constants: some drivers look a uniform up for every fragment.
+/// What stays the same in a scene, as constants, because some drivers look a uniform up for every fragment.
 std::string environment_constants(const scene::Environment& environment, const RenderSettings& settings) {
   return fmt::format(
       "const vec3 ambient_light = {};\n"

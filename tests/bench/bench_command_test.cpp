@@ -37,7 +37,7 @@ class BenchMeasurement : public BenchCommand {
  protected:
   void SetUp() override {
 #ifndef NDEBUG
-    GTEST_SKIP() << "a Debug build refuses to measure";
+    GTEST_SKIP() << "a Debug build does not measure";
 #endif
   }
 };
@@ -75,7 +75,7 @@ void expect_columns(const Json& rows, const std::vector<std::string>& columns) {
   }
 }
 
-TEST_F(BenchMeasurement, SolveHasEveryMethodForBothFogs) {
+TEST_F(BenchMeasurement, SolveMeasuresEveryMethodInBothFogs) {
   const Outcome outcome = run("solve --quick --json solve.json --csv solve.csv --plot solve.png");
   ASSERT_EQ(outcome.status, kDone) << outcome.err;
   EXPECT_EQ(outcome.err, "");
@@ -215,16 +215,16 @@ TEST_F(BenchMeasurement, FitFindsEveryOptimumToTheDigitsThatItStates) {
 }
 #else
 TEST_F(BenchMeasurement, BuildWithoutFitsHasNoFitBenchmark) {
-  EXPECT_REFUSED(run("fit --quick"), kMissingCapability,
+  EXPECT_ERROR(run("fit --quick"), kMissingCapability,
                  "litfog-bench: this build has no litfog::fit; configure with -DLITFOG_BUILD_FIT=ON\n");
 }
 #endif
 
 TEST_F(BenchMeasurement, IsaLimitsWhatBatchesUse) {
-  const Outcome refused = run("update --quick --isa MMX");
-  EXPECT_EQ(refused.status, kUsage);
-  ASSERT_TRUE(refused.err.starts_with("litfog-bench: --isa = MMX: must be one of ")) << refused.err;
-  std::string names = refused.err.substr(std::string("litfog-bench: --isa = MMX: must be one of ").size());
+  const Outcome failed = run("update --quick --isa MMX");
+  EXPECT_EQ(failed.status, kUsage);
+  ASSERT_TRUE(failed.err.starts_with("litfog-bench: --isa = MMX: must be one of ")) << failed.err;
+  std::string names = failed.err.substr(std::string("litfog-bench: --isa = MMX: must be one of ").size());
   names = names.substr(0, names.find(" on this machine"));
   std::istringstream list(names);
   for (std::string name; std::getline(list >> std::ws, name, ',');) {
@@ -234,19 +234,19 @@ TEST_F(BenchMeasurement, IsaLimitsWhatBatchesUse) {
   }
 }
 
-TEST_F(BenchMeasurement, RefusesWhatItCannotWriteBeforeItMeasures) {
-  EXPECT_REFUSED(run("solve --json absent/x.json"), kCannotWrite,
-                 "litfog-bench: absent/x.json: cannot be written: no folder absent\n");
-  EXPECT_REFUSED(run("solve --csv ."), kCannotWrite, "litfog-bench: .: cannot be written: is a folder\n");
-  EXPECT_REFUSED(run("update --plot absent/x.png"), kCannotWrite,
-                 "litfog-bench: absent/x.png: cannot be written: no folder absent\n");
-  EXPECT_REFUSED(run("update --plot x.jpg"), kUsage, usage_message("--plot = x.jpg: must end in .png or .svg"));
-  EXPECT_REFUSED(run("solve --plot x.png", "PATH=/nowhere"), kMissingCapability,
-                 "litfog-bench: gnuplot cannot be run: No such file or directory; install gnuplot-nox\n");
-  EXPECT_REFUSED(run("solve --csv ''"), kUsage, usage_message("--csv = \"\": must not be empty"));
-  EXPECT_REFUSED(run("solve --csv a --json ./a"), kUsage, usage_message("--csv = a: must not be the file of --json"));
-  EXPECT_REFUSED(run("fit --isa AVX2"), kUsage,
-                 usage_message("--isa = AVX2: must be given with solve or update: the others have no batches"));
+TEST_F(BenchMeasurement, UnwritableOutputIsAnErrorBeforeTheMeasurement) {
+  EXPECT_ERROR(run("solve --json absent/x.json"), kCannotWrite,
+               "litfog-bench: absent/x.json: cannot be written: no folder absent\n");
+  EXPECT_ERROR(run("solve --csv ."), kCannotWrite, "litfog-bench: .: cannot be written: is a folder\n");
+  EXPECT_ERROR(run("update --plot absent/x.png"), kCannotWrite,
+               "litfog-bench: absent/x.png: cannot be written: no folder absent\n");
+  EXPECT_ERROR(run("update --plot x.jpg"), kUsage, usage_message("--plot = x.jpg: must end in .png or .svg"));
+  EXPECT_ERROR(run("solve --plot x.png", "PATH=/nowhere"), kMissingCapability,
+               "litfog-bench: gnuplot cannot be run: No such file or directory; install gnuplot-nox\n");
+  EXPECT_ERROR(run("solve --csv ''"), kUsage, usage_message("--csv = \"\": must not be empty"));
+  EXPECT_ERROR(run("solve --csv a --json ./a"), kUsage, usage_message("--csv = a: must not be the file of --json"));
+  EXPECT_ERROR(run("fit --isa AVX2"), kUsage,
+               usage_message("--isa = AVX2: must be given with solve or update: the others have no batches"));
   for (const auto& entry : std::filesystem::directory_iterator(directory())) {
     EXPECT_TRUE(entry.path().filename() == "out" || entry.path().filename() == "err") << entry.path();
   }
@@ -270,18 +270,18 @@ TEST_F(BenchCommand, HelpNeedsNoReleaseBuild) {
   EXPECT_EQ(run("--version").status, kDone);
 }
 
-TEST_F(BenchCommand, WrongUsageIsRefused) {
-  EXPECT_REFUSED(run(""), kUsage, usage_message("benchmark is required"));
-  EXPECT_REFUSED(run("speed"), kUsage, usage_message("benchmark = speed: must be one of solve|update|fit|render"));
+TEST_F(BenchCommand, WrongUsageIsAnError) {
+  EXPECT_ERROR(run(""), kUsage, usage_message("benchmark is required"));
+  EXPECT_ERROR(run("speed"), kUsage, usage_message("benchmark = speed: must be one of solve|update|fit|render"));
   EXPECT_EQ(run("solve --quick --slow").status, kUsage);
   EXPECT_EQ(run("solve update").status, kUsage);
   EXPECT_EQ(run("solve --json").status, kUsage);
 }
 
 #ifndef NDEBUG
-TEST_F(BenchCommand, DebugBuildRefusesToMeasure) {
-  EXPECT_REFUSED(run("solve --quick"), kMissingCapability,
-                 "litfog-bench: a Debug build is not measured; configure with -DCMAKE_BUILD_TYPE=Release\n");
+TEST_F(BenchCommand, DebugBuildDoesNotMeasure) {
+  EXPECT_ERROR(run("solve --quick"), kMissingCapability,
+               "litfog-bench: a Debug build is not measured; configure with -DCMAKE_BUILD_TYPE=Release\n");
 }
 #endif
 
@@ -291,7 +291,7 @@ const std::vector<std::string> kRenderColumns{
     "skip",          "ms_per_frame",   "ms_spread",      "ratio_to_legacy", "ratio_to_two_light_legacy",
     "max_error_255", "mean_error_255", "excepted_pixels"};
 
-TEST_F(BenchMeasurement, RenderHasEveryPathBesideLegacyAndTheBareTexture) {
+TEST_F(BenchMeasurement, RenderMeasuresEveryPathBesideLegacyAndTheBareTexture) {
   const Outcome outcome = run("render --quick --json render.json --csv render.csv --plot render.png");
   ASSERT_EQ(outcome.status, kDone) << outcome.err;
   const Json document = Json::parse(read("render.json"));
@@ -321,7 +321,7 @@ TEST_F(BenchMeasurement, RenderHasEveryPathBesideLegacyAndTheBareTexture) {
   EXPECT_TRUE(std::filesystem::exists(directory() / "render.png"));
 }
 
-TEST_F(BenchMeasurement, RefusesATargetOfTheBatchForFrames) {
+TEST_F(BenchMeasurement, TargetOfTheBatchIsAnErrorForFrames) {
   const Outcome outcome = run("render --quick --isa AVX2");
   EXPECT_EQ(outcome.status, kUsage);
   EXPECT_EQ(outcome.err, usage_message("--isa = AVX2: must be given with solve or update: the others have no batches"));

@@ -23,7 +23,7 @@ double brightness(const Scene& scene) {
   return sum;
 }
 
-TEST(LightCount, IsWhatWasAskedForInEveryScene) {
+TEST(LightCount, EverySceneHasTheNumberOfLightsAskedFor) {
   for (const std::string& name : bundled_scenes()) {
     const Scene scene = read_scene(bundled_scene_path(name));
     for (const std::size_t count : {1u, 2u, 5u, 16u, 256u}) {
@@ -32,7 +32,7 @@ TEST(LightCount, IsWhatWasAskedForInEveryScene) {
   }
 }
 
-TEST(LightCount, TakesCarriedLightsFirstAndTheNearestOfTheOthers) {
+TEST(LightCount, CarriedLightsAreTakenFirstAndThenTheNearest) {
   const Scene scene = read_scene(bundled_scene_path("approach"));
   const auto carried = std::size_t(std::ranges::count_if(scene.lights, &PlacedLight::carried));
   ASSERT_GT(carried, 0u);
@@ -54,7 +54,7 @@ TEST(LightCount, TakesCarriedLightsFirstAndTheNearestOfTheOthers) {
   }
 }
 
-TEST(LightCount, CopiesAreTogetherAsBrightAsTheirLightsAndCarriedByNobody) {
+TEST(LightCount, CopiesAreTogetherAsBrightAsTheirLightsAndNotCarried) {
   Scene scene = read_scene(bundled_scene_path("headlights"));
   const std::size_t own = scene.lights.size();
   const Scene many =

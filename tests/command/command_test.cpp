@@ -21,13 +21,13 @@ int status_after(const Error& error) {
   return run_command(app, 1, arguments, [&]() -> ExitStatus { throw error; });
 }
 
-TEST(Command, OurOwnFaultsAreNotTheInputs) {
+TEST(Command, InternalFaultIsNotBlamedOnTheInput) {
   EXPECT_EQ(status_after(std::logic_error("shader")), kInternalError);
   EXPECT_EQ(status_after(std::out_of_range("vector")), kInternalError);
 }
 
-TEST(Command, WhatWentWrongGivesTheStatus) {
-  EXPECT_EQ(status_after(std::invalid_argument("refused")), kBadInput);
+TEST(Command, ExceptionDeterminesTheStatus) {
+  EXPECT_EQ(status_after(std::invalid_argument("error")), kBadInput);
   EXPECT_EQ(status_after(std::bad_alloc()), kBadInput);
   EXPECT_EQ(status_after(InputError({"a.json", 1, 1}, "a", "1", "must be 2")), kBadInput);
   EXPECT_EQ(status_after(MissingCapability("no OpenGL")), kMissingCapability);

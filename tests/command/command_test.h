@@ -51,10 +51,10 @@ class CommandTest : public testing::Test {
 
 }  // namespace litfog::test
 
-#define EXPECT_REFUSED(outcome, expected_status, message) \
-  do {                                                    \
-    const litfog::test::Outcome refused = (outcome);      \
-    EXPECT_EQ(refused.status, expected_status);           \
-    EXPECT_EQ(refused.out, "");                           \
-    EXPECT_EQ(refused.err, message);                      \
+#define EXPECT_ERROR(outcome, expected_status, message) \
+  do {                                                  \
+    const litfog::test::Outcome failed = (outcome);     \
+    EXPECT_EQ(failed.status, expected_status);          \
+    EXPECT_EQ(failed.out, "");                          \
+    EXPECT_EQ(failed.err, message);                     \
   } while (false)

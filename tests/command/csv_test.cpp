@@ -42,7 +42,7 @@ std::vector<std::vector<std::string>> read_all(const std::string& text) {
 
 using Records = std::vector<std::vector<std::string>>;
 
-TEST(Csv, SplitsRecordsAndFields) {
+TEST(Csv, RecordsAndFieldsAreSplit) {
   EXPECT_EQ(read_all(""), Records{});
   EXPECT_EQ(read_all("a"), (Records{{"a"}}));
   EXPECT_EQ(read_all("a,b\nc,d\n"), (Records{{"a", "b"}, {"c", "d"}}));
@@ -52,20 +52,20 @@ TEST(Csv, SplitsRecordsAndFields) {
   EXPECT_EQ(read_all(" a , b "), (Records{{" a ", " b "}})) << "spaces are part of a field";
 }
 
-TEST(Csv, UnquotesFields) {
+TEST(Csv, FieldsAreUnquoted) {
   EXPECT_EQ(read_all("\"a,b\",\"say \"\"hi\"\"\",\"\"\n"), (Records{{"a,b", "say \"hi\"", ""}}));
   EXPECT_EQ(read_all("\"a\nb\r\nc\",d\n"), (Records{{"a\nb\r\nc", "d"}}));
   EXPECT_EQ(read_all("5\" pipe,b\n"), (Records{{"5\" pipe", "b"}})) << "a quote within an unquoted field is text";
   EXPECT_EQ(read_all("a\rb,c\r\n"), (Records{{"a\rb", "c"}})) << "only CR LF ends a line";
 }
 
-TEST(Csv, SkipsAByteOrderMarkOnlyAtTheStart) {
+TEST(Csv, ByteOrderMarkIsSkippedAtTheStartOnly) {
   EXPECT_EQ(read_all("\xEF\xBB\xBFid\n\xEF\xBB\xBFid\n"), (Records{{"id"}, {"\xEF\xBB\xBFid"}}));
   EXPECT_EQ(read_all("\xEF\xBB\xBF"), Records{});
   EXPECT_EQ(read_all("\xEF\xBB"), (Records{{"\xEF\xBB"}}));
 }
 
-TEST(Csv, FieldsKnowTheirPlace) {
+TEST(Csv, FieldsKnowTheirLocation) {
   const File file = file_of(
       "\xEF\xBB\xBF"
       "a,\"b\nc\",\xC3\xA4\xC3\xA4,d\r\n\n e,f");
@@ -89,7 +89,7 @@ TEST(Csv, FieldsKnowTheirPlace) {
   EXPECT_FALSE(reader.read(record));
 }
 
-TEST(Csv, KeepsTheRawTextOfFields) {
+TEST(Csv, RawTextOfFieldsIsKept) {
   const File file = file_of("\"a\",\"b,\"\"\",c\r\nd\n");
   CsvReader reader(file.get(), "f");
   CsvRecord record;
@@ -103,7 +103,7 @@ TEST(Csv, KeepsTheRawTextOfFields) {
   EXPECT_EQ(record.raw(1), "d");
 }
 
-TEST(Csv, NotesAnOpenQuoteAndClosesItInTheRawText) {
+TEST(Csv, OpenQuoteIsNotedAndClosedInTheRawText) {
   const File file = file_of("a\nb,\"open,\nc\n");
   CsvReader reader(file.get(), "f");
   CsvRecord record;
@@ -117,7 +117,7 @@ TEST(Csv, NotesAnOpenQuoteAndClosesItInTheRawText) {
   EXPECT_FALSE(reader.read(record));
 }
 
-TEST(Csv, NotesTextBehindAClosingQuote) {
+TEST(Csv, TextBehindAClosingQuoteIsNoted) {
   const File file = file_of("\"a\" ,b\nc,d\n");
   CsvReader reader(file.get(), "f");
   CsvRecord record;
@@ -131,7 +131,7 @@ TEST(Csv, NotesTextBehindAClosingQuote) {
   EXPECT_EQ(fields_of(record), (std::vector<std::string>{"c", "d"}));
 }
 
-TEST(Csv, HoldsARecordOfOneMebibyteAndDropsALongerOne) {
+TEST(Csv, RecordOfOneMebibyteIsHeldAndALongerOneDropped) {
   constexpr std::size_t kMost = std::size_t{1} << 20;
   const File file = file_of(std::string(kMost, 'x') + "\n" + std::string(5 * kMost, ',') + "\nb,c\n");
   CsvReader reader(file.get(), "f");
@@ -162,7 +162,7 @@ TEST(Csv, RecordsMayStraddleTheReadersBuffer) {
   }
 }
 
-TEST(Csv, WhatCannotBeReadIsBadInput) {
+TEST(Csv, UnreadableInputIsAnError) {
   const File file(std::fopen("/tmp", "rb"), std::fclose);
   ASSERT_NE(file, nullptr);
   try {
@@ -173,7 +173,7 @@ TEST(Csv, WhatCannotBeReadIsBadInput) {
   }
 }
 
-TEST(Csv, QuotesOnlyWhatNeedsIt) {
+TEST(Csv, FieldIsQuotedOnlyWhereItNeedsIt) {
   EXPECT_EQ(csv_quoted("plain text"), "plain text");
   EXPECT_EQ(csv_quoted(""), "");
   EXPECT_EQ(csv_quoted("a,b"), "\"a,b\"");

@@ -10,7 +10,7 @@ using namespace command;
 
 namespace {
 
-TEST(Number, ReadsWholeTokensExactly) {
+TEST(Number, WholeTokenIsReadExactly) {
   EXPECT_EQ(parse_number("0.1"), 0.1);
   EXPECT_EQ(parse_number("-2.5e3"), -2500.0);
   EXPECT_EQ(parse_number(".5"), 0.5);
@@ -20,13 +20,13 @@ TEST(Number, ReadsWholeTokensExactly) {
   EXPECT_EQ(parse_integer("2147483647"), 2147483647);
 }
 
-TEST(Number, ReadsInfinityInAnyCase) {
+TEST(Number, InfinityIsReadInAnyCase) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (const char* text : {"inf", "INF", "infinity", "Infinity"}) EXPECT_EQ(parse_number(text), kInfinity) << text;
   EXPECT_EQ(parse_number("-inf"), -kInfinity);
 }
 
-TEST(Number, RefusesWhatIsNotOneNumber) {
+TEST(Number, TextThatIsNotOneNumberIsAnError) {
   for (const char* text : {"",      " ",  " 1", "1 ", "+1", "0x10", "nan",   "NaN",   "-nan",   "nan(1)", "1,5",
                            "1.5.2", "1e", "e5", ".",  "-",  "1m",   "infin", "1e999", "-1e999", "1e-999", "\xD9\xA1"}) {
     EXPECT_EQ(parse_number(text), std::nullopt) << '"' << text << '"';

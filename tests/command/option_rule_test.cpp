@@ -20,14 +20,14 @@ std::string error_of(const std::string& arguments, const std::vector<OptionRule>
   return "";
 }
 
-TEST(OptionRule, AnExcludedOptionIsAUsageErrorWithItsReason) {
+TEST(OptionRule, ExcludedOptionIsAUsageErrorWithItsReason) {
   EXPECT_EQ(error_of("--visibility", {{"--fog none", true, {"--density", "--visibility"}, "the air is clear"}}),
             "--visibility cannot be given with --fog none: the air is clear");
   EXPECT_EQ(error_of("--visibility", {{"--density", true, {"--visibility"}}}),
             "--visibility cannot be given with --density");
 }
 
-TEST(OptionRule, OtherOptionsAndOtherConditionsAreFine) {
+TEST(OptionRule, OtherOptionsAndConditionsAreAccepted) {
   EXPECT_EQ(error_of("--fog", {{"--density", true, {"--visibility"}}}), "");
   EXPECT_EQ(error_of("--fog --visibility", {{"--fog none", false, {"--visibility"}}}), "");
 }

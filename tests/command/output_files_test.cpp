@@ -75,7 +75,7 @@ TEST_F(OutputFilesTest, DevicesAreNotFiles) {
   outputs.expect_apart_from("/dev/null");
 }
 
-TEST_F(OutputFilesTest, AnOutputNeedsAFolder) {
+TEST_F(OutputFilesTest, OutputNeedsAnExistingFolder) {
   OutputFiles outputs;
   EXPECT_THROW(outputs.add("--output", path("none/a.png")), OutputError);
   EXPECT_THROW(outputs.add("--output", path("")), OutputError);

@@ -67,7 +67,7 @@ TEST(Plot, ChartsStandSideBySide) {
   EXPECT_TRUE(contains(svg, "Chart") && contains(svg, "Second"));
 }
 
-TEST(Plot, EveryStyleAndPlaceIsDrawn) {
+TEST(Plot, EveryStyleAndPositionIsDrawn) {
   const auto draw = [](SeriesStyle style, KeyPlace key) {
     Figure figure = one_line();
     figure.charts[0].key = key;
@@ -116,8 +116,8 @@ TEST(Plot, SvgOfAnyTextIsXml) {
   for (const char* forbidden : {"\xEF\xBF\xBE", "\xFF", "\x07"}) EXPECT_FALSE(contains(svg, forbidden));
 }
 
-TEST(Plot, RefusesValuesThatItsAxisCannotShow) {
-  const auto refusal = [](PlotPoint point) -> std::string {
+TEST(Plot, ValueThatTheAxisCannotShowIsAnError) {
+  const auto error_with = [](PlotPoint point) -> std::string {
     Figure figure = one_line();
     figure.charts[0].series[0].points[1] = point;
     try {
@@ -127,11 +127,11 @@ TEST(Plot, RefusesValuesThatItsAxisCannotShow) {
     }
     return "";
   };
-  EXPECT_EQ(refusal({0, 1}), "range (m) = 0: must be finite and > 0 on a logarithmic axis");
-  EXPECT_EQ(refusal({1, -1}), "attenuation = -1: must be finite and > 0 on a logarithmic axis");
-  EXPECT_EQ(refusal({1, std::numeric_limits<double>::infinity()}),
+  EXPECT_EQ(error_with({0, 1}), "range (m) = 0: must be finite and > 0 on a logarithmic axis");
+  EXPECT_EQ(error_with({1, -1}), "attenuation = -1: must be finite and > 0 on a logarithmic axis");
+  EXPECT_EQ(error_with({1, std::numeric_limits<double>::infinity()}),
             "attenuation = inf: must be finite and > 0 on a logarithmic axis");
-  EXPECT_EQ(refusal({1, std::numeric_limits<double>::quiet_NaN()}),
+  EXPECT_EQ(error_with({1, std::numeric_limits<double>::quiet_NaN()}),
             "attenuation = nan: must be finite and > 0 on a logarithmic axis");
   EXPECT_THROW(draw_figure({}, FigureFormat::png), std::invalid_argument);
   Figure without_points = one_line();
@@ -139,7 +139,7 @@ TEST(Plot, RefusesValuesThatItsAxisCannotShow) {
   EXPECT_THROW(draw_figure(without_points, FigureFormat::png), std::invalid_argument);
 }
 
-TEST(Plot, RefusesOtherEndings) {
+TEST(Plot, OtherFileNameEndingIsAnError) {
   EXPECT_EQ(figure_format_of("--plot", "a.b/c.png"), FigureFormat::png);
   EXPECT_EQ(figure_format_of("--plot", "c.svg"), FigureFormat::svg);
   for (const char* path : {"c.jpg", "c", "png", "c.PNG", ".png", ""}) {
@@ -147,7 +147,7 @@ TEST(Plot, RefusesOtherEndings) {
   }
 }
 
-TEST(Plot, SaysThatGnuplotIsMissing) {
+TEST(Plot, MissingGnuplotIsNamed) {
   const std::string path = getenv("PATH");
   setenv("PATH", "/nowhere", 1);
   EXPECT_THROW(require_plotter(), MissingCapability);

@@ -25,7 +25,7 @@ TEST(Table, TextIsAlignedByCodePoints) {
             "-          inf  ok\n");
 }
 
-TEST(Table, TextSendsATerminalNoCommands) {
+TEST(Table, TerminalGetsNoCommands) {
   EXPECT_EQ(format_table({{"name", "x"}, {{"\x1B[2J\n\xFF", 1.0}}}, TableFormat::text),
             "name             x\n\\x1b[2J\\x0a\\xff  1\n");
 }
@@ -45,7 +45,7 @@ TEST(Table, JsonReadsBackExactlyWithInfinityAsText) {
   EXPECT_EQ(json[1]["x"], "inf");
 }
 
-TEST(Table, EmptyCellIsDashNothingAndNull) {
+TEST(Table, EmptyCellIsADashOrNothingOrNull) {
   const Table table{{"a", "b"}, {{1.0, "x"}, {std::monostate{}, std::monostate{}}}};
   EXPECT_EQ(format_table(table, TableFormat::text), "a  b\n1  x\n-  -\n");
   EXPECT_EQ(format_table(table, TableFormat::csv), "a,b\n1,x\n,\n");
@@ -53,7 +53,7 @@ TEST(Table, EmptyCellIsDashNothingAndNull) {
   EXPECT_TRUE(row["a"].is_null() && row["b"].is_null());
 }
 
-TEST(Table, WithoutRowsIsStillWellFormed) {
+TEST(Table, TableWithoutRowsIsWellFormed) {
   const Table table{{"a", "b"}, {}};
   EXPECT_EQ(format_table(table, TableFormat::text), "a  b\n");
   EXPECT_EQ(format_table(table, TableFormat::csv), "a,b\n");

@@ -39,7 +39,7 @@ struct Drawn {
   double threshold;
 };
 
-TEST(Extent, IsExactToTwoUlpOverOrdinaryLights) {
+TEST(Extent, ExtentIsExactToTwoUlpOverOrdinaryLights) {
   check_extent_and_knee("C 1e-3..10, L 1e-6..10, Q 1e-9..10", 20000, [](Random& random) {
     const double linear = random.chance(0.1) ? 0 : random.log_uniform(1e-6, 10);
     const double quadratic = linear > 0 && random.chance(0.1) ? 0 : random.log_uniform(1e-9, 10);
@@ -48,14 +48,14 @@ TEST(Extent, IsExactToTwoUlpOverOrdinaryLights) {
   });
 }
 
-TEST(Extent, IsExactToTwoUlpOverSixtyDecades) {
+TEST(Extent, ExtentIsExactToTwoUlpOverSixtyDecades) {
   check_extent_and_knee("C, L, Q 1e-30..1e30, t 1e-30..1", 20000, [](Random& random) {
     const auto draw = [&] { return random.log_uniform(1e-30, 1e30); };
     return Drawn{{draw(), draw(), draw()}, random.log_uniform(1e-30, 0.99)};
   });
 }
 
-TEST(Extent, IsExactToTwoUlpOverAllDoubles) {
+TEST(Extent, ExtentIsExactToTwoUlpOverAllDoubles) {
   check_extent_and_knee("C, L, Q all doubles, t all below 1", 20000, [](Random& random) {
     const auto draw = [&] { return random.any_positive<double>(); };
     const double linear = random.chance(0.1) ? 0 : draw();
@@ -66,7 +66,7 @@ TEST(Extent, IsExactToTwoUlpOverAllDoubles) {
   });
 }
 
-TEST(Extent, IsExactToTwoUlpWhereTheLightIsBarelyAboveItsThreshold) {
+TEST(Extent, ExtentIsExactToTwoUlpWhereTheLightIsBarelyAboveItsThreshold) {
   check_extent_and_knee("C a few ulp..1e-6 below 1/t (and below 1)", 20000, [](Random& random) {
     const double threshold =
         random.chance(0.3) ? random.pick(std::array{0.05, 1 / 255., 0.5, 0.1}) : random.log_uniform(1e-6, 0.999);
@@ -78,7 +78,7 @@ TEST(Extent, IsExactToTwoUlpWhereTheLightIsBarelyAboveItsThreshold) {
   });
 }
 
-TEST(Extent, IsExactToTwoUlpNextToTheEndsOfTheThreshold) {
+TEST(Extent, ExtentIsExactToTwoUlpNextToTheEndsOfTheThreshold) {
   check_extent_and_knee("t next to 0 and to 1", 20000, [](Random& random) {
     const double threshold = random.pick(std::array{kDenormMin, std::numeric_limits<double>::min(), 1e-300, 1e-100,
                                                     1 - 0x1p-53, 1 - 0x1p-52, 1 - 1e-9, 0.5, std::nextafter(0.5, 0.0)});
@@ -89,7 +89,7 @@ TEST(Extent, IsExactToTwoUlpNextToTheEndsOfTheThreshold) {
   });
 }
 
-TEST(Extent, IsFiniteAndRightWhereSinglePrecisionLosesTheTextbookRoot) {
+TEST(Extent, ExtentIsFiniteAndRightWhereSinglePrecisionLosesTheTextbookRoot) {
   for (const float quadratic : {1e-8f, 1e-9f}) {
     const float textbook = (-1 + std::sqrt(1 - 4 * quadratic * (1 - 1 / 0.05f))) / (2 * quadratic);
     const Digits50 reference = reference_extent({1, 1, quadratic}, double(0.05f));
@@ -99,7 +99,7 @@ TEST(Extent, IsFiniteAndRightWhereSinglePrecisionLosesTheTextbookRoot) {
   }
 }
 
-TEST(Extent, IsExactToOneUlpInSinglePrecision) {
+TEST(Extent, ExtentInSinglePrecisionIsExactToOneUlp) {
   WorstError error("extent, float", "C, L, Q all floats, t all below 1", kExtentMaxUlp<float>);
   Random random(7);
   for (int i = 0; i < 20000; ++i) {
@@ -114,7 +114,7 @@ TEST(Extent, IsExactToOneUlpInSinglePrecision) {
   error.check();
 }
 
-TEST(Extent, IsZeroWhereTheLightStartsAtOrBelowItsThreshold) {
+TEST(Extent, ExtentIsZeroWhereTheLightStartsAtOrBelowItsThreshold) {
   EXPECT_EQ(compute_extent(Attenuation{20, 1, 1}, 0.05), 0);  // 0.05 is above 1/20 by a quarter ulp
   EXPECT_EQ(compute_extent(Attenuation{4, 1, 1}, 0.25), 0);
   EXPECT_EQ(compute_extent(Attenuation{4, 0, 0}, 0.25), 0);
@@ -123,21 +123,21 @@ TEST(Extent, IsZeroWhereTheLightStartsAtOrBelowItsThreshold) {
   EXPECT_EQ(compute_extent(AttenuationF{4, 1, 1}, 0.25f), 0);
 }
 
-TEST(Extent, IsInfiniteForConstantAttenuationAboveTheThreshold) {
+TEST(Extent, ConstantAttenuationAboveTheThresholdHasInfiniteExtent) {
   EXPECT_EQ(compute_extent(Attenuation{1, 0, 0}, 0.05), kInfinity);
   EXPECT_EQ(compute_extent(Attenuation{std::nextafter(4.0, 0.0), 0, 0}, 0.25), kInfinity);
   EXPECT_EQ(compute_extent(Attenuation{kDenormMin, 0, 0}, kDenormMin), kInfinity);
   EXPECT_EQ(compute_extent(AttenuationF{1, 0, 0}, 0.05f), std::numeric_limits<float>::infinity());
 }
 
-TEST(Extent, HasTheClosedFormsOfOneTerm) {
+TEST(Extent, ExtentHasTheClosedFormsOfOneTerm) {
   EXPECT_DOUBLE_EQ(compute_extent(Attenuation{0, 0.5, 0}, 0.25), 8);
   EXPECT_DOUBLE_EQ(compute_extent(Attenuation{1, 0.5, 0}, 0.25), 6);
   EXPECT_DOUBLE_EQ(compute_extent(Attenuation{0, 0, 0.25}, 0.0625), 8);
   EXPECT_DOUBLE_EQ(compute_extent(Attenuation{3, 0, 0.25}, 0.25), 2);
 }
 
-TEST(Extent, FallsToTheAttenuationOfItsThreshold) {
+TEST(Extent, AttenuationAtTheExtentIsTheThreshold) {
   Random random(11);
   for (int i = 0; i < 10000; ++i) {
     const Attenuation a{random.log_uniform(1e-3, 3), random.log_uniform(1e-6, 10), random.log_uniform(1e-9, 10)};
@@ -147,18 +147,18 @@ TEST(Extent, FallsToTheAttenuationOfItsThreshold) {
   }
 }
 
-TEST(Knee, IsZeroFromConstantOneOn) {
+TEST(Knee, KneeIsZeroFromConstantOneOn) {
   EXPECT_EQ(compute_knee({1, 1, 1}), 0);
   EXPECT_EQ(compute_knee({1, 0, 0}), 0);
   EXPECT_EQ(compute_knee({kMax, 1, 1}), 0);
 }
 
-TEST(Knee, IsInfiniteForConstantAttenuationBelowOne) {
+TEST(Knee, KneeOfConstantAttenuationBelowOneIsInfinite) {
   EXPECT_EQ(compute_knee({0.5, 0, 0}), kInfinity);
   EXPECT_EQ(compute_knee({std::nextafter(1.0, 0.0), 0, 0}), kInfinity);
 }
 
-TEST(Knee, IsWhereTheClampLetsGo) {
+TEST(Knee, KneeIsWhereTheClampEnds) {
   const Attenuation a{0.5, 0.25, 0};
   EXPECT_EQ(compute_knee(a), 2);
   EXPECT_EQ(attenuation_at(a, 2), 1);
@@ -166,7 +166,7 @@ TEST(Knee, IsWhereTheClampLetsGo) {
   EXPECT_LT(attenuation_at(a, std::nextafter(2.0, 3.0) + 1e-15), 1);
 }
 
-TEST(AttenuationAt, IsTheClampedQuotient) {
+TEST(AttenuationAt, AttenuationIsTheClampedQuotient) {
   EXPECT_EQ(attenuation_at({1, 0, 0}, 5), 1);
   EXPECT_EQ(attenuation_at({2, 0, 0}, 5), 0.5);
   EXPECT_EQ(attenuation_at({1, 2, 3}, 0), 1);
@@ -175,7 +175,7 @@ TEST(AttenuationAt, IsTheClampedQuotient) {
   EXPECT_EQ(attenuation_at({0, 0, 0.25}, 0), 1) << "1/0, clamped";
 }
 
-TEST(AttenuationAt, IsExactToItsRoundings) {
+TEST(AttenuationAt, AttenuationIsExactToItsRoundings) {
   WorstError ordinary("attenuation_at", "C 0..10, L 1e-6..10, Q 1e-9..10, r 1e-3..1e5", kAttenuationMaxUlp);
   WorstError wide("attenuation_at", "C, L, Q, r 0 or 1e-100..1e100", kAttenuationMaxUlp);
   Random random(2008);
@@ -195,7 +195,7 @@ TEST(AttenuationAt, IsExactToItsRoundings) {
   wide.check();
 }
 
-TEST(AttenuationAt, HasItsLimitAtInfinity) {
+TEST(AttenuationAt, AttenuationHasItsLimitAtInfinity) {
   EXPECT_EQ(attenuation_at({1, 0, 0}, kInfinity), 1);
   EXPECT_EQ(attenuation_at({4, 0, 0}, kInfinity), 0.25);
   EXPECT_EQ(attenuation_at({0.5, 0, 0}, kInfinity), 1);
@@ -203,7 +203,7 @@ TEST(AttenuationAt, HasItsLimitAtInfinity) {
   EXPECT_EQ(attenuation_at({1, 0, kDenormMin}, kInfinity), 0);
 }
 
-TEST(AttenuationAt, IsNeverNanAndNeverLeavesItsRange) {
+TEST(AttenuationAt, AttenuationIsNeverNanAndNeverLeavesItsRange) {
   const double values[] = {0, kDenormMin, 1e-300, 1e-5, 0.5, 1, 1e5, 1e300, kMax};
   for (const double constant : values) {
     for (const double linear : values) {
@@ -221,42 +221,42 @@ TEST(AttenuationAt, IsNeverNanAndNeverLeavesItsRange) {
   }
 }
 
-TEST(AttenuationCheck, NamesFieldValueAndRule) {
-  const auto refusal = [](const Attenuation& a) { return check(a) ? to_string(*check(a)) : "accepted"; };
-  EXPECT_EQ(refusal({-1, 0, 0}), "attenuation.constant = -1: must be finite and >= 0");
-  EXPECT_EQ(refusal({kInfinity, 0, 0}), "attenuation.constant = inf: must be finite and >= 0");
-  EXPECT_EQ(refusal({kNan, 0, 0}), "attenuation.constant = nan: must be finite and >= 0");
-  EXPECT_EQ(refusal({1, -0.125, 0}), "attenuation.linear = -0.125: must be finite and >= 0");
-  EXPECT_EQ(refusal({1, kInfinity, 0}), "attenuation.linear = inf: must be finite and >= 0");
-  EXPECT_EQ(refusal({1, kNan, 0}), "attenuation.linear = nan: must be finite and >= 0");
-  EXPECT_EQ(refusal({1, 1, -5e-324}), "attenuation.quadratic = -5e-324: must be finite and >= 0");
-  EXPECT_EQ(refusal({1, 1, kInfinity}), "attenuation.quadratic = inf: must be finite and >= 0");
-  EXPECT_EQ(refusal({1, 1, kNan}), "attenuation.quadratic = nan: must be finite and >= 0");
-  EXPECT_EQ(refusal({0, 0, 0}), "attenuation.constant = 0: must be > 0 where linear and quadratic are 0");
-  EXPECT_EQ(refusal({0, 0, kDenormMin}), "accepted");
-  EXPECT_EQ(refusal({kMax, kMax, kMax}), "accepted");
+TEST(AttenuationCheck, ErrorNamesFieldValueAndRule) {
+  const auto error = [](const Attenuation& a) { return check(a) ? to_string(*check(a)) : "accepted"; };
+  EXPECT_EQ(error({-1, 0, 0}), "attenuation.constant = -1: must be finite and >= 0");
+  EXPECT_EQ(error({kInfinity, 0, 0}), "attenuation.constant = inf: must be finite and >= 0");
+  EXPECT_EQ(error({kNan, 0, 0}), "attenuation.constant = nan: must be finite and >= 0");
+  EXPECT_EQ(error({1, -0.125, 0}), "attenuation.linear = -0.125: must be finite and >= 0");
+  EXPECT_EQ(error({1, kInfinity, 0}), "attenuation.linear = inf: must be finite and >= 0");
+  EXPECT_EQ(error({1, kNan, 0}), "attenuation.linear = nan: must be finite and >= 0");
+  EXPECT_EQ(error({1, 1, -5e-324}), "attenuation.quadratic = -5e-324: must be finite and >= 0");
+  EXPECT_EQ(error({1, 1, kInfinity}), "attenuation.quadratic = inf: must be finite and >= 0");
+  EXPECT_EQ(error({1, 1, kNan}), "attenuation.quadratic = nan: must be finite and >= 0");
+  EXPECT_EQ(error({0, 0, 0}), "attenuation.constant = 0: must be > 0 where linear and quadratic are 0");
+  EXPECT_EQ(error({0, 0, kDenormMin}), "accepted");
+  EXPECT_EQ(error({kMax, kMax, kMax}), "accepted");
 }
 
-TEST(AttenuationCheck, RefusesThresholdsOffTheOpenUnitInterval) {
-  const auto refusal = [](double t) { return check_threshold(t) ? to_string(*check_threshold(t)) : "accepted"; };
-  EXPECT_EQ(refusal(0), "threshold = 0: must be in (0, 1)");
-  EXPECT_EQ(refusal(1), "threshold = 1: must be in (0, 1)");
-  EXPECT_EQ(refusal(-0.05), "threshold = -0.05: must be in (0, 1)");
-  EXPECT_EQ(refusal(kInfinity), "threshold = inf: must be in (0, 1)");
-  EXPECT_EQ(refusal(kNan), "threshold = nan: must be in (0, 1)");
-  EXPECT_EQ(refusal(kDenormMin), "accepted");
-  EXPECT_EQ(refusal(1 - 0x1p-53), "accepted");
-  EXPECT_EQ(refusal(kDefaultThreshold), "accepted");
+TEST(AttenuationCheck, ThresholdOutsideTheOpenUnitIntervalIsAnError) {
+  const auto error = [](double t) { return check_threshold(t) ? to_string(*check_threshold(t)) : "accepted"; };
+  EXPECT_EQ(error(0), "threshold = 0: must be in (0, 1)");
+  EXPECT_EQ(error(1), "threshold = 1: must be in (0, 1)");
+  EXPECT_EQ(error(-0.05), "threshold = -0.05: must be in (0, 1)");
+  EXPECT_EQ(error(kInfinity), "threshold = inf: must be in (0, 1)");
+  EXPECT_EQ(error(kNan), "threshold = nan: must be in (0, 1)");
+  EXPECT_EQ(error(kDenormMin), "accepted");
+  EXPECT_EQ(error(1 - 0x1p-53), "accepted");
+  EXPECT_EQ(error(kDefaultThreshold), "accepted");
 }
 
-TEST(AttenuationCheck, IsEnforcedByExtentAndKnee) {
-  EXPECT_EQ(refusal_of([] {
+TEST(AttenuationCheck, ExtentAndKneeThrowTheError) {
+  EXPECT_EQ(error_of([] {
               compute_extent(Attenuation{1, -1, 0}, 0.05);
             }),
             "attenuation.linear = -1: must be finite and >= 0");
-  EXPECT_EQ(refusal_of([] { compute_extent(Attenuation{1, 1, 0}, 1); }), "threshold = 1: must be in (0, 1)");
-  EXPECT_EQ(refusal_of([] { compute_extent(AttenuationF{1, 1, 0}, -0.5f); }), "threshold = -0.5: must be in (0, 1)");
-  EXPECT_EQ(refusal_of([] {
+  EXPECT_EQ(error_of([] { compute_extent(Attenuation{1, 1, 0}, 1); }), "threshold = 1: must be in (0, 1)");
+  EXPECT_EQ(error_of([] { compute_extent(AttenuationF{1, 1, 0}, -0.5f); }), "threshold = -0.5: must be in (0, 1)");
+  EXPECT_EQ(error_of([] {
               compute_knee({0, 0, 0});
             }),
             "attenuation.constant = 0: must be > 0 where linear and quadratic are 0");

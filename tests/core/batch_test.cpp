@@ -210,14 +210,14 @@ void expect_place_does_not_matter() {
   }
 }
 
-TEST_F(Batch, ALightsResultDependsNeitherOnItsPlaceNorOnTheLength) {
+TEST_F(Batch, LightsResultDependsNeitherOnItsPositionNorOnTheLength) {
   on_every_target([] {
     expect_place_does_not_matter<float>();
     expect_place_does_not_matter<double>();
   });
 }
 
-TEST_F(Batch, ASingleThresholdOrDensityServesAll) {
+TEST_F(Batch, SingleThresholdOrDensityServesAllLights) {
   Columns<double> columns = ordinary_lights<double>(37);
   columns.threshold.assign(37, 0.05);
   columns.density.assign(37, 0.01);

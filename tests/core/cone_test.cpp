@@ -19,12 +19,12 @@ namespace {
 
 using std::numbers::pi;
 
-TEST(PointLightCone, IsOneEverywhere) {
+TEST(PointLightCone, PointLightsConeIsOneEverywhere) {
   for (const double cos_angle : {-1.0, -0.5, 0.0, 0.5, 1.0}) EXPECT_EQ(cone_at(Cone{}, cos_angle), 1);
   EXPECT_EQ(cutoff_angle(Cone{}), pi);
 }
 
-TEST(CosineCone, IsAPowerOfTheCosineInsideTheHalfAngle) {
+TEST(CosineCone, CosineConeIsAPowerOfTheCosineInsideTheHalfAngle) {
   const Cone cone = Cone::cosine(0.5, 8);
   EXPECT_EQ(cone_at(cone, 1), 1);
   EXPECT_DOUBLE_EQ(cone_at(cone, std::cos(0.3)), std::pow(std::cos(0.3), 8));
@@ -32,7 +32,7 @@ TEST(CosineCone, IsAPowerOfTheCosineInsideTheHalfAngle) {
   EXPECT_EQ(cutoff_angle(cone), 0.5);
 }
 
-TEST(CosineCone, IsDarkFromTheHalfAngleOn) {
+TEST(CosineCone, CosineConeIsDarkFromTheHalfAngleOn) {
   const Cone cone = Cone::cosine(0.5, 0);
   EXPECT_EQ(cone_at(cone, std::cos(0.5)), 0);
   EXPECT_EQ(cone_at(cone, std::cos(0.501)), 0);
@@ -40,12 +40,12 @@ TEST(CosineCone, IsDarkFromTheHalfAngleOn) {
   EXPECT_EQ(cone_at(cone, -1), 0);
 }
 
-TEST(CosineCone, IsAFlatBeamForExponentZero) {
+TEST(CosineCone, CosineConeOfExponentZeroIsAFlatBeam) {
   const Cone cone = Cone::cosine(0.5, 0);
   for (const double angle : {0.0, 0.1, 0.4, 0.499}) EXPECT_EQ(cone_at(cone, std::cos(angle)), 1);
 }
 
-TEST(SmoothstepCone, IsFullInsideAndDarkOutside) {
+TEST(SmoothstepCone, SmoothstepConeIsFullInsideAndDarkOutside) {
   const Cone cone = Cone::smoothstep(0.2, 0.6);
   EXPECT_EQ(cone_at(cone, 1), 1);
   EXPECT_EQ(cone_at(cone, std::cos(0.2)), 1);
@@ -55,7 +55,7 @@ TEST(SmoothstepCone, IsFullInsideAndDarkOutside) {
   EXPECT_EQ(cutoff_angle(cone), 0.6);
 }
 
-TEST(SmoothstepCone, IsHermitesCubicBetween) {
+TEST(SmoothstepCone, SmoothstepConeIsHermitesCubicBetweenItsAngles) {
   const Cone cone = Cone::smoothstep(0.2, 0.6);
   const double inner = std::cos(0.2);
   const double outer = std::cos(0.6);
@@ -63,7 +63,7 @@ TEST(SmoothstepCone, IsHermitesCubicBetween) {
   EXPECT_NEAR(cone_at(cone, outer + 0.25 * (inner - outer)), 0.25 * 0.25 * (3 - 2 * 0.25), 1e-15);
 }
 
-TEST(Cone, NeverRisesWithTheAngleAndNeverLeavesItsRange) {
+TEST(Cone, ConeNeverRisesWithTheAngleAndNeverLeavesItsRange) {
   Random random(5);
   for (int i = 0; i < 1000; ++i) {
     const double outer = random.uniform(1e-3, pi);
@@ -79,30 +79,30 @@ TEST(Cone, NeverRisesWithTheAngleAndNeverLeavesItsRange) {
   }
 }
 
-TEST(Cone, RefusesAnglesAndExponentsOffTheirRange) {
-  const auto refusal = [](const Cone& cone) { return check(cone) ? to_string(*check(cone)) : "accepted"; };
-  EXPECT_EQ(refusal(Cone::cosine(0, 1)), "cone.half_angle = 0: must be in (0, pi/2]");
-  EXPECT_EQ(refusal(Cone::cosine(2, 1)), "cone.half_angle = 2: must be in (0, pi/2]");
-  EXPECT_EQ(refusal(Cone::cosine(kNan, 1)), "cone.half_angle = nan: must be in (0, pi/2]");
-  EXPECT_EQ(refusal(Cone::cosine(1, -1)), "cone.exponent = -1: must be finite and >= 0");
-  EXPECT_EQ(refusal(Cone::cosine(1, kInfinity)), "cone.exponent = inf: must be finite and >= 0");
-  EXPECT_EQ(refusal(Cone::cosine(1, kNan)), "cone.exponent = nan: must be finite and >= 0");
-  EXPECT_EQ(refusal(Cone::smoothstep(0, 0)), "cone.outer = 0: must be in (0, pi]");
-  EXPECT_EQ(refusal(Cone::smoothstep(0, 4)), "cone.outer = 4: must be in (0, pi]");
-  EXPECT_EQ(refusal(Cone::smoothstep(0, kNan)), "cone.outer = nan: must be in (0, pi]");
-  EXPECT_EQ(refusal(Cone::smoothstep(0.5, 0.5)), "cone.inner = 0.5: must be in [0, outer)");
-  EXPECT_EQ(refusal(Cone::smoothstep(-0.5, 0.5)), "cone.inner = -0.5: must be in [0, outer)");
-  EXPECT_EQ(refusal(Cone::smoothstep(kNan, 0.5)), "cone.inner = nan: must be in [0, outer)");
+TEST(Cone, AngleOrExponentOutOfRangeIsAnError) {
+  const auto error = [](const Cone& cone) { return check(cone) ? to_string(*check(cone)) : "accepted"; };
+  EXPECT_EQ(error(Cone::cosine(0, 1)), "cone.half_angle = 0: must be in (0, pi/2]");
+  EXPECT_EQ(error(Cone::cosine(2, 1)), "cone.half_angle = 2: must be in (0, pi/2]");
+  EXPECT_EQ(error(Cone::cosine(kNan, 1)), "cone.half_angle = nan: must be in (0, pi/2]");
+  EXPECT_EQ(error(Cone::cosine(1, -1)), "cone.exponent = -1: must be finite and >= 0");
+  EXPECT_EQ(error(Cone::cosine(1, kInfinity)), "cone.exponent = inf: must be finite and >= 0");
+  EXPECT_EQ(error(Cone::cosine(1, kNan)), "cone.exponent = nan: must be finite and >= 0");
+  EXPECT_EQ(error(Cone::smoothstep(0, 0)), "cone.outer = 0: must be in (0, pi]");
+  EXPECT_EQ(error(Cone::smoothstep(0, 4)), "cone.outer = 4: must be in (0, pi]");
+  EXPECT_EQ(error(Cone::smoothstep(0, kNan)), "cone.outer = nan: must be in (0, pi]");
+  EXPECT_EQ(error(Cone::smoothstep(0.5, 0.5)), "cone.inner = 0.5: must be in [0, outer)");
+  EXPECT_EQ(error(Cone::smoothstep(-0.5, 0.5)), "cone.inner = -0.5: must be in [0, outer)");
+  EXPECT_EQ(error(Cone::smoothstep(kNan, 0.5)), "cone.inner = nan: must be in [0, outer)");
 }
 
-TEST(Cone, AcceptsTheEndsOfItsRanges) {
+TEST(Cone, EndsOfTheRangesAreAccepted) {
   EXPECT_FALSE(check(Cone{}));
   EXPECT_FALSE(check(Cone::cosine(pi / 2, 0)));
   EXPECT_FALSE(check(Cone::cosine(1e-300, std::numeric_limits<double>::max())));
   EXPECT_FALSE(check(Cone::smoothstep(0, pi)));
 }
 
-TEST(Cone, IsNeverNanAtAnyAcceptedWidth) {
+TEST(Cone, ConeIsNeverNanAtAnyAcceptedWidth) {
   for (const Cone& cone : {Cone::smoothstep(0, 1e-9), Cone::smoothstep(0, 1e-300), Cone::smoothstep(1, 1 + 1e-15),
                            Cone::smoothstep(std::nextafter(pi, 0), pi), Cone::cosine(1e-300, 1e300),
                            Cone::cosine(pi / 2, std::numeric_limits<double>::max())}) {
@@ -138,7 +138,7 @@ Digits50 share_at(const Cone& cone, const Digits50& angle) {
   return t >= 1 ? Digits50(1) : t <= 0 ? Digits50(0) : t * t * (3 - 2 * t);
 }
 
-TEST(CosineCone, IsExactToAnUlpInsideItsEdge) {
+TEST(CosineCone, CosineConeIsExactToAnUlpInsideItsEdge) {
   WorstError error("cone_at, cosine", "half angle 1e-3..pi/2, exponent 1e-3..1e5", kCosineConeMaxUlp);
   Random random(13);
   for (int i = 0; i < 20000; ++i) {
@@ -152,7 +152,7 @@ TEST(CosineCone, IsExactToAnUlpInsideItsEdge) {
   error.check();
 }
 
-TEST(SmoothstepCone, IsExactToItsBoundTimesTheWidthOfItsEdge) {
+TEST(SmoothstepCone, SmoothstepConeIsExactToItsBoundTimesTheWidthOfItsEdge) {
   WorstError error("cone_at, smoothstep", "outer 1e-3..pi", kSmoothstepConeMaxErrorTimesWidth, "times width");
   Random random(14);
   for (int i = 0; i < 20000; ++i) {

@@ -44,7 +44,7 @@ TEST_F(FileText, EveryByteIsRead) {
   EXPECT_EQ(read_file_text(write("empty", ""), 0), "");
 }
 
-TEST_F(FileText, AFileLargerThanTheLimitIsAnError) {
+TEST_F(FileText, FileLargerThanTheLimitIsAnError) {
   const std::string file = write("lamp", "1234567");
   EXPECT_EQ(read_file_text(file, 7), "1234567");
   EXPECT_EQ(error_of(file, 6), file + ": file: must not be larger than 6 bytes");
@@ -53,7 +53,7 @@ TEST_F(FileText, AFileLargerThanTheLimitIsAnError) {
   EXPECT_EQ(error_of(sparse), sparse + ": file: must not be larger than 100 bytes");
 }
 
-TEST_F(FileText, APipeIsReadToItsEnd) {
+TEST_F(FileText, PipeIsReadToItsEnd) {
   const std::string pipe = path("pipe");
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   std::thread writer([&] { std::ofstream(pipe) << "from a pipe"; });
@@ -61,7 +61,7 @@ TEST_F(FileText, APipeIsReadToItsEnd) {
   writer.join();
 }
 
-TEST_F(FileText, WhatIsNoFileIsAnError) {
+TEST_F(FileText, MissingFileFolderOrDeviceIsAnError) {
   EXPECT_EQ(error_of(path("absent")), path("absent") + ": cannot be read: No such file or directory");
   EXPECT_EQ(error_of(path("")), path("") + ": cannot be read: Is a directory");
   for (const char* device : {"/dev/zero", "/dev/null"}) {

@@ -84,11 +84,11 @@ void expect_near_the_usual(const Enter& enter, const Leave& leave) {
       }
       std::vector<T> intensity(positions.size());
       enter();
-      const std::size_t refused =
+      const std::size_t invalid =
           solve_fog_intensities(mode, BasicBatchLights<T>{columns[0], columns[1], columns[2], columns[3], columns[4]},
                                 BasicBatchSolutions<T>{.intensity = intensity});
       leave();
-      EXPECT_EQ(refused, 0u);
+      EXPECT_EQ(invalid, 0u);
       for (std::size_t k = 0; k < positions.size(); ++k) {
         const double truth =
             solve_fog_intensity(Attenuation{double(columns[0][k]), double(columns[1][k]), double(columns[2][k])},
@@ -102,7 +102,7 @@ void expect_near_the_usual(const Enter& enter, const Leave& leave) {
   expect_batch_near(0.0f, kFarInFloat);
 }
 
-/// Solves every combination of special values: refused, or in range.
+/// Solves every combination of special values: an error, or in range.
 template <typename T, typename Enter, typename Leave>
 void expect_no_nan(const Enter& enter, const Leave& leave) {
   using Limits = std::numeric_limits<T>;

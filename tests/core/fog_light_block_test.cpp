@@ -31,7 +31,7 @@ PlacedLight distinct_light() {
 
 constexpr FogIntensity kSolution{.intensity = 0.375, .peak_range = 4, .extent = 40, .status = SolveStatus::ok};
 
-TEST(FogLight, HoldsEveryFieldInItsPlace) {
+TEST(FogLight, EveryFieldIsAtItsOffset) {
   const FogLight packed = pack_fog_light(distinct_light(), kSolution);
   EXPECT_EQ(packed.position_extent, glm::vec4(1, -2, 3, 40));
   EXPECT_EQ(packed.axis_profile, glm::vec4(0, 0.6f, -0.8f, 1));
@@ -40,7 +40,7 @@ TEST(FogLight, HoldsEveryFieldInItsPlace) {
   EXPECT_EQ(packed.cone, glm::vec4(float(std::cos(0.5)), 8, 0, 0));
 }
 
-TEST(FogLight, HoldsTheProfilesByNumber) {
+TEST(FogLight, ProfilesAreNumbered) {
   PlacedLight light = distinct_light();
   light.light.cone = Cone::smoothstep(0.25, 0.75);
   const FogLight dual = pack_fog_light(light, kSolution);
@@ -52,13 +52,13 @@ TEST(FogLight, HoldsTheProfilesByNumber) {
   EXPECT_EQ(point.cone, glm::vec4(0));
 }
 
-TEST(FogLight, LightsTheFogOnlyWhereItIsCarried) {
+TEST(FogLight, OnlyACarriedLightLightsTheFog) {
   PlacedLight light = distinct_light();
   light.carried = false;
   EXPECT_EQ(pack_fog_light(light, kSolution).color_intensity, glm::vec4(0.25, 0.5, 0.75, 0));
 }
 
-TEST(FogLight, HoldsInfiniteAndOverlargeValuesAsTheLargestFloat) {
+TEST(FogLight, InfiniteAndOverlargeValuesBecomeTheLargestFloat) {
   PlacedLight light = distinct_light();
   light.light.attenuation = {1e300, 1e200, 1e100};
   const FogLight packed =
@@ -75,11 +75,11 @@ TEST(FogLight, HoldsInfiniteAndOverlargeValuesAsTheLargestFloat) {
             kLargestFloat);
 }
 
-TEST(FogLight, RefusesALightThatIsWronglyPlaced) {
+TEST(FogLight, WronglyPlacedLightIsAnError) {
   const auto error_after = [](const auto& change) {
     PlacedLight light = distinct_light();
     change(light);
-    return refusal_of([&] { pack_fog_light(light, kSolution); });
+    return error_of([&] { pack_fog_light(light, kSolution); });
   };
   EXPECT_EQ(error_after([](PlacedLight& p) { p.position.z = 1e300; }),
             "position.z = 1e+300: must be at most 16777216 in magnitude");
@@ -90,24 +90,24 @@ TEST(FogLight, RefusesALightThatIsWronglyPlaced) {
   EXPECT_EQ(error_after([](PlacedLight& p) { p.light.color.g = kNan; }), "color.g = nan: must be finite and >= 0");
 }
 
-TEST(FogLightBlock, RefusesALightThatIsWronglyPlaced) {
+TEST(FogLightBlock, WronglyPlacedLightIsAnError) {
   std::vector<PlacedLight> lights(2, distinct_light());
   lights[1].position.x = kNan;
   const std::vector<FogIntensity> solutions(2, kSolution);
-  EXPECT_EQ(refusal_of([&] { pack_fog_light_block({}, {}, lights, solutions); }),
+  EXPECT_EQ(error_of([&] { pack_fog_light_block({}, {}, lights, solutions); }),
             "position.x = nan: must be at most 16777216 in magnitude");
 }
 
-TEST(FogLightBlock, RefusesAnAmbientFogColorThatIsNoLight) {
-  const auto error_of = [](const glm::dvec3& color) {
-    return refusal_of([&] { pack_fog_light_block({}, color, {}, {}); });
+TEST(FogLightBlock, AmbientFogColorThatIsNoLightIsAnError) {
+  const auto error_with = [](const glm::dvec3& color) {
+    return error_of([&] { pack_fog_light_block({}, color, {}, {}); });
   };
-  EXPECT_EQ(error_of({kNan, 0, 0}), "ambient_fog_color.r = nan: must be finite and >= 0");
-  EXPECT_EQ(error_of({0, -1, 0}), "ambient_fog_color.g = -1: must be finite and >= 0");
-  EXPECT_EQ(error_of({0, 0, kInfinity}), "ambient_fog_color.b = inf: must be finite and >= 0");
+  EXPECT_EQ(error_with({kNan, 0, 0}), "ambient_fog_color.r = nan: must be finite and >= 0");
+  EXPECT_EQ(error_with({0, -1, 0}), "ambient_fog_color.g = -1: must be finite and >= 0");
+  EXPECT_EQ(error_with({0, 0, kInfinity}), "ambient_fog_color.b = inf: must be finite and >= 0");
 }
 
-TEST(FogLightBlock, HoldsFogCountAndAmbientColor) {
+TEST(FogLightBlock, BlockHoldsFogCountAndAmbientColor) {
   const std::vector<PlacedLight> lights(3, distinct_light());
   const std::vector<FogIntensity> solutions(3, kSolution);
   const FogLightBlock exp_block = pack_fog_light_block({FogMode::exp, 0.125}, {0.1, 0.2, 0.3}, lights, solutions);
@@ -117,7 +117,7 @@ TEST(FogLightBlock, HoldsFogCountAndAmbientColor) {
   EXPECT_EQ(exp2_block.fog, glm::vec4(0.25, 1, 3, 0));
 }
 
-TEST(FogLightBlock, HoldsTheLightsInOrderAndZerosBehindThem) {
+TEST(FogLightBlock, LightsAreInOrderWithZerosBehindThem) {
   std::vector<PlacedLight> lights(3, distinct_light());
   std::vector<FogIntensity> solutions(3, kSolution);
   for (int i = 0; i < 3; ++i) {
@@ -135,13 +135,13 @@ TEST(FogLightBlock, HoldsTheLightsInOrderAndZerosBehindThem) {
   }
 }
 
-TEST(FogLightBlock, HoldsTotalFogAsTheLargestFloat) {
+TEST(FogLightBlock, TotalFogBecomesTheLargestFloat) {
   EXPECT_EQ(pack_fog_light_block({FogMode::exp, kInfinity}, {}, {}, {}).fog.x, kLargestFloat);
   EXPECT_EQ(pack_fog_light_block({FogMode::exp, 1e300}, {}, {}, {}).fog.x, kLargestFloat);
   EXPECT_EQ(pack_fog_light_block({FogMode::exp, 0}, {}, {}, {}).fog.x, 0);
 }
 
-TEST(FogLightBlock, HoldsNoLightAndHoldsAsManyAsFit) {
+TEST(FogLightBlock, BlockHoldsFromNoLightToAsManyAsFit) {
   EXPECT_EQ(pack_fog_light_block({}, {}, {}, {}).fog.z, 0);
   const std::vector<PlacedLight> lights(kMaxFogLights, distinct_light());
   const std::vector<FogIntensity> solutions(kMaxFogLights, kSolution);
@@ -150,19 +150,16 @@ TEST(FogLightBlock, HoldsNoLightAndHoldsAsManyAsFit) {
   EXPECT_EQ(block.lights.back().color_intensity.w, 0.375f);
 }
 
-TEST(FogLightBlock, RefusesTooManyLightsMissingSolutionsAndWrongFog) {
+TEST(FogLightBlock, TooManyLightsMissingSolutionsOrWrongFogAreAnError) {
   const std::vector<PlacedLight> lights(kMaxFogLights + 1, distinct_light());
   const std::vector<FogIntensity> solutions(kMaxFogLights + 1, kSolution);
   const std::span<const PlacedLight> two(lights.data(), 2);
-  EXPECT_EQ(refusal_of([&] { pack_fog_light_block({}, {}, lights, solutions); }), "lights = 129: must be at most 128");
-  EXPECT_EQ(refusal_of([&] { pack_fog_light_block({}, {}, two, std::span(solutions.data(), 1)); }),
+  EXPECT_EQ(error_of([&] { pack_fog_light_block({}, {}, lights, solutions); }), "lights = 129: must be at most 128");
+  EXPECT_EQ(error_of([&] { pack_fog_light_block({}, {}, two, std::span(solutions.data(), 1)); }),
             "solutions = 1: must be as many as the lights");
-  EXPECT_EQ(refusal_of([&] { pack_fog_light_block({}, {}, two, std::span(solutions.data(), 3)); }),
+  EXPECT_EQ(error_of([&] { pack_fog_light_block({}, {}, two, std::span(solutions.data(), 3)); }),
             "solutions = 3: must be as many as the lights");
-  EXPECT_EQ(refusal_of([&] {
-              pack_fog_light_block({FogMode::exp, -1}, {}, {}, {});
-            }),
-            "fog.density = -1: must be >= 0");
+  EXPECT_EQ(error_of([&] { pack_fog_light_block({FogMode::exp, -1}, {}, {}, {}); }), "fog.density = -1: must be >= 0");
 }
 
 }  // namespace

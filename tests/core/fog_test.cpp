@@ -46,7 +46,7 @@ void check_from_visibility(const char* range, const Draw& draw) {
   error.check();
 }
 
-TEST(FogFromVisibility, IsExactToThreeUlp) {
+TEST(FogFromVisibility, DensityIsExactToThreeUlp) {
   check_from_visibility<double>("V 1e-3..1e6, presets", [](Random& random) {
     return std::pair{random.log_uniform(1e-3, 1e6), random.pick(kPresets)};
   });
@@ -58,7 +58,7 @@ TEST(FogFromVisibility, IsExactToThreeUlp) {
   });
 }
 
-TEST(FogFromVisibility, IsExactToThreeUlpInSinglePrecision) {
+TEST(FogFromVisibility, DensityInSinglePrecisionIsExactToThreeUlp) {
   check_from_visibility<float>("V 1e-3..1e6, presets", [](Random& random) {
     return std::pair{float(random.log_uniform(1e-3, 1e6)), float(random.pick(kPresets))};
   });
@@ -68,7 +68,7 @@ TEST(FogFromVisibility, IsExactToThreeUlpInSinglePrecision) {
   });
 }
 
-TEST(FogFromVisibility, HasItsContrastAsFogFactorAtTheVisibility) {
+TEST(FogFromVisibility, FogFactorAtTheVisibilityIsTheContrast) {
   for (const FogMode mode : kModes) {
     for (const double contrast : kPresets) {
       for (const double metres : {0.5, 200.0, 50000.0}) {
@@ -79,7 +79,7 @@ TEST(FogFromVisibility, HasItsContrastAsFogFactorAtTheVisibility) {
   }
 }
 
-TEST(FogFromVisibility, TakesTheMeteorologicalOpticalRangeByDefault) {
+TEST(FogFromVisibility, DefaultIsTheMeteorologicalOpticalRange) {
   for (const FogMode mode : kModes) {
     EXPECT_EQ(Fog::from_visibility(mode, 300), Fog::from_visibility(mode, 300, 0.05));
     EXPECT_EQ(FogF::from_visibility(mode, 300), FogF::from_visibility(mode, 300, 0.05f));
@@ -89,11 +89,11 @@ TEST(FogFromVisibility, TakesTheMeteorologicalOpticalRangeByDefault) {
   EXPECT_EQ(kContrastFlightgear, 0.01);
 }
 
-TEST(FogFromVisibility, KeepsItsMode) {
+TEST(FogFromVisibility, FogKeepsItsMode) {
   for (const FogMode mode : kModes) EXPECT_EQ(Fog::from_visibility(mode, 10).mode, mode);
 }
 
-TEST(FogFromVisibility, GivesClearAirForInfinityAndTotalFogForZero) {
+TEST(FogFromVisibility, InfiniteVisibilityIsClearAirAndZeroIsTotalFog) {
   for (const FogMode mode : kModes) {
     EXPECT_EQ(Fog::from_visibility(mode, kInfinity).density, 0);
     EXPECT_EQ(Fog::from_visibility(mode, 0).density, kInfinity);
@@ -103,28 +103,28 @@ TEST(FogFromVisibility, GivesClearAirForInfinityAndTotalFogForZero) {
   }
 }
 
-TEST(FogFromVisibility, RefusesWhatIsNoVisibilityOrContrast) {
-  const auto refusal = [](double metres, double contrast) {
-    return refusal_of([&] { Fog::from_visibility(FogMode::exp, metres, contrast); });
+TEST(FogFromVisibility, VisibilityOrContrastOutOfRangeIsAnError) {
+  const auto error = [](double metres, double contrast) {
+    return error_of([&] { Fog::from_visibility(FogMode::exp, metres, contrast); });
   };
-  EXPECT_EQ(refusal(-1, 0.05), "visibility = -1: must be >= 0");
-  EXPECT_EQ(refusal(-kInfinity, 0.05), "visibility = -inf: must be >= 0");
-  EXPECT_EQ(refusal(kNan, 0.05), "visibility = nan: must be >= 0");
-  EXPECT_EQ(refusal(100, 0), "contrast = 0: must be in (0, 1)");
-  EXPECT_EQ(refusal(100, 1), "contrast = 1: must be in (0, 1)");
-  EXPECT_EQ(refusal(100, -0.5), "contrast = -0.5: must be in (0, 1)");
-  EXPECT_EQ(refusal(100, kNan), "contrast = nan: must be in (0, 1)");
-  EXPECT_EQ(refusal_of([] { FogF::from_visibility(FogMode::exp2, -2.5f); }), "visibility = -2.5: must be >= 0");
+  EXPECT_EQ(error(-1, 0.05), "visibility = -1: must be >= 0");
+  EXPECT_EQ(error(-kInfinity, 0.05), "visibility = -inf: must be >= 0");
+  EXPECT_EQ(error(kNan, 0.05), "visibility = nan: must be >= 0");
+  EXPECT_EQ(error(100, 0), "contrast = 0: must be in (0, 1)");
+  EXPECT_EQ(error(100, 1), "contrast = 1: must be in (0, 1)");
+  EXPECT_EQ(error(100, -0.5), "contrast = -0.5: must be in (0, 1)");
+  EXPECT_EQ(error(100, kNan), "contrast = nan: must be in (0, 1)");
+  EXPECT_EQ(error_of([] { FogF::from_visibility(FogMode::exp2, -2.5f); }), "visibility = -2.5: must be >= 0");
 }
 
-TEST(FogCheck, RefusesNegativeDensities) {
-  const auto refusal = [](double d) {
+TEST(FogCheck, NegativeDensityIsAnError) {
+  const auto error = [](double d) {
     return check(Fog{FogMode::exp, d}) ? to_string(*check(Fog{FogMode::exp, d})) : "";
   };
-  EXPECT_EQ(refusal(-0.5), "fog.density = -0.5: must be >= 0");
-  EXPECT_EQ(refusal(-kInfinity), "fog.density = -inf: must be >= 0");
-  EXPECT_EQ(refusal(kNan), "fog.density = nan: must be >= 0");
-  for (const double d : {0.0, -0.0, kDenormMin, 1.0, kMax, kInfinity}) EXPECT_EQ(refusal(d), "");
+  EXPECT_EQ(error(-0.5), "fog.density = -0.5: must be >= 0");
+  EXPECT_EQ(error(-kInfinity), "fog.density = -inf: must be >= 0");
+  EXPECT_EQ(error(kNan), "fog.density = nan: must be >= 0");
+  for (const double d : {0.0, -0.0, kDenormMin, 1.0, kMax, kInfinity}) EXPECT_EQ(error(d), "");
 }
 
 /// Opacities and fog factors of densities and ranges drawn by `draw`.
@@ -148,7 +148,7 @@ void check_opacity(const char* range, const Draw& draw) {
   }
 }
 
-TEST(Opacity, IsExactToFourUlpAndTheFogFactorToAnEpsilon) {
+TEST(Opacity, OpacityIsExactToFourUlpAndTheFogFactorToAnEpsilon) {
   check_opacity("d 1e-6..10, r 1e-3..1e5", [](Random& random) {
     return std::pair{random.log_uniform(1e-6, 10), random.log_uniform(1e-3, 1e5)};
   });
@@ -164,14 +164,14 @@ TEST(Opacity, IsExactToFourUlpAndTheFogFactorToAnEpsilon) {
   });
 }
 
-TEST(Opacity, EqualsTheOpticalDepthInThinFog) {
+TEST(Opacity, OpacityOfThinFogIsTheOpticalDepth) {
   EXPECT_EQ(opacity_at({FogMode::exp, 1e-20}, 1), 1e-20);
   EXPECT_EQ(opacity_at({FogMode::exp, 0x1p-60}, 1), 0x1p-60);
   EXPECT_EQ(opacity_at({FogMode::exp2, 0x1p-40}, 1), 0x1p-80);
   EXPECT_EQ(opacity_at({FogMode::exp, kDenormMin}, 1), kDenormMin);
 }
 
-TEST(Opacity, IsZeroInClearAirAndOneInTotalFogBeyondRangeZero) {
+TEST(Opacity, OpacityIsZeroInClearAirAndOneInTotalFogBeyondRangeZero) {
   for (const FogMode mode : kModes) {
     for (const double range : {0.0, kDenormMin, 1.0, kMax, kInfinity}) {
       EXPECT_EQ(opacity_at({mode, 0}, range), 0);
@@ -185,7 +185,7 @@ TEST(Opacity, IsZeroInClearAirAndOneInTotalFogBeyondRangeZero) {
   }
 }
 
-TEST(Opacity, AddsUpToOneWithTheFogFactor) {
+TEST(Opacity, OpacityAndFogFactorAddUpToOne) {
   Random random(3);
   for (int i = 0; i < 10000; ++i) {
     const Fog fog{random.pick(kModes), random.log_uniform(1e-6, 10)};
@@ -195,7 +195,7 @@ TEST(Opacity, AddsUpToOneWithTheFogFactor) {
   }
 }
 
-TEST(Opacity, NeverFallsNorLeavesItsRangeOnSpecialValues) {
+TEST(Opacity, OpacityNeverFallsNorLeavesItsRangeOnSpecialValues) {
   const std::array values{0.0, kDenormMin, 1e-308, 1e-160, 1e-30, 1e-5, 1.0, 1e5, 1e30, 1e160, kMax, kInfinity};
   for (const FogMode mode : kModes) {
     for (const double density : values) {
@@ -211,7 +211,7 @@ TEST(Opacity, NeverFallsNorLeavesItsRangeOnSpecialValues) {
   }
 }
 
-TEST(ScaledFog, HasItsDensityTimesTheScaleAndItsMode) {
+TEST(ScaledFog, ScaledFogHasItsDensityTimesTheScaleAndItsMode) {
   for (const FogMode mode : kModes) {
     EXPECT_EQ(scaled({mode, 0.25}, 0.5), (Fog{mode, 0.125}));
     EXPECT_EQ(scaled({mode, 0.25}, 1), (Fog{mode, 0.25}));
@@ -219,17 +219,17 @@ TEST(ScaledFog, HasItsDensityTimesTheScaleAndItsMode) {
   }
 }
 
-TEST(ScaledFog, StaysClearAndStaysTotalUnlessTheScaleIsZero) {
+TEST(ScaledFog, ClearAirStaysClearAndTotalFogTotalUnlessTheScaleIsZero) {
   EXPECT_EQ(scaled({FogMode::exp, 0}, kMax).density, 0);
   EXPECT_EQ(scaled({FogMode::exp, kInfinity}, kDenormMin).density, kInfinity);
   EXPECT_EQ(scaled({FogMode::exp, kInfinity}, 0).density, 0);
 }
 
-TEST(ScaledFog, RefusesNegativeOrInfiniteScalesAndWrongFogs) {
-  EXPECT_EQ(refusal_of([] { scaled({}, -1); }), "density_scale = -1: must be finite and >= 0");
-  EXPECT_EQ(refusal_of([] { scaled({}, kInfinity); }), "density_scale = inf: must be finite and >= 0");
-  EXPECT_EQ(refusal_of([] { scaled({}, kNan); }), "density_scale = nan: must be finite and >= 0");
-  EXPECT_EQ(refusal_of([] { scaled({FogMode::exp, -3}, 1); }), "fog.density = -3: must be >= 0");
+TEST(ScaledFog, NegativeOrInfiniteScaleOrWrongFogIsAnError) {
+  EXPECT_EQ(error_of([] { scaled({}, -1); }), "density_scale = -1: must be finite and >= 0");
+  EXPECT_EQ(error_of([] { scaled({}, kInfinity); }), "density_scale = inf: must be finite and >= 0");
+  EXPECT_EQ(error_of([] { scaled({}, kNan); }), "density_scale = nan: must be finite and >= 0");
+  EXPECT_EQ(error_of([] { scaled({FogMode::exp, -3}, 1); }), "fog.density = -3: must be >= 0");
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ namespace {
 using foreign::Dual;
 using namespace formulas;
 
-TEST(Formulas, AreTheLibrarysFunctionsInDouble) {
+TEST(Formulas, FormulasInDoubleAreTheLibrarysFunctions) {
   Random random(1);
   for (int i = 0; i < 2000; ++i) {
     const double range = random.log_uniform(1e-3, 1e5);
@@ -68,7 +68,7 @@ TEST(Formulas, AreTheLibrarysFunctionsInDouble) {
 }
 
 // The bounds are the count of roundings, each half an ulp, which a result low in its binade sees twice as large.
-TEST(Formulas, AreRightToTheirRoundingsInFloat) {
+TEST(Formulas, FormulasInFloatAreRightToTheirRoundings) {
   WorstError attenuation_error("litfog_attenuation, float", "r 1e-3..1e5, C 1e-3..10", kAttenuationMaxUlp);
   WorstError exp_error("litfog_opacity, float", "exp, d 1e-6..1, r 1e-3..1e5", 3);
   WorstError exp2_error("litfog_opacity, float", "exp2, d 1e-6..1, r 1e-3..1e5", 5);
@@ -95,7 +95,7 @@ TEST(Formulas, AreRightToTheirRoundingsInFloat) {
   exp2_error.check();
 }
 
-TEST(Formulas, HaveTheClosedDerivativesInAForeignScalarType) {
+TEST(Formulas, ForeignScalarTypeYieldsTheClosedDerivatives) {
   WorstError attenuation_error("attenuation'", "r 1e-2..1e3", 4e-15, "relative");
   WorstError exp_error("opacity', exp", "d r up to 20", 1e-13, "relative");
   WorstError exp2_error("opacity', exp2", "d r up to 5", 1e-13, "relative");
@@ -125,7 +125,7 @@ TEST(Formulas, HaveTheClosedDerivativesInAForeignScalarType) {
   exp2_error.check();
 }
 
-TEST(Formulas, DifferentiateConesInAForeignScalarType) {
+TEST(Formulas, ForeignScalarTypeDifferentiatesCones) {
   const Dual cosine = litfog_cosine_cone(Dual(0.9, 1), Dual(0.8), Dual(3.0));
   EXPECT_DOUBLE_EQ(cosine.value, 0.9 * 0.9 * 0.9);
   EXPECT_DOUBLE_EQ(cosine.derivative, 3 * 0.9 * 0.9);
@@ -134,13 +134,13 @@ TEST(Formulas, DifferentiateConesInAForeignScalarType) {
   EXPECT_NEAR(step.derivative, 1.5 / 0.1, 1e-12);
 }
 
-TEST(Formulas, HaveNoSlopeBelowTheKnee) {
+TEST(Formulas, AttenuationHasNoSlopeBelowTheKnee) {
   const Dual attenuation = litfog_attenuation(Dual(1, 1), Dual(0.25), Dual(0.25), Dual(0.25));
   EXPECT_EQ(attenuation.value, 1);
   EXPECT_EQ(attenuation.derivative, 0);
 }
 
-TEST(Formulas, GiveAStepForANarrowSmoothstepCone) {
+TEST(Formulas, NarrowSmoothstepConeIsAStep) {
   EXPECT_EQ(litfog_smoothstep_cone(1.0f, 1.0f, 1.0f), 1);
   EXPECT_EQ(litfog_smoothstep_cone(0.999f, 1.0f, 1.0f), 0);
 }

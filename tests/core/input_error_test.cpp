@@ -10,7 +10,7 @@ namespace {
 
 static_assert(std::is_nothrow_copy_constructible_v<InputError>);
 
-TEST(InputError, TheSentenceBeginsWithTheLocation) {
+TEST(InputError, SentenceBeginsWithTheLocation) {
   const InputError error({"lamps.json", 7, 12}, "threshold", "7", "must be in (0, 1)");
   EXPECT_STREQ(error.what(), "lamps.json:7:12: threshold = 7: must be in (0, 1)");
   EXPECT_EQ(error.location().file, "lamps.json");
@@ -18,16 +18,16 @@ TEST(InputError, TheSentenceBeginsWithTheLocation) {
   EXPECT_EQ(error.location().column, 12u);
 }
 
-TEST(InputError, LineAndColumnAreLeftOutWhereTheyAreNotKnown) {
+TEST(InputError, UnknownLineAndColumnAreLeftOut) {
   EXPECT_STREQ(InputError({"lamp.ies", 3}, "ends within a number").what(), "lamp.ies:3: ends within a number");
   EXPECT_STREQ(InputError({"lamp.ies"}, "is a folder").what(), "lamp.ies: is a folder");
 }
 
-TEST(InputError, AnEmptyValueIsLeftOut) {
+TEST(InputError, EmptyValueIsLeftOut) {
   EXPECT_STREQ(InputError({"lamp.json", 1, 1}, "range", "", "is missing").what(), "lamp.json:1:1: range: is missing");
 }
 
-TEST(InputError, AValueErrorKeepsItsSentence) {
+TEST(InputError, ValueErrorKeepsItsSentence) {
   const InputError error({"lamp.json", 2, 3}, ValueError{"threshold", 7, "must be in (0, 1)"});
   EXPECT_STREQ(error.what(), "lamp.json:2:3: threshold = 7: must be in (0, 1)");
 }

@@ -30,7 +30,7 @@ SolveCase draw_wide_case(Random& random, FogMode mode) {
   return {{constant, linear, quadratic}, {mode, density}, random.log_uniform(1e-30, 0.99)};
 }
 
-TEST(IntensityBound, IsNeverBelowTheIntensityOfOrdinaryLights) {
+TEST(IntensityBound, BoundIsNeverBelowTheIntensityOfOrdinaryLights) {
   constexpr double kStep = 1 / 255.;
   Random random(41);
   int dim = 0;
@@ -51,7 +51,7 @@ TEST(IntensityBound, IsNeverBelowTheIntensityOfOrdinaryLights) {
               dim, 100. * found / dim, excess / dim);
 }
 
-TEST(IntensityBound, IsNeverBelowTheIntensityOfAnyLight) {
+TEST(IntensityBound, BoundIsNeverBelowTheIntensityOfAnyLight) {
   Random random(42);
   for (int i = 0; i < 1000000; ++i) {
     const SolveCase c = draw_wide_case(random, random.pick(kModes));
@@ -61,7 +61,7 @@ TEST(IntensityBound, IsNeverBelowTheIntensityOfAnyLight) {
   }
 }
 
-TEST(IntensityBound, ExceedsTheIntensityByLessThanHalfTheOpticalDepthOfTheExtent) {
+TEST(IntensityBound, BoundExceedsTheIntensityByLessThanHalfTheOpticalDepthOfTheExtent) {
   Random random(43);
   int checked = 0;
   for (int i = 0; i < 300000; ++i) {
@@ -78,7 +78,7 @@ TEST(IntensityBound, ExceedsTheIntensityByLessThanHalfTheOpticalDepthOfTheExtent
   EXPECT_GT(checked, 200000);
 }
 
-TEST(IntensityBound, IsTheSlopeInThinFog) {
+TEST(IntensityBound, BoundInThinFogIsTheSlope) {
   constexpr double kDensity = 1e-6;
   const auto bound = [](const Attenuation& attenuation, FogMode mode) {
     return IntensityBound(attenuation, 0.05).at({mode, kDensity});
@@ -93,7 +93,7 @@ TEST(IntensityBound, IsTheSlopeInThinFog) {
   EXPECT_NEAR(bound({15, 0.1, 0}, FogMode::exp2) / (kDensity * kDensity * 50 * 50 * 0.05), 1, 64 * kUlp);
 }
 
-TEST(IntensityBound, IsTheNearAttenuationInThickFog) {
+TEST(IntensityBound, BoundInThickFogIsTheNearAttenuation) {
   for (const FogMode mode : kModes) {
     for (const double density : {1e10, 1e300, kInfinity}) {
       EXPECT_EQ(IntensityBound({0.5, 0.1, 0.01}, 0.05).at({mode, density}), 1);
@@ -102,7 +102,7 @@ TEST(IntensityBound, IsTheNearAttenuationInThickFog) {
   }
 }
 
-TEST(IntensityBound, IsZeroInClearAirAndForALightWithoutExtent) {
+TEST(IntensityBound, BoundIsZeroInClearAirAndForALightWithoutExtent) {
   for (const FogMode mode : kModes) {
     for (const Attenuation& attenuation : {Attenuation{1, 0.1, 0.01}, Attenuation{1, 0, 0}, Attenuation{20, 1, 0}}) {
       EXPECT_EQ(IntensityBound(attenuation, 0.05).at({mode, 0}), 0);
@@ -114,13 +114,13 @@ TEST(IntensityBound, IsZeroInClearAirAndForALightWithoutExtent) {
   }
 }
 
-TEST(IntensityBound, IsAboveZeroWhereTheIntensityRoundsToZero) {
+TEST(IntensityBound, BoundIsAboveZeroWhereTheIntensityRoundsToZero) {
   constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
   EXPECT_GT(IntensityBound({0, 10, 0}, 0.05).at({FogMode::exp, kSmallest}), 0);
   EXPECT_GT(IntensityBound({0, 10, 0}, 0.05).at({FogMode::exp2, 1e-200}), 0);
 }
 
-TEST(IntensityBound, IsTheValueOfConstantAttenuationInAnyFog) {
+TEST(IntensityBound, BoundOfConstantAttenuationIsItsValueInAnyFog) {
   for (const FogMode mode : kModes) {
     for (const double density : {std::numeric_limits<double>::denorm_min(), 1e-3, kInfinity}) {
       EXPECT_EQ(IntensityBound({0.5, 0, 0}, 0.05).at({mode, density}), 1);
@@ -129,7 +129,7 @@ TEST(IntensityBound, IsTheValueOfConstantAttenuationInAnyFog) {
   }
 }
 
-TEST(IntensityBound, TakesNegativeZeroAsZero) {
+TEST(IntensityBound, NegativeZeroIsZero) {
   for (const FogMode mode : kModes) {
     for (const double density : {0.0, 1e-300, 1e-3, 0.06, 1e3, kInfinity}) {
       const auto bound = [&](const Attenuation& a) { return IntensityBound(a, 0.05).at({mode, density}); };
@@ -142,9 +142,9 @@ TEST(IntensityBound, TakesNegativeZeroAsZero) {
   }
 }
 
-TEST(IntensityBound, RefusesWhatIsNoLight) {
-  EXPECT_EQ(refusal_of([] { IntensityBound({-1, 0, 0}, 0.05); }), "attenuation.constant = -1: must be finite and >= 0");
-  EXPECT_EQ(refusal_of([] { IntensityBound({1, 0, 0}, 1); }), "threshold = 1: must be in (0, 1)");
+TEST(IntensityBound, WrongAttenuationOrThresholdIsAnError) {
+  EXPECT_EQ(error_of([] { IntensityBound({-1, 0, 0}, 0.05); }), "attenuation.constant = -1: must be finite and >= 0");
+  EXPECT_EQ(error_of([] { IntensityBound({1, 0, 0}, 1); }), "threshold = 1: must be in (0, 1)");
 }
 
 }  // namespace

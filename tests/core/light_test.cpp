@@ -22,27 +22,27 @@ std::string error_after(const Change& change) {
   return error ? to_string(*error) : "accepted";
 }
 
-TEST(Light, IsAcceptedByDefault) { EXPECT_FALSE(check(Light{})); }
+TEST(Light, DefaultLightIsAccepted) { EXPECT_FALSE(check(Light{})); }
 
-TEST(Light, RefusesColorsThatAreNoLight) {
+TEST(Light, ColorThatIsNoLightIsAnError) {
   EXPECT_EQ(error_after([](Light& l) { l.color.r = -1; }), "color.r = -1: must be finite and >= 0");
   EXPECT_EQ(error_after([](Light& l) { l.color.g = kNan; }), "color.g = nan: must be finite and >= 0");
   EXPECT_EQ(error_after([](Light& l) { l.color.b = kInfinity; }), "color.b = inf: must be finite and >= 0");
 }
 
-TEST(Light, AcceptsBlackAndOverbrightColors) {
+TEST(Light, BlackAndOverbrightColorsAreAccepted) {
   EXPECT_EQ(error_after([](Light& l) { l.color = {0, 0, 0}; }), "accepted");
   EXPECT_EQ(error_after([](Light& l) { l.color = {1e6, 1, 0}; }), "accepted");
 }
 
-TEST(Light, RefusesNegativeOrInfiniteDensityScales) {
+TEST(Light, NegativeOrInfiniteDensityScaleIsAnError) {
   EXPECT_EQ(error_after([](Light& l) { l.density_scale = -0.4; }), "density_scale = -0.4: must be finite and >= 0");
   EXPECT_EQ(error_after([](Light& l) { l.density_scale = kInfinity; }), "density_scale = inf: must be finite and >= 0");
   EXPECT_EQ(error_after([](Light& l) { l.density_scale = kNan; }), "density_scale = nan: must be finite and >= 0");
   EXPECT_EQ(error_after([](Light& l) { l.density_scale = 0; }), "accepted");
 }
 
-TEST(Light, RefusesWhatItsPartsRefuse) {
+TEST(Light, ErrorOfAPartIsTheLightsError) {
   EXPECT_EQ(error_after([](Light& l) {
               l.attenuation = {0, 0, 0};
             }),
@@ -57,9 +57,9 @@ std::string placed_error_after(const Change& change) {
   return error_after<PlacedLight>(change);
 }
 
-TEST(PlacedLight, IsAcceptedByDefault) { EXPECT_FALSE(check(PlacedLight{})); }
+TEST(PlacedLight, DefaultPlacedLightIsAccepted) { EXPECT_FALSE(check(PlacedLight{})); }
 
-TEST(PlacedLight, RefusesPositionsBeyondTheUseOfFloat) {
+TEST(PlacedLight, PositionBeyondTheUseOfFloatIsAnError) {
   const std::string rule = ": must be at most 16777216 in magnitude";
   EXPECT_EQ(kMaxPosition, 16777216);
   EXPECT_EQ(placed_error_after([](PlacedLight& p) { p.position.x = kNan; }), "position.x = nan" + rule);
@@ -69,7 +69,7 @@ TEST(PlacedLight, RefusesPositionsBeyondTheUseOfFloat) {
   EXPECT_EQ(placed_error_after([](PlacedLight& p) { p.position = {kMaxPosition, -kMaxPosition, -0.0}; }), "accepted");
 }
 
-TEST(PlacedLight, RefusesDirectionsThatAreNoUnitVectors) {
+TEST(PlacedLight, DirectionThatIsNoUnitVectorIsAnError) {
   const std::string rule = ": length must be 1 within 1e-6";
   const auto error_of = [](const glm::dvec3& direction) {
     return placed_error_after([&](PlacedLight& p) { p.direction = direction; });
@@ -84,7 +84,7 @@ TEST(PlacedLight, RefusesDirectionsThatAreNoUnitVectors) {
   EXPECT_EQ(error_of({0, 0, 1 - 0.9e-6}), "accepted");
 }
 
-TEST(PlacedLight, AcceptsWhatFloatNormalises) {
+TEST(PlacedLight, DirectionNormalisedInFloatIsAccepted) {
   Random random(61);
   for (int i = 0; i < 10000; ++i) {
     const glm::vec3 v(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(0.01, 1));
@@ -92,7 +92,7 @@ TEST(PlacedLight, AcceptsWhatFloatNormalises) {
   }
 }
 
-TEST(PlacedLight, RefusesWhatItsLightRefuses) {
+TEST(PlacedLight, ErrorOfTheLightIsThePlacedLightsError) {
   EXPECT_EQ(placed_error_after([](PlacedLight& p) { p.light.threshold = 1; }), "threshold = 1: must be in (0, 1)");
 }
 

@@ -38,7 +38,7 @@ void for_random_lights(int count, const Body& body) {
 
 double intensity_of(const SolveCase& c) { return solve_fog_intensity(c.attenuation, c.fog, c.threshold).intensity; }
 
-TEST(FogIntensityProperty, RisesWithTheDensity) {
+TEST(FogIntensityProperty, IntensityRisesWithTheDensity) {
   for_random_lights(1000, [](Random&, SolveCase c) {
     const double density = c.fog.density;
     double last = 0;
@@ -51,7 +51,7 @@ TEST(FogIntensityProperty, RisesWithTheDensity) {
   });
 }
 
-TEST(FogIntensityProperty, RisesWithTheDensityByEvenTheSmallestSteps) {
+TEST(FogIntensityProperty, IntensityRisesWithTheDensityByEvenTheSmallestSteps) {
   for_random_lights(1000, [](Random&, SolveCase c) {
     double last = 0;
     for (int step = 0; step < 20; ++step) {
@@ -63,7 +63,7 @@ TEST(FogIntensityProperty, RisesWithTheDensityByEvenTheSmallestSteps) {
   });
 }
 
-TEST(FogIntensityProperty, RisesAsTheThresholdFalls) {
+TEST(FogIntensityProperty, IntensityRisesAsTheThresholdFalls) {
   for_random_lights(1000, [](Random&, SolveCase c) {
     double last = 0;
     for (c.threshold = 0.999; c.threshold > 1e-6; c.threshold *= 0.8) {
@@ -74,14 +74,14 @@ TEST(FogIntensityProperty, RisesAsTheThresholdFalls) {
   });
 }
 
-TEST(FogIntensityProperty, NeverExceedsTheLightsNearBrightness) {
+TEST(FogIntensityProperty, IntensityNeverExceedsTheLightsNearBrightness) {
   for_random_lights(50000, [](Random& random, SolveCase c) {
     if (random.chance(0.5)) c.fog.density = random.log_uniform(1e-3, 1e40);
     ASSERT_LE(intensity_of(c), std::min(1.0, 1 / c.attenuation.constant)) << to_string(c);
   });
 }
 
-TEST(FogIntensityProperty, NeverFallsBelowASampledValue) {
+TEST(FogIntensityProperty, IntensityNeverFallsBelowASampledValue) {
   for_random_lights(1000, [](Random&, const SolveCase& c) {
     const FogIntensity solved = solve_fog_intensity(c.attenuation, c.fog, c.threshold);
     for (const int samples : {16, 64, 256, 1024, 4096}) {
@@ -97,7 +97,7 @@ TEST(FogIntensityProperty, NeverFallsBelowASampledValue) {
   });
 }
 
-TEST(FogIntensityProperty, IsTakenAtThePeakRange) {
+TEST(FogIntensityProperty, IntensityIsTakenAtThePeakRange) {
   for_random_lights(10000, [](Random&, const SolveCase& c) {
     const FogIntensity solved = solve_fog_intensity(c.attenuation, c.fog, c.threshold);
     const double there = opacity_at(c.fog, solved.peak_range) * attenuation_at(c.attenuation, solved.peak_range);
@@ -105,7 +105,7 @@ TEST(FogIntensityProperty, IsTakenAtThePeakRange) {
   });
 }
 
-TEST(FogIntensityProperty, HasNoBetterNeighbourAtAnyScale) {
+TEST(FogIntensityProperty, PeakHasNoBetterNeighbourAtAnyScale) {
   for_random_lights(500, [](Random&, const SolveCase& c) {
     const FogIntensity solved = solve_fog_intensity(c.attenuation, c.fog, c.threshold);
     if (solved.extent == 0) return;
@@ -145,7 +145,7 @@ double axial_airlight(const SolveCase& c, double light_extent) {
   return knee_opacity + width * quadrature.integrate(attenuation_at_fraction, 0.0, 1.0, 1e-10);
 }
 
-TEST(FogIntensityProperty, NeverExceedsTheAxialAirlight) {
+TEST(FogIntensityProperty, IntensityNeverExceedsTheAxialAirlight) {
   Random random(1760);
   double least = std::numeric_limits<double>::infinity();
   double most = 0;

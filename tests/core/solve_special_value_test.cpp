@@ -13,7 +13,8 @@
 #include "reference/random_light.h"
 #include "reference/reference_solver.h"
 
-// Every combination of the values at which arithmetic turns: refused with the right sentence, or solved as documented.
+// Every combination of the values at which arithmetic turns is either solved as documented or an error with the right
+// sentence.
 
 namespace litfog::test {
 namespace {
@@ -38,8 +39,8 @@ constexpr std::array<Real, 15> special_values() {
           Real(-1)};
 }
 
-/// What solve.h says has to be refused, first argument first.
-std::optional<ValueError> expected_refusal(const SolveCase& c) {
+/// The error that solve.h states, of the first wrong argument.
+std::optional<ValueError> expected_error(const SolveCase& c) {
   const auto is_coefficient = [](double x) { return x >= 0 && x < std::numeric_limits<double>::infinity(); };
   const auto& [constant, linear, quadratic] = c.attenuation;
   if (!is_coefficient(constant)) return ValueError{"attenuation.constant", constant, "must be finite and >= 0"};
@@ -74,7 +75,7 @@ template <typename Real>
 void check_special_values() {
   constexpr std::array kValues = special_values<Real>();
   int accepted = 0;
-  int refused = 0;
+  int invalid = 0;
   for (const FogMode mode : kModes) {
     for (const Real constant : kValues) {
       for (const Real linear : kValues) {
@@ -84,15 +85,15 @@ void check_special_values() {
               const BasicAttenuation<Real> a{constant, linear, quadratic};
               const BasicFog<Real> fog{mode, density};
               const SolveCase c{{constant, linear, quadratic}, {mode, density}, threshold};
-              const std::optional<ValueError> refusal = expected_refusal(c);
-              if (!refusal) {
+              const std::optional<ValueError> error = expected_error(c);
+              if (!error) {
                 ++accepted;
                 const auto solved = solve_fog_intensity(a, fog, threshold);
                 ASSERT_TRUE(is_as_documented(solved, c))
                     << to_string(c) << ": intensity " << solved.intensity << ", peak range " << solved.peak_range
                     << ", extent " << solved.extent;
-              } else if (++refused % 17 == 0) {  // exceptions are slow; 17 has no part in 15 values
-                ASSERT_EQ(refusal_of([&] { solve_fog_intensity(a, fog, threshold); }), to_string(*refusal));
+              } else if (++invalid % 17 == 0) {  // exceptions are slow; 17 has no part in 15 values
+                ASSERT_EQ(error_of([&] { solve_fog_intensity(a, fog, threshold); }), to_string(*error));
               }
             }
           }
@@ -100,13 +101,15 @@ void check_special_values() {
       }
     }
   }
-  std::printf("special values: %d solved, %d of %d refusals read\n", accepted, refused / 17, refused);
+  std::printf("special values: %d solved, %d of %d errors read\n", accepted, invalid / 17, invalid);
 }
 
-TEST(SolveSpecialValues, AreRefusedOrSolvedAsDocumented) { check_special_values<double>(); }
-TEST(SolveSpecialValues, AreRefusedOrSolvedAsDocumentedInSinglePrecision) { check_special_values<float>(); }
+TEST(SolveSpecialValues, SpecialValuesAreSolvedAsDocumentedOrAnError) { check_special_values<double>(); }
+TEST(SolveSpecialValues, SpecialValuesInSinglePrecisionAreSolvedAsDocumentedOrAnError) {
+  check_special_values<float>();
+}
 
-TEST(SolveSpecialValues, AreNeverSampledToNan) {
+TEST(SolveSpecialValues, SamplesOfSpecialValuesAreNeverNan) {
   constexpr std::array kValues = special_values<double>();
   for (const FogMode mode : kModes) {
     for (const double constant : kValues) {
@@ -115,7 +118,7 @@ TEST(SolveSpecialValues, AreNeverSampledToNan) {
           for (const double density : kValues) {
             for (const double threshold : kValues) {
               const SolveCase c{{constant, linear, quadratic}, {mode, density}, threshold};
-              if (expected_refusal(c)) continue;
+              if (expected_error(c)) continue;
               const FogIntensity sampled = sample_fog_intensity(c.attenuation, c.fog, threshold, 3);
               ASSERT_TRUE(sampled.intensity >= 0 && sampled.intensity <= 1 && sampled.peak_range >= 0 &&
                           sampled.peak_range <= sampled.extent)

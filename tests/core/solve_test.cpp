@@ -88,7 +88,7 @@ void check_reference_file(const std::string& name, std::istream& file) {
   for (const auto& [tag, error] : errors) error.check();
 }
 
-TEST(SolveFogIntensity, MeetsTheSixtyDigitReferenceToItsBounds) {
+TEST(SolveFogIntensity, SolutionMeetsTheSixtyDigitReferenceToItsBounds) {
   std::ifstream file(LITFOG_TEST_DATA_DIR "/fog_intensity.json");
   ASSERT_TRUE(file);
   check_reference_file("60 digits", file);
@@ -96,7 +96,7 @@ TEST(SolveFogIntensity, MeetsTheSixtyDigitReferenceToItsBounds) {
   if (others) check_reference_file("30 digits", others);
 }
 
-TEST(SolveFogIntensity, IsExactOverWideLights) {
+TEST(SolveFogIntensity, SolutionIsExactOverWideLights) {
   check_family("wide: C 1e-3..1e3, L 1e-9..1e3, Q 1e-12..1e3", [](Random& random, FogMode mode) {
     return SolveCase{{random.log_uniform(1e-3, 1e3), random.log_uniform(1e-9, 1e3), random.log_uniform(1e-12, 1e3)},
                      {mode, draw_ordinary_density(random)},
@@ -104,9 +104,9 @@ TEST(SolveFogIntensity, IsExactOverWideLights) {
   });
 }
 
-TEST(SolveFogIntensity, IsExactOverOrdinaryLights) { check_family("ordinary lights", draw_ordinary_case); }
+TEST(SolveFogIntensity, SolutionIsExactOverOrdinaryLights) { check_family("ordinary lights", draw_ordinary_case); }
 
-TEST(SolveFogIntensity, IsExactOverClampedLights) {
+TEST(SolveFogIntensity, SolutionIsExactOverClampedLights) {
   check_family("clamped: C < 1", [](Random& random, FogMode mode) {
     const double constant = random.chance(0.3) ? 1 - random.log_uniform(1e-16, 0.1) : random.uniform(0, 1);
     return SolveCase{{constant, random.log_uniform(1e-6, 1), random.log_uniform(1e-9, 1)},
@@ -115,7 +115,7 @@ TEST(SolveFogIntensity, IsExactOverClampedLights) {
   });
 }
 
-TEST(SolveFogIntensity, IsExactOverLinearLights) {
+TEST(SolveFogIntensity, SolutionIsExactOverLinearLights) {
   check_family("linear only", [](Random& random, FogMode mode) {
     return SolveCase{{random.chance(0.2) ? 1 : random.log_uniform(1e-6, 10), random.log_uniform(1e-9, 1e3), 0},
                      {mode, draw_ordinary_density(random)},
@@ -123,7 +123,7 @@ TEST(SolveFogIntensity, IsExactOverLinearLights) {
   });
 }
 
-TEST(SolveFogIntensity, IsExactOverQuadraticLights) {
+TEST(SolveFogIntensity, SolutionIsExactOverQuadraticLights) {
   check_family("quadratic only", [](Random& random, FogMode mode) {
     return SolveCase{{random.chance(0.2) ? 1 : random.log_uniform(1e-6, 10), 0, random.log_uniform(1e-12, 1e3)},
                      {mode, draw_ordinary_density(random)},
@@ -131,7 +131,7 @@ TEST(SolveFogIntensity, IsExactOverQuadraticLights) {
   });
 }
 
-TEST(SolveFogIntensity, IsExactOverLightsWithoutConstant) {
+TEST(SolveFogIntensity, SolutionIsExactOverLightsWithoutConstant) {
   check_family("C = 0", [](Random& random, FogMode mode) {
     const double linear = random.chance(0.3) ? 0 : random.log_uniform(1e-9, 1e3);
     return SolveCase{{0, linear, linear > 0 && random.chance(0.3) ? 0 : random.log_uniform(1e-12, 1e3)},
@@ -140,7 +140,7 @@ TEST(SolveFogIntensity, IsExactOverLightsWithoutConstant) {
   });
 }
 
-TEST(SolveFogIntensity, IsExactWhereThePeakIsNextToTheKneeOrTheExtent) {
+TEST(SolveFogIntensity, SolutionIsExactWhereThePeakIsNextToTheKneeOrTheExtent) {
   check_family("stationary point 1e-15..1e-3 from knee or extent", [](Random& random, FogMode mode) {
     SolveCase c{
         {random.uniform(0.01, 0.99), random.log_uniform(1e-4, 1), random.log_uniform(1e-8, 1)}, {mode, 1}, 0.05};
@@ -157,14 +157,14 @@ TEST(SolveFogIntensity, IsExactWhereThePeakIsNextToTheKneeOrTheExtent) {
   });
 }
 
-TEST(SolveFogIntensity, IsExactOverSixtyDecades) {
+TEST(SolveFogIntensity, SolutionIsExactOverSixtyDecades) {
   check_family("C, L, Q, d 1e-30..1e30, t 1e-30..1", [](Random& random, FogMode mode) {
     const auto draw = [&] { return random.log_uniform(1e-30, 1e30); };
     return SolveCase{{draw(), draw(), draw()}, {mode, draw()}, random.log_uniform(1e-30, 0.99)};
   });
 }
 
-TEST(SolveFogIntensity, IsExactOverAllDoubles) {
+TEST(SolveFogIntensity, SolutionIsExactOverAllDoubles) {
   check_family("C, L, Q, d all doubles, t all below 1", [](Random& random, FogMode mode) {
     const auto draw = [&] { return random.any_positive<double>(); };
     const double linear = random.chance(0.1) ? 0 : draw();
@@ -178,7 +178,7 @@ TEST(SolveFogIntensity, IsExactOverAllDoubles) {
   });
 }
 
-TEST(SolveFogIntensity, IsExactOverSubnormalParameters) {
+TEST(SolveFogIntensity, SolutionIsExactOverSubnormalParameters) {
   check_family("one of C, L, Q, d, t subnormal", [](Random& random, FogMode mode) {
     SolveCase c = draw_ordinary_case(random, mode);
     double* const fields[] = {&c.attenuation.constant, &c.attenuation.linear, &c.attenuation.quadratic, &c.fog.density,
@@ -188,7 +188,7 @@ TEST(SolveFogIntensity, IsExactOverSubnormalParameters) {
   });
 }
 
-TEST(SolveFogIntensity, IsExactForThresholdsNextToZeroAndOne) {
+TEST(SolveFogIntensity, SolutionIsExactForThresholdsNextToZeroAndOne) {
   check_family("t next to 0 and to 1", [](Random& random, FogMode mode) {
     SolveCase c = draw_ordinary_case(random, mode);
     c.threshold = random.pick(std::array{kDenormMin, std::numeric_limits<double>::min(), 1e-300, 1e-30,
@@ -200,7 +200,7 @@ TEST(SolveFogIntensity, IsExactForThresholdsNextToZeroAndOne) {
 
 // Where C nears 1/t an extent half an ulp off moves exp2 opacity by an ulp; the residual that leaves C on its side of
 // the equation loses the extent's last digits there.
-TEST(SolveFogIntensity, IsExactWhereTheLightIsBarelyAboveItsThreshold) {
+TEST(SolveFogIntensity, SolutionIsExactWhereTheLightIsBarelyAboveItsThreshold) {
   const auto draw = [](Random& random, FogMode mode) {
     SolveCase c = draw_ordinary_case(random, mode);
     const double limit = 1 / c.threshold;
@@ -211,7 +211,7 @@ TEST(SolveFogIntensity, IsExactWhereTheLightIsBarelyAboveItsThreshold) {
   check_family("C a few ulp..1e-6 below 1/t", draw, 20000);
 }
 
-TEST(SolveFogIntensity, IsTheDoubleResultRoundedInSinglePrecision) {
+TEST(SolveFogIntensity, SinglePrecisionSolutionIsTheRoundedDouble) {
   WorstError intensity("intensity, float", "ordinary and all floats", kIntensityMaxUlp<float>);
   WorstError extent_error("extent, float", "ordinary and all floats", kExtentMaxUlp<float>);
   Random random(8);
@@ -254,7 +254,7 @@ TEST(SolveLimits, ClearAirDoesNotGlow) {
   }
 }
 
-TEST(SolveLimits, ALightBelowItsThresholdEverywhereDoesNotGlow) {
+TEST(SolveLimits, LightBelowItsThresholdEverywhereDoesNotGlow) {
   for (const FogMode mode : kModes) {
     for (const double density : {0.0, 0.01, kInfinity}) {
       expect_peak(solve_fog_intensity({4, 1, 1}, Fog{mode, density}, 0.25), 0, 0, 0);
@@ -283,7 +283,7 @@ TEST(SolveLimits, TotalFogGlowsWithTheAttenuationAtTheLight) {
   }
 }
 
-TEST(SolveLimits, ThinFogPeaksAtTheExtentWithTheThresholdsShare) {
+TEST(SolveLimits, ThinFogPeaksAtTheExtentWithTheThresholdTimesTheOpacity) {
   for (const FogMode mode : kModes) {
     const Fog fog{mode, 1e-9};
     const FogIntensity solved = solve_fog_intensity({1, 0.5, 0}, fog, 0.25);
@@ -319,7 +319,7 @@ TEST(SolveLimits, UnitsCancel) {
   }
 }
 
-TEST(SolveFogIntensity, TakesNegativeZeroAsZero) {
+TEST(SolveFogIntensity, NegativeZeroIsZero) {
   for (const FogMode mode : kModes) {
     for (const double density : {0.0, 1e-40, 0.06, 1e40, kInfinity}) {  // 1e+-40: solved in long double
       for (const Attenuation& a : {Attenuation{0, 0.1, 0.01}, Attenuation{0, 0.1, 0}, Attenuation{0, 0, 0.01},
@@ -334,7 +334,7 @@ TEST(SolveFogIntensity, TakesNegativeZeroAsZero) {
   }
 }
 
-TEST(SolveFogIntensity, HasTheDefaultThreshold) {
+TEST(SolveFogIntensity, DefaultThresholdIsFivePercent) {
   const Fog fog{FogMode::exp, 0.01};
   EXPECT_EQ(solve_fog_intensity({1, 0.1, 0}, fog).extent, solve_fog_intensity({1, 0.1, 0}, fog, 0.05).extent);
   EXPECT_EQ(solve_fog_intensity({1, 0.1f, 0}, FogF{FogMode::exp, 0.01f}).extent,
@@ -353,7 +353,7 @@ double sample_as_published(const Attenuation& a, const Fog& fog, double light_ex
   return largest;
 }
 
-TEST(SampleFogIntensity, IsTheLargestSampleAsPublished) {
+TEST(SampleFogIntensity, IntensityIsTheLargestSampleAsPublished) {
   Random random(12);
   for (int i = 0; i < 500; ++i) {
     const SolveCase c = draw_ordinary_case(random, random.pick(kModes));
@@ -374,7 +374,7 @@ TEST(SampleFogIntensity, IsTheLargestSampleAsPublished) {
 }
 
 // The lights are those of the table that games copy (OGRE wiki, "Point Light Attenuation").
-TEST(SampleFogIntensity, ErrsByAsMuchAsStatedWith64SamplesOverGameLights) {
+TEST(SampleFogIntensity, ErrorOf64SamplesOverGameLightsIsAsStated) {
   constexpr double kLights[][2] = {{.0014, .000007}, {.007, .0002}, {.014, .0007}, {.022, .0019},
                                    {.027, .0028},    {.045, .0075}, {.07, .017},   {.09, .032},
                                    {.14, .07},       {.22, .2},     {.35, .44},    {.7, 1.8}};
@@ -393,13 +393,13 @@ TEST(SampleFogIntensity, ErrsByAsMuchAsStatedWith64SamplesOverGameLights) {
   EXPECT_GT(error.worst(), 0.02) << "it is the reference of error";
 }
 
-TEST(SampleFogIntensity, TakesOneSampleAtTheExtent) {
+TEST(SampleFogIntensity, SingleSampleIsAtTheExtent) {
   const FogIntensity sampled = sample_fog_intensity({1, 0.5, 0}, Fog{FogMode::exp, 0.1}, 0.25, 1);
   EXPECT_EQ(sampled.peak_range, 6);
   EXPECT_DOUBLE_EQ(sampled.intensity, 0.25 * -std::expm1(-0.6));
 }
 
-TEST(SampleFogIntensity, HasTheLimitsOfTheExactSolve) {
+TEST(SampleFogIntensity, LimitsAreThoseOfTheExactSolve) {
   for (const FogMode mode : kModes) {
     expect_peak(sample_fog_intensity({1, 0.5, 0}, Fog{mode, 0}, 0.25, 64), 0, 0, 6);
     expect_peak(sample_fog_intensity({4, 1, 1}, Fog{mode, 0.1}, 0.25, 64), 0, 0, 0);
@@ -408,35 +408,35 @@ TEST(SampleFogIntensity, HasTheLimitsOfTheExactSolve) {
   }
 }
 
-TEST(SolveArguments, AreRefusedByFieldValueAndRule) {
+TEST(SolveArguments, ErrorNamesFieldValueAndRule) {
   const auto exact = [](const Attenuation& a, const Fog& fog, double threshold) {
-    return refusal_of([&] { solve_fog_intensity(a, fog, threshold); });
+    return error_of([&] { solve_fog_intensity(a, fog, threshold); });
   };
   const auto sampled = [](const Attenuation& a, const Fog& fog, double threshold) {
-    return refusal_of([&] { sample_fog_intensity(a, fog, threshold, 64); });
+    return error_of([&] { sample_fog_intensity(a, fog, threshold, 64); });
   };
   const Fog fog{FogMode::exp, 0.01};
-  for (const auto& refusal : {std::function<std::string(const Attenuation&, const Fog&, double)>(exact),
-                              std::function<std::string(const Attenuation&, const Fog&, double)>(sampled)}) {
-    EXPECT_EQ(refusal({1, -1, 0}, fog, 0.05), "attenuation.linear = -1: must be finite and >= 0");
-    EXPECT_EQ(refusal({0, 0, 0}, fog, 0.05), "attenuation.constant = 0: must be > 0 where linear and quadratic are 0");
-    EXPECT_EQ(refusal({1, 1, 0}, {FogMode::exp2, -0.5}, 0.05), "fog.density = -0.5: must be >= 0");
-    EXPECT_EQ(refusal({1, 1, 0}, {FogMode::exp2, kNan}, 0.05), "fog.density = nan: must be >= 0");
-    EXPECT_EQ(refusal({1, 1, 0}, fog, 1), "threshold = 1: must be in (0, 1)");
-    EXPECT_EQ(refusal({1, 1, 0}, fog, kNan), "threshold = nan: must be in (0, 1)");
-    // Limit cases are refused as all others.
-    EXPECT_EQ(refusal({1, 0, 0}, fog, 2), "threshold = 2: must be in (0, 1)");
-    EXPECT_EQ(refusal({1, 1, 0}, {FogMode::exp, 0}, 0), "threshold = 0: must be in (0, 1)");
+  for (const auto& error : {std::function<std::string(const Attenuation&, const Fog&, double)>(exact),
+                            std::function<std::string(const Attenuation&, const Fog&, double)>(sampled)}) {
+    EXPECT_EQ(error({1, -1, 0}, fog, 0.05), "attenuation.linear = -1: must be finite and >= 0");
+    EXPECT_EQ(error({0, 0, 0}, fog, 0.05), "attenuation.constant = 0: must be > 0 where linear and quadratic are 0");
+    EXPECT_EQ(error({1, 1, 0}, {FogMode::exp2, -0.5}, 0.05), "fog.density = -0.5: must be >= 0");
+    EXPECT_EQ(error({1, 1, 0}, {FogMode::exp2, kNan}, 0.05), "fog.density = nan: must be >= 0");
+    EXPECT_EQ(error({1, 1, 0}, fog, 1), "threshold = 1: must be in (0, 1)");
+    EXPECT_EQ(error({1, 1, 0}, fog, kNan), "threshold = nan: must be in (0, 1)");
+    // A wrong argument is an error in limit cases too.
+    EXPECT_EQ(error({1, 0, 0}, fog, 2), "threshold = 2: must be in (0, 1)");
+    EXPECT_EQ(error({1, 1, 0}, {FogMode::exp, 0}, 0), "threshold = 0: must be in (0, 1)");
   }
 }
 
-TEST(SolveArguments, HaveAtLeastOneSample) {
-  const auto refusal = [](int samples) {
-    return refusal_of([&] { sample_fog_intensity({1, 1, 0}, Fog{FogMode::exp, 0.01}, 0.05, samples); });
+TEST(SolveArguments, FewerThanOneSampleIsAnError) {
+  const auto error = [](int samples) {
+    return error_of([&] { sample_fog_intensity({1, 1, 0}, Fog{FogMode::exp, 0.01}, 0.05, samples); });
   };
-  EXPECT_EQ(refusal(0), "samples = 0: must be >= 1");
-  EXPECT_EQ(refusal(-3), "samples = -3: must be >= 1");
-  EXPECT_EQ(refusal(1), "not refused");
+  EXPECT_EQ(error(0), "samples = 0: must be >= 1");
+  EXPECT_EQ(error(-3), "samples = -3: must be >= 1");
+  EXPECT_EQ(error(1), "no error");
 }
 
 /// A light of a class that sees less fog than others.
@@ -448,7 +448,7 @@ Light runway_light() {
   return light;
 }
 
-TEST(SolveLight, SeesTheFogThroughItsDensityScale) {
+TEST(SolveLight, LightSeesTheFogThroughItsDensityScale) {
   const Light light = runway_light();
   const Fog fog{FogMode::exp, 0.05};
   const FogIntensity solved = solve_fog_intensity(light, fog);
@@ -457,12 +457,12 @@ TEST(SolveLight, SeesTheFogThroughItsDensityScale) {
   EXPECT_LT(solved.intensity, solve_fog_intensity(light.attenuation, fog, light.threshold).intensity);
 }
 
-TEST(SolveLight, RefusesAWrongLightAndAWrongFog) {
+TEST(SolveLight, WrongLightOrFogIsAnError) {
   const auto error_after = [](const auto& change) {
     Light light = runway_light();
     Fog fog{FogMode::exp, 1};
     change(light, fog);
-    return refusal_of([&] { solve_fog_intensity(light, fog); });
+    return error_of([&] { solve_fog_intensity(light, fog); });
   };
   EXPECT_EQ(error_after([](Light& light, Fog&) { light.density_scale = -1; }),
             "density_scale = -1: must be finite and >= 0");

@@ -187,7 +187,7 @@ void run_random_calls(Mirror& mirror, Random& random, int calls, double calls_pe
   ASSERT_NO_FATAL_FAILURE(mirror.set_fog(fog));
 }
 
-TEST(FogUpdater, KeepsACallersBufferRightThroughAnyCalls) {
+TEST(FogUpdater, CallersBufferStaysRightThroughAnyCalls) {
   Random random(51);
   std::size_t skipped = 0;
   for (const double budget : {0., 0.5, 20.}) {
@@ -205,14 +205,14 @@ TEST(FogUpdater, KeepsACallersBufferRightThroughAnyCalls) {
   EXPECT_GT(skipped, 1000u);
 }
 
-TEST(FogUpdater, KeepsACallersBufferRightThroughManyLights) {
+TEST(FogUpdater, CallersBufferStaysRightThroughManyLights) {
   Random random(52);
   Mirror mirror(0.5);
   run_random_calls(mirror, random, 30000, 1000, 0.2);
   EXPECT_GT(mirror.lights.size(), 5000u);
 }
 
-TEST(FogUpdater, SkipsNoLightAboveTheBudget) {
+TEST(FogUpdater, LightAboveTheBudgetIsNotSkipped) {
   Random random(53);
   std::size_t checked = 0;
   std::size_t dim = 0;
@@ -255,7 +255,7 @@ TEST(FogUpdater, SkipsNoLightAboveTheBudget) {
   EXPECT_GT(double(skipped), 0.5 * double(dim));
 }
 
-TEST(FogUpdater, SolvesAKindOnceHoweverManyLightsItHas) {
+TEST(FogUpdater, KindIsSolvedOnceHoweverManyLightsItHas) {
   FogUpdater updater;
   for (int i = 0; i < 1000; ++i) updater.add(carried_light({1, 0.1 * (1 + i % 3), 0.01}));
   updater.set_fog(kMist);
@@ -265,7 +265,7 @@ TEST(FogUpdater, SolvesAKindOnceHoweverManyLightsItHas) {
   EXPECT_EQ(updater.statistics().entries_dirty, updater.entries().size());
 }
 
-TEST(FogUpdater, TellsKindsByEveryParameterOfTheSolve) {
+TEST(FogUpdater, KindsDifferByEveryParameterOfTheSolve) {
   FogUpdater updater;
   std::array<PlacedLight, 6> lights;
   lights.fill(carried_light());
@@ -286,7 +286,7 @@ TEST(FogUpdater, TellsKindsByEveryParameterOfTheSolve) {
 
 // --- each reason to skip, alone ---
 
-TEST(FogUpdater, SkipsLightsThatAreNotCarried) {
+TEST(FogUpdater, LightsThatAreNotCarriedAreSkipped) {
   FogUpdater updater(0);
   PlacedLight light = carried_light();
   light.carried = false;
@@ -298,7 +298,7 @@ TEST(FogUpdater, SkipsLightsThatAreNotCarried) {
   EXPECT_TRUE(is_same(updater.entries()[updater.entry_of(handle)], pack_with_intensity_0(light, true)));
 }
 
-TEST(FogUpdater, SkipsLightsThatAreOff) {
+TEST(FogUpdater, LightsThatAreOffAreSkipped) {
   FogUpdater updater(0);
   const FogLightHandle handle = updater.add(carried_light());
   updater.set_fog(kMist);
@@ -315,7 +315,7 @@ TEST(FogUpdater, SkipsLightsThatAreOff) {
   EXPECT_EQ(updater.entries()[0].color_intensity.w, intensity_of(carried_light(), true, {FogMode::exp, 0.02}));
 }
 
-TEST(FogUpdater, CountsLightsThatAreOffAsSkippedAmongOthersThatAreOn) {
+TEST(FogUpdater, LightsThatAreOffCountAsSkippedAmongOthersThatAreOn) {
   FogUpdater updater(0);
   updater.add(carried_light());
   updater.switch_light(updater.add(carried_light()), false);
@@ -324,7 +324,7 @@ TEST(FogUpdater, CountsLightsThatAreOffAsSkippedAmongOthersThatAreOn) {
   EXPECT_EQ(updater.statistics().lights_skipped, 1u);
 }
 
-TEST(FogUpdater, SkipsBlackLights) {
+TEST(FogUpdater, BlackLightsAreSkipped) {
   FogUpdater updater(0);
   updater.add(carried_light({1, 0.1, 0.01}, glm::dvec3{0}));
   updater.set_fog(kMist);
@@ -333,7 +333,7 @@ TEST(FogUpdater, SkipsBlackLights) {
   EXPECT_EQ(updater.entries()[0].color_intensity.w, 0);
 }
 
-TEST(FogUpdater, SkipsLightsBelowTheBudget) {
+TEST(FogUpdater, LightsBelowTheBudgetAreSkipped) {
   const PlacedLight light = carried_light();
   const Fog thin_mist{FogMode::exp, 1e-4};
   const double intensity_255 = 255 * double(intensity_of(light, true, thin_mist));
@@ -351,7 +351,7 @@ TEST(FogUpdater, SkipsLightsBelowTheBudget) {
   EXPECT_EQ(updater.entries()[0].color_intensity.w, 0);
 }
 
-TEST(FogUpdater, MeasuresAKindInTheFogItsClassSees) {
+TEST(FogUpdater, KindIsMeasuredInTheFogThatItsClassSees) {
   PlacedLight light = carried_light();
   const Fog thin_mist{FogMode::exp, 1e-4};
   FogUpdater updater(1.01 * 255 * double(intensity_of(light, true, thin_mist)));
@@ -365,7 +365,7 @@ TEST(FogUpdater, MeasuresAKindInTheFogItsClassSees) {
   EXPECT_EQ(updater.statistics().kinds_solved, 0u);
 }
 
-TEST(FogUpdater, MeasuresAKindByItsBrightestLight) {
+TEST(FogUpdater, KindIsMeasuredByItsBrightestLight) {
   const Fog thin_mist{FogMode::exp, 1e-4};
   const double intensity_255 = 255 * double(intensity_of(carried_light(), true, thin_mist));
   FogUpdater updater(2 * intensity_255);
@@ -389,7 +389,7 @@ TEST(FogUpdater, MeasuresAKindByItsBrightestLight) {
   EXPECT_EQ(updater.statistics().lights_skipped, 2u);
 }
 
-TEST(FogUpdater, SkipsNothingOfABudgetOfZero) {
+TEST(FogUpdater, BudgetOfZeroSkipsNothing) {
   FogUpdater updater(0);
   updater.add(carried_light());
   updater.add(carried_light({30, 0, 0}));  // without extent: intensity 0
@@ -398,7 +398,7 @@ TEST(FogUpdater, SkipsNothingOfABudgetOfZero) {
   EXPECT_EQ(updater.statistics().lights_skipped, 0u);
 }
 
-TEST(FogUpdater, SkipsAFogThatHasNotChanged) {
+TEST(FogUpdater, UnchangedFogIsSkipped) {
   FogUpdater updater;
   updater.add(carried_light());
   EXPECT_FALSE(updater.set_fog(kMist).empty());
@@ -410,7 +410,7 @@ TEST(FogUpdater, SkipsAFogThatHasNotChanged) {
   EXPECT_FALSE(updater.set_fog({FogMode::exp2, kMist.density}).empty());
 }
 
-TEST(FogUpdater, FindsNothingDirtyWhereTheStoredValueStays) {
+TEST(FogUpdater, UnchangedStoredValueIsNotDirty) {
   FogUpdater updater;
   updater.add(carried_light());
   updater.set_fog(kMist);
@@ -419,7 +419,7 @@ TEST(FogUpdater, FindsNothingDirtyWhereTheStoredValueStays) {
   EXPECT_EQ(updater.statistics().entries_dirty, 0u);
 }
 
-TEST(FogUpdater, SolvesOnlyTheKindOfALightThatHasChanged) {
+TEST(FogUpdater, ChangedLightSolvesItsKindOnly) {
   FogUpdater updater;
   for (int i = 0; i < 100; ++i) updater.add(carried_light({1, 0.1 * (1 + i / 10), 0.01}));
   const FogLightHandle handle = updater.add(carried_light());
@@ -437,7 +437,7 @@ TEST(FogUpdater, SolvesOnlyTheKindOfALightThatHasChanged) {
 
 // --- the block ---
 
-TEST(FogUpdater, HoldsTheLimitsOfFogAndAttenuation) {
+TEST(FogUpdater, LimitsOfFogAndAttenuationAreHeld) {
   const std::array attenuations{Attenuation{4, 0.1, 0}, Attenuation{0, 0.1, 0}, Attenuation{4, 0, 0},
                                 Attenuation{30, 1, 0}};
   for (const FogMode mode : kModes) {
@@ -455,7 +455,7 @@ TEST(FogUpdater, HoldsTheLimitsOfFogAndAttenuation) {
   }
 }
 
-TEST(FogUpdater, WastesNoEntryOnKindsOfFewLightsAndAtMostAQuarterOnOthers) {
+TEST(FogUpdater, KindsOfFewLightsWasteNoEntryAndOthersAtMostAQuarter) {
   FogUpdater updater;
   for (int i = 0; i < 128; ++i) updater.add(carried_light({1, 0.1 * (1 + i % 16), 0.01}));
   EXPECT_EQ(updater.entries().size(), 128u);
@@ -465,7 +465,7 @@ TEST(FogUpdater, WastesNoEntryOnKindsOfFewLightsAndAtMostAQuarterOnOthers) {
   }
 }
 
-TEST(FogUpdater, ReusesTheEntriesOfRemovedLights) {
+TEST(FogUpdater, EntriesOfRemovedLightsAreReused) {
   FogUpdater updater;
   std::size_t entries = 0;
   for (int round = 0; round < 20; ++round) {
@@ -482,7 +482,7 @@ TEST(FogUpdater, ReusesTheEntriesOfRemovedLights) {
   EXPECT_EQ(updater.statistics().lights_skipped, 0u);
 }
 
-TEST(FogUpdater, JoinsRangesOverSmallGapsOnly) {
+TEST(FogUpdater, RangesAreJoinedOverSmallGapsOnly) {
   FogUpdater updater;
   std::vector<FogLightHandle> handles;
   for (int i = 0; i < 1000; ++i) {  // each of a kind of its own: entries in the order of adding
@@ -496,7 +496,7 @@ TEST(FogUpdater, JoinsRangesOverSmallGapsOnly) {
   EXPECT_EQ(ranges[1], (EntryRange{400, 401}));
 }
 
-TEST(FogUpdater, KeepsKindsThatChangeApartFromThoseThatDoNot) {
+TEST(FogUpdater, KindsThatChangeAreStoredApartFromThoseThatDoNot) {
   Mirror mirror(0.5);
   for (int i = 0; i < 20000; ++i) {  // interleaved: one of a kind that fog changes, one of constant attenuation
     mirror.add(carried_light());
@@ -510,7 +510,7 @@ TEST(FogUpdater, KeepsKindsThatChangeApartFromThoseThatDoNot) {
   }
 }
 
-TEST(FogUpdater, AllocatesNothingInSetFog) {
+TEST(FogUpdater, SetFogAllocatesNothing) {
   Random random(54);
   FogUpdater updater;
   std::vector<FogLightHandle> handles;
@@ -529,7 +529,7 @@ TEST(FogUpdater, AllocatesNothingInSetFog) {
 
 // --- handles ---
 
-TEST(FogUpdater, KnowsAHandleUntilItsLightIsRemoved) {
+TEST(FogUpdater, HandleIsValidUntilItsLightIsRemoved) {
   FogUpdater updater;
   const FogLightHandle first = updater.add(carried_light());
   const FogLightHandle second = updater.add(carried_light());
@@ -538,21 +538,21 @@ TEST(FogUpdater, KnowsAHandleUntilItsLightIsRemoved) {
   const FogLightHandle third = updater.add(carried_light());
   EXPECT_EQ(third.slot, first.slot);
   EXPECT_NE(third, first);
-  const std::string refusal = "handle.slot = 0: must be that of a light held";
-  EXPECT_EQ(refusal_of([&] { updater.remove(first); }), refusal);
-  EXPECT_EQ(refusal_of([&] { updater.change(first, carried_light()); }), refusal);
-  EXPECT_EQ(refusal_of([&] { updater.switch_light(first, false); }), refusal);
-  EXPECT_EQ(refusal_of([&] { (void)updater.entry_of(first); }), refusal);
-  EXPECT_EQ(refusal_of([&] { updater.remove(FogLightHandle{}); }), refusal);
-  EXPECT_EQ(refusal_of([&] { updater.remove({.slot = 7, .generation = 1}); }),
+  const std::string error = "handle.slot = 0: must be that of a light held";
+  EXPECT_EQ(error_of([&] { updater.remove(first); }), error);
+  EXPECT_EQ(error_of([&] { updater.change(first, carried_light()); }), error);
+  EXPECT_EQ(error_of([&] { updater.switch_light(first, false); }), error);
+  EXPECT_EQ(error_of([&] { (void)updater.entry_of(first); }), error);
+  EXPECT_EQ(error_of([&] { updater.remove(FogLightHandle{}); }), error);
+  EXPECT_EQ(error_of([&] { updater.remove({.slot = 7, .generation = 1}); }),
             "handle.slot = 7: must be that of a light held");
   updater.remove(third);
-  EXPECT_EQ(refusal_of([&] { updater.remove(third); }), refusal);
-  EXPECT_EQ(refusal_of([&] { updater.remove({.slot = third.slot, .generation = third.generation + 1}); }), refusal);
+  EXPECT_EQ(error_of([&] { updater.remove(third); }), error);
+  EXPECT_EQ(error_of([&] { updater.remove({.slot = third.slot, .generation = third.generation + 1}); }), error);
   updater.remove(second);
 }
 
-TEST(FogUpdater, KeepsALightsEntryThroughEverythingButAChangeOfKind) {
+TEST(FogUpdater, LightKeepsItsEntryThroughEverythingButAChangeOfKind) {
   FogUpdater updater;
   const FogLightHandle handle = updater.add(carried_light());
   const std::size_t entry = updater.entry_of(handle);
@@ -569,7 +569,7 @@ TEST(FogUpdater, KeepsALightsEntryThroughEverythingButAChangeOfKind) {
   EXPECT_NE(updater.entry_of(handle), entry);
 }
 
-TEST(FogUpdater, KeepsALightOffThroughAChange) {
+TEST(FogUpdater, LightThatIsOffStaysOffThroughAChange) {
   FogUpdater updater;
   const FogLightHandle handle = updater.add(carried_light());
   updater.switch_light(handle, false);
@@ -583,29 +583,28 @@ TEST(FogUpdater, KeepsALightOffThroughAChange) {
             glm::vec4(0.5, 0.25, 1, intensity_of(other, true, kMist)));
 }
 
-TEST(FogUpdater, RefusesWrongArgumentsAndStaysAsItWas) {
-  EXPECT_EQ(refusal_of([] { FogUpdater(-1); }), "skip_budget_255 = -1: must be finite and >= 0");
-  EXPECT_EQ(refusal_of([] { FogUpdater(std::nan("")); }), "skip_budget_255 = nan: must be finite and >= 0");
+TEST(FogUpdater, WrongArgumentIsAnErrorAndChangesNothing) {
+  EXPECT_EQ(error_of([] { FogUpdater(-1); }), "skip_budget_255 = -1: must be finite and >= 0");
+  EXPECT_EQ(error_of([] { FogUpdater(std::nan("")); }), "skip_budget_255 = nan: must be finite and >= 0");
   FogUpdater updater;
   const FogLightHandle handle = updater.add(carried_light());
   updater.set_fog(kMist);
   const FogLight before = updater.entries()[0];
   const PlacedLight wrong = carried_light({-1, 0, 0});
-  EXPECT_EQ(refusal_of([&] { updater.add(wrong); }), "attenuation.constant = -1: must be finite and >= 0");
-  EXPECT_EQ(refusal_of([&] { updater.change(handle, wrong); }), "attenuation.constant = -1: must be finite and >= 0");
+  EXPECT_EQ(error_of([&] { updater.add(wrong); }), "attenuation.constant = -1: must be finite and >= 0");
+  EXPECT_EQ(error_of([&] { updater.change(handle, wrong); }), "attenuation.constant = -1: must be finite and >= 0");
   const PlacedLight wrong_color = carried_light({1, 0, 0}, {0, -1, 0});
-  EXPECT_EQ(refusal_of([&] { updater.add(wrong_color); }), "color.g = -1: must be finite and >= 0");
-  EXPECT_EQ(refusal_of([&] { updater.change(handle, wrong_color); }), "color.g = -1: must be finite and >= 0");
+  EXPECT_EQ(error_of([&] { updater.add(wrong_color); }), "color.g = -1: must be finite and >= 0");
+  EXPECT_EQ(error_of([&] { updater.change(handle, wrong_color); }), "color.g = -1: must be finite and >= 0");
   PlacedLight lost = carried_light();
   lost.position.y = kNan;
-  EXPECT_EQ(refusal_of([&] { updater.add(lost); }), "position.y = nan: must be at most 16777216 in magnitude");
-  EXPECT_EQ(refusal_of([&] { updater.change(handle, lost); }),
-            "position.y = nan: must be at most 16777216 in magnitude");
+  EXPECT_EQ(error_of([&] { updater.add(lost); }), "position.y = nan: must be at most 16777216 in magnitude");
+  EXPECT_EQ(error_of([&] { updater.change(handle, lost); }), "position.y = nan: must be at most 16777216 in magnitude");
   PlacedLight short_axis = carried_light();
   short_axis.direction = {0, 0, -0.5};
-  EXPECT_EQ(refusal_of([&] { updater.add(short_axis); }), "direction = 0.5: length must be 1 within 1e-6");
-  EXPECT_EQ(refusal_of([&] { updater.change(handle, short_axis); }), "direction = 0.5: length must be 1 within 1e-6");
-  EXPECT_EQ(refusal_of([&] { updater.set_fog({FogMode::exp, -1}); }), "fog.density = -1: must be >= 0");
+  EXPECT_EQ(error_of([&] { updater.add(short_axis); }), "direction = 0.5: length must be 1 within 1e-6");
+  EXPECT_EQ(error_of([&] { updater.change(handle, short_axis); }), "direction = 0.5: length must be 1 within 1e-6");
+  EXPECT_EQ(error_of([&] { updater.set_fog({FogMode::exp, -1}); }), "fog.density = -1: must be >= 0");
   EXPECT_TRUE(updater.set_fog(kMist).empty());
   EXPECT_TRUE(is_same(updater.entries()[0], before));
 }
@@ -632,7 +631,7 @@ std::vector<PlacedLight> lights_with_negative_zeros(const Light& light) {
   return lights;
 }
 
-TEST(FogUpdater, TakesNegativeZeroAsZero) {
+TEST(FogUpdater, NegativeZeroIsZero) {
   for (const Attenuation& attenuation : {Attenuation{0, 0.1, 0}, Attenuation{0, 0, 0.01}, Attenuation{0, 0.1, 0.01},
                                          Attenuation{1, 0, 0.01}, Attenuation{0.5, 0, 0}}) {
     for (const double density_scale : {0.0, 1.0}) {
@@ -661,7 +660,7 @@ TEST(FogUpdater, TakesNegativeZeroAsZero) {
   }
 }
 
-TEST(FogUpdater, KeepsItsLightsWhenItIsMoved) {
+TEST(FogUpdater, MovedUpdaterKeepsItsLights) {
   FogUpdater first;
   const FogLightHandle handle = first.add(carried_light());
   first.set_fog(kMist);
@@ -670,12 +669,12 @@ TEST(FogUpdater, KeepsItsLightsWhenItIsMoved) {
   EXPECT_TRUE(is_same(second.entries()[second.entry_of(handle)], before));
   EXPECT_TRUE(second.set_fog(kMist).empty());
   first = FogUpdater();
-  EXPECT_EQ(refusal_of([&] { (void)first.entry_of(handle); }), "handle.slot = 0: must be that of a light held");
+  EXPECT_EQ(error_of([&] { (void)first.entry_of(handle); }), "handle.slot = 0: must be that of a light held");
   first = std::move(second);
   EXPECT_TRUE(is_same(first.entries()[first.entry_of(handle)], before));
 }
 
-TEST(FogUpdater, ServesTwoThreadsByTwoUpdaters) {
+TEST(FogUpdater, TwoUpdatersServeTwoThreads) {
   const auto run = [](std::vector<FogLight>& entries) {
     Random random(55);
     Mirror mirror(0.5);

@@ -6,15 +6,15 @@
 
 namespace litfog::test {
 
-/// The sentence with which a call refuses its arguments by std::invalid_argument.
+/// The sentence of the std::invalid_argument that a call throws.
 template <typename Call>
-std::string refusal_of(const Call& call) {
+std::string error_of(const Call& call) {
   try {
     call();
-  } catch (const std::invalid_argument& refusal) {
-    return refusal.what();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
   }
-  return "not refused";
+  return "no error";
 }
 
 }  // namespace litfog::test

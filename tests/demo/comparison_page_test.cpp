@@ -32,7 +32,7 @@ std::size_t count(const std::string& text, const std::string& part) {
   return found;
 }
 
-TEST(ComparisonPage, SaysOfEveryPathWhatItIsAndWhatWasMeasured) {
+TEST(ComparisonPage, EveryPathHasItsDescriptionAndMeasurements) {
   const std::string page = comparison_page(kFacts, {result("room")});
   for (const LightingPath& path : lighting_paths()) {
     EXPECT_EQ(count(page, "<h3>" + std::string(path.name) + "</h3>"), 1u) << path.name;
@@ -48,7 +48,7 @@ TEST(ComparisonPage, SaysOfEveryPathWhatItIsAndWhatWasMeasured) {
   EXPECT_EQ(count(comparison_page(kFacts, {scene}), "pixels excluded: 26<"), 1u);
 }
 
-TEST(ComparisonPage, ShowsFilesTextsAsTexts) {
+TEST(ComparisonPage, TextsOfFilesAreEscaped) {
   const std::string page = comparison_page(kFacts, {result("a\"b<i>#1")});
   EXPECT_EQ(page.find("<i>"), page.npos);
   EXPECT_EQ(page.find("<fog>"), page.npos);
@@ -57,7 +57,7 @@ TEST(ComparisonPage, ShowsFilesTextsAsTexts) {
   EXPECT_NE(page.find("src=\"a%22b%3Ci%3E%231-radial-plane.png\""), page.npos);
 }
 
-TEST(ComparisonPage, HasASectionForEachSceneAndNothingFromElsewhere) {
+TEST(ComparisonPage, EachSceneHasASectionAndNothingComesFromElsewhere) {
   const std::string page = comparison_page(kFacts, {result("room"), result("road")});
   EXPECT_EQ(count(page, "<section"), 2u);
   EXPECT_EQ(count(page, "<figure>"), 2 * (1 + lighting_paths().size()));
@@ -65,7 +65,7 @@ TEST(ComparisonPage, HasASectionForEachSceneAndNothingFromElsewhere) {
     EXPECT_EQ(count(page, outside), 0u) << outside;
 }
 
-TEST(ComparisonPage, PicturesWithoutAnAlternativeTextThereAreNone) {
+TEST(ComparisonPage, EveryPictureHasAnAlternativeText) {
   const std::string page = comparison_page(kFacts, {result("room")});
   EXPECT_EQ(count(page, "<img "), 1 + 3 * lighting_paths().size());
   EXPECT_EQ(count(page, "<img "), count(page, "alt=\"room"));

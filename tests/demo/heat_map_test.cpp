@@ -28,7 +28,7 @@ TEST(HeatMap, ColorsGrowBrighterFromBlackToWhite) {
   }
 }
 
-TEST(HeatMap, ShowsEachPixelsErrorOnTheScaleMagnifiedByAWholeNumber) {
+TEST(HeatMap, EachPixelsErrorIsShownOnTheScaleMagnifiedByAWholeNumber) {
   const float inf = std::numeric_limits<float>::infinity();
   const PictureError error{.width = 6, .height = 1, .pixels = {0, 0.1f, 3.1623f, 100, inf, -1}};
   const Picture map = make_heat_map(error, "test");
@@ -54,7 +54,7 @@ TEST(HeatMap, NarrowPictureIsMagnifiedNoFurtherThanToTwoThousandRows) {
   EXPECT_LT(make_heat_map(tall, "test").height, 16384 + 100);
 }
 
-TEST(HeatMap, HasAScaleWithWordsUnderIt) {
+TEST(HeatMap, ScaleWithTextIsUnderTheMap) {
   const PictureError error{.width = 700, .height = 2, .pixels = std::vector<float>(1400, 0.0f)};
   const Picture map = make_heat_map(error, "test");
   double brightest = 0;

@@ -8,14 +8,14 @@ using namespace demo;
 
 namespace {
 
-TEST(HtmlText, CannotEndAnElementOrAnAttribute) {
+TEST(HtmlText, TextCannotEndAnElementOrAnAttribute) {
   EXPECT_EQ(html_text("<b class=\"a\" id='b'>R&amp;D</b>"),
             "&lt;b class=&quot;a&quot; id=&#39;b&#39;&gt;R&amp;amp;D&lt;/b&gt;");
   EXPECT_EQ(html_text("Nebel über 50 m"), "Nebel über 50 m");
   EXPECT_EQ(html_text(""), "");
 }
 
-TEST(HtmlLink, NamesAFileBesideThePageWhateverItsName) {
+TEST(HtmlLink, LinkNamesAFileBesideThePageWhateverItsName) {
   EXPECT_EQ(html_link("room-lookup_3d.v1~.png"), "room-lookup_3d.v1~.png");
   EXPECT_EQ(html_link("a b#c?d%e&f\"g'h.png"), "a%20b%23c%3Fd%25e%26f%22g%27h.png");
   EXPECT_EQ(html_link("file:x.png"), "file%3Ax.png");  // no scheme

@@ -9,12 +9,12 @@ using namespace render;
 
 namespace {
 
-TEST(FittedText, IsTheTextItselfWhereItFits) {
+TEST(FittedText, TextThatFitsIsUnchanged) {
   EXPECT_EQ(fitted_text("room, clear air", 15, 480), "room, clear air");
   EXPECT_EQ(fitted_text("", 15, 480), "");
 }
 
-TEST(FittedText, IsItsBeginningAndAnEllipsisWhereNot) {
+TEST(FittedText, LongTextIsItsBeginningAndAnEllipsis) {
   const std::string fitted = fitted_text(std::string(500, 'n'), 15, 480);
   const std::size_t letters = fitted.find_first_not_of('n');
   EXPECT_GT(letters, 30u);
@@ -22,7 +22,7 @@ TEST(FittedText, IsItsBeginningAndAnEllipsisWhereNot) {
   EXPECT_EQ(fitted.substr(letters), "\u2026");
 }
 
-TEST(FittedText, CutsNoLetterOfSeveralBytes) {
+TEST(FittedText, LetterOfSeveralBytesIsNotCut) {
   std::string text;
   for (int i = 0; i < 100; ++i) text += "\u00fc";
   for (const int width : {100, 105, 110}) {

@@ -19,9 +19,9 @@ using namespace command;
 namespace {
 
 namespace fs = std::filesystem;
+using demo::write_picture;
 using litfog::test::srgb_from_linear;
 using render::Picture;
-using demo::write_picture;
 
 class PictureFile : public testing::Test {
  protected:
@@ -66,7 +66,7 @@ TEST_F(PictureFile, PngIsDitheredAroundTheTrueValue) {
   EXPECT_NEAR(sum / double(values.size()) * 255, srgb_from_linear(linear) * 255, 0.05);
 }
 
-TEST_F(PictureFile, PngClampsWhatADisplayCannotShow) {
+TEST_F(PictureFile, PngClampsLightBeyondTheDisplay) {
   write_picture(path("a.png"), {1, 1, {-1.0f, 2.0f, 50.0f}});
   const std::vector<float> values = read("a.png");
   EXPECT_LE(values[0], 1.0f / 255);
@@ -83,7 +83,7 @@ TEST_F(PictureFile, ExrHoldsLinearLightBeyondOne) {
   }
 }
 
-TEST_F(PictureFile, UnwritablePathsAreRefused) {
+TEST_F(PictureFile, UnwritablePathIsAnError) {
   const Picture picture = gradient(2, 2, 1);
   EXPECT_THROW(write_picture(path("none/a.png"), picture), OutputError);
   EXPECT_THROW(write_picture(path(""), picture), OutputError);

@@ -29,7 +29,7 @@ class PictureFolderTest : public testing::Test {
   litfog::test::TemporaryDirectory directory_;
 };
 
-TEST_F(PictureFolderTest, IsMadeWithAllAboveItAndHasWhatWasWritten) {
+TEST_F(PictureFolderTest, FolderIsMadeWithItsParentsAndHoldsWhatWasWritten) {
   PictureFolder pictures(path("a/b"), {"first.png", "second.png"}, {});
   pictures.write("first.png", kPixel);
   pictures.write("second.png", kPixel);
@@ -37,19 +37,19 @@ TEST_F(PictureFolderTest, IsMadeWithAllAboveItAndHasWhatWasWritten) {
   for (const char* name : {"first.png", "second.png"}) EXPECT_TRUE(std::filesystem::exists(path("a/b") + "/" + name));
 }
 
-TEST_F(PictureFolderTest, RefusesWhatWouldReplaceAnotherScenesPicture) {
+TEST_F(PictureFolderTest, ReplacingAnotherScenesPictureIsAnError) {
   EXPECT_THROW(PictureFolder(path("a"), {"room-vertex-reference.png", "room-vertex-reference.png"}, {}), InputError);
   EXPECT_FALSE(std::filesystem::exists(path("a")));
 }
 
-TEST_F(PictureFolderTest, RefusesWhatWouldReplaceAnInput) {
+TEST_F(PictureFolderTest, ReplacingAnInputIsAnError) {
   std::filesystem::create_directory(path("a"));
   std::ofstream(path("a/room-clear.png")) << "a texture";
   EXPECT_THROW(PictureFolder(path("a"), {"room-clear.png"}, {path("a/room-clear.png")}), CLI::ValidationError);
   PictureFolder(path("a"), {"room-60m.png"}, {path("a/room-clear.png")});
 }
 
-TEST_F(PictureFolderTest, IsFilledWithoutAThreadToSpare) {
+TEST_F(PictureFolderTest, FolderIsFilledWhereNoThreadCanStart) {
   const NoMoreThreads limit;
   PictureFolder pictures(path("a"), {"first.png", "second.png"}, {});
   pictures.write("first.png", kPixel);
@@ -58,7 +58,7 @@ TEST_F(PictureFolderTest, IsFilledWithoutAThreadToSpare) {
   for (const char* name : {"first.png", "second.png"}) EXPECT_TRUE(std::filesystem::exists(path("a") + "/" + name));
 }
 
-TEST_F(PictureFolderTest, SaysWhatCannotBeWritten) {
+TEST_F(PictureFolderTest, FileThatCannotBeWrittenIsNamed) {
   PictureFolder pictures(path("a"), {"taken.png"}, {});
   std::filesystem::create_directory(path("a") + "/taken.png");
   pictures.write("taken.png", kPixel);

@@ -30,7 +30,7 @@ std::string error_of(const std::string& text) {
   return error_of([&] { parse_json(text, "f"); });
 }
 
-TEST(JsonDocument, ReadsEveryKind) {
+TEST(JsonDocument, EveryTypeIsRead) {
   const JsonValue root =
       parse_json(R"({"n": -1.5e2, "i": 3, "b": true, "s": "a\n\u00e4\"]", "v": [1, 2, 3], "o": {"z": null}})", "f");
   EXPECT_EQ(root.member("n").number(), -150);
@@ -55,7 +55,7 @@ TEST(JsonDocument, ValuesOutliveTheirRoot) {
   EXPECT_EQ(item.path(), "[0][0]");
 }
 
-TEST(JsonDocument, EveryValueKnowsItsPlace) {
+TEST(JsonDocument, EveryValueKnowsItsLocation) {
   const JsonValue root = parse_json(
       "{\n  \"a\" : [10 ,\r\n\t{\"b\\\"}\" :\"x\"}, -2.5e1,true\n, null, [ ] ], \"\xC3\xA4\": 1 , \"c\":0\n}", "f");
   const auto place = [](const JsonValue& value) {
@@ -83,7 +83,7 @@ TEST(JsonDocument, ByteOrderMarkIsNoColumn) {
   EXPECT_EQ(error_of("\xEF\xBB\xBF{]"), R"(f:1:2: text = "]": must be a member's name in quotes)");
 }
 
-TEST(JsonDocument, RefusesBrokenTextWithItsPlace) {
+TEST(JsonDocument, BrokenTextIsAnErrorAtItsLocation) {
   EXPECT_EQ(error_of(""), "f:1:1: end of file: must be an object, an array, a string, a number, true, false or null");
   EXPECT_EQ(error_of("{\n \"a\": 1,\n}"), R"(f:3:1: text = "}": must be a member's name in quotes)");
   EXPECT_EQ(error_of("{\"a\": 1 \"b\": 2}"), R"(f:1:9: text = "\"b\"": must be ',' or '}')");
@@ -111,25 +111,25 @@ TEST(JsonDocument, RefusesBrokenTextWithItsPlace) {
             "or null");
 }
 
-TEST(JsonDocument, RefusesNumbersBeyondDouble) {
+TEST(JsonDocument, NumberBeyondDoubleIsAnError) {
   EXPECT_EQ(error_of("[1,\n 1e999]"), "f:2:2: number = 1e999: must be within the range of a double");
   EXPECT_EQ(error_of("[-1e999]"), "f:1:2: number = -1e999: must be within the range of a double");
   EXPECT_EQ(error_of("[1e-999]"), "f:1:2: number = 1e-999: must be within the range of a double");
   EXPECT_EQ(parse_json("123456789012345678901234567890", "f").number(), 123456789012345678901234567890.0);
 }
 
-TEST(JsonDocument, RefusesMembersGivenTwice) {
+TEST(JsonDocument, MemberGivenTwiceIsAnError) {
   EXPECT_EQ(error_of("{\"a\": 1,\n \"b\": {\"a\": 2},\n  \"a\": 3}"), "f:3:3: \"a\": must not be given twice");
   EXPECT_EQ(error_of(R"({"a": 1, "\u0061": 2})"), "f:1:10: \"a\": must not be given twice");
 }
 
-TEST(JsonDocument, RefusesDeepNesting) {
+TEST(JsonDocument, DeepNestingIsAnError) {
   EXPECT_EQ(error_of(std::string(64, '[') + std::string(64, ']')), "(accepted)");
   EXPECT_EQ(error_of(std::string(65, '[') + std::string(65, ']')), "f:1:65: nesting: must not be deeper than 64");
   EXPECT_EQ(error_of(std::string(10'000'000, '[')), "f:1:65: nesting: must not be deeper than 64");
 }
 
-TEST(JsonDocument, RefusesTooManyValues) {
+TEST(JsonDocument, TooManyValuesAreAnError) {
   std::string text = "[0";
   for (int i = 0; i < 1'000'000; ++i) text += ",0";
   EXPECT_EQ(error_of(text + "]"), "f:1:2000000: file: must not hold more than 1000000 values");
@@ -137,7 +137,7 @@ TEST(JsonDocument, RefusesTooManyValues) {
   EXPECT_EQ(parse_json(text + "]", "f").items().size(), 999'999u) << "and the array itself";
 }
 
-TEST(JsonDocument, RefusesAnotherKindWithPathAndValue) {
+TEST(JsonDocument, ErrorOfAnotherTypeNamesPathAndValue) {
   const JsonValue root = parse_json(R"({"a": [{"t": "x"}, 2, {}], "b": true, "v": [1, 2], "w": [1, "y", 3]})", "f");
   const auto a = root.member("a").items();
   EXPECT_EQ(error_of([&] { a[0].member("t").number(); }), "f:1:14: a[0].t = \"x\": must be a number");
@@ -150,13 +150,13 @@ TEST(JsonDocument, RefusesAnotherKindWithPathAndValue) {
   EXPECT_EQ(error_of([&] { root.member("w").vec3(); }), "f:1:61: w[1] = \"y\": must be a number");
 }
 
-TEST(JsonDocument, RefusesUnknownMembersAtTheirName) {
+TEST(JsonDocument, UnknownMemberIsAnErrorAtItsName) {
   const JsonValue root = parse_json("{\"a\": 1,\n  \"aa\": {}}", "f");
   root.allow_only({"aa", "a", "b"});
   EXPECT_EQ(error_of([&] { root.allow_only({"a", "b"}); }), "f:2:3: \"aa\": must be one of a, b");
 }
 
-TEST(JsonDocument, ShowsLongAndBrokenValuesShort) {
+TEST(JsonDocument, LongAndBrokenValuesAreShortInErrors) {
   EXPECT_EQ(quoted_excerpt("a\"\n"), R"("a\"\n")");
   EXPECT_EQ(quoted_excerpt(std::string(1000, 'x')), '"' + std::string(40, 'x') + "\"...");
   EXPECT_EQ(quoted_excerpt(std::string(39, 'x') + "\xC3\xA4"), '"' + std::string(39, 'x') + "\"...")
@@ -164,7 +164,7 @@ TEST(JsonDocument, ShowsLongAndBrokenValuesShort) {
   EXPECT_EQ(quoted_excerpt("\xFF\x1B"), "\"\xEF\xBF\xBD\\u001b\"");
 }
 
-TEST(JsonDocument, HeaderMustNameKindAndKnownVersion) {
+TEST(JsonDocument, HeaderMustNameFormatAndKnownVersion) {
   const auto header_error_of = [](const std::string& text, int newest_version) {
     return error_of([&] { expect_header(parse_json(text, "f"), "light", newest_version); });
   };

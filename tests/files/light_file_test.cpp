@@ -39,7 +39,7 @@ std::string error_of(const std::string& text) {
   return "(accepted)";
 }
 
-TEST(LightFile, ReadsEveryMember) {
+TEST(LightFile, EveryMemberIsRead) {
   const Light light =
       parse(R"({"litfog": "light", "version": 1, "name": "lamp", "source": ["a", "b"], "color": [1, 0.5, 2],
     "attenuation": {"constant": 0.5, "linear": 0.25, "quadratic": 0.125}, "threshold": 0.01, "density_scale": 0.4,
@@ -52,7 +52,7 @@ TEST(LightFile, ReadsEveryMember) {
   EXPECT_EQ(light.cone, litfog::Cone::cosine(pi / 4, 16));
 }
 
-TEST(LightFile, DefaultsAreTheModels) {
+TEST(LightFile, MissingMembersHaveTheModelsDefaults) {
   const Light light = parse(R"({"attenuation": {"linear": 1}})");
   EXPECT_EQ(light.name, "");
   EXPECT_EQ(light.color, glm::dvec3(1));
@@ -71,7 +71,7 @@ TEST(LightFile, WidestAnglesAreExact) {
   EXPECT_EQ(cone_of(R"({"profile": "smoothstep", "inner_deg": 0, "outer_deg": 180})"), litfog::Cone::smoothstep(0, pi));
 }
 
-TEST(LightFile, RefusesMembersAtTheirPlaceInTheFilesTerms) {
+TEST(LightFile, WrongMemberIsAnErrorAtItsLocationInTheFilesTerms) {
   const auto with = [](const std::string& members) {
     return error_of("{\"attenuation\": {\"linear\": 1},\n" + members + "}");
   };
@@ -96,7 +96,7 @@ TEST(LightFile, RefusesMembersAtTheirPlaceInTheFilesTerms) {
   EXPECT_EQ(with(R"("version": 1)"), "f:1:1: litfog: must be given");
 }
 
-TEST(LightFile, RefusesConesInDegrees) {
+TEST(LightFile, WrongConeIsAnErrorInDegrees) {
   const auto with = [](const std::string& cone) {
     return error_of("{\"attenuation\": {\"linear\": 1},\n\"cone\": " + cone + "}");
   };
@@ -160,7 +160,7 @@ TEST(LightFile, WrittenFileIsReadAndAWrongLightLeavesTheEarlierOne) {
   EXPECT_THROW(write_light((directory.path() / "none/lamp.json").string(), Light{}), OutputError);
 }
 
-TEST(LightFile, WritesAnglesAsTheyWereGivenInDegrees) {
+TEST(LightFile, AnglesAreWrittenInDegreesAsTheyWereGiven) {
   for (const double angle : {5.0, 8.75, 10.5, 17.7, 90.0, 180.0, 0.1, 1e-3}) EXPECT_EQ(degrees(radians(angle)), angle);
 }
 
@@ -170,13 +170,13 @@ TEST(LightFile, FileNeedsItsHeaderAndLendsItsName) {
   std::ofstream(path) << R"({"litfog": "light", "version": 1, "attenuation": {"linear": 1}})";
   EXPECT_EQ(read_light(path.string()).name, path.stem().string());
   std::ofstream(path) << R"({"attenuation": {"linear": 1}})";
-  std::string refusal;
+  std::string what;
   try {
     read_light(path.string());
   } catch (const InputError& error) {
-    refusal = error.what();
+    what = error.what();
   }
-  EXPECT_EQ(refusal, path.string() + ":1:1: litfog: must be given");
+  EXPECT_EQ(what, path.string() + ":1:1: litfog: must be given");
   std::filesystem::remove(path);
 }
 
@@ -190,9 +190,9 @@ class ShippedLights : public testing::Test {
   std::set<std::filesystem::path> paths_;
 };
 
-TEST_F(ShippedLights, AreMany) { EXPECT_GE(paths_.size(), 12u); }
+TEST_F(ShippedLights, ShippedLightsAreMany) { EXPECT_GE(paths_.size(), 12u); }
 
-TEST_F(ShippedLights, HaveUniqueNamesSourcesAndSaneColors) {
+TEST_F(ShippedLights, ShippedLightsHaveUniqueNamesSourcesAndSaneColors) {
   std::set<std::string> names;
   for (const auto& path : paths_) {
     const Light light = read_light(path.string());
@@ -202,7 +202,7 @@ TEST_F(ShippedLights, HaveUniqueNamesSourcesAndSaneColors) {
   }
 }
 
-TEST_F(ShippedLights, QuadraticOnesEndWhereTheirSourceSays) {
+TEST_F(ShippedLights, QuadraticLightsEndWhereTheirSourceStates) {
   int found = 0;
   for (const auto& path : paths_) {
     const Light light = read_light(path.string());
@@ -217,7 +217,7 @@ TEST_F(ShippedLights, QuadraticOnesEndWhereTheirSourceSays) {
   EXPECT_GE(found, 12);
 }
 
-TEST_F(ShippedLights, ShowEveryProfileAndALightClampedNearby) {
+TEST_F(ShippedLights, ShippedLightsHaveEveryProfileAndALightClampedNearby) {
   std::set<ConeProfile> profiles;
   double least_constant = 1;
   for (const auto& path : paths_) {

@@ -77,7 +77,7 @@ TEST_F(LightSpecFile, EveryMemberIsReadInSiUnits) {
   EXPECT_FALSE(spec.cone->photometry);
 }
 
-TEST_F(LightSpecFile, WhatIsNotGivenHasItsDefault) {
+TEST_F(LightSpecFile, MissingMembersHaveTheirDefaults) {
   const LightSpec spec = read(R"("range": {"extent_m": 9})");
   EXPECT_EQ(spec.name, "f");
   EXPECT_TRUE(spec.source.empty());

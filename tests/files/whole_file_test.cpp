@@ -54,7 +54,7 @@ int status_of_child(const std::function<void()>& run) {
   return status;
 }
 
-TEST_F(WholeFile, IsWrittenAndReplaced) {
+TEST_F(WholeFile, FileIsWrittenAndReplaced) {
   for (const std::string text : {"first", "second, longer", ""}) {
     write_whole_file(path("a"), text);
     EXPECT_EQ(read("a"), text);
@@ -62,7 +62,7 @@ TEST_F(WholeFile, IsWrittenAndReplaced) {
   EXPECT_EQ(file_count(), 1u);
 }
 
-TEST_F(WholeFile, KeepsTheModeOfAnEarlierFile) {
+TEST_F(WholeFile, ReplacedFileKeepsItsMode) {
   const mode_t umask_before = umask(022);
   write_whole_file(path("a"), "new");
   EXPECT_EQ(mode("a"), fs::perms(0644));
@@ -74,25 +74,23 @@ TEST_F(WholeFile, KeepsTheModeOfAnEarlierFile) {
   umask(umask_before);
 }
 
-TEST_F(WholeFile, WritesBehindALinkThatStays) {
+TEST_F(WholeFile, LinkStaysAndItsTargetIsWritten) {
   fs::create_symlink("target", path("link"));  // which is not there yet
   write_whole_file(path("link"), "text");
   EXPECT_TRUE(fs::is_symlink(path("link")));
   EXPECT_EQ(read("target"), "text");
 }
 
-TEST_F(WholeFile, IsNotWrittenBehindLinksInACircle) {
+TEST_F(WholeFile, CircleOfLinksIsAnError) {
   fs::create_symlink("b", path("a"));
   fs::create_symlink("a", path("b"));
   EXPECT_THROW(write_whole_file(path("a"), "text"), OutputError);
   EXPECT_TRUE(fs::is_symlink(path("a")));
 }
 
-TEST_F(WholeFile, IsNotWrittenToAFullDevice) {
-  EXPECT_THROW(write_whole_file("/dev/full", "text"), OutputError);
-}
+TEST_F(WholeFile, FullDeviceIsAnError) { EXPECT_THROW(write_whole_file("/dev/full", "text"), OutputError); }
 
-TEST_F(WholeFile, OpensNoTemporaryThatSomebodyHasPutThere) {
+TEST_F(WholeFile, PlantedTemporaryIsNotOpened) {
   std::ofstream(path("victim")) << "precious";
   const std::string guess = "." + std::string("a.") + std::to_string(getpid()) + ".png";
   fs::create_symlink("victim", path(guess));
@@ -102,7 +100,7 @@ TEST_F(WholeFile, OpensNoTemporaryThatSomebodyHasPutThere) {
   EXPECT_EQ(read("a.png"), "picture");
 }
 
-TEST_F(WholeFile, MayHaveAsLongANameAsTheFileSystemTakes) {
+TEST_F(WholeFile, NameMayBeAsLongAsTheFileSystemTakes) {
   const std::string longest = std::string(251, 'a') + ".png";
   write_whole_file(path(longest), "picture");
   EXPECT_EQ(read(longest), "picture");
@@ -110,7 +108,7 @@ TEST_F(WholeFile, MayHaveAsLongANameAsTheFileSystemTakes) {
   EXPECT_EQ(file_count(), 1u);
 }
 
-TEST_F(WholeFile, IsWrittenToAPipe) {
+TEST_F(WholeFile, PipeIsWritten) {
   ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
   auto writer = std::async(std::launch::async, [&] { write_whole_file(path("pipe"), "text"); });
   EXPECT_EQ(read("pipe"), "text");
@@ -118,7 +116,7 @@ TEST_F(WholeFile, IsWrittenToAPipe) {
   EXPECT_TRUE(fs::is_fifo(path("pipe")));
 }
 
-TEST_F(WholeFile, GoesWhereStandardOutputGoes) {
+TEST_F(WholeFile, StandardOutputIsWritten) {
   const int status = status_of_child([&] {
     if (std::freopen(path("log").c_str(), "wb", stdout) == nullptr) std::_Exit(1);
     std::fputs("before\n", stdout);
@@ -131,13 +129,13 @@ TEST_F(WholeFile, GoesWhereStandardOutputGoes) {
   EXPECT_EQ(read("log"), "before\ntext\nagain\nbehind\n");
 }
 
-TEST_F(WholeFile, DoesNotReplaceAFolder) {
+TEST_F(WholeFile, FolderIsNotReplaced) {
   EXPECT_THROW(expect_writable(path("")), OutputError);
   EXPECT_THROW(write_whole_file(path(""), "text"), OutputError);
   EXPECT_THROW(write_whole_file(path("none/a"), "text"), OutputError);
 }
 
-TEST_F(WholeFile, LeavesNothingBehindWhenItsSizeIsLimited) {
+TEST_F(WholeFile, LimitOfSizeLeavesNothingBehind) {
   write_whole_file(path("a"), "earlier");
   const int status = status_of_child([&] {
     std::signal(SIGXFSZ, SIG_IGN);
@@ -154,7 +152,7 @@ TEST_F(WholeFile, LeavesNothingBehindWhenItsSizeIsLimited) {
   EXPECT_EQ(file_count(), 1u);
 }
 
-TEST_F(WholeFile, LeavesNothingBehindAfterASignal) {
+TEST_F(WholeFile, SignalLeavesNothingBehind) {
   for (const int signal : {SIGHUP, SIGINT, SIGTERM}) {
     for (int attempt = 0; attempt < 20; ++attempt) {
       const pid_t child = fork();

@@ -506,7 +506,7 @@ TEST(AttenuationFit, PointIsMetWithinTheStatedRangesAndNotOutside) {
 }
 
 TEST(AttenuationTarget, ErrorNamesSampleFieldValueAndRule) {
-  const auto error = [](const AttenuationTarget& target) { return refusal_of([&] { fit_attenuation(target); }); };
+  const auto error = [](const AttenuationTarget& target) { return error_of([&] { fit_attenuation(target); }); };
   const auto table = [&](AttenuationSample third) { return error({.samples = {{1, 0.9}, {2, 0.5}, third}}); };
   EXPECT_EQ(table({3, 0}), "samples[2].attenuation = 0: must be in [1e-100, 1]");
   EXPECT_EQ(table({3, -0.5}), "samples[2].attenuation = -0.5: must be in [1e-100, 1]");

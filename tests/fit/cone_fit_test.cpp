@@ -340,7 +340,7 @@ TEST(ConeFit, SamplesWithoutWeightAreLeftOut) {
 }
 
 TEST(ConeFit, ErrorNamesFieldValueAndRule) {
-  const auto error = [](const ConeTarget& target) { return refusal_of([&] { fit_cone(target); }); };
+  const auto error = [](const ConeTarget& target) { return error_of([&] { fit_cone(target); }); };
   EXPECT_EQ(error({}), "samples = 0: must be at least two with weight where no beam or field angle is given");
   EXPECT_EQ(error({.samples = {{0, 1}, {1, 1, 0}}}),
             "samples = 1: must be at least two with weight where no beam or field angle is given");

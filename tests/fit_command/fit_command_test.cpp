@@ -196,7 +196,7 @@ TEST_F(FitCommand, JsonReportHoldsTheLights) {
   EXPECT_EQ(report[0]["status"], "optimal");
   EXPECT_EQ(report[0]["light"]["litfog"], "light");
   EXPECT_TRUE(report[0]["reason"].is_null());
-  EXPECT_EQ(report[1]["status"], "refused");
+  EXPECT_EQ(report[1]["status"], "error");
   EXPECT_EQ(report[1]["reason"], "bad.json:1:1: litfog: must be given");
   EXPECT_TRUE(report[1]["light"].is_null());
 }
@@ -257,7 +257,7 @@ TEST_F(FitCommand, PlotsArePicturesOfTheirEnding) {
   EXPECT_EQ(run("spot.ies --plot fit.svg").status, kDone);
 }
 
-TEST_F(FitCommand, BadInputIsRefusedAndNothingIsWritten) {
+TEST_F(FitCommand, BadInputIsAnErrorAndNothingIsWritten) {
   write("bad.json", "{\"litfog\": \"light-spec\", \"version\": 1,\n \"range\": {\"samples\": []}}");
   const Outcome outcome = run("bad.json -o light.json --plot fit.svg");
   EXPECT_EQ(outcome.status, kBadInput);
@@ -273,17 +273,17 @@ TEST_F(FitCommand, BadInputIsRefusedAndNothingIsWritten) {
   for (const char* name : {"light.json", "fit.svg", "c.exr"}) EXPECT_FALSE(files().contains(name)) << name;
 }
 
-TEST_F(FitCommand, EarlierLightStaysWhereTheSpecIsRefused) {
+TEST_F(FitCommand, EarlierLightStaysWhereTheSpecHasAnError) {
   write("light.json", "earlier");
   write("bad.json", "{");
   EXPECT_EQ(run("bad.json -o light.json").status, kBadInput);
   EXPECT_EQ(read("light.json"), "earlier");
 }
 
-TEST_F(FitCommand, WrongUsageIsRefusedBeforeAnyWork) {
+TEST_F(FitCommand, WrongUsageIsAnErrorBeforeAnyWork) {
   const auto expect = [this](const std::string& arguments, const std::string& reason) {
     SCOPED_TRACE(arguments);
-    EXPECT_REFUSED(run(arguments), kUsage, usage_message(reason));
+    EXPECT_ERROR(run(arguments), kUsage, usage_message(reason));
   };
   expect("lamp.json beam.json -o light.json", "-o = light.json: must be a folder for several inputs");
   expect("lamp.json beam.json --plot a.png", "--plot = a.png: must be given with a single input");
@@ -308,7 +308,7 @@ TEST_F(FitCommand, WrongUsageIsRefusedBeforeAnyWork) {
   EXPECT_EQ(read("lamp.json"), kSpec);
 }
 
-TEST_F(FitCommand, OutputsInPlaceOfInputsOrOfOneAnotherAreRefusedBeforeAnythingIsWritten) {
+TEST_F(FitCommand, OutputThatReplacesAnInputOrAnotherOutputIsAnErrorBeforeAnythingIsWritten) {
   write("spot.json", R"({"litfog": "light-spec", "version": 1, "cone": {"photometry": "tilted.ies"}})");
   std::string tilted = kIes;
   tilted.replace(tilted.find("NONE"), 4, "lamp.tlt");
@@ -318,7 +318,7 @@ TEST_F(FitCommand, OutputsInPlaceOfInputsOrOfOneAnotherAreRefusedBeforeAnythingI
   const auto before = files();
   const auto expect = [&](const std::string& arguments, const std::string& reason) {
     SCOPED_TRACE(arguments);
-    EXPECT_REFUSED(run(arguments), kUsage, usage_message(reason));
+    EXPECT_ERROR(run(arguments), kUsage, usage_message(reason));
     EXPECT_EQ(files(), before);
     EXPECT_EQ(read("tilted.ies"), tilted);
     EXPECT_EQ(read("lamp.tlt"), "1 2\n0 90\n1 0.8\n");
@@ -350,7 +350,7 @@ TEST_F(FitCommand, OutputThatCannotBeWrittenIsItsOwnStatus) {
   EXPECT_EQ(run("lamp.json >/dev/full").status, kCannotWrite);
 }
 
-TEST_F(FitCommand, WithoutGnuplotAPlotIsAMissingCapability) {
+TEST_F(FitCommand, PlotIsAMissingCapabilityWithoutGnuplot) {
   const Outcome outcome = run("lamp.json -o light.json --plot fit.svg", "PATH=/nowhere");
   EXPECT_EQ(outcome.status, kMissingCapability);
   EXPECT_FALSE(files().contains("light.json"));

@@ -65,7 +65,7 @@ class LightTargetFile : public testing::Test {
   litfog::test::TemporaryDirectory directory_;
 };
 
-TEST_F(LightTargetFile, ReadsEveryMember) {
+TEST_F(LightTargetFile, EveryMemberIsRead) {
   const LightTarget target = read(R"({"litfog": "light-spec", "version": 1, "name": "lamp", "source": ["a", "b"],
     "color": [1, 0.5, 0.25], "density_scale": 0.4,
     "range": {"threshold": 0.1, "extent_m": 120, "constant": 1,
@@ -97,7 +97,7 @@ TEST_F(LightTargetFile, ReadsEveryMember) {
   EXPECT_FALSE(target.luminaire);
 }
 
-TEST_F(LightTargetFile, DefaultsAreTheModels) {
+TEST_F(LightTargetFile, MissingMembersHaveTheModelsDefaults) {
   const LightTarget target = read(R"({"litfog": "light-spec", "version": 1, "range": {"extent_m": 9}})");
   EXPECT_EQ(target.name, "f");
   EXPECT_TRUE(target.source.empty());
@@ -134,7 +134,7 @@ TEST_F(LightTargetFile, PhotometryIsRelativeToTheSpecAndGivesAnExtent) {
   EXPECT_TRUE(given.source.empty());
 }
 
-TEST_F(LightTargetFile, PhotometricFileAloneIsAWhiteLightNamedByIt) {
+TEST_F(LightTargetFile, PhotometricFileAloneIsAWhiteLightOfItsName) {
   const LightTarget target = read_photometric_spec(write("lamp.ies", kIes));
   EXPECT_EQ(target.name, "spot");
   EXPECT_EQ(target.color, glm::dvec3(1));
@@ -144,7 +144,7 @@ TEST_F(LightTargetFile, PhotometricFileAloneIsAWhiteLightNamedByIt) {
   EXPECT_EQ(target.source[0], "lamp.ies: maker");
 }
 
-TEST_F(LightTargetFile, RefusesMembersAtTheirPlace) {
+TEST_F(LightTargetFile, WrongMemberIsAnErrorAtItsLocation) {
   EXPECT_EQ(error_of("{}"), "f.json:1:1: litfog: must be given");
   EXPECT_EQ(error_of(R"({"litfog": "light", "version": 1})"),
             "f.json:1:12: litfog = \"light\": must be \"light-spec\"");
@@ -163,7 +163,7 @@ TEST_F(LightTargetFile, RefusesMembersAtTheirPlace) {
   EXPECT_EQ(error_with("\"range\": {\"extent_m\": NaN}").substr(0, 12), "f.json:2:23:");
 }
 
-TEST_F(LightTargetFile, RefusesRangesThatNoFitTakes) {
+TEST_F(LightTargetFile, RangesThatNoFitTakesAreAnError) {
   const auto with = [this](const std::string& members) { return error_with("\"range\": {" + members + "}"); };
   const auto with_samples = [&with](const std::string& samples) { return with("\"samples\": [" + samples + "]"); };
   const std::string first = "{\"range_m\": 10, \"attenuation\": 0.8}";
@@ -192,7 +192,7 @@ TEST_F(LightTargetFile, RefusesRangesThatNoFitTakes) {
             "f.json:2:35: range.samples[0].range_m = \"10\": must be a number");
 }
 
-TEST_F(LightTargetFile, RefusesConesThatNoFitTakes) {
+TEST_F(LightTargetFile, ConesThatNoFitTakesAreAnError) {
   const auto with = [this](const std::string& members) { return error_with("\"cone\": {" + members + "}"); };
   const auto with_samples = [&with](const std::string& samples) { return with("\"samples\": [" + samples + "]"); };
   const std::string first = "{\"angle_deg\": 10, \"intensity\": 1}";
@@ -223,7 +223,7 @@ TEST_F(LightTargetFile, RefusesConesThatNoFitTakes) {
             "f.json:2:101: cone.samples[1].weight = -1: must be 0 or in [1e-100, 1e100]");
 }
 
-TEST_F(LightTargetFile, RefusesPhotometryThatCannotBeUsed) {
+TEST_F(LightTargetFile, UnusablePhotometryIsAnError) {
   write("lamp.ies", kIes);
   write("broken.ies", "IESNA:LM-63-2002\nTILT=NONE\n1 -1 x\n");
   EXPECT_EQ(error_with(R"("cone": {"photometry": "lamp.ies", "samples": []})"),

@@ -13,7 +13,7 @@ namespace {
 
 using CheckErrors = GlTest;
 
-TEST_F(CheckErrors, PendingErrorIsNamedWithItsPlaceOnce) {
+TEST_F(CheckErrors, PendingErrorIsNamedOnceWithItsLocation) {
   glEnable(GLenum(0xffff));
   try {
     gl::check_errors("an unknown capability");

@@ -38,7 +38,7 @@ class OpacityShader : public ShaderTest {
   }
 };
 
-TEST_F(OpacityShader, IsExactToFourUlpInThinFog) {
+TEST_F(OpacityShader, OpacityInThinFogIsExactToFourUlp) {
   check("depth 1e-8..0.6875", 4, 1e-8, 0.6875);
   check("depth 1e-37..1e-8", 4, 1e-37, 1e-8);
   check("depth 0.6..0.6875", 4, 0.6, 0.6875);
@@ -46,12 +46,12 @@ TEST_F(OpacityShader, IsExactToFourUlpInThinFog) {
 
 // GLSL 4.60, 4.7.1: exp is right to 3 + 2 |x| ulp, 4.4 where the two forms meet; an ulp of 1 - exp is half as large
 // there.
-TEST_F(OpacityShader, IsExactToTheDriversExpInThickFog) {
+TEST_F(OpacityShader, OpacityInThickFogIsExactToTheDriversExp) {
   check("depth 0.6876..0.75", 10, 0.6876, 0.75);
   check("depth 0.75..80", 10, 0.75, 80);
 }
 
-TEST_F(OpacityShader, HasNoStepWhereItsTwoFormsMeet) {
+TEST_F(OpacityShader, OpacityHasNoStepWhereItsTwoFormsMeet) {
   std::vector<vec4> points;
   float depth = 0.6875f;
   for (int i = 0; i < 64; ++i) depth = std::nextafter(depth, 0.0f);

@@ -14,7 +14,7 @@ using glm::vec4;
 
 using LightBlockShader = ShaderTest;
 
-TEST_F(LightBlockShader, ReadsEveryNumberOfTheBlock) {
+TEST_F(LightBlockShader, EveryNumberOfTheBlockIsRead) {
   std::vector<PlacedLight> lights(kMaxFogLights);
   std::vector<FogIntensity> solutions(kMaxFogLights);
   std::vector<vec4> indices;

@@ -65,7 +65,7 @@ void main() {
 
 static_assert(sizeof(FogLight) == kFields * sizeof(vec4));
 
-TEST_F(LightBufferShader, ReadsEveryNumberOfABufferTexture) {
+TEST_F(LightBufferShader, EveryNumberOfABufferTextureIsRead) {
   const std::vector<vec4> data = texels();
   const gl::BufferName buffer;
   glBindBuffer(GL_TEXTURE_BUFFER, buffer.id());
@@ -77,7 +77,7 @@ TEST_F(LightBufferShader, ReadsEveryNumberOfABufferTexture) {
   expect_every_number("");
 }
 
-TEST_F(LightBufferShader, ReadsEveryNumberOfATextureWhoseRowsSplitLights) {
+TEST_F(LightBufferShader, EveryNumberOfATextureWhoseRowsSplitLightsIsRead) {
   constexpr int kWidth = 12;
   static_assert(kLights * kFields % kWidth == 0 && kWidth % kFields != 0);
   const std::vector<vec4> data = texels();

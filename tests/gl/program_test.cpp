@@ -64,7 +64,7 @@ TEST_F(ProgramTest, ShadersThatDoNotFitAreAnError) {
   EXPECT_NE(message.find("shaders a.vert and a.frag do not link:"), std::string::npos) << message;
 }
 
-TEST_F(ProgramTest, IncludesAFileOnce) {
+TEST_F(ProgramTest, FileIsIncludedOnce) {
   EXPECT_EQ(error_of_files({{"a.frag",
                              "#include \"b.glsl\"\n#include \"c.glsl\"\n#include \"b.glsl\"\nout vec4 color;\n"
                              "void main() { color = vec4(one() + two()); }\n"},
@@ -73,7 +73,7 @@ TEST_F(ProgramTest, IncludesAFileOnce) {
             "accepted");
 }
 
-TEST_F(ProgramTest, FindsItsUniforms) {
+TEST_F(ProgramTest, UniformsAreFoundByName) {
   const gl::Program program =
       FormulaPixels::program("uniform float used;\nout vec4 result;\nvoid main() { result = vec4(used); }\n");
   EXPECT_GE(program.uniform("used"), 0);

@@ -13,7 +13,7 @@
 namespace litfog::test {
 namespace {
 
-TEST(ShaderLibrary, HoldsTheInstalledFiles) {
+TEST(ShaderLibrary, LibraryHoldsTheInstalledFiles) {
   std::set<std::string_view> names;
   for (const gl::ShaderSource& source : gl::shader_library()) {
     names.insert(source.name);

@@ -19,7 +19,7 @@ TEST(FrameTimes, SpreadIsFromTheTenthToTheNinetiethPercentile) {
   EXPECT_DOUBLE_EQ(times.spread(), 46 - 14);
 }
 
-TEST(FrameTimes, AreWrittenWithThreeDigits) {
+TEST(FrameTimes, FrameTimesAreWrittenWithThreeDigits) {
   EXPECT_EQ(milliseconds_text(0.01234), "0.0123");
   EXPECT_EQ(milliseconds_text(9.994), "9.99");
   EXPECT_EQ(milliseconds_text(9.996), "10.0");
@@ -44,7 +44,7 @@ TEST_F(FrameTimesTest, EachRendererHasItsTimesInAscendingOrderAndItsCounts) {
   EXPECT_EQ(times[1].counts.chunks_skipped, 0u);
 }
 
-TEST_F(FrameTimesTest, ABudgetOfNoTimeTakesTheFewestAndOneWithoutEndTheMost) {
+TEST_F(FrameTimesTest, BudgetOfNoTimeTakesTheFewestFramesAndAnEndlessOneTheMost) {
   const Scene scene = read_scene(bundled_scene_path("room"));
   Renderer renderer(scene, 32, 18, {});
   const auto frames = [&](const FrameBudget& budget) {

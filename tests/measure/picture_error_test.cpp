@@ -23,7 +23,7 @@ ReferencePicture row(const std::vector<float>& rgb) {
 
 Picture picture(const std::vector<float>& rgb) { return {int(rgb.size() / 3), 1, rgb}; }
 
-TEST(PictureError, IsMeasuredInStepsOfTheDisplayUpTo1) {
+TEST(PictureError, ErrorUpTo1IsInStepsOfTheDisplay) {
   const PictureError error =
       picture_error(picture({0.25f, 0, 0, 0.5f, 0.002f, 0.5f}), row({0.2f, 0, 0, 0.5f, 0, 0.5f}));
   const double first = 255 * (srgb_from_linear(0.25) - srgb_from_linear(0.2));
@@ -34,7 +34,7 @@ TEST(PictureError, IsMeasuredInStepsOfTheDisplayUpTo1) {
   EXPECT_NEAR(error.mean, (first + second) / 2, 1e-4);
 }
 
-TEST(PictureError, IsRelativeAbove1) {
+TEST(PictureError, ErrorAbove1IsRelative) {
   const double ten_percent = 255 * 1.055 / 2.4 * std::log(1.1);
   EXPECT_NEAR(picture_error(picture({1.1f, 1, 1}), row({1, 1, 1})).largest, ten_percent, 1e-3);
   EXPECT_NEAR(picture_error(picture({55, 1, 1}), row({50, 1, 1})).largest, ten_percent, 1e-3);
@@ -67,7 +67,7 @@ TEST(PictureError, ErrorBeyondMapsIsWhatTheirTexelsDoNotExplain) {
   EXPECT_NEAR(picture_error(picture({0.3f, 0.65f, 0.5f}), reference).beyond_maps, below, 1e-4);
 }
 
-TEST(PictureError, IsInfiniteWhereAPixelOfEitherPictureIsNotFinite) {
+TEST(PictureError, PixelThatIsNotFiniteHasInfiniteError) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (const float value : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
     const std::vector<float> good{0.5f, 0.5f, 0.5f};
@@ -87,7 +87,7 @@ TEST(PictureError, IsInfiniteWhereAPixelOfEitherPictureIsNotFinite) {
   }
 }
 
-TEST(PictureError, WordsSayHowManyPixelsAreExcludedIfAny) {
+TEST(PictureError, SummaryNamesTheNumberOfExcludedPixels) {
   EXPECT_EQ(error_in_words({.largest = 0.13912, .mean = 0.0126}), "largest error 0.139, mean 0.0126 of 1/255");
   EXPECT_EQ(error_in_words({.largest = 17.2, .mean = 2, .excluded = 3}),
             "largest error 17.2, mean 2 of 1/255; pixels excluded: 3");

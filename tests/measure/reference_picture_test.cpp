@@ -73,7 +73,7 @@ Scene flat_floor() {
 }
 
 // The floor where the pixel's ray meets y = 0: the Basic model under one lamp, and Hales's fog before it, written out.
-TEST_F(ReferencePictureTest, AFloorUnderALampIsTheModelInClosedForm) {
+TEST_F(ReferencePictureTest, FloorUnderALampIsTheModelInClosedForm) {
   Scene scene = flat_floor();
   PlacedLight lamp;
   lamp.light = {.name = "lamp", .color = {0.9, 0.6, 0.3}, .attenuation = {1, 0.1, 0.05}, .cone = Cone::cosine(1.2, 3)};
@@ -119,7 +119,7 @@ TEST_F(ReferencePictureTest, AFloorUnderALampIsTheModelInClosedForm) {
   EXPECT_GT(lit, 1000);
 }
 
-TEST_F(ReferencePictureTest, WithoutThreadsToStartTheReferenceIsTheSame) {
+TEST_F(ReferencePictureTest, ReferenceIsTheSameWhereNoThreadCanStart) {
   const Scene scene = flat_floor();
   Renderer renderer(scene, kWidth, kHeight, {});
   const ReferencePicture usual = shade_reference(renderer);
@@ -127,7 +127,7 @@ TEST_F(ReferencePictureTest, WithoutThreadsToStartTheReferenceIsTheSame) {
   EXPECT_EQ(shade_reference(renderer).picture.rgb, usual.picture.rgb);
 }
 
-TEST_F(ReferencePictureTest, AnEdgeOfTheModelThroughAPixelsMiddleIsExcluded) {
+TEST_F(ReferencePictureTest, PixelOnAnEdgeOfTheModelIsExcluded) {
   Scene scene;
   scene.camera = {.position = {0, 2, 0}, .target = {0, 2.2f, -10}, .field_of_view = 1.0f};
   PlacedLight light;
@@ -202,7 +202,7 @@ std::optional<PathBound> bound_of(const LightingPath& path, std::string_view sce
 
 class ReferenceOfScene : public test::GlTest, public testing::WithParamInterface<std::string> {};
 
-TEST_P(ReferenceOfScene, HoldsEveryPathInClearAirAndInFog) {
+TEST_P(ReferenceOfScene, EveryPathIsWithinItsBoundInClearAirAndInFog) {
   const std::string& name = GetParam();
   const Scene scene = read_scene(bundled_scene_path(name));
   const double visibility = scene.visibilities.at(1);

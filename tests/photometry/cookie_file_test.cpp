@@ -157,7 +157,7 @@ TEST(CookieFile, EveryMutationIsAnErrorOrACookie) {
   EXPECT_GT(accepted, 0);  // in the comment, for one
 }
 
-TEST(CookieFile, AMissingFileIsAnError) {
+TEST(CookieFile, MissingFileIsAnError) {
   const TemporaryDirectory directory;
   const std::string path = (directory.path() / "c.exr").string();
   try {

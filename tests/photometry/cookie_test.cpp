@@ -126,8 +126,8 @@ TEST(Cookie, ResizedCookieIsTheSameBetweenItsTexels) {
 
 TEST(Cookie, SizeMustBeFrom1To4096) {
   const IntensityDistribution lamp{.horizontal = {0}, .vertical = {0, 1}, .intensity = {1, 1}};
-  EXPECT_EQ(refusal_of([&] { bake_cookie(lamp, 0); }), "size = 0: must be in [1, 4096]");
-  EXPECT_EQ(refusal_of([&] { bake_cookie(lamp, 4097); }), "size = 4097: must be in [1, 4096]");
+  EXPECT_EQ(error_of([&] { bake_cookie(lamp, 0); }), "size = 0: must be in [1, 4096]");
+  EXPECT_EQ(error_of([&] { bake_cookie(lamp, 4097); }), "size = 4097: must be in [1, 4096]");
 }
 
 TEST(Cookie, CheckNamesWhatIsWrong) {

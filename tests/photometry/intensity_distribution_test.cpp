@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "reference/random_light.h"
 #include "core/value_errors.h"
+#include "reference/random_light.h"
 
 namespace litfog::test {
 namespace {
@@ -321,8 +321,8 @@ TEST(HalfAngle, HalfAngleIsLinearBetweenSamplesBeyondThePeak) {
   EXPECT_DOUBLE_EQ(half_angle(profile, 0.8), 1.5);
   EXPECT_DOUBLE_EQ(half_angle(profile, 0.3), 2.5);
   EXPECT_DOUBLE_EQ(half_angle({{0, 5, 0}, {1, 4, 0}}, 0.5), 1);
-  EXPECT_EQ(refusal_of([&] { half_angle(profile, 0); }), "fraction = 0: must be in (0, 1]");
-  EXPECT_EQ(refusal_of([] { half_angle({}, 0.5); }), "profile = 0: must have at least one sample");
+  EXPECT_EQ(error_of([&] { half_angle(profile, 0); }), "fraction = 0: must be in (0, 1]");
+  EXPECT_EQ(error_of([] { half_angle({}, 0.5); }), "profile = 0: must have at least one sample");
   EXPECT_EQ(half_angle({{0, 0, 0}, {1, 0, 0}}, 0.5), 1);  // dark all over
 }
 
@@ -330,12 +330,12 @@ TEST(HalfAngle, MeansMustBeIntensities) {
   for (const double mean : {-1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     EXPECT_THROW(half_angle({{0.1, mean, 0}}, 0.5), std::invalid_argument) << mean;
   }
-  EXPECT_EQ(refusal_of([] { half_angle({{0.1, -1, 0}}, 0.5); }), "profile.mean = -1: must be finite and >= 0");
+  EXPECT_EQ(error_of([] { half_angle({{0.1, -1, 0}}, 0.5); }), "profile.mean = -1: must be finite and >= 0");
 }
 
 // --- asymmetry ---
 
-TEST(Asymmetry, SymmetricBeamHasNone) {
+TEST(Asymmetry, SymmetricBeamHasNoAsymmetry) {
   const auto lamp = sampled(PhotometryType::c, {0}, degrees(0, 90, 5), [](double, double g) { return std::cos(g); });
   EXPECT_LT(asymmetry(lamp, kPhotometricAxis), 1e-12);
 }
@@ -354,35 +354,35 @@ TEST(Asymmetry, AsymmetryIsTheRelativeRmsDistanceFromTheMeanOverTheTurn) {
 
 TEST(IntensityDistributionCheck, ErrorNamesWhatIsWrong) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const auto refusal = [](PhotometryType type, Angles horizontal, Angles vertical, Angles intensity) {
-    return refusal_of([&] { luminous_flux({type, std::move(horizontal), std::move(vertical), std::move(intensity)}); });
+  const auto error = [](PhotometryType type, Angles horizontal, Angles vertical, Angles intensity) {
+    return error_of([&] { luminous_flux({type, std::move(horizontal), std::move(vertical), std::move(intensity)}); });
   };
   constexpr auto kA = PhotometryType::a, kB = PhotometryType::b, kC = PhotometryType::c;
-  EXPECT_EQ(refusal(kC, {0}, {0, 1}, {1, 0}), "not refused");
-  EXPECT_EQ(refusal(kC, {}, {0, 1}, {}), "distribution.horizontal = 0: must be at least two angles");
-  EXPECT_EQ(refusal(kC, {0}, {0}, {1}), "distribution.vertical = 1: must be at least two angles");
-  EXPECT_EQ(refusal(kC, {0}, {0, 0}, {1, 1}), "distribution.vertical = 0: must be in increasing order");
-  EXPECT_EQ(refusal(kC, {0}, {0, nan}, {1, 1}),
+  EXPECT_EQ(error(kC, {0}, {0, 1}, {1, 0}), "no error");
+  EXPECT_EQ(error(kC, {}, {0, 1}, {}), "distribution.horizontal = 0: must be at least two angles");
+  EXPECT_EQ(error(kC, {0}, {0}, {1}), "distribution.vertical = 1: must be at least two angles");
+  EXPECT_EQ(error(kC, {0}, {0, 0}, {1, 1}), "distribution.vertical = 0: must be in increasing order");
+  EXPECT_EQ(error(kC, {0}, {0, nan}, {1, 1}),
             "distribution.vertical = nan: must be within the range of its photometry type");
-  EXPECT_EQ(refusal(kC, {0}, {-0.1, 1}, {1, 1}),
+  EXPECT_EQ(error(kC, {0}, {-0.1, 1}, {1, 1}),
             "distribution.vertical = -0.1: must be within the range of its photometry type");
-  EXPECT_EQ(refusal(kC, {0, 1}, {0, 1}, {1, 1, 1, 1}), "distribution.horizontal = 1: must span pi / 2, pi or 2 pi");
-  EXPECT_EQ(refusal(kA, {0}, {0, 1}, {1, 1}), "distribution.horizontal = 1: must be at least two angles");
-  EXPECT_EQ(refusal(kA, {0, 1}, {0, 1.6}, {1, 1, 1, 1}),
+  EXPECT_EQ(error(kC, {0, 1}, {0, 1}, {1, 1, 1, 1}), "distribution.horizontal = 1: must span pi / 2, pi or 2 pi");
+  EXPECT_EQ(error(kA, {0}, {0, 1}, {1, 1}), "distribution.horizontal = 1: must be at least two angles");
+  EXPECT_EQ(error(kA, {0, 1}, {0, 1.6}, {1, 1, 1, 1}),
             "distribution.vertical = 1.6: must be within the range of its photometry type");
-  EXPECT_EQ(refusal(kB, {0, 1.6}, {0, 1}, {1, 1, 1, 1}),
+  EXPECT_EQ(error(kB, {0, 1.6}, {0, 1}, {1, 1, 1, 1}),
             "distribution.horizontal = 1.6: must be within the range of its photometry type");
-  EXPECT_EQ(refusal(kB, {0, 1}, {-3, 3}, {1, 1, 1, 1}), "not refused");
-  EXPECT_EQ(refusal(kC, {0}, {0, 1}, {1}), "distribution.intensity = 1: must be as many as pairs of angles");
-  EXPECT_EQ(refusal(kC, {0}, {0, 1}, {1, -1}), "distribution.intensity = -1: must be in [0, 1e30]");
-  EXPECT_EQ(refusal(kC, {0}, {0, 1}, {1, nan}), "distribution.intensity = nan: must be in [0, 1e30]");
-  EXPECT_EQ(refusal(kC, {0}, {0, 1}, {0, 0}), "distribution.intensity = 0: must not be 0 everywhere");
+  EXPECT_EQ(error(kB, {0, 1}, {-3, 3}, {1, 1, 1, 1}), "no error");
+  EXPECT_EQ(error(kC, {0}, {0, 1}, {1}), "distribution.intensity = 1: must be as many as pairs of angles");
+  EXPECT_EQ(error(kC, {0}, {0, 1}, {1, -1}), "distribution.intensity = -1: must be in [0, 1e30]");
+  EXPECT_EQ(error(kC, {0}, {0, 1}, {1, nan}), "distribution.intensity = nan: must be in [0, 1e30]");
+  EXPECT_EQ(error(kC, {0}, {0, 1}, {0, 0}), "distribution.intensity = 0: must not be 0 everywhere");
 }
 
 TEST(IntensityDistributionCheck, AxisWithoutDirectionIsAnError) {
   const auto lamp = sampled(PhotometryType::c, {0}, {0, 1}, [](double, double) { return 1.0; });
-  EXPECT_EQ(refusal_of([&] { asymmetry(lamp, {0, 0, 0}); }), "axis = 0: must be finite and not 0");
-  EXPECT_EQ(refusal_of([&] {
+  EXPECT_EQ(error_of([&] { asymmetry(lamp, {0, 0, 0}); }), "axis = 0: must be finite and not 0");
+  EXPECT_EQ(error_of([&] {
               axial_profile(lamp, {0, std::numeric_limits<double>::infinity(), 0});
             }),
             "axis = inf: must be finite and not 0");

@@ -49,7 +49,7 @@ struct KnownLamp {
   double flux, peak, turn_deg, half_deg, tenth_deg;
 };
 
-TEST(RealLamps, OursHaveTheFluxPeakAndHalfAnglesOfTheirGenerator) {
+TEST(RealLamps, OurFilesHaveTheFluxPeakAndHalfAnglesOfTheirGenerator) {
   for (const auto& [file, flux, peak, turn_deg, half_deg, tenth_deg] :
        {KnownLamp{"landing_lamp.ies", 1516.69431, 100000.039, 0, 3.295328, 6.000008},
         {"approach_light.ies", 2017.22934, 30000, 0, 10.962717, 14},
@@ -64,7 +64,7 @@ TEST(RealLamps, OursHaveTheFluxPeakAndHalfAnglesOfTheirGenerator) {
   }
 }
 
-TEST(RealLamps, OursHaveTheOdditiesOfMakersFiles) {
+TEST(RealLamps, OurFilesHaveTheOdditiesOfMakersFiles) {
   const Luminaire landing = our_luminaire("landing_lamp.ies");
   EXPECT_EQ(landing.name, "GE 4509, 100 W, 4\xC2\xBD in");   // a Latin-1 byte
   EXPECT_DOUBLE_EQ(landing.opening.width, -0.375 * 0.3048);  // feet; round
@@ -89,7 +89,7 @@ TEST(RealLamps, OursHaveTheOdditiesOfMakersFiles) {
   EXPECT_NEAR(intensity_at(runway.distribution, direction_of(176.5, 90)), 4000, 0.02);  // yellow is 0.40 of white
 }
 
-TEST(RealLamps, SendOutTheFluxTheyStateOrLessThanTheirLampsGive) {
+TEST(RealLamps, LampSendsOutItsStatedFluxOrLessThanItsLampsGive) {
   for (const std::string& file : real_files()) {
     SCOPED_TRACE(file);
     const Luminaire luminaire = read_luminaire(file);

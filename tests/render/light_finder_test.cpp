@@ -20,7 +20,7 @@ bool lights(const PlacedLight& light, double extent, const glm::dvec3& point) {
   return range <= extent && cone_at(light.light.cone, glm::dot(point - light.position, light.direction) / range) > 0;
 }
 
-TEST(LightFinder, NeverLeavesOutALightThatReachesAPointOfTheBox) {
+TEST(LightFinder, LightThatReachesAPointOfTheBoxIsFound) {
   Random random(7);
   int reached = 0;
   int left_out = 0;
@@ -44,7 +44,7 @@ TEST(LightFinder, NeverLeavesOutALightThatReachesAPointOfTheBox) {
   EXPECT_GT(left_out, 5'000);
 }
 
-TEST(LightFinder, NamesTheLightsThatReachInTheirOrder) {
+TEST(LightFinder, LightsThatReachAreNamedInTheirOrder) {
   std::vector<PlacedLight> lamps(3);
   lamps[0].position = {0, 0, 0};
   lamps[1].position = {100, 0, 0};
@@ -56,7 +56,7 @@ TEST(LightFinder, NamesTheLightsThatReachInTheirOrder) {
   EXPECT_EQ(finder.reaching(box, std::vector<std::int32_t>{1, 2}), (std::vector<std::int32_t>{2}));
 }
 
-TEST(LightFinder, AmongManyLightsNoneThatCanReachIsLost) {
+TEST(LightFinder, LightThatCanReachIsFoundAmongMany) {
   std::vector<PlacedLight> lamps(1000);
   std::vector<double> extents;
   for (std::size_t i = 0; i < lamps.size(); ++i) {

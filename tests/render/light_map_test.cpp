@@ -115,7 +115,7 @@ double nearest_texel(const MapTexels& cube, const dvec3& d, int size) {
 
 class ConeCube : public testing::TestWithParam<Cone> {};
 
-TEST_P(ConeCube, HoldsTheConeAboutItsAxisForEveryDirection) {
+TEST_P(ConeCube, CubeHoldsTheConeAboutItsAxisForEveryDirection) {
   constexpr int kSide = 256;
   const Cone cone = GetParam();
   const double scale = cone_coordinate_scale(cone, kSide);
@@ -149,7 +149,7 @@ INSTANTIATE_TEST_SUITE_P(LightMap, ConeCube,
                                          Cone::cosine(std::numbers::pi / 2, 3), Cone::smoothstep(0.02, 0.38),
                                          Cone::smoothstep(0.17, 1.92), Cone::smoothstep(1, std::numbers::pi)));
 
-TEST(LightMap, DrawnInConesSpanTheirFaceAndLeaveTheOthersDark) {
+TEST(LightMap, NarrowedConesSpanTheirFaceAndLeaveTheOthersDark) {
   const Cone cone = Cone::cosine(0.3, 4);
   EXPECT_NEAR(cone_map_scale(cone), std::tan(std::numbers::pi / 2 - 0.3), 1e-12);
   const MapTexels cube = make_cone_cube(cone, CubeAxis::plus_x, kSize);
@@ -162,7 +162,7 @@ TEST(LightMap, DrawnInConesSpanTheirFaceAndLeaveTheOthersDark) {
   EXPECT_EQ(stored(cube, 0, kSize / 2), 0);                                 // at it
 }
 
-TEST(LightMap, OfAPointLightIsWhite) {
+TEST(LightMap, ConeMapOfAPointLightIsWhite) {
   for (const std::uint16_t texel : make_cone_cube(Cone{}, CubeAxis::plus_x, 1)) EXPECT_EQ(texel, 65535);
 }
 
@@ -183,7 +183,7 @@ double trilinear(const MapTexels& map, const dvec3& place_in_extents, int size) 
 // Linear interpolation errs by at most h^2 / 8 times the sum of the second derivatives along the axes, which of a
 // function of the distance is at most |a''| + 2 |a'| / r: 6 q at the light itself for a = 1 / (1 + q r^2), and less
 // elsewhere. Within a texel's diagonal of the extent, where the map steps to 0, it errs by at most the threshold more.
-TEST(LightMap, VolumesErrBetweenTheirTexelsByTheirSecondDerivative) {
+TEST(LightMap, VolumeErrsBetweenItsTexelsByItsSecondDerivative) {
   constexpr double kQ = 19;
   for (const int size : {16, 32, 64, 128}) {
     const MapTexels map = make_range_volume(range_profile(kLamp, 100), size);

@@ -53,7 +53,7 @@ TEST(LightSelection, ClearAirAndPathsWithoutLitFogTakeNoLightForTheFog) {
   EXPECT_EQ(select(four_lamps(), kFog, *find_lighting_path("legacy")).fog, Indices{});
 }
 
-TEST(LightSelection, WithoutSkippingEveryLightIsTaken) {
+TEST(LightSelection, EveryLightIsTakenWithoutSkipping) {
   const LightSelection all = select(four_lamps(), Fog{}, unified(), {}, Skipping::off);
   EXPECT_EQ(all.surface, (Indices{0, 1, 2, 3}));
   EXPECT_EQ(all.fog, (Indices{2, 3}));

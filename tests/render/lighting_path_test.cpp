@@ -29,7 +29,7 @@ constexpr int kWidth = 96;
 constexpr int kHeight = 64;
 constexpr double kWallZ = -5;
 
-TEST(LightingPath, ThereAreTenAndTheDefaultIsTheFirst) {
+TEST(LightingPath, TenPathsBeginWithTheDefault) {
   const std::vector<std::string_view> expected{"unified",    "lookup-3d", "lookup-2d", "radial",  "radial-plane",
                                                "accumulate", "vertex",    "mixed",     "tangent", "legacy"};
   std::vector<std::string_view> names;
@@ -38,7 +38,7 @@ TEST(LightingPath, ThereAreTenAndTheDefaultIsTheFirst) {
   EXPECT_EQ(RenderSettings{}.path->name, "unified");
 }
 
-TEST(LightingPath, IsFoundByItsNameAlone) {
+TEST(LightingPath, PathIsFoundByItsNameAlone) {
   EXPECT_EQ(find_lighting_path("radial-plane")->name, "radial-plane");
   EXPECT_EQ(find_lighting_path("radial-"), nullptr);
   EXPECT_EQ(find_lighting_path(""), nullptr);
@@ -268,7 +268,7 @@ TEST_F(LightingPathPixels, LookupPathsAreThePapersModelToWithinTheirTexels) {
 
 // Attenuation without linear and quadratic parts never ends a light: one as far as floats go, and one that ends 10,000
 // km away, beside whose extent the way to a surface is nothing.
-TEST_F(LightingPathPixels, LightsWithoutAnEndInSightLightEveryPath) {
+TEST_F(LightingPathPixels, LightsWithoutAnEndLightEveryPath) {
   for (const Attenuation& attenuation : {Attenuation{2, 0, 0}, Attenuation{1, 1.9e-6, 0}}) {
     Scene scene = wall(256);
     scene.lights = {lamp({0.4, -0.3, -2}, attenuation, Cone{}, true)};
@@ -308,7 +308,7 @@ TEST_F(LightingPathPixels, VertexPathsConvergeInTheSecondOrderAsTheWallIsTessell
 }
 
 // The Cg Tutorial's figure 5-16, at its worst: a spot between the wall's corners.
-TEST_F(LightingPathPixels, VertexPathsMissWhatFallsWithinATriangle) {
+TEST_F(LightingPathPixels, VertexPathsMissASpotWithinATriangle) {
   Scene scene = wall(1);
   scene.environment = {};
   scene.lights = {lamp({0, 0, -2}, kQuadratic, Cone::smoothstep(0.1, 0.4), true)};
@@ -341,7 +341,7 @@ TEST_F(LightingPathPixels, EverySceneIsFiniteByEveryPath) {
 
 // Lights are added in another order, those that add nothing may come into a pass of their own, and half floats round
 // once more. In `tangent` a light's place beyond the edge of a triangle is extrapolated, to where it may be in reach.
-TEST_F(LightingPathPixels, AreTheSameWhateverIsSkipped) {
+TEST_F(LightingPathPixels, PixelsAreTheSameWhateverIsSkipped) {
   for (const char* name : {"room", "headlights"}) {
     const Scene scene = read_scene(bundled_scene_path(name));
     const Fog fog = Fog::from_visibility(FogMode::exp, scene.visibilities[0]);
@@ -417,7 +417,7 @@ TEST_F(LightingPathPixels, FlatShadedFaceHasOneShade) {
 }
 
 // Two sheets of one surface at the same depth: all passes draw the later one, and no sample is lit twice.
-TEST_F(LightingPathPixels, WhereTrianglesOfASurfaceCoincideEveryPassShowsTheLast) {
+TEST_F(LightingPathPixels, EveryPassDrawsTheLastOfCoincidentTriangles) {
   Scene last = wall(1);
   last.lights = lamps();
   last.lights.resize(5);  // more than the four of a pass
@@ -454,7 +454,7 @@ TEST_F(LightingPathPixels, AccumulateAgreesWithRadialAtFullSize) {
   EXPECT_LE(largest_difference(draw_large("radial"), draw_large("accumulate")), 8 * kHalfFloat);
 }
 
-TEST_F(LightingPathPixels, TheThreeRadialPathsAgree) {
+TEST_F(LightingPathPixels, ThreeRadialPathsAgree) {
   for (const char* name : {"headlights", "tessellation", "room"}) {
     const Scene scene = read_scene(bundled_scene_path(name));
     const Fog fog = Fog::from_visibility(FogMode::exp, scene.visibilities[0]);

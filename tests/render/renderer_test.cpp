@@ -77,7 +77,7 @@ double largest_difference(const Picture& a, const Picture& b) {
 class RendererTest : public test::GlTest {};
 
 // Far sky in fog shows the fog alone: ambient fog + colour * cone * intensity, in every pixel.
-TEST_F(RendererTest, TheBeamInTheFogFollowsTheConeInEveryPixel) {
+TEST_F(RendererTest, BeamInTheFogFollowsTheConeInEveryPixel) {
   for (const Cone& cone : {Cone::cosine(0.3, 20), Cone::smoothstep(0.1, 0.4), Cone{}}) {
     const Scene scene = open_air(cone);
     const PlacedLight& light = scene.lights[0];
@@ -147,7 +147,7 @@ TEST_F(RendererTest, TotalFogHidesTheScene) {
               kPixelTolerance);
 }
 
-TEST_F(RendererTest, ALightPointIsSeenThroughTheFogAtTheDensityOfItsClass) {
+TEST_F(RendererTest, LightPointIsSeenThroughTheFogAtTheDensityOfItsClass) {
   const auto brightness = [](double density_scale) {
     Scene scene = open_air(Cone{});
     PlacedLight lamp = scene.lights[0];
@@ -263,7 +263,7 @@ TEST_F(RendererTest, FiftyThousandBoxesUnderTwentyThousandLampsLoadInSeconds) {
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
 }
 
-TEST_F(RendererTest, MoreListedLightsThanMemoryHoldsAreAnError) {
+TEST_F(RendererTest, LightListThatMemoryCannotHoldIsAnError) {
   const Scene scene = rows(50'000, 20'000, {1, 0, 0});  // each lamp reaches everything
   EXPECT_THROW(Renderer(scene, 8, 8, {.skipping = Skipping::on}), gl::Unsupported);
 }
@@ -285,7 +285,7 @@ TEST_F(RendererTest, BufferTextureLargerThanTheContextAllowsIsAnError) {
                gl::Unsupported);
 }
 
-TEST_F(RendererTest, ALightThatIsDarkEverywhereShowsNoPoint) {
+TEST_F(RendererTest, LightThatIsDarkEverywhereHasNoPoint) {
   Scene scene = open_air(Cone{});
   scene.lights[0].carried = false;
   scene.lights[0].position = {0, 2, -10};
@@ -298,7 +298,7 @@ TEST_F(RendererTest, ALightThatIsDarkEverywhereShowsNoPoint) {
   EXPECT_EQ(largest_difference(draw(dark, Fog{}), without), 0);
 }
 
-TEST_F(RendererTest, TheLargestFiguresOfASceneGiveFinitePixels) {
+TEST_F(RendererTest, LargestFiguresOfASceneGiveFinitePixels) {
   Scene scene = rows(3, 3, {1, 0, 0.01});
   for (PlacedLight& light : scene.lights) {
     light.light.color = glm::dvec3(1e4);

@@ -16,7 +16,7 @@ std::vector<FogLight> lights(std::size_t count, float profile) {
   return lights;
 }
 
-TEST(ShaderVariant, IsCompiledForEnoughLightsAndNoMoreThanTwiceAsMany) {
+TEST(ShaderVariant, VariantIsCompiledForEnoughLightsAndNoMoreThanTwiceAsMany) {
   for (std::size_t count = 0; count <= kMaxUniformLights; ++count) {
     EXPECT_GE(compiled_light_count(count), count);
     EXPECT_LE(compiled_light_count(count), 2 * count);
@@ -24,7 +24,7 @@ TEST(ShaderVariant, IsCompiledForEnoughLightsAndNoMoreThanTwiceAsMany) {
   }
 }
 
-TEST(ShaderVariant, KnowsTheProfileOfOneOrTwoLightsThatHaveOne) {
+TEST(ShaderVariant, VariantKnowsTheProfileOfOneOrTwoLightsThatHaveOne) {
   EXPECT_EQ(compiled_for(lights(1, 2)).profile, 2);
   EXPECT_EQ(compiled_for(lights(2, 1)).profile, 1);
   EXPECT_EQ(compiled_for(lights(3, 1)).profile, UniformLights::kAnyProfile);

@@ -183,7 +183,7 @@ TEST_F(SolveCommand, ShippedLightsSolve) {
 TEST_F(SolveCommand, WrongValuesAreUsageErrors) {
   const auto expect = [this](const std::string& arguments, const std::string& reason) {
     SCOPED_TRACE(arguments);
-    EXPECT_REFUSED(run(arguments), kUsage, usage_message(reason));
+    EXPECT_ERROR(run(arguments), kUsage, usage_message(reason));
   };
   for (const std::string bad : {"-1", "nan", "0x10", "+1", "1e999", "1m", "-inf", "1,5", "inf"}) {
     expect("--density 1 --constant " + bad, "--constant = " + bad + ": must be a finite number >= 0");
@@ -211,7 +211,7 @@ TEST_F(SolveCommand, WrongValuesAreUsageErrors) {
 TEST_F(SolveCommand, WrongFormsAreUsageErrors) {
   const auto expect = [this](const std::string& arguments, const std::string& reason) {
     SCOPED_TRACE(arguments);
-    EXPECT_REFUSED(run(arguments), kUsage, usage_message(reason));
+    EXPECT_ERROR(run(arguments), kUsage, usage_message(reason));
   };
   expect("", "a light must be given: --constant, --linear, --quadratic or --light or --csv");
   expect("--density 1", "a light must be given: --constant, --linear, --quadratic or --light or --csv");
@@ -232,27 +232,27 @@ TEST_F(SolveCommand, WrongLightFilesAreBadInputAndNothingIsPrinted) {
   write("good.json", R"({"litfog": "light", "version": 1, "attenuation": {"linear": 1}})");
   write("bad.json", "{\"litfog\": \"light\", \"version\": 1,\r\n\"attenuation\": {\"linear\": -1}}");
   write("empty.json", "");
-  EXPECT_REFUSED(run("--density 1 --light good.json bad.json"), kBadInput,
-                 "bad.json:2:27: attenuation.linear = -1: must be finite and >= 0\n");
-  EXPECT_REFUSED(run("--density 1 --light empty.json"), kBadInput,
-                 "empty.json:1:1: end of file: must be an object, an array, a string, a number, true, false or null\n");
-  EXPECT_REFUSED(run("--density 1 --light absent.json"), kBadInput,
-                 "absent.json: cannot be read: No such file or directory\n");
-  EXPECT_REFUSED(run("--density 1 --light ."), kBadInput, ".: cannot be read: Is a directory\n");
+  EXPECT_ERROR(run("--density 1 --light good.json bad.json"), kBadInput,
+               "bad.json:2:27: attenuation.linear = -1: must be finite and >= 0\n");
+  EXPECT_ERROR(run("--density 1 --light empty.json"), kBadInput,
+               "empty.json:1:1: end of file: must be an object, an array, a string, a number, true, false or null\n");
+  EXPECT_ERROR(run("--density 1 --light absent.json"), kBadInput,
+               "absent.json: cannot be read: No such file or directory\n");
+  EXPECT_ERROR(run("--density 1 --light ."), kBadInput, ".: cannot be read: Is a directory\n");
 }
 
 TEST_F(SolveCommand, OutputThatCannotBeWrittenIsStatusFour) {
   write("rows.csv", std::string(kHeader) + "exp,1,0,1,0,0.05\n");
   for (const char* arguments : {"--help", "--version", "--linear 1 --density 1", "--csv rows.csv"}) {
     SCOPED_TRACE(arguments);
-    EXPECT_REFUSED(run(std::string(arguments) + " >/dev/full"), kCannotWrite,
-                   "litfog-solve: standard output cannot be written: No space left on device\n");
-    EXPECT_REFUSED(run(std::string(arguments) + " >&-"), kCannotWrite,
-                   "litfog-solve: standard output cannot be written: Bad file descriptor\n");
+    EXPECT_ERROR(run(std::string(arguments) + " >/dev/full"), kCannotWrite,
+                 "litfog-solve: standard output cannot be written: No space left on device\n");
+    EXPECT_ERROR(run(std::string(arguments) + " >&-"), kCannotWrite,
+                 "litfog-solve: standard output cannot be written: Bad file descriptor\n");
   }
 }
 
-TEST_F(SolveCommand, AReaderThatLeftIsStatusFour) {
+TEST_F(SolveCommand, ClosedReaderIsStatusFour) {
   std::string rows = kHeader;
   for (int i = 0; i < 20000; ++i) rows += "exp,1,0,1,0,0.05\n";
   write("rows.csv", rows);
@@ -403,7 +403,7 @@ TEST_F(SolveCommand, BatchNamesTwentyBadRowsAndCountsTheRest) {
 TEST_F(SolveCommand, BatchWithAWrongHeaderPrintsNothing) {
   const auto expect = [this](const std::string& header, const std::string& message) {
     SCOPED_TRACE(header);
-    EXPECT_REFUSED(run_batch(header + "\nexp,1,0,1,0,0.05\n"), kBadInput, "rows.csv:" + message + "\n");
+    EXPECT_ERROR(run_batch(header + "\nexp,1,0,1,0,0.05\n"), kBadInput, "rows.csv:" + message + "\n");
   };
   expect("fog,density,constant,linear,quadratic", "1:1: column threshold: must be given");
   expect("fog, density,constant,linear,quadratic,threshold", "1:1: column density: must be given");
@@ -422,8 +422,8 @@ TEST_F(SolveCommand, BatchWithMoreThan1024ColumnsPrintsNothing) {
     return "fog,density,constant,linear,quadratic,threshold" + std::string(columns - 6, ',');
   };
   EXPECT_EQ(run_batch(header(1024) + "\nx\n").status, kBadInput);
-  EXPECT_REFUSED(run_batch(header(1025) + "\nx\n"), kBadInput,
-                 "rows.csv:1:1067: header: must not have more than 1024 columns\n");
+  EXPECT_ERROR(run_batch(header(1025) + "\nx\n"), kBadInput,
+               "rows.csv:1:1067: header: must not have more than 1024 columns\n");
 }
 
 TEST_F(SolveCommand, BatchIsNotAppendedToItsOwnRows) {
@@ -442,15 +442,15 @@ TEST_F(SolveCommand, BatchSendsATerminalNoCommands) {
 }
 
 TEST_F(SolveCommand, BatchOfAnEmptyFileOrOfGarbageIsBadInput) {
-  EXPECT_REFUSED(run_batch(""), kBadInput, "rows.csv:1:1: header: must be given\n");
-  EXPECT_REFUSED(run_batch("\xEF\xBB\xBF"), kBadInput, "rows.csv:1:1: header: must be given\n");
-  EXPECT_REFUSED(run_batch(std::string("\x7F\x45LF\0\0\xFF\n,,\"", 11)), kBadInput,
-                 "rows.csv:1:1: column fog: must be given\n");
-  EXPECT_REFUSED(run_batch(std::string(3 << 20, ',')), kBadInput,
-                 "rows.csv:1:1: header: record must not be longer than 1 MiB (is a quote left open?)\n");
-  EXPECT_REFUSED(run("--csv absent.csv"), kBadInput, "absent.csv: cannot be read: No such file or directory\n");
-  EXPECT_REFUSED(run("--csv ."), kBadInput, ".: cannot be read: Is a directory\n");
-  EXPECT_REFUSED(run("--csv - <&-"), kBadInput, "<stdin>: cannot be read: Bad file descriptor\n");
+  EXPECT_ERROR(run_batch(""), kBadInput, "rows.csv:1:1: header: must be given\n");
+  EXPECT_ERROR(run_batch("\xEF\xBB\xBF"), kBadInput, "rows.csv:1:1: header: must be given\n");
+  EXPECT_ERROR(run_batch(std::string("\x7F\x45LF\0\0\xFF\n,,\"", 11)), kBadInput,
+               "rows.csv:1:1: column fog: must be given\n");
+  EXPECT_ERROR(run_batch(std::string(3 << 20, ',')), kBadInput,
+               "rows.csv:1:1: header: record must not be longer than 1 MiB (is a quote left open?)\n");
+  EXPECT_ERROR(run("--csv absent.csv"), kBadInput, "absent.csv: cannot be read: No such file or directory\n");
+  EXPECT_ERROR(run("--csv ."), kBadInput, ".: cannot be read: Is a directory\n");
+  EXPECT_ERROR(run("--csv - <&-"), kBadInput, "<stdin>: cannot be read: Bad file descriptor\n");
 }
 
 TEST_F(SolveCommand, BatchOfOnlyAHeaderIsOnlyAHeader) {

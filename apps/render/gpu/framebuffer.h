@@ -9,8 +9,8 @@ namespace litfog::render {
 /// How often a surface is drawn at most.
 enum class Passes { one, several };
 
-/// What the demo draws into: linear RGBA half floats and depth; for several passes floats, whose sums round less, and a
-/// stencil, too. Four samples a pixel where the driver has them.
+/// What the demo draws into: linear RGBA half floats and depth. Several passes draw into floats, because their sums
+/// round less, and have a stencil too. Four samples a pixel where the driver has them.
 class Framebuffer {
  public:
   /// throws gl::Unsupported where the driver has no framebuffer of that size

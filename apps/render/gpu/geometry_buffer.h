@@ -27,8 +27,8 @@ struct GeometrySample {
 /// A path that rasterises exactly the samples of `other` and writes surface attributes instead of colour.
 const LightingPath& geometry_path(const LightingPath& other);
 
-/// What the GPU rasterises of the scene's surfaces, sample by sample, as floats that can be read back: four samples a
-/// pixel where Framebuffer has four, so that the edges of surfaces are covered as in its pictures.
+/// The scene's surfaces as the GPU rasterises them: floats for each sample, which can be read back. It has as many
+/// samples a pixel as Framebuffer, so that the edges of surfaces cover the same samples.
 class GeometryBuffer {
  public:
   /// throws gl::Unsupported where the driver has no float framebuffer of that size

@@ -19,7 +19,7 @@ Texture::Texture(const scene::Texels& texels, Encoding encoding) {
                0, GL_RGBA, GL_UNSIGNED_BYTE, texels.rgba.data());
   glGenerateMipmap(GL_TEXTURE_2D);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER,
-                  GL_LINEAR_MIPMAP_LINEAR);  // no anisotropy: Mesa's rasteriser takes minutes over it
+                  GL_LINEAR_MIPMAP_LINEAR);  // no anisotropy: Mesa's rasteriser would take minutes
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
 }
 

@@ -25,7 +25,7 @@ class Texture {
   gl::TextureName name_;
 };
 
-/// A map of 16-bit fractions that is looked up between its texels, held at its edges: no repetition, no mipmaps.
+/// A map of 16-bit fractions with linear filtering, clamped at its edges: no repetition, no mipmaps.
 class LookupTexture {
  public:
   enum class Shape { line, square, volume, cube };
@@ -41,7 +41,7 @@ class LookupTexture {
   gl::TextureName name_;
 };
 
-/// Square pictures of 16-bit fractions, one behind the other, looked up between the texels of each.
+/// An array of square pictures of 16-bit fractions with linear filtering inside each.
 class LayeredTexture {
  public:
   /// texels  size * size * layers

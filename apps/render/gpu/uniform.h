@@ -10,7 +10,7 @@
 
 namespace litfog::render {
 
-// Sets a uniform of the program in use, by name; one that the compiler dropped is passed over.
+// Sets a uniform of the program in use, by name. A uniform that the compiler dropped is ignored.
 
 inline void set_uniform(const gl::Program& program, const char* name, const glm::mat4& value) {
   glUniformMatrix4fv(program.uniform(name), 1, GL_FALSE, glm::value_ptr(value));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // "The first thing to do is to clear the back buffer to the ambiant light color" (Frazier 2000, "Multiple Lights in a
-// Scene"); the directional light is part of it here.
+// Scene"). Here that colour includes the directional light.
 
 #include "light_coordinates.glsl"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What shines by itself, and the fog over it all, whose transmittance is the alpha.
+// The surface's emission, and the fog over everything drawn so far. Alpha is the fog's transmittance.
 
 #include "fragment.glsl"
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lights shaped by a cube map in place of a cone (Frazier 2000, "Neat Tricks Using the Spot Light"). All cookies of a
-// scene lie in one array, for a loop over lights cannot choose among cube maps: six faces each, +x -x +y -y +z -z.
+// Lights whose cone is replaced by a cube map (Frazier 2000, "Neat Tricks Using the Spot Light"). All cookies of a
+// scene are in one array, because a loop over lights cannot choose among cube maps: six faces each, +x -x +y -y +z -z.
 
 #define LITFOG_COOKIES
 #include "litfog/shaders/light.glsl"
 
 uniform sampler2DArray cookies;
 
-// A cookie's light has profile 3; its cone is the cookie's number and the world's direction of its y.
+// A light with a cookie has profile 3. Its cone field holds the cookie's number and the cookie's y axis in world space.
 float litfog_cookie(LitfogLight light, vec3 direction) {
   vec3 up = light.cone.yzw;
   vec3 right = cross(light.axis_profile.xyz, up);

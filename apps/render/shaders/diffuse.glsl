@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The diffuse term of a light at a vertex (Cg Tutorial 5.2): what arrives of it times N.L.
+// The diffuse term of a light at a vertex (Cg Tutorial 5.2): the light that arrives times N.L.
 
 #include "cookie.glsl"
 #include "litfog/shaders/light.glsl"

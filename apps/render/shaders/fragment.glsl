@@ -14,7 +14,7 @@ uniform vec3 emissive;
 
 out vec4 color;
 
-// The lights of the fog: those passed as uniforms, or all by the light list if they are too many for that.
+// The lights of the fog: passed as uniforms, or read through the light list if they are too many for uniforms.
 vec3 litfog_lights_fog(vec3 position) {
   vec3 fog = vec3(0.0);
   if (has_listed_fog_lights) {
@@ -26,8 +26,7 @@ vec3 litfog_lights_fog(vec3 position) {
   return fog;
 }
 
-// Light from the vertices: at the middle of a pixel that a triangle covers in part it is extrapolated, but not below
-// none.
+// Light from the vertices, not below 0. At the centre of a pixel that a triangle only partly covers it is extrapolated.
 vec3 vertex_light(vec3 interpolated) { return max(interpolated, vec3(0.0)); }
 
 // A pass's light from the surface as the eye sees it; the fog's own light is the first pass's to add.
@@ -36,5 +35,5 @@ vec4 seen_by_eye(vec3 lit, vec3 position) {
   return vec4(lit * (1.0 - litfog_fog_opacity(distance(position, eye), 1.0)), 1.0);
 }
 
-// Ambient and directional light for a shading value d . n, which beyond the edge of a triangle is extrapolated.
+// Ambient and directional light for a shading value d . n, which may be extrapolated beyond the edge of a triangle.
 vec3 directional_light(float shade) { return ambient_light + moon_color * clamp(shade, 0.0, 1.0); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a surface's fragment is shaded from, before any formula is applied, for the shading in double on the CPU.
+// The inputs of a fragment's shading, before any formula is applied. The CPU shades from them in double.
 
 #include "rasterised.glsl"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Passes a triangle on unchanged, for comparison with a path that has a geometry shader: such a shader may change the
-// last bit of depth, and of two surfaces in one plane the same one must be visible.
+// Passes a triangle on unchanged, for comparison with a path that has a geometry shader. Such a shader may change the
+// last bit of depth, and the same one of two coplanar surfaces must be visible.
 
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 3) out;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The baseline of Hales 2004, table 1: light at the vertices as OpenGL's fixed pipeline has it, ambient and diffuse.
+// The baseline of Hales 2004, table 1: ambient and diffuse light at the vertices, as in OpenGL's fixed pipeline.
 
 #include "diffuse.glsl"
 #include "listed_lights.glsl"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A bright core and, where the point has grown, a faint halo (glare in the eye). The figures are by eye.
+// A bright core and, where the point has grown, a faint halo (glare in the eye). The figures are chosen by eye.
 
 #include "light_point.glsl"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A light as the eye sees it from afar: a point as bright as the light it sends to the eye, through the fog at the
-// density of its class. The figures are by eye unless they say otherwise.
+// density of its class. The figures are chosen by eye where they name no source.
 
 #include "cookie.glsl"
 #include "light_list.glsl"
@@ -18,15 +18,15 @@ flat out float core_fraction;
 // Attenuation at which a point has full brightness: at night an eye sees a light long before a surface lit by it.
 const float full_brightness = 1.0 / 2000.0;
 const float brightest = 1.5;     // beyond full brightness, so that its core is white
-const float darkest = 0.002;     // half a step of an 8-bit picture: nothing would show
+const float darkest = 0.002;     // half a step of an 8-bit picture: nothing would be visible
 const float core_radius = 1.3;   // pixels, at full brightness
 const float glare_power = 0.3;   // of brightness: how glare grows, near Stevens's 0.33 (1957, "On the psychophysical law")
 const float largest_glare = 8.0; // times the core's radius
 const float lens_radius = 0.1;   // metres: a light is in or on its lens; that of a runway edge light has 0.08
 const float most_lifted = 0.4;   // metres
 
-// How far a point is lifted towards the eye, so that neither its lens nor the depth buffer's rounding hides it, but a wall
-// before it does. One unit of a float just below 1, as a depth d = 1 - near / z, spans 2^-24 z^2 / near.
+// How far a point is moved towards the eye: so far that neither its lens nor the depth buffer's rounding hides it, but
+// not before a wall. One unit of a float just below 1, as a depth d = 1 - near / z, spans 2^-24 z^2 / near.
 float lift(float range) {
   float rounding = 4.0 * 5.960464e-8 * range * range / near_plane;
   return min(min(lens_radius + rounding, most_lifted), 0.5 * range);

@@ -11,7 +11,7 @@ int listed_light_count() { return has_listed_lights ? carried_count + light_list
 int listed_entry(int i) { return light_entry(i < carried_count ? i : light_list_range.x + i - carried_count); }
 LitfogLight listed_light(int i) { return litfog_buffered_light(listed_entry(i)); }
 
-// Whether a position is beyond a light's extent: known before the rest of the light is fetched.
+// Whether a position is beyond a light's extent. Asked before the rest of the light is fetched.
 bool is_out_of_reach(int i, vec3 position) {
   vec4 position_extent = litfog_buffered_position_extent(listed_entry(i));
   return distance(position_extent.xyz, position) > position_extent.w;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Diffuse at the vertices, specular at the fragments (Cg Tutorial, chapter 5, exercise 6): the half-angle vectors of a
-// few lights fit between the two, so further lights add their highlights in further passes.
+// Diffuse at the vertices, specular at the fragments (Cg Tutorial, chapter 5, exercise 6). The interpolated values hold
+// the half-angle vectors of a few lights only, so further lights add their highlights in further passes.
 
 #include "diffuse.glsl"
 #include "listed_lights.glsl"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Point and spot lights on the base texture, his two passes in one (Frazier 2000, "Per-Pixel Point Lighting").
+// Point and spot lights on the base texture (Frazier 2000, "Per-Pixel Point Lighting", whose two passes are one here).
 
 #include "radial.glsl"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frazier 2000: a light's colour by 1 - (x/R)^2 - (y/R)^2 - (z/R)^2, the first two from a 2-D texture, the third from a
-// 1-D one, filtered by a cube map. That is the paper's own law of range, R the light's extent; the surface's
-// orientation is ignored.
+// Frazier 2000: a light's colour times 1 - (x/R)^2 - (y/R)^2 - (z/R)^2, R the light's extent, times a cube map. The
+// first two squares are from a 2-D texture, the third is from a 1-D one. The surface's orientation is ignored.
 
 #include "light_coordinates.glsl"
 #include "map_coordinate.glsl"

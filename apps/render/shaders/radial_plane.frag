@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Point and spot lights by one 2-D texture, the square of the plane's distance being a constant, and a cube map
+// Point and spot lights by one 2-D texture and a cube map: the square of the plane's distance is a constant
 // (Frazier 2000, "Simplifying a Point Light to Use Only One Texture" to "Filtering a Point Light into a Spot Light").
 
 #include "fragment.glsl"
@@ -18,7 +18,7 @@ flat in float square_distance[batch_size];
 in vec3 cone_coordinates[batch_size];
 
 void main() {
-  vec3 back = drawn_back();  // if the fragment is drawn back to its surface, its coordinates follow
+  vec3 back = drawn_back();  // if the fragment is clamped to its surface's bounds, its coordinates follow
   vec2 back_in_plane = rotate_plane(back, plane_normal).xy;
   vec3 light = vec3(0.0);
   for (int i = 0; i < lights_in_pass; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The eye, and what lights a scene besides its lamps.
+// The eye, and a scene's light that is not from lamps.
 
 #include "environment.glsl"
 

@@ -24,7 +24,7 @@ vec3 litfog_lights_fog(vec3 position) {
   return fog;
 }
 
-// Three numbers in [0, 1) for a cell, made of whole numbers, so that every device shows the same stars: pcg3d
+// Three numbers in [0, 1) for a cell. They are made of integers, so that every device shows the same stars: pcg3d
 // (Jarzynski and Olano 2020, "Hash Functions for GPU Rendering").
 vec3 hash(ivec3 cell) {
   uvec3 v = uvec3(cell) * 1664525u + 1013904223u;

@@ -3,7 +3,7 @@
 
 #include "vertex.glsl"
 
-out vec3 normal;  // unit at the vertices, as paths that interpolate their own results take it
+out vec3 normal;  // unit at the vertices, where paths that interpolate their own results use it
 out vec4 tangent;
 
 void main() {

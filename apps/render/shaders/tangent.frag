@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Basic model in tangent space with the normal as the map has it (Lacroix 2005, listing 1.2).
+// The Basic model in tangent space, with the map's normal unchanged (Lacroix 2005, listing 1.2).
 
 #include "cookie.glsl"
 #include "litfog/shaders/surface.glsl"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Carries the lights of a pass into the vertex's tangent space (Lacroix 2005, listing 1.2). A light needs two
+// Transforms the lights of a pass into the vertex's tangent space (Lacroix 2005, listing 1.2). A light needs two
 // registers, its position and its axis, so only a few fit ("Light count restrictions"); further lights are added in
-// further passes. The listing uses the vertex's position in the model as that in tangent space; here the vectors to
-// lights and eye are transformed.
+// further passes. The listing takes the vertex's position in the model for its position in tangent space; here the
+// vectors to the lights and the eye are transformed.
 
 #include "light_batch.glsl"
 #include "scene.glsl"

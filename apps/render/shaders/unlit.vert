@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Places a vertex, and no more.
+// Only transforms a vertex.
 
 #include "vertex.glsl"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The vertices' light on the material (Cg Tutorial, example 5-4: "modulate diffuse and specular by material color"),
-// whose texture and gloss the fragments have; and so they add emissive and ambient, too.
+// The vertices' light on the material (Cg Tutorial, example 5-4: "modulate diffuse and specular by material color").
+// Emissive and ambient light is added here too, because only fragments have the material's texture and gloss.
 
 #include "fragment.glsl"
 

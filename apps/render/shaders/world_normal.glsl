@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The normal map's normal in world space, by the interpolated basis, made unit again (Lacroix 2005, listing 2.3).
+// The normal map's normal in world space by the interpolated basis, normalised (Lacroix 2005, listing 2.3).
 
 #include "rasterised.glsl"
 
