@@ -21,11 +21,11 @@ struct PathComparisonSettings {
 
 /// Draws scenes by every lighting path into a folder (made where missing): of each scene and path the picture, its heat
 /// map and its reference as PNG, a contact sheet, and index.html, which shows all with times and errors. All paths of a
-/// scene are timed interleaved. Reports every result on standard output. Needs a current GL context. Throws CannotWrite, and
-/// gl::Unsupported where a path cannot draw a scene here.
+/// scene are timed interleaved. Reports every result on standard output. Needs a current GL context. Throws
+/// CannotWrite, and gl::Unsupported where a path cannot draw a scene here.
 ///
 /// scenes   of different names
-/// machine  in words: on what is drawn
+/// machine  text: what draws the pictures
 void compare_paths(const std::vector<scene::Scene>& scenes, const std::string& folder, const std::string& machine,
                    const PathComparisonSettings& settings);
 
