@@ -73,7 +73,7 @@ class TemporaryFile {
     while (!text.empty()) {
       const ssize_t written = write(file_, text.data(), text.size());
       if (written < 0 && errno != EINTR) return false;
-      text.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
+      text.remove_prefix(std::size_t(std::max<ssize_t>(written, 0)));
     }
     return close(std::exchange(file_, -1)) == 0;
   }
@@ -161,7 +161,8 @@ void write_whole_file(const std::string& path, std::string_view text) {
   expect_writable(target.string());
   const mode_t mode = exists ? earlier.st_mode & mode_t{0777} : mode_t{0666};
   TemporaryFile file(folder_of(target), mode);
-  const bool is_written = file.is_open() && (!exists || file.set_mode(mode)) && file.fill(text) && file.rename_to(target);
+  const bool is_written =
+      file.is_open() && (!exists || file.set_mode(mode)) && file.fill(text) && file.rename_to(target);
   if (!is_written) fail_to_write(path, std::strerror(errno));
 }
 
