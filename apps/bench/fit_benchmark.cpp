@@ -116,7 +116,7 @@ struct EigenResiduals {
     }
     return 0;
   }
-  int values() const { return static_cast<int>(samples.size()); }
+  int values() const { return int(samples.size()); }
 };
 
 Attenuation fit_by_eigen(const Samples& samples) {
@@ -158,7 +158,7 @@ Optimum certified_optimum(const Samples& samples, const std::vector<Attenuation>
   const test::FalloffReference reference = search.certify({best.constant, best.linear, best.quadratic});
   if (!reference.is_certified) return {};
   Optimum optimum;
-  optimum.objective = static_cast<double>(reference.objective);
+  optimum.objective = double(reference.objective);
   const auto& [constant, linear, quadratic] = reference.coefficients;
   for (const AttenuationSample& sample : samples) {
     const test::Digits50 r = sample.range;
@@ -171,8 +171,7 @@ Optimum certified_optimum(const Samples& samples, const std::vector<Attenuation>
 double digits_of(const Attenuation& a, const Samples& samples, const Optimum& optimum) {
   double worst = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const double error =
-        std::abs(static_cast<double>(std::log(attenuation_at(a, samples[i].range)) - optimum.log_attenuation[i]));
+    const double error = std::abs(double(std::log(attenuation_at(a, samples[i].range)) - optimum.log_attenuation[i]));
     worst = std::isnan(error) ? 1 : std::max(worst, error);
   }
   return std::clamp(-std::log10(worst), 0.0, 17.0);
@@ -207,7 +206,7 @@ command::Figure draw(const std::vector<Measurement>& measurements) {
 command::Table make_table(const std::vector<Measurement>& measurements) {
   command::Table table{{"problem", "method", "tables", "ms", "ms_spread", "objective", "solved_share", "digits"}};
   for (const Measurement& m : measurements) {
-    table.rows.push_back({m.family->name, m.method->name, static_cast<double>(m.tables), m.timing.median / 1e6,
+    table.rows.push_back({m.family->name, m.method->name, double(m.tables), m.timing.median / 1e6,
                           m.timing.spread / 1e6, m.objective, m.solved_fraction, m.digits});
   }
   return table;
@@ -245,7 +244,7 @@ Result measure_fit(bool quick) {
   int count = 0;
   const auto timings = time_passes(passes, scale.stopwatch, [&] {
     progress.show(fmt::format("timing: run {} of about {}", ++count,
-                              passes.size() * static_cast<std::size_t>(scale.stopwatch.repetitions + 2)));
+                              passes.size() * std::size_t(scale.stopwatch.repetitions + 2)));
   });
 
   Result result;
@@ -273,7 +272,7 @@ Result measure_fit(bool quick) {
         if (value <= optima[i].objective * 1.001 + 1e-20) ++solved;
         digits = std::min(digits, digits_of(run.found[i], family_tables[i], optima[i]));
       }
-      const auto size = static_cast<double>(family_tables.size());
+      const auto size = double(family_tables.size());
       measurements.push_back(
           {run.family, run.method, family_tables.size(), timings[m], sum / size, solved / size, digits});
       if (!(digits >= run.method->stated_digits)) {

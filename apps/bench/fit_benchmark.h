@@ -18,12 +18,12 @@ namespace litfog::bench {
 /// ms            processor time of one thread a table: the median over repetitions
 /// ms_spread     from its 10th to its 90th percentile
 /// objective     mean over the tables
-/// solved_share  of the tables: objective within 0.1 % of the optimum's (and 1e-20)
+/// solved_share  fraction of the tables whose objective is within 0.1 % of the optimum's (and 1e-20)
 /// digits        the fewest over the tables in which ln attenuation agrees with the optimum's at all samples, up to 17
 ///
 /// The optimum is the best found by any method, brought to 50 digits and certified there.
 ///
-/// quick  fewer tables, shorter runs: to see that it works
+/// quick  fewer tables and shorter runs, to test that it works
 Result measure_fit(bool quick);
 
 }  // namespace litfog::bench

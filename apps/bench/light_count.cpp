@@ -13,16 +13,16 @@ namespace {
 using scene::Camera;
 using scene::Scene;
 
-/// Point i of an even strewing of the unit square: R2 (Roberts 2018, "The Unreasonable Effectiveness of Quasirandom
+/// Point i of an even sequence over the unit square: R2 (Roberts 2018, "The Unreasonable Effectiveness of Quasirandom
 /// Sequences").
 glm::dvec2 strewn(std::size_t i) {
   constexpr double kPlastic = 1.32471795724474602596;
-  const double n = static_cast<double>(i + 1);
+  const double n = double(i + 1);
   return {std::fmod(0.5 + n / kPlastic, 1.0), std::fmod(0.5 + n / (kPlastic * kPlastic), 1.0)};
 }
 
-/// A place before the camera, for a point of the unit square: evenly over the part of the level plane through the eye
-/// that its field of view spans.
+/// A position before the camera for a point of the unit square: even over the part of the level plane through the eye
+/// that the camera's field of view spans.
 glm::dvec3 place_in_view(const scene::Camera& camera, glm::dvec2 point) {
   const glm::dvec3 eye = camera.position;
   glm::dvec3 forward = glm::dvec3(camera.target) - eye;
@@ -31,7 +31,7 @@ glm::dvec3 place_in_view(const scene::Camera& camera, glm::dvec2 point) {
   const glm::dvec3 right(-forward.z, 0, forward.x);
   const double range = farthest * std::sqrt(point.x);  // the view widens with range
   constexpr double kAspect = 16.0 / 9;                 // of every picture measured
-  const double half_width = range * kAspect * std::tan(static_cast<double>(camera.field_of_view) / 2);
+  const double half_width = range * kAspect * std::tan(double(camera.field_of_view) / 2);
   return eye + forward * range + right * (half_width * (2 * point.y - 1));
 }
 
@@ -61,7 +61,7 @@ scene::Scene with_light_count(scene::Scene scene, std::size_t count) {
     scene.lights.push_back(lights[source]);
     return scene.lights.back();
   };
-  const double share = static_cast<double>(sources.size()) / static_cast<double>(sources.size() + copies);
+  const double share = double(sources.size()) / double(sources.size() + copies);
   for (std::size_t i = 0; i < std::min(count, order.size()); ++i) {
     PlacedLight& light = add(order[i]);
     if (copies > 0 && std::ranges::find(sources, order[i]) != sources.end()) light.light.color *= share;

@@ -9,7 +9,7 @@ LightColumns<double> draw_light_mix(FogMode mode, std::size_t count, std::uint64
   test::Random random(seed);
   LightColumns<double> lights;
   for (std::size_t i = 0; i < count; ++i) {
-    const int kind = static_cast<int>(random.uniform(0, 9));  // at random, so that no branch predictor learns the order
+    const int kind = int(random.uniform(0, 9));  // at random, so that no branch predictor learns the order
     const double extent = random.log_uniform(5, 5000);
     const double visibility = random.log_uniform(50, 10'000);
     const double below = random.uniform(0, 1);

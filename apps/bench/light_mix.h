@@ -22,7 +22,8 @@ struct LightColumns {
 
 /// The stated mix: extent 5 to 5,000 m and visibility (5 % contrast) 50 to 10,000 m, log-uniform; C below, at and above
 /// 1 (uniform in [0, 1), 1, uniform in (1, 5]), a third each; beyond C linear only, quadratic only and both (in a
-/// uniform fraction of the extent's attenuation), a third each; threshold 0.05. A seed gives the same lights everywhere.
+/// uniform fraction of the extent's attenuation), a third each; threshold 0.05. A seed gives the same lights
+/// everywhere.
 LightColumns<double> draw_light_mix(FogMode mode, std::size_t count, std::uint64_t seed);
 
 /// The nearest floats: other lights, strictly, with references of their own.
@@ -36,7 +37,7 @@ LightColumns<Real> repeated(const LightColumns<Real>& lights, std::size_t count)
     to.reserve(count);
     while (to.size() < count) {
       const std::size_t part = count - to.size() < from.size() ? count - to.size() : from.size();
-      to.insert(to.end(), from.begin(), from.begin() + static_cast<std::ptrdiff_t>(part));
+      to.insert(to.end(), from.begin(), from.begin() + std::ptrdiff_t(part));
     }
   };
   repeat(lights.constant, result.constant);

@@ -5,7 +5,7 @@
 
 namespace litfog::bench {
 
-/// Where and by what figures were measured.
+/// The machine and the build that figures were measured with.
 struct Machine {
   std::string cpu;          ///< the processor's own name
   std::string isa;          ///< SIMD target of the batch, in Highway's words: "AVX2"
@@ -20,7 +20,7 @@ Machine this_machine(const std::string& gl_renderer);
 /// As a JSON object.
 std::string to_json(const Machine& machine);
 
-/// False for a Debug build, whose times say nothing.
+/// False for a Debug build, whose times mean nothing.
 bool is_measurable_build();
 
 }  // namespace litfog::bench

@@ -21,7 +21,7 @@ namespace {
 
 using namespace litfog::bench;
 
-/// What the frames of all paths have in common.
+/// The conditions under which all paths' frames are drawn.
 struct Setting {
   std::string scene;
   std::size_t lights;
@@ -51,7 +51,7 @@ std::vector<Setting> settings(bool quick) {
   std::vector<Setting> all;
   for (const std::size_t lights : {1u, 2u, 4u, 16u, 64u, 256u}) {
     all.push_back({kTableScene, lights, kTableWidth, kTableHeight, render::Skipping::on});
-    // Of more, the paths of several passes would take minutes a frame.
+    // With more lights, the paths of several passes would take minutes a frame.
     if (lights <= 16) all.push_back({kTableScene, lights, kTableWidth, kTableHeight, render::Skipping::off});
   }
   for (const std::string& scene : scene::bundled_scenes()) {

@@ -11,7 +11,7 @@ namespace litfog::bench {
 /// scene, path          path also: unlit, the base texture alone
 /// fog_light            peak: carried lights light the fog by their fog colour intensity
 /// lights, size         of the scene; WIDTHxHEIGHT in pixels, four samples each
-/// skip                 on or off: whether what cannot show is left out
+/// skip                 on or off: whether what cannot be visible is left out
 /// ms_per_frame         wall time: the median over frames, each drawn and waited for
 /// ms_spread            from their 10th to their 90th percentile
 /// ratio_to_legacy      of the medians; legacy's of the same scene, lights, size and skip, frames interleaved

@@ -34,7 +34,7 @@ Sampling start(FogMode mode, const BatchLightsF& lights, std::size_t i, int samp
   const Vector excess = hn::Sub(hn::Div(one, hn::LoadU(d, &lights.threshold[i])), constant);
   const Vector root = hn::Sqrt(hn::MulAdd(hn::Mul(hn::Set(d, 4), quadratic), excess, hn::Mul(linear, linear)));
   const Vector extent = hn::Div(hn::Add(excess, excess), hn::Add(linear, root));
-  const Vector h = hn::Div(extent, hn::Set(d, static_cast<float>(samples)));
+  const Vector h = hn::Div(extent, hn::Set(d, float(samples)));
   const Vector depth = hn::Mul(hn::LoadU(d, &lights.density[i]), h);
   const auto opacity = [&](Vector x) { return hn::Neg(hn::CallExpm1(d, hn::Neg(x))); };
   const Vector square = hn::Mul(depth, depth);

@@ -7,10 +7,10 @@
 
 namespace litfog::bench {
 
-/// Hales's sampling as fast as it gets, to be fair to it: a vector of lights at a time on the widest SIMD target, and
-/// no exponential a sample. The opacities of equidistant ranges follow from each other: with p = 1 - e^(-d h),
-/// opacity(r + h) = opacity(r) + (1 - opacity(r)) p, which only adds and so cancels nothing; in exp2 fog p follows in
-/// the same way.
+/// Sampling (Steven Hales 2004, "Realtime Pixel Lighting Using Fragment Programs", section "Lighting in Fog") as fast
+/// as it can be, to compare fairly: a vector of lights at a time on the widest SIMD target, and no exponential a
+/// sample. The opacities of equidistant ranges follow from each other: with p = 1 - e^(-d h), opacity(r + h) =
+/// opacity(r) + (1 - opacity(r)) p, which only adds and so cancels nothing; in exp2 fog p follows in the same way.
 ///
 /// lights     finite extents > 0; full columns, at least 64 lights
 /// intensity  as sample_fog_intensity of each light, but for rounding

@@ -55,16 +55,16 @@ Errors errors_of(const std::vector<Real>& computed, const std::vector<Digits50>&
   Errors errors;
   for (std::size_t i = 0; i < references.size(); ++i) {
     const double ulp = test::ulp_error(computed[i], references[i]);
-    const double steps = 255 * std::abs(static_cast<double>(Digits50(computed[i]) - references[i]));
+    const double steps = 255 * std::abs(double(Digits50(computed[i]) - references[i]));
     errors.max_ulp = std::max(errors.max_ulp, ulp);
     errors.max_255 = std::max(errors.max_255, steps);
-    errors.mean_ulp += ulp / static_cast<double>(references.size());
-    errors.mean_255 += steps / static_cast<double>(references.size());
+    errors.mean_ulp += ulp / double(references.size());
+    errors.mean_255 += steps / double(references.size());
   }
   return errors;
 }
 
-/// The lights of one fog in one precision, and what is right for them.
+/// The lights of one fog in one precision, and their reference results.
 template <typename Real>
 struct Problem {
   FogMode mode;
@@ -78,8 +78,8 @@ struct Problem {
       const Attenuation attenuation{lights.constant[i], lights.linear[i], lights.quadratic[i]};
       references.push_back(
           test::solve_reference(attenuation, Fog{mode, lights.density[i]}, lights.threshold[i]).intensity);
-      progress.show(
-          fmt::format("references, {} {}: {} of {}", command::fog_mode_name(mode), kPrecisionName<Real>, i + 1, reference_count));
+      progress.show(fmt::format("references, {} {}: {} of {}", command::fog_mode_name(mode), kPrecisionName<Real>,
+                                i + 1, reference_count));
     }
   }
 };
@@ -97,7 +97,7 @@ struct Sampling {
   bool is_simd;
 };
 
-/// A way to the intensity of all lights of a problem.
+/// A method to find the intensity of all lights of a problem.
 struct Method {
   std::string name;
   std::string precision;
@@ -148,8 +148,8 @@ Method batch(const std::string& name, Problem<Real>& problem) {
 
 constexpr const char* kCopyName = "memory-copy";
 
-/// The floor: as many bytes moved as the batch reads and writes. It reads five columns and writes one; copying three
-/// columns reads three and writes three.
+/// The floor: moves as many bytes as the batch, which reads five columns and writes one. Copying three columns reads
+/// three and writes three.
 template <typename Real>
 Method memory_copy(const std::string& name, std::size_t lights) {
   // Shared, since passes are copied.
@@ -243,7 +243,8 @@ command::Table make_table(const std::vector<Measurement>& measurements) {
     const auto error = [&errors = measurement.errors](double Errors::*member) {
       return errors ? Cell((*errors).*member) : Cell(std::monostate());
     };
-    table.rows.push_back({method.name, method.precision, method.fog ? Cell(command::fog_mode_name(*method.fog)) : std::monostate(),
+    table.rows.push_back({method.name, method.precision,
+                          method.fog ? Cell(command::fog_mode_name(*method.fog)) : std::monostate(),
                           measurement.timing.median, measurement.timing.spread, error(&Errors::max_ulp),
                           error(&Errors::mean_ulp), error(&Errors::max_255), error(&Errors::mean_255)});
   }
@@ -286,7 +287,7 @@ Result measure_solve(bool quick) {
   int runs = 0;
   const auto timings = time_passes(passes, scale.stopwatch, [&] {
     progress.show(fmt::format("timing: run {} of about {}", ++runs,
-                              methods.size() * static_cast<std::size_t>(scale.stopwatch.repetitions + 2)));
+                              methods.size() * std::size_t(scale.stopwatch.repetitions + 2)));
   });
 
   Result result;

@@ -5,7 +5,7 @@
 
 namespace litfog::bench {
 
-/// Time against error of every way to a light's fog colour intensity, over the mix of light_mix.h. Columns:
+/// Time against error of every method to find a light's fog colour intensity, over the mix of light_mix.h. Columns:
 ///
 /// method         hales-N, hales-N-simd, golden-section, boost-brent, exact, batch, memory-copy;
 ///                batch-uncached (exp fog only) and memory-copy-uncached over more lights than the caches hold

@@ -21,8 +21,7 @@ class Collector : public benchmark::BenchmarkReporter {
   void ReportRuns(const std::vector<Run>& runs) override {
     for (const Run& run : runs) {
       if (run.run_type != Run::RT_Iteration) continue;
-      seconds_[static_cast<std::size_t>(run.family_index)].push_back(run.cpu_accumulated_time /
-                                                                     static_cast<double>(run.iterations));
+      seconds_[std::size_t(run.family_index)].push_back(run.cpu_accumulated_time / double(run.iterations));
     }
   }
 
@@ -61,7 +60,7 @@ std::vector<Timing> time_passes(const std::vector<TimedPass>& passes, const Stop
   for (std::size_t i = 0; i < passes.size(); ++i) {
     std::vector<double> times;
     for (const double seconds : collector.seconds(i)) {
-      times.push_back(seconds * 1e9 / static_cast<double>(passes[i].items));
+      times.push_back(seconds * 1e9 / double(passes[i].items));
     }
     timings.push_back({measure::quantile(times, 0.5), measure::quantile(times, 0.9) - measure::quantile(times, 0.1)});
   }

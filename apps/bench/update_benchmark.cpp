@@ -36,7 +36,7 @@ constexpr double kClearest = 10'000;  // metres
 constexpr double kThickest = 50;
 
 double visibility_at(std::size_t step, std::size_t steps) {
-  const double phase = static_cast<double>(step) / static_cast<double>(steps);
+  const double phase = double(step) / double(steps);
   const double fraction = (1 + std::cos(2 * std::numbers::pi * phase)) / 2;
   return kThickest * std::pow(kClearest / kThickest, fraction);
 }
@@ -81,13 +81,13 @@ struct Record {
 double thread_milliseconds() {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
+  return double(time.tv_sec) * 1e3 + double(time.tv_nsec) * 1e-6;
 }
 
 Record follow(const Follower& follower, FogMode mode, const std::vector<PlacedLight>& lights, const Scale& scale,
               command::Progress& progress) {
   Record record;
-  follower.step(Fog::from_visibility(mode, kClearest));  // what only the first step does is not measured
+  follower.step(Fog::from_visibility(mode, kClearest));  // the first step's set-up is not measured
   for (std::size_t step = 1; step <= scale.steps; ++step) {
     const Fog fog = Fog::from_visibility(mode, visibility_at(step, scale.steps));
     const double begin = thread_milliseconds();
@@ -106,7 +106,8 @@ Record follow(const Follower& follower, FogMode mode, const std::vector<PlacedLi
       const double deviation = 255 * brightest * std::abs(follower.intensity(i) - exact[i % scale.kinds]);
       record.max_deviation_255 = std::max(record.max_deviation_255, deviation);
     }
-    progress.show(fmt::format("{}, {} fog: step {} of {}", follower.name, command::fog_mode_name(mode), step, scale.steps));
+    progress.show(
+        fmt::format("{}, {} fog: step {} of {}", follower.name, command::fog_mode_name(mode), step, scale.steps));
   }
   return record;
 }
@@ -121,8 +122,7 @@ Record follow_by_updater(const std::string& name, double budget_255, FogMode mod
       .name = name,
       .step = [&](const Fog& fog) { updater.set_fog(fog); },
       .intensity = [&](std::size_t i) { return updater.entries()[updater.entry_of(handles[i])].color_intensity.w; },
-      .skipped_share =
-          [&] { return static_cast<double>(updater.statistics().lights_skipped) / static_cast<double>(lights.size()); },
+      .skipped_share = [&] { return double(updater.statistics().lights_skipped) / double(lights.size()); },
   };
   return follow(follower, mode, lights, scale, progress);
 }
@@ -133,11 +133,11 @@ Record follow_by_batch(const std::string& name, FogMode mode, const std::vector<
   std::vector<float> density_scales;
   for (const PlacedLight& placed : lights) {
     const Light& light = placed.light;
-    columns.constant.push_back(static_cast<float>(light.attenuation.constant));
-    columns.linear.push_back(static_cast<float>(light.attenuation.linear));
-    columns.quadratic.push_back(static_cast<float>(light.attenuation.quadratic));
-    columns.threshold.push_back(static_cast<float>(light.threshold));
-    density_scales.push_back(static_cast<float>(light.density_scale));
+    columns.constant.push_back(float(light.attenuation.constant));
+    columns.linear.push_back(float(light.attenuation.linear));
+    columns.quadratic.push_back(float(light.attenuation.quadratic));
+    columns.threshold.push_back(float(light.threshold));
+    density_scales.push_back(float(light.density_scale));
   }
   columns.density.resize(lights.size());
   std::vector<float> intensity(lights.size());
@@ -146,7 +146,7 @@ Record follow_by_batch(const std::string& name, FogMode mode, const std::vector<
       .name = name,
       .step =
           [&](const Fog& fog) {
-            const auto density = static_cast<float>(fog.density);
+            const auto density = float(fog.density);
             std::transform(density_scales.begin(), density_scales.end(), columns.density.begin(),
                            [density](float scale_of_light) { return density * scale_of_light; });
             solve_fog_intensities(mode, columns.view(), BatchSolutionsF{intensity});
@@ -162,7 +162,7 @@ Record follow_by_batch(const std::string& name, FogMode mode, const std::vector<
 void draw(const std::string& name, FogMode mode, const Record& record, command::Chart& times, command::Chart& shares) {
   command::Series time{.name = name};
   command::Series share{.name = name};
-  // Down to the thickest fog only: the way back has the same visibilities.
+  // Down to the thickest fog only, because the second half has the same visibilities.
   for (std::size_t i = 0; i < record.milliseconds.size() / 2; ++i) {
     const double visibility = visibility_at(i + 1, record.milliseconds.size());
     time.points.push_back({visibility, record.milliseconds[i]});
@@ -194,15 +194,15 @@ Result measure_update(bool quick) {
   for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
     const auto add = [&](const std::string& name, double allowed_255, const Record& record) {
       double share = 0;
-      for (const double one : record.skipped_shares) share += one / static_cast<double>(scale.steps);
+      for (const double one : record.skipped_shares) share += one / double(scale.steps);
       result.table.rows.push_back(
-          {name, command::fog_mode_name(mode), static_cast<double>(scale.lights), static_cast<double>(scale.kinds),
-           static_cast<double>(scale.steps), measure::quantile(record.milliseconds, 0.5),
+          {name, command::fog_mode_name(mode), double(scale.lights), double(scale.kinds), double(scale.steps),
+           measure::quantile(record.milliseconds, 0.5),
            measure::quantile(record.milliseconds, 0.9) - measure::quantile(record.milliseconds, 0.1), share,
            record.max_deviation_255});
       if (!(record.max_deviation_255 <= allowed_255)) {
-        result.failures.push_back(fmt::format("{} {}: deviation = {}/255: must be at most {}/255", name, command::fog_mode_name(mode),
-                                              record.max_deviation_255, allowed_255));
+        result.failures.push_back(fmt::format("{} {}: deviation = {}/255: must be at most {}/255", name,
+                                              command::fog_mode_name(mode), record.max_deviation_255, allowed_255));
       }
       const std::size_t column = mode == FogMode::exp ? 0 : 1;
       draw(name, mode, record, times[column], shares[column]);

@@ -21,7 +21,7 @@ namespace litfog::command {
 ///       return run_command(app, argc, argv, [&] { write_standard_output("done\n"); return kDone; });
 ///     }
 
-/// Which numbers an option takes, and how to say so.
+/// Which numbers an option takes, and the text of that rule.
 struct NumberRule {
   bool (*accepts)(double);
   const char* text;
@@ -40,7 +40,7 @@ CLI::Option* add_integer(CLI::App& app, const std::string& name, int& target, in
 CLI::Option* add_numbers(CLI::App& app, const std::string& name, std::vector<double>& target, NumberRule rule,
                          const std::string& description);
 
-/// Throws the usage error of an option's value: "--name = value: rule". For rules that only show after parsing, too.
+/// Throws the usage error of an option's value: "--name = value: rule". Also for rules that need the parsed options.
 [[noreturn]] void fail_option(const std::string& name, std::string_view value, std::string_view rule);
 
 /// An option that takes one of a few words.
@@ -64,13 +64,13 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, Choice& target,
 /// Appends to standard output. Throws OutputError.
 void write_standard_output(std::string_view text);
 
-/// Lines for people (printable_lines), shown at once, to a pipe too: what a command that takes a while has done so far.
+/// Writes lines for people (printable_lines) at once, to a pipe too: the progress of a command that takes a while.
 /// Throws OutputError.
 void report(std::string_view text);
 
 /// Parses the command line, runs the command, and turns whatever comes of it into one message on standard error and an
-/// exit status. Adds --help and --version. Standard output is closed at the end, so that a full disk is noticed. A signal
-/// that ends the command leaves no temporary files behind.
+/// exit status. Adds --help and --version. Standard output is closed at the end, so that a full disk is noticed. A
+/// signal that ends the command leaves no temporary files behind.
 int run_command(CLI::App& app, int argc, char** argv, const std::function<ExitStatus()>& run);
 
 }  // namespace litfog::command

@@ -84,7 +84,7 @@ bool CsvReader::read(CsvRecord& record) {
   for (;;) {
     const TextPlace place = place_;
     const int taken = take();
-    const char byte = static_cast<char>(taken);
+    const char byte = char(taken);
     if (taken == kEnd || (state != State::quoted && (byte == '\n' || (byte == '\r' && peek() == '\n')))) {
       if (taken == kEnd && state == State::quoted) {
         note_defect("quote must be closed", record.fields_.back().place);

@@ -10,15 +10,14 @@
 
 namespace litfog::command {
 
-/// CSV as RFC 4180 has it: quoted fields may hold commas, quotes (doubled) and newlines; lines end in LF or CRLF, the
-/// last one in nothing at will; a byte order mark at the start is skipped. Quotes within an unquoted field are plain
-/// text.
+/// CSV as in RFC 4180: quoted fields may hold commas, quotes (doubled) and newlines. Lines end in LF or CRLF; the last
+/// line may lack its end. A byte order mark at the start is skipped. Quotes within an unquoted field are plain text.
 ///
-/// Our own reader: of the packaged ones libcsv keeps no places, drops the quotes that a field came with (pass-through
-/// columns keep theirs) and grows its buffer without limit; libfccp knows no newline in a field and wants its columns
-/// at compile time.
+/// Our own reader, because the packaged ones do not suffice. libcsv keeps no locations, drops the quotes of a field
+/// (pass-through columns keep theirs) and grows its buffer without limit. libfccp takes no newline in a field and wants
+/// its columns at compile time.
 
-/// Place in a text, from 1; a column is a code point.
+/// Location in a text, from 1; a column is a code point.
 struct TextPlace {
   long line = 1;
   long column = 1;

@@ -5,7 +5,7 @@
 
 namespace litfog::command {
 
-/// What a command's exit status says; the same for every command.
+/// The meaning of an exit status, the same for every command.
 enum ExitStatus {
   kDone = 0,
   kUsage = 1,              ///< the command line was wrong: unknown option, missing or wrong value
@@ -16,7 +16,7 @@ enum ExitStatus {
   kInternalError = 70,  ///< the program is at fault (EX_SOFTWARE of sysexits.h)
 };
 
-/// Thrown where the machine lacks what was asked for. what() says what.
+/// Thrown where the machine lacks what was asked for. what() names it.
 struct MissingCapability : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -7,8 +7,8 @@
 
 namespace litfog::command {
 
-/// A condition under which other options would have no effect. They are usage errors then: nothing that somebody asks for
-/// is passed over in silence.
+/// A condition under which other options would have no effect. They are usage errors then, so that no option is
+/// silently ignored.
 struct OptionRule {
   std::string condition;              ///< as typed: "--fog none"
   bool applies;                       ///< whether it holds for the command line

@@ -165,7 +165,7 @@ void add_chart(Script& script, const Chart& chart) {
   std::size_t next_color = 0;
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     const Series& series = chart.series[i];
-    const std::size_t color = series.color < 0 ? next_color++ : static_cast<std::size_t>(series.color);
+    const std::size_t color = series.color < 0 ? next_color++ : std::size_t(series.color);
     if (series.points.empty()) continue;
     script.add("$series{} << END", i);
     for (const PlotPoint& point : series.points) script.add("{} {}", point.x, point.y);
@@ -184,7 +184,7 @@ void add_chart(Script& script, const Chart& chart) {
 
 std::string script_of(const Figure& figure, FigureFormat format) {
   const int columns = std::max(figure.columns, 1);
-  const auto rows = (static_cast<int>(figure.charts.size()) + columns - 1) / columns;
+  const auto rows = (int(figure.charts.size()) + columns - 1) / columns;
   Script script;
   script.add("set encoding utf8");
   script.add("set terminal {} enhanced size {},{} font 'DejaVu Sans,12' background rgb 'white'",

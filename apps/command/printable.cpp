@@ -25,10 +25,10 @@ std::string escaped(std::string_view text, std::string_view kept) {
       at = begin + 1;
       continue;
     }
-    if (c < 0x80 && kept.find(static_cast<char>(c)) != kept.npos) {
-      result += static_cast<char>(c);
+    if (c < 0x80 && kept.find(char(c)) != kept.npos) {
+      result += char(c);
     } else if (is_control(c) || is_noncharacter(c)) {
-      const auto code = static_cast<std::uint32_t>(c);
+      const auto code = std::uint32_t(c);
       result += c < 0x80 ? fmt::format("\\x{:02x}", code) : fmt::format("\\u{:04x}", code);
     } else {
       result.append(begin, at);

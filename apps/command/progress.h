@@ -14,7 +14,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Shows the text in place of the last one, at most five times a second.
+  /// Replaces the text shown, at most five times a second.
   void show(std::string_view text);
 
   /// Prints a line that stays, on a terminal or not: an error that does not end the work.

@@ -43,9 +43,7 @@ std::string json_cell(const Cell& cell) {
 }
 
 /// Code points, which is what a terminal lines up.
-std::size_t width_of(const std::string& printed) {
-  return static_cast<std::size_t>(utf8::distance(printed.begin(), printed.end()));
-}
+std::size_t width_of(const std::string& printed) { return std::size_t(utf8::distance(printed.begin(), printed.end())); }
 
 std::string format_text(const Table& table) {
   std::vector<std::vector<std::string>> lines{table.columns};

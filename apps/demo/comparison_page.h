@@ -24,7 +24,7 @@ struct PathResult {
 struct SceneResult {
   std::string name;
   std::string description;
-  std::string conditions;  ///< in words: the fog
+  std::string conditions;  ///< text: the fog
   std::size_t lights;
   std::vector<PathResult> paths = {};  ///< the default path first
 
@@ -40,11 +40,11 @@ std::vector<std::string> picture_files(const std::string& scene);
 
 /// What the results of a page have in common.
 struct PageFacts {
-  std::string machine;  ///< in words: on what was drawn
+  std::string machine;  ///< text: what drew the pictures
   int width;            ///< pixels
   int height;
   int frames;            ///< timed of each path
-  std::string settings;  ///< in words: skipping, viewer, light maps
+  std::string settings;  ///< text: skipping, viewer, light maps
 };
 
 /// An HTML page that shows the results beside their pictures, which lie in its folder. It needs nothing else, no

@@ -11,7 +11,7 @@ namespace litfog::demo {
 inline constexpr int kSheetCellWidth = 480;   ///< pixels: the width of a sheet's pictures
 inline constexpr int kSheetCellHeight = 960;  ///< at most; a picture that would be taller is narrower instead
 
-/// One picture of a sheet with the lines of words under it, of which those after the first are fainter.
+/// One picture of a sheet with the lines of text under it. Lines after the first are fainter.
 struct SheetEntry {
   render::Picture picture;
   std::vector<std::string> caption;

@@ -32,7 +32,7 @@ bool is_same_kind(const Light& a, const Light& b) {
   return row(a) == row(b);
 }
 
-/// Extent, peak range and intensity of each kind of light in a scene at each visibility.
+/// Extent, peak range and intensity of each different light in a scene at each visibility.
 void add_solutions(command::Table& table, const scene::Scene& scene, FogMode mode) {
   std::vector<const Light*> kinds;
   for (const PlacedLight& placed : scene.lights) {

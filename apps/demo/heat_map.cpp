@@ -14,7 +14,7 @@
 namespace litfog::demo {
 namespace {
 
-constexpr int kLeastWidth = 640;  // pixels, for the words
+constexpr int kLeastWidth = 640;  // pixels, for the text
 constexpr int kMostMagnifiedHeight = 2048;
 constexpr int kMargin = 10;
 constexpr int kFontSize = 14;
@@ -60,7 +60,7 @@ glm::vec3 heat_color(double fraction) {
   const double angle = 2 * std::numbers::pi * (kStart / 3 + 1 + kRotations * fraction);
   const double amplitude = fraction * (1 - fraction) / 2;
   const glm::dvec3 color = fraction + amplitude * (glm::dvec3(-0.14861, -0.29227, 1.97294) * std::cos(angle) +
-                                                glm::dvec3(1.78277, -0.90649, 0) * std::sin(angle));
+                                                   glm::dvec3(1.78277, -0.90649, 0) * std::sin(angle));
   const glm::vec3 shown(glm::clamp(color, 0.0, 1.0));
   return {OIIO::sRGB_to_linear(shown.r), OIIO::sRGB_to_linear(shown.g), OIIO::sRGB_to_linear(shown.b)};
 }

@@ -9,12 +9,12 @@
 
 namespace litfog::demo {
 
-inline constexpr double kHeatLeast = 0.1;  ///< 1/255: where the scale of colours begins
-inline constexpr int kHeatDecades = 3;     ///< how often it grows tenfold
+inline constexpr double kHeatLeast = 0.1;  ///< 1/255: the least error on the scale of colours
+inline constexpr int kHeatDecades = 3;     ///< the length of the scale, in factors of 10
 
-/// The errors of a picture as colours from black (0.1/255 and less) to white (100/255 and more), each tenfold as long
-/// as the last on the scale below them; excluded pixels are red. Small pictures are magnified to the width of the words
-/// under them, but not beyond 2048 pixels of height.
+/// The errors of a picture as colours from black (0.1/255 and less) to white (100/255 and more) on the logarithmic
+/// scale below them. Excluded pixels are red. Small pictures are magnified to the width of the text under them, but not
+/// beyond 2048 pixels of height.
 ///
 /// title   what is compared; the largest and the mean error are put after it
 /// throws  std::runtime_error where no font is found

@@ -8,7 +8,7 @@
 
 namespace litfog::demo {
 
-/// Writes words into a picture in a plain type.
+/// Writes a text into a picture in a plain type.
 ///
 /// left, baseline, size  pixels; baseline is where the letters stand, size about the height of a line
 /// ink                   linear RGB

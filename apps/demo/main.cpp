@@ -116,7 +116,9 @@ Job add_picture_job(CLI::App& app) {
     const auto is_given = [&app](const char* option) { return app.count(option) > 0; };
     if (!is_given("SCENE")) throw CLI::ValidationError("a scene must be given: see litfog-demo list scenes");
     auto rules = drawing_rules(drawing);
-    rules.push_back({"--flat-shading", is_given("--flat-shading"), {"--reference", "--heat-map"},
+    rules.push_back({"--flat-shading",
+                     is_given("--flat-shading"),
+                     {"--reference", "--heat-map"},
                      "references are shaded smoothly"});
     check_options(app, rules);
     if (is_given("--output") && !is_picture_path(options->output)) {
@@ -140,9 +142,8 @@ Job add_picture_job(CLI::App& app) {
 
     const Drawn drawn = draw(scene, drawing, options->frames, has_reference);
     if (is_given("--heat-map")) {
-      write_picture(options->heat_map,
-                            make_heat_map(drawn.comparison->error,
-                                          fmt::format("{}, {}", scene.name, drawing.render.path->name)));
+      write_picture(options->heat_map, make_heat_map(drawn.comparison->error,
+                                                     fmt::format("{}, {}", scene.name, drawing.render.path->name)));
     }
     write_picture(output, options->reference ? drawn.comparison->reference : drawn.picture);
     if (is_given("--stats")) files::write_whole_file(options->stats, stats_json(scene, drawing, drawn));
@@ -155,7 +156,7 @@ Job add_picture_job(CLI::App& app) {
   };
 }
 
-/// What the jobs over many scenes share.
+/// Common to the jobs over many scenes.
 struct FolderOptions {
   std::vector<std::string> scenes;
   std::string folder;
@@ -183,11 +184,9 @@ Job add_gallery_job(CLI::App& app) {
     const std::vector<std::string> scenes = scene_paths(options->scenes);
     const gl::HeadlessContext context;
     report(fmt::format("drawing {} scenes on {}\n", scenes.size(), context.renderer()));
-    draw_gallery(scenes, options->folder,
-                 {.fog_mode = drawing.fog_mode(),
-                  .width = drawing.width,
-                  .height = drawing.height,
-                  .render = drawing.render});
+    draw_gallery(
+        scenes, options->folder,
+        {.fog_mode = drawing.fog_mode(), .width = drawing.width, .height = drawing.height, .render = drawing.render});
     return kDone;
   };
 }
@@ -207,7 +206,7 @@ Job add_comparison_job(CLI::App& app) {
     if (options->folder.empty()) fail_option("--output", "", "must not be empty");
     check_options(app, {{"--fog none", !drawing.fog, {"--visibility"}, "the air is clear"}});
     expect_pixels(drawing, kMaxComparedPixels, "for a comparison");
-    // All scenes are read first: an error in one shows before minutes go into another.
+    // All scenes are read first, so that an error in one is found before minutes are spent on another.
     std::vector<scene::Scene> scenes = scene::read_scenes(scene_paths(options->scenes));
     const bool spins = std::ranges::any_of(scenes, has_spinning_cookie);
     check_options(app, {{"these scenes", !spins, {"--time"}, "none has a spinning cookie"}});

@@ -25,7 +25,7 @@ struct PathComparisonSettings {
 /// gl::Unsupported where a path cannot draw a scene here.
 ///
 /// scenes   of different names
-/// machine  in words: on what is drawn
+/// machine  text: what draws the pictures
 void compare_paths(const std::vector<scene::Scene>& scenes, const std::string& folder, const std::string& machine,
                    const PathComparisonSettings& settings);
 

@@ -16,7 +16,8 @@ PictureFolder::PictureFolder(const std::string& path, const std::vector<std::str
     : path_(path) {
   std::set<std::string> names;
   for (const std::string& file : files) {
-    if (!names.insert(file).second) throw InputError({.file = path_of(file)}, "would be a picture of two scenes: rename one");
+    if (!names.insert(file).second)
+      throw InputError({.file = path_of(file)}, "would be a picture of two scenes: rename one");
   }
   std::error_code error;
   std::filesystem::create_directories(path_, error);
@@ -31,7 +32,8 @@ void PictureFolder::write(const std::string& file, render::Picture picture) {
   const auto write = [path = path_of(file), picture = std::make_shared<const render::Picture>(std::move(picture))] {
     write_picture(path, *picture);
   };
-  // Without a thread to spare, finish() writes. Copied: libstdc++ would move it into the thread that does not start.
+  // If no thread can start, finish() writes. The picture is copied, because libstdc++ would move it into the thread
+  // that does not start.
   writing_ = std::async(std::launch::async | std::launch::deferred, write);
 }
 

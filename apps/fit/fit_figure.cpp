@@ -102,7 +102,7 @@ command::Figure fit_figure(const LightFit& fit) {
   std::vector<std::vector<command::Chart>> columns;
   if (fit.range) columns.push_back(range_charts(fit));
   if (fit.cone) columns.push_back(angle_charts(fit));
-  command::Figure figure{.title = fit.light.name, .columns = static_cast<int>(columns.size())};
+  command::Figure figure{.title = fit.light.name, .columns = int(columns.size())};
   figure.width = 600 * figure.columns;
   figure.height = 700;
   for (const std::size_t row : {0u, 1u}) {

@@ -7,7 +7,7 @@
 
 namespace litfog::fit {
 
-/// What a light file says of its fit, the member "fit":
+/// The member "fit" of a light file, which records how the light was fitted:
 ///
 ///     {"range": {"status": "optimal",           or unproven, infeasible
 ///                "objective": 0.01,             sum of weight * (ln a - ln attenuation)^2

@@ -27,10 +27,10 @@ struct LightFit {
 /// is_robust  for the range's samples: outliers count less
 LightFit fit_light(LightTarget target, bool is_robust);
 
-/// Which bounds and given figures hold a cone, in words.
+/// The text of the bounds and given figures that hold a cone.
 std::vector<std::string> active_constraints(const litfog::Cone& cone, const litfog::ConeTarget& target);
 
-/// What the words optimal, unproven and infeasible stand for in reports.
+/// The meaning of optimal, unproven and infeasible in reports.
 const char* name_of(litfog::AttenuationFitStatus status);
 const char* name_of(litfog::ConeFitStatus status);
 const char* name_of(litfog::ConeProfile profile);

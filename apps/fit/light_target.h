@@ -28,7 +28,7 @@ struct LightTarget {
 /// Reads a light-spec file and the photometric file that it names. Throws InputError, also for what the fits do not
 /// take.
 ///
-/// profile  in place of the file's own, if any
+/// profile  replaces the file's own, if given
 LightTarget read_spec(const std::string& path, std::optional<ConeChoice> profile = std::nullopt);
 
 /// Reads a photometric file: the beam about its axis, white, and an extent by illuminance: C = 1, L = 0, and the

@@ -15,8 +15,8 @@ bool is_seen(const glm::dvec3& jump) {
   return std::max({jump.r, jump.g, jump.b}) > kLeast;
 }
 
-/// Relative rounding of the vector from a light to a position, both of them floats: larger where it is short beside
-/// their distance from the origin.
+/// Relative rounding of the vector from a light to a position, both of them floats. It is large where the vector is
+/// short and both are far from the origin.
 double rounding_of(const ReferenceLight& light, const glm::dvec3& position, double range) {
   const glm::dvec3 largest = glm::max(glm::abs(light.position), glm::abs(position));
   return kUnit * (1 + std::max({largest.x, largest.y, largest.z}) / range);
@@ -29,7 +29,7 @@ bool is_at_cone_edge(const ReferenceLight& light, const LightRay& ray, double ro
          std::abs(glm::dot(light.axis, ray.direction) - cos_cutoff(light)) < rounding;
 }
 
-/// What a cone sends just within its edge.
+/// The cone's value just within its edge.
 double emitted_at_edge(const ReferenceLight& light, double rounding) {
   return cone_at(light.cone, std::min(cos_cutoff(light) + rounding, 1.0));
 }

@@ -41,8 +41,8 @@ LookupBounds::Fractions LookupBounds::emitted(const ReferenceLight& light, const
     const double exact = light.emitted(direction);
     return {exact, exact};
   }
-  // The angle that the diagonal of a texel spans at most: where the map is drawn in (cone_map_scale) a face spans the
-  // cone, else a quarter of the circle.
+  // The largest angle that the diagonal of a texel spans. A face spans the cone where the map is scaled
+  // (cone_map_scale), else a quarter of the circle.
   const double turn = std::numbers::sqrt2 / std::min(render::cone_map_scale(light.cone), 1.0) * texel_;
   const double angle = std::acos(std::clamp(glm::dot(light.axis, direction), -1.0, 1.0));
   return {cone_at(light.cone, std::cos(std::min(angle + turn, std::numbers::pi))),

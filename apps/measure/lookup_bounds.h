@@ -5,9 +5,9 @@
 
 namespace litfog::measure {
 
-/// What the light maps of a path leave open: a look-up lies between the light's values at the texels around it, so a
-/// surface's colour lies between two that the formulas give for a light slightly nearer or farther, and slightly more
-/// or less on its axis.
+/// The range of colours that a path with light maps may give a surface. A look-up is between the light's values at the
+/// texels around it, so the colour is between two that the formulas give for a light slightly nearer or farther, and
+/// slightly nearer to its axis or farther from it.
 class LookupBounds {
  public:
   /// model     of a path with light maps; has to outlive this
@@ -18,7 +18,7 @@ class LookupBounds {
     glm::dvec3 least;
     glm::dvec3 most;
   };
-  /// What a surface sends to the eye, before fog.
+  /// The light that a surface sends to the eye, before fog.
   Interval surface_color(const SurfacePoint& point) const;
 
  private:

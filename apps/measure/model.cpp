@@ -7,8 +7,9 @@
 namespace litfog::measure {
 namespace {
 
-/// Lacroix 2005, listing 2.3: the normal map's normal from the interpolated tangent space into world space. How the
-/// texel says which level is 0 is Material::normal's rule.
+/// The normal map's normal from the interpolated tangent space into world space (Jason Lacroix 2005, "Let There Be
+/// Light!: A Unified Lighting Technique for a New Generation of Games", listing 2.3). Material::normal has the rule by
+/// which the texel states the level that means 0.
 glm::dvec3 mapped_normal(const render::GeometrySample& sample) {
   const glm::dvec4 texel = sample.normal_texel;
   const glm::dvec3 bump = 2.0 * glm::dvec3(texel) - (256 - texel.a) / 255;
@@ -91,7 +92,8 @@ glm::dvec3 Model::highlight(const SurfacePoint& point, const glm::dvec3& to_ligh
   return point.specular * std::pow(std::max(glm::dot(point.normal, half_vector), 0.0), point.shininess);
 }
 
-/// Hales 2004, "Lighting in Fog": ambient fog + sum over the carried lights of color * cone * intensity.
+/// Ambient fog + sum over the carried lights of color * cone * intensity (Steven Hales 2004, "Realtime Pixel Lighting
+/// Using Fragment Programs", section "Lighting in Fog").
 Veil Model::veil(const glm::dvec3& position) const {
   Veil veil{.color = environment_.ambient_fog_color, .opacity = opacity_at(fog_, glm::distance(position, eye_))};
   if (veil.opacity <= 0) return veil;

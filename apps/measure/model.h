@@ -12,7 +12,8 @@
 
 namespace litfog::measure {
 
-/// What the Cg Tutorial's Basic model (5.2) asks of a point of a surface.
+/// What the Basic model (Randima Fernando and Mark Kilgard 2003, "The Cg Tutorial", section 5.2) needs to know of a
+/// point of a surface.
 struct SurfacePoint {
   glm::dvec3 position;
   glm::dvec3 normal;  ///< unit
@@ -29,7 +30,7 @@ struct LightRay {
   glm::dvec3 direction;  ///< unit
   double range;          ///< metres
 };
-/// None where the position is farther than a range, or the light's own, to which there is no direction.
+/// Nothing if the position is farther than a range, or if it is the light's own, to which there is no direction.
 inline constexpr double kAnyRange = std::numeric_limits<double>::infinity();
 std::optional<LightRay> ray_within(double range, const ReferenceLight& light, const glm::dvec3& position);
 
@@ -52,7 +53,7 @@ class Model {
   const render::LightingPath& path() const { return path_; }
   const scene::Environment& environment() const { return environment_; }
 
-  /// sample.material  not that of the sky
+  /// sample  not of the sky
   SurfacePoint surface_point(const render::GeometrySample& sample) const;
 
   /// What a surface sends to the eye, before fog: without_lamps + sum over the lights of color * emitted * falloff *
@@ -68,7 +69,7 @@ class Model {
   glm::dvec3 highlight(const SurfacePoint& point, const glm::dvec3& to_light) const;
 
   Veil veil(const glm::dvec3& position) const;
-  /// Whether a light lights the fog; only then `veil` shows it.
+  /// Whether a light lights the fog. Only then is it visible in `veil`.
   bool lights_fog(const ReferenceLight& light) const { return path_.has_lit_fog && light.fog_intensity > 0; }
 
  private:

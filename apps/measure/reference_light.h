@@ -19,7 +19,7 @@ struct ReferenceLight {
   Cone cone;
   double extent;                 ///< metres
   double fog_intensity;          ///< 0 unless the light is carried by the eye's vehicle
-  const Cookie* cookie;   ///< in place of the cone; null: none
+  const Cookie* cookie;          ///< replaces the cone; null: none
   glm::dmat3 cookie_from_world;  ///< rotation
 
   /// The fraction of the axial intensity that the light sends into a unit direction.

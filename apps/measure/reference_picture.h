@@ -22,12 +22,12 @@ struct ReferencePicture {
   std::vector<std::uint8_t> is_at_jump;
 };
 
-/// Shades what a renderer's scene shows, without the points of its lamps, on the CPU in double by the plain formulas of
-/// its lighting path: Model for surfaces and fog, night_sky for the sky.
+/// Shades a renderer's scene, without the points of its lamps, on the CPU in double by the plain formulas of its
+/// lighting path: Model for surfaces and fog, night_sky for the sky.
 ///
-/// From the GPU come only what it rasterises, in floats, for each sample: the position, the vertices' normals and
-/// tangents interpolated, and what its texture unit makes of the material's maps, whose filter and level of detail
-/// OpenGL leaves to the driver.
+/// Only the rasterised values of each sample are the GPU's, in floats: the position, the interpolated normal and
+/// tangent, and the texels of the material's maps, because OpenGL leaves their filter and level of detail to the
+/// driver.
 ///
 /// A pixel's samples are averaged in double, before anything is clamped, as the framebuffer averages them.
 ///

@@ -147,7 +147,7 @@ struct Defect {
 
 litfog::InputError located(const std::string& file, const Defect& defect) {
   const auto& [line, column] = defect.place;
-  return {{file, static_cast<std::size_t>(line), static_cast<std::size_t>(column)}, defect.reason};
+  return {{file, std::size_t(line), std::size_t(column)}, defect.reason};
 }
 
 /// The header: which field of a row holds which column.
@@ -170,7 +170,7 @@ std::optional<Defect> read_header(const CsvRecord& record, Header& header) {
     }
     const auto known = std::find(kColumnNames.begin(), kColumnNames.end(), name);
     if (known == kColumnNames.end()) continue;
-    const auto column = static_cast<std::size_t>(known - kColumnNames.begin());
+    const auto column = std::size_t(known - kColumnNames.begin());
     if (is_found[column]) return Defect{record.place(i), fmt::format("column {}: must not be given twice", name)};
     is_found[column] = true;
     header.index[column] = i;
@@ -216,7 +216,7 @@ std::optional<Defect> read_row(const Header& header, const CsvRecord& record, Ro
   std::string_view field = error->field;
   field.remove_prefix(field.rfind('.') + 1);  // "attenuation.linear" is the column linear
   const auto column = std::find(kColumnNames.begin(), kColumnNames.end(), field);
-  return defect_of(static_cast<std::size_t>(column - kColumnNames.begin()), error->rule);
+  return defect_of(std::size_t(column - kColumnNames.begin()), error->rule);
 }
 
 /// Bad rows on standard error, at most a screenful of them, and the progress.
@@ -323,15 +323,13 @@ CLI::Option* add_contrast(CLI::App& app, double& target) {
 /// What the options mean together.
 void check_form(const CLI::App& app, const Options& options) {
   const auto is_given = [&app](const char* name) { return app.count(name) > 0; };
-  check_options(
-      app,
-      {{"--method exact", options.method == Method::exact, {"--samples"}, "it takes none"},
-       {"--csv",
-        is_given("--csv"),
-        {"--constant", "--linear", "--quadratic", "--light", "--fog", "--visibility", "--contrast", "--density",
-         "--threshold", "--format"}},
-       {"--light", is_given("--light"), {"--constant", "--linear", "--quadratic"}},
-       {"--density", is_given("--density"), {"--visibility", "--contrast"}}});
+  check_options(app, {{"--method exact", options.method == Method::exact, {"--samples"}, "it takes none"},
+                      {"--csv",
+                       is_given("--csv"),
+                       {"--constant", "--linear", "--quadratic", "--light", "--fog", "--visibility", "--contrast",
+                        "--density", "--threshold", "--format"}},
+                      {"--light", is_given("--light"), {"--constant", "--linear", "--quadratic"}},
+                      {"--density", is_given("--density"), {"--visibility", "--contrast"}}});
   if (is_given("--csv")) return;
   if (!is_given("--light") && !is_given("--constant") && !is_given("--linear") && !is_given("--quadratic")) {
     fail_form("a light must be given: --constant, --linear, --quadratic or --light or --csv");
@@ -357,8 +355,7 @@ int main(int argc, char** argv) {
   add_number(app, "--linear", options.attenuation.linear, kFiniteNotNegative, "Its linear term in 1/m, 0 if not given");
   add_number(app, "--quadratic", options.attenuation.quadratic, kFiniteNotNegative,
              "Its quadratic term in 1/m^2, 0 if not given");
-  app.add_option("--light", options.light_files, "Light files instead of these three; one row each")
-      ->type_name("FILE");
+  app.add_option("--light", options.light_files, "Light files instead of these three; one row each")->type_name("FILE");
   add_choice<FogMode>(app, "--fog", options.mode, {{"exp", FogMode::exp}, {"exp2", FogMode::exp2}},
                       "Fog's falloff, exp if not given");
   add_numbers(app, "--visibility", options.visibilities, kNotNegative, "Visibilities in metres; inf is clear air");

@@ -9,7 +9,8 @@
 namespace litfog {
 
 /// Range attenuation a(r) = min(1, 1 / (constant + linear r + quadratic r^2)) of a point or spot light, r in metres.
-/// (Hales 2004, "Lighting Algorithms"; the clamp is that of his texel formula.)
+/// (Steven Hales 2004, "Realtime Pixel Lighting Using Fragment Programs", section "Lighting Algorithms"; the clamp is
+/// that of his texel formula.)
 template <typename Real>
 struct BasicAttenuation {
   Real constant = 1;   ///< C, dimensionless, finite, >= 0. Below 1 the light is clamped to 1 up to its knee.

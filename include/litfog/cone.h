@@ -9,9 +9,14 @@ namespace litfog {
 
 /// How a light's intensity falls with the angle u from its axis.
 enum class ConeProfile {
-  none,        ///< 1 everywhere: a point light
-  cosine,      ///< cos^exponent(u) for u < half_angle, else 0 (Hales 2004, "Lighting Algorithms")
-  smoothstep,  ///< smoothstep(cos outer, cos inner, cos u): the Cg Tutorial's dual cone (5.5.3)
+  /// 1 everywhere: a point light.
+  none,
+  /// cos^exponent(u) for u < half_angle, else 0 (Steven Hales 2004, "Realtime Pixel Lighting Using Fragment Programs",
+  /// section "Lighting Algorithms").
+  cosine,
+  /// smoothstep(cos outer, cos inner, cos u): the dual cone of Randima Fernando and Mark Kilgard 2003, "The Cg
+  /// Tutorial", section 5.5.3.
+  smoothstep,
 };
 
 /// Angular shape of a light. Angles are radians from the axis (half angles).

@@ -33,8 +33,9 @@ inline constexpr double kIntensityMaxUlp = std::is_same_v<Real, float> ? 1 : 2;
 inline constexpr double kPeakRangeMaxError = 1e-8;
 
 /// Fog colour intensity of a light: the supremum over [0, extent] of opacity(r) * attenuation(r).
-/// Hales 2004, "Lighting in Fog", there by sampling; here exactly: beyond the knee the derivative's sign is that of a
-/// power series with one change of sign, so the one peak is at the knee, at the stationary point, or at the extent.
+/// Steven Hales 2004, "Realtime Pixel Lighting Using Fragment Programs", section "Lighting in Fog", samples it. Here it
+/// is exact: beyond the knee the derivative has the sign of a power series with one change of sign, so the only peak is
+/// at the knee, at the stationary point, or at the extent.
 ///
 /// attenuation  constant (1), linear (1/m), quadratic (1/m^2): finite, >= 0, not all zero
 /// fog.density  1/m, >= 0; 0 is clear air (intensity 0), infinity is total fog (attenuation at 0+)

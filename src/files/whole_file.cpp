@@ -73,7 +73,7 @@ class TemporaryFile {
     while (!text.empty()) {
       const ssize_t written = write(file_, text.data(), text.size());
       if (written < 0 && errno != EINTR) return false;
-      text.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
+      text.remove_prefix(std::size_t(std::max<ssize_t>(written, 0)));
     }
     return close(std::exchange(file_, -1)) == 0;
   }

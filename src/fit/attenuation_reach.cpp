@@ -31,7 +31,7 @@ Interval reachable_denominators(const AttenuationTarget& target, double range) {
 }
 
 /// The ranges, as fractions of the extent, at which an attenuation can be reached; low > high if there are none.
-/// Between the constant and 1/t, a denominator is reached from where L alone has it to where Q alone does.
+/// A denominator between the constant and 1/t is reached at ranges from that of L alone to that of Q alone.
 Interval reachable_ranges(const AttenuationTarget& target, double attenuation) {
   const double wanted = 1 / attenuation;
   const double top = 1 / target.threshold;

@@ -270,7 +270,7 @@ class SmoothstepProfile {
     const double farthest = outer_ ? *outer_ : points_.back().versine;
     return {{0, outer_ ? *outer_ : 0}, {farthest, outer_ ? *outer_ : 2}};
   }
-  /// The middle, or near the diagonal the corner that is a cone at all.
+  /// The middle, or near the diagonal the corner that is a cone.
   std::optional<Parameters> start(const Box& box) const {
     if (!(box.least[0] < box.most[1])) return std::nullopt;
     const Parameters middle{(box.least[0] + box.most[0]) / 2, (box.least[1] + box.most[1]) / 2};

@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-// Small dense least squares for the fits of this folder. Internal: Ceres shows in no public header.
+// Small dense least squares for the fits of this folder. Internal, so that no public header includes Ceres.
 
 namespace litfog {
 

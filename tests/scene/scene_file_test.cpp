@@ -236,22 +236,22 @@ TEST_F(SceneFile, RefusesWhatItDoesNotKnow) {
 }
 
 TEST_F(SceneFile, RefusesWhatFloatsCannotDraw) {
-  const auto refusal_of_light = [this](const std::string& members) {
+  const auto error_of_light = [this](const std::string& members) {
     return refusal(std::string("\"objects\": [], \"lights\": [{\"light\": {") + kLamp + members + "}]");
   };
-  EXPECT_EQ(refusal_of_light("}, \"position\": [0, 1e8, 0]").substr(8),
+  EXPECT_EQ(error_of_light("}, \"position\": [0, 1e8, 0]").substr(8),
             "lights[0].position = an array: must have coordinates in [-10000000, 10000000]");
-  EXPECT_NE(refusal_of_light("}, \"position\": [0, 0, 0], \"aim\": [1e308, 0, 0]").find("lights[0].aim"),
+  EXPECT_NE(error_of_light("}, \"position\": [0, 0, 0], \"aim\": [1e308, 0, 0]").find("lights[0].aim"),
             std::string::npos);
-  EXPECT_NE(refusal_of_light("}, \"position\": [0, 0, 0], \"direction\": [1e308, 1e308, 0]").find("must have a length"),
+  EXPECT_NE(error_of_light("}, \"position\": [0, 0, 0], \"direction\": [1e308, 1e308, 0]").find("must have a length"),
             std::string::npos);
-  EXPECT_NE(refusal_of_light("}, \"position\": [0, 0, 0], \"color\": [0, 0, 1e5]").find("must be a colour"),
+  EXPECT_NE(error_of_light("}, \"position\": [0, 0, 0], \"color\": [0, 0, 1e5]").find("must be a colour"),
             std::string::npos);
-  EXPECT_NE(refusal_of_light(", \"color\": [0, 0, 1e300]}, \"position\": [0, 0, 0]").find("lights[0].light.color"),
+  EXPECT_NE(error_of_light(", \"color\": [0, 0, 1e300]}, \"position\": [0, 0, 0]").find("lights[0].light.color"),
             std::string::npos);
-  EXPECT_NE(refusal_of_light(", \"density_scale\": 1e300}, \"position\": [0, 0, 0]").find("must be at most 1000000"),
+  EXPECT_NE(error_of_light(", \"density_scale\": 1e300}, \"position\": [0, 0, 0]").find("must be at most 1000000"),
             std::string::npos);
-  EXPECT_NE(refusal_of_light("}, \"position\": [0, 0, 0], \"repeat\": [{\"count\": 9, \"step\": [1e307, 0, 0]}]")
+  EXPECT_NE(error_of_light("}, \"position\": [0, 0, 0], \"repeat\": [{\"count\": 9, \"step\": [1e307, 0, 0]}]")
                 .find("repeat[0].step"),
             std::string::npos);
   EXPECT_NE(refusal("\"objects\": [{\"model\": \"crate\", \"scatter\": {\"count\": 2, \"area\": [0, 0, 1e300, 1]}}]")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Everything per fragment in world space (Lacroix 2005, "Unified per-pixel lighting solution", listings 2.1 to 2.3),
-// with the Cg Tutorial's Basic model and Hales's fog.
+// Everything per fragment in world space, with the Cg Tutorial's Basic model and Hales's fog (Jason Lacroix 2005, "Let
+// There Be Light!: A Unified Lighting Technique for a New Generation of Games", section "Unified per-pixel lighting
+// solution", listings 2.1 to 2.3).
 
 #include "cookie.glsl"
 #include "litfog/shaders/surface.glsl"

@@ -14,9 +14,9 @@ namespace litfog {
 /// Texels along the edge of a cookie: 1 to this. The largest cookie has 400 MB of texels.
 inline constexpr int kMaxCookieSize = 4096;
 
-/// A light's full angular shape as a cube map (Frazier 2000, "Real-Time Per-Pixel Point Lights and Spot Lights"). It is
-/// looked up by directions in the light's frame: the axis is -z, as the default direction of a placed light is, and +y
-/// is up.
+/// A light's full angular shape as a cube map (Ronald Frazier 2000, "Real-Time Per-Pixel Point Lights and Spot Lights
+/// in OpenGL"). It is looked up by directions in the light's frame: the axis is -z, as the default direction of a
+/// placed light is, and +y is up.
 struct Cookie {
   int size = 0;  ///< texels along an edge, [1, kMaxCookieSize]
   /// Intensity over the light's peak, [0, 1]: 6 * size * size texels, faces +x -x +y -y +z -z, each with its rows and

@@ -11,7 +11,7 @@ namespace litfog {
 /// is UTF-8, or else Latin-1.
 ///
 /// Intensities are the file's cd/klm times its conversion factor times the flux of the first set of lamps (the others
-/// are alternatives). The listed angles are used; the distances Dc and Dg between them are not.
+/// are alternatives). The angles in the file are used; the distances Dc and Dg between them are not.
 ///
 /// Errors, besides missing or malformed numbers: intensities < 0 or all 0, a conversion factor or flux <= 0, angles
 /// beyond [0, 360] and [0, 180] or not increasing, more than 10,000 of them, planes that do not fit the symmetry,

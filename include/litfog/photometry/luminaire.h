@@ -26,7 +26,7 @@ struct LuminousOpening {
   double height = 0;
 };
 
-/// What a photometric file says about a luminaire.
+/// What a photometric file states about a luminaire.
 struct Luminaire {
   std::string file = {};     ///< as named to the reader
   std::string name;          ///< UTF-8, as all text; empty if the file does not state it
