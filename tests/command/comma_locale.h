@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <clocale>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -35,7 +36,9 @@ class CommaLocale {
     const std::string at = "cd '" + folder.string() + "' && ";
     std::system((at + "localedef --no-archive -c -f ./charmap -i ./source ./comma >log 2>&1").c_str());
     setenv("LOCPATH", folder.c_str(), 1);
-    std::locale::global(std::locale("comma"));
+    std::setlocale(LC_ALL, "comma");
+    // Not std::locale("comma"): glibc's newlocale leaks the folders that it searched when LOCPATH is set.
+    std::locale::global(std::locale(std::locale::classic(), new CommaNumbers));
     std::snprintf(line, sizeof line, "%g", 1.5);
     EXPECT_STREQ(line, "1,5");
   }
@@ -47,6 +50,12 @@ class CommaLocale {
   CommaLocale& operator=(const CommaLocale&) = delete;
 
  private:
+  struct CommaNumbers : std::numpunct<char> {
+    char do_decimal_point() const override { return ','; }
+    char do_thousands_sep() const override { return '.'; }
+    std::string do_grouping() const override { return "\3"; }
+  };
+
   TemporaryDirectory directory_;
 };
 
