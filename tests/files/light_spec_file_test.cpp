@@ -149,7 +149,9 @@ void expect_equal(const LightSpec& a, const LightSpec& b) {
   }
   const auto expect_equal_angles = [](std::optional<double> x, std::optional<double> y) {
     ASSERT_EQ(x.has_value(), y.has_value());
-    if (x) EXPECT_DOUBLE_EQ(*x, *y);
+    if (x) {
+      EXPECT_DOUBLE_EQ(*x, *y);
+    }
   };
   ASSERT_EQ(a.cone.has_value(), b.cone.has_value());
   if (a.cone) {

@@ -84,8 +84,8 @@ struct LightSpecText;
 /// What a light-spec file says. Its figures are of the right types; whether a light can have them is for the fits to
 /// say.
 struct LightSpec {
-  std::string file;  ///< its path
-  std::string name;
+  std::string file = {};  ///< its path
+  std::string name = {};
   std::vector<std::string> source = {};
   glm::dvec3 color{1.0};
   double density_scale = 1;
