@@ -26,8 +26,7 @@ std::vector<unsigned char> encoded(const std::string& path, const OIIO::ImageSpe
                                    const std::vector<float>& pixels) {
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput memory(bytes);
-  OIIO::attribute("threads", 1);  // a picture is written on this thread: another may not start
-  OIIO::attribute("debug", 0);    // which would tell on standard error that a date is left out
+  OIIO::attribute("debug", 0);  // which would tell on standard error that a date is left out
   const auto output = OIIO::ImageOutput::create(path);
   if (!output) throw OutputError(path + ": cannot be written: " + OIIO::geterror());
   if (!output->set_ioproxy(&memory) || !output->open(path, spec) ||

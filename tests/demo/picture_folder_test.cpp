@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "demo/picture_folder.h"
 
+#include "demo/picture_file.h"
+
 #include <gtest/gtest.h>
 
 #include <CLI/CLI.hpp>
@@ -50,6 +52,7 @@ TEST_F(PictureFolderTest, ReplacingAnInputIsAnError) {
 }
 
 TEST_F(PictureFolderTest, FolderIsFilledWhereNoThreadCanStart) {
+  write_picture(path("before.png"), kPixel);  // OpenImageIO starts threads of its own with the first picture
   const NoMoreThreads limit;
   PictureFolder pictures(path("a"), {"first.png", "second.png"}, {});
   pictures.write("first.png", kPixel);
