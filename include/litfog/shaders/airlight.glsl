@@ -1,0 +1,408 @@
+// SPDX-License-Identifier: Apache-2.0
+// litfog: the light that the fog scatters from a lamp into the eye along a ray (airlight, single scattering):
+//
+//   A = integral over s in [0, D] of  -f'(s) a(r) cone(u) f(r)^k phase(theta)  ds
+//
+// s from the eye, r and u the range and angle from the lamp, theta the angle of scattering. GLSL includes this file like
+// any other; C++ takes the same text through src/airlight_text.h.
+//
+// Method. Along the ray, x is the distance from the closest approach to the lamp. The part of the ray that can
+// contribute (inside extent, cone and the fog's reach) is cut where the integrand is not smooth: at the closest
+// approach, at the ends of the plateau (where the attenuation is clamped to 1), at the edges of a cone and, for a beam
+// that crosses the ray, at its middle. On each piece Gauss-Legendre nodes are evenly spread in
+//   t = asinh(z / w),  z = (1 - e^(-q x)) / q,
+// in which both the falloff of the lamp (of width w) and that of exp fog (of rate q) are nearly straight. A point lamp
+// in isotropic fog has a closed form on the plateau and takes 8 nodes elsewhere; all else takes 16.
+//
+// Errors and what they were measured on: litfog/airlight.h.
+
+#ifndef LITFOG_AIRLIGHT_GLSL
+#define LITFOG_AIRLIGHT_GLSL
+
+#include "litfog/shaders/formulas.glsl"
+
+#ifndef __cplusplus
+#define LITFOG_REAL float
+#define LITFOG_CONSTANT const
+#endif
+
+// A lamp as a ray sees it, and the fog.
+struct LitfogAirlight {
+  LITFOG_REAL density;       // of the fog as the lamp's class sees it, 1/m
+  LITFOG_REAL mode;          // 0 exp, 1 exp2
+  LITFOG_REAL lamp_leg;      // k: 1 where the light loses f(r) on its way from the lamp, 0 where it does not
+  LITFOG_REAL asymmetry;     // g of Henyey and Greenstein's phase function, (-1, 1); 0 is isotropic
+  LITFOG_REAL constant;      // of the attenuation
+  LITFOG_REAL linear;
+  LITFOG_REAL quadratic;
+  LITFOG_REAL extent;        // metres
+  LITFOG_REAL profile;       // of the cone: 0 none, 1 cosine, 2 smoothstep, 3 the including program's
+  LITFOG_REAL cone_x;        // cosine: cos half angle; smoothstep: cos outer
+  LITFOG_REAL cone_y;        // cosine: exponent; smoothstep: cos inner
+  LITFOG_REAL length;        // D, metres
+  LITFOG_REAL approach;      // metres from the eye to the closest approach; below 0 where that is behind the eye
+  LITFOG_REAL offset;        // metres from the closest approach to the lamp
+  LITFOG_REAL axis_offset;   // component of that offset along the cone's axis: lamp to closest approach
+  LITFOG_REAL axis_slope;    // cosine between the ray and the cone's axis
+};
+
+LITFOG_CONSTANT LITFOG_REAL litfog_far = LITFOG_REAL(1.0e30);  // stands for infinity
+
+// Nodes and weights of Gauss and Legendre on [0, 1]: 1 to 8 nodes, one rule after the other.
+#ifdef __cplusplus
+#define LITFOG_TABLE = {
+#define LITFOG_TABLE_END };
+#else
+#define LITFOG_TABLE = float[](
+#define LITFOG_TABLE_END );
+#endif
+LITFOG_CONSTANT LITFOG_REAL litfog_gauss_nodes[36] LITFOG_TABLE
+    0.5,
+    0.2113248654051871, 0.7886751345948129,
+    0.1127016653792583, 0.5, 0.8872983346207417,
+    0.06943184420297371, 0.3300094782075719, 0.6699905217924281, 0.9305681557970263,
+    0.046910077030668, 0.2307653449471585, 0.5, 0.7692346550528415, 0.953089922969332,
+    0.03376524289842399, 0.1693953067668677, 0.3806904069584015, 0.6193095930415985, 0.8306046932331323,
+    0.966234757101576,
+    0.02544604382862074, 0.1292344072003028, 0.2970774243113014, 0.5, 0.7029225756886986, 0.8707655927996972,
+    0.9745539561713793,
+    0.01985507175123188, 0.1016667612931866, 0.2372337950418355, 0.4082826787521751, 0.5917173212478249,
+    0.7627662049581645, 0.8983332387068134, 0.9801449282487681
+LITFOG_TABLE_END
+LITFOG_CONSTANT LITFOG_REAL litfog_gauss_weights[36] LITFOG_TABLE
+    1.0,
+    0.5, 0.5,
+    0.2777777777777778, 0.4444444444444444, 0.2777777777777778,
+    0.1739274225687269, 0.3260725774312731, 0.3260725774312731, 0.1739274225687269,
+    0.1184634425280945, 0.2393143352496832, 0.2844444444444444, 0.2393143352496832, 0.1184634425280945,
+    0.08566224618958517, 0.1803807865240693, 0.2339569672863455, 0.2339569672863455, 0.1803807865240693,
+    0.08566224618958517,
+    0.06474248308443485, 0.1398526957446383, 0.1909150252525595, 0.2089795918367347, 0.1909150252525595,
+    0.1398526957446383, 0.06474248308443485,
+    0.05061426814518813, 0.1111905172266872, 0.1568533229389436, 0.181341891689181, 0.181341891689181,
+    0.1568533229389436, 0.1111905172266872, 0.05061426814518813
+LITFOG_TABLE_END
+
+// Range from the lamp at a distance along the ray from the closest approach.
+LITFOG_REAL litfog_airlight_range(LitfogAirlight air, LITFOG_REAL along) {
+  return sqrt(air.offset * air.offset + along * along);
+}
+
+// Cosine from the cone's axis there; in the lamp itself that of the ray onward.
+LITFOG_REAL litfog_airlight_cosine(LitfogAirlight air, LITFOG_REAL along, LITFOG_REAL range) {
+  return range > LITFOG_REAL(0.0) ? (air.axis_offset + air.axis_slope * along) / range : air.axis_slope;
+}
+
+#ifdef LITFOG_COOKIES
+// The including program's: fraction of the axial intensity there.
+LITFOG_REAL litfog_airlight_cookie(LitfogAirlight air, LITFOG_REAL along);
+#endif
+
+LITFOG_REAL litfog_airlight_beam(LitfogAirlight air, LITFOG_REAL along, LITFOG_REAL range) {
+  if (air.profile == LITFOG_REAL(0.0)) return LITFOG_REAL(1.0);
+#ifdef LITFOG_COOKIES
+  if (air.profile == LITFOG_REAL(3.0)) return litfog_airlight_cookie(air, along);
+#endif
+  LITFOG_REAL cosine = litfog_airlight_cosine(air, along, range);
+  if (air.profile == LITFOG_REAL(1.0)) return litfog_cosine_cone(cosine, air.cone_x, air.cone_y);
+  return litfog_smoothstep_cone(cosine, air.cone_y, air.cone_x);
+}
+
+// Henyey and Greenstein's phase function over its isotropic value (1941, "Diffuse Radiation in the Galaxy").
+LITFOG_REAL litfog_phase(LITFOG_REAL cosine, LITFOG_REAL asymmetry) {
+  LITFOG_REAL square = asymmetry * asymmetry;
+  LITFOG_REAL base = LITFOG_REAL(1.0) + square - LITFOG_REAL(2.0) * asymmetry * cosine;
+  return (LITFOG_REAL(1.0) - square) / (base * sqrt(base));
+}
+
+// The integrand at a distance along the ray from the closest approach.
+LITFOG_REAL litfog_airlight_integrand(LitfogAirlight air, LITFOG_REAL along) {
+  LITFOG_REAL range = litfog_airlight_range(air, along);
+  LITFOG_REAL seen = max(air.approach + along, LITFOG_REAL(0.0));
+  LITFOG_REAL lit = air.lamp_leg * range;
+  LITFOG_REAL weight;
+  if (air.mode == LITFOG_REAL(0.0)) {
+    weight = exp(-air.density * (seen + lit));
+  } else {
+    LITFOG_REAL x = air.density * seen;
+    LITFOG_REAL y = air.density * lit;
+    weight = LITFOG_REAL(2.0) * x * exp(-x * x - y * y);
+  }
+  weight *= air.density * litfog_attenuation(range, air.constant, air.linear, air.quadratic);
+  if (air.asymmetry != LITFOG_REAL(0.0) && range > LITFOG_REAL(0.0)) {
+    weight *= litfog_phase(-along / range, air.asymmetry);
+  }
+  return weight * litfog_airlight_beam(air, along, range);
+}
+
+// x e^x E1(x), E1 being the exponential integral, x >= 0. Largest error 3e-7 (Abramowitz and Stegun 1964, "Handbook of
+// Mathematical Functions", 5.1.53 and 5.1.56).
+LITFOG_REAL litfog_scaled_e1(LITFOG_REAL x) {
+  if (x <= LITFOG_REAL(0.0)) return LITFOG_REAL(0.0);
+  if (x < LITFOG_REAL(1.0)) {
+    LITFOG_REAL series =
+        LITFOG_REAL(-0.57721566) +
+        x * (LITFOG_REAL(0.99999193) +
+             x * (LITFOG_REAL(-0.24991055) +
+                  x * (LITFOG_REAL(0.05519968) + x * (LITFOG_REAL(-0.00976004) + x * LITFOG_REAL(0.00107857)))));
+    return x * exp(x) * (series - log(x));
+  }
+  LITFOG_REAL above = LITFOG_REAL(0.2677737343) +
+                      x * (LITFOG_REAL(8.6347608925) +
+                           x * (LITFOG_REAL(18.0590169730) + x * (LITFOG_REAL(8.5733287401) + x)));
+  LITFOG_REAL below = LITFOG_REAL(3.9584969228) +
+                      x * (LITFOG_REAL(21.0996530827) +
+                           x * (LITFOG_REAL(25.6329561486) + x * (LITFOG_REAL(9.5733223454) + x)));
+  return x > LITFOG_REAL(1.0e6) ? LITFOG_REAL(1.0) : above / below;
+}
+
+// Error function. Largest error 2e-7 (Abramowitz and Stegun, 7.1.26).
+LITFOG_REAL litfog_erf(LITFOG_REAL x) {
+  LITFOG_REAL size = abs(x);
+  LITFOG_REAL t = LITFOG_REAL(1.0) / (LITFOG_REAL(1.0) + LITFOG_REAL(0.3275911) * size);
+  LITFOG_REAL series =
+      t * (LITFOG_REAL(0.254829592) +
+           t * (LITFOG_REAL(-0.284496736) +
+                t * (LITFOG_REAL(1.421413741) + t * (LITFOG_REAL(-1.453152027) + t * LITFOG_REAL(1.061405429)))));
+  LITFOG_REAL size_of_erf = LITFOG_REAL(1.0) - series * exp(-min(size, LITFOG_REAL(9.0)) * min(size, LITFOG_REAL(9.0)));
+  return x < LITFOG_REAL(0.0) ? -size_of_erf : size_of_erf;
+}
+
+// An antiderivative of the integrand in isotropic fog where attenuation and cone are 1. In exp fog with the lamp's leg,
+// v = d (x + r) turns it into e^(-d approach - v) (1 + (d offset)^2 / v^2) / 2 dv.
+LITFOG_REAL litfog_airlight_plateau(LitfogAirlight air, LITFOG_REAL along) {
+  LITFOG_REAL d = air.density;
+  if (air.mode == LITFOG_REAL(0.0)) {
+    if (air.lamp_leg == LITFOG_REAL(0.0)) return litfog_expm1(-d * max(air.approach + along, LITFOG_REAL(0.0))) * LITFOG_REAL(-1.0);
+    LITFOG_REAL larger = litfog_airlight_range(air, along) + abs(along);
+    LITFOG_REAL smaller = larger > LITFOG_REAL(0.0) ? air.offset * air.offset / larger : LITFOG_REAL(0.0);
+    LITFOG_REAL v = d * (along < LITFOG_REAL(0.0) ? smaller : larger);
+    LITFOG_REAL mirrored = d * (along < LITFOG_REAL(0.0) ? larger : smaller);  // (d offset)^2 / v
+    LITFOG_REAL bracket = LITFOG_REAL(1.0) + mirrored * (LITFOG_REAL(1.0) - litfog_scaled_e1(v));
+    return LITFOG_REAL(-0.5) * bracket * exp(-d * air.approach - v);
+  }
+  LITFOG_REAL x = d * max(air.approach + along, LITFOG_REAL(0.0));
+  if (air.lamp_leg == LITFOG_REAL(0.0)) return litfog_expm1(-x * x) * LITFOG_REAL(-1.0);
+  LITFOG_REAL half_way = LITFOG_REAL(0.5) * d * air.approach;
+  LITFOG_REAL y = d * litfog_airlight_range(air, along);
+  LITFOG_REAL at_half_way = LITFOG_REAL(2.0) * half_way * half_way + d * air.offset * d * air.offset;
+  return LITFOG_REAL(-0.5) * exp(-x * x - y * y) +
+         LITFOG_REAL(1.2533141373155) * half_way * exp(-at_half_way) *
+             litfog_erf(LITFOG_REAL(1.4142135623731) * (x - half_way));
+}
+
+// Where along the ray the attenuation has a range: the distance from the closest approach, 0 if it has it nowhere.
+LITFOG_REAL litfog_airlight_chord(LitfogAirlight air, LITFOG_REAL range) {
+  return range > air.offset ? sqrt(range - air.offset) * sqrt(range + air.offset) : LITFOG_REAL(0.0);
+}
+
+// Range at which the denominator C + L r + Q r^2 has a value.
+LITFOG_REAL litfog_airlight_level(LitfogAirlight air, LITFOG_REAL value) {
+  LITFOG_REAL rise = value - air.constant;
+  if (rise <= LITFOG_REAL(0.0)) return LITFOG_REAL(0.0);
+  LITFOG_REAL below = air.linear + sqrt(air.linear * air.linear + LITFOG_REAL(4.0) * air.quadratic * rise);
+  return below * litfog_far > LITFOG_REAL(2.0) * rise ? LITFOG_REAL(2.0) * rise / below : litfog_far;
+}
+
+// Where the ray crosses the cone of a cosine: the number of crossings; the root of lower or higher place.
+LITFOG_REAL litfog_airlight_crossing(LitfogAirlight air, LITFOG_REAL cosine, bool higher) {
+  LITFOG_REAL c2 = cosine * cosine;
+  LITFOG_REAL a = air.axis_slope * air.axis_slope - c2;
+  LITFOG_REAL b = air.axis_offset * air.axis_slope;
+  LITFOG_REAL c = air.axis_offset * air.axis_offset - c2 * air.offset * air.offset;
+  LITFOG_REAL discriminant = b * b - a * c;
+  if (discriminant < LITFOG_REAL(0.0)) return litfog_far;
+  LITFOG_REAL root = sqrt(discriminant);
+  LITFOG_REAL q = b < LITFOG_REAL(0.0) ? root - b : -b - root;
+  LITFOG_REAL first = abs(a) * litfog_far > abs(q) ? q / a : litfog_far;
+  LITFOG_REAL second = q != LITFOG_REAL(0.0) ? c / q : LITFOG_REAL(0.0);
+  LITFOG_REAL place = higher ? max(first, second) : min(first, second);
+  // The other nappe is that of the opposite cosine.
+  return (air.axis_offset + air.axis_slope * place) * cosine >= LITFOG_REAL(0.0) ? place : litfog_far;
+}
+
+// A piece of the ray on which the integrand is smooth.
+struct LitfogAirlightPiece {
+  LITFOG_REAL anchor;  // x is measured from here,
+  LITFOG_REAL side;    // 1 beyond it or -1 before it,
+  LITFOG_REAL nearest; // from this x on
+  LITFOG_REAL rate;    // q of z
+  LITFOG_REAL width;   // w of t
+  LITFOG_REAL start;   // t at the nearest end
+  LITFOG_REAL size;    // in t; 0 where the piece is not lit
+};
+
+LitfogAirlightPiece litfog_airlight_piece(LitfogAirlight air, LITFOG_REAL from, LITFOG_REAL to, LITFOG_REAL anchor,
+                                          LITFOG_REAL width) {
+  LitfogAirlightPiece piece;
+  piece.anchor = anchor;
+  bool beyond = from + to > LITFOG_REAL(2.0) * anchor;
+  piece.side = beyond ? LITFOG_REAL(1.0) : LITFOG_REAL(-1.0);
+  piece.nearest = beyond ? max(from - anchor, LITFOG_REAL(0.0)) : max(anchor - to, LITFOG_REAL(0.0));
+  piece.rate = LITFOG_REAL(0.0);
+  if (air.mode == LITFOG_REAL(0.0)) {
+    piece.rate = air.density * (beyond ? LITFOG_REAL(1.0) + air.lamp_leg : air.lamp_leg - LITFOG_REAL(1.0));
+  }
+  LITFOG_REAL z = to - from;
+  if (piece.rate > LITFOG_REAL(0.0)) z = -litfog_expm1(-piece.rate * z) / piece.rate;
+  if (piece.rate < LITFOG_REAL(0.0)) z = (exp(-piece.rate * z) - LITFOG_REAL(1.0)) / -piece.rate;
+  LITFOG_REAL end = piece.nearest + z;
+  piece.width = max(width, LITFOG_REAL(0.0025) * end);
+  piece.start = asinh(piece.nearest / piece.width);
+  piece.size = max(asinh(end / piece.width) - piece.start, LITFOG_REAL(0.0));
+  return piece;
+}
+
+// The integral over a piece by 1 to 16 nodes; more than 8 are those of its two halves.
+LITFOG_REAL litfog_airlight_on_piece(LitfogAirlight air, LitfogAirlightPiece piece, int nodes) {
+  int halves = nodes > 8 ? 2 : 1;
+  int nodes_each = (nodes + halves - 1) / halves;
+  int rule = nodes_each * (nodes_each - 1) / 2;
+  LITFOG_REAL size = piece.size / LITFOG_REAL(halves);
+  LITFOG_REAL sum = LITFOG_REAL(0.0);
+  for (int i = 0; i < nodes_each * halves; ++i) {
+    int half_of = i < nodes_each ? 0 : 1;
+    int node = rule + i - half_of * nodes_each;
+    LITFOG_REAL growth = exp(piece.start + size * (LITFOG_REAL(half_of) + litfog_gauss_nodes[node]));
+    LITFOG_REAL sinh_t = LITFOG_REAL(0.5) * (growth - LITFOG_REAL(1.0) / growth);
+    LITFOG_REAL cosh_t = LITFOG_REAL(0.5) * (growth + LITFOG_REAL(1.0) / growth);
+    LITFOG_REAL z = max(piece.width * sinh_t - piece.nearest, LITFOG_REAL(0.0));
+    LITFOG_REAL decay = max(LITFOG_REAL(1.0) - piece.rate * z, LITFOG_REAL(1.0e-7));  // e^(-q x) since the nearest end
+    LITFOG_REAL x = piece.nearest + (piece.rate == LITFOG_REAL(0.0) ? z : -log(decay) / piece.rate);
+    sum += litfog_gauss_weights[node] * (piece.width * cosh_t / decay) *
+           litfog_airlight_integrand(air, piece.anchor + piece.side * x);
+  }
+  return sum * size;
+}
+
+LITFOG_REAL litfog_airlight(LitfogAirlight air) {
+  if (!(air.density > LITFOG_REAL(0.0)) || air.offset >= air.extent) return LITFOG_REAL(0.0);
+  LITFOG_REAL fog_scale = LITFOG_REAL(1.0) / air.density;
+  LITFOG_REAL chord = litfog_airlight_chord(air, air.extent);
+  LITFOG_REAL low = max(-air.approach, -chord);
+  LITFOG_REAL high = min(air.length - air.approach, chord);
+  high = min(high, max(low, LITFOG_REAL(0.0)) + LITFOG_REAL(100.0) * fog_scale);
+  if (!(high > low)) return LITFOG_REAL(0.0);
+
+  LITFOG_REAL cuts[11];
+  int count = 0;
+  bool has_cone = air.profile == LITFOG_REAL(1.0) || air.profile == LITFOG_REAL(2.0);
+  bool is_wide = has_cone && air.cone_x <= LITFOG_REAL(0.0);
+  if (has_cone) {
+    LITFOG_REAL first = litfog_airlight_crossing(air, air.cone_x, false);
+    LITFOG_REAL last = litfog_airlight_crossing(air, air.cone_x, true);
+    first = first > low && first < high ? first : litfog_far;
+    last = last > low && last < high ? last : litfog_far;
+    if (is_wide) {  // all but one stretch of the ray may be lit
+      if (first != litfog_far) cuts[count++] = first;
+      if (last != litfog_far) cuts[count++] = last;
+    } else {  // one stretch
+      LITFOG_REAL enters = low;
+      LITFOG_REAL leaves = high;
+      if (litfog_airlight_cosine(air, low, litfog_airlight_range(air, low)) <= air.cone_x) enters = min(first, last);
+      if (litfog_airlight_cosine(air, high, litfog_airlight_range(air, high)) <= air.cone_x) {
+        leaves = first == litfog_far ? last : last == litfog_far ? first : max(first, last);
+      }
+      if (!(min(leaves, high) > enters)) return LITFOG_REAL(0.0);
+      low = enters;
+      high = min(leaves, high);
+    }
+  }
+
+  // What of it the fog leaves: exp fog 1e-4, exp2 fog 3e-4 of its first metres.
+  if (air.mode == LITFOG_REAL(0.0)) {
+    high = min(high, air.lamp_leg == LITFOG_REAL(0.0) ? low + LITFOG_REAL(9.0) * fog_scale
+                                                      : max(low, LITFOG_REAL(0.0)) + LITFOG_REAL(4.5) * fog_scale +
+                                                            min(LITFOG_REAL(4.5) * fog_scale, air.offset));
+  } else {
+    LITFOG_REAL brightest = LITFOG_REAL(0.5) * air.lamp_leg * max(air.approach, LITFOG_REAL(0.0)) - air.approach;
+    LITFOG_REAL reach = LITFOG_REAL(8.0) / (LITFOG_REAL(1.0) + air.lamp_leg) * fog_scale * fog_scale;
+    LITFOG_REAL before = max(low - brightest, LITFOG_REAL(0.0));
+    LITFOG_REAL after = max(brightest - high, LITFOG_REAL(0.0));
+    high = min(high, brightest + sqrt(before * before + reach));
+    low = max(low, brightest - sqrt(after * after + reach));
+  }
+  if (!(high > low)) return LITFOG_REAL(0.0);
+
+  LITFOG_REAL plateau = litfog_airlight_chord(air, litfog_airlight_level(air, LITFOG_REAL(1.0)));
+  bool is_plain = air.profile == LITFOG_REAL(0.0) && air.asymmetry == LITFOG_REAL(0.0);
+  LITFOG_REAL sum = LITFOG_REAL(0.0);
+  if (is_plain && min(high, plateau) > max(low, -plateau)) {
+    sum = litfog_airlight_plateau(air, min(high, plateau)) - litfog_airlight_plateau(air, max(low, -plateau));
+  }
+
+  // The falloff's width: where the denominator has doubled.
+  LITFOG_REAL denominator = litfog_denominator(air.offset, air.constant, air.linear, air.quadratic);
+  LITFOG_REAL doubled = litfog_airlight_level(air, LITFOG_REAL(2.0) * max(LITFOG_REAL(1.0), denominator));
+  LITFOG_REAL width = min(litfog_airlight_chord(air, doubled), max(air.offset, LITFOG_REAL(2.0) * fog_scale));
+  if (air.asymmetry != LITFOG_REAL(0.0)) width = min(width, max(air.offset, LITFOG_REAL(1.0e-3) * fog_scale));
+
+  // Where the ray is nearest to the beam's axis in angle, and the beam's width there.
+  LITFOG_REAL crossing = LITFOG_REAL(0.0);
+  LITFOG_REAL beam_width = litfog_far;
+  bool crosses = false;
+  if (has_cone && air.axis_offset > LITFOG_REAL(0.0)) {
+    crossing = air.axis_slope * air.offset * air.offset / air.axis_offset;
+    LITFOG_REAL cosine = LITFOG_REAL(0.5) * (air.cone_x + air.cone_y);
+    LITFOG_REAL sine_squared = air.profile == LITFOG_REAL(1.0)
+                                   ? -litfog_expm1(LITFOG_REAL(-1.3862944) / max(air.cone_y, LITFOG_REAL(0.05)))
+                                   : LITFOG_REAL(1.0) - cosine * cosine;
+    beam_width = LITFOG_REAL(1.2) * sqrt(sine_squared) * (air.offset * air.offset + crossing * crossing) /
+                 max(air.offset, LITFOG_REAL(1.0e-9));
+    crosses = crossing > low && crossing < high && beam_width < width &&
+              abs(crossing) > LITFOG_REAL(4.0) * beam_width;
+    if (!crosses) width = min(width, max(max(beam_width, air.offset), LITFOG_REAL(0.03) * width));
+  }
+  LITFOG_REAL border = LITFOG_REAL(0.5) * crossing;  // between the two that x is measured from
+
+  if (air.profile == LITFOG_REAL(2.0)) {  // the inner edge
+    cuts[count++] = litfog_airlight_crossing(air, air.cone_y, false);
+    cuts[count++] = litfog_airlight_crossing(air, air.cone_y, true);
+  }
+  cuts[count++] = low;
+  cuts[count++] = high;
+  cuts[count++] = LITFOG_REAL(0.0);
+  cuts[count++] = -plateau;
+  cuts[count++] = plateau;
+  if (crosses) {
+    cuts[count++] = crossing;
+    cuts[count++] = border;
+  }
+  for (int i = 0; i < count; ++i) {
+    LITFOG_REAL cut = clamp(cuts[i], low, high);
+    int place = i;
+    for (; place > 0 && cuts[place - 1] > cut; --place) cuts[place] = cuts[place - 1];
+    cuts[place] = cut;
+  }
+
+  LitfogAirlightPiece pieces[10];
+  LITFOG_REAL roots = LITFOG_REAL(0.0);
+  for (int i = 0; i + 1 < count; ++i) {
+    LITFOG_REAL centre = LITFOG_REAL(0.5) * (cuts[i] + cuts[i + 1]);
+    bool is_by_crossing = crosses && (crossing > LITFOG_REAL(0.0) ? centre > border : centre < border);
+    pieces[i] = litfog_airlight_piece(air, cuts[i], cuts[i + 1], is_by_crossing ? crossing : LITFOG_REAL(0.0),
+                                      is_by_crossing ? beam_width : width);
+    if ((is_plain && abs(centre) < plateau) ||
+        (is_wide && litfog_airlight_cosine(air, centre, litfog_airlight_range(air, centre)) <= air.cone_x)) {
+      pieces[i].size = LITFOG_REAL(0.0);
+    }
+    roots += sqrt(pieces[i].size);
+  }
+  LITFOG_REAL nodes_left = is_plain ? LITFOG_REAL(8.0) : LITFOG_REAL(20.0);
+  for (int i = 0; i + 1 < count; ++i) {  // nodes in proportion to the root of the size
+    LITFOG_REAL root = sqrt(pieces[i].size);
+    if (root <= LITFOG_REAL(0.0)) continue;
+    LITFOG_REAL nodes = clamp(floor(nodes_left * root / roots + LITFOG_REAL(0.5)), LITFOG_REAL(1.0), LITFOG_REAL(16.0));
+    nodes_left -= nodes;
+    roots = max(roots - root, LITFOG_REAL(1.0e-9));
+    sum += litfog_airlight_on_piece(air, pieces[i], int(nodes));
+  }
+  return max(sum, LITFOG_REAL(0.0));
+}
+
+#undef LITFOG_TABLE
+#undef LITFOG_TABLE_END
+#undef LITFOG_CONSTANT
+#undef LITFOG_REAL
+
+#endif
