@@ -144,8 +144,7 @@ struct CosineResidual {
 
   template <typename T>
   T operator()(const T& exponent) const {
-    return std::sqrt(point.weight) *
-           (formulas::litfog_cosine_cone(T(point.cosine), T(edge), exponent) - point.fraction);
+    return std::sqrt(point.weight) * (formulas::cosine_cone(T(point.cosine), T(edge), exponent) - point.fraction);
   }
 };
 
@@ -157,7 +156,7 @@ struct SmoothstepResidual {
   template <typename T>
   T operator()(const T& inner, const T& outer) const {
     return std::sqrt(point.weight) *
-           (formulas::litfog_smoothstep_cone(T(-point.versine), T(-inner), T(-outer)) - point.fraction);
+           (formulas::smoothstep_cone(T(-point.versine), T(-inner), T(-outer)) - point.fraction);
   }
 };
 
@@ -351,7 +350,7 @@ class SmoothstepProfile {
   static double cone_at(const Point& point, const Parameters& parameters) {
     // Not even the limit of cones that end here lights it, and all light the axis.
     if (point.versine >= parameters[1] && point.versine > 0) return 0;
-    return formulas::litfog_smoothstep_cone(-point.versine, -parameters[0], -parameters[1]);
+    return formulas::smoothstep_cone(-point.versine, -parameters[0], -parameters[1]);
   }
 
   const std::vector<Point>& points_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // litfog: the scalar formulas of the model in metres, 1/m and cosines. GLSL includes this file like any other; C++
-// takes the same text through litfog/formulas.h, which defines LITFOG_REAL, LITFOG_FUNCTION and litfog_expm1 first.
+// takes the same text through litfog/formulas.h, which defines LITFOG_REAL and LITFOG_FUNCTION first and drops the
+// prefix litfog_ of every function, so that no variable here may have a function's name without it.
 
 #ifndef LITFOG_FORMULAS_GLSL
 #define LITFOG_FORMULAS_GLSL
@@ -20,8 +21,8 @@ LITFOG_FUNCTION LITFOG_REAL litfog_denominator(LITFOG_REAL range, LITFOG_REAL co
 // Range attenuation min(1, 1 / (C + L r + Q r^2))  (Hales 2004)
 LITFOG_FUNCTION LITFOG_REAL litfog_attenuation(LITFOG_REAL range, LITFOG_REAL constant, LITFOG_REAL linear,
                                                LITFOG_REAL quadratic) {
-  LITFOG_REAL denominator = litfog_denominator(range, constant, linear, quadratic);
-  return denominator > LITFOG_REAL(1.0) ? LITFOG_REAL(1.0) / denominator : LITFOG_REAL(1.0);
+  LITFOG_REAL divisor = litfog_denominator(range, constant, linear, quadratic);
+  return divisor > LITFOG_REAL(1.0) ? LITFOG_REAL(1.0) / divisor : LITFOG_REAL(1.0);
 }
 
 // Optical depth of exp fog, d r, and of exp2 fog, (d r)^2
