@@ -19,6 +19,8 @@ double optical_depth(const Fog& fog, double range) {
 
 }  // namespace
 
+const char* name_of(FogMode mode) { return mode == FogMode::exp ? "exp" : "exp2"; }
+
 template <typename Real>
 BasicFog<Real> BasicFog<Real>::from_visibility(FogMode mode, Real metres, Real contrast) {
   if (!(metres >= 0)) require(ValueError{"visibility", metres, "must be >= 0"});

@@ -15,7 +15,6 @@
 
 #include "command/command.h"
 #include "command/csv.h"
-#include "command/fog_mode_name.h"
 #include "command/number.h"
 #include "command/option_rule.h"
 #include "command/output_files.h"
@@ -119,7 +118,7 @@ ExitStatus solve_table(const Options& options) {
       const FogIntensity result = solve(options, light.attenuation, fog, light.threshold);
       if (result.status != SolveStatus::ok) status = kNotToTolerance;
       auto& row = table.rows.emplace_back();
-      row = {light.name, fog_mode_name(fog.mode)};
+      row = {light.name, name_of(fog.mode)};
       if (has_visibility) row.emplace_back(value);
       for (const double cell : {fog.density, constant, linear, quadratic, light.threshold, result.extent,
                                 result.peak_range, result.intensity}) {
@@ -187,6 +186,14 @@ struct Row {
   Attenuation attenuation;
   double threshold;
 };
+
+/// The inverse of name_of; nothing for any other word.
+std::optional<FogMode> parse_fog_mode(std::string_view text) {
+  for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
+    if (text == name_of(mode)) return mode;
+  }
+  return std::nullopt;
+}
 
 std::optional<Defect> read_row(const Header& header, const CsvRecord& record, Row& row) {
   if (record.defect() != nullptr) return Defect{record.defect_place(), record.defect()};
