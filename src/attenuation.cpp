@@ -40,7 +40,7 @@ double attenuation_at(const Attenuation& attenuation, double range) {
   if (std::isinf(range)) {  // 0 * infinity is no value
     return linear == 0 && quadratic == 0 ? attenuation_at(attenuation, 0) : 0;
   }
-  return formulas::litfog_attenuation(range, constant, linear, quadratic);
+  return formulas::attenuation(range, constant, linear, quadratic);
 }
 
 double unchecked::compute_extent(const Attenuation& attenuation, double threshold) {

@@ -50,9 +50,9 @@ double cutoff_angle(const Cone& cone) {
 double cone_at(const Cone& cone, double cos_angle) {
   switch (cone.profile) {
     case ConeProfile::cosine:
-      return formulas::litfog_cosine_cone(cos_angle, std::cos(cone.half_angle), cone.exponent);
+      return formulas::cosine_cone(cos_angle, std::cos(cone.half_angle), cone.exponent);
     case ConeProfile::smoothstep:
-      return formulas::litfog_smoothstep_cone(cos_angle, std::cos(cone.inner), std::cos(cone.outer));
+      return formulas::smoothstep_cone(cos_angle, std::cos(cone.inner), std::cos(cone.outer));
     case ConeProfile::none:
       break;
   }

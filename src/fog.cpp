@@ -14,11 +14,12 @@ namespace {
 /// value.
 double optical_depth(const Fog& fog, double range) {
   if (fog.density == 0 || range == 0) return 0;
-  return fog.mode == FogMode::exp ? formulas::litfog_depth_exp(range, fog.density)
-                                  : formulas::litfog_depth_exp2(range, fog.density);
+  return fog.mode == FogMode::exp ? formulas::depth_exp(range, fog.density) : formulas::depth_exp2(range, fog.density);
 }
 
 }  // namespace
+
+const char* name_of(FogMode mode) { return mode == FogMode::exp ? "exp" : "exp2"; }
 
 template <typename Real>
 BasicFog<Real> BasicFog<Real>::from_visibility(FogMode mode, Real metres, Real contrast) {
@@ -50,6 +51,6 @@ Fog scaled(const Fog& fog, double density_scale) {
 
 double fog_factor_at(const Fog& fog, double range) { return std::exp(-optical_depth(fog, range)); }
 
-double opacity_at(const Fog& fog, double range) { return formulas::litfog_opacity(optical_depth(fog, range)); }
+double opacity_at(const Fog& fog, double range) { return formulas::opacity(optical_depth(fog, range)); }
 
 }  // namespace litfog

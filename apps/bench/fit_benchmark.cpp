@@ -74,9 +74,8 @@ struct Residual {
   template <typename T>
   bool operator()(const T* coefficients, T* residual) const {
     using std::log;
-    residual[0] =
-        log(formulas::litfog_attenuation(T(sample.range), coefficients[0], coefficients[1], coefficients[2])) -
-        std::log(sample.attenuation);
+    residual[0] = log(formulas::attenuation(T(sample.range), coefficients[0], coefficients[1], coefficients[2])) -
+                  std::log(sample.attenuation);
     return true;
   }
 };

@@ -17,6 +17,7 @@
 #include "bench/solve_benchmark.h"
 #include "bench/update_benchmark.h"
 #include "command/command.h"
+#include "command/option_rule.h"
 #include "command/output_files.h"
 #include "command/plot.h"
 #include "command/table.h"
@@ -155,8 +156,6 @@ ExitStatus run(const Options& options) {
     if (*file) outputs.add(option, **file);
   }
   if (!options.isa.empty()) {
-    const bool has_batches = options.benchmark == Benchmark::solve || options.benchmark == Benchmark::update;
-    if (!has_batches) fail_option("--isa", options.isa, "must be given with solve or update: the others have no batches");
     const auto targets = simd_targets();
     if (std::ranges::find(targets, options.isa) == targets.end()) {
       fail_option("--isa", options.isa, fmt::format("must be one of {} on this machine", fmt::join(targets, ", ")));
@@ -198,5 +197,10 @@ int main(int argc, char** argv) {
                           {{"table", TableFormat::text}, {"csv", TableFormat::csv}, {"json", TableFormat::json}},
                           "Format on standard output, table if not given");
   app.add_flag("--quick", options.quick, "Fewer lights or tables and shorter runs, to see that it works");
-  return run_command(app, argc, argv, [&] { return run(options); });
+  return run_command(app, argc, argv, [&] {
+    const std::string benchmark = app["benchmark"]->as<std::string>();
+    const bool has_batches = options.benchmark == Benchmark::solve || options.benchmark == Benchmark::update;
+    check_options(app, {{benchmark, !has_batches, {"--isa"}, "it has no batches"}});
+    return run(options);
+  });
 }

@@ -149,7 +149,8 @@ command::Chart make_light_chart(const std::vector<Trial>& trials, render::Skippi
   return chart;
 }
 
-/// Hales 2004, table 1: "normalized graphics card data", per pixel over legacy of the same card.
+/// The cards of Steven Hales 2004, "Realtime Pixel Lighting Using Fragment Programs", table 1: "normalized graphics
+/// card data", per pixel over legacy of the same card.
 struct Card {
   const char* name;
   double legacy;

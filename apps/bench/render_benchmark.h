@@ -20,7 +20,8 @@ namespace litfog::bench {
 ///                      colour channel; empty for unlit
 /// excepted_pixels      too close to a jump of the model to be compared
 ///
-/// The picture shows frame time over the number of lights and Hales's table 1 (2004) beside this machine's.
+/// The picture shows frame time over the number of lights and, beside this machine's, table 1 of Steven Hales 2004,
+/// "Realtime Pixel Lighting Using Fragment Programs".
 ///
 /// quick   one scene, small, few lights: to see that it works
 /// throws  gl::Unsupported where there is no OpenGL 3.3 through EGL

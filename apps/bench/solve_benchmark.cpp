@@ -17,7 +17,6 @@
 #include "bench/rival.h"
 #include "bench/sampled_batch.h"
 #include "bench/stopwatch.h"
-#include "command/fog_mode_name.h"
 #include "command/progress.h"
 #include "litfog/batch.h"
 #include "litfog/solve.h"
@@ -78,8 +77,8 @@ struct Problem {
       const Attenuation attenuation{lights.constant[i], lights.linear[i], lights.quadratic[i]};
       references.push_back(
           test::solve_reference(attenuation, Fog{mode, lights.density[i]}, lights.threshold[i]).intensity);
-      progress.show(fmt::format("references, {} {}: {} of {}", command::fog_mode_name(mode), kPrecisionName<Real>,
-                                i + 1, reference_count));
+      progress.show(
+          fmt::format("references, {} {}: {} of {}", name_of(mode), kPrecisionName<Real>, i + 1, reference_count));
     }
   }
 };
@@ -198,7 +197,7 @@ std::vector<Method> methods_of(Problem<double>& problem, Problem<float>& problem
 }
 
 command::Chart draw_pareto(FogMode fog, const std::vector<Measurement>& measurements) {
-  command::Chart chart{.title = fmt::format("{} fog", command::fog_mode_name(fog)),
+  command::Chart chart{.title = fmt::format("{} fog", name_of(fog)),
                        .x = {"processor time of one thread per light (ns)", true, 0.05, 5e4},
                        .y = {"largest error of the intensity (1/255)", true, 1e-16, 1e4},
                        .key = command::KeyPlace::none};
@@ -243,8 +242,7 @@ command::Table make_table(const std::vector<Measurement>& measurements) {
     const auto error = [&errors = measurement.errors](double Errors::*member) {
       return errors ? Cell((*errors).*member) : Cell(std::monostate());
     };
-    table.rows.push_back({method.name, method.precision,
-                          method.fog ? Cell(command::fog_mode_name(*method.fog)) : std::monostate(),
+    table.rows.push_back({method.name, method.precision, method.fog ? Cell(name_of(*method.fog)) : std::monostate(),
                           measurement.timing.median, measurement.timing.spread, error(&Errors::max_ulp),
                           error(&Errors::mean_ulp), error(&Errors::max_255), error(&Errors::mean_255)});
   }
@@ -301,8 +299,7 @@ Result measure_solve(bool quick) {
     measurements.back().errors = errors;
     if (!(errors.max_ulp <= method.stated_ulp)) {
       result.failures.push_back(fmt::format("{} {} {}: error = {} ulp: must be at most {}", method.name,
-                                            method.precision, command::fog_mode_name(*method.fog), errors.max_ulp,
-                                            method.stated_ulp));
+                                            method.precision, name_of(*method.fog), errors.max_ulp, method.stated_ulp));
     }
   }
   result.table = make_table(measurements);

@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "bench/light_mix.h"
-#include "command/fog_mode_name.h"
 #include "command/progress.h"
 #include "litfog/batch.h"
 #include "litfog/updater.h"
@@ -106,8 +105,7 @@ Record follow(const Follower& follower, FogMode mode, const std::vector<PlacedLi
       const double deviation = 255 * brightest * std::abs(follower.intensity(i) - exact[i % scale.kinds]);
       record.max_deviation_255 = std::max(record.max_deviation_255, deviation);
     }
-    progress.show(
-        fmt::format("{}, {} fog: step {} of {}", follower.name, command::fog_mode_name(mode), step, scale.steps));
+    progress.show(fmt::format("{}, {} fog: step {} of {}", follower.name, name_of(mode), step, scale.steps));
   }
   return record;
 }
@@ -168,7 +166,7 @@ void draw(const std::string& name, FogMode mode, const Record& record, command::
     time.points.push_back({visibility, record.milliseconds[i]});
     share.points.push_back({visibility, 100 * record.skipped_shares[i]});
   }
-  times.title = shares.title = std::string(command::fog_mode_name(mode)) + " fog";
+  times.title = shares.title = std::string(name_of(mode)) + " fog";
   times.series.push_back(time);
   if (name == "updater") shares.series.push_back(share);
 }
@@ -196,13 +194,13 @@ Result measure_update(bool quick) {
       double share = 0;
       for (const double one : record.skipped_shares) share += one / double(scale.steps);
       result.table.rows.push_back(
-          {name, command::fog_mode_name(mode), double(scale.lights), double(scale.kinds), double(scale.steps),
+          {name, name_of(mode), double(scale.lights), double(scale.kinds), double(scale.steps),
            measure::quantile(record.milliseconds, 0.5),
            measure::quantile(record.milliseconds, 0.9) - measure::quantile(record.milliseconds, 0.1), share,
            record.max_deviation_255});
       if (!(record.max_deviation_255 <= allowed_255)) {
-        result.failures.push_back(fmt::format("{} {}: deviation = {}/255: must be at most {}/255", name,
-                                              command::fog_mode_name(mode), record.max_deviation_255, allowed_255));
+        result.failures.push_back(fmt::format("{} {}: deviation = {}/255: must be at most {}/255", name, name_of(mode),
+                                              record.max_deviation_255, allowed_255));
       }
       const std::size_t column = mode == FogMode::exp ? 0 : 1;
       draw(name, mode, record, times[column], shares[column]);

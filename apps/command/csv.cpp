@@ -45,10 +45,10 @@ int CsvReader::take() {
   if (byte == kEnd) return kEnd;
   ++next_;
   if (byte == '\n') {
-    ++place_.line;
-    place_.column = 1;
+    ++location_.line;
+    location_.column = 1;
   } else if ((byte & 0xC0) != 0x80) {  // not within a code point
-    ++place_.column;
+    ++location_.column;
   }
   return byte;
 }
@@ -62,17 +62,17 @@ bool CsvReader::read(CsvRecord& record) {
   };
   drop_content();
   record.ends_in_crlf_ = false;
-  record.defect_ = nullptr;
+  record.error_ = nullptr;
 
-  const TextPlace start = place_;
+  const CsvLocation start = location_;
   enum class State { field_start, plain, quoted, quote_seen } state = State::field_start;
-  const auto note_defect = [&record](const char* rule, TextPlace place) {
-    if (record.defect_ == nullptr) {
-      record.defect_ = rule;
-      record.defect_place_ = place;
+  const auto note_error = [&record](const char* rule, CsvLocation location) {
+    if (record.error_ == nullptr) {
+      record.error_ = rule;
+      record.error_location_ = location;
     }
   };
-  const auto begin_field = [&] { record.fields_.push_back({record.text_.size(), 0, 0, place_}); };
+  const auto begin_field = [&] { record.fields_.push_back({record.text_.size(), 0, 0, location_}); };
   const auto end_field = [&] {
     record.fields_.back().size = record.text_.size() - record.fields_.back().begin;
     record.fields_.back().raw_end = record.raw_.size();
@@ -82,12 +82,12 @@ bool CsvReader::read(CsvRecord& record) {
   bool is_too_long = false;
   begin_field();
   for (;;) {
-    const TextPlace place = place_;
+    const CsvLocation location = location_;
     const int taken = take();
     const char byte = char(taken);
     if (taken == kEnd || (state != State::quoted && (byte == '\n' || (byte == '\r' && peek() == '\n')))) {
       if (taken == kEnd && state == State::quoted) {
-        note_defect("quote must be closed", record.fields_.back().place);
+        note_error("quote must be closed", record.fields_.back().location);
         record.raw_ += '"';  // so that what is written behind stays outside
       }
       if (byte == '\r') {
@@ -125,7 +125,7 @@ bool CsvReader::read(CsvRecord& record) {
         if (byte == '"') {
           state = State::quoted;
         } else {
-          note_defect("quoted field must end at its quote", place);
+          note_error("quoted field must end at its quote", location);
           state = State::plain;
         }
         break;
@@ -137,8 +137,8 @@ bool CsvReader::read(CsvRecord& record) {
   end_field();
   if (is_too_long) {
     drop_content();
-    record.defect_ = "record must not be longer than 1 MiB (is a quote left open?)";
-    record.defect_place_ = start;
+    record.error_ = "record must not be longer than 1 MiB (is a quote left open?)";
+    record.error_location_ = start;
   }
   return true;
 }

@@ -18,7 +18,7 @@ namespace litfog::command {
 /// its columns at compile time.
 
 /// Location in a text, from 1; a column is a code point.
-struct TextPlace {
+struct CsvLocation {
   long line = 1;
   long column = 1;
 };
@@ -30,16 +30,16 @@ class CsvRecord {
   std::string_view field(std::size_t i) const {
     return std::string_view(text_).substr(fields_[i].begin, fields_[i].size);
   }
-  TextPlace place(std::size_t i) const { return fields_[i].place; }  ///< of a quoted field: its quote
+  CsvLocation location(std::size_t i) const { return fields_[i].location; }  ///< of a quoted field: its quote
 
   /// The first fields as they stood in the file, quotes and commas included, without the line's end.
   std::string_view raw(std::size_t count) const;
-  bool is_blank() const { return raw_.empty() && defect_ == nullptr; }
+  bool is_blank() const { return raw_.empty() && error_ == nullptr; }
   bool ends_in_crlf() const { return ends_in_crlf_; }
 
   /// What is wrong with the record, or null. One that is too long has lost its fields.
-  const char* defect() const { return defect_; }
-  TextPlace defect_place() const { return defect_place_; }
+  const char* error() const { return error_; }
+  CsvLocation error_location() const { return error_location_; }
 
  private:
   friend class CsvReader;
@@ -47,15 +47,15 @@ class CsvRecord {
     std::size_t begin;  // in text_
     std::size_t size;
     std::size_t raw_end;
-    TextPlace place;
+    CsvLocation location;
   };
 
   std::string text_;  // all fields' texts, end to end
   std::string raw_;
   std::vector<Field> fields_;
   bool ends_in_crlf_ = false;
-  const char* defect_ = nullptr;
-  TextPlace defect_place_;
+  const char* error_ = nullptr;
+  CsvLocation error_location_;
 };
 
 /// Reads records one by one; holds one, of at most 1 MiB.
@@ -80,7 +80,7 @@ class CsvReader {
   std::array<char, 65536> buffer_;
   std::size_t next_ = 0;
   std::size_t filled_ = 0;
-  TextPlace place_;
+  CsvLocation location_;
 };
 
 /// A text as a CSV field, in quotes where it needs them.

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "command/fog_mode_name.h"
 #include "command/progress.h"
 #include "litfog/gl/headless_context.h"
 #include "render/renderer.h"
@@ -34,7 +33,7 @@ std::string stats_json(const scene::Scene& scene, const DrawingOptions& options,
   const measure::FrameTimes& times = drawn.times;
   Json stats{{"scene", scene.name},
              {"path", options.render.path->name},
-             {"fog", options.fog ? command::fog_mode_name(*options.fog) : "none"},
+             {"fog", options.fog ? name_of(*options.fog) : "none"},
              {"visibility_m", std::isinf(drawn.visibility) ? Json("inf") : Json(drawn.visibility)},
              {"size", {options.width, options.height}},
              {"lights", scene.lights.size()},

@@ -7,13 +7,12 @@
 #include <memory>
 
 #include "command/command.h"
-#include "command/fog_mode_name.h"
 #include "command/progress.h"
-#include "files/whole_file.h"
 #include "demo/comparison_page.h"
 #include "demo/contact_sheet.h"
 #include "demo/heat_map.h"
 #include "demo/picture_folder.h"
+#include "files/whole_file.h"
 #include "measure/comparison.h"
 #include "measure/frame_times.h"
 #include "scene/scene.h"
@@ -25,7 +24,7 @@ constexpr std::size_t kSheetColumns = 4;
 
 std::string words_of(const Fog& fog, double visibility) {
   if (std::isinf(visibility)) return "clear air";
-  return fmt::format("{} fog, visibility {} m", command::fog_mode_name(fog.mode), visibility);
+  return fmt::format("{} fog, visibility {} m", name_of(fog.mode), visibility);
 }
 
 std::string words_of(const render::RenderSettings& settings) {
@@ -138,11 +137,11 @@ void compare_paths(const std::vector<scene::Scene>& scenes, const std::string& f
   for (const scene::Scene& scene : scenes) results.push_back(compare_scene(scene, pictures, machine, settings));
   pictures.finish();
   files::write_whole_file(page, comparison_page({.machine = machine,
-                                                   .width = settings.width,
-                                                   .height = settings.height,
-                                                   .frames = settings.frames,
-                                                   .settings = words_of(settings.render)},
-                                                  results));
+                                                 .width = settings.width,
+                                                 .height = settings.height,
+                                                 .frames = settings.frames,
+                                                 .settings = words_of(settings.render)},
+                                                results));
   command::report(fmt::format("{} shows all\n", page));
 }
 

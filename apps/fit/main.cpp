@@ -11,13 +11,14 @@
 #include <vector>
 
 #include "command/command.h"
+#include "command/option_rule.h"
 #include "command/output_files.h"
 #include "command/plot.h"
 #include "command/progress.h"
 #include "command/table.h"
-#include "files/whole_file.h"
 #include "files/angle_deg.h"
 #include "files/json_text.h"
+#include "files/whole_file.h"
 #include "fit/data_sheet.h"
 #include "fit/fit_figure.h"
 #include "fit/fit_record.h"
@@ -118,14 +119,29 @@ int gravity(ExitStatus status) {
   }
 }
 
+/// Options that the inputs, all of them read, give nothing to do.
+std::vector<OptionRule> rules_of(const std::vector<Outcome>& outcomes) {
+  const auto has_none = [&outcomes](const auto& has) {
+    return std::ranges::none_of(outcomes,
+                                [&has](const Outcome& outcome) { return !outcome.target || has(*outcome.target); });
+  };
+  const std::string inputs = outcomes.size() == 1 ? outcomes.front().input : "these inputs";
+  return {{inputs,
+           has_none([](const LightTarget& target) { return target.range && !target.range->samples.empty(); }),
+           {"--robust"},
+           "there is no falloff table"},
+          {inputs,
+           has_none([](const LightTarget& target) { return target.cone.has_value(); }),
+           {"--profile"},
+           "there is no cone to fit"}};
+}
+
 /// Where each input's light goes.
 std::vector<Outcome> plan(const Options& options) {
   std::error_code error;
   const bool is_folder = fs::is_directory(options.output, error);
-  if (options.inputs.size() > 1) {
-    if (!options.output.empty() && !is_folder) fail_option("-o", options.output, "must be a folder for several inputs");
-    if (!options.plot.empty()) fail_option("--plot", options.plot, "must be given with a single input");
-    if (!options.cookie.empty()) fail_option("--cookie", options.cookie, "must be given with a single input");
+  if (options.inputs.size() > 1 && !options.output.empty() && !is_folder) {
+    fail_option("-o", options.output, "must be a folder for several inputs");
   }
   std::vector<Outcome> outcomes;
   for (const std::string& input : options.inputs) {
@@ -268,7 +284,7 @@ std::string report_of(const std::vector<Outcome>& outcomes, TableFormat format) 
   return outcomes.front().fit ? format_data_sheet(*outcomes.front().fit) : "";
 }
 
-ExitStatus run(const Options& options) {
+ExitStatus run(const CLI::App& app, const Options& options) {
   std::optional<FigureFormat> figure_format;
   if (!options.plot.empty()) figure_format = figure_format_of("--plot", options.plot);
   if (!options.cookie.empty() && fs::path(options.cookie).extension() != ".exr") {
@@ -281,6 +297,7 @@ ExitStatus run(const Options& options) {
     read(options, outcome);
     if (outcome.target) expect_apart_from_files_of(*outcome.target, outputs);
   }
+  check_options(app, rules_of(outcomes));
 
   ExitStatus worst = kDone;
   {
@@ -323,10 +340,12 @@ int main(int argc, char** argv) {
   app.add_flag("--robust", options.is_robust, "For measured falloff tables: samples that lie far off count less");
   app.add_option("--plot", options.plot, "Draw targets, fits and errors over range and angle")
       ->type_name("FILE.png|FILE.svg");
-  app.add_option("--cookie", options.cookie,
-                 "Write the beam of a photometric file as a cube map, six faces in a column")
-      ->type_name("FILE.exr");
-  add_integer(app, "--cookie-size", options.cookie_size, 1, 4096, "Edge of a face in texels, 256 if not given");
+  CLI::Option* const cookie =
+      app.add_option("--cookie", options.cookie,
+                     "Write the beam of a photometric file as a cube map, six faces in a column")
+          ->type_name("FILE.exr");
+  add_integer(app, "--cookie-size", options.cookie_size, 1, 4096, "Edge of a face in texels, 256 if not given")
+      ->needs(cookie);
   app.add_flag("--reproducible", options.is_reproducible,
                "Leave the time out of the light's \"fit\": same input, same file");
   add_choice<TableFormat>(app, "--format", options.format, {{"text", TableFormat::text}, {"json", TableFormat::json}},
@@ -337,9 +356,10 @@ int main(int argc, char** argv) {
       if (app.count(option) > 0 && value->empty()) fail_option(option, "", "must not be empty");
     }
     if (app.count("--profile") > 0) options.profile = profile;
-    if (app.count("--cookie-size") > 0 && options.cookie.empty()) {
-      throw CLI::ValidationError("--cookie-size needs --cookie");
-    }
-    return run(options);
+    const bool shows_no_record = options.output.empty() && options.format == TableFormat::text;
+    check_options(
+        app, {{"several inputs", options.inputs.size() > 1, {"--plot", "--cookie"}, "it shows a single light"},
+              {"--format text and no -o", shows_no_record, {"--reproducible"}, "the light's \"fit\" is not written"}});
+    return run(app, options);
   });
 }

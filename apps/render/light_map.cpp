@@ -25,8 +25,7 @@ bool is_boundary(int i, int size) { return i == 0 || i == size - 1; }
 /// The attenuation at a fraction of the extent, 0 beyond it.
 double attenuation(const RangeProfile& profile, double fraction) {
   if (fraction > 1) return 0;
-  return formulas::litfog_attenuation(fraction, double(profile.constant), double(profile.linear),
-                                      double(profile.quadratic));
+  return formulas::attenuation(fraction, double(profile.constant), double(profile.linear), double(profile.quadratic));
 }
 
 bool is_narrowed(const Cone& cone) { return cutoff_angle(cone) <= kWidestDrawnIn; }

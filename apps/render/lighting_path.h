@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -79,7 +80,7 @@ enum class LightMapSet {
 struct LightingPath {
   std::string_view name;
   std::string_view description;
-  std::string_view source;  ///< paper and section
+  std::string source;  ///< paper and section
   SurfaceModel surface = SurfaceModel::basic;
   RangeLaw range = RangeLaw::attenuation;
   Evaluation evaluation = Evaluation::fragment;

@@ -24,11 +24,12 @@ Bearing bearing_of(const glm::dvec3& direction, const Attitude& viewpoint);
 
 /// Rotation into light coordinates: x in the direction of the light, y to its left, z up. "Typically a spot light may
 /// be defined relative to a viewpoint, with an azimuth and elevation. The viewpoint also may have heading, pitch, and
-/// roll." (Hales 2004, "Embedding Angle Attenuation in a Texture Map")
+/// roll." (Steven Hales 2004, "Realtime Pixel Lighting Using Fragment Programs", section "Embedding Angle Attenuation
+/// in a Texture Map")
 glm::dmat3 light_from_world(const Bearing& light, const Attitude& viewpoint);
 
-/// Rotation into the orthonormal basis of a light: x to its right, y up, -z along its direction (Frazier 2000,
-/// "Filtering a Point Light into a Spot Light").
+/// Rotation into the orthonormal basis of a light: x to its right, y up, -z along its direction (Ronald Frazier 2000,
+/// "Real-Time Per-Pixel Point Lights and Spot Lights in OpenGL", section "Filtering a Point Light into a Spot Light").
 ///
 /// direction  unit
 glm::dmat3 basis_from_world(const glm::dvec3& direction);

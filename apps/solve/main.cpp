@@ -15,7 +15,6 @@
 
 #include "command/command.h"
 #include "command/csv.h"
-#include "command/fog_mode_name.h"
 #include "command/number.h"
 #include "command/option_rule.h"
 #include "command/output_files.h"
@@ -119,7 +118,7 @@ ExitStatus solve_table(const Options& options) {
       const FogIntensity result = solve(options, light.attenuation, fog, light.threshold);
       if (result.status != SolveStatus::ok) status = kNotToTolerance;
       auto& row = table.rows.emplace_back();
-      row = {light.name, fog_mode_name(fog.mode)};
+      row = {light.name, name_of(fog.mode)};
       if (has_visibility) row.emplace_back(value);
       for (const double cell : {fog.density, constant, linear, quadratic, light.threshold, result.extent,
                                 result.peak_range, result.intensity}) {
@@ -140,14 +139,14 @@ constexpr std::size_t kMaxColumns = 1024;  // a row that is shorter than the hea
 constexpr std::array<std::string_view, 4> kAppendedNames{"extent", "peak_range", "intensity", "status"};
 
 /// What is wrong with a row, and where.
-struct Defect {
-  TextPlace place;
-  std::string reason;
+struct RowError {
+  CsvLocation location;
+  std::string sentence;
 };
 
-litfog::InputError located(const std::string& file, const Defect& defect) {
-  const auto& [line, column] = defect.place;
-  return {{file, std::size_t(line), std::size_t(column)}, defect.reason};
+litfog::InputError located(const std::string& file, const RowError& error) {
+  const auto& [line, column] = error.location;
+  return {{file, std::size_t(line), std::size_t(column)}, error.sentence};
 }
 
 /// The header: which field of a row holds which column.
@@ -156,27 +155,28 @@ struct Header {
   std::size_t field_count;
 };
 
-std::optional<Defect> read_header(const CsvRecord& record, Header& header) {
-  if (record.defect() != nullptr) return Defect{record.defect_place(), fmt::format("header: {}", record.defect())};
+std::optional<RowError> read_header(const CsvRecord& record, Header& header) {
+  if (record.error() != nullptr) return RowError{record.error_location(), fmt::format("header: {}", record.error())};
   if (record.size() > kMaxColumns) {
-    return Defect{record.place(kMaxColumns), fmt::format("header: must not have more than {} columns", kMaxColumns)};
+    return RowError{record.location(kMaxColumns),
+                    fmt::format("header: must not have more than {} columns", kMaxColumns)};
   }
   std::array<bool, kColumnCount> is_found{};
   header.field_count = record.size();
   for (std::size_t i = 0; i < record.size(); ++i) {
     const std::string_view name = record.field(i);
     if (std::find(kAppendedNames.begin(), kAppendedNames.end(), name) != kAppendedNames.end()) {
-      return Defect{record.place(i), fmt::format("column {}: must not be given, it is computed", name)};
+      return RowError{record.location(i), fmt::format("column {}: must not be given, it is computed", name)};
     }
     const auto known = std::find(kColumnNames.begin(), kColumnNames.end(), name);
     if (known == kColumnNames.end()) continue;
     const auto column = std::size_t(known - kColumnNames.begin());
-    if (is_found[column]) return Defect{record.place(i), fmt::format("column {}: must not be given twice", name)};
+    if (is_found[column]) return RowError{record.location(i), fmt::format("column {}: must not be given twice", name)};
     is_found[column] = true;
     header.index[column] = i;
   }
   for (std::size_t column = 0; column < kColumnCount; ++column) {
-    if (!is_found[column]) return Defect{{}, fmt::format("column {}: must be given", kColumnNames[column])};
+    if (!is_found[column]) return RowError{{}, fmt::format("column {}: must be given", kColumnNames[column])};
   }
   return std::nullopt;
 }
@@ -188,23 +188,32 @@ struct Row {
   double threshold;
 };
 
-std::optional<Defect> read_row(const Header& header, const CsvRecord& record, Row& row) {
-  if (record.defect() != nullptr) return Defect{record.defect_place(), record.defect()};
-  if (record.size() != header.field_count) {
-    return Defect{record.place(std::min(record.size(), header.field_count + 1) - 1),
-                  fmt::format("number of fields = {}: must be {} as in the header", record.size(), header.field_count)};
+/// The inverse of name_of; nothing for any other word.
+std::optional<FogMode> parse_fog_mode(std::string_view text) {
+  for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
+    if (text == name_of(mode)) return mode;
   }
-  const auto defect_of = [&](std::size_t column, std::string_view rule) {
+  return std::nullopt;
+}
+
+std::optional<RowError> read_row(const Header& header, const CsvRecord& record, Row& row) {
+  if (record.error() != nullptr) return RowError{record.error_location(), record.error()};
+  if (record.size() != header.field_count) {
+    return RowError{
+        record.location(std::min(record.size(), header.field_count + 1) - 1),
+        fmt::format("number of fields = {}: must be {} as in the header", record.size(), header.field_count)};
+  }
+  const auto error_in = [&](std::size_t column, std::string_view rule) {
     const std::size_t i = header.index[column];
-    return Defect{record.place(i), fmt::format("{} = {}: {}", kColumnNames[column],
-                                               litfog::files::quoted_excerpt(record.field(i)), rule)};
+    return RowError{record.location(i), fmt::format("{} = {}: {}", kColumnNames[column],
+                                                    litfog::files::quoted_excerpt(record.field(i)), rule)};
   };
   const auto mode = parse_fog_mode(record.field(header.index[kFog]));
-  if (!mode) return defect_of(kFog, "must be exp or exp2");
+  if (!mode) return error_in(kFog, "must be exp or exp2");
   std::array<double, kColumnCount> values;
   for (std::size_t column = kDensity; column < kColumnCount; ++column) {
     const auto number = parse_number(record.field(header.index[column]));
-    if (!number) return defect_of(column, "must be a number");
+    if (!number) return error_in(column, "must be a number");
     values[column] = *number;
   }
   row = {{*mode, values[kDensity]}, {values[kConstant], values[kLinear], values[kQuadratic]}, values[kThreshold]};
@@ -216,7 +225,7 @@ std::optional<Defect> read_row(const Header& header, const CsvRecord& record, Ro
   std::string_view field = error->field;
   field.remove_prefix(field.rfind('.') + 1);  // "attenuation.linear" is the column linear
   const auto column = std::find(kColumnNames.begin(), kColumnNames.end(), field);
-  return defect_of(std::size_t(column - kColumnNames.begin()), error->rule);
+  return error_in(std::size_t(column - kColumnNames.begin()), error->rule);
 }
 
 /// Bad rows on standard error, at most a screenful of them, and the progress.
@@ -224,8 +233,8 @@ class BatchReport {
  public:
   explicit BatchReport(const std::string& file) : file_(file) {}
 
-  void add_defect(const Defect& defect) {
-    if (++defects_ <= kMaxReported) progress_.print(located(file_, defect).what());
+  void add_error(const RowError& error) {
+    if (++errors_ <= kMaxReported) progress_.print(located(file_, error).what());
   }
 
   void add_row() {
@@ -234,15 +243,15 @@ class BatchReport {
 
   /// Returns whether all rows were good.
   bool finish() {
-    if (defects_ > kMaxReported) progress_.print(fmt::format("{}: {} more bad rows", file_, defects_ - kMaxReported));
-    return defects_ == 0;
+    if (errors_ > kMaxReported) progress_.print(fmt::format("{}: {} more bad rows", file_, errors_ - kMaxReported));
+    return errors_ == 0;
   }
 
  private:
   static constexpr long kMaxReported = 20;
 
   std::string file_;
-  long defects_ = 0;
+  long errors_ = 0;
   long rows_ = 0;
   Progress progress_;
 };
@@ -263,7 +272,7 @@ ExitStatus solve_batch(const Options& options) {
   CsvRecord record;
   Header header;
   if (!reader.read(record)) throw located(name, {{}, "header: must be given"});
-  if (const auto defect = read_header(record, header)) throw located(name, *defect);
+  if (const auto error = read_header(record, header)) throw located(name, *error);
 
   const char* const line_end = record.ends_in_crlf() ? "\r\n" : "\n";
   fmt::memory_buffer out;
@@ -275,13 +284,13 @@ ExitStatus solve_batch(const Options& options) {
     Row row;
     if (record.is_blank()) {  // no row, and still none in the output
       fmt::format_to(std::back_inserter(out), "{}", line_end);
-    } else if (const auto defect = read_row(header, record, row)) {
-      report.add_defect(*defect);
+    } else if (const auto error = read_row(header, record, row)) {
+      report.add_error(*error);
       // As many fields as the header has, so that the status stands in its column.
       const std::size_t count = std::min(record.size(), header.field_count);
       const std::size_t missing = header.field_count - std::max(count, std::size_t{1});
       fmt::format_to(std::back_inserter(out), "{}{:,>{}},,,,{}{}", record.raw(count), "", missing,
-                     csv_quoted(defect->reason), line_end);
+                     csv_quoted(error->sentence), line_end);
     } else {
       const FogIntensity result = solve(options, row.attenuation, row.fog, row.threshold);
       if (result.status != SolveStatus::ok) status = kNotToTolerance;

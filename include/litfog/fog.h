@@ -13,6 +13,9 @@ enum class FogMode {
   exp2,  ///< f(r) = e^(-(d r)^2)
 };
 
+/// "exp" or "exp2".
+const char* name_of(FogMode mode);
+
 /// Contrast thresholds c that give a visibility its meaning: the range at which f has fallen to c.
 inline constexpr double kContrastMor = 0.05;          ///< meteorological optical range (WMO, ICAO Annex 3); the default
 inline constexpr double kContrastKoschmieder = 0.02;  ///< Koschmieder 1924

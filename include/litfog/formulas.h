@@ -4,19 +4,31 @@
 #include <cmath>
 
 /// The model's scalar formulas for float, double and any type with the usual functions by argument-dependent lookup
-/// (ceres::Jet). The text is shared with the shaders: litfog/shaders/formulas.glsl.
+/// (ceres::Jet). The text is shared with the shaders, whose names carry the prefix litfog_ that a namespace makes
+/// needless here: litfog/shaders/formulas.glsl.
 namespace litfog::formulas {
 
-template <typename Real>
-Real litfog_expm1(const Real& x) {
-  using std::expm1;
-  return expm1(x);
-}
-
+using std::expm1;
 using std::pow;
 
+#define litfog_expm1 expm1
+#define litfog_denominator denominator
+#define litfog_attenuation attenuation
+#define litfog_depth_exp depth_exp
+#define litfog_depth_exp2 depth_exp2
+#define litfog_opacity opacity
+#define litfog_cosine_cone cosine_cone
+#define litfog_smoothstep_cone smoothstep_cone
 #define LITFOG_REAL Real
 #define LITFOG_FUNCTION template <typename Real>
-#include "litfog/shaders/formulas.glsl"  // undefines both
+#include "litfog/shaders/formulas.glsl"  // undefines the last two
+#undef litfog_expm1
+#undef litfog_denominator
+#undef litfog_attenuation
+#undef litfog_depth_exp
+#undef litfog_depth_exp2
+#undef litfog_opacity
+#undef litfog_cosine_cone
+#undef litfog_smoothstep_cone
 
 }  // namespace litfog::formulas

@@ -216,7 +216,7 @@ TEST_F(BenchMeasurement, FitFindsEveryOptimumToTheDigitsThatItStates) {
 #else
 TEST_F(BenchMeasurement, BuildWithoutFitsHasNoFitBenchmark) {
   EXPECT_ERROR(run("fit --quick"), kMissingCapability,
-                 "litfog-bench: this build has no litfog::fit; configure with -DLITFOG_BUILD_FIT=ON\n");
+               "litfog-bench: this build has no litfog::fit; configure with -DLITFOG_BUILD_FIT=ON\n");
 }
 #endif
 
@@ -245,8 +245,7 @@ TEST_F(BenchMeasurement, UnwritableOutputIsAnErrorBeforeTheMeasurement) {
                "litfog-bench: gnuplot cannot be run: No such file or directory; install gnuplot-nox\n");
   EXPECT_ERROR(run("solve --csv ''"), kUsage, usage_message("--csv = \"\": must not be empty"));
   EXPECT_ERROR(run("solve --csv a --json ./a"), kUsage, usage_message("--csv = a: must not be the file of --json"));
-  EXPECT_ERROR(run("fit --isa AVX2"), kUsage,
-               usage_message("--isa = AVX2: must be given with solve or update: the others have no batches"));
+  EXPECT_ERROR(run("fit --isa AVX2"), kUsage, usage_message("--isa cannot be given with fit: it has no batches"));
   for (const auto& entry : std::filesystem::directory_iterator(directory())) {
     EXPECT_TRUE(entry.path().filename() == "out" || entry.path().filename() == "err") << entry.path();
   }
@@ -324,7 +323,7 @@ TEST_F(BenchMeasurement, RenderMeasuresEveryPathBesideLegacyAndTheBareTexture) {
 TEST_F(BenchMeasurement, TargetOfTheBatchIsAnErrorForFrames) {
   const Outcome outcome = run("render --quick --isa AVX2");
   EXPECT_EQ(outcome.status, kUsage);
-  EXPECT_EQ(outcome.err, usage_message("--isa = AVX2: must be given with solve or update: the others have no batches"));
+  EXPECT_EQ(outcome.err, usage_message("--isa cannot be given with render: it has no batches"));
 }
 #endif
 

@@ -71,21 +71,21 @@ TEST(Csv, FieldsKnowTheirLocation) {
       "a,\"b\nc\",\xC3\xA4\xC3\xA4,d\r\n\n e,f");
   CsvReader reader(file.get(), "f");
   CsvRecord record;
-  const auto place = [&record](std::size_t i) {
-    return std::to_string(record.place(i).line) + ":" + std::to_string(record.place(i).column);
+  const auto location = [&record](std::size_t i) {
+    return std::to_string(record.location(i).line) + ":" + std::to_string(record.location(i).column);
   };
   ASSERT_TRUE(reader.read(record));
-  EXPECT_EQ(place(0), "1:1");
-  EXPECT_EQ(place(1), "1:3");
-  EXPECT_EQ(place(2), "2:4");
-  EXPECT_EQ(place(3), "2:7") << "a column is a code point";
+  EXPECT_EQ(location(0), "1:1");
+  EXPECT_EQ(location(1), "1:3");
+  EXPECT_EQ(location(2), "2:4");
+  EXPECT_EQ(location(3), "2:7") << "a column is a code point";
   EXPECT_TRUE(record.ends_in_crlf());
   ASSERT_TRUE(reader.read(record));
   EXPECT_TRUE(record.is_blank());
   ASSERT_TRUE(reader.read(record));
   EXPECT_FALSE(record.ends_in_crlf());
-  EXPECT_EQ(place(0), "4:1");
-  EXPECT_EQ(place(1), "4:4");
+  EXPECT_EQ(location(0), "4:1");
+  EXPECT_EQ(location(1), "4:4");
   EXPECT_FALSE(reader.read(record));
 }
 
@@ -108,11 +108,11 @@ TEST(Csv, OpenQuoteIsNotedAndClosedInTheRawText) {
   CsvReader reader(file.get(), "f");
   CsvRecord record;
   ASSERT_TRUE(reader.read(record));
-  EXPECT_EQ(record.defect(), nullptr);
+  EXPECT_EQ(record.error(), nullptr);
   ASSERT_TRUE(reader.read(record));
-  EXPECT_STREQ(record.defect(), "quote must be closed");
-  EXPECT_EQ(record.defect_place().line, 2);
-  EXPECT_EQ(record.defect_place().column, 3);
+  EXPECT_STREQ(record.error(), "quote must be closed");
+  EXPECT_EQ(record.error_location().line, 2);
+  EXPECT_EQ(record.error_location().column, 3);
   EXPECT_EQ(record.raw(2), "b,\"open,\nc\n\"");
   EXPECT_FALSE(reader.read(record));
 }
@@ -122,12 +122,12 @@ TEST(Csv, TextBehindAClosingQuoteIsNoted) {
   CsvReader reader(file.get(), "f");
   CsvRecord record;
   ASSERT_TRUE(reader.read(record));
-  EXPECT_STREQ(record.defect(), "quoted field must end at its quote");
-  EXPECT_EQ(record.defect_place().line, 1);
-  EXPECT_EQ(record.defect_place().column, 4);
+  EXPECT_STREQ(record.error(), "quoted field must end at its quote");
+  EXPECT_EQ(record.error_location().line, 1);
+  EXPECT_EQ(record.error_location().column, 4);
   EXPECT_EQ(fields_of(record), (std::vector<std::string>{"a ", "b"}));
   ASSERT_TRUE(reader.read(record));
-  EXPECT_EQ(record.defect(), nullptr) << "the next record is sound";
+  EXPECT_EQ(record.error(), nullptr) << "the next record is sound";
   EXPECT_EQ(fields_of(record), (std::vector<std::string>{"c", "d"}));
 }
 
@@ -137,18 +137,18 @@ TEST(Csv, RecordOfOneMebibyteIsHeldAndALongerOneDropped) {
   CsvReader reader(file.get(), "f");
   CsvRecord record;
   ASSERT_TRUE(reader.read(record));
-  EXPECT_EQ(record.defect(), nullptr);
+  EXPECT_EQ(record.error(), nullptr);
   EXPECT_EQ(record.field(0).size(), kMost);
   ASSERT_TRUE(reader.read(record));
-  EXPECT_STREQ(record.defect(), "record must not be longer than 1 MiB (is a quote left open?)");
-  EXPECT_EQ(record.defect_place().line, 2);
-  EXPECT_EQ(record.defect_place().column, 1);
+  EXPECT_STREQ(record.error(), "record must not be longer than 1 MiB (is a quote left open?)");
+  EXPECT_EQ(record.error_location().line, 2);
+  EXPECT_EQ(record.error_location().column, 1);
   EXPECT_EQ(record.size(), 0u);
   EXPECT_EQ(record.raw(1), "");
   EXPECT_FALSE(record.is_blank());
   ASSERT_TRUE(reader.read(record));
   EXPECT_EQ(fields_of(record), (std::vector<std::string>{"b", "c"}));
-  EXPECT_EQ(record.place(0).line, 3);
+  EXPECT_EQ(record.location(0).line, 3);
 }
 
 TEST(Csv, RecordsMayStraddleTheReadersBuffer) {

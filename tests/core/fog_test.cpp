@@ -21,7 +21,7 @@ constexpr std::array kPresets{kContrastMor, kContrastKoschmieder, kContrastFligh
 
 std::string describe(FogMode mode, double first, double second) {
   char text[96];
-  std::snprintf(text, sizeof text, "%s fog, %a, %a", mode == FogMode::exp ? "exp" : "exp2", first, second);
+  std::snprintf(text, sizeof text, "%s fog, %a, %a", name_of(mode), first, second);
   return text;
 }
 
@@ -44,6 +44,11 @@ void check_from_visibility(const char* range, const Draw& draw) {
     }
   }
   error.check();
+}
+
+TEST(FogMode, NameIsTheOneOfTheFormula) {
+  EXPECT_STREQ(name_of(FogMode::exp), "exp");
+  EXPECT_STREQ(name_of(FogMode::exp2), "exp2");
 }
 
 TEST(FogFromVisibility, DensityIsExactToThreeUlp) {

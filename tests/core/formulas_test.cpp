@@ -48,30 +48,30 @@ namespace litfog::test {
 namespace {
 
 using foreign::Dual;
-using namespace formulas;
 
 TEST(Formulas, FormulasInDoubleAreTheLibrarysFunctions) {
   Random random(1);
   for (int i = 0; i < 2000; ++i) {
     const double range = random.log_uniform(1e-3, 1e5);
     const Attenuation a{random.log_uniform(1e-3, 10), random.log_uniform(1e-6, 10), random.log_uniform(1e-9, 10)};
-    EXPECT_EQ(litfog_attenuation(range, a.constant, a.linear, a.quadratic), attenuation_at(a, range));
+    EXPECT_EQ(formulas::attenuation(range, a.constant, a.linear, a.quadratic), attenuation_at(a, range));
     const double density = random.log_uniform(1e-6, 1);
-    EXPECT_EQ(litfog_opacity(litfog_depth_exp(range, density)), opacity_at({FogMode::exp, density}, range));
-    EXPECT_EQ(litfog_opacity(litfog_depth_exp2(range, density)), opacity_at({FogMode::exp2, density}, range));
+    EXPECT_EQ(formulas::opacity(formulas::depth_exp(range, density)), opacity_at({FogMode::exp, density}, range));
+    EXPECT_EQ(formulas::opacity(formulas::depth_exp2(range, density)), opacity_at({FogMode::exp2, density}, range));
     const Cone dual = Cone::smoothstep(random.uniform(0, 0.5), random.uniform(0.5, 3));
     const Cone hard = Cone::cosine(random.uniform(0.01, 1.5), random.log_uniform(1e-2, 100));
     const double cos_angle = random.uniform(-1, 1);
-    EXPECT_EQ(litfog_smoothstep_cone(cos_angle, std::cos(dual.inner), std::cos(dual.outer)), cone_at(dual, cos_angle));
-    EXPECT_EQ(litfog_cosine_cone(cos_angle, std::cos(hard.half_angle), hard.exponent), cone_at(hard, cos_angle));
+    EXPECT_EQ(formulas::smoothstep_cone(cos_angle, std::cos(dual.inner), std::cos(dual.outer)),
+              cone_at(dual, cos_angle));
+    EXPECT_EQ(formulas::cosine_cone(cos_angle, std::cos(hard.half_angle), hard.exponent), cone_at(hard, cos_angle));
   }
 }
 
 // The bounds are the count of roundings, each half an ulp, which a result low in its binade sees twice as large.
 TEST(Formulas, FormulasInFloatAreRightToTheirRoundings) {
-  WorstError attenuation_error("litfog_attenuation, float", "r 1e-3..1e5, C 1e-3..10", kAttenuationMaxUlp);
-  WorstError exp_error("litfog_opacity, float", "exp, d 1e-6..1, r 1e-3..1e5", 3);
-  WorstError exp2_error("litfog_opacity, float", "exp2, d 1e-6..1, r 1e-3..1e5", 5);
+  WorstError attenuation_error("formulas::attenuation, float", "r 1e-3..1e5, C 1e-3..10", kAttenuationMaxUlp);
+  WorstError exp_error("formulas::opacity, float", "exp, d 1e-6..1, r 1e-3..1e5", 3);
+  WorstError exp2_error("formulas::opacity, float", "exp2, d 1e-6..1, r 1e-3..1e5", 5);
   Random random(2);
   for (int i = 0; i < 10000; ++i) {
     const auto range = float(random.log_uniform(1e-3, 1e5));
@@ -81,14 +81,14 @@ TEST(Formulas, FormulasInFloatAreRightToTheirRoundings) {
     const Attenuation wide{a.constant, a.linear, a.quadratic};
     const auto text = [&] { return to_string(SolveCase{wide, {FogMode::exp, density}, range}); };
     attenuation_error.add(
-        ulp_error(litfog_attenuation(range, a.constant, a.linear, a.quadratic), reference_attenuation(wide, range)),
+        ulp_error(formulas::attenuation(range, a.constant, a.linear, a.quadratic), reference_attenuation(wide, range)),
         text);
-    exp_error.add(
-        ulp_error(litfog_opacity(litfog_depth_exp(range, density)), reference_opacity(FogMode::exp, density, range)),
-        text);
-    exp2_error.add(
-        ulp_error(litfog_opacity(litfog_depth_exp2(range, density)), reference_opacity(FogMode::exp2, density, range)),
-        text);
+    exp_error.add(ulp_error(formulas::opacity(formulas::depth_exp(range, density)),
+                            reference_opacity(FogMode::exp, density, range)),
+                  text);
+    exp2_error.add(ulp_error(formulas::opacity(formulas::depth_exp2(range, density)),
+                             reference_opacity(FogMode::exp2, density, range)),
+                   text);
   }
   attenuation_error.check();
   exp_error.check();
@@ -106,17 +106,17 @@ TEST(Formulas, ForeignScalarTypeYieldsTheClosedDerivatives) {
     const Attenuation a{random.log_uniform(1, 10), random.log_uniform(1e-6, 10), random.log_uniform(1e-9, 10)};
     const auto text = [&] { return to_string(SolveCase{a, {}, r}); };
 
-    const Dual attenuation = litfog_attenuation(range, Dual(a.constant), Dual(a.linear), Dual(a.quadratic));
+    const Dual attenuation = formulas::attenuation(range, Dual(a.constant), Dual(a.linear), Dual(a.quadratic));
     const double fraction = attenuation_at(a, r);
     EXPECT_EQ(attenuation.value, fraction);
     attenuation_error.add(
         relative_error(attenuation.derivative, -fraction * fraction * (a.linear + 2 * a.quadratic * r)), text);
 
     const double d = random.log_uniform(1e-3, 20) / r;
-    exp_error.add(relative_error(litfog_opacity(litfog_depth_exp(range, Dual(d))).derivative, d * std::exp(-d * r)),
-                  text);
+    exp_error.add(
+        relative_error(formulas::opacity(formulas::depth_exp(range, Dual(d))).derivative, d * std::exp(-d * r)), text);
     const double d2 = random.log_uniform(1e-3, 5) / r;
-    exp2_error.add(relative_error(litfog_opacity(litfog_depth_exp2(range, Dual(d2))).derivative,
+    exp2_error.add(relative_error(formulas::opacity(formulas::depth_exp2(range, Dual(d2))).derivative,
                                   2 * d2 * d2 * r * std::exp(-d2 * r * d2 * r)),
                    text);
   }
@@ -126,23 +126,23 @@ TEST(Formulas, ForeignScalarTypeYieldsTheClosedDerivatives) {
 }
 
 TEST(Formulas, ForeignScalarTypeDifferentiatesCones) {
-  const Dual cosine = litfog_cosine_cone(Dual(0.9, 1), Dual(0.8), Dual(3.0));
+  const Dual cosine = formulas::cosine_cone(Dual(0.9, 1), Dual(0.8), Dual(3.0));
   EXPECT_DOUBLE_EQ(cosine.value, 0.9 * 0.9 * 0.9);
   EXPECT_DOUBLE_EQ(cosine.derivative, 3 * 0.9 * 0.9);
-  const Dual step = litfog_smoothstep_cone(Dual(0.85, 1), Dual(0.9), Dual(0.8));
+  const Dual step = formulas::smoothstep_cone(Dual(0.85, 1), Dual(0.9), Dual(0.8));
   EXPECT_NEAR(step.value, 0.5, 1e-14);
   EXPECT_NEAR(step.derivative, 1.5 / 0.1, 1e-12);
 }
 
 TEST(Formulas, AttenuationHasNoSlopeBelowTheKnee) {
-  const Dual attenuation = litfog_attenuation(Dual(1, 1), Dual(0.25), Dual(0.25), Dual(0.25));
+  const Dual attenuation = formulas::attenuation(Dual(1, 1), Dual(0.25), Dual(0.25), Dual(0.25));
   EXPECT_EQ(attenuation.value, 1);
   EXPECT_EQ(attenuation.derivative, 0);
 }
 
 TEST(Formulas, NarrowSmoothstepConeIsAStep) {
-  EXPECT_EQ(litfog_smoothstep_cone(1.0f, 1.0f, 1.0f), 1);
-  EXPECT_EQ(litfog_smoothstep_cone(0.999f, 1.0f, 1.0f), 0);
+  EXPECT_EQ(formulas::smoothstep_cone(1.0f, 1.0f, 1.0f), 1);
+  EXPECT_EQ(formulas::smoothstep_cone(0.999f, 1.0f, 1.0f), 0);
 }
 
 }  // namespace

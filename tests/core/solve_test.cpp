@@ -341,7 +341,8 @@ TEST(SolveFogIntensity, DefaultThresholdIsFivePercent) {
             solve_fog_intensity({1, 0.1f, 0}, FogF{FogMode::exp, 0.01f}, 0.05f).extent);
 }
 
-/// Hales 2004, "Lighting in Fog", written out: N samples over the extent, the largest kept.
+/// Steven Hales 2004, "Realtime Pixel Lighting Using Fragment Programs", section "Lighting in Fog", written out: N
+/// samples over the extent, the largest kept.
 double sample_as_published(const Attenuation& a, const Fog& fog, double light_extent, int samples) {
   double largest = 0;
   for (int i = 1; i <= samples; ++i) {

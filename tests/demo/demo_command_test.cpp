@@ -9,6 +9,7 @@
 #include "command/command_test.h"
 #include "command/exit_status.h"
 #include "reference/srgb.h"
+#include "render/lighting_path.h"
 
 namespace litfog::test {
 using namespace command;
@@ -80,7 +81,8 @@ TEST_F(DemoCommand, StatisticsStateWhatWasDrawn) {
 
 TEST_F(DemoCommand, ReferenceIsTheSamePictureToAStep) {
   for (const char* options : {"-o a.exr", "--reference -o b.exr --stats s.json"}) {
-    const Outcome outcome = run(std::string("tessellation --visibility 200 --size 64x36 ") + options);  // no lamp in view
+    const Outcome outcome =
+        run(std::string("tessellation --visibility 200 --size 64x36 ") + options);  // no lamp in view
     ASSERT_EQ(outcome.status, kDone) << outcome.err;
   }
   OIIO::ImageBuf drawn((directory() / "a.exr").string());
@@ -121,10 +123,9 @@ TEST_F(DemoCommand, MedianOfTwoFramesLiesBetweenThem) {
 TEST_F(DemoCommand, ListJobNamesPathsAndScenes) {
   const std::string paths = run("list paths").out;
   EXPECT_EQ(paths.substr(0, 8), "unified ");
-  EXPECT_EQ(std::ranges::count(paths, '\n'), 10);
-  for (const char* path :
-       {"lookup-3d", "lookup-2d", "radial", "radial-plane", "accumulate", "vertex", "mixed", "tangent", "legacy"}) {
-    EXPECT_NE(paths.find(std::string("\n") + path + " "), std::string::npos) << path;
+  EXPECT_EQ(std::ranges::count(paths, '\n'), std::ssize(render::lighting_paths()));
+  for (const auto& path : render::lighting_paths()) {
+    EXPECT_NE(('\n' + paths).find(fmt::format("\n{} ", path.name)), std::string::npos) << path.name;
   }
   const std::string scenes = run("list scenes").out;
   for (const char* scene : {"approach", "cookies", "headlights", "room", "tessellation"})
@@ -173,11 +174,10 @@ TEST_F(DemoCommand, ComparisonHasAPageOfEveryPathWithItsPictures) {
   EXPECT_EQ(linked, written);
   EXPECT_TRUE(written.contains("room-reference.png"));
   EXPECT_TRUE(written.contains("room-paths.png"));
-  for (const char* path : {"unified", "lookup-3d", "lookup-2d", "radial", "radial-plane", "accumulate", "vertex",
-                           "mixed", "tangent", "legacy"}) {
-    EXPECT_NE(page.find(std::string("<h3>") + path + "</h3>"), std::string::npos) << path;
-    EXPECT_TRUE(written.contains(std::string("room-") + path + ".png")) << path;
-    EXPECT_TRUE(written.contains(std::string("room-") + path + "-error.png")) << path;
+  for (const auto& path : render::lighting_paths()) {
+    EXPECT_NE(page.find(fmt::format("<h3>{}</h3>", path.name)), std::string::npos) << path.name;
+    EXPECT_TRUE(written.contains(fmt::format("room-{}.png", path.name))) << path.name;
+    EXPECT_TRUE(written.contains(fmt::format("room-{}-error.png", path.name))) << path.name;
   }
 
   ASSERT_EQ(run(options + "--path lookup-2d -o a.png --heat-map h.png --stats s.json").status, kDone);

@@ -6,6 +6,8 @@
 #include <glm/glm.hpp>
 #include <limits>
 
+#include "render/pixel.h"
+
 namespace litfog::test {
 using namespace demo;
 using namespace measure;
@@ -13,12 +15,7 @@ using namespace render;
 
 namespace {
 
-double luminance(const glm::vec3& color) { return glm::dot(glm::dvec3(color), glm::dvec3(0.2126, 0.7152, 0.0722)); }
-
-glm::vec3 pixel(const Picture& picture, int x, int y) {
-  const float* at = &picture.rgb[(std::size_t(y) * std::size_t(picture.width) + std::size_t(x)) * 3];
-  return {at[0], at[1], at[2]};
-}
+double luminance(const glm::dvec3& color) { return glm::dot(color, glm::dvec3(0.2126, 0.7152, 0.0722)); }
 
 TEST(HeatMap, ColorsGrowBrighterFromBlackToWhite) {
   EXPECT_LT(luminance(heat_color(0)), 1e-6);
@@ -35,7 +32,8 @@ TEST(HeatMap, EachPixelsErrorIsShownOnTheScaleMagnifiedByAWholeNumber) {
   ASSERT_GE(map.width, 640);
   ASSERT_EQ(map.width % 6, 0);
   const int cell = map.width / 6;
-  const glm::vec3 expected[] = {heat_color(0), heat_color(0), heat_color(0.5), heat_color(1), heat_color(1), {1, 0, 0}};
+  const glm::dvec3 expected[] = {heat_color(0), heat_color(0), heat_color(0.5),
+                                 heat_color(1), heat_color(1), {1, 0, 0}};
   for (int i = 0; i < 6; ++i) {
     for (const int x : {i * cell, (i + 1) * cell - 1}) {
       EXPECT_LT(glm::distance(pixel(map, x, cell - 1), expected[i]), 1e-3f) << i;
@@ -48,7 +46,7 @@ TEST(HeatMap, NarrowPictureIsMagnifiedNoFurtherThanToTwoThousandRows) {
   const Picture map = make_heat_map(error, "test");
   EXPECT_EQ(map.width, 640);  // of the words
   EXPECT_LT(map.height, 2048 + 100);
-  EXPECT_LT(glm::distance(pixel(map, 1, 1999), heat_color(1)), 1e-3f);
+  EXPECT_LT(glm::distance(pixel(map, 1, 1999), glm::dvec3(heat_color(1))), 1e-3f);
   EXPECT_LT(luminance(pixel(map, 2, 1999)), 0.02);  // beside the picture
   const PictureError tall{.width = 1, .height = 16384, .pixels = std::vector<float>(16384, 100.0f)};
   EXPECT_LT(make_heat_map(tall, "test").height, 16384 + 100);

@@ -286,11 +286,11 @@ TEST_F(FitCommand, WrongUsageIsAnErrorBeforeAnyWork) {
     EXPECT_ERROR(run(arguments), kUsage, usage_message(reason));
   };
   expect("lamp.json beam.json -o light.json", "-o = light.json: must be a folder for several inputs");
-  expect("lamp.json beam.json --plot a.png", "--plot = a.png: must be given with a single input");
-  expect("lamp.json beam.json --cookie a.exr", "--cookie = a.exr: must be given with a single input");
+  expect("lamp.json beam.json --plot a.png", "--plot cannot be given with several inputs: it shows a single light");
+  expect("lamp.json beam.json --cookie a.exr", "--cookie cannot be given with several inputs: it shows a single light");
   expect("lamp.json --plot a.pdf", "--plot = a.pdf: must end in .png or .svg");
   expect("spot.ies --cookie a.png", "--cookie = a.png: must end in .exr");
-  expect("spot.ies --cookie-size 64", "--cookie-size needs --cookie");
+  expect("spot.ies --cookie-size 64", "--cookie-size requires --cookie");
   expect("spot.ies --cookie a.exr --cookie-size 0", "--cookie-size = 0: must be an integer from 1 to 4096");
   expect("lamp.json --profile round", "--profile = round: must be one of cosine|smoothstep|best");
   expect("lamp.json -o lamp.json", "-o = lamp.json: must not be a file that is read, lamp.json");
@@ -306,6 +306,27 @@ TEST_F(FitCommand, WrongUsageIsAnErrorBeforeAnyWork) {
   fs::create_directory(directory() / "folder");
   expect("lamp.json a/lamp.json -o folder", "-o = folder/lamp.json: must not be the file of -o");
   EXPECT_EQ(read("lamp.json"), kSpec);
+}
+
+TEST_F(FitCommand, OptionWithoutEffectIsAnErrorBeforeAnythingIsWritten) {
+  write("reach.json", R"({"litfog": "light-spec", "version": 1, "range": {"extent_m": 100}})");
+  run("--version");  // makes the files of its own output
+  const auto before = files();
+  const auto expect = [&](const std::string& arguments, const std::string& reason) {
+    SCOPED_TRACE(arguments);
+    EXPECT_ERROR(run(arguments), kUsage, usage_message(reason));
+    EXPECT_EQ(files(), before);
+  };
+  expect("lamp.json --reproducible",
+         "--reproducible cannot be given with --format text and no -o: the light's \"fit\" is not written");
+  EXPECT_EQ(run("lamp.json --reproducible --format json").status, kDone);
+  expect("spot.ies -o a.json --robust", "--robust cannot be given with spot.ies: there is no falloff table");
+  expect("spot.ies beam.json --robust", "--robust cannot be given with these inputs: there is no falloff table");
+  EXPECT_EQ(run("spot.ies lamp.json --robust").status, kDone);
+  expect("reach.json -o a.json --profile best", "--profile cannot be given with reach.json: there is no cone to fit");
+  EXPECT_EQ(run("reach.json beam.json --profile best").status, kDone);
+  // What is wrong with an input comes first.
+  EXPECT_EQ(run("spot.ies absent.json --robust").status, kBadInput);
 }
 
 TEST_F(FitCommand, OutputThatReplacesAnInputOrAnotherOutputIsAnErrorBeforeAnythingIsWritten) {

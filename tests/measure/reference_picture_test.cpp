@@ -13,6 +13,7 @@
 #include "gl/gl_test.h"
 #include "measure/no_more_threads.h"
 #include "measure/picture_error.h"
+#include "render/pixel.h"
 #include "scene/file/scene_file.h"
 #include "scene/model/model_catalogue.h"
 #include "scene/paint/material_catalogue.h"
@@ -33,20 +34,6 @@ ReferencePicture shade(const Scene& scene, const Fog& fog) {
   Renderer renderer(scene, kWidth, kHeight, {});
   renderer.set_fog(fog);
   return shade_reference(renderer);
-}
-
-glm::dvec3 pixel(const Picture& picture, int x, int y) {
-  const float* at = &picture.rgb[(std::size_t(y) * std::size_t(picture.width) + std::size_t(x)) * 3];
-  return {at[0], at[1], at[2]};
-}
-
-/// The direction in which a pixel's middle is seen.
-glm::dvec3 view_direction(const Camera& camera, int x, int y) {
-  const glm::dvec3 forward = glm::normalize(glm::dvec3(camera.target - camera.position));
-  const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0, 1, 0)));
-  const double half = std::tan(double(camera.field_of_view) / 2);
-  return glm::normalize(forward + right * (((2 * x + 1.0) / kWidth - 1) * half * kWidth / kHeight) +
-                        glm::cross(right, forward) * ((1 - (2 * y + 1.0) / kHeight) * half));
 }
 
 /// A floor at height 0, 40 m square, seen from above, whose material is known to the last bit.
@@ -92,7 +79,7 @@ TEST_F(ReferencePictureTest, FloorUnderALampIsTheModelInClosedForm) {
   int lit = 0;
   for (int y = kHeight / 3; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x) {
-      const glm::dvec3 view = view_direction(scene.camera, x, y);
+      const glm::dvec3 view = view_direction(scene.camera, kWidth, kHeight, x + 0.5, y + 0.5);
       const glm::dvec3 position = eye - view * (eye.y / view.y);
       if (std::abs(position.x) > 19 || std::abs(position.z) > 19) continue;
       const glm::dvec3 to_light = glm::normalize(lamp.position - position);
@@ -136,7 +123,7 @@ TEST_F(ReferencePictureTest, PixelOnAnEdgeOfTheModelIsExcluded) {
   light.carried = true;
   const int x = 90;
   const int y = 40;
-  const glm::dvec3 edge = view_direction(scene.camera, x, y);
+  const glm::dvec3 edge = view_direction(scene.camera, kWidth, kHeight, x + 0.5, y + 0.5);
   light.direction = glm::normalize(edge + glm::dvec3(0.1, 0.05, 0));
   light.light.cone = Cone::cosine(std::acos(glm::dot(light.direction, edge)), 0);
   scene.lights.push_back(light);

@@ -22,8 +22,6 @@ struct SolveCase {
   double threshold;
 };
 
-inline const char* name_of(FogMode mode) { return mode == FogMode::exp ? "exp" : "exp2"; }
-
 inline std::string to_string(const SolveCase& c) {
   char text[256];
   std::snprintf(text, sizeof text, "%s fog, density %a = %.17g, constant %a = %.17g, linear %a = %.17g, ",

@@ -11,6 +11,7 @@
 #include "gl/gl_test.h"
 #include "litfog/photometry/cube_face.h"
 #include "reference/ulp.h"
+#include "render/pixel.h"
 #include "render/renderer.h"
 #include "scene/file/scene_file.h"
 #include "scene/light_frame.h"
@@ -105,7 +106,7 @@ struct Finish {
     bare.lights.clear();
     bare.environment = {.ambient_light = glm::vec3(1)};
     const Picture picture = draw(bare, Fog{}, {});
-    albedo = dvec3(picture.rgb[0], picture.rgb[1], picture.rgb[2]);
+    albedo = pixel(picture, 0, 0);
     const Material& material = scene.materials[0];
     gloss = material.albedo->rgba[3] / 255.0;
     specular = material.specular;
@@ -152,16 +153,8 @@ dvec3 expected_color(const Scene& scene, const Finish& finish, const LightingPat
 }
 
 dvec3 wall_point(const Scene& scene, int x, int y) {
-  const double half = std::tan(double(scene.camera.field_of_view) / 2);
-  return dvec3((2 * (x + 0.5) / kWidth - 1) * half * kWidth / kHeight, (1 - 2 * (y + 0.5) / kHeight) * half, -1) *
-         -kWallZ;
-}
-
-double largest_difference(const Picture& a, const Picture& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.rgb.size(); ++i)
-    largest = std::max(largest, std::abs(double(a.rgb[i]) - double(b.rgb[i])));
-  return largest;
+  const dvec3 view = view_direction(scene.camera, kWidth, kHeight, x + 0.5, y + 0.5);
+  return view * (kWallZ / view.z);
 }
 
 /// Largest difference from the formula over all pixels.
@@ -173,8 +166,7 @@ double worst_error(const Scene& scene, const Fog& fog, const RenderSettings& set
     for (int x = 0; x < kWidth; ++x) {
       const dvec3 expected =
           expected_color(scene, finish, *settings.path, fog, wall_point(scene, x, y), settings.has_infinite_viewer);
-      const float* at = &picture.rgb[std::size_t((y * kWidth + x) * 3)];
-      const dvec3 error = glm::abs(dvec3(at[0], at[1], at[2]) - expected);
+      const dvec3 error = glm::abs(pixel(picture, x, y) - expected);
       worst = std::max({worst, error.x, error.y, error.z});
     }
   }

@@ -14,6 +14,7 @@
 #include "gl/gl_test.h"
 #include "litfog/gl/unsupported.h"
 #include "render/gpu/texture.h"
+#include "render/pixel.h"
 #include "scene/file/scene_file.h"
 #include "scene/model/model_catalogue.h"
 #include "scene/paint/material_catalogue.h"
@@ -50,30 +51,6 @@ Picture draw(const Scene& scene, const Fog& fog, const RenderSettings& settings 
   return renderer.read();
 }
 
-glm::dvec3 pixel(const Picture& picture, int x, int y) {
-  const float* at = &picture.rgb[(std::size_t(y) * std::size_t(picture.width) + std::size_t(x)) * 3];
-  return {at[0], at[1], at[2]};
-}
-
-/// The direction in which a pixel's middle is seen.
-glm::dvec3 view_direction(const Camera& camera, double x, double y) {
-  const glm::dvec3 forward = glm::normalize(glm::dvec3(camera.target - camera.position));
-  const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0, 1, 0)));
-  const glm::dvec3 up = glm::cross(right, forward);
-  const double half = std::tan(double(camera.field_of_view) / 2);
-  return glm::normalize(forward + right * ((2 * x / kWidth - 1) * half * kWidth / kHeight) +
-                        up * ((1 - 2 * y / kHeight) * half));
-}
-
-double largest_difference(const Picture& a, const Picture& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.rgb.size(); ++i) {
-    const auto shown = [](float value) { return std::min(1.0, double(value)); };
-    largest = std::max(largest, std::abs(shown(a.rgb[i]) - shown(b.rgb[i])));
-  }
-  return largest;
-}
-
 class RendererTest : public test::GlTest {};
 
 // Far sky in fog shows the fog alone: ambient fog + colour * cone * intensity, in every pixel.
@@ -92,8 +69,8 @@ TEST_F(RendererTest, BeamInTheFogFollowsTheConeInEveryPixel) {
           double high = 0;
           for (const double dx : {0.0, 0.5, 1.0}) {
             for (const double dy : {0.0, 0.5, 1.0}) {
-              const double value =
-                  cone_at(cone, glm::dot(view_direction(scene.camera, x + dx, y + dy), light.direction));
+              const double value = cone_at(
+                  cone, glm::dot(view_direction(scene.camera, kWidth, kHeight, x + dx, y + dy), light.direction));
               low = std::min(low, value);
               high = std::max(high, value);
             }

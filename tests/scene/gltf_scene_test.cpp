@@ -486,15 +486,15 @@ TEST_F(GltfScene, MaterialsShareAPicture) {
   file["textures"] = {{{"source", 0}}};
   file["images"] = {{{"uri", "atlas.png"}}};
   const json primitive = file["meshes"][0]["primitives"][0];
-  for (int i = 0; i < 33; ++i) {
+  for (std::size_t i = 0; i < 33; ++i) {
     file["materials"][i] = {
         {"normalTexture", {{"index", 0}}},
         {"pbrMetallicRoughness",
-         {{"baseColorTexture", {{"index", 0}}}, {"metallicFactor", 0}, {"roughnessFactor", i / 32.0}}}};
+         {{"baseColorTexture", {{"index", 0}}}, {"metallicFactor", 0}, {"roughnessFactor", double(i) / 32}}}};
     file["meshes"][0]["primitives"][i] = primitive;
     file["meshes"][0]["primitives"][i]["material"] = i;
   }
-  for (const int tinted : {31, 32}) {
+  for (const unsigned tinted : {31u, 32u}) {
     file["materials"][tinted]["pbrMetallicRoughness"]["baseColorFactor"] = {0.5, 1, 1, 1};
   }
   const Scene scene = read(file);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// "The first thing to do is to clear the back buffer to the ambiant light color" (Frazier 2000, "Multiple Lights in a
-// Scene"). Here that colour includes the directional light.
+// "The first thing to do is to clear the back buffer to the ambiant light color" (Ronald Frazier 2000, "Real-Time
+// Per-Pixel Point Lights and Spot Lights in OpenGL", section "Multiple Lights in a Scene"). Here that colour includes
+// the directional light.
 
 #include "light_coordinates.glsl"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// "Then, additively render each light into the scene to create a lightmap" (Frazier 2000, "Multiple Lights in a
-// Scene").
+// "Then, additively render each light into the scene to create a lightmap" (Ronald Frazier 2000, "Real-Time Per-Pixel
+// Point Lights and Spot Lights in OpenGL", section "Multiple Lights in a Scene").
 
 #include "radial.glsl"
 

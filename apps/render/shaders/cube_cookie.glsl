@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lights whose cone is replaced by a cube map (Frazier 2000, "Neat Tricks Using the Spot Light"). All cookies of a
-// scene are in one array, because a loop over lights cannot choose among cube maps: six faces each, +x -x +y -y +z -z.
+// Lights whose cone is replaced by a cube map (Ronald Frazier 2000, "Real-Time Per-Pixel Point Lights and Spot Lights
+// in OpenGL", section "Neat Tricks Using the Spot Light"). All cookies of a scene are in one array, because a loop over
+// lights cannot choose among cube maps: six faces each, +x -x +y -y +z -z.
 
 #define LITFOG_COOKIES
 #include "litfog/shaders/light.glsl"

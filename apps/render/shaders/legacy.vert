@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The baseline of Hales 2004, table 1: ambient and diffuse light at the vertices, as in OpenGL's fixed pipeline.
+// The baseline of Steven Hales 2004, "Realtime Pixel Lighting Using Fragment Programs", table 1: ambient and diffuse
+// light at the vertices, as in OpenGL's fixed pipeline.
 
 #include "diffuse.glsl"
 #include "listed_lights.glsl"

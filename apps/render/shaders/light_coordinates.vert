@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The vectors from up to four lights that share their maps, which the fragment turns into range coordinates, and their
-// cone coordinates; and the shading value of the directional light (Hales 2004, "Embedding Range Attenuation in a
-// Texture Map" to "Multiple Light Sources"; the same mappings in Frazier 2000, with x0/2 + 0.5 for the range and -z for
-// the light's direction).
+// cone coordinates; and the shading value of the directional light (Steven Hales 2004, "Realtime Pixel Lighting Using
+// Fragment Programs", sections "Embedding Range Attenuation in a Texture Map" to "Multiple Light Sources"; the same
+// mappings in Ronald Frazier 2000, "Real-Time Per-Pixel Point Lights and Spot Lights in OpenGL", with x0/2 + 0.5 for
+// the range and -z for the light's direction).
 
 #include "light_batch.glsl"
 #include "scene.glsl"

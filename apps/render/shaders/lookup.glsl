@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hales 2004, "Fragment Program Lighting Equations": (sum of range attenuation * angle attenuation * (L . N) * light
-// colour + directional ambient + directional diffuse * (d . n)) * face texture, then fog. No specular, no normal map. A
-// light has no ambient term of its own here, nothing is clamped to 1 before the screen, and the lit fog's cone comes
-// from the formula.
+// Steven Hales 2004, "Realtime Pixel Lighting Using Fragment Programs", section "Fragment Program Lighting Equations":
+// (sum of range attenuation * angle attenuation * (L . N) * light colour + directional ambient + directional diffuse *
+// (d . n)) * face texture, then fog. No specular, no normal map. A light has no ambient term of its own here, nothing
+// is clamped to 1 before the screen, and the lit fog's cone comes from the formula.
 
 #include "light_coordinates.glsl"
 #include "map_coordinate.glsl"

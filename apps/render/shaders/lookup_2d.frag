@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Range attenuation from two 2-D maps: s and t give q, then q and r give the attenuation (Hales 2004, "Embedding Range
-// Attenuation in a Texture Map", the method for cards that are short of memory).
+// Range attenuation from two 2-D maps: s and t give q, then q and r give the attenuation (Steven Hales 2004, "Realtime
+// Pixel Lighting Using Fragment Programs", section "Embedding Range Attenuation in a Texture Map", the method for cards
+// that are short of memory).
 
 #include "lookup.glsl"
 

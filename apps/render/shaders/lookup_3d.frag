@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Range attenuation from a 3-D map (Hales 2004, "Embedding Range Attenuation in a Texture Map").
+// Range attenuation from a 3-D map (Steven Hales 2004, "Realtime Pixel Lighting Using Fragment Programs", section
+// "Embedding Range Attenuation in a Texture Map").
 
 #include "lookup.glsl"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// "Compute just the specular contribution using the interpolated half-angle and normal vectors" (Cg Tutorial, chapter
-// 5, exercise 6).
+// "Compute just the specular contribution using the interpolated half-angle and normal vectors" (Randima Fernando and
+// Mark Kilgard 2003, "The Cg Tutorial", chapter 5, exercise 6).
 
 #include "fragment.glsl"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Diffuse at the vertices, specular at the fragments (Cg Tutorial, chapter 5, exercise 6). The interpolated values hold
-// the half-angle vectors of a few lights only, so further lights add their highlights in further passes.
+// Diffuse at the vertices, specular at the fragments (Randima Fernando and Mark Kilgard 2003, "The Cg Tutorial",
+// chapter 5, exercise 6). The interpolated values hold the half-angle vectors of a few lights only, so further lights
+// add their highlights in further passes.
 
 #include "diffuse.glsl"
 #include "listed_lights.glsl"

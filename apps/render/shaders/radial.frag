@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Point and spot lights on the base texture (Frazier 2000, "Per-Pixel Point Lighting", whose two passes are one here).
+// Point and spot lights on the base texture (Ronald Frazier 2000, "Real-Time Per-Pixel Point Lights and Spot Lights in
+// OpenGL", section "Per-Pixel Point Lighting", whose two passes are one here).
 
 #include "radial.glsl"
 

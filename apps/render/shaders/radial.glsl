@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frazier 2000: a light's colour times 1 - (x/R)^2 - (y/R)^2 - (z/R)^2, R the light's extent, times a cube map. The
-// first two squares are from a 2-D texture, the third is from a 1-D one. The surface's orientation is ignored.
+// Ronald Frazier 2000, "Real-Time Per-Pixel Point Lights and Spot Lights in OpenGL": a light's colour times 1 - (x/R)^2
+// - (y/R)^2 - (z/R)^2, R the light's extent, times a cube map. The first two squares are from a 2-D texture, the third
+// is from a 1-D one. The surface's orientation is ignored.
 
 #include "light_coordinates.glsl"
 #include "map_coordinate.glsl"

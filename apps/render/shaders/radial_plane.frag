@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Point and spot lights by one 2-D texture and a cube map: the square of the plane's distance is a constant
-// (Frazier 2000, "Simplifying a Point Light to Use Only One Texture" to "Filtering a Point Light into a Spot Light").
+// Point and spot lights by one 2-D texture and a cube map: the square of the plane's distance is a constant (Ronald
+// Frazier 2000, "Real-Time Per-Pixel Point Lights and Spot Lights in OpenGL", sections "Simplifying a Point Light to
+// Use Only One Texture" to "Filtering a Point Light into a Spot Light").
 
 #include "fragment.glsl"
 #include "light_batch.glsl"

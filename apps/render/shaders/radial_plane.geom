@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prepares up to four lights for a triangle's plane (Frazier 2000, "Simplifying a Point Light to Use Only One Texture",
-// prepareLightForPlane): the plane is rotated to z = 0, so that z^2 is a constant, and x and y are texture coordinates.
-// In the paper the application did this before drawing each plane; here the triangle's shader does.
+// Prepares up to four lights for a triangle's plane (Ronald Frazier 2000, "Real-Time Per-Pixel Point Lights and Spot
+// Lights in OpenGL", section "Simplifying a Point Light to Use Only One Texture", prepareLightForPlane): the plane is
+// rotated to z = 0, so that z^2 is a constant, and x and y are texture coordinates. In the paper the application did
+// this before drawing each plane; here the triangle's shader does.
 
 #include "light_batch.glsl"
 #include "plane_rotation.glsl"

@@ -4,7 +4,9 @@
 #include "environment.glsl"
 
 uniform vec3 eye;
-uniform vec3 infinite_viewer;  // the unit direction to it, where has_infinite_viewer (Cg Tutorial, exercise 4)
+// The unit direction to the viewer, where has_infinite_viewer (Randima Fernando and Mark Kilgard 2003, "The Cg Tutorial",
+// chapter 5, exercise 4).
+uniform vec3 infinite_viewer;
 
 // The vector to the viewer; its length has no meaning.
 vec3 vector_to_viewer(vec3 position) { return has_infinite_viewer ? infinite_viewer : eye - position; }

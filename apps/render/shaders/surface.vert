@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Passes everything on to the fragments (Cg Tutorial, example 5-2; Lacroix 2005, listing 2.3).
+// Passes everything on to the fragments (Randima Fernando and Mark Kilgard 2003, "The Cg Tutorial", example 5-2; Jason
+// Lacroix 2005, "Let There Be Light!: A Unified Lighting Technique for a New Generation of Games", listing 2.3).
 
 #include "vertex.glsl"
 

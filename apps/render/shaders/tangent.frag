@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Basic model in tangent space, with the map's normal unchanged (Lacroix 2005, listing 1.2).
+// The Basic model in tangent space, with the map's normal unchanged (Jason Lacroix 2005, "Let There Be Light!: A
+// Unified Lighting Technique for a New Generation of Games", listing 1.2).
 
 #include "cookie.glsl"
 #include "litfog/shaders/surface.glsl"

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Transforms the lights of a pass into the vertex's tangent space (Lacroix 2005, listing 1.2). A light needs two
-// registers, its position and its axis, so only a few fit ("Light count restrictions"); further lights are added in
-// further passes. The listing takes the vertex's position in the model for its position in tangent space; here the
-// vectors to the lights and the eye are transformed.
+// Transforms the lights of a pass into the vertex's tangent space (Jason Lacroix 2005, "Let There Be Light!: A Unified
+// Lighting Technique for a New Generation of Games", listing 1.2). A light needs two registers, its position and its
+// axis, so only a few fit ("Light count restrictions"); further lights are added in further passes. The listing takes
+// the vertex's position in the model for its position in tangent space; here the vectors to the lights and the eye are
+// transformed.
 
 #include "light_batch.glsl"
 #include "scene.glsl"

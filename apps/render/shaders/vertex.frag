@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The vertices' light on the material (Cg Tutorial, example 5-4: "modulate diffuse and specular by material color").
-// Emissive and ambient light is added here too, because only fragments have the material's texture and gloss.
+// The vertices' light on the material (Randima Fernando and Mark Kilgard 2003, "The Cg Tutorial", example 5-4:
+// "modulate diffuse and specular by material color"). Emissive and ambient light is added here too, because only
+// fragments have the material's texture and gloss.
 
 #include "fragment.glsl"
 

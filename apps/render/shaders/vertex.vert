@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Basic model at the vertices, any number of lights (Cg Tutorial 5.2, examples 5-1, 5-4 and 5-5; Lacroix 2005,
-// listing 1.1). Light is interpolated between vertices, so a spot of light within a triangle is missed.
+// The Basic model at the vertices, any number of lights (Randima Fernando and Mark Kilgard 2003, "The Cg Tutorial",
+// section 5.2, examples 5-1, 5-4 and 5-5; Jason Lacroix 2005, "Let There Be Light!: A Unified Lighting Technique for a
+// New Generation of Games", listing 1.1). Light is interpolated between vertices, so a spot of light within a triangle
+// is missed.
 
 #include "cookie.glsl"
 #include "litfog/shaders/surface.glsl"

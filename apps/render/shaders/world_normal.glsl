@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The normal map's normal in world space by the interpolated basis, normalised (Lacroix 2005, listing 2.3).
+// The normal map's normal in world space by the interpolated basis, normalised (Jason Lacroix 2005, "Let There Be
+// Light!: A Unified Lighting Technique for a New Generation of Games", listing 2.3).
 
 #include "rasterised.glsl"
 

@@ -6,8 +6,9 @@
 
 namespace litfog::scene {
 
-/// A room seen from inside, after Frazier 2000's "room with a curved ceiling": a barrel vault with ribs along Z, piers
-/// and niches at the sides, a door in the wall at -Z. The floor is y = 0, its middle the origin.
+/// A room seen from inside, after the "room with a curved ceiling" of Ronald Frazier 2000, "Real-Time Per-Pixel Point
+/// Lights and Spot Lights in OpenGL": a barrel vault with ribs along Z, piers and niches at the sides, a door in the
+/// wall at -Z. The floor is y = 0, its middle the origin.
 struct Room {
   float width_m = 7.0f;
   float depth_m = 11.0f;

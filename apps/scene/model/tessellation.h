@@ -6,8 +6,8 @@
 
 namespace litfog::scene {
 
-// One shape in finer and finer triangles, which lighting at the vertices needs (Fernando and Kilgard 2003, "The Cg
-// Tutorial", figure 5-16).
+// One shape in finer and finer triangles, which lighting at the vertices needs (Randima Fernando and Mark Kilgard 2003,
+// "The Cg Tutorial", figure 5-16).
 
 /// A square wall standing on y = 0, facing +Z, of cells x cells squares.
 struct Panel {

@@ -15,8 +15,8 @@ float litfog_fog_opacity(float range, float density_scale) {
   return litfog_opacity(litfog_fog.y == 0.0 ? litfog_depth_exp(range, density) : litfog_depth_exp2(range, density));
 }
 
-// What one light adds to the fog colour of a fragment: colour * cone * fog colour intensity (Hales 2004, "Lighting in
-// Fog"). No other function lights the fog.
+// What one light adds to the fog colour of a fragment: colour * cone * fog colour intensity (Steven Hales 2004,
+// "Realtime Pixel Lighting Using Fragment Programs", section "Lighting in Fog"). No other function lights the fog.
 vec3 litfog_light_fog(LitfogLight light, vec3 position) {
   vec3 direction = litfog_ray(light.position_extent.xyz, position).xyz;
   return light.color_intensity.rgb * (litfog_cone(light, direction) * light.color_intensity.w);

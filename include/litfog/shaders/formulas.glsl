@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // litfog: the scalar formulas of the model in metres, 1/m and cosines. GLSL includes this file like any other; C++
-// takes the same text through litfog/formulas.h, which defines LITFOG_REAL, LITFOG_FUNCTION and litfog_expm1 first.
+// takes the same text through litfog/formulas.h, which defines LITFOG_REAL and LITFOG_FUNCTION first and drops the
+// prefix litfog_ of every function, so that no variable here may have a function's name without it.
 
 #ifndef LITFOG_FORMULAS_GLSL
 #define LITFOG_FORMULAS_GLSL
@@ -17,11 +18,12 @@ LITFOG_FUNCTION LITFOG_REAL litfog_denominator(LITFOG_REAL range, LITFOG_REAL co
   return constant + range * (linear + range * quadratic);
 }
 
-// Range attenuation min(1, 1 / (C + L r + Q r^2))  (Hales 2004)
+// Range attenuation min(1, 1 / (C + L r + Q r^2))  (Steven Hales 2004, "Realtime Pixel Lighting Using Fragment
+// Programs")
 LITFOG_FUNCTION LITFOG_REAL litfog_attenuation(LITFOG_REAL range, LITFOG_REAL constant, LITFOG_REAL linear,
                                                LITFOG_REAL quadratic) {
-  LITFOG_REAL denominator = litfog_denominator(range, constant, linear, quadratic);
-  return denominator > LITFOG_REAL(1.0) ? LITFOG_REAL(1.0) / denominator : LITFOG_REAL(1.0);
+  LITFOG_REAL divisor = litfog_denominator(range, constant, linear, quadratic);
+  return divisor > LITFOG_REAL(1.0) ? LITFOG_REAL(1.0) / divisor : LITFOG_REAL(1.0);
 }
 
 // Optical depth of exp fog, d r, and of exp2 fog, (d r)^2
@@ -39,7 +41,8 @@ LITFOG_FUNCTION LITFOG_REAL litfog_cosine_cone(LITFOG_REAL cos_angle, LITFOG_REA
   return cos_angle > cos_half_angle ? pow(cos_angle, exponent) : LITFOG_REAL(0.0);
 }
 
-// Dual cone: smoothstep from the outer to the inner cosine  (Cg Tutorial 5.5.3)
+// Dual cone: smoothstep from the outer to the inner cosine  (Randima Fernando and Mark Kilgard 2003, "The Cg Tutorial",
+// section 5.5.3)
 LITFOG_FUNCTION LITFOG_REAL litfog_smoothstep_cone(LITFOG_REAL cos_angle, LITFOG_REAL cos_inner,
                                                    LITFOG_REAL cos_outer) {
   if (cos_angle >= cos_inner) return LITFOG_REAL(1.0);  // first, because a narrow cone's cosines may be equal

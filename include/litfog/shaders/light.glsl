@@ -44,7 +44,8 @@ float litfog_cone(LitfogLight light, vec3 direction) {
   return 1.0;
 }
 
-// Range attenuation up to the extent, 0 beyond it (Hales 2004, borders of the range map).
+// Range attenuation up to the extent, 0 beyond it (Steven Hales 2004, "Realtime Pixel Lighting Using Fragment
+// Programs", borders of the range map).
 float litfog_range_attenuation(LitfogLight light, float range) {
   if (range > light.position_extent.w) return 0.0;
   return litfog_attenuation(range, light.attenuation.x, light.attenuation.y, light.attenuation.z);

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fit/cosine_profile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "fit/least_squares.h"
+#include "litfog/formulas.h"
+
+namespace litfog {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr int kMaxRounds = 20;  // of a descent that moves the cut
+
+/// The error is a difference of fractions, not their ratio: what light falls on a surface is seen by its amount, and
+/// beams end in darkness, which has no logarithm.
+struct CosineResidual {
+  const ConePoint& point;
+  double edge;  ///< cosine of the half angle
+
+  template <typename T>
+  T operator()(const T& exponent) const {
+    return std::sqrt(point.weight) * (formulas::cosine_cone(T(point.cosine), T(edge), exponent) - point.fraction);
+  }
+};
+
+}  // namespace
+
+CosineProfile::CosineProfile(const std::vector<ConePoint>& points, std::optional<double> half_angle) : points_(points) {
+  if (half_angle) {
+    cuts_ = {lit_within(*half_angle)};
+  } else {
+    const std::size_t most = lit_within(std::numbers::pi / 2);
+    for (std::size_t lit = 0; lit <= most; ++lit) {
+      const bool parts_equals = lit > 0 && lit < points_.size() && points_[lit].cosine == points_[lit - 1].cosine;
+      const bool is_on_axis = lit < points_.size() && points_[lit].cosine == 1;  // no cone leaves the axis dark
+      if (!parts_equals && !is_on_axis) cuts_.push_back(lit);
+    }
+  }
+  dark_losses_.assign(points_.size() + 1, 0);
+  for (std::size_t i = points_.size(); i-- > 0;) dark_losses_[i] = dark_losses_[i + 1] + points_[i].loss(0);
+  const auto first = std::find_if(points_.begin(), points_.end(), [](const ConePoint& p) { return p.cosine < 1; });
+  const auto last = points_.begin() + static_cast<std::ptrdiff_t>(cuts_.back());
+  if (first < last) fall_ = -std::log(first[(last - first) / 2].cosine);
+}
+
+std::optional<ConeParameters> CosineProfile::start(const ConeBox& box) const {
+  return ConeParameters{(box.least[0] + box.most[0]) / 2, 0};
+}
+
+double CosineProfile::objective(const ConeParameters& parameters) const {
+  const double exponent = exponent_of(parameters[0]);
+  return best_cut(exponent, exponent).second;
+}
+
+double CosineProfile::bound(const ConeBox& box) const {
+  return best_cut(exponent_of(box.least[0]), exponent_of(box.most[0])).second;
+}
+
+ConeCandidate CosineProfile::descend(const ConeParameters& start, std::size_t& iterations) const {
+  ConeCandidate candidate;
+  candidate.parameters = {exponent_of(start[0]), 0};
+  // A round's cut is the best for the exponent of the round before.
+  for (int round = 0; round < kMaxRounds; ++round) {
+    const auto [lit, objective] = best_cut(candidate.parameters[0], candidate.parameters[0]);
+    const bool is_settled = lit == candidate.lit && round > 0;
+    candidate.lit = lit;
+    candidate.objective = objective;
+    if (is_settled) break;
+    if (!is_exponent_seen(lit)) {
+      candidate.parameters[0] = 0;
+      candidate.covariance.reset();
+      break;
+    }
+    const double edge = lit < points_.size() ? std::max(points_[lit].cosine, 0.0) : 0;
+    const auto model = [this, edge](const auto* exponent, auto* residuals) {
+      for (const ConePoint& point : points_) *residuals++ = CosineResidual{point, edge}(*exponent);
+    };
+    const LeastSquaresFit fit = fit_least_squares(
+        {.residual_count = points_.size(), .evaluate = differentiate<1>(model), .lower = {0}, .upper = {kInfinity}},
+        {candidate.parameters.data(), 1}, Descent::one);
+    candidate.parameters[0] = fit.parameters[0];
+    candidate.kkt_residual = fit.gradient;
+    candidate.covariance = fit.covariance;
+    iterations += fit.iterations;
+  }
+  return candidate;
+}
+
+std::size_t CosineProfile::lit_within(double angle) const {
+  const double cosine = std::cos(angle);
+  return static_cast<std::size_t>(
+      std::count_if(points_.begin(), points_.end(), [cosine](const ConePoint& p) { return p.cosine > cosine; }));
+}
+
+double CosineProfile::objective_of(double exponent, std::size_t lit) const {
+  double sum = dark_losses_[lit];
+  for (std::size_t i = 0; i < lit; ++i) sum += points_[i].loss(std::pow(points_[i].cosine, exponent));
+  return sum;
+}
+
+std::pair<std::size_t, double> CosineProfile::best_cut(double most_exponent, double least_exponent) const {
+  std::pair<std::size_t, double> best{0, kInfinity};
+  double lit_loss = 0;
+  std::size_t lit = 0;
+  for (const std::size_t cut : cuts_) {
+    for (; lit < cut; ++lit) {
+      const ConePoint& point = points_[lit];
+      lit_loss += point.loss(std::pow(point.cosine, most_exponent), std::pow(point.cosine, least_exponent));
+    }
+    if (lit_loss + dark_losses_[cut] < best.second) best = {cut, lit_loss + dark_losses_[cut]};
+  }
+  return best;
+}
+
+}  // namespace litfog

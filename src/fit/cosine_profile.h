@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "fit/cone_point.h"
+#include "fit/cone_search.h"
+
+// Internal.
+
+namespace litfog {
+
+/// cos^S u for u < H, as a profile of ConeSearch. Which points are lit depends on H alone, and the best of these for an
+/// S is found by one pass over the points: the search is over S. Its parameter is 1 / (1 + S m), m = -ln cos u of a
+/// typical point, in [0, 1].
+class CosineProfile {
+ public:
+  /// points      outlive the profile
+  /// half_angle  H, where given
+  CosineProfile(const std::vector<ConePoint>& points, std::optional<double> half_angle);
+
+  ConeBox root() const { return {{0, 0}, {1, 0}}; }
+  std::optional<ConeParameters> start(const ConeBox& box) const;
+  double objective(const ConeParameters& parameters) const;
+  double bound(const ConeBox& box) const;
+  /// The candidate's parameters are the exponent and 0.
+  ConeCandidate descend(const ConeParameters& start, std::size_t& iterations) const;
+
+  /// How many points are inside an angle.
+  std::size_t lit_within(double angle) const;
+  double objective_of(double exponent, std::size_t lit) const;
+
+ private:
+  bool is_exponent_seen(std::size_t lit) const { return lit > 0 && points_[lit - 1].cosine < 1; }
+  double exponent_of(double parameter) const { return (1 - parameter) / (parameter * fall_); }  // infinity at 0
+  /// How many points are best lit, and the objective then, or its bound over a range of exponents.
+  std::pair<std::size_t, double> best_cut(double most_exponent, double least_exponent) const;
+
+  const std::vector<ConePoint>& points_;
+  std::vector<std::size_t> cuts_;    // numbers of points that a cone can light, increasing
+  std::vector<double> dark_losses_;  // of the points from each on, and 0
+  double fall_ = 1;
+};
+
+}  // namespace litfog

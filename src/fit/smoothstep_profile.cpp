@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fit/smoothstep_profile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+#include "fit/least_squares.h"
+#include "litfog/formulas.h"
+
+namespace litfog {
+namespace {
+
+/// The error is a difference of fractions, as CosineResidual's. The formula sees differences of cosines alone, so it is
+/// given negative versines, which keep their digits near the axis.
+struct SmoothstepResidual {
+  const ConePoint& point;
+
+  template <typename T>
+  T operator()(const T& inner, const T& outer) const {
+    return std::sqrt(point.weight) *
+           (formulas::smoothstep_cone(T(-point.versine), T(-inner), T(-outer)) - point.fraction);
+  }
+};
+
+double smoothstep_at(const ConePoint& point, const ConeParameters& parameters) {
+  // Not even the limit of cones that end here lights it, and all light the axis.
+  if (point.versine >= parameters[1] && point.versine > 0) return 0;
+  return formulas::smoothstep_cone(-point.versine, -parameters[0], -parameters[1]);
+}
+
+}  // namespace
+
+SmoothstepProfile::SmoothstepProfile(const std::vector<ConePoint>& points, std::optional<double> outer)
+    : points_(points) {
+  if (outer) outer_ = versine(*outer);
+}
+
+ConeBox SmoothstepProfile::root() const {
+  const double farthest = outer_ ? *outer_ : points_.back().versine;
+  return {{0, outer_ ? *outer_ : 0}, {farthest, outer_ ? *outer_ : 2}};
+}
+
+std::optional<ConeParameters> SmoothstepProfile::start(const ConeBox& box) const {
+  if (!(box.least[0] < box.most[1])) return std::nullopt;
+  const ConeParameters middle{(box.least[0] + box.most[0]) / 2, (box.least[1] + box.most[1]) / 2};
+  return middle[0] < middle[1] ? middle : ConeParameters{box.least[0], box.most[1]};
+}
+
+double SmoothstepProfile::objective(const ConeParameters& parameters) const {
+  double sum = 0;
+  for (const ConePoint& point : points_) sum += point.loss(smoothstep_at(point, parameters));
+  return sum;
+}
+
+double SmoothstepProfile::bound(const ConeBox& box) const {
+  if (!(box.least[0] < box.most[1])) return std::numeric_limits<double>::infinity();
+  // Where the ranges overlap, a step is the limit of the cones.
+  const ConeParameters least{box.least[0], std::max(box.least[0], box.least[1])};
+  const ConeParameters most{std::min(box.most[0], box.most[1]), box.most[1]};
+  double sum = 0;
+  for (const ConePoint& point : points_) sum += point.loss(smoothstep_at(point, least), smoothstep_at(point, most));
+  return sum;
+}
+
+ConeCandidate SmoothstepProfile::descend(const ConeParameters& start, std::size_t& iterations) const {
+  const auto edge_given = [this](const auto* inner, auto* residuals) {
+    const std::decay_t<decltype(*inner)> outer(*outer_);
+    for (const ConePoint& point : points_) *residuals++ = SmoothstepResidual{point}(*inner, outer);
+  };
+  const auto edge_free = [this](const auto* edge, auto* residuals) {
+    for (const ConePoint& point : points_) *residuals++ = SmoothstepResidual{point}(edge[0], edge[1]);
+  };
+  const std::size_t count = outer_ ? 1 : 2;
+  const LeastSquaresFit fit =
+      fit_least_squares({.residual_count = points_.size(),
+                         .evaluate = outer_ ? differentiate<1>(edge_given) : differentiate<2>(edge_free),
+                         .lower = std::vector<double>(count, 0),
+                         .upper = std::vector<double>(count, 2)},
+                        {start.data(), count}, Descent::one);
+  ConeCandidate candidate;
+  candidate.parameters[1] = outer_ ? *outer_ : fit.parameters[1];
+  constexpr double kNarrowest = 1e-12;  // a descent may end in a step, which is the limit of cones
+  candidate.parameters[0] = std::min(fit.parameters[0], candidate.parameters[1] * (1 - kNarrowest));
+  candidate.objective = objective(candidate.parameters);
+  candidate.kkt_residual = fit.gradient;
+  candidate.covariance = fit.covariance;
+  iterations += fit.iterations;
+  return candidate;
+}
+
+ConeParameters SmoothstepProfile::softest(const ConeParameters& parameters, double exact, bool& is_identified) const {
+  double full = 0;
+  double dark = outer_ ? *outer_ : 2;
+  double inside = 0;
+  double part = 0;        // of the edge beyond it, linear in the versine
+  std::size_t count = 0;  // of different angles
+  for (const ConePoint& point : points_) {
+    const double cone = smoothstep_at(point, parameters);
+    constexpr double kEnd = 1e-9;  // a descent ends so near a full or dark point, not on it
+    if (cone > 1 - kEnd) {
+      full = point.versine;
+    } else if (cone < kEnd) {
+      dark = std::min(dark, point.versine);
+    } else if (count == 0 || point.versine > inside) {
+      inside = point.versine;
+      part = (parameters[1] - inside) / (parameters[1] - parameters[0]);
+      ++count;
+    }
+  }
+  is_identified = count >= (outer_ ? 1u : 2u);
+  if (is_identified) return parameters;
+  ConeParameters result{full, dark};
+  if (count == 1) {  // outer - inside = part * (outer - inner)
+    const double outer = (inside - part * full) / (1 - part);
+    result = outer <= dark ? ConeParameters{full, outer} : ConeParameters{(inside - (1 - part) * dark) / part, dark};
+  }
+  return objective(result) <= std::max(objective(parameters) * (1 + 1e-12), exact) ? result : parameters;
+}
+
+}  // namespace litfog

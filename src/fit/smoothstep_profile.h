@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "fit/cone_point.h"
+#include "fit/cone_search.h"
+
+// Internal.
+
+namespace litfog {
+
+/// smoothstep(cos outer, cos inner, cos u), as a profile of ConeSearch. Parameters are the versines of inner and outer.
+class SmoothstepProfile {
+ public:
+  /// points  outlive the profile
+  /// outer   radians, where given
+  SmoothstepProfile(const std::vector<ConePoint>& points, std::optional<double> outer);
+
+  ConeBox root() const;
+  /// The middle, or near the diagonal the corner that is a cone.
+  std::optional<ConeParameters> start(const ConeBox& box) const;
+  double objective(const ConeParameters& parameters) const;
+  double bound(const ConeBox& box) const;
+  ConeCandidate descend(const ConeParameters& start, std::size_t& iterations) const;
+
+  /// The softest of the edges that all points see alike, where fewer of them are in the edge than it has parameters.
+  ConeParameters softest(const ConeParameters& parameters, double exact, bool& is_identified) const;
+
+ private:
+  const std::vector<ConePoint>& points_;
+  std::optional<double> outer_;  // versine, where given
+};
+
+}  // namespace litfog
