@@ -12,7 +12,7 @@
 // that crosses the ray, at its middle. On each piece Gauss-Legendre nodes are evenly spread in
 //   t = asinh(z / w),  z = (1 - e^(-q x)) / q,
 // in which both the falloff of the lamp (of width w) and that of exp fog (of rate q) are nearly straight. A point lamp
-// in isotropic fog has a closed form on the plateau and takes 8 nodes elsewhere; all else takes 16.
+// in isotropic fog has a closed form on the plateau and takes 8 nodes elsewhere; all else takes 20.
 //
 // Errors and what they were measured on: litfog/airlight.h.
 
@@ -93,8 +93,8 @@ LITFOG_REAL litfog_airlight_cosine(LitfogAirlight air, LITFOG_REAL along, LITFOG
   return range > LITFOG_REAL(0.0) ? (air.axis_offset + air.axis_slope * along) / range : air.axis_slope;
 }
 
-#ifdef LITFOG_COOKIES
-// The including program's: fraction of the axial intensity there.
+#if defined(LITFOG_COOKIES) && !defined(__cplusplus)
+// The including program's: fraction of the axial intensity at a distance along the ray from the closest approach.
 LITFOG_REAL litfog_airlight_cookie(LitfogAirlight air, LITFOG_REAL along);
 #endif
 

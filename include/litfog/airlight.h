@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <limits>
+#include <optional>
+#include <span>
+
+#include "litfog/fog.h"
+#include "litfog/light.h"
+#include "litfog/value_error.h"
+
+namespace litfog {
+
+/// A light's own leg through the fog, from the lamp to where it is scattered.
+enum class LampLeg {
+  clear,  ///< k = 0: nothing is lost on it, as in Hales's model, which knows the eye's leg only
+  fogged  ///< k = 1: the fog factor f(r) is lost on it (single scattering)
+};
+
+/// How fog scatters light into the eye.
+struct Scattering {
+  LampLeg lamp_leg = LampLeg::fogged;
+  double asymmetry = 0;  ///< g of Henyey and Greenstein's phase function, in (-1, 1); 0 is isotropic, > 0 forward
+};
+
+/// What is wrong with it, or nothing.
+std::optional<ValueError> check(const Scattering& scattering);
+
+/// A ray from the eye to what it sees. World space, metres.
+struct EyeRay {
+  glm::dvec3 origin{0.0};                ///< each coordinate at most kMaxPosition in magnitude
+  glm::dvec3 direction{0.0, 0.0, -1.0};  ///< its length is 1 within kDirectionTolerance
+  double length = std::numeric_limits<double>::infinity();  ///< D, >= 0: to the surface or to the end of the fog
+};
+
+/// What is wrong with it, or nothing.
+std::optional<ValueError> check(const EyeRay& ray);
+
+/// Airlight of a light along a ray: what of it the fog scatters into the eye, to be multiplied with its colour,
+///   A = integral over s in [0, D] of  -f'(s) a(r) cone(u) f(r)^k phase(theta)  ds
+/// with s from the eye, r and u range and angle from the light, theta the angle of scattering and a(r) = 0 beyond the
+/// light's extent. The phase function is divided by its isotropic value.
+///
+/// light      its extent is that of its threshold; its class sees the fog at its density scale
+/// fog        of the scene
+/// returns    [0, 1] in isotropic fog; up to (1 + |g|) / (1 - |g|)^2 else
+/// throws     std::invalid_argument naming field, value and rule
+double airlight(const PlacedLight& light, const Fog& fog, const EyeRay& ray, const Scattering& scattering = {});
+
+}  // namespace litfog
