@@ -13,6 +13,13 @@ constexpr float kBrightest = 1e30f;  // in place of infinity, whose ratios are n
 
 float largest_channel(const glm::vec3& color) { return std::max({color.r, color.g, color.b}); }
 
+/// The value that a fraction of the values does not exceed. It reorders them; there is one at least.
+float quantile(std::vector<float>& values, double fraction) {
+  const auto at = values.begin() + std::ptrdiff_t(fraction * double(values.size() - 1));
+  std::ranges::nth_element(values, at);
+  return *at;
+}
+
 /// The names and figures are those of the published definition.
 glm::vec3 neutral(glm::vec3 color) {
   constexpr float kF90 = 0.04f;
@@ -33,19 +40,18 @@ glm::vec3 neutral(glm::vec3 color) {
 }  // namespace
 
 double auto_exposure(const Picture& picture) {
-  constexpr double kFraction = 0.99;  // of the pixels, at most as bright as kBright
-  constexpr double kBright = 0.8;
+  constexpr float kBlack = 1.0f / 4096;  // of what a thousandth of the pixels is brighter than
+  constexpr double kBright = 0.8;        // what one in twenty of the others is brighter than
   std::vector<float> peaks;
   for (std::size_t i = 0; i < picture.rgb.size(); i += 3) {
     const glm::vec3 color(picture.rgb[i], picture.rgb[i + 1], picture.rgb[i + 2]);
     if (!std::isfinite(color.r) || !std::isfinite(color.g) || !std::isfinite(color.b)) continue;
-    const float peak = largest_channel(color);
-    if (peak > 0) peaks.push_back(peak);
+    if (const float peak = largest_channel(color); peak > 0) peaks.push_back(peak);
   }
   if (peaks.empty()) return 0;
-  const auto bright = peaks.begin() + std::ptrdiff_t(kFraction * double(peaks.size() - 1));
-  std::ranges::nth_element(peaks, bright);
-  const double ev = std::log2(kBright / double(*bright));
+  const float black = kBlack * quantile(peaks, 0.999);
+  std::erase_if(peaks, [black](float peak) { return peak < black; });
+  const double ev = std::log2(kBright / double(quantile(peaks, 0.95)));
   return std::clamp(std::round(100 * ev) / 100, -kMaxExposure, kMaxExposure);
 }
 

@@ -29,11 +29,11 @@ struct Display {
   ToneCurve tone = ToneCurve::neutral;
 };
 
-/// The exposure at which one in a hundred of the pixels that are not black has a channel beyond 0.8, up to where a
-/// display shows colours as they are: neither a black sky nor a few bright lamps change it.
+/// The exposure at which one in twenty of the pixels that are not black has a channel beyond 0.8, up to where a display
+/// shows colours as they are; a pixel is black below 1/4096 of what one in a thousand exceeds. So neither a dark sky
+/// nor a few bright lamps change it.
 ///
-/// returns  EV in hundredths, in [-kMaxExposure, kMaxExposure]; 0 where all is black or not finite, which does not
-/// count
+/// returns  EV in hundredths, in [-kMaxExposure, kMaxExposure]; 0 where all is 0 or not finite, which does not count
 double auto_exposure(const Picture& picture);
 
 /// The display with its exposure chosen from a picture if it is automatic.

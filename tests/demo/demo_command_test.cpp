@@ -47,7 +47,8 @@ class DemoCommand : public CommandTest {
 constexpr const char* kSeeHelp = "; see litfog-demo --help\n";
 
 TEST_F(DemoCommand, PngAndExrShowTheSameLight) {
-  for (const char* output : {"a.png", "a.exr"}) {
+  // By clip, for neutral changes the dark too.
+  for (const char* output : {"a.png --tone clip", "a.exr"}) {
     const Outcome outcome = run(std::string("tessellation --visibility 200 --size 64x36 -o ") + output);
     ASSERT_EQ(outcome.status, kDone) << outcome.err;
   }
@@ -62,6 +63,59 @@ TEST_F(DemoCommand, PngAndExrShowTheSameLight) {
       ASSERT_NEAR(double(png.getchannel(x, y, 0, 1)), shown, 1.5 / 255) << x << ", " << y;
     }
   }
+}
+
+TEST_F(DemoCommand, ExposureAndToneAreThePicturesAndNotTheLights) {
+  for (const char* options : {"-o a.png", "-o b.png --exposure 0 --tone neutral", "-o c.png --exposure 1",
+                              "-o d.png --tone clip", "-o e.exr --stats linear.json"}) {
+    const Outcome outcome = run(std::string("room --size 32x18 ") + options);
+    ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  }
+  EXPECT_EQ(read("a.png"), read("b.png"));
+  EXPECT_NE(read("a.png"), read("c.png"));
+  EXPECT_NE(read("a.png"), read("d.png"));
+  EXPECT_FALSE(nlohmann::json::parse(read("linear.json")).contains("tone"));
+}
+
+TEST_F(DemoCommand, AutomaticExposureIsToldAndGivesTheSamePictureWhenGiven) {
+  const Outcome outcome = run("room --size 32x18 --exposure auto --tone clip -o a.png --stats s.json");
+  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  const auto stats = nlohmann::json::parse(read("s.json"));
+  EXPECT_EQ(stats["exposure_auto"], true);
+  EXPECT_EQ(stats["tone"], "clip");
+  const std::string ev = fmt::format("{}", double(stats["exposure_ev"]));
+  EXPECT_NE(ev, "0");
+  EXPECT_NE(outcome.out.find("(32x18, EV " + ev + " (auto), tone clip)"), std::string::npos) << outcome.out;
+  ASSERT_EQ(run("room --size 32x18 --tone clip -o b.png --exposure " + ev).status, kDone);
+  EXPECT_EQ(read("a.png"), read("b.png"));
+}
+
+TEST_F(DemoCommand, WrongExposuresAndTonesAreErrors) {
+  for (const std::string ev : {"bright", "nan", "inf", "-inf", "32.1", "-33", "1e308", "''", "1x", "Auto"}) {
+    const std::string shown = ev == "''" ? "\"\"" : ev;
+    for (const std::string job : {"room -o a.png", "gallery room -o g", "compare room -o g"}) {
+      EXPECT_ERROR(run(job + " --exposure " + ev), kUsage,
+                   "litfog-demo: --exposure = " + shown + ": must be auto or a number in [-32, 32]" + kSeeHelp);
+    }
+  }
+  EXPECT_ERROR(run("room --tone filmic"), kUsage,
+               std::string("litfog-demo: --tone = filmic: must be one of neutral|clip") + kSeeHelp);
+  for (const std::string option : {"--exposure auto", "--tone clip"}) {
+    EXPECT_ERROR(run("room -o a.exr " + option), kUsage,
+                 "litfog-demo: " + option.substr(0, option.find(' ')) +
+                     " cannot be given with --output a.exr: it holds the scene's light" + kSeeHelp);
+  }
+  EXPECT_FALSE(std::filesystem::exists(directory() / "g"));
+  EXPECT_FALSE(std::filesystem::exists(directory() / "a.png"));
+}
+
+TEST_F(DemoCommand, BlackSceneIsBlackAtItsAutomaticExposure) {
+  write("dark.json", R"({"litfog": "scene", "version": 1, "objects": [],
+                         "camera": {"position": [0, 1, 5], "target": [0, 1, 0]}})");
+  ASSERT_EQ(run("dark.json --size 8x8 --exposure auto -o a.png --stats s.json").status, kDone);
+  EXPECT_EQ(nlohmann::json::parse(read("s.json"))["exposure_ev"], 0);
+  OIIO::ImageBuf picture((directory() / "a.png").string());
+  for (int x = 0; x < 8; ++x) EXPECT_LE(picture.getchannel(x, x, 0, 1), 1.0f / 255);  // the dither
 }
 
 TEST_F(DemoCommand, StatisticsStateWhatWasDrawn) {
@@ -80,7 +134,8 @@ TEST_F(DemoCommand, StatisticsStateWhatWasDrawn) {
 
 TEST_F(DemoCommand, ReferenceIsTheSamePictureToAStep) {
   for (const char* options : {"-o a.exr", "--reference -o b.exr --stats s.json"}) {
-    const Outcome outcome = run(std::string("tessellation --visibility 200 --size 64x36 ") + options);  // no lamp in view
+    const Outcome outcome =
+        run(std::string("tessellation --visibility 200 --size 64x36 ") + options);  // no lamp in view
     ASSERT_EQ(outcome.status, kDone) << outcome.err;
   }
   OIIO::ImageBuf drawn((directory() / "a.exr").string());
@@ -150,6 +205,19 @@ TEST_F(DemoCommand, GalleryDrawsEachVisibilityAndASheet) {
     EXPECT_TRUE(std::filesystem::exists(directory() / "pictures" / name)) << name;
   }
   EXPECT_NE(outcome.out.find("intensity"), std::string::npos);
+  EXPECT_EQ(outcome.out.find(" s, EV "), std::string::npos) << outcome.out;
+}
+
+TEST_F(DemoCommand, GallerySheetIsTallerByTheLineThatTellsTheDisplay) {
+  const auto sheet_height = [this] {
+    return OIIO::ImageBuf((directory() / "pictures/contact-sheet.png").string()).spec().height;
+  };
+  ASSERT_EQ(run("gallery room -o pictures --size 64x36").status, kDone);
+  const int plain = sheet_height();
+  const Outcome outcome = run("gallery room -o pictures --size 64x36 --exposure 0.5 --tone clip");
+  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  EXPECT_NE(outcome.out.find(" s, EV 0.5, tone clip\n"), std::string::npos) << outcome.out;
+  EXPECT_EQ(sheet_height(), plain + 20);
 }
 
 TEST_F(DemoCommand, ComparisonHasAPageOfEveryPathWithItsPictures) {
@@ -157,7 +225,7 @@ TEST_F(DemoCommand, ComparisonHasAPageOfEveryPathWithItsPictures) {
   const Outcome outcome = run("compare " + options + "-o a/b --frames 2");
   ASSERT_EQ(outcome.status, kDone) << outcome.err;
   const std::string page = read("a/b/index.html");
-  EXPECT_NE(page.find("exp2 fog, visibility 30 m"), std::string::npos);
+  EXPECT_NE(page.find("exp2 fog, visibility 30 m; "), std::string::npos);
   std::set<std::string> linked{"index.html"};
   for (const std::string attribute : {" src=\"", " href=\""}) {
     for (auto at = page.find(attribute); at != page.npos; at = page.find(attribute, at + 1)) {
@@ -189,6 +257,26 @@ TEST_F(DemoCommand, ComparisonHasAPageOfEveryPathWithItsPictures) {
   }
   EXPECT_EQ(read("a.png"), read("a/b/room-lookup-2d.png"));
   EXPECT_EQ(read("h.png"), read("a/b/room-lookup-2d-error.png"));
+}
+
+TEST_F(DemoCommand, ComparisonShowsAllPathsAtOneExposureAndTellsIt) {
+  const Outcome outcome = run("compare room --size 32x18 --map-size 16 -o a --frames 1 --exposure auto --tone clip");
+  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  const std::string page = read("a/index.html");
+  const std::string before = "visibility 20 m, EV ";
+  const auto at = page.find(before);
+  ASSERT_NE(at, std::string::npos);
+  const std::string words = page.substr(at + before.size(), page.find(';', at) - at - before.size());
+  const std::string ev = words.substr(0, words.find(' '));
+  EXPECT_EQ(words, ev + " (auto), tone clip");
+  for (const auto& [path, picture] : {std::pair{"unified", "room-unified.png"}, {"vertex", "room-vertex.png"}}) {
+    const std::string options = std::string(" --tone clip --path ") + path + " --exposure " + ev;
+    ASSERT_EQ(run("room --size 32x18 -o b.png" + options).status, kDone);
+    EXPECT_EQ(read("b.png"), read(std::string("a/") + picture)) << path;
+    ASSERT_EQ(run("room --size 32x18 --reference -o b.png" + options).status, kDone);
+    const std::string reference = std::string("a/room-") + (path == std::string("unified") ? "" : "vertex-");
+    EXPECT_EQ(read("b.png"), read(reference + "reference.png")) << path;
+  }
 }
 
 TEST_F(DemoCommand, WrongUsageOfCompareIsAnError) {
