@@ -40,8 +40,6 @@ glm::vec3 neutral(glm::vec3 color) {
 }  // namespace
 
 double auto_exposure(const Picture& picture) {
-  constexpr float kBlack = 1.0f / 4096;  // of what a thousandth of the pixels is brighter than
-  constexpr double kBright = 0.8;        // what one in twenty of the others is brighter than
   std::vector<float> peaks;
   for (std::size_t i = 0; i < picture.rgb.size(); i += 3) {
     const glm::vec3 color(picture.rgb[i], picture.rgb[i + 1], picture.rgb[i + 2]);
@@ -49,9 +47,8 @@ double auto_exposure(const Picture& picture) {
     if (const float peak = largest_channel(color); peak > 0) peaks.push_back(peak);
   }
   if (peaks.empty()) return 0;
-  const float black = kBlack * quantile(peaks, 0.999);
-  std::erase_if(peaks, [black](float peak) { return peak < black; });
-  const double ev = std::log2(kBright / double(quantile(peaks, 0.95)));
+  const double gain = std::min(0.8 / double(quantile(peaks, 0.95)), 4 / double(quantile(peaks, 0.99)));
+  const double ev = std::log2(gain);
   return std::clamp(std::round(100 * ev) / 100, -kMaxExposure, kMaxExposure);
 }
 

@@ -118,6 +118,50 @@ TEST_F(DemoCommand, BlackSceneIsBlackAtItsAutomaticExposure) {
   for (int x = 0; x < 8; ++x) EXPECT_LE(picture.getchannel(x, x, 0, 1), 1.0f / 255);  // the dither
 }
 
+/// A floor that fills the picture of a camera 12 m above it, and a light 6 m above its middle that shines down.
+std::string gltf_floor(const std::string& light) {
+  return fmt::format(R"({{"asset": {{"version": "2.0"}}, "scenes": [{{"nodes": [0, 1, 2]}}],
+    "nodes": [{{"mesh": 0}},
+              {{"translation": [0, 6, -12], "rotation": [-0.70710678, 0, 0, 0.70710678],
+                "extensions": {{"KHR_lights_punctual": {{"light": 0}}}}}},
+              {{"camera": 0, "translation": [0, 12, 0], "rotation": [-0.38268343, 0, 0, 0.92387953]}}],
+    "cameras": [{{"type": "perspective", "perspective": {{"yfov": 0.8, "znear": 0.1}}}}],
+    "extensions": {{"KHR_lights_punctual": {{"lights": [{}]}}}},
+    "meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0}}, "material": 0}}]}}],
+    "materials": [{{"pbrMetallicRoughness": {{"metallicFactor": 0}}}}],
+    "accessors": [{{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+                   "min": [-50, 0, -50], "max": [50, 0, 50]}}],
+    "bufferViews": [{{"buffer": 0, "byteLength": 36}}],
+    "buffers": [{{"byteLength": 36, "uri":
+      "data:application/octet-stream;base64,AABIwgAAAAAAAEjCAAAAAAAAAAAAAEhCAABIQgAAAAAAAEjC"}}]}})",
+                     light);
+}
+
+TEST_F(DemoCommand, GltfOfBlendersLampsAndSunsIsAPictureAndNotWhite) {
+  // Blender writes a lamp of 800 W and a sun of 100 W/m^2 so.
+  for (const char* light :
+       {R"({"type": "point", "intensity": 43481})", R"({"type": "spot", "intensity": 43481, "spot": {}})",
+        R"({"type": "directional", "intensity": 68300})"}) {
+    write("a.gltf", gltf_floor(light));
+    const auto white_fraction = [this](const std::string& file, const std::string& options) {
+      const Outcome outcome = run("a.gltf --size 64x36 --stats s.json -o " + file + options);
+      EXPECT_EQ(outcome.status, kDone) << outcome.err;
+      OIIO::ImageBuf picture((directory() / file).string());
+      picture.read(0, 0, true);  // now: OpenImageIO keeps files by their names
+      int white = 0;
+      for (int y = 0; y < 36; ++y) {
+        for (int x = 0; x < 64; ++x) white += picture.getchannel(x, y, 0, 1) >= 254.0f / 255;  // less the dither
+      }
+      return white / (64.0 * 36);
+    };
+    EXPECT_LE(white_fraction("a.png", ""), 0.005) << light;
+    const auto stats = nlohmann::json::parse(read("s.json"));
+    EXPECT_EQ(stats["exposure_auto"], true) << light;
+    EXPECT_LT(stats["exposure_ev"], -2) << light;
+    EXPECT_GE(white_fraction("b.png", " --exposure 0 --tone clip"), 0.05) << light;  // which is what it cures
+  }
+}
+
 TEST_F(DemoCommand, StatisticsStateWhatWasDrawn) {
   ASSERT_EQ(run("approach --visibility 800 --fog exp2 --size 64x36 --frames 3 -o a.png --stats s.json").status, kDone);
   const auto stats = nlohmann::json::parse(read("s.json"));
@@ -209,15 +253,14 @@ TEST_F(DemoCommand, GalleryDrawsEachVisibilityAndASheet) {
 }
 
 TEST_F(DemoCommand, GallerySheetIsTallerByTheLineThatTellsTheDisplay) {
-  const auto sheet_height = [this] {
-    return OIIO::ImageBuf((directory() / "pictures/contact-sheet.png").string()).spec().height;
+  const auto sheet_height = [this](const std::string& folder) {
+    return OIIO::ImageBuf((directory() / folder / "contact-sheet.png").string()).spec().height;
   };
-  ASSERT_EQ(run("gallery room -o pictures --size 64x36").status, kDone);
-  const int plain = sheet_height();
-  const Outcome outcome = run("gallery room -o pictures --size 64x36 --exposure 0.5 --tone clip");
+  ASSERT_EQ(run("gallery room -o plain --size 64x36").status, kDone);
+  const Outcome outcome = run("gallery room -o told --size 64x36 --exposure 0.5 --tone clip");
   ASSERT_EQ(outcome.status, kDone) << outcome.err;
   EXPECT_NE(outcome.out.find(" s, EV 0.5, tone clip\n"), std::string::npos) << outcome.out;
-  EXPECT_EQ(sheet_height(), plain + 20);
+  EXPECT_EQ(sheet_height("told"), sheet_height("plain") + 20);
 }
 
 TEST_F(DemoCommand, ComparisonHasAPageOfEveryPathWithItsPictures) {

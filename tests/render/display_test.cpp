@@ -136,9 +136,19 @@ TEST(AutoExposure, LightThatIsNotFiniteDoesNotCount) {
 TEST(AutoExposure, BlackSkyAndAFewBrightLampsDoNotChangeIt) {
   std::vector<glm::vec3> colors(1000, glm::vec3(0.8f * 64));
   EXPECT_EQ(auto_exposure(row(colors)), -6);
-  colors.resize(100'000, glm::vec3(0.001f));  // a night sky
-  for (std::size_t i = 0; i < 49; ++i) colors[i] = glm::vec3(60'000);
+  colors.resize(100'000, glm::vec3(0));
+  for (std::size_t i = 0; i < 9; ++i) colors[i] = glm::vec3(60'000);
   EXPECT_EQ(auto_exposure(row(colors)), -6);
+}
+
+TEST(AutoExposure, LitPlaceInADarkPictureIsNotWhite) {
+  for (const std::size_t lit : {1'100u, 4'000u}) {  // of 100,000
+    std::vector<glm::vec3> colors(100'000, glm::vec3(0.001f));
+    for (std::size_t i = 0; i < lit; ++i) colors[i] = glm::vec3(128);
+    const double ev = auto_exposure(row(colors));
+    EXPECT_EQ(ev, -5) << lit;
+    EXPECT_LT(neutral(glm::vec3(128) * float(std::exp2(ev))).r, 254.0f / 255) << lit;
+  }
 }
 
 TEST(AutoExposure, OneBrightPixelAmongBlackIsShown) {
