@@ -24,7 +24,7 @@ struct PathResult {
 struct SceneResult {
   std::string name;
   std::string description;
-  std::string conditions;  ///< text: the fog
+  std::string conditions;  ///< text: the fog, and the display where it is not the default
   std::size_t lights;
   std::vector<PathResult> paths = {};  ///< the default path first
 

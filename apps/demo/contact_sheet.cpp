@@ -38,14 +38,12 @@ OIIO::ImageBuf to_image(const render::Picture& picture) {
 }  // namespace
 
 render::Picture fitted_to_cell(const render::Picture& picture) {
-  render::Picture shown = picture;
-  // Clamped as a screen would, so that a bright lamp does not spread over its neighbours.
-  for (float& value : shown.rgb) value = std::clamp(value, 0.0f, 1.0f);
   const double scale = std::min(double(kSheetCellWidth) / picture.width, double(kSheetCellHeight) / picture.height);
   const auto scaled = [scale](int size) { return std::max(1, int(size * scale + 0.5)); };
   const int width = scaled(picture.width);
   const int height = scaled(picture.height);
-  return to_picture(OIIO::ImageBufAlgo::resize(to_image(shown), "box", 0, OIIO::ROI(0, width, 0, height, 0, 1, 0, 3)));
+  return to_picture(
+      OIIO::ImageBufAlgo::resize(to_image(picture), "box", 0, OIIO::ROI(0, width, 0, height, 0, 1, 0, 3)));
 }
 
 render::Picture make_contact_sheet(const std::vector<std::vector<SheetEntry>>& rows) {

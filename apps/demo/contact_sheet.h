@@ -11,7 +11,8 @@ namespace litfog::demo {
 inline constexpr int kSheetCellWidth = 480;   ///< pixels: the width of a sheet's pictures
 inline constexpr int kSheetCellHeight = 960;  ///< at most; a picture that would be taller is narrower instead
 
-/// One picture of a sheet with the lines of text under it. Lines after the first are fainter.
+/// One picture of a sheet, as a display shows it (render::displayed), with the lines of text under it. Lines after the
+/// first are fainter.
 struct SheetEntry {
   render::Picture picture;
   std::vector<std::string> caption;
@@ -22,7 +23,8 @@ struct SheetEntry {
 /// throws std::runtime_error where no font is found for the captions
 render::Picture make_contact_sheet(const std::vector<std::vector<SheetEntry>>& rows);
 
-/// A picture in the same shape as wide as a cell, or as tall if that makes it smaller; averaged, and clamped to [0, 1].
+/// A picture in the same shape as wide as a cell, or as tall if that makes it smaller; averaged. It is one that a
+/// display shows, else a bright lamp would spread over its neighbours.
 render::Picture fitted_to_cell(const render::Picture& picture);
 
 }  // namespace litfog::demo

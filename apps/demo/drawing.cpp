@@ -28,7 +28,8 @@ Drawn draw(const scene::Scene& scene, const DrawingOptions& options, int frames,
   return drawn;
 }
 
-std::string stats_json(const scene::Scene& scene, const DrawingOptions& options, const Drawn& drawn) {
+std::string stats_json(const scene::Scene& scene, const DrawingOptions& options, const Drawn& drawn,
+                       const std::optional<render::Display>& display) {
   using Json = nlohmann::ordered_json;
   const measure::FrameTimes& times = drawn.times;
   Json stats{{"scene", scene.name},
@@ -50,6 +51,11 @@ std::string stats_json(const scene::Scene& scene, const DrawingOptions& options,
              {"surface_lights_skipped", times.counts.lights_skipped},
              {"gl_renderer", drawn.gl_renderer},
              {"gl_version", drawn.gl_version}};
+  if (display) {
+    stats["exposure_ev"] = display->exposure.ev;
+    stats["exposure_auto"] = display->exposure.is_auto;
+    stats["tone"] = tone_name(display->tone);
+  }
   if (drawn.comparison) {
     const measure::PictureError& error = drawn.comparison->error;
     stats["max_error_255"] = error.largest;

@@ -29,6 +29,9 @@ struct Drawn {
 Drawn draw(const scene::Scene& scene, const DrawingOptions& options, int frames, bool has_reference);
 
 /// The file of --stats.
-std::string stats_json(const scene::Scene& scene, const DrawingOptions& options, const Drawn& drawn);
+///
+/// display  of the picture's file; none for one that holds the scene's light
+std::string stats_json(const scene::Scene& scene, const DrawingOptions& options, const Drawn& drawn,
+                       const std::optional<render::Display>& display);
 
 }  // namespace litfog::demo

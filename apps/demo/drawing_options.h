@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "command/option_rule.h"
+#include "demo/display_options.h"
 #include "litfog/fog.h"
 #include "render/render_settings.h"
 
@@ -20,6 +21,7 @@ struct DrawingOptions {
   int width = 1280;                           ///< pixels
   int height = 720;
   render::RenderSettings render = {};
+  DisplayOptions display = {};
 
   /// The visibility that is asked for, infinite in clear air.
   std::optional<double> chosen_visibility() const;

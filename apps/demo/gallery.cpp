@@ -92,13 +92,18 @@ void draw_gallery(const std::vector<std::string>& scenes, const std::string& fol
       const Clock::time_point frame_start = Clock::now();
       renderer.set_fog(Fog::from_visibility(settings.fog_mode, visibility));
       renderer.draw();
-      render::Picture picture = renderer.read();
+      const render::Picture drawn = renderer.read();
       const double draw_seconds = seconds_since(frame_start);
-      const std::string caption =
-          is_clear ? scene.name + ", clear air" : fmt::format("{}, visibility {} m", scene.name, visibility);
-      sheet.back().push_back({fitted_to_cell(picture), {caption}});
+      std::vector<std::string> caption{is_clear ? scene.name + ", clear air"
+                                                : fmt::format("{}, visibility {} m", scene.name, visibility)};
+      const render::Display display = render::adapted(settings.display.display_for(scene), drawn);
+      const std::string words = display_in_words(display);
+      if (!words.empty()) caption.push_back(words);
+      render::Picture picture = render::displayed(drawn, display);
+      sheet.back().push_back({fitted_to_cell(picture), std::move(caption)});
       pictures.write(file, std::move(picture));
-      command::report(fmt::format("  {:<40} drawn in {:.2f} s\n", pictures.path_of(file), draw_seconds));
+      command::report(fmt::format("  {:<40} drawn in {:.2f} s{}\n", pictures.path_of(file), draw_seconds,
+                                  words.empty() ? "" : ", " + words));
     }
   }
   pictures.write(kSheetFile, make_contact_sheet(sheet));

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "demo/display_options.h"
 #include "render/renderer.h"
 
 namespace litfog::demo {
@@ -14,6 +15,7 @@ struct GallerySettings {
   int width = 1280;
   int height = 720;
   render::RenderSettings render;
+  DisplayOptions display = {};  ///< an automatic exposure is each picture's own
 };
 
 /// Draws scenes clear and at each of their visibilities into a folder (made where missing), one PNG each, and

@@ -50,6 +50,7 @@ constexpr const char* kExamples =
     R"(Examples:
   litfog-demo headlights --visibility 150 -o fog.png
   litfog-demo approach --fog exp2 --visibility 800 --size 1920x1080 -o approach.exr
+  litfog-demo street.glb --exposure -8.5 -o street.png
   litfog-demo room --path vertex --heat-map error.png
   litfog-demo gallery -o out
   litfog-demo compare room headlights --size 960x540 -o paths
@@ -97,12 +98,14 @@ Job add_picture_job(CLI::App& app) {
   app.add_option("SCENE", options->scene,
                  "A scene that comes with litfog (litfog-demo list scenes), a scene file or a glTF file")
       ->type_name("");
-  app.add_option("-o,--output", options->output, "Picture to write: .png (sRGB) or .exr (linear) (default SCENE.png)")
+  app.add_option("-o,--output", options->output,
+                 "Picture to write: .png (what a display shows) or .exr (linear light) (default SCENE.png)")
       ->type_name("FILE");
   add_fog_and_visibility(app, options->drawing);
   add_path(app, options->drawing);
   add_rendering(app, options->drawing);
   add_time(app, options->drawing);
+  add_display(app, options->drawing.display);
   add_integer(app, "--frames", options->frames, 1, 100'000,
               "Frames to draw and time, after one that is not timed (default 1)");
   app.add_flag("--reference", options->reference,
@@ -120,6 +123,10 @@ Job add_picture_job(CLI::App& app) {
                      is_given("--flat-shading"),
                      {"--reference", "--heat-map"},
                      "references are shaded smoothly"});
+    rules.push_back({"--output " + options->output,
+                     holds_scene_light(options->output),
+                     {"--exposure", "--tone"},
+                     "it holds the scene's light"});
     check_options(app, rules);
     if (is_given("--output") && !is_picture_path(options->output)) {
       fail_option("--output", options->output, "must end in .png or .exr");
@@ -145,10 +152,15 @@ Job add_picture_job(CLI::App& app) {
       write_picture(options->heat_map, make_heat_map(drawn.comparison->error,
                                                      fmt::format("{}, {}", scene.name, drawing.render.path->name)));
     }
-    write_picture(output, options->reference ? drawn.comparison->reference : drawn.picture);
-    if (is_given("--stats")) files::write_whole_file(options->stats, stats_json(scene, drawing, drawn));
-    report(fmt::format("{}: {} ({}x{}) in {} ms on {}\n", output, scene.name, drawing.width, drawing.height,
-                       measure::milliseconds_text(drawn.times.median()), drawn.gl_renderer));
+    const render::Picture& picture = options->reference ? drawn.comparison->reference : drawn.picture;
+    std::optional<render::Display> display;
+    if (!holds_scene_light(output)) display = render::adapted(drawing.display.display_for(scene), drawn.picture);
+    write_picture(output, display ? render::displayed(picture, *display) : picture);
+    if (is_given("--stats")) files::write_whole_file(options->stats, stats_json(scene, drawing, drawn, display));
+    const std::string words = display ? display_in_words(*display) : "";
+    report(fmt::format("{}: {} ({}x{}{}) in {} ms on {}\n", output, scene.name, drawing.width, drawing.height,
+                       words.empty() ? "" : ", " + words, measure::milliseconds_text(drawn.times.median()),
+                       drawn.gl_renderer));
     if (drawn.comparison) {
       report(fmt::format("{}: {}\n", drawing.render.path->name, measure::error_in_words(drawn.comparison->error)));
     }
@@ -177,6 +189,7 @@ Job add_gallery_job(CLI::App& app) {
   add_fog(app, options->drawing);
   add_path(app, options->drawing);
   add_rendering(app, options->drawing);
+  add_display(app, options->drawing.display);
   return [&app, options] {
     const DrawingOptions& drawing = options->drawing;
     if (options->folder.empty()) fail_option("--output", "", "must not be empty");
@@ -184,9 +197,12 @@ Job add_gallery_job(CLI::App& app) {
     const std::vector<std::string> scenes = scene_paths(options->scenes);
     const gl::HeadlessContext context;
     report(fmt::format("drawing {} scenes on {}\n", scenes.size(), context.renderer()));
-    draw_gallery(
-        scenes, options->folder,
-        {.fog_mode = drawing.fog_mode(), .width = drawing.width, .height = drawing.height, .render = drawing.render});
+    draw_gallery(scenes, options->folder,
+                 {.fog_mode = drawing.fog_mode(),
+                  .width = drawing.width,
+                  .height = drawing.height,
+                  .render = drawing.render,
+                  .display = drawing.display});
     return kDone;
   };
 }
@@ -200,6 +216,7 @@ Job add_comparison_job(CLI::App& app) {
   add_fog_and_visibility(app, options->drawing);
   add_rendering(app, options->drawing);
   add_time(app, options->drawing);
+  add_display(app, options->drawing.display);
   add_integer(app, "--frames", *frames, 1, 100'000, "Frames of each path to time (default 5)");
   return [&app, options, frames] {
     const DrawingOptions& drawing = options->drawing;
@@ -219,7 +236,8 @@ Job add_comparison_job(CLI::App& app) {
                    .width = drawing.width,
                    .height = drawing.height,
                    .frames = *frames,
-                   .render = drawing.render});
+                   .render = drawing.render,
+                   .display = drawing.display});
     return kDone;
   };
 }

@@ -84,6 +84,7 @@ SceneResult compare_scene(const scene::Scene& scene, PictureFolder& pictures, co
   const std::vector<measure::FrameTimes> times = time_paths(renderers, settings.frames, progress);
   const auto paths = render::lighting_paths();
   const auto legacy = std::size_t(render::find_lighting_path("legacy") - paths.data());
+  render::Display display = settings.display.display_for(scene);
   Sheet sheet;
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const render::LightingPath& path = paths[i];
@@ -99,16 +100,22 @@ SceneResult compare_scene(const scene::Scene& scene, PictureFolder& pictures, co
                                              .mean_error = error.mean,
                                              .excluded = error.excluded});
     if (i == 0) {
-      sheet.add(comparison.reference, {fmt::format("{}, {}: reference in double", scene.name, result.conditions),
-                                       fmt::format("{} x {} on {}", settings.width, settings.height, machine)});
+      display = render::adapted(display, comparison.drawn);
+      if (const std::string words = display_in_words(display); !words.empty()) result.conditions += ", " + words;
+    }
+    render::Picture drawn = render::displayed(comparison.drawn, display);
+    render::Picture reference = render::displayed(comparison.reference, display);
+    if (i == 0) {
+      sheet.add(reference, {fmt::format("{}, {}: reference in double", scene.name, result.conditions),
+                            fmt::format("{} x {} on {}", settings.width, settings.height, machine)});
     }
     const std::string time =
         fmt::format("{} ms a frame, {:.2f} x legacy", measure::milliseconds_text(row.milliseconds), row.over_legacy);
-    sheet.add(comparison.drawn, {fmt::format("{}: {}", path.name, time), measure::error_in_words(error)});
+    sheet.add(drawn, {fmt::format("{}: {}", path.name, time), measure::error_in_words(error)});
     command::report(fmt::format("  {:<12} {:>32}; {}\n", path.name, time, measure::error_in_words(error)));
     pictures.write(result.error_file(path), make_heat_map(error, fmt::format("{}, {}", scene.name, path.name)));
-    pictures.write(result.drawn_file(path), std::move(comparison.drawn));
-    pictures.write(result.reference_file(path), std::move(comparison.reference));
+    pictures.write(result.drawn_file(path), std::move(drawn));
+    pictures.write(result.reference_file(path), std::move(reference));
   }
   pictures.write(result.sheet_file(), sheet.picture());
   return result;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "demo/display_options.h"
 #include "render/renderer.h"
 
 namespace litfog::demo {
@@ -17,6 +18,7 @@ struct PathComparisonSettings {
   int height = 720;
   int frames = 5;                 ///< timed of each path, >= 1
   render::RenderSettings render;  ///< but the path
+  DisplayOptions display = {};    ///< an automatic exposure is that of the first path's picture, for all
 };
 
 /// Draws scenes by every lighting path into a folder (made where missing): of each scene and path the picture, its heat

@@ -59,4 +59,6 @@ void write_picture(const std::string& path, const render::Picture& picture) {
 
 bool is_picture_path(const std::string& path) { return format_of(path) != Format::unknown; }
 
+bool holds_scene_light(const std::string& path) { return format_of(path) == Format::exr; }
+
 }  // namespace litfog::demo

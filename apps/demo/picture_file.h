@@ -7,11 +7,14 @@
 
 namespace litfog::demo {
 
-/// Writes a picture atomically: .png as sRGB, 8 bits, dithered against banding (clamped to [0, 1]); .exr as linear half
-/// floats. Throws OutputError.
+/// Writes a picture atomically: .png as sRGB, 8 bits, dithered against banding (clamped to [0, 1]: render::displayed
+/// makes it fit); .exr as linear half floats. Throws OutputError.
 void write_picture(const std::string& path, const render::Picture& picture);
 
 /// Whether a path has one of those endings.
 bool is_picture_path(const std::string& path);
+
+/// Whether the file holds the scene's light as it is (.exr) and not what a display shows of it.
+bool holds_scene_light(const std::string& path);
 
 }  // namespace litfog::demo

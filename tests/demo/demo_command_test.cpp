@@ -48,7 +48,8 @@ class DemoCommand : public CommandTest {
 constexpr const char* kSeeHelp = "; see litfog-demo --help\n";
 
 TEST_F(DemoCommand, PngAndExrShowTheSameLight) {
-  for (const char* output : {"a.png", "a.exr"}) {
+  // By clip, for neutral changes the dark too.
+  for (const char* output : {"a.png --tone clip", "a.exr"}) {
     const Outcome outcome = run(std::string("tessellation --visibility 200 --size 64x36 -o ") + output);
     ASSERT_EQ(outcome.status, kDone) << outcome.err;
   }
@@ -62,6 +63,103 @@ TEST_F(DemoCommand, PngAndExrShowTheSameLight) {
       const double shown = litfog::test::srgb_from_linear(std::min(1.0, linear));
       ASSERT_NEAR(double(png.getchannel(x, y, 0, 1)), shown, 1.5 / 255) << x << ", " << y;
     }
+  }
+}
+
+TEST_F(DemoCommand, ExposureAndToneAreThePicturesAndNotTheLights) {
+  for (const char* options : {"-o a.png", "-o b.png --exposure 0 --tone neutral", "-o c.png --exposure 1",
+                              "-o d.png --tone clip", "-o e.exr --stats linear.json"}) {
+    const Outcome outcome = run(std::string("room --size 32x18 ") + options);
+    ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  }
+  EXPECT_EQ(read("a.png"), read("b.png"));
+  EXPECT_NE(read("a.png"), read("c.png"));
+  EXPECT_NE(read("a.png"), read("d.png"));
+  EXPECT_FALSE(nlohmann::json::parse(read("linear.json")).contains("tone"));
+}
+
+TEST_F(DemoCommand, AutomaticExposureIsToldAndGivesTheSamePictureWhenGiven) {
+  const Outcome outcome = run("room --size 32x18 --exposure auto --tone clip -o a.png --stats s.json");
+  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  const auto stats = nlohmann::json::parse(read("s.json"));
+  EXPECT_EQ(stats["exposure_auto"], true);
+  EXPECT_EQ(stats["tone"], "clip");
+  const std::string ev = fmt::format("{}", double(stats["exposure_ev"]));
+  EXPECT_NE(ev, "0");
+  EXPECT_NE(outcome.out.find("(32x18, EV " + ev + " (auto), tone clip)"), std::string::npos) << outcome.out;
+  ASSERT_EQ(run("room --size 32x18 --tone clip -o b.png --exposure " + ev).status, kDone);
+  EXPECT_EQ(read("a.png"), read("b.png"));
+}
+
+TEST_F(DemoCommand, WrongExposuresAndTonesAreErrors) {
+  for (const std::string ev : {"bright", "nan", "inf", "-inf", "32.1", "-33", "1e308", "''", "1x", "Auto"}) {
+    const std::string shown = ev == "''" ? "\"\"" : ev;
+    for (const std::string job : {"room -o a.png", "gallery room -o g", "compare room -o g"}) {
+      EXPECT_ERROR(run(job + " --exposure " + ev), kUsage,
+                   "litfog-demo: --exposure = " + shown + ": must be auto or a number in [-32, 32]" + kSeeHelp);
+    }
+  }
+  EXPECT_ERROR(run("room --tone filmic"), kUsage,
+               std::string("litfog-demo: --tone = filmic: must be one of neutral|clip") + kSeeHelp);
+  for (const std::string option : {"--exposure auto", "--tone clip"}) {
+    EXPECT_ERROR(run("room -o a.exr " + option), kUsage,
+                 "litfog-demo: " + option.substr(0, option.find(' ')) +
+                     " cannot be given with --output a.exr: it holds the scene's light" + kSeeHelp);
+  }
+  EXPECT_FALSE(std::filesystem::exists(directory() / "g"));
+  EXPECT_FALSE(std::filesystem::exists(directory() / "a.png"));
+}
+
+TEST_F(DemoCommand, BlackSceneIsBlackAtItsAutomaticExposure) {
+  write("dark.json", R"({"litfog": "scene", "version": 1, "objects": [],
+                         "camera": {"position": [0, 1, 5], "target": [0, 1, 0]}})");
+  ASSERT_EQ(run("dark.json --size 8x8 --exposure auto -o a.png --stats s.json").status, kDone);
+  EXPECT_EQ(nlohmann::json::parse(read("s.json"))["exposure_ev"], 0);
+  OIIO::ImageBuf picture((directory() / "a.png").string());
+  for (int x = 0; x < 8; ++x) EXPECT_LE(picture.getchannel(x, x, 0, 1), 1.0f / 255);  // the dither
+}
+
+/// A floor that fills the picture of a camera 12 m above it, and a light 6 m above its middle that shines down.
+std::string gltf_floor(const std::string& light) {
+  return fmt::format(R"({{"asset": {{"version": "2.0"}}, "scenes": [{{"nodes": [0, 1, 2]}}],
+    "nodes": [{{"mesh": 0}},
+              {{"translation": [0, 6, -12], "rotation": [-0.70710678, 0, 0, 0.70710678],
+                "extensions": {{"KHR_lights_punctual": {{"light": 0}}}}}},
+              {{"camera": 0, "translation": [0, 12, 0], "rotation": [-0.38268343, 0, 0, 0.92387953]}}],
+    "cameras": [{{"type": "perspective", "perspective": {{"yfov": 0.8, "znear": 0.1}}}}],
+    "extensions": {{"KHR_lights_punctual": {{"lights": [{}]}}}},
+    "meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0}}, "material": 0}}]}}],
+    "materials": [{{"pbrMetallicRoughness": {{"metallicFactor": 0}}}}],
+    "accessors": [{{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+                   "min": [-50, 0, -50], "max": [50, 0, 50]}}],
+    "bufferViews": [{{"buffer": 0, "byteLength": 36}}],
+    "buffers": [{{"byteLength": 36, "uri":
+      "data:application/octet-stream;base64,AABIwgAAAAAAAEjCAAAAAAAAAAAAAEhCAABIQgAAAAAAAEjC"}}]}})",
+                     light);
+}
+
+TEST_F(DemoCommand, GltfOfBlendersLampsAndSunsIsAPictureAndNotWhite) {
+  // Blender writes a lamp of 800 W and a sun of 100 W/m^2 so.
+  for (const char* light :
+       {R"({"type": "point", "intensity": 43481})", R"({"type": "spot", "intensity": 43481, "spot": {}})",
+        R"({"type": "directional", "intensity": 68300})"}) {
+    write("a.gltf", gltf_floor(light));
+    const auto white_fraction = [this](const std::string& file, const std::string& options) {
+      const Outcome outcome = run("a.gltf --size 64x36 --stats s.json -o " + file + options);
+      EXPECT_EQ(outcome.status, kDone) << outcome.err;
+      OIIO::ImageBuf picture((directory() / file).string());
+      picture.read(0, 0, true);  // now: OpenImageIO keeps files by their names
+      int white = 0;
+      for (int y = 0; y < 36; ++y) {
+        for (int x = 0; x < 64; ++x) white += picture.getchannel(x, y, 0, 1) >= 254.0f / 255;  // less the dither
+      }
+      return white / (64.0 * 36);
+    };
+    EXPECT_LE(white_fraction("a.png", ""), 0.005) << light;
+    const auto stats = nlohmann::json::parse(read("s.json"));
+    EXPECT_EQ(stats["exposure_auto"], true) << light;
+    EXPECT_LT(stats["exposure_ev"], -2) << light;
+    EXPECT_GE(white_fraction("b.png", " --exposure 0 --tone clip"), 0.05) << light;  // which is what it cures
   }
 }
 
@@ -151,6 +249,18 @@ TEST_F(DemoCommand, GalleryDrawsEachVisibilityAndASheet) {
     EXPECT_TRUE(std::filesystem::exists(directory() / "pictures" / name)) << name;
   }
   EXPECT_NE(outcome.out.find("intensity"), std::string::npos);
+  EXPECT_EQ(outcome.out.find(" s, EV "), std::string::npos) << outcome.out;
+}
+
+TEST_F(DemoCommand, GallerySheetIsTallerByTheLineThatTellsTheDisplay) {
+  const auto sheet_height = [this](const std::string& folder) {
+    return OIIO::ImageBuf((directory() / folder / "contact-sheet.png").string()).spec().height;
+  };
+  ASSERT_EQ(run("gallery room -o plain --size 64x36").status, kDone);
+  const Outcome outcome = run("gallery room -o told --size 64x36 --exposure 0.5 --tone clip");
+  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  EXPECT_NE(outcome.out.find(" s, EV 0.5, tone clip\n"), std::string::npos) << outcome.out;
+  EXPECT_EQ(sheet_height("told"), sheet_height("plain") + 20);
 }
 
 TEST_F(DemoCommand, ComparisonHasAPageOfEveryPathWithItsPictures) {
@@ -158,7 +268,7 @@ TEST_F(DemoCommand, ComparisonHasAPageOfEveryPathWithItsPictures) {
   const Outcome outcome = run("compare " + options + "-o a/b --frames 2");
   ASSERT_EQ(outcome.status, kDone) << outcome.err;
   const std::string page = read("a/b/index.html");
-  EXPECT_NE(page.find("exp2 fog, visibility 30 m"), std::string::npos);
+  EXPECT_NE(page.find("exp2 fog, visibility 30 m; "), std::string::npos);
   std::set<std::string> linked{"index.html"};
   for (const std::string attribute : {" src=\"", " href=\""}) {
     for (auto at = page.find(attribute); at != page.npos; at = page.find(attribute, at + 1)) {
@@ -189,6 +299,26 @@ TEST_F(DemoCommand, ComparisonHasAPageOfEveryPathWithItsPictures) {
   }
   EXPECT_EQ(read("a.png"), read("a/b/room-lookup-2d.png"));
   EXPECT_EQ(read("h.png"), read("a/b/room-lookup-2d-error.png"));
+}
+
+TEST_F(DemoCommand, ComparisonShowsAllPathsAtOneExposureAndTellsIt) {
+  const Outcome outcome = run("compare room --size 32x18 --map-size 16 -o a --frames 1 --exposure auto --tone clip");
+  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  const std::string page = read("a/index.html");
+  const std::string before = "visibility 20 m, EV ";
+  const auto at = page.find(before);
+  ASSERT_NE(at, std::string::npos);
+  const std::string words = page.substr(at + before.size(), page.find(';', at) - at - before.size());
+  const std::string ev = words.substr(0, words.find(' '));
+  EXPECT_EQ(words, ev + " (auto), tone clip");
+  for (const auto& [path, picture] : {std::pair{"unified", "room-unified.png"}, {"vertex", "room-vertex.png"}}) {
+    const std::string options = std::string(" --tone clip --path ") + path + " --exposure " + ev;
+    ASSERT_EQ(run("room --size 32x18 -o b.png" + options).status, kDone);
+    EXPECT_EQ(read("b.png"), read(std::string("a/") + picture)) << path;
+    ASSERT_EQ(run("room --size 32x18 --reference -o b.png" + options).status, kDone);
+    const std::string reference = std::string("a/room-") + (path == std::string("unified") ? "" : "vertex-");
+    EXPECT_EQ(read("b.png"), read(reference + "reference.png")) << path;
+  }
 }
 
 TEST_F(DemoCommand, WrongUsageOfCompareIsAnError) {

@@ -197,6 +197,23 @@ TEST_F(GltfScene, APointLightFallsWithTheSquareOfRangeFromItsKnee) {
   EXPECT_FALSE(scene.lights[0].carried);
 }
 
+// An ordinary Blender street lamp, 800 W: a knee of 29 m, where it shows 16 times the white, would light all alike.
+TEST_F(GltfScene, ABrightLampFallsWithTheSquareOfRangeFromOneMetreOn) {
+  json file = floor_scene();
+  json& light = file["extensions"]["KHR_lights_punctual"]["lights"][0];
+  for (const double intensity : {50.3, 900.0, 31'415.0, 43'481.0}) {
+    light["intensity"] = intensity;
+    const Light given = read(file).lights.at(0).light;
+    for (const double range : {1.2, 6.0, 100.0}) {
+      const double arriving = given.color.r * attenuation_at(given.attenuation, range);
+      EXPECT_NEAR(arriving, intensity / (pi * range * range), 1e-12 * intensity) << intensity;
+    }
+    const double reach = compute_extent(given.attenuation, given.threshold);
+    EXPECT_NEAR(intensity / (pi * reach * reach), 1.0 / 512, 1e-12) << intensity;
+    EXPECT_LE(given.color.r, kMaxColor * (1 + 1e-15)) << intensity;
+  }
+}
+
 TEST_F(GltfScene, ALightEndsAtItsRange) {
   json file = floor_scene();
   json& light = file["extensions"]["KHR_lights_punctual"]["lights"][0];
@@ -231,6 +248,38 @@ TEST_F(GltfScene, ADirectionalLightIsTheMoon) {
   EXPECT_TRUE(scene.lights.empty());
   EXPECT_NEAR(double(scene.environment.moon_color.r), 0.2 / pi, 1e-8);
   EXPECT_LT(glm::distance(scene.environment.moon_direction, glm::vec3(0, 0, 1)), 1e-6f);
+}
+
+TEST_F(GltfScene, ASunIsTakenUpToTheEndOfHalfFloats) {
+  json file = floor_scene();
+  json& light = file["extensions"]["KHR_lights_punctual"]["lights"][0];
+  light = {{"type", "directional"}, {"intensity", 68'300}};
+  EXPECT_NEAR(double(read(file).environment.moon_color.r), 68'300 / pi, 1e-2);
+  light["intensity"] = 205'786;
+  EXPECT_LE(read(file).environment.moon_color.r, 65'504.0f);
+  light["intensity"] = 205'787;
+  EXPECT_EQ(error_of(file),
+            "extensions.KHR_lights_punctual.lights[0].intensity = 205787: must not show more than 65504 times the "
+            "display's white");
+}
+
+TEST_F(GltfScene, TheFarthestCornerKeeps37PercentOfItsContrastWhereNoVisibilityIsGiven) {
+  json seen_from_afar = floor_scene();
+  seen_from_afar["nodes"][1]["translation"] = {0, 300, 400};
+  json without_camera = floor_scene();
+  without_camera["scenes"][0]["nodes"] = {0, 2};
+  for (const json& file : {floor_scene(), seen_from_afar, without_camera}) {
+    const Scene scene = read(file);
+    const Fog fog = Fog::from_visibility(FogMode::exp, suggested_visibility(scene));
+    double least = 1;
+    for (const float x : {-10.0f, 10.0f}) {
+      for (const float z : {-10.0f, 10.0f}) {
+        const double range = double(glm::distance(scene.camera.position, glm::vec3(x, 0, z)));
+        least = std::min(least, std::exp(-fog.density * range));
+      }
+    }
+    EXPECT_NEAR(least, std::cbrt(0.05), 1e-5);
+  }
 }
 
 TEST_F(GltfScene, AFileWithoutLightsOrCameraIsStillSeen) {

@@ -22,8 +22,10 @@
 namespace litfog::scene {
 namespace {
 
-constexpr double kBrightestAtKnee = 16;          // of the display's white
-constexpr double kThreshold = 1.0 / (16 * 512);  // half of 1/256 of the display's white
+constexpr double kBrightestAtKnee = 16;   // of the display's white
+constexpr double kLargestKnee = 1;        // metres
+constexpr double kLeast = 1.0 / 512;      // half of 1/256 of the display's white
+constexpr double kBrightestSun = 65'504;  // of the display's white: a framebuffer's half floats end there
 constexpr glm::vec3 kNightAmbient{0.045f, 0.05f, 0.07f};
 constexpr glm::vec3 kLampless{0.6f};
 constexpr glm::vec3 kNightFog{0.012f, 0.013f, 0.017f};
@@ -56,12 +58,12 @@ class GltfReader {
     if (scene_.models[0].empty()) file_.root().fail("meshes", "", "must hold triangles");
     scene_.instances.push_back({0, glm::mat4(1.0f)});
     const Bounds box = bounds(scene_.models[0]);
-    const double size = std::max(0.01, double(glm::distance(box.low, box.high)));
     if (!has_camera_) look_at(box);
     if (scene_.lights.empty() && scene_.environment.moon_color == glm::vec3(0.0f)) {
       scene_.environment.ambient_light = kLampless;
     }
-    scene_.visibilities = {8 * size, 2 * size, size / 2};
+    const double depth = std::max(0.01, distance_to_farthest_corner(box));
+    scene_.visibilities = {10 * depth, 3 * depth, depth};
   }
 
   Scene take() {
@@ -172,6 +174,12 @@ class GltfReader {
         middle + glm::normalize(glm::vec3(0.3f, 0.35f, 1)) * (radius / std::sin(scene_.camera.field_of_view / 2));
   }
 
+  /// From the camera to the corner of a box.
+  double distance_to_farthest_corner(const Bounds& box) const {
+    const glm::vec3 eye = scene_.camera.position;
+    return double(glm::length(glm::max(glm::abs(box.low - eye), glm::abs(box.high - eye))));
+  }
+
   // --- lights ---
 
   void read_light(const JsonValue& index, const glm::dmat4& world_from_node, bool is_carried) {
@@ -195,8 +203,8 @@ class GltfReader {
     if (!(glm::length(axis) > 0)) index.fail("must not be at a node of scale 0");
     if (is_directional) {
       if (scene_.environment.moon_color != glm::vec3(0.0f)) light.fail("must be the only directional light");
-      if (!(brightest <= kMaxColor)) {
-        fail_at(light, "intensity", "must not show more than 10000 times the display's white");
+      if (!(brightest <= kBrightestSun)) {
+        fail_at(light, "intensity", "must not show more than 65504 times the display's white");
       }
       scene_.environment.moon_color = at_one_metre;
       scene_.environment.moon_direction = glm::normalize(-axis);
@@ -208,8 +216,9 @@ class GltfReader {
     placed.position = glm::dvec3(world_from_node[3]);
     placed.direction = glm::normalize(axis);
     placed.carried = is_carried;
-    double knee_square = brightest / kBrightestAtKnee;
-    placed.light.threshold = kThreshold;
+    double knee_square = std::min(brightest / kBrightestAtKnee, kLargestKnee * kLargestKnee);
+    knee_square = std::max(knee_square, brightest / kMaxColor);
+    placed.light.threshold = kLeast * knee_square / brightest;
     if (const double range = light.number_or("range", 0); range != 0) {
       if (!(range > 0 && range <= kMaxCoordinate)) light.member("range").fail("must be > 0 and at most 1e7");
       knee_square = std::min(knee_square, range * range / 4);

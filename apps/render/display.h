@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "render/picture.h"
+
+namespace litfog::render {
+
+inline constexpr double kMaxExposure = 32;  ///< EV, either way: half floats span 40
+
+/// Exposure of a picture in EV: its light is multiplied by 2^ev.
+struct Exposure {
+  double ev = 0;         ///< [-kMaxExposure, kMaxExposure]; of an automatic one what `adapted` has chosen
+  bool is_auto = false;  ///< whether it is to be chosen from the picture
+};
+
+/// How a display shows light beyond its white, which is 1.
+///
+/// neutral  Khronos PBR Neutral (Khronos 2024, "Khronos PBR Neutral Tone Mapper"): the least channel's light, at most
+///          0.04, is subtracted as a surface's reflection at its Fresnel minimum; from a largest channel of 0.76 on the
+///          colour is compressed towards 1, its hue kept, its saturation falling
+/// clip     each channel is cut at 1, as in the papers; a bright orange becomes yellow
+enum class ToneCurve { neutral, clip };
+
+/// From scene values, linear and unbounded, to a display's light, linear in [0, 1].
+struct Display {
+  Exposure exposure = {};
+  ToneCurve tone = ToneCurve::neutral;
+};
+
+/// The largest exposure at which one in twenty of the pixels that are not black has a channel beyond 0.8, up to where a
+/// display shows colours as they are, and one in a hundred beyond 4, which `neutral` still shows below white. So a few
+/// bright lamps do not darken a picture, and a dark sky around does not turn what is lit white.
+///
+/// returns  EV in hundredths, in [-kMaxExposure, kMaxExposure]; 0 where all is 0 or not finite, which does not count
+double auto_exposure(const Picture& picture);
+
+/// The display with its exposure chosen from a picture if it is automatic.
+Display adapted(Display display, const Picture& picture);
+
+/// A colour on a tone curve: exposed already, each channel >= 0 and finite. Returns each in [0, 1].
+glm::vec3 toned(ToneCurve tone, const glm::vec3& color);
+
+/// A picture as a display shows it, each channel in [0, 1]. What is below 0 or not a number is black, infinity is
+/// white.
+Picture displayed(const Picture& picture, const Display& display);
+
+}  // namespace litfog::render
