@@ -22,10 +22,11 @@ void main() {
   vec3 n = normalize(normal);
   vec3 light = vec3(0.0);
   for (int i = 0; i < lights_in_pass; ++i) {
-    vec3 to_light = litfog_ray(vector_from_light(i), vec3(0.0)).xyz;
+    vec4 ray = litfog_ray(vector_from_light(i), vec3(0.0));
     float ra = range_attenuation(range_coordinate(i));
     float aa = texture(cone_map, cone_coordinate(i)).r;
-    light += ra * aa * max(dot(to_light, n), 0.0) * batch_light(i).color_intensity.rgb;
+    light += ra * aa * max(dot(ray.xyz, n), 0.0) * batch_light(i).color_intensity.rgb *
+             litfog_lamp_factor(batch_light(i), ray.w);
   }
   if (is_first_pass) light += directional_light(shading_value());
   vec3 lit = light * base_texture().rgb;

@@ -15,6 +15,12 @@ float litfog_fog_opacity(float range, float density_scale) {
   return litfog_opacity(litfog_fog.y == 0.0 ? litfog_depth_exp(range, density) : litfog_depth_exp2(range, density));
 }
 
+#ifdef LITFOG_LAMP_LEG
+float litfog_lamp_factor(LitfogLight light, float range) {
+  return 1.0 - litfog_fog_opacity(range, light.attenuation.w);
+}
+#endif
+
 // What one light adds to the fog colour of a fragment: colour * cone * fog colour intensity (Steven Hales 2004,
 // "Realtime Pixel Lighting Using Fragment Programs", section "Lighting in Fog"). No other function lights the fog.
 vec3 litfog_light_fog(LitfogLight light, vec3 position) {
