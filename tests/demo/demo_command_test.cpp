@@ -140,7 +140,18 @@ TEST_F(DemoCommand, CookiesTurnWithTime) {
   EXPECT_EQ(run("cookies --time -1").status, kUsage);
   EXPECT_EQ(run("cookies --time 1e308").status, kUsage);
   EXPECT_ERROR(run("room --time 1"), kUsage,
-               std::string("litfog-demo: --time cannot be given with room: it has no spinning cookie") + kSeeHelp);
+               std::string("litfog-demo: --time cannot be given with room: none of its lights turns") + kSeeHelp);
+}
+
+TEST_F(DemoCommand, PhaseAsymmetryIsANumberBetweenMinusOneAndOne) {
+  ASSERT_EQ(run("room --size 8x8 --phase-g -0.9 -o a.png").status, kDone);
+  for (const char* g : {"1", "-1", "nan", "inf", "half"}) {
+    EXPECT_ERROR(run(std::string("room --phase-g ") + g), kUsage,
+                 std::string("litfog-demo: --phase-g = ") + g + ": must be in (-1, 1)" + kSeeHelp);
+  }
+  EXPECT_EQ(run("room --fog none --phase-g 0.5").status, kUsage);
+  EXPECT_EQ(run("gallery room --phase-g 2").status, kUsage);
+  EXPECT_EQ(run("compare room --phase-g 2").status, kUsage);
 }
 
 TEST_F(DemoCommand, GalleryDrawsEachVisibilityAndASheet) {
