@@ -127,7 +127,7 @@ TEST_F(DemoCommand, ListJobNamesPathsAndScenes) {
     EXPECT_NE(paths.find(std::string("\n") + path + " "), std::string::npos) << path;
   }
   const std::string scenes = run("list scenes").out;
-  for (const char* scene : {"approach", "cookies", "headlights", "room", "tessellation"})
+  for (const char* scene : {"approach", "cookies", "headlights", "lighthouse", "room", "street", "tessellation"})
     EXPECT_NE(scenes.find(scene), std::string::npos);
 }
 
@@ -141,6 +141,14 @@ TEST_F(DemoCommand, CookiesTurnWithTime) {
   EXPECT_EQ(run("cookies --time 1e308").status, kUsage);
   EXPECT_ERROR(run("room --time 1"), kUsage,
                std::string("litfog-demo: --time cannot be given with room: none of its lights turns") + kSeeHelp);
+}
+
+TEST_F(DemoCommand, BeamOfTheLighthouseTurnsWithTime) {
+  for (const auto& [time, output] : {std::pair{"0", "a.png"}, {"1.6", "b.png"}, {"10", "c.png"}}) {
+    ASSERT_EQ(run(std::string("lighthouse --fog none --size 160x90 --time ") + time + " -o " + output).status, kDone);
+  }
+  EXPECT_NE(read("a.png"), read("b.png"));  // the beam meets the eye
+  EXPECT_EQ(read("a.png"), read("c.png"));
 }
 
 TEST_F(DemoCommand, PhaseAsymmetryIsANumberBetweenMinusOneAndOne) {
@@ -324,8 +332,9 @@ TEST_F(DemoCommand, InputsAreNotOverwritten) {
 }
 
 TEST_F(DemoCommand, MistypedSceneIsAnsweredWithTheNamesOfAllScenes) {
-  EXPECT_ERROR(run("rooom"), kBadInput,
-               "rooom: must be a scene file or one of approach, cookies, headlights, room, tessellation\n");
+  EXPECT_ERROR(
+      run("rooom"), kBadInput,
+      "rooom: must be a scene file or one of approach, cookies, headlights, lighthouse, room, street, tessellation\n");
 }
 
 TEST_F(DemoCommand, SceneWhoseNameIsNoUtf8HasItsStatistics) {

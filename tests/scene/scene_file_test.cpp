@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
+#include <limits>
 
 #include "command/exit_status.h"
 #include "command/temporary_directory.h"
@@ -53,7 +55,7 @@ constexpr const char* kLamp = R"("attenuation": {"constant": 1, "quadratic": 0.1
 
 TEST_F(SceneFile, BundledScenesAreThere) {
   const auto names = bundled_scenes();
-  for (const char* name : {"approach", "cookies", "headlights", "room", "tessellation"}) {
+  for (const char* name : {"approach", "cookies", "headlights", "lighthouse", "room", "street", "tessellation"}) {
     EXPECT_NE(std::ranges::find(names, name), names.end()) << name;
   }
 }
@@ -65,8 +67,13 @@ TEST_F(SceneFile, EveryBundledSceneLoadsWithGeometryLightsAndThreeVisibilities) 
     EXPECT_FALSE(scene.description.empty()) << name;
     EXPECT_GE(scene.lights.size(), 2u) << name;
     EXPECT_GE(scene.visibilities.size(), 3u) << name;
-    if (name != "tessellation") {  // whose lamps are to light what stands before them, and no fog
+    // The others' lamps stand in the scene: those of `tessellation` are to light what is before them, and no fog.
+    if (name == "approach" || name == "cookies" || name == "headlights" || name == "room") {
       EXPECT_TRUE(std::ranges::any_of(scene.lights, &PlacedLight::carried)) << name;
+    }
+    if (scene.environment.star_brightness > 0) {
+      EXPECT_TRUE(std::isfinite(scene.fog_top)) << name;
+      EXPECT_GT(scene.fog_top, double(scene.camera.position.y)) << name;
     }
     EXPECT_FALSE(scene.instances.empty()) << name;
     for (const PlacedLight& light : scene.lights) EXPECT_FALSE(check(light)) << name << ": " << light.light.name;
