@@ -16,6 +16,7 @@ namespace {
 constexpr int kMaxSide = 16'384;
 constexpr command::NumberRule kSeconds{[](double x) { return x >= 0 && x <= scene::kMaxSeconds; },
                                        "must be a number in [0, 1e9]"};
+constexpr command::NumberRule kPhase{scene::is_phase_g, scene::kPhaseRule};
 constexpr std::int64_t kMaxPixels = 40'000'000;  // some 2 GiB of framebuffer, 4 for paths of several passes
 
 void parse_size(const std::string& text, DrawingOptions& options) {
@@ -31,6 +32,22 @@ void parse_size(const std::string& text, DrawingOptions& options) {
   }
   options.width = *width;
   options.height = *height;
+}
+
+/// command::add_number for an option without a default.
+void add_number(CLI::App& app, const std::string& name, std::optional<double>& target, command::NumberRule rule,
+                const std::string& description) {
+  const auto parse = [&target, name, rule](const std::string& text) {
+    target = command::parse_number(text);
+    if (!target || !rule.accepts(*target)) command::fail_option(name, text, rule.text);
+  };
+  app.add_option_function<std::string>(name, parse, description)->type_name("NUMBER");
+}
+
+void add_phase(CLI::App& app, DrawingOptions& options) {
+  add_number(
+      app, "--phase-g", options.phase_g, kPhase,
+      "Henyey-Greenstein asymmetry of the fog, in place of the scene's: 0 scatters evenly, near 1 straight ahead");
 }
 
 std::vector<std::pair<std::string, const render::LightingPath*>> path_names() {
@@ -49,22 +66,17 @@ void add_fog(CLI::App& app, DrawingOptions& options) {
   command::add_choice<std::optional<FogMode>>(app, "--fog", options.fog,
                                               {{"exp", FogMode::exp}, {"exp2", FogMode::exp2}},
                                               "How fog thickens with range (default exp)");
+  add_phase(app, options);
 }
 
 void add_fog_and_visibility(CLI::App& app, DrawingOptions& options) {
   command::add_choice<std::optional<FogMode>>(
       app, "--fog", options.fog, {{"exp", FogMode::exp}, {"exp2", FogMode::exp2}, {"none", std::nullopt}},
       "How fog thickens with range (default exp)");
-  app.add_option_function<std::string>(
-         "--visibility",
-         [&options](const std::string& text) {
-           options.visibility = command::parse_number(text);
-           if (!options.visibility || !command::kNotNegative.accepts(*options.visibility)) {
-             command::fail_option("--visibility", text, command::kNotNegative.text);
-           }
-         },
-         "Range in metres at which 5 % of the contrast is left; inf is clear air (default: what the scene suggests)")
-      ->type_name("NUMBER");
+  add_number(
+      app, "--visibility", options.visibility, command::kNotNegative,
+      "Range in metres at which 5 % of the contrast is left; inf is clear air (default: what the scene suggests)");
+  add_phase(app, options);
 }
 
 void add_path(CLI::App& app, DrawingOptions& options) {
@@ -89,7 +101,7 @@ void add_rendering(CLI::App& app, DrawingOptions& options) {
 
 void add_time(CLI::App& app, DrawingOptions& options) {
   command::add_number(app, "--time", options.seconds, kSeconds,
-                      "Seconds for which the scene's cookies have been spinning (default 0)");
+                      "Seconds for which the scene's cookies and lights have been turning (default 0)");
 }
 
 std::vector<command::OptionRule> drawing_rules(const DrawingOptions& options) {
@@ -97,7 +109,7 @@ std::vector<command::OptionRule> drawing_rules(const DrawingOptions& options) {
   const std::string name = fmt::format("--path {}", path.name);
   const bool can_be_flat =
       path.evaluation == render::Evaluation::lookup && path.surface == render::SurfaceModel::diffuse;
-  return {{"--fog none", !options.fog, {"--visibility"}, "the air is clear"},
+  return {{"--fog none", !options.fog, {"--visibility", "--phase-g"}, "the air is clear"},
           {name, path.maps == render::LightMapSet::none, {"--map-size"}, "it has no light maps"},
           {name, !can_be_flat, {"--flat-shading"}, "only lookup-3d and lookup-2d have it"},
           {name, path.surface != render::SurfaceModel::basic, {"--infinite-viewer"}, "it has no highlights"}};

@@ -17,7 +17,8 @@ namespace litfog::demo {
 struct DrawingOptions {
   std::optional<FogMode> fog = FogMode::exp;  ///< none: clear air
   std::optional<double> visibility = {};      ///< metres; default: what each scene suggests
-  double seconds = 0;                         ///< for which the scenes' cookies have been spinning
+  std::optional<double> phase_g = {};         ///< in (-1, 1); default: the scenes' own
+  double seconds = 0;                         ///< for which the scenes' lights have been turning
   int width = 1280;                           ///< pixels
   int height = 720;
   render::RenderSettings render = {};
@@ -28,9 +29,9 @@ struct DrawingOptions {
   FogMode fog_mode() const { return fog.value_or(FogMode::exp); }
 };
 
-/// --fog, for a job that draws clear air anyway.
+/// --fog, for a job that draws clear air anyway, and --phase-g.
 void add_fog(CLI::App& app, DrawingOptions& options);
-/// --fog, which may be none, and --visibility.
+/// --fog, which may be none, --visibility and --phase-g.
 void add_fog_and_visibility(CLI::App& app, DrawingOptions& options);
 /// --path and --flat-shading, which belongs to two of the paths.
 void add_path(CLI::App& app, DrawingOptions& options);

@@ -76,7 +76,8 @@ PictureFolder make_folder(const std::string& path, const std::vector<scene::Scen
 
 void draw_gallery(const std::vector<std::string>& scenes, const std::string& folder, const GallerySettings& settings) {
   const Clock::time_point start = Clock::now();
-  const std::vector<scene::Scene> read = scene::read_scenes(scenes);
+  std::vector<scene::Scene> read = scene::read_scenes(scenes);
+  for (scene::Scene& scene : read) scene.phase_g = settings.phase_g.value_or(scene.phase_g);
   command::report(fmt::format("{} scenes loaded in {:.2f} s\n", read.size(), seconds_since(start)));
   PictureFolder pictures = make_folder(folder, read);
   command::Table solutions{{"scene", "light", "visibility_m", "extent_m", "peak_range_m", "intensity"}, {}};

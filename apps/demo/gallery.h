@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@ namespace litfog::demo {
 /// What the pictures of a gallery have in common.
 struct GallerySettings {
   FogMode fog_mode = FogMode::exp;
+  std::optional<double> phase_g = {};  ///< in place of the scenes' own
   int width = 1280;
   int height = 720;
   render::RenderSettings render;

@@ -80,8 +80,9 @@ std::vector<std::string> scene_paths(std::vector<std::string> scenes) {
 }
 
 /// Whether --time has an effect on a scene.
-bool has_spinning_cookie(const scene::Scene& scene) {
-  return std::ranges::any_of(scene.cookie_uses, [](const auto& use) { return use.second.spin != 0; });
+bool has_turning_light(const scene::Scene& scene) {
+  return !scene.turn_rates.empty() ||
+         std::ranges::any_of(scene.cookie_uses, [](const auto& use) { return use.second.spin != 0; });
 }
 
 Job add_picture_job(CLI::App& app) {
@@ -138,8 +139,9 @@ Job add_picture_job(CLI::App& app) {
     if (has_reference) expect_pixels(drawing, kMaxReferencePixels, "for a reference");
 
     scene::Scene scene = scene::read_scene(scene_path(options->scene));
-    check_options(app, {{scene.name, !has_spinning_cookie(scene), {"--time"}, "it has no spinning cookie"}});
-    scene::turn_cookies(scene, drawing.seconds);
+    check_options(app, {{scene.name, !has_turning_light(scene), {"--time"}, "none of its lights turns"}});
+    scene::turn_lights(scene, drawing.seconds);
+    scene.phase_g = drawing.phase_g.value_or(scene.phase_g);
     OutputFiles outputs;
     const std::string output = is_given("--output") ? options->output : scene.name + ".png";
     outputs.add("--output", output);
@@ -199,6 +201,7 @@ Job add_gallery_job(CLI::App& app) {
     report(fmt::format("drawing {} scenes on {}\n", scenes.size(), context.renderer()));
     draw_gallery(scenes, options->folder,
                  {.fog_mode = drawing.fog_mode(),
+                  .phase_g = drawing.phase_g,
                   .width = drawing.width,
                   .height = drawing.height,
                   .render = drawing.render,
@@ -221,13 +224,16 @@ Job add_comparison_job(CLI::App& app) {
   return [&app, options, frames] {
     const DrawingOptions& drawing = options->drawing;
     if (options->folder.empty()) fail_option("--output", "", "must not be empty");
-    check_options(app, {{"--fog none", !drawing.fog, {"--visibility"}, "the air is clear"}});
+    check_options(app, {{"--fog none", !drawing.fog, {"--visibility", "--phase-g"}, "the air is clear"}});
     expect_pixels(drawing, kMaxComparedPixels, "for a comparison");
     // All scenes are read first, so that an error in one is found before minutes are spent on another.
     std::vector<scene::Scene> scenes = scene::read_scenes(scene_paths(options->scenes));
-    const bool spins = std::ranges::any_of(scenes, has_spinning_cookie);
-    check_options(app, {{"these scenes", !spins, {"--time"}, "none has a spinning cookie"}});
-    for (scene::Scene& scene : scenes) scene::turn_cookies(scene, drawing.seconds);
+    const bool turns = std::ranges::any_of(scenes, has_turning_light);
+    check_options(app, {{"these scenes", !turns, {"--time"}, "none of their lights turns"}});
+    for (scene::Scene& scene : scenes) {
+      scene::turn_lights(scene, drawing.seconds);
+      scene.phase_g = drawing.phase_g.value_or(scene.phase_g);
+    }
     const gl::HeadlessContext context;
     report(fmt::format("drawing {} scenes on {}\n", scenes.size(), context.renderer()));
     compare_paths(scenes, options->folder, context.renderer(),

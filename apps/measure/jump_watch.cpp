@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "measure/night_sky.h"
+
 namespace litfog::measure {
 namespace {
 
-constexpr double kUnit = 0x1p-22;       // some units in the last place of a float near 1
-constexpr double kMostRounding = 5e-4;  // of an extent, some kilometres from the origin
+constexpr double kUnit = 0x1p-22;             // some units in the last place of a float near 1
+constexpr double kHorizonRounding = 0x1p-20;  // of a direction's height, which is interpolated over the picture
+constexpr double kMostRounding = 5e-4;        // of an extent, some kilometres from the origin
 
 bool is_seen(const glm::dvec3& jump) {
   constexpr double kLeast = 1e-4;  // a third of a step on the display where it is darkest
@@ -74,6 +77,14 @@ bool JumpWatch::is_at_jump(const Veil& veil, const glm::dvec3& position) const {
     return is_at_cone_edge(light, *ray, rounding) &&
            is_seen(light.color * emitted_at_edge(light, rounding) * light.fog_intensity * veil.opacity);
   });
+}
+
+bool JumpWatch::is_at_fog_horizon(double fog_above_eye, const glm::dvec3& direction) const {
+  const auto opacity = [&](double rise) {
+    const glm::dvec3 near(direction.x, direction.y + rise, direction.z);
+    return opacity_at(model_.fog(), fog_before_sky(fog_above_eye, near));
+  };
+  return is_seen(glm::dvec3(opacity(-kHorizonRounding) - opacity(kHorizonRounding)));
 }
 
 }  // namespace litfog::measure

@@ -6,8 +6,8 @@
 namespace litfog::measure {
 
 /// Finds the samples whose side of a jump of the model is decided by the rounding of floats: at a light's extent, at
-/// the edge of a cosine cone, and where a surface with highlights is just turned away. Jumps too small to be seen do
-/// not count.
+/// the edge of a cosine cone, where a surface with highlights is just turned away, and where the fog seen from above
+/// ends at the horizon. Jumps too small to be seen do not count.
 class JumpWatch {
  public:
   /// model  has to outlive this
@@ -17,6 +17,9 @@ class JumpWatch {
   bool is_at_jump(const SurfacePoint& point) const;
   /// Of the fog before a position.
   bool is_at_jump(const Veil& veil, const glm::dvec3& position) const;
+  /// Of the fog before the sky in a direction, whose height decides on which side of the horizon it is. The fog's top
+  /// is `fog_above_eye` metres above the eye.
+  bool is_at_fog_horizon(double fog_above_eye, const glm::dvec3& direction) const;
 
  private:
   bool is_at_jump(const SurfacePoint& point, const ReferenceLight& light, const LightRay& ray) const;

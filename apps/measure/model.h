@@ -69,6 +69,8 @@ class Model {
   glm::dvec3 highlight(const SurfacePoint& point, const glm::dvec3& to_light) const;
 
   Veil veil(const glm::dvec3& position) const;
+  /// The renderer's fog.
+  const Fog& fog() const { return fog_; }
   /// Whether a light lights the fog. Only then is it visible in `veil`.
   bool lights_fog(const ReferenceLight& light) const { return path_.has_lit_fog && light.fog_intensity > 0; }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/renderer.h"
+
 namespace litfog::measure {
 namespace {
 
@@ -45,6 +47,12 @@ glm::dvec3 night_sky(const scene::Environment& environment, const glm::dvec3& di
     sky += glm::normalize(glm::dvec3(environment.moon_color)) * (disc + 0.05 * std::exp(-off * 40));
   }
   return sky;
+}
+
+double fog_before_sky(double fog_above_eye, const glm::dvec3& direction) {
+  constexpr double kEndless = render::kSkyDistance;
+  if (direction.y > 0) return std::min(std::max(fog_above_eye, 0.0) / direction.y, kEndless);
+  return direction.y == 0 && fog_above_eye < 0 ? 0 : kEndless;
 }
 
 }  // namespace litfog::measure

@@ -58,6 +58,7 @@ class ReferenceShading {
       : model_(renderer),
         jumps_(model_),
         eye_(renderer.scene().camera.position),
+        fog_above_eye_(renderer.scene().fog_top - eye_.y),
         rays_(renderer.scene().camera, renderer.width(), renderer.height()) {
     if (model_.path().maps != render::LightMapSet::none) bounds_.emplace(model_, renderer.settings().map_size);
   }
@@ -95,16 +96,20 @@ class ReferenceShading {
 
   Shade sky(int x, int y) const {
     const glm::dvec3 direction = rays_.direction(x, y);
-    const glm::dvec3 position = eye_ + direction * double(render::kSkyDistance);
+    const glm::dvec3 position = eye_ + direction * fog_before_sky(fog_above_eye_, direction);
     const Veil veil = model_.veil(position);
     const glm::dvec3 color = veil.over(night_sky(model_.environment(), direction));
-    return {.color = color, .least = color, .most = color, .is_at_jump = jumps_.is_at_jump(veil, position)};
+    return {.color = color,
+            .least = color,
+            .most = color,
+            .is_at_jump = jumps_.is_at_jump(veil, position) || jumps_.is_at_fog_horizon(fog_above_eye_, direction)};
   }
 
   Model model_;
   JumpWatch jumps_;
   std::optional<LookupBounds> bounds_;  // of paths with light maps
   glm::dvec3 eye_;
+  double fog_above_eye_;  // metres
   PixelRays rays_;
 };
 

@@ -113,6 +113,9 @@ void Renderer::draw_sky() {
   set_uniform(sky_program_, "moon_direction", environment.moon_direction);
   set_uniform(sky_program_, "moon_color", environment.moon_color);
   set_uniform(sky_program_, "sky_distance", kSkyDistance);
+  // Twice the sky's distance stands for an infinite one, and nothing finite overflows a float.
+  const double fog_above_eye = scene_.fog_top - double(scene_.camera.position.y);
+  set_uniform(sky_program_, "fog_above_eye", float(std::clamp(fog_above_eye, -1.0, 2.0 * kSkyDistance)));
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 

@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <glm/glm.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <limits>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -66,19 +68,30 @@ struct Scene {
   std::vector<PlacedLight> lights;
   std::vector<Cookie> cookies;
   std::map<std::size_t, CookieUse> cookie_uses;  ///< by their lights, whose cones are none
+  std::map<std::size_t, double> turn_rates;      ///< of lights whose axes turn about +Y: radians a second
   std::vector<double> visibilities;              ///< metres: those at which the gallery shows the scene
+  double fog_top = std::numeric_limits<double>::infinity();  ///< height at which rays to the sky leave the fog, metres
+  double phase_g = 0;  ///< (-1, 1): the fog's Henyey-Greenstein asymmetry; 0 scatters evenly, near 1 straight ahead
 };
 
-/// Largest time: a cookie of ten turns a second is then still in place to a thousandth of a degree.
+/// Whether a number can be a scene's phase_g: at 1 all light would go straight ahead, at -1 straight back.
+constexpr bool is_phase_g(double g) { return g > -1 && g < 1; }
+inline constexpr const char* kPhaseRule = "must be in (-1, 1)";
+
+/// Largest time: a cookie or light of ten turns a second is then still in place to a thousandth of a degree.
 inline constexpr double kMaxSeconds = 1e9;
 
-/// Turns the spinning cookies by what they turn in `seconds`.
+/// Turns the spinning cookies and the turning lights by what they turn in `seconds`.
 ///
 /// seconds  [0, kMaxSeconds]
 /// throws   std::invalid_argument naming the rule
-inline void turn_cookies(Scene& scene, double seconds) {
+inline void turn_lights(Scene& scene, double seconds) {
   if (!(seconds >= 0 && seconds <= kMaxSeconds)) throw std::invalid_argument("seconds: must be in [0, 1e9]");
   for (auto& [light, use] : scene.cookie_uses) use.roll += use.spin * seconds;
+  for (const auto& [light, rate] : scene.turn_rates) {
+    glm::dvec3& direction = scene.lights[light].direction;
+    direction = glm::dmat3(glm::rotate(glm::dmat4(1), rate * seconds, glm::dvec3(0, 1, 0))) * direction;
+  }
 }
 
 /// The visibility at which a scene is drawn if none is given, metres: the middle one of its own, or 200.

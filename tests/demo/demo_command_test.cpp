@@ -226,7 +226,7 @@ TEST_F(DemoCommand, ListJobNamesPathsAndScenes) {
     EXPECT_NE(('\n' + paths).find(fmt::format("\n{} ", path.name)), std::string::npos) << path.name;
   }
   const std::string scenes = run("list scenes").out;
-  for (const char* scene : {"approach", "cookies", "headlights", "room", "tessellation"})
+  for (const char* scene : {"approach", "cookies", "headlights", "lighthouse", "room", "street", "tessellation"})
     EXPECT_NE(scenes.find(scene), std::string::npos);
 }
 
@@ -239,7 +239,26 @@ TEST_F(DemoCommand, CookiesTurnWithTime) {
   EXPECT_EQ(run("cookies --time -1").status, kUsage);
   EXPECT_EQ(run("cookies --time 1e308").status, kUsage);
   EXPECT_ERROR(run("room --time 1"), kUsage,
-               std::string("litfog-demo: --time cannot be given with room: it has no spinning cookie") + kSeeHelp);
+               std::string("litfog-demo: --time cannot be given with room: none of its lights turns") + kSeeHelp);
+}
+
+TEST_F(DemoCommand, BeamOfTheLighthouseTurnsWithTime) {
+  for (const auto& [time, output] : {std::pair{"0", "a.png"}, {"1.6", "b.png"}, {"10", "c.png"}}) {
+    ASSERT_EQ(run(std::string("lighthouse --fog none --size 160x90 --time ") + time + " -o " + output).status, kDone);
+  }
+  EXPECT_NE(read("a.png"), read("b.png"));  // the beam meets the eye
+  EXPECT_EQ(read("a.png"), read("c.png"));
+}
+
+TEST_F(DemoCommand, PhaseAsymmetryIsANumberBetweenMinusOneAndOne) {
+  ASSERT_EQ(run("room --size 8x8 --phase-g -0.9 -o a.png").status, kDone);
+  for (const char* g : {"1", "-1", "nan", "inf", "half"}) {
+    EXPECT_ERROR(run(std::string("room --phase-g ") + g), kUsage,
+                 std::string("litfog-demo: --phase-g = ") + g + ": must be in (-1, 1)" + kSeeHelp);
+  }
+  EXPECT_EQ(run("room --fog none --phase-g 0.5").status, kUsage);
+  EXPECT_EQ(run("gallery room --phase-g 2").status, kUsage);
+  EXPECT_EQ(run("compare room --phase-g 2").status, kUsage);
 }
 
 TEST_F(DemoCommand, GalleryDrawsEachVisibilityAndASheet) {
@@ -443,8 +462,9 @@ TEST_F(DemoCommand, InputsAreNotOverwritten) {
 }
 
 TEST_F(DemoCommand, MistypedSceneIsAnsweredWithTheNamesOfAllScenes) {
-  EXPECT_ERROR(run("rooom"), kBadInput,
-               "rooom: must be a scene file or one of approach, cookies, headlights, room, tessellation\n");
+  EXPECT_ERROR(
+      run("rooom"), kBadInput,
+      "rooom: must be a scene file or one of approach, cookies, headlights, lighthouse, room, street, tessellation\n");
 }
 
 TEST_F(DemoCommand, SceneWhoseNameIsNoUtf8HasItsStatistics) {

@@ -124,6 +124,27 @@ TEST_F(RendererTest, TotalFogHidesTheScene) {
               kPixelTolerance);
 }
 
+TEST_F(RendererTest, MoonOfABundledSceneFadesAsTheFogThickens) {
+  for (const std::string& name : bundled_scenes()) {
+    Scene scene = read_scene(bundled_scene_path(name));
+    if (scene.environment.moon_color == glm::vec3(0.0f)) continue;
+    scene.instances.clear();
+    scene.lights.clear();
+    scene.camera.target = scene.camera.position + scene.environment.moon_direction;
+    double before = 2;
+    for (const double visibility : {20'000.0, 5000.0, 1500.0, 400.0}) {
+      const Picture picture = draw(scene, Fog::from_visibility(FogMode::exp, visibility));
+      const double moon = pixel(picture, kWidth / 2, kHeight / 2).b - scene.environment.ambient_fog_color.b;
+      EXPECT_LT(moon, 0.9 * before) << name << " at " << visibility;
+      EXPECT_GT(moon, visibility < 1000 ? 0 : kPixelTolerance) << name << " at " << visibility;
+      before = moon;
+    }
+    const Picture hidden = draw(scene, Fog::from_visibility(FogMode::exp, 100.0));
+    EXPECT_LT(pixel(hidden, kWidth / 2, kHeight / 2).b - scene.environment.ambient_fog_color.b, kPixelTolerance)
+        << name;
+  }
+}
+
 TEST_F(RendererTest, LightPointIsSeenThroughTheFogAtTheDensityOfItsClass) {
   const auto brightness = [](double density_scale) {
     Scene scene = open_air(Cone{});

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
+#include <limits>
 
 #include "command/exit_status.h"
 #include "command/temporary_directory.h"
@@ -53,7 +55,7 @@ constexpr const char* kLamp = R"("attenuation": {"constant": 1, "quadratic": 0.1
 
 TEST_F(SceneFile, BundledScenesAreThere) {
   const auto names = bundled_scenes();
-  for (const char* name : {"approach", "cookies", "headlights", "room", "tessellation"}) {
+  for (const char* name : {"approach", "cookies", "headlights", "lighthouse", "room", "street", "tessellation"}) {
     EXPECT_NE(std::ranges::find(names, name), names.end()) << name;
   }
 }
@@ -65,8 +67,13 @@ TEST_F(SceneFile, EveryBundledSceneLoadsWithGeometryLightsAndThreeVisibilities) 
     EXPECT_FALSE(scene.description.empty()) << name;
     EXPECT_GE(scene.lights.size(), 2u) << name;
     EXPECT_GE(scene.visibilities.size(), 3u) << name;
-    if (name != "tessellation") {  // whose lamps are to light what stands before them, and no fog
+    // The others' lamps stand in the scene: those of `tessellation` are to light what is before them, and no fog.
+    if (name == "approach" || name == "cookies" || name == "headlights" || name == "room") {
       EXPECT_TRUE(std::ranges::any_of(scene.lights, &PlacedLight::carried)) << name;
+    }
+    if (scene.environment.star_brightness > 0) {
+      EXPECT_TRUE(std::isfinite(scene.fog_top)) << name;
+      EXPECT_GT(scene.fog_top, double(scene.camera.position.y)) << name;
     }
     EXPECT_FALSE(scene.instances.empty()) << name;
     for (const PlacedLight& light : scene.lights) EXPECT_FALSE(check(light)) << name << ": " << light.light.name;
@@ -101,10 +108,46 @@ TEST_F(SceneFile, ACookieTakesTheConesPlaceAndIsReadOnceForAllItsLights) {
     EXPECT_EQ(scene.lights[i].light.cone.profile, litfog::ConeProfile::none) << i;
     EXPECT_EQ(scene.cookie_uses.at(i).cookie, i == 4 ? 1u : 0u) << i;
   }
-  scene::turn_cookies(scene, 0.75);
+  scene::turn_lights(scene, 0.75);
   EXPECT_DOUBLE_EQ(scene.cookie_uses.at(2).roll, glm::radians(90 - 0.75 * 180));
   EXPECT_EQ(scene.cookie_uses.at(3).roll, 0);
-  EXPECT_THROW(scene::turn_cookies(scene, 1e308), std::invalid_argument);
+  EXPECT_THROW(scene::turn_lights(scene, 1e308), std::invalid_argument);
+}
+
+TEST_F(SceneFile, TurningLightTurnsToTheLeftAboutTheVerticalWithTime) {
+  Scene scene = read(std::string("\"lights\": [{\"light\": {") + kLamp +
+                     R"(}, "position": [0, 9, 0], "direction": [0, -3, -4], "turn_deg_per_s": 30,
+                         "repeat": [{"count": 2, "step": [0, 0, 5]}]}, {"light": {)" +
+                     kLamp + R"(}, "position": [0, 9, 0], "direction": [0, 0, -1]}], "objects": [])");
+  turn_lights(scene, 3);
+  for (const std::size_t i : {0u, 1u}) {
+    EXPECT_NEAR(glm::distance(scene.lights[i].direction, glm::dvec3(-0.8, -0.6, 0)), 0, 1e-15) << i;
+  }
+  EXPECT_EQ(scene.lights[2].direction, glm::dvec3(0, 0, -1));
+  turn_lights(scene, kMaxSeconds);
+  EXPECT_FALSE(check(scene.lights[0]));
+  EXPECT_NE(refusal(std::string("\"lights\": [{\"light\": {") + kLamp +
+                    R"(}, "position": [0, 9, 0], "turn_deg_per_s": 3601}], "objects": [])")
+                .find("lights[0].turn_deg_per_s = 3601: must be in [-3600, 3600]"),
+            std::string::npos);
+}
+
+TEST_F(SceneFile, FogHasNoTopAndNoAsymmetryWhereNoneIsStated) {
+  const Scene plain = read("\"objects\": []");
+  EXPECT_EQ(plain.fog_top, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(plain.phase_g, 0);
+  const Scene stated = read("\"fog_top_m\": -12.5, \"phase_g\": -0.75, \"objects\": []");
+  EXPECT_EQ(stated.fog_top, -12.5);
+  EXPECT_EQ(stated.phase_g, -0.75);
+  EXPECT_EQ(read("\"fog_top_m\": 1e308, \"objects\": []").fog_top, 1e308);
+}
+
+TEST_F(SceneFile, FogTopIsAFiniteNumberAndAsymmetryLiesBetweenMinusOneAndOne) {
+  EXPECT_EQ(refusal("\"phase_g\": 1, \"objects\": []"), ":3:12: phase_g = 1: must be in (-1, 1)");
+  EXPECT_EQ(refusal("\"phase_g\": -1.0, \"objects\": []"), ":3:12: phase_g = -1.0: must be in (-1, 1)");
+  EXPECT_EQ(refusal("\"fog_top_m\": \"high\", \"objects\": []"), ":3:14: fog_top_m = \"high\": must be a number");
+  EXPECT_TRUE(refusal("\"fog_top_m\": 1e999, \"objects\": []").starts_with(":3:14: "));
+  EXPECT_NE(refusal("\"fog_top_m\": null, \"objects\": []"), "not refused");
 }
 
 TEST_F(SceneFile, ACookieThatIsNoneIsRefused) {

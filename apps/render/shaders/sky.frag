@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The night sky: a gradient, stars and the moon, far behind all fog.
+// The night sky: a gradient, stars and the moon, behind the fog up to its top.
 
 #define LITFOG_FOG_LIGHTS
 #include "cookie.glsl"
@@ -14,7 +14,8 @@ uniform vec3 sky_horizon;
 uniform float star_brightness;
 uniform vec3 moon_direction;
 uniform vec3 moon_color;
-uniform float sky_distance;  // metres
+uniform float sky_distance;   // metres
+uniform float fog_above_eye;  // metres, from the eye up to the fog's top; finite
 
 out vec4 color;
 
@@ -51,6 +52,12 @@ float star(vec3 direction) {
   return size * size * exp(-angle * angle * 3.0e6);
 }
 
+// How far a ray from the eye runs through the fog: measure::fog_before_sky() states the cases.
+float fog_before_sky(vec3 direction) {
+  if (direction.y > 0.0) return min(max(fog_above_eye, 0.0) / direction.y, sky_distance);
+  return direction.y == 0.0 && fog_above_eye < 0.0 ? 0.0 : sky_distance;
+}
+
 void main() {
   vec3 direction = normalize(seen_direction);
   float height = max(direction.y, 0.0);
@@ -60,5 +67,5 @@ void main() {
     float off = distance(direction, moon_direction);
     sky += normalize(moon_color) * (1.0 - smoothstep(0.0045, 0.0053, off) + 0.05 * exp(-off * 40.0));
   }
-  color = vec4(litfog_apply_fog(sky, eye + direction * sky_distance, eye), 1.0);
+  color = vec4(litfog_apply_fog(sky, eye + direction * fog_before_sky(direction), eye), 1.0);
 }

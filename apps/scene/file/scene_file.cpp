@@ -151,13 +151,18 @@ class SceneReader {
     scene_.files.push_back(path);
     const JsonValue root = files::read_json(path);
     expect_header(root, "scene", 1);
-    root.allow_only(
-        {"litfog", "version", "name", "description", "camera", "environment", "visibilities_m", "lights", "objects"});
+    root.allow_only({"litfog", "version", "name", "description", "camera", "environment", "visibilities_m", "fog_top_m",
+                     "phase_g", "lights", "objects"});
     read_name(root, std::filesystem::path(path).stem().string());
     if (const auto description = root.optional("description")) scene_.description = description->string();
     scene_.camera = read_camera(root.member("camera"));
     if (const auto environment = root.optional("environment")) scene_.environment = read_environment(*environment);
     if (const auto visibilities = root.optional("visibilities_m")) read_visibilities(*visibilities);
+    scene_.fog_top = root.number_or("fog_top_m", scene_.fog_top);
+    if (const auto phase_g = root.optional("phase_g")) {
+      scene_.phase_g = phase_g->number();
+      if (!is_phase_g(scene_.phase_g)) phase_g->fail(kPhaseRule);
+    }
     if (const auto lights = root.optional("lights")) {
       for (const JsonValue& light : lights->items()) read_light_entry(light);
     }
@@ -218,7 +223,8 @@ class SceneReader {
   }
 
   void read_light_entry(const JsonValue& value) {
-    value.allow_only({"light", "position", "aim", "direction", "color", "cookie", "carried", "repeat"});
+    value.allow_only(
+        {"light", "position", "aim", "direction", "color", "cookie", "turn_deg_per_s", "carried", "repeat"});
     PlacedLight light{.light = read_kind(value.member("light")), .position = position_of(value.member("position"))};
     light.light.color = color_or(value, "color", light.light.color);
     light.direction = {0, -1, 0};
@@ -235,10 +241,12 @@ class SceneReader {
       cookie = read_cookie_use(*given);
       light.light.cone = Cone{};
     }
+    const double turn_rate = glm::radians(number_in_or(value, "turn_deg_per_s", -3600, 3600, 0));
     if (const auto carried = value.optional("carried")) light.carried = carried->boolean();
     for (const glm::dvec3& position : read_repeat(value, light.position)) {
       light.position = position;
       if (cookie) scene_.cookie_uses.emplace(scene_.lights.size(), *cookie);
+      if (turn_rate != 0) scene_.turn_rates.emplace(scene_.lights.size(), turn_rate);
       scene_.lights.push_back(light);
       if (scene_.lights.size() > kMaxSceneLights) {
         value.fail("lights", "", fmt::format("must be at most {}", kMaxSceneLights));

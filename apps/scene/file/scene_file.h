@@ -23,6 +23,10 @@ namespace litfog::scene {
 ///         "moon": {"direction": [0.3, 0.5, -1], "color": [0.02, 0.02, 0.03]}
 ///       },
 ///       "visibilities_m": [500, 150, 50],                 optional: for the gallery; at most 16
+///       "fog_top_m": 120,                                 optional: the height at which rays to the sky leave the fog;
+///                                                         default: never, any fog hides the sky
+///       "phase_g": 0.8,                                   optional: the fog's Henyey-Greenstein asymmetry, in (-1, 1);
+///                                                         default: 0, which scatters evenly
 ///       "lights": [{
 ///         "light": "../lights/headlight.json",            relative to this file, or a light written out here
 ///         "position": [-0.6, 0.7, 0],
@@ -31,6 +35,8 @@ namespace litfog::scene {
 ///         "cookie": {"image": "beam.exr",                 optional: in place of the light's cone, a cube map as
 ///                    "roll_deg": 20, "spin_deg_per_s": 90},  litfog-fit writes it, or "pattern": "disco" or "beacon";
 ///                                                         turned about the axis, and on with --time
+///         "turn_deg_per_s": 30,                           optional: the axis turns about the vertical with --time,
+///                                                         as heading_deg: to the left where positive
 ///         "carried": true,                                optional: by the eye's vehicle; default: false
 ///         "repeat": [{"count": 41, "step": [0, 0, -60]}]  optional: a copy at each step, of each copy before
 ///       }],

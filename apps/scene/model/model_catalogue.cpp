@@ -10,11 +10,14 @@
 #include "scene/model/block.h"
 #include "scene/model/broadleaf.h"
 #include "scene/model/car.h"
+#include "scene/model/coast.h"
 #include "scene/model/conifer.h"
 #include "scene/model/forest.h"
 #include "scene/model/furniture.h"
 #include "scene/model/grass.h"
 #include "scene/model/house.h"
+#include "scene/model/lighthouse.h"
+#include "scene/model/person.h"
 #include "scene/model/road.h"
 #include "scene/model/roadside.h"
 #include "scene/model/rock.h"
@@ -53,6 +56,7 @@ const std::vector<Entry>& entries() {
             make_ground),
       entry("road", "an asphalt road with gravel shoulders from the origin to -Z", make_road),
       entry("road_markings", "edge lines and a dashed centre line; takes the road's parameters", make_road_markings),
+      entry("zebra_crossing", "bars of a pedestrian crossing over a level road along Z", make_zebra_crossing),
       entry("box", "a box; bevel_m cuts its edges", make_block),
       entry("spruce", "a spruce with drooping branches", make_spruce),
       entry("broadleaf_tree", "a forking tree with sprays of leaves; leaves 0 is a winter tree", make_broadleaf_tree),
@@ -76,6 +80,7 @@ const std::vector<Entry>& entries() {
       entry("power_line", "utility poles with wires along the path", make_power_line),
       entry("car", "a parked hatchback heading for -Z; paint 0 blue, 1 red, 2 white, 3 grey, 4 green", make_car),
       entry("house", "a house with a pitched roof, its door to +Z; lit is the fraction of bright windows", make_house),
+      entry("person", "a person in a coat, facing -Z; walks 1 in mid-step; coat as the car's paint", make_person),
       entry("room", "a room seen from inside: barrel vault along Z, piers, niches, a door at -Z", make_room),
       entry("panel", "a square wall facing +Z in cells x cells squares; wire 1 shows its triangles' edges alone",
             make_panel_model),
@@ -92,6 +97,9 @@ const std::vector<Entry>& entries() {
       entry("edge_light", "an elevated runway edge light; its light leaves from (0, 0.33, 0)", make_edge_light),
       entry("hangar", "an arched hangar, its doors to +Z, the front wall at z = 0", make_hangar),
       entry("tower", "a control tower, its door to +Z", make_tower),
+      entry("lighthouse", "a round tower, its door to +Z; its light leaves from (0, height_m, 0)", make_lighthouse),
+      entry("sea", "open water at y = 0", make_sea),
+      entry("island", "a rocky island in a sea at y = 0, its middle level at height_m", make_island),
   };
   return kEntries;
 }

@@ -25,7 +25,7 @@ Model make_road(const Road& road) {
   const std::vector<glm::vec3> path = centre_line.line(0.0f, centre_line.length_m, kStep_m, 0.0f, 0.0f);
   const float crown = height_at(road.carriageway, 0.0f);
   Model model;
-  part(model, "asphalt") = make_sweep(
+  part(model, road.wet != 0 ? "wet_asphalt" : "asphalt") = make_sweep(
       {{edge, 0.0f}, {0.5f * edge, 0.5f * crown}, {0.0f, crown}, {-0.5f * edge, 0.5f * crown}, {-edge, 0.0f}}, path);
   Mesh& gravel = part(model, "gravel");
   const float lip = -0.04f * road.shoulder_m;
@@ -57,6 +57,20 @@ Model make_road_markings(const RoadMarkings& markings) {
   }
   for (float along = 0.0f; along + markings.dash_m <= length; along += markings.dash_m + markings.gap_m) {
     add_line(along, along + markings.dash_m, 0.0f);
+  }
+  return model;
+}
+
+Model make_zebra_crossing(const ZebraCrossing& crossing) {
+  Model model;
+  Mesh& paint = part(model, "road_paint");
+  const int bars = int((crossing.width_m / crossing.bar_m + 1.0f) / 2.0f);
+  const float half = 0.5f * crossing.length_m;
+  for (int i = 0; i < bars; ++i) {
+    const float left = crossing.bar_m * (2.0f * float(i) - float(bars) + 0.5f);
+    const float right = left + crossing.bar_m;
+    const float y = crossing.lift_m;
+    add_face(paint, {{left, y, half}, {right, y, half}, {right, y, -half}, {left, y, -half}});
   }
   return model;
 }

@@ -24,10 +24,12 @@ float height_at(const Carriageway& carriageway, float offset);
 
 struct Road {
   float shoulder_m = 1.2f;  ///< gravel beside the asphalt; below it a verge falls off into the ground
+  int wet = 0;              ///< 1: rain stands on the asphalt and mirrors the lamps
   Carriageway carriageway;
 
   void describe(ParameterList& list) {
     list.add("shoulder_m", shoulder_m, 0.2, 5);
+    list.add("wet", wet, 0, 1);
     carriageway.describe(list);
   }
 };
@@ -50,5 +52,21 @@ struct RoadMarkings {
   }
 };
 Model make_road_markings(const RoadMarkings& markings);
+
+/// The bars of a pedestrian crossing over a level road along Z, from x = -width_m / 2 to width_m / 2.
+struct ZebraCrossing {
+  float width_m = 7.0f;
+  float length_m = 4.0f;  ///< of the bars, along the road
+  float bar_m = 0.5f;     ///< width of a bar and of the gap to the next
+  float lift_m = 0.012f;
+
+  void describe(ParameterList& list) {
+    list.add("width_m", width_m, 3, 30);
+    list.add("length_m", length_m, 1, 10);
+    list.add("bar_m", bar_m, 0.2, 1);
+    list.add("lift_m", lift_m, 0.002, 0.1);
+  }
+};
+Model make_zebra_crossing(const ZebraCrossing& crossing);
 
 }  // namespace litfog::scene

@@ -152,7 +152,8 @@ Model make_street_lamp(const StreetLamp& lamp) {
       part(model, "paint_grey"),
       make_lathe({{0.0f, -0.05f}, {0.5f, -0.05f}, {0.5f, -0.015f}, {0.42f, 0.045f}, {0.25f, 0.08f}, {0.0f, 0.09f}}, 20),
       glm::scale(head, glm::vec3(0.72f, 1.0f, 0.34f)));
-  append(part(model, "lamp_white"), make_lathe({{0.0f, -0.045f}, {0.25f, -0.035f}, {0.36f, 0.0f}}, 18),
+  append(part(model, lamp.sodium != 0 ? "lamp_sodium" : "lamp_white"),
+         make_lathe({{0.0f, -0.045f}, {0.25f, -0.035f}, {0.36f, 0.0f}}, 18),
          glm::scale(glm::translate(head, glm::vec3(0.06f, -0.05f, 0.0f)), glm::vec3(0.7f, 1.0f, 0.32f)));
   return model;
 }

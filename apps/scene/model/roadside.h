@@ -67,10 +67,12 @@ Model make_delineators(const Delineators& delineators);
 struct StreetLamp {
   float height_m = 7.0f;
   float arm_m = 1.8f;  ///< to +X
+  int sodium = 0;      ///< 1: its lens shines orange, 0: white
 
   void describe(ParameterList& list) {
     list.add("height_m", height_m, 3, 15);
     list.add("arm_m", arm_m, 0.6, 4);
+    list.add("sodium", sodium, 0, 1);
   }
 };
 Model make_street_lamp(const StreetLamp& lamp);

@@ -10,12 +10,14 @@ namespace litfog::scene {
 
 // painter_ground.cpp
 void paint_asphalt(Canvas& canvas);
+void paint_wet_asphalt(Canvas& canvas);
 void paint_runway(Canvas& canvas);
 void paint_road_paint(Canvas& canvas);
 void paint_grass(Canvas& canvas);
 void paint_gravel(Canvas& canvas);
 void paint_soil(Canvas& canvas);
 void paint_concrete_slabs(Canvas& canvas);
+void paint_water(Canvas& canvas);
 
 // painter_building.cpp
 void paint_concrete(Canvas& canvas);

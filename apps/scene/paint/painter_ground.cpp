@@ -84,6 +84,18 @@ void paint_asphalt(Canvas& canvas) {
   add_crack(canvas, {0.7f * size, 0.5f * size}, 0.3f, 110, 0.6f, 0.004f, random);
 }
 
+void paint_wet_asphalt(Canvas& canvas) {
+  bitumen(canvas, 11);
+  // Water fills the pores and stands in the hollows, where it is smooth; between them stones come through the film.
+  const Field hollows = make_octaves(canvas.size, 2, 4, 14, 0.5f);
+  for (std::size_t i = 0; i < hollows.texels(); ++i) {
+    const float film = saturate(0.62f + 1.1f * hollows[i]);
+    canvas.height[i] *= 0.5f * (1.0f - film);
+    canvas.color[i] *= 1.0f - 0.45f * film;
+    canvas.gloss[i] = glm::mix(0.35f, 1.0f, film);
+  }
+}
+
 void paint_runway(Canvas& canvas) {
   bitumen(canvas, 21);
   // Tyres leave their rubber along the runway (v): long soft streaks.
@@ -211,6 +223,11 @@ void paint_concrete_slabs(Canvas& canvas) {
       canvas.height[texel] -= 0.006f * inside;
     }
   }
+}
+
+void paint_water(Canvas& canvas) {
+  // Waves of 6 m and shorter ones on them.
+  add_octaves(canvas.height, 4, 6, 0.35f, 71, 0.5f);
 }
 
 }  // namespace litfog::scene
