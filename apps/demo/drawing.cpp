@@ -12,7 +12,7 @@ namespace litfog::demo {
 
 Drawn draw(const scene::Scene& scene, const DrawingOptions& options, int frames, bool has_reference) {
   const gl::HeadlessContext context;
-  render::Renderer renderer(scene, options.width, options.height, options.render);
+  render::Renderer renderer(scene, options.width, options.height, options.settings_of(*options.render.path));
   const double visibility = options.chosen_visibility().value_or(scene::suggested_visibility(scene));
   renderer.set_fog(Fog::from_visibility(options.fog_mode(), visibility));
   command::Progress progress;
@@ -34,6 +34,7 @@ std::string stats_json(const scene::Scene& scene, const DrawingOptions& options,
   const measure::FrameTimes& times = drawn.times;
   Json stats{{"scene", scene.name},
              {"path", options.render.path->name},
+             {"fog_light", options.settings_of(*options.render.path).fog_lighting == render::FogLighting::airlight ? "airlight" : "peak"},
              {"fog", options.fog ? name_of(*options.fog) : "none"},
              {"visibility_m", std::isinf(drawn.visibility) ? Json("inf") : Json(drawn.visibility)},
              {"size", {options.width, options.height}},

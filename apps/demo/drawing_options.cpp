@@ -62,6 +62,15 @@ std::optional<double> DrawingOptions::chosen_visibility() const {
   return fog ? visibility : std::numeric_limits<double>::infinity();
 }
 
+render::RenderSettings DrawingOptions::settings_of(const render::LightingPath& path) const {
+  const bool is_default = &path == &render::lighting_paths().front();
+  const auto own = is_default ? render::FogLighting::airlight : render::FogLighting::peak;
+  render::RenderSettings settings = render;
+  settings.path = &path;
+  settings.fog_lighting = path.takes_airlight ? fog_light.value_or(own) : render::FogLighting::peak;
+  return settings;
+}
+
 void add_fog(CLI::App& app, DrawingOptions& options) {
   command::add_choice<std::optional<FogMode>>(app, "--fog", options.fog,
                                               {{"exp", FogMode::exp}, {"exp2", FogMode::exp2}},
@@ -99,6 +108,14 @@ void add_rendering(CLI::App& app, DrawingOptions& options) {
       "Draw and light everything, even what cannot be visible");
 }
 
+void add_fog_light(CLI::App& app, DrawingOptions& options) {
+  command::add_choice<std::optional<render::FogLighting>>(
+      app, "--fog-light", options.fog_light,
+      {{"peak", render::FogLighting::peak}, {"airlight", render::FogLighting::airlight}},
+      "How lamps light the fog: peak is the papers' way, in which only carried lights do; airlight is that of every lamp "
+      "along each ray (default airlight with --path unified, else peak)");
+}
+
 void add_time(CLI::App& app, DrawingOptions& options) {
   command::add_number(app, "--time", options.seconds, kSeconds,
                       "Seconds for which the scene's cookies and lights have been turning (default 0)");
@@ -112,6 +129,10 @@ std::vector<command::OptionRule> drawing_rules(const DrawingOptions& options) {
   return {{"--fog none", !options.fog, {"--visibility", "--phase-g"}, "the air is clear"},
           {name, path.maps == render::LightMapSet::none, {"--map-size"}, "it has no light maps"},
           {name, !can_be_flat, {"--flat-shading"}, "only lookup-3d and lookup-2d have it"},
+          {name + " --fog-light airlight",
+           options.fog_light == render::FogLighting::airlight && !path.takes_airlight,
+           {"--fog-light"},
+           "its lamps do not light each fragment"},
           {name, path.surface != render::SurfaceModel::basic, {"--infinite-viewer"}, "it has no highlights"}};
 }
 

@@ -22,10 +22,13 @@ struct DrawingOptions {
   int width = 1280;                           ///< pixels
   int height = 720;
   render::RenderSettings render = {};
+  std::optional<render::FogLighting> fog_light = {};  ///< default: airlight along `unified`, peak along the others
   DisplayOptions display = {};
 
   /// The visibility that is asked for, infinite in clear air.
   std::optional<double> chosen_visibility() const;
+  /// How a path draws. One that takes no airlight draws the peak whatever is asked for.
+  render::RenderSettings settings_of(const render::LightingPath& path) const;
   FogMode fog_mode() const { return fog.value_or(FogMode::exp); }
 };
 
@@ -37,6 +40,8 @@ void add_fog_and_visibility(CLI::App& app, DrawingOptions& options);
 void add_path(CLI::App& app, DrawingOptions& options);
 /// --size, --map-size, --infinite-viewer and --no-skip.
 void add_rendering(CLI::App& app, DrawingOptions& options);
+/// --fog-light, for a job over one path or all.
+void add_fog_light(CLI::App& app, DrawingOptions& options);
 void add_time(CLI::App& app, DrawingOptions& options);
 
 /// Of --fog none and of the chosen path.

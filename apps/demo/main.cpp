@@ -104,6 +104,7 @@ Job add_picture_job(CLI::App& app) {
       ->type_name("FILE");
   add_fog_and_visibility(app, options->drawing);
   add_path(app, options->drawing);
+  add_fog_light(app, options->drawing);
   add_rendering(app, options->drawing);
   add_time(app, options->drawing);
   add_display(app, options->drawing.display);
@@ -190,6 +191,7 @@ Job add_gallery_job(CLI::App& app) {
   add_folder(app, *options);
   add_fog(app, options->drawing);
   add_path(app, options->drawing);
+  add_fog_light(app, options->drawing);
   add_rendering(app, options->drawing);
   add_display(app, options->drawing.display);
   return [&app, options] {
@@ -204,7 +206,7 @@ Job add_gallery_job(CLI::App& app) {
                   .phase_g = drawing.phase_g,
                   .width = drawing.width,
                   .height = drawing.height,
-                  .render = drawing.render,
+                  .render = drawing.settings_of(*drawing.render.path),
                   .display = drawing.display});
     return kDone;
   };
@@ -213,10 +215,11 @@ Job add_gallery_job(CLI::App& app) {
 Job add_comparison_job(CLI::App& app) {
   const auto options =
       std::make_shared<FolderOptions>(FolderOptions{.scenes = {}, .folder = "comparison", .drawing = {}});
-  const auto frames = std::make_shared<int>(PathComparisonSettings{}.frames);
+  const auto frames = std::make_shared<int>(kComparedFrames);
   app.footer("Example:\n  litfog-demo compare room --visibility 30 --size 960x540 -o paths");
   add_folder(app, *options);
   add_fog_and_visibility(app, options->drawing);
+  add_fog_light(app, options->drawing);
   add_rendering(app, options->drawing);
   add_time(app, options->drawing);
   add_display(app, options->drawing.display);
@@ -237,13 +240,7 @@ Job add_comparison_job(CLI::App& app) {
     const gl::HeadlessContext context;
     report(fmt::format("drawing {} scenes on {}\n", scenes.size(), context.renderer()));
     compare_paths(scenes, options->folder, context.renderer(),
-                  {.fog_mode = drawing.fog_mode(),
-                   .visibility = drawing.chosen_visibility(),
-                   .width = drawing.width,
-                   .height = drawing.height,
-                   .frames = *frames,
-                   .render = drawing.render,
-                   .display = drawing.display});
+                  drawing, *frames);
     return kDone;
   };
 }

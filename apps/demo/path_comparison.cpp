@@ -47,12 +47,11 @@ class Sheet {
 };
 
 std::vector<std::unique_ptr<render::Renderer>> make_renderers(const scene::Scene& scene, const Fog& fog,
-                                                              const PathComparisonSettings& settings) {
+                                                              const DrawingOptions& options) {
   std::vector<std::unique_ptr<render::Renderer>> renderers;
   for (const render::LightingPath& path : render::lighting_paths()) {
-    render::RenderSettings render = settings.render;
-    render.path = &path;
-    renderers.push_back(std::make_unique<render::Renderer>(scene, settings.width, settings.height, render));
+    renderers.push_back(
+        std::make_unique<render::Renderer>(scene, options.width, options.height, options.settings_of(path)));
     renderers.back()->set_fog(fog);
   }
   return renderers;
@@ -67,24 +66,24 @@ std::vector<measure::FrameTimes> time_paths(const std::vector<std::unique_ptr<re
 }
 
 SceneResult compare_scene(const scene::Scene& scene, PictureFolder& pictures, const std::string& machine,
-                          const PathComparisonSettings& settings) {
-  const double visibility = settings.visibility.value_or(scene::suggested_visibility(scene));
-  const Fog fog = Fog::from_visibility(settings.fog_mode, visibility);
+                          const DrawingOptions& options, int frames) {
+  const double visibility = options.chosen_visibility().value_or(scene::suggested_visibility(scene));
+  const Fog fog = Fog::from_visibility(options.fog_mode(), visibility);
   SceneResult result{.name = scene.name,
                      .description = scene.description,
                      .conditions = words_of(fog, visibility),
                      .lights = scene.lights.size()};
   command::report(fmt::format("{}: {} lights, {}\n", scene.name, scene.lights.size(), result.conditions));
-  auto renderers = make_renderers(scene, fog, settings);
+  auto renderers = make_renderers(scene, fog, options);
   pictures.finish();  // encoding would take time from the frames
   command::Progress shown;
   const measure::Progress progress = [&](std::string_view step) {
     shown.show(fmt::format("{}: {}", scene.name, step));
   };
-  const std::vector<measure::FrameTimes> times = time_paths(renderers, settings.frames, progress);
+  const std::vector<measure::FrameTimes> times = time_paths(renderers, frames, progress);
   const auto paths = render::lighting_paths();
   const auto legacy = std::size_t(render::find_lighting_path("legacy") - paths.data());
-  render::Display display = settings.display.display_for(scene);
+  render::Display display = options.display.display_for(scene);
   Sheet sheet;
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const render::LightingPath& path = paths[i];
@@ -107,7 +106,7 @@ SceneResult compare_scene(const scene::Scene& scene, PictureFolder& pictures, co
     render::Picture reference = render::displayed(comparison.reference, display);
     if (i == 0) {
       sheet.add(reference, {fmt::format("{}, {}: reference in double", scene.name, result.conditions),
-                            fmt::format("{} x {} on {}", settings.width, settings.height, machine)});
+                            fmt::format("{} x {} on {}", options.width, options.height, machine)});
     }
     const std::string time =
         fmt::format("{} ms a frame, {:.2f} x legacy", measure::milliseconds_text(row.milliseconds), row.over_legacy);
@@ -137,17 +136,17 @@ PictureFolder make_folder(const std::string& path, const std::vector<scene::Scen
 }  // namespace
 
 void compare_paths(const std::vector<scene::Scene>& scenes, const std::string& folder, const std::string& machine,
-                   const PathComparisonSettings& settings) {
+                   const DrawingOptions& options, int frames) {
   PictureFolder pictures = make_folder(folder, scenes);
   const std::string page = pictures.path_of(kPageFile);
   std::vector<SceneResult> results;
-  for (const scene::Scene& scene : scenes) results.push_back(compare_scene(scene, pictures, machine, settings));
+  for (const scene::Scene& scene : scenes) results.push_back(compare_scene(scene, pictures, machine, options, frames));
   pictures.finish();
   files::write_whole_file(page, comparison_page({.machine = machine,
-                                                 .width = settings.width,
-                                                 .height = settings.height,
-                                                 .frames = settings.frames,
-                                                 .settings = words_of(settings.render)},
+                                                 .width = options.width,
+                                                 .height = options.height,
+                                                 .frames = frames,
+                                                 .settings = words_of(options.render)},
                                                 results));
   command::report(fmt::format("{} shows all\n", page));
 }

@@ -8,10 +8,19 @@ namespace litfog::render {
 /// Whether the renderer leaves out what cannot be visible: surfaces out of view, lights out of reach of a surface.
 enum class Skipping { on, off };
 
+/// How lamps light the fog.
+enum class FogLighting {
+  /// The papers' way: carried lights by the fog colour intensity, whatever the depth; others are seen as points only.
+  peak,
+  /// Every light by its airlight along the ray to each pixel. The fog dims lights on their way from the lamp, too.
+  airlight,
+};
+
 /// How a renderer draws a scene.
 struct RenderSettings {
   Skipping skipping = Skipping::on;
   const LightingPath* path = &lighting_paths().front();
+  FogLighting fog_lighting = FogLighting::peak;  ///< airlight: with paths that light each fragment only
   /// Hales's paths shade the directional light by the faces' normals, else by the vertices' (his flat and smooth
   /// shading).
   bool is_flat_shaded = false;

@@ -43,12 +43,13 @@ Renderer::Renderer(const scene::Scene& scene, int width, int height, const Rende
     : scene_(scene),
       settings_(settings),
       framebuffer_(width, height, settings.path->has_several_passes() ? Passes::several : Passes::one),
-      lights_(scene, *settings.path),
+      lights_(scene, settings),
       light_buffer_(lights_.entries().data(), lights_.entries().size_bytes(), BufferTexture::Texel::float4),
       surfaces_(scene, lights_, fog_block_, settings),
       sky_program_("sky.vert", "sky.frag", scene_shaders(!scene.cookies.empty())),
       light_point_program_("light_point.vert", "light_point.frag", scene_shaders(!scene.cookies.empty())) {
   gl::check_fog_light_layout(sky_program_);
+  if (settings.fog_lighting == FogLighting::airlight) airlight_.emplace(scene, fog_block_);
   if (!scene.cookies.empty()) cookies_ = make_cookie_array(scene.cookies);
   set_fog(Fog{});
   gl::check_errors("uploading the scene");
@@ -67,8 +68,19 @@ glm::mat4 Renderer::clip_from_world() const {
   return clip_from_view(scene_.camera, framebuffer_.aspect()) * view_from_world(scene_.camera);
 }
 
+View Renderer::view() const {
+  // Without the eye's position: far from the origin, the rounding of a near point minus the eye would rotate the rays.
+  const auto turned = glm::mat4(glm::mat3(view_from_world(scene_.camera)));
+  // Twice the sky's distance stands for an infinite one, and nothing finite overflows a float.
+  const double fog_above_eye = scene_.fog_top - double(scene_.camera.position.y);
+  return {.clip_from_world = clip_from_world(),
+          .direction_from_clip = glm::inverse(clip_from_view(scene_.camera, framebuffer_.aspect()) * turned),
+          .near_plane = kNear,
+          .fog_above_eye = float(std::clamp(fog_above_eye, -1.0, 2.0 * kSkyDistance))};
+}
+
 FrameCounts Renderer::draw(LightPoints light_points) {
-  const glm::mat4 clip_from_world = this->clip_from_world();
+  const View view = this->view();
   framebuffer_.bind();
   glClearColor(0, 0, 0, 1);
   glEnable(GL_DEPTH_TEST);
@@ -78,10 +90,12 @@ FrameCounts Renderer::draw(LightPoints light_points) {
   light_buffer_.bind(kLightBufferUnit);
   surfaces_.surfaces().bind_light_list(kLightListUnit);
   if (cookies_) cookies_->bind(kCookieUnit);
-  const FrameCounts counts = surfaces_.draw(*settings_.path, clip_from_world);
+  const FrameCounts counts = surfaces_.draw(*settings_.path, view.clip_from_world);
   glDepthMask(GL_FALSE);
-  draw_sky();
-  if (light_points == LightPoints::on) draw_light_points(clip_from_world);
+  draw_sky(view);
+  if (light_points == LightPoints::on) draw_light_points(view);
+  framebuffer_.resolve();
+  if (airlight_) airlight_->draw(framebuffer_, view, unsigned(lights_.size()), carried_count());
   glFinish();
   gl::check_errors("drawing a frame");
   return counts;
@@ -94,7 +108,7 @@ void Renderer::draw_geometry(const GeometryBuffer& geometry) {
   gl::check_errors("drawing the geometry");
 }
 
-void Renderer::draw_sky() {
+void Renderer::draw_sky(const View& view) {
   const scene::Environment& environment = scene_.environment;
   sky_program_.use();
   fog_block_.bind(sky_program_, kFogLightBinding);
@@ -102,10 +116,7 @@ void Renderer::draw_sky() {
   set_uniform(sky_program_, "litfog_light_buffer", kLightBufferUnit);
   set_uniform(sky_program_, "light_list", kLightListUnit);
   set_uniform(sky_program_, "carried_count", carried_count());
-  // Without the eye's position: far from the origin, the rounding of a near point minus the eye would rotate the sky.
-  const auto turned = glm::mat4(glm::mat3(view_from_world(scene_.camera)));
-  set_uniform(sky_program_, "direction_from_clip",
-              glm::inverse(clip_from_view(scene_.camera, framebuffer_.aspect()) * turned));
+  set_uniform(sky_program_, "direction_from_clip", view.direction_from_clip);
   set_uniform(sky_program_, "eye", scene_.camera.position);
   set_uniform(sky_program_, "sky_zenith", environment.sky_zenith);
   set_uniform(sky_program_, "sky_horizon", environment.sky_horizon);
@@ -113,20 +124,18 @@ void Renderer::draw_sky() {
   set_uniform(sky_program_, "moon_direction", environment.moon_direction);
   set_uniform(sky_program_, "moon_color", environment.moon_color);
   set_uniform(sky_program_, "sky_distance", kSkyDistance);
-  // Twice the sky's distance stands for an infinite one, and nothing finite overflows a float.
-  const double fog_above_eye = scene_.fog_top - double(scene_.camera.position.y);
-  set_uniform(sky_program_, "fog_above_eye", float(std::clamp(fog_above_eye, -1.0, 2.0 * kSkyDistance)));
+  set_uniform(sky_program_, "fog_above_eye", view.fog_above_eye);
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void Renderer::draw_light_points(const glm::mat4& clip_from_world) {
+void Renderer::draw_light_points(const View& view) {
   if (lights_.local_count() == 0) return;
   light_point_program_.use();
   fog_block_.bind(light_point_program_, kFogLightBinding);
   set_uniform(light_point_program_, "cookies", kCookieUnit);
-  set_uniform(light_point_program_, "clip_from_world", clip_from_world);
+  set_uniform(light_point_program_, "clip_from_world", view.clip_from_world);
   set_uniform(light_point_program_, "eye", scene_.camera.position);
-  set_uniform(light_point_program_, "near_plane", kNear);
+  set_uniform(light_point_program_, "near_plane", view.near_plane);
   set_uniform(light_point_program_, "pixel_scale", float(framebuffer_.height()) / 720.0f);
   set_uniform(light_point_program_, "litfog_light_buffer", kLightBufferUnit);
   set_uniform(light_point_program_, "light_list", kLightListUnit);

@@ -5,6 +5,7 @@
 
 #include "litfog/gl/fog_light_buffer.h"
 #include "litfog/gl/program.h"
+#include "render/airlight_painter.h"
 #include "render/gpu/framebuffer.h"
 #include "render/gpu/geometry_buffer.h"
 #include "render/scene_lights.h"
@@ -45,9 +46,10 @@ class Renderer {
 
  private:
   glm::mat4 clip_from_world() const;
+  View view() const;
   unsigned carried_count() const { return unsigned(lights_.size() - lights_.local_count()); }
-  void draw_sky();
-  void draw_light_points(const glm::mat4& clip_from_world);
+  void draw_sky(const View& view);
+  void draw_light_points(const View& view);
 
   const scene::Scene& scene_;
   RenderSettings settings_;
@@ -60,6 +62,7 @@ class Renderer {
   SurfacePainter surfaces_;
   gl::Program sky_program_;
   gl::Program light_point_program_;
+  std::optional<AirlightPainter> airlight_;  // of FogLighting::airlight
 };
 
 }  // namespace litfog::render

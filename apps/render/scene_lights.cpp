@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/scene_lights.h"
 
+#include <algorithm>
+
 #include "scene/light_frame.h"
 
 namespace litfog::render {
@@ -16,19 +18,26 @@ void set_cookie(FogLight& packed, const PlacedLight& light, const scene::CookieU
 
 }  // namespace
 
-SceneLights::SceneLights(const scene::Scene& scene, const LightingPath& path) : updater_(kSkipsNothing) {
+double threshold_of(const Light& light, FogLighting fog_lighting) {
+  if (fog_lighting == FogLighting::peak) return light.threshold;
+  constexpr double kInvisible = 1 / 255.0;  // on a surface, that reflects a part of it
+  return std::min(light.threshold, kInvisible / std::max({light.color.r, light.color.g, light.color.b, 1.0}));
+}
+
+SceneLights::SceneLights(const scene::Scene& scene, const RenderSettings& settings) : updater_(kSkipsNothing) {
   std::vector<FogLightHandle> handles;
   for (const bool is_carried : {false, true}) {
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
       PlacedLight light = scene.lights[i];
       if (light.carried != is_carried) continue;
+      light.light.threshold = threshold_of(light.light, settings.fog_lighting);
       const double extent = compute_extent(light.light.attenuation, light.light.threshold);
       if (!is_carried && !(extent > 0)) continue;
       const auto use = scene.cookie_uses.find(i);
       lights_.push_back(light);
       extents_.push_back(extent);
       cookies_.push_back(use == scene.cookie_uses.end() ? nullptr : &use->second);
-      light.carried = is_carried && path.has_lit_fog;
+      light.carried = is_carried && settings.path->has_lit_fog && settings.fog_lighting == FogLighting::peak;
       handles.push_back(updater_.add(light));
     }
     if (!is_carried) local_count_ = lights_.size();

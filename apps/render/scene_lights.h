@@ -7,18 +7,23 @@
 
 #include "litfog/fog_light_block.h"
 #include "litfog/updater.h"
-#include "render/lighting_path.h"
+#include "render/render_settings.h"
 #include "scene/scene.h"
 
 namespace litfog::render {
+
+/// Where a light ends: at its own threshold or, lit by airlight, where its colour's largest component is below 1/255, so
+/// that no end is seen on surfaces or in the fog.
+double threshold_of(const Light& light, FogLighting fog_lighting);
 
 /// The lights of a scene as the renderer takes them: first the local lights, then those that the eye's vehicle carries,
 /// which light the fog too. Local lights of extent 0 are left out: they light nothing and have no visible point.
 class SceneLights {
  public:
   /// scene  has to outlive this
-  /// path   whose lights light the fog or not
-  SceneLights(const scene::Scene& scene, const LightingPath& path);
+  /// settings  of which the path and the fog's lighting say whether carried lights light the fog by their intensity, and
+  ///           where lights end
+  SceneLights(const scene::Scene& scene, const RenderSettings& settings);
 
   std::size_t size() const { return lights_.size(); }
   std::size_t local_count() const { return local_count_; }

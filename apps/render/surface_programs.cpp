@@ -20,9 +20,11 @@ std::string environment_constants(const scene::Environment& environment, const R
       "const bool has_moon = {};  // the directional light\n"
       "const vec3 moon_direction = {};\n"
       "const vec3 moon_color = {};\n"
-      "const bool has_infinite_viewer = {};\n",
+      "const bool has_infinite_viewer = {};\n"
+      "const bool is_lamp_leg_fogged = {};\n",
       glsl(environment.ambient_light), environment.moon_color != glm::vec3(0.0f), glsl(environment.moon_direction),
-      glsl(environment.moon_color), settings.has_infinite_viewer);
+      glsl(environment.moon_color), settings.has_infinite_viewer,
+      settings.fog_lighting == FogLighting::airlight);
 }
 
 }  // namespace

@@ -34,8 +34,11 @@ Framebuffer::Framebuffer(int width, int height, Passes passes) : width_(width), 
   attach(resolved_, resolved_color_, GL_COLOR_ATTACHMENT0, color, 0);
   const bool resolved_is_whole = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
   attach(drawn_, drawn_color_, GL_COLOR_ATTACHMENT0, color, samples());
-  attach(drawn_, drawn_depth_, is_summed ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
-         is_summed ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F, samples());
+  glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, drawn_depth_.id());
+  glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples(), is_summed ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F,
+                          width, height, GL_TRUE);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, is_summed ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
+                         GL_TEXTURE_2D_MULTISAMPLE, drawn_depth_.id(), 0);
   const bool drawn_is_whole = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
   if (!resolved_is_whole || !drawn_is_whole || glGetError() != GL_NO_ERROR) {
     throw gl::Unsupported(fmt::format("this driver gives no float framebuffer of {}x{} pixels", width, height));
@@ -47,10 +50,19 @@ void Framebuffer::bind() const {
   glViewport(0, 0, width_, height_);
 }
 
-Picture Framebuffer::read() const {
+void Framebuffer::resolve() const {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.id());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.id());
   glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  glBindFramebuffer(GL_FRAMEBUFFER, resolved_.id());
+}
+
+void Framebuffer::bind_depth(unsigned unit) const {
+  glActiveTexture(GL_TEXTURE0 + unit);
+  glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, drawn_depth_.id());
+}
+
+Picture Framebuffer::read() const {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.id());
   Picture picture{width_, height_, std::vector<float>(std::size_t(width_) * std::size_t(height_) * 3)};
   glPixelStorei(GL_PACK_ALIGNMENT, 1);

@@ -24,7 +24,11 @@ class Framebuffer {
   double aspect() const { return double(width_) / height_; }
   /// Makes it the target of drawing.
   void bind() const;
-  /// Averages the samples and reads the picture back.
+  /// Averages the samples. What is drawn from then on, until bind(), is drawn over their averages.
+  void resolve() const;
+  /// Binds the samples' depths as a multisample texture.
+  void bind_depth(unsigned unit) const;
+  /// Reads the averages back, from the last resolve() on.
   Picture read() const;
 
  private:
@@ -33,7 +37,7 @@ class Framebuffer {
   gl::FramebufferName drawn_;
   gl::FramebufferName resolved_;
   gl::RenderbufferName drawn_color_;
-  gl::RenderbufferName drawn_depth_;  // and stencil
+  gl::TextureName drawn_depth_;  // and stencil
   gl::RenderbufferName resolved_color_;
 };
 

@@ -13,6 +13,7 @@ enum TextureUnit : unsigned {
   kDistanceMapUnit,  // q of the pair, or the square of z
   kConeMapUnit,
   kCookieUnit,
+  kDepthUnit,  // the depths of a picture's samples
 };
 
 inline constexpr unsigned kFogLightBinding = 0;  ///< of the FogLightBlock

@@ -21,6 +21,9 @@ inline void set_uniform(const gl::Program& program, const char* name, const glm:
 inline void set_uniform(const gl::Program& program, const char* name, const glm::vec3& value) {
   glUniform3fv(program.uniform(name), 1, glm::value_ptr(value));
 }
+inline void set_uniform(const gl::Program& program, const char* name, const glm::vec2& value) {
+  glUniform2fv(program.uniform(name), 1, glm::value_ptr(value));
+}
 inline void set_uniform(const gl::Program& program, const char* name, float value) {
   glUniform1f(program.uniform(name), value);
 }

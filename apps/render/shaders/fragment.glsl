@@ -26,6 +26,11 @@ vec3 litfog_lights_fog(vec3 position) {
   return fog;
 }
 
+// Fraction of a light that is left at a range from the lamp.
+float lamp_factor(LitfogLight light, float range) {
+  return is_lamp_leg_fogged ? litfog_lamp_factor(light, range) : 1.0;
+}
+
 // Light from the vertices, not below 0. At the centre of a pixel that a triangle only partly covers it is extrapolated.
 vec3 vertex_light(vec3 interpolated) { return max(interpolated, vec3(0.0)); }
 

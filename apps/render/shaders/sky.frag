@@ -3,6 +3,7 @@
 
 #define LITFOG_FOG_LIGHTS
 #include "cookie.glsl"
+#include "fog_top.glsl"
 #include "light_list.glsl"
 #include "litfog/shaders/fog.glsl"
 
@@ -14,8 +15,6 @@ uniform vec3 sky_horizon;
 uniform float star_brightness;
 uniform vec3 moon_direction;
 uniform vec3 moon_color;
-uniform float sky_distance;   // metres
-uniform float fog_above_eye;  // metres, from the eye up to the fog's top; finite
 
 out vec4 color;
 
@@ -50,12 +49,6 @@ float star(vec3 direction) {
   float angle = distance(center, direction);
   float size = (presence - 0.94) / 0.06;
   return size * size * exp(-angle * angle * 3.0e6);
-}
-
-// How far a ray from the eye runs through the fog: measure::fog_before_sky() states the cases.
-float fog_before_sky(vec3 direction) {
-  if (direction.y > 0.0) return min(max(fog_above_eye, 0.0) / direction.y, sky_distance);
-  return direction.y == 0.0 && fog_above_eye < 0.0 ? 0.0 : sky_distance;
 }
 
 void main() {

@@ -2,9 +2,7 @@
 // The Basic model in tangent space, with the map's normal unchanged (Jason Lacroix 2005, "Let There Be Light!: A
 // Unified Lighting Technique for a New Generation of Games", listing 1.2).
 
-#include "cookie.glsl"
-#include "litfog/shaders/surface.glsl"
-#include "fragment.glsl"
+#include "lit_surface.glsl"
 #include "light_batch.glsl"
 
 in vec3 to_viewer;
@@ -39,7 +37,7 @@ void main() {
 #ifdef LITFOG_COOKIES
     if (light.axis_profile.w == 3.0) light.cone.yzw = normalize(cookie_up[i]);
 #endif
-    lit += litfog_light_surface(surface, light);
+    lit += lit_by(surface, light);
   }
   color = seen_by_eye(lit, fragment_position());
 }

@@ -3,9 +3,7 @@
 // There Be Light!: A Unified Lighting Technique for a New Generation of Games", section "Unified per-pixel lighting
 // solution", listings 2.1 to 2.3).
 
-#include "cookie.glsl"
-#include "litfog/shaders/surface.glsl"
-#include "fragment.glsl"
+#include "lit_surface.glsl"
 #include "listed_lights.glsl"
 #include "world_normal.glsl"
 
@@ -24,11 +22,11 @@ void main() {
 
   vec3 lit = litfog_ambient(surface, ambient_light);
   if (has_moon) lit += litfog_reflect(surface, moon_direction, moon_color);
-#define ADD_LIGHT(i) lit += litfog_light_surface(surface, batch_light(i));
+#define ADD_LIGHT(i) lit += lit_by(surface, batch_light(i));
   EACH_LIGHT(ADD_LIGHT)
 #undef ADD_LIGHT
   for (int i = 0; i < listed_light_count(); ++i) {
-    if (!is_out_of_reach(i, position)) lit += litfog_light_surface(surface, listed_light(i));
+    if (!is_out_of_reach(i, position)) lit += lit_by(surface, listed_light(i));
   }
   color = seen_by_eye(lit, position);
 }

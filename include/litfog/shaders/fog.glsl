@@ -15,11 +15,11 @@ float litfog_fog_opacity(float range, float density_scale) {
   return litfog_opacity(litfog_fog.y == 0.0 ? litfog_depth_exp(range, density) : litfog_depth_exp2(range, density));
 }
 
-#ifdef LITFOG_LAMP_LEG
+// Fraction of a light that the fog lets through from the lamp to a range: for single scattering (litfog/shaders/
+// glow.glsl) the light that arrives at a surface is dimmed by it.
 float litfog_lamp_factor(LitfogLight light, float range) {
   return 1.0 - litfog_fog_opacity(range, light.attenuation.w);
 }
-#endif
 
 // What one light adds to the fog colour of a fragment: colour * cone * fog colour intensity (Steven Hales 2004,
 // "Realtime Pixel Lighting Using Fragment Programs", section "Lighting in Fog"). No other function lights the fog.

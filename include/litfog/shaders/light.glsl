@@ -6,9 +6,6 @@
 //
 // LITFOG_COOKIES, defined before the first include of litfog, opens profile 3. Profile 3 belongs to the including
 // program: it defines litfog_cookie(), and light.cone is its own.
-//
-// LITFOG_LAMP_LEG, defined before the first include of litfog, dims each light by the fog on its way from the lamp
-// (single scattering). The program then includes litfog/shaders/fog.glsl, which knows the fog.
 
 #ifndef LITFOG_LIGHT_GLSL
 #define LITFOG_LIGHT_GLSL
@@ -47,25 +44,16 @@ float litfog_cone(LitfogLight light, vec3 direction) {
   return 1.0;
 }
 
-// Range attenuation up to the extent, 0 beyond it (Steven Hales 2004, "Realtime Pixel Lighting Using Fragment
-// Programs", borders of the range map).
+// Range attenuation up to the extent, 0 beyond it (Hales 2004, borders of the range map).
 float litfog_range_attenuation(LitfogLight light, float range) {
   if (range > light.position_extent.w) return 0.0;
   return litfog_attenuation(range, light.attenuation.x, light.attenuation.y, light.attenuation.z);
 }
 
-// Fraction of a light that the fog lets through from the lamp to a range.
-#ifdef LITFOG_LAMP_LEG
-float litfog_lamp_factor(LitfogLight light, float range);
-#else
-float litfog_lamp_factor(LitfogLight light, float range) { return 1.0; }
-#endif
-
-// Light that arrives at the end of a ray from the light: colour * cone * range attenuation * lamp factor. It has no
-// early exit, because on some drivers a branch costs more than it saves; the caller leaves out lights that do not reach.
+// Light that arrives at the end of a ray from the light: colour * cone * range attenuation. It has no early exit,
+// because on some drivers a branch costs more than it saves; the caller leaves out lights that do not reach.
 vec3 litfog_light_along(LitfogLight light, vec4 ray) {
-  return light.color_intensity.rgb * (litfog_cone(light, ray.xyz) * litfog_range_attenuation(light, ray.w)) *
-         litfog_lamp_factor(light, ray.w);
+  return light.color_intensity.rgb * (litfog_cone(light, ray.xyz) * litfog_range_attenuation(light, ray.w));
 }
 
 #endif

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// Instance i is light i of the light list: a quad over the pixels whose rays can show more of its airlight than a
+// budget.
+//
+// Bound. With L the distance from the eye to the light and h that from the light to a ray, s + r >= L on the ray. So in
+// exp fog f(s) f(r) <= e^(-d L), and the airlight is at most d e^(-d L) S(h), S(h) being the integral of the attenuation
+// along the ray. In exp2 fog s^2 / 2 + r^2 >= L^2 / 3, and 2 d^2 s e^(-(d s)^2 / 2) <= 1.2131 d, so it is at most 1.2131 d
+// e^(-(d L)^2 / 3) S(h). With D the attenuation's denominator S(h) <= pi / sqrt(Q D(h)), because D(r) >= D(h) + Q x^2 at
+// the distance x from the closest approach, and S(h) <= 2 E / D(h). The airlight is also at most 1 / D(h), because the
+// weights of the fog sum to less than 1. Each says which D(h) suffices. The same bounds hold for what a ray of any h
+// receives from beyond the range h, so that the part of the light's cone within that range need be covered.
+
+#include "cookie.glsl"
+#include "light_list.glsl"
+#include "litfog/shaders/light_block.glsl"
+
+uniform mat4 clip_from_world;
+uniform vec3 eye;
+uniform float budget;         // of the airlight times the largest component of the colour
+uniform float largest_phase;  // of the phase function over its isotropic value
+
+flat out int light_index;
+
+const float pi = 3.14159265;
+
+// Range at which the attenuation's denominator has a value.
+float level_range(vec4 attenuation, float value) {
+  float rise = value - attenuation.x;
+  if (rise <= 0.0) return 0.0;
+  return 2.0 * rise / max(attenuation.y + sqrt(attenuation.y * attenuation.y + 4.0 * attenuation.z * rise), 1.0e-30);
+}
+
+// Range from the light beyond which its airlight is below the budget; 0 where it is so everywhere.
+float airlight_reach(LitfogLight light, float eye_range) {
+  vec3 color = light.color_intensity.rgb * largest_phase;
+  float share = budget / max(max(max(color.r, color.g), color.b), 1.0e-30);
+  float density = litfog_fog.x * light.attenuation.w;
+  float x = min(density * eye_range, 60.0);
+  float weight = density * (litfog_fog.y == 0.0 ? exp(-x) : 1.2131 * exp(-min(x * x / 3.0, 80.0)));
+  float integral = share / max(weight, 1.0e-30);  // that S may not exceed
+  float denominator = min(1.0 / share, 2.0 * light.position_extent.w / integral);
+  float quadratic = light.attenuation.z;
+  if (quadratic > 0.0) denominator = min(denominator, pi * pi / (quadratic * integral * integral));
+  if (denominator <= max(light.attenuation.x, 1.0)) return 0.0;
+  return min(level_range(light.attenuation, denominator), light.position_extent.w);
+}
+
+void main() {
+  light_index = light_entry(gl_InstanceID);
+  LitfogLight light = litfog_buffered_light(light_index);
+  vec3 center = light.position_extent.xyz;
+  float radius = airlight_reach(light, distance(eye, center));
+  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
+  if (radius <= 0.0) {
+    gl_Position = vec4(0.0, 0.0, 2.0, 1.0);  // outside the picture
+    return;
+  }
+  // The sphere around the cone's part of that range.
+  float cos_cut = light.axis_profile.w == 1.0 || light.axis_profile.w == 2.0 ? light.cone.x : -1.0;
+  if (cos_cut > 0.70710678) {
+    radius *= 0.5 / cos_cut;
+    center += light.axis_profile.xyz * radius;
+  } else if (cos_cut > 0.0) {
+    center += light.axis_profile.xyz * (radius * cos_cut);
+    radius *= sqrt(1.0 - cos_cut * cos_cut);
+  }
+  vec3 toward = center - eye;
+  float range = length(toward);
+  if (range < 1.05 * radius) {  // around the eye: the whole picture
+    gl_Position = vec4(corner, 0.0, 1.0);
+    return;
+  }
+  // Across the line of sight, as large as the sphere appears there, and at least half a metre away, so that the near
+  // plane does not cut it.
+  toward /= range;
+  float half_size = radius / sqrt(range * range - radius * radius);  // at a distance of 1
+  vec3 right = normalize(abs(toward.y) < 0.9 ? cross(toward, vec3(0.0, 1.0, 0.0)) : cross(toward, vec3(1.0, 0.0, 0.0)));
+  vec3 up = cross(right, toward);
+  vec3 place = toward + (right * corner.x + up * corner.y) * half_size;
+  gl_Position = clip_from_world * vec4(eye + place * max(range, 0.5), 1.0);
+  gl_Position.z = 0.0;
+}

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+// A lamp's light on a surface of the Basic model, through the fog on its way where the scene is lit by airlight.
+
+#include "cookie.glsl"
+#include "litfog/shaders/surface.glsl"
+#include "fragment.glsl"
+
+vec3 lit_by(LitfogSurface surface, LitfogLight light) {
+  vec4 ray = litfog_ray(light.position_extent.xyz, surface.position);
+  return litfog_reflect(surface, -ray.xyz, litfog_light_along(light, ray) * lamp_factor(light, ray.w));
+}
