@@ -357,7 +357,7 @@ TEST_F(FitCommand, InputThatNoFitTakesIsNamedAndTheOthersAreFitted) {
   const Outcome outcome = run("beam.json tiny.ies spot.ies -o lights");
   EXPECT_EQ(outcome.status, kBadInput);
   EXPECT_EQ(outcome.err,
-            "tiny.ies: largest intensity = 1e-298: must give an extent: extent = 1e-149: must be in [1e-30, 1e30]\n");
+            "tiny.ies:7:1: largest intensity = 1e-298: must give an extent: extent = 1e-149: must be in [1e-30, 1e30]\n");
   EXPECT_TRUE(files().contains("lights/beam.json"));
   EXPECT_TRUE(files().contains("lights/spot.json"));
   EXPECT_FALSE(files().contains("lights/tiny.json"));
