@@ -236,12 +236,12 @@ TEST(Ies, TiltFileThatIsMissingBadOrElsewhereIsAnError) {
   std::ofstream(directory.path() / "bad.tlt") << "1 2\n0 90\n1 dark\n";
   EXPECT_EQ(error("good.tlt"), "(accepted)");
   EXPECT_EQ(error("bad.tlt"), "3:3: tilt factor = dark: must be a finite number");
-  const std::string place = "3:6: TILT = ";
-  EXPECT_EQ(error("none.tlt"), place + "none.tlt: must be NONE, INCLUDE or a file in this one's folder");
-  EXPECT_EQ(error("."), place + ".: must be NONE, INCLUDE or a file in this one's folder");
+  const std::string location = "3:6: TILT = ";
+  EXPECT_EQ(error("none.tlt"), location + "none.tlt: must be NONE, INCLUDE or a file in this one's folder");
+  EXPECT_EQ(error("."), location + ".: must be NONE, INCLUDE or a file in this one's folder");
   EXPECT_EQ(error(""), "3:6: TILT: must be given");
-  EXPECT_EQ(error("../good.tlt"), place + "../good.tlt: must name a file below this one's folder");
-  EXPECT_EQ(error("/dev/zero"), place + "/dev/zero: must name a file below this one's folder");
+  EXPECT_EQ(error("../good.tlt"), location + "../good.tlt: must name a file below this one's folder");
+  EXPECT_EQ(error("/dev/zero"), location + "/dev/zero: must name a file below this one's folder");
   try {
     IesText ies;
     ies.tilt = "TILT=bad.tlt\n";
