@@ -61,17 +61,17 @@ scene::Scene with_light_count(scene::Scene scene, std::size_t count) {
     scene.lights.push_back(lights[source]);
     return scene.lights.back();
   };
-  const double share = double(sources.size()) / double(sources.size() + copies);
+  const double fraction = double(sources.size()) / double(sources.size() + copies);
   for (std::size_t i = 0; i < std::min(count, order.size()); ++i) {
     PlacedLight& light = add(order[i]);
-    if (copies > 0 && std::ranges::find(sources, order[i]) != sources.end()) light.light.color *= share;
+    if (copies > 0 && std::ranges::find(sources, order[i]) != sources.end()) light.light.color *= fraction;
   }
   for (std::size_t i = 0; i < copies; ++i) {
     PlacedLight& light = add(sources[i % sources.size()]);
-    const glm::dvec3 place = place_in_view(scene.camera, strewn(i));
+    const glm::dvec3 position = place_in_view(scene.camera, strewn(i));
     light.carried = false;
-    light.light.color *= share;
-    light.position = {place.x, light.position.y, place.z};
+    light.light.color *= fraction;
+    light.position = {position.x, light.position.y, position.z};
   }
   return scene;
 }

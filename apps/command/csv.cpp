@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command/csv.h"
 
+#include <utf8.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <iterator>
 #include <utility>
 
+#include "code_points.h"
 #include "command/exit_status.h"
 #include "litfog/input_error.h"
 
@@ -23,9 +27,8 @@ std::string_view CsvRecord::raw(std::size_t count) const {
 }
 
 CsvReader::CsvReader(std::FILE* file, std::string name) : file_(file), name_(std::move(name)) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   peek();
-  if (std::string_view(buffer_.data(), filled_).starts_with(kByteOrderMark)) next_ = kByteOrderMark.size();
+  if (utf8::starts_with_bom(std::string_view(buffer_.data(), filled_))) next_ = std::size(utf8::bom);
 }
 
 int CsvReader::peek() {
@@ -47,7 +50,7 @@ int CsvReader::take() {
   if (byte == '\n') {
     ++location_.line;
     location_.column = 1;
-  } else if ((byte & 0xC0) != 0x80) {  // not within a code point
+  } else if (starts_code_point(char(byte))) {
     ++location_.column;
   }
   return byte;

@@ -6,6 +6,8 @@
 
 #include <stdexcept>
 
+#include "code_points.h"
+
 namespace litfog::demo {
 namespace {
 
@@ -27,13 +29,10 @@ std::string fitted_text(const std::string& text, int size, int width) {
     return OIIO::ImageBufAlgo::text_size(part, size, kFont).width() <= width;
   };
   std::string part = text;
-  const auto is_inside_letter = [&part](std::size_t end) {  // of several bytes
-    return end < part.size() && (static_cast<unsigned char>(part[end]) & 0xC0) == 0x80;
-  };
   std::string shown = text;
   while (!fits(shown) && !part.empty()) {
     std::size_t end = part.size() - 1;
-    while (end > 0 && is_inside_letter(end)) --end;
+    while (end > 0 && !starts_code_point(part[end])) --end;
     part.resize(end);
     shown = part + "\u2026";
   }

@@ -162,7 +162,7 @@ void add_cone(Sheet& sheet, const ConeTarget& target, const ConeFit& fit) {
   sheet.add(table);
   if (target.samples.empty()) return;
 
-  command::Table residuals{.columns = {"angle_deg", "share"}};
+  command::Table residuals{.columns = {"angle_deg", "fraction"}};
   for (const auto* profile : profiles) {
     residuals.columns.emplace_back(name_of(profile->cone.profile));
     residuals.columns.emplace_back("error_%");
@@ -173,8 +173,8 @@ void add_cone(Sheet& sheet, const ConeTarget& target, const ConeFit& fit) {
     auto& row = residuals.rows.emplace_back();
     row.insert(row.end(), {files::degrees(sample.angle), sample.intensity / peak});
     for (const auto* profile : profiles) {
-      const double share = cone_at(profile->cone, std::cos(sample.angle));
-      row.insert(row.end(), {share, 100 * (share - sample.intensity / peak)});
+      const double fraction = cone_at(profile->cone, std::cos(sample.angle));
+      row.insert(row.end(), {fraction, 100 * (fraction - sample.intensity / peak)});
     }
   }
   sheet.add(residuals);
@@ -193,7 +193,7 @@ void add_luminaire(Sheet& sheet, const LightFit& fit) {
   sheet.add("flux",
             fmt::format("{:.5g} lm", flux) +
                 (stated ? fmt::format(", stated {:.5g} lm ({:+.2g} %)", *stated, 100 * (flux / *stated - 1)) : ""));
-  sheet.add("asymmetry", fmt::format("{:.3f} of the beam (rms) is not round about the axis", fit.asymmetry));
+  sheet.add("asymmetry", fmt::format("{:.3f} of the beam (rms) is not symmetric about the axis", fit.asymmetry));
 }
 
 }  // namespace

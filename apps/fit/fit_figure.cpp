@@ -44,9 +44,9 @@ std::vector<command::Chart> range_charts(const LightFit& fit) {
     line.points.push_back({range, attenuation_at(attenuation, range)});
   }
   const command::Axis range{.label = "range (m)", .most = end};
-  const command::Axis share{.label = "attenuation", .most = 1.05};
+  const command::Axis fraction{.label = "attenuation", .most = 1.05};
   const command::Axis error{.label = "error (%)"};
-  const command::Chart values{.title = "Range", .x = range, .y = share, .series = {line, targets}};
+  const command::Chart values{.title = "Range", .x = range, .y = fraction, .series = {line, targets}};
   const command::Chart below{
       .x = range, .y = error, .series = {zero_line(end), errors}, .key = command::KeyPlace::none};
   return {values, below};
@@ -77,21 +77,21 @@ std::vector<command::Chart> angle_charts(const LightFit& fit) {
   std::erase_if(targets.points, [end](const command::PlotPoint& point) { return point.x > end; });
   for (const auto* profile : {&fit.cone->cosine, &fit.cone->smoothstep}) {
     if (!*profile) continue;
-    const auto share = [cone = (*profile)->cone](double angle) {
+    const auto fraction = [cone = (*profile)->cone](double angle) {
       return cone_at(cone, std::cos(files::radians(angle)));
     };
     lines.push_back({.name = name_of((*profile)->cone.profile), .color = color});
-    for (int i = 0; i <= kSteps; ++i) lines.back().points.push_back({end * i / kSteps, share(end * i / kSteps)});
+    for (int i = 0; i <= kSteps; ++i) lines.back().points.push_back({end * i / kSteps, fraction(end * i / kSteps)});
     errors.push_back({.style = command::SeriesStyle::line_and_points, .color = color++});
     for (const command::PlotPoint& point : targets.points)
-      errors.back().points.push_back({point.x, 100 * (share(point.x) - point.y)});
+      errors.back().points.push_back({point.x, 100 * (fraction(point.x) - point.y)});
   }
   lines.push_back(targets);
   errors.insert(errors.begin(), zero_line(end));
   const command::Axis angle{.label = "angle from the axis (deg)", .most = end};
-  const command::Axis share{.label = "intensity / peak", .most = 1.05};
+  const command::Axis fraction{.label = "intensity / peak", .most = 1.05};
   const command::Axis error{.label = "error (% of the peak)"};
-  const command::Chart values{.title = "Cone", .x = angle, .y = share, .series = lines};
+  const command::Chart values{.title = "Cone", .x = angle, .y = fraction, .series = lines};
   const command::Chart below{.x = angle, .y = error, .series = errors, .key = command::KeyPlace::none};
   return {values, below};
 }

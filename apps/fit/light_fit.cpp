@@ -63,11 +63,11 @@ std::vector<std::string> LightFit::advice() const {
       add("One sample is off by {:.3g} times the rms error: if it is an outlier, try --robust.",
           std::abs(range->largest_residual) / range->rms);
     } else if (range->rms > 0.1) {
-      add("The range fit is off by {:.2g} % (rms): the table falls otherwise than 1/(C + L r + Q r^2) can.",
+      add("The range fit is off by {:.2g} % (rms): no 1/(C + L r + Q r^2) falls as the table does.",
           100 * std::expm1(range->rms));
     }
     if (is_measured && !range->covariance) {
-      add("The samples do not tell C, L and Q apart: other values fit as well.");
+      add("The samples do not determine C, L and Q: other values fit as well.");
     }
   }
   if (!cone) {
@@ -76,12 +76,14 @@ std::vector<std::string> LightFit::advice() const {
   }
   const litfog::ConeProfileFit& best = cone->best();
   if (target.cone->samples.empty() && !(target.cone->beam_angle && target.cone->field_angle)) {
-    add("One angle does not give a beam its edge: the profile's is an assumption. Give the other angle, or samples.");
+    add("One angle does not determine the beam's edge: the profile's is an assumption. Give the other angle, or "
+        "samples.");
   }
   if (best.cone.profile == ConeProfile::cosine && !target.cone->half_angle) {
     const double edge = std::pow(std::cos(best.cone.half_angle), best.cone.exponent);
     if (edge > 0.01) {
-      add("The cone ends at {:.3g} degrees with {:.2g} % of the peak, an edge that shows in fog: half_angle_deg moves "
+      add("The cone ends at {:.3g} degrees with {:.2g} % of the peak, an edge that is visible in fog: half_angle_deg "
+          "moves "
           "it.",
           files::degrees(best.cone.half_angle), 100 * edge);
     }
@@ -91,16 +93,15 @@ std::vector<std::string> LightFit::advice() const {
     add("The cone misses the 10 % angle by {:+.1f} %.", 100 * *best.field_angle_error);
   }
   if (best.flux_error && std::abs(*best.flux_error) > 0.1) {
-    add("The cone's flux is off by {:+.0f} %: a cone of this profile has no room for the beam's spill.",
-        100 * *best.flux_error);
+    add("The cone's flux is off by {:+.0f} %: no cone of this profile holds the beam's spill.", 100 * *best.flux_error);
   }
   if (best.rms > 0.05) add("Neither profile follows the beam well (rms error {:.2g} of the peak).", best.rms);
   if (target.luminaire && asymmetry > 0.1) {
-    add("The beam is not round: {:.0f} % of it (rms) is lost with any cone. --cookie keeps its shape.",
+    add("The beam is not rotationally symmetric: any cone loses {:.0f} % of it (rms). --cookie keeps its shape.",
         100 * asymmetry);
   }
   if (target.luminaire && peak_angle > files::radians(5)) {
-    add("The beam's peak is {:.3g} degrees off the photometric axis, about which the cone is.",
+    add("The beam's peak is {:.3g} degrees off the photometric axis, which is the cone's axis.",
         files::degrees(peak_angle));
   }
   return advice;

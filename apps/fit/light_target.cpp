@@ -24,7 +24,7 @@ AttenuationTarget range_of(const Luminaire& luminaire) {
   const double peak = find_peak(luminaire.distribution).intensity;
   AttenuationTarget target{.extent = std::sqrt(peak / kEndIlluminance)};
   if (const auto error = check(target)) {
-    throw InputError({.file = luminaire.file}, "largest intensity", fmt::format("{:.6g}", peak),
+    throw InputError(luminaire.peak_location, "largest intensity", fmt::format("{:.6g}", peak),
                      "must give an extent: " + to_string(*error));
   }
   return target;

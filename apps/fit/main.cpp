@@ -65,8 +65,8 @@ of samples. The fit minimises sum weight * (cone - intensity/peak)^2. profile is
 A photometric file (IES LM-63 of any edition, EULUMDAT) is a light without a spec: its cone is fitted to the intensities
 at the file's own angles, each of weight 1, as the mean over the turn about the photometric axis; it is white; and it
 ends, at the threshold 0.05, where its peak gives 1 lx: C = 1, Q = (1/0.05 - 1) / (peak in cd / 1 lx). A spec with
-photometry and no range ends there, too. A beam that is not round is reported with a measure of it, and --cookie keeps
-its shape as a cube map.
+photometry and no range ends there, too. A beam that is not rotationally symmetric is reported with a measure of it,
+and --cookie keeps its shape as a cube map.
 
 The optimum is the global one and is shown to be: the report has the bound below which nothing is.
 

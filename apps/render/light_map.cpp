@@ -15,10 +15,10 @@ namespace {
 
 constexpr double kWidestDrawnIn = std::numbers::pi / 3;
 
-std::uint16_t texel(double share) { return std::uint16_t(std::lround(std::clamp(share, 0.0, 1.0) * 65535)); }
+std::uint16_t texel(double fraction) { return std::uint16_t(std::lround(std::clamp(fraction, 0.0, 1.0) * 65535)); }
 
-/// The position of texel i of n as P / E: -1 to 1.
-double place(int i, int size) { return 2.0 * i / (size - 1) - 1; }
+/// The coordinate of texel i as P / E: -1 to 1.
+double coordinate(int i, int size) { return 2.0 * i / (size - 1) - 1; }
 
 bool is_boundary(int i, int size) { return i == 0 || i == size - 1; }
 
@@ -44,7 +44,7 @@ MapTexels make_range_volume(const RangeProfile& profile, int size) {
     for (int j = 0; j < size; ++j) {
       for (int i = 0; i < size; ++i) {
         const bool is_dark = is_boundary(i, size) || is_boundary(j, size) || is_boundary(k, size);
-        const glm::dvec3 p(place(i, size), place(j, size), place(k, size));
+        const glm::dvec3 p(coordinate(i, size), coordinate(j, size), coordinate(k, size));
         texels.push_back(is_dark ? 0 : texel(attenuation(profile, glm::length(p))));
       }
     }
@@ -55,7 +55,8 @@ MapTexels make_range_volume(const RangeProfile& profile, int size) {
 MapTexels make_distance_map(int size) {
   MapTexels texels;
   for (int j = 0; j < size; ++j) {
-    for (int i = 0; i < size; ++i) texels.push_back(texel(0.5 + 0.5 * std::hypot(place(i, size), place(j, size))));
+    for (int i = 0; i < size; ++i)
+      texels.push_back(texel(0.5 + 0.5 * std::hypot(coordinate(i, size), coordinate(j, size))));
   }
   return texels;
 }
@@ -65,7 +66,7 @@ MapTexels make_range_map(const RangeProfile& profile, int size) {
   for (int j = 0; j < size; ++j) {
     for (int i = 0; i < size; ++i) {
       const bool is_dark = is_boundary(i, size) || is_boundary(j, size);
-      texels.push_back(is_dark ? 0 : texel(attenuation(profile, std::hypot(place(i, size), place(j, size)))));
+      texels.push_back(is_dark ? 0 : texel(attenuation(profile, std::hypot(coordinate(i, size), coordinate(j, size)))));
     }
   }
   return texels;
@@ -75,7 +76,7 @@ MapTexels make_square_map(int size) {
   MapTexels texels;
   for (int j = 0; j < size; ++j) {
     for (int i = 0; i < size; ++i) {
-      texels.push_back(texel(place(i, size) * place(i, size) + place(j, size) * place(j, size)));
+      texels.push_back(texel(coordinate(i, size) * coordinate(i, size) + coordinate(j, size) * coordinate(j, size)));
     }
   }
   return texels;
@@ -83,7 +84,7 @@ MapTexels make_square_map(int size) {
 
 MapTexels make_square_ramp(int size) {
   MapTexels texels;
-  for (int i = 0; i < size; ++i) texels.push_back(texel(place(i, size) * place(i, size)));
+  for (int i = 0; i < size; ++i) texels.push_back(texel(coordinate(i, size) * coordinate(i, size)));
   return texels;
 }
 
@@ -93,7 +94,7 @@ double cone_map_scale(const Cone& cone) {
 
 MapTexels make_cone_cube(const Cone& cone, CubeAxis axis, int size) {
   const double scale = cone_map_scale(cone);
-  const auto across = [&](int i) { return is_narrowed(cone) ? place(i, size) : (2.0 * i + 1) / size - 1; };
+  const auto across = [&](int i) { return is_narrowed(cone) ? coordinate(i, size) : (2.0 * i + 1) / size - 1; };
   MapTexels texels;
   for (int face = 0; face < 6; ++face) {
     for (int j = 0; j < size; ++j) {
@@ -111,7 +112,7 @@ MapTexels make_cone_cube(const Cone& cone, CubeAxis axis, int size) {
 
 MapTexels make_cookie_cube(const Cookie& cookie) {
   MapTexels texels;
-  for (const float share : cookie.texels) texels.push_back(texel(double(share)));
+  for (const float fraction : cookie.texels) texels.push_back(texel(double(fraction)));
   return texels;
 }
 

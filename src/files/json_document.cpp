@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstddef>
+#include <iterator>
 #include <map>
 #include <utility>
 #include <variant>
@@ -51,7 +52,6 @@ constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
 constexpr std::size_t kMaxDepth = 64;
 constexpr std::size_t kMaxValues = 1'000'000;  // a member takes some 200 bytes: 64 MiB of "[],[]," would take 4 GiB
 constexpr std::size_t kMaxShown = 40;          // of a number in a message
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::string_view kBetweenTokens = " \t\r\n,:";
 constexpr std::string_view kWordEnds = " \t\r\n,:]}";
 constexpr std::string_view kRangeRule = "must be within the range of a double";
@@ -332,7 +332,7 @@ const std::string& JsonValue::file() const { return document_->name; }
 JsonValue read_json(const std::string& path) { return parse_json(read_file_text(path, kMaxBytes), path); }
 
 JsonValue parse_json(std::string text, std::string name) {
-  if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
+  if (utf8::starts_with_bom(text)) text.erase(0, std::size(utf8::bom));
   const auto document = std::make_shared<JsonDocument>();
   document->name = std::move(name);
   document->text = std::move(text);

@@ -20,7 +20,7 @@ constexpr double kLeastRange = 1e-30;
 constexpr double kLargestRange = 1e30;
 constexpr double kLargestFactor = 1e100;
 
-/// Distances from reach below this are left to the fit: figures are seldom given to more digits.
+/// Samples out of reach by less than this are left to the fit: figures are seldom given to more digits.
 constexpr double kReading = 1e-3;
 
 bool is_within(double x, double low, double high) { return x >= low && x <= high; }
@@ -73,8 +73,8 @@ Scaled scale(const AttenuationTarget& target) {
   return scaled;
 }
 
-/// One of the last two coefficients anew from the others, so that the extent is exact in spite of their rounding: the
-/// one with the greater part in it.
+/// Recomputes L or Q, whichever has the larger term at the extent, from the others, so that the extent is exact in
+/// spite of their rounding.
 void meet_extent(Attenuation& attenuation, double extent, double threshold) {
   const long double e = extent;
   const long double rest = 1 / static_cast<long double>(threshold) - attenuation.constant;
@@ -101,7 +101,7 @@ std::size_t free_count(const AttenuationTarget& target) {
 
 FalloffSearch minimise(const Falloff& falloff) { return search(falloff, descend(falloff, linear_start(falloff))); }
 
-/// The scale of the residuals that are no outliers: see AttenuationFit::loss_scale.
+/// The scale of the residuals other than outliers: see AttenuationFit::loss_scale.
 double loss_scale_of(const Falloff& falloff, const Coefficients& q, std::size_t free) {
   std::vector<double> amounts;
   for (const auto& sample : falloff.samples) amounts.push_back(std::abs(falloff.residual(q, sample)));
@@ -120,7 +120,7 @@ FalloffSearch minimise_robustly(Falloff& falloff, std::size_t free) {
     minimum = descend(falloff, minimum.coefficients);
     iterations += minimum.iterations;
   };
-  // From squares to amounts by halves: the squares' own residuals are all large where there are outliers.
+  // From squares to magnitudes in steps of a half: with outliers all residuals of the least-squares fit are large.
   const double first = loss_scale_of(falloff, minimum.coefficients, free);
   for (int i = 1; i <= 7; ++i) descend_with(std::ldexp(first, -i));
   descend_with(loss_scale_of(falloff, minimum.coefficients, free));
@@ -142,8 +142,8 @@ void fill_in_residuals(const AttenuationTarget& target, AttenuationFit& fit, con
   fit.rms = weights > 0 ? std::sqrt(squares / weights) : 0;
 }
 
-/// The samples that no attenuation with the target's extent and constant meets, in words. What a table is off its own
-/// best attenuation is no contradiction.
+/// The samples that no attenuation with the target's extent and constant meets, in words. A table's error
+/// against its own best attenuation is no contradiction.
 std::string describe_out_of_reach(const AttenuationTarget& target, const Scaled& scaled) {
   const auto distance = [&](const AttenuationSample& sample) {
     return sample.weight > 0 ? distance_from_reach(target, sample) : 0;
@@ -196,7 +196,7 @@ void fit_samples(const AttenuationTarget& target, AttenuationFit& fit) {
   }
   const Coefficients& q = found.minimum.coefficients;
   fit.attenuation = {q[0], q[1] / scaled.unit, q[2] / scaled.unit / scaled.unit};
-  if (q == Coefficients{}) {  // C = 0 given, and nothing darker than 1: the clamp lets go at the last sample
+  if (q == Coefficients{}) {  // C = 0 given and no sample below 1: the clamp ends at the last sample
     fit.attenuation.linear = 1 / target.samples.back().range;
   }
   if (target.extent) meet_extent(fit.attenuation, *target.extent, target.threshold);

@@ -42,7 +42,7 @@ Interval reachable_ranges(const AttenuationTarget& target, double attenuation) {
   const double linear = (wanted - *target.constant) / (top - *target.constant);
   if (!(linear >= 0)) return {1, 0};
   const double quadratic = std::sqrt(linear);
-  if (attenuation == 1) return {0, quadratic};  // the clamp holds it up to there
+  if (attenuation == 1) return {0, quadratic};  // clamped to 1 up to there
   return {std::min(linear, quadratic), std::max(linear, quadratic)};
 }
 

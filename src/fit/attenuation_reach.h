@@ -7,13 +7,13 @@
 
 namespace litfog {
 
-/// How far a sample lies out of what the attenuations with the target's extent and constant reach at its range: the
-/// distance of ln attenuation, 0 within.
+/// How far a sample lies outside what attenuations with the target's extent and constant reach at its range, in ln
+/// attenuation; 0 within.
 double distance_from_reach(const AttenuationTarget& target, const AttenuationSample& sample);
 
 /// Why a sample is out of reach, and at which ranges its attenuation could be reached:
 /// "attenuation 0.5 at 40 m cannot be reached with an extent of 100 m: between 0 and 31.62 m can".
-/// Bounds are rounded inwards: what is named can be reached.
+/// Bounds are rounded inwards, so that both named ranges can be reached.
 std::string describe_reach(const AttenuationTarget& target, const AttenuationSample& sample);
 
 }  // namespace litfog

@@ -29,8 +29,8 @@ struct BranchAndBoundResult {
 ///     Box root()
 ///     bool contract(Box&)       removes what cannot be better than the best known; false if nothing is left
 ///     void try_inside(Box)      looks for better parameters in the box
-///     double bound(Box)         what the objective nowhere in the box goes below
-///     bool is_closed(double)    whether a box with this bound holds nothing enough better than the best known
+///     double bound(Box)         a lower bound of the objective in the box
+///     bool is_closed(double)    whether no box with this bound can improve enough on the best known
 ///     std::optional<std::array<Box, 2>> split(Box)    nothing if the box is a point
 /// max_boxes  where the search gives up; it may exceed this by one
 template <Evaluation kEvaluation, typename Problem>

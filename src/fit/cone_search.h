@@ -43,7 +43,7 @@ struct ConeOptimum {
 
 /// A profile's search as a problem for branch_and_bound. A profile has
 ///     root()                      the box of all parameters
-///     bound(box)                  what no parameters in the box go below; infinite where the box holds no cone
+///     bound(box)                  a lower bound of the objective in the box; infinite where the box holds no cone
 ///     start(box)                  some parameters in it, unless it holds no cone
 ///     objective(parameters)
 ///     descend(start, iterations)  the local minimum below a start

@@ -13,9 +13,9 @@ namespace litfog {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr int kMaxRounds = 20;  // of a descent that moves the cut
+constexpr int kMaxRounds = 20;  // of a descent in which the cut moves
 
-/// The error is a difference of fractions, not their ratio: what light falls on a surface is seen by its amount, and
+/// The error is a difference of fractions, not their ratio: the eye sees how much light falls on a surface, and
 /// beams end in darkness, which has no logarithm.
 struct CosineResidual {
   const ConePoint& point;

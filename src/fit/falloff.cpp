@@ -121,7 +121,7 @@ class Parameters {
 /// Which coefficients are 0.
 std::array<bool, 3> zeros(const Coefficients& q) { return {q[0] == 0, q[1] == 0, q[2] == 0}; }
 
-/// Slope of the objective by the coefficients, and what it would be if all residuals were 1 to one side.
+/// Slope of the objective in the coefficients, and what it would be if all residuals were 1 with the same sign.
 template <typename Real>
 struct Slopes {
   std::array<Real, 3> slope{};
@@ -136,8 +136,7 @@ Slopes<Real> slopes_at(const Falloff& falloff, const std::array<Real, 3>& q) {
   for (const auto& sample : falloff.samples) {
     const auto power = powers(Real(sample.x));
     const Real d = q[0] + power[1] * q[1] + power[2] * q[2];
-    if (d < 1 && falloff.is_clamped_at(sample))
-      continue;  // at 1 what counts is the way on, for there is none back but through the clamp
+    if (d < 1 && falloff.is_clamped_at(sample)) continue;  // at 1 only the slope above counts: below, the clamp holds
     const Real z = log(d) - Real(sample.y);
     const Real first = Real(sample.weight) * falloff.loss.slope(z) / d;
     const Real second = Real(sample.weight) * (falloff.loss.curvature(z) - falloff.loss.slope(z)) / (d * d);
@@ -166,7 +165,7 @@ void project_onto_end(const Falloff& falloff, const std::array<Real, 3>& q, std:
   // The multiplier in the mean of the terms at the end, weighted by its fraction of them.
   Real sum = 0, weight = 0;
   for (const std::size_t j : free_coefficients(falloff)) {
-    if (is_at_limit(falloff, q, j)) continue;  // held by its own bound
+    if (is_at_limit(falloff, q, j)) continue;  // held at its own bound
     sum += q[j] * slope[j];
     weight += q[j] * power[j];
   }
@@ -178,7 +177,7 @@ template <typename Real>
 Real kkt_residual_of(const Falloff& falloff, const std::array<Real, 3>& q) {
   Slopes<Real> at = slopes_at(falloff, q);
   project_onto_end(falloff, q, at.slope);
-  if (falloff.end) {  // one scale for all: each slope has the multiplier's rounding in it
+  if (falloff.end) {  // one scale for all: each slope contains the multiplier's rounding
     const auto power = powers(Real(falloff.end->x));
     Real most = 0;
     for (const std::size_t j : free_coefficients(falloff)) most = std::max(most, at.scale[j] / power[j]);
@@ -195,7 +194,7 @@ Real kkt_residual_of(const Falloff& falloff, const std::array<Real, 3>& q) {
   return worst;
 }
 
-/// The objective about some coefficients, and what they may be.
+/// The objective to second order about some coefficients, and their bounds.
 template <typename Real>
 BoundedModel<Real, 3> model_at(const Falloff& falloff, const std::array<Real, 3>& q, const Slopes<Real>& at) {
   constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
@@ -210,7 +209,7 @@ BoundedModel<Real, 3> model_at(const Falloff& falloff, const std::array<Real, 3>
 }
 
 /// Newton steps in extended precision, as long as they bring the slopes nearer to 0 and the objective does not rise.
-/// Gauss and Newton leave the curvature of large residuals out and converge slowly there.
+/// Gauss-Newton neglects the curvature of large residuals and converges slowly there.
 Coefficients refine(const Falloff& falloff, const Coefficients& start) {
   using Real = long double;
   const auto rounded = [](const std::array<Real, 3>& q) {
@@ -239,7 +238,7 @@ Coefficients refine(const Falloff& falloff, const Coefficients& start) {
 }  // namespace
 
 Loss::Loss(double scale) : scale_(scale), convex_limit_(1) {
-  // z (1 + (z/s)^2) = 1 has one root in (0, 1]; bisected, for it is wanted once a fit.
+  // z (1 + (z/s)^2) = 1 has one root in (0, 1]; bisected, because it is needed once a fit.
   double low = 0;
   for (int i = 0; i < 60 && std::isfinite(scale); ++i) {
     const double middle = (low + convex_limit_) / 2;
@@ -363,7 +362,7 @@ FalloffMinimum descend_once(const Falloff& falloff, const Coefficients& start) {
   } else {
     minimum.covariance.emplace().fill(0);
   }
-  // A fraction next to 1 has no digits for what is left to the other term, which may matter far beyond the end.
+  // A fraction next to 1 has no digits left for the other term, which may matter far beyond the end.
   const bool may_start = !falloff.end || falloff.constant || start[0] <= falloff.largest_constant();
   if (may_start && falloff.objective(start) < falloff.objective(minimum.coefficients)) minimum.coefficients = start;
   minimum.coefficients = refine(falloff, minimum.coefficients);
@@ -375,7 +374,7 @@ FalloffMinimum descend_once(const Falloff& falloff, const Coefficients& start) {
 
 FalloffMinimum descend(const Falloff& falloff, const Coefficients& start) {
   FalloffMinimum minimum = descend_once(falloff, start);
-  // Once more where other coefficients are 0 than were left out: for the covariance, and all the way down.
+  // Once more if the coefficients that ended at 0 are not those left out: for the covariance, and to converge fully.
   std::array<bool, 3> left_out = zeros(start);
   for (int i = 0; i < 4 && zeros(minimum.coefficients) != left_out; ++i) {
     left_out = zeros(minimum.coefficients);

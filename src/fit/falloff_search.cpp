@@ -20,8 +20,7 @@
 // |ln D_i - y_i| < loss^-1(F* / w_i). These bounds on each D shrink a box B of coefficients. On what is left:
 //
 // 1. Term by term. With lines a_i + b_i D <= f_i(D) over the D_i of the box (a tangent where the term is convex there,
-// a
-//    chord where it is concave, its minimum where it is both),
+//    a chord where it is concave, its minimum where it is both),
 //
 //        F(q) >= sum_i a_i + min_{q in B} sum_i b_i D_i(q),
 //
@@ -44,14 +43,14 @@ namespace {
 
 constexpr double kGap = 1e-7;
 constexpr double kRounding = 1e-13;  ///< by which bounds on D are widened
-/// Terms bounded before the search gives up, and a box's own work in terms: about a second.
+/// Terms bounded before the search gives up, about a second; and a box's own work, counted in terms.
 constexpr std::size_t kLargestEffort = 5'000'000;
 constexpr std::size_t kBoxEffort = 10;
 
-/// Below this D a dark sample's term is taken for what it is at 0, without a slope.
+/// Below this D a dark sample's term is taken as its value at 0, without a slope.
 constexpr double kLeastSmooth = 1e-6;
 
-/// Boxes left before a number of held samples is worth a descent of its own, which costs as much as that many.
+/// A number of held samples gets a descent of its own when it has more open boxes than this: it costs as much.
 constexpr std::size_t kPatience = 30;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -89,7 +88,7 @@ struct Plane {
 
 using Matrix = Eigen::Matrix3d;
 
-/// Below which a minimum is better than the best known, beyond the gap that is left open and beyond rounding.
+/// A minimum below this improves on the best known by more than the gap that is left open and rounding.
 double wanted_objective(const Falloff& falloff, const FalloffMinimum& best) {
   return best.objective - std::max(kGap * best.objective, falloff.negligible());
 }
@@ -148,7 +147,7 @@ class HeldSearch {
     return bound;
   }
 
-  /// Along the coefficient that changes some D most, for its size; below 1 the clamp takes all changes.
+  /// Along the coefficient that changes some D the most, relative to its size; below 1 the clamp hides all changes.
   std::optional<std::array<Box, 2>> split(const Box& box) const {
     const Coefficients point = middle(box);
     std::size_t widest = 0;
@@ -416,7 +415,7 @@ class HeldSearch {
     return {at_low - slope * d.low, slope};
   }
 
-  /// A bound from below of a term's second derivative in D.
+  /// A lower bound of a term's second derivative in D.
   double least_curvature(const Term& term, const Interval& d, const Interval& log_d) const {
     const bool is_level = term.y == 0 && d.low < 1;
     const double z_low = is_level ? 0 : log_d.low - term.y;

@@ -28,7 +28,7 @@ class CostFunction final : public ceres::CostFunction {
   bool Evaluate(const double* const* parameters, double* residuals, double** jacobians) const override {
     double* jacobian = jacobians != nullptr ? jacobians[0] : nullptr;
     const std::size_t size = jacobian != nullptr ? problem_.residual_count * parameter_count_ : 0;
-    // Ceres takes no for an answer, but calls a value that is not finite an error and writes a page about it.
+    // False tells Ceres to step elsewhere; a value that is not finite makes it report an error and print a page.
     return problem_.evaluate({parameters[0], parameter_count_}, {residuals, problem_.residual_count},
                              {jacobian, size}) &&
            std::all_of(residuals, residuals + problem_.residual_count, is_finite) &&
@@ -139,8 +139,8 @@ std::optional<Iterate> evaluate(const LeastSquaresProblem& problem, const Vector
   return iterate;
 }
 
-/// Gauss-Newton to the last digits. Near the optimum the objective no longer distinguishes two iterates, its slope
-/// does: a descent that asks for a smaller objective, as Ceres does, stops with half the digits.
+/// Gauss-Newton to the last digits. Near the optimum the slope still distinguishes two iterates when the objective no
+/// longer does: a descent that asks for a smaller objective, as Ceres does, stops with half the digits.
 Iterate polish(const LeastSquaresProblem& problem, Iterate iterate, std::size_t& iterations) {
   for (int i = 0; i < 60; ++i) {
     Vector parameters = iterate.parameters + iterate.step;
@@ -160,7 +160,7 @@ Iterate polish(const LeastSquaresProblem& problem, Iterate iterate, std::size_t&
   return iterate;
 }
 
-/// Where Ceres ends from a start, polished; nothing where the model has no value there.
+/// Where Ceres ends when it starts there, polished; nothing where the model has no value there.
 std::optional<Iterate> descend(const LeastSquaresProblem& problem, Vector parameters,
                                const ceres::Solver::Options& options, std::size_t& iterations) {
   CostFunction cost(problem, static_cast<std::size_t>(parameters.size()));

@@ -25,7 +25,7 @@ struct SmoothstepResidual {
 };
 
 double smoothstep_at(const ConePoint& point, const ConeParameters& parameters) {
-  // Not even the limit of cones that end here lights it, and all light the axis.
+  // A cone that ends here leaves it dark, in the limit too; every cone lights the axis.
   if (point.versine >= parameters[1] && point.versine > 0) return 0;
   return formulas::smoothstep_cone(-point.versine, -parameters[0], -parameters[1]);
 }

@@ -8,9 +8,9 @@
 
 namespace litfog::gl {
 
-void check_errors(const char* place) {
+void check_errors(const char* action) {
   if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
-    throw std::logic_error("OpenGL error " + std::to_string(error) + " after " + place);
+    throw std::logic_error("OpenGL error " + std::to_string(error) + " after " + action);
   }
 }
 

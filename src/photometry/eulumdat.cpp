@@ -108,6 +108,7 @@ Luminaire parse_eulumdat(std::string text, const std::string& name) {
   const auto gamma = grid.angles("gamma angle", gamma_count, 0, 180);
   auto horizontal = planes.angles;
   auto intensity = grid.intensities(horizontal.size() * gamma.size(), factor);
+  luminaire.peak_location = scanner.location(grid.largest());
   scanner.expect_no_more_numbers();
   if (symmetry == kNone && horizontal.size() > 1) close_turn(horizontal, intensity);
   luminaire.distribution = {PhotometryType::c, radians_from_degrees(horizontal), radians_from_degrees(gamma),

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "litfog/photometry/ies.h"
 
+#include <utf8.h>
+
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <map>
 
 #include "photometric_grid.h"
@@ -135,7 +138,7 @@ bool is_turn(const std::vector<double>& planes) {
 }  // namespace
 
 bool is_ies(std::string_view text) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  if (utf8::starts_with_bom(text)) text.remove_prefix(std::size(utf8::bom));
   if (upper(text.substr(0, 3)) == "IES") return true;
   while (!text.empty()) {
     const auto end = std::min(text.find_first_of("\r\n"), text.size());
@@ -198,6 +201,7 @@ Luminaire parse_ies(std::string text, const std::string& name) {
     scanner.fail(grid.last(), "horizontal angle", "must not be the only one in types A and B");
   }
   auto intensity = grid.intensities(std::size_t(vertical_count) * std::size_t(horizontal_count), factor);
+  luminaire.peak_location = scanner.location(grid.largest());
   scanner.expect_no_more_numbers();
   if (is_c && horizontal.front() == 0 && horizontal.back() > 180) close_turn(horizontal, intensity);
   luminaire.distribution = {type, radians_from_degrees(horizontal), radians_from_degrees(vertical),

@@ -49,7 +49,7 @@ std::vector<double> PhotometricGrid::angles(std::string_view what, int count, do
 
 std::vector<double> PhotometricGrid::intensities(std::size_t count, double factor) {
   std::vector<double> intensities;
-  bool is_dark = true;
+  double largest = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const TextScanner::Piece& piece = last_ = scanner_.next(unit_);
     if (piece.text.empty()) scanner_.fail(piece, name_of("intensity", i, count), "");
@@ -59,10 +59,13 @@ std::vector<double> PhotometricGrid::intensities(std::size_t count, double facto
     if (!(candela <= kMaxCandela)) {
       scanner_.fail(piece, name_of("intensity", i, count), "must be at most 1e30 candela, with all factors");
     }
-    is_dark = is_dark && candela == 0;
+    if (candela > largest) {
+      largest = candela;
+      largest_ = piece;
+    }
     intensities.push_back(candela);
   }
-  if (is_dark) scanner_.fail(last_, name_of("intensity", count - 1, count), "must not be 0 as all others are");
+  if (largest == 0) scanner_.fail(last_, name_of("intensity", count - 1, count), "must not be 0 as all others are");
   return intensities;
 }
 
@@ -78,6 +81,7 @@ void close_turn(std::vector<double>& planes_deg, std::vector<double>& intensity)
   const std::vector<double> first_plane(intensity.begin(),
                                         intensity.begin() + std::ptrdiff_t(intensity.size() / planes_deg.size()));
   planes_deg.push_back(planes_deg.front() + 360);
+  intensity.reserve(intensity.size() + first_plane.size());  // all that it may take, where there are millions
   intensity.insert(intensity.end(), first_plane.begin(), first_plane.end());
 }
 

@@ -22,11 +22,14 @@ class PhotometricGrid {
   std::vector<double> intensities(std::size_t count, double factor);
   /// What was read last, for an error.
   const TextScanner::Piece& last() const { return last_; }
+  /// The largest intensity that was read.
+  const TextScanner::Piece& largest() const { return largest_; }
 
  private:
   TextScanner& scanner_;
   TextScanner::Unit unit_;
   TextScanner::Piece last_{};
+  TextScanner::Piece largest_{};
 };
 
 /// Whether planes of type C in degrees go all round: the gap to the first one is no wider than the widest step.

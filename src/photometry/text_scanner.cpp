@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 #include "file_text.h"
@@ -15,13 +16,13 @@ namespace {
 
 constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
 constexpr std::size_t kMaxShown = 40;  // of a value in a message
-constexpr std::size_t kByteOrderMarkSize = 3;
 constexpr std::string_view kBlank = " \t\v\f\x1A";  // 0x1A ended a file under DOS
 constexpr std::string_view kLineEnd = "\r\n";
 constexpr std::string_view kSeparators = " \t\v\f\x1A\r\n,";
 
 std::string utf8_from_latin1(std::string_view text) {
   std::string result;
+  result.reserve(2 * text.size());
   for (const char c : text) utf8::append(char32_t(static_cast<unsigned char>(c)), result);
   return result;
 }
@@ -50,7 +51,7 @@ std::optional<double> parse_number(std::string_view text) {
 std::string read_photometric_file(const std::string& path) { return read_file_text(path, kMaxBytes); }
 
 TextScanner::TextScanner(std::string text, std::string name) : text_(std::move(text)), name_(std::move(name)) {
-  if (utf8::starts_with_bom(text_)) text_.erase(0, kByteOrderMarkSize);
+  if (utf8::starts_with_bom(text_)) text_.erase(0, std::size(utf8::bom));
   if (!utf8::is_valid(text_)) text_ = utf8_from_latin1(text_);
 }
 
@@ -104,7 +105,7 @@ void TextScanner::expect_no_more_numbers() {
     fail(piece, "number after the last intensity", "must not be there by the file's counts");
 }
 
-void TextScanner::fail(const Piece& piece, std::string_view what, std::string_view rule) const {
+InputLocation TextScanner::location(const Piece& piece) const {
   const std::string_view before = std::string_view(text_).substr(0, piece.offset);
   std::size_t line = 1, line_begin = 0;
   for (std::size_t i = 0; i < before.size(); ++i) {
@@ -115,9 +116,12 @@ void TextScanner::fail(const Piece& piece, std::string_view what, std::string_vi
     }
   }
   const auto column = 1 + utf8::distance(before.begin() + std::ptrdiff_t(line_begin), before.end());
-  const InputLocation location{name_, line, std::size_t(column)};
-  if (piece.text.empty()) throw InputError(location, what, "", "must be given");
-  throw InputError(location, what, excerpt(piece.text), rule);
+  return {name_, line, std::size_t(column)};
+}
+
+void TextScanner::fail(const Piece& piece, std::string_view what, std::string_view rule) const {
+  if (piece.text.empty()) throw InputError(location(piece), what, "", "must be given");
+  throw InputError(location(piece), what, excerpt(piece.text), rule);
 }
 
 }  // namespace litfog

@@ -42,6 +42,7 @@ class TextScanner {
   /// Fails at a number in the rest of the file, where other text is allowed.
   void expect_no_more_numbers();
 
+  InputLocation location(const Piece& piece) const;
   /// "what = value: rule", or "what: must be given" for a missing piece.
   [[noreturn]] void fail(const Piece& piece, std::string_view what, std::string_view rule) const;
 

@@ -140,7 +140,7 @@ TEST_F(BenchMeasurement, SolveFindsTheErrorsThatTheHeadersState) {
     }
     // The steps of 1/255 are those of ulps: an intensity is at most 1, so its ulp at most epsilon / 2.
     EXPECT_LE(max_255, max_ulp * 255 * (is_float ? 0x1p-24 : 0x1p-53) * 1.001) << name;
-    // To within a share of 1e-8 of the range, a peak at a knee errs by as much.
+    // The search finds the range to 1e-8 of it, and the intensity of a peak at a knee is off by as much.
     if (method == "golden-section" || method == "boost-brent") {
       EXPECT_LT(max_255, 1e-4) << name;
     }

@@ -58,22 +58,22 @@ TEST(JsonDocument, ValuesOutliveTheirRoot) {
 TEST(JsonDocument, EveryValueKnowsItsLocation) {
   const JsonValue root = parse_json(
       "{\n  \"a\" : [10 ,\r\n\t{\"b\\\"}\" :\"x\"}, -2.5e1,true\n, null, [ ] ], \"\xC3\xA4\": 1 , \"c\":0\n}", "f");
-  const auto place = [](const JsonValue& value) {
+  const auto location = [](const JsonValue& value) {
     const std::string message = error_of([&] { value.fail("w", "", "r"); });
     return message.substr(0, message.find(": w: r"));
   };
-  EXPECT_EQ(place(root), "f:1:1");
+  EXPECT_EQ(location(root), "f:1:1");
   const auto items = root.member("a").items();
-  EXPECT_EQ(place(root.member("a")), "f:2:9");
-  EXPECT_EQ(place(items[0]), "f:2:10");
-  EXPECT_EQ(place(items[1]), "f:3:2");
-  EXPECT_EQ(place(items[1].member("b\"}")), "f:3:11");
-  EXPECT_EQ(place(items[2]), "f:3:17");
-  EXPECT_EQ(place(items[3]), "f:3:24");
-  EXPECT_EQ(place(items[4]), "f:4:3");
-  EXPECT_EQ(place(items[5]), "f:4:9");
-  EXPECT_EQ(place(root.member("\xC3\xA4")), "f:4:21") << "a column is a code point";
-  EXPECT_EQ(place(root.member("c")), "f:4:29");
+  EXPECT_EQ(location(root.member("a")), "f:2:9");
+  EXPECT_EQ(location(items[0]), "f:2:10");
+  EXPECT_EQ(location(items[1]), "f:3:2");
+  EXPECT_EQ(location(items[1].member("b\"}")), "f:3:11");
+  EXPECT_EQ(location(items[2]), "f:3:17");
+  EXPECT_EQ(location(items[3]), "f:3:24");
+  EXPECT_EQ(location(items[4]), "f:4:3");
+  EXPECT_EQ(location(items[5]), "f:4:9");
+  EXPECT_EQ(location(root.member("\xC3\xA4")), "f:4:21") << "a column is a code point";
+  EXPECT_EQ(location(root.member("c")), "f:4:29");
 }
 
 TEST(JsonDocument, ByteOrderMarkIsNoColumn) {

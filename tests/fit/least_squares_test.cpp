@@ -48,7 +48,7 @@ TEST(LeastSquares, ParametersStayWithinTheirBounds) {
 }
 
 TEST(LeastSquares, CovarianceIsAbsentWhereTheDataDoNotIdentifyTheParameters) {
-  EXPECT_FALSE(fit_least_squares(line({1, 1, 1}, {1, 2, 3}), kOrigin).covariance) << "one place";
+  EXPECT_FALSE(fit_least_squares(line({1, 1, 1}, {1, 2, 3}), kOrigin).covariance) << "one abscissa";
   EXPECT_FALSE(fit_least_squares(line({1, 2}, {1, 2}), kOrigin).covariance) << "no residual to spare";
   EXPECT_FALSE(fit_least_squares(line({1}, {1}), kOrigin).covariance) << "fewer residuals than parameters";
   EXPECT_TRUE(fit_least_squares(line({1e-9, 2e-9, 3e-9}, {1, 2, 4}), kOrigin).covariance) << "small is not singular";

@@ -236,7 +236,7 @@ TEST_F(LightTargetFile, UnusablePhotometryIsAnError) {
       << error_with(R"("cone": {"photometry": "absent.ies"})");
   write("tiny.ies", "IESNA:LM-63-2002\nTILT=NONE\n1 1000 1e-300 2 1 1 2 0 0 0\n1 1 0\n0 90\n0\n100 100\n");
   EXPECT_EQ(error_with(R"("cone": {"photometry": "tiny.ies"})"),
-            "tiny.ies: largest intensity = 1e-298: must give an extent: extent = 1e-149: must be in [1e-30, 1e30]");
+            "tiny.ies:7:1: largest intensity = 1e-298: must give an extent: extent = 1e-149: must be in [1e-30, 1e30]");
   EXPECT_EQ(error_with(R"("cone": {"photometry": 1})"), "f.json:2:24: cone.photometry = 1: must be a string");
 }
 

@@ -5,10 +5,12 @@
 
 #include <cstdio>
 #include <fstream>
+#include <new>
 #include <numbers>
 #include <string>
 
 #include "command/temporary_directory.h"
+#include "photometry/memory_limit.h"
 #include "photometry/photometric_file.h"
 
 namespace litfog::test {
@@ -234,12 +236,12 @@ TEST(Ies, TiltFileThatIsMissingBadOrElsewhereIsAnError) {
   std::ofstream(directory.path() / "bad.tlt") << "1 2\n0 90\n1 dark\n";
   EXPECT_EQ(error("good.tlt"), "(accepted)");
   EXPECT_EQ(error("bad.tlt"), "3:3: tilt factor = dark: must be a finite number");
-  const std::string place = "3:6: TILT = ";
-  EXPECT_EQ(error("none.tlt"), place + "none.tlt: must be NONE, INCLUDE or a file in this one's folder");
-  EXPECT_EQ(error("."), place + ".: must be NONE, INCLUDE or a file in this one's folder");
+  const std::string location = "3:6: TILT = ";
+  EXPECT_EQ(error("none.tlt"), location + "none.tlt: must be NONE, INCLUDE or a file in this one's folder");
+  EXPECT_EQ(error("."), location + ".: must be NONE, INCLUDE or a file in this one's folder");
   EXPECT_EQ(error(""), "3:6: TILT: must be given");
-  EXPECT_EQ(error("../good.tlt"), place + "../good.tlt: must name a file below this one's folder");
-  EXPECT_EQ(error("/dev/zero"), place + "/dev/zero: must name a file below this one's folder");
+  EXPECT_EQ(error("../good.tlt"), location + "../good.tlt: must name a file below this one's folder");
+  EXPECT_EQ(error("/dev/zero"), location + "/dev/zero: must name a file below this one's folder");
   try {
     IesText ies;
     ies.tilt = "TILT=bad.tlt\n";
@@ -424,6 +426,42 @@ TEST(Luminaire, FileBeyond64MebibytesIsAnError) {
   std::filesystem::resize_file(path, (std::size_t{64} << 20) + 1);
   EXPECT_EQ(photometry_error_of([&] { read_luminaire(path); }), " file: must not be larger than 67108864 bytes");
 }
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // whose own memory would count
+TEST(Luminaire, FilesOfTheLargestSizeAreReadWithinTheStatedMemory) {
+  const TemporaryDirectory directory;
+  const auto write = [&directory](const char* name, const auto& print) {
+    const std::string path = (directory.path() / name).string();
+    std::ofstream file(path, std::ios::binary);
+    print(file);
+    EXPECT_LE(file.tellp(), std::streamoff{64} << 20);
+    return path;
+  };
+  // A turn that is to be closed by a copy of its first plane.
+  constexpr int kVertical = 3'300;
+  constexpr int kHorizontal = 10'000;
+  const std::string numbers = write("numbers.ies", [&](std::ostream& file) {
+    file << "TILT=NONE\n1 1000 1 " << kVertical << " " << kHorizontal << " 1 2 0 0 0\n1 1 50\n";
+    for (int i = 0; i < kVertical; ++i) file << i * 0.05 << "\n";
+    for (int i = 0; i < kHorizontal; ++i) file << i * 0.036 << "\n";
+    for (int i = 0; i < kVertical * kHorizontal; ++i) file << "1\n";
+  });
+  // Every byte of the names takes two in UTF-8.
+  const std::string words = write("words.ies", [](std::ostream& file) {
+    file << "IESNA:LM-63-2002\n[LUMINAIRE]\n";
+    for (int i = 0; i < 60; ++i) file << "[MORE] " << std::string(std::size_t{1} << 20, '\xE9') << "\n";
+    file << "TILT=words.tlt\n1 1000 1 2 1 1 2 0 0 0\n1 1 50\n0 90\n0\n100 50\n";
+  });
+  write("words.tlt", [](std::ostream& file) {
+    file << "1 2\n0 90\n1 0.8\n" << std::string(std::size_t{63} << 20, '\xE9');
+  });
+
+  const MemoryLimit limit(kMaxLuminaireMemory);
+  EXPECT_EQ(read_luminaire(numbers).distribution.intensity.size(), std::size_t{kVertical} * (kHorizontal + 1));
+  EXPECT_GT(read_luminaire(words).name.size(), std::size_t{120} << 20);
+  EXPECT_THROW(std::string(2 * kMaxLuminaireMemory, ' '), std::bad_alloc);  // the limit is one
+}
+#endif
 
 }  // namespace
 }  // namespace litfog::test

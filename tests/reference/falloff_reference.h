@@ -8,13 +8,13 @@
 #include <limits>
 #include <vector>
 
-#include "reference/digits50.h"
 #include "litfog/fit/attenuation_fit.h"
+#include "reference/digits50.h"
 #include "reference/random_light.h"
 
 // The range fit's reference, by other means than the fit's: from many random starts in every face (which of C, L, Q are
 // not 0) by Levenberg-Marquardt in the logarithms of the coefficients, with differences for derivatives; then Newton
-// steps to 50 digits from the best place, where the conditions of optimality are checked.
+// steps to 50 digits from the best point, where the conditions of optimality are checked.
 
 namespace litfog::test {
 
@@ -48,7 +48,7 @@ class FalloffReferenceSearch {
     return sum;
   }
 
-  /// The best of so many descents in each face.
+  /// The best of `starts` descents in each face.
   std::array<double, 3> explore(Random& random, int starts) const {
     std::array<double, 3> best{};
     double least = std::numeric_limits<double>::infinity();
@@ -68,7 +68,7 @@ class FalloffReferenceSearch {
     return best;
   }
 
-  /// The optimum in the face of a place near it.
+  /// The optimum in the face of a point near it.
   FalloffReference certify(const std::array<double, 3>& near) const {
     std::array<Digits50, 3> q{near[0], near[1], near[2]};
     std::vector<std::size_t> moving;
@@ -174,7 +174,7 @@ class FalloffReferenceSearch {
 
   struct Slopes {
     std::array<Digits50, 3> slope{};
-    std::array<Digits50, 3> size{};  ///< sum of the terms by amount
+    std::array<Digits50, 3> size{};  ///< sum of the terms' magnitudes
     std::array<std::array<Digits50, 3>, 3> curvature{};
   };
 

@@ -2,8 +2,8 @@
 // litfog_fog_intensity_generator FILE: writes tests/data/fog_intensity.json, lights in fog with their extent, peak
 // range and intensity to 60 digits.
 //
-// The figures come from the definitions alone: plain formulas, bisection on the sign of the derivative, and so many
-// digits that what cancels does not matter. Nothing of litfog's solver or of the tests' other reference is used.
+// The figures come from the definitions alone: plain formulas, bisection on the sign of the derivative, and enough
+// digits that cancellation does not matter. Nothing of litfog's solver or of the tests' other reference is used.
 
 #include <algorithm>
 #include <array>

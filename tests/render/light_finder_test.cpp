@@ -66,14 +66,14 @@ TEST(LightFinder, LightThatCanReachIsFoundAmongMany) {
     extents.push_back(i == 77 ? std::numeric_limits<double>::infinity() : double(i % 20));
   }
   const render::LightFinder finder(lamps, extents);
-  for (int place = 0; place < 100; ++place) {
-    const glm::vec3 low{float(place * 3), -2, float(place * 2)};
+  for (int step = 0; step < 100; ++step) {
+    const glm::vec3 low{float(step * 3), -2, float(step * 2)};
     const Bounds box{low, low + glm::vec3(5, 1, 9)};
     std::vector<std::int32_t> expected;
     for (std::size_t i = 0; i < lamps.size(); ++i) {
       if (can_reach(lamps[i], extents[i], box)) expected.push_back(std::int32_t(i));
     }
-    EXPECT_EQ(finder.reaching(box), expected) << place;
+    EXPECT_EQ(finder.reaching(box), expected) << step;
   }
 }
 

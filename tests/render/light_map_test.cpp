@@ -30,7 +30,7 @@ double stored(const MapTexels& texels, int i, int j = 0, int k = 0, int size = k
 }
 
 /// Hales's coordinate of a texel, as a vector from the light in extents.
-double place(int i, int size = kSize) { return (double(i) / (size - 1) - 0.5) / 0.5; }
+double coordinate(int i, int size = kSize) { return (double(i) / (size - 1) - 0.5) / 0.5; }
 
 TEST(LightMap, VolumeHoldsTheAttenuationInsideTheExtentAndNothingBeyond) {
   const MapTexels map = make_range_volume(range_profile(kLamp, 100), kSize);
@@ -38,7 +38,7 @@ TEST(LightMap, VolumeHoldsTheAttenuationInsideTheExtentAndNothingBeyond) {
   for (int k = 1; k < kSize - 1; ++k) {
     for (int j = 1; j < kSize - 1; ++j) {
       for (int i = 1; i < kSize - 1; ++i) {
-        const double range = 100 * glm::length(dvec3(place(i), place(j), place(k)));
+        const double range = 100 * glm::length(dvec3(coordinate(i), coordinate(j), coordinate(k)));
         ASSERT_NEAR(stored(map, i, j, k), range > 100 ? 0 : attenuation_at(kLamp, range), kHalfStep + 1e-6);
       }
     }
@@ -66,7 +66,7 @@ TEST(LightMap, PairGivesTheDistanceInThePlaneAndThenTheAttenuation) {
   const MapTexels range = make_range_map(range_profile(kLamp, 100), kSize);
   for (int j = 1; j < kSize - 1; ++j) {
     for (int i = 1; i < kSize - 1; ++i) {
-      const double in_plane = std::hypot(place(i), place(j));
+      const double in_plane = std::hypot(coordinate(i), coordinate(j));
       EXPECT_NEAR(stored(distance, i, j), std::min(0.5 + 0.5 * in_plane, 1.0), kHalfStep);
       EXPECT_NEAR(stored(range, i, j), in_plane > 1 ? 0 : attenuation_at(kLamp, 100 * in_plane), kHalfStep + 1e-6);
     }
@@ -79,10 +79,10 @@ TEST(LightMap, SquaresAddUpToTheSquareOfTheDistance) {
   const MapTexels line = make_square_ramp(kSize);
   for (int j = 0; j < kSize; ++j) {
     for (int i = 0; i < kSize; ++i) {
-      const double expected = std::min(1.0, place(i) * place(i) + place(j) * place(j));
+      const double expected = std::min(1.0, coordinate(i) * coordinate(i) + coordinate(j) * coordinate(j));
       EXPECT_NEAR(stored(plane, i, j), expected, kHalfStep);
     }
-    EXPECT_NEAR(stored(line, j), place(j) * place(j), kHalfStep);
+    EXPECT_NEAR(stored(line, j), coordinate(j) * coordinate(j), kHalfStep);
   }
 }
 

@@ -47,7 +47,7 @@ TEST(LightingPath, PathIsFoundByItsNameAlone) {
 
 // --- formula pixels: a wall of one colour that fills the picture ---
 
-/// A wall of so many cells across, facing +Z, of one colour.
+/// A wall of one colour facing +Z, `cells` cells across.
 Scene wall(int cells) {
   Scene scene;
   scene.camera = {.position = {0, 0, 0}, .target = {0, 0, -1}, .field_of_view = 1.0f};
@@ -220,7 +220,7 @@ std::vector<PlacedLight> crowd(int count) {
   return lights;
 }
 
-// Lights are handed over to a shader up to 16, its fog's and its surface's; more are listed.
+// Up to 16 lights, those of the fog and of the surface, are passed as uniforms; more are in the light list.
 TEST_F(LightingPathPixels, FewAndManyLightsAreTheBasicModel) {
   for (const int count : {1, 2, 3, 4, 5, 8, 9, 15, 16, 17, 31, 32, 33, 34, 40}) {
     Scene scene = wall(1);
@@ -331,8 +331,8 @@ TEST_F(LightingPathPixels, EverySceneIsFiniteByEveryPath) {
   }
 }
 
-// Lights are added in another order, those that add nothing may come into a pass of their own, and half floats round
-// once more. In `tangent` a light's place beyond the edge of a triangle is extrapolated, to where it may be in reach.
+// Lights are added in another order, those that add nothing may get a pass of their own, and half floats round once
+// more. In `tangent` a light's position is extrapolated beyond the edge of a triangle, to where it may be in reach.
 TEST_F(LightingPathPixels, PixelsAreTheSameWhateverIsSkipped) {
   for (const char* name : {"room", "headlights"}) {
     const Scene scene = read_scene(bundled_scene_path(name));

@@ -205,8 +205,8 @@ class SceneReader {
       try {
         scene_.files.push_back((folder_ / value.string()).string());
         entry->second = read_light(scene_.files.back());
-      } catch (const InputError& refusal) {
-        value.fail(std::string("must be a light file: ") + refusal.what());
+      } catch (const InputError& error) {
+        value.fail(std::string("must be a light file: ") + error.what());
       }
     }
     return checked(value, entry->second);
@@ -356,8 +356,8 @@ class SceneReader {
     if (is_new) {
       try {
         scene_.models.push_back(make_model(name.string(), parameters));
-      } catch (const std::invalid_argument& refusal) {  // a rule across parameters
-        name.fail("model", name.string(), refusal.what());
+      } catch (const std::invalid_argument& error) {  // a rule across parameters
+        name.fail("model", name.string(), error.what());
       }
     }
     return entry->second;

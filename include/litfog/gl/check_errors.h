@@ -3,11 +3,11 @@
 
 namespace litfog::gl {
 
-/// Throws where a GL error is pending, for one is a defect of the caller. The error is no longer pending then.
+/// Throws where a GL error is pending, which is a bug of the caller. The error is no longer pending then.
 ///
-/// place    what was done, for the message
-/// throws   std::logic_error naming the error and `place`
+/// action   what was done, for the message
+/// throws   std::logic_error naming the error and `action`
 /// threads  asks the calling thread's current context
-void check_errors(const char* place);
+void check_errors(const char* action);
 
 }  // namespace litfog::gl

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "litfog/input_error.h"
 #include "litfog/photometry/intensity_distribution.h"
 
 namespace litfog {
@@ -32,6 +34,7 @@ struct Luminaire {
   std::string name;          ///< UTF-8, as all text; empty if the file does not state it
   std::string manufacturer;  ///< likewise
   IntensityDistribution distribution;
+  InputLocation peak_location;  ///< of the largest intensity in the file
 
   /// Rated flux of all its lamps in lumens, > 0; nothing if the file does not state it, as in absolute IES photometry.
   std::optional<double> lamp_flux;
@@ -47,11 +50,14 @@ struct Luminaire {
 /// light_output_ratio, which only EULUMDAT has.
 std::optional<double> stated_flux(const Luminaire& luminaire);
 
+/// What reading a photometric file takes at most, in bytes: its text, its numbers and their copies.
+inline constexpr std::size_t kMaxLuminaireMemory = std::size_t{1} << 30;
+
 /// Reads an IES LM-63 or EULUMDAT file. It is IES LM-63 if it has that label or a TILT line, or if its name ends in
 /// .ies; else it is EULUMDAT.
 ///
-/// The file, and that with the tilt data, may have 64 MiB each. Memory is taken for the numbers that are read, not for
-/// the counts that a file states.
+/// The file, and that with the tilt data, may have 64 MiB each. Reading takes less than kMaxLuminaireMemory, whatever
+/// counts a file states.
 ///
 /// throws     InputError
 Luminaire read_luminaire(const std::string& path);

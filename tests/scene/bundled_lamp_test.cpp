@@ -1,23 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scene/model/airfield.h"
+#include "scene/file/scene_file.h"
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <string>
 #include <vector>
-
-#include "scene/file/scene_file.h"
 
 namespace litfog::test {
 using namespace scene;
 
 namespace {
 
-/// The materials of the lenses that lie within 0.1 m of a point. Their models are taken as not turned.
+/// The materials of the lenses that lie within 0.1 m of a point.
 std::vector<std::string> lenses_at(const Scene& scene, const glm::vec3& point) {
   std::vector<std::string> lenses;
   for (const Instance& instance : scene.instances) {
-    const glm::vec3 in_model = point - glm::vec3(instance.world_from_model[3]);
+    const glm::vec3 in_model(glm::inverse(instance.world_from_model) * glm::vec4(point, 1));
     for (const Part& part : scene.models[instance.model]) {
       if (!part.material.starts_with("lamp_")) continue;
       const Bounds box = bounds(part.mesh);
@@ -28,7 +27,7 @@ std::vector<std::string> lenses_at(const Scene& scene, const glm::vec3& point) {
   return lenses;
 }
 
-TEST(Airfield, ApproachLampsHaveLensesOfTheirColor) {
+TEST(BundledLamps, ApproachLampsHaveLensesOfTheirColor) {
   const Scene scene = read_scene(bundled_scene_path("approach"));
   int red = 0;
   int white = 0;
@@ -41,6 +40,20 @@ TEST(Airfield, ApproachLampsHaveLensesOfTheirColor) {
   }
   EXPECT_EQ(red, 54);
   EXPECT_EQ(white, 168);
+}
+
+TEST(BundledLamps, LampsOfTheStreetAndOfTheLighthouseAreAtTheirLenses) {
+  const std::map<std::string, std::string> lenses{{"street lamp, sodium", "lamp_sodium"},
+                                                  {"headlight, lower beam", "lamp_white"},
+                                                  {"position light, left, red", "lamp_red"},
+                                                  {"aerobeacon DCB-224", "lamp_white"}};
+  for (const char* name : {"street", "lighthouse"}) {
+    const Scene scene = read_scene(bundled_scene_path(name));
+    for (const PlacedLight& light : scene.lights) {
+      EXPECT_EQ(lenses_at(scene, light.position), std::vector<std::string>{lenses.at(light.light.name)})
+          << light.light.name << " at " << light.position.x << ", " << light.position.z;
+    }
+  }
 }
 
 }  // namespace
