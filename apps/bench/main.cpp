@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "bench/airlight_benchmark.h"
 #include "bench/fit_benchmark.h"
 #include "bench/machine.h"
 #include "bench/render_benchmark.h"
@@ -31,10 +32,11 @@ using namespace litfog::command;
 
 constexpr const char* kDescription = R"(Measures litfog and its rivals: time beside error, in the same run.
 
-  litfog-bench solve   time against error of every way to a light's fog colour intensity
-  litfog-bench update  time to follow a visibility step by step over a million lights
-  litfog-bench fit     time and quality of fits of an attenuation to a falloff table
-  litfog-bench render  frame time and error of every lighting path, over scenes, lights and sizes
+  litfog-bench solve     time against error of every way to a light's fog colour intensity
+  litfog-bench airlight  time against error of every way to a light's airlight along a ray
+  litfog-bench update    time to follow a visibility step by step over a million lights
+  litfog-bench fit       time and quality of fits of an attenuation to a falloff table
+  litfog-bench render    frame time and error of every lighting path, over scenes, lights and sizes
 )";
 
 constexpr const char* kExplanation =
@@ -44,6 +46,15 @@ Methods: Hales's sampling with N = 16 to 1024, as published and in SIMD; golden 
 exact, one light a call; batch; and as the floor a copy of as many bytes as the batch reads and writes (five columns in,
 one out). -uncached is the same over four million lights. Errors are against a 50-digit reference over the first 2,000
 lights.
+
+airlight: per ray, over 4,000 rays that their lamp lights by more than 1e-4 of its intensity, in three mixes. point: point
+lamps in isotropic fog; C below, at and above 1 and 0, L and Q from 0 over decades; visibility 3 m to 100 km, in one of
+twenty less; the eye beside, behind and in the lamp's light, rays of any length. any: two thirds are spots of 0.1 to 180
+degrees, half of the fogs scatter by g from -0.9 to 0.9. inverse-square: C = L = 0, outside of the knee. Methods: uniform
+steps from the eye (march) and inside the lamp's sphere and cone only (march-clipped, as PlayCanvas); Gauss-Legendre nodes in
+asinh of the distance from the closest approach (gauss-asinh); litfog; the arctangent form without extinction (Macklin 2010);
+256 x 256 tables (Sun et al. 2005); closed forms; litfog's reference, against which errors are. lamp_leg is 1 where the fog
+dims the light on its way from the lamp, too. p99_relative: of the relative error.
 
 update: 1,000 steps of visibility, 10,000 m to 50 m and back, over a million lights of 200 kinds, all carried and on.
 
@@ -58,7 +69,7 @@ of all paths interleaved. Errors are against the path's own plain formulas, shad
 2004. Takes some twenty minutes without a GPU.
 
 Times are processor time of one thread (render: wall time of a frame, drawn and waited for): medians, with the spread
-from the 10th to the 90th percentile of the repetitions (solve, fit), steps (update) or frames (render). Errors ending in
+from the 10th to the 90th percentile of the repetitions (solve, airlight, fit), steps (update) or frames (render). Errors ending in
 _255 are in steps of an 8-bit colour channel.
 
 Examples:
@@ -69,7 +80,7 @@ Examples:
 Exit status: 0 done; 1 wrong command line; 3 a Debug build, no OpenGL, or --plot without gnuplot; 4 output cannot be written; 5 an
 error larger than litfog states for itself was found (the results are still written).)";
 
-enum class Benchmark { solve, update, fit, render };
+enum class Benchmark { solve, airlight, update, fit, render };
 
 struct Options {
   Benchmark benchmark = Benchmark::solve;
@@ -116,6 +127,8 @@ std::string text_of(const Result& result, TableFormat format) {
 
 Result measure(const Options& options) {
   switch (options.benchmark) {
+    case Benchmark::airlight:
+      return measure_airlight(options.quick);
     case Benchmark::update:
       return measure_update(options.quick);
     case Benchmark::fit:
@@ -180,6 +193,7 @@ int main(int argc, char** argv) {
   app.footer(kExplanation);
   add_choice<Benchmark>(app, "benchmark", options.benchmark,
                         {{"solve", Benchmark::solve},
+                         {"airlight", Benchmark::airlight},
                          {"update", Benchmark::update},
                          {"fit", Benchmark::fit},
                          {"render", Benchmark::render}},
@@ -188,7 +202,7 @@ int main(int argc, char** argv) {
   app.add_option("--json", options.json_file, "Write machine and rows as JSON")->type_name("FILE");
   app.add_option("--csv", options.csv_file, "Write the rows as CSV, the machine in each")->type_name("FILE");
   app.add_option("--plot", options.plot_file,
-                 "Draw time against error (solve), visibility (update), digits (fit) or lights (render)")
+                 "Draw time against error (solve, airlight), visibility (update), digits (fit) or lights (render)")
       ->type_name("FILE.png|FILE.svg");
   app.add_option("--isa", options.isa,
                  "Batches use no wider SIMD target than this, in Highway's words: AVX3, AVX2, SSE4")

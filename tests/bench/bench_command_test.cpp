@@ -48,6 +48,8 @@ std::string usage_message(const std::string& reason) {
 
 const std::vector<std::string> kSolveColumns{"method",  "precision", "fog",           "ns_per_light",  "ns_spread",
                                              "max_ulp", "mean_ulp",  "max_error_255", "mean_error_255"};
+const std::vector<std::string> kAirlightColumns{"method",     "nodes",     "fog",           "lights",      "lamp_leg",
+                                                "ns_per_ray", "ns_spread", "max_error_255", "p99_relative"};
 const std::vector<std::string> kUpdateColumns{
     "method", "fog", "lights", "kinds", "steps", "ms_per_step", "ms_spread", "skipped_share", "max_deviation_255"};
 
@@ -153,6 +155,73 @@ TEST_F(BenchMeasurement, SolveFindsTheErrorsThatTheHeadersState) {
     }
     EXPECT_LE(max_error_255("hales-1024", fog), max_error_255("hales-16", fog));
   }
+}
+
+TEST_F(BenchMeasurement, AirlightMeasuresEveryMethodOverTheRaysThatItKnows) {
+  const Outcome outcome = run("airlight --quick --json airlight.json --csv airlight.csv --plot airlight.svg");
+  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  const Json document = Json::parse(read("airlight.json"));
+  expect_machine(document);
+  expect_columns(document["rows"], kAirlightColumns);
+  std::map<std::string, Json> found;
+  for (const Json& row : document["rows"]) {
+    const std::string nodes = row["nodes"].is_null() ? "" : "-" + std::to_string(row["nodes"].get<int>());
+    const std::string name = row["method"].get<std::string>() + nodes + " " + row["fog"].get<std::string>() + " " +
+                             row["lights"].get<std::string>() + " " + std::to_string(row["lamp_leg"].get<int>());
+    EXPECT_TRUE(found.emplace(name, row).second) << name;
+    EXPECT_GT(row["ns_per_ray"].get<double>(), 0) << name;
+    EXPECT_GE(row["ns_spread"].get<double>(), 0) << name;
+    const bool is_reference = row["method"] == "reference";
+    EXPECT_EQ(row["max_error_255"].is_null(), is_reference) << name;
+    EXPECT_EQ(row["p99_relative"].is_null(), is_reference) << name;
+  }
+  std::size_t count = 0;
+  const auto expect_methods = [&](const std::string& rays, const std::vector<std::string>& methods) {
+    for (const std::string& method : methods) EXPECT_TRUE(found.contains(method + rays)) << method << rays;
+    count += methods.size();
+  };
+  for (const char* rays : {" exp point 0", " exp point 1", " exp2 point 0", " exp2 point 1", " exp any 0", " exp any 1",
+                           " exp2 any 0", " exp2 any 1"}) {
+    expect_methods(
+        rays, {"march-16", "march-32", "march-64", "march-128", "march-256", "march-clipped-16", "march-clipped-32",
+               "march-clipped-64", "march-clipped-128", "march-clipped-256", "gauss-asinh-2", "gauss-asinh-4",
+               "gauss-asinh-8", "gauss-asinh-16", "gauss-asinh-32", "litfog", "reference"});
+  }
+  expect_methods(" exp inverse-square 0", {"arctangent", "closed-form", "litfog", "reference"});
+  expect_methods(" exp inverse-square 1", {"arctangent", "sun-2005", "closed-form", "litfog", "reference"});
+  EXPECT_EQ(found.size(), count);
+  EXPECT_NE(read("airlight.svg").find("processor time of one thread per ray"), std::string::npos);
+}
+
+TEST_F(BenchMeasurement, RivalsOfTheAirlightConvergeToTheReference) {
+  const Outcome outcome = run("airlight --quick --format json");
+  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  const Json document = Json::parse(outcome.out);
+  std::map<std::string, double> coarsest, finest;
+  for (const Json& row : document["rows"]) {
+    const std::string method = row["method"];
+    if (method == "reference") continue;
+    const double error = row["max_error_255"];
+    EXPECT_TRUE(std::isfinite(error)) << row;
+    // The reference and the closed form are 1e-10 of at most 1 apart.
+    if (method == "closed-form") {
+      EXPECT_LT(error, 255 * 1e-9) << row;
+    }
+    if (method == "sun-2005") {
+      EXPECT_LT(error, 1) << row;
+    }
+    if (method == "arctangent") {
+      EXPECT_GT(error, 1) << row;
+    }
+    if (row["nodes"].is_null()) continue;
+    const std::string rays = method + row["fog"].get<std::string>() + row["lights"].get<std::string>() +
+                             std::to_string(row["lamp_leg"].get<int>());
+    coarsest.try_emplace(rays, error);
+    finest[rays] = error;
+  }
+  EXPECT_EQ(finest.size(), 3u * 8);
+  for (const auto& [rays, error] : finest) EXPECT_LT(error, coarsest[rays]) << rays;
 }
 
 TEST_F(BenchMeasurement, UpdateStaysWithinItsBudget) {
@@ -263,7 +332,8 @@ TEST_F(BenchMeasurement, FullDiskIsNoticed) {
 TEST_F(BenchCommand, HelpNeedsNoReleaseBuild) {
   const Outcome help = run("--help");
   EXPECT_EQ(help.status, kDone);
-  for (const char* part : {"solve", "update", "fit", "--json", "--csv", "--plot", "--quick", "Exit status:"}) {
+  for (const char* part :
+       {"solve", "airlight", "update", "fit", "--json", "--csv", "--plot", "--quick", "Exit status:"}) {
     EXPECT_NE(help.out.find(part), std::string::npos) << part;
   }
   EXPECT_EQ(run("--version").status, kDone);
@@ -271,7 +341,8 @@ TEST_F(BenchCommand, HelpNeedsNoReleaseBuild) {
 
 TEST_F(BenchCommand, WrongUsageIsAnError) {
   EXPECT_ERROR(run(""), kUsage, usage_message("benchmark is required"));
-  EXPECT_ERROR(run("speed"), kUsage, usage_message("benchmark = speed: must be one of solve|update|fit|render"));
+  EXPECT_ERROR(run("speed"), kUsage,
+               usage_message("benchmark = speed: must be one of solve|airlight|update|fit|render"));
   EXPECT_EQ(run("solve --quick --slow").status, kUsage);
   EXPECT_EQ(run("solve update").status, kUsage);
   EXPECT_EQ(run("solve --json").status, kUsage);

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/airlight_rival.h"
+
+#include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
+#include <complex>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+
+#include "litfog/formulas.h"
+
+namespace litfog::bench {
+namespace {
+
+/// A stretch of a ray: metres from the closest approach to the lamp.
+struct Stretch {
+  double low;
+  double high;
+};
+
+/// A lamp and the fog, as a ray sees them.
+class Ray {
+ public:
+  explicit Ray(const test::AirlightCase& c)
+      : attenuation_(c.light.light.attenuation),
+        threshold_(c.light.light.threshold),
+        cone_(c.light.light.cone),
+        density_(c.fog.density * c.light.light.density_scale),
+        is_exp_(c.fog.mode == FogMode::exp),
+        is_fogged_(c.scattering.lamp_leg == LampLeg::fogged),
+        asymmetry_(c.scattering.asymmetry),
+        length_(c.ray.length) {
+    const glm::dvec3 to_light = c.light.position - c.ray.origin;
+    approach_ = glm::dot(to_light, c.ray.direction);
+    const glm::dvec3 offset = approach_ * c.ray.direction - to_light;
+    offset_ = glm::length(offset);
+    axis_offset_ = glm::dot(offset, c.light.direction);
+    axis_slope_ = glm::dot(c.ray.direction, c.light.direction);
+    if (cone_.profile == ConeProfile::cosine) {
+      cos_outer_ = std::cos(cone_.half_angle);
+    } else if (cone_.profile == ConeProfile::smoothstep) {
+      cos_outer_ = std::cos(cone_.outer);
+      cos_inner_ = std::cos(cone_.inner);
+    }
+  }
+
+  double approach() const { return approach_; }
+  double offset() const { return offset_; }
+  double density() const { return density_; }
+  bool is_fogged() const { return is_fogged_; }
+  double quadratic() const { return attenuation_.quadratic; }
+  double range(double x) const { return std::hypot(x, offset_); }
+
+  Stretch all() const { return {-approach_, length_ - approach_}; }
+
+  /// What of a stretch lies before the fog leaves 1e-4.
+  Stretch in_reach(const Stretch& stretch) const {
+    constexpr double kDepth = 9.2;
+    return {stretch.low, std::min(stretch.high, (is_exp_ ? kDepth : std::sqrt(kDepth)) / density_ - approach_)};
+  }
+
+  /// Inside the lamp's sphere and cone.
+  Stretch lit() const {
+    const double extent = compute_extent(attenuation_, threshold_);
+    if (offset_ >= extent) return {0, 0};
+    const double chord = std::sqrt((extent - offset_) * (extent + offset_));
+    const Stretch cone = in_cone();
+    return {std::max({-approach_, -chord, cone.low}), std::min({length_ - approach_, chord, cone.high})};
+  }
+
+  double opacity(double x) const {
+    const double s = std::max(approach_ + x, 0.0);
+    return formulas::opacity(depth(s));
+  }
+
+  /// What reaches a point of the ray and is scattered into the eye: the integrand without -f'(s).
+  double source(double x) const {
+    const double r = range(x);
+    double value = formulas::attenuation(r, attenuation_.constant, attenuation_.linear, attenuation_.quadratic);
+    if (value < threshold_) return 0;
+    if (cone_.profile != ConeProfile::none) {
+      const double cosine = (axis_offset_ + axis_slope_ * x) / r;
+      value *= cone_.profile == ConeProfile::cosine ? formulas::cosine_cone(cosine, cos_outer_, cone_.exponent)
+                                                    : formulas::smoothstep_cone(cosine, cos_inner_, cos_outer_);
+    }
+    if (is_fogged_) value *= std::exp(-depth(r));
+    if (asymmetry_ != 0) {  // Henyey and Greenstein
+      const double base = 1 + asymmetry_ * (asymmetry_ + 2 * x / r);
+      value *= (1 - asymmetry_ * asymmetry_) / (base * std::sqrt(base));
+    }
+    return value;
+  }
+
+  double integrand(double x) const {
+    const double s = std::max(approach_ + x, 0.0);
+    return density_ * (is_exp_ ? 1 : 2 * density_ * s) * std::exp(-depth(s)) * source(x);
+  }
+
+  /// Over which the falloff doubles from the closest approach on.
+  double falloff_width() const {
+    const double nearest =
+        formulas::denominator(offset_, attenuation_.constant, attenuation_.linear, attenuation_.quadratic);
+    const double doubled = compute_extent(attenuation_, 0.5 / std::max(nearest, 1.0));
+    return std::sqrt((doubled - offset_) * (doubled + offset_));
+  }
+
+ private:
+  double depth(double range) const {
+    return is_exp_ ? formulas::depth_exp(range, density_) : formulas::depth_exp2(range, density_);
+  }
+
+  Stretch in_cone() const {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    if (cone_.profile == ConeProfile::none || cos_outer_ <= 0) return {-kInfinity, kInfinity};
+    // Inside where (axis_offset + axis_slope x)^2 > cos^2 r^2, on the axis's side of the lamp.
+    const double a = axis_slope_ * axis_slope_ - cos_outer_ * cos_outer_;
+    const double b = axis_offset_ * axis_slope_;
+    const double c = axis_offset_ * axis_offset_ - cos_outer_ * cos_outer_ * offset_ * offset_;
+    const double discriminant = b * b - a * c;
+    if (discriminant < 0) return {0, 0};
+    const double first = (-b - std::copysign(std::sqrt(discriminant), a)) / a;
+    const double last = (-b + std::copysign(std::sqrt(discriminant), a)) / a;
+    if (a > 0) return axis_slope_ > 0 ? Stretch{last, kInfinity} : Stretch{-kInfinity, first};
+    return axis_offset_ + axis_slope_ * (first + last) / 2 > 0 ? Stretch{first, last} : Stretch{0, 0};
+  }
+
+  Attenuation attenuation_;
+  double threshold_;
+  Cone cone_;
+  double density_;
+  bool is_exp_;
+  bool is_fogged_;
+  double asymmetry_;
+  double length_;
+  double approach_;     // metres from the eye to the closest approach
+  double offset_;       // metres from there to the lamp
+  double axis_offset_;  // of that, along the cone's axis
+  double axis_slope_;   // cosine between ray and axis
+  double cos_outer_ = 0;
+  double cos_inner_ = 0;
+};
+
+double march(const Ray& ray, const Stretch& stretch, int steps) {
+  if (!(stretch.high > stretch.low)) return 0;
+  const double step = (stretch.high - stretch.low) / steps;
+  double sum = 0;
+  double before = ray.opacity(stretch.low);
+  for (int i = 0; i < steps; ++i) {
+    const double behind = ray.opacity(stretch.low + (i + 1) * step);
+    sum += (behind - before) * ray.source(stretch.low + (i + 0.5) * step);
+    before = behind;
+  }
+  return sum;
+}
+
+template <int nodes>
+double gauss(const Ray& ray) {
+  using Half = boost::math::quadrature::gauss<double, nodes / 2>;
+  using Whole = boost::math::quadrature::gauss<double, nodes>;
+  const auto [low, high] = ray.in_reach(ray.lit());
+  if (!(high > low)) return 0;
+  const double width = std::min(ray.falloff_width(), std::max(ray.offset(), 1 / ray.density()));
+  const auto integrand = [&](double t) { return ray.integrand(width * std::sinh(t)) * width * std::cosh(t); };
+  const double start = std::asinh(low / width);
+  const double end = std::asinh(high / width);
+  if (start >= 0 || end <= 0) return Whole::integrate(integrand, start, end);
+  return Half::integrate(integrand, start, 0.0) + Half::integrate(integrand, 0.0, end);
+}
+
+/// e^z E1(z), E1 being the exponential integral, for z off the negative real axis (Milton Abramowitz and Irene Stegun
+/// 1964, "Handbook of Mathematical Functions", section 5.1).
+std::complex<double> scaled_e1(std::complex<double> z) {
+  using Complex = std::complex<double>;
+  constexpr double kEnough = 1e-16;
+  constexpr int kMostTerms = 400;
+  const double from_axis = std::abs(z) + z.real();  // how far from the negative real axis, on parabolas about it
+  if (from_axis > 6) {                              // continued fraction, 5.1.22 contracted, by Lentz's method
+    Complex b = z + 1.0;
+    Complex c = 1e300;
+    Complex d = 1.0 / b;
+    Complex fraction = d;
+    for (int n = 1; n < kMostTerms; ++n) {
+      const double a = -double(n) * n;
+      b += 2.0;
+      d = 1.0 / (a * d + b);
+      c = b + a / c;
+      const Complex change = c * d;
+      fraction *= change;
+      if (std::abs(change - 1.0) < kEnough) break;
+    }
+    return fraction;
+  }
+  if (z.real() < -40) {  // asymptotic, 5.1.51
+    Complex term = 1.0 / z;
+    Complex sum = term;
+    for (int n = 1; n < 40; ++n) {
+      term *= -double(n) / z;
+      sum += term;
+      if (std::abs(term) < kEnough * std::abs(sum)) break;
+    }
+    return sum;
+  }
+  Complex power = 1.0;
+  Complex sum = -std::numbers::egamma - std::log(z);  // series, 5.1.11
+  for (int n = 1; n < kMostTerms; ++n) {
+    power *= -z / double(n);
+    sum -= power / double(n);
+    if (std::abs(power) < kEnough * std::abs(sum)) break;
+  }
+  return std::exp(z) * sum;
+}
+
+constexpr int kTexels = 256;
+constexpr double kMostU = 10;
+constexpr double kMostV = std::numbers::pi / 2;
+
+}  // namespace
+
+double march_airlight(const test::AirlightCase& c, int steps) {
+  const Ray ray(c);
+  return march(ray, ray.in_reach(ray.all()), steps);
+}
+
+double march_lit_airlight(const test::AirlightCase& c, int steps) {
+  const Ray ray(c);
+  return march(ray, ray.in_reach(ray.lit()), steps);
+}
+
+double gauss_airlight(const test::AirlightCase& c, int nodes) {
+  const Ray ray(c);
+  switch (nodes) {
+    case 2:
+      return gauss<2>(ray);
+    case 4:
+      return gauss<4>(ray);
+    case 8:
+      return gauss<8>(ray);
+    case 16:
+      return gauss<16>(ray);
+    default:
+      return gauss<32>(ray);
+  }
+}
+
+double arctangent_airlight(const test::AirlightCase& c) {
+  const Ray ray(c);
+  const auto [low, high] = ray.lit();
+  const double angle = std::atan(high / ray.offset()) - std::atan(low / ray.offset());
+  return ray.density() / (ray.quadratic() * ray.offset()) * angle;
+}
+
+// With y = d x, or with the lamp's leg y = d (x + r), the integrand is e^(-d approach - y) / (y^2 + (d offset)^2) times
+// a constant, and 1 / (y^2 + u^2) is the imaginary part of 1 / (y - i u), over u.
+double closed_airlight(const test::AirlightCase& c) {
+  const Ray ray(c);
+  const auto [low, high] = ray.lit();
+  const double u = ray.density() * ray.offset();
+  const auto antiderivative = [&](double x) {
+    double y = ray.density() * x;
+    if (ray.is_fogged()) y = x > 0 ? y + ray.density() * ray.range(x) : u * u / (ray.density() * (ray.range(x) - x));
+    const double depth = ray.density() * ray.approach() + y;
+    return -std::exp(-depth) * scaled_e1({y, -u}).imag();
+  };
+  return (ray.is_fogged() ? 2 : 1) * ray.density() / (ray.quadratic() * ray.offset()) *
+         (antiderivative(high) - antiderivative(low));
+}
+
+SunTable::SunTable() {
+  values_.reserve(kTexels * kTexels);
+  for (int i = 0; i < kTexels; ++i) {
+    const double u = kMostU * i / (kTexels - 1);
+    double sum = 0;
+    for (int j = 0; j < kTexels; ++j) {
+      values_.push_back(sum);
+      const double v = kMostV * j / (kTexels - 1);
+      sum += boost::math::quadrature::gauss<double, 7>::integrate([u](double x) { return std::exp(-u * std::tan(x)); },
+                                                                  v, v + kMostV / (kTexels - 1));
+    }
+  }
+}
+
+double SunTable::at(double u, double v) const {
+  const double column = std::clamp(u / kMostU, 0.0, 1.0) * (kTexels - 1);
+  const double row = std::clamp(v / kMostV, 0.0, 1.0) * (kTexels - 1);
+  const int i = std::min(int(column), kTexels - 2);
+  const int j = std::min(int(row), kTexels - 2);
+  const double* const corner = &values_[std::size_t(i * kTexels + j)];
+  return std::lerp(std::lerp(corner[0], corner[1], row - j), std::lerp(corner[kTexels], corner[kTexels + 1], row - j),
+                   column - i);
+}
+
+double SunTable::airlight(const test::AirlightCase& c) const {
+  const Ray ray(c);
+  const auto [low, high] = ray.lit();
+  const double u = ray.density() * ray.offset();
+  const auto angle = [&](double x) { return std::numbers::pi / 4 + std::atan(x / ray.offset()) / 2; };
+  return 2 * ray.density() / (ray.quadratic() * ray.offset()) * std::exp(-ray.density() * ray.approach()) *
+         (at(u, angle(high)) - at(u, angle(low)));
+}
+
+}  // namespace litfog::bench

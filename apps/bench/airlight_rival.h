@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "reference/random_airlight.h"
+
+namespace litfog::bench {
+
+/// The airlight along a ray as others compute it, in double. Arguments as airlight(), not checked.
+
+/// Equal steps from the eye to the ray's end, or to where exp or exp2 fog leaves 1e-4. A step weighs what the fog takes
+/// over it, exactly (Sébastien Hillaire 2015, "Physically Based and Unified Volumetric Rendering in Frostbite"), times
+/// the light at its middle.
+double march_airlight(const test::AirlightCase& c, int steps);
+
+/// The same over that part of the ray which lies inside the lamp's sphere and, for a beam narrower than a half space,
+/// its cone: PlayCanvas 2.22's volumetric fog of local lights (github.com/playcanvas/engine/pull/9137), by default in
+/// 12 steps.
+double march_lit_airlight(const test::AirlightCase& c, int steps);
+
+/// Nodes of Gauss and Legendre over the same part, half of them on each side of the closest approach, in asinh(x / w):
+/// w is the falloff's width, but no more than the larger of the closest approach and 1/d.
+///
+/// nodes  2, 4, 8, 16 or 32
+double gauss_airlight(const test::AirlightCase& c, int nodes);
+
+/// Miles Macklin 2010, "In-Scattering Demo", as engines copy it: the fog takes nothing on the way, neither to the eye
+/// nor from the lamp. For an inverse-square point lamp in isotropic exp fog, outside of its knee.
+double arctangent_airlight(const test::AirlightCase& c);
+
+/// The integral in closed form, by the complex exponential integral. For the same; both lamp legs.
+double closed_airlight(const test::AirlightCase& c);
+
+/// Bo Sun, Ravi Ramamoorthi, Srinivasa Narasimhan and Shree Nayar 2005, "A Practical Analytic Single Scattering Model
+/// for Real Time Rendering": F(u, v), the integral of e^(-u tan x) for x from 0 to v, from a table with linear
+/// interpolation, u to 10. For the same; with the lamp's leg.
+class SunTable {
+ public:
+  SunTable();
+
+  double airlight(const test::AirlightCase& c) const;
+
+ private:
+  double at(double u, double v) const;
+
+  std::vector<double> values_;  ///< by u, then v
+};
+
+}  // namespace litfog::bench
