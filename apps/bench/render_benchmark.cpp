@@ -30,10 +30,22 @@ struct Setting {
   render::Skipping skipping;
 };
 
-/// One path's frames in a setting.
+/// A path, and how its lamps light the fog.
+struct Technique {
+  const render::LightingPath* path;
+  render::FogLighting fog_lighting;
+
+  const char* fog_light() const { return fog_lighting == render::FogLighting::airlight ? "airlight" : "peak"; }
+  std::string name() const {
+    return fmt::format("{}{}", path->name, fog_lighting == render::FogLighting::airlight ? ", airlight" : "");
+  }
+  friend bool operator==(const Technique&, const Technique&) = default;
+};
+
+/// A technique's frames in a setting.
 struct Trial {
   Setting setting;
-  const render::LightingPath* path;
+  Technique technique;
   measure::FrameTimes times;
   double over_legacy;                          // of the medians
   double over_two_light_legacy;                // likewise
@@ -61,13 +73,19 @@ std::vector<Setting> settings(bool quick) {
   return all;
 }
 
-std::vector<const render::LightingPath*> measured_paths() {
-  std::vector<const render::LightingPath*> paths{&render::unlit_path()};
-  for (const render::LightingPath& path : render::lighting_paths()) paths.push_back(&path);
-  return paths;
+const render::LightingPath& default_path() { return render::lighting_paths().front(); }
+
+/// Every path with the papers' fog, and the default one with airlight.
+std::vector<Technique> measured_techniques() {
+  std::vector<Technique> techniques{{&render::unlit_path(), render::FogLighting::peak},
+                                    {&default_path(), render::FogLighting::airlight}};
+  for (const render::LightingPath& path : render::lighting_paths()) {
+    techniques.push_back({&path, render::FogLighting::peak});
+  }
+  return techniques;
 }
 
-/// The paths' frames, interleaved, and with them those of two-light legacy.
+/// The techniques' frames, interleaved, and with them those of two-light legacy.
 std::vector<Trial> measure(const Setting& setting, const measure::FrameBudget& budget,
                            const measure::Progress& progress) {
   const scene::Scene bundled = scene::read_scene(scene::bundled_scene_path(setting.scene));
@@ -76,25 +94,27 @@ std::vector<Trial> measure(const Setting& setting, const measure::FrameBudget& b
   const Fog fog = Fog::from_visibility(FogMode::exp, scene::suggested_visibility(scene));
   std::vector<std::unique_ptr<render::Renderer>> renderers;
   std::vector<render::Renderer*> in_turn;
-  const auto add = [&](const scene::Scene& drawn, const render::LightingPath* path) {
-    renderers.push_back(std::make_unique<render::Renderer>(
-        drawn, setting.width, setting.height, render::RenderSettings{.skipping = setting.skipping, .path = path}));
+  const auto add = [&](const scene::Scene& drawn, const Technique& technique) {
+    const render::RenderSettings settings{
+        .skipping = setting.skipping, .path = technique.path, .fog_lighting = technique.fog_lighting};
+    renderers.push_back(std::make_unique<render::Renderer>(drawn, setting.width, setting.height, settings));
     renderers.back()->set_fog(fog);
     in_turn.push_back(renderers.back().get());
   };
-  const std::vector<const render::LightingPath*> paths = measured_paths();
-  for (const render::LightingPath* path : paths) add(scene, path);
-  const render::LightingPath* const legacy = render::find_lighting_path("legacy");
-  const auto legacy_at = std::size_t(std::ranges::find(paths, legacy) - paths.begin());
+  const std::vector<Technique> techniques = measured_techniques();
+  for (const Technique& technique : techniques) add(scene, technique);
+  const Technique legacy{render::find_lighting_path("legacy"), render::FogLighting::peak};
+  const auto legacy_at = std::size_t(std::ranges::find(techniques, legacy) - techniques.begin());
   if (setting.lights != 2) add(two_lights, legacy);
   const std::vector<measure::FrameTimes> times = measure::time_frames(in_turn, budget, progress);
   const double legacy_time = times[legacy_at].median();
   const double two_light_time = setting.lights == 2 ? legacy_time : times.back().median();
   std::vector<Trial> trials;
-  for (std::size_t i = 0; i < paths.size(); ++i) {
+  for (std::size_t i = 0; i < techniques.size(); ++i) {
     const double time = times[i].median();
-    trials.push_back({setting, paths[i], times[i], time / legacy_time, time / two_light_time, std::nullopt});
-    if (paths[i] != &render::unlit_path()) {
+    trials.push_back({setting, techniques[i], times[i], time / legacy_time, time / two_light_time, std::nullopt});
+    // The reference knows no airlight.
+    if (techniques[i].path != &render::unlit_path() && techniques[i].fog_lighting == render::FogLighting::peak) {
       trials.back().error = measure::compare_with_reference(*renderers[i], progress).error;
       trials.back().error->pixels.clear();  // nobody looks at them
     }
@@ -120,7 +140,7 @@ command::Table make_table(const std::vector<Trial>& trials) {
       return trial.error ? command::Table::Cell(double((*trial.error).*member))
                          : command::Table::Cell(std::monostate{});
     };
-    table.rows.push_back({scene, std::string(trial.path->name), "peak", double(lights),
+    table.rows.push_back({scene, std::string(trial.technique.path->name), trial.technique.fog_light(), double(lights),
                           fmt::format("{}x{}", width, height), skipping == render::Skipping::on ? "on" : "off",
                           trial.times.median(), trial.times.spread(), trial.over_legacy, trial.over_two_light_legacy,
                           of_error(&measure::PictureError::largest), of_error(&measure::PictureError::mean),
@@ -129,7 +149,7 @@ command::Table make_table(const std::vector<Trial>& trials) {
   return table;
 }
 
-/// Frame time over the number of lights in the scene of table 1, a line a path.
+/// Frame time over the number of lights in the scene of table 1, a line a technique.
 command::Chart make_light_chart(const std::vector<Trial>& trials, render::Skipping skipping) {
   command::Chart chart{
       .title = fmt::format("{}, {}", trials.front().setting.scene,
@@ -137,11 +157,11 @@ command::Chart make_light_chart(const std::vector<Trial>& trials, render::Skippi
       .x = {"lights", true},
       .y = {"wall time of a frame (ms)", true},
       .key = command::KeyPlace::top_left};
-  for (const render::LightingPath* path : measured_paths()) {
-    command::Series series{.name = std::string(path->name), .style = command::SeriesStyle::line_and_points};
+  for (const Technique& technique : measured_techniques()) {
+    command::Series series{.name = technique.name(), .style = command::SeriesStyle::line_and_points};
     for (const Trial& trial : trials) {
       const Setting& setting = trial.setting;
-      const bool belongs = trial.path == path && setting.skipping == skipping && is_shown(trial, trials);
+      const bool belongs = trial.technique == technique && setting.skipping == skipping && is_shown(trial, trials);
       if (belongs) series.points.push_back({double(setting.lights), trial.times.median()});
     }
     if (!series.points.empty()) chart.series.push_back(std::move(series));
@@ -172,15 +192,15 @@ command::Chart make_table_1(const std::vector<Trial>& trials) {
   command::Series here[2] = {{.name = "this machine, nothing skipped", .style = command::SeriesStyle::points},
                              {.name = "this machine, what cannot show skipped", .style = command::SeriesStyle::points}};
   double most = 3;
-  for (const render::LightingPath* path : measured_paths()) {
+  for (const Technique& technique : measured_techniques()) {
     --row;
     for (const Trial& trial : trials) {
       const Setting& setting = trial.setting;
-      if (trial.path != path || setting.lights != 2 || !is_shown(trial, trials)) continue;
+      if (trial.technique != technique || setting.lights != 2 || !is_shown(trial, trials)) continue;
       const double ratio = trial.over_legacy;
       most = std::max(most, ratio);
       const bool skips = setting.skipping == render::Skipping::on;
-      here[skips].points.push_back({ratio, row, skips ? std::string(path->name) : std::string{}});
+      here[skips].points.push_back({ratio, row, skips ? technique.name() : std::string{}});
     }
   }
   chart.x.most = std::ceil(most * 1.35);
@@ -214,9 +234,9 @@ Result measure_render(bool quick) {
   for (const Trial& trial : trials) {
     if (!trial.error) continue;
     // Unified states what is exact but for the rounding of floats and of the half-float framebuffer; all are finite.
-    const bool is_unified = trial.path == &render::lighting_paths().front();
+    const bool is_unified = trial.technique.path == &default_path();
     if (trial.error->largest <= (is_unified ? 1 : std::numeric_limits<double>::max())) continue;
-    result.failures.push_back(fmt::format("{} of {} with {} lights: error = {}/255: must be {}", trial.path->name,
+    result.failures.push_back(fmt::format("{} of {} with {} lights: error = {}/255: must be {}", trial.technique.name(),
                                           trial.setting.scene, trial.setting.lights, trial.error->largest,
                                           is_unified ? "at most 1/255" : "finite"));
   }

@@ -9,7 +9,8 @@ namespace litfog::bench {
 /// fog at the visibility that each scene suggests. Columns:
 ///
 /// scene, path          path also: unlit, the base texture alone
-/// fog_light            peak: carried lights light the fog by their fog colour intensity
+/// fog_light            peak: carried lights light the fog by their fog colour intensity; airlight (unified
+///                      only): every light by its airlight
 /// lights, size         of the scene; WIDTHxHEIGHT in pixels, four samples each
 /// skip                 on or off: whether what cannot be visible is left out
 /// ms_per_frame         wall time: the median over frames, each drawn and waited for
@@ -17,7 +18,7 @@ namespace litfog::bench {
 /// ratio_to_legacy      of the medians; legacy's of the same scene, lights, size and skip, frames interleaved
 /// ratio_to_two_light_legacy  of the medians; legacy's of two lights, else the same, interleaved, too
 /// max_error_255, mean_error_255  against the path's plain formulas in double (shade_reference), in steps of an 8-bit
-///                      colour channel; empty for unlit
+///                      colour channel; empty for unlit and for airlight
 /// excepted_pixels      too close to a jump of the model to be compared
 ///
 /// The picture shows frame time over the number of lights and, beside this machine's, table 1 of Steven Hales 2004,
