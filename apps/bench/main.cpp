@@ -11,6 +11,7 @@
 
 #include "bench/airlight_benchmark.h"
 #include "bench/fit_benchmark.h"
+#include "bench/lamp_figure.h"
 #include "bench/machine.h"
 #include "bench/render_benchmark.h"
 #include "bench/result.h"
@@ -34,6 +35,7 @@ constexpr const char* kDescription = R"(Measures litfog and its rivals: time bes
 
   litfog-bench solve     time against error of every way to a light's fog colour intensity
   litfog-bench airlight  time against error of every way to a light's airlight along a ray
+  litfog-bench lamps     peak and airlight of four lamps over visibility, beside the reference
   litfog-bench update    time to follow a visibility step by step over a million lights
   litfog-bench fit       time and quality of fits of an attenuation to a falloff table
   litfog-bench render    frame time and error of every lighting path, over scenes, lights and sizes
@@ -55,6 +57,9 @@ steps from the eye (march) and inside the lamp's sphere and cone only (march-cli
 asinh of the distance from the closest approach (gauss-asinh); litfog; the arctangent form without extinction (Macklin 2010);
 256 x 256 tables (Sun et al. 2005); closed forms; litfog's reference, against which errors are. lamp_leg is 1 where the fog
 dims the light on its way from the lamp, too. p99_relative: of the relative error.
+
+lamps: no times; what an eye sees in exp fog that carries a lamp of data/lights and looks along its axis: the fog colour
+intensity (peak), litfog's airlight without and with the lamp's own leg through the fog (k0, k1), and its reference.
 
 update: 1,000 steps of visibility, 10,000 m to 50 m and back, over a million lights of 200 kinds, all carried and on.
 
@@ -80,7 +85,7 @@ Examples:
 Exit status: 0 done; 1 wrong command line; 3 a Debug build, no OpenGL, or --plot without gnuplot; 4 output cannot be written; 5 an
 error larger than litfog states for itself was found (the results are still written).)";
 
-enum class Benchmark { solve, airlight, update, fit, render };
+enum class Benchmark { solve, airlight, lamps, update, fit, render };
 
 struct Options {
   Benchmark benchmark = Benchmark::solve;
@@ -129,6 +134,8 @@ Result measure(const Options& options) {
   switch (options.benchmark) {
     case Benchmark::airlight:
       return measure_airlight(options.quick);
+    case Benchmark::lamps:
+      return measure_lamps(options.quick);
     case Benchmark::update:
       return measure_update(options.quick);
     case Benchmark::fit:
@@ -194,6 +201,7 @@ int main(int argc, char** argv) {
   add_choice<Benchmark>(app, "benchmark", options.benchmark,
                         {{"solve", Benchmark::solve},
                          {"airlight", Benchmark::airlight},
+                         {"lamps", Benchmark::lamps},
                          {"update", Benchmark::update},
                          {"fit", Benchmark::fit},
                          {"render", Benchmark::render}},
@@ -202,7 +210,8 @@ int main(int argc, char** argv) {
   app.add_option("--json", options.json_file, "Write machine and rows as JSON")->type_name("FILE");
   app.add_option("--csv", options.csv_file, "Write the rows as CSV, the machine in each")->type_name("FILE");
   app.add_option("--plot", options.plot_file,
-                 "Draw time against error (solve, airlight), visibility (update), digits (fit) or lights (render)")
+                 "Draw time against error (solve, airlight), over visibility (lamps, update), digits (fit) or "
+                 "lights (render)")
       ->type_name("FILE.png|FILE.svg");
   app.add_option("--isa", options.isa,
                  "Batches use no wider SIMD target than this, in Highway's words: AVX3, AVX2, SSE4")

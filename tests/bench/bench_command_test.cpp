@@ -50,6 +50,8 @@ const std::vector<std::string> kSolveColumns{"method",  "precision", "fog",     
                                              "max_ulp", "mean_ulp",  "max_error_255", "mean_error_255"};
 const std::vector<std::string> kAirlightColumns{"method",     "nodes",     "fog",           "lights",      "lamp_leg",
                                                 "ns_per_ray", "ns_spread", "max_error_255", "p99_relative"};
+const std::vector<std::string> kLampColumns{"lamp",        "visibility_m", "peak",         "airlight_k0",
+                                            "airlight_k1", "reference_k0", "reference_k1", "max_error_255"};
 const std::vector<std::string> kUpdateColumns{
     "method", "fog", "lights", "kinds", "steps", "ms_per_step", "ms_spread", "skipped_share", "max_deviation_255"};
 
@@ -224,6 +226,29 @@ TEST_F(BenchMeasurement, RivalsOfTheAirlightConvergeToTheReference) {
   for (const auto& [rays, error] : finest) EXPECT_LT(error, coarsest[rays]) << rays;
 }
 
+TEST_F(BenchMeasurement, LampsStandBetweenPeakAndTheirReference) {
+  const Outcome outcome = run("lamps --quick --json lamps.json --csv lamps.csv --plot lamps.svg");
+  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  const Json document = Json::parse(read("lamps.json"));
+  expect_machine(document);
+  expect_columns(document["rows"], kLampColumns);
+  std::map<std::string, int> visibilities;
+  for (const Json& row : document["rows"]) {
+    const auto value = [&](const char* column) { return row[column].get<double>(); };
+    ++visibilities[row["lamp"].get<std::string>()];
+    EXPECT_GE(value("airlight_k0"), value("peak")) << row;
+    EXPECT_GT(value("airlight_k0"), value("airlight_k1")) << row;
+    EXPECT_NEAR(value("airlight_k0"), value("reference_k0"), 1. / 255) << row;
+    EXPECT_NEAR(value("airlight_k1"), value("reference_k1"), 1. / 255) << row;
+    EXPECT_DOUBLE_EQ(value("max_error_255"), 255 * std::max(std::abs(value("airlight_k0") - value("reference_k0")),
+                                                            std::abs(value("airlight_k1") - value("reference_k1"))))
+        << row;
+  }
+  EXPECT_EQ(visibilities.size(), 4u);
+  for (const auto& [lamp, count] : visibilities) EXPECT_EQ(count, visibilities.begin()->second) << lamp;
+  EXPECT_NE(read("lamps.svg").find("visibility (m)"), std::string::npos);
+}
+
 TEST_F(BenchMeasurement, UpdateStaysWithinItsBudget) {
   const Outcome outcome = run("update --quick --json update.json --csv update.csv --plot update.svg");
   ASSERT_EQ(outcome.status, kDone) << outcome.err;
@@ -333,7 +358,7 @@ TEST_F(BenchCommand, HelpNeedsNoReleaseBuild) {
   const Outcome help = run("--help");
   EXPECT_EQ(help.status, kDone);
   for (const char* part :
-       {"solve", "airlight", "update", "fit", "--json", "--csv", "--plot", "--quick", "Exit status:"}) {
+       {"solve", "airlight", "lamps", "update", "fit", "--json", "--csv", "--plot", "--quick", "Exit status:"}) {
     EXPECT_NE(help.out.find(part), std::string::npos) << part;
   }
   EXPECT_EQ(run("--version").status, kDone);
@@ -342,7 +367,7 @@ TEST_F(BenchCommand, HelpNeedsNoReleaseBuild) {
 TEST_F(BenchCommand, WrongUsageIsAnError) {
   EXPECT_ERROR(run(""), kUsage, usage_message("benchmark is required"));
   EXPECT_ERROR(run("speed"), kUsage,
-               usage_message("benchmark = speed: must be one of solve|airlight|update|fit|render"));
+               usage_message("benchmark = speed: must be one of solve|airlight|lamps|update|fit|render"));
   EXPECT_EQ(run("solve --quick --slow").status, kUsage);
   EXPECT_EQ(run("solve update").status, kUsage);
   EXPECT_EQ(run("solve --json").status, kUsage);

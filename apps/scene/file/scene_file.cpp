@@ -12,6 +12,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "command/bundled_data.h"
 #include "command/exit_status.h"
 #include "files/json_document.h"
 #include "files/json_text.h"
@@ -382,17 +383,7 @@ class SceneReader {
   std::size_t carried_ = 0;
 };
 
-/// Where an install put the scenes, seen from the running program, so that the whole may be moved; in a build tree they
-/// are the sources'.
-std::filesystem::path scene_folder() {
-  std::error_code error;
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
-  const std::filesystem::path installed =
-      (program.parent_path() / LITFOG_DATA_FROM_PROGRAM / "scenes").lexically_normal();
-  if (std::filesystem::is_directory(installed, error)) return installed;
-  const std::filesystem::path sources = std::filesystem::path(LITFOG_SOURCE_DATA_DIR) / "scenes";
-  return std::filesystem::is_directory(sources, error) ? sources : installed;
-}
+std::filesystem::path scene_folder() { return command::bundled_folder("scenes"); }
 
 }  // namespace
 
