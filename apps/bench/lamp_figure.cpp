@@ -43,14 +43,15 @@ Result measure_lamps(bool quick) {
       const double visibility = kLeastVisibility * std::pow(kMostVisibility / kLeastVisibility, double(i) / steps);
       const Fog fog = Fog::from_visibility(FogMode::exp, visibility);
       const double intensity = solve_fog_intensity(light, fog).intensity;
-      const double fast[] = {airlight(placed, fog, ray, {LampLeg::clear}), airlight(placed, fog, ray)};
+      const double computed[] = {axial_airlight(light, fog), airlight(placed, fog, ray)};
       const double reference[] = {reference_airlight(placed, fog, ray, {LampLeg::clear}),
                                   reference_airlight(placed, fog, ray)};
-      const double error = 255 * std::max(std::abs(fast[0] - reference[0]), std::abs(fast[1] - reference[1]));
-      result.table.rows.push_back({lamp, visibility, intensity, fast[0], fast[1], reference[0], reference[1], error});
+      const double error = 255 * std::max(std::abs(computed[0] - reference[0]), std::abs(computed[1] - reference[1]));
+      result.table.rows.push_back(
+          {lamp, visibility, intensity, computed[0], computed[1], reference[0], reference[1], error});
       peak.points.push_back({visibility, intensity});
-      clear.points.push_back({visibility, fast[0]});
-      fogged.points.push_back({visibility, fast[1]});
+      clear.points.push_back({visibility, computed[0]});
+      fogged.points.push_back({visibility, computed[1]});
       if (i % steps_a_mark != 0) continue;
       references.points.push_back({visibility, reference[0]});
       references.points.push_back({visibility, reference[1]});

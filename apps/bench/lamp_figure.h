@@ -11,8 +11,9 @@ namespace litfog::bench {
 /// lamp            file of the light in data/lights
 /// visibility_m    at 5 % contrast
 /// peak            fog colour intensity
-/// airlight_k0, airlight_k1  the fast form, without and with the lamp's leg through the fog
-/// reference_k0, reference_k1
+/// airlight_k0     axial airlight: without the lamp's own leg through the fog
+/// airlight_k1     airlight with it, by the fast form
+/// reference_k0, reference_k1  the same by the reference
 /// max_error_255   largest difference of the two, in steps of an 8-bit colour channel
 ///
 /// quick   fewer visibilities

@@ -59,7 +59,7 @@ asinh of the distance from the closest approach (gauss-asinh); litfog; the arcta
 dims the light on its way from the lamp, too. p99_relative: of the relative error.
 
 lamps: no times; what an eye sees in exp fog that carries a lamp of data/lights and looks along its axis: the fog colour
-intensity (peak), litfog's airlight without and with the lamp's own leg through the fog (k0, k1), and its reference.
+intensity (peak), the airlight without and with the lamp's own leg through the fog (k0, k1), and its reference.
 
 update: 1,000 steps of visibility, 10,000 m to 50 m and back, over a million lights of 200 kinds, all carried and on.
 
