@@ -4,52 +4,23 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "airlight_quadrature.h"
 #include "airlight_text.h"
+#include "level_range.h"
 #include "require.h"
 #include "unchecked.h"
 
 namespace litfog {
 namespace {
 
-/// Stands for no cookie.
-struct NoCookie {
-  double operator()(double) const { return 1; }
-};
-using Text = airlight_text::Text<NoCookie>;
+using airlight_text::NoCookie;
+using airlight_text::Text;
 
-/// A light as a ray sees it, in the fog of its class.
-Text::LitfogAirlight seen_along(const PlacedLight& placed, const Fog& fog, const EyeRay& ray,
-                                const Scattering& scattering) {
-  const Light& light = placed.light;
-  const glm::dvec3 direction = glm::normalize(ray.direction);
-  const glm::dvec3 axis = glm::normalize(placed.direction);
-  const glm::dvec3 to_light = placed.position - ray.origin;
-  const double approach = glm::dot(to_light, direction);
-  const glm::dvec3 offset = approach * direction - to_light;  // from the light to the closest approach
-  Text::LitfogAirlight air{};
-  air.density = std::min(unchecked::scaled(fog, light.density_scale).density, 1e12);
-  air.mode = fog.mode == FogMode::exp ? 0 : 1;
-  air.lamp_leg = scattering.lamp_leg == LampLeg::fogged ? 1 : 0;
-  air.asymmetry = scattering.asymmetry;
-  air.constant = light.attenuation.constant;
-  air.linear = light.attenuation.linear;
-  air.quadratic = light.attenuation.quadratic;
-  air.extent = std::min(unchecked::compute_extent(light.attenuation, light.threshold), Text::litfog_far);
-  if (light.cone.profile == ConeProfile::cosine) {
-    air.profile = 1;
-    air.cone_x = std::cos(light.cone.half_angle);
-    air.cone_y = light.cone.exponent;
-  } else if (light.cone.profile == ConeProfile::smoothstep) {
-    air.profile = 2;
-    air.cone_x = std::cos(light.cone.outer);
-    air.cone_y = std::cos(light.cone.inner);
-  }
-  air.length = std::min(ray.length, Text::litfog_far);
-  air.approach = approach;
-  air.offset = glm::length(offset);
-  air.axis_offset = glm::dot(offset, axis);
-  air.axis_slope = glm::dot(direction, axis);
-  return air;
+void require_all(const PlacedLight& light, const Fog& fog, const EyeRay& ray, const Scattering& scattering) {
+  require(check(light));
+  require(check(fog));
+  require(check(ray));
+  require(check(scattering));
 }
 
 }  // namespace
@@ -73,11 +44,21 @@ std::optional<ValueError> check(const EyeRay& ray) {
 }
 
 double airlight(const PlacedLight& light, const Fog& fog, const EyeRay& ray, const Scattering& scattering) {
-  require(check(light));
-  require(check(fog));
-  require(check(ray));
-  require(check(scattering));
-  return Text{NoCookie{}}.litfog_airlight(seen_along(light, fog, ray, scattering));
+  require_all(light, fog, ray, scattering);
+  Text<double, NoCookie> text{NoCookie{}};
+  const double extent = unchecked::compute_extent(light.light.attenuation, light.light.threshold);
+  const Fog class_fog = unchecked::scaled(fog, light.light.density_scale);
+  const auto air = text.seen_along(light, extent, class_fog, ray, scattering);
+  return std::isinf(class_fog.density) ? text.at_the_eye(air) : text.litfog_airlight(air);
+}
+
+double reference_airlight(const PlacedLight& light, const Fog& fog, const EyeRay& ray, const Scattering& scattering) {
+  require_all(light, fog, ray, scattering);
+  const Text<long double, NoCookie> text{NoCookie{}};
+  const auto attenuation = convert<long double>(light.light.attenuation);
+  const long double extent = level_range(attenuation, static_cast<long double>(light.light.threshold)).high;
+  const Fog class_fog = unchecked::scaled(fog, light.light.density_scale);
+  return double(integrate_airlight(text, text.seen_along(light, extent, class_fog, ray, scattering)));
 }
 
 }  // namespace litfog

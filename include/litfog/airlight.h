@@ -29,8 +29,8 @@ std::optional<ValueError> check(const Scattering& scattering);
 
 /// A ray from the eye to what it sees. World space, metres.
 struct EyeRay {
-  glm::dvec3 origin{0.0};                ///< each coordinate at most kMaxPosition in magnitude
-  glm::dvec3 direction{0.0, 0.0, -1.0};  ///< its length is 1 within kDirectionTolerance
+  glm::dvec3 origin{0.0};                                   ///< each coordinate at most kMaxPosition in magnitude
+  glm::dvec3 direction{0.0, 0.0, -1.0};                     ///< its length is 1 within kDirectionTolerance
   double length = std::numeric_limits<double>::infinity();  ///< D, >= 0: to the surface or to the end of the fog
 };
 
@@ -47,5 +47,16 @@ std::optional<ValueError> check(const EyeRay& ray);
 /// returns    [0, 1] in isotropic fog; up to (1 + |g|) / (1 - |g|)^2 else
 /// throws     std::invalid_argument naming field, value and rule
 double airlight(const PlacedLight& light, const Fog& fog, const EyeRay& ray, const Scattering& scattering = {});
+
+/// Largest error of reference_airlight, relative: for |g| up to 0.99, above 1e-290.
+inline constexpr double kReferenceAirlightMaxError = 1e-10;
+
+/// The same by adaptive quadrature, cut wherever the integrand is not smooth. For tests and comparisons: it takes some
+/// hundred times as long and allocates.
+///
+/// max error  kReferenceAirlightMaxError                                                            (airlight_test.cpp)
+/// throws     std::invalid_argument naming field, value and rule
+double reference_airlight(const PlacedLight& light, const Fog& fog, const EyeRay& ray,
+                          const Scattering& scattering = {});
 
 }  // namespace litfog

@@ -88,9 +88,12 @@ LITFOG_REAL litfog_airlight_range(LitfogAirlight air, LITFOG_REAL along) {
   return sqrt(air.offset * air.offset + along * along);
 }
 
-// Cosine from the cone's axis there; in the lamp itself that of the ray onward.
+// Cosine from the cone's axis there; in the lamp itself that of the ray onward. Where the ray meets the lamp, the offset
+// is all rounding and the quotient can exceed 1 by far.
 LITFOG_REAL litfog_airlight_cosine(LitfogAirlight air, LITFOG_REAL along, LITFOG_REAL range) {
-  return range > LITFOG_REAL(0.0) ? (air.axis_offset + air.axis_slope * along) / range : air.axis_slope;
+  return range > LITFOG_REAL(0.0) ? clamp((air.axis_offset + air.axis_slope * along) / range, LITFOG_REAL(-1.0),
+                                          LITFOG_REAL(1.0))
+                                  : air.axis_slope;
 }
 
 #if defined(LITFOG_COOKIES) && !defined(__cplusplus)
