@@ -24,6 +24,31 @@ double largest_phase(double asymmetry) {
   return (1 + g) / ((1 - g) * (1 - g));
 }
 
+/// The cosine between a cone's axis and the direction from its light to the point of a ray where the angle is smallest,
+/// rounded up.
+///
+/// first, last  the ends of the ray's part, metres from its origin
+double largest_cosine(const PlacedLight& light, const EyeRay& ray, double first, double last) {
+  constexpr double kRounding = 1e-9;
+  const glm::dvec3 to_light = light.position - ray.origin;
+  const auto cosine_at = [&](double along) {
+    const glm::dvec3 from_light = along * ray.direction - to_light;
+    const double range = glm::length(from_light);
+    return range > 0 ? glm::dot(from_light, light.direction) / range : 1;
+  };
+  double largest = std::max(cosine_at(first), cosine_at(last));
+  // The angle has one extremum along the line; it is the smallest where the light's closest approach is before it.
+  const double approach = glm::dot(to_light, ray.direction);
+  const glm::dvec3 offset = approach * ray.direction - to_light;
+  const double axis_offset = glm::dot(offset, light.direction);
+  if (axis_offset > 0) {
+    const double extremum =
+        approach + glm::dot(ray.direction, light.direction) * glm::dot(offset, offset) / axis_offset;
+    largest = std::max(largest, cosine_at(std::clamp(extremum, first, last)));
+  }
+  return std::min(largest + kRounding, 1.0);
+}
+
 }  // namespace
 
 double airlight_bound(const ReferenceLight& light, const EyeRay& ray, const Scattering& scattering) {
@@ -34,15 +59,19 @@ double airlight_bound(const ReferenceLight& light, const EyeRay& ray, const Scat
   const Attenuation& attenuation = light.placed.light.attenuation;
   const double brightest = attenuation_at(attenuation, nearest);
   const double eye_range = glm::length(to_light);
-  const double phase = largest_phase(scattering.asymmetry);
-  if (std::isinf(light.fog.density)) return eye_range > 0 ? 0 : brightest * phase;  // all is scattered in the eye
+  if (std::isinf(light.fog.density) && eye_range > 0) return 0;  // all is scattered in the eye
   const double offset = glm::distance(to_light, approach * ray.direction);
   const double half_chord = std::sqrt(std::max(light.extent * light.extent - offset * offset, 0.0));
-  const double lit = std::min(ray.length, approach + half_chord) - std::max(0.0, approach - half_chord);
+  const double first = std::clamp(approach - half_chord, 0.0, ray.length);
+  const double last = std::clamp(approach + half_chord, first, ray.length);
+  const double factor = cone_at(light.placed.light.cone, largest_cosine(light.placed, ray, first, last)) *
+                        largest_phase(scattering.asymmetry);
+  if (std::isinf(light.fog.density)) return factor * brightest;
   const double denominator =
       formulas::denominator(offset, attenuation.constant, attenuation.linear, attenuation.quadratic);
-  const double integral = std::min(brightest * lit, std::numbers::pi / std::sqrt(attenuation.quadratic * denominator));
-  return phase * std::min(brightest, largest_weight(light.fog, eye_range) * integral);
+  const double integral =
+      std::min(brightest * (last - first), std::numbers::pi / std::sqrt(attenuation.quadratic * denominator));
+  return factor * std::min(brightest, largest_weight(light.fog, eye_range) * integral);
 }
 
 }  // namespace litfog::measure
