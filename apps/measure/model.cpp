@@ -111,11 +111,10 @@ Veil Model::veil(const glm::dvec3& position) const {
   return veil;
 }
 
-glm::dvec3 Model::airlight(const glm::dvec3& position) const {
+glm::dvec3 Model::airlight(const glm::dvec3& direction, double length) const {
   glm::dvec3 sum(0.0);
-  const double length = glm::distance(position, eye_);
-  if (settings_.fog_lighting != render::FogLighting::airlight || !(length > 0)) return sum;
-  const EyeRay ray{.origin = eye_, .direction = (position - eye_) / length, .length = length};
+  if (settings_.fog_lighting != render::FogLighting::airlight) return sum;
+  const EyeRay ray{.origin = eye_, .direction = direction, .length = length};
   struct Candidate {
     double most;  // of white
     const ReferenceLight* light;

@@ -74,9 +74,11 @@ class Model {
   const Fog& fog() const { return fog_; }
   /// Whether a light lights the fog. Only then is it visible in `veil`.
   bool lights_fog(const ReferenceLight& light) const { return path_.has_lit_fog && light.fog_intensity > 0; }
-  /// The airlight of all lights along the eye's ray to a position, by the definition's integral; 0 where the renderer
-  /// lights the fog otherwise. What it leaves out adds up to less than kAirlightBudget of white.
-  glm::dvec3 airlight(const glm::dvec3& position) const;
+  /// The airlight of all lights along a ray from the eye, by the definition's integral; 0 where the renderer lights the
+  /// fog otherwise. What it leaves out adds up to less than kAirlightBudget of white.
+  ///
+  /// direction  unit
+  glm::dvec3 airlight(const glm::dvec3& direction, double length) const;
   static constexpr double kAirlightBudget = 1e-6;
 
  private:

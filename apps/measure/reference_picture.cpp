@@ -37,6 +37,11 @@ class PixelRays {
     return glm::normalize(forward_ + right_ * (x + 0.5 - middle_.x) + up_ * (middle_.y - y - 0.5));
   }
 
+  /// Metres along a direction that are as far along the camera's axis as an offset from the eye.
+  double length_to(const glm::dvec3& offset, const glm::dvec3& direction) const {
+    return glm::dot(offset, forward_) / glm::dot(direction, forward_);
+  }
+
  private:
   glm::dvec3 forward_;
   glm::dvec3 right_;  // a pixel's width
@@ -71,7 +76,8 @@ class ReferenceShading {
     for (auto sample = samples.begin(); sample != samples.end(); ++sample) {
       if (std::find(samples.begin(), sample, *sample) != sample) continue;  // shaded before
       const double weight = double(std::count(sample, samples.end(), *sample)) / double(samples.size());
-      const Shade shade = sample->material < 0 ? sky(x, y) : surface(model_.surface_point(*sample));
+      const Shade shade =
+          sample->material < 0 ? sky(x, y) : surface(model_.surface_point(*sample), rays_.direction(x, y));
       mean.color += shade.color * weight;
       mean.least += shade.least * weight;
       mean.most += shade.most * weight;
@@ -81,12 +87,14 @@ class ReferenceShading {
   }
 
  private:
-  Shade surface(const SurfacePoint& point) const {
+  /// direction  of the pixel's ray, on which the airlight reaches to the point's distance along the camera's axis: the
+  ///            sample's own ray may be another, because at an edge a surface's attributes are kept within its bounds
+  Shade surface(const SurfacePoint& point, const glm::dvec3& direction) const {
     const Veil veil = model_.veil(point.position);
     const glm::dvec3 color = model_.surface_color(point);
     const LookupBounds::Interval bounds =
         bounds_ ? bounds_->surface_color(point) : LookupBounds::Interval{color, color};
-    const glm::dvec3 airlight = model_.airlight(point.position);
+    const glm::dvec3 airlight = model_.airlight(direction, rays_.length_to(point.position - eye_, direction));
     return {.color = veil.over(color) + airlight,
             .least = veil.over(bounds.least) + airlight,
             .most = veil.over(bounds.most) + airlight,
@@ -95,9 +103,10 @@ class ReferenceShading {
 
   Shade sky(int x, int y) const {
     const glm::dvec3 direction = rays_.direction(x, y);
-    const glm::dvec3 position = eye_ + direction * fog_before_sky(fog_above_eye_, direction);
+    const double length = fog_before_sky(fog_above_eye_, direction);
+    const glm::dvec3 position = eye_ + direction * length;
     const Veil veil = model_.veil(position);
-    const glm::dvec3 color = veil.over(night_sky(model_.environment(), direction)) + model_.airlight(position);
+    const glm::dvec3 color = veil.over(night_sky(model_.environment(), direction)) + model_.airlight(direction, length);
     return {.color = color,
             .least = color,
             .most = color,
