@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "litfog/gl/unsupported.h"
 #include "render/demo_shaders.h"
 #include "render/gpu/texture_unit.h"
 #include "render/gpu/uniform.h"
@@ -15,6 +16,11 @@ namespace {
 
 /// What a light may leave out of a pixel: an eighth of a step of the display in linear light.
 constexpr float kBudget = 1 / (8 * 255.0f);
+constexpr int kGridStep = 4;  // pixels
+
+// Of the stencil, which is 0 elsewhere.
+constexpr GLint kFilled = 1;
+constexpr GLint kCore = 2;
 
 /// The phase function's largest value over its isotropic one.
 float largest_phase(double asymmetry) {
@@ -24,39 +30,103 @@ float largest_phase(double asymmetry) {
 
 }  // namespace
 
-AirlightPainter::AirlightPainter(const scene::Scene& scene, const gl::FogLightBuffer& fog_lights)
+AirlightPainter::AirlightPainter(const scene::Scene& scene, const gl::FogLightBuffer& fog_lights, int width, int height)
     : scene_(scene),
       fog_lights_(fog_lights),
-      program_("airlight.vert", "airlight.frag", scene_shaders(!scene.cookies.empty())) {}
+      picture_size_(width, height),
+      grid_size_((picture_size_ + (kGridStep - 1)) / kGridStep + 1),
+      light_program_("airlight.vert", "airlight.frag", scene_shaders(!scene.cookies.empty())),
+      core_program_("airlight.vert", "nothing.frag", scene_shaders(!scene.cookies.empty())),
+      fill_program_("whole_picture.vert", "airlight_fill.frag", scene_shaders(!scene.cookies.empty())) {
+  glActiveTexture(GL_TEXTURE0 + kGridUnit);
+  glBindTexture(GL_TEXTURE_2D, grid_texture_.id());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, grid_size_.x, grid_size_.y, 0, GL_RGBA, GL_FLOAT, nullptr);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glBindFramebuffer(GL_FRAMEBUFFER, grid_.id());
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, grid_texture_.id(), 0);
+  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+    throw gl::Unsupported("this driver cannot draw into a texture of floats");
+  }
+}
 
 void AirlightPainter::draw(const Framebuffer& framebuffer, const View& view, unsigned lights, unsigned carried) {
-  program_.use();
-  fog_lights_.bind(program_, kFogLightBinding);
-  framebuffer.bind_depth(kDepthUnit);
-  set_uniform(program_, "depths", kDepthUnit);
-  set_uniform(program_, "sample_count", unsigned(Framebuffer::samples()));
-  set_uniform(program_, "cookies", kCookieUnit);
-  set_uniform(program_, "litfog_light_buffer", kLightBufferUnit);
-  set_uniform(program_, "light_list", kLightListUnit);
-  set_uniform(program_, "carried_count", carried);
-  set_uniform(program_, "clip_from_world", view.clip_from_world);
-  set_uniform(program_, "direction_from_clip", view.direction_from_clip);
-  set_uniform(program_, "pixel_size", 2.0f / glm::vec2(framebuffer.width(), framebuffer.height()));
-  set_uniform(program_, "eye", scene_.camera.position);
-  set_uniform(program_, "forward", glm::normalize(scene_.camera.target - scene_.camera.position));
-  set_uniform(program_, "near_plane", view.near_plane);
-  set_uniform(program_, "sky_distance", kSkyDistance);
-  set_uniform(program_, "fog_above_eye", view.fog_above_eye);
-  set_uniform(program_, "budget", kBudget);
-  set_uniform(program_, "largest_phase", largest_phase(scene_.phase_g));
-  set_uniform(program_, "asymmetry", float(scene_.phase_g));
   glBindVertexArray(vertex_array_.id());
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, GLsizei(lights));
+  const auto draw_lights = [&](const gl::Program& program) {
+    use(program, framebuffer, view, carried);
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, GLsizei(lights));
+  };
+
+  glBindFramebuffer(GL_FRAMEBUFFER, grid_.id());
+  glViewport(0, 0, grid_size_.x, grid_size_.y);
+  glClearColor(0, 0, 0, 0);
+  glClear(GL_COLOR_BUFFER_BIT);
+  light_program_.use();
+  glUniform1i(light_program_.uniform("pixel_step"), kGridStep);
+  // Texel i's middle is that of pixel i * kGridStep.
+  const glm::vec2 scale = glm::vec2(picture_size_) / glm::vec2(kGridStep * grid_size_);
+  const glm::vec2 offset = scale - 1.0f + (1.0f - 1.0f / kGridStep) / glm::vec2(grid_size_);
+  set_uniform(light_program_, "target_from_picture", glm::vec4(scale, offset));
+  draw_lights(light_program_);
+
+  framebuffer.bind_resolved();
+  glEnable(GL_STENCIL_TEST);
+  glStencilFunc(GL_ALWAYS, kCore, 0xff);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+  core_program_.use();
+  set_uniform(core_program_, "target_from_picture", glm::vec4(1, 1, 0, 0));
+  set_uniform(core_program_, "is_core", 1u);
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  draw_lights(core_program_);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+
+  glStencilFunc(GL_EQUAL, 0, 0xff);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);  // to kFilled
+  use(fill_program_, framebuffer, view, carried);
+  glActiveTexture(GL_TEXTURE0 + kGridUnit);
+  glBindTexture(GL_TEXTURE_2D, grid_texture_.id());
+  set_uniform(fill_program_, "grid", kGridUnit);
+  glUniform1i(fill_program_.uniform("pixel_step"), kGridStep);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+
+  glStencilFunc(GL_NOTEQUAL, kFilled, 0xff);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+  light_program_.use();
+  glUniform1i(light_program_.uniform("pixel_step"), 1);
+  set_uniform(light_program_, "target_from_picture", glm::vec4(1, 1, 0, 0));
+  draw_lights(light_program_);
+  glDisable(GL_STENCIL_TEST);
   glDisable(GL_BLEND);
+}
+
+void AirlightPainter::use(const gl::Program& program, const Framebuffer& framebuffer, const View& view,
+                          unsigned carried) {
+  program.use();
+  fog_lights_.bind(program, kFogLightBinding);
+  framebuffer.bind_depth(kDepthUnit);
+  set_uniform(program, "depths", kDepthUnit);
+  set_uniform(program, "sample_count", unsigned(Framebuffer::samples()));
+  set_uniform(program, "cookies", kCookieUnit);
+  set_uniform(program, "litfog_light_buffer", kLightBufferUnit);
+  set_uniform(program, "light_list", kLightListUnit);
+  set_uniform(program, "carried_count", carried);
+  set_uniform(program, "clip_from_world", view.clip_from_world);
+  set_uniform(program, "direction_from_clip", view.direction_from_clip);
+  set_uniform(program, "pixel_size", 2.0f / glm::vec2(picture_size_));
+  set_uniform(program, "pixels_per_radian",
+              float(picture_size_.y) / (2 * std::tan(scene_.camera.field_of_view / 2)));
+  set_uniform(program, "eye", scene_.camera.position);
+  set_uniform(program, "forward", glm::normalize(scene_.camera.target - scene_.camera.position));
+  set_uniform(program, "near_plane", view.near_plane);
+  set_uniform(program, "sky_distance", kSkyDistance);
+  set_uniform(program, "fog_above_eye", view.fog_above_eye);
+  set_uniform(program, "budget", kBudget);
+  set_uniform(program, "largest_phase", largest_phase(scene_.phase_g));
+  set_uniform(program, "asymmetry", float(scene_.phase_g));
 }
 
 }  // namespace litfog::render

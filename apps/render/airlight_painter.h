@@ -20,19 +20,33 @@ struct View {
 };
 
 /// Adds the airlight of lights over a picture. Needs a current GL context.
+///
+/// Airlight mostly changes slowly over a picture. So all lights are first drawn at every fourth pixel of every fourth
+/// row. Pixels between four such texels that differ little take their mean; the others, and those close to a light, are
+/// drawn light by light (shaders/airlight_fill.frag).
 class AirlightPainter {
  public:
   /// scene, fog_lights  have to outlive this
-  AirlightPainter(const scene::Scene& scene, const gl::FogLightBuffer& fog_lights);
+  /// width, height      of the pictures
+  /// throws             gl::Unsupported where the driver has no float framebuffer of their size
+  AirlightPainter(const scene::Scene& scene, const gl::FogLightBuffer& fog_lights, int width, int height);
 
   /// Adds that of all lights in the light list to a resolved framebuffer. The list, the lights and the cookies are bound
   /// to their units.
   void draw(const Framebuffer& framebuffer, const View& view, unsigned lights, unsigned carried);
 
  private:
+  void use(const gl::Program& program, const Framebuffer& framebuffer, const View& view, unsigned carried);
+
   const scene::Scene& scene_;
   const gl::FogLightBuffer& fog_lights_;
-  gl::Program program_;
+  glm::ivec2 picture_size_;
+  glm::ivec2 grid_size_;
+  gl::Program light_program_;
+  gl::Program core_program_;
+  gl::Program fill_program_;
+  gl::FramebufferName grid_;
+  gl::TextureName grid_texture_;
   gl::VertexArrayName vertex_array_;  // of no attributes
 };
 

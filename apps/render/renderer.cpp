@@ -49,7 +49,7 @@ Renderer::Renderer(const scene::Scene& scene, int width, int height, const Rende
       sky_program_("sky.vert", "sky.frag", scene_shaders(!scene.cookies.empty())),
       light_point_program_("light_point.vert", "light_point.frag", scene_shaders(!scene.cookies.empty())) {
   gl::check_fog_light_layout(sky_program_);
-  if (settings.fog_lighting == FogLighting::airlight) airlight_.emplace(scene, fog_block_);
+  if (settings.fog_lighting == FogLighting::airlight) airlight_.emplace(scene, fog_block_, width, height);
   if (!scene.cookies.empty()) cookies_ = make_cookie_array(scene.cookies);
   set_fog(Fog{});
   gl::check_errors("uploading the scene");

@@ -14,6 +14,7 @@ enum TextureUnit : unsigned {
   kConeMapUnit,
   kCookieUnit,
   kDepthUnit,  // the depths of a picture's samples
+  kGridUnit,   // airlight at every so many pixels
 };
 
 inline constexpr unsigned kFogLightBinding = 0;  ///< of the FogLightBlock

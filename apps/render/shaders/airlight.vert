@@ -18,6 +18,9 @@ uniform mat4 clip_from_world;
 uniform vec3 eye;
 uniform float budget;         // of the airlight times the largest component of the colour
 uniform float largest_phase;  // of the phase function over its isotropic value
+uniform vec4 target_from_picture;  // scale and offset in clip space: the target's texels may be farther apart than pixels
+uniform bool is_core;              // only the pixels around the light in which its airlight bends sharply
+uniform float pixels_per_radian;   // at the middle of the picture
 
 flat out int light_index;
 
@@ -30,14 +33,17 @@ float level_range(vec4 attenuation, float value) {
   return 2.0 * rise / max(attenuation.y + sqrt(attenuation.y * attenuation.y + 4.0 * attenuation.z * rise), 1.0e-30);
 }
 
-// Range from the light beyond which its airlight is below the budget; 0 where it is so everywhere.
-float airlight_reach(LitfogLight light, float eye_range) {
-  vec3 color = light.color_intensity.rgb * largest_phase;
-  float share = budget / max(max(max(color.r, color.g), color.b), 1.0e-30);
+// Factor of the integral S in the bound: what the fog leaves of the light, 1/m.
+float scattered(LitfogLight light, float eye_range) {
   float density = litfog_fog.x * light.attenuation.w;
   float x = min(density * eye_range, 60.0);
-  float weight = density * (litfog_fog.y == 0.0 ? exp(-x) : 1.2131 * exp(-min(x * x / 3.0, 80.0)));
-  float integral = share / max(weight, 1.0e-30);  // that S may not exceed
+  return density * (litfog_fog.y == 0.0 ? exp(-x) : 1.2131 * exp(-min(x * x / 3.0, 80.0)));
+}
+
+// Range from the light beyond which its airlight is below the budget; 0 where it is so everywhere.
+float airlight_reach(LitfogLight light, float eye_range, float brightness) {
+  float share = budget / brightness;
+  float integral = share / max(scattered(light, eye_range), 1.0e-30);  // that S may not exceed
   float denominator = min(1.0 / share, 2.0 * light.position_extent.w / integral);
   float quadratic = light.attenuation.z;
   if (quadratic > 0.0) denominator = min(denominator, pi * pi / (quadratic * integral * integral));
@@ -45,11 +51,27 @@ float airlight_reach(LitfogLight light, float eye_range) {
   return min(level_range(light.attenuation, denominator), light.position_extent.w);
 }
 
+// Range from the light within which a grid of every fourth pixel misses its airlight by more than about 1/1000. At h
+// pixels from the light that is k / h with k from the bound, the grid's error 2 (k / h)'' = 4 k / h^3, and less within
+// the falloff's width.
+float core_reach(LitfogLight light, float eye_range, float brightness) {
+  float pixels = pixels_per_radian / eye_range;  // a metre
+  float width = level_range(light.attenuation, 2.0 * max(light.attenuation.x, 1.0));
+  float slope = max(light.attenuation.z, light.attenuation.y / max(width, 1.0e-3));
+  float k = brightness * scattered(light, eye_range) * pi / max(slope, 1.0e-30) * pixels;
+  float core = pow(4000.0 * k, 1.0 / 3.0);
+  return core > width * pixels ? min(core + 4.0, 400.0) / pixels : 0.0;
+}
+
 void main() {
   light_index = light_entry(gl_InstanceID);
   LitfogLight light = litfog_buffered_light(light_index);
   vec3 center = light.position_extent.xyz;
-  float radius = airlight_reach(light, distance(eye, center));
+  float eye_range = distance(eye, center);
+  vec3 color = light.color_intensity.rgb * largest_phase;
+  float brightness = max(max(max(color.r, color.g), color.b), 1.0e-30);
+  float radius = airlight_reach(light, eye_range, brightness);
+  if (is_core) radius = min(radius, core_reach(light, eye_range, brightness));
   vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
   if (radius <= 0.0) {
     gl_Position = vec4(0.0, 0.0, 2.0, 1.0);  // outside the picture
@@ -78,5 +100,6 @@ void main() {
   vec3 up = cross(right, toward);
   vec3 place = toward + (right * corner.x + up * corner.y) * half_size;
   gl_Position = clip_from_world * vec4(eye + place * max(range, 0.5), 1.0);
+  gl_Position.xy = gl_Position.xy * target_from_picture.xy + gl_Position.w * target_from_picture.zw;
   gl_Position.z = 0.0;
 }

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// How far the eye sees through a pixel's samples.
+
+#include "fog_top.glsl"
+
+uniform sampler2DMS depths;
+uniform int sample_count;
+uniform vec2 pixel_size;  // 2 over the picture's size: of a pixel in clip space
+uniform mat4 direction_from_clip;
+uniform vec3 forward;      // unit: the camera's axis
+uniform float near_plane;  // metres
+
+// Metres to the surface or to the end of the fog.
+struct SeenRanges {
+  float ranges[4];
+  float nearest;
+  float farthest;
+  float mean;
+};
+
+// Unit direction from the eye through the middle of a pixel, which may lie beyond the picture's edge.
+vec3 pixel_direction(ivec2 pixel) {
+  vec4 seen = direction_from_clip * vec4((vec2(pixel) + 0.5) * pixel_size - 1.0, 0.0, 1.0);
+  return normalize(seen.xyz / seen.w);
+}
+
+SeenRanges seen_ranges(ivec2 pixel, vec3 direction) {
+  ivec2 inside = min(pixel, textureSize(depths) - 1);
+  SeenRanges seen;
+  seen.nearest = 3.4e38;
+  seen.farthest = 0.0;
+  seen.mean = 0.0;
+  for (int i = 0; i < sample_count; ++i) {
+    float depth = texelFetch(depths, inside, i).r;  // 1 - near / distance along the axis
+    float range = depth < 1.0 ? near_plane / ((1.0 - depth) * dot(direction, forward)) : fog_before_sky(direction);
+    seen.ranges[i] = range;
+    seen.nearest = min(seen.nearest, range);
+    seen.farthest = max(seen.farthest, range);
+    seen.mean += range / float(sample_count);
+  }
+  return seen;
+}
+
+bool is_edge(SeenRanges seen) { return seen.farthest > 1.1 * seen.nearest; }
