@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "litfog/airlight.h"
 
+#include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -21,6 +22,37 @@ void require_all(const PlacedLight& light, const Fog& fog, const EyeRay& ray, co
   require(check(fog));
   require(check(ray));
   require(check(scattering));
+}
+
+/// axial_airlight of checked arguments, beyond the plateau panel by panel, each eight times as long as the one before.
+/// The fog's reach is that of e^-50: a falls, so that all beyond it is less than that fraction of what comes within
+/// 1/d.
+long double integrate_axially(const Attenuation& narrow, const Fog& fog, double threshold) {
+  const auto attenuation = convert<long double>(narrow);
+  const auto [constant, linear, quadratic] = attenuation;
+  const long double density = fog.density;
+  const long double extent = level_range(attenuation, static_cast<long double>(threshold)).high;
+  const bool is_exp = fog.mode == FogMode::exp;
+  if (density == 0 || extent == 0) return 0;
+  if (std::isinf(density) || std::isinf(extent)) return 1 / std::max(1.0L, constant);
+
+  const long double knee = std::min(level_range(attenuation, 1.0L).high, extent);
+  const long double end = std::min(extent, (is_exp ? 50 : 7.1L) / density);
+  const auto integrand = [&](long double range) {
+    const long double depth = density * range;
+    const long double scattered = is_exp ? std::exp(-depth) : 2 * depth * std::exp(-depth * depth);
+    return density * scattered * formulas::attenuation(range, constant, linear, quadratic);
+  };
+  const airlight_text::Bisection bisection(integrand);
+  long double sum = formulas::opacity(is_exp ? density * knee : density * knee * density * knee);
+  const long double halved = level_range(attenuation, 1 / (2 * std::max(1.0L, constant))).high;
+  long double size = std::min(1 / density, halved - knee);
+  for (long double low = knee; low < end; size *= 8) {
+    const long double high = size < end - low ? low + size : end;
+    sum += bisection.refine(low, high, bisection.estimate(low, high), 0, 40);
+    low = high;
+  }
+  return sum;
 }
 
 }  // namespace
@@ -59,6 +91,35 @@ double reference_airlight(const PlacedLight& light, const Fog& fog, const EyeRay
   const long double extent = level_range(attenuation, static_cast<long double>(light.light.threshold)).high;
   const Fog class_fog = unchecked::scaled(fog, light.light.density_scale);
   return double(integrate_airlight(text, text.seen_along(light, extent, class_fog, ray, scattering)));
+}
+
+double axial_airlight(const Attenuation& attenuation, const Fog& fog, double threshold) {
+  require(check(attenuation));
+  require(check(fog));
+  require(check_threshold(threshold));
+  return double(integrate_axially(attenuation, fog, threshold));
+}
+
+double axial_airlight(const Light& light, const Fog& fog) {
+  require(check(light));
+  require(check(fog));
+  return double(integrate_axially(light.attenuation, unchecked::scaled(fog, light.density_scale), light.threshold));
+}
+
+std::size_t axial_airlights(FogMode mode, const BatchLights& lights, std::span<double> airlights) {
+  assert(lights.constant.size() == airlights.size() && lights.linear.size() == airlights.size() &&
+         lights.quadratic.size() == airlights.size());
+  const auto at = [](std::span<const double> column, std::size_t i) { return column[column.size() == 1 ? 0 : i]; };
+  std::size_t invalid = 0;
+  for (std::size_t i = 0; i < airlights.size(); ++i) {
+    const Attenuation attenuation{at(lights.constant, i), at(lights.linear, i), at(lights.quadratic, i)};
+    const Fog fog{mode, at(lights.density, i)};
+    const double threshold = at(lights.threshold, i);
+    const bool is_valid = !check(attenuation) && !check(fog) && !check_threshold(threshold);
+    airlights[i] = is_valid ? double(integrate_axially(attenuation, fog, threshold)) : 0;
+    if (!is_valid) ++invalid;
+  }
+  return invalid;
 }
 
 }  // namespace litfog

@@ -28,10 +28,9 @@ class Bisection {
     return sum * (high - low);
   }
 
-  /// Halves until two halves agree with their whole to a fraction of it, or to the negligible. Where they do, the
-  /// halves are better than the whole by 2^-16.
+  /// Halves until two halves agree with their whole to a fraction of it, or to the negligible.
   long double refine(long double low, long double high, long double whole, long double negligible, int depth) const {
-    constexpr long double kAgreement = 1e-11L;
+    constexpr long double kAgreement = 1e-14L;
     const long double middle = (low + high) / 2;
     const long double left = estimate(low, middle);
     const long double right = estimate(middle, high);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include "litfog/batch.h"
 #include "litfog/fog.h"
 #include "litfog/light.h"
 #include "litfog/value_error.h"
@@ -58,5 +59,32 @@ inline constexpr double kReferenceAirlightMaxError = 1e-10;
 /// throws     std::invalid_argument naming field, value and rule
 double reference_airlight(const PlacedLight& light, const Fog& fog, const EyeRay& ray,
                           const Scattering& scattering = {});
+
+/// Largest error of axial_airlight in ulp.
+inline constexpr double kAxialAirlightMaxUlp = 3;
+
+/// Airlight of a light along its own axis: the eye at the light, the light's leg clear, out to its extent,
+///   A = integral of a(r) d(1 - f(r)) over [0, extent].
+/// The fog colour intensity (solve.h) is the largest rectangle below this integral, so that A is never less.
+///
+/// attenuation  constant (1), linear (1/m), quadratic (1/m^2): finite, >= 0, not all zero
+/// fog.density  1/m, >= 0; 0 is clear air (0), infinity is total fog (attenuation at 0+)
+/// threshold    (0, 1): attenuation at which the light ends
+/// returns      [0, 1]
+/// max error    kAxialAirlightMaxUlp                                                                (airlight_test.cpp)
+/// throws       std::invalid_argument naming field, value and rule
+double axial_airlight(const Attenuation& attenuation, const Fog& fog, double threshold = kDefaultThreshold);
+
+/// The same of a light, in the fog that its class sees.
+///
+/// throws  std::invalid_argument naming field, value and rule
+double axial_airlight(const Light& light, const Fog& fog);
+
+/// The same for many lights, one after the other. Allocates nothing and never throws. The column of results holds one
+/// value a light, 0 for an invalid one; lengths that do not fit are a bug of the caller's and assert.
+///
+/// returns    how many lights are invalid
+/// max error  kAxialAirlightMaxUlp                                                                  (airlight_test.cpp)
+std::size_t axial_airlights(FogMode mode, const BatchLights& lights, std::span<double> airlights);
 
 }  // namespace litfog

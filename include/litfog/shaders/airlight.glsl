@@ -12,7 +12,7 @@
 // that crosses the ray, at its middle. On each piece Gauss-Legendre nodes are evenly spread in
 //   t = asinh(z / w),  z = (1 - e^(-q x)) / q,
 // in which both the falloff of the lamp (of width w) and that of exp fog (of rate q) are nearly straight. A point lamp
-// in isotropic fog has a closed form on the plateau and takes 8 nodes elsewhere; all else takes 20.
+// in isotropic fog has a closed form on the plateau and takes 8 nodes elsewhere; all else takes 24.
 //
 // Errors and what they were measured on: litfog/airlight.h.
 
@@ -352,9 +352,9 @@ LITFOG_REAL litfog_airlight(LitfogAirlight air) {
                                    : LITFOG_REAL(1.0) - cosine * cosine;
     beam_width = LITFOG_REAL(1.2) * sqrt(sine_squared) * (air.offset * air.offset + crossing * crossing) /
                  max(air.offset, LITFOG_REAL(1.0e-9));
-    crosses = crossing > low && crossing < high && beam_width < width &&
-              abs(crossing) > LITFOG_REAL(4.0) * beam_width;
-    if (!crosses) width = min(width, max(max(beam_width, air.offset), LITFOG_REAL(0.03) * width));
+    crosses = !is_wide && crossing > low && crossing < high && beam_width < width &&
+              abs(crossing) > max(LITFOG_REAL(4.0) * beam_width, LITFOG_REAL(1.0e-5) * (high - low));
+    if (!crosses) width = min(width, max(max(beam_width, air.offset), LITFOG_REAL(0.01) * width));
   }
   LITFOG_REAL border = LITFOG_REAL(0.5) * crossing;  // between the two that x is measured from
 
@@ -391,7 +391,7 @@ LITFOG_REAL litfog_airlight(LitfogAirlight air) {
     }
     roots += sqrt(pieces[i].size);
   }
-  LITFOG_REAL nodes_left = is_plain ? LITFOG_REAL(8.0) : LITFOG_REAL(20.0);
+  LITFOG_REAL nodes_left = is_plain ? LITFOG_REAL(8.0) : LITFOG_REAL(24.0);
   for (int i = 0; i + 1 < count; ++i) {  // nodes in proportion to the root of the size
     LITFOG_REAL root = sqrt(pieces[i].size);
     if (root <= LITFOG_REAL(0.0)) continue;
