@@ -37,6 +37,11 @@ class PixelRays {
     return glm::normalize(forward_ + right_ * (x + 0.5 - middle_.x) + up_ * (middle_.y - y - 0.5));
   }
 
+  /// Metres along a direction that are as far along the camera's axis as an offset from the eye.
+  double length_to(const glm::dvec3& offset, const glm::dvec3& direction) const {
+    return glm::dot(offset, forward_) / glm::dot(direction, forward_);
+  }
+
  private:
   glm::dvec3 forward_;
   glm::dvec3 right_;  // a pixel's width
@@ -68,37 +73,40 @@ class ReferenceShading {
   /// The mean of a pixel's samples.
   Shade pixel(std::span<const render::GeometrySample> samples, int x, int y) const {
     Shade mean;
-    Shade last;
-    const double weight = 1.0 / double(samples.size());
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-      if (i == 0 || !(samples[i] == samples[i - 1])) {
-        last = samples[i].material < 0 ? sky(x, y) : surface(model_.surface_point(samples[i]));
-      }
-      mean.color += last.color * weight;
-      mean.least += last.least * weight;
-      mean.most += last.most * weight;
-      mean.is_at_jump |= last.is_at_jump;
+    for (auto sample = samples.begin(); sample != samples.end(); ++sample) {
+      if (std::find(samples.begin(), sample, *sample) != sample) continue;  // shaded before
+      const double weight = double(std::count(sample, samples.end(), *sample)) / double(samples.size());
+      const Shade shade =
+          sample->material < 0 ? sky(x, y) : surface(model_.surface_point(*sample), rays_.direction(x, y));
+      mean.color += shade.color * weight;
+      mean.least += shade.least * weight;
+      mean.most += shade.most * weight;
+      mean.is_at_jump |= shade.is_at_jump;
     }
     return mean;
   }
 
  private:
-  Shade surface(const SurfacePoint& point) const {
+  /// direction  of the pixel's ray, on which the airlight reaches to the point's distance along the camera's axis: the
+  ///            sample's own ray may be another, because at an edge a surface's attributes are kept within its bounds
+  Shade surface(const SurfacePoint& point, const glm::dvec3& direction) const {
     const Veil veil = model_.veil(point.position);
     const glm::dvec3 color = model_.surface_color(point);
     const LookupBounds::Interval bounds =
         bounds_ ? bounds_->surface_color(point) : LookupBounds::Interval{color, color};
-    return {.color = veil.over(color),
-            .least = veil.over(bounds.least),
-            .most = veil.over(bounds.most),
+    const glm::dvec3 airlight = model_.airlight(direction, rays_.length_to(point.position - eye_, direction));
+    return {.color = veil.over(color) + airlight,
+            .least = veil.over(bounds.least) + airlight,
+            .most = veil.over(bounds.most) + airlight,
             .is_at_jump = jumps_.is_at_jump(point) || jumps_.is_at_jump(veil, point.position)};
   }
 
   Shade sky(int x, int y) const {
     const glm::dvec3 direction = rays_.direction(x, y);
-    const glm::dvec3 position = eye_ + direction * fog_before_sky(fog_above_eye_, direction);
+    const double length = fog_before_sky(fog_above_eye_, direction);
+    const glm::dvec3 position = eye_ + direction * length;
     const Veil veil = model_.veil(position);
-    const glm::dvec3 color = veil.over(night_sky(model_.environment(), direction));
+    const glm::dvec3 color = veil.over(night_sky(model_.environment(), direction)) + model_.airlight(direction, length);
     return {.color = color,
             .least = color,
             .most = color,

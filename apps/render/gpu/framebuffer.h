@@ -6,7 +6,7 @@
 
 namespace litfog::render {
 
-/// How often a surface is drawn at most.
+/// How often a surface is drawn, or light is added over it, at most.
 enum class Passes { one, several };
 
 /// What the demo draws into: linear RGBA half floats and depth. Several passes draw into floats, because their sums
