@@ -194,7 +194,14 @@ Result measure_airlight(bool quick) {
     measurements.push_back({method, timings[i], std::nullopt});
     if (method.name == kReferenceName) continue;
     method.pass.run();  // the results of this method, not of the one timed last
-    measurements.back().errors = errors_of(*method.problem);
+    const Errors errors = errors_of(*method.problem);
+    measurements.back().errors = errors;
+    const bool is_stated = method.name == kLitfogName && method.problem->mix != AirlightMix::any;  // in isotropic fog
+    if (is_stated && !(errors.max_255 <= 255 * kAirlightMaxError)) {
+      result.failures.push_back(fmt::format("{} {} {}: error = {}/255: must be at most {}/255", method.name,
+                                            name_of(method.problem->mix), name_of(method.problem->fog), errors.max_255,
+                                            255 * kAirlightMaxError));
+    }
   }
   result.table = make_table(measurements);
   result.figure = {.title = "Airlight of a lamp along a ray: time against error (exp fog, both legs)",

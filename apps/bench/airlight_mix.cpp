@@ -42,14 +42,13 @@ const char* name_of(AirlightMix mix) {
 
 std::vector<test::AirlightCase> draw_airlight_mix(AirlightMix mix, FogMode mode, LampLeg lamp_leg, std::size_t count,
                                                   std::uint64_t seed) {
-  constexpr double kLeast = 1e-4;
   test::Random random(seed);
   std::vector<test::AirlightCase> rays;
   while (rays.size() < count) {
     const test::AirlightCase c = mix == AirlightMix::point ? test::draw_airlight_case(random, mode, lamp_leg)
                                  : mix == AirlightMix::any ? draw_any_case(random, mode, lamp_leg)
                                                            : draw_inverse_square_case(random, mode, lamp_leg);
-    if (reference_airlight(c.light, c.fog, c.ray, c.scattering) > kLeast) rays.push_back(c);
+    if (reference_airlight(c.light, c.fog, c.ray, c.scattering) > kDimAirlight) rays.push_back(c);
   }
   return rays;
 }

@@ -27,8 +27,7 @@ enum class AirlightMix {
 
 const char* name_of(AirlightMix mix);
 
-/// Rays that their lamp lights by more than 1e-4 of its intensity, a fortieth of a step of an 8-bit colour channel. A
-/// seed gives the same rays everywhere.
+/// Rays whose airlight is more than kDimAirlight. A seed gives the same rays everywhere.
 std::vector<test::AirlightCase> draw_airlight_mix(AirlightMix mix, FogMode mode, LampLeg lamp_leg, std::size_t count,
                                                   std::uint64_t seed);
 

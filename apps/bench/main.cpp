@@ -49,7 +49,7 @@ exact, one light a call; batch; and as the floor a copy of as many bytes as the 
 one out). -uncached is the same over four million lights. Errors are against a 50-digit reference over the first 2,000
 lights.
 
-airlight: per ray, over 4,000 rays that their lamp lights by more than 1e-4 of its intensity, in three mixes. point: point
+airlight: per ray, over 4,000 rays whose airlight is more than 1e-5 of the lamp's colour, in three mixes. point: point
 lamps in isotropic fog; C below, at and above 1 and 0, L and Q from 0 over decades; visibility 3 m to 100 km, in one of
 twenty less; the eye beside, behind and in the lamp's light, rays of any length. any: two thirds are spots of 0.1 to 180
 degrees, half of the fogs scatter by g from -0.9 to 0.9. inverse-square: C = L = 0, outside of the knee. Methods: uniform

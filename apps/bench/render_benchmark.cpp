@@ -113,8 +113,7 @@ std::vector<Trial> measure(const Setting& setting, const measure::FrameBudget& b
   for (std::size_t i = 0; i < techniques.size(); ++i) {
     const double time = times[i].median();
     trials.push_back({setting, techniques[i], times[i], time / legacy_time, time / two_light_time, std::nullopt});
-    // The reference knows no airlight.
-    if (techniques[i].path != &render::unlit_path() && techniques[i].fog_lighting == render::FogLighting::peak) {
+    if (techniques[i].path != &render::unlit_path()) {
       trials.back().error = measure::compare_with_reference(*renderers[i], progress).error;
       trials.back().error->pixels.clear();  // nobody looks at them
     }

@@ -18,7 +18,7 @@ namespace litfog::bench {
 /// ratio_to_legacy      of the medians; legacy's of the same scene, lights, size and skip, frames interleaved
 /// ratio_to_two_light_legacy  of the medians; legacy's of two lights, else the same, interleaved, too
 /// max_error_255, mean_error_255  against the path's plain formulas in double (shade_reference), in steps of an 8-bit
-///                      colour channel; empty for unlit and for airlight
+///                      colour channel; empty for unlit
 /// excepted_pixels      too close to a jump of the model to be compared
 ///
 /// The picture shows frame time over the number of lights and, beside this machine's, table 1 of Steven Hales 2004,
