@@ -17,7 +17,7 @@ constexpr int kMaxSide = 16'384;
 constexpr command::NumberRule kSeconds{[](double x) { return x >= 0 && x <= scene::kMaxSeconds; },
                                        "must be a number in [0, 1e9]"};
 constexpr command::NumberRule kPhase{scene::is_phase_g, scene::kPhaseRule};
-constexpr std::int64_t kMaxPixels = 40'000'000;  // some 2 GiB of framebuffer, 4 for paths of several passes
+constexpr std::int64_t kMaxPixels = 40'000'000;  // some 3 GiB, 5 with airlight
 
 void parse_size(const std::string& text, DrawingOptions& options) {
   const auto cross = text.find('x');

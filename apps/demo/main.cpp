@@ -32,8 +32,8 @@ using namespace litfog;
 using namespace litfog::command;
 using namespace litfog::demo;
 
-constexpr std::int64_t kMaxReferencePixels = 10'000'000;  // some 3 GiB of geometry buffer
-constexpr std::int64_t kMaxComparedPixels = 2'500'000;    // some 3 GiB of ten framebuffers and a geometry buffer
+constexpr std::int64_t kMaxReferencePixels = 10'000'000;  // some 5 GiB, 3 of them geometry buffer
+constexpr std::int64_t kMaxComparedPixels = 2'500'000;    // some 3 GiB
 
 constexpr const char* kDescription =
     R"(Draws a scene lit by lamps in fog, without a display (OpenGL 3.3 through EGL).
