@@ -49,6 +49,7 @@ Text::LitfogAirlight seen_along(const PlacedLight& placed, const Fog& fog, const
   air.offset = glm::length(offset);
   air.axis_offset = glm::dot(offset, axis);
   air.axis_slope = glm::dot(direction, axis);
+  air.nodes = Text{NoCookie{}}.litfog_airlight_nodes(air);
   return air;
 }
 

@@ -135,6 +135,7 @@ void Renderer::draw_light_points(const View& view) {
   set_uniform(light_point_program_, "cookies", kCookieUnit);
   set_uniform(light_point_program_, "clip_from_world", view.clip_from_world);
   set_uniform(light_point_program_, "eye", scene_.camera.position);
+  set_uniform(light_point_program_, "has_glare", unsigned{settings_.fog_lighting == FogLighting::peak});
   set_uniform(light_point_program_, "near_plane", view.near_plane);
   set_uniform(light_point_program_, "pixel_scale", float(framebuffer_.height()) / 720.0f);
   set_uniform(light_point_program_, "litfog_light_buffer", kLightBufferUnit);
