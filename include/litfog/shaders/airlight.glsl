@@ -12,8 +12,8 @@
 // that crosses the ray, at its middle. On each piece Gauss-Legendre nodes are evenly spread in
 //   t = asinh(z / w),  z = (1 - e^(-q x)) / q,
 // in which both the falloff of the lamp (of width w) and that of exp fog (of rate q) are nearly straight. A point lamp
-// in isotropic fog has a closed form on the plateau and takes 8 nodes elsewhere; a beam takes 24, and a
-// phase function 32.
+// in isotropic fog has a closed form on the plateau and takes 8 nodes elsewhere; a beam takes 24, one
+// wider than 90 degrees or a phase function 32.
 //
 // Errors and what they were measured on: litfog/airlight.h.
 
@@ -40,7 +40,7 @@ struct LitfogAirlight {
   LITFOG_REAL profile;       // of the cone: 0 none, 1 cosine, 2 smoothstep, 3 the including program's
   LITFOG_REAL cone_x;        // cosine: cos half angle; smoothstep: cos outer
   LITFOG_REAL cone_y;        // cosine: exponent; smoothstep: cos inner
-  LITFOG_REAL length;        // D, metres
+  LITFOG_REAL ray_length;    // D, metres
   LITFOG_REAL approach;      // metres from the eye to the closest approach; below 0 where that is behind the eye
   LITFOG_REAL offset;        // metres from the closest approach to the lamp
   LITFOG_REAL axis_offset;   // component of that offset along the cone's axis: lamp to closest approach
@@ -284,7 +284,7 @@ LITFOG_REAL litfog_airlight(LitfogAirlight air) {
   LITFOG_REAL fog_scale = LITFOG_REAL(1.0) / air.density;
   LITFOG_REAL chord = litfog_airlight_chord(air, air.extent);
   LITFOG_REAL low = max(-air.approach, -chord);
-  LITFOG_REAL high = min(air.length - air.approach, chord);
+  LITFOG_REAL high = min(air.ray_length - air.approach, chord);
   high = min(high, max(low, LITFOG_REAL(0.0)) + LITFOG_REAL(100.0) * fog_scale);
   if (!(high > low)) return LITFOG_REAL(0.0);
 
@@ -392,9 +392,8 @@ LITFOG_REAL litfog_airlight(LitfogAirlight air) {
     }
     roots += sqrt(pieces[i].size);
   }
-  LITFOG_REAL nodes_left = is_plain                              ? LITFOG_REAL(8.0)
-                           : air.asymmetry == LITFOG_REAL(0.0) ? LITFOG_REAL(24.0)
-                                                               : LITFOG_REAL(32.0);
+  bool is_hard = is_wide || air.asymmetry != LITFOG_REAL(0.0);
+  LITFOG_REAL nodes_left = is_plain ? LITFOG_REAL(8.0) : is_hard ? LITFOG_REAL(32.0) : LITFOG_REAL(24.0);
   for (int i = 0; i + 1 < count; ++i) {  // nodes in proportion to the root of the size
     LITFOG_REAL root = sqrt(pieces[i].size);
     if (root <= LITFOG_REAL(0.0)) continue;
