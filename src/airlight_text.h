@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
+#include "litfog/airlight.h"
 #include "litfog/formulas.h"
+#include "unchecked.h"
 
-// The text of the airlight in double, shared with the shaders: litfog/shaders/airlight.glsl.
+// The text of the airlight, shared with the shaders (litfog/shaders/airlight.glsl), and what it is asked about.
 
 namespace litfog::airlight_text {
 
@@ -14,15 +17,15 @@ using std::abs, std::asinh, std::clamp, std::exp, std::floor, std::log, std::max
 
 /// Cookie  called with a distance along the ray from its closest approach to the light: the fraction of the light's
 ///         axial intensity there, for profile 3
-template <typename Cookie>
+template <typename Real, typename Cookie>
 struct Text {
   const Cookie& cookie;
 
   struct LitfogAirlight;
-  double litfog_airlight_cookie(const LitfogAirlight&, double along) const { return cookie(along); }
+  Real litfog_airlight_cookie(const LitfogAirlight&, Real along) const { return cookie(along); }
 
 #define LITFOG_COOKIES
-#define LITFOG_REAL double
+#define LITFOG_REAL Real
 #define LITFOG_CONSTANT static constexpr
 #define litfog_expm1 std::expm1
 #define litfog_denominator formulas::denominator
@@ -36,6 +39,62 @@ struct Text {
 #undef litfog_cosine_cone
 #undef litfog_smoothstep_cone
 #undef LITFOG_COOKIES
+
+  /// A light as a ray sees it. The fog is that of the light's class.
+  static LitfogAirlight seen_along(const PlacedLight& placed, Real extent, const Fog& class_fog, const EyeRay& ray,
+                                   const Scattering& scattering) {
+    using Vector = glm::vec<3, Real>;
+    const Light& light = placed.light;
+    const Vector direction = glm::normalize(Vector(ray.direction));
+    const Vector axis = glm::normalize(Vector(placed.direction));
+    const Vector to_light = Vector(placed.position) - Vector(ray.origin);
+    const Real approach = glm::dot(to_light, direction);
+    const Vector offset = approach * direction - to_light;  // from the light to the closest approach
+    LitfogAirlight air{};
+    air.density = Real(class_fog.density);
+    air.mode = class_fog.mode == FogMode::exp ? 0 : 1;
+    air.lamp_leg = scattering.lamp_leg == LampLeg::fogged ? 1 : 0;
+    air.asymmetry = Real(scattering.asymmetry);
+    air.constant = Real(light.attenuation.constant);
+    air.linear = Real(light.attenuation.linear);
+    air.quadratic = Real(light.attenuation.quadratic);
+    air.extent = extent;
+    if (light.cone.profile == ConeProfile::cosine) {
+      air.profile = 1;
+      air.cone_x = std::cos(Real(light.cone.half_angle));
+      air.cone_y = Real(light.cone.exponent);
+    } else if (light.cone.profile == ConeProfile::smoothstep) {
+      air.profile = 2;
+      air.cone_x = std::cos(Real(light.cone.outer));
+      air.cone_y = std::cos(Real(light.cone.inner));
+    }
+    air.ray_length = Real(ray.length);
+    air.approach = approach;
+    air.offset = glm::length(offset);
+    air.axis_offset = glm::dot(offset, axis);
+    air.axis_slope = glm::dot(direction, axis);
+    return air;
+  }
+
+  /// The limit of total fog: what is scattered in the eye itself.
+  Real at_the_eye(const LitfogAirlight& air) {
+    const Real range = litfog_airlight_range(air, air.approach);
+    const bool is_dark = air.ray_length == 0 || range >= air.extent || (air.lamp_leg != 0 && range > 0);
+    if (is_dark) return 0;
+    const Real phase = litfog_phase(range > 0 ? air.approach / range : Real(-1), air.asymmetry);
+    return formulas::attenuation(range, air.constant, air.linear, air.quadratic) * phase *
+           litfog_airlight_beam(air, -air.approach, range);
+  }
+};
+
+/// Stands for no cookie.
+struct NoCookie {
+  template <typename Real>
+  Real operator()(Real) const {
+    return 1;
+  }
+  template <typename Cuts>
+  void append_kinks(Cuts&) const {}
 };
 
 }  // namespace litfog::airlight_text

@@ -21,6 +21,7 @@
 #include "command/progress.h"
 #include "command/table.h"
 #include "files/json_text.h"
+#include "litfog/airlight.h"
 #include "litfog/files/light_file.h"
 #include "litfog/input_error.h"
 #include "litfog/solve.h"
@@ -37,7 +38,7 @@ using litfog::Light;
 using litfog::SolveStatus;
 
 constexpr const char* kDescription =
-    R"(Computes how brightly a light makes fog glow: the intensity, the range where it peaks, the light's extent.
+    R"(Computes how brightly a light makes fog glow: the intensity, the range where it peaks, the light's extent and airlight.
 
   litfog-solve --constant C --linear L --quadratic Q  --visibility M[,M...] | --density D[,D...]  [OPTIONS]
   litfog-solve --light FILE...                        --visibility M[,M...] | --density D[,D...]  [OPTIONS]
@@ -47,7 +48,8 @@ constexpr const char* kDescription =
 constexpr const char* kExamples =
     R"(Units: metres, 1/m (density, linear), 1/m^2 (quadratic). The intensity is the largest fraction of the light's colour
 that the fog throws back along the light's axis: the peak of (1 - f(r)) / (constant + linear r + quadratic r^2), its
-denominator at least 1, for r from 0 to the extent.
+denominator at least 1, for r from 0 to the extent. The airlight is all that the fog throws back along the axis, the
+integral of the same 1 / (constant + linear r + quadratic r^2) over f(r); it is never below the intensity.
 
 Examples:
   litfog-solve --constant 1 --quadratic 0.0002 --visibility 50,200,1000
@@ -55,7 +57,7 @@ Examples:
   litfog-solve --csv rows.csv > solved.csv     rows.csv starts: fog,density,constant,linear,quadratic,threshold
 
 The batch form reads a row a light, in CSV with those six columns in any order; other columns pass through. It appends
-extent,peak_range,intensity,status. A bad row stays, with the reason as its status.
+extent,peak_range,intensity,airlight,status. A bad row stays, with the reason as its status.
 
 Exit status: 0 done; 1 wrong command line; 2 bad input, named file:line:column on standard error (in the batch form the
 good rows are solved all the same); 4 output cannot be written; 5 a solve did not converge.)";
@@ -103,8 +105,8 @@ ExitStatus solve_table(const Options& options) {
   Table table;
   table.columns = {"light", "fog"};
   if (has_visibility) table.columns.push_back("visibility_m");
-  for (const char* column :
-       {"density", "constant", "linear", "quadratic", "threshold", "extent", "peak_range", "intensity", "status"}) {
+  for (const char* column : {"density", "constant", "linear", "quadratic", "threshold", "extent", "peak_range",
+                             "intensity", "airlight", "status"}) {
     table.columns.push_back(column);
   }
 
@@ -120,8 +122,9 @@ ExitStatus solve_table(const Options& options) {
       auto& row = table.rows.emplace_back();
       row = {light.name, name_of(fog.mode)};
       if (has_visibility) row.emplace_back(value);
-      for (const double cell : {fog.density, constant, linear, quadratic, light.threshold, result.extent,
-                                result.peak_range, result.intensity}) {
+      for (const double cell :
+           {fog.density, constant, linear, quadratic, light.threshold, result.extent, result.peak_range,
+            result.intensity, axial_airlight(light.attenuation, fog, light.threshold)}) {
         row.emplace_back(cell);
       }
       row.emplace_back(name_of(result.status));
@@ -136,7 +139,7 @@ enum Column { kFog, kDensity, kConstant, kLinear, kQuadratic, kThreshold, kColum
 constexpr std::array<std::string_view, kColumnCount> kColumnNames{"fog",    "density",   "constant",
                                                                   "linear", "quadratic", "threshold"};
 constexpr std::size_t kMaxColumns = 1024;  // a row that is shorter than the header is filled up
-constexpr std::array<std::string_view, 4> kAppendedNames{"extent", "peak_range", "intensity", "status"};
+constexpr std::array<std::string_view, 5> kAppendedNames{"extent", "peak_range", "intensity", "airlight", "status"};
 
 /// What is wrong with a row, and where.
 struct RowError {
@@ -289,13 +292,14 @@ ExitStatus solve_batch(const Options& options) {
       // As many fields as the header has, so that the status stands in its column.
       const std::size_t count = std::min(record.size(), header.field_count);
       const std::size_t missing = header.field_count - std::max(count, std::size_t{1});
-      fmt::format_to(std::back_inserter(out), "{}{:,>{}},,,,{}{}", record.raw(count), "", missing,
+      fmt::format_to(std::back_inserter(out), "{}{:,>{}},,,,,{}{}", record.raw(count), "", missing,
                      csv_quoted(error->sentence), line_end);
     } else {
       const FogIntensity result = solve(options, row.attenuation, row.fog, row.threshold);
       if (result.status != SolveStatus::ok) status = kNotToTolerance;
-      fmt::format_to(std::back_inserter(out), "{},{},{},{},{}{}", record.raw(record.size()), result.extent,
-                     result.peak_range, result.intensity, name_of(result.status), line_end);
+      fmt::format_to(std::back_inserter(out), "{},{},{},{},{},{}{}", record.raw(record.size()), result.extent,
+                     result.peak_range, result.intensity, axial_airlight(row.attenuation, row.fog, row.threshold),
+                     name_of(result.status), line_end);
     }
     report.add_row();
     constexpr std::size_t kChunk = std::size_t{1} << 16;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include "litfog/batch.h"
 #include "litfog/fog.h"
 #include "litfog/light.h"
 #include "litfog/value_error.h"
@@ -29,13 +30,20 @@ std::optional<ValueError> check(const Scattering& scattering);
 
 /// A ray from the eye to what it sees. World space, metres.
 struct EyeRay {
-  glm::dvec3 origin{0.0};                ///< each coordinate at most kMaxPosition in magnitude
-  glm::dvec3 direction{0.0, 0.0, -1.0};  ///< its length is 1 within kDirectionTolerance
+  glm::dvec3 origin{0.0};                                   ///< each coordinate at most kMaxPosition in magnitude
+  glm::dvec3 direction{0.0, 0.0, -1.0};                     ///< its length is 1 within kDirectionTolerance
   double length = std::numeric_limits<double>::infinity();  ///< D, >= 0: to the surface or to the end of the fog
 };
 
 /// What is wrong with it, or nothing.
 std::optional<ValueError> check(const EyeRay& ray);
+
+/// Errors of airlight() in isotropic fog, for fog from clear to 5 cm of visibility and cones down to 0.1 degree: the
+/// largest, and the largest relative one in 99 of 100 rays that show more than the dimmest. With |g| up to 0.9 the
+/// former holds times the phase function's largest value, (1 + |g|) / (1 - |g|)^2.
+inline constexpr double kAirlightMaxError = 1 / 255.;
+inline constexpr double kAirlightTypicalError = 0.01;
+inline constexpr double kDimAirlight = 1e-5;
 
 /// Airlight of a light along a ray: what of it the fog scatters into the eye, to be multiplied with its colour,
 ///   A = integral over s in [0, D] of  -f'(s) a(r) cone(u) f(r)^k phase(theta)  ds
@@ -45,7 +53,84 @@ std::optional<ValueError> check(const EyeRay& ray);
 /// light      its extent is that of its threshold; its class sees the fog at its density scale
 /// fog        of the scene
 /// returns    [0, 1] in isotropic fog; up to (1 + |g|) / (1 - |g|)^2 else
+/// max error  kAirlightMaxError; mostly kAirlightTypicalError                                       (airlight_test.cpp)
 /// throws     std::invalid_argument naming field, value and rule
 double airlight(const PlacedLight& light, const Fog& fog, const EyeRay& ray, const Scattering& scattering = {});
+
+/// The same along many rays; the columns are of one length.
+///
+/// throws     std::invalid_argument naming field, value and rule, before any result is written
+void airlight(const PlacedLight& light, const Fog& fog, std::span<const EyeRay> rays, const Scattering& scattering,
+              std::span<double> airlights);
+
+/// Largest error of reference_airlight, relative, for |g| up to 0.99; 1e-19 where that is more.
+inline constexpr double kReferenceAirlightMaxError = 1e-10;
+
+/// The same by adaptive quadrature, cut wherever the integrand is not smooth. For tests and comparisons: it takes some
+/// hundred times as long and allocates.
+///
+/// max error  kReferenceAirlightMaxError                                                            (airlight_test.cpp)
+/// throws     std::invalid_argument naming field, value and rule
+double reference_airlight(const PlacedLight& light, const Fog& fog, const EyeRay& ray,
+                          const Scattering& scattering = {});
+
+/// What the airlight of a light cannot exceed along any ray from the eye that leaves within an angle of an axis,
+/// however long: for skipping a light for a tile of the picture, or for all of it.
+///
+/// Proof. The phase function is at most p = (1 + |g|) / (1 - |g|)^2 and the cone 1. No point of the rays lies nearer to
+/// the light than h, the distance from the light to the cone of rays: its range from the eye times the sine of the
+/// angle by which it lies outside the cone, all of its range where that is over 90 degrees, 0 inside. a falls with the
+/// range, so that it is at most a(h), and 0 where h is not below the extent E. The lit stretch of a ray is a chord of
+/// the sphere of radius E, at most c = 2 sqrt(E^2 - h^2) long, and begins at s0 or later, s0 = max(0, R - E) from the
+/// eye, R being the light's range. Hence
+///   A <= p a(h) (f(s0) - f(s0 + c))              in exp fog, where -f' falls;
+///   A <= p a(h) min(f(s0), c d sqrt(2 / e))      in exp2 fog, where -f' is at most d sqrt(2 / e).
+/// With the lamp's leg fogged the integrand is less by f(r), and f(r) <= f(h).
+/// Rounding: h is lowered and the rest raised by 1e-12 of itself.
+///
+/// direction   the axis of the rays; its length is 1 within kDirectionTolerance
+/// half_angle  radians, [0, pi]; pi is all rays
+/// returns     never below the airlight, exact or by reference_airlight                             (airlight_test.cpp)
+/// throws      std::invalid_argument naming field, value and rule
+double bound_airlight(const PlacedLight& light, const Fog& fog, const glm::dvec3& eye, const glm::dvec3& direction,
+                      double half_angle, const Scattering& scattering = {});
+
+/// The range beyond which a light shows on no surface and in no fog: where a(r) f(r)^k stays below a budget. The lit
+/// part of the scene lies in the sphere of this radius around the light.
+///
+/// Proof. a and f fall, and so does their product: where it is below the budget at one range, it is so at all beyond.
+/// The range returned is the extent or the upper end of a bisection, at which it is.
+///
+/// budget   (0, 1): over the largest component of the light's colour
+/// returns  metres, [0, extent], at most 1e-9 of itself too long; infinite for constant attenuation in clear air
+/// throws   std::invalid_argument naming field, value and rule
+double light_reach(const Light& light, const Fog& fog, double budget, LampLeg lamp_leg = LampLeg::fogged);
+
+/// Largest error of axial_airlight in ulp.
+inline constexpr double kAxialAirlightMaxUlp = 3;
+
+/// Airlight of a light along its own axis: the eye at the light, the light's leg clear, out to its extent,
+///   A = integral of a(r) d(1 - f(r)) over [0, extent].
+/// The fog colour intensity (solve.h) is the largest rectangle below this integral, so that A is never less.
+///
+/// attenuation  constant (1), linear (1/m), quadratic (1/m^2): finite, >= 0, not all zero
+/// fog.density  1/m, >= 0; 0 is clear air (0), infinity is total fog (attenuation at 0+)
+/// threshold    (0, 1): attenuation at which the light ends
+/// returns      [0, 1]
+/// max error    kAxialAirlightMaxUlp                                                                (airlight_test.cpp)
+/// throws       std::invalid_argument naming field, value and rule
+double axial_airlight(const Attenuation& attenuation, const Fog& fog, double threshold = kDefaultThreshold);
+
+/// The same of a light, in the fog that its class sees.
+///
+/// throws  std::invalid_argument naming field, value and rule
+double axial_airlight(const Light& light, const Fog& fog);
+
+/// The same for many lights, one after the other. Allocates nothing and never throws. The column of results holds one
+/// value a light, 0 for an invalid one; lengths that do not fit are a bug of the caller's and assert.
+///
+/// returns    how many lights are invalid
+/// max error  kAxialAirlightMaxUlp                                                                  (airlight_test.cpp)
+std::size_t axial_airlights(FogMode mode, const BatchLights& lights, std::span<double> airlights);
 
 }  // namespace litfog

@@ -17,6 +17,7 @@
 #include "command/comma_locale.h"
 #include "command/command_test.h"
 #include "command/exit_status.h"
+#include "litfog/airlight.h"
 #include "litfog/solve.h"
 
 namespace litfog::test {
@@ -48,11 +49,12 @@ std::string usage_message(const std::string& reason) {
 /// What is appended to the row exp,1,0,1,0,0.05. Inverse linear: the peak is at the knee, 1 m, where the attenuation
 /// is 1.
 const std::string kSolved =
-    fmt::format(",20,1,{},ok", solve_fog_intensity(Attenuation{0, 1, 0}, Fog{FogMode::exp, 1}, 0.05).intensity);
+    fmt::format(",20,1,{},{},ok", solve_fog_intensity(Attenuation{0, 1, 0}, Fog{FogMode::exp, 1}, 0.05).intensity,
+                axial_airlight({0, 1, 0}, {FogMode::exp, 1}, 0.05));
 
 constexpr const char* kHeader = "fog,density,constant,linear,quadratic,threshold\n";
 constexpr const char* kSolvedHeader =
-    "fog,density,constant,linear,quadratic,threshold,extent,peak_range,intensity,status\n";
+    "fog,density,constant,linear,quadratic,threshold,extent,peak_range,intensity,airlight,status\n";
 
 TEST_F(SolveCommand, HelpAndVersionSucceed) {
   const Outcome help = run("--help");
@@ -79,6 +81,7 @@ TEST_F(SolveCommand, JsonReadsBackAsTheLibrarysResult) {
     EXPECT_EQ(row["extent"].get<double>(), expected.extent);
     EXPECT_EQ(row["peak_range"].get<double>(), expected.peak_range);
     EXPECT_EQ(row["intensity"].get<double>(), expected.intensity);
+    EXPECT_EQ(row["airlight"].get<double>(), axial_airlight({1, 0.01, 0.0002}, fog, 0.1));
     EXPECT_EQ(row["threshold"].get<double>(), 0.1);
     EXPECT_EQ(row["fog"], "exp2");
     EXPECT_EQ(row["status"], "ok");
@@ -90,20 +93,21 @@ TEST_F(SolveCommand, JsonReadsBackAsTheLibrarysResult) {
 
 TEST_F(SolveCommand, TableAndCsvHaveTheSameColumns) {
   // The intensity is 1 - e^-1.
-  EXPECT_EQ(run("--linear 1 --density 1").out,
-            "light  fog  density  constant  linear  quadratic  threshold  extent  peak_range  intensity  status\n"
-            "-      exp        1         0       1          0       0.05      20           1   0.632121  ok\n");
+  EXPECT_EQ(
+      run("--linear 1 --density 1").out,
+      "light  fog  density  constant  linear  quadratic  threshold  extent  peak_range  intensity  airlight  status\n"
+      "-      exp        1         0       1          0       0.05      20           1   0.632121  0.851504  ok\n");
   EXPECT_EQ(run("--linear 1 --density 1 --format csv").out,
-            "light,fog,density,constant,linear,quadratic,threshold,extent,peak_range,intensity,status\n"
+            "light,fog,density,constant,linear,quadratic,threshold,extent,peak_range,intensity,airlight,status\n"
             ",exp,1,0,1,0,0.05" +
                 kSolved + "\n");
 }
 
 TEST_F(SolveCommand, InfinityIsWrittenAndRead) {
   EXPECT_EQ(run("--constant 2 --density inf,0.1 --format csv").out,
-            "light,fog,density,constant,linear,quadratic,threshold,extent,peak_range,intensity,status\n"
-            ",exp,inf,2,0,0,0.05,inf,0,0.5,ok\n"
-            ",exp,0.1,2,0,0,0.05,inf,inf,0.5,ok\n");
+            "light,fog,density,constant,linear,quadratic,threshold,extent,peak_range,intensity,airlight,status\n"
+            ",exp,inf,2,0,0,0.05,inf,0,0.5,0.5,ok\n"
+            ",exp,0.1,2,0,0,0.05,inf,inf,0.5,0.5,ok\n");
   const auto rows = nlohmann::json::parse(run("--linear 1 --visibility inf,0 --format json").out);
   EXPECT_EQ(rows[0]["visibility_m"], "inf");
   EXPECT_EQ(rows[0]["density"], 0);
@@ -270,8 +274,8 @@ TEST_F(SolveCommand, BatchSolvesRowsInPlace) {
   EXPECT_EQ(outcome.err, "");
   EXPECT_EQ(outcome.out, std::string(kSolvedHeader) + "exp,1,0,1,0,0.05" + kSolved +
                              "\n"
-                             "exp2,inf,2,0,0.5,0.05,6,0,0.5,ok\n"
-                             "exp,0,1,0,1,0.5,1,0,0,ok\n");
+                             "exp2,inf,2,0,0.5,0.05,6,0,0.5,0.5,ok\n"
+                             "exp,0,1,0,1,0.5,1,0,0,0,ok\n");
 }
 
 TEST_F(SolveCommand, BatchResultsReadBackAsTheLibrarys) {
@@ -288,13 +292,14 @@ TEST_F(SolveCommand, BatchResultsReadBackAsTheLibrarys) {
     std::vector<std::string> f;
     std::istringstream fields(line);
     for (std::string field; std::getline(fields, field, ',');) f.push_back(field);
-    ASSERT_EQ(f.size(), 10u) << line;
+    ASSERT_EQ(f.size(), 11u) << line;
     const auto expected =
         solve_fog_intensity(Attenuation{std::stod(f[2]), std::stod(f[3]), std::stod(f[4])},
                             Fog{f[0] == "exp" ? FogMode::exp : FogMode::exp2, std::stod(f[1])}, std::stod(f[5]));
     EXPECT_EQ(std::stod(f[6]), expected.extent);
     EXPECT_EQ(std::stod(f[7]), expected.peak_range);
     EXPECT_EQ(std::stod(f[8]), expected.intensity);
+    EXPECT_GE(std::stod(f[9]), expected.intensity);
   }
   EXPECT_EQ(count, 300);
 }
@@ -306,15 +311,16 @@ TEST_F(SolveCommand, BatchPassesOtherColumnsThroughAsWritten) {
       "\r\n"
       "\"1.50\",\"0.05\",0,1,0,1.0e0,exp,\xC3\xA4");
   EXPECT_EQ(outcome.status, kDone) << outcome.err;
-  EXPECT_EQ(
-      outcome.out,
-      "\"my, id\",threshold,quadratic,linear,constant,density,\"fog\",\"note\",extent,peak_range,intensity,status\r\n"
-      "007,0.05,0,1,0,1,exp,\"say \"\"hi\"\",\r\n1.0\"" +
-          kSolved +
-          "\r\n"
-          "\r\n"
-          "\"1.50\",\"0.05\",0,1,0,1.0e0,exp,\xC3\xA4" +
-          kSolved + "\r\n");
+  EXPECT_EQ(outcome.out,
+            "\"my, "
+            "id\",threshold,quadratic,linear,constant,density,\"fog\",\"note\",extent,peak_range,intensity,airlight,"
+            "status\r\n"
+            "007,0.05,0,1,0,1,exp,\"say \"\"hi\"\",\r\n1.0\"" +
+                kSolved +
+                "\r\n"
+                "\r\n"
+                "\"1.50\",\"0.05\",0,1,0,1.0e0,exp,\xC3\xA4" +
+                kSolved + "\r\n");
 }
 
 TEST_F(SolveCommand, BatchReadsStandardInput) {
@@ -323,7 +329,7 @@ TEST_F(SolveCommand, BatchReadsStandardInput) {
   EXPECT_EQ(outcome.status, kBadInput);
   EXPECT_EQ(outcome.out, std::string(kSolvedHeader) + "exp,1,0,1,0,0.05" + kSolved +
                              "\n"
-                             "exp,x,0,1,0,0.05,,,,\"density = \"\"x\"\": must be a number\"\n");
+                             "exp,x,0,1,0,0.05,,,,,\"density = \"\"x\"\": must be a number\"\n");
   EXPECT_EQ(outcome.err, "<stdin>:3:5: density = \"x\": must be a number\n");
 }
 
@@ -345,24 +351,24 @@ TEST_F(SolveCommand, BatchKeepsBadRowsInPlaceWithTheirReason) {
       "\"m,exp,1,0,1,0,0.05\n");
   EXPECT_EQ(outcome.status, kBadInput);
   EXPECT_EQ(outcome.out,
-            "id,fog,density,constant,linear,quadratic,threshold,extent,peak_range,intensity,status\n"
+            "id,fog,density,constant,linear,quadratic,threshold,extent,peak_range,intensity,airlight,status\n"
             "a,exp,1,0,1,0,0.05" +
                 kSolved +
                 "\n"
-                "b,mist,1,0,1,0,0.05,,,,\"fog = \"\"mist\"\": must be exp or exp2\"\n"
-                "c,exp,nan,0,1,0,0.05,,,,\"density = \"\"nan\"\": must be a number\"\n"
-                "d,exp,1, 0,1,0,0.05,,,,\"constant = \"\" 0\"\": must be a number\"\n"
-                "e,exp,-1,0,1,0,0.05,,,,\"density = \"\"-1\"\": must be >= 0\"\n"
-                "f,exp,1,0,inf,0,0.05,,,,\"linear = \"\"inf\"\": must be finite and >= 0\"\n"
-                "g,exp,1,0,0,0,0.05,,,,\"constant = \"\"0\"\": must be > 0 where linear and quadratic are 0\"\n"
-                "\"h\n\",exp,1,0,1,0,1,,,,\"threshold = \"\"1\"\": must be in (0, 1)\"\n"
-                "i,exp,1,,,,,,,,number of fields = 3: must be 7 as in the header\n"
-                "j,exp,1,0,1,0,0.05,,,,number of fields = 9: must be 7 as in the header\n"
-                "\"k\"k,exp,1,0,1,0,0.05,,,,quoted field must end at its quote\n"
+                "b,mist,1,0,1,0,0.05,,,,,\"fog = \"\"mist\"\": must be exp or exp2\"\n"
+                "c,exp,nan,0,1,0,0.05,,,,,\"density = \"\"nan\"\": must be a number\"\n"
+                "d,exp,1, 0,1,0,0.05,,,,,\"constant = \"\" 0\"\": must be a number\"\n"
+                "e,exp,-1,0,1,0,0.05,,,,,\"density = \"\"-1\"\": must be >= 0\"\n"
+                "f,exp,1,0,inf,0,0.05,,,,,\"linear = \"\"inf\"\": must be finite and >= 0\"\n"
+                "g,exp,1,0,0,0,0.05,,,,,\"constant = \"\"0\"\": must be > 0 where linear and quadratic are 0\"\n"
+                "\"h\n\",exp,1,0,1,0,1,,,,,\"threshold = \"\"1\"\": must be in (0, 1)\"\n"
+                "i,exp,1,,,,,,,,,number of fields = 3: must be 7 as in the header\n"
+                "j,exp,1,0,1,0,0.05,,,,,number of fields = 9: must be 7 as in the header\n"
+                "\"k\"k,exp,1,0,1,0,0.05,,,,,quoted field must end at its quote\n"
                 "l,exp,1,0,1,0,0.05" +
                 kSolved +
                 "\n"
-                "\"m,exp,1,0,1,0,0.05\n\",,,,,,,,,,quote must be closed\n");
+                "\"m,exp,1,0,1,0,0.05\n\",,,,,,,,,,,quote must be closed\n");
   EXPECT_EQ(outcome.err,
             "rows.csv:3:3: fog = \"mist\": must be exp or exp2\n"
             "rows.csv:4:7: density = \"nan\": must be a number\n"
@@ -383,7 +389,7 @@ TEST_F(SolveCommand, BatchKeepsTheRowsAroundAHugeOne) {
   EXPECT_EQ(outcome.status, kBadInput);
   EXPECT_EQ(outcome.out, std::string(kSolvedHeader) + "exp,1,0,1,0,0.05" + kSolved +
                              "\n"
-                             ",,,,,,,,,record must not be longer than 1 MiB (is a quote left open?)\n"
+                             ",,,,,,,,,,record must not be longer than 1 MiB (is a quote left open?)\n"
                              "exp,1,0,1,0,0.05" +
                              kSolved + "\n");
   EXPECT_EQ(outcome.err, "rows.csv:3:1: record must not be longer than 1 MiB (is a quote left open?)\n");
@@ -463,9 +469,9 @@ TEST_F(SolveCommand, BatchTakesTheMethod) {
   write("rows.csv", std::string(kHeader) + "exp,0.03,1,0,0.01,0.05\n");
   const auto expected = sample_fog_intensity(Attenuation{1, 0, 0.01}, Fog{FogMode::exp, 0.03}, 0.05, 3);
   const std::string out = run("--csv rows.csv --method sampled --samples 3").out;
-  const std::size_t status = out.rfind(',');
-  const std::size_t intensity = out.rfind(',', status - 1) + 1;
-  EXPECT_EQ(std::stod(out.substr(intensity, status - intensity)), expected.intensity);
+  const std::size_t airlight = out.rfind(',', out.rfind(',') - 1);
+  const std::size_t intensity = out.rfind(',', airlight - 1) + 1;
+  EXPECT_EQ(std::stod(out.substr(intensity, airlight - intensity)), expected.intensity);
 }
 
 // The command never sets a locale; this holds it to that.

@@ -12,7 +12,8 @@
 // that crosses the ray, at its middle. On each piece Gauss-Legendre nodes are evenly spread in
 //   t = asinh(z / w),  z = (1 - e^(-q x)) / q,
 // in which both the falloff of the lamp (of width w) and that of exp fog (of rate q) are nearly straight. A point lamp
-// in isotropic fog has a closed form on the plateau and takes 8 nodes elsewhere; all else takes 20.
+// in isotropic fog has a closed form on the plateau and takes 8 nodes elsewhere; a beam takes
+// some 20, one wider than 90 degrees some 28, a phase function some 40.
 //
 // Errors and what they were measured on: litfog/airlight.h.
 
@@ -39,12 +40,12 @@ struct LitfogAirlight {
   LITFOG_REAL profile;       // of the cone: 0 none, 1 cosine, 2 smoothstep, 3 the including program's
   LITFOG_REAL cone_x;        // cosine: cos half angle; smoothstep: cos outer
   LITFOG_REAL cone_y;        // cosine: exponent; smoothstep: cos inner
-  LITFOG_REAL length;        // D, metres
+  LITFOG_REAL ray_length;    // D, metres
   LITFOG_REAL approach;      // metres from the eye to the closest approach; below 0 where that is behind the eye
   LITFOG_REAL offset;        // metres from the closest approach to the lamp
   LITFOG_REAL axis_offset;   // component of that offset along the cone's axis: lamp to closest approach
   LITFOG_REAL axis_slope;    // cosine between the ray and the cone's axis
-  LITFOG_REAL nodes;         // how often the integrand is evaluated; see litfog_airlight_nodes
+  LITFOG_REAL nodes;         // how often the integrand is evaluated; 0: as often as the stated errors need
 };
 
 LITFOG_CONSTANT LITFOG_REAL litfog_far = LITFOG_REAL(1.0e30);  // stands for infinity
@@ -89,9 +90,12 @@ LITFOG_REAL litfog_airlight_range(LitfogAirlight air, LITFOG_REAL along) {
   return sqrt(air.offset * air.offset + along * along);
 }
 
-// Cosine from the cone's axis there; in the lamp itself that of the ray onward.
+// Cosine from the cone's axis there; in the lamp itself that of the ray onward. Where the ray meets the lamp, the offset
+// is all rounding and the quotient can exceed 1 by far.
 LITFOG_REAL litfog_airlight_cosine(LitfogAirlight air, LITFOG_REAL along, LITFOG_REAL range) {
-  return range > LITFOG_REAL(0.0) ? (air.axis_offset + air.axis_slope * along) / range : air.axis_slope;
+  return range > LITFOG_REAL(0.0) ? clamp((air.axis_offset + air.axis_slope * along) / range, LITFOG_REAL(-1.0),
+                                          LITFOG_REAL(1.0))
+                                  : air.axis_slope;
 }
 
 #if defined(LITFOG_COOKIES) && !defined(__cplusplus)
@@ -229,7 +233,9 @@ bool litfog_airlight_is_plain(LitfogAirlight air) {
 
 // The number of nodes of the stated errors.
 LITFOG_REAL litfog_airlight_nodes(LitfogAirlight air) {
-  return litfog_airlight_is_plain(air) ? LITFOG_REAL(8.0) : LITFOG_REAL(20.0);
+  if (litfog_airlight_is_plain(air)) return LITFOG_REAL(8.0);
+  if (air.asymmetry != LITFOG_REAL(0.0) || air.profile == LITFOG_REAL(3.0)) return LITFOG_REAL(40.0);
+  return air.cone_x <= LITFOG_REAL(0.0) ? LITFOG_REAL(28.0) : LITFOG_REAL(20.0);
 }
 
 // A stretch of the ray on one side of a place from which x is measured.
@@ -270,7 +276,8 @@ LitfogAirlightSide litfog_airlight_side(LitfogAirlight air, LITFOG_REAL from, LI
   side.start = LITFOG_REAL(0.0);
   side.size = LITFOG_REAL(0.0);
   if (side.farthest > side.nearest) {
-    side.width = max(width, LITFOG_REAL(0.0025) * litfog_airlight_z(side, side.farthest));
+    side.width = max(max(width, LITFOG_REAL(0.0025) * litfog_airlight_z(side, side.farthest)),
+                     LITFOG_REAL(1.0) / litfog_far);
     side.start = asinh(side.nearest / side.width);
     side.size = max(litfog_airlight_t(side, side.farthest) - side.start, LITFOG_REAL(0.0));
   }
@@ -327,7 +334,7 @@ LITFOG_REAL litfog_airlight(LitfogAirlight air) {
   LITFOG_REAL fog_scale = LITFOG_REAL(1.0) / air.density;
   LITFOG_REAL chord = litfog_airlight_chord(air, air.extent);
   LITFOG_REAL low = max(-air.approach, -chord);
-  LITFOG_REAL high = min(air.length - air.approach, chord);
+  LITFOG_REAL high = min(air.ray_length - air.approach, chord);
   high = min(high, max(low, LITFOG_REAL(0.0)) + LITFOG_REAL(100.0) * fog_scale);
   if (!(high > low)) return LITFOG_REAL(0.0);
 
@@ -396,9 +403,9 @@ LITFOG_REAL litfog_airlight(LitfogAirlight air) {
                                    : LITFOG_REAL(1.0) - cosine * cosine;
     beam_width = LITFOG_REAL(1.2) * sqrt(sine_squared) * (air.offset * air.offset + crossing * crossing) /
                  max(air.offset, LITFOG_REAL(1.0e-9));
-    crosses = crossing > low && crossing < high && beam_width < width &&
-              abs(crossing) > LITFOG_REAL(4.0) * beam_width;
-    if (!crosses) width = min(width, max(max(beam_width, air.offset), LITFOG_REAL(0.03) * width));
+    crosses = !is_wide && crossing > low && crossing < high && beam_width < width &&
+              abs(crossing) > max(LITFOG_REAL(4.0) * beam_width, LITFOG_REAL(1.0e-5) * (high - low));
+    if (!crosses) width = min(width, max(max(beam_width, air.offset), LITFOG_REAL(0.01) * width));
   }
   LITFOG_REAL border = crosses ? LITFOG_REAL(0.5) * crossing : LITFOG_REAL(0.0);
 
@@ -409,14 +416,14 @@ LITFOG_REAL litfog_airlight(LitfogAirlight air) {
   for (int i = 0; i < sides; ++i) {
     roots += sqrt(litfog_airlight_side_of(air, i, low, high, hole, width, crossing, border, beam_width).size);
   }
-  bool is_cut = !is_plain && air.nodes > LITFOG_REAL(8.0);
+  LITFOG_REAL nodes_left = air.nodes > LITFOG_REAL(0.0) ? air.nodes : litfog_airlight_nodes(air);
+  bool is_cut = !is_plain && nodes_left > LITFOG_REAL(8.0);
   LITFOG_REAL inner_low = litfog_far;
   LITFOG_REAL inner_high = litfog_far;
   if (is_cut && air.profile == LITFOG_REAL(2.0)) {
     inner_low = litfog_airlight_crossing(air, air.cone_y, false);
     inner_high = litfog_airlight_crossing(air, air.cone_y, true);
   }
-  LITFOG_REAL nodes_left = air.nodes;
   for (int i = 0; i < sides; ++i) {
     LitfogAirlightSide side = litfog_airlight_side_of(air, i, low, high, hole, width, crossing, border, beam_width);
     LITFOG_REAL root = sqrt(side.size);

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "airlight_text.h"
+
+// The reference of the airlight: the integrand of its text, in long double, summed by bisection.
+
+namespace litfog::airlight_text {
+
+template <typename Function>
+class Bisection {
+ public:
+  /// agreement  fraction of a whole to which its two halves must give the same
+  Bisection(const Function& function, long double agreement) : function_(function), agreement_(agreement) {}
+
+  /// Eight nodes of Gauss and Legendre.
+  long double estimate(long double low, long double high) const {
+    using Rules = Text<long double, NoCookie>;
+    constexpr int kNodes = 8, kRule = kNodes * (kNodes - 1) / 2;
+    long double sum = 0;
+    for (int i = kRule; i < kRule + kNodes; ++i) {
+      sum += Rules::litfog_gauss_weights[i] * function_(low + (high - low) * Rules::litfog_gauss_nodes[i]);
+    }
+    return sum * (high - low);
+  }
+
+  /// Halves until two halves agree with their whole, or differ from it by what is negligible.
+  long double refine(long double low, long double high, long double whole, long double negligible, int depth) const {
+    const long double middle = (low + high) / 2;
+    const long double left = estimate(low, middle);
+    const long double right = estimate(middle, high);
+    const long double error = std::abs(left + right - whole);
+    if (error <= std::max(agreement_ * (left + right), negligible) || depth == 0) return left + right;
+    return refine(low, middle, left, negligible, depth - 1) + refine(middle, high, right, negligible, depth - 1);
+  }
+
+ private:
+  const Function& function_;
+  long double agreement_;
+};
+
+/// The integral of a function >= 0 over the stretches between cuts in ascending order.
+template <typename Function>
+long double integrate(const std::vector<long double>& cuts, const Function& function) {
+  constexpr int kDepth = 40;
+  constexpr long double kAgreement = 1e-12L;   // in the edge of a narrow cone, long double has no more than 1e-13
+  constexpr long double kNegligible = 1e-13L;  // of the total, for some hundred stretches
+  const Bisection<Function> bisection(function, kAgreement);
+  std::vector<long double> estimates;
+  long double total = 0;
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+    total += estimates.emplace_back(bisection.estimate(cuts[i], cuts[i + 1]));
+  }
+  for (;;) {  // again where the first estimate was so much too high that its negligible is not
+    const long double negligible = std::max(kNegligible * total, 1e-21L);
+    long double refined = 0;
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+      refined += bisection.refine(cuts[i], cuts[i + 1], estimates[i], negligible, kDepth);
+    }
+    if (refined >= total / 100) return refined;
+    total = refined;
+  }
+}
+
+/// Cookie  of Text; its append_kinks(cuts) appends where along the ray it is not smooth
+template <typename Cookie>
+long double integrate_airlight(Text<long double, Cookie> text,
+                               const typename Text<long double, Cookie>::LitfogAirlight& air) {
+  if (std::isinf(air.density)) return text.at_the_eye(air);
+  if (air.density == 0 || air.offset >= air.extent) return 0;
+  const long double chord = text.litfog_airlight_chord(air, air.extent);
+  const long double fog_scale = 1 / air.density;
+  const long double reach = (air.mode == 0 ? 11400 : 107) * fog_scale;  // beyond, long double has no e^-depth but 0
+  const long double low = std::max(-air.approach, -chord);
+  const long double high = std::min({air.ray_length - air.approach, chord, reach - air.approach});
+  if (!(high > low)) return 0;
+
+  // Where the integrand is not smooth or has a peak, and the shortest distance over which it changes there.
+  std::vector<long double> cuts{low, high, 0};
+  long double scale = std::min(fog_scale, fog_scale / (air.density * (air.approach + low)));
+  if (air.offset > 0) scale = std::min(scale, air.offset);
+  const long double plateau = text.litfog_airlight_chord(air, text.litfog_airlight_level(air, 1));
+  cuts.insert(cuts.end(), {-plateau, plateau});
+  const long double denominator = formulas::denominator(air.offset, air.constant, air.linear, air.quadratic);
+  const long double falloff =
+      text.litfog_airlight_chord(air, text.litfog_airlight_level(air, 2 * std::max(1.0L, denominator)));
+  if (falloff > 0) scale = std::min(scale, falloff);
+  if (air.mode != 0) cuts.push_back((air.lamp_leg != 0 ? -0.5L : -1.0L) * air.approach);
+  if (air.profile == 1 || air.profile == 2) {
+    for (const bool higher : {false, true}) {
+      cuts.push_back(text.litfog_airlight_crossing(air, air.cone_x, higher));
+      if (air.profile == 2) cuts.push_back(text.litfog_airlight_crossing(air, air.cone_y, higher));
+    }
+    if (air.axis_offset > 0) {
+      const long double crossing = air.axis_slope * air.offset * air.offset / air.axis_offset;
+      const long double sharpness = air.profile == 1 ? 1 + air.cone_y : 1 / (1 - air.cone_x);
+      const long double range = text.litfog_airlight_range(air, crossing);
+      cuts.push_back(crossing);
+      scale = std::min(scale, range * (range / air.offset) / std::sqrt(sharpness));
+    }
+  }
+  text.cookie.append_kinks(cuts);
+  for (long double& cut : cuts) cut = std::clamp(cut, low, high);
+  std::sort(cuts.begin(), cuts.end());
+  cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
+
+  // Towards each of them in steps that shrink down to that distance.
+  scale = std::max(scale, 1e-36L * (high - low));
+  const std::size_t places = cuts.size();
+  for (std::size_t i = 0; i + 1 < places; ++i) {
+    const long double from = cuts[i], to = cuts[i + 1];
+    for (long double size = (to - from) / 2; size > scale; size /= 8) {
+      cuts.insert(cuts.end(), {from + size, to - size});
+    }
+  }
+  std::sort(cuts.begin(), cuts.end());
+  return integrate(cuts, [&](long double along) { return text.litfog_airlight_integrand(air, along); });
+}
+
+}  // namespace litfog::airlight_text

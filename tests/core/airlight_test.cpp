@@ -1,0 +1,646 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "litfog/airlight.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <boost/math/quadrature/tanh_sinh.hpp>
+#include <boost/math/special_functions/expint.hpp>
+#include <cmath>
+#include <cstdio>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "core/value_errors.h"
+#include "litfog/solve.h"
+#include "reference/double_limits.h"
+#include "reference/random_airlight.h"
+#include "reference/reference_solver.h"
+#include "reference/ulp.h"
+
+namespace litfog::test {
+namespace {
+
+constexpr double kStep = 1 / 255.;
+constexpr std::array kLampLegs{LampLeg::clear, LampLeg::fogged};
+
+/// The airlight by its definition, from vectors and without the library's formulas. Where the integrand is not smooth
+/// is found by its changes of side on a grid.
+class Definition {
+ public:
+  using Real = long double;
+  using Vector = glm::vec<3, Real>;
+
+  explicit Definition(const AirlightCase& c)
+      : c_(c),
+        direction_(glm::normalize(Vector(c.ray.direction))),
+        axis_(glm::normalize(Vector(c.light.direction))),
+        density_(Real(c.fog.density) * Real(c.light.light.density_scale)) {}
+
+  Real integral() const {
+    const Real approach = glm::dot(Vector(c_.light.position) - Vector(c_.ray.origin), direction_);
+    const Real end = std::min(Real(c_.ray.length), (c_.fog.mode == FogMode::exp ? 200 : 14) / density_);
+    std::vector<Real> grid{0, end};
+    std::vector<Real> cuts{0, end};
+    const auto add_towards = [&](Real centre) {
+      const auto add = [end](std::vector<Real>& places, Real s) {
+        if (s > 0 && s < end) places.push_back(s);
+      };
+      add(cuts, centre);
+      int i = 0;
+      for (Real size = 1e-6L; size < 1e7L; size *= 1.3L, ++i) {
+        for (const Real place : {centre - size, centre + size}) {
+          add(grid, place);
+          if (i % 8 == 0) add(cuts, place);
+        }
+      }
+    };
+    for (const Real centre : {Real(0), approach, approach / 2}) add_towards(centre);
+    add_towards(find_smallest_angle(grid));
+    std::sort(grid.begin(), grid.end());
+    const Cone& cone = c_.light.light.cone;
+    const auto add_changes = [&](const auto& side) {
+      for (std::size_t i = 0; i + 1 < grid.size(); ++i) {
+        Real low = grid[i], high = grid[i + 1];
+        const bool is_above = side(low) > 0;
+        if (is_above == (side(high) > 0)) continue;
+        for (int j = 0; j < 100; ++j) {
+          const Real middle = (low + high) / 2;
+          ((side(middle) > 0) == is_above ? low : high) = middle;
+        }
+        cuts.push_back(low);
+      }
+    };
+    add_changes([&](Real s) { return denominator(range(s)) - 1; });
+    add_changes([&](Real s) { return denominator(range(s)) * Real(c_.light.light.threshold) - 1; });
+    if (cone.profile == ConeProfile::cosine) {
+      add_changes([&](Real s) { return cosine(s) - std::cos(Real(cone.half_angle)); });
+    } else if (cone.profile == ConeProfile::smoothstep) {
+      add_changes([&](Real s) { return cosine(s) - std::cos(Real(cone.inner)); });
+      add_changes([&](Real s) { return cosine(s) - std::cos(Real(cone.outer)); });
+    }
+    std::sort(cuts.begin(), cuts.end());
+    Real sum = 0;
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+      if (!(cuts[i + 1] > cuts[i])) continue;
+      sum += boost::math::quadrature::gauss_kronrod<Real, 31>::integrate([&](Real s) { return integrand(s); }, cuts[i],
+                                                                         cuts[i + 1], 10, 1e-11L);
+    }
+    return sum;
+  }
+
+ private:
+  Vector from_light(Real s) const { return Vector(c_.ray.origin) + s * direction_ - Vector(c_.light.position); }
+  Real range(Real s) const { return glm::length(from_light(s)); }
+  Real cosine(Real s) const { return range(s) > 0 ? glm::dot(from_light(s), axis_) / range(s) : Real(1); }
+  Real denominator(Real r) const {
+    const auto [constant, linear, quadratic] = c_.light.light.attenuation;
+    return Real(constant) + Real(linear) * r + Real(quadratic) * r * r;
+  }
+  Real optical_depth(Real r) const { return c_.fog.mode == FogMode::exp ? density_ * r : density_ * r * density_ * r; }
+  Real beam(Real s) const {
+    const Cone& cone = c_.light.light.cone;
+    if (cone.profile == ConeProfile::none) return 1;
+    if (cone.profile == ConeProfile::cosine) {
+      return cosine(s) > std::cos(Real(cone.half_angle)) ? std::pow(cosine(s), Real(cone.exponent)) : 0;
+    }
+    const Real outer = std::cos(Real(cone.outer));
+    const Real t = std::clamp((cosine(s) - outer) / (std::cos(Real(cone.inner)) - outer), Real(0), Real(1));
+    return t * t * (3 - 2 * t);
+  }
+  Real integrand(Real s) const {
+    const Real r = range(s);
+    if (denominator(r) * Real(c_.light.light.threshold) > 1) return 0;
+    Real value = density_ * (c_.fog.mode == FogMode::exp ? 1 : 2 * density_ * s) * std::exp(-optical_depth(s));
+    if (c_.scattering.lamp_leg == LampLeg::fogged) value *= std::exp(-optical_depth(r));
+    const Real g = c_.scattering.asymmetry;
+    const Real cos_scattering = r > 0 ? -glm::dot(from_light(s), direction_) / r : Real(-1);
+    value *= (1 - g * g) / std::pow(1 + g * g - 2 * g * cos_scattering, 1.5L);
+    return value * beam(s) / std::max(Real(1), denominator(r));
+  }
+  Real find_smallest_angle(const std::vector<Real>& grid) const {
+    const auto best = std::max_element(grid.begin(), grid.end(), [&](Real a, Real b) { return cosine(a) < cosine(b); });
+    Real low = *best / 1.4L, high = *best * 1.4L + 1e-7L;
+    for (int i = 0; i < 80; ++i) {
+      const Real a = low + (high - low) / 3, b = high - (high - low) / 3;
+      (cosine(a) < cosine(b) ? low : high) = cosine(a) < cosine(b) ? a : b;
+    }
+    return (low + high) / 2;
+  }
+
+  const AirlightCase& c_;
+  Vector direction_;
+  Vector axis_;
+  Real density_;
+};
+
+double airlight_of(const AirlightCase& c) { return airlight(c.light, c.fog, c.ray, c.scattering); }
+double reference_of(const AirlightCase& c) { return reference_airlight(c.light, c.fog, c.ray, c.scattering); }
+
+/// The axial airlight of L or Q > 0 and 0 < density < infinity, by 50 digits.
+Digits50 axial_reference(const SolveCase& c) {
+  static boost::math::quadrature::tanh_sinh<Digits50> quadrature(9);
+  const Attenuation& a = c.attenuation;
+  const Digits50 extent = reference_extent(a, c.threshold);
+  if (extent == 0) return 0;
+  const Digits50 density = c.fog.density;
+  const bool is_exp = c.fog.mode == FogMode::exp;
+  const Digits50 knee = std::min(reference_knee(a), extent);
+  const Digits50 end = std::min(extent, Digits50((is_exp ? 150 : 13) / density));
+  const Digits50 doubled = reference_level_range(a, 0.5 / std::max(1.0, a.constant));
+  Digits50 sum = reference_opacity(c.fog.mode, density, knee);
+  Digits50 size = std::min(Digits50(1 / density), Digits50(doubled - knee));
+  for (Digits50 low = knee; low < end; size *= 4) {
+    const Digits50 high = std::min(end, Digits50(low + size));
+    sum += quadrature.integrate(
+        [&](const Digits50& range) -> Digits50 {
+          const Digits50 depth = density * range;
+          const Digits50 scattered = is_exp ? Digits50(exp(-depth)) : Digits50(2 * depth * exp(-depth * depth));
+          return density * scattered * reference_attenuation(a, range);
+        },
+        low, high, Digits50(1e-25));
+    low = high;
+  }
+  return sum;
+}
+
+TEST(Airlight, AxialAirlightHasItsStatedErrorAgainst50Digits) {
+  constexpr int kLights = 300;
+  Random random(62);
+  for (const FogMode mode : kModes) {
+    WorstError ordinary("axial_airlight", std::string(name_of(mode)) + ", ordinary lights", kAxialAirlightMaxUlp);
+    WorstError wide("axial_airlight", std::string(name_of(mode)) + ", 1e-30 to 1e30", kAxialAirlightMaxUlp);
+    for (int i = 0; i < 2 * kLights; ++i) {
+      SolveCase c = draw_ordinary_case(random, mode);
+      if (i % 2 != 0) {
+        const auto draw = [&] { return random.log_uniform(1e-30, 1e30); };
+        c = {{random.chance(0.3) ? 0 : draw(), draw(), draw()}, {mode, draw()}, random.log_uniform(1e-9, 0.99)};
+      }
+      if (compute_extent(c.attenuation, c.threshold) == 0) continue;
+      (i % 2 != 0 ? wide : ordinary)
+          .add(ulp_error(axial_airlight(c.attenuation, c.fog, c.threshold), axial_reference(c)),
+               [&] { return to_string(c); });
+    }
+    ordinary.check();
+    wide.check();
+  }
+}
+
+TEST(Airlight, AxialAirlightIsNeverBelowTheIntensityNorAboveItsLimits) {
+  Random random(63);
+  for (int i = 0; i < 20000; ++i) {
+    SolveCase c = draw_ordinary_case(random, random.pick(kModes));
+    if (i % 2 != 0) {
+      c.attenuation = {random.any_positive<double>(), random.any_positive<double>(), random.any_positive<double>()};
+      c.fog.density = random.any_positive<double>();
+    }
+    const double axial = axial_airlight(c.attenuation, c.fog, c.threshold);
+    const auto solution = solve_fog_intensity(c.attenuation, c.fog, c.threshold);
+    ASSERT_GE(axial, solution.intensity * (1 - 1e-15)) << to_string(c);
+    ASSERT_LE(axial, opacity_at(c.fog, solution.extent) * (1 + 1e-15)) << to_string(c);
+  }
+}
+
+TEST(Airlight, AxialAirlightHasItsLimits) {
+  for (const FogMode mode : kModes) {
+    EXPECT_EQ(axial_airlight({1, 0.1, 0.01}, {mode, 0}), 0);
+    EXPECT_EQ(axial_airlight({1, 0, 0}, {mode, 0}), 0);
+    EXPECT_EQ(axial_airlight({2, 0.1, 0.01}, {mode, kInfinity}), 0.5);
+    EXPECT_EQ(axial_airlight({0, 0.1, 0.01}, {mode, kInfinity}), 1);
+    EXPECT_EQ(axial_airlight({4, 0, 0}, {mode, 1e-3}), 0.25);
+    EXPECT_EQ(axial_airlight({0.5, 0, 0}, {mode, 1e-3}), 1);
+    EXPECT_EQ(axial_airlight({20, 0.1, 0.01}, {mode, 1e-3}, 0.05), 0);
+    EXPECT_EQ(axial_airlight({20, 0.1, 0.01}, {mode, kInfinity}, 0.05), 0);
+  }
+  // The plateau alone: a light that ends at its knee but for the last ulp.
+  EXPECT_NEAR(axial_airlight({0, 1, 0}, {FogMode::exp, 2}, 1 - 1e-15), opacity_at({FogMode::exp, 2}, 1), 1e-15);
+}
+
+TEST(Airlight, AxialAirlightOfALightIsThatOfItsFog) {
+  Light light;
+  light.attenuation = {1, 0.1, 0.01};
+  light.threshold = 0.1;
+  light.density_scale = 0.4;
+  EXPECT_EQ(axial_airlight(light, {FogMode::exp2, 0.1}),
+            axial_airlight({1, 0.1, 0.01}, {FogMode::exp2, 0.4 * 0.1}, 0.1));
+}
+
+TEST(Airlight, AxialAirlightsAreThoseOfEachLight) {
+  const std::vector<double> constant{1, 0, 2, -1}, linear{0.1, 0.2, 0, 1}, quadratic{0, 0.01, 0.02, 1};
+  const std::vector<double> threshold{0.05, 0.1, 0.2, 0.3}, density{0.01, 0.1, kInfinity, 1};
+  for (const FogMode mode : kModes) {
+    std::vector<double> each(4), same(4);
+    EXPECT_EQ(axial_airlights(mode, {constant, linear, quadratic, threshold, density}, each), 1u);
+    EXPECT_EQ(axial_airlights(mode, {constant, linear, quadratic, {threshold.data(), 1}, {density.data(), 1}}, same),
+              1u);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Attenuation attenuation{constant[i], linear[i], quadratic[i]};
+      EXPECT_EQ(each[i], axial_airlight(attenuation, {mode, density[i]}, threshold[i])) << i;
+      EXPECT_EQ(same[i], axial_airlight(attenuation, {mode, 0.01}, 0.05)) << i;
+    }
+    EXPECT_EQ(each[3], 0);
+  }
+}
+
+TEST(Airlight, WrongArgumentsOfAxialAirlightAreErrors) {
+  EXPECT_EQ(error_of([] { axial_airlight({-1, 0, 0}, {}); }), "attenuation.constant = -1: must be finite and >= 0");
+  EXPECT_EQ(error_of([] { axial_airlight({1, 0, 0}, {FogMode::exp, -1}); }), "fog.density = -1: must be >= 0");
+  EXPECT_EQ(error_of([] { axial_airlight({1, 0, 0}, {}, 1); }), "threshold = 1: must be in (0, 1)");
+}
+
+TEST(Airlight, ReferenceIsTheDefinitionByAnotherQuadrature) {
+  constexpr int kRays = 12;
+  Random random(61);
+  for (const FogMode mode : kModes) {
+    for (const LampLeg leg : kLampLegs) {
+      for (const bool is_spot : {false, true}) {
+        WorstError error("reference_airlight", std::string(name_of(mode)) + (is_spot ? ", spots" : ", points"),
+                         kReferenceAirlightMaxError, "relative");
+        for (int i = 0; i < kRays; ++i) {
+          AirlightCase c = is_spot ? draw_spot_airlight_case(random, mode, leg) : draw_airlight_case(random, mode, leg);
+          if (i % 2 == 0) c.scattering.asymmetry = random.uniform(-0.95, 0.95);
+          const double expected = double(Definition(c).integral());
+          if (expected < 1e-13) continue;  // of rays that meet the light, rounding alone
+          error.add(relative_error(reference_of(c), expected), [&] { return to_string(c); });
+        }
+        error.check();
+      }
+    }
+  }
+}
+
+/// The eye at a light, or anywhere else, looking along -z.
+AirlightCase looking(const Attenuation& attenuation, const Fog& fog, LampLeg lamp_leg,
+                     const glm::dvec3& light_position = {0, 0, 0}, double length = kInfinity) {
+  AirlightCase c;
+  c.light.light.attenuation = attenuation;
+  c.light.light.threshold = 1e-9;
+  c.light.position = light_position;
+  c.fog = fog;
+  c.ray.length = length;
+  c.scattering.lamp_leg = lamp_leg;
+  return c;
+}
+
+TEST(Airlight, ReferenceOfConstantAttenuationIsItsClosedForm) {
+  for (const double density : {1e-6, 0.01, 3.0, 1e6}) {
+    for (const double length : {1e-3, 1.0, 200.0, kInfinity}) {
+      for (const FogMode mode : kModes) {
+        const Fog fog{mode, density};
+        const double doubled = opacity_at({mode, density * (mode == FogMode::exp ? 2 : std::sqrt(2.0))}, length);
+        EXPECT_LE(relative_error(reference_of(looking({2, 0, 0}, fog, LampLeg::clear, {5, 7, 9}, length)),
+                                 opacity_at(fog, length) / 2),
+                  kReferenceAirlightMaxError);
+        EXPECT_LE(relative_error(reference_of(looking({0.5, 0, 0}, fog, LampLeg::fogged, {}, length)), doubled / 2),
+                  kReferenceAirlightMaxError);
+      }
+    }
+  }
+}
+
+TEST(Airlight, ReferenceWithTheEyeAtAnInverseLightIsExponentialIntegrals) {
+  using boost::math::expint;
+  for (const double q : {1e-4, 0.01, 1.0, 50.0}) {
+    for (const double density : {1e-4, 0.02, 0.5, 20.0}) {
+      for (const LampLeg leg : kLampLegs) {
+        const double legs = leg == LampLeg::fogged ? 2 : 1;
+        const auto e = [&](unsigned n, double range) { return expint(n, legs * density * range); };
+        const auto plateau = [&](double knee) { return -std::expm1(-legs * density * knee) / legs; };
+        const Fog fog{FogMode::exp, density};
+        const double knee_2 = compute_knee({0, 0, q}), extent_2 = compute_extent({0, 0, q}, 1e-9);
+        EXPECT_LE(relative_error(reference_of(looking({0, 0, q}, fog, leg)),
+                                 plateau(knee_2) + density / q * (e(2, knee_2) / knee_2 - e(2, extent_2) / extent_2)),
+                  kReferenceAirlightMaxError);
+        const double knee_1 = compute_knee({0, q, 0}), extent_1 = compute_extent({0, q, 0}, 1e-9);
+        EXPECT_LE(relative_error(reference_of(looking({0, q, 0}, fog, leg)),
+                                 plateau(knee_1) + density / q * (e(1, knee_1) - e(1, extent_1))),
+                  kReferenceAirlightMaxError);
+      }
+    }
+  }
+}
+
+/// The airlight of an inverse-square light 1 / (q r^2) along a ray to a surface, both legs fogged, in the variables of
+/// Bo Sun, Ravi Ramamoorthi, Srinivasa Narasimhan and Shree Nayar 2005, "A Practical Analytic Single Scattering Model
+/// for Real Time Rendering", equation 9, with the intensity 4 pi / q.
+double sun_airlight(double density, double q, double distance, double angle, double length) {
+  const double t_sv = density * distance;
+  const double a_1 = t_sv * std::sin(angle);
+  const double a_0 = 2 * density * density / q * std::exp(-t_sv * std::cos(angle)) / a_1;
+  const auto f = [&](double from, double to) {
+    return boost::math::quadrature::gauss_kronrod<double, 61>::integrate(
+        [&](double xi) { return std::exp(-a_1 * std::tan(xi)); }, from, to, 8, 1e-12);
+  };
+  const double to =
+      std::numbers::pi / 4 + std::atan((length - distance * std::cos(angle)) / (distance * std::sin(angle))) / 2;
+  return a_0 * f(angle / 2, to);
+}
+
+TEST(Airlight, AirlightOfAnInverseSquareLightIsSuns) {
+  Random random(64);
+  for (int i = 0; i < 300; ++i) {
+    const double q = random.log_uniform(1, 1e3);
+    const double distance = random.log_uniform(2, 200);
+    const double angle = random.uniform(0.55, 3.1 - 1.2 / distance);
+    const double density = random.log_uniform(1e-4, 0.1);
+    const double length = random.log_uniform(1, 500);
+    const glm::dvec3 light = distance * glm::dvec3(std::sin(angle), 0, -std::cos(angle));
+    if (angle < 1.57 && light.x < 1) continue;  // the ray must miss the knee
+    const AirlightCase c = looking({0, 0, q}, {FogMode::exp, density}, LampLeg::fogged, light, length);
+    const double expected = sun_airlight(density, q, distance, angle, length);
+    EXPECT_LE(relative_error(reference_of(c), expected), 1e-9) << to_string(c);
+    EXPECT_NEAR(airlight_of(c), expected, kAirlightMaxError);
+  }
+}
+
+/// Errors of the fast form over random rays.
+struct FastErrors {
+  double worst = 0;  ///< NaN counts as infinite
+  std::string worst_case;
+  std::vector<double> relative;  ///< of the rays that show anything
+};
+
+template <typename Draw>
+FastErrors find_errors(int rays, double largest_phase, const Draw& draw) {
+  FastErrors errors;
+  for (int i = 0; i < rays; ++i) {
+    const AirlightCase c = draw();
+    const double expected = reference_of(c);
+    const double error = std::abs(airlight_of(c) - expected);
+    if (!(error <= errors.worst)) {
+      errors.worst = std::isnan(error) ? kInfinity : error;
+      errors.worst_case = to_string(c);
+    }
+    if (expected > kDimAirlight * largest_phase) errors.relative.push_back(error / expected);
+  }
+  std::sort(errors.relative.begin(), errors.relative.end());
+  return errors;
+}
+
+void expect_small(const FastErrors& errors, double largest_phase, const std::string& what) {
+  ASSERT_GT(errors.relative.size(), 500u);
+  const double p99 = errors.relative[errors.relative.size() * 99 / 100];
+  std::printf("airlight, %-40s worst %.3f/255 of the phase's largest, 99th percentile %.2f %% of %zu rays\n",
+              what.c_str(), errors.worst / largest_phase / kStep, 100 * p99, errors.relative.size());
+  EXPECT_LE(errors.worst, kAirlightMaxError * largest_phase) << errors.worst_case;
+  EXPECT_LE(p99, kAirlightTypicalError);
+}
+
+TEST(Airlight, FastFormHasItsStatedErrors) {
+  constexpr int kRays = 5000;
+  Random random(65);
+  for (const FogMode mode : kModes) {
+    for (const LampLeg leg : kLampLegs) {
+      const std::string what = std::string(name_of(mode)) + (leg == LampLeg::fogged ? ", lamp's leg fogged" : "");
+      expect_small(find_errors(kRays, 1, [&] { return draw_airlight_case(random, mode, leg); }), 1, what + ", points");
+      expect_small(find_errors(kRays, 1, [&] { return draw_spot_airlight_case(random, mode, leg); }), 1,
+                   what + ", spots");
+    }
+  }
+}
+
+TEST(Airlight, FastFormHasItsStatedErrorsInForwardAndBackwardScattering) {
+  constexpr int kRays = 1500;
+  Random random(66);
+  for (const double g : {-0.9, -0.5, 0.5, 0.9}) {
+    const double largest_phase = (1 + std::abs(g)) / ((1 - std::abs(g)) * (1 - std::abs(g)));
+    for (const FogMode mode : kModes) {
+      const auto draw = [&] {
+        const LampLeg leg = random.pick(kLampLegs);
+        AirlightCase c =
+            random.chance(0.5) ? draw_airlight_case(random, mode, leg) : draw_spot_airlight_case(random, mode, leg);
+        c.scattering.asymmetry = g;
+        return c;
+      };
+      const FastErrors errors = find_errors(kRays, largest_phase, draw);
+      std::printf("airlight, g = %4.1f, %s: worst %.3f/255 of the phase's largest\n", g, name_of(mode),
+                  errors.worst / largest_phase / kStep);
+      EXPECT_LE(errors.worst, kAirlightMaxError * largest_phase) << errors.worst_case;
+    }
+  }
+}
+
+TEST(Airlight, AirlightIsBelowTheOpacityAndRisesWithTheLength) {
+  Random random(67);
+  for (int i = 0; i < 2000; ++i) {
+    AirlightCase c = draw_spot_airlight_case(random, random.pick(kModes), random.pick(kLampLegs));
+    c.ray.length = random.log_uniform(0.1, 1000);
+    const double reference = reference_of(c);
+    ASSERT_LE(reference, opacity_at(c.fog, c.ray.length) * (1 + kReferenceAirlightMaxError)) << to_string(c);
+    ASSERT_LE(airlight_of(c), 1);
+    c.ray.length *= 1.5;
+    ASSERT_GE(reference_of(c), reference * (1 - kReferenceAirlightMaxError) - 1e-19) << to_string(c);
+  }
+}
+
+TEST(Airlight, AxialAirlightIsThatOfTheEyeAtTheLight) {
+  Random random(68);
+  for (int i = 0; i < 300; ++i) {
+    const SolveCase solve = draw_ordinary_case(random, random.pick(kModes));
+    AirlightCase c = looking(solve.attenuation, solve.fog, LampLeg::clear);
+    c.light.light.threshold = solve.threshold;
+    c.light.light.cone = Cone::cosine(0.5, 20);
+    const double axial = axial_airlight(solve.attenuation, solve.fog, solve.threshold);
+    EXPECT_LE(relative_error(reference_of(c), axial), kReferenceAirlightMaxError) << to_string(c);
+    EXPECT_NEAR(airlight_of(c), axial, kAirlightMaxError) << to_string(c);
+  }
+}
+
+TEST(Airlight, ErrorOfTheFastFormHasNoSeams) {
+  constexpr double kSeam = 0.75 * kStep;
+  Random random(69);
+  const auto error_of_fast = [](const AirlightCase& c) { return airlight_of(c) - reference_of(c); };
+  for (int i = 0; i < 1000; ++i) {
+    AirlightCase c = draw_spot_airlight_case(random, random.pick(kModes), random.pick(kLampLegs));
+    if (i % 2 == 0) c.light.light.cone = {};
+    const Light& light = c.light.light;
+    const double extent = compute_extent(light.attenuation, light.threshold);
+    const double knee = compute_knee(light.attenuation);
+    const glm::dvec3 side = draw_perpendicular(random, c.ray.direction);
+    const double approach = glm::dot(c.light.position - c.ray.origin, c.ray.direction);
+    const auto at = [&](double along, double offset) {
+      AirlightCase moved = c;
+      moved.light.position = c.ray.origin + along * c.ray.direction + offset * side;
+      return error_of_fast(moved);
+    };
+    const double offset = random.log_uniform(1e-3, 1) * std::min(extent, 1e5);
+    for (const double split : {extent, knee}) {
+      if (!(split > 0 && split < 1e5)) continue;
+      ASSERT_NEAR(at(approach, split * (1 - 1e-9)), at(approach, split * (1 + 1e-9)), kSeam) << to_string(c);
+    }
+    ASSERT_NEAR(at(-1e-9 * offset, offset), at(1e-9 * offset, offset), kSeam) << to_string(c);
+    for (const double length : {approach, approach + knee, approach + extent}) {
+      if (!(length > 0 && length < 1e5)) continue;
+      AirlightCase shorter = c, longer = c;
+      shorter.ray.length = length * (1 - 1e-9);
+      longer.ray.length = length * (1 + 1e-9);
+      ASSERT_NEAR(error_of_fast(shorter), error_of_fast(longer), kSeam) << to_string(c);
+    }
+    if (light.cone.profile == ConeProfile::none) continue;
+    for (const double tilt : {-1e-9, 1e-9}) {  // the edge of the cone at the closest approach
+      const double angle = cutoff_angle(light.cone) * (1 + tilt);
+      AirlightCase turned = c;
+      turned.light.position = c.ray.origin + approach * c.ray.direction - offset * side;
+      turned.light.direction = std::cos(angle) * side + std::sin(angle) * glm::cross(side, c.ray.direction);
+      ASSERT_LE(std::abs(error_of_fast(turned)), kSeam) << to_string(turned);
+    }
+  }
+}
+
+TEST(Airlight, AirlightOfWildInputIsFiniteAndNotNegative) {
+  Random random(70);
+  for (int i = 0; i < 20000; ++i) {
+    AirlightCase c = draw_spot_airlight_case(random, random.pick(kModes), random.pick(kLampLegs));
+    const auto draw = [&] { return random.chance(0.3) ? 0 : random.any_positive<double>(); };
+    Light& light = c.light.light;
+    light.attenuation = {draw(), draw(), random.any_positive<double>()};
+    light.threshold = std::min(random.any_positive<double>(), 0.99);
+    c.fog.density = draw();
+    if (random.chance(0.5)) c.ray.length = draw();
+    if (random.chance(0.3)) c.light.position = c.ray.origin;
+    if (random.chance(0.5)) c.scattering.asymmetry = random.uniform(-0.999, 0.999);
+    const double value = airlight_of(c);
+    ASSERT_TRUE(value >= 0 && std::isfinite(value)) << value << ": " << to_string(c);
+    if (i % 100 != 0) continue;
+    const double reference = reference_of(c);
+    ASSERT_TRUE(reference >= 0 && std::isfinite(reference)) << reference << ": " << to_string(c);
+  }
+}
+
+TEST(Airlight, TotalFogScattersInTheEyeAlone) {
+  for (const FogMode mode : kModes) {
+    const Fog total{mode, kInfinity};
+    AirlightCase c = looking({1, 0, 0.25}, total, LampLeg::clear, {0, 0, -2});
+    c.light.direction = {0, 0, 1};
+    c.light.light.cone = Cone::cosine(0.5, 3);
+    EXPECT_EQ(airlight_of(c), 0.5);
+    EXPECT_EQ(reference_of(c), 0.5);
+    c.scattering.asymmetry = 0.5;  // straight ahead (1 + g) / (1 - g)^2
+    EXPECT_DOUBLE_EQ(airlight_of(c), 0.5 * 6);
+    c.light.direction = {1, 0, 0};
+    EXPECT_EQ(airlight_of(c), 0);
+    c.light.direction = {0, 0, 1};
+    c.scattering.lamp_leg = LampLeg::fogged;
+    EXPECT_EQ(airlight_of(c), 0);
+    c = looking({4, 0, 0.25}, total, LampLeg::fogged);  // the eye at the light
+    EXPECT_EQ(airlight_of(c), 0.25);
+    c.ray.length = 0;
+    EXPECT_EQ(airlight_of(c), 0);
+  }
+}
+
+TEST(Airlight, ClearAirOrARayWithoutLengthHasNoAirlight) {
+  for (const FogMode mode : kModes) {
+    for (const LampLeg leg : kLampLegs) {
+      EXPECT_EQ(airlight_of(looking({1, 0, 0.25}, {mode, 0}, leg, {1, 0, -2})), 0);
+      EXPECT_EQ(reference_of(looking({1, 0, 0.25}, {mode, 0}, leg, {1, 0, -2})), 0);
+      EXPECT_EQ(airlight_of(looking({1, 0, 0.25}, {mode, 0.1}, leg, {1, 0, -2}, 0)), 0);
+      EXPECT_EQ(reference_of(looking({1, 0, 0.25}, {mode, 0.1}, leg, {1, 0, -2}, 0)), 0);
+    }
+  }
+}
+
+TEST(AirlightBound, BoundIsNeverBelowTheAirlightOfARayInItsCone) {
+  Random random(72);
+  int dark = 0;
+  for (int i = 0; i < 20000; ++i) {
+    AirlightCase c = draw_spot_airlight_case(random, random.pick(kModes), random.pick(kLampLegs));
+    if (random.chance(0.5)) c.light.light.cone = {};
+    if (random.chance(0.3)) c.scattering.asymmetry = random.uniform(-0.95, 0.95);
+    const double half_angle = random.chance(0.1) ? std::numbers::pi : random.log_uniform(1e-6, 3);
+    const double tilt =
+        half_angle * (random.chance(0.5) ? 1 - 1e-9 : random.uniform(0, 1));  // of the ray from the axis
+    const glm::dvec3 axis =
+        glm::normalize(std::cos(tilt) * c.ray.direction + std::sin(tilt) * draw_perpendicular(random, c.ray.direction));
+    const double bound = bound_airlight(c.light, c.fog, c.ray.origin, axis, half_angle, c.scattering);
+    ASSERT_GE(bound, reference_of(c)) << "half angle " << half_angle << ", tilt " << tilt << ", " << to_string(c);
+    if (bound < kStep / 2) ++dark;
+  }
+  std::printf("airlight bound: %d of 20000 cones of rays are found to show less than 0.5/255\n", dark);
+  EXPECT_GT(dark, 1000);
+}
+
+TEST(AirlightBound, WrongHalfAngleIsAnError) {
+  EXPECT_EQ(error_of([] { bound_airlight({}, {}, {}, {0, 0, -1}, -1); }), "half_angle = -1: must be in [0, pi]");
+}
+
+TEST(LightReach, NothingBeyondTheReachShowsTheBudget) {
+  Random random(73);
+  for (int i = 0; i < 20000; ++i) {
+    const AirlightCase c = draw_airlight_case(random, random.pick(kModes), LampLeg::fogged);
+    const Light& light = c.light.light;
+    const LampLeg leg = random.pick(kLampLegs);
+    const double budget = random.log_uniform(1e-8, 0.999);
+    const double reach = light_reach(light, c.fog, budget, leg);
+    const double extent = compute_extent(light.attenuation, light.threshold);
+    const auto shown_at = [&](double range) {
+      return range > extent ? 0
+                            : attenuation_at(light.attenuation, range) *
+                                  (leg == LampLeg::fogged ? fog_factor_at(c.fog, range) : 1);
+    };
+    ASSERT_LE(reach, extent);
+    if (std::isinf(reach)) continue;
+    if (reach == 0) {
+      ASSERT_LT(shown_at(0), budget) << to_string(c);
+      continue;
+    }
+    for (const double factor : {1 + 1e-14, 1.01, 2.0, 1000.0})
+      ASSERT_LT(shown_at(reach * factor), budget) << to_string(c);
+    ASSERT_GE(shown_at(reach * (1 - 2e-9)), budget * (1 - 1e-12)) << to_string(c);  // nor is it longer than need be
+  }
+}
+
+TEST(LightReach, ReachHasItsLimits) {
+  Light light;
+  light.attenuation = {1, 0, 0};
+  EXPECT_EQ(light_reach(light, {FogMode::exp, 0}, 0.01), kInfinity);
+  EXPECT_EQ(light_reach(light, {FogMode::exp, 1}, 0.01, LampLeg::clear), kInfinity);
+  EXPECT_NEAR(light_reach(light, {FogMode::exp, 0.1}, std::exp(-3.0)), 30, 1e-7);
+  light.attenuation = {4, 0, 0};
+  EXPECT_EQ(light_reach(light, {FogMode::exp, 0.1}, 0.5), 0);
+  EXPECT_EQ(error_of([&] { light_reach(light, {}, 1); }), "budget = 1: must be in (0, 1)");
+}
+
+TEST(Airlight, AirlightAlongManyRaysIsThatAlongEach) {
+  Random random(71);
+  const AirlightCase c = draw_spot_airlight_case(random, FogMode::exp, LampLeg::fogged);
+  std::vector<EyeRay> rays(7, c.ray);
+  for (EyeRay& ray : rays) ray.direction = draw_direction(random);
+  std::vector<double> airlights(rays.size());
+  airlight(c.light, c.fog, rays, c.scattering, airlights);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    EXPECT_EQ(airlights[i], airlight(c.light, c.fog, rays[i], c.scattering));
+  }
+  rays.back().length = kNan;
+  EXPECT_EQ(error_of([&] { airlight(c.light, c.fog, rays, c.scattering, airlights); }), "length = nan: must be >= 0");
+}
+
+TEST(Airlight, WrongArgumentsAreErrors) {
+  AirlightCase c;
+  const auto error = [&] { return error_of([&] { airlight_of(c); }); };
+  c.scattering.asymmetry = 1;
+  EXPECT_EQ(error(), "asymmetry = 1: must be in (-1, 1)");
+  c.scattering.asymmetry = kNan;
+  EXPECT_EQ(error(), "asymmetry = nan: must be in (-1, 1)");
+  c = {};
+  c.ray.length = -1;
+  EXPECT_EQ(error(), "length = -1: must be >= 0");
+  c = {};
+  c.ray.direction = {0, 0, 2};
+  EXPECT_EQ(error(), "direction = 2: length must be 1 within 1e-6");
+  c = {};
+  c.ray.origin.y = 1e9;
+  EXPECT_EQ(error(), "origin.y = 1e+09: must be at most 16777216 in magnitude");
+  c = {};
+  c.fog.density = -1;
+  EXPECT_EQ(error(), "fog.density = -1: must be >= 0");
+  EXPECT_EQ(error_of([&] { reference_of(c); }), "fog.density = -1: must be >= 0");
+}
+
+}  // namespace
+}  // namespace litfog::test

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <string>
+
+#include "litfog/airlight.h"
+#include "reference/double_limits.h"
+#include "reference/random_light.h"
+
+namespace litfog::test {
+
+/// A light, a fog and a ray: the arguments of airlight().
+struct AirlightCase {
+  PlacedLight light;
+  Fog fog;
+  EyeRay ray;
+  Scattering scattering;
+};
+
+inline std::string to_string(const AirlightCase& c) {
+  const Light& light = c.light.light;
+  const Cone& cone = light.cone;
+  const glm::dvec3 to_light = c.light.position - c.ray.origin;
+  const double approach = glm::dot(to_light, c.ray.direction);
+  char text[512];
+  std::snprintf(text, sizeof text,
+                "; k = %d, g = %.17g, cone %d: half angle %.17g, exponent %.17g, inner %.17g, outer %.17g; approach "
+                "%.17g, offset %.17g, axis %.17g along the ray, %.17g to it, length %.17g",
+                c.scattering.lamp_leg == LampLeg::fogged, c.scattering.asymmetry, int(cone.profile), cone.half_angle,
+                cone.exponent, cone.inner, cone.outer, approach, glm::length(to_light - approach * c.ray.direction),
+                glm::dot(c.light.direction, c.ray.direction),
+                glm::dot(c.light.direction, approach * c.ray.direction - to_light), c.ray.length);
+  return to_string(SolveCase{light.attenuation, c.fog, light.threshold}) + text;
+}
+
+inline glm::dvec3 draw_direction(Random& random) {
+  const double z = random.uniform(-1, 1);
+  const double angle = random.uniform(0, 2 * std::numbers::pi);
+  const double radius = std::sqrt(1 - z * z);
+  return glm::normalize(glm::dvec3(radius * std::cos(angle), radius * std::sin(angle), z));
+}
+
+inline glm::dvec3 draw_perpendicular(Random& random, const glm::dvec3& direction) {
+  for (;;) {
+    const glm::dvec3 cross = glm::cross(direction, draw_direction(random));
+    if (glm::length(cross) > 0.1) return glm::normalize(cross);
+  }
+}
+
+/// Point lights as they occur with some of their kinds' corners, in fog from clear to a visibility of 5 cm, and rays
+/// whose sizes are near those of the light, the fog or a scene: through the light, grazing it, from it, past it.
+inline AirlightCase draw_airlight_case(Random& random, FogMode mode, LampLeg lamp_leg) {
+  AirlightCase c;
+  c.scattering.lamp_leg = lamp_leg;
+  Light& light = c.light.light;
+  Attenuation& attenuation = light.attenuation;
+  do {
+    attenuation.constant = random.chance(0.2)   ? 0
+                           : random.chance(0.4) ? random.uniform(0, 1)
+                           : random.chance(0.5) ? 1
+                                                : random.log_uniform(1, 5);
+    attenuation.linear = random.chance(0.25) ? 0 : random.log_uniform(1e-4, 3);
+    attenuation.quadratic = random.chance(0.25) ? 0 : random.log_uniform(1e-6, 3);
+    light.threshold = random.chance(0.5) ? 0.05 : random.log_uniform(1e-6, 0.9);
+  } while (check(attenuation) || compute_extent(attenuation, light.threshold) == 0);
+  c.fog = Fog::from_visibility(mode, random.chance(0.05) ? random.log_uniform(0.05, 3) : random.log_uniform(3, 1e5));
+
+  const double extent = compute_extent(attenuation, light.threshold);
+  const double knee = compute_knee(attenuation);
+  const double sizes[]{extent, knee, 1 / c.fog.density, random.log_uniform(0.1, 2000)};
+  double size = random.chance(0.5) ? extent : random.pick(sizes);
+  if (!(size > 0 && size < 1e6)) size = 10;
+  const double approach =
+      random.chance(0.125) ? 0 : (random.chance(0.25) ? -1 : 1) * size * random.log_uniform(1e-3, 3);
+  const double offset = random.chance(0.125) ? 0 : size * random.log_uniform(1e-4, 1.1);
+  c.ray.direction = draw_direction(random);
+  const glm::dvec3 away = draw_perpendicular(random, c.ray.direction);
+  c.ray.origin = 100. * draw_direction(random);
+  c.light.position = c.ray.origin + approach * c.ray.direction - offset * away;
+  c.ray.length = random.chance(0.33)  ? kInfinity
+                 : random.chance(0.5) ? std::abs(approach) * random.log_uniform(0.3, 3)
+                                      : random.log_uniform(0.1, 3000);
+  return c;
+}
+
+/// The same of spots of 0.1 to 180 degrees. Two thirds of them light some of the ray.
+inline AirlightCase draw_spot_airlight_case(Random& random, FogMode mode, LampLeg lamp_leg) {
+  constexpr double kDegree = std::numbers::pi / 180;
+  AirlightCase c = draw_airlight_case(random, mode, lamp_leg);
+  Cone& cone = c.light.light.cone;
+  if (random.chance(0.5)) {
+    const double exponent = random.chance(0.125) ? 0 : random.log_uniform(0.5, 2000);
+    const double half_angle = random.chance(0.5)
+                                  ? random.log_uniform(0.1, 90) * kDegree
+                                  : std::acos(std::pow(random.log_uniform(1e-3, 0.5), 1 / std::max(exponent, 0.5)));
+    cone = Cone::cosine(std::min(half_angle, std::numbers::pi / 2), exponent);
+  } else {
+    const double outer = random.log_uniform(0.1, 180) * kDegree;
+    cone = Cone::smoothstep(outer * random.uniform(0, 0.98), outer);
+  }
+  c.light.direction = draw_direction(random);
+  if (random.chance(0.67)) {  // aimed near a point of the ray
+    const glm::dvec3 to_light = c.light.position - c.ray.origin;
+    const double approach = glm::dot(to_light, c.ray.direction);
+    const double offset = glm::length(to_light - approach * c.ray.direction);
+    const double along = (random.chance(0.5) ? 1 : -1) * random.log_uniform(1e-2, 30) * std::max(offset, 0.01);
+    const glm::dvec3 aim = glm::normalize((approach + along) * c.ray.direction - to_light);
+    const double tilt = random.uniform(-1, 1) * cutoff_angle(cone);
+    c.light.direction = glm::normalize(std::cos(tilt) * aim + std::sin(tilt) * draw_perpendicular(random, aim));
+  }
+  return c;
+}
+
+}  // namespace litfog::test
