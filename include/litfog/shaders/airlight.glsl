@@ -13,7 +13,7 @@
 //   t = asinh(z / w),  z = (1 - e^(-q x)) / q,
 // in which both the falloff of the lamp (of width w) and that of exp fog (of rate q) are nearly straight. A point lamp
 // in isotropic fog has a closed form on the plateau and takes 8 nodes elsewhere; a beam takes 24, one
-// wider than 90 degrees or a phase function 32.
+// wider than 90 degrees, a cookie or a phase function 32.
 //
 // Errors and what they were measured on: litfog/airlight.h.
 
@@ -340,6 +340,7 @@ LITFOG_REAL litfog_airlight(LitfogAirlight air) {
   LITFOG_REAL doubled = litfog_airlight_level(air, LITFOG_REAL(2.0) * max(LITFOG_REAL(1.0), denominator));
   LITFOG_REAL width = min(litfog_airlight_chord(air, doubled), max(air.offset, LITFOG_REAL(2.0) * fog_scale));
   if (air.asymmetry != LITFOG_REAL(0.0)) width = min(width, max(air.offset, LITFOG_REAL(1.0e-3) * fog_scale));
+  if (air.profile == LITFOG_REAL(3.0)) width = min(width, max(air.offset, LITFOG_REAL(0.01) * width));
 
   // Where the ray is nearest to the beam's axis in angle, and the beam's width there.
   LITFOG_REAL crossing = LITFOG_REAL(0.0);
@@ -392,7 +393,7 @@ LITFOG_REAL litfog_airlight(LitfogAirlight air) {
     }
     roots += sqrt(pieces[i].size);
   }
-  bool is_hard = is_wide || air.asymmetry != LITFOG_REAL(0.0);
+  bool is_hard = is_wide || air.profile == LITFOG_REAL(3.0) || air.asymmetry != LITFOG_REAL(0.0);
   LITFOG_REAL nodes_left = is_plain ? LITFOG_REAL(8.0) : is_hard ? LITFOG_REAL(32.0) : LITFOG_REAL(24.0);
   for (int i = 0; i + 1 < count; ++i) {  // nodes in proportion to the root of the size
     LITFOG_REAL root = sqrt(pieces[i].size);
