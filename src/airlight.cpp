@@ -67,23 +67,23 @@ double fast_airlight(const SeenLight& seen, const EyeRay& ray, const Scattering&
 /// 1/d.
 long double integrate_axially(const Attenuation& narrow, const Fog& fog, double threshold) {
   const auto attenuation = convert<long double>(narrow);
-  const auto [constant, linear, quadratic] = attenuation;
   const long double density = fog.density;
   const long double extent = level_range(attenuation, static_cast<long double>(threshold)).high;
   const bool is_exp = fog.mode == FogMode::exp;
   if (density == 0 || extent == 0) return 0;
-  if (std::isinf(density) || std::isinf(extent)) return 1 / std::max(1.0L, constant);
+  if (std::isinf(density) || std::isinf(extent)) return 1 / std::max(1.0L, attenuation.constant);
 
   const long double knee = std::min(level_range(attenuation, 1.0L).high, extent);
   const long double end = std::min(extent, (is_exp ? 50 : 7.1L) / density);
   const auto integrand = [&](long double range) {
     const long double depth = density * range;
     const long double scattered = is_exp ? std::exp(-depth) : 2 * depth * std::exp(-depth * depth);
-    return density * scattered * formulas::attenuation(range, constant, linear, quadratic);
+    return density * scattered *
+           formulas::attenuation(range, attenuation.constant, attenuation.linear, attenuation.quadratic);
   };
   const airlight_text::Bisection bisection(integrand, 1e-14L);
   long double sum = formulas::opacity(is_exp ? density * knee : density * knee * density * knee);
-  const long double halved = level_range(attenuation, 1 / (2 * std::max(1.0L, constant))).high;
+  const long double halved = level_range(attenuation, 1 / (2 * std::max(1.0L, attenuation.constant))).high;
   long double size = std::min(1 / density, halved - knee);
   for (long double low = knee; low < end; size *= 8) {
     const long double high = size < end - low ? low + size : end;

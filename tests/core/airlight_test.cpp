@@ -27,7 +27,6 @@ namespace litfog::test {
 namespace {
 
 constexpr double kStep = 1 / 255.;
-constexpr std::array kLampLegs{LampLeg::clear, LampLeg::fogged};
 
 /// The airlight by its definition, from vectors and without the library's formulas. Where the integrand is not smooth
 /// is found by its changes of side on a grid.

@@ -13,7 +13,7 @@
 //   t = asinh(z / w),  z = (1 - e^(-q x)) / q,
 // in which both the falloff of the lamp (of width w) and that of exp fog (of rate q) are nearly straight. A point lamp
 // in isotropic fog has a closed form on the plateau and takes 8 nodes elsewhere; a beam takes
-// some 20, one wider than 90 degrees some 28, a phase function some 40.
+// some 20, one wider than 90 degrees some 28, a phase function or a cookie some 40.
 //
 // Errors and what they were measured on: litfog/airlight.h.
 
@@ -390,6 +390,7 @@ LITFOG_REAL litfog_airlight(LitfogAirlight air) {
   LITFOG_REAL doubled = litfog_airlight_level(air, LITFOG_REAL(2.0) * max(LITFOG_REAL(1.0), denominator));
   LITFOG_REAL width = min(litfog_airlight_chord(air, doubled), max(air.offset, LITFOG_REAL(2.0) * fog_scale));
   if (air.asymmetry != LITFOG_REAL(0.0)) width = min(width, max(air.offset, LITFOG_REAL(1.0e-3) * fog_scale));
+  if (air.profile == LITFOG_REAL(3.0)) width = min(width, max(air.offset, LITFOG_REAL(0.01) * width));
 
   // Where the ray is nearest to the beam's axis in angle, and the beam's width there.
   LITFOG_REAL crossing = LITFOG_REAL(0.0);
