@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "litfog/airlight.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -24,6 +25,41 @@ void require_all(const PlacedLight& light, const Fog& fog, const EyeRay& ray, co
   require(check(scattering));
 }
 
+/// A light in the fog of its class, and what of it is the same for all rays.
+struct SeenLight {
+  SeenLight(const PlacedLight& placed, const Fog& fog)
+      : light(placed),
+        class_fog(unchecked::scaled(fog, placed.light.density_scale)),
+        extent(level_range(convert<long double>(placed.light.attenuation),
+                           static_cast<long double>(placed.light.threshold))
+                   .high) {}
+
+  /// Whether no product of the fast form leaves double's range.
+  bool is_ordinary() const {
+    const auto [constant, linear, quadratic] = light.light.attenuation;
+    for (const double x : {constant, linear, quadratic, light.light.threshold, class_fog.density}) {
+      if (x != 0 && !(x >= 1e-20 && x <= 1e20)) return false;
+    }
+    return true;
+  }
+
+  const PlacedLight& light;
+  Fog class_fog;
+  long double extent;
+};
+
+double exact_airlight(const SeenLight& seen, const EyeRay& ray, const Scattering& scattering) {
+  using Exact = Text<long double, NoCookie>;
+  return double(integrate_airlight(Exact{NoCookie{}},
+                                   Exact::seen_along(seen.light, seen.extent, seen.class_fog, ray, scattering)));
+}
+
+double fast_airlight(const SeenLight& seen, const EyeRay& ray, const Scattering& scattering) {
+  if (!seen.is_ordinary()) return exact_airlight(seen, ray, scattering);
+  Text<double, NoCookie> text{NoCookie{}};
+  return text.litfog_airlight(text.seen_along(seen.light, double(seen.extent), seen.class_fog, ray, scattering));
+}
+
 /// axial_airlight of checked arguments, beyond the plateau panel by panel, each eight times as long as the one before.
 /// The fog's reach is that of e^-50: a falls, so that all beyond it is less than that fraction of what comes within
 /// 1/d.
@@ -43,7 +79,7 @@ long double integrate_axially(const Attenuation& narrow, const Fog& fog, double 
     const long double scattered = is_exp ? std::exp(-depth) : 2 * depth * std::exp(-depth * depth);
     return density * scattered * formulas::attenuation(range, constant, linear, quadratic);
   };
-  const airlight_text::Bisection bisection(integrand);
+  const airlight_text::Bisection bisection(integrand, 1e-14L);
   long double sum = formulas::opacity(is_exp ? density * knee : density * knee * density * knee);
   const long double halved = level_range(attenuation, 1 / (2 * std::max(1.0L, constant))).high;
   long double size = std::min(1 / density, halved - knee);
@@ -77,20 +113,24 @@ std::optional<ValueError> check(const EyeRay& ray) {
 
 double airlight(const PlacedLight& light, const Fog& fog, const EyeRay& ray, const Scattering& scattering) {
   require_all(light, fog, ray, scattering);
-  Text<double, NoCookie> text{NoCookie{}};
-  const double extent = unchecked::compute_extent(light.light.attenuation, light.light.threshold);
-  const Fog class_fog = unchecked::scaled(fog, light.light.density_scale);
-  const auto air = text.seen_along(light, extent, class_fog, ray, scattering);
-  return std::isinf(class_fog.density) ? text.at_the_eye(air) : text.litfog_airlight(air);
+  return fast_airlight(SeenLight(light, fog), ray, scattering);
+}
+
+void airlight(const PlacedLight& light, const Fog& fog, std::span<const EyeRay> rays, const Scattering& scattering,
+              std::span<double> airlights) {
+  assert(rays.size() == airlights.size());
+  require(check(light));
+  require(check(fog));
+  require(check(scattering));
+  for (const EyeRay& ray : rays) require(check(ray));
+  const SeenLight seen(light, fog);
+  std::transform(rays.begin(), rays.end(), airlights.begin(),
+                 [&](const EyeRay& ray) { return fast_airlight(seen, ray, scattering); });
 }
 
 double reference_airlight(const PlacedLight& light, const Fog& fog, const EyeRay& ray, const Scattering& scattering) {
   require_all(light, fog, ray, scattering);
-  const Text<long double, NoCookie> text{NoCookie{}};
-  const auto attenuation = convert<long double>(light.light.attenuation);
-  const long double extent = level_range(attenuation, static_cast<long double>(light.light.threshold)).high;
-  const Fog class_fog = unchecked::scaled(fog, light.light.density_scale);
-  return double(integrate_airlight(text, text.seen_along(light, extent, class_fog, ray, scattering)));
+  return exact_airlight(SeenLight(light, fog), ray, scattering);
 }
 
 double axial_airlight(const Attenuation& attenuation, const Fog& fog, double threshold) {

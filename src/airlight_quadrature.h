@@ -15,7 +15,8 @@ namespace litfog::airlight_text {
 template <typename Function>
 class Bisection {
  public:
-  explicit Bisection(const Function& function) : function_(function) {}
+  /// agreement  fraction of a whole to which its two halves must give the same
+  Bisection(const Function& function, long double agreement) : function_(function), agreement_(agreement) {}
 
   /// Eight nodes of Gauss and Legendre.
   long double estimate(long double low, long double high) const {
@@ -28,33 +29,35 @@ class Bisection {
     return sum * (high - low);
   }
 
-  /// Halves until two halves agree with their whole to a fraction of it, or to the negligible.
+  /// Halves until two halves agree with their whole, or differ from it by what is negligible.
   long double refine(long double low, long double high, long double whole, long double negligible, int depth) const {
-    constexpr long double kAgreement = 1e-14L;
     const long double middle = (low + high) / 2;
     const long double left = estimate(low, middle);
     const long double right = estimate(middle, high);
     const long double error = std::abs(left + right - whole);
-    if (error <= std::max(kAgreement * (left + right), negligible) || depth == 0) return left + right;
+    if (error <= std::max(agreement_ * (left + right), negligible) || depth == 0) return left + right;
     return refine(low, middle, left, negligible, depth - 1) + refine(middle, high, right, negligible, depth - 1);
   }
 
  private:
   const Function& function_;
+  long double agreement_;
 };
 
 /// The integral of a function >= 0 over the stretches between cuts in ascending order.
 template <typename Function>
 long double integrate(const std::vector<long double>& cuts, const Function& function) {
-  constexpr int kDepth = 60;
-  const Bisection<Function> bisection(function);
+  constexpr int kDepth = 40;
+  constexpr long double kAgreement = 1e-12L;   // in the edge of a narrow cone, long double has no more than 1e-13
+  constexpr long double kNegligible = 1e-13L;  // of the total, for some hundred stretches
+  const Bisection<Function> bisection(function, kAgreement);
   std::vector<long double> estimates;
   long double total = 0;
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
     total += estimates.emplace_back(bisection.estimate(cuts[i], cuts[i + 1]));
   }
   for (;;) {  // again where the first estimate was so much too high that its negligible is not
-    const long double negligible = 1e-16L * total;
+    const long double negligible = std::max(kNegligible * total, 1e-21L);
     long double refined = 0;
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
       refined += bisection.refine(cuts[i], cuts[i + 1], estimates[i], negligible, kDepth);

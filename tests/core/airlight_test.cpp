@@ -7,10 +7,12 @@
 #include <array>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <boost/math/quadrature/tanh_sinh.hpp>
+#include <boost/math/special_functions/expint.hpp>
 #include <cmath>
 #include <cstdio>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -137,6 +139,7 @@ class Definition {
   Real density_;
 };
 
+double airlight_of(const AirlightCase& c) { return airlight(c.light, c.fog, c.ray, c.scattering); }
 double reference_of(const AirlightCase& c) { return reference_airlight(c.light, c.fog, c.ray, c.scattering); }
 
 /// The axial airlight of L or Q > 0 and 0 < density < infinity, by 50 digits.
@@ -269,6 +272,313 @@ TEST(Airlight, ReferenceIsTheDefinitionByAnotherQuadrature) {
       }
     }
   }
+}
+
+/// The eye at a light, or anywhere else, looking along -z.
+AirlightCase looking(const Attenuation& attenuation, const Fog& fog, LampLeg lamp_leg,
+                     const glm::dvec3& light_position = {0, 0, 0}, double length = kInfinity) {
+  AirlightCase c;
+  c.light.light.attenuation = attenuation;
+  c.light.light.threshold = 1e-9;
+  c.light.position = light_position;
+  c.fog = fog;
+  c.ray.length = length;
+  c.scattering.lamp_leg = lamp_leg;
+  return c;
+}
+
+TEST(Airlight, ReferenceOfConstantAttenuationIsItsClosedForm) {
+  for (const double density : {1e-6, 0.01, 3.0, 1e6}) {
+    for (const double length : {1e-3, 1.0, 200.0, kInfinity}) {
+      for (const FogMode mode : kModes) {
+        const Fog fog{mode, density};
+        const double doubled = opacity_at({mode, density * (mode == FogMode::exp ? 2 : std::sqrt(2.0))}, length);
+        EXPECT_LE(relative_error(reference_of(looking({2, 0, 0}, fog, LampLeg::clear, {5, 7, 9}, length)),
+                                 opacity_at(fog, length) / 2),
+                  kReferenceAirlightMaxError);
+        EXPECT_LE(relative_error(reference_of(looking({0.5, 0, 0}, fog, LampLeg::fogged, {}, length)), doubled / 2),
+                  kReferenceAirlightMaxError);
+      }
+    }
+  }
+}
+
+TEST(Airlight, ReferenceWithTheEyeAtAnInverseLightIsExponentialIntegrals) {
+  using boost::math::expint;
+  for (const double q : {1e-4, 0.01, 1.0, 50.0}) {
+    for (const double density : {1e-4, 0.02, 0.5, 20.0}) {
+      for (const LampLeg leg : kLampLegs) {
+        const double legs = leg == LampLeg::fogged ? 2 : 1;
+        const auto e = [&](unsigned n, double range) { return expint(n, legs * density * range); };
+        const auto plateau = [&](double knee) { return -std::expm1(-legs * density * knee) / legs; };
+        const Fog fog{FogMode::exp, density};
+        const double knee_2 = compute_knee({0, 0, q}), extent_2 = compute_extent({0, 0, q}, 1e-9);
+        EXPECT_LE(relative_error(reference_of(looking({0, 0, q}, fog, leg)),
+                                 plateau(knee_2) + density / q * (e(2, knee_2) / knee_2 - e(2, extent_2) / extent_2)),
+                  kReferenceAirlightMaxError);
+        const double knee_1 = compute_knee({0, q, 0}), extent_1 = compute_extent({0, q, 0}, 1e-9);
+        EXPECT_LE(relative_error(reference_of(looking({0, q, 0}, fog, leg)),
+                                 plateau(knee_1) + density / q * (e(1, knee_1) - e(1, extent_1))),
+                  kReferenceAirlightMaxError);
+      }
+    }
+  }
+}
+
+/// The airlight of an inverse-square light 1 / (q r^2) along a ray to a surface, both legs fogged, in the variables of
+/// Bo Sun, Ravi Ramamoorthi, Srinivasa Narasimhan and Shree Nayar 2005, "A Practical Analytic Single Scattering Model
+/// for Real Time Rendering", equation 9, with the intensity 4 pi / q.
+double sun_airlight(double density, double q, double distance, double angle, double length) {
+  const double t_sv = density * distance;
+  const double a_1 = t_sv * std::sin(angle);
+  const double a_0 = 2 * density * density / q * std::exp(-t_sv * std::cos(angle)) / a_1;
+  const auto f = [&](double from, double to) {
+    return boost::math::quadrature::gauss_kronrod<double, 61>::integrate(
+        [&](double xi) { return std::exp(-a_1 * std::tan(xi)); }, from, to, 8, 1e-12);
+  };
+  const double to =
+      std::numbers::pi / 4 + std::atan((length - distance * std::cos(angle)) / (distance * std::sin(angle))) / 2;
+  return a_0 * f(angle / 2, to);
+}
+
+TEST(Airlight, AirlightOfAnInverseSquareLightIsSuns) {
+  Random random(64);
+  for (int i = 0; i < 300; ++i) {
+    const double q = random.log_uniform(1, 1e3);
+    const double distance = random.log_uniform(2, 200);
+    const double angle = random.uniform(0.55, 3.1 - 1.2 / distance);
+    const double density = random.log_uniform(1e-4, 0.1);
+    const double length = random.log_uniform(1, 500);
+    const glm::dvec3 light = distance * glm::dvec3(std::sin(angle), 0, -std::cos(angle));
+    if (angle < 1.57 && light.x < 1) continue;  // the ray must miss the knee
+    const AirlightCase c = looking({0, 0, q}, {FogMode::exp, density}, LampLeg::fogged, light, length);
+    const double expected = sun_airlight(density, q, distance, angle, length);
+    EXPECT_LE(relative_error(reference_of(c), expected), 1e-9) << to_string(c);
+    EXPECT_NEAR(airlight_of(c), expected, kAirlightMaxError);
+  }
+}
+
+/// Errors of the fast form over random rays.
+struct FastErrors {
+  double worst = 0;  ///< NaN counts as infinite
+  std::string worst_case;
+  std::vector<double> relative;  ///< of the rays that show anything
+};
+
+template <typename Draw>
+FastErrors find_errors(int rays, double largest_phase, const Draw& draw) {
+  FastErrors errors;
+  for (int i = 0; i < rays; ++i) {
+    const AirlightCase c = draw();
+    const double expected = reference_of(c);
+    const double error = std::abs(airlight_of(c) - expected);
+    if (!(error <= errors.worst)) {
+      errors.worst = std::isnan(error) ? kInfinity : error;
+      errors.worst_case = to_string(c);
+    }
+    if (expected > kDimAirlight * largest_phase) errors.relative.push_back(error / expected);
+  }
+  std::sort(errors.relative.begin(), errors.relative.end());
+  return errors;
+}
+
+void expect_small(const FastErrors& errors, double largest_phase, const std::string& what) {
+  ASSERT_GT(errors.relative.size(), 500u);
+  const double p99 = errors.relative[errors.relative.size() * 99 / 100];
+  std::printf("airlight, %-40s worst %.3f/255 of the phase's largest, 99th percentile %.2f %% of %zu rays\n",
+              what.c_str(), errors.worst / largest_phase / kStep, 100 * p99, errors.relative.size());
+  EXPECT_LE(errors.worst, kAirlightMaxError * largest_phase) << errors.worst_case;
+  EXPECT_LE(p99, kAirlightTypicalError);
+}
+
+TEST(Airlight, FastFormHasItsStatedErrors) {
+  constexpr int kRays = 5000;
+  Random random(65);
+  for (const FogMode mode : kModes) {
+    for (const LampLeg leg : kLampLegs) {
+      const std::string what = std::string(name_of(mode)) + (leg == LampLeg::fogged ? ", lamp's leg fogged" : "");
+      expect_small(find_errors(kRays, 1, [&] { return draw_airlight_case(random, mode, leg); }), 1, what + ", points");
+      expect_small(find_errors(kRays, 1, [&] { return draw_spot_airlight_case(random, mode, leg); }), 1,
+                   what + ", spots");
+    }
+  }
+}
+
+TEST(Airlight, FastFormHasItsStatedErrorsInForwardAndBackwardScattering) {
+  constexpr int kRays = 1500;
+  Random random(66);
+  for (const double g : {-0.9, -0.5, 0.5, 0.9}) {
+    const double largest_phase = (1 + std::abs(g)) / ((1 - std::abs(g)) * (1 - std::abs(g)));
+    for (const FogMode mode : kModes) {
+      const auto draw = [&] {
+        const LampLeg leg = random.pick(kLampLegs);
+        AirlightCase c =
+            random.chance(0.5) ? draw_airlight_case(random, mode, leg) : draw_spot_airlight_case(random, mode, leg);
+        c.scattering.asymmetry = g;
+        return c;
+      };
+      const FastErrors errors = find_errors(kRays, largest_phase, draw);
+      std::printf("airlight, g = %4.1f, %s: worst %.3f/255 of the phase's largest\n", g, name_of(mode),
+                  errors.worst / largest_phase / kStep);
+      EXPECT_LE(errors.worst, kAirlightMaxError * largest_phase) << errors.worst_case;
+    }
+  }
+}
+
+TEST(Airlight, AirlightIsBelowTheOpacityAndRisesWithTheLength) {
+  Random random(67);
+  for (int i = 0; i < 2000; ++i) {
+    AirlightCase c = draw_spot_airlight_case(random, random.pick(kModes), random.pick(kLampLegs));
+    c.ray.length = random.log_uniform(0.1, 1000);
+    const double reference = reference_of(c);
+    ASSERT_LE(reference, opacity_at(c.fog, c.ray.length) * (1 + kReferenceAirlightMaxError)) << to_string(c);
+    ASSERT_LE(airlight_of(c), 1);
+    c.ray.length *= 1.5;
+    ASSERT_GE(reference_of(c), reference * (1 - kReferenceAirlightMaxError) - 1e-19) << to_string(c);
+  }
+}
+
+TEST(Airlight, AxialAirlightIsThatOfTheEyeAtTheLight) {
+  Random random(68);
+  for (int i = 0; i < 300; ++i) {
+    const SolveCase solve = draw_ordinary_case(random, random.pick(kModes));
+    AirlightCase c = looking(solve.attenuation, solve.fog, LampLeg::clear);
+    c.light.light.threshold = solve.threshold;
+    c.light.light.cone = Cone::cosine(0.5, 20);
+    const double axial = axial_airlight(solve.attenuation, solve.fog, solve.threshold);
+    EXPECT_LE(relative_error(reference_of(c), axial), kReferenceAirlightMaxError) << to_string(c);
+    EXPECT_NEAR(airlight_of(c), axial, kAirlightMaxError) << to_string(c);
+  }
+}
+
+TEST(Airlight, ErrorOfTheFastFormHasNoSeams) {
+  constexpr double kSeam = 0.75 * kStep;
+  Random random(69);
+  const auto error_of_fast = [](const AirlightCase& c) { return airlight_of(c) - reference_of(c); };
+  for (int i = 0; i < 1000; ++i) {
+    AirlightCase c = draw_spot_airlight_case(random, random.pick(kModes), random.pick(kLampLegs));
+    if (i % 2 == 0) c.light.light.cone = {};
+    const Light& light = c.light.light;
+    const double extent = compute_extent(light.attenuation, light.threshold);
+    const double knee = compute_knee(light.attenuation);
+    const glm::dvec3 side = draw_perpendicular(random, c.ray.direction);
+    const double approach = glm::dot(c.light.position - c.ray.origin, c.ray.direction);
+    const auto at = [&](double along, double offset) {
+      AirlightCase moved = c;
+      moved.light.position = c.ray.origin + along * c.ray.direction + offset * side;
+      return error_of_fast(moved);
+    };
+    const double offset = random.log_uniform(1e-3, 1) * std::min(extent, 1e5);
+    for (const double split : {extent, knee}) {
+      if (!(split > 0 && split < 1e5)) continue;
+      ASSERT_NEAR(at(approach, split * (1 - 1e-9)), at(approach, split * (1 + 1e-9)), kSeam) << to_string(c);
+    }
+    ASSERT_NEAR(at(-1e-9 * offset, offset), at(1e-9 * offset, offset), kSeam) << to_string(c);
+    for (const double length : {approach, approach + knee, approach + extent}) {
+      if (!(length > 0 && length < 1e5)) continue;
+      AirlightCase shorter = c, longer = c;
+      shorter.ray.length = length * (1 - 1e-9);
+      longer.ray.length = length * (1 + 1e-9);
+      ASSERT_NEAR(error_of_fast(shorter), error_of_fast(longer), kSeam) << to_string(c);
+    }
+    if (light.cone.profile == ConeProfile::none) continue;
+    for (const double tilt : {-1e-9, 1e-9}) {  // the edge of the cone at the closest approach
+      const double angle = cutoff_angle(light.cone) * (1 + tilt);
+      AirlightCase turned = c;
+      turned.light.position = c.ray.origin + approach * c.ray.direction - offset * side;
+      turned.light.direction = std::cos(angle) * side + std::sin(angle) * glm::cross(side, c.ray.direction);
+      ASSERT_LE(std::abs(error_of_fast(turned)), kSeam) << to_string(turned);
+    }
+  }
+}
+
+TEST(Airlight, AirlightOfWildInputIsFiniteAndNotNegative) {
+  Random random(70);
+  for (int i = 0; i < 20000; ++i) {
+    AirlightCase c = draw_spot_airlight_case(random, random.pick(kModes), random.pick(kLampLegs));
+    const auto draw = [&] { return random.chance(0.3) ? 0 : random.any_positive<double>(); };
+    Light& light = c.light.light;
+    light.attenuation = {draw(), draw(), random.any_positive<double>()};
+    light.threshold = std::min(random.any_positive<double>(), 0.99);
+    c.fog.density = draw();
+    if (random.chance(0.5)) c.ray.length = draw();
+    if (random.chance(0.3)) c.light.position = c.ray.origin;
+    if (random.chance(0.5)) c.scattering.asymmetry = random.uniform(-0.999, 0.999);
+    const double value = airlight_of(c);
+    ASSERT_TRUE(value >= 0 && std::isfinite(value)) << value << ": " << to_string(c);
+    if (i % 100 != 0) continue;
+    const double reference = reference_of(c);
+    ASSERT_TRUE(reference >= 0 && std::isfinite(reference)) << reference << ": " << to_string(c);
+  }
+}
+
+TEST(Airlight, TotalFogScattersInTheEyeAlone) {
+  for (const FogMode mode : kModes) {
+    const Fog total{mode, kInfinity};
+    AirlightCase c = looking({1, 0, 0.25}, total, LampLeg::clear, {0, 0, -2});
+    c.light.direction = {0, 0, 1};
+    c.light.light.cone = Cone::cosine(0.5, 3);
+    EXPECT_EQ(airlight_of(c), 0.5);
+    EXPECT_EQ(reference_of(c), 0.5);
+    c.scattering.asymmetry = 0.5;  // straight ahead (1 + g) / (1 - g)^2
+    EXPECT_DOUBLE_EQ(airlight_of(c), 0.5 * 6);
+    c.light.direction = {1, 0, 0};
+    EXPECT_EQ(airlight_of(c), 0);
+    c.light.direction = {0, 0, 1};
+    c.scattering.lamp_leg = LampLeg::fogged;
+    EXPECT_EQ(airlight_of(c), 0);
+    c = looking({4, 0, 0.25}, total, LampLeg::fogged);  // the eye at the light
+    EXPECT_EQ(airlight_of(c), 0.25);
+    c.ray.length = 0;
+    EXPECT_EQ(airlight_of(c), 0);
+  }
+}
+
+TEST(Airlight, ClearAirOrARayWithoutLengthHasNoAirlight) {
+  for (const FogMode mode : kModes) {
+    for (const LampLeg leg : kLampLegs) {
+      EXPECT_EQ(airlight_of(looking({1, 0, 0.25}, {mode, 0}, leg, {1, 0, -2})), 0);
+      EXPECT_EQ(reference_of(looking({1, 0, 0.25}, {mode, 0}, leg, {1, 0, -2})), 0);
+      EXPECT_EQ(airlight_of(looking({1, 0, 0.25}, {mode, 0.1}, leg, {1, 0, -2}, 0)), 0);
+      EXPECT_EQ(reference_of(looking({1, 0, 0.25}, {mode, 0.1}, leg, {1, 0, -2}, 0)), 0);
+    }
+  }
+}
+
+TEST(Airlight, AirlightAlongManyRaysIsThatAlongEach) {
+  Random random(71);
+  const AirlightCase c = draw_spot_airlight_case(random, FogMode::exp, LampLeg::fogged);
+  std::vector<EyeRay> rays(7, c.ray);
+  for (EyeRay& ray : rays) ray.direction = draw_direction(random);
+  std::vector<double> airlights(rays.size());
+  airlight(c.light, c.fog, rays, c.scattering, airlights);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    EXPECT_EQ(airlights[i], airlight(c.light, c.fog, rays[i], c.scattering));
+  }
+  rays.back().length = kNan;
+  EXPECT_EQ(error_of([&] { airlight(c.light, c.fog, rays, c.scattering, airlights); }), "length = nan: must be >= 0");
+}
+
+TEST(Airlight, WrongArgumentsAreErrors) {
+  AirlightCase c;
+  const auto error = [&] { return error_of([&] { airlight_of(c); }); };
+  c.scattering.asymmetry = 1;
+  EXPECT_EQ(error(), "asymmetry = 1: must be in (-1, 1)");
+  c.scattering.asymmetry = kNan;
+  EXPECT_EQ(error(), "asymmetry = nan: must be in (-1, 1)");
+  c = {};
+  c.ray.length = -1;
+  EXPECT_EQ(error(), "length = -1: must be >= 0");
+  c = {};
+  c.ray.direction = {0, 0, 2};
+  EXPECT_EQ(error(), "direction = 2: length must be 1 within 1e-6");
+  c = {};
+  c.ray.origin.y = 1e9;
+  EXPECT_EQ(error(), "origin.y = 1e+09: must be at most 16777216 in magnitude");
+  c = {};
+  c.fog.density = -1;
+  EXPECT_EQ(error(), "fog.density = -1: must be >= 0");
+  EXPECT_EQ(error_of([&] { reference_of(c); }), "fog.density = -1: must be >= 0");
 }
 
 }  // namespace

@@ -12,7 +12,8 @@
 // that crosses the ray, at its middle. On each piece Gauss-Legendre nodes are evenly spread in
 //   t = asinh(z / w),  z = (1 - e^(-q x)) / q,
 // in which both the falloff of the lamp (of width w) and that of exp fog (of rate q) are nearly straight. A point lamp
-// in isotropic fog has a closed form on the plateau and takes 8 nodes elsewhere; all else takes 24.
+// in isotropic fog has a closed form on the plateau and takes 8 nodes elsewhere; a beam takes 24, and a
+// phase function 32.
 //
 // Errors and what they were measured on: litfog/airlight.h.
 
@@ -250,7 +251,7 @@ LitfogAirlightPiece litfog_airlight_piece(LitfogAirlight air, LITFOG_REAL from, 
   if (piece.rate > LITFOG_REAL(0.0)) z = -litfog_expm1(-piece.rate * z) / piece.rate;
   if (piece.rate < LITFOG_REAL(0.0)) z = (exp(-piece.rate * z) - LITFOG_REAL(1.0)) / -piece.rate;
   LITFOG_REAL end = piece.nearest + z;
-  piece.width = max(width, LITFOG_REAL(0.0025) * end);
+  piece.width = max(max(width, LITFOG_REAL(0.0025) * end), LITFOG_REAL(1.0) / litfog_far);
   piece.start = asinh(piece.nearest / piece.width);
   piece.size = max(asinh(end / piece.width) - piece.start, LITFOG_REAL(0.0));
   return piece;
@@ -391,7 +392,9 @@ LITFOG_REAL litfog_airlight(LitfogAirlight air) {
     }
     roots += sqrt(pieces[i].size);
   }
-  LITFOG_REAL nodes_left = is_plain ? LITFOG_REAL(8.0) : LITFOG_REAL(24.0);
+  LITFOG_REAL nodes_left = is_plain                              ? LITFOG_REAL(8.0)
+                           : air.asymmetry == LITFOG_REAL(0.0) ? LITFOG_REAL(24.0)
+                                                               : LITFOG_REAL(32.0);
   for (int i = 0; i + 1 < count; ++i) {  // nodes in proportion to the root of the size
     LITFOG_REAL root = sqrt(pieces[i].size);
     if (root <= LITFOG_REAL(0.0)) continue;
