@@ -12,7 +12,10 @@ uniform int pixel_step;
 out vec4 color;
 
 const float most_opacity_change = 0.1;  // the airlight bends by less than an eighth of its square
-const float most_change = 0.01;         // of the airlight: two and a half steps of the display in linear light
+const float most_change = 1.5 / 255.0;  // of the airlight as a display shows it, if nothing else is there
+
+// Slope of sRGB (IEC 61966-2-1) at a linear value below 1.
+vec3 display_slope(vec3 linear) { return min(vec3(12.92), 0.4396 * pow(max(linear, vec3(1.0e-4)), vec3(-0.5833))); }
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -32,7 +35,7 @@ void main() {
     nearest = min(nearest, there.nearest);
     farthest = max(farthest, there.farthest);
   }
-  vec3 change = most - least;
+  vec3 change = (most - least) * display_slope(least);
   float opacity_change = litfog_fog_opacity(farthest, 1.0) - litfog_fog_opacity(nearest, 1.0);
   if (opacity_change > most_opacity_change || max(max(change.r, change.g), change.b) > most_change) discard;
   vec2 part = vec2(pixel - texel * pixel_step) / float(pixel_step);
