@@ -1,94 +1,56 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "litfog/airlight.h"
 
-#include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "airlight_quadrature.h"
 #include "airlight_text.h"
-#include "level_range.h"
 #include "require.h"
 #include "unchecked.h"
 
 namespace litfog {
 namespace {
 
-using airlight_text::NoCookie;
-using airlight_text::Text;
-
-void require_all(const PlacedLight& light, const Fog& fog, const EyeRay& ray, const Scattering& scattering) {
-  require(check(light));
-  require(check(fog));
-  require(check(ray));
-  require(check(scattering));
-}
-
-/// A light in the fog of its class, and what of it is the same for all rays.
-struct SeenLight {
-  SeenLight(const PlacedLight& placed, const Fog& fog)
-      : light(placed),
-        class_fog(unchecked::scaled(fog, placed.light.density_scale)),
-        extent(level_range(convert<long double>(placed.light.attenuation),
-                           static_cast<long double>(placed.light.threshold))
-                   .high) {}
-
-  /// Whether no product of the fast form leaves double's range.
-  bool is_ordinary() const {
-    const auto [constant, linear, quadratic] = light.light.attenuation;
-    for (const double x : {constant, linear, quadratic, light.light.threshold, class_fog.density}) {
-      if (x != 0 && !(x >= 1e-20 && x <= 1e20)) return false;
-    }
-    return true;
-  }
-
-  const PlacedLight& light;
-  Fog class_fog;
-  long double extent;
+/// Stands for no cookie.
+struct NoCookie {
+  double operator()(double) const { return 1; }
 };
+using Text = airlight_text::Text<NoCookie>;
 
-double exact_airlight(const SeenLight& seen, const EyeRay& ray, const Scattering& scattering) {
-  using Exact = Text<long double, NoCookie>;
-  return double(integrate_airlight(Exact{NoCookie{}},
-                                   Exact::seen_along(seen.light, seen.extent, seen.class_fog, ray, scattering)));
-}
-
-double fast_airlight(const SeenLight& seen, const EyeRay& ray, const Scattering& scattering) {
-  if (!seen.is_ordinary()) return exact_airlight(seen, ray, scattering);
-  Text<double, NoCookie> text{NoCookie{}};
-  return text.litfog_airlight(text.seen_along(seen.light, double(seen.extent), seen.class_fog, ray, scattering));
-}
-
-/// axial_airlight of checked arguments, beyond the plateau panel by panel, each eight times as long as the one before.
-/// The fog's reach is that of e^-50: a falls, so that all beyond it is less than that fraction of what comes within
-/// 1/d.
-long double integrate_axially(const Attenuation& narrow, const Fog& fog, double threshold) {
-  const auto attenuation = convert<long double>(narrow);
-  const auto [constant, linear, quadratic] = attenuation;
-  const long double density = fog.density;
-  const long double extent = level_range(attenuation, static_cast<long double>(threshold)).high;
-  const bool is_exp = fog.mode == FogMode::exp;
-  if (density == 0 || extent == 0) return 0;
-  if (std::isinf(density) || std::isinf(extent)) return 1 / std::max(1.0L, constant);
-
-  const long double knee = std::min(level_range(attenuation, 1.0L).high, extent);
-  const long double end = std::min(extent, (is_exp ? 50 : 7.1L) / density);
-  const auto integrand = [&](long double range) {
-    const long double depth = density * range;
-    const long double scattered = is_exp ? std::exp(-depth) : 2 * depth * std::exp(-depth * depth);
-    return density * scattered * formulas::attenuation(range, constant, linear, quadratic);
-  };
-  const airlight_text::Bisection bisection(integrand, 1e-14L);
-  long double sum = formulas::opacity(is_exp ? density * knee : density * knee * density * knee);
-  const long double halved = level_range(attenuation, 1 / (2 * std::max(1.0L, constant))).high;
-  long double size = std::min(1 / density, halved - knee);
-  for (long double low = knee; low < end; size *= 8) {
-    const long double high = size < end - low ? low + size : end;
-    sum += bisection.refine(low, high, bisection.estimate(low, high), 0, 40);
-    low = high;
+/// A light as a ray sees it, in the fog of its class.
+Text::LitfogAirlight seen_along(const PlacedLight& placed, const Fog& fog, const EyeRay& ray,
+                                const Scattering& scattering) {
+  const Light& light = placed.light;
+  const glm::dvec3 direction = glm::normalize(ray.direction);
+  const glm::dvec3 axis = glm::normalize(placed.direction);
+  const glm::dvec3 to_light = placed.position - ray.origin;
+  const double approach = glm::dot(to_light, direction);
+  const glm::dvec3 offset = approach * direction - to_light;  // from the light to the closest approach
+  Text::LitfogAirlight air{};
+  air.density = std::min(unchecked::scaled(fog, light.density_scale).density, 1e12);
+  air.mode = fog.mode == FogMode::exp ? 0 : 1;
+  air.lamp_leg = scattering.lamp_leg == LampLeg::fogged ? 1 : 0;
+  air.asymmetry = scattering.asymmetry;
+  air.constant = light.attenuation.constant;
+  air.linear = light.attenuation.linear;
+  air.quadratic = light.attenuation.quadratic;
+  air.extent = std::min(unchecked::compute_extent(light.attenuation, light.threshold), Text::litfog_far);
+  if (light.cone.profile == ConeProfile::cosine) {
+    air.profile = 1;
+    air.cone_x = std::cos(light.cone.half_angle);
+    air.cone_y = light.cone.exponent;
+  } else if (light.cone.profile == ConeProfile::smoothstep) {
+    air.profile = 2;
+    air.cone_x = std::cos(light.cone.outer);
+    air.cone_y = std::cos(light.cone.inner);
   }
-  return sum;
+  air.length = std::min(ray.length, Text::litfog_far);
+  air.approach = approach;
+  air.offset = glm::length(offset);
+  air.axis_offset = glm::dot(offset, axis);
+  air.axis_slope = glm::dot(direction, axis);
+  air.nodes = Text{NoCookie{}}.litfog_airlight_nodes(air);
+  return air;
 }
 
 }  // namespace
@@ -112,54 +74,11 @@ std::optional<ValueError> check(const EyeRay& ray) {
 }
 
 double airlight(const PlacedLight& light, const Fog& fog, const EyeRay& ray, const Scattering& scattering) {
-  require_all(light, fog, ray, scattering);
-  return fast_airlight(SeenLight(light, fog), ray, scattering);
-}
-
-void airlight(const PlacedLight& light, const Fog& fog, std::span<const EyeRay> rays, const Scattering& scattering,
-              std::span<double> airlights) {
-  assert(rays.size() == airlights.size());
   require(check(light));
   require(check(fog));
+  require(check(ray));
   require(check(scattering));
-  for (const EyeRay& ray : rays) require(check(ray));
-  const SeenLight seen(light, fog);
-  std::transform(rays.begin(), rays.end(), airlights.begin(),
-                 [&](const EyeRay& ray) { return fast_airlight(seen, ray, scattering); });
-}
-
-double reference_airlight(const PlacedLight& light, const Fog& fog, const EyeRay& ray, const Scattering& scattering) {
-  require_all(light, fog, ray, scattering);
-  return exact_airlight(SeenLight(light, fog), ray, scattering);
-}
-
-double axial_airlight(const Attenuation& attenuation, const Fog& fog, double threshold) {
-  require(check(attenuation));
-  require(check(fog));
-  require(check_threshold(threshold));
-  return double(integrate_axially(attenuation, fog, threshold));
-}
-
-double axial_airlight(const Light& light, const Fog& fog) {
-  require(check(light));
-  require(check(fog));
-  return double(integrate_axially(light.attenuation, unchecked::scaled(fog, light.density_scale), light.threshold));
-}
-
-std::size_t axial_airlights(FogMode mode, const BatchLights& lights, std::span<double> airlights) {
-  assert(lights.constant.size() == airlights.size() && lights.linear.size() == airlights.size() &&
-         lights.quadratic.size() == airlights.size());
-  const auto at = [](std::span<const double> column, std::size_t i) { return column[column.size() == 1 ? 0 : i]; };
-  std::size_t invalid = 0;
-  for (std::size_t i = 0; i < airlights.size(); ++i) {
-    const Attenuation attenuation{at(lights.constant, i), at(lights.linear, i), at(lights.quadratic, i)};
-    const Fog fog{mode, at(lights.density, i)};
-    const double threshold = at(lights.threshold, i);
-    const bool is_valid = !check(attenuation) && !check(fog) && !check_threshold(threshold);
-    airlights[i] = is_valid ? double(integrate_axially(attenuation, fog, threshold)) : 0;
-    if (!is_valid) ++invalid;
-  }
-  return invalid;
+  return Text{NoCookie{}}.litfog_airlight(seen_along(light, fog, ray, scattering));
 }
 
 }  // namespace litfog
