@@ -1,56 +1,96 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "litfog/airlight.h"
 
+#include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
 
+#include "airlight_quadrature.h"
 #include "airlight_text.h"
+#include "level_range.h"
 #include "require.h"
 #include "unchecked.h"
 
 namespace litfog {
 namespace {
 
-/// Stands for no cookie.
-struct NoCookie {
-  double operator()(double) const { return 1; }
-};
-using Text = airlight_text::Text<NoCookie>;
+using airlight_text::NoCookie;
+using airlight_text::Text;
 
-/// A light as a ray sees it, in the fog of its class.
-Text::LitfogAirlight seen_along(const PlacedLight& placed, const Fog& fog, const EyeRay& ray,
-                                const Scattering& scattering) {
-  const Light& light = placed.light;
-  const glm::dvec3 direction = glm::normalize(ray.direction);
-  const glm::dvec3 axis = glm::normalize(placed.direction);
-  const glm::dvec3 to_light = placed.position - ray.origin;
-  const double approach = glm::dot(to_light, direction);
-  const glm::dvec3 offset = approach * direction - to_light;  // from the light to the closest approach
-  Text::LitfogAirlight air{};
-  air.density = std::min(unchecked::scaled(fog, light.density_scale).density, 1e12);
-  air.mode = fog.mode == FogMode::exp ? 0 : 1;
-  air.lamp_leg = scattering.lamp_leg == LampLeg::fogged ? 1 : 0;
-  air.asymmetry = scattering.asymmetry;
-  air.constant = light.attenuation.constant;
-  air.linear = light.attenuation.linear;
-  air.quadratic = light.attenuation.quadratic;
-  air.extent = std::min(unchecked::compute_extent(light.attenuation, light.threshold), Text::litfog_far);
-  if (light.cone.profile == ConeProfile::cosine) {
-    air.profile = 1;
-    air.cone_x = std::cos(light.cone.half_angle);
-    air.cone_y = light.cone.exponent;
-  } else if (light.cone.profile == ConeProfile::smoothstep) {
-    air.profile = 2;
-    air.cone_x = std::cos(light.cone.outer);
-    air.cone_y = std::cos(light.cone.inner);
+void require_all(const PlacedLight& light, const Fog& fog, const EyeRay& ray, const Scattering& scattering) {
+  require(check(light));
+  require(check(fog));
+  require(check(ray));
+  require(check(scattering));
+}
+
+/// A light in the fog of its class, and what of it is the same for all rays.
+struct SeenLight {
+  SeenLight(const PlacedLight& placed, const Fog& fog)
+      : light(placed),
+        class_fog(unchecked::scaled(fog, placed.light.density_scale)),
+        extent(level_range(convert<long double>(placed.light.attenuation),
+                           static_cast<long double>(placed.light.threshold))
+                   .high) {}
+
+  /// Whether no product of the fast form leaves double's range.
+  bool is_ordinary() const {
+    const auto [constant, linear, quadratic] = light.light.attenuation;
+    for (const double x : {constant, linear, quadratic, light.light.threshold, class_fog.density}) {
+      if (x != 0 && !(x >= 1e-20 && x <= 1e20)) return false;
+    }
+    return true;
   }
-  air.length = std::min(ray.length, Text::litfog_far);
-  air.approach = approach;
-  air.offset = glm::length(offset);
-  air.axis_offset = glm::dot(offset, axis);
-  air.axis_slope = glm::dot(direction, axis);
-  air.nodes = Text{NoCookie{}}.litfog_airlight_nodes(air);
-  return air;
+
+  const PlacedLight& light;
+  Fog class_fog;
+  long double extent;
+};
+
+double exact_airlight(const SeenLight& seen, const EyeRay& ray, const Scattering& scattering) {
+  using Exact = Text<long double, NoCookie>;
+  return double(integrate_airlight(Exact{NoCookie{}},
+                                   Exact::seen_along(seen.light, seen.extent, seen.class_fog, ray, scattering)));
+}
+
+double fast_airlight(const SeenLight& seen, const EyeRay& ray, const Scattering& scattering) {
+  if (!seen.is_ordinary()) return exact_airlight(seen, ray, scattering);
+  Text<double, NoCookie> text{NoCookie{}};
+  return text.litfog_airlight(text.seen_along(seen.light, double(seen.extent), seen.class_fog, ray, scattering));
+}
+
+/// axial_airlight of checked arguments, beyond the plateau panel by panel, each eight times as long as the one before.
+/// The fog's reach is that of e^-50: a falls, so that all beyond it is less than that fraction of what comes within
+/// 1/d.
+long double integrate_axially(const Attenuation& narrow, const Fog& fog, double threshold) {
+  const auto attenuation = convert<long double>(narrow);
+  const long double density = fog.density;
+  const long double extent = level_range(attenuation, static_cast<long double>(threshold)).high;
+  const bool is_exp = fog.mode == FogMode::exp;
+  if (density == 0 || extent == 0) return 0;
+  if (std::isinf(density) || std::isinf(extent)) return 1 / std::max(1.0L, attenuation.constant);
+
+  const long double knee = std::min(level_range(attenuation, 1.0L).high, extent);
+  const long double end = std::min(extent, (is_exp ? 50 : 7.1L) / density);
+  const auto integrand = [&](long double range) {
+    const long double depth = density * range;
+    const long double scattered = is_exp ? std::exp(-depth) : 2 * depth * std::exp(-depth * depth);
+    return density * scattered *
+           formulas::attenuation(range, attenuation.constant, attenuation.linear, attenuation.quadratic);
+  };
+  const airlight_text::Bisection bisection(integrand, 1e-14L);
+  long double sum = formulas::opacity(is_exp ? density * knee : density * knee * density * knee);
+  const long double halved = level_range(attenuation, 1 / (2 * std::max(1.0L, attenuation.constant))).high;
+  long double size = std::min(1 / density, halved - knee);
+  for (long double low = knee; low < end; size *= 8) {
+    const long double high = size < end - low ? low + size : end;
+    sum += bisection.refine(low, high, bisection.estimate(low, high), 0, 40);
+    low = high;
+  }
+  return sum;
 }
 
 }  // namespace
@@ -74,11 +114,110 @@ std::optional<ValueError> check(const EyeRay& ray) {
 }
 
 double airlight(const PlacedLight& light, const Fog& fog, const EyeRay& ray, const Scattering& scattering) {
+  require_all(light, fog, ray, scattering);
+  return fast_airlight(SeenLight(light, fog), ray, scattering);
+}
+
+void airlight(const PlacedLight& light, const Fog& fog, std::span<const EyeRay> rays, const Scattering& scattering,
+              std::span<double> airlights) {
+  assert(rays.size() == airlights.size());
   require(check(light));
   require(check(fog));
-  require(check(ray));
   require(check(scattering));
-  return Text{NoCookie{}}.litfog_airlight(seen_along(light, fog, ray, scattering));
+  for (const EyeRay& ray : rays) require(check(ray));
+  const SeenLight seen(light, fog);
+  std::transform(rays.begin(), rays.end(), airlights.begin(),
+                 [&](const EyeRay& ray) { return fast_airlight(seen, ray, scattering); });
+}
+
+double reference_airlight(const PlacedLight& light, const Fog& fog, const EyeRay& ray, const Scattering& scattering) {
+  require_all(light, fog, ray, scattering);
+  return exact_airlight(SeenLight(light, fog), ray, scattering);
+}
+
+double bound_airlight(const PlacedLight& light, const Fog& fog, const glm::dvec3& eye, const glm::dvec3& direction,
+                      double half_angle, const Scattering& scattering) {
+  constexpr double kMargin = 1e-12;
+  require_all(light, fog, {eye, direction}, scattering);
+  if (!(half_angle >= 0 && half_angle <= std::numbers::pi)) {
+    require(ValueError{"half_angle", half_angle, "must be in [0, pi]"});
+  }
+  const double extent = unchecked::compute_extent(light.light.attenuation, light.light.threshold) * (1 + kMargin);
+  const Fog class_fog = unchecked::scaled(fog, light.light.density_scale);
+  const double density = class_fog.density;
+  if (density == 0 || extent == 0) return 0;
+
+  const glm::dvec3 to_light = light.position - eye;
+  const double range = glm::length(to_light);
+  const double from_axis = std::atan2(glm::length(glm::cross(direction, to_light)), glm::dot(direction, to_light));
+  const double outside = std::max(from_axis - half_angle - kMargin, 0.0);
+  const double nearest =
+      range * (outside < std::numbers::pi / 2 ? std::sin(outside) : 1) * (1 - kMargin) - 1e-15 * kMaxPosition;
+  const double closest = std::max(nearest, 0.0);
+  if (closest >= extent) return 0;
+
+  const double start = std::max(range * (1 - kMargin) - extent, 0.0);
+  const double chord = 2 * std::sqrt(extent - closest) * std::sqrt(extent + closest);
+  const double opacity = class_fog.mode == FogMode::exp
+                             ? fog_factor_at(class_fog, start) * opacity_at(class_fog, chord)
+                             : std::min(fog_factor_at(class_fog, start), chord * density * 0.85776388496070680);
+  const double size = std::abs(scattering.asymmetry);
+  const double largest_phase = (1 + size) / ((1 - size) * (1 - size));
+  const double lamp_leg = scattering.lamp_leg == LampLeg::fogged ? fog_factor_at(class_fog, closest) : 1;
+  // One subnormal more: the products may be rounded down to 0.
+  return largest_phase * attenuation_at(light.light.attenuation, closest) * opacity * lamp_leg * (1 + 8 * kMargin) +
+         std::numeric_limits<double>::denorm_min();
+}
+
+double light_reach(const Light& light, const Fog& fog, double budget, LampLeg lamp_leg) {
+  require(check(light));
+  require(check(fog));
+  if (!(budget > 0 && budget < 1)) require(ValueError{"budget", budget, "must be in (0, 1)"});
+  const Fog class_fog = unchecked::scaled(fog, light.density_scale);
+  const auto shown_at = [&](double range) {
+    return attenuation_at(light.attenuation, range) *
+           (lamp_leg == LampLeg::fogged ? fog_factor_at(class_fog, range) : 1);
+  };
+  double high = unchecked::compute_extent(light.attenuation, light.threshold);
+  if (!(shown_at(high) < budget)) return high;
+  double low = 0;
+  if (shown_at(low) < budget) return low;
+  high = std::min(high, std::numeric_limits<double>::max());
+  while (high > low * (1 + 1e-9) && high > std::numeric_limits<double>::min()) {
+    const double middle =
+        high > 4 * low ? std::max(std::sqrt(low) * std::sqrt(high), high * 0x1p-64) : low + (high - low) / 2;
+    (shown_at(middle) < budget ? high : low) = middle;
+  }
+  return high;
+}
+
+double axial_airlight(const Attenuation& attenuation, const Fog& fog, double threshold) {
+  require(check(attenuation));
+  require(check(fog));
+  require(check_threshold(threshold));
+  return double(integrate_axially(attenuation, fog, threshold));
+}
+
+double axial_airlight(const Light& light, const Fog& fog) {
+  require(check(light));
+  require(check(fog));
+  return double(integrate_axially(light.attenuation, unchecked::scaled(fog, light.density_scale), light.threshold));
+}
+
+std::size_t axial_airlights(FogMode mode, const BatchLights& lights, std::span<double> airlights) {
+  assert(lights.constant.size() == airlights.size() && lights.linear.size() == airlights.size() &&
+         lights.quadratic.size() == airlights.size());
+  const auto at = [](std::span<const double> column, std::size_t i) { return column[column.size() == 1 ? 0 : i]; };
+  std::size_t invalid = 0;
+  for (std::size_t i = 0; i < airlights.size(); ++i) {
+    const Attenuation attenuation{at(lights.constant, i), at(lights.linear, i), at(lights.quadratic, i)};
+    const Fog fog{mode, at(lights.density, i)};
+    const double threshold = at(lights.threshold, i);
+    const bool is_valid = !check(attenuation) && !check(fog) && !check_threshold(threshold);
+    airlights[i] = is_valid ? double(integrate_axially(attenuation, fog, threshold)) : 0;
+    if (!is_valid) ++invalid;
+  }
+  return invalid;
 }
 
 }  // namespace litfog
