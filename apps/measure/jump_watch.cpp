@@ -21,20 +21,20 @@ bool is_seen(const glm::dvec3& jump) {
 /// Relative rounding of the vector from a light to a position, both of them floats. It is large where the vector is
 /// short and both are far from the origin.
 double rounding_of(const ReferenceLight& light, const glm::dvec3& position, double range) {
-  const glm::dvec3 largest = glm::max(glm::abs(light.position), glm::abs(position));
+  const glm::dvec3 largest = glm::max(glm::abs(light.placed.position), glm::abs(position));
   return kUnit * (1 + std::max({largest.x, largest.y, largest.z}) / range);
 }
 
-double cos_cutoff(const ReferenceLight& light) { return std::cos(cutoff_angle(light.cone)); }
+double cos_cutoff(const ReferenceLight& light) { return std::cos(cutoff_angle(light.placed.light.cone)); }
 
 bool is_at_cone_edge(const ReferenceLight& light, const LightRay& ray, double rounding) {
-  return light.cone.profile == ConeProfile::cosine &&
-         std::abs(glm::dot(light.axis, ray.direction) - cos_cutoff(light)) < rounding;
+  return light.placed.light.cone.profile == ConeProfile::cosine &&
+         std::abs(glm::dot(light.placed.direction, ray.direction) - cos_cutoff(light)) < rounding;
 }
 
 /// The cone's value just within its edge.
 double emitted_at_edge(const ReferenceLight& light, double rounding) {
-  return cone_at(light.cone, std::min(cos_cutoff(light) + rounding, 1.0));
+  return cone_at(light.placed.light.cone, std::min(cos_cutoff(light) + rounding, 1.0));
 }
 
 }  // namespace
@@ -59,7 +59,7 @@ bool JumpWatch::is_at_jump(const SurfacePoint& point, const ReferenceLight& ligh
   const bool is_at_extent = std::abs(ray.range - light.extent) < rounding * ray.range;
   const bool is_at_edge = is_at_cone_edge(light, ray, rounding);
   if (!is_just_turned_away && !is_at_extent && !is_at_edge) return false;
-  const glm::dvec3 on_axis = light.color * model_.falloff(light, std::min(ray.range, light.extent));
+  const glm::dvec3 on_axis = light.placed.light.color * model_.falloff(light, std::min(ray.range, light.extent));
   const glm::dvec3 arriving = on_axis * light.emitted(ray.direction);
   const glm::dvec3 reflectance = model_.reflectance(point, to_light);
   return (is_just_turned_away && is_seen(arriving * model_.highlight(point, to_light))) ||
@@ -75,7 +75,7 @@ bool JumpWatch::is_at_jump(const Veil& veil, const glm::dvec3& position) const {
     if (!ray) return false;
     const double rounding = rounding_of(light, position, ray->range);
     return is_at_cone_edge(light, *ray, rounding) &&
-           is_seen(light.color * emitted_at_edge(light, rounding) * light.fog_intensity * veil.opacity);
+           is_seen(light.placed.light.color * emitted_at_edge(light, rounding) * light.fog_intensity * veil.opacity);
   });
 }
 

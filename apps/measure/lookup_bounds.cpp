@@ -28,7 +28,7 @@ LookupBounds::Interval LookupBounds::surface_color(const SurfacePoint& point) co
     const auto ray = ray_within(light.extent + around, light, point.position);
     if (!ray) continue;
     const auto [dimmest, brightest] = emitted(light, ray->direction);
-    const glm::dvec3 reflected = light.color * model_.reflectance(point, -ray->direction);
+    const glm::dvec3 reflected = light.placed.light.color * model_.reflectance(point, -ray->direction);
     color.least += reflected * dimmest * model_.falloff(light, ray->range + around);
     color.most += reflected * brightest * model_.falloff(light, std::max(ray->range - around, 0.0));
   }
@@ -43,10 +43,10 @@ LookupBounds::Fractions LookupBounds::emitted(const ReferenceLight& light, const
   }
   // The largest angle that the diagonal of a texel spans. A face spans the cone where the map is scaled
   // (cone_map_scale), else a quarter of the circle.
-  const double turn = std::numbers::sqrt2 / std::min(render::cone_map_scale(light.cone), 1.0) * texel_;
-  const double angle = std::acos(std::clamp(glm::dot(light.axis, direction), -1.0, 1.0));
-  return {cone_at(light.cone, std::cos(std::min(angle + turn, std::numbers::pi))),
-          cone_at(light.cone, std::cos(std::max(angle - turn, 0.0)))};
+  const double turn = std::numbers::sqrt2 / std::min(render::cone_map_scale(light.placed.light.cone), 1.0) * texel_;
+  const double angle = std::acos(std::clamp(glm::dot(light.placed.direction, direction), -1.0, 1.0));
+  return {cone_at(light.placed.light.cone, std::cos(std::min(angle + turn, std::numbers::pi))),
+          cone_at(light.placed.light.cone, std::cos(std::max(angle - turn, 0.0)))};
 }
 
 }  // namespace litfog::measure

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "measure/airlight_bound.h"
+
 namespace litfog::measure {
 namespace {
 
@@ -22,7 +24,7 @@ glm::dvec3 mapped_normal(const render::GeometrySample& sample) {
 }  // namespace
 
 std::optional<LightRay> ray_within(double range, const ReferenceLight& light, const glm::dvec3& position) {
-  const glm::dvec3 offset = position - light.position;
+  const glm::dvec3 offset = position - light.placed.position;
   const double square = glm::dot(offset, offset);
   if (!(square > 0 && square <= range * range)) return std::nullopt;
   const double length = std::sqrt(square);
@@ -34,8 +36,9 @@ Model::Model(const render::Renderer& renderer)
       path_(*renderer.settings().path),
       environment_(renderer.scene().environment),
       fog_(renderer.fog()),
+      scattering_{.lamp_leg = LampLeg::fogged, .asymmetry = renderer.scene().phase_g},
       materials_(renderer.materials()),
-      lights_(reference_lights(renderer.scene(), renderer.fog())),
+      lights_(reference_lights(renderer.scene(), renderer.fog(), renderer.settings().fog_lighting)),
       eye_(renderer.scene().camera.position),
       forward_(glm::normalize(glm::dvec3(renderer.scene().camera.target) - eye_)) {}
 
@@ -59,7 +62,7 @@ glm::dvec3 Model::surface_color(const SurfacePoint& point) const {
     const auto ray = ray_within(light.extent, light, point.position);
     if (!ray) continue;
     const double arriving = light.emitted(ray->direction) * falloff(light, ray->range);
-    if (arriving > 0) color += light.color * arriving * reflectance(point, -ray->direction);
+    if (arriving > 0) color += light.placed.light.color * arriving * reflectance(point, -ray->direction);
   }
   return color;
 }
@@ -75,9 +78,12 @@ glm::dvec3 Model::without_lamps(const SurfacePoint& point) const {
 
 double Model::falloff(const ReferenceLight& light, double range) const {
   if (range > light.extent) return 0;
-  if (path_.range == render::RangeLaw::attenuation) return attenuation_at(light.attenuation, range);
+  const bool is_fogged = settings_.fog_lighting == render::FogLighting::airlight;
+  const double through = is_fogged ? fog_factor_at(light.fog, range) : 1;
+  if (path_.range == render::RangeLaw::attenuation)
+    return through * attenuation_at(light.placed.light.attenuation, range);
   const double fraction = range / light.extent;
-  return 1 - fraction * fraction;
+  return through * (1 - fraction * fraction);
 }
 
 glm::dvec3 Model::reflectance(const SurfacePoint& point, const glm::dvec3& to_light) const {
@@ -100,9 +106,33 @@ Veil Model::veil(const glm::dvec3& position) const {
   for (const ReferenceLight& light : lights_) {
     if (!lights_fog(light)) continue;
     const auto ray = ray_within(kAnyRange, light, position);
-    if (ray) veil.color += light.color * light.emitted(ray->direction) * light.fog_intensity;
+    if (ray) veil.color += light.placed.light.color * light.emitted(ray->direction) * light.fog_intensity;
   }
   return veil;
+}
+
+glm::dvec3 Model::airlight(const glm::dvec3& direction, double length) const {
+  glm::dvec3 sum(0.0);
+  if (settings_.fog_lighting != render::FogLighting::airlight) return sum;
+  const EyeRay ray{.origin = eye_, .direction = direction, .length = length};
+  struct Candidate {
+    double most;  // of white
+    const ReferenceLight* light;
+  };
+  std::vector<Candidate> candidates;
+  for (const ReferenceLight& light : lights_) {
+    const glm::dvec3& color = light.placed.light.color;
+    const double most = airlight_bound(light, ray, scattering_) * std::max({color.r, color.g, color.b});
+    if (most > 0) candidates.push_back({most, &light});
+  }
+  std::ranges::sort(candidates, {}, &Candidate::most);
+  double left_out = 0;
+  for (const auto& [most, light] : candidates) {
+    left_out += most;
+    if (left_out > kAirlightBudget)
+      sum += light->placed.light.color * reference_airlight(light->placed, fog_, ray, scattering_);
+  }
+  return sum;
 }
 
 }  // namespace litfog::measure

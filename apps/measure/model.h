@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "litfog/airlight.h"
 #include "measure/reference_light.h"
 #include "render/gpu/geometry_buffer.h"
 #include "render/renderer.h"
@@ -43,7 +44,7 @@ struct Veil {
 };
 
 /// The formulas of a renderer's lighting path in double, written as the papers have them: no maps, no tessellation, no
-/// skipping. Every light is evaluated at every sample.
+/// skipping. Every light is evaluated at every sample, but for airlight that is proved to be negligible.
 class Model {
  public:
   /// renderer  has to outlive this
@@ -61,7 +62,7 @@ class Model {
   glm::dvec3 surface_color(const SurfacePoint& point) const;
   /// Its emissive, ambient and directional light.
   glm::dvec3 without_lamps(const SurfacePoint& point) const;
-  /// A light's attenuation by the path's range law, 0 beyond its extent.
+  /// A light's attenuation by the path's range law and, lit by airlight, by the fog on its way; 0 beyond its extent.
   double falloff(const ReferenceLight& light, double range) const;
   /// The fraction of the light from a unit direction that the surface reflects.
   glm::dvec3 reflectance(const SurfacePoint& point, const glm::dvec3& to_light) const;
@@ -73,12 +74,19 @@ class Model {
   const Fog& fog() const { return fog_; }
   /// Whether a light lights the fog. Only then is it visible in `veil`.
   bool lights_fog(const ReferenceLight& light) const { return path_.has_lit_fog && light.fog_intensity > 0; }
+  /// The airlight of all lights along a ray from the eye, by the definition's integral; 0 where the renderer lights the
+  /// fog otherwise. What it leaves out adds up to less than kAirlightBudget of white.
+  ///
+  /// direction  unit
+  glm::dvec3 airlight(const glm::dvec3& direction, double length) const;
+  static constexpr double kAirlightBudget = 1e-6;
 
  private:
   const render::RenderSettings& settings_;
   const render::LightingPath& path_;
   const scene::Environment& environment_;
   Fog fog_;
+  Scattering scattering_;
   std::vector<scene::Material> materials_;
   std::vector<ReferenceLight> lights_;
   glm::dvec3 eye_;

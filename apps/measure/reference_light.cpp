@@ -2,28 +2,30 @@
 #include "measure/reference_light.h"
 
 #include "litfog/fog_light_block.h"
+#include "render/scene_lights.h"
 #include "scene/light_frame.h"
 
 namespace litfog::measure {
 
 double ReferenceLight::emitted(const glm::dvec3& direction) const {
-  return cookie ? cookie_at(*cookie, cookie_from_world * direction) : cone_at(cone, glm::dot(axis, direction));
+  return cookie ? cookie_at(*cookie, cookie_from_world * direction)
+                : cone_at(placed.light.cone, glm::dot(placed.direction, direction));
 }
 
-std::vector<ReferenceLight> reference_lights(const scene::Scene& scene, const Fog& fog) {
+std::vector<ReferenceLight> reference_lights(const scene::Scene& scene, const Fog& fog,
+                                             render::FogLighting fog_lighting) {
   std::vector<ReferenceLight> lights;
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-    const PlacedLight& placed = scene.lights[i];
+    PlacedLight placed = scene.lights[i];
+    placed.light.threshold = render::threshold_of(placed.light, fog_lighting);
     const Light& light = placed.light;
+    const bool has_intensity = placed.carried && fog_lighting == render::FogLighting::peak;
     const auto use = scene.cookie_uses.find(i);
     const bool has_cookie = use != scene.cookie_uses.end();
-    lights.push_back({.position = placed.position,
-                      .axis = placed.direction,
-                      .color = light.color,
-                      .attenuation = light.attenuation,
-                      .cone = light.cone,
+    lights.push_back({.placed = placed,
                       .extent = compute_extent(light.attenuation, light.threshold),
-                      .fog_intensity = placed.carried ? solve_fog_intensity(light, fog).intensity : 0,
+                      .fog = scaled(fog, light.density_scale),
+                      .fog_intensity = has_intensity ? solve_fog_intensity(light, fog).intensity : 0,
                       .cookie = has_cookie ? &scene.cookies[use->second.cookie] : nullptr,
                       .cookie_from_world =
                           has_cookie ? scene::cookie_from_world(placed.direction, use->second.roll) : glm::dmat3(1.0)});

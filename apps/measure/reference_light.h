@@ -6,19 +6,17 @@
 
 #include "litfog/fog.h"
 #include "litfog/light.h"
+#include "render/render_settings.h"
 #include "scene/scene.h"
 
 namespace litfog::measure {
 
 /// A light of a scene in double, with everything that does not depend on the position it lights.
 struct ReferenceLight {
-  glm::dvec3 position;
-  glm::dvec3 axis;
-  glm::dvec3 color;
-  Attenuation attenuation;
-  Cone cone;
+  PlacedLight placed;            ///< its threshold is that of the renderer (render::threshold_of)
   double extent;                 ///< metres
-  double fog_intensity;          ///< 0 unless the light is carried by the eye's vehicle
+  Fog fog;                       ///< as the light's class sees it
+  double fog_intensity;          ///< 0 unless the light is carried by the eye's vehicle, and in airlight
   const Cookie* cookie;          ///< replaces the cone; null: none
   glm::dmat3 cookie_from_world;  ///< rotation
 
@@ -29,6 +27,7 @@ struct ReferenceLight {
 /// A scene's lights, in its order.
 ///
 /// scene  has to outlive them: they point to its cookies
-std::vector<ReferenceLight> reference_lights(const scene::Scene& scene, const Fog& fog);
+std::vector<ReferenceLight> reference_lights(const scene::Scene& scene, const Fog& fog,
+                                             render::FogLighting fog_lighting);
 
 }  // namespace litfog::measure

@@ -14,8 +14,9 @@
 namespace litfog::render {
 namespace {
 
-/// What a light may leave out of a pixel: an eighth of a step of the display in linear light.
-constexpr float kBudget = 1 / (8 * 255.0f);
+/// What a light may leave out of a pixel: an eighth of a step of the display where it is darkest and sRGB has this slope.
+constexpr float kDarkestSlope = 12.92f;
+constexpr float kBudget = 1 / (8 * 255 * kDarkestSlope);
 constexpr int kGridStep = 4;  // pixels
 
 // Of the stencil, which is 0 elsewhere.

@@ -16,10 +16,8 @@
 namespace litfog::render {
 namespace {
 
-constexpr float kNear = 0.1f;  // metres
-
 glm::mat4 clip_from_view(const scene::Camera& camera, double aspect) {
-  return glm::infinitePerspective(camera.field_of_view, float(aspect), kNear);
+  return glm::infinitePerspective(camera.field_of_view, float(aspect), kNearPlane);
 }
 
 glm::mat4 view_from_world(const scene::Camera& camera) {
@@ -75,7 +73,7 @@ View Renderer::view() const {
   const double fog_above_eye = scene_.fog_top - double(scene_.camera.position.y);
   return {.clip_from_world = clip_from_world(),
           .direction_from_clip = glm::inverse(clip_from_view(scene_.camera, framebuffer_.aspect()) * turned),
-          .near_plane = kNear,
+          .near_plane = kNearPlane,
           .fog_above_eye = float(std::clamp(fog_above_eye, -1.0, 2.0 * kSkyDistance))};
 }
 

@@ -157,7 +157,7 @@ TEST_F(ReferencePictureTest, SkyIsSeenThroughTheFogUpToItsTop) {
   const ReferencePicture reference = shade(scene, fog);
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x) {
-      const double rise = view_direction(scene.camera, x, y).y;
+      const double rise = view_direction(scene.camera, kWidth, kHeight, x + 0.5, y + 0.5).y;
       const double through = rise > 0 ? fog_factor_at(fog, (60 - 20) / rise) : 0;
       const glm::dvec3 expected = glm::mix(glm::dvec3(0.05f), pixel(behind.picture, x, y), through);
       ASSERT_LT(glm::distance(pixel(reference.picture, x, y), expected), 1e-6) << x << ", " << y;
@@ -173,7 +173,7 @@ TEST_F(ReferencePictureTest, FogBelowTheEyeHidesTheSkyBelowTheHorizonOnly) {
   const ReferencePicture reference = shade(scene, Fog::from_visibility(FogMode::exp, 400.0));
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x) {
-      const bool is_hidden = view_direction(scene.camera, x, y).y < 0;
+      const bool is_hidden = view_direction(scene.camera, kWidth, kHeight, x + 0.5, y + 0.5).y < 0;
       const glm::dvec3 expected = is_hidden ? glm::dvec3(0.05f) : pixel(behind.picture, x, y);
       ASSERT_LT(glm::distance(pixel(reference.picture, x, y), expected), 1e-6) << x << ", " << y;
     }

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "measure/airlight_bound.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "litfog/formulas.h"
+
+namespace litfog::measure {
+namespace {
+
+/// Bound of -f'(s) f(r) along a ray, 1/m.
+double largest_weight(const Fog& fog, double eye_range) {
+  const double depth = fog.density * eye_range;
+  if (fog.mode == FogMode::exp) return fog.density * std::exp(-depth);
+  return 2 * std::exp(-0.5) * fog.density * std::exp(-depth * depth / 3);
+}
+
+/// Henyey and Greenstein's phase function straight ahead, or straight back where that is brighter, over its isotropic
+/// value.
+double largest_phase(double asymmetry) {
+  const double g = std::abs(asymmetry);
+  return (1 + g) / ((1 - g) * (1 - g));
+}
+
+/// The cosine between a cone's axis and the direction from its light to the point of a ray where the angle is smallest,
+/// rounded up.
+///
+/// first, last  the ends of the ray's part, metres from its origin
+double largest_cosine(const PlacedLight& light, const EyeRay& ray, double first, double last) {
+  constexpr double kRounding = 1e-9;
+  const glm::dvec3 to_light = light.position - ray.origin;
+  const auto cosine_at = [&](double along) {
+    const glm::dvec3 from_light = along * ray.direction - to_light;
+    const double range = glm::length(from_light);
+    return range > 0 ? glm::dot(from_light, light.direction) / range : 1;
+  };
+  double largest = std::max(cosine_at(first), cosine_at(last));
+  // The angle has one extremum along the line; it is the smallest where the light's closest approach is before it.
+  const double approach = glm::dot(to_light, ray.direction);
+  const glm::dvec3 offset = approach * ray.direction - to_light;
+  const double axis_offset = glm::dot(offset, light.direction);
+  if (axis_offset > 0) {
+    const double extremum =
+        approach + glm::dot(ray.direction, light.direction) * glm::dot(offset, offset) / axis_offset;
+    largest = std::max(largest, cosine_at(std::clamp(extremum, first, last)));
+  }
+  return std::min(largest + kRounding, 1.0);
+}
+
+}  // namespace
+
+double airlight_bound(const ReferenceLight& light, const EyeRay& ray, const Scattering& scattering) {
+  const glm::dvec3 to_light = light.placed.position - ray.origin;
+  const double approach = glm::dot(to_light, ray.direction);
+  const double nearest = glm::distance(to_light, std::clamp(approach, 0.0, ray.length) * ray.direction);
+  if (!(nearest < light.extent)) return 0;
+  const Attenuation& attenuation = light.placed.light.attenuation;
+  const double brightest = attenuation_at(attenuation, nearest);
+  const double eye_range = glm::length(to_light);
+  if (std::isinf(light.fog.density) && eye_range > 0) return 0;  // all is scattered in the eye
+  const double offset = glm::distance(to_light, approach * ray.direction);
+  const double half_chord = std::sqrt(std::max(light.extent * light.extent - offset * offset, 0.0));
+  const double first = std::clamp(approach - half_chord, 0.0, ray.length);
+  const double last = std::clamp(approach + half_chord, first, ray.length);
+  const double factor = cone_at(light.placed.light.cone, largest_cosine(light.placed, ray, first, last)) *
+                        largest_phase(scattering.asymmetry);
+  if (std::isinf(light.fog.density)) return factor * brightest;
+  const double denominator =
+      formulas::denominator(offset, attenuation.constant, attenuation.linear, attenuation.quadratic);
+  const double integral =
+      std::min(brightest * (last - first), std::numbers::pi / std::sqrt(attenuation.quadratic * denominator));
+  return factor * std::min(brightest, largest_weight(light.fog, eye_range) * integral);
+}
+
+}  // namespace litfog::measure
