@@ -5,6 +5,8 @@
 #include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
 
 #include "airlight_quadrature.h"
 #include "airlight_text.h"
@@ -65,23 +67,23 @@ double fast_airlight(const SeenLight& seen, const EyeRay& ray, const Scattering&
 /// 1/d.
 long double integrate_axially(const Attenuation& narrow, const Fog& fog, double threshold) {
   const auto attenuation = convert<long double>(narrow);
-  const auto [constant, linear, quadratic] = attenuation;
   const long double density = fog.density;
   const long double extent = level_range(attenuation, static_cast<long double>(threshold)).high;
   const bool is_exp = fog.mode == FogMode::exp;
   if (density == 0 || extent == 0) return 0;
-  if (std::isinf(density) || std::isinf(extent)) return 1 / std::max(1.0L, constant);
+  if (std::isinf(density) || std::isinf(extent)) return 1 / std::max(1.0L, attenuation.constant);
 
   const long double knee = std::min(level_range(attenuation, 1.0L).high, extent);
   const long double end = std::min(extent, (is_exp ? 50 : 7.1L) / density);
   const auto integrand = [&](long double range) {
     const long double depth = density * range;
     const long double scattered = is_exp ? std::exp(-depth) : 2 * depth * std::exp(-depth * depth);
-    return density * scattered * formulas::attenuation(range, constant, linear, quadratic);
+    return density * scattered *
+           formulas::attenuation(range, attenuation.constant, attenuation.linear, attenuation.quadratic);
   };
   const airlight_text::Bisection bisection(integrand, 1e-14L);
   long double sum = formulas::opacity(is_exp ? density * knee : density * knee * density * knee);
-  const long double halved = level_range(attenuation, 1 / (2 * std::max(1.0L, constant))).high;
+  const long double halved = level_range(attenuation, 1 / (2 * std::max(1.0L, attenuation.constant))).high;
   long double size = std::min(1 / density, halved - knee);
   for (long double low = knee; low < end; size *= 8) {
     const long double high = size < end - low ? low + size : end;
@@ -131,6 +133,62 @@ void airlight(const PlacedLight& light, const Fog& fog, std::span<const EyeRay> 
 double reference_airlight(const PlacedLight& light, const Fog& fog, const EyeRay& ray, const Scattering& scattering) {
   require_all(light, fog, ray, scattering);
   return exact_airlight(SeenLight(light, fog), ray, scattering);
+}
+
+double bound_airlight(const PlacedLight& light, const Fog& fog, const glm::dvec3& eye, const glm::dvec3& direction,
+                      double half_angle, const Scattering& scattering) {
+  constexpr double kMargin = 1e-12;
+  require_all(light, fog, {eye, direction}, scattering);
+  if (!(half_angle >= 0 && half_angle <= std::numbers::pi)) {
+    require(ValueError{"half_angle", half_angle, "must be in [0, pi]"});
+  }
+  const double extent = unchecked::compute_extent(light.light.attenuation, light.light.threshold) * (1 + kMargin);
+  const Fog class_fog = unchecked::scaled(fog, light.light.density_scale);
+  const double density = class_fog.density;
+  if (density == 0 || extent == 0) return 0;
+
+  const glm::dvec3 to_light = light.position - eye;
+  const double range = glm::length(to_light);
+  const double from_axis = std::atan2(glm::length(glm::cross(direction, to_light)), glm::dot(direction, to_light));
+  const double outside = std::max(from_axis - half_angle - kMargin, 0.0);
+  const double nearest =
+      range * (outside < std::numbers::pi / 2 ? std::sin(outside) : 1) * (1 - kMargin) - 1e-15 * kMaxPosition;
+  const double closest = std::max(nearest, 0.0);
+  if (closest >= extent) return 0;
+
+  const double start = std::max(range * (1 - kMargin) - extent, 0.0);
+  const double chord = 2 * std::sqrt(extent - closest) * std::sqrt(extent + closest);
+  const double opacity = class_fog.mode == FogMode::exp
+                             ? fog_factor_at(class_fog, start) * opacity_at(class_fog, chord)
+                             : std::min(fog_factor_at(class_fog, start), chord * density * 0.85776388496070680);
+  const double size = std::abs(scattering.asymmetry);
+  const double largest_phase = (1 + size) / ((1 - size) * (1 - size));
+  const double lamp_leg = scattering.lamp_leg == LampLeg::fogged ? fog_factor_at(class_fog, closest) : 1;
+  // One subnormal more: the products may be rounded down to 0.
+  return largest_phase * attenuation_at(light.light.attenuation, closest) * opacity * lamp_leg * (1 + 8 * kMargin) +
+         std::numeric_limits<double>::denorm_min();
+}
+
+double light_reach(const Light& light, const Fog& fog, double budget, LampLeg lamp_leg) {
+  require(check(light));
+  require(check(fog));
+  if (!(budget > 0 && budget < 1)) require(ValueError{"budget", budget, "must be in (0, 1)"});
+  const Fog class_fog = unchecked::scaled(fog, light.density_scale);
+  const auto shown_at = [&](double range) {
+    return attenuation_at(light.attenuation, range) *
+           (lamp_leg == LampLeg::fogged ? fog_factor_at(class_fog, range) : 1);
+  };
+  double high = unchecked::compute_extent(light.attenuation, light.threshold);
+  if (!(shown_at(high) < budget)) return high;
+  double low = 0;
+  if (shown_at(low) < budget) return low;
+  high = std::min(high, std::numeric_limits<double>::max());
+  while (high > low * (1 + 1e-9) && high > std::numeric_limits<double>::min()) {
+    const double middle =
+        high > 4 * low ? std::max(std::sqrt(low) * std::sqrt(high), high * 0x1p-64) : low + (high - low) / 2;
+    (shown_at(middle) < budget ? high : low) = middle;
+  }
+  return high;
 }
 
 double axial_airlight(const Attenuation& attenuation, const Fog& fog, double threshold) {

@@ -77,7 +77,7 @@ long double integrate_airlight(Text<long double, Cookie> text,
   const long double fog_scale = 1 / air.density;
   const long double reach = (air.mode == 0 ? 11400 : 107) * fog_scale;  // beyond, long double has no e^-depth but 0
   const long double low = std::max(-air.approach, -chord);
-  const long double high = std::min({air.length - air.approach, chord, reach - air.approach});
+  const long double high = std::min({air.ray_length - air.approach, chord, reach - air.approach});
   if (!(high > low)) return 0;
 
   // Where the integrand is not smooth or has a peak, and the shortest distance over which it changes there.

@@ -68,7 +68,7 @@ struct Text {
       air.cone_x = std::cos(Real(light.cone.outer));
       air.cone_y = std::cos(Real(light.cone.inner));
     }
-    air.length = Real(ray.length);
+    air.ray_length = Real(ray.length);
     air.approach = approach;
     air.offset = glm::length(offset);
     air.axis_offset = glm::dot(offset, axis);
@@ -79,7 +79,7 @@ struct Text {
   /// The limit of total fog: what is scattered in the eye itself.
   Real at_the_eye(const LitfogAirlight& air) {
     const Real range = litfog_airlight_range(air, air.approach);
-    const bool is_dark = air.length == 0 || range >= air.extent || (air.lamp_leg != 0 && range > 0);
+    const bool is_dark = air.ray_length == 0 || range >= air.extent || (air.lamp_leg != 0 && range > 0);
     if (is_dark) return 0;
     const Real phase = litfog_phase(range > 0 ? air.approach / range : Real(-1), air.asymmetry);
     return formulas::attenuation(range, air.constant, air.linear, air.quadratic) * phase *

@@ -37,9 +37,9 @@ class PixelRays {
     return glm::normalize(forward_ + right_ * (x + 0.5 - middle_.x) + up_ * (middle_.y - y - 0.5));
   }
 
-  /// Metres along a direction that are as far along the camera's axis as an offset from the eye.
-  double length_to(const glm::dvec3& offset, const glm::dvec3& direction) const {
-    return glm::dot(offset, forward_) / glm::dot(direction, forward_);
+  /// Metres along a direction to a distance along the camera's axis.
+  double length_to(double distance, const glm::dvec3& direction) const {
+    return distance / glm::dot(direction, forward_);
   }
 
  private:
@@ -72,41 +72,60 @@ class ReferenceShading {
 
   /// The mean of a pixel's samples.
   Shade pixel(std::span<const render::GeometrySample> samples, int x, int y) const {
+    const glm::dvec3 direction = rays_.direction(x, y);
     Shade mean;
     for (auto sample = samples.begin(); sample != samples.end(); ++sample) {
-      if (std::find(samples.begin(), sample, *sample) != sample) continue;  // shaded before
-      const double weight = double(std::count(sample, samples.end(), *sample)) / double(samples.size());
-      const Shade shade =
-          sample->material < 0 ? sky(x, y) : surface(model_.surface_point(*sample), rays_.direction(x, y));
+      const auto is_same = [&](const render::GeometrySample& other) { return sample->is_of_same_fragment(other); };
+      if (std::find_if(samples.begin(), sample, is_same) != sample) continue;  // shaded before
+      const double weight = double(std::count_if(sample, samples.end(), is_same)) / double(samples.size());
+      const Shade shade = sample->material < 0 ? sky(direction) : surface(model_.surface_point(*sample));
       mean.color += shade.color * weight;
       mean.least += shade.least * weight;
       mean.most += shade.most * weight;
       mean.is_at_jump |= shade.is_at_jump;
     }
+    const glm::dvec3 airlight = mean_airlight(samples, direction);
+    mean.color += airlight;
+    mean.least += airlight;
+    mean.most += airlight;
     return mean;
   }
 
  private:
-  /// direction  of the pixel's ray, on which the airlight reaches to the point's distance along the camera's axis: the
-  ///            sample's own ray may be another, because at an edge a surface's attributes are kept within its bounds
-  Shade surface(const SurfacePoint& point, const glm::dvec3& direction) const {
+  /// That of the pixel's ray to the distance of each sample: that of the surface in the middle of the pixel or, if
+  /// several are seen and a surface may end before the middle, the sample's own.
+  glm::dvec3 mean_airlight(std::span<const render::GeometrySample> samples, const glm::dvec3& direction) const {
+    const render::GeometrySample& first = samples.front();
+    const bool is_edge = !std::ranges::all_of(
+        samples, [&](const render::GeometrySample& sample) { return sample.is_of_same_fragment(first); });
+    if (!is_edge) return model_.airlight(direction, length_to(first, is_edge, direction));
+    glm::dvec3 sum(0.0);
+    for (const render::GeometrySample& sample : samples)
+      sum += model_.airlight(direction, length_to(sample, is_edge, direction));
+    return sum / double(samples.size());
+  }
+
+  double length_to(const render::GeometrySample& sample, bool is_edge, const glm::dvec3& direction) const {
+    if (sample.material < 0) return fog_before_sky(fog_above_eye_, direction);
+    if (is_edge) return rays_.length_to(render::kNearPlane / (1 - double(sample.depth)), direction);
+    return glm::distance(glm::dvec3(sample.position), eye_);
+  }
+
+  Shade surface(const SurfacePoint& point) const {
     const Veil veil = model_.veil(point.position);
     const glm::dvec3 color = model_.surface_color(point);
     const LookupBounds::Interval bounds =
         bounds_ ? bounds_->surface_color(point) : LookupBounds::Interval{color, color};
-    const glm::dvec3 airlight = model_.airlight(direction, rays_.length_to(point.position - eye_, direction));
-    return {.color = veil.over(color) + airlight,
-            .least = veil.over(bounds.least) + airlight,
-            .most = veil.over(bounds.most) + airlight,
+    return {.color = veil.over(color),
+            .least = veil.over(bounds.least),
+            .most = veil.over(bounds.most),
             .is_at_jump = jumps_.is_at_jump(point) || jumps_.is_at_jump(veil, point.position)};
   }
 
-  Shade sky(int x, int y) const {
-    const glm::dvec3 direction = rays_.direction(x, y);
-    const double length = fog_before_sky(fog_above_eye_, direction);
-    const glm::dvec3 position = eye_ + direction * length;
+  Shade sky(const glm::dvec3& direction) const {
+    const glm::dvec3 position = eye_ + direction * fog_before_sky(fog_above_eye_, direction);
     const Veil veil = model_.veil(position);
-    const glm::dvec3 color = veil.over(night_sky(model_.environment(), direction)) + model_.airlight(direction, length);
+    const glm::dvec3 color = veil.over(night_sky(model_.environment(), direction));
     return {.color = color,
             .least = color,
             .most = color,

@@ -14,8 +14,9 @@
 namespace litfog::render {
 namespace {
 
-/// What a light may leave out of a pixel: an eighth of a step of the display in linear light.
-constexpr float kBudget = 1 / (8 * 255.0f);
+/// What a light may leave out of a pixel: an eighth of a step of the display where it is darkest and sRGB has this slope.
+constexpr float kDarkestSlope = 12.92f;
+constexpr float kBudget = 1 / (8 * 255 * kDarkestSlope);
 constexpr int kGridStep = 4;  // pixels
 
 // Of the stencil, which is 0 elsewhere.
@@ -28,6 +29,11 @@ float largest_phase(double asymmetry) {
   return float((1 + g) / ((1 - g) * (1 - g)));
 }
 
+void bind_texture(const gl::TextureName& texture) {
+  glActiveTexture(GL_TEXTURE0 + kGridUnit);
+  glBindTexture(GL_TEXTURE_2D, texture.id());
+}
+
 }  // namespace
 
 AirlightPainter::AirlightPainter(const scene::Scene& scene, const gl::FogLightBuffer& fog_lights, int width, int height)
@@ -37,16 +43,24 @@ AirlightPainter::AirlightPainter(const scene::Scene& scene, const gl::FogLightBu
       grid_size_((picture_size_ + (kGridStep - 1)) / kGridStep + 1),
       light_program_("airlight.vert", "airlight.frag", scene_shaders(!scene.cookies.empty())),
       core_program_("airlight.vert", "nothing.frag", scene_shaders(!scene.cookies.empty())),
-      fill_program_("whole_picture.vert", "airlight_fill.frag", scene_shaders(!scene.cookies.empty())) {
-  glActiveTexture(GL_TEXTURE0 + kGridUnit);
-  glBindTexture(GL_TEXTURE_2D, grid_texture_.id());
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, grid_size_.x, grid_size_.y, 0, GL_RGBA, GL_FLOAT, nullptr);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  glBindFramebuffer(GL_FRAMEBUFFER, grid_.id());
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, grid_texture_.id(), 0);
-  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-    throw gl::Unsupported("this driver cannot draw into a texture of floats");
+      fill_program_("whole_picture.vert", "airlight_fill.frag", scene_shaders(!scene.cookies.empty())),
+      add_program_("whole_picture.vert", "airlight_add.frag", demo_shaders()) {
+  const auto attach = [](const gl::FramebufferName& framebuffer, const gl::TextureName& texture, glm::ivec2 size) {
+    bind_texture(texture);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, size.x, size.y, 0, GL_RGBA, GL_FLOAT, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.id(), 0);
+    return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+  };
+  const bool grid_is_whole = attach(grid_, grid_texture_, grid_size_);
+  glBindRenderbuffer(GL_RENDERBUFFER, sum_stencil_.id());
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, width, height);
+  glBindFramebuffer(GL_FRAMEBUFFER, sum_.id());
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, sum_stencil_.id());
+  if (!attach(sum_, sum_texture_, picture_size_) || !grid_is_whole || glGetError() != GL_NO_ERROR) {
+    throw gl::Unsupported("this driver cannot draw into textures of floats");
   }
 }
 
@@ -73,7 +87,9 @@ void AirlightPainter::draw(const Framebuffer& framebuffer, const View& view, uns
   set_uniform(light_program_, "target_from_picture", glm::vec4(scale, offset));
   draw_lights(light_program_);
 
-  framebuffer.bind_resolved();
+  glBindFramebuffer(GL_FRAMEBUFFER, sum_.id());
+  glViewport(0, 0, picture_size_.x, picture_size_.y);
+  glClear(GL_COLOR_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
   glEnable(GL_STENCIL_TEST);
   glStencilFunc(GL_ALWAYS, kCore, 0xff);
   glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
@@ -87,8 +103,7 @@ void AirlightPainter::draw(const Framebuffer& framebuffer, const View& view, uns
   glStencilFunc(GL_EQUAL, 0, 0xff);
   glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);  // to kFilled
   use(fill_program_, framebuffer, view, carried);
-  glActiveTexture(GL_TEXTURE0 + kGridUnit);
-  glBindTexture(GL_TEXTURE_2D, grid_texture_.id());
+  bind_texture(grid_texture_);
   set_uniform(fill_program_, "grid", kGridUnit);
   glUniform1i(fill_program_.uniform("pixel_step"), kGridStep);
   glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -100,6 +115,12 @@ void AirlightPainter::draw(const Framebuffer& framebuffer, const View& view, uns
   set_uniform(light_program_, "target_from_picture", glm::vec4(1, 1, 0, 0));
   draw_lights(light_program_);
   glDisable(GL_STENCIL_TEST);
+
+  framebuffer.bind_resolved();
+  add_program_.use();
+  bind_texture(sum_texture_);
+  set_uniform(add_program_, "airlight", kGridUnit);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
   glDisable(GL_BLEND);
 }
 

@@ -45,8 +45,12 @@ class AirlightPainter {
   gl::Program light_program_;
   gl::Program core_program_;
   gl::Program fill_program_;
+  gl::Program add_program_;
   gl::FramebufferName grid_;
   gl::TextureName grid_texture_;
+  gl::FramebufferName sum_;  // in floats: half floats would lose what faint lights add to bright ones
+  gl::TextureName sum_texture_;
+  gl::RenderbufferName sum_stencil_;
   gl::VertexArrayName vertex_array_;  // of no attributes
 };
 

@@ -16,19 +16,12 @@
 namespace litfog::render {
 namespace {
 
-constexpr float kNear = 0.1f;  // metres
-
 glm::mat4 clip_from_view(const scene::Camera& camera, double aspect) {
-  return glm::infinitePerspective(camera.field_of_view, float(aspect), kNear);
+  return glm::infinitePerspective(camera.field_of_view, float(aspect), kNearPlane);
 }
 
 glm::mat4 view_from_world(const scene::Camera& camera) {
   return glm::lookAt(camera.position, camera.target, glm::vec3(0, 1, 0));
-}
-
-/// Whether a pixel is the sum of what is drawn one after the other: passes, or the airlight of one light after the other.
-bool adds_up(const RenderSettings& settings) {
-  return settings.path->has_several_passes() || settings.fog_lighting == FogLighting::airlight;
 }
 
 /// All cookies in one array, each as large as the largest.
@@ -47,7 +40,7 @@ LayeredTexture make_cookie_array(const std::vector<Cookie>& cookies) {
 Renderer::Renderer(const scene::Scene& scene, int width, int height, const RenderSettings& settings)
     : scene_(scene),
       settings_(settings),
-      framebuffer_(width, height, adds_up(settings) ? Passes::several : Passes::one),
+      framebuffer_(width, height, settings.path->has_several_passes() ? Passes::several : Passes::one),
       lights_(scene, settings),
       light_buffer_(lights_.entries().data(), lights_.entries().size_bytes(), BufferTexture::Texel::float4),
       surfaces_(scene, lights_, fog_block_, settings),
@@ -80,7 +73,7 @@ View Renderer::view() const {
   const double fog_above_eye = scene_.fog_top - double(scene_.camera.position.y);
   return {.clip_from_world = clip_from_world(),
           .direction_from_clip = glm::inverse(clip_from_view(scene_.camera, framebuffer_.aspect()) * turned),
-          .near_plane = kNear,
+          .near_plane = kNearPlane,
           .fog_above_eye = float(std::clamp(fog_above_eye, -1.0, 2.0 * kSkyDistance))};
 }
 
@@ -140,6 +133,7 @@ void Renderer::draw_light_points(const View& view) {
   set_uniform(light_point_program_, "cookies", kCookieUnit);
   set_uniform(light_point_program_, "clip_from_world", view.clip_from_world);
   set_uniform(light_point_program_, "eye", scene_.camera.position);
+  set_uniform(light_point_program_, "has_glare", unsigned{settings_.fog_lighting == FogLighting::peak});
   set_uniform(light_point_program_, "near_plane", view.near_plane);
   set_uniform(light_point_program_, "pixel_scale", float(framebuffer_.height()) / 720.0f);
   set_uniform(light_point_program_, "litfog_light_buffer", kLightBufferUnit);

@@ -14,6 +14,7 @@
 
 namespace litfog::render {
 
+inline constexpr float kNearPlane = 0.1f;       ///< metres
 inline constexpr float kSkyDistance = 50'000;  ///< metres: beyond any visibility at which fog is visible
 
 /// Whether lamps are drawn as points over the surfaces.

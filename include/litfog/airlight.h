@@ -74,6 +74,38 @@ inline constexpr double kReferenceAirlightMaxError = 1e-10;
 double reference_airlight(const PlacedLight& light, const Fog& fog, const EyeRay& ray,
                           const Scattering& scattering = {});
 
+/// What the airlight of a light cannot exceed along any ray from the eye that leaves within an angle of an axis,
+/// however long: for skipping a light for a tile of the picture, or for all of it.
+///
+/// Proof. The phase function is at most p = (1 + |g|) / (1 - |g|)^2 and the cone 1. No point of the rays lies nearer to
+/// the light than h, the distance from the light to the cone of rays: its range from the eye times the sine of the
+/// angle by which it lies outside the cone, all of its range where that is over 90 degrees, 0 inside. a falls with the
+/// range, so that it is at most a(h), and 0 where h is not below the extent E. The lit stretch of a ray is a chord of
+/// the sphere of radius E, at most c = 2 sqrt(E^2 - h^2) long, and begins at s0 or later, s0 = max(0, R - E) from the
+/// eye, R being the light's range. Hence
+///   A <= p a(h) (f(s0) - f(s0 + c))              in exp fog, where -f' falls;
+///   A <= p a(h) min(f(s0), c d sqrt(2 / e))      in exp2 fog, where -f' is at most d sqrt(2 / e).
+/// With the lamp's leg fogged the integrand is less by f(r), and f(r) <= f(h).
+/// Rounding: h is lowered and the rest raised by 1e-12 of itself.
+///
+/// direction   the axis of the rays; its length is 1 within kDirectionTolerance
+/// half_angle  radians, [0, pi]; pi is all rays
+/// returns     never below the airlight, exact or by reference_airlight                             (airlight_test.cpp)
+/// throws      std::invalid_argument naming field, value and rule
+double bound_airlight(const PlacedLight& light, const Fog& fog, const glm::dvec3& eye, const glm::dvec3& direction,
+                      double half_angle, const Scattering& scattering = {});
+
+/// The range beyond which a light shows on no surface and in no fog: where a(r) f(r)^k stays below a budget. The lit
+/// part of the scene lies in the sphere of this radius around the light.
+///
+/// Proof. a and f fall, and so does their product: where it is below the budget at one range, it is so at all beyond.
+/// The range returned is the extent or the upper end of a bisection, at which it is.
+///
+/// budget   (0, 1): over the largest component of the light's colour
+/// returns  metres, [0, extent], at most 1e-9 of itself too long; infinite for constant attenuation in clear air
+/// throws   std::invalid_argument naming field, value and rule
+double light_reach(const Light& light, const Fog& fog, double budget, LampLeg lamp_leg = LampLeg::fogged);
+
 /// Largest error of axial_airlight in ulp.
 inline constexpr double kAxialAirlightMaxUlp = 3;
 

@@ -27,7 +27,6 @@ namespace litfog::test {
 namespace {
 
 constexpr double kStep = 1 / 255.;
-constexpr std::array kLampLegs{LampLeg::clear, LampLeg::fogged};
 
 /// The airlight by its definition, from vectors and without the library's formulas. Where the integrand is not smooth
 /// is found by its changes of side on a grid.
@@ -543,6 +542,67 @@ TEST(Airlight, ClearAirOrARayWithoutLengthHasNoAirlight) {
       EXPECT_EQ(reference_of(looking({1, 0, 0.25}, {mode, 0.1}, leg, {1, 0, -2}, 0)), 0);
     }
   }
+}
+
+TEST(AirlightBound, BoundIsNeverBelowTheAirlightOfARayInItsCone) {
+  Random random(72);
+  int dark = 0;
+  for (int i = 0; i < 20000; ++i) {
+    AirlightCase c = draw_spot_airlight_case(random, random.pick(kModes), random.pick(kLampLegs));
+    if (random.chance(0.5)) c.light.light.cone = {};
+    if (random.chance(0.3)) c.scattering.asymmetry = random.uniform(-0.95, 0.95);
+    const double half_angle = random.chance(0.1) ? std::numbers::pi : random.log_uniform(1e-6, 3);
+    const double tilt =
+        half_angle * (random.chance(0.5) ? 1 - 1e-9 : random.uniform(0, 1));  // of the ray from the axis
+    const glm::dvec3 axis =
+        glm::normalize(std::cos(tilt) * c.ray.direction + std::sin(tilt) * draw_perpendicular(random, c.ray.direction));
+    const double bound = bound_airlight(c.light, c.fog, c.ray.origin, axis, half_angle, c.scattering);
+    ASSERT_GE(bound, reference_of(c)) << "half angle " << half_angle << ", tilt " << tilt << ", " << to_string(c);
+    if (bound < kStep / 2) ++dark;
+  }
+  std::printf("airlight bound: %d of 20000 cones of rays are found to show less than 0.5/255\n", dark);
+  EXPECT_GT(dark, 1000);
+}
+
+TEST(AirlightBound, WrongHalfAngleIsAnError) {
+  EXPECT_EQ(error_of([] { bound_airlight({}, {}, {}, {0, 0, -1}, -1); }), "half_angle = -1: must be in [0, pi]");
+}
+
+TEST(LightReach, NothingBeyondTheReachShowsTheBudget) {
+  Random random(73);
+  for (int i = 0; i < 20000; ++i) {
+    const AirlightCase c = draw_airlight_case(random, random.pick(kModes), LampLeg::fogged);
+    const Light& light = c.light.light;
+    const LampLeg leg = random.pick(kLampLegs);
+    const double budget = random.log_uniform(1e-8, 0.999);
+    const double reach = light_reach(light, c.fog, budget, leg);
+    const double extent = compute_extent(light.attenuation, light.threshold);
+    const auto shown_at = [&](double range) {
+      return range > extent ? 0
+                            : attenuation_at(light.attenuation, range) *
+                                  (leg == LampLeg::fogged ? fog_factor_at(c.fog, range) : 1);
+    };
+    ASSERT_LE(reach, extent);
+    if (std::isinf(reach)) continue;
+    if (reach == 0) {
+      ASSERT_LT(shown_at(0), budget) << to_string(c);
+      continue;
+    }
+    for (const double factor : {1 + 1e-14, 1.01, 2.0, 1000.0})
+      ASSERT_LT(shown_at(reach * factor), budget) << to_string(c);
+    ASSERT_GE(shown_at(reach * (1 - 2e-9)), budget * (1 - 1e-12)) << to_string(c);  // nor is it longer than need be
+  }
+}
+
+TEST(LightReach, ReachHasItsLimits) {
+  Light light;
+  light.attenuation = {1, 0, 0};
+  EXPECT_EQ(light_reach(light, {FogMode::exp, 0}, 0.01), kInfinity);
+  EXPECT_EQ(light_reach(light, {FogMode::exp, 1}, 0.01, LampLeg::clear), kInfinity);
+  EXPECT_NEAR(light_reach(light, {FogMode::exp, 0.1}, std::exp(-3.0)), 30, 1e-7);
+  light.attenuation = {4, 0, 0};
+  EXPECT_EQ(light_reach(light, {FogMode::exp, 0.1}, 0.5), 0);
+  EXPECT_EQ(error_of([&] { light_reach(light, {}, 1); }), "budget = 1: must be in (0, 1)");
 }
 
 TEST(Airlight, AirlightAlongManyRaysIsThatAlongEach) {

@@ -77,6 +77,7 @@ TEST(Eulumdat, EverySymmetryGivesTheSameLamp) {
   expect_same_beam({.name = "",
                     .manufacturer = "",
                     .distribution = round,
+                    .peak_location = {},
                     .lamp_flux = {},
                     .light_output_ratio = {},
                     .opening = {},

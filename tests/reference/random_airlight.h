@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <glm/geometric.hpp>
@@ -13,6 +14,8 @@
 #include "reference/random_light.h"
 
 namespace litfog::test {
+
+inline constexpr std::array kLampLegs{LampLeg::clear, LampLeg::fogged};
 
 /// A light, a fog and a ray: the arguments of airlight().
 struct AirlightCase {

@@ -29,7 +29,7 @@ scene::Scene four_lamps() {
 
 LightSelection select(const scene::Scene& scene, const Fog& fog, const LightingPath& path,
                       std::span<const int> map_kinds = {}, Skipping skipping = Skipping::on) {
-  SceneLights lights(scene, path);
+  SceneLights lights(scene, {.path = &path});
   lights.set_fog(fog);
   return select_lights(lights, Indices{0, 1}, kBox, map_kinds, skipping);
 }
@@ -73,14 +73,14 @@ TEST(LightSelection, LightsThatShareTheirMapsComeTogetherAndMakeBatches) {
 TEST(SceneLights, LightThatEndsAtOnceIsLeftOutUnlessItIsCarried) {
   scene::Scene scene = four_lamps();
   for (PlacedLight& light : scene.lights) light.light.attenuation = {100, 0, 0};
-  const SceneLights lights(scene, unified());
+  const SceneLights lights(scene, {.path = &unified()});
   EXPECT_EQ(lights.local_count(), 0u);
   EXPECT_EQ(lights.size(), 2u);
 }
 
 TEST(SceneLights, EntriesHoldTheirLightsAndTheIntensityOfTheLastFog) {
   const scene::Scene scene = four_lamps();
-  SceneLights lights(scene, unified());
+  SceneLights lights(scene, {.path = &unified()});
   lights.set_fog(kFog);
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const PlacedLight& light = lights.lights()[i];

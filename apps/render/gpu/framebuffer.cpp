@@ -32,7 +32,6 @@ Framebuffer::Framebuffer(int width, int height, Passes passes) : width_(width), 
   const bool is_summed = passes == Passes::several;
   const GLenum color = is_summed ? GL_RGBA32F : GL_RGBA16F;  // half floats would lose up to 1/2048 a pass
   attach(resolved_, resolved_color_, GL_COLOR_ATTACHMENT0, color, 0);
-  attach(resolved_, resolved_stencil_, GL_DEPTH_STENCIL_ATTACHMENT, GL_DEPTH24_STENCIL8, 0);
   const bool resolved_is_whole = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
   attach(drawn_, drawn_color_, GL_COLOR_ATTACHMENT0, color, samples());
   glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, drawn_depth_.id());
@@ -56,7 +55,6 @@ void Framebuffer::resolve() const {
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.id());
   glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
   bind_resolved();
-  glClear(GL_STENCIL_BUFFER_BIT);
 }
 
 void Framebuffer::bind_resolved() const {

@@ -6,7 +6,7 @@
 
 namespace litfog::render {
 
-/// How often a surface is drawn, or light is added over it, at most.
+/// How often a surface is drawn at most.
 enum class Passes { one, several };
 
 /// What the demo draws into: linear RGBA half floats and depth. Several passes draw into floats, because their sums
@@ -24,8 +24,7 @@ class Framebuffer {
   double aspect() const { return double(width_) / height_; }
   /// Makes it the target of drawing.
   void bind() const;
-  /// Averages the samples. What is drawn from then on, until bind(), is drawn over their averages, which have a stencil
-  /// of zeros.
+  /// Averages the samples. What is drawn from then on, until bind(), is drawn over their averages.
   void resolve() const;
   /// Makes the averages the target of drawing again.
   void bind_resolved() const;
@@ -42,7 +41,6 @@ class Framebuffer {
   gl::RenderbufferName drawn_color_;
   gl::TextureName drawn_depth_;  // and stencil
   gl::RenderbufferName resolved_color_;
-  gl::RenderbufferName resolved_stencil_;
 };
 
 }  // namespace litfog::render

@@ -23,6 +23,11 @@ bool is_complete() { return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAME
 
 }  // namespace
 
+bool GeometrySample::is_of_same_fragment(const GeometrySample& other) const {
+  return position == other.position && material == other.material && normal_texel == other.normal_texel &&
+         tangent == other.tangent && normal == other.normal && gloss == other.gloss && albedo == other.albedo;
+}
+
 const LightingPath& geometry_path(const LightingPath& other) {
   const auto make = [](std::string_view vertex, std::string_view geometry) {
     return LightingPath{
@@ -48,9 +53,9 @@ GeometryBuffer::GeometryBuffer(int width, int height)
     glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples_, GL_RGBA32F, width, height, GL_TRUE);
     glFramebufferTexture2D(GL_FRAMEBUFFER, kAttachments[i], GL_TEXTURE_2D_MULTISAMPLE, textures_[i].id(), 0);
   }
-  glBindRenderbuffer(GL_RENDERBUFFER, drawn_depth_.id());
-  glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples_, GL_DEPTH_COMPONENT32F, width, height);
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, drawn_depth_.id());
+  glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, drawn_depth_.id());
+  glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples_, GL_DEPTH_COMPONENT32F, width, height, GL_TRUE);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D_MULTISAMPLE, drawn_depth_.id(), 0);
   glDrawBuffers(kTargets, kAttachments);
   const bool drawn_is_whole = is_complete();
   glBindFramebuffer(GL_FRAMEBUFFER, read_.id());
@@ -84,9 +89,13 @@ std::vector<GeometrySample> GeometryBuffer::read_rows(int first, int count) cons
   glBindVertexArray(vertex_array_.id());
   sample_program_.use();
   glUniform1i(sample_program_.uniform("target"), 0);
+  glUniform1i(sample_program_.uniform("depths"), 1);
   glUniform1i(sample_program_.uniform("top_row"), height_ - 1 - first);  // GL counts rows from the bottom
+  glActiveTexture(GL_TEXTURE1);
+  glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, drawn_depth_.id());
   glActiveTexture(GL_TEXTURE0);
   for (std::size_t i = 0; i < kTargets; ++i) {
+    glUniform1i(sample_program_.uniform("ends_in_depth"), i + 1 == kTargets);
     glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, textures_[i].id());
     for (std::size_t sample = 0; sample < samples; ++sample) {
       glUniform1i(sample_program_.uniform("sample_index"), GLint(sample));

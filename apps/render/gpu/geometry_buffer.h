@@ -10,7 +10,7 @@
 
 namespace litfog::render {
 
-/// One sample of a picture as rasterised: what its fragment is shaded from. World space, metres.
+/// One sample of a picture as rasterised: what its fragment is shaded from, and how deep it is. World space, metres.
 struct GeometrySample {
   glm::vec3 position;      ///< within the bounds of the surface drawn
   float material;          ///< its number (Renderer::materials), whole; -1 where the sky is seen
@@ -19,9 +19,9 @@ struct GeometrySample {
   glm::vec3 normal;        ///< interpolated from the vertices, where it is a unit vector
   float gloss;
   glm::vec3 albedo;  ///< linear RGB
-  float unused;
+  float depth;       ///< the sample's own, 1 - kNearPlane / distance along the camera's axis: not part of the fragment
 
-  friend bool operator==(const GeometrySample&, const GeometrySample&) = default;
+  bool is_of_same_fragment(const GeometrySample& other) const;
 };
 
 /// A path that rasterises exactly the samples of `other` and writes surface attributes instead of colour.
@@ -54,7 +54,7 @@ class GeometryBuffer {
   gl::FramebufferName drawn_;
   gl::FramebufferName read_;
   gl::TextureName textures_[kTargets];
-  gl::RenderbufferName drawn_depth_;
+  gl::TextureName drawn_depth_;
   gl::RenderbufferName read_color_;   // a target's rows
   gl::VertexArrayName vertex_array_;  // of no attributes
 };

@@ -23,7 +23,7 @@ void main() {
   int evaluations = is_edge(seen) ? sample_count : 1;
   vec3 sum = vec3(0.0);
   for (int i = 0; i < evaluations; ++i) {
-    sum += litfog_glow(light, eye, direction, evaluations > 1 ? seen.ranges[i] : seen.mean, 1.0, asymmetry);
+    sum += litfog_glow(light, eye, direction, evaluations > 1 ? seen.ranges[i] : seen.mean, asymmetry);
   }
   color = vec4(sum / float(evaluations), 0.0);
 }

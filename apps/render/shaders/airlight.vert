@@ -2,17 +2,12 @@
 // Instance i is light i of the light list: a quad over the pixels whose rays can show more of its airlight than a
 // budget.
 //
-// Bound. With L the distance from the eye to the light and h that from the light to a ray, s + r >= L on the ray. So in
-// exp fog f(s) f(r) <= e^(-d L), and the airlight is at most d e^(-d L) S(h), S(h) being the integral of the attenuation
-// along the ray. In exp2 fog s^2 / 2 + r^2 >= L^2 / 3, and 2 d^2 s e^(-(d s)^2 / 2) <= 1.2131 d, so it is at most 1.2131 d
-// e^(-(d L)^2 / 3) S(h). With D the attenuation's denominator S(h) <= pi / sqrt(Q D(h)), because D(r) >= D(h) + Q x^2 at
-// the distance x from the closest approach, and S(h) <= 2 E / D(h). The airlight is also at most 1 / D(h), because the
-// weights of the fog sum to less than 1. Each says which D(h) suffices. The same bounds hold for what a ray of any h
-// receives from beyond the range h, so that the part of the light's cone within that range need be covered.
+// The bound is litfog_glow_bound(). It also holds for what a ray receives from beyond a range h, whatever its closest
+// approach. So the part of the light's cone within that range need be covered.
 
 #include "cookie.glsl"
 #include "light_list.glsl"
-#include "litfog/shaders/light_block.glsl"
+#include "litfog/shaders/glow.glsl"
 
 uniform mat4 clip_from_world;
 uniform vec3 eye;
@@ -33,17 +28,10 @@ float level_range(vec4 attenuation, float value) {
   return 2.0 * rise / max(attenuation.y + sqrt(attenuation.y * attenuation.y + 4.0 * attenuation.z * rise), 1.0e-30);
 }
 
-// Factor of the integral S in the bound: what the fog leaves of the light, 1/m.
-float scattered(LitfogLight light, float eye_range) {
-  float density = litfog_fog.x * light.attenuation.w;
-  float x = min(density * eye_range, 60.0);
-  return density * (litfog_fog.y == 0.0 ? exp(-x) : 1.2131 * exp(-min(x * x / 3.0, 80.0)));
-}
-
 // Range from the light beyond which its airlight is below the budget; 0 where it is so everywhere.
 float airlight_reach(LitfogLight light, float eye_range, float brightness) {
   float share = budget / brightness;
-  float integral = share / max(scattered(light, eye_range), 1.0e-30);  // that S may not exceed
+  float integral = share / max(litfog_glow_weight(light, eye_range), 1.0e-30);  // that of the attenuation may not exceed
   float denominator = min(1.0 / share, 2.0 * light.position_extent.w / integral);
   float quadratic = light.attenuation.z;
   if (quadratic > 0.0) denominator = min(denominator, pi * pi / (quadratic * integral * integral));
@@ -58,7 +46,7 @@ float core_reach(LitfogLight light, float eye_range, float brightness) {
   float pixels = pixels_per_radian / eye_range;  // a metre
   float width = level_range(light.attenuation, 2.0 * max(light.attenuation.x, 1.0));
   float slope = max(light.attenuation.z, light.attenuation.y / max(width, 1.0e-3));
-  float k = brightness * scattered(light, eye_range) * pi / max(slope, 1.0e-30) * pixels;
+  float k = brightness * litfog_glow_weight(light, eye_range) * pi / max(slope, 1.0e-30) * pixels;
   float core = pow(4000.0 * k, 1.0 / 3.0);
   return core > width * pixels ? min(core + 4.0, 400.0) / pixels : 0.0;
 }

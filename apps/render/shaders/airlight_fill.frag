@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The airlight of all lights from a grid of every so many pixels, where that is good enough: where neither what is seen
-// nor the airlight changes much between four texels of the grid. Other pixels are left for lights one by one.
+// The airlight of all lights from a grid of every so many pixels, where that is good enough: where what is seen changes
+// little between four texels of the grid and the airlight is nearly straight. Other pixels are left for lights one by one.
 
 #include "cookie.glsl"
 #include "litfog/shaders/fog.glsl"
@@ -11,30 +11,47 @@ uniform int pixel_step;
 
 out vec4 color;
 
-const float most_opacity_change = 0.1;  // the airlight bends by less than an eighth of its square
-const float most_change = 0.01;         // of the airlight: two and a half steps of the display in linear light
+const float most_opacity_change = 0.1;  // over a slope: the airlight bends by less than an eighth of its square
+const float most_error = 0.002;         // of the airlight, where what is seen is not on the slope: half a step
+const float most_bend = 0.016;          // eight times half a step of the display in linear light
+
+vec3 grid_texel(ivec2 texel) { return texelFetch(grid, clamp(texel, ivec2(0), textureSize(grid, 0) - 1), 0).rgb; }
+
+// Second difference of the grid at a texel in a direction: eight times the error of a straight line between texels.
+vec3 bend(ivec2 texel, ivec2 step) {
+  return abs(grid_texel(texel - step) - 2.0 * grid_texel(texel) + grid_texel(texel + step));
+}
+
+// Opacity of the fog before the mean of a pixel's samples.
+float mean_opacity(SeenRanges seen) { return litfog_fog_opacity(seen.mean, 1.0); }
+
+float between(float values[4], vec2 part) {
+  return mix(mix(values[0], values[1], part.x), mix(values[2], values[3], part.x), part.y);
+}
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   ivec2 texel = pixel / pixel_step;
+  vec2 part = vec2(pixel - texel * pixel_step) / float(pixel_step);
   SeenRanges own = seen_ranges(pixel, pixel_direction(pixel));
-  float nearest = own.nearest;
-  float farthest = own.farthest;
+  float own_change = litfog_fog_opacity(own.farthest, 1.0) - litfog_fog_opacity(own.nearest, 1.0);
   vec3 corners[4];
-  vec3 least = vec3(3.4e38);
+  float opacities[4];
   vec3 most = vec3(0.0);
   for (int i = 0; i < 4; ++i) {
     ivec2 corner = texel + ivec2(i & 1, i >> 1);
-    corners[i] = texelFetch(grid, corner, 0).rgb;
-    least = min(least, corners[i]);
-    most = max(most, corners[i]);
-    SeenRanges there = seen_ranges(corner * pixel_step, pixel_direction(corner * pixel_step));
-    nearest = min(nearest, there.nearest);
-    farthest = max(farthest, there.farthest);
+    corners[i] = grid_texel(corner);
+    most = max(most, bend(corner, ivec2(1, 0)) + bend(corner, ivec2(0, 1)));
+    opacities[i] = mean_opacity(seen_ranges(corner * pixel_step, pixel_direction(corner * pixel_step)));
   }
-  vec3 change = most - least;
-  float opacity_change = litfog_fog_opacity(farthest, 1.0) - litfog_fog_opacity(nearest, 1.0);
-  if (opacity_change > most_opacity_change || max(max(change.r, change.g), change.b) > most_change) discard;
-  vec2 part = vec2(pixel - texel * pixel_step) / float(pixel_step);
-  color = vec4(mix(mix(corners[0], corners[1], part.x), mix(corners[2], corners[3], part.x), part.y), 0.0);
+  float change = max(max(opacities[0], opacities[1]), max(opacities[2], opacities[3])) -
+                 min(min(opacities[0], opacities[1]), min(opacities[2], opacities[3]));
+  vec3 filled = mix(mix(corners[0], corners[1], part.x), mix(corners[2], corners[3], part.x), part.y);
+  float opacity = mean_opacity(own);
+  float error = abs(opacity - between(opacities, part)) * max(max(filled.r, filled.g), filled.b);
+  if (max(change, own_change) > most_opacity_change || error > most_error * opacity ||
+      max(max(most.r, most.g), most.b) > most_bend) {
+    discard;
+  }
+  color = vec4(filled, 0.0);
 }

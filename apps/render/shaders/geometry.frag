@@ -12,7 +12,7 @@ layout(location = 0) out vec4 position_material;
 layout(location = 1) out vec4 normal_texel;
 layout(location = 2) out vec4 vertex_tangent;
 layout(location = 3) out vec4 vertex_normal_gloss;
-layout(location = 4) out vec4 albedo_unused;
+layout(location = 4) out vec4 albedo_depth;
 
 void main() {
   vec4 base = base_texture();
@@ -20,5 +20,5 @@ void main() {
   normal_texel = texture(normal_map, uv);
   vertex_tangent = tangent;
   vertex_normal_gloss = vec4(normal, base.a);
-  albedo_unused = vec4(base.rgb, 0.0);
+  albedo_depth = vec4(base.rgb, 0.0);  // each sample has its own depth: geometry_sample.frag
 }

@@ -11,6 +11,7 @@ uniform mat4 clip_from_world;
 uniform vec3 eye;
 uniform float pixel_scale;   // of a picture 720 pixels high
 uniform float near_plane;  // metres
+uniform bool has_glare;    // else what surrounds a point is the fog's airlight, which is drawn apart
 
 flat out vec3 point_color;
 flat out float core_fraction;
@@ -22,6 +23,7 @@ const float darkest = 0.002;     // half a step of an 8-bit picture: nothing wou
 const float core_radius = 1.3;   // pixels, at full brightness
 const float glare_power = 0.3;   // of brightness: how glare grows, near Stevens's 0.33 (1957, "On the psychophysical law")
 const float largest_glare = 8.0; // times the core's radius
+const float largest_without_glare = 1.5;
 const float lens_radius = 0.1;   // metres: a light is in or on its lens; that of a runway edge light has 0.08
 const float most_lifted = 0.4;   // metres
 
@@ -42,10 +44,11 @@ void main() {
   float sent = attenuation * litfog_cone(light, to_eye);
   float brightness = sent * through / full_brightness;
   // Beyond full brightness a point grows instead; below, it fades. Fog dims a point's glare, but does not shrink it.
-  float growth = clamp(pow(max(sent / full_brightness, 1.0), glare_power), 1.0, largest_glare);
+  float largest = has_glare ? largest_glare : largest_without_glare;
+  float growth = clamp(pow(max(sent / full_brightness, 1.0), glare_power), 1.0, largest);
   float radius = core_radius * growth * pixel_scale;
   point_color = light.color_intensity.rgb * min(brightness, brightest);
-  core_fraction = 1.0 / growth;
+  core_fraction = has_glare ? 1.0 / growth : 1.0;
   gl_PointSize = max(point_radii * radius, 2.0);
   float shown = brightness * max(max(light.color_intensity.r, light.color_intensity.g), light.color_intensity.b);
   vec4 lifted = clip_from_world * vec4(light.position_extent.xyz + to_eye * lift(range), 1.0);

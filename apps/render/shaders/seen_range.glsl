@@ -41,4 +41,4 @@ SeenRanges seen_ranges(ivec2 pixel, vec3 direction) {
   return seen;
 }
 
-bool is_edge(SeenRanges seen) { return seen.farthest > 1.1 * seen.nearest; }
+bool is_edge(SeenRanges seen) { return seen.farthest > 1.03 * seen.nearest; }

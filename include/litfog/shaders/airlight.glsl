@@ -12,8 +12,8 @@
 // that crosses the ray, at its middle. On each piece Gauss-Legendre nodes are evenly spread in
 //   t = asinh(z / w),  z = (1 - e^(-q x)) / q,
 // in which both the falloff of the lamp (of width w) and that of exp fog (of rate q) are nearly straight. A point lamp
-// in isotropic fog has a closed form on the plateau and takes 8 nodes elsewhere; a beam takes 24, and a
-// phase function 32.
+// in isotropic fog has a closed form on the plateau and takes 8 nodes elsewhere; a beam takes
+// some 20, one wider than 90 degrees some 28, a phase function or a cookie some 40.
 //
 // Errors and what they were measured on: litfog/airlight.h.
 
@@ -40,11 +40,12 @@ struct LitfogAirlight {
   LITFOG_REAL profile;       // of the cone: 0 none, 1 cosine, 2 smoothstep, 3 the including program's
   LITFOG_REAL cone_x;        // cosine: cos half angle; smoothstep: cos outer
   LITFOG_REAL cone_y;        // cosine: exponent; smoothstep: cos inner
-  LITFOG_REAL length;        // D, metres
+  LITFOG_REAL ray_length;    // D, metres
   LITFOG_REAL approach;      // metres from the eye to the closest approach; below 0 where that is behind the eye
   LITFOG_REAL offset;        // metres from the closest approach to the lamp
   LITFOG_REAL axis_offset;   // component of that offset along the cone's axis: lamp to closest approach
   LITFOG_REAL axis_slope;    // cosine between the ray and the cone's axis
+  LITFOG_REAL nodes;         // how often the integrand is evaluated; 0: as often as the stated errors need
 };
 
 LITFOG_CONSTANT LITFOG_REAL litfog_far = LITFOG_REAL(1.0e30);  // stands for infinity
@@ -225,58 +226,107 @@ LITFOG_REAL litfog_airlight_crossing(LitfogAirlight air, LITFOG_REAL cosine, boo
   return (air.axis_offset + air.axis_slope * place) * cosine >= LITFOG_REAL(0.0) ? place : litfog_far;
 }
 
-// A piece of the ray on which the integrand is smooth.
-struct LitfogAirlightPiece {
-  LITFOG_REAL anchor;  // x is measured from here,
-  LITFOG_REAL side;    // 1 beyond it or -1 before it,
-  LITFOG_REAL nearest; // from this x on
-  LITFOG_REAL rate;    // q of z
-  LITFOG_REAL width;   // w of t
-  LITFOG_REAL start;   // t at the nearest end
-  LITFOG_REAL size;    // in t; 0 where the piece is not lit
-};
-
-LitfogAirlightPiece litfog_airlight_piece(LitfogAirlight air, LITFOG_REAL from, LITFOG_REAL to, LITFOG_REAL anchor,
-                                          LITFOG_REAL width) {
-  LitfogAirlightPiece piece;
-  piece.anchor = anchor;
-  bool beyond = from + to > LITFOG_REAL(2.0) * anchor;
-  piece.side = beyond ? LITFOG_REAL(1.0) : LITFOG_REAL(-1.0);
-  piece.nearest = beyond ? max(from - anchor, LITFOG_REAL(0.0)) : max(anchor - to, LITFOG_REAL(0.0));
-  piece.rate = LITFOG_REAL(0.0);
-  if (air.mode == LITFOG_REAL(0.0)) {
-    piece.rate = air.density * (beyond ? LITFOG_REAL(1.0) + air.lamp_leg : air.lamp_leg - LITFOG_REAL(1.0));
-  }
-  LITFOG_REAL z = to - from;
-  if (piece.rate > LITFOG_REAL(0.0)) z = -litfog_expm1(-piece.rate * z) / piece.rate;
-  if (piece.rate < LITFOG_REAL(0.0)) z = (exp(-piece.rate * z) - LITFOG_REAL(1.0)) / -piece.rate;
-  LITFOG_REAL end = piece.nearest + z;
-  piece.width = max(max(width, LITFOG_REAL(0.0025) * end), LITFOG_REAL(1.0) / litfog_far);
-  piece.start = asinh(piece.nearest / piece.width);
-  piece.size = max(asinh(end / piece.width) - piece.start, LITFOG_REAL(0.0));
-  return piece;
+// A point lamp in isotropic fog.
+bool litfog_airlight_is_plain(LitfogAirlight air) {
+  return air.profile == LITFOG_REAL(0.0) && air.asymmetry == LITFOG_REAL(0.0);
 }
 
-// The integral over a piece by 1 to 16 nodes; more than 8 are those of its two halves.
-LITFOG_REAL litfog_airlight_on_piece(LitfogAirlight air, LitfogAirlightPiece piece, int nodes) {
+// The number of nodes of the stated errors.
+LITFOG_REAL litfog_airlight_nodes(LitfogAirlight air) {
+  if (litfog_airlight_is_plain(air)) return LITFOG_REAL(8.0);
+  if (air.asymmetry != LITFOG_REAL(0.0) || air.profile == LITFOG_REAL(3.0)) return LITFOG_REAL(40.0);
+  return air.cone_x <= LITFOG_REAL(0.0) ? LITFOG_REAL(28.0) : LITFOG_REAL(20.0);
+}
+
+// A stretch of the ray on one side of a place from which x is measured.
+struct LitfogAirlightSide {
+  LITFOG_REAL anchor;     // that place, from the closest approach
+  LITFOG_REAL direction;  // 1 beyond it or -1 before it
+  LITFOG_REAL nearest;    // x of the stretch
+  LITFOG_REAL farthest;
+  LITFOG_REAL rate;   // q of z
+  LITFOG_REAL width;  // w of t
+  LITFOG_REAL start;  // t where the stretch begins
+  LITFOG_REAL size;   // its length in t; 0 where there is none
+};
+
+LITFOG_REAL litfog_airlight_z(LitfogAirlightSide side, LITFOG_REAL x) {
+  LITFOG_REAL z = max(x - side.nearest, LITFOG_REAL(0.0));
+  if (side.rate > LITFOG_REAL(0.0)) z = -litfog_expm1(-side.rate * z) / side.rate;
+  if (side.rate < LITFOG_REAL(0.0)) z = (exp(-side.rate * z) - LITFOG_REAL(1.0)) / -side.rate;
+  return side.nearest + z;
+}
+
+LITFOG_REAL litfog_airlight_t(LitfogAirlightSide side, LITFOG_REAL x) {
+  return asinh(litfog_airlight_z(side, x) / side.width);
+}
+
+LitfogAirlightSide litfog_airlight_side(LitfogAirlight air, LITFOG_REAL from, LITFOG_REAL to, LITFOG_REAL anchor,
+                                        bool beyond, LITFOG_REAL width) {
+  LitfogAirlightSide side;
+  side.anchor = anchor;
+  side.direction = beyond ? LITFOG_REAL(1.0) : LITFOG_REAL(-1.0);
+  side.nearest = max(beyond ? from - anchor : anchor - to, LITFOG_REAL(0.0));
+  side.farthest = beyond ? to - anchor : anchor - from;
+  side.rate = LITFOG_REAL(0.0);
+  if (air.mode == LITFOG_REAL(0.0)) {
+    side.rate = air.density * (beyond ? LITFOG_REAL(1.0) + air.lamp_leg : air.lamp_leg - LITFOG_REAL(1.0));
+  }
+  side.width = LITFOG_REAL(1.0);
+  side.start = LITFOG_REAL(0.0);
+  side.size = LITFOG_REAL(0.0);
+  if (side.farthest > side.nearest) {
+    side.width = max(max(width, LITFOG_REAL(0.0025) * litfog_airlight_z(side, side.farthest)),
+                     LITFOG_REAL(1.0) / litfog_far);
+    side.start = asinh(side.nearest / side.width);
+    side.size = max(litfog_airlight_t(side, side.farthest) - side.start, LITFOG_REAL(0.0));
+  }
+  return side;
+}
+
+// Side i of the lit part [low, high] of the ray: 0 and 1 about the closest approach, 2 and 3 about the crossing of a
+// beam, which has the part on its side of the border. What is measured about the closest approach spares a hole around
+// it.
+LitfogAirlightSide litfog_airlight_side_of(LitfogAirlight air, int i, LITFOG_REAL low, LITFOG_REAL high,
+                                           LITFOG_REAL hole, LITFOG_REAL width, LITFOG_REAL crossing,
+                                           LITFOG_REAL border, LITFOG_REAL beam_width) {
+  bool beyond = i == 1 || i == 3;
+  bool by_crossing = i >= 2;
+  bool takes_high = by_crossing == (crossing > LITFOG_REAL(0.0));
+  LITFOG_REAL from = border != LITFOG_REAL(0.0) && takes_high ? max(low, border) : low;
+  LITFOG_REAL to = border != LITFOG_REAL(0.0) && !takes_high ? min(high, border) : high;
+  if (by_crossing) return litfog_airlight_side(air, from, to, crossing, beyond, beam_width);
+  return litfog_airlight_side(air, beyond ? max(from, hole) : from, beyond ? to : min(to, -hole), LITFOG_REAL(0.0),
+                              beyond, width);
+}
+
+// The integral over a part of a side by 1 to 16 nodes; more than 8 are those of its two halves.
+LITFOG_REAL litfog_airlight_between(LitfogAirlight air, LitfogAirlightSide side, LITFOG_REAL start, LITFOG_REAL end,
+                                    int nodes) {
   int halves = nodes > 8 ? 2 : 1;
   int nodes_each = (nodes + halves - 1) / halves;
   int rule = nodes_each * (nodes_each - 1) / 2;
-  LITFOG_REAL size = piece.size / LITFOG_REAL(halves);
+  LITFOG_REAL size = (end - start) / LITFOG_REAL(halves);
   LITFOG_REAL sum = LITFOG_REAL(0.0);
   for (int i = 0; i < nodes_each * halves; ++i) {
     int half_of = i < nodes_each ? 0 : 1;
     int node = rule + i - half_of * nodes_each;
-    LITFOG_REAL growth = exp(piece.start + size * (LITFOG_REAL(half_of) + litfog_gauss_nodes[node]));
+    LITFOG_REAL growth = exp(start + size * (LITFOG_REAL(half_of) + litfog_gauss_nodes[node]));
     LITFOG_REAL sinh_t = LITFOG_REAL(0.5) * (growth - LITFOG_REAL(1.0) / growth);
     LITFOG_REAL cosh_t = LITFOG_REAL(0.5) * (growth + LITFOG_REAL(1.0) / growth);
-    LITFOG_REAL z = max(piece.width * sinh_t - piece.nearest, LITFOG_REAL(0.0));
-    LITFOG_REAL decay = max(LITFOG_REAL(1.0) - piece.rate * z, LITFOG_REAL(1.0e-7));  // e^(-q x) since the nearest end
-    LITFOG_REAL x = piece.nearest + (piece.rate == LITFOG_REAL(0.0) ? z : -log(decay) / piece.rate);
-    sum += litfog_gauss_weights[node] * (piece.width * cosh_t / decay) *
-           litfog_airlight_integrand(air, piece.anchor + piece.side * x);
+    LITFOG_REAL z = max(side.width * sinh_t - side.nearest, LITFOG_REAL(0.0));
+    LITFOG_REAL decay = max(LITFOG_REAL(1.0) - side.rate * z, LITFOG_REAL(1.0e-7));  // e^(-q x) since the nearest end
+    LITFOG_REAL x = side.nearest + (side.rate == LITFOG_REAL(0.0) ? z : -log(decay) / side.rate);
+    sum += litfog_gauss_weights[node] * (side.width * cosh_t / decay) *
+           litfog_airlight_integrand(air, side.anchor + side.direction * x);
   }
   return sum * size;
+}
+
+// The nearest of the cuts that lie between two distances of a side, or the farther of the two.
+LITFOG_REAL litfog_airlight_next(LitfogAirlightSide side, LITFOG_REAL cut, LITFOG_REAL x, LITFOG_REAL next) {
+  LITFOG_REAL place = (cut - side.anchor) * side.direction;
+  return place > x * LITFOG_REAL(1.00001) && place < next ? place : next;
 }
 
 LITFOG_REAL litfog_airlight(LitfogAirlight air) {
@@ -284,12 +334,12 @@ LITFOG_REAL litfog_airlight(LitfogAirlight air) {
   LITFOG_REAL fog_scale = LITFOG_REAL(1.0) / air.density;
   LITFOG_REAL chord = litfog_airlight_chord(air, air.extent);
   LITFOG_REAL low = max(-air.approach, -chord);
-  LITFOG_REAL high = min(air.length - air.approach, chord);
+  LITFOG_REAL high = min(air.ray_length - air.approach, chord);
   high = min(high, max(low, LITFOG_REAL(0.0)) + LITFOG_REAL(100.0) * fog_scale);
   if (!(high > low)) return LITFOG_REAL(0.0);
 
-  LITFOG_REAL cuts[11];
-  int count = 0;
+  LITFOG_REAL edge_low = litfog_far;  // where the ray crosses the edge of a wide cone
+  LITFOG_REAL edge_high = litfog_far;
   bool has_cone = air.profile == LITFOG_REAL(1.0) || air.profile == LITFOG_REAL(2.0);
   bool is_wide = has_cone && air.cone_x <= LITFOG_REAL(0.0);
   if (has_cone) {
@@ -298,8 +348,8 @@ LITFOG_REAL litfog_airlight(LitfogAirlight air) {
     first = first > low && first < high ? first : litfog_far;
     last = last > low && last < high ? last : litfog_far;
     if (is_wide) {  // all but one stretch of the ray may be lit
-      if (first != litfog_far) cuts[count++] = first;
-      if (last != litfog_far) cuts[count++] = last;
+      edge_low = first;
+      edge_high = last;
     } else {  // one stretch
       LITFOG_REAL enters = low;
       LITFOG_REAL leaves = high;
@@ -329,7 +379,7 @@ LITFOG_REAL litfog_airlight(LitfogAirlight air) {
   if (!(high > low)) return LITFOG_REAL(0.0);
 
   LITFOG_REAL plateau = litfog_airlight_chord(air, litfog_airlight_level(air, LITFOG_REAL(1.0)));
-  bool is_plain = air.profile == LITFOG_REAL(0.0) && air.asymmetry == LITFOG_REAL(0.0);
+  bool is_plain = litfog_airlight_is_plain(air);
   LITFOG_REAL sum = LITFOG_REAL(0.0);
   if (is_plain && min(high, plateau) > max(low, -plateau)) {
     sum = litfog_airlight_plateau(air, min(high, plateau)) - litfog_airlight_plateau(air, max(low, -plateau));
@@ -340,6 +390,7 @@ LITFOG_REAL litfog_airlight(LitfogAirlight air) {
   LITFOG_REAL doubled = litfog_airlight_level(air, LITFOG_REAL(2.0) * max(LITFOG_REAL(1.0), denominator));
   LITFOG_REAL width = min(litfog_airlight_chord(air, doubled), max(air.offset, LITFOG_REAL(2.0) * fog_scale));
   if (air.asymmetry != LITFOG_REAL(0.0)) width = min(width, max(air.offset, LITFOG_REAL(1.0e-3) * fog_scale));
+  if (air.profile == LITFOG_REAL(3.0)) width = min(width, max(air.offset, LITFOG_REAL(0.01) * width));
 
   // Where the ray is nearest to the beam's axis in angle, and the beam's width there.
   LITFOG_REAL crossing = LITFOG_REAL(0.0);
@@ -357,51 +408,53 @@ LITFOG_REAL litfog_airlight(LitfogAirlight air) {
               abs(crossing) > max(LITFOG_REAL(4.0) * beam_width, LITFOG_REAL(1.0e-5) * (high - low));
     if (!crosses) width = min(width, max(max(beam_width, air.offset), LITFOG_REAL(0.01) * width));
   }
-  LITFOG_REAL border = LITFOG_REAL(0.5) * crossing;  // between the two that x is measured from
+  LITFOG_REAL border = crosses ? LITFOG_REAL(0.5) * crossing : LITFOG_REAL(0.0);
 
-  if (air.profile == LITFOG_REAL(2.0)) {  // the inner edge
-    cuts[count++] = litfog_airlight_crossing(air, air.cone_y, false);
-    cuts[count++] = litfog_airlight_crossing(air, air.cone_y, true);
-  }
-  cuts[count++] = low;
-  cuts[count++] = high;
-  cuts[count++] = LITFOG_REAL(0.0);
-  cuts[count++] = -plateau;
-  cuts[count++] = plateau;
-  if (crosses) {
-    cuts[count++] = crossing;
-    cuts[count++] = border;
-  }
-  for (int i = 0; i < count; ++i) {
-    LITFOG_REAL cut = clamp(cuts[i], low, high);
-    int place = i;
-    for (; place > 0 && cuts[place - 1] > cut; --place) cuts[place] = cuts[place - 1];
-    cuts[place] = cut;
-  }
-
-  LitfogAirlightPiece pieces[10];
+  // Nodes for each side in proportion to the root of its size in t.
+  LITFOG_REAL hole = is_plain ? plateau : LITFOG_REAL(0.0);
+  int sides = crosses ? 4 : 2;
   LITFOG_REAL roots = LITFOG_REAL(0.0);
-  for (int i = 0; i + 1 < count; ++i) {
-    LITFOG_REAL centre = LITFOG_REAL(0.5) * (cuts[i] + cuts[i + 1]);
-    bool is_by_crossing = crosses && (crossing > LITFOG_REAL(0.0) ? centre > border : centre < border);
-    pieces[i] = litfog_airlight_piece(air, cuts[i], cuts[i + 1], is_by_crossing ? crossing : LITFOG_REAL(0.0),
-                                      is_by_crossing ? beam_width : width);
-    if ((is_plain && abs(centre) < plateau) ||
-        (is_wide && litfog_airlight_cosine(air, centre, litfog_airlight_range(air, centre)) <= air.cone_x)) {
-      pieces[i].size = LITFOG_REAL(0.0);
-    }
-    roots += sqrt(pieces[i].size);
+  for (int i = 0; i < sides; ++i) {
+    roots += sqrt(litfog_airlight_side_of(air, i, low, high, hole, width, crossing, border, beam_width).size);
   }
-  LITFOG_REAL nodes_left = is_plain                              ? LITFOG_REAL(8.0)
-                           : air.asymmetry == LITFOG_REAL(0.0) ? LITFOG_REAL(24.0)
-                                                               : LITFOG_REAL(32.0);
-  for (int i = 0; i + 1 < count; ++i) {  // nodes in proportion to the root of the size
-    LITFOG_REAL root = sqrt(pieces[i].size);
+  LITFOG_REAL nodes_left = air.nodes > LITFOG_REAL(0.0) ? air.nodes : litfog_airlight_nodes(air);
+  bool is_cut = !is_plain && nodes_left > LITFOG_REAL(8.0);
+  LITFOG_REAL inner_low = litfog_far;
+  LITFOG_REAL inner_high = litfog_far;
+  if (is_cut && air.profile == LITFOG_REAL(2.0)) {
+    inner_low = litfog_airlight_crossing(air, air.cone_y, false);
+    inner_high = litfog_airlight_crossing(air, air.cone_y, true);
+  }
+  for (int i = 0; i < sides; ++i) {
+    LitfogAirlightSide side = litfog_airlight_side_of(air, i, low, high, hole, width, crossing, border, beam_width);
+    LITFOG_REAL root = sqrt(side.size);
     if (root <= LITFOG_REAL(0.0)) continue;
-    LITFOG_REAL nodes = clamp(floor(nodes_left * root / roots + LITFOG_REAL(0.5)), LITFOG_REAL(1.0), LITFOG_REAL(16.0));
-    nodes_left -= nodes;
+    LITFOG_REAL nodes = nodes_left * root / roots;
     roots = max(roots - root, LITFOG_REAL(1.0e-9));
-    sum += litfog_airlight_on_piece(air, pieces[i], int(nodes));
+    if (!is_cut) {
+      nodes = clamp(floor(nodes + LITFOG_REAL(0.5)), LITFOG_REAL(1.0), LITFOG_REAL(16.0));
+      nodes_left -= nodes;
+      sum += litfog_airlight_between(air, side, side.start, side.start + side.size, int(nodes));
+      continue;
+    }
+    nodes_left -= nodes;
+    LITFOG_REAL x = side.nearest;
+    LITFOG_REAL t = side.start;
+    for (int cut = 0; cut < 7 && x < side.farthest; ++cut) {
+      LITFOG_REAL next = litfog_airlight_next(side, plateau, x, side.farthest);
+      next = litfog_airlight_next(side, -plateau, x, next);
+      next = litfog_airlight_next(side, edge_low, x, next);
+      next = litfog_airlight_next(side, edge_high, x, next);
+      next = litfog_airlight_next(side, inner_low, x, next);
+      next = litfog_airlight_next(side, inner_high, x, next);
+      LITFOG_REAL centre = side.anchor + side.direction * LITFOG_REAL(0.5) * (x + next);
+      bool is_dark = is_wide && litfog_airlight_cosine(air, centre, litfog_airlight_range(air, centre)) <= air.cone_x;
+      LITFOG_REAL end = litfog_airlight_t(side, next);
+      LITFOG_REAL part = floor(nodes * (end - t) / side.size + LITFOG_REAL(1.5));
+      if (!is_dark) sum += litfog_airlight_between(air, side, t, end, int(clamp(part, LITFOG_REAL(1.0), LITFOG_REAL(16.0))));
+      x = next;
+      t = end;
+    }
   }
   return max(sum, LITFOG_REAL(0.0));
 }

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/mat3x3.hpp>
+
+#include "litfog/airlight.h"
+#include "litfog/photometry/cookie.h"
+
+namespace litfog {
+
+/// Largest error of airlight() with a cookie as smooth as a beam of cos^4. The finer a cookie's detail, the more of it
+/// falls between the nodes.
+inline constexpr double kCookieAirlightMaxError = 1 / 255.;
+
+/// Airlight (airlight.h) of a light whose angular shape is a cookie, in place of its cone.
+///
+/// cookie             one that check() finds nothing wrong with; not checked here
+/// cookie_from_world  a rotation: the light's axis becomes -z, its up +y
+/// max error          kCookieAirlightMaxError                                              (cookie_airlight_test.cpp)
+/// throws             std::invalid_argument naming field, value and rule
+double airlight(const PlacedLight& light, const Cookie& cookie, const glm::dmat3& cookie_from_world, const Fog& fog,
+                const EyeRay& ray, const Scattering& scattering = {});
+
+/// The same by adaptive quadrature, cut wherever the ray passes from one texel to another.
+///
+/// max error  kReferenceAirlightMaxError                                                   (cookie_airlight_test.cpp)
+/// throws     std::invalid_argument naming field, value and rule
+double reference_airlight(const PlacedLight& light, const Cookie& cookie, const glm::dmat3& cookie_from_world,
+                          const Fog& fog, const EyeRay& ray, const Scattering& scattering = {});
+
+}  // namespace litfog

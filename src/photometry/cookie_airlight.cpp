@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "litfog/photometry/cookie_airlight.h"
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "airlight_quadrature.h"
+#include "airlight_text.h"
+#include "require.h"
+#include "unchecked.h"
+
+namespace litfog {
+namespace {
+
+using airlight_text::Text;
+
+/// A cookie as a ray crosses it.
+struct CookieOnRay {
+  const Cookie& cookie;
+  glm::dvec3 offset;     ///< from the light to the closest approach
+  glm::dvec3 direction;  ///< of the ray; both in the cookie's frame
+
+  template <typename Real>
+  Real operator()(Real along) const {
+    const glm::dvec3 towards = offset + double(along) * direction;
+    return Real(cookie_at(cookie, towards == glm::dvec3(0.0) ? direction : towards));
+  }
+
+  /// Texels' centre lines and faces' edges lie in planes c |i| = |j| through the light, i and j being two of the axes.
+  template <typename Cuts>
+  void append_kinks(Cuts& cuts) const {
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) {
+        if (i == j) continue;
+        for (int line = -1; line <= cookie.size; ++line) {
+          const double c = line < 0 ? -1 : line == cookie.size ? 1 : (2 * line + 1) / double(cookie.size) - 1;
+          const double slope = c * direction[i] - direction[j];
+          if (slope != 0) cuts.push_back((offset[j] - c * offset[i]) / slope);
+        }
+      }
+    }
+  }
+};
+
+template <typename Real, typename Evaluate>
+double evaluate(const PlacedLight& light, const Cookie& cookie, const glm::dmat3& cookie_from_world, const Fog& fog,
+                const EyeRay& ray, const Scattering& scattering, const Evaluate& evaluate_text) {
+  require(check(light));
+  require(check(fog));
+  require(check(ray));
+  require(check(scattering));
+  const glm::dvec3 direction = glm::normalize(ray.direction);
+  const glm::dvec3 to_light = light.position - ray.origin;
+  const CookieOnRay on_ray{cookie, cookie_from_world * (glm::dot(to_light, direction) * direction - to_light),
+                           cookie_from_world * direction};
+  Text<Real, CookieOnRay> text{on_ray};
+  const double extent = unchecked::compute_extent(light.light.attenuation, light.light.threshold);
+  auto air = text.seen_along(light, Real(extent), unchecked::scaled(fog, light.light.density_scale), ray, scattering);
+  air.profile = 3;
+  return double(std::isinf(air.density) ? text.at_the_eye(air) : evaluate_text(text, air));
+}
+
+}  // namespace
+
+double airlight(const PlacedLight& light, const Cookie& cookie, const glm::dmat3& cookie_from_world, const Fog& fog,
+                const EyeRay& ray, const Scattering& scattering) {
+  return evaluate<double>(light, cookie, cookie_from_world, fog, ray, scattering,
+                          [](auto& text, const auto& air) { return text.litfog_airlight(air); });
+}
+
+double reference_airlight(const PlacedLight& light, const Cookie& cookie, const glm::dmat3& cookie_from_world,
+                          const Fog& fog, const EyeRay& ray, const Scattering& scattering) {
+  return evaluate<long double>(light, cookie, cookie_from_world, fog, ray, scattering,
+                               [](auto& text, const auto& air) { return integrate_airlight(text, air); });
+}
+
+}  // namespace litfog

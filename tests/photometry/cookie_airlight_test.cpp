@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "litfog/photometry/cookie_airlight.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <cmath>
+#include <cstdio>
+#include <glm/geometric.hpp>
+#include <string>
+
+#include "reference/random_airlight.h"
+#include "reference/ulp.h"
+
+namespace litfog::test {
+namespace {
+
+/// Rotations that turn the light's axis to -z.
+glm::dmat3 cookie_from_world_of(const AirlightCase& c, Random& random) {
+  const glm::dvec3 right = draw_perpendicular(random, c.light.direction);
+  return glm::transpose(glm::dmat3(right, glm::cross(right, c.light.direction), -c.light.direction));
+}
+
+/// A beam of cos^4 that is flatter than it is wide.
+Cookie smooth_cookie() {
+  return make_cookie(64, [](const glm::dvec3& direction) {
+    const glm::dvec3 d = glm::normalize(direction * glm::dvec3(0.7, 1, 1));
+    return std::pow(std::max(-d.z, 0.0), 4);
+  });
+}
+
+TEST(CookieAirlight, WhiteCookieIsAPointLight) {
+  Random random(81);
+  const Cookie white = make_cookie(3, [](const glm::dvec3&) { return 1.0; });
+  for (int i = 0; i < 300; ++i) {
+    const AirlightCase c = draw_airlight_case(random, random.pick(kModes), random.pick(kLampLegs));
+    const glm::dmat3 turn = cookie_from_world_of(c, random);
+    const double expected = reference_airlight(c.light, c.fog, c.ray, c.scattering);
+    EXPECT_LE(std::abs(reference_airlight(c.light, white, turn, c.fog, c.ray, c.scattering) - expected),
+              kReferenceAirlightMaxError * expected + 1e-19)
+        << to_string(c);
+    EXPECT_NEAR(airlight(c.light, white, turn, c.fog, c.ray, c.scattering), expected, kCookieAirlightMaxError)
+        << to_string(c);
+  }
+}
+
+TEST(CookieAirlight, SmoothCookieHasItsStatedError) {
+  Random random(82);
+  const Cookie cookie = smooth_cookie();
+  WorstError error("airlight", "cookies", kCookieAirlightMaxError * 255, "/255");
+  for (int i = 0; i < 1000; ++i) {
+    AirlightCase c = draw_airlight_case(random, random.pick(kModes), random.pick(kLampLegs));
+    c.light.direction = draw_direction(random);
+    const glm::dmat3 turn = cookie_from_world_of(c, random);
+    const double expected = reference_airlight(c.light, cookie, turn, c.fog, c.ray, c.scattering);
+    error.add(std::abs(airlight(c.light, cookie, turn, c.fog, c.ray, c.scattering) - expected) * 255,
+              [&] { return to_string(c); });
+  }
+  error.check();
+}
+
+TEST(CookieAirlight, ReferenceFollowsEachTexel) {
+  Random random(83);
+  const Cookie noise = make_cookie(5, [&](const glm::dvec3&) { return random.uniform(0, 1); });
+  for (int i = 0; i < 20; ++i) {
+    AirlightCase c;
+    c.light.light.attenuation = {2, 0, 0};
+    c.fog = {FogMode::exp, 0.3};
+    c.ray = {{0, 0, 0}, draw_direction(random), 5};
+    c.scattering.lamp_leg = LampLeg::clear;
+    c.light.position = draw_direction(random) * 1.5;
+    const glm::dmat3 turn = cookie_from_world_of(c, random);
+    const auto integrand = [&](double s) {
+      return 0.3 * std::exp(-0.3 * s) / 2 * cookie_at(noise, turn * (s * c.ray.direction - c.light.position));
+    };
+    double expected = 0;
+    for (int j = 0; j < 200; ++j) {
+      expected += boost::math::quadrature::gauss_kronrod<double, 15>::integrate(integrand, j * 0.025, (j + 1) * 0.025,
+                                                                                12, 1e-10);
+    }
+    EXPECT_LE(relative_error(reference_airlight(c.light, noise, turn, c.fog, c.ray, c.scattering), expected), 1e-7);
+  }
+}
+
+}  // namespace
+}  // namespace litfog::test
