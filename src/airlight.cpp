@@ -32,9 +32,7 @@ struct SeenLight {
   SeenLight(const PlacedLight& placed, const Fog& fog)
       : light(placed),
         class_fog(unchecked::scaled(fog, placed.light.density_scale)),
-        extent(level_range(convert<long double>(placed.light.attenuation),
-                           static_cast<long double>(placed.light.threshold))
-                   .high) {}
+        extent(unchecked::compute_extent(placed.light.attenuation, placed.light.threshold)) {}
 
   /// Whether no product of the fast form leaves double's range.
   bool is_ordinary() const {
@@ -47,19 +45,22 @@ struct SeenLight {
 
   const PlacedLight& light;
   Fog class_fog;
-  long double extent;
+  double extent;
 };
 
 double exact_airlight(const SeenLight& seen, const EyeRay& ray, const Scattering& scattering) {
   using Exact = Text<long double, NoCookie>;
-  return double(integrate_airlight(Exact{NoCookie{}},
-                                   Exact::seen_along(seen.light, seen.extent, seen.class_fog, ray, scattering)));
+  const Light& light = seen.light.light;
+  const long double extent =
+      level_range(convert<long double>(light.attenuation), static_cast<long double>(light.threshold)).high;
+  return double(
+      integrate_airlight(Exact{NoCookie{}}, Exact::seen_along(seen.light, extent, seen.class_fog, ray, scattering)));
 }
 
 double fast_airlight(const SeenLight& seen, const EyeRay& ray, const Scattering& scattering) {
   if (!seen.is_ordinary()) return exact_airlight(seen, ray, scattering);
   Text<double, NoCookie> text{NoCookie{}};
-  return text.litfog_airlight(text.seen_along(seen.light, double(seen.extent), seen.class_fog, ray, scattering));
+  return text.litfog_airlight(text.seen_along(seen.light, seen.extent, seen.class_fog, ray, scattering));
 }
 
 /// axial_airlight of checked arguments, beyond the plateau panel by panel, each eight times as long as the one before.
