@@ -82,7 +82,9 @@ struct Text {
     const bool is_dark = air.ray_length == 0 || range >= air.extent || (air.lamp_leg != 0 && range > 0);
     if (is_dark) return 0;
     const Real phase = litfog_phase(range > 0 ? air.approach / range : Real(-1), air.asymmetry);
-    return formulas::attenuation(range, air.constant, air.linear, air.quadratic) * phase *
+    // With the eye in the lamp itself f dims both legs alike: the integral of -f' f is 1/2.
+    const Real through = air.lamp_leg != 0 ? Real(0.5) : Real(1);
+    return through * formulas::attenuation(range, air.constant, air.linear, air.quadratic) * phase *
            litfog_airlight_beam(air, -air.approach, range);
   }
 };

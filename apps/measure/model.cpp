@@ -129,8 +129,7 @@ glm::dvec3 Model::airlight(const glm::dvec3& direction, double length) const {
   double left_out = 0;
   for (const auto& [most, light] : candidates) {
     left_out += most;
-    if (left_out > kAirlightBudget)
-      sum += light->placed.light.color * reference_airlight(light->placed, fog_, ray, scattering_);
+    if (left_out > kAirlightBudget) sum += light->placed.light.color * light->airlight(fog_, ray, scattering_);
   }
   return sum;
 }

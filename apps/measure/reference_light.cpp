@@ -2,6 +2,7 @@
 #include "measure/reference_light.h"
 
 #include "litfog/fog_light_block.h"
+#include "litfog/photometry/cookie_airlight.h"
 #include "render/scene_lights.h"
 #include "scene/light_frame.h"
 
@@ -10,6 +11,11 @@ namespace litfog::measure {
 double ReferenceLight::emitted(const glm::dvec3& direction) const {
   return cookie ? cookie_at(*cookie, cookie_from_world * direction)
                 : cone_at(placed.light.cone, glm::dot(placed.direction, direction));
+}
+
+double ReferenceLight::airlight(const Fog& scene_fog, const EyeRay& ray, const Scattering& scattering) const {
+  return cookie ? reference_airlight(placed, *cookie, cookie_from_world, scene_fog, ray, scattering)
+                : reference_airlight(placed, scene_fog, ray, scattering);
 }
 
 std::vector<ReferenceLight> reference_lights(const scene::Scene& scene, const Fog& fog,

@@ -4,6 +4,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "litfog/airlight.h"
 #include "litfog/fog.h"
 #include "litfog/light.h"
 #include "render/render_settings.h"
@@ -22,6 +23,8 @@ struct ReferenceLight {
 
   /// The fraction of the axial intensity that the light sends into a unit direction.
   double emitted(const glm::dvec3& direction) const;
+  /// Its airlight along a ray through the scene's fog.
+  double airlight(const Fog& scene_fog, const EyeRay& ray, const Scattering& scattering) const;
 };
 
 /// A scene's lights, in its order.

@@ -298,6 +298,37 @@ TEST_P(ReferenceOfScene, EveryPathIsWithinItsBoundInClearAirAndInFog) {
   }
 }
 
+/// In airlight a pixel may err by a step of the display: what of faint lights, and between nodes of the integral and
+/// pixels of the grid, may be left out.
+constexpr double kAirlightBound = 1;
+
+/// Draws a scene by airlight and compares it with its reference.
+PictureError airlight_error(const Scene& scene, const Fog& fog, int width, int height, const LightingPath& path) {
+  Renderer renderer(scene, width, height, {.path = &path, .fog_lighting = FogLighting::airlight});
+  renderer.set_fog(fog);
+  renderer.draw(LightPoints::off);
+  return picture_error(renderer.read(), shade_reference(renderer));
+}
+
+TEST_P(ReferenceOfScene, AirlightIsWithinAStepFromClearAirToAMetreOfVisibility) {
+  const std::string& name = GetParam();
+  const Scene scene = read_scene(bundled_scene_path(name));
+  // Of more than a thousand lamps each takes an integral a pixel.
+  const int height = scene.lights.size() > 100 ? 18 : 45;
+  for (const double visibility : {20'000.0, scene.visibilities.at(1), 1.0}) {
+    for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
+      const PictureError error = airlight_error(scene, Fog::from_visibility(mode, visibility), height * 16 / 9, height,
+                                                lighting_paths().front());
+      const std::string measured =
+          fmt::format("{:<12} {:>5} m {:<4} largest {:6.3f}, mean {:.4f} of 1/255, {} excluded", name, visibility,
+                      name_of(mode), error.largest, error.mean, error.excluded);
+      fmt::print("{}\n", measured);
+      EXPECT_LE(error.largest, kAirlightBound) << measured;
+      EXPECT_LE(error.excluded, std::size_t(height * height / 50)) << measured;
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Scenes, ReferenceOfScene, testing::ValuesIn(bundled_scenes()),
                          [](const auto& tested) { return tested.param; });
 
@@ -329,6 +360,73 @@ TEST_F(ReferencePictureTest, PathsThatLightVerticesConvergeInTheSecondOrder) {
                means[0], means[1], means[2], order);
     EXPECT_GT(order, 1.6) << path.name;
   }
+}
+
+/// A floor in fog under one lamp, which does not light it but for the fog.
+Scene floor_and_lamp(const PlacedLight& lamp) {
+  Scene scene = flat_floor();
+  scene.lights.push_back(lamp);
+  return scene;
+}
+
+PlacedLight bright_lamp() {
+  PlacedLight lamp;
+  lamp.light.color = {2, 1.5, 1};
+  lamp.light.attenuation = {1, 0.1, 0.05};
+  lamp.position = {-1, 3, 0};
+  lamp.direction = glm::normalize(glm::dvec3(0.1, -1, 0.2));
+  return lamp;
+}
+
+/// In fogs from clear air to a visibility in metres, 0 being total fog.
+void expect_airlight_of_reference(const Scene& scene, const std::string& words, double densest = 0) {
+  for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
+    for (const double visibility : {densest, 0.01, 1.0, 30.0, 20'000.0}) {
+      const PictureError error =
+          airlight_error(scene, Fog::from_visibility(mode, visibility), 64, 36, lighting_paths().front());
+      EXPECT_LE(error.largest, kAirlightBound) << words << ", " << name_of(mode) << ", " << visibility << " m";
+      EXPECT_LE(error.excluded, 64u) << words << ", " << name_of(mode) << ", " << visibility << " m";
+    }
+  }
+}
+
+TEST_F(ReferencePictureTest, AirlightOfALampAtTheEyeToTheLastBitIsThatOfTheReference) {
+  PlacedLight lamp = bright_lamp();
+  const glm::vec3 eye = flat_floor().camera.position;
+  for (const Cone& cone : {Cone{}, Cone::smoothstep(0.2, 0.4)}) {
+    lamp.light.cone = cone;
+    lamp.direction = glm::normalize(glm::dvec3(-0.05, -0.6, -0.8));
+    lamp.position = eye;
+    expect_airlight_of_reference(floor_and_lamp(lamp), "at the eye");
+    // Total fog hides a lamp at any distance from the eye, and a float's fog ends at a visibility of micrometres.
+    lamp.position = glm::vec3(std::nextafter(eye.x, 1.0f), eye.y, std::nextafter(eye.z, 0.0f));
+    expect_airlight_of_reference(floor_and_lamp(lamp), "beside the eye", 0.001);
+  }
+}
+
+TEST_F(ReferencePictureTest, AirlightOfForwardAndBackwardScatteringFogIsThatOfTheReference) {
+  for (const double asymmetry : {-0.8, 0.8}) {
+    Scene scene = floor_and_lamp(bright_lamp());
+    scene.phase_g = asymmetry;
+    expect_airlight_of_reference(scene, fmt::format("g = {}", asymmetry));
+  }
+}
+
+TEST_F(ReferencePictureTest, AirlightOfALampWithoutAnEndIsThatOfTheReference) {
+  PlacedLight lamp = bright_lamp();
+  lamp.light.attenuation = {2, 0, 0};
+  ASSERT_TRUE(std::isinf(compute_extent(lamp.light.attenuation, lamp.light.threshold)));
+  expect_airlight_of_reference(floor_and_lamp(lamp), "constant attenuation");
+}
+
+TEST_F(ReferencePictureTest, AirlightOfACookieIsThatOfTheReference) {
+  Scene scene = floor_and_lamp(bright_lamp());
+  scene.cookies.push_back(make_cookie(16, [](const glm::dvec3& direction) {
+    const double cosine = std::max(-direction.z / glm::length(direction), 0.0);
+    return cosine * cosine;
+  }));
+  scene.cookie_uses[0] = {.cookie = 0, .roll = 0.3};
+  expect_airlight_of_reference(scene, "cookie");
 }
 
 }  // namespace

@@ -13,7 +13,11 @@ out vec4 color;
 
 const float most_opacity_change = 0.1;  // over a slope: the airlight bends by less than an eighth of its square
 const float most_error = 0.002;         // of the airlight, where what is seen is not on the slope: half a step
-const float most_bend = 0.016;          // eight times half a step of the display in linear light
+const float most_bend = 0.008;          // eight times a quarter of a step of the display
+
+// Slope of sRGB (IEC 61966-2-1) at a linear value below 1: what the display makes of errors of airlight that nothing
+// else outshines.
+vec3 display_slope(vec3 linear) { return min(vec3(12.92), 0.4396 * pow(max(linear, vec3(1.0e-4)), vec3(-0.5833))); }
 
 vec3 grid_texel(ivec2 texel) { return texelFetch(grid, clamp(texel, ivec2(0), textureSize(grid, 0) - 1), 0).rgb; }
 
@@ -48,9 +52,12 @@ void main() {
                  min(min(opacities[0], opacities[1]), min(opacities[2], opacities[3]));
   vec3 filled = mix(mix(corners[0], corners[1], part.x), mix(corners[2], corners[3], part.x), part.y);
   float opacity = mean_opacity(own);
-  float error = abs(opacity - between(opacities, part)) * max(max(filled.r, filled.g), filled.b);
+  vec3 slope = display_slope(min(min(corners[0], corners[1]), min(corners[2], corners[3])));
+  vec3 seen_airlight = filled * slope;
+  vec3 seen_bend = most * slope;
+  float error = abs(opacity - between(opacities, part)) * max(max(seen_airlight.r, seen_airlight.g), seen_airlight.b);
   if (max(change, own_change) > most_opacity_change || error > most_error * opacity ||
-      max(max(most.r, most.g), most.b) > most_bend) {
+      max(max(seen_bend.r, seen_bend.g), seen_bend.b) > most_bend) {
     discard;
   }
   color = vec4(filled, 0.0);
