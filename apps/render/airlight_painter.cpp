@@ -115,6 +115,11 @@ void AirlightPainter::draw(const Framebuffer& framebuffer, const View& view, uns
   set_uniform(light_program_, "target_from_picture", glm::vec4(1, 1, 0, 0));
   draw_lights(light_program_);
   glDisable(GL_STENCIL_TEST);
+  if (!scene_.cookies.empty()) {
+    set_uniform(light_program_, "takes_cookies", 1u);
+    draw_lights(light_program_);
+    set_uniform(light_program_, "takes_cookies", 0u);
+  }
 
   framebuffer.bind_resolved();
   add_program_.use();

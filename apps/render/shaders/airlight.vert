@@ -14,6 +14,7 @@ uniform vec3 eye;
 uniform float budget;         // of the airlight times the largest component of the colour
 uniform float largest_phase;  // of the phase function over its isotropic value
 uniform vec4 target_from_picture;  // scale and offset in clip space: the target's texels may be farther apart than pixels
+uniform bool takes_cookies;        // only lights with a cookie, which may be finer than the grid; else only the others
 uniform bool is_core;              // only the pixels around the light in which its airlight bends sharply
 uniform float pixels_per_radian;   // at the middle of the picture
 
@@ -61,7 +62,7 @@ void main() {
   float radius = airlight_reach(light, eye_range, brightness);
   if (is_core) radius = min(radius, core_reach(light, eye_range, brightness));
   vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
-  if (radius <= 0.0) {
+  if (radius <= 0.0 || (light.axis_profile.w == 3.0) != takes_cookies) {
     gl_Position = vec4(0.0, 0.0, 2.0, 1.0);  // outside the picture
     return;
   }

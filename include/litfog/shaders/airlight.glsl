@@ -13,7 +13,7 @@
 //   t = asinh(z / w),  z = (1 - e^(-q x)) / q,
 // in which both the falloff of the lamp (of width w) and that of exp fog (of rate q) are nearly straight. A point lamp
 // in isotropic fog has a closed form on the plateau and takes 8 nodes elsewhere; a beam takes
-// some 20, one wider than 90 degrees some 28, a phase function or a cookie some 40.
+// some 20, one wider than 90 degrees some 28, a phase function some 40, a cookie some 128.
 //
 // Errors and what they were measured on: litfog/airlight.h.
 
@@ -234,7 +234,8 @@ bool litfog_airlight_is_plain(LitfogAirlight air) {
 // The number of nodes of the stated errors.
 LITFOG_REAL litfog_airlight_nodes(LitfogAirlight air) {
   if (litfog_airlight_is_plain(air)) return LITFOG_REAL(8.0);
-  if (air.asymmetry != LITFOG_REAL(0.0) || air.profile == LITFOG_REAL(3.0)) return LITFOG_REAL(40.0);
+  if (air.profile == LITFOG_REAL(3.0)) return LITFOG_REAL(128.0);
+  if (air.asymmetry != LITFOG_REAL(0.0)) return LITFOG_REAL(40.0);
   return air.cone_x <= LITFOG_REAL(0.0) ? LITFOG_REAL(28.0) : LITFOG_REAL(20.0);
 }
 
@@ -300,18 +301,18 @@ LitfogAirlightSide litfog_airlight_side_of(LitfogAirlight air, int i, LITFOG_REA
                               beyond, width);
 }
 
-// The integral over a part of a side by 1 to 16 nodes; more than 8 are those of its two halves.
+// The integral over a part of a side by some nodes, at least 1; more than 8 are spread over equal panels.
 LITFOG_REAL litfog_airlight_between(LitfogAirlight air, LitfogAirlightSide side, LITFOG_REAL start, LITFOG_REAL end,
                                     int nodes) {
-  int halves = nodes > 8 ? 2 : 1;
-  int nodes_each = (nodes + halves - 1) / halves;
+  int panels = (nodes + 7) / 8;
+  int nodes_each = (nodes + panels - 1) / panels;
   int rule = nodes_each * (nodes_each - 1) / 2;
-  LITFOG_REAL size = (end - start) / LITFOG_REAL(halves);
+  LITFOG_REAL size = (end - start) / LITFOG_REAL(panels);
   LITFOG_REAL sum = LITFOG_REAL(0.0);
-  for (int i = 0; i < nodes_each * halves; ++i) {
-    int half_of = i < nodes_each ? 0 : 1;
-    int node = rule + i - half_of * nodes_each;
-    LITFOG_REAL growth = exp(start + size * (LITFOG_REAL(half_of) + litfog_gauss_nodes[node]));
+  for (int i = 0; i < nodes_each * panels; ++i) {
+    int panel = i / nodes_each;
+    int node = rule + i - panel * nodes_each;
+    LITFOG_REAL growth = exp(start + size * (LITFOG_REAL(panel) + litfog_gauss_nodes[node]));
     LITFOG_REAL sinh_t = LITFOG_REAL(0.5) * (growth - LITFOG_REAL(1.0) / growth);
     LITFOG_REAL cosh_t = LITFOG_REAL(0.5) * (growth + LITFOG_REAL(1.0) / growth);
     LITFOG_REAL z = max(side.width * sinh_t - side.nearest, LITFOG_REAL(0.0));
@@ -432,7 +433,7 @@ LITFOG_REAL litfog_airlight(LitfogAirlight air) {
     LITFOG_REAL nodes = nodes_left * root / roots;
     roots = max(roots - root, LITFOG_REAL(1.0e-9));
     if (!is_cut) {
-      nodes = clamp(floor(nodes + LITFOG_REAL(0.5)), LITFOG_REAL(1.0), LITFOG_REAL(16.0));
+      nodes = max(floor(nodes + LITFOG_REAL(0.5)), LITFOG_REAL(1.0));
       nodes_left -= nodes;
       sum += litfog_airlight_between(air, side, side.start, side.start + side.size, int(nodes));
       continue;
@@ -451,7 +452,7 @@ LITFOG_REAL litfog_airlight(LitfogAirlight air) {
       bool is_dark = is_wide && litfog_airlight_cosine(air, centre, litfog_airlight_range(air, centre)) <= air.cone_x;
       LITFOG_REAL end = litfog_airlight_t(side, next);
       LITFOG_REAL part = floor(nodes * (end - t) / side.size + LITFOG_REAL(1.5));
-      if (!is_dark) sum += litfog_airlight_between(air, side, t, end, int(clamp(part, LITFOG_REAL(1.0), LITFOG_REAL(16.0))));
+      if (!is_dark) sum += litfog_airlight_between(air, side, t, end, int(max(part, LITFOG_REAL(1.0))));
       x = next;
       t = end;
     }

@@ -63,7 +63,7 @@ vec3 litfog_glow(LitfogLight light, vec3 eye, vec3 direction, float range, float
   air.nodes = litfog_airlight_nodes(air);
   // A light that adds little needs few nodes: their relative errors are some 3 % and 0.5 % of a point light's airlight,
   // some 10 %, 2 % and 0.3 % of another's.
-  if (asymmetry == 0.0) {
+  if (asymmetry == 0.0 && air.profile != 3.0) {
     float denominator = litfog_denominator(air.offset, air.constant, air.linear, air.quadratic);
     float most = max(max(color.r, color.g), color.b) *
                  litfog_glow_bound(light, litfog_glow_weight(light, length(to_light)), denominator);
