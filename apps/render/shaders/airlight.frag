@@ -19,11 +19,15 @@ void main() {
   vec3 direction = pixel_direction(pixel);
   SeenRanges seen = seen_ranges(pixel, direction);
   LitfogLight light = litfog_buffered_light(light_index);
-  // Over a surface's slope the airlight is straight; at its edge each sample has its own.
-  int evaluations = is_edge(seen) ? sample_count : 1;
+  // Facing the eye all samples are as far. Over a slope two ranges stand for them, with their mean and deviation. At an
+  // edge each sample has its own.
+  bool is_slope = seen.farthest > 1.02 * seen.nearest;
+  bool is_edge = seen.farthest > (light.axis_profile.w == 3.0 ? 1.03 : 1.1) * seen.nearest;  // a cookie is not smooth
+  int evaluations = is_edge ? sample_count : is_slope ? 2 : 1;
   vec3 sum = vec3(0.0);
   for (int i = 0; i < evaluations; ++i) {
-    sum += litfog_glow(light, eye, direction, evaluations > 1 ? seen.ranges[i] : seen.mean, asymmetry);
+    float range = is_edge ? seen.ranges[i] : is_slope ? seen.mean + (float(i) * 2.0 - 1.0) * seen.deviation : seen.mean;
+    sum += litfog_glow(light, eye, direction, range, asymmetry);
   }
   color = vec4(sum / float(evaluations), 0.0);
 }

@@ -16,6 +16,7 @@ struct SeenRanges {
   float nearest;
   float farthest;
   float mean;
+  float deviation;  // standard deviation
 };
 
 // Unit direction from the eye through the middle of a pixel, which may lie beyond the picture's edge.
@@ -38,7 +39,11 @@ SeenRanges seen_ranges(ivec2 pixel, vec3 direction) {
     seen.farthest = max(seen.farthest, range);
     seen.mean += range / float(sample_count);
   }
+  float variance = 0.0;
+  for (int i = 0; i < sample_count; ++i) {
+    float off = seen.ranges[i] - seen.mean;
+    variance += off * off / float(sample_count);
+  }
+  seen.deviation = sqrt(variance);
   return seen;
 }
-
-bool is_edge(SeenRanges seen) { return seen.farthest > 1.03 * seen.nearest; }

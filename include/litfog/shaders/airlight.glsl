@@ -277,10 +277,10 @@ LitfogAirlightSide litfog_airlight_side(LitfogAirlight air, LITFOG_REAL from, LI
   side.start = LITFOG_REAL(0.0);
   side.size = LITFOG_REAL(0.0);
   if (side.farthest > side.nearest) {
-    side.width = max(max(width, LITFOG_REAL(0.0025) * litfog_airlight_z(side, side.farthest)),
-                     LITFOG_REAL(1.0) / litfog_far);
+    LITFOG_REAL end = litfog_airlight_z(side, side.farthest);
+    side.width = max(max(width, LITFOG_REAL(0.0025) * end), LITFOG_REAL(1.0) / litfog_far);
     side.start = asinh(side.nearest / side.width);
-    side.size = max(litfog_airlight_t(side, side.farthest) - side.start, LITFOG_REAL(0.0));
+    side.size = max(asinh(end / side.width) - side.start, LITFOG_REAL(0.0));
   }
   return side;
 }
@@ -413,10 +413,15 @@ LITFOG_REAL litfog_airlight(LitfogAirlight air) {
 
   // Nodes for each side in proportion to the root of its size in t.
   LITFOG_REAL hole = is_plain ? plateau : LITFOG_REAL(0.0);
-  int sides = crosses ? 4 : 2;
-  LITFOG_REAL roots = LITFOG_REAL(0.0);
-  for (int i = 0; i < sides; ++i) {
-    roots += sqrt(litfog_airlight_side_of(air, i, low, high, hole, width, crossing, border, beam_width).size);
+  LitfogAirlightSide before = litfog_airlight_side_of(air, 0, low, high, hole, width, crossing, border, beam_width);
+  LitfogAirlightSide beyond = litfog_airlight_side_of(air, 1, low, high, hole, width, crossing, border, beam_width);
+  LitfogAirlightSide before_crossing = before;
+  LitfogAirlightSide beyond_crossing = beyond;
+  LITFOG_REAL roots = sqrt(before.size) + sqrt(beyond.size);
+  if (crosses) {
+    before_crossing = litfog_airlight_side_of(air, 2, low, high, hole, width, crossing, border, beam_width);
+    beyond_crossing = litfog_airlight_side_of(air, 3, low, high, hole, width, crossing, border, beam_width);
+    roots += sqrt(before_crossing.size) + sqrt(beyond_crossing.size);
   }
   LITFOG_REAL nodes_left = air.nodes > LITFOG_REAL(0.0) ? air.nodes : litfog_airlight_nodes(air);
   bool is_cut = !is_plain && nodes_left > LITFOG_REAL(8.0);
@@ -426,8 +431,12 @@ LITFOG_REAL litfog_airlight(LitfogAirlight air) {
     inner_low = litfog_airlight_crossing(air, air.cone_y, false);
     inner_high = litfog_airlight_crossing(air, air.cone_y, true);
   }
+  int sides = crosses ? 4 : 2;
   for (int i = 0; i < sides; ++i) {
-    LitfogAirlightSide side = litfog_airlight_side_of(air, i, low, high, hole, width, crossing, border, beam_width);
+    LitfogAirlightSide side = before;
+    if (i == 1) side = beyond;
+    if (i == 2) side = before_crossing;
+    if (i == 3) side = beyond_crossing;
     LITFOG_REAL root = sqrt(side.size);
     if (root <= LITFOG_REAL(0.0)) continue;
     LITFOG_REAL nodes = nodes_left * root / roots;
