@@ -58,16 +58,36 @@ std::vector<double> shown_visibilities(const scene::Scene& scene) {
   return visibilities;
 }
 
-std::string picture_file(const scene::Scene& scene, double visibility) {
-  return scene.name + (std::isinf(visibility) ? "-clear" : fmt::format("-{}m", visibility)) + ".png";
+/// A scene drawn in one way at each visibility: a row of the sheet.
+struct Row {
+  const scene::Scene* scene;
+  render::RenderSettings render;
+  std::string title;   ///< of its captions
+  std::string prefix;  ///< of its files
+};
+
+/// A row a scene, the first one twice if that is asked for.
+std::vector<Row> make_rows(const std::vector<scene::Scene>& scenes, const GallerySettings& settings) {
+  std::vector<Row> rows;
+  for (const scene::Scene& scene : scenes) {
+    rows.push_back({&scene, settings.render, scene.name, scene.name});
+    if (!settings.compares_peak || rows.size() > 1) continue;
+    rows.push_back({&scene, settings.render, scene.name + " by --fog-light peak", scene.name + "-peak"});
+    rows.back().render.fog_lighting = render::FogLighting::peak;
+  }
+  return rows;
 }
 
-PictureFolder make_folder(const std::string& path, const std::vector<scene::Scene>& scenes) {
+std::string picture_file(const Row& row, double visibility) {
+  return row.prefix + (std::isinf(visibility) ? "-clear" : fmt::format("-{}m", visibility)) + ".png";
+}
+
+PictureFolder make_folder(const std::string& path, const std::vector<Row>& rows) {
   std::vector<std::string> files{kSheetFile};
   std::vector<std::string> inputs;
-  for (const scene::Scene& scene : scenes) {
-    for (const double visibility : shown_visibilities(scene)) files.push_back(picture_file(scene, visibility));
-    inputs.insert(inputs.end(), scene.files.begin(), scene.files.end());
+  for (const Row& row : rows) {
+    for (const double visibility : shown_visibilities(*row.scene)) files.push_back(picture_file(row, visibility));
+    inputs.insert(inputs.end(), row.scene->files.begin(), row.scene->files.end());
   }
   return {path, files, inputs};
 }
@@ -79,24 +99,26 @@ void draw_gallery(const std::vector<std::string>& scenes, const std::string& fol
   std::vector<scene::Scene> read = scene::read_scenes(scenes);
   for (scene::Scene& scene : read) scene.phase_g = settings.phase_g.value_or(scene.phase_g);
   command::report(fmt::format("{} scenes loaded in {:.2f} s\n", read.size(), seconds_since(start)));
-  PictureFolder pictures = make_folder(folder, read);
+  const std::vector<Row> rows = make_rows(read, settings);
+  PictureFolder pictures = make_folder(folder, rows);
   command::Table solutions{{"scene", "light", "visibility_m", "extent_m", "peak_range_m", "intensity"}, {}};
   std::vector<std::vector<SheetEntry>> sheet;
-  for (const scene::Scene& scene : read) {
-    render::Renderer renderer(scene, settings.width, settings.height, settings.render);
-    command::report(fmt::format("{}: {} lights\n", scene.name, scene.lights.size()));
-    add_solutions(solutions, scene, settings.fog_mode);
+  for (const scene::Scene& scene : read) add_solutions(solutions, scene, settings.fog_mode);
+  for (const Row& row : rows) {
+    const scene::Scene& scene = *row.scene;
+    render::Renderer renderer(scene, settings.width, settings.height, row.render);
+    command::report(fmt::format("{}: {} lights\n", row.title, scene.lights.size()));
     sheet.emplace_back();
     for (const double visibility : shown_visibilities(scene)) {
       const bool is_clear = std::isinf(visibility);
-      const std::string file = picture_file(scene, visibility);
+      const std::string file = picture_file(row, visibility);
       const Clock::time_point frame_start = Clock::now();
       renderer.set_fog(Fog::from_visibility(settings.fog_mode, visibility));
       renderer.draw();
       const render::Picture drawn = renderer.read();
       const double draw_seconds = seconds_since(frame_start);
-      std::vector<std::string> caption{is_clear ? scene.name + ", clear air"
-                                                : fmt::format("{}, visibility {} m", scene.name, visibility)};
+      std::vector<std::string> caption{is_clear ? row.title + ", clear air"
+                                                : fmt::format("{}, visibility {} m", row.title, visibility)};
       const render::Display display = render::adapted(settings.display.display_for(scene), drawn);
       const std::string words = display_in_words(display);
       if (!words.empty()) caption.push_back(words);

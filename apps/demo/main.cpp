@@ -199,6 +199,7 @@ Job add_gallery_job(CLI::App& app) {
     if (options->folder.empty()) fail_option("--output", "", "must not be empty");
     check_options(app, drawing_rules(drawing));
     const std::vector<std::string> scenes = scene_paths(options->scenes);
+    const render::RenderSettings render = drawing.settings_of(*drawing.render.path);
     const gl::HeadlessContext context;
     report(fmt::format("drawing {} scenes on {}\n", scenes.size(), context.renderer()));
     draw_gallery(scenes, options->folder,
@@ -206,7 +207,8 @@ Job add_gallery_job(CLI::App& app) {
                   .phase_g = drawing.phase_g,
                   .width = drawing.width,
                   .height = drawing.height,
-                  .render = drawing.settings_of(*drawing.render.path),
+                  .render = render,
+                  .compares_peak = !drawing.fog_light && render.fog_lighting == render::FogLighting::airlight,
                   .display = drawing.display});
     return kDone;
   };

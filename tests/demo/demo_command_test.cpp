@@ -271,6 +271,23 @@ TEST_F(DemoCommand, GalleryDrawsEachVisibilityAndASheet) {
   EXPECT_EQ(outcome.out.find(" s, EV "), std::string::npos) << outcome.out;
 }
 
+TEST_F(DemoCommand, GalleryShowsItsFirstSceneByPeakTooUnlessAWayIsChosen) {
+  ASSERT_EQ(run("gallery room tessellation -o both --size 64x36").status, kDone);
+  ASSERT_EQ(run("gallery room tessellation -o peak --size 64x36 --fog-light peak").status, kDone);
+  EXPECT_EQ(read("both/room-peak-20m.png"), read("peak/room-20m.png"));
+  EXPECT_NE(read("both/room-20m.png"), read("peak/room-20m.png"));
+  const auto sheet_height = [this](const std::string& folder) {
+    return OIIO::ImageBuf((directory() / folder / "contact-sheet.png").string()).spec().height;
+  };
+  EXPECT_EQ(2 * (sheet_height("both") - 8), 3 * (sheet_height("peak") - 8));  // 8: the margin above the first row
+  EXPECT_FALSE(std::filesystem::exists(directory() / "both/tessellation-peak-20m.png"));
+
+  for (const std::string option : {"--fog-light peak", "--fog-light airlight", "--path legacy", "--path lookup-2d"}) {
+    ASSERT_EQ(run("gallery room -o chosen --size 8x8 " + option).status, kDone) << option;
+    EXPECT_FALSE(std::filesystem::exists(directory() / "chosen/room-peak-20m.png")) << option;
+  }
+}
+
 TEST_F(DemoCommand, GallerySheetIsTallerByTheLineThatTellsTheDisplay) {
   const auto sheet_height = [this](const std::string& folder) {
     return OIIO::ImageBuf((directory() / folder / "contact-sheet.png").string()).spec().height;
@@ -279,7 +296,7 @@ TEST_F(DemoCommand, GallerySheetIsTallerByTheLineThatTellsTheDisplay) {
   const Outcome outcome = run("gallery room -o told --size 64x36 --exposure 0.5 --tone clip");
   ASSERT_EQ(outcome.status, kDone) << outcome.err;
   EXPECT_NE(outcome.out.find(" s, EV 0.5, tone clip\n"), std::string::npos) << outcome.out;
-  EXPECT_EQ(sheet_height("told"), sheet_height("plain") + 20);
+  EXPECT_EQ(sheet_height("told"), sheet_height("plain") + 2 * 20);  // in the row of the room and that by peak
 }
 
 TEST_F(DemoCommand, ComparisonHasAPageOfEveryPathWithItsPictures) {

@@ -31,6 +31,13 @@ constexpr glm::vec3 kLampless{0.6f};
 constexpr glm::vec3 kNightFog{0.012f, 0.013f, 0.017f};
 constexpr glm::vec3 kZenith{0.0012f, 0.0018f, 0.005f};
 
+/// A positive number rounded up to two significant digits, the double nearest to them.
+double with_two_digits(double value) {
+  const double exponent = std::floor(std::log10(value)) - 1;
+  const double step = std::pow(10.0, std::abs(exponent));
+  return exponent < 0 ? std::ceil(value * step) / step : std::ceil(value / step) * step;
+}
+
 class GltfReader {
  public:
   explicit GltfReader(const std::string& path)
@@ -63,7 +70,7 @@ class GltfReader {
       scene_.environment.ambient_light = kLampless;
     }
     const double depth = std::max(0.01, distance_to_farthest_corner(box));
-    scene_.visibilities = {10 * depth, 3 * depth, depth};
+    for (const double depths : {10, 3, 1}) scene_.visibilities.push_back(with_two_digits(depths * depth));
   }
 
   Scene take() {

@@ -29,8 +29,9 @@ bool is_gltf_path(const std::string& path);
 /// by the eye's vehicle. One directional light of E lx, at most 205,786, is the moon of colour E / pi. Ambient light and
 /// fog are a night's; in a file without lights the ambient light is bright.
 ///
-/// Visibilities: 10, 3 and 1 times the distance d from the camera to the farthest corner of the scene's box. At 3 d, at
-/// which a scene is drawn if none is given, 37 % of the contrast of everything at least is left in exp fog.
+/// Visibilities: 10, 3 and 1 times the distance d from the camera to the farthest corner of the scene's box, each rounded
+/// up to two significant digits. At 3 d, at which a scene is drawn if none is given, at least 37 % of the contrast of
+/// everything is left in exp fog.
 ///
 /// throws  InputError
 Scene read_gltf_scene(const std::string& path);
