@@ -126,10 +126,12 @@ std::vector<command::OptionRule> drawing_rules(const DrawingOptions& options) {
   const std::string name = fmt::format("--path {}", path.name);
   const bool can_be_flat =
       path.evaluation == render::Evaluation::lookup && path.surface == render::SurfaceModel::diffuse;
+  const bool is_peak = options.settings_of(path).fog_lighting == render::FogLighting::peak;
   return {{"--fog none", !options.fog, {"--visibility", "--phase-g"}, "the air is clear"},
+          {options.fog_light ? "--fog-light peak" : name, is_peak, {"--phase-g"}, "only airlight scatters by it"},
           {name, path.maps == render::LightMapSet::none, {"--map-size"}, "it has no light maps"},
           {name, !can_be_flat, {"--flat-shading"}, "only lookup-3d and lookup-2d have it"},
-          {name + " --fog-light airlight",
+          {name,
            options.fog_light == render::FogLighting::airlight && !path.takes_airlight,
            {"--fog-light"},
            "its lamps do not light each fragment"},

@@ -438,6 +438,12 @@ TEST_F(DemoCommand, OptionsWithoutEffectAreErrors) {
   expect_usage("room --map-size 64", "--map-size cannot be given with --path unified: it has no light maps");
   expect_usage("room --path radial --flat-shading",
                "--flat-shading cannot be given with --path radial: only lookup-3d and lookup-2d have it");
+  expect_usage("room --path vertex --fog-light airlight",
+               "--fog-light cannot be given with --path vertex: its lamps do not light each fragment");
+  expect_usage("room --path tangent --phase-g 0.5",
+               "--phase-g cannot be given with --path tangent: only airlight scatters by it");
+  expect_usage("room --fog-light peak --phase-g 0.5",
+               "--phase-g cannot be given with --fog-light peak: only airlight scatters by it");
   expect_usage("room --path legacy --infinite-viewer",
                "--infinite-viewer cannot be given with --path legacy: it has no highlights");
   expect_usage("gallery room --map-size 64", "--map-size cannot be given with --path unified: it has no light maps");
