@@ -187,7 +187,9 @@ void add_folder(CLI::App& app, FolderOptions& options) {
 
 Job add_gallery_job(CLI::App& app) {
   const auto options = std::make_shared<FolderOptions>(FolderOptions{.scenes = {}, .folder = "gallery", .drawing = {}});
-  app.footer("Example:\n  litfog-demo gallery room headlights --size 640x360 -o out");
+  app.footer(
+      "Where airlight is the default, the first scene is drawn by peak as well, for comparison.\n\n"
+      "Example:\n  litfog-demo gallery room headlights --size 640x360 -o out");
   add_folder(app, *options);
   add_fog(app, options->drawing);
   add_path(app, options->drawing);
