@@ -22,7 +22,7 @@ void main() {
   // Facing the eye all samples are as far. Over a slope two ranges stand for them, with their mean and deviation. At an
   // edge each sample has its own.
   bool is_slope = seen.farthest > 1.02 * seen.nearest;
-  bool is_edge = seen.farthest > (light.axis_profile.w == 3.0 ? 1.03 : 1.1) * seen.nearest;  // a cookie is not smooth
+  bool is_edge = seen.farthest > (light.axis_profile.w == 3.0 ? 1.03 : 1.06) * seen.nearest;  // a cookie is not smooth
   int evaluations = is_edge ? sample_count : is_slope ? 2 : 1;
   vec3 sum = vec3(0.0);
   for (int i = 0; i < evaluations; ++i) {

@@ -11,9 +11,9 @@ uniform int pixel_step;
 
 out vec4 color;
 
-const float most_opacity_change = 0.1;  // over a slope: the airlight bends by less than an eighth of its square
-const float most_error = 0.002;         // of the airlight, where what is seen is not on the slope: half a step
-const float most_bend = 0.008;          // eight times a quarter of a step of the display
+const float most_opacity_change = 0.03;  // over a slope: the airlight bends by less than an eighth of its square
+const float most_error = 0.0007;         // of the airlight, where what is seen is not on the slope: a fifth of a step
+const float most_bend = 0.004;            // eight times an eighth of a step of the display
 
 // Slope of sRGB (IEC 61966-2-1) at a linear value below 1: what the display makes of errors of airlight that nothing
 // else outshines.
