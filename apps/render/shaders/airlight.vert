@@ -20,13 +20,9 @@ uniform float pixels_per_radian;   // at the middle of the picture
 
 flat out int light_index;
 
-const float pi = 3.14159265;
-
-// Range at which the attenuation's denominator has a value.
-float level_range(vec4 attenuation, float value) {
-  float rise = value - attenuation.x;
-  if (rise <= 0.0) return 0.0;
-  return 2.0 * rise / max(attenuation.y + sqrt(attenuation.y * attenuation.y + 4.0 * attenuation.z * rise), 1.0e-30);
+// Range at which a light's denominator has a value.
+float level_range(LitfogLight light, float value) {
+  return litfog_level_range(value, light.attenuation.x, light.attenuation.y, light.attenuation.z);
 }
 
 // Range from the light beyond which its airlight is below the budget; 0 where it is so everywhere.
@@ -35,9 +31,9 @@ float airlight_reach(LitfogLight light, float eye_range, float brightness) {
   float integral = share / max(litfog_glow_weight(light, eye_range), 1.0e-30);  // that of the attenuation may not exceed
   float denominator = min(1.0 / share, 2.0 * light.position_extent.w / integral);
   float quadratic = light.attenuation.z;
-  if (quadratic > 0.0) denominator = min(denominator, pi * pi / (quadratic * integral * integral));
+  if (quadratic > 0.0) denominator = min(denominator, 16.0 / (quadratic * integral * integral));
   if (denominator <= max(light.attenuation.x, 1.0)) return 0.0;
-  return min(level_range(light.attenuation, denominator), light.position_extent.w);
+  return min(level_range(light, denominator), light.position_extent.w);
 }
 
 // Range from the light within which a grid of every fourth pixel misses its airlight by more than about 1/1000. At h
@@ -45,9 +41,9 @@ float airlight_reach(LitfogLight light, float eye_range, float brightness) {
 // the falloff's width.
 float core_reach(LitfogLight light, float eye_range, float brightness) {
   float pixels = pixels_per_radian / eye_range;  // a metre
-  float width = level_range(light.attenuation, 2.0 * max(light.attenuation.x, 1.0));
+  float width = level_range(light, 2.0 * max(light.attenuation.x, 1.0));
   float slope = max(light.attenuation.z, light.attenuation.y / max(width, 1.0e-3));
-  float k = brightness * litfog_glow_weight(light, eye_range) * pi / max(slope, 1.0e-30) * pixels;
+  float k = brightness * litfog_glow_weight(light, eye_range) * 4.0 / max(slope, 1.0e-30) * pixels;
   float core = pow(4000.0 * k, 1.0 / 3.0);
   return core > width * pixels ? min(core + 4.0, 400.0) / pixels : 0.0;
 }

@@ -202,11 +202,15 @@ LITFOG_REAL litfog_airlight_chord(LitfogAirlight air, LITFOG_REAL range) {
 }
 
 // Range at which the denominator C + L r + Q r^2 has a value.
-LITFOG_REAL litfog_airlight_level(LitfogAirlight air, LITFOG_REAL value) {
-  LITFOG_REAL rise = value - air.constant;
+LITFOG_REAL litfog_level_range(LITFOG_REAL value, LITFOG_REAL constant, LITFOG_REAL linear, LITFOG_REAL quadratic) {
+  LITFOG_REAL rise = value - constant;
   if (rise <= LITFOG_REAL(0.0)) return LITFOG_REAL(0.0);
-  LITFOG_REAL below = air.linear + sqrt(air.linear * air.linear + LITFOG_REAL(4.0) * air.quadratic * rise);
+  LITFOG_REAL below = linear + sqrt(linear * linear + LITFOG_REAL(4.0) * quadratic * rise);
   return below * litfog_far > LITFOG_REAL(2.0) * rise ? LITFOG_REAL(2.0) * rise / below : litfog_far;
+}
+
+LITFOG_REAL litfog_airlight_level(LitfogAirlight air, LITFOG_REAL value) {
+  return litfog_level_range(value, air.constant, air.linear, air.quadratic);
 }
 
 // Where the ray crosses the cone of a cosine: the number of crossings; the root of lower or higher place.
