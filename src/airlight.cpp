@@ -101,6 +101,11 @@ std::optional<ValueError> check(const Scattering& scattering) {
   return std::nullopt;
 }
 
+double largest_phase(const Scattering& scattering) {
+  const double size = std::abs(scattering.asymmetry);
+  return (1 + size) / ((1 - size) * (1 - size));
+}
+
 std::optional<ValueError> check(const EyeRay& ray) {
   constexpr const char* kRule = "must be at most 16777216 in magnitude";
   if (!(std::abs(ray.origin.x) <= kMaxPosition)) return ValueError{"origin.x", ray.origin.x, kRule};
@@ -162,11 +167,9 @@ double bound_airlight(const PlacedLight& light, const Fog& fog, const glm::dvec3
   const double opacity = class_fog.mode == FogMode::exp
                              ? fog_factor_at(class_fog, start) * opacity_at(class_fog, chord)
                              : std::min(fog_factor_at(class_fog, start), chord * density * 0.85776388496070680);
-  const double size = std::abs(scattering.asymmetry);
-  const double largest_phase = (1 + size) / ((1 - size) * (1 - size));
   const double lamp_leg = scattering.lamp_leg == LampLeg::fogged ? fog_factor_at(class_fog, closest) : 1;
   // One subnormal more: the products may be rounded down to 0.
-  return largest_phase * attenuation_at(light.light.attenuation, closest) * opacity * lamp_leg * (1 + 8 * kMargin) +
+  return largest_phase(scattering) * attenuation_at(light.light.attenuation, closest) * opacity * lamp_leg * (1 + 8 * kMargin) +
          std::numeric_limits<double>::denorm_min();
 }
 

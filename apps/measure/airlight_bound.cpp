@@ -17,13 +17,6 @@ double largest_weight(const Fog& fog, double eye_range) {
   return 2 * std::exp(-0.5) * fog.density * std::exp(-depth * depth / 3);
 }
 
-/// Henyey and Greenstein's phase function straight ahead, or straight back where that is brighter, over its isotropic
-/// value.
-double largest_phase(double asymmetry) {
-  const double g = std::abs(asymmetry);
-  return (1 + g) / ((1 - g) * (1 - g));
-}
-
 /// The cosine between a cone's axis and the direction from its light to the point of a ray where the angle is smallest,
 /// rounded up.
 ///
@@ -65,7 +58,7 @@ double airlight_bound(const ReferenceLight& light, const EyeRay& ray, const Scat
   const double first = std::clamp(approach - half_chord, 0.0, ray.length);
   const double last = std::clamp(approach + half_chord, first, ray.length);
   const double factor = cone_at(light.placed.light.cone, largest_cosine(light.placed, ray, first, last)) *
-                        largest_phase(scattering.asymmetry);
+                        largest_phase(scattering);
   if (std::isinf(light.fog.density)) return factor * brightest;
   const double denominator =
       formulas::denominator(offset, attenuation.constant, attenuation.linear, attenuation.quadratic);

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "litfog/airlight.h"
 #include "litfog/gl/unsupported.h"
 #include "render/demo_shaders.h"
 #include "render/gpu/texture_unit.h"
@@ -22,12 +23,6 @@ constexpr int kGridStep = 4;  // pixels
 // Of the stencil, which is 0 elsewhere.
 constexpr GLint kFilled = 1;
 constexpr GLint kCore = 2;
-
-/// The phase function's largest value over its isotropic one.
-float largest_phase(double asymmetry) {
-  const double g = std::abs(asymmetry);
-  return float((1 + g) / ((1 - g) * (1 - g)));
-}
 
 void bind_texture(const gl::TextureName& texture) {
   glActiveTexture(GL_TEXTURE0 + kGridUnit);
@@ -151,7 +146,7 @@ void AirlightPainter::use(const gl::Program& program, const Framebuffer& framebu
   set_uniform(program, "sky_distance", kSkyDistance);
   set_uniform(program, "fog_above_eye", view.fog_above_eye);
   set_uniform(program, "budget", kBudget);
-  set_uniform(program, "largest_phase", largest_phase(scene_.phase_g));
+  set_uniform(program, "largest_phase", float(largest_phase({.asymmetry = scene_.phase_g})));
   set_uniform(program, "asymmetry", float(scene_.phase_g));
 }
 

@@ -28,6 +28,12 @@ struct Scattering {
 /// What is wrong with it, or nothing.
 std::optional<ValueError> check(const Scattering& scattering);
 
+/// The phase function where it is largest, straight ahead or straight back, over its isotropic value: 1 where that is
+/// all, (1 + |g|) / (1 - |g|)^2.
+///
+/// scattering  one that check() finds nothing wrong with; not checked here
+double largest_phase(const Scattering& scattering);
+
 /// A ray from the eye to what it sees. World space, metres.
 struct EyeRay {
   glm::dvec3 origin{0.0};                                   ///< each coordinate at most kMaxPosition in magnitude
