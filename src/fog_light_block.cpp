@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/vec2.hpp>
 #include <limits>
 
 #include "require.h"
@@ -16,16 +17,16 @@ namespace {
 float finite_float(double x) { return float(std::min(std::abs(x), double(std::numeric_limits<float>::max()))); }
 glm::vec3 finite_floats(const glm::dvec3& v) { return {finite_float(v.x), finite_float(v.y), finite_float(v.z)}; }
 
-glm::vec4 pack_cone(const Cone& cone) {
+glm::vec2 pack_cone(const Cone& cone) {
   switch (cone.profile) {
     case ConeProfile::cosine:
-      return {std::cos(cone.half_angle), finite_float(cone.exponent), 0, 0};
+      return {std::cos(cone.half_angle), finite_float(cone.exponent)};
     case ConeProfile::smoothstep:
-      return {std::cos(cone.outer), std::cos(cone.inner), 0, 0};
+      return {std::cos(cone.outer), std::cos(cone.inner)};
     case ConeProfile::none:
       break;
   }
-  return glm::vec4{0};
+  return glm::vec2{0};
 }
 
 float pack_profile(ConeProfile profile) {
@@ -42,34 +43,51 @@ float pack_profile(ConeProfile profile) {
 
 }  // namespace
 
-FogLight unchecked::pack_fog_light(const PlacedLight& placed, const FogIntensity& solution) {
-  const auto& [light, position, direction, carried] = placed;
-  const Attenuation& attenuation = light.attenuation;
-  return {.position_extent = {glm::vec3(position), finite_float(solution.extent)},
-          .axis_profile = {glm::vec3(direction), pack_profile(light.cone.profile)},
-          .color_intensity = {finite_floats(light.color), carried ? float(solution.intensity) : 0.0f},
-          .attenuation = {finite_float(attenuation.constant), finite_float(attenuation.linear),
-                          finite_float(attenuation.quadratic), finite_float(light.density_scale)},
-          .cone = pack_cone(light.cone)};
+FogLightKind unchecked::pack_fog_light_kind(const PlacedLight& placed, const FogIntensity& solution) {
+  const Light& light = placed.light;
+  const auto& [constant, linear, quadratic] = light.attenuation;
+  const glm::vec2 cone = pack_cone(light.cone);
+  return {.attenuation_extent = {finite_float(constant), finite_float(linear), finite_float(quadratic),
+                                 finite_float(solution.extent)},
+          .cone_scale_intensity = {cone.x, cone.y, finite_float(light.density_scale),
+                                   placed.carried ? float(solution.intensity) : 0.0f}};
 }
 
-FogLight pack_fog_light(const PlacedLight& light, const FogIntensity& solution) {
+FogLightInstance unchecked::pack_fog_light_instance(const PlacedLight& placed, std::size_t kind) {
+  return {.position_kind = {glm::vec3(placed.position), float(kind)},
+          .axis_profile = {glm::vec3(placed.direction), pack_profile(placed.light.cone.profile)},
+          .color = {finite_floats(placed.light.color), 0.0f}};
+}
+
+FogLightKind pack_fog_light_kind(const PlacedLight& light, const FogIntensity& solution) {
   require(check(light));
-  return unchecked::pack_fog_light(light, solution);
+  return unchecked::pack_fog_light_kind(light, solution);
+}
+
+FogLightInstance pack_fog_light_instance(const PlacedLight& light, std::size_t kind) {
+  require(check(light));
+  return unchecked::pack_fog_light_instance(light, kind);
+}
+
+FogHeader pack_fog_header(const Fog& fog, const glm::dvec3& ambient_fog_color, std::size_t instances) {
+  require(check(fog));
+  require(check_color(ambient_fog_color, {"ambient_fog_color.r", "ambient_fog_color.g", "ambient_fog_color.b"}));
+  return {.fog = {finite_float(fog.density), fog.mode == FogMode::exp2 ? 1.0f : 0.0f, float(instances), 0.0f},
+          .ambient_fog_color = glm::vec4(finite_floats(ambient_fog_color), 0.0f)};
 }
 
 FogLightBlock pack_fog_light_block(const Fog& fog, const glm::dvec3& ambient_fog_color,
                                    std::span<const PlacedLight> lights, std::span<const FogIntensity> solutions) {
-  require(check(fog));
-  require(check_color(ambient_fog_color, {"ambient_fog_color.r", "ambient_fog_color.g", "ambient_fog_color.b"}));
-  if (lights.size() > kMaxFogLights) require(ValueError{"lights", double(lights.size()), "must be at most 128"});
+  if (lights.size() > kMaxFogLights) require(ValueError{"lights", double(lights.size()), "must be at most 200"});
   if (solutions.size() != lights.size()) {
     require(ValueError{"solutions", double(solutions.size()), "must be as many as the lights"});
   }
   FogLightBlock block{};
-  block.fog = {finite_float(fog.density), fog.mode == FogMode::exp2 ? 1.0f : 0.0f, float(lights.size()), 0.0f};
-  block.ambient_fog_color = glm::vec4(finite_floats(ambient_fog_color), 0.0f);
-  std::ranges::transform(lights, solutions, block.lights.begin(), pack_fog_light);
+  block.header = pack_fog_header(fog, ambient_fog_color, lights.size());
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    block.kinds[i] = pack_fog_light_kind(lights[i], solutions[i]);
+    block.instances[i] = unchecked::pack_fog_light_instance(lights[i], i);
+  }
   return block;
 }
 

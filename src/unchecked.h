@@ -15,6 +15,7 @@ namespace litfog::unchecked {
 double compute_extent(const Attenuation& attenuation, double threshold);
 Fog scaled(const Fog& fog, double density_scale);
 FogIntensity solve_fog_intensity(const Attenuation& attenuation, const Fog& fog, double threshold);
-FogLight pack_fog_light(const PlacedLight& light, const FogIntensity& solution);
+FogLightKind pack_fog_light_kind(const PlacedLight& light, const FogIntensity& solution);
+FogLightInstance pack_fog_light_instance(const PlacedLight& light, std::size_t kind);
 
 }  // namespace litfog::unchecked

@@ -2,12 +2,12 @@
 #include "litfog/updater.h"
 
 #include <algorithm>
-#include <bit>
+#include <array>
 #include <functional>
 #include <glm/vec3.hpp>
-#include <iterator>
 #include <memory>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "litfog/batch.h"
@@ -17,24 +17,38 @@
 namespace litfog {
 namespace {
 
-constexpr std::uint32_t kNotCarried = 0;      // the kind of lights not carried
-constexpr std::uint32_t kLargestPage = 1024;  // entries: 80 KiB, beside which an upload call costs nothing
-constexpr std::size_t kJoinedGap = 128;       // entries: 10 KiB take about as long to upload as one more call, 1 us
+constexpr std::size_t kJoinedBytes = 10 * 1024;  // these take about as long to upload as one more call, 1 us
 
 float brightness_of(const glm::vec3& color) { return std::max({color.r, color.g, color.b}); }
 
-struct KindKey {
-  Attenuation attenuation;
-  double threshold;
-  double density_scale;
+/// All that lights of a kind agree in. -0 is 0.
+using KindKey = std::array<double, 9>;
 
-  friend bool operator==(const KindKey&, const KindKey&) = default;
-};
+KindKey key_of(const PlacedLight& placed) {
+  const Light& light = placed.light;
+  const auto& [constant, linear, quadratic] = light.attenuation;
+  KindKey key{constant, linear, quadratic, light.threshold, light.density_scale, double(placed.carried)};
+  switch (light.cone.profile) {
+    case ConeProfile::none:
+      break;
+    case ConeProfile::cosine:
+      key[6] = 1;
+      key[7] = light.cone.half_angle;
+      key[8] = light.cone.exponent;
+      break;
+    case ConeProfile::smoothstep:
+      key[6] = 2;
+      key[7] = light.cone.inner;
+      key[8] = light.cone.outer;
+      break;
+  }
+  return key;
+}
+
 struct KindKeyHash {
   std::size_t operator()(const KindKey& key) const {
     std::size_t hash = 0;
-    for (const double value : {key.attenuation.constant, key.attenuation.linear, key.attenuation.quadratic,
-                               key.threshold, key.density_scale}) {
+    for (const double value : key) {
       hash = (hash ^ std::hash<double>{}(value)) * 0x9e3779b97f4a7c15u;  // 2^64 / golden ratio (Knuth, TAOCP 3, 6.4)
       hash ^= hash >> 32;
     }
@@ -42,47 +56,30 @@ struct KindKeyHash {
   }
 };
 
-/// Lights that share an intensity. Every lit one, that is on and not black, has `intensity` in its entry, others 0.
+/// Lights that share an entry of the table of kinds.
 struct Kind {
   KindKey key;
+  bool is_carried;
+  Attenuation attenuation;
+  double threshold;
+  double density_scale;
   IntensityBound bound;
-  double extent;
-  float intensity = 0;
-  float brightest = 0;                ///< largest colour component among the lit lights
-  std::uint32_t brightest_count = 0;  ///< lit lights that have it; 0: to be found again
-  std::uint32_t lit_count = 0;
-  std::uint32_t light_count = 0;
-  bool has_changed = true;  ///< any of its lights since the last set_fog
-  bool is_stored = true;    ///< false while set_fog has yet to write the intensity to the entries
-  std::vector<std::uint32_t> pages = {};
-  std::vector<std::uint32_t> free_entries = {};  ///< of its pages
+  std::vector<std::uint32_t> lights = {};  ///< slots; a binary heap, the brightest first
+  std::size_t lit_count = 0;               ///< lights that are on and not black
+  bool has_changed = true;                 ///< any of its lights since the last set_fog
+  bool is_dirty = true;
 };
 
-/// A run of entries of one kind, or of none.
-struct Page {
-  std::uint32_t begin;
-  std::uint32_t end;  ///< begin + a power of 2
-  std::uint32_t dirty_begin;
-  std::uint32_t dirty_end;  ///< at most dirty_begin where none is dirty
-  std::uint32_t kind;       ///< the last that it was given to
-
-  void mark_dirty(std::uint32_t first, std::uint32_t last) {
-    dirty_begin = std::min(dirty_begin, first);
-    dirty_end = std::max(dirty_end, last);
-  }
-  void mark_clean() {
-    dirty_begin = end;
-    dirty_end = begin;
-  }
-};
-
+/// A light; its slot is its index among the instances.
 struct Record {
   std::uint32_t generation = 1;
   std::uint32_t kind = 0;
-  std::uint32_t entry = 0;
-  glm::vec3 color{0};  ///< as stored when on
+  std::uint32_t place = 0;  ///< in its kind's heap
+  float brightness = 0;     ///< largest colour component; 0 where it is off
+  glm::vec3 color{0};       ///< when on
   bool is_on = false;
   bool is_held = false;
+  bool is_dirty = false;
 };
 
 /// Arguments and result of the batch solve, with room for every kind.
@@ -96,6 +93,35 @@ struct Columns {
   }
 };
 
+/// Dirty entries of a table as ranges.
+class RangeList {
+ public:
+  explicit RangeList(std::size_t entry_bytes) : entry_bytes_(entry_bytes), joined_gap_(kJoinedBytes / entry_bytes) {}
+
+  /// So that add() allocates nothing for a table of as many entries.
+  void make_room(std::size_t entries) { ranges_.reserve(entries / joined_gap_ + 1); }
+  void clear() { ranges_.clear(); }
+  /// entry  greater than each added before
+  void add(std::size_t entry) {
+    if (!ranges_.empty() && entry - ranges_.back().end <= joined_gap_) {
+      ranges_.back().end = entry + 1;
+    } else {
+      ranges_.push_back({entry, entry + 1});
+    }
+  }
+  std::span<const EntryRange> ranges() const { return ranges_; }
+  std::size_t bytes() const {
+    std::size_t entries = 0;
+    for (const EntryRange& range : ranges_) entries += range.end - range.begin;
+    return entries * entry_bytes_;
+  }
+
+ private:
+  std::size_t entry_bytes_;
+  std::size_t joined_gap_;
+  std::vector<EntryRange> ranges_;
+};
+
 }  // namespace
 
 /// Everything of the updater; its public face forwards to the public calls here, which are documented there.
@@ -107,41 +133,42 @@ class FogUpdater::Store {
   void change(FogLightHandle handle, const PlacedLight& light);
   void switch_light(FogLightHandle handle, bool is_on);
   void remove(FogLightHandle handle);
-  std::span<const EntryRange> set_fog(const Fog& fog);
-  std::span<const FogLight> entries() const { return entries_; }
-  std::size_t entry_of(FogLightHandle handle) const { return records_[slot_of(handle)].entry; }
+  FogLightChanges set_fog(const Fog& fog);
+  std::span<const FogLightKind> kinds() const { return kind_table_; }
+  std::span<const FogLightInstance> instances() const { return instances_; }
+  std::uint32_t slot_of(FogLightHandle handle) const;
+  std::uint32_t kind_of(FogLightHandle handle) const { return records_[slot_of(handle)].kind; }
   const FogUpdateStatistics& statistics() const { return statistics_; }
 
  private:
-  std::uint32_t slot_of(FogLightHandle handle) const;
+  std::uint32_t add_slot();
   std::uint32_t find_or_add_kind(const PlacedLight& placed);
-  void enter(Record& record, std::uint32_t kind_index);
-  void leave(const Record& record);
-  void pack(Record& record, const PlacedLight& placed);
-  void show(const Record& record);
-  void hide(const Record& record);
-  void add_page(std::uint32_t kind_index);
-  Page& page_of(std::uint32_t entry);
-  bool is_below_budget(Kind& kind, const Fog& seen_fog) const;
-  void find_brightest(Kind& kind) const;
-  static void set_intensity(Kind& kind, float intensity);
-  void store_intensity(Page& page);
-  std::span<const EntryRange> update_entries();
+  void enter(std::uint32_t slot, std::uint32_t kind_index);
+  void leave(std::uint32_t slot);
+  void pack(std::uint32_t slot, const PlacedLight& placed);
+  void show(std::uint32_t slot);
+  void mark(std::uint32_t slot);
+  void put(Kind& kind, std::size_t place, std::uint32_t slot);
+  void settle(Kind& kind, std::size_t place);
+  bool is_below_budget(const Kind& kind, const Fog& seen_fog) const;
+  void set_intensity(std::uint32_t kind_index, float intensity);
+  FogLightChanges collect_changes();
 
   double skip_budget_;
   Fog fog_;
   bool has_changed_ = false;  // any light since the last set_fog
-  std::vector<FogLight> entries_;
-  std::vector<Page> pages_;                    // in the order of their entries
-  std::vector<std::uint32_t> free_pages_[11];  // by the logarithm of the size
-  std::vector<Kind> kinds_;                    // the first is that of lights not carried: never solved, intensity 0
+  std::vector<Kind> kinds_;   // those without lights are free
+  std::vector<FogLightKind> kind_table_;
   std::vector<std::uint32_t> free_kinds_;
   std::unordered_map<KindKey, std::uint32_t, KindKeyHash> kind_of_key_;
   std::vector<Record> records_;
-  std::vector<std::uint32_t> free_records_;
+  std::vector<FogLightInstance> instances_;
+  std::vector<std::uint32_t> free_slots_;
+  std::vector<std::uint32_t> dirty_slots_;  // room for all
   std::size_t light_count_ = 0;
   Columns columns_;
-  std::vector<EntryRange> ranges_;  // room for a range a page
+  RangeList kind_ranges_{sizeof(FogLightKind)};
+  RangeList instance_ranges_{sizeof(FogLightInstance)};
   FogUpdateStatistics statistics_;
 };
 
@@ -149,83 +176,76 @@ FogUpdater::Store::Store(double skip_budget_255) : skip_budget_(skip_budget_255 
   if (!is_finite_and_not_negative(skip_budget_255)) {
     require(ValueError{"skip_budget_255", skip_budget_255, "must be finite and >= 0"});
   }
-  kinds_.push_back({.key = {}, .bound = {Attenuation{}, kDefaultThreshold}, .extent = 0});
 }
 
 FogLightHandle FogUpdater::Store::add(const PlacedLight& light) {
   require(check(light));
   const std::uint32_t kind = find_or_add_kind(light);
-  if (free_records_.empty()) {
-    free_records_.push_back(std::uint32_t(records_.size()));
-    records_.emplace_back();
-  }
-  const std::uint32_t slot = free_records_.back();
-  free_records_.pop_back();
+  const std::uint32_t slot = add_slot();
   Record& record = records_[slot];
   record.is_held = true;
   record.is_on = true;
-  enter(record, kind);
-  pack(record, light);
+  enter(slot, kind);
+  pack(slot, light);
   ++light_count_;
   return {slot, record.generation};
 }
 
 void FogUpdater::Store::change(FogLightHandle handle, const PlacedLight& light) {
-  Record& record = records_[slot_of(handle)];
+  const std::uint32_t slot = slot_of(handle);
   require(check(light));
   const std::uint32_t kind = find_or_add_kind(light);
-  hide(record);
-  if (kind != record.kind) {
-    leave(record);
-    enter(record, kind);
+  if (kind != records_[slot].kind) {
+    leave(slot);
+    enter(slot, kind);
   }
-  pack(record, light);
+  pack(slot, light);
 }
 
 void FogUpdater::Store::switch_light(FogLightHandle handle, bool is_on) {
-  Record& record = records_[slot_of(handle)];
-  if (is_on == record.is_on) return;
-  hide(record);
-  record.is_on = is_on;
-  show(record);
+  const std::uint32_t slot = slot_of(handle);
+  if (is_on == records_[slot].is_on) return;
+  records_[slot].is_on = is_on;
+  show(slot);
 }
 
 void FogUpdater::Store::remove(FogLightHandle handle) {
-  Record& record = records_[slot_of(handle)];
-  hide(record);
-  leave(record);
+  const std::uint32_t slot = slot_of(handle);
+  leave(slot);
+  instances_[slot] = {};
+  mark(slot);
+  Record& record = records_[slot];
   record.is_held = false;
   ++record.generation;
-  free_records_.push_back(handle.slot);
+  free_slots_.push_back(slot);
   --light_count_;
 }
 
-std::span<const EntryRange> FogUpdater::Store::set_fog(const Fog& fog) {
+FogLightChanges FogUpdater::Store::set_fog(const Fog& fog) {
   require(check(fog));
   const bool is_new_fog = fog != fog_;
   fog_ = fog;
   statistics_ = {.kinds_solved = 0,
-                 .kinds_skipped = kinds_.size() - 1 - free_kinds_.size(),
+                 .kinds_skipped = kinds_.size() - free_kinds_.size(),
                  .lights_skipped = light_count_,
-                 .entries_dirty = 0};
+                 .bytes_dirty = 0};
   if (!is_new_fog && !has_changed_) return {};
   has_changed_ = false;
   std::size_t solved = 0;
-  for (std::uint32_t i = kNotCarried + 1; i < kinds_.size(); ++i) {
+  for (std::uint32_t i = 0; i < kinds_.size(); ++i) {
     Kind& kind = kinds_[i];
     const bool is_due = is_new_fog || kind.has_changed;
     kind.has_changed = false;
-    kind.is_stored = true;
-    if (!is_due || kind.lit_count == 0) continue;
-    const Fog seen_fog = unchecked::scaled(fog, kind.key.density_scale);
-    if (is_below_budget(kind, seen_fog)) {
-      set_intensity(kind, 0);
+    if (!is_due || !kind.is_carried) continue;
+    const Fog seen_fog = unchecked::scaled(fog, kind.density_scale);
+    if (kind.lit_count == 0 || is_below_budget(kind, seen_fog)) {
+      set_intensity(i, 0);
       continue;
     }
-    columns_.constant[solved] = kind.key.attenuation.constant;
-    columns_.linear[solved] = kind.key.attenuation.linear;
-    columns_.quadratic[solved] = kind.key.attenuation.quadratic;
-    columns_.threshold[solved] = kind.key.threshold;
+    columns_.constant[solved] = kind.attenuation.constant;
+    columns_.linear[solved] = kind.attenuation.linear;
+    columns_.quadratic[solved] = kind.attenuation.quadratic;
+    columns_.threshold[solved] = kind.threshold;
     columns_.density[solved] = seen_fog.density;
     columns_.kind[solved] = i;
     ++solved;
@@ -241,10 +261,8 @@ std::span<const EntryRange> FogUpdater::Store::set_fog(const Fog& fog) {
                          .threshold = used(columns_.threshold),
                          .density = used(columns_.density)},
                         {.intensity = std::span(columns_.intensity).first(solved)});
-  for (std::size_t i = 0; i < solved; ++i) {
-    set_intensity(kinds_[columns_.kind[i]], float(columns_.intensity[i]));
-  }
-  return update_entries();
+  for (std::size_t i = 0; i < solved; ++i) set_intensity(columns_.kind[i], float(columns_.intensity[i]));
+  return collect_changes();
 }
 
 std::uint32_t FogUpdater::Store::slot_of(FogLightHandle handle) const {
@@ -255,172 +273,156 @@ std::uint32_t FogUpdater::Store::slot_of(FogLightHandle handle) const {
   return handle.slot;
 }
 
+std::uint32_t FogUpdater::Store::add_slot() {
+  if (!free_slots_.empty()) {
+    const std::uint32_t slot = free_slots_.back();
+    free_slots_.pop_back();
+    return slot;
+  }
+  records_.emplace_back();
+  instances_.emplace_back();
+  dirty_slots_.reserve(records_.capacity());
+  instance_ranges_.make_room(records_.capacity());
+  return std::uint32_t(records_.size() - 1);
+}
+
 std::uint32_t FogUpdater::Store::find_or_add_kind(const PlacedLight& placed) {
-  if (!placed.carried) return kNotCarried;
-  const Light& light = placed.light;
-  const KindKey key{light.attenuation, light.threshold, light.density_scale};
+  const KindKey key = key_of(placed);
   if (const auto found = kind_of_key_.find(key); found != kind_of_key_.end()) return found->second;
-  const Kind kind{.key = key,
-                  .bound = {light.attenuation, light.threshold},
-                  .extent = unchecked::compute_extent(light.attenuation, light.threshold)};
+  const Light& light = placed.light;
+  Kind kind{.key = key,
+            .is_carried = placed.carried,
+            .attenuation = light.attenuation,
+            .threshold = light.threshold,
+            .density_scale = light.density_scale,
+            .bound = {light.attenuation, light.threshold}};
   std::uint32_t index = std::uint32_t(kinds_.size());
   if (free_kinds_.empty()) {
-    kinds_.push_back(kind);
+    kinds_.push_back(std::move(kind));
+    kind_table_.emplace_back();
     columns_.resize(kinds_.size());
+    kind_ranges_.make_room(kinds_.capacity());
   } else {
     index = free_kinds_.back();
     free_kinds_.pop_back();
-    kinds_[index] = kind;
+    kinds_[index] = std::move(kind);
   }
+  kind_table_[index] =
+      unchecked::pack_fog_light_kind(placed, {.intensity = 0,
+                                              .peak_range = 0,
+                                              .extent = unchecked::compute_extent(light.attenuation, light.threshold),
+                                              .status = SolveStatus::ok});
   kind_of_key_.emplace(key, index);
   return index;
 }
 
-/// Gives a light one of the entries of a kind.
-void FogUpdater::Store::enter(Record& record, std::uint32_t kind_index) {
+/// Gives a light a kind. It is dark until it is shown.
+void FogUpdater::Store::enter(std::uint32_t slot, std::uint32_t kind_index) {
   Kind& kind = kinds_[kind_index];
-  if (kind.free_entries.empty()) add_page(kind_index);
-  record.kind = kind_index;
-  record.entry = kind.free_entries.back();
-  kind.free_entries.pop_back();
-  ++kind.light_count;
+  records_[slot].kind = kind_index;
+  records_[slot].brightness = 0;
+  kind.lights.emplace_back();
+  put(kind, kind.lights.size() - 1, slot);
 }
 
-/// Empties a light's entry. A kind's last light takes the kind with it; what is left of it is written over by the next.
-void FogUpdater::Store::leave(const Record& record) {
-  entries_[record.entry] = {};
+/// Takes a light out of its kind, and the kind with its last light.
+void FogUpdater::Store::leave(std::uint32_t slot) {
+  const Record& record = records_[slot];
   Kind& kind = kinds_[record.kind];
-  kind.free_entries.push_back(record.entry);
-  if (--kind.light_count > 0 || record.kind == kNotCarried) return;
-  for (const std::uint32_t page : kind.pages)
-    free_pages_[std::countr_zero(pages_[page].end - pages_[page].begin)].push_back(page);
+  if (record.brightness > 0) --kind.lit_count;
+  kind.has_changed = true;
+  const std::uint32_t last = kind.lights.back();
+  kind.lights.pop_back();
+  if (last != slot) {
+    const std::uint32_t place = record.place;
+    put(kind, place, last);
+    settle(kind, place);
+  }
+  if (!kind.lights.empty()) return;
   kind_of_key_.erase(kind.key);
+  kind.is_carried = false;  // never solved
+  kind.is_dirty = true;
+  kind_table_[record.kind] = {};
   free_kinds_.push_back(record.kind);
 }
 
-/// Writes the entry of a hidden light.
-void FogUpdater::Store::pack(Record& record, const PlacedLight& placed) {
-  const Light& light = placed.light;
-  const double extent =
-      placed.carried ? kinds_[record.kind].extent : unchecked::compute_extent(light.attenuation, light.threshold);
-  FogLight& entry = entries_[record.entry];
-  entry =
-      unchecked::pack_fog_light(placed, {.intensity = 0, .peak_range = 0, .extent = extent, .status = SolveStatus::ok});
-  record.color = glm::vec3(entry.color_intensity);
-  show(record);
+/// Writes the instance of a light.
+void FogUpdater::Store::pack(std::uint32_t slot, const PlacedLight& placed) {
+  instances_[slot] = unchecked::pack_fog_light_instance(placed, records_[slot].kind);
+  records_[slot].color = glm::vec3(instances_[slot].color);
+  show(slot);
 }
 
-/// Writes a light's colour and intensity, and counts it where it is lit.
-void FogUpdater::Store::show(const Record& record) {
+/// Writes a light's colour, and its brightness to its kind.
+void FogUpdater::Store::show(std::uint32_t slot) {
+  Record& record = records_[slot];
   Kind& kind = kinds_[record.kind];
   const glm::vec3 color = record.is_on ? record.color : glm::vec3{0};
-  const float brightness = brightness_of(color);
-  if (brightness > 0) {
-    ++kind.lit_count;
-    if (brightness > kind.brightest) {
-      kind.brightest = brightness;
-      kind.brightest_count = 1;
-    } else if (brightness == kind.brightest) {
-      ++kind.brightest_count;
-    }
-  }
-  entries_[record.entry].color_intensity = {color, brightness > 0 ? kind.intensity : 0};
-  page_of(record.entry).mark_dirty(record.entry, record.entry + 1);
+  instances_[slot].color = glm::vec4(color, 0);
+  mark(slot);
+  if (record.brightness > 0) --kind.lit_count;
+  record.brightness = brightness_of(color);
+  if (record.brightness > 0) ++kind.lit_count;
   kind.has_changed = true;
+  settle(kind, record.place);
+}
+
+void FogUpdater::Store::mark(std::uint32_t slot) {
   has_changed_ = true;
+  if (std::exchange(records_[slot].is_dirty, true)) return;
+  dirty_slots_.push_back(slot);
 }
 
-/// Undoes show's counting; the light leaves its entry, or is shown again.
-void FogUpdater::Store::hide(const Record& record) {
-  Kind& kind = kinds_[record.kind];
-  const float brightness = record.is_on ? brightness_of(record.color) : 0;
-  if (brightness > 0) {
-    --kind.lit_count;
-    if (brightness == kind.brightest) --kind.brightest_count;
-  }
-  page_of(record.entry).mark_dirty(record.entry, record.entry + 1);
-  kind.has_changed = true;
-  has_changed_ = true;
+void FogUpdater::Store::put(Kind& kind, std::size_t place, std::uint32_t slot) {
+  kind.lights[place] = slot;
+  records_[slot].place = std::uint32_t(place);
 }
 
-/// Adds a quarter to a kind's entries, down to a power of 2; at least 1 and at most the largest page.
-void FogUpdater::Store::add_page(std::uint32_t kind_index) {
-  Kind& kind = kinds_[kind_index];
-  const std::uint32_t wanted = std::clamp(std::bit_floor(kind.light_count / 4), 1u, kLargestPage);
-  std::vector<std::uint32_t>& free_pages = free_pages_[std::countr_zero(wanted)];
-  if (free_pages.empty()) {
-    const std::uint32_t begin = std::uint32_t(entries_.size());
-    free_pages.push_back(std::uint32_t(pages_.size()));
-    entries_.resize(begin + wanted);
-    const std::uint32_t end = begin + wanted;
-    pages_.push_back({.begin = begin, .end = end, .dirty_begin = begin, .dirty_end = end, .kind = kNotCarried});
-    ranges_.reserve(pages_.capacity());
-  }
-  const std::uint32_t index = free_pages.back();
-  free_pages.pop_back();
-  kind.pages.push_back(index);
-  pages_[index].kind = kind_index;
-  for (std::uint32_t entry = pages_[index].end; entry-- > pages_[index].begin;) kind.free_entries.push_back(entry);
-}
-
-Page& FogUpdater::Store::page_of(std::uint32_t entry) {
-  return *std::prev(std::ranges::upper_bound(pages_, entry, {}, &Page::begin));
-}
-
-bool FogUpdater::Store::is_below_budget(Kind& kind, const Fog& seen_fog) const {
-  if (kind.brightest_count == 0) find_brightest(kind);
-  return kind.bound.at(seen_fog) * kind.brightest < skip_budget_;
-}
-
-void FogUpdater::Store::find_brightest(Kind& kind) const {
-  kind.brightest = 0;
-  for (const std::uint32_t page : kind.pages) {
-    for (std::uint32_t i = pages_[page].begin; i < pages_[page].end; ++i) {
-      const float brightness = brightness_of(entries_[i].color_intensity);
-      if (brightness > kind.brightest) {
-        kind.brightest = brightness;
-        kind.brightest_count = 0;
-      }
-      if (brightness > 0 && brightness == kind.brightest) ++kind.brightest_count;
+/// Moves a light to where it belongs in its kind's heap, after a change of its brightness.
+void FogUpdater::Store::settle(Kind& kind, std::size_t place) {
+  const auto brightness_at = [&](std::size_t at) { return records_[kind.lights[at]].brightness; };
+  const auto trade = [&](std::size_t to) {
+    const std::uint32_t slot = kind.lights[place];
+    put(kind, place, kind.lights[to]);
+    put(kind, to, slot);
+    place = to;
+  };
+  while (place > 0 && brightness_at(place) > brightness_at((place - 1) / 2)) trade((place - 1) / 2);
+  for (;;) {
+    std::size_t brightest = place;
+    for (std::size_t child = 2 * place + 1; child < std::min(2 * place + 3, kind.lights.size()); ++child) {
+      if (brightness_at(child) > brightness_at(brightest)) brightest = child;
     }
+    if (brightest == place) return;
+    trade(brightest);
   }
 }
 
-void FogUpdater::Store::set_intensity(Kind& kind, float intensity) {
-  kind.is_stored = intensity == kind.intensity;
-  kind.intensity = intensity;
+bool FogUpdater::Store::is_below_budget(const Kind& kind, const Fog& seen_fog) const {
+  return kind.bound.at(seen_fog) * records_[kind.lights.front()].brightness < skip_budget_;
 }
 
-void FogUpdater::Store::store_intensity(Page& page) {
-  Kind& kind = kinds_[page.kind];
-  if (kind.is_stored) return;
-  std::uint32_t first = page.end;
-  std::uint32_t last = page.begin;
-  for (std::uint32_t i = page.begin; i < page.end; ++i) {
-    glm::vec4& color_intensity = entries_[i].color_intensity;
-    if (!(brightness_of(color_intensity) > 0)) continue;
-    color_intensity.w = kind.intensity;
-    first = std::min(first, i);
-    last = i + 1;
-  }
-  page.mark_dirty(first, last);
+void FogUpdater::Store::set_intensity(std::uint32_t kind_index, float intensity) {
+  float& stored = kind_table_[kind_index].cone_scale_intensity.w;
+  if (stored == intensity) return;
+  stored = intensity;
+  kinds_[kind_index].is_dirty = true;
 }
 
-/// In the order of memory: kind by kind takes twice as long where kinds lie between each other.
-std::span<const EntryRange> FogUpdater::Store::update_entries() {
-  ranges_.clear();
-  for (Page& page : pages_) {
-    store_intensity(page);
-    if (page.dirty_begin >= page.dirty_end) continue;
-    if (!ranges_.empty() && page.dirty_begin - ranges_.back().end <= kJoinedGap) {
-      ranges_.back().end = page.dirty_end;
-    } else {
-      ranges_.push_back({page.dirty_begin, page.dirty_end});
-    }
-    page.mark_clean();
+FogLightChanges FogUpdater::Store::collect_changes() {
+  kind_ranges_.clear();
+  for (std::size_t i = 0; i < kinds_.size(); ++i) {
+    if (std::exchange(kinds_[i].is_dirty, false)) kind_ranges_.add(i);
   }
-  for (const EntryRange& range : ranges_) statistics_.entries_dirty += range.end - range.begin;
-  return ranges_;
+  instance_ranges_.clear();
+  std::ranges::sort(dirty_slots_);
+  for (const std::uint32_t slot : dirty_slots_) {
+    records_[slot].is_dirty = false;
+    instance_ranges_.add(slot);
+  }
+  dirty_slots_.clear();
+  statistics_.bytes_dirty = kind_ranges_.bytes() + instance_ranges_.bytes();
+  return {.kinds = kind_ranges_.ranges(), .instances = instance_ranges_.ranges()};
 }
 
 FogUpdater::FogUpdater(double skip_budget_255) : store_(std::make_unique<Store>(skip_budget_255)) {}
@@ -432,9 +434,11 @@ FogLightHandle FogUpdater::add(const PlacedLight& light) { return store_->add(li
 void FogUpdater::change(FogLightHandle handle, const PlacedLight& light) { store_->change(handle, light); }
 void FogUpdater::switch_light(FogLightHandle handle, bool is_on) { store_->switch_light(handle, is_on); }
 void FogUpdater::remove(FogLightHandle handle) { store_->remove(handle); }
-std::span<const EntryRange> FogUpdater::set_fog(const Fog& fog) { return store_->set_fog(fog); }
-std::span<const FogLight> FogUpdater::entries() const { return store_->entries(); }
-std::size_t FogUpdater::entry_of(FogLightHandle handle) const { return store_->entry_of(handle); }
+FogLightChanges FogUpdater::set_fog(const Fog& fog) { return store_->set_fog(fog); }
+std::span<const FogLightKind> FogUpdater::kinds() const { return store_->kinds(); }
+std::span<const FogLightInstance> FogUpdater::instances() const { return store_->instances(); }
+std::size_t FogUpdater::instance_of(FogLightHandle handle) const { return store_->slot_of(handle); }
+std::size_t FogUpdater::kind_of(FogLightHandle handle) const { return store_->kind_of(handle); }
 const FogUpdateStatistics& FogUpdater::statistics() const { return store_->statistics(); }
 
 }  // namespace litfog

@@ -68,12 +68,14 @@ struct Follower {
   std::function<void(const Fog&)> step;
   std::function<double(std::size_t light)> intensity;  ///< as it stands after a step
   std::function<double()> skipped_share;
+  std::function<std::size_t()> dirty_bytes;  ///< of the lights, after a step
 };
 
 /// What a follower did at each step.
 struct Record {
   std::vector<double> milliseconds;
   std::vector<double> skipped_shares;
+  std::size_t most_bytes = 0;
   double max_deviation_255 = 0;
 };
 
@@ -93,6 +95,7 @@ Record follow(const Follower& follower, FogMode mode, const std::vector<PlacedLi
     follower.step(fog);
     record.milliseconds.push_back(thread_milliseconds() - begin);
     record.skipped_shares.push_back(follower.skipped_share());
+    record.most_bytes = std::max(record.most_bytes, sizeof(FogHeader) + follower.dirty_bytes());
 
     std::vector<double> exact;
     for (std::size_t kind = 0; kind < scale.kinds; ++kind) {
@@ -119,11 +122,18 @@ Record follow_by_updater(const std::string& name, double budget_255, FogMode mod
   const Follower follower{
       .name = name,
       .step = [&](const Fog& fog) { updater.set_fog(fog); },
-      .intensity = [&](std::size_t i) { return updater.entries()[updater.entry_of(handles[i])].color_intensity.w; },
+      .intensity = [&](std::size_t i) { return updater.kinds()[updater.kind_of(handles[i])].cone_scale_intensity.w; },
       .skipped_share = [&] { return double(updater.statistics().lights_skipped) / double(lights.size()); },
+      .dirty_bytes = [&] { return updater.statistics().bytes_dirty; },
   };
   return follow(follower, mode, lights, scale, progress);
 }
+
+/// What a shader needs of a light, where each light has its own.
+struct LightEntry {
+  FogLightKind kind;
+  FogLightInstance instance;
+};
 
 Record follow_by_batch(const std::string& name, FogMode mode, const std::vector<PlacedLight>& lights,
                        const Scale& scale, command::Progress& progress) {
@@ -139,7 +149,7 @@ Record follow_by_batch(const std::string& name, FogMode mode, const std::vector<
   }
   columns.density.resize(lights.size());
   std::vector<float> intensity(lights.size());
-  std::vector<FogLight> entries(lights.size());
+  std::vector<LightEntry> entries(lights.size());
   const Follower follower{
       .name = name,
       .step =
@@ -148,10 +158,11 @@ Record follow_by_batch(const std::string& name, FogMode mode, const std::vector<
             std::transform(density_scales.begin(), density_scales.end(), columns.density.begin(),
                            [density](float scale_of_light) { return density * scale_of_light; });
             solve_fog_intensities(mode, columns.view(), BatchSolutionsF{intensity});
-            for (std::size_t i = 0; i < entries.size(); ++i) entries[i].color_intensity.w = intensity[i];
+            for (std::size_t i = 0; i < entries.size(); ++i) entries[i].kind.cone_scale_intensity.w = intensity[i];
           },
-      .intensity = [&](std::size_t i) { return entries[i].color_intensity.w; },
+      .intensity = [&](std::size_t i) { return entries[i].kind.cone_scale_intensity.w; },
       .skipped_share = [] { return 0.0; },
+      .dirty_bytes = [&] { return entries.size() * sizeof(LightEntry); },
   };
   return follow(follower, mode, lights, scale, progress);
 }
@@ -178,8 +189,8 @@ Result measure_update(bool quick) {
   const auto lights = draw_lights(scale);
   command::Progress progress;
   Result result;
-  result.table.columns = {"method",    "fog",           "lights",           "kinds", "steps", "ms_per_step",
-                          "ms_spread", "skipped_share", "max_deviation_255"};
+  result.table.columns = {"method",      "fog",       "lights",         "kinds",         "steps",
+                          "ms_per_step", "ms_spread", "bytes_per_step", "skipped_share", "max_deviation_255"};
   const command::Axis visibility{"visibility (m)", true, kThickest, kClearest};
   std::vector<command::Chart> times(2, {.x = visibility,
                                         .y = {"processor time of one thread per step (ms)", true},
@@ -196,8 +207,8 @@ Result measure_update(bool quick) {
       result.table.rows.push_back(
           {name, name_of(mode), double(scale.lights), double(scale.kinds), double(scale.steps),
            measure::quantile(record.milliseconds, 0.5),
-           measure::quantile(record.milliseconds, 0.9) - measure::quantile(record.milliseconds, 0.1), share,
-           record.max_deviation_255});
+           measure::quantile(record.milliseconds, 0.9) - measure::quantile(record.milliseconds, 0.1),
+           double(record.most_bytes), share, record.max_deviation_255});
       if (!(record.max_deviation_255 <= allowed_255)) {
         result.failures.push_back(fmt::format("{} {}: deviation = {}/255: must be at most {}/255", name, name_of(mode),
                                               record.max_deviation_255, allowed_255));

@@ -132,7 +132,9 @@ void AirlightPainter::use(const gl::Program& program, const Framebuffer& framebu
   set_uniform(program, "depths", kDepthUnit);
   set_uniform(program, "sample_count", unsigned(Framebuffer::samples()));
   set_uniform(program, "cookies", kCookieUnit);
-  set_uniform(program, "litfog_light_buffer", kLightBufferUnit);
+  set_uniform(program, "cookie_cones", kCookieConeUnit);
+  set_uniform(program, "litfog_kind_buffer", kKindBufferUnit);
+  set_uniform(program, "litfog_instance_buffer", kInstanceBufferUnit);
   set_uniform(program, "light_list", kLightListUnit);
   set_uniform(program, "carried_count", carried);
   set_uniform(program, "clip_from_world", view.clip_from_world);

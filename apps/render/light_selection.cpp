@@ -17,7 +17,7 @@ LightSelection select_lights(const SceneLights& lights, std::span<const std::int
   for (std::size_t i = lights.local_count(); i < lights.size(); ++i) {
     const PlacedLight& light = lights.lights()[i];
     if (takes_all || can_reach(light, lights.extents()[i], bounds)) selection.surface.push_back(std::int32_t(i));
-    if (takes_all || lights.packed(i).color_intensity.w > 0) {
+    if (takes_all || lights.packed(i).kind.cone_scale_intensity.w > 0) {
       selection.fog.push_back(std::int32_t(i));
       is_fog_lit = is_fog_lit || can_reach(light, kFarthest, bounds);
     }

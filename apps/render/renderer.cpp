@@ -42,7 +42,7 @@ Renderer::Renderer(const scene::Scene& scene, int width, int height, const Rende
       settings_(settings),
       framebuffer_(width, height, settings.path->has_several_passes() ? Passes::several : Passes::one),
       lights_(scene, settings),
-      light_buffer_(lights_.entries().data(), lights_.entries().size_bytes(), BufferTexture::Texel::float4),
+      cookie_cones_(lights_.cookie_cones().data(), lights_.cookie_cones().size_bytes(), BufferTexture::Texel::float4),
       surfaces_(scene, lights_, fog_block_, settings),
       sky_program_("sky.vert", "sky.frag", scene_shaders(!scene.cookies.empty())),
       light_point_program_("light_point.vert", "light_point.frag", scene_shaders(!scene.cookies.empty())) {
@@ -55,11 +55,9 @@ Renderer::Renderer(const scene::Scene& scene, int width, int height, const Rende
 
 void Renderer::set_fog(const Fog& fog) {
   fog_ = fog;
-  for (const EntryRange& range : lights_.set_fog(fog)) {
-    light_buffer_.update(range.begin * sizeof(FogLight), &lights_.entries()[range.begin],
-                         (range.end - range.begin) * sizeof(FogLight));
-  }
-  fog_block_.upload(pack_fog_light_block(fog, scene_.environment.ambient_fog_color, {}, {}));
+  const FogLightChanges changes = lights_.set_fog(fog);
+  light_tables_.upload(lights_.kinds(), lights_.instances(), changes);
+  fog_block_.upload(pack_fog_header(fog, scene_.environment.ambient_fog_color, 0));
 }
 
 glm::mat4 Renderer::clip_from_world() const {
@@ -85,9 +83,10 @@ FrameCounts Renderer::draw(LightPoints light_points) {
   glEnable(GL_CULL_FACE);
   glDepthMask(GL_TRUE);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  light_buffer_.bind(kLightBufferUnit);
+  light_tables_.bind_textures(kKindBufferUnit, kInstanceBufferUnit);
   surfaces_.surfaces().bind_light_list(kLightListUnit);
   if (cookies_) cookies_->bind(kCookieUnit);
+  cookie_cones_.bind(kCookieConeUnit);
   const FrameCounts counts = surfaces_.draw(*settings_.path, view.clip_from_world);
   glDepthMask(GL_FALSE);
   draw_sky(view);
@@ -111,7 +110,9 @@ void Renderer::draw_sky(const View& view) {
   sky_program_.use();
   fog_block_.bind(sky_program_, kFogLightBinding);
   set_uniform(sky_program_, "cookies", kCookieUnit);
-  set_uniform(sky_program_, "litfog_light_buffer", kLightBufferUnit);
+  set_uniform(sky_program_, "cookie_cones", kCookieConeUnit);
+  set_uniform(sky_program_, "litfog_kind_buffer", kKindBufferUnit);
+  set_uniform(sky_program_, "litfog_instance_buffer", kInstanceBufferUnit);
   set_uniform(sky_program_, "light_list", kLightListUnit);
   set_uniform(sky_program_, "carried_count", carried_count());
   set_uniform(sky_program_, "direction_from_clip", view.direction_from_clip);
@@ -131,12 +132,14 @@ void Renderer::draw_light_points(const View& view) {
   light_point_program_.use();
   fog_block_.bind(light_point_program_, kFogLightBinding);
   set_uniform(light_point_program_, "cookies", kCookieUnit);
+  set_uniform(light_point_program_, "cookie_cones", kCookieConeUnit);
   set_uniform(light_point_program_, "clip_from_world", view.clip_from_world);
   set_uniform(light_point_program_, "eye", scene_.camera.position);
   set_uniform(light_point_program_, "has_glare", unsigned{settings_.fog_lighting == FogLighting::peak});
   set_uniform(light_point_program_, "near_plane", view.near_plane);
   set_uniform(light_point_program_, "pixel_scale", float(framebuffer_.height()) / 720.0f);
-  set_uniform(light_point_program_, "litfog_light_buffer", kLightBufferUnit);
+  set_uniform(light_point_program_, "litfog_kind_buffer", kKindBufferUnit);
+  set_uniform(light_point_program_, "litfog_instance_buffer", kInstanceBufferUnit);
   set_uniform(light_point_program_, "light_list", kLightListUnit);
   set_uniform(light_point_program_, "carried_count", carried_count());
   glEnable(GL_PROGRAM_POINT_SIZE);

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "litfog/gl/fog_light_buffer.h"
+#include "litfog/gl/fog_light_tables.h"
 #include "litfog/gl/program.h"
 #include "render/airlight_painter.h"
 #include "render/gpu/framebuffer.h"
@@ -57,8 +58,9 @@ class Renderer {
   Fog fog_;
   Framebuffer framebuffer_;
   SceneLights lights_;
-  BufferTexture light_buffer_;  // its entries
+  gl::FogLightTables light_tables_;
   std::optional<LayeredTexture> cookies_;
+  BufferTexture cookie_cones_;
   gl::FogLightBuffer fog_block_;  // holds no lights
   SurfacePainter surfaces_;
   gl::Program sky_program_;

@@ -10,10 +10,9 @@ namespace {
 
 constexpr double kSkipsNothing = 0;  // in 1/255: the reference that pictures are compared with has every light
 
-void set_cookie(FogLight& packed, const PlacedLight& light, const scene::CookieUse& use) {
+glm::vec4 cookie_cone(const PlacedLight& light, const scene::CookieUse& use) {
   const glm::dvec3 up = glm::transpose(scene::cookie_from_world(light.direction, use.roll))[1];
-  packed.axis_profile.w = 3;
-  packed.cone = glm::vec4(float(use.cookie), glm::vec3(up));
+  return {float(use.cookie), glm::vec3(up)};
 }
 
 }  // namespace
@@ -25,7 +24,6 @@ double threshold_of(const Light& light, FogLighting fog_lighting) {
 }
 
 SceneLights::SceneLights(const scene::Scene& scene, const RenderSettings& settings) : updater_(kSkipsNothing) {
-  std::vector<FogLightHandle> handles;
   for (const bool is_carried : {false, true}) {
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
       PlacedLight light = scene.lights[i];
@@ -38,26 +36,23 @@ SceneLights::SceneLights(const scene::Scene& scene, const RenderSettings& settin
       extents_.push_back(extent);
       cookies_.push_back(use == scene.cookie_uses.end() ? nullptr : &use->second);
       light.carried = is_carried && settings.path->has_lit_fog && settings.fog_lighting == FogLighting::peak;
-      handles.push_back(updater_.add(light));
+      updater_.add(light);
     }
     if (!is_carried) local_count_ = lights_.size();
   }
   updater_.set_fog(Fog{});
-  entries_.assign(updater_.entries().begin(), updater_.entries().end());
+  instances_.assign(updater_.instances().begin(), updater_.instances().end());
   for (std::size_t i = 0; i < lights_.size(); ++i) {
-    entry_of_.push_back(updater_.entry_of(handles[i]));
-    if (cookies_[i]) set_cookie(entries_[entry_of_[i]], lights_[i], *cookies_[i]);
+    if (!cookies_[i]) continue;
+    instances_[i].axis_profile.w = 3;
+    instances_[i].color.w = float(cookie_cones_.size());
+    cookie_cones_.push_back(cookie_cone(lights_[i], *cookies_[i]));
   }
 }
 
-std::span<const EntryRange> SceneLights::set_fog(const Fog& fog) {
-  const std::span<const EntryRange> changed = updater_.set_fog(fog);
-  for (const EntryRange& range : changed) {
-    for (std::size_t i = range.begin; i < range.end; ++i) {
-      entries_[i].color_intensity = updater_.entries()[i].color_intensity;
-    }
-  }
-  return changed;
+PackedLight SceneLights::packed(std::size_t light) const {
+  const FogLightInstance& instance = instances_[light];
+  return {.kind = kinds()[std::size_t(instance.position_kind.w)], .instance = instance};
 }
 
 }  // namespace litfog::render

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <span>
 #include <vector>
 
@@ -12,16 +13,23 @@
 
 namespace litfog::render {
 
-/// Where a light ends: at its own threshold or, lit by airlight, where its colour's largest component is below 1/255, so
-/// that no end is seen on surfaces or in the fog.
+/// Where a light ends: at its own threshold or, lit by airlight, where its colour's largest component is below 1/255,
+/// so that no end is seen on surfaces or in the fog.
 double threshold_of(const Light& light, FogLighting fog_lighting);
+
+/// A light for shaders that take it as uniforms: five vec4.
+struct PackedLight {
+  FogLightKind kind;
+  FogLightInstance instance;
+};
 
 /// The lights of a scene as the renderer takes them: first the local lights, then those that the eye's vehicle carries,
 /// which light the fog too. Local lights of extent 0 are left out: they light nothing and have no visible point.
 class SceneLights {
  public:
   /// scene  has to outlive this
-  /// settings  of which the path and the fog's lighting say whether carried lights light the fog by their intensity, and
+  /// settings  of which the path and the fog's lighting say whether carried lights light the fog by their intensity,
+  /// and
   ///           where lights end
   SceneLights(const scene::Scene& scene, const RenderSettings& settings);
 
@@ -33,12 +41,15 @@ class SceneLights {
   /// The cookie that replaces a light's cone, or null.
   const scene::CookieUse* cookie(std::size_t light) const { return cookies_[light]; }
 
-  /// Takes a change of the fog. Returns the entries that changed, good until the next call.
-  std::span<const EntryRange> set_fog(const Fog& fog);
-  /// The lights as shaders read them, in the updater's order. A cookie is profile 3 (cube_cookie.glsl).
-  std::span<const FogLight> entries() const { return entries_; }
-  std::size_t entry_of(std::size_t light) const { return entry_of_[light]; }
-  const FogLight& packed(std::size_t light) const { return entries_[entry_of_[light]]; }
+  /// Takes a change of the fog. Returns what has changed of the tables, good until the next call.
+  FogLightChanges set_fog(const Fog& fog) { return updater_.set_fog(fog); }
+  /// The tables that shaders read. Instance i is light i.
+  std::span<const FogLightKind> kinds() const { return updater_.kinds(); }
+  std::span<const FogLightInstance> instances() const { return instances_; }
+  PackedLight packed(std::size_t light) const;
+  /// A cookie and the cookie's y axis in world space, for each light that has one: color.w of its instance is the index
+  /// (cube_cookie.glsl).
+  std::span<const glm::vec4> cookie_cones() const { return cookie_cones_; }
 
  private:
   std::vector<PlacedLight> lights_;
@@ -46,8 +57,8 @@ class SceneLights {
   std::vector<double> extents_;
   std::vector<const scene::CookieUse*> cookies_;
   FogUpdater updater_;
-  std::vector<std::size_t> entry_of_;
-  std::vector<FogLight> entries_;  // the updater's, with cookies
+  std::vector<FogLightInstance> instances_;  // the updater's, with cookies
+  std::vector<glm::vec4> cookie_cones_;
 };
 
 }  // namespace litfog::render

@@ -28,12 +28,12 @@ std::size_t compiled_light_count(std::size_t lights) {
   return *std::ranges::lower_bound(kCounts, lights);
 }
 
-UniformLights compiled_for(std::span<const FogLight> lights) {
+UniformLights compiled_for(std::span<const PackedLight> lights) {
   constexpr std::size_t kMaxOfKnownProfile = 2;  // of more lights, a shader for each profile would be too many
   UniformLights compiled{.count = compiled_light_count(lights.size())};
   if (lights.empty() || compiled.count > kMaxOfKnownProfile) return compiled;
-  const float profile = lights.front().axis_profile.w;
-  const auto has_profile = [profile](const FogLight& light) { return light.axis_profile.w == profile; };
+  const float profile = lights.front().instance.axis_profile.w;
+  const auto has_profile = [profile](const PackedLight& light) { return light.instance.axis_profile.w == profile; };
   if (std::ranges::all_of(lights, has_profile)) compiled.profile = int(profile);
   return compiled;
 }

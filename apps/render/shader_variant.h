@@ -6,8 +6,8 @@
 #include <span>
 #include <string>
 
-#include "litfog/fog_light_block.h"
 #include "render/lighting_path.h"
+#include "render/scene_lights.h"
 
 namespace litfog::render {
 
@@ -30,7 +30,7 @@ struct UniformLights {
 };
 
 /// A shader of compiled_light_count() lights for these.
-UniformLights compiled_for(std::span<const FogLight> lights);
+UniformLights compiled_for(std::span<const PackedLight> lights);
 
 /// What a pass's shaders are compiled for.
 struct ShaderVariant {

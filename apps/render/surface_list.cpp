@@ -61,7 +61,8 @@ BufferTexture SurfaceList::list_lights(const scene::Scene& scene, const SceneLig
   const std::size_t most = std::min(kMaxListed, BufferTexture::max_texels());
   list_.resize(lights.size());
   std::iota(list_.begin(), list_.end(), 0);
-  std::rotate(list_.begin(), list_.begin() + std::ptrdiff_t(local_count), list_.end());  // the carried ones to the front
+  std::rotate(list_.begin(), list_.begin() + std::ptrdiff_t(local_count),
+              list_.end());  // the carried ones to the front
   const auto first_local = int(lights.size() - local_count);
   const LightFinder finder(lights.lights().first(local_count), lights.extents().first(local_count));
   for (const scene::Instance& instance : scene.instances) {
@@ -92,9 +93,7 @@ BufferTexture SurfaceList::list_lights(const scene::Scene& scene, const SceneLig
   }
   // By name, not by address, because the order decides which of two coplanar surfaces is visible.
   std::ranges::stable_sort(surfaces_, {}, [](const Surface& surface) { return surface.material->material.name; });
-  std::vector<std::int32_t> entries;
-  for (const std::int32_t light : list_) entries.push_back(std::int32_t(lights.entry_of(std::size_t(light))));
-  return BufferTexture(entries.data(), entries.size() * sizeof(std::int32_t), BufferTexture::Texel::int1);
+  return BufferTexture(list_.data(), list_.size() * sizeof(std::int32_t), BufferTexture::Texel::int1);
 }
 
 const SurfaceMaterial& SurfaceList::material(const std::string& name) const {

@@ -46,8 +46,8 @@ class SurfaceList {
   std::span<const std::int32_t> lights_of(const Surface& surface) const {
     return std::span(list_).subspan(std::size_t(surface.list_first), std::size_t(surface.list_count));
   }
-  /// Binds the light list as a buffer texture of integers. They are entries of SceneLights: those of the carried
-  /// lights, then of the local ones, then of the local lights that can reach each surface.
+  /// Binds the light list as a buffer texture of integers. They are indices in SceneLights: of the carried lights,
+  /// then of the local ones, then of the local lights that can reach each surface.
   void bind_light_list(unsigned unit) const { list_texture_.bind(unit); }
   /// Makes the vertices of all surfaces current (see MeshStore).
   void bind_meshes() const { meshes_.bind(); }

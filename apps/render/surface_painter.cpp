@@ -128,7 +128,7 @@ void SurfacePainter::draw_surface(Frame& frame, const Surface& surface) {
 void SurfacePainter::draw_pass(Frame& frame, const Surface& surface, ShaderVariant variant,
                                std::span<const std::int32_t> fog_lights, std::span<const std::int32_t> batch) {
   const bool has_maps = !maps_.kinds().empty();  // which hold the cones
-  std::vector<FogLight> uniforms;
+  std::vector<PackedLight> uniforms;
   if (variant.is_first && variant.pass->shows_fog) {
     variant.has_listed_fog_lights = fog_lights.size() > kMaxUniformLights;
     if (!variant.has_listed_fog_lights) {
@@ -159,7 +159,8 @@ void SurfacePainter::draw_pass(Frame& frame, const Surface& surface, ShaderVaria
   glUniform3fv(program.bounds_high, 1, glm::value_ptr(surface.bounds.high));
   glUniform2i(program.light_list_range, surface.list_first, surface.list_count);
   if (!uniforms.empty()) {
-    glUniform4fv(program.uniform_lights, GLsizei(5 * uniforms.size()), glm::value_ptr(uniforms[0].position_extent));
+    glUniform4fv(program.uniform_lights, GLsizei(5 * uniforms.size()),
+                 glm::value_ptr(uniforms[0].kind.attenuation_extent));
   }
   if (has_maps && !batch.empty()) {
     std::vector<glm::mat3> cones;
@@ -187,13 +188,15 @@ SurfaceProgram& SurfacePainter::use(Frame& frame, const ShaderVariant& variant, 
     set_uniform(program.program, "is_flat_shaded", unsigned{settings_.is_flat_shaded});
     set_uniform(program.program, "albedo_map", kAlbedoUnit);
     set_uniform(program.program, "normal_map", kNormalUnit);
-    set_uniform(program.program, "litfog_light_buffer", kLightBufferUnit);
+    set_uniform(program.program, "litfog_kind_buffer", kKindBufferUnit);
+    set_uniform(program.program, "litfog_instance_buffer", kInstanceBufferUnit);
     set_uniform(program.program, "light_list", kLightListUnit);
     set_uniform(program.program, "carried_count", unsigned(lights_.size() - lights_.local_count()));
     set_uniform(program.program, "range_map", kRangeMapUnit);
     set_uniform(program.program, "distance_map", kDistanceMapUnit);
     set_uniform(program.program, "cone_map", kConeMapUnit);
     set_uniform(program.program, "cookies", kCookieUnit);
+    set_uniform(program.program, "cookie_cones", kCookieConeUnit);
   }
   if (&material != frame.bound) {
     frame.bound = &material;

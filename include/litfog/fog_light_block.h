@@ -13,42 +13,71 @@
 
 namespace litfog {
 
-/// Parameters of one light for the shaders (litfog/shaders/light.glsl). World space, metres; vec4 members only, so that
-/// std140, std430 and C++ agree.
-struct FogLight {
-  glm::vec4 position_extent;  ///< xyz position, w extent; infinite extents are stored as the largest float
-  glm::vec4 axis_profile;     ///< xyz unit axis, w profile: 0 none, 1 cosine, 2 smoothstep; 3 is left to shaders
-  glm::vec4 color_intensity;  ///< rgb linear colour, w fog colour intensity (0 where the light is not carried)
-  glm::vec4 attenuation;      ///< x constant, y linear, z quadratic, w density scale
-  glm::vec4 cone;             ///< cosine: x cos half angle, y exponent; smoothstep: x cos outer, y cos inner; none: 0
+// What the shaders read of lights (litfog/shaders/light.glsl) stands in two tables, so that a change of the fog changes
+// few numbers however many lights there are: kinds hold what lights of a sort share and the fog changes, instances one
+// light each. The same tables serve as uniform block, buffer textures and storage buffers: they have vec4 members only,
+// so that std140, std430, texels and C++ agree. World space, metres.
+
+/// What lights of a kind share.
+struct FogLightKind {
+  /// x constant, y linear, z quadratic, w extent; infinite extents are stored as the largest float
+  glm::vec4 attenuation_extent;
+  /// xy cone (cosine: cos half angle, exponent; smoothstep: cos outer, cos inner; none: 0), z density scale, w fog
+  /// colour intensity (0 where the lights are not carried)
+  glm::vec4 cone_scale_intensity;
 };
 
-inline constexpr std::size_t kMaxFogLights = 128;  ///< keeps the block below OpenGL 3.3's guaranteed 16 KiB
+/// One light.
+struct FogLightInstance {
+  glm::vec4 position_kind;  ///< xyz position, w index of its kind
+  glm::vec4
+      axis_profile;  ///< xyz unit axis, w its kind's profile: 0 none, 1 cosine, 2 smoothstep; 3 is left to shaders
+  glm::vec4 color;   ///< rgb linear colour, w 0; of profile 3 it is left to shaders
+};
+
+/// The fog: the first members of the uniform block.
+struct FogHeader {
+  glm::vec4 fog;                ///< x density (1/m), y mode: 0 exp, 1 exp2, z number of instances, w 0
+  glm::vec4 ambient_fog_color;  ///< rgb linear, w 0
+};
+
+inline constexpr std::size_t kMaxFogLights = 200;  ///< each may be of another kind: OpenGL 3.3 guarantees 16 KiB
 
 /// The fog and the lights that light it: the uniform block of the shaders (std140).
 struct FogLightBlock {
-  glm::vec4 fog;                ///< x density (1/m), y mode: 0 exp, 1 exp2, z number of lights, w 0
-  glm::vec4 ambient_fog_color;  ///< rgb linear, w 0
-  std::array<FogLight, kMaxFogLights> lights;
+  FogHeader header;
+  std::array<FogLightKind, kMaxFogLights> kinds;
+  std::array<FogLightInstance, kMaxFogLights> instances;
 };
 
-static_assert(offsetof(FogLight, axis_profile) == 16 && offsetof(FogLight, color_intensity) == 32 &&
-              offsetof(FogLight, attenuation) == 48 && offsetof(FogLight, cone) == 64 && sizeof(FogLight) == 80);
-static_assert(offsetof(FogLightBlock, ambient_fog_color) == 16 && offsetof(FogLightBlock, lights) == 32 &&
+static_assert(offsetof(FogLightKind, cone_scale_intensity) == 16 && sizeof(FogLightKind) == 32);
+static_assert(offsetof(FogLightInstance, axis_profile) == 16 && offsetof(FogLightInstance, color) == 32 &&
+              sizeof(FogLightInstance) == 48);
+static_assert(offsetof(FogHeader, ambient_fog_color) == 16 && sizeof(FogHeader) == 32);
+static_assert(offsetof(FogLightBlock, kinds) == 32 && offsetof(FogLightBlock, instances) == 32 + kMaxFogLights * 32 &&
               sizeof(FogLightBlock) == 32 + kMaxFogLights * 80 && sizeof(FogLightBlock) <= 16384);
 
-/// One light's parameters. The intensity is stored for carried lights only: Hales's term presumes a light near the eye.
+/// The kind of a light. The intensity is stored for carried lights only: Hales's term presumes a light near the eye.
 ///
-/// solution  of this light in the fog of the block
+/// solution  of this light in the fog
 /// throws    std::invalid_argument naming field, value and rule of the light
-FogLight pack_fog_light(const PlacedLight& light, const FogIntensity& solution);
+FogLightKind pack_fog_light_kind(const PlacedLight& light, const FogIntensity& solution);
 
-/// The whole block from lights and their solutions, in order; unused entries are zero.
+/// kind    index among the kinds, at most 2^24: a float holds it
+/// throws  std::invalid_argument naming field, value and rule of the light
+FogLightInstance pack_fog_light_instance(const PlacedLight& light, std::size_t kind);
+
 /// An infinite density is stored as the largest float.
 ///
 /// ambient_fog_color  linear RGB, finite, >= 0
-/// throws             std::invalid_argument naming field, value and rule; also for more than kMaxFogLights lights, or
-///                    not one solution a light
+/// throws             std::invalid_argument naming field, value and rule
+FogHeader pack_fog_header(const Fog& fog, const glm::dvec3& ambient_fog_color, std::size_t instances);
+
+/// The whole block from lights and their solutions, in order, each light of a kind of its own; unused entries are zero.
+/// For lights that stay as they are; others are a FogUpdater's (litfog/updater.h).
+///
+/// throws  std::invalid_argument as pack_fog_header; also for more than kMaxFogLights lights, or not one solution a
+///         light
 FogLightBlock pack_fog_light_block(const Fog& fog, const glm::dvec3& ambient_fog_color,
                                    std::span<const PlacedLight> lights, std::span<const FogIntensity> solutions);
 

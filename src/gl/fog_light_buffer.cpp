@@ -6,7 +6,9 @@
 #include <cstddef>
 #include <string>
 
+#include "gl/upload_ranges.h"
 #include "litfog/gl/unsupported.h"
+#include "require.h"
 
 namespace litfog::gl {
 
@@ -18,6 +20,29 @@ FogLightBuffer::FogLightBuffer() {
 void FogLightBuffer::upload(const FogLightBlock& block) {
   glBindBuffer(GL_UNIFORM_BUFFER, name_.id());
   glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof(block), &block);
+  has_tables_ = false;  // but another's
+}
+
+void FogLightBuffer::upload(const FogHeader& header) {
+  glBindBuffer(GL_UNIFORM_BUFFER, name_.id());
+  glBufferSubData(GL_UNIFORM_BUFFER, offsetof(FogLightBlock, header), sizeof(header), &header);
+}
+
+void FogLightBuffer::upload(const FogHeader& header, std::span<const FogLightKind> kinds,
+                            std::span<const FogLightInstance> instances, const FogLightChanges& changes) {
+  if (kinds.size() > kMaxFogLights) require(ValueError{"kinds", double(kinds.size()), "must be at most 200"});
+  if (instances.size() > kMaxFogLights) {
+    require(ValueError{"instances", double(instances.size()), "must be at most 200"});
+  }
+  upload(header);
+  const auto upload_table = [&](std::size_t offset, const auto& table, std::span<const EntryRange> changed) {
+    const EntryRange all{0, table.size()};
+    upload_ranges(GL_UNIFORM_BUFFER, offset, std::as_bytes(table), sizeof(table[0]),
+                  has_tables_ ? changed : std::span(&all, 1));
+  };
+  upload_table(offsetof(FogLightBlock, kinds), kinds, changes.kinds);
+  upload_table(offsetof(FogLightBlock, instances), instances, changes.instances);
+  has_tables_ = true;
 }
 
 void FogLightBuffer::bind(const Program& program, unsigned binding) const {
@@ -38,16 +63,18 @@ void check_fog_light_layout(const Program& program) {
                         ", std140 has it at " + std::to_string(expected));
     }
   };
-  check("litfog_fog", offsetof(FogLightBlock, fog));
-  check("litfog_ambient_fog_color", offsetof(FogLightBlock, ambient_fog_color));
+  check("litfog_fog", offsetof(FogHeader, fog));
+  check("litfog_ambient_fog_color", offsetof(FogHeader, ambient_fog_color));
   for (const std::size_t i : {std::size_t{0}, std::size_t{1}, kMaxFogLights - 1}) {
-    const std::string light = "litfog_lights[" + std::to_string(i) + "].";
-    const std::size_t base = offsetof(FogLightBlock, lights) + i * sizeof(FogLight);
-    check(light + "position_extent", base + offsetof(FogLight, position_extent));
-    check(light + "axis_profile", base + offsetof(FogLight, axis_profile));
-    check(light + "color_intensity", base + offsetof(FogLight, color_intensity));
-    check(light + "attenuation", base + offsetof(FogLight, attenuation));
-    check(light + "cone", base + offsetof(FogLight, cone));
+    const std::string kind = "litfog_kinds[" + std::to_string(i) + "].";
+    const std::size_t kind_base = offsetof(FogLightBlock, kinds) + i * sizeof(FogLightKind);
+    check(kind + "attenuation_extent", kind_base + offsetof(FogLightKind, attenuation_extent));
+    check(kind + "cone_scale_intensity", kind_base + offsetof(FogLightKind, cone_scale_intensity));
+    const std::string instance = "litfog_instances[" + std::to_string(i) + "].";
+    const std::size_t instance_base = offsetof(FogLightBlock, instances) + i * sizeof(FogLightInstance);
+    check(instance + "position_kind", instance_base + offsetof(FogLightInstance, position_kind));
+    check(instance + "axis_profile", instance_base + offsetof(FogLightInstance, axis_profile));
+    check(instance + "color", instance_base + offsetof(FogLightInstance, color));
   }
 }
 

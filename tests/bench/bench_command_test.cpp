@@ -53,7 +53,8 @@ const std::vector<std::string> kAirlightColumns{"method",     "nodes",     "fog"
 const std::vector<std::string> kLampColumns{"lamp",        "visibility_m", "peak",         "airlight_k0",
                                             "airlight_k1", "reference_k0", "reference_k1", "max_error_255"};
 const std::vector<std::string> kUpdateColumns{
-    "method", "fog", "lights", "kinds", "steps", "ms_per_step", "ms_spread", "skipped_share", "max_deviation_255"};
+    "method",      "fog",       "lights",         "kinds",         "steps",
+    "ms_per_step", "ms_spread", "bytes_per_step", "skipped_share", "max_deviation_255"};
 
 const std::vector<std::string> kFitColumns{"problem",   "method",    "tables",       "ms",
                                            "ms_spread", "objective", "solved_share", "digits"};
@@ -265,6 +266,9 @@ TEST_F(BenchMeasurement, UpdateStaysWithinItsBudget) {
     EXPECT_GT(row["steps"].get<double>(), 1) << name;
     EXPECT_GT(row["ms_per_step"].get<double>(), 0) << name;
     EXPECT_GE(row["ms_spread"].get<double>(), 0) << name;
+    const double kinds_bytes = 32 + 32 * row["kinds"].get<double>();
+    const bool is_updater = method != "batch-of-all";
+    EXPECT_TRUE(is_updater ? row["bytes_per_step"] <= kinds_bytes : row["bytes_per_step"] > 10 * kinds_bytes) << name;
     const double skipped = row["skipped_share"];
     EXPECT_TRUE(method == "updater" ? skipped > 0 && skipped < 1 : skipped == 0) << name;
     EXPECT_LE(row["max_deviation_255"].get<double>(), method == "updater" ? 0.5 : 1e-3) << name;

@@ -165,7 +165,7 @@ void expect_updater_within_budget(const Enter& enter, const Leave& leave) {
       leave();
       skipped += updater.statistics().kinds_skipped;
       for (std::size_t i = 0; i < cases.size(); ++i) {
-        const double stored = double(updater.entries()[updater.entry_of(handles[i])].color_intensity.w);
+        const double stored = double(updater.kinds()[updater.kind_of(handles[i])].cone_scale_intensity.w);
         const double truth = solve_fog_intensity(cases[i].attenuation, fog, cases[i].threshold).intensity;
         ASSERT_TRUE(is_near(stored, truth, kFarInFloat) || (stored == 0 && truth <= budget))
             << i << ": " << stored << " " << truth;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "core/value_errors.h"
@@ -31,55 +32,63 @@ PlacedLight distinct_light() {
 
 constexpr FogIntensity kSolution{.intensity = 0.375, .peak_range = 4, .extent = 40, .status = SolveStatus::ok};
 
-TEST(FogLight, EveryFieldIsAtItsOffset) {
-  const FogLight packed = pack_fog_light(distinct_light(), kSolution);
-  EXPECT_EQ(packed.position_extent, glm::vec4(1, -2, 3, 40));
-  EXPECT_EQ(packed.axis_profile, glm::vec4(0, 0.6f, -0.8f, 1));
-  EXPECT_EQ(packed.color_intensity, glm::vec4(0.25, 0.5, 0.75, 0.375));
-  EXPECT_EQ(packed.attenuation, glm::vec4(1.5, 0.125, 0.0625, 0.4f));
-  EXPECT_EQ(packed.cone, glm::vec4(float(std::cos(0.5)), 8, 0, 0));
+TEST(FogLightKind, EveryFieldIsInItsPlace) {
+  const FogLightKind packed = pack_fog_light_kind(distinct_light(), kSolution);
+  EXPECT_EQ(packed.attenuation_extent, glm::vec4(1.5, 0.125, 0.0625, 40));
+  EXPECT_EQ(packed.cone_scale_intensity, glm::vec4(float(std::cos(0.5)), 8, 0.4f, 0.375));
 }
 
-TEST(FogLight, ProfilesAreNumbered) {
+TEST(FogLightInstance, EveryFieldIsInItsPlace) {
+  const FogLightInstance packed = pack_fog_light_instance(distinct_light(), 7);
+  EXPECT_EQ(packed.position_kind, glm::vec4(1, -2, 3, 7));
+  EXPECT_EQ(packed.axis_profile, glm::vec4(0, 0.6f, -0.8f, 1));
+  EXPECT_EQ(packed.color, glm::vec4(0.25, 0.5, 0.75, 0));
+}
+
+TEST(FogLightInstance, LargestKindIsExact) {
+  EXPECT_EQ(pack_fog_light_instance(distinct_light(), 16'777'215).position_kind.w, 16'777'215.0f);
+  EXPECT_EQ(pack_fog_light_instance(distinct_light(), 16'777'216).position_kind.w, 16'777'216.0f);
+}
+
+TEST(FogLightKind, ProfilesAreNumbered) {
   PlacedLight light = distinct_light();
   light.light.cone = Cone::smoothstep(0.25, 0.75);
-  const FogLight dual = pack_fog_light(light, kSolution);
-  EXPECT_EQ(dual.axis_profile.w, 2);
-  EXPECT_EQ(dual.cone, glm::vec4(float(std::cos(0.75)), float(std::cos(0.25)), 0, 0));
+  const glm::vec4 dual = pack_fog_light_kind(light, kSolution).cone_scale_intensity;
+  EXPECT_EQ(pack_fog_light_instance(light, 0).axis_profile.w, 2);
+  EXPECT_EQ(dual, glm::vec4(float(std::cos(0.75)), float(std::cos(0.25)), 0.4f, 0.375));
   light.light.cone = Cone{};
-  const FogLight point = pack_fog_light(light, kSolution);
-  EXPECT_EQ(point.axis_profile.w, 0);
-  EXPECT_EQ(point.cone, glm::vec4(0));
+  EXPECT_EQ(pack_fog_light_instance(light, 0).axis_profile.w, 0);
+  EXPECT_EQ(pack_fog_light_kind(light, kSolution).cone_scale_intensity, glm::vec4(0, 0, 0.4f, 0.375));
 }
 
-TEST(FogLight, OnlyACarriedLightLightsTheFog) {
+TEST(FogLightKind, OnlyCarriedLightsLightTheFog) {
   PlacedLight light = distinct_light();
   light.carried = false;
-  EXPECT_EQ(pack_fog_light(light, kSolution).color_intensity, glm::vec4(0.25, 0.5, 0.75, 0));
+  EXPECT_EQ(pack_fog_light_kind(light, kSolution).cone_scale_intensity.w, 0);
 }
 
-TEST(FogLight, InfiniteAndOverlargeValuesBecomeTheLargestFloat) {
+TEST(FogLightKind, InfiniteAndOverlargeValuesBecomeTheLargestFloat) {
   PlacedLight light = distinct_light();
   light.light.attenuation = {1e300, 1e200, 1e100};
-  const FogLight packed =
-      pack_fog_light(light, {.intensity = 1, .peak_range = kInfinity, .extent = kInfinity, .status = SolveStatus::ok});
-  EXPECT_EQ(packed.position_extent.w, kLargestFloat);
-  EXPECT_EQ(packed.attenuation, glm::vec4(kLargestFloat, kLargestFloat, kLargestFloat, 0.4f));
-  light.light.color = {1e300, 2, 1e39};
   light.light.density_scale = 1e300;
-  const FogLight bright = pack_fog_light(light, {.intensity = 1, .peak_range = 0, .extent = 1, .status = {}});
-  EXPECT_EQ(glm::vec3(bright.color_intensity), glm::vec3(kLargestFloat, 2, kLargestFloat));
-  EXPECT_EQ(bright.attenuation.w, kLargestFloat);
-  EXPECT_EQ(pack_fog_light(light, {.intensity = 1, .peak_range = 0, .extent = 1e39, .status = SolveStatus::ok})
-                .position_extent.w,
+  const FogLightKind packed = pack_fog_light_kind(
+      light, {.intensity = 1, .peak_range = kInfinity, .extent = kInfinity, .status = SolveStatus::ok});
+  EXPECT_EQ(packed.attenuation_extent, glm::vec4(kLargestFloat));
+  EXPECT_EQ(packed.cone_scale_intensity.z, kLargestFloat);
+  EXPECT_EQ(pack_fog_light_kind(light, {.intensity = 1, .peak_range = 0, .extent = 1e39, .status = SolveStatus::ok})
+                .attenuation_extent.w,
             kLargestFloat);
+  light.light.color = {1e300, 2, 1e39};
+  EXPECT_EQ(pack_fog_light_instance(light, 0).color, glm::vec4(kLargestFloat, 2, kLargestFloat, 0));
 }
 
-TEST(FogLight, WronglyPlacedLightIsAnError) {
+TEST(FogLightKind, WronglyPlacedLightIsAnError) {
   const auto error_after = [](const auto& change) {
     PlacedLight light = distinct_light();
     change(light);
-    return error_of([&] { pack_fog_light(light, kSolution); });
+    const std::string error = error_of([&] { pack_fog_light_kind(light, kSolution); });
+    EXPECT_EQ(error_of([&] { pack_fog_light_instance(light, 0); }), error);
+    return error;
   };
   EXPECT_EQ(error_after([](PlacedLight& p) { p.position.z = 1e300; }),
             "position.z = 1e+300: must be at most 16777216 in magnitude");
@@ -111,10 +120,10 @@ TEST(FogLightBlock, BlockHoldsFogCountAndAmbientColor) {
   const std::vector<PlacedLight> lights(3, distinct_light());
   const std::vector<FogIntensity> solutions(3, kSolution);
   const FogLightBlock exp_block = pack_fog_light_block({FogMode::exp, 0.125}, {0.1, 0.2, 0.3}, lights, solutions);
-  EXPECT_EQ(exp_block.fog, glm::vec4(0.125, 0, 3, 0));
-  EXPECT_EQ(exp_block.ambient_fog_color, glm::vec4(0.1f, 0.2f, 0.3f, 0));
+  EXPECT_EQ(exp_block.header.fog, glm::vec4(0.125, 0, 3, 0));
+  EXPECT_EQ(exp_block.header.ambient_fog_color, glm::vec4(0.1f, 0.2f, 0.3f, 0));
   const FogLightBlock exp2_block = pack_fog_light_block({FogMode::exp2, 0.25}, {0.1, 0.2, 0.3}, lights, solutions);
-  EXPECT_EQ(exp2_block.fog, glm::vec4(0.25, 1, 3, 0));
+  EXPECT_EQ(exp2_block.header.fog, glm::vec4(0.25, 1, 3, 0));
 }
 
 TEST(FogLightBlock, LightsAreInOrderWithZerosBehindThem) {
@@ -126,35 +135,38 @@ TEST(FogLightBlock, LightsAreInOrderWithZerosBehindThem) {
   }
   const FogLightBlock block = pack_fog_light_block({}, {}, lights, solutions);
   for (int i = 0; i < 3; ++i) {
-    EXPECT_EQ(block.lights[std::size_t(i)].position_extent.x, float(10 * i));
-    EXPECT_EQ(block.lights[std::size_t(i)].color_intensity.w, 0.25f * float(i));
+    const FogLightInstance& instance = block.instances[std::size_t(i)];
+    EXPECT_EQ(instance.position_kind, glm::vec4(10 * i, -2, 3, i));
+    EXPECT_EQ(block.kinds[std::size_t(i)].cone_scale_intensity.w, 0.25f * float(i));
   }
-  const FogLight unused{};
+  const FogLightKind unused_kind{};
+  const FogLightInstance unused_instance{};
   for (std::size_t i = 3; i < kMaxFogLights; ++i) {
-    EXPECT_EQ(std::memcmp(&block.lights[i], &unused, sizeof unused), 0) << "light " << i;
+    EXPECT_EQ(std::memcmp(&block.kinds[i], &unused_kind, sizeof unused_kind), 0) << "kind " << i;
+    EXPECT_EQ(std::memcmp(&block.instances[i], &unused_instance, sizeof unused_instance), 0) << "instance " << i;
   }
 }
 
 TEST(FogLightBlock, TotalFogBecomesTheLargestFloat) {
-  EXPECT_EQ(pack_fog_light_block({FogMode::exp, kInfinity}, {}, {}, {}).fog.x, kLargestFloat);
-  EXPECT_EQ(pack_fog_light_block({FogMode::exp, 1e300}, {}, {}, {}).fog.x, kLargestFloat);
-  EXPECT_EQ(pack_fog_light_block({FogMode::exp, 0}, {}, {}, {}).fog.x, 0);
+  EXPECT_EQ(pack_fog_light_block({FogMode::exp, kInfinity}, {}, {}, {}).header.fog.x, kLargestFloat);
+  EXPECT_EQ(pack_fog_light_block({FogMode::exp, 1e300}, {}, {}, {}).header.fog.x, kLargestFloat);
+  EXPECT_EQ(pack_fog_light_block({FogMode::exp, 0}, {}, {}, {}).header.fog.x, 0);
 }
 
 TEST(FogLightBlock, BlockHoldsFromNoLightToAsManyAsFit) {
-  EXPECT_EQ(pack_fog_light_block({}, {}, {}, {}).fog.z, 0);
+  EXPECT_EQ(pack_fog_light_block({}, {}, {}, {}).header.fog.z, 0);
   const std::vector<PlacedLight> lights(kMaxFogLights, distinct_light());
   const std::vector<FogIntensity> solutions(kMaxFogLights, kSolution);
   const FogLightBlock block = pack_fog_light_block({}, {}, lights, solutions);
-  EXPECT_EQ(block.fog.z, float(kMaxFogLights));
-  EXPECT_EQ(block.lights.back().color_intensity.w, 0.375f);
+  EXPECT_EQ(block.header.fog.z, float(kMaxFogLights));
+  EXPECT_EQ(block.kinds.back().cone_scale_intensity.w, 0.375f);
 }
 
 TEST(FogLightBlock, TooManyLightsMissingSolutionsOrWrongFogAreAnError) {
   const std::vector<PlacedLight> lights(kMaxFogLights + 1, distinct_light());
   const std::vector<FogIntensity> solutions(kMaxFogLights + 1, kSolution);
   const std::span<const PlacedLight> two(lights.data(), 2);
-  EXPECT_EQ(error_of([&] { pack_fog_light_block({}, {}, lights, solutions); }), "lights = 129: must be at most 128");
+  EXPECT_EQ(error_of([&] { pack_fog_light_block({}, {}, lights, solutions); }), "lights = 201: must be at most 200");
   EXPECT_EQ(error_of([&] { pack_fog_light_block({}, {}, two, std::span(solutions.data(), 1)); }),
             "solutions = 1: must be as many as the lights");
   EXPECT_EQ(error_of([&] { pack_fog_light_block({}, {}, two, std::span(solutions.data(), 3)); }),

@@ -32,31 +32,85 @@ PlacedLight carried_light(const Attenuation& attenuation = {1, 0.1, 0.01}, const
   return light;
 }
 
-float largest_component(const FogLight& entry) {
-  return std::max({entry.color_intensity.r, entry.color_intensity.g, entry.color_intensity.b});
+FogLightInstance instance_of(const FogUpdater& updater, FogLightHandle handle) {
+  return updater.instances()[updater.instance_of(handle)];
 }
 
-/// What the entry of a light has to be, but for the intensity.
-FogLight pack_with_intensity_0(const PlacedLight& light, bool is_on) {
+const FogLightKind& kind_of(const FogUpdater& updater, FogLightHandle handle) {
+  return updater.kinds()[updater.kind_of(handle)];
+}
+
+float stored_intensity(const FogUpdater& updater, FogLightHandle handle) {
+  return kind_of(updater, handle).cone_scale_intensity.w;
+}
+
+/// What the updater has to store.
+FogLightKind expected_kind(const PlacedLight& light, double intensity) {
   const double light_extent = compute_extent(light.light.attenuation, light.light.threshold);
-  FogLight entry = pack_fog_light(light, {.intensity = 0, .peak_range = 0, .extent = light_extent, .status = {}});
-  if (!is_on) entry.color_intensity = glm::vec4{0};
-  return entry;
+  return pack_fog_light_kind(light, {.intensity = intensity, .peak_range = 0, .extent = light_extent, .status = {}});
+}
+FogLightInstance expected_instance(const PlacedLight& light, bool is_on, std::size_t kind) {
+  FogLightInstance instance = pack_fog_light_instance(light, kind);
+  if (!is_on) instance.color = glm::vec4{0};
+  return instance;
 }
 
-/// What the entry of a light stores when every light is solved.
-float intensity_of(const PlacedLight& light, bool is_on, const Fog& fog) {
-  const FogLight entry = pack_fog_light(light, solve_fog_intensity(light.light, fog));
-  return is_on && largest_component(entry) > 0 ? entry.color_intensity.w : 0;
+float intensity_of(const PlacedLight& light, const Fog& fog) {
+  return expected_kind(light, solve_fog_intensity(light.light, fog).intensity).cone_scale_intensity.w;
+}
+
+float brightness_of(const PlacedLight& light, bool is_on) {
+  const glm::vec4 color = expected_instance(light, is_on, 0).color;
+  return std::max({color.r, color.g, color.b});
 }
 
 bool is_within_one_ulp(float a, float b) {
   return a >= std::nextafter(b, -1.0f) && a <= std::nextafter(b, 2.0f);  // the batch errs by 2 ulp of double
 }
 
-bool is_same(const FogLight& a, const FogLight& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+template <typename Entry>
+bool is_same(const Entry& a, const Entry& b) {
+  return std::memcmp(&a, &b, sizeof a) == 0;
+}
 
-/// The updater's lights once more, and the buffer of a caller that uploads the dirty ranges and nothing else.
+/// Whether lights have to share a kind.
+bool are_of_one_kind(const PlacedLight& a, const PlacedLight& b) {
+  return a.carried == b.carried && a.light.attenuation == b.light.attenuation &&
+         a.light.threshold == b.light.threshold && a.light.density_scale == b.light.density_scale &&
+         a.light.cone == b.light.cone;
+}
+
+/// A caller's copy of a table, that is brought up to date by the ranges to upload and nothing else.
+template <typename Entry>
+class UploadedTable {
+ public:
+  const std::vector<Entry>& entries() const { return entries_; }
+
+  void upload(std::span<const Entry> table, std::span<const EntryRange> ranges) {
+    Entry garbage;
+    std::memset(&garbage, 0xa5, sizeof garbage);
+    entries_.resize(table.size(), garbage);
+    bytes = 0;
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+      ASSERT_LT(ranges[i].begin, ranges[i].end);
+      ASSERT_LE(ranges[i].end, table.size());
+      if (i > 0) {
+        ASSERT_GT(ranges[i].begin, ranges[i - 1].end);
+      }
+      const auto part = table.subspan(ranges[i].begin, ranges[i].end - ranges[i].begin);
+      std::ranges::copy(part, entries_.begin() + std::ptrdiff_t(ranges[i].begin));
+      bytes += part.size_bytes();
+    }
+    ASSERT_TRUE(std::ranges::equal(entries_, table, is_same<Entry>));
+  }
+
+  std::size_t bytes = 0;  // of the last upload
+
+ private:
+  std::vector<Entry> entries_;
+};
+
+/// The updater's lights once more, and the buffers of a caller that uploads what set_fog tells and nothing else.
 class Mirror {
  public:
   explicit Mirror(double skip_budget_255) : updater(skip_budget_255), budget_(skip_budget_255 / 255) {}
@@ -86,71 +140,86 @@ class Mirror {
   }
 
   void set_fog(const Fog& fog) {
-    const auto ranges = updater.set_fog(fog);
-    FogLight garbage;
-    std::memset(&garbage, 0xa5, sizeof garbage);
-    buffer_.resize(updater.entries().size(), garbage);
-    range_count = ranges.size();
-    std::size_t dirty = 0;
-    for (std::size_t i = 0; i < ranges.size(); ++i) {
-      ASSERT_LT(ranges[i].begin, ranges[i].end);
-      ASSERT_LE(ranges[i].end, buffer_.size());
-      if (i > 0) {
-        ASSERT_GT(ranges[i].begin, ranges[i - 1].end);
-      }
-      std::copy(updater.entries().begin() + std::ptrdiff_t(ranges[i].begin),
-                updater.entries().begin() + std::ptrdiff_t(ranges[i].end),
-                buffer_.begin() + std::ptrdiff_t(ranges[i].begin));
-      dirty += ranges[i].end - ranges[i].begin;
-    }
-    ASSERT_EQ(updater.statistics().entries_dirty, dirty);
-    ASSERT_LE(updater.statistics().lights_skipped, lights.size());
-    ASSERT_TRUE(std::ranges::equal(buffer_, updater.entries(), is_same));
-    check_entries(fog);
+    const FogLightChanges changes = updater.set_fog(fog);
+    ASSERT_NO_FATAL_FAILURE(kinds_.upload(updater.kinds(), changes.kinds));
+    ASSERT_NO_FATAL_FAILURE(instances_.upload(updater.instances(), changes.instances));
+    ASSERT_EQ(updater.statistics().bytes_dirty, kinds_.bytes + instances_.bytes);
+    ASSERT_NO_FATAL_FAILURE(check_instances());
+    ASSERT_NO_FATAL_FAILURE(check_kinds(fog));
   }
 
   FogUpdater updater;
   std::vector<Held> lights;
-  std::size_t range_count = 0;  // of the last set_fog
-  std::size_t skipped = 0;      // lights found with intensity 0 for another, in all set_fog
+  std::size_t skipped = 0;  // kinds found dark by the budget alone, in all set_fog
 
  private:
-  void check_entries(const Fog& fog) {
-    std::vector<bool> is_used(buffer_.size());
+  void check_instances() {
+    std::vector<bool> is_used(instances_.entries().size());
     for (const Held& held : lights) {
-      const std::size_t at = updater.entry_of(held.handle);
-      ASSERT_LT(at, buffer_.size());
+      const std::size_t at = updater.instance_of(held.handle);
+      ASSERT_LT(at, is_used.size());
       ASSERT_FALSE(is_used[at]);
       is_used[at] = true;
-      FogLight entry = buffer_[at];
-      const float stored = entry.color_intensity.w;
-      const float solved = intensity_of(held.light, held.is_on, fog);
-      if (!is_within_one_ulp(stored, solved)) {
-        ASSERT_EQ(stored, 0) << "instead of " << solved;
-        ASSERT_LT(double(solved) * double(largest_component(entry)), budget_ * (1 + 1e-7));  // solved is a float
-        ++skipped;
-      }
-      entry.color_intensity.w = 0;
-      ASSERT_TRUE(is_same(entry, pack_with_intensity_0(held.light, held.is_on)));
+      const FogLightInstance expected = expected_instance(held.light, held.is_on, updater.kind_of(held.handle));
+      ASSERT_TRUE(is_same(instances_.entries()[at], expected));
     }
-    for (std::size_t i = 0; i < buffer_.size(); ++i) {
-      ASSERT_TRUE(is_used[i] || is_same(buffer_[i], FogLight{})) << "entry " << i;
+    for (std::size_t i = 0; i < is_used.size(); ++i) {
+      ASSERT_TRUE(is_used[i] || is_same(instances_.entries()[i], FogLightInstance{})) << "instance " << i;
     }
   }
 
+  void check_kinds(const Fog& fog) {
+    struct Expected {
+      const PlacedLight* light = nullptr;
+      float brightness = 0;  // the largest
+    };
+    std::vector<Expected> expected(kinds_.entries().size());
+    for (const Held& held : lights) {
+      const std::size_t at = updater.kind_of(held.handle);
+      ASSERT_LT(at, expected.size());
+      Expected& kind = expected[at];
+      if (!kind.light) kind.light = &held.light;
+      ASSERT_TRUE(are_of_one_kind(*kind.light, held.light));
+      kind.brightness = std::max(kind.brightness, brightness_of(held.light, held.is_on));
+    }
+    std::vector<const PlacedLight*> found;
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      const auto& [light, brightness] = expected[i];
+      FogLightKind stored = kinds_.entries()[i];
+      if (!light) {
+        ASSERT_TRUE(is_same(stored, FogLightKind{})) << "kind " << i;
+        continue;
+      }
+      for (const PlacedLight* other : found) ASSERT_FALSE(are_of_one_kind(*light, *other));
+      found.push_back(light);
+      const Fog seen_fog = scaled(fog, light->light.density_scale);
+      const IntensityBound bound(light->light.attenuation, light->light.threshold);
+      const bool is_skipped = bound.at(seen_fog) * double(brightness) < budget_;
+      const bool is_dark = brightness == 0 || is_skipped;
+      const float solved = is_dark ? 0 : intensity_of(*light, fog);
+      ASSERT_TRUE(is_within_one_ulp(stored.cone_scale_intensity.w, solved))
+          << stored.cone_scale_intensity.w << " instead of " << solved;
+      if (is_skipped && light->carried && brightness > 0) ++skipped;
+      stored.cone_scale_intensity.w = 0;
+      ASSERT_TRUE(is_same(stored, expected_kind(*light, 0)));
+    }
+    ASSERT_EQ(updater.statistics().kinds_solved + updater.statistics().kinds_skipped, found.size());
+  }
+
   double budget_;
-  std::vector<FogLight> buffer_;
+  UploadedTable<FogLightKind> kinds_;
+  UploadedTable<FogLightInstance> instances_;
 };
 
-/// A light of one of twelve kinds, two of them corners, with one of few colours, or of a kind of its own.
+/// A light of one of some kinds, two of their attenuations corners, with one of few colours, or of a kind of its own.
 PlacedLight draw_light(Random& random) {
   static const std::array<Attenuation, 4> attenuations{{{1, 0.1, 0.01}, {0.5, 0, 1e-4}, {1, 0, 0}, {30, 1, 1}}};
   PlacedLight light = carried_light(random.pick(attenuations));
   if (random.chance(0.2)) light.light.attenuation = draw_ordinary_case(random, FogMode::exp).attenuation;
   light.light.threshold = random.chance(0.8) ? 0.05 : 0.01;
-  light.light.density_scale = random.pick(std::array{1., 0.4, 2.5, 0.});
+  light.light.density_scale = random.pick(std::array{1., 1., 0.4, 0.});
   light.light.color = glm::dvec3{random.pick(std::array{0., 0.01, 0.5, 1., 1., 30.})} * glm::dvec3{0.5, 1, 0.25};
-  light.light.cone = Cone::cosine(0.5, random.uniform(0, 10));
+  light.light.cone = random.pick(std::array{Cone{}, Cone::cosine(0.5, 3), Cone::smoothstep(0.5, 3)});
   light.position = {random.uniform(-100, 100), random.uniform(-100, 100), 2};
   light.carried = random.chance(0.8);
   return light;
@@ -238,13 +307,13 @@ TEST(FogUpdater, LightAboveTheBudgetIsNotSkipped) {
       const Fog fog{random.pick(kModes), is_wide ? random.log_uniform(1e-30, 1e30) : random.log_uniform(1e-6, 1)};
       updater.set_fog(fog);
       for (std::size_t i = 0; i < lights.size(); ++i) {
-        const FogLight& entry = updater.entries()[updater.entry_of(handles[i])];
+        const float stored = stored_intensity(updater, handles[i]);
         const double intensity = solve_fog_intensity(lights[i].light, fog).intensity;
-        const double part = intensity * double(largest_component(entry)) / (budget_255 / 255);
+        const double part = intensity * double(brightness_of(lights[i], true)) / (budget_255 / 255);
         ++checked;
         if (part < 1 && float(intensity) > 0) ++dim;
-        if (is_within_one_ulp(entry.color_intensity.w, float(intensity))) continue;
-        ASSERT_EQ(entry.color_intensity.w, 0);
+        if (is_within_one_ulp(stored, float(intensity))) continue;
+        ASSERT_EQ(stored, 0);
         ASSERT_LT(part, 1) << to_string(SolveCase{lights[i].light.attenuation, fog, lights[i].light.threshold});
         ++skipped;
       }
@@ -262,26 +331,46 @@ TEST(FogUpdater, KindIsSolvedOnceHoweverManyLightsItHas) {
   EXPECT_EQ(updater.statistics().kinds_solved, 3u);
   EXPECT_EQ(updater.statistics().kinds_skipped, 0u);
   EXPECT_EQ(updater.statistics().lights_skipped, 0u);
-  EXPECT_EQ(updater.statistics().entries_dirty, updater.entries().size());
+  EXPECT_EQ(updater.statistics().bytes_dirty, 3 * sizeof(FogLightKind) + 1000 * sizeof(FogLightInstance));
 }
 
-TEST(FogUpdater, KindsDifferByEveryParameterOfTheSolve) {
+TEST(FogUpdater, ChangeOfTheFogIsAChangeOfKindsAlone) {
   FogUpdater updater;
-  std::array<PlacedLight, 6> lights;
+  for (int i = 0; i < 1000; ++i) updater.add(carried_light({1, 0.1 * (1 + i % 3), 0.01}));
+  updater.set_fog(kMist);
+  const FogLightChanges changes = updater.set_fog({FogMode::exp, 0.02});
+  ASSERT_EQ(changes.kinds.size(), 1u);
+  EXPECT_EQ(changes.kinds[0], (EntryRange{0, 3}));
+  EXPECT_TRUE(changes.instances.empty());
+}
+
+TEST(FogUpdater, KindsDifferByEverythingButColorPositionAndDirection) {
+  FogUpdater updater;
+  std::array<PlacedLight, 13> lights;
   lights.fill(carried_light());
   lights[1].light.attenuation.constant = 2;
   lights[2].light.attenuation.linear = 0.2;
   lights[3].light.attenuation.quadratic = 0.02;
   lights[4].light.threshold = 0.2;
   lights[5].light.density_scale = 0.4;
+  lights[6].light.cone = Cone::cosine(1, 2);
+  lights[7].light.cone = Cone::cosine(1, 0.5);
+  lights[8].light.cone = Cone::cosine(0.5, 2);
+  lights[9].light.cone = Cone::smoothstep(0.5, 2);
+  lights[10].light.cone = Cone::smoothstep(0.5, 1);
+  lights[11].light.cone = Cone::smoothstep(0.25, 2);
+  lights[12].carried = false;
   for (const PlacedLight& light : lights) updater.add(light);
+  EXPECT_EQ(updater.kinds().size(), 13u);
   PlacedLight of_first_kind = lights[0];
-  of_first_kind.light.cone = Cone::cosine(1, 2);
+  of_first_kind.light.name = "another";
   of_first_kind.light.color = {0.5, 0, 0};
+  of_first_kind.light.cone.half_angle = 1;  // which a cone without profile does not have
   of_first_kind.position = {1, 2, 3};
-  updater.add(of_first_kind);
+  of_first_kind.direction = {0, 1, 0};
+  EXPECT_EQ(updater.kind_of(updater.add(of_first_kind)), 0u);
   updater.set_fog(kMist);
-  EXPECT_EQ(updater.statistics().kinds_solved, 6u);
+  EXPECT_EQ(updater.statistics().kinds_solved, 12u);
 }
 
 // --- each reason to skip, alone ---
@@ -291,11 +380,11 @@ TEST(FogUpdater, LightsThatAreNotCarriedAreSkipped) {
   PlacedLight light = carried_light();
   light.carried = false;
   const FogLightHandle handle = updater.add(light);
-  EXPECT_EQ(updater.set_fog(kMist).size(), 1u);  // the new light
+  EXPECT_FALSE(updater.set_fog(kMist).empty());  // the new light
   EXPECT_EQ(updater.statistics().kinds_solved, 0u);
   EXPECT_EQ(updater.statistics().lights_skipped, 1u);
   EXPECT_TRUE(updater.set_fog({FogMode::exp, 0.02}).empty());
-  EXPECT_TRUE(is_same(updater.entries()[updater.entry_of(handle)], pack_with_intensity_0(light, true)));
+  EXPECT_TRUE(is_same(kind_of(updater, handle), expected_kind(light, 0)));
 }
 
 TEST(FogUpdater, LightsThatAreOffAreSkipped) {
@@ -304,15 +393,16 @@ TEST(FogUpdater, LightsThatAreOffAreSkipped) {
   updater.set_fog(kMist);
   EXPECT_EQ(updater.statistics().kinds_solved, 1u);
   updater.switch_light(handle, false);
-  EXPECT_EQ(updater.set_fog(kMist).size(), 1u);
-  EXPECT_EQ(updater.entries()[updater.entry_of(handle)].color_intensity, glm::vec4(0));
+  EXPECT_FALSE(updater.set_fog(kMist).empty());
+  EXPECT_EQ(instance_of(updater, handle).color, glm::vec4(0));
+  EXPECT_EQ(stored_intensity(updater, handle), 0);
   EXPECT_TRUE(updater.set_fog({FogMode::exp, 0.02}).empty());
   EXPECT_EQ(updater.statistics().kinds_solved, 0u);
   EXPECT_EQ(updater.statistics().kinds_skipped, 1u);
   EXPECT_EQ(updater.statistics().lights_skipped, 1u);
   updater.switch_light(handle, true);
-  EXPECT_EQ(updater.set_fog({FogMode::exp, 0.02}).size(), 1u);
-  EXPECT_EQ(updater.entries()[0].color_intensity.w, intensity_of(carried_light(), true, {FogMode::exp, 0.02}));
+  EXPECT_FALSE(updater.set_fog({FogMode::exp, 0.02}).empty());
+  EXPECT_EQ(stored_intensity(updater, handle), intensity_of(carried_light(), {FogMode::exp, 0.02}));
 }
 
 TEST(FogUpdater, LightsThatAreOffCountAsSkippedAmongOthersThatAreOn) {
@@ -330,31 +420,31 @@ TEST(FogUpdater, BlackLightsAreSkipped) {
   updater.set_fog(kMist);
   EXPECT_EQ(updater.statistics().kinds_solved, 0u);
   EXPECT_EQ(updater.statistics().lights_skipped, 1u);
-  EXPECT_EQ(updater.entries()[0].color_intensity.w, 0);
+  EXPECT_EQ(updater.kinds()[0].cone_scale_intensity.w, 0);
 }
 
 TEST(FogUpdater, LightsBelowTheBudgetAreSkipped) {
   const PlacedLight light = carried_light();
   const Fog thin_mist{FogMode::exp, 1e-4};
-  const double intensity_255 = 255 * double(intensity_of(light, true, thin_mist));
+  const double intensity_255 = 255 * double(intensity_of(light, thin_mist));
   FogUpdater updater(1.01 * intensity_255);
-  updater.add(light);
+  const FogLightHandle handle = updater.add(light);
   updater.set_fog(thin_mist);
   EXPECT_EQ(updater.statistics().kinds_solved, 0u);
   EXPECT_EQ(updater.statistics().kinds_skipped, 1u);
   EXPECT_EQ(updater.statistics().lights_skipped, 1u);
-  EXPECT_EQ(updater.entries()[0].color_intensity.w, 0);
+  EXPECT_EQ(stored_intensity(updater, handle), 0);
   updater.set_fog(kMist);
   EXPECT_EQ(updater.statistics().kinds_solved, 1u);
-  EXPECT_GT(updater.entries()[0].color_intensity.w, 0);
-  EXPECT_EQ(updater.set_fog(thin_mist).size(), 1u);  // back to 0
-  EXPECT_EQ(updater.entries()[0].color_intensity.w, 0);
+  EXPECT_GT(stored_intensity(updater, handle), 0);
+  EXPECT_FALSE(updater.set_fog(thin_mist).empty());
+  EXPECT_EQ(stored_intensity(updater, handle), 0);
 }
 
 TEST(FogUpdater, KindIsMeasuredInTheFogThatItsClassSees) {
   PlacedLight light = carried_light();
   const Fog thin_mist{FogMode::exp, 1e-4};
-  FogUpdater updater(1.01 * 255 * double(intensity_of(light, true, thin_mist)));
+  FogUpdater updater(1.01 * 255 * double(intensity_of(light, thin_mist)));
   light.light.density_scale = 2.5;
   const FogLightHandle handle = updater.add(light);
   updater.set_fog(thin_mist);
@@ -367,7 +457,7 @@ TEST(FogUpdater, KindIsMeasuredInTheFogThatItsClassSees) {
 
 TEST(FogUpdater, KindIsMeasuredByItsBrightestLight) {
   const Fog thin_mist{FogMode::exp, 1e-4};
-  const double intensity_255 = 255 * double(intensity_of(carried_light(), true, thin_mist));
+  const double intensity_255 = 255 * double(intensity_of(carried_light(), thin_mist));
   FogUpdater updater(2 * intensity_255);
   updater.add(carried_light());
   const FogLightHandle bright = updater.add(carried_light({1, 0.1, 0.01}, {0, 3, 0}));
@@ -406,7 +496,7 @@ TEST(FogUpdater, UnchangedFogIsSkipped) {
   EXPECT_EQ(updater.statistics().kinds_solved, 0u);
   EXPECT_EQ(updater.statistics().kinds_skipped, 1u);
   EXPECT_EQ(updater.statistics().lights_skipped, 1u);
-  EXPECT_EQ(updater.statistics().entries_dirty, 0u);
+  EXPECT_EQ(updater.statistics().bytes_dirty, 0u);
   EXPECT_FALSE(updater.set_fog({FogMode::exp2, kMist.density}).empty());
 }
 
@@ -416,7 +506,7 @@ TEST(FogUpdater, UnchangedStoredValueIsNotDirty) {
   updater.set_fog(kMist);
   EXPECT_TRUE(updater.set_fog({FogMode::exp, kMist.density * (1 + 1e-12)}).empty());
   EXPECT_EQ(updater.statistics().kinds_solved, 1u);
-  EXPECT_EQ(updater.statistics().entries_dirty, 0u);
+  EXPECT_EQ(updater.statistics().bytes_dirty, 0u);
 }
 
 TEST(FogUpdater, ChangedLightSolvesItsKindOnly) {
@@ -427,15 +517,15 @@ TEST(FogUpdater, ChangedLightSolvesItsKindOnly) {
   PlacedLight moved = carried_light();
   moved.position = {1, 2, 3};
   updater.change(handle, moved);
-  const auto ranges = updater.set_fog(kMist);
-  const std::size_t entry = updater.entry_of(handle);
-  ASSERT_EQ(ranges.size(), 1u);
-  EXPECT_EQ(ranges[0], (EntryRange{entry, entry + 1}));
+  const FogLightChanges changes = updater.set_fog(kMist);
+  EXPECT_TRUE(changes.kinds.empty());
+  ASSERT_EQ(changes.instances.size(), 1u);
+  EXPECT_EQ(changes.instances[0], (EntryRange{100, 101}));
   EXPECT_EQ(updater.statistics().kinds_solved, 1u);
   EXPECT_EQ(updater.statistics().kinds_skipped, 9u);
 }
 
-// --- the block ---
+// --- the tables ---
 
 TEST(FogUpdater, LimitsOfFogAndAttenuationAreHeld) {
   const std::array attenuations{Attenuation{4, 0.1, 0}, Attenuation{0, 0.1, 0}, Attenuation{4, 0, 0},
@@ -446,7 +536,7 @@ TEST(FogUpdater, LimitsOfFogAndAttenuationAreHeld) {
     const auto intensities = [&](double density) {
       updater.set_fog({mode, density});
       std::array<float, 4> values;
-      for (std::size_t i = 0; i < 4; ++i) values[i] = updater.entries()[i].color_intensity.w;
+      for (std::size_t i = 0; i < 4; ++i) values[i] = updater.kinds()[i].cone_scale_intensity.w;
       return values;
     };
     EXPECT_EQ(intensities(kInfinity), (std::array{0.25f, 1.0f, 0.25f, 0.0f}));
@@ -455,59 +545,55 @@ TEST(FogUpdater, LimitsOfFogAndAttenuationAreHeld) {
   }
 }
 
-TEST(FogUpdater, KindsOfFewLightsWasteNoEntryAndOthersAtMostAQuarter) {
+TEST(FogUpdater, InstancesAreInTheOrderOfAdding) {
   FogUpdater updater;
-  for (int i = 0; i < 128; ++i) updater.add(carried_light({1, 0.1 * (1 + i % 16), 0.01}));
-  EXPECT_EQ(updater.entries().size(), 128u);
-  for (std::size_t i = 128; i < 20000; ++i) {
-    updater.add(carried_light({1, 0.1 * double(1 + i % 16), 0.01}));
-    ASSERT_LE(updater.entries().size(), (i + 1) + (i + 1) / 4 + 16);
+  for (std::size_t i = 0; i < 1000; ++i) {
+    EXPECT_EQ(updater.instance_of(updater.add(carried_light({1, 0.1 * double(1 + i % 7), 0.01}))), i);
   }
+  EXPECT_EQ(updater.instances().size(), 1000u);
+  EXPECT_EQ(updater.kinds().size(), 7u);
 }
 
-TEST(FogUpdater, EntriesOfRemovedLightsAreReused) {
+TEST(FogUpdater, EntriesOfRemovedLightsAndKindsAreReused) {
   FogUpdater updater;
-  std::size_t entries = 0;
   for (int round = 0; round < 20; ++round) {
     std::vector<FogLightHandle> handles;
     for (int i = 0; i < 1000; ++i) handles.push_back(updater.add(carried_light({1, 0.1 * (1 + i % 4 + round), 0.01})));
     updater.set_fog(kMist);
     EXPECT_EQ(updater.statistics().kinds_solved + updater.statistics().kinds_skipped, 4u);
-    if (round == 0) entries = updater.entries().size();
+    EXPECT_EQ(updater.kinds().size(), 4u);
+    EXPECT_EQ(updater.instances().size(), 1000u);
     for (const FogLightHandle handle : handles) updater.remove(handle);
   }
-  EXPECT_EQ(updater.entries().size(), entries);
   updater.set_fog(kMist);
   EXPECT_EQ(updater.statistics().kinds_skipped, 0u);
   EXPECT_EQ(updater.statistics().lights_skipped, 0u);
 }
 
 TEST(FogUpdater, RangesAreJoinedOverSmallGapsOnly) {
-  FogUpdater updater;
+  FogUpdater updater(0);
   std::vector<FogLightHandle> handles;
-  for (int i = 0; i < 1000; ++i) {  // each of a kind of its own: entries in the order of adding
-    handles.push_back(updater.add(carried_light({1, 0.1 * (1 + i), 0.01})));
-  }
+  for (int i = 0; i < 2000; ++i) handles.push_back(updater.add(carried_light({1, 0.1 * (1 + i), 0.01})));
   updater.set_fog(kMist);
-  for (const std::size_t i : {0u, 100u, 400u}) updater.switch_light(handles[i], false);
-  const auto ranges = updater.set_fog(kMist);
-  ASSERT_EQ(ranges.size(), 2u);
-  EXPECT_EQ(ranges[0], (EntryRange{0, 101}));
-  EXPECT_EQ(ranges[1], (EntryRange{400, 401}));
+  for (const std::size_t i : {0u, 200u, 1200u}) updater.switch_light(handles[i], false);
+  const FogLightChanges changes = updater.set_fog(kMist);
+  for (const auto ranges : {changes.kinds, changes.instances}) {
+    ASSERT_EQ(ranges.size(), 2u);
+    EXPECT_EQ(ranges[0], (EntryRange{0, 201}));
+    EXPECT_EQ(ranges[1], (EntryRange{1200, 1201}));
+  }
 }
 
-TEST(FogUpdater, KindsThatChangeAreStoredApartFromThoseThatDoNot) {
-  Mirror mirror(0.5);
-  for (int i = 0; i < 20000; ++i) {  // interleaved: one of a kind that fog changes, one of constant attenuation
-    mirror.add(carried_light());
-    mirror.add(carried_light({1, 0, 0}));
-  }
-  mirror.set_fog(kMist);
-  for (const double density : {0.02, 1e-9, 0.02}) {
-    mirror.set_fog({FogMode::exp, density});
-    EXPECT_LE(mirror.range_count, 30u);
-    EXPECT_LE(mirror.updater.statistics().entries_dirty, 22000u);
-  }
+TEST(FogUpdater, RangesAreAsFewAsTheRoomForThem) {
+  FogUpdater updater;
+  std::vector<FogLightHandle> handles;
+  for (int i = 0; i < 100'000; ++i) handles.push_back(updater.add(carried_light()));
+  updater.set_fog(kMist);
+  const std::size_t before = allocation_count();
+  for (std::size_t i = 0; i < handles.size(); i += 300) updater.switch_light(handles[i], false);
+  const FogLightChanges changes = updater.set_fog(kMist);
+  EXPECT_EQ(allocation_count(), before);
+  EXPECT_EQ(changes.instances.size(), 334u);
 }
 
 TEST(FogUpdater, SetFogAllocatesNothing) {
@@ -542,7 +628,8 @@ TEST(FogUpdater, HandleIsValidUntilItsLightIsRemoved) {
   EXPECT_EQ(error_of([&] { updater.remove(first); }), error);
   EXPECT_EQ(error_of([&] { updater.change(first, carried_light()); }), error);
   EXPECT_EQ(error_of([&] { updater.switch_light(first, false); }), error);
-  EXPECT_EQ(error_of([&] { (void)updater.entry_of(first); }), error);
+  EXPECT_EQ(error_of([&] { (void)updater.instance_of(first); }), error);
+  EXPECT_EQ(error_of([&] { (void)updater.kind_of(first); }), error);
   EXPECT_EQ(error_of([&] { updater.remove(FogLightHandle{}); }), error);
   EXPECT_EQ(error_of([&] { updater.remove({.slot = 7, .generation = 1}); }),
             "handle.slot = 7: must be that of a light held");
@@ -552,21 +639,21 @@ TEST(FogUpdater, HandleIsValidUntilItsLightIsRemoved) {
   updater.remove(second);
 }
 
-TEST(FogUpdater, LightKeepsItsEntryThroughEverythingButAChangeOfKind) {
+TEST(FogUpdater, LightKeepsItsInstanceUntilItIsRemoved) {
   FogUpdater updater;
+  updater.add(carried_light());
   const FogLightHandle handle = updater.add(carried_light());
-  const std::size_t entry = updater.entry_of(handle);
   std::vector<FogLightHandle> others;
   for (int i = 0; i < 1000; ++i) others.push_back(updater.add(carried_light({1, 0.1 * (1 + i % 3), 0.01})));
   updater.set_fog(kMist);
   updater.switch_light(handle, false);
-  updater.change(handle, carried_light({1, 0.1, 0.01}, {0.5, 0.25, 1}));
+  updater.change(handle, carried_light({1, 0.7, 0.01}, {0.5, 0.25, 1}));
   updater.switch_light(handle, true);
   for (const FogLightHandle other : others) updater.remove(other);
   updater.set_fog({FogMode::exp, 0.02});
-  EXPECT_EQ(updater.entry_of(handle), entry);
-  updater.change(handle, carried_light({1, 0.7, 0.01}));
-  EXPECT_NE(updater.entry_of(handle), entry);
+  EXPECT_EQ(updater.instance_of(handle), 1u);
+  updater.remove(handle);
+  EXPECT_EQ(updater.instance_of(updater.add(carried_light())), 1u);
 }
 
 TEST(FogUpdater, LightThatIsOffStaysOffThroughAChange) {
@@ -576,11 +663,11 @@ TEST(FogUpdater, LightThatIsOffStaysOffThroughAChange) {
   const PlacedLight other = carried_light({1, 0.7, 0.01}, {0.5, 0.25, 1});
   updater.change(handle, other);
   updater.set_fog(kMist);
-  EXPECT_TRUE(is_same(updater.entries()[updater.entry_of(handle)], pack_with_intensity_0(other, false)));
+  EXPECT_TRUE(is_same(instance_of(updater, handle), expected_instance(other, false, updater.kind_of(handle))));
   updater.switch_light(handle, true);
   updater.set_fog(kMist);
-  EXPECT_EQ(updater.entries()[updater.entry_of(handle)].color_intensity,
-            glm::vec4(0.5, 0.25, 1, intensity_of(other, true, kMist)));
+  EXPECT_EQ(instance_of(updater, handle).color, glm::vec4(0.5, 0.25, 1, 0));
+  EXPECT_EQ(stored_intensity(updater, handle), intensity_of(other, kMist));
 }
 
 TEST(FogUpdater, WrongArgumentIsAnErrorAndChangesNothing) {
@@ -589,7 +676,7 @@ TEST(FogUpdater, WrongArgumentIsAnErrorAndChangesNothing) {
   FogUpdater updater;
   const FogLightHandle handle = updater.add(carried_light());
   updater.set_fog(kMist);
-  const FogLight before = updater.entries()[0];
+  const FogLightInstance before = updater.instances()[0];
   const PlacedLight wrong = carried_light({-1, 0, 0});
   EXPECT_EQ(error_of([&] { updater.add(wrong); }), "attenuation.constant = -1: must be finite and >= 0");
   EXPECT_EQ(error_of([&] { updater.change(handle, wrong); }), "attenuation.constant = -1: must be finite and >= 0");
@@ -606,7 +693,8 @@ TEST(FogUpdater, WrongArgumentIsAnErrorAndChangesNothing) {
   EXPECT_EQ(error_of([&] { updater.change(handle, short_axis); }), "direction = 0.5: length must be 1 within 1e-6");
   EXPECT_EQ(error_of([&] { updater.set_fog({FogMode::exp, -1}); }), "fog.density = -1: must be >= 0");
   EXPECT_TRUE(updater.set_fog(kMist).empty());
-  EXPECT_TRUE(is_same(updater.entries()[0], before));
+  EXPECT_TRUE(is_same(updater.instances()[0], before));
+  EXPECT_EQ(updater.kinds().size(), 1u);
 }
 
 /// Lights of one kind, each with other zeros negative.
@@ -646,12 +734,12 @@ TEST(FogUpdater, NegativeZeroIsZero) {
           FogUpdater expected;
           const FogLightHandle positive = expected.add(lights_with_negative_zeros(light).front());
           expected.set_fog({mode, std::abs(density)});
-          const FogLight& entry = expected.entries()[expected.entry_of(positive)];
           for (const PlacedLight& placed : lights_with_negative_zeros(light)) {
             FogUpdater updater;
             const FogLightHandle handle = updater.add(placed);
             updater.set_fog(fog);
-            ASSERT_TRUE(is_same(updater.entries()[updater.entry_of(handle)], entry));
+            ASSERT_TRUE(is_same(kind_of(updater, handle), kind_of(expected, positive)));
+            ASSERT_TRUE(is_same(instance_of(updater, handle), instance_of(expected, positive)));
             ASSERT_EQ(updater.statistics().kinds_solved, expected.statistics().kinds_solved);
           }
         }
@@ -664,31 +752,31 @@ TEST(FogUpdater, MovedUpdaterKeepsItsLights) {
   FogUpdater first;
   const FogLightHandle handle = first.add(carried_light());
   first.set_fog(kMist);
-  const FogLight before = first.entries()[first.entry_of(handle)];
+  const FogLightInstance before = instance_of(first, handle);
   FogUpdater second = std::move(first);
-  EXPECT_TRUE(is_same(second.entries()[second.entry_of(handle)], before));
+  EXPECT_TRUE(is_same(instance_of(second, handle), before));
   EXPECT_TRUE(second.set_fog(kMist).empty());
   first = FogUpdater();
-  EXPECT_EQ(error_of([&] { (void)first.entry_of(handle); }), "handle.slot = 0: must be that of a light held");
+  EXPECT_EQ(error_of([&] { (void)first.instance_of(handle); }), "handle.slot = 0: must be that of a light held");
   first = std::move(second);
-  EXPECT_TRUE(is_same(first.entries()[first.entry_of(handle)], before));
+  EXPECT_TRUE(is_same(instance_of(first, handle), before));
 }
 
 TEST(FogUpdater, TwoUpdatersServeTwoThreads) {
-  const auto run = [](std::vector<FogLight>& entries) {
+  const auto run = [](Mirror& mirror) {
     Random random(55);
-    Mirror mirror(0.5);
     run_random_calls(mirror, random, 1000, 5, 0.3);
-    entries.assign(mirror.updater.entries().begin(), mirror.updater.entries().end());
   };
-  std::array<std::vector<FogLight>, 3> entries;
-  std::thread first(run, std::ref(entries[0]));
-  std::thread second(run, std::ref(entries[1]));
+  std::array<Mirror, 3> mirrors{Mirror(0.5), Mirror(0.5), Mirror(0.5)};
+  std::thread first(run, std::ref(mirrors[0]));
+  std::thread second(run, std::ref(mirrors[1]));
   first.join();
   second.join();
-  run(entries[2]);
-  for (const auto& threads : {entries[0], entries[1]}) {
-    EXPECT_TRUE(std::ranges::equal(threads, entries[2], is_same));
+  run(mirrors[2]);
+  for (const Mirror* threads : {&mirrors[0], &mirrors[1]}) {
+    EXPECT_TRUE(std::ranges::equal(threads->updater.kinds(), mirrors[2].updater.kinds(), is_same<FogLightKind>));
+    EXPECT_TRUE(
+        std::ranges::equal(threads->updater.instances(), mirrors[2].updater.instances(), is_same<FogLightInstance>));
   }
 }
 

@@ -34,17 +34,18 @@ TEST_F(LightBlockShader, EveryNumberOfTheBlockIsRead) {
   }
   upload({FogMode::exp2, 0.125}, {0.25, 0.5, 0.75}, lights, solutions);
   const auto results = draw(R"(
-    LitfogLight light = litfog_lights[int(given(0).x)];
+    LitfogLight light = litfog_block_light(int(given(0).x));
     vec4 fields[7] = vec4[7](light.position_extent, light.axis_profile, light.color_intensity, light.attenuation,
                              light.cone, litfog_fog, litfog_ambient_fog_color);
     result = fields[int(given(0).y)];)",
                             {indices});
   for (std::size_t i = 0; i < results.size(); ++i) {
-    const FogLight& light = block().lights[i / 7];
-    const vec4 expected[] = {light.position_extent,    light.axis_profile, light.color_intensity,
-                             light.attenuation,        light.cone,         block().fog,
-                             block().ambient_fog_color};
-    EXPECT_EQ(results[i], expected[i % 7]) << "light " << i / 7 << ", field " << i % 7;
+    const auto expected = shader_light(block().kinds[i / 7], block().instances[i / 7]);
+    const std::size_t field = i % 7;
+    const vec4 expected_value = field < 5    ? expected[field]
+                                : field == 5 ? block().header.fog
+                                             : block().header.ambient_fog_color;
+    EXPECT_EQ(results[i], expected_value) << "light " << i / 7 << ", field " << field;
   }
 }
 

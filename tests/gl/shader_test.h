@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <glm/geometric.hpp>
@@ -21,6 +22,14 @@ inline std::string describe(const glm::vec4& a) {
   char text[128];
   std::snprintf(text, sizeof text, "(%.9g, %.9g, %.9g, %.9g)", double(a.x), double(a.y), double(a.z), double(a.w));
   return text;
+}
+
+/// The members of the LitfogLight that a kind and an instance make, in order.
+inline std::array<glm::vec4, 5> shader_light(const FogLightKind& kind, const FogLightInstance& instance) {
+  const auto& [attenuation, cone] = kind;
+  return {glm::vec4(glm::vec3(instance.position_kind), attenuation.w), instance.axis_profile,
+          glm::vec4(glm::vec3(instance.color), cone.w), glm::vec4(glm::vec3(attenuation), cone.z),
+          glm::vec4(cone.x, cone.y, 0, 0)};
 }
 
 /// A test of litfog's shaders, evaluated by the driver.

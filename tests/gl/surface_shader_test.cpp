@@ -51,8 +51,8 @@ TEST_F(SurfaceShader, LitSurfaceIsTheBasicModels) {
     const auto results = draw(
         "LitfogSurface surface = LitfogSurface(given(0).xyz, given(1).xyz, given(2).xyz, vec3(9.0), vec3(0.5, 0.25, "
         "0.125), "
-        "vec3(0.25, 0.5, 0.75), 8.0); result = vec4(litfog_light_surface(surface, litfog_lights[" +
-            std::to_string(k) + "]), 1.0);",
+        "vec3(0.25, 0.5, 0.75), 8.0); result = vec4(litfog_light_surface(surface, litfog_block_light(" +
+            std::to_string(k) + ")), 1.0);",
         {positions, normals, to_eyes});
     WorstError error("litfog_light_surface, GL", lights_[k].light.name, 1e-4, "absolute");
     int lit = 0;
@@ -60,7 +60,7 @@ TEST_F(SurfaceShader, LitSurfaceIsTheBasicModels) {
     for (std::size_t i = 0; i < positions.size(); ++i) {
       const dvec3 position(positions[i]);
       const dvec3 to_light = glm::normalize(lights_[k].position - position);
-      const float light_extent = block().lights[k].position_extent.w;
+      const float light_extent = block().kinds[k].attenuation_extent.w;
       // Where a bright side begins, or the extent is, rounding decides.
       if (std::abs(glm::dot(dvec3(normals[i]), to_light)) < 1e-6) continue;
       if (std::abs(glm::length(lights_[k].position - position) - double(light_extent)) < 1e-4) continue;
@@ -101,7 +101,7 @@ TEST_F(SurfaceShader, SurfaceAtALightItselfIsFinite) {
         "0.0, 1.0), "
         "vec3(0.0), vec3(0.5), vec3(0.5), 8.0); result = vec4(litfog_fog_color(position).r, "
         "litfog_apply_fog(vec3(0.5), "
-        "position, vec3(0.0)).r, litfog_light_surface(surface, litfog_lights[0]).r, 1.0);",
+        "position, vec3(0.0)).r, litfog_light_surface(surface, litfog_block_light(0)).r, 1.0);",
         {{vec4(vec3(lights.front().position), 0)}});
     EXPECT_TRUE(results[0].x >= 0 && results[0].y >= 0) << describe(results[0]);
     EXPECT_EQ(results[0].z, 0) << "turned to no side";

@@ -78,16 +78,17 @@ TEST(SceneLights, LightThatEndsAtOnceIsLeftOutUnlessItIsCarried) {
   EXPECT_EQ(lights.size(), 2u);
 }
 
-TEST(SceneLights, EntriesHoldTheirLightsAndTheIntensityOfTheLastFog) {
+TEST(SceneLights, TablesHoldTheLightsInOrderAndTheIntensityOfTheLastFog) {
   const scene::Scene scene = four_lamps();
   SceneLights lights(scene, {.path = &unified()});
   lights.set_fog(kFog);
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const PlacedLight& light = lights.lights()[i];
-    EXPECT_EQ(glm::dvec3(lights.packed(i).position_extent), light.position);
-    EXPECT_EQ(double(lights.packed(i).position_extent.w), double(float(lights.extents()[i])));
+    const auto [kind, instance] = lights.packed(i);
+    EXPECT_EQ(glm::dvec3(instance.position_kind), light.position);
+    EXPECT_EQ(double(kind.attenuation_extent.w), double(float(lights.extents()[i])));
     const double intensity = light.carried ? solve_fog_intensity(light.light, kFog).intensity : 0;
-    EXPECT_FLOAT_EQ(lights.packed(i).color_intensity.w, float(intensity));
+    EXPECT_FLOAT_EQ(kind.cone_scale_intensity.w, float(intensity));
   }
 }
 

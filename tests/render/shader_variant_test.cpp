@@ -10,9 +10,9 @@ using namespace render;
 
 namespace {
 
-std::vector<FogLight> lights(std::size_t count, float profile) {
-  std::vector<FogLight> lights(count);
-  for (FogLight& light : lights) light.axis_profile.w = profile;
+std::vector<PackedLight> lights(std::size_t count, float profile) {
+  std::vector<PackedLight> lights(count);
+  for (PackedLight& light : lights) light.instance.axis_profile.w = profile;
   return lights;
 }
 
@@ -29,8 +29,8 @@ TEST(ShaderVariant, VariantKnowsTheProfileOfOneOrTwoLightsThatHaveOne) {
   EXPECT_EQ(compiled_for(lights(2, 1)).profile, 1);
   EXPECT_EQ(compiled_for(lights(3, 1)).profile, UniformLights::kAnyProfile);
   EXPECT_EQ(compiled_for({}).profile, UniformLights::kAnyProfile);
-  std::vector<FogLight> mixed = lights(2, 1);
-  mixed[1].axis_profile.w = 0;
+  std::vector<PackedLight> mixed = lights(2, 1);
+  mixed[1].instance.axis_profile.w = 0;
   EXPECT_EQ(compiled_for(mixed).profile, UniformLights::kAnyProfile);
 }
 

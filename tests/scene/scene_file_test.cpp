@@ -309,7 +309,7 @@ TEST_F(SceneFile, RefusesMoreCarriedLightsThanTheBlockHolds) {
                    ", \"step\": [1, 0, 0]}]}]");
   };
   EXPECT_EQ(carried(litfog::kMaxFogLights), "not refused");
-  EXPECT_EQ(carried(litfog::kMaxFogLights + 1), ":4:12: lights: must be at most 128 that are carried");
+  EXPECT_EQ(carried(litfog::kMaxFogLights + 1), ":4:12: lights: must be at most 200 that are carried");
 }
 
 TEST_F(SceneFile, RefusesMoreObjectsThanTheRendererCanList) {

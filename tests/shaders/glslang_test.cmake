@@ -48,18 +48,28 @@ set(use_all "
 vec4 litfog_test() {
   LitfogSurface surface = LitfogSurface(vec3(0.0), vec3(0.0, 1.0, 0.0), vec3(0.0, 1.0, 0.0), vec3(0.0), vec3(0.5),
                                         vec3(0.5), 8.0);
-  vec3 lit = litfog_ambient(surface, vec3(0.25)) + litfog_light_surface(surface, litfog_lights[LITFOG_MAX_LIGHTS - 1]) +
+  vec3 lit = litfog_ambient(surface, vec3(0.25)) + litfog_light_surface(surface, litfog_block_light(LITFOG_MAX_LIGHTS - 1)) +
              litfog_light_surface(surface, litfog_buffered_light(1000)) + litfog_buffered_position_extent(0).xyz;
   return vec4(litfog_apply_fog(lit, surface.position, vec3(1.0)), 1.0);
 }
 ")
 set(defines "#define LITFOG_COOKIES\n#define LITFOG_FOG_LIGHTS\n#define LITFOG_LIGHT_TEXTURE\n#define LITFOG_SET 6\n"
-            "#define LITFOG_BLOCK_BINDING 7\n#define LITFOG_BUFFER_BINDING 9\n")
+            "#define LITFOG_BLOCK_BINDING 7\n#define LITFOG_KIND_BINDING 9\n#define LITFOG_INSTANCE_BINDING 11\n")
 string(CONCAT defines ${defines})
 set(use_doors "${use_all}
+vec4 litfog_cookie_cone(float cookie) { return vec4(cookie, 0.0, 1.0, 0.0); }
 float litfog_cookie(LitfogLight light, vec3 direction) { return light.cone.x * direction.x; }
 vec3 litfog_lights_fog(vec3 position) { return litfog_light_fog(litfog_buffered_light(3), position); }
 ")
+
+# The host's set and bindings, in the SPIR-V of the last
+function(expect_places)
+  foreach(place "DescriptorSet 6" "Binding 7" "Binding 9" "Binding 11")
+    if(NOT output MATCHES "${place}\n")
+      message(SEND_ERROR "no ${place} in\n${output}")
+    endif()
+  endforeach()
+endfunction()
 
 foreach(version "330 core" "300 es" "320 es" 450)
   foreach(stage vert frag)
@@ -71,8 +81,12 @@ foreach(version "330 core" "300 es" "320 es" 450)
     compile("${version}" ${stage} "${defines}" ${shaders} USE "${use_doors}")
   endforeach()
 endforeach()
-foreach(place "DescriptorSet 6" "Binding 7" "Binding 9")  # of the last, in SPIR-V
-  if(NOT output MATCHES "${place}\n")
-    message(SEND_ERROR "no ${place} in\n${output}")
-  endif()
+expect_places()
+
+foreach(version "430 core" "310 es" 450)
+  foreach(stage vert frag)
+    compile("${version}" ${stage} "#define LITFOG_LIGHT_STORAGE\n" ${shaders} USE "${use_all}")
+    compile("${version}" ${stage} "#define LITFOG_LIGHT_STORAGE\n${defines}" ${reversed} USE "${use_doors}")
+  endforeach()
 endforeach()
+expect_places()

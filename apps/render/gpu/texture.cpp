@@ -135,11 +135,6 @@ BufferTexture::BufferTexture(const void* data, std::size_t bytes, Texel texel) {
   glTexBuffer(GL_TEXTURE_BUFFER, texel == Texel::float4 ? GL_RGBA32F : GL_R32I, buffer_.id());
 }
 
-void BufferTexture::update(std::size_t offset, const void* data, std::size_t bytes) {
-  glBindBuffer(GL_TEXTURE_BUFFER, buffer_.id());
-  glBufferSubData(GL_TEXTURE_BUFFER, GLintptr(offset), GLsizeiptr(bytes), data);
-}
-
 void BufferTexture::bind(unsigned unit) const {
   glActiveTexture(GL_TEXTURE0 + unit);
   glBindTexture(GL_TEXTURE_BUFFER, texture_.id());

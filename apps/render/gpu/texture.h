@@ -65,9 +65,6 @@ class BufferTexture {
   /// throws gl::Unsupported where that is less than the data's
   BufferTexture(const void* data, std::size_t bytes, Texel texel);
 
-  /// Replaces bytes from an offset on.
-  void update(std::size_t offset, const void* data, std::size_t bytes);
-
   void bind(unsigned unit) const;
 
  private:

@@ -7,12 +7,14 @@ namespace litfog::render {
 enum TextureUnit : unsigned {
   kAlbedoUnit,
   kNormalUnit,
-  kLightBufferUnit,
+  kKindBufferUnit,
+  kInstanceBufferUnit,
   kLightListUnit,
   kRangeMapUnit,     // a light's attenuation, or the squares of x and y
   kDistanceMapUnit,  // q of the pair, or the square of z
   kConeMapUnit,
   kCookieUnit,
+  kCookieConeUnit,
   kDepthUnit,  // the depths of a picture's samples
   kGridUnit,   // airlight at every so many pixels
 };

@@ -7,8 +7,10 @@
 #include "litfog/shaders/light.glsl"
 
 uniform sampler2DArray cookies;
+uniform samplerBuffer cookie_cones;  // a light's cookie and the cookie's y axis in world space
 
-// A light with a cookie has profile 3. Its cone field holds the cookie's number and the cookie's y axis in world space.
+vec4 litfog_cookie_cone(float cookie) { return texelFetch(cookie_cones, int(cookie)); }
+
 float litfog_cookie(LitfogLight light, vec3 direction) {
   vec3 up = light.cone.yzw;
   vec3 right = cross(light.axis_profile.xyz, up);

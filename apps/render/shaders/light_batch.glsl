@@ -14,10 +14,11 @@ uniform vec4 uniform_lights[5 * uniform_light_count];
 
 LitfogLight uniform_light(int i) {
   int first = 5 * i;
-  LitfogLight light = LitfogLight(uniform_lights[first], uniform_lights[first + 1], uniform_lights[first + 2],
-                                  uniform_lights[first + 3], uniform_lights[first + 4]);
-  if (profiles[i] != any_profile) light.axis_profile.w = float(profiles[i]);
-  return light;
+  LitfogKind kind = LitfogKind(uniform_lights[first], uniform_lights[first + 1]);
+  LitfogInstance instance =
+      LitfogInstance(uniform_lights[first + 2], uniform_lights[first + 3], uniform_lights[first + 4]);
+  if (profiles[i] != any_profile) instance.axis_profile.w = float(profiles[i]);
+  return litfog_light(instance, kind);
 }
 
 // Light i of the pass.

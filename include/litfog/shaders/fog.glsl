@@ -35,7 +35,7 @@ vec3 litfog_lights_fog(vec3 position);
 vec3 litfog_lights_fog(vec3 position) {
   vec3 color = vec3(0.0);
   int count = int(litfog_fog.z);
-  for (int i = 0; i < count; ++i) color += litfog_light_fog(litfog_lights[i], position);
+  for (int i = 0; i < count; ++i) color += litfog_light_fog(litfog_block_light(i), position);
   return color;
 }
 #endif

@@ -1,24 +1,53 @@
 // SPDX-License-Identifier: Apache-2.0
 // litfog: a light and what of it arrives at a point. World space, metres.
 //
-// Where lights are read from is another file's: light_block.glsl has them in a uniform block, light_buffer.glsl in a
-// texture. A program may use both, or fill a LitfogLight itself.
+// Lights stand in two tables, kinds and instances (litfog/fog_light_block.h). Where they are read from is another file's:
+// light_block.glsl has them in a uniform block, light_buffer.glsl in textures or storage buffers. A program may use both,
+// or fill a LitfogLight itself.
 //
-// LITFOG_COOKIES, defined before the first include of litfog, opens profile 3. Profile 3 belongs to the including
-// program: it defines litfog_cookie(), and light.cone is its own.
+// LITFOG_COOKIES, defined before the first include of litfog, opens profile 3, which belongs to the including program. It
+// defines litfog_cookie(), and litfog_cookie_cone(), which fills the light's cone for it.
 
 #ifndef LITFOG_LIGHT_GLSL
 #define LITFOG_LIGHT_GLSL
 
 #include "litfog/shaders/formulas.glsl"
 
-struct LitfogLight {
-  vec4 position_extent;  // xyz position, w extent
-  vec4 axis_profile;     // xyz unit axis, w profile: 0 none, 1 cosine, 2 smoothstep, 3 the including program's
-  vec4 color_intensity;  // rgb colour, w fog colour intensity
-  vec4 attenuation;      // x constant, y linear, z quadratic, w density scale
-  vec4 cone;             // cosine: x cos half angle, y exponent; smoothstep: x cos outer, y cos inner
+// What lights of a kind share.
+struct LitfogKind {
+  vec4 attenuation_extent;    // x constant, y linear, z quadratic, w extent
+  vec4 cone_scale_intensity;  // xy cone, z density scale, w fog colour intensity
 };
+
+struct LitfogInstance {
+  vec4 position_kind;  // xyz position, w index of its kind
+  vec4 axis_profile;   // xyz unit axis, w profile: 0 none, 1 cosine, 2 smoothstep, 3 the including program's
+  vec4 color;          // rgb colour, w of profile 3 the including program's
+};
+
+// An instance with its kind.
+struct LitfogLight {
+  vec4 position_extent;
+  vec4 axis_profile;
+  vec4 color_intensity;
+  vec4 attenuation;  // x constant, y linear, z quadratic, w density scale
+  vec4 cone;         // cosine: x cos half angle, y exponent; smoothstep: x cos outer, y cos inner
+};
+
+#ifdef LITFOG_COOKIES
+// The cone field of a light of profile 3, from what stands in its instance's color.w.
+vec4 litfog_cookie_cone(float cookie);
+#endif
+
+LitfogLight litfog_light(LitfogInstance instance, LitfogKind kind) {
+  vec4 cone = vec4(kind.cone_scale_intensity.xy, 0.0, 0.0);
+#ifdef LITFOG_COOKIES
+  if (instance.axis_profile.w == 3.0) cone = litfog_cookie_cone(instance.color.w);
+#endif
+  return LitfogLight(vec4(instance.position_kind.xyz, kind.attenuation_extent.w), instance.axis_profile,
+                     vec4(instance.color.rgb, kind.cone_scale_intensity.w),
+                     vec4(kind.attenuation_extent.xyz, kind.cone_scale_intensity.z), cone);
+}
 
 // A ray from one point to another: xyz its unit direction, w its length. Between equal points the direction is 0, which
 // no cone and no surface faces.

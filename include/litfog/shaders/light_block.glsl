@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// litfog: the fog and up to 128 lights in a uniform block; its C++ side is litfog/fog_light_block.h.
+// litfog: the fog and up to 200 lights in a uniform block; its C++ side is litfog/fog_light_block.h.
 //
 // In Vulkan the block is at LITFOG_SET (default 0) and LITFOG_BLOCK_BINDING (default 0).
 
@@ -8,7 +8,7 @@
 
 #include "litfog/shaders/light.glsl"
 
-const int LITFOG_MAX_LIGHTS = 128;
+const int LITFOG_MAX_LIGHTS = 200;
 
 #ifdef VULKAN
 #ifndef LITFOG_SET
@@ -23,7 +23,13 @@ layout(std140) uniform LitfogLightBlock {
 #endif
   vec4 litfog_fog;  // x density, y mode: 0 exp, 1 exp2, z number of lights
   vec4 litfog_ambient_fog_color;
-  LitfogLight litfog_lights[LITFOG_MAX_LIGHTS];
+  LitfogKind litfog_kinds[LITFOG_MAX_LIGHTS];
+  LitfogInstance litfog_instances[LITFOG_MAX_LIGHTS];
 };
+
+LitfogLight litfog_block_light(int light) {
+  LitfogInstance instance = litfog_instances[light];
+  return litfog_light(instance, litfog_kinds[int(instance.position_kind.w)]);
+}
 
 #endif

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// litfog: any number of lights in a texture: five RGBA32F texels a light, the members of litfog::FogLight in order.
+// litfog: any number of lights: the tables of litfog/fog_light_block.h in two textures or storage buffers.
 //
-// The texture is a buffer texture. LITFOG_LIGHT_TEXTURE, defined before the first include of litfog, makes it a 2-D
-// texture of any width, filled row by row; GLSL ES before 3.20 has no buffer textures and always takes the 2-D texture.
-// In Vulkan it is at LITFOG_SET (default 0) and LITFOG_BUFFER_BINDING (default 1).
+// The textures are buffer textures of RGBA32F texels, a vec4 each: two a kind, three an instance. Before the first
+// include of litfog a program may define
+// - LITFOG_LIGHT_TEXTURE: 2-D textures of any width, filled row by row; GLSL ES before 3.20 has no buffer textures and
+//   always takes these, unless it takes storage buffers;
+// - LITFOG_LIGHT_STORAGE: storage buffers, std430, at LITFOG_KIND_BINDING (default 1) and LITFOG_INSTANCE_BINDING
+//   (default 2); needs GLSL 4.30, ES 3.10 or Vulkan.
+// In Vulkan textures are at these bindings, too, and all are in LITFOG_SET (default 0).
 
 #ifndef LITFOG_LIGHT_BUFFER_GLSL
 #define LITFOG_LIGHT_BUFFER_GLSL
@@ -14,35 +18,83 @@
 #define LITFOG_LIGHT_TEXTURE
 #endif
 
-#ifdef VULKAN
 #ifndef LITFOG_SET
 #define LITFOG_SET 0
 #endif
-#ifndef LITFOG_BUFFER_BINDING
-#define LITFOG_BUFFER_BINDING 1
+#ifndef LITFOG_KIND_BINDING
+#define LITFOG_KIND_BINDING 1
 #endif
-layout(set = LITFOG_SET, binding = LITFOG_BUFFER_BINDING)
+#ifndef LITFOG_INSTANCE_BINDING
+#define LITFOG_INSTANCE_BINDING 2
 #endif
-#ifdef LITFOG_LIGHT_TEXTURE
-uniform highp sampler2D litfog_light_buffer;
 
-vec4 litfog_light_texel(int texel) {
-  int width = textureSize(litfog_light_buffer, 0).x;
-  return texelFetch(litfog_light_buffer, ivec2(texel % width, texel / width), 0);
-}
+#ifdef LITFOG_LIGHT_STORAGE
+
+#ifdef VULKAN
+layout(set = LITFOG_SET, binding = LITFOG_KIND_BINDING, std430) readonly buffer LitfogKindBuffer {
 #else
-uniform highp samplerBuffer litfog_light_buffer;
+layout(binding = LITFOG_KIND_BINDING, std430) readonly buffer LitfogKindBuffer {
+#endif
+  LitfogKind litfog_kind_buffer[];
+};
+#ifdef VULKAN
+layout(set = LITFOG_SET, binding = LITFOG_INSTANCE_BINDING, std430) readonly buffer LitfogInstanceBuffer {
+#else
+layout(binding = LITFOG_INSTANCE_BINDING, std430) readonly buffer LitfogInstanceBuffer {
+#endif
+  LitfogInstance litfog_instance_buffer[];
+};
 
-vec4 litfog_light_texel(int texel) { return texelFetch(litfog_light_buffer, texel); }
+LitfogKind litfog_buffered_kind(int kind) { return litfog_kind_buffer[kind]; }
+LitfogInstance litfog_buffered_instance(int light) { return litfog_instance_buffer[light]; }
+
+#else
+
+#ifdef LITFOG_LIGHT_TEXTURE
+#define LITFOG_LIGHT_SAMPLER sampler2D
+#else
+#define LITFOG_LIGHT_SAMPLER samplerBuffer
+#endif
+
+#ifdef VULKAN
+layout(set = LITFOG_SET, binding = LITFOG_KIND_BINDING)
+#endif
+uniform highp LITFOG_LIGHT_SAMPLER litfog_kind_buffer;
+#ifdef VULKAN
+layout(set = LITFOG_SET, binding = LITFOG_INSTANCE_BINDING)
+#endif
+uniform highp LITFOG_LIGHT_SAMPLER litfog_instance_buffer;
+
+vec4 litfog_texel(highp LITFOG_LIGHT_SAMPLER table, int texel) {
+#ifdef LITFOG_LIGHT_TEXTURE
+  int width = textureSize(table, 0).x;
+  return texelFetch(table, ivec2(texel % width, texel / width), 0);
+#else
+  return texelFetch(table, texel);
+#endif
+}
+
+LitfogKind litfog_buffered_kind(int kind) {
+  int texel = kind * 2;
+  return LitfogKind(litfog_texel(litfog_kind_buffer, texel), litfog_texel(litfog_kind_buffer, texel + 1));
+}
+LitfogInstance litfog_buffered_instance(int light) {
+  int texel = light * 3;
+  return LitfogInstance(litfog_texel(litfog_instance_buffer, texel), litfog_texel(litfog_instance_buffer, texel + 1),
+                        litfog_texel(litfog_instance_buffer, texel + 2));
+}
+
 #endif
 
 LitfogLight litfog_buffered_light(int light) {
-  int texel = light * 5;
-  return LitfogLight(litfog_light_texel(texel), litfog_light_texel(texel + 1), litfog_light_texel(texel + 2),
-                     litfog_light_texel(texel + 3), litfog_light_texel(texel + 4));
+  LitfogInstance instance = litfog_buffered_instance(light);
+  return litfog_light(instance, litfog_buffered_kind(int(instance.position_kind.w)));
 }
 
 // Its position_extent alone: asked of a light that may not reach before all of it is fetched.
-vec4 litfog_buffered_position_extent(int light) { return litfog_light_texel(light * 5); }
+vec4 litfog_buffered_position_extent(int light) {
+  vec4 position_kind = litfog_buffered_instance(light).position_kind;
+  return vec4(position_kind.xyz, litfog_buffered_kind(int(position_kind.w)).attenuation_extent.w);
+}
 
 #endif

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "litfog/fog_light_block.h"
+#include "litfog/gl/gl_name.h"
+#include "litfog/gl/program.h"
+#include "litfog/updater.h"
+
+namespace litfog::gl {
+
+/// A FogUpdater's tables, of any length, in two buffers that shaders read as buffer textures or as storage buffers
+/// (litfog/shaders/light_buffer.glsl).
+///
+/// threads  as GlName
+class FogLightTables {
+ public:
+  /// Uploads what has changed; the whole of a table that has outgrown its buffer, which it does the first time.
+  void upload(std::span<const FogLightKind> kinds, std::span<const FogLightInstance> instances,
+              const FogLightChanges& changes);
+
+  /// Binds the tables as textures to texture units, for the samplers litfog_kind_buffer and litfog_instance_buffer.
+  ///
+  /// throws  Unsupported where a table has more texels than this OpenGL's buffer textures
+  void bind_textures(unsigned kind_unit, unsigned instance_unit) const;
+
+  /// Binds the tables as storage buffers to binding points: the shader's LITFOG_KIND_BINDING and
+  /// LITFOG_INSTANCE_BINDING.
+  ///
+  /// throws  Unsupported where this OpenGL has no storage buffers
+  void bind_storage(unsigned kind_binding, unsigned instance_binding) const;
+
+ private:
+  /// One of the tables.
+  class Table {
+   public:
+    explicit Table(std::size_t entry_bytes);
+    void upload(std::span<const std::byte> table, std::span<const EntryRange> changed);
+    void bind_texture(unsigned unit) const;
+    void bind_storage(unsigned binding) const;
+
+   private:
+    void allocate(std::size_t bytes);
+
+    std::size_t entry_bytes_;
+    std::size_t size_ = 0;  // bytes
+    std::size_t capacity_ = 0;
+    BufferName buffer_;
+    TextureName texture_;
+  };
+
+  Table kinds_{sizeof(FogLightKind)};
+  Table instances_{sizeof(FogLightInstance)};
+};
+
+/// Compares the members' offsets in the program's LitfogKindBuffer and LitfogInstanceBuffer, as the driver laid them
+/// out, with the C++ structs': all members of the first entry, and the distance of entries.
+///
+/// throws   Unsupported naming member, driver's offset and ours, or where this OpenGL has no storage buffers
+/// threads  as GlName
+void check_fog_light_storage_layout(const Program& program);
+
+}  // namespace litfog::gl
