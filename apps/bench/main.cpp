@@ -62,6 +62,7 @@ lamps: no times; what an eye sees in exp fog that carries a lamp of data/lights 
 intensity (peak), the airlight without and with the lamp's own leg through the fog (k0, k1), and its reference.
 
 update: 1,000 steps of visibility, 10,000 m to 50 m and back, over a million lights of 200 kinds, all carried and on.
+bytes_per_step: what then has to be uploaded, the most of all steps.
 
 fit: per table of 20 samples, over 100 tables a problem: exact, 2 and 20 % of noise, outliers, clamped near the light,
 ranges of kilometres and of millimetres. Methods: litfog, proof of the global optimum included; plain Ceres and Eigen's
