@@ -340,7 +340,6 @@ void FogUpdater::Store::leave(std::uint32_t slot) {
   }
   if (!kind.lights.empty()) return;
   kind_of_key_.erase(kind.key);
-  kind.is_carried = false;  // never solved
   kind.is_dirty = true;
   kind_table_[record.kind] = {};
   free_kinds_.push_back(record.kind);

@@ -18,7 +18,7 @@ namespace litfog {
 // light each. The same tables serve as uniform block, buffer textures and storage buffers: they have vec4 members only,
 // so that std140, std430, texels and C++ agree. World space, metres.
 
-/// What lights of a kind share.
+/// What lights of a kind share. Airlight needs no more of the fog than its density, which the shaders scale.
 struct FogLightKind {
   /// x constant, y linear, z quadratic, w extent; infinite extents are stored as the largest float
   glm::vec4 attenuation_extent;

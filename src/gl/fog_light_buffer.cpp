@@ -20,7 +20,7 @@ FogLightBuffer::FogLightBuffer() {
 void FogLightBuffer::upload(const FogLightBlock& block) {
   glBindBuffer(GL_UNIFORM_BUFFER, name_.id());
   glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof(block), &block);
-  has_tables_ = false;  // but another's
+  has_tables_ = false;  // a FogUpdater's are gone
 }
 
 void FogLightBuffer::upload(const FogHeader& header) {
