@@ -58,16 +58,17 @@ struct KindKeyHash {
 
 /// Lights that share an entry of the table of kinds.
 struct Kind {
-  KindKey key;
-  bool is_carried;
   Attenuation attenuation;
   double threshold;
   double density_scale;
   IntensityBound bound;
-  std::vector<std::uint32_t> lights = {};  ///< slots; a binary heap, the brightest first
-  std::size_t lit_count = 0;               ///< lights that are on and not black
-  bool has_changed = true;                 ///< any of its lights since the last set_fog
+  std::size_t lit_count = 0;  ///< lights that are on and not black
+  float brightest = 0;        ///< the first light's brightness: to fetch that light takes longer than to solve the kind
+  bool is_carried;
+  bool has_changed = true;  ///< any of its lights since the last set_fog
   bool is_dirty = true;
+  std::vector<std::uint32_t> lights = {};  ///< slots; a binary heap, the brightest first
+  KindKey key;
 };
 
 /// A light; its slot is its index among the instances.
@@ -290,12 +291,12 @@ std::uint32_t FogUpdater::Store::find_or_add_kind(const PlacedLight& placed) {
   const KindKey key = key_of(placed);
   if (const auto found = kind_of_key_.find(key); found != kind_of_key_.end()) return found->second;
   const Light& light = placed.light;
-  Kind kind{.key = key,
-            .is_carried = placed.carried,
-            .attenuation = light.attenuation,
+  Kind kind{.attenuation = light.attenuation,
             .threshold = light.threshold,
             .density_scale = light.density_scale,
-            .bound = {light.attenuation, light.threshold}};
+            .bound = {light.attenuation, light.threshold},
+            .is_carried = placed.carried,
+            .key = key};
   std::uint32_t index = std::uint32_t(kinds_.size());
   if (free_kinds_.empty()) {
     kinds_.push_back(std::move(kind));
@@ -392,13 +393,14 @@ void FogUpdater::Store::settle(Kind& kind, std::size_t place) {
     for (std::size_t child = 2 * place + 1; child < std::min(2 * place + 3, kind.lights.size()); ++child) {
       if (brightness_at(child) > brightness_at(brightest)) brightest = child;
     }
-    if (brightest == place) return;
+    if (brightest == place) break;
     trade(brightest);
   }
+  kind.brightest = brightness_at(0);
 }
 
 bool FogUpdater::Store::is_below_budget(const Kind& kind, const Fog& seen_fog) const {
-  return kind.bound.at(seen_fog) * records_[kind.lights.front()].brightness < skip_budget_;
+  return kind.bound.at(seen_fog) * kind.brightest < skip_budget_;
 }
 
 void FogUpdater::Store::set_intensity(std::uint32_t kind_index, float intensity) {
