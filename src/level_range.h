@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <hwy/base.h>
+
 #include <cmath>
 #include <limits>
 
@@ -19,21 +21,21 @@ struct Split {
 };
 
 template <typename T>
-Split<T> two_sum(T a, T b) {
+HWY_INLINE Split<T> two_sum(T a, T b) {
   const T sum = a + b;
   const T b_part = sum - a;
   return {sum, (a - (sum - b_part)) + (b - b_part)};
 }
 
 template <typename T>
-Split<T> two_product(T a, T b) {
+HWY_INLINE Split<T> two_product(T a, T b) {
   const T product = a * b;
   return {product, std::fma(a, b, -product)};
 }
 
 /// L r + Q r^2 with its rounding error (compensated Horner).
 template <typename T>
-Split<T> split_rise(const BasicAttenuation<T>& attenuation, T range) {
+HWY_INLINE Split<T> split_rise(const BasicAttenuation<T>& attenuation, T range) {
   const Split<T> quadratic = two_product(attenuation.quadratic, range);
   const Split<T> slope = two_sum(attenuation.linear, quadratic.high);
   const Split<T> rise = two_product(range, slope.high);
@@ -42,7 +44,7 @@ Split<T> split_rise(const BasicAttenuation<T>& attenuation, T range) {
 
 /// C + L r + Q r^2 with its rounding error.
 template <typename T>
-Split<T> split_denominator(const BasicAttenuation<T>& attenuation, T range) {
+HWY_INLINE Split<T> split_denominator(const BasicAttenuation<T>& attenuation, T range) {
   const Split<T> rise = split_rise(attenuation, range);
   const Split<T> sum = two_sum(attenuation.constant, rise.high);
   return {sum.high, sum.low + rise.low};
@@ -53,7 +55,7 @@ Split<T> split_denominator(const BasicAttenuation<T>& attenuation, T range) {
 /// The root's form 2 K / (L + sqrt(L^2 + 4 Q K)) does not cancel; one Newton step with the split residual adds the
 /// digits.
 template <typename T>
-Split<T> level_range(const BasicAttenuation<T>& attenuation, T level) {
+HWY_INLINE Split<T> level_range(const BasicAttenuation<T>& attenuation, T level) {
   const auto [constant, linear, quadratic] = attenuation;
   const T scaled_excess = std::fma(-constant, level, T(1));  // 1 - level C, rounded: down to 0 it keeps its sign
   if (!(scaled_excess > 0)) return {0, 0};
@@ -76,8 +78,8 @@ Split<T> level_range(const BasicAttenuation<T>& attenuation, T level) {
 template <typename... Doubles>
 bool is_in_safe_range(Doubles... values) {
   static_assert(std::numeric_limits<long double>::max_exponent >= 16384, "litfog needs a long double of wider range");
-  const auto is_safe = [](double x) { return x == 0 || (x >= 0x1p-100 && x <= 0x1p+100); };
-  return (is_safe(values) && ...);
+  const auto is_safe = [](double x) { return int(x == 0) | (int(x >= 0x1p-100) & int(x <= 0x1p+100)); };
+  return (is_safe(values) & ...) != 0;  // without branches, which a mix of lights would mislead
 }
 
 /// Coefficients >= 0, with -0 as 0: 1 / -0 is -infinity.

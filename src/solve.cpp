@@ -7,115 +7,92 @@
 
 #include "level_range.h"
 #include "require.h"
+#include "series_solve.h"
 #include "unchecked.h"
 
 namespace litfog {
 namespace {
 
-template <typename T>
-constexpr T kInfinity = std::numeric_limits<T>::infinity();
+/// What solve_by_series leaves is solved in long double, whose exponent has four bits more.
+using Wide = long double;
 
 /// The stationary point is sought in x = d r, where the denominator is C + A x + B x^2.
-template <typename T>
 struct ScaledDenominator {
-  T constant;
-  T linear;     // A = L / d
-  T quadratic;  // B = Q / d^2
+  Wide constant;
+  Wide linear;     // A = L / d
+  Wide quadratic;  // B = Q / d^2
 };
 
-/// Below this depth the series of p is used, beyond it the exponential.
-template <typename T>
-constexpr T kSeriesDepth = T(0.6875);
-
-/// p(u) = e^u - 1 - u. Its series (to 1e-17 for |u| <= kSeriesDepth, summed in pairs for a short chain of dependent
-/// operations) does not cancel.
-template <typename T>
-T expm1_minus_argument(T u) {
-  if (u > kSeriesDepth<T>) return std::exp(u) - 1 - u;
-  const T u2 = u * u;
-  const T u4 = u2 * u2;
-  const auto pair = [u](double even_factorial, double odd_factorial) {
-    return T(1 / even_factorial) + u * T(1 / odd_factorial);
-  };
-  const T low = (pair(2, 6) + u2 * pair(24, 120)) + u4 * (pair(720, 5040) + u2 * pair(40320, 362880));
-  const T high = (pair(3628800, 39916800) + u2 * pair(479001600, 6227020800)) +
-                 u4 * (pair(87178291200, 1307674368000) + u2 * T(1 / 20922789888000.));
-  return u2 * (low + u4 * u4 * high);
+/// p(u) = e^u - 1 - u; for small u by its series, which does not cancel.
+Wide expm1_minus_argument(Wide u) {
+  if (u > 0.6875L) return std::exp(u) - 1 - u;
+  Wide sum = 1;
+  for (int n = 20; n > 2; --n) sum = 1 + sum * u / n;
+  return sum * u * u / 2;
 }
 
 /// A function that is negative below the stationary point and positive beyond, with two derivatives.
-template <typename T>
 struct Slope {
-  T value;
-  T first;
-  T second;
+  Wide value;
+  Wide first;
+  Wide second;
 };
 
 /// exp fog: D'(x) expm1(x) - D(x). A power series whose only negative coefficient is -C.
-template <typename T>
-Slope<T> slope_exp(const ScaledDenominator<T>& d, T x) {
-  const T p = expm1_minus_argument(x);
-  const T e1 = x + p;
-  const T growth = d.linear + 2 * d.quadratic * (1 + x);
+Slope slope_exp(const ScaledDenominator& d, Wide x) {
+  const Wide p = expm1_minus_argument(x);
+  const Wide e1 = x + p;
+  const Wide growth = d.linear + 2 * d.quadratic * (1 + x);
   return {(d.linear + 2 * d.quadratic * x) * p + d.quadratic * x * x - d.constant,  //
           e1 * growth,                                                              //
           (e1 + 1) * growth + 2 * d.quadratic * e1};
 }
 
 /// exp2 fog: D'(x) expm1(x^2) / (2 x) - D(x). A power series; only -C and the linear term -A x / 2 are negative.
-template <typename T>
-Slope<T> slope_exp2(const ScaledDenominator<T>& d, T x) {
-  const T w = x * x;
-  const T p = expm1_minus_argument(w);
-  const T e1 = w + p;
-  const T half = d.linear / (2 * x);
-  const T growth = d.linear + 2 * d.quadratic * x - half / x;
+Slope slope_exp2(const ScaledDenominator& d, Wide x) {
+  const Wide w = x * x;
+  const Wide p = expm1_minus_argument(w);
+  const Wide e1 = w + p;
+  const Wide half = d.linear / (2 * x);
+  const Wide growth = d.linear + 2 * d.quadratic * x - half / x;
   return {(half + d.quadratic) * p - d.linear * x / 2 - d.constant,  //
           e1 * growth,                                               //
           2 * x * (e1 + 1) * growth + 2 * e1 * (d.quadratic + half / w)};
 }
 
 /// u with e^u - 1 - u = z to within a few percent: right for small and for large z, good between.
-template <typename T>
-T guess_depth(T z) {
-  return std::log1p(z + std::sqrt(2 * z));
-}
+Wide guess_depth(Wide z) { return std::log1p(z + std::sqrt(2 * z)); }
 
-template <typename T>
-T guess_stationary_exp(const ScaledDenominator<T>& d) {
-  return guess_depth(d.constant / (d.linear + 2 * d.quadratic));
-}
+Wide guess_stationary_exp(const ScaledDenominator& d) { return guess_depth(d.constant / (d.linear + 2 * d.quadratic)); }
 
-template <typename T>
-T guess_stationary_exp2(const ScaledDenominator<T>& d) {
-  const T w = guess_depth((2 * d.constant + d.linear) / (d.linear + 2 * d.quadratic));
-  if (w > T(0.1)) return std::sqrt(w);
+Wide guess_stationary_exp2(const ScaledDenominator& d) {
+  const Wide w = guess_depth((2 * d.constant + d.linear) / (d.linear + 2 * d.quadratic));
+  if (w > Wide(0.1)) return std::sqrt(w);
   // Small x: B x^4 - A x = 2 C, and the larger of the two one-term roots is near.
   return std::max(std::sqrt(std::sqrt(2 * d.constant / d.quadratic)), std::cbrt(d.linear / d.quadratic));
 }
 
-template <typename T>
 struct Root {
-  T x;
+  Wide x;
   SolveStatus status;
 };
 
 /// The one sign change of a slope on (0, upper]: Halley from a guess, kept inside the bracket, bisected on escape.
 /// A step that moves x by the fraction m leaves an error of about m^3 (1 + x^2 / 12), so that a step below the bound
 /// leaves the peak's range good to 1e-9 and its height to the square of that.
-template <typename T, typename SlopeAt>
-Root<T> find_sign_change(const SlopeAt& slope_at, T guess, T upper) {
+template <typename SlopeAt>
+Root find_sign_change(const SlopeAt& slope_at, Wide guess, Wide upper) {
   constexpr int kMaxSteps = 100;
-  T low = 0;
-  T high = upper;
-  T x = std::min(guess, upper);
+  Wide low = 0;
+  Wide high = upper;
+  Wide x = std::min(guess, upper);
   for (int step = 0; step < kMaxSteps; ++step) {
-    const Slope<T> slope = slope_at(x);
+    const Slope slope = slope_at(x);
     (slope.value < 0 ? low : high) = x;
-    const T move = 2 * slope.value * slope.first / (2 * slope.first * slope.first - slope.value * slope.second);
-    T next = x - move;
+    const Wide move = 2 * slope.value * slope.first / (2 * slope.first * slope.first - slope.value * slope.second);
+    Wide next = x - move;
     if (!(next > low && next < high) && next != x) next = low > 0 ? std::sqrt(low) * std::sqrt(high) : high / 2;
-    const bool is_close = std::abs(next - x) * (1 + x) <= T(1e-3) * x;
+    const bool is_close = std::abs(next - x) * (1 + x) <= Wide(1e-3) * x;
     x = next;
     if (is_close) return {x, SolveStatus::ok};
   }
@@ -123,58 +100,38 @@ Root<T> find_sign_change(const SlopeAt& slope_at, T guess, T upper) {
 }
 
 /// Where the derivative of opacity * 1/D vanishes, in x = d r; 0 where it is negative from the start (C = 0).
-template <typename T>
-Root<T> find_stationary_point(const BasicAttenuation<T>& attenuation, FogMode mode, T density) {
-  const ScaledDenominator<T> d{attenuation.constant, attenuation.linear / density,
-                               attenuation.quadratic / density / density};
-  // Above this depth e^u nears T's largest value; the slope is positive there for all coefficients T is used with.
-  constexpr T kMaxDepth = std::numeric_limits<T>::max_exponent > 1024 ? T(11000) : T(700);
+Root find_stationary_point(const BasicAttenuation<Wide>& attenuation, FogMode mode, Wide density) {
+  const ScaledDenominator d{attenuation.constant, attenuation.linear / density,
+                            attenuation.quadratic / density / density};
+  // Above this depth e^u nears the largest value; the slope is positive there for all coefficients.
+  constexpr Wide kMaxDepth = 11000;
   if (mode == FogMode::exp) {
     if (d.constant == 0) return {0, SolveStatus::ok};
-    return find_sign_change([&](T x) { return slope_exp(d, x); }, guess_stationary_exp(d), kMaxDepth);
+    return find_sign_change([&](Wide x) { return slope_exp(d, x); }, guess_stationary_exp(d), kMaxDepth);
   }
   if (d.constant == 0 && d.linear == 0) return {0, SolveStatus::ok};
-  return find_sign_change([&](T x) { return slope_exp2(d, x); }, guess_stationary_exp2(d), std::sqrt(kMaxDepth));
-}
-
-/// Opacity 1 - e^-depth at a range, both to more digits than T has.
-template <typename T>
-Split<T> split_opacity(FogMode mode, T density, const Split<T>& range) {
-  Split<T> depth = two_product(density, range.high);
-  depth.low += density * range.low;
-  if (mode == FogMode::exp2) {
-    const Split<T> square = two_product(depth.high, depth.high);
-    depth = {square.high, square.low + 2 * depth.high * depth.low};
-  }
-  const bool is_thin = depth.high < kSeriesDepth<T>;
-  const Split<T> opacity =
-      is_thin ? two_sum(depth.high, -expm1_minus_argument(-depth.high)) : two_sum(T(1), -std::exp(-depth.high));
-  return {opacity.high, opacity.low + (1 - opacity.high) * depth.low};
+  return find_sign_change([&](Wide x) { return slope_exp2(d, x); }, guess_stationary_exp2(d), std::sqrt(kMaxDepth));
 }
 
 /// The solve proper, for 0 < density < infinity and a light that ends somewhere.
-template <typename T>
-BasicFogIntensity<T> solve_peak(const BasicAttenuation<T>& attenuation, FogMode mode, T density, T threshold) {
-  const Split<T> extent = level_range(attenuation, threshold);
-  if (extent.high == 0) return {0, 0, 0, SolveStatus::ok};
-  const Root<T> stationary = find_stationary_point(attenuation, mode, density);
-  const T range = stationary.x / density;
-  if (range >= extent.high) {  // the attenuation is the threshold there by definition
-    const Split<T> opacity = split_opacity(mode, density, extent);
-    return {threshold * (opacity.high + opacity.low), extent.high, extent.high, stationary.status};
-  }
+FogIntensity solve_wide(const Attenuation& asked, const Fog& fog, double threshold) {
+  const auto attenuation = convert<Wide>(asked);
+  const Wide density = fog.density;
+  const Wide extent = level_range(attenuation, Wide(threshold)).high;
+  if (extent == 0) return {0, 0, 0, SolveStatus::ok};
+  const Root stationary = find_stationary_point(attenuation, fog.mode, density);
+  const auto solved_at = [&](Wide range, Wide level) {
+    const Wide depth = fog.mode == FogMode::exp ? density * range : (density * range) * (density * range);
+    const double intensity = std::min(double(level * -std::expm1(-depth)), 1.0);  // rounding upward may exceed 1
+    return FogIntensity{intensity, double(range), double(extent), stationary.status};
+  };
+  const Wide range = stationary.x / density;
+  if (range >= extent) return solved_at(extent, threshold);  // the attenuation is the threshold there by definition
   if (attenuation.constant < 1) {
-    const Split<T> knee = level_range(attenuation, T(1));
-    if (range <= knee.high) {
-      const Split<T> opacity = split_opacity(mode, density, knee);
-      return {opacity.high + opacity.low, knee.high, extent.high, stationary.status};
-    }
+    const Wide knee = level_range(attenuation, Wide(1)).high;
+    if (range <= knee) return solved_at(knee, 1);
   }
-  const Split<T> denominator = split_denominator(attenuation, range);
-  const Split<T> opacity = split_opacity(mode, density, {range, 0});
-  const T quotient = opacity.high / denominator.high;
-  return {quotient + (opacity.low - quotient * denominator.low) / denominator.high, range, extent.high,
-          stationary.status};
+  return solved_at(range, 1 / (attenuation.constant + range * (attenuation.linear + range * attenuation.quadratic)));
 }
 
 /// The limit cases that need no search: intensity and peak range without the extent.
@@ -182,28 +139,35 @@ bool is_limit_case(const Attenuation& attenuation, const Fog& fog) {
   return fog.density == 0 || std::isinf(fog.density) || (attenuation.linear == 0 && attenuation.quadratic == 0);
 }
 
+/// What solve_by_series takes.
+bool is_series_case(const Attenuation& attenuation, const Fog& fog, double threshold) {
+  const auto [constant, linear, quadratic] = attenuation;
+  return is_in_safe_range(constant, linear, quadratic, fog.density, threshold) && linear + quadratic > 0 &&
+         fog.density != 0 && threshold != 0 && threshold < 1;
+}
+
 FogIntensity solve_limit_case(const Attenuation& attenuation, const Fog& fog, double threshold) {
   const double extent = unchecked::compute_extent(attenuation, threshold);
   if (extent == 0 || fog.density == 0) return {0, 0, extent, SolveStatus::ok};
   // Total fog takes the attenuation at 0+, constant attenuation the opacity 1 at infinity.
-  return {attenuation_at(attenuation, 0), std::isinf(fog.density) ? 0 : kInfinity<double>, extent, SolveStatus::ok};
+  return {attenuation_at(attenuation, 0), std::isinf(fog.density) ? 0 : std::numeric_limits<double>::infinity(), extent,
+          SolveStatus::ok};
 }
 
 }  // namespace
 
 FogIntensity unchecked::solve_fog_intensity(const Attenuation& attenuation, const Fog& fog, double threshold) {
   if (is_limit_case(attenuation, fog)) return solve_limit_case(attenuation, fog, threshold);
-  const auto bounded = [](double intensity) { return std::min(intensity, 1.0); };  // rounding upward may exceed 1
-  if (is_in_safe_range(attenuation.constant, attenuation.linear, attenuation.quadratic, fog.density, threshold)) {
-    FogIntensity solved = solve_peak(attenuation, fog.mode, fog.density, threshold);
-    solved.intensity = bounded(solved.intensity);
-    return solved;
+  if (is_series_case(attenuation, fog, threshold)) {
+    if (const auto solved = solve_by_series(attenuation, fog, threshold)) return *solved;
   }
-  const auto wide = solve_peak<long double>(convert<long double>(attenuation), fog.mode, fog.density, threshold);
-  return {bounded(double(wide.intensity)), double(wide.peak_range), double(wide.extent), wide.status};
+  return solve_wide(attenuation, fog, threshold);
 }
 
 FogIntensity solve_fog_intensity(const Attenuation& attenuation, const Fog& fog, double threshold) {
+  if (is_series_case(attenuation, fog, threshold)) {  // what passes is valid
+    if (const auto solved = solve_by_series(attenuation, fog, threshold)) return *solved;
+  }
   require(check(attenuation));
   require(check(fog));
   require(check_threshold(threshold));

@@ -181,11 +181,7 @@ Result measure_airlight(bool quick) {
   }
   std::vector<TimedPass> passes;
   for (const Method& method : methods) passes.push_back(method.pass);
-  int runs = 0;
-  const auto timings = time_passes(passes, scale.stopwatch, [&] {
-    progress.show(fmt::format("timing: run {} of about {}", ++runs,
-                              methods.size() * std::size_t(scale.stopwatch.repetitions + 2)));
-  });
+  const auto timings = time_passes(passes, scale.stopwatch, progress);
 
   Result result;
   std::vector<Measurement> measurements;

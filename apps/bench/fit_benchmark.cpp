@@ -240,11 +240,7 @@ Result measure_fit(bool quick) {
                         }
                       }});
   }
-  int count = 0;
-  const auto timings = time_passes(passes, scale.stopwatch, [&] {
-    progress.show(fmt::format("timing: run {} of about {}", ++count,
-                              passes.size() * std::size_t(scale.stopwatch.repetitions + 2)));
-  });
+  const auto timings = time_passes(passes, scale.stopwatch, progress);
 
   Result result;
   std::vector<Measurement> measurements;

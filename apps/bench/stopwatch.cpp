@@ -2,6 +2,7 @@
 #include "bench/stopwatch.h"
 
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
 
 #include <array>
 #include <string>
@@ -34,12 +35,17 @@ class Collector : public benchmark::BenchmarkReporter {
 }  // namespace
 
 std::vector<Timing> time_passes(const std::vector<TimedPass>& passes, const StopwatchSettings& settings,
-                                const std::function<void()>& on_run) {
+                                command::Progress& progress) {
   std::string name = "litfog-bench";
   std::string interleaving = "--benchmark_enable_random_interleaving=true";
   std::array<char*, 3> arguments{name.data(), interleaving.data(), nullptr};
   int count = 2;
   benchmark::Initialize(&count, arguments.data());
+  int runs = 0;  // the repetitions, and those that find out how many passes fill the time
+  const auto on_run = [&] {
+    progress.show(
+        fmt::format("timing: run {} of about {}", ++runs, passes.size() * std::size_t(settings.repetitions + 2)));
+  };
   for (std::size_t i = 0; i < passes.size(); ++i) {
     const auto measure = [&pass = passes[i], &on_run](benchmark::State& state) {
       on_run();

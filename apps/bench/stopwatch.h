@@ -5,6 +5,8 @@
 #include <functional>
 #include <vector>
 
+#include "command/progress.h"
+
 namespace litfog::bench {
 
 /// Something to time: one pass over its items. What it computes it must store where others can see it.
@@ -25,8 +27,8 @@ struct StopwatchSettings {
 };
 
 /// Times the passes with Google Benchmark, the repetitions of all in random order, so that a slow spell of the machine
-/// hits no pass alone. on_run is called before each run.
+/// hits no pass alone. Shows how many runs are done.
 std::vector<Timing> time_passes(const std::vector<TimedPass>& passes, const StopwatchSettings& settings,
-                                const std::function<void()>& on_run);
+                                command::Progress& progress);
 
 }  // namespace litfog::bench

@@ -174,8 +174,7 @@ void project_onto_end(const Falloff& falloff, const std::array<Real, 3>& q, std:
 }
 
 template <typename Real>
-Real kkt_residual_of(const Falloff& falloff, const std::array<Real, 3>& q) {
-  Slopes<Real> at = slopes_at(falloff, q);
+Real kkt_residual_of(const Falloff& falloff, const std::array<Real, 3>& q, Slopes<Real> at) {
   project_onto_end(falloff, q, at.slope);
   if (falloff.end) {  // one scale for all: each slope contains the multiplier's rounding
     const auto power = powers(Real(falloff.end->x));
@@ -216,19 +215,21 @@ Coefficients refine(const Falloff& falloff, const Coefficients& start) {
     return Coefficients{double(q[0]), double(q[1]), double(q[2])};
   };
   std::array<Real, 3> q{start[0], start[1], start[2]};
-  Real kkt = kkt_residual_of(falloff, q);
+  Slopes<Real> at = slopes_at(falloff, q);
+  Real kkt = kkt_residual_of(falloff, q, at);
   double objective = falloff.objective(start);
   for (int i = 0; i < 50 && kkt > 0; ++i) {
-    const Slopes<Real> at = slopes_at(falloff, q);
     auto slope_along_end = at.slope;
     project_onto_end(falloff, q, slope_along_end);
     const auto model = model_at(falloff, q, at);
     const auto [next, blocked] = active_set_step(model, free_variables(model, slope_along_end));
-    const Real next_kkt = kkt_residual_of(falloff, next);
     const double next_objective = falloff.objective(rounded(next));
     if (!(next_objective <= objective * (1 + 1e-12) + falloff.negligible())) break;
+    const Slopes<Real> at_next = slopes_at(falloff, next);
+    const Real next_kkt = kkt_residual_of(falloff, next, at_next);
     if (!(next_kkt < kkt) && !(blocked && next_objective <= objective)) break;
     q = next;
+    at = at_next;
     kkt = next_kkt;
     objective = next_objective;
   }
@@ -237,7 +238,7 @@ Coefficients refine(const Falloff& falloff, const Coefficients& start) {
 
 }  // namespace
 
-Loss::Loss(double scale) : scale_(scale), convex_limit_(1) {
+Loss::Loss(double scale) : scale_(scale), is_plain_(std::isinf(scale)), convex_limit_(1) {
   // z (1 + (z/s)^2) = 1 has one root in (0, 1]; bisected, because it is needed once a fit.
   double low = 0;
   for (int i = 0; i < 60 && std::isfinite(scale); ++i) {
@@ -386,7 +387,8 @@ FalloffMinimum descend(const Falloff& falloff, const Coefficients& start) {
 }
 
 double kkt_residual(const Falloff& falloff, const Coefficients& q) {
-  return double(kkt_residual_of<long double>(falloff, {q[0], q[1], q[2]}));
+  const std::array<long double, 3> wide{q[0], q[1], q[2]};
+  return double(kkt_residual_of(falloff, wide, slopes_at(falloff, wide)));
 }
 
 }  // namespace litfog

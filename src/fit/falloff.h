@@ -38,7 +38,8 @@ class Loss {
   }
   template <typename Real>
   Real curvature(Real z) const {
-    return 2 / (stretch(z) * stretch(z) * stretch(z));
+    const Real s = stretch(z);
+    return 2 / (s * s * s);
   }
   /// What value is the square of, with z's sign.
   template <typename Real>
@@ -55,10 +56,12 @@ class Loss {
   template <typename Real>
   Real stretch(Real z) const {
     using std::sqrt;
+    if (is_plain_) return Real(1);
     return sqrt(1.0 + z / scale_ * (z / scale_));
   }
 
   double scale_;
+  bool is_plain_;  ///< the scale is infinite
   double convex_limit_;
 };
 
