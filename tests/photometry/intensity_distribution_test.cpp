@@ -63,11 +63,6 @@ glm::dvec3 turned(PhotometryType type, double horizontal, double vertical) {
   return round(right({0, 0, -1}, vertical), horizontal);
 }
 
-glm::dvec3 random_direction(Random& random) {
-  const double z = random.uniform(-1, 1), turn = random.uniform(0, 2 * pi);
-  return {std::sqrt(1 - z * z) * std::cos(turn), std::sqrt(1 - z * z) * std::sin(turn), z};
-}
-
 Angles random_angles(Random& random, double low, double high) {
   Angles angles{low, high};
   for (int i = 0; i < 6; ++i) angles.push_back(random.uniform(low, high));
@@ -148,7 +143,7 @@ TEST(IntensityDistribution, QuadrantHalfAndWholeAreTheSame) {
   const auto quadrant = sampled(PhotometryType::c, degrees(0, 90, 15), gamma, lamp);
   Random random(2);
   for (int i = 0; i < 5000; ++i) {
-    const auto direction = random_direction(random);
+    const auto direction = draw_direction(random);
     const double expected = intensity_at(whole, direction);
     for (const auto* part : {&half, &other_half, &quadrant}) {
       EXPECT_NEAR(intensity_at(*part, direction), expected, 1e-12 * 400);
@@ -173,7 +168,7 @@ TEST(IntensityDistribution, HalfIsMirroredAtItsFirstPlane) {
   Random random(3);
   for (const auto& [half, whole] : pairs) {
     for (int i = 0; i < 1000; ++i) {
-      const auto direction = random_direction(random);
+      const auto direction = draw_direction(random);
       EXPECT_NEAR(intensity_at(half, direction), intensity_at(whole, direction), 1e-10);
     }
   }
@@ -187,7 +182,7 @@ TEST(IntensityDistribution, TypesAAndBAreMirroredAtTheAxisTheyStartFrom) {
     const auto quadrant = sampled(type, degrees(0, 90, 10), degrees(0, 90, 10), even);
     const auto half = sampled(type, degrees(0, 90, 10), degrees(-90, 90, 10), even);
     for (int i = 0; i < 1000; ++i) {
-      const auto direction = random_direction(random);
+      const auto direction = draw_direction(random);
       EXPECT_NEAR(intensity_at(quadrant, direction), intensity_at(whole, direction), 1e-12);
       EXPECT_NEAR(intensity_at(half, direction), intensity_at(whole, direction), 1e-12);
     }
@@ -267,7 +262,7 @@ TEST(LuminousFlux, CosinePowerHasTheSameFluxInAllTypes) {
       EXPECT_NEAR(luminous_flux(*each), 1000 * 2 * pi / (n + 1), bound * 2 * pi);
       Random random(7);
       for (int i = 0; i < 2000; ++i) {
-        const auto direction = random_direction(random);
+        const auto direction = draw_direction(random);
         const double expected = direction.z < 0 ? 1000 * std::pow(-direction.z, n) : 0;
         EXPECT_NEAR(intensity_at(*each, direction), expected, bound);
       }

@@ -25,13 +25,13 @@ bool is_gltf_path(const std::string& path);
 /// that is 1 up to the knee k. There a white surface shows 16 times the display's white, k^2 = I / (16 pi), but k is at
 /// most 1 m, or more only as far as no colour is beyond 10,000 (from 31,416 cd). The light ends at its range: threshold
 /// k^2 / range^2; without one where it shows half of 1/256. A range within the knee puts the knee at half the range.
-/// Spots are smoothstep cones from their inner to their outer angle. Lights at the camera's node or below it are carried
-/// by the eye's vehicle. One directional light of E lx, at most 205,786, is the moon of colour E / pi. Ambient light and
-/// fog are a night's; in a file without lights the ambient light is bright.
+/// Spots are smoothstep cones from their inner to their outer angle. Lights at the camera's node or below it are
+/// carried by the eye's vehicle. One directional light of E lx, at most 205,786, is the moon of colour E / pi. Ambient
+/// light and fog are a night's; in a file without lights the ambient light is bright.
 ///
-/// Visibilities: 10, 3 and 1 times the distance d from the camera to the farthest corner of the scene's box, each rounded
-/// up to two significant digits. At 3 d, at which a scene is drawn if none is given, at least 37 % of the contrast of
-/// everything is left in exp fog.
+/// Visibilities: 10, 3 and 1 times the distance d from the camera to the farthest corner of the scene's box, each
+/// rounded up to two significant digits. At 3 d, at which a scene is drawn if none is given, at least 37 % of the
+/// contrast of everything is left in exp fog.
 ///
 /// throws  InputError
 Scene read_gltf_scene(const std::string& path);
