@@ -19,8 +19,8 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "command/command.h"
 #include "command/exit_status.h"
+#include "command/option_rule.h"
 #include "command/printable.h"
 #include "litfog/files/output_error.h"
 

@@ -50,7 +50,7 @@ bool is_position(const glm::dvec3& position) {
 }
 const std::string kPositionRule = fmt::format("must have coordinates in [{}, {}]", -kMaxCoordinate, kMaxCoordinate);
 
-/// One file's path however it is spelled.
+/// The same path for a file, however it is spelled.
 std::filesystem::path canonical_path(const std::filesystem::path& path) {
   std::error_code error;
   const auto found = std::filesystem::weakly_canonical(path, error);
@@ -213,7 +213,7 @@ class SceneReader {
     return checked(value, entry->second);
   }
 
-  /// What a light file may say but the renderer's floats cannot.
+  /// Fails where a light file states what the renderer's floats cannot hold.
   static const Light& checked(const JsonValue& value, const Light& light) {
     if (!is_color(light.color)) value.fail(value.path() + ".color", "", kColorRule);
     if (!(light.density_scale <= kMaxDensityScale)) {
