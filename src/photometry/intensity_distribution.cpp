@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <numeric>
 #include <span>
 
 #include "require.h"
@@ -18,6 +19,7 @@ constexpr double kTolerance = 1e-9;       // radians: a direction at the last me
 constexpr double kMaxIntensity = 1e30;    // candela: squares and sums stay finite
 constexpr int kTurnSteps = 720;           // directions of a circle about an axis
 constexpr int kAxialStepsPerTurn = 1440;  // a quarter degree from an axis
+constexpr double kEdge = pi / 18000;      // 0.01 degrees: from the last measured angle to the dark beyond it
 
 double sum_of(const glm::dvec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
@@ -87,6 +89,17 @@ std::optional<Bracket> locate(std::span<const double> angles, double angle) {
   return Bracket{high - 1, high, std::clamp(fraction, 0.0, 1.0)};
 }
 
+/// The mean over a turn of type C of what is linear between its planes.
+template <typename InPlane>
+double mean_over_turn(std::span<const double> turn, const InPlane& in_plane) {
+  if (turn.size() == 1) return in_plane(0);
+  double sum = 0;
+  for (std::size_t i = 1; i < turn.size(); ++i) {
+    sum += (turn[i] - turn[i - 1]) * std::midpoint(in_plane(i - 1), in_plane(i));
+  }
+  return sum / (turn.back() - turn.front());
+}
+
 // --- integration ---
 
 /// Weights of the trapezoidal rule: the integral of what is linear between the angles.
@@ -148,9 +161,43 @@ double mean_of(std::span<const double> values) {
   return sum / double(values.size());
 }
 
+/// Appends angles from the last one to pi in the last step; where the last one is lit, the dark begins beside it.
+void extend_to_pi(std::vector<double>& angles, bool is_last_lit) {
+  const double last = angles.back();
+  const double step = last - angles.rbegin()[1];
+  if (is_last_lit && last + kEdge < pi) angles.push_back(last + kEdge);
+  for (int i = 1; last + i * step < pi - step / 2; ++i) {
+    if (last + i * step > angles.back()) angles.push_back(last + i * step);
+  }
+  if (angles.back() < pi) angles.push_back(pi);
+}
+
+std::vector<double> supplements(std::vector<double> angles) {
+  std::ranges::reverse(angles);
+  for (double& angle : angles) angle = pi - angle;
+  return angles;
+}
+
+bool is_lit(const IntensityDistribution& distribution, std::size_t vertical) {
+  const std::size_t rows = distribution.vertical.size();
+  for (std::size_t h = 0; h < distribution.horizontal.size(); ++h) {
+    if (distribution.intensity[h * rows + vertical] > 0) return true;
+  }
+  return false;
+}
+
 std::vector<double> profile_angles(const IntensityDistribution& distribution, const glm::dvec3& axis) {
-  if (distribution.type == PhotometryType::c && axis == kPhotometricAxis) return distribution.vertical;
   std::vector<double> angles;
+  if (distribution.type == PhotometryType::c && (axis == kPhotometricAxis || axis == -kPhotometricAxis)) {
+    angles = distribution.vertical;
+    extend_to_pi(angles, is_lit(distribution, angles.size() - 1));
+    if (angles.front() > 0) {
+      angles = supplements(angles);
+      extend_to_pi(angles, is_lit(distribution, 0));
+      angles = supplements(angles);
+    }
+    return axis == kPhotometricAxis ? angles : supplements(angles);
+  }
   for (int i = 0; i <= kAxialStepsPerTurn / 2; ++i) angles.push_back(2 * pi * i / kAxialStepsPerTurn);
   return angles;
 }
@@ -192,7 +239,7 @@ std::optional<ValueError> check(const IntensityDistribution& distribution) {
   const double vertical_limit = type == PhotometryType::a ? pi / 2 : pi;
   const double horizontal_limit = type == PhotometryType::a ? pi : pi / 2;
   if (auto error = is_c ? check_turn(horizontal)
-                          : check_angles("distribution.horizontal", horizontal, -horizontal_limit, horizontal_limit)) {
+                        : check_angles("distribution.horizontal", horizontal, -horizontal_limit, horizontal_limit)) {
     return error;
   }
   if (auto error = check_angles("distribution.vertical", vertical, is_c ? 0 : -vertical_limit, vertical_limit)) {
@@ -222,6 +269,7 @@ double intensity_at(const IntensityDistribution& distribution, const glm::dvec3&
   const auto in_plane = [&, &grid = intensity, rows = vertical.size()](std::size_t plane) {
     return std::lerp(grid[plane * rows + v->low], grid[plane * rows + v->high], v->fraction);
   };
+  if (is_c && direction.x == 0 && direction.y == 0) return mean_over_turn(horizontal, in_plane);
   return std::lerp(in_plane(h->low), in_plane(h->high), h->fraction);
 }
 

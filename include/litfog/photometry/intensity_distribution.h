@@ -23,8 +23,9 @@ enum class PhotometryType { a, b, c };
 /// The axis of every photometric file: the nadir in type C, H = V = 0 in types A and B.
 inline constexpr glm::dvec3 kPhotometricAxis{0, 0, -1};
 
-/// Luminous intensity by direction, as measured. It is bilinear between the measured angles and 0 outside them. Symmetry
-/// is applied at look-up, so that only the measured part is stored.
+/// Luminous intensity by direction, as measured. It is bilinear between the measured angles and 0 outside them. On the
+/// axis of type C, where all planes meet, it is their mean over the turn. Symmetry is applied at look-up, so that only
+/// the measured part is stored.
 struct IntensityDistribution {
   PhotometryType type = PhotometryType::c;
 
@@ -70,11 +71,12 @@ struct AxialSample {
 };
 
 /// Intensity against the angle from an axis, as the mean over 720 directions of each circle: what a cone about the axis
-/// is fitted to. The angles are the measured ones if the axis is the photometric one of type C, else every quarter
-/// degree.
+/// is fitted to. The angles are every quarter degree from 0 to pi, but the measured ones if the axis is the photometric
+/// one of type C or its opposite. Angles that were not measured are dark: from the first and last measured ones, the
+/// profile goes on in their steps to 0 and pi with intensity 0, which begins 0.01 degrees beyond a lit one.
 ///
 /// axis      luminaire frame, of any length but 0
-/// returns   increasing angles; the intensity is 0 beyond the last
+/// returns   increasing angles from 0 to pi
 std::vector<AxialSample> axial_profile(const IntensityDistribution& distribution, const glm::dvec3& axis);
 
 /// The same along one half plane about the photometric axis, as data sheets show it: the deviation is 0.
