@@ -3,9 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <glm/geometric.hpp>
 
+#include "files/angle_deg.h"
 #include "litfog/files/light_spec_file.h"
 #include "litfog/input_error.h"
 
@@ -14,9 +17,42 @@ namespace {
 
 /// Illuminance at which a photometric file's light ends: 1 lx, as for the lights of data/lights.
 constexpr double kEndIlluminance = 1;
+constexpr double kHorizon = 1e-9;  // cosine from the photometric axis that is level within rounding
+constexpr double kRound = 0.1;     // asymmetry up to which a beam is taken for one about its axis
+constexpr double kAimed = 0.5;     // of it: about the peak of a beam that is aimed there
 
-std::vector<ConeSample> samples_of(const Luminaire& luminaire) {
-  return cone_samples(axial_profile(luminaire.distribution, kPhotometricAxis));
+glm::dvec3 best_axis(const IntensityDistribution& distribution, const glm::dvec3& peak) {
+  const glm::dvec3 axis = glm::dot(peak, kPhotometricAxis) < -kHorizon ? -kPhotometricAxis : kPhotometricAxis;
+  const double about_axis = asymmetry(distribution, axis);  // about its opposite as well
+  const bool is_aimed = about_axis > kRound && asymmetry(distribution, peak) < kAimed * about_axis;
+  return is_aimed ? peak : axis;
+}
+
+glm::dvec3 axis_of(const Luminaire& luminaire, const AxisChoice& choice) {
+  const IntensityDistribution& distribution = luminaire.distribution;
+  const glm::dvec3 peak = find_peak(distribution).direction;
+  switch (choice.kind) {
+    case AxisChoice::Kind::best:
+      return best_axis(distribution, peak);
+    case AxisChoice::Kind::peak:
+      return peak;
+    case AxisChoice::Kind::down:
+      break;
+    case AxisChoice::Kind::up:
+      return -kPhotometricAxis;
+    case AxisChoice::Kind::given:
+      return direction_of(distribution.type, choice.horizontal, choice.vertical);
+  }
+  return kPhotometricAxis;
+}
+
+void set_axis(LightTarget& target, const AxisChoice& choice) {
+  target.axis = axis_of(*target.luminaire, choice);
+  target.asymmetry = asymmetry(target.luminaire->distribution, target.axis);
+}
+
+std::vector<ConeSample> samples_of(const Luminaire& luminaire, const glm::dvec3& axis) {
+  return cone_samples(axial_profile(luminaire.distribution, axis));
 }
 
 /// What is wrong is shown as the file's, which has intensities and no extent.
@@ -39,8 +75,9 @@ std::string sentence_on_range(const Luminaire& luminaire) {
       peak, std::sqrt(peak / kEndIlluminance));
 }
 
-std::string sentence_on_cone(const std::string& file) {
-  return fmt::format("Cone: fitted to {}, the mean over the turn about the photometric axis.", file);
+std::string sentence_on_cone(const std::string& file, const glm::dvec3& axis) {
+  const std::string words = axis == kPhotometricAxis ? "the photometric axis" : "an axis " + describe_axis(axis);
+  return fmt::format("Cone: fitted to {}, the mean over the turn about {}.", file, words);
 }
 
 /// What a fit does not take, at the value of the spec that it comes from.
@@ -96,7 +133,7 @@ Luminaire read_luminaire_of(const LightSpec& spec) {
   }
 }
 
-ConeTarget cone_of(const LightSpec& spec, const std::optional<Luminaire>& luminaire) {
+ConeTarget cone_of(const LightSpec& spec) {
   const ConeSpec& cone = *spec.cone;
   ConeTarget target{.choice = choice_of(cone.profile),
                     .half_angle = cone.half_angle,
@@ -105,7 +142,6 @@ ConeTarget cone_of(const LightSpec& spec, const std::optional<Luminaire>& lumina
   for (const auto& sample : cone.samples) {
     target.samples.push_back({.angle = sample.angle, .intensity = sample.intensity, .weight = sample.weight});
   }
-  if (luminaire) target.samples = samples_of(*luminaire);
   return target;
 }
 
@@ -118,7 +154,7 @@ void expect_fittable(const LightSpec& spec, const ConeTarget& target) {
 
 }  // namespace
 
-LightTarget read_spec(const std::string& path, std::optional<ConeChoice> profile) {
+LightTarget read_spec(const std::string& path, const FitChoices& choices) {
   const LightSpec spec = read_light_spec(path);
   LightTarget target{.file = spec.file,
                      .name = spec.name,
@@ -127,9 +163,13 @@ LightTarget read_spec(const std::string& path, std::optional<ConeChoice> profile
                      .density_scale = spec.density_scale};
   if (spec.range) target.range = range_of(spec);
   if (spec.cone) {
-    if (spec.cone->photometry) target.luminaire = read_luminaire_of(spec);
-    target.cone = cone_of(spec, target.luminaire);
-    if (profile) target.cone->choice = *profile;
+    target.cone = cone_of(spec);
+    if (spec.cone->photometry) {
+      target.luminaire = read_luminaire_of(spec);
+      set_axis(target, choices.axis);
+      target.cone->samples = samples_of(*target.luminaire, target.axis);
+    }
+    if (choices.profile) target.cone->choice = *choices.profile;
     expect_fittable(spec, *target.cone);
   }
   if (target.luminaire && !target.range) {
@@ -139,18 +179,27 @@ LightTarget read_spec(const std::string& path, std::optional<ConeChoice> profile
   return target;
 }
 
-LightTarget read_photometric_spec(const std::string& path, ConeChoice profile) {
+LightTarget read_photometric_spec(const std::string& path, const FitChoices& choices) {
   LightTarget target{.file = path, .name = std::filesystem::path(path).stem().string()};
   target.luminaire = read_luminaire(path);
   const Luminaire& luminaire = *target.luminaire;
+  set_axis(target, choices.axis);
   const std::string file = std::filesystem::path(path).filename().string();
   if (!luminaire.name.empty()) target.name = luminaire.name;
   target.source = {luminaire.manufacturer.empty() ? file : fmt::format("{}: {}", file, luminaire.manufacturer),
-                   sentence_on_range(luminaire), sentence_on_cone(file)};
+                   sentence_on_range(luminaire), sentence_on_cone(file, target.axis)};
   target.range = range_of(luminaire);
-  target.cone = ConeTarget{.choice = profile, .samples = samples_of(luminaire)};
+  target.cone =
+      ConeTarget{.choice = choices.profile.value_or(ConeChoice::best), .samples = samples_of(luminaire, target.axis)};
   if (const auto error = check(*target.cone)) throw InputError({.file = path}, to_string(*error));
   return target;
+}
+
+std::string describe_axis(const glm::dvec3& axis) {
+  if (axis == kPhotometricAxis) return "down, the photometric axis";
+  if (axis == -kPhotometricAxis) return "up, opposite to the photometric axis";
+  const double angle = std::acos(std::clamp(glm::dot(axis, kPhotometricAxis), -1.0, 1.0));
+  return fmt::format("{:.3g} deg from the photometric axis", files::degrees(angle));
 }
 
 }  // namespace litfog::fit

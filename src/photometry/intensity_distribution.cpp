@@ -43,20 +43,6 @@ PhotometricAngles angles_of(PhotometryType type, const glm::dvec3& direction) {
   return {std::atan2(y, x), std::atan2(std::hypot(x, y), -z)};
 }
 
-glm::dvec3 direction_of(PhotometryType type, double horizontal, double vertical) {
-  const double sin_h = std::sin(horizontal), cos_h = std::cos(horizontal);
-  const double sin_v = std::sin(vertical), cos_v = std::cos(vertical);
-  switch (type) {
-    case PhotometryType::a:
-      return {cos_v * sin_h, sin_v, -cos_v * cos_h};
-    case PhotometryType::b:
-      return {sin_h, cos_h * sin_v, -cos_h * cos_v};
-    case PhotometryType::c:
-      break;
-  }
-  return {sin_v * cos_h, sin_v * sin_h, -cos_v};
-}
-
 /// The number of measured parts in a whole turn: 1, 2 or 4.
 int turn_multiplicity(std::span<const double> turn) { return int(std::lround(2 * pi / (turn.back() - turn.front()))); }
 bool is_mirrored(std::span<const double> angles) { return angles.front() == 0; }
@@ -130,17 +116,13 @@ std::vector<double> polar_weights(std::span<const double> angles, double pole) {
 
 // --- circles about an axis ---
 
-/// Directions by the angle from an axis and the turn about it, which starts to the right: +x for the photometric axis.
-class AxisFrame {
+/// Directions by the angle from an axis and the turn about it, which starts at the light's +x.
+class AxisCircles {
  public:
-  explicit AxisFrame(const glm::dvec3& axis) : axis_(glm::normalize(axis / sum_of(axis))) {
-    const bool is_upright = std::abs(axis_.y) > 1 - 1e-12;
-    right_ = glm::normalize(glm::cross(axis_, is_upright ? glm::dvec3{0, 0, 1} : glm::dvec3{0, 1, 0}));
-    up_ = glm::cross(right_, axis_);
-  }
+  explicit AxisCircles(const glm::dvec3& axis) : luminaire_from_light_(luminaire_from_light(axis)) {}
 
   glm::dvec3 direction(double angle, double turn) const {
-    return axis_ * std::cos(angle) + (right_ * std::cos(turn) + up_ * std::sin(turn)) * std::sin(angle);
+    return luminaire_from_light_ * direction_of(PhotometryType::c, turn, angle);
   }
 
   std::array<double, kTurnSteps> circle(const IntensityDistribution& distribution, double angle) const {
@@ -152,7 +134,7 @@ class AxisFrame {
   }
 
  private:
-  glm::dvec3 axis_, right_, up_;
+  glm::dmat3 luminaire_from_light_;
 };
 
 double mean_of(std::span<const double> values) {
@@ -232,6 +214,28 @@ void require_axis(const glm::dvec3& axis) {
 }
 
 }  // namespace
+
+glm::dvec3 direction_of(PhotometryType type, double horizontal, double vertical) {
+  const double sin_h = std::sin(horizontal), cos_h = std::cos(horizontal);
+  const double sin_v = std::sin(vertical), cos_v = std::cos(vertical);
+  switch (type) {
+    case PhotometryType::a:
+      return {cos_v * sin_h, sin_v, -cos_v * cos_h};
+    case PhotometryType::b:
+      return {sin_h, cos_h * sin_v, -cos_h * cos_v};
+    case PhotometryType::c:
+      break;
+  }
+  return {sin_v * cos_h, sin_v * sin_h, -cos_v};
+}
+
+glm::dmat3 luminaire_from_light(const glm::dvec3& axis) {
+  require_axis(axis);
+  const glm::dvec3 forward = glm::normalize(axis / sum_of(axis));
+  const bool is_upright = std::abs(forward.y) > 1 - 1e-12;
+  const glm::dvec3 right = glm::normalize(glm::cross(forward, is_upright ? kPhotometricAxis : glm::dvec3{0, 1, 0}));
+  return {right, glm::cross(right, forward), -forward};
+}
 
 std::optional<ValueError> check(const IntensityDistribution& distribution) {
   const auto& [type, horizontal, vertical, intensity] = distribution;
@@ -318,10 +322,10 @@ IntensityPeak find_peak(const IntensityDistribution& distribution) {
 std::vector<AxialSample> axial_profile(const IntensityDistribution& distribution, const glm::dvec3& axis) {
   require(check(distribution));
   require_axis(axis);
-  const AxisFrame frame(axis);
+  const AxisCircles about(axis);
   std::vector<AxialSample> profile;
   for (const double angle : profile_angles(distribution, axis)) {
-    const auto circle = frame.circle(distribution, angle);
+    const auto circle = about.circle(distribution, angle);
     const double mean = mean_of(circle);
     const auto [least, largest] = std::ranges::minmax_element(circle);
     profile.push_back({angle, mean, std::max(mean - *least, *largest - mean)});
@@ -329,13 +333,14 @@ std::vector<AxialSample> axial_profile(const IntensityDistribution& distribution
   return profile;
 }
 
-std::vector<AxialSample> plane_profile(const IntensityDistribution& distribution, double turn) {
+std::vector<AxialSample> plane_profile(const IntensityDistribution& distribution, double turn, const glm::dvec3& axis) {
   require(check(distribution));
+  require_axis(axis);
   if (!std::isfinite(turn)) require(ValueError{"turn", turn, "must be finite"});
-  const AxisFrame frame(kPhotometricAxis);
+  const AxisCircles about(axis);
   std::vector<AxialSample> profile;
-  for (const double angle : profile_angles(distribution, kPhotometricAxis)) {
-    profile.push_back({angle, intensity_at(distribution, frame.direction(angle, turn)), 0});
+  for (const double angle : profile_angles(distribution, axis)) {
+    profile.push_back({angle, intensity_at(distribution, about.direction(angle, turn)), 0});
   }
   return profile;
 }
@@ -359,12 +364,12 @@ double half_angle(const std::vector<AxialSample>& profile, double fraction) {
 double asymmetry(const IntensityDistribution& distribution, const glm::dvec3& axis) {
   require(check(distribution));
   require_axis(axis);
-  const AxisFrame frame(axis);
+  const AxisCircles about(axis);
   const double peak = find_peak(distribution).intensity;
   double deviation = 0, total = 0;
   for (int i = 0; i < kAxialStepsPerTurn / 2; ++i) {
     const double angle = 2 * pi * (i + 0.5) / kAxialStepsPerTurn;
-    const auto circle = frame.circle(distribution, angle);
+    const auto circle = about.circle(distribution, angle);
     const double mean = mean_of(circle);
     for (const double intensity : circle) {
       deviation += std::sin(angle) * ((intensity - mean) / peak) * ((intensity - mean) / peak);

@@ -114,7 +114,7 @@ TEST_F(LightTargetFile, ProfileOfTheCallerWins) {
   const std::string path =
       write("f.json", R"({"litfog": "light-spec", "version": 1, "cone": {"profile": "cosine", "beam_angle_deg": 9}})");
   EXPECT_EQ(read_spec(path).cone->choice, ConeChoice::cosine);
-  EXPECT_EQ(read_spec(path, ConeChoice::best).cone->choice, ConeChoice::best);
+  EXPECT_EQ(read_spec(path, {.profile = ConeChoice::best}).cone->choice, ConeChoice::best);
 }
 
 TEST_F(LightTargetFile, PhotometryIsRelativeToTheSpecAndGivesAnExtent) {
@@ -122,7 +122,7 @@ TEST_F(LightTargetFile, PhotometryIsRelativeToTheSpecAndGivesAnExtent) {
   const LightTarget target =
       read(R"({"litfog": "light-spec", "version": 1, "cone": {"photometry": "lamp.ies"}, "color": [1, 0, 0]})");
   ASSERT_TRUE(target.luminaire);
-  ASSERT_EQ(target.cone->samples.size(), 4u);
+  ASSERT_EQ(target.cone->samples.size(), 5u) << "and dark at 180 degrees";
   EXPECT_DOUBLE_EQ(target.cone->samples[1].angle, pi / 36);
   EXPECT_NEAR(target.cone->samples[1].intensity, 80, 1e-12);
   EXPECT_EQ(target.cone->samples[1].weight, 1);
@@ -139,7 +139,7 @@ TEST_F(LightTargetFile, PhotometricFileAloneIsAWhiteLightOfItsName) {
   EXPECT_EQ(target.name, "spot");
   EXPECT_EQ(target.color, glm::dvec3(1));
   EXPECT_EQ(target.range->extent, 10);
-  EXPECT_EQ(target.cone->samples.size(), 4u);
+  EXPECT_EQ(target.cone->samples.size(), 5u);
   ASSERT_EQ(target.source.size(), 3u);
   EXPECT_EQ(target.source[0], "lamp.ies: maker");
 }

@@ -76,6 +76,18 @@ TEST(Cookie, PeakOfASpotIsInTheMiddleOfTheLastFace) {
   EXPECT_EQ(std::ranges::count(cookie.texels, 0.0f), 5 * 25 + 16);  // 30 degrees reach the inner nine texels
 }
 
+TEST(Cookie, CookieAboutAnAxisLooksAlongIt) {
+  IntensityDistribution beam{.horizontal = {0}, .vertical = {}, .intensity = {}};
+  for (int g = 0; g <= 180; g += 10) {
+    beam.vertical.push_back(g * kDegree);
+    beam.intensity.push_back(g);
+  }
+  const Cookie up = bake_cookie(beam, 3, -kPhotometricAxis), down = bake_cookie(beam, 3);
+  EXPECT_EQ(up.texels[5 * 9 + 4], 1) << "the peak, at 180 degrees, in the middle of the face -z";
+  EXPECT_EQ(down.texels[5 * 9 + 4], 0);
+  for (std::size_t i = 0; i < 9; ++i) EXPECT_NEAR(up.texels[5 * 9 + i], down.texels[4 * 9 + i], 1e-6);
+}
+
 /// Texels that all differ.
 Cookie counted(int size) {
   Cookie cookie{.size = size, .texels = {}};

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -268,6 +269,23 @@ TEST(LuminousFlux, CosinePowerHasTheSameFluxInAllTypes) {
       }
     }
   }
+}
+
+// --- the light's frame ---
+
+TEST(LuminaireFromLight, AxisIsMinusZAndThePhotometricAxisLeavesAllInPlace) {
+  EXPECT_EQ(luminaire_from_light(kPhotometricAxis), glm::dmat3(1));
+  Random random(9);
+  std::vector<glm::dvec3> axes{{0, 1, 0}, {0, -2, 0}, {0, 0, 1}, {1, 0, 0}, {1e-200, 0, 1e-200}};
+  for (int i = 0; i < 100; ++i) axes.push_back(1e3 * draw_direction(random));
+  for (const glm::dvec3& axis : axes) {
+    const glm::dmat3 rotation = luminaire_from_light(axis);
+    const glm::dvec3 scaled = axis / std::max({std::abs(axis.x), std::abs(axis.y), std::abs(axis.z)});
+    EXPECT_NEAR(glm::dot(rotation * glm::dvec3(0, 0, -1), glm::normalize(scaled)), 1, 1e-15);
+    EXPECT_NEAR(glm::determinant(rotation), 1, 1e-14);
+    EXPECT_NEAR(rotation[0].y, 0, 1e-15) << "+x stays level";
+  }
+  EXPECT_EQ(error_of([] { luminaire_from_light({0, 0, 0}); }), "axis = 0: must be finite and not 0");
 }
 
 // --- profiles ---
