@@ -8,12 +8,10 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kRound = 0.1;  // asymmetry up to which one angle describes a beam
-
 std::vector<double> full_angles(const LightFit& fit, double fraction) {
   const IntensityDistribution& distribution = fit.target.luminaire->distribution;
   const glm::dvec3& axis = fit.target.axis;
-  if (fit.target.asymmetry <= kRound) return {2 * half_angle(axial_profile(distribution, axis), fraction)};
+  if (fit.target.asymmetry <= kRoundBeam) return {2 * half_angle(axial_profile(distribution, axis), fraction)};
   const auto in_plane = [&](double turn) {
     return half_angle(plane_profile(distribution, turn, axis), fraction) +
            half_angle(plane_profile(distribution, turn + pi, axis), fraction);

@@ -94,7 +94,7 @@ std::vector<std::string> LightFit::advice() const {
     add("The cone's flux is off by {:+.0f} %: no cone of this profile holds the beam's spill.", 100 * *best.flux_error);
   }
   if (best.rms > 0.05) add("Neither profile follows the beam well (rms error {:.2g} of the peak).", best.rms);
-  if (target.luminaire && target.asymmetry > 0.1) {
+  if (target.luminaire && target.asymmetry > kRoundBeam) {
     add("The beam is not rotationally symmetric: any cone loses {:.0f} % of it (rms). --cookie keeps its shape.",
         100 * target.asymmetry);
   }

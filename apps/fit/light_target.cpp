@@ -18,13 +18,12 @@ namespace {
 /// Illuminance at which a photometric file's light ends: 1 lx, as for the lights of data/lights.
 constexpr double kEndIlluminance = 1;
 constexpr double kHorizon = 1e-9;  // cosine from the photometric axis that is level within rounding
-constexpr double kRound = 0.1;     // asymmetry up to which a beam is taken for one about its axis
 constexpr double kAimed = 0.5;     // of it: about the peak of a beam that is aimed there
 
 glm::dvec3 best_axis(const IntensityDistribution& distribution, const glm::dvec3& peak) {
   const glm::dvec3 axis = glm::dot(peak, kPhotometricAxis) < -kHorizon ? -kPhotometricAxis : kPhotometricAxis;
   const double about_axis = asymmetry(distribution, axis);  // about its opposite as well
-  const bool is_aimed = about_axis > kRound && asymmetry(distribution, peak) < kAimed * about_axis;
+  const bool is_aimed = about_axis > kRoundBeam && asymmetry(distribution, peak) < kAimed * about_axis;
   return is_aimed ? peak : axis;
 }
 

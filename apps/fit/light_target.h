@@ -12,6 +12,9 @@
 
 namespace litfog::fit {
 
+/// Asymmetry up to which a beam is taken for a round one.
+inline constexpr double kRoundBeam = 0.1;
+
 /// Which direction of a luminaire is the axis of its light.
 struct AxisChoice {
   enum class Kind {

@@ -261,10 +261,14 @@ TEST_F(FitCommand, PlotsArePicturesOfTheirEnding) {
   ASSERT_EQ(run("lamp.json --plot fit.png").status, kDone);
   EXPECT_EQ(read("fit.png").substr(1, 3), "PNG");
   ASSERT_EQ(run("beam.json --plot fit.svg").status, kDone);
-  for (const char* label : {"range (m)", "angle from the axis (deg)", "smoothstep", "target", "error (%)"}) {
+  for (const char* label : {"range (m)", "angle from the axis (deg)", "smoothstep", "target", "error (%)",
+                            "intensity / peak", ">50 %<", ">10 %<", "threshold"}) {
     EXPECT_NE(read("fit.svg").find(label), std::string::npos) << label;
   }
   EXPECT_EQ(run("spot.ies --plot fit.svg").status, kDone);
+  for (const char* label : {"intensity (cd)", "horizontal", "vertical"}) {
+    EXPECT_NE(read("fit.svg").find(label), std::string::npos) << label;
+  }
 }
 
 TEST_F(FitCommand, BadInputIsAnErrorAndNothingIsWritten) {
