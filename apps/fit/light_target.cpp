@@ -54,10 +54,12 @@ std::vector<ConeSample> samples_of(const Luminaire& luminaire, const glm::dvec3&
   return cone_samples(axial_profile(luminaire.distribution, axis));
 }
 
+double extent_of(double peak, double end_illuminance) { return std::sqrt(peak / end_illuminance); }
+
 /// What is wrong is shown as the file's, which has intensities and no extent.
 AttenuationTarget range_of(const Luminaire& luminaire) {
   const double peak = find_peak(luminaire.distribution).intensity;
-  AttenuationTarget target{.extent = std::sqrt(peak / kEndIlluminance)};
+  AttenuationTarget target{.extent = extent_of(peak, kEndIlluminance)};
   if (const auto error = check(target)) {
     throw InputError(luminaire.peak_location, "largest intensity", fmt::format("{:.6g}", peak),
                      "must give an extent: " + to_string(*error));
@@ -112,15 +114,31 @@ ConeChoice choice_of(ConeSpec::Profile profile) {
   return ConeChoice::best;
 }
 
-AttenuationTarget range_of(const LightSpec& spec) {
+/// The extent of a range that states where the light ends by its illuminance, and a sentence on how it was derived.
+void derive_extent(const LightSpec& spec, LightTarget& target) {
   const RangeSpec& range = *spec.range;
-  AttenuationTarget target{.threshold = range.threshold, .extent = range.extent, .constant = range.constant};
+  if (!range.end_illuminance && !range.peak) return;
+  if (!range.peak && !target.luminaire) {
+    throw spec.error_at("range.peak_cd", "", "must be given, or illuminance or the cone's photometry, for end_lx");
+  }
+  const double peak = range.peak ? *range.peak : find_peak(target.luminaire->distribution).intensity;
+  const double end = range.end_illuminance.value_or(kEndIlluminance);
+  target.range->extent = extent_of(peak, end);
+  target.source.push_back(
+      fmt::format("Extent: sqrt({:.6g} cd / {:.6g} lx) = {:.6g} m, where the light gives {:.6g} lx.", peak, end,
+                  *target.range->extent, end));
+}
+
+void set_range(const LightSpec& spec, LightTarget& light) {
+  const RangeSpec& range = *spec.range;
+  AttenuationTarget& target = light.range.emplace(
+      AttenuationTarget{.threshold = range.threshold, .extent = range.extent, .constant = range.constant});
   for (const auto& sample : range.samples) {
     target.samples.push_back({.range = sample.range, .attenuation = sample.attenuation, .weight = sample.weight});
   }
   target.family = family_of(range.family);
+  derive_extent(spec, light);
   if (const auto error = check(target)) throw error_at(spec, "range", *error);
-  return target;
 }
 
 Luminaire read_luminaire_of(const LightSpec& spec) {
@@ -160,11 +178,15 @@ LightTarget read_spec(const std::string& path, const FitChoices& choices) {
                      .source = spec.source,
                      .color = spec.color,
                      .density_scale = spec.density_scale};
-  if (spec.range) target.range = range_of(spec);
+  if (spec.color_temperature) {
+    target.source.push_back(fmt::format("Color: {:.6g} K is {:.4g} {:.4g} {:.4g}, linear sRGB.",
+                                        *spec.color_temperature, spec.color.r, spec.color.g, spec.color.b));
+  }
+  if (spec.cone && spec.cone->photometry) target.luminaire = read_luminaire_of(spec);
+  if (spec.range) set_range(spec, target);
   if (spec.cone) {
     target.cone = cone_of(spec);
-    if (spec.cone->photometry) {
-      target.luminaire = read_luminaire_of(spec);
+    if (target.luminaire) {
       set_axis(target, choices.axis);
       target.cone->samples = samples_of(*target.luminaire, target.axis);
     }

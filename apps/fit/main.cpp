@@ -59,21 +59,25 @@ constexpr const char* kExplanation =
              "samples": [{"range_m": 100, "attenuation": 0.5}, {"range_m": 300, "attenuation": 0.1}]},
    "cone": {"beam_angle_deg": 11, "field_angle_deg": 22}}
 
-Range. extent_m is where the attenuation is to be the threshold (0.05 if not given) and is met exactly. constant fixes C.
-samples are a falloff table; the fit minimises sum weight * (ln a(r) - ln attenuation)^2 with C, L, Q >= 0. An extent
-alone is met by C = 1 and the family: quadratic (if not given), linear or mixed.
+Range. extent_m is where the attenuation is to be the threshold (0.05 if not given) and is met exactly. In its place
+peak_cd, or illuminance {"range_m", "lx"}, puts it where the light gives 1 lx, or end_lx: a number or night, twilight,
+day or bright day, which a pilot's eye just sees then. constant fixes C. samples are a falloff table; the fit minimises
+sum weight * (ln a(r) - ln attenuation)^2 with C, L, Q >= 0. An extent alone is met by C = 1 and the family: quadratic
+(if not given), linear or mixed.
 
 Cone. beam_angle_deg and field_angle_deg are the full angles at 50 % and 10 % of the peak; samples are angle_deg from the
 axis and intensity in any unit; half_angle_deg is where the light ends; photometry names an IES or EULUMDAT file in place
 of samples. The fit minimises sum weight * (cone - intensity/peak)^2. profile is cosine (cos^S u for u < H), smoothstep
 (inner to outer), or best: both are fitted and shown, the better one is the light's.
 
+Color. color is linear RGB; color_temperature_k may stand in its place.
+
 A photometric file (IES LM-63 of any edition, EULUMDAT) is a light without a spec: its cone is fitted to the intensities
-at the file's own angles, each of weight 1, as the mean over the turn about the photometric axis; it is white; and it
-ends, at the threshold 0.05, where its peak gives 1 lx: C = 1, Q = (1/0.05 - 1) / (peak in cd / 1 lx). A spec with
-photometry and no range ends there, too. Angles that the file does not state are dark. The cone's axis is the photometric
-axis, down, or up where the peak lies above the horizon, or the peak of a beam aimed elsewhere; --axis moves it. A beam that is not rotationally symmetric is
-reported with a measure of it, and --cookie keeps its shape as a cube map.
+at the file's own angles, each of weight 1, as the mean over the turn about the axis; it is white; and it ends, at the
+threshold 0.05, where its peak gives 1 lx: C = 1, Q = (1/0.05 - 1) / (peak in cd / 1 lx). A spec with photometry and no
+range ends there, too. Angles that the file does not state are dark. The axis is the photometric one, down, or its
+opposite where the peak lies above the horizon, or the peak of a beam aimed elsewhere; --axis moves it. A beam that is
+not rotationally symmetric is reported with a measure of it, and --cookie keeps its shape as a cube map.
 
 The optimum is the global one and is shown to be: the report has the bound below which nothing is. The best light may
 still be a bad one; the verdict says how well it follows the data. Its largest errors are
