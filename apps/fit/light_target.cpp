@@ -17,37 +17,46 @@ namespace {
 
 /// Illuminance at which a photometric file's light ends: 1 lx, as for the lights of data/lights.
 constexpr double kEndIlluminance = 1;
-constexpr double kHorizon = 1e-9;  // cosine from the photometric axis that is level within rounding
-constexpr double kAimed = 0.5;     // of it: about the peak of a beam that is aimed there
+constexpr double kHorizon = 1e-9;    // cosine from the photometric axis that is level within rounding
+constexpr double kNearAxis = 0.996;  // cosine of 5 degrees: a peak nearer to the axis does not move it
+constexpr double kAimed = 0.5;       // of it: about the peak of a beam that is aimed there
 
-glm::dvec3 best_axis(const IntensityDistribution& distribution, const glm::dvec3& peak) {
-  const glm::dvec3 axis = glm::dot(peak, kPhotometricAxis) < -kHorizon ? -kPhotometricAxis : kPhotometricAxis;
-  const double about_axis = asymmetry(distribution, axis);  // about its opposite as well
-  const bool is_aimed = about_axis > kRoundBeam && asymmetry(distribution, peak) < kAimed * about_axis;
-  return is_aimed ? peak : axis;
+struct MeasuredAxis {
+  glm::dvec3 axis;
+  double asymmetry;  ///< of the beam about it
+};
+
+MeasuredAxis best_axis(const IntensityDistribution& distribution, const glm::dvec3& peak) {
+  const double cosine = glm::dot(peak, kPhotometricAxis);
+  const glm::dvec3 axis = cosine < -kHorizon ? -kPhotometricAxis : kPhotometricAxis;
+  const double about_axis = asymmetry(distribution, axis);
+  if (about_axis <= kRoundBeam || std::abs(cosine) > kNearAxis) return {axis, about_axis};
+  const double about_peak = asymmetry(distribution, peak);
+  return about_peak < kAimed * about_axis ? MeasuredAxis{peak, about_peak} : MeasuredAxis{axis, about_axis};
 }
 
-glm::dvec3 axis_of(const Luminaire& luminaire, const AxisChoice& choice) {
-  const IntensityDistribution& distribution = luminaire.distribution;
+MeasuredAxis axis_of(const IntensityDistribution& distribution, const AxisChoice& choice) {
   const glm::dvec3 peak = find_peak(distribution).direction;
+  const auto measured = [&](const glm::dvec3& axis) { return MeasuredAxis{axis, asymmetry(distribution, axis)}; };
   switch (choice.kind) {
     case AxisChoice::Kind::best:
-      return best_axis(distribution, peak);
-    case AxisChoice::Kind::peak:
-      return peak;
-    case AxisChoice::Kind::down:
       break;
+    case AxisChoice::Kind::peak:
+      return measured(peak);
+    case AxisChoice::Kind::down:
+      return measured(kPhotometricAxis);
     case AxisChoice::Kind::up:
-      return -kPhotometricAxis;
+      return measured(-kPhotometricAxis);
     case AxisChoice::Kind::given:
-      return direction_of(distribution.type, choice.horizontal, choice.vertical);
+      return measured(direction_of(distribution.type, choice.horizontal, choice.vertical));
   }
-  return kPhotometricAxis;
+  return best_axis(distribution, peak);
 }
 
 void set_axis(LightTarget& target, const AxisChoice& choice) {
-  target.axis = axis_of(*target.luminaire, choice);
-  target.asymmetry = asymmetry(target.luminaire->distribution, target.axis);
+  const auto [axis, asymmetry] = axis_of(target.luminaire->distribution, choice);
+  target.axis = axis;
+  target.asymmetry = asymmetry;
 }
 
 std::vector<ConeSample> samples_of(const Luminaire& luminaire, const glm::dvec3& axis) {

@@ -364,6 +364,8 @@ double half_angle(const std::vector<AxialSample>& profile, double fraction) {
 double asymmetry(const IntensityDistribution& distribution, const glm::dvec3& axis) {
   require(check(distribution));
   require_axis(axis);
+  const bool is_own_axis = axis == kPhotometricAxis || axis == -kPhotometricAxis;
+  if (distribution.type == PhotometryType::c && distribution.horizontal.size() == 1 && is_own_axis) return 0;
   const AxisCircles about(axis);
   const double peak = find_peak(distribution).intensity;
   double deviation = 0, total = 0;
