@@ -5,11 +5,9 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <stdexcept>
 #include <system_error>
 
@@ -32,14 +30,6 @@ void occupy_closed_standard_streams() {
   }
 }
 
-[[noreturn]] void fail_to_write() {
-  throw OutputError(std::string("standard output cannot be written: ") + std::strerror(errno));
-}
-
-void close_standard_output() {
-  if (std::fclose(stdout) != 0) fail_to_write();
-}
-
 ExitStatus parse_and_run(CLI::App& app, int argc, char** argv, const std::function<ExitStatus()>& run) {
   try {
     app.parse(argc, argv);
@@ -54,10 +44,6 @@ ExitStatus parse_and_run(CLI::App& app, int argc, char** argv, const std::functi
 }
 
 }  // namespace
-
-void fail_option(const std::string& name, std::string_view value, std::string_view rule) {
-  throw CLI::ValidationError(name + " = " + (value.empty() ? "\"\"" : std::string(value)) + ": " + std::string(rule));
-}
 
 CLI::Option* add_number(CLI::App& app, const std::string& name, double& target, NumberRule rule,
                         const std::string& description) {
@@ -76,7 +62,7 @@ CLI::Option* add_integer(CLI::App& app, const std::string& name, int& target, in
     const auto number = parse_integer(values.front());
     if (!number || *number < least || *number > most) {
       fail_option(name, values.front(),
-                    "must be an integer from " + std::to_string(least) + " to " + std::to_string(most));
+                  "must be an integer from " + std::to_string(least) + " to " + std::to_string(most));
     }
     target = *number;
     return true;
@@ -101,15 +87,6 @@ CLI::Option* add_numbers(CLI::App& app, const std::string& name, std::vector<dou
   return app.add_option(name, parse, description)->type_name("NUMBER[,...]");
 }
 
-void write_standard_output(std::string_view text) {
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) fail_to_write();
-}
-
-void report(std::string_view text) {
-  write_standard_output(printable_lines(text));
-  if (std::fflush(stdout) != 0) fail_to_write();
-}
-
 int run_command(CLI::App& app, int argc, char** argv, const std::function<ExitStatus()>& run) {
   occupy_closed_standard_streams();
   // A reader that went away and a file that grew beyond its limit are output that cannot be written: kCannotWrite.
@@ -129,7 +106,8 @@ int run_command(CLI::App& app, int argc, char** argv, const std::function<ExitSt
   } catch (const CLI::ParseError& error) {
     return end(std::string(error.what()) + "; see " + app.get_name() + " --help", kUsage);
   } catch (const InputError& error) {
-    std::fprintf(stderr, "%s\n", printable(error.what()).c_str());  // starts with the file's name: editors can jump to it
+    std::fprintf(stderr, "%s\n",
+                 printable(error.what()).c_str());  // starts with the file's name: editors can jump to it
     return kBadInput;
   } catch (const MissingCapability& error) {
     return end(error.what(), kMissingCapability);

@@ -4,11 +4,12 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "command/exit_status.h"
+#include "command/option_rule.h"
+#include "command/standard_output.h"
 
 namespace litfog::command {
 
@@ -40,9 +41,6 @@ CLI::Option* add_integer(CLI::App& app, const std::string& name, int& target, in
 CLI::Option* add_numbers(CLI::App& app, const std::string& name, std::vector<double>& target, NumberRule rule,
                          const std::string& description);
 
-/// Throws the usage error of an option's value: "--name = value: rule". Also for rules that need the parsed options.
-[[noreturn]] void fail_option(const std::string& name, std::string_view value, std::string_view rule);
-
 /// An option that takes one of a few words.
 template <typename Choice>
 CLI::Option* add_choice(CLI::App& app, const std::string& name, Choice& target,
@@ -60,13 +58,6 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, Choice& target,
   };
   return app.add_option(name, parse, description)->type_name(words);
 }
-
-/// Appends to standard output. Throws OutputError.
-void write_standard_output(std::string_view text);
-
-/// Writes lines for people (printable_lines) at once, to a pipe too: the progress of a command that takes a while.
-/// Throws OutputError.
-void report(std::string_view text);
 
 /// Parses the command line, runs the command, and turns whatever comes of it into one message on standard error and an
 /// exit status. Adds --help and --version. Standard output is closed at the end, so that a full disk is noticed. A

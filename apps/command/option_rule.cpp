@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command/option_rule.h"
 
+#include <CLI/CLI.hpp>
+
 namespace litfog::command {
 
 void check_options(const CLI::App& app, const std::vector<OptionRule>& rules) {
@@ -12,6 +14,10 @@ void check_options(const CLI::App& app, const std::vector<OptionRule>& rules) {
                                  (rule.reason.empty() ? "" : ": " + rule.reason));
     }
   }
+}
+
+void fail_option(const std::string& name, std::string_view value, std::string_view rule) {
+  throw CLI::ValidationError(name + " = " + (value.empty() ? "\"\"" : std::string(value)) + ": " + std::string(rule));
 }
 
 }  // namespace litfog::command

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
+
+namespace CLI {
+class App;
+}
 
 namespace litfog::command {
 
@@ -19,5 +23,8 @@ struct OptionRule {
 /// Throws the usage error of the first option that is given although it is excluded: "--visibility cannot be given with
 /// --fog none: there is nothing to see through".
 void check_options(const CLI::App& app, const std::vector<OptionRule>& rules);
+
+/// Throws the usage error of an option's value: "--name = value: rule". Also for rules that need the parsed options.
+[[noreturn]] void fail_option(const std::string& name, std::string_view value, std::string_view rule);
 
 }  // namespace litfog::command

@@ -4,7 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "command/command.h"
+#include "command/option_rule.h"
 #include "files/whole_file.h"
 
 namespace litfog::command {

@@ -20,8 +20,8 @@ namespace litfog::command {
 ///     for (const std::string& file : scene.files) outputs.expect_apart_from(file);
 class OutputFiles {
  public:
-  /// Throws a usage error (CLI::ValidationError) for an empty path and for the file of another output; OutputError for a
-  /// folder, or if its folder does not exist.
+  /// Throws a usage error (CLI::ValidationError) for an empty path and for the file of another output; OutputError for
+  /// a folder, or if its folder does not exist.
   void add(const std::string& option, const std::string& path);
 
   /// Adds standard output, if it goes to a file.

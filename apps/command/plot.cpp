@@ -19,8 +19,8 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "command/command.h"
 #include "command/exit_status.h"
+#include "command/option_rule.h"
 #include "command/printable.h"
 #include "litfog/files/output_error.h"
 
@@ -120,6 +120,8 @@ const char* key_command(KeyPlace place) {
       return "set key inside bottom left Left reverse noenhanced";
     case KeyPlace::bottom_right:
       return "set key inside bottom right noenhanced";
+    case KeyPlace::above:
+      return "set key outside top center horizontal Left reverse noenhanced";
     case KeyPlace::below:
       break;
   }

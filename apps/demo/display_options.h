@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 
 #include "render/display.h"
 #include "scene/scene.h"
+
+namespace CLI {
+class App;
+}
 
 namespace litfog::demo {
 

@@ -32,26 +32,28 @@ std::string stats_json(const scene::Scene& scene, const DrawingOptions& options,
                        const std::optional<render::Display>& display) {
   using Json = nlohmann::ordered_json;
   const measure::FrameTimes& times = drawn.times;
-  Json stats{{"scene", scene.name},
-             {"path", options.render.path->name},
-             {"fog_light", options.settings_of(*options.render.path).fog_lighting == render::FogLighting::airlight ? "airlight" : "peak"},
-             {"fog", options.fog ? name_of(*options.fog) : "none"},
-             {"visibility_m", std::isinf(drawn.visibility) ? Json("inf") : Json(drawn.visibility)},
-             {"size", {options.width, options.height}},
-             {"lights", scene.lights.size()},
-             {"frames", times.milliseconds.size()},
-             {"ms_per_frame",
-              {{"median", times.median()},
-               {"spread", times.spread()},
-               {"min", times.milliseconds.front()},
-               {"max", times.milliseconds.back()}}},
-             {"skip", options.render.skipping == render::Skipping::on},
-             {"chunks_drawn", times.counts.chunks_drawn},
-             {"chunks_skipped", times.counts.chunks_skipped},
-             {"surface_lights_listed", times.counts.lights_listed},
-             {"surface_lights_skipped", times.counts.lights_skipped},
-             {"gl_renderer", drawn.gl_renderer},
-             {"gl_version", drawn.gl_version}};
+  Json stats{
+      {"scene", scene.name},
+      {"path", options.render.path->name},
+      {"fog_light",
+       options.settings_of(*options.render.path).fog_lighting == render::FogLighting::airlight ? "airlight" : "peak"},
+      {"fog", options.fog ? name_of(*options.fog) : "none"},
+      {"visibility_m", std::isinf(drawn.visibility) ? Json("inf") : Json(drawn.visibility)},
+      {"size", {options.width, options.height}},
+      {"lights", scene.lights.size()},
+      {"frames", times.milliseconds.size()},
+      {"ms_per_frame",
+       {{"median", times.median()},
+        {"spread", times.spread()},
+        {"min", times.milliseconds.front()},
+        {"max", times.milliseconds.back()}}},
+      {"skip", options.render.skipping == render::Skipping::on},
+      {"chunks_drawn", times.counts.chunks_drawn},
+      {"chunks_skipped", times.counts.chunks_skipped},
+      {"surface_lights_listed", times.counts.lights_listed},
+      {"surface_lights_skipped", times.counts.lights_skipped},
+      {"gl_renderer", drawn.gl_renderer},
+      {"gl_version", drawn.gl_version}};
   if (display) {
     stats["exposure_ev"] = display->exposure.ev;
     stats["exposure_auto"] = display->exposure.is_auto;

@@ -26,9 +26,9 @@ void parse_size(const std::string& text, DrawingOptions& options) {
       cross == std::string::npos ? std::nullopt : command::parse_integer(std::string_view(text).substr(cross + 1));
   const bool is_side = width && height && *width >= 1 && *height >= 1 && *width <= kMaxSide && *height <= kMaxSide;
   if (!is_side || std::int64_t(*width) * *height > kMaxPixels) {
-    command::fail_option("--size", text,
-                         fmt::format("must be WIDTHxHEIGHT, each in [1, {}], at most {} pixels in all", kMaxSide,
-                                     kMaxPixels));
+    command::fail_option(
+        "--size", text,
+        fmt::format("must be WIDTHxHEIGHT, each in [1, {}], at most {} pixels in all", kMaxSide, kMaxPixels));
   }
   options.width = *width;
   options.height = *height;
@@ -79,9 +79,9 @@ void add_fog(CLI::App& app, DrawingOptions& options) {
 }
 
 void add_fog_and_visibility(CLI::App& app, DrawingOptions& options) {
-  command::add_choice<std::optional<FogMode>>(
-      app, "--fog", options.fog, {{"exp", FogMode::exp}, {"exp2", FogMode::exp2}, {"none", std::nullopt}},
-      "How fog thickens with range (default exp)");
+  command::add_choice<std::optional<FogMode>>(app, "--fog", options.fog,
+                                              {{"exp", FogMode::exp}, {"exp2", FogMode::exp2}, {"none", std::nullopt}},
+                                              "How fog thickens with range (default exp)");
   add_number(
       app, "--visibility", options.visibility, command::kNotNegative,
       "Range in metres at which 5 % of the contrast is left; inf is clear air (default: what the scene suggests)");
@@ -112,8 +112,8 @@ void add_fog_light(CLI::App& app, DrawingOptions& options) {
   command::add_choice<std::optional<render::FogLighting>>(
       app, "--fog-light", options.fog_light,
       {{"peak", render::FogLighting::peak}, {"airlight", render::FogLighting::airlight}},
-      "How lamps light the fog: peak is the papers' way, in which only carried lights do; airlight is that of every lamp "
-      "along each ray (default airlight with --path unified, else peak)");
+      "How lamps light the fog: peak is the papers' way, in which only carried lights do; airlight is that of every "
+      "lamp along each ray (default airlight with --path unified, else peak)");
 }
 
 void add_time(CLI::App& app, DrawingOptions& options) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +9,10 @@
 #include "demo/display_options.h"
 #include "litfog/fog.h"
 #include "render/render_settings.h"
+
+namespace CLI {
+class App;
+}
 
 namespace litfog::demo {
 

@@ -9,7 +9,7 @@
 #include <limits>
 #include <tuple>
 
-#include "command/command.h"
+#include "command/standard_output.h"
 #include "command/table.h"
 #include "demo/contact_sheet.h"
 #include "demo/picture_folder.h"

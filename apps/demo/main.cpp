@@ -14,13 +14,13 @@
 #include "command/command.h"
 #include "command/option_rule.h"
 #include "command/output_files.h"
-#include "files/whole_file.h"
 #include "demo/drawing.h"
 #include "demo/drawing_options.h"
 #include "demo/gallery.h"
 #include "demo/heat_map.h"
 #include "demo/path_comparison.h"
 #include "demo/picture_file.h"
+#include "files/whole_file.h"
 #include "litfog/gl/headless_context.h"
 #include "litfog/gl/unsupported.h"
 #include "litfog/input_error.h"
@@ -243,8 +243,7 @@ Job add_comparison_job(CLI::App& app) {
     }
     const gl::HeadlessContext context;
     report(fmt::format("drawing {} scenes on {}\n", scenes.size(), context.renderer()));
-    compare_paths(scenes, options->folder, context.renderer(),
-                  drawing, *frames);
+    compare_paths(scenes, options->folder, context.renderer(), drawing, *frames);
     return kDone;
   };
 }

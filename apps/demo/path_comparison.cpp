@@ -6,8 +6,8 @@
 #include <cmath>
 #include <memory>
 
-#include "command/command.h"
 #include "command/progress.h"
+#include "command/standard_output.h"
 #include "demo/comparison_page.h"
 #include "demo/contact_sheet.h"
 #include "demo/heat_map.h"

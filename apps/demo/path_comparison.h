@@ -13,8 +13,8 @@ inline constexpr int kComparedFrames = 5;  ///< that are timed of each path unle
 
 /// Draws scenes by every lighting path into a folder (made where missing): of each scene and path the picture, its heat
 /// map and its reference as PNG, a contact sheet, and index.html, which shows all with times and errors. All paths of a
-/// scene are timed interleaved. Reports every result on standard output. Needs a current GL context. Throws OutputError, and
-/// gl::Unsupported where a path cannot draw a scene here.
+/// scene are timed interleaved. Reports every result on standard output. Needs a current GL context. Throws
+/// OutputError, and gl::Unsupported where a path cannot draw a scene here.
 ///
 /// scenes   of different names
 /// machine  text: what draws the pictures

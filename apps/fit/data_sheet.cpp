@@ -11,6 +11,7 @@
 
 #include "command/table.h"
 #include "files/angle_deg.h"
+#include "fit/verdict.h"
 
 namespace litfog::fit {
 
@@ -73,7 +74,7 @@ void add_range(Sheet& sheet, const AttenuationTarget& target, const AttenuationF
   sheet.add("held by", joined(active));
   if (!target.samples.empty()) {
     sheet.add("error", fmt::format("rms {:.3g} %, largest {:+.3g} %, of the attenuation; objective {:.6g}",
-                                   100 * std::expm1(fit.rms), 100 * std::expm1(fit.largest_residual), fit.objective));
+                                   100 * fit.rms_error, 100 * fit.largest_error, fit.objective));
     if (!fit.covariance) {
       sheet.add("uncertainty", "not identifiable");
     } else {
@@ -186,14 +187,16 @@ void add_luminaire(Sheet& sheet, const LightFit& fit) {
   sheet.add_heading("Photometry");
   if (!luminaire.name.empty()) sheet.add("luminaire", luminaire.name);
   if (!luminaire.manufacturer.empty()) sheet.add("manufacturer", luminaire.manufacturer);
-  sheet.add("peak", fmt::format("{:.6g} cd, {:.3g} deg off the photometric axis", find_peak(distribution).intensity,
-                                files::degrees(fit.peak_angle)));
+  const bool is_photometric = fit.target.axis == kPhotometricAxis;
+  if (!is_photometric) sheet.add("axis", describe_axis(fit.target.axis));
+  sheet.add("peak", fmt::format("{:.6g} cd, {:.3g} deg off {}", find_peak(distribution).intensity,
+                                files::degrees(fit.peak_angle), is_photometric ? "the photometric axis" : "that axis"));
   const auto stated = stated_flux(luminaire);
   const double flux = luminous_flux(distribution);
   sheet.add("flux",
             fmt::format("{:.5g} lm", flux) +
                 (stated ? fmt::format(", stated {:.5g} lm ({:+.2g} %)", *stated, 100 * (flux / *stated - 1)) : ""));
-  sheet.add("asymmetry", fmt::format("{:.3f} of the beam (rms) is not symmetric about the axis", fit.asymmetry));
+  sheet.add("asymmetry", fmt::format("{:.3f} of the beam (rms) is not symmetric about the axis", fit.target.asymmetry));
 }
 
 }  // namespace
@@ -206,6 +209,8 @@ std::string format_data_sheet(const LightFit& fit) {
   sheet.add("color",
             fmt::format("{:.6g} {:.6g} {:.6g}, linear RGB", fit.light.color.r, fit.light.color.g, fit.light.color.b));
   if (fit.light.density_scale != 1) sheet.add("density scale", fmt::format("{:.6g}", fit.light.density_scale));
+  const Verdict verdict = judge(fit);
+  sheet.add("verdict", fmt::format("{}: {}", name_of(verdict.grade), verdict.why));
   if (fit.target.luminaire) add_luminaire(sheet, fit);
   if (fit.range) add_range(sheet, *fit.target.range, *fit.range);
   if (fit.cone) add_cone(sheet, *fit.target.cone, *fit.cone);

@@ -26,15 +26,10 @@ Json range_record(const litfog::AttenuationFit& fit, bool has_time) {
     covariance.emplace();
     for (std::size_t i = 0; i < fit.covariance->size(); ++i) (*covariance)[i / 3][i % 3] = (*fit.covariance)[i];
   }
-  Json record{{"status", name_of(fit.status)},
-              {"objective", fit.objective},
-              {"rms", fit.rms},
-              {"largest_error", fit.largest_residual},
-              {"active", std::move(active)},
-              {"covariance", covariance_of(covariance)},
-              {"kkt_residual", fit.kkt_residual},
-              {"iterations", fit.iterations},
-              {"boxes", fit.boxes}};
+  Json record{
+      {"status", name_of(fit.status)},      {"objective", fit.objective},   {"rms", fit.rms_error},
+      {"largest_error", fit.largest_error}, {"active", std::move(active)},  {"covariance", covariance_of(covariance)},
+      {"kkt_residual", fit.kkt_residual},   {"iterations", fit.iterations}, {"boxes", fit.boxes}};
   if (has_time) record["milliseconds"] = fit.milliseconds;
   return record;
 }
@@ -85,7 +80,7 @@ std::string fit_record(const LightFit& fit, bool has_time) {
     if (has_time) record["milliseconds"] = fit.cone->milliseconds;
     add("cone", record);
   }
-  if (fit.target.luminaire) add("asymmetry", fit.asymmetry);
+  if (fit.target.luminaire) add("asymmetry", fit.target.asymmetry);
   return "{" + members + "\n  }";
 }
 

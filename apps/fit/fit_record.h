@@ -11,7 +11,7 @@ namespace litfog::fit {
 ///
 ///     {"range": {"status": "optimal",           or unproven, infeasible
 ///                "objective": 0.01,             sum of weight * (ln a - ln attenuation)^2
-///                "rms": 0.02, "largest_error": -0.05,           of ln a: 0.01 is 1 % too bright
+///                "rms": 0.02, "largest_error": -0.05,           of the attenuation: -0.05 is 5 % too dark
 ///                "active": ["extent"],          the constraints that hold C, L, Q where they are
 ///                "covariance": [[...], ...],    of constant, linear, quadratic, or "not identifiable"
 ///                "kkt_residual": 1e-12,         how far from the conditions of optimality

@@ -36,8 +36,7 @@ LightFit fit_light(LightTarget target, bool is_robust) {
   }
   if (target.luminaire) {
     const auto& distribution = target.luminaire->distribution;
-    fit.asymmetry = asymmetry(distribution, litfog::kPhotometricAxis);
-    const double cosine = dot(find_peak(distribution).direction, litfog::kPhotometricAxis);
+    const double cosine = dot(find_peak(distribution).direction, target.axis);
     fit.peak_angle = std::acos(std::clamp(cosine, -1.0, 1.0));
   }
   fit.target = std::move(target);
@@ -58,13 +57,13 @@ std::vector<std::string> LightFit::advice() const {
   if (range) {
     const auto& samples = target.range->samples;
     const bool is_measured = samples.size() > 3;
-    if (is_measured && !target.range->is_robust && range->rms > 0.01 &&
-        std::abs(range->largest_residual) > 3 * range->rms) {
+    if (is_measured && !target.range->is_robust && range->rms_error > 0.01 &&
+        std::abs(range->largest_error) > 3 * range->rms_error) {
       add("One sample is off by {:.3g} times the rms error: if it is an outlier, try --robust.",
-          std::abs(range->largest_residual) / range->rms);
-    } else if (range->rms > 0.1) {
+          std::abs(range->largest_error) / range->rms_error);
+    } else if (range->rms_error > 0.1) {
       add("The range fit is off by {:.2g} % (rms): no 1/(C + L r + Q r^2) falls as the table does.",
-          100 * std::expm1(range->rms));
+          100 * range->rms_error);
     }
     if (is_measured && !range->covariance) {
       add("The samples do not determine C, L and Q: other values fit as well.");
@@ -83,8 +82,7 @@ std::vector<std::string> LightFit::advice() const {
     const double edge = std::pow(std::cos(best.cone.half_angle), best.cone.exponent);
     if (edge > 0.01) {
       add("The cone ends at {:.3g} degrees with {:.2g} % of the peak, an edge that is visible in fog: half_angle_deg "
-          "moves "
-          "it.",
+          "moves it.",
           files::degrees(best.cone.half_angle), 100 * edge);
     }
   }
@@ -96,12 +94,12 @@ std::vector<std::string> LightFit::advice() const {
     add("The cone's flux is off by {:+.0f} %: no cone of this profile holds the beam's spill.", 100 * *best.flux_error);
   }
   if (best.rms > 0.05) add("Neither profile follows the beam well (rms error {:.2g} of the peak).", best.rms);
-  if (target.luminaire && asymmetry > 0.1) {
+  if (target.luminaire && target.asymmetry > kRoundBeam) {
     add("The beam is not rotationally symmetric: any cone loses {:.0f} % of it (rms). --cookie keeps its shape.",
-        100 * asymmetry);
+        100 * target.asymmetry);
   }
   if (target.luminaire && peak_angle > files::radians(5)) {
-    add("The beam's peak is {:.3g} degrees off the photometric axis, which is the cone's axis.",
+    add("The beam's peak is {:.3g} degrees off the cone's axis: --axis peak moves the axis there.",
         files::degrees(peak_angle));
   }
   return advice;

@@ -17,9 +17,7 @@ struct LightFit {
   std::optional<litfog::ConeFit> cone;          ///< without a target it is a point light
   litfog::Light light;
 
-  /// Beams of photometric files only.
-  double asymmetry = 0;                     ///< of the beam about the photometric axis, litfog/photometry
-  double peak_angle = 0;                    ///< radians from that axis to the largest intensity
+  double peak_angle = 0;                    ///< of a photometric file: radians from the axis to the largest intensity
   bool is_proven() const;                   ///< every fit is feasible, and shown to be the best
   std::vector<std::string> advice() const;  ///< what a light-spec author may want to know, a sentence each
 };

@@ -3,9 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <glm/geometric.hpp>
 
+#include "files/angle_deg.h"
 #include "litfog/files/light_spec_file.h"
 #include "litfog/input_error.h"
 
@@ -14,15 +17,58 @@ namespace {
 
 /// Illuminance at which a photometric file's light ends: 1 lx, as for the lights of data/lights.
 constexpr double kEndIlluminance = 1;
+constexpr double kHorizon = 1e-9;    // cosine from the photometric axis that is level within rounding
+constexpr double kNearAxis = 0.996;  // cosine of 5 degrees: a peak nearer to the axis does not move it
+constexpr double kAimed = 0.5;       // of it: about the peak of a beam that is aimed there
 
-std::vector<ConeSample> samples_of(const Luminaire& luminaire) {
-  return cone_samples(axial_profile(luminaire.distribution, kPhotometricAxis));
+struct MeasuredAxis {
+  glm::dvec3 axis;
+  double asymmetry;  ///< of the beam about it
+};
+
+MeasuredAxis best_axis(const IntensityDistribution& distribution, const glm::dvec3& peak) {
+  const double cosine = glm::dot(peak, kPhotometricAxis);
+  const glm::dvec3 axis = cosine < -kHorizon ? -kPhotometricAxis : kPhotometricAxis;
+  const double about_axis = asymmetry(distribution, axis);
+  if (about_axis <= kRoundBeam || std::abs(cosine) > kNearAxis) return {axis, about_axis};
+  const double about_peak = asymmetry(distribution, peak);
+  return about_peak < kAimed * about_axis ? MeasuredAxis{peak, about_peak} : MeasuredAxis{axis, about_axis};
 }
+
+MeasuredAxis axis_of(const IntensityDistribution& distribution, const AxisChoice& choice) {
+  const glm::dvec3 peak = find_peak(distribution).direction;
+  const auto measured = [&](const glm::dvec3& axis) { return MeasuredAxis{axis, asymmetry(distribution, axis)}; };
+  switch (choice.kind) {
+    case AxisChoice::Kind::best:
+      break;
+    case AxisChoice::Kind::peak:
+      return measured(peak);
+    case AxisChoice::Kind::down:
+      return measured(kPhotometricAxis);
+    case AxisChoice::Kind::up:
+      return measured(-kPhotometricAxis);
+    case AxisChoice::Kind::given:
+      return measured(direction_of(distribution.type, choice.horizontal, choice.vertical));
+  }
+  return best_axis(distribution, peak);
+}
+
+void set_axis(LightTarget& target, const AxisChoice& choice) {
+  const auto [axis, asymmetry] = axis_of(target.luminaire->distribution, choice);
+  target.axis = axis;
+  target.asymmetry = asymmetry;
+}
+
+std::vector<ConeSample> samples_of(const Luminaire& luminaire, const glm::dvec3& axis) {
+  return cone_samples(axial_profile(luminaire.distribution, axis));
+}
+
+double extent_of(double peak, double end_illuminance) { return std::sqrt(peak / end_illuminance); }
 
 /// What is wrong is shown as the file's, which has intensities and no extent.
 AttenuationTarget range_of(const Luminaire& luminaire) {
   const double peak = find_peak(luminaire.distribution).intensity;
-  AttenuationTarget target{.extent = std::sqrt(peak / kEndIlluminance)};
+  AttenuationTarget target{.extent = extent_of(peak, kEndIlluminance)};
   if (const auto error = check(target)) {
     throw InputError(luminaire.peak_location, "largest intensity", fmt::format("{:.6g}", peak),
                      "must give an extent: " + to_string(*error));
@@ -39,8 +85,9 @@ std::string sentence_on_range(const Luminaire& luminaire) {
       peak, std::sqrt(peak / kEndIlluminance));
 }
 
-std::string sentence_on_cone(const std::string& file) {
-  return fmt::format("Cone: fitted to {}, the mean over the turn about the photometric axis.", file);
+std::string sentence_on_cone(const std::string& file, const glm::dvec3& axis) {
+  const std::string words = axis == kPhotometricAxis ? "the photometric axis" : "an axis " + describe_axis(axis);
+  return fmt::format("Cone: fitted to {}, the mean over the turn about {}.", file, words);
 }
 
 /// What a fit does not take, at the value of the spec that it comes from.
@@ -76,15 +123,31 @@ ConeChoice choice_of(ConeSpec::Profile profile) {
   return ConeChoice::best;
 }
 
-AttenuationTarget range_of(const LightSpec& spec) {
+/// The extent of a range that states where the light ends by its illuminance, and a sentence on how it was derived.
+void derive_extent(const LightSpec& spec, LightTarget& target) {
   const RangeSpec& range = *spec.range;
-  AttenuationTarget target{.threshold = range.threshold, .extent = range.extent, .constant = range.constant};
+  if (!range.end_illuminance && !range.peak) return;
+  if (!range.peak && !target.luminaire) {
+    throw spec.error_at("range.peak_cd", "", "must be given, or illuminance or the cone's photometry, for end_lx");
+  }
+  const double peak = range.peak ? *range.peak : find_peak(target.luminaire->distribution).intensity;
+  const double end = range.end_illuminance.value_or(kEndIlluminance);
+  target.range->extent = extent_of(peak, end);
+  target.source.push_back(
+      fmt::format("Extent: sqrt({:.6g} cd / {:.6g} lx) = {:.6g} m, where the light gives {:.6g} lx.", peak, end,
+                  *target.range->extent, end));
+}
+
+void set_range(const LightSpec& spec, LightTarget& light) {
+  const RangeSpec& range = *spec.range;
+  AttenuationTarget& target = light.range.emplace(
+      AttenuationTarget{.threshold = range.threshold, .extent = range.extent, .constant = range.constant});
   for (const auto& sample : range.samples) {
     target.samples.push_back({.range = sample.range, .attenuation = sample.attenuation, .weight = sample.weight});
   }
   target.family = family_of(range.family);
+  derive_extent(spec, light);
   if (const auto error = check(target)) throw error_at(spec, "range", *error);
-  return target;
 }
 
 Luminaire read_luminaire_of(const LightSpec& spec) {
@@ -96,7 +159,7 @@ Luminaire read_luminaire_of(const LightSpec& spec) {
   }
 }
 
-ConeTarget cone_of(const LightSpec& spec, const std::optional<Luminaire>& luminaire) {
+ConeTarget cone_of(const LightSpec& spec) {
   const ConeSpec& cone = *spec.cone;
   ConeTarget target{.choice = choice_of(cone.profile),
                     .half_angle = cone.half_angle,
@@ -105,7 +168,6 @@ ConeTarget cone_of(const LightSpec& spec, const std::optional<Luminaire>& lumina
   for (const auto& sample : cone.samples) {
     target.samples.push_back({.angle = sample.angle, .intensity = sample.intensity, .weight = sample.weight});
   }
-  if (luminaire) target.samples = samples_of(*luminaire);
   return target;
 }
 
@@ -118,18 +180,26 @@ void expect_fittable(const LightSpec& spec, const ConeTarget& target) {
 
 }  // namespace
 
-LightTarget read_spec(const std::string& path, std::optional<ConeChoice> profile) {
+LightTarget read_spec(const std::string& path, const FitChoices& choices) {
   const LightSpec spec = read_light_spec(path);
   LightTarget target{.file = spec.file,
                      .name = spec.name,
                      .source = spec.source,
                      .color = spec.color,
                      .density_scale = spec.density_scale};
-  if (spec.range) target.range = range_of(spec);
+  if (spec.color_temperature) {
+    target.source.push_back(fmt::format("Color: {:.6g} K is {:.4g} {:.4g} {:.4g}, linear sRGB.",
+                                        *spec.color_temperature, spec.color.r, spec.color.g, spec.color.b));
+  }
+  if (spec.cone && spec.cone->photometry) target.luminaire = read_luminaire_of(spec);
+  if (spec.range) set_range(spec, target);
   if (spec.cone) {
-    if (spec.cone->photometry) target.luminaire = read_luminaire_of(spec);
-    target.cone = cone_of(spec, target.luminaire);
-    if (profile) target.cone->choice = *profile;
+    target.cone = cone_of(spec);
+    if (target.luminaire) {
+      set_axis(target, choices.axis);
+      target.cone->samples = samples_of(*target.luminaire, target.axis);
+    }
+    if (choices.profile) target.cone->choice = *choices.profile;
     expect_fittable(spec, *target.cone);
   }
   if (target.luminaire && !target.range) {
@@ -139,18 +209,27 @@ LightTarget read_spec(const std::string& path, std::optional<ConeChoice> profile
   return target;
 }
 
-LightTarget read_photometric_spec(const std::string& path, ConeChoice profile) {
+LightTarget read_photometric_spec(const std::string& path, const FitChoices& choices) {
   LightTarget target{.file = path, .name = std::filesystem::path(path).stem().string()};
   target.luminaire = read_luminaire(path);
   const Luminaire& luminaire = *target.luminaire;
+  set_axis(target, choices.axis);
   const std::string file = std::filesystem::path(path).filename().string();
   if (!luminaire.name.empty()) target.name = luminaire.name;
   target.source = {luminaire.manufacturer.empty() ? file : fmt::format("{}: {}", file, luminaire.manufacturer),
-                   sentence_on_range(luminaire), sentence_on_cone(file)};
+                   sentence_on_range(luminaire), sentence_on_cone(file, target.axis)};
   target.range = range_of(luminaire);
-  target.cone = ConeTarget{.choice = profile, .samples = samples_of(luminaire)};
+  target.cone =
+      ConeTarget{.choice = choices.profile.value_or(ConeChoice::best), .samples = samples_of(luminaire, target.axis)};
   if (const auto error = check(*target.cone)) throw InputError({.file = path}, to_string(*error));
   return target;
+}
+
+std::string describe_axis(const glm::dvec3& axis) {
+  if (axis == kPhotometricAxis) return "down, the photometric axis";
+  if (axis == -kPhotometricAxis) return "up, opposite to the photometric axis";
+  const double angle = std::acos(std::clamp(glm::dot(axis, kPhotometricAxis), -1.0, 1.0));
+  return fmt::format("{:.3g} deg from the photometric axis", files::degrees(angle));
 }
 
 }  // namespace litfog::fit

@@ -12,6 +12,29 @@
 
 namespace litfog::fit {
 
+/// Asymmetry up to which a beam is taken for a round one.
+inline constexpr double kRoundBeam = 0.1;
+
+/// Which direction of a luminaire is the axis of its light.
+struct AxisChoice {
+  enum class Kind {
+    best,   ///< down, or up where the peak lies above the horizon; the peak where a beam is aimed elsewhere
+    peak,   ///< the largest intensity
+    down,   ///< the photometric axis: the nadir in type C, H = V = 0 in types A and B
+    up,     ///< its opposite
+    given,  ///< horizontal and vertical
+  };
+  Kind kind = Kind::best;
+  double horizontal = 0;  ///< radians, in the file's own angles
+  double vertical = 0;
+};
+
+/// What the fit is asked for besides what the file states.
+struct FitChoices {
+  std::optional<ConeChoice> profile = std::nullopt;  ///< replaces the file's own
+  AxisChoice axis = {};
+};
+
 /// A light that is to be fitted, from a light-spec file (litfog/files/light_spec_file.h) or a photometric file.
 struct LightTarget {
   std::string file = {};
@@ -20,20 +43,24 @@ struct LightTarget {
   glm::dvec3 color{1.0};
   double density_scale = 1;
   std::optional<AttenuationTarget> range = std::nullopt;
-  /// With the luminaire's profile as its samples, if there is a luminaire.
+  /// With the luminaire's profile about the axis as its samples, if there is a luminaire.
   std::optional<ConeTarget> cone = std::nullopt;
   std::optional<Luminaire> luminaire = std::nullopt;
+  glm::dvec3 axis = kPhotometricAxis;  ///< of the light, in the luminaire frame; unit
+  double asymmetry = 0;                ///< of the luminaire's beam about that axis
 };
 
 /// Reads a light-spec file and the photometric file that it names. Throws InputError, also for what the fits do not
 /// take.
-///
-/// profile  replaces the file's own, if given
-LightTarget read_spec(const std::string& path, std::optional<ConeChoice> profile = std::nullopt);
+LightTarget read_spec(const std::string& path, const FitChoices& choices = {});
 
 /// Reads a photometric file: the beam about its axis, white, and an extent by illuminance: C = 1, L = 0, and the
 /// attenuation is the threshold where the peak intensity gives 1 lx. Throws InputError, also for what the fits do not
 /// take.
-LightTarget read_photometric_spec(const std::string& path, ConeChoice profile = ConeChoice::best);
+LightTarget read_photometric_spec(const std::string& path, const FitChoices& choices = {});
+
+/// An axis in words: "down, the photometric axis", "up, opposite to the photometric axis", "60 deg from the photometric
+/// axis".
+std::string describe_axis(const glm::dvec3& axis);
 
 }  // namespace litfog::fit

@@ -4,13 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "command/command.h"
+#include "command/number.h"
 #include "command/option_rule.h"
 #include "command/output_files.h"
 #include "command/plot.h"
@@ -19,11 +23,13 @@
 #include "files/angle_deg.h"
 #include "files/json_text.h"
 #include "files/whole_file.h"
+#include "fit/beam_data.h"
 #include "fit/data_sheet.h"
 #include "fit/fit_figure.h"
 #include "fit/fit_record.h"
 #include "fit/light_fit.h"
 #include "fit/light_target.h"
+#include "fit/verdict.h"
 #include "litfog/attenuation.h"
 #include "litfog/files/light_file.h"
 #include "litfog/input_error.h"
@@ -53,22 +59,35 @@ constexpr const char* kExplanation =
              "samples": [{"range_m": 100, "attenuation": 0.5}, {"range_m": 300, "attenuation": 0.1}]},
    "cone": {"beam_angle_deg": 11, "field_angle_deg": 22}}
 
-Range. extent_m is where the attenuation is to be the threshold (0.05 if not given) and is met exactly. constant fixes C.
-samples are a falloff table; the fit minimises sum weight * (ln a(r) - ln attenuation)^2 with C, L, Q >= 0. An extent
-alone is met by C = 1 and the family: quadratic (if not given), linear or mixed.
+Range. extent_m is where the attenuation is to be the threshold (0.05 if not given) and is met exactly. In its place
+peak_cd, or illuminance {"range_m", "lx"}, puts it where the light gives 1 lx, or end_lx: a number or night, twilight,
+day or bright day, which a pilot's eye just sees then. constant fixes C. samples are a falloff table; the fit minimises
+sum weight * (ln a(r) - ln attenuation)^2 with C, L, Q >= 0. An extent alone is met by C = 1 and the family: quadratic
+(if not given), linear or mixed.
 
 Cone. beam_angle_deg and field_angle_deg are the full angles at 50 % and 10 % of the peak; samples are angle_deg from the
 axis and intensity in any unit; half_angle_deg is where the light ends; photometry names an IES or EULUMDAT file in place
 of samples. The fit minimises sum weight * (cone - intensity/peak)^2. profile is cosine (cos^S u for u < H), smoothstep
 (inner to outer), or best: both are fitted and shown, the better one is the light's.
 
-A photometric file (IES LM-63 of any edition, EULUMDAT) is a light without a spec: its cone is fitted to the intensities
-at the file's own angles, each of weight 1, as the mean over the turn about the photometric axis; it is white; and it
-ends, at the threshold 0.05, where its peak gives 1 lx: C = 1, Q = (1/0.05 - 1) / (peak in cd / 1 lx). A spec with
-photometry and no range ends there, too. A beam that is not rotationally symmetric is reported with a measure of it,
-and --cookie keeps its shape as a cube map.
+Color. color is linear RGB; color_temperature_k may stand in its place.
 
-The optimum is the global one and is shown to be: the report has the bound below which nothing is.
+A photometric file (IES LM-63 of any edition, EULUMDAT) is a light without a spec: its cone is fitted to the intensities
+at the file's own angles, each of weight 1, as the mean over the turn about the axis; it is white; and it ends, at the
+threshold 0.05, where its peak gives 1 lx: C = 1, Q = (1/0.05 - 1) / (peak in cd / 1 lx). A spec with photometry and no
+range ends there, too. Angles that the file does not state are dark. The axis is the photometric one, down, or its
+opposite where the peak lies above the horizon, or the peak of a beam aimed elsewhere; --axis moves it. A beam that is
+not rotationally symmetric is reported with a measure of it, and --cookie keeps its shape as a cube map.
+
+The optimum is the global one and is shown to be: the report has the bound below which nothing is. The best light may
+still be a bad one; the verdict says how well it follows the data. Its largest errors are
+                                        good    fair, else it is poor
+  attenuation, rms, and largest      5, 15 %    20, 50 %
+  cone, rms, of the peak                 5 %    10 %
+  flux                                  10 %    33 %
+  angle at 50 %                         10 %    25 %
+  angle at 10 %                         15 %    40 %
+  asymmetry of the beam                 0.15    0.4
 
 Examples:
   litfog-fit landing-lamp.json                                the report
@@ -77,13 +96,13 @@ Examples:
   litfog-fit specs/*.json lamps/*.ldt -o lights               a light each, and a table of all
 
 Exit status: 0 done; 1 wrong command line; 2 bad input, named file:line:column on standard error; 3 --plot without
-gnuplot; 4 output cannot be written; 5 a target that cannot be met, or an optimum that could not be shown: the best light
-is written. Of several inputs the worst.)";
+gnuplot; 4 output cannot be written; 5 a poor light, a target that cannot be met, or an optimum that could not be shown:
+the best light is written. Of several inputs the worst.)";
 
 struct Options {
   std::vector<std::string> inputs;
   std::string output;
-  std::optional<ConeChoice> profile;
+  FitChoices choices;
   bool is_robust = false;
   std::string plot;
   std::string cookie;
@@ -98,8 +117,9 @@ struct Outcome {
   std::string output;  ///< empty for none
   std::optional<LightTarget> target;
   std::optional<LightFit> fit;
-  std::string light;   ///< text of its file
-  std::string reason;  ///< why there is none
+  std::optional<Verdict> verdict;  ///< of the fit
+  std::string light;               ///< text of its file
+  std::string reason;              ///< why there is none
   ExitStatus status = kDone;
 };
 
@@ -133,7 +153,11 @@ std::vector<OptionRule> rules_of(const std::vector<Outcome>& outcomes) {
           {inputs,
            has_none([](const LightTarget& target) { return target.cone.has_value(); }),
            {"--profile"},
-           "there is no cone to fit"}};
+           "there is no cone to fit"},
+          {inputs,
+           has_none([](const LightTarget& target) { return target.luminaire.has_value(); }),
+           {"--axis"},
+           "there is no photometric file"}};
 }
 
 /// Where each input's light goes.
@@ -143,14 +167,19 @@ std::vector<Outcome> plan(const Options& options) {
   if (options.inputs.size() > 1 && !options.output.empty() && !is_folder) {
     fail_option("-o", options.output, "must be a folder for several inputs");
   }
+  std::map<fs::path, std::set<fs::path>> names_of_stem;
+  for (const std::string& input : options.inputs) {
+    names_of_stem[fs::path(input).stem()].insert(fs::path(input).filename());
+  }
   std::vector<Outcome> outcomes;
   for (const std::string& input : options.inputs) {
     if (input.empty()) fail_option("input", input, "must not be empty");
     Outcome& outcome = outcomes.emplace_back();
     outcome.input = input;
     if (options.output.empty()) continue;
-    outcome.output =
-        is_folder ? (fs::path(options.output) / fs::path(input).stem()).string() + ".json" : options.output;
+    const fs::path path(input);  // lamp.ies beside lamp.ldt: lamp.ies.json
+    const fs::path name = names_of_stem[path.stem()].size() > 1 ? path.filename() : path.stem();
+    outcome.output = is_folder ? (fs::path(options.output) / name).string() + ".json" : options.output;
   }
   return outcomes;
 }
@@ -167,9 +196,8 @@ OutputFiles outputs_of(const Options& options, const std::vector<Outcome>& outco
 }
 
 void read(const Options& options, Outcome& outcome) try {
-  LightTarget target = is_spec(outcome.input)
-                           ? read_spec(outcome.input, options.profile)
-                           : read_photometric_spec(outcome.input, options.profile.value_or(ConeChoice::best));
+  LightTarget target = is_spec(outcome.input) ? read_spec(outcome.input, options.choices)
+                                              : read_photometric_spec(outcome.input, options.choices);
   if (!options.cookie.empty() && !target.luminaire) {
     throw litfog::InputError({.file = outcome.input}, "cone.photometry", "", "must be given for a cookie");
   }
@@ -191,7 +219,8 @@ void fit(const Options& options, Outcome& outcome) {
   outcome.fit = fit_light(std::move(*outcome.target), options.is_robust);
   outcome.light = litfog::format_light(outcome.fit->light, outcome.fit->target.source,
                                        fit_record(*outcome.fit, !options.is_reproducible));
-  if (!outcome.fit->is_proven()) outcome.status = kNotToTolerance;
+  outcome.verdict = judge(*outcome.fit);
+  if (!outcome.fit->is_proven() || outcome.verdict->grade == Grade::poor) outcome.status = kNotToTolerance;
 }
 
 void write(const Options& options, const Outcome& outcome, std::optional<FigureFormat> figure_format) {
@@ -200,8 +229,9 @@ void write(const Options& options, const Outcome& outcome, std::optional<FigureF
   if (!outcome.output.empty()) litfog::files::write_whole_file(outcome.output, outcome.light);
   if (figure_format) litfog::files::write_whole_file(options.plot, figure);
   if (!options.cookie.empty()) {
-    const auto& distribution = outcome.fit->target.luminaire->distribution;
-    litfog::files::write_whole_file(options.cookie, format_cookie(bake_cookie(distribution, options.cookie_size)));
+    const LightTarget& target = outcome.fit->target;
+    const auto cookie = bake_cookie(target.luminaire->distribution, options.cookie_size, target.axis);
+    litfog::files::write_whole_file(options.cookie, format_cookie(cookie));
   }
 }
 
@@ -223,6 +253,18 @@ void report_shortfall(const Outcome& outcome) {
     fmt::print(stderr, "{}: cone: unproven: its objective is {:.6g}, another may have {:.6g}\n", outcome.input,
                fit.cone->best().objective, fit.cone->best().lower_bound);
   }
+  if (fit.is_proven()) fmt::print(stderr, "{}: poor: {}\n", outcome.input, outcome.verdict->why);
+}
+
+std::string json_of(const BeamData& beam) {
+  const auto number = [](const std::optional<double>& value) { return value ? fmt::format("{}", *value) : "null"; };
+  const auto angles = [](const std::vector<double>& radians) -> std::string {
+    if (radians.empty()) return "null";
+    if (radians.size() == 1) return fmt::format("{}", litfog::files::degrees(radians[0]));
+    return fmt::format("[{}, {}]", litfog::files::degrees(radians[0]), litfog::files::degrees(radians[1]));
+  };
+  return fmt::format(R"({{"peak_cd": {}, "flux_lm": {}, "beam_angle_deg": {}, "field_angle_deg": {}}})",
+                     number(beam.peak), number(beam.flux), angles(beam.beam_angle), angles(beam.field_angle));
 }
 
 std::string json_of(const Outcome& outcome) {
@@ -231,11 +273,18 @@ std::string json_of(const Outcome& outcome) {
     for (const std::string& sentence : outcome.fit->advice())
       advice += (advice.empty() ? "" : ", ") + litfog::files::json_quoted(sentence);
   }
-  std::string text =
-      fmt::format("{{\"input\": {}, \"output\": {}, \"status\": \"{}\", \"reason\": {},\n\"advice\": [{}],\n",
-                  litfog::files::json_quoted(outcome.input),
-                  outcome.output.empty() ? "null" : litfog::files::json_quoted(outcome.output), status_of(outcome),
-                  outcome.reason.empty() ? "null" : litfog::files::json_quoted(outcome.reason), advice);
+  const auto text_or_null = [](const std::string& value) {
+    return value.empty() ? "null" : litfog::files::json_quoted(value);
+  };
+  const bool has_axis = outcome.fit && outcome.fit->target.luminaire;
+  std::string text = fmt::format(
+      "{{\"input\": {}, \"output\": {}, \"status\": \"{}\", \"reason\": {},\n\"verdict\": {}, \"why\": {},\n"
+      "\"beam\": {},\n\"axis\": {},\n\"advice\": [{}],\n",
+      litfog::files::json_quoted(outcome.input), text_or_null(outcome.output), status_of(outcome),
+      text_or_null(outcome.reason), text_or_null(outcome.verdict ? name_of(outcome.verdict->grade) : ""),
+      text_or_null(outcome.verdict ? outcome.verdict->why : ""),
+      outcome.fit ? json_of(beam_data(*outcome.fit)) : "null",
+      text_or_null(has_axis ? describe_axis(outcome.fit->target.axis) : ""), advice);
   text += "\"light\": " + (outcome.fit ? outcome.light : std::string("null"));
   while (text.ends_with('\n')) text.pop_back();
   return text + "}";
@@ -243,7 +292,7 @@ std::string json_of(const Outcome& outcome) {
 
 Table summary_of(const std::vector<Outcome>& outcomes) {
   Table table{.columns = {"input", "extent_m", "constant", "linear", "quadratic", "cone", "first", "second", "rms_%",
-                          "status"}};
+                          "verdict", "status"}};
   for (const Outcome& outcome : outcomes) {
     auto& row = table.rows.emplace_back();
     row.emplace_back(outcome.input);
@@ -268,7 +317,12 @@ Table summary_of(const std::vector<Outcome>& outcomes) {
           break;
       }
     }
-    row.resize(table.columns.size() - 1, std::monostate());
+    row.resize(table.columns.size() - 2, std::monostate());
+    if (outcome.verdict) {
+      row.emplace_back(name_of(outcome.verdict->grade));
+    } else {
+      row.emplace_back(std::monostate());
+    }
     row.emplace_back(status_of(outcome));
   }
   return table;
@@ -320,6 +374,34 @@ ExitStatus run(const CLI::App& app, const Options& options) {
   return worst;
 }
 
+CLI::Option* add_axis(CLI::App& app, AxisChoice& choice) {
+  using Kind = AxisChoice::Kind;
+  const auto parse = [&choice](const CLI::results_t& values) {
+    const std::string& text = values.front();
+    for (const auto& [word, kind] : {std::pair{"peak", Kind::peak}, {"down", Kind::down}, {"up", Kind::up}}) {
+      if (text != word) continue;
+      choice = {kind};
+      return true;
+    }
+    const std::size_t comma = std::min(text.find(','), text.size());
+    const auto angle = [&](std::string_view part) {
+      const auto number = parse_number(part);
+      if (!number || !(std::abs(*number) <= 360)) {
+        fail_option("--axis", text, "must be peak, down, up or two angles H,V in degrees");
+      }
+      return litfog::files::radians(*number);
+    };
+    const std::string_view view = text;
+    choice = {Kind::given, angle(view.substr(0, comma)), angle(view.substr(std::min(comma + 1, view.size())))};
+    return true;
+  };
+  return app
+      .add_option("--axis", parse,
+                  "Axis of a photometric file's cone and cookie: the peak, the photometric axis, its opposite, or a "
+                  "direction in the file's angles")
+      ->type_name("peak|down|up|H,V");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -348,6 +430,7 @@ int main(int argc, char** argv) {
       ->needs(cookie);
   app.add_flag("--reproducible", options.is_reproducible,
                "Leave the time out of the light's \"fit\": same input, same file");
+  add_axis(app, options.choices.axis);
   add_choice<TableFormat>(app, "--format", options.format, {{"text", TableFormat::text}, {"json", TableFormat::json}},
                           "Report's format, text if not given");
   return run_command(app, argc, argv, [&] {
@@ -355,7 +438,7 @@ int main(int argc, char** argv) {
          {std::pair{"-o", &options.output}, {"--plot", &options.plot}, {"--cookie", &options.cookie}}) {
       if (app.count(option) > 0 && value->empty()) fail_option(option, "", "must not be empty");
     }
-    if (app.count("--profile") > 0) options.profile = profile;
+    if (app.count("--profile") > 0) options.choices.profile = profile;
     const bool shows_no_record = options.output.empty() && options.format == TableFormat::text;
     check_options(
         app, {{"several inputs", options.inputs.size() > 1, {"--plot", "--cookie"}, "it shows a single light"},

@@ -20,6 +20,9 @@ Light parse_light(const JsonValue& value);
 
 /// The members that files of lights and of their specs begin with, for json_object().
 std::vector<std::string> first_members(std::string_view kind, std::string_view name,
-                                       const std::vector<std::string>& source, const glm::dvec3& color);
+                                       const std::vector<std::string>& source);
+
+/// The member "color".
+std::string color_member(const glm::dvec3& color);
 
 }  // namespace litfog::files

@@ -15,6 +15,7 @@
 #include "files/json_text.h"
 #include "files/light_json.h"
 #include "files/whole_file.h"
+#include "litfog/color_temperature.h"
 #include "litfog/light.h"
 
 namespace litfog {
@@ -26,8 +27,8 @@ struct LightSpecText {
 namespace files {
 namespace {
 
-template <typename Choice>
-using Choices = std::array<std::pair<std::string_view, Choice>, 3>;
+template <typename Choice, std::size_t Count = 3>
+using Choices = std::array<std::pair<std::string_view, Choice>, Count>;
 
 constexpr Choices<RangeSpec::Family> kFamilies{{{"quadratic", RangeSpec::Family::quadratic},
                                                 {"linear", RangeSpec::Family::linear},
@@ -36,8 +37,12 @@ constexpr Choices<ConeSpec::Profile> kProfiles{{{"best", ConeSpec::Profile::best
                                                 {"cosine", ConeSpec::Profile::cosine},
                                                 {"smoothstep", ConeSpec::Profile::smoothstep}}};
 
-template <typename Choice>
-Choice choice_of(const JsonValue& value, const Choices<Choice>& choices) {
+/// Illuminance of the eye at which a light is just seen, by the background's luminance: ICAO Annex 3, attachment D.
+constexpr Choices<double, 4> kVisualThresholds{
+    {{"night", 8e-7}, {"twilight", 1e-5}, {"day", 1e-4}, {"bright day", 1e-3}}};
+
+template <typename Choice, std::size_t Count>
+Choice choice_of(const JsonValue& value, const Choices<Choice, Count>& choices) {
   std::string words;
   for (const auto& [word, choice] : choices) {
     if (value.string() == word) return choice;
@@ -56,11 +61,34 @@ std::optional<double> angle_of(const JsonValue& value, std::string_view name) {
   return degrees ? std::optional(radians(*degrees)) : std::nullopt;
 }
 
+double positive_number(const JsonValue& value) {
+  if (!(value.number() > 0)) value.fail("must be > 0");
+  return value.number();
+}
+
+void parse_end(const JsonValue& value, RangeSpec& range) {
+  const auto end = value.optional("end_lx");
+  const auto peak = value.optional("peak_cd");
+  const auto illuminance = value.optional("illuminance");
+  if (range.extent && (end || peak || illuminance)) {
+    value.member("extent_m").fail("must not be given beside end_lx, peak_cd or illuminance");
+  }
+  if (end) range.end_illuminance = end->is_string() ? choice_of(*end, kVisualThresholds) : positive_number(*end);
+  if (peak) range.peak = positive_number(*peak);
+  if (illuminance) {
+    if (peak) illuminance->fail("must not be given beside peak_cd");
+    illuminance->allow_only({"range_m", "lx"});
+    const double metres = positive_number(illuminance->member("range_m"));
+    range.peak = positive_number(illuminance->member("lx")) * metres * metres;
+  }
+}
+
 RangeSpec parse_range(const JsonValue& value) {
-  value.allow_only({"threshold", "extent_m", "constant", "family", "samples"});
+  value.allow_only({"threshold", "extent_m", "end_lx", "peak_cd", "illuminance", "constant", "family", "samples"});
   RangeSpec range;
   range.threshold = value.number_or("threshold", range.threshold);
   range.extent = number_of(value, "extent_m");
+  parse_end(value, range);
   range.constant = number_of(value, "constant");
   if (const auto samples = value.optional("samples")) {
     for (const JsonValue& sample : samples->items()) {
@@ -99,14 +127,25 @@ ConeSpec parse_cone(const JsonValue& value) {
 
 LightSpec parse_spec(const JsonValue& root) {
   expect_header(root, "light-spec", 1);
-  root.allow_only({"litfog", "version", "name", "source", "color", "density_scale", "range", "cone"});
+  root.allow_only(
+      {"litfog", "version", "name", "source", "color", "color_temperature_k", "density_scale", "range", "cone"});
   LightSpec spec{.file = root.file(), .name = std::filesystem::path(root.file()).stem().string()};
   if (const auto name = root.optional("name")) spec.name = name->string();
   if (const auto source = root.optional("source")) {
     const auto lines = source->is_array() ? source->items() : std::vector{*source};
     for (const JsonValue& line : lines) spec.source.push_back(line.string());
   }
-  if (const auto color = root.optional("color")) spec.color = color->vec3();
+  const auto color = root.optional("color");
+  if (color) spec.color = color->vec3();
+  if (const auto temperature = root.optional("color_temperature_k")) {
+    if (color) temperature->fail("must not be given beside color");
+    const double kelvin = temperature->number();
+    if (!(kelvin >= kLeastColorTemperature && kelvin <= kMostColorTemperature)) {
+      temperature->fail(fmt::format("must be in [{}, {}]", kLeastColorTemperature, kMostColorTemperature));
+    }
+    spec.color_temperature = kelvin;
+    spec.color = color_of_temperature(kelvin);
+  }
   spec.density_scale = root.number_or("density_scale", spec.density_scale);
   Light light;
   light.color = spec.color;
@@ -149,6 +188,8 @@ std::string range_json(const RangeSpec& range) {
   std::vector<std::string> members;
   add_number(members, "threshold", range.threshold);
   add_number(members, "extent_m", range.extent);
+  add_number(members, "end_lx", range.end_illuminance);
+  add_number(members, "peak_cd", range.peak);
   add_number(members, "constant", range.constant);
   if (range.samples.empty()) members.push_back("\"family\": " + choice_json(range.family, kFamilies));
   std::vector<std::string> samples;
@@ -247,7 +288,12 @@ InputError LightSpec::error_at(std::string_view field, std::string_view value, s
 LightSpec read_light_spec(const std::string& path) { return files::parse_spec(files::read_json(path)); }
 
 std::string format_light_spec(const LightSpec& spec) {
-  std::vector<std::string> members = files::first_members("light-spec", spec.name, spec.source, spec.color);
+  std::vector<std::string> members = files::first_members("light-spec", spec.name, spec.source);
+  if (spec.color_temperature) {
+    files::add_number(members, "color_temperature_k", spec.color_temperature);
+  } else {
+    members.push_back(files::color_member(spec.color));
+  }
   if (spec.density_scale != 1) files::add_number(members, "density_scale", spec.density_scale);
   const std::filesystem::path folder = std::filesystem::path(spec.file).parent_path();
   if (spec.range) members.push_back("\"range\": " + files::range_json(*spec.range));

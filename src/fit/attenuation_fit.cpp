@@ -5,6 +5,7 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 
 #include "fit/attenuation_reach.h"
@@ -22,6 +23,8 @@ constexpr double kLargestFactor = 1e100;
 
 /// Samples out of reach by less than this are left to the fit: figures are seldom given to more digits.
 constexpr double kReading = 1e-3;
+
+constexpr std::size_t kMostDescribed = 3;  // samples out of reach: a sentence, not a table
 
 bool is_within(double x, double low, double high) { return x >= low && x <= high; }
 
@@ -134,16 +137,18 @@ void fill_in_residuals(const AttenuationTarget& target, AttenuationFit& fit, con
     const double residual = std::log(attenuation_at(fit.attenuation, range) / attenuation);
     fit.residuals.push_back(residual);
     if (weight == 0) continue;
+    const double error = std::expm1(residual);
     fit.objective += weight * loss.value(residual);
-    squares += weight * residual * residual;
+    squares += weight * error * error;
     weights += weight;
-    fit.largest_residual = std::max(fit.largest_residual, std::abs(residual));
+    if (std::abs(error) > std::abs(fit.largest_error)) fit.largest_error = error;
   }
-  fit.rms = weights > 0 ? std::sqrt(squares / weights) : 0;
+  fit.rms_error = weights > 0 ? std::sqrt(squares / weights) : 0;
 }
 
-/// The samples that no attenuation with the target's extent and constant meets, in words. A table's error
-/// against its own best attenuation is no contradiction.
+/// The samples that no attenuation with the target's extent and constant meets, in words: those farthest out of reach
+/// by increasing range, and the number of the others. A table's error against its own best attenuation is no
+/// contradiction.
 std::string describe_out_of_reach(const AttenuationTarget& target, const Scaled& scaled) {
   const auto distance = [&](const AttenuationSample& sample) {
     return sample.weight > 0 ? distance_from_reach(target, sample) : 0;
@@ -158,22 +163,33 @@ std::string describe_out_of_reach(const AttenuationTarget& target, const Scaled&
   const FalloffMinimum own = free.samples.size() > 1 ? minimise(free).minimum : FalloffMinimum{};
   const double spare = std::max(1.0, double(free.samples.size()) - 3);
   const double scatter = std::sqrt(own.objective / free.weight_sum() * double(free.samples.size()) / spare);
-  std::string text;
-  for (const AttenuationSample& sample : target.samples) {
+  std::vector<std::size_t> beyond;
+  for (std::size_t i = 0; i < target.samples.size(); ++i) {
+    const AttenuationSample& sample = target.samples[i];
     const long double y = -std::log(static_cast<long double>(sample.attenuation));
     const double off = free.samples.size() > 1
                            ? std::abs(free.residual(own.coefficients, {sample.range / scaled.unit, y, sample.weight}))
                            : 0;
-    if (distance(sample) > std::max(kReading, 3 * std::max(scatter, off))) {
-      text += (text.empty() ? "" : "; ") + describe_reach(target, sample);
-    }
+    if (distance(sample) > std::max(kReading, 3 * std::max(scatter, off))) beyond.push_back(i);
+  }
+  const std::size_t shown = std::min(beyond.size(), kMostDescribed);
+  std::ranges::partial_sort(beyond, beyond.begin() + std::ptrdiff_t(shown), std::greater(),
+                            [&](std::size_t i) { return distance(target.samples[i]); });
+  std::sort(beyond.begin(), beyond.begin() + std::ptrdiff_t(shown));
+  std::string text;
+  for (std::size_t i = 0; i < shown; ++i) {
+    text += (i > 0 ? "; " : "") + describe_reach(target, target.samples[beyond[i]]);
+  }
+  if (shown < beyond.size()) {
+    text += "; " + std::to_string(beyond.size() - shown) + " more of the " + std::to_string(target.samples.size()) +
+            " samples cannot be reached";
   }
   return text;
 }
 
 std::string format_percent(double fraction) {
   std::array<char, 32> text;
-  const double percent = fraction < 1e-11 ? 0 : 100 * fraction;
+  const double percent = std::abs(fraction) < 1e-11 ? 0 : 100 * fraction;
   const auto end = std::to_chars(text.data(), text.data() + text.size(), percent, std::chars_format::general, 3).ptr;
   return std::string(text.data(), end) + " %";
 }
@@ -222,7 +238,7 @@ void fit_samples(const AttenuationTarget& target, AttenuationFit& fit) {
   fit.sentence = found.is_proven ? "no better attenuation exists"
                                  : "the best attenuation found; the search ended before it could rule out a better one";
   fit.sentence +=
-      ": off by " + format_percent(fit.rms) + " (rms), " + format_percent(fit.largest_residual) + " at most";
+      ": off by " + format_percent(fit.rms_error) + " (rms), " + format_percent(fit.largest_error) + " at most";
 }
 
 }  // namespace

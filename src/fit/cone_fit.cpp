@@ -47,16 +47,18 @@ ConeProfileFit fit_cosine(const std::vector<ConePoint>& points, const ConeTarget
     return std::array{lit > 0 ? points[lit - 1].angle : 0,
                       lit < points.size() ? std::min(points[lit].angle, pi / 2) : pi / 2};
   };
-  std::array<double, 2> range = range_of(optimum.best.lit);
   double half_angle = angle_at_level(Cone::cosine(pi / 2, exponent), kInvisible);
-  const std::size_t lit = profile.lit_within(half_angle);
+  std::array<double, 2> range;
   if (target.half_angle) {
     half_angle = *target.half_angle;
     range = {half_angle, half_angle};
-  } else if (profile.objective_of(exponent, lit) <= std::max(exact, (1 + kEdgeCost) * optimum.best.objective)) {
-    range = range_of(lit);
   } else {
-    half_angle = (range[0] + range[1]) / 2;
+    // Every lit sample out to the end of a faint spill lowers the objective, be it by nothing that counts.
+    const std::size_t invisible = profile.lit_within(half_angle);
+    const double limit = std::max(exact, (1 + kEdgeCost) * optimum.best.objective);
+    const std::size_t lit = profile.first_cut(exponent, invisible, limit).value_or(optimum.best.lit);
+    range = range_of(lit);
+    if (lit != invisible) half_angle = (range[0] + range[1]) / 2;
   }
   ConeProfileFit fit = assess(Cone::cosine(half_angle, exponent), points, target);
   fill_in_proof(optimum, exact, fit);

@@ -96,10 +96,16 @@ std::size_t CosineProfile::lit_within(double angle) const {
       std::count_if(points_.begin(), points_.end(), [cosine](const ConePoint& p) { return p.cosine > cosine; }));
 }
 
-double CosineProfile::objective_of(double exponent, std::size_t lit) const {
-  double sum = dark_losses_[lit];
-  for (std::size_t i = 0; i < lit; ++i) sum += points_[i].loss(std::pow(points_[i].cosine, exponent));
-  return sum;
+std::optional<std::size_t> CosineProfile::first_cut(double exponent, std::size_t least_lit, double limit) const {
+  const std::size_t last = std::max(least_lit, best_cut(exponent, exponent).first);
+  double lit_loss = 0;
+  std::size_t lit = 0;
+  for (const std::size_t cut : cuts_) {
+    if (cut > last) break;
+    for (; lit < cut; ++lit) lit_loss += points_[lit].loss(std::pow(points_[lit].cosine, exponent));
+    if (cut >= least_lit && lit_loss + dark_losses_[cut] <= limit) return cut;
+  }
+  return std::nullopt;
 }
 
 std::pair<std::size_t, double> CosineProfile::best_cut(double most_exponent, double least_exponent) const {

@@ -31,7 +31,9 @@ class CosineProfile {
 
   /// How many points are inside an angle.
   std::size_t lit_within(double angle) const;
-  double objective_of(double exponent, std::size_t lit) const;
+  /// The least number of lit points from `least_lit` to that which is best for the exponent whose objective is within a
+  /// limit.
+  std::optional<std::size_t> first_cut(double exponent, std::size_t least_lit, double limit) const;
 
  private:
   bool is_exponent_seen(std::size_t lit) const { return lit > 0 && points_[lit - 1].cosine < 1; }

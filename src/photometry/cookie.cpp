@@ -48,9 +48,11 @@ Cookie make_cookie(int size, const std::function<double(const glm::dvec3& direct
   return cookie;
 }
 
-Cookie bake_cookie(const IntensityDistribution& distribution, int size) {
+Cookie bake_cookie(const IntensityDistribution& distribution, int size, const glm::dvec3& axis) {
   const double peak = find_peak(distribution).intensity;
-  return make_cookie(size, [&](const glm::dvec3& direction) { return intensity_at(distribution, direction) / peak; });
+  return make_cookie(size, [&, rotation = luminaire_from_light(axis)](const glm::dvec3& direction) {
+    return intensity_at(distribution, rotation * direction) / peak;
+  });
 }
 
 double cookie_at(const Cookie& cookie, const glm::dvec3& direction) {

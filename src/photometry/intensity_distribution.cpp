@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <numeric>
 #include <span>
 
 #include "require.h"
@@ -18,6 +19,7 @@ constexpr double kTolerance = 1e-9;       // radians: a direction at the last me
 constexpr double kMaxIntensity = 1e30;    // candela: squares and sums stay finite
 constexpr int kTurnSteps = 720;           // directions of a circle about an axis
 constexpr int kAxialStepsPerTurn = 1440;  // a quarter degree from an axis
+constexpr double kEdge = pi / 18000;      // 0.01 degrees: from the last measured angle to the dark beyond it
 
 double sum_of(const glm::dvec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
@@ -39,20 +41,6 @@ PhotometricAngles angles_of(PhotometryType type, const glm::dvec3& direction) {
       break;
   }
   return {std::atan2(y, x), std::atan2(std::hypot(x, y), -z)};
-}
-
-glm::dvec3 direction_of(PhotometryType type, double horizontal, double vertical) {
-  const double sin_h = std::sin(horizontal), cos_h = std::cos(horizontal);
-  const double sin_v = std::sin(vertical), cos_v = std::cos(vertical);
-  switch (type) {
-    case PhotometryType::a:
-      return {cos_v * sin_h, sin_v, -cos_v * cos_h};
-    case PhotometryType::b:
-      return {sin_h, cos_h * sin_v, -cos_h * cos_v};
-    case PhotometryType::c:
-      break;
-  }
-  return {sin_v * cos_h, sin_v * sin_h, -cos_v};
 }
 
 /// The number of measured parts in a whole turn: 1, 2 or 4.
@@ -87,6 +75,17 @@ std::optional<Bracket> locate(std::span<const double> angles, double angle) {
   return Bracket{high - 1, high, std::clamp(fraction, 0.0, 1.0)};
 }
 
+/// The mean over a turn of type C of what is linear between its planes.
+template <typename InPlane>
+double mean_over_turn(std::span<const double> turn, const InPlane& in_plane) {
+  if (turn.size() == 1) return in_plane(0);
+  double sum = 0;
+  for (std::size_t i = 1; i < turn.size(); ++i) {
+    sum += (turn[i] - turn[i - 1]) * std::midpoint(in_plane(i - 1), in_plane(i));
+  }
+  return sum / (turn.back() - turn.front());
+}
+
 // --- integration ---
 
 /// Weights of the trapezoidal rule: the integral of what is linear between the angles.
@@ -117,17 +116,13 @@ std::vector<double> polar_weights(std::span<const double> angles, double pole) {
 
 // --- circles about an axis ---
 
-/// Directions by the angle from an axis and the turn about it, which starts to the right: +x for the photometric axis.
-class AxisFrame {
+/// Directions by the angle from an axis and the turn about it, which starts at the light's +x.
+class AxisCircles {
  public:
-  explicit AxisFrame(const glm::dvec3& axis) : axis_(glm::normalize(axis / sum_of(axis))) {
-    const bool is_upright = std::abs(axis_.y) > 1 - 1e-12;
-    right_ = glm::normalize(glm::cross(axis_, is_upright ? glm::dvec3{0, 0, 1} : glm::dvec3{0, 1, 0}));
-    up_ = glm::cross(right_, axis_);
-  }
+  explicit AxisCircles(const glm::dvec3& axis) : luminaire_from_light_(luminaire_from_light(axis)) {}
 
   glm::dvec3 direction(double angle, double turn) const {
-    return axis_ * std::cos(angle) + (right_ * std::cos(turn) + up_ * std::sin(turn)) * std::sin(angle);
+    return luminaire_from_light_ * direction_of(PhotometryType::c, turn, angle);
   }
 
   std::array<double, kTurnSteps> circle(const IntensityDistribution& distribution, double angle) const {
@@ -139,7 +134,7 @@ class AxisFrame {
   }
 
  private:
-  glm::dvec3 axis_, right_, up_;
+  glm::dmat3 luminaire_from_light_;
 };
 
 double mean_of(std::span<const double> values) {
@@ -148,9 +143,43 @@ double mean_of(std::span<const double> values) {
   return sum / double(values.size());
 }
 
+/// Appends angles from the last one to pi in the last step; where the last one is lit, the dark begins beside it.
+void extend_to_pi(std::vector<double>& angles, bool is_last_lit) {
+  const double last = angles.back();
+  const double step = last - angles.rbegin()[1];
+  if (is_last_lit && last + kEdge < pi) angles.push_back(last + kEdge);
+  for (int i = 1; last + i * step < pi - step / 2; ++i) {
+    if (last + i * step > angles.back()) angles.push_back(last + i * step);
+  }
+  if (angles.back() < pi) angles.push_back(pi);
+}
+
+std::vector<double> supplements(std::vector<double> angles) {
+  std::ranges::reverse(angles);
+  for (double& angle : angles) angle = pi - angle;
+  return angles;
+}
+
+bool is_lit(const IntensityDistribution& distribution, std::size_t vertical) {
+  const std::size_t rows = distribution.vertical.size();
+  for (std::size_t h = 0; h < distribution.horizontal.size(); ++h) {
+    if (distribution.intensity[h * rows + vertical] > 0) return true;
+  }
+  return false;
+}
+
 std::vector<double> profile_angles(const IntensityDistribution& distribution, const glm::dvec3& axis) {
-  if (distribution.type == PhotometryType::c && axis == kPhotometricAxis) return distribution.vertical;
   std::vector<double> angles;
+  if (distribution.type == PhotometryType::c && (axis == kPhotometricAxis || axis == -kPhotometricAxis)) {
+    angles = distribution.vertical;
+    extend_to_pi(angles, is_lit(distribution, angles.size() - 1));
+    if (angles.front() > 0) {
+      angles = supplements(angles);
+      extend_to_pi(angles, is_lit(distribution, 0));
+      angles = supplements(angles);
+    }
+    return axis == kPhotometricAxis ? angles : supplements(angles);
+  }
   for (int i = 0; i <= kAxialStepsPerTurn / 2; ++i) angles.push_back(2 * pi * i / kAxialStepsPerTurn);
   return angles;
 }
@@ -186,13 +215,35 @@ void require_axis(const glm::dvec3& axis) {
 
 }  // namespace
 
+glm::dvec3 direction_of(PhotometryType type, double horizontal, double vertical) {
+  const double sin_h = std::sin(horizontal), cos_h = std::cos(horizontal);
+  const double sin_v = std::sin(vertical), cos_v = std::cos(vertical);
+  switch (type) {
+    case PhotometryType::a:
+      return {cos_v * sin_h, sin_v, -cos_v * cos_h};
+    case PhotometryType::b:
+      return {sin_h, cos_h * sin_v, -cos_h * cos_v};
+    case PhotometryType::c:
+      break;
+  }
+  return {sin_v * cos_h, sin_v * sin_h, -cos_v};
+}
+
+glm::dmat3 luminaire_from_light(const glm::dvec3& axis) {
+  require_axis(axis);
+  const glm::dvec3 forward = glm::normalize(axis / sum_of(axis));
+  const bool is_upright = std::abs(forward.y) > 1 - 1e-12;
+  const glm::dvec3 right = glm::normalize(glm::cross(forward, is_upright ? kPhotometricAxis : glm::dvec3{0, 1, 0}));
+  return {right, glm::cross(right, forward), -forward};
+}
+
 std::optional<ValueError> check(const IntensityDistribution& distribution) {
   const auto& [type, horizontal, vertical, intensity] = distribution;
   const bool is_c = type == PhotometryType::c;
   const double vertical_limit = type == PhotometryType::a ? pi / 2 : pi;
   const double horizontal_limit = type == PhotometryType::a ? pi : pi / 2;
   if (auto error = is_c ? check_turn(horizontal)
-                          : check_angles("distribution.horizontal", horizontal, -horizontal_limit, horizontal_limit)) {
+                        : check_angles("distribution.horizontal", horizontal, -horizontal_limit, horizontal_limit)) {
     return error;
   }
   if (auto error = check_angles("distribution.vertical", vertical, is_c ? 0 : -vertical_limit, vertical_limit)) {
@@ -222,6 +273,7 @@ double intensity_at(const IntensityDistribution& distribution, const glm::dvec3&
   const auto in_plane = [&, &grid = intensity, rows = vertical.size()](std::size_t plane) {
     return std::lerp(grid[plane * rows + v->low], grid[plane * rows + v->high], v->fraction);
   };
+  if (is_c && direction.x == 0 && direction.y == 0) return mean_over_turn(horizontal, in_plane);
   return std::lerp(in_plane(h->low), in_plane(h->high), h->fraction);
 }
 
@@ -270,10 +322,10 @@ IntensityPeak find_peak(const IntensityDistribution& distribution) {
 std::vector<AxialSample> axial_profile(const IntensityDistribution& distribution, const glm::dvec3& axis) {
   require(check(distribution));
   require_axis(axis);
-  const AxisFrame frame(axis);
+  const AxisCircles about(axis);
   std::vector<AxialSample> profile;
   for (const double angle : profile_angles(distribution, axis)) {
-    const auto circle = frame.circle(distribution, angle);
+    const auto circle = about.circle(distribution, angle);
     const double mean = mean_of(circle);
     const auto [least, largest] = std::ranges::minmax_element(circle);
     profile.push_back({angle, mean, std::max(mean - *least, *largest - mean)});
@@ -281,13 +333,14 @@ std::vector<AxialSample> axial_profile(const IntensityDistribution& distribution
   return profile;
 }
 
-std::vector<AxialSample> plane_profile(const IntensityDistribution& distribution, double turn) {
+std::vector<AxialSample> plane_profile(const IntensityDistribution& distribution, double turn, const glm::dvec3& axis) {
   require(check(distribution));
+  require_axis(axis);
   if (!std::isfinite(turn)) require(ValueError{"turn", turn, "must be finite"});
-  const AxisFrame frame(kPhotometricAxis);
+  const AxisCircles about(axis);
   std::vector<AxialSample> profile;
-  for (const double angle : profile_angles(distribution, kPhotometricAxis)) {
-    profile.push_back({angle, intensity_at(distribution, frame.direction(angle, turn)), 0});
+  for (const double angle : profile_angles(distribution, axis)) {
+    profile.push_back({angle, intensity_at(distribution, about.direction(angle, turn)), 0});
   }
   return profile;
 }
@@ -311,12 +364,14 @@ double half_angle(const std::vector<AxialSample>& profile, double fraction) {
 double asymmetry(const IntensityDistribution& distribution, const glm::dvec3& axis) {
   require(check(distribution));
   require_axis(axis);
-  const AxisFrame frame(axis);
+  const bool is_own_axis = axis == kPhotometricAxis || axis == -kPhotometricAxis;
+  if (distribution.type == PhotometryType::c && distribution.horizontal.size() == 1 && is_own_axis) return 0;
+  const AxisCircles about(axis);
   const double peak = find_peak(distribution).intensity;
   double deviation = 0, total = 0;
   for (int i = 0; i < kAxialStepsPerTurn / 2; ++i) {
     const double angle = 2 * pi * (i + 0.5) / kAxialStepsPerTurn;
-    const auto circle = frame.circle(distribution, angle);
+    const auto circle = about.circle(distribution, angle);
     const double mean = mean_of(circle);
     for (const double intensity : circle) {
       deviation += std::sin(angle) * ((intensity - mean) / peak) * ((intensity - mean) / peak);

@@ -15,7 +15,7 @@ namespace litfog {
 namespace {
 
 constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
-constexpr std::size_t kMaxShown = 40;  // of a value in a message
+constexpr std::size_t kMaxShown = 40;               // of a value in a message
 constexpr std::string_view kBlank = " \t\v\f\x1A";  // 0x1A ended a file under DOS
 constexpr std::string_view kLineEnd = "\r\n";
 constexpr std::string_view kSeparators = " \t\v\f\x1A\r\n,";

@@ -530,7 +530,7 @@ TEST(Airlight, TotalFogScattersInTheEyeAlone) {
     c.scattering.lamp_leg = LampLeg::fogged;
     EXPECT_EQ(airlight_of(c), 0);
     c = looking({4, 0, 0.25}, total, LampLeg::fogged);  // the eye at the light
-    EXPECT_EQ(airlight_of(c), 0.125);  // the limit: the integral of -f' f is 1/2
+    EXPECT_EQ(airlight_of(c), 0.125);                   // the limit: the integral of -f' f is 1/2
     c.ray.length = 0;
     EXPECT_EQ(airlight_of(c), 0);
   }

@@ -53,7 +53,7 @@ TEST_F(FileText, FileLargerThanTheLimitIsAnError) {
   EXPECT_EQ(error_of(sparse), sparse + ": file: must not be larger than 100 bytes");
 }
 
-TEST_F(FileText, PipeIsReadToItsEnd) {
+TEST_F(FileText, PipeThatAThreadWritesIsReadToItsEnd) {
   const std::string pipe = path("pipe");
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   std::thread writer([&] { std::ofstream(pipe) << "from a pipe"; });

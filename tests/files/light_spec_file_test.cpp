@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "command/temporary_directory.h"
+#include "litfog/color_temperature.h"
 #include "reference/random_light.h"
 
 namespace litfog::test {
@@ -105,6 +106,33 @@ TEST_F(LightSpecFile, ErrorsAreAtTheirMembers) {
             "f.json:2:24: cone.photometry = \"lamp.ies\": must not be given beside samples");
 }
 
+TEST_F(LightSpecFile, UnitsOfDataSheetsAreReadAndWritten) {
+  const LightSpec spec = read(R"("color_temperature_k": 3200,
+    "range": {"end_lx": "night", "illuminance": {"range_m": 10, "lx": 120}})");
+  EXPECT_EQ(spec.color_temperature, 3200);
+  EXPECT_EQ(spec.color, color_of_temperature(3200));
+  EXPECT_EQ(spec.range->end_illuminance, 8e-7);
+  EXPECT_EQ(spec.range->peak, 12000);
+  const std::string copy = (directory_.path() / "copy.json").string();
+  write_light_spec(copy, spec);
+  const LightSpec back = read_light_spec(copy);
+  EXPECT_EQ(back.color_temperature, 3200);
+  EXPECT_EQ(back.range->end_illuminance, 8e-7);
+  EXPECT_EQ(back.range->peak, 12000);
+  EXPECT_EQ(error_of(R"("color_temperature_k": 900, "range": {"extent_m": 1})"),
+            "f.json:2:24: color_temperature_k = 900: must be in [1000, 25000]");
+  EXPECT_EQ(error_of(R"("color": [1, 1, 1], "color_temperature_k": 3000, "range": {"extent_m": 1})"),
+            "f.json:2:44: color_temperature_k = 3000: must not be given beside color");
+  EXPECT_EQ(error_of(R"("range": {"end_lx": "dusk", "peak_cd": 1})"),
+            "f.json:2:21: range.end_lx = \"dusk\": must be one of night, twilight, day, bright day");
+  EXPECT_EQ(error_of(R"("range": {"end_lx": 0, "peak_cd": 1})"), "f.json:2:21: range.end_lx = 0: must be > 0");
+  EXPECT_EQ(error_of(R"("range": {"peak_cd": -1})"), "f.json:2:22: range.peak_cd = -1: must be > 0");
+  EXPECT_EQ(error_of(R"("range": {"extent_m": 9, "peak_cd": 1})"),
+            "f.json:2:23: range.extent_m = 9: must not be given beside end_lx, peak_cd or illuminance");
+  EXPECT_EQ(error_of(R"("range": {"peak_cd": 1, "illuminance": {"range_m": 1, "lx": 1}})").substr(0, 42),
+            "f.json:2:40: range.illuminance = an object");
+}
+
 TEST_F(LightSpecFile, ErrorsOfACallerAreInTheFilesTerms) {
   const LightSpec spec = read(R"("range": {"extent_m": 9e0, "samples": [{"range_m": 1, "attenuation": 1}]},
 "cone": {"beam_angle_deg": 361, "photometry": "lamp.ies"})");
@@ -133,11 +161,14 @@ void expect_equal(const LightSpec& a, const LightSpec& b) {
   EXPECT_EQ(a.name, b.name);
   EXPECT_EQ(a.source, b.source);
   EXPECT_EQ(a.color, b.color);
+  EXPECT_EQ(a.color_temperature, b.color_temperature);
   EXPECT_EQ(a.density_scale, b.density_scale);
   ASSERT_EQ(a.range.has_value(), b.range.has_value());
   if (a.range) {
     EXPECT_EQ(a.range->threshold, b.range->threshold);
     EXPECT_EQ(a.range->extent, b.range->extent);
+    EXPECT_EQ(a.range->end_illuminance, b.range->end_illuminance);
+    EXPECT_EQ(a.range->peak, b.range->peak);
     EXPECT_EQ(a.range->constant, b.range->constant);
     EXPECT_EQ(a.range->family, b.range->family);
     ASSERT_EQ(a.range->samples.size(), b.range->samples.size());

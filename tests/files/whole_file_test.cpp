@@ -108,7 +108,7 @@ TEST_F(WholeFile, NameMayBeAsLongAsTheFileSystemTakes) {
   EXPECT_EQ(file_count(), 1u);
 }
 
-TEST_F(WholeFile, PipeIsWritten) {
+TEST_F(WholeFile, PipeIsWrittenByAThread) {
   ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
   auto writer = std::async(std::launch::async, [&] { write_whole_file(path("pipe"), "text"); });
   EXPECT_EQ(read("pipe"), "text");

@@ -271,10 +271,10 @@ TEST(AttenuationFit, FitsOfTheOgreTableReachItsStatedRanges) {
     const AttenuationFit fit = fit_attenuation(target);
     EXPECT_NE(fit.status, AttenuationFitStatus::unproven);
     error.add(std::abs(attenuation_at(fit.attenuation, range) - 0.0125), [&, r = range] { return std::to_string(r); });
-    largest_change = std::max(largest_change, fit.largest_residual);
+    largest_change = std::max(largest_change, std::abs(fit.largest_error));
   }
   error.check();
-  EXPECT_LT(largest_change, std::log(1.25 / 1.06)) << "more than the rows are off at their range";
+  EXPECT_LT(largest_change, 1.25 / 1.06 - 1) << "more than the rows are off at their range";
 }
 
 TEST(AttenuationFit, FitOfAnExactTableIsTheLightThatItWasDrawnFrom) {
@@ -304,7 +304,7 @@ TEST(AttenuationFit, CoefficientsThatAreZeroAreFound) {
     EXPECT_NEAR(fit.attenuation.constant, light.constant, 1e-12);
     EXPECT_NEAR(fit.attenuation.linear, light.linear, 1e-12);
     EXPECT_NEAR(fit.attenuation.quadratic, light.quadratic, 1e-12);
-    EXPECT_LT(fit.rms, 1e-14);
+    EXPECT_LT(fit.rms_error, 1e-14);
   }
 }
 
@@ -327,25 +327,30 @@ TEST(AttenuationFit, SamplesWithoutWeightAreLeftOut) {
   target.samples.insert(target.samples.begin() + 2, {2.5, 0.9, 0});
   const AttenuationFit with = fit_attenuation(target);
   EXPECT_EQ(with.attenuation, without.attenuation);
-  EXPECT_EQ(with.rms, without.rms);
+  EXPECT_EQ(with.rms_error, without.rms_error);
   ASSERT_EQ(with.residuals.size(), 5u);
   EXPECT_NEAR(with.residuals[2], std::log(attenuation_at(with.attenuation, 2.5) / 0.9), 1e-15);
 }
 
-TEST(AttenuationFit, ResidualsAreInLnAttenuation) {
+TEST(AttenuationFit, ResidualsAreOfLnAttenuationAndErrorsSignedFractionsOfIt) {
   const AttenuationTarget target{.samples = {{1, 0.5, 2}, {2, 0.5, 3}, {3, 0.1, 1}, {5, 0.12, 1}}};
   const AttenuationFit fit = fit_attenuation(target);
-  double objective = 0, largest = 0;
+  double objective = 0, squares = 0, largest = 0;
   for (std::size_t i = 0; i < 4; ++i) {
     const auto& [range, attenuation, weight] = target.samples[i];
     const double residual = std::log(attenuation_at(fit.attenuation, range)) - std::log(attenuation);
     EXPECT_NEAR(fit.residuals[i], residual, 1e-15);
+    const double error = attenuation_at(fit.attenuation, range) / attenuation - 1;
     objective += weight * residual * residual;
-    largest = std::max(largest, std::abs(residual));
+    squares += weight * error * error;
+    if (std::abs(error) > std::abs(largest)) largest = error;
   }
   EXPECT_NEAR(fit.objective, objective, 1e-14);
-  EXPECT_NEAR(fit.rms, std::sqrt(objective / 7), 1e-14);
-  EXPECT_NEAR(fit.largest_residual, largest, 1e-15);
+  EXPECT_NEAR(fit.rms_error, std::sqrt(squares / 7), 1e-14);
+  EXPECT_NEAR(fit.largest_error, largest, 1e-15);
+  AttenuationTarget with_outlier{.is_robust = true};
+  for (int i = 1; i <= 12; ++i) with_outlier.samples.push_back({double(i), i == 6 ? 0.8 : 1 / (1 + 0.1 * i * i)});
+  EXPECT_NEAR(fit_attenuation(with_outlier).largest_error, 1 / 4.6 / 0.8 - 1, 0.01) << "too dark: negative";
   EXPECT_GE(fit.milliseconds, 0);
   EXPECT_GT(fit.iterations, 0u);
 }
@@ -418,10 +423,10 @@ TEST(AttenuationFit, CovarianceIsAbsentWhereTheSamplesDoNotIdentifyTheCoefficien
 TEST(AttenuationFit, ConstantOneIsPreferredAmongEqualOptima) {
   const AttenuationFit two = fit_attenuation({.samples = {{1, 0.5}, {2, 0.25}}});
   EXPECT_EQ(two.attenuation.constant, 1);
-  EXPECT_LT(two.rms, 1e-15);
+  EXPECT_LT(two.rms_error, 1e-15);
   EXPECT_EQ(fit_attenuation({.samples = {{1, 1}, {2, 1}, {3, 1}}}).attenuation, (Attenuation{1, 0, 0}));
   // None with C = 1 meets these.
-  EXPECT_LT(fit_attenuation({.samples = {{1, 0.9}, {2, 0.3}}}).rms, 1e-15);
+  EXPECT_LT(fit_attenuation({.samples = {{1, 0.9}, {2, 0.3}}}).rms_error, 1e-15);
 }
 
 TEST(AttenuationFit, TableOfOnesIsMetByTheClamp) {
@@ -470,6 +475,17 @@ TEST(AttenuationFit, InfeasibleSampleIsAnsweredWithTheRangesThatReachIt) {
   EXPECT_TRUE(sentence({.extent = 100, .samples = {{30, 0.5}}}).starts_with("feasible: "));
 }
 
+TEST(AttenuationFit, InfeasibleTableIsAnsweredInASentence) {
+  AttenuationTarget target{.extent = 100};
+  for (int range = 1; range < 100; ++range) target.samples.push_back({double(range), 1 / (1 + 1e-4 * range * range)});
+  const AttenuationFit fit = fit_attenuation(target);
+  EXPECT_EQ(fit.status, AttenuationFitStatus::infeasible);
+  EXPECT_EQ(std::ranges::count(fit.sentence, ';'), 3) << fit.sentence;
+  EXPECT_TRUE(fit.sentence.ends_with(" more of the 99 samples cannot be reached")) << fit.sentence;
+  EXPECT_NE(fit.sentence.find(" at 99 m cannot be reached"), std::string::npos)
+      << "the farthest out of reach: " << fit.sentence;
+}
+
 TEST(AttenuationFit, InfeasibleTargetHasItsBestFit) {
   const AttenuationFit fit = fit_attenuation({.extent = 100, .samples = {{40, 0.5}}});
   EXPECT_NEAR(fit.attenuation.quadratic, 20e-4, 1e-17) << "Q alone is brightest";
@@ -494,13 +510,13 @@ TEST(AttenuationFit, PointIsMetWithinTheStatedRangesAndNotOutside) {
     ASSERT_EQ(std::sscanf(sentence.c_str() + between, ": between %lf and %lf m can", &low, &high), 2) << sentence;
     for (const double range : {low, high, low + random.uniform(0, 1) * (high - low)}) {
       target.samples[0].range = range;
-      EXPECT_LT(fit_attenuation(target).rms, 1e-9) << sentence << ", but not " << range;
+      EXPECT_LT(fit_attenuation(target).rms_error, 1e-9) << sentence << ", but not " << range;
     }
     target.samples[0].range = high * 1.01;
-    EXPECT_GT(fit_attenuation(target).rms, 1e-7) << sentence << ", but 1 % beyond as well";
+    EXPECT_GT(fit_attenuation(target).rms_error, 1e-7) << sentence << ", but 1 % beyond as well";
     target.samples[0].range = low * 0.99;
     if (low > 0) {
-      EXPECT_GT(fit_attenuation(target).rms, 1e-7) << sentence << ", but 1 % before as well";
+      EXPECT_GT(fit_attenuation(target).rms_error, 1e-7) << sentence << ", but 1 % before as well";
     }
   }
 }

@@ -255,6 +255,21 @@ TEST(ConeFit, EdgeBetweenSamplesIsAsSoftAsTheyAllow) {
   EXPECT_NEAR(std::cos(through.best().cone.outer), 2 * std::cos(radians(6)) - std::cos(radians(5)), 1e-15);
 }
 
+TEST(ConeFit, CutOffOfABeamWithAFaintSpillIsNearTheBeam) {
+  std::vector<ConeSample> samples;  // 7.4 degrees wide, with a spill of 0.1 % out to 75 degrees
+  const double exponent = std::log(0.5) / std::log(std::cos(radians(3.7)));
+  for (int angle = 0; angle <= 90; ++angle) {
+    const double beam = std::pow(std::cos(radians(angle)), exponent);
+    samples.push_back({radians(angle), angle <= 75 ? std::max(beam, 0.001) : 0});
+  }
+  const ConeFit fit = fit_cone(target_of(ConeChoice::cosine, samples));
+  const Cone& cone = fit.best().cone;
+  EXPECT_LT(cone.half_angle, radians(15)) << "whoever culls by it pays for more";
+  EXPECT_LE(cone_at(cone, std::cos(cone.half_angle - 1e-9)), 5e-4 * (1 + 1e-6)) << "without a visible edge";
+  EXPECT_LE(fit.best().objective, fit.best().lower_bound * 1.001);
+  EXPECT_EQ(fit.best().status, ConeFitStatus::optimal);
+}
+
 TEST(ConeFit, CutOffOfTheCosineConeIsBetweenTheLastLitAndTheFirstDarkSample) {
   const ConeFit flat = fit_cone(
       target_of(ConeChoice::cosine, {{0, 1}, {radians(10), 1}, {radians(20), 1}, {radians(30), 0}, {radians(40), 0}}));

@@ -16,6 +16,7 @@
 #include "command/exit_status.h"
 #include "files/json_document.h"
 #include "litfog/attenuation.h"
+#include "litfog/cone.h"
 #include "litfog/files/light_file.h"
 #include "litfog/fit/cone_fit.h"
 #include "litfog/photometry/cookie_file.h"
@@ -46,16 +47,16 @@ constexpr const char* kBeam = R"({"litfog": "light-spec", "version": 1, "range":
 constexpr const char* kInfeasible = R"({"litfog": "light-spec", "version": 1,
   "range": {"extent_m": 100, "constant": 1, "samples": [{"range_m": 90, "attenuation": 0.5}]}})";
 
-/// 100 cd on the axis, half as wide towards 90 degrees.
+/// 100 cd on the axis, narrower towards 90 degrees.
 constexpr const char* kIes = R"(IESNA:LM-63-2002
 [LUMINAIRE] spot
 TILT=NONE
-1 -1 1 4 2 1 2 0 0 0
+1 -1 1 6 2 1 2 0 0 0
 1 1 10
-0 5 10 90
+0 5 10 15 20 90
 0 90
-100 80 20 0
-100 40 5 0
+100 80 40 15 0 0
+100 50 10 0 0 0
 )";
 
 std::string usage_message(const std::string& reason) { return "litfog-fit: " + reason + "; see litfog-fit --help\n"; }
@@ -260,10 +261,14 @@ TEST_F(FitCommand, PlotsArePicturesOfTheirEnding) {
   ASSERT_EQ(run("lamp.json --plot fit.png").status, kDone);
   EXPECT_EQ(read("fit.png").substr(1, 3), "PNG");
   ASSERT_EQ(run("beam.json --plot fit.svg").status, kDone);
-  for (const char* label : {"range (m)", "angle from the axis (deg)", "smoothstep", "target", "error (%)"}) {
+  for (const char* label : {"range (m)", "angle from the axis (deg)", "smoothstep", "target", "error (%)",
+                            "intensity / peak", ">50 %<", ">10 %<", "threshold"}) {
     EXPECT_NE(read("fit.svg").find(label), std::string::npos) << label;
   }
   EXPECT_EQ(run("spot.ies --plot fit.svg").status, kDone);
+  for (const char* label : {"intensity (cd)", "horizontal", "vertical"}) {
+    EXPECT_NE(read("fit.svg").find(label), std::string::npos) << label;
+  }
 }
 
 TEST_F(FitCommand, BadInputIsAnErrorAndNothingIsWritten) {
@@ -372,6 +377,138 @@ TEST_F(FitCommand, PlotIsAMissingCapabilityWithoutGnuplot) {
   const Outcome outcome = run("lamp.json -o light.json --plot fit.svg", "PATH=/nowhere");
   EXPECT_EQ(outcome.status, kMissingCapability);
   EXPECT_FALSE(files().contains("light.json"));
+}
+
+// ---- what the report says is so ----
+
+TEST_F(FitCommand, ErrorsOfAFalloffTableAreTheSameSignedFractionsInTextAndJson) {
+  write("table.json", R"({"litfog": "light-spec", "version": 1, "range": {"constant": 1, "samples": [
+    {"range_m": 1, "attenuation": 0.9}, {"range_m": 2, "attenuation": 0.7}, {"range_m": 4, "attenuation": 0.38},
+    {"range_m": 6, "attenuation": 0.4}, {"range_m": 8, "attenuation": 0.14}]}})");
+  const auto report = nlohmann::json::parse(run("table.json --format json").out)[0];
+  const auto& attenuation = report["light"]["attenuation"];
+  const Attenuation fitted{attenuation["constant"], attenuation["linear"], attenuation["quadratic"]};
+  const double error = attenuation_at(fitted, 6) / 0.4 - 1;
+  ASSERT_LT(error, -0.2) << "the sample that is farthest off, too dark";
+  EXPECT_NEAR(report["light"]["fit"]["range"]["largest_error"].get<double>(), error, 1e-12);
+  EXPECT_LT(report["light"]["fit"]["range"]["rms"].get<double>(), -error);
+  char percent[32];
+  std::snprintf(percent, sizeof percent, "%.3g %%", 100 * error);
+  const std::string text = run("table.json").out;
+  EXPECT_NE(text.find("largest " + std::string(percent)), std::string::npos) << text;
+  EXPECT_NE(text.find(std::string(percent) + " at most"), std::string::npos) << text;
+}
+
+TEST_F(FitCommand, UplightsConePointsUp) {
+  // The beam of a spot, turned over: measured from 90 to 180 degrees.
+  write("up.ies",
+        "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 7 1 1 2 0 0 0\n1 1 10\n90 150 160 165 170 175 180\n0\n"
+        "0 0 10 30 62 90 100\n");
+  write("down.ies",
+        "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 7 1 1 2 0 0 0\n1 1 10\n0 5 10 15 20 30 90\n0\n"
+        "100 90 62 30 10 0 0\n");
+  const auto report_of = [&](const std::string& arguments) {
+    return nlohmann::json::parse(run(arguments + " --format json --reproducible").out)[0];
+  };
+  const auto up = report_of("up.ies"), down = report_of("down.ies");
+  EXPECT_EQ(up["axis"], "up, opposite to the photometric axis");
+  EXPECT_EQ(down["axis"], "down, the photometric axis");
+  for (const char* angle : {"half_angle_deg", "exponent"}) {
+    EXPECT_NEAR(up["light"]["cone"][angle].get<double>(), down["light"]["cone"][angle].get<double>(), 1e-6) << angle;
+  }
+  EXPECT_EQ(up["verdict"], "good") << up["why"];
+  EXPECT_EQ(run("up.ies").status, kDone);
+  EXPECT_EQ(run("up.ies --axis down").status, kNotToTolerance) << "nothing of the beam is about that axis";
+}
+
+TEST_F(FitCommand, AxisIsThePeakOfABeamAimedElsewhereOrAsAsked) {
+  // 100 cd at C = 0, gamma = 40.
+  std::string file = "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 37 73 1 2 0 0 0\n1 1 10\n";
+  for (int gamma = 0; gamma <= 180; gamma += 5) file += std::to_string(gamma) + "\n";
+  for (int c = 0; c <= 360; c += 5) file += std::to_string(c) + "\n";
+  for (int c = 0; c <= 360; c += 5) {
+    for (int gamma = 0; gamma <= 180; gamma += 5) {
+      const double cosine = std::sin(gamma * pi / 180) * std::cos(c * pi / 180) * std::sin(40 * pi / 180) +
+                            std::cos(gamma * pi / 180) * std::cos(40 * pi / 180);
+      file += std::to_string(100 * std::pow(std::max(0.0, cosine), 20)) + "\n";
+    }
+  }
+  write("aimed.ies", file);
+  const auto axis_of = [&](const std::string& options) {
+    return nlohmann::json::parse(run("aimed.ies --format json " + options).out)[0]["axis"].get<std::string>();
+  };
+  EXPECT_EQ(axis_of(""), "40 deg from the photometric axis") << "found by itself";
+  EXPECT_EQ(axis_of("--axis peak"), "40 deg from the photometric axis");
+  EXPECT_EQ(axis_of("--axis 90,25"), "25 deg from the photometric axis");
+  EXPECT_EQ(axis_of("--axis down"), "down, the photometric axis");
+  EXPECT_EQ(axis_of("--axis up"), "up, opposite to the photometric axis");
+  EXPECT_EQ(run("aimed.ies").status, kDone);
+  EXPECT_EQ(run("aimed.ies --axis down").status, kNotToTolerance);
+  ASSERT_EQ(run("aimed.ies --cookie aimed.exr --cookie-size 33").status, kDone);
+  const auto cookie = litfog::read_cookie((directory() / "aimed.exr").string());
+  EXPECT_NEAR(cookie.texels[5 * 33 * 33 + 16 * 33 + 16], 1, 1e-6) << "the peak is on the cookie's axis";
+  const std::string rule = "must be peak, down, up or two angles H,V in degrees";
+  for (const char* wrong : {"left", "3", "3,", ",3", "1,2,3", "nan,0", "0,361"}) {
+    expect_usage_error(std::string("aimed.ies --axis ") + wrong, std::string("--axis = ") + wrong + ": " + rule);
+  }
+  expect_usage_error("lamp.json --axis up", "--axis cannot be given with lamp.json: there is no photometric file");
+}
+
+TEST_F(FitCommand, AnglesThatAFileDoesNotStateAreDarkInFitAndErrors) {
+  // Still as bright as on the axis where the file ends, at 60 degrees.
+  write("cut.ies",
+        "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 13 1 1 2 0 0 0\n1 1 10\n0 5 10 15 20 25 30 35 40 45 50 55 60\n"
+        "0\n7 7 7 7 7 7 7 7 7 7 7 7 7\n");
+  const auto report = nlohmann::json::parse(run("cut.ies --format json").out)[0];
+  EXPECT_NEAR(report["beam"]["flux_lm"].get<double>(), 7 * pi, 1e-9);
+  const auto& fit = report["light"]["fit"]["cone"];
+  for (const char* profile : {"cosine", "smoothstep"}) {
+    const auto& given = fit[profile]["cone"];
+    const auto radians = [&](const char* name) { return given[name].get<double>() * pi / 180; };
+    const Cone cone = std::string(profile) == "cosine" ? Cone::cosine(radians("half_angle_deg"), given["exponent"])
+                                                       : Cone::smoothstep(radians("inner_deg"), radians("outer_deg"));
+    const double flux_error = flux_within(cone, pi) / pi - 1;
+    EXPECT_LT(std::abs(flux_error), 0.01) << profile;
+    EXPECT_NEAR(fit[profile]["flux_error"].get<double>(), flux_error, 1e-3) << profile;
+  }
+}
+
+TEST_F(FitCommand, VerdictTellsAPoorLightWhateverItsProof) {
+  // A narrow beam in a wide spill that has most of the light.
+  write("spill.ies",
+        "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 9 1 1 2 0 0 0\n1 1 10\n0 1 2 3 4 5 30 60 90\n0\n"
+        "1000 900 500 200 60 30 30 30 0\n");
+  const Outcome outcome = run("spill.ies --format json -o light.json");
+  EXPECT_EQ(outcome.status, kNotToTolerance);
+  EXPECT_TRUE(outcome.err.starts_with("spill.ies: poor: flux off by -")) << outcome.err;
+  const auto report = nlohmann::json::parse(outcome.out)[0];
+  EXPECT_EQ(report["status"], "optimal");
+  EXPECT_EQ(report["verdict"], "poor");
+  EXPECT_EQ("spill.ies: poor: " + report["why"].get<std::string>() + "\n", outcome.err);
+  EXPECT_TRUE(files().contains("light.json")) << "the best light";
+  EXPECT_NE(run("spill.ies").out.find("verdict         poor: flux off by -"), std::string::npos);
+  const auto exact = nlohmann::json::parse(run("beam.json --format json").out)[0];
+  EXPECT_EQ(exact["verdict"], "good");
+  EXPECT_NEAR(exact["beam"]["beam_angle_deg"].get<double>(), 11, 1e-12);
+  EXPECT_NEAR(exact["beam"]["field_angle_deg"].get<double>(), 22, 1e-12);
+  EXPECT_TRUE(exact["beam"]["peak_cd"].is_null());
+}
+
+TEST_F(FitCommand, BeamHasTwoAnglesWhereItIsNotRound) {
+  const auto beam = nlohmann::json::parse(run("spot.ies --format json").out)[0]["beam"];
+  EXPECT_NEAR(beam["peak_cd"].get<double>(), 100, 1e-9);
+  ASSERT_EQ(beam["beam_angle_deg"].size(), 2u);
+  EXPECT_NEAR(beam["beam_angle_deg"][0].get<double>(), 2 * 8.75, 1e-9);  // 80 at 5 degrees, 40 at 10
+  EXPECT_NEAR(beam["beam_angle_deg"][1].get<double>(), 2 * 5, 1e-9);
+}
+
+TEST_F(FitCommand, FilesOfOneNameAndTwoFormatsAreTwoLights) {
+  fs::create_directory(directory() / "lights");
+  fs::copy_file(LITFOG_TEST_DATA_DIR "/photometry/spelling.ldt", directory() / "spot.ldt");
+  EXPECT_EQ(run("spot.ies spot.ldt beam.json -o lights").status, kDone);
+  for (const char* name : {"lights/spot.ies.json", "lights/spot.ldt.json", "lights/beam.json"}) {
+    EXPECT_TRUE(files().contains(name)) << name;
+  }
 }
 
 // ---- the lights that come with litfog ----

@@ -9,6 +9,7 @@
 
 #include "command/exit_status.h"
 #include "command/temporary_directory.h"
+#include "litfog/color_temperature.h"
 #include "litfog/input_error.h"
 
 namespace litfog::test {
@@ -114,7 +115,7 @@ TEST_F(LightTargetFile, ProfileOfTheCallerWins) {
   const std::string path =
       write("f.json", R"({"litfog": "light-spec", "version": 1, "cone": {"profile": "cosine", "beam_angle_deg": 9}})");
   EXPECT_EQ(read_spec(path).cone->choice, ConeChoice::cosine);
-  EXPECT_EQ(read_spec(path, ConeChoice::best).cone->choice, ConeChoice::best);
+  EXPECT_EQ(read_spec(path, {.profile = ConeChoice::best}).cone->choice, ConeChoice::best);
 }
 
 TEST_F(LightTargetFile, PhotometryIsRelativeToTheSpecAndGivesAnExtent) {
@@ -122,7 +123,7 @@ TEST_F(LightTargetFile, PhotometryIsRelativeToTheSpecAndGivesAnExtent) {
   const LightTarget target =
       read(R"({"litfog": "light-spec", "version": 1, "cone": {"photometry": "lamp.ies"}, "color": [1, 0, 0]})");
   ASSERT_TRUE(target.luminaire);
-  ASSERT_EQ(target.cone->samples.size(), 4u);
+  ASSERT_EQ(target.cone->samples.size(), 5u) << "and dark at 180 degrees";
   EXPECT_DOUBLE_EQ(target.cone->samples[1].angle, pi / 36);
   EXPECT_NEAR(target.cone->samples[1].intensity, 80, 1e-12);
   EXPECT_EQ(target.cone->samples[1].weight, 1);
@@ -134,12 +135,40 @@ TEST_F(LightTargetFile, PhotometryIsRelativeToTheSpecAndGivesAnExtent) {
   EXPECT_TRUE(given.source.empty());
 }
 
+TEST_F(LightTargetFile, PeakAndIlluminanceGiveTheExtentAndTheirSteps) {
+  const auto extent_of = [this](const std::string& range) {
+    const LightTarget target = read(R"({"litfog": "light-spec", "version": 1, "range": {)" + range + "}}");
+    EXPECT_TRUE(target.source.back().starts_with("Extent: sqrt(")) << target.source.back();
+    return *target.range->extent;
+  };
+  EXPECT_DOUBLE_EQ(extent_of(R"("peak_cd": 400)"), 20) << "1 lx";
+  EXPECT_DOUBLE_EQ(extent_of(R"("peak_cd": 400, "end_lx": 4)"), 10);
+  EXPECT_DOUBLE_EQ(extent_of(R"("illuminance": {"range_m": 10, "lx": 4})"), 20);
+  EXPECT_DOUBLE_EQ(extent_of(R"("peak_cd": 80, "end_lx": "night")"), 1e4) << "8e-7 lx";
+  EXPECT_DOUBLE_EQ(extent_of(R"("peak_cd": 10, "end_lx": "bright day")"), 100);
+  write("lamp.ies", kIes);
+  const LightTarget night = read(R"({"litfog": "light-spec", "version": 1, "cone": {"photometry": "lamp.ies"},
+                                     "range": {"end_lx": 1e-4, "threshold": 0.01}})");
+  EXPECT_DOUBLE_EQ(*night.range->extent, 1000);
+  EXPECT_EQ(night.source.back(), "Extent: sqrt(100 cd / 0.0001 lx) = 1000 m, where the light gives 0.0001 lx.");
+  EXPECT_EQ(error_with(R"("range": {"end_lx": 1})"),
+            "f.json:2:10: range.peak_cd: must be given, or illuminance or the cone's photometry, for end_lx");
+}
+
+TEST_F(LightTargetFile, ColorTemperatureIsTheColor) {
+  const LightTarget target =
+      read(R"({"litfog": "light-spec", "version": 1, "color_temperature_k": 3200, "range": {"extent_m": 1}})");
+  EXPECT_EQ(target.color, color_of_temperature(3200));
+  ASSERT_EQ(target.source.size(), 1u);
+  EXPECT_TRUE(target.source[0].starts_with("Color: 3200 K is 1 0.")) << target.source[0];
+}
+
 TEST_F(LightTargetFile, PhotometricFileAloneIsAWhiteLightOfItsName) {
   const LightTarget target = read_photometric_spec(write("lamp.ies", kIes));
   EXPECT_EQ(target.name, "spot");
   EXPECT_EQ(target.color, glm::dvec3(1));
   EXPECT_EQ(target.range->extent, 10);
-  EXPECT_EQ(target.cone->samples.size(), 4u);
+  EXPECT_EQ(target.cone->samples.size(), 5u);
   ASSERT_EQ(target.source.size(), 3u);
   EXPECT_EQ(target.source[0], "lamp.ies: maker");
 }
@@ -150,13 +179,16 @@ TEST_F(LightTargetFile, WrongMemberIsAnErrorAtItsLocation) {
             "f.json:1:12: litfog = \"light\": must be \"light-spec\"");
   EXPECT_EQ(error_with("\"name\": \"x\""), "f.json:1:1: range or cone: must be given");
   EXPECT_EQ(error_with("\"beam\": 1"),
-            "f.json:2:1: \"beam\": must be one of litfog, version, name, source, color, density_scale, range, cone");
+            "f.json:2:1: \"beam\": must be one of litfog, version, name, source, color, color_temperature_k, "
+            "density_scale, range, cone");
   EXPECT_EQ(error_with("\"color\": [1, -1, 1], \"range\": {\"extent_m\": 1}"),
             "f.json:2:14: color[1] = -1: must be finite and >= 0");
   EXPECT_EQ(error_with("\"density_scale\": -1, \"range\": {\"extent_m\": 1}"),
             "f.json:2:18: density_scale = -1: must be finite and >= 0");
-  EXPECT_EQ(error_with("\"range\": {\"extent\": 1}"),
-            "f.json:2:11: \"extent\": must be one of threshold, extent_m, constant, family, samples");
+  EXPECT_EQ(
+      error_with("\"range\": {\"extent\": 1}"),
+      "f.json:2:11: \"extent\": must be one of threshold, extent_m, end_lx, peak_cd, illuminance, constant, family, "
+      "samples");
   EXPECT_EQ(error_with("\"cone\": {\"angle\": 1}"),
             "f.json:2:10: \"angle\": must be one of profile, half_angle_deg, beam_angle_deg, field_angle_deg, samples, "
             "photometry");

@@ -69,7 +69,7 @@ class ExampleLightsTest : public ShaderTest {
   std::vector<glm::vec4> random_positions() const {
     return random_points([&](Random& random) {
       for (;;) {
-        const glm::dvec3 drawn = random_direction(random) * random.log_uniform(0.1, 100) + glm::dvec3(0, 0, -5);
+        const glm::dvec3 drawn = draw_direction(random) * random.log_uniform(0.1, 100) + glm::dvec3(0, 0, -5);
         const glm::vec4 point(glm::vec3(drawn), 0);
         if (std::ranges::none_of(lights_, [&](const auto& light) { return is_at_an_edge(light, glm::dvec3(point)); }))
           return point;

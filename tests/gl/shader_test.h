@@ -68,13 +68,4 @@ class ShaderTest : public GlTest {
   FogLightBlock block_{};
 };
 
-/// Evenly over the sphere.
-inline glm::dvec3 random_direction(Random& random) {
-  for (;;) {
-    const glm::dvec3 v{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
-    const double length = glm::length(v);
-    if (length > 0.1 && length < 1) return v / length;
-  }
-}
-
 }  // namespace litfog::test

@@ -44,8 +44,8 @@ TEST_F(SurfaceShader, LitSurfaceIsTheBasicModels) {
   const std::vector<vec4> positions = random_positions();
   std::vector<vec4> to_eyes;
   const auto normals = random_points([&](Random& random) {
-    to_eyes.emplace_back(vec3(random_direction(random)), 0);
-    return vec4(vec3(random_direction(random)), 0);
+    to_eyes.emplace_back(vec3(draw_direction(random)), 0);
+    return vec4(vec3(draw_direction(random)), 0);
   });
   for (std::size_t k = 0; k < lights_.size(); ++k) {
     const auto results = draw(

@@ -19,11 +19,6 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-glm::dvec3 random_direction(Random& random) {
-  const double z = random.uniform(-1, 1), turn = random.uniform(0, 2 * std::numbers::pi);
-  return {std::sqrt(1 - z * z) * std::cos(turn), std::sqrt(1 - z * z) * std::sin(turn), z};
-}
-
 /// OpenGL 4.6, section 8.13 and table 8.19: the face and texel that a direction selects, nearest filtering.
 std::size_t selected_texel(const glm::dvec3& r, int size) {
   const glm::dvec3 m = glm::abs(r);
@@ -64,7 +59,7 @@ TEST(Cookie, TexelsHoldTheBeamWhereAGlCubeMapLooksItUp) {
   const double bound = 54 * std::sqrt(2) / kSize / peak;
   Random random(8);
   for (int i = 0; i < 10000; ++i) {
-    const auto direction = random_direction(random);
+    const auto direction = draw_direction(random);
     EXPECT_NEAR(cookie.texels[selected_texel(direction, kSize)], intensity_at(beam, direction) / peak, bound);
   }
 }
@@ -79,6 +74,18 @@ TEST(Cookie, PeakOfASpotIsInTheMiddleOfTheLastFace) {
   EXPECT_EQ(cookie.texels[5 * 25 + 12], 1);
   EXPECT_EQ(std::ranges::count(cookie.texels, 1.0f), 1);
   EXPECT_EQ(std::ranges::count(cookie.texels, 0.0f), 5 * 25 + 16);  // 30 degrees reach the inner nine texels
+}
+
+TEST(Cookie, CookieAboutAnAxisLooksAlongIt) {
+  IntensityDistribution beam{.horizontal = {0}, .vertical = {}, .intensity = {}};
+  for (int g = 0; g <= 180; g += 10) {
+    beam.vertical.push_back(g * kDegree);
+    beam.intensity.push_back(g);
+  }
+  const Cookie up = bake_cookie(beam, 3, -kPhotometricAxis), down = bake_cookie(beam, 3);
+  EXPECT_EQ(up.texels[5 * 9 + 4], 1) << "the peak, at 180 degrees, in the middle of the face -z";
+  EXPECT_EQ(down.texels[5 * 9 + 4], 0);
+  for (std::size_t i = 0; i < 9; ++i) EXPECT_NEAR(up.texels[5 * 9 + i], down.texels[4 * 9 + i], 1e-6);
 }
 
 /// Texels that all differ.
@@ -118,7 +125,7 @@ TEST(Cookie, ResizedCookieIsTheSameBetweenItsTexels) {
   EXPECT_EQ(smaller.size, 128);
   Random random(10);
   for (int i = 0; i < 1000; ++i) {
-    const auto direction = random_direction(random);
+    const auto direction = draw_direction(random);
     // The slope is at most 1.2 a radian; at a face's edge the nearest centre is half a texel away, 1/128.
     EXPECT_NEAR(cookie_at(smaller, direction), wave(direction), 1.2 / 128);
   }

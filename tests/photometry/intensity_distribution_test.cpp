@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -61,11 +62,6 @@ glm::dvec3 turned(PhotometryType type, double horizontal, double vertical) {
       break;
   }
   return round(right({0, 0, -1}, vertical), horizontal);
-}
-
-glm::dvec3 random_direction(Random& random) {
-  const double z = random.uniform(-1, 1), turn = random.uniform(0, 2 * pi);
-  return {std::sqrt(1 - z * z) * std::cos(turn), std::sqrt(1 - z * z) * std::sin(turn), z};
 }
 
 Angles random_angles(Random& random, double low, double high) {
@@ -148,7 +144,7 @@ TEST(IntensityDistribution, QuadrantHalfAndWholeAreTheSame) {
   const auto quadrant = sampled(PhotometryType::c, degrees(0, 90, 15), gamma, lamp);
   Random random(2);
   for (int i = 0; i < 5000; ++i) {
-    const auto direction = random_direction(random);
+    const auto direction = draw_direction(random);
     const double expected = intensity_at(whole, direction);
     for (const auto* part : {&half, &other_half, &quadrant}) {
       EXPECT_NEAR(intensity_at(*part, direction), expected, 1e-12 * 400);
@@ -173,7 +169,7 @@ TEST(IntensityDistribution, HalfIsMirroredAtItsFirstPlane) {
   Random random(3);
   for (const auto& [half, whole] : pairs) {
     for (int i = 0; i < 1000; ++i) {
-      const auto direction = random_direction(random);
+      const auto direction = draw_direction(random);
       EXPECT_NEAR(intensity_at(half, direction), intensity_at(whole, direction), 1e-10);
     }
   }
@@ -187,7 +183,7 @@ TEST(IntensityDistribution, TypesAAndBAreMirroredAtTheAxisTheyStartFrom) {
     const auto quadrant = sampled(type, degrees(0, 90, 10), degrees(0, 90, 10), even);
     const auto half = sampled(type, degrees(0, 90, 10), degrees(-90, 90, 10), even);
     for (int i = 0; i < 1000; ++i) {
-      const auto direction = random_direction(random);
+      const auto direction = draw_direction(random);
       EXPECT_NEAR(intensity_at(quadrant, direction), intensity_at(whole, direction), 1e-12);
       EXPECT_NEAR(intensity_at(half, direction), intensity_at(whole, direction), 1e-12);
     }
@@ -267,7 +263,7 @@ TEST(LuminousFlux, CosinePowerHasTheSameFluxInAllTypes) {
       EXPECT_NEAR(luminous_flux(*each), 1000 * 2 * pi / (n + 1), bound * 2 * pi);
       Random random(7);
       for (int i = 0; i < 2000; ++i) {
-        const auto direction = random_direction(random);
+        const auto direction = draw_direction(random);
         const double expected = direction.z < 0 ? 1000 * std::pow(-direction.z, n) : 0;
         EXPECT_NEAR(intensity_at(*each, direction), expected, bound);
       }
@@ -275,16 +271,92 @@ TEST(LuminousFlux, CosinePowerHasTheSameFluxInAllTypes) {
   }
 }
 
+// --- the light's frame ---
+
+TEST(LuminaireFromLight, AxisIsMinusZAndThePhotometricAxisLeavesAllInPlace) {
+  EXPECT_EQ(luminaire_from_light(kPhotometricAxis), glm::dmat3(1));
+  Random random(9);
+  std::vector<glm::dvec3> axes{{0, 1, 0}, {0, -2, 0}, {0, 0, 1}, {1, 0, 0}, {1e-200, 0, 1e-200}};
+  for (int i = 0; i < 100; ++i) axes.push_back(1e3 * draw_direction(random));
+  for (const glm::dvec3& axis : axes) {
+    const glm::dmat3 rotation = luminaire_from_light(axis);
+    const glm::dvec3 scaled = axis / std::max({std::abs(axis.x), std::abs(axis.y), std::abs(axis.z)});
+    EXPECT_NEAR(glm::dot(rotation * glm::dvec3(0, 0, -1), glm::normalize(scaled)), 1, 1e-15);
+    EXPECT_NEAR(glm::determinant(rotation), 1, 1e-14);
+    EXPECT_NEAR(rotation[0].y, 0, 1e-15) << "+x stays level";
+  }
+  EXPECT_EQ(error_of([] { luminaire_from_light({0, 0, 0}); }), "axis = 0: must be finite and not 0");
+}
+
 // --- profiles ---
 
 TEST(AxialProfile, SymmetricBeamHasItsMeasuredProfile) {
-  const auto lamp = sampled(PhotometryType::c, {0}, {0, 0.1, 0.3, 1.2}, [](double, double g) { return 10 - 5 * g; });
+  const auto lamp =
+      sampled(PhotometryType::c, {0}, {0, 0.1, 0.3, 1.2, 2.3, pi}, [](double, double g) { return 10 - 3 * g; });
   const auto profile = axial_profile(lamp, kPhotometricAxis);
-  ASSERT_EQ(profile.size(), 4u);
-  for (std::size_t i = 0; i < 4; ++i) {
+  ASSERT_EQ(profile.size(), lamp.vertical.size());
+  for (std::size_t i = 0; i < profile.size(); ++i) {
     EXPECT_EQ(profile[i].angle, lamp.vertical[i]);
     EXPECT_NEAR(profile[i].mean, lamp.intensity[i], 1e-12);
     EXPECT_NEAR(profile[i].deviation, 0, 1e-12);
+  }
+  const auto from_above = axial_profile(lamp, -kPhotometricAxis);
+  ASSERT_EQ(from_above.size(), profile.size());
+  for (std::size_t i = 0; i < profile.size(); ++i) {
+    EXPECT_NEAR(from_above[i].angle, pi - lamp.vertical.rbegin()[i], 1e-15);
+    EXPECT_NEAR(from_above[i].mean, lamp.intensity.rbegin()[i], 1e-12);
+  }
+}
+
+TEST(AxialProfile, PlanesAreAveragedOnTheAxisWhereTheyDisagree) {
+  const IntensityDistribution lamp{
+      PhotometryType::c, degrees(0, 180, 90), degrees(0, 180, 90), {100, 50, 0, 80, 40, 0, 120, 60, 0}};
+  EXPECT_NEAR(intensity_at(lamp, kPhotometricAxis), 95, 1e-12);  // (100 / 2 + 80 + 120 / 2) / 2
+  EXPECT_NEAR(axial_profile(lamp, kPhotometricAxis)[0].mean, 95, 1e-9);
+  EXPECT_NEAR(axial_profile(lamp, -kPhotometricAxis).back().mean, 95, 1e-9);
+  EXPECT_NEAR(axial_profile(lamp, kPhotometricAxis)[1].mean, 47.5, 1e-9) << "the same turn beside the axis";
+}
+
+TEST(AxialProfile, AnglesThatWereNotMeasuredAreDark) {
+  const auto profile_of = [](const std::vector<double>& angles) {
+    return axial_profile(sampled(PhotometryType::c, {0}, angles, [](double, double) { return 7; }), kPhotometricAxis);
+  };
+  const auto expect_profile = [](const std::vector<AxialSample>& profile,
+                                 const std::vector<std::pair<double, double>>& expected) {
+    ASSERT_EQ(profile.size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      EXPECT_NEAR(profile[i].angle / kDegree, expected[i].first, 1e-9) << i;
+      EXPECT_NEAR(profile[i].mean, expected[i].second, 1e-12) << i;
+    }
+  };
+  expect_profile(profile_of(degrees(0, 90, 30)),
+                 {{0, 7}, {30, 7}, {60, 7}, {90, 7}, {90.01, 0}, {120, 0}, {150, 0}, {180, 0}});
+  expect_profile(profile_of(degrees(90, 180, 45)), {{0, 0}, {45, 0}, {89.99, 0}, {90, 7}, {135, 7}, {180, 7}});
+  expect_profile(profile_of(degrees(100, 130, 15)), {{0, 0},
+                                                     {10, 0},
+                                                     {25, 0},
+                                                     {40, 0},
+                                                     {55, 0},
+                                                     {70, 0},
+                                                     {85, 0},
+                                                     {99.99, 0},
+                                                     {100, 7},
+                                                     {115, 7},
+                                                     {130, 7},
+                                                     {130.01, 0},
+                                                     {145, 0},
+                                                     {160, 0},
+                                                     {180, 0}});
+}
+
+TEST(AxialProfile, FileThatEndsInTheDarkHasTheProfileOfOneThatGoesOn) {
+  const auto beam = [](double, double g) { return std::max(0.0, 100 - 150 * g); };
+  const auto short_file = axial_profile(sampled(PhotometryType::c, {0}, degrees(0, 60, 5), beam), kPhotometricAxis);
+  const auto whole_file = axial_profile(sampled(PhotometryType::c, {0}, degrees(0, 180, 5), beam), kPhotometricAxis);
+  ASSERT_EQ(short_file.size(), whole_file.size());
+  for (std::size_t i = 0; i < whole_file.size(); ++i) {
+    EXPECT_NEAR(short_file[i].angle, whole_file[i].angle, 1e-12);
+    EXPECT_NEAR(short_file[i].mean, whole_file[i].mean, 1e-12);
   }
 }
 
@@ -292,14 +364,14 @@ TEST(AxialProfile, ProfileIsTheMeanOverTheTurnWithTheLargestDeviation) {
   const IntensityDistribution lamp{
       PhotometryType::c, degrees(0, 90, 45), degrees(0, 60, 30), {1000, 800, 400, 1000, 600, 100, 1000, 700, 0}};
   const auto profile = axial_profile(lamp, kPhotometricAxis);
-  ASSERT_EQ(profile.size(), 3u);
+  ASSERT_EQ(profile.size(), 8u);  // and dark from 60.01 degrees on
   EXPECT_NEAR(profile[0].mean, 1000, 1e-9);
   EXPECT_NEAR(profile[1].mean, 675, 1e-9);  // (800 / 2 + 600 + 700 / 2) / 2
   EXPECT_NEAR(profile[1].deviation, 125, 1e-9);
   EXPECT_NEAR(profile[2].mean, 150, 1e-9);
   EXPECT_NEAR(profile[2].deviation, 250, 1e-9);
   const auto plane = plane_profile(lamp, pi / 2);
-  ASSERT_EQ(plane.size(), 3u);
+  ASSERT_EQ(plane.size(), profile.size());
   EXPECT_NEAR(plane[1].mean, 700, 1e-9);
 }
 

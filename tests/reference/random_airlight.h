@@ -41,13 +41,6 @@ inline std::string to_string(const AirlightCase& c) {
   return to_string(SolveCase{light.attenuation, c.fog, light.threshold}) + text;
 }
 
-inline glm::dvec3 draw_direction(Random& random) {
-  const double z = random.uniform(-1, 1);
-  const double angle = random.uniform(0, 2 * std::numbers::pi);
-  const double radius = std::sqrt(1 - z * z);
-  return glm::normalize(glm::dvec3(radius * std::cos(angle), radius * std::sin(angle), z));
-}
-
 inline glm::dvec3 draw_perpendicular(Random& random, const glm::dvec3& direction) {
   for (;;) {
     const glm::dvec3 cross = glm::cross(direction, draw_direction(random));

@@ -6,7 +6,10 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 #include <limits>
+#include <numbers>
 #include <random>
 #include <string>
 
@@ -61,6 +64,14 @@ class Random {
  private:
   std::mt19937_64 engine_;
 };
+
+/// Evenly over the sphere.
+inline glm::dvec3 draw_direction(Random& random) {
+  const double z = random.uniform(-1, 1);
+  const double angle = random.uniform(0, 2 * std::numbers::pi);
+  const double radius = std::sqrt(1 - z * z);
+  return glm::normalize(glm::dvec3(radius * std::cos(angle), radius * std::sin(angle), z));
+}
 
 /// Lights as they occur, with some of their kinds' corners: C = 0, C = 1, clamped, linear or quadratic only.
 inline SolveCase draw_ordinary_case(Random& random, FogMode mode) {

@@ -13,7 +13,6 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <random>
 #include <tuple>
 
 #include "command/temporary_directory.h"
@@ -22,6 +21,7 @@
 #include "litfog/input_error.h"
 #include "measure/picture_error.h"
 #include "measure/reference_picture.h"
+#include "reference/random_light.h"
 #include "scene/file/scene_file.h"
 
 namespace litfog::test {
@@ -579,16 +579,16 @@ TEST_F(GltfScene, NoDamageCrashesTheReader) {
   file["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", 140}, {"byteLength", picture.size()}});
   file["buffers"][0]["byteLength"] = 140 + picture.size();
   const std::string whole = binary_file(file, floor_bytes() + picture);
-  std::mt19937 random(1);
+  Random random(1);
   int failed = 0;
   constexpr int kTrials = 3000;
   for (int trial = 0; trial < kTrials; ++trial) {
     std::string damaged = whole;
-    for (unsigned i = 0; i <= random() % 3; ++i) {
-      const std::size_t at = random() % damaged.size();
-      damaged[at] = random() % 2 == 0 ? char(random()) : "0123456789-.,[]{}\""[random() % 18];
+    for (int bytes = 1 + random.below(3); bytes > 0; --bytes) {
+      damaged[std::size_t(random.below(int(damaged.size())))] =
+          random.chance(0.5) ? char(random.below(256)) : random.pick(std::string_view("0123456789-.,[]{}\""));
     }
-    if (trial % 10 == 0) damaged.resize(random() % damaged.size());
+    if (trial % 10 == 0) damaged.resize(std::size_t(random.below(int(damaged.size()))));
     try {
       read_scene(write("damaged.glb", damaged));
     } catch (const InputError&) {

@@ -30,10 +30,6 @@ void expect_rotation(const glm::dmat3& rotation) {
   EXPECT_NEAR(glm::determinant(rotation), 1, kRounding);
 }
 
-dvec3 random_direction(test::Random& random) {
-  return glm::normalize(dvec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)));
-}
-
 constexpr double kQuarter = std::numbers::pi / 2;
 
 TEST(LightFrame, ViewpointThatLooksNorthHasXAheadYLeftZUp) {
@@ -60,7 +56,7 @@ TEST(LightFrame, BearingOfADirectionHasItAhead) {
   test::Random random(4);
   for (int i = 0; i < 1000; ++i) {
     const Attitude viewpoint{random.uniform(-3, 3), random.uniform(-1.5, 1.5), random.uniform(-3, 3)};
-    const dvec3 direction = random_direction(random);
+    const dvec3 direction = test::draw_direction(random);
     const glm::dmat3 rotation = light_from_world(bearing_of(direction, viewpoint), viewpoint);
     expect_rotation(rotation);
     expect_near(rotation * direction, {1, 0, 0}, 1e-7);  // acos near 1: an asin at a pole loses half the digits
@@ -75,7 +71,7 @@ TEST(LightFrame, AttitudeOfACameraLooksAtItsTarget) {
 TEST(LightFrame, BasisHasTheDirectionAtMinusZAndStandsUpright) {
   test::Random random(5);
   for (int i = 0; i < 1000; ++i) {
-    const dvec3 direction = random_direction(random);
+    const dvec3 direction = test::draw_direction(random);
     const glm::dmat3 basis = basis_from_world(direction);
     expect_rotation(basis);
     expect_near(basis * direction, {0, 0, -1});

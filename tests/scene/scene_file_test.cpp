@@ -37,14 +37,14 @@ class SceneFile : public testing::Test {
     return read_scene(path());
   }
   /// The sentence without the file's name.
-  std::string refusal(const std::string& members) const {
+  std::string error_of(const std::string& members) const {
     try {
       read(members);
     } catch (const InputError& bad) {
       const std::string sentence = bad.what();
       return sentence.starts_with(path()) ? sentence.substr(path().size()) : sentence;
     }
-    return "not refused";
+    return "no error";
   }
   std::string path() const { return (directory_.path() / "scene.json").string(); }
 
@@ -126,8 +126,8 @@ TEST_F(SceneFile, TurningLightTurnsToTheLeftAboutTheVerticalWithTime) {
   EXPECT_EQ(scene.lights[2].direction, glm::dvec3(0, 0, -1));
   turn_lights(scene, kMaxSeconds);
   EXPECT_FALSE(check(scene.lights[0]));
-  EXPECT_NE(refusal(std::string("\"lights\": [{\"light\": {") + kLamp +
-                    R"(}, "position": [0, 9, 0], "turn_deg_per_s": 3601}], "objects": [])")
+  EXPECT_NE(error_of(std::string("\"lights\": [{\"light\": {") + kLamp +
+                     R"(}, "position": [0, 9, 0], "turn_deg_per_s": 3601}], "objects": [])")
                 .find("lights[0].turn_deg_per_s = 3601: must be in [-3600, 3600]"),
             std::string::npos);
 }
@@ -143,26 +143,28 @@ TEST_F(SceneFile, FogHasNoTopAndNoAsymmetryWhereNoneIsStated) {
 }
 
 TEST_F(SceneFile, FogTopIsAFiniteNumberAndAsymmetryLiesBetweenMinusOneAndOne) {
-  EXPECT_EQ(refusal("\"phase_g\": 1, \"objects\": []"), ":3:12: phase_g = 1: must be in (-1, 1)");
-  EXPECT_EQ(refusal("\"phase_g\": -1.0, \"objects\": []"), ":3:12: phase_g = -1.0: must be in (-1, 1)");
-  EXPECT_EQ(refusal("\"fog_top_m\": \"high\", \"objects\": []"), ":3:14: fog_top_m = \"high\": must be a number");
-  EXPECT_TRUE(refusal("\"fog_top_m\": 1e999, \"objects\": []").starts_with(":3:14: "));
-  EXPECT_NE(refusal("\"fog_top_m\": null, \"objects\": []"), "not refused");
+  EXPECT_EQ(error_of("\"phase_g\": 1, \"objects\": []"), ":3:12: phase_g = 1: must be in (-1, 1)");
+  EXPECT_EQ(error_of("\"phase_g\": -1.0, \"objects\": []"), ":3:12: phase_g = -1.0: must be in (-1, 1)");
+  EXPECT_EQ(error_of("\"fog_top_m\": \"high\", \"objects\": []"), ":3:14: fog_top_m = \"high\": must be a number");
+  EXPECT_TRUE(error_of("\"fog_top_m\": 1e999, \"objects\": []").starts_with(":3:14: "));
+  EXPECT_NE(error_of("\"fog_top_m\": null, \"objects\": []"), "no error");
 }
 
-TEST_F(SceneFile, ACookieThatIsNoneIsRefused) {
-  const auto refused = [&](const std::string& cookie) {
-    return refusal(std::string("\"objects\": [], \"lights\": [{\"light\": {") + kLamp +
-                   "}, \"position\": [0, 0, 0],\n\"cookie\": " + cookie + "}]");
+TEST_F(SceneFile, CookieThatIsNoneIsAnError) {
+  const auto cookie_error = [&](const std::string& cookie) {
+    return error_of(std::string("\"objects\": [], \"lights\": [{\"light\": {") + kLamp +
+                    "}, \"position\": [0, 0, 0],\n\"cookie\": " + cookie + "}]");
   };
-  EXPECT_EQ(refused(R"({"pattern": "stars"})"), ":4:23: lights[0].cookie.pattern = \"stars\": must be disco or beacon");
-  EXPECT_EQ(refused(R"({"pattern": "disco", "image": "a.exr"})"),
+  EXPECT_EQ(cookie_error(R"({"pattern": "stars"})"),
+            ":4:23: lights[0].cookie.pattern = \"stars\": must be disco or beacon");
+  EXPECT_EQ(cookie_error(R"({"pattern": "disco", "image": "a.exr"})"),
             ":4:23: lights[0].cookie.pattern = \"disco\": must not stand beside image");
-  EXPECT_NE(refused(R"({"pattern": "disco", "spin": 3})").find("\"spin\": must be one of image, pattern, roll_deg"),
+  EXPECT_NE(
+      cookie_error(R"({"pattern": "disco", "spin": 3})").find("\"spin\": must be one of image, pattern, roll_deg"),
+      std::string::npos);
+  EXPECT_NE(cookie_error(R"({"image": "none.exr"})").find("lights[0].cookie.image = \"none.exr\": must be a cookie: "),
             std::string::npos);
-  EXPECT_NE(refused(R"({"image": "none.exr"})").find("lights[0].cookie.image = \"none.exr\": must be a cookie: "),
-            std::string::npos);
-  EXPECT_NE(refused(R"({"roll_deg": 3})").find("image"), std::string::npos);
+  EXPECT_NE(cookie_error(R"({"roll_deg": 3})").find("image"), std::string::npos);
 }
 
 class SceneCookieFile : public SceneFile {
@@ -194,9 +196,9 @@ TEST_F(SceneCookieFile, CookieOfAnotherWriterIsRead) {
   EXPECT_EQ(scene.cookies[0].texels, std::vector<float>(150, 0.25f));
 }
 
-TEST_F(SceneCookieFile, FormatsOtherThanOpenExrAreRefused) {
+TEST_F(SceneCookieFile, FormatOtherThanOpenExrIsAnError) {
   write("a.tif", 5);
-  EXPECT_NE(refusal(members({"a.tif"})).find("a.tif: cannot be read as OpenEXR: "), std::string::npos);
+  EXPECT_NE(error_of(members({"a.tif"})).find("a.tif: cannot be read as OpenEXR: "), std::string::npos);
 }
 
 TEST_F(SceneCookieFile, OneFileIsOneCookieHoweverItIsSpelled) {
@@ -213,7 +215,7 @@ TEST_F(SceneCookieFile, CookiesMayHave268435456TexelsTogether) {
       {.size = 1700, .texels = std::vector<float>(std::size_t{6} * 1700 * 1700, 1.0f)});
   std::vector<std::string> files{"large.exr"};
   for (int i = 1; i < 16; ++i) write(files.emplace_back("small" + std::to_string(i) + ".exr"), 1);
-  EXPECT_EQ(refusal(members(files)),
+  EXPECT_EQ(error_of(members(files)),
             ":18:106: lights[15].cookie.image = \"small15.exr\": must leave the scene's cookies, all as large as the "
             "largest, at most 268435456 texels");
 }
@@ -245,9 +247,9 @@ TEST_F(SceneFile, EveryLightIsOneThatTheLibraryTakes) {
                     "repeat": [{"count": 2, "step": [1e7, 0, 0]}]}], "objects": [])"));
   ASSERT_EQ(scene.lights.size(), 6u);
   for (const PlacedLight& placed : scene.lights) EXPECT_FALSE(check(placed)) << to_string(*check(placed));
-  EXPECT_EQ(refusal("\"lights\": [" + light("\"position\": [0, 0, 0],\n\"direction\": [0, 0, 0]}], \"objects\": []")),
+  EXPECT_EQ(error_of("\"lights\": [" + light("\"position\": [0, 0, 0],\n\"direction\": [0, 0, 0]}], \"objects\": []")),
             ":4:14: lights[0].direction = an array: must have a length in (1e-9, 1e9)");
-  EXPECT_EQ(refusal("\"lights\": [" + light("\"position\": [4, 5, 6],\n\"aim\": [4, 5, 6]}], \"objects\": []")),
+  EXPECT_EQ(error_of("\"lights\": [" + light("\"position\": [4, 5, 6],\n\"aim\": [4, 5, 6]}], \"objects\": []")),
             ":4:8: lights[0].aim = an array: must not be at the light's position");
 }
 
@@ -259,28 +261,28 @@ TEST_F(SceneFile, EqualModelsAreMadeOnce) {
   EXPECT_EQ(scene.instances.size(), 3u);
 }
 
-TEST_F(SceneFile, RefusalsNamePlaceValueAndRule) {
-  EXPECT_EQ(refusal("\"objects\": [{\"model\": \"crate\", \"size_m\": 99}]"),
+TEST_F(SceneFile, ErrorNamesLocationValueAndRule) {
+  EXPECT_EQ(error_of("\"objects\": [{\"model\": \"crate\", \"size_m\": 99}]"),
             ":3:42: objects[0].size_m = 99: must be in [0.2, 3]");
-  EXPECT_EQ(refusal("\"visibilities_m\": [100, -5], \"objects\": []"), ":3:25: visibilities_m[1] = -5: must be > 0");
-  EXPECT_EQ(refusal("\"environment\": {\"ambient\": [0, -1, 0]}, \"objects\": []"),
+  EXPECT_EQ(error_of("\"visibilities_m\": [100, -5], \"objects\": []"), ":3:25: visibilities_m[1] = -5: must be > 0");
+  EXPECT_EQ(error_of("\"environment\": {\"ambient\": [0, -1, 0]}, \"objects\": []"),
             ":3:28: environment.ambient = an array: must be a colour of numbers in [0, 10000]");
-  EXPECT_EQ(refusal("\"objects\": [{\"model\": \"crate\", \"repeat\": [{\"count\": 1e9, \"step\": [1, 0, 0]}]}]"),
+  EXPECT_EQ(error_of("\"objects\": [{\"model\": \"crate\", \"repeat\": [{\"count\": 1e9, \"step\": [1, 0, 0]}]}]"),
             ":3:53: objects[0].repeat[0].count = 1e9: must be in [1, 20000]");
 }
 
-TEST_F(SceneFile, RefusesWhatItDoesNotKnow) {
-  EXPECT_NE(refusal("\"colour\": 1, \"objects\": []").find(":3:1: \"colour\""), std::string::npos);
-  EXPECT_NE(refusal("\"objects\": [{\"model\": \"dragon\"}]").find(":3:23: objects[0].model"), std::string::npos);
-  EXPECT_NE(refusal("\"objects\": [{\"model\": \"crate\", \"wings\": 2}]").find("wings"), std::string::npos);
+TEST_F(SceneFile, UnknownMemberOrModelIsAnError) {
+  EXPECT_NE(error_of("\"colour\": 1, \"objects\": []").find(":3:1: \"colour\""), std::string::npos);
+  EXPECT_NE(error_of("\"objects\": [{\"model\": \"dragon\"}]").find(":3:23: objects[0].model"), std::string::npos);
+  EXPECT_NE(error_of("\"objects\": [{\"model\": \"crate\", \"wings\": 2}]").find("wings"), std::string::npos);
   EXPECT_NE(
-      refusal("\"lights\": [{\"light\": \"none.json\", \"position\": [0, 0, 0]}], \"objects\": []").find("none.json"),
+      error_of("\"lights\": [{\"light\": \"none.json\", \"position\": [0, 0, 0]}], \"objects\": []").find("none.json"),
       std::string::npos);
 }
 
-TEST_F(SceneFile, RefusesWhatFloatsCannotDraw) {
+TEST_F(SceneFile, WhatFloatsCannotDrawIsAnError) {
   const auto error_of_light = [this](const std::string& members) {
-    return refusal(std::string("\"objects\": [], \"lights\": [{\"light\": {") + kLamp + members + "}]");
+    return error_of(std::string("\"objects\": [], \"lights\": [{\"light\": {") + kLamp + members + "}]");
   };
   EXPECT_EQ(error_of_light("}, \"position\": [0, 1e8, 0]").substr(8),
             "lights[0].position = an array: must have coordinates in [-10000000, 10000000]");
@@ -297,56 +299,57 @@ TEST_F(SceneFile, RefusesWhatFloatsCannotDraw) {
   EXPECT_NE(error_of_light("}, \"position\": [0, 0, 0], \"repeat\": [{\"count\": 9, \"step\": [1e307, 0, 0]}]")
                 .find("repeat[0].step"),
             std::string::npos);
-  EXPECT_NE(refusal("\"objects\": [{\"model\": \"crate\", \"scatter\": {\"count\": 2, \"area\": [0, 0, 1e300, 1]}}]")
+  EXPECT_NE(error_of("\"objects\": [{\"model\": \"crate\", \"scatter\": {\"count\": 2, \"area\": [0, 0, 1e300, 1]}}]")
                 .find("objects[0].scatter.area[2]"),
             std::string::npos);
 }
 
-TEST_F(SceneFile, RefusesMoreCarriedLightsThanTheBlockHolds) {
+TEST_F(SceneFile, MoreCarriedLightsThanTheBlockHoldsAreAnError) {
   const auto carried = [this](std::size_t count) {
-    return refusal(std::string("\"objects\": [],\n\"lights\": [{\"light\": {") + kLamp +
-                   "}, \"position\": [0, 0, 0], \"carried\": true, \"repeat\": [{\"count\": " + std::to_string(count) +
-                   ", \"step\": [1, 0, 0]}]}]");
+    return error_of(std::string("\"objects\": [],\n\"lights\": [{\"light\": {") + kLamp +
+                    "}, \"position\": [0, 0, 0], \"carried\": true, \"repeat\": [{\"count\": " + std::to_string(count) +
+                    ", \"step\": [1, 0, 0]}]}]");
   };
-  EXPECT_EQ(carried(litfog::kMaxFogLights), "not refused");
+  EXPECT_EQ(carried(litfog::kMaxFogLights), "no error");
   EXPECT_EQ(carried(litfog::kMaxFogLights + 1), ":4:12: lights: must be at most 200 that are carried");
 }
 
-TEST_F(SceneFile, RefusesMoreObjectsThanTheRendererCanList) {
+TEST_F(SceneFile, MoreObjectsThanTheRendererCanListAreAnError) {
   std::string objects;
   for (int i = 0; i < 3; ++i) {
     objects +=
         std::string(i > 0 ? "," : "") + "{\"model\": \"box\", \"repeat\": [{\"count\": 20000, \"step\": [1, 0, 0]}]}";
   }
-  EXPECT_NE(refusal("\"objects\": [" + objects + "]").find("objects: must be at most 50000 with all copies"),
+  EXPECT_NE(error_of("\"objects\": [" + objects + "]").find("objects: must be at most 50000 with all copies"),
             std::string::npos);
 }
 
-TEST_F(SceneFile, RefusesAMissingLightFileAtItsPlace) {
+TEST_F(SceneFile, MissingLightFileIsAnErrorAtItsLocation) {
   const std::string sentence =
-      refusal("\"lights\": [{\"light\": \"none.json\", \"position\": [0, 0, 0]}], \"objects\": []");
+      error_of("\"lights\": [{\"light\": \"none.json\", \"position\": [0, 0, 0]}], \"objects\": []");
   EXPECT_EQ(sentence.find(":3:22: lights[0].light = \"none.json\": must be a light file: "), 0u) << sentence;
   EXPECT_NE(sentence.find("none.json: cannot be read: No such file or directory"), std::string::npos) << sentence;
 }
 
-TEST_F(SceneFile, RefusesANameThatIsNoFileName) {
+TEST_F(SceneFile, NameThatIsNoFileNameIsAnError) {
   for (const char* name : {"", ".", "..", ".hidden", "a/b", "/etc/passwd", "../up", "a\\u0000b", "a\\nb"}) {
-    EXPECT_EQ(refusal(std::string("\"name\": \"") + name + "\", \"objects\": []").substr(0, 14), ":3:9: name = \"")
+    EXPECT_EQ(error_of(std::string("\"name\": \"") + name + "\", \"objects\": []").substr(0, 14), ":3:9: name = \"")
         << name;
   }
-  EXPECT_EQ(refusal("\"name\": \"two words\", \"objects\": []"), "not refused");
+  EXPECT_EQ(error_of("\"name\": \"two words\", \"objects\": []"), "no error");
 }
 
-TEST_F(SceneFile, RefusesEqualVisibilities) {
-  EXPECT_EQ(refusal("\"visibilities_m\": [100, 50, 1e2], \"objects\": []"),
+TEST_F(SceneFile, EqualVisibilitiesAreAnError) {
+  EXPECT_EQ(error_of("\"visibilities_m\": [100, 50, 1e2], \"objects\": []"),
             ":3:29: visibilities_m[2] = 1e2: must not be given twice");
 }
 
-TEST_F(SceneFile, RefusesARuleAcrossParametersInPlace) {
-  EXPECT_EQ(refusal("\"objects\": [{\"model\": \"road\", \"length_m\": 50, \"bend_m\": 100}]").substr(0, 7), ":3:23: ");
+TEST_F(SceneFile, RuleAcrossParametersIsAnErrorAtTheModelsName) {
+  EXPECT_EQ(error_of("\"objects\": [{\"model\": \"road\", \"length_m\": 50, \"bend_m\": 100}]").substr(0, 7),
+            ":3:23: ");
 }
 
-TEST_F(SceneFile, RefusesACameraThatLooksStraightUp) {
+TEST_F(SceneFile, CameraThatLooksStraightUpIsAnError) {
   std::ofstream(path()) << "{\"litfog\": \"scene\", \"version\": 1,\n"
                            " \"camera\": {\"position\": [0, 1, 5], \"target\": [0, 9, 5]}, \"objects\": []}";
   EXPECT_THROW(read_scene(path()), InputError);

@@ -23,7 +23,7 @@ struct GltfMaterial {
   bool is_double_sided;
 };
 
-/// Makes the demo's materials of those of a glTF file that are used (read_gltf_scene tells how).
+/// Converts the materials of a glTF file that are used to the demo's; read_gltf_scene documents how.
 class GltfMaterials {
  public:
   /// file  has to outlive this
@@ -41,7 +41,7 @@ class GltfMaterials {
   using SharedTexels = std::shared_ptr<const Texels>;
 
   Material make(const std::string& name, const JsonValue& given);
-  /// A picture's colours times a factor.
+  /// A picture whose colours are multiplied by a factor.
   SharedTexels tinted(const JsonValue& material, const SharedTexels& picture, const glm::vec3& factor);
   SharedTexels normal_map(const JsonValue& material);
 
@@ -52,7 +52,7 @@ class GltfMaterials {
   GltfPictures pictures_;
   GltfPicture white_;
   SharedTexels flat_;  // a normal map
-  // Pictures made of a file's pictures, shared where they are the same.
+  // Pictures derived from the file's, shared where they are the same.
   std::map<std::pair<const Texels*, std::array<float, 3>>, SharedTexels> tinted_;
   std::map<std::pair<const Texels*, float>, SharedTexels> scaled_normals_;
   TexelBudget made_;

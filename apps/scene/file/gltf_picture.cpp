@@ -19,7 +19,7 @@ constexpr std::size_t kMaxTexels = std::size_t{1} << 27;
 constexpr std::size_t kMaxEncodedBytes = std::size_t{256} << 20;  // of a picture's file
 constexpr int kMaxPictureSide = 16'384;
 
-/// The mean of RGB, each level as a table has it.
+/// The mean RGB, each level replaced by its value in a table.
 glm::vec3 mean_of(const Texels& texels, const std::array<float, 256>& value_of_level) {
   glm::dvec3 sum(0.0);
   for (std::size_t i = 0; i < texels.rgba.size(); i += 4) {

@@ -122,7 +122,7 @@ class GltfReader {
     };
     std::vector<Visit> visits;
     const auto add = [&](const std::vector<JsonValue>& nodes, const glm::dmat4& transform, bool carried) {
-      for (std::size_t i = nodes.size(); i-- > 0;) {  // the first one comes off the stack first
+      for (std::size_t i = nodes.size(); i-- > 0;) {  // so that the first comes off the stack first
         visits.push_back({index_in(nodes_, nodes[i]), transform, carried});
       }
     };
@@ -171,7 +171,7 @@ class GltfReader {
     return true;
   }
 
-  /// The whole from its front, somewhat above.
+  /// Shows the whole scene from its front, from somewhat above.
   void look_at(const Bounds& box) {
     const glm::vec3 middle = (box.low + box.high) * 0.5f;
     const float radius = glm::distance(box.high, middle);
@@ -259,7 +259,7 @@ class GltfReader {
 
   // --- meshes ---
 
-  /// A primitive as read, once for all nodes that it is drawn at.
+  /// A primitive, read once for all nodes that draw it.
   struct Primitive {
     JsonValue json;
     std::size_t part;  // of the scene's model

@@ -12,7 +12,7 @@ namespace litfog::scene {
 
 using files::JsonValue;
 
-/// The bytes behind the "uri" of a glTF file's buffer or picture: those of a base64 data URI, or of a file whose path
+/// The bytes that the "uri" of a glTF file's buffer or picture refers to: of a base64 data URI, or of a file whose path
 /// is relative to the glTF file's folder.
 ///
 /// noun       what the owner is, for the error's sentence

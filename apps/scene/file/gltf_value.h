@@ -12,7 +12,7 @@ namespace litfog::scene {
 
 using files::JsonValue;
 
-// What glTF's JSON is made of. Each function throws InputError at the value that is wrong.
+// Values of glTF's JSON. Each function throws InputError at the value that is wrong.
 
 /// A whole number that an int holds, as indices, counts and offsets are.
 std::size_t whole_number(const JsonValue& value);

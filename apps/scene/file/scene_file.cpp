@@ -33,7 +33,7 @@ using files::JsonValue;
 
 constexpr std::size_t kMaxCopies = 20'000;  // of one object or light
 constexpr std::size_t kMaxInstances = 50'000;
-constexpr std::size_t kMaxCookies = 32;  // OpenGL 3.3 promises 256 layers, six a cookie
+constexpr std::size_t kMaxCookies = 32;                         // OpenGL 3.3 promises 256 layers, six a cookie
 constexpr std::size_t kMaxCookieTexels = std::size_t{1} << 28;  // 1 GiB of floats
 constexpr double kMaxDensityScale = 1e6;
 
@@ -50,7 +50,7 @@ bool is_position(const glm::dvec3& position) {
 }
 const std::string kPositionRule = fmt::format("must have coordinates in [{}, {}]", -kMaxCoordinate, kMaxCoordinate);
 
-/// One file's path however it is spelled.
+/// The same path for a file, however it is spelled.
 std::filesystem::path canonical_path(const std::filesystem::path& path) {
   std::error_code error;
   const auto found = std::filesystem::weakly_canonical(path, error);
@@ -213,7 +213,7 @@ class SceneReader {
     return checked(value, entry->second);
   }
 
-  /// What a light file may say but the renderer's floats cannot.
+  /// Fails where a light file states what the renderer's floats cannot hold.
   static const Light& checked(const JsonValue& value, const Light& light) {
     if (!is_color(light.color)) value.fail(value.path() + ".color", "", kColorRule);
     if (!(light.density_scale <= kMaxDensityScale)) {
@@ -320,8 +320,10 @@ class SceneReader {
       low = number_in(ends[0], 0.001, 1000);
       high = number_in(ends[1], low, 1000);
     }
+    // Not HashRandom: another sequence would move what the scenes have scattered. The standard states this engine's
+    // numbers, so that they are the same with every library; those of its distributions are not.
     std::minstd_rand random(unsigned(number_in_or(value, "seed", 1, 1e9, 1)));
-    const auto between = [&](double from, double to) {  // std's distributions differ between libraries
+    const auto between = [&](double from, double to) {
       return from + (to - from) * (double(random()) / double(std::minstd_rand::max()));
     };
     for (std::size_t i = 0; i < count; ++i) {

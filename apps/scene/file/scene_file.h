@@ -55,8 +55,8 @@ namespace litfog::scene {
 /// Reads a scene file, or a glTF file (gltf_scene.h) by its ending. Throws InputError.
 Scene read_scene(const std::string& path);
 
-/// Reads scenes whose pictures go into one folder. Throws InputError, also where two have one name: their pictures
-/// would.
+/// Reads scenes whose pictures go into one folder. Throws InputError, also where two scenes, and so their pictures,
+/// would have one name.
 std::vector<Scene> read_scenes(const std::vector<std::string>& paths);
 
 /// The scenes that come with litfog: names of files in data/scenes, sorted. Throws InputError where there are none.

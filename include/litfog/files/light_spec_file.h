@@ -22,11 +22,17 @@ namespace litfog {
 ///       "version": 1,
 ///       "name": "landing lamp",                 optional: the file's name without its ending
 ///       "source": "where the figures are from", optional, or an array of such; the light's
-///       "color": [1, 0.9, 0.8],                 optional: white; the light's
+///       "color": [1, 0.9, 0.8],                 optional: white; the light's; or
+///       "color_temperature_k": 3200,            instead: 1000 to 25000 (litfog/color_temperature.h)
 ///       "density_scale": 0.4,                   optional: 1; the light's
 ///       "range": {                              optional, and each member of it, but not an extent and samples both
 ///         "threshold": 0.05,                    the light's
-///         "extent_m": 120,                      where the attenuation is to be the threshold, met exactly
+///         "extent_m": 120,                      where the attenuation is to be the threshold, met exactly; or instead
+///         "end_lx": 1,                          where the light gives that much, from its peak; or by what an eye on it
+///                                               just sees (ICAO Annex 3, attachment D): night (8e-7), twilight (1e-5),
+///                                               day (1e-4) or bright day (1e-3); default: 1
+///         "peak_cd": 12000,                     default: that of the cone's photometry; or instead
+///         "illuminance": {"range_m": 10, "lx": 120},     on the axis in clear air: the peak is lx * range_m^2
 ///         "constant": 1,                        C, to be kept
 ///         "family": "quadratic",                of an extent alone: quadratic, linear or mixed (half and half)
 ///         "samples": [{"range_m": 10, "attenuation": 0.8, "weight": 1}]      by increasing range; weight optional
@@ -56,7 +62,9 @@ struct RangeSpec {
   };
 
   double threshold = kDefaultThreshold;
-  std::optional<double> extent = {};  ///< metres
+  std::optional<double> extent = {};           ///< metres
+  std::optional<double> end_illuminance = {};  ///< lux, > 0; not beside an extent
+  std::optional<double> peak = {};             ///< candela, > 0; not beside an extent
   std::optional<double> constant = {};
   Family family = Family::quadratic;
   std::vector<Sample> samples = {};
@@ -88,6 +96,7 @@ struct LightSpec {
   std::string name = {};
   std::vector<std::string> source = {};
   glm::dvec3 color{1.0};
+  std::optional<double> color_temperature = {};  ///< kelvin, of which the color was made
   double density_scale = 1;
   std::optional<RangeSpec> range = {};
   std::optional<ConeSpec> cone = {};

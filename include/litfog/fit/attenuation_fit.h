@@ -54,15 +54,16 @@ enum class AttenuationConstraint { extent, constant_given, constant_zero, linear
 /// "extent", "constant given", "constant = 0", ...
 const char* name_of(AttenuationConstraint constraint);
 
-/// A fit and how good it is. A residual is ln a(range) - ln attenuation: 0.01 is 1 % too bright.
+/// A fit and how good it is. A residual is ln a(range) - ln attenuation, as in the objective. An error is
+/// a(range) / attenuation - 1: 0.01 is 1 % too bright.
 struct AttenuationFit {
   Attenuation attenuation = {};
   double threshold = kDefaultThreshold;
   AttenuationFitStatus status = AttenuationFitStatus::optimal;
   std::string sentence = {};           ///< the outcome in words
   double objective = 0;                ///< sum of weight * residual^2 (robust: * soft L1 of it)
-  double rms = 0;                      ///< root of the weighted mean of residual^2
-  double largest_residual = 0;         ///< in magnitude, of the samples with weight
+  double rms_error = 0;                ///< root of the weighted mean of error^2
+  double largest_error = 0;            ///< signed: the largest in magnitude of the samples with weight
   std::vector<double> residuals = {};  ///< a sample each
   /// Robust: the scale s = 1.345 * 1.4826 * the median of the n - p largest |residuals| of the n samples, p the free
   /// coefficients, about the fit of (nearly) least absolute residuals; at least 1e-6. Infinite otherwise.

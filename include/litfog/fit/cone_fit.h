@@ -95,9 +95,11 @@ struct ConeFit {
 ///              every sample. The best found is refined by least squares
 ///
 /// Where the samples leave a choice:
-/// cosine       half_angle is where the cone falls to 0.05 % (which does not show as an edge: 1.6 of 255 in sRGB), if
-///              that raises the objective by at most 0.04 %; else half-way between the last sample that is best lit and
-///              the first that is best dark, or 90 degrees. Without a lit sample off the axis the exponent is 0
+/// cosine       half_angle is where the cone falls to 0.05 % (which does not show as an edge: 1.6 of 255 in sRGB), or
+///              half-way in the first gap between samples beyond, or between a sample and 90 degrees: where first the
+///              objective is at most 0.04 % above the smallest. If the samples end the beam before, it is half-way
+///              between the last that is best lit and the first that is best dark. Without a lit sample off the axis
+///              the exponent is 0
 /// smoothstep   with fewer samples in the edge than free angles, the softest edge that they allow: inner as small as
 ///              the samples at full intensity let it be
 ///

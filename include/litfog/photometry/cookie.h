@@ -34,11 +34,12 @@ std::optional<ValueError> check(const Cookie& cookie);
 /// throws             std::invalid_argument naming field, value and rule
 Cookie make_cookie(int size, const std::function<double(const glm::dvec3& direction)>& fraction_towards);
 
-/// The cookie of a measured light, whose frame is the luminaire frame.
+/// The cookie of a measured light with an axis, in the frame of luminaire_from_light(axis).
 ///
 /// size       [1, kMaxCookieSize]
+/// axis       luminaire frame, of any length but 0
 /// throws     std::invalid_argument naming field, value and rule
-Cookie bake_cookie(const IntensityDistribution& distribution, int size);
+Cookie bake_cookie(const IntensityDistribution& distribution, int size, const glm::dvec3& axis = kPhotometricAxis);
 
 /// Intensity over the light's peak towards a direction: bilinear between the four nearest texels of its face, as a cube
 /// map without seamless filtering is looked up.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <vector>
@@ -23,8 +24,9 @@ enum class PhotometryType { a, b, c };
 /// The axis of every photometric file: the nadir in type C, H = V = 0 in types A and B.
 inline constexpr glm::dvec3 kPhotometricAxis{0, 0, -1};
 
-/// Luminous intensity by direction, as measured. It is bilinear between the measured angles and 0 outside them. Symmetry
-/// is applied at look-up, so that only the measured part is stored.
+/// Luminous intensity by direction, as measured. It is bilinear between the measured angles and 0 outside them. On the
+/// axis of type C, where all planes meet, it is their mean over the turn. Symmetry is applied at look-up, so that only
+/// the measured part is stored.
 struct IntensityDistribution {
   PhotometryType type = PhotometryType::c;
 
@@ -62,6 +64,17 @@ struct IntensityPeak {
 };
 IntensityPeak find_peak(const IntensityDistribution& distribution);
 
+/// The direction of a type's two angles, in radians: unit, luminaire frame.
+glm::dvec3 direction_of(PhotometryType type, double horizontal, double vertical);
+
+/// The rotation from the frame of a light with an axis, which is its -z, to the luminaire frame: the identity for the
+/// photometric axis. The light's +y is as near to the luminaire's as the axis lets it be, or to -z where that is +y or
+/// -y.
+///
+/// axis      luminaire frame, of any length but 0
+/// throws    std::invalid_argument naming field, value and rule
+glm::dmat3 luminaire_from_light(const glm::dvec3& axis);
+
 /// Intensity on a circle about an axis.
 struct AxialSample {
   double angle;      ///< from the axis, radians in [0, pi]
@@ -70,17 +83,20 @@ struct AxialSample {
 };
 
 /// Intensity against the angle from an axis, as the mean over 720 directions of each circle: what a cone about the axis
-/// is fitted to. The angles are the measured ones if the axis is the photometric one of type C, else every quarter
-/// degree.
+/// is fitted to. The angles are every quarter degree from 0 to pi, but the measured ones if the axis is the photometric
+/// one of type C or its opposite. Angles that were not measured are dark: from the first and last measured ones, the
+/// profile goes on in their steps to 0 and pi with intensity 0, which begins 0.01 degrees beyond a lit one.
 ///
 /// axis      luminaire frame, of any length but 0
-/// returns   increasing angles; the intensity is 0 beyond the last
+/// returns   increasing angles from 0 to pi
 std::vector<AxialSample> axial_profile(const IntensityDistribution& distribution, const glm::dvec3& axis);
 
-/// The same along one half plane about the photometric axis, as data sheets show it: the deviation is 0.
+/// The same along one half plane about an axis, as data sheets show it: the deviation is 0.
 ///
-/// turn      radians: 0 is towards +x (type C: the plane C0), pi / 2 towards +y (C90)
-std::vector<AxialSample> plane_profile(const IntensityDistribution& distribution, double turn);
+/// turn      radians: 0 is towards the light's +x (the photometric axis of type C: the plane C0), pi / 2 towards its +y
+///           (C90)
+std::vector<AxialSample> plane_profile(const IntensityDistribution& distribution, double turn,
+                                       const glm::dvec3& axis = kPhotometricAxis);
 
 /// The first angle beyond the peak at which a profile, linear between its samples, falls to a fraction of the peak: half
 /// of a data sheet's beam angle at 0.5, half of its field angle at 0.1.

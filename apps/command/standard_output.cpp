@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command/standard_output.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <string>
+
+#include "command/printable.h"
+#include "litfog/files/output_error.h"
+
+namespace litfog::command {
+namespace {
+
+[[noreturn]] void fail_to_write() {
+  throw OutputError(std::string("standard output cannot be written: ") + std::strerror(errno));
+}
+
+}  // namespace
+
+void write_standard_output(std::string_view text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) fail_to_write();
+}
+
+void report(std::string_view text) {
+  write_standard_output(printable_lines(text));
+  if (std::fflush(stdout) != 0) fail_to_write();
+}
+
+void close_standard_output() {
+  if (std::fclose(stdout) != 0) fail_to_write();
+}
+
+}  // namespace litfog::command

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string_view>
+
+namespace litfog::command {
+
+/// Appends to standard output. Throws OutputError.
+void write_standard_output(std::string_view text);
+
+/// Writes lines for people (printable_lines) at once, to a pipe too: the progress of a command that takes a while.
+/// Throws OutputError.
+void report(std::string_view text);
+
+/// Throws OutputError where what was written did not arrive.
+void close_standard_output();
+
+}  // namespace litfog::command

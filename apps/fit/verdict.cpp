@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fit/verdict.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace litfog::fit {
+namespace {
+
+struct Finding {
+  Grade grade;
+  std::string text;
+};
+
+class Findings {
+ public:
+  void add(Grade grade, std::string text) { findings_.push_back({grade, std::move(text)}); }
+
+  void add_error(double GradeLimits::*limit, double error, std::string text) {
+    const double size = std::abs(error);
+    add(size <= kGood.*limit ? Grade::good : size <= kFair.*limit ? Grade::fair : Grade::poor, std::move(text));
+  }
+
+  /// The worst grade, and all that have it.
+  Verdict verdict() const {
+    Verdict verdict{Grade::good, ""};
+    for (const Finding& finding : findings_) verdict.grade = std::max(verdict.grade, finding.grade);
+    for (const Finding& finding : findings_) {
+      if (finding.grade == verdict.grade) verdict.why += (verdict.why.empty() ? "" : "; ") + finding.text;
+    }
+    if (findings_.empty()) verdict.why = "what is stated is met exactly";
+    return verdict;
+  }
+
+ private:
+  std::vector<Finding> findings_;
+};
+
+/// To a hundredth of a percent, so that rounding's noise is 0.
+double percent(double fraction) { return std::round(1e4 * fraction) / 100; }
+
+void judge_range(Findings& findings, const AttenuationTarget& target, const AttenuationFit& fit) {
+  if (fit.status == AttenuationFitStatus::infeasible) {
+    findings.add(Grade::poor, "no attenuation has the extent, constant and samples given");
+  } else if (fit.status == AttenuationFitStatus::unproven) {
+    findings.add(Grade::fair, "a better attenuation is not ruled out");
+  }
+  if (target.samples.empty()) return;
+  findings.add_error(&GradeLimits::range_rms, fit.rms_error,
+                     fmt::format("attenuation off by {:.3g} % (rms)", percent(fit.rms_error)));
+  findings.add_error(&GradeLimits::range_largest, fit.largest_error,
+                     fmt::format("a sample of the attenuation off by {:+.3g} %", percent(fit.largest_error)));
+}
+
+/// is_measured  the data are linear between their samples, as a photometric file's are: what lies there counts
+void judge_cone(Findings& findings, const ConeTarget& target, const ConeProfileFit& fit, bool is_measured) {
+  if (fit.status == ConeFitStatus::unproven) findings.add(Grade::fair, "a better cone is not ruled out");
+  findings.add_error(&GradeLimits::cone_rms, fit.rms,
+                     fmt::format("cone off by {:.3g} % of the peak (rms)", percent(fit.rms)));
+  const auto add = [&findings](double GradeLimits::*limit, const std::optional<double>& error, const char* what) {
+    if (error) findings.add_error(limit, *error, fmt::format("{} off by {:+.3g} %", what, percent(*error)));
+  };
+  if (is_measured) add(&GradeLimits::flux, fit.flux_error, "flux");
+  if (is_measured || target.beam_angle) add(&GradeLimits::beam_angle, fit.beam_angle_error, "50 % angle");
+  if (is_measured || target.field_angle) add(&GradeLimits::field_angle, fit.field_angle_error, "10 % angle");
+}
+
+}  // namespace
+
+Verdict judge(const LightFit& fit) {
+  Findings findings;
+  if (fit.range) judge_range(findings, *fit.target.range, *fit.range);
+  if (fit.cone) judge_cone(findings, *fit.target.cone, fit.cone->best(), fit.target.luminaire.has_value());
+  if (fit.target.luminaire) {
+    const double asymmetry = fit.target.asymmetry;
+    findings.add_error(&GradeLimits::asymmetry, asymmetry,
+                       fmt::format("{:.3g} % of the beam (rms) not symmetric about the axis", percent(asymmetry)));
+  }
+  return findings.verdict();
+}
+
+const char* name_of(Grade grade) {
+  switch (grade) {
+    case Grade::good:
+      return "good";
+    case Grade::fair:
+      return "fair";
+    case Grade::poor:
+      break;
+  }
+  return "poor";
+}
+
+}  // namespace litfog::fit

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "fit/light_fit.h"
+
+namespace litfog::fit {
+
+/// How well a light follows its data, whatever the proof says: the best fit may be a bad one.
+enum class Grade { good, fair, poor };
+
+/// The largest errors, in magnitude, of a good and of a fair light. A light beyond the latter is poor.
+struct GradeLimits {
+  double range_rms;      ///< of a falloff table, fractions of the attenuation
+  double range_largest;  ///< likewise
+  double cone_rms;       ///< fraction of the peak
+  double flux;           ///< fraction of the data's
+  double beam_angle;     ///< of the 50 % angle
+  double field_angle;    ///< of the 10 % angle
+  double asymmetry;      ///< rms fraction of the beam that no cone follows
+};
+inline constexpr GradeLimits kGood{0.05, 0.15, 0.05, 0.1, 0.1, 0.15, 0.15};
+inline constexpr GradeLimits kFair{0.2, 0.5, 0.1, 0.33, 0.25, 0.4, 0.4};
+
+struct Verdict {
+  Grade grade;
+  std::string why;  ///< what keeps the light from a better grade; of a good one, its errors
+};
+
+/// A target that cannot be met is poor, a fit that is not shown to be the best is fair at most.
+Verdict judge(const LightFit& fit);
+
+const char* name_of(Grade grade);
+
+}  // namespace litfog::fit

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace litfog {
+
+/// Kelvin that the functions below take.
+inline constexpr double kLeastColorTemperature = 1000;
+inline constexpr double kMostColorTemperature = 25000;
+
+/// Largest error of chromaticity_of_temperature() in x and y.
+inline constexpr double kChromaticityMaxError = 4e-4;
+
+/// CIE 1931 chromaticity (x, y) of a light source of a correlated colour temperature: a black body up to 4000 K
+/// (Krystek 1985, "An Algorithm to Calculate Correlated Colour Temperature"), daylight from 5000 K (CIE 15:2004,
+/// section 3.1), and between them both of one luminance, mixed in proportion (ANSI/IES TM-30-18).
+///
+/// kelvin     [kLeastColorTemperature, kMostColorTemperature]
+/// max error  kChromaticityMaxError against published chromaticities         (color_temperature_test.cpp)
+/// throws     std::invalid_argument naming field, value and rule
+glm::dvec2 chromaticity_of_temperature(double kelvin);
+
+/// The same as linear sRGB (IEC 61966-2-1) whose largest part is 1. Below 1,900 K the colour is outside sRGB: its blue,
+/// which would be negative, is 0.
+glm::dvec3 color_of_temperature(double kelvin);
+
+}  // namespace litfog
