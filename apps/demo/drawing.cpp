@@ -17,12 +17,15 @@ Drawn draw(const scene::Scene& scene, const DrawingOptions& options, int frames,
   renderer.set_fog(Fog::from_visibility(options.fog_mode(), visibility));
   command::Progress progress;
   const measure::Progress show = [&progress](std::string_view step) { progress.show(step); };
-  Drawn drawn{.picture = {},
-              .visibility = visibility,
-              .times = measure::time_frames({&renderer}, measure::FrameBudget::exactly(frames), show).front(),
-              .comparison = {},
-              .gl_renderer = context.renderer(),
-              .gl_version = context.version()};
+  Drawn drawn{
+      .picture = {},
+      .visibility = visibility,
+      .times =
+          measure::time_frames({measure::frames_of(renderer)}, measure::FrameBudget::exactly(frames), show).front(),
+      .comparison = {},
+      .samples = renderer.samples(),
+      .gl_renderer = context.renderer(),
+      .gl_version = context.version()};
   if (has_reference) drawn.comparison = measure::compare_with_reference(renderer, show);
   drawn.picture = drawn.comparison ? drawn.comparison->drawn : renderer.read();
   return drawn;
@@ -32,26 +35,29 @@ std::string stats_json(const scene::Scene& scene, const DrawingOptions& options,
                        const std::optional<render::Display>& display) {
   using Json = nlohmann::ordered_json;
   const measure::FrameTimes& times = drawn.times;
-  Json stats{{"scene", scene.name},
-             {"path", options.render.path->name},
-             {"fog_light", options.settings_of(*options.render.path).fog_lighting == render::FogLighting::airlight ? "airlight" : "peak"},
-             {"fog", options.fog ? name_of(*options.fog) : "none"},
-             {"visibility_m", std::isinf(drawn.visibility) ? Json("inf") : Json(drawn.visibility)},
-             {"size", {options.width, options.height}},
-             {"lights", scene.lights.size()},
-             {"frames", times.milliseconds.size()},
-             {"ms_per_frame",
-              {{"median", times.median()},
-               {"spread", times.spread()},
-               {"min", times.milliseconds.front()},
-               {"max", times.milliseconds.back()}}},
-             {"skip", options.render.skipping == render::Skipping::on},
-             {"chunks_drawn", times.counts.chunks_drawn},
-             {"chunks_skipped", times.counts.chunks_skipped},
-             {"surface_lights_listed", times.counts.lights_listed},
-             {"surface_lights_skipped", times.counts.lights_skipped},
-             {"gl_renderer", drawn.gl_renderer},
-             {"gl_version", drawn.gl_version}};
+  Json stats{
+      {"scene", scene.name},
+      {"path", options.render.path->name},
+      {"fog_light",
+       options.settings_of(*options.render.path).fog_lighting == render::FogLighting::airlight ? "airlight" : "peak"},
+      {"fog", options.fog ? name_of(*options.fog) : "none"},
+      {"visibility_m", std::isinf(drawn.visibility) ? Json("inf") : Json(drawn.visibility)},
+      {"size", {options.width, options.height}},
+      {"samples", drawn.samples},
+      {"lights", scene.lights.size()},
+      {"frames", times.milliseconds.size()},
+      {"ms_per_frame",
+       {{"median", times.median()},
+        {"spread", times.spread()},
+        {"min", times.milliseconds.front()},
+        {"max", times.milliseconds.back()}}},
+      {"skip", options.render.skipping == render::Skipping::on},
+      {"chunks_drawn", times.counts.chunks_drawn},
+      {"chunks_skipped", times.counts.chunks_skipped},
+      {"surface_lights_listed", times.counts.lights_listed},
+      {"surface_lights_skipped", times.counts.lights_skipped},
+      {"gl_renderer", drawn.gl_renderer},
+      {"gl_version", drawn.gl_version}};
   if (display) {
     stats["exposure_ev"] = display->exposure.ev;
     stats["exposure_auto"] = display->exposure.is_auto;
