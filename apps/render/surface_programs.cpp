@@ -32,8 +32,7 @@ std::string environment_constants(const scene::Environment& environment, const R
 SurfaceProgram::SurfaceProgram(gl::Program linked)
     : program(std::move(linked)),
       world_from_model(program.uniform("world_from_model")),
-      bounds_low(program.uniform("bounds_low")),
-      bounds_high(program.uniform("bounds_high")),
+      draw_constants(program.uniform("draw_constants")),
       light_list_range(program.uniform("light_list_range")),
       uniform_lights(program.uniform("uniform_lights")),
       cone_from_world(program.uniform("cone_from_world")) {}
