@@ -29,9 +29,12 @@ class SurfacePrograms {
 
   /// Good as long as this.
   SurfaceProgram& program(const ShaderVariant& variant);
+  /// How many lights vertices can pass on to fragments on this driver (ShaderVariant::vertex_lights).
+  std::size_t most_vertex_lights() const { return most_vertex_lights_; }
 
  private:
   bool has_cookies_;
+  std::size_t most_vertex_lights_;
   std::string environment_;  // environment.glsl
   std::map<ShaderVariant, SurfaceProgram> programs_;
 };

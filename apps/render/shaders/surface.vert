@@ -4,13 +4,18 @@
 
 #include "draw_constants.glsl"
 #include "litfog/shaders/light_block.glsl"
+#include "pass.glsl"
 #include "vertex.glsl"
 
 out vec3 normal;  // unit at the vertices, where paths that interpolate their own results use it
 out vec4 tangent;
+
+uniform vec4 uniform_lights[5 * uniform_light_count];
+
 flat out vec4 vertex_constants[draw_constant_count];
 flat out vec4 vertex_fog;
 flat out vec4 vertex_ambient_fog_color;
+flat out vec4 vertex_lights[5 * max(vertex_light_count, 1)];
 
 void main() {
   place_vertex();
@@ -19,4 +24,5 @@ void main() {
   vertex_constants = draw_constants;
   vertex_fog = litfog_fog;
   vertex_ambient_fog_color = litfog_ambient_fog_color;
+  for (int i = 0; i < 5 * vertex_light_count; ++i) vertex_lights[i] = uniform_lights[i];
 }
