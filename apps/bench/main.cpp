@@ -69,10 +69,12 @@ ranges of kilometres and of millimetres. Methods: litfog, proof of the global op
 unsupported LevenbergMarquardt, both from C = L = Q = 1. digits: the fewest in which ln attenuation agrees with the
 optimum at all samples of any table; the optimum is certified at 50 digits.
 
-render: every lighting path of litfog-demo, the default one also with airlight, and the base texture alone (unlit), in exp
-fog: headlights with 1 to 256 lights at 640x360, with 1 to 16 also with nothing skipped, and at 1280x720; every scene with 2,
-16 and 64 lights at 320x180. Frames of all paths interleaved. Errors are against the path's own plain formulas, shaded in
-double. The picture has table 1 of Hales 2004. Takes some twenty minutes without a GPU.
+render: every lighting path of litfog-demo, the default one also with airlight, the base texture alone (unlit), and as the
+rival a small forward renderer of one shader that loops over all lights and skips nothing (plain), in exp fog: headlights with
+1 to 256 lights at 640x360, with 1 to 16 also with nothing skipped, and at 1280x720; every scene with 2, 16 and 64 lights at
+320x180; unified, legacy and plain over every scene with 2 and 16 lights at 1280x720, with 1 and 4 samples a pixel, with and
+without skipping. Frames of all paths interleaved. Errors are against the path's own plain formulas, shaded in
+double. The picture has table 1 of Hales 2004. Takes some forty minutes without a GPU.
 
 Times are processor time of one thread (render: wall time of a frame, drawn and waited for): medians, with the spread
 from the 10th to the 90th percentile of the repetitions (solve, airlight, fit), steps (update) or frames (render). Errors

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "bench/light_count.h"
+#include "bench/plain_renderer.h"
 #include "command/progress.h"
 #include "litfog/gl/headless_context.h"
 #include "measure/comparison.h"
@@ -28,16 +29,19 @@ struct Setting {
   int width;
   int height;
   render::Skipping skipping;
+  int samples = 4;
+  bool has_all_paths = true;  ///< else the default one, legacy and plain only
 };
 
-/// A path, and how its lamps light the fog.
+/// A path, and how its lamps light the fog; or the rival, PlainRenderer.
 struct Technique {
-  const render::LightingPath* path;
+  const render::LightingPath* path;  ///< null: the rival
   render::FogLighting fog_lighting;
 
   const char* fog_light() const { return fog_lighting == render::FogLighting::airlight ? "airlight" : "peak"; }
+  std::string path_name() const { return path ? std::string(path->name) : "plain"; }
   std::string name() const {
-    return fmt::format("{}{}", path->name, fog_lighting == render::FogLighting::airlight ? ", airlight" : "");
+    return fmt::format("{}{}", path_name(), fog_lighting == render::FogLighting::airlight ? ", airlight" : "");
   }
   friend bool operator==(const Technique&, const Technique&) = default;
 };
@@ -47,9 +51,10 @@ struct Trial {
   Setting setting;
   Technique technique;
   measure::FrameTimes times;
-  double over_legacy;                          // of the medians
-  double over_two_light_legacy;                // likewise
-  std::optional<measure::PictureError> error;  // none of the unlit pass, which has no formulas
+  double over_legacy;                               // of the medians
+  double over_two_light_legacy;                     // likewise
+  std::optional<double> over_plain = {};            // likewise; none where plain cannot hold the lights
+  std::optional<measure::PictureError> error = {};  // none of the unlit pass and of plain, which have no formulas
 };
 
 constexpr const char* kTableScene = "headlights";  // as Hales's figure 1
@@ -70,18 +75,37 @@ std::vector<Setting> settings(bool quick) {
     for (const std::size_t lights : {2u, 16u, 64u}) all.push_back({scene, lights, 320, 180, render::Skipping::on});
   }
   all.push_back({kTableScene, 2, 1280, 720, render::Skipping::on});
+  for (const std::string& scene : scene::bundled_scenes()) {
+    for (const std::size_t lights : {2u, 16u}) {
+      for (const auto skipping : {render::Skipping::off, render::Skipping::on}) {
+        for (const int samples : {1, 4}) all.push_back({scene, lights, 1280, 720, skipping, samples, false});
+      }
+    }
+  }
   return all;
 }
 
 const render::LightingPath& default_path() { return render::lighting_paths().front(); }
 
-/// Every path with the papers' fog, and the default one with airlight.
+constexpr Technique kPlain{nullptr, render::FogLighting::peak};
+
+Technique legacy() { return {render::find_lighting_path("legacy"), render::FogLighting::peak}; }
+
+/// Every path with the papers' fog, the default one with airlight, and plain.
 std::vector<Technique> measured_techniques() {
-  std::vector<Technique> techniques{{&render::unlit_path(), render::FogLighting::peak},
-                                    {&default_path(), render::FogLighting::airlight}};
+  std::vector<Technique> techniques{
+      {&render::unlit_path(), render::FogLighting::peak}, {&default_path(), render::FogLighting::airlight}, kPlain};
   for (const render::LightingPath& path : render::lighting_paths()) {
     techniques.push_back({&path, render::FogLighting::peak});
   }
+  return techniques;
+}
+
+/// Those that are drawn in a setting.
+std::vector<Technique> techniques_of(const Setting& setting) {
+  std::vector<Technique> techniques{{&default_path(), render::FogLighting::peak}, legacy(), kPlain};
+  if (setting.has_all_paths) techniques = measured_techniques();
+  if (setting.lights > kMaxPlainLights) std::erase(techniques, kPlain);
   return techniques;
 }
 
@@ -92,28 +116,50 @@ std::vector<Trial> measure(const Setting& setting, const measure::FrameBudget& b
   const scene::Scene scene = with_light_count(bundled, setting.lights);
   const scene::Scene two_lights = with_light_count(bundled, 2);
   const Fog fog = Fog::from_visibility(FogMode::exp, scene::suggested_visibility(scene));
-  std::vector<std::unique_ptr<render::Renderer>> renderers;
-  std::vector<render::Renderer*> in_turn;
+  std::vector<std::unique_ptr<render::Renderer>> renderers;  // null: plain
+  std::unique_ptr<PlainRenderer> plain;
+  std::vector<measure::DrawFrame> in_turn;
   const auto add = [&](const scene::Scene& drawn, const Technique& technique) {
-    const render::RenderSettings settings{
-        .skipping = setting.skipping, .path = technique.path, .fog_lighting = technique.fog_lighting};
-    renderers.push_back(std::make_unique<render::Renderer>(drawn, setting.width, setting.height, settings));
-    renderers.back()->set_fog(fog);
-    in_turn.push_back(renderers.back().get());
+    std::unique_ptr<render::Renderer>& renderer = renderers.emplace_back();
+    if (technique == kPlain) {
+      plain = std::make_unique<PlainRenderer>(drawn, setting.width, setting.height, setting.samples);
+      plain->set_fog(fog);
+      in_turn.push_back([&plain] {
+        plain->draw();
+        return render::FrameCounts{};
+      });
+      return;
+    }
+    const render::RenderSettings settings{.skipping = setting.skipping,
+                                          .path = technique.path,
+                                          .fog_lighting = technique.fog_lighting,
+                                          .samples = setting.samples};
+    renderer = std::make_unique<render::Renderer>(drawn, setting.width, setting.height, settings);
+    renderer->set_fog(fog);
+    in_turn.push_back(measure::frames_of(*renderer));
   };
-  const std::vector<Technique> techniques = measured_techniques();
+  const std::vector<Technique> techniques = techniques_of(setting);
   for (const Technique& technique : techniques) add(scene, technique);
-  const Technique legacy{render::find_lighting_path("legacy"), render::FogLighting::peak};
-  const auto legacy_at = std::size_t(std::ranges::find(techniques, legacy) - techniques.begin());
-  if (setting.lights != 2) add(two_lights, legacy);
+  if (setting.lights != 2) add(two_lights, legacy());
   const std::vector<measure::FrameTimes> times = measure::time_frames(in_turn, budget, progress);
-  const double legacy_time = times[legacy_at].median();
+  const auto time_of = [&](const Technique& technique) -> std::optional<double> {
+    const auto found = std::ranges::find(techniques, technique);
+    if (found == techniques.end()) return std::nullopt;
+    return times[std::size_t(found - techniques.begin())].median();
+  };
+  const double legacy_time = *time_of(legacy());
   const double two_light_time = setting.lights == 2 ? legacy_time : times.back().median();
+  const std::optional<double> plain_time = time_of(kPlain);
   std::vector<Trial> trials;
   for (std::size_t i = 0; i < techniques.size(); ++i) {
     const double time = times[i].median();
-    trials.push_back({setting, techniques[i], times[i], time / legacy_time, time / two_light_time, std::nullopt});
-    if (techniques[i].path != &render::unlit_path()) {
+    trials.push_back({.setting = setting,
+                      .technique = techniques[i],
+                      .times = times[i],
+                      .over_legacy = time / legacy_time,
+                      .over_two_light_legacy = time / two_light_time});
+    if (plain_time) trials.back().over_plain = time / *plain_time;
+    if (renderers[i] && techniques[i].path != &render::unlit_path()) {
       trials.back().error = measure::compare_with_reference(*renderers[i], progress).error;
       trials.back().error->pixels.clear();  // nobody looks at them
     }
@@ -129,21 +175,24 @@ bool is_shown(const Trial& trial, const std::vector<Trial>& trials) {
 }
 
 command::Table make_table(const std::vector<Trial>& trials) {
-  command::Table table{
-      {"scene", "path", "fog_light", "lights", "size", "skip", "ms_per_frame", "ms_spread", "ratio_to_legacy",
-       "ratio_to_two_light_legacy", "max_error_255", "mean_error_255", "excepted_pixels"},
-      {}};
+  command::Table table{{"scene", "path", "fog_light", "lights", "size", "samples", "skip", "ms_per_frame", "ms_spread",
+                        "ratio_to_legacy", "ratio_to_two_light_legacy", "ratio_to_plain", "max_error_255",
+                        "mean_error_255", "excepted_pixels"},
+                       {}};
   for (const Trial& trial : trials) {
-    const auto& [scene, lights, width, height, skipping] = trial.setting;
+    const Setting& setting = trial.setting;
     const auto of_error = [&](auto member) {
       return trial.error ? command::Table::Cell(double((*trial.error).*member))
                          : command::Table::Cell(std::monostate{});
     };
-    table.rows.push_back({scene, std::string(trial.technique.path->name), trial.technique.fog_light(), double(lights),
-                          fmt::format("{}x{}", width, height), skipping == render::Skipping::on ? "on" : "off",
-                          trial.times.median(), trial.times.spread(), trial.over_legacy, trial.over_two_light_legacy,
-                          of_error(&measure::PictureError::largest), of_error(&measure::PictureError::mean),
-                          of_error(&measure::PictureError::excluded)});
+    table.rows.push_back(
+        {setting.scene, trial.technique.path_name(), trial.technique.fog_light(), double(setting.lights),
+         fmt::format("{}x{}", setting.width, setting.height), double(setting.samples),
+         setting.skipping == render::Skipping::on ? "on" : "off", trial.times.median(), trial.times.spread(),
+         trial.over_legacy, trial.over_two_light_legacy,
+         trial.over_plain ? command::Table::Cell(*trial.over_plain) : command::Table::Cell(std::monostate{}),
+         of_error(&measure::PictureError::largest), of_error(&measure::PictureError::mean),
+         of_error(&measure::PictureError::excluded)});
   }
   return table;
 }
@@ -220,10 +269,11 @@ Result measure_render(bool quick) {
       quick ? measure::FrameBudget::exactly(3) : measure::FrameBudget{.seconds = 20, .fewest = 3, .most = 25};
   command::Progress shown;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const auto& [scene, lights, width, height, skipping] = all[i];
+    const Setting& measured = all[i];
     const std::string setting =
-        fmt::format("{} of {}: {}, {} {}, {}x{}{}", i + 1, all.size(), scene, lights, lights == 1 ? "light" : "lights",
-                    width, height, skipping == render::Skipping::off ? ", nothing skipped" : "");
+        fmt::format("{} of {}: {}, {} {}, {}x{}{}", i + 1, all.size(), measured.scene, measured.lights,
+                    measured.lights == 1 ? "light" : "lights", measured.width, measured.height,
+                    measured.skipping == render::Skipping::off ? ", nothing skipped" : "");
     const measure::Progress progress = [&](std::string_view step) { shown.show(fmt::format("{}: {}", setting, step)); };
     std::ranges::move(measure(all[i], budget, progress), std::back_inserter(trials));
   }

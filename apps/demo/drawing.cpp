@@ -17,12 +17,15 @@ Drawn draw(const scene::Scene& scene, const DrawingOptions& options, int frames,
   renderer.set_fog(Fog::from_visibility(options.fog_mode(), visibility));
   command::Progress progress;
   const measure::Progress show = [&progress](std::string_view step) { progress.show(step); };
-  Drawn drawn{.picture = {},
-              .visibility = visibility,
-              .times = measure::time_frames({&renderer}, measure::FrameBudget::exactly(frames), show).front(),
-              .comparison = {},
-              .gl_renderer = context.renderer(),
-              .gl_version = context.version()};
+  Drawn drawn{
+      .picture = {},
+      .visibility = visibility,
+      .times =
+          measure::time_frames({measure::frames_of(renderer)}, measure::FrameBudget::exactly(frames), show).front(),
+      .comparison = {},
+      .samples = renderer.samples(),
+      .gl_renderer = context.renderer(),
+      .gl_version = context.version()};
   if (has_reference) drawn.comparison = measure::compare_with_reference(renderer, show);
   drawn.picture = drawn.comparison ? drawn.comparison->drawn : renderer.read();
   return drawn;
@@ -40,6 +43,7 @@ std::string stats_json(const scene::Scene& scene, const DrawingOptions& options,
       {"fog", options.fog ? name_of(*options.fog) : "none"},
       {"visibility_m", std::isinf(drawn.visibility) ? Json("inf") : Json(drawn.visibility)},
       {"size", {options.width, options.height}},
+      {"samples", drawn.samples},
       {"lights", scene.lights.size()},
       {"frames", times.milliseconds.size()},
       {"ms_per_frame",

@@ -18,6 +18,7 @@ struct Drawn {
   double visibility;  ///< metres
   measure::FrameTimes times;
   std::optional<measure::Comparison> comparison;  ///< with the reference, if asked for
+  int samples;                                    ///< a pixel
   std::string gl_renderer;
   std::string gl_version;
 };

@@ -99,6 +99,8 @@ void add_rendering(CLI::App& app, DrawingOptions& options) {
   app.add_option_function<std::string>(
          "--size", [&options](const std::string& text) { parse_size(text, options); }, "Pixels (default 1280x720)")
       ->type_name("WxH");
+  command::add_choice(app, "--samples", options.render.samples, {{"1", 1}, {"2", 2}, {"4", 4}, {"8", 8}},
+                      "Samples a pixel, at least (default 4)");
   command::add_integer(app, "--map-size", options.render.map_size, 8, 256,
                        "Edge of the path's light maps in texels (default 128)");
   app.add_flag("--infinite-viewer", options.render.has_infinite_viewer,

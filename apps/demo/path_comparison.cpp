@@ -60,8 +60,8 @@ std::vector<std::unique_ptr<render::Renderer>> make_renderers(const scene::Scene
 /// The times of every path, in the paths' order.
 std::vector<measure::FrameTimes> time_paths(const std::vector<std::unique_ptr<render::Renderer>>& renderers, int frames,
                                             const measure::Progress& progress) {
-  std::vector<render::Renderer*> in_turn;
-  for (const auto& renderer : renderers) in_turn.push_back(renderer.get());
+  std::vector<measure::DrawFrame> in_turn;
+  for (const auto& renderer : renderers) in_turn.push_back(measure::frames_of(*renderer));
   return measure::time_frames(in_turn, measure::FrameBudget::exactly(frames), progress);
 }
 

@@ -21,7 +21,11 @@ std::string milliseconds_text(double milliseconds) {
   return fmt::format("{:.{}f}", milliseconds, decimals);
 }
 
-std::vector<FrameTimes> time_frames(const std::vector<render::Renderer*>& renderers, const FrameBudget& budget,
+DrawFrame frames_of(render::Renderer& renderer) {
+  return [&renderer] { return renderer.draw(); };
+}
+
+std::vector<FrameTimes> time_frames(const std::vector<DrawFrame>& renderers, const FrameBudget& budget,
                                     const Progress& progress) {
   using Clock = std::chrono::steady_clock;
   assert(budget.fewest >= 1 && budget.fewest <= budget.most);
@@ -39,7 +43,7 @@ std::vector<FrameTimes> time_frames(const std::vector<render::Renderer*>& render
                              i + 1, renderers.size()));
       }
       const auto start = Clock::now();
-      times[i].counts = renderers[i]->draw();
+      times[i].counts = renderers[i]();
       const std::chrono::duration<double, std::milli> taken = Clock::now() - start;
       if (timed >= 0) times[i].milliseconds.push_back(taken.count());
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,10 @@ struct FrameBudget {
   static FrameBudget exactly(int frames) { return {.seconds = 0, .fewest = frames, .most = frames}; }
 };
 
+/// Draws a frame to its end.
+using DrawFrame = std::function<render::FrameCounts()>;
+DrawFrame frames_of(render::Renderer& renderer);
+
 /// Draws and times frames, the renderers' interleaved, so that no renderer alone is hit where the machine is slow for a
 /// while. The first frame of each is not timed, because drivers compile a shader when it is first drawn with.
 ///
@@ -37,7 +42,7 @@ struct FrameBudget {
 /// budget     for all renderers together; each draws the same number of frames
 /// progress   called before each frame
 /// returns    the renderers' times, in their order
-std::vector<FrameTimes> time_frames(const std::vector<render::Renderer*>& renderers, const FrameBudget& budget,
+std::vector<FrameTimes> time_frames(const std::vector<DrawFrame>& renderers, const FrameBudget& budget,
                                     const Progress& progress = {});
 
 }  // namespace litfog::measure

@@ -169,7 +169,7 @@ void set_pixel(render::Picture& picture, std::size_t pixel, const glm::dvec3& co
 ReferencePicture shade_reference(render::Renderer& renderer, const Progress& progress) {
   const int width = renderer.width();
   const int height = renderer.height();
-  const render::GeometryBuffer geometry(width, height);
+  const render::GeometryBuffer geometry(width, height, renderer.samples());
   renderer.draw_geometry(geometry);
   const ReferenceShading shading(renderer);
   const auto samples = std::size_t(geometry.samples());

@@ -2,8 +2,11 @@
 #include "render/airlight_painter.h"
 
 #include <epoxy/gl.h>
+#include <fmt/format.h>
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "litfog/airlight.h"
 #include "litfog/gl/unsupported.h"
@@ -29,29 +32,38 @@ void bind_texture(const gl::TextureName& texture) {
   glBindTexture(GL_TEXTURE_2D, texture.id());
 }
 
+/// A program that reads that many depths a pixel.
+gl::Program make_program(const char* vertex, const char* fragment, const scene::Scene& scene, int samples) {
+  const std::string count = fmt::format("#define SAMPLE_COUNT {}\n", samples);
+  std::vector<gl::ShaderSource> files = scene_shaders(!scene.cookies.empty());
+  files.push_back({"sample_count.glsl", count});
+  return gl::Program(vertex, fragment, files);
+}
+
 }  // namespace
 
-AirlightPainter::AirlightPainter(const scene::Scene& scene, const gl::FogLightBuffer& fog_lights, int width, int height)
+AirlightPainter::AirlightPainter(const scene::Scene& scene, const gl::FogLightBuffer& fog_lights,
+                                 const Framebuffer& framebuffer)
     : scene_(scene),
       fog_lights_(fog_lights),
-      picture_size_(width, height),
+      picture_size_(framebuffer.width(), framebuffer.height()),
       grid_size_((picture_size_ + (kGridStep - 1)) / kGridStep + 1),
-      light_program_("airlight.vert", "airlight.frag", scene_shaders(!scene.cookies.empty())),
-      core_program_("airlight.vert", "nothing.frag", scene_shaders(!scene.cookies.empty())),
-      fill_program_("whole_picture.vert", "airlight_fill.frag", scene_shaders(!scene.cookies.empty())),
+      light_program_(make_program("airlight.vert", "airlight.frag", scene, framebuffer.samples())),
+      core_program_(make_program("airlight.vert", "nothing.frag", scene, framebuffer.samples())),
+      fill_program_(make_program("whole_picture.vert", "airlight_fill.frag", scene, framebuffer.samples())),
       add_program_("whole_picture.vert", "airlight_add.frag", demo_shaders()) {
-  const auto attach = [](const gl::FramebufferName& framebuffer, const gl::TextureName& texture, glm::ivec2 size) {
+  const auto attach = [](const gl::FramebufferName& target, const gl::TextureName& texture, glm::ivec2 size) {
     bind_texture(texture);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, size.x, size.y, 0, GL_RGBA, GL_FLOAT, nullptr);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+    glBindFramebuffer(GL_FRAMEBUFFER, target.id());
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.id(), 0);
     return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
   };
   const bool grid_is_whole = attach(grid_, grid_texture_, grid_size_);
   glBindRenderbuffer(GL_RENDERBUFFER, sum_stencil_.id());
-  glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, width, height);
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, picture_size_.x, picture_size_.y);
   glBindFramebuffer(GL_FRAMEBUFFER, sum_.id());
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, sum_stencil_.id());
   if (!attach(sum_, sum_texture_, picture_size_) || !grid_is_whole || glGetError() != GL_NO_ERROR) {
@@ -130,7 +142,6 @@ void AirlightPainter::use(const gl::Program& program, const Framebuffer& framebu
   fog_lights_.bind(program, kFogLightBinding);
   framebuffer.bind_depth(kDepthUnit);
   set_uniform(program, "depths", kDepthUnit);
-  set_uniform(program, "sample_count", unsigned(Framebuffer::samples()));
   set_uniform(program, "cookies", kCookieUnit);
   set_uniform(program, "cookie_cones", kCookieConeUnit);
   set_uniform(program, "litfog_kind_buffer", kKindBufferUnit);

@@ -27,9 +27,9 @@ struct View {
 class AirlightPainter {
  public:
   /// scene, fog_lights  have to outlive this
-  /// width, height      of the pictures
+  /// framebuffer        of the pictures' size and samples
   /// throws             gl::Unsupported where the driver has no float framebuffer of their size
-  AirlightPainter(const scene::Scene& scene, const gl::FogLightBuffer& fog_lights, int width, int height);
+  AirlightPainter(const scene::Scene& scene, const gl::FogLightBuffer& fog_lights, const Framebuffer& framebuffer);
 
   /// Adds that of all lights in the light list to a resolved framebuffer. The list, the lights and the cookies are bound
   /// to their units.

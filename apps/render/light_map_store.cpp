@@ -102,4 +102,14 @@ void LightMapStore::bind(int kind) const {
   if (distance_) distance_->bind(kDistanceMapUnit);
 }
 
+LayeredTexture upload_cookies(const std::vector<Cookie>& cookies) {
+  const int size = std::ranges::max(cookies, {}, &Cookie::size).size;
+  MapTexels texels;
+  for (const Cookie& cookie : cookies) {
+    const MapTexels faces = make_cookie_cube(cookie.size == size ? cookie : resize_cookie(cookie, size));
+    texels.insert(texels.end(), faces.begin(), faces.end());
+  }
+  return LayeredTexture(size, 6 * int(cookies.size()), texels);
+}
+
 }  // namespace litfog::render

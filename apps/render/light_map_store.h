@@ -57,4 +57,9 @@ class LightMapStore {
   std::vector<glm::mat3> cones_from_world_;
 };
 
+/// All cookies in one array, each as large as the largest: the layers of cube_cookie.glsl.
+///
+/// throws  gl::Unsupported if the driver's layer or size limit is exceeded
+LayeredTexture upload_cookies(const std::vector<Cookie>& cookies);
+
 }  // namespace litfog::render

@@ -26,6 +26,7 @@ struct RenderSettings {
   bool is_flat_shaded = false;
   bool has_infinite_viewer = false;  ///< the Basic model's highlights as seen from far away along the camera's axis
   int map_size = 128;                ///< texels a side of the light maps
+  int samples = 4;                   ///< a pixel, at least: 1, 2, 4 or 8
 };
 
 }  // namespace litfog::render

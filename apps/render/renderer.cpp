@@ -11,7 +11,7 @@
 #include "render/demo_shaders.h"
 #include "render/gpu/texture_unit.h"
 #include "render/gpu/uniform.h"
-#include "render/light_map.h"
+#include "render/light_map_store.h"
 
 namespace litfog::render {
 namespace {
@@ -24,31 +24,21 @@ glm::mat4 view_from_world(const scene::Camera& camera) {
   return glm::lookAt(camera.position, camera.target, glm::vec3(0, 1, 0));
 }
 
-/// All cookies in one array, each as large as the largest.
-LayeredTexture make_cookie_array(const std::vector<Cookie>& cookies) {
-  const int size = std::ranges::max(cookies, {}, &Cookie::size).size;
-  MapTexels texels;
-  for (const Cookie& cookie : cookies) {
-    const MapTexels faces = make_cookie_cube(cookie.size == size ? cookie : resize_cookie(cookie, size));
-    texels.insert(texels.end(), faces.begin(), faces.end());
-  }
-  return LayeredTexture(size, 6 * int(cookies.size()), texels);
-}
-
 }  // namespace
 
 Renderer::Renderer(const scene::Scene& scene, int width, int height, const RenderSettings& settings)
     : scene_(scene),
       settings_(settings),
-      framebuffer_(width, height, settings.path->has_several_passes() ? Passes::several : Passes::one),
+      framebuffer_(width, height, settings.path->has_several_passes() ? Passes::several : Passes::one,
+                   settings.samples),
       lights_(scene, settings),
       cookie_cones_(lights_.cookie_cones().data(), lights_.cookie_cones().size_bytes(), BufferTexture::Texel::float4),
       surfaces_(scene, lights_, fog_block_, settings),
       sky_program_("sky.vert", "sky.frag", scene_shaders(!scene.cookies.empty())),
       light_point_program_("light_point.vert", "light_point.frag", scene_shaders(!scene.cookies.empty())) {
   gl::check_fog_light_layout(sky_program_);
-  if (settings.fog_lighting == FogLighting::airlight) airlight_.emplace(scene, fog_block_, width, height);
-  if (!scene.cookies.empty()) cookies_ = make_cookie_array(scene.cookies);
+  if (settings.fog_lighting == FogLighting::airlight) airlight_.emplace(scene, fog_block_, framebuffer_);
+  if (!scene.cookies.empty()) cookies_ = upload_cookies(scene.cookies);
   set_fog(Fog{});
   gl::check_errors("uploading the scene");
 }
@@ -102,6 +92,7 @@ void Renderer::draw_geometry(const GeometryBuffer& geometry) {
   geometry.begin();
   glEnable(GL_CULL_FACE);
   surfaces_.draw(geometry_path(*settings_.path), clip_from_world());
+  geometry.end();
   gl::check_errors("drawing the geometry");
 }
 

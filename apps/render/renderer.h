@@ -40,6 +40,7 @@ class Renderer {
   const RenderSettings& settings() const { return settings_; }
   int width() const { return framebuffer_.width(); }
   int height() const { return framebuffer_.height(); }
+  int samples() const { return framebuffer_.samples(); }  ///< a pixel: some drivers take more than asked for
 
   /// Draws the surfaces of a frame into a geometry buffer of the same size.
   void draw_geometry(const GeometryBuffer& geometry);

@@ -24,7 +24,7 @@ std::string unrolled(std::size_t count) {
 std::size_t compiled_light_count(std::size_t lights) {
   assert(lights <= kMaxUniformLights);
   // Few numbers, because a driver may take a second to compile a shader, and a frame has many numbers of lights.
-  constexpr std::array<std::size_t, 8> kCounts{0, 1, 2, 3, 4, 6, 8, kMaxUniformLights};
+  constexpr std::array<std::size_t, 11> kCounts{0, 1, 2, 3, 4, 5, 6, 8, 10, 12, kMaxUniformLights};
   return *std::ranges::lower_bound(kCounts, lights);
 }
 
@@ -48,6 +48,7 @@ std::string pass_constants(const ShaderVariant& variant) {
   return fmt::format(
       "const int uniform_light_count = {};\n"
       "const int profiles[uniform_light_count] = int[]({});\n"
+      "const int vertex_light_count = {};\n"
       "const int any_profile = {};\n"
       "const int first_light_in_pass = {};\n"
       "const int lights_in_pass = {};\n"
@@ -57,9 +58,9 @@ std::string pass_constants(const ShaderVariant& variant) {
       "const bool is_first_pass = {};\n"
       "#define EACH_LIGHT(DO){}\n"
       "#define EACH_FOG_LIGHT(DO){}\n",
-      profiles.size(), fmt::join(profiles, ", "), UniformLights::kAnyProfile, first_light, lights_in_pass,
-      variant.has_listed_lights, variant.has_listed_fog_lights, variant.is_first, unrolled(lights_in_pass),
-      unrolled(fog_lights.count));
+      profiles.size(), fmt::join(profiles, ", "), variant.vertex_lights, UniformLights::kAnyProfile, first_light,
+      lights_in_pass, variant.has_listed_lights, variant.has_listed_fog_lights, variant.is_first,
+      unrolled(lights_in_pass), unrolled(fog_lights.count));
 }
 
 }  // namespace litfog::render

@@ -41,6 +41,7 @@ struct ShaderVariant {
   UniformLights fog_lights = {};  ///< the first of the uniform array
   UniformLights lights = {};      ///< the others
   bool shares_lights = false;     ///< the surface is lit by the fog's lights, too
+  std::size_t vertex_lights = 0;  ///< of the uniform lights, the first: those that vertices pass on
 
   auto operator<=>(const ShaderVariant&) const = default;
 };

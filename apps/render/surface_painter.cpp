@@ -4,6 +4,7 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <iterator>
 #include <vector>
 
 #include "render/frustum.h"
@@ -151,12 +152,17 @@ void SurfacePainter::draw_pass(Frame& frame, const Surface& surface, ShaderVaria
     uniforms.resize(first + variant.lights.count);
   }
 
+  if (variant.pass->constants_from_vertices)
+    variant.vertex_lights = std::min(uniforms.size(), programs_.most_vertex_lights());
   const SurfaceProgram& program = use(frame, variant, *surface.material);
   const bool is_later = frame.passes_drawn > 0;
   if (frame.path.has_several_passes()) select_samples(frame.passes_drawn++);
   glUniformMatrix4fv(program.world_from_model, 1, GL_FALSE, glm::value_ptr(surface.world_from_model));
-  glUniform3fv(program.bounds_low, 1, glm::value_ptr(surface.bounds.low));
-  glUniform3fv(program.bounds_high, 1, glm::value_ptr(surface.bounds.high));
+  const scene::Material& material = surface.material->material;
+  const glm::vec4 constants[] = {glm::vec4(scene_.camera.position, 0), glm::vec4(surface.bounds.low, 0),
+                                 glm::vec4(surface.bounds.high, 0), glm::vec4(material.specular, material.shininess),
+                                 glm::vec4(material.emissive, 0)};
+  glUniform4fv(program.draw_constants, GLsizei(std::size(constants)), glm::value_ptr(constants[0]));
   glUniform2i(program.light_list_range, surface.list_first, surface.list_count);
   if (!uniforms.empty()) {
     glUniform4fv(program.uniform_lights, GLsizei(5 * uniforms.size()),
@@ -183,7 +189,6 @@ SurfaceProgram& SurfacePainter::use(Frame& frame, const ShaderVariant& variant, 
     program.material = nullptr;
     fog_light_buffer_.bind(program.program, kFogLightBinding);
     set_uniform(program.program, "clip_from_world", frame.clip_from_world);
-    set_uniform(program.program, "eye", scene_.camera.position);
     set_uniform(program.program, "infinite_viewer", glm::normalize(scene_.camera.position - scene_.camera.target));
     set_uniform(program.program, "is_flat_shaded", unsigned{settings_.is_flat_shaded});
     set_uniform(program.program, "albedo_map", kAlbedoUnit);
@@ -207,9 +212,6 @@ SurfaceProgram& SurfacePainter::use(Frame& frame, const ShaderVariant& variant, 
     program.material = &material;
     set_uniform(program.program, "material", material.number);
     set_uniform(program.program, "tile_size", material.material.size_m);
-    set_uniform(program.program, "specular", material.material.specular);
-    set_uniform(program.program, "shininess", material.material.shininess);
-    set_uniform(program.program, "emissive", material.material.emissive);
   }
   return program;
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/surface_programs.h"
 
+#include <epoxy/gl.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -27,19 +29,27 @@ std::string environment_constants(const scene::Environment& environment, const R
       settings.fog_lighting == FogLighting::airlight);
 }
 
+std::size_t count_vertex_lights() {
+  constexpr int kOtherVectors = 11;  // of unified's vertices: four interpolated, seven constant
+  GLint components = 0;
+  glGetIntegerv(GL_MAX_VARYING_COMPONENTS, &components);
+  return std::size_t(std::max(components / 4 - kOtherVectors, 0) / 5);
+}
+
 }  // namespace
 
 SurfaceProgram::SurfaceProgram(gl::Program linked)
     : program(std::move(linked)),
       world_from_model(program.uniform("world_from_model")),
-      bounds_low(program.uniform("bounds_low")),
-      bounds_high(program.uniform("bounds_high")),
+      draw_constants(program.uniform("draw_constants")),
       light_list_range(program.uniform("light_list_range")),
       uniform_lights(program.uniform("uniform_lights")),
       cone_from_world(program.uniform("cone_from_world")) {}
 
 SurfacePrograms::SurfacePrograms(const scene::Scene& scene, const RenderSettings& settings)
-    : has_cookies_(!scene.cookies.empty()), environment_(environment_constants(scene.environment, settings)) {}
+    : has_cookies_(!scene.cookies.empty()),
+      most_vertex_lights_(count_vertex_lights()),
+      environment_(environment_constants(scene.environment, settings)) {}
 
 SurfaceProgram& SurfacePrograms::program(const ShaderVariant& variant) {
   const auto found = programs_.find(variant);

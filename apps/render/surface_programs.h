@@ -17,7 +17,7 @@ struct SurfaceProgram {
   explicit SurfaceProgram(gl::Program linked);
 
   gl::Program program;
-  int world_from_model, bounds_low, bounds_high, light_list_range, uniform_lights, cone_from_world;
+  int world_from_model, draw_constants, light_list_range, uniform_lights, cone_from_world;
   std::size_t frame = 0;
   const SurfaceMaterial* material = nullptr;
 };
@@ -29,9 +29,12 @@ class SurfacePrograms {
 
   /// Good as long as this.
   SurfaceProgram& program(const ShaderVariant& variant);
+  /// How many lights vertices can pass on to fragments on this driver (ShaderVariant::vertex_lights).
+  std::size_t most_vertex_lights() const { return most_vertex_lights_; }
 
  private:
   bool has_cookies_;
+  std::size_t most_vertex_lights_;
   std::string environment_;  // environment.glsl
   std::map<ShaderVariant, SurfaceProgram> programs_;
 };

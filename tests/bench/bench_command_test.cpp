@@ -385,10 +385,21 @@ TEST_F(BenchCommand, DebugBuildDoesNotMeasure) {
 #endif
 
 #ifdef LITFOG_HAS_GL
-const std::vector<std::string> kRenderColumns{
-    "scene",         "path",           "fog_light",      "lights",          "size",
-    "skip",          "ms_per_frame",   "ms_spread",      "ratio_to_legacy", "ratio_to_two_light_legacy",
-    "max_error_255", "mean_error_255", "excepted_pixels"};
+const std::vector<std::string> kRenderColumns{"scene",
+                                              "path",
+                                              "fog_light",
+                                              "lights",
+                                              "size",
+                                              "samples",
+                                              "skip",
+                                              "ms_per_frame",
+                                              "ms_spread",
+                                              "ratio_to_legacy",
+                                              "ratio_to_two_light_legacy",
+                                              "ratio_to_plain",
+                                              "max_error_255",
+                                              "mean_error_255",
+                                              "excepted_pixels"};
 
 TEST_F(BenchMeasurement, RenderMeasuresEveryPathBesideLegacyAndTheBareTexture) {
   const Outcome outcome = run("render --quick --json render.json --csv render.csv --plot render.png");
@@ -405,7 +416,8 @@ TEST_F(BenchMeasurement, RenderMeasuresEveryPathBesideLegacyAndTheBareTexture) {
   }
   ASSERT_EQ(by_lights.size(), 2u);
   for (auto& [lights, paths] : by_lights) {
-    EXPECT_EQ(paths.size(), 12u);
+    EXPECT_EQ(paths.size(), 13u);
+    const double plain = paths["plain"]["ms_per_frame"].get<double>();
     EXPECT_TRUE(paths.contains("unified airlight"));
     const double legacy = paths["legacy"]["ms_per_frame"].get<double>();
     // Two-light legacy is timed again among the frames of other numbers of lights.
@@ -418,7 +430,8 @@ TEST_F(BenchMeasurement, RenderMeasuresEveryPathBesideLegacyAndTheBareTexture) {
       EXPECT_GT(ms, 0) << path;
       EXPECT_DOUBLE_EQ(row["ratio_to_legacy"].get<double>(), ms / legacy) << path;
       EXPECT_NEAR(row["ratio_to_two_light_legacy"].get<double>() * two_lights / ms, 1, 1e-12) << path;
-      EXPECT_EQ(row["max_error_255"].is_null(), path == "unlit") << path;
+      EXPECT_DOUBLE_EQ(row["ratio_to_plain"].get<double>(), ms / plain) << path;
+      EXPECT_EQ(row["max_error_255"].is_null(), path == "unlit" || path == "plain") << path;
     }
     EXPECT_LT(paths["unified"]["max_error_255"].get<double>(), 0.25);  // as ReferenceOfPath
     EXPECT_LT(paths["unified airlight"]["max_error_255"].get<double>(), 1);

@@ -171,10 +171,26 @@ TEST_F(DemoCommand, StatisticsStateWhatWasDrawn) {
   EXPECT_EQ(stats["fog"], "exp2");
   EXPECT_EQ(stats["visibility_m"], 800);
   EXPECT_EQ(stats["frames"], 3);
+  EXPECT_EQ(stats["samples"], 4);
   EXPECT_GT(stats["lights"], 1000);
   EXPECT_GT(stats["ms_per_frame"]["median"], 0);
   EXPECT_GE(stats["ms_per_frame"]["max"], stats["ms_per_frame"]["min"]);
   EXPECT_GT(stats["chunks_skipped"], 0);
+}
+
+TEST_F(DemoCommand, SamplesAreThoseOfThePictureOrMissing) {
+  for (const int samples : {1, 2, 4, 8}) {
+    const std::string option = " --samples " + std::to_string(samples);
+    const Outcome outcome = run("room --size 64x36 -o a.png --stats s.json" + option);
+    if (samples > 4 && outcome.status != kDone) {  // OpenGL guarantees four
+      EXPECT_EQ(outcome.status, kMissingCapability);
+      EXPECT_NE(outcome.err.find("samples a pixel, not 8"), std::string::npos) << outcome.err;
+      continue;
+    }
+    ASSERT_EQ(outcome.status, kDone) << outcome.err;
+    const int drawn = nlohmann::json::parse(read("s.json"))["samples"];
+    EXPECT_TRUE(samples == 1 ? drawn == 1 : drawn >= samples) << drawn;
+  }
 }
 
 TEST_F(DemoCommand, ReferenceIsTheSamePictureToAStep) {
@@ -428,6 +444,7 @@ TEST_F(DemoCommand, OptionsWithoutEffectAreErrors) {
                                    "--heat-map h.png", "--time 1"}) {
     EXPECT_EQ(run("gallery room -o g " + option).status, kUsage) << option;
   }
+  expect_usage("room --samples 3", "--samples = 3: must be one of 1|2|4|8");
   expect_usage("room --fog none --visibility 50", "--visibility cannot be given with --fog none: the air is clear");
   expect_usage("list", "WHAT is required");
   expect_usage("list lamps", "WHAT = lamps: must be one of scenes|paths");

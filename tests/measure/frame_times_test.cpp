@@ -33,7 +33,8 @@ TEST_F(FrameTimesTest, EachRendererHasItsTimesInAscendingOrderAndItsCounts) {
   const Scene scene = read_scene(bundled_scene_path("headlights"));
   Renderer skipping(scene, 32, 18, {});
   Renderer drawing_all(scene, 32, 18, {.skipping = Skipping::off});
-  const std::vector<FrameTimes> times = time_frames({&skipping, &drawing_all}, FrameBudget::exactly(3));
+  const std::vector<FrameTimes> times =
+      time_frames({frames_of(skipping), frames_of(drawing_all)}, FrameBudget::exactly(3));
   ASSERT_EQ(times.size(), 2u);
   for (const FrameTimes& each : times) {
     EXPECT_EQ(each.milliseconds.size(), 3u);
@@ -48,7 +49,7 @@ TEST_F(FrameTimesTest, BudgetOfNoTimeTakesTheFewestFramesAndAnEndlessOneTheMost)
   const Scene scene = read_scene(bundled_scene_path("room"));
   Renderer renderer(scene, 32, 18, {});
   const auto frames = [&](const FrameBudget& budget) {
-    return time_frames({&renderer}, budget).front().milliseconds.size();
+    return time_frames({frames_of(renderer)}, budget).front().milliseconds.size();
   };
   EXPECT_EQ(frames({.seconds = 0, .fewest = 2, .most = 9}), 2u);
   EXPECT_EQ(frames({.seconds = 1e9, .fewest = 2, .most = 5}), 5u);

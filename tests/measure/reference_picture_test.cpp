@@ -200,6 +200,23 @@ TEST_F(ReferencePictureTest, SkyThroughFogIsDrawnAsTheReferenceHasIt) {
   }
 }
 
+TEST_F(ReferencePictureTest, ReferenceHasTheRenderersSamples) {
+  const Scene scene = read_scene(bundled_scene_path("room"));
+  for (const FogLighting fog_lighting : {FogLighting::peak, FogLighting::airlight}) {
+    for (const int samples : {1, 2, 4}) {
+      for (const std::string_view path : {"unified", "accumulate"}) {  // of one pass and of several
+        Renderer renderer(scene, 64, 36,
+                          {.path = find_lighting_path(path), .fog_lighting = fog_lighting, .samples = samples});
+        renderer.set_fog(Fog::from_visibility(FogMode::exp, 20.0));
+        renderer.draw(LightPoints::off);
+        const PictureError error = picture_error(renderer.read(), shade_reference(renderer));
+        EXPECT_LE(error.mean, 0.05) << path << ", " << samples << " samples";
+        EXPECT_LE(error.largest, 1) << path << ", " << samples << " samples";
+      }
+    }
+  }
+}
+
 /// What a path is held to at 160x90, clear and in both kinds of fog, in 1/255. Every pixel is compared, those on the
 /// edges of surfaces too, for the samples are the same.
 struct PathBound {

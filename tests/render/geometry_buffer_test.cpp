@@ -122,7 +122,7 @@ double outside_map(const MipChain& map, const GeometrySample& sample, const glm:
 TEST_F(GeometryBufferTest, NormalTexelIsTheMapsAtALevelOfDetailThatOpenGlAllows) {
   const Scene scene = noisy_floor();
   Renderer renderer(scene, kWidth, kHeight, {});
-  const GeometryBuffer geometry(kWidth, kHeight);
+  const GeometryBuffer geometry(kWidth, kHeight, 4);
   renderer.draw_geometry(geometry);
   const std::vector<GeometrySample> samples = geometry.read_rows(0, kHeight);
   const MipChain map(*scene.materials[0].normal);

@@ -180,6 +180,10 @@ TEST_F(RendererTest, SkippingChangesNoPixel) {
   }
 }
 
+TEST_F(RendererTest, MoreSamplesThanTheDriverHasAreUnsupported) {
+  EXPECT_THROW(draw(open_air(Cone{}), Fog{}, {.samples = 1 << 16}), gl::Unsupported);
+}
+
 TEST_F(RendererTest, SkippingLeavesOutMostOfTheApproach) {
   const Scene scene = read_scene(bundled_scene_path("approach"));
   Renderer renderer(scene, kWidth, kHeight, {});

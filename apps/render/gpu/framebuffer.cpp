@@ -5,22 +5,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "litfog/gl/unsupported.h"
 
 namespace litfog::render {
 
-int Framebuffer::samples() {
-  GLint most = 0;
-  glGetIntegerv(GL_MAX_SAMPLES, &most);
-  return std::clamp(most, 1, 4);
-}
-
-Framebuffer::Framebuffer(int width, int height, Passes passes) : width_(width), height_(height) {
+Framebuffer::Framebuffer(int width, int height, Passes passes, int samples)
+    : width_(width), height_(height), depth_target_(samples == 1 ? GL_TEXTURE_2D : GL_TEXTURE_2D_MULTISAMPLE) {
   GLint largest = 0;
   glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
   if (std::max(width, height) > largest) {
     throw gl::Unsupported(fmt::format("this driver draws at most {} pixels a side", largest));
+  }
+  GLint most_samples = 0;
+  glGetIntegerv(GL_MAX_SAMPLES, &most_samples);
+  if (samples > most_samples) {
+    throw gl::Unsupported(fmt::format("this driver draws at most {} samples a pixel, not {}", most_samples, samples));
   }
   const auto attach = [&](const gl::FramebufferName& framebuffer, const gl::RenderbufferName& buffer, GLenum attachment,
                           GLenum format, GLint count) {
@@ -33,15 +34,26 @@ Framebuffer::Framebuffer(int width, int height, Passes passes) : width_(width), 
   const GLenum color = is_summed ? GL_RGBA32F : GL_RGBA16F;  // half floats would lose up to 1/2048 a pass
   attach(resolved_, resolved_color_, GL_COLOR_ATTACHMENT0, color, 0);
   const bool resolved_is_whole = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
-  attach(drawn_, drawn_color_, GL_COLOR_ATTACHMENT0, color, samples());
-  glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, drawn_depth_.id());
-  glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples(), is_summed ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F,
-                          width, height, GL_TRUE);
-  glFramebufferTexture2D(GL_FRAMEBUFFER, is_summed ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
-                         GL_TEXTURE_2D_MULTISAMPLE, drawn_depth_.id(), 0);
+  attach(drawn_, drawn_color_, GL_COLOR_ATTACHMENT0, color, samples == 1 ? 0 : samples);  // drivers take 1 for 2
+  glBindTexture(depth_target_, drawn_depth_.id());
+  const GLenum depth = is_summed ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F;
+  if (samples == 1) {
+    const auto [layout, type] = is_summed ? std::pair{GL_DEPTH_STENCIL, GL_FLOAT_32_UNSIGNED_INT_24_8_REV}
+                                          : std::pair{GL_DEPTH_COMPONENT, GL_FLOAT};
+    glTexImage2D(depth_target_, 0, GLint(depth), width, height, 0, GLenum(layout), GLenum(type), nullptr);
+    glTexParameteri(depth_target_, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(depth_target_, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  } else {
+    glTexImage2DMultisample(depth_target_, samples, depth, width, height, GL_TRUE);
+  }
+  glFramebufferTexture2D(GL_FRAMEBUFFER, is_summed ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT, depth_target_,
+                         drawn_depth_.id(), 0);
+  glGetIntegerv(GL_SAMPLES, &samples_);
+  samples_ = std::max(samples_, 1);  // 0 without multisampling
   const bool drawn_is_whole = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
   if (!resolved_is_whole || !drawn_is_whole || glGetError() != GL_NO_ERROR) {
-    throw gl::Unsupported(fmt::format("this driver gives no float framebuffer of {}x{} pixels", width, height));
+    throw gl::Unsupported(
+        fmt::format("this driver gives no float framebuffer of {}x{} pixels, {} samples each", width, height, samples));
   }
 }
 
@@ -64,7 +76,7 @@ void Framebuffer::bind_resolved() const {
 
 void Framebuffer::bind_depth(unsigned unit) const {
   glActiveTexture(GL_TEXTURE0 + unit);
-  glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, drawn_depth_.id());
+  glBindTexture(depth_target_, drawn_depth_.id());
 }
 
 Picture Framebuffer::read() const {

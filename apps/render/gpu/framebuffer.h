@@ -10,17 +10,16 @@ namespace litfog::render {
 enum class Passes { one, several };
 
 /// What the demo draws into: linear RGBA half floats and depth. Several passes draw into floats, because their sums
-/// round less, and have a stencil too. Four samples a pixel where the driver has them.
+/// round less, and have a stencil too.
 class Framebuffer {
  public:
-  /// throws gl::Unsupported where the driver has no framebuffer of that size
-  Framebuffer(int width, int height, Passes passes);
-
-  /// Samples a pixel that this context draws with: four, or fewer where it has no more.
-  static int samples();
+  /// samples  a pixel: some drivers take more
+  /// throws   gl::Unsupported where the driver has no framebuffer of that size or fewer samples
+  Framebuffer(int width, int height, Passes passes, int samples);
 
   int width() const { return width_; }
   int height() const { return height_; }
+  int samples() const { return samples_; }  ///< that the driver took
   double aspect() const { return double(width_) / height_; }
   /// Makes it the target of drawing.
   void bind() const;
@@ -28,7 +27,7 @@ class Framebuffer {
   void resolve() const;
   /// Makes the averages the target of drawing again.
   void bind_resolved() const;
-  /// Binds the samples' depths as a multisample texture.
+  /// Binds the samples' depths as a multisample texture, as a plain one if a pixel has one sample.
   void bind_depth(unsigned unit) const;
   /// Reads the averages back, from the last resolve() on.
   Picture read() const;
@@ -36,9 +35,11 @@ class Framebuffer {
  private:
   int width_;
   int height_;
+  int samples_;
   gl::FramebufferName drawn_;
   gl::FramebufferName resolved_;
   gl::RenderbufferName drawn_color_;
+  unsigned depth_target_;
   gl::TextureName drawn_depth_;  // and stencil
   gl::RenderbufferName resolved_color_;
 };

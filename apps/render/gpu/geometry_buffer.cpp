@@ -11,7 +11,6 @@
 
 #include "litfog/gl/unsupported.h"
 #include "render/demo_shaders.h"
-#include "render/gpu/framebuffer.h"
 
 namespace litfog::render {
 namespace {
@@ -41,10 +40,10 @@ const LightingPath& geometry_path(const LightingPath& other) {
   return other.passes.front().geometry.empty() ? kDirect : kByGeometryShader;
 }
 
-GeometryBuffer::GeometryBuffer(int width, int height)
+GeometryBuffer::GeometryBuffer(int width, int height, int samples)
     : width_(width),
       height_(height),
-      samples_(Framebuffer::samples()),
+      samples_(samples),
       sample_program_("whole_picture.vert", "geometry_sample.frag", demo_shaders()) {
   static_assert(sizeof(GeometrySample) == kTargets * sizeof(glm::vec4) && std::size(kAttachments) == kTargets);
   glBindFramebuffer(GL_FRAMEBUFFER, drawn_.id());
@@ -63,19 +62,23 @@ GeometryBuffer::GeometryBuffer(int width, int height)
   glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA32F, width, std::min(height, kMostRows));
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, read_color_.id());
   if (!is_complete() || !drawn_is_whole || glGetError() != GL_NO_ERROR) {
-    throw gl::Unsupported(fmt::format("this driver gives no float framebuffer of {}x{} pixels", width, height));
+    throw gl::Unsupported(
+        fmt::format("this driver gives no float framebuffer of {}x{} pixels, {} samples each", width, height, samples));
   }
 }
 
 void GeometryBuffer::begin() const {
   glBindFramebuffer(GL_FRAMEBUFFER, drawn_.id());
   glViewport(0, 0, width_, height_);
+  if (samples_ == 1) glDisable(GL_MULTISAMPLE);  // the textures may have more samples than asked for
   glEnable(GL_DEPTH_TEST);
   glDepthMask(GL_TRUE);
   glClear(GL_DEPTH_BUFFER_BIT);
   constexpr float kSky[] = {0, 0, 0, -1};
   for (int i = 0; i < kTargets; ++i) glClearBufferfv(GL_COLOR, i, kSky);
 }
+
+void GeometryBuffer::end() const { glEnable(GL_MULTISAMPLE); }
 
 std::vector<GeometrySample> GeometryBuffer::read_rows(int first, int count) const {
   assert(first >= 0 && count >= 1 && count <= kMostRows && first + count <= height_);

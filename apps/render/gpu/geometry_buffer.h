@@ -27,18 +27,20 @@ struct GeometrySample {
 /// A path that rasterises exactly the samples of `other` and writes surface attributes instead of colour.
 const LightingPath& geometry_path(const LightingPath& other);
 
-/// The scene's surfaces as the GPU rasterises them: floats for each sample, which can be read back. It has as many
-/// samples a pixel as Framebuffer, so that the edges of surfaces cover the same samples.
+/// The scene's surfaces as the GPU rasterises them: floats for each sample, which can be read back. With as many
+/// samples a pixel as a Framebuffer's, the edges of surfaces cover the same samples.
 class GeometryBuffer {
  public:
-  /// throws gl::Unsupported where the driver has no float framebuffer of that size
-  GeometryBuffer(int width, int height);
+  /// throws gl::Unsupported where the driver has no float framebuffer of that size or fewer samples
+  GeometryBuffer(int width, int height, int samples);
 
   int width() const { return width_; }
   int height() const { return height_; }
   int samples() const { return samples_; }
   /// Makes it the target of drawing, and empty: sky everywhere.
   void begin() const;
+  /// Has to be called when all is drawn.
+  void end() const;
   /// Rows of samples, the picture's top row being row 0: all of a pixel's samples, then the next pixel's.
   std::vector<GeometrySample> read_rows(int first, int count) const;
 

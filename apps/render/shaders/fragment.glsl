@@ -4,13 +4,9 @@
 #define LITFOG_FOG_LIGHTS
 #include "light_batch.glsl"
 #include "light_list.glsl"
-#include "litfog/shaders/fog.glsl"
+#include "seen_fog.glsl"
 #include "rasterised.glsl"
 #include "scene.glsl"
-
-uniform vec3 specular;
-uniform float shininess;
-uniform vec3 emissive;
 
 out vec4 color;
 

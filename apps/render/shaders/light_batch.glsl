@@ -12,11 +12,19 @@
 
 uniform vec4 uniform_lights[5 * uniform_light_count];
 
+#ifdef CONSTANTS_FROM_VERTICES
+flat in vec4 vertex_lights[5 * max(vertex_light_count, 1)];
+// Vertices pass the first lights on (draw_constants.glsl).
+vec4 light_vector(int i) { return i < 5 * vertex_light_count ? vertex_lights[i] : uniform_lights[i]; }
+#else
+vec4 light_vector(int i) { return uniform_lights[i]; }
+#endif
+
 LitfogLight uniform_light(int i) {
   int first = 5 * i;
-  LitfogKind kind = LitfogKind(uniform_lights[first], uniform_lights[first + 1]);
+  LitfogKind kind = LitfogKind(light_vector(first), light_vector(first + 1));
   LitfogInstance instance =
-      LitfogInstance(uniform_lights[first + 2], uniform_lights[first + 3], uniform_lights[first + 4]);
+      LitfogInstance(light_vector(first + 2), light_vector(first + 3), light_vector(first + 4));
   if (profiles[i] != any_profile) instance.axis_profile.w = float(profiles[i]);
   return litfog_light(instance, kind);
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // A fragment of a surface as rasterised: its position and its textures.
 
+#include "draw_constants.glsl"
+
 in vec3 rasterised_position;
 in vec2 uv;
 
-uniform vec3 bounds_low;  // of the surface drawn
-uniform vec3 bounds_high;
 uniform sampler2D albedo_map;  // rgb reflectance, a gloss
 uniform sampler2D normal_map;
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The eye, and a scene's light that is not from lamps.
 
+#include "draw_constants.glsl"
 #include "environment.glsl"
 
-uniform vec3 eye;
 // The unit direction to the viewer, where has_infinite_viewer (Randima Fernando and Mark Kilgard 2003, "The Cg Tutorial",
 // chapter 5, exercise 4).
 uniform vec3 infinite_viewer;

@@ -2,9 +2,18 @@
 // How far the eye sees through a pixel's samples.
 
 #include "fog_top.glsl"
+#include "sample_count.glsl"
 
+const int sample_count = SAMPLE_COUNT;  // of a pixel
+
+#if SAMPLE_COUNT == 1
+uniform sampler2D depths;
+float sample_depth(ivec2 pixel, int i) { return texelFetch(depths, min(pixel, textureSize(depths, 0) - 1), 0).r; }
+#else
 uniform sampler2DMS depths;
-uniform int sample_count;
+float sample_depth(ivec2 pixel, int i) { return texelFetch(depths, min(pixel, textureSize(depths) - 1), i).r; }
+#endif
+
 uniform vec2 pixel_size;  // 2 over the picture's size: of a pixel in clip space
 uniform mat4 direction_from_clip;
 uniform vec3 forward;      // unit: the camera's axis
@@ -12,7 +21,7 @@ uniform float near_plane;  // metres
 
 // Metres to the surface or to the end of the fog.
 struct SeenRanges {
-  float ranges[4];
+  float ranges[sample_count];
   float nearest;
   float farthest;
   float mean;
@@ -26,13 +35,12 @@ vec3 pixel_direction(ivec2 pixel) {
 }
 
 SeenRanges seen_ranges(ivec2 pixel, vec3 direction) {
-  ivec2 inside = min(pixel, textureSize(depths) - 1);
   SeenRanges seen;
   seen.nearest = 3.4e38;
   seen.farthest = 0.0;
   seen.mean = 0.0;
   for (int i = 0; i < sample_count; ++i) {
-    float depth = texelFetch(depths, inside, i).r;  // 1 - near / distance along the axis
+    float depth = sample_depth(pixel, i);  // 1 - near / distance along the axis
     float range = depth < 1.0 ? near_plane / ((1.0 - depth) * dot(direction, forward)) : fog_before_sky(direction);
     seen.ranges[i] = range;
     seen.nearest = min(seen.nearest, range);

@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// The night sky: a gradient, stars and the moon, behind the fog up to its top.
+// The night sky behind the fog up to its top.
 
 #define LITFOG_FOG_LIGHTS
 #include "cookie.glsl"
 #include "fog_top.glsl"
 #include "light_list.glsl"
 #include "litfog/shaders/fog.glsl"
+#include "night_sky.glsl"
 
 in vec3 seen_direction;
 
 uniform vec3 eye;
-uniform vec3 sky_zenith;
-uniform vec3 sky_horizon;
-uniform float star_brightness;
-uniform vec3 moon_direction;
-uniform vec3 moon_color;
 
 out vec4 color;
 
@@ -24,41 +20,7 @@ vec3 litfog_lights_fog(vec3 position) {
   return fog;
 }
 
-// Three numbers in [0, 1) for a cell. They are made of integers, so that every device shows the same stars: pcg3d
-// (Jarzynski and Olano 2020, "Hash Functions for GPU Rendering").
-vec3 hash(ivec3 cell) {
-  uvec3 v = uvec3(cell) * 1664525u + 1013904223u;
-  v.x += v.y * v.z;
-  v.y += v.z * v.x;
-  v.z += v.x * v.y;
-  v ^= v >> 16u;
-  v.x += v.y * v.z;
-  v.y += v.z * v.x;
-  v.z += v.x * v.y;
-  return vec3(v >> 8u) / 16777216.0;
-}
-
-// At most one star in each cell of a grid on the direction's cube, in the middle of the cell.
-float star(vec3 direction) {
-  vec3 a = abs(direction);
-  float largest = max(a.x, max(a.y, a.z));
-  vec3 cell = round(direction / largest * 90.0);
-  float presence = hash(ivec3(cell)).x;
-  if (presence < 0.94) return 0.0;  // most cells are empty, and most stars faint
-  vec3 center = normalize(cell + 0.4 * hash(ivec3(cell) + 1000) - 0.2);
-  float angle = distance(center, direction);
-  float size = (presence - 0.94) / 0.06;
-  return size * size * exp(-angle * angle * 3.0e6);
-}
-
 void main() {
   vec3 direction = normalize(seen_direction);
-  float height = max(direction.y, 0.0);
-  vec3 sky = mix(sky_horizon, sky_zenith, 1.0 - pow(1.0 - height, 4.0));
-  sky += star_brightness * star(direction) * smoothstep(0.0, 0.25, height);
-  if (moon_color != vec3(0.0)) {
-    float off = distance(direction, moon_direction);
-    sky += normalize(moon_color) * (1.0 - smoothstep(0.0045, 0.0053, off) + 0.05 * exp(-off * 40.0));
-  }
-  color = vec4(litfog_apply_fog(sky, eye + direction * fog_before_sky(direction), eye), 1.0);
+  color = vec4(litfog_apply_fog(night_sky(direction), eye + direction * fog_before_sky(direction), eye), 1.0);
 }

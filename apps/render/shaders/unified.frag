@@ -3,6 +3,7 @@
 // There Be Light!: A Unified Lighting Technique for a New Generation of Games", section "Unified per-pixel lighting
 // solution", listings 2.1 to 2.3).
 
+#define CONSTANTS_FROM_VERTICES
 #include "lit_surface.glsl"
 #include "listed_lights.glsl"
 #include "world_normal.glsl"

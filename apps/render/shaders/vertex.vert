@@ -10,8 +10,6 @@
 #include "scene.glsl"
 #include "vertex.glsl"
 
-uniform float shininess;
-
 out vec3 diffuse_light;
 out vec3 specular_light;
 

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/plain_renderer.h"
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <numeric>
+#include <span>
+
+#include "litfog/gl/check_errors.h"
+#include "render/demo_shaders.h"
+#include "render/gpu/texture_unit.h"
+#include "render/gpu/uniform.h"
+#include "render/light_map_store.h"
+#include "render/renderer.h"
+#include "scene/light_frame.h"
+
+namespace litfog::bench {
+
+/// The files of apps/bench/shaders, embedded.
+std::span<const gl::ShaderSource> plain_shaders();
+
+namespace {
+
+using render::set_uniform;
+
+/// Indices of a scene's lights, first those of the local ones.
+std::vector<std::size_t> local_lights_first(const std::vector<PlacedLight>& lights) {
+  std::vector<std::size_t> order(lights.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_partition(order, [&](std::size_t i) { return !lights[i].carried; });
+  return order;
+}
+
+gl::Program make_program(std::string_view vertex, std::string_view fragment, const scene::Scene& scene,
+                         std::size_t local_count) {
+  const std::string counts =
+      fmt::format("#define LOCAL_COUNT {}\n#define LIGHT_COUNT {}\n", local_count, scene.lights.size());
+  std::vector<gl::ShaderSource> files{{"plain.glsl", counts}, {"light_list.glsl", "#include \"plain_lights.glsl\"\n"}};
+  files.insert(files.end(), plain_shaders().begin(), plain_shaders().end());
+  const std::vector<gl::ShaderSource> rest = render::scene_shaders(!scene.cookies.empty());
+  files.insert(files.end(), rest.begin(), rest.end());
+  return gl::Program(vertex, fragment, files);
+}
+
+PlainLight pack(const PlacedLight& light, const FogIntensity& solution) {
+  const auto [attenuation, cone] = pack_fog_light_kind(light, solution);
+  const FogLightInstance instance = pack_fog_light_instance(light, 0);
+  return {.position_extent = glm::vec4(glm::vec3(instance.position_kind), attenuation.w),
+          .axis_profile = instance.axis_profile,
+          .color_intensity = glm::vec4(glm::vec3(instance.color), cone.w),
+          .attenuation = glm::vec4(glm::vec3(attenuation), cone.z),
+          .cone = glm::vec4(cone.x, cone.y, 0, 0)};
+}
+
+}  // namespace
+
+PlainRenderer::Mesh::Mesh(const scene::Mesh& mesh) : index_count(int(mesh.indices.size())) {
+  glBindVertexArray(vertex_array.id());
+  glBindBuffer(GL_ARRAY_BUFFER, vertices.id());
+  glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(mesh.vertices.size() * sizeof(scene::Vertex)), mesh.vertices.data(),
+               GL_STATIC_DRAW);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.id());
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(mesh.indices.size() * sizeof(std::uint32_t)), mesh.indices.data(),
+               GL_STATIC_DRAW);
+  const auto attribute = [](GLuint location, GLint components, std::size_t offset) {
+    glEnableVertexAttribArray(location);
+    glVertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, sizeof(scene::Vertex),
+                          reinterpret_cast<const void*>(offset));
+  };
+  attribute(0, 3, offsetof(scene::Vertex, position));
+  attribute(1, 3, offsetof(scene::Vertex, normal));
+  attribute(2, 4, offsetof(scene::Vertex, tangent));
+  attribute(3, 2, offsetof(scene::Vertex, uv));
+}
+
+PlainRenderer::PlainRenderer(const scene::Scene& scene, int width, int height, int samples)
+    : scene_(scene),
+      framebuffer_(width, height, render::Passes::one, samples),
+      light_order_(local_lights_first(scene.lights)),
+      local_count_(std::size_t(std::ranges::count(scene.lights, false, &PlacedLight::carried))),
+      surface_program_(make_program("plain.vert", "plain.frag", scene, local_count_)),
+      sky_program_(make_program("sky.vert", "plain_sky.frag", scene, local_count_)),
+      light_point_program_(make_program("light_point.vert", "light_point.frag", scene, local_count_)) {
+  using Encoding = render::Texture::Encoding;
+  assert(!scene.lights.empty() && scene.lights.size() <= kMaxPlainLights);
+  if (!scene.cookies.empty()) cookies_ = render::upload_cookies(scene.cookies);
+  for (const scene::Material& material : scene.materials) {
+    const auto albedo = material.plain_albedo
+                            ? std::make_shared<const render::Texture>(glm::vec4(*material.plain_albedo, 1.0f))
+                            : std::make_shared<const render::Texture>(*material.albedo, Encoding::srgb);
+    materials_[material.name] = {&material, albedo,
+                                 std::make_shared<const render::Texture>(*material.normal, Encoding::linear)};
+  }
+  for (const scene::Model& model : scene.models) {
+    auto& meshes = meshes_.emplace_back();
+    for (const scene::Part& part : model) meshes.push_back(std::make_unique<Mesh>(part.mesh));
+  }
+  for (const scene::Instance& instance : scene.instances) {
+    const scene::Model& model = scene.models[instance.model];
+    for (std::size_t i = 0; i < model.size(); ++i) {
+      draws_.push_back(
+          {&materials_.at(model[i].material), meshes_[instance.model][i].get(), instance.world_from_model});
+    }
+  }
+  std::ranges::stable_sort(draws_, {}, [](const Draw& draw) { return draw.material->material->name; });
+  set_fog(Fog{});
+}
+
+void PlainRenderer::set_fog(const Fog& fog) {
+  fog_ = fog;
+  packed_.clear();
+  for (const std::size_t i : light_order_) {
+    const PlacedLight& light = scene_.lights[i];
+    packed_.push_back(pack(light, solve_fog_intensity(light.light, fog)));
+    if (const auto use = scene_.cookie_uses.find(i); use != scene_.cookie_uses.end()) {
+      const glm::dvec3 up = glm::transpose(scene::cookie_from_world(light.direction, use->second.roll))[1];
+      packed_.back().axis_profile.w = 3;
+      packed_.back().cone = glm::vec4(float(use->second.cookie), glm::vec3(up));
+    }
+  }
+  fog_block_.upload(pack_fog_header(fog, {}, 0));
+}
+
+void PlainRenderer::draw() {
+  const scene::Camera& camera = scene_.camera;
+  const glm::mat4 view_from_world = glm::lookAt(camera.position, camera.target, glm::vec3(0, 1, 0));
+  const glm::mat4 clip_from_view =
+      glm::infinitePerspective(camera.field_of_view, float(framebuffer_.aspect()), render::kNearPlane);
+  framebuffer_.bind();
+  glEnable(GL_DEPTH_TEST);
+  glEnable(GL_CULL_FACE);
+  glDepthFunc(GL_LEQUAL);
+  glDepthMask(GL_TRUE);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  if (cookies_) cookies_->bind(render::kCookieUnit);
+  draw_surfaces(clip_from_view * view_from_world);
+  glDepthMask(GL_FALSE);
+  draw_sky(glm::inverse(clip_from_view * glm::mat4(glm::mat3(view_from_world))));
+  draw_light_points(clip_from_view * view_from_world);
+  framebuffer_.resolve();
+  glFinish();
+  gl::check_errors("drawing a plain frame");
+}
+
+void PlainRenderer::use(const gl::Program& program) const {
+  program.use();
+  glUniform4fv(program.uniform("lights"), GLsizei(5 * packed_.size()), glm::value_ptr(packed_[0].position_extent));
+  set_uniform(program, "density", float(fog_.density));
+  set_uniform(program, "is_exp2", unsigned{fog_.mode == FogMode::exp2});
+  set_uniform(program, "ambient_fog_color", scene_.environment.ambient_fog_color);
+  set_uniform(program, "moon_direction", scene_.environment.moon_direction);
+  set_uniform(program, "moon_color", scene_.environment.moon_color);
+  set_uniform(program, "eye", scene_.camera.position);
+  set_uniform(program, "cookies", render::kCookieUnit);
+}
+
+void PlainRenderer::draw_surfaces(const glm::mat4& clip_from_world) const {
+  use(surface_program_);
+  set_uniform(surface_program_, "clip_from_world", clip_from_world);
+  set_uniform(surface_program_, "ambient_light", scene_.environment.ambient_light);
+  set_uniform(surface_program_, "albedo_map", render::kAlbedoUnit);
+  set_uniform(surface_program_, "normal_map", render::kNormalUnit);
+  const int world_from_model = surface_program_.uniform("world_from_model");
+  const Material* bound = nullptr;
+  for (const Draw& draw : draws_) {
+    if (draw.material != bound) {
+      bound = draw.material;
+      bound->albedo->bind(render::kAlbedoUnit);
+      bound->normal->bind(render::kNormalUnit);
+      set_uniform(surface_program_, "tile_size", bound->material->size_m);
+      set_uniform(surface_program_, "specular", bound->material->specular);
+      set_uniform(surface_program_, "shininess", bound->material->shininess);
+      set_uniform(surface_program_, "emissive", bound->material->emissive);
+    }
+    glUniformMatrix4fv(world_from_model, 1, GL_FALSE, glm::value_ptr(draw.world_from_model));
+    glBindVertexArray(draw.mesh->vertex_array.id());
+    glDrawElements(GL_TRIANGLES, draw.mesh->index_count, GL_UNSIGNED_INT, nullptr);
+  }
+}
+
+void PlainRenderer::draw_sky(const glm::mat4& direction_from_clip) const {
+  use(sky_program_);
+  set_uniform(sky_program_, "direction_from_clip", direction_from_clip);
+  set_uniform(sky_program_, "sky_zenith", scene_.environment.sky_zenith);
+  set_uniform(sky_program_, "sky_horizon", scene_.environment.sky_horizon);
+  set_uniform(sky_program_, "star_brightness", scene_.environment.star_brightness);
+  set_uniform(sky_program_, "sky_distance", render::kSkyDistance);
+  const double fog_above_eye = scene_.fog_top - double(scene_.camera.position.y);
+  set_uniform(sky_program_, "fog_above_eye", float(std::clamp(fog_above_eye, -1.0, 2.0 * render::kSkyDistance)));
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void PlainRenderer::draw_light_points(const glm::mat4& clip_from_world) const {
+  if (local_count_ == 0) return;
+  use(light_point_program_);
+  fog_block_.bind(light_point_program_, render::kFogLightBinding);
+  set_uniform(light_point_program_, "clip_from_world", clip_from_world);
+  set_uniform(light_point_program_, "has_glare", 1u);
+  set_uniform(light_point_program_, "near_plane", render::kNearPlane);
+  set_uniform(light_point_program_, "pixel_scale", float(framebuffer_.height()) / 720.0f);
+  glEnable(GL_PROGRAM_POINT_SIZE);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE);
+  glDrawArrays(GL_POINTS, 0, GLsizei(local_count_));
+  glDisable(GL_BLEND);
+}
+
+}  // namespace litfog::bench

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is the same all over a draw. Some drivers look each number of a uniform up for every few fragments, which here
+// costs more than a light. So a fragment shader that defines CONSTANTS_FROM_VERTICES takes these, the fog and the first
+// lights from the vertices, which pass them on unchanged (surface.vert).
+
+const int draw_constant_count = 5;
+
+#ifdef CONSTANTS_FROM_VERTICES
+flat in vec4 vertex_constants[draw_constant_count];
+#define DRAW_CONSTANT(i) vertex_constants[i]
+#else
+uniform vec4 draw_constants[draw_constant_count];
+#define DRAW_CONSTANT(i) draw_constants[i]
+#endif
+
+vec3 eye = DRAW_CONSTANT(0).xyz;
+vec3 bounds_low = DRAW_CONSTANT(1).xyz;  // of the surface drawn
+vec3 bounds_high = DRAW_CONSTANT(2).xyz;
+vec3 specular = DRAW_CONSTANT(3).xyz;  // of its material
+float shininess = DRAW_CONSTANT(3).w;
+vec3 emissive = DRAW_CONSTANT(4).xyz;
