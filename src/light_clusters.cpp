@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -65,6 +66,7 @@ class LightClusters::Store {
   std::span<const std::uint32_t> light_list() const { return std::span(list_).first(statistics_.entries); }
   ClusterLookup lookup() const;
   std::optional<std::size_t> cluster_at(const glm::dvec3& point) const;
+  View part_of_view(std::size_t cluster) const;
   const ClusterStatistics& statistics() const { return statistics_; }
 
  private:
@@ -202,6 +204,24 @@ std::optional<std::size_t> LightClusters::Store::cluster_at(const glm::dvec3& po
   return (part(position, grid_.slices) * grid_.rows + row) * grid_.columns + column;
 }
 
+View LightClusters::Store::part_of_view(std::size_t cluster) const {
+  assert(cluster < clusters_.size());
+  const std::size_t column = cluster % grid_.columns;
+  const std::size_t row = cluster / grid_.columns % grid_.rows;
+  const auto slice = std::uint32_t(cluster / grid_.columns / grid_.rows);
+  const auto edge = [](double low, double high, std::size_t part, std::size_t parts) {
+    return std::lerp(low, high, double(part) / double(parts));
+  };
+  View part = view_;
+  part.left = edge(view_.left, view_.right, column, grid_.columns);
+  part.right = edge(view_.left, view_.right, column + 1, grid_.columns);
+  part.bottom = edge(view_.bottom, view_.top, row, grid_.rows);
+  part.top = edge(view_.bottom, view_.top, row + 1, grid_.rows);
+  part.nearest = slice_depth(grid_, view_, slice);
+  part.farthest = slice_depth(grid_, view_, slice + 1);
+  return part;
+}
+
 LightClusters::LightClusters(const ClusterGrid& grid) : store_(std::make_unique<Store>(grid)) {}
 LightClusters::~LightClusters() = default;
 LightClusters::LightClusters(LightClusters&&) noexcept = default;
@@ -218,6 +238,7 @@ ClusterLookup LightClusters::lookup() const { return store_->lookup(); }
 std::optional<std::size_t> LightClusters::cluster_at(const glm::dvec3& point) const {
   return store_->cluster_at(point);
 }
+View LightClusters::part_of_view(std::size_t cluster) const { return store_->part_of_view(cluster); }
 const ClusterStatistics& LightClusters::statistics() const { return store_->statistics(); }
 
 }  // namespace litfog

@@ -53,15 +53,15 @@ struct ClusterStatistics {
 /// here and in a shader's look-up err.
 inline constexpr double kClusterSlack = 1e-5;
 
-/// Largest fraction of a city's entries whose light and cluster have no point in common.
-inline constexpr double kClusterExcess = 0.05;
+/// Largest fraction of the entries of many lights whose light and cluster have no point in common.
+inline constexpr double kClusterExcess = 0.1;
 
 /// Which lights can light what a view shows, by clusters: small parts of the view, whose fragments then go through a
 /// short list instead of all lights.
 ///
 /// No light is missing from a cluster in which it can light a point. A light is in a cluster only where no plane of the
 /// grid, no plane that touches the light's cone, and no ball around the light shrunk by the cluster's planes tells them
-/// apart; of a city's entries at most kClusterExcess have no point in common        (light_clusters_test.cpp).
+/// apart; at most kClusterExcess of the entries have no point in common          (light_clusters_test.cpp).
 /// Lights are listed in the order of their indices. The lists depend on the lights and the view alone: not on what was
 /// held before, nor on threads.
 ///
@@ -113,6 +113,11 @@ class LightClusters {
   ClusterLookup lookup() const;
   /// Index of the cluster in which a point lies, or nothing outside the view of the last update.
   std::optional<std::size_t> cluster_at(const glm::dvec3& point) const;
+
+  /// The part that a cluster is of the view of the last update.
+  ///
+  /// cluster  below the number of clusters
+  View part_of_view(std::size_t cluster) const;
 
   const ClusterStatistics& statistics() const;
 
