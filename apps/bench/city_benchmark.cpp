@@ -55,7 +55,7 @@ const Scale kFull{{kInfinity, 1500, 400, 50},
                   300,
                   9,
                   100'000};
-const Scale kQuick{{kInfinity, 50}, {100, 1000}, 100, 100, 100, 12, 3, 2000};
+const Scale kQuick{{kInfinity, 50}, {100, 1000}, 100, 100, 100, 4, 2, 2000};
 
 // --- the flight ---
 
