@@ -30,4 +30,17 @@ inline LightBounds bounds_of(const PlacedLight& light, double range) {
   return {light.position, light.direction, range, cutoff_angle(light.light.cone)};
 }
 
+/// Largest distance, over that of coordinates from the eye or the light, at which what does not touch is taken to.
+inline constexpr double kCullSlack = 1e-9;
+
+/// Whether a light can light anything in a box. World space, metres.
+///
+/// No answer is false where it can. It is true where it cannot only within kCullSlack of touching; and for lights whose
+/// half angle is over 90 degrees, where part of the box is in the dark cone and the rest beyond the range
+/// (light_bounds_test.cpp).
+///
+/// low, high  corners, each coordinate finite and of low at most that of high
+/// throws     std::invalid_argument naming field, value and rule
+bool can_light(const LightBounds& light, const glm::dvec3& low, const glm::dvec3& high);
+
 }  // namespace litfog

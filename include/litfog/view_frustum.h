@@ -38,15 +38,10 @@ std::optional<ValueError> check(const View& view);
 /// Columns right, up and forward, orthonormal to rounding, of a view that has passed check().
 glm::dmat3 axes_of(const View& view);
 
-inline constexpr double kFrustumSlack = 1e-9;
-
 /// The truncated pyramid that a view shows, to ask whether bodies meet it.
 ///
-/// No answer is false where body and frustum have a point in common. It is true where they have none only within
-/// kFrustumSlack of touching, of their coordinates from the eye; and for lights whose half angle is over 90 degrees,
-/// where part of the frustum is in the dark cone and the rest beyond the range           (view_frustum_test.cpp).
-/// Method: a separating plane by the algorithm of Gilbert, Johnson and Keerthi (1988). Each of its steps has a proof of
-/// separation, a common point, or a smaller distance.
+/// No answer is false where body and frustum have a point in common. Answers are true where they have none as for boxes
+/// (can_light in light_bounds.h)                                                             (view_frustum_test.cpp).
 class ViewFrustum {
  public:
   /// throws  std::invalid_argument naming field, value and rule

@@ -45,7 +45,7 @@ TEST(ViewFrustum, LightApartFromTheViewIsNotSeen) {
     const GapSearch search(view, light);
     const bool is_seen = ViewFrustum(view).can_see(light);
     const double gap = search.largest(random);
-    if (gap > kFrustumSlack * search.size()) {
+    if (gap > kCullSlack * search.size()) {
       ++proved;
       ASSERT_FALSE(is_seen) << to_string(view, light) << ", gap " << gap;
     }

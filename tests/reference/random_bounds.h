@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "litfog/light_bounds.h"
 #include "litfog/view_frustum.h"
@@ -96,9 +97,9 @@ inline bool is_in(const View& view, const glm::dvec3& point) {
          y >= view.bottom * depth && y <= view.top * depth;
 }
 
-/// A proof that a view and a light have no point in common: the largest gap between two planes across one direction,
-/// one before all of the view and one behind all of the light; < 0 where no such planes were found. By trying
-/// directions, not by the library's method. Half angles up to 90 degrees, or balls.
+/// A proof that a polytope and a light have no point in common: the largest gap between two planes across one
+/// direction, one before all of the polytope and one behind all of the light; < 0 where no such planes were found. By
+/// trying directions, not by the library's method. Half angles up to 90 degrees, or balls.
 class GapSearch {
  public:
   GapSearch(const View& view, const LightBounds& light) : light_(light) {
@@ -107,23 +108,32 @@ class GapSearch {
     for (const double depth : {view.nearest, view.farthest}) {
       for (const double x : {view.left, view.right}) {
         for (const double y : {view.bottom, view.top}) {
-          corners_[i] = axes * glm::dvec3(x * depth, y * depth, depth);
-          center_ += corners_[i++] / 8.0;
+          corners_[i++] = axes * glm::dvec3(x * depth, y * depth, depth);
         }
       }
     }
-    for (const glm::dvec3& corner : corners_) size_ = std::max(size_, glm::length(corner));
-    apex_ = light.position - view.eye;
-    size_ += glm::length(apex_);
     starts_ = {axes[2],
                -axes[2],
                glm::normalize(axes[0] - view.left * axes[2]),
                glm::normalize(view.right * axes[2] - axes[0]),
                glm::normalize(axes[1] - view.bottom * axes[2]),
                glm::normalize(view.top * axes[2] - axes[1])};
-    for (const glm::dvec3& corner : corners_) starts_.push_back(glm::normalize(corner - apex_ + glm::dvec3(1e-30)));
-    starts_.push_back(glm::normalize(center_ - apex_ + glm::dvec3(1e-30)));
-    starts_.push_back(-light.direction);
+    start_from(light.position - view.eye);
+  }
+
+  GapSearch(const glm::dvec3& low, const glm::dvec3& high, const LightBounds& light) : light_(light) {
+    for (std::size_t i = 0; i < 8; ++i) {
+      const glm::dvec3 corner{i % 2 == 0 ? low.x : high.x, i / 2 % 2 == 0 ? low.y : high.y,
+                              i / 4 == 0 ? low.z : high.z};
+      corners_[i] = corner - light.position;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      glm::dvec3 normal{0};
+      normal[axis] = 1;
+      starts_.push_back(normal);
+      starts_.push_back(-normal);
+    }
+    start_from(glm::dvec3(0));
   }
 
   double size() const { return size_; }
@@ -156,6 +166,19 @@ class GapSearch {
   }
 
  private:
+  void start_from(const glm::dvec3& apex) {
+    apex_ = apex;
+    glm::dvec3 center{0};
+    for (const glm::dvec3& corner : corners_) {
+      size_ = std::max(size_, glm::length(corner));
+      center += corner / 8.0;
+    }
+    size_ += glm::length(apex_);
+    for (const glm::dvec3& corner : corners_) starts_.push_back(glm::normalize(corner - apex_ + glm::dvec3(1e-30)));
+    starts_.push_back(glm::normalize(center - apex_ + glm::dvec3(1e-30)));
+    starts_.push_back(-light_.direction);
+  }
+
   double support(const glm::dvec3& direction) const {
     const double range = std::min(light_.range, 4 * size_);
     if (light_.half_angle == std::numbers::pi) return range;
@@ -166,7 +189,6 @@ class GapSearch {
 
   LightBounds light_;
   std::array<glm::dvec3, 8> corners_;
-  glm::dvec3 center_{0};
   glm::dvec3 apex_;
   double size_ = 0;
   std::vector<glm::dvec3> starts_;

@@ -92,7 +92,7 @@ TEST(City, LampsOfAHouseLeaveItsBrightPanes) {
 }
 
 TEST(City, SceneFileMayHaveACityAlone) {
-  EXPECT_EQ(read_scene(bundled_scene_path("city")).lights.size(), 1000u);
+  EXPECT_EQ(read_scene(bundled_scene_path("city")).lights.size(), 400u);
   EXPECT_EQ(read_scene(bundled_scene_path("city"), 20'000).lights.size(), 20'000u);
   try {
     read_scene(bundled_scene_path("room"), 10);

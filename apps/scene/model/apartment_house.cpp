@@ -108,7 +108,7 @@ Model make_apartment_house(const ApartmentHouse& house) {
                      pane.bottom - 0.04f,
                      pane.right + 0.1f,
                      pane.top + 0.1f,
-                     pane.is_shop ? "paint_black" : "paint_white",
+                     pane.is_shop ? "stone" : "paint_white",
                      pane.is_shop};
     const float middle = 0.5f * (pane.left + pane.right);
     Pane left = pane;
@@ -120,7 +120,7 @@ Model make_apartment_house(const ApartmentHouse& house) {
     add_pane(model, right, kPaneLift_m, facade.house_from_wall);
   });
   const glm::vec3 half{0.5f * house.width_m, 0, 0.5f * house.depth_m};
-  Mesh& roof = part(model, "concrete");
+  Mesh& roof = part(model, "stone");
   const float level = top - kParapet_m;
   add_face(roof,
            {{-half.x, level, half.z}, {half.x, level, half.z}, {half.x, level, -half.z}, {-half.x, level, -half.z}});
