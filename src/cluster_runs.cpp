@@ -57,17 +57,6 @@ HWY_INLINE V support(D d, V cos_t, V sin_t, V cos_h, V sin_h) {
   return hn::IfThenElse(hn::Ge(cos_t, cos_h), hn::Set(d, 1.0f), rim);
 }
 
-/// Lights in view space.
-template <class V>
-struct SeenLights {
-  Vectors<V> apex;
-  Vectors<V> axis;
-  V range;
-  V cos_h;
-  V sin_h;
-  V slack;
-};
-
 /// Along the normal (across, along) of a plane of columns or rows: the least and the most of a light's points.
 template <class V>
 struct Span {
