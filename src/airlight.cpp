@@ -107,14 +107,8 @@ double largest_phase(const Scattering& scattering) {
 }
 
 std::optional<ValueError> check(const EyeRay& ray) {
-  constexpr const char* kRule = "must be at most 16777216 in magnitude";
-  if (!(std::abs(ray.origin.x) <= kMaxPosition)) return ValueError{"origin.x", ray.origin.x, kRule};
-  if (!(std::abs(ray.origin.y) <= kMaxPosition)) return ValueError{"origin.y", ray.origin.y, kRule};
-  if (!(std::abs(ray.origin.z) <= kMaxPosition)) return ValueError{"origin.z", ray.origin.z, kRule};
-  const double length = glm::length(ray.direction);
-  if (!(std::abs(length - 1) <= kDirectionTolerance)) {
-    return ValueError{"direction", length, "length must be 1 within 1e-6"};
-  }
+  if (const auto error = check_position(ray.origin, {"origin.x", "origin.y", "origin.z"})) return error;
+  if (const auto error = check_direction(ray.direction, "direction")) return error;
   if (!(ray.length >= 0)) return ValueError{"length", ray.length, "must be >= 0"};
   return std::nullopt;
 }

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "litfog/light.h"
 
-#include <cmath>
-#include <glm/geometric.hpp>
-
 #include "require.h"
 
 namespace litfog {
@@ -19,15 +16,8 @@ std::optional<ValueError> check(const Light& light) {
 }
 
 std::optional<ValueError> check(const PlacedLight& placed) {
-  constexpr const char* kRule = "must be at most 16777216 in magnitude";
-  const auto is_in_reach = [](double coordinate) { return std::abs(coordinate) <= kMaxPosition; };
-  if (!is_in_reach(placed.position.x)) return ValueError{"position.x", placed.position.x, kRule};
-  if (!is_in_reach(placed.position.y)) return ValueError{"position.y", placed.position.y, kRule};
-  if (!is_in_reach(placed.position.z)) return ValueError{"position.z", placed.position.z, kRule};
-  const double length = glm::length(placed.direction);
-  if (!(std::abs(length - 1) <= kDirectionTolerance)) {
-    return ValueError{"direction", length, "length must be 1 within 1e-6"};
-  }
+  if (const auto error = check_position(placed.position, {"position.x", "position.y", "position.z"})) return error;
+  if (const auto error = check_direction(placed.direction, "direction")) return error;
   return check(placed.light);
 }
 

@@ -2,11 +2,14 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
 #include <optional>
 #include <stdexcept>
 
+#include "litfog/light.h"
 #include "litfog/value_error.h"
 
 namespace litfog {
@@ -26,6 +29,23 @@ inline std::optional<ValueError> check_color(const glm::dvec3& color, const std:
       return ValueError{names[std::size_t(i)], color[i], "must be finite and >= 0"};
     }
   }
+  return std::nullopt;
+}
+
+/// What is wrong with a position whose coordinates are called so, or nothing.
+inline std::optional<ValueError> check_position(const glm::dvec3& position, const std::array<const char*, 3>& names) {
+  for (int i = 0; i < 3; ++i) {
+    if (!(std::abs(position[i]) <= kMaxPosition)) {
+      return ValueError{names[std::size_t(i)], position[i], "must be at most 16777216 in magnitude"};
+    }
+  }
+  return std::nullopt;
+}
+
+/// What is wrong with a direction, or nothing. The value is its length.
+inline std::optional<ValueError> check_direction(const glm::dvec3& direction, const char* name) {
+  const double length = glm::length(direction);
+  if (!(std::abs(length - 1) <= kDirectionTolerance)) return ValueError{name, length, "length must be 1 within 1e-6"};
   return std::nullopt;
 }
 

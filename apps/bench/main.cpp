@@ -10,6 +10,7 @@
 #include <string>
 
 #include "bench/airlight_benchmark.h"
+#include "bench/city_benchmark.h"
 #include "bench/fit_benchmark.h"
 #include "bench/lamp_figure.h"
 #include "bench/machine.h"
@@ -39,6 +40,7 @@ constexpr const char* kDescription = R"(Measures litfog and its rivals: time bes
   litfog-bench update    time to follow a visibility step by step over a million lights
   litfog-bench fit       time and quality of fits of an attenuation to a falloff table
   litfog-bench render    frame time and error of every lighting path, over scenes, lights and sizes
+  litfog-bench city      cluster lists and frames of a city with 100 to 100,000 lights, at four visibilities
 )";
 
 constexpr const char* kExplanation =
@@ -76,7 +78,14 @@ rival a small forward renderer of one shader that loops over all lights and skip
 without skipping. Frames of all paths interleaved. Errors are against the path's own plain formulas, shaded in
 double. The picture has table 1 of Hales 2004. Takes some forty minutes without a GPU.
 
-Times are processor time of one thread (render: wall time of a frame, drawn and waited for): medians, with the spread
+city: a flight of 300 frames through streets. A light's range is its reach in the fog,
+and the view ends where fog hides white. clusters: LightClusters (16 x 9 x 24) at each frame; clusters-one-light: the view
+stands and one light changes; clusters-fog: a change of the visibility; balls: each light in view tested with the ball
+around each cluster (Wronski 2017). frame, 320x180, peak: from the scene's camera with all lights; frame-of-those: with
+the lights alone that are in clusters there; frame-flight: the flight with 10,000 lights. excess_share: entries whose light
+and cluster have no point in common.
+
+Times are processor time of one thread (render, city's frames: wall time of a frame, drawn and waited for): medians, with the spread
 from the 10th to the 90th percentile of the repetitions (solve, airlight, fit), steps (update) or frames (render). Errors
 ending in _255 are in steps of an 8-bit colour channel.
 
@@ -88,7 +97,7 @@ Examples:
 Exit status: 0 done; 1 wrong command line; 3 a Debug build, no OpenGL, or --plot without gnuplot; 4 output cannot be written; 5 an
 error larger than litfog states for itself was found (the results are still written).)";
 
-enum class Benchmark { solve, airlight, lamps, update, fit, render };
+enum class Benchmark { solve, airlight, lamps, update, fit, render, city };
 
 struct Options {
   Benchmark benchmark = Benchmark::solve;
@@ -148,9 +157,10 @@ Result measure(const Options& options) {
       throw MissingCapability("this build has no litfog::fit; configure with -DLITFOG_BUILD_FIT=ON");
 #endif
     case Benchmark::render:
+    case Benchmark::city:
 #ifdef LITFOG_HAS_GL
       try {
-        return measure_render(options.quick);
+        return options.benchmark == Benchmark::city ? measure_city(options.quick) : measure_render(options.quick);
       } catch (const litfog::gl::Unsupported& missing) {
         throw MissingCapability(missing.what());
       }
@@ -207,17 +217,18 @@ int main(int argc, char** argv) {
                          {"lamps", Benchmark::lamps},
                          {"update", Benchmark::update},
                          {"fit", Benchmark::fit},
-                         {"render", Benchmark::render}},
+                         {"render", Benchmark::render},
+                         {"city", Benchmark::city}},
                         "What to measure")
       ->required();
   app.add_option("--json", options.json_file, "Write machine and rows as JSON")->type_name("FILE");
   app.add_option("--csv", options.csv_file, "Write the rows as CSV, the machine in each")->type_name("FILE");
   app.add_option("--plot", options.plot_file,
                  "Draw time against error (solve, airlight), over visibility (lamps, update), digits (fit) or "
-                 "lights (render)")
+                 "lights (render, city)")
       ->type_name("FILE.png|FILE.svg");
   app.add_option("--isa", options.isa,
-                 "Batches use no wider SIMD target than this, in Highway's words: AVX3, AVX2, SSE4")
+                 "Batches and cluster lists use no wider SIMD target than this, in Highway's words: AVX3, AVX2, SSE4")
       ->type_name("NAME");
   add_choice<TableFormat>(app, "--format", options.format,
                           {{"table", TableFormat::text}, {"csv", TableFormat::csv}, {"json", TableFormat::json}},
@@ -225,7 +236,8 @@ int main(int argc, char** argv) {
   app.add_flag("--quick", options.quick, "Fewer lights or tables and shorter runs, to see that it works");
   return run_command(app, argc, argv, [&] {
     const std::string benchmark = app["benchmark"]->as<std::string>();
-    const bool has_batches = options.benchmark == Benchmark::solve || options.benchmark == Benchmark::update;
+    const bool has_batches = options.benchmark == Benchmark::solve || options.benchmark == Benchmark::update ||
+                             options.benchmark == Benchmark::city;
     check_options(app, {{benchmark, !has_batches, {"--isa"}, "it has no batches"}});
     return run(options);
   });

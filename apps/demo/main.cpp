@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,7 @@
 #include "litfog/gl/unsupported.h"
 #include "litfog/input_error.h"
 #include "scene/file/scene_file.h"
+#include "scene/model/city.h"
 
 namespace {
 
@@ -51,6 +53,7 @@ constexpr const char* kExamples =
   litfog-demo headlights --visibility 150 -o fog.png
   litfog-demo approach --fog exp2 --visibility 800 --size 1920x1080 -o approach.exr
   litfog-demo street.glb --exposure -8.5 -o street.png
+  litfog-demo city --lights 4000 --visibility 500 -o city.png
   litfog-demo room --path vertex --heat-map error.png
   litfog-demo gallery -o out
   litfog-demo compare room headlights --size 960x540 -o paths
@@ -92,6 +95,7 @@ Job add_picture_job(CLI::App& app) {
     std::string output;
     std::string heat_map;
     std::string stats;
+    int city_lights = 0;
     int frames = 1;
     bool reference = false;
   };
@@ -108,6 +112,8 @@ Job add_picture_job(CLI::App& app) {
   add_rendering(app, options->drawing);
   add_time(app, options->drawing);
   add_display(app, options->drawing.display);
+  add_integer(app, "--lights", options->city_lights, 1, int(scene::kMaxCityLights),
+              "Lights of a generated city (default the scene's)");
   add_integer(app, "--frames", options->frames, 1, 100'000,
               "Frames to draw and time, after one that is not timed (default 1)");
   app.add_flag("--reference", options->reference,
@@ -139,7 +145,8 @@ Job add_picture_job(CLI::App& app) {
     const bool has_reference = options->reference || is_given("--heat-map");
     if (has_reference) expect_pixels(drawing, kMaxReferencePixels, "for a reference");
 
-    scene::Scene scene = scene::read_scene(scene_path(options->scene));
+    const auto city_lights = is_given("--lights") ? std::optional(std::size_t(options->city_lights)) : std::nullopt;
+    scene::Scene scene = scene::read_scene(scene_path(options->scene), city_lights);
     check_options(app, {{scene.name, !has_turning_light(scene), {"--time"}, "none of its lights turns"}});
     scene::turn_lights(scene, drawing.seconds);
     scene.phase_g = drawing.phase_g.value_or(scene.phase_g);

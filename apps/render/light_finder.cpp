@@ -2,8 +2,9 @@
 #include "render/light_finder.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
+
+#include "litfog/light_bounds.h"
 
 namespace litfog::render {
 namespace {
@@ -13,18 +14,7 @@ constexpr std::size_t kGroupSize = 64;
 }  // namespace
 
 bool can_reach(const PlacedLight& light, double extent, const scene::Bounds& box) {
-  const glm::dvec3 low = box.low;
-  const glm::dvec3 high = box.high;
-  const glm::dvec3 nearest = glm::clamp(light.position, low, high);
-  if (glm::distance(nearest, light.position) > extent) return false;
-  const glm::dvec3 center = (low + high) * 0.5;
-  const double radius = glm::distance(high, center);
-  const double range = glm::distance(center, light.position);
-  if (range <= radius) return true;
-  // The box's sphere spans asin(radius / range) about the direction of its centre.
-  const double angle = std::acos(std::clamp(glm::dot(center - light.position, light.direction) / range, -1.0, 1.0));
-  constexpr double kRounding = 1e-6;  // of acos near 0
-  return angle - std::asin(radius / range) <= cutoff_angle(light.light.cone) + kRounding;
+  return can_light(bounds_of(light, extent), box.low, box.high);
 }
 
 LightFinder::LightFinder(std::span<const PlacedLight> lights, std::span<const double> extents)

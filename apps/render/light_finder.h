@@ -11,8 +11,7 @@
 
 namespace litfog::render {
 
-/// Whether a light can light anything within a box: the box meets the sphere of the light's extent, and the box's
-/// sphere meets the light's cone. Never false where it can; may be true where it cannot.
+/// Whether a light can light anything within a box: litfog::can_light.
 ///
 /// extent  metres; infinity asks for the cone alone
 bool can_reach(const PlacedLight& light, double extent, const scene::Bounds& box);

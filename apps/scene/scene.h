@@ -18,7 +18,7 @@
 namespace litfog::scene {
 
 // Limits of a scene, so that no file exhausts the memory or exceeds what floats can draw.
-inline constexpr std::size_t kMaxSceneLights = 20'000;
+inline constexpr std::size_t kMaxSceneLights = 100'000;
 inline constexpr std::size_t kMaxTriangles = 20'000'000;
 inline constexpr std::size_t kMaxVertices = 20'000'000;  ///< of all models: 960 MB, below the 2 GiB of a GL buffer
 inline constexpr double kMaxCoordinate = 1e7;  ///< metres: floats there still resolve a metre

@@ -371,7 +371,7 @@ TEST_F(BenchCommand, HelpNeedsNoReleaseBuild) {
 TEST_F(BenchCommand, WrongUsageIsAnError) {
   EXPECT_ERROR(run(""), kUsage, usage_message("benchmark is required"));
   EXPECT_ERROR(run("speed"), kUsage,
-               usage_message("benchmark = speed: must be one of solve|airlight|lamps|update|fit|render"));
+               usage_message("benchmark = speed: must be one of solve|airlight|lamps|update|fit|render|city"));
   EXPECT_EQ(run("solve --quick --slow").status, kUsage);
   EXPECT_EQ(run("solve update").status, kUsage);
   EXPECT_EQ(run("solve --json").status, kUsage);
@@ -437,6 +437,29 @@ TEST_F(BenchMeasurement, RenderMeasuresEveryPathBesideLegacyAndTheBareTexture) {
     EXPECT_LT(paths["unified airlight"]["max_error_255"].get<double>(), 1);
   }
   EXPECT_TRUE(std::filesystem::exists(directory() / "render.png"));
+}
+
+TEST_F(BenchMeasurement, CityMeasuresClustersAndFramesAtEveryVisibility) {
+  const Outcome outcome = run("city --quick --json city.json --csv city.csv --plot city.png");
+  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  const Json document = Json::parse(read("city.json"));
+  expect_machine(document, true);
+  std::map<std::string, int> rows;
+  for (const Json& row : document["rows"]) {
+    const std::string method = row["method"];
+    ++rows[method];
+    EXPECT_GT(row["ms"].get<double>(), 0) << row;
+    EXPECT_GE(row["worst_ratio"].get<double>(), 1) << row;
+    EXPECT_EQ(row["visibility_m"].is_string(), row["visibility_m"] == "inf") << row;
+    if (method == "frame-flight") continue;
+    EXPECT_LE(row["lights_that_matter"].get<double>(), row["lights"].get<double>()) << row;
+    EXPECT_EQ(row["excess_share"].is_number(), method == "clusters") << row;
+  }
+  const std::map<std::string, int> expected{
+      {"balls", 2}, {"clusters", 4},     {"clusters-fog", 4},  {"clusters-one-light", 4},
+      {"frame", 2}, {"frame-flight", 2}, {"frame-of-those", 2}};
+  EXPECT_EQ(rows, expected);
+  EXPECT_TRUE(std::filesystem::exists(directory() / "city.png"));
 }
 
 TEST_F(BenchMeasurement, TargetOfTheBatchIsAnErrorForFrames) {

@@ -22,6 +22,7 @@
 #include "litfog/input_error.h"
 #include "litfog/photometry/cookie_file.h"
 #include "scene/file/gltf_scene.h"
+#include "scene/model/city.h"
 #include "scene/model/model_catalogue.h"
 #include "scene/paint/cookie_pattern.h"
 #include "scene/paint/material_catalogue.h"
@@ -36,6 +37,7 @@ constexpr std::size_t kMaxInstances = 50'000;
 constexpr std::size_t kMaxCookies = 32;                         // OpenGL 3.3 promises 256 layers, six a cookie
 constexpr std::size_t kMaxCookieTexels = std::size_t{1} << 28;  // 1 GiB of floats
 constexpr double kMaxDensityScale = 1e6;
+constexpr const char* kCityRule = "must be there, to have another number of lights";
 
 bool is_color(const glm::dvec3& color) {
   return glm::all(glm::greaterThanEqual(color, glm::dvec3(0.0))) &&
@@ -148,12 +150,13 @@ Environment read_environment(const JsonValue& value) {
 /// Reads scenes; keeps light files and models that several entries share.
 class SceneReader {
  public:
-  explicit SceneReader(const std::string& path) : folder_(std::filesystem::path(path).parent_path()) {
+  SceneReader(const std::string& path, std::optional<std::size_t> city_lights)
+      : folder_(std::filesystem::path(path).parent_path()) {
     scene_.files.push_back(path);
     const JsonValue root = files::read_json(path);
     expect_header(root, "scene", 1);
     root.allow_only({"litfog", "version", "name", "description", "camera", "environment", "visibilities_m", "fog_top_m",
-                     "phase_g", "lights", "objects"});
+                     "phase_g", "lights", "city", "objects"});
     read_name(root, std::filesystem::path(path).stem().string());
     if (const auto description = root.optional("description")) scene_.description = description->string();
     scene_.camera = read_camera(root.member("camera"));
@@ -167,7 +170,12 @@ class SceneReader {
     if (const auto lights = root.optional("lights")) {
       for (const JsonValue& light : lights->items()) read_light_entry(light);
     }
-    for (const JsonValue& object : root.member("objects").items()) read_object(object);
+    const auto city = root.optional("city");
+    if (city) read_city(*city, city_lights);
+    if (city_lights && !city) root.fail("city", "", kCityRule);
+    if (!city || root.optional("objects")) {
+      for (const JsonValue& object : root.member("objects").items()) read_object(object);
+    }
     add_materials(scene_);
   }
 
@@ -256,6 +264,26 @@ class SceneReader {
         value.fail("lights", "", fmt::format("must be at most {} that are carried", kMaxFogLights));
       }
     }
+  }
+
+  void read_city(const JsonValue& value, std::optional<std::size_t> lights) {
+    value.allow_only({"lights", "seed", "street_lamp", "headlight", "tail_lamp", "shop_window", "window", "runway_edge",
+                      "approach_light"});
+    City city;
+    if (const auto count = value.optional("lights")) city.lights = count_in(*count, kMaxCityLights);
+    if (lights) city.lights = *lights;
+    city.seed = std::uint32_t(number_in_or(value, "seed", 0, kMaxSeed, city.seed));
+    const std::pair<const char*, Light*> kinds[] = {
+        {"street_lamp", &city.street_lamp}, {"headlight", &city.headlight},     {"tail_lamp", &city.tail_lamp},
+        {"shop_window", &city.shop_window}, {"window", &city.window},           {"runway_edge", &city.runway_edge},
+        {"approach_light", &city.approach_light}};
+    for (const auto& [name, light] : kinds) *light = read_kind(value.member(name));
+    try {
+      add_city(scene_, city);
+    } catch (const std::invalid_argument& error) {
+      value.fail("city", "", error.what());
+    }
+    for (const Instance& instance : scene_.instances) triangles_ += triangle_count(scene_.models[instance.model]);
   }
 
   CookieUse read_cookie_use(const JsonValue& value) {
@@ -389,8 +417,10 @@ std::filesystem::path scene_folder() { return command::bundled_folder("scenes");
 
 }  // namespace
 
-Scene read_scene(const std::string& path) {
-  return is_gltf_path(path) ? read_gltf_scene(path) : SceneReader(path).take();
+Scene read_scene(const std::string& path, std::optional<std::size_t> city_lights) {
+  if (!is_gltf_path(path)) return SceneReader(path, city_lights).take();
+  if (city_lights) throw InputError({.file = path}, "city", "", kCityRule);
+  return read_gltf_scene(path);
 }
 
 std::vector<Scene> read_scenes(const std::vector<std::string>& paths) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,7 +42,12 @@ namespace litfog::scene {
 ///         "carried": true,                                optional: by the eye's vehicle; default: false
 ///         "repeat": [{"count": 41, "step": [0, 0, -60]}]  optional: a copy at each step, of each copy before
 ///       }],
-///       "objects": [{
+///       "city": {                                         optional: a generated city around the origin (model/city.h)
+///         "lights": 1000, "seed": 1,                      how many shine, [1, 100000]; optional: 1000, 1
+///         "street_lamp": "../lights/street-lamp.json",    its kinds of lights, as above: also headlight, tail_lamp,
+///         ...                                             shop_window, window, runway_edge, approach_light
+///       },
+///       "objects": [{                                     optional beside a city
 ///         "model": "spruce", "height_m": 9, "seed": 3,    a model of model_catalogue.h, its parameters
 ///         "position": [4, 0, -20], "heading_deg": 30, "scale": 1.1,      optional: the origin, 0, 1
 ///         "repeat": [...],                                as above, or
@@ -48,12 +55,14 @@ namespace litfog::scene {
 ///       }]                                                area: x and z of two corners; headings at random
 ///     }
 ///
-/// "aim" moves along with a repeated light. A scene has at most 20,000 lights, 128 of them carried, and 50,000 objects.
+/// "aim" moves along with a repeated light. A scene has at most 100,000 lights, 128 of them carried, and 50,000 objects.
 /// Coordinates are within 10,000 km, parts of a colour at most 10,000.
 // clang-format on
 
 /// Reads a scene file, or a glTF file (gltf_scene.h) by its ending. Throws InputError.
-Scene read_scene(const std::string& path);
+///
+/// city_lights  how many lights its city has, in place of its own number; an error where the scene has no city
+Scene read_scene(const std::string& path, std::optional<std::size_t> city_lights = {});
 
 /// Reads scenes whose pictures go into one folder. Throws InputError, also where two scenes, and so their pictures,
 /// would have one name.

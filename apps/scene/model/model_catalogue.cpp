@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "scene/model/airfield.h"
+#include "scene/model/apartment_house.h"
 #include "scene/model/block.h"
 #include "scene/model/broadleaf.h"
 #include "scene/model/car.h"
@@ -80,6 +81,8 @@ const std::vector<Entry>& entries() {
       entry("power_line", "utility poles with wires along the path", make_power_line),
       entry("car", "a parked hatchback heading for -Z; paint 0 blue, 1 red, 2 white, 3 grey, 4 green", make_car),
       entry("house", "a house with a pitched roof, its door to +Z; lit is the fraction of bright windows", make_house),
+      entry("apartment_house", "a flat-roofed town house, shops on its front to +Z; lit as the house's",
+            make_apartment_house),
       entry("person", "a person in a coat, facing -Z; walks 1 in mid-step; coat as the car's paint", make_person),
       entry("room", "a room seen from inside: barrel vault along Z, piers, niches, a door at -Z", make_room),
       entry("panel", "a square wall facing +Z in cells x cells squares; wire 1 shows its triangles' edges alone",

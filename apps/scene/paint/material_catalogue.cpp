@@ -69,6 +69,7 @@ const Recipe kRecipes[] = {
     {"vault_plaster", paint_plaster, 512, 4.0f, {0.62f, 0.60f, 0.55f}, glm::vec3(0.04f), 10.0f, kDark},
     {"water", paint_water, 512, 24.0f, {0.006f, 0.011f, 0.014f}, glm::vec3(0.35f), 60.0f, kDark},
     {"wet_asphalt", paint_wet_asphalt, 512, 4.0f, {0.05f, 0.05f, 0.052f}, glm::vec3(0.6f), 110.0f, kDark},
+    {"window_dim", paint_smooth, 64, 1.0f, {0.10f, 0.09f, 0.07f}, glm::vec3(0.5f), 200.0f, {0.42f, 0.25f, 0.10f}},
     {"window_lit", paint_smooth, 64, 1.0f, {0.10f, 0.09f, 0.07f}, glm::vec3(0.5f), 200.0f, {1.1f, 0.72f, 0.34f}},
     {"wood", paint_wood, 512, 1.6f, {0.22f, 0.165f, 0.115f}, glm::vec3(0.08f), 16.0f, kDark},
     {"wood_floor", paint_wood_floor, 512, 2.4f, {0.25f, 0.14f, 0.07f}, glm::vec3(0.25f), 40.0f, kDark},

@@ -1,0 +1,481 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/city_benchmark.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <deque>
+#include <glm/gtc/matrix_transform.hpp>
+#include <limits>
+#include <map>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "command/progress.h"
+#include "litfog/airlight.h"
+#include "litfog/gl/headless_context.h"
+#include "litfog/light_clusters.h"
+#include "measure/quantile.h"
+#include "reference/random_light.h"
+#include "render/renderer.h"
+#include "scene/file/scene_file.h"
+
+namespace litfog::bench {
+namespace {
+
+constexpr int kWidth = 320;
+constexpr int kHeight = 180;
+constexpr double kBudget = 0.5 / 255;  // of a display's white
+constexpr double kFarthest = 4000;     // metres: beyond the city
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+struct Scale {
+  std::vector<double> visibilities;
+  std::vector<std::size_t> lights;
+  std::size_t most_balls;       ///< lights, of the method `balls`
+  std::size_t most_drawn;       ///< lights, of frames
+  std::size_t drawn_in_flight;  ///< lights
+  int flight_frames;
+  int still_frames;
+  int points_tried;
+};
+const Scale kFull{{kInfinity, 1500, 400, 50},
+                  {100, 300, 1000, 3000, 10'000, 30'000, 100'000},
+                  10'000,
+                  10'000,
+                  10'000,
+                  300,
+                  9,
+                  100'000};
+const Scale kQuick{{kInfinity, 50}, {100, 1000}, 100, 100, 100, 4, 2, 2000};
+
+// --- the flight ---
+
+/// Along streets, round four blocks and back; metres.
+constexpr std::array<glm::dvec3, 10> kWay{{{0, 10, 62},
+                                           {0, 9, -60},
+                                           {0, 9, -150},
+                                           {30, 10, -180},
+                                           {150, 12, -180},
+                                           {180, 12, -150},
+                                           {180, 13, 60},
+                                           {150, 14, 90},
+                                           {30, 12, 90},
+                                           {0, 10, 62}}};
+
+/// A Catmull-Rom spline through the way, at a fraction of it.
+glm::dvec3 point_at(double fraction) {
+  const double position = std::clamp(fraction, 0.0, 1.0) * double(kWay.size() - 1);
+  const auto i = std::min(std::size_t(position), kWay.size() - 2);
+  const double t = position - double(i);
+  const glm::dvec3 a = kWay[i == 0 ? 0 : i - 1];
+  const glm::dvec3 b = kWay[i];
+  const glm::dvec3 c = kWay[i + 1];
+  const glm::dvec3 d = kWay[std::min(i + 2, kWay.size() - 1)];
+  return b + 0.5 * t * (c - a + t * (2.0 * a - 5.0 * b + 4.0 * c - d + t * (3.0 * (b - c) + d - a)));
+}
+
+scene::Camera camera_at(double fraction, float field_of_view) {
+  const glm::dvec3 position = point_at(fraction);
+  const glm::dvec3 ahead = point_at(std::fmod(fraction + 0.05, 1.0));
+  return {position, glm::vec3(ahead.x, 0.8 * ahead.y, ahead.z), field_of_view};
+}
+
+double farthest_in(double visibility) {
+  return std::min(kFarthest, visibility * std::log(kBudget) / std::log(kContrastMor));
+}
+
+View view_of(const scene::Camera& camera, double visibility) {
+  const glm::dvec3 forward = glm::normalize(glm::dvec3(camera.target) - glm::dvec3(camera.position));
+  const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0, 1, 0)));
+  const double top = std::tan(double(camera.field_of_view) / 2);
+  const double side = top * kWidth / kHeight;
+  return {.eye = camera.position,
+          .forward = forward,
+          .up = glm::cross(right, forward),
+          .left = -side,
+          .right = side,
+          .bottom = -top,
+          .top = top,
+          .nearest = render::kNearPlane,
+          .farthest = farthest_in(visibility)};
+}
+
+// --- times ---
+
+double thread_milliseconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return double(time.tv_sec) * 1e3 + double(time.tv_nsec) * 1e-6;
+}
+
+double wall_milliseconds() {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+template <typename Clock, typename Work>
+double time_of(const Clock& clock, const Work& work) {
+  const double begin = clock();
+  work();
+  return clock() - begin;
+}
+
+/// A method at a visibility and a number of lights.
+struct Trial {
+  std::string method;
+  double visibility;
+  std::size_t lights;
+  std::vector<double> matter = {};  ///< a value a frame, as in those that follow
+  std::vector<double> entries = {};
+  std::vector<double> milliseconds = {};
+  std::optional<double> excess_share = {};
+
+  double median() const { return measure::quantile(milliseconds, 0.5); }
+};
+
+// --- clusters ---
+
+std::vector<LightBounds> bounds_in(const Fog& fog, std::span<const PlacedLight> lights) {
+  std::vector<LightBounds> bounds;
+  std::map<std::string, double> reaches;  // by kind
+  for (const PlacedLight& placed : lights) {
+    const auto [reach, is_new] = reaches.try_emplace(placed.light.name);
+    if (is_new) {
+      const glm::dvec3& color = placed.light.color;
+      reach->second = light_reach(placed.light, fog, std::min(0.5, kBudget / std::max({color.r, color.g, color.b})));
+    }
+    bounds.push_back(bounds_of(placed, reach->second));
+  }
+  return bounds;
+}
+
+void set_lights(LightClusters& clusters, std::span<const LightBounds> bounds) {
+  clusters.resize(bounds.size());
+  for (std::size_t i = 0; i < bounds.size(); ++i) clusters.set_light(i, bounds[i]);
+}
+
+double excess_share(const LightClusters& clusters, std::span<const LightBounds> bounds) {
+  std::size_t excess = 0;
+  for (std::size_t i = 0; i < clusters.clusters().size(); ++i) {
+    const Cluster& cluster = clusters.clusters()[i];
+    if (cluster.count == 0) continue;
+    const ViewFrustum part(clusters.part_of_view(i));
+    for (const std::uint32_t light : clusters.light_list().subspan(cluster.first, cluster.count)) {
+      excess += !part.can_see(bounds[light]);
+    }
+  }
+  const std::size_t entries = clusters.light_list().size();
+  return entries == 0 ? 0 : double(excess) / double(entries);
+}
+
+/// How many random points that lights light are in clusters that lack the light.
+int missing_lights(const LightClusters& clusters, std::span<const LightBounds> bounds, int points) {
+  test::Random random(91);
+  int missing = 0;
+  for (int i = 0; i < points; ++i) {
+    const auto light = std::size_t(random.below(int(bounds.size())));
+    const LightBounds& lit = bounds[light];
+    const glm::dvec3 offset{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+    const double length = glm::length(offset);
+    if (length > 1 || glm::dot(offset, lit.direction) < length * std::cos(lit.half_angle)) continue;
+    const auto cluster = clusters.cluster_at(lit.position + std::min(lit.range, kFarthest) * offset);
+    if (!cluster) continue;
+    const auto [first, count] = clusters.clusters()[*cluster];
+    missing += !std::ranges::binary_search(clusters.light_list().subspan(first, count), std::uint32_t(light));
+  }
+  return missing;
+}
+
+/// A ball around a cluster.
+struct Ball {
+  glm::dvec3 center;
+  double radius;
+};
+
+std::vector<Ball> balls_of(const LightClusters& clusters) {
+  std::vector<Ball> balls;
+  for (std::size_t i = 0; i < clusters.clusters().size(); ++i) {
+    const View part = clusters.part_of_view(i);
+    const glm::dvec3 low{std::min(part.left * part.nearest, part.left * part.farthest),
+                         std::min(part.bottom * part.nearest, part.bottom * part.farthest), part.nearest};
+    const glm::dvec3 high{std::max(part.right * part.nearest, part.right * part.farthest),
+                          std::max(part.top * part.nearest, part.top * part.farthest), part.farthest};
+    balls.push_back({part.eye + axes_of(part) * ((low + high) / 2.0), glm::length(high - low) / 2});
+  }
+  return balls;
+}
+
+/// Bart Wronski's test of a ball and a cone ("Cull that cone!", 2017).
+bool meets(const LightBounds& light, double cosine, double sine, const Ball& ball) {
+  const glm::dvec3 offset = ball.center - light.position;
+  const double square = glm::dot(offset, offset);
+  if (square > (light.range + ball.radius) * (light.range + ball.radius)) return false;
+  if (light.half_angle == std::numbers::pi) return true;
+  const double along = glm::dot(offset, light.direction);
+  return cosine * std::sqrt(std::max(0.0, square - along * along)) - along * sine <= ball.radius;
+}
+
+/// The rival: lists by testing each light in view with every cluster's ball.
+std::size_t list_by_balls(const View& view, std::span<const Ball> balls, std::span<const LightBounds> bounds) {
+  const ViewFrustum frustum(view);
+  std::vector<std::vector<std::uint32_t>> lists(balls.size());
+  std::size_t entries = 0;
+  for (std::size_t light = 0; light < bounds.size(); ++light) {
+    if (!frustum.can_see(bounds[light])) continue;
+    const double cosine = std::cos(bounds[light].half_angle);
+    const double sine = std::sin(bounds[light].half_angle);
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+      if (!meets(bounds[light], cosine, sine, balls[i])) continue;
+      lists[i].push_back(std::uint32_t(light));
+      ++entries;
+    }
+  }
+  return entries;
+}
+
+/// A city and how it is measured.
+class CityTrials {
+ public:
+  explicit CityTrials(const Scale& scale)
+      : scale_(scale), city_(scene::read_scene(scene::bundled_scene_path("city"), std::ranges::max(scale.lights))) {}
+
+  void measure_clusters(double visibility, std::size_t count) {
+    const auto lights = std::span(city_.lights).first(count);
+    const Fog fog = Fog::from_visibility(FogMode::exp, visibility);
+    LightClusters clusters;
+    Trial& change = add("clusters-fog", visibility, count);
+    const View first = view_of(camera_at(0, city_.camera.field_of_view), visibility);
+    for (int i = 0; i < scale_.still_frames + 1; ++i) {
+      const Fog other{FogMode::exp, fog.density * (1 + 1e-3 * (scale_.still_frames - i))};
+      const double time = time_of(thread_milliseconds, [&] {
+        set_lights(clusters, bounds_in(other, lights));
+        clusters.update(first);
+      });
+      if (i > 0) note(change, clusters, time);  // the first one is set up
+    }
+    const std::vector<LightBounds> bounds = bounds_in(fog, lights);
+    set_lights(clusters, bounds);
+
+    Trial& flight = add("clusters", visibility, count);
+    Trial* const balls = count <= scale_.most_balls ? &add("balls", visibility, count) : nullptr;
+    for (int frame = 0; frame < scale_.flight_frames; ++frame) {
+      const View view = view_at(frame, visibility);
+      note(flight, clusters, time_of(thread_milliseconds, [&] { clusters.update(view); }));
+      if (balls && frame % 30 == 15 % scale_.flight_frames) {
+        const std::vector<Ball> around = balls_of(clusters);
+        std::size_t entries = 0;
+        const double time = time_of(thread_milliseconds, [&] { entries = list_by_balls(view, around, bounds); });
+        note(*balls, clusters, time);
+        balls->entries.back() = double(entries);
+      }
+      if (frame == scale_.flight_frames / 2) {
+        flight.excess_share = excess_share(clusters, bounds);
+        missing_ += missing_lights(clusters, bounds, scale_.points_tried);
+      }
+    }
+
+    Trial& still = add("clusters-one-light", visibility, count);
+    for (int i = 0; i < 10 * scale_.still_frames; ++i) {
+      LightBounds changed = bounds[std::size_t(i) * 37 % count];
+      changed.range *= 1.5;
+      clusters.set_light(std::size_t(i) * 37 % count, changed);
+      note(still, clusters,
+           time_of(thread_milliseconds, [&] { clusters.update(view_at(scale_.flight_frames - 1, visibility)); }));
+    }
+  }
+
+  /// A frame from the scene's camera with so many lights, and one with those that matter there.
+  void measure_frames(double visibility, std::size_t count) {
+    scene::Scene all = city_;
+    all.lights.resize(count);
+    scene::Scene some = all;
+    some.lights = lights_that_matter(all, visibility);
+    const auto make = [&](const scene::Scene& scene) {
+      auto renderer = std::make_unique<render::Renderer>(scene, kWidth, kHeight, render::RenderSettings{});
+      renderer->set_fog(Fog::from_visibility(FogMode::exp, visibility));
+      renderer->draw();  // drivers compile shaders when they are first drawn with
+      return renderer;
+    };
+    const auto with_all = make(all);
+    const auto with_some = make(some);
+    std::vector<double> times[2];
+    for (int i = 0; i < scale_.still_frames; ++i) {
+      times[0].push_back(time_of(wall_milliseconds, [&] { with_all->draw(); }));
+      times[1].push_back(time_of(wall_milliseconds, [&] { with_some->draw(); }));
+    }
+    const auto matter = double(some.lights.size());
+    trials_.push_back({"frame", visibility, count, {matter}, {}, times[0]});
+    trials_.push_back({"frame-of-those", visibility, some.lights.size(), {matter}, {}, times[1]});
+  }
+
+  void measure_flight(double visibility) {
+    scene::Scene scene = city_;
+    scene.lights.resize(scale_.drawn_in_flight);
+    render::Renderer renderer(scene, kWidth, kHeight, {});
+    renderer.set_fog(Fog::from_visibility(FogMode::exp, visibility));
+    renderer.draw();
+    Trial& flight = add("frame-flight", visibility, scene.lights.size());
+    for (int frame = 0; frame < scale_.flight_frames; ++frame) {
+      scene.camera = camera_at(double(frame) / scale_.flight_frames, city_.camera.field_of_view);
+      flight.milliseconds.push_back(time_of(wall_milliseconds, [&] { renderer.draw(); }));
+    }
+  }
+
+  const std::deque<Trial>& trials() const { return trials_; }
+  int missing() const { return missing_; }
+
+ private:
+  Trial& add(const std::string& method, double visibility, std::size_t lights) {
+    trials_.push_back({method, visibility, lights});
+    return trials_.back();
+  }
+
+  static void note(Trial& trial, const LightClusters& clusters, double milliseconds) {
+    trial.matter.push_back(double(clusters.statistics().lights_in_view));
+    trial.entries.push_back(double(clusters.statistics().entries));
+    trial.milliseconds.push_back(milliseconds);
+  }
+
+  View view_at(int frame, double visibility) const {
+    return view_of(camera_at(double(frame) / scale_.flight_frames, city_.camera.field_of_view), visibility);
+  }
+
+  std::vector<PlacedLight> lights_that_matter(const scene::Scene& scene, double visibility) const {
+    LightClusters clusters;
+    set_lights(clusters, bounds_in(Fog::from_visibility(FogMode::exp, visibility), scene.lights));
+    clusters.update(view_of(scene.camera, visibility));
+    std::vector<std::uint32_t> listed(clusters.light_list().begin(), clusters.light_list().end());
+    std::ranges::sort(listed);
+    listed.erase(std::unique(listed.begin(), listed.end()), listed.end());
+    std::vector<PlacedLight> lights;
+    for (const std::uint32_t light : listed) lights.push_back(scene.lights[light]);
+    return lights;
+  }
+
+  const Scale& scale_;
+  scene::Scene city_;
+  std::deque<Trial> trials_;
+  int missing_ = 0;
+};
+
+// --- the result ---
+
+double ratio_of_worst(const Trial& trial) { return std::ranges::max(trial.milliseconds) / trial.median(); }
+
+command::Table make_table(const std::deque<Trial>& trials) {
+  command::Table table{{"method", "visibility_m", "lights", "lights_that_matter", "entries", "ms", "ms_spread",
+                        "worst_ratio", "excess_share"},
+                       {}};
+  using Cell = command::Table::Cell;
+  const auto median = [](const std::vector<double>& values) {
+    return values.empty() ? Cell(std::monostate{}) : Cell(measure::quantile(values, 0.5));
+  };
+  for (const Trial& trial : trials) {
+    const double spread = measure::quantile(trial.milliseconds, 0.9) - measure::quantile(trial.milliseconds, 0.1);
+    table.rows.push_back({trial.method, trial.visibility, double(trial.lights), median(trial.matter),
+                          median(trial.entries), trial.median(), spread, ratio_of_worst(trial),
+                          trial.excess_share ? Cell(*trial.excess_share) : Cell(std::monostate{})});
+  }
+  return table;
+}
+
+std::string visibility_text(double visibility) {
+  return std::isinf(visibility) ? "clear" : fmt::format("{:.0f} m", visibility);
+}
+
+/// A line a visibility for each of the methods, over what `x` says of a trial.
+template <typename X>
+void add_lines(command::Chart& chart, const std::deque<Trial>& trials, const Scale& scale, const std::string& method,
+               const std::string& name, command::SeriesStyle style, const X& x) {
+  for (std::size_t i = 0; i < scale.visibilities.size(); ++i) {
+    command::Series series{.name = name + visibility_text(scale.visibilities[i]), .style = style, .color = int(i)};
+    for (const Trial& trial : trials) {
+      if (trial.method != method || trial.visibility != scale.visibilities[i]) continue;
+      if (const double at = x(trial); at > 0) series.points.push_back({at, trial.median()});
+    }
+    std::ranges::sort(series.points, {}, &command::PlotPoint::x);
+    if (!series.points.empty()) chart.series.push_back(std::move(series));
+  }
+}
+
+command::Figure make_figure(const std::deque<Trial>& trials, const Scale& scale, const std::string& gl_renderer) {
+  using enum command::SeriesStyle;
+  const auto lights_of = [](const Trial& trial) { return double(trial.lights); };
+  const auto matter_of = [](const Trial& trial) { return measure::quantile(trial.matter, 0.5); };
+  const command::Axis lights{"lights in the scene", true};
+  command::Chart clusters{.title = "cluster lists of a frame of the flight (dashed: by balls)",
+                          .x = lights,
+                          .y = {"processor time of one thread (ms)", true},
+                          .key = command::KeyPlace::top_left};
+  add_lines(clusters, trials, scale, "clusters", "", line_and_points, lights_of);
+  add_lines(clusters, trials, scale, "balls", "balls, ", dashes, lights_of);
+  command::Chart matter{.title = "the same",
+                        .x = {"lights that matter", true},
+                        .y = {"processor time of one thread (ms)", true},
+                        .key = command::KeyPlace::top_left};
+  add_lines(matter, trials, scale, "clusters", "", line_and_points, matter_of);
+  command::Chart frames{.title = "frames from the scene's camera (dashed: with the lights that matter alone)",
+                        .x = lights,
+                        .y = {"wall time of a frame (ms)", true},
+                        .key = command::KeyPlace::top_left};
+  add_lines(frames, trials, scale, "frame", "", line_and_points, lights_of);
+  add_lines(frames, trials, scale, "frame-of-those", "those, ", dashes, lights_of);
+  command::Chart flight{.title = fmt::format("flight with {} lights", scale.drawn_in_flight),
+                        .x = {"frame"},
+                        .y = {"wall time of a frame (ms)", true},
+                        .key = command::KeyPlace::bottom_right};
+  for (const Trial& trial : trials) {
+    if (trial.method != "frame-flight") continue;
+    command::Series series{.name = visibility_text(trial.visibility)};
+    for (std::size_t i = 0; i < trial.milliseconds.size(); ++i) {
+      series.points.push_back({double(i), trial.milliseconds[i]});
+    }
+    flight.series.push_back(std::move(series));
+  }
+  return {.title = fmt::format("A city of up to {} lights; frames {}x{}, {}", std::ranges::max(scale.lights), kWidth,
+                               kHeight, gl_renderer),
+          .charts = {clusters, matter, frames, flight},
+          .columns = 2,
+          .width = 1500,
+          .height = 1100};
+}
+
+}  // namespace
+
+Result measure_city(bool quick) {
+  const gl::HeadlessContext context;
+  const Scale& scale = quick ? kQuick : kFull;
+  command::Progress progress;
+  CityTrials trials(scale);
+  for (const double visibility : scale.visibilities) {
+    const std::string name = visibility_text(visibility);
+    for (const std::size_t lights : scale.lights) {
+      progress.show(fmt::format("{}: clusters of {} lights", name, lights));
+      trials.measure_clusters(visibility, lights);
+      if (lights > scale.most_drawn) continue;
+      progress.show(fmt::format("{}: frames with {} lights", name, lights));
+      trials.measure_frames(visibility, lights);
+    }
+    progress.show(fmt::format("{}: flight", name));
+    trials.measure_flight(visibility);
+  }
+  Result result{.table = make_table(trials.trials()),
+                .figure = make_figure(trials.trials(), scale, context.renderer()),
+                .gl_renderer = context.renderer(),
+                .failures = {}};
+  if (trials.missing() > 0) {
+    result.failures.push_back(
+        fmt::format("clusters: missing lights = {}: must be 0 of those whose points were tried", trials.missing()));
+  }
+  return result;
+}
+
+}  // namespace litfog::bench

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "bench/result.h"
+
+namespace litfog::bench {
+
+/// A flight of 300 frames through the streets of a city at night, with 100 to 100,000 of its lights, at four
+/// visibilities in exp fog. A light's range is its reach in the fog, and the view ends where fog hides what is as
+/// bright as a display's white: beyond that, less than half a step of the display is lost. Columns:
+///
+/// method         clusters (LightClusters at each frame of the flight), clusters-one-light (the same while the view
+/// stands
+///                and one light changes), clusters-fog (a change of the visibility: reaches, ranges and clusters),
+///                balls (Wronski's test of each light in view against the ball around each cluster, one frame in 30, up
+///                to 10,000 lights); frame (a picture of 320x180 by the default path, fog lit by peak, from the scene's
+///                camera), frame-of-those (the same scene with only the lights that are in clusters there),
+///                frame-flight
+/// visibility_m   inf is clear air
+/// lights         in the scene
+/// lights_that_matter  in at least one cluster, median over the frames
+/// entries        of the light list, likewise
+/// ms             median over the frames: clusters, balls: processor time of one thread; frames: wall time, drawn and
+///                waited for
+/// ms_spread      from the 10th to the 90th percentile
+/// worst_ratio    the longest frame over the median
+/// excess_share   fraction of the entries, of a frame in the flight's middle, whose light and cluster have no point in
+///                common
+///
+/// A light that is missing from a cluster in which it lights one of the points tried is a failure.
+///
+/// quick   fewer lights, visibilities and frames
+/// throws  gl::Unsupported, InputError where the city is not there
+Result measure_city(bool quick);
+
+}  // namespace litfog::bench

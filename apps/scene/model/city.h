@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "litfog/light.h"
+#include "scene/scene.h"
+
+namespace litfog::scene {
+
+inline constexpr std::size_t kMaxCityLights = 100'000;
+
+/// A city at night, a square kilometre and a half around the origin: streets every 90 m along X and Z with lamps and
+/// cars, houses with shops and bright windows, and an airfield along -Z to the east of it.
+///
+/// The houses, streets and cars are the same whatever the number of lights. Lights are the first of one list: lamps,
+/// shops, cars and the airfield from the origin outwards, some 3,700, then windows, likewise.
+struct City {
+  std::size_t lights = 1000;  ///< [1, kMaxCityLights]
+  std::uint32_t seed = 1;
+  Light street_lamp;  ///< shines down
+  Light headlight;    ///< of cars, as the tail lamp
+  Light tail_lamp;
+  Light shop_window;  ///< shines out of a house, as the window
+  Light window;
+  Light runway_edge;     ///< shines along the runway
+  Light approach_light;  ///< likewise, before its threshold
+};
+
+/// Adds a city's models, instances and lights. Deterministic.
+///
+/// throws  std::invalid_argument where it would have more lights than the city has lamps
+void add_city(Scene& scene, const City& city);
+
+}  // namespace litfog::scene

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "litfog/light.h"
+#include "litfog/value_error.h"
+
+namespace litfog {
+
+/// The part of space that a light can light: all points within a range of it and within an angle of its axis. World
+/// space, metres, radians.
+struct LightBounds {
+  glm::dvec3 position{0.0};                                ///< each coordinate at most kMaxPosition in magnitude
+  glm::dvec3 direction{0.0, 0.0, -1.0};                    ///< its length is 1 within kDirectionTolerance
+  double range = std::numeric_limits<double>::infinity();  ///< >= 0; 0 lights nothing, infinity has no end
+  double half_angle = std::numbers::pi;                    ///< [0, pi]; pi is a ball
+
+  friend bool operator==(const LightBounds&, const LightBounds&) = default;
+};
+
+/// What is wrong with them, or nothing. The value of a wrong direction is its length.
+std::optional<ValueError> check(const LightBounds& bounds);
+
+/// Those of a light that has passed check(), within a range (see light_reach in airlight.h).
+inline LightBounds bounds_of(const PlacedLight& light, double range) {
+  return {light.position, light.direction, range, cutoff_angle(light.light.cone)};
+}
+
+/// Largest distance, over that of coordinates from the eye or the light, at which what does not touch is taken to.
+inline constexpr double kCullSlack = 1e-9;
+
+/// Whether a light can light anything in a box. World space, metres.
+///
+/// No answer is false where it can. It is true where it cannot only within kCullSlack of touching; and for lights whose
+/// half angle is over 90 degrees, where part of the box is in the dark cone and the rest beyond the range
+/// (light_bounds_test.cpp).
+///
+/// low, high  corners, each coordinate finite and of low at most that of high
+/// throws     std::invalid_argument naming field, value and rule
+bool can_light(const LightBounds& light, const glm::dvec3& low, const glm::dvec3& high);
+
+}  // namespace litfog

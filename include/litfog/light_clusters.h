@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "litfog/light_bounds.h"
+#include "litfog/value_error.h"
+#include "litfog/view_frustum.h"
+
+namespace litfog {
+
+/// How a view is cut into clusters: columns and rows of equal size in the picture, and slices of depth. The first slice
+/// begins at the view's nearest depth; the others grow in proportion to their depth, from first_depth to the farthest.
+struct ClusterGrid {
+  std::uint32_t columns = 16;  ///< [1, 64]
+  std::uint32_t rows = 9;      ///< [1, 64]
+  std::uint32_t slices = 24;   ///< [1, 64]
+  double first_depth = 5;      ///< metres, > 0 and below the view's farthest depth; above its nearest with two slices
+};
+
+/// What is wrong with it, or nothing.
+std::optional<ValueError> check(const ClusterGrid& grid);
+
+/// The lights of a cluster: `count` entries of the light list from `first` on. As a shader reads it from a buffer.
+struct Cluster {
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+
+  friend bool operator==(const Cluster&, const Cluster&) = default;
+};
+
+/// How a shader finds the cluster of a fragment:
+///   column = floor(columns * x), row = floor(rows * y), with x and y from 0 to 1 over the picture, y up
+///   slice = clamp(floor(slice_scale * log2(depth) + slice_bias), 0, slices - 1)
+///   cluster = (slice * rows + row) * columns + column
+struct ClusterLookup {
+  float slice_scale = 0;
+  float slice_bias = 0;
+};
+
+/// What the last LightClusters::update did.
+struct ClusterStatistics {
+  std::size_t lights_tested = 0;   ///< against the view; the others' clusters were kept
+  std::size_t lights_in_view = 0;  ///< in at least one cluster
+  std::size_t entries = 0;         ///< of the light list
+};
+
+/// Fraction by which lights are taken too large, of their range and their distance from the eye: more than the floats
+/// here and in a shader's look-up err.
+inline constexpr double kClusterSlack = 1e-5;
+
+/// Largest fraction of the entries of many lights whose light and cluster have no point in common.
+inline constexpr double kClusterExcess = 0.1;
+
+/// Which lights can light what a view shows, by clusters: small parts of the view, whose fragments then go through a
+/// short list instead of all lights.
+///
+/// No light is missing from a cluster in which it can light a point. A light is in a cluster only where no plane of the
+/// grid, no plane that touches the light's cone, and no ball around the light shrunk by the cluster's planes tells them
+/// apart; at most kClusterExcess of the entries have no point in common          (light_clusters_test.cpp).
+/// Lights are listed in the order of their indices. The lists depend on the lights and the view alone: not on what was
+/// held before, nor on threads.
+///
+/// A light costs one vector's lane of arithmetic where it is out of view; in view, about ten vectors and two for each
+/// row of clusters that it may touch. Nothing is tested again while view and light stay the same.
+/// Memory: 112 bytes a light, 32 bytes a light and row of clusters that it is in, 4 bytes an entry, 8 bytes a cluster.
+///
+/// Different objects may be used on different threads at once.
+class LightClusters {
+ public:
+  /// throws  std::invalid_argument naming field, value and rule
+  explicit LightClusters(const ClusterGrid& grid = {});
+  ~LightClusters();
+
+  /// Moved-from clusters may only be assigned to or destroyed.
+  LightClusters(LightClusters&&) noexcept;
+  LightClusters& operator=(LightClusters&&) noexcept;
+
+  const ClusterGrid& grid() const;
+
+  /// How many lights there are; new ones have a range of 0.
+  ///
+  /// count   at most (2^32 - 1) / (columns * rows * slices), so that every list can be indexed: 1,242,756 in the
+  /// default
+  ///         grid
+  /// throws  std::invalid_argument naming field, value and rule
+  void resize(std::size_t count);
+  std::size_t size() const;
+
+  /// Changes a light; the same bounds again are no change.
+  ///
+  /// throws  std::invalid_argument naming field, value and rule
+  void set_light(std::size_t light, const LightBounds& bounds);
+
+  /// Brings the clusters up to date with a view and the changes of lights since the last call: all lights are tested
+  /// where the view has changed, otherwise the changed ones and their neighbours in the order of indices. Allocates
+  /// only where it holds more than ever before.
+  ///
+  /// returns  whether clusters() or light_list() have changed; true the first time
+  /// throws   std::invalid_argument naming field, value and rule
+  bool update(const View& view);
+
+  /// A cluster's lights, cluster by cluster: columns from left to right, in rows from the bottom up, in slices from the
+  /// eye. Valid until the next update, as is the light list.
+  std::span<const Cluster> clusters() const;
+  std::span<const std::uint32_t> light_list() const;
+
+  /// For the view of the last update.
+  ClusterLookup lookup() const;
+  /// Index of the cluster in which a point lies, or nothing outside the view of the last update.
+  std::optional<std::size_t> cluster_at(const glm::dvec3& point) const;
+
+  /// The part that a cluster is of the view of the last update.
+  ///
+  /// cluster  below the number of clusters
+  View part_of_view(std::size_t cluster) const;
+
+  const ClusterStatistics& statistics() const;
+
+ private:
+  class Store;
+  std::unique_ptr<Store> store_;
+};
+
+}  // namespace litfog

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "litfog/light_clusters.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "cluster_runs.h"
+#include "require.h"
+
+namespace litfog {
+namespace {
+
+template <typename Visit>
+void for_each_cluster(const ClusterRun& run, std::size_t columns, const Visit& visit) {
+  for (std::uint64_t rest = run.columns; rest != 0; rest &= rest - 1) {
+    visit(run.row * columns + std::size_t(std::countr_zero(rest)));
+  }
+}
+
+/// Slices from the second on grow by this factor, in octaves of depth a slice.
+double octaves_per_slice(const ClusterGrid& grid, const View& view) {
+  return std::log2(view.farthest / grid.first_depth) / (grid.slices - 1);
+}
+
+}  // namespace
+
+std::optional<ValueError> check(const ClusterGrid& grid) {
+  const std::pair<const char*, std::uint32_t> parts[] = {
+      {"columns", grid.columns}, {"rows", grid.rows}, {"slices", grid.slices}};
+  for (const auto& [name, count] : parts) {
+    if (!(count >= 1 && count <= kMostParts)) return ValueError{name, double(count), "must be in [1, 64]"};
+  }
+  if (!(grid.first_depth > 0 && grid.first_depth <= kMaxPosition)) {
+    return ValueError{"first_depth", grid.first_depth, "must be in (0, 16777216]"};
+  }
+  return std::nullopt;
+}
+
+double slice_depth(const ClusterGrid& grid, const View& view, std::uint32_t slice) {
+  if (slice == 0) return view.nearest;
+  if (slice == grid.slices) return view.farthest;
+  return grid.first_depth * std::exp2((slice - 1) * octaves_per_slice(grid, view));
+}
+
+/// Everything of the clusters; their public face forwards to the public calls here, which are documented there.
+class LightClusters::Store {
+ public:
+  explicit Store(const ClusterGrid& grid) : grid_(grid) {
+    require(check(grid));
+    clusters_.resize(std::size_t(grid.columns) * grid.rows * grid.slices);
+  }
+
+  const ClusterGrid& grid() const { return grid_; }
+  void resize(std::size_t count);
+  std::size_t size() const { return bounds_.size(); }
+  void set_light(std::size_t light, const LightBounds& bounds);
+  bool update(const View& view);
+  std::span<const Cluster> clusters() const { return clusters_; }
+  std::span<const std::uint32_t> light_list() const { return std::span(list_).first(statistics_.entries); }
+  ClusterLookup lookup() const;
+  std::optional<std::size_t> cluster_at(const glm::dvec3& point) const;
+  View part_of_view(std::size_t cluster) const;
+  const ClusterStatistics& statistics() const { return statistics_; }
+
+ private:
+  /// The runs of neighbouring lights, in `runs_`.
+  struct Block {
+    std::size_t first_run = 0;
+    std::size_t run_count = 0;
+    std::size_t lights_in_view = 0;
+    bool has_changed = true;
+  };
+
+  void find_runs(bool is_new_view);
+  void list_lights();
+
+  ClusterGrid grid_;
+  View view_;
+  bool has_view_ = false;
+  bool has_changed_ = false;  // any light since the last update
+  std::vector<LightBounds> bounds_;
+  LightColumns columns_;
+  std::vector<Block> blocks_;
+  std::vector<ClusterRun> runs_;  // in the order of their lights
+  std::vector<ClusterRun> previous_runs_;
+  std::vector<Cluster> clusters_;
+  std::vector<std::uint32_t> list_;  // grows only
+  ClusterStatistics statistics_;
+};
+
+void LightClusters::Store::resize(std::size_t count) {
+  const std::size_t most = std::numeric_limits<std::uint32_t>::max() / clusters_.size();
+  if (count > most) require(ValueError{"count", double(count), "must be at most (2^32 - 1) / clusters"});
+  if (count == bounds_.size()) return;
+  const std::size_t first_changed = std::min(count, bounds_.size()) / kLightBlock;
+  bounds_.resize(count, {.range = 0});
+  columns_.resize(count);
+  blocks_.resize((count + kLightBlock - 1) / kLightBlock);
+  for (std::size_t block = first_changed; block < blocks_.size(); ++block) blocks_[block].has_changed = true;
+  has_changed_ = true;
+}
+
+void LightClusters::Store::set_light(std::size_t light, const LightBounds& bounds) {
+  if (light >= bounds_.size()) require(ValueError{"light", double(light), "must be below the number of lights"});
+  require(check(bounds));
+  if (bounds == bounds_[light]) return;
+  bounds_[light] = bounds;
+  columns_.set(light, bounds);
+  blocks_[light / kLightBlock].has_changed = true;
+  has_changed_ = true;
+}
+
+bool LightClusters::Store::update(const View& view) {
+  require(check(view));
+  if (!(grid_.first_depth < view.farthest)) {
+    require(ValueError{"farthest", view.farthest, "must be above the grid's first_depth"});
+  }
+  if (!(grid_.slices == 1 || grid_.first_depth > view.nearest)) {
+    require(ValueError{"nearest", view.nearest, "must be below the grid's first_depth"});
+  }
+  statistics_.lights_tested = 0;
+  const bool is_first = !has_view_;
+  const bool is_new_view = is_first || view != view_;
+  if (!is_new_view && !has_changed_) return false;
+  view_ = view;
+  has_view_ = true;
+  has_changed_ = false;
+  find_runs(is_new_view);
+  const bool are_same = runs_ == previous_runs_;
+  if (!are_same) list_lights();
+  return is_first || !are_same;
+}
+
+void LightClusters::Store::find_runs(bool is_new_view) {
+  const ClusterPlanes planes(grid_, view_);
+  std::swap(runs_, previous_runs_);
+  runs_.clear();
+  statistics_.lights_in_view = 0;
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    Block& block = blocks_[i];
+    const std::size_t first = runs_.size();
+    if (is_new_view || block.has_changed) {
+      block.has_changed = false;
+      block.lights_in_view = append_cluster_runs(planes, columns_, i * kLightBlock, runs_);
+      statistics_.lights_tested += std::min(kLightBlock, bounds_.size() - i * kLightBlock);
+    } else {
+      const auto begin = previous_runs_.begin() + std::ptrdiff_t(block.first_run);
+      runs_.insert(runs_.end(), begin, begin + std::ptrdiff_t(block.run_count));
+    }
+    block.first_run = first;
+    block.run_count = runs_.size() - first;
+    statistics_.lights_in_view += block.lights_in_view;
+  }
+}
+
+/// Sorts the runs' lights by cluster, by counting.
+void LightClusters::Store::list_lights() {
+  std::ranges::fill(clusters_, Cluster{});
+  for (const ClusterRun& run : runs_) {
+    for_each_cluster(run, grid_.columns, [&](std::size_t cluster) { ++clusters_[cluster].count; });
+  }
+  std::uint32_t entries = 0;
+  for (Cluster& cluster : clusters_) {
+    cluster.first = entries;
+    entries += std::exchange(cluster.count, 0);
+  }
+  if (list_.size() < entries) list_.resize(entries);
+  statistics_.entries = entries;
+  for (const ClusterRun& run : runs_) {
+    for_each_cluster(run, grid_.columns, [&](std::size_t index) {
+      Cluster& cluster = clusters_[index];
+      list_[cluster.first + cluster.count++] = run.light;
+    });
+  }
+}
+
+ClusterLookup LightClusters::Store::lookup() const {
+  if (grid_.slices == 1) return {};
+  const double scale = 1 / octaves_per_slice(grid_, view_);
+  return {float(scale), float(1 - scale * std::log2(grid_.first_depth))};
+}
+
+std::optional<std::size_t> LightClusters::Store::cluster_at(const glm::dvec3& point) const {
+  const glm::dvec3 seen = glm::transpose(axes_of(view_)) * (point - view_.eye);
+  const double depth = seen.z;
+  if (!(depth >= view_.nearest && depth <= view_.farthest)) return std::nullopt;
+  const double x = (seen.x / depth - view_.left) / (view_.right - view_.left);
+  const double y = (seen.y / depth - view_.bottom) / (view_.top - view_.bottom);
+  if (!(x >= 0 && x <= 1 && y >= 0 && y <= 1)) return std::nullopt;
+  const auto part = [](double position, std::uint32_t parts) {
+    return std::size_t(std::clamp(std::floor(position), 0.0, parts - 1.0));
+  };
+  const std::size_t column = part(x * grid_.columns, grid_.columns);
+  const std::size_t row = part(y * grid_.rows, grid_.rows);
+  const double position =
+      grid_.slices == 1 ? 0 : 1 + std::log2(depth / grid_.first_depth) / octaves_per_slice(grid_, view_);
+  return (part(position, grid_.slices) * grid_.rows + row) * grid_.columns + column;
+}
+
+View LightClusters::Store::part_of_view(std::size_t cluster) const {
+  assert(cluster < clusters_.size());
+  const std::size_t column = cluster % grid_.columns;
+  const std::size_t row = cluster / grid_.columns % grid_.rows;
+  const auto slice = std::uint32_t(cluster / grid_.columns / grid_.rows);
+  const auto edge = [](double low, double high, std::size_t part, std::size_t parts) {
+    return std::lerp(low, high, double(part) / double(parts));
+  };
+  View part = view_;
+  part.left = edge(view_.left, view_.right, column, grid_.columns);
+  part.right = edge(view_.left, view_.right, column + 1, grid_.columns);
+  part.bottom = edge(view_.bottom, view_.top, row, grid_.rows);
+  part.top = edge(view_.bottom, view_.top, row + 1, grid_.rows);
+  part.nearest = slice_depth(grid_, view_, slice);
+  part.farthest = slice_depth(grid_, view_, slice + 1);
+  return part;
+}
+
+LightClusters::LightClusters(const ClusterGrid& grid) : store_(std::make_unique<Store>(grid)) {}
+LightClusters::~LightClusters() = default;
+LightClusters::LightClusters(LightClusters&&) noexcept = default;
+LightClusters& LightClusters::operator=(LightClusters&&) noexcept = default;
+
+const ClusterGrid& LightClusters::grid() const { return store_->grid(); }
+void LightClusters::resize(std::size_t count) { store_->resize(count); }
+std::size_t LightClusters::size() const { return store_->size(); }
+void LightClusters::set_light(std::size_t light, const LightBounds& bounds) { store_->set_light(light, bounds); }
+bool LightClusters::update(const View& view) { return store_->update(view); }
+std::span<const Cluster> LightClusters::clusters() const { return store_->clusters(); }
+std::span<const std::uint32_t> LightClusters::light_list() const { return store_->light_list(); }
+ClusterLookup LightClusters::lookup() const { return store_->lookup(); }
+std::optional<std::size_t> LightClusters::cluster_at(const glm::dvec3& point) const {
+  return store_->cluster_at(point);
+}
+View LightClusters::part_of_view(std::size_t cluster) const { return store_->part_of_view(cluster); }
+const ClusterStatistics& LightClusters::statistics() const { return store_->statistics(); }
+
+}  // namespace litfog

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <numbers>
+#include <span>
+#include <utility>
+
+#include "litfog/light_bounds.h"
+
+// Whether a light's sector meets a convex polytope of eight corners: a frustum, a box.
+
+namespace litfog {
+
+/// The corners of a convex polytope, in any order.
+using Corners = std::array<glm::dvec3, 8>;
+
+inline constexpr double kPolytopeRounding = 1e-12;  ///< of coordinates
+
+/// The spherical sector that a light can light. Half angle at most 90 degrees: else it is not convex.
+struct Sector {
+  glm::dvec3 apex;
+  glm::dvec3 axis;
+  double range;
+  double cos_half_angle;
+  double sin_half_angle;
+
+  /// One of its points that lie farthest along a direction: on the cap, on its rim, or the apex.
+  glm::dvec3 farthest_along(const glm::dvec3& direction) const {
+    const double along = glm::dot(direction, axis);
+    const double length = glm::length(direction);
+    if (along >= length * cos_half_angle) return apex + direction * (range / length);
+    const glm::dvec3 rough = direction - axis * along;
+    const glm::dvec3 across = rough - axis * glm::dot(rough, axis);  // near the axis `rough` is rounding errors alone
+    const double width = glm::length(across);
+    if (along * cos_half_angle + width * sin_half_angle <= 0) return apex;
+    const glm::dvec3 outward = width > 0 ? across / width : glm::dvec3(0);
+    return apex + range * (cos_half_angle * axis + sin_half_angle * outward);
+  }
+
+  /// Whether a point is deeper than a margin in the cone that a half angle over 90 degrees leaves dark.
+  bool has_in_dark_cone(const glm::dvec3& point, double margin) const {
+    const double along = glm::dot(point - apex, axis);
+    const double width = glm::length(point - apex - axis * along);
+    return width * cos_half_angle - along * sin_half_angle > margin;
+  }
+};
+
+struct Point {
+  glm::dvec3 position;
+  glm::dvec3 farthest_along(const glm::dvec3&) const { return position; }
+};
+
+/// Up to four points whose convex hull holds the point of a body next to the origin that is known so far.
+class Simplex {
+ public:
+  void add(const glm::dvec3& point) { points_[std::size_t(size_++)] = point; }
+
+  /// The hull's point next to the origin; drops the points that it does not need.
+  glm::dvec3 reduce_to_nearest() {
+    unsigned best = 0;
+    glm::dvec3 nearest{0};
+    double best_square = 0;
+    for (unsigned subset = 1; subset < (1u << size_); ++subset) {
+      const auto [is_inside, point] = nearest_of_plane(subset);
+      const double square = glm::dot(point, point);
+      if (is_inside && (best == 0 || square < best_square)) {
+        best = subset;
+        nearest = point;
+        best_square = square;
+      }
+    }
+    int kept = 0;
+    for (int i = 0; i < size_; ++i) {
+      if ((best >> i & 1) != 0) points_[std::size_t(kept++)] = points_[std::size_t(i)];
+    }
+    size_ = kept;
+    return nearest;
+  }
+
+ private:
+  /// The point next to the origin of the plane (point, line, space) through a subset, and whether it lies between them.
+  std::pair<bool, glm::dvec3> nearest_of_plane(unsigned subset) const {
+    std::array<glm::dvec3, 4> p;
+    int count = 0;
+    for (int i = 0; i < size_; ++i) {
+      if ((subset >> i & 1) != 0) p[std::size_t(count++)] = points_[std::size_t(i)];
+    }
+    const glm::dvec3 a = p[1] - p[0];
+    const glm::dvec3 b = p[2] - p[0];
+    switch (count) {
+      case 1:
+        return {true, p[0]};
+      case 2: {
+        const double t = -glm::dot(p[0], a) / glm::dot(a, a);
+        return {t >= 0 && t <= 1, p[0] + t * a};
+      }
+      case 3: {
+        const glm::dvec3 normal = glm::cross(a, b);
+        const double square = glm::dot(normal, normal);
+        const double s = -glm::dot(glm::cross(p[0], b), normal) / square;
+        const double t = -glm::dot(glm::cross(a, p[0]), normal) / square;
+        return {s >= 0 && t >= 0 && s + t <= 1, normal * (glm::dot(p[0], normal) / square)};
+      }
+      default: {
+        const glm::dvec3 weights = glm::inverse(glm::dmat3(a, b, p[3] - p[0])) * -p[0];
+        const bool is_inside = weights.x >= 0 && weights.y >= 0 && weights.z >= 0;
+        return {is_inside && weights.x + weights.y + weights.z <= 1, glm::dvec3(0)};
+      }
+    }
+  }
+
+  std::array<glm::dvec3, 4> points_{};
+  int size_ = 0;
+};
+
+/// Whether a polytope is within a margin of a convex body: never false where it is. By the algorithm of Gilbert,
+/// Johnson and Keerthi (1988): each step has a proof of separation, a common point, or a smaller distance.
+///
+/// rounding  metres: so far apart may be called together
+template <typename Body>
+bool is_within(const Corners& corners, const Body& body, double margin, double rounding) {
+  constexpr int kMostSteps = 64;  // the bodies then touch, but for rounding
+  Simplex simplex;
+  glm::dvec3 apart = corners[0] - body.farthest_along(corners[0]);  // a difference of their points
+  for (int step = 0; step < kMostSteps; ++step) {
+    const double distance = glm::length(apart);
+    if (distance <= margin + rounding) return true;
+    // All differences lie beyond the plane across `apart` through this one.
+    const glm::dvec3 corner =
+        *std::ranges::min_element(corners, {}, [&](const glm::dvec3& each) { return glm::dot(each, apart); });
+    const glm::dvec3 difference = corner - body.farthest_along(apart);
+    if (glm::dot(difference, apart) > (margin + rounding) * distance) return false;
+    simplex.add(difference);
+    apart = simplex.reduce_to_nearest();
+  }
+  return true;
+}
+
+/// Whether a light that has passed check() can light anything in a polytope whose corners are at most `size` from the
+/// origin: never false where it can. `apex` is the light's position as the corners are given, which may be from the
+/// eye.
+inline bool can_light(const LightBounds& light, const glm::dvec3& apex, const Corners& corners, double size) {
+  if (light.range == 0) return false;
+  const double distance = glm::length(apex);
+  const double rounding = kPolytopeRounding * (size + distance);
+  if (!is_within(corners, Point{apex}, light.range, rounding)) return false;
+  if (light.half_angle == std::numbers::pi) return true;
+  const Sector sector{.apex = apex,
+                      .axis = glm::normalize(light.direction),
+                      .range = std::min(light.range, 2 * (size + distance)),  // beyond all corners
+                      .cos_half_angle = std::cos(light.half_angle),
+                      .sin_half_angle = std::sin(light.half_angle)};
+  if (light.half_angle <= std::numbers::pi / 2) return is_within(corners, sector, 0, rounding);
+  const auto is_dark = [&](const glm::dvec3& corner) { return sector.has_in_dark_cone(corner, rounding); };
+  return !std::ranges::all_of(corners, is_dark);
+}
+
+}  // namespace litfog

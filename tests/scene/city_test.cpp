@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/model/city.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <span>
+#include <string>
+
+#include "litfog/input_error.h"
+#include "scene/file/scene_file.h"
+#include "scene/model/apartment_house.h"
+
+namespace litfog::test {
+using namespace scene;
+
+namespace {
+
+City named_city(std::size_t lights) {
+  City city;
+  city.lights = lights;
+  city.street_lamp.name = "street lamp";
+  city.headlight.name = "headlight";
+  city.tail_lamp.name = "tail lamp";
+  city.shop_window.name = "shop";
+  city.window.name = "window";
+  city.runway_edge.name = "runway edge";
+  city.approach_light.name = "approach";
+  return city;
+}
+
+Scene make(std::size_t lights, std::uint32_t seed = 1) {
+  Scene scene;
+  City city = named_city(lights);
+  city.seed = seed;
+  add_city(scene, city);
+  return scene;
+}
+
+bool is_same(const PlacedLight& a, const PlacedLight& b) {
+  return a.light.name == b.light.name && a.position == b.position && a.direction == b.direction;
+}
+
+TEST(City, LightsAreTheFirstOfOneList) {
+  const Scene all = make(kMaxCityLights);
+  ASSERT_EQ(all.lights.size(), kMaxCityLights);
+  for (const std::size_t count : {1u, 100u, 10'000u}) {
+    const Scene some = make(count);
+    ASSERT_EQ(some.lights.size(), count);
+    EXPECT_TRUE(std::ranges::equal(some.lights, std::span(all.lights).first(count), is_same));
+    EXPECT_EQ(some.instances.size(), all.instances.size());
+  }
+}
+
+TEST(City, WindowsComeLast) {
+  const Scene scene = make(kMaxCityLights);
+  const auto is_window = [](const PlacedLight& light) { return light.light.name == "window"; };
+  EXPECT_TRUE(std::ranges::is_partitioned(scene.lights, [&](const PlacedLight& light) { return !is_window(light); }));
+  for (const char* name : {"street lamp", "headlight", "tail lamp", "shop", "window", "runway edge", "approach"}) {
+    const auto count =
+        std::ranges::count_if(scene.lights, [&](const PlacedLight& light) { return light.light.name == name; });
+    EXPECT_GT(count, 30) << name;
+  }
+}
+
+TEST(City, SameSeedMakesTheSameCityAndAnotherAnother) {
+  const Scene first = make(5000);
+  const Scene again = make(5000);
+  EXPECT_TRUE(std::ranges::equal(first.lights, again.lights, is_same));
+  EXPECT_TRUE(std::ranges::equal(first.instances, again.instances, [](const Instance& a, const Instance& b) {
+    return a.model == b.model && a.world_from_model == b.world_from_model;
+  }));
+  EXPECT_FALSE(std::ranges::equal(first.lights, make(5000, 2).lights, is_same));
+}
+
+TEST(City, LampsOfAHouseLeaveItsBrightPanes) {
+  const ApartmentHouse house{.lit = 0.5f, .seed = 3};
+  const auto panes = bright_panes(house);
+  const Model model = make_apartment_house(house);
+  std::size_t triangles = 0;  // of bright panes: four a pane
+  for (const Part& part : model) {
+    if (part.material == "window_lit" || part.material == "window_dim") triangles += part.mesh.indices.size() / 3;
+  }
+  EXPECT_EQ(triangles, 4 * panes.size());
+  for (const BrightPane& pane : panes) {
+    const bool is_front = pane.normal.z > 0.5f;
+    EXPECT_TRUE(!pane.is_shop || is_front);
+    const glm::vec3 half{0.5f * house.width_m, 100, 0.5f * house.depth_m};
+    EXPECT_TRUE(glm::any(glm::greaterThan(glm::abs(pane.position), half)));  // before the wall
+  }
+  EXPECT_TRUE(bright_panes(ApartmentHouse{.lit = 0, .seed = 3}).empty());
+}
+
+TEST(City, SceneFileMayHaveACityAlone) {
+  EXPECT_EQ(read_scene(bundled_scene_path("city")).lights.size(), 400u);
+  EXPECT_EQ(read_scene(bundled_scene_path("city"), 20'000).lights.size(), 20'000u);
+  try {
+    read_scene(bundled_scene_path("room"), 10);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("city: must be there, to have another number of lights"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace litfog::test
