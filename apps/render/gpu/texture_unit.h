@@ -13,8 +13,11 @@ enum TextureUnit : unsigned {
   kDistanceMapUnit,  // q of the pair, or the square of z
   kConeMapUnit,
   kCookieUnit,
-  kDepthUnit,  // the depths of a picture's samples
-  kGridUnit,   // airlight at every so many pixels
+  kDepthUnit,     // the depths of a picture's samples
+  kSeenUnit,      // how far each pixel sees
+  kAirlightUnit,  // airlight at every so many pixels
+  kEntryUnit,     // the lights whose airlight is drawn
+  kGainUnit,      // of airlight, per opacity of the fog
 };
 
 inline constexpr unsigned kFogLightBinding = 0;  ///< of the FogLightBlock

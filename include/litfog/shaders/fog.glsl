@@ -12,7 +12,7 @@
 // Opacity 1 - f of the fog over a range. density_scale is the light's for what a light class sees, 1 for surfaces.
 float litfog_fog_opacity(float range, float density_scale) {
   float density = min(litfog_fog.x * density_scale, 3.4e38);  // finite: at range 0 infinity would give NaN
-  return litfog_opacity(litfog_fog.y == 0.0 ? litfog_depth_exp(range, density) : litfog_depth_exp2(range, density));
+  return litfog_opacity(litfog_fog_mode() == 0.0 ? litfog_depth_exp(range, density) : litfog_depth_exp2(range, density));
 }
 
 // Fraction of a light that the fog lets through from the lamp to a range: for single scattering (litfog/shaders/

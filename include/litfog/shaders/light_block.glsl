@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // litfog: the fog and up to 128 lights in a uniform block; its C++ side is litfog/fog_light_block.h.
 //
+// A program for fog of one mode may define LITFOG_FOG_MODE, 0.0 or 1.0, before the first include of litfog; compilers then
+// leave the other out.
+//
 // In Vulkan the block is at LITFOG_SET (default 0) and LITFOG_BLOCK_BINDING (default 0).
 
 #ifndef LITFOG_LIGHT_BLOCK_GLSL
@@ -25,5 +28,12 @@ layout(std140) uniform LitfogLightBlock {
   vec4 litfog_ambient_fog_color;
   LitfogLight litfog_lights[LITFOG_MAX_LIGHTS];
 };
+
+// 0 exp, 1 exp2.
+#ifdef LITFOG_FOG_MODE
+float litfog_fog_mode() { return LITFOG_FOG_MODE; }
+#else
+float litfog_fog_mode() { return litfog_fog.y; }
+#endif
 
 #endif
