@@ -2,11 +2,19 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
 
+#include "litfog/fog.h"
 #include "litfog/gl/fog_light_buffer.h"
 #include "litfog/gl/gl_name.h"
 #include "litfog/gl/program.h"
+#include "render/airlight_list.h"
 #include "render/gpu/framebuffer.h"
+#include "render/gpu/texture.h"
+#include "render/scene_lights.h"
 #include "scene/scene.h"
 
 namespace litfog::render {
@@ -21,36 +29,59 @@ struct View {
 
 /// Adds the airlight of lights over a picture. Needs a current GL context.
 ///
-/// Airlight mostly changes slowly over a picture. So all lights are first drawn at every fourth pixel of every fourth
-/// row. Pixels between four such texels that differ little take their mean; the others, and those close to a light, are
-/// drawn light by light (shaders/airlight_fill.frag).
+/// Airlight mostly changes slowly over a picture. So all lights are first drawn at every eighth pixel of every
+/// eighth row, and then in finer and finer grids. A grid leaves out the part of a light's airlight that bends sharply,
+/// close to the light. A texel of a finer grid takes the mean of its neighbours in the one before where that is good
+/// enough (shaders/airlight_fill.frag), and only what they have left out is drawn. Elsewhere all lights are drawn.
 class AirlightPainter {
  public:
-  /// scene, fog_lights  have to outlive this
-  /// framebuffer        of the pictures' size and samples
-  /// throws             gl::Unsupported where the driver has no float framebuffer of their size
-  AirlightPainter(const scene::Scene& scene, const gl::FogLightBuffer& fog_lights, const Framebuffer& framebuffer);
+  /// scene, lights, fog_lights  have to outlive this
+  /// framebuffer                of the pictures' size and samples
+  /// throws                     gl::Unsupported where the driver has no float framebuffer of their size
+  AirlightPainter(const scene::Scene& scene, const SceneLights& lights, const gl::FogLightBuffer& fog_lights,
+                  const Framebuffer& framebuffer);
 
-  /// Adds that of all lights in the light list to a resolved framebuffer. The list, the lights and the cookies are bound
-  /// to their units.
-  void draw(const Framebuffer& framebuffer, const View& view, unsigned lights, unsigned carried);
+  /// Adds that of all lights to a resolved framebuffer. The lights and the cookies are bound to their units.
+  void draw(const Framebuffer& framebuffer, const View& view, const Fog& fog);
 
  private:
-  void use(const gl::Program& program, const Framebuffer& framebuffer, const View& view, unsigned carried);
+  /// Airlight at every so many pixels, in floats: half floats would lose what faint lights add to bright ones.
+  struct Grid {
+    int step;  // pixels
+    glm::ivec2 size;
+    gl::FramebufferName framebuffer;
+    gl::TextureName airlight;
+    gl::TextureName gain;  // per opacity of the fog; the finest grid has none
+    gl::RenderbufferName stencil;
+  };
+
+  /// What the passes of a frame have in common.
+  struct Frame {
+    const Framebuffer& framebuffer;
+    const View& view;
+    FogMode fog_mode;
+    const std::vector<AirlightList::Range>& lights;
+  };
+
+  double pixels_per_radian() const;  ///< at the middle of the picture
+  const gl::Program& light_program(FogMode fog_mode, int profile);
+  void use(const gl::Program& program, const Frame& frame, const Grid& grid);
+  void draw_lights(const Frame& frame, const Grid& grid, const Grid* coarse, bool is_filled);
+  void fill(const Frame& frame, const Grid& grid, const Grid& coarse);
 
   const scene::Scene& scene_;
   const gl::FogLightBuffer& fog_lights_;
+  const SceneLights& lights_;
   glm::ivec2 picture_size_;
-  glm::ivec2 grid_size_;
-  gl::Program light_program_;
-  gl::Program core_program_;
+  /// For lights of one profile in fog of one mode: the compiler leaves out what they do not need.
+  std::map<std::pair<FogMode, int>, gl::Program> light_programs_;
+  gl::Program seen_program_;
   gl::Program fill_program_;
   gl::Program add_program_;
-  gl::FramebufferName grid_;
-  gl::TextureName grid_texture_;
-  gl::FramebufferName sum_;  // in floats: half floats would lose what faint lights add to bright ones
-  gl::TextureName sum_texture_;
-  gl::RenderbufferName sum_stencil_;
+  gl::FramebufferName seen_;
+  gl::TextureName seen_texture_;
+  std::vector<Grid> grids_;           // from coarse to fine
+  std::optional<BufferTexture> entries_;  // of the light list
   gl::VertexArrayName vertex_array_;  // of no attributes
 };
 

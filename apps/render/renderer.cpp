@@ -37,7 +37,7 @@ Renderer::Renderer(const scene::Scene& scene, int width, int height, const Rende
       sky_program_("sky.vert", "sky.frag", scene_shaders(!scene.cookies.empty())),
       light_point_program_("light_point.vert", "light_point.frag", scene_shaders(!scene.cookies.empty())) {
   gl::check_fog_light_layout(sky_program_);
-  if (settings.fog_lighting == FogLighting::airlight) airlight_.emplace(scene, fog_block_, framebuffer_);
+  if (settings.fog_lighting == FogLighting::airlight) airlight_.emplace(scene, lights_, fog_block_, framebuffer_);
   if (!scene.cookies.empty()) cookies_ = upload_cookies(scene.cookies);
   set_fog(Fog{});
   gl::check_errors("uploading the scene");
@@ -82,7 +82,7 @@ FrameCounts Renderer::draw(LightPoints light_points) {
   draw_sky(view);
   if (light_points == LightPoints::on) draw_light_points(view);
   framebuffer_.resolve();
-  if (airlight_) airlight_->draw(framebuffer_, view, unsigned(lights_.size()), carried_count());
+  if (airlight_) airlight_->draw(framebuffer_, view, fog_);
   glFinish();
   gl::check_errors("drawing a frame");
   return counts;

@@ -15,8 +15,11 @@ enum TextureUnit : unsigned {
   kConeMapUnit,
   kCookieUnit,
   kCookieConeUnit,
-  kDepthUnit,  // the depths of a picture's samples
-  kGridUnit,   // airlight at every so many pixels
+  kDepthUnit,     // the depths of a picture's samples
+  kSeenUnit,      // how far each pixel sees
+  kAirlightUnit,  // airlight at every so many pixels
+  kEntryUnit,     // the lights whose airlight is drawn
+  kGainUnit,      // of airlight, per opacity of the fog
 };
 
 inline constexpr unsigned kFogLightBinding = 0;  ///< of the FogLightBlock

@@ -1,33 +1,68 @@
 // SPDX-License-Identifier: Apache-2.0
 // The airlight of one light along the ray through each pixel, to what the pixel's samples see.
 
-#include "cookie.glsl"
-#include "seen_range.glsl"
-#include "light_list.glsl"
-#include "litfog/shaders/glow.glsl"
+#include "airlight_constants.glsl"
+#include "airlight_entry.glsl"
+#include "pixel_direction.glsl"
+#include "seen.glsl"
 
 flat in int light_index;
+flat in vec2 bend_range_width;
 
 uniform vec3 eye;
-uniform float asymmetry;
-uniform int pixel_step;  // pixels between the target's texels
+uniform int pixel_step;   // pixels between the target's texels
+uniform bool takes_gain;  // whether the target has room for it
 
-out vec4 color;
+layout(location = 0) out vec4 airlight;
+layout(location = 1) out vec4 gain;  // of airlight, where the pixel sees farther, for the fog's gain of opacity
+
+const float most_equal_opacities = 0.002;  // between samples that share an airlight: half a step of the display
+
+// The airlight from the end of a ray, for the fog's opacity there.
+vec3 gain_at(LitfogLight light, vec3 direction, float range) {
+  vec4 ray = litfog_ray(light.position_extent.xyz, eye + direction * range);
+  float density = litfog_fog.x;
+  float scale = light.attenuation.w;
+  // -f' of the light's fog over that of the scene's. The more scattered light is lost, the less it matters.
+  float weight = litfog_fog_mode() == 0.0 ? scale * exp(min((1.0 - scale) * density * range, 8.0))
+                                     : scale * scale * exp(min((1.0 - scale * scale) * pow(density * range, 2.0), 8.0));
+  vec3 lit = litfog_light_along(light, ray) * (litfog_lamp_factor(light, ray.w) * weight);
+  return asymmetry == 0.0 ? lit : lit * litfog_phase(-dot(direction, ray.xyz), asymmetry);
+}
+
+// How much of its airlight a grid of every so many pixels has, along a ray at a distance from the light. With q the
+// square of h over the range, 1 - (1 - q)^2 of k / h bends by at most 6 k / range^3, and has no peak.
+float kept_share(float distance_squared, float grid_step) {
+  float range = left_out_range(bend_range_width.x, bend_range_width.y, grid_step);
+  float q = min(distance_squared / max(range * range, 1.0e-12), 1.0);
+  return grid_step > 1.0 && range > 0.0 ? q * (2.0 - q) : 1.0;
+}
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy) * pixel_step;
   vec3 direction = pixel_direction(pixel);
-  SeenRanges seen = seen_ranges(pixel, direction);
   LitfogLight light = litfog_buffered_light(light_index);
-  // Facing the eye all samples are as far. Over a slope two ranges stand for them, with their mean and deviation. At an
-  // edge each sample has its own.
-  bool is_slope = seen.farthest > 1.02 * seen.nearest;
-  bool is_edge = seen.farthest > (light.axis_profile.w == 3.0 ? 1.03 : 1.06) * seen.nearest;  // a cookie is not smooth
-  int evaluations = is_edge ? sample_count : is_slope ? 2 : 1;
+  light.axis_profile.w = profile;
+  vec3 to_light = light.position_extent.xyz - eye;
+  vec3 offset = max(dot(to_light, direction), 0.0) * direction - to_light;
+  float distance_squared = dot(offset, offset);
+  float share = kept_share(distance_squared, target_step);
+  if (is_filled) share -= kept_share(distance_squared, coarse_step);
+  airlight = vec4(0.0);
+  gain = vec4(0.0);
+  if (share <= 0.0) return;  // not discarded: the stencil would no longer be tested before
+  vec4 seen = seen_at(pixel);
+  vec4 opacities = seen_opacities(seen);
   vec3 sum = vec3(0.0);
-  for (int i = 0; i < evaluations; ++i) {
-    float range = is_edge ? seen.ranges[i] : is_slope ? seen.mean + (float(i) * 2.0 - 1.0) * seen.deviation : seen.mean;
-    sum += litfog_glow(light, eye, direction, range, asymmetry);
+  int run;  // of quarters that share an airlight
+  for (int first = 0; first < 4; first += run) {
+    run = 1;
+    float ranges = seen[first];
+    for (; first + run < 4 && opacities[first + run] - opacities[first] < most_equal_opacities; ++run) {
+      ranges += seen[first + run];
+    }
+    sum += litfog_glow(light, eye, direction, ranges / float(run), asymmetry) * (0.25 * float(run));
   }
-  color = vec4(sum / float(evaluations), 0.0);
+  airlight = vec4(share * sum, 0.0);
+  gain = vec4(takes_gain ? share * gain_at(light, direction, dot(seen, vec4(0.25))) : vec3(0.0), 0.0);
 }

@@ -1,64 +1,92 @@
 // SPDX-License-Identifier: Apache-2.0
-// The airlight of all lights from a grid of every so many pixels, where that is good enough: where what is seen changes
-// little between four texels of the grid and the airlight is nearly straight. Other pixels are left for lights one by one.
+// The airlight of all lights from a grid of half as many rows and columns, where that is good enough: where, brought to
+// what the pixel sees, it is nearly straight between texels. Other pixels are left for lights one by one.
 
 #include "cookie.glsl"
-#include "litfog/shaders/fog.glsl"
-#include "seen_range.glsl"
+#include "seen.glsl"
 
-uniform sampler2D grid;  // rgb airlight
-uniform int pixel_step;
+uniform sampler2D grid;       // airlight
+uniform sampler2D grid_gain;  // what is gained of it where the fog before what is seen gains opacity
+uniform int pixel_step;       // pixels between the target's texels; the grid's are twice as far apart
 
-out vec4 color;
+layout(location = 0) out vec4 airlight;
+layout(location = 1) out vec4 gain;
 
-const float most_opacity_change = 0.03;  // over a slope: the airlight bends by less than an eighth of its square
-const float most_error = 0.0007;         // of the airlight, where what is seen is not on the slope: a fifth of a step
-const float most_bend = 0.004;            // eight times an eighth of a step of the display
+const float most_own_change = 0.01;      // of opacity, within the pixel
+const float most_opacity_change = 0.03;   // of opacity, from a texel of the grid
+const float most_error = 0.0005;          // of the display: an eighth of a step
+const float most_bend = 8.0 * most_error;  // of the display
 
 // Slope of sRGB (IEC 61966-2-1) at a linear value below 1: what the display makes of errors of airlight that nothing
 // else outshines.
 vec3 display_slope(vec3 linear) { return min(vec3(12.92), 0.4396 * pow(max(linear, vec3(1.0e-4)), vec3(-0.5833))); }
 
-vec3 grid_texel(ivec2 texel) { return texelFetch(grid, clamp(texel, ivec2(0), textureSize(grid, 0) - 1), 0).rgb; }
+float largest(vec3 values) { return max(max(values.r, values.g), values.b); }
 
-// Second difference of the grid at a texel in a direction: eight times the error of a straight line between texels.
-vec3 bend(ivec2 texel, ivec2 step) {
-  return abs(grid_texel(texel - step) - 2.0 * grid_texel(texel) + grid_texel(texel + step));
+struct Texel {
+  vec3 airlight;
+  vec3 gain;
+  float opacity_change;  // from the texel to what the pixel sees
+};
+
+float mean_opacity(vec4 seen) { return dot(seen_opacities(seen), vec4(0.25)); }
+
+// A texel of the grid, brought to what the pixel sees.
+Texel grid_texel(ivec2 place, float opacity) {
+  place = clamp(place, ivec2(0), textureSize(grid, 0) - 1);
+  Texel texel;
+  texel.gain = texelFetch(grid_gain, place, 0).rgb;
+  texel.opacity_change = opacity - mean_opacity(seen_at(place * 2 * pixel_step));
+  texel.airlight = max(texelFetch(grid, place, 0).rgb + texel.gain * texel.opacity_change, vec3(0.0));
+  return texel;
 }
 
-// Opacity of the fog before the mean of a pixel's samples.
-float mean_opacity(SeenRanges seen) { return litfog_fog_opacity(seen.mean, 1.0); }
-
-float between(float values[4], vec2 part) {
-  return mix(mix(values[0], values[1], part.x), mix(values[2], values[3], part.x), part.y);
+// Whether the mean of two texels that are neighbours errs more than allowed. The bend of the values at the two is eight times
+// the error of the straight line between them.
+bool errs_between(ivec2 place, ivec2 step, Texel first, Texel second, float opacity) {
+  vec3 before = grid_texel(place - step, opacity).airlight;
+  vec3 behind = grid_texel(place + 2 * step, opacity).airlight;
+  vec3 bend = max(abs(before - 2.0 * first.airlight + second.airlight), abs(first.airlight - 2.0 * second.airlight + behind));
+  float most_change = max(abs(first.opacity_change), abs(second.opacity_change));
+  vec3 slope = display_slope(min(first.airlight, second.airlight));
+  return most_change > most_opacity_change || largest(bend * slope) > most_bend ||
+         largest(abs(first.gain - second.gain) * slope) * most_change > 4.0 * most_error;
 }
 
 void main() {
-  ivec2 pixel = ivec2(gl_FragCoord.xy);
-  ivec2 texel = pixel / pixel_step;
-  vec2 part = vec2(pixel - texel * pixel_step) / float(pixel_step);
-  SeenRanges own = seen_ranges(pixel, pixel_direction(pixel));
-  float own_change = litfog_fog_opacity(own.farthest, 1.0) - litfog_fog_opacity(own.nearest, 1.0);
-  vec3 corners[4];
-  float opacities[4];
-  vec3 most = vec3(0.0);
-  for (int i = 0; i < 4; ++i) {
-    ivec2 corner = texel + ivec2(i & 1, i >> 1);
-    corners[i] = grid_texel(corner);
-    most = max(most, bend(corner, ivec2(1, 0)) + bend(corner, ivec2(0, 1)));
-    opacities[i] = mean_opacity(seen_ranges(corner * pixel_step, pixel_direction(corner * pixel_step)));
+  ivec2 place = ivec2(gl_FragCoord.xy);
+  ivec2 corner = place / 2;
+  ivec2 part = place - 2 * corner;
+  vec4 seen = seen_at(place * pixel_step);
+  vec4 opacities = seen_opacities(seen);
+  float opacity = dot(opacities, vec4(0.25));
+  Texel low = grid_texel(corner, opacity);
+  vec3 sum = low.airlight;
+  vec3 gains = low.gain;
+  if (part != ivec2(0)) {
+    if (opacities.w - opacities.x > most_own_change) discard;
+    Texel right = grid_texel(corner + ivec2(1, 0), opacity);
+    Texel above = grid_texel(corner + ivec2(0, 1), opacity);
+    if (part.y == 0) {
+      if (errs_between(corner, ivec2(1, 0), low, right, opacity)) discard;
+      sum = 0.5 * (low.airlight + right.airlight);
+      gains = 0.5 * (low.gain + right.gain);
+    } else if (part.x == 0) {
+      if (errs_between(corner, ivec2(0, 1), low, above, opacity)) discard;
+      sum = 0.5 * (low.airlight + above.airlight);
+      gains = 0.5 * (low.gain + above.gain);
+    } else {
+      Texel far = grid_texel(corner + 1, opacity);
+      if (errs_between(corner, ivec2(1, 0), low, right, opacity) ||
+          errs_between(corner, ivec2(0, 1), low, above, opacity) ||
+          errs_between(corner + ivec2(0, 1), ivec2(1, 0), above, far, opacity) ||
+          errs_between(corner + ivec2(1, 0), ivec2(0, 1), right, far, opacity)) {
+        discard;
+      }
+      sum = 0.25 * (low.airlight + right.airlight + above.airlight + far.airlight);
+      gains = 0.25 * (low.gain + right.gain + above.gain + far.gain);
+    }
   }
-  float change = max(max(opacities[0], opacities[1]), max(opacities[2], opacities[3])) -
-                 min(min(opacities[0], opacities[1]), min(opacities[2], opacities[3]));
-  vec3 filled = mix(mix(corners[0], corners[1], part.x), mix(corners[2], corners[3], part.x), part.y);
-  float opacity = mean_opacity(own);
-  vec3 slope = display_slope(min(min(corners[0], corners[1]), min(corners[2], corners[3])));
-  vec3 seen_airlight = filled * slope;
-  vec3 seen_bend = most * slope;
-  float error = abs(opacity - between(opacities, part)) * max(max(seen_airlight.r, seen_airlight.g), seen_airlight.b);
-  if (max(change, own_change) > most_opacity_change || error > most_error * opacity ||
-      max(max(seen_bend.r, seen_bend.g), seen_bend.b) > most_bend) {
-    discard;
-  }
-  color = vec4(filled, 0.0);
+  airlight = vec4(sum, 0.0);
+  gain = vec4(gains, 0.0);
 }

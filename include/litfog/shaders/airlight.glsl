@@ -16,6 +16,9 @@
 // some 20, one wider than 90 degrees some 28, a phase function some 40, a cookie some 128.
 //
 // Errors and what they were measured on: litfog/airlight.h.
+//
+// A program whose lamps all have C >= 1 has no plateaus. If it defines LITFOG_NO_KNEE before the first include of litfog,
+// compilers leave their closed forms out.
 
 #ifndef LITFOG_AIRLIGHT_GLSL
 #define LITFOG_AIRLIGHT_GLSL
@@ -383,7 +386,11 @@ LITFOG_REAL litfog_airlight(LitfogAirlight air) {
   }
   if (!(high > low)) return LITFOG_REAL(0.0);
 
+#ifdef LITFOG_NO_KNEE
+  LITFOG_REAL plateau = LITFOG_REAL(0.0);
+#else
   LITFOG_REAL plateau = litfog_airlight_chord(air, litfog_airlight_level(air, LITFOG_REAL(1.0)));
+#endif
   bool is_plain = litfog_airlight_is_plain(air);
   LITFOG_REAL sum = LITFOG_REAL(0.0);
   if (is_plain && min(high, plateau) > max(low, -plateau)) {

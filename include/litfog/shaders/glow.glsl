@@ -5,7 +5,7 @@
 #ifndef LITFOG_GLOW_GLSL
 #define LITFOG_GLOW_GLSL
 
-#include "litfog/shaders/light_block.glsl"
+#include "litfog/shaders/fog.glsl"
 
 #ifdef LITFOG_COOKIES
 LitfogLight litfog_glow_light;    // for a cookie: the light
@@ -26,7 +26,7 @@ float litfog_airlight_cookie(LitfogAirlight air, float along) {
 float litfog_glow_weight(LitfogLight light, float eye_range) {
   float density = min(litfog_fog.x * light.attenuation.w, 1.0e6);
   float x = min(density * eye_range, 80.0);
-  return density * (litfog_fog.y == 0.0 ? exp(-x) : 1.2131 * exp(-min(x * x / 3.0, 80.0)));
+  return density * (litfog_fog_mode() == 0.0 ? exp(-x) : 1.2131 * exp(-min(x * x / 3.0, 80.0)));
 }
 
 // The airlight of a ray that passes the light where the attenuation's denominator is D is at most this, if the light
@@ -57,7 +57,7 @@ vec3 litfog_glow(LitfogLight light, vec3 eye, vec3 direction, float range, float
 #endif
   float density = min(litfog_fog.x * light.attenuation.w, 1.0e6);  // a visibility of micrometres
   LitfogAirlight air =
-      LitfogAirlight(density, litfog_fog.y, 1.0, asymmetry, light.attenuation.x, light.attenuation.y,
+      LitfogAirlight(density, litfog_fog_mode(), 1.0, asymmetry, light.attenuation.x, light.attenuation.y,
                      light.attenuation.z, light.position_extent.w, light.axis_profile.w, light.cone.x, light.cone.y,
                      range, approach, length(offset), dot(offset, light.axis_profile.xyz),
                      dot(direction, light.axis_profile.xyz), 0.0);

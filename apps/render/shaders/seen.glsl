@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// How far the eye sees through a pixel, as airlight_seen.frag summed it up.
+
+#include "litfog/shaders/fog.glsl"
+
+uniform sampler2D seen_ranges;
+
+// Metres to surfaces or to the end of the fog, from near to far: each stands for a quarter of a pixel's samples. Of a pixel
+// beyond the edge: what the edge sees.
+vec4 seen_at(ivec2 pixel) { return texelFetch(seen_ranges, min(pixel, textureSize(seen_ranges, 0) - 1), 0); }
+
+// Opacity of the fog before them.
+vec4 seen_opacities(vec4 seen) {
+  return vec4(litfog_fog_opacity(seen.x, 1.0), litfog_fog_opacity(seen.y, 1.0), litfog_fog_opacity(seen.z, 1.0),
+              litfog_fog_opacity(seen.w, 1.0));
+}
