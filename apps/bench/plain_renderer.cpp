@@ -32,7 +32,7 @@ using render::set_uniform;
 std::vector<std::size_t> local_lights_first(const std::vector<PlacedLight>& lights) {
   std::vector<std::size_t> order(lights.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_partition(order, [&](std::size_t i) { return !lights[i].carried; });
+  std::stable_partition(order.begin(), order.end(), [&](std::size_t i) { return !lights[i].carried; });
   return order;
 }
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <vector>
 
 #include "bench/light_count.h"
 #include "gl/gl_test.h"
@@ -49,22 +49,28 @@ Picture draw_unified(const Scene& scene, const Fog& fog, int samples) {
 /// As a display shows them: what is brighter than white is white.
 double difference(float a, float b) { return std::abs(std::min(double(a), 1.0) - std::min(double(b), 1.0)); }
 
+/// Indices of the values that differ by more than a step.
+std::vector<std::size_t> differing(const Picture& a, const Picture& b) {
+  std::vector<std::size_t> indices;
+  for (std::size_t i = 0; i < a.rgb.size(); ++i) {
+    if (difference(a.rgb[i], b.rgb[i]) > kStep) indices.push_back(i);
+  }
+  return indices;
+}
+
 TEST_F(PlainRendererTest, PlainDrawsThePictureOfUnified) {
   for (const std::string& name : bundled_scenes()) {
     const Scene scene = bundled(name);
     const double visibility = suggested_visibility(scene);
     for (const Fog& fog :
          {Fog::from_visibility(FogMode::exp, visibility), Fog::from_visibility(FogMode::exp2, visibility), Fog{}}) {
-      const Picture plain = draw_plain(scene, fog, 1);
-      const Picture unified = draw_unified(scene, fog, 1);
-      std::size_t worst = 0;
-      std::size_t count = 0;
-      for (std::size_t i = 0; i < plain.rgb.size(); ++i) {
-        if (difference(plain.rgb[i], unified.rgb[i]) > difference(plain.rgb[worst], unified.rgb[worst])) worst = i;
-        count += difference(plain.rgb[i], unified.rgb[i]) > kStep;
-      }
-      EXPECT_LE(difference(plain.rgb[worst], unified.rgb[worst]), kStep)
-          << name << ", " << count << " values, pixel " << worst / 3 % kWidth << ", " << worst / 3 / kWidth;
+      const auto beyond = differing(draw_plain(scene, fog, 1), draw_unified(scene, fog, 1));
+      EXPECT_TRUE(beyond.empty()) << name << ": " << beyond.size() << " values, the first in pixel "
+                                  << beyond.front() / 3 % kWidth << ", " << beyond.front() / 3 / kWidth;
+      // A partly covered pixel is shaded at its centre, which may lie beyond its triangle: unified, but not plain, then
+      // takes the nearest position within the surface's bounds.
+      const std::size_t most = std::size_t{3 * kWidth * kHeight} / 300;
+      EXPECT_LE(differing(draw_plain(scene, fog, 4), draw_unified(scene, fog, 4)).size(), most) << name;
     }
   }
 }
