@@ -11,9 +11,8 @@
 namespace litfog::render {
 namespace {
 
-/// Of linear values: a quarter of a step of a display, where that is bright.
-constexpr double kThinBeam = 0.17;  // radians, half an angle
-constexpr double kMostBend = 1.0 / 1000;
+constexpr double kMostBend = 1 / 1000.0;  // of linear values: a quarter of a step of the display where it is brightest
+constexpr double kThinBeam = 0.17;        // radians: half the angle of a beam that grids may miss
 
 /// Range at which the attenuation's denominator has a value; 0 where it is above it everywhere.
 double level_range(const Attenuation& attenuation, double denominator) {
@@ -79,7 +78,7 @@ AirlightList list_airlight(const SceneLights& lights, const Fog& fog, const Scat
     const glm::dvec3& color = placed.light.color;
     const double brightness = largest_phase(scattering) * std::max({color.r, color.g, color.b});
     if (!(brightness > 0)) continue;
-    const double eye_range = glm::distance(eye, placed.position);
+    const double eye_range = std::max(glm::distance(eye, placed.position), 1e-6);
     const GlowBound bound(placed.light, lights.extents()[i], fog, eye_range, brightness);
     const double reach = bound.reach(budget);
     if (!(reach > 0)) continue;
@@ -87,7 +86,7 @@ AirlightList list_airlight(const SceneLights& lights, const Fog& fog, const Scat
     // times that is where it bends most; an eighth of it is missed.
     const double pixel = eye_range / pixels_per_radian;
     const double bend_range = std::cbrt(0.75 * bound.k() / pixel / kMostBend) * pixel;
-    // Up to this range a thin beam is thinner than two texels of the coarsest grid.
+    // Up to this range a thin beam is thinner than a few texels of a grid.
     const double angle = beam_angle(placed.light.cone);
     const double thin_range = angle < kThinBeam ? 4 * pixel / std::tan(angle) : 0;
     found.push_back({int(lights.instances()[i].axis_profile.w),

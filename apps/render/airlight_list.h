@@ -13,7 +13,7 @@ namespace litfog::render {
 /// Where a picture's rays can see the airlight of a light.
 struct AirlightEntry {
   float light;  ///< of SceneLights
-  /// Metres from the light within which a ray must pass to show more of it than the budget.
+  /// Metres from the light within which a ray must pass to show more of it than the budget (airlight_list_test.cpp).
   float reach;
   /// Metres from the light where k / h, which its airlight at a distance h is at most, bends so that straight lines between
   /// pixels miss it by kMostBend. Between every g-th pixel that is so at g^(2/3) of it.
@@ -21,7 +21,7 @@ struct AirlightEntry {
   float width;  ///< metres, within which its airlight is flat
 };
 
-/// The lights whose airlight a picture shows: those of a profile (FogLight) lie together.
+/// The lights whose airlight a picture shows: those of one profile (FogLightInstance) lie together.
 struct AirlightList {
   struct Range {
     int profile;

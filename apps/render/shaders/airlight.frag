@@ -52,7 +52,7 @@ void main() {
   gain = vec4(0.0);
   if (share <= 0.0) return;  // not discarded: the stencil would no longer be tested before
   vec4 seen = seen_at(pixel);
-  vec4 opacities = seen_opacities(seen);
+  vec4 opacities = seen_opacities(seen, light.attenuation.w);
   vec3 sum = vec3(0.0);
   int run;  // of quarters that share an airlight
   for (int first = 0; first < 4; first += run) {

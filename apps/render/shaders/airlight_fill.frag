@@ -29,7 +29,7 @@ struct Texel {
   float opacity_change;  // from the texel to what the pixel sees
 };
 
-float mean_opacity(vec4 seen) { return dot(seen_opacities(seen), vec4(0.25)); }
+float mean_opacity(vec4 seen) { return dot(seen_opacities(seen, 1.0), vec4(0.25)); }
 
 // A texel of the grid, brought to what the pixel sees.
 Texel grid_texel(ivec2 place, float opacity) {
@@ -58,7 +58,7 @@ void main() {
   ivec2 corner = place / 2;
   ivec2 part = place - 2 * corner;
   vec4 seen = seen_at(place * pixel_step);
-  vec4 opacities = seen_opacities(seen);
+  vec4 opacities = seen_opacities(seen, 1.0);
   float opacity = dot(opacities, vec4(0.25));
   Texel low = grid_texel(corner, opacity);
   vec3 sum = low.airlight;

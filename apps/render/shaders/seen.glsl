@@ -9,8 +9,8 @@ uniform sampler2D seen_ranges;
 // beyond the edge: what the edge sees.
 vec4 seen_at(ivec2 pixel) { return texelFetch(seen_ranges, min(pixel, textureSize(seen_ranges, 0) - 1), 0); }
 
-// Opacity of the fog before them.
-vec4 seen_opacities(vec4 seen) {
-  return vec4(litfog_fog_opacity(seen.x, 1.0), litfog_fog_opacity(seen.y, 1.0), litfog_fog_opacity(seen.z, 1.0),
-              litfog_fog_opacity(seen.w, 1.0));
+// Opacity of the fog before them, as a light class of that density scale sees it.
+vec4 seen_opacities(vec4 seen, float density_scale) {
+  return vec4(litfog_fog_opacity(seen.x, density_scale), litfog_fog_opacity(seen.y, density_scale),
+              litfog_fog_opacity(seen.z, density_scale), litfog_fog_opacity(seen.w, density_scale));
 }

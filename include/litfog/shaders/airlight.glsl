@@ -222,15 +222,18 @@ LITFOG_REAL litfog_airlight_crossing(LitfogAirlight air, LITFOG_REAL cosine, boo
   LITFOG_REAL a = air.axis_slope * air.axis_slope - c2;
   LITFOG_REAL b = air.axis_offset * air.axis_slope;
   LITFOG_REAL c = air.axis_offset * air.axis_offset - c2 * air.offset * air.offset;
-  LITFOG_REAL discriminant = b * b - a * c;
+  // b^2 - a c, without the difference: for wide cones both are nearly equal.
+  LITFOG_REAL discriminant = c2 * (air.axis_offset * air.axis_offset +
+                                   air.offset * air.offset * (air.axis_slope * air.axis_slope - c2));
   if (discriminant < LITFOG_REAL(0.0)) return litfog_far;
   LITFOG_REAL root = sqrt(discriminant);
   LITFOG_REAL q = b < LITFOG_REAL(0.0) ? root - b : -b - root;
   LITFOG_REAL first = abs(a) * litfog_far > abs(q) ? q / a : litfog_far;
   LITFOG_REAL second = q != LITFOG_REAL(0.0) ? c / q : LITFOG_REAL(0.0);
   LITFOG_REAL place = higher ? max(first, second) : min(first, second);
-  // The other nappe is that of the opposite cosine.
-  return (air.axis_offset + air.axis_slope * place) * cosine >= LITFOG_REAL(0.0) ? place : litfog_far;
+  // The other nappe is that of the opposite cosine. Near a right angle both are a plane, and which one is met is rounding.
+  bool is_plane = abs(cosine) < LITFOG_REAL(1.0e-4);
+  return is_plane || (air.axis_offset + air.axis_slope * place) * cosine >= LITFOG_REAL(0.0) ? place : litfog_far;
 }
 
 // A point lamp in isotropic fog.

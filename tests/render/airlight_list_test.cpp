@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/airlight_list.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "reference/random_airlight.h"
+
+namespace litfog::test {
+using namespace render;
+
+namespace {
+
+constexpr double kPixelsPerRadian = 800;
+constexpr double kBudget = 1e-5;
+
+AirlightList list(const PlacedLight& light, const Fog& fog, const glm::dvec3& eye, const Scattering& scattering = {}) {
+  scene::Scene scene;
+  scene.lights = {light};
+  const SceneLights lights(scene, {.path = &lighting_paths().front(), .fog_lighting = FogLighting::airlight});
+  return list_airlight(lights, fog, scattering, eye, kPixelsPerRadian, kBudget);
+}
+
+PlacedLight lamp(const glm::dvec3& position) {
+  return {.light = {.name = "lamp", .attenuation = {1, 0, 0.01}, .threshold = 0.001, .cone = {}}, .position = position};
+}
+
+/// Range at which a ray passes a light.
+double passing_range(const PlacedLight& light, const EyeRay& ray) {
+  const glm::dvec3 to_light = light.position - ray.origin;
+  return glm::length(to_light - std::max(glm::dot(to_light, ray.direction), 0.0) * ray.direction);
+}
+
+TEST(AirlightList, LightsThatTheFogHidesAreLeftOut) {
+  for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
+    const Fog fog{mode, 0.1};
+    EXPECT_EQ(list(lamp({0, 0, -20}), fog, {}).entries.size(), 1u);
+    EXPECT_TRUE(list(lamp({0, 0, -400}), fog, {}).entries.empty());
+    EXPECT_TRUE(list(lamp({0, 0, -20}), {mode, 0}, {}).entries.empty()) << "clear air";
+  }
+}
+
+TEST(AirlightList, RayBeyondTheReachShowsLessThanTheBudget) {
+  Random random(11);
+  int listed = 0;
+  int beyond = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const FogMode mode = random.pick(std::array{FogMode::exp, FogMode::exp2});
+    AirlightCase c = draw_airlight_case(random, mode, LampLeg::fogged);
+    Light& light = c.light.light;
+    light.color = glm::dvec3(random.log_uniform(0.01, 100));
+    c.scattering.asymmetry = random.chance(0.5) ? 0 : random.uniform(-0.9, 0.9);
+    const AirlightList found = list(c.light, c.fog, c.ray.origin, c.scattering);
+    const double reach = found.entries.empty() ? 0 : double(found.entries.front().reach);
+    listed += int(found.entries.size());
+    light.threshold = threshold_of(light, FogLighting::airlight);
+    c.ray.length = std::numeric_limits<double>::infinity();
+    for (int ray = 0; ray < 5; ++ray) {
+      c.ray.direction = draw_direction(random);
+      if (!(passing_range(c.light, c.ray) > reach * (1 + 1e-6))) continue;
+      ++beyond;
+      EXPECT_LE(light.color.r * reference_airlight(c.light, c.fog, c.ray, c.scattering), kBudget * (1 + 1e-9))
+          << to_string(c) << ", reach " << reach;
+    }
+  }
+  EXPECT_GT(listed, 300);
+  EXPECT_GT(beyond, 500);
+}
+
+TEST(AirlightList, LightsOfAProfileLieTogether) {
+  scene::Scene scene;
+  scene.lights = {lamp({0, 0, -20}), lamp({1, 0, -20}), lamp({2, 0, -20})};
+  scene.lights[1].light.cone = Cone::smoothstep(0.1, 0.2);
+  const SceneLights lights(scene, {.path = &lighting_paths().front(), .fog_lighting = FogLighting::airlight});
+  const AirlightList found = list_airlight(lights, {FogMode::exp, 0.01}, {}, {}, kPixelsPerRadian, kBudget);
+  ASSERT_EQ(found.ranges.size(), 2u);
+  EXPECT_EQ(found.ranges[0].profile, 0);
+  EXPECT_EQ(found.ranges[0].count, 2u);
+  EXPECT_EQ(found.ranges[1].profile, 2);
+  EXPECT_EQ(found.ranges[1].first, 2u);
+  EXPECT_EQ(found.entries[2].light, 1);
+}
+
+TEST(AirlightList, LightAtTheEyeHasFiniteNumbers) {
+  for (const AirlightEntry& entry : list(lamp({0, 0, 0}), {FogMode::exp, 0.01}, {}).entries) {
+    EXPECT_TRUE(std::isfinite(entry.reach) && std::isfinite(entry.bend_range) && std::isfinite(entry.width));
+  }
+}
+
+}  // namespace
+}  // namespace litfog::test
