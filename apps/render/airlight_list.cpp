@@ -35,9 +35,9 @@ class GlowBound {
   /// brightness  of the largest component of its colour, in the direction in which the fog scatters most
   GlowBound(const Light& light, double extent, const Fog& fog, double eye_range, double brightness)
       : attenuation_(light.attenuation), extent_(extent), brightness_(brightness) {
-    const double density = std::min(fog.density * light.density_scale, 1e6);
-    const double x = std::min(density * eye_range, 80.0);
-    weight_ = density * (fog.mode == FogMode::exp ? std::exp(-x) : 1.2131 * std::exp(-std::min(x * x / 3, 80.0)));
+    density_ = std::min(fog.density * light.density_scale, 1e6);
+    const double x = std::min(density_ * eye_range, 80.0);
+    weight_ = density_ * (fog.mode == FogMode::exp ? std::exp(-x) : 1.2131 * std::exp(-std::min(x * x / 3, 80.0)));
   }
 
   /// Range beyond which it is below a budget; 0 where it is so everywhere.
@@ -55,6 +55,9 @@ class GlowBound {
   /// Metres: the falloff's.
   double width() const { return level_range(attenuation_, 2 * std::max(attenuation_.constant, 1.0)); }
 
+  /// Metres within which it is flat: the falloff's width, or less in dense fog.
+  double flat_range() const { return std::min(width(), 0.5 / density_); }
+
   /// k, where at a distance h it is about k / h. Metres.
   double k() const {
     const double slope = std::max(attenuation_.quadratic, attenuation_.linear / std::max(width(), 1e-3));
@@ -65,6 +68,7 @@ class GlowBound {
   Attenuation attenuation_;
   double extent_;
   double brightness_;
+  double density_;
   double weight_;
 };
 
@@ -92,8 +96,8 @@ AirlightList list_airlight(const SceneLights& lights, const Fog& fog, const Scat
     found.push_back({int(lights.instances()[i].axis_profile.w),
                      {.light = float(i),
                       .reach = float(reach),
-                      .bend_range = float(std::min(std::max(bend_range, thin_range), eye_range / 4)),
-                      .width = float(thin_range > bend_range ? 0 : bound.width())}});
+                      .bend_range = float(std::min(std::max(bend_range, thin_range), eye_range / 2)),
+                      .width = float(thin_range > bend_range ? 0 : bound.flat_range())}});
   }
   std::ranges::stable_sort(found, {}, [](const auto& entry) { return entry.first; });
   AirlightList list;

@@ -504,7 +504,7 @@ TEST_F(DemoCommand, InputsAreNotOverwritten) {
 TEST_F(DemoCommand, MistypedSceneIsAnsweredWithTheNamesOfAllScenes) {
   EXPECT_ERROR(
       run("rooom"), kBadInput,
-      "rooom: must be a scene file or one of approach, cookies, headlights, lighthouse, room, street, tessellation\n");
+      "rooom: must be a scene file or one of approach, city, cookies, headlights, lighthouse, room, street, tessellation\n");
 }
 
 TEST_F(DemoCommand, SceneWhoseNameIsNoUtf8HasItsStatistics) {
