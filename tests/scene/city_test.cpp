@@ -76,6 +76,8 @@ TEST(City, SameSeedMakesTheSameCityAndAnotherAnother) {
 TEST(City, LampsOfAHouseLeaveItsBrightPanes) {
   const ApartmentHouse house{.lit = 0.5f, .seed = 3};
   const auto panes = bright_panes(house);
+  EXPECT_TRUE(std::ranges::any_of(panes, &BrightPane::is_shop));
+  EXPECT_FALSE(std::ranges::all_of(panes, &BrightPane::is_shop));
   const Model model = make_apartment_house(house);
   std::size_t triangles = 0;  // of bright panes: four a pane
   for (const Part& part : model) {

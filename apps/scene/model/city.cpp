@@ -31,11 +31,9 @@ constexpr float kHouseDepth = 14;
 constexpr float kRunway = kEdge + 170;  // its middle's x
 constexpr float kRunwayLength = 1000;
 
-/// A light and how early it is among the lights.
 struct Lamp {
   PlacedLight light;
   bool is_window;
-  double distance;  ///< from the origin
 };
 
 /// A square slab in tiles.
@@ -82,7 +80,8 @@ class CityBuilder {
     if (city_.lights > lamps_.size()) {
       throw std::invalid_argument("lights: must be at most " + std::to_string(lamps_.size()) + ", the city's");
     }
-    std::ranges::stable_sort(lamps_, {}, [](const Lamp& lamp) { return std::pair(lamp.is_window, lamp.distance); });
+    std::ranges::stable_sort(
+        lamps_, {}, [](const Lamp& lamp) { return std::pair(lamp.is_window, glm::length(lamp.light.position)); });
     for (std::size_t i = 0; i < city_.lights; ++i) scene_.lights.push_back(lamps_[i].light);
   }
 
@@ -90,13 +89,13 @@ class CityBuilder {
   std::size_t catalogue_model(const std::string& name, const ModelParameters& parameters = {}) {
     std::string key = name;
     for (const auto& [parameter, value] : parameters) key += " " + parameter + "=" + std::to_string(value);
-    const auto [entry, is_new] = models_.try_emplace(key, scene_.models.size());
-    if (is_new) scene_.models.push_back(make_model(name, parameters));
-    return entry->second;
+    return model(key, [&] { return make_model(name, parameters); });
   }
-  std::size_t model(const std::string& name, Model made) {
-    const auto [entry, is_new] = models_.try_emplace(name, scene_.models.size());
-    if (is_new) scene_.models.push_back(std::move(made));
+  /// The model of a key, made where it is new.
+  template <typename Make>
+  std::size_t model(const std::string& key, const Make& make) {
+    const auto [entry, is_new] = models_.try_emplace(key, scene_.models.size());
+    if (is_new) scene_.models.push_back(make());
     return entry->second;
   }
   void add(std::size_t model, const glm::mat4& world_from_model) {
@@ -107,7 +106,7 @@ class CityBuilder {
                 const glm::vec3& direction, bool is_window = false) {
     const glm::dvec3 at(world_from_model * glm::vec4(position, 1));
     const glm::dvec3 axis = glm::normalize(glm::dvec3(glm::mat3(world_from_model) * direction));
-    lamps_.push_back({{.light = light, .position = at, .direction = axis}, is_window, glm::length(at)});
+    lamps_.push_back({{.light = light, .position = at, .direction = axis}, is_window});
   }
 
   void add_ground() {
@@ -120,7 +119,7 @@ class CityBuilder {
                    {{x, height, z + kTile}, {x + kTile, height, z + kTile}, {x + kTile, height, z}, {x, height, z}});
         }
       }
-      add(model(material + " ground", Model{{material, plane}}), place({0, 0, 0}));
+      add(model(material + " ground", [&] { return Model{{material, plane}}; }), place({0, 0, 0}));
     };
     add_plane("wet_asphalt", -kEdge - kPitch, kEdge + kPitch, kEdge + kPitch, 0);
     add_plane("grass", kEdge + kPitch, kEdge + 5 * kPitch, kEdge + 4 * kPitch, 0);
@@ -129,7 +128,7 @@ class CityBuilder {
   /// Houses around a yard, on a pavement.
   void add_block(const glm::vec3& middle) {
     const float side = kPitch - kCarriageway;
-    add(model("pavement", make_pavement(side)), place(middle));
+    add(model("pavement", [&] { return make_pavement(side); }), place(middle));
     const float built = side - 2 * kPavement;
     const float from_middle = 0.5f * (built - kHouseDepth);
     for (int turn = 0; turn < 4; ++turn) {
@@ -155,10 +154,10 @@ class CityBuilder {
                                .seed = 1 + int(random_.between(0, 4))};
     const std::string key = "house " + std::to_string(width) + " " + std::to_string(storeys) + " " +
                             std::to_string(house.brick) + " " + std::to_string(house.seed);
-    if (!models_.contains(key)) panes_[model(key, make_apartment_house(house))] = bright_panes(house);
-    const std::size_t index = models_.at(key);
-    add(index, at);
-    for (const BrightPane& pane : panes_.at(index)) {
+    add(model(key, [&] { return make_apartment_house(house); }), at);
+    const auto [panes, is_new] = panes_.try_emplace(key);
+    if (is_new) panes->second = bright_panes(house);
+    for (const BrightPane& pane : panes->second) {
       add_lamp(pane.is_shop ? city_.shop_window : city_.window, at, pane.position, pane.normal, !pane.is_shop);
     }
   }
@@ -185,9 +184,12 @@ class CityBuilder {
       if (random_.unit() < 0.5f) add_car(at * place({lane * 1.8f, 0, random_.between(-28, 28)}, heading), true);
       if (random_.unit() < 0.5f) add_car(at * place({lane * 4.8f, 0, random_.between(-26, 26)}, heading), false);
       if (random_.unit() < 0.35f) {
-        add(catalogue_model("person", {{"coat", std::floor(random_.between(0, 5))}, {"walks", 1}}),
-            at * place({lane * (kerb + random_.between(1.5f, 4)), kKerb, random_.between(-38, 38)},
-                       random_.unit() < 0.5f ? 0.0f : glm::pi<float>()));
+        // A draw a statement: the order of a call's arguments differs between compilers.
+        const float turn = random_.unit() < 0.5f ? 0.0f : glm::pi<float>();
+        const float x = lane * (kerb + random_.between(1.5f, 4));
+        const float z = random_.between(-38, 38);
+        const float coat = std::floor(random_.between(0, 5));
+        add(catalogue_model("person", {{"coat", coat}, {"walks", 1}}), at * place({x, kKerb, z}, turn));
       }
     }
   }
@@ -229,7 +231,7 @@ class CityBuilder {
   const City& city_;
   HashRandom random_;
   std::map<std::string, std::size_t> models_;
-  std::map<std::size_t, std::vector<BrightPane>> panes_;  // by their house's model
+  std::map<std::string, std::vector<BrightPane>> panes_;  // by their house's key
   std::vector<Lamp> lamps_;
 };
 
