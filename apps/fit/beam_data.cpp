@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fit/beam_data.h"
 
+#include <array>
 #include <numbers>
 
 namespace litfog::fit {
@@ -8,15 +9,26 @@ namespace {
 
 using std::numbers::pi;
 
-std::vector<double> full_angles(const LightFit& fit, double fraction) {
-  const IntensityDistribution& distribution = fit.target.luminaire->distribution;
-  const glm::dvec3& axis = fit.target.axis;
-  if (fit.target.asymmetry <= kRoundBeam) return {2 * half_angle(axial_profile(distribution, axis), fraction)};
-  const auto in_plane = [&](double turn) {
-    return half_angle(plane_profile(distribution, turn, axis), fraction) +
-           half_angle(plane_profile(distribution, turn + pi, axis), fraction);
+/// The beam on both sides of the axis.
+using Plane = std::array<std::vector<AxialSample>, 2>;
+
+/// One plane of a round beam, the mean over the turn; else the horizontal and the vertical one.
+std::vector<Plane> planes_of(const LightTarget& target) {
+  const IntensityDistribution& distribution = target.luminaire->distribution;
+  if (target.asymmetry <= kRoundBeam) {
+    const auto profile = axial_profile(distribution, target.axis);
+    return {{profile, profile}};
+  }
+  const auto plane = [&](double turn) {
+    return Plane{plane_profile(distribution, turn, target.axis), plane_profile(distribution, turn + pi, target.axis)};
   };
-  return {in_plane(0), in_plane(pi / 2)};
+  return {plane(0), plane(pi / 2)};
+}
+
+std::vector<double> full_angles(const std::vector<Plane>& planes, double fraction) {
+  std::vector<double> angles;
+  for (const auto& [right, left] : planes) angles.push_back(half_angle(right, fraction) + half_angle(left, fraction));
+  return angles;
 }
 
 std::vector<double> full_angle(const std::optional<double>& stated, const std::vector<ConeSample>& samples,
@@ -36,10 +48,11 @@ std::vector<double> full_angle(const std::optional<double>& stated, const std::v
 BeamData beam_data(const LightFit& fit) {
   if (fit.target.luminaire) {
     const IntensityDistribution& distribution = fit.target.luminaire->distribution;
+    const std::vector<Plane> planes = planes_of(fit.target);
     return {.peak = find_peak(distribution).intensity,
             .flux = luminous_flux(distribution),
-            .beam_angle = full_angles(fit, 0.5),
-            .field_angle = full_angles(fit, 0.1)};
+            .beam_angle = full_angles(planes, 0.5),
+            .field_angle = full_angles(planes, 0.1)};
   }
   if (!fit.target.cone) return {};
   const ConeTarget& target = *fit.target.cone;

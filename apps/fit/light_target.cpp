@@ -80,9 +80,8 @@ std::string sentence_on_range(const Luminaire& luminaire) {
   const double peak = find_peak(luminaire.distribution).intensity;
   return fmt::format(
       "Attenuation: C = 1 and no L; Q = (1/0.05 - 1)/E^2 puts the threshold 0.05 at E = sqrt({:.6g} cd / 1 lx) = "
-      "{:.4g} "
-      "m, where the lamp gives 1 lx.",
-      peak, std::sqrt(peak / kEndIlluminance));
+      "{:.4g} m, where the lamp gives 1 lx.",
+      peak, extent_of(peak, kEndIlluminance));
 }
 
 std::string sentence_on_cone(const std::string& file, const glm::dvec3& axis) {
