@@ -39,8 +39,8 @@ glm::dvec2 chromaticity_of_temperature(double kelvin) {
   }
   if (kelvin <= kLastBlackBody) return black_body(kelvin);
   if (kelvin >= kFirstDaylight) return daylight(kelvin);
-  const double part = (kelvin - kLastBlackBody) / (kFirstDaylight - kLastBlackBody);
-  const glm::dvec3 mixed = glm::mix(tristimulus(black_body(kelvin)), tristimulus(daylight(kelvin)), part);
+  const double fraction = (kelvin - kLastBlackBody) / (kFirstDaylight - kLastBlackBody);
+  const glm::dvec3 mixed = glm::mix(tristimulus(black_body(kelvin)), tristimulus(daylight(kelvin)), fraction);
   return glm::dvec2(mixed) / (mixed.x + mixed.y + mixed.z);
 }
 

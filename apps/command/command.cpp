@@ -106,8 +106,8 @@ int run_command(CLI::App& app, int argc, char** argv, const std::function<ExitSt
   } catch (const CLI::ParseError& error) {
     return end(std::string(error.what()) + "; see " + app.get_name() + " --help", kUsage);
   } catch (const InputError& error) {
-    std::fprintf(stderr, "%s\n",
-                 printable(error.what()).c_str());  // starts with the file's name: editors can jump to it
+    // Starts with the file's name, not the command's: editors can jump to it.
+    std::fprintf(stderr, "%s\n", printable(error.what()).c_str());
     return kBadInput;
   } catch (const MissingCapability& error) {
     return end(error.what(), kMissingCapability);

@@ -65,10 +65,10 @@ day or bright day, which a pilot's eye just sees then. constant fixes C. samples
 sum weight * (ln a(r) - ln attenuation)^2 with C, L, Q >= 0. An extent alone is met by C = 1 and the family: quadratic
 (if not given), linear or mixed.
 
-Cone. beam_angle_deg and field_angle_deg are the full angles at 50 % and 10 % of the peak; samples are angle_deg from the
-axis and intensity in any unit; half_angle_deg is where the light ends; photometry names an IES or EULUMDAT file in place
-of samples. The fit minimises sum weight * (cone - intensity/peak)^2. profile is cosine (cos^S u for u < H), smoothstep
-(inner to outer), or best: both are fitted and shown, the better one is the light's.
+Cone. beam_angle_deg and field_angle_deg are the full angles at 50 % and 10 % of the peak; samples are angle_deg from
+the axis and intensity in any unit; half_angle_deg is where the light ends; photometry names an IES or EULUMDAT file in
+place of samples. The fit minimises sum weight * (cone - intensity/peak)^2. profile is cosine (cos^S u for u < H),
+smoothstep (inner to outer), or best: both are fitted and shown, the better one is the light's.
 
 Color. color is linear RGB; color_temperature_k may stand in its place.
 

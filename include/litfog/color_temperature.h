@@ -22,8 +22,8 @@ inline constexpr double kChromaticityMaxError = 4e-4;
 /// throws     std::invalid_argument naming field, value and rule
 glm::dvec2 chromaticity_of_temperature(double kelvin);
 
-/// The same as linear sRGB (IEC 61966-2-1) whose largest part is 1. Below 1,900 K the colour is outside sRGB: its blue,
-/// which would be negative, is 0.
+/// The same as linear sRGB (IEC 61966-2-1) whose largest component is 1. Below 1900 K the colour is outside sRGB: its
+/// blue, which would be negative, is 0.
 glm::dvec3 color_of_temperature(double kelvin);
 
 }  // namespace litfog

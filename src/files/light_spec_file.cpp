@@ -37,7 +37,8 @@ constexpr Choices<ConeSpec::Profile> kProfiles{{{"best", ConeSpec::Profile::best
                                                 {"cosine", ConeSpec::Profile::cosine},
                                                 {"smoothstep", ConeSpec::Profile::smoothstep}}};
 
-/// Illuminance of the eye at which a light is just seen, by the background's luminance: ICAO Annex 3, attachment D.
+/// Illuminance at the eye, in lx, at which a light is just visible against the background of the time of day: ICAO
+/// Annex 3, attachment D, whose "intermediate" value is that of twilight.
 constexpr Choices<double, 4> kVisualThresholds{
     {{"night", 8e-7}, {"twilight", 1e-5}, {"day", 1e-4}, {"bright day", 1e-3}}};
 

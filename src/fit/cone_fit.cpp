@@ -53,7 +53,8 @@ ConeProfileFit fit_cosine(const std::vector<ConePoint>& points, const ConeTarget
     half_angle = *target.half_angle;
     range = {half_angle, half_angle};
   } else {
-    // Every lit sample out to the end of a faint spill lowers the objective, be it by nothing that counts.
+    // Each further lit sample of a faint spill lowers the objective, even if negligibly: the first cut-off that is
+    // good enough is taken, not the best.
     const std::size_t invisible = profile.lit_within(half_angle);
     const double limit = std::max(exact, (1 + kEdgeCost) * optimum.best.objective);
     const std::size_t lit = profile.first_cut(exponent, invisible, limit).value_or(optimum.best.lit);

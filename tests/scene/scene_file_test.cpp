@@ -55,7 +55,8 @@ constexpr const char* kLamp = R"("attenuation": {"constant": 1, "quadratic": 0.1
 
 TEST_F(SceneFile, BundledScenesAreThere) {
   const auto names = bundled_scenes();
-  for (const char* name : {"approach", "city", "cookies", "headlights", "lighthouse", "room", "street", "tessellation"}) {
+  for (const char* name :
+       {"approach", "city", "cookies", "headlights", "lighthouse", "room", "street", "tessellation"}) {
     EXPECT_NE(std::ranges::find(names, name), names.end()) << name;
   }
 }

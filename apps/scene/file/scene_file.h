@@ -55,8 +55,8 @@ namespace litfog::scene {
 ///       }]                                                area: x and z of two corners; headings at random
 ///     }
 ///
-/// "aim" moves along with a repeated light. A scene has at most 100,000 lights, 128 of them carried, and 50,000 objects.
-/// Coordinates are within 10,000 km, parts of a colour at most 10,000.
+/// "aim" moves along with a repeated light. A scene has at most 100,000 lights, 128 of them carried, and 50,000
+/// objects. Coordinates are within 10,000 km, parts of a colour at most 10,000.
 // clang-format on
 
 /// Reads a scene file, or a glTF file (gltf_scene.h) by its ending. Throws InputError.

@@ -89,8 +89,8 @@ struct AttenuationFit {
 ///             there is one
 /// extent      C is at most (1 - 2^-20) / threshold; at 1 / threshold the light would end at 0
 /// infeasible  if the constant leaves no extent, or if a sample is out of reach of every attenuation with that extent
-///             and constant: by more than 0.1 %, and by more than three times the error (rms or the sample's own) of the
-///             best attenuation without extent and constant
+///             and constant: by more than 0.1 %, and by more than three times the error (rms or the sample's own) of
+///             the best attenuation without extent and constant
 /// max error   the extent 1e-12 relative; C, L and Q 9 digits of the exact optimum where the samples identify them
 ///                                                                                        (attenuation_fit_test.cpp)
 /// throws      std::invalid_argument with the sentence of check(target)

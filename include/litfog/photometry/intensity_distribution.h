@@ -98,8 +98,8 @@ std::vector<AxialSample> axial_profile(const IntensityDistribution& distribution
 std::vector<AxialSample> plane_profile(const IntensityDistribution& distribution, double turn,
                                        const glm::dvec3& axis = kPhotometricAxis);
 
-/// The first angle beyond the peak at which a profile, linear between its samples, falls to a fraction of the peak: half
-/// of a data sheet's beam angle at 0.5, half of its field angle at 0.1.
+/// The first angle beyond the peak at which a profile, linear between its samples, falls to a fraction of the peak:
+/// half of a data sheet's beam angle at 0.5, half of its field angle at 0.1.
 ///
 /// profile   at least one sample, means finite and >= 0
 /// fraction  (0, 1]
