@@ -23,6 +23,7 @@ constexpr std::uint32_t hash(std::uint32_t x, std::uint32_t y, std::uint32_t see
 constexpr float unit_float(std::uint32_t bits) { return float(bits >> 8) * 0x1p-24f; }
 
 /// A seeded sequence of numbers, the same on every machine: the hashes of a counter.
+/// Draw once per statement: the order in which a call evaluates its arguments differs between compilers.
 class HashRandom {
  public:
   explicit HashRandom(std::uint32_t seed) : key_(hash(seed)) {}

@@ -42,7 +42,9 @@ void add_leaf(Growth& growth, const glm::vec3& at) {
   const std::array<glm::vec3, 4> corners{at, at + 0.5f * length * along + half * across + fold, at + length * along,
                                          at + 0.5f * length * along - half * across + fold};
   const glm::vec3 front = glm::normalize(glm::cross(corners[1] - corners[0], corners[3] - corners[0]));
-  const glm::vec2 shift(random.unit(), random.unit());
+  const float shift_v = random.unit();
+  const float shift_u = random.unit();
+  const glm::vec2 shift(shift_u, shift_v);
   const std::array<glm::vec2, 4> uv{shift, shift + glm::vec2(half, 0.5f * length), shift + glm::vec2(0.0f, length),
                                     shift + glm::vec2(-half, 0.5f * length)};
   for (const float side : {1.0f, -1.0f}) {
@@ -139,9 +141,10 @@ Model make_bush(const Bush& bush) {
   for (int i = 0; i < bush.stems; ++i) {
     const float turn = glm::two_pi<float>() * (float(i) + growth.random.unit()) / float(bush.stems);
     const glm::vec3 out(std::sin(turn), 0.0f, std::cos(turn));
+    const float length = height * growth.random.between(0.6f, 0.85f);
+    const float open = growth.random.between(0.3f, 1.0f);
     grow(growth, 0.08f * height * out - glm::vec3(0.0f, 0.05f, 0.0f),
-         glm::normalize(out * growth.random.between(0.3f, 1.0f) + glm::vec3(0.0f, 1.0f, 0.0f)),
-         height * growth.random.between(0.6f, 0.85f), 0.008f * height + 0.006f, 1);
+         glm::normalize(out * open + glm::vec3(0.0f, 1.0f, 0.0f)), length, 0.008f * height + 0.006f, 1);
   }
   return finish(growth);
 }

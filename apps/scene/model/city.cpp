@@ -184,7 +184,6 @@ class CityBuilder {
       if (random_.unit() < 0.5f) add_car(at * place({lane * 1.8f, 0, random_.between(-28, 28)}, heading), true);
       if (random_.unit() < 0.5f) add_car(at * place({lane * 4.8f, 0, random_.between(-26, 26)}, heading), false);
       if (random_.unit() < 0.35f) {
-        // A draw a statement: the order of a call's arguments differs between compilers.
         const float turn = random_.unit() < 0.5f ? 0.0f : glm::pi<float>();
         const float x = lane * (kerb + random_.between(1.5f, 4));
         const float z = random_.between(-38, 38);

@@ -54,8 +54,9 @@ void add_branch(Mesh& mesh, const Branch& branch, int twigs, HashRandom& random)
     for (const float hand : {-1.0f, 1.0f}) {
       // A twig points forward and outward, and hangs.
       const float reach = width * (1.0f - 0.65f * t0) * random.between(0.75f, 1.25f);
-      const glm::vec3 tip = glm::mix(from, to, random.between(0.75f, 1.15f)) + side * (hand * reach) -
-                            glm::vec3(0.0f, reach * random.between(0.35f, 0.75f), 0.0f);
+      const float drop = reach * random.between(0.35f, 0.75f);
+      const glm::vec3 tip =
+          glm::mix(from, to, random.between(0.75f, 1.15f)) + side * (hand * reach) - glm::vec3(0.0f, drop, 0.0f);
       const float along = branch.length * t0;
       const std::array<glm::vec3, 3> corners{from, hand < 0 ? to : tip, hand < 0 ? tip : to};
       const std::array<glm::vec2, 3> uv{

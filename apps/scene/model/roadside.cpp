@@ -36,7 +36,9 @@ Model make_fence(const Fence& fence) {
   for (std::size_t i = 0; i < posts.size(); ++i) {
     // Nothing old stands quite upright.
     const glm::vec3 foot = fence.row.path.point(posts[i], fence.row.offset_m) - glm::vec3(0.0f, kSunk_m, 0.0f);
-    const glm::vec3 lean(random.between(-0.03f, 0.03f), 1.0f, random.between(-0.03f, 0.03f));
+    const float lean_z = random.between(-0.03f, 0.03f);
+    const float lean_x = random.between(-0.03f, 0.03f);
+    const glm::vec3 lean(lean_x, 1.0f, lean_z);
     const float height = fence.height_m + kSunk_m + random.between(0.05f, 0.15f);
     append(wood, make_beam(foot, foot + lean * height, 0.11f, 0.11f, -fence.row.path.direction(posts[i])));
     if (i + 1 == posts.size()) break;

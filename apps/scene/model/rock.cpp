@@ -13,7 +13,10 @@ namespace litfog::scene {
 Model make_rock(const Rock& rock) {
   const auto seed = std::uint32_t(rock.seed);
   HashRandom random(seed);
-  const glm::vec3 stretch(random.between(0.8f, 1.2f), random.between(0.55f, 0.8f), random.between(0.8f, 1.2f));
+  glm::vec3 stretch;
+  stretch.z = random.between(0.8f, 1.2f);
+  stretch.y = random.between(0.55f, 0.8f);
+  stretch.x = random.between(0.8f, 1.2f);
   const auto surface = [&](const glm::vec3& direction) {
     const glm::vec3 p = 1.3f * direction;
     float bump = 0.28f * (octave_noise(p.x + p.z, p.y, 4, seed) + octave_noise(p.y + p.x, p.z, 4, seed + 7));
