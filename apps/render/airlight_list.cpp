@@ -12,6 +12,7 @@ namespace litfog::render {
 namespace {
 
 constexpr double kMostBend = 1 / 1000.0;  // of linear values: a quarter of a step of the display where it is brightest
+constexpr double kFarthestReach = 1e9;    // metres, for lights without an end: floats hold its square
 constexpr double kThinBeam = 0.17;        // radians: half the angle of a beam that grids may miss
 
 /// Range at which the attenuation's denominator has a value; 0 where it is above it everywhere.
@@ -49,7 +50,7 @@ class GlowBound {
       denominator = std::min(denominator, 16 / (attenuation_.quadratic * integral * integral));
     }
     if (!(denominator > std::max(attenuation_.constant, 1.0))) return 0;
-    return std::min(level_range(attenuation_, denominator), extent_);
+    return std::min({level_range(attenuation_, denominator), extent_, kFarthestReach});
   }
 
   /// Metres: the falloff's.

@@ -13,10 +13,10 @@ namespace litfog::render {
 /// Where a picture's rays can see the airlight of a light.
 struct AirlightEntry {
   float light;  ///< of SceneLights
-  /// Metres from the light within which a ray must pass to show more of it than the budget (airlight_list_test.cpp).
+  /// Metres from the light. What a ray shows of it from beyond is below the budget (airlight_list_test.cpp).
   float reach;
-  /// Metres from the light where k / h, which its airlight at a distance h is at most, bends so that straight lines between
-  /// pixels miss it by kMostBend. Between every g-th pixel that is so at g^(2/3) of it.
+  /// Metres from the light where its airlight, about k / h at a distance h, bends so that straight lines between pixels
+  /// miss it by kMostBend. Straight lines between every g-th pixel do so at g^(2/3) times that range.
   float bend_range;
   float width;  ///< metres, within which its airlight is flat
 };

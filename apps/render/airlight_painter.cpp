@@ -22,7 +22,7 @@ namespace {
 constexpr double kDarkestSlope = 12.92;
 constexpr double kBudget = 1 / (8 * 255 * kDarkestSlope);
 constexpr int kGridSteps[] = {8, 4, 2, 1};  // pixels
-constexpr GLint kFilled = 1;                     // of the stencil, which is 0 elsewhere
+constexpr GLint kFilled = 1;                // of the stencil, which is 0 elsewhere
 
 void bind_texture(TextureUnit unit, const gl::TextureName& texture) {
   glActiveTexture(GL_TEXTURE0 + unit);
@@ -50,9 +50,13 @@ constexpr int kCookieProfile = 3;  // of a light as shaders know it
 std::string light_constants(const scene::Scene& scene, FogMode fog_mode, int profile) {
   const bool has_knee = std::ranges::any_of(
       scene.lights, [](const PlacedLight& light) { return light.light.attenuation.constant < 1; });
-  return fmt::format("#define LITFOG_FOG_MODE {}.0\n{}const float profile = {}.0;  // of the lights to draw\n{}", int(fog_mode),
-                     has_knee ? "" : "#define LITFOG_NO_KNEE\n", profile,
-                     scene.phase_g == 0 ? "const float asymmetry = 0.0;\n" : "uniform float asymmetry;\n");
+  return fmt::format(
+      "#define LITFOG_FOG_MODE {}.0\n"
+      "{}"
+      "const float profile = {}.0;  // of the lights to draw\n"
+      "{}",
+      int(fog_mode), has_knee ? "" : "#define LITFOG_NO_KNEE\n", profile,
+      scene.phase_g == 0 ? "const float asymmetry = 0.0;\n" : "uniform float asymmetry;\n");
 }
 
 /// Reads that many depths a pixel.
@@ -72,7 +76,7 @@ AirlightPainter::AirlightPainter(const scene::Scene& scene, const SceneLights& l
       lights_(lights),
       picture_size_(framebuffer.width(), framebuffer.height()),
       seen_program_(make_seen_program(framebuffer.samples())),
-      fill_program_("whole_picture.vert", "airlight_fill.frag", scene_shaders(!scene.cookies.empty())),
+      fill_program_("whole_picture.vert", "airlight_fill.frag", demo_shaders()),
       add_program_("whole_picture.vert", "airlight_add.frag", demo_shaders()) {
   glBindFramebuffer(GL_FRAMEBUFFER, seen_.id());
   attach(GL_COLOR_ATTACHMENT0, seen_texture_, picture_size_);
@@ -113,18 +117,17 @@ void AirlightPainter::draw(const Framebuffer& framebuffer, const View& view, con
 
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);
-  const Grid* coarse = nullptr;
-  for (const Grid& grid : grids_) {
+  for (std::size_t i = 0; i < grids_.size(); ++i) {
+    const Grid& grid = grids_[i];
     glBindFramebuffer(GL_FRAMEBUFFER, grid.framebuffer.id());
     glClear(GL_COLOR_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-    if (coarse) {
+    if (i > 0) {
       glEnable(GL_STENCIL_TEST);
-      fill(frame, grid, *coarse);
-      draw_lights(frame, grid, coarse, true);
+      fill(frame, grid, grids_[i - 1]);
+      draw_lights(frame, grid, true);
     }
-    draw_lights(frame, grid, coarse, false);
+    draw_lights(frame, grid, false);
     glDisable(GL_STENCIL_TEST);
-    coarse = &grid;
   }
 
   framebuffer.bind_resolved();
@@ -149,9 +152,7 @@ void AirlightPainter::fill(const Frame& frame, const Grid& grid, const Grid& coa
 }
 
 /// Draws lights where the texels are filled, or where they are not.
-///
-/// coarse  null: there is no coarser grid
-void AirlightPainter::draw_lights(const Frame& frame, const Grid& grid, const Grid* coarse, bool is_filled) {
+void AirlightPainter::draw_lights(const Frame& frame, const Grid& grid, bool is_filled) {
   glStencilFunc(is_filled ? GL_EQUAL : GL_NOTEQUAL, kFilled, 0xff);
   for (const AirlightList::Range& range : frame.lights) {
     const bool is_cookie = range.profile == kCookieProfile;  // which may be finer than a grid: all at the end
@@ -160,8 +161,6 @@ void AirlightPainter::draw_lights(const Frame& frame, const Grid& grid, const Gr
     const gl::Program& program = light_program(frame.fog_mode, range.profile);
     use(program, frame, grid);
     glUniform1i(program.uniform("first_entry"), GLint(range.first));
-    set_uniform(program, "coarse_step", coarse ? float(coarse->step) : 0.0f);
-    set_uniform(program, "target_step", float(grid.step));
     set_uniform(program, "is_filled", unsigned{is_filled});
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, GLsizei(range.count));
   }
@@ -195,7 +194,6 @@ void AirlightPainter::use(const gl::Program& program, const Frame& frame, const 
   set_uniform(program, "clip_from_world", frame.view.clip_from_world);
   set_uniform(program, "direction_from_clip", frame.view.direction_from_clip);
   set_uniform(program, "pixel_size", 2.0f / glm::vec2(picture_size_));
-  set_uniform(program, "pixels_per_radian", float(pixels_per_radian()));
   set_uniform(program, "eye", scene_.camera.position);
   set_uniform(program, "forward", glm::normalize(scene_.camera.target - scene_.camera.position));
   set_uniform(program, "near_plane", frame.view.near_plane);
@@ -203,7 +201,6 @@ void AirlightPainter::use(const gl::Program& program, const Frame& frame, const 
   set_uniform(program, "fog_above_eye", frame.view.fog_above_eye);
   set_uniform(program, "asymmetry", float(scene_.phase_g));
   glUniform1i(program.uniform("pixel_step"), grid.step);
-  set_uniform(program, "takes_gain", unsigned{grid.step > 1});
   // Texel i's middle is that of pixel i * step.
   const glm::vec2 scale = glm::vec2(picture_size_) / glm::vec2(grid.step * grid.size);
   const glm::vec2 offset = scale - 1.0f + (1.0f - 1.0f / float(grid.step)) / glm::vec2(grid.size);

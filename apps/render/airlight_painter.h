@@ -66,7 +66,7 @@ class AirlightPainter {
   double pixels_per_radian() const;  ///< at the middle of the picture
   const gl::Program& light_program(FogMode fog_mode, int profile);
   void use(const gl::Program& program, const Frame& frame, const Grid& grid);
-  void draw_lights(const Frame& frame, const Grid& grid, const Grid* coarse, bool is_filled);
+  void draw_lights(const Frame& frame, const Grid& grid, bool is_filled);
   void fill(const Frame& frame, const Grid& grid, const Grid& coarse);
 
   const scene::Scene& scene_;

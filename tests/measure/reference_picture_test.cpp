@@ -445,7 +445,10 @@ TEST_F(ReferencePictureTest, AirlightOfALampWithoutAnEndIsThatOfTheReference) {
   PlacedLight lamp = bright_lamp();
   lamp.light.attenuation = {2, 0, 0};
   ASSERT_TRUE(std::isinf(compute_extent(lamp.light.attenuation, lamp.light.threshold)));
-  expect_airlight_of_reference(floor_and_lamp(lamp), "constant attenuation");
+  for (const Cone& cone : {Cone{}, Cone::smoothstep(0.1, 0.2)}) {
+    lamp.light.cone = cone;
+    expect_airlight_of_reference(floor_and_lamp(lamp), "constant attenuation");
+  }
 }
 
 TEST_F(ReferencePictureTest, AirlightOfACookieIsThatOfTheReference) {

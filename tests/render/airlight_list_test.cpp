@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 
 #include "reference/random_airlight.h"
@@ -83,9 +85,15 @@ TEST(AirlightList, LightsOfAProfileLieTogether) {
   EXPECT_EQ(found.entries[2].light, 1);
 }
 
-TEST(AirlightList, LightAtTheEyeHasFiniteNumbers) {
-  for (const AirlightEntry& entry : list(lamp({0, 0, 0}), {FogMode::exp, 0.01}, {}).entries) {
-    EXPECT_TRUE(std::isfinite(entry.reach) && std::isfinite(entry.bend_range) && std::isfinite(entry.width));
+TEST(AirlightList, LightsAtTheEyeAndWithoutAnEndHaveFiniteNumbers) {
+  PlacedLight endless = lamp({0, 0, -20});
+  endless.light.attenuation = {2, 0, 0};
+  for (const PlacedLight& light : {lamp({0, 0, 0}), endless}) {
+    const AirlightList found = list(light, {FogMode::exp, 0.01}, {});
+    ASSERT_EQ(found.entries.size(), 1u);
+    const AirlightEntry& entry = found.entries.front();
+    EXPECT_LE(entry.reach, 1e9f);
+    EXPECT_TRUE(std::isfinite(entry.bend_range) && std::isfinite(entry.width));
   }
 }
 

@@ -10,8 +10,6 @@ flat in int light_index;
 flat in vec2 bend_range_width;
 
 uniform vec3 eye;
-uniform int pixel_step;   // pixels between the target's texels
-uniform bool takes_gain;  // whether the target has room for it
 
 layout(location = 0) out vec4 airlight;
 layout(location = 1) out vec4 gain;  // of airlight, where the pixel sees farther, for the fog's gain of opacity
@@ -24,18 +22,19 @@ vec3 gain_at(LitfogLight light, vec3 direction, float range) {
   float density = litfog_fog.x;
   float scale = light.attenuation.w;
   // -f' of the light's fog over that of the scene's. The more scattered light is lost, the less it matters.
-  float weight = litfog_fog_mode() == 0.0 ? scale * exp(min((1.0 - scale) * density * range, 8.0))
-                                     : scale * scale * exp(min((1.0 - scale * scale) * pow(density * range, 2.0), 8.0));
+  float weight = litfog_fog_mode() == 0.0
+                     ? scale * exp(min((1.0 - scale) * density * range, 8.0))
+                     : scale * scale * exp(min((1.0 - scale * scale) * pow(density * range, 2.0), 8.0));
   vec3 lit = litfog_light_along(light, ray) * (litfog_lamp_factor(light, ray.w) * weight);
   return asymmetry == 0.0 ? lit : lit * litfog_phase(-dot(direction, ray.xyz), asymmetry);
 }
 
 // How much of its airlight a grid of every so many pixels has, along a ray at a distance from the light. With q the
 // square of h over the range, 1 - (1 - q)^2 of k / h bends by at most 6 k / range^3, and has no peak.
-float kept_share(float distance_squared, float grid_step) {
+float kept_share(float distance_squared, int grid_step) {
   float range = left_out_range(bend_range_width.x, bend_range_width.y, grid_step);
   float q = min(distance_squared / max(range * range, 1.0e-12), 1.0);
-  return grid_step > 1.0 && range > 0.0 ? q * (2.0 - q) : 1.0;
+  return grid_step > 1 && range > 0.0 ? q * (2.0 - q) : 1.0;
 }
 
 void main() {
@@ -46,8 +45,8 @@ void main() {
   vec3 to_light = light.position_extent.xyz - eye;
   vec3 offset = max(dot(to_light, direction), 0.0) * direction - to_light;
   float distance_squared = dot(offset, offset);
-  float share = kept_share(distance_squared, target_step);
-  if (is_filled) share -= kept_share(distance_squared, coarse_step);
+  float share = kept_share(distance_squared, pixel_step);
+  if (is_filled) share -= kept_share(distance_squared, 2 * pixel_step);
   airlight = vec4(0.0);
   gain = vec4(0.0);
   if (share <= 0.0) return;  // not discarded: the stencil would no longer be tested before
@@ -64,5 +63,5 @@ void main() {
     sum += litfog_glow(light, eye, direction, ranges / float(run), asymmetry) * (0.25 * float(run));
   }
   airlight = vec4(share * sum, 0.0);
-  gain = vec4(takes_gain ? share * gain_at(light, direction, dot(seen, vec4(0.25))) : vec3(0.0), 0.0);
+  if (pixel_step > 1) gain.rgb = share * gain_at(light, direction, dot(seen, vec4(0.25)));  // the finest grid has none
 }

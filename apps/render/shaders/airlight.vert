@@ -18,7 +18,7 @@ void main() {
   light_index = int(entry.x);
   bend_range_width = entry.zw;
   LitfogLight light = litfog_buffered_light(light_index);
-  float radius = is_filled ? min(entry.y, left_out_range(entry.z, entry.w, coarse_step)) : entry.y;
+  float radius = is_filled ? min(entry.y, left_out_range(entry.z, entry.w, 2 * pixel_step)) : entry.y;
   if (radius <= 0.0) {
     gl_Position = vec4(0.0, 0.0, 2.0, 1.0);  // outside the picture
     return;

@@ -6,13 +6,12 @@
 #include "litfog/shaders/light_buffer.glsl"
 
 uniform samplerBuffer airlight_entries;  // light, reach, bend_range, width
-uniform float coarse_step;               // pixels between the texels of the grid before the target; 0: there is none
-uniform float target_step;               // pixels between the target's
+uniform int pixel_step;                  // pixels between the target's texels; those of the grid before are twice as far
 uniform bool is_filled;                  // only what the grid before has not, for texels that take the mean of its texels
 
 // Range from a light within which a grid leaves out a part of its airlight, because it bends too much for straight lines
 // between texels; 0 where it is flat there.
-float left_out_range(float bend_range, float width, float grid_step) {
-  float range = bend_range * pow(grid_step, 2.0 / 3.0);
+float left_out_range(float bend_range, float width, int grid_step) {
+  float range = bend_range * pow(float(grid_step), 2.0 / 3.0);
   return range > width ? range : 0.0;
 }
