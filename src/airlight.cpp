@@ -163,7 +163,8 @@ double bound_airlight(const PlacedLight& light, const Fog& fog, const glm::dvec3
                              : std::min(fog_factor_at(class_fog, start), chord * density * 0.85776388496070680);
   const double lamp_leg = scattering.lamp_leg == LampLeg::fogged ? fog_factor_at(class_fog, closest) : 1;
   // One subnormal more: the products may be rounded down to 0.
-  return largest_phase(scattering) * attenuation_at(light.light.attenuation, closest) * opacity * lamp_leg * (1 + 8 * kMargin) +
+  return largest_phase(scattering) * attenuation_at(light.light.attenuation, closest) * opacity * lamp_leg *
+             (1 + 8 * kMargin) +
          std::numeric_limits<double>::denorm_min();
 }
 

@@ -22,8 +22,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 // is beyond the apex along n:
 //   h = range                                     where the angle t between n and the axis is at most the half angle H
 //   h = max(0, range cos(t - H))                  else: the cap's rim, or the apex.
-// cos t and sin t are had apart from each other, since each is exact where the other is not. Lights are taken larger by
-// a slack, kClusterSlack of their range and distance.
+// cos t and sin t are computed separately, because each is exact where the other is not. Lights are taken larger by a
+// slack: kClusterSlack times the sum of their range and distance.
 
 /// A mask as bits, the first lane's lowest.
 template <class D>

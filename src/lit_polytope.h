@@ -121,7 +121,7 @@ class Simplex {
 /// Whether a polytope is within a margin of a convex body: never false where it is. By the algorithm of Gilbert,
 /// Johnson and Keerthi (1988): each step has a proof of separation, a common point, or a smaller distance.
 ///
-/// rounding  metres: so far apart may be called together
+/// rounding  metres: bodies so much further apart may still be called within the margin
 template <typename Body>
 bool is_within(const Corners& corners, const Body& body, double margin, double rounding) {
   constexpr int kMostSteps = 64;  // the bodies then touch, but for rounding

@@ -14,9 +14,9 @@
 namespace litfog {
 
 // What the shaders read of lights (litfog/shaders/light.glsl) stands in two tables, so that a change of the fog changes
-// few numbers however many lights there are: kinds hold what lights of a sort share and the fog changes, instances one
-// light each. The same tables serve as uniform block, buffer textures and storage buffers: they have vec4 members only,
-// so that std140, std430, texels and C++ agree. World space, metres.
+// few numbers however many lights there are: a kind holds what its lights have in common and the fog changes, an
+// instance is one light. The same tables serve as uniform block, buffer textures and storage buffers: they have vec4
+// members only, so that std140, std430, texels and C++ agree. World space, metres.
 
 /// What lights of a kind share. Airlight needs no more of the fog than its density, which the shaders scale.
 struct FogLightKind {
@@ -30,9 +30,9 @@ struct FogLightKind {
 /// One light.
 struct FogLightInstance {
   glm::vec4 position_kind;  ///< xyz position, w index of its kind
-  glm::vec4
-      axis_profile;  ///< xyz unit axis, w its kind's profile: 0 none, 1 cosine, 2 smoothstep; 3 is left to shaders
-  glm::vec4 color;   ///< rgb linear colour, w 0; of profile 3 it is left to shaders
+  /// xyz unit axis, w its kind's profile: 0 none, 1 cosine, 2 smoothstep; 3 is left to shaders
+  glm::vec4 axis_profile;
+  glm::vec4 color;  ///< rgb linear colour, w 0; of profile 3 it is left to shaders
 };
 
 /// The fog: the first members of the uniform block.

@@ -84,9 +84,8 @@ class LightClusters {
 
   /// How many lights there are; new ones have a range of 0.
   ///
-  /// count   at most (2^32 - 1) / (columns * rows * slices), so that every list can be indexed: 1,242,756 in the
-  /// default
-  ///         grid
+  /// count   at most (2^32 - 1) / (columns * rows * slices), so that every list can be indexed
+  ///         (1,242,756 in the default grid)
   /// throws  std::invalid_argument naming field, value and rule
   void resize(std::size_t count);
   std::size_t size() const;

@@ -11,7 +11,7 @@
 
 namespace litfog {
 
-/// Largest tangent of an angle that a view spans: 84.3 degrees, up to which floats tell clusters apart.
+/// Largest tangent of an angle that a view spans: 84.3 degrees, up to which floats separate clusters.
 inline constexpr double kMaxViewTangent = 10;
 
 /// What a perspective picture shows. World space, metres; the picture may lie beside the middle (stereo, tiles).

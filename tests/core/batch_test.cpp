@@ -2,7 +2,6 @@
 #include "litfog/batch.h"
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <array>
 #include <cmath>
@@ -13,6 +12,7 @@
 #include <thread>
 #include <vector>
 
+#include "core/simd_targets.h"
 #include "litfog/solve.h"
 #include "reference/double_limits.h"
 #include "reference/random_light.h"
@@ -120,15 +120,10 @@ class Batch : public testing::Test {
  protected:
   template <typename Check>
   void on_every_target(const Check& check) {
-    for (std::int64_t targets = hwy::SupportedTargets(); targets != 0;) {
-      const std::int64_t best = targets & -targets;
-      hwy::SetSupportedTargetsForTest(targets);
-      SCOPED_TRACE(hwy::TargetName(best));
-      std::printf("%s\n", hwy::TargetName(best));
+    for_each_simd_target([&](const char* target) {
+      std::printf("%s\n", target);
       check();
-      targets &= ~best;
-    }
-    hwy::SetSupportedTargetsForTest(0);
+    });
   }
 };
 

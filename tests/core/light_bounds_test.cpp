@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <string>
 
 #include "core/value_errors.h"
 #include "reference/double_limits.h"
@@ -53,8 +54,8 @@ TEST(LightBounds, LightReachesTheBoxThatHoldsAPointItLights) {
     const Box box = draw_box(random);
     const LightBounds light = draw_light_near(random, box);
     for (int k = 0; k < 10; ++k) {
-      const glm::dvec3 share{random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1)};
-      const glm::dvec3 offset = glm::mix(box.low, box.high, share) - light.position;
+      const glm::dvec3 fraction{random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1)};
+      const glm::dvec3 offset = glm::mix(box.low, box.high, fraction) - light.position;
       const double distance = glm::length(offset);
       if (distance > light.range || glm::dot(offset, light.direction) < distance * std::cos(light.half_angle)) continue;
       ++common;

@@ -3,11 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <hwy/targets.h>
-
-#include <cstdint>
 #include <vector>
 
+#include "core/simd_targets.h"
 #include "reference/double_limits.h"
 #include "reference/random_light.h"
 
@@ -26,9 +24,7 @@ std::vector<SolveCase> ordinary_cases() {
 TEST(SolveBySeries, EveryTargetComputesTheSameDigits) {
   const std::vector<SolveCase> cases = ordinary_cases();
   std::vector<FogIntensity> expected;
-  for (std::int64_t targets = hwy::SupportedTargets(); targets != 0; targets &= targets - 1) {
-    hwy::SetSupportedTargetsForTest(targets);
-    SCOPED_TRACE(hwy::TargetName(targets & -targets));
+  for_each_simd_target([&](const char*) {
     for (std::size_t i = 0; i < cases.size(); ++i) {
       const auto& [attenuation, fog, threshold] = cases[i];
       const auto solved = solve_by_series(attenuation, fog, threshold);
@@ -38,8 +34,7 @@ TEST(SolveBySeries, EveryTargetComputesTheSameDigits) {
       ASSERT_EQ(solved->peak_range, expected[i].peak_range) << to_string(cases[i]);
       ASSERT_EQ(solved->extent, expected[i].extent) << to_string(cases[i]);
     }
-  }
-  hwy::SetSupportedTargetsForTest(0);
+  });
 }
 
 }  // namespace

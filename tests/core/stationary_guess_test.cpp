@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "reference/random_light.h"
 #include "reference/ulp.h"

@@ -86,6 +86,19 @@ inline glm::dvec3 draw_point_in(Random& random, const LightBounds& light, double
   return light.position + range * (cosine * light.direction + sine * draw_perpendicular(random, light.direction));
 }
 
+/// The corners of what a view shows, from its eye.
+inline std::array<glm::dvec3, 8> corners_of(const View& view) {
+  const glm::dmat3 axes = axes_of(view);
+  std::array<glm::dvec3, 8> corners;
+  std::size_t i = 0;
+  for (const double depth : {view.nearest, view.farthest}) {
+    for (const double x : {view.left, view.right}) {
+      for (const double y : {view.bottom, view.top}) corners[i++] = axes * glm::dvec3(x * depth, y * depth, depth);
+    }
+  }
+  return corners;
+}
+
 /// Whether a point is in what a view shows, by definition.
 inline bool is_in(const View& view, const glm::dvec3& point) {
   const glm::dmat3 axes = axes_of(view);
@@ -102,16 +115,8 @@ inline bool is_in(const View& view, const glm::dvec3& point) {
 /// trying directions, not by the library's method. Half angles up to 90 degrees, or balls.
 class GapSearch {
  public:
-  GapSearch(const View& view, const LightBounds& light) : light_(light) {
+  GapSearch(const View& view, const LightBounds& light) : light_(light), corners_(corners_of(view)) {
     const glm::dmat3 axes = axes_of(view);
-    std::size_t i = 0;
-    for (const double depth : {view.nearest, view.farthest}) {
-      for (const double x : {view.left, view.right}) {
-        for (const double y : {view.bottom, view.top}) {
-          corners_[i++] = axes * glm::dvec3(x * depth, y * depth, depth);
-        }
-      }
-    }
     starts_ = {axes[2],
                -axes[2],
                glm::normalize(axes[0] - view.left * axes[2]),

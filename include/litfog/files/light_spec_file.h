@@ -28,9 +28,9 @@ namespace litfog {
 ///       "range": {                              optional, and each member of it, but not an extent and samples both
 ///         "threshold": 0.05,                    the light's
 ///         "extent_m": 120,                      where the attenuation is to be the threshold, met exactly; or instead
-///         "end_lx": 1,                          where the light gives that much, from its peak; or by what an eye on it
-///                                               just sees (ICAO Annex 3, attachment D): night (8e-7), twilight (1e-5),
-///                                               day (1e-4) or bright day (1e-3); default: 1
+///         "end_lx": 1,                          where the light gives that much, from its peak; or what an eye just
+///                                               sees of it (ICAO Annex 3, attachment D): "night" (8e-7), "twilight"
+///                                               (1e-5), "day" (1e-4) or "bright day" (1e-3); default: 1
 ///         "peak_cd": 12000,                     default: that of the cone's photometry; or instead
 ///         "illuminance": {"range_m": 10, "lx": 120},     on the axis in clear air: the peak is lx * range_m^2
 ///         "constant": 1,                        C, to be kept

@@ -17,8 +17,8 @@
 //
 // Errors and what they were measured on: litfog/airlight.h.
 //
-// A program whose lamps all have C >= 1 has no plateaus. If it defines LITFOG_NO_KNEE before the first include of litfog,
-// compilers leave their closed forms out.
+// A program whose lamps all have C >= 1 has no plateaus. If it defines LITFOG_NO_KNEE before the first include of
+// litfog, compilers leave their closed forms out.
 
 #ifndef LITFOG_AIRLIGHT_GLSL
 #define LITFOG_AIRLIGHT_GLSL
@@ -231,7 +231,7 @@ LITFOG_REAL litfog_airlight_crossing(LitfogAirlight air, LITFOG_REAL cosine, boo
   LITFOG_REAL first = abs(a) * litfog_far > abs(q) ? q / a : litfog_far;
   LITFOG_REAL second = q != LITFOG_REAL(0.0) ? c / q : LITFOG_REAL(0.0);
   LITFOG_REAL place = higher ? max(first, second) : min(first, second);
-  // The other nappe is that of the opposite cosine. Near a right angle both are a plane, and which one is met is rounding.
+  // The other nappe is that of the opposite cosine. Near a right angle both are a plane: rounding decides which is met.
   bool is_plane = abs(cosine) < LITFOG_REAL(1.0e-4);
   return is_plane || (air.axis_offset + air.axis_slope * place) * cosine >= LITFOG_REAL(0.0) ? place : litfog_far;
 }

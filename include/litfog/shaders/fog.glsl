@@ -4,8 +4,8 @@
 // LITFOG_FOG_LIGHTS, defined before the first include of litfog, leaves litfog_lights_fog() to the including program,
 // which adds up litfog_light_fog() over lights of its own choice, in the block or elsewhere.
 //
-// A program for fog of one mode may define LITFOG_FOG_MODE, 0.0 (exp) or 1.0 (exp2), before the first include of litfog;
-// compilers then leave the other out.
+// A program for fog of one mode may define LITFOG_FOG_MODE, 0.0 (exp) or 1.0 (exp2), before the first include of
+// litfog; compilers then leave the other out.
 
 #ifndef LITFOG_FOG_GLSL
 #define LITFOG_FOG_GLSL
@@ -22,7 +22,8 @@ float litfog_fog_mode() { return litfog_fog.y; }
 // Opacity 1 - f of the fog over a range. density_scale is the light's for what a light class sees, 1 for surfaces.
 float litfog_fog_opacity(float range, float density_scale) {
   float density = min(litfog_fog.x * density_scale, 3.4e38);  // finite: at range 0 infinity would give NaN
-  return litfog_opacity(litfog_fog_mode() == 0.0 ? litfog_depth_exp(range, density) : litfog_depth_exp2(range, density));
+  bool is_exp = litfog_fog_mode() == 0.0;
+  return litfog_opacity(is_exp ? litfog_depth_exp(range, density) : litfog_depth_exp2(range, density));
 }
 
 // Fraction of a light that the fog lets through from the lamp to a range: for single scattering (litfog/shaders/

@@ -31,9 +31,10 @@ float litfog_glow_weight(LitfogLight light, float eye_range) {
 
 // The airlight of a ray that passes the light where the attenuation's denominator is D is at most this, if the light
 // loses f(r) on its way. With E the extent and m the larger of D and 1, the attenuation's integral along the ray is at
-// most 2 E / m. Because D(r) >= D + Q x^2 at the distance x from the closest approach, it is also at most pi / sqrt(Q D)
-// where D >= 1 and, the attenuation being at most 1, the integral 4 / sqrt(Q) of min(1, 1 / (Q x^2)) where D < 1: at most
-// 4 / sqrt(Q m) in either case. The weights of the fog sum to less than 1.
+// most 2 E / m. Because D(r) >= D + Q x^2 at the distance x from the closest approach, it is also at most
+// - pi / sqrt(Q D) where D >= 1;
+// - 4 / sqrt(Q) where D < 1: the integral of min(1, 1 / (Q x^2)), because the attenuation is at most 1;
+// so at most 4 / sqrt(Q m) in either case. The weights of the fog sum to less than 1.
 float litfog_glow_bound(LitfogLight light, float weight, float denominator) {
   float d = max(denominator, 1.0);
   float quadratic = light.attenuation.z;

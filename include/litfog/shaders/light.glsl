@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // litfog: a light and what of it arrives at a point. World space, metres.
 //
-// Lights stand in two tables, kinds and instances (litfog/fog_light_block.h). Where they are read from is another file's:
-// light_block.glsl has them in a uniform block, light_buffer.glsl in textures or storage buffers. A program may use both,
-// or fill a LitfogLight itself.
+// Lights stand in two tables, kinds and instances (litfog/fog_light_block.h). light_block.glsl reads them from a
+// uniform block, light_buffer.glsl from textures or storage buffers. A program may use both, or fill a LitfogLight
+// itself.
 //
-// LITFOG_COOKIES, defined before the first include of litfog, opens profile 3, which belongs to the including program. It
-// defines litfog_cookie(), and litfog_cookie_cone(), which fills the light's cone for it.
+// LITFOG_COOKIES, defined before the first include of litfog, opens profile 3, which belongs to the including program:
+// the program defines litfog_cookie(), and litfog_cookie_cone(), which fills the light's cone for it.
 
 #ifndef LITFOG_LIGHT_GLSL
 #define LITFOG_LIGHT_GLSL

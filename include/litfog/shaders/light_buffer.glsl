@@ -31,17 +31,14 @@
 #ifdef LITFOG_LIGHT_STORAGE
 
 #ifdef VULKAN
-layout(set = LITFOG_SET, binding = LITFOG_KIND_BINDING, std430) readonly buffer LitfogKindBuffer {
+#define LITFOG_STORAGE_AT(slot) set = LITFOG_SET, binding = slot
 #else
-layout(binding = LITFOG_KIND_BINDING, std430) readonly buffer LitfogKindBuffer {
+#define LITFOG_STORAGE_AT(slot) binding = slot
 #endif
+layout(LITFOG_STORAGE_AT(LITFOG_KIND_BINDING), std430) readonly buffer LitfogKindBuffer {
   LitfogKind litfog_kind_buffer[];
 };
-#ifdef VULKAN
-layout(set = LITFOG_SET, binding = LITFOG_INSTANCE_BINDING, std430) readonly buffer LitfogInstanceBuffer {
-#else
-layout(binding = LITFOG_INSTANCE_BINDING, std430) readonly buffer LitfogInstanceBuffer {
-#endif
+layout(LITFOG_STORAGE_AT(LITFOG_INSTANCE_BINDING), std430) readonly buffer LitfogInstanceBuffer {
   LitfogInstance litfog_instance_buffer[];
 };
 
