@@ -7,7 +7,6 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <ctime>
 #include <deque>
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
@@ -19,10 +18,12 @@
 #include <string>
 #include <vector>
 
+#include "bench/stopwatch.h"
 #include "command/progress.h"
 #include "litfog/airlight.h"
 #include "litfog/gl/headless_context.h"
 #include "litfog/light_clusters.h"
+#include "measure/frame_times.h"
 #include "measure/quantile.h"
 #include "reference/random_light.h"
 #include "render/renderer.h"
@@ -110,12 +111,6 @@ View view_of(const scene::Camera& camera, double visibility) {
 }
 
 // --- times ---
-
-double thread_milliseconds() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return double(time.tv_sec) * 1e3 + double(time.tv_nsec) * 1e-6;
-}
 
 double wall_milliseconds() {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -292,7 +287,7 @@ class CityTrials {
     }
   }
 
-  /// A frame from the scene's camera with so many lights, and one with those that matter there.
+  /// A frame from the scene's camera with `count` lights, and one with those of them that matter there.
   void measure_frames(double visibility, std::size_t count) {
     scene::Scene all = city_;
     all.lights.resize(count);
@@ -301,19 +296,15 @@ class CityTrials {
     const auto make = [&](const scene::Scene& scene) {
       auto renderer = std::make_unique<render::Renderer>(scene, kWidth, kHeight, render::RenderSettings{});
       renderer->set_fog(Fog::from_visibility(FogMode::exp, visibility));
-      renderer->draw();  // drivers compile shaders when they are first drawn with
       return renderer;
     };
     const auto with_all = make(all);
     const auto with_some = make(some);
-    std::vector<double> times[2];
-    for (int i = 0; i < scale_.still_frames; ++i) {
-      times[0].push_back(time_of(wall_milliseconds, [&] { with_all->draw(); }));
-      times[1].push_back(time_of(wall_milliseconds, [&] { with_some->draw(); }));
-    }
+    const auto times = measure::time_frames({measure::frames_of(*with_all), measure::frames_of(*with_some)},
+                                            measure::FrameBudget::exactly(scale_.still_frames));
     const auto matter = double(some.lights.size());
-    trials_.push_back({"frame", visibility, count, {matter}, {}, times[0]});
-    trials_.push_back({"frame-of-those", visibility, some.lights.size(), {matter}, {}, times[1]});
+    trials_.push_back({"frame", visibility, count, {matter}, {}, times[0].milliseconds});
+    trials_.push_back({"frame-of-those", visibility, some.lights.size(), {matter}, {}, times[1].milliseconds});
   }
 
   void measure_flight(double visibility) {
@@ -321,7 +312,7 @@ class CityTrials {
     scene.lights.resize(scale_.drawn_in_flight);
     render::Renderer renderer(scene, kWidth, kHeight, {});
     renderer.set_fog(Fog::from_visibility(FogMode::exp, visibility));
-    renderer.draw();
+    renderer.draw();  // drivers compile shaders when they are first drawn with
     Trial& flight = add("frame-flight", visibility, scene.lights.size());
     for (int frame = 0; frame < scale_.flight_frames; ++frame) {
       scene.camera = camera_at(double(frame) / scale_.flight_frames, city_.camera.field_of_view);
@@ -411,26 +402,23 @@ command::Figure make_figure(const std::deque<Trial>& trials, const Scale& scale,
   const auto lights_of = [](const Trial& trial) { return double(trial.lights); };
   const auto matter_of = [](const Trial& trial) { return measure::quantile(trial.matter, 0.5); };
   const command::Axis lights{"lights in the scene", true};
-  command::Chart clusters{.title = "cluster lists of a frame of the flight (dashed: by balls)",
-                          .x = lights,
-                          .y = {"processor time of one thread (ms)", true},
-                          .key = command::KeyPlace::top_left};
+  const command::Axis processor_time{"processor time of one thread (ms)", true};
+  const command::Axis wall_time{"wall time of a frame (ms)", true};
+  const auto chart = [](const std::string& title, const command::Axis& x, const command::Axis& y) {
+    return command::Chart{.title = title, .x = x, .y = y, .key = command::KeyPlace::top_left};
+  };
+  command::Chart clusters = chart("cluster lists of a frame of the flight (dashed: by balls)", lights, processor_time);
   add_lines(clusters, trials, scale, "clusters", "", line_and_points, lights_of);
   add_lines(clusters, trials, scale, "balls", "balls, ", dashes, lights_of);
-  command::Chart matter{.title = "the same",
-                        .x = {"lights that matter", true},
-                        .y = {"processor time of one thread (ms)", true},
-                        .key = command::KeyPlace::top_left};
+  command::Chart matter = chart("the same", {"lights that matter", true}, processor_time);
   add_lines(matter, trials, scale, "clusters", "", line_and_points, matter_of);
-  command::Chart frames{.title = "frames from the scene's camera (dashed: with the lights that matter alone)",
-                        .x = lights,
-                        .y = {"wall time of a frame (ms)", true},
-                        .key = command::KeyPlace::top_left};
+  command::Chart frames =
+      chart("frames from the scene's camera (dashed: with the lights that matter alone)", lights, wall_time);
   add_lines(frames, trials, scale, "frame", "", line_and_points, lights_of);
   add_lines(frames, trials, scale, "frame-of-those", "those, ", dashes, lights_of);
   command::Chart flight{.title = fmt::format("flight with {} lights", scale.drawn_in_flight),
                         .x = {"frame"},
-                        .y = {"wall time of a frame (ms)", true},
+                        .y = wall_time,
                         .key = command::KeyPlace::bottom_right};
   for (const Trial& trial : trials) {
     if (trial.method != "frame-flight") continue;

@@ -9,13 +9,12 @@ namespace litfog::bench {
 /// visibilities in exp fog. A light's range is its reach in the fog, and the view ends where fog hides what is as
 /// bright as a display's white: beyond that, less than half a step of the display is lost. Columns:
 ///
-/// method         clusters (LightClusters at each frame of the flight), clusters-one-light (the same while the view
-/// stands
-///                and one light changes), clusters-fog (a change of the visibility: reaches, ranges and clusters),
-///                balls (Wronski's test of each light in view against the ball around each cluster, one frame in 30, up
-///                to 10,000 lights); frame (a picture of 320x180 by the default path, fog lit by peak, from the scene's
+/// method         clusters (LightClusters at each frame of the flight), clusters-one-light (the view stands and one
+///                light changes), clusters-fog (a change of the visibility: reaches, ranges and clusters), balls
+///                (Wronski's test of each light in view against the ball around each cluster, one frame in 30, up to
+///                10,000 lights); frame (a picture of 320x180 by the default path, fog lit by peak, from the scene's
 ///                camera), frame-of-those (the same scene with only the lights that are in clusters there),
-///                frame-flight
+///                frame-flight (the same picture at each frame of the flight, with 10,000 lights)
 /// visibility_m   inf is clear air
 /// lights         in the scene
 /// lights_that_matter  in at least one cluster, median over the frames

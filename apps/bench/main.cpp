@@ -52,13 +52,14 @@ one out). -uncached is the same over four million lights. Errors are against a 5
 lights.
 
 airlight: per ray, over 4,000 rays whose airlight is more than 1e-5 of the lamp's colour, in three mixes. point: point
-lamps in isotropic fog; C below, at and above 1 and 0, L and Q from 0 over decades; visibility 3 m to 100 km, in one of
-twenty less; the eye beside, behind and in the lamp's light, rays of any length. any: two thirds are spots of 0.1 to 180
-degrees, half of the fogs scatter by g from -0.9 to 0.9. inverse-square: C = L = 0, outside of the knee. Methods: uniform
-steps from the eye (march) and inside the lamp's sphere and cone only (march-clipped, as PlayCanvas); Gauss-Legendre nodes in
-asinh of the distance from the closest approach (gauss-asinh); litfog; the arctangent form without extinction (Macklin 2010);
-256 x 256 tables (Sun et al. 2005); closed forms; litfog's reference, against which errors are. lamp_leg is 1 where the fog
-dims the light on its way from the lamp, too. p99_relative: of the relative error.
+lamps in isotropic fog; C below, at and above 1 and 0, L and Q from 0 over decades; visibility 3 m to 100 km, in one
+of twenty less; the eye beside, behind and in the lamp's light, rays of any length. any: two thirds are spots of 0.1
+to 180 degrees, half of the fogs scatter by g from -0.9 to 0.9. inverse-square: C = L = 0, outside of the knee.
+Methods: uniform steps from the eye (march) and inside the lamp's sphere and cone only (march-clipped, as PlayCanvas);
+Gauss-Legendre nodes in asinh of the distance from the closest approach (gauss-asinh); litfog; the arctangent form
+without extinction (Macklin 2010); 256 x 256 tables (Sun et al. 2005); closed forms; litfog's reference, against which
+errors are. lamp_leg is 1 where the fog dims the light on its way from the lamp, too. p99_relative: of the relative
+error.
 
 lamps: no times; what an eye sees in exp fog that carries a lamp of data/lights and looks along its axis: the fog colour
 intensity (peak), the airlight without and with the lamp's own leg through the fog (k0, k1), and its reference.
@@ -71,31 +72,31 @@ ranges of kilometres and of millimetres. Methods: litfog, proof of the global op
 unsupported LevenbergMarquardt, both from C = L = Q = 1. digits: the fewest in which ln attenuation agrees with the
 optimum at all samples of any table; the optimum is certified at 50 digits.
 
-render: every lighting path of litfog-demo, the default one also with airlight, the base texture alone (unlit), and as the
-rival a small forward renderer of one shader that loops over all lights and skips nothing (plain), in exp fog: headlights with
-1 to 256 lights at 640x360, with 1 to 16 also with nothing skipped, and at 1280x720; every scene with 2, 16 and 64 lights at
-320x180; unified, legacy and plain over every scene with 2 and 16 lights at 1280x720, with 1 and 4 samples a pixel, with and
-without skipping. Frames of all paths interleaved. Errors are against the path's own plain formulas, shaded in
-double. The picture has table 1 of Hales 2004. Takes some forty minutes without a GPU.
+render: every lighting path of litfog-demo, the default one also with airlight, the base texture alone (unlit), and as
+the rival a small forward renderer of one shader that loops over all lights and skips nothing (plain), in exp fog:
+headlights with 1 to 256 lights at 640x360, with 1 to 16 also with nothing skipped, and at 1280x720; every scene with
+2, 16 and 64 lights at 320x180; unified, legacy and plain over every scene with 2 and 16 lights at 1280x720, with 1
+and 4 samples a pixel, with and without skipping. Frames of all paths interleaved. Errors are against the path's own
+plain formulas, shaded in double. The picture has table 1 of Hales 2004. Takes some forty minutes without a GPU.
 
-city: a flight of 300 frames through streets. A light's range is its reach in the fog,
-and the view ends where fog hides white. clusters: LightClusters (16 x 9 x 24) at each frame; clusters-one-light: the view
-stands and one light changes; clusters-fog: a change of the visibility; balls: each light in view tested with the ball
-around each cluster (Wronski 2017). frame, 320x180, peak: from the scene's camera with all lights; frame-of-those: with
-the lights alone that are in clusters there; frame-flight: the flight with 10,000 lights. excess_share: entries whose light
-and cluster have no point in common.
+city: a flight of 300 frames through streets. A light's range is its reach in the fog, and the view ends where fog
+hides white. clusters: LightClusters (16 x 9 x 24) at each frame; clusters-one-light: the view stands and one light
+changes; clusters-fog: a change of the visibility; balls: each light in view tested with the ball around each cluster
+(Wronski 2017). frame, 320x180, peak: from the scene's camera with all lights; frame-of-those: with the lights alone
+that are in clusters there; frame-flight: the flight with 10,000 lights. excess_share: entries whose light and cluster
+have no point in common.
 
-Times are processor time of one thread (render, city's frames: wall time of a frame, drawn and waited for): medians, with the spread
-from the 10th to the 90th percentile of the repetitions (solve, airlight, fit), steps (update) or frames (render). Errors
-ending in _255 are in steps of an 8-bit colour channel.
+Times are processor time of one thread (render, city's frames: wall time of a frame, drawn and waited for): medians,
+with the spread from the 10th to the 90th percentile of the repetitions (solve, airlight, fit), steps (update) or
+frames (render). Errors ending in _255 are in steps of an 8-bit colour channel.
 
 Examples:
   litfog-bench solve --quick
   litfog-bench solve --csv solve.csv --json solve.json --plot solve.png
   litfog-bench update --isa AVX2 --format json
 
-Exit status: 0 done; 1 wrong command line; 3 a Debug build, no OpenGL, or --plot without gnuplot; 4 output cannot be written; 5 an
-error larger than litfog states for itself was found (the results are still written).)";
+Exit status: 0 done; 1 wrong command line; 3 a Debug build, no OpenGL, or --plot without gnuplot; 4 output cannot be
+written; 5 an error larger than litfog states for itself was found (the results are still written).)";
 
 enum class Benchmark { solve, airlight, lamps, update, fit, render, city };
 

@@ -16,6 +16,7 @@
 #include "render/gpu/texture_unit.h"
 #include "render/gpu/uniform.h"
 #include "render/light_map_store.h"
+#include "render/mesh_store.h"
 #include "render/renderer.h"
 #include "scene/light_frame.h"
 
@@ -67,15 +68,7 @@ PlainRenderer::Mesh::Mesh(const scene::Mesh& mesh) : index_count(int(mesh.indice
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.id());
   glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(mesh.indices.size() * sizeof(std::uint32_t)), mesh.indices.data(),
                GL_STATIC_DRAW);
-  const auto attribute = [](GLuint location, GLint components, std::size_t offset) {
-    glEnableVertexAttribArray(location);
-    glVertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, sizeof(scene::Vertex),
-                          reinterpret_cast<const void*>(offset));
-  };
-  attribute(0, 3, offsetof(scene::Vertex, position));
-  attribute(1, 3, offsetof(scene::Vertex, normal));
-  attribute(2, 4, offsetof(scene::Vertex, tangent));
-  attribute(3, 2, offsetof(scene::Vertex, uv));
+  render::set_vertex_attributes();
 }
 
 PlainRenderer::PlainRenderer(const scene::Scene& scene, int width, int height, int samples)

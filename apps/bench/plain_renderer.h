@@ -31,7 +31,8 @@ struct PlainLight {
 
 /// The rival of the renderer's default path: the forward renderer that an engineer writes in an afternoon. One shader
 /// loops over all lights in a uniform array; each mesh is one draw; nothing is skipped. Its picture is that of
-/// FogLighting::peak: with one sample a pixel to 1/255, with more but for 0.3 % of the pixels, at edges of surfaces.
+/// FogLighting::peak to 1/255 of the display's white. With several samples a pixel, up to one value in 300 differs by
+/// more, at edges of surfaces.
 /// Needs a current GL context.
 class PlainRenderer {
  public:
@@ -76,7 +77,7 @@ class PlainRenderer {
   std::vector<std::size_t> light_order_;  // of the uniform array: first the local ones
   std::size_t local_count_;
   std::vector<PlainLight> packed_;  // in that order
-  gl::FogLightBuffer fog_block_;  // of the light points, holds no lights
+  gl::FogLightBuffer fog_block_;    // of the light points, holds no lights
   std::optional<render::LayeredTexture> cookies_;
   std::map<std::string, Material> materials_;
   std::vector<std::vector<std::unique_ptr<Mesh>>> meshes_;  // of each model

@@ -20,8 +20,7 @@ namespace litfog::bench {
 /// ratio_to_two_light_legacy  of the medians; legacy's of two lights, else the same, interleaved, too
 /// ratio_to_plain       of the medians, interleaved, too; empty with more than kMaxPlainLights lights
 /// max_error_255, mean_error_255  against the path's plain formulas in double (shade_reference), in steps of an 8-bit
-///                      colour channel; empty for
-///                      unlit and plain
+///                      colour channel; empty for unlit and plain
 /// excepted_pixels      too close to a jump of the model to be compared
 ///
 /// The picture shows frame time over the number of lights and, beside this machine's, table 1 of Steven Hales 2004,

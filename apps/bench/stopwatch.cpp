@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <ctime>
 #include <string>
 
 #include "measure/quantile.h"
@@ -71,6 +72,12 @@ std::vector<Timing> time_passes(const std::vector<TimedPass>& passes, const Stop
     timings.push_back({measure::quantile(times, 0.5), measure::quantile(times, 0.9) - measure::quantile(times, 0.1)});
   }
   return timings;
+}
+
+double thread_milliseconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return double(time.tv_sec) * 1e3 + double(time.tv_nsec) * 1e-6;
 }
 
 }  // namespace litfog::bench

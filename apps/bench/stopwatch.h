@@ -31,4 +31,7 @@ struct StopwatchSettings {
 std::vector<Timing> time_passes(const std::vector<TimedPass>& passes, const StopwatchSettings& settings,
                                 command::Progress& progress);
 
+/// Processor time that the calling thread has taken so far.
+double thread_milliseconds();
+
 }  // namespace litfog::bench

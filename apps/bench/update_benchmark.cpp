@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <functional>
 #include <numbers>
 #include <string>
 #include <vector>
 
 #include "bench/light_mix.h"
+#include "bench/stopwatch.h"
 #include "command/progress.h"
 #include "litfog/batch.h"
 #include "litfog/updater.h"
@@ -78,12 +78,6 @@ struct Record {
   std::size_t most_bytes = 0;
   double max_deviation_255 = 0;
 };
-
-double thread_milliseconds() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return double(time.tv_sec) * 1e3 + double(time.tv_nsec) * 1e-6;
-}
 
 Record follow(const Follower& follower, FogMode mode, const std::vector<PlacedLight>& lights, const Scale& scale,
               command::Progress& progress) {

@@ -58,7 +58,8 @@ constexpr const char* kExamples =
   litfog-demo gallery -o out
   litfog-demo compare room headlights --size 960x540 -o paths
 
-Exit status: 0 done; 1 wrong usage; 2 bad scene or light file; 3 no OpenGL 3.3 through EGL; 4 output cannot be written.)";
+Exit status: 0 done; 1 wrong usage; 2 bad scene or light file; 3 no OpenGL 3.3 through EGL, or fewer samples a pixel;
+4 output cannot be written.)";
 
 /// One of the command's jobs. It has put its options on the command line and runs when that has been parsed.
 using Job = std::function<ExitStatus()>;

@@ -71,6 +71,18 @@ std::vector<Chunk> cut_into_chunks(const scene::Model& model, std::vector<scene:
   return chunks;
 }
 
+void set_vertex_attributes() {
+  const auto attribute = [](GLuint location, GLint components, std::size_t offset) {
+    glEnableVertexAttribArray(location);
+    glVertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, sizeof(scene::Vertex),
+                          reinterpret_cast<const void*>(offset));
+  };
+  attribute(0, 3, offsetof(scene::Vertex, position));
+  attribute(1, 3, offsetof(scene::Vertex, normal));
+  attribute(2, 4, offsetof(scene::Vertex, tangent));
+  attribute(3, 2, offsetof(scene::Vertex, uv));
+}
+
 MeshStore::MeshStore(const std::vector<scene::Model>& models) {
   std::vector<scene::Vertex> vertices;
   std::vector<std::uint32_t> indices;
@@ -83,15 +95,7 @@ MeshStore::MeshStore(const std::vector<scene::Model>& models) {
   glBindVertexArray(vertex_array_.id());
   fill(GL_ARRAY_BUFFER, vertices_, vertices);
   fill(GL_ELEMENT_ARRAY_BUFFER, indices_, indices);
-  const auto attribute = [](GLuint location, GLint components, std::size_t offset) {
-    glEnableVertexAttribArray(location);
-    glVertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, sizeof(scene::Vertex),
-                          reinterpret_cast<const void*>(offset));
-  };
-  attribute(0, 3, offsetof(scene::Vertex, position));
-  attribute(1, 3, offsetof(scene::Vertex, normal));
-  attribute(2, 4, offsetof(scene::Vertex, tangent));
-  attribute(3, 2, offsetof(scene::Vertex, uv));
+  set_vertex_attributes();
 }
 
 void MeshStore::bind() const { glBindVertexArray(vertex_array_.id()); }

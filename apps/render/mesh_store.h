@@ -21,6 +21,10 @@ struct Chunk {
 std::vector<Chunk> cut_into_chunks(const scene::Model& model, std::vector<scene::Vertex>& vertices,
                                    std::vector<std::uint32_t>& indices);
 
+/// Lays the current vertex array out over the bound GL_ARRAY_BUFFER of scene::Vertex: locations 0 position, 1 normal,
+/// 2 tangent, 3 uv.
+void set_vertex_attributes();
+
 /// In which order a chunk's triangles are drawn.
 enum class TriangleOrder { stored, reversed };
 
@@ -32,7 +36,7 @@ class MeshStore {
 
   /// Of a model, by its index in the constructor's vector.
   const std::vector<Chunk>& chunks(std::size_t model) const { return chunks_[model]; }
-  /// Makes the vertex array current: locations 0 position, 1 normal, 2 tangent, 3 uv.
+  /// Makes the vertex array current, laid out by set_vertex_attributes().
   void bind() const;
   void draw(const Chunk& chunk, TriangleOrder order) const;
 

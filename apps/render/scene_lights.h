@@ -29,8 +29,7 @@ class SceneLights {
  public:
   /// scene  has to outlive this
   /// settings  of which the path and the fog's lighting say whether carried lights light the fog by their intensity,
-  /// and
-  ///           where lights end
+  ///           and where lights end
   SceneLights(const scene::Scene& scene, const RenderSettings& settings);
 
   std::size_t size() const { return lights_.size(); }

@@ -61,8 +61,8 @@ BufferTexture SurfaceList::list_lights(const scene::Scene& scene, const SceneLig
   const std::size_t most = std::min(kMaxListed, BufferTexture::max_texels());
   list_.resize(lights.size());
   std::iota(list_.begin(), list_.end(), 0);
-  std::rotate(list_.begin(), list_.begin() + std::ptrdiff_t(local_count),
-              list_.end());  // the carried ones to the front
+  // The carried ones to the front.
+  std::rotate(list_.begin(), list_.begin() + std::ptrdiff_t(local_count), list_.end());
   const auto first_local = int(lights.size() - local_count);
   const LightFinder finder(lights.lights().first(local_count), lights.extents().first(local_count));
   for (const scene::Instance& instance : scene.instances) {

@@ -152,8 +152,9 @@ void SurfacePainter::draw_pass(Frame& frame, const Surface& surface, ShaderVaria
     uniforms.resize(first + variant.lights.count);
   }
 
-  if (variant.pass->constants_from_vertices)
+  if (variant.pass->constants_from_vertices) {
     variant.vertex_lights = std::min(uniforms.size(), programs_.most_vertex_lights());
+  }
   const SurfaceProgram& program = use(frame, variant, *surface.material);
   const bool is_later = frame.passes_drawn > 0;
   if (frame.path.has_several_passes()) select_samples(frame.passes_drawn++);

@@ -69,7 +69,7 @@ TEST_F(PlainRendererTest, PlainDrawsThePictureOfUnified) {
                                   << beyond.front() / 3 % kWidth << ", " << beyond.front() / 3 / kWidth;
       // A partly covered pixel is shaded at its centre, which may lie beyond its triangle: unified, but not plain, then
       // takes the nearest position within the surface's bounds.
-      const std::size_t most = std::size_t{3 * kWidth * kHeight} / 300;
+      const std::size_t most = std::size_t{3 * kWidth * kHeight} / 300;  // as plain_renderer.h states
       EXPECT_LE(differing(draw_plain(scene, fog, 4), draw_unified(scene, fog, 4)).size(), most) << name;
     }
   }

@@ -27,13 +27,19 @@ struct Box {
 Box draw_box(Random& random) {
   const auto size = [&] { return random.chance(0.2) ? 0 : random.log_uniform(0.01, 100); };
   const glm::dvec3 low{random.uniform(-100, 100), random.uniform(-100, 100), random.uniform(-100, 100)};
-  return {low, low + glm::dvec3(size(), size(), size())};
+  const glm::dvec3 sizes{size(), size(), size()};  // braces: drawn in this order by every compiler
+  return {low, low + sizes};
+}
+
+/// Rounded, a mean of two equal coordinates may differ from both: not here.
+glm::dvec3 point_in(const Box& box, const glm::dvec3& fraction) {
+  return glm::clamp(glm::mix(box.low, box.high, fraction), box.low, box.high);
 }
 
 /// A light whose range and distance are near the box's size.
 LightBounds draw_light_near(Random& random, const Box& box) {
   LightBounds light;
-  const glm::dvec3 inside = glm::mix(box.low, box.high, glm::dvec3(random.uniform(0, 1)));
+  const glm::dvec3 inside = point_in(box, glm::dvec3(random.uniform(0, 1)));
   const double distance = random.chance(0.1) ? 0 : random.log_uniform(0.01, 100);
   light.position = inside + distance * draw_direction(random);
   light.direction = random.chance(0.2) ? glm::dvec3(0, -1, 0) : draw_direction(random);
@@ -55,7 +61,7 @@ TEST(LightBounds, LightReachesTheBoxThatHoldsAPointItLights) {
     const LightBounds light = draw_light_near(random, box);
     for (int k = 0; k < 10; ++k) {
       const glm::dvec3 fraction{random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1)};
-      const glm::dvec3 offset = glm::mix(box.low, box.high, fraction) - light.position;
+      const glm::dvec3 offset = point_in(box, fraction) - light.position;
       const double distance = glm::length(offset);
       if (distance > light.range || glm::dot(offset, light.direction) < distance * std::cos(light.half_angle)) continue;
       ++common;

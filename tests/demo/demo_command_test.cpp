@@ -193,6 +193,16 @@ TEST_F(DemoCommand, SamplesAreThoseOfThePictureOrMissing) {
   }
 }
 
+TEST_F(DemoCommand, CityHasTheLightsThatAreAskedFor) {
+  ASSERT_EQ(run("city --lights 10 --size 64x36 -o a.png --stats s.json").status, kDone);
+  EXPECT_EQ(nlohmann::json::parse(read("s.json"))["lights"], 10);
+  const Outcome outcome = run("room --lights 10 -o b.png");
+  EXPECT_EQ(outcome.status, kBadInput);
+  EXPECT_NE(outcome.err.find("city: must be there, to have another number of lights"), std::string::npos)
+      << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(directory() / "b.png"));
+}
+
 TEST_F(DemoCommand, ReferenceIsTheSamePictureToAStep) {
   for (const char* options : {"-o a.exr", "--reference -o b.exr --stats s.json"}) {
     const Outcome outcome =
@@ -445,6 +455,9 @@ TEST_F(DemoCommand, OptionsWithoutEffectAreErrors) {
     EXPECT_EQ(run("gallery room -o g " + option).status, kUsage) << option;
   }
   expect_usage("room --samples 3", "--samples = 3: must be one of 1|2|4|8");
+  for (const std::string lights : {"0", "-1", "100001", "5.5", "x"}) {
+    expect_usage("city --lights " + lights, "--lights = " + lights + ": must be an integer from 1 to 100000");
+  }
   expect_usage("room --fog none --visibility 50", "--visibility cannot be given with --fog none: the air is clear");
   expect_usage("list", "WHAT is required");
   expect_usage("list lamps", "WHAT = lamps: must be one of scenes|paths");
@@ -502,9 +515,9 @@ TEST_F(DemoCommand, InputsAreNotOverwritten) {
 }
 
 TEST_F(DemoCommand, MistypedSceneIsAnsweredWithTheNamesOfAllScenes) {
-  EXPECT_ERROR(
-      run("rooom"), kBadInput,
-      "rooom: must be a scene file or one of approach, city, cookies, headlights, lighthouse, room, street, tessellation\n");
+  EXPECT_ERROR(run("rooom"), kBadInput,
+               "rooom: must be a scene file or one of approach, city, cookies, headlights, lighthouse, room, street, "
+               "tessellation\n");
 }
 
 TEST_F(DemoCommand, SceneWhoseNameIsNoUtf8HasItsStatistics) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene's lights, through the light list: the indices of the lights that the eye's vehicle carries, then of the local
-// lights, then of the local lights that reach each surface.
+// The scene's lights, through the light list: the indices of the lights that the eye's vehicle carries, then of the
+// local lights, then of the local lights that reach each surface.
 
 #include "cookie.glsl"
 #include "litfog/shaders/light_buffer.glsl"
