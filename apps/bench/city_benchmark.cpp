@@ -416,10 +416,8 @@ command::Figure make_figure(const std::deque<Trial>& trials, const Scale& scale,
       chart("frames from the scene's camera (dashed: with the lights that matter alone)", lights, wall_time);
   add_lines(frames, trials, scale, "frame", "", line_and_points, lights_of);
   add_lines(frames, trials, scale, "frame-of-those", "those, ", dashes, lights_of);
-  command::Chart flight{.title = fmt::format("flight with {} lights", scale.drawn_in_flight),
-                        .x = {"frame"},
-                        .y = wall_time,
-                        .key = command::KeyPlace::bottom_right};
+  command::Chart flight = chart(fmt::format("flight with {} lights", scale.drawn_in_flight), {"frame"}, wall_time);
+  flight.key = command::KeyPlace::bottom_right;
   for (const Trial& trial : trials) {
     if (trial.method != "frame-flight") continue;
     command::Series series{.name = visibility_text(trial.visibility)};
