@@ -303,7 +303,7 @@ TEST(AxialProfile, SymmetricBeamHasItsMeasuredProfile) {
   const auto from_above = axial_profile(lamp, -kPhotometricAxis);
   ASSERT_EQ(from_above.size(), profile.size());
   for (std::size_t i = 0; i < profile.size(); ++i) {
-    EXPECT_NEAR(from_above[i].angle, pi - lamp.vertical.rbegin()[i], 1e-15);
+    EXPECT_NEAR(from_above[i].angle, pi - lamp.vertical[lamp.vertical.size() - 1 - i], 1e-15);
     EXPECT_NEAR(from_above[i].mean, lamp.intensity.rbegin()[i], 1e-12);
   }
 }
