@@ -303,8 +303,9 @@ TEST(AxialProfile, SymmetricBeamHasItsMeasuredProfile) {
   const auto from_above = axial_profile(lamp, -kPhotometricAxis);
   ASSERT_EQ(from_above.size(), profile.size());
   for (std::size_t i = 0; i < profile.size(); ++i) {
-    EXPECT_NEAR(from_above[i].angle, pi - lamp.vertical[lamp.vertical.size() - 1 - i], 1e-15);
-    EXPECT_NEAR(from_above[i].mean, lamp.intensity.rbegin()[i], 1e-12);
+    const std::size_t mirrored = profile.size() - 1 - i;
+    EXPECT_NEAR(from_above[i].angle, pi - lamp.vertical[mirrored], 1e-15);
+    EXPECT_NEAR(from_above[i].mean, lamp.intensity[mirrored], 1e-12);
   }
 }
 
