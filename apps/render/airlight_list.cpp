@@ -12,6 +12,7 @@ namespace litfog::render {
 namespace {
 
 constexpr double kMostBend = 1 / 1000.0;  // of linear values: a quarter of a step of the display where it is brightest
+constexpr double kSafety = 16;
 constexpr double kFarthestReach = 1e9;    // metres, for lights without an end: floats hold its square
 constexpr double kThinBeam = 0.17;        // radians: half the angle of a beam that grids may miss
 
@@ -87,18 +88,24 @@ AirlightList list_airlight(const SceneLights& lights, const Fog& fog, const Scat
     const GlowBound bound(placed.light, lights.extents()[i], fog, eye_range, brightness);
     const double reach = bound.reach(budget);
     if (!(reach > 0)) continue;
-    // At h pixels from the light (k / h)'' = 2 k / h^3. With the light's middle cut out, as airlight.frag does it, three
-    // times that is where it bends most; an eighth of it is missed.
+    // What a grid keeps of k / h within a range has a fourth derivative of at most 81 k / range^5 (airlight.frag), and 3/128
+    // of it, by the fourth power of the texels' distance, is missed.
     const double pixel = eye_range / pixels_per_radian;
-    const double bend_range = std::cbrt(0.75 * bound.k() / pixel / kMostBend) * pixel;
+    const glm::dvec3 to_eye = (eye - placed.position) / eye_range;
+    const double sine = glm::length(glm::cross(to_eye, placed.light.cone.profile == ConeProfile::none ? glm::dvec3(0) : placed.direction));
+    const double half_angle = beam_angle(placed.light.cone);
+    const double narrow = placed.light.cone.profile == ConeProfile::none ? 1.0 : std::min(std::max(std::tan(half_angle), sine), 1.0);
+    const double bend_range = std::pow(3 * 81 / 128.0 * kSafety * narrow * bound.k() / pixel / kMostBend, 0.2) * pixel;
     // Up to this range a thin beam is thinner than a few texels of a grid.
-    const double angle = beam_angle(placed.light.cone);
+    const double angle = std::asin(std::min(std::sin(half_angle) / std::max(sine, 1e-6), 1.0));
     const double thin_range = angle < kThinBeam ? 4 * pixel / std::tan(angle) : 0;
+    const double range = std::min(std::max(bend_range, thin_range), eye_range / 2);
+    const double width = narrow * bound.flat_range();
     found.push_back({int(lights.instances()[i].axis_profile.w),
                      {.light = float(i),
                       .reach = float(reach),
-                      .bend_range = float(std::min(std::max(bend_range, thin_range), eye_range / 2)),
-                      .width = float(thin_range > bend_range ? 0 : bound.flat_range())}});
+                      .bend_range = float(range),
+                      .width = float(thin_range > bend_range ? 0 : width)}});
   }
   std::ranges::stable_sort(found, {}, [](const auto& entry) { return entry.first; });
   AirlightList list;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,12 @@ namespace {
 constexpr double kDarkestSlope = 12.92;
 constexpr double kBudget = 1 / (8 * 255 * kDarkestSlope);
 constexpr int kGridSteps[] = {8, 4, 2, 1};  // pixels
-constexpr GLint kFilled = 1;                // of the stencil, which is 0 elsewhere
+constexpr int kBlock = 8;                   // of airlight_blocks.glsl: texels
+constexpr GLint kMarked = 1;                // of a stencil, which is 0 elsewhere
+constexpr GLenum kTargets[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+
+/// Blocks that cover a size.
+glm::ivec2 blocks(glm::ivec2 size) { return (size + (kBlock - 1)) / kBlock; }
 
 void bind_texture(TextureUnit unit, const gl::TextureName& texture) {
   glActiveTexture(GL_TEXTURE0 + unit);
@@ -30,9 +36,9 @@ void bind_texture(TextureUnit unit, const gl::TextureName& texture) {
 }
 
 /// Makes a texture of floats the bound framebuffer's.
-void attach(GLenum attachment, const gl::TextureName& texture, glm::ivec2 size) {
+void attach(GLenum attachment, const gl::TextureName& texture, glm::ivec2 size, GLint format = GL_RGBA32F) {
   bind_texture(kAirlightUnit, texture);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, size.x, size.y, 0, GL_RGBA, GL_FLOAT, nullptr);
+  glTexImage2D(GL_TEXTURE_2D, 0, format, size.x, size.y, 0, GL_RGBA, GL_FLOAT, nullptr);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, texture.id(), 0);
@@ -77,24 +83,43 @@ AirlightPainter::AirlightPainter(const scene::Scene& scene, const SceneLights& l
       picture_size_(framebuffer.width(), framebuffer.height()),
       seen_program_(make_seen_program(framebuffer.samples())),
       fill_program_("whole_picture.vert", "airlight_fill.frag", demo_shaders()),
+      marks_program_("whole_picture.vert", "airlight_marks.frag", demo_shaders()),
+      pack_program_("whole_picture.vert", "airlight_pack.frag", demo_shaders()),
+      unpack_program_("whole_picture.vert", "airlight_unpack.frag", demo_shaders()),
       add_program_("whole_picture.vert", "airlight_add.frag", demo_shaders()) {
   glBindFramebuffer(GL_FRAMEBUFFER, seen_.id());
   attach(GL_COLOR_ATTACHMENT0, seen_texture_, picture_size_);
+  attach(GL_COLOR_ATTACHMENT1, mean_opacities_, picture_size_, GL_R32F);
+  glDrawBuffers(2, kTargets);
   check_framebuffer();
   for (const int step : kGridSteps) {
     Grid& grid = grids_.emplace_back();
     grid.step = step;
     grid.size = (picture_size_ + (step - 1)) / step + (step > 1 ? 1 : 0);
-    glBindFramebuffer(GL_FRAMEBUFFER, grid.framebuffer.id());
-    attach(GL_COLOR_ATTACHMENT0, grid.airlight, grid.size);
-    if (step > 1) attach(GL_COLOR_ATTACHMENT1, grid.gain, grid.size);
-    const GLenum targets[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
-    glDrawBuffers(step > 1 ? 2 : 1, targets);
-    glBindRenderbuffer(GL_RENDERBUFFER, grid.stencil.id());
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, grid.size.x, grid.size.y);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, grid.stencil.id());
-    check_framebuffer();
+    attach_airlight(grid, step > 1);
   }
+  const glm::ivec2 most_blocks = blocks(grids_.back().size);
+  packed_.size = most_blocks * kBlock;
+  attach_airlight(packed_, true);
+  glBindFramebuffer(GL_FRAMEBUFFER, marks_framebuffer_.id());
+  attach(GL_COLOR_ATTACHMENT0, marks_, {most_blocks.x, packed_.size.y}, GL_R32F);
+  check_framebuffer();
+  glBindFramebuffer(GL_FRAMEBUFFER, places_framebuffer_.id());
+  attach(GL_COLOR_ATTACHMENT0, places_, packed_.size, GL_RG32F);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, packed_.stencil.id());
+  check_framebuffer();
+}
+
+/// Gives a target of a size its textures and its stencil.
+void AirlightPainter::attach_airlight(Target& target, bool has_gain) {
+  glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.id());
+  attach(GL_COLOR_ATTACHMENT0, target.airlight, target.size);
+  if (has_gain) attach(GL_COLOR_ATTACHMENT1, target.gain, target.size);
+  glDrawBuffers(has_gain ? 2 : 1, kTargets);
+  glBindRenderbuffer(GL_RENDERBUFFER, target.stencil.id());
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, target.size.x, target.size.y);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, target.stencil.id());
+  check_framebuffer();
 }
 
 void AirlightPainter::draw(const Framebuffer& framebuffer, const View& view, const Fog& fog) {
@@ -110,26 +135,31 @@ void AirlightPainter::draw(const Framebuffer& framebuffer, const View& view, con
   glClearColor(0, 0, 0, 0);
   framebuffer.bind_depth(kDepthUnit);
   bind_texture(kSeenUnit, seen_texture_);
+  bind_texture(kOpacityUnit, mean_opacities_);
 
   glBindFramebuffer(GL_FRAMEBUFFER, seen_.id());
+  glViewport(0, 0, picture_size_.x, picture_size_.y);
   use(seen_program_, frame, grids_.back());
   glDrawArrays(GL_TRIANGLES, 0, 3);
 
-  glEnable(GL_BLEND);
-  glBlendFunc(GL_ONE, GL_ONE);
   for (std::size_t i = 0; i < grids_.size(); ++i) {
     const Grid& grid = grids_[i];
     glBindFramebuffer(GL_FRAMEBUFFER, grid.framebuffer.id());
     glClear(GL_COLOR_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-    if (i > 0) {
-      glEnable(GL_STENCIL_TEST);
-      fill(frame, grid, grids_[i - 1]);
-      draw_lights(frame, grid, true);
+    if (i == 0) {
+      draw_lights(frame, grid, Part::whole);
+      continue;
     }
-    draw_lights(frame, grid, false);
+    glEnable(GL_STENCIL_TEST);
+    fill(frame, grid, grids_[i - 1]);
+    draw_lights(frame, grid, Part::left_out);
+    draw_packed(frame, grid);
     glDisable(GL_STENCIL_TEST);
   }
+  draw_lights(frame, grids_.back(), Part::cookies);
 
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE);
   framebuffer.bind_resolved();
   add_program_.use();
   bind_texture(kAirlightUnit, grids_.back().airlight);
@@ -140,8 +170,9 @@ void AirlightPainter::draw(const Framebuffer& framebuffer, const View& view, con
 
 /// Fills the texels for which the coarser grid is good enough, and marks them.
 void AirlightPainter::fill(const Frame& frame, const Grid& grid, const Grid& coarse) {
-  glStencilFunc(GL_ALWAYS, kFilled, 0xff);
+  glStencilFunc(GL_ALWAYS, kMarked, 0xff);
   glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+  glViewport(0, 0, grid.size.x, grid.size.y);
   use(fill_program_, frame, grid);
   bind_texture(kAirlightUnit, coarse.airlight);
   bind_texture(kGainUnit, coarse.gain);
@@ -151,19 +182,67 @@ void AirlightPainter::fill(const Frame& frame, const Grid& grid, const Grid& coa
   glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
 }
 
-/// Draws lights where the texels are filled, or where they are not.
-void AirlightPainter::draw_lights(const Frame& frame, const Grid& grid, bool is_filled) {
-  glStencilFunc(is_filled ? GL_EQUAL : GL_NOTEQUAL, kFilled, 0xff);
+/// Draws all lights at the texels of a grid that are not filled.
+void AirlightPainter::draw_packed(const Frame& frame, const Grid& grid) {
+  const glm::ivec2 size = blocks(grid.size);
+  glBindFramebuffer(GL_FRAMEBUFFER, marks_framebuffer_.id());
+  glViewport(0, 0, size.x, size.y * kBlock);
+  marks_program_.use();
+  bind_texture(kAirlightUnit, grid.airlight);
+  set_uniform(marks_program_, "airlight", kAirlightUnit);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+
+  bind_texture(kMarkUnit, marks_);
+  glBindFramebuffer(GL_FRAMEBUFFER, places_framebuffer_.id());
+  glViewport(0, 0, size.x * kBlock, size.y * kBlock);
+  glClear(GL_STENCIL_BUFFER_BIT);
+  glStencilFunc(GL_ALWAYS, kMarked, 0xff);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+  pack_program_.use();
+  set_uniform(pack_program_, "row_marks", kMarkUnit);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+
+  glBindFramebuffer(GL_FRAMEBUFFER, packed_.framebuffer.id());
+  glClear(GL_COLOR_BUFFER_BIT);
+  bind_texture(kPlaceUnit, places_);
+  draw_lights(frame, grid, Part::packed);
+
+  glBindFramebuffer(GL_FRAMEBUFFER, grid.framebuffer.id());
+  glViewport(0, 0, grid.size.x, grid.size.y);
+  glStencilFunc(GL_NOTEQUAL, kMarked, 0xff);
+  unpack_program_.use();
+  bind_texture(kAirlightUnit, packed_.airlight);
+  bind_texture(kGainUnit, packed_.gain);
+  set_uniform(unpack_program_, "row_marks", kMarkUnit);
+  set_uniform(unpack_program_, "packed_airlight", kAirlightUnit);
+  set_uniform(unpack_program_, "packed_gain", kGainUnit);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+/// Adds lights to the bound framebuffer, which is that of a grid or of its packed texels.
+void AirlightPainter::draw_lights(const Frame& frame, const Grid& grid, Part part) {
+  const glm::ivec2 size = part == Part::packed ? blocks(grid.size) * kBlock : grid.size;
+  glViewport(0, 0, size.x, size.y);
+  glStencilFunc(GL_EQUAL, kMarked, 0xff);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE);
+  // Texel i's middle is that of pixel i * step.
+  const glm::vec2 scale = glm::vec2(picture_size_) / glm::vec2(grid.step * size);
+  const glm::vec2 offset = scale - 1.0f + (1.0f - 1.0f / float(grid.step)) / glm::vec2(size);
   for (const AirlightList::Range& range : frame.lights) {
-    const bool is_cookie = range.profile == kCookieProfile;  // which may be finer than a grid: all at the end
-    if (is_cookie && (grid.step > 1 || is_filled)) continue;
-    if (is_cookie) glDisable(GL_STENCIL_TEST);
+    if ((range.profile == kCookieProfile) != (part == Part::cookies)) continue;
     const gl::Program& program = light_program(frame.fog_mode, range.profile);
     use(program, frame, grid);
+    set_uniform(program, "packed_places", kPlaceUnit);
+    set_uniform(program, "is_filled", unsigned{part == Part::left_out});
+    set_uniform(program, "is_packed", unsigned{part == Part::packed});
+    set_uniform(program, "block_angle", float(kBlock * grid.step * std::numbers::sqrt2 / pixels_per_radian()));
+    set_uniform(program, "target_from_picture", glm::vec4(scale, offset));
     glUniform1i(program.uniform("first_entry"), GLint(range.first));
-    set_uniform(program, "is_filled", unsigned{is_filled});
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, GLsizei(range.count));
   }
+  glDisable(GL_BLEND);
 }
 
 double AirlightPainter::pixels_per_radian() const {
@@ -181,11 +260,11 @@ const gl::Program& AirlightPainter::light_program(FogMode fog_mode, int profile)
 }
 
 void AirlightPainter::use(const gl::Program& program, const Frame& frame, const Grid& grid) {
-  glViewport(0, 0, grid.size.x, grid.size.y);
   program.use();
   fog_lights_.bind(program, kFogLightBinding);
   set_uniform(program, "depths", kDepthUnit);
   set_uniform(program, "seen_ranges", kSeenUnit);
+  set_uniform(program, "mean_opacities", kOpacityUnit);
   set_uniform(program, "cookies", kCookieUnit);
   set_uniform(program, "cookie_cones", kCookieConeUnit);
   set_uniform(program, "litfog_kind_buffer", kKindBufferUnit);
@@ -201,10 +280,6 @@ void AirlightPainter::use(const gl::Program& program, const Frame& frame, const 
   set_uniform(program, "fog_above_eye", frame.view.fog_above_eye);
   set_uniform(program, "asymmetry", float(scene_.phase_g));
   glUniform1i(program.uniform("pixel_step"), grid.step);
-  // Texel i's middle is that of pixel i * step.
-  const glm::vec2 scale = glm::vec2(picture_size_) / glm::vec2(grid.step * grid.size);
-  const glm::vec2 offset = scale - 1.0f + (1.0f - 1.0f / float(grid.step)) / glm::vec2(grid.size);
-  set_uniform(program, "target_from_picture", glm::vec4(scale, offset));
 }
 
 }  // namespace litfog::render

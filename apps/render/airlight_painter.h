@@ -32,7 +32,8 @@ struct View {
 /// Airlight mostly changes slowly over a picture. So all lights are first drawn at every eighth pixel of every
 /// eighth row, and then in finer and finer grids. A grid leaves out the part of a light's airlight that bends sharply,
 /// close to the light. A texel of a finer grid takes the mean of its neighbours in the one before where that is good
-/// enough (shaders/airlight_fill.frag), and only what they have left out is drawn. Elsewhere all lights are drawn.
+/// enough (shaders/airlight_fill.frag), and only what they have left out is drawn. For the others all lights are drawn,
+/// at texels packed into a target of their own.
 class AirlightPainter {
  public:
   /// scene, lights, fog_lights  have to outlive this
@@ -45,14 +46,26 @@ class AirlightPainter {
   void draw(const Framebuffer& framebuffer, const View& view, const Fog& fog);
 
  private:
-  /// Airlight at every so many pixels, in floats: half floats would lose what faint lights add to bright ones.
-  struct Grid {
-    int step;  // pixels
+  /// Airlight in floats: half floats would lose what faint lights add to bright ones.
+  struct Target {
     glm::ivec2 size;
     gl::FramebufferName framebuffer;
     gl::TextureName airlight;
     gl::TextureName gain;  // per opacity of the fog; the finest grid has none
     gl::RenderbufferName stencil;
+  };
+
+  /// At every so many pixels.
+  struct Grid : Target {
+    int step;  // pixels
+  };
+
+  /// What is drawn of the lights, and where.
+  enum class Part {
+    whole,     // at all texels, but cookies
+    left_out,  // what the coarser grid has not, at texels that it has filled; no cookies
+    packed,    // at packed texels, but cookies
+    cookies,   // at all texels: they may be finer than a grid
   };
 
   /// What the passes of a frame have in common.
@@ -65,9 +78,11 @@ class AirlightPainter {
 
   double pixels_per_radian() const;  ///< at the middle of the picture
   const gl::Program& light_program(FogMode fog_mode, int profile);
+  void attach_airlight(Target& target, bool has_gain);
   void use(const gl::Program& program, const Frame& frame, const Grid& grid);
-  void draw_lights(const Frame& frame, const Grid& grid, bool is_filled);
   void fill(const Frame& frame, const Grid& grid, const Grid& coarse);
+  void draw_lights(const Frame& frame, const Grid& grid, Part part);
+  void draw_packed(const Frame& frame, const Grid& grid);
 
   const scene::Scene& scene_;
   const gl::FogLightBuffer& fog_lights_;
@@ -77,10 +92,19 @@ class AirlightPainter {
   std::map<std::pair<FogMode, int>, gl::Program> light_programs_;
   gl::Program seen_program_;
   gl::Program fill_program_;
+  gl::Program marks_program_;
+  gl::Program pack_program_;
+  gl::Program unpack_program_;
   gl::Program add_program_;
   gl::FramebufferName seen_;
   gl::TextureName seen_texture_;
-  std::vector<Grid> grids_;           // from coarse to fine
+  gl::TextureName mean_opacities_;  // of the fog before what is seen
+  std::vector<Grid> grids_;               // from coarse to fine
+  Target packed_;                         // texels that a grid does not fill, packed (shaders/airlight_blocks.glsl)
+  gl::FramebufferName marks_framebuffer_;
+  gl::TextureName marks_;                 // of those texels
+  gl::FramebufferName places_framebuffer_;
+  gl::TextureName places_;                // of those texels in their grid
   std::optional<BufferTexture> entries_;  // of the light list
   gl::VertexArrayName vertex_array_;  // of no attributes
 };

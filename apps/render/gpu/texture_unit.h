@@ -17,9 +17,12 @@ enum TextureUnit : unsigned {
   kCookieConeUnit,
   kDepthUnit,     // the depths of a picture's samples
   kSeenUnit,      // how far each pixel sees
+  kOpacityUnit,   // of the fog before that
   kAirlightUnit,  // airlight at every so many pixels
   kEntryUnit,     // the lights whose airlight is drawn
   kGainUnit,      // of airlight, per opacity of the fog
+  kMarkUnit,      // texels that a coarser grid is not good enough for
+  kPlaceUnit,     // of packed texels in their grid
 };
 
 inline constexpr unsigned kFogLightBinding = 0;  ///< of the FogLightBlock

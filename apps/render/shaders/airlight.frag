@@ -10,6 +10,7 @@ flat in int light_index;
 flat in vec2 bend_range_width;
 
 uniform vec3 eye;
+uniform sampler2D packed_places;
 
 layout(location = 0) out vec4 airlight;
 layout(location = 1) out vec4 gain;  // of airlight, where the pixel sees farther, for the fog's gain of opacity
@@ -29,16 +30,23 @@ vec3 gain_at(LitfogLight light, vec3 direction, float range) {
   return asymmetry == 0.0 ? lit : lit * litfog_phase(-dot(direction, ray.xyz), asymmetry);
 }
 
-// How much of its airlight a grid of every so many pixels has, along a ray at a distance from the light. With q the
-// square of h over the range, 1 - (1 - q)^2 of k / h bends by at most 6 k / range^3, and has no peak.
+// How much of its airlight a grid of every so many pixels has, along a ray at a distance from the light. What is kept of
+// k / h is k / range (35 - 35 t^2 + 21 t^4 - 5 t^6) / 16, t = h / range: it meets k / h with three derivatives, and has no
+// peak (softening of multilevel summation: Hardy et al. 2015, "Multilevel Summation Method for Electrostatic Force
+// Evaluation"). Its fourth derivative is at most 81 k / range^5. Near the light airlight is flat over the falloff's width.
 float kept_share(float distance_squared, int grid_step) {
   float range = left_out_range(bend_range_width.x, bend_range_width.y, grid_step);
-  float q = min(distance_squared / max(range * range, 1.0e-12), 1.0);
-  return grid_step > 1 && range > 0.0 ? q * (2.0 - q) : 1.0;
+  if (grid_step == 1 || range <= 0.0) return 1.0;
+  float width = bend_range_width.y * bend_range_width.y;
+  float q = min((distance_squared + width) / (range * range + width), 1.0);
+  if (width == 0.0) return 1.0 - pow(1.0 - q, 4.0) * (1.0 + 4.0 * q);
+  return sqrt(q) * (35.0 - q * (35.0 - q * (21.0 - 5.0 * q))) / 16.0;
 }
 
 void main() {
-  ivec2 pixel = ivec2(gl_FragCoord.xy) * pixel_step;
+  ivec2 place = ivec2(gl_FragCoord.xy);
+  if (is_packed) place = ivec2(texelFetch(packed_places, place, 0).xy);
+  ivec2 pixel = place * pixel_step;
   vec3 direction = pixel_direction(pixel);
   LitfogLight light = litfog_buffered_light(light_index);
   light.axis_profile.w = profile;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The airlight of all lights from a grid of half as many rows and columns, where that is good enough: where, brought to
-// what the pixel sees, it is nearly straight between texels. Other pixels are left for lights one by one.
+// what the pixel sees, a cubic or a straight line through texels errs little. Other pixels are left for lights one by one.
 
 #include "seen.glsl"
 
@@ -8,13 +8,12 @@ uniform sampler2D grid;       // airlight
 uniform sampler2D grid_gain;  // what is gained of it where the fog before what is seen gains opacity
 uniform int pixel_step;       // pixels between the target's texels; the grid's are twice as far apart
 
-layout(location = 0) out vec4 airlight;
+layout(location = 0) out vec4 airlight;  // alpha 1: filled
 layout(location = 1) out vec4 gain;
 
-const float most_own_change = 0.01;        // of opacity, within the pixel
-const float most_opacity_change = 0.03;    // of opacity, from a texel of the grid
-const float most_error = 0.0005;           // of the display: an eighth of a step
-const float most_bend = 8.0 * most_error;  // of the display
+const float most_own_change = 0.01;      // of opacity, within the pixel
+const float most_opacity_change = 0.03;  // of opacity, from a texel of the grid
+const float most_error = 0.0005;         // of the display: an eighth of a step
 
 // Slope of sRGB (IEC 61966-2-1) at a linear value below 1: what the display makes of errors of airlight that nothing
 // else outshines.
@@ -28,60 +27,82 @@ struct Texel {
   float opacity_change;  // from the texel to what the pixel sees
 };
 
-float mean_opacity(vec4 seen) { return dot(seen_opacities(seen, 1.0), vec4(0.25)); }
-
 // A texel of the grid, brought to what the pixel sees.
 Texel grid_texel(ivec2 place, float opacity) {
   place = clamp(place, ivec2(0), textureSize(grid, 0) - 1);
   Texel texel;
   texel.gain = texelFetch(grid_gain, place, 0).rgb;
-  texel.opacity_change = opacity - mean_opacity(seen_at(place * 2 * pixel_step));
+  texel.opacity_change = opacity - mean_opacity_at(place * 2 * pixel_step);
   texel.airlight = max(texelFetch(grid, place, 0).rgb + texel.gain * texel.opacity_change, vec3(0.0));
   return texel;
 }
 
-// Whether the mean of two neighbouring texels errs more than allowed. The bend of the values at the two is eight times the
-// error of the straight line between them.
-bool errs_between(ivec2 place, ivec2 step, Texel first, Texel second, float opacity) {
+bool is_inside(ivec2 place) {
+  return all(greaterThanEqual(place, ivec2(0))) && all(lessThan(place, textureSize(grid, 0)));
+}
+
+// What six texels in a row say of the place in their middle.
+struct Middle {
+  vec3 airlight;
+  vec3 gain;
+  float error;  // of the display, about
+};
+
+Middle middle_of(ivec2 place, ivec2 step, float opacity) {
+  Texel first = grid_texel(place, opacity);
+  Texel second = grid_texel(place + step, opacity);
+  vec3 a = first.airlight;
+  vec3 b = second.airlight;
   vec3 before = grid_texel(place - step, opacity).airlight;
   vec3 behind = grid_texel(place + 2 * step, opacity).airlight;
-  vec3 bend = max(abs(before - 2.0 * first.airlight + second.airlight),
-                  abs(first.airlight - 2.0 * second.airlight + behind));
+  // Bends at the four inner ones. At the grid's border the next one stands for one that is not known.
+  vec3 first_bend = before - 2.0 * a + b;
+  vec3 second_bend = a - 2.0 * b + behind;
+  if (!is_inside(place - step)) first_bend = second_bend;
+  if (!is_inside(place + 2 * step)) second_bend = first_bend;
+  vec3 bend_before = is_inside(place - 2 * step)
+                         ? grid_texel(place - 2 * step, opacity).airlight - 2.0 * before + a : first_bend;
+  vec3 bend_behind = is_inside(place + 3 * step)
+                         ? b - 2.0 * behind + grid_texel(place + 3 * step, opacity).airlight : second_bend;
+  // The straight line errs by an eighth of the bend. The cubic errs by 3/128 of the bend's own bend where the airlight is
+  // smooth, and by more where it has an edge.
+  vec3 slope = display_slope(min(a, b));
+  float line_error = largest(max(abs(first_bend), abs(second_bend)) * slope) / 8.0;
+  float cubic_error = largest(max(abs(bend_before - 2.0 * first_bend + second_bend),
+                                  abs(first_bend - 2.0 * second_bend + bend_behind)) * slope) * (3.0 / 32.0);
   float most_change = max(abs(first.opacity_change), abs(second.opacity_change));
-  vec3 slope = display_slope(min(first.airlight, second.airlight));
-  return most_change > most_opacity_change || largest(bend * slope) > most_bend ||
-         largest(abs(first.gain - second.gain) * slope) * most_change > 4.0 * most_error;
+  float gain_error = largest(abs(first.gain - second.gain) * slope) * most_change / 4.0;
+  Middle middle;
+  middle.airlight = 0.5 * (a + b);
+  if (cubic_error < most_error) middle.airlight -= (first_bend + second_bend) / 16.0;
+  middle.gain = 0.5 * (first.gain + second.gain);
+  middle.error = most_change > most_opacity_change ? 1.0 : max(min(line_error, cubic_error), gain_error);
+  return middle;
 }
 
 void main() {
   ivec2 place = ivec2(gl_FragCoord.xy);
+  ivec2 pixel = place * pixel_step;
   ivec2 corner = place / 2;
   ivec2 part = place - 2 * corner;
-  vec4 seen = seen_at(place * pixel_step);
-  vec4 opacities = seen_opacities(seen, 1.0);
-  float opacity = dot(opacities, vec4(0.25));
-  Texel low = grid_texel(corner, opacity);
-  vec3 sum = low.airlight;
-  vec3 gains = low.gain;
-  if (part != ivec2(0) && opacities.w - opacities.x > most_own_change) discard;
-  if (part.x + part.y == 1) {  // between two texels
-    Texel next = grid_texel(corner + part, opacity);
-    if (errs_between(corner, part, low, next, opacity)) discard;
-    sum = 0.5 * (low.airlight + next.airlight);
-    gains = 0.5 * (low.gain + next.gain);
-  } else if (part == ivec2(1)) {  // between four
-    Texel right = grid_texel(corner + ivec2(1, 0), opacity);
-    Texel above = grid_texel(corner + ivec2(0, 1), opacity);
-    Texel far = grid_texel(corner + 1, opacity);
-    if (errs_between(corner, ivec2(1, 0), low, right, opacity) ||
-        errs_between(corner, ivec2(0, 1), low, above, opacity) ||
-        errs_between(corner + ivec2(0, 1), ivec2(1, 0), above, far, opacity) ||
-        errs_between(corner + ivec2(1, 0), ivec2(0, 1), right, far, opacity)) {
-      discard;
+  float opacity = mean_opacity_at(pixel);
+  Middle middle;
+  if (part == ivec2(0)) {
+    Texel texel = grid_texel(corner, opacity);
+    middle = Middle(texel.airlight, texel.gain, 0.0);
+  } else {
+    vec4 opacities = seen_opacities(seen_at(pixel), 1.0);
+    if (opacities.w - opacities.x > most_own_change) discard;
+    // Between two texels of the grid, or across both diagonals between four.
+    middle = middle_of(corner, part, opacity);
+    if (part == ivec2(1)) {
+      Middle other = middle_of(corner + ivec2(1, 0), ivec2(-1, 1), opacity);
+      middle.airlight = 0.5 * (middle.airlight + other.airlight);
+      middle.gain = 0.5 * (middle.gain + other.gain);
+      middle.error = max(middle.error, other.error);
     }
-    sum = 0.25 * (low.airlight + right.airlight + above.airlight + far.airlight);
-    gains = 0.25 * (low.gain + right.gain + above.gain + far.gain);
+    if (middle.error > most_error) discard;
   }
-  airlight = vec4(sum, 0.0);
-  gain = vec4(gains, 0.0);
+  airlight = vec4(max(middle.airlight, vec3(0.0)), 1.0);
+  gain = vec4(middle.gain, 0.0);
 }

@@ -2,6 +2,7 @@
 // How far the eye sees through a pixel's samples: four ranges stand for them all.
 
 #include "fog_top.glsl"
+#include "litfog/shaders/fog.glsl"
 #include "pixel_direction.glsl"
 #include "sample_count.glsl"
 
@@ -18,7 +19,8 @@ float sample_depth(ivec2 pixel, int i) { return texelFetch(depths, pixel, i).r; 
 uniform vec3 forward;      // unit: the camera's axis
 uniform float near_plane;  // metres
 
-out vec4 seen;  // metres: means of the nearest quarter of the samples, of the next, and so on
+layout(location = 0) out vec4 seen;  // metres: means of the nearest quarter of the samples, of the next, and so on
+layout(location = 1) out float mean_opacity;  // of the scene's fog before them
 
 // Metres to the surface that a sample sees, or to the end of the fog.
 float sample_range(ivec2 pixel, vec3 direction, int i) {
@@ -41,4 +43,6 @@ void main() {
     int last = max((quarter + 1) * sample_count / 4 - 1, first);
     seen[quarter] = 0.5 * (sorted[first] + sorted[last]);
   }
+  mean_opacity = 0.0;
+  for (int quarter = 0; quarter < 4; ++quarter) mean_opacity += 0.25 * litfog_fog_opacity(seen[quarter], 1.0);
 }
