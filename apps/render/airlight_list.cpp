@@ -12,22 +12,32 @@ namespace litfog::render {
 namespace {
 
 constexpr double kMostBend = 1 / 1000.0;  // of linear values: a quarter of a step of the display where it is brightest
-constexpr double kSafety = 16;
+constexpr double kSafety = 4;             // for airlight that bends more than k / h
 constexpr double kFarthestReach = 1e9;    // metres, for lights without an end: floats hold its square
-constexpr double kThinBeam = 0.17;        // radians: half the angle of a beam that grids may miss
+constexpr double kThinBeam = 0.17;        // radians: half the angle of a beam on the picture that grids may miss
 
 /// Range at which the attenuation's denominator has a value; 0 where it is above it everywhere.
 double level_range(const Attenuation& attenuation, double denominator) {
   return denominator > 1 ? compute_extent(attenuation, 1 / denominator) : 0;
 }
 
-/// Half angle at which a beam has half its brightness or less: radians, at most a right angle's half.
-double beam_angle(const Cone& cone) {
-  constexpr double kWide = 0.25 * std::numbers::pi;
-  if (cone.profile == ConeProfile::none) return kWide;
-  const double angle =
-      cone.profile == ConeProfile::smoothstep ? cone.outer : std::acos(std::exp2(-1 / std::max(cone.exponent, 1e-3)));
-  return std::min({angle, cutoff_angle(cone), kWide});
+/// A beam as the eye sees it.
+struct SeenBeam {
+  double angle;      // half of it, on the picture: radians, at most a right angle
+  double narrowing;  // of the width in which its airlight falls off: at most 1, less for a beam along the line of sight
+};
+
+/// to_eye  unit, from the light
+SeenBeam see_beam(const PlacedLight& placed, const glm::dvec3& to_eye) {
+  const Cone& cone = placed.light.cone;
+  if (cone.profile == ConeProfile::none) return {0.5 * std::numbers::pi, 1};
+  // Half angle at which it has half its brightness or less.
+  const double half_angle = std::min(
+      {cone.profile == ConeProfile::smoothstep ? cone.outer : std::acos(std::exp2(-1 / std::max(cone.exponent, 1e-3))),
+       cutoff_angle(cone), 0.25 * std::numbers::pi});
+  const double sine = glm::length(glm::cross(to_eye, placed.direction));
+  return {std::asin(std::min(std::sin(half_angle) / std::max(sine, 1e-6), 1.0)),
+          std::min(std::max(std::tan(half_angle), sine), 1.0)};
 }
 
 /// Bounds of what the fog shows of a light. litfog/shaders/glow.glsl has the proofs.
@@ -88,24 +98,20 @@ AirlightList list_airlight(const SceneLights& lights, const Fog& fog, const Scat
     const GlowBound bound(placed.light, lights.extents()[i], fog, eye_range, brightness);
     const double reach = bound.reach(budget);
     if (!(reach > 0)) continue;
-    // What a grid keeps of k / h within a range has a fourth derivative of at most 81 k / range^5 (airlight.frag), and 3/128
-    // of it, by the fourth power of the texels' distance, is missed.
     const double pixel = eye_range / pixels_per_radian;
-    const glm::dvec3 to_eye = (eye - placed.position) / eye_range;
-    const double sine = glm::length(glm::cross(to_eye, placed.light.cone.profile == ConeProfile::none ? glm::dvec3(0) : placed.direction));
-    const double half_angle = beam_angle(placed.light.cone);
-    const double narrow = placed.light.cone.profile == ConeProfile::none ? 1.0 : std::min(std::max(std::tan(half_angle), sine), 1.0);
-    const double bend_range = std::pow(3 * 81 / 128.0 * kSafety * narrow * bound.k() / pixel / kMostBend, 0.2) * pixel;
+    const SeenBeam beam = see_beam(placed, (eye - placed.position) / eye_range);
+    // What a grid keeps of k / h has a fourth derivative of at most 81 k / range^5 (airlight.frag). Of that by the fourth
+    // power of the texels' distance, a cubic through four misses 3/128.
+    const double bend = 3 * 81 / 128.0 * kSafety * beam.narrowing * bound.k() / pixel / kMostBend;
+    const double bend_range = std::pow(bend, 0.2) * pixel;
     // Up to this range a thin beam is thinner than a few texels of a grid.
-    const double angle = std::asin(std::min(std::sin(half_angle) / std::max(sine, 1e-6), 1.0));
-    const double thin_range = angle < kThinBeam ? 4 * pixel / std::tan(angle) : 0;
-    const double range = std::min(std::max(bend_range, thin_range), eye_range / 2);
-    const double width = narrow * bound.flat_range();
+    const double thin_range = beam.angle < kThinBeam ? 4 * pixel / std::tan(beam.angle) : 0;
+    const bool is_thin = thin_range > bend_range;
     found.push_back({int(lights.instances()[i].axis_profile.w),
                      {.light = float(i),
                       .reach = float(reach),
-                      .bend_range = float(range),
-                      .width = float(thin_range > bend_range ? 0 : width)}});
+                      .bend_range = float(std::min(is_thin ? thin_range : bend_range, eye_range / 2)),
+                      .width = float(is_thin ? 0 : beam.narrowing * bound.flat_range())}});
   }
   std::ranges::stable_sort(found, {}, [](const auto& entry) { return entry.first; });
   AirlightList list;

@@ -263,9 +263,7 @@ struct LitfogAirlightSide {
 
 LITFOG_REAL litfog_airlight_z(LitfogAirlightSide side, LITFOG_REAL x) {
   LITFOG_REAL z = max(x - side.nearest, LITFOG_REAL(0.0));
-  if (side.rate > LITFOG_REAL(0.0)) z = -litfog_expm1(-side.rate * z) / side.rate;
-  if (side.rate < LITFOG_REAL(0.0)) z = (exp(-side.rate * z) - LITFOG_REAL(1.0)) / -side.rate;
-  return side.nearest + z;
+  return side.nearest + (side.rate == LITFOG_REAL(0.0) ? z : -litfog_expm1(-side.rate * z) / side.rate);
 }
 
 LITFOG_REAL litfog_airlight_t(LitfogAirlightSide side, LITFOG_REAL x) {
@@ -315,21 +313,25 @@ LitfogAirlightSide litfog_airlight_side_of(LitfogAirlight air, int i, LITFOG_REA
 LITFOG_REAL litfog_airlight_between(LitfogAirlight air, LitfogAirlightSide side, LITFOG_REAL start, LITFOG_REAL end,
                                     int nodes) {
   int panels = (nodes + 7) / 8;
-  int nodes_each = (nodes + panels - 1) / panels;
-  int rule = nodes_each * (nodes_each - 1) / 2;
+  int nodes_each = int(ceil(LITFOG_REAL(nodes) / LITFOG_REAL(panels)));
+  int first = nodes_each * (nodes_each - 1) / 2;
+  int rule = first;
   LITFOG_REAL size = (end - start) / LITFOG_REAL(panels);
   LITFOG_REAL sum = LITFOG_REAL(0.0);
-  for (int i = 0; i < nodes_each * panels; ++i) {
-    int panel = i / nodes_each;
-    int node = rule + i - panel * nodes_each;
-    LITFOG_REAL growth = exp(start + size * (LITFOG_REAL(panel) + litfog_gauss_nodes[node]));
+  for (int i = nodes_each * panels; i > 0; --i) {
+    LITFOG_REAL growth = exp(start + size * litfog_gauss_nodes[rule]);
     LITFOG_REAL sinh_t = LITFOG_REAL(0.5) * (growth - LITFOG_REAL(1.0) / growth);
     LITFOG_REAL cosh_t = LITFOG_REAL(0.5) * (growth + LITFOG_REAL(1.0) / growth);
     LITFOG_REAL z = max(side.width * sinh_t - side.nearest, LITFOG_REAL(0.0));
     LITFOG_REAL decay = max(LITFOG_REAL(1.0) - side.rate * z, LITFOG_REAL(1.0e-7));  // e^(-q x) since the nearest end
     LITFOG_REAL x = side.nearest + (side.rate == LITFOG_REAL(0.0) ? z : -log(decay) / side.rate);
-    sum += litfog_gauss_weights[node] * (side.width * cosh_t / decay) *
+    sum += litfog_gauss_weights[rule] * (side.width * cosh_t / decay) *
            litfog_airlight_integrand(air, side.anchor + side.direction * x);
+    ++rule;
+    if (rule == first + nodes_each) {  // the next panel
+      rule = first;
+      start += size;
+    }
   }
   return sum * size;
 }
@@ -455,27 +457,28 @@ LITFOG_REAL litfog_airlight(LitfogAirlight air) {
     if (root <= LITFOG_REAL(0.0)) continue;
     LITFOG_REAL nodes = nodes_left * root / roots;
     roots = max(roots - root, LITFOG_REAL(1.0e-9));
-    if (!is_cut) {
-      nodes = max(floor(nodes + LITFOG_REAL(0.5)), LITFOG_REAL(1.0));
-      nodes_left -= nodes;
-      sum += litfog_airlight_between(air, side, side.start, side.start + side.size, int(nodes));
-      continue;
-    }
+    if (!is_cut) nodes = max(floor(nodes + LITFOG_REAL(0.5)), LITFOG_REAL(1.0));
     nodes_left -= nodes;
     LITFOG_REAL x = side.nearest;
     LITFOG_REAL t = side.start;
     for (int cut = 0; cut < 7 && x < side.farthest; ++cut) {
-      LITFOG_REAL next = litfog_airlight_next(side, plateau, x, side.farthest);
-      next = litfog_airlight_next(side, -plateau, x, next);
-      next = litfog_airlight_next(side, edge_low, x, next);
-      next = litfog_airlight_next(side, edge_high, x, next);
-      next = litfog_airlight_next(side, inner_low, x, next);
-      next = litfog_airlight_next(side, inner_high, x, next);
-      LITFOG_REAL centre = side.anchor + side.direction * LITFOG_REAL(0.5) * (x + next);
-      bool is_dark = is_wide && litfog_airlight_cosine(air, centre, litfog_airlight_range(air, centre)) <= air.cone_x;
-      LITFOG_REAL end = litfog_airlight_t(side, next);
-      LITFOG_REAL part = floor(nodes * (end - t) / side.size + LITFOG_REAL(1.5));
-      if (!is_dark) sum += litfog_airlight_between(air, side, t, end, int(max(part, LITFOG_REAL(1.0))));
+      LITFOG_REAL next = side.farthest;
+      LITFOG_REAL end = side.start + side.size;
+      LITFOG_REAL part = nodes;
+      bool is_dark = false;
+      if (is_cut) {
+        next = litfog_airlight_next(side, plateau, x, next);
+        next = litfog_airlight_next(side, -plateau, x, next);
+        next = litfog_airlight_next(side, edge_low, x, next);
+        next = litfog_airlight_next(side, edge_high, x, next);
+        next = litfog_airlight_next(side, inner_low, x, next);
+        next = litfog_airlight_next(side, inner_high, x, next);
+        LITFOG_REAL centre = side.anchor + side.direction * LITFOG_REAL(0.5) * (x + next);
+        is_dark = is_wide && litfog_airlight_cosine(air, centre, litfog_airlight_range(air, centre)) <= air.cone_x;
+        end = litfog_airlight_t(side, next);
+        part = max(floor(nodes * (end - t) / side.size + LITFOG_REAL(1.5)), LITFOG_REAL(1.0));
+      }
+      if (!is_dark) sum += litfog_airlight_between(air, side, t, end, int(part));
       x = next;
       t = end;
     }

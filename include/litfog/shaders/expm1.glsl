@@ -10,10 +10,10 @@ precision highp float;
 precision highp int;
 #endif
 
-// e^x - 1 for x <= 0 without cancellation. Near 0 it is x / (h coth h - h) with h = x / 2 and the series of h coth h.
-// Largest error: 4 ulp of float down to x = -0.6875, the driver's error of exp below that.
+// e^x - 1 without cancellation. Near 0 it is x / (h coth h - h) with h = x / 2 and the series of h coth h.
+// Largest error: 4 ulp of float where -0.6875 <= x <= 0, the driver's error of exp below that.
 float litfog_expm1(float x) {
-  if (x < -0.6875) return exp(x) - 1.0;
+  if (abs(x) > 0.6875) return exp(x) - 1.0;
   float x2 = x * x;
   float h_coth_h = 1.0 + x2 * (1.0 / 12.0 + x2 * (-1.0 / 720.0 + x2 * (1.0 / 30240.0)));
   return x / (h_coth_h - 0.5 * x);
