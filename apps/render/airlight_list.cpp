@@ -11,7 +11,7 @@
 namespace litfog::render {
 namespace {
 
-constexpr double kMostBend = 1 / 1000.0;  // of linear values: a quarter of a step of the display where it is brightest
+constexpr double kMostError = 0.0005;     // of the display: an eighth of a step
 constexpr double kSafety = 4;             // for airlight that bends more than k / h
 constexpr double kFarthestReach = 1e9;    // metres, for lights without an end: floats hold its square
 constexpr double kThinBeam = 0.17;        // radians: half the angle of a beam on the picture that grids may miss
@@ -64,6 +64,8 @@ class GlowBound {
     return std::min({level_range(attenuation_, denominator), extent_, kFarthestReach});
   }
 
+  double density() const { return density_; }  ///< of the fog as the light's class sees it, 1/m
+
   /// Metres: the falloff's.
   double width() const { return level_range(attenuation_, 2 * std::max(attenuation_.constant, 1.0)); }
 
@@ -84,6 +86,25 @@ class GlowBound {
   double weight_;
 };
 
+/// Slope of sRGB (IEC 61966-2-1) at a linear value.
+double display_slope(double value) { return std::min(12.92, 0.4396 * std::pow(value, 1 / 2.4 - 1)); }
+
+/// Range from a light where cubics through pixels miss kMostError of its airlight, about k / h at a distance h.
+///
+/// What a grid keeps of k / h has a fourth derivative of at most 81 k / range^5 (airlight.frag), or (1 + d range)^4 times
+/// that where fog of density d makes it fall off faster. Of that by the fourth power of the texels' distance, a cubic
+/// through four misses 3/128.
+double find_bend_range(double k, double density, double pixel) {
+  constexpr double kMissed = kSafety * 81 * 3 / 128;
+  const double step = 8 * pixel;  // of the coarsest grid, where d range matters most
+  double range = step;
+  for (int i = 0; i < 16; ++i) {
+    const double missed = kMissed * k * std::pow(step * (1 + density * range), 4) * display_slope(k / range);
+    range = std::pow(missed / kMostError, 0.2);
+  }
+  return range / std::pow(8.0, 0.8);
+}
+
 }  // namespace
 
 AirlightList list_airlight(const SceneLights& lights, const Fog& fog, const Scattering& scattering,
@@ -100,10 +121,8 @@ AirlightList list_airlight(const SceneLights& lights, const Fog& fog, const Scat
     if (!(reach > 0)) continue;
     const double pixel = eye_range / pixels_per_radian;
     const SeenBeam beam = see_beam(placed, (eye - placed.position) / eye_range);
-    // What a grid keeps of k / h has a fourth derivative of at most 81 k / range^5 (airlight.frag). Of that by the fourth
-    // power of the texels' distance, a cubic through four misses 3/128.
-    const double bend = 3 * 81 / 128.0 * kSafety * beam.narrowing * bound.k() / pixel / kMostBend;
-    const double bend_range = std::pow(bend, 0.2) * pixel;
+    const double bend_range =
+        std::min(find_bend_range(beam.narrowing * bound.k(), bound.density(), pixel), reach);
     // Up to this range a thin beam is thinner than a few texels of a grid.
     const double thin_range = beam.angle < kThinBeam ? 4 * pixel / std::tan(beam.angle) : 0;
     const bool is_thin = thin_range > bend_range;

@@ -15,8 +15,8 @@ struct AirlightEntry {
   float light;  ///< of SceneLights
   /// Metres from the light. What a ray shows of it from beyond is below the budget (airlight_list_test.cpp).
   float reach;
-  /// Metres from the light where its airlight, about k / h at a distance h, bends so that cubics through pixels miss it by
-  /// kMostBend. Cubics through every g-th pixel do so at g^(4/5) times that range.
+  /// Metres from the light where its airlight, about k / h at a distance h, bends so that cubics through pixels miss an
+  /// eighth of a step of the display. Cubics through every g-th pixel do so at g^(4/5) times that range.
   float bend_range;
   float width;  ///< metres, within which its airlight is flat; 0 for a thin beam
 };

@@ -14,6 +14,7 @@ layout(location = 1) out vec4 gain;
 const float most_own_change = 0.01;      // of opacity, within the pixel
 const float most_opacity_change = 0.03;  // of opacity, from a texel of the grid
 const float most_error = 0.0005;         // of the display: an eighth of a step
+const float most_correction = 0.004;     // of a straight line, by a cubic: of the display, a step
 
 // Slope of sRGB (IEC 61966-2-1) at a linear value below 1: what the display makes of errors of airlight that nothing
 // else outshines.
@@ -55,21 +56,20 @@ Middle middle_of(ivec2 place, ivec2 step, float opacity) {
   vec3 b = second.airlight;
   vec3 before = grid_texel(place - step, opacity).airlight;
   vec3 behind = grid_texel(place + 2 * step, opacity).airlight;
-  // Bends at the four inner ones. At the grid's border the next one stands for one that is not known.
-  vec3 first_bend = before - 2.0 * a + b;
-  vec3 second_bend = a - 2.0 * b + behind;
-  if (!is_inside(place - step)) first_bend = second_bend;
-  if (!is_inside(place + 2 * step)) second_bend = first_bend;
-  vec3 bend_before = is_inside(place - 2 * step)
-                         ? grid_texel(place - 2 * step, opacity).airlight - 2.0 * before + a : first_bend;
-  vec3 bend_behind = is_inside(place + 3 * step)
-                         ? b - 2.0 * behind + grid_texel(place + 3 * step, opacity).airlight : second_bend;
+  // At the grid's border not all of these are known: no cubic, and the bend of the inner two is not to be relied upon.
+  bool knows_bends = is_inside(place - step) && is_inside(place + 2 * step);
+  bool knows_all = is_inside(place - 2 * step) && is_inside(place + 3 * step);
+  vec3 first_bend = is_inside(place - step) ? before - 2.0 * a + b : vec3(0.0);
+  vec3 second_bend = is_inside(place + 2 * step) ? a - 2.0 * b + behind : vec3(0.0);
+  vec3 bend_before = grid_texel(place - 2 * step, opacity).airlight - 2.0 * before + a;
+  vec3 bend_behind = b - 2.0 * behind + grid_texel(place + 3 * step, opacity).airlight;
   // The straight line errs by an eighth of the bend. The cubic errs by 3/128 of the bend's own bend where the airlight is
   // smooth, and by more where it has an edge.
   vec3 slope = display_slope(min(a, b));
-  float line_error = largest(max(abs(first_bend), abs(second_bend)) * slope) / 8.0;
+  float line_error = largest(max(abs(first_bend), abs(second_bend)) * slope) / (knows_bends ? 8.0 : 2.0);
   float cubic_error = largest(max(abs(bend_before - 2.0 * first_bend + second_bend),
                                   abs(first_bend - 2.0 * second_bend + bend_behind)) * slope) * (3.0 / 32.0);
+  if (!knows_all || line_error > most_correction) cubic_error = 1.0;
   float most_change = max(abs(first.opacity_change), abs(second.opacity_change));
   float gain_error = largest(abs(first.gain - second.gain) * slope) * most_change / 4.0;
   Middle middle;
