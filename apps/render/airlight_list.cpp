@@ -87,8 +87,8 @@ AirlightList list_airlight(const SceneLights& lights, const Fog& fog, const Scat
     const GlowBound bound(placed.light, lights.extents()[i], fog, eye_range, brightness);
     const double reach = bound.reach(budget);
     if (!(reach > 0)) continue;
-    // At h pixels from the light (k / h)'' = 2 k / h^3. With the light's middle cut out, as airlight.frag does it, three
-    // times that is where it bends most; an eighth of it is missed.
+    // At h pixels from the light (k / h)'' = 2 k / h^3. With the light's middle cut out, as airlight.frag does it,
+    // three times that is where it bends most; an eighth of it is missed.
     const double pixel = eye_range / pixels_per_radian;
     const double bend_range = std::cbrt(0.75 * bound.k() / pixel / kMostBend) * pixel;
     // Up to this range a thin beam is thinner than a few texels of a grid.

@@ -40,8 +40,8 @@ Texel grid_texel(ivec2 place, float opacity) {
   return texel;
 }
 
-// Whether the mean of two neighbouring texels errs more than allowed. The bend of the values at the two is eight times the
-// error of the straight line between them.
+// Whether the mean of two neighbouring texels errs more than allowed. The bend of the values at the two is eight times
+// the error of the straight line between them.
 bool errs_between(ivec2 place, ivec2 step, Texel first, Texel second, float opacity) {
   vec3 before = grid_texel(place - step, opacity).airlight;
   vec3 behind = grid_texel(place + 2 * step, opacity).airlight;
