@@ -16,10 +16,6 @@
 namespace litfog::render {
 namespace {
 
-glm::mat4 clip_from_view(const scene::Camera& camera, double aspect) {
-  return glm::infinitePerspective(camera.field_of_view, float(aspect), kNearPlane);
-}
-
 glm::mat4 view_from_world(const scene::Camera& camera) {
   return glm::lookAt(camera.position, camera.target, glm::vec3(0, 1, 0));
 }
@@ -69,10 +65,9 @@ FrameCounts Renderer::draw(LightPoints light_points) {
   const View view = this->view();
   framebuffer_.bind();
   glClearColor(0, 0, 0, 1);
-  glEnable(GL_DEPTH_TEST);
   glEnable(GL_CULL_FACE);
-  glDepthMask(GL_TRUE);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  glClear(GL_COLOR_BUFFER_BIT);
+  begin_depths();
   light_tables_.bind_textures(kKindBufferUnit, kInstanceBufferUnit);
   surfaces_.surfaces().bind_light_list(kLightListUnit);
   if (cookies_) cookies_->bind(kCookieUnit);
@@ -107,6 +102,7 @@ void Renderer::draw_sky(const View& view) {
   set_uniform(sky_program_, "light_list", kLightListUnit);
   set_uniform(sky_program_, "carried_count", carried_count());
   set_uniform(sky_program_, "direction_from_clip", view.direction_from_clip);
+  set_uniform(sky_program_, "far_plane", far_plane_in_clip());
   set_uniform(sky_program_, "eye", scene_.camera.position);
   set_uniform(sky_program_, "sky_zenith", environment.sky_zenith);
   set_uniform(sky_program_, "sky_horizon", environment.sky_horizon);
@@ -128,6 +124,7 @@ void Renderer::draw_light_points(const View& view) {
   set_uniform(light_point_program_, "eye", scene_.camera.position);
   set_uniform(light_point_program_, "has_glare", unsigned{settings_.fog_lighting == FogLighting::peak});
   set_uniform(light_point_program_, "near_plane", view.near_plane);
+  set_uniform(light_point_program_, "has_clip_control", unsigned{has_clip_control()});
   set_uniform(light_point_program_, "pixel_scale", float(framebuffer_.height()) / 720.0f);
   set_uniform(light_point_program_, "litfog_kind_buffer", kKindBufferUnit);
   set_uniform(light_point_program_, "litfog_instance_buffer", kInstanceBufferUnit);

@@ -7,6 +7,7 @@
 #include "litfog/gl/fog_light_tables.h"
 #include "litfog/gl/program.h"
 #include "render/airlight_painter.h"
+#include "render/gpu/depth.h"
 #include "render/gpu/framebuffer.h"
 #include "render/gpu/geometry_buffer.h"
 #include "render/scene_lights.h"
@@ -15,7 +16,6 @@
 
 namespace litfog::render {
 
-inline constexpr float kNearPlane = 0.1f;       ///< metres
 inline constexpr float kSkyDistance = 50'000;  ///< metres: beyond any visibility at which fog is visible
 
 /// Whether lamps are drawn as points over the surfaces.

@@ -24,7 +24,9 @@ class DemoCommand : public CommandTest {
   DemoCommand() : CommandTest(LITFOG_DEMO_PATH) {}
   static void SetUpTestSuite() {
     const DemoProbe probe;
-    const Outcome outcome = probe.run("room --size 8x8 -o probe.png");
+    probe.write("bare.json", R"({"litfog": "scene", "version": 1, "objects": [],
+                                 "camera": {"position": [0, 1, 5], "target": [0, 1, 0]}})");
+    const Outcome outcome = probe.run("bare.json --size 8x8 -o probe.png");
     missing_ = outcome.status == kMissingCapability ? outcome.err : "";
   }
   void SetUp() override {
@@ -40,6 +42,7 @@ class DemoCommand : public CommandTest {
    public:
     DemoProbe() : CommandTest(LITFOG_DEMO_PATH) {}
     using CommandTest::run;
+    using CommandTest::write;
     void TestBody() override {}
   };
   static inline std::string missing_;  // what the machine lacks, in words
@@ -203,6 +206,11 @@ TEST_F(DemoCommand, CityHasTheLightsThatAreAskedFor) {
   EXPECT_FALSE(std::filesystem::exists(directory() / "b.png"));
 }
 
+/// A pixel's green of a file of linear light, as a display shows it.
+double shown(const OIIO::ImageBuf& image, int x, int y) {
+  return litfog::test::srgb_from_linear(std::min(1.0, double(image.getchannel(x, y, 0, 1))));
+}
+
 TEST_F(DemoCommand, ReferenceIsTheSamePictureToAStep) {
   for (const char* options : {"-o a.exr", "--reference -o b.exr --stats s.json"}) {
     const Outcome outcome =
@@ -211,9 +219,6 @@ TEST_F(DemoCommand, ReferenceIsTheSamePictureToAStep) {
   }
   OIIO::ImageBuf drawn((directory() / "a.exr").string());
   OIIO::ImageBuf reference((directory() / "b.exr").string());
-  const auto shown = [](const OIIO::ImageBuf& image, int x, int y) {
-    return litfog::test::srgb_from_linear(std::min(1.0, double(image.getchannel(x, y, 0, 1))));
-  };
   for (int y = 0; y < 36; ++y) {
     for (int x = 0; x < 64; ++x) ASSERT_NEAR(shown(drawn, x, y), shown(reference, x, y), 1.0 / 255) << x << ", " << y;
   }
@@ -221,6 +226,22 @@ TEST_F(DemoCommand, ReferenceIsTheSamePictureToAStep) {
   EXPECT_LT(stats["max_error_255"], 1);
   EXPECT_LE(stats["mean_error_255"], stats["max_error_255"]);
   EXPECT_EQ(stats["excepted_pixels"], 0);
+}
+
+// Mesa's environment variable takes the extension away.
+TEST_F(DemoCommand, PictureIsTheSameToAStepWithoutClipControl) {
+  for (const std::string fog_light : {"airlight", "peak"}) {
+    const std::string options = "tessellation --size 64x36 --fog-light " + fog_light;
+    ASSERT_EQ(run(options + " -o a.exr").status, kDone);
+    ASSERT_EQ(run(options + " -o b.exr", "MESA_EXTENSION_OVERRIDE=-GL_ARB_clip_control").status, kDone);
+    const OIIO::ImageBuf with((directory() / "a.exr").string());
+    const OIIO::ImageBuf without((directory() / "b.exr").string());
+    for (int y = 0; y < 36; ++y) {
+      for (int x = 0; x < 64; ++x) {
+        ASSERT_NEAR(shown(with, x, y), shown(without, x, y), 1.0 / 255) << fog_light << ", " << x << ", " << y;
+      }
+    }
+  }
 }
 
 TEST_F(DemoCommand, HeatMapShowsThePathsErrorBesideItsPicture) {

@@ -11,6 +11,7 @@
 
 #include "litfog/gl/unsupported.h"
 #include "render/demo_shaders.h"
+#include "render/gpu/depth.h"
 
 namespace litfog::render {
 namespace {
@@ -71,9 +72,7 @@ void GeometryBuffer::begin() const {
   glBindFramebuffer(GL_FRAMEBUFFER, drawn_.id());
   glViewport(0, 0, width_, height_);
   if (samples_ == 1) glDisable(GL_MULTISAMPLE);  // the textures may have more samples than asked for
-  glEnable(GL_DEPTH_TEST);
-  glDepthMask(GL_TRUE);
-  glClear(GL_DEPTH_BUFFER_BIT);
+  begin_depths();
   constexpr float kSky[] = {0, 0, 0, -1};
   for (int i = 0; i < kTargets; ++i) glClearBufferfv(GL_COLOR, i, kSky);
 }
