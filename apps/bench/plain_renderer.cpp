@@ -132,6 +132,7 @@ void PlainRenderer::draw() {
   glDepthMask(GL_FALSE);
   draw_sky(glm::inverse(clip_from_view * glm::mat4(glm::mat3(view_from_world))));
   draw_light_points(clip_from_view * view_from_world);
+  render::end_depths();
   framebuffer_.resolve();
   glFinish();
   gl::check_errors("drawing a plain frame");
@@ -181,8 +182,7 @@ void PlainRenderer::draw_sky(const glm::mat4& direction_from_clip) const {
   set_uniform(sky_program_, "sky_horizon", scene_.environment.sky_horizon);
   set_uniform(sky_program_, "star_brightness", scene_.environment.star_brightness);
   set_uniform(sky_program_, "sky_distance", render::kSkyDistance);
-  const double fog_above_eye = scene_.fog_top - double(scene_.camera.position.y);
-  set_uniform(sky_program_, "fog_above_eye", float(std::clamp(fog_above_eye, -1.0, 2.0 * render::kSkyDistance)));
+  set_uniform(sky_program_, "fog_above_eye", render::fog_above_eye(scene_));
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 

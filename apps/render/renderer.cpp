@@ -22,6 +22,10 @@ glm::mat4 view_from_world(const scene::Camera& camera) {
 
 }  // namespace
 
+float fog_above_eye(const scene::Scene& scene) {
+  return float(std::clamp(scene.fog_top - double(scene.camera.position.y), -1.0, 2.0 * kSkyDistance));
+}
+
 Renderer::Renderer(const scene::Scene& scene, int width, int height, const RenderSettings& settings)
     : scene_(scene),
       settings_(settings),
@@ -53,12 +57,10 @@ glm::mat4 Renderer::clip_from_world() const {
 View Renderer::view() const {
   // Without the eye's position: far from the origin, the rounding of a near point minus the eye would rotate the rays.
   const auto turned = glm::mat4(glm::mat3(view_from_world(scene_.camera)));
-  // Twice the sky's distance stands for an infinite one, and nothing finite overflows a float.
-  const double fog_above_eye = scene_.fog_top - double(scene_.camera.position.y);
   return {.clip_from_world = clip_from_world(),
           .direction_from_clip = glm::inverse(clip_from_view(scene_.camera, framebuffer_.aspect()) * turned),
           .near_plane = kNearPlane,
-          .fog_above_eye = float(std::clamp(fog_above_eye, -1.0, 2.0 * kSkyDistance))};
+          .fog_above_eye = fog_above_eye(scene_)};
 }
 
 FrameCounts Renderer::draw(LightPoints light_points) {
@@ -76,6 +78,7 @@ FrameCounts Renderer::draw(LightPoints light_points) {
   glDepthMask(GL_FALSE);
   draw_sky(view);
   if (light_points == LightPoints::on) draw_light_points(view);
+  end_depths();
   framebuffer_.resolve();
   if (airlight_) airlight_->draw(framebuffer_, view, fog_);
   glFinish();

@@ -321,6 +321,13 @@ TEST_P(ReferenceOfScene, EveryPathIsWithinItsBoundInClearAirAndInFog) {
       EXPECT_LE(error.mean, bound->mean) << measured;
       EXPECT_LE(error.excluded, std::size_t{kWidth * kHeight / 400}) << measured;
     }
+    // With the lamps' points, which the reference leaves out.
+    renderer.set_fog(Fog::from_visibility(FogMode::exp, scene.visibilities[0]));
+    renderer.draw();
+    const Picture picture = renderer.read();
+    EXPECT_TRUE(std::ranges::all_of(picture.rgb, [](float value) { return std::isfinite(value) && value >= 0; }))
+        << path.name << ", " << name;
+    EXPECT_GT(std::ranges::max(picture.rgb), 0.1f) << path.name << ", " << name;
   }
 }
 

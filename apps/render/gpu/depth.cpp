@@ -28,4 +28,12 @@ void begin_depths() {
   glClear(GL_DEPTH_BUFFER_BIT);
 }
 
+void end_depths() {
+  if (has_clip_control()) glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+  glDisable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  glDepthMask(GL_TRUE);
+  glClearDepth(1);
+}
+
 }  // namespace litfog::render

@@ -25,5 +25,7 @@ glm::mat4 clip_from_view(const scene::Camera& camera, double aspect);
 
 /// Sets the current context's clip volume and depth test, and empties the depth buffer of the bound framebuffer.
 void begin_depths();
+/// Sets clip volume and depth test to OpenGL's defaults.
+void end_depths();
 
 }  // namespace litfog::render

@@ -77,7 +77,10 @@ void GeometryBuffer::begin() const {
   for (int i = 0; i < kTargets; ++i) glClearBufferfv(GL_COLOR, i, kSky);
 }
 
-void GeometryBuffer::end() const { glEnable(GL_MULTISAMPLE); }
+void GeometryBuffer::end() const {
+  end_depths();
+  glEnable(GL_MULTISAMPLE);
+}
 
 std::vector<GeometrySample> GeometryBuffer::read_rows(int first, int count) const {
   assert(first >= 0 && count >= 1 && count <= kMostRows && first + count <= height_);
@@ -87,7 +90,6 @@ std::vector<GeometrySample> GeometryBuffer::read_rows(int first, int count) cons
   std::vector<glm::vec4> texels(pixels);
   glBindFramebuffer(GL_FRAMEBUFFER, read_.id());
   glViewport(0, 0, width_, count);
-  glDisable(GL_DEPTH_TEST);
   glBindVertexArray(vertex_array_.id());
   sample_program_.use();
   glUniform1i(sample_program_.uniform("target"), 0);
@@ -109,7 +111,6 @@ std::vector<GeometrySample> GeometryBuffer::read_rows(int first, int count) cons
       }
     }
   }
-  glEnable(GL_DEPTH_TEST);
   return rows;
 }
 
