@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # litfog_embed_text(<target> FUNCTION <qualified name> TYPE <type> HEADER <header> [PREFIX <prefix>] FILES <file>...)
-# Compiles text files into a target: FUNCTION() returns them as a span of TYPE{name, text}, which HEADER defines. A name is
-# PREFIX and the file's name.
+# Compiles text files into a target: FUNCTION() returns them as a span of TYPE{name, text}, which HEADER defines. A name
+# is PREFIX and the file's name.
 function(litfog_embed_text target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "FUNCTION;TYPE;HEADER;PREFIX" "FILES")
   string(REGEX REPLACE "::[^:]*$" "" namespace ${arg_FUNCTION})

@@ -6,6 +6,7 @@
 #include <glm/vec2.hpp>
 #include <limits>
 
+#include "fog_light_count.h"
 #include "require.h"
 #include "unchecked.h"
 
@@ -78,7 +79,7 @@ FogHeader pack_fog_header(const Fog& fog, const glm::dvec3& ambient_fog_color, s
 
 FogLightBlock pack_fog_light_block(const Fog& fog, const glm::dvec3& ambient_fog_color,
                                    std::span<const PlacedLight> lights, std::span<const FogIntensity> solutions) {
-  if (lights.size() > kMaxFogLights) require(ValueError{"lights", double(lights.size()), "must be at most 200"});
+  require(check_fog_light_count("lights", lights.size()));
   if (solutions.size() != lights.size()) {
     require(ValueError{"solutions", double(solutions.size()), "must be as many as the lights"});
   }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -205,7 +204,9 @@ std::optional<std::size_t> LightClusters::Store::cluster_at(const glm::dvec3& po
 }
 
 View LightClusters::Store::part_of_view(std::size_t cluster) const {
-  assert(cluster < clusters_.size());
+  if (cluster >= clusters_.size()) {
+    require(ValueError{"cluster", double(cluster), "must be below the number of clusters"});
+  }
   const std::size_t column = cluster % grid_.columns;
   const std::size_t row = cluster / grid_.columns % grid_.rows;
   const auto slice = std::uint32_t(cluster / grid_.columns / grid_.rows);

@@ -16,6 +16,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bench/stopwatch.h"
@@ -138,19 +139,35 @@ struct Trial {
 
 // --- clusters ---
 
-std::vector<LightBounds> bounds_in(const Fog& fog, std::span<const PlacedLight> lights) {
-  std::vector<LightBounds> bounds;
-  std::map<std::string, double> reaches;  // by kind
-  for (const PlacedLight& placed : lights) {
-    const auto [reach, is_new] = reaches.try_emplace(placed.light.name);
-    if (is_new) {
-      const glm::dvec3& color = placed.light.color;
-      reach->second = light_reach(placed.light, fog, std::min(0.5, kBudget / std::max({color.r, color.g, color.b})));
+/// Lights and their kinds, which have names.
+class KindedLights {
+ public:
+  explicit KindedLights(std::span<const PlacedLight> lights) : lights_(lights) {
+    std::map<std::string_view, std::size_t> numbers;
+    for (const PlacedLight& placed : lights) {
+      const auto [number, is_new] = numbers.try_emplace(placed.light.name, firsts_.size());
+      if (is_new) firsts_.push_back(placed.light);
+      kinds_.push_back(number->second);
     }
-    bounds.push_back(bounds_of(placed, reach->second));
   }
-  return bounds;
-}
+
+  std::vector<LightBounds> bounds_in(const Fog& fog) const {
+    std::vector<double> reaches;
+    for (const Light& light : firsts_) {
+      const double brightest = std::max({light.color.r, light.color.g, light.color.b});
+      reaches.push_back(light_reach(light, fog, std::min(0.5, kBudget / brightest)));
+    }
+    std::vector<LightBounds> bounds;
+    bounds.reserve(lights_.size());
+    for (std::size_t i = 0; i < lights_.size(); ++i) bounds.push_back(bounds_of(lights_[i], reaches[kinds_[i]]));
+    return bounds;
+  }
+
+ private:
+  std::span<const PlacedLight> lights_;
+  std::vector<Light> firsts_;  // of each kind
+  std::vector<std::size_t> kinds_;
+};
 
 void set_lights(LightClusters& clusters, std::span<const LightBounds> bounds) {
   clusters.resize(bounds.size());
@@ -243,7 +260,7 @@ class CityTrials {
       : scale_(scale), city_(scene::read_scene(scene::bundled_scene_path("city"), std::ranges::max(scale.lights))) {}
 
   void measure_clusters(double visibility, std::size_t count) {
-    const auto lights = std::span(city_.lights).first(count);
+    const KindedLights lights(std::span(city_.lights).first(count));
     const Fog fog = Fog::from_visibility(FogMode::exp, visibility);
     LightClusters clusters;
     Trial& change = add("clusters-fog", visibility, count);
@@ -251,12 +268,12 @@ class CityTrials {
     for (int i = 0; i < scale_.still_frames + 1; ++i) {
       const Fog other{FogMode::exp, fog.density * (1 + 1e-3 * (scale_.still_frames - i))};
       const double time = time_of(thread_milliseconds, [&] {
-        set_lights(clusters, bounds_in(other, lights));
+        set_lights(clusters, lights.bounds_in(other));
         clusters.update(first);
       });
       if (i > 0) note(change, clusters, time);  // the first one is set up
     }
-    const std::vector<LightBounds> bounds = bounds_in(fog, lights);
+    const std::vector<LightBounds> bounds = lights.bounds_in(fog);
     set_lights(clusters, bounds);
 
     Trial& flight = add("clusters", visibility, count);
@@ -341,7 +358,7 @@ class CityTrials {
 
   std::vector<PlacedLight> lights_that_matter(const scene::Scene& scene, double visibility) const {
     LightClusters clusters;
-    set_lights(clusters, bounds_in(Fog::from_visibility(FogMode::exp, visibility), scene.lights));
+    set_lights(clusters, KindedLights(scene.lights).bounds_in(Fog::from_visibility(FogMode::exp, visibility)));
     clusters.update(view_of(scene.camera, visibility));
     std::vector<std::uint32_t> listed(clusters.light_list().begin(), clusters.light_list().end());
     std::ranges::sort(listed);

@@ -122,19 +122,17 @@ void PlainRenderer::set_fog(const Fog& fog) {
 void PlainRenderer::draw() {
   const scene::Camera& camera = scene_.camera;
   const glm::mat4 view_from_world = glm::lookAt(camera.position, camera.target, glm::vec3(0, 1, 0));
-  const glm::mat4 clip_from_view =
-      glm::infinitePerspective(camera.field_of_view, float(framebuffer_.aspect()), render::kNearPlane);
+  const glm::mat4 clip_from_view = render::clip_from_view(camera, framebuffer_.aspect());
   framebuffer_.bind();
-  glEnable(GL_DEPTH_TEST);
   glEnable(GL_CULL_FACE);
-  glDepthFunc(GL_LEQUAL);
-  glDepthMask(GL_TRUE);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  glClear(GL_COLOR_BUFFER_BIT);
+  render::begin_depths();
   if (cookies_) cookies_->bind(render::kCookieUnit);
   draw_surfaces(clip_from_view * view_from_world);
   glDepthMask(GL_FALSE);
   draw_sky(glm::inverse(clip_from_view * glm::mat4(glm::mat3(view_from_world))));
   draw_light_points(clip_from_view * view_from_world);
+  render::end_depths();
   framebuffer_.resolve();
   glFinish();
   gl::check_errors("drawing a plain frame");
@@ -179,12 +177,12 @@ void PlainRenderer::draw_surfaces(const glm::mat4& clip_from_world) const {
 void PlainRenderer::draw_sky(const glm::mat4& direction_from_clip) const {
   use(sky_program_);
   set_uniform(sky_program_, "direction_from_clip", direction_from_clip);
+  set_uniform(sky_program_, "far_plane", render::far_plane_in_clip());
   set_uniform(sky_program_, "sky_zenith", scene_.environment.sky_zenith);
   set_uniform(sky_program_, "sky_horizon", scene_.environment.sky_horizon);
   set_uniform(sky_program_, "star_brightness", scene_.environment.star_brightness);
   set_uniform(sky_program_, "sky_distance", render::kSkyDistance);
-  const double fog_above_eye = scene_.fog_top - double(scene_.camera.position.y);
-  set_uniform(sky_program_, "fog_above_eye", float(std::clamp(fog_above_eye, -1.0, 2.0 * render::kSkyDistance)));
+  set_uniform(sky_program_, "fog_above_eye", render::fog_above_eye(scene_));
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
@@ -195,6 +193,7 @@ void PlainRenderer::draw_light_points(const glm::mat4& clip_from_world) const {
   set_uniform(light_point_program_, "clip_from_world", clip_from_world);
   set_uniform(light_point_program_, "has_glare", 1u);
   set_uniform(light_point_program_, "near_plane", render::kNearPlane);
+  set_uniform(light_point_program_, "has_clip_control", unsigned{render::has_clip_control()});
   set_uniform(light_point_program_, "pixel_scale", float(framebuffer_.height()) / 720.0f);
   glEnable(GL_PROGRAM_POINT_SIZE);
   glEnable(GL_BLEND);

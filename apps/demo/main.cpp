@@ -148,7 +148,8 @@ Job add_picture_job(CLI::App& app) {
 
     const auto city_lights = is_given("--lights") ? std::optional(std::size_t(options->city_lights)) : std::nullopt;
     scene::Scene scene = scene::read_scene(scene_path(options->scene), city_lights);
-    check_options(app, {{scene.name, !has_turning_light(scene), {"--time"}, "none of its lights turns"}});
+    check_options(app, {{scene.name, !has_turning_light(scene), {"--time"}, "none of its lights turns"},
+                        {scene.name, !scene.has_city, {"--lights"}, "it has no generated city"}});
     scene::turn_lights(scene, drawing.seconds);
     scene.phase_g = drawing.phase_g.value_or(scene.phase_g);
     OutputFiles outputs;

@@ -15,8 +15,8 @@ class PictureFolder {
  public:
   /// Makes the folder if it does not exist.
   ///
-  /// files   names of the pictures, and of what else is written there; each must be another: one scene may be named like
-  ///         another's picture
+  /// files   names of the pictures, and of what else is written there; each must be another: one scene may be named
+  ///         like another's picture
   /// inputs  files that the command reads, none of which may be replaced
   /// throws  InputError, CLI::ValidationError or OutputError, before anything is written
   PictureFolder(const std::string& path, const std::vector<std::string>& files, const std::vector<std::string>& inputs);

@@ -81,14 +81,9 @@ not rotationally symmetric is reported with a measure of it, and --cookie keeps 
 
 The optimum is the global one and is shown to be: the report has the bound below which nothing is. The best light may
 still be a bad one; the verdict says how well it follows the data. Its largest errors are
-                                        good    fair, else it is poor
-  attenuation, rms, and largest      5, 15 %    20, 50 %
-  cone, rms, of the peak                 5 %    10 %
-  flux                                  10 %    33 %
-  angle at 50 %                         10 %    25 %
-  angle at 10 %                         15 %    40 %
-  asymmetry of the beam                 0.15    0.4
+)";
 
+constexpr const char* kExamples = R"(
 Examples:
   litfog-fit landing-lamp.json                                the report
   litfog-fit landing-lamp.json -o light.json --plot fit.png   the light, which litfog-solve and litfog-demo read
@@ -407,7 +402,7 @@ CLI::Option* add_axis(CLI::App& app, AxisChoice& choice) {
 int main(int argc, char** argv) {
   Options options;
   CLI::App app{kDescription, "litfog-fit"};
-  app.footer(kExplanation);
+  app.footer(kExplanation + litfog::fit::grade_table() + kExamples);
   app.add_option("input", options.inputs, "Light specs (.json) and photometric files (.ies, .ldt)")
       ->type_name("FILE...")
       ->required();

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace litfog::fit {
@@ -92,6 +93,19 @@ const char* name_of(Grade grade) {
       break;
   }
   return "poor";
+}
+
+std::string grade_table() {
+  constexpr std::pair<const char*, double GradeLimits::*> kErrors[] = {
+      {"attenuation, rms", &GradeLimits::range_rms},      {"attenuation, largest", &GradeLimits::range_largest},
+      {"cone, rms, of the peak", &GradeLimits::cone_rms}, {"flux", &GradeLimits::flux},
+      {"angle at 50 %", &GradeLimits::beam_angle},        {"angle at 10 %", &GradeLimits::field_angle},
+      {"asymmetry of the beam", &GradeLimits::asymmetry}};
+  std::string table = fmt::format("  {:<36}{:>6}  {:>6}, else it is poor\n", "", "good", "fair");
+  for (const auto& [error, limit] : kErrors) {
+    table += fmt::format("  {:<36}{:>4.0f} %  {:>4.0f} %\n", error, 100 * kGood.*limit, 100 * kFair.*limit);
+  }
+  return table;
 }
 
 }  // namespace litfog::fit

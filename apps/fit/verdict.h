@@ -33,4 +33,7 @@ Verdict judge(const LightFit& fit);
 
 const char* name_of(Grade grade);
 
+/// The limits, for the help: a heading and a line an error.
+std::string grade_table();
+
 }  // namespace litfog::fit

@@ -107,7 +107,7 @@ class ReferenceShading {
 
   double length_to(const render::GeometrySample& sample, bool is_edge, const glm::dvec3& direction) const {
     if (sample.material < 0) return fog_before_sky(fog_above_eye_, direction);
-    if (is_edge) return rays_.length_to(render::kNearPlane / (1 - double(sample.depth)), direction);
+    if (is_edge) return rays_.length_to(render::kNearPlane / double(sample.depth), direction);
     return glm::distance(glm::dvec3(sample.position), eye_);
   }
 

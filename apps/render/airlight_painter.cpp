@@ -19,7 +19,8 @@
 namespace litfog::render {
 namespace {
 
-/// What a light may leave out of a pixel: an eighth of a step of the display where it is darkest and sRGB has this slope.
+/// What a light may leave out of a pixel: an eighth of a step of the display where it is darkest and sRGB has this
+/// slope.
 constexpr double kDarkestSlope = 12.92;
 constexpr double kBudget = 1 / (8 * 255 * kDarkestSlope);
 constexpr int kGridSteps[] = {8, 4, 2, 1};  // pixels

@@ -16,15 +16,15 @@
 namespace litfog::render {
 namespace {
 
-glm::mat4 clip_from_view(const scene::Camera& camera, double aspect) {
-  return glm::infinitePerspective(camera.field_of_view, float(aspect), kNearPlane);
-}
-
 glm::mat4 view_from_world(const scene::Camera& camera) {
   return glm::lookAt(camera.position, camera.target, glm::vec3(0, 1, 0));
 }
 
 }  // namespace
+
+float fog_above_eye(const scene::Scene& scene) {
+  return float(std::clamp(scene.fog_top - double(scene.camera.position.y), -1.0, 2.0 * kSkyDistance));
+}
 
 Renderer::Renderer(const scene::Scene& scene, int width, int height, const RenderSettings& settings)
     : scene_(scene),
@@ -57,22 +57,19 @@ glm::mat4 Renderer::clip_from_world() const {
 View Renderer::view() const {
   // Without the eye's position: far from the origin, the rounding of a near point minus the eye would rotate the rays.
   const auto turned = glm::mat4(glm::mat3(view_from_world(scene_.camera)));
-  // Twice the sky's distance stands for an infinite one, and nothing finite overflows a float.
-  const double fog_above_eye = scene_.fog_top - double(scene_.camera.position.y);
   return {.clip_from_world = clip_from_world(),
           .direction_from_clip = glm::inverse(clip_from_view(scene_.camera, framebuffer_.aspect()) * turned),
           .near_plane = kNearPlane,
-          .fog_above_eye = float(std::clamp(fog_above_eye, -1.0, 2.0 * kSkyDistance))};
+          .fog_above_eye = fog_above_eye(scene_)};
 }
 
 FrameCounts Renderer::draw(LightPoints light_points) {
   const View view = this->view();
   framebuffer_.bind();
   glClearColor(0, 0, 0, 1);
-  glEnable(GL_DEPTH_TEST);
   glEnable(GL_CULL_FACE);
-  glDepthMask(GL_TRUE);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  glClear(GL_COLOR_BUFFER_BIT);
+  begin_depths();
   light_tables_.bind_textures(kKindBufferUnit, kInstanceBufferUnit);
   surfaces_.surfaces().bind_light_list(kLightListUnit);
   if (cookies_) cookies_->bind(kCookieUnit);
@@ -81,6 +78,7 @@ FrameCounts Renderer::draw(LightPoints light_points) {
   glDepthMask(GL_FALSE);
   draw_sky(view);
   if (light_points == LightPoints::on) draw_light_points(view);
+  end_depths();
   framebuffer_.resolve();
   if (airlight_) airlight_->draw(framebuffer_, view, fog_);
   glFinish();
@@ -107,6 +105,7 @@ void Renderer::draw_sky(const View& view) {
   set_uniform(sky_program_, "light_list", kLightListUnit);
   set_uniform(sky_program_, "carried_count", carried_count());
   set_uniform(sky_program_, "direction_from_clip", view.direction_from_clip);
+  set_uniform(sky_program_, "far_plane", far_plane_in_clip());
   set_uniform(sky_program_, "eye", scene_.camera.position);
   set_uniform(sky_program_, "sky_zenith", environment.sky_zenith);
   set_uniform(sky_program_, "sky_horizon", environment.sky_horizon);
@@ -128,6 +127,7 @@ void Renderer::draw_light_points(const View& view) {
   set_uniform(light_point_program_, "eye", scene_.camera.position);
   set_uniform(light_point_program_, "has_glare", unsigned{settings_.fog_lighting == FogLighting::peak});
   set_uniform(light_point_program_, "near_plane", view.near_plane);
+  set_uniform(light_point_program_, "has_clip_control", unsigned{has_clip_control()});
   set_uniform(light_point_program_, "pixel_scale", float(framebuffer_.height()) / 720.0f);
   set_uniform(light_point_program_, "litfog_kind_buffer", kKindBufferUnit);
   set_uniform(light_point_program_, "litfog_instance_buffer", kInstanceBufferUnit);

@@ -7,6 +7,7 @@
 #include "litfog/gl/fog_light_tables.h"
 #include "litfog/gl/program.h"
 #include "render/airlight_painter.h"
+#include "render/gpu/depth.h"
 #include "render/gpu/framebuffer.h"
 #include "render/gpu/geometry_buffer.h"
 #include "render/scene_lights.h"
@@ -15,8 +16,11 @@
 
 namespace litfog::render {
 
-inline constexpr float kNearPlane = 0.1f;       ///< metres
 inline constexpr float kSkyDistance = 50'000;  ///< metres: beyond any visibility at which fog is visible
+
+/// Metres from the eye up to the top of the fog, as shaders/fog_top.glsl takes them: twice the sky's distance stands
+/// for an infinite one, and nothing finite overflows a float.
+float fog_above_eye(const scene::Scene& scene);
 
 /// Whether lamps are drawn as points over the surfaces.
 enum class LightPoints { on, off };

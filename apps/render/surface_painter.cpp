@@ -35,7 +35,7 @@ void set_blend(Blend blend) {
 /// stencil counts the passes of a sample. Where several triangles have the same depth, the first pass keeps the last
 /// one; later passes keep the first one, so they draw the triangles in reverse order.
 void select_samples(int pass) {
-  glDepthFunc(pass == 0 ? GL_LEQUAL : GL_EQUAL);
+  glDepthFunc(pass == 0 ? GL_GEQUAL : GL_EQUAL);
   glDepthMask(pass == 0 ? GL_TRUE : GL_FALSE);
   glStencilFunc(pass == 0 ? GL_ALWAYS : GL_EQUAL, pass == 0 ? 0 : (pass - 1) & 0xff, 0xff);
   glStencilOp(GL_KEEP, GL_KEEP, pass == 0 ? GL_REPLACE : GL_INCR_WRAP);

@@ -66,6 +66,7 @@ struct Scene {
   std::vector<Model> models;
   std::vector<Instance> instances;
   std::vector<PlacedLight> lights;
+  bool has_city = false;  ///< whether lights and instances are those of a generated city (model/city.h), too
   std::vector<Cookie> cookies;
   std::map<std::size_t, CookieUse> cookie_uses;  ///< by their lights, whose cones are none
   std::map<std::size_t, double> turn_rates;      ///< of lights whose axes turn about +Y: radians a second

@@ -38,7 +38,8 @@ using litfog::Light;
 using litfog::SolveStatus;
 
 constexpr const char* kDescription =
-    R"(Computes how brightly a light makes fog glow: the intensity, the range where it peaks, the light's extent and airlight.
+    R"(Computes how brightly a light makes fog glow: the intensity, the range where it peaks, the light's extent and
+airlight.
 
   litfog-solve --constant C --linear L --quadratic Q  --visibility M[,M...] | --density D[,D...]  [OPTIONS]
   litfog-solve --light FILE...                        --visibility M[,M...] | --density D[,D...]  [OPTIONS]
@@ -46,10 +47,10 @@ constexpr const char* kDescription =
 )";
 
 constexpr const char* kExamples =
-    R"(Units: metres, 1/m (density, linear), 1/m^2 (quadratic). The intensity is the largest fraction of the light's colour
-that the fog throws back along the light's axis: the peak of (1 - f(r)) / (constant + linear r + quadratic r^2), its
-denominator at least 1, for r from 0 to the extent. The airlight is all that the fog throws back along the axis, the
-integral of the same 1 / (constant + linear r + quadratic r^2) over f(r); it is never below the intensity.
+    R"(Units: metres, 1/m (density, linear), 1/m^2 (quadratic). The intensity is the largest fraction of the light's
+colour that the fog throws back along the light's axis: the peak of (1 - f(r)) / (constant + linear r + quadratic r^2),
+its denominator at least 1, for r from 0 to the extent. The airlight is all that the fog throws back along the axis,
+the integral of the same 1 / (constant + linear r + quadratic r^2) over f(r); it is never below the intensity.
 
 Examples:
   litfog-solve --constant 1 --quadratic 0.0002 --visibility 50,200,1000

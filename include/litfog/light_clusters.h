@@ -116,6 +116,7 @@ class LightClusters {
   /// The part that a cluster is of the view of the last update.
   ///
   /// cluster  below the number of clusters
+  /// throws   std::invalid_argument naming field, value and rule
   View part_of_view(std::size_t cluster) const;
 
   const ClusterStatistics& statistics() const;

@@ -107,6 +107,14 @@ class TemporaryFile {
 
 fs::path folder_of(const fs::path& target) { return target.has_parent_path() ? target.parent_path() : fs::path("."); }
 
+/// Throws OutputError if a path is a folder or its folder does not exist.
+void expect_folder(const fs::path& path) {
+  std::error_code error;
+  if (fs::is_directory(path, error)) fail_to_write(path.string(), "is a folder");
+  const fs::path folder = folder_of(path);
+  if (!fs::is_directory(folder, error)) fail_to_write(path.string(), ("no folder " + folder.string()).c_str());
+}
+
 /// The standard stream that goes to a file, or null.
 std::FILE* standard_stream_to(const struct stat& file) {
   for (std::FILE* stream : {stdout, stderr}) {
@@ -144,10 +152,13 @@ fs::path behind_links(fs::path path) {
 }
 
 void expect_writable(const std::string& path) {
-  std::error_code error;
-  if (fs::is_directory(path, error)) fail_to_write(path, "is a folder");
-  const fs::path folder = folder_of(path);
-  if (!fs::is_directory(folder, error)) fail_to_write(path, ("no folder " + folder.string()).c_str());
+  struct stat earlier;
+  const bool exists = stat(path.c_str(), &earlier) == 0;
+  if (exists && !S_ISDIR(earlier.st_mode) && (!S_ISREG(earlier.st_mode) || standard_stream_to(earlier))) return;
+  const fs::path target = behind_links(path);
+  expect_folder(target);
+  const TemporaryFile file(folder_of(target), 0600);
+  if (!file.is_open()) fail_to_write(path, std::strerror(errno));
 }
 
 void write_whole_file(const std::string& path, std::string_view text) {
@@ -158,7 +169,7 @@ void write_whole_file(const std::string& path, std::string_view text) {
     if (!S_ISREG(earlier.st_mode)) return write_in_place(path, text);
   }
   const fs::path target = behind_links(path);
-  expect_writable(target.string());
+  expect_folder(target);
   const mode_t mode = exists ? earlier.st_mode & mode_t{0777} : mode_t{0666};
   TemporaryFile file(folder_of(target), mode);
   const bool is_written =

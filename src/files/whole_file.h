@@ -16,8 +16,8 @@ void write_whole_file(const std::string& path, std::string_view text);
 /// circle.
 std::filesystem::path behind_links(std::filesystem::path path);
 
-/// Throws OutputError if the path is a folder or its folder does not exist: for commands that work long before they
-/// write.
+/// Throws OutputError if the path is a folder, or if write_whole_file() could not begin a file beside it: for commands
+/// that work long before they write. Devices, pipes and the files of standard output and error are not tried.
 void expect_writable(const std::string& path);
 
 /// From now on a signal that ends the program (SIGHUP, SIGINT, SIGQUIT, SIGTERM) removes temporary files first. Signals

@@ -237,8 +237,8 @@ void fit_samples(const AttenuationTarget& target, AttenuationFit& fit) {
   fit.status = found.is_proven ? AttenuationFitStatus::optimal : AttenuationFitStatus::unproven;
   fit.sentence = found.is_proven ? "no better attenuation exists"
                                  : "the best attenuation found; the search ended before it could rule out a better one";
-  fit.sentence +=
-      ": off by " + format_percent(fit.rms_error) + " (rms), " + format_percent(fit.largest_error) + " at most";
+  fit.sentence += ": off by " + format_percent(fit.rms_error) + " (rms), by " + format_percent(fit.largest_error) +
+                  " at one sample";
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <string>
 
+#include "fog_light_count.h"
 #include "gl/upload_ranges.h"
 #include "litfog/gl/unsupported.h"
 #include "require.h"
@@ -30,10 +31,8 @@ void FogLightBuffer::upload(const FogHeader& header) {
 
 void FogLightBuffer::upload(const FogHeader& header, std::span<const FogLightKind> kinds,
                             std::span<const FogLightInstance> instances, const FogLightChanges& changes) {
-  if (kinds.size() > kMaxFogLights) require(ValueError{"kinds", double(kinds.size()), "must be at most 200"});
-  if (instances.size() > kMaxFogLights) {
-    require(ValueError{"instances", double(instances.size()), "must be at most 200"});
-  }
+  require(check_fog_light_count("kinds", kinds.size()));
+  require(check_fog_light_count("instances", instances.size()));
   upload(header);
   const auto upload_table = [&](std::size_t offset, const auto& table, std::span<const EntryRange> changed) {
     const EntryRange all{0, table.size()};

@@ -336,6 +336,8 @@ TEST_F(BenchMeasurement, UnwritableOutputIsAnErrorBeforeTheMeasurement) {
   EXPECT_ERROR(run("solve --json absent/x.json"), kCannotWrite,
                "litfog-bench: absent/x.json: cannot be written: no folder absent\n");
   EXPECT_ERROR(run("solve --csv ."), kCannotWrite, "litfog-bench: .: cannot be written: is a folder\n");
+  EXPECT_ERROR(run("solve --csv /proc/a.csv"), kCannotWrite,
+               "litfog-bench: /proc/a.csv: cannot be written: No such file or directory\n");
   EXPECT_ERROR(run("update --plot absent/x.png"), kCannotWrite,
                "litfog-bench: absent/x.png: cannot be written: no folder absent\n");
   EXPECT_ERROR(run("update --plot x.jpg"), kUsage, usage_message("--plot = x.jpg: must end in .png or .svg"));

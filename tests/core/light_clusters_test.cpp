@@ -504,6 +504,9 @@ TEST(LightClusters, WrongValueIsAnErrorAndChangesNothing) {
   const Lists before(clusters);
   EXPECT_EQ(error_of([&] { clusters.resize(1'242'757); }), "count = 1242757: must be at most (2^32 - 1) / clusters");
   EXPECT_EQ(error_of([&] { clusters.set_light(10, {}); }), "light = 10: must be below the number of lights");
+  const std::size_t count = clusters.clusters().size();
+  EXPECT_EQ(error_of([&] { (void)clusters.part_of_view(count); }),
+            "cluster = " + std::to_string(count) + ": must be below the number of clusters");
   EXPECT_EQ(error_of([&] { clusters.set_light(0, {.range = -1}); }), "range = -1: must be >= 0");
   View view = city.view;
   view.up = view.forward;

@@ -135,6 +135,20 @@ TEST_F(WholeFile, FolderIsNotReplaced) {
   EXPECT_THROW(write_whole_file(path("none/a"), "text"), OutputError);
 }
 
+TEST_F(WholeFile, FileThatCannotBeMadeIsNotWritable) {
+  EXPECT_THROW(expect_writable("/proc/a"), OutputError);  // a folder that takes no files
+  EXPECT_THROW(expect_writable(path("none/a")), OutputError);
+}
+
+TEST_F(WholeFile, TryingWhetherAFileIsWritableLeavesTheFolderAsItWas) {
+  write_whole_file(path("a"), "earlier");
+  expect_writable(path("a"));
+  expect_writable(path("b"));
+  expect_writable("/dev/full");
+  EXPECT_EQ(read("a"), "earlier");
+  EXPECT_EQ(file_count(), 1u);
+}
+
 TEST_F(WholeFile, LimitOfSizeLeavesNothingBehind) {
   write_whole_file(path("a"), "earlier");
   const int status = status_of_child([&] {

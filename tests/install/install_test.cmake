@@ -15,7 +15,8 @@ endfunction()
 
 file(REMOVE_RECURSE ${WORK_DIR})
 run(${CMAKE_COMMAND} --install ${BUILD_DIR} --config ${CONFIG} --prefix ${WORK_DIR}/prefix)
-foreach(header attenuation cone fit/attenuation_fit fog fog_light_block gl/fog_light_tables formulas light solve updater value_error)
+foreach(header attenuation cone fit/attenuation_fit fog fog_light_block gl/fog_light_tables formulas light solve updater
+               value_error)
   if(NOT EXISTS ${WORK_DIR}/prefix/include/litfog/${header}.h)
     message(FATAL_ERROR "litfog/${header}.h is not installed")
   endif()

@@ -64,9 +64,10 @@ layer(apps/command/** FORBIDDEN scene/ solve/ ${above_scene} ${fit} ${gl} ${grap
 layer(apps/scene/* FORBIDDEN command/ scene/file/ ${catalogues} ${above_scene} ${files} ${gl} ${fit} ${foreign} fmt/)
 layer(apps/scene/model/** apps/scene/paint/** FORBIDDEN command/ scene/file/ ${above_scene} ${files} ${gl} ${foreign})
 layer(apps/scene/file/** FORBIDDEN ${above_scene} ${gl} ${graphics})
-layer(apps/render/** FORBIDDEN command/ scene/file/ ${catalogues} measure/ demo/ bench/ litfog/files/ ${fit} ${ceres} ${json}
-      ${images} CLI/)
-layer(apps/measure/** FORBIDDEN command/ scene/file/ ${catalogues} demo/ bench/ litfog/files/ ${fit} ${ceres} ${json} CLI/)
+layer(apps/render/** FORBIDDEN command/ scene/file/ ${catalogues} measure/ demo/ bench/ litfog/files/ ${fit} ${ceres}
+      ${json} ${images} CLI/)
+layer(apps/measure/** FORBIDDEN command/ scene/file/ ${catalogues} demo/ bench/ litfog/files/ ${fit} ${ceres} ${json}
+      CLI/)
 layer(apps/demo/** FORBIDDEN solve/ fit/ bench/)
 layer(apps/solve/** apps/fit/** FORBIDDEN scene/ ${above_scene} ${gl} ${graphics})
 layer(apps/bench/** FORBIDDEN demo/ solve/ fit/ core/ gl/)  # of tests/ it may know reference/

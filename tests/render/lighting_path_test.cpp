@@ -319,18 +319,6 @@ TEST_F(LightingPathPixels, LegacyFogHasOneColor) {
   }
 }
 
-TEST_F(LightingPathPixels, EverySceneIsFiniteByEveryPath) {
-  for (const std::string& name : bundled_scenes()) {
-    const Scene scene = read_scene(bundled_scene_path(name));
-    for (const LightingPath& path : lighting_paths()) {
-      const Picture picture = draw(scene, Fog::from_visibility(FogMode::exp, scene.visibilities[0]), {.path = &path});
-      EXPECT_TRUE(std::ranges::all_of(picture.rgb, [](float value) { return std::isfinite(value) && value >= 0; }))
-          << name << ", " << path.name;
-      EXPECT_GT(std::ranges::max(picture.rgb), 0.1f) << name << ", " << path.name;
-    }
-  }
-}
-
 // Lights are added in another order, those that add nothing may get a pass of their own, and half floats round once
 // more. In `tangent` a light's position is extrapolated beyond the edge of a triangle, to where it may be in reach.
 TEST_F(LightingPathPixels, PixelsAreTheSameWhateverIsSkipped) {

@@ -214,26 +214,40 @@ Scene rows(int boxes, int lamps, const Attenuation& attenuation) {
 /// The light of a picture's pixels together.
 double total(const Picture& picture) { return std::accumulate(picture.rgb.begin(), picture.rgb.end(), 0.0); }
 
-TEST_F(RendererTest, PointOfALampShortlyBehindAWallIsHidden) {
+/// What the point of a lamp adds to a picture, whose height shows 6 m at the middle of a thin wall.
+///
+/// range   metres from the eye to the wall
+/// before  metres from the middle of the wall, towards the eye, to the lamp
+double seen_point(float range, double before) {
   Scene scene;
-  scene.camera = {.position = {0, 1, 20}, .target = {0, 1, 0}, .field_of_view = 0.3f};
+  scene.camera = {.position = {0, 1, range}, .target = {0, 1, 0}, .field_of_view = 6 / range};
   scene.models.push_back(make_model("box", {{"width_m", 20}, {"depth_m", 0.02}, {"height_m", 20}}));
   scene.instances.push_back({0, glm::translate(glm::mat4(1), glm::vec3(0, -5, 0))});
   add_materials(scene);
   PlacedLight lamp;
-  lamp.light.attenuation = {1, 0, 0.01};
-  const auto seen_at = [&](double z) {
-    lamp.position = {0, 1, z};
-    scene.lights = {lamp};
-    Renderer renderer(scene, kWidth, kHeight, {});
-    renderer.draw(LightPoints::on);
-    const double with_points = total(renderer.read());
-    renderer.draw(LightPoints::off);
-    return with_points - total(renderer.read());
-  };
-  EXPECT_GT(seen_at(0.05), 0);
-  EXPECT_EQ(seen_at(-0.2), 0);  // its light passes the wall all the same: there are no shadows
-  EXPECT_EQ(seen_at(-0.35), 0);
+  lamp.light.attenuation = {1, 0, 1e-4};
+  lamp.position = {0, 1, before};
+  scene.lights = {lamp};
+  Renderer renderer(scene, kWidth, kHeight, {});
+  renderer.draw(LightPoints::on);
+  const double with_points = total(renderer.read());
+  renderer.draw(LightPoints::off);
+  return with_points - total(renderer.read());
+}
+
+TEST_F(RendererTest, PointOfALampShortlyBehindAWallIsHidden) {
+  EXPECT_GT(seen_point(20, 0.05), 0);
+  EXPECT_EQ(seen_point(20, -0.2), 0);  // its light passes the wall all the same: there are no shadows
+  EXPECT_EQ(seen_point(20, -0.35), 0);
+}
+
+TEST_F(RendererTest, PointOfALampShortlyBehindAWallIsHiddenFromKilometresAway) {
+  if (!has_clip_control()) GTEST_SKIP() << "the driver has no GL_ARB_clip_control, which exact depths need";
+  for (const float range : {400.0f, 2000.0f, 10'000.0f}) {
+    EXPECT_GT(seen_point(range, 0.05), 0) << range;
+    EXPECT_EQ(seen_point(range, -0.2), 0) << range;
+    EXPECT_EQ(seen_point(range, -0.5), 0) << range;
+  }
 }
 
 TEST_F(RendererTest, GlareOfALampDoesNotShrinkAsFogThickens) {

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Compiles every shader under INCLUDE_DIR/litfog/shaders by glslangValidator as a stranger's renderer would: each alone, all
-# together in both orders, and with every macro defined that a host may define; for each GLSL that litfog promises.
+# Compiles every shader under INCLUDE_DIR/litfog/shaders by glslangValidator as a stranger's renderer would: each alone,
+# all together in both orders, and with every macro defined that a host may define; for each GLSL that litfog promises.
 # Writes into WORK_DIR.
 cmake_minimum_required(VERSION 3.25)
 find_program(glslang glslangValidator REQUIRED)  # Debian: glslang-tools

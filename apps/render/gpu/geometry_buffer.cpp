@@ -11,6 +11,7 @@
 
 #include "litfog/gl/unsupported.h"
 #include "render/demo_shaders.h"
+#include "render/gpu/depth.h"
 
 namespace litfog::render {
 namespace {
@@ -71,14 +72,15 @@ void GeometryBuffer::begin() const {
   glBindFramebuffer(GL_FRAMEBUFFER, drawn_.id());
   glViewport(0, 0, width_, height_);
   if (samples_ == 1) glDisable(GL_MULTISAMPLE);  // the textures may have more samples than asked for
-  glEnable(GL_DEPTH_TEST);
-  glDepthMask(GL_TRUE);
-  glClear(GL_DEPTH_BUFFER_BIT);
+  begin_depths();
   constexpr float kSky[] = {0, 0, 0, -1};
   for (int i = 0; i < kTargets; ++i) glClearBufferfv(GL_COLOR, i, kSky);
 }
 
-void GeometryBuffer::end() const { glEnable(GL_MULTISAMPLE); }
+void GeometryBuffer::end() const {
+  end_depths();
+  glEnable(GL_MULTISAMPLE);
+}
 
 std::vector<GeometrySample> GeometryBuffer::read_rows(int first, int count) const {
   assert(first >= 0 && count >= 1 && count <= kMostRows && first + count <= height_);
@@ -88,7 +90,6 @@ std::vector<GeometrySample> GeometryBuffer::read_rows(int first, int count) cons
   std::vector<glm::vec4> texels(pixels);
   glBindFramebuffer(GL_FRAMEBUFFER, read_.id());
   glViewport(0, 0, width_, count);
-  glDisable(GL_DEPTH_TEST);
   glBindVertexArray(vertex_array_.id());
   sample_program_.use();
   glUniform1i(sample_program_.uniform("target"), 0);
@@ -110,7 +111,6 @@ std::vector<GeometrySample> GeometryBuffer::read_rows(int first, int count) cons
       }
     }
   }
-  glEnable(GL_DEPTH_TEST);
   return rows;
 }
 

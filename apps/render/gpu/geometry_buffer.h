@@ -19,7 +19,7 @@ struct GeometrySample {
   glm::vec3 normal;        ///< interpolated from the vertices, where it is a unit vector
   float gloss;
   glm::vec3 albedo;  ///< linear RGB
-  float depth;       ///< the sample's own, 1 - kNearPlane / distance along the camera's axis: not part of the fragment
+  float depth;       ///< the sample's own, not part of the fragment: render/gpu/depth.h
 
   bool is_of_same_fragment(const GeometrySample& other) const;
 };

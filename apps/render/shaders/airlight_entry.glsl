@@ -6,7 +6,7 @@
 #include "litfog/shaders/light_buffer.glsl"
 
 uniform samplerBuffer airlight_entries;  // light, reach, bend_range, width
-uniform int pixel_step;                  // pixels between the target's texels; those of the grid before are twice as far
+uniform int pixel_step;                  // pixels between the target's texels, half of those of the grid before
 uniform bool is_filled;                  // only what the grid before has not, for texels that it has filled
 uniform bool is_packed;                  // the target's texels stand for others of their block (airlight_blocks.glsl)
 

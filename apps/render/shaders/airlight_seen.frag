@@ -24,8 +24,8 @@ layout(location = 1) out float mean_opacity;  // of the scene's fog before them
 
 // Metres to the surface that a sample sees, or to the end of the fog.
 float sample_range(ivec2 pixel, vec3 direction, int i) {
-  float depth = sample_depth(pixel, i);  // 1 - near / distance along the axis
-  return depth < 1.0 ? near_plane / ((1.0 - depth) * dot(direction, forward)) : fog_before_sky(direction);
+  float depth = sample_depth(pixel, i);  // near_plane / distance along the axis
+  return depth > 0.0 ? near_plane / (depth * dot(direction, forward)) : fog_before_sky(direction);
 }
 
 void main() {

@@ -11,6 +11,7 @@ uniform mat4 clip_from_world;
 uniform vec3 eye;
 uniform float pixel_scale;   // of a picture 720 pixels high
 uniform float near_plane;  // metres
+uniform bool has_clip_control;
 uniform bool has_glare;    // else what surrounds a point is the fog's airlight, which is drawn apart
 
 flat out vec3 point_color;
@@ -27,11 +28,11 @@ const float largest_without_glare = 1.5;
 const float lens_radius = 0.1;   // metres: a light is in or on its lens; that of a runway edge light has 0.08
 const float most_lifted = 0.4;   // metres
 
-// How far a point is moved towards the eye. A wall closer before the lamp than that does not hide it: 0.1 m nearby,
-// 0.4 m from 355 m on. Moved less, its own lens or the depth buffer's rounding would hide it: one unit of a float just
-// below 1, as a depth d = 1 - near / z, spans 2^-24 z^2 / near, 0.08 m there.
+// How far a point is moved towards the eye. A wall closer before the lamp than that does not hide it. Moved less, its
+// own lens or the depth buffer's rounding (gpu/depth.h) would hide it. With clip control that is 0.1 m nearby and 3 mm
+// more at 10 km; else 0.4 m from 355 m on, where farther lamps are seen through walls.
 float lift(float range) {
-  float rounding = 4.0 * 5.960464e-8 * range * range / near_plane;
+  float rounding = 4.0 * 5.960464e-8 * range * (has_clip_control ? 1.0 : range / near_plane);
   return min(min(lens_radius + rounding, most_lifted), 0.5 * range);
 }
 

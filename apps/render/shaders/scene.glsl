@@ -4,8 +4,8 @@
 #include "draw_constants.glsl"
 #include "environment.glsl"
 
-// The unit direction to the viewer, where has_infinite_viewer (Randima Fernando and Mark Kilgard 2003, "The Cg Tutorial",
-// chapter 5, exercise 4).
+// The unit direction to the viewer, where has_infinite_viewer (Randima Fernando and Mark Kilgard 2003, "The Cg
+// Tutorial", chapter 5, exercise 4).
 uniform vec3 infinite_viewer;
 
 // The vector to the viewer; its length has no meaning.

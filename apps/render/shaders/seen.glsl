@@ -6,8 +6,8 @@
 uniform sampler2D seen_ranges;
 uniform sampler2D mean_opacities;
 
-// Metres to surfaces or to the end of the fog, from near to far: each stands for a quarter of a pixel's samples. Of a pixel
-// beyond the edge: what the edge sees.
+// Metres to surfaces or to the end of the fog, from near to far: each stands for a quarter of a pixel's samples. Of a
+// pixel beyond the edge: what the edge sees.
 vec4 seen_at(ivec2 pixel) { return texelFetch(seen_ranges, min(pixel, textureSize(seen_ranges, 0) - 1), 0); }
 
 // Mean opacity of the scene's fog before them.

@@ -37,7 +37,6 @@ constexpr std::size_t kMaxInstances = 50'000;
 constexpr std::size_t kMaxCookies = 32;                         // OpenGL 3.3 promises 256 layers, six a cookie
 constexpr std::size_t kMaxCookieTexels = std::size_t{1} << 28;  // 1 GiB of floats
 constexpr double kMaxDensityScale = 1e6;
-constexpr const char* kCityRule = "must be there, to have another number of lights";
 
 bool is_color(const glm::dvec3& color) {
   return glm::all(glm::greaterThanEqual(color, glm::dvec3(0.0))) &&
@@ -172,7 +171,6 @@ class SceneReader {
     }
     const auto city = root.optional("city");
     if (city) read_city(*city, city_lights);
-    if (city_lights && !city) root.fail("city", "", kCityRule);
     if (!city || root.optional("objects")) {
       for (const JsonValue& object : root.member("objects").items()) read_object(object);
     }
@@ -278,6 +276,7 @@ class SceneReader {
         {"shop_window", &city.shop_window}, {"window", &city.window},           {"runway_edge", &city.runway_edge},
         {"approach_light", &city.approach_light}};
     for (const auto& [name, light] : kinds) *light = read_kind(value.member(name));
+    scene_.has_city = true;
     try {
       add_city(scene_, city);
     } catch (const std::invalid_argument& error) {
@@ -419,7 +418,6 @@ std::filesystem::path scene_folder() { return command::bundled_folder("scenes");
 
 Scene read_scene(const std::string& path, std::optional<std::size_t> city_lights) {
   if (!is_gltf_path(path)) return SceneReader(path, city_lights).take();
-  if (city_lights) throw InputError({.file = path}, "city", "", kCityRule);
   return read_gltf_scene(path);
 }
 

@@ -61,7 +61,7 @@ namespace litfog::scene {
 
 /// Reads a scene file, or a glTF file (gltf_scene.h) by its ending. Throws InputError.
 ///
-/// city_lights  how many lights its city has, in place of its own number; an error where the scene has no city
+/// city_lights  how many lights its city has, in place of its own number; without effect where the scene has no city
 Scene read_scene(const std::string& path, std::optional<std::size_t> city_lights = {});
 
 /// Reads scenes whose pictures go into one folder. Throws InputError, also where two scenes, and so their pictures,

@@ -21,14 +21,16 @@ void add_stones(Canvas& canvas, const Stones& stones, float contrast, std::uint3
   HashRandom random(seed);
   const auto size = float(canvas.size);
   for (int i = 0; i < stones.count; ++i) {
-    const glm::vec2 middle(random.unit() * size, random.unit() * size);
+    const float middle_y = random.unit() * size;
+    const glm::vec2 middle(random.unit() * size, middle_y);
     const float radius = random.between(stones.least_radius, stones.most_radius);
     const float turn = random.between(0.0f, glm::pi<float>());
     const glm::vec2 axis(std::cos(turn), std::sin(turn));
     const float flat = random.between(0.6f, 1.0f);
     const float tone = 1.0f + contrast * random.between(-1.0f, 1.0f);
-    const glm::vec3 tint =
-        tone * glm::vec3(1.0f + 0.06f * random.between(-1, 1), 1.0f, 1.0f + 0.05f * random.between(-1, 1));
+    const float blue = 1.0f + 0.05f * random.between(-1, 1);
+    const float red = 1.0f + 0.06f * random.between(-1, 1);
+    const glm::vec3 tint = tone * glm::vec3(red, 1.0f, blue);
     const float sunk = random.between(0.0f, 0.6f);
     stamp(canvas.height, middle, glm::vec2(radius), [&](std::size_t texel, float dx, float dy) {
       const float along = (dx * axis.x + dy * axis.y) / radius;
@@ -145,7 +147,8 @@ void paint_grass(Canvas& canvas) {
   HashRandom random(42);
   const int blades = size * size / 22;
   for (int blade = 0; blade < blades; ++blade) {
-    glm::vec2 at(random.unit() * float(size), random.unit() * float(size));
+    const float at_y = random.unit() * float(size);
+    glm::vec2 at(random.unit() * float(size), at_y);
     const float lush = clumps.at(int(at.x), int(at.y));
     float turn = random.between(0.0f, glm::two_pi<float>());
     const float bend = random.between(-0.09f, 0.09f);

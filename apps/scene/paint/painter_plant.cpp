@@ -24,7 +24,8 @@ void add_strokes(Canvas& canvas, const Strokes& strokes, const glm::vec3& dull, 
   const auto size = float(canvas.size);
   for (int i = 0; i < strokes.count; ++i) {
     const float level = float(i) / float(strokes.count);
-    const glm::vec2 middle(random.unit() * size, random.unit() * size);
+    const float middle_y = random.unit() * size;
+    const glm::vec2 middle(random.unit() * size, middle_y);
     const float half_length = 0.5f * random.between(strokes.least_length, strokes.most_length);
     const float turn = random.between(-strokes.lean, strokes.lean);
     const glm::vec2 along(std::sin(turn), std::cos(turn));

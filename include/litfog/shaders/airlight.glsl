@@ -3,8 +3,8 @@
 //
 //   A = integral over s in [0, D] of  -f'(s) a(r) cone(u) f(r)^k phase(theta)  ds
 //
-// s from the eye, r and u the range and angle from the lamp, theta the angle of scattering. GLSL includes this file like
-// any other; C++ takes the same text through src/airlight_text.h.
+// s from the eye, r and u the range and angle from the lamp, theta the angle of scattering. GLSL includes this file
+// like any other; C++ takes the same text through src/airlight_text.h.
 //
 // Method. Along the ray, x is the distance from the closest approach to the lamp. The part of the ray that can
 // contribute (inside extent, cone and the fog's reach) is cut where the integrand is not smooth: at the closest
@@ -93,8 +93,8 @@ LITFOG_REAL litfog_airlight_range(LitfogAirlight air, LITFOG_REAL along) {
   return sqrt(air.offset * air.offset + along * along);
 }
 
-// Cosine from the cone's axis there; in the lamp itself that of the ray onward. Where the ray meets the lamp, the offset
-// is all rounding and the quotient can exceed 1 by far.
+// Cosine from the cone's axis there; in the lamp itself that of the ray onward. Where the ray meets the lamp, the
+// offset is all rounding and the quotient can exceed 1 by far.
 LITFOG_REAL litfog_airlight_cosine(LitfogAirlight air, LITFOG_REAL along, LITFOG_REAL range) {
   return range > LITFOG_REAL(0.0) ? clamp((air.axis_offset + air.axis_slope * along) / range, LITFOG_REAL(-1.0),
                                           LITFOG_REAL(1.0))
@@ -181,7 +181,8 @@ LITFOG_REAL litfog_erf(LITFOG_REAL x) {
 LITFOG_REAL litfog_airlight_plateau(LitfogAirlight air, LITFOG_REAL along) {
   LITFOG_REAL d = air.density;
   if (air.mode == LITFOG_REAL(0.0)) {
-    if (air.lamp_leg == LITFOG_REAL(0.0)) return litfog_expm1(-d * max(air.approach + along, LITFOG_REAL(0.0))) * LITFOG_REAL(-1.0);
+    if (air.lamp_leg == LITFOG_REAL(0.0))
+      return litfog_expm1(-d * max(air.approach + along, LITFOG_REAL(0.0))) * LITFOG_REAL(-1.0);
     LITFOG_REAL larger = litfog_airlight_range(air, along) + abs(along);
     LITFOG_REAL smaller = larger > LITFOG_REAL(0.0) ? air.offset * air.offset / larger : LITFOG_REAL(0.0);
     LITFOG_REAL v = d * (along < LITFOG_REAL(0.0) ? smaller : larger);

@@ -16,7 +16,8 @@ vec3 litfog_glow_direction;       // of the ray
 
 #ifdef LITFOG_COOKIES
 float litfog_airlight_cookie(LitfogAirlight air, float along) {
-  return litfog_cookie(litfog_glow_light, litfog_ray(vec3(0.0), litfog_glow_offset + along * litfog_glow_direction).xyz);
+  return litfog_cookie(litfog_glow_light,
+                       litfog_ray(vec3(0.0), litfog_glow_offset + along * litfog_glow_direction).xyz);
 }
 #endif
 
