@@ -68,6 +68,7 @@ render::RenderSettings DrawingOptions::settings_of(const render::LightingPath& p
   render::RenderSettings settings = render;
   settings.path = &path;
   settings.fog_lighting = path.takes_airlight ? fog_light.value_or(own) : render::FogLighting::peak;
+  if (!path.takes_airlight) settings.shadows = render::Shadows::none;
   return settings;
 }
 
@@ -118,6 +119,19 @@ void add_fog_light(CLI::App& app, DrawingOptions& options) {
       "lamp along each ray (default airlight with --path unified, else peak)");
 }
 
+void add_shadows(CLI::App& app, DrawingOptions& options) {
+  command::add_choice(app, "--shadows", options.render.shadows,
+                      {{"none", render::Shadows::none},
+                       {"surfaces", render::Shadows::surfaces},
+                       {"shafts", render::Shadows::shafts}},
+                      "What lamps' shadows darken: surfaces; shafts is surfaces and the airlight before and behind them "
+                      "(default none)");
+  command::add_integer(app, "--shadow-lamps", options.render.shadow_lamps, 1, int(scene::kMaxSceneLights),
+                       "Lamps that cast shadows, at most: those carried, then the brightest from the camera (default 8)");
+  command::add_integer(app, "--shadow-map-size", options.render.shadow_map_size, 16, 8192,
+                       "Edge in texels of a lamp's shadow map, or of the six of one that shines all around (default 1024)");
+}
+
 void add_time(CLI::App& app, DrawingOptions& options) {
   command::add_number(app, "--time", options.seconds, kSeconds,
                       "Seconds for which the scene's cookies and lights have been turning (default 0)");
@@ -137,7 +151,19 @@ std::vector<command::OptionRule> drawing_rules(const DrawingOptions& options) {
            options.fog_light == render::FogLighting::airlight && !path.takes_airlight,
            {"--fog-light"},
            "its lamps do not light each fragment"},
-          {name, path.surface != render::SurfaceModel::basic, {"--infinite-viewer"}, "it has no highlights"}};
+          {name, path.surface != render::SurfaceModel::basic, {"--infinite-viewer"}, "it has no highlights"},
+          {name,
+           options.render.shadows != render::Shadows::none && !path.takes_airlight,
+           {"--shadows"},
+           "its lamps do not light each fragment"},
+          {"--shadows shafts",
+           options.render.shadows == render::Shadows::shafts && is_peak,
+           {"--fog-light", "--path"},
+           "only airlight has shafts"},
+          {"--shadows none",
+           options.render.shadows == render::Shadows::none,
+           {"--shadow-lamps", "--shadow-map-size"},
+           "no lamp casts any"}};
 }
 
 void expect_pixels(const DrawingOptions& options, std::int64_t most, const std::string& what) {

@@ -45,6 +45,8 @@ void add_path(CLI::App& app, DrawingOptions& options);
 void add_rendering(CLI::App& app, DrawingOptions& options);
 /// --fog-light, for a job over one path or all.
 void add_fog_light(CLI::App& app, DrawingOptions& options);
+/// --shadows, --shadow-lamps and --shadow-map-size, for a job over one path or all.
+void add_shadows(CLI::App& app, DrawingOptions& options);
 void add_time(CLI::App& app, DrawingOptions& options);
 
 /// Of --fog none and of the chosen path.

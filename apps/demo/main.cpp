@@ -58,8 +58,8 @@ constexpr const char* kExamples =
   litfog-demo gallery -o out
   litfog-demo compare room headlights --size 960x540 -o paths
 
-Exit status: 0 done; 1 wrong usage; 2 bad scene or light file; 3 no OpenGL 3.3 through EGL, or fewer samples a pixel;
-4 output cannot be written.)";
+Exit status: 0 done; 1 wrong usage; 2 bad scene or light file; 3 no OpenGL 3.3 through EGL, fewer samples a pixel, or more
+shadow maps than memory; 4 output cannot be written.)";
 
 /// One of the command's jobs. It has put its options on the command line and runs when that has been parsed.
 using Job = std::function<ExitStatus()>;
@@ -110,6 +110,7 @@ Job add_picture_job(CLI::App& app) {
   add_fog_and_visibility(app, options->drawing);
   add_path(app, options->drawing);
   add_fog_light(app, options->drawing);
+  add_shadows(app, options->drawing);
   add_rendering(app, options->drawing);
   add_time(app, options->drawing);
   add_display(app, options->drawing.display);
@@ -202,6 +203,7 @@ Job add_gallery_job(CLI::App& app) {
   add_fog(app, options->drawing);
   add_path(app, options->drawing);
   add_fog_light(app, options->drawing);
+  add_shadows(app, options->drawing);
   add_rendering(app, options->drawing);
   add_display(app, options->drawing.display);
   return [&app, options] {
@@ -232,6 +234,7 @@ Job add_comparison_job(CLI::App& app) {
   add_folder(app, *options);
   add_fog_and_visibility(app, options->drawing);
   add_fog_light(app, options->drawing);
+  add_shadows(app, options->drawing);
   add_rendering(app, options->drawing);
   add_time(app, options->drawing);
   add_display(app, options->drawing.display);

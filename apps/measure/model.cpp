@@ -40,7 +40,13 @@ Model::Model(const render::Renderer& renderer)
       materials_(renderer.materials()),
       lights_(reference_lights(renderer.scene(), renderer.fog(), renderer.settings().fog_lighting)),
       eye_(renderer.scene().camera.position),
-      forward_(glm::normalize(glm::dvec3(renderer.scene().camera.target) - eye_)) {}
+      forward_(glm::normalize(glm::dvec3(renderer.scene().camera.target) - eye_)) {
+  if (!renderer.shadows()) return;
+  shadows_.emplace(renderer);
+  for (const render::ShadowCaster& caster : renderer.shadows()->casters()) {
+    lights_[caster.scene_light].casts_shadows = true;
+  }
+}
 
 SurfacePoint Model::surface_point(const render::GeometrySample& sample) const {
   const scene::Material& material = materials_[std::size_t(sample.material)];
@@ -62,7 +68,8 @@ glm::dvec3 Model::surface_color(const SurfacePoint& point) const {
     const auto ray = ray_within(light.extent, light, point.position);
     if (!ray) continue;
     const double arriving = light.emitted(ray->direction) * falloff(light, ray->range);
-    if (arriving > 0) color += light.placed.light.color * arriving * reflectance(point, -ray->direction);
+    if (arriving > 0 && !is_in_shadow(point, light))
+      color += light.placed.light.color * arriving * reflectance(point, -ray->direction);
   }
   return color;
 }

@@ -20,6 +20,9 @@ enum TextureUnit : unsigned {
   kAirlightUnit,  // airlight at every so many pixels
   kEntryUnit,     // the lights whose airlight is drawn
   kGainUnit,      // of airlight, per opacity of the fog
+  kShadowMapUnit,
+  kShadowCasterUnit,
+  kCasterOfLightUnit,
 };
 
 inline constexpr unsigned kFogLightBinding = 0;  ///< of the FogLightBlock
