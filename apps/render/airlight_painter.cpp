@@ -70,11 +70,14 @@ gl::Program make_seen_program(int samples) {
 }  // namespace
 
 AirlightPainter::AirlightPainter(const scene::Scene& scene, const SceneLights& lights,
-                                 const gl::FogLightBuffer& fog_lights, const Framebuffer& framebuffer)
+                                 const gl::FogLightBuffer& fog_lights, const Framebuffer& framebuffer,
+                                 const ShadowMaps* shafts, int shaft_steps)
     : scene_(scene),
       fog_lights_(fog_lights),
       lights_(lights),
       picture_size_(framebuffer.width(), framebuffer.height()),
+      shafts_(shafts),
+      shaft_steps_(shaft_steps),
       seen_program_(make_seen_program(framebuffer.samples())),
       fill_program_("whole_picture.vert", "airlight_fill.frag", demo_shaders()),
       add_program_("whole_picture.vert", "airlight_add.frag", demo_shaders()) {
@@ -98,8 +101,9 @@ AirlightPainter::AirlightPainter(const scene::Scene& scene, const SceneLights& l
 }
 
 void AirlightPainter::draw(const Framebuffer& framebuffer, const View& view, const Fog& fog) {
+  const auto casters = shafts_ ? shafts_->caster_of_lights() : std::span<const std::int32_t>();
   const AirlightList list = list_airlight(lights_, fog, {.asymmetry = scene_.phase_g}, scene_.camera.position,
-                                          pixels_per_radian(), kBudget);
+                                          pixels_per_radian(), kBudget, casters);
   if (list.entries.empty()) return;
   entries_.emplace(list.entries.data(), list.entries.size() * sizeof(AirlightEntry), BufferTexture::Texel::float4);
   entries_->bind(kEntryUnit);
@@ -155,10 +159,11 @@ void AirlightPainter::fill(const Frame& frame, const Grid& grid, const Grid& coa
 void AirlightPainter::draw_lights(const Frame& frame, const Grid& grid, bool is_filled) {
   glStencilFunc(is_filled ? GL_EQUAL : GL_NOTEQUAL, kFilled, 0xff);
   for (const AirlightList::Range& range : frame.lights) {
-    const bool is_cookie = range.profile == kCookieProfile;  // which may be finer than a grid: all at the end
-    if (is_cookie && (grid.step > 1 || is_filled)) continue;
-    if (is_cookie) glDisable(GL_STENCIL_TEST);
-    const gl::Program& program = light_program(frame.fog_mode, range.profile);
+    // Which may be finer than a grid: all at the end.
+    const bool is_fine = range.profile == kCookieProfile || range.has_shafts;
+    if (is_fine && (grid.step > 1 || is_filled)) continue;
+    (is_fine ? glDisable : glEnable)(GL_STENCIL_TEST);
+    const gl::Program& program = light_program(frame.fog_mode, range.profile, range.has_shafts);
     use(program, frame, grid);
     glUniform1i(program.uniform("first_entry"), GLint(range.first));
     set_uniform(program, "is_filled", unsigned{is_filled});
@@ -170,12 +175,12 @@ double AirlightPainter::pixels_per_radian() const {
   return picture_size_.y / (2 * std::tan(double(scene_.camera.field_of_view) / 2));
 }
 
-const gl::Program& AirlightPainter::light_program(FogMode fog_mode, int profile) {
-  const std::pair key(fog_mode, profile);
+const gl::Program& AirlightPainter::light_program(FogMode fog_mode, int profile, bool has_shafts) {
+  const std::tuple key(fog_mode, profile, has_shafts);
   const auto found = light_programs_.find(key);
   if (found != light_programs_.end()) return found->second;
   const std::string constants = light_constants(scene_, fog_mode, profile);
-  std::vector<gl::ShaderSource> files = scene_shaders(profile == kCookieProfile);
+  std::vector<gl::ShaderSource> files = scene_shaders(profile == kCookieProfile, has_shafts);
   files.push_back({"airlight_constants.glsl", constants});
   return light_programs_.emplace(key, gl::Program("airlight.vert", "airlight.frag", files)).first->second;
 }
@@ -200,6 +205,10 @@ void AirlightPainter::use(const gl::Program& program, const Frame& frame, const 
   set_uniform(program, "sky_distance", kSkyDistance);
   set_uniform(program, "fog_above_eye", frame.view.fog_above_eye);
   set_uniform(program, "asymmetry", float(scene_.phase_g));
+  set_uniform(program, "shadow_maps", kShadowMapUnit);
+  set_uniform(program, "shadow_casters", kShadowCasterUnit);
+  set_uniform(program, "caster_of_light", kCasterOfLightUnit);
+  glUniform1i(program.uniform("shaft_steps"), shaft_steps_);
   glUniform1i(program.uniform("pixel_step"), grid.step);
   // Texel i's middle is that of pixel i * step.
   const glm::vec2 scale = glm::vec2(picture_size_) / glm::vec2(grid.step * grid.size);

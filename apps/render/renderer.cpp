@@ -40,7 +40,10 @@ Renderer::Renderer(const scene::Scene& scene, int width, int height, const Rende
   if (settings.shadows != Shadows::none) {
     shadows_.emplace(lights_, surfaces_.surfaces(), scene.camera.position, settings);
   }
-  if (settings.fog_lighting == FogLighting::airlight) airlight_.emplace(scene, lights_, fog_block_, framebuffer_);
+  if (settings.fog_lighting == FogLighting::airlight) {
+    airlight_.emplace(scene, lights_, fog_block_, framebuffer_,
+                      settings.shadows == Shadows::shafts ? shadows() : nullptr, settings.shaft_steps);
+  }
   if (!scene.cookies.empty()) cookies_ = upload_cookies(scene.cookies);
   set_fog(Fog{});
   gl::check_errors("uploading the scene");

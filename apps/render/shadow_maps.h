@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "litfog/gl/gl_name.h"
@@ -33,6 +34,7 @@ class ShadowMaps {
   std::size_t map_count() const;
   /// A light's caster as the shaders number them, or kNoCaster.
   std::int32_t caster_of(std::size_t light) const { return caster_of_[light]; }
+  std::span<const std::int32_t> caster_of_lights() const { return caster_of_; }
 
   /// Draws the maps the first time that it is called. Lamps and surfaces stay as they are as long as this, so the maps
   /// do. Returns how many were drawn. Changes the bound framebuffer.
