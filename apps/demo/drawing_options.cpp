@@ -120,16 +120,16 @@ void add_fog_light(CLI::App& app, DrawingOptions& options) {
 }
 
 void add_shadows(CLI::App& app, DrawingOptions& options) {
-  command::add_choice(app, "--shadows", options.render.shadows,
-                      {{"none", render::Shadows::none},
-                       {"surfaces", render::Shadows::surfaces},
-                       {"shafts", render::Shadows::shafts}},
-                      "What lamps' shadows darken: surfaces; shafts is surfaces and the airlight before and behind them "
-                      "(default none)");
+  command::add_choice(
+      app, "--shadows", options.render.shadows,
+      {{"none", render::Shadows::none}, {"surfaces", render::Shadows::surfaces}, {"shafts", render::Shadows::shafts}},
+      "What the shadows of lamps darken: surfaces; shafts is surfaces and airlight (default none)");
   command::add_integer(app, "--shadow-lamps", options.render.shadow_lamps, 1, int(scene::kMaxSceneLights),
-                       "Lamps that cast shadows, at most: those carried, then the brightest from the camera (default 8)");
-  command::add_integer(app, "--shadow-map-size", options.render.shadow_map_size, 16, 8192,
-                       "Edge in texels of a lamp's shadow map, or of the six of one that shines all around (default 1024)");
+                       "Lamps that cast shadows: at most this many, the carried ones first, then the brightest at the "
+                       "camera (default 8)");
+  command::add_integer(
+      app, "--shadow-map-size", options.render.shadow_map_size, 16, 8192,
+      "Edge of a shadow map in texels; a lamp has one, or up to six if it shines all around (default 1024)");
 }
 
 void add_time(CLI::App& app, DrawingOptions& options) {
@@ -151,19 +151,22 @@ std::vector<command::OptionRule> drawing_rules(const DrawingOptions& options) {
            options.fog_light == render::FogLighting::airlight && !path.takes_airlight,
            {"--fog-light"},
            "its lamps do not light each fragment"},
-          {name, path.surface != render::SurfaceModel::basic, {"--infinite-viewer"}, "it has no highlights"},
-          {name,
-           options.render.shadows != render::Shadows::none && !path.takes_airlight,
-           {"--shadows"},
-           "its lamps do not light each fragment"},
-          {"--shadows shafts",
-           options.render.shadows == render::Shadows::shafts && is_peak,
-           {"--fog-light", "--path"},
-           "only airlight has shafts"},
-          {"--shadows none",
-           options.render.shadows == render::Shadows::none,
-           {"--shadow-lamps", "--shadow-map-size"},
-           "no lamp casts any"}};
+          {name, path.surface != render::SurfaceModel::basic, {"--infinite-viewer"}, "it has no highlights"}};
+}
+
+std::vector<command::OptionRule> shadow_rules(const DrawingOptions& options) {
+  using render::Shadows;
+  const render::LightingPath& path = *options.render.path;
+  const std::string name = fmt::format("--path {}", path.name);
+  const Shadows shadows = options.render.shadows;
+  const bool is_peak = options.settings_of(path).fog_lighting == render::FogLighting::peak;
+  return {
+      {name, shadows != Shadows::none && !path.takes_airlight, {"--shadows"}, "its lamps do not light each fragment"},
+      {options.fog_light ? "--fog-light peak" : name,
+       shadows == Shadows::shafts && is_peak,
+       {"--shadows"},
+       "only airlight has shafts"},
+      {"--shadows none", shadows == Shadows::none, {"--shadow-lamps", "--shadow-map-size"}, "no lamp casts any"}};
 }
 
 void expect_pixels(const DrawingOptions& options, std::int64_t most, const std::string& what) {

@@ -52,6 +52,9 @@ void add_time(CLI::App& app, DrawingOptions& options);
 /// Of --fog none and of the chosen path.
 std::vector<command::OptionRule> drawing_rules(const DrawingOptions& options);
 
+/// Of --shadows.
+std::vector<command::OptionRule> shadow_rules(const DrawingOptions& options);
+
 /// Throws the usage error of a --size of more pixels than this. what: of which, "for a reference"
 void expect_pixels(const DrawingOptions& options, std::int64_t most, const std::string& what);
 

@@ -138,6 +138,7 @@ Job add_picture_job(CLI::App& app) {
                      {"--exposure", "--tone"},
                      "it holds the scene's light"});
     check_options(app, rules);
+    check_options(app, shadow_rules(drawing));
     if (is_given("--output") && !is_picture_path(options->output)) {
       fail_option("--output", options->output, "must end in .png or .exr");
     }
@@ -210,6 +211,7 @@ Job add_gallery_job(CLI::App& app) {
     const DrawingOptions& drawing = options->drawing;
     if (options->folder.empty()) fail_option("--output", "", "must not be empty");
     check_options(app, drawing_rules(drawing));
+    check_options(app, shadow_rules(drawing));
     const std::vector<std::string> scenes = scene_paths(options->scenes);
     const render::RenderSettings render = drawing.settings_of(*drawing.render.path);
     const gl::HeadlessContext context;
@@ -243,6 +245,7 @@ Job add_comparison_job(CLI::App& app) {
     const DrawingOptions& drawing = options->drawing;
     if (options->folder.empty()) fail_option("--output", "", "must not be empty");
     check_options(app, {{"--fog none", !drawing.fog, {"--visibility", "--phase-g"}, "the air is clear"}});
+    check_options(app, shadow_rules(drawing));
     expect_pixels(drawing, kMaxComparedPixels, "for a comparison");
     // All scenes are read first, so that an error in one is found before minutes are spent on another.
     std::vector<scene::Scene> scenes = scene::read_scenes(scene_paths(options->scenes));

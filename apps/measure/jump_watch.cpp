@@ -68,7 +68,8 @@ bool JumpWatch::is_at_jump(const SurfacePoint& point, const ReferenceLight& ligh
 }
 
 bool JumpWatch::is_at_shadow_edge(const SurfacePoint& point, const ReferenceLight& light, const LightRay& ray) const {
-  const glm::dvec3 arriving = light.placed.light.color * model_.falloff(light, ray.range) * light.emitted(ray.direction);
+  const glm::dvec3 arriving =
+      light.placed.light.color * model_.falloff(light, ray.range) * light.emitted(ray.direction);
   return is_seen(arriving * model_.reflectance(point, -ray.direction)) && model_.is_at_shadow_edge(point, light);
 }
 

@@ -118,6 +118,21 @@ Veil Model::veil(const glm::dvec3& position) const {
   return veil;
 }
 
+double Model::airlight(const ReferenceLight& light, const EyeRay& ray) const {
+  if (!light.casts_shadows || settings_.shadows != render::Shadows::shafts) {
+    return light.airlight(fog_, ray, scattering_);
+  }
+  double sum = 0;
+  for (const auto& [from, to] : shadows_->lit_stretches(light, ray)) {
+    EyeRay part = ray;
+    part.length = to;
+    sum += light.airlight(fog_, part, scattering_);
+    part.length = from;
+    sum -= light.airlight(fog_, part, scattering_);
+  }
+  return sum;
+}
+
 glm::dvec3 Model::airlight(const glm::dvec3& direction, double length) const {
   glm::dvec3 sum(0.0);
   if (settings_.fog_lighting != render::FogLighting::airlight) return sum;
@@ -136,7 +151,7 @@ glm::dvec3 Model::airlight(const glm::dvec3& direction, double length) const {
   double left_out = 0;
   for (const auto& [most, light] : candidates) {
     left_out += most;
-    if (left_out > kAirlightBudget) sum += light->placed.light.color * light->airlight(fog_, ray, scattering_);
+    if (left_out > kAirlightBudget) sum += light->placed.light.color * airlight(*light, ray);
   }
   return sum;
 }

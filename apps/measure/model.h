@@ -84,14 +84,18 @@ class Model {
   const Fog& fog() const { return fog_; }
   /// Whether a light lights the fog. Only then is it visible in `veil`.
   bool lights_fog(const ReferenceLight& light) const { return path_.has_lit_fog && light.fog_intensity > 0; }
-  /// The airlight of all lights along a ray from the eye, by the definition's integral; 0 where the renderer lights the
-  /// fog otherwise. What it leaves out adds up to less than kAirlightBudget of white.
+  /// The airlight of all lights along a ray from the eye, by the definition's integral, but for the shafts of those
+  /// that cut them; 0 where the renderer lights the fog otherwise. What it leaves out adds up to less than
+  /// kAirlightBudget of white.
   ///
   /// direction  unit
   glm::dvec3 airlight(const glm::dvec3& direction, double length) const;
   static constexpr double kAirlightBudget = 1e-6;
 
  private:
+  /// That of a light of colour 1.
+  double airlight(const ReferenceLight& light, const EyeRay& ray) const;
+
   const render::RenderSettings& settings_;
   const render::LightingPath& path_;
   const scene::Environment& environment_;

@@ -2,7 +2,8 @@
 #pragma once
 
 #include <glm/glm.hpp>
-#include <optional>
+#include <utility>
+#include <vector>
 
 #include "measure/reference_light.h"
 #include "measure/triangle_tree.h"
@@ -27,6 +28,10 @@ class ReferenceShadows {
   ///
   /// normal  of the surface, for positions beside every triangle; unit
   bool is_at_edge(const ReferenceLight& light, const glm::dvec3& position, const glm::dvec3& normal) const;
+  /// The stretches of a ray from the eye on which a lamp's light reaches the fog: metres from the eye. What is
+  /// shorter than a kStretchSteps-th of the lamp's part of the ray may be missed.
+  std::vector<std::pair<double, double>> lit_stretches(const ReferenceLight& light, const EyeRay& ray) const;
+  static constexpr int kStretchSteps = 1024;
 
  private:
   TriangleTree triangles_;

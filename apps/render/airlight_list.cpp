@@ -109,10 +109,8 @@ AirlightList list_airlight(const SceneLights& lights, const Fog& fog, const Scat
   AirlightList list;
   for (const auto& [kind, entry] : found) {
     if (list.entries.empty() || std::pair(list.ranges.back().profile, list.ranges.back().has_shafts) != kind) {
-      list.ranges.push_back({.profile = kind.first,
-                             .has_shafts = kind.second,
-                             .first = unsigned(list.entries.size()),
-                             .count = 0});
+      list.ranges.push_back(
+          {.profile = kind.first, .has_shafts = kind.second, .first = unsigned(list.entries.size()), .count = 0});
     }
     list.entries.push_back(entry);
     ++list.ranges.back().count;

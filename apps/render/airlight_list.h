@@ -40,7 +40,8 @@ struct AirlightList {
 ///
 /// budget             of linear values, below which the airlight of a light is left out
 /// pixels_per_radian  of the picture, at its middle
-/// casters            of each light whether it cuts shafts: its number among those that do, or below 0; empty: none does
+/// casters            of each light whether it cuts shafts: its number among those that do, or below 0; empty: none
+/// does
 AirlightList list_airlight(const SceneLights& lights, const Fog& fog, const Scattering& scattering,
                            const glm::dvec3& eye, double pixels_per_radian, double budget,
                            std::span<const std::int32_t> casters = {});

@@ -159,10 +159,10 @@ void AirlightPainter::fill(const Frame& frame, const Grid& grid, const Grid& coa
 void AirlightPainter::draw_lights(const Frame& frame, const Grid& grid, bool is_filled) {
   glStencilFunc(is_filled ? GL_EQUAL : GL_NOTEQUAL, kFilled, 0xff);
   for (const AirlightList::Range& range : frame.lights) {
-    // Which may be finer than a grid: all at the end.
-    const bool is_fine = range.profile == kCookieProfile || range.has_shafts;
-    if (is_fine && (grid.step > 1 || is_filled)) continue;
-    (is_fine ? glDisable : glEnable)(GL_STENCIL_TEST);
+    // Cookies and shafts may be finer than a coarse grid, which therefore leaves them out.
+    const int first_step = range.profile == kCookieProfile ? 1 : range.has_shafts ? 2 : kGridSteps[0];
+    if (grid.step > first_step || (grid.step == first_step && is_filled)) continue;
+    (grid.step == first_step ? glDisable : glEnable)(GL_STENCIL_TEST);
     const gl::Program& program = light_program(frame.fog_mode, range.profile, range.has_shafts);
     use(program, frame, grid);
     glUniform1i(program.uniform("first_entry"), GLint(range.first));

@@ -35,9 +35,9 @@ struct RenderSettings {
   int map_size = 128;                ///< texels a side of the light maps
   int samples = 4;                   ///< a pixel, at least: 1, 2, 4 or 8
   Shadows shadows = Shadows::none;   ///< others: with paths that light each fragment only
-  int shadow_lamps = 8;              ///< that cast them, at most: those carried, then the brightest from the eye
-  int shadow_map_size = 1024;        ///< texels a side, of one map or of each of a cube's
-  int shaft_steps = 32;              ///< along a pixel's ray, at which the fog is asked for shadows: 1 to 1024
+  int shadow_lamps = 8;              ///< that cast them, at most: choose_shadow_casters
+  int shadow_map_size = 1024;        ///< texels a side, at least 16
+  int shaft_steps = 64;              ///< along a pixel's ray, at which shadow maps are looked up: 1 to 1024
 };
 
 }  // namespace litfog::render

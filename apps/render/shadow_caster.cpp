@@ -13,8 +13,6 @@
 namespace litfog::render {
 namespace {
 
-constexpr double kWidestMap = std::numbers::pi / 3;  // half angle: wider ones waste most of their texels on their rim
-
 double brightness_from(const glm::dvec3& eye, const PlacedLight& placed) {
   const glm::dvec3& color = placed.light.color;
   return std::max({color.r, color.g, color.b}) *
@@ -52,7 +50,7 @@ std::vector<ShadowCaster> choose_shadow_casters(const SceneLights& lights, const
   for (const auto& [rank, light] : ranked) {
     const PlacedLight& placed = lights.lights()[std::size_t(light)];
     const double half_angle = cutoff_angle(placed.light.cone);
-    const bool is_cube = half_angle > kWidestMap;
+    const bool is_cube = half_angle > kWidestShadowMap;
     // A map's corner is atan(sqrt(2)) from its middle.
     const bool is_lit_behind = half_angle > std::numbers::pi - std::atan(std::numbers::sqrt2);
     const double margin = 1 + 4.0 / map_size;  // the taps around a texel at the beam's edge
@@ -61,7 +59,9 @@ std::vector<ShadowCaster> choose_shadow_casters(const SceneLights& lights, const
                        .position = placed.position,
                        .frame_from_world = scene::basis_from_world(placed.direction),
                        .is_cube = is_cube,
-                       .map_count = !is_cube ? 1 : is_lit_behind ? 6 : 5,
+                       .map_count = !is_cube        ? 1
+                                    : is_lit_behind ? 6
+                                                    : 5,
                        .half_size = is_cube ? 1 : margin * std::tan(half_angle),
                        .reach = std::max(2 * kLampRadius, std::min(lights.extents()[std::size_t(light)],
                                                                    farthest_corner(placed.position, bounds)))});

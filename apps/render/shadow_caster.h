@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <numbers>
 #include <vector>
 
 #include "litfog/light_bounds.h"
@@ -15,9 +16,12 @@ namespace litfog::render {
 /// Metres around a lamp within which nothing casts its shadow: a lamp is in or on its lens, which other passes draw.
 inline constexpr double kLampRadius = 0.1;
 
-/// A lamp that casts shadows by maps: square pictures, taken from the lamp, of how far its light gets. A beam of at most
-/// 60 degrees half angle has one map, across its axis. Others have a cube of maps of 90 degrees each, in the order
-/// ahead, right, left, up, down and, where the beam is wide enough, behind.
+/// Half angle of the widest beam that one map holds, radians: a wider map has most of its texels near its rim.
+inline constexpr double kWidestShadowMap = std::numbers::pi / 3;
+
+/// A lamp that casts shadows by maps: square pictures, taken from the lamp, of how far its light gets. A beam up to
+/// kWidestShadowMap has one map, across its axis. Others have a cube of maps of 90 degrees each, in the order ahead,
+/// right, left, up, down and, where the beam is wide enough, behind.
 struct ShadowCaster {
   std::int32_t light;       ///< its index in SceneLights
   std::size_t scene_light;  ///< its index in Scene::lights

@@ -51,9 +51,10 @@ void expect_room(std::size_t lamps, std::size_t layers, int size) {
   glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &most);
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
   if (layers > std::size_t(most) || size > largest) {
-    throw gl::Unsupported(fmt::format("the shadows of {} lamps need {} maps of {} texels a side; this OpenGL has at "
-                                      "most {} of {}",
-                                      lamps, layers, size, most, largest));
+    throw gl::Unsupported(
+        fmt::format("the shadows of {} lamps need {} maps of {} texels a side; this OpenGL has at "
+                    "most {} of {}",
+                    lamps, layers, size, most, largest));
   }
 }
 

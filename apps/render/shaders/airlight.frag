@@ -11,7 +11,7 @@ flat in vec2 bend_range_width;
 
 uniform vec3 eye;
 
-#include "shaft.glsl"
+#include "shaft.glsl"  // of rays from that eye
 
 layout(location = 0) out vec4 airlight;
 layout(location = 1) out vec4 gain;  // of airlight, where the pixel sees farther, for the fog's gain of opacity

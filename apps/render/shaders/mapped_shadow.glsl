@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fraction of a lamp's light that no surface keeps from a fragment, from the lamp's shadow map (Lance Williams 1978,
-// "Casting Curved Shadows on Curved Surfaces"): compared at four places half a texel from the fragment's, each the mean
-// of the four texels around it (William Reeves, David Salesin and Robert Cook 1987, "Rendering Antialiased Shadows with
-// Depth Maps").
+// The fraction of a lamp's light that no surface keeps from a fragment, from the lamp's shadow map (Lance Williams
+// 1978, "Casting Curved Shadows on Curved Surfaces"): compared at four places half a texel from the fragment's, each
+// the mean of the four texels around it (William Reeves, David Salesin and Robert Cook 1987, "Rendering Antialiased
+// Shadows with Depth Maps").
 //
-// A texel holds the distance to the surface at its own middle, which is up to a texel from the place compared. There, the
-// plane of the fragment's own triangle may be nearer to the lamp. By how much follows from the plane, so a flat surface
-// does not shade itself at any angle.
+// A texel holds the distance to the surface at its own middle, which is up to a texel from the place compared. There,
+// the plane of the fragment's own triangle may be nearer to the lamp. By how much follows from the plane, so a flat
+// surface does not shade itself at any angle.
 
 #include "shadow_caster.glsl"
 
@@ -24,8 +24,7 @@ float shadow_of(int caster_index) {
   vec3 from_lamp = caster.frame_from_world * (position - caster.position);
   float range = length(from_lamp);
   if (range >= caster.reach) return 1.0;  // where there is no light
-  int map = caster.half_size > 0.0 ? 0 : map_of_direction(from_lamp);
-  float half_size = caster.half_size > 0.0 ? caster.half_size : 1.0;
+  int map = map_towards(caster, from_lamp);
   vec3 place = map_from_frame(from_lamp, map);
   if (place.z <= 0.0) return 1.0;  // behind a beam
 
@@ -34,15 +33,16 @@ float shadow_of(int caster_index) {
   vec2 a = place.xy / place.z;
   vec3 n = map_from_frame(caster.frame_from_world * receiver_normal, map);
   float facing = dot(n, vec3(a, 1.0));
-  float least = 1.0e-4 * length(n);  // seen edge on: there is no light on such a triangle
+  float most_facing = length(n) * sqrt(1.0 + dot(a, a));
+  float least = max(1.0e-4 * most_facing, 1.0e-30);  // seen edge on, or no triangle at all
   facing = abs(facing) < least ? least : facing;
-  float texel = 2.0 * half_size / float(textureSize(shadow_maps, 0).x);
+  float texel = texel_size(caster);
   vec2 slope = range * (a / (1.0 + dot(a, a)) - n.xy / facing) * texel;
   float bias = (1.0 + raster_place) * (abs(slope.x) + abs(slope.y)) + range * texel * texel +
-               rounding * (length(position) + range);
+               rounding * (length(position) + range) * abs(most_facing / facing);
 
-  vec2 uv = 0.5 + 0.5 * a / half_size;
-  vec2 step = vec2(0.5 / float(textureSize(shadow_maps, 0).x));
+  vec2 uv = 0.5 + 0.5 * a / caster.half_size;
+  float step = 0.5 / float(textureSize(shadow_maps, 0).x);
   float layer = float(caster.first_layer + map);
   float lit = 0.0;
   for (int i = 0; i < 4; ++i) {

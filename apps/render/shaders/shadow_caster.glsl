@@ -10,7 +10,8 @@ uniform isamplerBuffer caster_of_light;  // -1: casts no shadows
 struct ShadowCaster {
   vec3 position;
   mat3 frame_from_world;
-  float half_size;  // of a map, a metre before the lamp; 0: its maps are a cube
+  bool is_cube;
+  float half_size;  // of a map, a metre before the lamp
   float reach;
   int first_layer;
 };
@@ -21,6 +22,13 @@ ShadowCaster shadow_caster(int i) {
   vec4 up_reach = texelFetch(shadow_casters, 3 * i + 2);
   vec3 axis = axis_half_size.xyz;
   vec3 up = up_reach.xyz;
-  return ShadowCaster(position_layer.xyz, transpose(mat3(cross(axis, up), up, -axis)), axis_half_size.w, up_reach.w,
-                      int(position_layer.w));
+  bool is_cube = axis_half_size.w == 0.0;
+  return ShadowCaster(position_layer.xyz, transpose(mat3(cross(axis, up), up, -axis)), is_cube,
+                      is_cube ? 1.0 : axis_half_size.w, up_reach.w, int(position_layer.w));
 }
+
+// Which map of a lamp has a direction, given in the lamp's frame.
+int map_towards(ShadowCaster caster, vec3 direction) { return caster.is_cube ? map_of_direction(direction) : 0; }
+
+// The size of a map's texel, a metre before the lamp.
+float texel_size(ShadowCaster caster) { return 2.0 * caster.half_size / float(textureSize(shadow_maps, 0).x); }
