@@ -22,6 +22,8 @@ Drawn draw(const scene::Scene& scene, const DrawingOptions& options, int frames,
       .visibility = visibility,
       .times =
           measure::time_frames({measure::frames_of(renderer)}, measure::FrameBudget::exactly(frames), show).front(),
+      .shadow_lamps = renderer.shadows() ? renderer.shadows()->casters().size() : 0,
+      .shadow_maps = renderer.shadows() ? renderer.shadows()->map_count() : 0,
       .comparison = {},
       .samples = renderer.samples(),
       .gl_renderer = context.renderer(),
@@ -56,6 +58,9 @@ std::string stats_json(const scene::Scene& scene, const DrawingOptions& options,
       {"chunks_skipped", times.counts.chunks_skipped},
       {"surface_lights_listed", times.counts.lights_listed},
       {"surface_lights_skipped", times.counts.lights_skipped},
+      {"shadow_lamps", drawn.shadow_lamps},
+      {"shadow_maps", drawn.shadow_maps},
+      {"shadow_maps_drawn", times.counts.shadow_maps_drawn},
       {"gl_renderer", drawn.gl_renderer},
       {"gl_version", drawn.gl_version}};
   if (display) {

@@ -17,6 +17,8 @@ struct Drawn {
   render::Picture picture;
   double visibility;  ///< metres
   measure::FrameTimes times;
+  std::size_t shadow_lamps;  ///< that cast shadows, and their maps
+  std::size_t shadow_maps;
   std::optional<measure::Comparison> comparison;  ///< with the reference, if asked for
   int samples;                                    ///< a pixel
   std::string gl_renderer;

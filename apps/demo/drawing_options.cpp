@@ -68,6 +68,7 @@ render::RenderSettings DrawingOptions::settings_of(const render::LightingPath& p
   render::RenderSettings settings = render;
   settings.path = &path;
   settings.fog_lighting = path.takes_airlight ? fog_light.value_or(own) : render::FogLighting::peak;
+  if (!path.takes_airlight) settings.shadows = render::Shadows::none;
   return settings;
 }
 
@@ -118,6 +119,19 @@ void add_fog_light(CLI::App& app, DrawingOptions& options) {
       "lamp along each ray (default airlight with --path unified, else peak)");
 }
 
+void add_shadows(CLI::App& app, DrawingOptions& options) {
+  command::add_choice(
+      app, "--shadows", options.render.shadows,
+      {{"none", render::Shadows::none}, {"surfaces", render::Shadows::surfaces}, {"shafts", render::Shadows::shafts}},
+      "What the shadows of lamps darken: surfaces; shafts is surfaces and airlight (default none)");
+  command::add_integer(app, "--shadow-lamps", options.render.shadow_lamps, 1, int(scene::kMaxSceneLights),
+                       "Lamps that cast shadows: at most this many, the carried ones first, then the brightest at the "
+                       "camera (default 8)");
+  command::add_integer(
+      app, "--shadow-map-size", options.render.shadow_map_size, 16, 8192,
+      "Edge of a shadow map in texels; a lamp has one, or up to six if it shines all around (default 1024)");
+}
+
 void add_time(CLI::App& app, DrawingOptions& options) {
   command::add_number(app, "--time", options.seconds, kSeconds,
                       "Seconds for which the scene's cookies and lights have been turning (default 0)");
@@ -138,6 +152,21 @@ std::vector<command::OptionRule> drawing_rules(const DrawingOptions& options) {
            {"--fog-light"},
            "its lamps do not light each fragment"},
           {name, path.surface != render::SurfaceModel::basic, {"--infinite-viewer"}, "it has no highlights"}};
+}
+
+std::vector<command::OptionRule> shadow_rules(const DrawingOptions& options) {
+  using render::Shadows;
+  const render::LightingPath& path = *options.render.path;
+  const std::string name = fmt::format("--path {}", path.name);
+  const Shadows shadows = options.render.shadows;
+  const bool is_peak = options.settings_of(path).fog_lighting == render::FogLighting::peak;
+  return {
+      {name, shadows != Shadows::none && !path.takes_airlight, {"--shadows"}, "its lamps do not light each fragment"},
+      {options.fog_light ? "--fog-light peak" : name,
+       shadows == Shadows::shafts && is_peak,
+       {"--shadows"},
+       "only airlight has shafts"},
+      {"--shadows none", shadows == Shadows::none, {"--shadow-lamps", "--shadow-map-size"}, "no lamp casts any"}};
 }
 
 void expect_pixels(const DrawingOptions& options, std::int64_t most, const std::string& what) {

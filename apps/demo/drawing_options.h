@@ -45,10 +45,15 @@ void add_path(CLI::App& app, DrawingOptions& options);
 void add_rendering(CLI::App& app, DrawingOptions& options);
 /// --fog-light, for a job over one path or all.
 void add_fog_light(CLI::App& app, DrawingOptions& options);
+/// --shadows, --shadow-lamps and --shadow-map-size, for a job over one path or all.
+void add_shadows(CLI::App& app, DrawingOptions& options);
 void add_time(CLI::App& app, DrawingOptions& options);
 
 /// Of --fog none and of the chosen path.
 std::vector<command::OptionRule> drawing_rules(const DrawingOptions& options);
+
+/// Of --shadows.
+std::vector<command::OptionRule> shadow_rules(const DrawingOptions& options);
 
 /// Throws the usage error of a --size of more pixels than this. what: of which, "for a reference"
 void expect_pixels(const DrawingOptions& options, std::int64_t most, const std::string& what);

@@ -58,8 +58,8 @@ constexpr const char* kExamples =
   litfog-demo gallery -o out
   litfog-demo compare room headlights --size 960x540 -o paths
 
-Exit status: 0 done; 1 wrong usage; 2 bad scene or light file; 3 no OpenGL 3.3 through EGL, or fewer samples a pixel;
-4 output cannot be written.)";
+Exit status: 0 done; 1 wrong usage; 2 bad scene or light file; 3 no OpenGL 3.3 through EGL, fewer samples a pixel, or more
+shadow maps than memory; 4 output cannot be written.)";
 
 /// One of the command's jobs. It has put its options on the command line and runs when that has been parsed.
 using Job = std::function<ExitStatus()>;
@@ -110,6 +110,7 @@ Job add_picture_job(CLI::App& app) {
   add_fog_and_visibility(app, options->drawing);
   add_path(app, options->drawing);
   add_fog_light(app, options->drawing);
+  add_shadows(app, options->drawing);
   add_rendering(app, options->drawing);
   add_time(app, options->drawing);
   add_display(app, options->drawing.display);
@@ -137,6 +138,7 @@ Job add_picture_job(CLI::App& app) {
                      {"--exposure", "--tone"},
                      "it holds the scene's light"});
     check_options(app, rules);
+    check_options(app, shadow_rules(drawing));
     if (is_given("--output") && !is_picture_path(options->output)) {
       fail_option("--output", options->output, "must end in .png or .exr");
     }
@@ -203,12 +205,14 @@ Job add_gallery_job(CLI::App& app) {
   add_fog(app, options->drawing);
   add_path(app, options->drawing);
   add_fog_light(app, options->drawing);
+  add_shadows(app, options->drawing);
   add_rendering(app, options->drawing);
   add_display(app, options->drawing.display);
   return [&app, options] {
     const DrawingOptions& drawing = options->drawing;
     if (options->folder.empty()) fail_option("--output", "", "must not be empty");
     check_options(app, drawing_rules(drawing));
+    check_options(app, shadow_rules(drawing));
     const std::vector<std::string> scenes = scene_paths(options->scenes);
     const render::RenderSettings render = drawing.settings_of(*drawing.render.path);
     const gl::HeadlessContext context;
@@ -233,6 +237,7 @@ Job add_comparison_job(CLI::App& app) {
   add_folder(app, *options);
   add_fog_and_visibility(app, options->drawing);
   add_fog_light(app, options->drawing);
+  add_shadows(app, options->drawing);
   add_rendering(app, options->drawing);
   add_time(app, options->drawing);
   add_display(app, options->drawing.display);
@@ -241,6 +246,7 @@ Job add_comparison_job(CLI::App& app) {
     const DrawingOptions& drawing = options->drawing;
     if (options->folder.empty()) fail_option("--output", "", "must not be empty");
     check_options(app, {{"--fog none", !drawing.fog, {"--visibility", "--phase-g"}, "the air is clear"}});
+    check_options(app, shadow_rules(drawing));
     expect_pixels(drawing, kMaxComparedPixels, "for a comparison");
     // All scenes are read first, so that an error in one is found before minutes are spent on another.
     std::vector<scene::Scene> scenes = scene::read_scenes(scene_paths(options->scenes));

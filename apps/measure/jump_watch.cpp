@@ -48,7 +48,7 @@ bool JumpWatch::is_at_jump(const SurfacePoint& point) const {
   }
   return std::ranges::any_of(model_.lights(), [&](const ReferenceLight& light) {
     const auto ray = ray_within(light.extent * (1 + kMostRounding), light, point.position);
-    return ray && is_at_jump(point, light, *ray);
+    return ray && (is_at_jump(point, light, *ray) || is_at_shadow_edge(point, light, *ray));
   });
 }
 
@@ -65,6 +65,12 @@ bool JumpWatch::is_at_jump(const SurfacePoint& point, const ReferenceLight& ligh
   return (is_just_turned_away && is_seen(arriving * model_.highlight(point, to_light))) ||
          (is_at_extent && is_seen(arriving * reflectance)) ||
          (is_at_edge && is_seen(on_axis * emitted_at_edge(light, rounding) * reflectance));
+}
+
+bool JumpWatch::is_at_shadow_edge(const SurfacePoint& point, const ReferenceLight& light, const LightRay& ray) const {
+  const glm::dvec3 arriving =
+      light.placed.light.color * model_.falloff(light, ray.range) * light.emitted(ray.direction);
+  return is_seen(arriving * model_.reflectance(point, -ray.direction)) && model_.is_at_shadow_edge(point, light);
 }
 
 bool JumpWatch::is_at_jump(const Veil& veil, const glm::dvec3& position) const {

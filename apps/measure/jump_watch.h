@@ -7,7 +7,8 @@ namespace litfog::measure {
 
 /// Finds the samples whose side of a jump of the model is decided by the rounding of floats: at a light's extent, at
 /// the edge of a cosine cone, where a surface with highlights is just turned away, and where the fog seen from above
-/// ends at the horizon. Jumps too small to be seen do not count.
+/// ends at the horizon; or by the texels of a shadow map, near the edge of a shadow (ReferenceShadows::kEdgeTexels).
+/// Jumps too small to be seen do not count.
 class JumpWatch {
  public:
   /// model  has to outlive this
@@ -23,6 +24,7 @@ class JumpWatch {
 
  private:
   bool is_at_jump(const SurfacePoint& point, const ReferenceLight& light, const LightRay& ray) const;
+  bool is_at_shadow_edge(const SurfacePoint& point, const ReferenceLight& light, const LightRay& ray) const;
 
   const Model& model_;
 };

@@ -26,7 +26,7 @@ LookupBounds::Interval LookupBounds::surface_color(const SurfacePoint& point) co
     // Texels around a position: within a cell of the 3-D map, or one of each of the 2-D maps.
     const double around = 3 * texel_ * light.extent;
     const auto ray = ray_within(light.extent + around, light, point.position);
-    if (!ray) continue;
+    if (!ray || model_.is_in_shadow(point, light)) continue;
     const auto [dimmest, brightest] = emitted(light, ray->direction);
     const glm::dvec3 reflected = light.placed.light.color * model_.reflectance(point, -ray->direction);
     color.least += reflected * dimmest * model_.falloff(light, ray->range + around);

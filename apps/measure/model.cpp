@@ -40,7 +40,13 @@ Model::Model(const render::Renderer& renderer)
       materials_(renderer.materials()),
       lights_(reference_lights(renderer.scene(), renderer.fog(), renderer.settings().fog_lighting)),
       eye_(renderer.scene().camera.position),
-      forward_(glm::normalize(glm::dvec3(renderer.scene().camera.target) - eye_)) {}
+      forward_(glm::normalize(glm::dvec3(renderer.scene().camera.target) - eye_)) {
+  if (!renderer.shadows()) return;
+  shadows_.emplace(renderer);
+  for (const render::ShadowCaster& caster : renderer.shadows()->casters()) {
+    lights_[caster.scene_light].casts_shadows = true;
+  }
+}
 
 SurfacePoint Model::surface_point(const render::GeometrySample& sample) const {
   const scene::Material& material = materials_[std::size_t(sample.material)];
@@ -62,7 +68,8 @@ glm::dvec3 Model::surface_color(const SurfacePoint& point) const {
     const auto ray = ray_within(light.extent, light, point.position);
     if (!ray) continue;
     const double arriving = light.emitted(ray->direction) * falloff(light, ray->range);
-    if (arriving > 0) color += light.placed.light.color * arriving * reflectance(point, -ray->direction);
+    if (arriving > 0 && !is_in_shadow(point, light))
+      color += light.placed.light.color * arriving * reflectance(point, -ray->direction);
   }
   return color;
 }
@@ -111,6 +118,21 @@ Veil Model::veil(const glm::dvec3& position) const {
   return veil;
 }
 
+double Model::airlight(const ReferenceLight& light, const EyeRay& ray) const {
+  if (!light.casts_shadows || settings_.shadows != render::Shadows::shafts) {
+    return light.airlight(fog_, ray, scattering_);
+  }
+  double sum = 0;
+  for (const auto& [from, to] : shadows_->lit_stretches(light, ray)) {
+    EyeRay part = ray;
+    part.length = to;
+    sum += light.airlight(fog_, part, scattering_);
+    part.length = from;
+    sum -= light.airlight(fog_, part, scattering_);
+  }
+  return sum;
+}
+
 glm::dvec3 Model::airlight(const glm::dvec3& direction, double length) const {
   glm::dvec3 sum(0.0);
   if (settings_.fog_lighting != render::FogLighting::airlight) return sum;
@@ -129,7 +151,7 @@ glm::dvec3 Model::airlight(const glm::dvec3& direction, double length) const {
   double left_out = 0;
   for (const auto& [most, light] : candidates) {
     left_out += most;
-    if (left_out > kAirlightBudget) sum += light->placed.light.color * light->airlight(fog_, ray, scattering_);
+    if (left_out > kAirlightBudget) sum += light->placed.light.color * airlight(*light, ray);
   }
   return sum;
 }

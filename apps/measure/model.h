@@ -8,6 +8,7 @@
 
 #include "litfog/airlight.h"
 #include "measure/reference_light.h"
+#include "measure/reference_shadow.h"
 #include "render/gpu/geometry_buffer.h"
 #include "render/renderer.h"
 
@@ -57,8 +58,8 @@ class Model {
   /// sample  not of the sky
   SurfacePoint surface_point(const render::GeometrySample& sample) const;
 
-  /// What a surface sends to the eye, before fog: without_lamps + sum over the lights of color * emitted * falloff *
-  /// reflectance.
+  /// What a surface sends to the eye, before fog: without_lamps + sum over the lights, but for those in whose shadow it
+  /// is, of color * emitted * falloff * reflectance.
   glm::dvec3 surface_color(const SurfacePoint& point) const;
   /// Its emissive, ambient and directional light.
   glm::dvec3 without_lamps(const SurfacePoint& point) const;
@@ -69,19 +70,32 @@ class Model {
   /// The specular part of it, as if the surface faced the light.
   glm::dvec3 highlight(const SurfacePoint& point, const glm::dvec3& to_light) const;
 
+  /// Whether it is in the shadow of a light that casts shadows.
+  bool is_in_shadow(const SurfacePoint& point, const ReferenceLight& light) const {
+    return light.casts_shadows && shadows_->is_dark(light, point.position);
+  }
+  /// Whether it is so near to the edge of such a shadow that a shadow map may put it on the other side.
+  bool is_at_shadow_edge(const SurfacePoint& point, const ReferenceLight& light) const {
+    return light.casts_shadows && shadows_->is_at_edge(light, point.position, point.normal);
+  }
+
   Veil veil(const glm::dvec3& position) const;
   /// The renderer's fog.
   const Fog& fog() const { return fog_; }
   /// Whether a light lights the fog. Only then is it visible in `veil`.
   bool lights_fog(const ReferenceLight& light) const { return path_.has_lit_fog && light.fog_intensity > 0; }
-  /// The airlight of all lights along a ray from the eye, by the definition's integral; 0 where the renderer lights the
-  /// fog otherwise. What it leaves out adds up to less than kAirlightBudget of white.
+  /// The airlight of all lights along a ray from the eye, by the definition's integral, but for the shafts of those
+  /// that cut them; 0 where the renderer lights the fog otherwise. What it leaves out adds up to less than
+  /// kAirlightBudget of white.
   ///
   /// direction  unit
   glm::dvec3 airlight(const glm::dvec3& direction, double length) const;
   static constexpr double kAirlightBudget = 1e-6;
 
  private:
+  /// That of a light of colour 1.
+  double airlight(const ReferenceLight& light, const EyeRay& ray) const;
+
   const render::RenderSettings& settings_;
   const render::LightingPath& path_;
   const scene::Environment& environment_;
@@ -89,6 +103,7 @@ class Model {
   Scattering scattering_;
   std::vector<scene::Material> materials_;
   std::vector<ReferenceLight> lights_;
+  std::optional<ReferenceShadows> shadows_;
   glm::dvec3 eye_;
   glm::dvec3 forward_;  // unit: the camera's axis
 };

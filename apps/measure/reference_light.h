@@ -20,6 +20,7 @@ struct ReferenceLight {
   double fog_intensity;          ///< 0 unless the light is carried by the eye's vehicle, and in airlight
   const Cookie* cookie;          ///< replaces the cone; null: none
   glm::dmat3 cookie_from_world;  ///< rotation
+  bool casts_shadows = false;    ///< one of the renderer's that do
 
   /// The fraction of the axial intensity that the light sends into a unit direction.
   double emitted(const glm::dvec3& direction) const;

@@ -108,8 +108,13 @@ double find_bend_range(double k, double density, double pixel) {
 }  // namespace
 
 AirlightList list_airlight(const SceneLights& lights, const Fog& fog, const Scattering& scattering,
-                           const glm::dvec3& eye, double pixels_per_radian, double budget) {
-  std::vector<std::pair<int, AirlightEntry>> found;
+                           const glm::dvec3& eye, double pixels_per_radian, double budget,
+                           std::span<const std::int32_t> casters) {
+  struct Found {
+    std::pair<int, bool> kind;  // profile, has_shafts
+    AirlightEntry entry;
+  };
+  std::vector<Found> found;
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const PlacedLight& placed = lights.lights()[i];
     const glm::dvec3& color = placed.light.color;
@@ -126,17 +131,18 @@ AirlightList list_airlight(const SceneLights& lights, const Fog& fog, const Scat
     // Up to this range a thin beam is thinner than a few texels of a grid.
     const double thin_range = beam.angle < kThinBeam ? 4 * pixel / std::tan(beam.angle) : 0;
     const bool is_thin = thin_range > bend_range;
-    found.push_back({int(lights.instances()[i].axis_profile.w),
+    found.push_back({{int(lights.instances()[i].axis_profile.w), !casters.empty() && casters[i] >= 0},
                      {.light = float(i),
                       .reach = float(reach),
                       .bend_range = float(std::min(is_thin ? thin_range : bend_range, eye_range / 2)),
                       .width = float(is_thin ? 0 : beam.narrowing * bound.flat_range())}});
   }
-  std::ranges::stable_sort(found, {}, [](const auto& entry) { return entry.first; });
+  std::ranges::stable_sort(found, {}, &Found::kind);
   AirlightList list;
-  for (const auto& [profile, entry] : found) {
-    if (list.ranges.empty() || list.ranges.back().profile != profile) {
-      list.ranges.push_back({.profile = profile, .first = unsigned(list.entries.size()), .count = 0});
+  for (const auto& [kind, entry] : found) {
+    if (list.entries.empty() || std::pair(list.ranges.back().profile, list.ranges.back().has_shafts) != kind) {
+      list.ranges.push_back(
+          {.profile = kind.first, .has_shafts = kind.second, .first = unsigned(list.entries.size()), .count = 0});
     }
     list.entries.push_back(entry);
     ++list.ranges.back().count;

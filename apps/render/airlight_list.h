@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <glm/glm.hpp>
+#include <span>
 #include <vector>
 
 #include "litfog/airlight.h"
@@ -21,10 +23,12 @@ struct AirlightEntry {
   float width;  ///< metres, within which its airlight is flat; 0 for a thin beam
 };
 
-/// The lights whose airlight a picture shows: those of one profile (FogLightInstance) lie together.
+/// The lights whose airlight a picture shows: those of one profile (FogLightInstance), with or without shafts, lie
+/// together.
 struct AirlightList {
   struct Range {
     int profile;
+    bool has_shafts;  ///< cut out by shadows
     unsigned first, count;
   };
 
@@ -36,7 +40,10 @@ struct AirlightList {
 ///
 /// budget             of linear values, below which the airlight of a light is left out
 /// pixels_per_radian  of the picture, at its middle
+/// casters            of each light whether it cuts shafts: its number among those that do, or below 0; empty: none
+/// does
 AirlightList list_airlight(const SceneLights& lights, const Fog& fog, const Scattering& scattering,
-                           const glm::dvec3& eye, double pixels_per_radian, double budget);
+                           const glm::dvec3& eye, double pixels_per_radian, double budget,
+                           std::span<const std::int32_t> casters = {});
 
 }  // namespace litfog::render

@@ -77,11 +77,14 @@ gl::Program make_seen_program(int samples) {
 }  // namespace
 
 AirlightPainter::AirlightPainter(const scene::Scene& scene, const SceneLights& lights,
-                                 const gl::FogLightBuffer& fog_lights, const Framebuffer& framebuffer)
+                                 const gl::FogLightBuffer& fog_lights, const Framebuffer& framebuffer,
+                                 const ShadowMaps* shafts, int shaft_steps)
     : scene_(scene),
       fog_lights_(fog_lights),
       lights_(lights),
       picture_size_(framebuffer.width(), framebuffer.height()),
+      shafts_(shafts),
+      shaft_steps_(shaft_steps),
       seen_program_(make_seen_program(framebuffer.samples())),
       fill_program_("whole_picture.vert", "airlight_fill.frag", demo_shaders()),
       marks_program_("whole_picture.vert", "airlight_marks.frag", demo_shaders()),
@@ -124,8 +127,9 @@ void AirlightPainter::attach_airlight(Target& target, bool has_gain) {
 }
 
 void AirlightPainter::draw(const Framebuffer& framebuffer, const View& view, const Fog& fog) {
+  const auto casters = shafts_ ? shafts_->caster_of_lights() : std::span<const std::int32_t>();
   const AirlightList list = list_airlight(lights_, fog, {.asymmetry = scene_.phase_g}, scene_.camera.position,
-                                          pixels_per_radian(), kBudget);
+                                          pixels_per_radian(), kBudget, casters);
   if (list.entries.empty()) return;
   entries_.emplace(list.entries.data(), list.entries.size() * sizeof(AirlightEntry), BufferTexture::Texel::float4);
   entries_->bind(kEntryUnit);
@@ -147,17 +151,15 @@ void AirlightPainter::draw(const Framebuffer& framebuffer, const View& view, con
     const Grid& grid = grids_[i];
     glBindFramebuffer(GL_FRAMEBUFFER, grid.framebuffer.id());
     glClear(GL_COLOR_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-    if (i == 0) {
-      draw_lights(frame, grid, Part::whole);
-      continue;
+    if (i > 0) {
+      glEnable(GL_STENCIL_TEST);
+      fill(frame, grid, grids_[i - 1]);
+      draw_lights(frame, grid, Part::left_out);
+      draw_packed(frame, grid);
+      glDisable(GL_STENCIL_TEST);
     }
-    glEnable(GL_STENCIL_TEST);
-    fill(frame, grid, grids_[i - 1]);
-    draw_lights(frame, grid, Part::left_out);
-    draw_packed(frame, grid);
-    glDisable(GL_STENCIL_TEST);
+    draw_lights(frame, grid, Part::whole);
   }
-  draw_lights(frame, grids_.back(), Part::cookies);
 
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);
@@ -232,8 +234,9 @@ void AirlightPainter::draw_lights(const Frame& frame, const Grid& grid, Part par
   const glm::vec2 scale = glm::vec2(picture_size_) / glm::vec2(grid.step * size);
   const glm::vec2 offset = scale - 1.0f + (1.0f - 1.0f / float(grid.step)) / glm::vec2(size);
   for (const AirlightList::Range& range : frame.lights) {
-    if ((range.profile == kCookieProfile) != (part == Part::cookies)) continue;
-    const gl::Program& program = light_program(frame.fog_mode, range.profile);
+    const int coarsest_step = range.profile == kCookieProfile ? 1 : range.has_shafts ? 2 : kGridSteps[0];
+    if (part == Part::whole ? grid.step != coarsest_step : grid.step >= coarsest_step) continue;
+    const gl::Program& program = light_program(frame.fog_mode, range.profile, range.has_shafts);
     use(program, frame, grid);
     set_uniform(program, "packed_places", kPlaceUnit);
     set_uniform(program, "is_filled", unsigned{part == Part::left_out});
@@ -250,12 +253,12 @@ double AirlightPainter::pixels_per_radian() const {
   return picture_size_.y / (2 * std::tan(double(scene_.camera.field_of_view) / 2));
 }
 
-const gl::Program& AirlightPainter::light_program(FogMode fog_mode, int profile) {
-  const std::pair key(fog_mode, profile);
+const gl::Program& AirlightPainter::light_program(FogMode fog_mode, int profile, bool has_shafts) {
+  const std::tuple key(fog_mode, profile, has_shafts);
   const auto found = light_programs_.find(key);
   if (found != light_programs_.end()) return found->second;
   const std::string constants = light_constants(scene_, fog_mode, profile);
-  std::vector<gl::ShaderSource> files = scene_shaders(profile == kCookieProfile);
+  std::vector<gl::ShaderSource> files = scene_shaders(profile == kCookieProfile, has_shafts);
   files.push_back({"airlight_constants.glsl", constants});
   return light_programs_.emplace(key, gl::Program("airlight.vert", "airlight.frag", files)).first->second;
 }
@@ -280,6 +283,10 @@ void AirlightPainter::use(const gl::Program& program, const Frame& frame, const 
   set_uniform(program, "sky_distance", kSkyDistance);
   set_uniform(program, "fog_above_eye", frame.view.fog_above_eye);
   set_uniform(program, "asymmetry", float(scene_.phase_g));
+  set_uniform(program, "shadow_maps", kShadowMapUnit);
+  set_uniform(program, "shadow_casters", kShadowCasterUnit);
+  set_uniform(program, "caster_of_light", kCasterOfLightUnit);
+  glUniform1i(program.uniform("shaft_steps"), shaft_steps_);
   glUniform1i(program.uniform("pixel_step"), grid.step);
 }
 

@@ -4,7 +4,7 @@
 #include <glm/glm.hpp>
 #include <map>
 #include <optional>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 #include "litfog/fog.h"
@@ -15,6 +15,7 @@
 #include "render/gpu/framebuffer.h"
 #include "render/gpu/texture.h"
 #include "render/scene_lights.h"
+#include "render/shadow_maps.h"
 #include "scene/scene.h"
 
 namespace litfog::render {
@@ -38,9 +39,10 @@ class AirlightPainter {
  public:
   /// scene, lights, fog_lights  have to outlive this
   /// framebuffer                of the pictures' size and samples
+  /// shafts                     the shadows that cut shafts, with shaft_steps a pixel; null: none do
   /// throws                     gl::Unsupported where the driver has no float framebuffer of their size
   AirlightPainter(const scene::Scene& scene, const SceneLights& lights, const gl::FogLightBuffer& fog_lights,
-                  const Framebuffer& framebuffer);
+                  const Framebuffer& framebuffer, const ShadowMaps* shafts, int shaft_steps);
 
   /// Adds that of all lights to a resolved framebuffer. The lights and the cookies are bound to their units.
   void draw(const Framebuffer& framebuffer, const View& view, const Fog& fog);
@@ -60,12 +62,11 @@ class AirlightPainter {
     int step;  // pixels
   };
 
-  /// What is drawn of the lights, and where.
+  /// What is drawn of the lights, and where. Cookies and shafts may be finer than coarse grids, which do without them.
   enum class Part {
-    whole,     // at all texels, but cookies
-    left_out,  // what the coarser grid has not, at texels that it has filled; no cookies
-    packed,    // at packed texels, but cookies
-    cookies,   // at all texels: they may be finer than a grid
+    whole,     // at all texels: lights that coarser grids do without
+    left_out,  // at texels that the coarser grid has filled: what it has not
+    packed,    // at packed texels: lights that the coarser grid has
   };
 
   /// What the passes of a frame have in common.
@@ -77,7 +78,7 @@ class AirlightPainter {
   };
 
   double pixels_per_radian() const;  ///< at the middle of the picture
-  const gl::Program& light_program(FogMode fog_mode, int profile);
+  const gl::Program& light_program(FogMode fog_mode, int profile, bool has_shafts);
   void attach_airlight(Target& target, bool has_gain);
   void use(const gl::Program& program, const Frame& frame, const Grid& grid);
   void fill(const Frame& frame, const Grid& grid, const Grid& coarse);
@@ -88,8 +89,11 @@ class AirlightPainter {
   const gl::FogLightBuffer& fog_lights_;
   const SceneLights& lights_;
   glm::ivec2 picture_size_;
-  /// For lights of one profile in fog of one mode: the compiler leaves out what they do not need.
-  std::map<std::pair<FogMode, int>, gl::Program> light_programs_;
+  const ShadowMaps* shafts_;
+  int shaft_steps_;
+  /// For lights of one profile, with or without shafts, in fog of one mode: the compiler leaves out what they do not
+  /// need.
+  std::map<std::tuple<FogMode, int, bool>, gl::Program> light_programs_;
   gl::Program seen_program_;
   gl::Program fill_program_;
   gl::Program marks_program_;

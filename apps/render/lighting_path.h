@@ -87,7 +87,7 @@ struct LightingPath {
   Evaluation evaluation = Evaluation::fragment;
   bool has_normal_maps = false;  ///< else the vertices' normals
   bool has_lit_fog = true;       ///< else the ambient fog colour alone
-  bool takes_airlight = false;   ///< its lamps light each fragment, so that the fog can dim them on their way to it
+  bool takes_airlight = false;   ///< its lamps light each fragment: fog can dim them on their way, shadows hide them
   LightMapSet maps = LightMapSet::none;
   std::vector<SurfacePass> passes;
 

@@ -16,6 +16,13 @@ enum class FogLighting {
   airlight,
 };
 
+/// What the shadows of lamps darken.
+enum class Shadows {
+  none,
+  surfaces,
+  shafts,  ///< surfaces, and the fog that airlight lights
+};
+
 /// How a renderer draws a scene.
 struct RenderSettings {
   Skipping skipping = Skipping::on;
@@ -27,6 +34,10 @@ struct RenderSettings {
   bool has_infinite_viewer = false;  ///< the Basic model's highlights as seen from far away along the camera's axis
   int map_size = 128;                ///< texels a side of the light maps
   int samples = 4;                   ///< a pixel, at least: 1, 2, 4 or 8
+  Shadows shadows = Shadows::none;   ///< others: with paths that light each fragment only
+  int shadow_lamps = 8;              ///< that cast them, at most: choose_shadow_casters
+  int shadow_map_size = 1024;        ///< texels a side, at least 16
+  int shaft_steps = 64;              ///< along a pixel's ray, at which shadow maps are looked up: 1 to 1024
 };
 
 }  // namespace litfog::render

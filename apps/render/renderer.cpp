@@ -37,7 +37,13 @@ Renderer::Renderer(const scene::Scene& scene, int width, int height, const Rende
       sky_program_("sky.vert", "sky.frag", scene_shaders(!scene.cookies.empty())),
       light_point_program_("light_point.vert", "light_point.frag", scene_shaders(!scene.cookies.empty())) {
   gl::check_fog_light_layout(sky_program_);
-  if (settings.fog_lighting == FogLighting::airlight) airlight_.emplace(scene, lights_, fog_block_, framebuffer_);
+  if (settings.shadows != Shadows::none) {
+    shadows_.emplace(lights_, surfaces_.surfaces(), scene.camera.position, settings);
+  }
+  if (settings.fog_lighting == FogLighting::airlight) {
+    airlight_.emplace(scene, lights_, fog_block_, framebuffer_,
+                      settings.shadows == Shadows::shafts ? shadows() : nullptr, settings.shaft_steps);
+  }
   if (!scene.cookies.empty()) cookies_ = upload_cookies(scene.cookies);
   set_fog(Fog{});
   gl::check_errors("uploading the scene");
@@ -65,6 +71,7 @@ View Renderer::view() const {
 
 FrameCounts Renderer::draw(LightPoints light_points) {
   const View view = this->view();
+  const std::size_t shadow_maps_drawn = shadows_ ? shadows_->draw() : 0;
   framebuffer_.bind();
   glClearColor(0, 0, 0, 1);
   glEnable(GL_CULL_FACE);
@@ -74,7 +81,9 @@ FrameCounts Renderer::draw(LightPoints light_points) {
   surfaces_.surfaces().bind_light_list(kLightListUnit);
   if (cookies_) cookies_->bind(kCookieUnit);
   cookie_cones_.bind(kCookieConeUnit);
-  const FrameCounts counts = surfaces_.draw(*settings_.path, view.clip_from_world);
+  if (shadows_) shadows_->bind();
+  FrameCounts counts = surfaces_.draw(*settings_.path, view.clip_from_world, shadows());
+  counts.shadow_maps_drawn = shadow_maps_drawn;
   glDepthMask(GL_FALSE);
   draw_sky(view);
   if (light_points == LightPoints::on) draw_light_points(view);
@@ -89,7 +98,7 @@ FrameCounts Renderer::draw(LightPoints light_points) {
 void Renderer::draw_geometry(const GeometryBuffer& geometry) {
   geometry.begin();
   glEnable(GL_CULL_FACE);
-  surfaces_.draw(geometry_path(*settings_.path), clip_from_world());
+  surfaces_.draw(geometry_path(*settings_.path), clip_from_world(), nullptr);
   geometry.end();
   gl::check_errors("drawing the geometry");
 }

@@ -11,6 +11,7 @@
 #include "render/gpu/framebuffer.h"
 #include "render/gpu/geometry_buffer.h"
 #include "render/scene_lights.h"
+#include "render/shadow_maps.h"
 #include "render/surface_painter.h"
 #include "scene/scene.h"
 
@@ -28,8 +29,8 @@ enum class LightPoints { on, off };
 /// Draws a scene by a lighting path into a framebuffer. Needs a current GL 3.3 core context.
 class Renderer {
  public:
-  /// throws gl::Unsupported where this OpenGL cannot hold the scene's light lists or the path's light maps would take
-  /// more than 1 GiB, std::invalid_argument where a part is of a material that the scene lacks
+  /// throws gl::Unsupported where this OpenGL cannot hold the scene's light lists, or the path's light maps or the
+  /// shadow maps would take more than 1 GiB, std::invalid_argument where a part is of a material that the scene lacks
   /// scene  has to outlive this
   Renderer(const scene::Scene& scene, int width, int height, const RenderSettings& settings);
 
@@ -45,6 +46,8 @@ class Renderer {
   int width() const { return framebuffer_.width(); }
   int height() const { return framebuffer_.height(); }
   int samples() const { return framebuffer_.samples(); }  ///< a pixel: some drivers take more than asked for
+  /// Of Shadows::none null.
+  const ShadowMaps* shadows() const { return shadows_ ? &*shadows_ : nullptr; }
 
   /// Draws the surfaces of a frame into a geometry buffer of the same size.
   void draw_geometry(const GeometryBuffer& geometry);
@@ -68,6 +71,7 @@ class Renderer {
   BufferTexture cookie_cones_;
   gl::FogLightBuffer fog_block_;  // holds no lights
   SurfacePainter surfaces_;
+  std::optional<ShadowMaps> shadows_;
   gl::Program sky_program_;
   gl::Program light_point_program_;
   std::optional<AirlightPainter> airlight_;  // of FogLighting::airlight

@@ -33,6 +33,7 @@ SceneLights::SceneLights(const scene::Scene& scene, const RenderSettings& settin
       if (!is_carried && !(extent > 0)) continue;
       const auto use = scene.cookie_uses.find(i);
       lights_.push_back(light);
+      scene_lights_.push_back(i);
       extents_.push_back(extent);
       cookies_.push_back(use == scene.cookie_uses.end() ? nullptr : &use->second);
       light.carried = is_carried && settings.path->has_lit_fog && settings.fog_lighting == FogLighting::peak;

@@ -39,6 +39,8 @@ class SceneLights {
   std::span<const double> extents() const { return extents_; }
   /// The cookie that replaces a light's cone, or null.
   const scene::CookieUse* cookie(std::size_t light) const { return cookies_[light]; }
+  /// A light's index in Scene::lights.
+  std::size_t scene_light(std::size_t light) const { return scene_lights_[light]; }
 
   /// Takes a change of the fog. Returns what has changed of the tables, good until the next call.
   FogLightChanges set_fog(const Fog& fog) { return updater_.set_fog(fog); }
@@ -55,6 +57,7 @@ class SceneLights {
   std::size_t local_count_ = 0;
   std::vector<double> extents_;
   std::vector<const scene::CookieUse*> cookies_;
+  std::vector<std::size_t> scene_lights_;
   FogUpdater updater_;
   std::vector<FogLightInstance> instances_;  // the updater's, with cookies
   std::vector<glm::vec4> cookie_cones_;

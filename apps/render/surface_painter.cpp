@@ -52,6 +52,7 @@ bool needs_lights(const LightingPath& path) {
 struct SurfacePainter::Frame {
   const LightingPath& path;
   glm::mat4 clip_from_world;
+  const ShadowMaps* shadows;
   std::size_t number;
   int passes_drawn = 0;  // of the surface being drawn
   const SurfaceProgram* used = nullptr;
@@ -68,8 +69,9 @@ SurfacePainter::SurfacePainter(const scene::Scene& scene, const SceneLights& lig
       maps_(settings.path->maps, scene, lights, settings.map_size),
       programs_(scene, settings) {}
 
-FrameCounts SurfacePainter::draw(const LightingPath& path, const glm::mat4& clip_from_world) {
-  Frame frame{.path = path, .clip_from_world = clip_from_world, .number = ++frames_};
+FrameCounts SurfacePainter::draw(const LightingPath& path, const glm::mat4& clip_from_world,
+                                 const ShadowMaps* shadows) {
+  Frame frame{.path = path, .clip_from_world = clip_from_world, .shadows = shadows, .number = ++frames_};
   if (path.has_several_passes()) glEnable(GL_STENCIL_TEST);
   select_samples(0);
   surfaces_.bind_meshes();
@@ -130,12 +132,18 @@ void SurfacePainter::draw_pass(Frame& frame, const Surface& surface, ShaderVaria
                                std::span<const std::int32_t> fog_lights, std::span<const std::int32_t> batch) {
   const bool has_maps = !maps_.kinds().empty();  // which hold the cones
   std::vector<PackedLight> uniforms;
+  std::vector<std::int32_t> casters;  // of the uniforms
+  const auto add_uniform = [&](std::int32_t light) {
+    uniforms.push_back(lights_.packed(std::size_t(light)));
+    if (frame.shadows) casters.push_back(frame.shadows->caster_of(std::size_t(light)));
+  };
   if (variant.is_first && variant.pass->shows_fog) {
     variant.has_listed_fog_lights = fog_lights.size() > kMaxUniformLights;
     if (!variant.has_listed_fog_lights) {
-      for (const std::int32_t light : fog_lights) uniforms.push_back(lights_.packed(std::size_t(light)));
+      for (const std::int32_t light : fog_lights) add_uniform(light);
       variant.fog_lights = compiled_for(uniforms);
       uniforms.resize(variant.fog_lights.count);  // the rest is black
+      casters.resize(uniforms.size(), ShadowMaps::kNoCaster);
     }
   }
   const std::size_t first = uniforms.size();
@@ -143,7 +151,7 @@ void SurfacePainter::draw_pass(Frame& frame, const Surface& surface, ShaderVaria
   variant.shares_lights = variant.pass->lights.kind == LightFeed::Kind::all && !variant.has_listed_lights && first > 0;
   for (const std::int32_t light : batch) {
     if (variant.shares_lights && std::ranges::find(fog_lights, light) != fog_lights.end()) continue;
-    uniforms.push_back(lights_.packed(std::size_t(light)));
+    add_uniform(light);
   }
   if (has_maps) {
     variant.lights.count = uniforms.size() - first;
@@ -168,6 +176,10 @@ void SurfacePainter::draw_pass(Frame& frame, const Surface& surface, ShaderVaria
   if (!uniforms.empty()) {
     glUniform4fv(program.uniform_lights, GLsizei(5 * uniforms.size()),
                  glm::value_ptr(uniforms[0].kind.attenuation_extent));
+  }
+  if (!casters.empty()) {
+    casters.resize(uniforms.size(), ShadowMaps::kNoCaster);
+    glUniform1iv(program.uniform_casters, GLsizei(casters.size()), casters.data());
   }
   if (has_maps && !batch.empty()) {
     std::vector<glm::mat3> cones;
@@ -203,6 +215,9 @@ SurfaceProgram& SurfacePainter::use(Frame& frame, const ShaderVariant& variant, 
     set_uniform(program.program, "cone_map", kConeMapUnit);
     set_uniform(program.program, "cookies", kCookieUnit);
     set_uniform(program.program, "cookie_cones", kCookieConeUnit);
+    set_uniform(program.program, "shadow_maps", kShadowMapUnit);
+    set_uniform(program.program, "shadow_casters", kShadowCasterUnit);
+    set_uniform(program.program, "caster_of_light", kCasterOfLightUnit);
   }
   if (&material != frame.bound) {
     frame.bound = &material;

@@ -9,6 +9,7 @@
 #include "render/light_selection.h"
 #include "render/render_settings.h"
 #include "render/scene_lights.h"
+#include "render/shadow_maps.h"
 #include "render/surface_list.h"
 #include "render/surface_programs.h"
 
@@ -20,6 +21,7 @@ struct FrameCounts {
   std::size_t chunks_skipped = 0;  ///< out of view
   std::size_t lights_listed = 0;   ///< in the light lists of all drawn chunks together
   std::size_t lights_skipped = 0;  ///< not in them
+  std::size_t shadow_maps_drawn = 0;  ///< all in the first frame, none later
 };
 
 /// Draws a scene's surfaces by a lighting path. Needs a current GL context.
@@ -30,7 +32,8 @@ class SurfacePainter {
   SurfacePainter(const scene::Scene& scene, const SceneLights& lights, const gl::FogLightBuffer& fog_lights,
                  const RenderSettings& settings);
 
-  FrameCounts draw(const LightingPath& path, const glm::mat4& clip_from_world);
+  /// shadows  of the lamps; drawn and bound. Null: none
+  FrameCounts draw(const LightingPath& path, const glm::mat4& clip_from_world, const ShadowMaps* shadows);
   const SurfaceList& surfaces() const { return surfaces_; }
 
  private:

@@ -44,10 +44,12 @@ SurfaceProgram::SurfaceProgram(gl::Program linked)
       draw_constants(program.uniform("draw_constants")),
       light_list_range(program.uniform("light_list_range")),
       uniform_lights(program.uniform("uniform_lights")),
+      uniform_casters(program.uniform("uniform_casters")),
       cone_from_world(program.uniform("cone_from_world")) {}
 
 SurfacePrograms::SurfacePrograms(const scene::Scene& scene, const RenderSettings& settings)
     : has_cookies_(!scene.cookies.empty()),
+      has_shadows_(settings.shadows != Shadows::none),
       most_vertex_lights_(count_vertex_lights()),
       environment_(environment_constants(scene.environment, settings)) {}
 
@@ -55,7 +57,7 @@ SurfaceProgram& SurfacePrograms::program(const ShaderVariant& variant) {
   const auto found = programs_.find(variant);
   if (found != programs_.end()) return found->second;
   const std::string pass = pass_constants(variant);
-  std::vector<gl::ShaderSource> files = scene_shaders(has_cookies_);
+  std::vector<gl::ShaderSource> files = scene_shaders(has_cookies_, has_shadows_);
   files.push_back({"environment.glsl", environment_});
   files.push_back({"pass.glsl", pass});
   gl::Program program(variant.pass->vertex, variant.pass->geometry, variant.pass->fragment, files);

@@ -17,7 +17,7 @@ struct SurfaceProgram {
   explicit SurfaceProgram(gl::Program linked);
 
   gl::Program program;
-  int world_from_model, draw_constants, light_list_range, uniform_lights, cone_from_world;
+  int world_from_model, draw_constants, light_list_range, uniform_lights, uniform_casters, cone_from_world;
   std::size_t frame = 0;
   const SurfaceMaterial* material = nullptr;
 };
@@ -34,6 +34,7 @@ class SurfacePrograms {
 
  private:
   bool has_cookies_;
+  bool has_shadows_;
   std::size_t most_vertex_lights_;
   std::string environment_;  // environment.glsl
   std::map<ShaderVariant, SurfaceProgram> programs_;

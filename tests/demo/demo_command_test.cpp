@@ -198,6 +198,46 @@ TEST_F(DemoCommand, SamplesAreThoseOfThePictureOrMissing) {
   }
 }
 
+TEST_F(DemoCommand, ShadowsAreDrawnByTheLampsThatAreAskedForAndTheirMapsOnce) {
+  for (const char* options : {"-o none.png", "-o surfaces.png --shadows surfaces --frames 2 --stats s.json",
+                              "-o shafts.png --shadows shafts --shadow-lamps 1 --shadow-map-size 256 --stats f.json"}) {
+    const Outcome outcome = run(std::string("room --visibility 20 --size 64x36 ") + options);
+    ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  }
+  EXPECT_NE(read("none.png"), read("surfaces.png"));
+  EXPECT_NE(read("surfaces.png"), read("shafts.png"));
+  const auto surfaces = nlohmann::json::parse(read("s.json"));
+  EXPECT_EQ(surfaces["shadow_lamps"], 2);
+  EXPECT_EQ(surfaces["shadow_maps"], 7);  // the torch's beam and all around the bulb
+  EXPECT_EQ(surfaces["shadow_maps_drawn"], 0);
+  const auto shafts = nlohmann::json::parse(read("f.json"));
+  EXPECT_EQ(shafts["shadow_lamps"], 1);
+  EXPECT_EQ(shafts["shadow_maps"], 1);
+}
+
+TEST_F(DemoCommand, MoreShadowsThanMemoryAreAMissingCapability) {
+  const Outcome outcome = run("approach --shadows surfaces --shadow-lamps 1000 --size 64x36 -o a.png");
+  EXPECT_EQ(outcome.status, kMissingCapability);
+  EXPECT_NE(outcome.err.find("the shadows of 1000 lamps need "), std::string::npos) << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(directory() / "a.png"));
+}
+
+TEST_F(DemoCommand, ShadowsWithoutEffectAreErrors) {
+  for (const auto& [options, reason] : std::vector<std::pair<std::string, std::string>>{
+           {"--shadow-lamps 3", "--shadow-lamps cannot be given with --shadows none: no lamp casts any"},
+           {"--shadow-map-size 64", "--shadow-map-size cannot be given with --shadows none: no lamp casts any"},
+           {"--path vertex --shadows surfaces",
+            "--shadows cannot be given with --path vertex: its lamps do not light each fragment"},
+           {"--fog-light peak --shadows shafts",
+            "--shadows cannot be given with --fog-light peak: only airlight has shafts"},
+           {"--path radial --shadows shafts", "--shadows cannot be given with --path radial: only airlight has shafts"},
+           {"--shadows surfaces --shadow-lamps 0", "--shadow-lamps = 0: must be an integer from 1 to 100000"},
+           {"--shadows surfaces --shadow-map-size 8", "--shadow-map-size = 8: must be an integer from 16 to 8192"}}) {
+    EXPECT_ERROR(run("room -o a.png " + options), kUsage, "litfog-demo: " + reason + kSeeHelp);
+    EXPECT_FALSE(std::filesystem::exists(directory() / "a.png"));
+  }
+}
+
 TEST_F(DemoCommand, CityHasTheLightsThatAreAskedFor) {
   ASSERT_EQ(run("city --lights 10 --size 64x36 -o a.png --stats s.json").status, kDone);
   EXPECT_EQ(nlohmann::json::parse(read("s.json"))["lights"], 10);

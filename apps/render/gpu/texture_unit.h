@@ -23,6 +23,9 @@ enum TextureUnit : unsigned {
   kGainUnit,      // of airlight, per opacity of the fog
   kMarkUnit,      // texels that a coarser grid is not good enough for
   kPlaceUnit,     // of packed texels in their grid
+  kShadowMapUnit,
+  kShadowCasterUnit,
+  kCasterOfLightUnit,
 };
 
 inline constexpr unsigned kFogLightBinding = 0;  ///< of the FogLightBlock

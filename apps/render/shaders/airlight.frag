@@ -12,6 +12,8 @@ flat in vec2 bend_range_width;
 uniform vec3 eye;
 uniform sampler2D packed_places;
 
+#include "shaft.glsl"  // of rays from that eye
+
 layout(location = 0) out vec4 airlight;
 layout(location = 1) out vec4 gain;  // of airlight, where the pixel sees farther, for the fog's gain of opacity
 
@@ -19,14 +21,16 @@ const float most_equal_opacities = 0.002;  // between samples that share an airl
 
 // The airlight from the end of a ray, for the fog's opacity there.
 vec3 gain_at(LitfogLight light, vec3 direction, float range) {
-  vec4 ray = litfog_ray(light.position_extent.xyz, eye + direction * range);
+  vec3 position = eye + direction * range;
+  vec4 ray = litfog_ray(light.position_extent.xyz, position);
   float density = litfog_fog.x;
   float scale = light.attenuation.w;
   // -f' of the light's fog over that of the scene's. The more scattered light is lost, the less it matters.
   float weight = litfog_fog_mode() == 0.0
                      ? scale * exp(min((1.0 - scale) * density * range, 8.0))
                      : scale * scale * exp(min((1.0 - scale * scale) * pow(density * range, 2.0), 8.0));
-  vec3 lit = litfog_light_along(light, ray) * (litfog_lamp_factor(light, ray.w) * weight);
+  vec3 lit = litfog_light_along(light, ray) * (litfog_lamp_factor(light, ray.w) * weight) *
+             shadow_at(light_index, position);
   return asymmetry == 0.0 ? lit : lit * litfog_phase(-dot(direction, ray.xyz), asymmetry);
 }
 
@@ -69,7 +73,9 @@ void main() {
     for (; first + run < 4 && opacities[first + run] - opacities[first] < most_equal_opacities; ++run) {
       ranges += seen[first + run];
     }
-    sum += litfog_glow(light, eye, direction, ranges / float(run), asymmetry) * (0.25 * float(run));
+    float range = ranges / float(run);
+    sum += litfog_glow(light, eye, direction, range, asymmetry) *
+           (0.25 * float(run) * lit_fraction(light_index, light, direction, range));
   }
   airlight = vec4(share * sum, 0.0);
   if (pixel_step > 1) gain.rgb = share * gain_at(light, direction, dot(seen, vec4(0.25)));  // the finest grid has none

@@ -8,6 +8,8 @@
 #include "rasterised.glsl"
 #include "scene.glsl"
 
+#include "shadow.glsl"
+
 out vec4 color;
 
 // The lights of the fog: passed as uniforms, or read through the light list if they are too many for uniforms.

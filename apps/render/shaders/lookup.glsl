@@ -26,7 +26,7 @@ void main() {
     float ra = range_attenuation(range_coordinate(i));
     float aa = texture(cone_map, cone_coordinate(i)).r;
     light += ra * aa * max(dot(ray.xyz, n), 0.0) * batch_light(i).color_intensity.rgb *
-             lamp_factor(batch_light(i), ray.w);
+             lamp_factor(batch_light(i), ray.w) * lamp_shadow(i);
   }
   if (is_first_pass) light += directional_light(shading_value());
   vec3 lit = light * base_texture().rgb;

@@ -37,7 +37,7 @@ void main() {
 #ifdef LITFOG_COOKIES
     if (light.axis_profile.w == 3.0) light.cone.yzw = normalize(cookie_up[i]);
 #endif
-    lit += lit_by(surface, light);
+    lit += lamp_shadow(i) * lit_by(surface, light);
   }
   color = seen_by_eye(lit, fragment_position());
 }

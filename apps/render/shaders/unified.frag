@@ -23,11 +23,12 @@ void main() {
 
   vec3 lit = litfog_ambient(surface, ambient_light);
   if (has_moon) lit += litfog_reflect(surface, moon_direction, moon_color);
-#define ADD_LIGHT(i) lit += lit_by(surface, batch_light(i));
+#define ADD_LIGHT(i) lit += lamp_shadow(i) * lit_by(surface, batch_light(i));
   EACH_LIGHT(ADD_LIGHT)
 #undef ADD_LIGHT
   for (int i = 0; i < listed_light_count(); ++i) {
-    if (!is_out_of_reach(i, position)) lit += lit_by(surface, listed_light(i));
+    if (is_out_of_reach(i, position)) continue;
+    lit += listed_lamp_shadow(listed_entry(i)) * lit_by(surface, listed_light(i));
   }
   color = seen_by_eye(lit, position);
 }

@@ -44,11 +44,12 @@ float litfog_glow_bound(LitfogLight light, float weight, float denominator) {
   return min(1.0 / d, weight * integral);
 }
 
+// The light as a ray from the eye sees it, for litfog_airlight() with as many nodes as its stated errors need.
+//
 // direction  unit, from the eye
 // range      metres along it: to the surface or to the end of the fog
 // asymmetry  g of Henyey and Greenstein's phase function, in (-1, 1)
-vec3 litfog_glow(LitfogLight light, vec3 eye, vec3 direction, float range, float asymmetry) {
-  vec3 color = light.color_intensity.rgb;
+LitfogAirlight litfog_glow_ray(LitfogLight light, vec3 eye, vec3 direction, float range, float asymmetry) {
   vec3 to_light = light.position_extent.xyz - eye;
   float approach = dot(to_light, direction);
   vec3 offset = approach * direction - to_light;
@@ -58,18 +59,23 @@ vec3 litfog_glow(LitfogLight light, vec3 eye, vec3 direction, float range, float
   litfog_glow_direction = direction;
 #endif
   float density = min(litfog_fog.x * light.attenuation.w, 1.0e6);  // a visibility of micrometres
-  LitfogAirlight air =
-      LitfogAirlight(density, litfog_fog_mode(), 1.0, asymmetry, light.attenuation.x, light.attenuation.y,
-                     light.attenuation.z, light.position_extent.w, light.axis_profile.w, light.cone.x, light.cone.y,
-                     range, approach, length(offset), dot(offset, light.axis_profile.xyz),
-                     dot(direction, light.axis_profile.xyz), 0.0);
+  return LitfogAirlight(density, litfog_fog_mode(), 1.0, asymmetry, light.attenuation.x, light.attenuation.y,
+                        light.attenuation.z, light.position_extent.w, light.axis_profile.w, light.cone.x, light.cone.y,
+                        range, approach, length(offset), dot(offset, light.axis_profile.xyz),
+                        dot(direction, light.axis_profile.xyz), 0.0);
+}
+
+// The glow along a ray of litfog_glow_ray().
+vec3 litfog_glow(LitfogLight light, vec3 eye, vec3 direction, float range, float asymmetry) {
+  vec3 color = light.color_intensity.rgb;
+  LitfogAirlight air = litfog_glow_ray(light, eye, direction, range, asymmetry);
   air.nodes = litfog_airlight_nodes(air);
   // A light that adds little needs few nodes: their relative errors are some 3 % and 0.5 % of a point light's airlight,
   // some 10 %, 2 % and 0.3 % of another's.
   if (asymmetry == 0.0 && air.profile != 3.0) {
     float denominator = litfog_denominator(air.offset, air.constant, air.linear, air.quadratic);
-    float most = max(max(color.r, color.g), color.b) *
-                 litfog_glow_bound(light, litfog_glow_weight(light, length(to_light)), denominator);
+    float weight = litfog_glow_weight(light, distance(light.position_extent.xyz, eye));
+    float most = max(max(color.r, color.g), color.b) * litfog_glow_bound(light, weight, denominator);
     if (air.profile == 0.0) {
       air.nodes = most < 0.02 ? 4.0 : most < 0.1 ? 6.0 : air.nodes;
     } else {

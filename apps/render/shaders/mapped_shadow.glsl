@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// The fraction of a lamp's light that no surface keeps from a fragment, from the lamp's shadow map (Lance Williams
+// 1978, "Casting Curved Shadows on Curved Surfaces"): compared at four places half a texel from the fragment's, each
+// the mean of the four texels around it (William Reeves, David Salesin and Robert Cook 1987, "Rendering Antialiased
+// Shadows with Depth Maps").
+//
+// A texel holds the distance to the surface at its own middle, which is up to a texel from the place compared. There,
+// the plane of the fragment's own triangle may be nearer to the lamp. By how much follows from the plane, so a flat
+// surface does not shade itself at any angle.
+
+#include "shadow_caster.glsl"
+
+uniform int uniform_casters[uniform_light_count];  // of the uniform lights
+
+const float rounding = 4.8e-7;    // of positions: some units in the last place
+const float raster_place = 0.02;  // texels by which a rasteriser may misplace an edge
+
+vec3 receiver_normal = cross(dFdx(rasterised_position), dFdy(rasterised_position));
+
+float shadow_of(int caster_index) {
+  if (caster_index < 0) return 1.0;
+  ShadowCaster caster = shadow_caster(caster_index);
+  vec3 position = fragment_position();
+  vec3 from_lamp = caster.frame_from_world * (position - caster.position);
+  float range = length(from_lamp);
+  if (range >= caster.reach) return 1.0;  // where there is no light
+  int map = map_towards(caster, from_lamp);
+  vec3 place = map_from_frame(from_lamp, map);
+  if (place.z <= 0.0) return 1.0;  // behind a beam
+
+  // The triangle's plane has the distance R(a) = h sqrt(1 + a^2) / (n . (a, 1)) in the direction (a, 1) of the map. Its
+  // slope is R (a / (1 + a^2) - n_xy / (n . (a, 1))).
+  vec2 a = place.xy / place.z;
+  vec3 n = map_from_frame(caster.frame_from_world * receiver_normal, map);
+  float facing = dot(n, vec3(a, 1.0));
+  float most_facing = length(n) * sqrt(1.0 + dot(a, a));
+  float least = max(1.0e-4 * most_facing, 1.0e-30);  // seen edge on, or no triangle at all
+  facing = abs(facing) < least ? least : facing;
+  float texel = texel_size(caster);
+  vec2 slope = range * (a / (1.0 + dot(a, a)) - n.xy / facing) * texel;
+  float bias = (1.0 + raster_place) * (abs(slope.x) + abs(slope.y)) + range * texel * texel +
+               rounding * (length(position) + range) * abs(most_facing / facing);
+
+  vec2 uv = 0.5 + 0.5 * a / caster.half_size;
+  float step = 0.5 / float(textureSize(shadow_maps, 0).x);
+  float layer = float(caster.first_layer + map);
+  float lit = 0.0;
+  for (int i = 0; i < 4; ++i) {
+    vec2 side = vec2(i & 1, i >> 1) * 2.0 - 1.0;
+    float compared = (range + 0.5 * dot(slope, side) - bias) / caster.reach;
+    lit += texture(shadow_maps, vec4(uv + side * step, layer, compared));
+  }
+  return 0.25 * lit;
+}
+
+// Of light i of the pass.
+float lamp_shadow(int i) { return shadow_of(uniform_casters[first_light_in_pass + i]); }
+// Of a light in the tables.
+float listed_lamp_shadow(int light) { return shadow_of(texelFetch(caster_of_light, light).x); }

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// The shafts that surfaces cut out of a lamp's airlight: the lamp's shadow map is looked up at steps along the ray. Only
+// the fraction of the airlight that is lit comes from the steps, each weighted by the integrand. The airlight itself is
+// the integral without steps, so where nothing is in shadow nothing changes.
+
+#include "shadow_caster.glsl"
+
+uniform int shaft_steps;
+
+const int halvings = 4;  // of a step, to find the edge of a shaft
+
+// Whether light reaches a place in the fog: from 0 to 1 over a texel at the edge of a shaft.
+float lit_at(ShadowCaster caster, vec3 position) {
+  vec3 from_lamp = caster.frame_from_world * (position - caster.position);
+  int map = map_towards(caster, from_lamp);
+  vec3 place = map_from_frame(from_lamp, map);
+  if (place.z <= 0.0) return 1.0;  // behind a beam
+  // Before a surface the fog is lit up to a texel's size from it.
+  float compared = length(from_lamp) * (1.0 - texel_size(caster)) / caster.reach;
+  vec2 uv = 0.5 + 0.5 * place.xy / (place.z * caster.half_size);
+  return texture(shadow_maps, vec4(uv, float(caster.first_layer + map), compared));
+}
+
+// The same of a light that may cast no shadows.
+float shadow_at(int light_index, vec3 position) {
+  int caster = texelFetch(caster_of_light, light_index).x;
+  return caster < 0 ? 1.0 : lit_at(shadow_caster(caster), position);
+}
+
+float inverse_sinh(float x) { return sign(x) * log(abs(x) + sqrt(x * x + 1.0)); }
+
+float lit_fraction(int light_index, LitfogLight light, vec3 direction, float range) {
+  int caster_index = texelFetch(caster_of_light, light_index).x;
+  if (caster_index < 0) return 1.0;
+  ShadowCaster caster = shadow_caster(caster_index);
+  LitfogAirlight air = litfog_glow_ray(light, eye, direction, range, asymmetry);
+  // The part of the ray that the lamp can light, from its closest approach. Of a beam of less than a right angle it is
+  // one stretch.
+  float chord = litfog_airlight_chord(air, air.extent);
+  float low = max(-air.approach, -chord);
+  float high = min(range - air.approach, chord);
+  if ((air.profile == 1.0 || air.profile == 2.0) && air.cone_x > 0.0) {
+    float first = litfog_airlight_crossing(air, air.cone_x, false);
+    float last = litfog_airlight_crossing(air, air.cone_x, true);
+    bool is_low_lit = litfog_airlight_cosine(air, low, litfog_airlight_range(air, low)) > air.cone_x;
+    bool is_high_lit = litfog_airlight_cosine(air, high, litfog_airlight_range(air, high)) > air.cone_x;
+    if (!is_low_lit) low = max(low, first > low && first < high ? first : last);
+    if (!is_high_lit) high = min(high, last > low && last < high ? last : first);
+  }
+  if (!(high > low)) return 1.0;
+  // Steps are even near the lamp and grow with the distance from it, as the shafts widen and their light falls.
+  float fades = min(litfog_airlight_level(air, 2.0 * max(air.constant, 1.0)), 1.0 / air.density);
+  float width = max(air.offset, 0.05 * min(fades, high - low));
+  float start = inverse_sinh(low / width);
+  float step = (inverse_sinh(high / width) - start) / float(shaft_steps);
+  float sum = 0.0;
+  float lit_sum = 0.0;
+  float weight_before = 0.0;
+  float lit_before = 0.0;
+  for (int i = 0; i < shaft_steps; ++i) {
+    float t = start + (float(i) + 0.5) * step;
+    float along = width * sinh(t);
+    float weight = litfog_airlight_integrand(air, along) * cosh(t);
+    float lit = lit_at(caster, eye + direction * (air.approach + along));
+    sum += weight;
+    lit_sum += weight * lit;
+    float change = lit - lit_before;
+    if (i > 0 && abs(change) > 0.5) {  // the edge of a shaft is between this step's middle and the last one's
+      float edge = 0.5;
+      for (int k = 2; k < 2 + halvings; ++k) {
+        float there = lit_at(caster, eye + direction * (air.approach + width * sinh(t - step + edge * step)));
+        edge += (abs(there - lit_before) < 0.5 ? 1.0 : -1.0) * exp2(-float(k));
+      }
+      lit_sum += change * (0.5 - edge) * (edge < 0.5 ? weight_before : weight);
+    }
+    weight_before = weight;
+    lit_before = lit;
+  }
+  return sum > 0.0 ? lit_sum / sum : 1.0;
+}

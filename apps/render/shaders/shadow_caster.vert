@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// A surface as a lamp sees it through one of its shadow maps.
+
+#include "shadow_map_place.glsl"
+
+layout(location = 0) in vec3 vertex_position;
+
+uniform mat4 world_from_model;
+uniform mat4 frame_from_world;  // its rotation
+uniform vec3 lamp_position;
+uniform int map;
+uniform float half_size;   // of the map, a metre before the lamp
+uniform float near_plane;  // metres
+
+out vec3 from_lamp;
+
+void main() {
+  from_lamp = (world_from_model * vec4(vertex_position, 1.0)).xyz - lamp_position;
+  vec3 place = map_from_frame(mat3(frame_from_world) * from_lamp, map);
+  gl_Position = vec4(place.xy / half_size, place.z - 2.0 * near_plane, place.z);
+}

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/shadow_maps.h"
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "litfog/gl/unsupported.h"
+#include "render/demo_shaders.h"
+#include "render/gpu/texture_unit.h"
+#include "render/gpu/uniform.h"
+
+namespace litfog::render {
+namespace {
+
+/// A caster for shadow_caster.glsl.
+struct PackedCaster {
+  glm::vec4 position_layer;
+  glm::vec4 axis_half_size;  // 0: a cube
+  glm::vec4 up_reach;
+};
+
+PackedCaster pack(const ShadowCaster& caster, int first_layer) {
+  const glm::dmat3 world_from_frame = glm::transpose(caster.frame_from_world);
+  return {.position_layer = glm::vec4(caster.position, first_layer),
+          .axis_half_size = glm::vec4(-world_from_frame[2], caster.is_cube ? 0 : caster.half_size),
+          .up_reach = glm::vec4(world_from_frame[1], caster.reach)};
+}
+
+scene::Bounds bounds_of_all(const std::vector<Surface>& surfaces) {
+  if (surfaces.empty()) return {glm::vec3(0), glm::vec3(0)};
+  scene::Bounds whole = surfaces.front().bounds;
+  for (const Surface& surface : surfaces) {
+    whole = {glm::min(whole.low, surface.bounds.low), glm::max(whole.high, surface.bounds.high)};
+  }
+  return whole;
+}
+
+void expect_room(std::size_t lamps, std::size_t layers, int size) {
+  const std::size_t bytes = layers * std::size_t(size) * std::size_t(size) * sizeof(float);
+  if (bytes > ShadowMaps::kMostBytes) {
+    throw gl::Unsupported(
+        fmt::format("the shadows of {} lamps need {} maps of {} texels a side, {:.1f} GiB; at most 1 GiB is taken for "
+                    "them, so fewer lamps have to cast shadows, or by smaller maps",
+                    lamps, layers, size, double(bytes) / double(ShadowMaps::kMostBytes)));
+  }
+  GLint most = 0;
+  GLint largest = 0;
+  glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &most);
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+  if (layers > std::size_t(most) || size > largest) {
+    throw gl::Unsupported(
+        fmt::format("the shadows of {} lamps need {} maps of {} texels a side; this OpenGL has at "
+                    "most {} of {}",
+                    lamps, layers, size, most, largest));
+  }
+}
+
+}  // namespace
+
+ShadowMaps::ShadowMaps(const SceneLights& lights, const SurfaceList& surfaces, const glm::dvec3& eye,
+                       const RenderSettings& settings)
+    : surfaces_(surfaces),
+      casters_(choose_shadow_casters(lights, bounds_of_all(surfaces.surfaces()), eye,
+                                     std::size_t(settings.shadow_lamps), settings.shadow_map_size)),
+      caster_of_(lights.size(), kNoCaster),
+      size_(settings.shadow_map_size),
+      program_("shadow_caster.vert", "shadow_caster.frag", demo_shaders()) {
+  const std::size_t layers = map_count();
+  expect_room(casters_.size(), layers, size_);
+  std::vector<PackedCaster> packed;
+  int first_layer = 0;
+  for (const ShadowCaster& caster : casters_) {
+    caster_of_[std::size_t(caster.light)] = std::int32_t(packed.size());
+    packed.push_back(pack(caster, first_layer));
+    first_layer += caster.map_count;
+  }
+  caster_texture_.emplace(packed.data(), packed.size() * sizeof(PackedCaster), BufferTexture::Texel::float4);
+  caster_of_texture_.emplace(caster_of_.data(), caster_of_.size() * sizeof(std::int32_t), BufferTexture::Texel::int1);
+  glActiveTexture(GL_TEXTURE0 + kShadowMapUnit);
+  glBindTexture(GL_TEXTURE_2D_ARRAY, maps_.id());
+  glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_DEPTH_COMPONENT32F, size_, size_, std::max(GLsizei(layers), 1), 0,
+               GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);
+  for (const GLenum wrap : {GLenum{GL_TEXTURE_WRAP_S}, GLenum{GL_TEXTURE_WRAP_T}}) {
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, wrap, GL_CLAMP_TO_EDGE);
+  }
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+  glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, maps_.id(), 0, 0);
+  glDrawBuffer(GL_NONE);
+  glReadBuffer(GL_NONE);
+  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE || glGetError() != GL_NO_ERROR) {
+    throw gl::Unsupported(fmt::format("this driver gives no {} shadow maps of {} texels a side", layers, size_));
+  }
+}
+
+std::size_t ShadowMaps::map_count() const {
+  std::size_t count = 0;
+  for (const ShadowCaster& caster : casters_) count += std::size_t(caster.map_count);
+  return count;
+}
+
+std::size_t ShadowMaps::draw() {
+  if (is_drawn_) return 0;
+  is_drawn_ = true;
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+  glViewport(0, 0, size_, size_);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  glDepthMask(GL_TRUE);
+  glDisable(GL_CULL_FACE);  // ground and leaves have no thickness
+  program_.use();
+  surfaces_.bind_meshes();
+  GLint layer = 0;
+  for (const ShadowCaster& caster : casters_) {
+    for (int map = 0; map < caster.map_count; ++map) {
+      glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, maps_.id(), 0, layer++);
+      glClear(GL_DEPTH_BUFFER_BIT);
+      draw_map(caster, map);
+    }
+  }
+  glDepthFunc(GL_LEQUAL);
+  glEnable(GL_CULL_FACE);
+  return map_count();
+}
+
+void ShadowMaps::draw_map(const ShadowCaster& caster, int map) {
+  // A map's corner is the point of its lamp's sphere that is nearest to the lamp's plane.
+  const double near_plane = kLampRadius / std::sqrt(1 + 2 * caster.half_size * caster.half_size);
+  set_uniform(program_, "frame_from_world", glm::mat4(glm::dmat4(caster.frame_from_world)));
+  set_uniform(program_, "lamp_position", glm::vec3(caster.position));
+  set_uniform(program_, "map", unsigned(map));
+  set_uniform(program_, "half_size", float(caster.half_size));
+  set_uniform(program_, "near_plane", float(near_plane));
+  set_uniform(program_, "lamp_radius", float(kLampRadius));
+  set_uniform(program_, "reach", float(caster.reach));
+  const LightBounds seen = bounds_of_map(caster, map);
+  for (const Surface& surface : surfaces_.surfaces()) {
+    if (!can_light(seen, surface.bounds.low, surface.bounds.high)) continue;
+    set_uniform(program_, "world_from_model", surface.world_from_model);
+    surfaces_.draw(surface, TriangleOrder::stored);
+  }
+}
+
+void ShadowMaps::bind() const {
+  glActiveTexture(GL_TEXTURE0 + kShadowMapUnit);
+  glBindTexture(GL_TEXTURE_2D_ARRAY, maps_.id());
+  caster_texture_->bind(kShadowCasterUnit);
+  caster_of_texture_->bind(kCasterOfLightUnit);
+}
+
+}  // namespace litfog::render
