@@ -131,6 +131,12 @@ const LightingPath& unlit_path() {
   return kPath;
 }
 
+const SurfacePass& fog_alone_pass() {
+  static const SurfacePass kPass{
+      .vertex = "surface.vert", .fragment = "fog_alone.frag", .constants_from_vertices = true};
+  return kPass;
+}
+
 const LightingPath* find_lighting_path(std::string_view name) {
   const auto paths = lighting_paths();
   const auto found = std::ranges::find(paths, name, &LightingPath::name);

@@ -7,8 +7,10 @@
 #include "litfog/gl/fog_light_tables.h"
 #include "litfog/gl/program.h"
 #include "render/airlight_painter.h"
+#include "render/frame_plan.h"
 #include "render/gpu/framebuffer.h"
 #include "render/gpu/geometry_buffer.h"
+#include "render/gpu/texture.h"
 #include "render/scene_lights.h"
 #include "render/surface_painter.h"
 #include "scene/scene.h"
@@ -31,6 +33,9 @@ class Renderer {
 
   /// Takes a change of the fog: solves the carried lights and uploads what changed of them.
   void set_fog(const Fog& fog);
+  /// At which exposure frames will be shown, in EV, [-kMaxExposure, kMaxExposure]; 0 until it is called. What would be
+  /// less than a step of the display is left out. Frames themselves are not exposed.
+  void set_exposure(double ev) { exposure_ = ev; }
   /// Draws a frame and waits for it.
   FrameCounts draw(LightPoints light_points = LightPoints::on);
   Picture read() const { return framebuffer_.read(); }
@@ -51,12 +56,14 @@ class Renderer {
   glm::mat4 clip_from_world() const;
   View view() const;
   unsigned carried_count() const { return unsigned(lights_.size() - lights_.local_count()); }
-  void draw_sky(const View& view);
-  void draw_light_points(const View& view);
+  FrameView frame_view(const View& view) const;
+  void draw_sky(const View& view, const gl::Program& program);
+  void draw_light_points(const View& view, const FramePlan& plan);
 
   const scene::Scene& scene_;
   RenderSettings settings_;
   Fog fog_;
+  double exposure_ = 0;
   Framebuffer framebuffer_;
   SceneLights lights_;
   gl::FogLightTables light_tables_;
@@ -64,7 +71,10 @@ class Renderer {
   BufferTexture cookie_cones_;
   gl::FogLightBuffer fog_block_;  // holds no lights
   SurfacePainter surfaces_;
+  FramePlanner planner_;
+  std::optional<BufferTexture> light_list_;  // of the plan
   gl::Program sky_program_;
+  gl::Program hidden_sky_program_;
   gl::Program light_point_program_;
   std::optional<AirlightPainter> airlight_;  // of FogLighting::airlight
 };
