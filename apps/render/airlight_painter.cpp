@@ -97,10 +97,10 @@ AirlightPainter::AirlightPainter(const scene::Scene& scene, const SceneLights& l
   }
 }
 
-void AirlightPainter::draw(const Framebuffer& framebuffer, const View& view, const Fog& fog) {
-  const AirlightList list = list_airlight(lights_, fog, {.asymmetry = scene_.phase_g}, scene_.camera.position,
+AirlightList AirlightPainter::draw(const Framebuffer& framebuffer, const View& view, const Fog& fog) {
+  AirlightList list = list_airlight(lights_, fog, {.asymmetry = scene_.phase_g}, scene_.camera.position,
                                           pixels_per_radian(), kBudget);
-  if (list.entries.empty()) return;
+  if (list.entries.empty()) return list;
   entries_.emplace(list.entries.data(), list.entries.size() * sizeof(AirlightEntry), BufferTexture::Texel::float4);
   entries_->bind(kEntryUnit);
   const Frame frame{framebuffer, view, fog.mode, list.ranges};
@@ -136,6 +136,7 @@ void AirlightPainter::draw(const Framebuffer& framebuffer, const View& view, con
   set_uniform(add_program_, "airlight", kAirlightUnit);
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glDisable(GL_BLEND);
+  return list;
 }
 
 /// Fills the texels for which the coarser grid is good enough, and marks them.

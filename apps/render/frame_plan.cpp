@@ -215,4 +215,29 @@ void FramePlanner::make_plan(const FrameView& view) {
   }
 }
 
+LightCounts FramePlanner::count_lights(std::span<const AirlightEntry> airlights) const {
+  enum class Fate { out_of_reach, outside_view, hidden, drawn };
+  std::vector<Fate> fates(lights_.size(), Fate::out_of_reach);
+  const auto raise = [&](std::span<const std::int32_t> lights, Fate fate) {
+    for (const std::int32_t i : lights) fates[std::size_t(i)] = std::max(fates[std::size_t(i)], fate);
+  };
+  const Frustum frustum = make_frustum(view_->clip_from_world);
+  for (const Surface& surface : surfaces_.surfaces()) {
+    raise(surfaces_.lights_of(surface), can_see(frustum, surface.bounds) ? Fate::hidden : Fate::outside_view);
+  }
+  for (std::size_t i = 0; i < lights_.local_count(); ++i) {
+    const glm::vec3 position(lights_.lights()[i].position);
+    if (can_see(frustum, {position, position})) fates[i] = std::max(fates[i], Fate::hidden);
+  }
+  for (const PlannedSurface& surface : plan_.surfaces) raise(plan_.lights_of(surface), Fate::drawn);
+  raise(plan_.points(), Fate::drawn);
+  for (const AirlightEntry& entry : airlights) fates[std::size_t(entry.light)] = Fate::drawn;
+  const auto count = [&](Fate fate) { return std::size_t(std::ranges::count(fates, fate)); };
+  return {.off = scene_.lights.size() - lights_.size(),
+          .drawn = count(Fate::drawn),
+          .hidden = count(Fate::hidden),
+          .outside_view = count(Fate::outside_view),
+          .out_of_reach = count(Fate::out_of_reach)};
+}
+
 }  // namespace litfog::render

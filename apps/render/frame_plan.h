@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "litfog/fog.h"
+#include "render/airlight_list.h"
 #include "render/frame_counts.h"
 #include "render/point_list.h"
 #include "render/render_settings.h"
@@ -35,6 +36,9 @@ struct FramePlan {
   int point_count = 0;
   FrameCounts counts;
 
+  std::span<const std::int32_t> points() const {
+    return std::span(light_list).subspan(std::size_t(point_first), std::size_t(point_count));
+  }
   std::span<const std::int32_t> lights_of(const PlannedSurface& surface) const {
     return std::span(light_list).subspan(std::size_t(surface.list_first), std::size_t(surface.list_count));
   }
@@ -71,6 +75,12 @@ class FramePlanner {
 
   /// Valid until the next call; the same where the view has not changed, with has_changed() false.
   const FramePlan& plan(const FrameView& view);
+  /// Makes the next plan anew.
+  void forget() { view_.reset(); }
+  /// What the last plan makes of the lights that the scene has on.
+  ///
+  /// airlights  those whose airlight is drawn
+  LightCounts count_lights(std::span<const AirlightEntry> airlights) const;
   bool has_changed() const { return has_changed_; }
 
   /// All surfaces in view, without lights.

@@ -4,6 +4,7 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <iterator>
@@ -36,6 +37,32 @@ std::vector<gl::ShaderSource> hidden_sky_shaders(bool has_cookies) {
   return files;
 }
 
+std::size_t entries_in(std::span<const EntryRange> ranges) {
+  std::size_t entries = 0;
+  for (const EntryRange& range : ranges) entries += range.end - range.begin;
+  return entries;
+}
+
+/// Times the stages of a frame, if asked to.
+class StageClock {
+ public:
+  explicit StageClock(StageTimes* times) : times_(times) {}
+
+  /// Waits for what has been drawn since the last stage, and notes its time.
+  void end(double StageTimes::*stage) {
+    if (!times_) return;
+    glFinish();
+    const auto now = Clock::now();
+    times_->*stage = std::chrono::duration<double, std::milli>(now - begin_).count();
+    begin_ = now;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  StageTimes* times_;
+  Clock::time_point begin_ = Clock::now();
+};
+
 }  // namespace
 
 Renderer::Renderer(const scene::Scene& scene, int width, int height, const RenderSettings& settings)
@@ -61,9 +88,19 @@ void Renderer::set_fog(const Fog& fog) {
   fog_ = fog;
   const FogLightChanges changes = lights_.set_fog(fog);
   light_tables_.upload(lights_.kinds(), lights_.instances(), changes);
+  fog_bytes_ = sizeof(FogHeader) + entries_in(changes.kinds) * sizeof(FogLightKind) +
+               entries_in(changes.instances) * sizeof(FogLightInstance);
   fog_block_.upload(pack_fog_header(fog, scene_.environment.ambient_fog_color, 0));
   surfaces_.set_fog();
   planner_.set_fog(fog, !fog_lights(lights_, Skipping::on).empty());
+}
+
+void Renderer::set_exposure(const Exposure& exposure) {
+  exposure_ = exposure.ev;
+  if (!exposure.is_auto) return;
+  exposure_ = kMaxExposure;
+  draw();
+  exposure_ = auto_exposure(read());
 }
 
 glm::mat4 Renderer::clip_from_world() const {
@@ -93,7 +130,45 @@ FrameView Renderer::frame_view(const View& view) const {
           .exposure = exposure_};
 }
 
-FrameCounts Renderer::draw(LightPoints light_points) {
+FrameCounts Renderer::draw(LightPoints light_points) { return draw_stages(light_points, nullptr); }
+
+FrameStatistics Renderer::draw_and_measure() {
+  FrameStatistics statistics;
+  statistics.fog_bytes_uploaded = fog_bytes_;
+  statistics.lights_per_fragment = count_lights_per_fragment();
+  planner_.forget();
+  statistics.counts = draw_stages(LightPoints::on, &statistics);
+  return statistics;
+}
+
+double Renderer::count_lights_per_fragment() {
+  const View view = this->view();
+  FramePlan plan = planner_.plan(frame_view(view));
+  for (PlannedSurface& surface : plan.surfaces) surface.is_fog_alone = false;
+  begin_frame(glm::vec3(0));
+  surfaces_.draw(light_count_path(), plan, view.clip_from_world);
+  framebuffer_.resolve();
+  const Picture counted = read();
+  double lights = 0;
+  double fragments = 0;
+  for (std::size_t i = 0; i < counted.rgb.size(); i += 3) {
+    lights += double(counted.rgb[i]);
+    fragments += double(counted.rgb[i + 1]);
+  }
+  return fragments > 0 ? lights / fragments : 0;
+}
+
+void Renderer::begin_frame(const glm::vec3& background) {
+  framebuffer_.bind();
+  glClearColor(background.r, background.g, background.b, 1);
+  glEnable(GL_DEPTH_TEST);
+  glEnable(GL_CULL_FACE);
+  glDepthMask(GL_TRUE);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+FrameCounts Renderer::draw_stages(LightPoints light_points, FrameStatistics* statistics) {
+  StageClock clock(statistics ? &statistics->times : nullptr);
   const View view = this->view();
   const FramePlan& plan = planner_.plan(frame_view(view));
   FrameCounts counts = plan.counts;
@@ -102,27 +177,34 @@ FrameCounts Renderer::draw(LightPoints light_points) {
     light_list_.emplace(plan.light_list.data(), bytes, BufferTexture::Texel::int1);
     counts.bytes_uploaded += bytes;
   }
-  framebuffer_.bind();
-  const glm::vec3& fog_color = scene_.environment.ambient_fog_color;  // of the background: see SkyDrawing
-  glClearColor(fog_color.r, fog_color.g, fog_color.b, 1);
-  glEnable(GL_DEPTH_TEST);
-  glEnable(GL_CULL_FACE);
-  glDepthMask(GL_TRUE);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  clock.end(&StageTimes::plan);
+  begin_frame(scene_.environment.ambient_fog_color);  // SkyDrawing::background
   light_tables_.bind_textures(kKindBufferUnit, kInstanceBufferUnit);
   light_list_->bind(kLightListUnit);
   if (cookies_) cookies_->bind(kCookieUnit);
   cookie_cones_.bind(kCookieConeUnit);
   counts.bytes_uploaded += surfaces_.draw(*settings_.path, plan, view.clip_from_world);
+  clock.end(&StageTimes::surfaces);
   glDepthMask(GL_FALSE);
   if (counts.sky != SkyDrawing::background) {
     draw_sky(view, counts.sky == SkyDrawing::sky ? sky_program_ : hidden_sky_program_);
   }
+  clock.end(&StageTimes::sky);
   if (light_points == LightPoints::on) draw_light_points(view, plan);
+  clock.end(&StageTimes::points);
   framebuffer_.resolve();
-  if (airlight_) airlight_->draw(framebuffer_, view, fog_);
+  clock.end(&StageTimes::resolve);
+  AirlightList airlights;
+  if (airlight_) {
+    airlights = airlight_->draw(framebuffer_, view, fog_);
+    counts.airlights_drawn = airlights.entries.size();
+    counts.airlights_hidden = lights_.size() - airlights.entries.size();
+    counts.bytes_uploaded += airlights.entries.size() * sizeof(AirlightEntry);
+  }
+  clock.end(&StageTimes::airlight);
   glFinish();
   gl::check_errors("drawing a frame");
+  if (statistics) statistics->lights = planner_.count_lights(airlights.entries);
   return counts;
 }
 

@@ -7,6 +7,7 @@
 #include "litfog/gl/fog_light_tables.h"
 #include "litfog/gl/program.h"
 #include "render/airlight_painter.h"
+#include "render/display.h"
 #include "render/frame_plan.h"
 #include "render/gpu/framebuffer.h"
 #include "render/gpu/geometry_buffer.h"
@@ -33,11 +34,14 @@ class Renderer {
 
   /// Takes a change of the fog: solves the carried lights and uploads what changed of them.
   void set_fog(const Fog& fog);
-  /// At which exposure frames will be shown, in EV, [-kMaxExposure, kMaxExposure]; 0 until it is called. What would be
-  /// less than a step of the display is left out. Frames themselves are not exposed.
-  void set_exposure(double ev) { exposure_ = ev; }
+  /// At which exposure frames will be shown; 0 EV until it is called. What makes less than a step of the display is left
+  /// out; frames themselves are not exposed. An automatic exposure is that of a frame in the present fog, drawn for it
+  /// as for the largest exposure.
+  void set_exposure(const Exposure& exposure);
   /// Draws a frame and waits for it.
   FrameCounts draw(LightPoints light_points = LightPoints::on);
+  /// Draws a frame as if the view had changed, stage by stage, and looks at it closely. Takes longer than draw().
+  FrameStatistics draw_and_measure();
   Picture read() const { return framebuffer_.read(); }
 
   const scene::Scene& scene() const { return scene_; }
@@ -57,6 +61,9 @@ class Renderer {
   View view() const;
   unsigned carried_count() const { return unsigned(lights_.size() - lights_.local_count()); }
   FrameView frame_view(const View& view) const;
+  void begin_frame(const glm::vec3& background);
+  double count_lights_per_fragment();
+  FrameCounts draw_stages(LightPoints light_points, FrameStatistics* statistics);
   void draw_sky(const View& view, const gl::Program& program);
   void draw_light_points(const View& view, const FramePlan& plan);
 
@@ -64,6 +71,7 @@ class Renderer {
   RenderSettings settings_;
   Fog fog_;
   double exposure_ = 0;
+  std::size_t fog_bytes_ = 0;  // uploaded by the last change of the fog
   Framebuffer framebuffer_;
   SceneLights lights_;
   gl::FogLightTables light_tables_;

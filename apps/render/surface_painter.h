@@ -28,7 +28,7 @@ class SurfacePainter {
   void set_fog();
   /// Draws the surfaces of a plan. Its light list is bound to its unit.
   ///
-  /// returns  bytes that were passed for each draw
+  /// returns  bytes that the draws were passed
   std::size_t draw(const LightingPath& path, const FramePlan& plan, const glm::mat4& clip_from_world);
   const SurfaceList& surfaces() const { return surfaces_; }
 

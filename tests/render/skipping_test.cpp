@@ -40,7 +40,7 @@ class Pair {
     whole_.set_fog(fog);
   }
   void set_exposure(double ev) {
-    skipping_.set_exposure(ev);
+    skipping_.set_exposure({.ev = ev});
     exposure_ = ev;
   }
 
