@@ -35,8 +35,9 @@ Drawn draw(const scene::Scene& scene, const DrawingOptions& options, int frames,
 /// The file of --stats: what was drawn, how (`scene` to `lights`, `skip`), the times of `frames` frames
 /// (`ms_per_frame`), and of one frame more, drawn stage by stage as if the view had just changed:
 ///
-/// chunks                surfaces: drawn; fog_alone (hidden by fog, but before something that is visible); outside_view;
-///                       hidden_by_fog. chunks_drawn is the sum of the first two, chunks_skipped of the others
+/// chunks                surfaces: drawn; fog_alone (hidden by fog, but before something that is visible);
+///                       outside_view; hidden_by_fog. chunks_drawn is the sum of the first two, chunks_skipped of the
+///                       others
 /// lights_by_fate        the scene's lights: drawn (on a surface, as a point or as airlight); off (black, or ending at
 ///                       the lamp); outside_view with all that they reach; out_of_reach of all surfaces and outside the
 ///                       view; hidden_by_fog, or by distance, in all that they reach

@@ -98,8 +98,8 @@ AirlightPainter::AirlightPainter(const scene::Scene& scene, const SceneLights& l
 }
 
 AirlightList AirlightPainter::draw(const Framebuffer& framebuffer, const View& view, const Fog& fog) {
-  AirlightList list = list_airlight(lights_, fog, {.asymmetry = scene_.phase_g}, scene_.camera.position,
-                                          pixels_per_radian(), kBudget);
+  AirlightList list =
+      list_airlight(lights_, fog, {.asymmetry = scene_.phase_g}, scene_.camera.position, pixels_per_radian(), kBudget);
   if (list.entries.empty()) return list;
   entries_.emplace(list.entries.data(), list.entries.size() * sizeof(AirlightEntry), BufferTexture::Texel::float4);
   entries_->bind(kEntryUnit);

@@ -14,8 +14,6 @@
 namespace litfog::render {
 namespace {
 
-double largest(const glm::dvec3& color) { return std::max({color.r, color.g, color.b}); }
-
 /// Largest y of a unit direction from the eye to a box.
 double highest_slope(const glm::dvec3& eye, const scene::Bounds& box, double nearest, double farthest) {
   const double rise = double(box.high.y) - eye.y;
@@ -74,7 +72,7 @@ FramePlan FramePlanner::plan_geometry(const glm::mat4& clip_from_world) const {
 double FramePlanner::sky_brightness() const {
   const scene::Environment& environment = scene_.environment;
   const double moon = environment.moon_color == glm::vec3(0.0f) ? 0 : 1.05;  // shaders/night_sky.glsl
-  return std::max(largest(environment.sky_zenith), largest(environment.sky_horizon)) +
+  return std::max(largest_component(environment.sky_zenith), largest_component(environment.sky_horizon)) +
          double(environment.star_brightness) + moon;
 }
 
@@ -99,13 +97,13 @@ double FramePlanner::hidden_range_of(std::size_t index, double step) {
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const auto light = std::size_t(lights[i]);
     const PlacedLight& placed = lights_.lights()[light];
-    const double strength = surface.material->reflectance * largest(placed.light.color) *
+    const double strength = surface.material->reflectance * largest_component(placed.light.color) *
                             largest_irradiance(placed, lights_.extents()[light], fog_, settings_.fog_lighting,
                                                *settings_.path, surface.bounds);
     strengths_[std::size_t(surface.list_first) + i] = float(strength);
     brightness += strength;
   }
-  const double fog = largest(scene_.environment.ambient_fog_color);
+  const double fog = largest_component(scene_.environment.ambient_fog_color);
   foggy = {fog_number_, float(hidden_range(fog_, brightness + fog, kHiddenShare * step))};
   return double(foggy.hidden_range);
 }
@@ -113,7 +111,8 @@ double FramePlanner::hidden_range_of(std::size_t index, double step) {
 PlannedSurface FramePlanner::list_lights(std::size_t index, double most_left_out) {
   const Surface& surface = surfaces_.surfaces()[index];
   const std::span<const std::int32_t> lights = surfaces_.lights_of(surface);
-  const std::span<const float> strengths = std::span(strengths_).subspan(std::size_t(surface.list_first), lights.size());
+  const std::span<const float> strengths =
+      std::span(strengths_).subspan(std::size_t(surface.list_first), lights.size());
   float least = 0;  // of a light that is kept
   if (!lights.empty() && double(std::ranges::min(strengths)) <= most_left_out) {
     sorted_.assign(strengths.begin(), strengths.end());
@@ -159,7 +158,7 @@ void FramePlanner::make_plan(const FrameView& view) {
   counts.points_hidden = points.hidden;
 
   const double fog_above_eye = scene_.fog_top - view.eye.y;
-  const double fog_color = largest(scene_.environment.ambient_fog_color);
+  const double fog_color = largest_component(scene_.environment.ambient_fog_color);
   const double sky_range = hidden_range(fog_, sky_brightness() + fog_color, kHiddenShare * step_);
   if (skips && view.highest_slope <= slope_in_fog(fog_above_eye, sky_range)) {
     counts.sky = is_fog_lit_ ? SkyDrawing::fog : SkyDrawing::background;

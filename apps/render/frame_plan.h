@@ -48,15 +48,15 @@ struct FramePlan {
 struct FrameView {
   glm::dvec3 eye;
   glm::mat4 clip_from_world;
-  double highest_slope;  ///< largest y of a unit direction from the eye into the picture
+  double highest_slope;       ///< largest y of a unit direction from the eye into the picture
   double point_depth_factor;  ///< point_list.h
-  double exposure;  ///< EV at which the picture is shown: [-kMaxExposure, kMaxExposure]
+  double exposure;            ///< EV at which the picture is shown: [-kMaxExposure, kMaxExposure]
 
   friend bool operator==(const FrameView&, const FrameView&) = default;
 };
 
 /// Plans frames of a scene: what is outside the view, out of reach or hidden by fog is left out, so that no pixel of
-/// the display changes by more than a step, 1/255 (hidden_range.h has the shares). Free of GL.
+/// the display changes by more than a step, 1/255 (hidden_range.h has the shares). Calls no GL.
 ///
 /// Surfaces. What a surface sends to the eye is at most its own light and that of each lamp at the point nearest to the
 /// lamp, times f at its nearest distance from the eye. If that is below the share, its fog alone is drawn, with its own

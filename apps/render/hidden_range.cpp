@@ -12,11 +12,9 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-Fog fog_of_class(const Fog& fog, const Light& light) {
-  return {fog.mode, light.density_scale > 0 ? fog.density * light.density_scale : 0};
-}
-
 }  // namespace
+
+double largest_component(const glm::dvec3& color) { return std::max({color.r, color.g, color.b}); }
 
 double visible_step(double exposure) {
   constexpr double kDarkestSlope = 12.92;  // IEC 61966-2-1
@@ -44,23 +42,23 @@ double largest_irradiance(const PlacedLight& light, double extent, const Fog& fo
   const double range = path.evaluation == Evaluation::fragment ? nearest_distance(light.position, box) : 0;
   if (range > extent) return 0;
   const double factor =
-      fog_lighting == FogLighting::airlight ? fog_factor_at(fog_of_class(fog, light.light), range) : 1;
+      fog_lighting == FogLighting::airlight ? fog_factor_at(scaled(fog, light.light.density_scale), range) : 1;
   if (path.range == RangeLaw::radial) return factor * (std::isinf(extent) ? 1 : 1 - range * range / (extent * extent));
   return factor * attenuation_at(light.light.attenuation, range);
 }
 
 double airlight_end(const Light& light, double extent, const Fog& fog, double largest_phase, double eye_range,
                     double budget) {
-  const Fog seen = fog_of_class(fog, light);
+  Fog seen = scaled(fog, light.density_scale);
   if (!(seen.density > 0)) return 0;
+  seen.density = std::min(seen.density, 1e6);  // as shaders do
   const double most = std::max(light.attenuation.constant, 1.0);
   double integral = 2 * extent / most;
   if (light.attenuation.quadratic > 0) {
     integral = std::min(integral, 4 / std::sqrt(light.attenuation.quadratic * most));
   }
-  const double color = std::max({light.color.r, light.color.g, light.color.b});
   const double weight = seen.density * (seen.mode == FogMode::exp ? 1 : 1.2131);
-  const double x = hidden_range(seen, color * largest_phase * weight * integral, budget);
+  const double x = hidden_range(seen, largest_component(light.color) * largest_phase * weight * integral, budget);
   if (std::isinf(x)) return x;
   if (seen.mode == FogMode::exp) return eye_range >= x ? 0 : (x + eye_range) / 2;
   const double square = 6 * x * x - 2 * eye_range * eye_range;

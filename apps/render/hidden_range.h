@@ -14,8 +14,8 @@ namespace litfog::render {
 /// the lights left out of it, or what stands behind a surface or sky that is left out; each of the two may be brighter
 /// than the fog by a share, so that the sample is darker or brighter by up to two. Over either come the lamps' points,
 /// of which some are left out, and their airlight. So all errors of a pixel lie in a range of
-/// kSurfaceLightShare + 2 kHiddenShare + kPointShare + kBehindShare = 3/4 of a step, and from one frame to the next they
-/// change by no more. The rest is left to the airlight of lamps that are left out.
+/// kSurfaceLightShare + 2 kHiddenShare + kPointShare + kBehindShare = 3/4 of a step, and from one frame to the next
+/// they change by no more. The rest is left to the airlight of lamps that are left out.
 inline constexpr double kSurfaceLightShare = 1 / 4.;  ///< all lights left out of a surface
 inline constexpr double kHiddenShare = 1 / 8.;        ///< a surface, or the sky
 inline constexpr double kPointShare = 1 / 8.;         ///< the points of all lamps
@@ -26,6 +26,9 @@ inline constexpr double kBehindShare = 1 / 8.;        ///< airlight from behind 
 ///
 /// exposure  EV, [-kMaxExposure, kMaxExposure]
 double visible_step(double exposure);
+
+/// By which a colour counts.
+double largest_component(const glm::dvec3& color);
 
 /// The range beyond which fog leaves less than a budget of a brightness: f(r) * brightness <= budget. Metres, 0 where
 /// that is so everywhere, infinity where it is so nowhere.

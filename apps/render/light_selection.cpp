@@ -23,7 +23,8 @@ LightSelection select_lights(const SceneLights& lights, std::vector<std::int32_t
 std::vector<std::int32_t> fog_lights(const SceneLights& lights, Skipping skipping) {
   std::vector<std::int32_t> shining;
   for (std::size_t i = lights.local_count(); i < lights.size(); ++i) {
-    if (skipping == Skipping::off || lights.packed(i).kind.cone_scale_intensity.w > 0) shining.push_back(std::int32_t(i));
+    if (skipping == Skipping::off || lights.packed(i).kind.cone_scale_intensity.w > 0)
+      shining.push_back(std::int32_t(i));
   }
   return shining;
 }

@@ -14,8 +14,8 @@ namespace litfog::render {
 /// The lights that can reach a surface, by their indices in SceneLights.
 struct LightSelection {
   std::vector<std::int32_t> surface;  ///< the local ones, then the carried ones
-  /// Whether a carried light's cone meets the surface. Only then is the fog before it lit by carried lights, and then by
-  /// all that shine: each number of lights needs its own shader.
+  /// Whether a carried light's cone meets the surface. Only then is the fog before it lit by carried lights, and then
+  /// by all that shine: each number of lights needs its own shader.
   bool is_fog_lit = false;
 };
 

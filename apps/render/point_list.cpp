@@ -7,6 +7,7 @@
 
 #include "litfog/attenuation.h"
 #include "litfog/cone.h"
+#include "render/hidden_range.h"
 
 namespace litfog::render {
 namespace {
@@ -39,11 +40,9 @@ double largest_point(const SceneLights& lights, std::size_t i, const Fog& fog, c
   if (!(range > 0)) return 0;
   constexpr double kCoreAndHalo = 1.25;
   const double cone = lights.cookie(i) ? 1 : cone_at(light.cone, glm::dot(to_eye, placed.direction) / range);
-  const Fog seen{fog.mode, light.density_scale > 0 ? fog.density * light.density_scale : 0};
-  const double brightness =
-      attenuation_at(light.attenuation, range) * cone * fog_factor_at(seen, range) / kFullBrightness;
-  return kCoreAndHalo * std::max({light.color.r, light.color.g, light.color.b}) *
-         std::min(brightness, double(kBrightestPoint));
+  const double through = fog_factor_at(scaled(fog, light.density_scale), range);
+  const double brightness = attenuation_at(light.attenuation, range) * cone * through / kFullBrightness;
+  return kCoreAndHalo * largest_component(light.color) * std::min(brightness, double(kBrightestPoint));
 }
 
 }  // namespace

@@ -34,9 +34,9 @@ class Renderer {
 
   /// Takes a change of the fog: solves the carried lights and uploads what changed of them.
   void set_fog(const Fog& fog);
-  /// At which exposure frames will be shown; 0 EV until it is called. What makes less than a step of the display is left
-  /// out; frames themselves are not exposed. An automatic exposure is that of a frame in the present fog, drawn for it
-  /// as for the largest exposure.
+  /// At which exposure frames will be shown; 0 EV until it is called. What makes less than a step of the display is
+  /// left out; frames themselves are not exposed. An automatic exposure is that of a frame in the present fog, drawn
+  /// for it as for the largest exposure.
   void set_exposure(const Exposure& exposure);
   /// Draws a frame and waits for it.
   FrameCounts draw(LightPoints light_points = LightPoints::on);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "litfog/gl/unsupported.h"
+#include "render/hidden_range.h"
 #include "render/light_finder.h"
 #include "render/light_selection.h"
 
@@ -48,7 +49,7 @@ struct Largest {
   double gloss;
 };
 Largest largest_of(const scene::Material& material) {
-  if (material.plain_albedo) return {double(std::max({material.plain_albedo->r, material.plain_albedo->g, material.plain_albedo->b})), 1};
+  if (material.plain_albedo) return {largest_component(*material.plain_albedo), 1};
   std::uint8_t albedo = 0;
   std::uint8_t gloss = 0;
   const std::vector<std::uint8_t>& rgba = material.albedo->rgba;
@@ -59,8 +60,6 @@ Largest largest_of(const scene::Material& material) {
   return {linear_of(albedo), gloss / 255.0};
 }
 
-double largest(const glm::dvec3& color) { return std::max({color.r, color.g, color.b}); }
-
 /// A scene's materials on the GPU, sorted by name.
 std::vector<SurfaceMaterial> upload(std::vector<scene::Material> materials, const scene::Environment& environment) {
   std::ranges::sort(materials, {}, &scene::Material::name);
@@ -68,9 +67,10 @@ std::vector<SurfaceMaterial> upload(std::vector<scene::Material> materials, cons
   std::vector<SurfaceMaterial> uploaded;
   for (scene::Material& material : materials) {
     const Largest most = largest_of(material);
-    const double reflectance = most.albedo + most.gloss * largest(material.specular);
-    const double own_light = largest(material.emissive) + most.albedo * largest(environment.ambient_light) +
-                             reflectance * largest(environment.moon_color);
+    const double reflectance = most.albedo + most.gloss * largest_component(material.specular);
+    const double own_light = largest_component(material.emissive) +
+                             most.albedo * largest_component(environment.ambient_light) +
+                             reflectance * largest_component(environment.moon_color);
     auto albedo = material.plain_albedo ? std::make_shared<const Texture>(glm::vec4(*material.plain_albedo, 1.0f))
                                         : textures.upload(material.albedo, Texture::Encoding::srgb);
     auto normal = textures.upload(material.normal, Texture::Encoding::linear);

@@ -28,7 +28,8 @@ TEST(VisibleStep, LessLightChangesNoDisplayByAStep) {
     const double gain = std::exp2(exposure);
     const auto draw = [&] { return random.chance(0.1) ? 0 : random.log_uniform(1e-6, 10) / gain; };
     const glm::dvec3 before{draw(), draw(), draw()};
-    const glm::dvec3 after = before + step * glm::dvec3(random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1));
+    const glm::dvec3 after =
+        before + step * glm::dvec3(random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1));
     for (const ToneCurve tone : {ToneCurve::neutral, ToneCurve::clip}) {
       const glm::vec3 a = toned(tone, glm::vec3(before * gain));
       const glm::vec3 b = toned(tone, glm::vec3(after * gain));

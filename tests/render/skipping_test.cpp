@@ -98,7 +98,8 @@ TEST_F(SkippingTest, NoPixelOfAnySceneChangesByAStepInAnyFog) {
         if (is_large && lighting == FogLighting::peak && visibility > 120) continue;
         pair.set_fog(Fog::from_visibility(mode, visibility));
         const double change = largest(pair.changes());
-        EXPECT_LE(change, 1) << name << " at " << visibility << " m, " << (lighting == FogLighting::peak ? "peak" : "airlight");
+        EXPECT_LE(change, 1) << name << " at " << visibility << " m, "
+                             << (lighting == FogLighting::peak ? "peak" : "airlight");
         worst = std::max(worst, change);
       }
     }
