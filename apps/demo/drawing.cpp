@@ -9,12 +9,29 @@
 #include "render/renderer.h"
 
 namespace litfog::demo {
+namespace {
 
-Drawn draw(const scene::Scene& scene, const DrawingOptions& options, int frames, bool has_reference) {
+const char* sky_name(render::SkyDrawing sky) {
+  switch (sky) {
+    case render::SkyDrawing::sky:
+      return "drawn";
+    case render::SkyDrawing::fog:
+      return "fog_alone";
+    case render::SkyDrawing::background:
+      return "hidden_by_fog";
+  }
+  return "";
+}
+
+}  // namespace
+
+Drawn draw(const scene::Scene& scene, const DrawingOptions& options, int frames, bool has_reference,
+           bool has_statistics) {
   const gl::HeadlessContext context;
   render::Renderer renderer(scene, options.width, options.height, options.settings_of(*options.render.path));
   const double visibility = options.chosen_visibility().value_or(scene::suggested_visibility(scene));
   renderer.set_fog(Fog::from_visibility(options.fog_mode(), visibility));
+  renderer.set_exposure(options.display.display_for(scene).exposure);
   command::Progress progress;
   const measure::Progress show = [&progress](std::string_view step) { progress.show(step); };
   Drawn drawn{
@@ -24,10 +41,12 @@ Drawn draw(const scene::Scene& scene, const DrawingOptions& options, int frames,
           measure::time_frames({measure::frames_of(renderer)}, measure::FrameBudget::exactly(frames), show).front(),
       .shadow_lamps = renderer.shadows() ? renderer.shadows()->casters().size() : 0,
       .shadow_maps = renderer.shadows() ? renderer.shadows()->map_count() : 0,
+      .statistics = {},
       .comparison = {},
       .samples = renderer.samples(),
       .gl_renderer = context.renderer(),
       .gl_version = context.version()};
+  if (has_statistics) drawn.statistics = renderer.draw_and_measure();
   if (has_reference) drawn.comparison = measure::compare_with_reference(renderer, show);
   drawn.picture = drawn.comparison ? drawn.comparison->drawn : renderer.read();
   return drawn;
@@ -37,6 +56,9 @@ std::string stats_json(const scene::Scene& scene, const DrawingOptions& options,
                        const std::optional<render::Display>& display) {
   using Json = nlohmann::ordered_json;
   const measure::FrameTimes& times = drawn.times;
+  const render::FrameCounts& counts = drawn.statistics.counts;
+  const render::LightCounts& lights = drawn.statistics.lights;
+  const render::StageTimes& stages = drawn.statistics.times;
   Json stats{
       {"scene", scene.name},
       {"path", options.render.path->name},
@@ -54,13 +76,43 @@ std::string stats_json(const scene::Scene& scene, const DrawingOptions& options,
         {"min", times.milliseconds.front()},
         {"max", times.milliseconds.back()}}},
       {"skip", options.render.skipping == render::Skipping::on},
-      {"chunks_drawn", times.counts.chunks_drawn},
-      {"chunks_skipped", times.counts.chunks_skipped},
-      {"surface_lights_listed", times.counts.lights_listed},
-      {"surface_lights_skipped", times.counts.lights_skipped},
       {"shadow_lamps", drawn.shadow_lamps},
       {"shadow_maps", drawn.shadow_maps},
       {"shadow_maps_drawn", times.counts.shadow_maps_drawn},
+      {"chunks_drawn", counts.chunks_drawn + counts.chunks_as_fog},
+      {"chunks_skipped", counts.chunks_outside_view + counts.chunks_hidden},
+      {"surface_lights_listed", counts.lights_listed},
+      {"surface_lights_skipped", counts.lights_out_of_reach + counts.lights_hidden},
+      {"chunks",
+       {{"drawn", counts.chunks_drawn},
+        {"fog_alone", counts.chunks_as_fog},
+        {"outside_view", counts.chunks_outside_view},
+        {"hidden_by_fog", counts.chunks_hidden}}},
+      {"lights_by_fate",
+       {{"drawn", lights.drawn},
+        {"off", lights.off},
+        {"outside_view", lights.outside_view},
+        {"out_of_reach", lights.out_of_reach},
+        {"hidden_by_fog", lights.hidden}}},
+      {"surface_lights",
+       {{"listed", counts.lights_listed},
+        {"out_of_reach", counts.lights_out_of_reach},
+        {"hidden_by_fog", counts.lights_hidden}}},
+      {"points",
+       {{"drawn", counts.points_drawn},
+        {"outside_view", counts.points_outside_view},
+        {"hidden_by_fog", counts.points_hidden}}},
+      {"airlights", {{"drawn", counts.airlights_drawn}, {"hidden_by_fog", counts.airlights_hidden}}},
+      {"sky", sky_name(counts.sky)},
+      {"lights_per_fragment", drawn.statistics.lights_per_fragment},
+      {"bytes_uploaded", {{"fog_change", drawn.statistics.fog_bytes_uploaded}, {"frame", counts.bytes_uploaded}}},
+      {"ms_by_stage",
+       {{"plan", stages.plan},
+        {"surfaces", stages.surfaces},
+        {"sky", stages.sky},
+        {"points", stages.points},
+        {"resolve", stages.resolve},
+        {"airlight", stages.airlight}}},
       {"gl_renderer", drawn.gl_renderer},
       {"gl_version", drawn.gl_version}};
   if (display) {

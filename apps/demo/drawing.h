@@ -19,6 +19,7 @@ struct Drawn {
   measure::FrameTimes times;
   std::size_t shadow_lamps;  ///< that cast shadows, and their maps
   std::size_t shadow_maps;
+  render::FrameStatistics statistics;             ///< of one frame more, if asked for
   std::optional<measure::Comparison> comparison;  ///< with the reference, if asked for
   int samples;                                    ///< a pixel
   std::string gl_renderer;
@@ -27,11 +28,30 @@ struct Drawn {
 
 /// Draws and times a scene. Throws gl::Unsupported if this machine cannot.
 ///
-/// frames         to time, >= 1
-/// has_reference  whether the last frame is compared with its reference
-Drawn draw(const scene::Scene& scene, const DrawingOptions& options, int frames, bool has_reference);
+/// frames          to time, >= 1
+/// has_reference   whether the last frame is compared with its reference
+/// has_statistics  whether statistics are wanted
+Drawn draw(const scene::Scene& scene, const DrawingOptions& options, int frames, bool has_reference,
+           bool has_statistics);
 
-/// The file of --stats.
+/// The file of --stats: what was drawn, how (`scene` to `lights`, `skip`), the times of `frames` frames
+/// (`ms_per_frame`), and of one frame more, drawn stage by stage as if the view had just changed:
+///
+/// chunks                surfaces: drawn; fog_alone (hidden by fog, but before something that is visible);
+///                       outside_view; hidden_by_fog. chunks_drawn is the sum of the first two, chunks_skipped of the
+///                       others
+/// lights_by_fate        the scene's lights: drawn (on a surface, as a point or as airlight); off (black, or ending at
+///                       the lamp); outside_view with all that they reach; out_of_reach of all surfaces and outside the
+///                       view; hidden_by_fog, or by distance, in all that they reach
+/// surface_lights        pairs of a drawn surface and a light: listed; out_of_reach; hidden_by_fog.
+///                       surface_lights_listed is the first, surface_lights_skipped the sum of the others
+/// points, airlights     of lights: drawn; outside_view; hidden_by_fog
+/// sky                   drawn, fog_alone or hidden_by_fog
+/// lights_per_fragment   of visible surfaces, in the mean; 0 on those that are fog alone
+/// bytes_uploaded        by the last fog_change: of the light tables; by the frame: lists of lights and what draws take
+/// ms_by_stage           plan (what to draw, on the CPU), surfaces, sky, points, resolve, airlight: each is waited for
+///
+/// Then exposure and tone of a picture that a display shows, and errors where there is a reference.
 ///
 /// display  of the picture's file; none for one that holds the scene's light
 std::string stats_json(const scene::Scene& scene, const DrawingOptions& options, const Drawn& drawn,

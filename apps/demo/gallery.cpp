@@ -114,6 +114,7 @@ void draw_gallery(const std::vector<std::string>& scenes, const std::string& fol
       const std::string file = picture_file(row, visibility);
       const Clock::time_point frame_start = Clock::now();
       renderer.set_fog(Fog::from_visibility(settings.fog_mode, visibility));
+      renderer.set_exposure(settings.display.display_for(scene).exposure);
       renderer.draw();
       const render::Picture drawn = renderer.read();
       const double draw_seconds = seconds_since(frame_start);

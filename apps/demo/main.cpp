@@ -161,7 +161,7 @@ Job add_picture_job(CLI::App& app) {
     if (is_given("--stats")) outputs.add("--stats", options->stats);
     for (const std::string& file : scene.files) outputs.expect_apart_from(file);
 
-    const Drawn drawn = draw(scene, drawing, options->frames, has_reference);
+    const Drawn drawn = draw(scene, drawing, options->frames, has_reference, is_given("--stats"));
     if (is_given("--heat-map")) {
       write_picture(options->heat_map, make_heat_map(drawn.comparison->error,
                                                      fmt::format("{}, {}", scene.name, drawing.render.path->name)));

@@ -53,6 +53,7 @@ std::vector<std::unique_ptr<render::Renderer>> make_renderers(const scene::Scene
     renderers.push_back(
         std::make_unique<render::Renderer>(scene, options.width, options.height, options.settings_of(path)));
     renderers.back()->set_fog(fog);
+    renderers.back()->set_exposure(options.display.display_for(scene).exposure);
   }
   return renderers;
 }

@@ -126,11 +126,11 @@ void AirlightPainter::attach_airlight(Target& target, bool has_gain) {
   check_framebuffer();
 }
 
-void AirlightPainter::draw(const Framebuffer& framebuffer, const View& view, const Fog& fog) {
+AirlightList AirlightPainter::draw(const Framebuffer& framebuffer, const View& view, const Fog& fog) {
   const auto casters = shafts_ ? shafts_->caster_of_lights() : std::span<const std::int32_t>();
-  const AirlightList list = list_airlight(lights_, fog, {.asymmetry = scene_.phase_g}, scene_.camera.position,
-                                          pixels_per_radian(), kBudget, casters);
-  if (list.entries.empty()) return;
+  AirlightList list = list_airlight(lights_, fog, {.asymmetry = scene_.phase_g}, scene_.camera.position,
+                                    pixels_per_radian(), kBudget, casters);
+  if (list.entries.empty()) return list;
   entries_.emplace(list.entries.data(), list.entries.size() * sizeof(AirlightEntry), BufferTexture::Texel::float4);
   entries_->bind(kEntryUnit);
   const Frame frame{framebuffer, view, fog.mode, list.ranges};
@@ -169,6 +169,7 @@ void AirlightPainter::draw(const Framebuffer& framebuffer, const View& view, con
   set_uniform(add_program_, "airlight", kAirlightUnit);
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glDisable(GL_BLEND);
+  return list;
 }
 
 /// Fills the texels for which the coarser grid is good enough, and marks them.

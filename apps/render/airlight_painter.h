@@ -45,7 +45,9 @@ class AirlightPainter {
                   const Framebuffer& framebuffer, const ShadowMaps* shafts, int shaft_steps);
 
   /// Adds that of all lights to a resolved framebuffer. The lights and the cookies are bound to their units.
-  void draw(const Framebuffer& framebuffer, const View& view, const Fog& fog);
+  ///
+  /// returns  the lights whose airlight it has drawn
+  AirlightList draw(const Framebuffer& framebuffer, const View& view, const Fog& fog);
 
  private:
   /// Airlight in floats: half floats would lose what faint lights add to bright ones.

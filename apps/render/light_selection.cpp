@@ -3,30 +3,38 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "render/light_finder.h"
 
 namespace litfog::render {
 
-LightSelection select_lights(const SceneLights& lights, std::span<const std::int32_t> local,
-                             const scene::Bounds& bounds, std::span<const int> map_kinds, Skipping skipping) {
+LightSelection select_lights(const SceneLights& lights, std::vector<std::int32_t> local, const scene::Bounds& bounds) {
   constexpr double kFarthest = std::numeric_limits<double>::infinity();  // fog is lit as far as it is seen
-  const bool takes_all = skipping == Skipping::off;
-  LightSelection selection{.surface = {local.begin(), local.end()}, .fog = {}};
-  bool is_fog_lit = takes_all;
+  LightSelection selection{.surface = std::move(local), .is_fog_lit = false};
   for (std::size_t i = lights.local_count(); i < lights.size(); ++i) {
     const PlacedLight& light = lights.lights()[i];
-    if (takes_all || can_reach(light, lights.extents()[i], bounds)) selection.surface.push_back(std::int32_t(i));
-    if (takes_all || lights.packed(i).kind.cone_scale_intensity.w > 0) {
-      selection.fog.push_back(std::int32_t(i));
-      is_fog_lit = is_fog_lit || can_reach(light, kFarthest, bounds);
-    }
-  }
-  if (!is_fog_lit) selection.fog.clear();
-  if (!map_kinds.empty()) {
-    std::ranges::stable_sort(selection.surface, {}, [&](std::int32_t i) { return map_kinds[std::size_t(i)]; });
+    if (can_reach(light, lights.extents()[i], bounds)) selection.surface.push_back(std::int32_t(i));
+    selection.is_fog_lit = selection.is_fog_lit || can_reach(light, kFarthest, bounds);
   }
   return selection;
+}
+
+std::vector<std::int32_t> fog_lights(const SceneLights& lights, Skipping skipping) {
+  std::vector<std::int32_t> shining;
+  for (std::size_t i = lights.local_count(); i < lights.size(); ++i) {
+    if (skipping == Skipping::off || lights.packed(i).kind.cone_scale_intensity.w > 0)
+      shining.push_back(std::int32_t(i));
+  }
+  return shining;
+}
+
+std::vector<std::int32_t> grouped_by_maps(std::span<const std::int32_t> lights, std::span<const int> map_kinds) {
+  std::vector<std::int32_t> grouped(lights.begin(), lights.end());
+  if (!map_kinds.empty()) {
+    std::ranges::stable_sort(grouped, {}, [&](std::int32_t i) { return map_kinds[std::size_t(i)]; });
+  }
+  return grouped;
 }
 
 std::size_t batch_length(std::span<const std::int32_t> lights, std::size_t most, std::span<const int> map_kinds) {

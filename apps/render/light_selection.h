@@ -11,21 +11,25 @@
 
 namespace litfog::render {
 
-/// The lights that a surface is drawn with, by their indices in SceneLights.
+/// The lights that can reach a surface, by their indices in SceneLights.
 struct LightSelection {
-  /// Those that can reach the surface: the local ones, then the carried ones. If the path has light maps, lights that
-  /// share their maps are adjacent instead.
-  std::vector<std::int32_t> surface;
-  /// Those that light the fog before it. Either none, because no carried light's cone meets the surface, or all that
-  /// shine: each number of lights needs its own shader.
-  std::vector<std::int32_t> fog;
+  std::vector<std::int32_t> surface;  ///< the local ones, then the carried ones
+  /// Whether a carried light's cone meets the surface. Only then is the fog before it lit by carried lights, and then
+  /// by all that shine: each number of lights needs its own shader.
+  bool is_fog_lit = false;
 };
 
-/// local      the local lights that can reach the surface
-/// bounds     the surface's, world space
-/// map_kinds  LightMapStore::kinds
-LightSelection select_lights(const SceneLights& lights, std::span<const std::int32_t> local,
-                             const scene::Bounds& bounds, std::span<const int> map_kinds, Skipping skipping);
+/// local   the local lights that can reach the surface
+/// bounds  the surface's, world space
+LightSelection select_lights(const SceneLights& lights, std::vector<std::int32_t> local, const scene::Bounds& bounds);
+
+/// The carried lights that light the fog by their intensity; without skipping all carried lights.
+std::vector<std::int32_t> fog_lights(const SceneLights& lights, Skipping skipping);
+
+/// Makes lights that share their maps adjacent.
+///
+/// map_kinds  LightMapStore::kinds, empty where a path has no maps
+std::vector<std::int32_t> grouped_by_maps(std::span<const std::int32_t> lights, std::span<const int> map_kinds);
 
 /// How many of the first lights make a batch: at most `most`, and all share their maps.
 std::size_t batch_length(std::span<const std::int32_t> lights, std::size_t most, std::span<const int> map_kinds);

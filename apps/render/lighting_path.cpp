@@ -131,6 +131,22 @@ const LightingPath& unlit_path() {
   return kPath;
 }
 
+const LightingPath& light_count_path() {
+  static const LightingPath kPath{
+      .name = "light-count",
+      .description = {},
+      .source = {},
+      .has_lit_fog = false,
+      .passes = {{.vertex = "unlit.vert", .fragment = "light_count.frag", .shows_fog = false}}};
+  return kPath;
+}
+
+const SurfacePass& fog_alone_pass() {
+  static const SurfacePass kPass{
+      .vertex = "surface.vert", .fragment = "fog_alone.frag", .constants_from_vertices = true};
+  return kPass;
+}
+
 const LightingPath* find_lighting_path(std::string_view name) {
   const auto paths = lighting_paths();
   const auto found = std::ranges::find(paths, name, &LightingPath::name);

@@ -101,6 +101,12 @@ std::span<const LightingPath> lighting_paths();
 /// The base texture alone, without light and fog. Not one of the paths: it is the floor of their cost.
 const LightingPath& unlit_path();
 
+/// As red a surface's number of lights, as green 1. Not one of the paths.
+const LightingPath& light_count_path();
+
+/// The fog before a surface alone, for any path.
+const SurfacePass& fog_alone_pass();
+
 /// Null if no path has that name.
 const LightingPath* find_lighting_path(std::string_view name);
 

@@ -4,7 +4,12 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <iterator>
+#include <numbers>
+#include <vector>
 
 #include "litfog/fog_light_block.h"
 #include "litfog/gl/check_errors.h"
@@ -20,6 +25,40 @@ glm::mat4 view_from_world(const scene::Camera& camera) {
   return glm::lookAt(camera.position, camera.target, glm::vec3(0, 1, 0));
 }
 
+/// Files of the sky's shaders where fog hides the sky.
+std::vector<gl::ShaderSource> hidden_sky_shaders(bool has_cookies) {
+  std::vector<gl::ShaderSource> files{
+      {"night_sky.glsl", "vec3 night_sky(vec3 direction) { return vec3(0.0); }\n"}};  // found before the file
+  std::ranges::copy(scene_shaders(has_cookies), std::back_inserter(files));
+  return files;
+}
+
+std::size_t entries_in(std::span<const EntryRange> ranges) {
+  std::size_t entries = 0;
+  for (const EntryRange& range : ranges) entries += range.end - range.begin;
+  return entries;
+}
+
+/// Times the stages of a frame, if asked to.
+class StageClock {
+ public:
+  explicit StageClock(StageTimes* times) : times_(times) {}
+
+  /// Waits for what has been drawn since the last stage, and notes its time.
+  void end(double StageTimes::*stage) {
+    if (!times_) return;
+    glFinish();
+    const auto now = Clock::now();
+    times_->*stage = std::chrono::duration<double, std::milli>(now - begin_).count();
+    begin_ = now;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  StageTimes* times_;
+  Clock::time_point begin_ = Clock::now();
+};
+
 }  // namespace
 
 float fog_above_eye(const scene::Scene& scene) {
@@ -34,7 +73,9 @@ Renderer::Renderer(const scene::Scene& scene, int width, int height, const Rende
       lights_(scene, settings),
       cookie_cones_(lights_.cookie_cones().data(), lights_.cookie_cones().size_bytes(), BufferTexture::Texel::float4),
       surfaces_(scene, lights_, fog_block_, settings),
+      planner_(scene, lights_, surfaces_.surfaces(), settings),
       sky_program_("sky.vert", "sky.frag", scene_shaders(!scene.cookies.empty())),
+      hidden_sky_program_("sky.vert", "sky.frag", hidden_sky_shaders(!scene.cookies.empty())),
       light_point_program_("light_point.vert", "light_point.frag", scene_shaders(!scene.cookies.empty())) {
   gl::check_fog_light_layout(sky_program_);
   if (settings.shadows != Shadows::none) {
@@ -53,7 +94,19 @@ void Renderer::set_fog(const Fog& fog) {
   fog_ = fog;
   const FogLightChanges changes = lights_.set_fog(fog);
   light_tables_.upload(lights_.kinds(), lights_.instances(), changes);
+  fog_bytes_ = sizeof(FogHeader) + entries_in(changes.kinds) * sizeof(FogLightKind) +
+               entries_in(changes.instances) * sizeof(FogLightInstance);
   fog_block_.upload(pack_fog_header(fog, scene_.environment.ambient_fog_color, 0));
+  surfaces_.set_fog();
+  planner_.set_fog(fog, !fog_lights(lights_, Skipping::on).empty());
+}
+
+void Renderer::set_exposure(const Exposure& exposure) {
+  exposure_ = exposure.ev;
+  if (!exposure.is_auto) return;
+  exposure_ = kMaxExposure;
+  draw();
+  exposure_ = auto_exposure(read());
 }
 
 glm::mat4 Renderer::clip_from_world() const {
@@ -69,83 +122,156 @@ View Renderer::view() const {
           .fog_above_eye = fog_above_eye(scene_)};
 }
 
-FrameCounts Renderer::draw(LightPoints light_points) {
+FrameView Renderer::frame_view(const View& view) const {
+  const scene::Camera& camera = scene_.camera;
+  const glm::vec3 forward = glm::normalize(camera.target - camera.position);
+  constexpr double kRight = std::numbers::pi / 2;
+  const double pitch = std::asin(std::clamp(double(forward.y), -1.0, 1.0));
+  return {.eye = camera.position,
+          .clip_from_world = view.clip_from_world,
+          .highest_slope = std::sin(std::min(pitch + double(camera.field_of_view) / 2, kRight)),
+          .point_depth_factor = point_depth_factor(camera.field_of_view, framebuffer_.height()),
+          .exposure = exposure_};
+}
+
+FrameCounts Renderer::draw(LightPoints light_points) { return draw_stages(light_points, nullptr); }
+
+FrameStatistics Renderer::draw_and_measure() {
+  FrameStatistics statistics;
+  statistics.fog_bytes_uploaded = fog_bytes_;
+  statistics.lights_per_fragment = count_lights_per_fragment();
+  planner_.forget();
+  statistics.counts = draw_stages(LightPoints::on, &statistics);
+  return statistics;
+}
+
+double Renderer::count_lights_per_fragment() {
   const View view = this->view();
-  const std::size_t shadow_maps_drawn = shadows_ ? shadows_->draw() : 0;
+  FramePlan plan = planner_.plan(frame_view(view));
+  for (PlannedSurface& surface : plan.surfaces) surface.is_fog_alone = false;
+  begin_frame(glm::vec3(0));
+  surfaces_.draw(light_count_path(), plan, view.clip_from_world, nullptr);
+  end_depths();
+  framebuffer_.resolve();
+  const Picture counted = read();
+  double lights = 0;
+  double fragments = 0;
+  for (std::size_t i = 0; i < counted.rgb.size(); i += 3) {
+    lights += double(counted.rgb[i]);
+    fragments += double(counted.rgb[i + 1]);
+  }
+  return fragments > 0 ? lights / fragments : 0;
+}
+
+void Renderer::begin_frame(const glm::vec3& background) {
   framebuffer_.bind();
-  glClearColor(0, 0, 0, 1);
+  glClearColor(background.r, background.g, background.b, 1);
   glEnable(GL_CULL_FACE);
   glClear(GL_COLOR_BUFFER_BIT);
   begin_depths();
+}
+
+FrameCounts Renderer::draw_stages(LightPoints light_points, FrameStatistics* statistics) {
+  StageClock clock(statistics ? &statistics->times : nullptr);
+  const View view = this->view();
+  const FramePlan& plan = planner_.plan(frame_view(view));
+  FrameCounts counts = plan.counts;
+  if (planner_.has_changed()) {
+    const std::size_t bytes = plan.light_list.size() * sizeof(plan.light_list[0]);
+    light_list_.emplace(plan.light_list.data(), bytes, BufferTexture::Texel::int1);
+    counts.bytes_uploaded += bytes;
+  }
+  clock.end(&StageTimes::plan);
+  if (shadows_) counts.shadow_maps_drawn = shadows_->draw();
+  begin_frame(scene_.environment.ambient_fog_color);  // SkyDrawing::background
   light_tables_.bind_textures(kKindBufferUnit, kInstanceBufferUnit);
-  surfaces_.surfaces().bind_light_list(kLightListUnit);
+  light_list_->bind(kLightListUnit);
   if (cookies_) cookies_->bind(kCookieUnit);
   cookie_cones_.bind(kCookieConeUnit);
   if (shadows_) shadows_->bind();
-  FrameCounts counts = surfaces_.draw(*settings_.path, view.clip_from_world, shadows());
-  counts.shadow_maps_drawn = shadow_maps_drawn;
+  counts.bytes_uploaded += surfaces_.draw(*settings_.path, plan, view.clip_from_world, shadows());
+  clock.end(&StageTimes::surfaces);
   glDepthMask(GL_FALSE);
-  draw_sky(view);
-  if (light_points == LightPoints::on) draw_light_points(view);
+  if (counts.sky != SkyDrawing::background) {
+    draw_sky(view, counts.sky == SkyDrawing::sky ? sky_program_ : hidden_sky_program_);
+  }
+  clock.end(&StageTimes::sky);
+  if (light_points == LightPoints::on) draw_light_points(view, plan);
   end_depths();
+  clock.end(&StageTimes::points);
   framebuffer_.resolve();
-  if (airlight_) airlight_->draw(framebuffer_, view, fog_);
+  clock.end(&StageTimes::resolve);
+  AirlightList airlights;
+  if (airlight_) {
+    airlights = airlight_->draw(framebuffer_, view, fog_);
+    counts.airlights_drawn = airlights.entries.size();
+    counts.airlights_hidden = lights_.size() - airlights.entries.size();
+    counts.bytes_uploaded += airlights.entries.size() * sizeof(AirlightEntry);
+  }
+  clock.end(&StageTimes::airlight);
   glFinish();
   gl::check_errors("drawing a frame");
+  if (statistics) statistics->lights = planner_.count_lights(airlights.entries);
   return counts;
 }
 
 void Renderer::draw_geometry(const GeometryBuffer& geometry) {
   geometry.begin();
   glEnable(GL_CULL_FACE);
-  surfaces_.draw(geometry_path(*settings_.path), clip_from_world(), nullptr);
+  surfaces_.draw(geometry_path(*settings_.path), planner_.plan_geometry(clip_from_world()), clip_from_world(), nullptr);
   geometry.end();
   gl::check_errors("drawing the geometry");
 }
 
-void Renderer::draw_sky(const View& view) {
+void Renderer::draw_sky(const View& view, const gl::Program& program) {
   const scene::Environment& environment = scene_.environment;
-  sky_program_.use();
-  fog_block_.bind(sky_program_, kFogLightBinding);
-  set_uniform(sky_program_, "cookies", kCookieUnit);
-  set_uniform(sky_program_, "cookie_cones", kCookieConeUnit);
-  set_uniform(sky_program_, "litfog_kind_buffer", kKindBufferUnit);
-  set_uniform(sky_program_, "litfog_instance_buffer", kInstanceBufferUnit);
-  set_uniform(sky_program_, "light_list", kLightListUnit);
-  set_uniform(sky_program_, "carried_count", carried_count());
-  set_uniform(sky_program_, "direction_from_clip", view.direction_from_clip);
-  set_uniform(sky_program_, "far_plane", far_plane_in_clip());
-  set_uniform(sky_program_, "eye", scene_.camera.position);
-  set_uniform(sky_program_, "sky_zenith", environment.sky_zenith);
-  set_uniform(sky_program_, "sky_horizon", environment.sky_horizon);
-  set_uniform(sky_program_, "star_brightness", environment.star_brightness);
-  set_uniform(sky_program_, "moon_direction", environment.moon_direction);
-  set_uniform(sky_program_, "moon_color", environment.moon_color);
-  set_uniform(sky_program_, "sky_distance", kSkyDistance);
-  set_uniform(sky_program_, "fog_above_eye", view.fog_above_eye);
+  program.use();
+  fog_block_.bind(program, kFogLightBinding);
+  set_uniform(program, "cookies", kCookieUnit);
+  set_uniform(program, "cookie_cones", kCookieConeUnit);
+  set_uniform(program, "litfog_kind_buffer", kKindBufferUnit);
+  set_uniform(program, "litfog_instance_buffer", kInstanceBufferUnit);
+  set_uniform(program, "light_list", kLightListUnit);
+  set_uniform(program, "carried_count", carried_count());
+  set_uniform(program, "direction_from_clip", view.direction_from_clip);
+  set_uniform(program, "far_plane", far_plane_in_clip());
+  set_uniform(program, "eye", scene_.camera.position);
+  set_uniform(program, "sky_zenith", environment.sky_zenith);
+  set_uniform(program, "sky_horizon", environment.sky_horizon);
+  set_uniform(program, "star_brightness", environment.star_brightness);
+  set_uniform(program, "moon_direction", environment.moon_direction);
+  set_uniform(program, "moon_color", environment.moon_color);
+  set_uniform(program, "sky_distance", kSkyDistance);
+  set_uniform(program, "fog_above_eye", view.fog_above_eye);
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void Renderer::draw_light_points(const View& view) {
-  if (lights_.local_count() == 0) return;
+void Renderer::draw_light_points(const View& view, const FramePlan& plan) {
+  if (plan.point_count == 0) return;
   light_point_program_.use();
   fog_block_.bind(light_point_program_, kFogLightBinding);
   set_uniform(light_point_program_, "cookies", kCookieUnit);
   set_uniform(light_point_program_, "cookie_cones", kCookieConeUnit);
   set_uniform(light_point_program_, "clip_from_world", view.clip_from_world);
   set_uniform(light_point_program_, "eye", scene_.camera.position);
-  set_uniform(light_point_program_, "has_glare", unsigned{settings_.fog_lighting == FogLighting::peak});
+  const bool has_glare = settings_.fog_lighting == FogLighting::peak;
+  set_uniform(light_point_program_, "has_glare", unsigned{has_glare});
+  set_uniform(light_point_program_, "full_brightness", kFullBrightness);
+  set_uniform(light_point_program_, "brightest", kBrightestPoint);
+  set_uniform(light_point_program_, "core_radius", kPointRadius);
+  set_uniform(light_point_program_, "point_radii", kPointRadii);
+  set_uniform(light_point_program_, "largest_growth", has_glare ? kLargestGlare : kLargestWithoutGlare);
+  set_uniform(light_point_program_, "first_point", unsigned(plan.point_first));
   set_uniform(light_point_program_, "near_plane", view.near_plane);
   set_uniform(light_point_program_, "has_clip_control", unsigned{has_clip_control()});
   set_uniform(light_point_program_, "pixel_scale", float(framebuffer_.height()) / 720.0f);
   set_uniform(light_point_program_, "litfog_kind_buffer", kKindBufferUnit);
   set_uniform(light_point_program_, "litfog_instance_buffer", kInstanceBufferUnit);
   set_uniform(light_point_program_, "light_list", kLightListUnit);
-  set_uniform(light_point_program_, "carried_count", carried_count());
   glEnable(GL_PROGRAM_POINT_SIZE);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);
-  glDrawArrays(GL_POINTS, 0, GLsizei(lights_.local_count()));
+  glDrawArrays(GL_POINTS, 0, plan.point_count);
   glDisable(GL_BLEND);
 }
 

@@ -7,9 +7,12 @@
 #include "litfog/gl/fog_light_tables.h"
 #include "litfog/gl/program.h"
 #include "render/airlight_painter.h"
+#include "render/display.h"
+#include "render/frame_plan.h"
 #include "render/gpu/depth.h"
 #include "render/gpu/framebuffer.h"
 #include "render/gpu/geometry_buffer.h"
+#include "render/gpu/texture.h"
 #include "render/scene_lights.h"
 #include "render/shadow_maps.h"
 #include "render/surface_painter.h"
@@ -36,8 +39,14 @@ class Renderer {
 
   /// Takes a change of the fog: solves the carried lights and uploads what changed of them.
   void set_fog(const Fog& fog);
+  /// At which exposure frames will be shown; 0 EV until it is called. What makes less than a step of the display is
+  /// left out; frames themselves are not exposed. An automatic exposure is that of a frame in the present fog, drawn
+  /// for it as for the largest exposure.
+  void set_exposure(const Exposure& exposure);
   /// Draws a frame and waits for it.
   FrameCounts draw(LightPoints light_points = LightPoints::on);
+  /// Draws a frame as if the view had changed, stage by stage, and looks at it closely. Takes longer than draw().
+  FrameStatistics draw_and_measure();
   Picture read() const { return framebuffer_.read(); }
 
   const scene::Scene& scene() const { return scene_; }
@@ -58,12 +67,18 @@ class Renderer {
   glm::mat4 clip_from_world() const;
   View view() const;
   unsigned carried_count() const { return unsigned(lights_.size() - lights_.local_count()); }
-  void draw_sky(const View& view);
-  void draw_light_points(const View& view);
+  FrameView frame_view(const View& view) const;
+  void begin_frame(const glm::vec3& background);
+  double count_lights_per_fragment();
+  FrameCounts draw_stages(LightPoints light_points, FrameStatistics* statistics);
+  void draw_sky(const View& view, const gl::Program& program);
+  void draw_light_points(const View& view, const FramePlan& plan);
 
   const scene::Scene& scene_;
   RenderSettings settings_;
   Fog fog_;
+  double exposure_ = 0;
+  std::size_t fog_bytes_ = 0;  // uploaded by the last change of the fog
   Framebuffer framebuffer_;
   SceneLights lights_;
   gl::FogLightTables light_tables_;
@@ -72,7 +87,10 @@ class Renderer {
   gl::FogLightBuffer fog_block_;  // holds no lights
   SurfacePainter surfaces_;
   std::optional<ShadowMaps> shadows_;
+  FramePlanner planner_;
+  std::optional<BufferTexture> light_list_;  // of the plan
   gl::Program sky_program_;
+  gl::Program hidden_sky_program_;
   gl::Program light_point_program_;
   std::optional<AirlightPainter> airlight_;  // of FogLighting::airlight
 };

@@ -27,7 +27,7 @@ SceneLights::SceneLights(const scene::Scene& scene, const RenderSettings& settin
   for (const bool is_carried : {false, true}) {
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
       PlacedLight light = scene.lights[i];
-      if (light.carried != is_carried) continue;
+      if (light.carried != is_carried || light.light.color == glm::dvec3(0)) continue;
       light.light.threshold = threshold_of(light.light, settings.fog_lighting);
       const double extent = compute_extent(light.light.attenuation, light.light.threshold);
       if (!is_carried && !(extent > 0)) continue;

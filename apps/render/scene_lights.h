@@ -24,7 +24,8 @@ struct PackedLight {
 };
 
 /// The lights of a scene as the renderer takes them: first the local lights, then those that the eye's vehicle carries,
-/// which light the fog too. Local lights of extent 0 are left out: they light nothing and have no visible point.
+/// which light the fog too. Lights that are off are left out: black ones, and local ones of extent 0, which light
+/// nothing and have no visible point.
 class SceneLights {
  public:
   /// scene  has to outlive this

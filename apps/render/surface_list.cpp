@@ -2,13 +2,16 @@
 #include "render/surface_list.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
 
 #include "litfog/gl/unsupported.h"
+#include "render/hidden_range.h"
 #include "render/light_finder.h"
+#include "render/light_selection.h"
 
 namespace litfog::render {
 namespace {
@@ -35,18 +38,46 @@ class TextureStore {
   std::map<std::pair<const scene::Texels*, Texture::Encoding>, std::shared_ptr<const Texture>> textures_;
 };
 
+double linear_of(std::uint8_t level) {  // IEC 61966-2-1
+  const double x = level / 255.0;
+  return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
+}
+
+/// The largest component of a material's base texture, and its largest gloss. Mipmaps and filters are means of texels.
+struct Largest {
+  double albedo;
+  double gloss;
+};
+Largest largest_of(const scene::Material& material) {
+  if (material.plain_albedo) return {largest_component(*material.plain_albedo), 1};
+  std::uint8_t albedo = 0;
+  std::uint8_t gloss = 0;
+  const std::vector<std::uint8_t>& rgba = material.albedo->rgba;
+  for (std::size_t i = 0; i + 3 < rgba.size(); i += 4) {
+    albedo = std::max({albedo, rgba[i], rgba[i + 1], rgba[i + 2]});
+    gloss = std::max(gloss, rgba[i + 3]);
+  }
+  return {linear_of(albedo), gloss / 255.0};
+}
+
 /// A scene's materials on the GPU, sorted by name.
-std::vector<SurfaceMaterial> upload(std::vector<scene::Material> materials) {
+std::vector<SurfaceMaterial> upload(std::vector<scene::Material> materials, const scene::Environment& environment) {
   std::ranges::sort(materials, {}, &scene::Material::name);
   TextureStore textures;
   std::vector<SurfaceMaterial> uploaded;
   for (scene::Material& material : materials) {
+    const Largest most = largest_of(material);
+    const double reflectance = most.albedo + most.gloss * largest_component(material.specular);
+    const double own_light = largest_component(material.emissive) +
+                             most.albedo * largest_component(environment.ambient_light) +
+                             reflectance * largest_component(environment.moon_color);
     auto albedo = material.plain_albedo ? std::make_shared<const Texture>(glm::vec4(*material.plain_albedo, 1.0f))
                                         : textures.upload(material.albedo, Texture::Encoding::srgb);
     auto normal = textures.upload(material.normal, Texture::Encoding::linear);
     material.albedo.reset();
     material.normal.reset();
-    uploaded.push_back({std::move(material), float(uploaded.size()), std::move(albedo), std::move(normal)});
+    uploaded.push_back(
+        {std::move(material), float(uploaded.size()), reflectance, own_light, std::move(albedo), std::move(normal)});
   }
   return uploaded;
 }
@@ -54,17 +85,18 @@ std::vector<SurfaceMaterial> upload(std::vector<scene::Material> materials) {
 }  // namespace
 
 SurfaceList::SurfaceList(const scene::Scene& scene, const SceneLights& lights, Skipping skipping)
-    : meshes_(scene.models), materials_(upload(scene.materials)), list_texture_(list_lights(scene, lights, skipping)) {}
+    : meshes_(scene.models), materials_(upload(scene.materials, scene.environment)) {
+  list_lights(scene, lights, skipping);
+}
 
-BufferTexture SurfaceList::list_lights(const scene::Scene& scene, const SceneLights& lights, Skipping skipping) {
-  const std::size_t local_count = lights.local_count();
+void SurfaceList::list_lights(const scene::Scene& scene, const SceneLights& lights, Skipping skipping) {
+  // A frame's light list holds the carried lights and points besides.
   const std::size_t most = std::min(kMaxListed, BufferTexture::max_texels());
-  list_.resize(lights.size());
-  std::iota(list_.begin(), list_.end(), 0);
-  // The carried ones to the front.
-  std::rotate(list_.begin(), list_.begin() + std::ptrdiff_t(local_count), list_.end());
-  const auto first_local = int(lights.size() - local_count);
-  const LightFinder finder(lights.lights().first(local_count), lights.extents().first(local_count));
+  const LightFinder finder(lights.lights().first(lights.local_count()), lights.extents().first(lights.local_count()));
+  if (skipping == Skipping::off) {
+    list_.resize(lights.size());
+    std::iota(list_.begin(), list_.end(), 0);
+  }
   for (const scene::Instance& instance : scene.instances) {
     const auto& chunks = meshes_.chunks(instance.model);
     std::vector<scene::Bounds> boxes;
@@ -76,14 +108,16 @@ BufferTexture SurfaceList::list_lights(const scene::Scene& scene, const SceneLig
                       .chunk = &chunks[i],
                       .world_from_model = instance.world_from_model,
                       .bounds = boxes[i],
-                      .list_first = first_local,
-                      .list_count = int(local_count)};
+                      .is_fog_lit = true,
+                      .list_first = 0,
+                      .list_count = int(lights.size())};
       if (skipping == Skipping::on) {
-        const std::vector<std::int32_t> reaching = finder.reaching(boxes[i], near);
+        const LightSelection selection = select_lights(lights, finder.reaching(boxes[i], near), boxes[i]);
+        surface.is_fog_lit = selection.is_fog_lit;
         surface.list_first = int(list_.size());
-        surface.list_count = int(reaching.size());
-        list_.insert(list_.end(), reaching.begin(), reaching.end());
-        if (list_.size() > most) {
+        surface.list_count = int(selection.surface.size());
+        list_.insert(list_.end(), selection.surface.begin(), selection.surface.end());
+        if (list_.size() + lights.size() > most) {
           throw gl::Unsupported("the scene's surfaces are reached by too many lights: at most " + std::to_string(most) +
                                 " can be listed for all of them together");
         }
@@ -93,7 +127,6 @@ BufferTexture SurfaceList::list_lights(const scene::Scene& scene, const SceneLig
   }
   // By name, not by address, because the order decides which of two coplanar surfaces is visible.
   std::ranges::stable_sort(surfaces_, {}, [](const Surface& surface) { return surface.material->material.name; });
-  return BufferTexture(list_.data(), list_.size() * sizeof(std::int32_t), BufferTexture::Texel::int1);
 }
 
 const SurfaceMaterial& SurfaceList::material(const std::string& name) const {

@@ -20,6 +20,8 @@ namespace litfog::render {
 struct SurfaceMaterial {
   scene::Material material;               ///< without its texels
   float number;                           ///< in their order
+  double reflectance;  ///< most of a light that it reflects, diffuse and specular together: the largest component
+  double own_light;    ///< what it sends to the eye without lamps is at most this: linear, the largest component
   std::shared_ptr<const Texture> albedo;  ///< materials of the same texels share their texture
   std::shared_ptr<const Texture> normal;
 };
@@ -30,7 +32,8 @@ struct Surface {
   const Chunk* chunk;
   glm::mat4 world_from_model;
   scene::Bounds bounds;  ///< world space
-  int list_first;        ///< in the light list: the local lights that can reach it, of which there are
+  bool is_fog_lit;       ///< a carried light's cone meets it, so that fog before it is lit by such lights
+  int list_first;        ///< in the lists of all surfaces: the lights that can reach it, of which there are
   int list_count;
 };
 
@@ -42,13 +45,11 @@ class SurfaceList {
   SurfaceList(const scene::Scene& scene, const SceneLights& lights, Skipping skipping);
 
   const std::vector<Surface>& surfaces() const { return surfaces_; }
-  /// The local lights that can reach a surface: indices in SceneLights.
+  /// The lights that can reach a surface: indices in SceneLights, ascending. Without skipping it is all lights.
   std::span<const std::int32_t> lights_of(const Surface& surface) const {
     return std::span(list_).subspan(std::size_t(surface.list_first), std::size_t(surface.list_count));
   }
-  /// Binds the light list as a buffer texture of integers. They are indices in SceneLights: of the carried lights,
-  /// then of the local ones, then of the local lights that can reach each surface.
-  void bind_light_list(unsigned unit) const { list_texture_.bind(unit); }
+  std::size_t list_size() const { return list_.size(); }  ///< of all surfaces' lists together
   /// Makes the vertices of all surfaces current (see MeshStore).
   void bind_meshes() const { meshes_.bind(); }
   /// In the order of their numbers.
@@ -58,13 +59,12 @@ class SurfaceList {
  private:
   const SurfaceMaterial& material(const std::string& name) const;
   /// Fills surfaces_ and list_.
-  BufferTexture list_lights(const scene::Scene& scene, const SceneLights& lights, Skipping skipping);
+  void list_lights(const scene::Scene& scene, const SceneLights& lights, Skipping skipping);
 
   MeshStore meshes_;
   std::vector<SurfaceMaterial> materials_;  // sorted by name
   std::vector<Surface> surfaces_;
   std::vector<std::int32_t> list_;  // indices in SceneLights
-  BufferTexture list_texture_;
 };
 
 }  // namespace litfog::render

@@ -7,7 +7,6 @@
 #include <iterator>
 #include <vector>
 
-#include "render/frustum.h"
 #include "render/gpu/texture_unit.h"
 #include "render/gpu/uniform.h"
 
@@ -41,11 +40,6 @@ void select_samples(int pass) {
   glStencilOp(GL_KEEP, GL_KEEP, pass == 0 ? GL_REPLACE : GL_INCR_WRAP);
 }
 
-bool needs_lights(const LightingPath& path) {
-  return std::ranges::any_of(
-      path.passes, [](const SurfacePass& pass) { return pass.shows_fog || pass.lights.kind != LightFeed::Kind::none; });
-}
-
 }  // namespace
 
 /// What draw() keeps between surfaces.
@@ -55,6 +49,7 @@ struct SurfacePainter::Frame {
   const ShadowMaps* shadows;
   std::size_t number;
   int passes_drawn = 0;  // of the surface being drawn
+  std::size_t bytes = 0;
   const SurfaceProgram* used = nullptr;
   const SurfaceMaterial* bound = nullptr;
 };
@@ -69,46 +64,40 @@ SurfacePainter::SurfacePainter(const scene::Scene& scene, const SceneLights& lig
       maps_(settings.path->maps, scene, lights, settings.map_size),
       programs_(scene, settings) {}
 
-FrameCounts SurfacePainter::draw(const LightingPath& path, const glm::mat4& clip_from_world,
+void SurfacePainter::set_fog() { fog_lights_ = fog_lights(lights_, settings_.skipping); }
+
+std::size_t SurfacePainter::draw(const LightingPath& path, const FramePlan& plan, const glm::mat4& clip_from_world,
                                  const ShadowMaps* shadows) {
   Frame frame{.path = path, .clip_from_world = clip_from_world, .shadows = shadows, .number = ++frames_};
   if (path.has_several_passes()) glEnable(GL_STENCIL_TEST);
   select_samples(0);
   surfaces_.bind_meshes();
-  FrameCounts counts;
-  const Frustum frustum = make_frustum(clip_from_world);
-  for (const Surface& surface : surfaces_.surfaces()) {
-    if (settings_.skipping == Skipping::on && !can_see(frustum, surface.bounds)) {
-      ++counts.chunks_skipped;
-      continue;
-    }
-    draw_surface(frame, surface);
-    ++counts.chunks_drawn;
-    counts.lights_listed += std::size_t(surface.list_count);
-    counts.lights_skipped += lights_.local_count() - std::size_t(surface.list_count);
-  }
+  for (const PlannedSurface& surface : plan.surfaces) draw_surface(frame, surface, plan.lights_of(surface));
   glDisable(GL_STENCIL_TEST);
   set_blend(Blend::replace);
   select_samples(0);
-  return counts;
+  return frame.bytes;
 }
 
 /// Draws all passes of a surface before the next surface, because the later of two coplanar ones hides the earlier.
-void SurfacePainter::draw_surface(Frame& frame, const Surface& surface) {
-  LightSelection selection;
-  if (needs_lights(frame.path)) {
-    selection = select_lights(lights_, surfaces_.lights_of(surface), surface.bounds, maps_.kinds(), settings_.skipping);
-  }
+void SurfacePainter::draw_surface(Frame& frame, const PlannedSurface& planned, std::span<const std::int32_t> lights) {
   frame.passes_drawn = 0;
+  const std::span<const std::int32_t> fog =
+      planned.surface->is_fog_lit ? std::span(fog_lights_) : std::span<std::int32_t>{};
+  if (planned.is_fog_alone) {
+    draw_pass(frame, planned, {.pass = &fog_alone_pass()}, fog, {});
+    return;
+  }
+  const std::vector<std::int32_t> grouped = grouped_by_maps(lights, maps_.kinds());
   for (const SurfacePass& pass : frame.path.passes) {
-    std::span<const std::int32_t> rest = selection.surface;
+    std::span<const std::int32_t> rest = grouped;
     switch (pass.lights.kind) {
       case LightFeed::Kind::none:
-        draw_pass(frame, surface, {.pass = &pass}, selection.fog, {});
+        draw_pass(frame, planned, {.pass = &pass}, fog, {});
         break;
       case LightFeed::Kind::all: {
         const bool are_listed = rest.size() > kMaxUniformLights;
-        draw_pass(frame, surface, {.pass = &pass, .has_listed_lights = are_listed}, selection.fog,
+        draw_pass(frame, planned, {.pass = &pass, .has_listed_lights = are_listed}, fog,
                   are_listed ? rest.first(0) : rest);
         break;
       }
@@ -117,8 +106,7 @@ void SurfacePainter::draw_surface(Frame& frame, const Surface& surface) {
         while (is_first || !rest.empty()) {
           const auto batch = rest.first(batch_length(rest, pass.lights.batch_size, maps_.kinds()));
           const bool are_listed = is_first && pass.lights.lists_rest && batch.size() < rest.size();
-          draw_pass(frame, surface, {.pass = &pass, .is_first = is_first, .has_listed_lights = are_listed},
-                    selection.fog, batch);
+          draw_pass(frame, planned, {.pass = &pass, .is_first = is_first, .has_listed_lights = are_listed}, fog, batch);
           rest = rest.subspan(batch.size());
           is_first = false;
         }
@@ -128,8 +116,9 @@ void SurfacePainter::draw_surface(Frame& frame, const Surface& surface) {
   }
 }
 
-void SurfacePainter::draw_pass(Frame& frame, const Surface& surface, ShaderVariant variant,
+void SurfacePainter::draw_pass(Frame& frame, const PlannedSurface& planned, ShaderVariant variant,
                                std::span<const std::int32_t> fog_lights, std::span<const std::int32_t> batch) {
+  const Surface& surface = *planned.surface;
   const bool has_maps = !maps_.kinds().empty();  // which hold the cones
   std::vector<PackedLight> uniforms;
   std::vector<std::int32_t> casters;  // of the uniforms
@@ -172,7 +161,8 @@ void SurfacePainter::draw_pass(Frame& frame, const Surface& surface, ShaderVaria
                                  glm::vec4(surface.bounds.high, 0), glm::vec4(material.specular, material.shininess),
                                  glm::vec4(material.emissive, 0)};
   glUniform4fv(program.draw_constants, GLsizei(std::size(constants)), glm::value_ptr(constants[0]));
-  glUniform2i(program.light_list_range, surface.list_first, surface.list_count);
+  glUniform2i(program.light_list_range, planned.list_first, planned.list_count);
+  frame.bytes += sizeof(glm::mat4) + sizeof(constants) + 2 * sizeof(GLint) + uniforms.size() * sizeof(PackedLight);
   if (!uniforms.empty()) {
     glUniform4fv(program.uniform_lights, GLsizei(5 * uniforms.size()),
                  glm::value_ptr(uniforms[0].kind.attenuation_extent));

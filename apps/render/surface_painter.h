@@ -3,8 +3,10 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "litfog/gl/fog_light_buffer.h"
+#include "render/frame_plan.h"
 #include "render/light_map_store.h"
 #include "render/light_selection.h"
 #include "render/render_settings.h"
@@ -15,15 +17,6 @@
 
 namespace litfog::render {
 
-/// What a frame drew, and what it could leave out.
-struct FrameCounts {
-  std::size_t chunks_drawn = 0;
-  std::size_t chunks_skipped = 0;  ///< out of view
-  std::size_t lights_listed = 0;   ///< in the light lists of all drawn chunks together
-  std::size_t lights_skipped = 0;  ///< not in them
-  std::size_t shadow_maps_drawn = 0;  ///< all in the first frame, none later
-};
-
 /// Draws a scene's surfaces by a lighting path. Needs a current GL context.
 class SurfacePainter {
  public:
@@ -32,17 +25,23 @@ class SurfacePainter {
   SurfacePainter(const scene::Scene& scene, const SceneLights& lights, const gl::FogLightBuffer& fog_lights,
                  const RenderSettings& settings);
 
+  /// Takes a change of the fog, which the lights have taken.
+  void set_fog();
+  /// Draws the surfaces of a plan. Its light list is bound to its unit.
+  ///
   /// shadows  of the lamps; drawn and bound. Null: none
-  FrameCounts draw(const LightingPath& path, const glm::mat4& clip_from_world, const ShadowMaps* shadows);
+  /// returns  bytes that the draws were passed
+  std::size_t draw(const LightingPath& path, const FramePlan& plan, const glm::mat4& clip_from_world,
+                   const ShadowMaps* shadows);
   const SurfaceList& surfaces() const { return surfaces_; }
 
  private:
   struct Frame;
 
-  void draw_surface(Frame& frame, const Surface& surface);
+  void draw_surface(Frame& frame, const PlannedSurface& planned, std::span<const std::int32_t> lights);
   /// Draws a surface by the lights of its fog and a batch of its own. Fills in the variant's uniform lights.
-  void draw_pass(Frame& frame, const Surface& surface, ShaderVariant variant, std::span<const std::int32_t> fog_lights,
-                 std::span<const std::int32_t> batch);
+  void draw_pass(Frame& frame, const PlannedSurface& planned, ShaderVariant variant,
+                 std::span<const std::int32_t> fog_lights, std::span<const std::int32_t> batch);
   SurfaceProgram& use(Frame& frame, const ShaderVariant& variant, const SurfaceMaterial& material);
 
   const scene::Scene& scene_;
@@ -52,6 +51,7 @@ class SurfacePainter {
   SurfaceList surfaces_;
   LightMapStore maps_;
   SurfacePrograms programs_;
+  std::vector<std::int32_t> fog_lights_;
   std::size_t frames_ = 0;
 };
 

@@ -181,6 +181,26 @@ TEST_F(DemoCommand, StatisticsStateWhatWasDrawn) {
   EXPECT_GT(stats["ms_per_frame"]["median"], 0);
   EXPECT_GE(stats["ms_per_frame"]["max"], stats["ms_per_frame"]["min"]);
   EXPECT_GT(stats["chunks_skipped"], 0);
+  const auto sum = [&stats](const char* member) {
+    std::size_t all = 0;
+    for (const auto& [fate, count] : stats[member].items()) all += std::size_t(count);
+    return all;
+  };
+  EXPECT_EQ(sum("lights_by_fate"), stats["lights"]);
+  EXPECT_EQ(sum("airlights"), stats["lights"]);
+  EXPECT_EQ(sum("chunks"), std::size_t(stats["chunks_drawn"]) + std::size_t(stats["chunks_skipped"]));
+  EXPECT_EQ(sum("surface_lights"), std::size_t(stats["chunks"]["drawn"]) * std::size_t(stats["lights"]));
+  EXPECT_GT(stats["chunks"]["fog_alone"], 0);  // lamps glow behind them
+  for (const char* member : {"lights_by_fate", "surface_lights", "points", "airlights"}) {
+    EXPECT_GT(stats[member]["hidden_by_fog"], 0) << member;
+  }
+  EXPECT_GT(stats["points"]["outside_view"], 0);
+  EXPECT_EQ(stats["sky"], "drawn");
+  EXPECT_GT(stats["lights_per_fragment"], 0.1);
+  EXPECT_GT(stats["bytes_uploaded"]["frame"], stats["bytes_uploaded"]["fog_change"]);
+  for (const char* stage : {"plan", "surfaces", "sky", "points", "resolve", "airlight"}) {
+    EXPECT_GT(stats["ms_by_stage"][stage], 0) << stage;
+  }
 }
 
 TEST_F(DemoCommand, SamplesAreThoseOfThePictureOrMissing) {

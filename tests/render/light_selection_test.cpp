@@ -27,41 +27,45 @@ scene::Scene four_lamps() {
   return scene;
 }
 
-LightSelection select(const scene::Scene& scene, const Fog& fog, const LightingPath& path,
-                      std::span<const int> map_kinds = {}, Skipping skipping = Skipping::on) {
+LightSelection select(const scene::Scene& scene) {
+  const SceneLights lights(scene, {.path = &lighting_paths().front()});
+  return select_lights(lights, Indices{0, 1}, kBox);
+}
+
+Indices fog_lights_of(const scene::Scene& scene, const Fog& fog, const LightingPath& path,
+                      Skipping skipping = Skipping::on) {
   SceneLights lights(scene, {.path = &path});
   lights.set_fog(fog);
-  return select_lights(lights, Indices{0, 1}, kBox, map_kinds, skipping);
+  return fog_lights(lights, skipping);
 }
 
 const LightingPath& unified() { return lighting_paths().front(); }
 const Fog kFog{FogMode::exp, 0.05};
 
 TEST(LightSelection, SurfaceTakesTheLocalLightsThenTheCarriedOnesThatReachIt) {
-  EXPECT_EQ(select(four_lamps(), kFog, unified()).surface, (Indices{0, 1, 2}));
+  EXPECT_EQ(select(four_lamps()).surface, (Indices{0, 1, 2}));
 }
 
 TEST(LightSelection, FogTakesAllCarriedLightsWhereOneOfThemMeetsTheSurface) {
-  EXPECT_EQ(select(four_lamps(), kFog, unified()).fog, (Indices{2, 3}));
+  EXPECT_TRUE(select(four_lamps()).is_fog_lit);
+  EXPECT_EQ(fog_lights_of(four_lamps(), kFog, unified()), (Indices{2, 3}));
   scene::Scene scene = four_lamps();
   scene.lights[0].position = {-50, 0, 0};
-  EXPECT_EQ(select(scene, kFog, unified()).fog, Indices{});
+  EXPECT_FALSE(select(scene).is_fog_lit);
 }
 
 TEST(LightSelection, ClearAirAndPathsWithoutLitFogTakeNoLightForTheFog) {
-  EXPECT_EQ(select(four_lamps(), Fog{}, unified()).fog, Indices{});
-  EXPECT_EQ(select(four_lamps(), kFog, *find_lighting_path("legacy")).fog, Indices{});
+  EXPECT_EQ(fog_lights_of(four_lamps(), Fog{}, unified()), Indices{});
+  EXPECT_EQ(fog_lights_of(four_lamps(), kFog, *find_lighting_path("legacy")), Indices{});
 }
 
-TEST(LightSelection, EveryLightIsTakenWithoutSkipping) {
-  const LightSelection all = select(four_lamps(), Fog{}, unified(), {}, Skipping::off);
-  EXPECT_EQ(all.surface, (Indices{0, 1, 2, 3}));
-  EXPECT_EQ(all.fog, (Indices{2, 3}));
+TEST(LightSelection, EveryCarriedLightIsTakenForTheFogWithoutSkipping) {
+  EXPECT_EQ(fog_lights_of(four_lamps(), Fog{}, unified(), Skipping::off), (Indices{2, 3}));
 }
 
 TEST(LightSelection, LightsThatShareTheirMapsComeTogetherAndMakeBatches) {
   const std::vector<int> kinds{1, 0, 1, 0};
-  const Indices surface = select(four_lamps(), kFog, unified(), kinds).surface;
+  const Indices surface = grouped_by_maps(Indices{0, 1, 2}, kinds);
   EXPECT_EQ(surface, (Indices{1, 0, 2}));
   EXPECT_EQ(batch_length(surface, 4, kinds), 1u);
   EXPECT_EQ(batch_length(std::span(surface).subspan(1), 4, kinds), 2u);

@@ -167,29 +167,8 @@ TEST_F(RendererTest, LightPointIsSeenThroughTheFogAtTheDensityOfItsClass) {
   EXPECT_NEAR(std::log(brightness(0.4) / brightness(1.0)), 0.6 * depth, 0.15 * depth);
 }
 
-TEST_F(RendererTest, SkippingChangesNoPixel) {
-  for (const std::string& name : bundled_scenes()) {
-    const Scene scene = read_scene(bundled_scene_path(name));
-    const Fog fog = Fog::from_visibility(FogMode::exp, scene.visibilities[0]);
-    const Picture skipped = draw(scene, fog, {.skipping = Skipping::on});
-    const Picture whole = draw(scene, fog, {.skipping = Skipping::off});
-    // Shaders of fewer lights may round otherwise: by a step of the framebuffer's half floats.
-    for (std::size_t i = 0; i < whole.rgb.size(); ++i) {
-      ASSERT_NEAR(skipped.rgb[i], whole.rgb[i], 0x1p-10f * whole.rgb[i] + 0x1p-24f) << name << ", value " << i;
-    }
-  }
-}
-
 TEST_F(RendererTest, MoreSamplesThanTheDriverHasAreUnsupported) {
   EXPECT_THROW(draw(open_air(Cone{}), Fog{}, {.samples = 1 << 16}), gl::Unsupported);
-}
-
-TEST_F(RendererTest, SkippingLeavesOutMostOfTheApproach) {
-  const Scene scene = read_scene(bundled_scene_path("approach"));
-  Renderer renderer(scene, kWidth, kHeight, {});
-  const FrameCounts counts = renderer.draw();
-  EXPECT_GT(counts.chunks_skipped, 0u);
-  EXPECT_GT(counts.lights_skipped, 10 * counts.lights_listed);
 }
 
 /// Boxes in a row and lamps in a row beside it.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A light as the eye sees it from afar: a point as bright as the light it sends to the eye, through the fog at the
-// density of its class. The figures are chosen by eye where they name no source.
+// density of its class. The figures are chosen by eye where they name no source; those that the CPU needs to leave points
+// out are in point_list.h.
 
 #include "cookie.glsl"
 #include "light_list.glsl"
@@ -9,22 +10,21 @@
 
 uniform mat4 clip_from_world;
 uniform vec3 eye;
-uniform float pixel_scale;   // of a picture 720 pixels high
+uniform float pixel_scale;  // of a picture 720 pixels high
 uniform float near_plane;  // metres
 uniform bool has_clip_control;
-uniform bool has_glare;    // else what surrounds a point is the fog's airlight, which is drawn apart
+uniform bool has_glare;  // else what surrounds a point is the fog's airlight, which is drawn apart
+uniform int first_point;  // in the light list
+// point_list.h:
+uniform float full_brightness;
+uniform float brightest;
+uniform float core_radius;
+uniform float largest_growth;
 
 flat out vec3 point_color;
 flat out float core_fraction;
 
-// Attenuation at which a point has full brightness: at night an eye sees a light long before a surface lit by it.
-const float full_brightness = 1.0 / 2000.0;
-const float brightest = 1.5;     // beyond full brightness, so that its core is white
-const float darkest = 0.002;     // half a step of an 8-bit picture: nothing would be visible
-const float core_radius = 1.3;   // pixels, at full brightness
 const float glare_power = 0.3;   // how glare grows with brightness; Stevens 1957, "On the psychophysical law": 0.33
-const float largest_glare = 8.0; // times the core's radius
-const float largest_without_glare = 1.5;
 const float lens_radius = 0.1;   // metres: a light is in or on its lens; that of a runway edge light has 0.08
 const float most_lifted = 0.4;   // metres
 
@@ -37,7 +37,7 @@ float lift(float range) {
 }
 
 void main() {
-  LitfogLight light = local_light(gl_VertexID);
+  LitfogLight light = litfog_buffered_light(light_entry(first_point + gl_VertexID));
   vec3 to_eye = eye - light.position_extent.xyz;
   float range = length(to_eye);
   to_eye /= range;
@@ -46,13 +46,11 @@ void main() {
   float sent = attenuation * litfog_cone(light, to_eye);
   float brightness = sent * through / full_brightness;
   // Beyond full brightness a point grows instead; below, it fades. Fog dims a point's glare, but does not shrink it.
-  float largest = has_glare ? largest_glare : largest_without_glare;
-  float growth = clamp(pow(max(sent / full_brightness, 1.0), glare_power), 1.0, largest);
+  float growth = clamp(pow(max(sent / full_brightness, 1.0), glare_power), 1.0, largest_growth);
   float radius = core_radius * growth * pixel_scale;
   point_color = light.color_intensity.rgb * min(brightness, brightest);
   core_fraction = has_glare ? 1.0 / growth : 1.0;
   gl_PointSize = max(point_radii * radius, 2.0);
-  float shown = brightness * max(max(light.color_intensity.r, light.color_intensity.g), light.color_intensity.b);
   vec4 lifted = clip_from_world * vec4(light.position_extent.xyz + to_eye * lift(range), 1.0);
-  gl_Position = shown < darkest ? vec4(0.0, 0.0, 2.0, 1.0) : lifted;  // else outside the picture
+  gl_Position = brightness > 0.0 ? lifted : vec4(0.0, 0.0, 2.0, 1.0);  // outside the picture
 }

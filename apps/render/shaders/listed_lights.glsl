@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lights of a surface that has too many for uniforms: first those that the eye's vehicle carries, then the local
-// lights in the surface's light list.
+// The lights of a surface that has too many for uniforms, through the light list.
 
 #include "light_batch.glsl"
 #include "light_list.glsl"
 
 uniform ivec2 light_list_range;  // first, count: of this surface
 
-int listed_light_count() { return has_listed_lights ? carried_count + light_list_range.y : 0; }
-int listed_entry(int i) { return light_entry(i < carried_count ? i : light_list_range.x + i - carried_count); }
+int listed_light_count() { return has_listed_lights ? light_list_range.y : 0; }
+int listed_entry(int i) { return light_entry(light_list_range.x + i); }
 LitfogLight listed_light(int i) { return litfog_buffered_light(listed_entry(i)); }
 
 // Whether a position is beyond a light's extent. Asked before the rest of the light is fetched.

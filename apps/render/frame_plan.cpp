@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/frame_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "litfog/airlight.h"
+#include "render/frustum.h"
+#include "render/hidden_range.h"
+#include "render/renderer.h"
+
+namespace litfog::render {
+namespace {
+
+/// Largest y of a unit direction from the eye to a box.
+double highest_slope(const glm::dvec3& eye, const scene::Bounds& box, double nearest, double farthest) {
+  const double rise = double(box.high.y) - eye.y;
+  return rise > 0 ? (rise < nearest ? rise / nearest : 1) : rise / farthest;
+}
+
+/// The y of unit directions up to which rays to the sky run at least that far through the fog (shaders/fog_top.glsl).
+double slope_in_fog(double fog_above_eye, double range) {
+  constexpr double kRounding = 1e-4;
+  if (range > kSkyDistance) return -2;  // no ray does
+  if (!(fog_above_eye > 0)) return -kRounding;
+  return fog_above_eye * (1 - kRounding) / range;
+}
+
+}  // namespace
+
+FramePlanner::FramePlanner(const scene::Scene& scene, const SceneLights& lights, const SurfaceList& surfaces,
+                           const RenderSettings& settings)
+    : scene_(scene),
+      lights_(lights),
+      surfaces_(surfaces),
+      settings_(settings),
+      foggy_(surfaces.surfaces().size()),
+      strengths_(surfaces.list_size()) {}
+
+void FramePlanner::set_fog(const Fog& fog, bool is_fog_lit) {
+  fog_ = fog;
+  is_fog_lit_ = is_fog_lit;
+  ++fog_number_;
+  view_.reset();
+}
+
+const FramePlan& FramePlanner::plan(const FrameView& view) {
+  has_changed_ = view_ != view;
+  if (!has_changed_) return plan_;
+  if (!view_ || view_->exposure != view.exposure) {
+    step_ = visible_step(view.exposure);
+    ++fog_number_;
+  }
+  view_ = view;
+  make_plan(view);
+  return plan_;
+}
+
+FramePlan FramePlanner::plan_geometry(const glm::mat4& clip_from_world) const {
+  FramePlan plan;
+  const Frustum frustum = make_frustum(clip_from_world);
+  for (const Surface& surface : surfaces_.surfaces()) {
+    if (settings_.skipping == Skipping::off || can_see(frustum, surface.bounds)) {
+      plan.surfaces.push_back({&surface, false, 0, 0});
+    }
+  }
+  return plan;
+}
+
+double FramePlanner::sky_brightness() const {
+  const scene::Environment& environment = scene_.environment;
+  const double moon = environment.moon_color == glm::vec3(0.0f) ? 0 : 1.05;  // shaders/night_sky.glsl
+  return std::max(largest_component(environment.sky_zenith), largest_component(environment.sky_horizon)) +
+         double(environment.star_brightness) + moon;
+}
+
+double FramePlanner::airlight_end_from(const glm::dvec3& eye, double budget) const {
+  if (settings_.fog_lighting != FogLighting::airlight) return 0;
+  const double phase = largest_phase({.asymmetry = scene_.phase_g});
+  double end = 0;
+  for (std::size_t i = 0; i < lights_.size(); ++i) {
+    const PlacedLight& placed = lights_.lights()[i];
+    end = std::max(end, airlight_end(placed.light, lights_.extents()[i], fog_, phase,
+                                     glm::distance(eye, placed.position), budget / double(lights_.size())));
+  }
+  return end;
+}
+
+double FramePlanner::hidden_range_of(std::size_t index, double step) {
+  Foggy& foggy = foggy_[index];
+  if (foggy.fog == fog_number_) return double(foggy.hidden_range);
+  const Surface& surface = surfaces_.surfaces()[index];
+  double brightness = surface.material->own_light;
+  const std::span<const std::int32_t> lights = surfaces_.lights_of(surface);
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const auto light = std::size_t(lights[i]);
+    const PlacedLight& placed = lights_.lights()[light];
+    const double strength = surface.material->reflectance * largest_component(placed.light.color) *
+                            largest_irradiance(placed, lights_.extents()[light], fog_, settings_.fog_lighting,
+                                               *settings_.path, surface.bounds);
+    strengths_[std::size_t(surface.list_first) + i] = float(strength);
+    brightness += strength;
+  }
+  const double fog = largest_component(scene_.environment.ambient_fog_color);
+  foggy = {fog_number_, float(hidden_range(fog_, brightness + fog, kHiddenShare * step))};
+  return double(foggy.hidden_range);
+}
+
+PlannedSurface FramePlanner::list_lights(std::size_t index, double most_left_out) {
+  const Surface& surface = surfaces_.surfaces()[index];
+  const std::span<const std::int32_t> lights = surfaces_.lights_of(surface);
+  const std::span<const float> strengths =
+      std::span(strengths_).subspan(std::size_t(surface.list_first), lights.size());
+  float least = 0;  // of a light that is kept
+  if (!lights.empty() && double(std::ranges::min(strengths)) <= most_left_out) {
+    sorted_.assign(strengths.begin(), strengths.end());
+    std::ranges::sort(sorted_);
+    double sum = 0;
+    const auto kept = std::ranges::find_if(sorted_, [&](float strength) { return (sum += strength) > most_left_out; });
+    least = kept == sorted_.end() ? std::numeric_limits<float>::infinity() : *kept;
+  }
+  PlannedSurface planned{&surface, false, int(plan_.light_list.size()), 0};
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    if (strengths[i] < least) continue;
+    plan_.light_list.push_back(lights[i]);
+    ++planned.list_count;
+  }
+  plan_.counts.lights_listed += std::size_t(planned.list_count);
+  plan_.counts.lights_hidden += lights.size() - std::size_t(planned.list_count);
+  plan_.counts.lights_out_of_reach += lights_.size() - lights.size();
+  return planned;
+}
+
+void FramePlanner::make_plan(const FrameView& view) {
+  const bool skips = settings_.skipping == Skipping::on;
+  const bool hides = skips && settings_.path->evaluation != Evaluation::vertex;
+  plan_.surfaces.clear();
+  plan_.counts = {};
+  FrameCounts& counts = plan_.counts;
+  plan_.light_list.resize(lights_.size() - lights_.local_count());
+  std::iota(plan_.light_list.begin(), plan_.light_list.end(), std::int32_t(lights_.local_count()));
+
+  plan_.point_first = int(plan_.light_list.size());
+  const Frustum frustum = make_frustum(view.clip_from_world);
+  PointList points;
+  if (skips) {
+    points = list_points(lights_, fog_, view.eye, frustum, kPointShare * step_);
+  } else {
+    points.lights.resize(lights_.local_count());
+    std::iota(points.lights.begin(), points.lights.end(), 0);
+  }
+  plan_.point_count = int(points.lights.size());
+  plan_.light_list.insert(plan_.light_list.end(), points.lights.begin(), points.lights.end());
+  counts.points_drawn = points.lights.size();
+  counts.points_outside_view = points.outside_view;
+  counts.points_hidden = points.hidden;
+
+  const double fog_above_eye = scene_.fog_top - view.eye.y;
+  const double fog_color = largest_component(scene_.environment.ambient_fog_color);
+  const double sky_range = hidden_range(fog_, sky_brightness() + fog_color, kHiddenShare * step_);
+  if (skips && view.highest_slope <= slope_in_fog(fog_above_eye, sky_range)) {
+    counts.sky = is_fog_lit_ ? SkyDrawing::fog : SkyDrawing::background;
+  }
+
+  if (!skips) {
+    const auto all = int(plan_.light_list.size());
+    plan_.light_list.resize(plan_.light_list.size() + lights_.size());
+    std::iota(plan_.light_list.begin() + all, plan_.light_list.end(), 0);
+    for (const Surface& surface : surfaces_.surfaces()) {
+      plan_.surfaces.push_back({&surface, false, all, int(lights_.size())});
+    }
+    counts.chunks_drawn = plan_.surfaces.size();
+    counts.lights_listed = plan_.surfaces.size() * lights_.size();
+    return;
+  }
+
+  struct Seen {
+    std::size_t surface;
+    double nearest, farthest, hidden_range;
+  };
+  std::vector<Seen> seen;
+  double hidden_from = 0;  // nothing that is farther away is visible
+  for (std::size_t i = 0; i < surfaces_.surfaces().size(); ++i) {
+    const scene::Bounds& box = surfaces_.surfaces()[i].bounds;
+    if (!can_see(frustum, box)) {
+      ++counts.chunks_outside_view;
+      continue;
+    }
+    constexpr double kRounding = 1 + 1e-6;
+    const double range = hidden_range_of(i, step_);
+    seen.push_back({i, nearest_distance(view.eye, box), farthest_distance(view.eye, box), range});
+    if (seen.back().nearest < range) {
+      hidden_from = std::max(hidden_from, std::min(seen.back().farthest, range) * kRounding);
+    }
+  }
+  const double left_out_from = std::max({hidden_from, sky_range, airlight_end_from(view.eye, kBehindShare * step_),
+                                         points.farthest * view.point_depth_factor});
+  const double highest_left_out = slope_in_fog(fog_above_eye, left_out_from);
+  for (const Seen& each : seen) {
+    const Surface& surface = surfaces_.surfaces()[each.surface];
+    if (!hides || each.nearest < each.hidden_range) {
+      const double through = fog_factor_at(fog_, each.nearest);
+      plan_.surfaces.push_back(list_lights(each.surface, hides ? kSurfaceLightShare * step_ / through : -1));
+      ++counts.chunks_drawn;
+    } else if (is_fog_lit_ || each.nearest < left_out_from ||
+               highest_slope(view.eye, surface.bounds, each.nearest, each.farthest) > highest_left_out) {
+      plan_.surfaces.push_back({&surface, true, 0, 0});
+      ++counts.chunks_as_fog;
+    } else {
+      ++counts.chunks_hidden;
+    }
+  }
+}
+
+LightCounts FramePlanner::count_lights(std::span<const AirlightEntry> airlights) const {
+  enum class Fate { out_of_reach, outside_view, hidden, drawn };
+  std::vector<Fate> fates(lights_.size(), Fate::out_of_reach);
+  const auto raise = [&](std::span<const std::int32_t> lights, Fate fate) {
+    for (const std::int32_t i : lights) fates[std::size_t(i)] = std::max(fates[std::size_t(i)], fate);
+  };
+  const Frustum frustum = make_frustum(view_->clip_from_world);
+  for (const Surface& surface : surfaces_.surfaces()) {
+    raise(surfaces_.lights_of(surface), can_see(frustum, surface.bounds) ? Fate::hidden : Fate::outside_view);
+  }
+  for (std::size_t i = 0; i < lights_.local_count(); ++i) {
+    const glm::vec3 position(lights_.lights()[i].position);
+    if (can_see(frustum, {position, position})) fates[i] = std::max(fates[i], Fate::hidden);
+  }
+  for (const PlannedSurface& surface : plan_.surfaces) raise(plan_.lights_of(surface), Fate::drawn);
+  raise(plan_.points(), Fate::drawn);
+  for (const AirlightEntry& entry : airlights) fates[std::size_t(entry.light)] = Fate::drawn;
+  const auto count = [&](Fate fate) { return std::size_t(std::ranges::count(fates, fate)); };
+  return {.off = scene_.lights.size() - lights_.size(),
+          .drawn = count(Fate::drawn),
+          .hidden = count(Fate::hidden),
+          .outside_view = count(Fate::outside_view),
+          .out_of_reach = count(Fate::out_of_reach)};
+}
+
+}  // namespace litfog::render

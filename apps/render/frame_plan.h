@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "litfog/fog.h"
+#include "render/airlight_list.h"
+#include "render/frame_counts.h"
+#include "render/point_list.h"
+#include "render/render_settings.h"
+#include "render/scene_lights.h"
+#include "render/surface_list.h"
+#include "scene/scene.h"
+
+namespace litfog::render {
+
+/// A surface that a frame draws.
+struct PlannedSurface {
+  const Surface* surface;
+  bool is_fog_alone;  ///< the fog hides it: only what it hides is seen of it
+  int list_first;     ///< in the plan's light list: the lights that light it, of which there are
+  int list_count;
+};
+
+/// What a frame draws.
+struct FramePlan {
+  std::vector<PlannedSurface> surfaces;
+  /// Indices in SceneLights: of the carried lights, then of those whose points are drawn, then of those that light each
+  /// surface.
+  std::vector<std::int32_t> light_list;
+  int point_first = 0;
+  int point_count = 0;
+  FrameCounts counts;
+
+  std::span<const std::int32_t> points() const {
+    return std::span(light_list).subspan(std::size_t(point_first), std::size_t(point_count));
+  }
+  std::span<const std::int32_t> lights_of(const PlannedSurface& surface) const {
+    return std::span(light_list).subspan(std::size_t(surface.list_first), std::size_t(surface.list_count));
+  }
+};
+
+/// Where a frame is seen from, and in what.
+struct FrameView {
+  glm::dvec3 eye;
+  glm::mat4 clip_from_world;
+  double highest_slope;       ///< largest y of a unit direction from the eye into the picture
+  double point_depth_factor;  ///< point_list.h
+  double exposure;            ///< EV at which the picture is shown: [-kMaxExposure, kMaxExposure]
+
+  friend bool operator==(const FrameView&, const FrameView&) = default;
+};
+
+/// Plans frames of a scene: what is outside the view, out of reach or hidden by fog is left out, so that no pixel of
+/// the display changes by more than a step, 1/255 (hidden_range.h has the shares). Calls no GL.
+///
+/// Surfaces. What a surface sends to the eye is at most its own light and that of each lamp at the point nearest to the
+/// lamp, times f at its nearest distance from the eye. If that is below the share, its fog alone is drawn, with its own
+/// depth, so that all that is seen before and behind it stays as it is. If airlight and points from behind cannot be
+/// seen either, nor sky or brighter surfaces, it is left out: the picture's background is the colour of the fog.
+/// Hales's term depends on the position, so that nothing is left out where it lights the fog.
+/// Paths that light vertices extrapolate within triangles, beyond any bound: there fog hides nothing.
+class FramePlanner {
+ public:
+  /// scene, lights, surfaces  have to outlive this
+  FramePlanner(const scene::Scene& scene, const SceneLights& lights, const SurfaceList& surfaces,
+               const RenderSettings& settings);
+
+  /// Takes a change of the fog. is_fog_lit: whether carried lights light it by their intensity.
+  void set_fog(const Fog& fog, bool is_fog_lit);
+
+  /// Valid until the next call; the same where the view has not changed, with has_changed() false.
+  const FramePlan& plan(const FrameView& view);
+  /// Makes the next plan anew.
+  void forget() { view_.reset(); }
+  /// What the last plan makes of the lights that the scene has on.
+  ///
+  /// airlights  those whose airlight is drawn
+  LightCounts count_lights(std::span<const AirlightEntry> airlights) const;
+  bool has_changed() const { return has_changed_; }
+
+  /// All surfaces in view, without lights.
+  FramePlan plan_geometry(const glm::mat4& clip_from_world) const;
+
+ private:
+  /// What a surface is in the fog.
+  struct Foggy {
+    unsigned fog = 0;  // number of the fog
+    float hidden_range = 0;
+  };
+
+  void make_plan(const FrameView& view);
+  /// From where on a surface is hidden, and how much each of its lights gives.
+  double hidden_range_of(std::size_t surface, double step);
+  double airlight_end_from(const glm::dvec3& eye, double budget) const;
+  double sky_brightness() const;
+  /// Appends a surface's lights to the plan's list but for those that fog hides.
+  PlannedSurface list_lights(std::size_t surface, double most_left_out);
+
+  const scene::Scene& scene_;
+  const SceneLights& lights_;
+  const SurfaceList& surfaces_;
+  RenderSettings settings_;
+  Fog fog_;
+  bool is_fog_lit_ = false;
+  unsigned fog_number_ = 1;
+  double step_ = 0;
+  std::vector<Foggy> foggy_;      // one a surface
+  std::vector<float> strengths_;  // of the surfaces' lists: what each light gives, before the fog on the eye's leg
+  std::vector<float> sorted_;     // scratch
+  std::optional<FrameView> view_;
+  bool has_changed_ = false;
+  FramePlan plan_;
+};
+
+}  // namespace litfog::render

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: Apache-2.0
+// The fog before a surface that it hides.
+
+#define CONSTANTS_FROM_VERTICES
+#include "fragment.glsl"
+
+void main() { color = seen_by_eye(vec3(0.0), fragment_position()); }

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/hidden_range.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "reference/random_airlight.h"
+#include "reference/srgb.h"
+#include "render/display.h"
+
+namespace litfog::test {
+using namespace render;
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr std::array kModes{FogMode::exp, FogMode::exp2};
+
+TEST(VisibleStep, LessLightChangesNoDisplayByAStep) {
+  Random random(21);
+  double largest = 0;
+  for (int i = 0; i < 100'000; ++i) {
+    const double exposure = random.uniform(-8, 8);
+    const double step = visible_step(exposure);
+    const double gain = std::exp2(exposure);
+    const auto draw = [&] { return random.chance(0.1) ? 0 : random.log_uniform(1e-6, 10) / gain; };
+    const glm::dvec3 before{draw(), draw(), draw()};
+    const glm::dvec3 after =
+        before + step * glm::dvec3(random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1));
+    for (const ToneCurve tone : {ToneCurve::neutral, ToneCurve::clip}) {
+      const glm::vec3 a = toned(tone, glm::vec3(before * gain));
+      const glm::vec3 b = toned(tone, glm::vec3(after * gain));
+      for (int c = 0; c < 3; ++c) {
+        largest = std::max(largest, 255 * std::abs(srgb_from_linear(double(a[c])) - srgb_from_linear(double(b[c]))));
+      }
+    }
+  }
+  EXPECT_LE(largest, 1 + 1e-3);  // floats round up to 2^-24 of white, and sRGB multiplies that
+  EXPECT_GT(largest, 0.9);
+}
+
+TEST(HiddenRange, FogLeavesTheBudgetThereAndMoreBefore) {
+  Random random(22);
+  for (int i = 0; i < 1000; ++i) {
+    const Fog fog{random.pick(kModes), random.log_uniform(1e-5, 10)};
+    const double budget = random.log_uniform(1e-8, 1e-3);
+    const double brightness = budget * random.log_uniform(1.01, 1e8);
+    const double range = hidden_range(fog, brightness, budget);
+    EXPECT_LE(brightness * fog_factor_at(fog, range), budget);
+    EXPECT_GT(brightness * fog_factor_at(fog, range * (1 - 1e-5)), budget);
+  }
+  EXPECT_EQ(hidden_range({FogMode::exp, 0.1}, 1e-5, 1e-4), 0);
+  EXPECT_EQ(hidden_range({FogMode::exp, 0}, 1, 1e-4), kInfinity);
+  EXPECT_EQ(hidden_range({FogMode::exp2, kInfinity}, 1, 1e-4), 0);
+}
+
+TEST(HiddenRange, DistancesToABoxHoldForItsPoints) {
+  Random random(23);
+  for (int i = 0; i < 1000; ++i) {
+    const glm::dvec3 eye = draw_direction(random) * random.uniform(0, 20);
+    const glm::vec3 low(random.uniform(-10, 0), random.uniform(-10, 0), random.uniform(-10, 0));
+    const glm::vec3 high = low + glm::vec3(random.uniform(0, 10), random.uniform(0, 10), random.uniform(0, 10));
+    const scene::Bounds box{low, high};
+    double nearest = kInfinity;
+    double farthest = 0;
+    for (int j = 0; j < 20; ++j) {
+      const auto along = [&](int axis) {
+        return random.chance(0.3) ? double(random.chance(0.5) ? low[axis] : high[axis])
+                                  : random.uniform(double(low[axis]), double(high[axis]));
+      };
+      const double distance = glm::distance(eye, glm::dvec3(along(0), along(1), along(2)));
+      nearest = std::min(nearest, distance);
+      farthest = std::max(farthest, distance);
+    }
+    EXPECT_LE(nearest_distance(eye, box), nearest);
+    EXPECT_GE(farthest_distance(eye, box), farthest);
+  }
+  EXPECT_EQ(nearest_distance({0, 0, 0}, {{-1, -1, -1}, {1, 1, 1}}), 0);
+}
+
+TEST(LargestIrradiance, NoPointOfTheBoxGetsMore) {
+  Random random(24);
+  for (int i = 0; i < 1000; ++i) {
+    const AirlightCase c = draw_airlight_case(random, random.pick(kModes), LampLeg::fogged);
+    const double extent = compute_extent(c.light.light.attenuation, c.light.light.threshold);
+    const double size = std::min(extent, 1e4);
+    const glm::vec3 low = glm::vec3(c.light.position + draw_direction(random) * random.uniform(0, 1.5) * size);
+    const scene::Bounds box{low, low + glm::vec3(float(random.uniform(0, 1) * size))};
+    for (const FogLighting lighting : {FogLighting::peak, FogLighting::airlight}) {
+      for (const char* name : {"unified", "lookup-3d", "radial"}) {
+        const LightingPath& path = *find_lighting_path(name);
+        const double most = largest_irradiance(c.light, extent, c.fog, lighting, path, box);
+        for (int j = 0; j < 5; ++j) {
+          const glm::dvec3 t(random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1));
+          const double range = glm::distance(c.light.position, glm::mix(glm::dvec3(box.low), glm::dvec3(box.high), t));
+          if (range > extent) continue;
+          double light = path.range == RangeLaw::radial && !std::isinf(extent)
+                             ? 1 - range * range / (extent * extent)
+                             : attenuation_at(c.light.light.attenuation, range);
+          if (path.range == RangeLaw::radial && std::isinf(extent)) light = 1;
+          if (lighting == FogLighting::airlight) {
+            light *= fog_factor_at(scaled(c.fog, c.light.light.density_scale), range);
+          }
+          EXPECT_LE(light, most * (1 + 1e-12)) << name << to_string(c);
+        }
+      }
+    }
+  }
+}
+
+TEST(AirlightEnd, NoMoreThanTheBudgetComesFromBehind) {
+  Random random(25);
+  int attacked = 0;
+  for (int i = 0; i < 2000; ++i) {
+    AirlightCase c = draw_airlight_case(random, random.pick(kModes), LampLeg::fogged);
+    c.scattering.asymmetry = random.chance(0.5) ? 0 : random.uniform(-0.9, 0.9);
+    Light& light = c.light.light;
+    light.color = glm::dvec3(random.log_uniform(0.01, 100));
+    const double budget = random.log_uniform(1e-8, 1e-3);
+    const glm::dvec3 to_light = c.light.position - c.ray.origin;
+    const double end = airlight_end(light, compute_extent(light.attenuation, light.threshold), c.fog,
+                                    largest_phase(c.scattering), glm::length(to_light), budget);
+    if (std::isinf(end)) continue;
+    if (glm::length(to_light) > 0 && random.chance(0.5)) {  // close to the light, where it is brightest
+      c.ray.direction = glm::normalize(glm::normalize(to_light) + 0.05 * draw_direction(random));
+    }
+    c.ray.length = kInfinity;
+    const double whole = reference_airlight(c.light, c.fog, c.ray, c.scattering);
+    c.ray.length = end * random.uniform(1, 1.2);
+    const double before = reference_airlight(c.light, c.fog, c.ray, c.scattering);
+    EXPECT_LE(light.color.r * (whole - before), budget + 1e-9 * light.color.r * whole) << to_string(c) << ", " << end;
+    attacked += light.color.r * whole > budget;
+  }
+  EXPECT_GT(attacked, 500);
+}
+
+}  // namespace
+}  // namespace litfog::test

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: Apache-2.0
+// What skipping leaves out changes no pixel of the display by more than a step.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <glm/gtc/matrix_transform.hpp>
+#include <limits>
+
+#include "gl/gl_test.h"
+#include "reference/srgb.h"
+#include "render/display.h"
+#include "render/hidden_range.h"
+#include "render/renderer.h"
+#include "scene/file/scene_file.h"
+#include "scene/model/model_catalogue.h"
+#include "scene/paint/material_catalogue.h"
+
+namespace litfog::test {
+using namespace scene;
+using namespace render;
+
+namespace {
+
+constexpr int kWidth = 48;
+constexpr int kHeight = 27;
+constexpr double kClear = std::numeric_limits<double>::infinity();
+
+/// A scene drawn with and without skipping.
+class Pair {
+ public:
+  Pair(const Scene& scene, FogLighting fog_lighting, int width = kWidth, int height = kHeight)
+      : skipping_(scene, width, height, {.fog_lighting = fog_lighting}),
+        whole_(scene, width, height, {.skipping = Skipping::off, .fog_lighting = fog_lighting}) {}
+
+  void set_fog(const Fog& fog) {
+    skipping_.set_fog(fog);
+    whole_.set_fog(fog);
+  }
+  void set_exposure(double ev) {
+    skipping_.set_exposure({.ev = ev});
+    exposure_ = ev;
+  }
+
+  /// What skipping changes, in steps of the display: a value a channel.
+  std::vector<double> changes() {
+    counts = skipping_.draw();
+    whole_.draw();
+    const Picture skipped = skipping_.read();
+    const Picture whole = whole_.read();
+    std::vector<double> changes;
+    for (const ToneCurve tone : {ToneCurve::neutral, ToneCurve::clip}) {
+      const Display display{.exposure = {.ev = exposure_}, .tone = tone};
+      const Picture a = displayed(skipped, display);
+      const Picture b = displayed(whole, display);
+      for (std::size_t i = 0; i < a.rgb.size(); ++i) {
+        changes.push_back(255 * (srgb_from_linear(double(a.rgb[i])) - srgb_from_linear(double(b.rgb[i]))));
+      }
+    }
+    return changes;
+  }
+
+  FrameCounts counts;
+
+ private:
+  Renderer skipping_;
+  Renderer whole_;
+  double exposure_ = 0;
+};
+
+double largest(const std::vector<double>& changes) {
+  double largest = 0;
+  for (const double change : changes) largest = std::max(largest, std::abs(change));
+  return largest;
+}
+
+class SkippingTest : public test::GlTest {};
+
+TEST_F(SkippingTest, NoPixelOfAnySceneChangesByAStepInAnyFog) {
+  struct Weather {
+    FogMode mode;
+    double visibility;
+  };
+  double worst = 0;
+  for (const std::string& name : bundled_scenes()) {
+    const Scene scene = read_scene(bundled_scene_path(name));
+    const bool is_large = scene.lights.size() > 100;  // every pixel of the whole picture is lit by all of them
+    for (const FogLighting lighting : {FogLighting::airlight, FogLighting::peak}) {
+      Pair pair(scene, lighting, is_large ? 24 : kWidth, is_large ? 14 : kHeight);
+      for (const auto& [mode, visibility] : {Weather{FogMode::exp, kClear},
+                                             {FogMode::exp2, 400},
+                                             {FogMode::exp, 120},
+                                             {FogMode::exp2, 50},
+                                             {FogMode::exp, 25},
+                                             {FogMode::exp2, 10}}) {
+        if (is_large && lighting == FogLighting::peak && visibility > 120) continue;
+        pair.set_fog(Fog::from_visibility(mode, visibility));
+        const double change = largest(pair.changes());
+        EXPECT_LE(change, 1) << name << " at " << visibility << " m, "
+                             << (lighting == FogLighting::peak ? "peak" : "airlight");
+        worst = std::max(worst, change);
+      }
+    }
+  }
+  std::printf("largest change by skipping: %.2f steps\n", worst);
+  EXPECT_GT(worst, 0);  // something is left out
+}
+
+TEST_F(SkippingTest, SkippingPopsNowhereAlongAFlight) {
+  Scene scene = read_scene(bundled_scene_path("city"), 60);
+  for (const FogLighting lighting : {FogLighting::airlight, FogLighting::peak}) {
+    Pair pair(scene, lighting, 32, 18);
+    pair.set_fog(Fog::from_visibility(FogMode::exp, 70));
+    std::vector<double> before;
+    const glm::vec3 start = scene.camera.position;
+    for (int frame = 0; frame < 5; ++frame) {
+      scene.camera.position.z = start.z - 6.0f * float(frame);
+      scene.camera.target.z = scene.camera.position.z - 60;
+      std::vector<double> now = pair.changes();
+      EXPECT_GT(pair.counts.chunks_hidden, 0u);
+      for (std::size_t i = 0; i < before.size(); ++i) ASSERT_LE(std::abs(now[i] - before[i]), 1) << frame;
+      before = std::move(now);
+    }
+    scene.camera.position = start;
+  }
+}
+
+TEST_F(SkippingTest, ExposureOfThePictureDecidesWhatIsVisible) {
+  const Scene scene = read_scene(bundled_scene_path("street"));
+  Pair pair(scene, FogLighting::airlight);
+  std::size_t hidden_before = 0;
+  for (const double exposure : {10.0, 5.0, -5.0}) {
+    pair.set_fog(Fog::from_visibility(FogMode::exp, 30));
+    pair.set_exposure(exposure);
+    EXPECT_LE(largest(pair.changes()), 1) << exposure;
+    const std::size_t hidden = pair.counts.chunks_hidden + pair.counts.chunks_as_fog;
+    EXPECT_GT(hidden, hidden_before) << exposure;
+    hidden_before = hidden;
+  }
+}
+
+TEST_F(SkippingTest, ApproachInDenseFogIsWhatTheFogHolds) {
+  const Scene scene = read_scene(bundled_scene_path("approach"));
+  Renderer renderer(scene, kWidth, kHeight, {.fog_lighting = FogLighting::airlight});
+  const auto counts_at = [&](double visibility) {
+    renderer.set_fog(Fog::from_visibility(FogMode::exp, visibility));
+    return renderer.draw();
+  };
+  const FrameCounts clear = counts_at(kClear);
+  EXPECT_GT(clear.chunks_outside_view, 0u);
+  EXPECT_GT(clear.lights_out_of_reach, 10 * clear.lights_listed);
+  EXPECT_EQ(clear.chunks_as_fog + clear.chunks_hidden, 0u);
+  EXPECT_EQ(clear.sky, SkyDrawing::sky);
+  const FrameCounts fog = counts_at(50);
+  EXPECT_LT(fog.chunks_drawn, clear.chunks_drawn / 100);
+  EXPECT_LT(fog.chunks_drawn + fog.chunks_as_fog, clear.chunks_drawn / 10);
+  EXPECT_LT(fog.lights_listed, clear.lights_listed / 100);
+  EXPECT_LT(fog.points_drawn, clear.points_drawn / 4);
+  EXPECT_EQ(fog.sky, SkyDrawing::background);
+  EXPECT_EQ(fog.chunks_drawn + fog.chunks_as_fog + fog.chunks_hidden, clear.chunks_drawn);
+}
+
+// --- what stands behind a surface that fog hides ---
+
+/// A dark wall in fog that hides it, and whatever the tests put behind it: its faces are at 100 m and 101 m.
+class HiddenWall : public SkippingTest {
+ protected:
+  HiddenWall() {
+    scene_.camera = {.position = {0, 2, 0}, .target = {0, 2, -10}, .field_of_view = 0.5f};
+    scene_.environment.ambient_fog_color = {0.01f, 0.01f, 0.01f};
+    scene_.environment.ambient_light = {0.1f, 0.1f, 0.1f};
+    add_box({0, -5, -100.5}, "box");
+    add_materials(scene_);
+  }
+
+  /// A box 20 m wide and high, 1 m deep.
+  void add_box(const glm::vec3& position, const std::string& material) {
+    scene_.models.push_back(make_model("box", {{"width_m", 20}, {"depth_m", 1}, {"height_m", 20}}));
+    if (material != "box") scene_.models.back().front().material = material;
+    scene_.instances.push_back({scene_.models.size() - 1, glm::translate(glm::mat4(1), position)});
+  }
+
+  /// Compares, and says how the wall was drawn.
+  FrameCounts counts_in_fog(FogLighting lighting) {
+    Pair pair(scene_, lighting);
+    pair.set_fog(Fog::from_visibility(FogMode::exp, 30));
+    EXPECT_LE(largest(pair.changes()), 1);
+    return pair.counts;
+  }
+
+  Scene scene_;
+};
+
+TEST_F(HiddenWall, IsLeftOutWhereNothingIsSeenBehind) {
+  const FrameCounts counts = counts_in_fog(FogLighting::airlight);
+  EXPECT_EQ(counts.chunks_hidden, 1u);
+  EXPECT_EQ(counts.sky, SkyDrawing::background);
+}
+
+TEST_F(HiddenWall, HidesABrightSurface) {
+  scene::Material glowing = scene_.materials.front();
+  glowing.name = "glowing";
+  glowing.emissive = glm::vec3(5000);
+  scene_.materials.push_back(glowing);
+  add_box({0, -5, -110}, "glowing");
+  EXPECT_EQ(counts_in_fog(FogLighting::airlight).chunks_as_fog, 1u);
+}
+
+TEST_F(HiddenWall, HidesTheSkyAboveTheFog) {
+  scene_.camera.target = {0, 4, -10};
+  scene_.instances[0].world_from_model = glm::scale(scene_.instances[0].world_from_model, glm::vec3(1, 5, 1));
+  scene_.fog_top = 10;
+  scene_.environment.sky_zenith = scene_.environment.sky_horizon = {0.5f, 0.5f, 0.5f};
+  const FrameCounts counts = counts_in_fog(FogLighting::airlight);
+  EXPECT_EQ(counts.chunks_as_fog, 1u);
+  EXPECT_EQ(counts.sky, SkyDrawing::sky);
+}
+
+TEST_F(HiddenWall, HidesThePointAndTheGlowOfALamp) {
+  PlacedLight lamp;
+  lamp.light = {.name = "lamp", .attenuation = {1, 0, 0.001}, .cone = {}};
+  lamp.light.density_scale = 0.2;
+  lamp.position = {0, 4, -130};
+  scene_.lights.push_back(lamp);
+  EXPECT_EQ(counts_in_fog(FogLighting::airlight).chunks_as_fog, 1u);
+  EXPECT_EQ(counts_in_fog(FogLighting::peak).chunks_as_fog, 1u);
+}
+
+TEST_F(HiddenWall, IsLitFogBeforeACarriedLight) {
+  PlacedLight lamp;
+  lamp.light = {.name = "lamp", .attenuation = {1, 0, 0.01}, .cone = Cone::smoothstep(0.05, 0.06)};
+  lamp.position = {3, 2, -5};
+  lamp.carried = true;
+  scene_.lights.push_back(lamp);
+  const FrameCounts counts = counts_in_fog(FogLighting::peak);
+  EXPECT_EQ(counts.chunks_as_fog, 1u);
+  EXPECT_EQ(counts.sky, SkyDrawing::fog);
+}
+
+}  // namespace
+}  // namespace litfog::test
