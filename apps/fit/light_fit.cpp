@@ -8,8 +8,10 @@
 #include <glm/geometric.hpp>
 #include <iterator>
 #include <numbers>
+#include <numeric>
 
 #include "files/angle_deg.h"
+#include "litfog/photometry/elliptical_beam.h"
 
 namespace litfog::fit {
 
@@ -17,6 +19,43 @@ using litfog::AttenuationFitStatus;
 using litfog::Cone;
 using litfog::ConeFitStatus;
 using litfog::ConeProfile;
+
+namespace {
+
+/// A cone drawn out to the ellipses that were replaced by circles of the same solid angle: each of its circles becomes
+/// the ellipse of the same solid angle whose half axes are in proportion between the given ones, so that its flux
+/// stays.
+IntensityDistribution stretched_beam(const Cone& cone, const std::vector<BeamEllipse>& ellipses) {
+  constexpr int kLines = 128;
+  const std::size_t count = ellipses.size();
+  const auto ellipse_at = [&](double step) {  // 0 on the axis, i + 1 at ellipse i
+    const std::size_t outer = std::min(std::size_t(step), count - 1);
+    const FullAngles inner = outer == 0 ? FullAngles(0) : ellipses[outer - 1].angles;
+    const FullAngles& angles = ellipses[outer].angles;
+    const double t = step - double(outer);
+    if (t > 1)
+      return IsocandelaEllipse{0, angles.horizontal / 2 * step / double(count),
+                               angles.vertical / 2 * step / double(count)};
+    return IsocandelaEllipse{0, std::lerp(inner.horizontal, angles.horizontal, t) / 2,
+                             std::lerp(inner.vertical, angles.vertical, t) / 2};
+  };
+  const auto circle_of = [](const IsocandelaEllipse& e) { return equal_circle(e.horizontal, e.vertical); };
+  const FullAngles& last = ellipses.back().angles;
+  double low = 0, high = 2 * std::numbers::pi * double(count) / std::max(last.horizontal, last.vertical);
+  const double cutoff = cutoff_angle(cone);
+  for (int i = 0; i < 60; ++i) {  // the step at which the cone ends, or the ellipses reach 180 degrees
+    const double middle = std::midpoint(low, high);
+    (circle_of(ellipse_at(middle)) < cutoff ? low : high) = middle;
+  }
+  std::vector<IsocandelaEllipse> lines;
+  for (int i = 1; i <= kLines; ++i) {
+    IsocandelaEllipse& line = lines.emplace_back(ellipse_at(low * i / kLines));
+    line.intensity = cone_at(cone, std::cos(circle_of(line)));
+  }
+  return elliptical_beam(lines);
+}
+
+}  // namespace
 
 LightFit fit_light(LightTarget target, bool is_robust) {
   LightFit fit;
@@ -39,8 +78,17 @@ LightFit fit_light(LightTarget target, bool is_robust) {
     const double cosine = dot(find_peak(distribution).direction, target.axis);
     fit.peak_angle = std::acos(std::clamp(cosine, -1.0, 1.0));
   }
+  if (!target.ellipses.empty()) {
+    fit.elliptical_beam = stretched_beam(fit.light.cone, target.ellipses);
+    target.asymmetry = asymmetry(*fit.elliptical_beam, target.axis);
+  }
   fit.target = std::move(target);
   return fit;
+}
+
+const IntensityDistribution* LightFit::beam() const {
+  if (target.luminaire) return &target.luminaire->distribution;
+  return elliptical_beam ? &*elliptical_beam : nullptr;
 }
 
 bool LightFit::is_proven() const {
@@ -94,7 +142,7 @@ std::vector<std::string> LightFit::advice() const {
     add("The cone's flux is off by {:+.0f} %: no cone of this profile holds the beam's spill.", 100 * *best.flux_error);
   }
   if (best.rms > 0.05) add("Neither profile follows the beam well (rms error {:.2g} of the peak).", best.rms);
-  if (target.luminaire && target.asymmetry > kRoundBeam) {
+  if (beam() && target.asymmetry > kRoundBeam) {
     add("The beam is not rotationally symmetric: any cone loses {:.0f} % of it (rms). --cookie keeps its shape.",
         100 * target.asymmetry);
   }

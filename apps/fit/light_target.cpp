@@ -4,13 +4,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <glm/geometric.hpp>
+#include <numbers>
+#include <tuple>
 
 #include "files/angle_deg.h"
-#include "litfog/files/light_spec_file.h"
 #include "litfog/input_error.h"
+#include "litfog/photometry/elliptical_beam.h"
 
 namespace litfog::fit {
 namespace {
@@ -122,19 +125,61 @@ ConeChoice choice_of(ConeSpec::Profile profile) {
   return ConeChoice::best;
 }
 
-/// The extent of a range that states where the light ends by its illuminance, and a sentence on how it was derived.
+/// "what a pilot sees by night, ..." after a comma, of an illuminance that has a name.
+std::string source_of(double end_illuminance) {
+  const auto named = std::ranges::find(kVisualThresholds, end_illuminance, &VisualThreshold::illuminance);
+  return named == kVisualThresholds.end() ? "" : fmt::format(", {}", named->source);
+}
+
+/// The peak of a light of a stated flux: the light's flux with 1 cd on its axis is a luminaire's flux over its peak, or
+/// that of the cone as it will be fitted.
+double peak_of_flux(double flux, LightTarget& target) {
+  if (target.luminaire) {
+    const auto& distribution = target.luminaire->distribution;
+    const double measured_peak = find_peak(distribution).intensity, measured_flux = luminous_flux(distribution);
+    const double peak = flux / measured_flux * measured_peak;
+    target.derived.push_back(fmt::format("Peak: {:.6g} lm / {:.6g} lm * {:.6g} cd = {:.6g} cd, flux and peak of {}.",
+                                         flux, measured_flux, measured_peak, peak,
+                                         std::filesystem::path(target.luminaire->file).filename().string()));
+    return peak;
+  }
+  const Cone cone = target.cone ? fit_cone(*target.cone).best().cone : Cone{};
+  const double solid_angle = flux_within(cone, std::numbers::pi);
+  target.derived.push_back(
+      fmt::format("Peak: {:.6g} lm / {:.6g} sr = {:.6g} cd; {:.6g} lm is the flux of the {} with 1 cd on its axis.",
+                  flux, solid_angle, flux / solid_angle, solid_angle, target.cone ? "fitted cone" : "point light"));
+  return flux / solid_angle;
+}
+
+/// The peak intensity that a spec states in one way or another, with the step that leads there.
+std::optional<double> peak_of(const RangeSpec& range, LightTarget& target) {
+  if (range.peak) return range.peak;
+  if (range.flux) return peak_of_flux(*range.flux, target);
+  if (range.illuminance) {
+    const auto& [metres, lux] = *range.illuminance;
+    const double peak = lux * metres * metres;
+    target.derived.push_back(fmt::format("Peak: {:.6g} lx * ({:.6g} m)^2 = {:.6g} cd.", lux, metres, peak));
+    return peak;
+  }
+  return target.peak;
+}
+
+/// The extent of a range that states where the light ends by its illuminance.
 void derive_extent(const LightSpec& spec, LightTarget& target) {
   const RangeSpec& range = *spec.range;
-  if (!range.end_illuminance && !range.peak) return;
-  if (!range.peak && !target.luminaire) {
-    throw spec.error_at("range.peak_cd", "", "must be given, or illuminance or the cone's photometry, for end_lx");
+  target.flux = range.flux;
+  target.peak = peak_of(range, target);
+  const bool is_stated = range.end_illuminance || range.peak || range.illuminance || range.flux;
+  if (!is_stated) return;
+  if (!target.peak) {
+    throw spec.error_at("range.peak_cd", "",
+                        "must be given, or illuminance, flux_lm or the cone's photometry, for end_lx");
   }
-  const double peak = range.peak ? *range.peak : find_peak(target.luminaire->distribution).intensity;
   const double end = range.end_illuminance.value_or(kEndIlluminance);
-  target.range->extent = extent_of(peak, end);
-  target.source.push_back(
-      fmt::format("Extent: sqrt({:.6g} cd / {:.6g} lx) = {:.6g} m, where the light gives {:.6g} lx.", peak, end,
-                  *target.range->extent, end));
+  target.range->extent = extent_of(*target.peak, end);
+  target.derived.push_back(
+      fmt::format("Extent: sqrt({:.6g} cd / {:.6g} lx) = {:.6g} m, where the light gives {:.6g} lx{}.", *target.peak,
+                  end, *target.range->extent, end, source_of(end)));
 }
 
 void set_range(const LightSpec& spec, LightTarget& light) {
@@ -158,12 +203,50 @@ Luminaire read_luminaire_of(const LightSpec& spec) {
   }
 }
 
+/// The full angle of the circle that stands for an angle pair in a round cone.
+std::optional<double> round_angle(const std::optional<FullAngles>& angles) {
+  if (!angles) return std::nullopt;
+  if (angles->is_round()) return angles->horizontal;
+  return 2 * equal_circle(angles->horizontal / 2, angles->vertical / 2);
+}
+
+/// The ellipses of a cone of which at least one angle is a pair.
+void set_ellipses(const LightSpec& spec, LightTarget& target) {
+  struct Member {
+    const char* name;
+    const char* what;
+    double level;
+    const std::optional<FullAngles>& angles;
+  };
+  const ConeSpec& cone = *spec.cone;
+  const std::array members{Member{"beam_angle", "Beam angle", 0.5, cone.beam_angle},
+                           Member{"field_angle", "Field angle", 0.1, cone.field_angle}};
+  if (std::ranges::all_of(members, [](const Member& m) { return !m.angles || m.angles->is_round(); })) return;
+  FullAngles inner(0);
+  for (const auto& [name, what, level, angles] : members) {
+    if (!angles) continue;
+    for (const auto& [index, angle, least] :
+         {std::tuple(0, angles->horizontal, inner.horizontal), std::tuple(1, angles->vertical, inner.vertical)}) {
+      if (angle > least && angle <= 2 * std::numbers::pi) continue;
+      const std::string field = fmt::format("cone.{}{}", name, angles->is_round() ? "" : fmt::format("[{}]", index));
+      throw spec.error_at(field, "",
+                          least == 0 ? "must be in (0, 2 pi]" : "must be above the beam angle, at most 2 pi");
+    }
+    target.ellipses.push_back({level, *angles});
+    inner = *angles;
+    if (angles->is_round()) continue;
+    target.derived.push_back(fmt::format("{}: {:.6g} x {:.6g} deg is {:.6g} deg round, by its solid angle.", what,
+                                         files::degrees(angles->horizontal), files::degrees(angles->vertical),
+                                         files::degrees(*round_angle(angles))));
+  }
+}
+
 ConeTarget cone_of(const LightSpec& spec) {
   const ConeSpec& cone = *spec.cone;
   ConeTarget target{.choice = choice_of(cone.profile),
                     .half_angle = cone.half_angle,
-                    .beam_angle = cone.beam_angle,
-                    .field_angle = cone.field_angle};
+                    .beam_angle = round_angle(cone.beam_angle),
+                    .field_angle = round_angle(cone.field_angle)};
   for (const auto& sample : cone.samples) {
     target.samples.push_back({.angle = sample.angle, .intensity = sample.intensity, .weight = sample.weight});
   }
@@ -187,12 +270,15 @@ LightTarget read_spec(const std::string& path, const FitChoices& choices) {
                      .color = spec.color,
                      .density_scale = spec.density_scale};
   if (spec.color_temperature) {
-    target.source.push_back(fmt::format("Color: {:.6g} K is {:.4g} {:.4g} {:.4g}, linear sRGB.",
-                                        *spec.color_temperature, spec.color.r, spec.color.g, spec.color.b));
+    target.derived.push_back(fmt::format("Color: {:.6g} K is {:.4g} {:.4g} {:.4g}, linear sRGB.",
+                                         *spec.color_temperature, spec.color.r, spec.color.g, spec.color.b));
   }
-  if (spec.cone && spec.cone->photometry) target.luminaire = read_luminaire_of(spec);
-  if (spec.range) set_range(spec, target);
+  if (spec.cone && spec.cone->photometry) {
+    target.luminaire = read_luminaire_of(spec);
+    target.peak = find_peak(target.luminaire->distribution).intensity;
+  }
   if (spec.cone) {
+    set_ellipses(spec, target);
     target.cone = cone_of(spec);
     if (target.luminaire) {
       set_axis(target, choices.axis);
@@ -201,9 +287,10 @@ LightTarget read_spec(const std::string& path, const FitChoices& choices) {
     if (choices.profile) target.cone->choice = *choices.profile;
     expect_fittable(spec, *target.cone);
   }
+  if (spec.range) set_range(spec, target);
   if (target.luminaire && !target.range) {
     target.range = range_of(*target.luminaire);
-    target.source.push_back(sentence_on_range(*target.luminaire));
+    target.derived.push_back(sentence_on_range(*target.luminaire));
   }
   return target;
 }
@@ -215,8 +302,8 @@ LightTarget read_photometric_spec(const std::string& path, const FitChoices& cho
   set_axis(target, choices.axis);
   const std::string file = std::filesystem::path(path).filename().string();
   if (!luminaire.name.empty()) target.name = luminaire.name;
-  target.source = {luminaire.manufacturer.empty() ? file : fmt::format("{}: {}", file, luminaire.manufacturer),
-                   sentence_on_range(luminaire), sentence_on_cone(file, target.axis)};
+  target.source = {luminaire.manufacturer.empty() ? file : fmt::format("{}: {}", file, luminaire.manufacturer)};
+  target.derived = {sentence_on_range(luminaire), sentence_on_cone(file, target.axis)};
   target.range = range_of(luminaire);
   target.cone =
       ConeTarget{.choice = choices.profile.value_or(ConeChoice::best), .samples = samples_of(luminaire, target.axis)};

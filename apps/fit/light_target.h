@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "litfog/files/light_spec_file.h"
 #include "litfog/fit/attenuation_fit.h"
 #include "litfog/fit/cone_fit.h"
 #include "litfog/photometry/luminaire.h"
@@ -35,19 +36,30 @@ struct FitChoices {
   AxisChoice axis = {};
 };
 
+/// A line of equal intensity of an elliptical beam, by its full angles.
+struct BeamEllipse {
+  double level;  ///< fraction of the peak
+  FullAngles angles;
+};
+
 /// A light that is to be fitted, from a light-spec file (litfog/files/light_spec_file.h) or a photometric file.
 struct LightTarget {
   std::string file = {};
   std::string name = {};
   std::vector<std::string> source = {};
+  std::vector<std::string> derived = {};  ///< how figures were made of the file's, a step each
   glm::dvec3 color{1.0};
   double density_scale = 1;
   std::optional<AttenuationTarget> range = std::nullopt;
-  /// With the luminaire's profile about the axis as its samples, if there is a luminaire.
+  std::optional<double> peak = std::nullopt;  ///< candela, stated or derived
+  std::optional<double> flux = std::nullopt;  ///< lumens, as stated
+  /// With the luminaire's profile about the axis as its samples, if there is a luminaire. With the circles of equal
+  /// solid angle as its angles, if those are an elliptical beam's.
   std::optional<ConeTarget> cone = std::nullopt;
+  std::vector<BeamEllipse> ellipses = {};  ///< of an elliptical beam; from the inner one to the outer
   std::optional<Luminaire> luminaire = std::nullopt;
   glm::dvec3 axis = kPhotometricAxis;  ///< of the light, in the luminaire frame; unit
-  double asymmetry = 0;                ///< of the luminaire's beam about that axis
+  double asymmetry = 0;                ///< of the luminaire's beam about that axis, or of the elliptical beam
 };
 
 /// Reads a light-spec file and the photometric file that it names. Throws InputError, also for what the fits do not

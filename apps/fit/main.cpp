@@ -198,8 +198,9 @@ OutputFiles outputs_of(const Options& options, const std::vector<Outcome>& outco
 void read(const Options& options, Outcome& outcome) try {
   LightTarget target = is_spec(outcome.input) ? read_spec(outcome.input, options.choices)
                                               : read_photometric_spec(outcome.input, options.choices);
-  if (!options.cookie.empty() && !target.luminaire) {
-    throw litfog::InputError({.file = outcome.input}, "cone.photometry", "", "must be given for a cookie");
+  if (!options.cookie.empty() && !target.luminaire && target.ellipses.empty()) {
+    throw litfog::InputError({.file = outcome.input}, "cone.photometry", "",
+                             "must be given for a cookie, or the angles of an elliptical beam");
   }
   outcome.target = std::move(target);
 } catch (const litfog::InputError& error) {
@@ -217,8 +218,9 @@ void expect_apart_from_files_of(const LightTarget& target, const OutputFiles& ou
 
 void fit(const Options& options, Outcome& outcome) {
   outcome.fit = fit_light(std::move(*outcome.target), options.is_robust);
-  outcome.light = litfog::format_light(outcome.fit->light, outcome.fit->target.source,
-                                       fit_record(*outcome.fit, !options.is_reproducible));
+  std::vector<std::string> source = outcome.fit->target.source;
+  source.insert(source.end(), outcome.fit->target.derived.begin(), outcome.fit->target.derived.end());
+  outcome.light = litfog::format_light(outcome.fit->light, source, fit_record(*outcome.fit, !options.is_reproducible));
   outcome.verdict = judge(*outcome.fit);
   if (!outcome.fit->is_proven() || outcome.verdict->grade == Grade::poor) outcome.status = kNotToTolerance;
 }
@@ -229,8 +231,7 @@ void write(const Options& options, const Outcome& outcome, std::optional<FigureF
   if (!outcome.output.empty()) litfog::files::write_whole_file(outcome.output, outcome.light);
   if (figure_format) litfog::files::write_whole_file(options.plot, figure);
   if (!options.cookie.empty()) {
-    const LightTarget& target = outcome.fit->target;
-    const auto cookie = bake_cookie(target.luminaire->distribution, options.cookie_size, target.axis);
+    const auto cookie = bake_cookie(*outcome.fit->beam(), options.cookie_size, outcome.fit->target.axis);
     litfog::files::write_whole_file(options.cookie, format_cookie(cookie));
   }
 }
@@ -267,24 +268,27 @@ std::string json_of(const BeamData& beam) {
                      number(beam.peak), number(beam.flux), angles(beam.beam_angle), angles(beam.field_angle));
 }
 
+std::string json_of(const std::vector<std::string>& sentences) {
+  std::string text;
+  for (const std::string& sentence : sentences)
+    text += (text.empty() ? "" : ", ") + litfog::files::json_quoted(sentence);
+  return "[" + text + "]";
+}
+
 std::string json_of(const Outcome& outcome) {
-  std::string advice;
-  if (outcome.fit) {
-    for (const std::string& sentence : outcome.fit->advice())
-      advice += (advice.empty() ? "" : ", ") + litfog::files::json_quoted(sentence);
-  }
   const auto text_or_null = [](const std::string& value) {
     return value.empty() ? "null" : litfog::files::json_quoted(value);
   };
   const bool has_axis = outcome.fit && outcome.fit->target.luminaire;
   std::string text = fmt::format(
       "{{\"input\": {}, \"output\": {}, \"status\": \"{}\", \"reason\": {},\n\"verdict\": {}, \"why\": {},\n"
-      "\"beam\": {},\n\"axis\": {},\n\"advice\": [{}],\n",
+      "\"beam\": {},\n\"axis\": {},\n\"derived\": {},\n\"advice\": {},\n",
       litfog::files::json_quoted(outcome.input), text_or_null(outcome.output), status_of(outcome),
       text_or_null(outcome.reason), text_or_null(outcome.verdict ? name_of(outcome.verdict->grade) : ""),
       text_or_null(outcome.verdict ? outcome.verdict->why : ""),
       outcome.fit ? json_of(beam_data(*outcome.fit)) : "null",
-      text_or_null(has_axis ? describe_axis(outcome.fit->target.axis) : ""), advice);
+      text_or_null(has_axis ? describe_axis(outcome.fit->target.axis) : ""),
+      outcome.fit ? json_of(outcome.fit->target.derived) : "[]", outcome.fit ? json_of(outcome.fit->advice()) : "[]");
   text += "\"light\": " + (outcome.fit ? outcome.light : std::string("null"));
   while (text.ends_with('\n')) text.pop_back();
   return text + "}";
