@@ -53,8 +53,8 @@ std::optional<double> stated_flux(const Luminaire& luminaire);
 /// What reading a photometric file takes at most, in bytes: its text, its numbers and their copies.
 inline constexpr std::size_t kMaxLuminaireMemory = std::size_t{1} << 30;
 
-/// Reads an IES LM-63 or EULUMDAT file. It is IES LM-63 if it has that label or a TILT line, or if its name ends in
-/// .ies; else it is EULUMDAT.
+/// Reads an IES LM-63 or EULUMDAT file or an isocandela table. It is a table if it has the header of one or if its name
+/// ends in .csv; it is IES LM-63 if it has that label or a TILT line, or if its name ends in .ies; else it is EULUMDAT.
 ///
 /// The file, and that with the tilt data, may have 64 MiB each. Reading takes less than kMaxLuminaireMemory, whatever
 /// counts a file states.
