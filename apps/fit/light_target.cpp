@@ -21,7 +21,6 @@ namespace {
 /// Illuminance at which a photometric file's light ends: 1 lx, as for the lights of data/lights.
 constexpr double kEndIlluminance = 1;
 constexpr double kHorizon = 1e-9;    // cosine from the photometric axis that is level within rounding
-constexpr double kNearAxis = 0.996;  // cosine of 5 degrees: a peak nearer to the axis does not move it
 constexpr double kAimed = 0.5;       // of it: about the peak of a beam that is aimed there
 
 struct MeasuredAxis {
@@ -33,7 +32,7 @@ MeasuredAxis best_axis(const IntensityDistribution& distribution, const glm::dve
   const double cosine = glm::dot(peak, kPhotometricAxis);
   const glm::dvec3 axis = cosine < -kHorizon ? -kPhotometricAxis : kPhotometricAxis;
   const double about_axis = asymmetry(distribution, axis);
-  if (about_axis <= kRoundBeam || std::abs(cosine) > kNearAxis) return {axis, about_axis};
+  if (about_axis <= kRoundBeam) return {axis, about_axis};
   const double about_peak = asymmetry(distribution, peak);
   return about_peak < kAimed * about_axis ? MeasuredAxis{peak, about_peak} : MeasuredAxis{axis, about_axis};
 }
@@ -87,9 +86,10 @@ std::string sentence_on_range(const Luminaire& luminaire) {
       peak, extent_of(peak, kEndIlluminance));
 }
 
-std::string sentence_on_cone(const std::string& file, const glm::dvec3& axis) {
-  const std::string words = axis == kPhotometricAxis ? "the photometric axis" : "an axis " + describe_axis(axis);
-  return fmt::format("Cone: fitted to {}, the mean over the turn about {}.", file, words);
+std::string sentence_on_cone(const LightTarget& target) {
+  return fmt::format("Cone: fitted to {}, the mean over the turn about its axis: {}.",
+                     std::filesystem::path(target.luminaire->file).filename().string(),
+                     describe_axis(target.luminaire->distribution.type, target.axis));
 }
 
 /// What a fit does not take, at the value of the spec that it comes from.
@@ -283,6 +283,7 @@ LightTarget read_spec(const std::string& path, const FitChoices& choices) {
     if (target.luminaire) {
       set_axis(target, choices.axis);
       target.cone->samples = samples_of(*target.luminaire, target.axis);
+      target.derived.push_back(sentence_on_cone(target));
     }
     if (choices.profile) target.cone->choice = *choices.profile;
     expect_fittable(spec, *target.cone);
@@ -303,7 +304,7 @@ LightTarget read_photometric_spec(const std::string& path, const FitChoices& cho
   const std::string file = std::filesystem::path(path).filename().string();
   if (!luminaire.name.empty()) target.name = luminaire.name;
   target.source = {luminaire.manufacturer.empty() ? file : fmt::format("{}: {}", file, luminaire.manufacturer)};
-  target.derived = {sentence_on_range(luminaire), sentence_on_cone(file, target.axis)};
+  target.derived = {sentence_on_range(luminaire), sentence_on_cone(target)};
   target.range = range_of(luminaire);
   target.cone =
       ConeTarget{.choice = choices.profile.value_or(ConeChoice::best), .samples = samples_of(luminaire, target.axis)};
@@ -311,11 +312,16 @@ LightTarget read_photometric_spec(const std::string& path, const FitChoices& cho
   return target;
 }
 
-std::string describe_axis(const glm::dvec3& axis) {
-  if (axis == kPhotometricAxis) return "down, the photometric axis";
-  if (axis == -kPhotometricAxis) return "up, opposite to the photometric axis";
+std::string describe_axis(PhotometryType type, const glm::dvec3& axis) {
+  const bool is_c = type == PhotometryType::c;
+  if (axis == kPhotometricAxis) return is_c ? "down, the photometric axis" : "ahead, the photometric axis";
+  if (axis == -kPhotometricAxis) {
+    return fmt::format("{}, opposite to the photometric axis", is_c ? "up" : "behind");
+  }
   const double angle = std::acos(std::clamp(glm::dot(axis, kPhotometricAxis), -1.0, 1.0));
-  return fmt::format("{:.3g} deg from the photometric axis", files::degrees(angle));
+  const auto [horizontal, vertical] = angles_of(type, axis);
+  return fmt::format("{:.4g} deg from the photometric axis, --axis {:.4g},{:.4g}", files::degrees(angle),
+                     files::degrees(horizontal), files::degrees(vertical));
 }
 
 }  // namespace litfog::fit

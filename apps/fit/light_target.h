@@ -71,8 +71,8 @@ LightTarget read_spec(const std::string& path, const FitChoices& choices = {});
 /// take.
 LightTarget read_photometric_spec(const std::string& path, const FitChoices& choices = {});
 
-/// An axis in words: "down, the photometric axis", "up, opposite to the photometric axis", "60 deg from the photometric
-/// axis".
-std::string describe_axis(const glm::dvec3& axis);
+/// An axis in words, as --axis takes it: "down, the photometric axis", "up, opposite to the photometric axis", of types
+/// A and B "ahead" and "behind", or "40 deg from the photometric axis, --axis 0,40" in the file's angles.
+std::string describe_axis(PhotometryType type, const glm::dvec3& axis);
 
 }  // namespace litfog::fit

@@ -46,7 +46,7 @@ using litfog::ConeChoice;
 constexpr const char* kDescription =
     R"(Makes a light from its data sheet: the constants C, L, Q of its attenuation 1 / (C + L r + Q r^2), and a cone.
 
-  litfog-fit SPEC.json|FILE.ies|FILE.ldt  [-o LIGHT.json] [--plot FILE.png|.svg] [OPTIONS]
+  litfog-fit SPEC.json|FILE.ies|FILE.ldt|FILE.csv  [-o LIGHT.json] [--plot FILE.png|.svg] [OPTIONS]
   litfog-fit INPUT INPUT...                -o FOLDER      [OPTIONS]
 )";
 
@@ -60,24 +60,38 @@ constexpr const char* kExplanation =
    "cone": {"beam_angle_deg": 11, "field_angle_deg": 22}}
 
 Range. extent_m is where the attenuation is to be the threshold (0.05 if not given) and is met exactly. In its place
-peak_cd, or illuminance {"range_m", "lx"}, puts it where the light gives 1 lx, or end_lx: a number or night, twilight,
-day or bright day, which a pilot's eye just sees then. constant fixes C. samples are a falloff table; the fit minimises
-sum weight * (ln a(r) - ln attenuation)^2 with C, L, Q >= 0. An extent alone is met by C = 1 and the family: quadratic
-(if not given), linear or mixed.
+peak_cd, illuminance {"range_m", "lx"} or flux_lm puts it where the light gives 1 lx, or end_lx: a number, or what an eye
+just sees: dark night (a mariner's), night, twilight, day or bright day (a pilot's). constant fixes C. samples are a
+falloff table; the fit minimises sum weight * (ln a(r) - ln attenuation)^2 with C, L, Q >= 0. An extent alone is met by
+C = 1 and the family: quadratic (if not given), linear or mixed.
 
-Cone. beam_angle_deg and field_angle_deg are the full angles at 50 % and 10 % of the peak; samples are angle_deg from
-the axis and intensity in any unit; half_angle_deg is where the light ends; photometry names an IES or EULUMDAT file in
-place of samples. The fit minimises sum weight * (cone - intensity/peak)^2. profile is cosine (cos^S u for u < H),
-smoothstep (inner to outer), or best: both are fitted and shown, the better one is the light's.
+Cone. beam_angle_deg and field_angle_deg are the full angles at 50 % and 10 % of the peak; of an elliptical beam either
+is [horizontal, vertical]. Cones are round: the cone is fitted to the circles of the same solid angle, so that it has
+the beam's flux, the error is told, and --cookie keeps the ellipse. samples are angle_deg from the axis and intensity in
+any unit; half_angle_deg is where the light ends; photometry names a photometric file in place of samples. The fit
+minimises sum weight * (cone - intensity/peak)^2. profile is cosine (cos^S u for u < H), smoothstep (inner to outer), or
+best: both are fitted and shown, the better one is the light's.
 
 Color. color is linear RGB; color_temperature_k may stand in its place.
 
-A photometric file (IES LM-63 of any edition, EULUMDAT) is a light without a spec: its cone is fitted to the intensities
-at the file's own angles, each of weight 1, as the mean over the turn about the axis; it is white; and it ends, at the
-threshold 0.05, where its peak gives 1 lx: C = 1, Q = (1/0.05 - 1) / (peak in cd / 1 lx). A spec with photometry and no
-range ends there, too. Angles that the file does not state are dark. The axis is the photometric one, down, or its
-opposite where the peak lies above the horizon, or the peak of a beam aimed elsewhere; --axis moves it. A beam that is
-not rotationally symmetric is reported with a measure of it, and --cookie keeps its shape as a cube map.
+What is made of these figures is shown step by step, as "derived", and is kept in the light's "source".
+
+A photometric file (IES LM-63 of any edition, EULUMDAT, or an isocandela table) is a light without a spec: its cone is
+fitted to the intensities at the file's own angles, each of weight 1, as the mean over the turn about the axis; it is
+white; and it ends, at the threshold 0.05, where its peak gives 1 lx: C = 1, Q = (1/0.05 - 1) / (peak in cd / 1 lx). A
+spec with photometry and no range ends there, too. Angles that the file does not state are dark. The axis is the
+photometric one, down, or its opposite where the peak lies above the horizon, or the peak of a beam aimed elsewhere, and
+is told; --axis moves it. A beam that is not rotationally symmetric is reported with a measure of it, and --cookie keeps
+its shape as a cube map.
+
+An isocandela table is CSV, lines with # are comments. It is a grid of candela, with degrees to the right and above,
+  vertical_deg,-10,-5,0,5,10
+  5,300,1200,2000,1200,300
+  0,400,1500,2500,1500,400
+or ellipses from the inner to the outer, with their half axes in degrees, beyond the last of which it is dark:
+  candela,horizontal_deg,vertical_deg
+  5000,7,5
+  500,11.5,6
 
 The optimum is the global one and is shown to be: the report has the bound below which nothing is. The best light may
 still be a bad one; the verdict says how well it follows the data. Its largest errors are
@@ -287,7 +301,8 @@ std::string json_of(const Outcome& outcome) {
       text_or_null(outcome.reason), text_or_null(outcome.verdict ? name_of(outcome.verdict->grade) : ""),
       text_or_null(outcome.verdict ? outcome.verdict->why : ""),
       outcome.fit ? json_of(beam_data(*outcome.fit)) : "null",
-      text_or_null(has_axis ? describe_axis(outcome.fit->target.axis) : ""),
+      text_or_null(has_axis ? describe_axis(outcome.fit->target.luminaire->distribution.type, outcome.fit->target.axis)
+                            : ""),
       outcome.fit ? json_of(outcome.fit->target.derived) : "[]", outcome.fit ? json_of(outcome.fit->advice()) : "[]");
   text += "\"light\": " + (outcome.fit ? outcome.light : std::string("null"));
   while (text.ends_with('\n')) text.pop_back();
@@ -412,7 +427,7 @@ int main(int argc, char** argv) {
   Options options;
   CLI::App app{kDescription, "litfog-fit"};
   app.footer(kExplanation);
-  app.add_option("input", options.inputs, "Light specs (.json) and photometric files (.ies, .ldt)")
+  app.add_option("input", options.inputs, "Light specs (.json) and photometric files (.ies, .ldt, .csv)")
       ->type_name("FILE...")
       ->required();
   app.add_option("-o,--output", options.output,
@@ -426,10 +441,9 @@ int main(int argc, char** argv) {
   app.add_flag("--robust", options.is_robust, "For measured falloff tables: samples that lie far off count less");
   app.add_option("--plot", options.plot, "Draw targets, fits and errors over range and angle")
       ->type_name("FILE.png|FILE.svg");
-  CLI::Option* const cookie =
-      app.add_option("--cookie", options.cookie,
-                     "Write the beam of a photometric file as a cube map, six faces in a column")
-          ->type_name("FILE.exr");
+  CLI::Option* const cookie = app.add_option("--cookie", options.cookie,
+                                             "Write a measured or elliptical beam as a cube map, six faces in a column")
+                                  ->type_name("FILE.exr");
   add_integer(app, "--cookie-size", options.cookie_size, 1, 4096, "Edge of a face in texels, 256 if not given")
       ->needs(cookie);
   app.add_flag("--reproducible", options.is_reproducible,

@@ -23,25 +23,7 @@ constexpr double kEdge = pi / 18000;      // 0.01 degrees: from the last measure
 
 double sum_of(const glm::dvec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
-// --- the measured grid: angles as measured from a direction ---
-
-struct PhotometricAngles {
-  double horizontal;
-  double vertical;
-};
-
-PhotometricAngles angles_of(PhotometryType type, const glm::dvec3& direction) {
-  const auto [x, y, z] = std::array{direction.x, direction.y, direction.z};
-  switch (type) {
-    case PhotometryType::a:
-      return {std::atan2(x, -z), std::atan2(y, std::hypot(x, z))};
-    case PhotometryType::b:
-      return {std::atan2(x, std::hypot(y, z)), std::atan2(y, -z)};
-    case PhotometryType::c:
-      break;
-  }
-  return {std::atan2(y, x), std::atan2(std::hypot(x, y), -z)};
-}
+// --- the measured grid ---
 
 /// The number of measured parts in a whole turn: 1, 2 or 4.
 int turn_multiplicity(std::span<const double> turn) { return int(std::lround(2 * pi / (turn.back() - turn.front()))); }
@@ -214,6 +196,19 @@ void require_axis(const glm::dvec3& axis) {
 }
 
 }  // namespace
+
+PhotometricAngles angles_of(PhotometryType type, const glm::dvec3& direction) {
+  const auto [x, y, z] = std::array{direction.x, direction.y, direction.z};
+  switch (type) {
+    case PhotometryType::a:
+      return {std::atan2(x, -z), std::atan2(y, std::hypot(x, z))};
+    case PhotometryType::b:
+      return {std::atan2(x, std::hypot(y, z)), std::atan2(y, -z)};
+    case PhotometryType::c:
+      break;
+  }
+  return {std::atan2(y, x), std::atan2(std::hypot(x, y), -z)};
+}
 
 glm::dvec3 direction_of(PhotometryType type, double horizontal, double vertical) {
   const double sin_h = std::sin(horizontal), cos_h = std::cos(horizontal);

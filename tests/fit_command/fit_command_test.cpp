@@ -437,9 +437,10 @@ TEST_F(FitCommand, AxisIsThePeakOfABeamAimedElsewhereOrAsAsked) {
   const auto axis_of = [&](const std::string& options) {
     return nlohmann::json::parse(run("aimed.ies --format json " + options).out)[0]["axis"].get<std::string>();
   };
-  EXPECT_EQ(axis_of(""), "40 deg from the photometric axis") << "found by itself";
-  EXPECT_EQ(axis_of("--axis peak"), "40 deg from the photometric axis");
-  EXPECT_EQ(axis_of("--axis 90,25"), "25 deg from the photometric axis");
+  EXPECT_EQ(axis_of(""), "40 deg from the photometric axis, --axis 0,40") << "found by itself";
+  EXPECT_EQ(axis_of("--axis peak"), axis_of(""));
+  EXPECT_EQ(axis_of("--axis 0,40"), axis_of("")) << "as it was told";
+  EXPECT_EQ(axis_of("--axis 90,25"), "25 deg from the photometric axis, --axis 90,25");
   EXPECT_EQ(axis_of("--axis down"), "down, the photometric axis");
   EXPECT_EQ(axis_of("--axis up"), "up, opposite to the photometric axis");
   EXPECT_EQ(run("aimed.ies").status, kDone);
@@ -452,6 +453,56 @@ TEST_F(FitCommand, AxisIsThePeakOfABeamAimedElsewhereOrAsAsked) {
     expect_usage_error(std::string("aimed.ies --axis ") + wrong, std::string("--axis = ") + wrong + ": " + rule);
   }
   expect_usage_error("lamp.json --axis up", "--axis cannot be given with lamp.json: there is no photometric file");
+}
+
+TEST_F(FitCommand, AxisOfANarrowBeamIsItsPeakHoweverNear) {
+  std::string table = "# aimed 4 degrees up\nvertical_deg";
+  for (int h = -16; h <= 16; ++h) table += "," + std::to_string(h / 2.0);
+  for (int v = -10; v <= 26; ++v) {
+    table += "\n" + std::to_string(v / 2.0);
+    for (int h = -16; h <= 16; ++h) {
+      table += "," + std::to_string(1000 * std::exp2(-(h * h + (v - 8) * (v - 8)) / 16.0));
+    }
+  }
+  write("aimed.csv", table);
+  const auto report = nlohmann::json::parse(run("aimed.csv --format json").out)[0];
+  EXPECT_EQ(report["axis"], "4 deg from the photometric axis, --axis 0,4");
+  EXPECT_EQ(report["verdict"], "good") << report["why"];
+  EXPECT_NEAR(report["beam"]["beam_angle_deg"].get<double>(), 4, 0.05);
+  EXPECT_EQ(nlohmann::json::parse(run("aimed.csv --axis 0,4 --format json").out)[0]["axis"], report["axis"]);
+  EXPECT_EQ(nlohmann::json::parse(run("aimed.csv --axis down --format json").out)[0]["axis"],
+            "ahead, the photometric axis");
+}
+
+TEST_F(FitCommand, DerivedFiguresAreToldWithTheirSteps) {
+  write("steps.json", R"({"litfog": "light-spec", "version": 1, "source": "maker", "color_temperature_k": 3200,
+    "range": {"flux_lm": 900, "end_lx": "night"}, "cone": {"beam_angle_deg": [24, 6], "field_angle_deg": [48, 12]}})");
+  const auto report = nlohmann::json::parse(run("steps.json --format json").out)[0];
+  ASSERT_EQ(report["derived"].size(), 5u) << "color, two angles, peak, extent";
+  EXPECT_EQ(report["light"]["source"].size(), 6u) << "the maker's and the steps";
+  EXPECT_EQ(report["beam"]["flux_lm"], 900);
+  EXPECT_EQ(report["beam"]["beam_angle_deg"], nlohmann::json::parse("[24, 6]"));
+  EXPECT_EQ(report["beam"]["field_angle_deg"], nlohmann::json::parse("[48, 12]"));
+  EXPECT_EQ(report["verdict"], "poor") << "half of the beam is not round";
+  const std::string text = run("steps.json").out;
+  for (const auto& step : report["derived"]) EXPECT_NE(text.find(step.get<std::string>()), std::string::npos) << step;
+  EXPECT_NE(text.find("24 deg horizontally, 6 deg vertically"), std::string::npos) << text;
+  EXPECT_NE(text.find("--cookie keeps its shape"), std::string::npos) << text;
+}
+
+TEST_F(FitCommand, CookieOfAnEllipticalBeamIsElliptical) {
+  write("oval.json", R"({"litfog": "light-spec", "version": 1, "range": {"extent_m": 9},
+    "cone": {"beam_angle_deg": [60, 20], "field_angle_deg": [90, 30]}})");
+  run("oval.json --cookie oval.exr --cookie-size 65");
+  const auto cookie = litfog::read_cookie((directory() / "oval.exr").string());
+  const auto at = [&cookie](double horizontal_deg, double vertical_deg) {
+    return cookie_at(cookie, direction_of(PhotometryType::a, horizontal_deg * pi / 180, vertical_deg * pi / 180));
+  };
+  EXPECT_NEAR(at(0, 0), 1, 0.01);
+  EXPECT_NEAR(at(30, 0), 0.5, 0.05);
+  EXPECT_NEAR(at(0, 10), at(30, 0), 0.01);
+  EXPECT_NEAR(at(0, -15), at(-45, 0), 0.01);
+  EXPECT_LT(at(0, 30), 0.001);
 }
 
 TEST_F(FitCommand, AnglesThatAFileDoesNotStateAreDarkInFitAndErrors) {

@@ -73,6 +73,18 @@ Angles random_angles(Random& random, double low, double high) {
 
 // --- where directions lie ---
 
+TEST(IntensityDistribution, AnglesOfADirectionLeadBackToIt) {
+  Random random(14);
+  for (const auto type : {PhotometryType::a, PhotometryType::b, PhotometryType::c}) {
+    for (int i = 0; i < 1000; ++i) {
+      const glm::dvec3 direction =
+          glm::normalize(glm::dvec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)));
+      const auto [horizontal, vertical] = angles_of(type, 3.0 * direction);
+      EXPECT_LT(glm::length(direction_of(type, horizontal, vertical) - direction), 1e-14);
+    }
+  }
+}
+
 TEST(IntensityDistribution, AnglesTurnAsTheGoniophotometerOfTheirType) {
   Random random(1);
   for (const PhotometryType type : {PhotometryType::a, PhotometryType::b, PhotometryType::c}) {

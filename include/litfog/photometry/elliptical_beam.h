@@ -28,7 +28,8 @@ inline constexpr double kEllipticalFluxMaxError = 1e-4;
 inline constexpr double kEllipticalBeamMaxError = 0.03;
 
 /// A beam by its isocandela lines: within the first it has that one's intensity, between two it is linear in the angle
-/// from the axis, beyond the last it is dark. A table of type C about the photometric axis, at 512 angles from it.
+/// from the axis, beyond the last it is dark. A table of type C about the photometric axis, at 512 angles within the
+/// beam.
 ///
 /// max error   kEllipticalFluxMaxError, kEllipticalBeamMaxError                              (elliptical_beam_test.cpp)
 /// throws      std::invalid_argument naming field, value and rule

@@ -64,6 +64,15 @@ struct IntensityPeak {
 };
 IntensityPeak find_peak(const IntensityDistribution& distribution);
 
+/// A type's two angles of a direction, radians: horizontal in (-pi, pi], of type B in [-pi / 2, pi / 2].
+struct PhotometricAngles {
+  double horizontal;
+  double vertical;
+};
+
+/// direction  luminaire frame, of any length but 0
+PhotometricAngles angles_of(PhotometryType type, const glm::dvec3& direction);
+
 /// The direction of a type's two angles, in radians: unit, luminaire frame.
 glm::dvec3 direction_of(PhotometryType type, double horizontal, double vertical);
 
