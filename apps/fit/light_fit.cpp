@@ -25,23 +25,22 @@ namespace {
 /// A cone drawn out to the ellipses that were replaced by circles of the same solid angle: each of its circles becomes
 /// the ellipse of the same solid angle whose half axes are in proportion between the given ones, so that its flux
 /// stays.
-IntensityDistribution stretched_beam(const Cone& cone, const std::vector<BeamEllipse>& ellipses) {
+std::vector<IsocandelaEllipse> stretched(const Cone& cone, const std::vector<BeamEllipse>& ellipses) {
   constexpr int kLines = 128;
+  constexpr double kPi = std::numbers::pi;
   const std::size_t count = ellipses.size();
-  const auto ellipse_at = [&](double step) {  // 0 on the axis, i + 1 at ellipse i
+  const FullAngles& last = ellipses.back().angles;
+  const auto ellipse_at = [&](double step) {  // 0 on the axis, i + 1 at ellipse i; beyond them in the last's proportion
     const std::size_t outer = std::min(std::size_t(step), count - 1);
     const FullAngles inner = outer == 0 ? FullAngles(0) : ellipses[outer - 1].angles;
     const FullAngles& angles = ellipses[outer].angles;
-    const double t = step - double(outer);
-    if (t > 1)
-      return IsocandelaEllipse{0, angles.horizontal / 2 * step / double(count),
-                               angles.vertical / 2 * step / double(count)};
-    return IsocandelaEllipse{0, std::lerp(inner.horizontal, angles.horizontal, t) / 2,
-                             std::lerp(inner.vertical, angles.vertical, t) / 2};
+    const double t = std::min(step - double(outer), 1.0), scale = std::max(step / double(count), 1.0) / 2;
+    return IsocandelaEllipse{.intensity = 0,
+                             .horizontal = std::min(scale * std::lerp(inner.horizontal, angles.horizontal, t), kPi),
+                             .vertical = std::min(scale * std::lerp(inner.vertical, angles.vertical, t), kPi)};
   };
   const auto circle_of = [](const IsocandelaEllipse& e) { return equal_circle(e.horizontal, e.vertical); };
-  const FullAngles& last = ellipses.back().angles;
-  double low = 0, high = 2 * std::numbers::pi * double(count) / std::max(last.horizontal, last.vertical);
+  double low = 0, high = 2 * kPi * double(count) / std::max(last.horizontal, last.vertical);
   const double cutoff = cutoff_angle(cone);
   for (int i = 0; i < 60; ++i) {  // the step at which the cone ends, or the ellipses reach 180 degrees
     const double middle = std::midpoint(low, high);
@@ -52,7 +51,18 @@ IntensityDistribution stretched_beam(const Cone& cone, const std::vector<BeamEll
     IsocandelaEllipse& line = lines.emplace_back(ellipse_at(low * i / kLines));
     line.intensity = cone_at(cone, std::cos(circle_of(line)));
   }
-  return elliptical_beam(lines);
+  return lines;
+}
+
+/// Of a beam by its isocandela lines. A narrow beam is widened, which changes its asymmetry by less than a hundredth,
+/// because asymmetry() steps in quarters of a degree.
+double asymmetry_of(std::vector<IsocandelaEllipse> lines) {
+  const double scale = std::max(1.0, files::radians(10) / std::max(lines.back().horizontal, lines.back().vertical));
+  for (IsocandelaEllipse& line : lines) {
+    line.horizontal *= scale;
+    line.vertical *= scale;
+  }
+  return asymmetry(elliptical_beam(lines), kPhotometricAxis);
 }
 
 }  // namespace
@@ -79,8 +89,9 @@ LightFit fit_light(LightTarget target, bool is_robust) {
     fit.peak_angle = std::acos(std::clamp(cosine, -1.0, 1.0));
   }
   if (!target.ellipses.empty()) {
-    fit.elliptical_beam = stretched_beam(fit.light.cone, target.ellipses);
-    target.asymmetry = asymmetry(*fit.elliptical_beam, target.axis);
+    const auto lines = stretched(fit.light.cone, target.ellipses);
+    fit.elliptical_beam = elliptical_beam(lines);
+    target.asymmetry = asymmetry_of(lines);
   }
   fit.target = std::move(target);
   return fit;

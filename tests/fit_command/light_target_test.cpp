@@ -202,6 +202,20 @@ TEST_F(LightTargetFile, EllipticalBeamIsFittedByTheConeOfItsFlux) {
   EXPECT_NEAR(at(-pi / 2, 6), tenth, 0.002);
 }
 
+TEST_F(LightTargetFile, AsymmetryOfAnEllipticalBeamIsThatOfItsShape) {
+  const auto asymmetry_of = [this](const std::string& angles) {
+    const std::string spec = R"({"litfog": "light-spec", "version": 1, "cone": {"beam_angle_deg": )" + angles + "}}";
+    return fit_light(read(spec), false).target.asymmetry;
+  };
+  const double of_two = asymmetry_of("[2, 1]");
+  EXPECT_GT(of_two, 0.2);
+  EXPECT_NEAR(asymmetry_of("[0.002, 0.001]"), of_two, 1e-3);
+  EXPECT_NEAR(asymmetry_of("[1, 2]"), of_two, 1e-3) << "turned by 90 degrees";
+  EXPECT_NEAR(asymmetry_of("[20, 10]"), of_two, 0.01);
+  EXPECT_LT(asymmetry_of("[10, 9.5]"), 0.05);
+  EXPECT_LT(asymmetry_of("[360, 1]"), 1) << "as wide as an ellipse can be";
+}
+
 TEST_F(LightTargetFile, RoundPairIsARoundBeam) {
   const LightTarget target =
       read(R"({"litfog": "light-spec", "version": 1, "cone": {"beam_angle_deg": [11, 11], "field_angle_deg": 22}})");
