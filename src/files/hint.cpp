@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <numeric>
 #include <optional>
@@ -87,8 +88,8 @@ std::string hint_for_number(std::string_view text) {
 }
 
 std::string hint_for_fraction(double number, std::string_view rule) {
-  const bool is_fraction = rule == "must be in (0, 1)" || rule == "must be in [0, 1]" || rule == "must be in (0, 1]" ||
-                           rule == "must be in [0, 1)";
+  constexpr std::array<std::string_view, 3> kFractions{"must be in (0, 1", "must be in [0, 1", "must be in [1e-100, 1"};
+  const bool is_fraction = std::ranges::find(kFractions, rule.substr(0, rule.size() - 1)) != kFractions.end();
   return is_fraction && number > 1 && number <= 100 ? fmt::format("; {} % is {}", number, number / 100) : "";
 }
 
