@@ -59,6 +59,14 @@ std::optional<std::string> with_point(std::string_view text) {
   return parse_number(result) ? std::optional(result) : std::nullopt;
 }
 
+/// What to write for a number with a comma, which may also stand between thousands.
+std::string advice_on_comma(std::string_view text, const std::string& with_point) {
+  const auto comma = text.find(',');
+  const bool may_be_thousands = text.size() == comma + 4 && text.find_first_not_of(kDigits, comma + 1) == text.npos;
+  if (!may_be_thousands) return fmt::format("; write {}, with a decimal point", with_point);
+  return fmt::format("; write {} or {}{}", with_point, text.substr(0, comma), text.substr(comma + 1));
+}
+
 }  // namespace
 
 std::string hint_for_word(std::string_view word, const std::vector<std::string_view>& known) {
@@ -84,7 +92,7 @@ std::string hint_for_number(std::string_view text) {
   const auto number = parse_number(with ? *with : text);
   if (!number) return "";
   if (is_percentage) return fmt::format("; {} % is {}", *number, *number / 100);
-  return fmt::format("; write {}, {}", *number, with ? "with a decimal point" : "without quotation marks");
+  return with ? advice_on_comma(text, *with) : fmt::format("; write {}, without quotation marks", text);
 }
 
 std::string hint_for_fraction(double number, std::string_view rule) {
@@ -102,7 +110,7 @@ std::string hint_for_syntax(std::string_view text, std::size_t offset) {
   std::string_view number(begin, end);
   if (number.ends_with(',')) number.remove_suffix(1);
   const auto with = with_point(number);
-  return with ? fmt::format("; write {}, with a decimal point", *with) : "";
+  return with ? advice_on_comma(number, *with) : "";
 }
 
 }  // namespace litfog::files

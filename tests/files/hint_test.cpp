@@ -70,6 +70,10 @@ TEST(Hint, DecimalCommaIsShownAsAPoint) {
             "f:1:18: text = \"5\": must be a member's name in quotes; write 12.5, with a decimal point");
   EXPECT_EQ(error_of(R"({"color": [0,05, 1]})"),
             "f:1:15: text = \"5\": must be ',' or ']'; write 0.05, with a decimal point");
+  EXPECT_EQ(error_of(R"({"threshold": 1,200})"),
+            "f:1:17: text = \"200\": must be a member's name in quotes; write 1.200 or 1200");
+  EXPECT_EQ(hint_for_number("1,200"), "; write 1.200 or 1200");
+  EXPECT_EQ(hint_for_number("1,200,000"), "");
   EXPECT_EQ(error_of(R"({"threshold": 0.5, color: 1})"), "f:1:20: text = \"color\": must be a member's name in quotes");
 }
 
