@@ -131,50 +131,65 @@ std::string source_of(double end_illuminance) {
   return named == kVisualThresholds.end() ? "" : fmt::format(", {}", named->source);
 }
 
-/// The peak of a light of a stated flux: the light's flux with 1 cd on its axis is a luminaire's flux over its peak, or
-/// that of the cone as it will be fitted.
-double peak_of_flux(double flux, LightTarget& target) {
+/// The flux of a light with 1 cd at its peak, and what has it: a luminaire, or the cone as it will be fitted.
+struct UnitFlux {
+  double flux;
+  std::string of;
+};
+
+UnitFlux unit_flux_of(const LightTarget& target) {
   if (target.luminaire) {
     const auto& distribution = target.luminaire->distribution;
-    const double measured_peak = find_peak(distribution).intensity, measured_flux = luminous_flux(distribution);
-    const double peak = flux / measured_flux * measured_peak;
-    target.derived.push_back(fmt::format("Peak: {:.6g} lm / {:.6g} lm * {:.6g} cd = {:.6g} cd, flux and peak of {}.",
-                                         flux, measured_flux, measured_peak, peak,
-                                         std::filesystem::path(target.luminaire->file).filename().string()));
-    return peak;
+    return {luminous_flux(distribution) / find_peak(distribution).intensity,
+            std::filesystem::path(target.luminaire->file).filename().string()};
   }
   const Cone cone = target.cone ? fit_cone(*target.cone).best().cone : Cone{};
-  const double solid_angle = flux_within(cone, std::numbers::pi);
-  target.derived.push_back(
-      fmt::format("Peak: {:.6g} lm / {:.6g} sr = {:.6g} cd; {:.6g} lm is the flux of the {} with 1 cd on its axis.",
-                  flux, solid_angle, flux / solid_angle, solid_angle, target.cone ? "fitted cone" : "point light"));
-  return flux / solid_angle;
+  return {flux_within(cone, std::numbers::pi), target.cone ? "the fitted cone" : "a point light"};
 }
 
-/// The peak intensity that a spec states in one way or another, with the step that leads there.
-std::optional<double> peak_of(const RangeSpec& range, LightTarget& target) {
-  if (range.peak) return range.peak;
-  if (range.flux) return peak_of_flux(*range.flux, target);
+/// The peak intensity that a spec's range states in one way or another, with the step that leads there.
+std::optional<double> stated_peak(const RangeSpec& range, LightTarget& target) {
   if (range.illuminance) {
     const auto& [metres, lux] = *range.illuminance;
     const double peak = lux * metres * metres;
     target.derived.push_back(fmt::format("Peak: {:.6g} lx * ({:.6g} m)^2 = {:.6g} cd.", lux, metres, peak));
     return peak;
   }
-  return target.peak;
+  if (range.flux) {
+    const UnitFlux unit = unit_flux_of(target);
+    const double peak = *range.flux / unit.flux;
+    target.derived.push_back(fmt::format("Peak: {:.6g} lm / {:.6g} sr = {:.6g} cd, with the flux of {} per candela.",
+                                         *range.flux, unit.flux, peak, unit.of));
+    return peak;
+  }
+  return range.peak;
+}
+
+/// A luminaire's intensities made those of a light with another peak.
+void scale_luminaire(const LightSpec& spec, LightTarget& target, double peak) {
+  constexpr double kMostIntensity = 1e30;  // as of an IntensityDistribution
+  const double factor = peak / *target.peak;
+  if (factor == 1) return;
+  if (!(peak >= 1 / kMostIntensity && peak <= kMostIntensity)) {
+    throw spec.error_at("range.peak", fmt::format("{:.6g} cd", peak), "must have a peak in [1e-30, 1e30] cd");
+  }
+  for (double& intensity : target.luminaire->distribution.intensity) intensity *= factor;
+  target.derived.push_back(
+      fmt::format("Photometry: times {:.6g}, from its peak of {:.6g} cd to {:.6g} cd.", factor, *target.peak, peak));
 }
 
 /// The extent of a range that states where the light ends by its illuminance.
 void derive_extent(const LightSpec& spec, LightTarget& target) {
   const RangeSpec& range = *spec.range;
   target.flux = range.flux;
-  target.peak = peak_of(range, target);
-  const bool is_stated = range.end_illuminance || range.peak || range.illuminance || range.flux;
-  if (!is_stated) return;
-  if (!target.peak) {
+  const auto peak = stated_peak(range, target);
+  if (!peak && !range.end_illuminance) return;
+  if (!peak && !target.peak) {
     throw spec.error_at("range.peak_cd", "",
                         "must be given, or illuminance, flux_lm or the cone's photometry, for end_lx");
   }
+  if (peak && target.luminaire) scale_luminaire(spec, target, *peak);
+  if (peak) target.peak = peak;
   const double end = range.end_illuminance.value_or(kEndIlluminance);
   target.range->extent = extent_of(*target.peak, end);
   target.derived.push_back(

@@ -166,7 +166,7 @@ TEST_F(LightTargetFile, FluxGivesThePeakByTheConesSolidAngle) {
   EXPECT_DOUBLE_EQ(*point.range->extent, 10);
   EXPECT_EQ(point.flux, 1256.6370614359173);
   EXPECT_EQ(point.derived.front(),
-            "Peak: 1256.64 lm / 12.5664 sr = 100 cd; 12.5664 lm is the flux of the point light with 1 cd on its axis.");
+            "Peak: 1256.64 lm / 12.5664 sr = 100 cd, with the flux of a point light per candela.");
 
   const LightTarget lamp = read(R"({"litfog": "light-spec", "version": 1, "range": {"flux_lm": 10000, "end_lx": 4},
                                     "cone": {"profile": "cosine", "half_angle_deg": 90, "beam_angle_deg": 120}})");
@@ -178,7 +178,26 @@ TEST_F(LightTargetFile, FluxGivesThePeakByTheConesSolidAngle) {
   write("lamp.ies", kIes);
   const LightTarget measured = read(R"({"litfog": "light-spec", "version": 1, "cone": {"photometry": "lamp.ies"},
                                         "range": {"flux_lm": 1000}})");
-  EXPECT_NEAR(*measured.peak, 100 * 1000 / luminous_flux(measured.luminaire->distribution), 1e-9);
+  EXPECT_NEAR(luminous_flux(measured.luminaire->distribution), 1000, 1e-9) << "the photometry is scaled";
+  EXPECT_DOUBLE_EQ(find_peak(measured.luminaire->distribution).intensity, *measured.peak);
+}
+
+TEST_F(LightTargetFile, PhotometryIsScaledToAStatedPeak) {
+  write("lamp.ies", kIes);
+  const auto read_range = [this](const std::string& range) {
+    return read(R"({"litfog": "light-spec", "version": 1, "cone": {"photometry": "lamp.ies"}, "range": {)" + range +
+                "}}");
+  };
+  for (const char* range : {R"("peak_cd": 400)", R"("illuminance": {"range_m": 2, "lx": 100})"}) {
+    const LightTarget target = read_range(range);
+    EXPECT_DOUBLE_EQ(find_peak(target.luminaire->distribution).intensity, 400);
+    EXPECT_DOUBLE_EQ(*target.range->extent, 20);
+    EXPECT_EQ(target.derived[target.derived.size() - 2], "Photometry: times 4, from its peak of 100 cd to 400 cd.");
+  }
+  EXPECT_EQ(read_range(R"("peak_cd": 100)").derived.size(), 2u) << "the cone's and the extent's: nothing to scale";
+  EXPECT_EQ(find_peak(read_range(R"("extent_m": 7)").luminaire->distribution).intensity, 100);
+  EXPECT_EQ(error_with(R"("cone": {"photometry": "lamp.ies"}, "range": {"peak_cd": 1e31})"),
+            "f.json:2:46: range.peak = 1e+31 cd: must have a peak in [1e-30, 1e30] cd");
 }
 
 TEST_F(LightTargetFile, EllipticalBeamIsFittedByTheConeOfItsFlux) {

@@ -31,10 +31,10 @@ namespace litfog {
 ///         "extent_m": 120,                      where the attenuation is to be the threshold, met exactly; or instead
 ///         "end_lx": 1,                          where its peak gives that much in clear air; or a name of
 ///                                               kVisualThresholds, such as "night"; default: 1
-///         "peak_cd": 12000,                     default: that of the cone's photometry; or instead
-///         "illuminance": {"range_m": 10, "lx": 120},     on the axis in clear air: the peak is lx * range_m^2; or
-///         "flux_lm": 900,                       of the whole light: the peak is the flux over that of the cone with
-///                                               1 cd on its axis
+///         "peak_cd": 12000,                     default: that of the cone's photometry, which is scaled to it; or
+///         "illuminance": {"range_m": 10, "lx": 120},     instead, in clear air: the peak is lx * range_m^2; or
+///         "flux_lm": 900,                       instead, of the whole light: the peak is the flux over that of the
+///                                               cone or the photometry with a peak of 1 cd
 ///         "constant": 1,                        C, to be kept
 ///         "family": "quadratic",                of an extent alone: quadratic, linear or mixed (half and half)
 ///         "samples": [{"range_m": 10, "attenuation": 0.8, "weight": 1}]      by increasing range; weight optional
