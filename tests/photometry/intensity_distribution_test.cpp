@@ -431,7 +431,22 @@ TEST(Asymmetry, AsymmetryIsTheRelativeRmsDistanceFromTheMeanOverTheTurn) {
     const auto lamp = sampled(PhotometryType::c, degrees(0, 90, 1), degrees(0, 90, 1), [a](double c, double g) {
       return 300 * std::pow(std::cos(g), 3) * (1 + a * std::cos(2 * c));
     });
-    EXPECT_NEAR(asymmetry(lamp, kPhotometricAxis), std::sqrt(a * a / 2 / (1 + a * a / 2)), 0.001);
+    const double known = std::sqrt(a * a / 2 / (1 + a * a / 2));
+    EXPECT_NEAR(asymmetry(lamp, kPhotometricAxis), known, 0.001);
+    EXPECT_NEAR(asymmetry(lamp, {1e-6, 0, -1}), known, 0.001) << "by circles of another axis";
+  }
+}
+
+TEST(Asymmetry, SearchEndsWhereTheAsymmetryIsAboveTheLimit) {
+  const auto lamp = sampled(PhotometryType::c, degrees(0, 180, 10), degrees(0, 180, 5),
+                            [](double c, double g) { return 2 + std::cos(c) * std::sin(g); });
+  for (const glm::dvec3 axis : {glm::dvec3{1, 0, 0}, glm::dvec3{1, 0, -1}, kPhotometricAxis}) {
+    const double whole = asymmetry(lamp, axis);
+    EXPECT_EQ(asymmetry(lamp, axis, 1.001 * whole + 1e-9), whole);
+    if (whole > 0.01) {
+      EXPECT_GT(asymmetry(lamp, axis, 0.5 * whole), 0.5 * whole);
+      EXPECT_LT(asymmetry(lamp, axis, 0.5 * whole), whole);
+    }
   }
 }
 
