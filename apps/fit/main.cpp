@@ -241,7 +241,7 @@ void fit(const Options& options, Outcome& outcome) {
 
 void write(const Options& options, const Outcome& outcome, std::optional<FigureFormat> figure_format) {
   std::string figure;
-  if (figure_format) figure = draw_figure(fit_figure(*outcome.fit), *figure_format);
+  if (figure_format) figure = draw_figure(fit_figure({&*outcome.fit}), *figure_format);
   if (!outcome.output.empty()) litfog::files::write_whole_file(outcome.output, outcome.light);
   if (figure_format) litfog::files::write_whole_file(options.plot, figure);
   if (!options.cookie.empty()) {
