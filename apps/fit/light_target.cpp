@@ -55,6 +55,17 @@ MeasuredAxis axis_of(const IntensityDistribution& distribution, const AxisChoice
   return best_axis(distribution, peak);
 }
 
+/// Lamps whose output depends on how they burn: their intensities as mounted.
+void apply_tilt(LightTarget& target, double tilt) {
+  Luminaire& luminaire = *target.luminaire;
+  if (!luminaire.tilt) return;
+  const double factor = tilt_factor(*luminaire.tilt, tilt);
+  for (double& candela : luminaire.distribution.intensity) candela *= factor;
+  target.derived.push_back(
+      fmt::format("Tilt: {:.6g} deg, where the lamps give {:.6g} of what they give as measured. --tilt changes it.",
+                  files::degrees(tilt), factor));
+}
+
 void set_axis(LightTarget& target, const AxisChoice& choice) {
   const auto [axis, asymmetry] = axis_of(target.luminaire->distribution, choice);
   target.axis = axis;
@@ -290,6 +301,7 @@ LightTarget read_spec(const std::string& path, const FitChoices& choices) {
   }
   if (spec.cone && spec.cone->photometry) {
     target.luminaire = read_luminaire_of(spec);
+    apply_tilt(target, choices.tilt);
     target.peak = find_peak(target.luminaire->distribution).intensity;
   }
   if (spec.cone) {
@@ -314,12 +326,14 @@ LightTarget read_spec(const std::string& path, const FitChoices& choices) {
 LightTarget read_photometric_spec(const std::string& path, const FitChoices& choices) {
   LightTarget target{.file = path, .name = std::filesystem::path(path).stem().string()};
   target.luminaire = read_luminaire(path);
+  apply_tilt(target, choices.tilt);
   const Luminaire& luminaire = *target.luminaire;
   set_axis(target, choices.axis);
   const std::string file = std::filesystem::path(path).filename().string();
   if (!luminaire.name.empty()) target.name = luminaire.name;
   target.source = {luminaire.manufacturer.empty() ? file : fmt::format("{}: {}", file, luminaire.manufacturer)};
-  target.derived = {sentence_on_range(luminaire), sentence_on_cone(target)};
+  target.derived.push_back(sentence_on_range(luminaire));
+  target.derived.push_back(sentence_on_cone(target));
   target.range = range_of(luminaire);
   target.cone =
       ConeTarget{.choice = choices.profile.value_or(ConeChoice::best), .samples = samples_of(luminaire, target.axis)};

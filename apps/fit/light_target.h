@@ -34,6 +34,7 @@ struct AxisChoice {
 struct FitChoices {
   std::optional<ConeChoice> profile = std::nullopt;  ///< replaces the file's own
   AxisChoice axis = {};
+  double tilt = 0;  ///< radians, by which a luminaire with tilt data is tilted as it is mounted
 };
 
 /// A line of equal intensity of an elliptical beam, by its full angles.
