@@ -194,7 +194,7 @@ void Catalogue::write_page(const std::vector<Input>& inputs, const std::vector<S
   for (std::size_t i = 0; i < inputs.size(); ++i) html += table_row(inputs[i], summaries[i]);
   html += "</tbody></table></div>\n";
   for (std::size_t i = 0; i < inputs.size(); ++i) {
-    if (!summaries[i].report.empty()) html += section(inputs[i], summaries[i]);
+    if (!text_of(cell_of(summaries[i], "verdict")).empty()) html += section(inputs[i], summaries[i]);
   }
   files::write_whole_file((folder_ / kPage).string(), html + "</body></html>\n");
 }
