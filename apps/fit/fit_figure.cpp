@@ -31,18 +31,22 @@ constexpr int kLineColor = 7;  // of lines that no data make
 /// A light as it is drawn.
 struct Subject {
   const LightFit& fit;
-  std::string prefix;  ///< of its names in the key: none of a light alone
-  int color;           ///< of its first line
+  int color;  ///< of its first line
   int target_color;
   bool is_alone;
+
+  /// A line's name in the key: of several lights, which colour tells apart, their own.
+  std::string name(const std::string& line) const { return is_alone ? line : fit.light.name; }
+  /// That of other lines in the light's colour.
+  std::string second_name(const std::string& line) const { return is_alone ? line : ""; }
 };
 
 std::vector<Subject> subjects_of(const std::vector<const LightFit*>& fits) {
   std::vector<Subject> subjects;
-  if (fits.size() == 1) return {{*fits.front(), "", kFirstColor, kTargetColor, true}};
+  if (fits.size() == 1) return {{*fits.front(), kFirstColor, kTargetColor, true}};
   for (const LightFit* fit : fits) {
     const int color = int(subjects.size());
-    subjects.push_back({*fit, fit->light.name + ", ", color, color, false});
+    subjects.push_back({*fit, color, color, false});
   }
   return subjects;
 }
@@ -96,16 +100,18 @@ std::vector<command::Chart> range_charts(const std::vector<Subject>& subjects) {
     for (const PlotPoint& point : range_targets(*subject.fit.target.range)) end = std::max(end, kMargin * point.x);
   }
   std::vector<Series> lines, errors;
-  for (const auto& [fit, prefix, color, target_color, is_alone] : subjects) {
+  for (const Subject& subject : subjects) {
+    const LightFit& fit = subject.fit;
     if (!fit.range) continue;
-    const auto& attenuation = fit.range->attenuation;
-    lines.push_back(level_line(end, fit.target.range->threshold, is_alone ? "threshold" : ""));
-    lines.push_back(sampled(prefix + "fit", color, 0, end, [&](double r) { return attenuation_at(attenuation, r); }));
-    lines.push_back({.name = prefix + "target",
+    const Attenuation& attenuation = fit.range->attenuation;
+    lines.push_back(level_line(end, fit.target.range->threshold, subject.is_alone ? "threshold" : ""));
+    lines.push_back(
+        sampled(subject.name("fit"), subject.color, 0, end, [&](double r) { return attenuation_at(attenuation, r); }));
+    lines.push_back({.name = subject.second_name("target"),
                      .points = range_targets(*fit.target.range),
                      .style = SeriesStyle::points,
-                     .color = target_color});
-    Series& error = errors.emplace_back(Series{.style = SeriesStyle::points, .color = color});
+                     .color = subject.target_color});
+    Series& error = errors.emplace_back(Series{.style = SeriesStyle::points, .color = subject.color});
     for (const auto& [x, y, label, place] : lines.back().points) {
       error.points.push_back({x, 100 * (attenuation_at(attenuation, x) / y - 1)});
     }
@@ -211,14 +217,14 @@ std::vector<command::Chart> angle_charts(const std::vector<Subject>& subjects) {
     }
     int color = subject.color;
     for (const auto* profile : profiles_of(subject)) {
-      lines.push_back(sampled(subject.prefix + name_of(profile->cone.profile), color, 0, end,
+      lines.push_back(sampled(subject.name(name_of(profile->cone.profile)), color, 0, end,
                               [&](double angle) { return value_of(*profile, data.unit, angle); }));
       Series& error = errors.emplace_back(Series{.style = SeriesStyle::line_and_points, .color = color++});
       for (const PlotPoint& point : data.targets) {
         error.points.push_back({point.x, 100 * (value_of(*profile, data.unit, point.x) - point.y) / data.unit});
       }
     }
-    lines.push_back({.name = subject.prefix + "target",
+    lines.push_back({.name = subject.second_name("target"),
                      .points = std::move(data.targets),
                      .style = SeriesStyle::points,
                      .color = subject.target_color});
@@ -257,13 +263,13 @@ command::Chart polar_chart(const std::vector<Subject>& subjects) {
     const ConeData data = cone_data(subject, is_in_candela);
     unit = std::max(unit, data.unit);
     const ConeProfileFit& best = subject.fit.cone->best();
-    lines.push_back(sampled(subject.prefix + name_of(best.cone.profile),
+    lines.push_back(sampled(subject.name(name_of(best.cone.profile)),
                             subject.color + (subject.is_alone && &best != profiles_of(subject).front() ? 1 : 0),
                             -data.end, data.end, [&](double angle) { return value_of(best, data.unit, angle); }));
     if (!is_in_candela) continue;
     const SeriesStyle style = subject.is_alone ? SeriesStyle::line : SeriesStyle::dashes;
     if (!has_planes(target)) {
-      lines.push_back({.name = subject.prefix + "target",
+      lines.push_back({.name = subject.second_name("target"),
                        .points = polar_plane(target, 0),
                        .style = style,
                        .color = subject.target_color});
@@ -271,7 +277,7 @@ command::Chart polar_chart(const std::vector<Subject>& subjects) {
     }
     int color = kPlaneColor;
     for (const auto& [name, turn] : kPlanes) {
-      lines.push_back({.name = subject.prefix + name,
+      lines.push_back({.name = subject.second_name(name),
                        .points = polar_plane(target, turn),
                        .style = SeriesStyle::dashes,
                        .color = subject.is_alone ? color++ : subject.color});
@@ -280,7 +286,7 @@ command::Chart polar_chart(const std::vector<Subject>& subjects) {
   return {.x = {},
           .y = {.label = is_in_candela ? "intensity (cd)" : "intensity / peak", .most = highest_of(lines, unit)},
           .series = lines,
-          .key = command::KeyPlace::beside,
+          .key = subjects.front().is_alone ? command::KeyPlace::beside : command::KeyPlace::none,
           .is_polar = true};
 }
 
@@ -295,8 +301,7 @@ command::Chart spread_chart(const std::vector<Subject>& subjects) {
     const double peak = find_peak(distribution).intensity;
     const double end = cone_data(subject, true).end;
     chart.x.most = std::max(chart.x.most, end);
-    Series& line = chart.series.emplace_back(Series{.name = subject.prefix + "largest distance from the mean",
-                                                    .color = subject.color});
+    Series& line = chart.series.emplace_back(Series{.name = subject.name(""), .color = subject.color});
     for (const AxialSample& sample : axial_profile(distribution, subject.fit.target.axis)) {
       if (files::degrees(sample.angle) > end) break;
       line.points.push_back({files::degrees(sample.angle), 100 * sample.deviation / peak});
