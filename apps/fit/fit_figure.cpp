@@ -130,6 +130,7 @@ std::vector<command::Chart> range_charts(const std::vector<Subject>& subjects) {
 
 /// The cone's data in degrees and, where the peak is known in it, candela.
 struct ConeData {
+  bool is_in_candela = false;
   double unit = 1;                     ///< the peak
   std::vector<PlotPoint> targets = {};  ///< by increasing angle, but for the stated angles, which come first
   double end = 0;                      ///< degrees: of what is lit
@@ -154,7 +155,7 @@ ConeData cone_data(const Subject& subject, bool is_in_candela) {
   const ConeTarget& target = *subject.fit.target.cone;
   double peak = 0;
   for (const auto& sample : target.samples) peak = std::max(peak, sample.weight > 0 ? sample.intensity : 0);
-  ConeData data{.unit = is_in_candela ? peak : 1};
+  ConeData data{.is_in_candela = is_in_candela, .unit = is_in_candela ? peak : 1};
   if (target.beam_angle) data.targets.push_back({files::degrees(*target.beam_angle / 2), 0.5 * data.unit});
   if (target.field_angle) data.targets.push_back({files::degrees(*target.field_angle / 2), 0.1 * data.unit});
   for (const auto& sample : target.samples) {
@@ -174,24 +175,70 @@ double value_of(const ConeProfileFit& profile, double unit, double angle_deg) {
   return unit * cone_at(profile.cone, std::cos(files::radians(angle_deg)));
 }
 
-/// A beam that a cone does not follow in every plane: two of them, each with the turns of its two halves.
-struct PlanePair {
+/// The measured or elliptical beam behind a cone, in the unit of its data.
+class Beam {
+ public:
+  /// subject  a light with a beam
+  Beam(const Subject& subject, const ConeData& data)
+      : distribution_(*subject.fit.beam()),
+        axis_(subject.fit.target.axis),
+        is_round_(subject.fit.target.asymmetry <= kRoundBeam),
+        scale_(data.is_in_candela ? 1 : 1 / find_peak(distribution_).intensity) {}
+
+  bool is_round() const { return is_round_; }
+
+  /// Angles in degrees and intensities along a half plane.
+  std::vector<PlotPoint> half_plane(double turn) const {
+    std::vector<PlotPoint> points;
+    for (const AxialSample& sample : plane_profile(distribution_, turn, axis_)) {
+      points.push_back({files::degrees(sample.angle), scale_ * sample.mean});
+    }
+    return points;
+  }
+
+  /// The same from -180 to 180 degrees.
+  std::vector<PlotPoint> plane(double turn) const {
+    std::vector<PlotPoint> points = half_plane(turn + pi);
+    for (PlotPoint& point : points) point.x = -point.x;
+    std::ranges::reverse(points);
+    for (PlotPoint& point : half_plane(turn)) points.push_back(std::move(point));
+    return points;
+  }
+
+  /// The largest distance from the mean over the turn, in percent of the peak.
+  std::vector<PlotPoint> spread(double end) const {
+    const double peak = find_peak(distribution_).intensity;
+    std::vector<PlotPoint> points;
+    for (const AxialSample& sample : axial_profile(distribution_, axis_)) {
+      if (files::degrees(sample.angle) > end) break;
+      points.push_back({files::degrees(sample.angle), 100 * sample.deviation / peak});
+    }
+    return points;
+  }
+
+ private:
+  const IntensityDistribution& distribution_;
+  glm::dvec3 axis_;
+  bool is_round_;
+  double scale_;
+};
+
+struct NamedTurn {
   const char* name;
   double turn;
 };
-constexpr PlanePair kPlanes[] = {{"horizontal", 0}, {"vertical", pi / 2}};
+constexpr NamedTurn kPlanes[] = {{"horizontal", 0}, {"vertical", pi / 2}};
 
-bool has_planes(const LightTarget& target) { return target.luminaire && target.asymmetry > kRoundBeam; }
-
-std::vector<Series> plane_series(const LightTarget& target, double end) {
+std::vector<Series> plane_series(const Subject& subject, const ConeData& data, double end) {
   std::vector<Series> planes;
-  if (!has_planes(target)) return planes;
+  if (!subject.fit.beam()) return planes;
+  const Beam beam(subject, data);
+  if (beam.is_round()) return planes;
   int color = kPlaneColor;
   for (const auto& [name, turn] : kPlanes) {
     Series& series = planes.emplace_back(Series{.name = name, .style = SeriesStyle::dashes, .color = color++});
-    for (const AxialSample& sample : plane_profile(target.luminaire->distribution, turn, target.axis)) {
-      if (files::degrees(sample.angle) <= end) series.points.push_back({files::degrees(sample.angle), sample.mean});
-    }
+    series.points = beam.half_plane(turn);
+    std::erase_if(series.points, [end](const PlotPoint& point) { return point.x > end; });
   }
   return planes;
 }
@@ -213,7 +260,7 @@ std::vector<command::Chart> angle_charts(const std::vector<Subject>& subjects) {
     ConeData data = cone_data(subject, is_in_candela);
     std::erase_if(data.targets, [end](const PlotPoint& point) { return point.x > end; });
     if (subject.is_alone) {
-      for (Series& plane : plane_series(subject.fit.target, end)) lines.push_back(std::move(plane));
+      for (Series& plane : plane_series(subject, data, end)) lines.push_back(std::move(plane));
     }
     int color = subject.color;
     for (const auto* profile : profiles_of(subject)) {
@@ -241,44 +288,31 @@ std::vector<command::Chart> angle_charts(const std::vector<Subject>& subjects) {
 
 // --- over the turn ---
 
-/// A plane through the axis: from -180 to 180 degrees.
-std::vector<PlotPoint> polar_plane(const LightTarget& target, double turn) {
-  const auto half = [&](double towards) {
-    return plane_profile(target.luminaire->distribution, towards, target.axis);
-  };
-  std::vector<PlotPoint> points;
-  for (const AxialSample& sample : half(turn + pi)) points.push_back({-files::degrees(sample.angle), sample.mean});
-  std::ranges::reverse(points);
-  for (const AxialSample& sample : half(turn)) points.push_back({files::degrees(sample.angle), sample.mean});
-  return points;
-}
-
 command::Chart polar_chart(const std::vector<Subject>& subjects) {
   const bool is_in_candela = has_candela(subjects);
   std::vector<Series> lines;
   double unit = 0;
   for (const Subject& subject : subjects) {
     if (!subject.fit.cone) continue;
-    const LightTarget& target = subject.fit.target;
     const ConeData data = cone_data(subject, is_in_candela);
     unit = std::max(unit, data.unit);
     const ConeProfileFit& best = subject.fit.cone->best();
     lines.push_back(sampled(subject.name(name_of(best.cone.profile)),
                             subject.color + (subject.is_alone && &best != profiles_of(subject).front() ? 1 : 0),
                             -data.end, data.end, [&](double angle) { return value_of(best, data.unit, angle); }));
-    if (!is_in_candela) continue;
-    const SeriesStyle style = subject.is_alone ? SeriesStyle::line : SeriesStyle::dashes;
-    if (!has_planes(target)) {
+    if (!subject.fit.beam()) continue;
+    const Beam beam(subject, data);
+    if (beam.is_round()) {
       lines.push_back({.name = subject.second_name("target"),
-                       .points = polar_plane(target, 0),
-                       .style = style,
+                       .points = beam.plane(0),
+                       .style = subject.is_alone ? SeriesStyle::line : SeriesStyle::dashes,
                        .color = subject.target_color});
       continue;
     }
     int color = kPlaneColor;
     for (const auto& [name, turn] : kPlanes) {
       lines.push_back({.name = subject.second_name(name),
-                       .points = polar_plane(target, turn),
+                       .points = beam.plane(turn),
                        .style = SeriesStyle::dashes,
                        .color = subject.is_alone ? color++ : subject.color});
     }
@@ -294,21 +328,14 @@ command::Chart spread_chart(const std::vector<Subject>& subjects) {
   command::Chart chart{.x = {.label = "angle from the axis (deg)"},
                        .y = {.label = "spread over the turn (% of the peak)"},
                        .key = subjects.front().is_alone ? command::KeyPlace::none : command::KeyPlace::above};
-  double largest = 0;
   for (const Subject& subject : subjects) {
-    if (!subject.fit.target.luminaire) continue;
-    const IntensityDistribution& distribution = subject.fit.target.luminaire->distribution;
-    const double peak = find_peak(distribution).intensity;
-    const double end = cone_data(subject, true).end;
-    chart.x.most = std::max(chart.x.most, end);
-    Series& line = chart.series.emplace_back(Series{.name = subject.name(""), .color = subject.color});
-    for (const AxialSample& sample : axial_profile(distribution, subject.fit.target.axis)) {
-      if (files::degrees(sample.angle) > end) break;
-      line.points.push_back({files::degrees(sample.angle), 100 * sample.deviation / peak});
-      largest = std::max(largest, line.points.back().y);
-    }
+    if (!subject.fit.cone || !subject.fit.beam()) continue;
+    const ConeData data = cone_data(subject, has_candela(subjects));
+    chart.x.most = std::max(chart.x.most, data.end);
+    chart.series.push_back(
+        {.name = subject.name(""), .points = Beam(subject, data).spread(data.end), .color = subject.color});
   }
-  chart.y.most = std::max(kLeastError, 1.05 * largest);
+  chart.y.most = 1.05 * highest_of(chart.series, kLeastError);
   return chart;
 }
 
