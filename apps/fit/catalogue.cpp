@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -37,14 +40,15 @@ Json state_of(const std::string& file) {
 }
 
 Json json_of(const Cell& cell) {
-  if (const double* number = std::get_if<double>(&cell)) return *number;
   if (const auto* text = std::get_if<std::string>(&cell)) return *text;
-  return nullptr;
+  const double* const number = std::get_if<double>(&cell);
+  if (number == nullptr) return nullptr;
+  return std::isfinite(*number) ? Json(*number) : Json(fmt::format("{}", *number));  // which JSON has no number for
 }
 
-/// Infinity, which JSON has no number for, is null there and empty in a table.
 Cell cell_of(const Json& json) {
   if (json.is_number()) return json.get<double>();
+  if (json == "inf") return std::numeric_limits<double>::infinity();
   if (json.is_string()) return json.get<std::string>();
   return std::monostate();
 }

@@ -103,7 +103,7 @@ std::vector<Cell> row_of(const Outcome& outcome) {
     row.insert(row.end(), {compute_extent(fit.light.attenuation, fit.light.threshold), constant, linear, quadratic});
     for (Cell& cell : cone_cells(fit)) row.push_back(std::move(cell));
     row.push_back(percent_or_none(fit.cone ? fit.cone->best().flux_error : std::nullopt));
-    row.push_back(fit.target.luminaire ? Cell(fit.target.asymmetry) : Cell(std::monostate()));
+    row.push_back(fit.beam() ? Cell(fit.target.asymmetry) : Cell(std::monostate()));
     const bool has_samples = fit.range && !fit.target.range->samples.empty();
     row.push_back(has_samples ? Cell(100 * fit.range->largest_error) : Cell(std::monostate()));
     row.insert(row.end(), {name_of(outcome.verdict->grade), double(fit.advice().size())});

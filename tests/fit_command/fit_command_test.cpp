@@ -708,7 +708,8 @@ TEST_F(FitCommand, CatalogueHasAPageWithEachLightAndItsPictures) {
 }
 
 TEST_F(FitCommand, CatalogueDoesNotDoAgainWhatIsDone) {
-  const std::string arguments = "lamp.json spot.ies --catalogue cat --format csv";
+  write("endless.json", R"({"litfog": "light-spec", "version": 1, "cone": {"beam_angle_deg": [24, 6]}})");
+  const std::string arguments = "lamp.json spot.ies endless.json --catalogue cat --format csv";
   const Outcome first = run(arguments);
   const auto time_of = [&](const std::string& file) { return fs::last_write_time(directory() / file); };
   const auto lamp = time_of("cat/lamps/lamp.svg"), spot = time_of("cat/lamps/spot.svg");
