@@ -23,8 +23,11 @@ std::optional<OutputFiles::Identity> OutputFiles::Identity::of(const std::string
   return identity;
 }
 
-bool OutputFiles::Identity::is_same_as(const Identity& other) const {
-  return path == other.path || (inode && inode == other.inode);
+const OutputFiles::Output* OutputFiles::find(const Identity& identity) const {
+  if (const auto found = by_path_.find(identity.path); found != by_path_.end()) return &found->second;
+  if (!identity.inode) return nullptr;
+  const auto found = by_inode_.find(*identity.inode);
+  return found != by_inode_.end() ? &found->second : nullptr;
 }
 
 void OutputFiles::add(const std::string& option, const std::string& path) {
@@ -32,26 +35,29 @@ void OutputFiles::add(const std::string& option, const std::string& path) {
   files::expect_writable(path);
   const auto identity = Identity::of(path);
   if (!identity) return;
-  for (const Output& other : outputs_) {
-    if (identity->is_same_as(other.identity)) fail_option(option, path, "must not be the file of " + other.option);
+  if (const Output* const other = find(*identity)) {
+    fail_option(option, path, "must not be the file of " + other->option);
   }
-  outputs_.push_back({option, path, *identity});
+  add({option, path}, *identity);
+}
+
+void OutputFiles::add(const Output& output, const Identity& identity) {
+  by_path_.emplace(identity.path, output);
+  if (identity.inode) by_inode_.emplace(*identity.inode, output);
 }
 
 void OutputFiles::add_standard_output() {
   const std::string path = "/proc/self/fd/" + std::to_string(STDOUT_FILENO);
   if (const auto identity = Identity::of(path); identity && identity->inode) {
-    outputs_.push_back({"standard output", identity->path.string(), *identity});
+    add({"standard output", identity->path.string()}, *identity);
   }
 }
 
 void OutputFiles::expect_apart_from(const std::string& input) const {
   const auto identity = Identity::of(input);
   if (!identity) return;
-  for (const Output& output : outputs_) {
-    if (output.identity.is_same_as(*identity)) {
-      fail_option(output.option, output.path, "must not be a file that is read, " + input);
-    }
+  if (const Output* const output = find(*identity)) {
+    fail_option(output->option, output->path, "must not be a file that is read, " + input);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <sys/types.h>
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -37,15 +38,19 @@ class OutputFiles {
     std::optional<std::pair<dev_t, ino_t>> inode;
 
     static std::optional<Identity> of(const std::string& path);  ///< none of a device or a pipe
-    bool is_same_as(const Identity& other) const;
   };
   struct Output {
     std::string option;
     std::string path;
-    Identity identity;
   };
 
-  std::vector<Output> outputs_;
+  void add(const Output& output, const Identity& identity);
+  /// The output of this file, or null.
+  const Output* find(const Identity& identity) const;
+
+  // Of thousands of outputs each is found at once.
+  std::map<std::filesystem::path, Output> by_path_;
+  std::map<std::pair<dev_t, ino_t>, Output> by_inode_;
 };
 
 }  // namespace litfog::command

@@ -70,6 +70,9 @@ void check(const Figure& figure) {
       }
     }
   }
+  for (const Chart& chart : figure.charts) {
+    if (chart.is_polar && !(chart.y.most > 0)) throw std::invalid_argument("figure: a polar chart must have a radius");
+  }
   if (count == 0) throw std::invalid_argument("figure: must have points");
 }
 
@@ -122,6 +125,8 @@ const char* key_command(KeyPlace place) {
       return "set key inside bottom right noenhanced";
     case KeyPlace::above:
       return "set key outside top center horizontal Left reverse noenhanced";
+    case KeyPlace::beside:
+      return "set key outside right center vertical Left reverse noenhanced";
     case KeyPlace::below:
       break;
   }
@@ -157,10 +162,45 @@ std::string style_command(SeriesStyle style, std::size_t color) {
   return "lines dt 2 " + line;
 }
 
+/// 1, 2 or 5 times a power of ten: two or three rings.
+double ring_step(double most) {
+  const double power = std::pow(10, std::floor(std::log10(most / 3)));
+  for (const double factor : {1, 2, 5}) {
+    if (factor * power >= most / 3) return factor * power;
+  }
+  return 10 * power;
+}
+
+/// Rings and rays in place of axes.
+void begin_polar(Script& script, const Axis& radius) {
+  script.add("set polar; set angles degrees; set theta bottom cw");
+  script.add("unset xlabel; unset ylabel; unset logscale; unset border; unset xtics; unset ytics; unset raxis");
+  const double step = ring_step(radius.most);
+  script.add("set xrange [-{0}:{0}]; set yrange [-{0}:{0}]; set rrange [0:{0}]", step * std::ceil(radius.most / step));
+  script.add("set rtics scale 0 {}; set format r '%g'", step);
+  script.add("set grid polar 30 lt 1 lc rgb '#DDDDDD' lw 1");
+  std::string tics;
+  for (int angle = -150; angle <= 180; angle += 30) {
+    if (angle == -90) continue;  // where the rings' values stand
+    tics += fmt::format("{}'{}°' {}", tics.empty() ? "" : ", ", std::abs(angle), angle);
+  }
+  script.add("set ttics scale 0 ({}); set size square; set tmargin 3; set bmargin 2", tics);
+}
+
+void end_polar(Script& script) {
+  script.add("unset polar; unset ttics; unset rtics; set border; set xtics; set ytics; set size nosquare");
+  script.add("unset tmargin; unset bmargin");
+  script.add("set grid nopolar xtics ytics lt 1 lc rgb '#DDDDDD' lw 1");
+}
+
 void add_chart(Script& script, const Chart& chart) {
-  script.add("set title {} noenhanced", in_quotes(chart.title));
-  add_axis(script, 'x', chart.x, chart.series);
-  add_axis(script, 'y', chart.y, chart.series);
+  script.add("set title {} noenhanced", in_quotes(chart.is_polar ? chart.y.label : chart.title));
+  if (chart.is_polar) {
+    begin_polar(script, chart.y);
+  } else {
+    add_axis(script, 'x', chart.x, chart.series);
+    add_axis(script, 'y', chart.y, chart.series);
+  }
   script.add("{}", key_command(chart.key));
   script.add("unset label");
   std::string plots;
@@ -182,6 +222,7 @@ void add_chart(Script& script, const Chart& chart) {
                          style_command(series.style, color));
   }
   script.add("{}", plots.empty() ? "set multiplot next" : plots);
+  if (chart.is_polar) end_polar(script);
 }
 
 std::string script_of(const Figure& figure, FigureFormat format) {
@@ -193,7 +234,8 @@ std::string script_of(const Figure& figure, FigureFormat format) {
              format == FigureFormat::png ? "pngcairo" : "svg", figure.width, figure.height);
   script.add("set output");  // standard output
   script.add("set grid lt 1 lc rgb '#DDDDDD' lw 1");
-  script.add("set multiplot layout {},{} rowsfirst title {} noenhanced", rows, columns, in_quotes(figure.title));
+  // The title's second, empty line keeps it off the keys above the charts.
+  script.add("set multiplot layout {},{} rowsfirst title {}.\"\\n\" noenhanced", rows, columns, in_quotes(figure.title));
   for (const Chart& chart : figure.charts) add_chart(script, chart);
   script.add("unset multiplot");
   return script.text();

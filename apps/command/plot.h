@@ -39,7 +39,7 @@ struct Series {
                    ///< marks; -1: the next
 };
 
-enum class KeyPlace { none, top_left, top_right, bottom_left, bottom_right, above, below };
+enum class KeyPlace { none, top_left, top_right, bottom_left, bottom_right, above, below, beside };
 
 struct Chart {
   std::string title = {};
@@ -47,6 +47,9 @@ struct Chart {
   Axis y;
   std::vector<Series> series = {};
   KeyPlace key = KeyPlace::top_right;
+  /// As a luminaire's intensities are drawn: x is an angle in degrees from straight down, y >= 0 the distance from the
+  /// middle. y.most, within the outermost ring, must be given; y.label becomes the title.
+  bool is_polar = false;
 };
 
 /// One or more charts, in rows of `columns`, filled from the left.

@@ -6,14 +6,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "command/html_text.h"
 #include "demo/heat_map.h"
-#include "demo/html_text.h"
 #include "demo/page_text.h"
 #include "measure/frame_times.h"
 #include "scene/texels.h"
 
 namespace litfog::demo {
 namespace {
+
+using command::html_link;
+using command::html_text;
 
 /// A file of apps/demo/page without its first line, the licence.
 std::string_view page_text(std::string_view name) {

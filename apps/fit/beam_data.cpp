@@ -31,6 +31,7 @@ std::vector<double> full_angles(const std::vector<Plane>& planes, double fractio
   return angles;
 }
 
+/// None is known of samples that end above the fraction.
 std::vector<double> full_angle(const std::optional<double>& stated, const std::vector<ConeSample>& samples,
                                double fraction) {
   if (stated) return {*stated};
@@ -54,12 +55,15 @@ BeamData beam_data(const LightFit& fit) {
             .beam_angle = full_angles(planes, 0.5),
             .field_angle = full_angles(planes, 0.1)};
   }
-  if (!fit.target.cone) return {};
+  BeamData data{.peak = fit.target.peak, .flux = fit.target.flux, .beam_angle = {}, .field_angle = {}};
+  if (!fit.target.cone) return data;
   const ConeTarget& target = *fit.target.cone;
-  return {.peak = std::nullopt,
-          .flux = std::nullopt,
-          .beam_angle = full_angle(target.beam_angle, target.samples, 0.5),
-          .field_angle = full_angle(target.field_angle, target.samples, 0.1)};
+  data.beam_angle = full_angle(target.beam_angle, target.samples, 0.5);
+  data.field_angle = full_angle(target.field_angle, target.samples, 0.1);
+  for (const auto& [level, angles] : fit.target.ellipses) {
+    if (!angles.is_round()) (level == 0.5 ? data.beam_angle : data.field_angle) = {angles.horizontal, angles.vertical};
+  }
+  return data;
 }
 
 }  // namespace litfog::fit

@@ -181,6 +181,10 @@ void add_cone(Sheet& sheet, const ConeTarget& target, const ConeFit& fit) {
   sheet.add(residuals);
 }
 
+void add_asymmetry(Sheet& sheet, const LightFit& fit) {
+  sheet.add("asymmetry", fmt::format("{:.3f} of the beam (rms) is not symmetric about the axis", fit.target.asymmetry));
+}
+
 void add_luminaire(Sheet& sheet, const LightFit& fit) {
   const litfog::Luminaire& luminaire = *fit.target.luminaire;
   const auto& distribution = luminaire.distribution;
@@ -188,7 +192,7 @@ void add_luminaire(Sheet& sheet, const LightFit& fit) {
   if (!luminaire.name.empty()) sheet.add("luminaire", luminaire.name);
   if (!luminaire.manufacturer.empty()) sheet.add("manufacturer", luminaire.manufacturer);
   const bool is_photometric = fit.target.axis == kPhotometricAxis;
-  if (!is_photometric) sheet.add("axis", describe_axis(fit.target.axis));
+  if (!is_photometric) sheet.add("axis", describe_axis(distribution.type, fit.target.axis));
   sheet.add("peak", fmt::format("{:.6g} cd, {:.3g} deg off {}", find_peak(distribution).intensity,
                                 files::degrees(fit.peak_angle), is_photometric ? "the photometric axis" : "that axis"));
   const auto stated = stated_flux(luminaire);
@@ -196,7 +200,17 @@ void add_luminaire(Sheet& sheet, const LightFit& fit) {
   sheet.add("flux",
             fmt::format("{:.5g} lm", flux) +
                 (stated ? fmt::format(", stated {:.5g} lm ({:+.2g} %)", *stated, 100 * (flux / *stated - 1)) : ""));
-  sheet.add("asymmetry", fmt::format("{:.3f} of the beam (rms) is not symmetric about the axis", fit.target.asymmetry));
+  add_asymmetry(sheet, fit);
+}
+
+void add_elliptical_beam(Sheet& sheet, const LightFit& fit) {
+  sheet.add_heading("Elliptical beam");
+  for (const auto& [level, angles] : fit.target.ellipses) {
+    sheet.add(fmt::format("at {} %", 100 * level),
+              fmt::format("{:.6g} deg horizontally, {:.6g} deg vertically", files::degrees(angles.horizontal),
+                          files::degrees(angles.vertical)));
+  }
+  add_asymmetry(sheet, fit);
 }
 
 }  // namespace
@@ -206,12 +220,16 @@ std::string format_data_sheet(const LightFit& fit) {
   sheet.add("light", fit.light.name);
   sheet.add("from", fit.target.file);
   for (std::size_t i = 0; i < fit.target.source.size(); ++i) sheet.add(i == 0 ? "source" : "", fit.target.source[i]);
+  for (std::size_t i = 0; i < fit.target.derived.size(); ++i) {
+    sheet.add(i == 0 ? "derived" : "", fit.target.derived[i]);
+  }
   sheet.add("color",
             fmt::format("{:.6g} {:.6g} {:.6g}, linear RGB", fit.light.color.r, fit.light.color.g, fit.light.color.b));
   if (fit.light.density_scale != 1) sheet.add("density scale", fmt::format("{:.6g}", fit.light.density_scale));
   const Verdict verdict = judge(fit);
   sheet.add("verdict", fmt::format("{}: {}", name_of(verdict.grade), verdict.why));
   if (fit.target.luminaire) add_luminaire(sheet, fit);
+  if (fit.elliptical_beam) add_elliptical_beam(sheet, fit);
   if (fit.range) add_range(sheet, *fit.target.range, *fit.range);
   if (fit.cone) add_cone(sheet, *fit.target.cone, *fit.cone);
   const auto advice = fit.advice();

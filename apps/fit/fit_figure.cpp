@@ -14,9 +14,12 @@ namespace litfog::fit {
 
 namespace {
 
-using litfog::ConeProfileFit;
+using command::PlotPoint;
+using command::Series;
+using command::SeriesStyle;
+using std::numbers::pi;
 
-constexpr int kSteps = 400;
+constexpr int kSteps = 200;
 constexpr double kMargin = 1.1;      // beyond the last target
 constexpr double kDark = 0.002;      // fraction of the peak below which no angle is shown
 constexpr double kLeastError = 0.5;  // percent: an axis of less would show rounding
@@ -25,115 +28,257 @@ constexpr int kFirstColor = 0;
 constexpr int kPlaneColor = 2;
 constexpr int kLineColor = 7;  // of lines that no data make
 
+/// A light as it is drawn.
+struct Subject {
+  const LightFit& fit;
+  int color;  ///< of its first line
+  int target_color;
+  bool is_alone;
+
+  /// A line's name in the key: of several lights, which colour tells apart, their own.
+  std::string name(const std::string& line) const { return is_alone ? line : fit.light.name; }
+  /// That of other lines in the light's colour.
+  std::string second_name(const std::string& line) const { return is_alone ? line : ""; }
+};
+
+std::vector<Subject> subjects_of(const std::vector<const LightFit*>& fits) {
+  std::vector<Subject> subjects;
+  if (fits.size() == 1) return {{*fits.front(), kFirstColor, kTargetColor, true}};
+  for (const LightFit* fit : fits) {
+    const int color = int(subjects.size());
+    subjects.push_back({*fit, color, color, false});
+  }
+  return subjects;
+}
+
 /// A dashed line across a chart at a height.
-command::Series level_line(double end, double level, const std::string& label = "") {
+Series level_line(double end, double level, const std::string& label = "") {
   return {.points = {{0, level}, {0.9 * end, level, label, command::LabelPlace::above}, {end, level}},
-          .style = command::SeriesStyle::dashes,
+          .style = SeriesStyle::dashes,
           .color = kLineColor};
 }
 
-command::Axis error_axis(const char* label, const std::vector<command::Series>& errors) {
+command::Axis error_axis(const char* label, const std::vector<Series>& errors) {
   double largest = 0;
-  for (const command::Series& series : errors) {
-    for (const command::PlotPoint& point : series.points) largest = std::max(largest, std::abs(point.y));
+  for (const Series& series : errors) {
+    for (const PlotPoint& point : series.points) largest = std::max(largest, std::abs(point.y));
   }
   if (largest >= kLeastError) return {.label = label};
   return {.label = label, .least = -kLeastError, .most = kLeastError};
 }
 
-/// The beam in two planes of a luminaire, where they differ: a cone is fitted to the mean over the turn.
-std::vector<command::Series> plane_series(const LightTarget& target, double end) {
-  std::vector<command::Series> planes;
-  if (!target.luminaire || target.asymmetry <= kRoundBeam) return planes;
-  int color = kPlaneColor;
-  for (const auto& [name, turn] : {std::pair{"horizontal", 0.0}, {"vertical", std::numbers::pi / 2}}) {
-    command::Series& series =
-        planes.emplace_back(command::Series{.name = name, .style = command::SeriesStyle::dashes, .color = color++});
-    for (const AxialSample& sample : plane_profile(target.luminaire->distribution, turn, target.axis)) {
-      if (files::degrees(sample.angle) <= end) series.points.push_back({files::degrees(sample.angle), sample.mean});
+double highest_of(const std::vector<Series>& lines, double least) {
+  for (const Series& line : lines) {
+    for (const PlotPoint& point : line.points) least = std::max(least, point.y);
+  }
+  return least;
+}
+
+template <typename Value>
+Series sampled(const std::string& name, int color, double begin, double end, const Value& value) {
+  Series line{.name = name, .color = color};
+  for (int i = 0; i <= kSteps; ++i) {
+    const double x = begin + (end - begin) * i / kSteps;
+    line.points.push_back({x, value(x)});
+  }
+  return line;
+}
+
+// --- over range ---
+
+std::vector<PlotPoint> range_targets(const AttenuationTarget& target) {
+  std::vector<PlotPoint> points;
+  for (const auto& sample : target.samples) points.push_back({sample.range, sample.attenuation});
+  if (target.extent) points.push_back({*target.extent, target.threshold});
+  return points;
+}
+
+std::vector<command::Chart> range_charts(const std::vector<Subject>& subjects) {
+  double end = 0;
+  for (const Subject& subject : subjects) {
+    if (!subject.fit.range) continue;
+    for (const PlotPoint& point : range_targets(*subject.fit.target.range)) end = std::max(end, kMargin * point.x);
+  }
+  std::vector<Series> lines, errors;
+  for (const Subject& subject : subjects) {
+    const LightFit& fit = subject.fit;
+    if (!fit.range) continue;
+    const Attenuation& attenuation = fit.range->attenuation;
+    lines.push_back(level_line(end, fit.target.range->threshold, subject.is_alone ? "threshold" : ""));
+    lines.push_back(
+        sampled(subject.name("fit"), subject.color, 0, end, [&](double r) { return attenuation_at(attenuation, r); }));
+    lines.push_back({.name = subject.second_name("target"),
+                     .points = range_targets(*fit.target.range),
+                     .style = SeriesStyle::points,
+                     .color = subject.target_color});
+    Series& error = errors.emplace_back(Series{.style = SeriesStyle::points, .color = subject.color});
+    for (const auto& [x, y, label, place] : lines.back().points) {
+      error.points.push_back({x, 100 * (attenuation_at(attenuation, x) / y - 1)});
     }
+  }
+  if (errors.empty()) return {};
+  const command::Axis range{.label = "range (m)", .most = end};
+  const command::Axis error = error_axis("error (%)", errors);
+  errors.insert(errors.begin(), level_line(end, 0));
+  const command::Axis fraction{.label = "attenuation", .most = 1.05};
+  const command::Chart values{.x = range, .y = fraction, .series = lines, .key = command::KeyPlace::above};
+  const command::Chart below{.x = range, .y = error, .series = errors, .key = command::KeyPlace::none};
+  return {values, below};
+}
+
+// --- over angle ---
+
+/// The cone's data in degrees and, where the peak is known in it, candela.
+struct ConeData {
+  bool is_in_candela = false;
+  double unit = 1;                     ///< the peak
+  std::vector<PlotPoint> targets = {};  ///< by increasing angle, but for the stated angles, which come first
+  double end = 0;                      ///< degrees: of what is lit
+};
+
+bool has_candela(const std::vector<Subject>& subjects) {
+  return std::ranges::all_of(
+      subjects, [](const Subject& subject) { return !subject.fit.cone || subject.fit.target.luminaire; });
+}
+
+std::vector<const ConeProfileFit*> profiles_of(const Subject& subject) {
+  const ConeFit& cone = *subject.fit.cone;
+  if (!subject.is_alone) return {&cone.best()};
+  std::vector<const ConeProfileFit*> profiles;
+  for (const auto* profile : {&cone.cosine, &cone.smoothstep}) {
+    if (*profile) profiles.push_back(&**profile);
+  }
+  return profiles;
+}
+
+ConeData cone_data(const Subject& subject, bool is_in_candela) {
+  const ConeTarget& target = *subject.fit.target.cone;
+  double peak = 0;
+  for (const auto& sample : target.samples) peak = std::max(peak, sample.weight > 0 ? sample.intensity : 0);
+  ConeData data{.is_in_candela = is_in_candela, .unit = is_in_candela ? peak : 1};
+  if (target.beam_angle) data.targets.push_back({files::degrees(*target.beam_angle / 2), 0.5 * data.unit});
+  if (target.field_angle) data.targets.push_back({files::degrees(*target.field_angle / 2), 0.1 * data.unit});
+  for (const auto& sample : target.samples) {
+    data.targets.push_back({files::degrees(sample.angle), sample.intensity / peak * data.unit});
+  }
+  for (const auto* profile : profiles_of(subject)) {
+    data.end = std::max(data.end, files::degrees(angle_at_level(profile->cone, kDark)));
+  }
+  for (const PlotPoint& point : data.targets) {
+    if (point.y > kDark * data.unit) data.end = std::max(data.end, point.x);
+  }
+  data.end = std::min(180.0, kMargin * data.end);
+  return data;
+}
+
+double value_of(const ConeProfileFit& profile, double unit, double angle_deg) {
+  return unit * cone_at(profile.cone, std::cos(files::radians(angle_deg)));
+}
+
+/// The measured or elliptical beam behind a cone, in the unit of its data.
+class Beam {
+ public:
+  /// subject  a light with a beam
+  Beam(const Subject& subject, const ConeData& data)
+      : distribution_(*subject.fit.beam()),
+        axis_(subject.fit.target.axis),
+        is_round_(subject.fit.target.asymmetry <= kRoundBeam),
+        scale_(data.is_in_candela ? 1 : 1 / find_peak(distribution_).intensity) {}
+
+  bool is_round() const { return is_round_; }
+
+  /// Angles in degrees and intensities along a half plane.
+  std::vector<PlotPoint> half_plane(double turn) const {
+    std::vector<PlotPoint> points;
+    for (const AxialSample& sample : plane_profile(distribution_, turn, axis_)) {
+      points.push_back({files::degrees(sample.angle), scale_ * sample.mean});
+    }
+    return points;
+  }
+
+  /// The same from -180 to 180 degrees.
+  std::vector<PlotPoint> plane(double turn) const {
+    std::vector<PlotPoint> points = half_plane(turn + pi);
+    for (PlotPoint& point : points) point.x = -point.x;
+    std::ranges::reverse(points);
+    for (PlotPoint& point : half_plane(turn)) points.push_back(std::move(point));
+    return points;
+  }
+
+  /// The largest distance from the mean over the turn, in percent of the peak.
+  std::vector<PlotPoint> spread(double end) const {
+    const double peak = find_peak(distribution_).intensity;
+    std::vector<PlotPoint> points;
+    for (const AxialSample& sample : axial_profile(distribution_, axis_)) {
+      if (files::degrees(sample.angle) > end) break;
+      points.push_back({files::degrees(sample.angle), 100 * sample.deviation / peak});
+    }
+    return points;
+  }
+
+ private:
+  const IntensityDistribution& distribution_;
+  glm::dvec3 axis_;
+  bool is_round_;
+  double scale_;
+};
+
+struct NamedTurn {
+  const char* name;
+  double turn;
+};
+constexpr NamedTurn kPlanes[] = {{"horizontal", 0}, {"vertical", pi / 2}};
+
+std::vector<Series> plane_series(const Subject& subject, const ConeData& data, double end) {
+  std::vector<Series> planes;
+  if (!subject.fit.beam()) return planes;
+  const Beam beam(subject, data);
+  if (beam.is_round()) return planes;
+  int color = kPlaneColor;
+  for (const auto& [name, turn] : kPlanes) {
+    Series& series = planes.emplace_back(Series{.name = name, .style = SeriesStyle::dashes, .color = color++});
+    series.points = beam.half_plane(turn);
+    std::erase_if(series.points, [end](const PlotPoint& point) { return point.x > end; });
   }
   return planes;
 }
 
-std::vector<command::Chart> range_charts(const LightFit& fit) {
-  const auto& target = *fit.target.range;
-  const auto& attenuation = fit.range->attenuation;
-  command::Series targets{.name = "target", .style = command::SeriesStyle::points, .color = kTargetColor};
-  command::Series errors{.style = command::SeriesStyle::points, .color = kFirstColor};
-  const auto add = [&](double range, double wanted) {
-    targets.points.push_back({range, wanted});
-    errors.points.push_back({range, 100 * (attenuation_at(attenuation, range) / wanted - 1)});
-  };
-  for (const auto& sample : target.samples) add(sample.range, sample.attenuation);
-  if (target.extent) add(*target.extent, target.threshold);
-  double end = 0;
-  for (const command::PlotPoint& point : targets.points) end = std::max(end, point.x);
-  end *= kMargin;
-  command::Series line{.name = "fit", .color = kFirstColor};
-  for (int i = 0; i <= kSteps; ++i) {
-    const double range = end * i / kSteps;
-    line.points.push_back({range, attenuation_at(attenuation, range)});
+std::vector<command::Chart> angle_charts(const std::vector<Subject>& subjects) {
+  const bool is_in_candela = has_candela(subjects);
+  double end = 0, unit = 0;
+  for (const Subject& subject : subjects) {
+    if (!subject.fit.cone) continue;
+    const ConeData data = cone_data(subject, is_in_candela);
+    end = std::max(end, data.end);
+    unit = std::max(unit, data.unit);
   }
-  const command::Axis range{.label = "range (m)", .most = end};
-  const command::Axis fraction{.label = "attenuation", .most = 1.05};
-  const command::Chart values{.x = range,
-                              .y = fraction,
-                              .series = {level_line(end, target.threshold, "threshold"), line, targets},
-                              .key = command::KeyPlace::above};
-  const command::Chart below{.x = range,
-                             .y = error_axis("error (%)", {errors}),
-                             .series = {level_line(end, 0), errors},
-                             .key = command::KeyPlace::none};
-  return {values, below};
-}
-
-std::vector<command::Chart> angle_charts(const LightFit& fit) {
-  const auto& target = *fit.target.cone;
-  double peak = 0;
-  for (const auto& sample : target.samples) peak = std::max(peak, sample.weight > 0 ? sample.intensity : 0);
-  const double unit = fit.target.luminaire ? peak : 1;  // candela where they are known
-  command::Series targets{.name = "target", .style = command::SeriesStyle::points, .color = kTargetColor};
-  if (target.beam_angle) targets.points.push_back({files::degrees(*target.beam_angle / 2), 0.5 * unit});
-  if (target.field_angle) targets.points.push_back({files::degrees(*target.field_angle / 2), 0.1 * unit});
-  for (const auto& sample : target.samples) {
-    targets.points.push_back({files::degrees(sample.angle), sample.intensity / peak * unit});
-  }
-  std::vector<const ConeProfileFit*> profiles;
-  for (const auto* profile : {&fit.cone->cosine, &fit.cone->smoothstep}) {
-    if (*profile) profiles.push_back(&**profile);
-  }
-  double end = 0;  // of what is lit
-  for (const auto* profile : profiles) end = std::max(end, files::degrees(angle_at_level(profile->cone, kDark)));
-  for (const command::PlotPoint& point : targets.points) {
-    if (point.y > kDark * unit) end = std::max(end, point.x);
-  }
-  end = std::min(180.0, end * kMargin);
-  std::erase_if(targets.points, [end](const command::PlotPoint& point) { return point.x > end; });
-
-  std::vector<command::Series> lines{level_line(end, 0.5 * unit, "50 %"), level_line(end, 0.1 * unit, "10 %")};
-  for (command::Series& plane : plane_series(fit.target, end)) lines.push_back(std::move(plane));
-  std::vector<command::Series> errors;
-  int color = kFirstColor;
-  for (const auto* profile : profiles) {
-    const auto value = [&](double angle) { return unit * cone_at(profile->cone, std::cos(files::radians(angle))); };
-    command::Series line{.name = name_of(profile->cone.profile), .color = color};
-    for (int i = 0; i <= kSteps; ++i) line.points.push_back({end * i / kSteps, value(end * i / kSteps)});
-    lines.push_back(std::move(line));
-    command::Series error{.style = command::SeriesStyle::line_and_points, .color = color++};
-    for (const command::PlotPoint& point : targets.points) {
-      error.points.push_back({point.x, 100 * (value(point.x) - point.y) / unit});
+  if (end == 0) return {};
+  std::vector<Series> lines, errors;
+  if (subjects.front().is_alone) lines = {level_line(end, 0.5 * unit, "50 %"), level_line(end, 0.1 * unit, "10 %")};
+  for (const Subject& subject : subjects) {
+    if (!subject.fit.cone) continue;
+    ConeData data = cone_data(subject, is_in_candela);
+    std::erase_if(data.targets, [end](const PlotPoint& point) { return point.x > end; });
+    if (subject.is_alone) {
+      for (Series& plane : plane_series(subject, data, end)) lines.push_back(std::move(plane));
     }
-    errors.push_back(std::move(error));
-  }
-  lines.push_back(std::move(targets));
-  double highest = unit;
-  for (const command::Series& line : lines) {
-    for (const command::PlotPoint& point : line.points) highest = std::max(highest, point.y);
+    int color = subject.color;
+    for (const auto* profile : profiles_of(subject)) {
+      lines.push_back(sampled(subject.name(name_of(profile->cone.profile)), color, 0, end,
+                              [&](double angle) { return value_of(*profile, data.unit, angle); }));
+      Series& error = errors.emplace_back(Series{.style = SeriesStyle::line_and_points, .color = color++});
+      for (const PlotPoint& point : data.targets) {
+        error.points.push_back({point.x, 100 * (value_of(*profile, data.unit, point.x) - point.y) / data.unit});
+      }
+    }
+    lines.push_back({.name = subject.second_name("target"),
+                     .points = std::move(data.targets),
+                     .style = SeriesStyle::points,
+                     .color = subject.target_color});
   }
   const command::Axis angle{.label = "angle from the axis (deg)", .most = end};
-  const command::Axis intensity{.label = fit.target.luminaire ? "intensity (cd)" : "intensity / peak",
-                                .most = 1.05 * highest};
+  const command::Axis intensity{.label = is_in_candela ? "intensity (cd)" : "intensity / peak",
+                                .most = 1.05 * highest_of(lines, unit)};
   const command::Axis error = error_axis("error (% of the peak)", errors);
   errors.insert(errors.begin(), level_line(end, 0));
   const command::Chart values{.x = angle, .y = intensity, .series = lines, .key = command::KeyPlace::above};
@@ -141,15 +286,73 @@ std::vector<command::Chart> angle_charts(const LightFit& fit) {
   return {values, below};
 }
 
+// --- over the turn ---
+
+command::Chart polar_chart(const std::vector<Subject>& subjects) {
+  const bool is_in_candela = has_candela(subjects);
+  std::vector<Series> lines;
+  double unit = 0;
+  for (const Subject& subject : subjects) {
+    if (!subject.fit.cone) continue;
+    const ConeData data = cone_data(subject, is_in_candela);
+    unit = std::max(unit, data.unit);
+    const ConeProfileFit& best = subject.fit.cone->best();
+    lines.push_back(sampled(subject.name(name_of(best.cone.profile)),
+                            subject.color + (subject.is_alone && &best != profiles_of(subject).front() ? 1 : 0),
+                            -data.end, data.end, [&](double angle) { return value_of(best, data.unit, angle); }));
+    if (!subject.fit.beam()) continue;
+    const Beam beam(subject, data);
+    if (beam.is_round()) {
+      lines.push_back({.name = subject.second_name("target"),
+                       .points = beam.plane(0),
+                       .style = subject.is_alone ? SeriesStyle::line : SeriesStyle::dashes,
+                       .color = subject.target_color});
+      continue;
+    }
+    int color = kPlaneColor;
+    for (const auto& [name, turn] : kPlanes) {
+      lines.push_back({.name = subject.second_name(name),
+                       .points = beam.plane(turn),
+                       .style = SeriesStyle::dashes,
+                       .color = subject.is_alone ? color++ : subject.color});
+    }
+  }
+  return {.x = {},
+          .y = {.label = is_in_candela ? "intensity (cd)" : "intensity / peak", .most = highest_of(lines, unit)},
+          .series = lines,
+          .key = subjects.front().is_alone ? command::KeyPlace::beside : command::KeyPlace::none,
+          .is_polar = true};
+}
+
+command::Chart spread_chart(const std::vector<Subject>& subjects) {
+  command::Chart chart{.x = {.label = "angle from the axis (deg)"},
+                       .y = {.label = "spread over the turn (% of the peak)"},
+                       .key = subjects.front().is_alone ? command::KeyPlace::none : command::KeyPlace::above};
+  for (const Subject& subject : subjects) {
+    if (!subject.fit.cone || !subject.fit.beam()) continue;
+    const ConeData data = cone_data(subject, has_candela(subjects));
+    chart.x.most = std::max(chart.x.most, data.end);
+    chart.series.push_back(
+        {.name = subject.name(""), .points = Beam(subject, data).spread(data.end), .color = subject.color});
+  }
+  chart.y.most = 1.05 * highest_of(chart.series, kLeastError);
+  return chart;
+}
+
 }  // namespace
 
-command::Figure fit_figure(const LightFit& fit) {
+command::Figure fit_figure(const std::vector<const LightFit*>& fits) {
+  const std::vector<Subject> subjects = subjects_of(fits);
   std::vector<std::vector<command::Chart>> columns;
-  if (fit.range) columns.push_back(range_charts(fit));
-  if (fit.cone) columns.push_back(angle_charts(fit));
-  command::Figure figure{.title = fit.light.name, .columns = int(columns.size())};
+  if (auto charts = range_charts(subjects); !charts.empty()) columns.push_back(std::move(charts));
+  if (auto charts = angle_charts(subjects); !charts.empty()) {
+    columns.push_back(std::move(charts));
+    columns.push_back({polar_chart(subjects), spread_chart(subjects)});
+  }
+  command::Figure figure{.columns = int(columns.size())};
+  for (const LightFit* fit : fits) figure.title += (figure.title.empty() ? "" : " / ") + fit->light.name;
   figure.width = 600 * figure.columns;
-  figure.height = 700;
+  figure.height = 780;
   for (const std::size_t row : {0u, 1u}) {
     for (const auto& column : columns) figure.charts.push_back(column[row]);
   }

@@ -80,7 +80,7 @@ std::string fit_record(const LightFit& fit, bool has_time) {
     if (has_time) record["milliseconds"] = fit.cone->milliseconds;
     add("cone", record);
   }
-  if (fit.target.luminaire) add("asymmetry", fit.target.asymmetry);
+  if (fit.beam()) add("asymmetry", fit.target.asymmetry);
   return "{" + members + "\n  }";
 }
 

@@ -25,7 +25,7 @@ namespace litfog::fit {
 ///                 "active": [], "covariance": [[...], ...],      of exponent, or of inner and outer in radians
 ///                 "kkt_residual": 0, "iterations": 5, "boxes": 99},
 ///               "smoothstep": {...}, "milliseconds": 0.3},
-///      "asymmetry": 0.02}                       of a beam from a photometric file: what no cone can follow
+///      "asymmetry": 0.02}                       of a measured or elliptical beam: what no cone follows
 ///
 /// has_time  false leaves the milliseconds out: the same input then gives the same text
 std::string fit_record(const LightFit& fit, bool has_time);

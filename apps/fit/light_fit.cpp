@@ -8,8 +8,10 @@
 #include <glm/geometric.hpp>
 #include <iterator>
 #include <numbers>
+#include <numeric>
 
 #include "files/angle_deg.h"
+#include "litfog/photometry/elliptical_beam.h"
 
 namespace litfog::fit {
 
@@ -17,6 +19,53 @@ using litfog::AttenuationFitStatus;
 using litfog::Cone;
 using litfog::ConeFitStatus;
 using litfog::ConeProfile;
+
+namespace {
+
+/// A cone drawn out to the ellipses that were replaced by circles of the same solid angle: each of its circles becomes
+/// the ellipse of the same solid angle whose half axes are in proportion between the given ones, so that its flux
+/// stays.
+std::vector<IsocandelaEllipse> stretched(const Cone& cone, const std::vector<BeamEllipse>& ellipses) {
+  constexpr int kLines = 128;
+  constexpr double kPi = std::numbers::pi;
+  const std::size_t count = ellipses.size();
+  const FullAngles& last = ellipses.back().angles;
+  const auto ellipse_at = [&](double step) {  // 0 on the axis, i + 1 at ellipse i; beyond them in the last's proportion
+    const std::size_t outer = std::min(std::size_t(step), count - 1);
+    const FullAngles inner = outer == 0 ? FullAngles(0) : ellipses[outer - 1].angles;
+    const FullAngles& angles = ellipses[outer].angles;
+    const double t = std::min(step - double(outer), 1.0), scale = std::max(step / double(count), 1.0) / 2;
+    return IsocandelaEllipse{.intensity = 0,
+                             .horizontal = std::min(scale * std::lerp(inner.horizontal, angles.horizontal, t), kPi),
+                             .vertical = std::min(scale * std::lerp(inner.vertical, angles.vertical, t), kPi)};
+  };
+  const auto circle_of = [](const IsocandelaEllipse& e) { return equal_circle(e.horizontal, e.vertical); };
+  double low = 0, high = 2 * kPi * double(count) / std::max(last.horizontal, last.vertical);
+  const double cutoff = cutoff_angle(cone);
+  for (int i = 0; i < 60; ++i) {  // the step at which the cone ends, or the ellipses reach 180 degrees
+    const double middle = std::midpoint(low, high);
+    (circle_of(ellipse_at(middle)) < cutoff ? low : high) = middle;
+  }
+  std::vector<IsocandelaEllipse> lines;
+  for (int i = 1; i <= kLines; ++i) {
+    IsocandelaEllipse& line = lines.emplace_back(ellipse_at(low * i / kLines));
+    line.intensity = cone_at(cone, std::cos(circle_of(line)));
+  }
+  return lines;
+}
+
+/// Of a beam by its isocandela lines. A narrow beam is widened, which changes its asymmetry by less than a hundredth,
+/// because asymmetry() steps in quarters of a degree.
+double asymmetry_of(std::vector<IsocandelaEllipse> lines) {
+  const double scale = std::max(1.0, files::radians(10) / std::max(lines.back().horizontal, lines.back().vertical));
+  for (IsocandelaEllipse& line : lines) {
+    line.horizontal *= scale;
+    line.vertical *= scale;
+  }
+  return asymmetry(elliptical_beam(lines), kPhotometricAxis);
+}
+
+}  // namespace
 
 LightFit fit_light(LightTarget target, bool is_robust) {
   LightFit fit;
@@ -39,8 +88,18 @@ LightFit fit_light(LightTarget target, bool is_robust) {
     const double cosine = dot(find_peak(distribution).direction, target.axis);
     fit.peak_angle = std::acos(std::clamp(cosine, -1.0, 1.0));
   }
+  if (!target.ellipses.empty()) {
+    const auto lines = stretched(fit.light.cone, target.ellipses);
+    fit.elliptical_beam = elliptical_beam(lines);
+    target.asymmetry = asymmetry_of(lines);
+  }
   fit.target = std::move(target);
   return fit;
+}
+
+const IntensityDistribution* LightFit::beam() const {
+  if (target.luminaire) return &target.luminaire->distribution;
+  return elliptical_beam ? &*elliptical_beam : nullptr;
 }
 
 bool LightFit::is_proven() const {
@@ -94,7 +153,7 @@ std::vector<std::string> LightFit::advice() const {
     add("The cone's flux is off by {:+.0f} %: no cone of this profile holds the beam's spill.", 100 * *best.flux_error);
   }
   if (best.rms > 0.05) add("Neither profile follows the beam well (rms error {:.2g} of the peak).", best.rms);
-  if (target.luminaire && target.asymmetry > kRoundBeam) {
+  if (beam() && target.asymmetry > kRoundBeam) {
     add("The beam is not rotationally symmetric: any cone loses {:.0f} % of it (rms). --cookie keeps its shape.",
         100 * target.asymmetry);
   }

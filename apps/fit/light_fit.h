@@ -17,6 +17,9 @@ struct LightFit {
   std::optional<litfog::ConeFit> cone;          ///< without a target it is a point light
   litfog::Light light;
 
+  std::optional<IntensityDistribution> elliptical_beam;  ///< of a target with ellipses
+  /// The measured or elliptical beam that the cone stands for, which a cookie keeps; nothing where the cone is all.
+  const IntensityDistribution* beam() const;
   double peak_angle = 0;                    ///< of a photometric file: radians from the axis to the largest intensity
   bool is_proven() const;                   ///< every fit is feasible, and shown to be the best
   std::vector<std::string> advice() const;  ///< what a light-spec author may want to know, a sentence each

@@ -4,13 +4,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <glm/geometric.hpp>
+#include <numbers>
+#include <tuple>
 
 #include "files/angle_deg.h"
-#include "litfog/files/light_spec_file.h"
 #include "litfog/input_error.h"
+#include "litfog/photometry/elliptical_beam.h"
 
 namespace litfog::fit {
 namespace {
@@ -18,7 +21,6 @@ namespace {
 /// Illuminance at which a photometric file's light ends: 1 lx, as for the lights of data/lights.
 constexpr double kEndIlluminance = 1;
 constexpr double kHorizon = 1e-9;    // cosine from the photometric axis that is level within rounding
-constexpr double kNearAxis = 0.996;  // cosine of 5 degrees: a peak nearer to the axis does not move it
 constexpr double kAimed = 0.5;       // of it: about the peak of a beam that is aimed there
 
 struct MeasuredAxis {
@@ -30,8 +32,8 @@ MeasuredAxis best_axis(const IntensityDistribution& distribution, const glm::dve
   const double cosine = glm::dot(peak, kPhotometricAxis);
   const glm::dvec3 axis = cosine < -kHorizon ? -kPhotometricAxis : kPhotometricAxis;
   const double about_axis = asymmetry(distribution, axis);
-  if (about_axis <= kRoundBeam || std::abs(cosine) > kNearAxis) return {axis, about_axis};
-  const double about_peak = asymmetry(distribution, peak);
+  if (about_axis <= kRoundBeam) return {axis, about_axis};
+  const double about_peak = asymmetry(distribution, peak, kAimed * about_axis);
   return about_peak < kAimed * about_axis ? MeasuredAxis{peak, about_peak} : MeasuredAxis{axis, about_axis};
 }
 
@@ -51,6 +53,17 @@ MeasuredAxis axis_of(const IntensityDistribution& distribution, const AxisChoice
       return measured(direction_of(distribution.type, choice.horizontal, choice.vertical));
   }
   return best_axis(distribution, peak);
+}
+
+/// Lamps whose output depends on how they burn: their intensities as mounted.
+void apply_tilt(LightTarget& target, double tilt) {
+  Luminaire& luminaire = *target.luminaire;
+  if (!luminaire.tilt) return;
+  const double factor = tilt_factor(*luminaire.tilt, tilt);
+  for (double& candela : luminaire.distribution.intensity) candela *= factor;
+  target.derived.push_back(
+      fmt::format("Tilt: {:.6g} deg, where the lamps give {:.6g} of what they give as measured. --tilt changes it.",
+                  files::degrees(tilt), factor));
 }
 
 void set_axis(LightTarget& target, const AxisChoice& choice) {
@@ -84,9 +97,10 @@ std::string sentence_on_range(const Luminaire& luminaire) {
       peak, extent_of(peak, kEndIlluminance));
 }
 
-std::string sentence_on_cone(const std::string& file, const glm::dvec3& axis) {
-  const std::string words = axis == kPhotometricAxis ? "the photometric axis" : "an axis " + describe_axis(axis);
-  return fmt::format("Cone: fitted to {}, the mean over the turn about {}.", file, words);
+std::string sentence_on_cone(const LightTarget& target) {
+  return fmt::format("Cone: fitted to {}, the mean over the turn about its axis: {}.",
+                     std::filesystem::path(target.luminaire->file).filename().string(),
+                     describe_axis(target.luminaire->distribution.type, target.axis));
 }
 
 /// What a fit does not take, at the value of the spec that it comes from.
@@ -122,19 +136,76 @@ ConeChoice choice_of(ConeSpec::Profile profile) {
   return ConeChoice::best;
 }
 
-/// The extent of a range that states where the light ends by its illuminance, and a sentence on how it was derived.
+/// "what a pilot sees by night, ..." after a comma, of an illuminance that has a name.
+std::string source_of(double end_illuminance) {
+  const auto named = std::ranges::find(kVisualThresholds, end_illuminance, &VisualThreshold::illuminance);
+  return named == kVisualThresholds.end() ? "" : fmt::format(", {}", named->source);
+}
+
+/// The flux of a light with 1 cd at its peak, and what has it: a luminaire, or the cone as it will be fitted.
+struct UnitFlux {
+  double flux;
+  std::string of;
+};
+
+UnitFlux unit_flux_of(const LightTarget& target) {
+  if (target.luminaire) {
+    const auto& distribution = target.luminaire->distribution;
+    return {luminous_flux(distribution) / find_peak(distribution).intensity,
+            std::filesystem::path(target.luminaire->file).filename().string()};
+  }
+  const Cone cone = target.cone ? fit_cone(*target.cone).best().cone : Cone{};
+  return {flux_within(cone, std::numbers::pi), target.cone ? "the fitted cone" : "a point light"};
+}
+
+/// The peak intensity that a spec's range states in one way or another, with the step that leads there.
+std::optional<double> stated_peak(const RangeSpec& range, LightTarget& target) {
+  if (range.illuminance) {
+    const auto& [metres, lux] = *range.illuminance;
+    const double peak = lux * metres * metres;
+    target.derived.push_back(fmt::format("Peak: {:.6g} lx * ({:.6g} m)^2 = {:.6g} cd.", lux, metres, peak));
+    return peak;
+  }
+  if (range.flux) {
+    const UnitFlux unit = unit_flux_of(target);
+    const double peak = *range.flux / unit.flux;
+    target.derived.push_back(fmt::format("Peak: {:.6g} lm / {:.6g} sr = {:.6g} cd, with the flux of {} per candela.",
+                                         *range.flux, unit.flux, peak, unit.of));
+    return peak;
+  }
+  return range.peak;
+}
+
+/// A luminaire's intensities made those of a light with another peak.
+void scale_luminaire(const LightSpec& spec, LightTarget& target, double peak) {
+  constexpr double kMostIntensity = 1e30;  // as of an IntensityDistribution
+  const double factor = peak / *target.peak;
+  if (factor == 1) return;
+  if (!(peak >= 1 / kMostIntensity && peak <= kMostIntensity)) {
+    throw spec.error_at("range.peak", fmt::format("{:.6g} cd", peak), "must have a peak in [1e-30, 1e30] cd");
+  }
+  for (double& intensity : target.luminaire->distribution.intensity) intensity *= factor;
+  target.derived.push_back(
+      fmt::format("Photometry: times {:.6g}, from its peak of {:.6g} cd to {:.6g} cd.", factor, *target.peak, peak));
+}
+
+/// The extent of a range that states where the light ends by its illuminance.
 void derive_extent(const LightSpec& spec, LightTarget& target) {
   const RangeSpec& range = *spec.range;
-  if (!range.end_illuminance && !range.peak) return;
-  if (!range.peak && !target.luminaire) {
-    throw spec.error_at("range.peak_cd", "", "must be given, or illuminance or the cone's photometry, for end_lx");
+  target.flux = range.flux;
+  const auto peak = stated_peak(range, target);
+  if (!peak && !range.end_illuminance) return;
+  if (!peak && !target.peak) {
+    throw spec.error_at("range.peak_cd", "",
+                        "must be given, or illuminance, flux_lm or the cone's photometry, for end_lx");
   }
-  const double peak = range.peak ? *range.peak : find_peak(target.luminaire->distribution).intensity;
+  if (peak && target.luminaire) scale_luminaire(spec, target, *peak);
+  if (peak) target.peak = peak;
   const double end = range.end_illuminance.value_or(kEndIlluminance);
-  target.range->extent = extent_of(peak, end);
-  target.source.push_back(
-      fmt::format("Extent: sqrt({:.6g} cd / {:.6g} lx) = {:.6g} m, where the light gives {:.6g} lx.", peak, end,
-                  *target.range->extent, end));
+  target.range->extent = extent_of(*target.peak, end);
+  target.derived.push_back(
+      fmt::format("Extent: sqrt({:.6g} cd / {:.6g} lx) = {:.6g} m, where the light gives {:.6g} lx{}.", *target.peak,
+                  end, *target.range->extent, end, source_of(end)));
 }
 
 void set_range(const LightSpec& spec, LightTarget& light) {
@@ -158,12 +229,50 @@ Luminaire read_luminaire_of(const LightSpec& spec) {
   }
 }
 
+/// The full angle of the circle that stands for an angle pair in a round cone.
+std::optional<double> round_angle(const std::optional<FullAngles>& angles) {
+  if (!angles) return std::nullopt;
+  if (angles->is_round()) return angles->horizontal;
+  return 2 * equal_circle(angles->horizontal / 2, angles->vertical / 2);
+}
+
+/// The ellipses of a cone of which at least one angle is a pair.
+void set_ellipses(const LightSpec& spec, LightTarget& target) {
+  struct Member {
+    const char* name;
+    const char* what;
+    double level;
+    const std::optional<FullAngles>& angles;
+  };
+  const ConeSpec& cone = *spec.cone;
+  const std::array members{Member{"beam_angle", "Beam angle", 0.5, cone.beam_angle},
+                           Member{"field_angle", "Field angle", 0.1, cone.field_angle}};
+  if (std::ranges::all_of(members, [](const Member& m) { return !m.angles || m.angles->is_round(); })) return;
+  FullAngles inner(0);
+  for (const auto& [name, what, level, angles] : members) {
+    if (!angles) continue;
+    for (const auto& [index, angle, least] :
+         {std::tuple(0, angles->horizontal, inner.horizontal), std::tuple(1, angles->vertical, inner.vertical)}) {
+      if (angle > least && angle <= 2 * std::numbers::pi) continue;
+      const std::string field = fmt::format("cone.{}{}", name, angles->is_round() ? "" : fmt::format("[{}]", index));
+      throw spec.error_at(field, "",
+                          least == 0 ? "must be in (0, 2 pi]" : "must be above the beam angle, at most 2 pi");
+    }
+    target.ellipses.push_back({level, *angles});
+    inner = *angles;
+    if (angles->is_round()) continue;
+    target.derived.push_back(fmt::format("{}: {:.6g} x {:.6g} deg is {:.6g} deg round, by its solid angle.", what,
+                                         files::degrees(angles->horizontal), files::degrees(angles->vertical),
+                                         files::degrees(*round_angle(angles))));
+  }
+}
+
 ConeTarget cone_of(const LightSpec& spec) {
   const ConeSpec& cone = *spec.cone;
   ConeTarget target{.choice = choice_of(cone.profile),
                     .half_angle = cone.half_angle,
-                    .beam_angle = cone.beam_angle,
-                    .field_angle = cone.field_angle};
+                    .beam_angle = round_angle(cone.beam_angle),
+                    .field_angle = round_angle(cone.field_angle)};
   for (const auto& sample : cone.samples) {
     target.samples.push_back({.angle = sample.angle, .intensity = sample.intensity, .weight = sample.weight});
   }
@@ -187,23 +296,29 @@ LightTarget read_spec(const std::string& path, const FitChoices& choices) {
                      .color = spec.color,
                      .density_scale = spec.density_scale};
   if (spec.color_temperature) {
-    target.source.push_back(fmt::format("Color: {:.6g} K is {:.4g} {:.4g} {:.4g}, linear sRGB.",
-                                        *spec.color_temperature, spec.color.r, spec.color.g, spec.color.b));
+    target.derived.push_back(fmt::format("Color: {:.6g} K is {:.4g} {:.4g} {:.4g}, linear sRGB.",
+                                         *spec.color_temperature, spec.color.r, spec.color.g, spec.color.b));
   }
-  if (spec.cone && spec.cone->photometry) target.luminaire = read_luminaire_of(spec);
-  if (spec.range) set_range(spec, target);
+  if (spec.cone && spec.cone->photometry) {
+    target.luminaire = read_luminaire_of(spec);
+    apply_tilt(target, choices.tilt);
+    target.peak = find_peak(target.luminaire->distribution).intensity;
+  }
   if (spec.cone) {
+    set_ellipses(spec, target);
     target.cone = cone_of(spec);
     if (target.luminaire) {
       set_axis(target, choices.axis);
       target.cone->samples = samples_of(*target.luminaire, target.axis);
+      target.derived.push_back(sentence_on_cone(target));
     }
     if (choices.profile) target.cone->choice = *choices.profile;
     expect_fittable(spec, *target.cone);
   }
+  if (spec.range) set_range(spec, target);
   if (target.luminaire && !target.range) {
     target.range = range_of(*target.luminaire);
-    target.source.push_back(sentence_on_range(*target.luminaire));
+    target.derived.push_back(sentence_on_range(*target.luminaire));
   }
   return target;
 }
@@ -211,12 +326,14 @@ LightTarget read_spec(const std::string& path, const FitChoices& choices) {
 LightTarget read_photometric_spec(const std::string& path, const FitChoices& choices) {
   LightTarget target{.file = path, .name = std::filesystem::path(path).stem().string()};
   target.luminaire = read_luminaire(path);
+  apply_tilt(target, choices.tilt);
   const Luminaire& luminaire = *target.luminaire;
   set_axis(target, choices.axis);
   const std::string file = std::filesystem::path(path).filename().string();
   if (!luminaire.name.empty()) target.name = luminaire.name;
-  target.source = {luminaire.manufacturer.empty() ? file : fmt::format("{}: {}", file, luminaire.manufacturer),
-                   sentence_on_range(luminaire), sentence_on_cone(file, target.axis)};
+  target.source = {luminaire.manufacturer.empty() ? file : fmt::format("{}: {}", file, luminaire.manufacturer)};
+  target.derived.push_back(sentence_on_range(luminaire));
+  target.derived.push_back(sentence_on_cone(target));
   target.range = range_of(luminaire);
   target.cone =
       ConeTarget{.choice = choices.profile.value_or(ConeChoice::best), .samples = samples_of(luminaire, target.axis)};
@@ -224,11 +341,16 @@ LightTarget read_photometric_spec(const std::string& path, const FitChoices& cho
   return target;
 }
 
-std::string describe_axis(const glm::dvec3& axis) {
-  if (axis == kPhotometricAxis) return "down, the photometric axis";
-  if (axis == -kPhotometricAxis) return "up, opposite to the photometric axis";
+std::string describe_axis(PhotometryType type, const glm::dvec3& axis) {
+  const bool is_c = type == PhotometryType::c;
+  if (axis == kPhotometricAxis) return is_c ? "down, the photometric axis" : "ahead, the photometric axis";
+  if (axis == -kPhotometricAxis) {
+    return fmt::format("{}, opposite to the photometric axis", is_c ? "up" : "behind");
+  }
   const double angle = std::acos(std::clamp(glm::dot(axis, kPhotometricAxis), -1.0, 1.0));
-  return fmt::format("{:.3g} deg from the photometric axis", files::degrees(angle));
+  const auto [horizontal, vertical] = angles_of(type, axis);
+  return fmt::format("{:.4g} deg from the photometric axis, --axis {:.4g},{:.4g}", files::degrees(angle),
+                     files::degrees(horizontal), files::degrees(vertical));
 }
 
 }  // namespace litfog::fit

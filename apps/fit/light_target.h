@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "litfog/files/light_spec_file.h"
 #include "litfog/fit/attenuation_fit.h"
 #include "litfog/fit/cone_fit.h"
 #include "litfog/photometry/luminaire.h"
@@ -33,6 +34,13 @@ struct AxisChoice {
 struct FitChoices {
   std::optional<ConeChoice> profile = std::nullopt;  ///< replaces the file's own
   AxisChoice axis = {};
+  double tilt = 0;  ///< radians, by which a luminaire with tilt data is tilted as it is mounted
+};
+
+/// A line of equal intensity of an elliptical beam, by its full angles.
+struct BeamEllipse {
+  double level;  ///< fraction of the peak
+  FullAngles angles;
 };
 
 /// A light that is to be fitted, from a light-spec file (litfog/files/light_spec_file.h) or a photometric file.
@@ -40,14 +48,19 @@ struct LightTarget {
   std::string file = {};
   std::string name = {};
   std::vector<std::string> source = {};
+  std::vector<std::string> derived = {};  ///< how figures were made of the file's, a step each
   glm::dvec3 color{1.0};
   double density_scale = 1;
   std::optional<AttenuationTarget> range = std::nullopt;
-  /// With the luminaire's profile about the axis as its samples, if there is a luminaire.
+  std::optional<double> peak = std::nullopt;  ///< candela, stated or derived
+  std::optional<double> flux = std::nullopt;  ///< lumens, as stated
+  /// With the luminaire's profile about the axis as its samples, if there is a luminaire. With the circles of equal
+  /// solid angle as its angles, if those are an elliptical beam's.
   std::optional<ConeTarget> cone = std::nullopt;
+  std::vector<BeamEllipse> ellipses = {};  ///< of an elliptical beam; from the inner one to the outer
   std::optional<Luminaire> luminaire = std::nullopt;
   glm::dvec3 axis = kPhotometricAxis;  ///< of the light, in the luminaire frame; unit
-  double asymmetry = 0;                ///< of the luminaire's beam about that axis
+  double asymmetry = 0;                ///< of the luminaire's beam about that axis, or of the elliptical beam
 };
 
 /// Reads a light-spec file and the photometric file that it names. Throws InputError, also for what the fits do not
@@ -59,8 +72,8 @@ LightTarget read_spec(const std::string& path, const FitChoices& choices = {});
 /// take.
 LightTarget read_photometric_spec(const std::string& path, const FitChoices& choices = {});
 
-/// An axis in words: "down, the photometric axis", "up, opposite to the photometric axis", "60 deg from the photometric
-/// axis".
-std::string describe_axis(const glm::dvec3& axis);
+/// An axis in words, as --axis takes it: "down, the photometric axis", "up, opposite to the photometric axis", of types
+/// A and B "ahead" and "behind", or "40 deg from the photometric axis, --axis 0,40" in the file's angles.
+std::string describe_axis(PhotometryType type, const glm::dvec3& axis);
 
 }  // namespace litfog::fit

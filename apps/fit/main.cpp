@@ -4,12 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
+#include <exception>
 #include <filesystem>
-#include <map>
+#include <functional>
+#include <mutex>
 #include <optional>
-#include <set>
 #include <string>
+#include <thread>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -18,20 +23,22 @@
 #include "command/option_rule.h"
 #include "command/output_files.h"
 #include "command/plot.h"
+#include "command/printable.h"
 #include "command/progress.h"
 #include "command/table.h"
 #include "files/angle_deg.h"
-#include "files/json_text.h"
 #include "files/whole_file.h"
-#include "fit/beam_data.h"
+#include "fit/catalogue.h"
 #include "fit/data_sheet.h"
 #include "fit/fit_figure.h"
 #include "fit/fit_record.h"
+#include "fit/input_list.h"
 #include "fit/light_fit.h"
 #include "fit/light_target.h"
+#include "fit/outcome.h"
 #include "fit/verdict.h"
-#include "litfog/attenuation.h"
 #include "litfog/files/light_file.h"
+#include "litfog/files/light_spec_file.h"
 #include "litfog/input_error.h"
 #include "litfog/photometry/cookie_file.h"
 
@@ -46,8 +53,10 @@ using litfog::ConeChoice;
 constexpr const char* kDescription =
     R"(Makes a light from its data sheet: the constants C, L, Q of its attenuation 1 / (C + L r + Q r^2), and a cone.
 
-  litfog-fit SPEC.json|FILE.ies|FILE.ldt  [-o LIGHT.json] [--plot FILE.png|.svg] [OPTIONS]
-  litfog-fit INPUT INPUT...                -o FOLDER      [OPTIONS]
+  litfog-fit SPEC.json|FILE.ies|FILE.ldt|FILE.csv  [-o LIGHT.json] [--plot FILE.png|.svg] [OPTIONS]
+  litfog-fit INPUT INPUT...                [-o FOLDER]    [OPTIONS]
+  litfog-fit INPUT...                      --catalogue FOLDER [OPTIONS]
+  litfog-fit INPUT --against INPUT         [--plot FILE.png|.svg] [OPTIONS]
 )";
 
 constexpr const char* kExplanation =
@@ -60,24 +69,38 @@ constexpr const char* kExplanation =
    "cone": {"beam_angle_deg": 11, "field_angle_deg": 22}}
 
 Range. extent_m is where the attenuation is to be the threshold (0.05 if not given) and is met exactly. In its place
-peak_cd, or illuminance {"range_m", "lx"}, puts it where the light gives 1 lx, or end_lx: a number or night, twilight,
-day or bright day, which a pilot's eye just sees then. constant fixes C. samples are a falloff table; the fit minimises
-sum weight * (ln a(r) - ln attenuation)^2 with C, L, Q >= 0. An extent alone is met by C = 1 and the family: quadratic
-(if not given), linear or mixed.
+peak_cd, illuminance {"range_m", "lx"} or flux_lm puts it where the light gives 1 lx, or end_lx: a number, or what an eye
+just sees: dark night (a mariner's), night, twilight, day or bright day (a pilot's). constant fixes C. samples are a
+falloff table; the fit minimises sum weight * (ln a(r) - ln attenuation)^2 with C, L, Q >= 0. An extent alone is met by
+C = 1 and the family: quadratic (if not given), linear or mixed.
 
-Cone. beam_angle_deg and field_angle_deg are the full angles at 50 % and 10 % of the peak; samples are angle_deg from
-the axis and intensity in any unit; half_angle_deg is where the light ends; photometry names an IES or EULUMDAT file in
-place of samples. The fit minimises sum weight * (cone - intensity/peak)^2. profile is cosine (cos^S u for u < H),
-smoothstep (inner to outer), or best: both are fitted and shown, the better one is the light's.
+Cone. beam_angle_deg and field_angle_deg are the full angles at 50 % and 10 % of the peak; of an elliptical beam either
+is [horizontal, vertical]. Cones are round: the cone is fitted to the circles of the same solid angle, so that it has
+the beam's flux, the error is told, and --cookie keeps the ellipse. samples are angle_deg from the axis and intensity in
+any unit; half_angle_deg is where the light ends; photometry names a photometric file in place of samples. The fit
+minimises sum weight * (cone - intensity/peak)^2. profile is cosine (cos^S u for u < H), smoothstep (inner to outer), or
+best: both are fitted and shown, the better one is the light's.
 
 Color. color is linear RGB; color_temperature_k may stand in its place.
 
-A photometric file (IES LM-63 of any edition, EULUMDAT) is a light without a spec: its cone is fitted to the intensities
-at the file's own angles, each of weight 1, as the mean over the turn about the axis; it is white; and it ends, at the
-threshold 0.05, where its peak gives 1 lx: C = 1, Q = (1/0.05 - 1) / (peak in cd / 1 lx). A spec with photometry and no
-range ends there, too. Angles that the file does not state are dark. The axis is the photometric one, down, or its
-opposite where the peak lies above the horizon, or the peak of a beam aimed elsewhere; --axis moves it. A beam that is
-not rotationally symmetric is reported with a measure of it, and --cookie keeps its shape as a cube map.
+What is made of these figures is shown step by step, as "derived", and is kept in the light's "source".
+
+A photometric file (IES LM-63 of any edition, EULUMDAT, TM-33, GLDF, or an isocandela table) is a light without a
+spec: its cone is fitted to the intensities at the file's own angles, each of weight 1, as the mean over the turn about the axis; it is
+white; and it ends, at the threshold 0.05, where its peak gives 1 lx: C = 1, Q = (1/0.05 - 1) / (peak in cd / 1 lx). A
+spec with photometry and no range ends there, too. Angles that the file does not state are dark. The axis is the
+photometric one, down, or its opposite where the peak lies above the horizon, or the peak of a beam aimed elsewhere, and
+is told; --axis moves it. A beam that is not rotationally symmetric is reported with a measure of it, and --cookie keeps
+its shape as a cube map.
+
+An isocandela table is CSV, lines with # are comments. It is a grid of candela, with degrees to the right and above,
+  vertical_deg,-10,-5,0,5,10
+  5,300,1200,2000,1200,300
+  0,400,1500,2500,1500,400
+or ellipses from the inner to the outer, with their half axes in degrees, beyond the last of which it is dark:
+  candela,horizontal_deg,vertical_deg
+  5000,7,5
+  500,11.5,6
 
 The optimum is the global one and is shown to be: the report has the bound below which nothing is. The best light may
 still be a bad one; the verdict says how well it follows the data. Its largest errors are
@@ -89,6 +112,8 @@ Examples:
   litfog-fit landing-lamp.json -o light.json --plot fit.png   the light, which litfog-solve and litfog-demo read
   litfog-fit flood.ies -o flood.json --cookie flood.exr --cookie-size 128
   litfog-fit specs/*.json lamps/*.ldt -o lights               a light each, and a table of all
+  litfog-fit lamps --catalogue catalogue --format csv         all of a folder: pictures, a page, a table as CSV
+  litfog-fit landing-lamp --against my-lamp.ies --plot both.png
 
 Exit status: 0 done; 1 wrong command line; 2 bad input, named file:line:column on standard error; 3 --plot without
 gnuplot; 4 output cannot be written; 5 a poor light, a target that cannot be met, or an optimum that could not be shown:
@@ -97,6 +122,8 @@ the best light is written. Of several inputs the worst.)";
 struct Options {
   std::vector<std::string> inputs;
   std::string output;
+  std::string against;
+  std::string catalogue;
   FitChoices choices;
   bool is_robust = false;
   std::string plot;
@@ -104,18 +131,13 @@ struct Options {
   int cookie_size = 256;
   bool is_reproducible = false;
   TableFormat format = TableFormat::text;
-};
 
-/// One input and what became of it.
-struct Outcome {
-  std::string input;
-  std::string output;  ///< empty for none
-  std::optional<LightTarget> target;
-  std::optional<LightFit> fit;
-  std::optional<Verdict> verdict;  ///< of the fit
-  std::string light;               ///< text of its file
-  std::string reason;              ///< why there is none
-  ExitStatus status = kDone;
+  /// What changes a light, as text.
+  std::string fit_key() const {
+    const auto& [kind, horizontal, vertical] = choices.axis;
+    return fmt::format("{} {} {} {} {} {} {}", choices.profile ? int(*choices.profile) : -1, int(kind), horizontal,
+                       vertical, choices.tilt, is_robust, is_reproducible);
+  }
 };
 
 bool is_spec(const std::string& path) { return fs::path(path).extension() == ".json"; }
@@ -134,238 +156,225 @@ int gravity(ExitStatus status) {
   }
 }
 
-/// Options that the inputs, all of them read, give nothing to do.
-std::vector<OptionRule> rules_of(const std::vector<Outcome>& outcomes) {
-  const auto has_none = [&outcomes](const auto& has) {
-    return std::ranges::none_of(outcomes,
-                                [&has](const Outcome& outcome) { return !outcome.target || has(*outcome.target); });
-  };
-  const std::string inputs = outcomes.size() == 1 ? outcomes.front().input : "these inputs";
-  return {{inputs,
-           has_none([](const LightTarget& target) { return target.range && !target.range->samples.empty(); }),
-           {"--robust"},
-           "there is no falloff table"},
-          {inputs,
-           has_none([](const LightTarget& target) { return target.cone.has_value(); }),
-           {"--profile"},
-           "there is no cone to fit"},
-          {inputs,
-           has_none([](const LightTarget& target) { return target.luminaire.has_value(); }),
-           {"--axis"},
-           "there is no photometric file"}};
+// --- before anything is fitted ---
+
+/// What an input has for options to change. What cannot be read may have anything: its error comes later.
+struct Traits {
+  bool has_falloff_table = true, has_cone = true, has_luminaire = true;
+};
+
+Traits traits_of(const Input& input) try {
+  if (!is_spec(input.path)) return {.has_falloff_table = false};
+  const litfog::LightSpec spec = litfog::read_light_spec(input.path);
+  return {.has_falloff_table = spec.range && !spec.range->samples.empty(),
+          .has_cone = spec.cone.has_value(),
+          .has_luminaire = spec.cone && spec.cone->photometry};
+} catch (const litfog::InputError&) {
+  return {};
 }
 
-/// Where each input's light goes.
-std::vector<Outcome> plan(const Options& options) {
+/// Options that the inputs give nothing to do.
+void expect_effect(const CLI::App& app, const std::vector<Input>& inputs) {
+  constexpr std::array kOptions{std::tuple("--robust", &Traits::has_falloff_table, "there is no falloff table"),
+                                std::tuple("--profile", &Traits::has_cone, "there is no cone to fit"),
+                                std::tuple("--axis", &Traits::has_luminaire, "there is no photometric file"),
+                                std::tuple("--tilt", &Traits::has_luminaire, "there is no photometric file")};
+  for (const auto& [option, member, reason] : kOptions) {
+    if (app.count(option) == 0) continue;
+    const auto has = [trait = member](const Input& input) { return traits_of(input).*trait; };
+    const std::string all = inputs.size() == 1 ? inputs.front().path : "these inputs";
+    check_options(app, {{all, std::ranges::none_of(inputs, has), {option}, reason}});
+  }
+}
+
+/// Where each input's light goes, empty for nowhere.
+std::vector<std::string> outputs_of(const Options& options, const std::vector<Input>& inputs,
+                                    const std::optional<Catalogue>& catalogue) {
   std::error_code error;
   const bool is_folder = fs::is_directory(options.output, error);
-  if (options.inputs.size() > 1 && !options.output.empty() && !is_folder) {
+  if (inputs.size() > 1 && !options.output.empty() && !is_folder) {
     fail_option("-o", options.output, "must be a folder for several inputs");
   }
-  std::map<fs::path, std::set<fs::path>> names_of_stem;
-  for (const std::string& input : options.inputs) {
-    names_of_stem[fs::path(input).stem()].insert(fs::path(input).filename());
+  std::vector<std::string> outputs;
+  for (const Input& input : inputs) {
+    if (catalogue) {
+      outputs.push_back(catalogue->light_path(input));
+    } else {
+      outputs.push_back(is_folder ? (fs::path(options.output) / (input.name + ".json")).string() : options.output);
+    }
   }
-  std::vector<Outcome> outcomes;
-  for (const std::string& input : options.inputs) {
-    if (input.empty()) fail_option("input", input, "must not be empty");
-    Outcome& outcome = outcomes.emplace_back();
-    outcome.input = input;
-    if (options.output.empty()) continue;
-    const fs::path path(input);  // lamp.ies beside lamp.ldt: lamp.ies.json
-    const fs::path name = names_of_stem[path.stem()].size() > 1 ? path.filename() : path.stem();
-    outcome.output = is_folder ? (fs::path(options.output) / name).string() + ".json" : options.output;
-  }
-  return outcomes;
-}
-
-OutputFiles outputs_of(const Options& options, const std::vector<Outcome>& outcomes) {
-  OutputFiles outputs;
-  for (const Outcome& outcome : outcomes) {
-    if (!outcome.output.empty()) outputs.add("-o", outcome.output);
-  }
-  if (!options.plot.empty()) outputs.add("--plot", options.plot);
-  if (!options.cookie.empty()) outputs.add("--cookie", options.cookie);
-  for (const Outcome& outcome : outcomes) outputs.expect_apart_from(outcome.input);
   return outputs;
 }
 
-void read(const Options& options, Outcome& outcome) try {
-  LightTarget target = is_spec(outcome.input) ? read_spec(outcome.input, options.choices)
-                                              : read_photometric_spec(outcome.input, options.choices);
-  if (!options.cookie.empty() && !target.luminaire) {
-    throw litfog::InputError({.file = outcome.input}, "cone.photometry", "", "must be given for a cookie");
+OutputFiles files_to_write(const Options& options, const std::vector<Input>& inputs,
+                           const std::vector<std::string>& outputs) {
+  OutputFiles files;
+  for (const std::string& output : outputs) {
+    if (!output.empty()) files.add(options.catalogue.empty() ? "-o" : "--catalogue", output);
   }
-  outcome.target = std::move(target);
-} catch (const litfog::InputError& error) {
-  outcome.reason = error.what();
-  outcome.status = kBadInput;
+  if (!options.plot.empty()) files.add("--plot", options.plot);
+  if (!options.cookie.empty()) files.add("--cookie", options.cookie);
+  for (const Input& input : inputs) files.expect_apart_from(input.path);
+  return files;
 }
 
-/// The same for the files that an input names.
-void expect_apart_from_files_of(const LightTarget& target, const OutputFiles& outputs) {
-  if (!target.luminaire) return;
-  outputs.expect_apart_from(target.luminaire->file);
-  const auto& tilt = target.luminaire->tilt;
-  if (tilt && !tilt->file.empty()) outputs.expect_apart_from(tilt->file);
+// --- one input ---
+
+LightTarget read(const Options& options, const Input& input) {
+  LightTarget target =
+      is_spec(input.path) ? read_spec(input.path, options.choices) : read_photometric_spec(input.path, options.choices);
+  if (!options.cookie.empty() && !target.luminaire && target.ellipses.empty()) {
+    throw litfog::InputError({.file = input.path}, "cone.photometry", "",
+                             "must be given for a cookie, or the angles of an elliptical beam");
+  }
+  return target;
 }
 
-void fit(const Options& options, Outcome& outcome) {
-  outcome.fit = fit_light(std::move(*outcome.target), options.is_robust);
-  outcome.light = litfog::format_light(outcome.fit->light, outcome.fit->target.source,
-                                       fit_record(*outcome.fit, !options.is_reproducible));
-  outcome.verdict = judge(*outcome.fit);
-  if (!outcome.fit->is_proven() || outcome.verdict->grade == Grade::poor) outcome.status = kNotToTolerance;
+/// Throws the usage error of an output that is one of the files that the input names.
+Outcome fit(const Options& options, const Input& input, const std::string& output, const OutputFiles& files) {
+  Outcome outcome;
+  outcome.input = input;
+  outcome.output = output;
+  try {
+    LightTarget target = read(options, input);
+    for (const std::string& file : files_of(input, target)) files.expect_apart_from(file);
+    const LightFit& fitted = outcome.fit.emplace(fit_light(std::move(target), options.is_robust));
+    std::vector<std::string> source = fitted.target.source;
+    source.insert(source.end(), fitted.target.derived.begin(), fitted.target.derived.end());
+    outcome.light = litfog::format_light(fitted.light, source, fit_record(fitted, !options.is_reproducible));
+    outcome.verdict = judge(fitted);
+    if (!fitted.is_proven() || outcome.verdict->grade == Grade::poor) outcome.status = kNotToTolerance;
+  } catch (const litfog::InputError& error) {
+    outcome.reason = error.what();
+    outcome.status = kBadInput;
+  }
+  return outcome;
 }
 
-void write(const Options& options, const Outcome& outcome, std::optional<FigureFormat> figure_format) {
+void write_light(const Outcome& outcome) {
+  if (outcome.fit && !outcome.output.empty()) litfog::files::write_whole_file(outcome.output, outcome.light);
+}
+
+// --- all inputs ---
+
+/// Calls work(0) to work(count - 1), in that order but on all cores. The first exception ends it, and is thrown.
+void for_each_on_all_cores(std::size_t count, const std::function<void(std::size_t)>& work) {
+  std::atomic<std::size_t> next = 0;
+  std::exception_ptr failure;
+  std::once_flag failed;
+  const auto run = [&] {
+    for (std::size_t i = next++; i < count; i = next++) {
+      try {
+        work(i);
+      } catch (...) {
+        std::call_once(failed, [&failure] { failure = std::current_exception(); });
+        next = count;
+      }
+    }
+  };
+  std::vector<std::thread> threads;
+  const std::size_t cores = std::min<std::size_t>(count, std::max(1u, std::thread::hardware_concurrency()));
+  for (std::size_t i = 1; i < cores; ++i) threads.emplace_back(run);
+  run();
+  for (std::thread& thread : threads) thread.join();
+  if (failure) std::rethrow_exception(failure);
+}
+
+/// Outcomes are kept whole where they are few: for a report, a figure or a cookie.
+struct Results {
+  std::vector<Summary> summaries;
+  std::vector<Outcome> outcomes;
+};
+
+Results fit_all(const Options& options, const std::vector<Input>& inputs, const std::vector<std::string>& outputs,
+                const OutputFiles& files, const std::optional<Catalogue>& catalogue, bool keeps_outcomes) {
+  const bool has_report = catalogue || options.format == TableFormat::json;
+  Results results{.summaries = std::vector<Summary>(inputs.size()),
+                  .outcomes = std::vector<Outcome>(keeps_outcomes ? inputs.size() : 0)};
+  Progress progress;
+  std::mutex showing;
+  std::size_t done = 0;
+  for_each_on_all_cores(inputs.size(), [&](std::size_t i) {
+    std::optional<Summary> known = catalogue ? catalogue->find(inputs[i]) : std::nullopt;
+    if (!known) {
+      Outcome outcome = fit(options, inputs[i], outputs[i], files);
+      known = summary_of(outcome, has_report);
+      if (catalogue && outcome.fit) catalogue->add(outcome, *known);
+      if (keeps_outcomes) {
+        results.outcomes[i] = std::move(outcome);
+      } else if (!catalogue) {
+        write_light(outcome);
+      }
+    }
+    results.summaries[i] = *std::move(known);
+    const std::scoped_lock lock(showing);
+    progress.show(fmt::format("{} of {}: {}", ++done, inputs.size(), inputs[i].path));
+  });
+  return results;
+}
+
+void write_kept(const Options& options, const std::vector<Outcome>& outcomes) {
+  std::vector<const LightFit*> fits;
+  for (const Outcome& outcome : outcomes) {
+    if (outcome.fit) fits.push_back(&*outcome.fit);
+  }
+  const bool is_whole = fits.size() == outcomes.size();
   std::string figure;
-  if (figure_format) figure = draw_figure(fit_figure(*outcome.fit), *figure_format);
-  if (!outcome.output.empty()) litfog::files::write_whole_file(outcome.output, outcome.light);
-  if (figure_format) litfog::files::write_whole_file(options.plot, figure);
-  if (!options.cookie.empty()) {
-    const LightTarget& target = outcome.fit->target;
-    const auto cookie = bake_cookie(target.luminaire->distribution, options.cookie_size, target.axis);
+  if (!options.plot.empty() && is_whole) {
+    figure = draw_figure(fit_figure(fits), figure_format_of("--plot", options.plot));
+  }
+  for (const Outcome& outcome : outcomes) write_light(outcome);
+  if (!figure.empty()) litfog::files::write_whole_file(options.plot, figure);
+  if (!options.cookie.empty() && is_whole) {
+    const LightFit& fit = *fits.front();
+    const auto cookie = bake_cookie(*fit.beam(), options.cookie_size, fit.target.axis);
     litfog::files::write_whole_file(options.cookie, format_cookie(cookie));
   }
 }
 
-std::string status_of(const Outcome& outcome) {
-  if (!outcome.fit) return "error";
-  const auto& [range, cone] = std::pair(outcome.fit->range, outcome.fit->cone);
-  if (range && range->status != litfog::AttenuationFitStatus::optimal) return name_of(range->status);
-  return cone ? name_of(cone->best().status) : "optimal";
-}
-
-/// Why the status is 5, in a sentence.
-void report_shortfall(const Outcome& outcome) {
-  if (outcome.status != kNotToTolerance) return;
-  const LightFit& fit = *outcome.fit;
-  if (fit.range && fit.range->status != litfog::AttenuationFitStatus::optimal) {
-    fmt::print(stderr, "{}: range: {}: {}\n", outcome.input, name_of(fit.range->status), fit.range->sentence);
-  }
-  if (fit.cone && fit.cone->best().status != litfog::ConeFitStatus::optimal) {
-    fmt::print(stderr, "{}: cone: unproven: its objective is {:.6g}, another may have {:.6g}\n", outcome.input,
-               fit.cone->best().objective, fit.cone->best().lower_bound);
-  }
-  if (fit.is_proven()) fmt::print(stderr, "{}: poor: {}\n", outcome.input, outcome.verdict->why);
-}
-
-std::string json_of(const BeamData& beam) {
-  const auto number = [](const std::optional<double>& value) { return value ? fmt::format("{}", *value) : "null"; };
-  const auto angles = [](const std::vector<double>& radians) -> std::string {
-    if (radians.empty()) return "null";
-    if (radians.size() == 1) return fmt::format("{}", litfog::files::degrees(radians[0]));
-    return fmt::format("[{}, {}]", litfog::files::degrees(radians[0]), litfog::files::degrees(radians[1]));
-  };
-  return fmt::format(R"({{"peak_cd": {}, "flux_lm": {}, "beam_angle_deg": {}, "field_angle_deg": {}}})",
-                     number(beam.peak), number(beam.flux), angles(beam.beam_angle), angles(beam.field_angle));
-}
-
-std::string json_of(const Outcome& outcome) {
-  std::string advice;
-  if (outcome.fit) {
-    for (const std::string& sentence : outcome.fit->advice())
-      advice += (advice.empty() ? "" : ", ") + litfog::files::json_quoted(sentence);
-  }
-  const auto text_or_null = [](const std::string& value) {
-    return value.empty() ? "null" : litfog::files::json_quoted(value);
-  };
-  const bool has_axis = outcome.fit && outcome.fit->target.luminaire;
-  std::string text = fmt::format(
-      "{{\"input\": {}, \"output\": {}, \"status\": \"{}\", \"reason\": {},\n\"verdict\": {}, \"why\": {},\n"
-      "\"beam\": {},\n\"axis\": {},\n\"advice\": [{}],\n",
-      litfog::files::json_quoted(outcome.input), text_or_null(outcome.output), status_of(outcome),
-      text_or_null(outcome.reason), text_or_null(outcome.verdict ? name_of(outcome.verdict->grade) : ""),
-      text_or_null(outcome.verdict ? outcome.verdict->why : ""),
-      outcome.fit ? json_of(beam_data(*outcome.fit)) : "null",
-      text_or_null(has_axis ? describe_axis(outcome.fit->target.axis) : ""), advice);
-  text += "\"light\": " + (outcome.fit ? outcome.light : std::string("null"));
-  while (text.ends_with('\n')) text.pop_back();
-  return text + "}";
-}
-
-Table summary_of(const std::vector<Outcome>& outcomes) {
-  Table table{.columns = {"input", "extent_m", "constant", "linear", "quadratic", "cone", "first", "second", "rms_%",
-                          "verdict", "status"}};
-  for (const Outcome& outcome : outcomes) {
-    auto& row = table.rows.emplace_back();
-    row.emplace_back(outcome.input);
-    if (outcome.fit) {
-      const litfog::Light& light = outcome.fit->light;
-      const auto& [constant, linear, quadratic] = light.attenuation;
-      for (const double number : {compute_extent(light.attenuation, light.threshold), constant, linear, quadratic}) {
-        row.emplace_back(number);
-      }
-      switch (light.cone.profile) {
-        case litfog::ConeProfile::none:
-          row.insert(row.end(), {"none", std::monostate(), std::monostate(), std::monostate()});
-          break;
-        case litfog::ConeProfile::cosine:
-          row.insert(row.end(), {"cosine", litfog::files::degrees(light.cone.half_angle), light.cone.exponent});
-          row.emplace_back(100 * outcome.fit->cone->best().rms);
-          break;
-        case litfog::ConeProfile::smoothstep:
-          row.insert(row.end(), {"smoothstep", litfog::files::degrees(light.cone.inner),
-                                 litfog::files::degrees(light.cone.outer)});
-          row.emplace_back(100 * outcome.fit->cone->best().rms);
-          break;
-      }
-    }
-    row.resize(table.columns.size() - 2, std::monostate());
-    if (outcome.verdict) {
-      row.emplace_back(name_of(outcome.verdict->grade));
-    } else {
-      row.emplace_back(std::monostate());
-    }
-    row.emplace_back(status_of(outcome));
-  }
-  return table;
-}
-
-std::string report_of(const std::vector<Outcome>& outcomes, TableFormat format) {
-  if (format == TableFormat::json) {
+std::string report_of(const Options& options, const Results& results) {
+  const auto& [summaries, outcomes] = results;
+  if (options.format == TableFormat::json) {
     std::string text;
-    for (const Outcome& outcome : outcomes) text += (text.empty() ? "[\n" : ",\n") + json_of(outcome);
+    for (const Summary& summary : summaries) text += (text.empty() ? "[\n" : ",\n") + summary.report;
     return text + "\n]\n";
   }
-  if (outcomes.size() > 1) return format_table(summary_of(outcomes), TableFormat::text);
-  return outcomes.front().fit ? format_data_sheet(*outcomes.front().fit) : "";
+  if (outcomes.size() == 1 && options.format == TableFormat::text) return format_data_sheet(*outcomes.front().fit);
+  Table table{.columns = summary_columns()};
+  for (const Summary& summary : summaries) table.rows.push_back(summary.row);
+  return format_table(table, options.format);
 }
 
 ExitStatus run(const CLI::App& app, const Options& options) {
-  std::optional<FigureFormat> figure_format;
-  if (!options.plot.empty()) figure_format = figure_format_of("--plot", options.plot);
+  const std::vector<Input> inputs = list_inputs(options.inputs);
+  const bool is_pair = !options.against.empty();
+  if (is_pair && inputs.size() != 2) {
+    fail_option("--against", options.against, "must be one light, and so must the input");
+  }
+  check_options(app, {{"several inputs", inputs.size() > 1 && !is_pair, {"--plot"}, "it shows a single light"},
+                      {"several inputs", inputs.size() > 1, {"--cookie"}, "it shows a single light"}});
+  if (!options.plot.empty()) figure_format_of("--plot", options.plot);
   if (!options.cookie.empty() && fs::path(options.cookie).extension() != ".exr") {
     fail_option("--cookie", options.cookie, "must end in .exr");
   }
-  std::vector<Outcome> outcomes = plan(options);
-  const OutputFiles outputs = outputs_of(options, outcomes);
-  if (figure_format) require_plotter();
-  for (Outcome& outcome : outcomes) {  // all before the first is written
-    read(options, outcome);
-    if (outcome.target) expect_apart_from_files_of(*outcome.target, outputs);
-  }
-  check_options(app, rules_of(outcomes));
+  expect_effect(app, inputs);
+  std::optional<Catalogue> catalogue;
+  if (!options.catalogue.empty()) catalogue.emplace(options.catalogue, options.fit_key());
+  const std::vector<std::string> outputs = outputs_of(options, inputs, catalogue);
+  const OutputFiles files = files_to_write(options, inputs, outputs);
+  if (!options.plot.empty() || catalogue) require_plotter();
 
+  const bool keeps_outcomes = !catalogue && (inputs.size() == 1 || is_pair);
+  const Results results = fit_all(options, inputs, outputs, files, catalogue, keeps_outcomes);
+  write_kept(options, results.outcomes);
+  if (catalogue) catalogue->write_page(inputs, results.summaries);
   ExitStatus worst = kDone;
-  {
-    Progress progress;
-    for (Outcome& outcome : outcomes) {
-      progress.show(fmt::format("{} of {}: {}", &outcome - outcomes.data() + 1, outcomes.size(), outcome.input));
-      if (outcome.target) {
-        fit(options, outcome);
-        write(options, outcome, figure_format);
-      }
-      if (gravity(outcome.status) > gravity(worst)) worst = outcome.status;
-    }
-  }
-  for (const Outcome& outcome : outcomes) {
-    if (!outcome.reason.empty()) fmt::print(stderr, "{}\n", outcome.reason);
-    report_shortfall(outcome);
+  for (const Summary& summary : results.summaries) {
+    if (gravity(summary.status) > gravity(worst)) worst = summary.status;
+    for (const std::string& message : summary.messages) fmt::print(stderr, "{}\n", printable(message));
   }
   // A single input with an error has nothing to show.
-  if (outcomes.size() > 1 || outcomes.front().fit) write_standard_output(report_of(outcomes, options.format));
+  if (inputs.size() > 1 || worst != kBadInput) write_standard_output(report_of(options, results));
   return worst;
 }
 
@@ -403,12 +412,20 @@ int main(int argc, char** argv) {
   Options options;
   CLI::App app{kDescription, "litfog-fit"};
   app.footer(kExplanation + litfog::fit::grade_table() + kExamples);
-  app.add_option("input", options.inputs, "Light specs (.json) and photometric files (.ies, .ldt)")
+  app.add_option("input", options.inputs,
+                 "Light specs (.json), photometric files (.ies, .ldt, .csv, .xml, .gldf), folders or patterns of
+                 them, "
+                 "names of bundled lights")
       ->type_name("FILE...")
       ->required();
   app.add_option("-o,--output", options.output,
                  "Write the light here; of several inputs, NAME.json each in this folder")
       ->type_name("FILE|FOLDER");
+  app.add_option("--against", options.against, "Another input: both in one table and one plot")->type_name("INPUT");
+  app.add_option("--catalogue", options.catalogue,
+                 "Write the lights, their pictures and a page of all of them, index.html, into this folder; what was "
+                 "done before is not done again")
+      ->type_name("FOLDER");
   ConeChoice profile = ConeChoice::best;
   add_choice<ConeChoice>(
       app, "--profile", profile,
@@ -417,27 +434,40 @@ int main(int argc, char** argv) {
   app.add_flag("--robust", options.is_robust, "For measured falloff tables: samples that lie far off count less");
   app.add_option("--plot", options.plot, "Draw targets, fits and errors over range and angle")
       ->type_name("FILE.png|FILE.svg");
-  CLI::Option* const cookie =
-      app.add_option("--cookie", options.cookie,
-                     "Write the beam of a photometric file as a cube map, six faces in a column")
-          ->type_name("FILE.exr");
+  CLI::Option* const cookie = app.add_option("--cookie", options.cookie,
+                                             "Write a measured or elliptical beam as a cube map, six faces in a column")
+                                  ->type_name("FILE.exr");
   add_integer(app, "--cookie-size", options.cookie_size, 1, 4096, "Edge of a face in texels, 256 if not given")
       ->needs(cookie);
   app.add_flag("--reproducible", options.is_reproducible,
                "Leave the time out of the light's \"fit\": same input, same file");
   add_axis(app, options.choices.axis);
-  add_choice<TableFormat>(app, "--format", options.format, {{"text", TableFormat::text}, {"json", TableFormat::json}},
-                          "Report's format, text if not given");
+  double tilt_deg = 0;
+  constexpr NumberRule kTiltRule{[](double x) { return x >= 0 && x <= 180; }, "must be a number from 0 to 180"};
+  add_number(app, "--tilt", tilt_deg, kTiltRule,
+             "Degrees by which the luminaire is tilted as it is mounted, for files with tilt data; 0 if not given");
+  add_choice<TableFormat>(app, "--format", options.format,
+                          {{"text", TableFormat::text}, {"csv", TableFormat::csv}, {"json", TableFormat::json}},
+                          "Format of the report or, of several inputs, the table: text if not given");
   return run_command(app, argc, argv, [&] {
-    for (const auto& [option, value] :
-         {std::pair{"-o", &options.output}, {"--plot", &options.plot}, {"--cookie", &options.cookie}}) {
+    for (const auto& [option, value] : {std::pair{"-o", &options.output},
+                                        {"--against", &options.against},
+                                        {"--catalogue", &options.catalogue},
+                                        {"--plot", &options.plot},
+                                        {"--cookie", &options.cookie}}) {
       if (app.count(option) > 0 && value->empty()) fail_option(option, "", "must not be empty");
     }
     if (app.count("--profile") > 0) options.choices.profile = profile;
-    const bool shows_no_record = options.output.empty() && options.format == TableFormat::text;
+    options.choices.tilt = litfog::files::radians(tilt_deg);
+    const bool shows_no_record =
+        options.output.empty() && options.catalogue.empty() && options.format != TableFormat::json;
     check_options(
-        app, {{"several inputs", options.inputs.size() > 1, {"--plot", "--cookie"}, "it shows a single light"},
-              {"--format text and no -o", shows_no_record, {"--reproducible"}, "the light's \"fit\" is not written"}});
+        app, {{"--format text and no -o", shows_no_record, {"--reproducible"}, "the light's \"fit\" is not written"},
+              {"--catalogue",
+               !options.catalogue.empty(),
+               {"-o", "--plot", "--cookie", "--against"},
+               "its folder holds the lights and their pictures"}});
+    if (!options.against.empty()) options.inputs.push_back(options.against);
     return run(app, options);
   });
 }

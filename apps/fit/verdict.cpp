@@ -75,7 +75,7 @@ Verdict judge(const LightFit& fit) {
   Findings findings;
   if (fit.range) judge_range(findings, *fit.target.range, *fit.range);
   if (fit.cone) judge_cone(findings, *fit.target.cone, fit.cone->best(), fit.target.luminaire.has_value());
-  if (fit.target.luminaire) {
+  if (fit.beam()) {
     const double asymmetry = fit.target.asymmetry;
     findings.add_error(&GradeLimits::asymmetry, asymmetry,
                        fmt::format("{:.3g} % of the beam (rms) not symmetric about the axis", percent(asymmetry)));

@@ -17,6 +17,7 @@
 
 #include "code_points.h"
 #include "file_text.h"
+#include "files/hint.h"
 #include "files/json_text.h"
 
 namespace litfog::files {
@@ -224,10 +225,11 @@ void TreeBuilder::fail_syntax(rapidjson::ParseErrorCode code, std::size_t offset
   const std::string& text = document_.text;
   const auto [what, rule] = syntax_rule(code, text.substr(offset, 1));
   if (offset == text.size()) document_.fail(offset, "end of file", "", rule);
+  const std::string rule_and_hint = std::string(rule) + hint_for_syntax(text, offset);
   const std::string_view word = document_.word_at(std::min(token_offset(), offset));
   if (what == "string") document_.fail(offset, what, "", rule);
   if (what == "number") document_.fail(offset, what, word, rule);
-  document_.fail(offset, what, quoted_excerpt(word.empty() ? text.substr(offset, 1) : word), rule);
+  document_.fail(offset, what, quoted_excerpt(word.empty() ? text.substr(offset, 1) : word), rule_and_hint);
 }
 
 /// A value as a message shows it: as written, or its type where that would be long.
@@ -287,7 +289,7 @@ void JsonValue::allow_only(const std::vector<std::string_view>& names) const {
   for (const auto& [name, node] : expect<JsonNode::Object>("must be an object")) {
     if (std::ranges::find(names, name) != names.end()) continue;
     document_->fail(node.name_offset, quoted_excerpt(name), "",
-                    fmt::format("must be one of {}", fmt::join(names, ", ")));
+                    fmt::format("must be one of {}{}", fmt::join(names, ", "), hint_for_word(name, names)));
   }
 }
 
@@ -299,7 +301,11 @@ std::vector<JsonValue> JsonValue::items() const {
   return values;
 }
 
-double JsonValue::number() const { return expect<double>("must be a number"); }
+double JsonValue::number() const {
+  const auto* const text = std::get_if<std::string>(&node_->value);
+  if (text) fail("must be a number" + hint_for_number(*text));
+  return expect<double>("must be a number");
+}
 
 double JsonValue::number_or(std::string_view name, double absent) const {
   const auto value = optional(name);
@@ -317,7 +323,15 @@ glm::dvec3 JsonValue::vec3() const {
   return {components[0].number(), components[1].number(), components[2].number()};
 }
 
-InputError JsonValue::error(std::string_view rule) const { return error(path_, shown(*document_, *node_), rule); }
+void JsonValue::fail_choice(const std::vector<std::string_view>& words) const {
+  fail(fmt::format("must be one of {}{}", fmt::join(words, ", "), hint_for_word(string(), words)));
+}
+
+InputError JsonValue::error(std::string_view rule) const {
+  const auto* const number = std::get_if<double>(&node_->value);
+  const std::string hint = number ? hint_for_fraction(*number, rule) : "";
+  return error(path_, shown(*document_, *node_), std::string(rule) + hint);
+}
 
 InputError JsonValue::error(std::string_view what, std::string_view value, std::string_view rule) const {
   return document_->error(node_->offset, what.empty() ? "document" : what, value, rule);
@@ -326,6 +340,8 @@ InputError JsonValue::error(std::string_view what, std::string_view value, std::
 std::string JsonValue::path_of(std::string_view name) const {
   return path_.empty() ? std::string(name) : fmt::format("{}.{}", path_, name);
 }
+
+std::string_view JsonValue::name() const { return std::string_view(path_).substr(path_.rfind('.') + 1); }
 
 const std::string& JsonValue::file() const { return document_->name; }
 

@@ -60,6 +60,10 @@ class JsonValue {
     throw error(what, value, rule);
   }
 
+  /// That this string is none of the words that it may be.
+  [[noreturn]] void fail_choice(const std::vector<std::string_view>& words) const;
+
+  std::string_view name() const;                     ///< the last step of path(): "threshold"
   const std::string& path() const { return path_; }  ///< "lamps[2].threshold"; empty for the document itself
   std::string path_of(std::string_view name) const;  ///< of a member, whether it is given or not
   const std::string& file() const;                   ///< the document's name as given to read_json

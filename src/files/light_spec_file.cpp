@@ -27,8 +27,8 @@ struct LightSpecText {
 namespace files {
 namespace {
 
-template <typename Choice, std::size_t Count = 3>
-using Choices = std::array<std::pair<std::string_view, Choice>, Count>;
+template <typename Choice>
+using Choices = std::array<std::pair<std::string_view, Choice>, 3>;
 
 constexpr Choices<RangeSpec::Family> kFamilies{{{"quadratic", RangeSpec::Family::quadratic},
                                                 {"linear", RangeSpec::Family::linear},
@@ -37,19 +37,13 @@ constexpr Choices<ConeSpec::Profile> kProfiles{{{"best", ConeSpec::Profile::best
                                                 {"cosine", ConeSpec::Profile::cosine},
                                                 {"smoothstep", ConeSpec::Profile::smoothstep}}};
 
-/// Illuminance at the eye, in lx, at which a light is just visible against the background of the time of day: ICAO
-/// Annex 3, attachment D, whose "intermediate" value is that of twilight.
-constexpr Choices<double, 4> kVisualThresholds{
-    {{"night", 8e-7}, {"twilight", 1e-5}, {"day", 1e-4}, {"bright day", 1e-3}}};
-
-template <typename Choice, std::size_t Count>
-Choice choice_of(const JsonValue& value, const Choices<Choice, Count>& choices) {
-  std::string words;
-  for (const auto& [word, choice] : choices) {
-    if (value.string() == word) return choice;
-    words += (words.empty() ? "" : ", ") + std::string(word);
-  }
-  value.fail("must be one of " + words);
+template <typename Choice>
+Choice choice_of(const JsonValue& value, const Choices<Choice>& choices) {
+  const auto found = std::ranges::find(choices, value.string(), &std::pair<std::string_view, Choice>::first);
+  if (found != choices.end()) return found->second;
+  std::vector<std::string_view> words;
+  for (const auto& [word, choice] : choices) words.push_back(word);
+  value.fail_choice(words);
 }
 
 std::optional<double> number_of(const JsonValue& value, std::string_view name) {
@@ -62,30 +56,53 @@ std::optional<double> angle_of(const JsonValue& value, std::string_view name) {
   return degrees ? std::optional(radians(*degrees)) : std::nullopt;
 }
 
+/// A full angle, or a pair of them, horizontal and vertical.
+std::optional<FullAngles> angles_of(const JsonValue& value, std::string_view name) {
+  const auto member = value.optional(name);
+  if (!member) return std::nullopt;
+  if (!member->is_array()) return FullAngles(radians(member->number()));
+  const auto angles = member->items();
+  if (angles.size() != 2) member->fail("must be a number, or two: horizontal and vertical");
+  return FullAngles(radians(angles[0].number()), radians(angles[1].number()));
+}
+
 double positive_number(const JsonValue& value) {
   if (!(value.number() > 0)) value.fail("must be > 0");
   return value.number();
 }
 
+double parse_end_illuminance(const JsonValue& value) {
+  if (!value.is_string()) return positive_number(value);
+  const auto threshold = std::ranges::find(kVisualThresholds, value.string(), &VisualThreshold::name);
+  if (threshold != kVisualThresholds.end()) return threshold->illuminance;
+  std::vector<std::string_view> names;
+  for (const VisualThreshold& known : kVisualThresholds) names.push_back(known.name);
+  value.fail_choice(names);
+}
+
 void parse_end(const JsonValue& value, RangeSpec& range) {
-  const auto end = value.optional("end_lx");
-  const auto peak = value.optional("peak_cd");
-  const auto illuminance = value.optional("illuminance");
-  if (range.extent && (end || peak || illuminance)) {
-    value.member("extent_m").fail("must not be given beside end_lx, peak_cd or illuminance");
+  std::vector<JsonValue> peaks;  // the members that state it, of which one is enough
+  for (const char* name : {"peak_cd", "illuminance", "flux_lm"}) {
+    if (const auto peak = value.optional(name)) peaks.push_back(*peak);
   }
-  if (end) range.end_illuminance = end->is_string() ? choice_of(*end, kVisualThresholds) : positive_number(*end);
-  if (peak) range.peak = positive_number(*peak);
-  if (illuminance) {
-    if (peak) illuminance->fail("must not be given beside peak_cd");
+  const auto end = value.optional("end_lx");
+  if (range.extent && (end || !peaks.empty())) {
+    value.member("extent_m").fail("must not be given beside end_lx, peak_cd, illuminance or flux_lm");
+  }
+  if (peaks.size() > 1) peaks[1].fail(fmt::format("must not be given beside {}", peaks[0].name()));
+  if (end) range.end_illuminance = parse_end_illuminance(*end);
+  if (const auto peak = value.optional("peak_cd")) range.peak = positive_number(*peak);
+  if (const auto flux = value.optional("flux_lm")) range.flux = positive_number(*flux);
+  if (const auto illuminance = value.optional("illuminance")) {
     illuminance->allow_only({"range_m", "lx"});
-    const double metres = positive_number(illuminance->member("range_m"));
-    range.peak = positive_number(illuminance->member("lx")) * metres * metres;
+    range.illuminance = {.range = positive_number(illuminance->member("range_m")),
+                         .lux = positive_number(illuminance->member("lx"))};
   }
 }
 
 RangeSpec parse_range(const JsonValue& value) {
-  value.allow_only({"threshold", "extent_m", "end_lx", "peak_cd", "illuminance", "constant", "family", "samples"});
+  value.allow_only(
+      {"threshold", "extent_m", "end_lx", "peak_cd", "illuminance", "flux_lm", "constant", "family", "samples"});
   RangeSpec range;
   range.threshold = value.number_or("threshold", range.threshold);
   range.extent = number_of(value, "extent_m");
@@ -110,8 +127,15 @@ ConeSpec parse_cone(const JsonValue& value) {
   ConeSpec cone;
   if (const auto profile = value.optional("profile")) cone.profile = choice_of(*profile, kProfiles);
   cone.half_angle = angle_of(value, "half_angle_deg");
-  cone.beam_angle = angle_of(value, "beam_angle_deg");
-  cone.field_angle = angle_of(value, "field_angle_deg");
+  cone.beam_angle = angles_of(value, "beam_angle_deg");
+  cone.field_angle = angles_of(value, "field_angle_deg");
+  for (const char* name : {"beam_angle_deg", "field_angle_deg"}) {
+    const auto angles = value.optional(name);
+    if (!angles || !angles->is_array()) continue;
+    for (const char* data : {"samples", "photometry"}) {
+      if (value.optional(data)) angles->fail(fmt::format("must be one number beside {}", data));
+    }
+  }
   if (const auto samples = value.optional("samples")) {
     for (const JsonValue& sample : samples->items()) {
       sample.allow_only({"angle_deg", "intensity", "weight"});
@@ -176,6 +200,12 @@ void add_angle(std::vector<std::string>& members, std::string_view name, std::op
   if (angle) add_number(members, name, degrees(*angle));
 }
 
+void add_angles(std::vector<std::string>& members, std::string_view name, const std::optional<FullAngles>& angles) {
+  if (!angles) return;
+  if (angles->is_round()) return add_angle(members, name, angles->horizontal);
+  members.push_back(fmt::format("\"{}\": [{}, {}]", name, degrees(angles->horizontal), degrees(angles->vertical)));
+}
+
 std::string sample_json(std::string_view at_name, double at, std::string_view value_name, double value, double weight) {
   const std::string shown_weight = weight == 1 ? "" : fmt::format(", \"weight\": {}", weight);
   return fmt::format("{{\"{}\": {}, \"{}\": {}{}}}", at_name, at, value_name, value, shown_weight);
@@ -191,6 +221,11 @@ std::string range_json(const RangeSpec& range) {
   add_number(members, "extent_m", range.extent);
   add_number(members, "end_lx", range.end_illuminance);
   add_number(members, "peak_cd", range.peak);
+  if (range.illuminance) {
+    members.push_back(fmt::format("\"illuminance\": {{\"range_m\": {}, \"lx\": {}}}", range.illuminance->range,
+                                  range.illuminance->lux));
+  }
+  add_number(members, "flux_lm", range.flux);
   add_number(members, "constant", range.constant);
   if (range.samples.empty()) members.push_back("\"family\": " + choice_json(range.family, kFamilies));
   std::vector<std::string> samples;
@@ -213,8 +248,8 @@ std::string path_from(const std::filesystem::path& folder, const std::filesystem
 std::string cone_json(const ConeSpec& cone, const std::filesystem::path& folder) {
   std::vector<std::string> members{"\"profile\": " + choice_json(cone.profile, kProfiles)};
   add_angle(members, "half_angle_deg", cone.half_angle);
-  add_angle(members, "beam_angle_deg", cone.beam_angle);
-  add_angle(members, "field_angle_deg", cone.field_angle);
+  add_angles(members, "beam_angle_deg", cone.beam_angle);
+  add_angles(members, "field_angle_deg", cone.field_angle);
   std::vector<std::string> samples;
   for (const auto& [angle, intensity, weight] : cone.samples) {
     samples.push_back(sample_json("angle_deg", degrees(angle), "intensity", intensity, weight));
@@ -278,7 +313,7 @@ InputError LightSpec::error_at(std::string_view field, std::string_view value, s
     is_complete = member.has_value();
     if (member) given = step.index ? member->items().at(*step.index) : *member;
   }
-  const std::string shown_rule = path.ends_with("_deg") ? files::rule_in_degrees(rule) : std::string(rule);
+  const std::string shown_rule = path.find("_deg") != path.npos ? files::rule_in_degrees(rule) : std::string(rule);
   if (is_complete && !given.is_array()) return given.error(shown_rule);
   // What a range or a cone lacks is lacking in its samples.
   const bool is_part = given.path() == "range" || given.path() == "cone";

@@ -37,7 +37,7 @@ struct TemporaryName {
   std::array<char, PATH_MAX> path;
 };
 static_assert(std::atomic<bool>::is_always_lock_free);
-std::array<TemporaryName, 4> temporary_names;  // a fifth written at once would stay: a command writes two at most
+std::array<TemporaryName, 64> temporary_names;  // one more written at once would stay: of a thread it is one or two
 
 extern "C" void remove_temporaries_and_end(int signal) {
   for (const TemporaryName& name : temporary_names) {

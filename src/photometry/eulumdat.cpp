@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "litfog/photometry/eulumdat.h"
 
+#include <algorithm>
+
 #include "photometric_grid.h"
 #include "text_scanner.h"
 
@@ -49,6 +51,22 @@ StoredPlanes stored_planes(const std::vector<double>& listed, Symmetry symmetry)
 }
 
 }  // namespace
+
+bool is_eulumdat(std::string_view text) {
+  const auto next_line = [&text] {
+    const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + (text.substr(end).starts_with("\r\n") ? 2 : 1), text.size()));
+    return line;
+  };
+  next_line();  // the company
+  const auto is_digit = [](std::string_view line, char most) {
+    const auto digit = line.find_first_not_of(" \t");
+    return digit != line.npos && line[digit] >= '0' && line[digit] <= most &&
+           line.find_first_not_of(" \t.,0", digit + 1) == line.npos;
+  };
+  return is_digit(next_line(), '3') && is_digit(next_line(), '4');
+}
 
 Luminaire parse_eulumdat(std::string text, const std::string& name) {
   TextScanner scanner(std::move(text), name);
@@ -103,9 +121,11 @@ Luminaire parse_eulumdat(std::string text, const std::string& name) {
   for (int left = kLinesOfLampSet * lamp_sets - 3; left > 0; --left) line("lamp set");
   for (int room = 0; room < 10; ++room) number_or_blank("direct ratio");
 
-  const auto planes = stored_planes(grid.angles("C plane", plane_count, 0, 360), symmetry);
+  const AngleLimits limits = limits_of(PhotometryType::c);
+  const auto planes =
+      stored_planes(grid.angles("C plane", plane_count, limits.least_horizontal, limits.most_horizontal), symmetry);
   if (planes.angles.empty()) scanner.fail(grid.last(), "last C plane", planes.rule);
-  const auto gamma = grid.angles("gamma angle", gamma_count, 0, 180);
+  const auto gamma = grid.angles("gamma angle", gamma_count, limits.least_vertical, limits.most_vertical);
   auto horizontal = planes.angles;
   auto intensity = grid.intensities(horizontal.size() * gamma.size(), factor);
   luminaire.peak_location = scanner.location(grid.largest());

@@ -128,13 +128,6 @@ PhotometryType type_of(int number) {
   return number == 1 ? PhotometryType::c : number == 2 ? PhotometryType::b : PhotometryType::a;
 }
 
-/// Whether planes of type C are the whole turn, or the part of it that a symmetry leaves.
-bool is_turn(const std::vector<double>& planes) {
-  const double first = planes.front(), last = planes.back();
-  if (planes.size() == 1 || (first == 90 && last == 270)) return true;
-  return first == 0 && (last == 90 || last == 180 || (last > 180 && is_closed_turn(planes)));
-}
-
 }  // namespace
 
 bool is_ies(std::string_view text) {
@@ -189,21 +182,17 @@ Luminaire parse_ies(std::string text, const std::string& name) {
   number("input watts");
 
   const bool is_c = type == PhotometryType::c;
-  const double vertical_limit = type == PhotometryType::a ? 90 : 180;
-  const double horizontal_limit = is_c ? 360 : type == PhotometryType::a ? 180 : 90;
-  const auto vertical = grid.angles("vertical angle", vertical_count, is_c ? 0 : -vertical_limit, vertical_limit);
-  auto horizontal = grid.angles("horizontal angle", horizontal_count, is_c ? 0 : -horizontal_limit, horizontal_limit);
-  if (is_c && !is_turn(horizontal)) {
-    scanner.fail(grid.last(), "last horizontal angle",
-                 "must be one of planes at 0, from 0 to 90, 180 or 360, or from 90 to 270");
-  }
+  const AngleLimits limits = limits_of(type);
+  const auto vertical = grid.angles("vertical angle", vertical_count, limits.least_vertical, limits.most_vertical);
+  auto horizontal = grid.angles("horizontal angle", horizontal_count, limits.least_horizontal, limits.most_horizontal);
+  if (is_c && !is_turn(horizontal)) scanner.fail(grid.last(), "last horizontal angle", kTurnRule);
   if (!is_c && horizontal_count == 1) {
     scanner.fail(grid.last(), "horizontal angle", "must not be the only one in types A and B");
   }
   auto intensity = grid.intensities(std::size_t(vertical_count) * std::size_t(horizontal_count), factor);
   luminaire.peak_location = scanner.location(grid.largest());
   scanner.expect_no_more_numbers();
-  if (is_c && horizontal.front() == 0 && horizontal.back() > 180) close_turn(horizontal, intensity);
+  if (is_c && horizontal.back() - horizontal.front() > 180) close_turn(horizontal, intensity);
   luminaire.distribution = {type, radians_from_degrees(horizontal), radians_from_degrees(vertical),
                             std::move(intensity)};
   return luminaire;

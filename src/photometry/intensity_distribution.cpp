@@ -17,30 +17,40 @@ using std::numbers::pi;
 
 constexpr double kTolerance = 1e-9;       // radians: a direction at the last measured angle must not round to beyond it
 constexpr double kMaxIntensity = 1e30;    // candela: squares and sums stay finite
-constexpr int kTurnSteps = 720;           // directions of a circle about an axis
+constexpr int kTurnSteps = 720;           // directions of a circle about an axis of the measured grid
+constexpr int kEquatorSteps = 360;        // of the largest circle about another axis; of others by their circumference
+constexpr int kLeastSteps = 72;           // of any circle
 constexpr int kAxialStepsPerTurn = 1440;  // a quarter degree from an axis
 constexpr double kEdge = pi / 18000;      // 0.01 degrees: from the last measured angle to the dark beyond it
 
 double sum_of(const glm::dvec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
-// --- the measured grid: angles as measured from a direction ---
+// --- the measured grid ---
 
-struct PhotometricAngles {
-  double horizontal;
-  double vertical;
-};
-
-PhotometricAngles angles_of(PhotometryType type, const glm::dvec3& direction) {
+double horizontal_angle_of(PhotometryType type, const glm::dvec3& direction) {
   const auto [x, y, z] = std::array{direction.x, direction.y, direction.z};
   switch (type) {
     case PhotometryType::a:
-      return {std::atan2(x, -z), std::atan2(y, std::hypot(x, z))};
+      return std::atan2(x, -z);
     case PhotometryType::b:
-      return {std::atan2(x, std::hypot(y, z)), std::atan2(y, -z)};
+      return std::atan2(x, std::hypot(y, z));
     case PhotometryType::c:
       break;
   }
-  return {std::atan2(y, x), std::atan2(std::hypot(x, y), -z)};
+  return std::atan2(y, x);
+}
+
+double vertical_angle_of(PhotometryType type, const glm::dvec3& direction) {
+  const auto [x, y, z] = std::array{direction.x, direction.y, direction.z};
+  switch (type) {
+    case PhotometryType::a:
+      return std::atan2(y, std::hypot(x, z));
+    case PhotometryType::b:
+      return std::atan2(y, -z);
+    case PhotometryType::c:
+      break;
+  }
+  return std::atan2(std::hypot(x, y), -z);
 }
 
 /// The number of measured parts in a whole turn: 1, 2 or 4.
@@ -117,24 +127,87 @@ std::vector<double> polar_weights(std::span<const double> angles, double pole) {
 // --- circles about an axis ---
 
 /// Directions by the angle from an axis and the turn about it, which starts at the light's +x.
-class AxisCircles {
+class AxisFrame {
  public:
-  explicit AxisCircles(const glm::dvec3& axis) : luminaire_from_light_(luminaire_from_light(axis)) {}
+  explicit AxisFrame(const glm::dvec3& axis) : luminaire_from_light_(luminaire_from_light(axis)) {}
 
   glm::dvec3 direction(double angle, double turn) const {
     return luminaire_from_light_ * direction_of(PhotometryType::c, turn, angle);
   }
 
-  std::array<double, kTurnSteps> circle(const IntensityDistribution& distribution, double angle) const {
-    std::array<double, kTurnSteps> intensities;
-    for (int i = 0; i < kTurnSteps; ++i) {
-      intensities[std::size_t(i)] = intensity_at(distribution, direction(angle, 2 * pi * i / kTurnSteps));
+ private:
+  glm::dmat3 luminaire_from_light_;
+};
+
+bool is_own_axis(const IntensityDistribution& distribution, const glm::dvec3& axis) {
+  return distribution.type == PhotometryType::c && (axis == kPhotometricAxis || axis == -kPhotometricAxis);
+}
+
+/// Intensities on circles about an axis, at even steps of the turn.
+class AxisCircles {
+ public:
+  AxisCircles(const IntensityDistribution& distribution, const glm::dvec3& axis)
+      : distribution_(distribution), is_own_axis_(is_own_axis(distribution, axis)), is_up_(axis == -kPhotometricAxis) {
+    if (is_own_axis_) {
+      for (int i = 0; i < kTurnSteps; ++i) {
+        const double turn = 2 * pi * i / kTurnSteps;
+        planes_.push_back(*locate(distribution.horizontal,
+                                  folded_turn(distribution.horizontal, is_up_ ? pi - turn : turn)));
+      }
     }
-    return intensities;
+    forward_ = AxisFrame(axis).direction(0, 0);
+    for (int i = 0; i < kEquatorSteps; ++i) rim_.push_back(AxisFrame(axis).direction(pi / 2, 2 * pi * i / kEquatorSteps));
+  }
+
+  /// The circle at an angle; it lives until the next call.
+  std::span<const double> circle(double angle) {
+    if (is_own_axis_) {
+      fill_own_circle(angle);
+    } else {
+      fill_circle(angle);
+    }
+    return intensities_;
   }
 
  private:
-  glm::dmat3 luminaire_from_light_;
+  /// All directions of a circle about the grid's own axis lie between the same two vertical angles.
+  void fill_own_circle(double angle) {
+    const auto& [type, horizontal, vertical, intensity] = distribution_;
+    intensities_.assign(kTurnSteps, 0.0);
+    const auto v = locate(vertical, is_up_ ? pi - angle : angle);
+    if (!v) return;
+    in_planes_.resize(horizontal.size());
+    for (std::size_t plane = 0; plane < horizontal.size(); ++plane) {
+      const double* const row = &intensity[plane * vertical.size()];
+      in_planes_[plane] = std::lerp(row[v->low], row[v->high], v->fraction);
+    }
+    if (angle == 0) {
+      intensities_.assign(kTurnSteps, mean_over_turn(horizontal, [this](std::size_t i) { return in_planes_[i]; }));
+      return;
+    }
+    for (std::size_t i = 0; i < planes_.size(); ++i) {
+      intensities_[i] = std::lerp(in_planes_[planes_[i].low], in_planes_[planes_[i].high], planes_[i].fraction);
+    }
+  }
+
+  void fill_circle(double angle) {
+    const double sine = std::sin(angle), cosine = std::cos(angle);
+    const int wanted = std::max(kLeastSteps, int(std::ceil(kEquatorSteps * sine)));
+    const int stride = kEquatorSteps / wanted;  // of the rim's directions
+    intensities_.clear();
+    for (int i = 0; i < kEquatorSteps; i += stride) {
+      intensities_.push_back(intensity_at(distribution_, cosine * forward_ + sine * rim_[std::size_t(i)]));
+    }
+  }
+
+  const IntensityDistribution& distribution_;
+  bool is_own_axis_;
+  bool is_up_;
+  std::vector<Bracket> planes_ = {};
+  glm::dvec3 forward_{};
+  std::vector<glm::dvec3> rim_ = {};
+  std::vector<double> in_planes_ = {};
+  std::vector<double> intensities_ = {};
 };
 
 double mean_of(std::span<const double> values) {
@@ -154,6 +227,26 @@ void extend_to_pi(std::vector<double>& angles, bool is_last_lit) {
   if (angles.back() < pi) angles.push_back(pi);
 }
 
+/// Of the circles on which a beam's asymmetry is measured.
+std::vector<double> asymmetry_angles() {
+  std::vector<double> angles;
+  for (int i = 0; i < kAxialStepsPerTurn / 2; ++i) angles.push_back(2 * pi * (i + 0.5) / kAxialStepsPerTurn);
+  return angles;
+}
+
+/// Of (intensity / peak)^2 over the sphere, but for a factor.
+double square_integral(const IntensityDistribution& distribution, const glm::dvec3& axis, double peak) {
+  AxisCircles circles(distribution, axis);
+  double total = 0;
+  for (const double angle : asymmetry_angles()) {
+    const auto circle = circles.circle(angle);
+    double sum = 0;
+    for (const double intensity : circle) sum += (intensity / peak) * (intensity / peak);
+    total += std::sin(angle) * sum / double(circle.size());
+  }
+  return total;
+}
+
 std::vector<double> supplements(std::vector<double> angles) {
   std::ranges::reverse(angles);
   for (double& angle : angles) angle = pi - angle;
@@ -170,7 +263,7 @@ bool is_lit(const IntensityDistribution& distribution, std::size_t vertical) {
 
 std::vector<double> profile_angles(const IntensityDistribution& distribution, const glm::dvec3& axis) {
   std::vector<double> angles;
-  if (distribution.type == PhotometryType::c && (axis == kPhotometricAxis || axis == -kPhotometricAxis)) {
+  if (is_own_axis(distribution, axis)) {
     angles = distribution.vertical;
     extend_to_pi(angles, is_lit(distribution, angles.size() - 1));
     if (angles.front() > 0) {
@@ -214,6 +307,10 @@ void require_axis(const glm::dvec3& axis) {
 }
 
 }  // namespace
+
+PhotometricAngles angles_of(PhotometryType type, const glm::dvec3& direction) {
+  return {horizontal_angle_of(type, direction), vertical_angle_of(type, direction)};
+}
 
 glm::dvec3 direction_of(PhotometryType type, double horizontal, double vertical) {
   const double sin_h = std::sin(horizontal), cos_h = std::cos(horizontal);
@@ -264,17 +361,18 @@ std::optional<ValueError> check(const IntensityDistribution& distribution) {
 
 double intensity_at(const IntensityDistribution& distribution, const glm::dvec3& direction) {
   const auto& [type, horizontal, vertical, intensity] = distribution;
-  const PhotometricAngles angles = angles_of(type, direction);
   const bool is_c = type == PhotometryType::c;
-  const auto h =
-      locate(horizontal, is_c ? folded_turn(horizontal, angles.horizontal) : folded(horizontal, angles.horizontal));
-  const auto v = locate(vertical, is_c ? angles.vertical : folded(vertical, angles.vertical));
-  if (!h || !v) return 0;
+  const double elevation = vertical_angle_of(type, direction);
+  const auto v = locate(vertical, is_c ? elevation : folded(vertical, elevation));
+  if (!v) return 0;
   const auto in_plane = [&, &grid = intensity, rows = vertical.size()](std::size_t plane) {
     return std::lerp(grid[plane * rows + v->low], grid[plane * rows + v->high], v->fraction);
   };
+  if (horizontal.size() == 1) return in_plane(0);
   if (is_c && direction.x == 0 && direction.y == 0) return mean_over_turn(horizontal, in_plane);
-  return std::lerp(in_plane(h->low), in_plane(h->high), h->fraction);
+  const double turn = horizontal_angle_of(type, direction);
+  const auto h = locate(horizontal, is_c ? folded_turn(horizontal, turn) : folded(horizontal, turn));
+  return h ? std::lerp(in_plane(h->low), in_plane(h->high), h->fraction) : 0;
 }
 
 double luminous_flux(const IntensityDistribution& distribution) {
@@ -322,10 +420,10 @@ IntensityPeak find_peak(const IntensityDistribution& distribution) {
 std::vector<AxialSample> axial_profile(const IntensityDistribution& distribution, const glm::dvec3& axis) {
   require(check(distribution));
   require_axis(axis);
-  const AxisCircles about(axis);
+  AxisCircles circles(distribution, axis);
   std::vector<AxialSample> profile;
   for (const double angle : profile_angles(distribution, axis)) {
-    const auto circle = about.circle(distribution, angle);
+    const auto circle = circles.circle(angle);
     const double mean = mean_of(circle);
     const auto [least, largest] = std::ranges::minmax_element(circle);
     profile.push_back({angle, mean, std::max(mean - *least, *largest - mean)});
@@ -337,10 +435,10 @@ std::vector<AxialSample> plane_profile(const IntensityDistribution& distribution
   require(check(distribution));
   require_axis(axis);
   if (!std::isfinite(turn)) require(ValueError{"turn", turn, "must be finite"});
-  const AxisCircles about(axis);
+  const AxisFrame frame(axis);
   std::vector<AxialSample> profile;
   for (const double angle : profile_angles(distribution, axis)) {
-    profile.push_back({angle, intensity_at(distribution, about.direction(angle, turn)), 0});
+    profile.push_back({angle, intensity_at(distribution, frame.direction(angle, turn)), 0});
   }
   return profile;
 }
@@ -361,24 +459,25 @@ double half_angle(const std::vector<AxialSample>& profile, double fraction) {
   return std::lerp(above.angle, below->angle, (above.mean - level) / (above.mean - below->mean));
 }
 
-double asymmetry(const IntensityDistribution& distribution, const glm::dvec3& axis) {
+double asymmetry(const IntensityDistribution& distribution, const glm::dvec3& axis, double limit) {
   require(check(distribution));
   require_axis(axis);
-  const bool is_own_axis = axis == kPhotometricAxis || axis == -kPhotometricAxis;
-  if (distribution.type == PhotometryType::c && distribution.horizontal.size() == 1 && is_own_axis) return 0;
-  const AxisCircles about(axis);
+  if (distribution.horizontal.size() == 1 && is_own_axis(distribution, axis)) return 0;
   const double peak = find_peak(distribution).intensity;
-  double deviation = 0, total = 0;
-  for (int i = 0; i < kAxialStepsPerTurn / 2; ++i) {
-    const double angle = 2 * pi * (i + 0.5) / kAxialStepsPerTurn;
-    const auto circle = about.circle(distribution, angle);
+  const bool has_own_axis = distribution.type == PhotometryType::c;
+  const double total = square_integral(distribution, has_own_axis ? kPhotometricAxis : axis, peak);
+  if (total == 0) return 0;
+  AxisCircles circles(distribution, axis);
+  double deviation = 0;
+  for (const double angle : asymmetry_angles()) {
+    const auto circle = circles.circle(angle);
     const double mean = mean_of(circle);
-    for (const double intensity : circle) {
-      deviation += std::sin(angle) * ((intensity - mean) / peak) * ((intensity - mean) / peak);
-      total += std::sin(angle) * (intensity / peak) * (intensity / peak);
-    }
+    double sum = 0;
+    for (const double intensity : circle) sum += ((intensity - mean) / peak) * ((intensity - mean) / peak);
+    deviation += std::sin(angle) * sum / double(circle.size());
+    if (deviation > limit * limit * total) break;
   }
-  return total > 0 ? std::sqrt(deviation / total) : 0;
+  return std::min(1.0, std::sqrt(deviation / total));
 }
 
 }  // namespace litfog

@@ -2,19 +2,69 @@
 #include "litfog/photometry/luminaire.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <numbers>
 
+#include "gldf_archive.h"
 #include "litfog/photometry/eulumdat.h"
+#include "litfog/photometry/gldf.h"
 #include "litfog/photometry/ies.h"
+#include "litfog/photometry/isocandela.h"
+#include "litfog/photometry/tm33.h"
+#include "require.h"
+#include "text_encoding.h"
 #include "text_scanner.h"
 
 namespace litfog {
 namespace {
 
-bool is_named_ies(const std::string& path) {
-  std::string ending = std::filesystem::path(path).extension().string();
+namespace fs = std::filesystem;
+
+constexpr std::string_view kZip = "PK\x03\x04";
+
+std::string ending_of(const std::string& path) {
+  std::string ending = fs::path(path).extension().string();
   std::ranges::transform(ending, ending.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
-  return ending == ".ies";
+  return ending;
+}
+
+/// Plain text of no known kind is taken for what its ending says, for the sake of the error.
+bool is_named(const std::string& path, const char* ending, std::string_view text) {
+  return ending_of(path) == ending && !text.starts_with('<') && text.find('\0') == text.npos;
+}
+
+Luminaire parse_luminaire(std::string bytes, const std::string& path) {
+  std::string text = utf8_from_bytes(std::move(bytes));
+  if (is_tm33(text)) return parse_tm33(std::move(text), path);
+  if (is_ies(text) || is_named(path, ".ies", text)) return parse_ies(std::move(text), path);
+  if (is_isocandela(text) || is_named(path, ".csv", text)) return parse_isocandela(std::move(text), path);
+  if (is_eulumdat(text) || is_named(path, ".ldt", text)) return parse_eulumdat(std::move(text), path);
+  throw InputError({.file = path}, "not a photometric file", "",
+                   "must be of IES LM-63 (with a line TILT=), EULUMDAT, TM-33 or GLDF, or an isocandela table");
+}
+
+/// A container's only photometric file.
+std::string single_file_of(const std::string& gldf) {
+  const std::vector<std::string> files = list_gldf(gldf);
+  if (files.size() == 1) return files.front();
+  std::string rule = "must be named where there are several:";
+  for (const std::string& file : files) rule += " " + file;
+  throw InputError({.file = gldf}, "photometric file", "", rule);
+}
+
+/// The container that a path leads into, where it is a path of list_gldf().
+std::optional<std::string> gldf_of(const std::string& path) {
+  std::error_code error;
+  for (fs::path container = fs::path(path).parent_path(); container.has_relative_path();
+       container = container.parent_path()) {
+    if (ending_of(container.string()) == ".gldf" && fs::is_regular_file(container, error)) return container.string();
+  }
+  return std::nullopt;
+}
+
+Luminaire read_from_gldf(const std::string& gldf, const std::string& path) {
+  return parse_luminaire(read_gldf_entry(gldf, path.substr(gldf.size() + 1)), path);
 }
 
 }  // namespace
@@ -24,9 +74,21 @@ std::optional<double> stated_flux(const Luminaire& luminaire) {
   return *luminaire.lamp_flux * *luminaire.light_output_ratio;
 }
 
+double tilt_factor(const LampTilt& tilt, double angle) {
+  if (!(angle >= 0 && angle <= std::numbers::pi)) require(ValueError{"angle", angle, "must be in [0, pi]"});
+  const auto above = std::ranges::lower_bound(tilt.angles, angle);
+  if (above == tilt.angles.begin()) return tilt.factors.front();
+  if (above == tilt.angles.end()) return tilt.factors.back();
+  const auto high = std::size_t(above - tilt.angles.begin());
+  const double fraction = (angle - tilt.angles[high - 1]) / (*above - tilt.angles[high - 1]);
+  return std::lerp(tilt.factors[high - 1], tilt.factors[high], fraction);
+}
+
 Luminaire read_luminaire(const std::string& path) {
-  std::string text = read_photometric_file(path);
-  return is_ies(text) || is_named_ies(path) ? parse_ies(std::move(text), path) : parse_eulumdat(std::move(text), path);
+  if (const auto gldf = gldf_of(path)) return read_from_gldf(*gldf, path);
+  std::string bytes = read_photometric_file(path);
+  if (bytes.starts_with(kZip)) return read_from_gldf(path, single_file_of(path));
+  return parse_luminaire(std::move(bytes), path);
 }
 
 }  // namespace litfog

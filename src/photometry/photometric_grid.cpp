@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <numbers>
 
 namespace litfog {
@@ -37,7 +38,7 @@ std::vector<double> PhotometricGrid::angles(std::string_view what, int count, do
     if (piece.text.empty()) scanner_.fail(piece, name(), "");
     const double angle = scanner_.number(piece, what);
     if (!(angle >= low && angle <= high)) {
-      scanner_.fail(piece, name(), "must be in [" + as_written(low) + ", " + as_written(high) + "]");
+      scanner_.fail(piece, name(), range_rule(low, high));
     }
     if (i > 0 && !(angle * kRadiansPerDegree > angles.back() * kRadiansPerDegree)) {  // they may round to the same
       scanner_.fail(piece, name(), "must be greater than the one before, " + as_written(angles.back()));
@@ -48,25 +49,45 @@ std::vector<double> PhotometricGrid::angles(std::string_view what, int count, do
 }
 
 std::vector<double> PhotometricGrid::intensities(std::size_t count, double factor) {
-  std::vector<double> intensities;
-  double largest = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const TextScanner::Piece& piece = last_ = scanner_.next(unit_);
-    if (piece.text.empty()) scanner_.fail(piece, name_of("intensity", i, count), "");
-    const double intensity = scanner_.number(piece, "intensity");
-    const double candela = intensity * factor;
-    if (!(intensity >= 0)) scanner_.fail(piece, name_of("intensity", i, count), "must be >= 0");
-    if (!(candela <= kMaxCandela)) {
-      scanner_.fail(piece, name_of("intensity", i, count), "must be at most 1e30 candela, with all factors");
-    }
-    if (candela > largest) {
-      largest = candela;
-      largest_ = piece;
-    }
-    intensities.push_back(candela);
+  IntensityReader reader(scanner_, count, factor);
+  for (std::size_t i = 0; i < count; ++i) reader.add(scanner_.next(unit_));
+  largest_ = reader.largest();
+  return reader.finish();
+}
+
+std::string IntensityReader::name(std::size_t index) const { return name_of("intensity", index, count_); }
+
+void IntensityReader::add(const TextScanner::Piece& piece) {
+  const std::size_t index = intensities_.size();
+  if (piece.text.empty()) scanner_.fail(piece, name(index), "");
+  const double candela = scanner_.number(piece, "intensity") * factor_;
+  if (!(candela <= kMaxCandela)) {
+    scanner_.fail(piece, name(index), "must be at most 1e30 candela, with all factors");
   }
-  if (largest == 0) scanner_.fail(last_, name_of("intensity", count - 1, count), "must not be 0 as all others are");
-  return intensities;
+  if (candela > largest_candela_) {
+    largest_candela_ = candela;
+    largest_ = piece;
+  }
+  if (candela < least_candela_) {
+    least_candela_ = candela;
+    least_ = piece;
+    least_index_ = index;
+  }
+  last_ = piece;
+  intensities_.push_back(std::max(candela, 0.0));
+}
+
+std::vector<double> IntensityReader::finish() {
+  if (least_candela_ < -kMostNegative * largest_candela_) scanner_.fail(least_, name(least_index_), "must be >= 0");
+  if (largest_candela_ == 0) scanner_.fail(last_, name(intensities_.size() - 1), "must not be 0 as all others are");
+  return std::move(intensities_);
+}
+
+bool is_turn(const std::vector<double>& planes_deg) {
+  const double first = planes_deg.front(), span = planes_deg.back() - first;
+  if (planes_deg.size() == 1 || (std::abs(first) == 90 && span == 180)) return true;
+  if (first == 0 && (span == 90 || span == 180)) return true;
+  return (first == 0 || first == -180) && span > 180 && is_closed_turn(planes_deg);
 }
 
 bool is_closed_turn(const std::vector<double>& planes_deg) {
@@ -83,6 +104,10 @@ void close_turn(std::vector<double>& planes_deg, std::vector<double>& intensity)
   planes_deg.push_back(planes_deg.front() + 360);
   intensity.reserve(intensity.size() + first_plane.size());  // all that it may take, where there are millions
   intensity.insert(intensity.end(), first_plane.begin(), first_plane.end());
+}
+
+std::string range_rule(double low, double high) {
+  return "must be in [" + as_written(low) + ", " + as_written(high) + "]";
 }
 
 std::vector<double> radians_from_degrees(std::vector<double> angles) {

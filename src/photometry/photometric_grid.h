@@ -8,8 +8,40 @@
 
 namespace litfog {
 
-/// Angles and intensities as both kinds of photometric file hold them: read in degrees, one piece each. Nothing is
-/// allocated for a count, only for what is read.
+/// How far an intensity may lie below zero, as a fraction of the largest: the noise of a dark direction.
+inline constexpr double kMostNegative = 1e-3;
+
+/// Intensities as a file holds them, one piece each, times a factor: candela. Those below zero by no more than
+/// kMostNegative of the largest are 0.
+class IntensityReader {
+ public:
+  /// count  for errors: "intensity 12 of 361"
+  IntensityReader(const TextScanner& scanner, std::size_t count, double factor)
+      : scanner_(scanner), count_(count), factor_(factor) {}
+
+  void add(const TextScanner::Piece& piece);
+  /// What was added, one or more; checked as a whole.
+  std::vector<double> finish();
+  /// The largest intensity that was added.
+  const TextScanner::Piece& largest() const { return largest_; }
+
+ private:
+  std::string name(std::size_t index) const;
+
+  const TextScanner& scanner_;
+  std::size_t count_;
+  double factor_;
+  std::vector<double> intensities_ = {};
+  std::size_t least_index_ = 0;
+  TextScanner::Piece last_{};
+  TextScanner::Piece least_{};
+  TextScanner::Piece largest_{};
+  double least_candela_ = 0;
+  double largest_candela_ = 0;
+};
+
+/// Angles and intensities as both kinds of plain photometric file hold them: read in degrees, one piece each. Nothing
+/// is allocated for a count, only for what is read.
 class PhotometricGrid {
  public:
   PhotometricGrid(TextScanner& scanner, TextScanner::Unit unit) : scanner_(scanner), unit_(unit) {}
@@ -18,7 +50,7 @@ class PhotometricGrid {
   int count(std::string_view what, int least);
   /// Strictly increasing angles within [low, high] degrees.
   std::vector<double> angles(std::string_view what, int count, double low, double high);
-  /// Intensities times a factor: candela.
+  /// As IntensityReader takes them.
   std::vector<double> intensities(std::size_t count, double factor);
   /// What was read last, for an error.
   const TextScanner::Piece& last() const { return last_; }
@@ -32,11 +64,35 @@ class PhotometricGrid {
   TextScanner::Piece largest_{};
 };
 
+/// The angles in degrees that a type has.
+struct AngleLimits {
+  double least_horizontal, most_horizontal, least_vertical, most_vertical;
+};
+constexpr AngleLimits limits_of(PhotometryType type) {
+  switch (type) {
+    case PhotometryType::a:
+      return {-180, 180, -90, 90};
+    case PhotometryType::b:
+      return {-90, 90, -180, 180};
+    case PhotometryType::c:
+      break;
+  }
+  return {-180, 360, 0, 180};
+}
+
+/// Whether planes of type C are the whole turn, or the part of it that a symmetry leaves.
+bool is_turn(const std::vector<double>& planes_deg);
+inline constexpr const char* kTurnRule =
+    "must be one of planes at 0, from 0 to 90, 180 or 360, from 90 to 270, from -90 to 90, or from -180 to 180";
+
 /// Whether planes of type C in degrees go all round: the gap to the first one is no wider than the widest step.
 bool is_closed_turn(const std::vector<double>& planes_deg);
 
 /// Adds the first plane again where the turn of such planes ends, unless it is there.
 void close_turn(std::vector<double>& planes_deg, std::vector<double>& intensity);
+
+/// "must be in [-90, 90]"
+std::string range_rule(double low, double high);
 
 std::vector<double> radians_from_degrees(std::vector<double> angles);
 

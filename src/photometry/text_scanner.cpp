@@ -6,26 +6,18 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <iterator>
 #include <optional>
 
 #include "file_text.h"
+#include "text_encoding.h"
 
 namespace litfog {
 namespace {
 
-constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
 constexpr std::size_t kMaxShown = 40;               // of a value in a message
 constexpr std::string_view kBlank = " \t\v\f\x1A";  // 0x1A ended a file under DOS
 constexpr std::string_view kLineEnd = "\r\n";
 constexpr std::string_view kSeparators = " \t\v\f\x1A\r\n,";
-
-std::string utf8_from_latin1(std::string_view text) {
-  std::string result;
-  result.reserve(2 * text.size());
-  for (const char c : text) utf8::append(char32_t(static_cast<unsigned char>(c)), result);
-  return result;
-}
 
 /// Text for a message: cut where it is long, control characters replaced.
 std::string excerpt(std::string_view text) {
@@ -39,6 +31,12 @@ std::string excerpt(std::string_view text) {
 
 std::optional<double> parse_number(std::string_view text) {
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+  std::string with_e;  // in place of Fortran's D
+  if (const auto exponent = text.find_first_of("Dd"); exponent != text.npos) {
+    with_e = text;
+    with_e[exponent] = 'e';
+    text = with_e;
+  }
   double number;
   const char* const end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, number);
@@ -48,12 +46,10 @@ std::optional<double> parse_number(std::string_view text) {
 
 }  // namespace
 
-std::string read_photometric_file(const std::string& path) { return read_file_text(path, kMaxBytes); }
+std::string read_photometric_file(const std::string& path) { return read_file_text(path, kMaxPhotometricBytes); }
 
-TextScanner::TextScanner(std::string text, std::string name) : text_(std::move(text)), name_(std::move(name)) {
-  if (utf8::starts_with_bom(text_)) text_.erase(0, std::size(utf8::bom));
-  if (!utf8::is_valid(text_)) text_ = utf8_from_latin1(text_);
-}
+TextScanner::TextScanner(std::string bytes, std::string name)
+    : text_(utf8_from_bytes(std::move(bytes))), name_(std::move(name)) {}
 
 TextScanner::Piece TextScanner::next(Unit unit) { return unit == Unit::token ? next_token() : next_line(); }
 

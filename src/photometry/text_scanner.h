@@ -9,7 +9,9 @@
 
 namespace litfog {
 
-/// The bytes of a file of at most 64 MiB; throws InputError.
+inline constexpr std::size_t kMaxPhotometricBytes = std::size_t{64} << 20;
+
+/// The bytes of a file of at most kMaxPhotometricBytes; throws InputError.
 std::string read_photometric_file(const std::string& path);
 
 /// A photometric file's text, read piece by piece. Each error names the location of a piece.
@@ -26,16 +28,17 @@ class TextScanner {
     bool is_missing = false;  ///< the file had ended
   };
 
-  /// Text that is no UTF-8 is taken as Latin-1.
-  TextScanner(std::string text, std::string name);
+  /// The bytes as utf8_from_bytes() takes them.
+  TextScanner(std::string bytes, std::string name);
   TextScanner(const TextScanner&) = delete;
   TextScanner& operator=(const TextScanner&) = delete;
 
   Piece next(Unit unit);
   bool is_at_end() const { return cursor_ == text_.size(); }
+  const std::string& text() const { return text_; }
   const std::string& name() const { return name_; }
 
-  /// A piece as a number: decimal, whole and finite. `what` names it in errors.
+  /// A piece as a number: decimal, whole and finite; its exponent may be Fortran's, 1.5D+03. `what` names it in errors.
   double number(const Piece& piece, std::string_view what) const;
   int integer(const Piece& piece, std::string_view what, int low, int high) const;
   double positive(const Piece& piece, std::string_view what) const;

@@ -3,9 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "demo/html_text.h"
+#include "command/html_text.h"
 
 namespace litfog::test {
+using namespace command;
 using namespace demo;
 using namespace render;
 

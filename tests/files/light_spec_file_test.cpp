@@ -112,25 +112,32 @@ TEST_F(LightSpecFile, UnitsOfDataSheetsAreReadAndWritten) {
   EXPECT_EQ(spec.color_temperature, 3200);
   EXPECT_EQ(spec.color, color_of_temperature(3200));
   EXPECT_EQ(spec.range->end_illuminance, 8e-7);
-  EXPECT_EQ(spec.range->peak, 12000);
+  EXPECT_EQ(spec.range->illuminance, (RangeSpec::Illuminance{.range = 10, .lux = 120}));
   const std::string copy = (directory_.path() / "copy.json").string();
   write_light_spec(copy, spec);
   const LightSpec back = read_light_spec(copy);
   EXPECT_EQ(back.color_temperature, 3200);
   EXPECT_EQ(back.range->end_illuminance, 8e-7);
-  EXPECT_EQ(back.range->peak, 12000);
+  EXPECT_EQ(back.range->illuminance, spec.range->illuminance);
   EXPECT_EQ(error_of(R"("color_temperature_k": 900, "range": {"extent_m": 1})"),
             "f.json:2:24: color_temperature_k = 900: must be in [1000, 25000]");
   EXPECT_EQ(error_of(R"("color": [1, 1, 1], "color_temperature_k": 3000, "range": {"extent_m": 1})"),
             "f.json:2:44: color_temperature_k = 3000: must not be given beside color");
   EXPECT_EQ(error_of(R"("range": {"end_lx": "dusk", "peak_cd": 1})"),
-            "f.json:2:21: range.end_lx = \"dusk\": must be one of night, twilight, day, bright day");
+            "f.json:2:21: range.end_lx = \"dusk\": must be one of dark night, night, twilight, day, bright day");
+  EXPECT_EQ(
+      error_of(R"("range": {"end_lx": "nigth", "peak_cd": 1})"),
+      "f.json:2:21: range.end_lx = \"nigth\": must be one of dark night, night, twilight, day, bright day; did you "
+      "mean night?");
   EXPECT_EQ(error_of(R"("range": {"end_lx": 0, "peak_cd": 1})"), "f.json:2:21: range.end_lx = 0: must be > 0");
   EXPECT_EQ(error_of(R"("range": {"peak_cd": -1})"), "f.json:2:22: range.peak_cd = -1: must be > 0");
   EXPECT_EQ(error_of(R"("range": {"extent_m": 9, "peak_cd": 1})"),
-            "f.json:2:23: range.extent_m = 9: must not be given beside end_lx, peak_cd or illuminance");
-  EXPECT_EQ(error_of(R"("range": {"peak_cd": 1, "illuminance": {"range_m": 1, "lx": 1}})").substr(0, 42),
-            "f.json:2:40: range.illuminance = an object");
+            "f.json:2:23: range.extent_m = 9: must not be given beside end_lx, peak_cd, illuminance or flux_lm");
+  EXPECT_EQ(error_of(R"("range": {"peak_cd": 1, "illuminance": {"range_m": 1, "lx": 1}})"),
+            "f.json:2:40: range.illuminance = an object: must not be given beside peak_cd");
+  EXPECT_EQ(error_of(R"("range": {"illuminance": {"range_m": 1, "lx": 1}, "flux_lm": 9})"),
+            "f.json:2:62: range.flux_lm = 9: must not be given beside illuminance");
+  EXPECT_EQ(error_of(R"("range": {"flux_lm": 0})"), "f.json:2:22: range.flux_lm = 0: must be > 0");
 }
 
 TEST_F(LightSpecFile, ErrorsOfACallerAreInTheFilesTerms) {
@@ -169,6 +176,8 @@ void expect_equal(const LightSpec& a, const LightSpec& b) {
     EXPECT_EQ(a.range->extent, b.range->extent);
     EXPECT_EQ(a.range->end_illuminance, b.range->end_illuminance);
     EXPECT_EQ(a.range->peak, b.range->peak);
+    EXPECT_EQ(a.range->illuminance, b.range->illuminance);
+    EXPECT_EQ(a.range->flux, b.range->flux);
     EXPECT_EQ(a.range->constant, b.range->constant);
     EXPECT_EQ(a.range->family, b.range->family);
     ASSERT_EQ(a.range->samples.size(), b.range->samples.size());
@@ -178,10 +187,11 @@ void expect_equal(const LightSpec& a, const LightSpec& b) {
       EXPECT_EQ(a.range->samples[i].weight, b.range->samples[i].weight) << i;
     }
   }
-  const auto expect_equal_angles = [](std::optional<double> x, std::optional<double> y) {
+  const auto expect_equal_angles = [](std::optional<FullAngles> x, std::optional<FullAngles> y) {
     ASSERT_EQ(x.has_value(), y.has_value());
     if (x) {
-      EXPECT_DOUBLE_EQ(*x, *y);
+      EXPECT_DOUBLE_EQ(x->horizontal, y->horizontal);
+      EXPECT_DOUBLE_EQ(x->vertical, y->vertical);
     }
   };
   ASSERT_EQ(a.cone.has_value(), b.cone.has_value());
@@ -198,6 +208,23 @@ void expect_equal(const LightSpec& a, const LightSpec& b) {
       EXPECT_EQ(a.cone->samples[i].weight, b.cone->samples[i].weight) << i;
     }
   }
+}
+
+TEST_F(LightSpecFile, AnglesOfAnEllipticalBeamAreTwo) {
+  const LightSpec spec =
+      read(R"("range": {"flux_lm": 900}, "cone": {"beam_angle_deg": [90, 45], "field_angle_deg": 180})");
+  EXPECT_EQ(spec.range->flux, 900);
+  EXPECT_EQ(spec.cone->beam_angle, FullAngles(pi / 2, pi / 4));
+  EXPECT_EQ(spec.cone->field_angle, FullAngles(pi, pi));
+  const std::string copy = (directory_.path() / "copy.json").string();
+  write_light_spec(copy, spec);
+  expect_equal(read_light_spec(copy), spec);
+  EXPECT_EQ(error_of(R"("cone": {"beam_angle_deg": [1, 2, 3]})"),
+            "f.json:2:28: cone.beam_angle_deg = an array: must be a number, or two: horizontal and vertical");
+  EXPECT_EQ(error_of(R"("cone": {"beam_angle_deg": [1, "2"]})"),
+            "f.json:2:32: cone.beam_angle_deg[1] = \"2\": must be a number; write 2, without quotation marks");
+  EXPECT_EQ(error_of(R"("cone": {"field_angle_deg": [9, 8], "photometry": "a.ies"})"),
+            "f.json:2:29: cone.field_angle_deg = an array: must be one number beside photometry");
 }
 
 TEST_F(LightSpecFile, ShippedSpecsAreReadBackAsTheyWere) {

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <set>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -437,9 +438,10 @@ TEST_F(FitCommand, AxisIsThePeakOfABeamAimedElsewhereOrAsAsked) {
   const auto axis_of = [&](const std::string& options) {
     return nlohmann::json::parse(run("aimed.ies --format json " + options).out)[0]["axis"].get<std::string>();
   };
-  EXPECT_EQ(axis_of(""), "40 deg from the photometric axis") << "found by itself";
-  EXPECT_EQ(axis_of("--axis peak"), "40 deg from the photometric axis");
-  EXPECT_EQ(axis_of("--axis 90,25"), "25 deg from the photometric axis");
+  EXPECT_EQ(axis_of(""), "40 deg from the photometric axis, --axis 0,40") << "found by itself";
+  EXPECT_EQ(axis_of("--axis peak"), axis_of(""));
+  EXPECT_EQ(axis_of("--axis 0,40"), axis_of("")) << "as it was told";
+  EXPECT_EQ(axis_of("--axis 90,25"), "25 deg from the photometric axis, --axis 90,25");
   EXPECT_EQ(axis_of("--axis down"), "down, the photometric axis");
   EXPECT_EQ(axis_of("--axis up"), "up, opposite to the photometric axis");
   EXPECT_EQ(run("aimed.ies").status, kDone);
@@ -452,6 +454,56 @@ TEST_F(FitCommand, AxisIsThePeakOfABeamAimedElsewhereOrAsAsked) {
     expect_usage_error(std::string("aimed.ies --axis ") + wrong, std::string("--axis = ") + wrong + ": " + rule);
   }
   expect_usage_error("lamp.json --axis up", "--axis cannot be given with lamp.json: there is no photometric file");
+}
+
+TEST_F(FitCommand, AxisOfANarrowBeamIsItsPeakHoweverNear) {
+  std::string table = "# aimed 4 degrees up\nvertical_deg";
+  for (int h = -16; h <= 16; ++h) table += "," + std::to_string(h / 2.0);
+  for (int v = -10; v <= 26; ++v) {
+    table += "\n" + std::to_string(v / 2.0);
+    for (int h = -16; h <= 16; ++h) {
+      table += "," + std::to_string(1000 * std::exp2(-(h * h + (v - 8) * (v - 8)) / 16.0));
+    }
+  }
+  write("aimed.csv", table);
+  const auto report = nlohmann::json::parse(run("aimed.csv --format json").out)[0];
+  EXPECT_EQ(report["axis"], "4 deg from the photometric axis, --axis 0,4");
+  EXPECT_EQ(report["verdict"], "good") << report["why"];
+  EXPECT_NEAR(report["beam"]["beam_angle_deg"].get<double>(), 4, 0.05);
+  EXPECT_EQ(nlohmann::json::parse(run("aimed.csv --axis 0,4 --format json").out)[0]["axis"], report["axis"]);
+  EXPECT_EQ(nlohmann::json::parse(run("aimed.csv --axis down --format json").out)[0]["axis"],
+            "ahead, the photometric axis");
+}
+
+TEST_F(FitCommand, DerivedFiguresAreToldWithTheirSteps) {
+  write("steps.json", R"({"litfog": "light-spec", "version": 1, "source": "maker", "color_temperature_k": 3200,
+    "range": {"flux_lm": 900, "end_lx": "night"}, "cone": {"beam_angle_deg": [24, 6], "field_angle_deg": [48, 12]}})");
+  const auto report = nlohmann::json::parse(run("steps.json --format json").out)[0];
+  ASSERT_EQ(report["derived"].size(), 5u) << "color, two angles, peak, extent";
+  EXPECT_EQ(report["light"]["source"].size(), 6u) << "the maker's and the steps";
+  EXPECT_EQ(report["beam"]["flux_lm"], 900);
+  EXPECT_EQ(report["beam"]["beam_angle_deg"], nlohmann::json::parse("[24, 6]"));
+  EXPECT_EQ(report["beam"]["field_angle_deg"], nlohmann::json::parse("[48, 12]"));
+  EXPECT_EQ(report["verdict"], "poor") << "half of the beam is not round";
+  const std::string text = run("steps.json").out;
+  for (const auto& step : report["derived"]) EXPECT_NE(text.find(step.get<std::string>()), std::string::npos) << step;
+  EXPECT_NE(text.find("24 deg horizontally, 6 deg vertically"), std::string::npos) << text;
+  EXPECT_NE(text.find("--cookie keeps its shape"), std::string::npos) << text;
+}
+
+TEST_F(FitCommand, CookieOfAnEllipticalBeamIsElliptical) {
+  write("oval.json", R"({"litfog": "light-spec", "version": 1, "range": {"extent_m": 9},
+    "cone": {"beam_angle_deg": [60, 20], "field_angle_deg": [90, 30]}})");
+  run("oval.json --cookie oval.exr --cookie-size 65");
+  const auto cookie = litfog::read_cookie((directory() / "oval.exr").string());
+  const auto at = [&cookie](double horizontal_deg, double vertical_deg) {
+    return cookie_at(cookie, direction_of(PhotometryType::a, horizontal_deg * pi / 180, vertical_deg * pi / 180));
+  };
+  EXPECT_NEAR(at(0, 0), 1, 0.01);
+  EXPECT_NEAR(at(30, 0), 0.5, 0.05);
+  EXPECT_NEAR(at(0, 10), at(30, 0), 0.01);
+  EXPECT_NEAR(at(0, -15), at(-45, 0), 0.01);
+  EXPECT_LT(at(0, 30), 0.001);
 }
 
 TEST_F(FitCommand, AnglesThatAFileDoesNotStateAreDarkInFitAndErrors) {
@@ -509,6 +561,194 @@ TEST_F(FitCommand, FilesOfOneNameAndTwoFormatsAreTwoLights) {
   for (const char* name : {"lights/spot.ies.json", "lights/spot.ldt.json", "lights/beam.json"}) {
     EXPECT_TRUE(files().contains(name)) << name;
   }
+}
+
+// ---- many inputs ----
+
+/// The names in a table's first column.
+std::vector<std::string> inputs_of(const std::string& csv) {
+  std::vector<std::string> inputs;
+  std::istringstream lines(csv);
+  for (std::string line; std::getline(lines, line);) inputs.push_back(line.substr(0, line.find(',')));
+  inputs.erase(inputs.begin());
+  return inputs;
+}
+
+TEST_F(FitCommand, FolderStandsForTheSpecsAndPhotometricFilesInIt) {
+  fs::create_directories(directory() / "lamps/deep");
+  write("lamps/b.ies", kIes);
+  write("lamps/deep/A.IES", kIes);
+  write("lamps/beam.json", kBeam);
+  write("lamps/light.json", R"({"litfog": "light", "version": 1})");
+  write("lamps/notes.txt", "no lamp");
+  write("lamps/page.xml", "<html/>");
+  write("lamps/table.csv", "a,b\n1,2\n");
+  const Outcome outcome = run("lamps --format csv");
+  EXPECT_EQ(outcome.status, kDone) << outcome.err;
+  EXPECT_EQ(inputs_of(outcome.out), (std::vector<std::string>{"lamps/b.ies", "lamps/beam.json", "lamps/deep/A.IES"}));
+  fs::create_directory(directory() / "lights");
+  EXPECT_EQ(run("lamps -o lights").status, kDone);
+  for (const char* name : {"lights/b.json", "lights/beam.json", "lights/deep-A.json"}) {
+    EXPECT_TRUE(files().contains(name)) << name;
+  }
+  fs::create_directory(directory() / "empty");
+  expect_usage_error("empty", "input = empty: must hold light specs or photometric files");
+}
+
+TEST_F(FitCommand, PatternStandsForTheFilesThatMatch) {
+  write("spot2.ies", kIes);
+  const Outcome outcome = run("'s*.ies' beam.json --format csv");
+  EXPECT_EQ(inputs_of(outcome.out), (std::vector<std::string>{"spot.ies", "spot2.ies", "beam.json"}));
+  expect_usage_error("'*.ldt'", "input = *.ldt: must match a file");
+}
+
+TEST_F(FitCommand, BundledLightIsFoundByItsNameUnlessAFileHasIt) {
+  EXPECT_NE(run("landing-lamp").out.find("landing-lamp.json"), std::string::npos);
+  write("landing-lamp", kIes);
+  EXPECT_NE(run("landing-lamp").out.find("luminaire       spot"), std::string::npos);
+  EXPECT_EQ(run("no-such-lamp").status, kBadInput);
+}
+
+TEST_F(FitCommand, TableHasTheErrorsOfEachLight) {
+  write("bad.ies", "x");
+  const Outcome outcome = run("lamp.json spot.ies bad.ies --format csv");
+  EXPECT_EQ(outcome.status, kBadInput);
+  std::istringstream lines(outcome.out);
+  std::vector<std::vector<std::string>> rows;
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream cells(line + ",");
+    auto& row = rows.emplace_back();
+    for (std::string cell; std::getline(cells, cell, ',');) row.push_back(cell);
+  }
+  ASSERT_EQ(rows.size(), 4u);
+  const auto cell = [&](std::size_t row, const std::string& column) {
+    return rows[row][std::size_t(std::ranges::find(rows[0], column) - rows[0].begin())];
+  };
+  const auto report = nlohmann::json::parse(run("lamp.json spot.ies --format json").out);
+  for (std::size_t i : {0u, 1u}) {
+    const auto& fit = report[i]["light"]["fit"];
+    const auto& cone = fit["cone"][fit["cone"]["profile"].get<std::string>()];
+    EXPECT_DOUBLE_EQ(std::stod(cell(i + 1, "flux_%")), 100 * cone["flux_error"].get<double>());
+    EXPECT_DOUBLE_EQ(std::stod(cell(i + 1, "rms_%")), 100 * cone["rms"].get<double>());
+    EXPECT_EQ(cell(i + 1, "verdict"), report[i]["verdict"]);
+    EXPECT_EQ(cell(i + 1, "advice"), std::to_string(report[i]["advice"].size()));
+  }
+  EXPECT_DOUBLE_EQ(std::stod(cell(1, "range_%")),
+                   100 * report[0]["light"]["fit"]["range"]["largest_error"].get<double>());
+  EXPECT_EQ(cell(2, "range_%"), "");
+  EXPECT_DOUBLE_EQ(std::stod(cell(2, "asymmetry")), report[1]["light"]["fit"]["asymmetry"].get<double>());
+  EXPECT_EQ(cell(3, "status"), "error");
+  EXPECT_EQ(cell(3, "verdict"), "");
+}
+
+TEST_F(FitCommand, LightsAreTheSameFromOneInputAndFromMany) {
+  fs::create_directory(directory() / "lamps");
+  fs::create_directory(directory() / "lights");
+  for (int i = 0; i < 24; ++i) {
+    std::string ies = kIes;
+    ies.replace(ies.find("100 80"), 3, std::to_string(100 + i));
+    write("lamps/" + std::to_string(i) + ".ies", ies);
+  }
+  ASSERT_EQ(run("lamps -o lights --reproducible").status, kDone);
+  for (const char* name : {"0", "7", "23"}) {
+    ASSERT_EQ(run(std::string("lamps/") + name + ".ies -o one.json --reproducible").status, kDone);
+    EXPECT_EQ(read("one.json"), read(std::string("lights/") + name + ".json")) << name;
+  }
+}
+
+TEST_F(FitCommand, TwoLightsAreInOneTableAndOnePlot) {
+  const Outcome outcome = run("spot.ies --against beam.json --format csv --plot both.svg");
+  EXPECT_EQ(outcome.status, kDone) << outcome.err;
+  EXPECT_EQ(inputs_of(outcome.out), (std::vector<std::string>{"spot.ies", "beam.json"}));
+  for (const char* label : {"spot / beam", ">spot<", ">beam<"}) {
+    EXPECT_NE(read("both.svg").find(label), std::string::npos) << label;
+  }
+  expect_usage_error("spot.ies beam.json --against lamp.json",
+                     "--against = lamp.json: must be one light, and so must the input");
+}
+
+TEST_F(FitCommand, TiltFactorMultipliesTheIntensities) {
+  std::string tilted = kIes;
+  tilted.replace(tilted.find("TILT=NONE"), 9, "TILT=INCLUDE\n1 3\n0 45 90\n0.9 0.8 0.4");
+  write("tilted.ies", tilted);
+  for (const auto& [option, peak] : {std::pair{"", 90.0}, {" --tilt 45", 80.0}, {" --tilt 60", 80 - 40 / 3.}}) {
+    const auto report = nlohmann::json::parse(run(std::string("tilted.ies --format json") + option).out)[0];
+    EXPECT_NEAR(report["beam"]["peak_cd"].get<double>(), peak, 1e-9) << option;
+    EXPECT_TRUE(report["derived"][0].get<std::string>().starts_with("Tilt: ")) << report["derived"];
+  }
+  expect_usage_error("beam.json --tilt 5", "--tilt cannot be given with beam.json: there is no photometric file");
+  expect_usage_error("tilted.ies --tilt 181", "--tilt = 181: must be a number from 0 to 180");
+}
+
+// ---- catalogues ----
+
+TEST_F(FitCommand, CatalogueHasAPageWithEachLightAndItsPictures) {
+  write("bad.ies", "x");
+  std::string ies = kIes;
+  ies.replace(ies.find("spot"), 4, "<b>&");
+  write("a b.ies", ies);
+  const Outcome outcome = run("lamp.json 'a b.ies' bad.ies --catalogue cat");
+  EXPECT_EQ(outcome.status, kBadInput);
+  const std::string page = read("cat/index.html");
+  for (const char* part :
+       {"<h1>3 lights</h1>", "&lt;b&gt;&amp;", "href=\"lamps/a%20b.json\"", "src=\"lamps/a%20b.svg\"",
+        "src=\"lamps/a%20b.png\"", "src=\"lamps/lamp.svg\"", "<td>no light</td>"}) {
+    EXPECT_NE(page.find(part), std::string::npos) << part;
+  }
+  for (const char* part : {"<script", "http:", "https:", "//", "<b>"}) {
+    EXPECT_EQ(page.find(part), std::string::npos) << part;
+  }
+  for (const char* name : {"a b", "lamp"}) {
+    const std::string file = std::string("cat/lamps/") + name;
+    EXPECT_EQ(read(file + ".png").substr(1, 3), "PNG");
+    EXPECT_NE(read(file + ".svg").find("</svg>"), std::string::npos);
+    EXPECT_GT(light(file + ".json").attenuation.quadratic, 0);
+  }
+  EXPECT_FALSE(files().contains("cat/lamps/bad.json"));
+}
+
+TEST_F(FitCommand, CatalogueDoesNotDoAgainWhatIsDone) {
+  write("endless.json", R"({"litfog": "light-spec", "version": 1, "cone": {"beam_angle_deg": [24, 6]}})");
+  const std::string arguments = "lamp.json spot.ies endless.json --catalogue cat --format csv";
+  const Outcome first = run(arguments);
+  const auto time_of = [&](const std::string& file) { return fs::last_write_time(directory() / file); };
+  const auto lamp = time_of("cat/lamps/lamp.svg"), spot = time_of("cat/lamps/spot.svg");
+  const std::string page = read("cat/index.html");
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  const Outcome again = run(arguments);
+  EXPECT_EQ(again.out, first.out);
+  EXPECT_EQ(again.err, first.err);
+  EXPECT_EQ(again.status, first.status);
+  EXPECT_EQ(read("cat/index.html"), page);
+  EXPECT_EQ(time_of("cat/lamps/lamp.svg"), lamp);
+  EXPECT_EQ(time_of("cat/lamps/spot.svg"), spot);
+
+  write("lamp.json", kBeam);  // a changed file
+  run(arguments);
+  EXPECT_NE(time_of("cat/lamps/lamp.svg"), lamp);
+  EXPECT_EQ(time_of("cat/lamps/spot.svg"), spot);
+  run(arguments + " --profile cosine");  // another option
+  EXPECT_NE(time_of("cat/lamps/spot.svg"), spot);
+  EXPECT_EQ(light("cat/lamps/spot.json").cone.profile, ConeProfile::cosine);
+}
+
+TEST_F(FitCommand, CatalogueGoesOnBehindABrokenRecord) {
+  run("spot.ies --catalogue cat");
+  for (const char* record : {"", "{", "[]", R"({"options": 7})"}) {
+    write("cat/lamps/spot.record", record);
+    EXPECT_EQ(run("spot.ies --catalogue cat").status, kDone) << record;
+    EXPECT_GT(read("cat/lamps/spot.record").size(), 100u);
+  }
+}
+
+TEST_F(FitCommand, CatalogueTakesNoOptionThatItsFolderMakesVoid) {
+  for (const char* option : {"-o a.json", "--plot a.svg", "--cookie a.exr", "--against beam.json"}) {
+    const std::string name(option, std::string_view(option).find(' '));
+    expect_usage_error(std::string("spot.ies --catalogue cat ") + option,
+                       name + " cannot be given with --catalogue: its folder holds the lights and their pictures");
+  }
+  EXPECT_EQ(run("spot.ies --catalogue absent/cat").status, kCannotWrite);
+  EXPECT_EQ(run("spot.ies --catalogue cat", "PATH=/nowhere").status, kMissingCapability);
 }
 
 // ---- the lights that come with litfog ----

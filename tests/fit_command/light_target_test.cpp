@@ -3,12 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <numbers>
 #include <string>
 
 #include "command/exit_status.h"
 #include "command/temporary_directory.h"
+#include "fit/light_fit.h"
 #include "litfog/color_temperature.h"
 #include "litfog/input_error.h"
 
@@ -128,7 +130,7 @@ TEST_F(LightTargetFile, PhotometryIsRelativeToTheSpecAndGivesAnExtent) {
   EXPECT_NEAR(target.cone->samples[1].intensity, 80, 1e-12);
   EXPECT_EQ(target.cone->samples[1].weight, 1);
   EXPECT_EQ(target.range->extent, 10) << "100 cd give 1 lx at 10 m";
-  EXPECT_NE(target.source.back().find("sqrt(100 cd / 1 lx) = 10 m"), std::string::npos);
+  EXPECT_NE(target.derived.back().find("sqrt(100 cd / 1 lx) = 10 m"), std::string::npos);
   const LightTarget given =
       read(R"({"litfog": "light-spec", "version": 1, "cone": {"photometry": "lamp.ies"}, "range": {"extent_m": 7}})");
   EXPECT_EQ(given.range->extent, 7);
@@ -138,7 +140,7 @@ TEST_F(LightTargetFile, PhotometryIsRelativeToTheSpecAndGivesAnExtent) {
 TEST_F(LightTargetFile, PeakAndIlluminanceGiveTheExtentAndTheirSteps) {
   const auto extent_of = [this](const std::string& range) {
     const LightTarget target = read(R"({"litfog": "light-spec", "version": 1, "range": {)" + range + "}}");
-    EXPECT_TRUE(target.source.back().starts_with("Extent: sqrt(")) << target.source.back();
+    EXPECT_TRUE(target.derived.back().starts_with("Extent: sqrt(")) << target.derived.back();
     return *target.range->extent;
   };
   EXPECT_DOUBLE_EQ(extent_of(R"("peak_cd": 400)"), 20) << "1 lx";
@@ -150,17 +152,113 @@ TEST_F(LightTargetFile, PeakAndIlluminanceGiveTheExtentAndTheirSteps) {
   const LightTarget night = read(R"({"litfog": "light-spec", "version": 1, "cone": {"photometry": "lamp.ies"},
                                      "range": {"end_lx": 1e-4, "threshold": 0.01}})");
   EXPECT_DOUBLE_EQ(*night.range->extent, 1000);
-  EXPECT_EQ(night.source.back(), "Extent: sqrt(100 cd / 0.0001 lx) = 1000 m, where the light gives 0.0001 lx.");
+  EXPECT_EQ(night.derived.back(),
+            "Extent: sqrt(100 cd / 0.0001 lx) = 1000 m, where the light gives 0.0001 lx, what a pilot sees by day, "
+            "commonly given after ICAO Annex 3, attachment D.");
   EXPECT_EQ(error_with(R"("range": {"end_lx": 1})"),
-            "f.json:2:10: range.peak_cd: must be given, or illuminance or the cone's photometry, for end_lx");
+            "f.json:2:10: range.peak_cd: must be given, or illuminance, flux_lm or the cone's photometry, for "
+            "end_lx");
+}
+
+TEST_F(LightTargetFile, FluxGivesThePeakByTheConesSolidAngle) {
+  const LightTarget point = read(R"({"litfog": "light-spec", "version": 1, "range": {"flux_lm": 1256.6370614359173}})");
+  EXPECT_DOUBLE_EQ(*point.peak, 100) << "4 pi sr";
+  EXPECT_DOUBLE_EQ(*point.range->extent, 10);
+  EXPECT_EQ(point.flux, 1256.6370614359173);
+  EXPECT_EQ(point.derived.front(),
+            "Peak: 1256.64 lm / 12.5664 sr = 100 cd, with the flux of a point light per candela.");
+
+  const LightTarget lamp = read(R"({"litfog": "light-spec", "version": 1, "range": {"flux_lm": 10000, "end_lx": 4},
+                                    "cone": {"profile": "cosine", "half_angle_deg": 90, "beam_angle_deg": 120}})");
+  EXPECT_NEAR(*lamp.peak, 10000 / pi, 1e-6) << "a cosine's solid angle is pi";
+  EXPECT_NEAR(*lamp.range->extent, std::sqrt(10000 / pi / 4), 1e-8);
+  const Light light = fit_light(lamp, false).light;
+  EXPECT_NEAR(flux_within(light.cone, pi) * *lamp.peak, 10000, 1e-6) << "the fitted light has the flux";
+
+  write("lamp.ies", kIes);
+  const LightTarget measured = read(R"({"litfog": "light-spec", "version": 1, "cone": {"photometry": "lamp.ies"},
+                                        "range": {"flux_lm": 1000}})");
+  EXPECT_NEAR(luminous_flux(measured.luminaire->distribution), 1000, 1e-9) << "the photometry is scaled";
+  EXPECT_DOUBLE_EQ(find_peak(measured.luminaire->distribution).intensity, *measured.peak);
+}
+
+TEST_F(LightTargetFile, PhotometryIsScaledToAStatedPeak) {
+  write("lamp.ies", kIes);
+  const auto read_range = [this](const std::string& range) {
+    return read(R"({"litfog": "light-spec", "version": 1, "cone": {"photometry": "lamp.ies"}, "range": {)" + range +
+                "}}");
+  };
+  for (const char* range : {R"("peak_cd": 400)", R"("illuminance": {"range_m": 2, "lx": 100})"}) {
+    const LightTarget target = read_range(range);
+    EXPECT_DOUBLE_EQ(find_peak(target.luminaire->distribution).intensity, 400);
+    EXPECT_DOUBLE_EQ(*target.range->extent, 20);
+    EXPECT_EQ(target.derived[target.derived.size() - 2], "Photometry: times 4, from its peak of 100 cd to 400 cd.");
+  }
+  EXPECT_EQ(read_range(R"("peak_cd": 100)").derived.size(), 2u) << "the cone's and the extent's: nothing to scale";
+  EXPECT_EQ(find_peak(read_range(R"("extent_m": 7)").luminaire->distribution).intensity, 100);
+  EXPECT_EQ(error_with(R"("cone": {"photometry": "lamp.ies"}, "range": {"peak_cd": 1e31})"),
+            "f.json:2:46: range.peak = 1e+31 cd: must have a peak in [1e-30, 1e30] cd");
+}
+
+TEST_F(LightTargetFile, EllipticalBeamIsFittedByTheConeOfItsFlux) {
+  const LightTarget target = read(R"({"litfog": "light-spec", "version": 1,
+    "cone": {"beam_angle_deg": [24, 6], "field_angle_deg": [48, 12]}})");
+  EXPECT_NEAR(*target.cone->beam_angle * 180 / pi, 12, 0.1) << "nearly the geometric mean";
+  ASSERT_EQ(target.ellipses.size(), 2u);
+  EXPECT_EQ(target.derived.front().substr(0, 36), "Beam angle: 24 x 6 deg is 11.9938 de");
+  const LightFit fit = fit_light(target, false);
+  ASSERT_TRUE(fit.beam());
+  EXPECT_NEAR(luminous_flux(*fit.beam()) / flux_within(fit.light.cone, pi), 1, 0.005);
+  EXPECT_GT(fit.target.asymmetry, 0.3);
+  const auto at = [&fit](double turn, double angle_deg) {
+    return intensity_at(*fit.beam(), direction_of(PhotometryType::c, turn, angle_deg * pi / 180));
+  };
+  const double half = cone_at(fit.light.cone, std::cos(*target.cone->beam_angle / 2));
+  const double tenth = cone_at(fit.light.cone, std::cos(*target.cone->field_angle / 2));
+  EXPECT_NEAR(at(0, 12), half, 0.002);
+  EXPECT_NEAR(at(pi / 2, 3), half, 0.002);
+  EXPECT_NEAR(at(pi, 24), tenth, 0.002);
+  EXPECT_NEAR(at(-pi / 2, 6), tenth, 0.002);
+}
+
+TEST_F(LightTargetFile, AsymmetryOfAnEllipticalBeamIsThatOfItsShape) {
+  const auto asymmetry_of = [this](const std::string& angles) {
+    const std::string spec = R"({"litfog": "light-spec", "version": 1, "cone": {"beam_angle_deg": )" + angles + "}}";
+    return fit_light(read(spec), false).target.asymmetry;
+  };
+  const double of_two = asymmetry_of("[2, 1]");
+  EXPECT_GT(of_two, 0.2);
+  EXPECT_NEAR(asymmetry_of("[0.002, 0.001]"), of_two, 1e-3);
+  EXPECT_NEAR(asymmetry_of("[1, 2]"), of_two, 1e-3) << "turned by 90 degrees";
+  EXPECT_NEAR(asymmetry_of("[20, 10]"), of_two, 0.01);
+  EXPECT_LT(asymmetry_of("[10, 9.5]"), 0.05);
+  EXPECT_LT(asymmetry_of("[360, 1]"), 1) << "as wide as an ellipse can be";
+}
+
+TEST_F(LightTargetFile, RoundPairIsARoundBeam) {
+  const LightTarget target =
+      read(R"({"litfog": "light-spec", "version": 1, "cone": {"beam_angle_deg": [11, 11], "field_angle_deg": 22}})");
+  EXPECT_TRUE(target.ellipses.empty());
+  EXPECT_FALSE(fit_light(target, false).beam());
+}
+
+TEST_F(LightTargetFile, WrongAnglesOfAnEllipticalBeamAreErrors) {
+  EXPECT_EQ(error_with(R"("cone": {"beam_angle_deg": [0, 5]})"),
+            "f.json:2:29: cone.beam_angle_deg[0] = 0: must be in (0, 360]");
+  EXPECT_EQ(error_with(R"("cone": {"beam_angle_deg": [20, 361]})"),
+            "f.json:2:33: cone.beam_angle_deg[1] = 361: must be in (0, 360]");
+  EXPECT_EQ(error_with(R"("cone": {"beam_angle_deg": [20, 5], "field_angle_deg": [30, 5]})"),
+            "f.json:2:61: cone.field_angle_deg[1] = 5: must be above the beam angle, at most 360");
+  EXPECT_EQ(error_with(R"("cone": {"beam_angle_deg": [20, 5], "field_angle_deg": 15})"),
+            "f.json:2:56: cone.field_angle_deg = 15: must be above the beam angle, at most 360");
 }
 
 TEST_F(LightTargetFile, ColorTemperatureIsTheColor) {
   const LightTarget target =
       read(R"({"litfog": "light-spec", "version": 1, "color_temperature_k": 3200, "range": {"extent_m": 1}})");
   EXPECT_EQ(target.color, color_of_temperature(3200));
-  ASSERT_EQ(target.source.size(), 1u);
-  EXPECT_TRUE(target.source[0].starts_with("Color: 3200 K is 1 0.")) << target.source[0];
+  ASSERT_EQ(target.derived.size(), 1u);
+  EXPECT_TRUE(target.derived[0].starts_with("Color: 3200 K is 1 0.")) << target.derived[0];
 }
 
 TEST_F(LightTargetFile, PhotometricFileAloneIsAWhiteLightOfItsName) {
@@ -169,8 +267,8 @@ TEST_F(LightTargetFile, PhotometricFileAloneIsAWhiteLightOfItsName) {
   EXPECT_EQ(target.color, glm::dvec3(1));
   EXPECT_EQ(target.range->extent, 10);
   EXPECT_EQ(target.cone->samples.size(), 5u);
-  ASSERT_EQ(target.source.size(), 3u);
-  EXPECT_EQ(target.source[0], "lamp.ies: maker");
+  EXPECT_EQ(target.source, std::vector<std::string>{"lamp.ies: maker"});
+  ASSERT_EQ(target.derived.size(), 2u);
 }
 
 TEST_F(LightTargetFile, WrongMemberIsAnErrorAtItsLocation) {
@@ -187,8 +285,8 @@ TEST_F(LightTargetFile, WrongMemberIsAnErrorAtItsLocation) {
             "f.json:2:18: density_scale = -1: must be finite and >= 0");
   EXPECT_EQ(
       error_with("\"range\": {\"extent\": 1}"),
-      "f.json:2:11: \"extent\": must be one of threshold, extent_m, end_lx, peak_cd, illuminance, constant, family, "
-      "samples");
+      "f.json:2:11: \"extent\": must be one of threshold, extent_m, end_lx, peak_cd, illuminance, flux_lm, constant, "
+      "family, samples; did you mean extent_m?");
   EXPECT_EQ(error_with("\"cone\": {\"angle\": 1}"),
             "f.json:2:10: \"angle\": must be one of profile, half_angle_deg, beam_angle_deg, field_angle_deg, samples, "
             "photometry");
@@ -221,7 +319,7 @@ TEST_F(LightTargetFile, RangesThatNoFitTakesAreAnError) {
                   .starts_with("f.json:2:106: range.samples[1].weight = -1: must be "));
   EXPECT_EQ(with_samples("{\"range_m\": 10}"), "f.json:2:23: range.samples[0].attenuation: must be given");
   EXPECT_EQ(with_samples("{\"range_m\": \"10\", \"attenuation\": 1}"),
-            "f.json:2:35: range.samples[0].range_m = \"10\": must be a number");
+            "f.json:2:35: range.samples[0].range_m = \"10\": must be a number; write 10, without quotation marks");
 }
 
 TEST_F(LightTargetFile, ConesThatNoFitTakesAreAnError) {

@@ -153,7 +153,7 @@ TEST(Eulumdat, BadValueIsAnErrorAtItsLocation) {
   EXPECT_EQ(error_of(29, "0"), "29:1: flux of lamps = 0: must be > 0");
   EXPECT_EQ(error_of(29, "inf"), "29:1: flux of lamps = inf: " + kFinite);
   EXPECT_EQ(error_of(33, "x"), "33:1: direct ratio = x: " + kFinite);
-  EXPECT_EQ(error_of(43, "361"), "43:1: C plane 1 of 1 = 361: must be in [0, 360]");
+  EXPECT_EQ(error_of(43, "361"), "43:1: C plane 1 of 1 = 361: must be in [-180, 360]");
   EXPECT_EQ(error_of(45, "180.5"), "45:1: gamma angle 2 of 2 = 180.5: must be in [0, 180]");
   EXPECT_EQ(error_of(45, "0"), "45:1: gamma angle 2 of 2 = 0: must be greater than the one before, 0");
   EXPECT_EQ(error_of(46, "-1"), "46:1: intensity 1 of 2 = -1: must be >= 0");

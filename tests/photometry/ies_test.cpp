@@ -100,6 +100,62 @@ TEST(Ies, LuminaireIsNamedByTheLabel) {
   EXPECT_EQ(parse(ies.str()).name, "Street light tall");
 }
 
+TEST(Ies, NamesAreUtf8WhateverTheirCodePage) {
+  const auto name_of = [](const std::string& maker, const std::string& name) {
+    IesText ies;
+    ies.label = "IESNA:LM-63-2002\n[MANUFAC] " + maker + "\n[LUMINAIRE] " + name + "\n";
+    return parse(ies.str()).name;
+  };
+  EXPECT_EQ(name_of("litfog", "Spot \xF8 30\xB0"), "Spot \u00F8 30\u00B0");  // Windows-1252
+  EXPECT_EQ(name_of("litfog",
+                    "3 \x80, \x84"
+                    "eng\x93"),
+            "3 \u20AC, \u201Eeng\u201C");                                            // not Latin-1
+  EXPECT_EQ(name_of("\xD1\xE2\xE5\xF2", "\xCF\xF0\xEE\xE6\xE5\xEA\xF2\xEE\xF0 50"),  // Windows-1251
+            "\u041F\u0440\u043E\u0436\u0435\u043A\u0442\u043E\u0440 50");
+  EXPECT_EQ(name_of("\xCE\xCE\xCE", "\xCF\xD0\xCE\xC6\xC5\xCA\xD2\xCE\xD0"),  // the same in capitals
+            "\u041F\u0420\u041E\u0416\u0415\u041A\u0422\u041E\u0420");
+  EXPECT_EQ(name_of("\xC9\xEE\xDB\xDA\xCA\xD0\xD5\xD5\xC3\xF7\xD3\xD0\xCF\xDE\xB9\xAB\xCB\xBE", "LED"), "LED");
+  EXPECT_EQ(
+      name_of("\xC9\xEE\xDB\xDA\xCA\xD0\xD5\xD5\xC3\xF7\xD3\xD0\xCF\xDE\xB9\xAB\xCB\xBE", "\xC9\xE4\xB5\xC6"),  // GBK
+      "\u5C04\u706F");
+  EXPECT_EQ(name_of("litfog", "\x81\x8D"), "\u0081\u008D");  // no letters of any code page
+}
+
+TEST(Ies, Utf16IsReadWithAndWithoutItsMark) {
+  IesText ies;
+  ies.label = "IESNA:LM-63-2002\n[LUMINAIRE] Lamp \xC3\xA4\n";
+  const std::string text = ies.str();
+  for (const bool is_little : {true, false}) {
+    for (const bool has_mark : {true, false}) {
+      std::string bytes = !has_mark ? "" : is_little ? "\xFF\xFE" : "\xFE\xFF";
+      for (std::size_t i = 0; i < text.size(); ++i) {
+        const char low = text[i] == '\xC3' ? text[++i] == '\xA4' ? '\xE4' : '?' : text[i];
+        bytes += is_little ? std::string{low, '\0'} : std::string{'\0', low};
+      }
+      const Luminaire luminaire = parse(bytes);
+      EXPECT_EQ(luminaire.name, "Lamp \xC3\xA4");
+      expect_same_beam(luminaire, parse(text));
+    }
+  }
+}
+
+TEST(Ies, FortransExponentsAreRead) {
+  IesText ies;
+  ies.intensities = "1.0D+02 5d1 0.D0\n9D1 4.0d+01 0D-3\n";
+  EXPECT_EQ(parse(ies.str()).distribution.intensity, (std::vector<double>{100, 50, 0, 90, 40, 0}));
+  EXPECT_EQ(error_of(&IesText::intensities, "1DD2 50 0\n90 40 0\n"), "8:1: intensity = 1DD2: must be a finite number");
+}
+
+TEST(Ies, IntensityARoundingBelowZeroIsDark) {
+  IesText ies;
+  ies.intensities = "-0.1 100 -0.0\n90 -0.01 0\n";
+  EXPECT_EQ(parse(ies.str()).distribution.intensity, (std::vector<double>{0, 100, 0, 90, 0, 0}));
+  EXPECT_EQ(error_of(&IesText::intensities, "-0.11 -0.01 100\n90 40 0\n"),
+            "8:1: intensity 1 of 6 = -0.11: must be >= 0");
+  EXPECT_EQ(error_of(&IesText::intensities, "-1 0 0\n0 0 0\n"), "8:1: intensity 1 of 6 = -1: must be >= 0");
+}
+
 TEST(Ies, TextThatIsNoUtf8IsTakenAsLatin1) {
   const Luminaire luminaire = our_luminaire("latin_1.ies");
   EXPECT_EQ(luminaire.name, "30\xC2\xB0 spot");
@@ -149,6 +205,27 @@ TEST(Ies, EverySymmetryGivesTheSameLamp) {
     expect_same_beam(quadrant, our_luminaire(other));
   }
   EXPECT_NEAR(intensity_at(quadrant.distribution, {0, -std::sin(30 * kDegree), -std::cos(30 * kDegree)}), 600, 1e-9);
+}
+
+TEST(Ies, PlanesMayBeCountedFromMinus180) {
+  IesText positive, negative;
+  positive.counts = negative.counts = "2 5 ";
+  positive.vertical = negative.vertical = "0 90\n";
+  positive.horizontal = "0 90 180 270 360\n";
+  negative.horizontal = "-180 -90 0 90 180\n";
+  positive.intensities = "9 1 9 2 9 3 9 4 9 1\n";
+  negative.intensities = "9 3 9 4 9 1 9 2 9 3\n";
+  expect_same_beam(parse(positive.str()), parse(negative.str()));
+  negative.counts = "2 4 ";  // open
+  negative.horizontal = "-180 -90 0 90\n";
+  negative.intensities = "9 3 9 4 9 1 9 2\n";
+  expect_same_beam(parse(positive.str()), parse(negative.str()));
+  positive.counts = negative.counts = "2 3 ";  // mirrored
+  positive.horizontal = "90 180 270\n";
+  negative.horizontal = "-90 0 90\n";
+  positive.intensities = "9 1 9 2 9 3\n";
+  negative.intensities = "9 3 9 2 9 1\n";
+  expect_same_beam(parse(positive.str()), parse(negative.str()));
 }
 
 TEST(Ies, AllThreeTypesAreRead) {
@@ -225,6 +302,17 @@ TEST(Ies, TiltFactorsAreStoredBesideTheIntensities) {
   EXPECT_FALSE(our_luminaire("edition_1991.ies").tilt);
 }
 
+TEST(Ies, TiltFactorIsLinearBetweenItsAnglesAndConstantBeyondThem) {
+  const LampTilt tilt{.angles = {0.5, 1, 2}, .factors = {0.9, 0.8, 0.4}};
+  for (const auto& [angle, factor] :
+       {std::pair{0.0, 0.9}, {0.5, 0.9}, {0.75, 0.85}, {1.0, 0.8}, {1.5, 0.6}, {pi, 0.4}}) {
+    EXPECT_DOUBLE_EQ(tilt_factor(tilt, angle), factor) << angle;
+  }
+  for (const double angle : {-0.1, 3.2, std::nan("")}) {
+    EXPECT_THROW(tilt_factor(tilt, angle), std::invalid_argument) << angle;
+  }
+}
+
 TEST(Ies, TiltFileThatIsMissingBadOrElsewhereIsAnError) {
   const TemporaryDirectory directory;
   const auto error = [&](const std::string& tilt) {
@@ -298,7 +386,8 @@ TEST(Ies, BadValueIsAnErrorAtItsLocation) {
 }
 
 TEST(Ies, BadAngleIsAnErrorAtItsLocation) {
-  const std::string kTurn = "must be one of planes at 0, from 0 to 90, 180 or 360, or from 90 to 270";
+  const std::string kTurn =
+      "must be one of planes at 0, from 0 to 90, 180 or 360, from 90 to 270, from -90 to 90, or from -180 to 180";
   EXPECT_EQ(error_of(&IesText::vertical, "0 45 181\n"), "6:6: vertical angle 3 of 3 = 181: must be in [0, 180]");
   EXPECT_EQ(error_of(&IesText::vertical, "-1 45 90\n"), "6:1: vertical angle 1 of 3 = -1: must be in [0, 180]");
   EXPECT_EQ(error_of(&IesText::vertical, "0 45 45\n"),
@@ -307,7 +396,9 @@ TEST(Ies, BadAngleIsAnErrorAtItsLocation) {
             "6:6: vertical angle 3 of 3 = 29.000000000000004: must be greater than the one before, 29");
   EXPECT_EQ(error_of(&IesText::horizontal, "90 0\n"),
             "7:4: horizontal angle 2 of 2 = 0: must be greater than the one before, 90");
-  EXPECT_EQ(error_of(&IesText::horizontal, "0 361\n"), "7:3: horizontal angle 2 of 2 = 361: must be in [0, 360]");
+  EXPECT_EQ(error_of(&IesText::horizontal, "0 361\n"), "7:3: horizontal angle 2 of 2 = 361: must be in [-180, 360]");
+  EXPECT_EQ(error_of(&IesText::horizontal, "-181 90\n"), "7:1: horizontal angle 1 of 2 = -181: must be in [-180, 360]");
+  EXPECT_EQ(error_of(&IesText::horizontal, "-180 -90\n"), "7:6: last horizontal angle = -90: " + kTurn);
   EXPECT_EQ(error_of(&IesText::horizontal, "0 45\n"), "7:3: last horizontal angle = 45: " + kTurn);
   EXPECT_EQ(error_of(&IesText::horizontal, "10 100\n"), "7:4: last horizontal angle = 100: " + kTurn);
   IesText open;
@@ -410,6 +501,22 @@ TEST(Luminaire, FormatIsKnownByContentThenByEnding) {
   EXPECT_EQ(photometry_error_of([&] { read_luminaire(write("d.Ies", "x\n")); }), "2:1: TILT: must be given");
   EXPECT_EQ(photometry_error_of([&] { read_luminaire(write("e.ldt", "x\n")); }),
             "2:1: type indicator Ityp: must be given");
+}
+
+TEST(Luminaire, FileOfAnotherKindIsNoPhotometricFile) {
+  const TemporaryDirectory directory;
+  const std::string rule = " not a photometric file: must be of IES LM-63 (with a line TILT=), EULUMDAT, TM-33 or GLDF, or an "
+      "isocandela table";
+  const auto error = [&](const char* name, const std::string& bytes) {
+    const std::string path = (directory.path() / name).string();
+    std::ofstream(path, std::ios::binary) << bytes;
+    return photometry_error_of([&] { read_luminaire(path); });
+  };
+  EXPECT_EQ(error("picture.png", std::string("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16)), rule);
+  EXPECT_EQ(error("picture.ies", std::string("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16)), rule);
+  EXPECT_EQ(error("page.ldt", "<!DOCTYPE html>\n<html><body>404</body></html>\n"), rule);
+  EXPECT_EQ(error("notes.txt", "lamps\nthe first\n"), rule);
+  EXPECT_EQ(error("empty", ""), rule);
 }
 
 TEST(Luminaire, MissingFileOrFolderIsAnError) {

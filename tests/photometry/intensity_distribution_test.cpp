@@ -73,6 +73,18 @@ Angles random_angles(Random& random, double low, double high) {
 
 // --- where directions lie ---
 
+TEST(IntensityDistribution, AnglesOfADirectionLeadBackToIt) {
+  Random random(14);
+  for (const auto type : {PhotometryType::a, PhotometryType::b, PhotometryType::c}) {
+    for (int i = 0; i < 1000; ++i) {
+      const glm::dvec3 direction =
+          glm::normalize(glm::dvec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)));
+      const auto [horizontal, vertical] = angles_of(type, 3.0 * direction);
+      EXPECT_LT(glm::length(direction_of(type, horizontal, vertical) - direction), 1e-14);
+    }
+  }
+}
+
 TEST(IntensityDistribution, AnglesTurnAsTheGoniophotometerOfTheirType) {
   Random random(1);
   for (const PhotometryType type : {PhotometryType::a, PhotometryType::b, PhotometryType::c}) {
@@ -419,7 +431,22 @@ TEST(Asymmetry, AsymmetryIsTheRelativeRmsDistanceFromTheMeanOverTheTurn) {
     const auto lamp = sampled(PhotometryType::c, degrees(0, 90, 1), degrees(0, 90, 1), [a](double c, double g) {
       return 300 * std::pow(std::cos(g), 3) * (1 + a * std::cos(2 * c));
     });
-    EXPECT_NEAR(asymmetry(lamp, kPhotometricAxis), std::sqrt(a * a / 2 / (1 + a * a / 2)), 0.001);
+    const double known = std::sqrt(a * a / 2 / (1 + a * a / 2));
+    EXPECT_NEAR(asymmetry(lamp, kPhotometricAxis), known, 0.001);
+    EXPECT_NEAR(asymmetry(lamp, {1e-6, 0, -1}), known, 0.001) << "by circles of another axis";
+  }
+}
+
+TEST(Asymmetry, SearchEndsWhereTheAsymmetryIsAboveTheLimit) {
+  const auto lamp = sampled(PhotometryType::c, degrees(0, 180, 10), degrees(0, 180, 5),
+                            [](double c, double g) { return 2 + std::cos(c) * std::sin(g); });
+  for (const glm::dvec3 axis : {glm::dvec3{1, 0, 0}, glm::dvec3{1, 0, -1}, kPhotometricAxis}) {
+    const double whole = asymmetry(lamp, axis);
+    EXPECT_EQ(asymmetry(lamp, axis, 1.001 * whole + 1e-9), whole);
+    if (whole > 0.01) {
+      EXPECT_GT(asymmetry(lamp, axis, 0.5 * whole), 0.5 * whole);
+      EXPECT_LT(asymmetry(lamp, axis, 0.5 * whole), whole);
+    }
   }
 }
 

@@ -366,9 +366,9 @@ class SceneReader {
     const JsonValue name = value.member("model");
     const ModelInfo* info = find_model(name.string());
     if (!info) {
-      std::string names;
-      for (const ModelInfo& known : models()) names += (names.empty() ? "" : ", ") + std::string(known.name);
-      name.fail("must be one of " + names);
+      std::vector<std::string_view> names;
+      for (const ModelInfo& known : models()) names.push_back(known.name);
+      name.fail_choice(names);
     }
     std::vector<std::string_view> allowed{"model", "position", "heading_deg", "scale", "repeat", "scatter"};
     ModelParameters parameters;

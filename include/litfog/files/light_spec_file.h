@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
@@ -28,11 +29,12 @@ namespace litfog {
 ///       "range": {                              optional, and each member of it, but not an extent and samples both
 ///         "threshold": 0.05,                    the light's
 ///         "extent_m": 120,                      where the attenuation is to be the threshold, met exactly; or instead
-///         "end_lx": 1,                          where the light gives that much, from its peak; or what an eye just
-///                                               sees of it (ICAO Annex 3, attachment D): "night" (8e-7), "twilight"
-///                                               (1e-5), "day" (1e-4) or "bright day" (1e-3); default: 1
-///         "peak_cd": 12000,                     default: that of the cone's photometry; or instead
-///         "illuminance": {"range_m": 10, "lx": 120},     on the axis in clear air: the peak is lx * range_m^2
+///         "end_lx": 1,                          where its peak gives that much in clear air; or a name of
+///                                               kVisualThresholds, such as "night"; default: 1
+///         "peak_cd": 12000,                     default: that of the cone's photometry, which is scaled to it; or
+///         "illuminance": {"range_m": 10, "lx": 120},     instead, in clear air: the peak is lx * range_m^2; or
+///         "flux_lm": 900,                       instead, of the whole light: the peak is the flux over that of the
+///                                               cone or the photometry with a peak of 1 cd
 ///         "constant": 1,                        C, to be kept
 ///         "family": "quadratic",                of an extent alone: quadratic, linear or mixed (half and half)
 ///         "samples": [{"range_m": 10, "attenuation": 0.8, "weight": 1}]      by increasing range; weight optional
@@ -41,16 +43,34 @@ namespace litfog {
 ///                                               samples and photometry
 ///         "profile": "best",                    best (of both), cosine or smoothstep
 ///         "half_angle_deg": 30,                 where the light ends
-///         "beam_angle_deg": 11,                 full angle at 50 % of the peak
-///         "field_angle_deg": 22,                full angle at 10 %
+///         "beam_angle_deg": 11,                 full angle at 50 % of the peak; [12, 6], horizontal and vertical, of
+///                                               an elliptical beam, which has no samples
+///         "field_angle_deg": 22,                full angle at 10 %, likewise
 ///         "samples": [{"angle_deg": 0, "intensity": 1, "weight": 1}],        by increasing angle; weight optional
-///         "photometry": "lamp.ies"              in place of samples: IES LM-63 or EULUMDAT, relative to this file;
+///         "photometry": "lamp.ies"              in place of samples: IES LM-63, EULUMDAT or an isocandela table
+///                                               (.csv, litfog/photometry/isocandela.h), relative to this file;
 ///                                               without a range the light ends where its peak gives 1 lx
 ///       }
 ///     }
 ///
 /// It has a range, a cone or both. JSON of at most 64 MiB. Nothing here depends on the locale.
 // clang-format on
+
+/// The illuminance at the eye from which a light is just seen, a name for "end_lx".
+struct VisualThreshold {
+  std::string_view name;
+  double illuminance;  ///< lux
+  std::string_view source;
+};
+
+/// The pilot's are those in use for runway visual range and are quoted at second hand, not from the Annex's own text.
+inline constexpr std::array<VisualThreshold, 5> kVisualThresholds{{
+    {"dark night", 2e-7, "what a mariner sees by night, 33 CFR 84.15"},
+    {"night", 8e-7, "what a pilot sees by night, commonly given after ICAO Annex 3, attachment D"},
+    {"twilight", 1e-5, "what a pilot sees in twilight, commonly given after ICAO Annex 3, attachment D"},
+    {"day", 1e-4, "what a pilot sees by day, commonly given after ICAO Annex 3, attachment D"},
+    {"bright day", 1e-3, "what a pilot sees on a bright day, commonly given after ICAO Annex 3, attachment D"},
+}};
 
 /// The member "range".
 struct RangeSpec {
@@ -61,13 +81,34 @@ struct RangeSpec {
     double weight = 1;
   };
 
+  struct Illuminance {
+    double range = 1;  ///< metres, > 0
+    double lux = 1;    ///< > 0
+
+    friend bool operator==(const Illuminance&, const Illuminance&) = default;
+  };
+
   double threshold = kDefaultThreshold;
-  std::optional<double> extent = {};           ///< metres
-  std::optional<double> end_illuminance = {};  ///< lux, > 0; not beside an extent
-  std::optional<double> peak = {};             ///< candela, > 0; not beside an extent
+  std::optional<double> extent = {};           ///< metres; not beside any of the next four
+  std::optional<double> end_illuminance = {};  ///< lux, > 0
+  std::optional<double> peak = {};             ///< candela, > 0; at most one of this and the next two
+  std::optional<Illuminance> illuminance = {};
+  std::optional<double> flux = {};  ///< lumens, > 0
   std::optional<double> constant = {};
   Family family = Family::quadratic;
   std::vector<Sample> samples = {};
+};
+
+/// Full angles in the horizontal and the vertical plane through a beam's axis, equal of a round beam.
+struct FullAngles {
+  double horizontal;  ///< radians
+  double vertical;    ///< radians
+
+  FullAngles(double round) : horizontal(round), vertical(round) {}
+  FullAngles(double h, double v) : horizontal(h), vertical(v) {}
+
+  bool is_round() const { return horizontal == vertical; }
+  friend bool operator==(const FullAngles&, const FullAngles&) = default;
 };
 
 /// The member "cone".
@@ -80,9 +121,9 @@ struct ConeSpec {
   };
 
   Profile profile = Profile::best;
-  std::optional<double> half_angle = {};   ///< radians
-  std::optional<double> beam_angle = {};   ///< radians
-  std::optional<double> field_angle = {};  ///< radians
+  std::optional<double> half_angle = {};  ///< radians
+  std::optional<FullAngles> beam_angle = {};
+  std::optional<FullAngles> field_angle = {};
   std::vector<Sample> samples = {};
   std::optional<std::string> photometry = {};  ///< a path: the file's own folder stands before a relative one
 };

@@ -3,6 +3,7 @@
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -64,6 +65,15 @@ struct IntensityPeak {
 };
 IntensityPeak find_peak(const IntensityDistribution& distribution);
 
+/// A type's two angles of a direction, radians: horizontal in (-pi, pi], of type B in [-pi / 2, pi / 2].
+struct PhotometricAngles {
+  double horizontal;
+  double vertical;
+};
+
+/// direction  luminaire frame, of any length but 0
+PhotometricAngles angles_of(PhotometryType type, const glm::dvec3& direction);
+
 /// The direction of a type's two angles, in radians: unit, luminaire frame.
 glm::dvec3 direction_of(PhotometryType type, double horizontal, double vertical);
 
@@ -82,8 +92,8 @@ struct AxialSample {
   double deviation;  ///< candela, the largest from the mean on the circle, in magnitude
 };
 
-/// Intensity against the angle from an axis, as the mean over 720 directions of each circle: what a cone about the axis
-/// is fitted to. The angles are every quarter degree from 0 to pi, but the measured ones if the axis is the photometric
+/// Intensity against the angle from an axis, as the mean over 72 to 720 directions of each circle: what a cone about the
+/// axis is fitted to. The angles are every quarter degree from 0 to pi, but the measured ones if the axis is the photometric
 /// one of type C or its opposite. Angles that were not measured are dark: from the first and last measured ones, the
 /// profile goes on in their steps to 0 and pi with intensity 0, which begins 0.01 degrees beyond a lit one.
 ///
@@ -109,11 +119,14 @@ double half_angle(const std::vector<AxialSample>& profile, double fraction);
 
 /// How far a beam is from rotational symmetry about an axis: sqrt(integral of (I - mean)^2 / integral of I^2) over the
 /// sphere, with the mean taken over the turn. The mean is the closest symmetric beam, so no cone profile can have a
-/// smaller relative rms error than this. 0 for a symmetric beam, always below 1.
+/// smaller relative rms error than this. 0 for a symmetric beam, at most 1.
 ///
 /// axis       luminaire frame, of any length but 0
-/// max error  0.001 for beams that change little within a degree: sampled every quarter degree from the axis and every
-///            half degree of the turn                                         (intensity_distribution_test.cpp)
-double asymmetry(const IntensityDistribution& distribution, const glm::dvec3& axis);
+/// limit      the search ends where the asymmetry is above it: the result is then only known to be so, too
+/// max error  0.001 for beams that change little within a degree: sampled every quarter degree from the axis, and in
+///            the turn every half degree about the photometric axis of type C, every degree of the largest circle about
+///            another                                                         (intensity_distribution_test.cpp)
+double asymmetry(const IntensityDistribution& distribution, const glm::dvec3& axis,
+                 double limit = std::numeric_limits<double>::infinity());
 
 }  // namespace litfog

@@ -12,8 +12,8 @@
 namespace litfog {
 
 /// How a lamp's output changes as its luminaire is tilted from the attitude in which it was measured (IES LM-63, TILT).
-/// The intensities are those of that attitude; the factor of another attitude multiplies them all. It is stored, not
-/// applied, because a file does not state how its luminaire will be mounted.
+/// The intensities are those of that attitude; tilt_factor() of another attitude multiplies them all. Readers store it
+/// and do not apply it, because a file does not state how its luminaire will be mounted.
 struct LampTilt {
   std::string file = {};        ///< with these data, as found; empty if they stand in the luminaire's own
   int geometry = 1;             ///< 1: the lamp is vertical; 2, 3: horizontal, in the plane of 0 or of 90 degrees
@@ -53,11 +53,18 @@ std::optional<double> stated_flux(const Luminaire& luminaire);
 /// What reading a photometric file takes at most, in bytes: its text, its numbers and their copies.
 inline constexpr std::size_t kMaxLuminaireMemory = std::size_t{1} << 30;
 
-/// Reads an IES LM-63 or EULUMDAT file. It is IES LM-63 if it has that label or a TILT line, or if its name ends in
-/// .ies; else it is EULUMDAT.
+/// The factor of a lamp's output, linear between the file's angles and constant beyond them.
 ///
-/// The file, and that with the tilt data, may have 64 MiB each. Reading takes less than kMaxLuminaireMemory, whatever
-/// counts a file states.
+/// angle      by which the luminaire is tilted from the attitude in which it was measured, radians in [0, pi]
+/// throws     std::invalid_argument naming field, value and rule
+double tilt_factor(const LampTilt& tilt, double angle);
+
+/// Reads a photometric file of any kind that its content says: IES LM-63 (ies.h), EULUMDAT (eulumdat.h), TM-33
+/// (tm33.h), an isocandela table (isocandela.h), or a GLDF container, of which it reads the only photometric file, or
+/// the one that a path of list_gldf() (gldf.h) names.
+///
+/// The file, that with the tilt data, and one in a container may have 64 MiB each, those of XML 16 MiB. Reading takes
+/// less than kMaxLuminaireMemory, whatever counts a file states.
 ///
 /// throws     InputError
 Luminaire read_luminaire(const std::string& path);

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace litfog::demo {
+namespace litfog::command {
 
 /// A text as HTML takes it, between tags and in quoted attributes.
 std::string html_text(std::string_view text);
@@ -12,4 +12,4 @@ std::string html_text(std::string_view text);
 /// A link to a file beside the page: all but letters, digits, '-', '.', '_' and '~' as %XX (RFC 3986).
 std::string html_link(std::string_view file);
 
-}  // namespace litfog::demo
+}  // namespace litfog::command

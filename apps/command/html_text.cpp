@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "demo/html_text.h"
+#include "command/html_text.h"
 
 #include <fmt/format.h>
 
 #include "command/printable.h"
 
-namespace litfog::demo {
+namespace litfog::command {
 
 std::string html_text(std::string_view text) {
   std::string html;
-  for (const char c : command::printable_lines(text)) {
+  for (const char c : printable_lines(text)) {
     switch (c) {
       case '&':
         html += "&amp;";
@@ -46,4 +46,4 @@ std::string html_link(std::string_view file) {
   return link;
 }
 
-}  // namespace litfog::demo
+}  // namespace litfog::command

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "demo/html_text.h"
+#include "command/html_text.h"
 
 #include <gtest/gtest.h>
 
 namespace litfog::test {
-using namespace demo;
+using namespace command;
 
 namespace {
 

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fit/outcome.h"
+
+namespace litfog::fit {
+
+/// A folder of lights with their pictures, and a page that shows them:
+///
+///     index.html            opens from the disk; needs nothing but the files beside it, and no script
+///     lamps/NAME.json       the light
+///     lamps/NAME.svg        its fit (fit_figure.h)
+///     lamps/NAME.png        its beam in fog (fog_picture.h)
+///     lamps/NAME.record     what the next run needs in order to leave the lamp as it is
+///
+/// A lamp is as it was where its record is: of the same options and made by this program from files of the same size
+/// and time of modification. The record is written last, so that a run which was ended goes on where it was. Inputs
+/// that gave no light have none, and are tried again.
+class Catalogue {
+ public:
+  /// The folder is made if it is not there. Throws OutputError where it cannot be.
+  ///
+  /// options  whatever changes a light, as text
+  Catalogue(const std::string& folder, const std::string& options);
+
+  /// The files that add() writes: the light, and others with other endings.
+  std::string light_path(const Input& input) const;
+
+  /// What is recorded of an input, unless it must be fitted anew.
+  std::optional<Summary> find(const Input& input) const;
+
+  /// Writes an input's light, pictures and record. Threads may call it at once, for different inputs. Throws
+  /// OutputError, and MissingCapability without gnuplot.
+  void add(const Outcome& outcome, const Summary& summary) const;
+
+  /// Writes the page. `summaries` are the inputs' own, in their order. Throws OutputError.
+  void write_page(const std::vector<Input>& inputs, const std::vector<Summary>& summaries) const;
+
+ private:
+  std::filesystem::path file_of(const Input& input, const char* ending) const;
+
+  std::filesystem::path folder_;
+  std::string options_;
+};
+
+}  // namespace litfog::fit

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace litfog::fit {
+
+/// A light spec or photometric file that is to be fitted.
+struct Input {
+  std::string path;
+  std::string name;  ///< for its outputs: its file's name, in a folder with the folders between, without the ending
+};
+
+/// What the arguments name, in their order; what lies in one argument in alphabetical order. An argument is
+///   a file, of which a GLDF container stands for the photometric files in it;
+///   a folder: all light specs and photometric files in it and its folders, known by their endings and what is in them;
+///   a pattern of file names with * ? [];
+///   the name of a light that comes with litfog, such as landing-lamp, where no file has that name.
+/// A name that is nothing of all this stays as it is, for the error of reading it. Names that differ only in their
+/// ending keep it: lamp.ies and lamp.ldt.
+///
+/// Throws a usage error for an empty argument, and a folder or pattern of nothing.
+std::vector<Input> list_inputs(const std::vector<std::string>& arguments);
+
+}  // namespace litfog::fit

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fit/outcome.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <utility>
+
+#include "files/angle_deg.h"
+#include "files/json_text.h"
+#include "fit/beam_data.h"
+#include "litfog/attenuation.h"
+
+namespace litfog::fit {
+namespace {
+
+namespace fs = std::filesystem;
+using Cell = command::Table::Cell;
+
+std::string status_of(const Outcome& outcome) {
+  if (!outcome.fit) return "error";
+  const auto& [range, cone] = std::pair(outcome.fit->range, outcome.fit->cone);
+  if (range && range->status != AttenuationFitStatus::optimal) return name_of(range->status);
+  return cone ? name_of(cone->best().status) : "optimal";
+}
+
+/// Why there is no light, or why the status is 5, a sentence each.
+std::vector<std::string> messages_of(const Outcome& outcome) {
+  if (!outcome.fit) return {outcome.reason};
+  std::vector<std::string> messages;
+  if (outcome.status != command::kNotToTolerance) return messages;
+  const auto& [range, cone] = std::pair(outcome.fit->range, outcome.fit->cone);
+  const std::string& input = outcome.input.path;
+  if (range && range->status != AttenuationFitStatus::optimal) {
+    messages.push_back(fmt::format("{}: range: {}: {}", input, name_of(range->status), range->sentence));
+  }
+  if (cone && cone->best().status != ConeFitStatus::optimal) {
+    messages.push_back(fmt::format("{}: cone: unproven: its objective is {:.6g}, another may have {:.6g}", input,
+                                   cone->best().objective, cone->best().lower_bound));
+  }
+  if (outcome.fit->is_proven()) messages.push_back(fmt::format("{}: poor: {}", input, outcome.verdict->why));
+  return messages;
+}
+
+std::string json_of(const BeamData& beam) {
+  const auto number = [](const std::optional<double>& value) { return value ? fmt::format("{}", *value) : "null"; };
+  const auto angles = [](const std::vector<double>& radians) -> std::string {
+    if (radians.empty()) return "null";
+    if (radians.size() == 1) return fmt::format("{}", files::degrees(radians[0]));
+    return fmt::format("[{}, {}]", files::degrees(radians[0]), files::degrees(radians[1]));
+  };
+  return fmt::format(R"({{"peak_cd": {}, "flux_lm": {}, "beam_angle_deg": {}, "field_angle_deg": {}}})",
+                     number(beam.peak), number(beam.flux), angles(beam.beam_angle), angles(beam.field_angle));
+}
+
+std::string json_of(const std::vector<std::string>& sentences) {
+  std::string text;
+  for (const std::string& sentence : sentences) text += (text.empty() ? "" : ", ") + files::json_quoted(sentence);
+  return "[" + text + "]";
+}
+
+std::string json_of(const Outcome& outcome) {
+  const auto text_or_null = [](const std::string& value) { return value.empty() ? "null" : files::json_quoted(value); };
+  const bool has_axis = outcome.fit && outcome.fit->target.luminaire;
+  std::string text = fmt::format(
+      "{{\"input\": {}, \"output\": {}, \"status\": \"{}\", \"reason\": {},\n\"verdict\": {}, \"why\": {},\n"
+      "\"beam\": {},\n\"axis\": {},\n\"derived\": {},\n\"advice\": {},\n",
+      files::json_quoted(outcome.input.path), text_or_null(outcome.output), status_of(outcome),
+      text_or_null(outcome.reason), text_or_null(outcome.verdict ? name_of(outcome.verdict->grade) : ""),
+      text_or_null(outcome.verdict ? outcome.verdict->why : ""),
+      outcome.fit ? json_of(beam_data(*outcome.fit)) : "null",
+      text_or_null(has_axis ? describe_axis(outcome.fit->target.luminaire->distribution.type, outcome.fit->target.axis)
+                            : ""),
+      outcome.fit ? json_of(outcome.fit->target.derived) : "[]", outcome.fit ? json_of(outcome.fit->advice()) : "[]");
+  text += "\"light\": " + (outcome.fit ? outcome.light : std::string("null"));
+  while (text.ends_with('\n')) text.pop_back();
+  return text + "}";
+}
+
+Cell percent_or_none(const std::optional<double>& fraction) {
+  return fraction ? Cell(100 * *fraction) : Cell(std::monostate());
+}
+
+/// Profile, its two parameters and rms error.
+std::vector<Cell> cone_cells(const LightFit& fit) {
+  const Cone& cone = fit.light.cone;
+  switch (cone.profile) {
+    case ConeProfile::none:
+      break;
+    case ConeProfile::cosine:
+      return {"cosine", files::degrees(cone.half_angle), cone.exponent, 100 * fit.cone->best().rms};
+    case ConeProfile::smoothstep:
+      return {"smoothstep", files::degrees(cone.inner), files::degrees(cone.outer), 100 * fit.cone->best().rms};
+  }
+  return {"none", std::monostate(), std::monostate(), std::monostate()};
+}
+
+std::vector<Cell> row_of(const Outcome& outcome) {
+  std::vector<Cell> row{outcome.input.path};
+  if (outcome.fit) {
+    const LightFit& fit = *outcome.fit;
+    const auto& [constant, linear, quadratic] = fit.light.attenuation;
+    row.insert(row.end(), {compute_extent(fit.light.attenuation, fit.light.threshold), constant, linear, quadratic});
+    for (Cell& cell : cone_cells(fit)) row.push_back(std::move(cell));
+    row.push_back(percent_or_none(fit.cone ? fit.cone->best().flux_error : std::nullopt));
+    row.push_back(fit.beam() ? Cell(fit.target.asymmetry) : Cell(std::monostate()));
+    const bool has_samples = fit.range && !fit.target.range->samples.empty();
+    row.push_back(has_samples ? Cell(100 * fit.range->largest_error) : Cell(std::monostate()));
+    row.insert(row.end(), {name_of(outcome.verdict->grade), double(fit.advice().size())});
+  }
+  row.resize(summary_columns().size() - 1, std::monostate());
+  row.emplace_back(status_of(outcome));
+  return row;
+}
+
+}  // namespace
+
+const std::vector<std::string>& summary_columns() {
+  static const std::vector<std::string> columns{"input",     "extent_m", "constant", "linear", "quadratic",
+                                                "cone",      "first",    "second",   "rms_%",  "flux_%",
+                                                "asymmetry", "range_%",  "verdict",  "advice", "status"};
+  return columns;
+}
+
+Summary summary_of(const Outcome& outcome, bool has_report) {
+  return {.status = outcome.status,
+          .messages = messages_of(outcome),
+          .row = row_of(outcome),
+          .report = has_report ? json_of(outcome) : ""};
+}
+
+std::vector<std::string> files_of(const Input& input, const LightTarget& target) {
+  std::vector<std::string> files{input.path};
+  if (target.luminaire) files.push_back(target.luminaire->file);
+  if (target.luminaire && target.luminaire->tilt && !target.luminaire->tilt->file.empty()) {
+    files.push_back(target.luminaire->tilt->file);
+  }
+  for (std::string& file : files) {  // within a container: the container
+    std::error_code error;
+    while (!fs::exists(file, error) && fs::path(file).has_parent_path()) file = fs::path(file).parent_path().string();
+  }
+  return files;
+}
+
+}  // namespace litfog::fit

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "command/exit_status.h"
+#include "command/table.h"
+#include "fit/input_list.h"
+#include "fit/light_fit.h"
+#include "fit/light_target.h"
+#include "fit/verdict.h"
+
+namespace litfog::fit {
+
+/// One input and what became of it.
+struct Outcome {
+  Input input;
+  std::string output;  ///< empty for none
+  std::optional<LightFit> fit;
+  std::optional<Verdict> verdict;  ///< of the fit
+  std::string light;               ///< text of its file
+  std::string reason;              ///< why there is none
+  command::ExitStatus status = command::kDone;
+};
+
+/// What remains of an outcome when the next input has its turn.
+struct Summary {
+  command::ExitStatus status = command::kDone;
+  std::vector<std::string> messages;      ///< for standard error
+  std::vector<command::Table::Cell> row;  ///< of the table with these columns
+  std::string report;                     ///< JSON
+};
+
+/// Errors are signed fractions in percent, fit less data; range_% is the largest of a falloff table.
+const std::vector<std::string>& summary_columns();
+
+/// has_report  whether the JSON report is wanted
+Summary summary_of(const Outcome& outcome, bool has_report);
+
+/// The files that a target was read from, as they are on the disk: a GLDF container for what is in it.
+std::vector<std::string> files_of(const Input& input, const LightTarget& target);
+
+}  // namespace litfog::fit

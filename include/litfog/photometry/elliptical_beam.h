@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "litfog/photometry/intensity_distribution.h"
+#include "litfog/value_error.h"
+
+namespace litfog {
+
+/// A line of equal intensity about an axis, an ellipse in angles as isocandela diagrams draw it (ICAO Annex 14,
+/// appendix 2): the directions at an angle u from the axis and a turn t about it, from the light's +x, with (u cos t /
+/// horizontal)^2 + (u sin t / vertical)^2 = 1.
+struct IsocandelaEllipse {
+  double intensity = 0;   ///< candela, [0, 1e30]
+  double horizontal = 0;  ///< half axis, radians, (0, pi]
+  double vertical = 0;    ///< half axis, radians, (0, pi]
+};
+
+/// What is wrong with ellipses, or nothing. There is at least one; from each to the next both half axes grow, and the
+/// intensity does not. Not all are dark.
+std::optional<ValueError> check(const std::vector<IsocandelaEllipse>& ellipses);
+
+/// The largest errors of elliptical_beam() for ellipses of ratios up to 4: of the flux, relative; of the intensity
+/// where it is continuous, as a fraction of the peak.
+inline constexpr double kEllipticalFluxMaxError = 1e-4;
+inline constexpr double kEllipticalBeamMaxError = 0.03;
+
+/// A beam by its isocandela lines: within the first it has that one's intensity, between two it is linear in the angle
+/// from the axis, beyond the last it is dark. A table of type C about the photometric axis, at 512 angles within the
+/// beam.
+///
+/// max error   kEllipticalFluxMaxError, kEllipticalBeamMaxError                              (elliptical_beam_test.cpp)
+/// throws      std::invalid_argument naming field, value and rule
+IntensityDistribution elliptical_beam(const std::vector<IsocandelaEllipse>& ellipses);
+
+/// Largest error of equal_circle(), radians, for ellipses of ratios up to 20.
+inline constexpr double kEqualCircleMaxError = 1e-12;
+
+/// Half angle of the circle that encloses the solid angle of an ellipse. A beam whose isocandela lines are replaced by
+/// such circles keeps its flux. About sqrt(horizontal * vertical) where the ellipse is small.
+///
+/// horizontal, vertical  half axes, radians, (0, pi]
+/// returns               radians
+/// max error             kEqualCircleMaxError                                                (elliptical_beam_test.cpp)
+double equal_circle(double horizontal, double vertical);
+
+}  // namespace litfog

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace litfog {
+
+/// The photometric files in a GLDF container (Global Lighting Data Format, gldf.io: a zip archive with a product.xml),
+/// in the order of its product.xml, as paths that read_luminaire() takes: "lamp.gldf/ldc/spot.ldt". Those that the
+/// container only links to, on the net, are left out.
+///
+/// throws     InputError; also for a container without photometric files
+std::vector<std::string> list_gldf(const std::string& path);
+
+}  // namespace litfog

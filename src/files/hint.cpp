@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "files/hint.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <numeric>
+#include <optional>
+
+namespace litfog::files {
+namespace {
+
+constexpr std::string_view kDigits = "0123456789";
+constexpr std::string_view kBlank = " \t";
+
+/// Insertions, deletions, replacements and swaps of neighbours that lead from one word to another (optimal string
+/// alignment).
+std::size_t slips_between(std::string_view a, std::string_view b) {
+  std::vector<std::vector<std::size_t>> slips(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  std::iota(slips[0].begin(), slips[0].end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    slips[i][0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const bool is_same = a[i - 1] == b[j - 1];
+      slips[i][j] = std::min({slips[i - 1][j] + 1, slips[i][j - 1] + 1, slips[i - 1][j - 1] + (is_same ? 0 : 1)});
+      const bool is_swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+      if (is_swapped) slips[i][j] = std::min(slips[i][j], slips[i - 2][j - 2] + 1);
+    }
+  }
+  return slips[a.size()][b.size()];
+}
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  std::ranges::transform(result, result.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
+  return result;
+}
+
+std::optional<double> parse_number(std::string_view text) {
+  double number;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  return stop == end && error == std::errc() ? std::optional(number) : std::nullopt;
+}
+
+std::string_view trimmed(std::string_view text) {
+  const auto begin = std::min(text.find_first_not_of(kBlank), text.size());
+  return text.substr(begin, text.find_last_not_of(kBlank) + 1 - begin);
+}
+
+/// A number with a decimal comma, with a point.
+std::optional<std::string> with_point(std::string_view text) {
+  const auto comma = text.find(',');
+  if (comma == text.npos) return std::nullopt;
+  std::string result(text);
+  result[comma] = '.';
+  return parse_number(result) ? std::optional(result) : std::nullopt;
+}
+
+/// What to write for a number with a comma, which may also stand between thousands.
+std::string advice_on_comma(std::string_view text, const std::string& with_point) {
+  const auto comma = text.find(',');
+  const bool may_be_thousands = text.size() == comma + 4 && text.find_first_not_of(kDigits, comma + 1) == text.npos;
+  if (!may_be_thousands) return fmt::format("; write {}, with a decimal point", with_point);
+  return fmt::format("; write {} or {}{}", with_point, text.substr(0, comma), text.substr(comma + 1));
+}
+
+}  // namespace
+
+std::string hint_for_word(std::string_view word, const std::vector<std::string_view>& known) {
+  constexpr std::size_t kLongest = 40;  // beyond it a word is no slip, and comparing takes its time
+  if (word.size() < 3 || word.size() > kLongest) return "";
+  const std::string typed = lower(word);
+  std::string_view nearest;
+  std::size_t fewest = typed.size() / 3 + 1;
+  for (const std::string_view candidate : known) {
+    const std::size_t slips = candidate.starts_with(typed) ? 1 : slips_between(typed, candidate);
+    if (slips >= fewest) continue;
+    fewest = slips;
+    nearest = candidate;
+  }
+  return nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest);
+}
+
+std::string hint_for_number(std::string_view text) {
+  text = trimmed(text);
+  const bool is_percentage = text.ends_with('%');
+  if (is_percentage) text = trimmed(text.substr(0, text.size() - 1));
+  const auto with = with_point(text);
+  const auto number = parse_number(with ? *with : text);
+  if (!number) return "";
+  if (is_percentage) return fmt::format("; {} % is {}", *number, *number / 100);
+  return with ? advice_on_comma(text, *with) : fmt::format("; write {}, without quotation marks", text);
+}
+
+std::string hint_for_fraction(double number, std::string_view rule) {
+  constexpr std::array<std::string_view, 3> kFractions{"must be in (0, 1", "must be in [0, 1", "must be in [1e-100, 1"};
+  const bool is_fraction = std::ranges::find(kFractions, rule.substr(0, rule.size() - 1)) != kFractions.end();
+  return is_fraction && number > 1 && number <= 100 ? fmt::format("; {} % is {}", number, number / 100) : "";
+}
+
+std::string hint_for_syntax(std::string_view text, std::size_t offset) {
+  if (offset >= text.size()) return "";
+  const auto is_part = [](char c) { return kDigits.find(c) != kDigits.npos || c == ','; };
+  const auto begin =
+      std::find_if_not(text.rbegin() + std::ptrdiff_t(text.size() - offset), text.rend(), is_part).base();
+  const auto end = std::find_if_not(text.begin() + std::ptrdiff_t(offset), text.end(), is_part);
+  std::string_view number(begin, end);
+  if (number.ends_with(',')) number.remove_suffix(1);
+  const auto with = with_point(number);
+  return with ? advice_on_comma(number, *with) : "";
+}
+
+}  // namespace litfog::files

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace litfog::files {
+
+// What an author may have meant, as the end of a rule in a message: "; did you mean extent_m?". Empty where nothing
+// suggests itself.
+
+/// Of a word that is none of the known ones: the one that it begins, or else that few slips of the keyboard lead to.
+std::string hint_for_word(std::string_view word, const std::vector<std::string_view>& known);
+
+/// Of a text where a number is due: a number in quotation marks, a percentage, a decimal comma.
+std::string hint_for_number(std::string_view text);
+
+/// Of a number that breaks a rule such as "must be in (0, 1)" and may be a percentage.
+std::string hint_for_fraction(double number, std::string_view rule);
+
+/// Of JSON that is wrong at an offset: a decimal comma.
+std::string hint_for_syntax(std::string_view text, std::size_t offset);
+
+}  // namespace litfog::files

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+namespace litfog {
+
+/// A photometric file's bytes as UTF-8, without a byte order mark. They may be UTF-8, UTF-16 (with a byte order mark,
+/// or known by its zero bytes), or text of a code page. No file names its code page. Western text has its accents
+/// between plain letters, so it is Windows-1252 unless two of its bytes beyond ASCII adjoin; then the code page is
+/// guessed from the frequencies of its letters. Bytes that a code page lacks make the whole text Latin-1, which lacks
+/// none.
+std::string utf8_from_bytes(std::string bytes);
+
+}  // namespace litfog

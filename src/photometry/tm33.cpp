@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "litfog/photometry/tm33.h"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+#include "photometric_grid.h"
+#include "xml_text.h"
+
+namespace litfog {
+namespace {
+
+using Piece = TextScanner::Piece;
+
+bool is_root(std::string_view name) { return name.starts_with("IESTM33") || name == "LuminaireOpticalData"; }
+
+/// What holds an emitter's intensities.
+pugi::xml_node intensities_of(const pugi::xml_node& emitter) {
+  const pugi::xml_node data = emitter.child("LuminousData");
+  const pugi::xml_node inner = data.child("LuminousIntensity");
+  return inner ? inner : data;
+}
+
+pugi::xml_node the_lit_emitter(const XmlText& xml) {
+  pugi::xml_node lit;
+  for (const pugi::xml_node& emitter : xml.root().children("Emitter")) {
+    if (!intensities_of(emitter)) continue;
+    if (lit) xml.fail(emitter, "must be the only one with LuminousData");
+    lit = emitter;
+  }
+  if (!lit) xml.fail(xml.root(), "must have an Emitter with LuminousData");
+  return lit;
+}
+
+/// A, B or C, as in "CIE _ C" and "TypeC".
+PhotometryType type_of(const XmlText& xml, const pugi::xml_node& data) {
+  const Piece piece = xml.text_of(data.child("PhotometryType"));
+  if (piece.text.empty() || piece.text.ends_with('C')) return PhotometryType::c;
+  if (piece.text.ends_with('B')) return PhotometryType::b;
+  if (!piece.text.ends_with('A')) xml.scanner().fail(piece, "PhotometryType", "must be type A, B or C");
+  return PhotometryType::a;
+}
+
+void expect_luminous(const XmlText& xml, const pugi::xml_node& data) {
+  const Piece metric = xml.text_of(data.child("Metric"));
+  if (metric.text.empty() || metric.text == "Luminous" || metric.text == "luminous") return;
+  xml.scanner().fail(metric, "Metric", "must be Luminous");
+}
+
+/// One measured intensity.
+struct Entry {
+  double horizontal, vertical;  // degrees
+  Piece intensity;
+};
+
+double angle_of(const XmlText& xml, const pugi::xml_node& element, const char* attribute, double low, double high) {
+  const Piece piece = xml.value_of(element, attribute);
+  if (piece.text.empty()) xml.scanner().fail(piece, attribute, "");
+  const double angle = xml.scanner().number(piece, attribute);
+  if (!(angle >= low && angle <= high)) xml.scanner().fail(piece, attribute, range_rule(low, high));
+  return angle;
+}
+
+std::vector<Entry> entries_of(const XmlText& xml, const pugi::xml_node& data, const AngleLimits& limits) {
+  std::vector<Entry> entries;
+  for (const pugi::xml_node& element : data.children()) {
+    const bool is_short = std::strcmp(element.name(), "IntData") == 0;
+    if (!is_short && std::strcmp(element.name(), "IntensityData") != 0) continue;
+    entries.push_back({angle_of(xml, element, is_short ? "h" : "horz", limits.least_horizontal, limits.most_horizontal),
+                       angle_of(xml, element, is_short ? "v" : "vert", limits.least_vertical, limits.most_vertical),
+                       xml.text_of(element)});
+  }
+  if (entries.empty()) xml.fail(data, "must have IntData");
+  std::ranges::sort(entries, [](const Entry& a, const Entry& b) {
+    return std::pair(a.horizontal, a.vertical) < std::pair(b.horizontal, b.vertical);
+  });
+  return entries;
+}
+
+std::vector<double> sorted_angles(const std::vector<Entry>& entries, double Entry::*angle) {
+  std::vector<double> angles;
+  for (const Entry& entry : entries) angles.push_back(entry.*angle);
+  std::ranges::sort(angles);
+  angles.erase(std::unique(angles.begin(), angles.end()), angles.end());
+  return angles;
+}
+
+/// Each pair of the angles once, as sorted entries have them.
+void expect_grid(const TextScanner& scanner, const std::vector<Entry>& entries, const std::vector<double>& horizontal,
+                 const std::vector<double>& vertical) {
+  const auto is_next = [&](std::size_t i) {
+    return i < horizontal.size() * vertical.size() && entries[i].horizontal == horizontal[i / vertical.size()] &&
+           entries[i].vertical == vertical[i % vertical.size()];
+  };
+  std::size_t i = 0;
+  while (i < entries.size() && is_next(i)) ++i;
+  if (i == horizontal.size() * vertical.size() && i == entries.size()) return;
+  scanner.fail(entries[std::min(i, entries.size() - 1)].intensity, "intensity",
+               "must be given once for each pair of the angles there are");
+}
+
+}  // namespace
+
+bool is_tm33(std::string_view text) {
+  // The first element: what stands before it, a declaration and comments, begins with <? or <!.
+  for (auto at = text.find('<'); at != text.npos && at + 1 < text.size(); at = text.find('<', at + 1)) {
+    if (text[at + 1] == '!' || text[at + 1] == '?') continue;
+    const std::string_view name = text.substr(at + 1, 64);
+    return is_root(name.substr(0, name.find_first_of(" \t\r\n/>")));
+  }
+  return false;
+}
+
+Luminaire parse_tm33(std::string text, const std::string& name) {
+  const XmlText xml(std::move(text), name);
+  const TextScanner& scanner = xml.scanner();
+  if (!is_root(xml.root().name())) xml.fail(xml.root(), "must be IESTM33-18, IESTM33-22 or LuminaireOpticalData");
+  const pugi::xml_node emitter = the_lit_emitter(xml);
+  const pugi::xml_node data = intensities_of(emitter);
+  expect_luminous(xml, data);
+
+  Luminaire luminaire;
+  luminaire.file = name;
+  const pugi::xml_node header = xml.root().child("Header");
+  luminaire.name = xml.text_of(header.child("Description")).text;
+  if (luminaire.name.empty()) luminaire.name = xml.text_of(header.child("CatalogNumber")).text;
+  luminaire.manufacturer = xml.text_of(header.child("Manufacturer")).text;
+  luminaire.is_absolute = xml.text_of(data.child("AbsolutePhotometry")).text == "true";
+  if (const pugi::xml_node lumens = emitter.child("RatedLumens")) {
+    const pugi::xml_node quantity = emitter.child("Quantity");
+    luminaire.lamp_flux = scanner.positive(xml.text_of(lumens), "RatedLumens") *
+                          (quantity ? scanner.integer(xml.text_of(quantity), "Quantity", 1, 1'000'000) : 1);
+  }
+
+  const PhotometryType type = type_of(xml, data);
+  const std::vector<Entry> entries = entries_of(xml, data, limits_of(type));
+  std::vector<double> horizontal = sorted_angles(entries, &Entry::horizontal);
+  const std::vector<double> vertical = sorted_angles(entries, &Entry::vertical);
+  expect_grid(scanner, entries, horizontal, vertical);
+  const bool is_c = type == PhotometryType::c;
+  if (is_c && !is_turn(horizontal)) xml.fail(data, std::string("horizontal angles ") + kTurnRule);
+  if (vertical.size() < 2 || (!is_c && horizontal.size() < 2)) {
+    xml.fail(data, "must have two vertical angles or more, and in types A and B two horizontal ones");
+  }
+
+  const pugi::xml_node multiplier = data.child("Multiplier");
+  const double factor = multiplier ? scanner.positive(xml.text_of(multiplier), "Multiplier") : 1;
+  IntensityReader reader(scanner, entries.size(), factor);
+  for (const Entry& entry : entries) reader.add(entry.intensity);
+  auto intensity = reader.finish();
+  luminaire.peak_location = scanner.location(reader.largest());
+  if (is_c && horizontal.back() - horizontal.front() > 180) close_turn(horizontal, intensity);
+  luminaire.distribution = {type, radians_from_degrees(horizontal), radians_from_degrees(vertical),
+                            std::move(intensity)};
+  return luminaire;
+}
+
+}  // namespace litfog

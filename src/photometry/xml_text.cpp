@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "xml_text.h"
+
+namespace litfog {
+namespace {
+
+constexpr std::size_t kMaxXmlBytes = std::size_t{16} << 20;
+constexpr std::string_view kBlank = " \t\r\n";
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(kBlank);
+  if (begin == text.npos) return text.substr(0, 0);
+  return text.substr(begin, text.find_last_not_of(kBlank) - begin + 1);
+}
+
+/// An element's is that of its first character, which stands before its name.
+std::size_t offset_of(const pugi::xml_node& node) {
+  return std::size_t(node.offset_debug()) - (node.type() == pugi::node_element ? 1 : 0);
+}
+
+}  // namespace
+
+XmlText::XmlText(std::string bytes, std::string name) : scanner_(std::move(bytes), std::move(name)) {
+  const std::string& text = scanner_.text();
+  if (text.size() > kMaxXmlBytes) {
+    throw InputError({.file = scanner_.name()}, "XML", "", "must not be larger than 16777216 bytes");
+  }
+  const auto result = document_.load_buffer(text.data(), text.size(), pugi::parse_default, pugi::encoding_utf8);
+  if (!result) {
+    throw InputError(scanner_.location({{}, std::size_t(result.offset)}), "XML", "",
+                     std::string("must be well-formed: ") + result.description());
+  }
+}
+
+TextScanner::Piece XmlText::text_of(const pugi::xml_node& element) const {
+  const pugi::xml_node text = element.first_child();
+  return {trimmed(text.value()), offset_of(text ? text : element)};
+}
+
+void XmlText::fail(const pugi::xml_node& element, std::string_view rule) const {
+  scanner_.fail({element.name(), offset_of(element)}, "element", rule);
+}
+
+TextScanner::Piece XmlText::value_of(const pugi::xml_node& element, const char* attribute) const {
+  return {trimmed(element.attribute(attribute).value()), offset_of(element)};
+}
+
+}  // namespace litfog

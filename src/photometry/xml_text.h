@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <pugixml.hpp>
+#include <string>
+#include <string_view>
+
+#include "text_scanner.h"
+
+namespace litfog {
+
+/// An XML document that knows where in its text each node stands.
+class XmlText {
+ public:
+  /// Throws InputError where it is not well-formed, or larger than 16 MiB: a document takes up to 20 times its text.
+  XmlText(std::string bytes, std::string name);
+
+  /// The document's element.
+  pugi::xml_node root() const { return document_.document_element(); }
+  /// The text within an element, without white space around it, for the scanner's numbers and errors.
+  TextScanner::Piece text_of(const pugi::xml_node& element) const;
+  /// An attribute's value; its location is the element's.
+  TextScanner::Piece value_of(const pugi::xml_node& element, const char* attribute) const;
+  /// Fails at an element, "element = NAME: rule".
+  [[noreturn]] void fail(const pugi::xml_node& element, std::string_view rule) const;
+  const TextScanner& scanner() const { return scanner_; }
+
+ private:
+  TextScanner scanner_;
+  pugi::xml_document document_;
+};
+
+}  // namespace litfog

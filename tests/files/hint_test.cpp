@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "files/hint.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "files/json_document.h"
+#include "litfog/input_error.h"
+
+namespace litfog::files {
+namespace {
+
+/// The sentence of what is wrong with a document, which is read as {"threshold": number, "color": number}.
+std::string error_of(const std::string& text) {
+  try {
+    const JsonValue root = parse_json(text, "f");
+    root.allow_only({"threshold", "color"});
+    const double threshold = root.number_or("threshold", 0.5);
+    if (!(threshold > 0 && threshold < 1)) root.member("threshold").fail("must be in (0, 1)");
+    root.number_or("color", 0);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "(accepted)";
+}
+
+TEST(Hint, MisspeltMemberIsNamed) {
+  EXPECT_EQ(error_of(R"({"treshold": 1})"),
+            "f:1:2: \"treshold\": must be one of threshold, color; did you mean threshold?");
+  EXPECT_EQ(error_of(R"({"Colour": 1})"), "f:1:2: \"Colour\": must be one of threshold, color; did you mean color?");
+  EXPECT_EQ(error_of(R"({"weather": 1})"), "f:1:2: \"weather\": must be one of threshold, color");
+}
+
+TEST(Hint, SlipsOfEachKindAreFew) {
+  for (const char* typed : {"extentm", "extent_mm", "extemt_m", "exetnt_m", "EXTENT_M", "extent"}) {
+    EXPECT_EQ(hint_for_word(typed, {"range", "extent_m"}), "; did you mean extent_m?") << typed;
+  }
+  EXPECT_EQ(hint_for_word("ra", {"range"}), "");
+  EXPECT_EQ(hint_for_word("manner", {"range"}), "");
+  EXPECT_EQ(hint_for_word(std::string(1'000'000, 'a'), {"range"}), "");
+}
+
+TEST(Hint, NearestOfTwoWordsIsMeant) {
+  EXPECT_EQ(hint_for_word("feld_angle_deg", {"beam_angle_deg", "field_angle_deg", "half_angle_deg"}),
+            "; did you mean field_angle_deg?");
+}
+
+TEST(Hint, PercentageIsShownAsAFraction) {
+  EXPECT_EQ(error_of(R"({"threshold": 5})"), "f:1:15: threshold = 5: must be in (0, 1); 5 % is 0.05");
+  EXPECT_EQ(error_of(R"({"threshold": "5 %"})"), "f:1:15: threshold = \"5 %\": must be a number; 5 % is 0.05");
+  EXPECT_EQ(error_of(R"({"threshold": "2,5%"})"), "f:1:15: threshold = \"2,5%\": must be a number; 2.5 % is 0.025");
+  EXPECT_EQ(error_of(R"({"threshold": 200})"), "f:1:15: threshold = 200: must be in (0, 1)");
+  EXPECT_EQ(error_of(R"({"threshold": -5})"), "f:1:15: threshold = -5: must be in (0, 1)");
+}
+
+TEST(Hint, NumberInQuotationMarksIsShownWithout) {
+  EXPECT_EQ(error_of(R"({"threshold": "0.05"})"),
+            "f:1:15: threshold = \"0.05\": must be a number; write 0.05, without quotation marks");
+  EXPECT_EQ(error_of(R"({"threshold": "low"})"), "f:1:15: threshold = \"low\": must be a number");
+  EXPECT_EQ(error_of(R"({"threshold": ""})"), "f:1:15: threshold = \"\": must be a number");
+}
+
+TEST(Hint, DecimalCommaIsShownAsAPoint) {
+  EXPECT_EQ(error_of(R"({"threshold": "0,05"})"),
+            "f:1:15: threshold = \"0,05\": must be a number; write 0.05, with a decimal point");
+  EXPECT_EQ(error_of(R"({"threshold": 0,05})"),
+            "f:1:17: text = \"05\": must be a member's name in quotes; write 0.05, with a decimal point");
+  EXPECT_EQ(error_of(R"({"threshold": 12,5, "color": 1})"),
+            "f:1:18: text = \"5\": must be a member's name in quotes; write 12.5, with a decimal point");
+  EXPECT_EQ(error_of(R"({"color": [0,05, 1]})"),
+            "f:1:15: text = \"5\": must be ',' or ']'; write 0.05, with a decimal point");
+  EXPECT_EQ(error_of(R"({"threshold": 1,200})"),
+            "f:1:17: text = \"200\": must be a member's name in quotes; write 1.200 or 1200");
+  EXPECT_EQ(hint_for_number("1,200"), "; write 1.200 or 1200");
+  EXPECT_EQ(hint_for_number("1,200,000"), "");
+  EXPECT_EQ(error_of(R"({"threshold": 0.5, color: 1})"), "f:1:20: text = \"color\": must be a member's name in quotes");
+}
+
+}  // namespace
+}  // namespace litfog::files

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "files/json_document.h"
+#include "files/json_schema.h"
+#include "files/light_json.h"
+#include "litfog/input_error.h"
+
+namespace litfog::test {
+namespace {
+
+constexpr const char* kSpot = R"({"litfog": "light", "version": 1, "name": "spot", "source": ["a", "b"],
+  "color": [1, 0.5, 0], "attenuation": {"constant": 1, "linear": 0.1, "quadratic": 0.01}, "threshold": 0.05,
+  "cone": {"profile": "cosine", "half_angle_deg": 30, "exponent": 4}, "density_scale": 0.4, "fit": {}})";
+constexpr const char* kDual = R"({"litfog": "light", "version": 1, "source": "a", "attenuation": {"quadratic": 1},
+  "cone": {"profile": "smoothstep", "inner_deg": 10, "outer_deg": 20}})";
+
+/// What a reader says; nothing where it takes the text.
+std::string refusal_of(const std::string& text) {
+  try {
+    const files::JsonValue root = files::parse_json(text, "f");
+    files::expect_header(root, "light", 1);
+    files::parse_light(root);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(LightSchema, BundledLightsAreValid) {
+  const JsonSchema schema("light");
+  int found = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(LITFOG_DATA_DIR "/lights")) {
+    std::ifstream file(entry.path());
+    EXPECT_EQ(schema.error_of({std::istreambuf_iterator<char>(file), {}}), "") << entry.path();
+    ++found;
+  }
+  EXPECT_GE(found, 20);
+}
+
+TEST(LightSchema, MembersAreTheReaders) {
+  const JsonSchema schema("light");
+  const std::string light = R"({"litfog": "light", "version": 1, "attenuation": {"constant": 1})";
+  const auto refused_members = [&](const std::string& rest) { return members_in(refusal_of(light + rest + "}")); };
+  EXPECT_EQ(schema.members_at("/definitions/light"), refused_members(R"(, "zzz": 1)"));
+  EXPECT_EQ(schema.members_at("/definitions/cosine"), refused_members(R"(, "cone": {"profile": "cosine", "zzz": 1})"));
+  EXPECT_EQ(schema.members_at("/definitions/smoothstep"),
+            refused_members(R"(, "cone": {"profile": "smoothstep", "zzz": 1})"));
+  EXPECT_EQ(schema.members_at("/definitions/attenuation"),
+            members_in(refusal_of(R"({"litfog": "light", "version": 1, "attenuation": {"zzz": 1}})")));
+}
+
+TEST(LightSchema, ItRefusesWhatTheReaderRefusesAndNothingElse) {
+  const JsonSchema schema("light");
+  int refused = 0;
+  for (const char* light : {kSpot, kDual}) {
+    EXPECT_EQ(refusal_of(light), "");
+    EXPECT_EQ(schema.error_of(light), "");
+    for (const std::string& text : changed_documents(light)) {
+      const std::string refusal = refusal_of(text);
+      if (refusal.find("must be in [0, outer_deg)") != refusal.npos) continue;  // across members
+      EXPECT_EQ(schema.error_of(text).empty(), refusal.empty()) << text << "\n" << refusal << schema.error_of(text);
+      if (!refusal.empty()) ++refused;
+    }
+  }
+  EXPECT_GT(refused, 150);
+}
+
+}  // namespace
+}  // namespace litfog::test

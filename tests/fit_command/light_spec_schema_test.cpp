@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "command/temporary_directory.h"
+#include "files/json_schema.h"
+#include "fit/light_target.h"
+#include "litfog/input_error.h"
+
+namespace litfog::test {
+namespace {
+
+using fit::read_spec;
+
+/// Between them they have every member.
+constexpr std::array kSpecs{
+    R"({"litfog": "light-spec", "version": 1, "name": "a", "source": ["a", "b"], "color": [1, 0.5, 0], "density_scale": 0.4,
+      "range": {"threshold": 0.05, "extent_m": 120, "constant": 1,
+                "samples": [{"range_m": 10, "attenuation": 0.8, "weight": 1}, {"range_m": 20, "attenuation": 0.5}]},
+      "cone": {"profile": "best", "half_angle_deg": 45, "beam_angle_deg": 10, "field_angle_deg": 20,
+               "samples": [{"angle_deg": 0, "intensity": 7, "weight": 1}, {"angle_deg": 18, "intensity": 2}]}})",
+    R"({"litfog": "light-spec", "version": 1, "source": "a", "color_temperature_k": 3200,
+      "range": {"end_lx": "night", "illuminance": {"range_m": 10, "lx": 120}, "family": "linear"}})",
+    R"({"litfog": "light-spec", "version": 1, "range": {"end_lx": 2, "flux_lm": 900},
+      "cone": {"beam_angle_deg": [12, 6], "field_angle_deg": [22, 10]}})",
+    R"({"litfog": "light-spec", "version": 1, "range": {"peak_cd": 12000}, "cone": {"photometry": "lamp.csv"}})"};
+
+/// What a schema cannot say: order, sums and other files.
+constexpr std::array kRulesAcrossMembers{"must be larger than the one before",
+                                         "must be greater than the range before it",
+                                         "must be larger than the beam angle",
+                                         "must be above the beam angle",
+                                         "of weight > 0",
+                                         "with weight",
+                                         "must be a photometric file",
+                                         "must be 0, or in [1e-30, 1e30]",
+                                         "must be 0, or in [1e-100, 1e100]",
+                                         "must be 0 or in [1e-100, 1e100]",
+                                         "must be in (0, 90]",
+                                         "for end_lx",
+                                         "must not be given beside samples, which choose for themselves"};
+
+class LightSpecSchema : public testing::Test {
+ protected:
+  LightSpecSchema() {
+    std::ofstream(directory_.path() / "lamp.csv") << "candela,horizontal_deg,vertical_deg\n100,5,5\n";
+  }
+
+  /// What litfog-fit says of a spec; nothing where it takes it.
+  std::string refusal_of(const std::string& text) const {
+    const auto path = directory_.path() / "f.json";
+    std::ofstream(path) << text;
+    try {
+      read_spec(path.string());
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  const JsonSchema schema_{"light-spec"};
+  TemporaryDirectory directory_;
+};
+
+TEST_F(LightSpecSchema, BundledSpecsAreValid) {
+  int found = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(LITFOG_DATA_DIR "/specs")) {
+    std::ifstream file(entry.path());
+    EXPECT_EQ(schema_.error_of({std::istreambuf_iterator<char>(file), {}}), "") << entry.path();
+    ++found;
+  }
+  EXPECT_GE(found, 20);
+}
+
+TEST_F(LightSpecSchema, MembersAreTheReaders) {
+  const auto refused_members = [&](const std::string& rest) {
+    return members_in(refusal_of(R"({"litfog": "light-spec", "version": 1, )" + rest + "}"));
+  };
+  EXPECT_EQ(schema_.members_at(""), refused_members(R"("zzz": 1)"));
+  EXPECT_EQ(schema_.members_at("/definitions/range"), refused_members(R"("range": {"zzz": 1})"));
+  EXPECT_EQ(schema_.members_at("/definitions/range/properties/illuminance"),
+            refused_members(R"("range": {"illuminance": {"zzz": 1}})"));
+  EXPECT_EQ(schema_.members_at("/definitions/range/properties/samples/items"),
+            refused_members(R"("range": {"samples": [{"zzz": 1}]})"));
+  EXPECT_EQ(schema_.members_at("/definitions/cone"), refused_members(R"("cone": {"zzz": 1})"));
+  EXPECT_EQ(schema_.members_at("/definitions/cone/properties/samples/items"),
+            refused_members(R"("cone": {"samples": [{"zzz": 1}]})"));
+}
+
+TEST_F(LightSpecSchema, ItRefusesWhatTheReaderRefusesAndNothingElse) {
+  int refused = 0;
+  for (const char* spec : kSpecs) {
+    EXPECT_EQ(refusal_of(spec), "");
+    EXPECT_EQ(schema_.error_of(spec), "");
+    for (const std::string& text : changed_documents(spec)) {
+      const std::string refusal = refusal_of(text), error = schema_.error_of(text);
+      const bool is_across_members = std::ranges::any_of(
+          kRulesAcrossMembers, [&](const char* rule) { return refusal.find(rule) != refusal.npos; });
+      if (is_across_members) continue;
+      EXPECT_EQ(error.empty(), refusal.empty()) << text << "\n" << refusal << error;
+      if (!refusal.empty()) ++refused;
+    }
+  }
+  EXPECT_GT(refused, 400);
+}
+
+TEST_F(LightSpecSchema, EveryNamedThresholdIsValid) {
+  for (const VisualThreshold& threshold : kVisualThresholds) {
+    const std::string text = R"({"litfog": "light-spec", "version": 1, "range": {"peak_cd": 1, "end_lx": ")" +
+                             std::string(threshold.name) + "\"}}";
+    EXPECT_EQ(schema_.error_of(text), "") << text;
+    EXPECT_EQ(refusal_of(text), "") << text;
+  }
+}
+
+}  // namespace
+}  // namespace litfog::test

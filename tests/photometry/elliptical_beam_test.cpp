@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "litfog/photometry/elliptical_beam.h"
+
+#include <gtest/gtest.h>
+
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "reference/ulp.h"
+
+namespace litfog::test {
+namespace {
+
+using std::numbers::pi;
+using Quadrature = boost::math::quadrature::gauss_kronrod<double, 31>;
+
+constexpr double kDegree = pi / 180;
+
+/// Approach side row light, EASA CS ADR-DSN.U.940, figure U-6: main beam, 10 % and 5 %.
+const std::vector<IsocandelaEllipse> kSideRow{
+    {5000, 7 * kDegree, 5 * kDegree}, {500, 11.5 * kDegree, 6 * kDegree}, {250, 16.5 * kDegree, 8 * kDegree}};
+
+/// Solid angle of an ellipse, by integration in polar angles from the edge's definition.
+double solid_angle(double horizontal, double vertical) {
+  const auto height = [&](double turn) {
+    const double across = std::cos(turn) / horizontal, up = std::sin(turn) / vertical;
+    return 1 - std::cos(1 / std::sqrt(across * across + up * up));
+  };
+  return 4 * Quadrature::integrate(height, 0, pi / 2, 15, 1e-13);
+}
+
+TEST(EllipticalBeam, CircleOfEqualSolidAngleIsExact) {
+  WorstError error("angle", "ellipses", kEqualCircleMaxError, "rad");
+  for (const double horizontal : {0.1, 1.0, 10.0, 60.0, 120.0}) {
+    for (const double ratio : {1.0, 1.5, 4.0, 20.0}) {
+      const double vertical = horizontal / ratio;
+      const double circle = equal_circle(horizontal * kDegree, vertical * kDegree);
+      const double expected = std::acos(1 - solid_angle(horizontal * kDegree, vertical * kDegree) / (2 * pi));
+      error.add(std::abs(circle - expected), [&] { return std::to_string(horizontal) + "/" + std::to_string(ratio); });
+    }
+  }
+  error.check();
+}
+
+TEST(EllipticalBeam, CircleOfACircleIsItself) {
+  for (const double angle : {1e-6, 0.1, 1.0, pi}) EXPECT_NEAR(equal_circle(angle, angle), angle, 1e-14) << angle;
+  EXPECT_NEAR(equal_circle(1e-3, 4e-3), 2e-3, 1e-8);
+}
+
+TEST(EllipticalBeam, IntensityIsThatOfTheLines) {
+  WorstError error("intensity / peak", "side row light", kEllipticalBeamMaxError, "");
+  for (const double squeeze : {1.0, 0.5}) {  // ratios of half axes up to 2 and 4
+    auto lines = kSideRow;
+    for (IsocandelaEllipse& line : lines) line.vertical *= squeeze;
+    const IntensityDistribution beam = elliptical_beam(lines);
+    EXPECT_FALSE(check(beam));
+    for (int i = 0; i < 360; ++i) {
+      const double turn = i * kDegree;
+      const auto edge = [&](double a, double b) {
+        return 1 / std::hypot(std::cos(turn) / a, std::sin(turn) / (b * squeeze));
+      };
+      const double main = edge(7, 5), tenth = edge(11.5, 6), end = edge(16.5, 8);
+      const auto at = [&](double angle_deg) {
+        return intensity_at(beam, direction_of(PhotometryType::c, turn, angle_deg * kDegree));
+      };
+      const auto add = [&](double angle_deg, double intensity) {
+        error.add(std::abs(at(angle_deg) - intensity) / 5000, [&] { return std::to_string(i); });
+      };
+      add(0, 5000);
+      add(0.9 * main, 5000);
+      add((main + tenth) / 2, 2750);
+      add(tenth, 500);
+      add((tenth + end) / 2, 375);
+      EXPECT_EQ(at(end * 1.05), 0) << i;
+    }
+  }
+  error.check();
+}
+
+TEST(EllipticalBeam, FluxIsTheIntegralOverTheLines) {
+  WorstError error("flux", "beams", kEllipticalFluxMaxError, "");
+  for (const double ratio : {1.0, 2.0, 4.0}) {
+    for (const double width : {0.2, 7.0, 80.0}) {
+      const double a = width * kDegree, b = a / ratio;
+      const std::vector<IsocandelaEllipse> lines{{1000, a, b}, {100, 1.5 * a, 1.8 * b}};
+      // Layers: every line between two of them is linear in the angle along each half plane.
+      const auto layer = [&](double intensity) {
+        const double t = intensity <= 100 ? 1 : (1000 - intensity) / 900;
+        const auto height = [&](double turn) {
+          const auto edge = [turn](double x, double y) {
+            return 1 / std::hypot(std::cos(turn) / x, std::sin(turn) / y);
+          };
+          return 1 - std::cos(std::lerp(edge(a, b), edge(1.5 * a, 1.8 * b), t));
+        };
+        return 4 * Quadrature::integrate(height, 0, pi / 2, 10, 1e-9);
+      };
+      const double flux = 100 * layer(100) + Quadrature::integrate(layer, 100, 1000, 10, 1e-9);
+      error.add(std::abs(luminous_flux(elliptical_beam(lines)) / flux - 1),
+                [&] { return std::to_string(width) + "/" + std::to_string(ratio); });
+    }
+  }
+  error.check();
+}
+
+TEST(EllipticalBeam, WrongLinesAreRefused) {
+  const auto rule_of = [](const std::vector<IsocandelaEllipse>& lines) {
+    const auto error = check(lines);
+    return error ? to_string(*error) : "(accepted)";
+  };
+  EXPECT_EQ(rule_of({}), "ellipses = 0: must be at least one");
+  EXPECT_EQ(rule_of({{0, 1, 1}}), "intensity = 0: must be > 0 in the first ellipse");
+  EXPECT_EQ(rule_of({{1, 1, 1}, {2, 2, 2}}),
+            "intensity = 2: must be in [0, 1e30] and at most that of the ellipse within");
+  EXPECT_EQ(rule_of({{1, 0, 1}}), "horizontal = 0: must be in (0, pi] and greater than that of the ellipse within");
+  EXPECT_EQ(rule_of({{1, 1, 2}, {1, 2, 2}}),
+            "vertical = 2: must be in (0, pi] and greater than that of the ellipse within");
+  EXPECT_EQ(rule_of(kSideRow), "(accepted)");
+  EXPECT_THROW(elliptical_beam({}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace litfog::test

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "litfog/photometry/gldf.h"
+
+#include <gtest/gtest.h>
+#include <zip.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "command/temporary_directory.h"
+#include "photometry/memory_limit.h"
+#include "photometry/photometric_file.h"
+
+namespace litfog::test {
+namespace {
+
+using Entries = std::vector<std::pair<std::string, std::string>>;
+
+const std::string kSpot = bytes_of(LITFOG_PHOTOMETRY_DIR "/isym_4.ldt");
+const std::string kFlood = bytes_of(LITFOG_PHOTOMETRY_DIR "/edition_2019.ies");
+
+std::string product(const std::string& files) {
+  return "<?xml version=\"1.0\"?>\n<Root><Header><Manufacturer>litfog</Manufacturer></Header>\n"
+         "<GeneralDefinitions><Files>\n" +
+         files + "</Files></GeneralDefinitions></Root>\n";
+}
+
+std::string file_element(const std::string& content_type, const std::string& type, const std::string& name) {
+  return "<File id=\"" + name + "\" contentType=\"" + content_type + "\" type=\"" + type + "\">" + name + "</File>\n";
+}
+
+class Gldf : public ::testing::Test {
+ protected:
+  std::string path(const std::string& name = "lamp.gldf") const { return (directory_.path() / name).string(); }
+
+  void write(const Entries& entries) const {
+    const zipFile archive = zipOpen64(path().c_str(), APPEND_STATUS_CREATE);
+    for (const auto& [name, bytes] : entries) {
+      zipOpenNewFileInZip(archive, name.c_str(), nullptr, nullptr, 0, nullptr, 0, nullptr, Z_DEFLATED, 9);
+      zipWriteInFileInZip(archive, bytes.data(), unsigned(bytes.size()));
+      zipCloseFileInZip(archive);
+    }
+    zipClose(archive, nullptr);
+  }
+
+  std::string error_of(const std::string& name = "lamp.gldf") const {
+    return photometry_error_of([&] { read_luminaire(path(name)); });
+  }
+
+ private:
+  TemporaryDirectory directory_;
+};
+
+TEST_F(Gldf, OnlyPhotometricFileIsTheLamp) {
+  write({{"product.xml", product(file_element("image/jpg", "localFileName", "a.jpg") +
+                                 file_element("ldc/eulumdat", "url", "https://litfog.example/a.ldt") +
+                                 file_element("ldc/eulumdat", "localFileName", "spot.ldt"))},
+         {"image/a.jpg", "JFIF"},
+         {"ldc/spot.ldt", kSpot}});
+  const Luminaire luminaire = read_luminaire(path());
+  EXPECT_EQ(luminaire.file, path("lamp.gldf/ldc/spot.ldt"));
+  expect_same_beam(luminaire, our_luminaire("isym_4.ldt"));
+}
+
+TEST_F(Gldf, FilesAreListedAndReadByTheirPaths) {
+  write({{"product.xml", product(file_element("ldc/eulumdat", "localFileName", "spot.ldt") +
+                                 file_element("ldc/ies", "localFileName", "flood.ies"))},
+         {"ldc/spot.ldt", kSpot},
+         {"ldc/flood.ies", kFlood}});
+  const std::vector<std::string> files{path("lamp.gldf/ldc/spot.ldt"), path("lamp.gldf/ldc/flood.ies")};
+  EXPECT_EQ(list_gldf(path()), files);
+  expect_same_beam(read_luminaire(files[0]), our_luminaire("isym_4.ldt"));
+  expect_same_beam(read_luminaire(files[1]), our_luminaire("edition_2019.ies"));
+  EXPECT_EQ(error_of(), " photometric file: must be named where there are several: " + files[0] + " " + files[1]);
+}
+
+TEST_F(Gldf, ErrorsNameTheFileInTheContainer) {
+  const std::string ldt = product(file_element("ldc/eulumdat", "localFileName", "spot.ldt"));
+  const auto error = [&](const Entries& entries) {
+    write(entries);
+    try {
+      read_luminaire(path());
+    } catch (const InputError& thrown) {
+      return std::string(thrown.what()).substr(path().size());
+    }
+    return std::string("(accepted)");
+  };
+  EXPECT_EQ(error({{"ldc/spot.ldt", kSpot}}), "/product.xml: file: must be in the archive");
+  EXPECT_EQ(error({{"product.xml", "<Root>"}}), "/product.xml:1:6: XML: must be well-formed: Start-end tags mismatch");
+  EXPECT_EQ(error({{"product.xml", product("")}}),
+            "/product.xml:2:1: element = Root: must define a File of a contentType ldc/... that is in the archive");
+  EXPECT_EQ(error({{"product.xml", ldt}}), "/ldc/spot.ldt: file: must be in the archive");
+  EXPECT_EQ(error({{"product.xml", ldt}, {"ldc/spot.ldt", "a\nb\n"}}),
+            "/ldc/spot.ldt:2:1: type indicator Ityp = b: must be a finite number");
+}
+
+TEST_F(Gldf, BrokenArchiveIsAnError) {
+  write({{"product.xml", product(file_element("ldc/eulumdat", "localFileName", "spot.ldt"))}, {"ldc/spot.ldt", kSpot}});
+  const std::string sound = bytes_of(path());
+  Random random(7);
+  for (int i = 0; i < 500; ++i) {
+    std::string bytes = sound;
+    for (int left = 1 + int(random.uniform(0, 4)); left > 0; --left) {
+      bytes[4 + std::size_t(random.uniform(0, double(bytes.size() - 4)))] = char(random.uniform(0, 256));
+    }
+    if (random.chance(0.3)) bytes.resize(4 + std::size_t(random.uniform(0, double(bytes.size() - 4))));
+    std::ofstream(path(), std::ios::binary) << bytes;
+    try {
+      EXPECT_FALSE(check(read_luminaire(path()).distribution));
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(": must "), std::string::npos) << error.what();
+    }
+  }
+}
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // whose own memory would count
+TEST_F(Gldf, ZipBombIsAnErrorBeforeItIsUnpacked) {
+  write({{"product.xml", std::string(std::size_t{96} << 20, ' ')}});  // 96 kilobytes when packed
+  const MemoryLimit limit(std::size_t{256} << 20);
+  EXPECT_EQ(error_of(), " file: must not be larger than 67108864 bytes");
+}
+
+TEST_F(Gldf, XmlOfTheLargestSizeIsReadWithinTheStatedMemory) {
+  std::string xml = "<Root>";
+  while (xml.size() < (std::size_t{16} << 20) - 16) xml += "<a b=\"\"/>";
+  write({{"product.xml", xml + "</Root>"}});
+  const MemoryLimit limit(kMaxLuminaireMemory);
+  EXPECT_NE(error_of().find("must define a File"), std::string::npos) << error_of();
+}
+#endif
+
+}  // namespace
+}  // namespace litfog::test

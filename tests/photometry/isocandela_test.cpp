@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "litfog/photometry/isocandela.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <string>
+
+#include "litfog/photometry/elliptical_beam.h"
+#include "photometry/photometric_file.h"
+
+namespace litfog::test {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+Luminaire parse(const std::string& text) { return parse_isocandela(text, "f.csv"); }
+std::string error_of(const std::string& text) {
+  return photometry_error_of([&] { parse(text); });
+}
+
+double candela_at(const Luminaire& light, double horizontal_deg, double vertical_deg) {
+  return intensity_at(light.distribution,
+                      direction_of(PhotometryType::a, horizontal_deg * kDegree, vertical_deg * kDegree));
+}
+
+TEST(Isocandela, GridIsReadAsPrinted) {
+  const Luminaire light = our_luminaire("position_light_left.csv");
+  EXPECT_EQ(light.name, "position light, left");
+  EXPECT_FALSE(check(light.distribution));
+  EXPECT_NEAR(candela_at(light, 0, 0), 40, 1e-9);
+  EXPECT_NEAR(candela_at(light, -10, 0), 40, 1e-9);
+  EXPECT_NEAR(candela_at(light, -110, 0), 5, 1e-9);
+  EXPECT_NEAR(candela_at(light, -15, 15), 24.5, 1e-9) << "linear between the angles";
+  EXPECT_NEAR(candela_at(light, -20, -30), 9, 1e-9) << "mirrored, since the vertical angles begin at 0";
+  EXPECT_EQ(candela_at(light, 1, 0), 0) << "beyond the table";
+  EXPECT_EQ(to_string(light.peak_location).substr(to_string(light.peak_location).find(".csv")), ".csv:12:8");
+}
+
+TEST(Isocandela, RowsMayRiseOrFall) {
+  const Luminaire rising = parse("vertical_deg,-5,0,5\n-2,1,2,3\n0,4,5,6\n3,7,8,9\n");
+  const Luminaire falling = parse("vertical_deg, -5, 0, 5\r\n3, 7, 8, 9\r\n0, 4, 5, 6\r\n\r\n-2, 1, 2, 3");
+  expect_same_beam(rising, falling);
+  EXPECT_EQ(candela_at(rising, 5, 3), 9);
+  EXPECT_NEAR(candela_at(rising, -5, -2), 1, 1e-9);
+}
+
+TEST(Isocandela, EllipsesAreReadAsDrawn) {
+  const Luminaire light = our_luminaire("approach_side_row.csv");
+  EXPECT_EQ(light.name, "approach side row light");
+  const auto at = [&light](double turn, double angle_deg) {
+    return intensity_at(light.distribution, direction_of(PhotometryType::c, turn, angle_deg * kDegree));
+  };
+  EXPECT_NEAR(at(0, 0), 5000, 1e-9);
+  EXPECT_NEAR(at(0, 6.9), 5000, 1e-9);
+  EXPECT_NEAR(at(std::numbers::pi, 11.5), 500, 5000 * kEllipticalBeamMaxError);
+  EXPECT_NEAR(at(std::numbers::pi / 2, 6), 500, 5000 * kEllipticalBeamMaxError);
+  EXPECT_GE(at(0, 16.4), 245);
+  EXPECT_EQ(at(0, 17), 0);
+  EXPECT_EQ(at(std::numbers::pi / 2, 8.5), 0);
+}
+
+TEST(Isocandela, TableIsKnownByItsHeaderOrItsName) {
+  EXPECT_TRUE(is_isocandela("\n# a\n  \nvertical_deg,0,1\n"));
+  EXPECT_TRUE(is_isocandela("candela,horizontal_deg,vertical_deg"));
+  EXPECT_FALSE(is_isocandela("IESNA:LM-63-2002\nvertical_deg"));
+  EXPECT_FALSE(is_isocandela("# only a comment"));
+  EXPECT_FALSE(is_isocandela(""));
+}
+
+TEST(Isocandela, WrongTablesAreErrorsAtTheirCells) {
+  const std::string header = "must be vertical_deg and the horizontal angles, or candela,horizontal_deg,vertical_deg, ";
+  EXPECT_EQ(error_of("vertical,1,2\n"), "1:1: header = vertical: " + header + "with commas between");
+  EXPECT_EQ(error_of("#\nvertical_deg;1;2\n"), "2:1: header = vertical_deg;1;2: " + header + "with commas between");
+  EXPECT_EQ(error_of(""), "1:1: header: must be given");
+  EXPECT_EQ(error_of("vertical_deg,1\n"), "1:14: header = 1: must have at least two horizontal angles");
+  EXPECT_EQ(error_of("vertical_deg,1,1\n"), "1:16: horizontal angle = 1: must be greater than the one before");
+  EXPECT_EQ(error_of("vertical_deg,1,181\n"), "1:16: horizontal angle = 181: must be in [-180, 180]");
+  EXPECT_EQ(error_of("vertical_deg,1,2\n0,1,1\n"), "3:1: second row of candela: must be given");
+  EXPECT_EQ(error_of("vertical_deg,1,2\n0,1\n"), "2:3: last cell of the row = 1: must be number 3, as in the header");
+  EXPECT_EQ(error_of("vertical_deg,1,2\n0,1,\n"), "2:5: candela: must be given");
+  EXPECT_EQ(error_of("vertical_deg,1,2\n0,1,-1\n"), "2:5: candela = -1: must be in [0, 1e30]");
+  EXPECT_EQ(error_of("vertical_deg,1,2\n91,1,1\n"), "2:1: vertical angle = 91: must be in [-90, 90]");
+  EXPECT_EQ(error_of("vertical_deg,1,2\n0,1,1\n5,1,1\n4,1,1\n"),
+            "4:1: vertical angle = 4: must rise from row to row, or fall from row to row");
+  EXPECT_EQ(error_of("vertical_deg,1,2\n0,0,0\n5,0,0\n"), "3:5: candela = 0: must not be 0 as all others are");
+  const std::string ellipses = "candela,horizontal_deg,vertical_deg\n";
+  EXPECT_EQ(error_of(ellipses), "2:1: row of an ellipse: must be given");
+  EXPECT_EQ(error_of(ellipses + "100,5,x\n"), "2:7: vertical half axis = x: must be a finite number");
+  EXPECT_EQ(error_of(ellipses + "0,5,5\n"), "2:1: candela = 0: must be > 0");
+  EXPECT_EQ(error_of(ellipses + "100,5,181\n"), "2:7: vertical half axis = 181: must be in (0, 180]");
+  EXPECT_EQ(error_of(ellipses + "100,5,5\n90,6,5\n"),
+            "3:6: vertical half axis = 5: must be greater than in the row before");
+  EXPECT_EQ(error_of(ellipses + "100,5,5\n101,6,6\n"), "3:1: candela = 101: must be at most that of the row before");
+  EXPECT_EQ(error_of("vertical_deg" + std::string(1000, ',')), "1:1013: cell: must be given");
+}
+
+TEST(Isocandela, DamagedTablesAreReadOrAreErrors) {
+  for (const char* name : {"position_light_left.csv", "approach_side_row.csv"}) {
+    const std::string text = bytes_of(std::string(LITFOG_PHOTOMETRY_DIR) + "/" + name);
+    expect_mutations_read_or_fail(text, 2000, 14, parse);
+  }
+}
+
+}  // namespace
+}  // namespace litfog::test

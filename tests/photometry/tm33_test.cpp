@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "litfog/photometry/tm33.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <string>
+
+#include "photometry/photometric_file.h"
+
+namespace litfog::test {
+namespace {
+
+using std::numbers::pi;
+
+/// A sound file; each test spoils a part of it.
+struct Tm33Text {
+  std::string declaration = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- a lamp -->\n";
+  std::string root = "IESTM33-22";
+  std::string header =
+      "<Header><Manufacturer>litfog</Manufacturer><CatalogNumber>L 1</CatalogNumber>"
+      "<Description>Spot &amp; flood</Description></Header>\n";
+  std::string emitter = "<Quantity>2</Quantity><RatedLumens>500</RatedLumens>\n";
+  std::string data = "<Multiplier>2</Multiplier>\n";
+  std::string intensities =
+      "<IntData h=\"0\" v=\"0\">100</IntData>\n<IntData h=\"90\" v=\"0\">100</IntData>\n"
+      "<IntData h=\"0\" v=\"90\"> 1.0D+01 </IntData>\n<IntData h=\"90\" v=\"90\">20</IntData>\n";
+
+  std::string str() const {
+    return declaration + "<" + root + "><Version>1.1</Version>\n" + header + "<Emitter>" + emitter +
+           "<LuminousData><LuminousIntensity>\n" + data + intensities +
+           "</LuminousIntensity></LuminousData></Emitter></" + root + ">\n";
+  }
+};
+
+Luminaire parse(const std::string& text) { return parse_tm33(text, "lamp.xml"); }
+std::string error_of(const std::string& text) {
+  return photometry_error_of([&] { parse(text); });
+}
+std::string error_of(std::string Tm33Text::*part, const std::string& text) {
+  Tm33Text tm33;
+  tm33.*part = text;
+  return error_of(tm33.str());
+}
+
+TEST(Tm33, IntensitiesAreThoseOfTheirAnglesTimesTheMultiplier) {
+  const Luminaire luminaire = parse(Tm33Text().str());
+  EXPECT_EQ(luminaire.name, "Spot & flood");
+  EXPECT_EQ(luminaire.manufacturer, "litfog");
+  EXPECT_EQ(luminaire.lamp_flux, 1000);
+  EXPECT_FALSE(luminaire.is_absolute);
+  EXPECT_EQ(luminaire.distribution.type, PhotometryType::c);
+  EXPECT_EQ(luminaire.distribution.horizontal, (std::vector<double>{0, pi / 2}));
+  EXPECT_EQ(luminaire.distribution.vertical, (std::vector<double>{0, pi / 2}));
+  EXPECT_EQ(luminaire.distribution.intensity, (std::vector<double>{200, 20, 200, 40}));
+  EXPECT_EQ(to_string(luminaire.peak_location), "lamp.xml:8:22");
+}
+
+TEST(Tm33, BothSpellingsOfItsElementsAreRead) {
+  std::string other = Tm33Text().str();
+  for (const auto& [from, to] : {std::pair<std::string, std::string>{"IntData", "IntensityData"},
+                                 {" h=", " horz="},
+                                 {" v=", " vert="},
+                                 {"<LuminousIntensity>", ""},
+                                 {"</LuminousIntensity>", ""},
+                                 {"IESTM33-22", "LuminaireOpticalData"}}) {
+    for (auto at = other.find(from); at != other.npos; at = other.find(from, at + to.size())) {
+      other.replace(at, from.size(), to);
+    }
+  }
+  expect_same_beam(parse(other), parse(Tm33Text().str()));
+}
+
+TEST(Tm33, TypesAAndBAreRead) {
+  for (const auto& [text, type] : {std::pair{"CIE _ A", PhotometryType::a}, {"TypeB", PhotometryType::b}}) {
+    Tm33Text tm33;
+    tm33.data =
+        std::string("<PhotometryType>") + text + "</PhotometryType><AbsolutePhotometry>true</AbsolutePhotometry>";
+    const Luminaire luminaire = parse(tm33.str());
+    EXPECT_EQ(luminaire.distribution.type, type);
+    EXPECT_TRUE(luminaire.is_absolute);
+  }
+}
+
+TEST(Tm33, FileIsKnownByItsRoot) {
+  EXPECT_TRUE(is_tm33(Tm33Text().str()));
+  EXPECT_TRUE(is_tm33("<LuminaireOpticalData version=\"1.0\"/>"));
+  EXPECT_FALSE(is_tm33("<html><body/></html>"));
+  EXPECT_FALSE(is_tm33("IESNA91\nTILT=NONE\n"));
+  EXPECT_FALSE(is_tm33("<"));
+  EXPECT_FALSE(is_tm33(""));
+}
+
+TEST(Tm33, BadFileIsAnErrorAtItsLocation) {
+  EXPECT_EQ(error_of(Tm33Text().str()), "(accepted)");
+  EXPECT_EQ(error_of(&Tm33Text::root, "html"),
+            "3:1: element = html: must be IESTM33-18, IESTM33-22 or LuminaireOpticalData");
+  EXPECT_EQ(error_of(&Tm33Text::header, "<Header>\n"), "12:48: XML: must be well-formed: Start-end tags mismatch");
+  EXPECT_EQ(error_of("<IESTM33-22><Emitter/></IESTM33-22>"),
+            "1:1: element = IESTM33-22: must have an Emitter with LuminousData");
+  EXPECT_EQ(error_of(&Tm33Text::header, "<Emitter><LuminousData/></Emitter>"),
+            "4:35: element = Emitter: must be the only one with LuminousData");
+  EXPECT_EQ(error_of(&Tm33Text::emitter, "<RatedLumens>-5</RatedLumens>"), "5:23: RatedLumens = -5: must be > 0");
+  EXPECT_EQ(error_of(&Tm33Text::data, "<Multiplier>x</Multiplier>"), "7:13: Multiplier = x: must be a finite number");
+  EXPECT_EQ(error_of(&Tm33Text::data, "<Metric>Radiant</Metric>"), "7:9: Metric = Radiant: must be Luminous");
+  EXPECT_EQ(error_of(&Tm33Text::data, "<PhotometryType>D</PhotometryType>"),
+            "7:17: PhotometryType = D: must be type A, B or C");
+  EXPECT_EQ(error_of(&Tm33Text::intensities, ""), "6:15: element = LuminousIntensity: must have IntData");
+}
+
+TEST(Tm33, BadIntensitiesAreAnErrorAtTheirLocation) {
+  const auto error = [](const std::string& text) { return error_of(&Tm33Text::intensities, text); };
+  const std::string nadir = "<IntData h=\"0\" v=\"0\">9</IntData>";
+  EXPECT_EQ(error(nadir + "<IntData h=\"0\" v=\"90\">1</IntData>"), "(accepted)");
+  EXPECT_EQ(error(nadir + "<IntData h=\"0\" v=\"181\">1</IntData>"), "8:33: v = 181: must be in [0, 180]");
+  EXPECT_EQ(error(nadir + "<IntData h=\"x\" v=\"90\">1</IntData>"), "8:33: h = x: must be a finite number");
+  EXPECT_EQ(error(nadir + "<IntData v=\"90\">1</IntData>"), "8:33: h: must be given");
+  EXPECT_EQ(error(nadir + "<IntData h=\"0\" v=\"90\"></IntData>"), "8:33: intensity 2 of 2: must be given");
+  EXPECT_EQ(error(nadir + "<IntData h=\"0\" v=\"90\">-1</IntData>"), "8:55: intensity 2 of 2 = -1: must be >= 0");
+  const std::string rule = "must be given once for each pair of the angles there are";
+  EXPECT_EQ(error(nadir + "\n<IntData h=\"0\" v=\"0\">1</IntData>"), "9:22: intensity = 1: " + rule);
+  EXPECT_EQ(error(nadir + "\n<IntData h=\"90\" v=\"90\">1</IntData>"), "9:24: intensity = 1: " + rule);
+  EXPECT_EQ(error(nadir),
+            "6:15: element = LuminousIntensity: must have two vertical angles or more, and in types A and "
+            "B two horizontal ones");
+  EXPECT_EQ(
+      error(nadir + "<IntData h=\"0\" v=\"90\">1</IntData><IntData h=\"45\" v=\"0\">1</IntData>"
+                    "<IntData h=\"45\" v=\"90\">1</IntData>"),
+      "6:15: element = LuminousIntensity: horizontal angles must be one of planes at 0, from 0 to 90, 180 or 360, "
+      "from 90 to 270, from -90 to 90, or from -180 to 180");
+}
+
+TEST(Tm33, EveryMutationIsReadOrAnError) { expect_mutations_read_or_fail(Tm33Text().str(), 4000, 5, parse); }
+
+}  // namespace
+}  // namespace litfog::test

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "command/temporary_directory.h"
+#include "files/json_schema.h"
+#include "litfog/input_error.h"
+#include "litfog/photometry/cookie_file.h"
+#include "scene/file/scene_file.h"
+#include "scene/model/model_catalogue.h"
+
+namespace litfog::test {
+namespace {
+
+constexpr const char* kScene = R"({"litfog": "scene", "version": 1, "name": "a", "description": "b",
+  "camera": {"position": [0, 2, 0], "target": [0, 1, -9], "field_of_view_deg": 50},
+  "environment": {"ambient": [0.1, 0.1, 0.1], "fog_color": [0, 0, 0], "sky_zenith": [0, 0, 0],
+                  "sky_horizon": [0, 0, 0], "stars": 1, "moon": {"direction": [0, -1, 0], "color": [1, 1, 1]}},
+  "visibilities_m": [100, 50], "fog_top_m": 60, "phase_g": 0.5,
+  "lights": [{"light": {"attenuation": {"constant": 1}}, "position": [0, 3, 0], "aim": [0, 0, -5], "color": [1, 1, 1],
+              "cookie": {"image": "spot.exr", "roll_deg": 9, "spin_deg_per_s": 9}, "turn_deg_per_s": 9, "carried": true,
+              "repeat": [{"count": 2, "step": [1, 0, 0]}]},
+             {"light": "lamp.json", "position": [0, 3, 0], "direction": [0, -1, 0]}],
+  "objects": [{"model": "box", "width_m": 1, "position": [0, 0, 0], "heading_deg": 9, "scale": 1,
+               "repeat": [{"count": 2, "step": [1, 0, 0]}]},
+              {"model": "box", "scatter": {"count": 2, "area": [0, 0, 9, 9], "seed": 2, "scale": [1, 2]}}]})";
+
+/// What a schema cannot say: what lies in other files, sums, directions without a length.
+constexpr std::array kRulesAcrossMembers{"must be a light file",
+                                         "straight above or below",
+                                         "must have a length",
+                                         "must not be at the light's position",
+                                         "must not make more than",
+                                         "model = ",
+                                         "triangles",
+                                         "objects: must",
+                                         "must not be empty, start with a",
+                                         "must be a cookie",
+                                         "copies in all",
+                                         "must not be given twice",
+                                         "every copy's position",
+                                         "must be in [-"};
+
+class SceneSchema : public testing::Test {
+ protected:
+  SceneSchema() {
+    std::ofstream(directory_.path() / "lamp.json")
+        << R"({"litfog": "light", "version": 1, "attenuation": {"constant": 1, "quadratic": 1}})";
+    std::ofstream(directory_.path() / "spot.exr", std::ios::binary)
+        << format_cookie(make_cookie(2, [](const glm::dvec3&) { return 1.0; }));
+  }
+
+  /// What litfog-demo says of a scene; nothing where it takes it.
+  std::string refusal_of(const std::string& text) const {
+    const auto path = directory_.path() / "f.json";
+    std::ofstream(path) << text;
+    try {
+      scene::read_scene(path.string());
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  /// The members that the reader lists where a scene has a wrong one.
+  std::set<std::string> refused_members(const std::string& rest) const {
+    return members_in(refusal_of(R"({"litfog": "scene", "version": 1, )" + rest + "}"));
+  }
+
+  const JsonSchema schema_{"scene"};
+  TemporaryDirectory directory_;
+};
+
+TEST_F(SceneSchema, BundledScenesAreValid) {
+  int found = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(LITFOG_DATA_DIR "/scenes")) {
+    if (entry.path().extension() != ".json") continue;
+    std::ifstream file(entry.path());
+    EXPECT_EQ(schema_.error_of({std::istreambuf_iterator<char>(file), {}}), "") << entry.path();
+    ++found;
+  }
+  EXPECT_GE(found, 8);
+  std::ifstream strip(LITFOG_DATA_DIR "/pictures/lamp-in-fog.json");
+  EXPECT_EQ(schema_.error_of({std::istreambuf_iterator<char>(strip), {}}), "");
+}
+
+TEST_F(SceneSchema, MembersAreTheReaders) {
+  const std::string camera = R"("camera": {"position": [0, 2, 0], "target": [0, 1, -9]}, )";
+  EXPECT_EQ(schema_.members_at(""), refused_members(R"("zzz": 1)"));
+  EXPECT_EQ(schema_.members_at("/definitions/camera"), refused_members(R"("camera": {"zzz": 1})"));
+  EXPECT_EQ(schema_.members_at("/definitions/environment"), refused_members(camera + R"("environment": {"zzz": 1})"));
+  EXPECT_EQ(schema_.members_at("/definitions/environment/properties/moon"),
+            refused_members(camera + R"("environment": {"moon": {"zzz": 1}})"));
+  EXPECT_EQ(schema_.members_at("/definitions/placed_light"), refused_members(camera + R"("lights": [{"zzz": 1}])"));
+  const std::string light = R"("lights": [{"light": "lamp.json", "position": [0, 3, 0], )";
+  EXPECT_EQ(schema_.members_at("/definitions/cookie"), refused_members(camera + light + R"("cookie": {"zzz": 1}}])"));
+  EXPECT_EQ(schema_.members_at("/definitions/repeat/items"),
+            refused_members(camera + light + R"("repeat": [{"zzz": 1}]}])"));
+  EXPECT_EQ(schema_.members_at("/definitions/city"), refused_members(camera + R"("city": {"zzz": 1})"));
+  EXPECT_EQ(schema_.members_at("/definitions/scatter"),
+            refused_members(camera + R"("objects": [{"model": "box", "scatter": {"zzz": 1}}])"));
+}
+
+TEST_F(SceneSchema, ModelsAreTheCatalogues) {
+  for (const scene::ModelInfo& model : scene::models()) {
+    std::set<std::string> members{"model", "position", "heading_deg", "scale", "repeat", "scatter"};
+    const auto scene_with = [&model](std::string_view parameter, double value) {
+      return R"({"litfog": "scene", "version": 1, "camera": {"position": [0, 2, 0], "target": [0, 1, -9]}, "objects": [{"model": ")" +
+             std::string(model.name) + "\", \"" + std::string(parameter) + "\": " + fmt::format("{}", value) + "}]}";
+    };
+    for (const scene::ParameterInfo& parameter : model.parameters) {
+      members.emplace(parameter.name);
+      SCOPED_TRACE(std::string(model.name) + "." + std::string(parameter.name));
+      for (const double value : {parameter.default_value, parameter.minimum, parameter.maximum}) {
+        EXPECT_EQ(schema_.error_of(scene_with(parameter.name, value)), "") << value;
+      }
+      for (const double value : {parameter.minimum - 1, parameter.maximum + 1}) {
+        EXPECT_NE(schema_.error_of(scene_with(parameter.name, value)), "") << value;
+      }
+      EXPECT_EQ(schema_.error_of(scene_with(parameter.name, parameter.minimum + 0.5)).empty(),
+                !check(parameter, parameter.minimum + 0.5));
+    }
+    EXPECT_EQ(schema_.members_at("/definitions/object_" + std::string(model.name)), members);
+  }
+}
+
+TEST_F(SceneSchema, ItRefusesWhatTheReaderRefusesAndNothingElse) {
+  EXPECT_EQ(refusal_of(kScene), "");
+  EXPECT_EQ(schema_.error_of(kScene), "");
+  int refused = 0;
+  for (const std::string& text : changed_documents(kScene)) {
+    const std::string refusal = refusal_of(text), error = schema_.error_of(text);
+    const bool is_across_members =
+        std::ranges::any_of(kRulesAcrossMembers, [&](const char* rule) { return refusal.find(rule) != refusal.npos; });
+    if (is_across_members) continue;
+    EXPECT_EQ(error.empty(), refusal.empty()) << text << "\n" << refusal << error;
+    if (!refusal.empty()) ++refused;
+  }
+  EXPECT_GT(refused, 500);
+}
+
+}  // namespace
+}  // namespace litfog::test
