@@ -267,7 +267,9 @@ TEST(Airlight, ReferenceIsTheDefinitionByAnotherQuadrature) {
           AirlightCase c = is_spot ? draw_spot_airlight_case(random, mode, leg) : draw_airlight_case(random, mode, leg);
           if (i % 2 == 0) c.scattering.asymmetry = random.uniform(-0.95, 0.95);
           const double expected = double(Definition(c).integral());
-          if (expected < 1e-13) continue;  // of rays that meet the light, rounding alone
+          // Of spots 1e-13 may be rounding at the edge of a cone; dimmer points than 1e-60 lie beyond the integral's
+          // end.
+          if (expected < (is_spot ? 1e-13 : 1e-60)) continue;
           error.add(relative_error(reference_of(c), expected), [&] { return to_string(c); });
         }
         error.check();
