@@ -45,19 +45,24 @@ class Bisection {
 };
 
 /// The integral of a function >= 0 over the stretches between cuts in ascending order.
-template <typename Function>
-long double integrate(const std::vector<long double>& cuts, const Function& function) {
+///
+/// bound  of the function: its integral times 1e-21 is negligible, because in the edge of a cone more would be rounding
+template <typename Function, typename Bound>
+long double integrate(const std::vector<long double>& cuts, const Function& function, const Bound& bound) {
   constexpr int kDepth = 40;
   constexpr long double kAgreement = 1e-12L;   // in the edge of a narrow cone, long double has no more than 1e-13
   constexpr long double kNegligible = 1e-13L;  // of the total, for some hundred stretches
   const Bisection<Function> bisection(function, kAgreement);
+  const Bisection<Bound> bisection_of_bound(bound, kAgreement);
   std::vector<long double> estimates;
   long double total = 0;
+  long double total_of_bound = 0;
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
     total += estimates.emplace_back(bisection.estimate(cuts[i], cuts[i + 1]));
+    total_of_bound += bisection_of_bound.estimate(cuts[i], cuts[i + 1]);
   }
   for (;;) {  // again where the first estimate was so much too high that its negligible is not
-    const long double negligible = std::max(kNegligible * total, 1e-21L);
+    const long double negligible = std::max(kNegligible * total, 1e-21L * total_of_bound);
     long double refined = 0;
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
       refined += bisection.refine(cuts[i], cuts[i + 1], estimates[i], negligible, kDepth);
@@ -119,7 +124,12 @@ long double integrate_airlight(Text<long double, Cookie> text,
     }
   }
   std::sort(cuts.begin(), cuts.end());
-  return integrate(cuts, [&](long double along) { return text.litfog_airlight_integrand(air, along); });
+  auto without_cone = air;
+  without_cone.profile = 0;
+  const auto integrand_of = [&text](const auto& of) {
+    return [&text, &of](long double along) { return text.litfog_airlight_integrand(of, along); };
+  };
+  return integrate(cuts, integrand_of(air), integrand_of(without_cone));
 }
 
 }  // namespace litfog::airlight_text

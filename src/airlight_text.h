@@ -13,7 +13,7 @@
 
 namespace litfog::airlight_text {
 
-using std::abs, std::asinh, std::clamp, std::exp, std::floor, std::log, std::max, std::min, std::sqrt;
+using std::abs, std::asinh, std::ceil, std::clamp, std::exp, std::floor, std::log, std::max, std::min, std::sqrt;
 
 /// Cookie  called with a distance along the ray from its closest approach to the light: the fraction of the light's
 ///         axial intensity there, for profile 3

@@ -38,7 +38,7 @@ Model::Model(const render::Renderer& renderer)
       fog_(renderer.fog()),
       scattering_{.lamp_leg = LampLeg::fogged, .asymmetry = renderer.scene().phase_g},
       materials_(renderer.materials()),
-      lights_(reference_lights(renderer.scene(), renderer.fog(), renderer.settings().fog_lighting)),
+      lights_(reference_lights(renderer.scene(), renderer.fog(), renderer.settings())),
       eye_(renderer.scene().camera.position),
       forward_(glm::normalize(glm::dvec3(renderer.scene().camera.target) - eye_)) {
   if (!renderer.shadows()) return;

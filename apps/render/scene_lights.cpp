@@ -17,8 +17,9 @@ glm::vec4 cookie_cone(const PlacedLight& light, const scene::CookieUse& use) {
 
 }  // namespace
 
-double threshold_of(const Light& light, FogLighting fog_lighting) {
-  if (fog_lighting == FogLighting::peak) return light.threshold;
+double threshold_of(const Light& light, const RenderSettings& settings) {
+  const bool has_own_end = settings.fog_lighting == FogLighting::peak || settings.path->range == RangeLaw::radial;
+  if (has_own_end) return light.threshold;
   constexpr double kInvisible = 1 / 255.0;  // on a surface, that reflects a part of it
   return std::min(light.threshold, kInvisible / std::max({light.color.r, light.color.g, light.color.b, 1.0}));
 }
@@ -28,7 +29,7 @@ SceneLights::SceneLights(const scene::Scene& scene, const RenderSettings& settin
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
       PlacedLight light = scene.lights[i];
       if (light.carried != is_carried || light.light.color == glm::dvec3(0)) continue;
-      light.light.threshold = threshold_of(light.light, settings.fog_lighting);
+      light.light.threshold = threshold_of(light.light, settings);
       const double extent = compute_extent(light.light.attenuation, light.light.threshold);
       if (!is_carried && !(extent > 0)) continue;
       const auto use = scene.cookie_uses.find(i);

@@ -14,8 +14,11 @@
 namespace litfog::render {
 
 /// Where a light ends: at its own threshold or, lit by airlight, where its colour's largest component is below 1/255,
-/// so that no end is seen on surfaces or in the fog.
-double threshold_of(const Light& light, FogLighting fog_lighting);
+/// so that no end is seen on surfaces or in the fog. On a path of the radial range law always at its own: that law
+/// falls to 0 there, and is brighter everywhere the farther off the end is.
+///
+/// settings  of which the path and the fog's lighting matter
+double threshold_of(const Light& light, const RenderSettings& settings);
 
 /// A light for shaders that take it as uniforms: five vec4.
 struct PackedLight {

@@ -45,11 +45,13 @@ struct EyeRay {
 std::optional<ValueError> check(const EyeRay& ray);
 
 /// Errors of airlight() in isotropic fog, for fog from clear to 5 cm of visibility and cones down to 0.1 degree: the
-/// largest, and the largest relative one in 99 of 100 rays that show more than the dimmest. With |g| up to 0.9 the
-/// former holds times the phase function's largest value, (1 + |g|) / (1 - |g|)^2.
+/// largest, and the largest relative one in 99 of 100 rays that show anything at all of a point light, or more than
+/// kDimAirlight of a spot. Less comes from the outermost edge of a cone only, where it is rounding; a display of 8 bits
+/// shows a step of it if the lamp is a million times as bright as white. With |g| up to 0.9 the largest error holds
+/// times the phase function's largest value, (1 + |g|) / (1 - |g|)^2.
 inline constexpr double kAirlightMaxError = 1 / 255.;
 inline constexpr double kAirlightTypicalError = 0.01;
-inline constexpr double kDimAirlight = 1e-5;
+inline constexpr double kDimAirlight = 1e-10;
 
 /// Airlight of a light along a ray: what of it the fog scatters into the eye, to be multiplied with its colour,
 ///   A = integral over s in [0, D] of  -f'(s) a(r) cone(u) f(r)^k phase(theta)  ds
@@ -69,7 +71,8 @@ double airlight(const PlacedLight& light, const Fog& fog, const EyeRay& ray, con
 void airlight(const PlacedLight& light, const Fog& fog, std::span<const EyeRay> rays, const Scattering& scattering,
               std::span<double> airlights);
 
-/// Largest error of reference_airlight, relative, for |g| up to 0.99; 1e-19 where that is more.
+/// Largest error of reference_airlight, relative, for |g| up to 0.99. Of a spot 1e-19 of what it would show without its
+/// cone, where that is more.
 inline constexpr double kReferenceAirlightMaxError = 1e-10;
 
 /// The same by adaptive quadrature, cut wherever the integrand is not smooth. For tests and comparisons: it takes some

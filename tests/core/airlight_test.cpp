@@ -267,7 +267,9 @@ TEST(Airlight, ReferenceIsTheDefinitionByAnotherQuadrature) {
           AirlightCase c = is_spot ? draw_spot_airlight_case(random, mode, leg) : draw_airlight_case(random, mode, leg);
           if (i % 2 == 0) c.scattering.asymmetry = random.uniform(-0.95, 0.95);
           const double expected = double(Definition(c).integral());
-          if (expected < 1e-13) continue;  // of rays that meet the light, rounding alone
+          // Of spots 1e-13 may be rounding at the edge of a cone; dimmer points than 1e-60 lie beyond the integral's
+          // end.
+          if (expected < (is_spot ? 1e-13 : 1e-60)) continue;
           error.add(relative_error(reference_of(c), expected), [&] { return to_string(c); });
         }
         error.check();
@@ -364,11 +366,11 @@ TEST(Airlight, AirlightOfAnInverseSquareLightIsSuns) {
 struct FastErrors {
   double worst = 0;  ///< NaN counts as infinite
   std::string worst_case;
-  std::vector<double> relative;  ///< of the rays that show anything
+  std::vector<double> relative;  ///< of the rays that show more than the dimmest
 };
 
 template <typename Draw>
-FastErrors find_errors(int rays, double largest_phase, const Draw& draw) {
+FastErrors find_errors(int rays, double dimmest, const Draw& draw) {
   FastErrors errors;
   for (int i = 0; i < rays; ++i) {
     const AirlightCase c = draw();
@@ -378,18 +380,18 @@ FastErrors find_errors(int rays, double largest_phase, const Draw& draw) {
       errors.worst = std::isnan(error) ? kInfinity : error;
       errors.worst_case = to_string(c);
     }
-    if (expected > kDimAirlight * largest_phase) errors.relative.push_back(error / expected);
+    if (expected > dimmest) errors.relative.push_back(error / expected);
   }
   std::sort(errors.relative.begin(), errors.relative.end());
   return errors;
 }
 
-void expect_small(const FastErrors& errors, double largest_phase, const std::string& what) {
+void expect_small(const FastErrors& errors, const std::string& what) {
   ASSERT_GT(errors.relative.size(), 500u);
   const double p99 = errors.relative[errors.relative.size() * 99 / 100];
-  std::printf("airlight, %-40s worst %.3f/255 of the phase's largest, 99th percentile %.2f %% of %zu rays\n",
-              what.c_str(), errors.worst / largest_phase / kStep, 100 * p99, errors.relative.size());
-  EXPECT_LE(errors.worst, kAirlightMaxError * largest_phase) << errors.worst_case;
+  std::printf("airlight, %-50s worst %.3f/255, 99th percentile %.2f %% of %zu rays\n", what.c_str(),
+              errors.worst / kStep, 100 * p99, errors.relative.size());
+  EXPECT_LE(errors.worst, kAirlightMaxError) << errors.worst_case;
   EXPECT_LE(p99, kAirlightTypicalError);
 }
 
@@ -399,8 +401,10 @@ TEST(Airlight, FastFormHasItsStatedErrors) {
   for (const FogMode mode : kModes) {
     for (const LampLeg leg : kLampLegs) {
       const std::string what = std::string(name_of(mode)) + (leg == LampLeg::fogged ? ", lamp's leg fogged" : "");
-      expect_small(find_errors(kRays, 1, [&] { return draw_airlight_case(random, mode, leg); }), 1, what + ", points");
-      expect_small(find_errors(kRays, 1, [&] { return draw_spot_airlight_case(random, mode, leg); }), 1,
+      expect_small(find_errors(kRays, 0, [&] { return draw_airlight_case(random, mode, leg); }), what + ", points");
+      expect_small(find_errors(kRays, 0, [&] { return draw_inverse_square_airlight_case(random, mode, leg); }),
+                   what + ", inverse-square points");
+      expect_small(find_errors(kRays, kDimAirlight, [&] { return draw_spot_airlight_case(random, mode, leg); }),
                    what + ", spots");
     }
   }
@@ -419,7 +423,7 @@ TEST(Airlight, FastFormHasItsStatedErrorsInForwardAndBackwardScattering) {
         c.scattering.asymmetry = g;
         return c;
       };
-      const FastErrors errors = find_errors(kRays, largest_phase, draw);
+      const FastErrors errors = find_errors(kRays, 0, draw);
       std::printf("airlight, g = %4.1f, %s: worst %.3f/255 of the phase's largest\n", g, name_of(mode),
                   errors.worst / largest_phase / kStep);
       EXPECT_LE(errors.worst, kAirlightMaxError * largest_phase) << errors.worst_case;

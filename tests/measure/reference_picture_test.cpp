@@ -365,6 +365,39 @@ TEST_P(ReferenceOfScene, AirlightIsWithinAStepFromClearAirToAMetreOfVisibility) 
   }
 }
 
+/// The bounds by airlight of paths that do not light each fragment by the formula. Those by light maps have their bound
+/// by `peak`: the airlight errs by as little. Those of `tangent`, which interpolates vectors between vertices, are
+/// measured, with 5 % of margin.
+struct AirlightSceneBound {
+  std::string_view scene;
+  PathBound tangent;
+};
+constexpr AirlightSceneBound kAirlightSceneBounds[] = {{"room", {1.62, 0.016}}, {"headlights", {24, 0.17}}};
+
+TEST_F(ReferencePictureTest, PathsByLightMapsAndInTangentSpaceAreWithinTheirBoundsByAirlight) {
+  for (const auto& [name, tangent] : kAirlightSceneBounds) {
+    const Scene scene = read_scene(bundled_scene_path(std::string(name)));
+    int compared = 0;
+    for (const LightingPath& path : lighting_paths()) {
+      if (!path.takes_airlight || path.evaluation == Evaluation::fragment) continue;
+      ++compared;
+      const double bound = path.name == "tangent" ? tangent.beyond_maps : kLookupBound.beyond_maps;
+      for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
+        const PictureError error =
+            airlight_error(scene, Fog::from_visibility(mode, scene.visibilities.at(1)), 80, 45, path);
+        const std::string measured =
+            fmt::format("{:<12} {:<12} {:<4} largest {:6.3f}, beyond maps {:6.3f}, mean {:.4f} of 1/255, {} excluded",
+                        name, path.name, name_of(mode), error.largest, error.beyond_maps, error.mean, error.excluded);
+        fmt::print("{}\n", measured);
+        EXPECT_LE(error.beyond_maps, bound) << measured;
+        if (path.name == "tangent") EXPECT_LE(error.mean, tangent.mean) << measured;
+        EXPECT_LE(error.excluded, std::size_t{80 * 45 / 200}) << measured;
+      }
+    }
+    EXPECT_EQ(compared, 6);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Scenes, ReferenceOfScene, testing::ValuesIn(bundled_scenes()),
                          [](const auto& tested) { return tested.param; });
 

@@ -50,6 +50,7 @@ inline glm::dvec3 draw_perpendicular(Random& random, const glm::dvec3& direction
 
 /// Point lights as they occur with some of their kinds' corners, in fog from clear to a visibility of 5 cm, and rays
 /// whose sizes are near those of the light, the fog or a scene: through the light, grazing it, from it, past it.
+/// C is 0 to 5, L 0 or 1e-4 to 3, Q 0 or 1e-6 to 3, the threshold 1e-6 to 0.9, the visibility 5 cm to 100 km.
 inline AirlightCase draw_airlight_case(Random& random, FogMode mode, LampLeg lamp_leg) {
   AirlightCase c;
   c.scattering.lamp_leg = lamp_leg;
@@ -84,7 +85,24 @@ inline AirlightCase draw_airlight_case(Random& random, FogMode mode, LampLeg lam
   return c;
 }
 
-/// The same of spots of 0.1 to 180 degrees. Two thirds of them light some of the ray.
+/// Lights of inverse-square falloff with knees of 0.1 to 10 m and practically without an end, in fog of 3 m to 100 km
+/// of visibility, and rays that pass outside the knee.
+inline AirlightCase draw_inverse_square_airlight_case(Random& random, FogMode mode, LampLeg lamp_leg) {
+  AirlightCase c;
+  c.scattering.lamp_leg = lamp_leg;
+  const double knee = random.log_uniform(0.1, 10);
+  c.light.light.attenuation = {0, 0, 1 / (knee * knee)};
+  c.light.light.threshold = 1e-6;
+  c.fog = Fog::from_visibility(mode, random.log_uniform(3, 1e5));
+  const double offset = knee * random.log_uniform(1.001, 100);
+  const double approach = (random.chance(0.25) ? -1 : 1) * knee * random.log_uniform(0.1, 300);
+  c.ray.direction = draw_direction(random);
+  c.light.position = approach * c.ray.direction + offset * draw_perpendicular(random, c.ray.direction);
+  if (random.chance(0.5)) c.ray.length = knee * random.log_uniform(0.1, 1000);
+  return c;
+}
+
+/// draw_airlight_case() of spots of 0.1 to 180 degrees. Two thirds of them light some of the ray.
 inline AirlightCase draw_spot_airlight_case(Random& random, FogMode mode, LampLeg lamp_leg) {
   constexpr double kDegree = std::numbers::pi / 180;
   AirlightCase c = draw_airlight_case(random, mode, lamp_leg);

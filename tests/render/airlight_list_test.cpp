@@ -57,7 +57,7 @@ TEST(AirlightList, RayBeyondTheReachShowsLessThanTheBudget) {
     const AirlightList found = list(c.light, c.fog, c.ray.origin, c.scattering);
     const double reach = found.entries.empty() ? 0 : double(found.entries.front().reach);
     listed += int(found.entries.size());
-    light.threshold = threshold_of(light, FogLighting::airlight);
+    light.threshold = threshold_of(light, {.fog_lighting = FogLighting::airlight});
     c.ray.length = std::numeric_limits<double>::infinity();
     for (int ray = 0; ray < 5; ++ray) {
       c.ray.direction = draw_direction(random);
@@ -69,6 +69,21 @@ TEST(AirlightList, RayBeyondTheReachShowsLessThanTheBudget) {
   }
   EXPECT_GT(listed, 300);
   EXPECT_GT(beyond, 500);
+}
+
+TEST(SceneLights, RadialPathsKeepTheLightsOwnExtentByAirlight) {
+  scene::Scene scene;
+  scene.lights = {lamp({0, 0, -20})};
+  scene.lights[0].light.threshold = 0.05;
+  const double own = compute_extent(scene.lights[0].light.attenuation, scene.lights[0].light.threshold);
+  for (const LightingPath& path : lighting_paths()) {
+    const SceneLights by_airlight(scene, {.path = &path, .fog_lighting = FogLighting::airlight});
+    if (path.range == RangeLaw::radial) {
+      EXPECT_EQ(by_airlight.extents()[0], own) << path.name;
+    } else {
+      EXPECT_GT(by_airlight.extents()[0], own) << path.name;
+    }
+  }
 }
 
 TEST(AirlightList, LightsOfAProfileLieTogether) {

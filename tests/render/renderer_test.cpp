@@ -13,11 +13,13 @@
 
 #include "gl/gl_test.h"
 #include "litfog/gl/unsupported.h"
+#include "render/display.h"
 #include "render/gpu/texture.h"
 #include "render/pixel.h"
 #include "scene/file/scene_file.h"
 #include "scene/model/model_catalogue.h"
 #include "scene/paint/material_catalogue.h"
+#include "scene/texels.h"
 
 namespace litfog::test {
 using namespace scene;
@@ -165,6 +167,27 @@ TEST_F(RendererTest, LightPointIsSeenThroughTheFogAtTheDensityOfItsClass) {
   const double depth = -std::log(0.05) * 300 / 200;
   EXPECT_GT(brightness(1.0), 0);
   EXPECT_NEAR(std::log(brightness(0.4) / brightness(1.0)), 0.6 * depth, 0.15 * depth);
+}
+
+// A lamp's disc is white where the eye is dazzled. Fog that is white all around it would hide the scene.
+TEST_F(RendererTest, AtMostOneIn200PixelsOfABundledSceneIsWhiteByAirlight) {
+  for (const std::string& name : bundled_scenes()) {
+    const Scene scene = read_scene(bundled_scene_path(name));
+    Renderer renderer(scene, 80, 45, {.fog_lighting = FogLighting::airlight});
+    for (const double visibility : scene.visibilities) {
+      renderer.set_fog(Fog::from_visibility(FogMode::exp, visibility));
+      renderer.draw();
+      const Picture shown = displayed(renderer.read(), {});
+      const std::size_t pixels = shown.rgb.size() / 3;
+      std::size_t white = 0;
+      for (std::size_t i = 0; i < pixels; ++i) {
+        const auto is_full = [](float channel) { return srgb_level_of(channel) == 255; };
+        if (std::all_of(&shown.rgb[3 * i], &shown.rgb[3 * i] + 3, is_full)) ++white;
+      }
+      std::printf("%-12s %7g m: %zu of %zu pixels are white\n", name.c_str(), visibility, white, pixels);
+      EXPECT_LE(white, pixels / 200) << name << ", " << visibility << " m";
+    }
+  }
 }
 
 TEST_F(RendererTest, MoreSamplesThanTheDriverHasAreUnsupported) {

@@ -252,6 +252,24 @@ TEST_F(GltfScene, ADirectionalLightIsTheMoon) {
   EXPECT_LT(glm::distance(scene.environment.moon_direction, glm::vec3(0, 0, 1)), 1e-6f);
 }
 
+// A night's fog before a sunlit scene would be black.
+TEST_F(GltfScene, ADirectionalLightLightsFogAndSky) {
+  json file = floor_scene();
+  const Environment night = read(file).environment;
+  file["extensions"]["KHR_lights_punctual"]["lights"][0] = {
+      {"type", "directional"}, {"intensity", 68'300}, {"color", {1, 0.9, 0.8}}};
+  const Environment day = read(file).environment;
+  const glm::vec3 scattered = glm::vec3(1, 0.9f, 0.8f) * float(68'300 / (4 * pi));
+  const auto expect_near = [](const glm::vec3& actual, const glm::vec3& expected) {
+    EXPECT_LT(glm::distance(actual, expected), 1e-6f * glm::length(expected));
+  };
+  expect_near(day.ambient_fog_color, night.ambient_fog_color + scattered);
+  expect_near(day.sky_horizon, night.sky_horizon + scattered);
+  const glm::vec3 zenith = scattered * night.sky_zenith / night.sky_horizon;
+  expect_near(day.sky_zenith, night.sky_zenith + zenith);
+  expect_near(day.ambient_light, night.ambient_light + (scattered + zenith) / 2.0f);
+}
+
 TEST_F(GltfScene, ASunIsTakenUpToTheEndOfHalfFloats) {
   json file = floor_scene();
   json& light = file["extensions"]["KHR_lights_punctual"]["lights"][0];

@@ -66,6 +66,7 @@ class GltfReader {
     scene_.instances.push_back({0, glm::mat4(1.0f)});
     const Bounds box = bounds(scene_.models[0]);
     if (!has_camera_) look_at(box);
+    light_fog_and_sky();
     if (scene_.lights.empty() && scene_.environment.moon_color == glm::vec3(0.0f)) {
       scene_.environment.ambient_light = kLampless;
     }
@@ -79,6 +80,19 @@ class GltfReader {
   }
 
  private:
+  /// By the directional light, beside the night. Isotropic fog without end scatters E / 4 pi of E lx into the eye,
+  /// single scattering, and so does the horizon; the zenith keeps the night's ratio to it. Surfaces see the mean of
+  /// both.
+  void light_fog_and_sky() {
+    Environment& environment = scene_.environment;
+    const glm::vec3 scattered = environment.moon_color / 4.0f;
+    const glm::vec3 zenith = scattered * (kZenith / kNightFog);
+    environment.ambient_fog_color += scattered;
+    environment.sky_horizon += scattered;
+    environment.sky_zenith += zenith;
+    environment.ambient_light += (scattered + zenith) / 2.0f;
+  }
+
   void note_files(const std::string& path) {
     scene_.files = {path};
     for (const char* name : {"buffers", "images"}) {

@@ -26,8 +26,9 @@ bool is_gltf_path(const std::string& path);
 /// most 1 m, or more only as far as no colour is beyond 10,000 (from 31,416 cd). The light ends at its range: threshold
 /// k^2 / range^2; without one where it shows half of 1/256. A range within the knee puts the knee at half the range.
 /// Spots are smoothstep cones from their inner to their outer angle. Lights at the camera's node or below it are
-/// carried by the eye's vehicle. One directional light of E lx, at most 205,786, is the moon of colour E / pi. Ambient
-/// light and fog are a night's; in a file without lights the ambient light is bright.
+/// carried by the eye's vehicle. One directional light of E lx, at most 205,786, is the moon of colour E / pi. It
+/// lights fog and sky as isotropic fog without end does, E / 4 pi, and they light surfaces. Ambient light and fog are
+/// else a night's; in a file without lights the ambient light is bright.
 ///
 /// Visibilities: 10, 3 and 1 times the distance d from the camera to the farthest corner of the scene's box, each
 /// rounded up to two significant digits. At 3 d, at which a scene is drawn if none is given, at least 37 % of the

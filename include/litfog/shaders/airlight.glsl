@@ -11,9 +11,10 @@
 // approach, at the ends of the plateau (where the attenuation is clamped to 1), at the edges of a cone and, for a beam
 // that crosses the ray, at its middle. On each piece Gauss-Legendre nodes are evenly spread in
 //   t = asinh(z / w),  z = (1 - e^(-q x)) / q,
-// in which both the falloff of the lamp (of width w) and that of exp fog (of rate q) are nearly straight. A point lamp
-// in isotropic fog has a closed form on the plateau and takes 8 nodes elsewhere; a beam takes
-// some 20, one wider than 90 degrees some 28, a phase function some 40, a cookie some 128.
+// in which both the falloff of the lamp (of width w) and that of the fog (of rate q) are nearly straight. A point lamp
+// in isotropic fog has a closed form on the plateau and takes 7 nodes elsewhere, 8 in exp2 fog, which lie closer where
+// its light is brighter; a beam takes some 20, one wider than 90 degrees some 28, a phase function some 40, a cookie
+// some 128.
 //
 // Errors and what they were measured on: litfog/airlight.h.
 //
@@ -244,7 +245,7 @@ bool litfog_airlight_is_plain(LitfogAirlight air) {
 
 // The number of nodes of the stated errors.
 LITFOG_REAL litfog_airlight_nodes(LitfogAirlight air) {
-  if (litfog_airlight_is_plain(air)) return LITFOG_REAL(8.0);
+  if (litfog_airlight_is_plain(air)) return air.mode == LITFOG_REAL(0.0) ? LITFOG_REAL(7.0) : LITFOG_REAL(8.0);
   if (air.profile == LITFOG_REAL(3.0)) return LITFOG_REAL(128.0);
   if (air.asymmetry != LITFOG_REAL(0.0)) return LITFOG_REAL(40.0);
   return air.cone_x <= LITFOG_REAL(0.0) ? LITFOG_REAL(28.0) : LITFOG_REAL(20.0);
@@ -258,17 +259,50 @@ struct LitfogAirlightSide {
   LITFOG_REAL farthest;
   LITFOG_REAL rate;   // q of z
   LITFOG_REAL width;  // w of t
-  LITFOG_REAL start;  // t where the stretch begins
   LITFOG_REAL size;   // its length in t; 0 where there is none
+  LITFOG_REAL bend;   // by 1 + bend nodes lie closer in t where it begins than if they were evenly spread; >= 0
 };
 
 LITFOG_REAL litfog_airlight_z(LitfogAirlightSide side, LITFOG_REAL x) {
   LITFOG_REAL z = max(x - side.nearest, LITFOG_REAL(0.0));
-  return side.nearest + (side.rate == LITFOG_REAL(0.0) ? z : -litfog_expm1(-side.rate * z) / side.rate);
+  return side.rate == LITFOG_REAL(0.0) ? z : -litfog_expm1(-side.rate * z) / side.rate;
 }
 
 LITFOG_REAL litfog_airlight_t(LitfogAirlightSide side, LITFOG_REAL x) {
   return asinh(litfog_airlight_z(side, x) / side.width);
+}
+
+// Rate at which the fog dims the integrand along a side, 1/m: in exp fog a fog scale beyond the nearest end, in exp2 fog
+// at that end. Towards the eye t takes the fog, but for half of it in exp fog if the lamp's leg is clear: else the fog
+// before the eye would be spread so far that too few nodes were left for what is close to the lamp.
+LITFOG_REAL litfog_airlight_rate(LitfogAirlight air, LitfogAirlightSide side) {
+  LITFOG_REAL along = side.anchor + side.direction * side.nearest;
+  if (air.mode != LITFOG_REAL(0.0)) {
+    LITFOG_REAL legs = air.approach + along + air.lamp_leg * along;
+    return max(side.direction * LITFOG_REAL(2.0) * air.density * air.density * legs, LITFOG_REAL(0.0));
+  }
+  if (side.direction < LITFOG_REAL(0.0)) return LITFOG_REAL(0.5) * air.density * (air.lamp_leg - LITFOG_REAL(1.0));
+  along += LITFOG_REAL(1.0) / air.density;
+  return air.density * (LITFOG_REAL(1.0) + air.lamp_leg * along / litfog_airlight_range(air, along));
+}
+
+// The bend of a side that ends at a z: 0.15 times the logarithm of how many times as bright it begins, per t, as it
+// ends. In exp2 fog, which scatters in proportion to the eye's leg, that leg counts at the middle.
+LITFOG_REAL litfog_airlight_bend(LitfogAirlight air, LitfogAirlightSide side, LITFOG_REAL end) {
+  LITFOG_REAL last = side.nearest + end;
+  LITFOG_REAL begins = litfog_airlight_range(air, side.nearest);
+  LITFOG_REAL ends = litfog_airlight_range(air, last);
+  LITFOG_REAL fall = litfog_attenuation(begins, air.constant, air.linear, air.quadratic) /
+                     litfog_attenuation(ends, air.constant, air.linear, air.quadratic);
+  LITFOG_REAL stretch = end / side.width;
+  LITFOG_REAL squared = fall * fall / (LITFOG_REAL(1.0) + stretch * stretch);
+  if (air.mode != LITFOG_REAL(0.0)) {
+    LITFOG_REAL first_leg = air.approach + side.direction * side.nearest;
+    LITFOG_REAL middle_leg = air.approach + side.direction * LITFOG_REAL(0.5) * (side.nearest + last);
+    LITFOG_REAL rise = first_leg / max(middle_leg, LITFOG_REAL(1.0) / litfog_far);
+    squared *= rise * rise;
+  }
+  return LITFOG_REAL(0.075) * log(max(squared, LITFOG_REAL(1.0)));
 }
 
 LitfogAirlightSide litfog_airlight_side(LitfogAirlight air, LITFOG_REAL from, LITFOG_REAL to, LITFOG_REAL anchor,
@@ -278,18 +312,18 @@ LitfogAirlightSide litfog_airlight_side(LitfogAirlight air, LITFOG_REAL from, LI
   side.direction = beyond ? LITFOG_REAL(1.0) : LITFOG_REAL(-1.0);
   side.nearest = max(beyond ? from - anchor : anchor - to, LITFOG_REAL(0.0));
   side.farthest = beyond ? to - anchor : anchor - from;
-  side.rate = LITFOG_REAL(0.0);
-  if (air.mode == LITFOG_REAL(0.0)) {
-    side.rate = air.density * (beyond ? LITFOG_REAL(1.0) + air.lamp_leg : air.lamp_leg - LITFOG_REAL(1.0));
-  }
+  side.rate = litfog_airlight_rate(air, side);
+  // So little is straight enough by itself; the logarithm of nearly 1 would be noise in floats.
+  if (abs(side.rate) * (side.farthest - side.nearest) < LITFOG_REAL(1.0)) side.rate = LITFOG_REAL(0.0);
   side.width = LITFOG_REAL(1.0);
-  side.start = LITFOG_REAL(0.0);
   side.size = LITFOG_REAL(0.0);
+  side.bend = LITFOG_REAL(0.0);
   if (side.farthest > side.nearest) {
     LITFOG_REAL end = litfog_airlight_z(side, side.farthest);
-    side.width = max(max(width, LITFOG_REAL(0.0025) * end), LITFOG_REAL(1.0) / litfog_far);
-    side.start = asinh(side.nearest / side.width);
-    side.size = max(asinh(end / side.width) - side.start, LITFOG_REAL(0.0));
+    side.width = clamp(sqrt(width * width + side.nearest * side.nearest), LITFOG_REAL(0.0015) * end,
+                       LITFOG_REAL(1000.0) * end);
+    side.size = asinh(end / side.width);
+    if (litfog_airlight_is_plain(air)) side.bend = litfog_airlight_bend(air, side, end);
   }
   return side;
 }
@@ -316,25 +350,27 @@ LITFOG_REAL litfog_airlight_between(LitfogAirlight air, LitfogAirlightSide side,
   int panels = (nodes + 7) / 8;
   int nodes_each = int(ceil(LITFOG_REAL(nodes) / LITFOG_REAL(panels)));
   int first = nodes_each * (nodes_each - 1) / 2;
-  int rule = first;
-  LITFOG_REAL size = (end - start) / LITFOG_REAL(panels);
+  int node = first;
+  LITFOG_REAL panel = LITFOG_REAL(0.0);
   LITFOG_REAL sum = LITFOG_REAL(0.0);
   for (int i = nodes_each * panels; i > 0; --i) {
-    LITFOG_REAL growth = exp(start + size * litfog_gauss_nodes[rule]);
+    LITFOG_REAL place = (panel + litfog_gauss_nodes[node]) / LITFOG_REAL(panels);
+    LITFOG_REAL nearer = LITFOG_REAL(1.0) / (LITFOG_REAL(1.0) + side.bend * (LITFOG_REAL(1.0) - place));
+    LITFOG_REAL growth = exp(start + (end - start) * place * nearer);
     LITFOG_REAL sinh_t = LITFOG_REAL(0.5) * (growth - LITFOG_REAL(1.0) / growth);
     LITFOG_REAL cosh_t = LITFOG_REAL(0.5) * (growth + LITFOG_REAL(1.0) / growth);
-    LITFOG_REAL z = max(side.width * sinh_t - side.nearest, LITFOG_REAL(0.0));
+    LITFOG_REAL z = side.width * sinh_t;
     LITFOG_REAL decay = max(LITFOG_REAL(1.0) - side.rate * z, LITFOG_REAL(1.0e-7));  // e^(-q x) since the nearest end
     LITFOG_REAL x = side.nearest + (side.rate == LITFOG_REAL(0.0) ? z : -log(decay) / side.rate);
-    sum += litfog_gauss_weights[rule] * (side.width * cosh_t / decay) *
+    sum += litfog_gauss_weights[node] * nearer * nearer * (side.width * cosh_t / decay) *
            litfog_airlight_integrand(air, side.anchor + side.direction * x);
-    ++rule;
-    if (rule == first + nodes_each) {  // the next panel
-      rule = first;
-      start += size;
+    ++node;
+    if (node == first + nodes_each) {  // the next panel
+      node = first;
+      panel += LITFOG_REAL(1.0);
     }
   }
-  return sum * size;
+  return sum * (LITFOG_REAL(1.0) + side.bend) * (end - start) / LITFOG_REAL(panels);
 }
 
 // The nearest of the cuts that lie between two distances of a side, or the farther of the two.
@@ -383,7 +419,7 @@ LITFOG_REAL litfog_airlight(LitfogAirlight air) {
                                                       : max(low, LITFOG_REAL(0.0)) + LITFOG_REAL(4.5) * fog_scale +
                                                             min(LITFOG_REAL(4.5) * fog_scale, air.offset));
   } else {
-    LITFOG_REAL brightest = LITFOG_REAL(0.5) * air.lamp_leg * max(air.approach, LITFOG_REAL(0.0)) - air.approach;
+    LITFOG_REAL brightest = (LITFOG_REAL(0.5) * air.lamp_leg - LITFOG_REAL(1.0)) * air.approach;
     LITFOG_REAL reach = LITFOG_REAL(8.0) / (LITFOG_REAL(1.0) + air.lamp_leg) * fog_scale * fog_scale;
     LITFOG_REAL before = max(low - brightest, LITFOG_REAL(0.0));
     LITFOG_REAL after = max(brightest - high, LITFOG_REAL(0.0));
@@ -407,7 +443,7 @@ LITFOG_REAL litfog_airlight(LitfogAirlight air) {
   LITFOG_REAL denominator = litfog_denominator(air.offset, air.constant, air.linear, air.quadratic);
   LITFOG_REAL doubled = litfog_airlight_level(air, LITFOG_REAL(2.0) * max(LITFOG_REAL(1.0), denominator));
   LITFOG_REAL width = min(litfog_airlight_chord(air, doubled), max(air.offset, LITFOG_REAL(2.0) * fog_scale));
-  if (air.asymmetry != LITFOG_REAL(0.0)) width = min(width, max(air.offset, LITFOG_REAL(1.0e-3) * fog_scale));
+  if (air.asymmetry != LITFOG_REAL(0.0)) width = min(width, max(air.offset, LITFOG_REAL(1.0e-2) * fog_scale));
   if (air.profile == LITFOG_REAL(3.0)) width = min(width, max(air.offset, LITFOG_REAL(0.01) * width));
 
   // Where the ray is nearest to the beam's axis in angle, and the beam's width there.
@@ -424,7 +460,7 @@ LITFOG_REAL litfog_airlight(LitfogAirlight air) {
                  max(air.offset, LITFOG_REAL(1.0e-9));
     crosses = !is_wide && crossing > low && crossing < high && beam_width < width &&
               abs(crossing) > max(LITFOG_REAL(4.0) * beam_width, LITFOG_REAL(1.0e-5) * (high - low));
-    if (!crosses) width = min(width, max(max(beam_width, air.offset), LITFOG_REAL(0.01) * width));
+    if (!crosses) width = min(width, max(max(beam_width, LITFOG_REAL(0.25) * air.offset), LITFOG_REAL(0.01) * width));
   }
   LITFOG_REAL border = crosses ? LITFOG_REAL(0.5) * crossing : LITFOG_REAL(0.0);
 
@@ -457,14 +493,18 @@ LITFOG_REAL litfog_airlight(LitfogAirlight air) {
     LITFOG_REAL root = sqrt(side.size);
     if (root <= LITFOG_REAL(0.0)) continue;
     LITFOG_REAL nodes = nodes_left * root / roots;
+    bool is_last = root > LITFOG_REAL(0.99) * roots;
     roots = max(roots - root, LITFOG_REAL(1.0e-9));
-    if (!is_cut) nodes = max(floor(nodes + LITFOG_REAL(0.5)), LITFOG_REAL(1.0));
+    if (!is_cut) {
+      LITFOG_REAL most = is_last ? nodes_left : nodes_left - LITFOG_REAL(1.0);  // one for the other side
+      nodes = max(min(floor(nodes + LITFOG_REAL(0.5)), most), LITFOG_REAL(1.0));
+    }
     nodes_left -= nodes;
     LITFOG_REAL x = side.nearest;
-    LITFOG_REAL t = side.start;
+    LITFOG_REAL t = LITFOG_REAL(0.0);
     for (int cut = 0; cut < 7 && x < side.farthest; ++cut) {
       LITFOG_REAL next = side.farthest;
-      LITFOG_REAL end = side.start + side.size;
+      LITFOG_REAL end = side.size;
       LITFOG_REAL part = nodes;
       bool is_dark = false;
       if (is_cut) {
