@@ -38,7 +38,7 @@ Model::Model(const render::Renderer& renderer)
       fog_(renderer.fog()),
       scattering_{.lamp_leg = LampLeg::fogged, .asymmetry = renderer.scene().phase_g},
       materials_(renderer.materials()),
-      lights_(reference_lights(renderer.scene(), renderer.fog(), renderer.settings().fog_lighting)),
+      lights_(reference_lights(renderer.scene(), renderer.fog(), renderer.settings())),
       eye_(renderer.scene().camera.position),
       forward_(glm::normalize(glm::dvec3(renderer.scene().camera.target) - eye_)) {
   if (!renderer.shadows()) return;
@@ -96,6 +96,9 @@ double Model::falloff(const ReferenceLight& light, double range) const {
 glm::dvec3 Model::reflectance(const SurfacePoint& point, const glm::dvec3& to_light) const {
   if (path_.surface == render::SurfaceModel::unshaded) return point.diffuse;
   const double cosine = glm::dot(point.normal, to_light);
+  if (path_.surface == render::SurfaceModel::diffuse) {
+    return point.diffuse * (settings_.light_ambient + std::max(cosine, 0.0));
+  }
   return cosine > 0 ? point.diffuse * cosine + highlight(point, to_light) : glm::dvec3(0.0);
 }
 

@@ -19,13 +19,14 @@ double ReferenceLight::airlight(const Fog& scene_fog, const EyeRay& ray, const S
 }
 
 std::vector<ReferenceLight> reference_lights(const scene::Scene& scene, const Fog& fog,
-                                             render::FogLighting fog_lighting) {
+                                             const render::RenderSettings& settings) {
   std::vector<ReferenceLight> lights;
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     PlacedLight placed = scene.lights[i];
-    placed.light.threshold = render::threshold_of(placed.light, fog_lighting);
+    placed.light.threshold = render::threshold_of(placed.light, settings.fog_lighting);
+    placed.light.cone = render::drawn_cone(placed.light.cone, settings);
     const Light& light = placed.light;
-    const bool has_intensity = placed.carried && fog_lighting == render::FogLighting::peak;
+    const bool has_intensity = placed.carried && settings.fog_lighting == render::FogLighting::peak;
     const auto use = scene.cookie_uses.find(i);
     const bool has_cookie = use != scene.cookie_uses.end();
     lights.push_back({.placed = placed,

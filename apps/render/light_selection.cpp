@@ -2,6 +2,7 @@
 #include "render/light_selection.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 #include "render/light_finder.h"
@@ -27,6 +28,15 @@ LightSelection select_lights(const SceneLights& lights, std::span<const std::int
     std::ranges::stable_sort(selection.surface, {}, [&](std::int32_t i) { return map_kinds[std::size_t(i)]; });
   }
   return selection;
+}
+
+std::vector<std::int32_t> with_fog_lights(const LightSelection& selection, std::span<const int> map_kinds) {
+  std::vector<std::int32_t> lights = selection.surface;
+  std::ranges::copy_if(selection.fog, std::back_inserter(lights), [&](std::int32_t light) {
+    return std::ranges::find(selection.surface, light) == selection.surface.end();
+  });
+  std::ranges::stable_sort(lights, {}, [&](std::int32_t i) { return map_kinds[std::size_t(i)]; });
+  return lights;
 }
 
 std::size_t batch_length(std::span<const std::int32_t> lights, std::size_t most, std::span<const int> map_kinds) {

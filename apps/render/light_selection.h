@@ -27,6 +27,9 @@ struct LightSelection {
 LightSelection select_lights(const SceneLights& lights, std::span<const std::int32_t> local,
                              const scene::Bounds& bounds, std::span<const int> map_kinds, Skipping skipping);
 
+/// The lights of a pass whose lights bring their fog (LightFeed::bring_fog): those of the surface and those of the fog.
+std::vector<std::int32_t> with_fog_lights(const LightSelection& selection, std::span<const int> map_kinds);
+
 /// How many of the first lights make a batch: at most `most`, and all share their maps.
 std::size_t batch_length(std::span<const std::int32_t> lights, std::size_t most, std::span<const int> map_kinds);
 

@@ -56,6 +56,9 @@ struct LightFeed {
   Kind kind = Kind::none;
   std::size_t batch_size = 0;  ///< batches: the most lights of one, which share their maps
   bool lists_rest = false;     ///< batches: where there are several the first also sees all lights, by the light list
+  /// batches: a light brings its fog with it, coloured by the same look-up as its light on the surface. Else the pass
+  /// that draws a surface first adds the fog of all lights, by the cones' formula.
+  bool bring_fog = false;
 };
 
 /// One way of drawing a surface again. Shaders are files of apps/render/shaders.
@@ -93,6 +96,8 @@ struct LightingPath {
 
   /// Whether a surface may be drawn more than once, which needs a stencil.
   bool has_several_passes() const { return passes.size() > 1 || passes[0].lights.kind == LightFeed::Kind::batches; }
+  /// Whether the cones of the lit fog before surfaces come from the light maps.
+  bool has_mapped_fog() const { return passes[0].lights.bring_fog; }
 };
 
 /// Every path, the default one first.

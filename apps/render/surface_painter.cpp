@@ -66,7 +66,7 @@ SurfacePainter::SurfacePainter(const scene::Scene& scene, const SceneLights& lig
       fog_light_buffer_(fog_lights),
       settings_(settings),
       surfaces_(scene, lights, settings.skipping),
-      maps_(settings.path->maps, scene, lights, settings.map_size),
+      maps_(scene, lights, settings),
       programs_(scene, settings) {}
 
 FrameCounts SurfacePainter::draw(const LightingPath& path, const glm::mat4& clip_from_world,
@@ -99,6 +99,7 @@ void SurfacePainter::draw_surface(Frame& frame, const Surface& surface) {
   if (needs_lights(frame.path)) {
     selection = select_lights(lights_, surfaces_.lights_of(surface), surface.bounds, maps_.kinds(), settings_.skipping);
   }
+  if (frame.path.has_mapped_fog()) selection = {.surface = with_fog_lights(selection, maps_.kinds()), .fog = {}};
   frame.passes_drawn = 0;
   for (const SurfacePass& pass : frame.path.passes) {
     std::span<const std::int32_t> rest = selection.surface;

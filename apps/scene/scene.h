@@ -12,6 +12,7 @@
 
 #include "litfog/light.h"
 #include "litfog/photometry/cookie.h"
+#include "scene/light_frame.h"
 #include "scene/material.h"
 #include "scene/mesh.h"
 
@@ -55,6 +56,12 @@ struct CookieUse {
   double spin = 0;  ///< radians a second
 };
 
+/// How a light is fixed to a vehicle: by where it points as seen from there.
+struct Mount {
+  Attitude vehicle = {};
+  Bearing light = {};
+};
+
 /// Everything the demo draws. Plain data: no GL.
 struct Scene {
   std::vector<std::string> files;  ///< all that it was read from: its own, light files, cookies, buffers, pictures
@@ -69,6 +76,7 @@ struct Scene {
   bool has_city = false;  ///< whether lights and instances are those of a generated city (model/city.h), too
   std::vector<Cookie> cookies;
   std::map<std::size_t, CookieUse> cookie_uses;  ///< by their lights, whose cones are none
+  std::map<std::size_t, Mount> mounts;           ///< by their lights, whose directions they give
   std::map<std::size_t, double> turn_rates;      ///< of lights whose axes turn about +Y: radians a second
   std::vector<double> visibilities;              ///< metres: those at which the gallery shows the scene
   double fog_top = std::numeric_limits<double>::infinity();  ///< height at which rays to the sky leave the fog, metres
