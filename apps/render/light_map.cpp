@@ -68,6 +68,8 @@ MapTexels make_range_map(const RangeProfile& profile, int size) {
   return texels;
 }
 
+int pair_size(int volume_size) { return int(std::sqrt(0.5 * volume_size * volume_size * volume_size)); }
+
 MapTexels make_square_map(int size) {
   MapTexels texels;
   for (int j = 0; j < size; ++j) {

@@ -37,6 +37,8 @@ MapTexels make_range_volume(const RangeProfile& profile, int size);
 /// 1, and the attenuation over (q, r), 0 beyond the extent and at the boundaries.
 MapTexels make_distance_map(int size);
 MapTexels make_range_map(const RangeProfile& profile, int size);
+/// The side of the pair that together has as many texels as a 3-D map: 1024 for 128.
+int pair_size(int volume_size);
 
 /// x^2 + y^2 over (s, t) and z^2 over r, coordinates 0.5 + P / (2 R) and squares of P / R, clamped to 1 (Ronald Frazier
 /// 2000, "Real-Time Per-Pixel Point Lights and Spot Lights in OpenGL", section "Calculating Attenuation").

@@ -18,9 +18,6 @@ using Shape = LookupTexture::Shape;
 
 constexpr std::size_t kMaxTexels = std::size_t{1} << 29;  // of two bytes: 1 GiB
 
-/// The side of two squares that together have as many texels as a cube: 1024 for 128.
-int pair_size(int volume_size) { return int(std::sqrt(0.5 * volume_size * volume_size * volume_size)); }
-
 }  // namespace
 
 LightMapStore::LightMapStore(const scene::Scene& scene, const SceneLights& lights, const RenderSettings& settings)

@@ -27,6 +27,7 @@ enum class SurfaceModel {
 enum class RangeLaw {
   attenuation,  ///< min(1, 1 / (C + L r + Q r^2)), the model's
   radial,       ///< 1 - r^2 / E^2 (Frazier 2000)
+  unbounded,    ///< 1 / (C + L r + Q r^2), neither clamped nor ended by an extent (The Cg Tutorial, example 5-6)
 };
 
 /// Where the lights' part is computed, and so how near the picture comes to the surface model's formula.
@@ -91,6 +92,7 @@ struct LightingPath {
   bool has_normal_maps = false;  ///< else the vertices' normals
   bool has_lit_fog = true;       ///< else the ambient fog colour alone
   bool takes_airlight = false;   ///< its lamps light each fragment: fog can dim them on their way, shadows hide them
+  bool has_reference = true;     ///< measure::Model has its formulas
   LightMapSet maps = LightMapSet::none;
   std::vector<SurfacePass> passes;
 
@@ -103,10 +105,14 @@ struct LightingPath {
 /// Every path, the default one first.
 std::span<const LightingPath> lighting_paths();
 
+/// What the papers print beside their ways to light a scene: sample programs, exercises and intermediate pictures, each
+/// under its own name.
+std::span<const LightingPath> published_programs();
+
 /// The base texture alone, without light and fog. Not one of the paths: it is the floor of their cost.
 const LightingPath& unlit_path();
 
-/// Null if no path has that name.
+/// One of lighting_paths() or published_programs(). Null if none has that name.
 const LightingPath* find_lighting_path(std::string_view name);
 
 }  // namespace litfog::render

@@ -30,6 +30,9 @@ enum class ConeMaps {
   one_disc,  ///< one white disc for every angle below 90 degrees by scale alone, as Frazier's spot light has it
 };
 
+/// The edge of a dual cone in the path `cg` (Randima Fernando and Mark Kilgard 2003, "The Cg Tutorial", 5.5.2).
+enum class SpotEdge { hard, lerp, smoothstep };
+
 /// How a renderer draws a scene.
 struct RenderSettings {
   Skipping skipping = Skipping::on;
@@ -42,6 +45,7 @@ struct RenderSettings {
   bool has_infinite_viewer = false;  ///< the Basic model's highlights as seen from far away along the camera's axis
   int map_size = 128;                ///< texels a side of the light maps
   ConeMaps cone_maps = ConeMaps::scaled;
+  SpotEdge spot_edge = SpotEdge::smoothstep;
   int samples = 4;                   ///< a pixel, at least: 1, 2, 4 or 8
   Shadows shadows = Shadows::none;   ///< others: with paths that light each fragment only
   int shadow_lamps = 8;              ///< that cast them, at most: choose_shadow_casters

@@ -2,6 +2,7 @@
 #include "render/scene_lights.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "render/light_map.h"
 
@@ -34,7 +35,9 @@ SceneLights::SceneLights(const scene::Scene& scene, const RenderSettings& settin
       if (light.carried != is_carried) continue;
       light.light.threshold = threshold_of(light.light, settings.fog_lighting);
       light.light.cone = drawn_cone(light.light.cone, settings);
-      const double extent = compute_extent(light.light.attenuation, light.light.threshold);
+      const bool has_end = settings.path->range != RangeLaw::unbounded;
+      const double extent = has_end ? compute_extent(light.light.attenuation, light.light.threshold)
+                                    : std::numeric_limits<double>::infinity();
       if (!is_carried && !(extent > 0)) continue;
       const auto use = scene.cookie_uses.find(i);
       lights_.push_back(light);

@@ -70,15 +70,17 @@ BufferTexture SurfaceList::list_lights(const scene::Scene& scene, const SceneLig
     std::vector<scene::Bounds> boxes;
     for (const Chunk& chunk : chunks) boxes.push_back(transformed(chunk.bounds, instance.world_from_model));
     std::vector<std::int32_t> near;  // lights that can reach the instance
-    if (skipping == Skipping::on && !boxes.empty()) near = finder.reaching(around(boxes));
+    const bool is_listed = skipping == Skipping::on && !instance.is_beyond_lights;
+    if (is_listed && !boxes.empty()) near = finder.reaching(around(boxes));
     for (std::size_t i = 0; i < chunks.size(); ++i) {
       Surface surface{.material = &material(chunks[i].material),
                       .chunk = &chunks[i],
                       .world_from_model = instance.world_from_model,
                       .bounds = boxes[i],
                       .list_first = first_local,
-                      .list_count = int(local_count)};
-      if (skipping == Skipping::on) {
+                      .list_count = instance.is_beyond_lights ? 0 : int(local_count),
+                      .is_beyond_lights = instance.is_beyond_lights};
+      if (is_listed) {
         const std::vector<std::int32_t> reaching = finder.reaching(boxes[i], near);
         surface.list_first = int(list_.size());
         surface.list_count = int(reaching.size());

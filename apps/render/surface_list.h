@@ -32,6 +32,7 @@ struct Surface {
   scene::Bounds bounds;  ///< world space
   int list_first;        ///< in the light list: the local lights that can reach it, of which there are
   int list_count;
+  bool is_beyond_lights;  ///< drawn without any (scene::Instance)
 };
 
 /// The surfaces of a scene, sorted by material. Needs a current GL context.

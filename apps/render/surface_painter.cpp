@@ -96,7 +96,7 @@ FrameCounts SurfacePainter::draw(const LightingPath& path, const glm::mat4& clip
 /// Draws all passes of a surface before the next surface, because the later of two coplanar ones hides the earlier.
 void SurfacePainter::draw_surface(Frame& frame, const Surface& surface) {
   LightSelection selection;
-  if (needs_lights(frame.path)) {
+  if (needs_lights(frame.path) && !surface.is_beyond_lights) {
     selection = select_lights(lights_, surfaces_.lights_of(surface), surface.bounds, maps_.kinds(), settings_.skipping);
   }
   if (frame.path.has_mapped_fog()) selection = {.surface = with_fog_lights(selection, maps_.kinds()), .fog = {}};
@@ -171,7 +171,7 @@ void SurfacePainter::draw_pass(Frame& frame, const Surface& surface, ShaderVaria
   const scene::Material& material = surface.material->material;
   const glm::vec4 constants[] = {glm::vec4(scene_.camera.position, 0), glm::vec4(surface.bounds.low, 0),
                                  glm::vec4(surface.bounds.high, 0), glm::vec4(material.specular, material.shininess),
-                                 glm::vec4(material.emissive, 0)};
+                                 glm::vec4(material.emissive, material.metal_roughness)};
   glUniform4fv(program.draw_constants, GLsizei(std::size(constants)), glm::value_ptr(constants[0]));
   glUniform2i(program.light_list_range, surface.list_first, surface.list_count);
   if (!uniforms.empty()) {

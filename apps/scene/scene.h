@@ -47,6 +47,7 @@ struct Environment {
 struct Instance {
   std::size_t model;
   glm::mat4 world_from_model;
+  bool is_beyond_lights = false;  ///< no light reaches it, nor the fog before it: drawn without (render::sort_polygons)
 };
 
 /// A cookie in place of a light's cone, turned about its axis to the right as seen along it.
