@@ -99,10 +99,15 @@ void add_path(CLI::App& app, DrawingOptions& options) {
                "With lookup-3d and lookup-2d: the directional light by the faces' normals");
 }
 
-void add_rendering(CLI::App& app, DrawingOptions& options) {
+void add_size(CLI::App& app, DrawingOptions& options) {
+  const std::string description = fmt::format("Pixels (default {}x{})", options.width, options.height);
   app.add_option_function<std::string>(
-         "--size", [&options](const std::string& text) { parse_size(text, options); }, "Pixels (default 1280x720)")
+         "--size", [&options](const std::string& text) { parse_size(text, options); }, description)
       ->type_name("WxH");
+}
+
+void add_rendering(CLI::App& app, DrawingOptions& options) {
+  add_size(app, options);
   command::add_choice(app, "--samples", options.render.samples, {{"1", 1}, {"2", 2}, {"4", 4}, {"8", 8}},
                       "Samples a pixel, at least (default 4)");
   command::add_integer(app, "--map-size", options.render.map_size, 8, 256,

@@ -272,17 +272,19 @@ Job add_comparison_job(CLI::App& app) {
 Job add_papers_job(CLI::App& app) {
   struct Options {
     std::string folder = "papers";
-    PaperSheetSettings sheets;
+    DrawingOptions drawing{.width = 480, .height = 270};
+    int frames = kComparedFrames;
   };
   const auto options = std::make_shared<Options>();
   app.footer(
       "hales.png has the times of table 1 beside those measured now; times in software rendering are not a GPU's.\n\n"
       "Example:\n  litfog-demo papers -o out");
   app.add_option("-o,--output", options->folder, "Folder to write into (default papers)")->type_name("FOLDER");
-  add_integer(app, "--frames", options->sheets.frames, 1, 100'000, "Frames of each program to time (default 5)");
+  add_size(app, options->drawing);
+  add_integer(app, "--frames", options->frames, 1, 100'000, "Frames of each program to time (default 5)");
   return [options] {
     if (options->folder.empty()) fail_option("--output", "", "must not be empty");
-    draw_paper_sheets(options->folder, options->sheets);
+    draw_paper_sheets(options->folder, options->drawing.width, options->drawing.height, options->frames);
     return kDone;
   };
 }

@@ -5,13 +5,6 @@
 
 namespace litfog::demo {
 
-/// What draw_paper_sheets() may be told.
-struct PaperSheetSettings {
-  int width = 480;  ///< pixels of each picture
-  int height = 270;
-  int frames = 5;  ///< timed of each program for table 1
-};
-
 /// Draws the figures of the four papers by their own programs, beside this demo's paths, each paper on a sheet in a
 /// folder:
 ///
@@ -22,7 +15,9 @@ struct PaperSheetSettings {
 /// frazier.png  the light map without texture; one spot map for every angle
 ///
 /// folder   made if it does not exist
+/// width    pixels of each picture
+/// frames   timed of each program for table 1
 /// throws   what PictureFolder and Renderer throw
-void draw_paper_sheets(const std::string& folder, const PaperSheetSettings& settings);
+void draw_paper_sheets(const std::string& folder, int width, int height, int frames);
 
 }  // namespace litfog::demo
