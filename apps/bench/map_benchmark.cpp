@@ -50,7 +50,7 @@ Result measure_maps(bool quick) {
       result.table.rows.push_back({path, double(size), double(pair), range_kib, 6 * squared(size) * kKibibytesATexel,
                                    error.largest, error.mean, p99});
       by_size.points.push_back({double(size), p99});
-      by_memory.points.push_back({range_kib, p99, std::to_string(size), command::LabelPlace::above});
+      by_memory.points.push_back({range_kib, p99, is_pair ? "" : std::to_string(size)});
     }
     over_size.series.push_back(by_size);
     over_memory.series.push_back(by_memory);
