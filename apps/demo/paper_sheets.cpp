@@ -248,7 +248,8 @@ Rows cg_figures(const Draughtsman& pencil) {
   row = &add_row();
   Scene bright = wall({1, 1}, "plaster");
   bright.lights = {lamp({-1.5, 0, 0.4}, {0.2, 0, 1.5}), lamp({1.6, 0, 0.4}, {1, 0, 9})};
-  row->push_back(pencil.draw(bright, along("cg"), {"example 5-6: attenuation as printed", "C = 0.2, Q = 1.5; C = 1, Q = 9"}));
+  row->push_back(
+      pencil.draw(bright, along("cg"), {"example 5-6: attenuation as printed", "C = 0.2, Q = 1.5; C = 1, Q = 9"}));
   row->push_back(pencil.draw(bright, along("unified"), {"clamped to 1 and cut at 0.05", "the other paths"}));
   row = &add_row();
   Scene metal = figure(drum(64), {});

@@ -7,7 +7,8 @@ namespace litfog::render {
 namespace {
 
 constexpr std::string_view kCgTutorial = "Randima Fernando and Mark Kilgard 2003, \"The Cg Tutorial\"";
-constexpr std::string_view kFrazier = "Ronald Frazier 2000, \"Real-Time Per-Pixel Point Lights and Spot Lights in OpenGL\"";
+constexpr std::string_view kFrazier =
+    "Ronald Frazier 2000, \"Real-Time Per-Pixel Point Lights and Spot Lights in OpenGL\"";
 constexpr std::string_view kHales = "Steven Hales 2004, \"Realtime Pixel Lighting Using Fragment Programs\"";
 constexpr std::string_view kLacroix =
     "Jason Lacroix 2005, \"Let There Be Light!: A Unified Lighting Technique for a New Generation of Games\"";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each path against the formulas that its own paper prints, written here from the papers alone, in double: a wall at z =
-// -5 under lamps, pixel by pixel. Where a path works at vertices, the formulas are taken there and interpolated.
+// Each path against the formulas that its own paper prints, written here from the papers alone, in double: a wall at
+// z = -5 under lamps, pixel by pixel. Where a path works at vertices, the formulas are taken there and interpolated.
 
 #include <gtest/gtest.h>
 

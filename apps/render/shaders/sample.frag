@@ -4,10 +4,10 @@
 // value can be used for both", the light's colour as its ambient colour, saturating arithmetic; with the section
 // "Lighting in Fog", as for his figure 2.
 //
-// As printed, "ATTRIB tc_t0 = fragment.texcoord[0]" is missing. What stands for its registers here: icol is white, texture
-// 2 (face texture 2, "if any") is, too, and tc_f, which he has as one number, has the environment's colours. Lights that
-// are neither two nor alike are drawn in further passes, as in lookup.glsl. Two lights that are not close together,
-// which no printed line forbids, are both lit by the range of the first.
+// As printed, "ATTRIB tc_t0 = fragment.texcoord[0]" is missing. What stands for its registers here: icol is white,
+// texture 2 (face texture 2, "if any") is, too, and tc_f, which he has as one number, has the environment's colours.
+// Lights that are neither two nor alike are drawn in further passes, as in lookup.glsl. Two lights that are not close
+// together, which no printed line forbids, are both lit by the range of the first.
 
 #include "light_coordinates.glsl"
 #include "map_coordinate.glsl"

@@ -35,8 +35,8 @@ namespace litfog::scene {
 ///         "light": "../lights/headlight.json",            relative to this file, or a light written out here
 ///         "position": [-0.6, 0.7, 0],
 ///         "aim": [-0.6, 0, -30],                          a point, or "direction": [0, -0.02, -1]; default: down
-///         "mount": {"azimuth_deg": 3, "elevation_deg": -6},  in their place: where it points as the vehicle sees it, to
-///                                                         the right, and up in [-90, 90]; "position" is then to the
+///         "mount": {"azimuth_deg": 3,                     in their place: where it points as the vehicle sees it, to
+///                   "elevation_deg": -6},                 the right, and up in [-90, 90]; "position" is then to the
 ///                                                         right of the vehicle's, up and back
 ///         "color": [2, 1.9, 1.6],                         optional: in place of the light's own
 ///         "cookie": {"image": "beam.exr",                 optional: in place of the light's cone, a cube map as
