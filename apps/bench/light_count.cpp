@@ -53,6 +53,7 @@ scene::Scene with_light_count(scene::Scene scene, std::size_t count) {
   const auto uses = std::move(scene.cookie_uses);
   scene.lights.clear();
   scene.cookie_uses.clear();
+  scene.mounts.clear();  // the directions stand for themselves
   const std::size_t copies = count > order.size() ? count - order.size() : 0;
   const auto add = [&](std::size_t source) -> PlacedLight& {
     if (const auto use = uses.find(source); use != uses.end()) {

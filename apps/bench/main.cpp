@@ -14,6 +14,7 @@
 #include "bench/fit_benchmark.h"
 #include "bench/lamp_figure.h"
 #include "bench/machine.h"
+#include "bench/map_benchmark.h"
 #include "bench/render_benchmark.h"
 #include "bench/result.h"
 #include "bench/simd_target.h"
@@ -40,6 +41,7 @@ constexpr const char* kDescription = R"(Measures litfog and its rivals: time bes
   litfog-bench update    time to follow a visibility step by step over a million lights
   litfog-bench fit       time and quality of fits of an attenuation to a falloff table
   litfog-bench render    frame time and error of every lighting path, over scenes, lights and sizes
+  litfog-bench maps      memory and error of Hales's light maps over their size
   litfog-bench city      cluster lists and frames of a city with 100 to 100,000 lights, at four visibilities
 )";
 
@@ -79,6 +81,9 @@ headlights with 1 to 256 lights at 640x360, with 1 to 16 also with nothing skipp
 and 4 samples a pixel, with and without skipping. Frames of all paths interleaved. Errors are against the path's own
 plain formulas, shaded in double. The picture has table 1 of Hales 2004. Takes some forty minutes without a GPU.
 
+maps: no times; headlights by its two headlights in exp2 fog, 320x180, drawn from 3-D range maps and from pairs of 2-D
+maps of as many texels, of 16 to 256 texels a side. Errors are against the path's plain formulas, shaded in double.
+
 city: a flight of 300 frames through streets. A light's range is its reach in the fog, and the view ends where fog
 hides white. clusters: LightClusters (16 x 9 x 24) at each frame; clusters-one-light: the view stands and one light
 changes; clusters-fog: a change of the visibility; balls: each light in view tested with the ball around each cluster
@@ -98,7 +103,7 @@ Examples:
 Exit status: 0 done; 1 wrong command line; 3 a Debug build, no OpenGL, or --plot without gnuplot; 4 output cannot be
 written; 5 an error larger than litfog states for itself was found (the results are still written).)";
 
-enum class Benchmark { solve, airlight, lamps, update, fit, render, city };
+enum class Benchmark { solve, airlight, lamps, update, fit, render, maps, city };
 
 struct Options {
   Benchmark benchmark = Benchmark::solve;
@@ -158,9 +163,11 @@ Result measure(const Options& options) {
       throw MissingCapability("this build has no litfog::fit; configure with -DLITFOG_BUILD_FIT=ON");
 #endif
     case Benchmark::render:
+    case Benchmark::maps:
     case Benchmark::city:
 #ifdef LITFOG_HAS_GL
       try {
+        if (options.benchmark == Benchmark::maps) return measure_maps(options.quick);
         return options.benchmark == Benchmark::city ? measure_city(options.quick) : measure_render(options.quick);
       } catch (const litfog::gl::Unsupported& missing) {
         throw MissingCapability(missing.what());
@@ -219,14 +226,15 @@ int main(int argc, char** argv) {
                          {"update", Benchmark::update},
                          {"fit", Benchmark::fit},
                          {"render", Benchmark::render},
+                         {"maps", Benchmark::maps},
                          {"city", Benchmark::city}},
                         "What to measure")
       ->required();
   app.add_option("--json", options.json_file, "Write machine and rows as JSON")->type_name("FILE");
   app.add_option("--csv", options.csv_file, "Write the rows as CSV, the machine in each")->type_name("FILE");
   app.add_option("--plot", options.plot_file,
-                 "Draw time against error (solve, airlight), over visibility (lamps, update), digits (fit) or "
-                 "lights (render, city)")
+                 "Draw time against error (solve, airlight), over visibility (lamps, update), digits (fit), "
+                 "lights (render, city) or texels (maps)")
       ->type_name("FILE.png|FILE.svg");
   app.add_option("--isa", options.isa,
                  "Batches and cluster lists use no wider SIMD target than this, in Highway's words: AVX3, AVX2, SSE4")

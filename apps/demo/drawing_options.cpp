@@ -16,6 +16,7 @@ namespace {
 constexpr int kMaxSide = 16'384;
 constexpr command::NumberRule kSeconds{[](double x) { return x >= 0 && x <= scene::kMaxSeconds; },
                                        "must be a number in [0, 1e9]"};
+constexpr command::NumberRule kFraction{[](double x) { return x >= 0 && x <= 1; }, "must be a number in [0, 1]"};
 constexpr command::NumberRule kPhase{scene::is_phase_g, scene::kPhaseRule};
 constexpr std::int64_t kMaxPixels = 40'000'000;  // some 3 GiB, 5 with airlight
 
@@ -52,7 +53,9 @@ void add_phase(CLI::App& app, DrawingOptions& options) {
 
 std::vector<std::pair<std::string, const render::LightingPath*>> path_names() {
   std::vector<std::pair<std::string, const render::LightingPath*>> names;
-  for (const render::LightingPath& path : render::lighting_paths()) names.emplace_back(path.name, &path);
+  for (const auto paths : {render::lighting_paths(), render::published_programs()}) {
+    for (const render::LightingPath& path : paths) names.emplace_back(path.name, &path);
+  }
   return names;
 }
 
@@ -96,14 +99,30 @@ void add_path(CLI::App& app, DrawingOptions& options) {
                "With lookup-3d and lookup-2d: the directional light by the faces' normals");
 }
 
-void add_rendering(CLI::App& app, DrawingOptions& options) {
+void add_size(CLI::App& app, DrawingOptions& options) {
+  const std::string description = fmt::format("Pixels (default {}x{})", options.width, options.height);
   app.add_option_function<std::string>(
-         "--size", [&options](const std::string& text) { parse_size(text, options); }, "Pixels (default 1280x720)")
+         "--size", [&options](const std::string& text) { parse_size(text, options); }, description)
       ->type_name("WxH");
+}
+
+void add_rendering(CLI::App& app, DrawingOptions& options) {
+  add_size(app, options);
   command::add_choice(app, "--samples", options.render.samples, {{"1", 1}, {"2", 2}, {"4", 4}, {"8", 8}},
                       "Samples a pixel, at least (default 4)");
   command::add_integer(app, "--map-size", options.render.map_size, 8, 256,
                        "Edge of the path's light maps in texels (default 128)");
+  command::add_choice(
+      app, "--cone-maps", options.render.cone_maps,
+      {{"scaled", render::ConeMaps::scaled},
+       {"even", render::ConeMaps::even},
+       {"one-disc", render::ConeMaps::one_disc}},
+      "Cube maps of paths with light maps: scaled spans one face by each cone below 90 degrees, as the papers do; even "
+      "spreads cones wider than 60 degrees over all faces; one-disc is Frazier's one map for every cone (default "
+      "scaled)");
+  command::add_number(
+      app, "--light-ambient", options.render.light_ambient, kFraction,
+      "With lookup-3d and lookup-2d: the lights' ambient colour as a fraction of their colour (default 0)");
   app.add_flag("--infinite-viewer", options.render.has_infinite_viewer,
                "Highlights as seen from far away along the camera's axis");
   app.add_flag_callback(
@@ -145,8 +164,8 @@ std::vector<command::OptionRule> drawing_rules(const DrawingOptions& options) {
   const bool is_peak = options.settings_of(path).fog_lighting == render::FogLighting::peak;
   return {{"--fog none", !options.fog, {"--visibility", "--phase-g"}, "the air is clear"},
           {options.fog_light ? "--fog-light peak" : name, is_peak, {"--phase-g"}, "only airlight scatters by it"},
-          {name, path.maps == render::LightMapSet::none, {"--map-size"}, "it has no light maps"},
-          {name, !can_be_flat, {"--flat-shading"}, "only lookup-3d and lookup-2d have it"},
+          {name, path.maps == render::LightMapSet::none, {"--map-size", "--cone-maps"}, "it has no light maps"},
+          {name, !can_be_flat, {"--flat-shading", "--light-ambient"}, "only lookup-3d and lookup-2d have it"},
           {name,
            options.fog_light == render::FogLighting::airlight && !path.takes_airlight,
            {"--fog-light"},

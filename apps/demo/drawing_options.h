@@ -41,7 +41,8 @@ void add_fog(CLI::App& app, DrawingOptions& options);
 void add_fog_and_visibility(CLI::App& app, DrawingOptions& options);
 /// --path and --flat-shading, which belongs to two of the paths.
 void add_path(CLI::App& app, DrawingOptions& options);
-/// --size, --samples, --map-size, --infinite-viewer and --no-skip.
+void add_size(CLI::App& app, DrawingOptions& options);
+/// --size, --samples, --map-size, --cone-maps, --light-ambient, --infinite-viewer and --no-skip.
 void add_rendering(CLI::App& app, DrawingOptions& options);
 /// --fog-light, for a job over one path or all.
 void add_fog_light(CLI::App& app, DrawingOptions& options);

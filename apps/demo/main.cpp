@@ -19,6 +19,7 @@
 #include "demo/drawing_options.h"
 #include "demo/gallery.h"
 #include "demo/heat_map.h"
+#include "demo/paper_sheets.h"
 #include "demo/path_comparison.h"
 #include "demo/picture_file.h"
 #include "files/whole_file.h"
@@ -43,6 +44,7 @@ constexpr const char* kDescription =
   litfog-demo SCENE [OPTIONS]                        one picture
   litfog-demo gallery [SCENE...] [-o FOLDER]         every scene, clear and at its visibilities
   litfog-demo compare [SCENE...] [-o FOLDER]         every scene by every lighting path, with times and errors
+  litfog-demo papers [-o FOLDER]                     the papers' figures by their own programs
   litfog-demo list scenes|paths                      what SCENE and --path may be
 
 Each has its own options: litfog-demo gallery --help
@@ -133,6 +135,10 @@ Job add_picture_job(CLI::App& app) {
                      is_given("--flat-shading"),
                      {"--reference", "--heat-map"},
                      "references are shaded smoothly"});
+    rules.push_back({fmt::format("--path {}", drawing.render.path->name),
+                     !drawing.render.path->has_reference,
+                     {"--reference", "--heat-map"},
+                     "it is one of the papers' programs that have none"});
     rules.push_back({"--output " + options->output,
                      holds_scene_light(options->output),
                      {"--exposure", "--tone"},
@@ -263,6 +269,26 @@ Job add_comparison_job(CLI::App& app) {
   };
 }
 
+Job add_papers_job(CLI::App& app) {
+  struct Options {
+    std::string folder = "papers";
+    DrawingOptions drawing{.width = 480, .height = 270};
+    int frames = kComparedFrames;
+  };
+  const auto options = std::make_shared<Options>();
+  app.footer(
+      "hales.png has the times of table 1 beside those measured now; times in software rendering are not a GPU's.\n\n"
+      "Example:\n  litfog-demo papers -o out");
+  app.add_option("-o,--output", options->folder, "Folder to write into (default papers)")->type_name("FOLDER");
+  add_size(app, options->drawing);
+  add_integer(app, "--frames", options->frames, 1, 100'000, "Frames of each program to time (default 5)");
+  return [options] {
+    if (options->folder.empty()) fail_option("--output", "", "must not be empty");
+    draw_paper_sheets(options->folder, options->drawing.width, options->drawing.height, options->frames);
+    return kDone;
+  };
+}
+
 Job add_list_job(CLI::App& app) {
   enum class What { scenes, paths };
   const auto what = std::make_shared<What>();
@@ -271,8 +297,10 @@ Job add_list_job(CLI::App& app) {
       ->required();
   return [what] {
     if (*what == What::paths) {
-      for (const render::LightingPath& path : render::lighting_paths()) {
-        report(fmt::format("{:<12} {} ({})\n", path.name, path.description, path.source));
+      for (const auto paths : {render::lighting_paths(), render::published_programs()}) {
+        for (const render::LightingPath& path : paths) {
+          report(fmt::format("{:<13} {} ({})\n", path.name, path.description, path.source));
+        }
       }
       return kDone;
     }
@@ -306,6 +334,8 @@ int main(int argc, char** argv) {
   add_job("compare",
           "Draws scenes by every lighting path, timed interleaved, with heat maps, contact sheets and index.html",
           add_comparison_job);
+  add_job("papers", "Redraws the papers' figures by their own programs: a sheet a paper, with Hales's table 1",
+          add_papers_job);
   add_job("list", "Lists the scenes that come with litfog, or the lighting paths", add_list_job);
   app.footer(kExamples);  // now, so that the jobs' help is without it
   return run_command(app, argc, argv, [&] {

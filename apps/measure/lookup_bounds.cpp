@@ -35,6 +35,20 @@ LookupBounds::Interval LookupBounds::surface_color(const SurfacePoint& point) co
   return color;
 }
 
+LookupBounds::Interval LookupBounds::fog_color(const glm::dvec3& position) const {
+  const glm::dvec3 exact = model_.veil(position).color;
+  if (!model_.path().has_mapped_fog()) return {exact, exact};
+  Interval color{model_.environment().ambient_fog_color, model_.environment().ambient_fog_color};
+  for (const ReferenceLight& light : model_.lights()) {
+    const auto ray = model_.lights_fog(light) ? ray_within(kAnyRange, light, position) : std::nullopt;
+    if (!ray) continue;
+    const auto [dimmest, brightest] = emitted(light, ray->direction);
+    color.least += light.placed.light.color * (dimmest * light.fog_intensity);
+    color.most += light.placed.light.color * (brightest * light.fog_intensity);
+  }
+  return color;
+}
+
 LookupBounds::Fractions LookupBounds::emitted(const ReferenceLight& light, const glm::dvec3& direction) const {
   if (light.cookie) {  // the cube map holds the cookie's own texels, but filters them across the faces' edges
     if (is_at_seam(light, direction)) return {0, 1};
@@ -43,7 +57,8 @@ LookupBounds::Fractions LookupBounds::emitted(const ReferenceLight& light, const
   }
   // The largest angle that the diagonal of a texel spans. A face spans the cone where the map is scaled
   // (cone_map_scale), else a quarter of the circle.
-  const double turn = std::numbers::sqrt2 / std::min(render::cone_map_scale(light.placed.light.cone), 1.0) * texel_;
+  const double turn =
+      std::numbers::sqrt2 / std::min(render::cone_map_scale(light.placed.light.cone, cone_maps_), 1.0) * texel_;
   const double angle = std::acos(std::clamp(glm::dot(light.placed.direction, direction), -1.0, 1.0));
   return {cone_at(light.placed.light.cone, std::cos(std::min(angle + turn, std::numbers::pi))),
           cone_at(light.placed.light.cone, std::cos(std::max(angle - turn, 0.0)))};

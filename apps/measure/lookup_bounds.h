@@ -11,8 +11,8 @@ namespace litfog::measure {
 class LookupBounds {
  public:
   /// model     of a path with light maps; has to outlive this
-  /// map_size  texels a side of its maps
-  LookupBounds(const Model& model, int map_size) : model_(model), texel_(2.0 / (map_size - 1)) {}
+  LookupBounds(const Model& model, const render::RenderSettings& settings)
+      : model_(model), cone_maps_(settings.cone_maps), texel_(2.0 / (settings.map_size - 1)) {}
 
   struct Interval {
     glm::dvec3 least;
@@ -20,6 +20,8 @@ class LookupBounds {
   };
   /// The light that a surface sends to the eye, before fog.
   Interval surface_color(const SurfacePoint& point) const;
+  /// The colour of the fog before a position.
+  Interval fog_color(const glm::dvec3& position) const;
 
  private:
   struct Fractions {
@@ -29,6 +31,7 @@ class LookupBounds {
   Fractions emitted(const ReferenceLight& light, const glm::dvec3& direction) const;
 
   const Model& model_;
+  render::ConeMaps cone_maps_;
   double texel_;  // of a map's coordinates, which run from -1 to 1
 };
 

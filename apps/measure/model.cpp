@@ -96,6 +96,9 @@ double Model::falloff(const ReferenceLight& light, double range) const {
 glm::dvec3 Model::reflectance(const SurfacePoint& point, const glm::dvec3& to_light) const {
   if (path_.surface == render::SurfaceModel::unshaded) return point.diffuse;
   const double cosine = glm::dot(point.normal, to_light);
+  if (path_.surface == render::SurfaceModel::diffuse) {
+    return point.diffuse * (settings_.light_ambient + std::max(cosine, 0.0));
+  }
   return cosine > 0 ? point.diffuse * cosine + highlight(point, to_light) : glm::dvec3(0.0);
 }
 

@@ -24,6 +24,7 @@ std::vector<ReferenceLight> reference_lights(const scene::Scene& scene, const Fo
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     PlacedLight placed = scene.lights[i];
     placed.light.threshold = render::threshold_of(placed.light, settings);
+    placed.light.cone = render::drawn_cone(placed.light.cone, settings);
     const Light& light = placed.light;
     const bool has_intensity = placed.carried && settings.fog_lighting == render::FogLighting::peak;
     const auto use = scene.cookie_uses.find(i);

@@ -65,7 +65,7 @@ class ReferenceShading {
         eye_(renderer.scene().camera.position),
         fog_above_eye_(renderer.scene().fog_top - eye_.y),
         rays_(renderer.scene().camera, renderer.width(), renderer.height()) {
-    if (model_.path().maps != render::LightMapSet::none) bounds_.emplace(model_, renderer.settings().map_size);
+    if (model_.path().maps != render::LightMapSet::none) bounds_.emplace(model_, renderer.settings());
   }
   ReferenceShading(const ReferenceShading&) = delete;
   ReferenceShading& operator=(const ReferenceShading&) = delete;
@@ -114,11 +114,15 @@ class ReferenceShading {
   Shade surface(const SurfacePoint& point) const {
     const Veil veil = model_.veil(point.position);
     const glm::dvec3 color = model_.surface_color(point);
-    const LookupBounds::Interval bounds =
-        bounds_ ? bounds_->surface_color(point) : LookupBounds::Interval{color, color};
+    LookupBounds::Interval bounds{color, color};
+    LookupBounds::Interval fog{veil.color, veil.color};
+    if (bounds_) {
+      bounds = bounds_->surface_color(point);
+      fog = bounds_->fog_color(point.position);
+    }
     return {.color = veil.over(color),
-            .least = veil.over(bounds.least),
-            .most = veil.over(bounds.most),
+            .least = glm::mix(bounds.least, fog.least, veil.opacity),
+            .most = glm::mix(bounds.most, fog.most, veil.opacity),
             .is_at_jump = jumps_.is_at_jump(point) || jumps_.is_at_jump(veil, point.position)};
   }
 

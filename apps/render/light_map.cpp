@@ -13,8 +13,6 @@
 namespace litfog::render {
 namespace {
 
-constexpr double kWidestDrawnIn = std::numbers::pi / 3;
-
 std::uint16_t texel(double fraction) { return std::uint16_t(std::lround(std::clamp(fraction, 0.0, 1.0) * 65535)); }
 
 /// The coordinate of texel i as P / E: -1 to 1.
@@ -27,8 +25,6 @@ double attenuation(const RangeProfile& profile, double fraction) {
   if (fraction > 1) return 0;
   return formulas::attenuation(fraction, double(profile.constant), double(profile.linear), double(profile.quadratic));
 }
-
-bool is_narrowed(const Cone& cone) { return cutoff_angle(cone) <= kWidestDrawnIn; }
 
 }  // namespace
 
@@ -72,6 +68,8 @@ MapTexels make_range_map(const RangeProfile& profile, int size) {
   return texels;
 }
 
+int pair_size(int volume_size) { return int(std::sqrt(0.5 * volume_size * volume_size * volume_size)); }
+
 MapTexels make_square_map(int size) {
   MapTexels texels;
   for (int j = 0; j < size; ++j) {
@@ -88,13 +86,23 @@ MapTexels make_square_ramp(int size) {
   return texels;
 }
 
-double cone_map_scale(const Cone& cone) {
-  return is_narrowed(cone) ? std::tan(std::numbers::pi / 2 - cutoff_angle(cone)) : 1.0;
+bool is_scaled(const Cone& cone, ConeMaps maps) {
+  constexpr double kWidestEven = std::numbers::pi / 3;
+  const double cutoff = cutoff_angle(cone);
+  return maps == ConeMaps::even ? cutoff <= kWidestEven : cutoff < std::numbers::pi / 2;
 }
 
-MapTexels make_cone_cube(const Cone& cone, CubeAxis axis, int size) {
-  const double scale = cone_map_scale(cone);
-  const auto across = [&](int i) { return is_narrowed(cone) ? coordinate(i, size) : (2.0 * i + 1) / size - 1; };
+double cone_map_scale(const Cone& cone, ConeMaps maps) {
+  return is_scaled(cone, maps) ? std::tan(std::numbers::pi / 2 - cutoff_angle(cone)) : 1.0;
+}
+
+Cone mapped_cone(const Cone& cone, ConeMaps maps) {
+  return maps == ConeMaps::one_disc && is_scaled(cone, maps) ? Cone::cosine(cutoff_angle(cone), 0) : cone;
+}
+
+MapTexels make_cone_cube(const Cone& cone, CubeAxis axis, int size, ConeMaps maps) {
+  const double scale = cone_map_scale(cone, maps);
+  const auto across = [&](int i) { return is_scaled(cone, maps) ? coordinate(i, size) : (2.0 * i + 1) / size - 1; };
   MapTexels texels;
   for (int face = 0; face < 6; ++face) {
     for (int j = 0; j < size; ++j) {
@@ -116,8 +124,8 @@ MapTexels make_cookie_cube(const Cookie& cookie) {
   return texels;
 }
 
-double cone_coordinate_scale(const Cone& cone, int size) {
-  return is_narrowed(cone) ? cone_map_scale(cone) * (size - 1) / size : 1.0;
+double cone_coordinate_scale(const Cone& cone, int size, ConeMaps maps) {
+  return is_scaled(cone, maps) ? cone_map_scale(cone, maps) * (size - 1) / size : 1.0;
 }
 
 }  // namespace litfog::render

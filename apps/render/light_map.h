@@ -8,6 +8,7 @@
 #include "litfog/attenuation.h"
 #include "litfog/cone.h"
 #include "litfog/photometry/cookie.h"
+#include "render/render_settings.h"
 
 namespace litfog::render {
 
@@ -36,6 +37,8 @@ MapTexels make_range_volume(const RangeProfile& profile, int size);
 /// 1, and the attenuation over (q, r), 0 beyond the extent and at the boundaries.
 MapTexels make_distance_map(int size);
 MapTexels make_range_map(const RangeProfile& profile, int size);
+/// The side of the pair that together has as many texels as a 3-D map: 1024 for 128.
+int pair_size(int volume_size);
 
 /// x^2 + y^2 over (s, t) and z^2 over r, coordinates 0.5 + P / (2 R) and squares of P / R, clamped to 1 (Ronald Frazier
 /// 2000, "Real-Time Per-Pixel Point Lights and Spot Lights in OpenGL", section "Calculating Attenuation").
@@ -48,21 +51,28 @@ enum class CubeAxis {
   minus_z,  ///< Frazier
 };
 
-/// The scale of the coordinates across the axis in a cone's cube map.
+/// Whether a cone's map is scaled by tan(90 deg - half angle), so that the cone spans the axis's face and the others
+/// are dark (Hales: a; Frazier: scaleFactor); else it has scale 1 and extends over all faces.
 ///
-/// A cone of at most 60 degrees is scaled by tan(90 deg - half angle), so that it spans the axis's face and the others
-/// are dark (Hales: a; Frazier: scaleFactor). A wider cone has scale 1 and extends over all faces, because scaled it
-/// would have few texels at its middle, and beyond 90 degrees there is no such scale.
-double cone_map_scale(const Cone& cone);
+/// The papers scale every cone below 90 degrees, and have no wider ones. The texels at the middle of a scaled map are
+/// 2 tan(half angle) / (size - 1) apart: at a size of 128 that is 1.6 degrees for a cone of 60 degrees, 5 of 80 and 49
+/// of 89, where the map's middle is lost (light_map_test.cpp). ConeMaps::even scales up to 60 degrees only.
+bool is_scaled(const Cone& cone, ConeMaps maps);
+
+/// The scale of the coordinates across the axis in a cone's cube map.
+double cone_map_scale(const Cone& cone, ConeMaps maps);
+
+/// The cone that its cube map holds: Frazier's one map for every angle is a disc, whatever the cone's profile.
+Cone mapped_cone(const Cone& cone, ConeMaps maps);
 
 /// Six faces in OpenGL's order: +x -x +y -y +z -z.
-MapTexels make_cone_cube(const Cone& cone, CubeAxis axis, int size);
+MapTexels make_cone_cube(const Cone& cone, CubeAxis axis, int size, ConeMaps maps);
 
 /// The same for a cookie, unscaled.
 MapTexels make_cookie_cube(const Cookie& cookie);
 
 /// The factor of the coordinates across the axis when the map is looked up: its scale. A scale other than 1 is reduced
 /// by half a texel at each end of a face, because OpenGL has texel i at (i + 0.5) / size.
-double cone_coordinate_scale(const Cone& cone, int size);
+double cone_coordinate_scale(const Cone& cone, int size, ConeMaps maps);
 
 }  // namespace litfog::render

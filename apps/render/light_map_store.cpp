@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "litfog/gl/unsupported.h"
 #include "render/gpu/texture_unit.h"
@@ -17,13 +18,12 @@ using Shape = LookupTexture::Shape;
 
 constexpr std::size_t kMaxTexels = std::size_t{1} << 29;  // of two bytes: 1 GiB
 
-/// The side of two squares that together have as many texels as a cube: 1024 for 128.
-int pair_size(int volume_size) { return int(std::sqrt(0.5 * volume_size * volume_size * volume_size)); }
-
 }  // namespace
 
-LightMapStore::LightMapStore(LightMapSet set, const scene::Scene& scene, const SceneLights& lights, int size)
-    : set_(set), size_(size) {
+LightMapStore::LightMapStore(const scene::Scene& scene, const SceneLights& lights, const RenderSettings& settings)
+    : set_(settings.path->maps), size_(settings.map_size), cone_kind_(settings.cone_maps) {
+  const LightMapSet set = set_;
+  const int size = size_;
   if (set == LightMapSet::none) return;
   glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
   if (set == LightMapSet::pair) {
@@ -41,16 +41,16 @@ LightMapStore::LightMapStore(LightMapSet set, const scene::Scene& scene, const S
                     cookie ? cookie_map(scene, cookie->cookie) : cone_map(cone)};
     auto found = std::ranges::find(maps_, maps);
     if (found == maps_.end()) found = maps_.insert(maps_.end(), maps);
-    const double across = cone_coordinate_scale(cone, size);
+    const double across = cone_coordinate_scale(cone, size, cone_kind_);
     glm::dmat3 cone_from_world;
     if (cookie) {
       cone_from_world = scene::cookie_from_world(light.direction, cookie->roll);
     } else if (set == LightMapSet::radial) {
       cone_from_world = glm::dmat3(across, 0, 0, 0, across, 0, 0, 0, 1) * scene::basis_from_world(light.direction);
     } else {
-      const scene::Attitude viewpoint = light.carried ? scene::attitude_of(scene.camera) : scene::Attitude{};
-      cone_from_world = glm::dmat3(1, 0, 0, 0, across, 0, 0, 0, across) *
-                        scene::light_from_world(scene::bearing_of(light.direction, viewpoint), viewpoint);
+      const scene::Mount mount = lights.mount(i);
+      cone_from_world =
+          glm::dmat3(1, 0, 0, 0, across, 0, 0, 0, across) * scene::light_from_world(mount.light, mount.vehicle);
     }
     kinds_.push_back(int(found - maps_.begin()));
     cones_from_world_.emplace_back(cone_from_world);
@@ -79,13 +79,18 @@ const LookupTexture* LightMapStore::range_map(const PlacedLight& light, double e
 }
 
 const LookupTexture* LightMapStore::cone_map(const Cone& cone) {
+  // Frazier's spot: the same texels at every angle. Its own is 45 degrees, at which the scale is 1.
+  const bool is_disc =
+      cone_kind_ == ConeMaps::one_disc && cone.profile != ConeProfile::none && is_scaled(cone, cone_kind_);
+  const Cone held = is_disc ? Cone::cosine(std::numbers::pi / 4, 0) : cone;
   for (const auto& [known, map] : cone_maps_) {
-    if (known == cone) return &map;
+    if (known == held) return &map;
   }
   const int side = cone.profile == ConeProfile::none ? 1 : size_;  // a point light's is white
   expect_room(6 * std::size_t(side) * std::size_t(side));
   const CubeAxis axis = set_ == LightMapSet::radial ? CubeAxis::minus_z : CubeAxis::plus_x;
-  return &cone_maps_.emplace_back(cone, LookupTexture(Shape::cube, side, make_cone_cube(cone, axis, side))).second;
+  return &cone_maps_.emplace_back(held, LookupTexture(Shape::cube, side, make_cone_cube(held, axis, side, cone_kind_)))
+              .second;
 }
 
 const LookupTexture* LightMapStore::cookie_map(const scene::Scene& scene, std::size_t cookie) {

@@ -9,7 +9,7 @@
 
 #include "render/gpu/texture.h"
 #include "render/light_map.h"
-#include "render/lighting_path.h"
+#include "render/render_settings.h"
 #include "render/scene_lights.h"
 
 namespace litfog::render {
@@ -18,10 +18,11 @@ namespace litfog::render {
 /// "Realtime Pixel Lighting Using Fragment Programs", section "Multiple Light Sources"). Needs a current GL context.
 class LightMapStore {
  public:
-  /// size    texels a side of a 3-D map, a cube map's face and Frazier's maps; the 2-D pair has a volume's texels
+  /// settings.map_size  texels a side of a 3-D map, a cube map's face and Frazier's maps; the 2-D pair has a volume's
+  ///                    texels
   /// throws  gl::Unsupported where this OpenGL has no textures of that size, or where the maps of all shapes of lights
   ///         would take more than 1 GiB
-  LightMapStore(LightMapSet set, const scene::Scene& scene, const SceneLights& lights, int size);
+  LightMapStore(const scene::Scene& scene, const SceneLights& lights, const RenderSettings& settings);
 
   /// One number a light: lights of the same number share their maps. Empty where the path has no maps.
   std::span<const int> kinds() const { return kinds_; }
@@ -46,6 +47,7 @@ class LightMapStore {
 
   LightMapSet set_;
   int size_;
+  ConeMaps cone_kind_;
   std::size_t texels_ = 0;  // of all range and cone maps
   std::map<RangeProfile, LookupTexture> range_maps_;
   std::deque<std::pair<Cone, LookupTexture>> cone_maps_;

@@ -2,6 +2,7 @@
 #include "render/light_selection.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -35,6 +36,15 @@ std::vector<std::int32_t> grouped_by_maps(std::span<const std::int32_t> lights, 
     std::ranges::stable_sort(grouped, {}, [&](std::int32_t i) { return map_kinds[std::size_t(i)]; });
   }
   return grouped;
+}
+
+std::vector<std::int32_t> with_fog_lights(std::span<const std::int32_t> lights, std::span<const std::int32_t> fog_lights,
+                                          std::span<const int> map_kinds) {
+  std::vector<std::int32_t> all(lights.begin(), lights.end());
+  std::ranges::copy_if(fog_lights, std::back_inserter(all), [&](std::int32_t light) {
+    return std::ranges::find(lights, light) == lights.end();
+  });
+  return grouped_by_maps(all, map_kinds);
 }
 
 std::size_t batch_length(std::span<const std::int32_t> lights, std::size_t most, std::span<const int> map_kinds) {

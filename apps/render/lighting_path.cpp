@@ -6,45 +6,56 @@
 namespace litfog::render {
 namespace {
 
+constexpr std::string_view kCgTutorial = "Randima Fernando and Mark Kilgard 2003, \"The Cg Tutorial\"";
+constexpr std::string_view kFrazier =
+    "Ronald Frazier 2000, \"Real-Time Per-Pixel Point Lights and Spot Lights in OpenGL\"";
+constexpr std::string_view kHales = "Steven Hales 2004, \"Realtime Pixel Lighting Using Fragment Programs\"";
+constexpr std::string_view kLacroix =
+    "Jason Lacroix 2005, \"Let There Be Light!: A Unified Lighting Technique for a New Generation of Games\"";
+
+std::string of(std::string_view paper, std::string_view place) {
+  return std::string(paper).append(", ").append(place);
+}
+
+/// The Basic model at each fragment, any number of lights, by a fragment shader.
+SurfacePass per_fragment(std::string_view fragment) {
+  return {.vertex = "surface.vert",
+          .fragment = fragment,
+          .lights = {.kind = LightFeed::Kind::all},
+          .constants_from_vertices = true};
+}
+
 std::vector<LightingPath> make_paths() {
-  const std::string cg_tutorial = "Randima Fernando and Mark Kilgard 2003, \"The Cg Tutorial\"";
-  const std::string frazier = "Ronald Frazier 2000, \"Real-Time Per-Pixel Point Lights and Spot Lights in OpenGL\"";
-  const std::string hales = "Steven Hales 2004, \"Realtime Pixel Lighting Using Fragment Programs\"";
-  const std::string lacroix =
-      "Jason Lacroix 2005, \"Let There Be Light!: A Unified Lighting Technique for a New Generation of Games\"";
   return {
       {.name = "unified",
        .description = "everything per fragment in world space, normal maps, any number of lights",
-       .source = lacroix + ", listings 2.1 to 2.3",
+       .source = of(kLacroix, "listings 2.1 to 2.3"),
        .has_normal_maps = true,
        .takes_airlight = true,
-       .passes = {{.vertex = "surface.vert",
-                   .fragment = "unified.frag",
-                   .lights = {.kind = LightFeed::Kind::all},
-                   .constants_from_vertices = true}}},
+       .passes = {per_fragment("unified.frag")}},
       {.name = "lookup-3d",
        .description = "range from a 3-D texture, angle from a cube map whose +x face spans the cone",
-       .source = hales,
+       .source = std::string(kHales),
        .surface = SurfaceModel::diffuse,
        .evaluation = Evaluation::lookup,
        .takes_airlight = true,
        .maps = LightMapSet::volume,
        .passes = {{.vertex = "light_coordinates.vert",
                    .fragment = "lookup_3d.frag",
-                   .lights = {.kind = LightFeed::Kind::batches, .batch_size = 4}}}},
+                   .lights = {.kind = LightFeed::Kind::batches, .batch_size = 4, .bring_fog = true}}}},
       {.name = "lookup-2d",
        .description = "range from two 2-D textures, angle from the same cube map",
-       .source = hales,
+       .source = std::string(kHales),
        .surface = SurfaceModel::diffuse,
        .evaluation = Evaluation::lookup,
        .takes_airlight = true,
        .maps = LightMapSet::pair,
        .passes = {{.vertex = "light_coordinates.vert",
                    .fragment = "lookup_2d.frag",
-                   .lights = {.kind = LightFeed::Kind::batches, .batch_size = 4}}}},
+                   .lights = {.kind = LightFeed::Kind::batches, .batch_size = 4, .bring_fog = true}}}},
       {.name = "radial",
        .description = "1 - r^2 / E^2 from a 2-D and a 1-D texture, spots from a cube map",
-       .source = frazier,
+       .source = std::string(kFrazier),
        .surface = SurfaceModel::unshaded,
        .range = RangeLaw::radial,
        .evaluation = Evaluation::lookup,
@@ -55,7 +66,7 @@ std::vector<LightingPath> make_paths() {
                    .lights = {.kind = LightFeed::Kind::batches, .batch_size = 4}}}},
       {.name = "radial-plane",
        .description = "the same from one 2-D texture: each plane rotated to z = 0, z^2 a constant",
-       .source = frazier,
+       .source = std::string(kFrazier),
        .surface = SurfaceModel::unshaded,
        .range = RangeLaw::radial,
        .evaluation = Evaluation::lookup,
@@ -67,7 +78,7 @@ std::vector<LightingPath> make_paths() {
                    .lights = {.kind = LightFeed::Kind::batches, .batch_size = 4}}}},
       {.name = "accumulate",
        .description = "lights added one by one over the ambient light, then multiplied by the base texture",
-       .source = frazier,
+       .source = std::string(kFrazier),
        .surface = SurfaceModel::unshaded,
        .range = RangeLaw::radial,
        .evaluation = Evaluation::lookup,
@@ -86,32 +97,87 @@ std::vector<LightingPath> make_paths() {
                   {.vertex = "light_coordinates.vert", .fragment = "accumulate_fog.frag", .blend = Blend::over}}},
       {.name = "vertex",
        .description = "the Basic model at the vertices, any number of lights",
-       .source = cg_tutorial + ", section 5.2; " + lacroix + ", listing 1.1",
+       .source = of(kCgTutorial, "section 5.2; ") + of(kLacroix, "listing 1.1"),
        .evaluation = Evaluation::vertex,
        .passes = {{.vertex = "vertex.vert", .fragment = "vertex.frag", .lights = {.kind = LightFeed::Kind::all}}}},
       {.name = "mixed",
        .description = "diffuse at the vertices, specular at the fragments",
-       .source = cg_tutorial + ", chapter 5, exercise 6",
+       .source = of(kCgTutorial, "chapter 5, exercise 6"),
        .evaluation = Evaluation::vertex,
        .passes = {{.vertex = "mixed.vert",
                    .fragment = "mixed.frag",
                    .lights = {.kind = LightFeed::Kind::batches, .batch_size = 4, .lists_rest = true}}}},
       {.name = "tangent",
-       .description = "normal maps, the lights carried into tangent space at the vertices, four a pass",
-       .source = lacroix + ", listing 1.2",
+       .description = "normal maps, the lights carried into tangent space at the vertices, five a pass",
+       .source = of(kLacroix, "listing 1.2"),
        .evaluation = Evaluation::vertex,
        .has_normal_maps = true,
        .takes_airlight = true,
        .passes = {{.vertex = "tangent.vert",
                    .fragment = "tangent.frag",
-                   .lights = {.kind = LightFeed::Kind::batches, .batch_size = 4}}}},
+                   .lights = {.kind = LightFeed::Kind::batches, .batch_size = 5}}}},
       {.name = "legacy",
        .description = "diffuse light at the vertices, texture and fog of one colour: the cost baseline",
-       .source = hales + ", table 1",
+       .source = of(kHales, "table 1"),
        .surface = SurfaceModel::diffuse,
        .evaluation = Evaluation::vertex,
        .has_lit_fog = false,
        .passes = {{.vertex = "legacy.vert", .fragment = "legacy.frag", .lights = {.kind = LightFeed::Kind::all}}}},
+  };
+}
+
+std::vector<LightingPath> make_programs() {
+  return {
+      {.name = "sample",
+       .description = "two headlights on one range look-up, the light as ambient, saturating arithmetic",
+       .source = of(kHales, "sample fragment program"),
+       .surface = SurfaceModel::unshaded,
+       .evaluation = Evaluation::lookup,
+       .has_reference = false,
+       .maps = LightMapSet::volume,
+       .passes = {{.vertex = "light_coordinates.vert",
+                   .fragment = "sample.frag",
+                   .lights = {.kind = LightFeed::Kind::batches, .batch_size = 2, .bring_fog = true}}}},
+      {.name = "light-map",
+       .description = "the lights of accumulate added over the ambient light, without texture and fog",
+       .source = of(kFrazier, "\"Multiple Lights in a Scene\""),
+       .surface = SurfaceModel::unshaded,
+       .range = RangeLaw::radial,
+       .evaluation = Evaluation::lookup,
+       .has_lit_fog = false,
+       .has_reference = false,
+       .maps = LightMapSet::radial,
+       .passes = {{.vertex = "light_coordinates.vert", .fragment = "accumulate_ambient.frag", .shows_fog = false},
+                  {.vertex = "light_coordinates.vert",
+                   .fragment = "accumulate_light.frag",
+                   .blend = Blend::add,
+                   .lights = {.kind = LightFeed::Kind::batches, .batch_size = 1},
+                   .shows_fog = false}}},
+      {.name = "interpolated",
+       .description = "unified without normal maps",
+       .source = of(kLacroix, "listing 2.2"),
+       .takes_airlight = true,
+       .passes = {per_fragment("interpolated.frag")}},
+      {.name = "cg",
+       .description = "attenuation as printed, neither clamped nor cut; hard, linear or smooth spots",
+       .source = of(kCgTutorial, "examples 5-3 to 5-10"),
+       .range = RangeLaw::unbounded,
+       .has_reference = false,
+       .passes = {{.vertex = "surface.vert", .fragment = "cg.frag", .lights = {.kind = LightFeed::Kind::all}}}},
+      {.name = "cook-torrance",
+       .description = "unified, its metals by facets",
+       .source = of(kCgTutorial, "chapter 5, further reading"),
+       .has_normal_maps = true,
+       .takes_airlight = true,
+       .has_reference = false,
+       .passes = {per_fragment("cook_torrance.frag")}},
+      {.name = "anisotropic",
+       .description = "unified, its metals brushed",
+       .source = of(kCgTutorial, "chapter 5, exercise 7"),
+       .has_normal_maps = true,
+       .takes_airlight = true,
+       .has_reference = false,
+       .passes = {per_fragment("anisotropic.frag")}},
   };
 }
 
@@ -147,10 +213,17 @@ const SurfacePass& fog_alone_pass() {
   return kPass;
 }
 
+std::span<const LightingPath> published_programs() {
+  static const std::vector<LightingPath> kPrograms = make_programs();
+  return kPrograms;
+}
+
 const LightingPath* find_lighting_path(std::string_view name) {
-  const auto paths = lighting_paths();
-  const auto found = std::ranges::find(paths, name, &LightingPath::name);
-  return found == paths.end() ? nullptr : &*found;
+  for (const auto paths : {lighting_paths(), published_programs()}) {
+    const auto found = std::ranges::find(paths, name, &LightingPath::name);
+    if (found != paths.end()) return &*found;
+  }
+  return nullptr;
 }
 
 }  // namespace litfog::render

@@ -27,6 +27,7 @@ enum class SurfaceModel {
 enum class RangeLaw {
   attenuation,  ///< min(1, 1 / (C + L r + Q r^2)), the model's
   radial,       ///< 1 - r^2 / E^2 (Frazier 2000)
+  unbounded,    ///< 1 / (C + L r + Q r^2), neither clamped nor ended by an extent (The Cg Tutorial, example 5-6)
 };
 
 /// Where the lights' part is computed, and so how near the picture comes to the surface model's formula.
@@ -56,6 +57,9 @@ struct LightFeed {
   Kind kind = Kind::none;
   std::size_t batch_size = 0;  ///< batches: the most lights of one, which share their maps
   bool lists_rest = false;     ///< batches: where there are several the first also sees all lights, by the light list
+  /// batches: a light brings its fog with it, coloured by the same look-up as its light on the surface. Else the pass
+  /// that draws a surface first adds the fog of all lights, by the cones' formula.
+  bool bring_fog = false;
 };
 
 /// One way of drawing a surface again. Shaders are files of apps/render/shaders.
@@ -88,15 +92,22 @@ struct LightingPath {
   bool has_normal_maps = false;  ///< else the vertices' normals
   bool has_lit_fog = true;       ///< else the ambient fog colour alone
   bool takes_airlight = false;   ///< its lamps light each fragment: fog can dim them on their way, shadows hide them
+  bool has_reference = true;     ///< measure::Model has its formulas
   LightMapSet maps = LightMapSet::none;
   std::vector<SurfacePass> passes;
 
   /// Whether a surface may be drawn more than once, which needs a stencil.
   bool has_several_passes() const { return passes.size() > 1 || passes[0].lights.kind == LightFeed::Kind::batches; }
+  /// Whether the cones of the lit fog before surfaces come from the light maps.
+  bool has_mapped_fog() const { return passes[0].lights.bring_fog; }
 };
 
 /// Every path, the default one first.
 std::span<const LightingPath> lighting_paths();
+
+/// What the papers print beside their ways to light a scene: sample programs, exercises and intermediate pictures, each
+/// under its own name.
+std::span<const LightingPath> published_programs();
 
 /// The base texture alone, without light and fog. Not one of the paths: it is the floor of their cost.
 const LightingPath& unlit_path();
@@ -107,7 +118,7 @@ const LightingPath& light_count_path();
 /// The fog before a surface alone, for any path.
 const SurfacePass& fog_alone_pass();
 
-/// Null if no path has that name.
+/// One of lighting_paths() or published_programs(). Null if none has that name.
 const LightingPath* find_lighting_path(std::string_view name);
 
 }  // namespace litfog::render

@@ -23,6 +23,16 @@ enum class Shadows {
   shafts,  ///< surfaces, and the fog that airlight lights
 };
 
+/// How the cube map of a light's cone covers its angles, in paths with light maps (light_map.h).
+enum class ConeMaps {
+  scaled,    ///< every cone below 90 degrees spans one face, as in the papers
+  even,      ///< cones wider than 60 degrees extend over all faces, whose texels are evener
+  one_disc,  ///< one white disc for every angle below 90 degrees by scale alone, as Frazier's spot light has it
+};
+
+/// The edge of a dual cone in the path `cg` (Randima Fernando and Mark Kilgard 2003, "The Cg Tutorial", 5.5.2).
+enum class SpotEdge { hard, lerp, smoothstep };
+
 /// How a renderer draws a scene.
 struct RenderSettings {
   Skipping skipping = Skipping::on;
@@ -31,8 +41,11 @@ struct RenderSettings {
   /// Hales's paths shade the directional light by the faces' normals, else by the vertices' (his flat and smooth
   /// shading).
   bool is_flat_shaded = false;
+  double light_ambient = 0;          ///< Hales's paths: a light's ambient colour as a fraction of its colour, [0, 1]
   bool has_infinite_viewer = false;  ///< the Basic model's highlights as seen from far away along the camera's axis
   int map_size = 128;                ///< texels a side of the light maps
+  ConeMaps cone_maps = ConeMaps::scaled;
+  SpotEdge spot_edge = SpotEdge::smoothstep;
   int samples = 4;                   ///< a pixel, at least: 1, 2, 4 or 8
   Shadows shadows = Shadows::none;   ///< others: with paths that light each fragment only
   int shadow_lamps = 8;              ///< that cast them, at most: choose_shadow_casters

@@ -2,8 +2,9 @@
 #include "render/scene_lights.h"
 
 #include <algorithm>
+#include <limits>
 
-#include "scene/light_frame.h"
+#include "render/light_map.h"
 
 namespace litfog::render {
 namespace {
@@ -24,18 +25,28 @@ double threshold_of(const Light& light, const RenderSettings& settings) {
   return std::min(light.threshold, kInvisible / std::max({light.color.r, light.color.g, light.color.b, 1.0}));
 }
 
+Cone drawn_cone(const Cone& cone, const RenderSettings& settings) {
+  return settings.path->maps == LightMapSet::none ? cone : mapped_cone(cone, settings.cone_maps);
+}
+
 SceneLights::SceneLights(const scene::Scene& scene, const RenderSettings& settings) : updater_(kSkipsNothing) {
   for (const bool is_carried : {false, true}) {
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
       PlacedLight light = scene.lights[i];
       if (light.carried != is_carried || light.light.color == glm::dvec3(0)) continue;
       light.light.threshold = threshold_of(light.light, settings);
-      const double extent = compute_extent(light.light.attenuation, light.light.threshold);
+      light.light.cone = drawn_cone(light.light.cone, settings);
+      const bool has_end = settings.path->range != RangeLaw::unbounded;
+      const double extent = has_end ? compute_extent(light.light.attenuation, light.light.threshold)
+                                    : std::numeric_limits<double>::infinity();
       if (!is_carried && !(extent > 0)) continue;
       const auto use = scene.cookie_uses.find(i);
       lights_.push_back(light);
       scene_lights_.push_back(i);
       extents_.push_back(extent);
+      const auto mount = scene.mounts.find(i);
+      mounts_.push_back(mount == scene.mounts.end() ? scene::Mount{.light = scene::bearing_of(light.direction)}
+                                                    : mount->second);
       cookies_.push_back(use == scene.cookie_uses.end() ? nullptr : &use->second);
       light.carried = is_carried && settings.path->has_lit_fog && settings.fog_lighting == FogLighting::peak;
       updater_.add(light);

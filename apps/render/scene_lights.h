@@ -20,6 +20,9 @@ namespace litfog::render {
 /// settings  of which the path and the fog's lighting matter
 double threshold_of(const Light& light, const RenderSettings& settings);
 
+/// A light's cone as a renderer draws it: its own, but for paths whose maps hold another (mapped_cone).
+Cone drawn_cone(const Cone& cone, const RenderSettings& settings);
+
 /// A light for shaders that take it as uniforms: five vec4.
 struct PackedLight {
   FogLightKind kind;
@@ -46,6 +49,9 @@ class SceneLights {
   /// A light's index in Scene::lights.
   std::size_t scene_light(std::size_t light) const { return scene_lights_[light]; }
 
+  /// Where a light points as seen from its vehicle, or from the world's origin, which looks along -Z.
+  const scene::Mount& mount(std::size_t light) const { return mounts_[light]; }
+
   /// Takes a change of the fog. Returns what has changed of the tables, good until the next call.
   FogLightChanges set_fog(const Fog& fog) { return updater_.set_fog(fog); }
   /// The tables that shaders read. Instance i is light i.
@@ -62,6 +68,7 @@ class SceneLights {
   std::vector<double> extents_;
   std::vector<const scene::CookieUse*> cookies_;
   std::vector<std::size_t> scene_lights_;
+  std::vector<scene::Mount> mounts_;
   FogUpdater updater_;
   std::vector<FogLightInstance> instances_;  // the updater's, with cookies
   std::vector<glm::vec4> cookie_cones_;

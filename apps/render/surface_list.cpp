@@ -102,16 +102,17 @@ void SurfaceList::list_lights(const scene::Scene& scene, const SceneLights& ligh
     std::vector<scene::Bounds> boxes;
     for (const Chunk& chunk : chunks) boxes.push_back(transformed(chunk.bounds, instance.world_from_model));
     std::vector<std::int32_t> near;  // lights that can reach the instance
-    if (skipping == Skipping::on && !boxes.empty()) near = finder.reaching(around(boxes));
+    const bool is_listed = skipping == Skipping::on && !instance.is_beyond_lights;
+    if (is_listed && !boxes.empty()) near = finder.reaching(around(boxes));
     for (std::size_t i = 0; i < chunks.size(); ++i) {
       Surface surface{.material = &material(chunks[i].material),
                       .chunk = &chunks[i],
                       .world_from_model = instance.world_from_model,
                       .bounds = boxes[i],
-                      .is_fog_lit = true,
+                      .is_fog_lit = !instance.is_beyond_lights,
                       .list_first = 0,
-                      .list_count = int(lights.size())};
-      if (skipping == Skipping::on) {
+                      .list_count = instance.is_beyond_lights ? 0 : int(lights.size())};
+      if (is_listed) {
         const LightSelection selection = select_lights(lights, finder.reaching(boxes[i], near), boxes[i]);
         surface.is_fog_lit = selection.is_fog_lit;
         surface.list_first = int(list_.size());

@@ -61,7 +61,7 @@ SurfacePainter::SurfacePainter(const scene::Scene& scene, const SceneLights& lig
       fog_light_buffer_(fog_lights),
       settings_(settings),
       surfaces_(scene, lights, settings.skipping),
-      maps_(settings.path->maps, scene, lights, settings.map_size),
+      maps_(scene, lights, settings),
       programs_(scene, settings) {}
 
 void SurfacePainter::set_fog() { fog_lights_ = fog_lights(lights_, settings_.skipping); }
@@ -82,13 +82,15 @@ std::size_t SurfacePainter::draw(const LightingPath& path, const FramePlan& plan
 /// Draws all passes of a surface before the next surface, because the later of two coplanar ones hides the earlier.
 void SurfacePainter::draw_surface(Frame& frame, const PlannedSurface& planned, std::span<const std::int32_t> lights) {
   frame.passes_drawn = 0;
-  const std::span<const std::int32_t> fog =
+  std::span<const std::int32_t> fog =
       planned.surface->is_fog_lit ? std::span(fog_lights_) : std::span<std::int32_t>{};
   if (planned.is_fog_alone) {
     draw_pass(frame, planned, {.pass = &fog_alone_pass()}, fog, {});
     return;
   }
-  const std::vector<std::int32_t> grouped = grouped_by_maps(lights, maps_.kinds());
+  const std::vector<std::int32_t> grouped = frame.path.has_mapped_fog() ? with_fog_lights(lights, fog, maps_.kinds())
+                                                                        : grouped_by_maps(lights, maps_.kinds());
+  if (frame.path.has_mapped_fog()) fog = {};
   for (const SurfacePass& pass : frame.path.passes) {
     std::span<const std::int32_t> rest = grouped;
     switch (pass.lights.kind) {
@@ -159,7 +161,7 @@ void SurfacePainter::draw_pass(Frame& frame, const PlannedSurface& planned, Shad
   const scene::Material& material = surface.material->material;
   const glm::vec4 constants[] = {glm::vec4(scene_.camera.position, 0), glm::vec4(surface.bounds.low, 0),
                                  glm::vec4(surface.bounds.high, 0), glm::vec4(material.specular, material.shininess),
-                                 glm::vec4(material.emissive, 0)};
+                                 glm::vec4(material.emissive, material.metal_roughness)};
   glUniform4fv(program.draw_constants, GLsizei(std::size(constants)), glm::value_ptr(constants[0]));
   glUniform2i(program.light_list_range, planned.list_first, planned.list_count);
   frame.bytes += sizeof(glm::mat4) + sizeof(constants) + 2 * sizeof(GLint) + uniforms.size() * sizeof(PackedLight);

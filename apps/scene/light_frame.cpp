@@ -23,21 +23,15 @@ glm::dmat3 rolled_right(double a) {
   return rows({1, 0, 0}, {0, std::cos(a), std::sin(a)}, {0, -std::sin(a), std::cos(a)});
 }
 
+}  // namespace
+
+Bearing bearing_of(const glm::dvec3& direction) {
+  return {std::atan2(direction.x, -direction.z), std::asin(std::clamp(direction.y, -1.0, 1.0))};
+}
+
 glm::dmat3 viewpoint_from_world(const Attitude& viewpoint) {
   const glm::dmat3 level = rows({0, 0, -1}, {-1, 0, 0}, {0, 1, 0});
   return rolled_right(viewpoint.roll) * turned_up(viewpoint.pitch) * turned_right(viewpoint.heading) * level;
-}
-
-}  // namespace
-
-Attitude attitude_of(const Camera& camera) {
-  const Bearing ahead = bearing_of(glm::normalize(glm::dvec3(camera.target - camera.position)), Attitude{});
-  return {.heading = ahead.azimuth, .pitch = ahead.elevation};
-}
-
-Bearing bearing_of(const glm::dvec3& direction, const Attitude& viewpoint) {
-  const glm::dvec3 seen = viewpoint_from_world(viewpoint) * direction;
-  return {std::atan2(-seen.y, seen.x), std::asin(std::clamp(seen.z, -1.0, 1.0))};
 }
 
 glm::dmat3 light_from_world(const Bearing& light, const Attitude& viewpoint) {

@@ -3,8 +3,6 @@
 
 #include <glm/glm.hpp>
 
-#include "scene/scene.h"
-
 namespace litfog::scene {
 
 /// How a viewpoint is turned in the world: radians. Heading to the right of -Z, pitch up, roll to the right.
@@ -13,14 +11,19 @@ struct Attitude {
   double pitch = 0;
   double roll = 0;
 };
-Attitude attitude_of(const Camera& camera);
 
-/// Where a viewpoint sees a direction: radians. Azimuth to its right, elevation up.
+/// A direction seen from a viewpoint: radians. Azimuth to its right, elevation up.
 struct Bearing {
-  double azimuth;
-  double elevation;
+  double azimuth = 0;
+  double elevation = 0;
 };
-Bearing bearing_of(const glm::dvec3& direction, const Attitude& viewpoint);
+/// Of a direction in the world, to which a light without a viewpoint of its own points.
+///
+/// direction  unit
+Bearing bearing_of(const glm::dvec3& direction);
+
+/// Rotation into a viewpoint's coordinates: x ahead, y to its left, z up.
+glm::dmat3 viewpoint_from_world(const Attitude& viewpoint);
 
 /// Rotation into light coordinates: x in the direction of the light, y to its left, z up. "Typically a spot light may
 /// be defined relative to a viewpoint, with an azimuth and elevation. The viewpoint also may have heading, pitch, and

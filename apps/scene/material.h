@@ -22,6 +22,9 @@ struct Material {
   glm::vec3 specular;  ///< linear, at gloss 1
   float shininess;     ///< Blinn-Phong exponent
   glm::vec3 emissive;  ///< linear; 0 if it emits nothing
+  /// Root mean square slope of a metal's facets (Cook and Torrance's m), for the paths that draw metals by models of
+  /// their own; 0: no metal.
+  float metal_roughness = 0;
   /// Linear, gloss 1: replaces an albedo of one colour, because 8 bits are some percent off for dark colours.
   std::optional<glm::vec3> plain_albedo = std::nullopt;
 };

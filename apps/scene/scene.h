@@ -12,6 +12,7 @@
 
 #include "litfog/light.h"
 #include "litfog/photometry/cookie.h"
+#include "scene/light_frame.h"
 #include "scene/material.h"
 #include "scene/mesh.h"
 
@@ -46,6 +47,7 @@ struct Environment {
 struct Instance {
   std::size_t model;
   glm::mat4 world_from_model;
+  bool is_beyond_lights = false;  ///< no light reaches it, nor the fog before it: drawn without (render::sort_polygons)
 };
 
 /// A cookie in place of a light's cone, turned about its axis to the right as seen along it.
@@ -53,6 +55,12 @@ struct CookieUse {
   std::size_t cookie;
   double roll = 0;  ///< radians
   double spin = 0;  ///< radians a second
+};
+
+/// How a light is fixed to a vehicle: by where it points as seen from there.
+struct Mount {
+  Attitude vehicle = {};
+  Bearing light = {};
 };
 
 /// Everything the demo draws. Plain data: no GL.
@@ -69,6 +77,7 @@ struct Scene {
   bool has_city = false;  ///< whether lights and instances are those of a generated city (model/city.h), too
   std::vector<Cookie> cookies;
   std::map<std::size_t, CookieUse> cookie_uses;  ///< by their lights, whose cones are none
+  std::map<std::size_t, Mount> mounts;           ///< by their lights, whose directions they give
   std::map<std::size_t, double> turn_rates;      ///< of lights whose axes turn about +Y: radians a second
   std::vector<double> visibilities;              ///< metres: those at which the gallery shows the scene
   double fog_top = std::numeric_limits<double>::infinity();  ///< height at which rays to the sky leave the fog, metres

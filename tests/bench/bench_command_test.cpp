@@ -373,7 +373,7 @@ TEST_F(BenchCommand, HelpNeedsNoReleaseBuild) {
 TEST_F(BenchCommand, WrongUsageIsAnError) {
   EXPECT_ERROR(run(""), kUsage, usage_message("benchmark is required"));
   EXPECT_ERROR(run("speed"), kUsage,
-               usage_message("benchmark = speed: must be one of solve|airlight|lamps|update|fit|render|city"));
+               usage_message("benchmark = speed: must be one of solve|airlight|lamps|update|fit|render|maps|city"));
   EXPECT_EQ(run("solve --quick --slow").status, kUsage);
   EXPECT_EQ(run("solve update").status, kUsage);
   EXPECT_EQ(run("solve --json").status, kUsage);
@@ -439,6 +439,27 @@ TEST_F(BenchMeasurement, RenderMeasuresEveryPathBesideLegacyAndTheBareTexture) {
     EXPECT_LT(paths["unified airlight"]["max_error_255"].get<double>(), 1);
   }
   EXPECT_TRUE(std::filesystem::exists(directory() / "render.png"));
+}
+
+// Linear look-ups err by the square of the texels' distance; the pair has as many texels as the 3-D map, denser ones.
+TEST_F(BenchMeasurement, MapsErrLessTheMoreTexelsTheyHave) {
+  const Outcome outcome = run("maps --quick --json maps.json --plot maps.png");
+  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  const Json document = Json::parse(read("maps.json"));
+  expect_machine(document, true);
+  std::map<std::string, std::map<int, Json>> paths;
+  for (const Json& row : document["rows"]) paths[row["path"]][row["map_size"].get<int>()] = row;
+  ASSERT_EQ(paths.size(), 2u);
+  for (const auto& [path, rows] : paths) {
+    const Json& coarse = rows.at(16);
+    const Json& fine = rows.at(64);
+    EXPECT_GT(coarse["mean_error_255"].get<double>(), 8 * fine["mean_error_255"].get<double>()) << path;
+    EXPECT_EQ(fine["cone_kib"].get<double>(), 48) << path;
+    EXPECT_NEAR(fine["range_kib"].get<double>(), 512, 1) << path;
+  }
+  EXPECT_LT(paths["lookup-2d"][64]["mean_error_255"].get<double>(),
+            paths["lookup-3d"][64]["mean_error_255"].get<double>());
+  EXPECT_TRUE(std::filesystem::exists(directory() / "maps.png"));
 }
 
 TEST_F(BenchMeasurement, CityMeasuresClustersAndFramesAtEveryVisibility) {

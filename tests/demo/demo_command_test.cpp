@@ -328,9 +328,12 @@ TEST_F(DemoCommand, MedianOfTwoFramesLiesBetweenThem) {
 TEST_F(DemoCommand, ListJobNamesPathsAndScenes) {
   const std::string paths = run("list paths").out;
   EXPECT_EQ(paths.substr(0, 8), "unified ");
-  EXPECT_EQ(std::ranges::count(paths, '\n'), std::ssize(render::lighting_paths()));
-  for (const auto& path : render::lighting_paths()) {
-    EXPECT_NE(('\n' + paths).find(fmt::format("\n{} ", path.name)), std::string::npos) << path.name;
+  EXPECT_EQ(std::ranges::count(paths, '\n'),
+            std::ssize(render::lighting_paths()) + std::ssize(render::published_programs()));
+  for (const auto& rows : {render::lighting_paths(), render::published_programs()}) {
+    for (const auto& path : rows) {
+      EXPECT_NE(('\n' + paths).find(fmt::format("\n{} ", path.name)), std::string::npos) << path.name;
+    }
   }
   const std::string scenes = run("list scenes").out;
   for (const char* scene : {"approach", "cookies", "headlights", "lighthouse", "room", "street", "tessellation"})
@@ -404,6 +407,17 @@ TEST_F(DemoCommand, GallerySheetIsTallerByTheLineThatTellsTheDisplay) {
   ASSERT_EQ(outcome.status, kDone) << outcome.err;
   EXPECT_NE(outcome.out.find(" s, EV 0.5, tone clip\n"), std::string::npos) << outcome.out;
   EXPECT_EQ(sheet_height("told"), sheet_height("plain") + 2 * 20);  // in the row of the room and that by peak
+}
+
+TEST_F(DemoCommand, PapersAreFourSheets) {
+  const Outcome outcome = run("papers --size 32x18 --frames 1 -o papers");
+  EXPECT_EQ(outcome.status, kDone) << outcome.err;
+  for (const char* sheet : {"hales.png", "lacroix.png", "cg.png", "frazier.png"}) {
+    EXPECT_NE(outcome.out.find(std::string("papers/") + sheet), std::string::npos) << outcome.out;
+    OIIO::ImageBuf image((directory() / "papers" / sheet).string());
+    EXPECT_GT(image.spec().width, 480) << sheet;
+  }
+  EXPECT_EQ(run("papers --size 8 -o papers").status, kUsage);
 }
 
 TEST_F(DemoCommand, ComparisonHasAPageOfEveryPathWithItsPictures) {
@@ -499,7 +513,8 @@ TEST_F(DemoCommand, HelpTeachesEachJob) {
                            "Examples:", "--visibility", "Exit status:"}) {
     EXPECT_NE(help.out.find(part), std::string::npos) << part;
   }
-  for (const auto& [job, part] : {std::pair{"gallery", "--path"}, {"compare", "--frames"}, {"list", "scenes|paths"}}) {
+  for (const auto& [job, part] :
+       {std::pair{"gallery", "--path"}, {"compare", "--frames"}, {"papers", "table 1"}, {"list", "scenes|paths"}}) {
     const Outcome own = run(std::string(job) + " --help");
     EXPECT_EQ(own.status, kDone) << job;
     EXPECT_NE(own.out.find(part), std::string::npos) << own.out;
@@ -516,7 +531,7 @@ TEST_F(DemoCommand, WrongUsageIsAnError) {
   EXPECT_ERROR(
       run("room --path phong"), kUsage,
       std::string("litfog-demo: --path = phong: must be one of unified|lookup-3d|lookup-2d|radial|radial-plane|"
-                  "accumulate|vertex|mixed|tangent|legacy") +
+                  "accumulate|vertex|mixed|tangent|legacy|sample|light-map|interpolated|cg|cook-torrance|anisotropic") +
           kSeeHelp);
   EXPECT_EQ(run("room --bogus").status, kUsage);
   EXPECT_EQ(run("").status, kUsage);
@@ -547,6 +562,14 @@ TEST_F(DemoCommand, OptionsWithoutEffectAreErrors) {
     EXPECT_EQ(run("room --size 8x8 " + option + " ''").status, kUsage) << option;
   }
   expect_usage("room --map-size 64", "--map-size cannot be given with --path unified: it has no light maps");
+  expect_usage("room --cone-maps even", "--cone-maps cannot be given with --path unified: it has no light maps");
+  expect_usage("room --path lookup-3d --cone-maps wide", "--cone-maps = wide: must be one of scaled|even|one-disc");
+  expect_usage("room --path lookup-3d --light-ambient 1.1", "--light-ambient = 1.1: must be a number in [0, 1]");
+  expect_usage("room --path cg --light-ambient 0.1",
+               "--light-ambient cannot be given with --path cg: only lookup-3d and lookup-2d have it");
+  expect_usage("room --path sample --reference",
+               "--reference cannot be given with --path sample: it is one of the papers' programs that have none");
+  expect_usage("papers -o ''", "--output = \"\": must not be empty");
   expect_usage("room --path radial --flat-shading",
                "--flat-shading cannot be given with --path radial: only lookup-3d and lookup-2d have it");
   expect_usage("room --path vertex --fog-light airlight",

@@ -236,19 +236,18 @@ constexpr PathBound kLookupBound{0.25, 0.05};
 /// bundled scenes' tessellation, measured, and 5 % of margin. PathsThatLightVerticesConvergeInTheSecondOrder has the
 /// law.
 ///
-/// Light maps blur the edge of a cosine cone over a texel. In `street`, whose lamps end at 80 degrees with a sixth of
-/// their light, that is most of a look-up's mean error; so in `city`, which has the same lamps.
+/// Light maps blur the edge of a cosine cone over a texel. In `street` and `city`, whose lamps end at 80 degrees with a
+/// sixth of their light, that is most of a look-up's mean error. It is the less the denser the texels at the edge:
+/// scaled, as in the papers (ConeMaps::scaled), a third to a fifth of what even texels err by.
 struct SceneBound {
   std::string_view path;
   std::string_view scene;
   PathBound bound;
 };
 constexpr SceneBound kSceneBounds[] = {
-    {"lookup-3d", "street", {kLookupBound.beyond_maps, 0.12}},
-    {"lookup-2d", "street", {kLookupBound.beyond_maps, 0.11}},
-    {"radial", "street", {kLookupBound.beyond_maps, 0.41}},
-    {"radial-plane", "street", {kLookupBound.beyond_maps, 0.41}},
-    {"accumulate", "street", {kLookupBound.beyond_maps, 0.41}},
+    {"radial", "street", {kLookupBound.beyond_maps, 0.093}},
+    {"radial-plane", "street", {kLookupBound.beyond_maps, 0.093}},
+    {"accumulate", "street", {kLookupBound.beyond_maps, 0.093}},
     {"lookup-3d", "city", {kLookupBound.beyond_maps, 0.083}},
     {"lookup-2d", "city", {kLookupBound.beyond_maps, 0.078}},
     {"radial", "city", {kLookupBound.beyond_maps, 0.35}},
@@ -390,7 +389,9 @@ TEST_F(ReferencePictureTest, PathsByLightMapsAndInTangentSpaceAreWithinTheirBoun
                         name, path.name, name_of(mode), error.largest, error.beyond_maps, error.mean, error.excluded);
         fmt::print("{}\n", measured);
         EXPECT_LE(error.beyond_maps, bound) << measured;
-        if (path.name == "tangent") EXPECT_LE(error.mean, tangent.mean) << measured;
+        if (path.name == "tangent") {
+          EXPECT_LE(error.mean, tangent.mean) << measured;
+        }
         EXPECT_LE(error.excluded, std::size_t{80 * 45 / 200}) << measured;
       }
     }

@@ -71,7 +71,7 @@ TEST_F(ReferenceShadow, ShadowOfABoxEndsWhereItDoesInClosedForm) {
   ASSERT_NEAR(bounds(scene.models[1]).high.y, 1, 1e-6);  // on its origin
   Renderer renderer(scene, 32, 18, {.shadows = Shadows::surfaces});
   const ReferenceShadows shadows(renderer);
-  const ReferenceLight light = reference_lights(scene, Fog{}, FogLighting::peak).at(0);
+  const ReferenceLight light = reference_lights(scene, Fog{}, RenderSettings{}).at(0);
   const auto edge = [](double box, double lamp) { return lamp + 2 * (box - lamp); };
   for (const double gap : {-1e-5, 1e-5}) {
     for (const double across : {-0.3, 0.0, 0.4}) {
@@ -93,7 +93,8 @@ TEST_F(ReferenceShadow, LitStretchesOfARayEndAtTheShadowInClosedForm) {
   const Scene scene = box_over_floor(lamp_at({0, 6, 0}, {0, 0, 0}, {}));
   Renderer renderer(scene, 32, 18, {.shadows = Shadows::shafts});
   const ReferenceShadows shadows(renderer);
-  const ReferenceLight light = reference_lights(scene, Fog{}, FogLighting::airlight).at(0);
+  const RenderSettings by_airlight{.fog_lighting = FogLighting::airlight};
+  const ReferenceLight light = reference_lights(scene, Fog{}, by_airlight).at(0);
   // At height 1 the shadow is 5/3 m wide.
   const auto stretches = shadows.lit_stretches(light, {.origin = {-4, 1, 0}, .direction = {1, 0, 0}, .length = 9});
   ASSERT_EQ(stretches.size(), 2u);

@@ -115,12 +115,12 @@ double nearest_texel(const MapTexels& cube, const dvec3& d, int size) {
 
 class ConeCube : public testing::TestWithParam<Cone> {};
 
-TEST_P(ConeCube, CubeHoldsTheConeAboutItsAxisForEveryDirection) {
+TEST_P(ConeCube, EvenCubeHoldsTheConeAboutItsAxisForEveryDirection) {
   constexpr int kSide = 256;
   const Cone cone = GetParam();
-  const double scale = cone_coordinate_scale(cone, kSide);
+  const double scale = cone_coordinate_scale(cone, kSide, ConeMaps::even);
   for (const CubeAxis axis : {CubeAxis::plus_x, CubeAxis::minus_z}) {
-    const MapTexels cube = make_cone_cube(cone, axis, kSide);
+    const MapTexels cube = make_cone_cube(cone, axis, kSide, ConeMaps::even);
     Random random(6);
     double flux = 0;
     for (int i = 0; i < 20'000; ++i) {
@@ -131,8 +131,7 @@ TEST_P(ConeCube, CubeHoldsTheConeAboutItsAxisForEveryDirection) {
       const double found =
           nearest_texel(cube, axis == CubeAxis::plus_x ? drawn_in : dvec3(drawn_in.y, drawn_in.z, -drawn_in.x), kSide);
       // Half a texel away in each direction; at the middle of a drawn-in face a texel is 2 tan(half angle) / 255.
-      const double texel =
-          cone_map_scale(cone) > 0.5 && cutoff_angle(cone) < 1.1 ? 2 * std::tan(cutoff_angle(cone)) / 255 : 2.0 / 256;
+      const double texel = is_scaled(cone, ConeMaps::even) ? 2 * std::tan(cutoff_angle(cone)) / 255 : 2.0 / 256;
       const double away = 0.75 * texel;
       const double high = cone_at(cone, std::cos(std::max(u - away, 0.0)));
       const double low = cone_at(cone, std::cos(std::min(u + away, std::numbers::pi)));
@@ -151,8 +150,8 @@ INSTANTIATE_TEST_SUITE_P(LightMap, ConeCube,
 
 TEST(LightMap, NarrowedConesSpanTheirFaceAndLeaveTheOthersDark) {
   const Cone cone = Cone::cosine(0.3, 4);
-  EXPECT_NEAR(cone_map_scale(cone), std::tan(std::numbers::pi / 2 - 0.3), 1e-12);
-  const MapTexels cube = make_cone_cube(cone, CubeAxis::plus_x, kSize);
+  EXPECT_NEAR(cone_map_scale(cone, ConeMaps::scaled), std::tan(std::numbers::pi / 2 - 0.3), 1e-12);
+  const MapTexels cube = make_cone_cube(cone, CubeAxis::plus_x, kSize, ConeMaps::scaled);
   for (int face = 1; face < 6; ++face) {
     for (int j = 0; j < kSize; ++j) {
       for (int i = 0; i < kSize; ++i) EXPECT_EQ(stored(cube, i, j, face), 0);
@@ -162,8 +161,74 @@ TEST(LightMap, NarrowedConesSpanTheirFaceAndLeaveTheOthersDark) {
   EXPECT_EQ(stored(cube, 0, kSize / 2), 0);                                 // at it
 }
 
+/// Hales's texel: its coordinates s, t from 0 to 1 give y/x and z/x, those COSA, and that the attenuation.
+double hales_texel(double half_angle, double exponent, double s, double t) {
+  const double b = 2 / std::tan(std::numbers::pi / 2 - half_angle);
+  const double y = b * (s - 0.5);
+  const double z = b * (t - 0.5);
+  const double cosa = 1 / std::sqrt(y * y + z * z + 1);
+  return cosa > std::cos(half_angle) ? std::pow(cosa, exponent) : 0;
+}
+
+TEST(LightMap, ScaledCubeHasHalessTexelsBelow90Degrees) {
+  for (const double degrees : {1.0, 30.0, 60.0, 75.0, 80.0, 89.0, 89.99}) {
+    const double half_angle = degrees * std::numbers::pi / 180;
+    const MapTexels cube = make_cone_cube(Cone::cosine(half_angle, 3), CubeAxis::plus_x, kSize, ConeMaps::scaled);
+    double lit = 0;
+    for (int j = 0; j < kSize; ++j) {
+      for (int i = 0; i < kSize; ++i) {
+        // OpenGL's +x face has s along -z and t along -y.
+        const double expected = hales_texel(half_angle, 3, 1 - double(j) / (kSize - 1), 1 - double(i) / (kSize - 1));
+        EXPECT_NEAR(stored(cube, i, j), expected, 2 * kHalfStep) << degrees << ", " << i << ", " << j;
+        lit += stored(cube, i, j);
+      }
+    }
+    EXPECT_EQ(lit > 0, degrees < 89.9) << degrees;  // in the end no texel is near enough to the axis
+    for (std::size_t i = kSize * kSize; i < cube.size(); ++i) ASSERT_EQ(cube[i], 0) << degrees;
+  }
+}
+
+/// Largest error of a bilinear look-up along the axis's plane, from the axis to the half angle less two texels.
+double look_up_error(double half_angle, int size) {
+  const Cone cone = Cone::cosine(half_angle, 1);
+  const MapTexels cube = make_cone_cube(cone, CubeAxis::plus_x, size, ConeMaps::scaled);
+  double worst = 0;
+  for (double s = 0.5; s < 1 - 2.0 / (size - 1); s += 0.1 / size) {
+    const double at = s * (size - 1);
+    const int low = int(at);
+    const int middle = size / 2;  // and middle - 1: t = 0.5 lies half way
+    double found = 0;
+    for (const auto& [i, weight] : {std::pair{low, low + 1 - at}, {low + 1, at - low}}) {
+      found += weight * 0.5 * (stored(cube, i, middle, 0, size) + stored(cube, i, middle - 1, 0, size));
+    }
+    const double angle = std::atan((2 * s - 1) * std::tan(half_angle));
+    worst = std::max(worst, std::abs(found - std::cos(angle)));
+  }
+  return worst;
+}
+
+// Beyond 60 degrees the texels of a scaled map are far apart where the light is brightest.
+TEST(LightMap, ScaledConesErrBeyond60DegreesByTheirMiddleTexels) {
+  const std::pair<double, double> largest[] = {{30, 0.0001}, {60, 0.0003}, {70, 0.0006},
+                                               {80, 0.0025}, {85, 0.01},   {89, 0.16}};
+  for (const auto& [degrees, bound] : largest) {
+    const double error = look_up_error(degrees * std::numbers::pi / 180, 128);
+    std::printf("cone of %2.0f degrees in 128 texels: error %.5f of %.5f\n", degrees, error, bound);
+    EXPECT_LE(error, bound);
+    EXPECT_GT(error, bound / 10);
+  }
+}
+
+TEST(LightMap, OneDiscIsTheConesCutoffWhateverItsProfile) {
+  EXPECT_EQ(mapped_cone(Cone::smoothstep(0.1, 0.7), ConeMaps::one_disc), Cone::cosine(0.7, 0));
+  EXPECT_EQ(mapped_cone(Cone::cosine(1.2, 8), ConeMaps::one_disc), Cone::cosine(1.2, 0));
+  EXPECT_EQ(mapped_cone(Cone::smoothstep(0.1, 1.9), ConeMaps::one_disc), Cone::smoothstep(0.1, 1.9));
+  EXPECT_EQ(mapped_cone(Cone{}, ConeMaps::one_disc), Cone{});
+}
+
 TEST(LightMap, ConeMapOfAPointLightIsWhite) {
-  for (const std::uint16_t texel : make_cone_cube(Cone{}, CubeAxis::plus_x, 1)) EXPECT_EQ(texel, 65535);
+  for (const std::uint16_t texel : make_cone_cube(Cone{}, CubeAxis::plus_x, 1, ConeMaps::scaled))
+    EXPECT_EQ(texel, 65535);
 }
 
 /// What an ideal sampler reads between a volume's texels.

@@ -74,6 +74,12 @@ TEST(LightSelection, LightsThatShareTheirMapsComeTogetherAndMakeBatches) {
   EXPECT_EQ(batch_length({}, 4, kinds), 0u);
 }
 
+TEST(LightSelection, LightsThatBringTheirFogAreThoseOfTheSurfaceAndOfTheFogEachOnce) {
+  const std::vector<int> kinds{1, 0, 1, 0};
+  EXPECT_EQ(with_fog_lights(Indices{1, 0, 2}, Indices{2, 3}, kinds), (Indices{1, 3, 0, 2}));
+  EXPECT_EQ(with_fog_lights({}, Indices{3}, kinds), Indices{3});
+}
+
 TEST(SceneLights, LightThatEndsAtOnceIsLeftOutUnlessItIsCarried) {
   scene::Scene scene = four_lamps();
   for (PlacedLight& light : scene.lights) light.light.attenuation = {100, 0, 0};

@@ -238,6 +238,42 @@ TEST_F(SceneFile, AimTurnsIntoAUnitDirection) {
   EXPECT_TRUE(scene.lights[0].carried);
 }
 
+// An aircraft that flies east, nose up, right wing down; its lamp, on the left wing, looks down to the right of the
+// nose.
+TEST_F(SceneFile, MountedLightStandsAndPointsAsItsVehicleDoes) {
+  const Scene scene = read(std::string(R"("vehicle": {"position": [10, 30, -5], "heading_deg": 90, "pitch_deg": 10,
+    "roll_deg": 90}, "lights": [{"light": {)") +
+                           kLamp + R"(}, "position": [-4, 0, -1],
+    "mount": {"azimuth_deg": 90, "elevation_deg": -30}, "carried": true}], "objects": [])");
+  const double s = std::sin(glm::radians(10.0)), c = std::cos(glm::radians(10.0));
+  const glm::dvec3 nose(c, s, 0), right(s, -c, 0), up(0, 0, 1);  // with the right wing straight down
+  const PlacedLight& light = scene.lights[0];
+  EXPECT_LT(glm::distance(light.position, glm::dvec3(10, 30, -5) + nose - 4.0 * right), 1e-12);
+  const glm::dvec3 expected = std::cos(glm::radians(30.0)) * right - 0.5 * up;
+  EXPECT_LT(glm::distance(light.direction, expected), 1e-12);
+  EXPECT_EQ(scene.mounts.at(0).vehicle.heading, glm::radians(90.0));
+  EXPECT_EQ(scene.mounts.at(0).light.elevation, glm::radians(-30.0));
+}
+
+TEST_F(SceneFile, AttitudesThatMakeNoSenseAreErrorsAtTheirMembers) {
+  const auto vehicle = [&](const std::string& members) {
+    return error_of(R"("objects": [], "vehicle": {"position": [0, 0, 0], )" + members + "}");
+  };
+  EXPECT_EQ(vehicle(R"("pitch_deg": 91)"), ":3:64: vehicle.pitch_deg = 91: must be in [-90, 90]");
+  EXPECT_EQ(vehicle(R"("roll_deg": -181)"), ":3:63: vehicle.roll_deg = -181: must be in [-180, 180]");
+  EXPECT_EQ(vehicle(R"("heading_deg": 1e3)"), ":3:66: vehicle.heading_deg = 1e3: must be in [-360, 360]");
+  const auto mount = [&](const std::string& before, const std::string& members) {
+    return error_of(before + "\n\"lights\": [{\"light\": {" + kLamp + "}, \"position\": [0, 0, 0],\n" + members +
+                    "}], \"objects\": []");
+  };
+  const std::string there = R"("vehicle": {"position": [0, 0, 0]},)";
+  EXPECT_EQ(mount(there, R"("mount": {"elevation_deg": 90.5})"),
+            ":5:28: lights[0].mount.elevation_deg = 90.5: must be in [-90, 90]");
+  EXPECT_EQ(mount(there, R"("mount": {}, "aim": [0, 0, 0])"),
+            ":5:21: lights[0].aim = an array: must not stand beside mount");
+  EXPECT_EQ(mount("", R"("mount": {})"), ":5:10: lights[0].mount = an object: must be in a scene with a vehicle");
+}
+
 TEST_F(SceneFile, EveryLightIsOneThatTheLibraryTakes) {
   const auto light = [](const std::string& members) { return std::string("{\"light\": {") + kLamp + "}, " + members; };
   const Scene scene = read("\"lights\": [" + light(R"("position": [1e7, -1e7, 1e7], "direction": [1e8, 2e8, 3e8]}, )") +

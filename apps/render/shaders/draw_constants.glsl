@@ -19,3 +19,4 @@ vec3 bounds_high = DRAW_CONSTANT(2).xyz;
 vec3 specular = DRAW_CONSTANT(3).xyz;  // of its material
 float shininess = DRAW_CONSTANT(3).w;
 vec3 emissive = DRAW_CONSTANT(4).xyz;
+float metal_roughness = DRAW_CONSTANT(4).w;  // 0: no metal

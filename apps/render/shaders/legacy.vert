@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The baseline of Steven Hales 2004, "Realtime Pixel Lighting Using Fragment Programs", table 1: ambient and diffuse
-// light at the vertices, as in OpenGL's fixed pipeline.
+// The column "legacy" of Steven Hales 2004, "Realtime Pixel Lighting Using Fragment Programs", table 1: a card's fixed
+// pipeline, of which he prints no formula. Here that is OpenGL's: ambient and diffuse light at the vertices, one
+// texture, fog of one colour. Whether his had lamps he does not say; this one has them.
 
 #include "diffuse.glsl"
 #include "listed_lights.glsl"

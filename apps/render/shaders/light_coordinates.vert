@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The vectors from up to four lights that share their maps, which the fragment turns into range coordinates, and their
-// cone coordinates; and the shading value of the directional light (Steven Hales 2004, "Realtime Pixel Lighting Using
-// Fragment Programs", sections "Embedding Range Attenuation in a Texture Map" to "Multiple Light Sources"; the same
-// mappings in Ronald Frazier 2000, "Real-Time Per-Pixel Point Lights and Spot Lights in OpenGL", with x0/2 + 0.5 for
-// the range and -z for the light's direction).
+// Texture coordinates of up to four lights that share their maps. Steven Hales 2004, "Realtime Pixel Lighting Using
+// Fragment Programs": P = V - L ("Lighting Algorithms"); the vertex rotated into light coordinates and scaled, s = x, t
+// = a y, r = a z ("Embedding Angle Attenuation in a Texture Map"), by azimuth, elevation, heading, pitch and roll
+// (scene/light_frame.h); the shading value of the directional light ("Directional Light Source"); up to four lights
+// ("Multiple Light Sources"). Ronald Frazier 2000, "Real-Time Per-Pixel Point Lights and Spot Lights in OpenGL" has the
+// same mappings, with -z for the light's direction. Where this leaves them: k P + 0.5 follows at the fragments.
 
 #include "light_batch.glsl"
 #include "scene.glsl"

@@ -1,8 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Steven Hales 2004, "Realtime Pixel Lighting Using Fragment Programs", section "Fragment Program Lighting Equations":
-// (sum of range attenuation * angle attenuation * (L . N) * light colour + directional ambient + directional diffuse *
-// (d . n)) * face texture, then fog. No specular, no normal map. A light has no ambient term of its own here, nothing
-// is clamped to 1 before the screen, and the lit fog's cone comes from the formula.
+// Steven Hales 2004, "Realtime Pixel Lighting Using Fragment Programs". The lines of its sections:
+//
+// "Fragment Program Lighting Equations": (sum of range attenuation * angle attenuation * (ambient light colour + (L .
+// N) * diffuse light colour) + directional ambient + directional diffuse * (d . n)) * face texture 1. A light's ambient
+// colour is a fraction of its diffuse one. The face's own colour is in its texture, and no face has a second one.
+//
+// "Lighting in Fog": fragment fog colour = light colour * angle attenuation * fog colour intensity + ambient fog
+// colour. The angle attenuation is the same look-up as the surface's. The fog before the sky, which here is no polygon,
+// takes it from the formula (sky.frag).
+//
+// Left out: clamping to 1 before the screen, which his sample program has (sample.frag). Added: further passes for more
+// than four lights or lights of other maps, each with its own lights' fog; the surface's emission.
 
 #include "light_coordinates.glsl"
 #include "map_coordinate.glsl"
@@ -20,16 +28,18 @@ float shading_value() {
 
 void main() {
   vec3 n = normalize(normal);
-  vec3 light = vec3(0.0);
+  vec3 light = is_first_pass ? directional_light(shading_value()) : vec3(0.0);
+  vec3 fog = is_first_pass ? litfog_ambient_fog_color.rgb : vec3(0.0);
   for (int i = 0; i < lights_in_pass; ++i) {
     vec4 ray = litfog_ray(vector_from_light(i), vec3(0.0));
+    vec4 color_intensity = batch_light(i).color_intensity;
     float ra = range_attenuation(range_coordinate(i));
     float aa = texture(cone_map, cone_coordinate(i)).r;
-    light += ra * aa * max(dot(ray.xyz, n), 0.0) * batch_light(i).color_intensity.rgb *
+    light += ra * aa * (light_ambient + max(dot(ray.xyz, n), 0.0)) * color_intensity.rgb *
              lamp_factor(batch_light(i), ray.w) * lamp_shadow(i);
+    fog += aa * color_intensity.rgb * color_intensity.w;
   }
-  if (is_first_pass) light += directional_light(shading_value());
   vec3 lit = light * base_texture().rgb;
   if (is_first_pass) lit += emissive;
-  color = seen_by_eye(lit, fragment_position());
+  color = vec4(mix(lit, fog, litfog_fog_opacity(distance(fragment_position(), eye), 1.0)), 1.0);
 }

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ronald Frazier 2000, "Real-Time Per-Pixel Point Lights and Spot Lights in OpenGL": a light's colour times 1 - (x/R)^2
-// - (y/R)^2 - (z/R)^2, R the light's extent, times a cube map. The first two squares are from a 2-D texture, the third
-// is from a 1-D one. The surface's orientation is ignored.
+// Ronald Frazier 2000, "Real-Time Per-Pixel Point Lights and Spot Lights in OpenGL". Section "Calculating Attenuation":
+// Intensity = 1 - (Texture0 + Texture1), with (x/R)^2 + (y/R)^2 from the 2-D texture and (z/R)^2 from the 1-D one, R
+// the light's extent. "Filtering a Point Light into a Spot Light": times the cube map. The surface's orientation is
+// ignored.
+//
+// Where this leaves it: the map holds each light's own cone, unless it is to be his one map for every angle
+// (ConeMaps::one_disc); a cone of 90 degrees or more has no scale. Texture coordinates are made at the fragment
+// (light_coordinates.glsl). No value ends at 1 but the screen's. The fog is Hales's, the directional light is added.
 
 #include "light_coordinates.glsl"
 #include "map_coordinate.glsl"

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Point and spot lights by one 2-D texture and a cube map: the square of the plane's distance is a constant (Ronald
 // Frazier 2000, "Real-Time Per-Pixel Point Lights and Spot Lights in OpenGL", sections "Simplifying a Point Light to
-// Use Only One Texture" to "Filtering a Point Light into a Spot Light").
+// Use Only One Texture" to "Configuring the Register Combiners for Per-Pixel Spot Lighting": 1 - (texture0 + constant
+// color 0), times colour and texture1). He leaves open whether two point lights fit into one pass on the texture unit
+// that this frees. They do, as four do here: each needs a look-up, a constant and a colour of its own, and no more.
+// Where this leaves it: as radial.glsl.
 
 #include "fragment.glsl"
 #include "light_batch.glsl"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Basic model in tangent space, with the map's normal unchanged (Jason Lacroix 2005, "Let There Be Light!: A
-// Unified Lighting Technique for a New Generation of Games", listing 1.2).
+// Jason Lacroix 2005, "Let There Be Light!: A Unified Lighting Technique for a New Generation of Games", listing 1.2,
+// PixelShader.psh: the map's normal as it is, and the loop that adds up the lights. Where this leaves it: each light
+// has the Basic model's terms, clamped to 0, its own attenuation in place of 1/dist, and a cone (lit_surface.glsl); the
+// normal is normalised.
 
 #include "lit_surface.glsl"
 #include "light_batch.glsl"

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Transforms the lights of a pass into the vertex's tangent space (Jason Lacroix 2005, "Let There Be Light!: A Unified
-// Lighting Technique for a New Generation of Games", listing 1.2). A light needs two registers, its position and its
-// axis, so only a few fit ("Light count restrictions"); further lights are added in further passes. The listing takes
-// the vertex's position in the model for its position in tangent space; here the vectors to the lights and the eye are
-// transformed.
+// Jason Lacroix 2005, "Let There Be Light!: A Unified Lighting Technique for a New Generation of Games", listing 1.2,
+// VertexShader.vsh: its transforms, its binormal, and its loop "lighting information conversion" over five lights.
+//
+// Where this leaves it: the listing multiplies positions by the tangent matrix and compares them with the position in
+// the world, which is right only where the vertex is at the origin of the lights and its tangent space is the world's;
+// here the vectors to the lights and the eye are transformed. Its lights are points, of one register each. A spot's
+// axis takes a second. "Light count restrictions" counts them for the ten interpolated registers of a GeForce 6800, two
+// of them taken: eight directional lights, seven points, four spots. OpenGL 3.3 promises fifteen vectors, and five
+// spots take fourteen with the rest. Further lights are added in further passes.
 
 #include "light_batch.glsl"
 #include "scene.glsl"

@@ -1,7 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Everything per fragment in world space, with the Cg Tutorial's Basic model and Hales's fog (Jason Lacroix 2005, "Let
-// There Be Light!: A Unified Lighting Technique for a New Generation of Games", section "Unified per-pixel lighting
-// solution", listings 2.1 to 2.3).
+// Jason Lacroix 2005, "Let There Be Light!: A Unified Lighting Technique for a New Generation of Games", section
+// "Unified per-pixel lighting solution": listing 2.1, the loop over the lights in world space, and listing 2.3, the
+// normal map's normal carried into the world (world_normal.glsl). interpolated.frag has listing 2.2.
+//
+// Where this leaves it: each light has the Basic model's terms (litfog/shaders/surface.glsl), clamped to 0, its own
+// attenuation in place of 1/dist, and a cone; Hales's fog lies before the surface. His constant registers, 224, were
+// the limit of his lights; here it is kMaxUniformLights (shader_variant.h), and more are read from a buffer.
+//
+// Left out, because no pixel would differ: his nested ifs that end the shader at the first light whose flag is off
+// (listing 3.2). He needs them where compilers unroll every loop; here a shader is compiled for its number of lights,
+// and the loop over a light list ends with the list. Left out, because the scenes' materials tile over many objects and
+// hold no heights: normal maps in object space, and parallax.
 
 #define CONSTANTS_FROM_VERTICES
 #include "lit_surface.glsl"

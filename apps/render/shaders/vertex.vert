@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Basic model at the vertices, any number of lights (Randima Fernando and Mark Kilgard 2003, "The Cg Tutorial",
-// section 5.2, examples 5-1, 5-4 and 5-5; Jason Lacroix 2005, "Let There Be Light!: A Unified Lighting Technique for a
-// New Generation of Games", listing 1.1). Light is interpolated between vertices, so a spot of light within a triangle
-// is missed.
+// The Basic model at the vertices, any number of lights: Randima Fernando and Mark Kilgard 2003, "The Cg Tutorial",
+// examples 5-4 (C5E4v_twoLights: the loop, the sums of diffuse and specular light) and 5-10 (C5E10_spotAttenLighting);
+// Jason Lacroix 2005, "Let There Be Light!: A Unified Lighting Technique for a New Generation of Games", listing 1.1
+// (the loop over the lights, in world space). Light is interpolated between vertices, so a spot of light within a
+// triangle is missed.
+//
+// Where this leaves them: attenuation is clamped to 1 and ends at the extent (cg.frag has it as printed); lighting is
+// in world space (there, too, is why object and eye space look the same); the material's colours follow at the
+// fragments.
 
 #include "cookie.glsl"
 #include "litfog/shaders/surface.glsl"

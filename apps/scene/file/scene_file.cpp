@@ -146,6 +146,30 @@ Environment read_environment(const JsonValue& value) {
   return environment;
 }
 
+double angle_or(const JsonValue& object, std::string_view name, double most_deg) {
+  return glm::radians(number_in_or(object, name, -most_deg, most_deg, 0));
+}
+
+/// What carries mounted lights.
+struct Vehicle {
+  glm::dvec3 position{0.0};
+  Attitude attitude;
+
+  /// right_up_back  to the right, up, and back, metres
+  glm::dvec3 point(const glm::dvec3& right_up_back) const {
+    const glm::dvec3 ahead_left_up(-right_up_back.z, -right_up_back.x, right_up_back.y);
+    return position + glm::transpose(viewpoint_from_world(attitude)) * ahead_left_up;
+  }
+};
+
+Vehicle read_vehicle(const JsonValue& value) {
+  value.allow_only({"position", "heading_deg", "pitch_deg", "roll_deg"});
+  return {.position = position_of(value.member("position")),
+          .attitude = {.heading = angle_or(value, "heading_deg", 360),
+                       .pitch = angle_or(value, "pitch_deg", 90),
+                       .roll = angle_or(value, "roll_deg", 180)}};
+}
+
 /// Reads scenes; keeps light files and models that several entries share.
 class SceneReader {
  public:
@@ -155,7 +179,7 @@ class SceneReader {
     const JsonValue root = files::read_json(path);
     expect_header(root, "scene", 1);
     root.allow_only({"litfog", "version", "name", "description", "camera", "environment", "visibilities_m", "fog_top_m",
-                     "phase_g", "lights", "city", "objects"});
+                     "phase_g", "vehicle", "lights", "city", "objects"});
     read_name(root, std::filesystem::path(path).stem().string());
     if (const auto description = root.optional("description")) scene_.description = description->string();
     scene_.camera = read_camera(root.member("camera"));
@@ -166,6 +190,7 @@ class SceneReader {
       scene_.phase_g = phase_g->number();
       if (!is_phase_g(scene_.phase_g)) phase_g->fail(kPhaseRule);
     }
+    if (const auto vehicle = root.optional("vehicle")) vehicle_ = read_vehicle(*vehicle);
     if (const auto lights = root.optional("lights")) {
       for (const JsonValue& light : lights->items()) read_light_entry(light);
     }
@@ -231,11 +256,16 @@ class SceneReader {
 
   void read_light_entry(const JsonValue& value) {
     value.allow_only(
-        {"light", "position", "aim", "direction", "color", "cookie", "turn_deg_per_s", "carried", "repeat"});
+        {"light", "position", "aim", "direction", "mount", "color", "cookie", "turn_deg_per_s", "carried", "repeat"});
     PlacedLight light{.light = read_kind(value.member("light")), .position = position_of(value.member("position"))};
     light.light.color = color_or(value, "color", light.light.color);
     light.direction = {0, -1, 0};
-    if (const auto aim = value.optional("aim")) {
+    std::optional<Mount> mount;
+    if (const auto given = value.optional("mount")) {
+      mount = read_mount(value, *given);
+      light.position = vehicle_->point(light.position);
+      light.direction = glm::transpose(light_from_world(mount->light, mount->vehicle))[0];
+    } else if (const auto aim = value.optional("aim")) {
       if (const auto twice = value.optional("direction")) twice->fail("must not stand beside aim");
       const glm::dvec3 axis = position_of(*aim) - light.position;
       if (!(glm::length(axis) > 1e-9)) aim->fail("must not be at the light's position");
@@ -253,6 +283,7 @@ class SceneReader {
     for (const glm::dvec3& position : read_repeat(value, light.position)) {
       light.position = position;
       if (cookie) scene_.cookie_uses.emplace(scene_.lights.size(), *cookie);
+      if (mount) scene_.mounts.emplace(scene_.lights.size(), *mount);
       if (turn_rate != 0) scene_.turn_rates.emplace(scene_.lights.size(), turn_rate);
       scene_.lights.push_back(light);
       if (scene_.lights.size() > kMaxSceneLights) {
@@ -262,6 +293,17 @@ class SceneReader {
         value.fail("lights", "", fmt::format("must be at most {} that are carried", kMaxFogLights));
       }
     }
+  }
+
+  Mount read_mount(const JsonValue& light, const JsonValue& value) const {
+    for (const char* member : {"aim", "direction", "cookie", "turn_deg_per_s", "repeat"}) {
+      if (const auto twice = light.optional(member)) twice->fail("must not stand beside mount");
+    }
+    if (!vehicle_) value.fail("must be in a scene with a vehicle");
+    value.allow_only({"azimuth_deg", "elevation_deg"});
+    return {
+        .vehicle = vehicle_->attitude,
+        .light = {.azimuth = angle_or(value, "azimuth_deg", 360), .elevation = angle_or(value, "elevation_deg", 90)}};
   }
 
   void read_city(const JsonValue& value, std::optional<std::size_t> lights) {
@@ -405,6 +447,7 @@ class SceneReader {
 
   std::filesystem::path folder_;
   Scene scene_;
+  std::optional<Vehicle> vehicle_;
   std::map<std::string, Light> lights_;
   std::map<std::pair<bool, std::string>, std::size_t> cookies_;  // by whether they are patterns, and name
   std::map<std::string, std::size_t> models_;

@@ -29,10 +29,15 @@ namespace litfog::scene {
 ///                                                         default: never, any fog hides the sky
 ///       "phase_g": 0.8,                                   optional: the fog's Henyey-Greenstein asymmetry, in (-1, 1);
 ///                                                         default: 0, which scatters evenly
+///       "vehicle": {"position": [0, 33, 356],             optional: to which lights are mounted
+///         "heading_deg": 4, "pitch_deg": -3, "roll_deg": 2},  optional: 0; right, up in [-90, 90], right wing down
 ///       "lights": [{
 ///         "light": "../lights/headlight.json",            relative to this file, or a light written out here
 ///         "position": [-0.6, 0.7, 0],
 ///         "aim": [-0.6, 0, -30],                          a point, or "direction": [0, -0.02, -1]; default: down
+///         "mount": {"azimuth_deg": 3,                     in their place: where it points as the vehicle sees it, to
+///                   "elevation_deg": -6},                 the right, and up in [-90, 90]; "position" is then to the
+///                                                         right of the vehicle's, up and back
 ///         "color": [2, 1.9, 1.6],                         optional: in place of the light's own
 ///         "cookie": {"image": "beam.exr",                 optional: in place of the light's cone, a cube map as
 ///                    "roll_deg": 20, "spin_deg_per_s": 90},  litfog-fit writes it, or "pattern": "disco" or "beacon";

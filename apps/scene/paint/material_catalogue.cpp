@@ -22,6 +22,7 @@ struct Recipe {
   glm::vec3 specular;
   float shininess;
   glm::vec3 emissive;
+  float metal_roughness = 0;
 };
 
 constexpr glm::vec3 kDark(0.0f);
@@ -35,7 +36,7 @@ const Recipe kRecipes[] = {
     {"concrete", paint_concrete, 512, 4.0f, {0.35f, 0.345f, 0.33f}, glm::vec3(0.08f), 14.0f, kDark},
     {"concrete_slabs", paint_concrete_slabs, 512, 8.0f, {0.35f, 0.345f, 0.33f}, glm::vec3(0.08f), 14.0f, kDark},
     {"corrugated", paint_corrugated, 256, 1.6f, {0.32f, 0.32f, 0.31f}, glm::vec3(0.25f), 30.0f, kDark},
-    {"galvanised", paint_galvanised, 256, 0.5f, {0.45f, 0.46f, 0.47f}, glm::vec3(0.45f), 45.0f, kDark},
+    {"galvanised", paint_galvanised, 256, 0.5f, {0.45f, 0.46f, 0.47f}, glm::vec3(0.45f), 45.0f, kDark, 0.3f},
     {"glass", paint_smooth, 64, 1.0f, {0.02f, 0.022f, 0.025f}, glm::vec3(0.9f), 250.0f, kDark},
     {"grass", paint_grass, 512, 2.4f, {0.09f, 0.12f, 0.042f}, glm::vec3(0.05f), 12.0f, kDark},
     {"gravel", paint_gravel, 512, 2.4f, {0.24f, 0.225f, 0.20f}, glm::vec3(0.06f), 10.0f, kDark},
@@ -148,7 +149,8 @@ Material make_material(std::string_view name) {
           .normal = std::make_shared<const Texels>(bake_normals(canvas)),
           .specular = recipe->specular,
           .shininess = recipe->shininess,
-          .emissive = recipe->emissive};
+          .emissive = recipe->emissive,
+          .metal_roughness = recipe->metal_roughness};
 }
 
 std::vector<Material> make_materials(std::span<const std::string> names) {

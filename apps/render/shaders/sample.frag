@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// The sample program of Steven Hales 2004, "Realtime Pixel Lighting Using Fragment Programs", section "Sample Fragment
+// Program", line by line: two headlights of the same parameters, "close enough together that the same range attenuation
+// value can be used for both", the light's colour as its ambient colour, saturating arithmetic; with the section
+// "Lighting in Fog", as for his figure 2.
+//
+// As printed, "ATTRIB tc_t0 = fragment.texcoord[0]" is missing. What stands for its registers here: icol is white,
+// texture 2 (face texture 2, "if any") is, too, and tc_f, which he has as one number, has the environment's colours.
+// Lights that are neither two nor alike are drawn in further passes, as in lookup.glsl. Two lights that are not close
+// together, which no printed line forbids, are both lit by the range of the first.
+
+#include "light_coordinates.glsl"
+#include "map_coordinate.glsl"
+
+uniform sampler3D range_map;
+uniform samplerCube cone_map;
+
+vec3 saturate(vec3 color) { return clamp(color, 0.0, 1.0); }
+
+void main() {
+  vec3 tc_f = is_first_pass ? directional_light(directional_shade) : vec3(0.0);
+  vec3 tex1 = base_texture().rgb;                                                    // TXP tex1
+  float ra = 0.0;
+  float aa = 0.0;
+  vec3 lcol = vec3(0.0);
+  float fog_intensity = 0.0;
+  if (lights_in_pass > 0) {
+    ra = texture(range_map, map_coordinate(range_coordinate(0), textureSize(range_map, 0).x)).r;  // TEX ra
+    for (int i = 0; i < lights_in_pass; ++i) aa += texture(cone_map, cone_coordinate(i)).r;  // TEX aa1, TEX aa2, ADD aa
+    lcol = batch_light(0).color_intensity.rgb;
+    fog_intensity = batch_light(0).color_intensity.w;
+  }
+  vec3 acc = vec3(aa * ra);              // MUL acc, aa, ra
+  acc = saturate(acc * lcol + tc_f);     // MAD_SAT acc.xyz, acc, lcol, tc_f.x
+  acc = acc * tex1;                      // MUL acc, acc, tex1
+  vec3 before_fog = saturate(acc);       // MUL_SAT output, acc, icol
+  vec3 fog = lcol * (aa * fog_intensity);  // "light color * angle attenuation * fog color intensity"
+  if (is_first_pass) fog += litfog_ambient_fog_color.rgb;
+  color = vec4(mix(before_fog, fog, litfog_fog_opacity(distance(fragment_position(), eye), 1.0)), 1.0);
+}

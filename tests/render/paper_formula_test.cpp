@@ -1,0 +1,520 @@
+// SPDX-License-Identifier: Apache-2.0
+// Each path against the formulas that its own paper prints, written here from the papers alone, in double: a wall at
+// z = -5 under lamps, pixel by pixel. Where a path works at vertices, the formulas are taken there and interpolated.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "gl/gl_test.h"
+#include "render/pixel.h"
+#include "render/polygon_sort.h"
+#include "render/renderer.h"
+#include "scene/file/scene_file.h"
+#include "scene/model/primitive.h"
+
+namespace litfog::test {
+using namespace scene;
+using namespace render;
+
+namespace {
+
+using glm::dvec3;
+
+constexpr int kWidth = 96;
+constexpr int kHeight = 64;
+constexpr double kWallZ = -5;
+constexpr dvec3 kNormal(0, 0, 1);
+constexpr dvec3 kTangent(1, 0, 0);
+constexpr double kDensity = 0.09;
+constexpr double kSmallAttenuation = 0.05;  // "a small attenuation value, a (e.g. 0.05)"
+const dvec3 kDirectional = glm::normalize(dvec3(0.3, 0.4, 0.8));
+
+/// C, L, Q; the spot's direction, and its cone: HA and S, or the two cones' angles.
+struct Lamp {
+  dvec3 position;
+  dvec3 direction;
+  dvec3 color;
+  double c, l, q;
+  bool is_dual;
+  double half_angle, exponent;  // or inner and outer
+};
+
+// Hales's cones have their edges beyond the wall: texels cannot hold the jump there.
+std::vector<Lamp> lamps(bool is_dual) {
+  const double first = is_dual ? 0.1 : 1.3;
+  const double second = is_dual ? 0.7 : 4;
+  return {{{-0.8, 0.3, -1}, glm::normalize(dvec3(0.1, -0.05, -1)), {0.9, 0.7, 0.5}, 1, 0, 0.3, is_dual, first, second},
+          {{0.9, 0.2, -1.2}, glm::normalize(dvec3(-0.1, 0, -1)), {0.5, 0.6, 0.9}, 1, 0, 0.3, is_dual, first, second},
+          {{0.1, -0.6, -2}, {0, 0, -1}, {0.4, 0.8, 0.3}, 0.6, 0.2, 0.2, is_dual, first, second}};
+}
+
+struct Setting {
+  std::vector<Lamp> lamps;
+  dvec3 texture{0.5, 0.4, 0.3};
+  dvec3 ks{0.3, 0.25, 0.2};
+  double shininess = 20;
+  double metal_roughness = 0;
+  dvec3 ambient{0.1, 0.12, 0.14};
+  dvec3 moon{0.05, 0.06, 0.09};
+  dvec3 fog_color{0.02, 0.03, 0.04};
+  int cells = 1;
+  double light_ambient = 0;
+};
+
+Scene wall(const Setting& setting) {
+  Scene scene;
+  scene.camera = {.position = {0, 0, 0}, .target = {0, 0, -1}, .field_of_view = 1.0f};
+  scene.environment.ambient_light = setting.ambient;
+  scene.environment.ambient_fog_color = setting.fog_color;
+  scene.environment.moon_direction = kDirectional;
+  scene.environment.moon_color = setting.moon;
+  std::vector<glm::vec3> points;
+  for (int j = 0; j <= setting.cells; ++j) {
+    for (int i = 0; i <= setting.cells; ++i)
+      points.emplace_back(12.0f * float(i) / float(setting.cells) - 6, 8.0f * float(j) / float(setting.cells) - 4, 0);
+  }
+  scene.materials.push_back({.name = "plain",
+                             .size_m = 1,
+                             .albedo = nullptr,
+                             .normal = std::make_shared<const Texels>(Texels{1, 1, {128, 128, 255, 0}}),
+                             .specular = setting.ks,
+                             .shininess = float(setting.shininess),
+                             .emissive = {},
+                             .metal_roughness = float(setting.metal_roughness),
+                             .plain_albedo = setting.texture});
+  Mesh mesh = make_surface(points, setting.cells + 1);
+  for (Vertex& vertex : mesh.vertices) vertex.uv = glm::vec2(vertex.position);
+  compute_tangents(mesh);
+  scene.models.push_back({{"plain", std::move(mesh)}});
+  scene.instances.push_back({0, glm::translate(glm::mat4(1), glm::vec3(0, 0, kWallZ))});
+  for (const Lamp& lamp : setting.lamps) {
+    const Cone cone = lamp.is_dual ? Cone::smoothstep(lamp.half_angle, lamp.exponent)
+                                   : Cone::cosine(lamp.half_angle, lamp.exponent);
+    scene.lights.push_back(
+        {.light = {.name = "lamp", .color = lamp.color, .attenuation = {lamp.c, lamp.l, lamp.q}, .cone = cone},
+         .position = lamp.position,
+         .direction = lamp.direction,
+         .carried = true});
+  }
+  return scene;
+}
+
+// --- Hales ---
+
+/// "Solving the quadratic equation for R, where Q * R^2 + L * R + (C - 1/a) = 0".
+double range_extent(const Lamp& lamp) {
+  const double constant = lamp.c - 1 / kSmallAttenuation;
+  return (-lamp.l + std::sqrt(lamp.l * lamp.l - 4 * lamp.q * constant)) / (2 * lamp.q);
+}
+
+double range_attenuation(const Lamp& lamp, double r) {
+  if (r > range_extent(lamp)) return 0;
+  return std::min(1.0, 1 / (lamp.c + lamp.l * r + lamp.q * r * r));
+}
+
+double angle_attenuation(const Lamp& lamp, const dvec3& v) {
+  const dvec3 p = v - lamp.position;
+  const double cosa = glm::dot(lamp.direction, p) / std::sqrt(glm::dot(p, p));
+  if (!lamp.is_dual) return cosa > std::cos(lamp.half_angle) ? std::pow(cosa, lamp.exponent) : 0;
+  // C5E9_dualConeSpotlight: smoothstep is -2 x^3 + 3 x^2.
+  const double inner = std::cos(lamp.half_angle), outer = std::cos(lamp.exponent);
+  const double x = std::clamp((cosa - outer) / (inner - outer), 0.0, 1.0);
+  return -2 * x * x * x + 3 * x * x;
+}
+
+double fog_factor(double r) { return std::exp(-(kDensity * r) * (kDensity * r)); }  // ARB_fog_exp2
+
+/// "Take samples across the extent of the light ... Take the maximum value".
+double fog_color_intensity(const Lamp& lamp) {
+  double most = 0;
+  for (double r = 0; r <= range_extent(lamp); r += range_extent(lamp) / 2000) {
+    most = std::max(most, (1 - fog_factor(r)) * range_attenuation(lamp, r));
+  }
+  return most;
+}
+
+using AngleLaw = std::function<double(const Lamp&, const dvec3&)>;
+
+dvec3 fragment_fog_color(const Setting& setting, const dvec3& v, const AngleLaw& angle) {
+  dvec3 color = setting.fog_color;
+  for (const Lamp& lamp : setting.lamps) color += lamp.color * angle(lamp, v) * fog_color_intensity(lamp);
+  return color;
+}
+
+dvec3 directional(const Setting& setting) {
+  return setting.ambient + setting.moon * std::max(glm::dot(kDirectional, kNormal), 0.0);
+}
+
+double n_dot_l(const Lamp& lamp, const dvec3& v) {
+  return std::max(glm::dot(kNormal, glm::normalize(lamp.position - v)), 0.0);
+}
+
+dvec3 hales(const Setting& setting, const dvec3& v) {
+  dvec3 sum = directional(setting);
+  for (const Lamp& lamp : setting.lamps) {
+    sum += range_attenuation(lamp, glm::distance(v, lamp.position)) * angle_attenuation(lamp, v) *
+           (setting.light_ambient * lamp.color + n_dot_l(lamp, v) * lamp.color);
+  }
+  return sum * setting.texture;
+}
+
+/// "(RA * (AA1 + AA2) * lcol + f) * icol * tex1", with MAD_SAT and MUL_SAT.
+dvec3 hales_sample(const Setting& setting, const dvec3& v) {
+  const Lamp& first = setting.lamps[0];
+  const double ra = range_attenuation(first, glm::distance(v, first.position));
+  double aa = 0;
+  for (const Lamp& lamp : setting.lamps) aa += angle_attenuation(lamp, v);
+  return glm::clamp(glm::clamp(ra * aa * first.color + directional(setting), 0.0, 1.0) * setting.texture, 0.0, 1.0);
+}
+
+// --- Frazier ---
+
+dvec3 frazier_light(const Setting& setting, const dvec3& v, const AngleLaw& angle) {
+  dvec3 sum(0.0);
+  for (const Lamp& lamp : setting.lamps) {
+    const dvec3 p = (v - lamp.position) / range_extent(lamp);
+    sum += lamp.color * std::max(1 - p.x * p.x - p.y * p.y - p.z * p.z, 0.0) * angle(lamp, v);
+  }
+  return sum;
+}
+
+/// prepareLightForPlane: x and y after the plane's rotation to z = 0, and the square of the plane's distance.
+dvec3 frazier_plane(const Setting& setting, const dvec3& v) {
+  const dvec3 forward(0, 0, -1);
+  dvec3 sum(0.0);
+  for (const Lamp& lamp : setting.lamps) {
+    const dvec3 axis = glm::cross(kNormal, forward);
+    EXPECT_LE(glm::length(axis), 0.00001);
+    const double r = range_extent(lamp);
+    const dvec3 xy = (v - lamp.position) / r;  // "we can leave the plane where it is"
+    const double z = glm::dot(kNormal, lamp.position - v) / r;
+    sum += lamp.color * std::max(1 - (xy.x * xy.x + xy.y * xy.y) - z * z, 0.0) * angle_attenuation(lamp, v);
+  }
+  return (sum + directional(setting)) * setting.texture;
+}
+
+/// A white circle on one side of the cube: scaled, it ends at the spot's angle.
+double white_circle(const Lamp& lamp, const dvec3& v) {
+  return glm::dot(glm::normalize(v - lamp.position), lamp.direction) > std::cos(lamp.exponent) ? 1 : 0;
+}
+
+// --- The Cg Tutorial and Lacroix ---
+
+struct Sums {
+  dvec3 diffuse{0.0};
+  dvec3 specular{0.0};
+};
+
+/// C5E5_computeLighting.
+void compute_lighting(const Setting& setting, const dvec3& l, const dvec3& color, const dvec3& p, Sums& sums) {
+  const double diffuse = std::max(glm::dot(kNormal, l), 0.0);
+  const dvec3 h = glm::normalize(l + glm::normalize(-p));  // the eye is at the origin
+  const double specular = diffuse <= 0 ? 0 : std::pow(std::max(glm::dot(kNormal, h), 0.0), setting.shininess);
+  sums.diffuse += color * diffuse;
+  sums.specular += color * specular;
+}
+
+using Attenuate = double (*)(const Lamp&, double);
+
+/// Example 5-6, and Lacroix's equation (3), whose clamp and end are Hales's.
+double printed_attenuation(const Lamp& lamp, double d) { return 1 / (lamp.c + lamp.l * d + lamp.q * d * d); }
+
+Sums basic_sums(const Setting& setting, const dvec3& p, Attenuate attenuate, const AngleLaw& angle) {
+  Sums sums;
+  compute_lighting(setting, kDirectional, setting.moon, p, sums);
+  for (const Lamp& lamp : setting.lamps) {
+    const double factor = attenuate(lamp, glm::distance(p, lamp.position)) * angle(lamp, p);
+    compute_lighting(setting, glm::normalize(lamp.position - p), factor * lamp.color, p, sums);
+  }
+  return sums;
+}
+
+dvec3 basic(const Setting& setting, const Sums& sums) {
+  return setting.texture * (setting.ambient + sums.diffuse) + setting.ks * sums.specular;
+}
+
+dvec3 unified(const Setting& setting, const dvec3& p) {
+  return basic(setting, basic_sums(setting, p, range_attenuation, angle_attenuation));
+}
+
+/// The wall's triangle around a point, and the weights of its corners there.
+struct Corners {
+  std::array<dvec3, 3> at;
+  dvec3 weights;
+
+  template <typename Value>
+  auto interpolated(const Value& value) const {
+    return weights[0] * value(at[0]) + weights[1] * value(at[1]) + weights[2] * value(at[2]);
+  }
+};
+
+Corners corners_around(const Mesh& mesh, const dvec3& p) {
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+    Corners corners{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      corners.at[k] = dvec3(mesh.vertices[mesh.indices[i + k]].position) + dvec3(0, 0, kWallZ);
+    }
+    const auto twice_area = [](const dvec3& a, const dvec3& b, const dvec3& c) { return glm::cross(b - a, c - a).z; };
+    const auto& [a, b, c] = corners.at;
+    corners.weights = dvec3(twice_area(p, b, c), twice_area(a, p, c), twice_area(a, b, p)) / twice_area(a, b, c);
+    if (glm::all(glm::greaterThanEqual(corners.weights, dvec3(-1e-9)))) return corners;
+  }
+  ADD_FAILURE() << "no triangle";
+  return {};
+}
+
+/// Exercise 6: "compute just the specular contribution using the interpolated half-angle and normal vectors".
+dvec3 mixed(const Setting& setting, const Corners& corners) {
+  const auto sums = [&](const dvec3& v) { return basic_sums(setting, v, range_attenuation, angle_attenuation); };
+  dvec3 color = setting.texture * (setting.ambient + corners.interpolated([&](const dvec3& v) { return sums(v).diffuse; }));
+  const auto add = [&](const auto& to_light, const auto& light) {
+    const dvec3 h = corners.interpolated([&](const dvec3& v) { return glm::normalize(to_light(v) + glm::normalize(-v)); });
+    color += setting.ks * corners.interpolated(light) *
+             std::pow(std::max(glm::dot(kNormal, glm::normalize(h)), 0.0), setting.shininess);
+  };
+  add([](const dvec3&) { return kDirectional; }, [&](const dvec3&) { return setting.moon; });
+  for (const Lamp& lamp : setting.lamps) {
+    add([&](const dvec3& v) { return glm::normalize(lamp.position - v); },
+        [&](const dvec3& v) {
+          return lamp.color * range_attenuation(lamp, glm::distance(v, lamp.position)) * angle_attenuation(lamp, v);
+        });
+  }
+  return color;
+}
+
+// --- metals ---
+
+using Reflect = dvec3 (*)(const Setting&, const dvec3& l, const dvec3& v);
+
+/// Cook and Torrance 1982: F D G / (N.L N.V) / pi, times N.L, and pi as the Basic model has it; D by the angle itself.
+dvec3 cook_torrance(const Setting& setting, const dvec3& l, const dvec3& v) {
+  const dvec3 h = glm::normalize(l + v);
+  const double delta = std::acos(glm::dot(kNormal, h));
+  const double m = setting.metal_roughness;
+  const double d = std::exp(-std::pow(std::tan(delta) / m, 2)) / (4 * m * m * std::pow(std::cos(delta), 4));
+  const double vh = glm::dot(v, h);
+  const double g = std::min({1.0, 2 * std::cos(delta) * glm::dot(kNormal, v) / vh,
+                             2 * std::cos(delta) * glm::dot(kNormal, l) / vh});
+  const dvec3 f = setting.texture + (1.0 - setting.texture) * std::pow(1 - vh, 5);
+  return f * d * g / glm::dot(kNormal, v);
+}
+
+/// Heidrich and Seidel 1998, with the grooves' normals that they avoid to compute: perpendicular to the tangent, the
+/// nearest to the light for diffuse light; half way between the light and the eye, seen along the groove, for the mirror.
+dvec3 brushed(const Setting& setting, const dvec3& l, const dvec3& v) {
+  const auto across = [](const dvec3& d) { return glm::normalize(d - kTangent * glm::dot(d, kTangent)); };
+  const dvec3 r = glm::reflect(-l, glm::normalize(across(l) + across(v)));
+  return glm::dot(kNormal, l) * (setting.texture * glm::dot(across(l), l) +
+                                 setting.ks * std::pow(std::max(glm::dot(v, r), 0.0), setting.shininess));
+}
+
+dvec3 metal(const Setting& setting, const dvec3& p, Reflect reflect) {
+  const dvec3 v = glm::normalize(-p);
+  dvec3 color = setting.texture * setting.ambient + setting.moon * reflect(setting, kDirectional, v);
+  for (const Lamp& lamp : setting.lamps) {
+    color += lamp.color * range_attenuation(lamp, glm::distance(p, lamp.position)) * angle_attenuation(lamp, p) *
+             reflect(setting, glm::normalize(lamp.position - p), v);
+  }
+  return color;
+}
+
+// --- the comparison ---
+
+using Formula = std::function<dvec3(const dvec3& point, const Corners& corners)>;  // before fog
+enum class FogOf { hales, legacy, none };
+
+class PaperFormula : public test::GlTest {
+ protected:
+  /// Largest difference of a path's picture from the formula, in the fog.
+  static double error(const Setting& setting, const RenderSettings& settings, const Formula& formula,
+                      FogOf fog_of = FogOf::hales, const AngleLaw& fog_angle = angle_attenuation) {
+    const Scene scene = wall(setting);
+    Renderer renderer(scene, kWidth, kHeight, settings);
+    renderer.set_fog({.mode = FogMode::exp2, .density = kDensity});
+    renderer.draw(LightPoints::off);
+    const Picture picture = renderer.read();
+    double worst = 0;
+    double brightest = 0;
+    for (int y = 1; y < kHeight; y += 3) {
+      for (int x = 1; x < kWidth; x += 3) {
+        const dvec3 view = view_direction(scene.camera, kWidth, kHeight, x + 0.5, y + 0.5);
+        const dvec3 point = view * (kWallZ / view.z);
+        dvec3 expected = formula(point, corners_around(scene.models[0][0].mesh, point));
+        if (fog_of != FogOf::none) {
+          const dvec3 fog =
+              fog_of == FogOf::legacy ? setting.fog_color : fragment_fog_color(setting, point, fog_angle);
+          expected = glm::mix(fog, expected, fog_factor(glm::length(point)));
+        }
+        if (std::isnan(expected.x)) continue;  // the formula's jump
+        const dvec3 difference = glm::abs(pixel(picture, x, y) - expected);
+        if (!std::isfinite(difference.x + difference.y + difference.z)) return std::nan("");
+        worst = std::max({worst, difference.x, difference.y, difference.z});
+        brightest = std::max(brightest, expected.x);
+      }
+    }
+    EXPECT_GT(brightest, 0.2);
+    std::printf("%-14s error %.3g\n", std::string(settings.path->name).c_str(), worst);
+    return worst;
+  }
+  static RenderSettings along(std::string_view path, RenderSettings settings = {}) {
+    settings.path = find_lighting_path(path);
+    return settings;
+  }
+};
+
+constexpr double kHalfFloat = 0x1p-10;
+constexpr double kVertices = 2 * kHalfFloat;  // a rasteriser places vertices to 1/256 of a pixel
+constexpr double kTexels = 1.0 / 255;  // of 128 texels a side, in smooth light
+
+TEST_F(PaperFormula, LookupPathsAreHalessEquation) {
+  for (const char* path : {"lookup-3d", "lookup-2d"}) {
+    for (const double light_ambient : {0.0, 0.4}) {
+      const Setting setting{.lamps = lamps(false), .light_ambient = light_ambient};
+      const Formula formula = [&](const dvec3& point, const Corners&) { return hales(setting, point); };
+      EXPECT_LE(error(setting, along(path, {.light_ambient = light_ambient}), formula), kTexels) << path;
+    }
+  }
+}
+
+// Two lights alike in all but their positions, and bright enough for saturation.
+TEST_F(PaperFormula, SampleIsHalessSampleProgram) {
+  Setting setting{.lamps = lamps(false)};
+  setting.lamps.pop_back();
+  for (Lamp& lamp : setting.lamps) lamp.color = {2.2, 1.5, 0.8};
+  const Formula formula = [&](const dvec3& point, const Corners&) { return hales_sample(setting, point); };
+  EXPECT_LE(error(setting, along("sample"), formula), 2.2 * 2 * kTexels);
+}
+
+TEST_F(PaperFormula, RadialPathsAreFraziersEquation) {
+  const Setting setting{.lamps = lamps(true)};
+  const Formula formula = [&](const dvec3& point, const Corners&) {
+    return (directional(setting) + frazier_light(setting, point, angle_attenuation)) * setting.texture;
+  };
+  EXPECT_LE(error(setting, along("radial"), formula), kTexels);
+  EXPECT_LE(error(setting, along("accumulate"), formula), kTexels);
+  const Formula by_plane = [&](const dvec3& point, const Corners&) { return frazier_plane(setting, point); };
+  EXPECT_LE(error(setting, along("radial-plane"), by_plane), kTexels);
+  const Formula untextured = [&](const dvec3& point, const Corners&) {
+    return directional(setting) + frazier_light(setting, point, angle_attenuation);
+  };
+  EXPECT_LE(error(setting, along("light-map"), untextured, FogOf::none), 3 * kTexels);
+}
+
+// Away from the circle's edge, which the texels blur.
+TEST_F(PaperFormula, OneDiscIsFraziersWhiteCircleAtEveryAngle) {
+  for (const double angle : {0.3, 0.785398, 1.2}) {
+    Setting setting{.lamps = lamps(true)};
+    for (Lamp& lamp : setting.lamps) lamp.exponent = angle, lamp.half_angle = angle / 2;
+    const double texel = 2 * std::tan(angle) / 127;
+    const Formula formula = [&](const dvec3& point, const Corners&) {
+      for (const Lamp& lamp : setting.lamps) {
+        const double u = std::acos(glm::dot(glm::normalize(point - lamp.position), lamp.direction));
+        if (std::abs(std::tan(u) - std::tan(angle)) < 2 * texel) return dvec3(std::nan(""));
+      }
+      return (directional(setting) + frazier_light(setting, point, white_circle)) * setting.texture;
+    };
+    EXPECT_LE(error(setting, along("radial", {.cone_maps = ConeMaps::one_disc}), formula, FogOf::hales, white_circle),
+              kTexels)
+        << angle;
+  }
+}
+
+TEST_F(PaperFormula, FragmentPathsAreTheBasicModel) {
+  const Setting setting{.lamps = lamps(true)};
+  const Formula formula = [&](const dvec3& point, const Corners&) { return unified(setting, point); };
+  for (const char* path : {"unified", "tangent", "interpolated"}) {
+    EXPECT_LE(error(setting, along(path), formula), kHalfFloat) << path;
+  }
+}
+
+TEST_F(PaperFormula, VertexPathsAreTheirFormulasAtTheVertices) {
+  const Setting setting{.lamps = lamps(true), .cells = 6};
+  const auto sums = [&](const dvec3& v) { return basic_sums(setting, v, range_attenuation, angle_attenuation); };
+  const Formula vertex = [&](const dvec3&, const Corners& corners) {
+    return basic(setting, {corners.interpolated([&](const dvec3& v) { return sums(v).diffuse; }),
+                           corners.interpolated([&](const dvec3& v) { return sums(v).specular; })});
+  };
+  EXPECT_LE(error(setting, along("vertex"), vertex), kVertices);
+  EXPECT_LE(error(setting, along("mixed"),
+                  [&](const dvec3&, const Corners& corners) { return mixed(setting, corners); }),
+            kVertices);
+  const Formula legacy = [&](const dvec3&, const Corners& corners) {
+    return setting.texture *
+           (setting.ambient + corners.interpolated([&](const dvec3& v) { return sums(v).diffuse; }));
+  };
+  EXPECT_LE(error(setting, along("legacy"), legacy, FogOf::legacy), kVertices);
+}
+
+// Lamps so near that the printed attenuation exceeds 1, and so dim that their extent ends on the wall.
+TEST_F(PaperFormula, CgNeitherClampsNorCutsTheAttenuation) {
+  Setting setting{.lamps = lamps(true)};
+  setting.lamps[0].c = 0.05, setting.lamps[0].q = 0.02;
+  setting.lamps[1].q = 2;
+  const auto edge = [](auto shape) {
+    return [shape](const Lamp& lamp, const dvec3& v) {
+      const double cosa = glm::dot(glm::normalize(v - lamp.position), lamp.direction);
+      return shape((cosa - std::cos(lamp.exponent)) / (std::cos(lamp.half_angle) - std::cos(lamp.exponent)));
+    };
+  };
+  const std::pair<SpotEdge, AngleLaw> edges[] = {
+      {SpotEdge::hard, edge([](double x) { return x < 0 ? 0.0 : 1.0; })},
+      {SpotEdge::lerp, edge([](double x) { return std::clamp(x, 0.0, 1.0); })},
+      {SpotEdge::smoothstep, angle_attenuation}};
+  for (const auto& [spot_edge, angle] : edges) {
+    const Formula formula = [&, &law = angle](const dvec3& point, const Corners&) {
+      return basic(setting, basic_sums(setting, point, printed_attenuation, law));
+    };
+    EXPECT_LE(error(setting, along("cg", {.spot_edge = spot_edge}), formula), 8 * kHalfFloat) << int(spot_edge);
+  }
+}
+
+TEST_F(PaperFormula, MetalsAreTheirPapersModels) {
+  const Setting setting{.lamps = lamps(true), .metal_roughness = 0.3};
+  for (const auto& [path, reflect] : {std::pair<const char*, Reflect>{"cook-torrance", cook_torrance},
+                                      {"anisotropic", brushed}}) {
+    const Formula formula = [&, model = reflect](const dvec3& point, const Corners&) {
+      return metal(setting, point, model);
+    };
+    EXPECT_LE(error(setting, along(path), formula), 2 * kHalfFloat) << path;
+  }
+  Setting plain = setting;
+  plain.metal_roughness = 0;
+  const Formula basic_model = [&](const dvec3& point, const Corners&) { return unified(plain, point); };
+  EXPECT_LE(error(plain, along("cook-torrance"), basic_model), kHalfFloat);
+  EXPECT_LE(error(plain, along("anisotropic"), basic_model), kHalfFloat);
+}
+
+// Drawn without lights, the polygons out of every light's reach look the same, up to the roundings of other passes.
+TEST_F(PaperFormula, SortedPolygonsMakeTheSamePicture) {
+  const Scene scene = read_scene(bundled_scene_path("headlights"));
+  const Scene sorted = sort_polygons(scene, along("lookup-2d"));
+  std::size_t triangles = 0;
+  std::size_t beyond = 0;
+  for (const Instance& instance : sorted.instances) {
+    const std::size_t count = triangle_count(sorted.models[instance.model]);
+    triangles += count;
+    if (instance.is_beyond_lights) beyond += count;
+  }
+  std::size_t before = 0;
+  for (const Instance& instance : scene.instances) before += triangle_count(scene.models[instance.model]);
+  EXPECT_EQ(triangles, before);
+  EXPECT_GT(5 * beyond, triangles);
+  EXPECT_LT(beyond, triangles);
+  std::vector<Picture> pictures;
+  for (const Scene* drawn : {&scene, &sorted}) {
+    Renderer renderer(*drawn, 2 * kWidth, 2 * kHeight, along("lookup-2d"));
+    renderer.set_fog(Fog::from_visibility(FogMode::exp2, 100.0));
+    renderer.draw();
+    pictures.push_back(renderer.read());
+  }
+  EXPECT_LE(largest_difference(pictures[0], pictures[1]), 8 * kHalfFloat);
+}
+
+}  // namespace
+
+}  // namespace litfog::test
