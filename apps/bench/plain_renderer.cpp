@@ -191,10 +191,7 @@ void PlainRenderer::draw_light_points(const glm::mat4& clip_from_world) const {
   use(light_point_program_);
   fog_block_.bind(light_point_program_, render::kFogLightBinding);
   set_uniform(light_point_program_, "clip_from_world", clip_from_world);
-  set_uniform(light_point_program_, "has_glare", 1u);
-  set_uniform(light_point_program_, "near_plane", render::kNearPlane);
-  set_uniform(light_point_program_, "has_clip_control", unsigned{render::has_clip_control()});
-  set_uniform(light_point_program_, "pixel_scale", float(framebuffer_.height()) / 720.0f);
+  render::set_point_uniforms(light_point_program_, render::FogLighting::peak, framebuffer_.height());
   glEnable(GL_PROGRAM_POINT_SIZE);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);

@@ -29,6 +29,11 @@ float fog_above_eye(const scene::Scene& scene);
 /// Whether lamps are drawn as points over the surfaces.
 enum class LightPoints { on, off };
 
+/// Passes a program of shaders/light_point.vert how points are drawn, but for the view and the lights.
+///
+/// height  of the picture, pixels
+void set_point_uniforms(const gl::Program& program, FogLighting fog_lighting, int height);
+
 /// Draws a scene by a lighting path into a framebuffer. Needs a current GL 3.3 core context.
 class Renderer {
  public:

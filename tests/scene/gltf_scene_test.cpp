@@ -415,7 +415,7 @@ TEST_F(GltfScene, ErrorsNameLocationValueAndRule) {
   EXPECT_EQ(error_of(with("/extensions/KHR_lights_punctual/lights/0/range", -2)),
             "extensions.KHR_lights_punctual.lights[0].range = -2: must be > 0 and at most 1e7");
   EXPECT_EQ(error_of(with("/materials/0/pbrMetallicRoughness/metallicFactor", 2)),
-            "materials[0].pbrMetallicRoughness.metallicFactor = 2: must be in [0, 1]");
+            "materials[0].pbrMetallicRoughness.metallicFactor = 2: must be in [0, 1]; 2 % is 0.02");
   EXPECT_EQ(error_of(with("/nodes/0/translation", {1e9, 0, 0})),
             "nodes[0] = an object: must lie within 10000000 metres");
   EXPECT_EQ(error_of(with("/nodes/0/mesh", "floor")), "nodes[0].mesh = \"floor\": must be a number");  // GltfValues

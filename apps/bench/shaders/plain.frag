@@ -42,7 +42,7 @@ void main() {
   }
   vec3 fog = ambient_fog_color;
   for (int i = 0; i < LIGHT_COUNT; ++i) {
-    LitfogLight light = local_light(i);
+    LitfogLight light = light_at(i);
     vec3 to_light = light.position_extent.xyz - position;
     float range = length(to_light);
     to_light /= range;

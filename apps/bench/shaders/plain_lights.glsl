@@ -10,7 +10,7 @@ uniform float density;
 uniform bool is_exp2;
 uniform vec3 ambient_fog_color;
 
-LitfogLight local_light(int i) {
+LitfogLight light_at(int i) {
   return LitfogLight(lights[5 * i], lights[5 * i + 1], lights[5 * i + 2], lights[5 * i + 3], lights[5 * i + 4]);
 }
 

@@ -15,7 +15,7 @@ void main() {
   vec3 position = eye + direction * range;
   vec3 fog = ambient_fog_color;
   for (int i = LOCAL_COUNT; i < LIGHT_COUNT; ++i) {
-    LitfogLight light = local_light(i);
+    LitfogLight light = light_at(i);
     float cone = beam(light, normalize(position - light.position_extent.xyz));
     fog += light.color_intensity.rgb * (cone * light.color_intensity.w);
   }

@@ -9,4 +9,5 @@ uniform isamplerBuffer light_list;
 uniform int carried_count;
 
 int light_entry(int i) { return texelFetch(light_list, i).x; }
-LitfogLight carried_light(int i) { return litfog_buffered_light(light_entry(i)); }
+LitfogLight light_at(int i) { return litfog_buffered_light(light_entry(i)); }
+LitfogLight carried_light(int i) { return light_at(i); }

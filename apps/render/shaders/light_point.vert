@@ -37,7 +37,7 @@ float lift(float range) {
 }
 
 void main() {
-  LitfogLight light = litfog_buffered_light(light_entry(first_point + gl_VertexID));
+  LitfogLight light = light_at(first_point + gl_VertexID);
   vec3 to_eye = eye - light.position_extent.xyz;
   float range = length(to_eye);
   to_eye /= range;
