@@ -70,8 +70,8 @@ class GlowBound {
   /// Metres: the falloff's.
   double width() const { return level_range(attenuation_, 2 * std::max(attenuation_.constant, 1.0)); }
 
-  /// Metres within which it is flat: the falloff's width, or less in dense fog.
-  double flat_range() const { return std::min(width(), 0.5 / density_); }
+  /// Metres within which it is flat: half of the falloff's width, or less in dense fog.
+  double flat_range() const { return 0.5 * std::min(width(), 0.5 / density_); }
 
   /// k, where at a distance h it is about k / h. Metres.
   double k() const {

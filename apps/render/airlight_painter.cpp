@@ -24,6 +24,7 @@ namespace {
 constexpr double kDarkestSlope = 12.92;
 constexpr double kBudget = 1 / (8 * 255 * kDarkestSlope);
 constexpr int kGridSteps[] = {8, 4, 2, 1};  // pixels
+constexpr double kMostApart = 0.06;         // radians between a grid's texels: airlight is not known to be smoother
 constexpr int kBlock = 8;                   // of airlight_blocks.glsl: texels
 constexpr GLint kMarked = 1;                // of a stencil, which is 0 elsewhere
 constexpr GLenum kTargets[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
@@ -97,6 +98,7 @@ AirlightPainter::AirlightPainter(const scene::Scene& scene, const SceneLights& l
   glDrawBuffers(2, kTargets);
   check_framebuffer();
   for (const int step : kGridSteps) {
+    if (step > 1 && step > kMostApart * pixels_per_radian()) continue;
     Grid& grid = grids_.emplace_back();
     grid.step = step;
     grid.size = (picture_size_ + (step - 1)) / step + (step > 1 ? 1 : 0);
@@ -235,7 +237,8 @@ void AirlightPainter::draw_lights(const Frame& frame, const Grid& grid, Part par
   const glm::vec2 scale = glm::vec2(picture_size_) / glm::vec2(grid.step * size);
   const glm::vec2 offset = scale - 1.0f + (1.0f - 1.0f / float(grid.step)) / glm::vec2(size);
   for (const AirlightList::Range& range : frame.lights) {
-    const int coarsest_step = range.profile == kCookieProfile ? 1 : range.has_shafts ? 2 : kGridSteps[0];
+    const int smooth_step = range.profile == kCookieProfile ? 1 : range.has_shafts ? 2 : kGridSteps[0];
+    const int coarsest_step = std::min(smooth_step, grids_.front().step);
     if (part == Part::whole ? grid.step != coarsest_step : grid.step >= coarsest_step) continue;
     const gl::Program& program = light_program(frame.fog_mode, range.profile, range.has_shafts);
     use(program, frame, grid);

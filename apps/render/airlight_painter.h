@@ -31,7 +31,7 @@ struct View {
 /// Adds the airlight of lights over a picture. Needs a current GL context.
 ///
 /// Airlight mostly changes slowly over a picture. So all lights are first drawn at every eighth pixel of every
-/// eighth row, and then in finer and finer grids. A grid leaves out the part of a light's airlight that bends sharply,
+/// eighth row (of small pictures at more), and then in finer and finer grids. A grid leaves out the part of a light's airlight that bends sharply,
 /// close to the light. A texel of a finer grid takes the mean of its neighbours in the one before where that is good
 /// enough (shaders/airlight_fill.frag), and only what they have left out is drawn. For the others all lights are drawn,
 /// at texels packed into a target of their own.

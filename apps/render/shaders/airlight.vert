@@ -10,7 +10,7 @@ uniform vec3 eye;
 // Scale and offset in clip space: the target's texels may be farther apart than pixels.
 uniform vec4 target_from_picture;
 uniform int first_entry;
-uniform float block_angle;  // across a block of texels at the picture's middle, radians
+uniform float block_angle;  // across a block of texels at the picture's middle, where it is largest: radians
 
 flat out int light_index;
 flat out vec2 bend_range_width;
@@ -46,13 +46,17 @@ void main() {
   // Across the line of sight, as large as the ball appears there and as far as the light, and at least half a metre
   // away, so that the near plane does not cut it.
   float half_size = radius / sqrt(range * range - radius * radius);  // at a distance of 1
-  if (is_packed) half_size += block_angle;
   vec3 to_apex = toward_apex / apex_depth - toward;
   float apex_size = length(to_apex);
   vec3 right = apex_size > 0.01 * half_size ? to_apex / apex_size
                : normalize(cross(toward, abs(toward.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0)));
   vec3 up = cross(right, toward);
-  vec3 place = toward + right * (corner.x < 0.0 ? -half_size : max(half_size, apex_size + (is_packed ? block_angle : 0.0))) + up * (corner.y * half_size);
+  float far_size = max(half_size, apex_size);
+  if (is_packed) {  // a texel may stand for one that far away
+    half_size += block_angle * (1.0 + half_size * half_size);
+    far_size += block_angle * (1.0 + far_size * far_size);
+  }
+  vec3 place = toward + right * (corner.x < 0.0 ? -half_size : far_size) + up * (corner.y * half_size);
   gl_Position = clip_from_world * vec4(eye + place * max(range, 0.5), 1.0);
   gl_Position.xy = gl_Position.xy * target_from_picture.xy + gl_Position.w * target_from_picture.zw;
   gl_Position.z = 0.0;
