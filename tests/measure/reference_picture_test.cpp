@@ -364,6 +364,21 @@ TEST_P(ReferenceOfScene, AirlightIsWithinAStepFromClearAirToAMetreOfVisibility) 
   }
 }
 
+// A small angle to each pixel, as in large pictures: airlight is then drawn at few of them first.
+TEST_F(ReferencePictureTest, AirlightOfADistantViewIsThatOfTheReference) {
+  for (const std::string& name : {"headlights", "lighthouse", "room", "street"}) {
+    Scene scene = read_scene(bundled_scene_path(name));
+    scene.camera.field_of_view = glm::radians(8.0f);
+    for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
+      const Fog fog = Fog::from_visibility(mode, scene.visibilities.at(1));
+      const PictureError error = airlight_error(scene, fog, 80, 45, lighting_paths().front());
+      fmt::print("{:<12} {:<4} largest {:6.3f}, {} excluded\n", name, name_of(mode), error.largest, error.excluded);
+      EXPECT_LE(error.largest, kAirlightBound) << name << ", " << name_of(mode);
+      EXPECT_LE(error.excluded, 45u) << name << ", " << name_of(mode);
+    }
+  }
+}
+
 /// The bounds by airlight of paths that do not light each fragment by the formula. Those by light maps have their bound
 /// by `peak`: the airlight errs by as little. Those of `tangent`, which interpolates vectors between vertices, are
 /// measured, with 5 % of margin.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The airlight of all lights from a grid of half as many rows and columns, where that is good enough: where, brought to
-// what the pixel sees, a cubic or a straight line through texels errs little. Other pixels are left for lights one by one.
+// The airlight of all lights from a grid of half as many rows and columns, where that is good enough: where, brought
+// to what the pixel sees, a cubic or a straight line through texels errs little. Other pixels are left for lights one
+// by one.
 
 #include "seen.glsl"
 
@@ -63,10 +64,10 @@ Middle middle_of(ivec2 place, ivec2 step, float opacity) {
   vec3 second_bend = is_inside(place + 2 * step) ? a - 2.0 * b + behind : vec3(0.0);
   vec3 bend_before = grid_texel(place - 2 * step, opacity).airlight - 2.0 * before + a;
   vec3 bend_behind = b - 2.0 * behind + grid_texel(place + 3 * step, opacity).airlight;
-  // The straight line errs by an eighth of the bend. The cubic errs by 3/128 of the bend's own bend where the airlight is
-  // smooth, and by more where it has an edge.
+  // Where the airlight is smooth, the straight line errs by an eighth of the bend, and the cubic by 3/128 of the bend's
+  // own bend. Where it has an edge, they err by more.
   vec3 slope = display_slope(min(a, b));
-  float line_error = largest(max(abs(first_bend), abs(second_bend)) * slope) / (knows_bends ? 8.0 : 2.0);
+  float line_error = largest(max(abs(first_bend), abs(second_bend)) * slope) / (knows_bends ? 4.0 : 2.0);
   float cubic_error = largest(max(abs(bend_before - 2.0 * first_bend + second_bend),
                                   abs(first_bend - 2.0 * second_bend + bend_behind)) * slope) * (3.0 / 32.0);
   if (!knows_all || line_error > most_correction) cubic_error = 1.0;
