@@ -37,7 +37,7 @@ FramePlanner::FramePlanner(const scene::Scene& scene, const SceneLights& lights,
       surfaces_(surfaces),
       settings_(settings),
       foggy_(surfaces.surfaces().size()),
-      strengths_(surfaces.list_size()) {}
+      strengths_(surfaces.lists().size()) {}
 
 void FramePlanner::set_fog(const Fog& fog, bool is_fog_lit) {
   fog_ = fog;
@@ -165,14 +165,15 @@ void FramePlanner::make_plan(const FrameView& view) {
   }
 
   if (!skips) {
-    const auto all = int(plan_.light_list.size());
-    plan_.light_list.resize(plan_.light_list.size() + lights_.size());
-    std::iota(plan_.light_list.begin() + all, plan_.light_list.end(), 0);
+    const auto first = int(plan_.light_list.size());
+    const std::span<const std::int32_t> lists = surfaces_.lists();
+    plan_.light_list.insert(plan_.light_list.end(), lists.begin(), lists.end());
     for (const Surface& surface : surfaces_.surfaces()) {
-      plan_.surfaces.push_back({&surface, false, all, int(lights_.size())});
+      plan_.surfaces.push_back({&surface, false, first + surface.list_first, surface.list_count});
+      counts.lights_listed += std::size_t(surface.list_count);
+      counts.lights_out_of_reach += lights_.size() - std::size_t(surface.list_count);
     }
     counts.chunks_drawn = plan_.surfaces.size();
-    counts.lights_listed = plan_.surfaces.size() * lights_.size();
     return;
   }
 
