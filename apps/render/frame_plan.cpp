@@ -62,7 +62,7 @@ FramePlan FramePlanner::plan_geometry(const glm::mat4& clip_from_world) const {
   FramePlan plan;
   const Frustum frustum = make_frustum(clip_from_world);
   for (const Surface& surface : surfaces_.surfaces()) {
-    if (settings_.skipping == Skipping::off || can_see(frustum, surface.bounds)) {
+    if (settings_.path_skipping() == Skipping::off || can_see(frustum, surface.bounds)) {
       plan.surfaces.push_back({&surface, false, 0, 0});
     }
   }
@@ -134,8 +134,8 @@ PlannedSurface FramePlanner::list_lights(std::size_t index, double most_left_out
 }
 
 void FramePlanner::make_plan(const FrameView& view) {
-  const bool skips = settings_.skipping == Skipping::on;
-  const bool hides = skips && settings_.path->evaluation != Evaluation::vertex;
+  const bool skips = settings_.path_skipping() == Skipping::on;
+  const bool hides = skips && settings_.path->has_light_bound && settings_.light_ambient == 0;
   plan_.surfaces.clear();
   plan_.counts = {};
   FrameCounts& counts = plan_.counts;
@@ -201,7 +201,8 @@ void FramePlanner::make_plan(const FrameView& view) {
   const double highest_left_out = slope_in_fog(fog_above_eye, left_out_from);
   for (const Seen& each : seen) {
     const Surface& surface = surfaces_.surfaces()[each.surface];
-    if (!hides || each.nearest < each.hidden_range) {
+    const bool has_mapped_fog = settings_.path->has_mapped_fog() && surface.is_fog_lit;
+    if (!hides || has_mapped_fog || each.nearest < each.hidden_range) {
       const double through = fog_factor_at(fog_, each.nearest);
       plan_.surfaces.push_back(list_lights(each.surface, hides ? kSurfaceLightShare * step_ / through : -1));
       ++counts.chunks_drawn;
