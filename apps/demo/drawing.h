@@ -45,7 +45,8 @@ Drawn draw(const scene::Scene& scene, const DrawingOptions& options, int frames,
 ///                       view; hidden_by_fog, or by distance, in all that they reach
 /// surface_lights        pairs of a drawn surface and a light: listed; out_of_reach; hidden_by_fog.
 ///                       surface_lights_listed is the first, surface_lights_skipped the sum of the others
-/// points, airlights     of lights: drawn; outside_view; hidden_by_fog
+/// points                of lights: drawn; outside_view; hidden_by_fog
+/// airlights             of lights: drawn; invisible, because fog hides them or there is none that they light
 /// sky                   drawn, fog_alone or hidden_by_fog
 /// lights_per_fragment   of visible surfaces, in the mean; 0 on those that are fog alone
 /// bytes_uploaded        by the last fog_change: of the light tables; by the frame: lists of lights and what draws take

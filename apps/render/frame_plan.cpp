@@ -37,7 +37,7 @@ FramePlanner::FramePlanner(const scene::Scene& scene, const SceneLights& lights,
       surfaces_(surfaces),
       settings_(settings),
       foggy_(surfaces.surfaces().size()),
-      strengths_(surfaces.list_size()) {}
+      strengths_(surfaces.lists().size()) {}
 
 void FramePlanner::set_fog(const Fog& fog, bool is_fog_lit) {
   fog_ = fog;
@@ -62,7 +62,7 @@ FramePlan FramePlanner::plan_geometry(const glm::mat4& clip_from_world) const {
   FramePlan plan;
   const Frustum frustum = make_frustum(clip_from_world);
   for (const Surface& surface : surfaces_.surfaces()) {
-    if (settings_.skipping == Skipping::off || can_see(frustum, surface.bounds)) {
+    if (settings_.path_skipping() == Skipping::off || can_see(frustum, surface.bounds)) {
       plan.surfaces.push_back({&surface, false, 0, 0});
     }
   }
@@ -134,8 +134,8 @@ PlannedSurface FramePlanner::list_lights(std::size_t index, double most_left_out
 }
 
 void FramePlanner::make_plan(const FrameView& view) {
-  const bool skips = settings_.skipping == Skipping::on;
-  const bool hides = skips && settings_.path->evaluation != Evaluation::vertex;
+  const bool skips = settings_.path_skipping() == Skipping::on;
+  const bool hides = skips && settings_.path->has_light_bound && settings_.light_ambient == 0;
   plan_.surfaces.clear();
   plan_.counts = {};
   FrameCounts& counts = plan_.counts;
@@ -165,14 +165,15 @@ void FramePlanner::make_plan(const FrameView& view) {
   }
 
   if (!skips) {
-    const auto all = int(plan_.light_list.size());
-    plan_.light_list.resize(plan_.light_list.size() + lights_.size());
-    std::iota(plan_.light_list.begin() + all, plan_.light_list.end(), 0);
+    const auto first = int(plan_.light_list.size());
+    const std::span<const std::int32_t> lists = surfaces_.lists();
+    plan_.light_list.insert(plan_.light_list.end(), lists.begin(), lists.end());
     for (const Surface& surface : surfaces_.surfaces()) {
-      plan_.surfaces.push_back({&surface, false, all, int(lights_.size())});
+      plan_.surfaces.push_back({&surface, false, first + surface.list_first, surface.list_count});
+      counts.lights_listed += std::size_t(surface.list_count);
+      counts.lights_out_of_reach += lights_.size() - std::size_t(surface.list_count);
     }
     counts.chunks_drawn = plan_.surfaces.size();
-    counts.lights_listed = plan_.surfaces.size() * lights_.size();
     return;
   }
 
@@ -200,7 +201,8 @@ void FramePlanner::make_plan(const FrameView& view) {
   const double highest_left_out = slope_in_fog(fog_above_eye, left_out_from);
   for (const Seen& each : seen) {
     const Surface& surface = surfaces_.surfaces()[each.surface];
-    if (!hides || each.nearest < each.hidden_range) {
+    const bool has_mapped_fog = settings_.path->has_mapped_fog() && surface.is_fog_lit;
+    if (!hides || has_mapped_fog || each.nearest < each.hidden_range) {
       const double through = fog_factor_at(fog_, each.nearest);
       plan_.surfaces.push_back(list_lights(each.surface, hides ? kSurfaceLightShare * step_ / through : -1));
       ++counts.chunks_drawn;

@@ -63,7 +63,9 @@ struct FrameView {
 /// depth, so that all that is seen before and behind it stays as it is. If airlight and points from behind cannot be
 /// seen either, nor sky or brighter surfaces, it is left out: the picture's background is the colour of the fog.
 /// Hales's term depends on the position, so that nothing is left out where it lights the fog.
-/// Paths that light vertices extrapolate within triangles, beyond any bound: there fog hides nothing.
+/// Fog hides neither surfaces nor their lights on paths without such a bound (LightingPath::has_light_bound), nor where
+/// lights have an ambient colour, which the bound leaves out. A surface before which light maps light the fog is drawn
+/// whole, because fog alone has the cones' formula.
 class FramePlanner {
  public:
   /// scene, lights, surfaces  have to outlive this

@@ -51,6 +51,9 @@ struct RenderSettings {
   int shadow_lamps = 8;              ///< that cast them, at most: choose_shadow_casters
   int shadow_map_size = 1024;        ///< texels a side, at least 16
   int shaft_steps = 64;              ///< along a pixel's ray, at which shadow maps are looked up: 1 to 1024
+
+  /// What the path allows of skipping.
+  Skipping path_skipping() const { return path->pairs_lights ? Skipping::off : skipping; }
 };
 
 }  // namespace litfog::render

@@ -218,7 +218,7 @@ FrameCounts Renderer::draw_stages(LightPoints light_points, FrameStatistics* sta
   if (airlight_) {
     airlights = airlight_->draw(framebuffer_, view, fog_);
     counts.airlights_drawn = airlights.entries.size();
-    counts.airlights_hidden = lights_.size() - airlights.entries.size();
+    counts.airlights_invisible = lights_.size() - airlights.entries.size();
     counts.bytes_uploaded += airlights.entries.size() * sizeof(AirlightEntry);
   }
   clock.end(&StageTimes::airlight);

@@ -30,7 +30,7 @@ struct ShadowCaster {
   bool is_cube;
   int map_count;
   double half_size;  ///< of a map, a metre before the lamp, in metres
-  double reach;      ///< metres: nothing that it lights is farther. Finite
+  double reach;      ///< metres: no surface that it lights is farther, though fog may be. Finite
 };
 
 /// The part of space that a map shows, or a little more.

@@ -45,11 +45,12 @@ class SurfaceList {
   SurfaceList(const scene::Scene& scene, const SceneLights& lights, Skipping skipping);
 
   const std::vector<Surface>& surfaces() const { return surfaces_; }
-  /// The lights that can reach a surface: indices in SceneLights, ascending. Without skipping it is all lights.
+  /// The lights that can reach a surface: indices in SceneLights, ascending. Without skipping they are
+  /// all lights, or none of a surface that is beyond lights.
   std::span<const std::int32_t> lights_of(const Surface& surface) const {
     return std::span(list_).subspan(std::size_t(surface.list_first), std::size_t(surface.list_count));
   }
-  std::size_t list_size() const { return list_.size(); }  ///< of all surfaces' lists together
+  std::span<const std::int32_t> lists() const { return list_; }  ///< of all surfaces
   /// Makes the vertices of all surfaces current (see MeshStore).
   void bind_meshes() const { meshes_.bind(); }
   /// In the order of their numbers.

@@ -60,11 +60,11 @@ SurfacePainter::SurfacePainter(const scene::Scene& scene, const SceneLights& lig
       lights_(lights),
       fog_light_buffer_(fog_lights),
       settings_(settings),
-      surfaces_(scene, lights, settings.skipping),
+      surfaces_(scene, lights, settings.path_skipping()),
       maps_(scene, lights, settings),
       programs_(scene, settings) {}
 
-void SurfacePainter::set_fog() { fog_lights_ = fog_lights(lights_, settings_.skipping); }
+void SurfacePainter::set_fog() { fog_lights_ = fog_lights(lights_, settings_.path_skipping()); }
 
 std::size_t SurfacePainter::draw(const LightingPath& path, const FramePlan& plan, const glm::mat4& clip_from_world,
                                  const ShadowMaps* shadows) {

@@ -353,6 +353,25 @@ TEST_F(RendererTest, SurfacesAreDarkBeyondTheExtentAndBrightBelowTheLamp) {
   EXPECT_EQ(pixel(picture, kWidth - 2, kHeight - 2).g, 0);
 }
 
+// A lamp over a box shines past it: the box alone bounds how far its shadow map reaches.
+TEST_F(RendererTest, FogBeyondAllThatCastsShadowsIsLit) {
+  Scene scene;
+  scene.camera = {.position = {30, 3, 40}, .target = {30, 3, 0}, .field_of_view = 0.8f};
+  scene.models = {make_model("box", {{"width_m", 1}, {"depth_m", 1}, {"height_m", 1}})};
+  scene.instances = {{0, glm::translate(glm::mat4(1), glm::vec3(-3, 0, 0))}};
+  add_materials(scene);
+  PlacedLight lamp;
+  lamp.light = {.name = "lamp", .color = {5, 5, 5}, .attenuation = {1, 0, 0.001}, .cone = Cone::smoothstep(0.2, 0.4)};
+  lamp.position = {0, 3, 0};
+  lamp.direction = {1, 0, 0};
+  scene.lights.push_back(lamp);
+  const Fog fog = Fog::from_visibility(FogMode::exp, 200);
+  const Picture whole = draw(scene, fog, {.fog_lighting = FogLighting::airlight});
+  ASSERT_GT(pixel(whole, kWidth / 2, kHeight / 2).g, 0.02);
+  const Picture shadowed = draw(scene, fog, {.fog_lighting = FogLighting::airlight, .shadows = Shadows::shafts});
+  EXPECT_LT(largest_difference(shadowed, whole), 0.0005);  // the framebuffer rounds to 11 bits
+}
+
 }  // namespace
 
 }  // namespace litfog::test

@@ -31,9 +31,9 @@ constexpr double kClear = std::numeric_limits<double>::infinity();
 /// A scene drawn with and without skipping.
 class Pair {
  public:
-  Pair(const Scene& scene, FogLighting fog_lighting, int width = kWidth, int height = kHeight)
-      : skipping_(scene, width, height, {.fog_lighting = fog_lighting}),
-        whole_(scene, width, height, {.skipping = Skipping::off, .fog_lighting = fog_lighting}) {}
+  Pair(const Scene& scene, const RenderSettings& settings, int width = kWidth, int height = kHeight)
+      : skipping_(scene, width, height, with(settings, Skipping::on)),
+        whole_(scene, width, height, with(settings, Skipping::off)) {}
 
   void set_fog(const Fog& fog) {
     skipping_.set_fog(fog);
@@ -65,6 +65,11 @@ class Pair {
   FrameCounts counts;
 
  private:
+  static RenderSettings with(RenderSettings settings, Skipping skipping) {
+    settings.skipping = skipping;
+    return settings;
+  }
+
   Renderer skipping_;
   Renderer whole_;
   double exposure_ = 0;
@@ -88,7 +93,7 @@ TEST_F(SkippingTest, NoPixelOfAnySceneChangesByAStepInAnyFog) {
     const Scene scene = read_scene(bundled_scene_path(name));
     const bool is_large = scene.lights.size() > 100;  // every pixel of the whole picture is lit by all of them
     for (const FogLighting lighting : {FogLighting::airlight, FogLighting::peak}) {
-      Pair pair(scene, lighting, is_large ? 24 : kWidth, is_large ? 14 : kHeight);
+      Pair pair(scene, {.fog_lighting = lighting}, is_large ? 24 : kWidth, is_large ? 14 : kHeight);
       for (const auto& [mode, visibility] : {Weather{FogMode::exp, kClear},
                                              {FogMode::exp2, 400},
                                              {FogMode::exp, 120},
@@ -108,10 +113,22 @@ TEST_F(SkippingTest, NoPixelOfAnySceneChangesByAStepInAnyFog) {
   EXPECT_GT(worst, 0);  // something is left out
 }
 
+TEST_F(SkippingTest, NoPixelOfAnyPathOrProgramChangesByAStep) {
+  const Scene scene = read_scene(bundled_scene_path("headlights"));
+  for (const auto paths : {lighting_paths(), published_programs()}) {
+    for (const LightingPath& path : paths) {
+      Pair pair(scene, {.path = &path, .samples = 1}, 24, 14);
+      pair.set_fog(Fog::from_visibility(FogMode::exp, 25));
+      EXPECT_LE(largest(pair.changes()), 1) << path.name;
+      EXPECT_EQ(pair.counts.chunks_as_fog + pair.counts.lights_hidden > 0, path.has_light_bound) << path.name;
+    }
+  }
+}
+
 TEST_F(SkippingTest, SkippingPopsNowhereAlongAFlight) {
   Scene scene = read_scene(bundled_scene_path("city"), 60);
   for (const FogLighting lighting : {FogLighting::airlight, FogLighting::peak}) {
-    Pair pair(scene, lighting, 32, 18);
+    Pair pair(scene, {.fog_lighting = lighting}, 32, 18);
     pair.set_fog(Fog::from_visibility(FogMode::exp, 70));
     std::vector<double> before;
     const glm::vec3 start = scene.camera.position;
@@ -129,7 +146,7 @@ TEST_F(SkippingTest, SkippingPopsNowhereAlongAFlight) {
 
 TEST_F(SkippingTest, ExposureOfThePictureDecidesWhatIsVisible) {
   const Scene scene = read_scene(bundled_scene_path("street"));
-  Pair pair(scene, FogLighting::airlight);
+  Pair pair(scene, {.fog_lighting = FogLighting::airlight});
   std::size_t hidden_before = 0;
   for (const double exposure : {10.0, 5.0, -5.0}) {
     pair.set_fog(Fog::from_visibility(FogMode::exp, 30));
@@ -139,6 +156,23 @@ TEST_F(SkippingTest, ExposureOfThePictureDecidesWhatIsVisible) {
     EXPECT_GT(hidden, hidden_before) << exposure;
     hidden_before = hidden;
   }
+}
+
+TEST_F(SkippingTest, SurfaceBeyondLightsIsUnlitWithAndWithoutSkipping) {
+  Scene scene;
+  scene.camera = {.position = {0, 2, 5}, .target = {0, 0, 0}, .field_of_view = 0.5f};
+  scene.environment.ambient_light = {0.1f, 0.1f, 0.1f};
+  scene.models = {make_model("box", {{"width_m", 20}, {"depth_m", 20}, {"height_m", 1}})};
+  scene.instances = {{0, glm::translate(glm::mat4(1), glm::vec3(0, -1, 0))}};
+  scene.instances[0].is_beyond_lights = true;
+  add_materials(scene);
+  PlacedLight lamp;
+  lamp.light = {.name = "lamp", .attenuation = {1, 0, 0.01}, .cone = {}};
+  lamp.position = {0, 3, 0};
+  scene.lights.push_back(lamp);
+  Pair pair(scene, {.fog_lighting = FogLighting::peak});
+  EXPECT_EQ(largest(pair.changes()), 0);
+  EXPECT_EQ(pair.counts.lights_listed, 0u);
 }
 
 TEST_F(SkippingTest, ApproachInDenseFogIsWhatTheFogHolds) {
@@ -184,7 +218,7 @@ class HiddenWall : public SkippingTest {
 
   /// Compares, and says how the wall was drawn.
   FrameCounts counts_in_fog(FogLighting lighting) {
-    Pair pair(scene_, lighting);
+    Pair pair(scene_, {.fog_lighting = lighting});
     pair.set_fog(Fog::from_visibility(FogMode::exp, 30));
     EXPECT_LE(largest(pair.changes()), 1);
     return pair.counts;

@@ -15,8 +15,9 @@ float lit_at(ShadowCaster caster, vec3 position) {
   int map = map_towards(caster, from_lamp);
   vec3 place = map_from_frame(from_lamp, map);
   if (place.z <= 0.0) return 1.0;  // behind a beam
-  // Before a surface the fog is lit up to a texel's size from it.
-  float compared = length(from_lamp) * (1.0 - texel_size(caster)) / caster.reach;
+  // Before a surface the fog is lit up to a texel's size from it. Beyond the lamp's reach there are no surfaces, but
+  // fog: an empty map holds 1.
+  float compared = min(length(from_lamp) * (1.0 - texel_size(caster)) / caster.reach, 1.0);
   vec2 uv = 0.5 + 0.5 * place.xy / (place.z * caster.half_size);
   return texture(shadow_maps, vec4(uv, float(caster.first_layer + map), compared));
 }
