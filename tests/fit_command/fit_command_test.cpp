@@ -741,6 +741,28 @@ TEST_F(FitCommand, CatalogueGoesOnBehindABrokenRecord) {
   }
 }
 
+TEST_F(FitCommand, CatalogueFitsAnotherInputOfTheSameNameAnew) {
+  std::string narrow = kIes;
+  narrow.replace(narrow.find("0 5 10 15 20 90"), 15, "0 1 2 3 4 90");
+  for (const char* folder : {"a", "b"}) fs::create_directory(directory() / folder);
+  write("a/lamp.ies", kIes);
+  write("b/lamp.ies", narrow);
+  run("a/lamp.ies --catalogue cat");
+  const double wide = cone_at(light("cat/lamps/lamp.json").cone, std::cos(0.1));
+  EXPECT_NE(run("b/lamp.ies --catalogue cat --format csv").out.find("b/lamp.ies"), std::string::npos);
+  EXPECT_LT(cone_at(light("cat/lamps/lamp.json").cone, std::cos(0.1)), 0.5 * wide);
+}
+
+TEST_F(FitCommand, CatalogueMakesWhatHasGoneFromItsFolder) {
+  run("spot.ies --catalogue cat");
+  for (const char* ending : {"json", "svg", "png"}) {
+    const std::string file = std::string("cat/lamps/spot.") + ending;
+    fs::remove(directory() / file);
+    EXPECT_EQ(run("spot.ies --catalogue cat").status, kDone);
+    EXPECT_TRUE(files().contains(file)) << file;
+  }
+}
+
 TEST_F(FitCommand, CatalogueTakesNoOptionThatItsFolderMakesVoid) {
   for (const char* option : {"-o a.json", "--plot a.svg", "--cookie a.exr", "--against beam.json"}) {
     const std::string name(option, std::string_view(option).find(' '));
