@@ -366,6 +366,24 @@ TEST_F(FitCommand, InputThatNoFitTakesIsNamedAndTheOthersAreFitted) {
   EXPECT_FALSE(files().contains("lights/tiny.json"));
 }
 
+TEST_F(FitCommand, FactorThatTakesIntensitiesOutOfRangeIsAnErrorOfItsFileAlone) {
+  std::string bright = kIes;
+  bright.replace(bright.find("TILT=NONE"), 9, "TILT=INCLUDE\n1 2\n0 90\n1e300 1e300");
+  write("bright.ies", bright);
+  write("faint.ies", "IESNA:LM-63-2002\nTILT=NONE\n1 1000 1e-300 2 1 1 2 0 0 0\n1 1 0\n0 90\n0\n100 100\n");
+  write("raised.json", R"({"litfog": "light-spec", "version": 1, "range": {"peak_cd": 1e30},
+    "cone": {"photometry": "faint.ies"}})");
+  fs::create_directory(directory() / "lights");
+  const Outcome outcome = run("bright.ies raised.json spot.ies -o lights");
+  EXPECT_EQ(outcome.status, kBadInput);
+  EXPECT_EQ(outcome.err,
+            "bright.ies:11:1: largest intensity = 100: must be in (0, 1e30] times the tilt factor 1e+300\n"
+            "faint.ies:7:1: largest intensity = 1e-298: must be in (0, 1e30] times the spec's factor inf\n");
+  EXPECT_TRUE(files().contains("lights/spot.json"));
+  EXPECT_FALSE(files().contains("lights/bright.json"));
+  EXPECT_FALSE(files().contains("lights/raised.json"));
+}
+
 TEST_F(FitCommand, OutputThatCannotBeWrittenIsItsOwnStatus) {
   const Outcome outcome = run("lamp.json -o absent/light.json");
   EXPECT_EQ(outcome.status, kCannotWrite);
