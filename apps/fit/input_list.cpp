@@ -46,10 +46,13 @@ bool is_input(const fs::path& path) {
 
 std::vector<fs::path> files_in(const fs::path& folder) {
   std::vector<fs::path> files;
-  constexpr auto kSkip = fs::directory_options::skip_permission_denied;
-  for (const auto& entry : fs::recursive_directory_iterator(folder, kSkip)) {
-    if (entry.is_regular_file() && is_input(entry.path())) files.push_back(entry.path());
+  std::error_code error;
+  fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, error);
+  for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
+    std::error_code no_status;  // of a link that leads nowhere
+    if (entry->is_regular_file(no_status) && is_input(entry->path())) files.push_back(entry->path());
   }
+  if (error) throw InputError({.file = folder.string()}, "cannot be searched: " + error.message());
   std::ranges::sort(files);
   return files;
 }

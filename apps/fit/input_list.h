@@ -20,7 +20,8 @@ struct Input {
 /// A name that is nothing of all this stays as it is, for the error of reading it. Names that differ only in their
 /// ending keep it: lamp.ies and lamp.ldt.
 ///
-/// Throws a usage error for an empty argument, and a folder or pattern of nothing.
+/// Throws a usage error for an empty argument, and a folder or pattern of nothing; InputError for a folder that cannot
+/// be searched.
 std::vector<Input> list_inputs(const std::vector<std::string>& arguments);
 
 }  // namespace litfog::fit

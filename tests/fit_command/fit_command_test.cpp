@@ -613,6 +613,18 @@ TEST_F(FitCommand, FolderStandsForTheSpecsAndPhotometricFilesInIt) {
   expect_usage_error("empty", "input = empty: must hold light specs or photometric files");
 }
 
+TEST_F(FitCommand, LinksThatLeadNowhereInAFolderArePassedOver) {
+  fs::create_directory(directory() / "lamps");
+  fs::create_symlink("loop.ies", directory() / "lamps/loop.ies");
+  fs::create_symlink("gone", directory() / "lamps/gone.ies");
+  fs::create_symlink(".", directory() / "lamps/same");
+  write("lamps/spot.ies", kIes);
+  const Outcome outcome = run("lamps --format csv");
+  EXPECT_EQ(outcome.status, kDone);
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(inputs_of(outcome.out), std::vector<std::string>{"lamps/spot.ies"});
+}
+
 TEST_F(FitCommand, PatternStandsForTheFilesThatMatch) {
   write("spot2.ies", kIes);
   const Outcome outcome = run("'s*.ies' beam.json --format csv");
