@@ -28,9 +28,10 @@ Piece trimmed(const Piece& piece) {
   return {piece.text.substr(begin, end - begin), piece.offset + begin};
 }
 
+/// At most one more than a row may have.
 std::vector<Piece> cells_of(const Piece& line) {
   std::vector<Piece> cells;
-  for (std::size_t begin = 0; begin <= line.text.size();) {
+  for (std::size_t begin = 0; begin <= line.text.size() && cells.size() <= kMaxCells;) {
     const std::size_t end = std::min(line.text.find(',', begin), line.text.size());
     cells.push_back(trimmed({line.text.substr(begin, end - begin), line.offset + begin}));
     begin = end + 1;
