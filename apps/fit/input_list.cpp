@@ -22,12 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string ending_of(const fs::path& path) {
-  std::string ending = path.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
-  return ending;
-}
-
 std::string beginning_of(const fs::path& path) {
   std::array<char, 4096> text{};
   std::ifstream file(path, std::ios::binary);
@@ -130,6 +124,12 @@ class InputList {
 };
 
 }  // namespace
+
+std::string ending_of(const fs::path& path) {
+  std::string ending = path.extension().string();
+  std::ranges::transform(ending, ending.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
+  return ending;
+}
 
 std::vector<Input> list_inputs(const std::vector<std::string>& arguments) {
   InputList list;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,9 @@ struct Input {
   std::string path;
   std::string name;  ///< for its outputs: its file's name, in a folder with the folders between, without the ending
 };
+
+/// A path's extension in lower case, ".json" of LAMP.JSON.
+std::string ending_of(const std::filesystem::path& path);
 
 /// What the arguments name, in their order; what lies in one argument in alphabetical order. An argument is
 ///   a file, of which a GLDF container stands for the photometric files in it;

@@ -140,7 +140,7 @@ struct Options {
   }
 };
 
-bool is_spec(const std::string& path) { return fs::path(path).extension() == ".json"; }
+bool is_spec(const std::string& path) { return ending_of(path) == ".json"; }
 
 /// From harmless to grave.
 int gravity(ExitStatus status) {

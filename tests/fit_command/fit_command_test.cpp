@@ -597,16 +597,17 @@ TEST_F(FitCommand, FolderStandsForTheSpecsAndPhotometricFilesInIt) {
   write("lamps/b.ies", kIes);
   write("lamps/deep/A.IES", kIes);
   write("lamps/beam.json", kBeam);
+  write("lamps/LAMP.JSON", kBeam);
   write("lamps/light.json", R"({"litfog": "light", "version": 1})");
   write("lamps/notes.txt", "no lamp");
   write("lamps/page.xml", "<html/>");
   write("lamps/table.csv", "a,b\n1,2\n");
   const Outcome outcome = run("lamps --format csv");
   EXPECT_EQ(outcome.status, kDone) << outcome.err;
-  EXPECT_EQ(inputs_of(outcome.out), (std::vector<std::string>{"lamps/b.ies", "lamps/beam.json", "lamps/deep/A.IES"}));
+  EXPECT_EQ(inputs_of(outcome.out), (std::vector<std::string>{"lamps/LAMP.JSON", "lamps/b.ies", "lamps/beam.json", "lamps/deep/A.IES"}));
   fs::create_directory(directory() / "lights");
   EXPECT_EQ(run("lamps -o lights").status, kDone);
-  for (const char* name : {"lights/b.json", "lights/beam.json", "lights/deep-A.json"}) {
+  for (const char* name : {"lights/LAMP.json", "lights/b.json", "lights/beam.json", "lights/deep-A.json"}) {
     EXPECT_TRUE(files().contains(name)) << name;
   }
   fs::create_directory(directory() / "empty");
