@@ -190,10 +190,9 @@ std::optional<double> stated_peak(const RangeSpec& range, LightTarget& target) {
 
 /// A luminaire's intensities made those of a light with another peak.
 void scale_luminaire(const LightSpec& spec, LightTarget& target, double peak) {
-  constexpr double kMostIntensity = 1e30;  // as of an IntensityDistribution
   const double factor = peak / *target.peak;
   if (factor == 1) return;
-  if (!(peak >= 1 / kMostIntensity && peak <= kMostIntensity)) {
+  if (!(peak >= 1 / kMaxIntensity && peak <= kMaxIntensity)) {
     throw spec.error_at("range.peak", fmt::format("{:.6g} cd", peak), "must have a peak in [1e-30, 1e30] cd");
   }
   scale(*target.luminaire, factor, "spec's factor");

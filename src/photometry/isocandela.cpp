@@ -19,7 +19,6 @@ constexpr std::string_view kEllipses = "candela,horizontal_deg,vertical_deg";
 constexpr std::string_view kHeaderRule =
     "must be vertical_deg and the horizontal angles, or candela,horizontal_deg,vertical_deg, with commas between";
 constexpr double kRadiansPerDegree = std::numbers::pi / 180;
-constexpr double kMaxCandela = 1e30;     // as check(IntensityDistribution) asks
 constexpr std::size_t kMaxCells = 1000;  // of a row
 
 Piece trimmed(const Piece& piece) {
@@ -102,7 +101,7 @@ class Largest {
 
 double candela_of(const TextScanner& scanner, const Piece& piece) {
   const double candela = scanner.number(piece, "candela");
-  if (!(candela >= 0 && candela <= kMaxCandela)) scanner.fail(piece, "candela", "must be in [0, 1e30]");
+  if (!(candela >= 0 && candela <= kMaxIntensity)) scanner.fail(piece, "candela", "must be in [0, 1e30]");
   return candela;
 }
 
