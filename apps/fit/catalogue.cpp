@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -58,17 +59,18 @@ std::string record_of(const Outcome& outcome, const Summary& summary, const std:
   for (const std::string& file : files_of(outcome.input, outcome.fit->target)) states.push_back(state_of(file));
   Json row = Json::array();
   for (const Cell& cell : summary.row) row.push_back(json_of(cell));
-  return Json{{"options", options},           {"made_from", states}, {"status", summary.status},
-              {"messages", summary.messages}, {"row", row},          {"report", summary.report}}
+  return Json{{"input", outcome.input.path}, {"options", options},           {"made_from", states},
+              {"status", summary.status},    {"messages", summary.messages}, {"row", row},
+              {"report", summary.report}}
       .dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 /// The record's, or nothing where it is none or not of today.
-std::optional<Summary> summary_of_record(const fs::path& path, const std::string& options) {
+std::optional<Summary> summary_of_record(const fs::path& path, const Input& input, const std::string& options) {
   std::ifstream file(path, std::ios::binary);
   const Json record = Json::parse(file, nullptr, false);
   try {
-    if (record.at("options") != options) return std::nullopt;
+    if (record.at("input") != input.path || record.at("options") != options) return std::nullopt;
     for (const Json& state : record.at("made_from")) {
       if (state.is_null() || state_of(state.at(0).get<std::string>()) != state) return std::nullopt;
     }
@@ -179,7 +181,10 @@ fs::path Catalogue::file_of(const Input& input, const char* ending) const {
 std::string Catalogue::light_path(const Input& input) const { return file_of(input, ".json").string(); }
 
 std::optional<Summary> Catalogue::find(const Input& input) const {
-  return summary_of_record(file_of(input, ".record"), options_);
+  std::error_code error;
+  const auto is_there = [&](const char* ending) { return fs::exists(file_of(input, ending), error); };
+  if (!std::ranges::all_of(std::array{".json", ".svg", ".png"}, is_there)) return std::nullopt;
+  return summary_of_record(file_of(input, ".record"), input, options_);
 }
 
 void Catalogue::add(const Outcome& outcome, const Summary& summary) const {

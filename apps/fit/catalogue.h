@@ -18,9 +18,9 @@ namespace litfog::fit {
 ///     lamps/NAME.png        its beam in fog (fog_picture.h)
 ///     lamps/NAME.record     what the next run needs in order to leave the lamp as it is
 ///
-/// A lamp is as it was where its record is: of the same options and made by this program from files of the same size
-/// and time of modification. The record is written last, so that a run which was ended goes on where it was. Inputs
-/// that gave no light have none, and are tried again.
+/// A lamp is left as it is where its three files are there and its record is of the same input and options, made by
+/// this program from files of the same size and time of modification. The record is written last, so that a run which
+/// was ended goes on where it was. Inputs that gave no light have none, and are tried again.
 class Catalogue {
  public:
   /// The folder is made if it is not there. Throws OutputError where it cannot be.

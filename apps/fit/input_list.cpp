@@ -22,12 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string ending_of(const fs::path& path) {
-  std::string ending = path.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
-  return ending;
-}
-
 std::string beginning_of(const fs::path& path) {
   std::array<char, 4096> text{};
   std::ifstream file(path, std::ios::binary);
@@ -46,10 +40,13 @@ bool is_input(const fs::path& path) {
 
 std::vector<fs::path> files_in(const fs::path& folder) {
   std::vector<fs::path> files;
-  constexpr auto kSkip = fs::directory_options::skip_permission_denied;
-  for (const auto& entry : fs::recursive_directory_iterator(folder, kSkip)) {
-    if (entry.is_regular_file() && is_input(entry.path())) files.push_back(entry.path());
+  std::error_code error;
+  fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, error);
+  for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
+    std::error_code no_status;  // of a link that leads nowhere
+    if (entry->is_regular_file(no_status) && is_input(entry->path())) files.push_back(entry->path());
   }
+  if (error) throw InputError({.file = folder.string()}, "cannot be searched: " + error.message());
   std::ranges::sort(files);
   return files;
 }
@@ -127,6 +124,12 @@ class InputList {
 };
 
 }  // namespace
+
+std::string ending_of(const fs::path& path) {
+  std::string ending = path.extension().string();
+  std::ranges::transform(ending, ending.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
+  return ending;
+}
 
 std::vector<Input> list_inputs(const std::vector<std::string>& arguments) {
   InputList list;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,9 @@ struct Input {
   std::string name;  ///< for its outputs: its file's name, in a folder with the folders between, without the ending
 };
 
+/// A path's extension in lower case, ".json" of LAMP.JSON.
+std::string ending_of(const std::filesystem::path& path);
+
 /// What the arguments name, in their order; what lies in one argument in alphabetical order. An argument is
 ///   a file, of which a GLDF container stands for the photometric files in it;
 ///   a folder: all light specs and photometric files in it and its folders, known by their endings and what is in them;
@@ -20,7 +24,8 @@ struct Input {
 /// A name that is nothing of all this stays as it is, for the error of reading it. Names that differ only in their
 /// ending keep it: lamp.ies and lamp.ldt.
 ///
-/// Throws a usage error for an empty argument, and a folder or pattern of nothing.
+/// Throws a usage error for an empty argument, and a folder or pattern of nothing; InputError for a folder that cannot
+/// be searched.
 std::vector<Input> list_inputs(const std::vector<std::string>& arguments);
 
 }  // namespace litfog::fit

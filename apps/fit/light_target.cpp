@@ -55,12 +55,24 @@ MeasuredAxis axis_of(const IntensityDistribution& distribution, const AxisChoice
   return best_axis(distribution, peak);
 }
 
+/// Multiplies a luminaire's intensities, whose product may leave their range.
+///
+/// what  names the factor in the error
+void scale(Luminaire& luminaire, double factor, const char* what) {
+  const double peak = find_peak(luminaire.distribution).intensity;
+  for (double& candela : luminaire.distribution.intensity) candela *= factor;
+  if (check(luminaire.distribution)) {
+    throw InputError(luminaire.peak_location, "largest intensity", fmt::format("{:.6g}", peak),
+                     fmt::format("must be in (0, 1e30] times the {} {:.6g}", what, factor));
+  }
+}
+
 /// Lamps whose output depends on how they burn: their intensities as mounted.
 void apply_tilt(LightTarget& target, double tilt) {
   Luminaire& luminaire = *target.luminaire;
   if (!luminaire.tilt) return;
   const double factor = tilt_factor(*luminaire.tilt, tilt);
-  for (double& candela : luminaire.distribution.intensity) candela *= factor;
+  scale(luminaire, factor, "tilt factor");
   target.derived.push_back(
       fmt::format("Tilt: {:.6g} deg, where the lamps give {:.6g} of what they give as measured. --tilt changes it.",
                   files::degrees(tilt), factor));
@@ -178,13 +190,12 @@ std::optional<double> stated_peak(const RangeSpec& range, LightTarget& target) {
 
 /// A luminaire's intensities made those of a light with another peak.
 void scale_luminaire(const LightSpec& spec, LightTarget& target, double peak) {
-  constexpr double kMostIntensity = 1e30;  // as of an IntensityDistribution
   const double factor = peak / *target.peak;
   if (factor == 1) return;
-  if (!(peak >= 1 / kMostIntensity && peak <= kMostIntensity)) {
+  if (!(peak >= 1 / kMaxIntensity && peak <= kMaxIntensity)) {
     throw spec.error_at("range.peak", fmt::format("{:.6g} cd", peak), "must have a peak in [1e-30, 1e30] cd");
   }
-  for (double& intensity : target.luminaire->distribution.intensity) intensity *= factor;
+  scale(*target.luminaire, factor, "spec's factor");
   target.derived.push_back(
       fmt::format("Photometry: times {:.6g}, from its peak of {:.6g} cd to {:.6g} cd.", factor, *target.peak, peak));
 }

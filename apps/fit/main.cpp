@@ -86,12 +86,12 @@ Color. color is linear RGB; color_temperature_k may stand in its place.
 What is made of these figures is shown step by step, as "derived", and is kept in the light's "source".
 
 A photometric file (IES LM-63 of any edition, EULUMDAT, TM-33, GLDF, or an isocandela table) is a light without a
-spec: its cone is fitted to the intensities at the file's own angles, each of weight 1, as the mean over the turn about the axis; it is
-white; and it ends, at the threshold 0.05, where its peak gives 1 lx: C = 1, Q = (1/0.05 - 1) / (peak in cd / 1 lx). A
-spec with photometry and no range ends there, too. Angles that the file does not state are dark. The axis is the
-photometric one, down, or its opposite where the peak lies above the horizon, or the peak of a beam aimed elsewhere, and
-is told; --axis moves it. A beam that is not rotationally symmetric is reported with a measure of it, and --cookie keeps
-its shape as a cube map.
+spec: its cone is fitted to the intensities at the file's own angles, each of weight 1, as the mean over the turn about
+the axis; it is white; and it ends, at the threshold 0.05, where its peak gives 1 lx: C = 1, Q = (1/0.05 - 1) / (peak
+in cd / 1 lx). A spec with photometry and no range ends there, too. Angles that the file does not state are dark. The
+axis is the photometric one, down, or its opposite where the peak lies above the horizon, or the peak of a beam aimed
+elsewhere, and is told; --axis moves it. A beam that is not rotationally symmetric is reported with a measure of it,
+and --cookie keeps its shape as a cube map.
 
 An isocandela table is CSV, lines with # are comments. It is a grid of candela, with degrees to the right and above,
   vertical_deg,-10,-5,0,5,10
@@ -140,7 +140,7 @@ struct Options {
   }
 };
 
-bool is_spec(const std::string& path) { return fs::path(path).extension() == ".json"; }
+bool is_spec(const std::string& path) { return ending_of(path) == ".json"; }
 
 /// From harmless to grave.
 int gravity(ExitStatus status) {

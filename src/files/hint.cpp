@@ -102,7 +102,11 @@ std::string hint_for_fraction(double number, std::string_view rule) {
 }
 
 std::string hint_for_syntax(std::string_view text, std::size_t offset) {
-  if (offset >= text.size()) return "";
+  // Behind a comma an object has no number, and an array none of two digits that begins with 0: the comma is a decimal
+  // one. Elsewhere it divides the items of an array.
+  const std::string_view before = text.substr(0, offset);
+  const bool is_number = offset < text.size() && kDigits.find(text[offset]) != kDigits.npos;
+  if (!is_number || !(before.ends_with(',') || before.ends_with(",0"))) return "";
   const auto is_part = [](char c) { return kDigits.find(c) != kDigits.npos || c == ','; };
   const auto begin =
       std::find_if_not(text.rbegin() + std::ptrdiff_t(text.size() - offset), text.rend(), is_part).base();

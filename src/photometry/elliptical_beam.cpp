@@ -53,7 +53,6 @@ std::vector<double> turns_of(const IsocandelaEllipse& ellipse) {
 }  // namespace
 
 std::optional<ValueError> check(const std::vector<IsocandelaEllipse>& ellipses) {
-  constexpr double kMaxIntensity = 1e30;  // as of an IntensityDistribution
   if (ellipses.empty()) return ValueError{"ellipses", 0, "must be at least one"};
   if (ellipses.front().intensity == 0) return ValueError{"intensity", 0, "must be > 0 in the first ellipse"};
   IsocandelaEllipse inner{kMaxIntensity, 0, 0};

@@ -132,7 +132,8 @@ PhotometryType type_of(int number) {
 
 bool is_ies(std::string_view text) {
   if (utf8::starts_with_bom(text)) text.remove_prefix(std::size(utf8::bom));
-  if (upper(text.substr(0, 3)) == "IES") return true;
+  const std::string label = upper(text.substr(0, 9));
+  if (label.starts_with("IESNA") || label == "IES:LM-63") return true;
   while (!text.empty()) {
     const auto end = std::min(text.find_first_of("\r\n"), text.size());
     if (tilt_of(trimmed(text.substr(0, end)))) return true;

@@ -16,7 +16,6 @@ namespace {
 using std::numbers::pi;
 
 constexpr double kTolerance = 1e-9;       // radians: a direction at the last measured angle must not round to beyond it
-constexpr double kMaxIntensity = 1e30;    // candela: squares and sums stay finite
 constexpr int kTurnSteps = 720;           // directions of a circle about an axis of the measured grid
 constexpr int kEquatorSteps = 360;        // of the largest circle about another axis; of others by their circumference
 constexpr int kLeastSteps = 72;           // of any circle
@@ -156,7 +155,9 @@ class AxisCircles {
       }
     }
     forward_ = AxisFrame(axis).direction(0, 0);
-    for (int i = 0; i < kEquatorSteps; ++i) rim_.push_back(AxisFrame(axis).direction(pi / 2, 2 * pi * i / kEquatorSteps));
+    for (int i = 0; i < kEquatorSteps; ++i) {
+      rim_.push_back(AxisFrame(axis).direction(pi / 2, 2 * pi * i / kEquatorSteps));
+    }
   }
 
   /// The circle at an angle; it lives until the next call.

@@ -19,7 +19,6 @@ constexpr std::string_view kEllipses = "candela,horizontal_deg,vertical_deg";
 constexpr std::string_view kHeaderRule =
     "must be vertical_deg and the horizontal angles, or candela,horizontal_deg,vertical_deg, with commas between";
 constexpr double kRadiansPerDegree = std::numbers::pi / 180;
-constexpr double kMaxCandela = 1e30;     // as check(IntensityDistribution) asks
 constexpr std::size_t kMaxCells = 1000;  // of a row
 
 Piece trimmed(const Piece& piece) {
@@ -28,9 +27,10 @@ Piece trimmed(const Piece& piece) {
   return {piece.text.substr(begin, end - begin), piece.offset + begin};
 }
 
+/// At most one more than a row may have.
 std::vector<Piece> cells_of(const Piece& line) {
   std::vector<Piece> cells;
-  for (std::size_t begin = 0; begin <= line.text.size();) {
+  for (std::size_t begin = 0; begin <= line.text.size() && cells.size() <= kMaxCells;) {
     const std::size_t end = std::min(line.text.find(',', begin), line.text.size());
     cells.push_back(trimmed({line.text.substr(begin, end - begin), line.offset + begin}));
     begin = end + 1;
@@ -101,7 +101,7 @@ class Largest {
 
 double candela_of(const TextScanner& scanner, const Piece& piece) {
   const double candela = scanner.number(piece, "candela");
-  if (!(candela >= 0 && candela <= kMaxCandela)) scanner.fail(piece, "candela", "must be in [0, 1e30]");
+  if (!(candela >= 0 && candela <= kMaxIntensity)) scanner.fail(piece, "candela", "must be in [0, 1e30]");
   return candela;
 }
 

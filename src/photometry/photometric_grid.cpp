@@ -12,7 +12,6 @@ namespace {
 
 constexpr int kMaxAngles = 10'000;
 constexpr double kRadiansPerDegree = std::numbers::pi / 180;
-constexpr double kMaxCandela = 1e30;  // as check(IntensityDistribution) asks
 
 std::string as_written(double x) {
   std::array<char, 32> text;
@@ -61,7 +60,7 @@ void IntensityReader::add(const TextScanner::Piece& piece) {
   const std::size_t index = intensities_.size();
   if (piece.text.empty()) scanner_.fail(piece, name(index), "");
   const double candela = scanner_.number(piece, "intensity") * factor_;
-  if (!(candela <= kMaxCandela)) {
+  if (!(candela <= kMaxIntensity)) {
     scanner_.fail(piece, name(index), "must be at most 1e30 candela, with all factors");
   }
   if (candela > largest_candela_) {

@@ -104,11 +104,19 @@ void expect_grid(const TextScanner& scanner, const std::vector<Entry>& entries, 
 }  // namespace
 
 bool is_tm33(std::string_view text) {
-  // The first element: what stands before it, a declaration and comments, begins with <? or <!.
-  for (auto at = text.find('<'); at != text.npos && at + 1 < text.size(); at = text.find('<', at + 1)) {
-    if (text[at + 1] == '!' || text[at + 1] == '?') continue;
-    const std::string_view name = text.substr(at + 1, 64);
-    return is_root(name.substr(0, name.find_first_of(" \t\r\n/>")));
+  // The first element: before it stand comments, and declarations that begin with <? or <!.
+  for (auto at = text.find('<'); at != text.npos; at = text.find('<', at)) {
+    text.remove_prefix(at + 1);
+    if (text.starts_with("!--")) {
+      at = text.find("-->", 3);
+    } else if (text.starts_with('?')) {
+      at = text.find("?>");
+    } else if (text.starts_with('!')) {
+      at = 0;
+    } else {
+      return is_root(text.substr(0, text.find_first_of(" \t\r\n/>")));
+    }
+    if (at == text.npos) return false;
   }
   return false;
 }

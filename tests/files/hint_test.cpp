@@ -61,6 +61,15 @@ TEST(Hint, NumberInQuotationMarksIsShownWithout) {
   EXPECT_EQ(error_of(R"({"threshold": ""})"), "f:1:15: threshold = \"\": must be a number");
 }
 
+TEST(Hint, CommaBetweenItemsIsNotTakenForADecimalOne) {
+  for (const char* text : {R"({"beam_angle_deg": [24,6})", R"({"beam_angle_deg": [24,6 8,5]})", R"({"a": [1,2,)",
+                           R"({"a": [1,1e999]})", R"({"a": [2,-]})"}) {
+    const std::string error = error_of(text);
+    EXPECT_NE(error.find(": must "), std::string::npos) << error;
+    EXPECT_EQ(error.find("write"), std::string::npos) << error;
+  }
+}
+
 TEST(Hint, DecimalCommaIsShownAsAPoint) {
   EXPECT_EQ(error_of(R"({"threshold": "0,05"})"),
             "f:1:15: threshold = \"0,05\": must be a number; write 0.05, with a decimal point");

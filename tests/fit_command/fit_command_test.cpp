@@ -366,6 +366,24 @@ TEST_F(FitCommand, InputThatNoFitTakesIsNamedAndTheOthersAreFitted) {
   EXPECT_FALSE(files().contains("lights/tiny.json"));
 }
 
+TEST_F(FitCommand, FactorThatTakesIntensitiesOutOfRangeIsAnErrorOfItsFileAlone) {
+  std::string bright = kIes;
+  bright.replace(bright.find("TILT=NONE"), 9, "TILT=INCLUDE\n1 2\n0 90\n1e300 1e300");
+  write("bright.ies", bright);
+  write("faint.ies", "IESNA:LM-63-2002\nTILT=NONE\n1 1000 1e-300 2 1 1 2 0 0 0\n1 1 0\n0 90\n0\n100 100\n");
+  write("raised.json", R"({"litfog": "light-spec", "version": 1, "range": {"peak_cd": 1e30},
+    "cone": {"photometry": "faint.ies"}})");
+  fs::create_directory(directory() / "lights");
+  const Outcome outcome = run("bright.ies raised.json spot.ies -o lights");
+  EXPECT_EQ(outcome.status, kBadInput);
+  EXPECT_EQ(outcome.err,
+            "bright.ies:11:1: largest intensity = 100: must be in (0, 1e30] times the tilt factor 1e+300\n"
+            "faint.ies:7:1: largest intensity = 1e-298: must be in (0, 1e30] times the spec's factor inf\n");
+  EXPECT_TRUE(files().contains("lights/spot.json"));
+  EXPECT_FALSE(files().contains("lights/bright.json"));
+  EXPECT_FALSE(files().contains("lights/raised.json"));
+}
+
 TEST_F(FitCommand, OutputThatCannotBeWrittenIsItsOwnStatus) {
   const Outcome outcome = run("lamp.json -o absent/light.json");
   EXPECT_EQ(outcome.status, kCannotWrite);
@@ -579,20 +597,33 @@ TEST_F(FitCommand, FolderStandsForTheSpecsAndPhotometricFilesInIt) {
   write("lamps/b.ies", kIes);
   write("lamps/deep/A.IES", kIes);
   write("lamps/beam.json", kBeam);
+  write("lamps/LAMP.JSON", kBeam);
   write("lamps/light.json", R"({"litfog": "light", "version": 1})");
   write("lamps/notes.txt", "no lamp");
   write("lamps/page.xml", "<html/>");
   write("lamps/table.csv", "a,b\n1,2\n");
   const Outcome outcome = run("lamps --format csv");
   EXPECT_EQ(outcome.status, kDone) << outcome.err;
-  EXPECT_EQ(inputs_of(outcome.out), (std::vector<std::string>{"lamps/b.ies", "lamps/beam.json", "lamps/deep/A.IES"}));
+  EXPECT_EQ(inputs_of(outcome.out), (std::vector<std::string>{"lamps/LAMP.JSON", "lamps/b.ies", "lamps/beam.json", "lamps/deep/A.IES"}));
   fs::create_directory(directory() / "lights");
   EXPECT_EQ(run("lamps -o lights").status, kDone);
-  for (const char* name : {"lights/b.json", "lights/beam.json", "lights/deep-A.json"}) {
+  for (const char* name : {"lights/LAMP.json", "lights/b.json", "lights/beam.json", "lights/deep-A.json"}) {
     EXPECT_TRUE(files().contains(name)) << name;
   }
   fs::create_directory(directory() / "empty");
   expect_usage_error("empty", "input = empty: must hold light specs or photometric files");
+}
+
+TEST_F(FitCommand, LinksThatLeadNowhereInAFolderArePassedOver) {
+  fs::create_directory(directory() / "lamps");
+  fs::create_symlink("loop.ies", directory() / "lamps/loop.ies");
+  fs::create_symlink("gone", directory() / "lamps/gone.ies");
+  fs::create_symlink(".", directory() / "lamps/same");
+  write("lamps/spot.ies", kIes);
+  const Outcome outcome = run("lamps --format csv");
+  EXPECT_EQ(outcome.status, kDone);
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(inputs_of(outcome.out), std::vector<std::string>{"lamps/spot.ies"});
 }
 
 TEST_F(FitCommand, PatternStandsForTheFilesThatMatch) {
@@ -738,6 +769,28 @@ TEST_F(FitCommand, CatalogueGoesOnBehindABrokenRecord) {
     write("cat/lamps/spot.record", record);
     EXPECT_EQ(run("spot.ies --catalogue cat").status, kDone) << record;
     EXPECT_GT(read("cat/lamps/spot.record").size(), 100u);
+  }
+}
+
+TEST_F(FitCommand, CatalogueFitsAnotherInputOfTheSameNameAnew) {
+  std::string narrow = kIes;
+  narrow.replace(narrow.find("0 5 10 15 20 90"), 15, "0 1 2 3 4 90");
+  for (const char* folder : {"a", "b"}) fs::create_directory(directory() / folder);
+  write("a/lamp.ies", kIes);
+  write("b/lamp.ies", narrow);
+  run("a/lamp.ies --catalogue cat");
+  const double wide = cone_at(light("cat/lamps/lamp.json").cone, std::cos(0.1));
+  EXPECT_NE(run("b/lamp.ies --catalogue cat --format csv").out.find("b/lamp.ies"), std::string::npos);
+  EXPECT_LT(cone_at(light("cat/lamps/lamp.json").cone, std::cos(0.1)), 0.5 * wide);
+}
+
+TEST_F(FitCommand, CatalogueMakesWhatHasGoneFromItsFolder) {
+  run("spot.ies --catalogue cat");
+  for (const char* ending : {"json", "svg", "png"}) {
+    const std::string file = std::string("cat/lamps/spot.") + ending;
+    fs::remove(directory() / file);
+    EXPECT_EQ(run("spot.ies --catalogue cat").status, kDone);
+    EXPECT_TRUE(files().contains(file)) << file;
   }
 }
 

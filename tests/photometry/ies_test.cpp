@@ -193,6 +193,7 @@ TEST(Ies, FileIsKnownByItsLabelOrTiltLine) {
   EXPECT_TRUE(is_ies("\xEF\xBB\xBFIES:LM-63-2019"));
   EXPECT_TRUE(is_ies("a lamp\r\n  tilt = NONE\r\n"));
   EXPECT_FALSE(is_ies("litfog\n1\n0\n24\n"));
+  EXPECT_FALSE(is_ies("IESA Leuchten GmbH\n1\n0\n24\n")) << "a company, as EULUMDAT begins";
   EXPECT_FALSE(is_ies(""));
 }
 
@@ -498,6 +499,9 @@ TEST(Luminaire, FormatIsKnownByContentThenByEnding) {
   EXPECT_EQ(read_luminaire(write("a.LDT", IesText().str())).lamp_flux, 1000);
   EXPECT_EQ(read_luminaire(write("b.IES", IesText().str())).lamp_flux, 1000);
   EXPECT_EQ(read_luminaire(write("c", bytes_of(ours + "/isym_4.ldt"))).lamp_flux, 2500);
+  std::string company = bytes_of(ours + "/isym_4.ldt");
+  company.replace(0, company.find_first_of("\r\n"), "IESA Leuchten GmbH");
+  EXPECT_EQ(read_luminaire(write("f.ldt", company)).manufacturer, "IESA Leuchten GmbH");
   EXPECT_EQ(photometry_error_of([&] { read_luminaire(write("d.Ies", "x\n")); }), "2:1: TILT: must be given");
   EXPECT_EQ(photometry_error_of([&] { read_luminaire(write("e.ldt", "x\n")); }),
             "2:1: type indicator Ityp: must be given");

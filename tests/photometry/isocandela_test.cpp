@@ -7,6 +7,7 @@
 #include <string>
 
 #include "litfog/photometry/elliptical_beam.h"
+#include "photometry/memory_limit.h"
 #include "photometry/photometric_file.h"
 
 namespace litfog::test {
@@ -94,6 +95,14 @@ TEST(Isocandela, WrongTablesAreErrorsAtTheirCells) {
   EXPECT_EQ(error_of(ellipses + "100,5,5\n101,6,6\n"), "3:1: candela = 101: must be at most that of the row before");
   EXPECT_EQ(error_of("vertical_deg" + std::string(1000, ',')), "1:1013: cell: must be given");
 }
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // whose own memory would count
+TEST(Isocandela, LineOfCommasTakesNoMemoryByTheirNumber) {
+  const std::string text = "vertical_deg" + std::string(std::size_t{8} << 20, ',');
+  const MemoryLimit limit(std::size_t{64} << 20);
+  EXPECT_EQ(error_of(text), "1:1013: cell: must be given");
+}
+#endif
 
 TEST(Isocandela, DamagedTablesAreReadOrAreErrors) {
   for (const char* name : {"position_light_left.csv", "approach_side_row.csv"}) {

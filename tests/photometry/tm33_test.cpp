@@ -85,6 +85,9 @@ TEST(Tm33, TypesAAndBAreRead) {
 TEST(Tm33, FileIsKnownByItsRoot) {
   EXPECT_TRUE(is_tm33(Tm33Text().str()));
   EXPECT_TRUE(is_tm33("<LuminaireOpticalData version=\"1.0\"/>"));
+  EXPECT_TRUE(is_tm33("<?xml version=\"1.0\" note=\"a < b\"?>\n<!-- <html> --><!DOCTYPE a>\n<IESTM33-22>"));
+  EXPECT_FALSE(is_tm33("<!-- <IESTM33-22> --><html/>"));
+  EXPECT_FALSE(is_tm33("<!-- <IESTM33-22>"));
   EXPECT_FALSE(is_tm33("<html><body/></html>"));
   EXPECT_FALSE(is_tm33("IESNA91\nTILT=NONE\n"));
   EXPECT_FALSE(is_tm33("<"));

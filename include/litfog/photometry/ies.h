@@ -8,7 +8,7 @@
 
 namespace litfog {
 
-/// Whether text is an IES LM-63 file: it has that label, or a line with TILT=.
+/// Whether text is an IES LM-63 file: it begins with IESNA or IES:LM-63, or has a line with TILT=.
 bool is_ies(std::string_view text);
 
 /// Parses an IES LM-63 file of any edition: 1986 (without label), 1991, 1995, 2002, 2019. Numbers may be separated by

@@ -25,6 +25,9 @@ enum class PhotometryType { a, b, c };
 /// The axis of every photometric file: the nadir in type C, H = V = 0 in types A and B.
 inline constexpr glm::dvec3 kPhotometricAxis{0, 0, -1};
 
+/// Candela: of a distribution's intensities, whose squares and sums so stay finite.
+inline constexpr double kMaxIntensity = 1e30;
+
 /// Luminous intensity by direction, as measured. It is bilinear between the measured angles and 0 outside them. On the
 /// axis of type C, where all planes meet, it is their mean over the turn. Symmetry is applied at look-up, so that only
 /// the measured part is stored.
@@ -38,7 +41,7 @@ struct IntensityDistribution {
   /// Radians, strictly increasing, at least two. Type C: within [0, pi]. Types A and B: within [-pi / 2, pi / 2] (A) or
   /// [-pi, pi] (B); mirrored at 0 if they start there.
   std::vector<double> vertical;
-  /// Candela, [0, 1e30], not all 0; that of horizontal[h] and vertical[v] is at h * vertical.size() + v.
+  /// Candela, [0, kMaxIntensity], not all 0; that of horizontal[h] and vertical[v] is at h * vertical.size() + v.
   std::vector<double> intensity;
 };
 
@@ -92,9 +95,9 @@ struct AxialSample {
   double deviation;  ///< candela, the largest from the mean on the circle, in magnitude
 };
 
-/// Intensity against the angle from an axis, as the mean over 72 to 720 directions of each circle: what a cone about the
-/// axis is fitted to. The angles are every quarter degree from 0 to pi, but the measured ones if the axis is the photometric
-/// one of type C or its opposite. Angles that were not measured are dark: from the first and last measured ones, the
+/// Intensity against the angle from an axis, as the mean over 72 to 720 directions of each circle: what a cone about
+/// the axis is fitted to. The angles are every quarter degree from 0 to pi, but the measured ones if the axis is the
+/// photometric one of type C or its opposite. Angles that were not measured are dark: from the first and last measured ones, the
 /// profile goes on in their steps to 0 and pi with intensity 0, which begins 0.01 degrees beyond a lit one.
 ///
 /// axis      luminaire frame, of any length but 0

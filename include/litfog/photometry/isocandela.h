@@ -9,8 +9,8 @@
 namespace litfog {
 
 // clang-format off
-/// Isocandela tables: CSV with commas and decimal points, UTF-8. Lines that begin with # are comments, of which the first
-/// is the light's name. The light's axis is at 0, 0. The header says which kind of table it is.
+/// Isocandela tables: CSV with commas and decimal points, UTF-8. Lines that begin with # are comments, of which the
+/// first is the light's name. The light's axis is at 0, 0. The header says which kind of table it is.
 ///
 /// A grid has horizontal angles, to the right of the axis, in its header, and in each row a vertical angle, above the
 /// axis, and the candela there. Both are degrees of type A (litfog/photometry/intensity_distribution.h). The horizontal
@@ -21,8 +21,8 @@ namespace litfog {
 ///     30,1.5,9,12,12
 ///     0,5,30,40,40
 ///
-/// Ellipses have a row each from the inner to the outer, with half axes in degrees (elliptical_beam()). Within the first
-/// the light has its candela, beyond the last none.
+/// Ellipses have a row each from the inner to the outer, with half axes in degrees (elliptical_beam()). Within the
+/// first the light has its candela, beyond the last none.
 ///
 ///     # approach side row light
 ///     candela,horizontal_deg,vertical_deg
