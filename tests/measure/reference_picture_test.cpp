@@ -366,7 +366,7 @@ TEST_P(ReferenceOfScene, AirlightIsWithinAStepFromClearAirToAMetreOfVisibility) 
 
 // A small angle to each pixel, as in large pictures: airlight is then drawn at few of them first.
 TEST_F(ReferencePictureTest, AirlightOfADistantViewIsThatOfTheReference) {
-  for (const std::string& name : {"headlights", "lighthouse", "room", "street"}) {
+  for (const char* name : {"headlights", "lighthouse", "room", "street"}) {
     Scene scene = read_scene(bundled_scene_path(name));
     scene.camera.field_of_view = glm::radians(8.0f);
     for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
