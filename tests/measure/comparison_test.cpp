@@ -35,6 +35,20 @@ TEST_F(ComparisonTest, LampsPointsAreInTheFrameButNeitherInTheReferenceNorInTheE
   EXPECT_GT(brightest_point, 0.1);
 }
 
+// A frame for a dark picture leaves out much of what a step at 0 EV is.
+TEST_F(ComparisonTest, ErrorDoesNotDependOnTheExposureOfTheFrame) {
+  const Scene scene = read_scene(bundled_scene_path("approach"));
+  Renderer renderer(scene, 64, 36, {});
+  renderer.set_fog(Fog::from_visibility(FogMode::exp, 2000.0));
+  renderer.draw();
+  const Comparison expected = compare_with_reference(renderer);
+  renderer.set_exposure({.ev = -10});
+  renderer.draw();
+  const Comparison comparison = compare_with_reference(renderer);
+  EXPECT_NE(comparison.drawn.rgb, expected.drawn.rgb);
+  EXPECT_EQ(comparison.error.pixels, expected.error.pixels);
+}
+
 }  // namespace
 
 }  // namespace litfog::test
