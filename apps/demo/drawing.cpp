@@ -31,11 +31,13 @@ Drawn draw(const scene::Scene& scene, const DrawingOptions& options, int frames,
   render::Renderer renderer(scene, options.width, options.height, options.settings_of(*options.render.path));
   const double visibility = options.chosen_visibility().value_or(scene::suggested_visibility(scene));
   renderer.set_fog(Fog::from_visibility(options.fog_mode(), visibility));
-  renderer.set_exposure(options.display.display_for(scene).exposure);
+  render::Display display = options.display.display_for(scene);
+  display.exposure = renderer.set_exposure(display.exposure);
   command::Progress progress;
   const measure::Progress show = [&progress](std::string_view step) { progress.show(step); };
   Drawn drawn{
       .picture = {},
+      .display = display,
       .visibility = visibility,
       .times =
           measure::time_frames({measure::frames_of(renderer)}, measure::FrameBudget::exactly(frames), show).front(),

@@ -15,7 +15,8 @@ namespace litfog::demo {
 /// A scene drawn once or several times, and what there is to know about it.
 struct Drawn {
   render::Picture picture;
-  double visibility;  ///< metres
+  render::Display display;  ///< for which it was drawn, an automatic exposure chosen
+  double visibility;        ///< metres
   measure::FrameTimes times;
   std::size_t shadow_lamps;  ///< that cast shadows, and their maps
   std::size_t shadow_maps;

@@ -114,13 +114,13 @@ void draw_gallery(const std::vector<std::string>& scenes, const std::string& fol
       const std::string file = picture_file(row, visibility);
       const Clock::time_point frame_start = Clock::now();
       renderer.set_fog(Fog::from_visibility(settings.fog_mode, visibility));
-      renderer.set_exposure(settings.display.display_for(scene).exposure);
+      render::Display display = settings.display.display_for(scene);
+      display.exposure = renderer.set_exposure(display.exposure);
       renderer.draw();
       const render::Picture drawn = renderer.read();
       const double draw_seconds = seconds_since(frame_start);
       std::vector<std::string> caption{is_clear ? row.title + ", clear air"
                                                 : fmt::format("{}, visibility {} m", row.title, visibility)};
-      const render::Display display = render::adapted(settings.display.display_for(scene), drawn);
       const std::string words = display_in_words(display);
       if (!words.empty()) caption.push_back(words);
       render::Picture picture = render::displayed(drawn, display);

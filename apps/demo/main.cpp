@@ -174,7 +174,7 @@ Job add_picture_job(CLI::App& app) {
     }
     const render::Picture& picture = options->reference ? drawn.comparison->reference : drawn.picture;
     std::optional<render::Display> display;
-    if (!holds_scene_light(output)) display = render::adapted(drawing.display.display_for(scene), drawn.picture);
+    if (!holds_scene_light(output)) display = drawn.display;
     write_picture(output, display ? render::displayed(picture, *display) : picture);
     if (is_given("--stats")) files::write_whole_file(options->stats, stats_json(scene, drawing, drawn, display));
     const std::string words = display ? display_in_words(*display) : "";

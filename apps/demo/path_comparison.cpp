@@ -53,7 +53,6 @@ std::vector<std::unique_ptr<render::Renderer>> make_renderers(const scene::Scene
     renderers.push_back(
         std::make_unique<render::Renderer>(scene, options.width, options.height, options.settings_of(path)));
     renderers.back()->set_fog(fog);
-    renderers.back()->set_exposure(options.display.display_for(scene).exposure);
   }
   return renderers;
 }
@@ -76,6 +75,10 @@ SceneResult compare_scene(const scene::Scene& scene, PictureFolder& pictures, co
                      .lights = scene.lights.size()};
   command::report(fmt::format("{}: {} lights, {}\n", scene.name, scene.lights.size(), result.conditions));
   auto renderers = make_renderers(scene, fog, options);
+  render::Display display = options.display.display_for(scene);
+  display.exposure = renderers.front()->set_exposure(display.exposure);
+  for (const auto& renderer : renderers) renderer->set_exposure({.ev = display.exposure.ev});  // one for all pictures
+  if (const std::string words = display_in_words(display); !words.empty()) result.conditions += ", " + words;
   pictures.finish();  // encoding would take time from the frames
   command::Progress shown;
   const measure::Progress progress = [&](std::string_view step) {
@@ -84,7 +87,6 @@ SceneResult compare_scene(const scene::Scene& scene, PictureFolder& pictures, co
   const std::vector<measure::FrameTimes> times = time_paths(renderers, frames, progress);
   const auto paths = render::lighting_paths();
   const auto legacy = std::size_t(render::find_lighting_path("legacy") - paths.data());
-  render::Display display = options.display.display_for(scene);
   Sheet sheet;
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const render::LightingPath& path = paths[i];
@@ -99,10 +101,6 @@ SceneResult compare_scene(const scene::Scene& scene, PictureFolder& pictures, co
                                              .largest_error = error.largest,
                                              .mean_error = error.mean,
                                              .excluded = error.excluded});
-    if (i == 0) {
-      display = render::adapted(display, comparison.drawn);
-      if (const std::string words = display_in_words(display); !words.empty()) result.conditions += ", " + words;
-    }
     render::Picture drawn = render::displayed(comparison.drawn, display);
     render::Picture reference = render::displayed(comparison.reference, display);
     if (i == 0) {

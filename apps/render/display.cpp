@@ -52,11 +52,6 @@ double auto_exposure(const Picture& picture) {
   return std::clamp(std::round(100 * ev) / 100, -kMaxExposure, kMaxExposure);
 }
 
-Display adapted(Display display, const Picture& picture) {
-  if (display.exposure.is_auto) display.exposure.ev = auto_exposure(picture);
-  return display;
-}
-
 glm::vec3 toned(ToneCurve tone, const glm::vec3& color) {
   return tone == ToneCurve::neutral ? neutral(color) : glm::min(color, 1.0f);
 }

@@ -11,7 +11,7 @@ inline constexpr double kMaxExposure = 32;  ///< EV, either way: half floats spa
 
 /// Exposure of a picture in EV: its light is multiplied by 2^ev.
 struct Exposure {
-  double ev = 0;         ///< [-kMaxExposure, kMaxExposure]; of an automatic one what `adapted` has chosen
+  double ev = 0;         ///< [-kMaxExposure, kMaxExposure]; of an automatic one what Renderer::set_exposure has chosen
   bool is_auto = false;  ///< whether it is to be chosen from the picture
 };
 
@@ -35,9 +35,6 @@ struct Display {
 ///
 /// returns  EV in hundredths, in [-kMaxExposure, kMaxExposure]; 0 where all is 0 or not finite, which does not count
 double auto_exposure(const Picture& picture);
-
-/// The display with its exposure chosen from a picture if it is automatic.
-Display adapted(Display display, const Picture& picture);
 
 /// A colour on a tone curve: exposed already, each channel >= 0 and finite. Returns each in [0, 1].
 glm::vec3 toned(ToneCurve tone, const glm::vec3& color);

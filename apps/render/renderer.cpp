@@ -114,12 +114,14 @@ void Renderer::set_fog(const Fog& fog) {
   planner_.set_fog(fog, !fog_lights(lights_, Skipping::on).empty());
 }
 
-void Renderer::set_exposure(const Exposure& exposure) {
+Exposure Renderer::set_exposure(const Exposure& exposure) {
   exposure_ = exposure.ev;
-  if (!exposure.is_auto) return;
-  exposure_ = kMaxExposure;
-  draw();
-  exposure_ = auto_exposure(read());
+  if (exposure.is_auto) {
+    exposure_ = kMaxExposure;
+    draw();
+    exposure_ = auto_exposure(read());
+  }
+  return {.ev = exposure_, .is_auto = exposure.is_auto};
 }
 
 glm::mat4 Renderer::clip_from_world() const {

@@ -47,7 +47,9 @@ class Renderer {
   /// At which exposure frames will be shown; 0 EV until it is called. What makes less than a step of the display is
   /// left out; frames themselves are not exposed. An automatic exposure is that of a frame in the present fog, drawn
   /// for it as for the largest exposure.
-  void set_exposure(const Exposure& exposure);
+  ///
+  /// returns  it; of an automatic one what has been chosen
+  Exposure set_exposure(const Exposure& exposure);
   /// Draws a frame and waits for it.
   FrameCounts draw(LightPoints light_points = LightPoints::on);
   /// Draws a frame as if the view had changed, stage by stage, and looks at it closely. Takes longer than draw().

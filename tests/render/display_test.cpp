@@ -162,12 +162,6 @@ TEST(AutoExposure, StaysWithinWhatAnExposureMayBe) {
   EXPECT_EQ(auto_exposure(row({glm::vec3(1e30f)})), -kMaxExposure);
 }
 
-TEST(AutoExposure, OnlyAnAutomaticExposureIsAdapted) {
-  const Picture picture = row({glm::vec3(0.8f * 64)});
-  EXPECT_EQ(adapted({.exposure = {.is_auto = true}}, picture).exposure.ev, -6);
-  EXPECT_EQ(adapted({.exposure = {.ev = 1.5}}, picture).exposure.ev, 1.5);
-}
-
 }  // namespace
 
 }  // namespace litfog::test

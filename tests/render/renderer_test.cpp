@@ -190,6 +190,19 @@ TEST_F(RendererTest, AtMostOneIn200PixelsOfABundledSceneIsWhiteByAirlight) {
   }
 }
 
+TEST_F(RendererTest, OnlyAnAutomaticExposureIsChosen) {
+  const Scene scene = open_air({});
+  Renderer renderer(scene, kWidth, kHeight, {});
+  const Exposure chosen = renderer.set_exposure({.ev = 7, .is_auto = true});
+  EXPECT_TRUE(chosen.is_auto);
+  renderer.draw();
+  EXPECT_EQ(chosen.ev, auto_exposure(renderer.read()));
+  EXPECT_GT(chosen.ev, 0);
+  const Exposure given = renderer.set_exposure({.ev = 1.5});
+  EXPECT_FALSE(given.is_auto);
+  EXPECT_EQ(given.ev, 1.5);
+}
+
 TEST_F(RendererTest, MoreSamplesThanTheDriverHasAreUnsupported) {
   EXPECT_THROW(draw(open_air(Cone{}), Fog{}, {.samples = 1 << 16}), gl::Unsupported);
 }
