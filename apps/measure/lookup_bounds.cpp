@@ -36,8 +36,6 @@ LookupBounds::Interval LookupBounds::surface_color(const SurfacePoint& point) co
 }
 
 LookupBounds::Interval LookupBounds::fog_color(const glm::dvec3& position) const {
-  const glm::dvec3 exact = model_.veil(position).color;
-  if (!model_.path().has_mapped_fog()) return {exact, exact};
   Interval color{model_.environment().ambient_fog_color, model_.environment().ambient_fog_color};
   for (const ReferenceLight& light : model_.lights()) {
     const auto ray = model_.lights_fog(light) ? ray_within(kAnyRange, light, position) : std::nullopt;

@@ -10,7 +10,7 @@ namespace litfog::measure {
 /// slightly nearer to its axis or farther from it.
 class LookupBounds {
  public:
-  /// model     of a path with light maps; has to outlive this
+  /// model  of a path with light maps; has to outlive this
   LookupBounds(const Model& model, const render::RenderSettings& settings)
       : model_(model), cone_maps_(settings.cone_maps), texel_(2.0 / (settings.map_size - 1)) {}
 
@@ -20,7 +20,7 @@ class LookupBounds {
   };
   /// The light that a surface sends to the eye, before fog.
   Interval surface_color(const SurfacePoint& point) const;
-  /// The colour of the fog before a position.
+  /// The colour of the fog before a position, by a path whose maps light it (LightingPath::has_mapped_fog).
   Interval fog_color(const glm::dvec3& position) const;
 
  private:

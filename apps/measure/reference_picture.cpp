@@ -118,7 +118,7 @@ class ReferenceShading {
     LookupBounds::Interval fog{veil.color, veil.color};
     if (bounds_) {
       bounds = bounds_->surface_color(point);
-      fog = bounds_->fog_color(point.position);
+      if (model_.path().has_mapped_fog()) fog = bounds_->fog_color(point.position);
     }
     return {.color = veil.over(color),
             .least = glm::mix(bounds.least, fog.least, veil.opacity),
