@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "measure/night_sky.h"
+#include "render/hidden_range.h"
 
 namespace litfog::measure {
 namespace {
@@ -15,14 +16,14 @@ constexpr double kMostRounding = 5e-4;        // of an extent, some kilometres f
 
 bool is_seen(const glm::dvec3& jump) {
   constexpr double kLeast = 1e-4;  // a third of a step on the display where it is darkest
-  return std::max({jump.r, jump.g, jump.b}) > kLeast;
+  return render::largest_component(jump) > kLeast;
 }
 
 /// Relative rounding of the vector from a light to a position, both of them floats. It is large where the vector is
 /// short and both are far from the origin.
 double rounding_of(const ReferenceLight& light, const glm::dvec3& position, double range) {
   const glm::dvec3 largest = glm::max(glm::abs(light.placed.position), glm::abs(position));
-  return kUnit * (1 + std::max({largest.x, largest.y, largest.z}) / range);
+  return kUnit * (1 + render::largest_component(largest) / range);
 }
 
 double cos_cutoff(const ReferenceLight& light) { return std::cos(cutoff_angle(light.placed.light.cone)); }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "measure/airlight_bound.h"
+#include "render/hidden_range.h"
 
 namespace litfog::measure {
 namespace {
@@ -147,7 +148,7 @@ glm::dvec3 Model::airlight(const glm::dvec3& direction, double length) const {
   std::vector<Candidate> candidates;
   for (const ReferenceLight& light : lights_) {
     const glm::dvec3& color = light.placed.light.color;
-    const double most = airlight_bound(light, ray, scattering_) * std::max({color.r, color.g, color.b});
+    const double most = airlight_bound(light, ray, scattering_) * render::largest_component(color);
     if (most > 0) candidates.push_back({most, &light});
   }
   std::ranges::sort(candidates, {}, &Candidate::most);
