@@ -61,9 +61,7 @@ bool ReferenceShadows::is_at_edge(const ReferenceLight& light, const glm::dvec3&
   const glm::dvec3 plane = own ? own->normal : normal;
   const double texel = texel_width(light, from_lamp, map_size_);
 
-  const glm::dvec3 right =
-      glm::normalize(glm::cross(direction, std::abs(direction.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0)));
-  const glm::dvec3 up = glm::cross(right, direction);
+  const glm::dmat3 world_from_basis = glm::transpose(scene::basis_from_world(direction));
   constexpr int kRays = 8;
   constexpr int kRings = 3;
   std::array<glm::dvec3, kRays * kRings + 1> directions;
@@ -76,8 +74,8 @@ bool ReferenceShadows::is_at_edge(const ReferenceLight& light, const glm::dvec3&
       const double angle = 2 * std::numbers::pi * (i + 0.5 * ring) / kRays;
       const double texels = kEdgeTexels * (ring + 1) / kRings;
       const auto index = std::size_t(1 + ring * kRays + i);
-      directions[index] =
-          glm::normalize(from_lamp + (right * std::cos(angle) + up * std::sin(angle)) * (texels * texel));
+      directions[index] = glm::normalize(
+          from_lamp + world_from_basis * (glm::dvec3(std::cos(angle), std::sin(angle), 0) * (texels * texel)));
       const auto distance = distance_to_plane(from_lamp, plane, directions[index]);
       if (!distance) return true;  // the texel sees the surface edge on
       distances[index] = *distance;
