@@ -10,11 +10,11 @@
 // contribute (inside extent, cone and the fog's reach) is cut where the integrand is not smooth: at the closest
 // approach, at the ends of the plateau (where the attenuation is clamped to 1), at the edges of a cone and, for a beam
 // that crosses the ray, at its middle. On each piece Gauss-Legendre nodes are evenly spread in
-//   t = asinh(z / w),  z = (1 - e^(-q x)) / q,
-// in which both the falloff of the lamp (of width w) and that of the fog (of rate q) are nearly straight. A point lamp
-// in isotropic fog has a closed form on the plateau and takes 7 nodes elsewhere, 8 in exp2 fog, which lie closer where
-// its light is brighter; a beam takes some 20, one wider than 90 degrees some 28, a phase function some 40, a cookie
-// some 128.
+//   t = asinh(z / w),  z = (1 - e^(-q (x - x0))) / q,
+// in which both the falloff of the lamp (of width w) and that of the fog (of rate q) are nearly straight; x0 is where
+// the lit part begins on that side. A point lamp in isotropic fog has a closed form on the plateau and takes 7 nodes
+// elsewhere, 8 in exp2 fog, which lie closer where its light is brighter; a beam takes some 20, one wider than 90
+// degrees some 28, a phase function some 40, a cookie some 128.
 //
 // Errors and what they were measured on: litfog/airlight.h.
 //
@@ -286,8 +286,8 @@ LITFOG_REAL litfog_airlight_rate(LitfogAirlight air, LitfogAirlightSide side) {
   return air.density * (LITFOG_REAL(1.0) + air.lamp_leg * along / litfog_airlight_range(air, along));
 }
 
-// The bend of a side that ends at a z: 0.15 times the logarithm of how many times as bright it begins, per t, as it
-// ends. In exp2 fog, which scatters in proportion to the eye's leg, that leg counts at the middle.
+// The bend of a point lamp's side, about the closest approach, that ends at a z: 0.15 times the logarithm of how many
+// times as bright it begins, per t, as it ends. In exp2 fog, which scatters in proportion to the eye's leg, that leg counts at the middle.
 LITFOG_REAL litfog_airlight_bend(LitfogAirlight air, LitfogAirlightSide side, LITFOG_REAL end) {
   LITFOG_REAL last = side.nearest + end;
   LITFOG_REAL begins = litfog_airlight_range(air, side.nearest);
