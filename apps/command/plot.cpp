@@ -62,6 +62,7 @@ void expect_shown(double value, const Axis& axis) {
 void check(const Figure& figure) {
   std::size_t count = 0;
   for (const Chart& chart : figure.charts) {
+    if (chart.is_polar && !(chart.y.most > 0)) throw std::invalid_argument("figure: a polar chart must have a radius");
     for (const Series& series : chart.series) {
       for (const PlotPoint& point : series.points) {
         expect_shown(point.x, chart.x);
@@ -69,9 +70,6 @@ void check(const Figure& figure) {
         ++count;
       }
     }
-  }
-  for (const Chart& chart : figure.charts) {
-    if (chart.is_polar && !(chart.y.most > 0)) throw std::invalid_argument("figure: a polar chart must have a radius");
   }
   if (count == 0) throw std::invalid_argument("figure: must have points");
 }

@@ -137,6 +137,11 @@ TEST(Plot, ValueThatTheAxisCannotShowIsAnError) {
   Figure without_points = one_line();
   without_points.charts[0].series[0].points.clear();
   EXPECT_THROW(draw_figure(without_points, FigureFormat::png), std::invalid_argument);
+  Figure without_radius = one_line();
+  without_radius.charts[0].is_polar = true;
+  EXPECT_THROW(draw_figure(without_radius, FigureFormat::png), std::invalid_argument);
+  without_radius.charts[0].y.most = 1;
+  EXPECT_NO_THROW(draw_figure(without_radius, FigureFormat::png));
 }
 
 TEST(Plot, OtherFileNameEndingIsAnError) {
