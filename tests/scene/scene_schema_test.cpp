@@ -36,20 +36,11 @@ constexpr const char* kScene = R"({"litfog": "scene", "version": 1, "name": "a",
 
 /// What a schema cannot say: what lies in other files, sums, directions without a length.
 constexpr std::array kRulesAcrossMembers{"must be a light file",
+                                         "must be a cookie",
                                          "straight above or below",
                                          "must have a length",
-                                         "must not be at the light's position",
-                                         "must not make more than",
-                                         "model = ",
-                                         "triangles",
-                                         "objects: must",
-                                         "must not be empty, start with a",
-                                         "must be a cookie",
-                                         "copies in all",
                                          "must be in a scene with a vehicle",
-                                         "must not be given twice",
-                                         "every copy's position",
-                                         "must be in [-"};
+                                         "every copy's position"};
 
 class SceneSchema : public testing::Test {
  protected:
