@@ -605,7 +605,7 @@ TEST_F(DemoCommand, InputsAreNotOverwritten) {
   const std::string light = R"({"litfog": "light", "version": 1, "attenuation": {"constant": 1, "quadratic": 0.5}})";
   write("lamp.json", light);
   const std::string scene = R"({"litfog": "scene", "version": 1, "objects": [],
-    "camera": {"position": [0, 1, 5], "target": [0, 1, 0]}, 
+    "camera": {"position": [0, 1, 5], "target": [0, 1, 0]},
     "lights": [{"position": [0, 0, 0], "light": "lamp.json"}]})";
   write("scene.json", scene);
   for (const std::string input : {"scene.json", "lamp.json"}) {
