@@ -12,9 +12,10 @@
 
 #include "litfog/gl/unsupported.h"
 #include "render/demo_shaders.h"
+#include "render/fog_top.h"
+#include "render/gpu/depth.h"
 #include "render/gpu/texture_unit.h"
 #include "render/gpu/uniform.h"
-#include "render/renderer.h"
 
 namespace litfog::render {
 namespace {
@@ -283,9 +284,8 @@ void AirlightPainter::use(const gl::Program& program, const Frame& frame, const 
   set_uniform(program, "pixel_size", 2.0f / glm::vec2(picture_size_));
   set_uniform(program, "eye", scene_.camera.position);
   set_uniform(program, "forward", glm::normalize(scene_.camera.target - scene_.camera.position));
-  set_uniform(program, "near_plane", frame.view.near_plane);
-  set_uniform(program, "sky_distance", kSkyDistance);
-  set_uniform(program, "fog_above_eye", frame.view.fog_above_eye);
+  set_uniform(program, "near_plane", kNearPlane);
+  set_fog_top(program, scene_);
   set_uniform(program, "asymmetry", float(scene_.phase_g));
   set_uniform(program, "shadow_maps", kShadowMapUnit);
   set_uniform(program, "shadow_casters", kShadowCasterUnit);

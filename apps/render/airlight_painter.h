@@ -24,8 +24,6 @@ namespace litfog::render {
 struct View {
   glm::mat4 clip_from_world;
   glm::mat4 direction_from_clip;  ///< of the ray through a place on the picture
-  float near_plane;               ///< metres
-  float fog_above_eye;            ///< metres, finite: shaders/fog_top.glsl
 };
 
 /// Adds the airlight of lights over a picture. Needs a current GL context.

@@ -7,9 +7,9 @@
 #include <numeric>
 
 #include "litfog/airlight.h"
+#include "render/fog_top.h"
 #include "render/frustum.h"
 #include "render/hidden_range.h"
-#include "render/renderer.h"
 
 namespace litfog::render {
 namespace {
