@@ -118,8 +118,7 @@ AirlightList list_airlight(const SceneLights& lights, const Fog& fog, const Scat
   std::vector<Found> found;
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const PlacedLight& placed = lights.lights()[i];
-    const glm::dvec3& color = placed.light.color;
-    const double brightness = largest_phase(scattering) * std::max({color.r, color.g, color.b});
+    const double brightness = largest_phase(scattering) * largest_component(placed.light.color);
     if (!(brightness > 0)) continue;
     const double eye_range = std::max(glm::distance(eye, placed.position), 1e-6);
     const GlowBound bound(placed.light, lights.extents()[i], fog, eye_range, brightness);

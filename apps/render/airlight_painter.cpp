@@ -16,14 +16,11 @@
 #include "render/gpu/depth.h"
 #include "render/gpu/texture_unit.h"
 #include "render/gpu/uniform.h"
+#include "render/hidden_range.h"
 
 namespace litfog::render {
 namespace {
 
-/// What a light may leave out of a pixel: an eighth of a step of the display where it is darkest and sRGB has this
-/// slope.
-constexpr double kDarkestSlope = 12.92;
-constexpr double kBudget = 1 / (8 * 255 * kDarkestSlope);
 constexpr int kGridSteps[] = {8, 4, 2, 1};  // pixels
 constexpr double kMostApart = 0.06;         // radians between a grid's texels: airlight is not known to be smoother
 constexpr int kBlock = 8;                   // of airlight_blocks.glsl: texels
@@ -131,8 +128,9 @@ void AirlightPainter::attach_airlight(Target& target, bool has_gain) {
 
 AirlightList AirlightPainter::draw(const Framebuffer& framebuffer, const View& view, const Fog& fog) {
   const auto casters = shafts_ ? shafts_->caster_of_lights() : std::span<const std::int32_t>();
+  const double budget = visible_step(0) / 8;  // what a light may leave out of a pixel
   AirlightList list = list_airlight(lights_, fog, {.asymmetry = scene_.phase_g}, scene_.camera.position,
-                                    pixels_per_radian(), kBudget, casters);
+                                    pixels_per_radian(), budget, casters);
   if (list.entries.empty()) return list;
   entries_.emplace(list.entries.data(), list.entries.size() * sizeof(AirlightEntry), BufferTexture::Texel::float4);
   entries_->bind(kEntryUnit);

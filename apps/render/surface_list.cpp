@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "litfog/gl/unsupported.h"
-#include "render/hidden_range.h"
 #include "render/light_finder.h"
 #include "render/light_selection.h"
 
