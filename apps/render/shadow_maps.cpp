@@ -9,6 +9,7 @@
 
 #include "litfog/gl/unsupported.h"
 #include "render/demo_shaders.h"
+#include "render/gpu/depth.h"
 #include "render/gpu/texture_unit.h"
 #include "render/gpu/uniform.h"
 
@@ -124,8 +125,7 @@ std::size_t ShadowMaps::draw() {
       draw_map(caster, map);
     }
   }
-  glDepthFunc(GL_LEQUAL);
-  glEnable(GL_CULL_FACE);
+  end_depths();
   return map_count();
 }
 
