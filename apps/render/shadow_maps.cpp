@@ -33,9 +33,7 @@ PackedCaster pack(const ShadowCaster& caster, int first_layer) {
 scene::Bounds bounds_of_all(const std::vector<Surface>& surfaces) {
   if (surfaces.empty()) return {glm::vec3(0), glm::vec3(0)};
   scene::Bounds whole = surfaces.front().bounds;
-  for (const Surface& surface : surfaces) {
-    whole = {glm::min(whole.low, surface.bounds.low), glm::max(whole.high, surface.bounds.high)};
-  }
+  for (const Surface& surface : surfaces) whole = united(whole, surface.bounds);
   return whole;
 }
 
