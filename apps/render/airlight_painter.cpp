@@ -54,8 +54,8 @@ constexpr int kCookieProfile = 3;  // of a light as shaders know it
 
 /// The text of airlight_constants.glsl.
 std::string light_constants(const scene::Scene& scene, FogMode fog_mode, int profile) {
-  const bool has_knee = std::ranges::any_of(
-      scene.lights, [](const PlacedLight& light) { return light.light.attenuation.constant < 1; });
+  const bool has_knee =
+      std::ranges::any_of(scene.lights, [](const PlacedLight& light) { return light.light.attenuation.constant < 1; });
   return fmt::format(
       "#define LITFOG_FOG_MODE {}.0\n"
       "{}"

@@ -82,8 +82,7 @@ std::size_t SurfacePainter::draw(const LightingPath& path, const FramePlan& plan
 /// Draws all passes of a surface before the next surface, because the later of two coplanar ones hides the earlier.
 void SurfacePainter::draw_surface(Frame& frame, const PlannedSurface& planned, std::span<const std::int32_t> lights) {
   frame.passes_drawn = 0;
-  std::span<const std::int32_t> fog =
-      planned.surface->is_fog_lit ? std::span(fog_lights_) : std::span<std::int32_t>{};
+  std::span<const std::int32_t> fog = planned.surface->is_fog_lit ? std::span(fog_lights_) : std::span<std::int32_t>{};
   if (planned.is_fog_alone) {
     draw_pass(frame, planned, {.pass = &fog_alone_pass()}, fog, {});
     return;
