@@ -28,6 +28,7 @@
 #include "measure/quantile.h"
 #include "reference/random_light.h"
 #include "render/renderer.h"
+#include "render/scene_lights.h"
 #include "scene/file/scene_file.h"
 
 namespace litfog::bench {
@@ -154,8 +155,7 @@ class KindedLights {
   std::vector<LightBounds> bounds_in(const Fog& fog) const {
     std::vector<double> reaches;
     for (const Light& light : firsts_) {
-      const double brightest = std::max({light.color.r, light.color.g, light.color.b});
-      reaches.push_back(light_reach(light, fog, std::min(0.5, kBudget / brightest)));
+      reaches.push_back(light_reach(light, fog, std::min(0.5, kBudget / render::largest_component(light.color))));
     }
     std::vector<LightBounds> bounds;
     bounds.reserve(lights_.size());

@@ -38,8 +38,7 @@ Result measure_maps(bool quick) {
     command::Series by_size{.name = path, .style = command::SeriesStyle::line_and_points};
     command::Series by_memory = by_size;
     for (const int size : sizes) {
-      render::Renderer renderer(scene, kWidth, kHeight,
-                                {.path = render::find_lighting_path(path), .map_size = size});
+      render::Renderer renderer(scene, kWidth, kHeight, {.path = render::find_lighting_path(path), .map_size = size});
       renderer.set_fog(Fog::from_visibility(FogMode::exp2, 100.0));
       renderer.draw();
       const measure::PictureError error = measure::compare_with_reference(renderer).error;

@@ -13,6 +13,7 @@
 
 #include "litfog/gl/check_errors.h"
 #include "render/demo_shaders.h"
+#include "render/fog_top.h"
 #include "render/gpu/texture_unit.h"
 #include "render/gpu/uniform.h"
 #include "render/light_map_store.h"
@@ -181,8 +182,7 @@ void PlainRenderer::draw_sky(const glm::mat4& direction_from_clip) const {
   set_uniform(sky_program_, "sky_zenith", scene_.environment.sky_zenith);
   set_uniform(sky_program_, "sky_horizon", scene_.environment.sky_horizon);
   set_uniform(sky_program_, "star_brightness", scene_.environment.star_brightness);
-  set_uniform(sky_program_, "sky_distance", render::kSkyDistance);
-  set_uniform(sky_program_, "fog_above_eye", render::fog_above_eye(scene_));
+  render::set_fog_top(sky_program_, scene_);
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/renderer.h"
+#include "render/fog_top.h"
 
 namespace litfog::measure {
 namespace {

@@ -11,10 +11,10 @@
 namespace litfog::render {
 namespace {
 
-constexpr double kMostError = 0.0005;     // of the display: an eighth of a step
-constexpr double kSafety = 4;             // for airlight that bends more than k / h
-constexpr double kFarthestReach = 1e9;    // metres, for lights without an end: floats hold its square
-constexpr double kThinBeam = 0.17;        // radians: half the angle of a beam on the picture that grids may miss
+constexpr double kMostError = 0.0005;   // of the display: an eighth of a step
+constexpr double kSafety = 4;           // for airlight that bends more than k / h
+constexpr double kFarthestReach = 1e9;  // metres, for lights without an end: floats hold its square
+constexpr double kThinBeam = 0.17;      // radians: half the angle of a beam on the picture that grids may miss
 
 /// Range at which the attenuation's denominator has a value; 0 where it is above it everywhere.
 double level_range(const Attenuation& attenuation, double denominator) {
@@ -32,9 +32,8 @@ SeenBeam see_beam(const PlacedLight& placed, const glm::dvec3& to_eye) {
   const Cone& cone = placed.light.cone;
   if (cone.profile == ConeProfile::none) return {0.5 * std::numbers::pi, 1};
   // Half angle at which it has half its brightness or less.
-  const double bright = cone.profile == ConeProfile::smoothstep
-                            ? cone.outer
-                            : std::acos(std::exp2(-1 / std::max(cone.exponent, 1e-3)));
+  const double bright =
+      cone.profile == ConeProfile::smoothstep ? cone.outer : std::acos(std::exp2(-1 / std::max(cone.exponent, 1e-3)));
   const double half_angle = std::min({bright, cutoff_angle(cone), 0.25 * std::numbers::pi});
   const double sine = glm::length(glm::cross(to_eye, placed.direction));
   return {std::asin(std::min(std::sin(half_angle) / std::max(sine, 1e-6), 1.0)),
@@ -92,9 +91,9 @@ double display_slope(double value) { return std::min(12.92, 0.4396 * std::pow(va
 
 /// Range from a light where cubics through pixels miss kMostError of its airlight, about k / h at a distance h.
 ///
-/// What a grid keeps of k / h has a fourth derivative of at most 81 k / range^5 (airlight.frag), or (1 + d range)^4 times
-/// that where fog of density d makes it fall off faster. Of that by the fourth power of the texels' distance, a cubic
-/// through four misses 3/128.
+/// What a grid keeps of k / h has a fourth derivative of at most 81 k / range^5 (airlight.frag), or (1 + d range)^4
+/// times that where fog of density d makes it fall off faster. Of that by the fourth power of the texels' distance, a
+/// cubic through four misses 3/128.
 double find_bend_range(double k, double density, double pixel) {
   constexpr double kMissed = kSafety * 81 * 3 / 128;
   const double step = 8 * pixel;  // of the coarsest grid, where d range matters most
@@ -118,8 +117,7 @@ AirlightList list_airlight(const SceneLights& lights, const Fog& fog, const Scat
   std::vector<Found> found;
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const PlacedLight& placed = lights.lights()[i];
-    const glm::dvec3& color = placed.light.color;
-    const double brightness = largest_phase(scattering) * std::max({color.r, color.g, color.b});
+    const double brightness = largest_phase(scattering) * largest_component(placed.light.color);
     if (!(brightness > 0)) continue;
     const double eye_range = std::max(glm::distance(eye, placed.position), 1e-6);
     const GlowBound bound(placed.light, lights.extents()[i], fog, eye_range, brightness);
@@ -127,8 +125,7 @@ AirlightList list_airlight(const SceneLights& lights, const Fog& fog, const Scat
     if (!(reach > 0)) continue;
     const double pixel = eye_range / pixels_per_radian;
     const SeenBeam beam = see_beam(placed, (eye - placed.position) / eye_range);
-    const double bend_range =
-        std::min(find_bend_range(beam.narrowing * bound.k(), bound.density(), pixel), reach);
+    const double bend_range = std::min(find_bend_range(beam.narrowing * bound.k(), bound.density(), pixel), reach);
     // Up to this range a thin beam is thinner than a few texels of a grid.
     const double thin_range = beam.angle < kThinBeam ? 4 * pixel / std::tan(beam.angle) : 0;
     const bool is_thin = thin_range > bend_range;

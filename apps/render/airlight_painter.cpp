@@ -12,17 +12,15 @@
 
 #include "litfog/gl/unsupported.h"
 #include "render/demo_shaders.h"
+#include "render/fog_top.h"
+#include "render/gpu/depth.h"
 #include "render/gpu/texture_unit.h"
 #include "render/gpu/uniform.h"
-#include "render/renderer.h"
+#include "render/hidden_range.h"
 
 namespace litfog::render {
 namespace {
 
-/// What a light may leave out of a pixel: an eighth of a step of the display where it is darkest and sRGB has this
-/// slope.
-constexpr double kDarkestSlope = 12.92;
-constexpr double kBudget = 1 / (8 * 255 * kDarkestSlope);
 constexpr int kGridSteps[] = {8, 4, 2, 1};  // pixels
 constexpr double kMostApart = 0.06;         // radians between a grid's texels: airlight is not known to be smoother
 constexpr int kBlock = 8;                   // of airlight_blocks.glsl: texels
@@ -56,8 +54,8 @@ constexpr int kCookieProfile = 3;  // of a light as shaders know it
 
 /// The text of airlight_constants.glsl.
 std::string light_constants(const scene::Scene& scene, FogMode fog_mode, int profile) {
-  const bool has_knee = std::ranges::any_of(
-      scene.lights, [](const PlacedLight& light) { return light.light.attenuation.constant < 1; });
+  const bool has_knee =
+      std::ranges::any_of(scene.lights, [](const PlacedLight& light) { return light.light.attenuation.constant < 1; });
   return fmt::format(
       "#define LITFOG_FOG_MODE {}.0\n"
       "{}"
@@ -130,8 +128,9 @@ void AirlightPainter::attach_airlight(Target& target, bool has_gain) {
 
 AirlightList AirlightPainter::draw(const Framebuffer& framebuffer, const View& view, const Fog& fog) {
   const auto casters = shafts_ ? shafts_->caster_of_lights() : std::span<const std::int32_t>();
+  const double budget = visible_step(0) / 8;  // what a light may leave out of a pixel
   AirlightList list = list_airlight(lights_, fog, {.asymmetry = scene_.phase_g}, scene_.camera.position,
-                                    pixels_per_radian(), kBudget, casters);
+                                    pixels_per_radian(), budget, casters);
   if (list.entries.empty()) return list;
   entries_.emplace(list.entries.data(), list.entries.size() * sizeof(AirlightEntry), BufferTexture::Texel::float4);
   entries_->bind(kEntryUnit);
@@ -283,9 +282,8 @@ void AirlightPainter::use(const gl::Program& program, const Frame& frame, const 
   set_uniform(program, "pixel_size", 2.0f / glm::vec2(picture_size_));
   set_uniform(program, "eye", scene_.camera.position);
   set_uniform(program, "forward", glm::normalize(scene_.camera.target - scene_.camera.position));
-  set_uniform(program, "near_plane", frame.view.near_plane);
-  set_uniform(program, "sky_distance", kSkyDistance);
-  set_uniform(program, "fog_above_eye", frame.view.fog_above_eye);
+  set_uniform(program, "near_plane", kNearPlane);
+  set_fog_top(program, scene_);
   set_uniform(program, "asymmetry", float(scene_.phase_g));
   set_uniform(program, "shadow_maps", kShadowMapUnit);
   set_uniform(program, "shadow_casters", kShadowCasterUnit);

@@ -24,17 +24,15 @@ namespace litfog::render {
 struct View {
   glm::mat4 clip_from_world;
   glm::mat4 direction_from_clip;  ///< of the ray through a place on the picture
-  float near_plane;               ///< metres
-  float fog_above_eye;            ///< metres, finite: shaders/fog_top.glsl
 };
 
 /// Adds the airlight of lights over a picture. Needs a current GL context.
 ///
-/// Airlight mostly changes slowly over a picture. So all lights are first drawn at every eighth pixel of every
-/// eighth row (of small pictures at more), and then in finer and finer grids. A grid leaves out the part of a light's airlight that bends sharply,
-/// close to the light. A texel of a finer grid takes the mean of its neighbours in the one before where that is good
-/// enough (shaders/airlight_fill.frag), and only what they have left out is drawn. For the others all lights are drawn,
-/// at texels packed into a target of their own.
+/// Airlight mostly changes slowly over a picture. So all lights are first drawn at every eighth pixel of every eighth
+/// row (of small pictures at more), and then in finer and finer grids. A grid leaves out the part of a light's airlight
+/// that bends sharply, close to the light. A texel of a finer grid takes the mean of its neighbours in the one before
+/// where that is good enough (shaders/airlight_fill.frag), and only what they have left out is drawn. For the others
+/// all lights are drawn, at texels packed into a target of their own.
 class AirlightPainter {
  public:
   /// scene, lights, fog_lights  have to outlive this
@@ -105,14 +103,14 @@ class AirlightPainter {
   gl::FramebufferName seen_;
   gl::TextureName seen_texture_;
   gl::TextureName mean_opacities_;  // of the fog before what is seen
-  std::vector<Grid> grids_;               // from coarse to fine
-  Target packed_;                         // texels that a grid does not fill, packed (shaders/airlight_blocks.glsl)
+  std::vector<Grid> grids_;         // from coarse to fine
+  Target packed_;                   // texels that a grid does not fill, packed (shaders/airlight_blocks.glsl)
   gl::FramebufferName marks_framebuffer_;
-  gl::TextureName marks_;                 // of those texels
+  gl::TextureName marks_;  // of those texels
   gl::FramebufferName places_framebuffer_;
   gl::TextureName places_;                // of those texels in their grid
   std::optional<BufferTexture> entries_;  // of the light list
-  gl::VertexArrayName vertex_array_;  // of no attributes
+  gl::VertexArrayName vertex_array_;      // of no attributes
 };
 
 }  // namespace litfog::render

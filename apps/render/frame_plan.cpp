@@ -7,9 +7,9 @@
 #include <numeric>
 
 #include "litfog/airlight.h"
+#include "render/fog_top.h"
 #include "render/frustum.h"
 #include "render/hidden_range.h"
-#include "render/renderer.h"
 
 namespace litfog::render {
 namespace {
@@ -88,7 +88,7 @@ double FramePlanner::airlight_end_from(const glm::dvec3& eye, double budget) con
   return end;
 }
 
-double FramePlanner::hidden_range_of(std::size_t index, double step) {
+double FramePlanner::hidden_range_of(std::size_t index) {
   Foggy& foggy = foggy_[index];
   if (foggy.fog == fog_number_) return double(foggy.hidden_range);
   const Surface& surface = surfaces_.surfaces()[index];
@@ -104,7 +104,7 @@ double FramePlanner::hidden_range_of(std::size_t index, double step) {
     brightness += strength;
   }
   const double fog = largest_component(scene_.environment.ambient_fog_color);
-  foggy = {fog_number_, float(hidden_range(fog_, brightness + fog, kHiddenShare * step))};
+  foggy = {fog_number_, float(hidden_range(fog_, brightness + fog, kHiddenShare * step_))};
   return double(foggy.hidden_range);
 }
 
@@ -190,7 +190,7 @@ void FramePlanner::make_plan(const FrameView& view) {
       continue;
     }
     constexpr double kRounding = 1 + 1e-6;
-    const double range = hidden_range_of(i, step_);
+    const double range = hidden_range_of(i);
     seen.push_back({i, nearest_distance(view.eye, box), farthest_distance(view.eye, box), range});
     if (seen.back().nearest < range) {
       hidden_from = std::max(hidden_from, std::min(seen.back().farthest, range) * kRounding);

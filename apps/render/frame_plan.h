@@ -97,7 +97,7 @@ class FramePlanner {
 
   void make_plan(const FrameView& view);
   /// From where on a surface is hidden, and how much each of its lights gives.
-  double hidden_range_of(std::size_t surface, double step);
+  double hidden_range_of(std::size_t surface);
   double airlight_end_from(const glm::dvec3& eye, double budget) const;
   double sky_brightness() const;
   /// Appends a surface's lights to the plan's list but for those that fog hides.

@@ -14,8 +14,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-double largest_component(const glm::dvec3& color) { return std::max({color.r, color.g, color.b}); }
-
 double visible_step(double exposure) {
   constexpr double kDarkestSlope = 12.92;  // IEC 61966-2-1
   return std::exp2(-exposure) / (255 * kDarkestSlope);

@@ -27,9 +27,6 @@ inline constexpr double kBehindShare = 1 / 8.;        ///< airlight from behind 
 /// exposure  EV, [-kMaxExposure, kMaxExposure]
 double visible_step(double exposure);
 
-/// By which a colour counts.
-double largest_component(const glm::dvec3& color);
-
 /// The range beyond which fog leaves less than a budget of a brightness: f(r) * brightness <= budget. Metres, 0 where
 /// that is so everywhere, infinity where it is so nowhere.
 double hidden_range(const Fog& fog, double brightness, double budget);

@@ -80,8 +80,7 @@ const LookupTexture* LightMapStore::range_map(const PlacedLight& light, double e
 
 const LookupTexture* LightMapStore::cone_map(const Cone& cone) {
   // Frazier's spot: the same texels at every angle. Its own is 45 degrees, at which the scale is 1.
-  const bool is_disc =
-      cone_kind_ == ConeMaps::one_disc && cone.profile != ConeProfile::none && is_scaled(cone, cone_kind_);
+  const bool is_disc = cone_kind_ == ConeMaps::one_disc && is_scaled(cone, cone_kind_);
   const Cone held = is_disc ? Cone::cosine(std::numbers::pi / 4, 0) : cone;
   for (const auto& [known, map] : cone_maps_) {
     if (known == held) return &map;

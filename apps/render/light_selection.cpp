@@ -38,12 +38,11 @@ std::vector<std::int32_t> grouped_by_maps(std::span<const std::int32_t> lights, 
   return grouped;
 }
 
-std::vector<std::int32_t> with_fog_lights(std::span<const std::int32_t> lights, std::span<const std::int32_t> fog_lights,
-                                          std::span<const int> map_kinds) {
+std::vector<std::int32_t> with_fog_lights(std::span<const std::int32_t> lights,
+                                          std::span<const std::int32_t> fog_lights, std::span<const int> map_kinds) {
   std::vector<std::int32_t> all(lights.begin(), lights.end());
-  std::ranges::copy_if(fog_lights, std::back_inserter(all), [&](std::int32_t light) {
-    return std::ranges::find(lights, light) == lights.end();
-  });
+  std::ranges::copy_if(fog_lights, std::back_inserter(all),
+                       [&](std::int32_t light) { return std::ranges::find(lights, light) == lights.end(); });
   return grouped_by_maps(all, map_kinds);
 }
 

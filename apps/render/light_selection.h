@@ -32,8 +32,8 @@ std::vector<std::int32_t> fog_lights(const SceneLights& lights, Skipping skippin
 std::vector<std::int32_t> grouped_by_maps(std::span<const std::int32_t> lights, std::span<const int> map_kinds);
 
 /// The lights of a pass whose lights bring their fog (LightFeed::bring_fog): those of the surface and those of the fog.
-std::vector<std::int32_t> with_fog_lights(std::span<const std::int32_t> lights, std::span<const std::int32_t> fog_lights,
-                                          std::span<const int> map_kinds);
+std::vector<std::int32_t> with_fog_lights(std::span<const std::int32_t> lights,
+                                          std::span<const std::int32_t> fog_lights, std::span<const int> map_kinds);
 
 /// How many of the first lights make a batch: at most `most`, and all share their maps.
 std::size_t batch_length(std::span<const std::int32_t> lights, std::size_t most, std::span<const int> map_kinds);

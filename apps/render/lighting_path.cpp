@@ -13,9 +13,7 @@ constexpr std::string_view kHales = "Steven Hales 2004, \"Realtime Pixel Lightin
 constexpr std::string_view kLacroix =
     "Jason Lacroix 2005, \"Let There Be Light!: A Unified Lighting Technique for a New Generation of Games\"";
 
-std::string of(std::string_view paper, std::string_view place) {
-  return std::string(paper).append(", ").append(place);
-}
+std::string of(std::string_view paper, std::string_view place) { return std::string(paper).append(", ").append(place); }
 
 /// The Basic model at each fragment, any number of lights, by a fragment shader.
 SurfacePass per_fragment(std::string_view fragment) {
@@ -23,6 +21,33 @@ SurfacePass per_fragment(std::string_view fragment) {
           .fragment = fragment,
           .lights = {.kind = LightFeed::Kind::all},
           .constants_from_vertices = true};
+}
+
+/// Batches of lights by light maps, at the fragments.
+SurfacePass looked_up(std::string_view fragment, LightFeed lights) {
+  lights.kind = LightFeed::Kind::batches;
+  return {.vertex = "light_coordinates.vert", .fragment = fragment, .lights = lights};
+}
+
+/// Frazier's ambient light alone, and his lights added to it one by one.
+std::vector<SurfacePass> accumulated() {
+  const SurfacePass ambient{
+      .vertex = "light_coordinates.vert", .fragment = "accumulate_ambient.frag", .shows_fog = false};
+  SurfacePass light = looked_up("accumulate_light.frag", {.batch_size = 1});
+  light.blend = Blend::add;
+  light.shows_fog = false;
+  return {ambient, light};
+}
+
+/// The same, multiplied by the base texture, and the fog before it.
+std::vector<SurfacePass> accumulated_with_texture() {
+  std::vector<SurfacePass> passes = accumulated();
+  passes.push_back({.vertex = "light_coordinates.vert",
+                    .fragment = "accumulate_texture.frag",
+                    .blend = Blend::multiply,
+                    .shows_fog = false});
+  passes.push_back({.vertex = "light_coordinates.vert", .fragment = "accumulate_fog.frag", .blend = Blend::over});
+  return passes;
 }
 
 std::vector<LightingPath> make_paths() {
@@ -42,9 +67,7 @@ std::vector<LightingPath> make_paths() {
        .takes_airlight = true,
        .has_light_bound = true,
        .maps = LightMapSet::volume,
-       .passes = {{.vertex = "light_coordinates.vert",
-                   .fragment = "lookup_3d.frag",
-                   .lights = {.kind = LightFeed::Kind::batches, .batch_size = 4, .bring_fog = true}}}},
+       .passes = {looked_up("lookup_3d.frag", {.batch_size = 4, .bring_fog = true})}},
       {.name = "lookup-2d",
        .description = "range from two 2-D textures, angle from the same cube map",
        .source = std::string(kHales),
@@ -53,9 +76,7 @@ std::vector<LightingPath> make_paths() {
        .takes_airlight = true,
        .has_light_bound = true,
        .maps = LightMapSet::pair,
-       .passes = {{.vertex = "light_coordinates.vert",
-                   .fragment = "lookup_2d.frag",
-                   .lights = {.kind = LightFeed::Kind::batches, .batch_size = 4, .bring_fog = true}}}},
+       .passes = {looked_up("lookup_2d.frag", {.batch_size = 4, .bring_fog = true})}},
       {.name = "radial",
        .description = "1 - r^2 / E^2 from a 2-D and a 1-D texture, spots from a cube map",
        .source = std::string(kFrazier),
@@ -65,9 +86,7 @@ std::vector<LightingPath> make_paths() {
        .takes_airlight = true,
        .has_light_bound = true,
        .maps = LightMapSet::radial,
-       .passes = {{.vertex = "light_coordinates.vert",
-                   .fragment = "radial.frag",
-                   .lights = {.kind = LightFeed::Kind::batches, .batch_size = 4}}}},
+       .passes = {looked_up("radial.frag", {.batch_size = 4})}},
       {.name = "radial-plane",
        .description = "the same from one 2-D texture: each plane rotated to z = 0, z^2 a constant",
        .source = std::string(kFrazier),
@@ -90,17 +109,7 @@ std::vector<LightingPath> make_paths() {
        .takes_airlight = true,
        .has_light_bound = true,
        .maps = LightMapSet::radial,
-       .passes = {{.vertex = "light_coordinates.vert", .fragment = "accumulate_ambient.frag", .shows_fog = false},
-                  {.vertex = "light_coordinates.vert",
-                   .fragment = "accumulate_light.frag",
-                   .blend = Blend::add,
-                   .lights = {.kind = LightFeed::Kind::batches, .batch_size = 1},
-                   .shows_fog = false},
-                  {.vertex = "light_coordinates.vert",
-                   .fragment = "accumulate_texture.frag",
-                   .blend = Blend::multiply,
-                   .shows_fog = false},
-                  {.vertex = "light_coordinates.vert", .fragment = "accumulate_fog.frag", .blend = Blend::over}}},
+       .passes = accumulated_with_texture()},
       {.name = "vertex",
        .description = "the Basic model at the vertices, any number of lights",
        .source = of(kCgTutorial, "section 5.2; ") + of(kLacroix, "listing 1.1"),
@@ -142,9 +151,7 @@ std::vector<LightingPath> make_programs() {
        .has_reference = false,
        .pairs_lights = true,
        .maps = LightMapSet::volume,
-       .passes = {{.vertex = "light_coordinates.vert",
-                   .fragment = "sample.frag",
-                   .lights = {.kind = LightFeed::Kind::batches, .batch_size = 2, .bring_fog = true}}}},
+       .passes = {looked_up("sample.frag", {.batch_size = 2, .bring_fog = true})}},
       {.name = "light-map",
        .description = "the lights of accumulate added over the ambient light, without texture and fog",
        .source = of(kFrazier, "\"Multiple Lights in a Scene\""),
@@ -154,12 +161,7 @@ std::vector<LightingPath> make_programs() {
        .has_lit_fog = false,
        .has_reference = false,
        .maps = LightMapSet::radial,
-       .passes = {{.vertex = "light_coordinates.vert", .fragment = "accumulate_ambient.frag", .shows_fog = false},
-                  {.vertex = "light_coordinates.vert",
-                   .fragment = "accumulate_light.frag",
-                   .blend = Blend::add,
-                   .lights = {.kind = LightFeed::Kind::batches, .batch_size = 1},
-                   .shows_fog = false}}},
+       .passes = accumulated()},
       {.name = "interpolated",
        .description = "unified without normal maps",
        .source = of(kLacroix, "listing 2.2"),

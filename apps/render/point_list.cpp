@@ -7,7 +7,6 @@
 
 #include "litfog/attenuation.h"
 #include "litfog/cone.h"
-#include "render/hidden_range.h"
 
 namespace litfog::render {
 namespace {

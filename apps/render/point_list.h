@@ -14,11 +14,11 @@ namespace litfog::render {
 // How a light that is seen from afar is drawn as a point: shaders/light_point.vert. Chosen by eye.
 inline constexpr float kFullBrightness = 1 / 2000.f;  ///< attenuation at which a point has its full brightness: at
                                                       ///< night an eye sees a light long before a surface lit by it
-inline constexpr float kBrightestPoint = 1.5f;       ///< beyond full brightness, so that its core is white
-inline constexpr float kPointRadius = 1.3f;          ///< pixels of a picture 720 high, at full brightness
-inline constexpr float kLargestGlare = 8;            ///< times that radius
-inline constexpr float kLargestWithoutGlare = 1.5f;  ///< likewise
-inline constexpr float kPointRadii = 5;              ///< size of a point in radii: beyond 2.5 nothing of it is left
+inline constexpr float kBrightestPoint = 1.5f;        ///< beyond full brightness, so that its core is white
+inline constexpr float kPointRadius = 1.3f;           ///< pixels of a picture 720 high, at full brightness
+inline constexpr float kLargestGlare = 8;             ///< times that radius
+inline constexpr float kLargestWithoutGlare = 1.5f;   ///< likewise
+inline constexpr float kPointRadii = 5;               ///< size of a point in radii: beyond 2.5 nothing of it is left
 
 /// The local lights whose points a frame draws.
 struct PointList {

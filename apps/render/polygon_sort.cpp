@@ -54,7 +54,7 @@ scene::Bounds triangle_box(const scene::Mesh& mesh, std::size_t first_index, con
   scene::Bounds box{glm::vec3(kFar), glm::vec3(-kFar)};
   for (std::size_t i = first_index; i < first_index + 3; ++i) {
     const glm::vec3 corner(world_from_model * glm::vec4(mesh.vertices[mesh.indices[i]].position, 1));
-    box = {glm::min(box.low, corner), glm::max(box.high, corner)};
+    box = united(box, {corner, corner});
   }
   return box;
 }

@@ -46,11 +46,11 @@ struct RenderSettings {
   int map_size = 128;                ///< texels a side of the light maps
   ConeMaps cone_maps = ConeMaps::scaled;
   SpotEdge spot_edge = SpotEdge::smoothstep;
-  int samples = 4;                   ///< a pixel, at least: 1, 2, 4 or 8
-  Shadows shadows = Shadows::none;   ///< others: with paths that light each fragment only
-  int shadow_lamps = 8;              ///< that cast them, at most: choose_shadow_casters
-  int shadow_map_size = 1024;        ///< texels a side, at least 16
-  int shaft_steps = 64;              ///< along a pixel's ray, at which shadow maps are looked up: 1 to 1024
+  int samples = 4;                  ///< a pixel, at least: 1, 2, 4 or 8
+  Shadows shadows = Shadows::none;  ///< others: with paths that light each fragment only
+  int shadow_lamps = 8;             ///< that cast them, at most: choose_shadow_casters
+  int shadow_map_size = 1024;       ///< texels a side, at least 16
+  int shaft_steps = 64;             ///< along a pixel's ray, at which shadow maps are looked up: 1 to 1024
 
   /// What the path allows of skipping.
   Skipping path_skipping() const { return path->pairs_lights ? Skipping::off : skipping; }

@@ -14,6 +14,7 @@
 #include "litfog/fog_light_block.h"
 #include "litfog/gl/check_errors.h"
 #include "render/demo_shaders.h"
+#include "render/fog_top.h"
 #include "render/gpu/texture_unit.h"
 #include "render/gpu/uniform.h"
 #include "render/light_map_store.h"
@@ -60,10 +61,6 @@ class StageClock {
 };
 
 }  // namespace
-
-float fog_above_eye(const scene::Scene& scene) {
-  return float(std::clamp(scene.fog_top - double(scene.camera.position.y), -1.0, 2.0 * kSkyDistance));
-}
 
 void set_point_uniforms(const gl::Program& program, FogLighting fog_lighting, int height) {
   const bool has_glare = fog_lighting == FogLighting::peak;
@@ -132,9 +129,7 @@ View Renderer::view() const {
   // Without the eye's position: far from the origin, the rounding of a near point minus the eye would rotate the rays.
   const auto turned = glm::mat4(glm::mat3(view_from_world(scene_.camera)));
   return {.clip_from_world = clip_from_world(),
-          .direction_from_clip = glm::inverse(clip_from_view(scene_.camera, framebuffer_.aspect()) * turned),
-          .near_plane = kNearPlane,
-          .fog_above_eye = fog_above_eye(scene_)};
+          .direction_from_clip = glm::inverse(clip_from_view(scene_.camera, framebuffer_.aspect()) * turned)};
 }
 
 FrameView Renderer::frame_view(const View& view) const {
@@ -256,8 +251,7 @@ void Renderer::draw_sky(const View& view, const gl::Program& program) {
   set_uniform(program, "star_brightness", environment.star_brightness);
   set_uniform(program, "moon_direction", environment.moon_direction);
   set_uniform(program, "moon_color", environment.moon_color);
-  set_uniform(program, "sky_distance", kSkyDistance);
-  set_uniform(program, "fog_above_eye", view.fog_above_eye);
+  set_fog_top(program, scene_);
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 

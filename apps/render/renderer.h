@@ -20,12 +20,6 @@
 
 namespace litfog::render {
 
-inline constexpr float kSkyDistance = 50'000;  ///< metres: beyond any visibility at which fog is visible
-
-/// Metres from the eye up to the top of the fog, as shaders/fog_top.glsl takes them: twice the sky's distance stands
-/// for an infinite one, and nothing finite overflows a float.
-float fog_above_eye(const scene::Scene& scene);
-
 /// Whether lamps are drawn as points over the surfaces.
 enum class LightPoints { on, off };
 

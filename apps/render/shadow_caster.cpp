@@ -8,20 +8,15 @@
 
 #include "litfog/attenuation.h"
 #include "litfog/cone.h"
+#include "render/hidden_range.h"
 #include "scene/light_frame.h"
 
 namespace litfog::render {
 namespace {
 
 double brightness_from(const glm::dvec3& eye, const PlacedLight& placed) {
-  const glm::dvec3& color = placed.light.color;
-  return std::max({color.r, color.g, color.b}) *
+  return largest_component(placed.light.color) *
          attenuation_at(placed.light.attenuation, glm::distance(eye, placed.position));
-}
-
-double farthest_corner(const glm::dvec3& from, const scene::Bounds& box) {
-  const glm::dvec3 offset = glm::max(glm::abs(glm::dvec3(box.low) - from), glm::abs(glm::dvec3(box.high) - from));
-  return glm::length(offset);
 }
 
 }  // namespace
@@ -64,7 +59,7 @@ std::vector<ShadowCaster> choose_shadow_casters(const SceneLights& lights, const
                                                     : 5,
                        .half_size = is_cube ? 1 : margin * std::tan(half_angle),
                        .reach = std::max(2 * kLampRadius, std::min(lights.extents()[std::size_t(light)],
-                                                                   farthest_corner(placed.position, bounds)))});
+                                                                   farthest_distance(placed.position, bounds)))});
   }
   return casters;
 }

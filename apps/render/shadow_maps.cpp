@@ -9,6 +9,7 @@
 
 #include "litfog/gl/unsupported.h"
 #include "render/demo_shaders.h"
+#include "render/gpu/depth.h"
 #include "render/gpu/texture_unit.h"
 #include "render/gpu/uniform.h"
 
@@ -32,9 +33,7 @@ PackedCaster pack(const ShadowCaster& caster, int first_layer) {
 scene::Bounds bounds_of_all(const std::vector<Surface>& surfaces) {
   if (surfaces.empty()) return {glm::vec3(0), glm::vec3(0)};
   scene::Bounds whole = surfaces.front().bounds;
-  for (const Surface& surface : surfaces) {
-    whole = {glm::min(whole.low, surface.bounds.low), glm::max(whole.high, surface.bounds.high)};
-  }
+  for (const Surface& surface : surfaces) whole = united(whole, surface.bounds);
   return whole;
 }
 
@@ -124,8 +123,7 @@ std::size_t ShadowMaps::draw() {
       draw_map(caster, map);
     }
   }
-  glDepthFunc(GL_LEQUAL);
-  glEnable(GL_CULL_FACE);
+  end_depths();
   return map_count();
 }
 

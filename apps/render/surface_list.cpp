@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "litfog/gl/unsupported.h"
-#include "render/hidden_range.h"
 #include "render/light_finder.h"
 #include "render/light_selection.h"
 
@@ -20,7 +19,7 @@ constexpr std::size_t kMaxListed = 1 << 25;  // lights in all surfaces' lists: 1
 
 scene::Bounds around(const std::vector<scene::Bounds>& boxes) {
   scene::Bounds whole = boxes.front();
-  for (const scene::Bounds& box : boxes) whole = {glm::min(whole.low, box.low), glm::max(whole.high, box.high)};
+  for (const scene::Bounds& box : boxes) whole = united(whole, box);
   return whole;
 }
 

@@ -18,10 +18,10 @@ namespace litfog::render {
 
 /// A material with its pictures on the GPU.
 struct SurfaceMaterial {
-  scene::Material material;               ///< without its texels
-  float number;                           ///< in their order
-  double reflectance;  ///< most of a light that it reflects, diffuse and specular together: the largest component
-  double own_light;    ///< what it sends to the eye without lamps is at most this: linear, the largest component
+  scene::Material material;  ///< without its texels
+  float number;              ///< in their order
+  double reflectance;        ///< most of a light that it reflects, diffuse and specular together: the largest component
+  double own_light;          ///< what it sends to the eye without lamps is at most this: linear, the largest component
   std::shared_ptr<const Texture> albedo;  ///< materials of the same texels share their texture
   std::shared_ptr<const Texture> normal;
 };

@@ -82,8 +82,7 @@ std::size_t SurfacePainter::draw(const LightingPath& path, const FramePlan& plan
 /// Draws all passes of a surface before the next surface, because the later of two coplanar ones hides the earlier.
 void SurfacePainter::draw_surface(Frame& frame, const PlannedSurface& planned, std::span<const std::int32_t> lights) {
   frame.passes_drawn = 0;
-  std::span<const std::int32_t> fog =
-      planned.surface->is_fog_lit ? std::span(fog_lights_) : std::span<std::int32_t>{};
+  std::span<const std::int32_t> fog = planned.surface->is_fog_lit ? std::span(fog_lights_) : std::span<std::int32_t>{};
   if (planned.is_fog_alone) {
     draw_pass(frame, planned, {.pass = &fog_alone_pass()}, fog, {});
     return;
@@ -128,13 +127,16 @@ void SurfacePainter::draw_pass(Frame& frame, const PlannedSurface& planned, Shad
     uniforms.push_back(lights_.packed(std::size_t(light)));
     if (frame.shadows) casters.push_back(frame.shadows->caster_of(std::size_t(light)));
   };
+  const auto resize_uniforms = [&](std::size_t count) {  // those that are added are black
+    uniforms.resize(count);
+    if (frame.shadows) casters.resize(count, ShadowMaps::kNoCaster);
+  };
   if (variant.is_first && variant.pass->shows_fog) {
     variant.has_listed_fog_lights = fog_lights.size() > kMaxUniformLights;
     if (!variant.has_listed_fog_lights) {
       for (const std::int32_t light : fog_lights) add_uniform(light);
       variant.fog_lights = compiled_for(uniforms);
-      uniforms.resize(variant.fog_lights.count);  // the rest is black
-      casters.resize(uniforms.size(), ShadowMaps::kNoCaster);
+      resize_uniforms(variant.fog_lights.count);
     }
   }
   const std::size_t first = uniforms.size();
@@ -148,7 +150,7 @@ void SurfacePainter::draw_pass(Frame& frame, const PlannedSurface& planned, Shad
     variant.lights.count = uniforms.size() - first;
   } else {
     variant.lights = compiled_for(std::span(uniforms).subspan(first));
-    uniforms.resize(first + variant.lights.count);
+    resize_uniforms(first + variant.lights.count);
   }
 
   if (variant.pass->constants_from_vertices) {
@@ -170,7 +172,6 @@ void SurfacePainter::draw_pass(Frame& frame, const PlannedSurface& planned, Shad
                  glm::value_ptr(uniforms[0].kind.attenuation_extent));
   }
   if (!casters.empty()) {
-    casters.resize(uniforms.size(), ShadowMaps::kNoCaster);
     glUniform1iv(program.uniform_casters, GLsizei(casters.size()), casters.data());
   }
   if (has_maps && !batch.empty()) {

@@ -30,8 +30,7 @@ std::string environment_constants(const scene::Environment& environment, const R
       "const int spot_edge = {};\n",
       glsl(environment.ambient_light), environment.moon_color != glm::vec3(0.0f), glsl(environment.moon_direction),
       glsl(environment.moon_color), settings.has_infinite_viewer, settings.fog_lighting == FogLighting::airlight,
-      settings.light_ambient,
-      int(settings.spot_edge));
+      settings.light_ambient, int(settings.spot_edge));
 }
 
 std::size_t count_vertex_lights() {

@@ -41,6 +41,8 @@ Bounds bounds(const Model& model) {
   return box;
 }
 
+Bounds united(const Bounds& a, const Bounds& b) { return {glm::min(a.low, b.low), glm::max(a.high, b.high)}; }
+
 Bounds transformed(const Bounds& box, const glm::mat4& to_from_box) {
   const glm::vec3 center = glm::vec3(to_from_box * glm::vec4((box.low + box.high) * 0.5f, 1.0f));
   const glm::vec3 half = (box.high - box.low) * 0.5f;

@@ -44,6 +44,9 @@ struct Bounds {
 Bounds bounds(const Mesh& mesh);
 Bounds bounds(const Model& model);
 
+/// The box around two boxes.
+Bounds united(const Bounds& a, const Bounds& b);
+
 /// The box around a transformed box.
 Bounds transformed(const Bounds& box, const glm::mat4& to_from_box);
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -77,6 +78,16 @@ TEST(HiddenRange, DistancesToABoxHoldForItsPoints) {
     }
     EXPECT_LE(nearest_distance(eye, box), nearest);
     EXPECT_GE(farthest_distance(eye, box), farthest);
+    double gap = 0;  // squared, as is the way to the farther face along each axis
+    double way = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double below = double(low[axis]) - eye[axis];
+      const double above = eye[axis] - double(high[axis]);
+      gap += std::pow(std::max({below, above, 0.0}), 2);
+      way += std::pow(std::min(below, above), 2);
+    }
+    EXPECT_NEAR(nearest_distance(eye, box), std::sqrt(gap), 1e-12);
+    EXPECT_NEAR(farthest_distance(eye, box), std::sqrt(way), 1e-12);
   }
   EXPECT_EQ(nearest_distance({0, 0, 0}, {{-1, -1, -1}, {1, 1, 1}}), 0);
 }
@@ -95,7 +106,9 @@ TEST(LargestIrradiance, NoPointOfTheBoxGetsMore) {
         const double most = largest_irradiance(c.light, extent, c.fog, lighting, path, box);
         for (int j = 0; j < 5; ++j) {
           const glm::dvec3 t(random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1));
-          const double range = glm::distance(c.light.position, glm::mix(glm::dvec3(box.low), glm::dvec3(box.high), t));
+          const glm::dvec3 point = j == 0 ? glm::clamp(c.light.position, glm::dvec3(box.low), glm::dvec3(box.high))
+                                          : glm::mix(glm::dvec3(box.low), glm::dvec3(box.high), t);
+          const double range = glm::distance(c.light.position, point);
           if (range > extent) continue;
           double light = path.range == RangeLaw::radial && !std::isinf(extent)
                              ? 1 - range * range / (extent * extent)
@@ -105,6 +118,9 @@ TEST(LargestIrradiance, NoPointOfTheBoxGetsMore) {
             light *= fog_factor_at(scaled(c.fog, c.light.light.density_scale), range);
           }
           EXPECT_LE(light, most * (1 + 1e-12)) << name << to_string(c);
+          if (j == 0 && path.evaluation == Evaluation::fragment) {
+            EXPECT_GE(light, most * (1 - 1e-12)) << name << to_string(c);
+          }
         }
       }
     }

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
 #include "gl/gl_test.h"
@@ -13,6 +12,7 @@
 #include "reference/ulp.h"
 #include "render/pixel.h"
 #include "render/renderer.h"
+#include "render/wall.h"
 #include "scene/file/scene_file.h"
 #include "scene/light_frame.h"
 #include "scene/model/primitive.h"
@@ -25,10 +25,6 @@ using namespace render;
 namespace {
 
 using glm::dvec3;
-
-constexpr int kWidth = 96;
-constexpr int kHeight = 64;
-constexpr double kWallZ = -5;
 
 TEST(LightingPath, TenPathsBeginWithTheDefault) {
   const std::vector<std::string_view> expected{"unified",    "lookup-3d", "lookup-2d", "radial",  "radial-plane",
@@ -47,24 +43,11 @@ TEST(LightingPath, PathIsFoundByItsNameAlone) {
 
 // --- formula pixels: a wall of one colour that fills the picture ---
 
-/// A wall of one colour facing +Z, `cells` cells across.
 Scene wall(int cells) {
-  Scene scene;
-  scene.camera = {.position = {0, 0, 0}, .target = {0, 0, -1}, .field_of_view = 1.0f};
-  scene.environment.ambient_light = {0.1f, 0.12f, 0.14f};
-  scene.environment.ambient_fog_color = {0.02f, 0.03f, 0.04f};
-  scene.environment.moon_direction = glm::normalize(glm::vec3(0.3f, 0.4f, 0.8f));
-  scene.environment.moon_color = {0.05f, 0.06f, 0.09f};
-  std::vector<glm::vec3> points;
-  for (int j = 0; j <= cells; ++j) {
-    for (int i = 0; i <= cells; ++i)
-      points.emplace_back(12.0f * float(i) / float(cells) - 6, 8.0f * float(j) / float(cells) - 4, 0);
-  }
-  Mesh mesh = make_surface(points, cells + 1);
-  for (Vertex& vertex : mesh.vertices)
+  Scene scene = make_wall(cells, "sign_white");
+  for (Vertex& vertex : scene.models[0][0].mesh.vertices) {
     vertex.uv = glm::vec2(0.5f / 64);  // the first texel of 64 on a metre, everywhere
-  scene.models.push_back({{"sign_white", std::move(mesh)}});
-  scene.instances.push_back({0, glm::translate(glm::mat4(1), glm::vec3(0, 0, kWallZ))});
+  }
   add_materials(scene);
   return scene;
 }
@@ -150,11 +133,6 @@ dvec3 expected_color(const Scene& scene, const Finish& finish, const LightingPat
   }
   const double through = fog_factor_at(fog, glm::length(point));
   return through * surface + (1 - through) * fog_color;
-}
-
-dvec3 wall_point(const Scene& scene, int x, int y) {
-  const dvec3 view = view_direction(scene.camera, kWidth, kHeight, x + 0.5, y + 0.5);
-  return view * (kWallZ / view.z);
 }
 
 /// Largest difference from the formula over all pixels.

@@ -74,6 +74,19 @@ TEST(ShadowCaster, MapsOfALampCoverItsCone) {
   EXPECT_GT(tested, 9000);
 }
 
+TEST(ShadowCaster, MapsOfACubeLookAheadRightLeftUpDownAndBehind) {
+  scene::Scene scene;
+  scene.lights = {lamp({}, {1, 4, 2}, 1)};
+  scene.lights[0].direction = {0, 0, -1};
+  const SceneLights lights(scene, {});
+  const ShadowCaster caster = choose_shadow_casters(lights, kBox, {}, 1, kMapSize).at(0);
+  const std::vector<glm::dvec3> directions{{0, 0, -1}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}};
+  ASSERT_EQ(std::size_t(caster.map_count), directions.size());
+  for (int map = 0; map < caster.map_count; ++map) {
+    EXPECT_LT(glm::distance(bounds_of_map(caster, map).direction, directions[std::size_t(map)]), 1e-12) << map;
+  }
+}
+
 TEST(ShadowCaster, ReachEndsWithTheSceneWhereALightHasNoEnd) {
   scene::Scene scene;
   scene.lights = {lamp({}, {40, 20, 40}, 1), lamp({}, {0, 0, 0}, 0.5)};

@@ -113,8 +113,43 @@ TEST_F(SkippingTest, NoPixelOfAnySceneChangesByAStepInAnyFog) {
   EXPECT_GT(worst, 0);  // something is left out
 }
 
+/// Boxes beside a road, lamps between them and two headlights: small, because every path draws it.
+Scene road() {
+  Scene scene;
+  scene.camera = {.position = {0, 2, 0}, .target = {0, 1, -10}, .field_of_view = 0.8f};
+  scene.environment.ambient_light = {0.04f, 0.05f, 0.07f};
+  scene.environment.ambient_fog_color = {0.01f, 0.012f, 0.015f};
+  scene.environment.moon_direction = glm::normalize(glm::vec3(-0.5f, 0.3f, 0.8f));
+  scene.environment.moon_color = {0.07f, 0.08f, 0.1f};
+  scene.models = {make_model("box", {{"width_m", 20}, {"depth_m", 120}, {"height_m", 0.1}}),
+                  make_model("box", {{"width_m", 3}, {"depth_m", 3}, {"height_m", 3}})};
+  scene.models[0].front().material = "asphalt";
+  scene.instances = {{0, glm::translate(glm::mat4(1), glm::vec3(0, -0.1f, -60))}};
+  for (int i = 0; i < 8; ++i) {
+    const float side = i % 2 == 0 ? 4 : -4;
+    const float z = -6 - 14 * float(i);
+    scene.instances.push_back({1, glm::translate(glm::mat4(1), glm::vec3(side, 0, z))});
+    PlacedLight lamp;
+    lamp.light = {.name = "lamp", .color = {3, 2.5, 1.5}, .attenuation = {1, 0, 0.05}, .cone = {}};
+    if (i % 3 == 0) lamp.light.cone = Cone::smoothstep(0.4, 1.2);
+    lamp.position = {-side, 4, z};
+    lamp.direction = {0, -1, 0};
+    scene.lights.push_back(lamp);
+  }
+  for (const double side : {-0.7, 0.7}) {
+    PlacedLight headlight;
+    headlight.light = {.name = "headlight", .attenuation = {1, 0, 0.01}, .cone = Cone::smoothstep(0.1, 0.4)};
+    headlight.position = {side, 0.7, 0};
+    headlight.direction = glm::normalize(glm::dvec3(0, -0.05, -1));
+    headlight.carried = true;
+    scene.lights.push_back(headlight);
+  }
+  add_materials(scene);
+  return scene;
+}
+
 TEST_F(SkippingTest, NoPixelOfAnyPathOrProgramChangesByAStep) {
-  const Scene scene = read_scene(bundled_scene_path("headlights"));
+  const Scene scene = road();
   for (const auto paths : {lighting_paths(), published_programs()}) {
     for (const LightingPath& path : paths) {
       Pair pair(scene, {.path = &path, .samples = 1}, 24, 14);

@@ -17,7 +17,7 @@ inline constexpr float kNearPlane = 0.1f;  ///< metres
 /// Whether the current context has GL_ARB_clip_control.
 bool has_clip_control();
 
-/// What the clip volume of draw_by_depth() has at infinity.
+/// What the clip volume of begin_depths() has at infinity.
 float far_plane_in_clip();
 
 /// The projection onto that clip volume, for a picture of an aspect ratio.

@@ -34,11 +34,11 @@ vec3 gain_at(LitfogLight light, vec3 direction, float range) {
   return asymmetry == 0.0 ? lit : lit * litfog_phase(-dot(direction, ray.xyz), asymmetry);
 }
 
-// How much of its airlight a grid of every so many pixels has, along a ray at a distance from the light. With t = h / range
-// it keeps k / range (35 - 35 t^2 + 21 t^4 - 5 t^6) / 16 of k / h, the softening of multilevel summation (Hardy et al. 2015,
-// "Multilevel Summation Method for Electrostatic Force Evaluation"). That has no peak, and meets k / h with three
-// derivatives at t = 1. Near the light h stops at the falloff's width. A thin beam is missed by texels close to the light,
-// so little of it may be kept there.
+// How much of its airlight a grid of every so many pixels has, along a ray at a distance from the light. With t = h /
+// range it keeps k / range (35 - 35 t^2 + 21 t^4 - 5 t^6) / 16 of k / h, the softening of multilevel summation (Hardy
+// et al. 2015, "Multilevel Summation Method for Electrostatic Force Evaluation"). That has no peak, and meets k / h
+// with three derivatives at t = 1. Near the light h stops at the falloff's width. A thin beam is missed by texels close
+// to the light, so little of it may be kept there.
 float kept_share(float distance_squared, int grid_step) {
   float range = left_out_range(bend_range_width.x, bend_range_width.y, grid_step);
   if (grid_step == 1 || range <= 0.0) return 1.0;

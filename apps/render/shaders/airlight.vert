@@ -44,7 +44,7 @@ void main() {
     return;
   }
   // Across the line of sight, as large as the ball appears there and as far as the light, and at least half a metre
-  // away, so that the near plane does not cut it.
+  // away, so that the rounding of the eye's position turns it little.
   float half_size = radius / sqrt(range * range - radius * radius);  // at a distance of 1
   vec3 to_apex = toward_apex / apex_depth - toward;
   float apex_size = length(to_apex);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A light as the eye sees it from afar: a point as bright as the light it sends to the eye, through the fog at the
-// density of its class. The figures are chosen by eye where they name no source; those that the CPU needs to leave points
-// out are in point_list.h.
+// density of its class. The figures are chosen by eye where they name no source; those that the CPU needs to leave
+// points out are in point_list.h.
 
 #include "cookie.glsl"
 #include "light_list.glsl"

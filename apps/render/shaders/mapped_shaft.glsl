@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The shafts that surfaces cut out of a lamp's airlight: the lamp's shadow map is looked up at steps along the ray. Only
-// the fraction of the airlight that is lit comes from the steps, each weighted by the integrand. The airlight itself is
-// the integral without steps, so where nothing is in shadow nothing changes.
+// The shafts that surfaces cut out of a lamp's airlight: the lamp's shadow map is looked up at steps along the ray.
+// Only the fraction of the airlight that is lit comes from the steps, each weighted by the integrand. The airlight
+// itself is the integral without steps, so where nothing is in shadow nothing changes.
 
 #include "shadow_caster.glsl"
 
