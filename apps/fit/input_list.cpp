@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 
+#include "ascii_text.h"
 #include "command/bundled_data.h"
 #include "command/option_rule.h"
 #include "litfog/input_error.h"
@@ -125,11 +126,7 @@ class InputList {
 
 }  // namespace
 
-std::string ending_of(const fs::path& path) {
-  std::string ending = path.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
-  return ending;
-}
+std::string ending_of(const fs::path& path) { return lower(path.extension().string()); }
 
 std::vector<Input> list_inputs(const std::vector<std::string>& arguments) {
   InputList list;

@@ -9,11 +9,12 @@
 #include <numeric>
 #include <optional>
 
+#include "ascii_text.h"
+
 namespace litfog::files {
 namespace {
 
 constexpr std::string_view kDigits = "0123456789";
-constexpr std::string_view kBlank = " \t";
 
 /// Insertions, deletions, replacements and swaps of neighbours that lead from one word to another (optimal string
 /// alignment).
@@ -32,22 +33,11 @@ std::size_t slips_between(std::string_view a, std::string_view b) {
   return slips[a.size()][b.size()];
 }
 
-std::string lower(std::string_view text) {
-  std::string result(text);
-  std::ranges::transform(result, result.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
-  return result;
-}
-
 std::optional<double> parse_number(std::string_view text) {
   double number;
   const char* const end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, number);
   return stop == end && error == std::errc() ? std::optional(number) : std::nullopt;
-}
-
-std::string_view trimmed(std::string_view text) {
-  const auto begin = std::min(text.find_first_not_of(kBlank), text.size());
-  return text.substr(begin, text.find_last_not_of(kBlank) + 1 - begin);
 }
 
 /// A number with a decimal comma, with a point.
