@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <numeric>
 #include <optional>
 
@@ -33,17 +34,19 @@ std::size_t slips_between(std::string_view a, std::string_view b) {
   return slips[a.size()][b.size()];
 }
 
+/// A number that JSON can hold.
 std::optional<double> parse_number(std::string_view text) {
   double number;
   const char* const end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, number);
-  return stop == end && error == std::errc() ? std::optional(number) : std::nullopt;
+  return stop == end && error == std::errc() && std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
-/// A number with a decimal comma, with a point.
+/// A number with a decimal comma, with a point. JSON has digits on both sides of it.
 std::optional<std::string> with_point(std::string_view text) {
   const auto comma = text.find(',');
-  if (comma == text.npos) return std::nullopt;
+  const auto is_digit_at = [text](std::size_t i) { return i < text.size() && kDigits.find(text[i]) != kDigits.npos; };
+  if (comma == text.npos || !is_digit_at(comma - 1) || !is_digit_at(comma + 1)) return std::nullopt;
   std::string result(text);
   result[comma] = '.';
   return parse_number(result) ? std::optional(result) : std::nullopt;
@@ -82,7 +85,7 @@ std::string hint_for_number(std::string_view text) {
   const auto number = parse_number(with ? *with : text);
   if (!number) return "";
   if (is_percentage) return fmt::format("; {} % is {}", *number, *number / 100);
-  return with ? advice_on_comma(text, *with) : fmt::format("; write {}, without quotation marks", text);
+  return with ? advice_on_comma(text, *with) : fmt::format("; write {}, without quotation marks", *number);
 }
 
 std::string hint_for_fraction(double number, std::string_view rule) {
