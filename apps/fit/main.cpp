@@ -5,15 +5,11 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
-#include <exception>
 #include <filesystem>
-#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -22,6 +18,7 @@
 #include "command/number.h"
 #include "command/option_rule.h"
 #include "command/output_files.h"
+#include "command/parallel.h"
 #include "command/plot.h"
 #include "command/printable.h"
 #include "command/progress.h"
@@ -257,29 +254,6 @@ void write_light(const Outcome& outcome) {
 
 // --- all inputs ---
 
-/// Calls work(0) to work(count - 1), in that order but on all cores. The first exception ends it, and is thrown.
-void for_each_on_all_cores(std::size_t count, const std::function<void(std::size_t)>& work) {
-  std::atomic<std::size_t> next = 0;
-  std::exception_ptr failure;
-  std::once_flag failed;
-  const auto run = [&] {
-    for (std::size_t i = next++; i < count; i = next++) {
-      try {
-        work(i);
-      } catch (...) {
-        std::call_once(failed, [&failure] { failure = std::current_exception(); });
-        next = count;
-      }
-    }
-  };
-  std::vector<std::thread> threads;
-  const std::size_t cores = std::min<std::size_t>(count, std::max(1u, std::thread::hardware_concurrency()));
-  for (std::size_t i = 1; i < cores; ++i) threads.emplace_back(run);
-  run();
-  for (std::thread& thread : threads) thread.join();
-  if (failure) std::rethrow_exception(failure);
-}
-
 /// Outcomes are kept whole where they are few: for a report, a figure or a cookie.
 struct Results {
   std::vector<Summary> summaries;
@@ -294,7 +268,7 @@ Results fit_all(const Options& options, const std::vector<Input>& inputs, const 
   Progress progress;
   std::mutex showing;
   std::size_t done = 0;
-  for_each_on_all_cores(inputs.size(), [&](std::size_t i) {
+  for_each_in_parallel(inputs.size(), [&](std::size_t i) {
     std::optional<Summary> known = catalogue ? catalogue->find(inputs[i]) : std::nullopt;
     if (!known) {
       Outcome outcome = fit(options, inputs[i], outputs[i], files);
