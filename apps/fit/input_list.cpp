@@ -101,11 +101,15 @@ class InputList {
     return fs::exists(bundled, error) ? bundled.string() : argument;
   }
 
-  void add_file(const std::string& path, const fs::path& folder) {
-    std::string name = (folder.empty() ? fs::path(path).filename() : fs::path(path).lexically_relative(folder))
-                           .replace_extension()
-                           .string();
+  static std::string name_of(fs::path path) {
+    std::string name = path.replace_extension().string();
     std::ranges::replace(name, '/', '-');
+    return name;
+  }
+
+  void add_file(const std::string& path, const fs::path& folder) {
+    const std::string name =
+        name_of(folder.empty() ? fs::path(path).filename() : fs::path(path).lexically_relative(folder));
     if (ending_of(path) != ".gldf") {
       inputs_.push_back({path, name});
       return;
@@ -117,7 +121,8 @@ class InputList {
       files = {path};  // the error comes when it is read
     }
     for (const std::string& file : files) {
-      inputs_.push_back({file, files.size() == 1 ? name : name + "-" + fs::path(file).stem().string()});
+      const fs::path in_folder = fs::path(file).lexically_relative(fs::path(path) / "ldc");
+      inputs_.push_back({file, files.size() == 1 ? name : name + "-" + name_of(in_folder)});
     }
   }
 

@@ -22,6 +22,7 @@
 #include "litfog/fit/cone_fit.h"
 #include "litfog/photometry/cookie_file.h"
 #include "litfog/photometry/luminaire.h"
+#include "photometry/zip_file.h"
 
 namespace litfog::test {
 using namespace command;
@@ -583,6 +584,23 @@ TEST_F(FitCommand, FilesOfOneNameAndTwoFormatsAreTwoLights) {
 
 // ---- many inputs ----
 
+TEST_F(FitCommand, FilesInAContainerAreInputsNamedByTheirPathsInIt) {
+  std::string product = "<Root><GeneralDefinitions><Files>";
+  ZipEntries entries;
+  for (const char* name : {"wide/lamp.ies", "narrow/lamp.ies", "spot.ies"}) {
+    product += std::string("<File contentType=\"ldc/ies\" type=\"localFileName\">") + name + "</File>";
+    entries.emplace_back(std::string("ldc/") + name, kIes);
+  }
+  entries.emplace_back("product.xml", product + "</Files></GeneralDefinitions></Root>");
+  write_zip((directory() / "set.gldf").string(), entries);
+  fs::create_directory(directory() / "lights");
+  const Outcome outcome = run("set.gldf -o lights");
+  EXPECT_EQ(outcome.status, kDone) << outcome.err;
+  for (const char* name : {"lights/set-wide-lamp.json", "lights/set-narrow-lamp.json", "lights/set-spot.json"}) {
+    EXPECT_TRUE(files().contains(name)) << name;
+  }
+}
+
 /// The names in a table's first column.
 std::vector<std::string> inputs_of(const std::string& csv) {
   std::vector<std::string> inputs;
@@ -604,7 +622,8 @@ TEST_F(FitCommand, FolderStandsForTheSpecsAndPhotometricFilesInIt) {
   write("lamps/table.csv", "a,b\n1,2\n");
   const Outcome outcome = run("lamps --format csv");
   EXPECT_EQ(outcome.status, kDone) << outcome.err;
-  EXPECT_EQ(inputs_of(outcome.out), (std::vector<std::string>{"lamps/LAMP.JSON", "lamps/b.ies", "lamps/beam.json", "lamps/deep/A.IES"}));
+  EXPECT_EQ(inputs_of(outcome.out),
+            (std::vector<std::string>{"lamps/LAMP.JSON", "lamps/b.ies", "lamps/beam.json", "lamps/deep/A.IES"}));
   fs::create_directory(directory() / "lights");
   EXPECT_EQ(run("lamps -o lights").status, kDone);
   for (const char* name : {"lights/LAMP.json", "lights/b.json", "lights/beam.json", "lights/deep-A.json"}) {
