@@ -158,6 +158,7 @@ int gravity(ExitStatus status) {
 /// What an input has for options to change. What cannot be read may have anything: its error comes later.
 struct Traits {
   bool has_falloff_table = true, has_cone = true, has_luminaire = true;
+  std::optional<std::string> photometry = std::nullopt;  // the file that a spec names
 };
 
 Traits traits_of(const Input& input) try {
@@ -165,22 +166,22 @@ Traits traits_of(const Input& input) try {
   const litfog::LightSpec spec = litfog::read_light_spec(input.path);
   return {.has_falloff_table = spec.range && !spec.range->samples.empty(),
           .has_cone = spec.cone.has_value(),
-          .has_luminaire = spec.cone && spec.cone->photometry};
+          .has_luminaire = spec.cone && spec.cone->photometry,
+          .photometry = spec.cone ? spec.cone->photometry : std::nullopt};
 } catch (const litfog::InputError&) {
   return {};
 }
 
 /// Options that the inputs give nothing to do.
-void expect_effect(const CLI::App& app, const std::vector<Input>& inputs) {
+void expect_effect(const CLI::App& app, const std::vector<Input>& inputs, const std::vector<Traits>& traits) {
   constexpr std::array kOptions{std::tuple("--robust", &Traits::has_falloff_table, "there is no falloff table"),
                                 std::tuple("--profile", &Traits::has_cone, "there is no cone to fit"),
                                 std::tuple("--axis", &Traits::has_luminaire, "there is no photometric file"),
                                 std::tuple("--tilt", &Traits::has_luminaire, "there is no photometric file")};
   for (const auto& [option, member, reason] : kOptions) {
     if (app.count(option) == 0) continue;
-    const auto has = [trait = member](const Input& input) { return traits_of(input).*trait; };
     const std::string all = inputs.size() == 1 ? inputs.front().path : "these inputs";
-    check_options(app, {{all, std::ranges::none_of(inputs, has), {option}, reason}});
+    check_options(app, {{all, std::ranges::none_of(traits, member), {option}, reason}});
   }
 }
 
@@ -203,7 +204,7 @@ std::vector<std::string> outputs_of(const Options& options, const std::vector<In
   return outputs;
 }
 
-OutputFiles files_to_write(const Options& options, const std::vector<Input>& inputs,
+OutputFiles files_to_write(const Options& options, const std::vector<Input>& inputs, const std::vector<Traits>& traits,
                            const std::vector<std::string>& outputs) {
   OutputFiles files;
   for (const std::string& output : outputs) {
@@ -212,6 +213,9 @@ OutputFiles files_to_write(const Options& options, const std::vector<Input>& inp
   if (!options.plot.empty()) files.add("--plot", options.plot);
   if (!options.cookie.empty()) files.add("--cookie", options.cookie);
   for (const Input& input : inputs) files.expect_apart_from(input.path);
+  for (const Traits& trait : traits) {
+    if (trait.photometry) files.expect_apart_from(*trait.photometry);
+  }
   return files;
 }
 
@@ -331,11 +335,13 @@ ExitStatus run(const CLI::App& app, const Options& options) {
   if (!options.cookie.empty() && fs::path(options.cookie).extension() != ".exr") {
     fail_option("--cookie", options.cookie, "must end in .exr");
   }
-  expect_effect(app, inputs);
+  std::vector<Traits> traits;
+  for (const Input& input : inputs) traits.push_back(traits_of(input));
+  expect_effect(app, inputs, traits);
   std::optional<Catalogue> catalogue;
   if (!options.catalogue.empty()) catalogue.emplace(options.catalogue, options.fit_key());
   const std::vector<std::string> outputs = outputs_of(options, inputs, catalogue);
-  const OutputFiles files = files_to_write(options, inputs, outputs);
+  const OutputFiles files = files_to_write(options, inputs, traits, outputs);
   if (!options.plot.empty() || catalogue) require_plotter();
 
   const bool keeps_outcomes = !catalogue && (inputs.size() == 1 || is_pair);

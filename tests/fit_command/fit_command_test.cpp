@@ -601,6 +601,15 @@ TEST_F(FitCommand, FilesInAContainerAreInputsNamedByTheirPathsInIt) {
   }
 }
 
+TEST_F(FitCommand, OutputThatAnotherInputReadsIsNotWritten) {
+  fs::create_directory(directory() / "lights");
+  write("lights/beam.json", kIes);
+  write("measured.json", R"({"litfog": "light-spec", "version": 1, "cone": {"photometry": "lights/beam.json"}})");
+  expect_usage_error("beam.json measured.json -o lights",
+                     "-o = lights/beam.json: must not be a file that is read, lights/beam.json");
+  EXPECT_EQ(read("lights/beam.json"), kIes);
+}
+
 /// The names in a table's first column.
 std::vector<std::string> inputs_of(const std::string& csv) {
   std::vector<std::string> inputs;
