@@ -339,7 +339,7 @@ ExitStatus run(const CLI::App& app, const Options& options) {
   for (const Input& input : inputs) traits.push_back(traits_of(input));
   expect_effect(app, inputs, traits);
   std::optional<Catalogue> catalogue;
-  if (!options.catalogue.empty()) catalogue.emplace(options.catalogue, options.fit_key());
+  if (!options.catalogue.empty()) catalogue.emplace(options.catalogue, options.fit_key(), inputs);
   const std::vector<std::string> outputs = outputs_of(options, inputs, catalogue);
   const OutputFiles files = files_to_write(options, inputs, traits, outputs);
   if (!options.plot.empty() || catalogue) require_plotter();

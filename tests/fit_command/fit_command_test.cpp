@@ -822,6 +822,26 @@ TEST_F(FitCommand, CatalogueMakesWhatHasGoneFromItsFolder) {
   }
 }
 
+TEST_F(FitCommand, CatalogueReplacesNoFilesButItsOwn) {
+  fs::create_directories(directory() / "cat/lamps");
+  write("cat/lamps/spot.png", "holiday");
+  const auto expect_refusal = [&](const std::string& file, const std::string& reason) {
+    const auto before = files();
+    EXPECT_ERROR(run("beam.json spot.ies --catalogue cat"), kCannotWrite,
+                 "litfog-fit: " + file + ": cannot be written: " + reason + "\n");
+    EXPECT_EQ(files(), before);
+  };
+  run("--version");  // makes the files of its own output
+  expect_refusal("cat/lamps/spot.png", "is there, and is no catalogue's: it has no spot.record");
+  EXPECT_EQ(read("cat/lamps/spot.png"), "holiday");
+  fs::remove(directory() / "cat/lamps/spot.png");
+  write("cat/index.html", "<!DOCTYPE html>\n<p>holiday");
+  expect_refusal("cat/index.html", "is there, and is no catalogue's page");
+  fs::remove(directory() / "cat/index.html");
+  EXPECT_EQ(run("beam.json spot.ies --catalogue cat").status, kDone);
+  EXPECT_EQ(run("spot.ies --catalogue cat").status, kDone) << "its own files";
+}
+
 TEST_F(FitCommand, CatalogueTakesNoOptionThatItsFolderMakesVoid) {
   for (const char* option : {"-o a.json", "--plot a.svg", "--cookie a.exr", "--against beam.json"}) {
     const std::string name(option, std::string_view(option).find(' '));
