@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <sys/stat.h>
+#include <time.h>
 
 #include <algorithm>
 #include <array>
@@ -35,6 +36,19 @@ constexpr std::array kEndings{".json", ".svg", ".png"};  // of a lamp's files be
 
 // --- records ---
 
+/// The time as files have it, which lags behind other clocks.
+timespec file_time() {
+  timespec time;
+  clock_gettime(CLOCK_REALTIME_COARSE, &time);
+  return time;
+}
+
+bool has_changed_since(const timespec& time, const std::string& file) {
+  struct stat status;
+  if (stat(file.c_str(), &status) != 0) return true;
+  return std::pair(status.st_ctim.tv_sec, status.st_ctim.tv_nsec) >= std::pair(time.tv_sec, time.tv_nsec);
+}
+
 /// A file as it was: nothing can have been changed in it that leaves both size and time.
 Json state_of(const std::string& file) {
   struct stat status;
@@ -56,9 +70,14 @@ Cell cell_of(const Json& json) {
   return std::monostate();
 }
 
-std::string record_of(const Outcome& outcome, const Summary& summary, const std::string& options) {
+/// begun  before the outcome's files were read: one that has changed since then may have been read as it was or is
+std::string record_of(const Outcome& outcome, const Summary& summary, const std::string& options,
+                      const timespec& begun) {
   Json states = Json::array({state_of(kProgram)});
-  for (const std::string& file : files_of(outcome.input, outcome.fit->target)) states.push_back(state_of(file));
+  for (const std::string& file : files_of(outcome.input, outcome.fit->target)) {
+    const Json state = state_of(file);
+    states.push_back(has_changed_since(begun, file) ? Json() : state);
+  }
   Json row = Json::array();
   for (const Cell& cell : summary.row) row.push_back(json_of(cell));
   return Json{{"input", outcome.input.path}, {"options", options},           {"made_from", states},
@@ -170,7 +189,7 @@ std::string section(const Input& input, const Summary& summary) {
 }  // namespace
 
 Catalogue::Catalogue(const std::string& folder, const std::string& options, const std::vector<Input>& inputs)
-    : folder_(folder), options_(options) {
+    : folder_(folder), options_(options), begun_(file_time()) {
   expect_own_page();
   for (const Input& input : inputs) expect_own_files(input);
   std::error_code error;
@@ -222,7 +241,7 @@ void Catalogue::add(const Outcome& outcome, const Summary& summary) const {
   write(".svg", draw_figure(fit_figure({&*outcome.fit}), command::FigureFormat::svg));
   write(".png", draw_fog_picture(outcome.fit->light));
   write(".json", outcome.light);
-  write(".record", record_of(outcome, summary, options_));
+  write(".record", record_of(outcome, summary, options_, begun_));
 }
 
 void Catalogue::write_page(const std::vector<Input>& inputs, const std::vector<Summary>& summaries) const {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <time.h>
+
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -28,7 +30,7 @@ class Catalogue {
   /// would replace one that is no catalogue's.
   ///
   /// options  whatever changes a light, as text
-  /// inputs   all that are to be shown
+  /// inputs   all that are to be shown; none has been read for its light
   Catalogue(const std::string& folder, const std::string& options, const std::vector<Input>& inputs);
 
   /// The files that add() writes: the light, and others with other endings.
@@ -51,6 +53,7 @@ class Catalogue {
 
   std::filesystem::path folder_;
   std::string options_;
+  timespec begun_;
 };
 
 }  // namespace litfog::fit
