@@ -573,6 +573,25 @@ TEST_F(FitCommand, BeamHasTwoAnglesWhereItIsNotRound) {
   EXPECT_NEAR(beam["beam_angle_deg"][1].get<double>(), 2 * 5, 1e-9);
 }
 
+TEST_F(FitCommand, FullAngleOfAnUnevenBeamIsTheSumOfItsHalves) {
+  write("uneven.ies", R"(IESNA:LM-63-2002
+TILT=NONE
+1 -1 1 6 5 1 2 0 0 0
+1 1 10
+0 5 10 15 20 90
+0 90 180 270 360
+100 80 40 15 0 0
+100 50 10 0 0 0
+100 50 10 0 0 0
+100 50 10 0 0 0
+100 80 40 15 0 0
+)");
+  const auto beam = nlohmann::json::parse(run("uneven.ies --axis down --format json").out)[0]["beam"];
+  ASSERT_EQ(beam["beam_angle_deg"].size(), 2u);
+  EXPECT_NEAR(beam["beam_angle_deg"][0].get<double>(), 8.75 + 5, 1e-9);
+  EXPECT_NEAR(beam["beam_angle_deg"][1].get<double>(), 5 + 5, 1e-9);
+}
+
 TEST_F(FitCommand, FilesOfOneNameAndTwoFormatsAreTwoLights) {
   fs::create_directory(directory() / "lights");
   fs::copy_file(LITFOG_TEST_DATA_DIR "/photometry/spelling.ldt", directory() / "spot.ldt");
