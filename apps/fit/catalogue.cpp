@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <sys/stat.h>
+#include <time.h>
 
 #include <algorithm>
 #include <array>
@@ -29,9 +30,24 @@ using command::html_text;
 
 constexpr const char* kLamps = "lamps";
 constexpr const char* kPage = "index.html";
+constexpr const char* kFirstLine = "<!DOCTYPE html><!-- a catalogue of litfog-fit -->";  // of the page
 constexpr const char* kProgram = "/proc/self/exe";
+constexpr std::array kEndings{".json", ".svg", ".png"};  // of a lamp's files beside its record
 
 // --- records ---
+
+/// The time as files have it, which lags behind other clocks.
+timespec file_time() {
+  timespec time;
+  clock_gettime(CLOCK_REALTIME_COARSE, &time);
+  return time;
+}
+
+bool has_changed_since(const timespec& time, const std::string& file) {
+  struct stat status;
+  if (stat(file.c_str(), &status) != 0) return true;
+  return std::pair(status.st_ctim.tv_sec, status.st_ctim.tv_nsec) >= std::pair(time.tv_sec, time.tv_nsec);
+}
 
 /// A file as it was: nothing can have been changed in it that leaves both size and time.
 Json state_of(const std::string& file) {
@@ -54,9 +70,14 @@ Cell cell_of(const Json& json) {
   return std::monostate();
 }
 
-std::string record_of(const Outcome& outcome, const Summary& summary, const std::string& options) {
+/// begun  before the outcome's files were read: one that has changed since then may have been read as it was or is
+std::string record_of(const Outcome& outcome, const Summary& summary, const std::string& options,
+                      const timespec& begun) {
   Json states = Json::array({state_of(kProgram)});
-  for (const std::string& file : files_of(outcome.input, outcome.fit->target)) states.push_back(state_of(file));
+  for (const std::string& file : files_of(outcome.input, outcome.fit->target)) {
+    const Json state = state_of(file);
+    states.push_back(has_changed_since(begun, file) ? Json() : state);
+  }
   Json row = Json::array();
   for (const Cell& cell : summary.row) row.push_back(json_of(cell));
   return Json{{"input", outcome.input.path}, {"options", options},           {"made_from", states},
@@ -88,7 +109,7 @@ std::optional<Summary> summary_of_record(const fs::path& path, const Input& inpu
 
 // --- page ---
 
-constexpr const char* kPageBegin = R"(<!DOCTYPE html>
+constexpr const char* kPageBegin = R"({first_line}
 <html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width">
 <title>Lights</title>
 <style>
@@ -167,11 +188,36 @@ std::string section(const Input& input, const Summary& summary) {
 
 }  // namespace
 
-Catalogue::Catalogue(const std::string& folder, const std::string& options) : folder_(folder), options_(options) {
+Catalogue::Catalogue(const std::string& folder, const std::string& options, const std::vector<Input>& inputs)
+    : folder_(folder), options_(options), begun_(file_time()) {
+  expect_own_page();
+  for (const Input& input : inputs) expect_own_files(input);
   std::error_code error;
   fs::create_directory(folder_, error);
   if (!error) fs::create_directory(folder_ / kLamps, error);
   if (error) throw OutputError(fmt::format("{}: cannot be made: {}", folder, error.message()));
+}
+
+void Catalogue::expect_own_page() const {
+  std::error_code error;
+  const fs::path page = folder_ / kPage;
+  if (!fs::exists(page, error)) return;
+  std::ifstream file(page);
+  std::string first_line;
+  std::getline(file, first_line);
+  if (first_line == kFirstLine) return;
+  throw OutputError(fmt::format("{}: cannot be written: is there, and is no catalogue's page", page.string()));
+}
+
+void Catalogue::expect_own_files(const Input& input) const {
+  std::error_code error;
+  if (fs::exists(file_of(input, ".record"), error)) return;
+  for (const char* ending : kEndings) {
+    const fs::path file = file_of(input, ending);
+    if (!fs::exists(file, error)) continue;
+    throw OutputError(fmt::format("{}: cannot be written: is there, and is no catalogue's: it has no {}.record",
+                                  file.string(), input.name));
+  }
 }
 
 fs::path Catalogue::file_of(const Input& input, const char* ending) const {
@@ -183,7 +229,7 @@ std::string Catalogue::light_path(const Input& input) const { return file_of(inp
 std::optional<Summary> Catalogue::find(const Input& input) const {
   std::error_code error;
   const auto is_there = [&](const char* ending) { return fs::exists(file_of(input, ending), error); };
-  if (!std::ranges::all_of(std::array{".json", ".svg", ".png"}, is_there)) return std::nullopt;
+  if (!std::ranges::all_of(kEndings, is_there)) return std::nullopt;
   return summary_of_record(file_of(input, ".record"), input, options_);
 }
 
@@ -191,15 +237,17 @@ void Catalogue::add(const Outcome& outcome, const Summary& summary) const {
   const auto write = [&](const char* ending, std::string_view text) {
     files::write_whole_file(file_of(outcome.input, ending).string(), text);
   };
+  write(".record", "{}");  // from now on the files are the catalogue's, and not done
   write(".svg", draw_figure(fit_figure({&*outcome.fit}), command::FigureFormat::svg));
   write(".png", draw_fog_picture(outcome.fit->light));
   write(".json", outcome.light);
-  write(".record", record_of(outcome, summary, options_));
+  write(".record", record_of(outcome, summary, options_, begun_));
 }
 
 void Catalogue::write_page(const std::vector<Input>& inputs, const std::vector<Summary>& summaries) const {
-  std::string html = fmt::format(fmt::runtime(kPageBegin), fmt::arg("count", inputs.size()),
-                                 fmt::arg("metres", kFogPictureMetres), fmt::arg("near", visibilities()));
+  std::string html =
+      fmt::format(fmt::runtime(kPageBegin), fmt::arg("first_line", kFirstLine), fmt::arg("count", inputs.size()),
+                  fmt::arg("metres", kFogPictureMetres), fmt::arg("near", visibilities()));
   for (std::size_t i = 0; i < inputs.size(); ++i) html += table_row(inputs[i], summaries[i]);
   html += "</tbody></table></div>\n";
   for (std::size_t i = 0; i < inputs.size(); ++i) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <time.h>
+
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -20,13 +22,16 @@ namespace litfog::fit {
 ///
 /// A lamp is left as it is where its three files are there and its record is of the same input and options, made by
 /// this program from files of the same size and time of modification. The record is written last, so that a run which
-/// was ended goes on where it was. Inputs that gave no light have none, and are tried again.
+/// was ended goes on where it was; until then there is one that says nothing. Inputs that gave no light have none, and
+/// are tried again.
 class Catalogue {
  public:
-  /// The folder is made if it is not there. Throws OutputError where it cannot be.
+  /// The folder is made if it is not there. Throws OutputError where it cannot be, and where the page or a lamp's file
+  /// would replace one that is no catalogue's.
   ///
   /// options  whatever changes a light, as text
-  Catalogue(const std::string& folder, const std::string& options);
+  /// inputs   all that are to be shown; none has been read for its light
+  Catalogue(const std::string& folder, const std::string& options, const std::vector<Input>& inputs);
 
   /// The files that add() writes: the light, and others with other endings.
   std::string light_path(const Input& input) const;
@@ -42,10 +47,13 @@ class Catalogue {
   void write_page(const std::vector<Input>& inputs, const std::vector<Summary>& summaries) const;
 
  private:
+  void expect_own_page() const;
+  void expect_own_files(const Input& input) const;
   std::filesystem::path file_of(const Input& input, const char* ending) const;
 
   std::filesystem::path folder_;
   std::string options_;
+  timespec begun_;
 };
 
 }  // namespace litfog::fit

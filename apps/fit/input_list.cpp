@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 
+#include "ascii_text.h"
 #include "command/bundled_data.h"
 #include "command/option_rule.h"
 #include "litfog/input_error.h"
@@ -100,11 +101,15 @@ class InputList {
     return fs::exists(bundled, error) ? bundled.string() : argument;
   }
 
-  void add_file(const std::string& path, const fs::path& folder) {
-    std::string name = (folder.empty() ? fs::path(path).filename() : fs::path(path).lexically_relative(folder))
-                           .replace_extension()
-                           .string();
+  static std::string name_of(fs::path path) {
+    std::string name = path.replace_extension().string();
     std::ranges::replace(name, '/', '-');
+    return name;
+  }
+
+  void add_file(const std::string& path, const fs::path& folder) {
+    const std::string name =
+        name_of(folder.empty() ? fs::path(path).filename() : fs::path(path).lexically_relative(folder));
     if (ending_of(path) != ".gldf") {
       inputs_.push_back({path, name});
       return;
@@ -116,7 +121,8 @@ class InputList {
       files = {path};  // the error comes when it is read
     }
     for (const std::string& file : files) {
-      inputs_.push_back({file, files.size() == 1 ? name : name + "-" + fs::path(file).stem().string()});
+      const fs::path in_folder = fs::path(file).lexically_relative(fs::path(path) / "ldc");
+      inputs_.push_back({file, files.size() == 1 ? name : name + "-" + name_of(in_folder)});
     }
   }
 
@@ -125,11 +131,7 @@ class InputList {
 
 }  // namespace
 
-std::string ending_of(const fs::path& path) {
-  std::string ending = path.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
-  return ending;
-}
+std::string ending_of(const fs::path& path) { return lower(path.extension().string()); }
 
 std::vector<Input> list_inputs(const std::vector<std::string>& arguments) {
   InputList list;

@@ -10,7 +10,8 @@ namespace litfog::fit {
 /// A light spec or photometric file that is to be fitted.
 struct Input {
   std::string path;
-  std::string name;  ///< for its outputs: its file's name, in a folder with the folders between, without the ending
+  std::string name;  ///< for its outputs: its file's name, in a folder or container with what lies between, without
+                     ///< the ending
 };
 
 /// A path's extension in lower case, ".json" of LAMP.JSON.

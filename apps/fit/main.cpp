@@ -5,15 +5,11 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
-#include <exception>
 #include <filesystem>
-#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -22,6 +18,7 @@
 #include "command/number.h"
 #include "command/option_rule.h"
 #include "command/output_files.h"
+#include "command/parallel.h"
 #include "command/plot.h"
 #include "command/printable.h"
 #include "command/progress.h"
@@ -161,6 +158,7 @@ int gravity(ExitStatus status) {
 /// What an input has for options to change. What cannot be read may have anything: its error comes later.
 struct Traits {
   bool has_falloff_table = true, has_cone = true, has_luminaire = true;
+  std::optional<std::string> photometry = std::nullopt;  // the file that a spec names
 };
 
 Traits traits_of(const Input& input) try {
@@ -168,22 +166,22 @@ Traits traits_of(const Input& input) try {
   const litfog::LightSpec spec = litfog::read_light_spec(input.path);
   return {.has_falloff_table = spec.range && !spec.range->samples.empty(),
           .has_cone = spec.cone.has_value(),
-          .has_luminaire = spec.cone && spec.cone->photometry};
+          .has_luminaire = spec.cone && spec.cone->photometry,
+          .photometry = spec.cone ? spec.cone->photometry : std::nullopt};
 } catch (const litfog::InputError&) {
   return {};
 }
 
 /// Options that the inputs give nothing to do.
-void expect_effect(const CLI::App& app, const std::vector<Input>& inputs) {
+void expect_effect(const CLI::App& app, const std::vector<Input>& inputs, const std::vector<Traits>& traits) {
   constexpr std::array kOptions{std::tuple("--robust", &Traits::has_falloff_table, "there is no falloff table"),
                                 std::tuple("--profile", &Traits::has_cone, "there is no cone to fit"),
                                 std::tuple("--axis", &Traits::has_luminaire, "there is no photometric file"),
                                 std::tuple("--tilt", &Traits::has_luminaire, "there is no photometric file")};
   for (const auto& [option, member, reason] : kOptions) {
     if (app.count(option) == 0) continue;
-    const auto has = [trait = member](const Input& input) { return traits_of(input).*trait; };
     const std::string all = inputs.size() == 1 ? inputs.front().path : "these inputs";
-    check_options(app, {{all, std::ranges::none_of(inputs, has), {option}, reason}});
+    check_options(app, {{all, std::ranges::none_of(traits, member), {option}, reason}});
   }
 }
 
@@ -206,7 +204,7 @@ std::vector<std::string> outputs_of(const Options& options, const std::vector<In
   return outputs;
 }
 
-OutputFiles files_to_write(const Options& options, const std::vector<Input>& inputs,
+OutputFiles files_to_write(const Options& options, const std::vector<Input>& inputs, const std::vector<Traits>& traits,
                            const std::vector<std::string>& outputs) {
   OutputFiles files;
   for (const std::string& output : outputs) {
@@ -215,6 +213,9 @@ OutputFiles files_to_write(const Options& options, const std::vector<Input>& inp
   if (!options.plot.empty()) files.add("--plot", options.plot);
   if (!options.cookie.empty()) files.add("--cookie", options.cookie);
   for (const Input& input : inputs) files.expect_apart_from(input.path);
+  for (const Traits& trait : traits) {
+    if (trait.photometry) files.expect_apart_from(*trait.photometry);
+  }
   return files;
 }
 
@@ -257,29 +258,6 @@ void write_light(const Outcome& outcome) {
 
 // --- all inputs ---
 
-/// Calls work(0) to work(count - 1), in that order but on all cores. The first exception ends it, and is thrown.
-void for_each_on_all_cores(std::size_t count, const std::function<void(std::size_t)>& work) {
-  std::atomic<std::size_t> next = 0;
-  std::exception_ptr failure;
-  std::once_flag failed;
-  const auto run = [&] {
-    for (std::size_t i = next++; i < count; i = next++) {
-      try {
-        work(i);
-      } catch (...) {
-        std::call_once(failed, [&failure] { failure = std::current_exception(); });
-        next = count;
-      }
-    }
-  };
-  std::vector<std::thread> threads;
-  const std::size_t cores = std::min<std::size_t>(count, std::max(1u, std::thread::hardware_concurrency()));
-  for (std::size_t i = 1; i < cores; ++i) threads.emplace_back(run);
-  run();
-  for (std::thread& thread : threads) thread.join();
-  if (failure) std::rethrow_exception(failure);
-}
-
 /// Outcomes are kept whole where they are few: for a report, a figure or a cookie.
 struct Results {
   std::vector<Summary> summaries;
@@ -294,7 +272,7 @@ Results fit_all(const Options& options, const std::vector<Input>& inputs, const 
   Progress progress;
   std::mutex showing;
   std::size_t done = 0;
-  for_each_on_all_cores(inputs.size(), [&](std::size_t i) {
+  for_each_in_parallel(inputs.size(), [&](std::size_t i) {
     std::optional<Summary> known = catalogue ? catalogue->find(inputs[i]) : std::nullopt;
     if (!known) {
       Outcome outcome = fit(options, inputs[i], outputs[i], files);
@@ -357,11 +335,13 @@ ExitStatus run(const CLI::App& app, const Options& options) {
   if (!options.cookie.empty() && fs::path(options.cookie).extension() != ".exr") {
     fail_option("--cookie", options.cookie, "must end in .exr");
   }
-  expect_effect(app, inputs);
+  std::vector<Traits> traits;
+  for (const Input& input : inputs) traits.push_back(traits_of(input));
+  expect_effect(app, inputs, traits);
   std::optional<Catalogue> catalogue;
-  if (!options.catalogue.empty()) catalogue.emplace(options.catalogue, options.fit_key());
+  if (!options.catalogue.empty()) catalogue.emplace(options.catalogue, options.fit_key(), inputs);
   const std::vector<std::string> outputs = outputs_of(options, inputs, catalogue);
-  const OutputFiles files = files_to_write(options, inputs, outputs);
+  const OutputFiles files = files_to_write(options, inputs, traits, outputs);
   if (!options.plot.empty() || catalogue) require_plotter();
 
   const bool keeps_outcomes = !catalogue && (inputs.size() == 1 || is_pair);

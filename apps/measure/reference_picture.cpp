@@ -4,14 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <future>
 #include <optional>
 #include <span>
-#include <system_error>
-#include <thread>
 
+#include "command/parallel.h"
 #include "measure/jump_watch.h"
 #include "measure/lookup_bounds.h"
 #include "measure/model.h"
@@ -144,24 +141,6 @@ class ReferenceShading {
   PixelRays rays_;
 };
 
-/// Calls work(i) for i in [0, count) on all cores.
-template <typename Work>
-void for_each_in_parallel(int count, const Work& work) {
-  std::atomic<int> next = 0;
-  const auto run = [&] {
-    for (int i = next++; i < count; i = next++) work(i);
-  };
-  std::vector<std::future<void>> others;
-  try {
-    for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i) {
-      others.push_back(std::async(std::launch::async, run));
-    }
-  } catch (const std::system_error&) {  // no more threads: those that have started, and this one, do all
-  }
-  run();
-  for (std::future<void>& other : others) other.get();
-}
-
 void set_pixel(render::Picture& picture, std::size_t pixel, const glm::dvec3& color) {
   for (std::size_t channel = 0; channel < 3; ++channel) {
     picture.rgb[3 * pixel + channel] = float(color[glm::length_t(channel)]);
@@ -183,11 +162,11 @@ ReferencePicture shade_reference(render::Renderer& renderer, const Progress& pro
   for (int first = 0; first < height; first += render::GeometryBuffer::kMostRows) {
     const int count = std::min(render::GeometryBuffer::kMostRows, height - first);
     const std::vector<render::GeometrySample> rows = geometry.read_rows(first, count);
-    for_each_in_parallel(count, [&](int row) {
+    command::for_each_in_parallel(std::size_t(count), [&](std::size_t row) {
       for (int x = 0; x < width; ++x) {
-        const std::size_t read = std::size_t(row) * std::size_t(width) + std::size_t(x);
+        const std::size_t read = row * std::size_t(width) + std::size_t(x);
         const std::size_t pixel = std::size_t(first) * std::size_t(width) + read;
-        const Shade shade = shading.pixel(std::span(rows).subspan(read * samples, samples), x, first + row);
+        const Shade shade = shading.pixel(std::span(rows).subspan(read * samples, samples), x, first + int(row));
         set_pixel(reference.picture, pixel, shade.color);
         set_pixel(reference.least, pixel, shade.least);
         set_pixel(reference.most, pixel, shade.most);

@@ -6,14 +6,16 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <numeric>
 #include <optional>
+
+#include "ascii_text.h"
 
 namespace litfog::files {
 namespace {
 
 constexpr std::string_view kDigits = "0123456789";
-constexpr std::string_view kBlank = " \t";
 
 /// Insertions, deletions, replacements and swaps of neighbours that lead from one word to another (optimal string
 /// alignment).
@@ -32,28 +34,19 @@ std::size_t slips_between(std::string_view a, std::string_view b) {
   return slips[a.size()][b.size()];
 }
 
-std::string lower(std::string_view text) {
-  std::string result(text);
-  std::ranges::transform(result, result.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
-  return result;
-}
-
+/// A number that JSON can hold.
 std::optional<double> parse_number(std::string_view text) {
   double number;
   const char* const end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, number);
-  return stop == end && error == std::errc() ? std::optional(number) : std::nullopt;
+  return stop == end && error == std::errc() && std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
-std::string_view trimmed(std::string_view text) {
-  const auto begin = std::min(text.find_first_not_of(kBlank), text.size());
-  return text.substr(begin, text.find_last_not_of(kBlank) + 1 - begin);
-}
-
-/// A number with a decimal comma, with a point.
+/// A number with a decimal comma, with a point. JSON has digits on both sides of it.
 std::optional<std::string> with_point(std::string_view text) {
   const auto comma = text.find(',');
-  if (comma == text.npos) return std::nullopt;
+  const auto is_digit_at = [text](std::size_t i) { return i < text.size() && kDigits.find(text[i]) != kDigits.npos; };
+  if (comma == text.npos || !is_digit_at(comma - 1) || !is_digit_at(comma + 1)) return std::nullopt;
   std::string result(text);
   result[comma] = '.';
   return parse_number(result) ? std::optional(result) : std::nullopt;
@@ -92,7 +85,7 @@ std::string hint_for_number(std::string_view text) {
   const auto number = parse_number(with ? *with : text);
   if (!number) return "";
   if (is_percentage) return fmt::format("; {} % is {}", *number, *number / 100);
-  return with ? advice_on_comma(text, *with) : fmt::format("; write {}, without quotation marks", text);
+  return with ? advice_on_comma(text, *with) : fmt::format("; write {}, without quotation marks", *number);
 }
 
 std::string hint_for_fraction(double number, std::string_view rule) {

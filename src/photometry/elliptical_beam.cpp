@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "dark_edge.h"
 #include "require.h"
 
 namespace litfog {
@@ -11,9 +12,8 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr int kAngles = 512;     // from the axis to the end of the beam
-constexpr int kDarkAngles = 32;  // from there to 180 degrees
-constexpr double kEdge = pi / 18000;
+constexpr int kAngles = 512;       // from the axis to the end of the beam
+constexpr int kDarkAngles = 32;    // from there to 180 degrees
 constexpr int kPlanes = 180;       // of a quarter turn
 constexpr int kCircleSteps = 512;  // of a quarter turn
 
@@ -79,7 +79,7 @@ IntensityDistribution elliptical_beam(const std::vector<IsocandelaEllipse>& elli
       .type = PhotometryType::c, .horizontal = turns_of(outermost), .vertical = {}, .intensity = {}};
   const double end = std::max(outermost.horizontal, outermost.vertical);
   for (int i = 0; i <= kAngles; ++i) beam.vertical.push_back(end * i / kAngles);
-  const double dark = end + kEdge;
+  const double dark = end + kDarkEdge;
   for (int i = 0; dark < pi && i <= kDarkAngles; ++i) {  // so that a profile does not go on in the steps of the beam
     beam.vertical.push_back(std::lerp(dark, pi, double(i) / kDarkAngles));
   }

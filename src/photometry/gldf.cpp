@@ -5,6 +5,7 @@
 
 #include <array>
 #include <memory>
+#include <set>
 #include <type_traits>
 
 #include "gldf_archive.h"
@@ -49,10 +50,12 @@ std::vector<std::string> list_gldf(const std::string& path) {
   const XmlText product(read_gldf_entry(path, kProduct), path + "/" + kProduct);
   const pugi::xml_node files = product.root().child("GeneralDefinitions").child("Files");
   std::vector<std::string> paths;
+  std::set<std::string_view> known;
   for (const pugi::xml_node& file : files.children("File")) {
     const bool is_photometric = product.value_of(file, "contentType").text.starts_with(kFolder);
     if (!is_photometric || product.value_of(file, "type").text == "url") continue;
-    paths.push_back(path + "/" + std::string(kFolder) + std::string(product.text_of(file).text));
+    const std::string_view name = product.text_of(file).text;
+    if (known.insert(name).second) paths.push_back(path + "/" + std::string(kFolder) + std::string(name));
   }
   if (paths.empty()) product.fail(product.root(), "must define a File of a contentType ldc/... that is in the archive");
   return paths;

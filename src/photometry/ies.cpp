@@ -8,6 +8,7 @@
 #include <iterator>
 #include <map>
 
+#include "ascii_text.h"
 #include "photometric_grid.h"
 #include "text_scanner.h"
 
@@ -24,12 +25,6 @@ std::string upper(std::string_view text) {
   std::string result(text);
   std::ranges::transform(result, result.begin(), [](char c) { return c >= 'a' && c <= 'z' ? char(c - 'a' + 'A') : c; });
   return result;
-}
-
-std::string_view trimmed(std::string_view text) {
-  const auto begin = text.find_first_not_of(" \t");
-  if (begin == text.npos) return text.substr(text.size());
-  return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
 }
 
 /// Year of the edition by the first line: "IESNA91", "IESNA:LM-63-1995", "IES:LM-63-2019".

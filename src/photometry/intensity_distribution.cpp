@@ -8,6 +8,7 @@
 #include <numeric>
 #include <span>
 
+#include "dark_edge.h"
 #include "require.h"
 
 namespace litfog {
@@ -20,7 +21,6 @@ constexpr int kTurnSteps = 720;           // directions of a circle about an axi
 constexpr int kEquatorSteps = 360;        // of the largest circle about another axis; of others by their circumference
 constexpr int kLeastSteps = 72;           // of any circle
 constexpr int kAxialStepsPerTurn = 1440;  // a quarter degree from an axis
-constexpr double kEdge = pi / 18000;      // 0.01 degrees: from the last measured angle to the dark beyond it
 
 double sum_of(const glm::dvec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
@@ -221,7 +221,7 @@ double mean_of(std::span<const double> values) {
 void extend_to_pi(std::vector<double>& angles, bool is_last_lit) {
   const double last = angles.back();
   const double step = last - angles.rbegin()[1];
-  if (is_last_lit && last + kEdge < pi) angles.push_back(last + kEdge);
+  if (is_last_lit && last + kDarkEdge < pi) angles.push_back(last + kDarkEdge);
   for (int i = 1; last + i * step < pi - step / 2; ++i) {
     if (last + i * step > angles.back()) angles.push_back(last + i * step);
   }

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "ascii_text.h"
 #include "litfog/photometry/elliptical_beam.h"
 #include "text_scanner.h"
 
@@ -21,18 +22,13 @@ constexpr std::string_view kHeaderRule =
 constexpr double kRadiansPerDegree = std::numbers::pi / 180;
 constexpr std::size_t kMaxCells = 1000;  // of a row
 
-Piece trimmed(const Piece& piece) {
-  const auto begin = std::min(piece.text.find_first_not_of(" \t"), piece.text.size());
-  const auto end = piece.text.find_last_not_of(" \t") + 1;
-  return {piece.text.substr(begin, end - begin), piece.offset + begin};
-}
-
 /// At most one more than a row may have.
 std::vector<Piece> cells_of(const Piece& line) {
   std::vector<Piece> cells;
   for (std::size_t begin = 0; begin <= line.text.size() && cells.size() <= kMaxCells;) {
     const std::size_t end = std::min(line.text.find(',', begin), line.text.size());
-    cells.push_back(trimmed({line.text.substr(begin, end - begin), line.offset + begin}));
+    const std::string_view cell = trimmed(line.text.substr(begin, end - begin));
+    cells.push_back({cell, line.offset + std::size_t(cell.data() - line.text.data())});
     begin = end + 1;
   }
   return cells;
@@ -49,7 +45,7 @@ class Rows {
       if (line.is_missing) return {line};
       if (line.text.empty()) continue;
       if (line.text.starts_with('#')) {
-        if (name_.empty()) name_ = trimmed({line.text.substr(1), line.offset + 1}).text;
+        if (name_.empty()) name_ = trimmed(line.text.substr(1));
         continue;
       }
       std::vector<Piece> cells = cells_of(line);

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <numbers>
 
+#include "ascii_text.h"
 #include "gldf_archive.h"
 #include "litfog/photometry/eulumdat.h"
 #include "litfog/photometry/gldf.h"
@@ -23,11 +24,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kZip = "PK\x03\x04";
 
-std::string ending_of(const std::string& path) {
-  std::string ending = fs::path(path).extension().string();
-  std::ranges::transform(ending, ending.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
-  return ending;
-}
+std::string ending_of(const fs::path& path) { return lower(path.extension().string()); }
 
 /// Plain text of no known kind is taken for what its ending says, for the sake of the error.
 bool is_named(const std::string& path, const char* ending, std::string_view text) {
@@ -58,7 +55,7 @@ std::optional<std::string> gldf_of(const std::string& path) {
   std::error_code error;
   for (fs::path container = fs::path(path).parent_path(); container.has_relative_path();
        container = container.parent_path()) {
-    if (ending_of(container.string()) == ".gldf" && fs::is_regular_file(container, error)) return container.string();
+    if (ending_of(container) == ".gldf" && fs::is_regular_file(container, error)) return container.string();
   }
   return std::nullopt;
 }

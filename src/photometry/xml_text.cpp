@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "xml_text.h"
 
+#include "ascii_text.h"
+
 namespace litfog {
 namespace {
 
 constexpr std::size_t kMaxXmlBytes = std::size_t{16} << 20;
-constexpr std::string_view kBlank = " \t\r\n";
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(kBlank);
-  if (begin == text.npos) return text.substr(0, 0);
-  return text.substr(begin, text.find_last_not_of(kBlank) - begin + 1);
-}
 
 /// An element's is that of its first character, which stands before its name.
 std::size_t offset_of(const pugi::xml_node& node) {

@@ -57,6 +57,9 @@ TEST(Hint, PercentageIsShownAsAFraction) {
 TEST(Hint, NumberInQuotationMarksIsShownWithout) {
   EXPECT_EQ(error_of(R"({"threshold": "0.05"})"),
             "f:1:15: threshold = \"0.05\": must be a number; write 0.05, without quotation marks");
+  EXPECT_EQ(hint_for_number(" .5 "), "; write 0.5, without quotation marks") << "as JSON has it";
+  EXPECT_EQ(hint_for_number("nan"), "") << "which JSON lacks";
+  EXPECT_EQ(hint_for_number("inf"), "");
   EXPECT_EQ(error_of(R"({"threshold": "low"})"), "f:1:15: threshold = \"low\": must be a number");
   EXPECT_EQ(error_of(R"({"threshold": ""})"), "f:1:15: threshold = \"\": must be a number");
 }
@@ -83,6 +86,8 @@ TEST(Hint, DecimalCommaIsShownAsAPoint) {
             "f:1:17: text = \"200\": must be a member's name in quotes; write 1.200 or 1200");
   EXPECT_EQ(hint_for_number("1,200"), "; write 1.200 or 1200");
   EXPECT_EQ(hint_for_number("1,200,000"), "");
+  EXPECT_EQ(hint_for_number(",5"), "");
+  EXPECT_EQ(hint_for_number("5,"), "");
   EXPECT_EQ(error_of(R"({"threshold": 0.5, color: 1})"), "f:1:20: text = \"color\": must be a member's name in quotes");
 }
 

@@ -87,6 +87,16 @@ std::string JsonSchema::error_of(const std::string& text) const {
   return message + ": " + error.description;
 }
 
+std::map<std::string, std::string> JsonSchema::errors_in(const std::string& folder) const {
+  std::map<std::string, std::string> errors;
+  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(LITFOG_DATA_DIR) / folder)) {
+    if (entry.path().extension() != ".json") continue;
+    std::ifstream file(entry.path());
+    errors[entry.path().filename().string()] = error_of({std::istreambuf_iterator<char>(file), {}});
+  }
+  return errors;
+}
+
 std::set<std::string> JsonSchema::members_at(const std::string& pointer) const {
   std::set<std::string> members;
   for (const auto& [name, schema] : parsed_->document.at(Json::json_pointer(pointer + "/properties")).items()) {

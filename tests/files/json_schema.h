@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -18,6 +19,9 @@ class JsonSchema {
 
   /// What is wrong with a document, or nothing; text that is no JSON is wrong.
   std::string error_of(const std::string& text) const;
+
+  /// error_of() each JSON file in a folder of data/, by its name.
+  std::map<std::string, std::string> errors_in(const std::string& folder) const;
 
   /// The members that the schema's part at a JSON pointer, "/definitions/cone", lets an object have.
   std::set<std::string> members_at(const std::string& pointer) const;

@@ -22,6 +22,7 @@
 #include "litfog/fit/cone_fit.h"
 #include "litfog/photometry/cookie_file.h"
 #include "litfog/photometry/luminaire.h"
+#include "photometry/zip_file.h"
 
 namespace litfog::test {
 using namespace command;
@@ -572,6 +573,25 @@ TEST_F(FitCommand, BeamHasTwoAnglesWhereItIsNotRound) {
   EXPECT_NEAR(beam["beam_angle_deg"][1].get<double>(), 2 * 5, 1e-9);
 }
 
+TEST_F(FitCommand, FullAngleOfAnUnevenBeamIsTheSumOfItsHalves) {
+  write("uneven.ies", R"(IESNA:LM-63-2002
+TILT=NONE
+1 -1 1 6 5 1 2 0 0 0
+1 1 10
+0 5 10 15 20 90
+0 90 180 270 360
+100 80 40 15 0 0
+100 50 10 0 0 0
+100 50 10 0 0 0
+100 50 10 0 0 0
+100 80 40 15 0 0
+)");
+  const auto beam = nlohmann::json::parse(run("uneven.ies --axis down --format json").out)[0]["beam"];
+  ASSERT_EQ(beam["beam_angle_deg"].size(), 2u);
+  EXPECT_NEAR(beam["beam_angle_deg"][0].get<double>(), 8.75 + 5, 1e-9);
+  EXPECT_NEAR(beam["beam_angle_deg"][1].get<double>(), 5 + 5, 1e-9);
+}
+
 TEST_F(FitCommand, FilesOfOneNameAndTwoFormatsAreTwoLights) {
   fs::create_directory(directory() / "lights");
   fs::copy_file(LITFOG_TEST_DATA_DIR "/photometry/spelling.ldt", directory() / "spot.ldt");
@@ -582,6 +602,32 @@ TEST_F(FitCommand, FilesOfOneNameAndTwoFormatsAreTwoLights) {
 }
 
 // ---- many inputs ----
+
+TEST_F(FitCommand, FilesInAContainerAreInputsNamedByTheirPathsInIt) {
+  std::string product = "<Root><GeneralDefinitions><Files>";
+  ZipEntries entries;
+  for (const char* name : {"wide/lamp.ies", "narrow/lamp.ies", "spot.ies"}) {
+    product += std::string("<File contentType=\"ldc/ies\" type=\"localFileName\">") + name + "</File>";
+    entries.emplace_back(std::string("ldc/") + name, kIes);
+  }
+  entries.emplace_back("product.xml", product + "</Files></GeneralDefinitions></Root>");
+  write_zip((directory() / "set.gldf").string(), entries);
+  fs::create_directory(directory() / "lights");
+  const Outcome outcome = run("set.gldf -o lights");
+  EXPECT_EQ(outcome.status, kDone) << outcome.err;
+  for (const char* name : {"lights/set-wide-lamp.json", "lights/set-narrow-lamp.json", "lights/set-spot.json"}) {
+    EXPECT_TRUE(files().contains(name)) << name;
+  }
+}
+
+TEST_F(FitCommand, OutputThatAnotherInputReadsIsNotWritten) {
+  fs::create_directory(directory() / "lights");
+  write("lights/beam.json", kIes);
+  write("measured.json", R"({"litfog": "light-spec", "version": 1, "cone": {"photometry": "lights/beam.json"}})");
+  expect_usage_error("beam.json measured.json -o lights",
+                     "-o = lights/beam.json: must not be a file that is read, lights/beam.json");
+  EXPECT_EQ(read("lights/beam.json"), kIes);
+}
 
 /// The names in a table's first column.
 std::vector<std::string> inputs_of(const std::string& csv) {
@@ -604,7 +650,8 @@ TEST_F(FitCommand, FolderStandsForTheSpecsAndPhotometricFilesInIt) {
   write("lamps/table.csv", "a,b\n1,2\n");
   const Outcome outcome = run("lamps --format csv");
   EXPECT_EQ(outcome.status, kDone) << outcome.err;
-  EXPECT_EQ(inputs_of(outcome.out), (std::vector<std::string>{"lamps/LAMP.JSON", "lamps/b.ies", "lamps/beam.json", "lamps/deep/A.IES"}));
+  EXPECT_EQ(inputs_of(outcome.out),
+            (std::vector<std::string>{"lamps/LAMP.JSON", "lamps/b.ies", "lamps/beam.json", "lamps/deep/A.IES"}));
   fs::create_directory(directory() / "lights");
   EXPECT_EQ(run("lamps -o lights").status, kDone);
   for (const char* name : {"lights/LAMP.json", "lights/b.json", "lights/beam.json", "lights/deep-A.json"}) {
@@ -792,6 +839,26 @@ TEST_F(FitCommand, CatalogueMakesWhatHasGoneFromItsFolder) {
     EXPECT_EQ(run("spot.ies --catalogue cat").status, kDone);
     EXPECT_TRUE(files().contains(file)) << file;
   }
+}
+
+TEST_F(FitCommand, CatalogueReplacesNoFilesButItsOwn) {
+  fs::create_directories(directory() / "cat/lamps");
+  write("cat/lamps/spot.png", "holiday");
+  const auto expect_refusal = [&](const std::string& file, const std::string& reason) {
+    const auto before = files();
+    EXPECT_ERROR(run("beam.json spot.ies --catalogue cat"), kCannotWrite,
+                 "litfog-fit: " + file + ": cannot be written: " + reason + "\n");
+    EXPECT_EQ(files(), before);
+  };
+  run("--version");  // makes the files of its own output
+  expect_refusal("cat/lamps/spot.png", "is there, and is no catalogue's: it has no spot.record");
+  EXPECT_EQ(read("cat/lamps/spot.png"), "holiday");
+  fs::remove(directory() / "cat/lamps/spot.png");
+  write("cat/index.html", "<!DOCTYPE html>\n<p>holiday");
+  expect_refusal("cat/index.html", "is there, and is no catalogue's page");
+  fs::remove(directory() / "cat/index.html");
+  EXPECT_EQ(run("beam.json spot.ies --catalogue cat").status, kDone);
+  EXPECT_EQ(run("spot.ies --catalogue cat").status, kDone) << "its own files";
 }
 
 TEST_F(FitCommand, CatalogueTakesNoOptionThatItsFolderMakesVoid) {

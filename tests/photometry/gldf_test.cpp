@@ -2,22 +2,19 @@
 #include "litfog/photometry/gldf.h"
 
 #include <gtest/gtest.h>
-#include <zip.h>
 
 #include <filesystem>
 #include <fstream>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "command/temporary_directory.h"
 #include "photometry/memory_limit.h"
 #include "photometry/photometric_file.h"
+#include "photometry/zip_file.h"
 
 namespace litfog::test {
 namespace {
-
-using Entries = std::vector<std::pair<std::string, std::string>>;
 
 const std::string kSpot = bytes_of(LITFOG_PHOTOMETRY_DIR "/isym_4.ldt");
 const std::string kFlood = bytes_of(LITFOG_PHOTOMETRY_DIR "/edition_2019.ies");
@@ -36,15 +33,7 @@ class Gldf : public ::testing::Test {
  protected:
   std::string path(const std::string& name = "lamp.gldf") const { return (directory_.path() / name).string(); }
 
-  void write(const Entries& entries) const {
-    const zipFile archive = zipOpen64(path().c_str(), APPEND_STATUS_CREATE);
-    for (const auto& [name, bytes] : entries) {
-      zipOpenNewFileInZip(archive, name.c_str(), nullptr, nullptr, 0, nullptr, 0, nullptr, Z_DEFLATED, 9);
-      zipWriteInFileInZip(archive, bytes.data(), unsigned(bytes.size()));
-      zipCloseFileInZip(archive);
-    }
-    zipClose(archive, nullptr);
-  }
+  void write(const ZipEntries& entries) const { write_zip(path(), entries); }
 
   std::string error_of(const std::string& name = "lamp.gldf") const {
     return photometry_error_of([&] { read_luminaire(path(name)); });
@@ -77,9 +66,16 @@ TEST_F(Gldf, FilesAreListedAndReadByTheirPaths) {
   EXPECT_EQ(error_of(), " photometric file: must be named where there are several: " + files[0] + " " + files[1]);
 }
 
+TEST_F(Gldf, FileThatIsDefinedTwiceIsListedOnce) {
+  const std::string spot = file_element("ldc/eulumdat", "localFileName", "spot.ldt");
+  write({{"product.xml", product(spot + spot)}, {"ldc/spot.ldt", kSpot}});
+  EXPECT_EQ(list_gldf(path()), std::vector<std::string>{path("lamp.gldf/ldc/spot.ldt")});
+  EXPECT_EQ(read_luminaire(path()).file, path("lamp.gldf/ldc/spot.ldt"));
+}
+
 TEST_F(Gldf, ErrorsNameTheFileInTheContainer) {
   const std::string ldt = product(file_element("ldc/eulumdat", "localFileName", "spot.ldt"));
-  const auto error = [&](const Entries& entries) {
+  const auto error = [&](const ZipEntries& entries) {
     write(entries);
     try {
       read_luminaire(path());

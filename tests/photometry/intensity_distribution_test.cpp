@@ -388,6 +388,16 @@ TEST(AxialProfile, ProfileIsTheMeanOverTheTurnWithTheLargestDeviation) {
   EXPECT_NEAR(plane[1].mean, 700, 1e-9);
 }
 
+TEST(AxialProfile, PlaneOfATurnIsTheMeasuredOne) {
+  const IntensityDistribution lamp{PhotometryType::c,
+                                   degrees(0, 360, 90),
+                                   degrees(0, 60, 30),
+                                   {1000, 900, 5, 1000, 700, 5, 1000, 500, 5, 1000, 300, 5, 1000, 900, 5}};
+  for (const auto& [turn, intensity] : {std::pair{0.0, 900.0}, {pi / 2, 700}, {pi, 500}, {3 * pi / 2, 300}}) {
+    EXPECT_NEAR(plane_profile(lamp, turn)[1].mean, intensity, 1e-9) << turn;
+  }
+}
+
 TEST(AxialProfile, ProfileAboutAnyAxisFollowsABeamAimedThere) {
   const glm::dvec3 aim = turned(PhotometryType::a, 20 * kDegree, -10 * kDegree);
   const auto beam = sampled(PhotometryType::a, degrees(-90, 90, 1), degrees(-90, 90, 1), [&](double h, double v) {

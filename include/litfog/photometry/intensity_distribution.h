@@ -97,8 +97,8 @@ struct AxialSample {
 
 /// Intensity against the angle from an axis, as the mean over 72 to 720 directions of each circle: what a cone about
 /// the axis is fitted to. The angles are every quarter degree from 0 to pi, but the measured ones if the axis is the
-/// photometric one of type C or its opposite. Angles that were not measured are dark: from the first and last measured ones, the
-/// profile goes on in their steps to 0 and pi with intensity 0, which begins 0.01 degrees beyond a lit one.
+/// photometric one of type C or its opposite. Angles that were not measured are dark: from the first and last measured
+/// ones, the profile goes on in their steps to 0 and pi with intensity 0, which begins 0.01 degrees beyond a lit one.
 ///
 /// axis      luminaire frame, of any length but 0
 /// returns   increasing angles from 0 to pi

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <future>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+namespace litfog::command {
+
+/// Calls work(i) for i in [0, count) on all cores, in that order. After an exception no other call begins; it is thrown
+/// when those that had begun have ended.
+template <typename Work>
+void for_each_in_parallel(std::size_t count, const Work& work) {
+  std::atomic<std::size_t> next = 0;
+  const auto run = [&] {
+    try {
+      for (std::size_t i = next++; i < count; i = next++) work(i);
+    } catch (...) {
+      next = count;
+      throw;
+    }
+  };
+  std::vector<std::future<void>> others;
+  try {
+    const std::size_t cores = std::min<std::size_t>(count, std::thread::hardware_concurrency());
+    for (std::size_t i = 1; i < cores; ++i) others.push_back(std::async(std::launch::async, run));
+  } catch (const std::system_error&) {  // no more threads: those that have started, and this one, do all
+  }
+  run();
+  for (std::future<void>& other : others) other.get();
+}
+
+}  // namespace litfog::command

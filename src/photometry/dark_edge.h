@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <numbers>
+
+namespace litfog {
+
+/// From a beam's last lit angle to the dark beyond it in its table or profile, radians: 0.01 degrees.
+inline constexpr double kDarkEdge = std::numbers::pi / 18000;
+
+}  // namespace litfog
