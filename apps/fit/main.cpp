@@ -18,7 +18,6 @@
 #include "command/number.h"
 #include "command/option_rule.h"
 #include "command/output_files.h"
-#include "command/parallel.h"
 #include "command/plot.h"
 #include "command/printable.h"
 #include "command/progress.h"
@@ -38,6 +37,7 @@
 #include "litfog/files/light_spec_file.h"
 #include "litfog/input_error.h"
 #include "litfog/photometry/cookie_file.h"
+#include "parallel.h"
 
 using namespace litfog::command;
 using namespace litfog::fit;
@@ -272,7 +272,7 @@ Results fit_all(const Options& options, const std::vector<Input>& inputs, const 
   Progress progress;
   std::mutex showing;
   std::size_t done = 0;
-  for_each_in_parallel(inputs.size(), [&](std::size_t i) {
+  litfog::for_each_in_parallel(inputs.size(), [&](std::size_t i) {
     std::optional<Summary> known = catalogue ? catalogue->find(inputs[i]) : std::nullopt;
     if (!known) {
       Outcome outcome = fit(options, inputs[i], outputs[i], files);

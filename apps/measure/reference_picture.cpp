@@ -8,11 +8,11 @@
 #include <optional>
 #include <span>
 
-#include "command/parallel.h"
 #include "measure/jump_watch.h"
 #include "measure/lookup_bounds.h"
 #include "measure/model.h"
 #include "measure/night_sky.h"
+#include "parallel.h"
 #include "render/gpu/geometry_buffer.h"
 
 namespace litfog::measure {
@@ -162,7 +162,7 @@ ReferencePicture shade_reference(render::Renderer& renderer, const Progress& pro
   for (int first = 0; first < height; first += render::GeometryBuffer::kMostRows) {
     const int count = std::min(render::GeometryBuffer::kMostRows, height - first);
     const std::vector<render::GeometrySample> rows = geometry.read_rows(first, count);
-    command::for_each_in_parallel(std::size_t(count), [&](std::size_t row) {
+    for_each_in_parallel(std::size_t(count), [&](std::size_t row) {
       for (int x = 0; x < width; ++x) {
         const std::size_t read = row * std::size_t(width) + std::size_t(x);
         const std::size_t pixel = std::size_t(first) * std::size_t(width) + read;

@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-namespace litfog::command {
+namespace litfog {
 
 /// Calls work(i) for i in [0, count) on all cores, in that order. After an exception no other call begins; it is thrown
 /// when those that had begun have ended.
@@ -34,4 +34,4 @@ void for_each_in_parallel(std::size_t count, const Work& work) {
   for (std::future<void>& other : others) other.get();
 }
 
-}  // namespace litfog::command
+}  // namespace litfog
