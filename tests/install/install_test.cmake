@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-# Installs the build tree BUILD_DIR under WORK_DIR, builds SOURCE_DIR against it as a project of a stranger would, and
-# runs it. CONSUMER core must come without any package but GLM and link nothing but litfog, photometry without Ceres or
-# what else the fits, the commands and GL need; each asks for the component of its name, but core and shaders, which
-# takes the installed shaders alone.
+# Builds SOURCE_DIR against the install tree PREFIX as a project of a stranger would, by CMake and by pkg-config, and runs
+# it. CONSUMER core must come without any package but GLM and link nothing but litfog, photometry without Ceres or what
+# else the fits, the commands and GL need; each asks for the component of its name, but core and shaders, which takes the
+# installed shaders alone.
 cmake_minimum_required(VERSION 3.25)
 
 function(run)
@@ -14,22 +14,14 @@ function(run)
 endfunction()
 
 file(REMOVE_RECURSE ${WORK_DIR})
-run(${CMAKE_COMMAND} --install ${BUILD_DIR} --config ${CONFIG} --prefix ${WORK_DIR}/prefix)
-foreach(header attenuation cone fit/attenuation_fit fog fog_light_block gl/fog_light_tables formulas light solve updater
-               value_error)
-  if(NOT EXISTS ${WORK_DIR}/prefix/include/litfog/${header}.h)
-    message(FATAL_ERROR "litfog/${header}.h is not installed")
-  endif()
-endforeach()
-
 if(CONSUMER STREQUAL "shaders")
-  run(${CMAKE_COMMAND} -DINCLUDE_DIR=${WORK_DIR}/prefix/include -DWORK_DIR=${WORK_DIR}/shaders
+  run(${CMAKE_COMMAND} -DINCLUDE_DIR=${PREFIX}/include -DWORK_DIR=${WORK_DIR}/shaders
       -P ${CMAKE_CURRENT_LIST_DIR}/../shaders/glslang_test.cmake)
   file(REMOVE_RECURSE ${WORK_DIR})
   return()
 endif()
 
-set(options -G ${GENERATOR} -DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix -DCMAKE_BUILD_TYPE=${CONFIG}
+set(options -G ${GENERATOR} -DCMAKE_PREFIX_PATH=${PREFIX} -DHAS_DATA=${HAS_DATA} -DCMAKE_BUILD_TYPE=${CONFIG}
             -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DCMAKE_CXX_FLAGS=${CXX_FLAGS} -DCONSUMER=${CONSUMER})
 if(CONSUMER MATCHES "^(core|photometry|files)$")
   foreach(package Ceres OpenGL OpenImageIO nlohmann_json CLI11 fmt)
@@ -53,14 +45,29 @@ if(CONSUMER MATCHES "^(core|photometry|files)$" AND output MATCHES "(-l|lib)(${f
   message(FATAL_ERROR "${CONSUMER} links ${CMAKE_MATCH_2}:\n${output}")
 endif()
 
+file(GLOB_RECURSE pc_files ${PREFIX}/litfog.pc)
+cmake_path(GET pc_files PARENT_PATH pc_dir)
+cmake_path(GET pc_dir PARENT_PATH library_dir)
+set(module litfog-${CONSUMER})
+if(CONSUMER STREQUAL "core")
+  set(module litfog)
+endif()
+find_program(PKG_CONFIG pkg-config REQUIRED)
+run(${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${pc_dir} ${PKG_CONFIG} --cflags --libs ${module})
+separate_arguments(pkg_config_flags NATIVE_COMMAND "${output}")
+run(${CXX_COMPILER} -std=c++20 ${CXX_FLAGS} ${SOURCE_DIR}/${CONSUMER}.cpp -o ${WORK_DIR}/pkg_config_consumer
+    ${pkg_config_flags} -Wl,-rpath,${library_dir})
+
 file(WRITE ${WORK_DIR}/lamp.json [[{"litfog": "light", "version": 1, "attenuation": {"quadratic": 1}}]])
-run(${WORK_DIR}/build/consumer ${WORK_DIR}/lamp.json)
 set(expected_core "^0\\.0625 at 6 of 6\n3 lights of 1 kind: 0\\.0625\n$")
 set(expected_photometry "^99\\.61 lm\n$")
 set(expected_files "\"name\": \"lamp\".*\n120\n2:13\n$")
 set(expected_fit "^6 0\\.4")
 set(expected_gl "litfog/shaders/surface\\.glsl")
-if(NOT DEFINED expected_${CONSUMER} OR NOT output MATCHES "${expected_${CONSUMER}}")
-  message(FATAL_ERROR "the consumer printed \"${output}\"")
-endif()
+foreach(consumer build/consumer pkg_config_consumer)
+  run(${WORK_DIR}/${consumer} ${WORK_DIR}/lamp.json)
+  if(NOT DEFINED expected_${CONSUMER} OR NOT output MATCHES "${expected_${CONSUMER}}")
+    message(FATAL_ERROR "${consumer} printed \"${output}\"")
+  endif()
+endforeach()
 file(REMOVE_RECURSE ${WORK_DIR})
