@@ -75,12 +75,14 @@ inline constexpr std::array<VisualThreshold, 5> kVisualThresholds{{
 /// The member "range".
 struct RangeSpec {
   enum class Family { quadratic, linear, mixed };
+  /// A row of the falloff table.
   struct Sample {
     double range = 0;  ///< metres
     double attenuation = 1;
     double weight = 1;
   };
 
+  /// What the light gives on its axis at a range.
   struct Illuminance {
     double range = 1;  ///< metres, > 0
     double lux = 1;    ///< > 0
@@ -114,6 +116,7 @@ struct FullAngles {
 /// The member "cone".
 struct ConeSpec {
   enum class Profile { best, cosine, smoothstep };
+  /// An intensity, in any unit, at an angle from the axis.
   struct Sample {
     double angle = 0;  ///< radians
     double intensity = 1;

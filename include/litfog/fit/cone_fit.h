@@ -78,6 +78,7 @@ struct ConeProfileFit {
   ConeFitStatus status = ConeFitStatus::optimal;
 };
 
+/// The fits of the profiles chosen, and which is better.
 struct ConeFit {
   std::optional<ConeProfileFit> cosine = std::nullopt;      ///< where it was chosen
   std::optional<ConeProfileFit> smoothstep = std::nullopt;  ///< likewise

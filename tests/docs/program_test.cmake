@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: Apache-2.0
+# Each line that PROGRAM prints is the beginning of a comment in its SOURCE.
+cmake_minimum_required(VERSION 3.25)
+execute_process(COMMAND ${PROGRAM} OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
+file(READ ${SOURCE} text)
+string(REGEX REPLACE "\n$" "" output "${output}")
+string(REPLACE "\n" ";" lines "${output}")
+if(NOT lines)
+  message(FATAL_ERROR "it prints nothing")
+endif()
+foreach(line IN LISTS lines)
+  string(FIND "${text}" "// ${line}" position)
+  if(position LESS 0)
+    message(FATAL_ERROR "it prints \"${line}\", and no comment says so:\n${text}")
+  endif()
+endforeach()
