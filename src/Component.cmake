@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# litfog_add_component(<target> [NEEDS <component>...] [PACKAGES <package>...] [MODULES <module>...] [LINKS <text>...])
+# litfog_add_component(<target> [NEEDS <component>...] [PACKAGES <package>...] [MODULES <module>...] [LINKS <text>...]
+#                      [MAP <file>])
 # What makes a library of this tree a component of litfog: its alias, how it is shared, installed and found. litfog is
 # the core; litfog_<name> is litfog::<name>, the component <name>.
 #
@@ -7,21 +8,22 @@
 # PACKAGES  CMake packages whose libraries it takes privately
 # MODULES   the same by pkg-config
 # LINKS     PACKAGES in its .pc file: modules, or -l flags where a package has none
+# MAP       the linker's version script of the shared library; litfog.map unless given
 function(litfog_add_component target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "NEEDS;PACKAGES;MODULES;LINKS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "MAP" "NEEDS;PACKAGES;MODULES;LINKS")
   string(REGEX REPLACE "^litfog_" "" component ${target})
   add_library(litfog::${component} ALIAS ${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${component} VERSION ${PROJECT_VERSION}
                                              SOVERSION ${litfog_abi} INSTALL_RPATH $ORIGIN
                                              DEFINE_SYMBOL "")
   get_target_property(type ${target} TYPE)
-  set(shared FALSE)
   if(type STREQUAL "SHARED_LIBRARY")
-    set(shared TRUE)
-    set(map ${PROJECT_SOURCE_DIR}/src/litfog.map)
+    if(NOT arg_MAP)
+      set(arg_MAP ${PROJECT_SOURCE_DIR}/src/litfog.map)
+    endif()
     target_compile_options(${target} PRIVATE -fno-semantic-interposition)  # calls within a library may be inlined
-    target_link_options(${target} PRIVATE LINKER:--version-script=${map} LINKER:--as-needed)
-    set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS ${map})
+    target_link_options(${target} PRIVATE LINKER:--version-script=${arg_MAP} LINKER:--as-needed)
+    set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS ${arg_MAP})
     # A shared library brings what it takes privately.
     set(arg_PACKAGES "")
     set(arg_MODULES "")
