@@ -8,22 +8,27 @@
 # PACKAGES  CMake packages whose libraries it takes privately
 # MODULES   the same by pkg-config
 # LINKS     PACKAGES in its .pc file: modules, or -l flags where a package has none
-# MAP       the linker's version script of the shared library; litfog.map unless given
+# MAP       which names it shows if shared; litfog.map, the names of C++, where it is not given
 function(litfog_add_component target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "MAP" "NEEDS;PACKAGES;MODULES;LINKS")
   string(REGEX REPLACE "^litfog_" "" component ${target})
   add_library(litfog::${component} ALIAS ${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${component} VERSION ${PROJECT_VERSION}
                                              SOVERSION ${litfog_abi} INSTALL_RPATH $ORIGIN
-                                             DEFINE_SYMBOL "")
+                                             DEFINE_SYMBOL "" POSITION_INDEPENDENT_CODE ON)
+  # Position-independent though static, for litfog::c and bindings, which are shared libraries. Nobody replaces a
+  # function of a library alone: calls within it may be inlined.
+  target_compile_options(${target} PRIVATE -fno-semantic-interposition)
   get_target_property(type ${target} TYPE)
+  set(shared FALSE)
   if(type STREQUAL "SHARED_LIBRARY")
-    if(NOT arg_MAP)
-      set(arg_MAP ${PROJECT_SOURCE_DIR}/src/litfog.map)
+    set(shared TRUE)
+    set(map ${PROJECT_SOURCE_DIR}/src/litfog.map)
+    if(arg_MAP)
+      set(map ${PROJECT_SOURCE_DIR}/src/${arg_MAP})
     endif()
-    target_compile_options(${target} PRIVATE -fno-semantic-interposition)  # calls within a library may be inlined
-    target_link_options(${target} PRIVATE LINKER:--version-script=${arg_MAP} LINKER:--as-needed)
-    set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS ${arg_MAP})
+    target_link_options(${target} PRIVATE LINKER:--version-script=${map} LINKER:--as-needed)
+    set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS ${map})
     # A shared library brings what it takes privately.
     set(arg_PACKAGES "")
     set(arg_MODULES "")

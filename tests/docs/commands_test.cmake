@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# Commands in the code blocks of PAGES (separated by |): each line of four blanks and litfog-...; every option is in the
-# --help of the command, from PROGRAMS, or of its subcommand, and files of data/ are there. ./run has what is asked of it.
+# Commands in PAGES (separated by |): each line of four blanks and litfog-..., and `litfog-...` within text. Every option
+# is in the --help of the command, from PROGRAMS, or of its subcommand, and files of data/ are there. ./run has what is
+# asked of it.
 cmake_minimum_required(VERSION 3.25)
 string(REPLACE "|" ";" pages "${PAGES}")
 set(count 0)
@@ -22,7 +23,11 @@ endfunction()
 execute_process(COMMAND ${ROOT}/run help OUTPUT_VARIABLE run_help COMMAND_ERROR_IS_FATAL ANY)
 foreach(page IN LISTS pages)
   file(STRINGS ${page} lines REGEX "^     *(build/apps/litfog-|litfog-|\\./run )")
-  foreach(line IN LISTS lines)
+  file(READ ${page} text)
+  string(REPLACE ";" "," text "${text}")
+  string(REGEX MATCHALL "`(build/apps/litfog-|litfog-|\\./run )[^`\n]*`" quoted "${text}")
+  string(REPLACE "`" "" quoted "${quoted}")
+  foreach(line IN LISTS lines quoted)
     math(EXPR count "${count} + 1")
     string(REGEX REPLACE " #.*$" "" command_line "${line}")
     separate_arguments(words UNIX_COMMAND "${command_line}")
@@ -34,6 +39,9 @@ foreach(page IN LISTS pages)
       continue()
     endif()
     string(REPLACE "build/apps/" "" command "${command}")
+    if(NOT words)  # a command, a package or a module by itself
+      continue()
+    endif()
     help(text ${command})
     list(GET words 0 first)
     string(REGEX MATCH "\nSubcommands:.*" subcommands "${text}")
