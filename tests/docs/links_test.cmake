@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: Apache-2.0
+# What PAGES (separated by |) link within the tree is there.
+cmake_minimum_required(VERSION 3.25)
+string(REPLACE "|" ";" pages "${PAGES}")
+set(count 0)
+foreach(page IN LISTS pages)
+  cmake_path(GET page PARENT_PATH folder)
+  file(READ ${page} text)
+  string(REPLACE "](" "link(" text "${text}")  # a list cannot hold half a pair of brackets
+  string(REGEX MATCHALL "link\\([A-Za-z0-9_/.-]*[/.][A-Za-z0-9_/.-]*\\)" links "${text}")
+  foreach(link IN LISTS links)
+    string(REGEX REPLACE "link\\((.*)\\)" "\\1" link ${link})
+    math(EXPR count "${count} + 1")
+    if(NOT EXISTS ${folder}/${link})
+      message(SEND_ERROR "${page}: there is no ${link}")
+    endif()
+  endforeach()
+endforeach()
+if(count LESS 20)
+  message(FATAL_ERROR "only ${count} links in ${PAGES}")
+endif()
