@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <CLI/CLI.hpp>
+#include <CLI/Error.hpp>
 #include <fstream>
 #include <functional>
 

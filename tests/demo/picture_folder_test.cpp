@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include <CLI/CLI.hpp>
+#include <CLI/Error.hpp>
 #include <fstream>
 
 #include "command/exit_status.h"
