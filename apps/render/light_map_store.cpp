@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "litfog/gl/unsupported.h"
 #include "render/gpu/texture_unit.h"
@@ -18,6 +19,8 @@ using Shape = LookupTexture::Shape;
 
 constexpr std::size_t kMaxTexels = std::size_t{1} << 29;  // of two bytes: 1 GiB
 
+std::size_t square(int side) { return std::size_t(side) * std::size_t(side); }
+
 }  // namespace
 
 LightMapStore::LightMapStore(const scene::Scene& scene, const SceneLights& lights, const RenderSettings& settings)
@@ -25,6 +28,7 @@ LightMapStore::LightMapStore(const scene::Scene& scene, const SceneLights& light
   const LightMapSet set = set_;
   const int size = size_;
   if (set == LightMapSet::none) return;
+  expect_room(lights);
   glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
   if (set == LightMapSet::pair) {
     distance_.emplace(Shape::square, pair_size(size), make_distance_map(pair_size(size)));
@@ -57,38 +61,56 @@ LightMapStore::LightMapStore(const scene::Scene& scene, const SceneLights& light
   }
 }
 
-void LightMapStore::expect_room(std::size_t texels) {
-  texels_ += texels;
-  if (texels_ > kMaxTexels) {
+void LightMapStore::expect_room(const SceneLights& lights) const {
+  std::set<RangeProfile> ranges;
+  std::vector<Cone> cones;
+  std::size_t texels = 0;
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const Light& light = lights.lights()[i].light;
+    if (set_ != LightMapSet::radial) ranges.insert(range_profile(light.attenuation, lights.extents()[i]));
+    if (lights.cookie(i)) continue;
+    const Cone cone = stored_cone(light.cone);
+    if (std::ranges::find(cones, cone) != cones.end()) continue;
+    cones.push_back(cone);
+    texels += 6 * square(cone_side(cone));
+  }
+  texels += ranges.size() * square(range_side()) * std::size_t(is_volume() ? range_side() : 1);
+  if (texels > kMaxTexels) {
     throw gl::Unsupported(
         "the scene's lights are of too many shapes for this path: their light maps would take more than 1 GiB; "
         "a smaller --map-size may do");
   }
 }
 
+int LightMapStore::range_side() const { return is_volume() ? size_ : pair_size(size_); }
+
+/// A point light's map is white.
+int LightMapStore::cone_side(const Cone& cone) const { return cone.profile == ConeProfile::none ? 1 : size_; }
+
+/// Frazier's spot has the same texels at every angle. Its own is 45 degrees, at which the scale is 1.
+Cone LightMapStore::stored_cone(const Cone& cone) const {
+  const bool is_disc = cone_kind_ == ConeMaps::one_disc && is_scaled(cone, cone_kind_);
+  return is_disc ? Cone::cosine(std::numbers::pi / 4, 0) : cone;
+}
+
 const LookupTexture* LightMapStore::range_map(const PlacedLight& light, double extent) {
   const RangeProfile profile = range_profile(light.light.attenuation, extent);
   const auto found = range_maps_.find(profile);
   if (found != range_maps_.end()) return &found->second;
-  const bool is_volume = set_ == LightMapSet::volume;
-  const int side = is_volume ? size_ : pair_size(size_);
-  expect_room(std::size_t(side) * std::size_t(side) * std::size_t(is_volume ? side : 1));
-  LookupTexture map(is_volume ? Shape::volume : Shape::square, side,
-                    is_volume ? make_range_volume(profile, side) : make_range_map(profile, side));
+  const int side = range_side();
+  LookupTexture map(is_volume() ? Shape::volume : Shape::square, side,
+                    is_volume() ? make_range_volume(profile, side) : make_range_map(profile, side));
   return &range_maps_.emplace(profile, std::move(map)).first->second;
 }
 
-const LookupTexture* LightMapStore::cone_map(const Cone& cone) {
-  // Frazier's spot: the same texels at every angle. Its own is 45 degrees, at which the scale is 1.
-  const bool is_disc = cone_kind_ == ConeMaps::one_disc && is_scaled(cone, cone_kind_);
-  const Cone held = is_disc ? Cone::cosine(std::numbers::pi / 4, 0) : cone;
+const LookupTexture* LightMapStore::cone_map(const Cone& given) {
+  const Cone cone = stored_cone(given);
   for (const auto& [known, map] : cone_maps_) {
-    if (known == held) return &map;
+    if (known == cone) return &map;
   }
-  const int side = cone.profile == ConeProfile::none ? 1 : size_;  // a point light's is white
-  expect_room(6 * std::size_t(side) * std::size_t(side));
+  const int side = cone_side(cone);
   const CubeAxis axis = set_ == LightMapSet::radial ? CubeAxis::minus_z : CubeAxis::plus_x;
-  return &cone_maps_.emplace_back(held, LookupTexture(Shape::cube, side, make_cone_cube(held, axis, side, cone_kind_)))
+  return &cone_maps_.emplace_back(cone, LookupTexture(Shape::cube, side, make_cone_cube(cone, axis, side, cone_kind_)))
               .second;
 }
 

@@ -39,8 +39,13 @@ class LightMapStore {
     friend bool operator==(const Maps&, const Maps&) = default;
   };
 
-  /// Counts a map that is going to be made.
-  void expect_room(std::size_t texels);
+  /// Before the first map is made.
+  void expect_room(const SceneLights& lights) const;
+  bool is_volume() const { return set_ == LightMapSet::volume; }
+  int range_side() const;
+  int cone_side(const Cone& cone) const;
+  /// The cone whose map a cone takes.
+  Cone stored_cone(const Cone& cone) const;
   const LookupTexture* range_map(const PlacedLight& light, double extent);
   const LookupTexture* cone_map(const Cone& cone);
   const LookupTexture* cookie_map(const scene::Scene& scene, std::size_t cookie);
@@ -48,7 +53,6 @@ class LightMapStore {
   LightMapSet set_;
   int size_;
   ConeMaps cone_kind_;
-  std::size_t texels_ = 0;  // of all range and cone maps
   std::map<RangeProfile, LookupTexture> range_maps_;
   std::deque<std::pair<Cone, LookupTexture>> cone_maps_;
   std::map<std::size_t, LookupTexture> cookie_maps_;

@@ -23,6 +23,8 @@ class DemoCommand : public CommandTest {
  protected:
   DemoCommand() : CommandTest(LITFOG_DEMO_PATH) {}
   static void SetUpTestSuite() {
+    const char* const required = std::getenv("LITFOG_REQUIRE_GL");
+    if (required && *required) return;  // each test that draws fails by itself
     const DemoProbe probe;
     probe.write("bare.json", R"({"litfog": "scene", "version": 1, "objects": [],
                                  "camera": {"position": [0, 1, 5], "target": [0, 1, 0]}})");
@@ -30,10 +32,7 @@ class DemoCommand : public CommandTest {
     missing_ = outcome.status == kMissingCapability ? outcome.err : "";
   }
   void SetUp() override {
-    if (missing_.empty()) return;
-    const char* const required = std::getenv("LITFOG_REQUIRE_GL");
-    if (required && *required) FAIL() << missing_;
-    GTEST_SKIP() << missing_;
+    if (!missing_.empty()) GTEST_SKIP() << missing_;
   }
 
  private:
