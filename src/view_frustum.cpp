@@ -51,10 +51,10 @@ ViewFrustum::ViewFrustum(const View& view) : eye_(view.eye) {
   for (const glm::dvec3& each : corners_) size_ = std::max(size_, glm::length(each));
 }
 
-bool ViewFrustum::can_see(const glm::dvec3& center, double radius) const {
-  require(check_position(center, {"center.x", "center.y", "center.z"}));
+bool ViewFrustum::can_see(const glm::dvec3& centre, double radius) const {
+  require(check_position(centre, {"centre.x", "centre.y", "centre.z"}));
   if (!(radius >= 0)) require(ValueError{"radius", radius, "must be >= 0"});
-  const glm::dvec3 from_eye = center - eye_;
+  const glm::dvec3 from_eye = centre - eye_;
   return is_within(corners_, Point{from_eye}, radius, kPolytopeRounding * (size_ + glm::length(from_eye)));
 }
 

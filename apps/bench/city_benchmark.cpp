@@ -208,7 +208,7 @@ int missing_lights(const LightClusters& clusters, std::span<const LightBounds> b
 
 /// A ball around a cluster.
 struct Ball {
-  glm::dvec3 center;
+  glm::dvec3 centre;
   double radius;
 };
 
@@ -227,7 +227,7 @@ std::vector<Ball> balls_of(const LightClusters& clusters) {
 
 /// Bart Wronski's test of a ball and a cone ("Cull that cone!", 2017).
 bool meets(const LightBounds& light, double cosine, double sine, const Ball& ball) {
-  const glm::dvec3 offset = ball.center - light.position;
+  const glm::dvec3 offset = ball.centre - light.position;
   const double square = glm::dot(offset, offset);
   if (square > (light.range + ball.radius) * (light.range + ball.radius)) return false;
   if (light.half_angle == std::numbers::pi) return true;

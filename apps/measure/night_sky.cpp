@@ -28,8 +28,8 @@ double star(const glm::dvec3& direction) {
   const glm::ivec3 cell(glm::round(direction / std::max({a.x, a.y, a.z}) * 90.0));
   const double presence = hash(cell).x;
   if (presence < 0.94) return 0;
-  const glm::dvec3 center = glm::normalize(glm::dvec3(cell) + 0.4 * hash(cell + 1000) - 0.2);
-  const double angle = glm::distance(center, direction);
+  const glm::dvec3 centre = glm::normalize(glm::dvec3(cell) + 0.4 * hash(cell + 1000) - 0.2);
+  const double angle = glm::distance(centre, direction);
   const double size = (presence - 0.94) / 0.06;
   return size * size * std::exp(-angle * angle * 3.0e6);
 }

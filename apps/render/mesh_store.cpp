@@ -49,10 +49,10 @@ std::vector<Chunk> cut_into_chunks(const scene::Model& model, std::vector<scene:
     std::map<Cell, std::vector<std::uint32_t>> cells;
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
       const std::uint32_t* triangle = &mesh.indices[i];
-      const glm::vec3 center = (mesh.vertices[triangle[0]].position + mesh.vertices[triangle[1]].position +
+      const glm::vec3 centre = (mesh.vertices[triangle[0]].position + mesh.vertices[triangle[1]].position +
                                 mesh.vertices[triangle[2]].position) /
                                3.0f;
-      auto& cell = cells[is_large ? cell_of(center) : Cell{}];
+      auto& cell = cells[is_large ? cell_of(centre) : Cell{}];
       cell.insert(cell.end(), triangle, triangle + 3);
     }
     for (const auto& [cell, members] : cells) {

@@ -44,11 +44,11 @@ Bounds bounds(const Model& model) {
 Bounds united(const Bounds& a, const Bounds& b) { return {glm::min(a.low, b.low), glm::max(a.high, b.high)}; }
 
 Bounds transformed(const Bounds& box, const glm::mat4& to_from_box) {
-  const glm::vec3 center = glm::vec3(to_from_box * glm::vec4((box.low + box.high) * 0.5f, 1.0f));
+  const glm::vec3 centre = glm::vec3(to_from_box * glm::vec4((box.low + box.high) * 0.5f, 1.0f));
   const glm::vec3 half = (box.high - box.low) * 0.5f;
   const glm::vec3 reach = glm::abs(glm::vec3(to_from_box[0])) * half.x + glm::abs(glm::vec3(to_from_box[1])) * half.y +
                           glm::abs(glm::vec3(to_from_box[2])) * half.z;
-  return {center - reach, center + reach};
+  return {centre - reach, centre + reach};
 }
 
 std::size_t triangle_count(const Model& model) {

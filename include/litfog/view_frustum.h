@@ -51,7 +51,7 @@ class ViewFrustum {
   ///
   /// radius  metres, >= 0; 0 is a point
   /// throws  std::invalid_argument naming field, value and rule
-  bool can_see(const glm::dvec3& center, double radius) const;
+  bool can_see(const glm::dvec3& centre, double radius) const;
 
   /// Whether a light can light anything in the frustum.
   ///

@@ -39,7 +39,8 @@ std::vector<std::size_t> free_variables(const BoundedModel<Real, kSize>& model, 
   std::vector<std::size_t> free;
   for (std::size_t j = 0; j < kSize; ++j) {
     if (model.lower[j] == model.upper[j]) continue;
-    const bool may_rise = model.point[j]<model.upper[j], may_fall = model.point[j]> model.lower[j];
+    const bool may_rise = model.point[j] < model.upper[j];
+    const bool may_fall = model.point[j] > model.lower[j];
     if ((may_rise && may_fall) || (may_rise ? slope[j] < 0 : slope[j] > 0)) free.push_back(j);
   }
   return free;

@@ -35,7 +35,7 @@ void fill_in_proof(const ConeOptimum& optimum, double exact, ConeProfileFit& fit
 }
 
 std::size_t count_off_axis(const std::vector<ConePoint>& points) {
-  return static_cast<std::size_t>(
+  return std::size_t(
       std::count_if(points.begin(), points.end(), [](const ConePoint& point) { return point.versine > 0; }));
 }
 

@@ -43,7 +43,7 @@ CosineProfile::CosineProfile(const std::vector<ConePoint>& points, std::optional
   dark_losses_.assign(points_.size() + 1, 0);
   for (std::size_t i = points_.size(); i-- > 0;) dark_losses_[i] = dark_losses_[i + 1] + points_[i].loss(0);
   const auto first = std::find_if(points_.begin(), points_.end(), [](const ConePoint& p) { return p.cosine < 1; });
-  const auto last = points_.begin() + static_cast<std::ptrdiff_t>(cuts_.back());
+  const auto last = points_.begin() + std::ptrdiff_t(cuts_.back());
   if (first < last) fall_ = -std::log(first[(last - first) / 2].cosine);
 }
 
@@ -92,7 +92,7 @@ ConeCandidate CosineProfile::descend(const ConeParameters& start, std::size_t& i
 
 std::size_t CosineProfile::lit_within(double angle) const {
   const double cosine = std::cos(angle);
-  return static_cast<std::size_t>(
+  return std::size_t(
       std::count_if(points_.begin(), points_.end(), [cosine](const ConePoint& p) { return p.cosine > cosine; }));
 }
 

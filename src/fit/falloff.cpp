@@ -278,7 +278,7 @@ Coefficients linear_start(const Falloff& falloff) {
     for (Eigen::Index j = 0; j < 3; ++j) {
       if ((set >> j & 1) != 0) chosen.push_back(j);
     }
-    const auto count = static_cast<Eigen::Index>(chosen.size());
+    const auto count = Eigen::Index(chosen.size());
     const Eigen::Index size = count + (falloff.end ? 1 : 0);
     Eigen::MatrixXd system = Eigen::MatrixXd::Zero(size, size);
     Eigen::VectorXd values(size);

@@ -235,17 +235,17 @@ class HeldSearch {
       term.reference_d = std::max(d, kLeastSmooth);
       term.log_reference_d = std::log(term.reference_d);
       term.tangent = tangent(term, term.reference_d, term.log_reference_d);
-      if (is_held(i)) lean(term, d > 1 ? term.tangent.slope : 0);
+      if (is_held(i)) set_slope(term, d > 1 ? term.tangent.slope : 0);
     }
   }
 
-  static void lean(Term& term, double slope) {
+  static void set_slope(Term& term, double slope) {
     slope = std::max(0.0, slope);
     term.tangent = {-slope, slope};
   }
 
   /// Refers to the minimum with the first samples held: without minding their D where that is at most 1, else with D =
-  /// 1 at the last of them, on which it then leans.
+  /// 1 at the last of them, which then holds it.
   void refer_to_held_minimum() {
     std::size_t last = held_count_ - 1;
     Falloff rest = falloff_;
@@ -273,7 +273,7 @@ class HeldSearch {
     for (std::size_t j = 0; j < 3; ++j) {
       if (reference_[j] * power[j] > reference_[largest] * power[largest]) largest = j;
     }
-    lean(terms_[last], -all.slope[largest] / power[largest]);
+    set_slope(terms_[last], -all.slope[largest] / power[largest]);
   }
 
   static bool contract(Box& box, const Powers& x, const Interval& d) {

@@ -21,8 +21,8 @@ class CostFunction final : public ceres::CostFunction {
  public:
   CostFunction(const LeastSquaresProblem& problem, std::size_t parameter_count)
       : problem_(problem), parameter_count_(parameter_count) {
-    set_num_residuals(static_cast<int>(problem.residual_count));
-    mutable_parameter_block_sizes()->push_back(static_cast<int>(parameter_count));
+    set_num_residuals(int(problem.residual_count));
+    mutable_parameter_block_sizes()->push_back(int(parameter_count));
   }
 
   bool Evaluate(const double* const* parameters, double* residuals, double** jacobians) const override {
@@ -58,11 +58,11 @@ struct Iterate {
 
 /// Whether a parameter is at a bound.
 bool is_at_lower(const LeastSquaresProblem& problem, const Vector& parameters, Index i) {
-  const auto at = static_cast<std::size_t>(i);
+  const auto at = std::size_t(i);
   return at < problem.lower.size() && parameters[i] <= problem.lower[at];
 }
 bool is_at_upper(const LeastSquaresProblem& problem, const Vector& parameters, Index i) {
-  const auto at = static_cast<std::size_t>(i);
+  const auto at = std::size_t(i);
   return at < problem.upper.size() && parameters[i] >= problem.upper[at];
 }
 
@@ -77,7 +77,7 @@ void solve_linear(const LeastSquaresProblem& problem, Iterate& iterate) {
     iterate.is_held.push_back(is_held);
     if (!is_held) free.push_back(i);
   }
-  const auto free_count = static_cast<Index>(free.size());
+  const auto free_count = Index(free.size());
   iterate.step = Vector::Zero(iterate.parameters.size());
   iterate.covariance = Matrix::Zero(iterate.parameters.size(), iterate.parameters.size());
   iterate.has_full_rank = iterate.residuals.size() >= free_count;
@@ -87,7 +87,7 @@ void solve_linear(const LeastSquaresProblem& problem, Iterate& iterate) {
   Vector lengths(free_count);
   Vector scaled_parameters(free_count);
   for (Index i = 0; i < free_count; ++i) {
-    const Index at = free[static_cast<std::size_t>(i)];
+    const Index at = free[std::size_t(i)];
     const auto column = iterate.jacobian.col(at);
     lengths[i] = column.norm();
     columns.col(i) = lengths[i] > 0 ? Vector(column / lengths[i]) : Vector::Zero(columns.rows());
@@ -128,9 +128,9 @@ void solve_linear(const LeastSquaresProblem& problem, Iterate& iterate) {
 std::optional<Iterate> evaluate(const LeastSquaresProblem& problem, const Vector& parameters) {
   Iterate iterate;
   iterate.parameters = parameters;
-  iterate.residuals.resize(static_cast<Index>(problem.residual_count));
+  iterate.residuals.resize(Index(problem.residual_count));
   iterate.jacobian.resize(iterate.residuals.size(), parameters.size());
-  const auto span = [](auto& values) { return std::span(values.data(), static_cast<std::size_t>(values.size())); };
+  const auto span = [](auto& values) { return std::span(values.data(), std::size_t(values.size())); };
   if (!problem.evaluate(span(parameters), span(iterate.residuals), span(iterate.jacobian)) ||
       !iterate.residuals.allFinite() || !iterate.jacobian.allFinite()) {
     return std::nullopt;
@@ -163,19 +163,19 @@ Iterate polish(const LeastSquaresProblem& problem, Iterate iterate, std::size_t&
 /// Where Ceres ends when it starts there, polished; nothing where the model has no value there.
 std::optional<Iterate> descend(const LeastSquaresProblem& problem, Vector parameters,
                                const ceres::Solver::Options& options, std::size_t& iterations) {
-  CostFunction cost(problem, static_cast<std::size_t>(parameters.size()));
+  CostFunction cost(problem, std::size_t(parameters.size()));
   ceres::Problem::Options problem_options;
   problem_options.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
   ceres::Problem ceres_problem(problem_options);
   ceres_problem.AddResidualBlock(&cost, nullptr, parameters.data());
   for (std::size_t i = 0; i < problem.lower.size(); ++i) {
     if (std::isfinite(problem.lower[i])) {
-      ceres_problem.SetParameterLowerBound(parameters.data(), static_cast<int>(i), problem.lower[i]);
+      ceres_problem.SetParameterLowerBound(parameters.data(), int(i), problem.lower[i]);
     }
   }
   for (std::size_t i = 0; i < problem.upper.size(); ++i) {
     if (std::isfinite(problem.upper[i])) {
-      ceres_problem.SetParameterUpperBound(parameters.data(), static_cast<int>(i), problem.upper[i]);
+      ceres_problem.SetParameterUpperBound(parameters.data(), int(i), problem.upper[i]);
     }
   }
   ceres::Solver::Summary summary;

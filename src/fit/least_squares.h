@@ -63,9 +63,9 @@ ResidualFunction differentiate(const Model& model) {
       model(parameters.data(), residuals.data());
       return true;
     }
-    using Jet = ceres::Jet<double, static_cast<int>(kParameters)>;
+    using Jet = ceres::Jet<double, int(kParameters)>;
     std::array<Jet, kParameters> variables;
-    for (std::size_t i = 0; i < kParameters; ++i) variables[i] = Jet(parameters[i], static_cast<int>(i));
+    for (std::size_t i = 0; i < kParameters; ++i) variables[i] = Jet(parameters[i], int(i));
     std::vector<Jet> values(residuals.size());
     model(variables.data(), values.data());
     for (std::size_t i = 0; i < residuals.size(); ++i) {

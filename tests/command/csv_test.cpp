@@ -157,7 +157,7 @@ TEST(Csv, RecordsMayStraddleTheReadersBuffer) {
   const auto records = read_all(text);
   ASSERT_EQ(records.size(), 20000u);
   for (int i = 0; i < 20000; ++i) {
-    const auto& record = records[static_cast<std::size_t>(i)];
+    const auto& record = records[std::size_t(i)];
     ASSERT_EQ(record, (std::vector<std::string>{std::to_string(i), "x\"\r\n" + std::to_string(i)}));
   }
 }

@@ -5,6 +5,8 @@
 
 #include <limits>
 
+#include "reference/double_limits.h"
+
 namespace litfog::test {
 using namespace command;
 
@@ -21,7 +23,6 @@ TEST(Number, WholeTokenIsReadExactly) {
 }
 
 TEST(Number, InfinityIsReadInAnyCase) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (const char* text : {"inf", "INF", "infinity", "Infinity"}) EXPECT_EQ(parse_number(text), kInfinity) << text;
   EXPECT_EQ(parse_number("-inf"), -kInfinity);
 }

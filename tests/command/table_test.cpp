@@ -3,15 +3,14 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <nlohmann/json.hpp>
+
+#include "reference/double_limits.h"
 
 namespace litfog::test {
 using namespace command;
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Table two_rows() { return {{"name", "x", "status"}, {{"a, \"b\"\n", 1.0 / 3, "ok"}, {"\xC3\xA4", kInfinity, "bad"}}}; }
 

@@ -163,8 +163,7 @@ TEST(SmoothstepCone, SmoothstepConeIsExactToItsBoundTimesTheWidthOfItsEdge) {
     const double cosine = random.uniform(std::cos(cone.outer), std::cos(cone.inner));
     const Digits50 t = (cosine - outer_cosine) / width;
     const Digits50 reference = t >= 1 ? Digits50(1) : t <= 0 ? Digits50(0) : Digits50(t * t * (3 - 2 * t));
-    error.add(static_cast<double>(abs(cone_at(cone, cosine) - reference) * width),
-              [&] { return describe(cone, cosine); });
+    error.add(double(abs(cone_at(cone, cosine) - reference) * width), [&] { return describe(cone, cosine); });
   }
   error.check();
 }

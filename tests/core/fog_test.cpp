@@ -146,7 +146,7 @@ void check_opacity(const char* range, const Draw& draw) {
       const auto text = [&, d = density, m = metres] { return describe(mode, d, m); };
       error.add(ulp_error(opacity_at({mode, density}, metres), opacity), text);
       const Digits50 factor_difference = fog_factor_at({mode, density}, metres) - (1 - opacity);
-      factor_error.add(static_cast<double>(abs(factor_difference)), text);
+      factor_error.add(double(abs(factor_difference)), text);
     }
     error.check();
     factor_error.check();

@@ -67,8 +67,8 @@ TEST(ViewFrustum, BallIsMeasuredToFacesEdgesAndCorners) {
   const ViewFrustum frustum(plain_view());
   const double diagonal = std::sqrt(2);
   for (const double aside : {0.1, 1.0, 1e3}) {
-    const auto is_just_out_of_reach = [&](const glm::dvec3& center, double distance) {
-      return !frustum.can_see(center, distance * (1 - 1e-8)) && frustum.can_see(center, distance * (1 + 1e-8));
+    const auto is_just_out_of_reach = [&](const glm::dvec3& centre, double distance) {
+      return !frustum.can_see(centre, distance * (1 - 1e-8)) && frustum.can_see(centre, distance * (1 + 1e-8));
     };
     EXPECT_TRUE(is_just_out_of_reach({0, 0, -100 - aside}, aside));                                     // far face
     EXPECT_TRUE(is_just_out_of_reach({50 + aside, 0, -50 + aside}, aside * diagonal));                  // right face
@@ -142,7 +142,7 @@ TEST(ViewFrustum, WrongValueIsAnError) {
   EXPECT_EQ(error_of([&] {
               (void)frustum.can_see({kNan, 0, 0}, 1);
             }),
-            "center.x = nan: must be at most 16777216 in magnitude");
+            "centre.x = nan: must be at most 16777216 in magnitude");
   EXPECT_EQ(error_of([&] { (void)frustum.can_see({0, 0, 0}, -1); }), "radius = -1: must be >= 0");
   const auto error_of_light = [&](const LightBounds& light) { return error_of([&] { (void)frustum.can_see(light); }); };
   EXPECT_EQ(error_of_light({.position = {0, 0, 2e7}}), "position.z = 2e+07: must be at most 16777216 in magnitude");

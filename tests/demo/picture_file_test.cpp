@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <set>
 
 #include "command/exit_status.h"
@@ -81,6 +83,14 @@ TEST_F(PictureFile, ExrHoldsLinearLightBeyondOne) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     ASSERT_NEAR(values[i], picture.rgb[i], picture.rgb[i] / 2048 + 1e-7f) << i;  // half a unit of half's 11 bits
   }
+}
+
+TEST_F(PictureFile, ExrHoldsNoTime) {
+  write_picture(path("a.exr"), gradient(4, 4, 1));
+  std::ifstream file(path("a.exr"), std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_NE(bytes.find("compression"), std::string::npos);  // attributes have their names in the file
+  EXPECT_EQ(bytes.find("capDate"), std::string::npos);
 }
 
 TEST_F(PictureFile, UnwritablePathIsAnError) {

@@ -29,9 +29,7 @@ namespace fs = std::filesystem;
 class WholeFile : public testing::Test {
  protected:
   std::string path(const std::string& name) const { return (directory_.path() / name).string(); }
-  std::size_t file_count() const {
-    return static_cast<std::size_t>(std::distance(fs::directory_iterator(directory_.path()), {}));
-  }
+  std::size_t file_count() const { return std::size_t(std::distance(fs::directory_iterator(directory_.path()), {})); }
   std::string read(const std::string& name) const {
     std::ifstream file(path(name), std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};

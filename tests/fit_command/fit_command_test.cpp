@@ -91,6 +91,17 @@ class FitCommand : public litfog::test::CommandTest {
   Light light(const std::string& name) const { return read_light((directory() / name).string()); }
 };
 
+// OpenImageIO brings some 230 libraries. They take a fifth of a second to load, and one of them starts a thread before
+// main, which ends the program where no thread can start.
+TEST_F(FitCommand, CommandsThatDrawNoSceneLoadNoImageLibrary) {
+  for (const char* command : {LITFOG_FIT_PATH, LITFOG_SOLVE_PATH}) {
+    ASSERT_EQ(std::system(("ldd " + std::string(command) + " >" + (directory() / "libraries").string()).c_str()), 0);
+    const std::string libraries = read("libraries");
+    EXPECT_NE(libraries.find("libstdc++"), std::string::npos) << command;
+    EXPECT_EQ(libraries.find("OpenImageIO"), std::string::npos) << command;
+  }
+}
+
 TEST_F(FitCommand, HelpTeachesAndVersionSucceeds) {
   const Outcome help = run("--help");
   EXPECT_EQ(help.status, kDone);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "gl/example_lights.h"
+#include "reference/double_limits.h"
 #include "reference/reference_solver.h"
 #include "reference/ulp.h"
 
@@ -18,8 +19,6 @@ namespace {
 
 using glm::dvec3;
 using glm::vec4;
-
-constexpr std::array kModes{FogMode::exp, FogMode::exp2};
 
 class FogShader : public ExampleLightsTest {
  protected:

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "reference/double_limits.h"
 #include "reference/srgb.h"
 
 namespace litfog::test {
@@ -68,7 +69,6 @@ TEST(PictureError, ErrorBeyondMapsIsWhatTheirTexelsDoNotExplain) {
 }
 
 TEST(PictureError, PixelThatIsNotFiniteHasInfiniteError) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (const float value : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
     const std::vector<float> good{0.5f, 0.5f, 0.5f};
     const std::vector<float> bad{0.5f, value, 0.5f};

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
-#include <random>
 
+#include "reference/random_light.h"
 #include "scene/model/primitive.h"
 
 namespace litfog::test {
@@ -50,18 +50,13 @@ double distance_to_boxes(const scene::Scene& scene, const glm::dvec3& origin, co
 TEST(TriangleTree, RayMeetsTheBoxesThatItMeetsInClosedForm) {
   const scene::Scene scene = boxes();
   const TriangleTree tree(scene);
-  std::mt19937 random(3);
-  std::uniform_real_distribution<double> place(-3, 14);
-  std::normal_distribution<double> normal;
+  Random random(3);
   int met = 0;
   for (int i = 0; i < 20'000; ++i) {
-    const double x = place(random);
-    const double z = place(random);
-    const glm::dvec3 origin(x, 5 + place(random), z);  // above them
-    const double dx = normal(random);
-    const double dy = normal(random);
-    const double dz = normal(random);
-    const glm::dvec3 direction = glm::normalize(glm::dvec3(dx, dy, dz));
+    const double x = random.uniform(-3, 14);
+    const double z = random.uniform(-3, 14);
+    const glm::dvec3 origin(x, random.uniform(2, 19), z);  // above them
+    const glm::dvec3 direction = draw_direction(random);
     const double expected = distance_to_boxes(scene, origin, direction);
     const auto hit = tree.nearest(origin, direction, 0, 1000);
     ASSERT_EQ(hit.has_value(), expected < 1000) << i;

@@ -173,14 +173,14 @@ class GapSearch {
  private:
   void start_from(const glm::dvec3& apex) {
     apex_ = apex;
-    glm::dvec3 center{0};
+    glm::dvec3 centre{0};
     for (const glm::dvec3& corner : corners_) {
       size_ = std::max(size_, glm::length(corner));
-      center += corner / 8.0;
+      centre += corner / 8.0;
     }
     size_ += glm::length(apex_);
     for (const glm::dvec3& corner : corners_) starts_.push_back(glm::normalize(corner - apex_ + glm::dvec3(1e-30)));
-    starts_.push_back(glm::normalize(center - apex_ + glm::dvec3(1e-30)));
+    starts_.push_back(glm::normalize(centre - apex_ + glm::dvec3(1e-30)));
     starts_.push_back(-light_.direction);
   }
 

@@ -4,10 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 
+#include "reference/double_limits.h"
 #include "reference/random_airlight.h"
 #include "reference/srgb.h"
 #include "render/display.h"
@@ -16,9 +15,6 @@ namespace litfog::test {
 using namespace render;
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr std::array kModes{FogMode::exp, FogMode::exp2};
 
 TEST(VisibleStep, LessLightChangesNoDisplayByAStep) {
   Random random(21);

@@ -5,9 +5,9 @@
 
 #include <cmath>
 #include <numbers>
-#include <random>
 
 #include "litfog/light_bounds.h"
+#include "reference/random_light.h"
 #include "render/scene_lights.h"
 
 namespace litfog::test {
@@ -47,8 +47,7 @@ TEST(ShadowCaster, CarriedLampsComeFirstThenTheBrightestFromTheEye) {
 
 // Each direction into which a lamp sends light is in the part of space of one of its maps.
 TEST(ShadowCaster, MapsOfALampCoverItsCone) {
-  std::mt19937 random(7);
-  std::normal_distribution<double> normal;
+  Random random(7);
   int tested = 0;
   for (const double degrees : {3.0, 30.0, 59.0, 61.0, 89.0, 110.0, 124.0, 126.0, 180.0}) {
     scene::Scene scene;
@@ -60,7 +59,7 @@ TEST(ShadowCaster, MapsOfALampCoverItsCone) {
     EXPECT_EQ(caster.is_cube, degrees > 60) << degrees;
     EXPECT_LE(caster.half_size, 1.75) << degrees;
     for (int i = 0; i < 4000; ++i) {
-      const glm::dvec3 direction = glm::normalize(glm::dvec3(normal(random), normal(random), normal(random)));
+      const glm::dvec3 direction = draw_direction(random);
       if (glm::dot(direction, scene.lights[0].direction) < std::cos(half_angle)) continue;
       const glm::vec3 place = glm::vec3(caster.position + 0.9 * caster.reach * direction);
       bool is_seen = false;

@@ -28,8 +28,8 @@ float star(vec3 direction) {
   vec3 cell = round(direction / largest * 90.0);
   float presence = hash(ivec3(cell)).x;
   if (presence < 0.94) return 0.0;  // most cells are empty, and most stars faint
-  vec3 center = normalize(cell + 0.4 * hash(ivec3(cell) + 1000) - 0.2);
-  float angle = distance(center, direction);
+  vec3 centre = normalize(cell + 0.4 * hash(ivec3(cell) + 1000) - 0.2);
+  float angle = distance(centre, direction);
   float size = (presence - 0.94) / 0.06;
   return size * size * exp(-angle * angle * 3.0e6);
 }
