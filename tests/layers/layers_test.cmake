@@ -78,6 +78,7 @@ layer(apps/bench/** FORBIDDEN demo/ solve/ fit/ core/ gl/)  # of tests/ it may k
 layer(tests/reference/** FORBIDDEN ${apps} core/ ${files} ${gl})
 layer(tests/core/** tests/photometry/** FORBIDDEN scene/ ${above_scene} ${gl} ${fit} ${ceres} ${graphics})
 layer(tests/gl/** tests/fit/** FORBIDDEN scene/ ${above_scene})
+layer(tests/scene/** FORBIDDEN gl/ ${above_scene} ${gl} ${graphics})
 layer(tests/scene/** tests/render/** tests/measure/** tests/demo/** tests/solve/** FORBIDDEN bench/)
 
 if(failures GREATER 0)

@@ -16,92 +16,19 @@
 #include <tuple>
 
 #include "command/temporary_directory.h"
-#include "gl/gl_test.h"
 #include "litfog/attenuation.h"
 #include "litfog/input_error.h"
-#include "measure/picture_error.h"
-#include "measure/reference_picture.h"
 #include "reference/random_light.h"
 #include "scene/file/scene_file.h"
+#include "scene/gltf_floor.h"
 
 namespace litfog::test {
-using namespace render;
 using namespace scene;
-using namespace measure;
 
 namespace {
 
 using nlohmann::json;
 using std::numbers::pi;
-
-std::string base64(const std::string& bytes) {
-  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    }
-    for (std::size_t k = 0; k < 4; ++k) text += i + k <= bytes.size() ? kDigits[group >> (18 - 6 * k) & 63] : '=';
-  }
-  return text;
-}
-
-template <typename Number>
-std::string bytes_of(const std::vector<Number>& numbers) {
-  return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(Number)};
-}
-
-/// A floor of 20 m by 20 m at height 0, u to +x and v to +z, from (0, 0) to (1, 1): 4 vertices, 2 triangles.
-std::string floor_bytes() {
-  return bytes_of(std::vector<float>{-10, 0, -10, 10, 0, -10, 10, 0, 10, -10, 0, 10}) +
-         bytes_of(std::vector<float>{0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0}) +
-         bytes_of(std::vector<float>{0, 0, 1, 0, 1, 1, 0, 1}) + bytes_of(std::vector<std::uint16_t>{0, 2, 1, 0, 3, 2});
-}
-
-/// The floor under a camera that looks at it from 5 m, at a slant, and a point light of 40 cd 2 m above it.
-json floor_scene() {
-  return json::parse(R"({
-    "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1, 2]}],
-    "extensionsUsed": ["KHR_lights_punctual"],
-    "extensions": {"KHR_lights_punctual": {"lights": [
-      {"type": "point", "name": "lamp", "color": [1, 0.5, 0.25], "intensity": 40}]}},
-    "nodes": [
-      {"mesh": 0},
-      {"camera": 0, "translation": [0, 5, 5], "rotation": [-0.38268343, 0, 0, 0.92387953]},
-      {"translation": [0.5, 2, 0], "extensions": {"KHR_lights_punctual": {"light": 0}}}],
-    "cameras": [{"type": "perspective", "perspective": {"yfov": 0.9, "znear": 0.1}}],
-    "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 1, "TEXCOORD_0": 2}, "indices": 3,
-                                "material": 0}]}],
-    "materials": [{"pbrMetallicRoughness": {"baseColorFactor": [1, 0, 1, 1], "metallicFactor": 0}}],
-    "accessors": [
-      {"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [-10, 0, -10], "max": [10, 0, 10]},
-      {"bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC3"},
-      {"bufferView": 2, "componentType": 5126, "count": 4, "type": "VEC2"},
-      {"bufferView": 3, "componentType": 5123, "count": 6, "type": "SCALAR"}],
-    "bufferViews": [
-      {"buffer": 0, "byteOffset": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 48},
-      {"buffer": 0, "byteOffset": 96, "byteLength": 32}, {"buffer": 0, "byteOffset": 128, "byteLength": 12}],
-    "buffers": [{"byteLength": 140}]})");
-}
-
-void append_word(std::string& bytes, std::size_t value) {
-  const auto word = std::uint32_t(value);
-  bytes.append(reinterpret_cast<const char*>(&word), sizeof(word));  // little-endian, as the machines here
-}
-
-std::string binary_file(const json& scene, std::string buffer) {
-  std::string text = scene.dump();
-  text.resize((text.size() + 3) / 4 * 4, ' ');
-  buffer.resize((buffer.size() + 3) / 4 * 4);
-  std::string bytes = "glTF";
-  append_word(bytes, 2);
-  append_word(bytes, 28 + text.size() + buffer.size());
-  append_word(bytes, text.size());
-  bytes += "JSON" + text;
-  append_word(bytes, buffer.size());
-  return bytes + std::string("BIN\0", 4) + buffer;
-}
 
 class GltfScene : public testing::Test {
  protected:
@@ -615,52 +542,6 @@ TEST_F(GltfScene, NoDamageCrashesTheReader) {
   }
   EXPECT_GT(failed, kTrials / 4);
   EXPECT_LT(failed, kTrials);
-}
-
-class GltfPicture : public test::GlTest {};
-
-// In 8 bits of sRGB these would be the same colour, some percent off.
-TEST_F(GltfPicture, ADarkColorIsNotRounded) {
-  const test::TemporaryDirectory directory;
-  const std::string path = (directory.path() / "floor.glb").string();
-  json file = floor_scene();
-  file["materials"][0] = {
-      {"pbrMetallicRoughness", {{"baseColorFactor", {0.0041, 0.004, 0.0039, 1}}, {"metallicFactor", 0}}}};
-  std::ofstream(path, std::ios::binary) << binary_file(file, floor_bytes());
-  Scene scene = read_scene(path);
-  scene.lights.clear();
-  scene.environment.ambient_light = glm::vec3(100);
-  Renderer renderer(scene, 80, 80, {});
-  renderer.draw(LightPoints::off);
-  const Picture picture = renderer.read();
-  const float* const middle = &picture.rgb[std::size_t(3 * (40 * 80 + 40))];
-  for (int channel = 0; channel < 3; ++channel) EXPECT_NEAR(middle[channel], 0.41f - 0.01f * float(channel), 1e-3f);
-}
-
-// Lit as the lamp's candela say: the Basic model written out, and the reference in every pixel.
-TEST_F(GltfPicture, TheFloorIsAsBrightAsItsLightSays) {
-  const test::TemporaryDirectory directory;
-  const std::string path = (directory.path() / "floor.glb").string();
-  std::ofstream(path, std::ios::binary) << binary_file(floor_scene(), floor_bytes());
-  const Scene scene = read_scene(path);
-  Renderer renderer(scene, 80, 80, {});
-  renderer.draw(LightPoints::off);
-  const Picture picture = renderer.read();
-  EXPECT_LE(picture_error(picture, shade_reference(renderer)).largest, 0.25);
-  // The middle of the picture looks at the origin; the pixel below and right of it half a pixel on.
-  const glm::dvec3 eye = scene.camera.position;
-  const double pixel = 2 * std::tan(0.45) / 80;
-  const glm::dvec3 forward = glm::normalize(-eye);
-  const glm::dvec3 right(1, 0, 0);
-  const glm::dvec3 view = forward + (right - glm::cross(right, forward)) * (pixel / 2);
-  const glm::dvec3 position = eye - view * (eye.y / view.y);
-  const glm::dvec3 to_light = glm::dvec3(0.5, 2, 0) - position;
-  const double range = glm::length(to_light);
-  const double facing = to_light.y / range;
-  const double highlight = glm::normalize(to_light / range + glm::normalize(eye - position)).y;
-  const double specular = 0.04 * 9 / 8 * highlight;  // roughness 1: shininess 1
-  const double red = double(scene.environment.ambient_light.r) + 40 / (pi * range * range) * (facing + specular);
-  EXPECT_NEAR(double(picture.rgb[std::size_t(3 * (40 * 80 + 40))]), red, 2e-3 * red);
 }
 
 }  // namespace

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures of glTF files against the Basic model and the reference.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <numbers>
+
+#include "command/temporary_directory.h"
+#include "gl/gl_test.h"
+#include "measure/picture_error.h"
+#include "measure/reference_picture.h"
+#include "scene/file/scene_file.h"
+#include "scene/gltf_floor.h"
+
+namespace litfog::test {
+using namespace render;
+using namespace scene;
+using namespace measure;
+
+namespace {
+
+using nlohmann::json;
+using std::numbers::pi;
+
+class GltfPicture : public test::GlTest {};
+
+// In 8 bits of sRGB these would be the same colour, some percent off.
+TEST_F(GltfPicture, ADarkColorIsNotRounded) {
+  const test::TemporaryDirectory directory;
+  const std::string path = (directory.path() / "floor.glb").string();
+  json file = floor_scene();
+  file["materials"][0] = {
+      {"pbrMetallicRoughness", {{"baseColorFactor", {0.0041, 0.004, 0.0039, 1}}, {"metallicFactor", 0}}}};
+  std::ofstream(path, std::ios::binary) << binary_file(file, floor_bytes());
+  Scene scene = read_scene(path);
+  scene.lights.clear();
+  scene.environment.ambient_light = glm::vec3(100);
+  Renderer renderer(scene, 80, 80, {});
+  renderer.draw(LightPoints::off);
+  const Picture picture = renderer.read();
+  const float* const middle = &picture.rgb[std::size_t(3 * (40 * 80 + 40))];
+  for (int channel = 0; channel < 3; ++channel) EXPECT_NEAR(middle[channel], 0.41f - 0.01f * float(channel), 1e-3f);
+}
+
+// Lit as the lamp's candela say: the Basic model written out, and the reference in every pixel.
+TEST_F(GltfPicture, TheFloorIsAsBrightAsItsLightSays) {
+  const test::TemporaryDirectory directory;
+  const std::string path = (directory.path() / "floor.glb").string();
+  std::ofstream(path, std::ios::binary) << binary_file(floor_scene(), floor_bytes());
+  const Scene scene = read_scene(path);
+  Renderer renderer(scene, 80, 80, {});
+  renderer.draw(LightPoints::off);
+  const Picture picture = renderer.read();
+  EXPECT_LE(picture_error(picture, shade_reference(renderer)).largest, 0.25);
+  // The middle of the picture looks at the origin; the pixel below and right of it half a pixel on.
+  const glm::dvec3 eye = scene.camera.position;
+  const double pixel = 2 * std::tan(0.45) / 80;
+  const glm::dvec3 forward = glm::normalize(-eye);
+  const glm::dvec3 right(1, 0, 0);
+  const glm::dvec3 view = forward + (right - glm::cross(right, forward)) * (pixel / 2);
+  const glm::dvec3 position = eye - view * (eye.y / view.y);
+  const glm::dvec3 to_light = glm::dvec3(0.5, 2, 0) - position;
+  const double range = glm::length(to_light);
+  const double facing = to_light.y / range;
+  const double highlight = glm::normalize(to_light / range + glm::normalize(eye - position)).y;
+  const double specular = 0.04 * 9 / 8 * highlight;  // roughness 1: shininess 1
+  const double red = double(scene.environment.ambient_light.r) + 40 / (pi * range * range) * (facing + specular);
+  EXPECT_NEAR(double(picture.rgb[std::size_t(3 * (40 * 80 + 40))]), red, 2e-3 * red);
+}
+
+}  // namespace
+
+}  // namespace litfog::test
