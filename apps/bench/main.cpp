@@ -49,9 +49,9 @@ constexpr const char* kExplanation =
     R"(solve: per light, over a mix of 4,096 lights: extent 5 to 5,000 m and visibility 50 to 10,000 m log-uniform;
 constant below, at and above 1, linear only, quadratic only and mixed, a third each; threshold 0.05; caches warm.
 Methods: Hales's sampling with N = 16 to 1024, as published and in SIMD; golden section; Boost.Math's brent_find_minima;
-exact, one light a call; batch; and as the floor a copy of as many bytes as the batch reads and writes (five columns in,
-one out). -uncached is the same over four million lights. Errors are against a 50-digit reference over the first 2,000
-lights.
+exact, one light a call; batch; and, as the least possible, a copy of the bytes that the batch reads and writes (five
+columns in, one out). -uncached is the same over four million lights. Errors are against a 50-digit reference over the
+first 2,000 lights.
 
 airlight: per ray, over 4,000 rays whose airlight is more than 1e-5 of the lamp's colour, in three mixes. point: point
 lamps in isotropic fog; C below, at and above 1 and 0, L and Q from 0 over decades; visibility 3 m to 100 km, in one
@@ -237,7 +237,7 @@ int main(int argc, char** argv) {
                  "lights (render, city) or texels (maps)")
       ->type_name("FILE.png|FILE.svg");
   app.add_option("--isa", options.isa,
-                 "Batches and cluster lists use no wider SIMD target than this, in Highway's words: AVX3, AVX2, SSE4")
+                 "Batches and cluster lists use no wider SIMD target than this, by Highway's names: AVX3, AVX2, SSE4")
       ->type_name("NAME");
   add_choice<TableFormat>(app, "--format", options.format,
                           {{"table", TableFormat::text}, {"csv", TableFormat::csv}, {"json", TableFormat::json}},

@@ -73,22 +73,22 @@ C = 1 and the family: quadratic (if not given), linear or mixed.
 
 Cone. beam_angle_deg and field_angle_deg are the full angles at 50 % and 10 % of the peak; of an elliptical beam either
 is [horizontal, vertical]. Cones are round: the cone is fitted to the circles of the same solid angle, so that it has
-the beam's flux, the error is told, and --cookie keeps the ellipse. samples are angle_deg from the axis and intensity in
+the beam's flux, the error is stated, and --cookie keeps the ellipse. samples are angle_deg from the axis and intensity in
 any unit; half_angle_deg is where the light ends; photometry names a photometric file in place of samples. The fit
 minimises sum weight * (cone - intensity/peak)^2. profile is cosine (cos^S u for u < H), smoothstep (inner to outer), or
 best: both are fitted and shown, the better one is the light's.
 
 Color. color is linear RGB; color_temperature_k may stand in its place.
 
-What is made of these figures is shown step by step, as "derived", and is kept in the light's "source".
+Figures that are derived from these are reported step by step, as "derived", and kept in the light's "source".
 
 A photometric file (IES LM-63 of any edition, EULUMDAT, TM-33, GLDF, or an isocandela table) is a light without a
 spec: its cone is fitted to the intensities at the file's own angles, each of weight 1, as the mean over the turn about
 the axis; it is white; and it ends, at the threshold 0.05, where its peak gives 1 lx: C = 1, Q = (1/0.05 - 1) / (peak
 in cd / 1 lx). A spec with photometry and no range ends there, too. Angles that the file does not state are dark. The
 axis is the photometric one, down, or its opposite where the peak lies above the horizon, or the peak of a beam aimed
-elsewhere, and is told; --axis moves it. A beam that is not rotationally symmetric is reported with a measure of it,
-and --cookie keeps its shape as a cube map.
+elsewhere; the report says which, and --axis moves it. The report also measures how far a beam is from rotational
+symmetry, and --cookie keeps its shape as a cube map.
 
 An isocandela table is CSV, lines with # are comments. It is a grid of candela, with degrees to the right and above,
   vertical_deg,-10,-5,0,5,10
@@ -99,8 +99,8 @@ or ellipses from the inner to the outer, with their half axes in degrees, beyond
   5000,7,5
   500,11.5,6
 
-The optimum is the global one and is shown to be: the report has the bound below which nothing is. The best light may
-still be a bad one; the verdict says how well it follows the data. Its largest errors are
+The optimum is global, and the report proves it by a lower bound on every other light's objective. The best light may
+still be poor; the verdict says how well it follows the data. Its largest errors are
 )";
 
 constexpr const char* kExamples = R"(

@@ -58,7 +58,7 @@ Examples:
   litfog-solve --csv rows.csv > solved.csv     rows.csv starts: fog,density,constant,linear,quadratic,threshold
 
 The batch form reads a row a light, in CSV with those six columns in any order; other columns pass through. It appends
-extent,peak_range,intensity,airlight,status. A bad row stays, with the reason as its status.
+extent,peak_range,intensity,airlight,status. A bad row is kept, with the reason as its status.
 
 Exit status: 0 done; 1 wrong command line; 2 bad input, named file:line:column on standard error (in the batch form the
 good rows are solved all the same); 4 output cannot be written; 5 a solve did not converge.)";
