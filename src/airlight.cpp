@@ -182,9 +182,10 @@ double light_reach(const Light& light, const Fog& fog, double budget, LampLeg la
   double low = 0;
   if (shown_at(low) < budget) return low;
   high = std::min(high, std::numeric_limits<double>::max());
-  while (high > low * (1 + 1e-9) && high > std::numeric_limits<double>::min()) {
+  constexpr double kLeast = std::numeric_limits<double>::min();
+  while (high > low * (1 + 1e-9) && high > kLeast) {
     const double middle =
-        high > 4 * low ? std::max(std::sqrt(low) * std::sqrt(high), high * 0x1p-64) : low + (high - low) / 2;
+        high > 4 * low ? std::max({std::sqrt(low) * std::sqrt(high), high * 0x1p-64, kLeast}) : low + (high - low) / 2;
     (shown_at(middle) < budget ? high : low) = middle;
   }
   return high;

@@ -612,6 +612,12 @@ TEST(LightReach, ReachHasItsLimits) {
   EXPECT_EQ(error_of([&] { light_reach(light, {}, 1); }), "budget = 1: must be in (0, 1)");
 }
 
+TEST(LightReach, SearchEndsWhereTheReachIsNextToNothing) {
+  Light light;
+  light.attenuation = {0, 1e308, 1e308};  // shows in its own position alone
+  EXPECT_LE(light_reach(light, {FogMode::exp, kInfinity}, 0.01), 1e-307);
+}
+
 TEST(Airlight, AirlightAlongManyRaysIsThatAlongEach) {
   Random random(71);
   const AirlightCase c = draw_spot_airlight_case(random, FogMode::exp, LampLeg::fogged);
