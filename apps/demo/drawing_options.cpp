@@ -142,13 +142,13 @@ void add_shadows(CLI::App& app, DrawingOptions& options) {
   command::add_choice(
       app, "--shadows", options.render.shadows,
       {{"none", render::Shadows::none}, {"surfaces", render::Shadows::surfaces}, {"shafts", render::Shadows::shafts}},
-      "What the shadows of lamps darken: surfaces; shafts is surfaces and airlight (default none)");
+      "What the shadows of lamps and moon darken: surfaces; shafts is surfaces and lamps' airlight (default none)");
   command::add_integer(app, "--shadow-lamps", options.render.shadow_lamps, 1, int(scene::kMaxSceneLights),
                        "Lamps that cast shadows: at most this many, the carried ones first, then the brightest at the "
                        "camera (default 8)");
-  command::add_integer(
-      app, "--shadow-map-size", options.render.shadow_map_size, 16, 8192,
-      "Edge of a shadow map in texels; a lamp has one, or up to six if it shines all around (default 1024)");
+  command::add_integer(app, "--shadow-map-size", options.render.shadow_map_size, 16, 8192,
+                       "Edge of a shadow map in texels; a lamp has one, or up to six if it shines all around, the moon "
+                       "four (default 1024)");
 }
 
 void add_time(CLI::App& app, DrawingOptions& options) {

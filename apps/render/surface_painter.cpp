@@ -211,6 +211,7 @@ SurfaceProgram& SurfacePainter::use(Frame& frame, const ShaderVariant& variant, 
     set_uniform(program.program, "shadow_maps", kShadowMapUnit);
     set_uniform(program.program, "shadow_casters", kShadowCasterUnit);
     set_uniform(program.program, "caster_of_light", kCasterOfLightUnit);
+    if (frame.shadows) frame.shadows->set_moon_maps(program.program);
   }
   if (&material != frame.bound) {
     frame.bound = &material;

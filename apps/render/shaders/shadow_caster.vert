@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A surface as a lamp sees it through one of its shadow maps.
+// A surface as a lamp sees it through one of its shadow maps, or as the directional light does (render::MoonMap).
 
 #include "shadow_map_place.glsl"
 
@@ -11,6 +11,8 @@ uniform vec3 lamp_position;
 uniform int map;
 uniform float half_size;   // of the map, a metre before the lamp
 uniform float near_plane;  // metres
+uniform bool is_parallel;  // the directional light's, whose half_size is in metres
+uniform float reach;       // metres
 
 out vec3 from_lamp;
 
@@ -18,4 +20,8 @@ void main() {
   from_lamp = (world_from_model * vec4(vertex_position, 1.0)).xyz - lamp_position;
   vec3 place = map_from_frame(mat3(frame_from_world) * from_lamp, map);
   gl_Position = vec4(place.xy / half_size, place.z - 2.0 * near_plane, place.z);
+  if (is_parallel) {
+    from_lamp = vec3(0.0, 0.0, place.z);
+    gl_Position = vec4(place.xy / half_size, 2.0 * place.z / reach - 1.0, 1.0);
+  }
 }
