@@ -248,6 +248,8 @@ TEST_F(DemoCommand, ShadowsWithoutEffectAreErrors) {
            {"--shadow-map-size 64", "--shadow-map-size cannot be given with --shadows none: no lamp casts any"},
            {"--path vertex --shadows surfaces",
             "--shadows cannot be given with --path vertex: its lamps do not light each fragment"},
+           {"--path sample --shadows surfaces",
+            "--shadows cannot be given with --path sample: it is as its paper prints it"},
            {"--fog-light peak --shadows shafts",
             "--shadows cannot be given with --fog-light peak: only airlight has shafts"},
            {"--path radial --shadows shafts", "--shadows cannot be given with --path radial: only airlight has shafts"},

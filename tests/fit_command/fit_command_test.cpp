@@ -745,6 +745,18 @@ TEST_F(FitCommand, LongNamesAreShortenedInPlots) {
   EXPECT_EQ(svg.find(name.substr(0, 2 * 55)), std::string::npos);  // in the title
 }
 
+TEST_F(FitCommand, RingIsCalledOneAndNotABeamAimedElsewhere) {
+  std::string ring = kIes;
+  ring.replace(ring.find("100 80 40 15 0 0"), 16, "20 40 60 100 9 0");
+  ring.replace(ring.find("100 50 10 0 0 0"), 15, "20 40 60 100 9 0");
+  write("ring.ies", ring);
+  const Outcome outcome = run("ring.ies");
+  EXPECT_NE(outcome.out.find("The beam is a ring, brightest 15 degrees off the axis"), std::string::npos)
+      << outcome.out;
+  EXPECT_EQ(outcome.out.find("--axis peak"), std::string::npos) << outcome.out;
+  EXPECT_EQ(run("spot.ies").out.find("ring"), std::string::npos);
+}
+
 TEST_F(FitCommand, VerdictSaysNoNegativeZero) {
   write("exact.json", R"({"litfog": "light-spec", "version": 1, "cone": {"beam_angle_deg": 24}})");
   const Outcome outcome = run("exact.json");
