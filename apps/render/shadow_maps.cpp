@@ -57,6 +57,20 @@ void expect_room(std::size_t lamps, std::size_t layers, int size) {
   }
 }
 
+/// Leaves the program in use.
+void set_map(const gl::Program& program, const ShadowCaster& caster, int map) {
+  // A map's corner is the point of its lamp's sphere that is nearest to the lamp's plane.
+  const double near_plane = kLampRadius / std::sqrt(1 + 2 * caster.half_size * caster.half_size);
+  program.use();
+  set_uniform(program, "frame_from_world", glm::mat4(glm::dmat4(caster.frame_from_world)));
+  set_uniform(program, "lamp_position", glm::vec3(caster.position));
+  set_uniform(program, "map", unsigned(map));
+  set_uniform(program, "half_size", float(caster.half_size));
+  set_uniform(program, "near_plane", float(near_plane));
+  set_uniform(program, "lamp_radius", float(kLampRadius));
+  set_uniform(program, "reach", float(caster.reach));
+}
+
 }  // namespace
 
 ShadowMaps::ShadowMaps(const SceneLights& lights, const SurfaceList& surfaces, const glm::dvec3& eye,
@@ -66,7 +80,8 @@ ShadowMaps::ShadowMaps(const SceneLights& lights, const SurfaceList& surfaces, c
                                      std::size_t(settings.shadow_lamps), settings.shadow_map_size)),
       caster_of_(lights.size(), kNoCaster),
       size_(settings.shadow_map_size),
-      program_("shadow_caster.vert", "shadow_caster.frag", demo_shaders()) {
+      program_("shadow_caster.vert", "shadow_caster.frag", demo_shaders()),
+      mask_program_("shadow_caster.vert", "shadow_caster_mask.frag", demo_shaders()) {
   const std::size_t layers = map_count();
   expect_room(casters_.size(), layers, size_);
   std::vector<PackedCaster> packed;
@@ -113,7 +128,6 @@ std::size_t ShadowMaps::draw() {
   glDepthFunc(GL_LESS);
   glDepthMask(GL_TRUE);
   glDisable(GL_CULL_FACE);  // ground and leaves have no thickness
-  program_.use();
   surfaces_.bind_meshes();
   GLint layer = 0;
   for (const ShadowCaster& caster : casters_) {
@@ -128,19 +142,23 @@ std::size_t ShadowMaps::draw() {
 }
 
 void ShadowMaps::draw_map(const ShadowCaster& caster, int map) {
-  // A map's corner is the point of its lamp's sphere that is nearest to the lamp's plane.
-  const double near_plane = kLampRadius / std::sqrt(1 + 2 * caster.half_size * caster.half_size);
-  set_uniform(program_, "frame_from_world", glm::mat4(glm::dmat4(caster.frame_from_world)));
-  set_uniform(program_, "lamp_position", glm::vec3(caster.position));
-  set_uniform(program_, "map", unsigned(map));
-  set_uniform(program_, "half_size", float(caster.half_size));
-  set_uniform(program_, "near_plane", float(near_plane));
-  set_uniform(program_, "lamp_radius", float(kLampRadius));
-  set_uniform(program_, "reach", float(caster.reach));
+  set_map(program_, caster, map);
+  set_map(mask_program_, caster, map);
   const LightBounds seen = bounds_of_map(caster, map);
+  const gl::Program* used = nullptr;
   for (const Surface& surface : surfaces_.surfaces()) {
     if (!can_light(seen, surface.bounds.low, surface.bounds.high)) continue;
-    set_uniform(program_, "world_from_model", surface.world_from_model);
+    const scene::Material& material = surface.material->material;
+    const gl::Program& program = material.least_coverage ? mask_program_ : program_;
+    if (&program != used) program.use();
+    used = &program;
+    set_uniform(program, "world_from_model", surface.world_from_model);
+    if (material.least_coverage) {
+      set_uniform(program, "albedo_map", kAlbedoUnit);
+      set_uniform(program, "tile_size", material.size_m);
+      set_uniform(program, "least_coverage", *material.least_coverage);
+      surface.material->albedo->bind(kAlbedoUnit);
+    }
     surfaces_.draw(surface, TriangleOrder::stored);
   }
 }

@@ -402,11 +402,14 @@ TEST_F(GltfScene, ErrorsNameLocationValueAndRule) {
   EXPECT_EQ(error_of(with("/bufferViews/0/byteLength", 1000)),
             "bufferViews[0].byteLength = 1000: must end within its buffer");
   EXPECT_EQ(error_of(with("/bufferViews/0/buffer", 2)), "bufferViews[0].buffer = 2: must be in [0, 0]");
-  EXPECT_EQ(error_of(with("/meshes/0/primitives/0/mode", 1)),
-            "meshes[0].primitives[0].mode = 1: must be 4: this program draws triangles");
-  EXPECT_EQ(error_of(with("/extensionsRequired", {"KHR_draco_mesh_compression"})),
-            "extensionsRequired[0] = \"KHR_draco_mesh_compression\": must be KHR_lights_punctual, the only one that "
-            "this program knows");
+  EXPECT_EQ(error_of(with("/meshes/0/primitives/0/mode", 7)), "meshes[0].primitives[0].mode = 7: must be at most 6");
+  EXPECT_EQ(error_of(with("/meshes/0/primitives/0/mode", 1)), "meshes: must hold triangles");
+  EXPECT_EQ(error_of(with("/extensionsRequired", {"KHR_texture_basisu"})),
+            "extensionsRequired[0] = \"KHR_texture_basisu\": must not be required: this program reads PNG, JPEG and "
+            "WebP, not KTX2; export the file with such pictures");
+  EXPECT_EQ(error_of(with("/extensionsRequired", {"KHR_materials_diffuse_transmission"})),
+            "extensionsRequired[0] = \"KHR_materials_diffuse_transmission\": must be one that this program knows: "
+            "export the file without it");
   EXPECT_EQ(error_of(with("/nodes/0/children", {0})), "nodes[0] = an object: must be one node's child only");
   EXPECT_EQ(error_of(with("/nodes/2/extensions/KHR_lights_punctual/light", 1)),
             "nodes[2].extensions.KHR_lights_punctual.light = 1: must be in [0, 0]");
@@ -448,7 +451,7 @@ TEST_F(GltfScene, PicturesThatCannotBeReadFail) {
                                 ": cannot be read: No such file or directory");
   write("text.png", "no picture");
   file["images"] = {{{"uri", "text.png"}}};
-  EXPECT_EQ(error_of(file), "images[0] = an object: must be a PNG or JPEG picture");
+  EXPECT_EQ(error_of(file), "images[0] = an object: must be a PNG, JPEG or WebP picture");
   const std::string whole = png(path("whole.png"), std::vector<std::uint8_t>(3 * 64 * 64, 77), 64);
   write("half.png", whole.substr(0, whole.size() / 2));
   file["images"] = {{{"uri", "half.png"}}};
