@@ -129,9 +129,9 @@ void GltfFile::read_buffers() {
   for (const JsonValue& buffer : buffers_) {
     const JsonValue length = buffer.member("byteLength");
     const std::size_t size = whole_number(length);
-    const bool has_bytes_elsewhere = is_meshopt_fallback(buffer) && !buffer.optional("uri");
-    const bool is_chunk = bytes_.empty() && !binary_chunk_.empty() && !buffer.optional("uri") && !has_bytes_elsewhere;
-    if (has_bytes_elsewhere) {
+    const bool has_uri = buffer.optional("uri").has_value();
+    const bool is_chunk = bytes_.empty() && !binary_chunk_.empty() && !has_uri;
+    if (!is_chunk && !has_uri) {  // it stands for the decoded bytes of compressed views, or fails where it is used
       bytes_.emplace_back();
       continue;
     }
@@ -231,7 +231,9 @@ void GltfFile::replace_sparse(const JsonValue& sparse, GltfNumbers& numbers) con
 }
 
 std::string_view GltfFile::part_of_buffer(const JsonValue& view) const {
-  const std::string_view bytes = bytes_[index_in(buffers_, view.member("buffer"))];
+  const std::size_t buffer = index_in(buffers_, view.member("buffer"));
+  const std::string_view bytes = bytes_[buffer];
+  if (bytes.empty()) buffers_[buffer].member("uri");  // fails
   const std::size_t offset = whole_number_or(view, "byteOffset", 0);
   const JsonValue length = view.member("byteLength");
   const std::size_t size = whole_number(length);

@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/file/gltf_meshopt.h"
 
-#include <fmt/format.h>
 #include <meshoptimizer.h>
-
-#include <optional>
 
 #include "scene/file/gltf_value.h"
 
 namespace litfog::scene {
-
-bool is_meshopt_fallback(const JsonValue& buffer) {
-  const auto extension = extension_of(buffer, kMeshopt);
-  const auto fallback = extension ? extension->optional("fallback") : std::nullopt;
-  return fallback && fallback->boolean();
-}
 
 std::string decode_meshopt(const JsonValue& compression, std::string_view bytes, std::size_t max_bytes) {
   const JsonValue count_given = compression.member("count");

@@ -13,9 +13,6 @@ using files::JsonValue;
 
 inline constexpr std::string_view kMeshopt = "EXT_meshopt_compression";
 
-/// Whether a buffer is only for readers that do not know the extension.
-bool is_meshopt_fallback(const JsonValue& buffer);
-
 /// The bytes of a buffer view that is compressed.
 ///
 /// compression  the view's extension

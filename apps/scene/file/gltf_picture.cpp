@@ -5,6 +5,7 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
+#include <webp/decode.h>
 
 #include <array>
 #include <cmath>
@@ -31,14 +32,6 @@ glm::vec3 mean_of(const Texels& texels, const std::array<float, 256>& value_of_l
     }
   }
   return sum / double(texels.rgba.size() / 4);
-}
-
-/// As OpenImageIO calls it; empty: none that is read.
-std::string format_of(std::string_view bytes) {
-  if (bytes.starts_with("\x89PNG")) return "png";
-  if (bytes.starts_with("\xFF\xD8")) return "jpeg";
-  if (bytes.starts_with("RIFF") && bytes.substr(8).starts_with("WEBP")) return "webp";
-  return {};
 }
 
 template <typename Value>
@@ -189,9 +182,32 @@ GltfPicture GltfPictures::read(const JsonValue& image, const Sampling& sampling)
 }
 
 GltfPicture GltfPictures::decode(const JsonValue& image, std::string_view bytes, const Sampling& sampling) {
-  const std::string format = format_of(bytes);
-  if (format.empty()) image.fail("must be a PNG, JPEG or WebP picture");
+  const Pixels pixels = bytes.starts_with("RIFF") ? decode_webp(image, bytes) : decode_png_or_jpeg(image, bytes);
+  const std::size_t count = pixels.levels.size() / pixels.channels;
+  Texels texels{pixels.width, pixels.height, std::vector<std::uint8_t>(count * 4, 255), sampling};
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t channel = 0; channel < 3; ++channel) {  // a grey picture has one for all three
+      texels.rgba[4 * i + channel] = pixels.levels[i * pixels.channels + (pixels.channels < 3 ? 0 : channel)];
+    }
+  }
+  if (pixels.channels != 2 && pixels.channels != 4) return GltfPicture(std::move(texels));
+  std::vector<std::uint8_t> alpha(count);
+  for (std::size_t i = 0; i < count; ++i) alpha[i] = pixels.levels[(i + 1) * pixels.channels - 1];
+  return GltfPicture(std::move(texels), std::move(alpha));
+}
+
+void GltfPictures::take(const JsonValue& image, int width, int height) {
+  if (width > kMaxPictureSide || height > kMaxPictureSide) {
+    image.fail(fmt::format("must be at most {} pixels a side", kMaxPictureSide));
+  }
+  budget_.take(image, std::size_t(width) * std::size_t(height));
+}
+
+GltfPictures::Pixels GltfPictures::decode_png_or_jpeg(const JsonValue& image, std::string_view bytes) {
+  const bool is_png = bytes.starts_with("\x89PNG");
+  if (!is_png && !bytes.starts_with("\xFF\xD8")) image.fail("must be a PNG, JPEG or WebP picture");
   OIIO::Filesystem::IOMemReader reader(const_cast<char*>(bytes.data()), bytes.size());
+  const std::string format = is_png ? "png" : "jpeg";
   const auto input = OIIO::ImageInput::create(format);
   OIIO::ImageSpec config;
   config.attribute("oiio:UnassociatedAlpha", 1);  // else colours come multiplied by alpha
@@ -200,25 +216,31 @@ GltfPicture GltfPictures::decode(const JsonValue& image, std::string_view bytes,
   if (!input->set_ioproxy(&reader) || !input->open("picture." + format, spec, config)) {
     image.fail("must be a sound picture: " + input->geterror());
   }
-  if (spec.width > kMaxPictureSide || spec.height > kMaxPictureSide) {
-    image.fail(fmt::format("must be at most {} pixels a side", kMaxPictureSide));
-  }
-  budget_.take(image, spec.image_pixels());
-  const auto channels = std::size_t(spec.nchannels);
-  std::vector<std::uint8_t> pixels(spec.image_pixels() * channels);
-  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, pixels.data())) {
+  take(image, spec.width, spec.height);
+  Pixels pixels{spec.width, spec.height, std::size_t(spec.nchannels), {}};
+  pixels.levels.resize(spec.image_pixels() * pixels.channels);
+  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, pixels.levels.data())) {
     image.fail("must be a sound picture: " + input->geterror());
   }
-  Texels texels{spec.width, spec.height, std::vector<std::uint8_t>(spec.image_pixels() * 4, 255), sampling};
-  for (std::size_t i = 0; i < spec.image_pixels(); ++i) {
-    for (std::size_t channel = 0; channel < 3; ++channel) {  // a grey picture has one for all three
-      texels.rgba[4 * i + channel] = pixels[i * channels + (channels < 3 ? 0 : channel)];
-    }
+  return pixels;
+}
+
+/// Not by OpenImageIO, which multiplies WebP's colours by alpha whatever it is asked for (2.4).
+GltfPictures::Pixels GltfPictures::decode_webp(const JsonValue& image, std::string_view bytes) {
+  const auto* const data = reinterpret_cast<const std::uint8_t*>(bytes.data());
+  WebPBitstreamFeatures features;
+  if (WebPGetFeatures(data, bytes.size(), &features) != VP8_STATUS_OK)
+    image.fail("must be a PNG, JPEG or WebP picture");
+  take(image, features.width, features.height);
+  const std::size_t channels = features.has_alpha ? 4 : 3;
+  const int stride = features.width * int(channels);
+  Pixels pixels{features.width, features.height, channels, {}};
+  pixels.levels.resize(std::size_t(stride) * std::size_t(features.height));
+  const auto decode = features.has_alpha ? WebPDecodeRGBAInto : WebPDecodeRGBInto;
+  if (!decode(data, bytes.size(), pixels.levels.data(), pixels.levels.size(), stride)) {
+    image.fail("must be a sound picture, not animated");
   }
-  if (channels != 2 && channels != 4) return GltfPicture(std::move(texels));
-  std::vector<std::uint8_t> alpha(spec.image_pixels());
-  for (std::size_t i = 0; i < alpha.size(); ++i) alpha[i] = pixels[(i + 1) * channels - 1];
-  return GltfPicture(std::move(texels), std::move(alpha));
+  return pixels;
 }
 
 }  // namespace litfog::scene
