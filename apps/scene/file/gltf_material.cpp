@@ -94,8 +94,8 @@ std::optional<float> GltfMaterials::least_coverage_of(const JsonValue& material,
   if (!(cutoff >= 0)) material.member("alphaCutoff").fail("must be >= 0");
   if (cutoff == 0) return std::nullopt;
   const auto factor = pbr.optional("baseColorFactor");
-  return float(cutoff /
-               (factor ? numbers(*factor, 4)[3] : 1));  // the factor is not in the texels; infinite: no surface
+  const double alpha = factor ? numbers(*factor, 4)[3] : 1;  // which is not in the texels; 0 leaves no surface
+  return float(cutoff / alpha);
 }
 
 GltfMaterials::SharedTexels GltfMaterials::base_texels(const JsonValue& material,

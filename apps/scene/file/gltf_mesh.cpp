@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -18,7 +19,6 @@ namespace {
 
 // A primitive's "mode".
 constexpr std::size_t kTriangles = 4;
-constexpr std::size_t kTriangleStrip = 5;
 constexpr std::size_t kTriangleFan = 6;
 
 /// Three indices a triangle (glTF 2.0, 3.7.2.1), of those given or of the vertices in their order.
@@ -36,10 +36,9 @@ void read_indices(const JsonValue& primitive, const GltfNumbers& given, std::siz
     return;
   }
   for (std::size_t i = 0; i + 2 < count; ++i) {
-    const bool is_turned = mode == kTriangleStrip && i % 2 == 1;
-    add(mode == kTriangleFan ? i + 1 : i);
-    add(is_turned || mode == kTriangleFan ? i + 2 : i + 1);
-    add(mode == kTriangleFan ? 0 : is_turned ? i + 1 : i + 2);
+    using Corners = std::array<std::size_t, 3>;
+    const Corners strip = i % 2 == 0 ? Corners{i, i + 1, i + 2} : Corners{i, i + 2, i + 1};
+    for (const std::size_t corner : mode == kTriangleFan ? Corners{i + 1, i + 2, 0} : strip) add(corner);
   }
 }
 
