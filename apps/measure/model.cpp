@@ -56,7 +56,7 @@ SurfacePoint Model::surface_point(const render::GeometrySample& sample) const {
   return {.position = position,
           .normal = path_.has_normal_maps ? mapped_normal(sample) : glm::normalize(glm::dvec3(sample.normal)),
           .to_eye = settings_.has_infinite_viewer ? -forward_ : glm::normalize(eye_ - position),
-          .emissive = material.emissive,
+          .emissive = sample.emission,
           .diffuse = sample.albedo,
           .specular = is_basic ? glm::dvec3(material.specular) * double(sample.gloss) : glm::dvec3(0.0),
           .shininess = material.shininess,

@@ -67,6 +67,33 @@ void expect_room(const std::string& whose, std::size_t layers, int size) {
   }
 }
 
+/// Leaves the program in use.
+void set_map(const gl::Program& program, const ShadowCaster& caster, int map) {
+  // A map's corner is the point of its lamp's sphere that is nearest to the lamp's plane.
+  const double near_plane = kLampRadius / std::sqrt(1 + 2 * caster.half_size * caster.half_size);
+  program.use();
+  set_uniform(program, "frame_from_world", glm::mat4(glm::dmat4(caster.frame_from_world)));
+  set_uniform(program, "lamp_position", glm::vec3(caster.position));
+  set_uniform(program, "map", unsigned(map));
+  set_uniform(program, "half_size", float(caster.half_size));
+  set_uniform(program, "near_plane", float(near_plane));
+  set_uniform(program, "lamp_radius", float(kLampRadius));
+  set_uniform(program, "is_parallel", unsigned{false});
+  set_uniform(program, "reach", float(caster.reach));
+}
+
+/// Leaves the program in use.
+void set_map(const gl::Program& program, const MoonMap& map) {
+  program.use();
+  set_uniform(program, "frame_from_world", glm::mat4(glm::dmat4(map.frame_from_world)));
+  set_uniform(program, "lamp_position", glm::vec3(map.position));
+  set_uniform(program, "map", 0u);
+  set_uniform(program, "half_size", float(map.half_size));
+  set_uniform(program, "lamp_radius", 0.0f);
+  set_uniform(program, "is_parallel", unsigned{true});
+  set_uniform(program, "reach", float(map.reach));
+}
+
 }  // namespace
 
 ShadowMaps::ShadowMaps(const scene::Scene& scene, const SceneLights& lights, const SurfaceList& surfaces, double aspect,
@@ -78,7 +105,8 @@ ShadowMaps::ShadowMaps(const scene::Scene& scene, const SceneLights& lights, con
                                      settings.shadow_map_size)),
       caster_of_(lights.size(), kNoCaster),
       size_(settings.shadow_map_size),
-      program_("shadow_caster.vert", "shadow_caster.frag", demo_shaders()) {
+      program_("shadow_caster.vert", "shadow_caster.frag", demo_shaders()),
+      mask_program_("shadow_caster.vert", "shadow_caster_mask.frag", demo_shaders()) {
   moon_maps_ = fitted_moon_maps(aspect);
   const std::size_t layers = map_count();
   expect_room(fmt::format("{} lamps{}", casters_.size(), moon_maps_.empty() ? "" : " and the moon"), layers, size_);
@@ -142,7 +170,6 @@ std::size_t ShadowMaps::draw(double aspect) {
   glDepthFunc(GL_LESS);
   glDepthMask(GL_TRUE);
   glDisable(GL_CULL_FACE);  // ground and leaves have no thickness
-  program_.use();
   surfaces_.bind_meshes();
   std::size_t layer = 0;
   if (draws_lamps) {
@@ -168,16 +195,8 @@ void ShadowMaps::begin_map(std::size_t layer) {
 }
 
 void ShadowMaps::draw_map(const ShadowCaster& caster, int map) {
-  // A map's corner is the point of its lamp's sphere that is nearest to the lamp's plane.
-  const double near_plane = kLampRadius / std::sqrt(1 + 2 * caster.half_size * caster.half_size);
-  set_uniform(program_, "frame_from_world", glm::mat4(glm::dmat4(caster.frame_from_world)));
-  set_uniform(program_, "lamp_position", glm::vec3(caster.position));
-  set_uniform(program_, "map", unsigned(map));
-  set_uniform(program_, "half_size", float(caster.half_size));
-  set_uniform(program_, "near_plane", float(near_plane));
-  set_uniform(program_, "lamp_radius", float(kLampRadius));
-  set_uniform(program_, "is_parallel", unsigned{false});
-  set_uniform(program_, "reach", float(caster.reach));
+  set_map(program_, caster, map);
+  set_map(mask_program_, caster, map);
   const LightBounds seen = bounds_of_map(caster, map);
   for (const Surface& surface : surfaces_.surfaces()) {
     if (can_light(seen, surface.bounds.low, surface.bounds.high)) draw_surface(surface);
@@ -185,20 +204,24 @@ void ShadowMaps::draw_map(const ShadowCaster& caster, int map) {
 }
 
 void ShadowMaps::draw_map(const MoonMap& map) {
-  set_uniform(program_, "frame_from_world", glm::mat4(glm::dmat4(map.frame_from_world)));
-  set_uniform(program_, "lamp_position", glm::vec3(map.position));
-  set_uniform(program_, "map", 0u);
-  set_uniform(program_, "half_size", float(map.half_size));
-  set_uniform(program_, "lamp_radius", 0.0f);
-  set_uniform(program_, "is_parallel", unsigned{true});
-  set_uniform(program_, "reach", float(map.reach));
+  set_map(program_, map);
+  set_map(mask_program_, map);
   for (const Surface& surface : surfaces_.surfaces()) {
     if (can_cast(surface.bounds, map)) draw_surface(surface);
   }
 }
 
 void ShadowMaps::draw_surface(const Surface& surface) {
-  set_uniform(program_, "world_from_model", surface.world_from_model);
+  const scene::Material& material = surface.material->material;
+  const gl::Program& program = material.least_coverage ? mask_program_ : program_;
+  program.use();
+  set_uniform(program, "world_from_model", surface.world_from_model);
+  if (material.least_coverage) {
+    set_uniform(program, "albedo_map", kAlbedoUnit);
+    set_uniform(program, "tile_size", material.size_m);
+    set_uniform(program, "least_coverage", *material.least_coverage);
+    surface.material->albedo->bind(kAlbedoUnit);
+  }
   surfaces_.draw(surface, TriangleOrder::stored);
 }
 

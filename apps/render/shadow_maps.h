@@ -68,6 +68,7 @@ class ShadowMaps {
   int size_;                             // texels a side
   bool is_drawn_ = false;
   gl::Program program_;
+  gl::Program mask_program_;  // of materials with a mask
   gl::FramebufferName framebuffer_;
   gl::TextureName maps_;
   std::optional<BufferTexture> caster_texture_;

@@ -23,6 +23,7 @@
 #include "measure/reference_picture.h"
 #include "reference/random_light.h"
 #include "scene/file/scene_file.h"
+#include "scene/gltf_floor.h"
 
 namespace litfog::test {
 using namespace render;
@@ -31,124 +32,9 @@ using namespace measure;
 
 namespace {
 
-using nlohmann::json;
 using std::numbers::pi;
 
-std::string base64(const std::string& bytes) {
-  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    }
-    for (std::size_t k = 0; k < 4; ++k) text += i + k <= bytes.size() ? kDigits[group >> (18 - 6 * k) & 63] : '=';
-  }
-  return text;
-}
-
-template <typename Number>
-std::string bytes_of(const std::vector<Number>& numbers) {
-  return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(Number)};
-}
-
-/// A floor of 20 m by 20 m at height 0, u to +x and v to +z, from (0, 0) to (1, 1): 4 vertices, 2 triangles.
-std::string floor_bytes() {
-  return bytes_of(std::vector<float>{-10, 0, -10, 10, 0, -10, 10, 0, 10, -10, 0, 10}) +
-         bytes_of(std::vector<float>{0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0}) +
-         bytes_of(std::vector<float>{0, 0, 1, 0, 1, 1, 0, 1}) + bytes_of(std::vector<std::uint16_t>{0, 2, 1, 0, 3, 2});
-}
-
-/// The floor under a camera that looks at it from 5 m, at a slant, and a point light of 40 cd 2 m above it.
-json floor_scene() {
-  return json::parse(R"({
-    "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1, 2]}],
-    "extensionsUsed": ["KHR_lights_punctual"],
-    "extensions": {"KHR_lights_punctual": {"lights": [
-      {"type": "point", "name": "lamp", "color": [1, 0.5, 0.25], "intensity": 40}]}},
-    "nodes": [
-      {"mesh": 0},
-      {"camera": 0, "translation": [0, 5, 5], "rotation": [-0.38268343, 0, 0, 0.92387953]},
-      {"translation": [0.5, 2, 0], "extensions": {"KHR_lights_punctual": {"light": 0}}}],
-    "cameras": [{"type": "perspective", "perspective": {"yfov": 0.9, "znear": 0.1}}],
-    "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 1, "TEXCOORD_0": 2}, "indices": 3,
-                                "material": 0}]}],
-    "materials": [{"pbrMetallicRoughness": {"baseColorFactor": [1, 0, 1, 1], "metallicFactor": 0}}],
-    "accessors": [
-      {"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [-10, 0, -10], "max": [10, 0, 10]},
-      {"bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC3"},
-      {"bufferView": 2, "componentType": 5126, "count": 4, "type": "VEC2"},
-      {"bufferView": 3, "componentType": 5123, "count": 6, "type": "SCALAR"}],
-    "bufferViews": [
-      {"buffer": 0, "byteOffset": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 48},
-      {"buffer": 0, "byteOffset": 96, "byteLength": 32}, {"buffer": 0, "byteOffset": 128, "byteLength": 12}],
-    "buffers": [{"byteLength": 140}]})");
-}
-
-void append_word(std::string& bytes, std::size_t value) {
-  const auto word = std::uint32_t(value);
-  bytes.append(reinterpret_cast<const char*>(&word), sizeof(word));  // little-endian, as the machines here
-}
-
-std::string binary_file(const json& scene, std::string buffer) {
-  std::string text = scene.dump();
-  text.resize((text.size() + 3) / 4 * 4, ' ');
-  buffer.resize((buffer.size() + 3) / 4 * 4);
-  std::string bytes = "glTF";
-  append_word(bytes, 2);
-  append_word(bytes, 28 + text.size() + buffer.size());
-  append_word(bytes, text.size());
-  bytes += "JSON" + text;
-  append_word(bytes, buffer.size());
-  return bytes + std::string("BIN\0", 4) + buffer;
-}
-
-class GltfScene : public testing::Test {
- protected:
-  std::string path(const std::string& name) const { return (directory_.path() / name).string(); }
-
-  std::string write(const std::string& name, const std::string& bytes) const {
-    std::ofstream(path(name), std::ios::binary) << bytes;
-    return path(name);
-  }
-  /// As text, with the buffer in it.
-  Scene read(json scene, const std::string& buffer = floor_bytes()) const {
-    if (scene.contains("buffers")) {
-      scene["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(buffer);
-    }
-    return read_scene(write("scene.gltf", scene.dump(1)));
-  }
-  /// The sentence without the file's name, line and column, which it has to have.
-  std::string error_of(json scene, const std::string& buffer = floor_bytes()) const {
-    if (scene.contains("buffers")) {
-      scene["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(buffer);
-    }
-    return error_as_given(scene);
-  }
-  std::string error_as_given(const json& scene) const {
-    try {
-      read_scene(write("scene.gltf", scene.dump(1)));
-    } catch (const InputError& bad) {
-      EXPECT_GT(bad.location().line, 0u) << bad.what();
-      EXPECT_GT(bad.location().column, 0u) << bad.what();
-      const std::string sentence = bad.what();
-      return sentence.substr(sentence.find(": ") + 2);
-    }
-    return "no error";
-  }
-
- private:
-  test::TemporaryDirectory directory_;
-};
-
-/// A picture of a colour, as the bytes of a PNG file.
-std::string png(const std::string& path, const std::vector<std::uint8_t>& rgb, int width) {
-  const auto output = OIIO::ImageOutput::create(path);
-  OIIO::ImageSpec spec(width, int(rgb.size()) / 3 / width, 3, OIIO::TypeDesc::UINT8);
-  EXPECT_TRUE(output->open(path, spec) && output->write_image(OIIO::TypeDesc::UINT8, rgb.data()) && output->close());
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
+class GltfScene : public GltfFileTest {};
 
 TEST_F(GltfScene, MeshesAreAtTheirNodesAndTheCameraAtItsOwn) {
   json file = floor_scene();
@@ -402,11 +288,14 @@ TEST_F(GltfScene, ErrorsNameLocationValueAndRule) {
   EXPECT_EQ(error_of(with("/bufferViews/0/byteLength", 1000)),
             "bufferViews[0].byteLength = 1000: must end within its buffer");
   EXPECT_EQ(error_of(with("/bufferViews/0/buffer", 2)), "bufferViews[0].buffer = 2: must be in [0, 0]");
-  EXPECT_EQ(error_of(with("/meshes/0/primitives/0/mode", 1)),
-            "meshes[0].primitives[0].mode = 1: must be 4: this program draws triangles");
-  EXPECT_EQ(error_of(with("/extensionsRequired", {"KHR_draco_mesh_compression"})),
-            "extensionsRequired[0] = \"KHR_draco_mesh_compression\": must be KHR_lights_punctual, the only one that "
-            "this program knows");
+  EXPECT_EQ(error_of(with("/meshes/0/primitives/0/mode", 7)), "meshes[0].primitives[0].mode = 7: must be at most 6");
+  EXPECT_EQ(error_of(with("/meshes/0/primitives/0/mode", 1)), "meshes: must hold triangles");
+  EXPECT_EQ(error_of(with("/extensionsRequired", {"KHR_texture_basisu"})),
+            "extensionsRequired[0] = \"KHR_texture_basisu\": must not be required: this program reads PNG, JPEG and "
+            "WebP, not KTX2; export the file with such pictures");
+  EXPECT_EQ(error_of(with("/extensionsRequired", {"KHR_materials_diffuse_transmission"})),
+            "extensionsRequired[0] = \"KHR_materials_diffuse_transmission\": must be one that this program knows: "
+            "export the file without it");
   EXPECT_EQ(error_of(with("/nodes/0/children", {0})), "nodes[0] = an object: must be one node's child only");
   EXPECT_EQ(error_of(with("/nodes/2/extensions/KHR_lights_punctual/light", 1)),
             "nodes[2].extensions.KHR_lights_punctual.light = 1: must be in [0, 0]");
@@ -448,7 +337,7 @@ TEST_F(GltfScene, PicturesThatCannotBeReadFail) {
                                 ": cannot be read: No such file or directory");
   write("text.png", "no picture");
   file["images"] = {{{"uri", "text.png"}}};
-  EXPECT_EQ(error_of(file), "images[0] = an object: must be a PNG or JPEG picture");
+  EXPECT_EQ(error_of(file), "images[0] = an object: must be a PNG, JPEG or WebP picture");
   const std::string whole = png(path("whole.png"), std::vector<std::uint8_t>(3 * 64 * 64, 77), 64);
   write("half.png", whole.substr(0, whole.size() / 2));
   file["images"] = {{{"uri", "half.png"}}};
