@@ -174,8 +174,10 @@ void begin_polar(Script& script, const Axis& radius) {
   script.add("set polar; set angles degrees; set theta bottom cw");
   script.add("unset xlabel; unset ylabel; unset logscale; unset border; unset xtics; unset ytics; unset raxis");
   const double step = ring_step(radius.most);
-  script.add("set xrange [-{0}:{0}]; set yrange [-{0}:{0}]; set rrange [0:{0}]", step * std::ceil(radius.most / step));
-  script.add("set rtics scale 0 {}; set format r '%g'", step);
+  const double rings = std::ceil(radius.most / step);
+  script.add("set xrange [-{0}:{0}]; set yrange [-{0}:{0}]; set rrange [0:{0}]", step * rings);
+  // Three rings are too close for 10000, which then is 10k.
+  script.add("set rtics scale 0 {}; set format r '{}'", step, rings > 2 && step >= 1000 ? "%.0s%c" : "%g");
   script.add("set grid polar 30 lt 1 lc rgb '#DDDDDD' lw 1");
   std::string tics;
   for (int angle = -150; angle <= 180; angle += 30) {
@@ -233,7 +235,8 @@ std::string script_of(const Figure& figure, FigureFormat format) {
   script.add("set output");  // standard output
   script.add("set grid lt 1 lc rgb '#DDDDDD' lw 1");
   // The title's second, empty line keeps it off the keys above the charts.
-  script.add("set multiplot layout {},{} rowsfirst title {}.\"\\n\" noenhanced", rows, columns, in_quotes(figure.title));
+  script.add("set multiplot layout {},{} rowsfirst title {}.\"\\n\" noenhanced", rows, columns,
+             in_quotes(figure.title));
   for (const Chart& chart : figure.charts) add_chart(script, chart);
   script.add("unset multiplot");
   return script.text();

@@ -18,8 +18,8 @@ struct Drawn {
   render::Display display;  ///< for which it was drawn, an automatic exposure chosen
   double visibility;        ///< metres
   measure::FrameTimes times;
-  std::size_t shadow_lamps;  ///< that cast shadows, and their maps
-  std::size_t shadow_maps;
+  std::size_t shadow_lamps;                       ///< that cast shadows
+  std::size_t shadow_maps;                        ///< theirs and the moon's
   render::FrameStatistics statistics;             ///< of one frame more, if asked for
   std::optional<measure::Comparison> comparison;  ///< with the reference, if asked for
   int samples;                                    ///< a pixel

@@ -59,6 +59,12 @@ std::vector<std::pair<std::string, const render::LightingPath*>> path_names() {
   return names;
 }
 
+/// Of a path that takes neither airlight nor shadows.
+const char* why_without_airlight(const render::LightingPath& path) {
+  return path.evaluation == render::Evaluation::vertex ? "its lamps do not light each fragment"
+                                                       : "it is as its paper prints it";
+}
+
 }  // namespace
 
 std::optional<double> DrawingOptions::chosen_visibility() const {
@@ -142,13 +148,13 @@ void add_shadows(CLI::App& app, DrawingOptions& options) {
   command::add_choice(
       app, "--shadows", options.render.shadows,
       {{"none", render::Shadows::none}, {"surfaces", render::Shadows::surfaces}, {"shafts", render::Shadows::shafts}},
-      "What the shadows of lamps darken: surfaces; shafts is surfaces and airlight (default none)");
+      "What the shadows of lamps and moon darken: surfaces; shafts is surfaces and lamps' airlight (default none)");
   command::add_integer(app, "--shadow-lamps", options.render.shadow_lamps, 1, int(scene::kMaxSceneLights),
                        "Lamps that cast shadows: at most this many, the carried ones first, then the brightest at the "
                        "camera (default 8)");
-  command::add_integer(
-      app, "--shadow-map-size", options.render.shadow_map_size, 16, 8192,
-      "Edge of a shadow map in texels; a lamp has one, or up to six if it shines all around (default 1024)");
+  command::add_integer(app, "--shadow-map-size", options.render.shadow_map_size, 16, 8192,
+                       "Edge of a shadow map in texels; a lamp has one, or up to six if it shines all around, the moon "
+                       "four (default 1024)");
 }
 
 void add_time(CLI::App& app, DrawingOptions& options) {
@@ -169,7 +175,7 @@ std::vector<command::OptionRule> drawing_rules(const DrawingOptions& options) {
           {name,
            options.fog_light == render::FogLighting::airlight && !path.takes_airlight,
            {"--fog-light"},
-           "its lamps do not light each fragment"},
+           why_without_airlight(path)},
           {name, path.surface != render::SurfaceModel::basic, {"--infinite-viewer"}, "it has no highlights"}};
 }
 
@@ -179,13 +185,12 @@ std::vector<command::OptionRule> shadow_rules(const DrawingOptions& options) {
   const std::string name = fmt::format("--path {}", path.name);
   const Shadows shadows = options.render.shadows;
   const bool is_peak = options.settings_of(path).fog_lighting == render::FogLighting::peak;
-  return {
-      {name, shadows != Shadows::none && !path.takes_airlight, {"--shadows"}, "its lamps do not light each fragment"},
-      {options.fog_light ? "--fog-light peak" : name,
-       shadows == Shadows::shafts && is_peak,
-       {"--shadows"},
-       "only airlight has shafts"},
-      {"--shadows none", shadows == Shadows::none, {"--shadow-lamps", "--shadow-map-size"}, "no lamp casts any"}};
+  return {{name, shadows != Shadows::none && !path.takes_airlight, {"--shadows"}, why_without_airlight(path)},
+          {options.fog_light ? "--fog-light peak" : name,
+           shadows == Shadows::shafts && is_peak,
+           {"--shadows"},
+           "only airlight has shafts"},
+          {"--shadows none", shadows == Shadows::none, {"--shadow-lamps", "--shadow-map-size"}, "no lamp casts any"}};
 }
 
 void expect_pixels(const DrawingOptions& options, std::int64_t most, const std::string& what) {

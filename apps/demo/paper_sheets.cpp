@@ -273,22 +273,24 @@ Rows frazier_figures(const Draughtsman& pencil) {
                                    {"a map of each light's own cone", render::ConeMaps::scaled}}) {
     rows[1].push_back(pencil.draw(room, along("radial", {.cone_maps = maps}), {name}));
   }
+  rows.push_back({pencil.draw(room, along("accumulate", {.shadows = render::Shadows::surfaces}),
+                              {"improvements: \"depth buffer shadow casting\""})});
   return rows;
 }
 
 }  // namespace
 
 void draw_paper_sheets(const std::string& folder, int width, int height, int frames) {
-  const std::pair<const char*, Rows (*)(const Draughtsman&)> sheets[] = {
-      {"hales.png",
-       [](const Draughtsman& pencil) {
-         Rows rows = hales_figures(pencil);
-         for (auto& row : hales_cones(pencil)) rows.push_back(std::move(row));
-         return rows;
-       }},
-      {"lacroix.png", lacroix_figures},
-      {"cg.png", cg_figures},
-      {"frazier.png", frazier_figures}};
+  const std::pair<const char*, Rows (*)(const Draughtsman&)> sheets[] = {{"hales.png",
+                                                                          [](const Draughtsman& pencil) {
+                                                                            Rows rows = hales_figures(pencil);
+                                                                            for (auto& row : hales_cones(pencil))
+                                                                              rows.push_back(std::move(row));
+                                                                            return rows;
+                                                                          }},
+                                                                         {"lacroix.png", lacroix_figures},
+                                                                         {"cg.png", cg_figures},
+                                                                         {"frazier.png", frazier_figures}};
   std::vector<std::string> files;
   for (const auto& [file, draw] : sheets) files.emplace_back(file);
   PictureFolder pictures(folder, files, {});

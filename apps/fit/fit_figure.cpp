@@ -8,6 +8,7 @@
 #include <numbers>
 #include <utility>
 
+#include "code_points.h"
 #include "files/angle_deg.h"
 
 namespace litfog::fit {
@@ -26,7 +27,17 @@ constexpr double kLeastError = 0.5;  // percent: an axis of less would show roun
 constexpr int kTargetColor = 4;      // black
 constexpr int kFirstColor = 0;
 constexpr int kPlaneColor = 2;
-constexpr int kLineColor = 7;  // of lines that no data make
+constexpr int kLineColor = 7;             // of lines that no data make
+constexpr std::size_t kMostInKey = 40;    // letters of a light's name
+constexpr std::size_t kMostInTitle = 36;  // letters a column of charts, for all names
+
+/// A name's first letters: a photometric file's may be a line of any length.
+std::string shortened(std::string name, std::size_t most) {
+  if (count_code_points(name) <= most) return name;
+  std::size_t end = 0;
+  for (std::size_t kept = 0; kept < most || !starts_code_point(name[end]); ++end) kept += starts_code_point(name[end]);
+  return name.substr(0, end) + "…";
+}
 
 /// A light as it is drawn.
 struct Subject {
@@ -36,7 +47,7 @@ struct Subject {
   bool is_alone;
 
   /// A line's name in the key: of several lights, which colour tells apart, their own.
-  std::string name(const std::string& line) const { return is_alone ? line : fit.light.name; }
+  std::string name(const std::string& line) const { return is_alone ? line : shortened(fit.light.name, kMostInKey); }
   /// That of other lines in the light's colour.
   std::string second_name(const std::string& line) const { return is_alone ? line : ""; }
 };
@@ -131,14 +142,14 @@ std::vector<command::Chart> range_charts(const std::vector<Subject>& subjects) {
 /// The cone's data in degrees and, where the peak is known in it, candela.
 struct ConeData {
   bool is_in_candela = false;
-  double unit = 1;                     ///< the peak
+  double unit = 1;                      ///< the peak
   std::vector<PlotPoint> targets = {};  ///< by increasing angle, but for the stated angles, which come first
-  double end = 0;                      ///< degrees: of what is lit
+  double end = 0;                       ///< degrees: of what is lit
 };
 
 bool has_candela(const std::vector<Subject>& subjects) {
-  return std::ranges::all_of(
-      subjects, [](const Subject& subject) { return !subject.fit.cone || subject.fit.target.luminaire; });
+  return std::ranges::all_of(subjects,
+                             [](const Subject& subject) { return !subject.fit.cone || subject.fit.target.luminaire; });
 }
 
 std::vector<const ConeProfileFit*> profiles_of(const Subject& subject) {
@@ -350,7 +361,10 @@ command::Figure fit_figure(const std::vector<const LightFit*>& fits) {
     columns.push_back({polar_chart(subjects), spread_chart(subjects)});
   }
   command::Figure figure{.columns = int(columns.size())};
-  for (const LightFit* fit : fits) figure.title += (figure.title.empty() ? "" : " / ") + fit->light.name;
+  const std::size_t most = kMostInTitle * columns.size() / fits.size();
+  for (const LightFit* fit : fits) {
+    figure.title += (figure.title.empty() ? "" : " / ") + shortened(fit->light.name, most);
+  }
   figure.width = 600 * figure.columns;
   figure.height = 780;
   for (const std::size_t row : {0u, 1u}) {

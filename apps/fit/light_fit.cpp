@@ -11,6 +11,7 @@
 #include <numeric>
 
 #include "files/angle_deg.h"
+#include "fit/verdict.h"
 #include "litfog/photometry/elliptical_beam.h"
 
 namespace litfog::fit {
@@ -63,6 +64,15 @@ double asymmetry_of(std::vector<IsocandelaEllipse> lines) {
     line.vertical *= scale;
   }
   return asymmetry(elliptical_beam(lines), kPhotometricAxis);
+}
+
+/// Where the mean over the turn of a nearly round beam is brightest, if its middle has less than half of that. Radians.
+std::optional<double> ring_angle(const LightTarget& target) {
+  if (!target.luminaire || target.asymmetry > kGood.asymmetry) return std::nullopt;
+  const auto& samples = target.cone->samples;
+  const auto brightest = std::ranges::max_element(samples, {}, &ConeSample::intensity);
+  if (brightest == samples.end() || samples.front().intensity >= 0.5 * brightest->intensity) return std::nullopt;
+  return brightest->angle;
 }
 
 }  // namespace
@@ -157,7 +167,11 @@ std::vector<std::string> LightFit::advice() const {
     add("The beam is not rotationally symmetric: any cone loses {:.0f} % of it (rms). --cookie keeps its shape.",
         100 * target.asymmetry);
   }
-  if (target.luminaire && peak_angle > files::radians(5)) {
+  if (const auto angle = ring_angle(target)) {
+    add("The beam is a ring, brightest {:.3g} degrees off the axis: no cone is dark in its middle. --cookie keeps its "
+        "shape.",
+        files::degrees(*angle));
+  } else if (target.luminaire && peak_angle > files::radians(5)) {
     add("The beam's peak is {:.3g} degrees off the cone's axis: --axis peak moves the axis there.",
         files::degrees(peak_angle));
   }

@@ -40,8 +40,8 @@ class Findings {
   std::vector<Finding> findings_;
 };
 
-/// To a hundredth of a percent, so that rounding's noise is 0.
-double percent(double fraction) { return std::round(1e4 * fraction) / 100; }
+/// To a hundredth of a percent, so that rounding's noise is 0, and not -0.
+double percent(double fraction) { return std::round(1e4 * fraction) / 100 + 0.0; }
 
 void judge_range(Findings& findings, const AttenuationTarget& target, const AttenuationFit& fit) {
   if (fit.status == AttenuationFitStatus::infeasible) {

@@ -47,6 +47,7 @@ bool JumpWatch::is_at_jump(const SurfacePoint& point) const {
       is_seen(glm::dvec3(environment.moon_color) * model_.highlight(point, moon))) {
     return true;
   }
+  if (is_seen(model_.moonlight(point)) && model_.is_at_moon_shadow_edge(point)) return true;
   return std::ranges::any_of(model_.lights(), [&](const ReferenceLight& light) {
     const auto ray = ray_within(light.extent * (1 + kMostRounding), light, point.position);
     return ray && (is_at_jump(point, light, *ray) || is_at_shadow_edge(point, light, *ray));

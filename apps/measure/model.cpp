@@ -56,7 +56,7 @@ SurfacePoint Model::surface_point(const render::GeometrySample& sample) const {
   return {.position = position,
           .normal = path_.has_normal_maps ? mapped_normal(sample) : glm::normalize(glm::dvec3(sample.normal)),
           .to_eye = settings_.has_infinite_viewer ? -forward_ : glm::normalize(eye_ - position),
-          .emissive = material.emissive,
+          .emissive = sample.emission,
           .diffuse = sample.albedo,
           .specular = is_basic ? glm::dvec3(material.specular) * double(sample.gloss) : glm::dvec3(0.0),
           .shininess = material.shininess,
@@ -76,12 +76,17 @@ glm::dvec3 Model::surface_color(const SurfacePoint& point) const {
 }
 
 glm::dvec3 Model::without_lamps(const SurfacePoint& point) const {
-  const glm::dvec3 moon_color = environment_.moon_color;
   const glm::dvec3 color = point.emissive + point.diffuse * glm::dvec3(environment_.ambient_light);
+  const glm::dvec3 moonlit = moonlight(point);
+  return moonlit == glm::dvec3(0.0) || is_in_moon_shadow(point) ? color : color + moonlit;
+}
+
+glm::dvec3 Model::moonlight(const SurfacePoint& point) const {
+  const glm::dvec3 moon_color = environment_.moon_color;
   if (path_.evaluation == render::Evaluation::lookup) {  // Hales: the shading value, interpolated
-    return color + moon_color * point.diffuse * std::clamp(point.vertex_moon_cosine, 0.0, 1.0);
+    return moon_color * point.diffuse * std::clamp(point.vertex_moon_cosine, 0.0, 1.0);
   }
-  return color + moon_color * reflectance(point, environment_.moon_direction);
+  return moon_color * reflectance(point, environment_.moon_direction);
 }
 
 double Model::falloff(const ReferenceLight& light, double range) const {

@@ -79,6 +79,16 @@ class Model {
     return light.casts_shadows && shadows_->is_at_edge(light, point.position, point.normal);
   }
 
+  /// The same of the directional light.
+  bool is_in_moon_shadow(const SurfacePoint& point) const {
+    return shadows_ && shadows_->is_dark_to_moon(point.position);
+  }
+  bool is_at_moon_shadow_edge(const SurfacePoint& point) const {
+    return shadows_ && shadows_->is_at_moon_edge(point.position, point.normal);
+  }
+  /// What a surface reflects of the directional light, were it in no shadow.
+  glm::dvec3 moonlight(const SurfacePoint& point) const;
+
   Veil veil(const glm::dvec3& position) const;
   /// The renderer's fog.
   const Fog& fog() const { return fog_; }

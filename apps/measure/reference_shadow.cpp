@@ -2,8 +2,8 @@
 #include "measure/reference_shadow.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kRounding = 1e-6;    // of positions in floats, relative
 constexpr double kOwnSurface = 1e-4;  // of the range: what is met that near to a position is the triangle it is on
+constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 /// The distance from a lamp to a plane in a direction; nothing if the plane is behind, or more than twice as far as the
 /// point of it that the direction is near to.
@@ -42,7 +43,10 @@ double slack(const glm::dvec3& position, const glm::dvec3& from_lamp) {
 }  // namespace
 
 ReferenceShadows::ReferenceShadows(const render::Renderer& renderer)
-    : triangles_(renderer.scene()), map_size_(renderer.settings().shadow_map_size) {}
+    : triangles_(renderer.scene()),
+      to_moon_(glm::normalize(glm::dvec3(renderer.scene().environment.moon_direction))),
+      moon_maps_(renderer.shadows()->moon_maps()),
+      map_size_(renderer.settings().shadow_map_size) {}
 
 bool ReferenceShadows::is_dark(const ReferenceLight& light, const glm::dvec3& position) const {
   const glm::dvec3 from_lamp = position - light.placed.position;
@@ -51,48 +55,81 @@ bool ReferenceShadows::is_dark(const ReferenceLight& light, const glm::dvec3& po
                            range - 100 * slack(position, from_lamp));
 }
 
+bool ReferenceShadows::is_dark_to_moon(const glm::dvec3& position) const {
+  return triangles_.is_met(position, to_moon_, 100 * slack(position, glm::dvec3(0)), kEndless);
+}
+
+bool ReferenceShadows::is_met(const Probe& probe, double before_plane) const {
+  return triangles_.is_met(probe.origin, probe.direction, probe.first, probe.distance - before_plane);
+}
+
+/// The normal of the triangle on which a probe ends, or else the surface's.
+glm::dvec3 ReferenceShadows::plane_at(const Probe& probe, const glm::dvec3& normal) const {
+  const double slack = kOwnSurface * probe.distance;
+  const auto own = triangles_.nearest(probe.origin, probe.direction, probe.distance - slack, probe.distance + slack);
+  return own ? own->normal : normal;
+}
+
+template <typename ProbeAt>
+bool ReferenceShadows::is_at_edge(const ProbeAt& probe_at, double contact) const {
+  constexpr int kRays = 8;
+  constexpr int kRings = 3;
+  std::vector<Probe> probes{*probe_at(glm::dvec2(0))};
+  double steepest = 0;  // metres of distance a texel
+  for (int ring = 0; ring < kRings; ++ring) {
+    for (int i = 0; i < kRays; ++i) {
+      const double angle = 2 * std::numbers::pi * (i + 0.5 * ring) / kRays;
+      const double texels = kEdgeTexels * (ring + 1) / kRings;
+      const std::optional<Probe> probe = probe_at(texels * glm::dvec2(std::cos(angle), std::sin(angle)));
+      if (!probe) return true;  // the texel sees the surface edge on
+      probes.push_back(*probe);
+      steepest = std::max(steepest, std::abs(probe->distance - probes[0].distance) / texels);
+    }
+  }
+  // A map may take what is this near to the surface for it: twice the sum of its slopes over a texel of both axes.
+  const double most_contact = 2 * std::numbers::sqrt2 * steepest + 2 * contact;
+  const bool is_dark = is_met(probes[0], most_contact);
+  return std::ranges::any_of(probes, [&](const Probe& probe) {
+    return is_met(probe, most_contact) != is_dark || (!is_dark && is_met(probe, contact));
+  });
+}
+
 bool ReferenceShadows::is_at_edge(const ReferenceLight& light, const glm::dvec3& position,
                                   const glm::dvec3& normal) const {
   const glm::dvec3& lamp = light.placed.position;
   const glm::dvec3 from_lamp = position - lamp;
   const double range = glm::length(from_lamp);
   const glm::dvec3 direction = from_lamp / range;
-  const auto own = triangles_.nearest(lamp, direction, range * (1 - kOwnSurface), range * (1 + kOwnSurface));
-  const glm::dvec3 plane = own ? own->normal : normal;
+  const glm::dvec3 plane = plane_at({lamp, direction, 0, range}, normal);
   const double texel = texel_width(light, from_lamp, map_size_);
-
   const glm::dmat3 world_from_basis = glm::transpose(scene::basis_from_world(direction));
-  constexpr int kRays = 8;
-  constexpr int kRings = 3;
-  std::array<glm::dvec3, kRays * kRings + 1> directions;
-  std::array<double, kRays * kRings + 1> distances;
-  directions[0] = direction;
-  distances[0] = range;
-  double steepest = 0;  // metres of distance a texel
-  for (int ring = 0; ring < kRings; ++ring) {
-    for (int i = 0; i < kRays; ++i) {
-      const double angle = 2 * std::numbers::pi * (i + 0.5 * ring) / kRays;
-      const double texels = kEdgeTexels * (ring + 1) / kRings;
-      const auto index = std::size_t(1 + ring * kRays + i);
-      directions[index] = glm::normalize(
-          from_lamp + world_from_basis * (glm::dvec3(std::cos(angle), std::sin(angle), 0) * (texels * texel)));
-      const auto distance = distance_to_plane(from_lamp, plane, directions[index]);
-      if (!distance) return true;  // the texel sees the surface edge on
-      distances[index] = *distance;
-      steepest = std::max(steepest, std::abs(*distance - range) / texels);
-    }
-  }
-  // A map may take what is this near to the surface for it: twice the sum of its slopes over a texel of both axes.
-  const double contact = slack(position, from_lamp) + 1e-5 * range;
-  const double most_contact = 2 * std::numbers::sqrt2 * steepest + 2 * contact;
-  int dark = 0;
-  for (std::size_t i = 0; i < directions.size(); ++i) {
-    const bool is_dark = triangles_.is_met(lamp, directions[i], render::kLampRadius, distances[i] - most_contact);
-    if (!is_dark && triangles_.is_met(lamp, directions[i], render::kLampRadius, distances[i] - contact)) return true;
-    dark += is_dark;
-    if (dark != 0 && dark != int(i) + 1) return true;
-  }
-  return false;
+  const auto probe_at = [&](const glm::dvec2& texels) -> std::optional<Probe> {
+    const glm::dvec3 beside = glm::normalize(from_lamp + world_from_basis * glm::dvec3(texels * texel, 0));
+    const auto distance = distance_to_plane(from_lamp, plane, beside);
+    if (!distance) return std::nullopt;
+    return Probe{lamp, beside, render::kLampRadius, *distance};
+  };
+  return is_at_edge(probe_at, slack(position, from_lamp) + 1e-5 * range);
+}
+
+bool ReferenceShadows::is_at_moon_edge(const glm::dvec3& position, const glm::dvec3& normal) const {
+  const auto map = std::ranges::find_if(moon_maps_, [&](const render::MoonMap& each) {
+    const glm::dvec3 place = glm::abs(each.frame_from_world * (position - each.position));
+    return std::max(place.x, place.y) < each.half_size * (1 - 4 / map_size_);
+  });
+  if (map == moon_maps_.end()) return false;
+  const double texel = 2 * map->half_size / map_size_;
+  const glm::dmat3 world_from_frame = glm::transpose(map->frame_from_world);
+  const double range = glm::dot(map->position - position, to_moon_);
+  const glm::dvec3 plane = plane_at({position + range * to_moon_, -to_moon_, 0, range}, normal);
+  const double facing = glm::dot(plane, to_moon_);
+  const auto probe_at = [&](const glm::dvec2& texels) -> std::optional<Probe> {
+    const glm::dvec3 across = world_from_frame * glm::dvec3(texels * texel, 0);
+    const double distance = range + glm::dot(plane, across) / facing;
+    if (!std::isfinite(distance)) return std::nullopt;
+    return Probe{position + across + range * to_moon_, -to_moon_, 0, distance};
+  };
+  return is_at_edge(probe_at, slack(position, map->position) + 0.02 * texel);
 }
 
 std::vector<std::pair<double, double>> ReferenceShadows::lit_stretches(const ReferenceLight& light,

@@ -11,7 +11,7 @@
 
 namespace litfog::measure {
 
-/// The shadows of a renderer's lamps by rays in double: without maps, so with sharp edges.
+/// The shadows of a renderer's lamps and of its directional light by rays in double: without maps, so with sharp edges.
 class ReferenceShadows {
  public:
   /// How far a shadow map may put the edge of a shadow beside its place, in texels of the map: three fit around the
@@ -28,13 +28,31 @@ class ReferenceShadows {
   ///
   /// normal  of the surface, for positions beside every triangle; unit
   bool is_at_edge(const ReferenceLight& light, const glm::dvec3& position, const glm::dvec3& normal) const;
+  /// The same of the directional light.
+  bool is_dark_to_moon(const glm::dvec3& position) const;
+  bool is_at_moon_edge(const glm::dvec3& position, const glm::dvec3& normal) const;
   /// The stretches of a ray from the eye on which a lamp's light reaches the fog: metres from the eye. What is
   /// shorter than a kStretchSteps-th of the lamp's part of the ray may be missed.
   std::vector<std::pair<double, double>> lit_stretches(const ReferenceLight& light, const EyeRay& ray) const;
   static constexpr int kStretchSteps = 1024;
 
  private:
+  /// What a texel of a map beside a position compares: a ray from the light to the plane of the surface.
+  struct Probe {
+    glm::dvec3 origin;
+    glm::dvec3 direction;
+    double first, distance;  // metres
+  };
+  bool is_met(const Probe& probe, double before_plane) const;
+  /// probe_at  of a place beside the position, in texels across the light's ray; nothing where the plane is seen edge
+  /// on
+  template <typename ProbeAt>
+  bool is_at_edge(const ProbeAt& probe_at, double contact) const;
+  glm::dvec3 plane_at(const Probe& probe, const glm::dvec3& normal) const;
+
   TriangleTree triangles_;
+  glm::dvec3 to_moon_;
+  std::vector<render::MoonMap> moon_maps_;
   double map_size_;  // texels a side
 };
 

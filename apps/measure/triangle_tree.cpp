@@ -2,6 +2,7 @@
 #include "measure/triangle_tree.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace litfog::measure {
@@ -9,21 +10,37 @@ namespace {
 
 constexpr std::uint32_t kLeaf = 4;  // triangles
 
-/// Metres along a ray to a triangle (Tomas Möller and Ben Trumbore 1997, "Fast, Minimum Storage Ray/Triangle
-/// Intersection").
-std::optional<double> distance_to(const std::array<glm::dvec3, 3>& triangle, const glm::dvec3& origin,
-                                  const glm::dvec3& direction) {
-  const glm::dvec3 e1 = triangle[1] - triangle[0];
-  const glm::dvec3 e2 = triangle[2] - triangle[0];
-  const glm::dvec3 p = glm::cross(direction, e2);
-  const double determinant = glm::dot(e1, p);
-  if (determinant == 0) return std::nullopt;  // seen edge on
-  const glm::dvec3 t = origin - triangle[0];
-  const double u = glm::dot(t, p) / determinant;
-  const glm::dvec3 q = glm::cross(t, e1);
-  const double v = glm::dot(direction, q) / determinant;
-  if (!(u >= 0 && v >= 0 && u + v <= 1)) return std::nullopt;
-  return glm::dot(e2, q) / determinant;
+/// A texel's index for one beyond [0, size).
+int wrapped(int i, int size, scene::Sampling::Wrap wrap) {
+  switch (wrap) {
+    case scene::Sampling::Wrap::repeat:
+      return (i % size + size) % size;
+    case scene::Sampling::Wrap::mirror: {
+      const int turned = (i % (2 * size) + 2 * size) % (2 * size);
+      return turned < size ? turned : 2 * size - 1 - turned;
+    }
+    default:
+      return std::clamp(i, 0, size - 1);
+  }
+}
+
+/// A picture's A, as OpenGL magnifies it (OpenGL 3.3, 3.8.11).
+double alpha_at(const scene::Texels& texels, const glm::dvec2& uv) {
+  const auto alpha = [&](int x, int y) {
+    x = wrapped(x, texels.width, texels.sampling.wrap_u);
+    y = wrapped(y, texels.height, texels.sampling.wrap_v);
+    return texels.rgba[4 * (std::size_t(y) * std::size_t(texels.width) + std::size_t(x)) + 3] / 255.0;
+  };
+  const glm::dvec2 place = uv * glm::dvec2(texels.width, texels.height);
+  if (texels.sampling.magnified == scene::Sampling::Filter::nearest) {
+    return alpha(int(std::floor(place.x)), int(std::floor(place.y)));
+  }
+  const glm::dvec2 low = glm::floor(place - 0.5);
+  const glm::dvec2 part = place - 0.5 - low;
+  const int x = int(low.x);
+  const int y = int(low.y);
+  return std::lerp(std::lerp(alpha(x, y), alpha(x + 1, y), part.x),
+                   std::lerp(alpha(x, y + 1), alpha(x + 1, y + 1), part.x), part.y);
 }
 
 /// Whether a ray is within a box somewhere between two distances.
@@ -44,15 +61,54 @@ bool meets(const glm::dvec3& low, const glm::dvec3& high, const glm::dvec3& orig
 
 }  // namespace
 
+/// Of a triangle on a ray.
+struct TriangleTree::Place {
+  double distance;  // metres along the ray
+  double u, v;      // shares of the second and of the third corner
+};
+
+/// Tomas Möller and Ben Trumbore 1997, "Fast, Minimum Storage Ray/Triangle Intersection".
+std::optional<TriangleTree::Place> TriangleTree::place_on(const Corners& corners, const glm::dvec3& origin,
+                                                          const glm::dvec3& direction) {
+  const glm::dvec3 e1 = corners[1] - corners[0];
+  const glm::dvec3 e2 = corners[2] - corners[0];
+  const glm::dvec3 p = glm::cross(direction, e2);
+  const double determinant = glm::dot(e1, p);
+  if (determinant == 0) return std::nullopt;  // seen edge on
+  const glm::dvec3 t = origin - corners[0];
+  const double u = glm::dot(t, p) / determinant;
+  const glm::dvec3 q = glm::cross(t, e1);
+  const double v = glm::dot(direction, q) / determinant;
+  if (!(u >= 0 && v >= 0 && u + v <= 1)) return std::nullopt;
+  return Place{glm::dot(e2, q) / determinant, u, v};
+}
+
+bool TriangleTree::is_left_by_mask(const Triangle& triangle, const Place& place) const {
+  if (triangle.mask == kNoMask) return true;
+  const Mask& mask = masks_[triangle.mask];
+  const std::array<glm::dvec3, 3>& at = mask.uv_coverage;
+  const glm::dvec3 uv_coverage = at[0] + (at[1] - at[0]) * place.u + (at[2] - at[0]) * place.v;
+  const scene::Material& material = *mask.material;
+  const double alpha =
+      material.plain_albedo ? 1 : alpha_at(*material.albedo, glm::dvec2(uv_coverage) / double(material.size_m));
+  return alpha * uv_coverage.z >= double(*material.least_coverage);
+}
+
 TriangleTree::TriangleTree(const scene::Scene& scene) {
   for (const scene::Instance& instance : scene.instances) {
     for (const scene::Part& part : scene.models[instance.model]) {
+      const auto material = std::ranges::find(scene.materials, part.material, &scene::Material::name);
+      const bool is_masked = material != scene.materials.end() && material->least_coverage;
       const std::vector<std::uint32_t>& indices = part.mesh.indices;
       for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-        Triangle& triangle = triangles_.emplace_back();
+        Triangle& triangle = triangles_.emplace_back(Triangle{{}, is_masked ? masks_.size() : kNoMask});
+        if (is_masked) masks_.push_back({&*material, {}});
         for (std::size_t k = 0; k < 3; ++k) {
-          const glm::dvec4 position(part.mesh.vertices[indices[i + k]].position, 1);
-          triangle[k] = glm::dmat4(instance.world_from_model) * position;
+          const scene::Vertex& vertex = part.mesh.vertices[indices[i + k]];
+          triangle.corners[k] = glm::dmat4(instance.world_from_model) * glm::dvec4(vertex.position, 1);
+          if (is_masked) {
+            masks_.back().uv_coverage[k] = glm::dvec3(vertex.uv, detail_of(part.mesh, indices[i + k]).color.a);
+          }
         }
       }
     }
@@ -66,7 +122,7 @@ void TriangleTree::build(std::uint32_t first, std::uint32_t count) {
   glm::dvec3 low(std::numeric_limits<double>::infinity());
   glm::dvec3 high = -low;
   for (auto triangle = begin; triangle != end; ++triangle) {
-    for (const glm::dvec3& corner : *triangle) {
+    for (const glm::dvec3& corner : triangle->corners) {
       low = glm::min(low, corner);
       high = glm::max(high, corner);
     }
@@ -78,7 +134,8 @@ void TriangleTree::build(std::uint32_t first, std::uint32_t count) {
   const glm::length_t axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
   const std::uint32_t half = count / 2;
   std::nth_element(begin, begin + half, end, [axis](const Triangle& a, const Triangle& b) {
-    return a[0][axis] + a[1][axis] + a[2][axis] < b[0][axis] + b[1][axis] + b[2][axis];
+    return a.corners[0][axis] + a.corners[1][axis] + a.corners[2][axis] <
+           b.corners[0][axis] + b.corners[1][axis] + b.corners[2][axis];
   });
   build(first, half);
   nodes_[node].count = 0;
@@ -103,8 +160,9 @@ void TriangleTree::search(const glm::dvec3& origin, const glm::dvec3& direction,
       continue;
     }
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-      const std::optional<double> distance = distance_to(triangles_[i], origin, direction);
-      if (distance && *distance >= first && *distance <= last) last = found(triangles_[i], *distance);
+      const std::optional<Place> place = place_on(triangles_[i].corners, origin, direction);
+      const bool is_between = place && place->distance >= first && place->distance <= last;
+      if (is_between && is_left_by_mask(triangles_[i], *place)) last = found(triangles_[i].corners, place->distance);
     }
   }
 }
@@ -112,7 +170,7 @@ void TriangleTree::search(const glm::dvec3& origin, const glm::dvec3& direction,
 std::optional<TriangleTree::Hit> TriangleTree::nearest(const glm::dvec3& origin, const glm::dvec3& direction,
                                                        double first, double last) const {
   std::optional<Hit> hit;
-  search(origin, direction, first, last, [&](const Triangle& triangle, double distance) {
+  search(origin, direction, first, last, [&](const Corners& triangle, double distance) {
     hit = {distance, glm::normalize(glm::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]))};
     return distance;
   });
@@ -121,7 +179,7 @@ std::optional<TriangleTree::Hit> TriangleTree::nearest(const glm::dvec3& origin,
 
 bool TriangleTree::is_met(const glm::dvec3& origin, const glm::dvec3& direction, double first, double last) const {
   bool is_met = false;
-  search(origin, direction, first, last, [&](const Triangle&, double) {
+  search(origin, direction, first, last, [&](const Corners&, double) {
     is_met = true;
     return -std::numeric_limits<double>::infinity();
   });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
@@ -12,9 +13,11 @@
 namespace litfog::measure {
 
 /// The triangles of a scene in a tree of boxes, all in double, for rays that ask what they meet. Both sides of a
-/// triangle count.
+/// triangle count, and where its material has a mask, only what that leaves: by the base texture itself, without
+/// mipmaps.
 class TriangleTree {
  public:
+  /// scene  whose materials have to outlive this
   explicit TriangleTree(const scene::Scene& scene);
 
   struct Hit {
@@ -30,7 +33,20 @@ class TriangleTree {
   bool is_met(const glm::dvec3& origin, const glm::dvec3& direction, double first, double last) const;
 
  private:
-  using Triangle = std::array<glm::dvec3, 3>;
+  using Corners = std::array<glm::dvec3, 3>;
+  struct Triangle {
+    Corners corners;
+    std::size_t mask;  // kNoMask: of no such material
+  };
+  static constexpr auto kNoMask = std::size_t(-1);
+  struct Mask {
+    const scene::Material* material;
+    std::array<glm::dvec3, 3> uv_coverage;  // at the corners; the vertices' coverage
+  };
+  struct Place;
+
+  static std::optional<Place> place_on(const Corners& corners, const glm::dvec3& origin, const glm::dvec3& direction);
+  bool is_left_by_mask(const Triangle& triangle, const Place& place) const;
   struct Node {
     glm::dvec3 low, high;
     std::uint32_t first;  // of its triangles; of an inner node, the second child: the first one follows the node
@@ -38,12 +54,13 @@ class TriangleTree {
   };
 
   void build(std::uint32_t first, std::uint32_t count);
-  /// Calls found(triangle, distance) for what the ray meets; it returns the distance up to which to go on.
+  /// Calls found(corners, distance) for what the ray meets; it returns the distance up to which to go on.
   template <typename Found>
   void search(const glm::dvec3& origin, const glm::dvec3& direction, double first, double last,
               const Found& found) const;
 
   std::vector<Triangle> triangles_;
+  std::vector<Mask> masks_;
   std::vector<Node> nodes_;
 };
 

@@ -35,6 +35,28 @@ void fill(GLenum target, const gl::BufferName& buffer, const std::vector<Element
   glBufferData(target, GLsizeiptr(bytes), elements.data(), GL_STATIC_DRAW);
 }
 
+/// One of a struct's members, of floats, from the bound GL_ARRAY_BUFFER.
+template <typename Struct>
+void set_attribute(GLuint location, GLint components, std::size_t offset) {
+  glEnableVertexAttribArray(location);
+  glVertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, sizeof(Struct),
+                        reinterpret_cast<const void*>(offset));
+}
+
+/// Of all vertices, in the order of cut_into_chunks(); empty where no mesh has any.
+std::vector<scene::VertexDetail> details_of(const std::vector<scene::Model>& models) {
+  std::vector<scene::VertexDetail> details;
+  std::size_t vertices = 0;
+  for (const scene::Model& model : models) {
+    for (const scene::Part& part : model) {
+      details.resize(part.mesh.details.empty() ? details.size() : vertices);
+      details.insert(details.end(), part.mesh.details.begin(), part.mesh.details.end());
+      vertices += part.mesh.vertices.size();
+    }
+  }
+  return details;
+}
+
 }  // namespace
 
 std::vector<Chunk> cut_into_chunks(const scene::Model& model, std::vector<scene::Vertex>& vertices,
@@ -59,7 +81,8 @@ std::vector<Chunk> cut_into_chunks(const scene::Model& model, std::vector<scene:
       Chunk chunk{part.material,
                   {mesh.vertices[members.front()].position, mesh.vertices[members.front()].position},
                   indices.size(),
-                  int(members.size())};
+                  int(members.size()),
+                  !mesh.details.empty()};
       for (const std::uint32_t index : members) {
         chunk.bounds.low = glm::min(chunk.bounds.low, mesh.vertices[index].position);
         chunk.bounds.high = glm::max(chunk.bounds.high, mesh.vertices[index].position);
@@ -72,15 +95,10 @@ std::vector<Chunk> cut_into_chunks(const scene::Model& model, std::vector<scene:
 }
 
 void set_vertex_attributes() {
-  const auto attribute = [](GLuint location, GLint components, std::size_t offset) {
-    glEnableVertexAttribArray(location);
-    glVertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, sizeof(scene::Vertex),
-                          reinterpret_cast<const void*>(offset));
-  };
-  attribute(0, 3, offsetof(scene::Vertex, position));
-  attribute(1, 3, offsetof(scene::Vertex, normal));
-  attribute(2, 4, offsetof(scene::Vertex, tangent));
-  attribute(3, 2, offsetof(scene::Vertex, uv));
+  set_attribute<scene::Vertex>(0, 3, offsetof(scene::Vertex, position));
+  set_attribute<scene::Vertex>(1, 3, offsetof(scene::Vertex, normal));
+  set_attribute<scene::Vertex>(2, 4, offsetof(scene::Vertex, tangent));
+  set_attribute<scene::Vertex>(3, 2, offsetof(scene::Vertex, uv));
 }
 
 MeshStore::MeshStore(const std::vector<scene::Model>& models) {
@@ -96,9 +114,18 @@ MeshStore::MeshStore(const std::vector<scene::Model>& models) {
   fill(GL_ARRAY_BUFFER, vertices_, vertices);
   fill(GL_ELEMENT_ARRAY_BUFFER, indices_, indices);
   set_vertex_attributes();
+  std::vector<scene::VertexDetail> details = details_of(models);
+  if (details.empty()) return;
+  details.resize(vertices.size());
+  fill(GL_ARRAY_BUFFER, details_, details);
+  set_attribute<scene::VertexDetail>(4, 4, offsetof(scene::VertexDetail, color));
+  set_attribute<scene::VertexDetail>(5, 4, offsetof(scene::VertexDetail, normal_uv));
 }
 
-void MeshStore::bind() const { glBindVertexArray(vertex_array_.id()); }
+void MeshStore::bind() const {
+  glBindVertexArray(vertex_array_.id());
+  glVertexAttrib4f(4, 1, 1, 1, 1);  // the color of vertices without details
+}
 
 void MeshStore::draw(const Chunk& chunk, TriangleOrder order) const {
   const std::size_t first = order == TriangleOrder::stored

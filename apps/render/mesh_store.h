@@ -15,6 +15,7 @@ struct Chunk {
   scene::Bounds bounds;  ///< model space
   std::size_t first_index;
   int index_count;
+  bool has_details;  ///< its vertices have scene::VertexDetail
 };
 
 /// A model's parts as chunks: large parts are cut into cells. The indices are appended to those of a store.
@@ -28,7 +29,8 @@ void set_vertex_attributes();
 /// In which order a chunk's triangles are drawn.
 enum class TriangleOrder { stored, reversed };
 
-/// All models of a scene in one vertex array on the GPU.
+/// All models of a scene in one vertex array on the GPU. Where any of them has details, so has the array: locations 4
+/// color, 5 the normal map's uv and the emission's.
 class MeshStore {
  public:
   /// throws gl::Unsupported where its vertices or indices would take 2^31 bytes or more, which drivers do not hold
@@ -45,6 +47,7 @@ class MeshStore {
   std::size_t index_count_;  // in stored order; as many follow with the triangles reversed
   gl::VertexArrayName vertex_array_;
   gl::BufferName vertices_;
+  gl::BufferName details_;  // empty where no model has any
   gl::BufferName indices_;
 };
 

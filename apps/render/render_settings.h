@@ -16,11 +16,11 @@ enum class FogLighting {
   airlight,
 };
 
-/// What the shadows of lamps darken.
+/// What the shadows of lamps, and of the directional light, darken.
 enum class Shadows {
   none,
   surfaces,
-  shafts,  ///< surfaces, and the fog that airlight lights
+  shafts,  ///< surfaces, and the fog that lamps' airlight lights
 };
 
 /// How the cube map of a light's cone covers its angles, in paths with light maps (light_map.h).

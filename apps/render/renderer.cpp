@@ -89,7 +89,7 @@ Renderer::Renderer(const scene::Scene& scene, int width, int height, const Rende
       light_point_program_("light_point.vert", "light_point.frag", scene_shaders(!scene.cookies.empty())) {
   gl::check_fog_light_layout(sky_program_);
   if (settings.shadows != Shadows::none) {
-    shadows_.emplace(lights_, surfaces_.surfaces(), scene.camera.position, settings);
+    shadows_.emplace(scene, lights_, surfaces_.surfaces(), framebuffer_.aspect(), settings);
   }
   if (settings.fog_lighting == FogLighting::airlight) {
     airlight_.emplace(scene, lights_, fog_block_, framebuffer_,
@@ -192,7 +192,7 @@ FrameCounts Renderer::draw_stages(LightPoints light_points, FrameStatistics* sta
     counts.bytes_uploaded += bytes;
   }
   clock.end(&StageTimes::plan);
-  if (shadows_) counts.shadow_maps_drawn = shadows_->draw();
+  if (shadows_) counts.shadow_maps_drawn = shadows_->draw(framebuffer_.aspect());
   begin_frame(scene_.environment.ambient_fog_color);  // SkyDrawing::background
   light_tables_.bind_textures(kKindBufferUnit, kInstanceBufferUnit);
   light_list_->bind(kLightListUnit);

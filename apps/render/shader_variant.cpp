@@ -63,4 +63,13 @@ std::string pass_constants(const ShaderVariant& variant) {
       unrolled(lights_in_pass), unrolled(fog_lights.count));
 }
 
+std::string material_constants(const MaterialFeatures& material) {
+  std::string text;
+  if (material.is_masked) text += "#define MATERIAL_MASK\n";
+  if (material.is_unlit) text += "#define MATERIAL_UNLIT\n";
+  if (material.has_emission_map) text += "#define MATERIAL_EMISSION_MAP\n";
+  if (material.has_details) text += "#define VERTEX_DETAILS\n";
+  return text;
+}
+
 }  // namespace litfog::render

@@ -32,9 +32,20 @@ struct UniformLights {
 /// A shader of compiled_light_count() lights for these.
 UniformLights compiled_for(std::span<const PackedLight> lights);
 
+/// What few materials and meshes have: shaders without it cost nothing for it (material.frag).
+struct MaterialFeatures {
+  bool is_masked = false;
+  bool is_unlit = false;
+  bool has_emission_map = false;
+  bool has_details = false;  ///< its vertices: scene::VertexDetail
+
+  auto operator<=>(const MaterialFeatures&) const = default;
+};
+
 /// What a pass's shaders are compiled for.
 struct ShaderVariant {
   const SurfacePass* pass;
+  MaterialFeatures material = {};
   bool is_first = true;  ///< of the times that the pass draws a surface
   bool has_listed_lights = false;
   bool has_listed_fog_lights = false;
@@ -48,5 +59,7 @@ struct ShaderVariant {
 
 /// The text of pass.glsl for a variant.
 std::string pass_constants(const ShaderVariant& variant);
+/// The text of material.glsl.
+std::string material_constants(const MaterialFeatures& material);
 
 }  // namespace litfog::render

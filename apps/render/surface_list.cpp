@@ -47,16 +47,27 @@ struct Largest {
   double albedo;
   double gloss;
 };
-Largest largest_of(const scene::Material& material) {
-  if (material.plain_albedo) return {largest_component(*material.plain_albedo), 1};
+Largest largest_of(const scene::Texels& texels) {
   std::uint8_t albedo = 0;
   std::uint8_t gloss = 0;
-  const std::vector<std::uint8_t>& rgba = material.albedo->rgba;
+  const std::vector<std::uint8_t>& rgba = texels.rgba;
   for (std::size_t i = 0; i + 3 < rgba.size(); i += 4) {
     albedo = std::max({albedo, rgba[i], rgba[i + 1], rgba[i + 2]});
     gloss = std::max(gloss, rgba[i + 3]);
   }
   return {linear_of(albedo), gloss / 255.0};
+}
+Largest largest_of(const scene::Material& material) {
+  if (material.plain_albedo) return {largest_component(*material.plain_albedo), 1};
+  const Largest most = largest_of(*material.albedo);
+  return {most.albedo, material.least_coverage ? 1 : most.gloss};
+}
+
+/// What it sends to the eye by itself: the largest component.
+double most_emitted(const scene::Material& material, const Largest& most) {
+  const double emissive = largest_component(material.emissive);
+  if (material.is_unlit) return emissive * most.albedo;
+  return material.emission ? emissive * largest_of(*material.emission).albedo : emissive;
 }
 
 /// A scene's materials on the GPU, sorted by name.
@@ -66,17 +77,20 @@ std::vector<SurfaceMaterial> upload(std::vector<scene::Material> materials, cons
   std::vector<SurfaceMaterial> uploaded;
   for (scene::Material& material : materials) {
     const Largest most = largest_of(material);
-    const double reflectance = most.albedo + most.gloss * largest_component(material.specular);
-    const double own_light = largest_component(material.emissive) +
-                             most.albedo * largest_component(environment.ambient_light) +
+    const double diffuse = material.is_unlit ? 0 : most.albedo;
+    const double reflectance = diffuse + most.gloss * largest_component(material.specular);
+    const double own_light = most_emitted(material, most) + diffuse * largest_component(environment.ambient_light) +
                              reflectance * largest_component(environment.moon_color);
     auto albedo = material.plain_albedo ? std::make_shared<const Texture>(glm::vec4(*material.plain_albedo, 1.0f))
                                         : textures.upload(material.albedo, Texture::Encoding::srgb);
     auto normal = textures.upload(material.normal, Texture::Encoding::linear);
+    std::shared_ptr<const Texture> emission;
+    if (material.emission) emission = textures.upload(material.emission, Texture::Encoding::srgb);
     material.albedo.reset();
     material.normal.reset();
-    uploaded.push_back(
-        {std::move(material), float(uploaded.size()), reflectance, own_light, std::move(albedo), std::move(normal)});
+    material.emission.reset();
+    uploaded.push_back({std::move(material), float(uploaded.size()), reflectance, own_light, std::move(albedo),
+                        std::move(normal), std::move(emission)});
   }
   return uploaded;
 }

@@ -24,6 +24,7 @@ struct SurfaceMaterial {
   double own_light;          ///< what it sends to the eye without lamps is at most this: linear, the largest component
   std::shared_ptr<const Texture> albedo;  ///< materials of the same texels share their texture
   std::shared_ptr<const Texture> normal;
+  std::shared_ptr<const Texture> emission;  ///< null: none
 };
 
 /// A run of triangles of one material, placed in the world, and the lights that can reach it.

@@ -40,6 +40,14 @@ void select_samples(int pass) {
   glStencilOp(GL_KEEP, GL_KEEP, pass == 0 ? GL_REPLACE : GL_INCR_WRAP);
 }
 
+MaterialFeatures features_of(const Surface& surface) {
+  const SurfaceMaterial& material = *surface.material;
+  return {.is_masked = material.material.least_coverage.has_value(),
+          .is_unlit = material.material.is_unlit,
+          .has_emission_map = material.emission != nullptr,
+          .has_details = surface.chunk->has_details};
+}
+
 }  // namespace
 
 /// What draw() keeps between surfaces.
@@ -120,6 +128,7 @@ void SurfacePainter::draw_surface(Frame& frame, const PlannedSurface& planned, s
 void SurfacePainter::draw_pass(Frame& frame, const PlannedSurface& planned, ShaderVariant variant,
                                std::span<const std::int32_t> fog_lights, std::span<const std::int32_t> batch) {
   const Surface& surface = *planned.surface;
+  variant.material = features_of(surface);
   const bool has_maps = !maps_.kinds().empty();  // which hold the cones
   std::vector<PackedLight> uniforms;
   std::vector<std::int32_t> casters;  // of the uniforms
@@ -161,7 +170,8 @@ void SurfacePainter::draw_pass(Frame& frame, const PlannedSurface& planned, Shad
   if (frame.path.has_several_passes()) select_samples(frame.passes_drawn++);
   glUniformMatrix4fv(program.world_from_model, 1, GL_FALSE, glm::value_ptr(surface.world_from_model));
   const scene::Material& material = surface.material->material;
-  const glm::vec4 constants[] = {glm::vec4(scene_.camera.position, 0), glm::vec4(surface.bounds.low, 0),
+  const glm::vec4 constants[] = {glm::vec4(scene_.camera.position, 0),
+                                 glm::vec4(surface.bounds.low, material.least_coverage.value_or(0)),
                                  glm::vec4(surface.bounds.high, 0), glm::vec4(material.specular, material.shininess),
                                  glm::vec4(material.emissive, material.metal_roughness)};
   glUniform4fv(program.draw_constants, GLsizei(std::size(constants)), glm::value_ptr(constants[0]));
@@ -199,6 +209,7 @@ SurfaceProgram& SurfacePainter::use(Frame& frame, const ShaderVariant& variant, 
     set_uniform(program.program, "is_flat_shaded", unsigned{settings_.is_flat_shaded});
     set_uniform(program.program, "albedo_map", kAlbedoUnit);
     set_uniform(program.program, "normal_map", kNormalUnit);
+    set_uniform(program.program, "emission_map", kEmissionUnit);
     set_uniform(program.program, "litfog_kind_buffer", kKindBufferUnit);
     set_uniform(program.program, "litfog_instance_buffer", kInstanceBufferUnit);
     set_uniform(program.program, "light_list", kLightListUnit);
@@ -211,11 +222,13 @@ SurfaceProgram& SurfacePainter::use(Frame& frame, const ShaderVariant& variant, 
     set_uniform(program.program, "shadow_maps", kShadowMapUnit);
     set_uniform(program.program, "shadow_casters", kShadowCasterUnit);
     set_uniform(program.program, "caster_of_light", kCasterOfLightUnit);
+    if (frame.shadows) frame.shadows->set_moon_maps(program.program);
   }
   if (&material != frame.bound) {
     frame.bound = &material;
     material.albedo->bind(kAlbedoUnit);
     material.normal->bind(kNormalUnit);
+    if (material.emission) material.emission->bind(kEmissionUnit);
   }
   if (&material != program.material) {
     program.material = &material;

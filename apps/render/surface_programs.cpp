@@ -64,7 +64,13 @@ SurfaceProgram& SurfacePrograms::program(const ShaderVariant& variant) {
   std::vector<gl::ShaderSource> files = scene_shaders(has_cookies_, has_shadows_);
   files.push_back({"environment.glsl", environment_});
   files.push_back({"pass.glsl", pass});
-  gl::Program program(variant.pass->vertex, variant.pass->geometry, variant.pass->fragment, files);
+  const std::string material = material_constants(variant.material);
+  files.push_back({"material.glsl", material});
+  const std::string pass_fragment = fmt::format("#include \"{}\"\n", variant.pass->fragment);
+  files.push_back({"pass.frag", pass_fragment});
+  const bool is_plain = variant.material == MaterialFeatures{};
+  gl::Program program(variant.pass->vertex, variant.pass->geometry,
+                      is_plain ? variant.pass->fragment : std::string_view("material.frag"), files);
   return programs_.emplace(variant, std::move(program)).first->second;
 }
 

@@ -14,7 +14,8 @@ namespace litfog::scene {
 struct Material {
   std::string name;
   float size_m;  ///< metres one tile covers: texture coordinate = Vertex::uv / size_m
-  /// sRGB colour; A = gloss, linear, scales specular. Materials share pictures that are the same.
+  /// sRGB colour; A = gloss, linear, scales specular, or coverage of a mask, whose gloss is 1. Materials share pictures
+  /// that are the same.
   std::shared_ptr<const Texels> albedo;
   /// Tangent space, +Z out of the surface; A = 0: n = (rgb - 128) / 127.5, in which flat is exact; A = 255: n = rgb /
   /// 127.5 - 1, as in glTF.
@@ -27,6 +28,12 @@ struct Material {
   float metal_roughness = 0;
   /// Linear, gloss 1: replaces an albedo of one colour, because 8 bits are some percent off for dark colours.
   std::optional<glm::vec3> plain_albedo = std::nullopt;
+  /// sRGB colour that multiplies emissive; null: 1.
+  std::shared_ptr<const Texels> emission = nullptr;
+  /// A mask: there is no surface where its coverage, times the vertices', is less than this. > 0.
+  std::optional<float> least_coverage = std::nullopt;
+  /// It sends emissive times its base colour to the eye, and reflects nothing.
+  bool is_unlit = false;
 };
 
 }  // namespace litfog::scene

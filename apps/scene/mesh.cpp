@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/mesh.h"
 
+#include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
 #include <utility>
@@ -25,9 +26,20 @@ void extend(Bounds& box, const Mesh& mesh) {
   }
 }
 
+/// Fills the details in: those that stand for none.
+void give_details(Mesh& mesh) {
+  for (std::size_t i = mesh.details.size(); i < mesh.vertices.size(); ++i) mesh.details.push_back(detail_of(mesh, i));
+}
+
 constexpr Bounds kEmpty{glm::vec3(std::numeric_limits<float>::max()), glm::vec3(std::numeric_limits<float>::lowest())};
 
 }  // namespace
+
+VertexDetail detail_of(const Mesh& mesh, std::size_t vertex) {
+  if (vertex < mesh.details.size()) return mesh.details[vertex];
+  const glm::vec2 uv = mesh.vertices[vertex].uv;
+  return {.normal_uv = uv, .emission_uv = uv};
+}
 
 Bounds bounds(const Mesh& mesh) {
   Bounds box = kEmpty;
@@ -62,6 +74,10 @@ void append(Mesh& whole, const Mesh& piece, const glm::mat4& whole_from_piece) {
   const glm::mat3 normals = glm::transpose(glm::inverse(linear));
   const bool mirrored = glm::determinant(linear) < 0.0f;
   const auto first = std::uint32_t(whole.vertices.size());
+  if (!piece.details.empty()) {
+    give_details(whole);
+    whole.details.insert(whole.details.end(), piece.details.begin(), piece.details.end());
+  }
   for (const Vertex& vertex : piece.vertices) {
     const glm::vec3 normal = glm::normalize(normals * vertex.normal);
     // An uneven scale tilts the tangent off the normal's plane.
@@ -70,6 +86,7 @@ void append(Mesh& whole, const Mesh& piece, const glm::mat4& whole_from_piece) {
     whole.vertices.push_back({glm::vec3(whole_from_piece * glm::vec4(vertex.position, 1.0f)), normal,
                               glm::vec4(tangent, mirrored ? -vertex.tangent.w : vertex.tangent.w), vertex.uv});
   }
+  if (!whole.details.empty()) give_details(whole);
   for (std::size_t i = 0; i + 2 < piece.indices.size(); i += 3) {
     whole.indices.push_back(first + piece.indices[i]);
     whole.indices.push_back(first + piece.indices[mirrored ? i + 2 : i + 1]);
@@ -136,6 +153,10 @@ void add_back_faces(Mesh& mesh) {
     vertex.normal = -vertex.normal;
     vertex.tangent.w = -vertex.tangent.w;
     mesh.vertices.push_back(vertex);
+  }
+  if (!mesh.details.empty()) {
+    mesh.details.resize(2 * std::size_t(vertices));
+    std::copy_n(mesh.details.begin(), vertices, mesh.details.begin() + vertices);
   }
   for (std::size_t i = 0; i + 2 < indices; i += 3) {
     mesh.indices.push_back(vertices + mesh.indices[i]);

@@ -19,11 +19,22 @@ struct Vertex {
   glm::vec2 uv;       ///< metres of surface; Material::size_m is how many of them one tile covers
 };
 
+/// What only some meshes' vertices have.
+struct VertexDetail {
+  glm::vec4 color{1};       ///< linear RGB and coverage, [0, 1]: multiply the base texture's
+  glm::vec2 normal_uv{};    ///< Vertex::uv of the normal map
+  glm::vec2 emission_uv{};  ///< Vertex::uv of Material::emission
+};
+
 /// Indexed triangles, front faces counter-clockwise. Plain data: no GL.
 struct Mesh {
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> indices;
+  std::vector<VertexDetail> details = {};  ///< of each vertex, or none: white, all pictures at Vertex::uv
 };
+
+/// The detail of one vertex.
+VertexDetail detail_of(const Mesh& mesh, std::size_t vertex);
 
 /// A mesh and the name of what it is made of (Scene::materials).
 struct Part {

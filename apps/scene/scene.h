@@ -22,8 +22,8 @@ namespace litfog::scene {
 inline constexpr std::size_t kMaxSceneLights = 100'000;
 inline constexpr std::size_t kMaxTriangles = 20'000'000;
 inline constexpr std::size_t kMaxVertices = 20'000'000;  ///< of all models: 960 MB, below the 2 GiB of a GL buffer
-inline constexpr double kMaxCoordinate = 1e7;  ///< metres: floats there still resolve a metre
-inline constexpr double kMaxColor = 1e4;       ///< a framebuffer's half floats end at 65,504
+inline constexpr double kMaxCoordinate = 1e7;            ///< metres: floats there still resolve a metre
+inline constexpr double kMaxColor = 1e4;                 ///< a framebuffer's half floats end at 65,504
 
 /// The eye. Right-handed, Y up, metres.
 struct Camera {
@@ -68,6 +68,7 @@ struct Scene {
   std::vector<std::string> files;  ///< all that it was read from: its own, light files, cookies, buffers, pictures
   std::string name;
   std::string description;
+  std::string left_out;  ///< in words, what its file holds that is not drawn; empty: nothing
   Camera camera;
   Environment environment;
   std::vector<Material> materials;  ///< all that its parts name
@@ -76,10 +77,10 @@ struct Scene {
   std::vector<PlacedLight> lights;
   bool has_city = false;  ///< whether lights and instances are those of a generated city (model/city.h), too
   std::vector<Cookie> cookies;
-  std::map<std::size_t, CookieUse> cookie_uses;  ///< by their lights, whose cones are none
-  std::map<std::size_t, Mount> mounts;           ///< by their lights, whose directions they give
-  std::map<std::size_t, double> turn_rates;      ///< of lights whose axes turn about +Y: radians a second
-  std::vector<double> visibilities;              ///< metres: those at which the gallery shows the scene
+  std::map<std::size_t, CookieUse> cookie_uses;              ///< by their lights, whose cones are none
+  std::map<std::size_t, Mount> mounts;                       ///< by their lights, whose directions they give
+  std::map<std::size_t, double> turn_rates;                  ///< of lights whose axes turn about +Y: radians a second
+  std::vector<double> visibilities;                          ///< metres: those at which the gallery shows the scene
   double fog_top = std::numeric_limits<double>::infinity();  ///< height at which rays to the sky leave the fog, metres
   double phase_g = 0;  ///< (-1, 1): the fog's Henyey-Greenstein asymmetry; 0 scatters evenly, near 1 straight ahead
 };

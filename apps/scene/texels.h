@@ -1,16 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <vector>
 
 namespace litfog::scene {
 
-/// A tiling picture, RGBA8. Row 0 is v = 0 and texel 0 of a row is u = 0 (OpenGL's upload order).
+/// How a picture goes on beyond [0, 1], and what is seen between its texels.
+struct Sampling {
+  enum class Wrap { repeat, mirror, clamp };
+  enum class Filter { linear, nearest };
+  enum class Mipmaps { linear, nearest, none };
+
+  Wrap wrap_u = Wrap::repeat;
+  Wrap wrap_v = Wrap::repeat;
+  Filter magnified = Filter::linear;
+  Filter minified = Filter::linear;
+  Mipmaps mipmaps = Mipmaps::linear;
+
+  auto operator<=>(const Sampling&) const = default;
+};
+
+/// A picture, RGBA8. Row 0 is v = 0 and texel 0 of a row is u = 0 (OpenGL's upload order).
 struct Texels {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> rgba;
+  Sampling sampling = {};
 };
 
 /// A texel's level for a fraction, clamped to [0, 1]; and for a linear value, clamped likewise, as sRGB

@@ -5,11 +5,13 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <set>
 #include <type_traits>
 
 #include "gldf_archive.h"
 #include "litfog/input_error.h"
+#include "text_encoding.h"
 #include "xml_text.h"
 
 namespace litfog {
@@ -20,15 +22,19 @@ constexpr std::string_view kFolder = "ldc/";  // of photometric files, and the b
 
 using Archive = std::unique_ptr<std::remove_pointer_t<unzFile>, decltype(&unzClose)>;
 
+bool go_to(unzFile archive, const std::string& entry) {
+  if (unzLocateFile(archive, entry.c_str(), 1) == UNZ_OK) return true;
+  const std::optional<std::string> stored = code_page_850_from_utf8(entry);  // by programs that do not store UTF-8
+  return stored && unzLocateFile(archive, stored->c_str(), 1) == UNZ_OK;
+}
+
 }  // namespace
 
 std::string read_gldf_entry(const std::string& path, const std::string& entry) {
   const std::string name = path + "/" + entry;
   const Archive archive(unzOpen64(path.c_str()), unzClose);
   if (!archive) throw InputError({.file = path}, "zip archive", "", "must be whole");
-  if (unzLocateFile(archive.get(), entry.c_str(), 1) != UNZ_OK) {
-    throw InputError({.file = name}, "file", "", "must be in the archive");
-  }
+  if (!go_to(archive.get(), entry)) throw InputError({.file = name}, "file", "", "must be in the archive");
   const InputError broken({.file = name}, "file", "",
                           "must be readable: its data are broken, or packed in another way");
   if (unzOpenCurrentFile(archive.get()) != UNZ_OK) throw broken;

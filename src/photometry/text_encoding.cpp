@@ -30,10 +30,10 @@ std::string utf8_from_latin1(std::string_view text) {
   return result;
 }
 
-/// Nothing where iconv does not know the encoding, or the text is not of it.
-std::optional<std::string> convert(std::string_view text, const char* encoding) {
+/// Nothing where iconv does not know an encoding, or the text is not of it or has no place in the other.
+std::optional<std::string> convert(std::string_view text, const char* from, const char* to = "UTF-8") {
   const auto close = [](iconv_t converter) { iconv_close(converter); };
-  const iconv_t opened = iconv_open("UTF-8", encoding);
+  const iconv_t opened = iconv_open(to, from);
   if (opened == reinterpret_cast<iconv_t>(-1)) return std::nullopt;
   const std::unique_ptr<std::remove_pointer_t<iconv_t>, decltype(close)> converter(opened, close);
   std::string result;
@@ -104,5 +104,7 @@ std::string utf8_from_bytes(std::string bytes) {
   auto text = convert(bytes, code_page_of(bytes).c_str());
   return text ? *std::move(text) : utf8_from_latin1(bytes);
 }
+
+std::optional<std::string> code_page_850_from_utf8(std::string_view text) { return convert(text, "UTF-8", "CP850"); }
 
 }  // namespace litfog

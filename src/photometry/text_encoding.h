@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace litfog {
 
@@ -11,5 +13,8 @@ namespace litfog {
 /// guessed from the frequencies of its letters. Bytes that a code page lacks make the whole text Latin-1, which lacks
 /// none.
 std::string utf8_from_bytes(std::string bytes);
+
+/// A name as zip programs of western Windows store it. Nothing where the code page lacks a letter of it.
+std::optional<std::string> code_page_850_from_utf8(std::string_view text);
 
 }  // namespace litfog

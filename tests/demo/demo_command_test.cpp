@@ -237,7 +237,7 @@ TEST_F(DemoCommand, ShadowsAreDrawnByTheLampsThatAreAskedFor) {
 TEST_F(DemoCommand, MoreShadowsThanMemoryAreAMissingCapability) {
   const Outcome outcome = run("approach --shadows surfaces --shadow-lamps 1000 --size 64x36 -o a.png");
   EXPECT_EQ(outcome.status, kMissingCapability);
-  EXPECT_NE(outcome.err.find("the shadows of 1000 lamps need "), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("the shadows of 1000 lamps and the moon need "), std::string::npos) << outcome.err;
   EXPECT_FALSE(std::filesystem::exists(directory() / "a.png"));
 }
 
@@ -247,6 +247,8 @@ TEST_F(DemoCommand, ShadowsWithoutEffectAreErrors) {
            {"--shadow-map-size 64", "--shadow-map-size cannot be given with --shadows none: no lamp casts any"},
            {"--path vertex --shadows surfaces",
             "--shadows cannot be given with --path vertex: its lamps do not light each fragment"},
+           {"--path sample --shadows surfaces",
+            "--shadows cannot be given with --path sample: it is as its paper prints it"},
            {"--fog-light peak --shadows shafts",
             "--shadows cannot be given with --fog-light peak: only airlight has shafts"},
            {"--path radial --shadows shafts", "--shadows cannot be given with --path radial: only airlight has shafts"},

@@ -745,6 +745,35 @@ TEST_F(FitCommand, LightsAreTheSameFromOneInputAndFromMany) {
   }
 }
 
+TEST_F(FitCommand, LongNamesAreShortenedInPlots) {
+  std::string name;
+  for (int i = 0; i < 60; ++i) name += "é";
+  write("long.json",
+        R"({"litfog": "light-spec", "version": 1, "name": ")" + name + R"(", "cone": {"beam_angle_deg": 20}})");
+  ASSERT_EQ(run("long.json --against beam.json --plot both.svg").status, kDone);
+  const std::string svg = read("both.svg");
+  EXPECT_NE(svg.find(">" + name.substr(0, 2 * 40) + "…<"), std::string::npos);
+  EXPECT_EQ(svg.find(name.substr(0, 2 * 55)), std::string::npos);  // in the title
+}
+
+TEST_F(FitCommand, RingIsCalledOneAndNotABeamAimedElsewhere) {
+  std::string ring = kIes;
+  ring.replace(ring.find("100 80 40 15 0 0"), 16, "20 40 60 100 9 0");
+  ring.replace(ring.find("100 50 10 0 0 0"), 15, "20 40 60 100 9 0");
+  write("ring.ies", ring);
+  const Outcome outcome = run("ring.ies");
+  EXPECT_NE(outcome.out.find("The beam is a ring, brightest 15 degrees off the axis"), std::string::npos)
+      << outcome.out;
+  EXPECT_EQ(outcome.out.find("--axis peak"), std::string::npos) << outcome.out;
+  EXPECT_EQ(run("spot.ies").out.find("ring"), std::string::npos);
+}
+
+TEST_F(FitCommand, VerdictSaysNoNegativeZero) {
+  write("exact.json", R"({"litfog": "light-spec", "version": 1, "cone": {"beam_angle_deg": 24}})");
+  const Outcome outcome = run("exact.json");
+  EXPECT_NE(outcome.out.find("50 % angle off by +0 %"), std::string::npos) << outcome.out;
+}
+
 TEST_F(FitCommand, TwoLightsAreInOneTableAndOnePlot) {
   const Outcome outcome = run("spot.ies --against beam.json --format csv --plot both.svg");
   EXPECT_EQ(outcome.status, kDone) << outcome.err;

@@ -21,7 +21,6 @@ using namespace measure;
 
 namespace {
 
-using nlohmann::json;
 using std::numbers::pi;
 
 class GltfPicture : public test::GlTest {};

@@ -105,6 +105,35 @@ TEST_F(ReferenceShadow, LitStretchesOfARayEndAtTheShadowInClosedForm) {
   EXPECT_TRUE(shadows.lit_stretches(light, {.origin = {0, 1.9, 0}, .direction = {0, -1, 0}, .length = 1.9}).empty());
 }
 
+/// The same floor and box under a moon that stands at 45 degrees to the east, without lamps.
+Scene moonlit_box_over_floor() {
+  Scene scene = box_over_floor({});
+  scene.lights.clear();
+  scene.environment.moon_direction = glm::normalize(glm::vec3(1, 1, 0));
+  scene.environment.moon_color = {1.0f, 0.9f, 0.8f};
+  return scene;
+}
+
+// At 45 degrees a shadow is as far to the west as what casts it is high.
+TEST_F(ReferenceShadow, MoonShadowOfABoxEndsWhereItDoesInClosedForm) {
+  const Scene scene = moonlit_box_over_floor();
+  Renderer renderer(scene, 32, 18, {.shadows = Shadows::surfaces});
+  const ReferenceShadows shadows(renderer);
+  for (const double gap : {-1e-4, 1e-4}) {
+    for (const double across : {-0.49, 0.0, 0.3}) {
+      EXPECT_EQ(shadows.is_dark_to_moon({-1.5 + gap, 0, across}), gap < 0);
+      EXPECT_EQ(shadows.is_dark_to_moon({-3.5 - gap, 0, across}), gap < 0);
+    }
+    EXPECT_EQ(shadows.is_dark_to_moon({-2.5, 0, 0.5 + gap}), gap < 0);
+  }
+  EXPECT_TRUE(shadows.is_dark_to_moon({0, 2, 0}));
+  EXPECT_FALSE(shadows.is_dark_to_moon({0, 3, 0}));
+  const double texel = 2 * renderer.shadows()->moon_maps()[2].half_size / 1024;  // the finest that shows it
+  EXPECT_TRUE(shadows.is_at_moon_edge({-1.5 + texel, 0, 0}, {0, 1, 0}));
+  EXPECT_FALSE(shadows.is_at_moon_edge({-1.5 + 5 * texel, 0, 0}, {0, 1, 0}));
+  EXPECT_FALSE(shadows.is_at_moon_edge({-1.5 - 5 * texel, 0, 0}, {0, 1, 0}));
+}
+
 Picture draw(const Scene& scene, const RenderSettings& settings) {
   Renderer renderer(scene, 160, 90, settings);
   renderer.draw(LightPoints::off);
@@ -134,6 +163,39 @@ TEST_F(ReferenceShadow, FlatSurfaceDoesNotShadeItself) {
   }
 }
 
+TEST_F(ReferenceShadow, FlatSurfaceDoesNotShadeItselfInMoonlight) {
+  for (const glm::vec3 moon : {glm::vec3(0, 1, 0), glm::vec3(1, 0.5f, 0.3f), glm::vec3(-0.4f, 0.02f, 1)}) {
+    for (const glm::vec3 origin : {glm::vec3(0), glm::vec3(2000, 300, -5000)}) {
+      // So far from the origin floats do not tell a pixel's slope to the hundredth of a radian.
+      if (origin.x > 0 && moon.y < 0.1f) continue;
+      Scene scene = moonlit_box_over_floor();
+      scene.camera.field_of_view = 0.5f;  // without the floor's end, where positions are clamped to the floor's box
+      scene.instances.pop_back();
+      scene.instances[0].world_from_model = glm::rotate(glm::translate(glm::mat4(1), origin), 0.3f, {1, 0.5f, 0.2f});
+      const glm::mat4& world = scene.instances[0].world_from_model;
+      scene.environment.moon_direction = glm::normalize(glm::mat3(world) * moon);
+      scene.camera.position = world * glm::vec4(scene.camera.position, 1);
+      scene.camera.target = world * glm::vec4(scene.camera.target, 1);
+      const Picture without = draw(scene, {});
+      for (const int size : {64, 257, 1024}) {
+        const Picture with = draw(scene, {.shadows = Shadows::surfaces, .shadow_map_size = size});
+        EXPECT_EQ(largest_difference(with, without), 0) << moon.y << ", " << origin.x << ", " << size;
+      }
+    }
+  }
+}
+
+TEST_F(ReferenceShadow, MoonMapsFollowTheCameraAndLampsMapsStay) {
+  Scene scene = moonlit_box_over_floor();
+  scene.lights = {lamp_at({0.2, 6, -0.1}, {0, 0, 0}, {})};
+  Renderer renderer(scene, 160, 90, {.shadows = Shadows::surfaces});
+  EXPECT_EQ(renderer.draw().shadow_maps_drawn, std::size_t(6 + kMoonMaps));
+  EXPECT_EQ(renderer.draw().shadow_maps_drawn, 0u);
+  scene.camera.position = {-3, 5, 8};
+  EXPECT_EQ(renderer.draw().shadow_maps_drawn, std::size_t(kMoonMaps));
+  EXPECT_EQ(largest_difference(renderer.read(), draw(scene, {.shadows = Shadows::surfaces})), 0);
+}
+
 /// How far pictures with shadows may be from rays, beside the pixels at edges. A surface narrower than the rays around
 /// a place are apart, or than a texel, is missed by one of the two: a few pixels.
 struct ShadowBound {
@@ -143,6 +205,42 @@ struct ShadowBound {
   double missed;    ///< of all pixels, that err by more than a step
 };
 
+void expect_shadows_of_rays(const Scene& scene, const RenderSettings& settings, const ShadowBound& bound, int width,
+                            int height) {
+  Renderer renderer(scene, width, height, settings);
+  renderer.draw(LightPoints::off);
+  const PictureError error = picture_error(renderer.read(), shade_reference(renderer));
+  const auto missed = std::ranges::count_if(error.pixels, [](float steps) { return steps > 1; });
+  const std::string measured =
+      fmt::format("{} {}: {:.3f} excluded, {} missed, largest {:.1f}, mean {:.4f}", bound.scene, bound.path,
+                  double(error.excluded) / (width * height), missed, error.largest, error.mean);
+  fmt::print("{}\n", measured);
+  EXPECT_LE(double(error.excluded), bound.excluded * width * height) << measured;
+  EXPECT_LE(double(missed), bound.missed * width * height) << measured;
+  EXPECT_LE(error.mean, 0.05) << measured;
+}
+
+/// A bundled scene in moonlight as bright as day, without lamps.
+Scene moonlit(const char* name) {
+  Scene scene = read_scene(bundled_scene_path(name));
+  scene.lights.clear();
+  scene.environment.moon_direction = glm::normalize(glm::vec3(-0.5f, 0.45f, -0.3f));
+  scene.environment.moon_color = {1.2f, 1.1f, 1.0f};
+  return scene;
+}
+
+TEST_F(ReferenceShadow, MoonShadowsAreThoseOfRays) {
+  constexpr int kWidth = 96;
+  constexpr int kHeight = 54;
+  constexpr ShadowBound kBounds[] = {{"headlights", "unified", 0.21, 0.003}, {"headlights", "lookup-3d", 0.21, 0.003}};
+  for (const ShadowBound& bound : kBounds) {
+    const Scene scene = moonlit(bound.scene);
+    const RenderSettings settings{
+        .path = find_lighting_path(bound.path), .shadows = Shadows::surfaces, .shadow_map_size = 2048};
+    expect_shadows_of_rays(scene, settings, bound, kWidth, kHeight);
+  }
+}
+
 TEST_F(ReferenceShadow, ShadowsOfScenesAreThoseOfRays) {
   constexpr int kWidth = 96;
   constexpr int kHeight = 54;
@@ -151,20 +249,11 @@ TEST_F(ReferenceShadow, ShadowsOfScenesAreThoseOfRays) {
                                      {"room", "radial-plane", 0.23, 0.003}, {"headlights", "unified", 0.09, 0.0004},
                                      {"street", "unified", 0.19, 0.0016}};
   for (const ShadowBound& bound : kBounds) {
-    const Scene scene = read_scene(bundled_scene_path(bound.scene));
+    Scene scene = read_scene(bundled_scene_path(bound.scene));
+    scene.environment.moon_color = glm::vec3(0);  // its shadows have their own test
     const RenderSettings settings{
         .path = find_lighting_path(bound.path), .shadows = Shadows::surfaces, .shadow_map_size = 2048};
-    Renderer renderer(scene, kWidth, kHeight, settings);
-    renderer.draw(LightPoints::off);
-    const PictureError error = picture_error(renderer.read(), shade_reference(renderer));
-    const auto missed = std::ranges::count_if(error.pixels, [](float steps) { return steps > 1; });
-    const std::string measured =
-        fmt::format("{} {}: {:.3f} excluded, {} missed, largest {:.1f}, mean {:.4f}", bound.scene, bound.path,
-                    double(error.excluded) / (kWidth * kHeight), missed, error.largest, error.mean);
-    fmt::print("{}\n", measured);
-    EXPECT_LE(double(error.excluded), bound.excluded * kWidth * kHeight) << measured;
-    EXPECT_LE(double(missed), bound.missed * kWidth * kHeight) << measured;
-    EXPECT_LE(error.mean, 0.05) << measured;
+    expect_shadows_of_rays(scene, settings, bound, kWidth, kHeight);
   }
 }
 

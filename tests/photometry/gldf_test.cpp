@@ -73,6 +73,16 @@ TEST_F(Gldf, FileThatIsDefinedTwiceIsListedOnce) {
   EXPECT_EQ(read_luminaire(path()).file, path("lamp.gldf/ldc/spot.ldt"));
 }
 
+TEST_F(Gldf, NamesAreFoundInUtf8AndInTheCodePageOfWesternZipPrograms) {
+  const std::string files = product(file_element("ldc/eulumdat", "localFileName", "Röhre.ldt"));
+  for (const char* stored : {"ldc/R\xC3\xB6hre.ldt", "ldc/R\x94hre.ldt"}) {
+    write({{"product.xml", files}, {stored, kSpot}});
+    expect_same_beam(read_luminaire(path()), our_luminaire("isym_4.ldt"));
+  }
+  write({{"product.xml", files}, {"ldc/R\xF6hre.ldt", kSpot}});
+  EXPECT_EQ(error_of(), " file: must be in the archive");
+}
+
 TEST_F(Gldf, ErrorsNameTheFileInTheContainer) {
   const std::string ldt = product(file_element("ldc/eulumdat", "localFileName", "spot.ldt"));
   const auto error = [&](const ZipEntries& entries) {

@@ -1,16 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstddef>
+#include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
+
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
-// A small glTF file for the tests of its reader and of its picture.
+#include "command/temporary_directory.h"
+#include "litfog/input_error.h"
+#include "scene/file/scene_file.h"
 
 namespace litfog::test {
+
+using nlohmann::json;
 
 inline std::string base64(const std::string& bytes) {
   constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -26,7 +34,7 @@ inline std::string base64(const std::string& bytes) {
 }
 
 template <typename Number>
-inline std::string bytes_of(const std::vector<Number>& numbers) {
+std::string bytes_of(const std::vector<Number>& numbers) {
   return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(Number)};
 }
 
@@ -38,8 +46,8 @@ inline std::string floor_bytes() {
 }
 
 /// The floor under a camera that looks at it from 5 m, at a slant, and a point light of 40 cd 2 m above it.
-inline nlohmann::json floor_scene() {
-  return nlohmann::json::parse(R"({
+inline json floor_scene() {
+  return json::parse(R"({
     "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1, 2]}],
     "extensionsUsed": ["KHR_lights_punctual"],
     "extensions": {"KHR_lights_punctual": {"lights": [
@@ -68,7 +76,7 @@ inline void append_word(std::string& bytes, std::size_t value) {
   bytes.append(reinterpret_cast<const char*>(&word), sizeof(word));  // little-endian, as the machines here
 }
 
-inline std::string binary_file(const nlohmann::json& scene, std::string buffer) {
+inline std::string binary_file(const json& scene, std::string buffer) {
   std::string text = scene.dump();
   text.resize((text.size() + 3) / 4 * 4, ' ');
   buffer.resize((buffer.size() + 3) / 4 * 4);
@@ -79,6 +87,54 @@ inline std::string binary_file(const nlohmann::json& scene, std::string buffer) 
   bytes += "JSON" + text;
   append_word(bytes, buffer.size());
   return bytes + std::string("BIN\0", 4) + buffer;
+}
+
+/// Writes glTF files and reads them as scenes.
+class GltfFileTest : public testing::Test {
+ protected:
+  std::string path(const std::string& name) const { return (directory_.path() / name).string(); }
+
+  std::string write(const std::string& name, const std::string& bytes) const {
+    std::ofstream(path(name), std::ios::binary) << bytes;
+    return path(name);
+  }
+  /// As text, with the buffer in it.
+  scene::Scene read(json file, const std::string& buffer = floor_bytes()) const {
+    if (file.contains("buffers")) {
+      file["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(buffer);
+    }
+    return scene::read_scene(write("scene.gltf", file.dump(1)));
+  }
+  /// The sentence without the file's name, line and column, which it has to have.
+  std::string error_of(json file, const std::string& buffer = floor_bytes()) const {
+    if (file.contains("buffers")) {
+      file["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(buffer);
+    }
+    return error_as_given(file);
+  }
+  std::string error_as_given(const json& file) const {
+    try {
+      scene::read_scene(write("scene.gltf", file.dump(1)));
+    } catch (const InputError& bad) {
+      EXPECT_GT(bad.location().line, 0u) << bad.what();
+      EXPECT_GT(bad.location().column, 0u) << bad.what();
+      const std::string sentence = bad.what();
+      return sentence.substr(sentence.find(": ") + 2);
+    }
+    return "no error";
+  }
+
+ private:
+  test::TemporaryDirectory directory_;
+};
+
+/// A picture of a colour, as the bytes of a PNG file.
+inline std::string png(const std::string& path, const std::vector<std::uint8_t>& rgb, int width) {
+  const auto output = OIIO::ImageOutput::create(path);
+  OIIO::ImageSpec spec(width, int(rgb.size()) / 3 / width, 3, OIIO::TypeDesc::UINT8);
+  EXPECT_TRUE(output->open(path, spec) && output->write_image(OIIO::TypeDesc::UINT8, rgb.data()) && output->close());
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 }  // namespace litfog::test

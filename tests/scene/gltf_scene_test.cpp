@@ -27,55 +27,9 @@ using namespace scene;
 
 namespace {
 
-using nlohmann::json;
 using std::numbers::pi;
 
-class GltfScene : public testing::Test {
- protected:
-  std::string path(const std::string& name) const { return (directory_.path() / name).string(); }
-
-  std::string write(const std::string& name, const std::string& bytes) const {
-    std::ofstream(path(name), std::ios::binary) << bytes;
-    return path(name);
-  }
-  /// As text, with the buffer in it.
-  Scene read(json scene, const std::string& buffer = floor_bytes()) const {
-    if (scene.contains("buffers")) {
-      scene["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(buffer);
-    }
-    return read_scene(write("scene.gltf", scene.dump(1)));
-  }
-  /// The sentence without the file's name, line and column, which it has to have.
-  std::string error_of(json scene, const std::string& buffer = floor_bytes()) const {
-    if (scene.contains("buffers")) {
-      scene["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(buffer);
-    }
-    return error_as_given(scene);
-  }
-  std::string error_as_given(const json& scene) const {
-    try {
-      read_scene(write("scene.gltf", scene.dump(1)));
-    } catch (const InputError& bad) {
-      EXPECT_GT(bad.location().line, 0u) << bad.what();
-      EXPECT_GT(bad.location().column, 0u) << bad.what();
-      const std::string sentence = bad.what();
-      return sentence.substr(sentence.find(": ") + 2);
-    }
-    return "no error";
-  }
-
- private:
-  test::TemporaryDirectory directory_;
-};
-
-/// A picture of a colour, as the bytes of a PNG file.
-std::string png(const std::string& path, const std::vector<std::uint8_t>& rgb, int width) {
-  const auto output = OIIO::ImageOutput::create(path);
-  OIIO::ImageSpec spec(width, int(rgb.size()) / 3 / width, 3, OIIO::TypeDesc::UINT8);
-  EXPECT_TRUE(output->open(path, spec) && output->write_image(OIIO::TypeDesc::UINT8, rgb.data()) && output->close());
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
+class GltfScene : public GltfFileTest {};
 
 TEST_F(GltfScene, MeshesAreAtTheirNodesAndTheCameraAtItsOwn) {
   json file = floor_scene();
@@ -329,11 +283,14 @@ TEST_F(GltfScene, ErrorsNameLocationValueAndRule) {
   EXPECT_EQ(error_of(with("/bufferViews/0/byteLength", 1000)),
             "bufferViews[0].byteLength = 1000: must end within its buffer");
   EXPECT_EQ(error_of(with("/bufferViews/0/buffer", 2)), "bufferViews[0].buffer = 2: must be in [0, 0]");
-  EXPECT_EQ(error_of(with("/meshes/0/primitives/0/mode", 1)),
-            "meshes[0].primitives[0].mode = 1: must be 4: this program draws triangles");
-  EXPECT_EQ(error_of(with("/extensionsRequired", {"KHR_draco_mesh_compression"})),
-            "extensionsRequired[0] = \"KHR_draco_mesh_compression\": must be KHR_lights_punctual, the only one that "
-            "this program knows");
+  EXPECT_EQ(error_of(with("/meshes/0/primitives/0/mode", 7)), "meshes[0].primitives[0].mode = 7: must be at most 6");
+  EXPECT_EQ(error_of(with("/meshes/0/primitives/0/mode", 1)), "meshes: must hold triangles");
+  EXPECT_EQ(error_of(with("/extensionsRequired", {"KHR_texture_basisu"})),
+            "extensionsRequired[0] = \"KHR_texture_basisu\": must not be required: this program reads PNG, JPEG and "
+            "WebP, not KTX2; export the file with such pictures");
+  EXPECT_EQ(error_of(with("/extensionsRequired", {"KHR_materials_diffuse_transmission"})),
+            "extensionsRequired[0] = \"KHR_materials_diffuse_transmission\": must be one that this program knows: "
+            "export the file without it");
   EXPECT_EQ(error_of(with("/nodes/0/children", {0})), "nodes[0] = an object: must be one node's child only");
   EXPECT_EQ(error_of(with("/nodes/2/extensions/KHR_lights_punctual/light", 1)),
             "nodes[2].extensions.KHR_lights_punctual.light = 1: must be in [0, 0]");
@@ -375,7 +332,7 @@ TEST_F(GltfScene, PicturesThatCannotBeReadFail) {
                                 ": cannot be read: No such file or directory");
   write("text.png", "no picture");
   file["images"] = {{{"uri", "text.png"}}};
-  EXPECT_EQ(error_of(file), "images[0] = an object: must be a PNG or JPEG picture");
+  EXPECT_EQ(error_of(file), "images[0] = an object: must be a PNG, JPEG or WebP picture");
   const std::string whole = png(path("whole.png"), std::vector<std::uint8_t>(3 * 64 * 64, 77), 64);
   write("half.png", whole.substr(0, whole.size() / 2));
   file["images"] = {{{"uri", "half.png"}}};

@@ -17,7 +17,7 @@ namespace litfog::render {
 namespace {
 
 constexpr GLenum kAttachments[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2,
-                                   GL_COLOR_ATTACHMENT3, GL_COLOR_ATTACHMENT4};
+                                   GL_COLOR_ATTACHMENT3, GL_COLOR_ATTACHMENT4, GL_COLOR_ATTACHMENT5};
 
 bool is_complete() { return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE; }
 
@@ -25,7 +25,8 @@ bool is_complete() { return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAME
 
 bool GeometrySample::is_of_same_fragment(const GeometrySample& other) const {
   return position == other.position && material == other.material && normal_texel == other.normal_texel &&
-         tangent == other.tangent && normal == other.normal && gloss == other.gloss && albedo == other.albedo;
+         tangent == other.tangent && normal == other.normal && gloss == other.gloss && emission == other.emission &&
+         albedo == other.albedo;
 }
 
 const LightingPath& geometry_path(const LightingPath& other) {

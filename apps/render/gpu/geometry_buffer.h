@@ -18,6 +18,8 @@ struct GeometrySample {
   glm::vec4 tangent;       ///< Vertex::tangent, interpolated
   glm::vec3 normal;        ///< interpolated from the vertices, where it is a unit vector
   float gloss;
+  glm::vec3 emission;  ///< linear RGB
+  float spare;
   glm::vec3 albedo;  ///< linear RGB
   float depth;       ///< the sample's own, not part of the fragment: render/gpu/depth.h
 
@@ -47,7 +49,7 @@ class GeometryBuffer {
   static constexpr int kMostRows = 64;  ///< at a time
 
  private:
-  static constexpr int kTargets = 5;  // vec4s of a GeometrySample
+  static constexpr int kTargets = 6;  // vec4s of a GeometrySample
 
   int width_;
   int height_;

@@ -10,7 +10,7 @@
 
 namespace litfog::render {
 
-/// A repeating, mipmapped RGBA8 texture.
+/// A mipmapped RGBA8 texture, sampled as its texels state.
 class Texture {
  public:
   enum class Encoding { linear, srgb };

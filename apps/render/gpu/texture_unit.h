@@ -26,6 +26,7 @@ enum TextureUnit : unsigned {
   kShadowMapUnit,
   kShadowCasterUnit,
   kCasterOfLightUnit,
+  kEmissionUnit,
 };
 
 inline constexpr unsigned kFogLightBinding = 0;  ///< of the FogLightBlock

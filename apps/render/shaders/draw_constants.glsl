@@ -15,6 +15,7 @@ uniform vec4 draw_constants[draw_constant_count];
 
 vec3 eye = DRAW_CONSTANT(0).xyz;
 vec3 bounds_low = DRAW_CONSTANT(1).xyz;  // of the surface drawn
+float least_coverage = DRAW_CONSTANT(1).w;  // of a mask (material.frag)
 vec3 bounds_high = DRAW_CONSTANT(2).xyz;
 vec3 specular = DRAW_CONSTANT(3).xyz;  // of its material
 float shininess = DRAW_CONSTANT(3).w;

@@ -39,4 +39,6 @@ vec4 seen_by_eye(vec3 lit, vec3 position) {
 }
 
 // Ambient and directional light for a shading value d . n, which may be extrapolated beyond the edge of a triangle.
-vec3 directional_light(float shade) { return ambient_light + moon_color * clamp(shade, 0.0, 1.0); }
+vec3 directional_light(float shade) {
+  return ambient_light + moon_color * (clamp(shade, 0.0, 1.0) * moon_shadow());
+}

@@ -1,21 +1,44 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fraction of a lamp's light that no surface keeps from a fragment, from the lamp's shadow map (Lance Williams
+// The fraction of a light that no surface keeps from a fragment, from the light's shadow map (Lance Williams
 // 1978, "Casting Curved Shadows on Curved Surfaces"): compared at four places half a texel from the fragment's, each
 // the mean of the four texels around it (William Reeves, David Salesin and Robert Cook 1987, "Rendering Antialiased
 // Shadows with Depth Maps").
 //
 // A texel holds the distance to the surface at its own middle, which is up to a texel from the place compared. There,
-// the plane of the fragment's own triangle may be nearer to the lamp. By how much follows from the plane, so a flat
+// the plane of the fragment's own triangle may be nearer to the light. By how much follows from the plane, so a flat
 // surface does not shade itself at any angle.
 
 #include "shadow_caster.glsl"
 
 uniform int uniform_casters[uniform_light_count];  // of the uniform lights
+uniform int first_moon_map;                        // of the casters; the directional light's, the finest first
+uniform int end_of_moon_maps;
 
 const float rounding = 4.8e-7;    // of positions: some units in the last place
 const float raster_place = 0.02;  // texels by which a rasteriser may misplace an edge
 
 vec3 receiver_normal = cross(dFdx(rasterised_position), dFdy(rasterised_position));
+
+// How much a plane faces a map, but not so little that what is divided by it is not finite: a triangle seen edge on, or
+// none at all.
+float limited(float facing, float most_facing) {
+  float least = max(1.0e-4 * most_facing, 1.0e-30);
+  return abs(facing) < least ? least : facing;
+}
+
+// slope  of the surface's distance over a texel, metres
+float mean_of_taps(ShadowCaster caster, int map, vec2 place, float range, vec2 slope, float bias) {
+  vec2 uv = 0.5 + 0.5 * place / caster.half_size;
+  float step = 0.5 / float(textureSize(shadow_maps, 0).x);
+  float layer = float(caster.first_layer + map);
+  float lit = 0.0;
+  for (int i = 0; i < 4; ++i) {
+    vec2 side = vec2(i & 1, i >> 1) * 2.0 - 1.0;
+    float compared = (range + 0.5 * dot(slope, side) - bias) / caster.reach;
+    lit += texture(shadow_maps, vec4(uv + side * step, layer, compared));
+  }
+  return 0.25 * lit;
+}
 
 float shadow_of(int caster_index) {
   if (caster_index < 0) return 1.0;
@@ -32,28 +55,38 @@ float shadow_of(int caster_index) {
   // slope is R (a / (1 + a^2) - n_xy / (n . (a, 1))).
   vec2 a = place.xy / place.z;
   vec3 n = map_from_frame(caster.frame_from_world * receiver_normal, map);
-  float facing = dot(n, vec3(a, 1.0));
   float most_facing = length(n) * sqrt(1.0 + dot(a, a));
-  float least = max(1.0e-4 * most_facing, 1.0e-30);  // seen edge on, or no triangle at all
-  facing = abs(facing) < least ? least : facing;
+  float facing = limited(dot(n, vec3(a, 1.0)), most_facing);
   float texel = texel_size(caster);
   vec2 slope = range * (a / (1.0 + dot(a, a)) - n.xy / facing) * texel;
   float bias = (1.0 + raster_place) * (abs(slope.x) + abs(slope.y)) + range * texel * texel +
                rounding * (length(position) + range) * abs(most_facing / facing);
-
-  vec2 uv = 0.5 + 0.5 * a / caster.half_size;
-  float step = 0.5 / float(textureSize(shadow_maps, 0).x);
-  float layer = float(caster.first_layer + map);
-  float lit = 0.0;
-  for (int i = 0; i < 4; ++i) {
-    vec2 side = vec2(i & 1, i >> 1) * 2.0 - 1.0;
-    float compared = (range + 0.5 * dot(slope, side) - bias) / caster.reach;
-    lit += texture(shadow_maps, vec4(uv + side * step, layer, compared));
-  }
-  return 0.25 * lit;
+  return mean_of_taps(caster, map, a, range, slope, bias);
 }
 
 // Of light i of the pass.
 float lamp_shadow(int i) { return shadow_of(uniform_casters[first_light_in_pass + i]); }
 // Of a light in the tables.
 float listed_lamp_shadow(int light) { return shadow_of(texelFetch(caster_of_light, light).x); }
+
+// Of the directional light, by the finest map that shows the fragment. Along a parallel map a plane's slope is the same
+// everywhere.
+float moon_shadow() {
+  if (!has_moon) return 1.0;
+  vec3 position = fragment_position();
+  float rim = 1.0 - 4.0 / float(textureSize(shadow_maps, 0).x);
+  for (int i = first_moon_map; i < end_of_moon_maps; ++i) {
+    ShadowCaster map = shadow_caster(i);
+    vec3 place = map_from_frame(map.frame_from_world * (position - map.position), 0);
+    if (max(abs(place.x), abs(place.y)) > rim * map.half_size) continue;
+    vec3 n = map_from_frame(map.frame_from_world * receiver_normal, 0);
+    float most_facing = length(n);
+    float facing = limited(n.z, most_facing);
+    float texel = texel_size(map);
+    vec2 slope = -n.xy / facing * texel;
+    float bias = (1.0 + raster_place) * (abs(slope.x) + abs(slope.y)) + raster_place * texel +
+                 rounding * (length(position) + length(map.position)) * abs(most_facing / facing);
+    return mean_of_taps(map, 0, place.xy, place.z, slope, bias);
+  }
+  return 1.0;
+}

@@ -5,6 +5,7 @@
 // this before drawing each plane; here the triangle's shader does.
 
 #include "light_batch.glsl"
+#include "material.glsl"
 #include "plane_rotation.glsl"
 
 layout(triangles) in;
@@ -13,11 +14,19 @@ layout(triangle_strip, max_vertices = 3) out;
 in vec3 corner_position[];
 in vec2 corner_uv[];
 in float corner_shade[];
+#ifdef VERTEX_DETAILS
+in vec4 corner_tint[];
+in vec4 corner_map_uvs[];
+#endif
 
 uniform mat3 cone_from_world[batch_size];
 
 out vec3 rasterised_position;
 out vec2 uv;
+#ifdef VERTEX_DETAILS
+out vec4 tint;
+out vec4 map_uvs;
+#endif
 out float directional_shade;
 out vec2 range_coordinates[batch_size];
 flat out vec3 plane_normal;
@@ -32,6 +41,10 @@ void main() {
   for (int corner = 0; corner < 3; ++corner) {
     rasterised_position = corner_position[corner];
     uv = corner_uv[corner];
+#ifdef VERTEX_DETAILS
+    tint = corner_tint[corner];
+    map_uvs = corner_map_uvs[corner];
+#endif
     directional_shade = corner_shade[corner];
     plane_normal = normal;
     for (int i = 0; i < lights_in_pass; ++i) {

@@ -2,11 +2,18 @@
 // A fragment of a surface as rasterised: its position and its textures.
 
 #include "draw_constants.glsl"
+#include "material.glsl"
 
 in vec3 rasterised_position;
 in vec2 uv;
+#ifdef VERTEX_DETAILS
+in vec4 tint;
+in vec4 map_uvs;
+#else
+#define map_uvs uv.xyxy
+#endif
 
-uniform sampler2D albedo_map;  // rgb reflectance, a gloss
+uniform sampler2D albedo_map;  // rgb reflectance, a gloss, or coverage of a mask
 uniform sampler2D normal_map;
 
 // The position, clamped to the surface's bounds: a partly covered pixel is shaded at its centre, which near the horizon
@@ -14,11 +21,31 @@ uniform sampler2D normal_map;
 vec3 fragment_position() { return clamp(rasterised_position, bounds_low, bounds_high); }
 vec3 drawn_back() { return fragment_position() - rasterised_position; }
 
+// The base texture and the vertices' colour; a is coverage.
+vec4 base_texel() {
+#ifdef VERTEX_DETAILS
+  return texture(albedo_map, uv) * tint;
+#else
+  return texture(albedo_map, uv);
+#endif
+}
+
+#if defined MATERIAL_UNLIT
+vec4 base_texture() { return vec4(0.0, 0.0, 0.0, 1.0); }  // all of it is emission
+#elif defined MATERIAL_MASK
+vec4 base_texture() { return vec4(base_texel().rgb, 1.0); }
+#elif defined VERTEX_DETAILS
+vec4 base_texture() {
+  vec4 texel = texture(albedo_map, uv);
+  return vec4(texel.rgb * tint.rgb, texel.a);
+}
+#else
 vec4 base_texture() { return texture(albedo_map, uv); }
+#endif
 
 // The normal map's normal in tangent space. The map's alpha gives the level that means 0 (Material::normal): 128 at 0,
 // 127.5 at 1.
 vec3 mapped_normal() {
-  vec4 texel = texture(normal_map, uv);
+  vec4 texel = texture(normal_map, map_uvs.xy);
   return texel.xyz * 2.0 - (256.0 - texel.a) * (1.0 / 255.0);
 }

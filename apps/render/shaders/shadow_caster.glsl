@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lamps that cast shadows, and their maps (render::ShadowMaps).
+// Lamps that cast shadows, then the maps of the directional light, and all maps (render::ShadowMaps).
 
 #include "shadow_map_place.glsl"
 
@@ -11,7 +11,7 @@ struct ShadowCaster {
   vec3 position;
   mat3 frame_from_world;
   bool is_cube;
-  float half_size;  // of a map, a metre before the lamp
+  float half_size;  // of a map, a metre before the lamp; of the directional light's, metres
   float reach;
   int first_layer;
 };
@@ -30,5 +30,5 @@ ShadowCaster shadow_caster(int i) {
 // Which map of a lamp has a direction, given in the lamp's frame.
 int map_towards(ShadowCaster caster, vec3 direction) { return caster.is_cube ? map_of_direction(direction) : 0; }
 
-// The size of a map's texel, a metre before the lamp.
+// The size of a map's texel, as half_size is given.
 float texel_size(ShadowCaster caster) { return 2.0 * caster.half_size / float(textureSize(shadow_maps, 0).x); }

@@ -9,8 +9,9 @@
 //
 // Left out, because no pixel would differ: his nested ifs that end the shader at the first light whose flag is off
 // (listing 3.2). He needs them where compilers unroll every loop; here a shader is compiled for its number of lights,
-// and the loop over a light list ends with the list. Left out, because the scenes' materials tile over many objects and
-// hold no heights: normal maps in object space, and parallax.
+// and the loop over a light list ends with the list. Left out: normal maps in object space, because the scenes' textures
+// tile over many objects, each of which would need a map of its own; and parallax, which he names but prints no line of,
+// because textures here hold normals without heights.
 
 #define CONSTANTS_FROM_VERTICES
 #include "lit_surface.glsl"
@@ -31,7 +32,7 @@ void main() {
   surface.shininess = shininess;
 
   vec3 lit = litfog_ambient(surface, ambient_light);
-  if (has_moon) lit += litfog_reflect(surface, moon_direction, moon_color);
+  if (has_moon) lit += moon_shadow() * litfog_reflect(surface, moon_direction, moon_color);
 #define ADD_LIGHT(i) lit += lamp_shadow(i) * lit_by(surface, batch_light(i));
   EACH_LIGHT(ADD_LIGHT)
 #undef ADD_LIGHT

@@ -5,4 +5,4 @@
 
 out vec4 color;
 
-void main() { color = vec4(base_texture().rgb, 1.0); }
+void main() { color = vec4(base_texel().rgb, 1.0); }

@@ -7,11 +7,13 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <utility>
 
 #include "file_text.h"
 #include "litfog/input_error.h"
+#include "scene/file/gltf_meshopt.h"
 #include "scene/file/gltf_uri.h"
 #include "scene/file/gltf_value.h"
 
@@ -21,17 +23,6 @@ namespace {
 using namespace std::string_view_literals;
 
 constexpr std::size_t kMaxBytes = std::size_t{1} << 30;  // of a file, and of all buffers together
-
-std::size_t component_size(GltfComponent component) {
-  switch (component) {
-    case GltfComponent::unsigned_byte:
-      return 1;
-    case GltfComponent::unsigned_short:
-      return 2;
-    default:
-      return 4;
-  }
-}
 
 std::uint32_t little_endian(std::string_view bytes, std::size_t at) {
   std::uint32_t value = 0;
@@ -73,16 +64,37 @@ void expect_version(const JsonValue& asset) {
 
 }  // namespace
 
+std::size_t size_of(GltfComponent component) {
+  switch (component) {
+    case GltfComponent::signed_byte:
+    case GltfComponent::unsigned_byte:
+      return 1;
+    case GltfComponent::signed_short:
+    case GltfComponent::unsigned_short:
+      return 2;
+    default:
+      return 4;
+  }
+}
+
 double GltfNumbers::at(std::size_t i, std::size_t component_index) const {
   const auto read = [&](auto zero) {
     std::memcpy(&zero, data + i * stride + component_index * sizeof(zero), sizeof(zero));
     return zero;
   };
+  const auto fraction = [&](auto zero) {
+    const double number = double(read(zero));
+    return is_normalized ? std::max(number / double(std::numeric_limits<decltype(zero)>::max()), -1.0) : number;
+  };
   switch (component) {
+    case GltfComponent::signed_byte:
+      return fraction(std::int8_t{});
     case GltfComponent::unsigned_byte:
-      return double(read(std::uint8_t{})) / (is_normalized ? 255.0 : 1.0);
+      return fraction(std::uint8_t{});
+    case GltfComponent::signed_short:
+      return fraction(std::int16_t{});
     case GltfComponent::unsigned_short:
-      return double(read(std::uint16_t{})) / (is_normalized ? 65535.0 : 1.0);
+      return fraction(std::uint16_t{});
     case GltfComponent::unsigned_int:
       return double(read(std::uint32_t{}));
     default:
@@ -117,7 +129,12 @@ void GltfFile::read_buffers() {
   for (const JsonValue& buffer : buffers_) {
     const JsonValue length = buffer.member("byteLength");
     const std::size_t size = whole_number(length);
-    const bool is_chunk = bytes_.empty() && !binary_chunk_.empty() && !buffer.optional("uri");
+    const bool has_uri = buffer.optional("uri").has_value();
+    const bool is_chunk = bytes_.empty() && !binary_chunk_.empty() && !has_uri;
+    if (!is_chunk && !has_uri) {  // it stands for the decoded bytes of compressed views, or fails where it is used
+      bytes_.emplace_back();
+      continue;
+    }
     bytes_.push_back(is_chunk ? std::move(binary_chunk_) : read_gltf_uri(buffer, "buffer", size));
     const bool fits = is_chunk ? size <= bytes_.back().size() : size == bytes_.back().size();
     if (!fits) length.fail(fmt::format("must be the buffer's {} bytes", bytes_.back().size()));
@@ -125,45 +142,115 @@ void GltfFile::read_buffers() {
   }
 }
 
-GltfNumbers GltfFile::numbers(const JsonValue& accessor_index, const GltfType& type,
-                              std::initializer_list<GltfComponent> components) const {
+GltfNumbers GltfFile::format(const JsonValue& accessor_index, std::initializer_list<GltfType> types,
+                             std::initializer_list<GltfComponent> components) const {
   const JsonValue& accessor = accessors_[index_in(accessors_, accessor_index)];
   const JsonValue type_name = accessor.member("type");
-  if (type_name.string() != type.name) type_name.fail("must be that of what it is used for");
+  const auto type = std::ranges::find(types, type_name.string(), &GltfType::name);
+  if (type == types.end()) type_name.fail("must be that of what it is used for");
   const JsonValue component_type = accessor.member("componentType");
   const auto component = GltfComponent(whole_number(component_type));
   if (std::ranges::find(components, component) == components.end()) {
     component_type.fail("must be one that glTF allows for what it is used for");
   }
-  if (const auto sparse = accessor.optional("sparse")) {
-    sparse->fail("must not be given: this program reads dense accessors only");
-  }
   const auto normalized = accessor.optional("normalized");
-  const JsonValue view_index = accessor.member("bufferView");
-  const std::string_view bytes = view(view_index);
-  const std::size_t element = component_size(component) * type.components;
-  std::size_t stride = element;
-  if (const auto given = views_[index_in(views_, view_index)].optional("byteStride")) {
-    stride = whole_number(*given);
-    if (stride < 4 || stride > 252 || stride % 4 != 0) given->fail("must be a multiple of 4 in [4, 252]");
-  }
-  const std::size_t offset = whole_number_or(accessor, "byteOffset", 0);
-  const JsonValue count_given = accessor.member("count");
-  const std::size_t count = whole_number(count_given);
-  const bool fits = count > 0 && offset <= bytes.size() && bytes.size() - offset >= element &&
-                    (bytes.size() - offset - element) / stride >= count - 1;
-  if (!fits) count_given.fail("must be > 0 and within its buffer view");
-  return {bytes.data() + offset, stride, count, component, normalized && normalized->boolean()};
+  const JsonValue count = accessor.member("count");
+  const GltfNumbers format{.stride = size_of(component) * type->components,
+                           .count = whole_number(count),
+                           .components = type->components,
+                           .component = component,
+                           .is_normalized = normalized && normalized->boolean()};
+  if (format.count == 0) count.fail("must be > 0 and within its buffer view");
+  return format;
 }
 
-std::string_view GltfFile::view(const JsonValue& view_index) const {
-  const JsonValue& view = views_[index_in(views_, view_index)];
-  const std::string_view bytes = bytes_[index_in(buffers_, view.member("buffer"))];
+GltfNumbers GltfFile::numbers(const JsonValue& accessor_index, std::initializer_list<GltfType> types,
+                              std::initializer_list<GltfComponent> components) const {
+  const JsonValue& accessor = accessors_[index_in(accessors_, accessor_index)];
+  GltfNumbers numbers = format(accessor_index, types, components);
+  const JsonValue count = accessor.member("count");
+  const std::size_t element = numbers.stride;
+  const auto sparse = accessor.optional("sparse");
+  if (const auto view_index = accessor.optional("bufferView")) {
+    const std::string_view bytes = view(*view_index);
+    if (const auto given = views_[index_in(views_, *view_index)].optional("byteStride")) {
+      numbers.stride = whole_number(*given);
+      if (numbers.stride < 4 || numbers.stride > 252 || numbers.stride % 4 != 0) {
+        given->fail("must be a multiple of 4 in [4, 252]");
+      }
+    }
+    const std::size_t offset = whole_number_or(accessor, "byteOffset", 0);
+    const bool fits = offset <= bytes.size() && bytes.size() - offset >= element &&
+                      (bytes.size() - offset - element) / numbers.stride >= numbers.count - 1;
+    if (!fits) count.fail("must be > 0 and within its buffer view");
+    numbers.data = bytes.data() + offset;
+  } else if (!sparse) {
+    accessor.member("bufferView");  // fails; zeros alone draw nothing
+  }
+  if (sparse) {
+    if (numbers.count > kMaxBytes / element) count.fail("must be one that fits into a GiB");
+    replace_sparse(*sparse, numbers);
+  }
+  return numbers;
+}
+
+void GltfFile::replace_sparse(const JsonValue& sparse, GltfNumbers& numbers) const {
+  const std::size_t element = size_of(numbers.component) * numbers.components;
+  std::string dense(numbers.count * element, '\0');
+  for (std::size_t i = 0; numbers.data && i < numbers.count; ++i) {
+    std::memcpy(&dense[i * element], numbers.data + i * numbers.stride, element);
+  }
+  const JsonValue count_given = sparse.member("count");
+  const std::size_t count = whole_number(count_given);
+  const auto part = [&](const JsonValue& owner, std::size_t size) {
+    const std::string_view bytes = view(owner.member("bufferView"));
+    const std::size_t offset = whole_number_or(owner, "byteOffset", 0);
+    if (offset > bytes.size() || (bytes.size() - offset) / size < count) {
+      count_given.fail("must be within its buffer views");
+    }
+    return bytes.data() + offset;
+  };
+  const JsonValue indices = sparse.member("indices");
+  const JsonValue component_type = indices.member("componentType");
+  GltfNumbers index{.count = count, .component = GltfComponent(whole_number(component_type))};
+  if (index.component != GltfComponent::unsigned_byte && index.component != GltfComponent::unsigned_short &&
+      index.component != GltfComponent::unsigned_int) {
+    component_type.fail("must be one that glTF allows for what it is used for");
+  }
+  index.stride = size_of(index.component);
+  index.data = part(indices, index.stride);
+  const char* const values = part(sparse.member("values"), element);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto replaced = std::size_t(index.at(i, 0));
+    if (replaced >= numbers.count) indices.fail("must be those of its elements");
+    std::memcpy(&dense[replaced * element], values + i * element, element);
+  }
+  numbers.made = std::make_shared<const std::string>(std::move(dense));
+  numbers.data = numbers.made->data();
+  numbers.stride = element;
+}
+
+std::string_view GltfFile::part_of_buffer(const JsonValue& view) const {
+  const std::size_t buffer = index_in(buffers_, view.member("buffer"));
+  const std::string_view bytes = bytes_[buffer];
+  if (bytes.empty()) buffers_[buffer].member("uri");  // fails
   const std::size_t offset = whole_number_or(view, "byteOffset", 0);
   const JsonValue length = view.member("byteLength");
   const std::size_t size = whole_number(length);
   if (offset > bytes.size() || size > bytes.size() - offset) length.fail("must end within its buffer");
   return bytes.substr(offset, size);
+}
+
+std::string_view GltfFile::view(const JsonValue& view_index) const {
+  const std::size_t index = index_in(views_, view_index);
+  const JsonValue& view = views_[index];
+  const auto compression = extension_of(view, kMeshopt);
+  if (!compression) return part_of_buffer(view);
+  const auto known = decoded_.find(index);
+  if (known != decoded_.end()) return known->second;
+  std::string decoded = decode_meshopt(*compression, part_of_buffer(*compression), kMaxBytes - decoded_bytes_);
+  decoded_bytes_ += decoded.size();
+  return decoded_.emplace(index, std::move(decoded)).first->second;
 }
 
 }  // namespace litfog::scene

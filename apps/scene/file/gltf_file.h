@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstddef>
-#include <glm/vec3.hpp>
+#include <glm/glm.hpp>
 #include <initializer_list>
+#include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,7 +18,14 @@ namespace litfog::scene {
 using files::JsonValue;
 
 /// An accessor's "componentType".
-enum class GltfComponent { unsigned_byte = 5121, unsigned_short = 5123, unsigned_int = 5125, floating = 5126 };
+enum class GltfComponent {
+  signed_byte = 5120,
+  unsigned_byte = 5121,
+  signed_short = 5122,
+  unsigned_short = 5123,
+  unsigned_int = 5125,
+  floating = 5126,
+};
 
 /// An accessor's "type".
 struct GltfType {
@@ -28,15 +37,21 @@ inline constexpr GltfType kGltfVec2{"VEC2", 2};
 inline constexpr GltfType kGltfVec3{"VEC3", 3};
 inline constexpr GltfType kGltfVec4{"VEC4", 4};
 
+/// Bytes of a component.
+std::size_t size_of(GltfComponent component);
+
 /// An accessor's numbers, checked against its buffer. They live as long as the file.
 struct GltfNumbers {
   const char* data = nullptr;  ///< null: not given
   std::size_t stride = 0;      ///< bytes
   std::size_t count = 0;
+  std::size_t components = 1;
   GltfComponent component = GltfComponent::floating;
   bool is_normalized = false;
+  std::shared_ptr<const std::string> made = nullptr;  ///< the data, where the file does not hold them as they are
 
   double at(std::size_t i, std::size_t component_index) const;
+  glm::vec2 vec2(std::size_t i) const { return {at(i, 0), at(i, 1)}; }
   glm::vec3 vec3(std::size_t i) const { return {at(i, 0), at(i, 1), at(i, 2)}; }
 };
 
@@ -49,12 +64,15 @@ class GltfFile {
 
   const JsonValue& root() const { return root_; }
 
-  /// An accessor's numbers, which have to be of a type and of one of some component types.
+  /// An accessor's numbers, which have to be of one of some types and of one of some component types.
   ///
   /// throws  InputError
-  GltfNumbers numbers(const JsonValue& accessor_index, const GltfType& type,
+  GltfNumbers numbers(const JsonValue& accessor_index, std::initializer_list<GltfType> types,
                       std::initializer_list<GltfComponent> components) const;
-  /// The bytes of a buffer view.
+  /// The same without its data, which are elsewhere.
+  GltfNumbers format(const JsonValue& accessor_index, std::initializer_list<GltfType> types,
+                     std::initializer_list<GltfComponent> components) const;
+  /// The bytes of a buffer view, decoded if they are compressed (EXT_meshopt_compression).
   ///
   /// throws  InputError
   std::string_view view(const JsonValue& view_index) const;
@@ -63,13 +81,19 @@ class GltfFile {
   /// Reads the JSON, and of a binary file its buffer.
   JsonValue read(const std::string& path);
   void read_buffers();
+  /// The part of a buffer that a buffer view or its compression states.
+  std::string_view part_of_buffer(const JsonValue& view) const;
+  /// Replaces some of an accessor's numbers by others that it gives (glTF 2.0, 3.6.2.3).
+  void replace_sparse(const JsonValue& sparse, GltfNumbers& numbers) const;
 
   std::string binary_chunk_;  // of a binary file: becomes its first buffer
   JsonValue root_;
   std::vector<JsonValue> accessors_;
   std::vector<JsonValue> views_;
   std::vector<JsonValue> buffers_;
-  std::vector<std::string> bytes_;  // of each buffer
+  std::vector<std::string> bytes_;                      // of each buffer
+  mutable std::map<std::size_t, std::string> decoded_;  // by their views
+  mutable std::size_t decoded_bytes_ = 0;
 };
 
 }  // namespace litfog::scene

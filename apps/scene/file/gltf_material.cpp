@@ -7,11 +7,13 @@
 #include <cmath>
 
 #include "scene/file/gltf_value.h"
+#include "scene/scene.h"
 
 namespace litfog::scene {
 namespace {
 
 constexpr float kMaxShininess = 1000;
+constexpr double kBlendCutoff = 0.5;  // of materials that would be blended
 
 /// The colour of `size` numbers, of which RGB count, or what stands for it where none is given.
 glm::vec3 color_or(const JsonValue& object, const char* name, std::size_t size, const glm::vec3& absent) {
@@ -21,6 +23,25 @@ glm::vec3 color_or(const JsonValue& object, const char* name, std::size_t size, 
   const bool is_color = std::ranges::all_of(color, [](double x) { return x >= 0 && x <= 1; });
   if (!is_color) value->fail(fmt::format("must be {} numbers in [0, 1]", size));
   return {color[0], color[1], color[2]};
+}
+
+glm::vec3 base_factor_of(const JsonValue& pbr) { return color_or(pbr, "baseColorFactor", 4, glm::vec3(1)); }
+
+glm::vec3 emissive_of(const JsonValue& material) {
+  glm::vec3 emissive = color_or(material, "emissiveFactor", 3, glm::vec3(0));
+  if (const auto extension = extension_of(material, "KHR_materials_emissive_strength")) {
+    const double strength = extension->number_or("emissiveStrength", 1);
+    if (!(strength >= 0 && strength <= kMaxColor)) {
+      extension->member("emissiveStrength").fail(fmt::format("must be in [0, {}]", kMaxColor));
+    }
+    emissive *= float(strength);
+  }
+  return emissive;
+}
+
+std::optional<GltfCoordinates> coordinates_of(const JsonValue& object, const char* texture) {
+  const auto info = object.optional(texture);
+  return info ? std::optional(scene::coordinates_of(*info)) : std::nullopt;
 }
 
 float factor_of(const JsonValue& object, const char* name) {
@@ -45,17 +66,62 @@ const GltfMaterial& GltfMaterials::use(const JsonValue& primitive) {
   std::optional<GltfMaterial>& used = used_[at];
   if (used) return *used;
   const JsonValue& given = index ? given_[at] : empty_;
+  const JsonValue pbr = given.optional("pbrMetallicRoughness").value_or(empty_);
   const auto double_sided = given.optional("doubleSided");
+  const auto base = coordinates_of(pbr, "baseColorTexture");
+  const auto rough = coordinates_of(pbr, "metallicRoughnessTexture");
+  const auto normal = coordinates_of(given, "normalTexture");
+  const auto emission = coordinates_of(given, "emissiveTexture");
+  const GltfCoordinates first = base.value_or(rough.value_or(normal.value_or(emission.value_or(GltfCoordinates{}))));
   used = GltfMaterial{.index = materials_.size(),
                       .name = index ? fmt::format("glTF material {}", at) : "glTF material -1",
-                      .is_double_sided = double_sided && double_sided->boolean()};
-  materials_.push_back(make(used->name, given));
+                      .is_double_sided = double_sided && double_sided->boolean(),
+                      .base = first,
+                      .normal = normal.value_or(first),
+                      .emission = emission.value_or(first)};
+  const bool is_unlit = extension_of(given, "KHR_materials_unlit").has_value();
+  materials_.push_back(is_unlit ? make_unlit(used->name, given, pbr) : make_lit(used->name, given, pbr));
   return *used;
 }
 
-Material GltfMaterials::make(const std::string& name, const JsonValue& given) {
-  const JsonValue pbr = given.optional("pbrMetallicRoughness").value_or(empty_);
-  const glm::vec3 factor = color_or(pbr, "baseColorFactor", 4, glm::vec3(1));
+std::optional<float> GltfMaterials::least_coverage_of(const JsonValue& material, const JsonValue& pbr) {
+  const auto mode = material.optional("alphaMode");
+  if (!mode || mode->string() == "OPAQUE") return std::nullopt;
+  const bool is_blended = mode->string() == "BLEND";
+  if (!is_blended && mode->string() != "MASK") mode->fail("must be OPAQUE, MASK or BLEND");
+  if (is_blended) ++blended_;
+  const double cutoff = is_blended ? kBlendCutoff : material.number_or("alphaCutoff", 0.5);
+  if (!(cutoff >= 0)) material.member("alphaCutoff").fail("must be >= 0");
+  if (cutoff == 0) return std::nullopt;
+  const auto factor = pbr.optional("baseColorFactor");
+  const double alpha = factor ? numbers(*factor, 4)[3] : 1;  // which is not in the texels; 0 leaves no surface
+  return float(cutoff / alpha);
+}
+
+GltfMaterials::SharedTexels GltfMaterials::base_texels(const JsonValue& material,
+                                                       const std::optional<JsonValue>& texture, bool is_masked) {
+  if (!texture) return white_.texels();
+  GltfPicture& picture = pictures_.use(*texture);
+  return is_masked ? picture.covering_texels(material, made_) : picture.texels();
+}
+
+Material GltfMaterials::make_unlit(const std::string& name, const JsonValue& given, const JsonValue& pbr) {
+  const std::optional<float> least_coverage = least_coverage_of(given, pbr);
+  const auto texture = pbr.optional("baseColorTexture");
+  return {.name = name,
+          .size_m = 1,
+          .albedo = base_texels(given, texture, least_coverage.has_value()),
+          .normal = flat_,
+          .specular = glm::vec3(0),
+          .shininess = 1,
+          .emissive = base_factor_of(pbr),
+          .plain_albedo = texture ? std::nullopt : std::optional(glm::vec3(1)),
+          .least_coverage = least_coverage,
+          .is_unlit = true};
+}
+
+Material GltfMaterials::make_lit(const std::string& name, const JsonValue& given, const JsonValue& pbr) {
+  const glm::vec3 factor = base_factor_of(pbr);
   const auto base_texture = pbr.optional("baseColorTexture");
   GltfPicture& base = base_texture ? pictures_.use(*base_texture) : white_;
   const auto rough_texture = pbr.optional("metallicRoughnessTexture");
@@ -65,31 +131,54 @@ Material GltfMaterials::make(const std::string& name, const JsonValue& given) {
   const glm::vec3 reflected = glm::mix(glm::vec3(0.04f), base.linear_mean() * factor, metallic);
   const float alpha = std::max(roughness * roughness, 1e-3f);
   const float shininess = std::clamp(2 / (alpha * alpha) - 2, 1.0f, kMaxShininess);
-  const glm::vec3 kept = factor * (1 - metallic);
-  glm::vec3 emissive = color_or(given, "emissiveFactor", 3, glm::vec3(0));
+  // Metal has no diffuse colour. Where its texture has coordinates of its own, its mean counts.
+  Metal metal{.factor = factor_of(pbr, "metallicFactor")};
+  const bool is_by_texel = rough_texture && metal.factor > 0 &&
+                           scene::coordinates_of(*rough_texture) ==
+                               coordinates_of(pbr, "baseColorTexture").value_or(scene::coordinates_of(*rough_texture));
+  if (is_by_texel) metal.texels = pictures_.use(*rough_texture).texels();
+  const glm::vec3 kept = is_by_texel ? factor : factor * (1 - metallic);
+  const std::optional<float> least_coverage = least_coverage_of(given, pbr);
+  const glm::vec3 emissive = emissive_of(given);
   const auto emissive_texture = given.optional("emissiveTexture");
-  if (emissive_texture && emissive != glm::vec3(0)) emissive *= pictures_.use(*emissive_texture).linear_mean();
+  const bool has_emission = emissive_texture && emissive != glm::vec3(0);
+  if (given.optional("occlusionTexture")) ++occluded_;
   return {.name = name,
           .size_m = 1,
-          .albedo = tinted(given, base.texels(), kept),
+          .albedo = tinted(given, base_texels(given, base_texture, least_coverage.has_value()), kept, metal),
           .normal = normal_map(given),
           .specular = reflected * ((shininess + 8) / 8),
           .shininess = shininess,
           .emissive = emissive,
-          .plain_albedo = base_texture ? std::nullopt : std::optional(kept)};
+          .plain_albedo = base_texture || is_by_texel ? std::nullopt : std::optional(kept),
+          .emission = has_emission ? pictures_.use(*emissive_texture).texels() : nullptr,
+          .least_coverage = least_coverage};
 }
 
 GltfMaterials::SharedTexels GltfMaterials::tinted(const JsonValue& material, const SharedTexels& picture,
-                                                  const glm::vec3& factor) {
-  if (factor == glm::vec3(1)) return picture;
-  SharedTexels& made = tinted_[{picture.get(), {factor.r, factor.g, factor.b}}];
+                                                  const glm::vec3& factor, const Metal& metal) {
+  if (factor == glm::vec3(1) && !metal.texels) return picture;
+  SharedTexels& made = tinted_[{picture.get(), metal.texels.get(), {factor.r, factor.g, factor.b, metal.factor}}];
   if (made) return made;
-  made_.take(material, picture->rgba.size() / 4);
-  Texels texels = *picture;
-  for (std::size_t i = 0; i < texels.rgba.size(); i += 4) {
-    for (int channel = 0; channel < 3; ++channel) {
-      std::uint8_t& texel = texels.rgba[i + std::size_t(channel)];
-      if (factor[channel] != 1) texel = srgb_level_of(linear_value(texel) * factor[channel]);
+  const Texels& size = metal.texels && picture->rgba.size() == 4 ? *metal.texels : *picture;
+  const auto width = std::size_t(size.width);
+  const auto height = std::size_t(size.height);
+  made_.take(material, width * height);
+  Texels texels{size.width, size.height, std::vector<std::uint8_t>(4 * width * height), size.sampling};
+  const auto texel_of = [&](const Texels& of, std::size_t x, std::size_t y) {  // nearest, where their sizes differ
+    return &of.rgba[4 *
+                    (y * std::size_t(of.height) / height * std::size_t(of.width) + x * std::size_t(of.width) / width)];
+  };
+  for (std::size_t y = 0; y < height; ++y) {
+    for (std::size_t x = 0; x < width; ++x) {
+      const std::uint8_t* const from = texel_of(*picture, x, y);
+      const float kept = metal.texels ? 1 - metal.factor * float(texel_of(*metal.texels, x, y)[2]) / 255 : 1;
+      std::uint8_t* const to = &texels.rgba[4 * (y * width + x)];
+      for (int channel = 0; channel < 3; ++channel) {
+        const float scale = factor[channel] * kept;
+        to[channel] = scale == 1 ? from[channel] : srgb_level_of(linear_value(from[channel]) * scale);
+      }
+      to[3] = from[3];
     }
   }
   return made = std::make_shared<const Texels>(std::move(texels));

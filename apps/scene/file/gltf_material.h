@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -21,6 +22,9 @@ struct GltfMaterial {
   std::size_t index;  ///< of those made, in their order
   std::string name;
   bool is_double_sided;
+  GltfCoordinates base;      ///< of the base texture or, where there is none, another's
+  GltfCoordinates normal;    ///< of the normal map or, where there is none, the base's
+  GltfCoordinates emission;  ///< likewise
 };
 
 /// Converts the materials of a glTF file that are used to the demo's; read_gltf_scene documents how.
@@ -37,12 +41,27 @@ class GltfMaterials {
   /// Those made.
   std::vector<Material> take() { return std::move(materials_); }
 
+  // What is left out of those made.
+  std::size_t blended() const { return blended_; }
+  std::size_t occluded() const { return occluded_; }
+
  private:
   using SharedTexels = std::shared_ptr<const Texels>;
 
-  Material make(const std::string& name, const JsonValue& given);
-  /// A picture whose colours are multiplied by a factor.
-  SharedTexels tinted(const JsonValue& material, const SharedTexels& picture, const glm::vec3& factor);
+  Material make_lit(const std::string& name, const JsonValue& given, const JsonValue& pbr);
+  Material make_unlit(const std::string& name, const JsonValue& given, const JsonValue& pbr);
+  /// Material::least_coverage.
+  std::optional<float> least_coverage_of(const JsonValue& material, const JsonValue& pbr);
+  /// The texels of a base texture or what stands for it.
+  SharedTexels base_texels(const JsonValue& material, const std::optional<JsonValue>& texture, bool is_masked);
+  /// What is metal, texel by texel: a factor times the blue of a picture. Null: nothing.
+  struct Metal {
+    SharedTexels texels = nullptr;
+    float factor;
+  };
+  /// A picture whose colours are multiplied by a factor and by what is not metal.
+  SharedTexels tinted(const JsonValue& material, const SharedTexels& picture, const glm::vec3& factor,
+                      const Metal& metal);
   SharedTexels normal_map(const JsonValue& material);
 
   JsonValue empty_;  // an object: glTF's default material, and a material's default model
@@ -53,9 +72,11 @@ class GltfMaterials {
   GltfPicture white_;
   SharedTexels flat_;  // a normal map
   // Pictures derived from the file's, shared where they are the same.
-  std::map<std::pair<const Texels*, std::array<float, 3>>, SharedTexels> tinted_;
+  std::map<std::tuple<const Texels*, const Texels*, std::array<float, 4>>, SharedTexels> tinted_;
   std::map<std::pair<const Texels*, float>, SharedTexels> scaled_normals_;
   TexelBudget made_;
+  std::size_t blended_ = 0;
+  std::size_t occluded_ = 0;
 };
 
 }  // namespace litfog::scene

@@ -4,24 +4,41 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
 
+#include "scene/file/gltf_draco.h"
 #include "scene/file/gltf_value.h"
 #include "scene/scene.h"
 
 namespace litfog::scene {
 namespace {
 
-constexpr std::size_t kTriangles = 4;  // a primitive's "mode"
+// A primitive's "mode".
+constexpr std::size_t kTriangles = 4;
+constexpr std::size_t kTriangleFan = 6;
 
-/// Three indices a triangle: those given, or the vertices in their order.
-void read_indices(const JsonValue& primitive, const GltfNumbers& given, std::size_t count, Mesh& mesh) {
-  for (std::size_t i = 0; i < count; ++i) {
+/// Three indices a triangle (glTF 2.0, 3.7.2.1), of those given or of the vertices in their order.
+void read_indices(const JsonValue& primitive, const GltfNumbers& given, std::size_t count, std::size_t mode,
+                  Mesh& mesh) {
+  const auto add = [&](std::size_t i) {
     const double vertex = given.data ? given.at(i, 0) : double(i);
     if (!(vertex < double(mesh.vertices.size()))) {
       primitive.member("indices").fail("must be those of given vertices");
     }
     mesh.indices.push_back(std::uint32_t(vertex));
+  };
+  if (mode == kTriangles) {
+    for (std::size_t i = 0; i < count; ++i) add(i);
+    return;
+  }
+  for (std::size_t i = 0; i + 2 < count; ++i) {
+    using Corners = std::array<std::size_t, 3>;
+    const Corners strip = i % 2 == 0 ? Corners{i, i + 1, i + 2} : Corners{i, i + 2, i + 1};
+    for (const std::size_t corner : mode == kTriangleFan ? Corners{i + 1, i + 2, 0} : strip) add(corner);
   }
 }
 
@@ -29,19 +46,36 @@ void read_indices(const JsonValue& primitive, const GltfNumbers& given, std::siz
 /// given).
 void flatten(Mesh& mesh) {
   std::vector<Vertex> vertices;
-  for (const std::uint32_t vertex : mesh.indices) vertices.push_back(mesh.vertices[vertex]);
+  std::vector<VertexDetail> details;
+  for (const std::uint32_t vertex : mesh.indices) {
+    vertices.push_back(mesh.vertices[vertex]);
+    if (!mesh.details.empty()) details.push_back(mesh.details[vertex]);
+  }
   for (std::size_t i = 0; i + 2 < vertices.size(); i += 3) {
     const glm::vec3 normal =
         glm::cross(vertices[i + 1].position - vertices[i].position, vertices[i + 2].position - vertices[i].position);
     for (std::size_t corner = i; corner < i + 3; ++corner) vertices[corner].normal = normal;
   }
   mesh.vertices = std::move(vertices);
+  mesh.details = std::move(details);
   for (std::size_t i = 0; i < mesh.indices.size(); ++i) mesh.indices[i] = std::uint32_t(i);
 }
 
 template <glm::length_t N>
 bool is_within_limits(const glm::vec<N, float>& v) {
   return glm::all(glm::lessThanEqual(glm::abs(v), glm::vec<N, float>(kMaxCoordinate)));
+}
+
+/// By the normal map's coordinates.
+void give_tangents(Mesh& mesh) {
+  const auto swap_uvs = [&mesh] {
+    for (std::size_t i = 0; i < mesh.details.size(); ++i) std::swap(mesh.vertices[i].uv, mesh.details[i].normal_uv);
+  };
+  swap_uvs();
+  compute_tangents(mesh);
+  swap_uvs();
+  // There v grows along the bitangent; glTF's v runs down a picture whose normals have +Y up.
+  for (Vertex& vertex : mesh.vertices) vertex.tangent.w = -vertex.tangent.w;
 }
 
 }  // namespace
@@ -54,60 +88,92 @@ void MeshBudget::take(const JsonValue& primitive, std::size_t triangles, std::si
   }
 }
 
-Mesh read_gltf_primitive(const GltfFile& file, const JsonValue& primitive, bool is_double_sided, MeshBudget& budget) {
+bool is_without_surface(const JsonValue& primitive) {
+  const auto mode = primitive.optional("mode");
+  if (!mode) return false;
+  if (whole_number(*mode) > kTriangleFan) mode->fail("must be at most 6");
+  return whole_number(*mode) < kTriangles;
+}
+
+Mesh read_gltf_primitive(const GltfFile& file, const JsonValue& primitive, const GltfMaterial& material,
+                         MeshBudget& budget) {
   using enum GltfComponent;
-  if (const auto mode = primitive.optional("mode"); mode && whole_number(*mode) != kTriangles) {
-    mode->fail("must be 4: this program draws triangles");
-  }
+  const std::size_t mode = whole_number_or(primitive, "mode", kTriangles);
   const JsonValue attributes = primitive.member("attributes");
-  const GltfNumbers positions = file.numbers(attributes.member("POSITION"), kGltfVec3, {floating});
-  const auto attribute = [&](const char* name, const GltfType& type, std::initializer_list<GltfComponent> components) {
+  std::optional<GltfDraco> draco;
+  if (const auto compression = extension_of(primitive, "KHR_draco_mesh_compression")) draco.emplace(file, *compression);
+  const auto read = [&](const std::string& name, const JsonValue& index, std::initializer_list<GltfType> types,
+                        std::initializer_list<GltfComponent> components) {
+    const auto decoded =
+        draco ? draco->attribute(name, file.format(index, types, components)) : std::optional<GltfNumbers>();
+    return decoded ? *decoded : file.numbers(index, types, components);
+  };
+  // Of all component types: those of KHR_mesh_quantization, too.
+  const GltfNumbers positions = read("POSITION", attributes.member("POSITION"), {kGltfVec3},
+                                     {floating, signed_byte, unsigned_byte, signed_short, unsigned_short});
+  const auto attribute = [&](const std::string& name, std::initializer_list<GltfType> types,
+                             std::initializer_list<GltfComponent> components) {
     const auto index = attributes.optional(name);
     if (!index) return GltfNumbers{};
-    const GltfNumbers given = file.numbers(*index, type, components);
+    const GltfNumbers given = read(name, *index, types, components);
     if (given.count != positions.count) index->fail("must have as many elements as POSITION");
     return given;
   };
-  const GltfNumbers normals = attribute("NORMAL", kGltfVec3, {floating});
-  const GltfNumbers tangents = attribute("TANGENT", kGltfVec4, {floating});
-  const GltfNumbers uvs = attribute("TEXCOORD_0", kGltfVec2, {floating, unsigned_byte, unsigned_short});
+  const auto texture_coordinates = [&](std::size_t set) {
+    return attribute(fmt::format("TEXCOORD_{}", set), {kGltfVec2},
+                     {floating, signed_byte, unsigned_byte, signed_short, unsigned_short});
+  };
+  const GltfNumbers normals = attribute("NORMAL", {kGltfVec3}, {floating, signed_byte, signed_short});
+  const GltfNumbers tangents = attribute("TANGENT", {kGltfVec4}, {floating, signed_byte, signed_short});
+  const GltfNumbers base_uvs = texture_coordinates(material.base.set);
+  const GltfNumbers normal_uvs = texture_coordinates(material.normal.set);
+  const GltfNumbers emission_uvs = texture_coordinates(material.emission.set);
+  const GltfNumbers colors = attribute("COLOR_0", {kGltfVec3, kGltfVec4}, {floating, unsigned_byte, unsigned_short});
   GltfNumbers indices;
   if (const auto index = primitive.optional("indices")) {
-    indices = file.numbers(*index, kGltfScalar, {unsigned_byte, unsigned_short, unsigned_int});
+    indices =
+        draco ? draco->indices() : file.numbers(*index, {kGltfScalar}, {unsigned_byte, unsigned_short, unsigned_int});
   }
   const std::size_t index_count = indices.data ? indices.count : positions.count;
-  if (index_count % 3 != 0) {
+  if (mode == kTriangles ? index_count % 3 != 0 : index_count < 3) {
     const auto index = primitive.optional("indices");
     (index ? *index : primitive).fail(primitive.path_of("indices"), "", "must be three a triangle");
   }
-  const std::size_t sides = is_double_sided ? 2 : 1;
-  const std::size_t vertex_count = normals.data ? positions.count : std::max(positions.count, index_count);
-  budget.take(primitive, sides * index_count / 3, sides * vertex_count);
+  const std::size_t triangle_count = mode == kTriangles ? index_count / 3 : index_count - 2;
+  const std::size_t sides = material.is_double_sided ? 2 : 1;
+  const std::size_t vertex_count = normals.data ? positions.count : std::max(positions.count, 3 * triangle_count);
+  budget.take(primitive, sides * triangle_count, sides * vertex_count);
   Mesh mesh;
-  bool has_tangents = normals.data && tangents.data && uvs.data;
+  const bool has_details = colors.data || material.normal != material.base || material.emission != material.base;
+  bool has_tangents = normals.data && tangents.data && normal_uvs.data;
   for (std::size_t i = 0; i < positions.count; ++i) {
-    Vertex vertex{positions.vec3(i), glm::vec3(0, 1, 0), glm::vec4(0), glm::vec2(0)};
+    const auto uv = [i](const GltfNumbers& uvs, const GltfCoordinates& coordinates) {
+      return uvs.data ? coordinates.transform * glm::vec3(uvs.vec2(i), 1) : glm::vec2(0);
+    };
+    Vertex vertex{positions.vec3(i), glm::vec3(0, 1, 0), glm::vec4(0), uv(base_uvs, material.base)};
+    VertexDetail detail{.normal_uv = uv(normal_uvs, material.normal),
+                        .emission_uv = uv(emission_uvs, material.emission)};
     if (normals.data) vertex.normal = normals.vec3(i);
     if (tangents.data) vertex.tangent = glm::vec4(tangents.vec3(i), tangents.at(i, 3) < 0 ? -1 : 1);
-    if (uvs.data) vertex.uv = {uvs.at(i, 0), uvs.at(i, 1)};
+    if (colors.data) detail.color = glm::vec4(colors.vec3(i), colors.components == 4 ? colors.at(i, 3) : 1);
     const bool is_sound = is_within_limits(vertex.position) && is_within_limits(vertex.normal) &&
-                          is_within_limits(vertex.tangent) && is_within_limits(vertex.uv);
+                          is_within_limits(vertex.tangent) && is_within_limits(vertex.uv) &&
+                          is_within_limits(detail.normal_uv) && is_within_limits(detail.emission_uv) &&
+                          is_within_limits(detail.color);
     if (!is_sound) attributes.fail(fmt::format("must be finite and at most {}", kMaxCoordinate));
+    detail.color = glm::clamp(detail.color, 0.0f, 1.0f);  // glTF 2.0, 3.7.2.1
     has_tangents = has_tangents && glm::length(glm::vec3(vertex.tangent)) > 0;
     mesh.vertices.push_back(vertex);
+    if (has_details) mesh.details.push_back(detail);
   }
-  read_indices(primitive, indices, index_count, mesh);
+  read_indices(primitive, indices, index_count, mode, mesh);
   if (!normals.data) flatten(mesh);
   for (Vertex& vertex : mesh.vertices) {
     const float length = glm::length(vertex.normal);
     vertex.normal = length > 0 ? vertex.normal / length : glm::vec3(0, 1, 0);
   }
-  if (!has_tangents) {
-    compute_tangents(mesh);
-    // There v grows along the bitangent; glTF's v runs down a picture whose normals have +Y up.
-    for (Vertex& vertex : mesh.vertices) vertex.tangent.w = -vertex.tangent.w;
-  }
-  if (is_double_sided) add_back_faces(mesh);
+  if (!has_tangents) give_tangents(mesh);
+  if (material.is_double_sided) add_back_faces(mesh);
   return mesh;
 }
 

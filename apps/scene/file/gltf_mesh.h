@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "scene/file/gltf_file.h"
+#include "scene/file/gltf_material.h"
 #include "scene/mesh.h"
 
 namespace litfog::scene {
@@ -20,11 +21,16 @@ class MeshBudget {
   std::size_t vertices_ = 0;
 };
 
+/// Whether a primitive is of points or lines, which have no surface.
+bool is_without_surface(const JsonValue& primitive);
+
 /// Reads a primitive's triangles: normals made unit, flat ones where none are given; tangents computed where they are
-/// not; the backs of faces, too, if it is double-sided.
+/// not; the backs of faces, too, if its material is double-sided; details where it has colours or its pictures differ
+/// in their coordinates.
 ///
 /// budget  counts the mesh before its memory is allocated
 /// throws  InputError
-Mesh read_gltf_primitive(const GltfFile& file, const JsonValue& primitive, bool is_double_sided, MeshBudget& budget);
+Mesh read_gltf_primitive(const GltfFile& file, const JsonValue& primitive, const GltfMaterial& material,
+                         MeshBudget& budget);
 
 }  // namespace litfog::scene

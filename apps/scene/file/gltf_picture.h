@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -27,15 +28,27 @@ class TexelBudget {
 /// A decoded picture. Its texels are shared by all materials that use them unchanged; their A is 255.
 class GltfPicture {
  public:
-  explicit GltfPicture(Texels texels) : texels_(std::make_shared<const Texels>(std::move(texels))) {}
+  /// alpha  of each texel; empty: 255
+  explicit GltfPicture(Texels texels, std::vector<std::uint8_t> alpha = {})
+      : texels_(std::make_shared<const Texels>(std::move(texels))), alpha_(std::move(alpha)) {}
+
+  /// The same, sampled in another way.
+  GltfPicture sampled(const Sampling& sampling) const;
 
   const std::shared_ptr<const Texels>& texels() const { return texels_; }
+  /// The same, their A the picture's alpha; counted when they are first asked for.
+  ///
+  /// owner   what uses the picture, for the error's location
+  /// throws  InputError
+  const std::shared_ptr<const Texels>& covering_texels(const JsonValue& owner, TexelBudget& budget);
   /// The mean of the texels' RGB as stored, in [0, 1], and of the linear colours that they are in sRGB.
   glm::vec3 mean();
   glm::vec3 linear_mean();
 
  private:
   std::shared_ptr<const Texels> texels_;
+  std::vector<std::uint8_t> alpha_;
+  std::shared_ptr<const Texels> covering_;
   std::optional<glm::vec3> mean_;
   std::optional<glm::vec3> linear_mean_;
 };
@@ -43,7 +56,18 @@ class GltfPicture {
 /// The linear value, in [0, 1], of a level in sRGB.
 float linear_value(std::uint8_t srgb_level);
 
-/// The pictures of a glTF file's textures, PNG and JPEG, each decoded when it is first used, and once.
+/// Which texture coordinates a textureInfo takes: those of a set, transformed (KHR_texture_transform).
+struct GltfCoordinates {
+  std::size_t set = 0;
+  glm::mat3x2 transform{1};  ///< of (u, v, 1)
+
+  bool operator==(const GltfCoordinates&) const = default;
+};
+
+/// throws  InputError
+GltfCoordinates coordinates_of(const JsonValue& texture_info);
+
+/// The pictures of a glTF file's textures, PNG, JPEG and WebP, each decoded when it is first used, and once.
 class GltfPictures {
  public:
   /// file  has to outlive this
@@ -55,13 +79,27 @@ class GltfPictures {
   GltfPicture& use(const JsonValue& texture_info);
 
  private:
-  Texels read(const JsonValue& image);
-  Texels decode(const JsonValue& image, std::string_view bytes);
+  /// Its index.
+  std::size_t image_of(const JsonValue& texture) const;
+  GltfPicture read(const JsonValue& image, const Sampling& sampling);
+  GltfPicture decode(const JsonValue& image, std::string_view bytes, const Sampling& sampling);
+  struct Pixels {
+    int width;
+    int height;
+    std::size_t channels;  // 1 or 2 of a grey picture; 2 and 4 end with alpha, which colours are not multiplied by
+    std::vector<std::uint8_t> levels;
+  };
+  Pixels decode_png_or_jpeg(const JsonValue& image, std::string_view bytes);
+  Pixels decode_webp(const JsonValue& image, std::string_view bytes);
+  /// Counts a picture before its memory is allocated.
+  void take(const JsonValue& image, int width, int height);
+  Sampling sampling_of(const JsonValue& texture) const;
 
   const GltfFile& file_;
   std::vector<JsonValue> textures_;
   std::vector<JsonValue> images_;
-  std::map<std::size_t, GltfPicture> pictures_;  // by their image
+  std::vector<JsonValue> samplers_;
+  std::map<std::size_t, std::map<Sampling, GltfPicture>> pictures_;  // by their image
   TexelBudget budget_;
 };
 

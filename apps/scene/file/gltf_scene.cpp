@@ -2,6 +2,7 @@
 #include "scene/file/gltf_scene.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,13 +10,16 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
+#include <iterator>
 #include <numbers>
+#include <set>
 
 #include "litfog/fog_light_block.h"
 #include "litfog/input_error.h"
 #include "scene/file/gltf_file.h"
 #include "scene/file/gltf_material.h"
 #include "scene/file/gltf_mesh.h"
+#include "scene/file/gltf_meshopt.h"
 #include "scene/file/gltf_uri.h"
 #include "scene/file/gltf_value.h"
 
@@ -26,6 +30,18 @@ constexpr double kBrightestAtKnee = 16;   // of the display's white
 constexpr double kLargestKnee = 1;        // metres
 constexpr double kLeast = 1.0 / 512;      // half of 1/256 of the display's white
 constexpr double kBrightestSun = 65'504;  // of the display's white: a framebuffer's half floats end there
+constexpr std::string_view kPunctual = "KHR_lights_punctual";
+constexpr std::string_view kBasisu = "KHR_texture_basisu";
+constexpr std::string_view kKnownExtensions[] = {"EXT_mesh_gpu_instancing",
+                                                 kMeshopt,
+                                                 "EXT_texture_webp",
+                                                 "KHR_draco_mesh_compression",
+                                                 kPunctual,
+                                                 "KHR_materials_emissive_strength",
+                                                 "KHR_materials_unlit",
+                                                 "KHR_mesh_quantization",
+                                                 "KHR_texture_transform"};
+
 constexpr glm::vec3 kNightAmbient{0.045f, 0.05f, 0.07f};
 constexpr glm::vec3 kLampless{0.6f};
 constexpr glm::vec3 kNightFog{0.012f, 0.013f, 0.017f};
@@ -46,13 +62,10 @@ class GltfReader {
         cameras_(items_of(file_.root(), "cameras")),
         meshes_(items_of(file_.root(), "meshes")),
         primitives_(meshes_.size()),
+        is_read_(meshes_.size()),
         materials_(file_) {
-    for (const JsonValue& extension : items_of(file_.root(), "extensionsRequired")) {
-      if (extension.string() != "KHR_lights_punctual") {
-        extension.fail("must be KHR_lights_punctual, the only one that this program knows");
-      }
-    }
-    if (const auto punctual = punctual_lights(file_.root())) lights_ = items_of(*punctual, "lights");
+    expect_known_extensions();
+    if (const auto punctual = extension_of(file_.root(), kPunctual)) lights_ = items_of(*punctual, "lights");
     read_name(path);
     scene_.description = "a glTF file";
     scene_.environment = {.ambient_light = kNightAmbient,
@@ -71,6 +84,7 @@ class GltfReader {
       scene_.environment.ambient_light = kLampless;
     }
     const double depth = std::max(0.01, distance_to_farthest_corner(box));
+    scene_.left_out = left_out();
     for (const double depths : {10, 3, 1}) scene_.visibilities.push_back(with_two_digits(depths * depth));
   }
 
@@ -91,6 +105,47 @@ class GltfReader {
     environment.sky_horizon += scattered;
     environment.sky_zenith += zenith;
     environment.ambient_light += (scattered + zenith) / 2.0f;
+  }
+
+  void expect_known_extensions() const {
+    for (const JsonValue& extension : items_of(file_.root(), "extensionsRequired")) {
+      if (extension.string() == kBasisu) {
+        extension.fail(
+            "must not be required: this program reads PNG, JPEG and WebP, not KTX2; export the file with "
+            "such pictures");
+      }
+      if (!is_known(extension.string())) {
+        extension.fail("must be one that this program knows: export the file without it");
+      }
+    }
+  }
+
+  static bool is_known(std::string_view extension) {
+    return std::ranges::find(kKnownExtensions, extension) != std::end(kKnownExtensions);
+  }
+
+  /// Of the file, in words.
+  std::string left_out() const {
+    std::vector<std::string> parts;
+    const auto add = [&parts](std::size_t count, std::string_view one, std::string_view many) {
+      if (count > 0) parts.push_back(fmt::format("{} {}", count, count == 1 ? one : many));
+    };
+    add(items_of(file_.root(), "animations").size(), "animation", "animations");
+    add(skins_, "skin (drawn in its rest pose)", "skins (drawn in their rest pose)");
+    add(morphs_, "mesh's morph targets", "meshes' morph targets");
+    add(surfaceless_, "primitive of points or lines", "primitives of points or lines");
+    add(materials_.occluded(), "occlusion texture", "occlusion textures");
+    add(materials_.blended(), "material's blending (drawn where alpha >= 0.5)",
+        "materials' blending (drawn where alpha >= 0.5)");
+    add(other_cameras_, "other camera", "other cameras");
+    const std::size_t scenes = items_of(file_.root(), "scenes").size();
+    add(scenes - 1, "other scene", "other scenes");
+    std::set<std::string> extensions;
+    for (const JsonValue& extension : items_of(file_.root(), "extensionsUsed")) {
+      if (!is_known(extension.string())) extensions.insert(extension.string());
+    }
+    if (!extensions.empty()) parts.push_back(fmt::format("extensions {}", fmt::join(extensions, " ")));
+    return fmt::format("{}", fmt::join(parts, ", "));
   }
 
   void note_files(const std::string& path) {
@@ -128,6 +183,13 @@ class GltfReader {
     return transform;
   }
 
+  static void expect_within_limits(const JsonValue& node, const glm::dmat4& transform) {
+    const double* const first = glm::value_ptr(transform);
+    if (!std::all_of(first, first + 16, [](double x) { return std::abs(x) <= kMaxCoordinate; })) {
+      node.fail(fmt::format("must lie within {} metres", kMaxCoordinate));
+    }
+  }
+
   void read_nodes() {
     struct Visit {
       std::size_t node;
@@ -152,13 +214,11 @@ class GltfReader {
       if (is_met[visit.node]) node.fail("must be one node's child only");
       is_met[visit.node] = true;
       const glm::dmat4 world_from_node = visit.world_from_parent * local_transform(node);
-      const double* const first = glm::value_ptr(world_from_node);
-      if (!std::all_of(first, first + 16, [](double x) { return std::abs(x) <= kMaxCoordinate; })) {
-        node.fail(fmt::format("must lie within {} metres", kMaxCoordinate));
-      }
+      expect_within_limits(node, world_from_node);
       if (const auto camera = node.optional("camera")) visit.is_carried |= read_camera(*camera, world_from_node);
-      if (const auto mesh = node.optional("mesh")) read_mesh(*mesh, world_from_node);
-      if (const auto punctual = punctual_lights(node)) {
+      skins_ += node.optional("skin").has_value();
+      if (const auto mesh = node.optional("mesh")) read_instances(node, *mesh, world_from_node);
+      if (const auto punctual = extension_of(node, kPunctual)) {
         read_light(punctual->member("light"), world_from_node, visit.is_carried);
       }
       add(items_of(node, "children"), world_from_node, visit.is_carried);
@@ -170,7 +230,10 @@ class GltfReader {
   /// Returns whether it is the camera that sees the scene.
   bool read_camera(const JsonValue& index, const glm::dmat4& world_from_node) {
     const JsonValue& camera = cameras_[index_in(cameras_, index)];
-    if (has_camera_ || camera.member("type").string() != "perspective") return false;
+    if (has_camera_ || camera.member("type").string() != "perspective") {
+      ++other_cameras_;
+      return false;
+    }
     const JsonValue field_of_view = camera.member("perspective").member("yfov");
     const double yfov = field_of_view.number();
     if (!(yfov > 0 && yfov < std::numbers::pi * 0.95)) field_of_view.fail("must be in (0, 2.98) radians");
@@ -280,6 +343,38 @@ class GltfReader {
     Mesh mesh;
   };
 
+  /// A node's mesh, once or as often as it states (EXT_mesh_gpu_instancing).
+  void read_instances(const JsonValue& node, const JsonValue& mesh, const glm::dmat4& world_from_node) {
+    const auto instancing = extension_of(node, "EXT_mesh_gpu_instancing");
+    if (!instancing) return read_mesh(mesh, world_from_node);
+    using enum GltfComponent;
+    const JsonValue attributes = instancing->member("attributes");
+    std::optional<std::size_t> count;
+    const auto read = [&](const char* name, const GltfType& type, std::initializer_list<GltfComponent> components) {
+      const auto index = attributes.optional(name);
+      if (!index) return GltfNumbers{};
+      const GltfNumbers given = file_.numbers(*index, {type}, components);
+      if (count && *count != given.count) index->fail("must have as many elements as the other attributes");
+      count = given.count;
+      return given;
+    };
+    const GltfNumbers translations = read("TRANSLATION", kGltfVec3, {floating});
+    const GltfNumbers rotations = read("ROTATION", kGltfVec4, {floating, signed_byte, signed_short});
+    const GltfNumbers scales = read("SCALE", kGltfVec3, {floating});
+    for (std::size_t i = 0; i < count.value_or(1); ++i) {
+      glm::dmat4 transform = world_from_node;
+      if (translations.data) transform = glm::translate(transform, glm::dvec3(translations.vec3(i)));
+      if (rotations.data) {
+        const glm::dquat rotation(rotations.at(i, 3), rotations.at(i, 0), rotations.at(i, 1), rotations.at(i, 2));
+        if (!(glm::length(rotation) > 0)) attributes.member("ROTATION").fail("must not be all 0");
+        transform *= glm::mat4_cast(glm::normalize(rotation));
+      }
+      if (scales.data) transform = glm::scale(transform, glm::dvec3(scales.vec3(i)));
+      expect_within_limits(node, transform);
+      read_mesh(mesh, transform);
+    }
+  }
+
   void read_mesh(const JsonValue& index, const glm::dmat4& world_from_node) {
     if (!(std::abs(glm::determinant(glm::dmat3(world_from_node))) > 1e-18)) return;  // flattened to nothing
     Model& model = scene_.models[0];
@@ -292,13 +387,21 @@ class GltfReader {
 
   const std::vector<Primitive>& primitives_of(std::size_t mesh) {
     std::vector<Primitive>& primitives = primitives_[mesh];
-    if (!primitives.empty()) return primitives;
+    if (is_read_[mesh]) return primitives;
+    is_read_[mesh] = true;
+    bool has_targets = false;
     for (const JsonValue& json : meshes_[mesh].member("primitives").items()) {
+      has_targets |= json.optional("targets").has_value();
+      if (is_without_surface(json)) {
+        ++surfaceless_;
+        continue;
+      }
       const GltfMaterial& material = materials_.use(json);
       Model& model = scene_.models[0];
       if (material.index == model.size()) model.push_back({material.name, {}});  // a part a material, in their order
-      primitives.push_back({json, material.index, read_gltf_primitive(file_, json, material.is_double_sided, read_)});
+      primitives.push_back({json, material.index, read_gltf_primitive(file_, json, material, read_)});
     }
+    morphs_ += has_targets;
     return primitives;
   }
 
@@ -307,13 +410,19 @@ class GltfReader {
   std::vector<JsonValue> cameras_;
   std::vector<JsonValue> lights_;
   std::vector<JsonValue> meshes_;
-  std::vector<std::vector<Primitive>> primitives_;  // of each mesh; empty until it is drawn
+  std::vector<std::vector<Primitive>> primitives_;  // of each mesh, when it is first drawn
+  std::vector<bool> is_read_;                       // of each mesh
   GltfMaterials materials_;
   Scene scene_;
   bool has_camera_ = false;
   MeshBudget read_;
   MeshBudget drawn_;
   std::size_t carried_ = 0;
+  // What is left out.
+  std::size_t skins_ = 0;
+  std::size_t morphs_ = 0;
+  std::size_t surfaceless_ = 0;
+  std::size_t other_cameras_ = 0;
 };
 
 }  // namespace

@@ -40,9 +40,9 @@ std::size_t index_in(const std::vector<JsonValue>& array, const JsonValue& index
   return number;
 }
 
-std::optional<JsonValue> punctual_lights(const JsonValue& object) {
+std::optional<JsonValue> extension_of(const JsonValue& object, std::string_view name) {
   const auto extensions = object.optional("extensions");
-  return extensions ? extensions->optional("KHR_lights_punctual") : std::nullopt;
+  return extensions ? extensions->optional(name) : std::nullopt;
 }
 
 }  // namespace litfog::scene

@@ -27,7 +27,7 @@ std::vector<JsonValue> items_of(const JsonValue& object, std::string_view name);
 /// An index into a file's array.
 std::size_t index_in(const std::vector<JsonValue>& array, const JsonValue& index);
 
-/// The extension KHR_lights_punctual of the file or of a node.
-std::optional<JsonValue> punctual_lights(const JsonValue& object);
+/// An extension of the file or of a part of it.
+std::optional<JsonValue> extension_of(const JsonValue& object, std::string_view name);
 
 }  // namespace litfog::scene

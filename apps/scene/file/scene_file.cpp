@@ -14,6 +14,7 @@
 
 #include "command/bundled_data.h"
 #include "command/exit_status.h"
+#include "command/printable.h"
 #include "files/json_document.h"
 #include "files/json_text.h"
 #include "files/light_json.h"
@@ -314,8 +315,8 @@ class SceneReader {
     if (lights) city.lights = *lights;
     city.seed = std::uint32_t(number_in_or(value, "seed", 0, kMaxSeed, city.seed));
     const std::pair<const char*, Light*> kinds[] = {
-        {"street_lamp", &city.street_lamp}, {"headlight", &city.headlight},     {"tail_lamp", &city.tail_lamp},
-        {"shop_window", &city.shop_window}, {"window", &city.window},           {"runway_edge", &city.runway_edge},
+        {"street_lamp", &city.street_lamp},      {"headlight", &city.headlight}, {"tail_lamp", &city.tail_lamp},
+        {"shop_window", &city.shop_window},      {"window", &city.window},       {"runway_edge", &city.runway_edge},
         {"approach_light", &city.approach_light}};
     for (const auto& [name, light] : kinds) *light = read_kind(value.member(name));
     scene_.has_city = true;
@@ -461,7 +462,11 @@ std::filesystem::path scene_folder() { return command::bundled_folder("scenes");
 
 Scene read_scene(const std::string& path, std::optional<std::size_t> city_lights) {
   if (!is_gltf_path(path)) return SceneReader(path, city_lights).take();
-  return read_gltf_scene(path);
+  Scene scene = read_gltf_scene(path);
+  if (!scene.left_out.empty()) {
+    fmt::print(stderr, "{}\n", command::printable(fmt::format("{}: left out: {}", path, scene.left_out)));
+  }
+  return scene;
 }
 
 std::vector<Scene> read_scenes(const std::vector<std::string>& paths) {

@@ -64,7 +64,8 @@ namespace litfog::scene {
 /// objects. Coordinates are within 10,000 km, parts of a colour at most 10,000.
 // clang-format on
 
-/// Reads a scene file, or a glTF file (gltf_scene.h) by its ending. Throws InputError.
+/// Reads a scene file, or a glTF file (gltf_scene.h) by its ending; what is left out of that is said in one line on
+/// standard error. Throws InputError.
 ///
 /// city_lights  how many lights its city has, in place of its own number; without effect where the scene has no city
 Scene read_scene(const std::string& path, std::optional<std::size_t> city_lights = {});

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// A pass's shader for a material that has more than a colour and normals: where its mask leaves a surface, and what the
+// surface emits there.
+
+#define main shade_surface
+#include "pass.frag"
+#undef main
+#include "rasterised.glsl"
+
+uniform sampler2D emission_map;
+
+void main() {
+#ifdef MATERIAL_EMISSION_MAP
+  emissive *= texture(emission_map, map_uvs.zw).rgb;
+#endif
+#ifdef MATERIAL_UNLIT
+  emissive *= base_texel().rgb;
+#endif
+  shade_surface();
+#ifdef MATERIAL_MASK
+  if (base_texel().a < least_coverage) discard;  // last: textures are filtered by their neighbours' coordinates
+#endif
+}

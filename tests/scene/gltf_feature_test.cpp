@@ -1,0 +1,564 @@
+// SPDX-License-Identifier: Apache-2.0
+// glTF as artists have it: what their exporters write beyond plain meshes and materials.
+#include <OpenImageIO/imageio.h>
+#include <draco/compression/encode.h>
+#include <draco/mesh/triangle_soup_mesh_builder.h>
+#include <gtest/gtest.h>
+#include <meshoptimizer.h>
+#include <webp/encode.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <utility>
+
+#include "reference/random_light.h"
+#include "scene/gltf_floor.h"
+
+namespace litfog::test {
+using namespace scene;
+
+namespace {
+
+constexpr int kByte = 5120;
+constexpr int kUnsignedByte = 5121;
+constexpr int kShort = 5122;
+constexpr int kUnsignedShort = 5123;
+constexpr int kFloat = 5126;
+
+class GltfFeature : public GltfFileTest {
+ protected:
+  json& primitive() { return file_["meshes"][0]["primitives"][0]; }
+  json& attributes() { return primitive()["attributes"]; }
+  json& material() { return file_["materials"][0]; }
+
+  /// Returns the index of a buffer view.
+  std::size_t add_view(const std::string& bytes) {
+    buffer_.resize((buffer_.size() + 3) / 4 * 4);
+    file_["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", buffer_.size()}, {"byteLength", bytes.size()}});
+    buffer_ += bytes;
+    file_["buffers"][0]["byteLength"] = buffer_.size();
+    return file_["bufferViews"].size() - 1;
+  }
+  /// Returns the index of an accessor of tightly packed numbers.
+  template <typename Number>
+  std::size_t add(const std::vector<Number>& numbers, const char* type, std::size_t count, int component,
+                  bool is_normalized = false) {
+    const std::size_t view = add_view(bytes_of(numbers));
+    file_["accessors"].push_back(
+        {{"bufferView", view}, {"componentType", component}, {"count", count}, {"type", type}});
+    if (is_normalized) file_["accessors"].back()["normalized"] = true;
+    return file_["accessors"].size() - 1;
+  }
+  /// A texture of 2 x 1 texels in RGBA; returns its index.
+  std::size_t add_texture(const std::vector<std::uint8_t>& rgba, const json& more = json::object()) {
+    const std::string name = path("texture.png");
+    const auto output = OIIO::ImageOutput::create(name);
+    OIIO::ImageSpec spec(2, 1, 4, OIIO::TypeDesc::UINT8);
+    spec.attribute("oiio:UnassociatedAlpha", 1);
+    EXPECT_TRUE(output->open(name, spec) && output->write_image(OIIO::TypeDesc::UINT8, rgba.data()) && output->close());
+    std::ifstream file(name, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    file_["images"].push_back({{"bufferView", add_view(bytes)}, {"mimeType", "image/png"}});
+    json texture = more;
+    if (!texture.contains("extensions")) texture["source"] = file_["images"].size() - 1;
+    file_["textures"].push_back(texture);
+    return file_["textures"].size() - 1;
+  }
+  Scene read_file() const { return read(file_, buffer_); }
+  std::string error() const { return error_of(file_, buffer_); }
+
+  json file_ = floor_scene();
+  std::string buffer_ = floor_bytes();
+};
+
+const Mesh& mesh_of(const Scene& scene) { return scene.models.at(0).at(0).mesh; }
+
+TEST_F(GltfFeature, MaskTakesItsCoverageFromTheBaseTexture) {
+  const std::vector<std::uint8_t> rgba{10, 20, 30, 40, 50, 60, 70, 80};
+  material() = {
+      {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", add_texture(rgba)}}}, {"metallicFactor", 0}}}};
+  const std::vector<std::uint8_t> opaque{10, 20, 30, 255, 50, 60, 70, 255};
+  EXPECT_EQ(read_file().materials.at(0).albedo->rgba, opaque);  // alpha is not its gloss
+  EXPECT_FALSE(read_file().materials[0].least_coverage);
+  material()["alphaMode"] = "MASK";
+  EXPECT_EQ(read_file().materials[0].albedo->rgba, rgba);
+  EXPECT_EQ(read_file().materials[0].least_coverage, 0.5f);
+  material()["alphaCutoff"] = 0.2;
+  material()["pbrMetallicRoughness"]["baseColorFactor"] = {1, 1, 1, 0.5};
+  EXPECT_FLOAT_EQ(*read_file().materials[0].least_coverage, 0.4f);
+  EXPECT_EQ(read_file().left_out, "");
+  material()["pbrMetallicRoughness"]["baseColorFactor"] = {1, 1, 1, 0};
+  EXPECT_EQ(read_file().materials[0].least_coverage, std::numeric_limits<float>::infinity());
+  material()["alphaCutoff"] = 0;
+  EXPECT_FALSE(read_file().materials[0].least_coverage);
+  material()["alphaMode"] = "CUTOUT";
+  EXPECT_EQ(error(), "materials[0].alphaMode = \"CUTOUT\": must be OPAQUE, MASK or BLEND");
+}
+
+TEST_F(GltfFeature, BlendedMaterialIsAMaskAtHalfAndSaysSo) {
+  material()["alphaMode"] = "BLEND";
+  const Scene scene = read_file();
+  EXPECT_EQ(scene.materials.at(0).least_coverage, 0.5f);
+  EXPECT_EQ(scene.left_out, "1 material's blending (drawn where alpha >= 0.5)");
+}
+
+TEST_F(GltfFeature, EmissionKeepsItsTexelsAndItsStrength) {
+  const std::vector<std::uint8_t> rgba{10, 20, 30, 255, 200, 220, 240, 255};
+  material()["emissiveTexture"] = {{"index", add_texture(rgba)}};
+  material()["emissiveFactor"] = {1, 0.5, 0.25};
+  material()["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] = 8;
+  const Scene scene = read_file();
+  EXPECT_EQ(scene.materials.at(0).emission->rgba, rgba);
+  EXPECT_EQ(scene.materials[0].emissive, glm::vec3(8, 4, 2));
+  material()["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] = 1e5;
+  EXPECT_EQ(
+      error(),
+      "materials[0].extensions.KHR_materials_emissive_strength.emissiveStrength = 100000.0: must be in [0, 10000]");
+}
+
+TEST_F(GltfFeature, UnlitMaterialSendsItsBaseColor) {
+  const std::vector<std::uint8_t> rgba{10, 20, 30, 255, 200, 220, 240, 255};
+  material() = {{"pbrMetallicRoughness",
+                 {{"baseColorTexture", {{"index", add_texture(rgba)}}}, {"baseColorFactor", {1, 0.5, 0.25, 1}}}},
+                {"emissiveFactor", {1, 1, 1}},
+                {"extensions", {{"KHR_materials_unlit", json::object()}}}};
+  const Scene scene = read_file();
+  EXPECT_TRUE(scene.materials.at(0).is_unlit);
+  EXPECT_EQ(scene.materials[0].albedo->rgba, rgba);
+  EXPECT_EQ(scene.materials[0].emissive, glm::vec3(1, 0.5f, 0.25f));
+  EXPECT_EQ(scene.materials[0].specular, glm::vec3(0));
+}
+
+TEST_F(GltfFeature, MetalTakesTheDiffuseColorTexelByTexel) {
+  const std::size_t base = add_texture({255, 255, 255, 255, 255, 255, 255, 255});
+  const std::size_t metal = add_texture({0, 128, 255, 255, 0, 128, 0, 255});
+  material() = {{"pbrMetallicRoughness",
+                 {{"baseColorTexture", {{"index", base}}}, {"metallicRoughnessTexture", {{"index", metal}}}}}};
+  const std::vector<std::uint8_t> expected{0, 0, 0, 255, 255, 255, 255, 255};
+  EXPECT_EQ(read_file().materials.at(0).albedo->rgba, expected);
+  material()["pbrMetallicRoughness"].erase("baseColorTexture");
+  EXPECT_EQ(read_file().materials.at(0).albedo->rgba, expected);
+}
+
+TEST_F(GltfFeature, VertexColorsAreReadInAllTheirTypes) {
+  const std::vector<std::uint8_t> levels{255, 0, 51, 0, 255, 102, 51, 102, 153, 255, 255, 255};
+  const std::vector<std::uint16_t> shorts{65535, 0,     13107, 65535, 0,     65535, 26214, 0,
+                                          13107, 26214, 39321, 13107, 65535, 65535, 65535, 65535};
+  const std::vector<float> floats{1, 0, 0.2f, 0, 7, 0.4f, 0.2f, 0.4f, 0.6f, 1, 1, 1};
+  const std::size_t accessors[] = {add(levels, "VEC3", 4, kUnsignedByte, true), add(floats, "VEC3", 4, kFloat),
+                                   add(shorts, "VEC4", 4, kUnsignedShort, true)};
+  file_["bufferViews"][file_["accessors"][accessors[0]]["bufferView"].get<std::size_t>()]["byteLength"] = 12;
+  for (const std::size_t accessor : accessors) {
+    attributes()["COLOR_0"] = accessor;
+    const Scene scene = read_file();
+    ASSERT_EQ(mesh_of(scene).details.size(), 4u);
+    EXPECT_LT(glm::distance(glm::vec3(mesh_of(scene).details[0].color), glm::vec3(1, 0, 0.2f)), 1e-6f);
+    EXPECT_LT(glm::distance(glm::vec3(mesh_of(scene).details[1].color), glm::vec3(0, 1, 0.4f)), 1e-6f);
+    EXPECT_FLOAT_EQ(mesh_of(scene).details[1].color.a, accessor == accessors[2] ? 0 : 1);
+    EXPECT_EQ(mesh_of(scene).details[1].emission_uv, mesh_of(scene).vertices[1].uv);
+  }
+  // A primitive of the same material that has none is white.
+  json plain = primitive();
+  plain["attributes"].erase("COLOR_0");
+  file_["meshes"][0]["primitives"].push_back(plain);
+  const Scene both = read_file();
+  ASSERT_EQ(mesh_of(both).details.size(), 8u);
+  EXPECT_EQ(mesh_of(both).details[4].color, glm::vec4(1));
+}
+
+// The extension's formula: offset, then rotation counter-clockwise in a picture whose v runs down, then scale.
+TEST_F(GltfFeature, EachTextureHasItsTransformAndItsSet) {
+  const double turn = 0.3;
+  const std::size_t texture = add_texture({1, 2, 3, 255, 4, 5, 6, 255});
+  attributes()["TEXCOORD_1"] = add(std::vector<float>{0.5f, 0, 0.5f, 1, 0.25f, 1, 0, 0.75f}, "VEC2", 4, kFloat);
+  const json transform = {{"offset", {0.1, 0.2}}, {"rotation", turn}, {"scale", {2, 3}}};
+  material() = {
+      {"pbrMetallicRoughness",
+       {{"baseColorTexture", {{"index", texture}, {"extensions", {{"KHR_texture_transform", transform}}}}}}},
+      {"normalTexture", {{"index", texture}}},
+      {"emissiveTexture", {{"index", texture}, {"extensions", {{"KHR_texture_transform", {{"texCoord", 1}}}}}}},
+      {"emissiveFactor", {1, 1, 1}}};
+  const Scene scene = read_file();
+  const Mesh& mesh = mesh_of(scene);
+  const glm::vec2 given[] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  ASSERT_EQ(mesh.details.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double u = 2 * given[i].x;
+    const double v = 3 * given[i].y;
+    const glm::vec2 expected(0.1 + std::cos(turn) * u + std::sin(turn) * v,
+                             0.2 - std::sin(turn) * u + std::cos(turn) * v);
+    EXPECT_LT(glm::distance(mesh.vertices[i].uv, expected), 1e-6f);
+    EXPECT_EQ(mesh.details[i].normal_uv, given[i]);
+    // By the normal map's coordinates, whose u grows to +x.
+    EXPECT_LT(glm::distance(glm::vec3(mesh.vertices[i].tangent), glm::vec3(1, 0, 0)), 1e-6f);
+  }
+  EXPECT_EQ(mesh.details[2].emission_uv, glm::vec2(0.25f, 1));
+}
+
+TEST_F(GltfFeature, PicturesAreSampledAsTheirSamplersSay) {
+  material() = {{"pbrMetallicRoughness",
+                 {{"metallicFactor", 0},
+                  {"baseColorTexture", {{"index", add_texture({1, 2, 3, 255, 4, 5, 6, 255}, {{"sampler", 0}})}}}}}};
+  file_["samplers"] = {json::object()};
+  EXPECT_EQ(read_file().materials.at(0).albedo->sampling, Sampling{});
+  file_["samplers"][0] = {{"wrapS", 33071}, {"wrapT", 33648}, {"magFilter", 9728}, {"minFilter", 9985}};
+  const Sampling given{.wrap_u = Sampling::Wrap::clamp,
+                       .wrap_v = Sampling::Wrap::mirror,
+                       .magnified = Sampling::Filter::nearest,
+                       .minified = Sampling::Filter::linear,
+                       .mipmaps = Sampling::Mipmaps::nearest};
+  EXPECT_EQ(read_file().materials[0].albedo->sampling, given);
+  // The same picture by another sampler is another texture.
+  file_["textures"].push_back({{"source", 0}});
+  material()["normalTexture"]["index"] = 1;
+  EXPECT_EQ(read_file().materials[0].albedo->sampling, given);
+  EXPECT_EQ(read_file().materials[0].normal->sampling, Sampling{});
+  file_["samplers"][0]["minFilter"] = 9728;
+  EXPECT_EQ(read_file().materials[0].albedo->sampling.mipmaps, Sampling::Mipmaps::none);
+  file_["samplers"][0]["wrapS"] = 1;
+  EXPECT_EQ(error(), "samplers[0].wrapS = 1: must be 10497, 33071 or 33648");
+}
+
+TEST_F(GltfFeature, QuantisedMeshIsTheFloorWithinItsSteps) {
+  file_["extensionsRequired"] = {"KHR_mesh_quantization"};
+  const std::int16_t most = 32767;
+  const std::int16_t least = -32767;
+  attributes()["POSITION"] =
+      add(std::vector<std::int16_t>{least, 0, least, most, 0, least, most, 0, most, least, 0, most}, "VEC3", 4, kShort,
+          true);
+  attributes()["NORMAL"] =
+      add(std::vector<std::int8_t>{0, 127, 0, 0, 0, 127, 0, 0, 0, 127, 0, 0, 0, 127, 0, 0}, "VEC3", 4, kByte, true);
+  file_["bufferViews"].back()["byteStride"] = 4;
+  attributes()["TEXCOORD_0"] = add(std::vector<std::uint16_t>{0, 0, 4, 0, 4, 4, 0, 4}, "VEC2", 4, kUnsignedShort);
+  file_["nodes"][0]["scale"] = {10, 10, 10};
+  const Scene scene = read_file();
+  const Scene plain = read(floor_scene());
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_LT(glm::distance(mesh_of(scene).vertices[i].position, mesh_of(plain).vertices[i].position), 1e-5f);
+    EXPECT_EQ(mesh_of(scene).vertices[i].normal, glm::vec3(0, 1, 0));
+    EXPECT_EQ(mesh_of(scene).vertices[i].uv, 4.0f * mesh_of(plain).vertices[i].uv);
+  }
+}
+
+TEST_F(GltfFeature, SparseAccessorReplacesSomeOfItsNumbers) {
+  const std::size_t indices = add_view(bytes_of(std::vector<std::uint16_t>{1, 3}));
+  const std::size_t values = add_view(bytes_of(std::vector<float>{7, 1, 7, 8, 2, 8}));
+  file_["accessors"][0]["sparse"] = {{"count", 2},
+                                     {"indices", {{"bufferView", indices}, {"componentType", kUnsignedShort}}},
+                                     {"values", {{"bufferView", values}}}};
+  const Scene scene = read_file();
+  const glm::vec3 expected[] = {{-10, 0, -10}, {7, 1, 7}, {10, 0, 10}, {8, 2, 8}};
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(mesh_of(scene).vertices[i].position, expected[i]);
+  file_["accessors"][0].erase("bufferView");  // the rest is 0
+  EXPECT_EQ(mesh_of(read_file()).vertices[2].position, glm::vec3(0));
+  file_["accessors"][0]["sparse"]["count"] = 3;
+  EXPECT_EQ(error(), "accessors[0].sparse.count = 3: must be within its buffer views");
+  file_["accessors"][0]["sparse"]["count"] = 2;
+  file_["accessors"][0]["sparse"]["indices"]["bufferView"] = add_view(bytes_of(std::vector<std::uint16_t>{1, 4}));
+  EXPECT_EQ(error(), "accessors[0].sparse.indices = an object: must be those of its elements");
+}
+
+TEST_F(GltfFeature, StripsAndFansAreTheirTriangles) {
+  using Indices = std::vector<std::uint32_t>;
+  primitive()["indices"] = add(std::vector<std::uint16_t>{0, 3, 1, 2}, "SCALAR", 4, kUnsignedShort);
+  primitive()["mode"] = 5;
+  EXPECT_EQ(mesh_of(read_file()).indices, (Indices{0, 3, 1, 3, 2, 1}));
+  primitive()["mode"] = 6;
+  EXPECT_EQ(mesh_of(read_file()).indices, (Indices{3, 1, 0, 1, 2, 0}));
+  primitive()["indices"] = add(std::vector<std::uint16_t>{0, 3}, "SCALAR", 2, kUnsignedShort);
+  EXPECT_EQ(error(), "meshes[0].primitives[0].indices: must be three a triangle");
+}
+
+TEST_F(GltfFeature, MeshIsDrawnAtEachOfItsInstances) {
+  const float slant = std::sqrt(0.5f);
+  json& node = file_["nodes"][0];
+  node["translation"] = {0, 1, 0};
+  node["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {
+      {"TRANSLATION", add(std::vector<float>{0, 0, 0, 100, 0, 0}, "VEC3", 2, kFloat)},
+      {"ROTATION", add(std::vector<float>{0, 0, 0, 1, slant, 0, 0, slant}, "VEC4", 2, kFloat)},
+      {"SCALE", add(std::vector<float>{1, 1, 1, 1, 1, 2}, "VEC3", 2, kFloat)}};
+  const Scene scene = read_file();
+  ASSERT_EQ(mesh_of(scene).vertices.size(), 8u);
+  EXPECT_LT(glm::distance(mesh_of(scene).vertices[0].position, glm::vec3(-10, 1, -10)), 1e-5f);
+  EXPECT_LT(glm::distance(mesh_of(scene).vertices[4].position, glm::vec3(90, 21, 0)), 1e-4f);  // a quarter about x
+  node["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["SCALE"] =
+      add(std::vector<float>{1, 1, 1}, "VEC3", 1, kFloat);
+  EXPECT_EQ(error(), "nodes[0].extensions.EXT_mesh_gpu_instancing.attributes.SCALE = " +
+                         std::to_string(file_["accessors"].size() - 1) +
+                         ": must have as many elements as the other attributes");
+}
+
+TEST_F(GltfFeature, WebpPictureIsReadWithItsAlpha) {
+  std::vector<std::uint8_t> rgba;
+  for (int i = 0; i < 256; ++i) rgba.insert(rgba.end(), {200, 100, std::uint8_t(i), 90});
+  std::uint8_t* encoded = nullptr;
+  const std::size_t size = WebPEncodeLosslessRGBA(rgba.data(), 16, 16, 64, &encoded);
+  write("picture.webp", std::string(encoded, encoded + size));
+  WebPFree(encoded);
+  file_["images"] = {{{"uri", "picture.webp"}}};
+  file_["textures"] = {{{"extensions", {{"EXT_texture_webp", {{"source", 0}}}}}}};
+  file_["extensionsRequired"] = {"EXT_texture_webp"};
+  material() = {{"alphaMode", "MASK"},
+                {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}, {"metallicFactor", 0}}}};
+  EXPECT_EQ(read_file().materials.at(0).albedo->rgba, rgba);
+  write("picture.webp", "RIFF1234WEBP but no picture");
+  EXPECT_EQ(error(), "images[0] = an object: must be a PNG, JPEG or WebP picture");
+}
+
+TEST_F(GltfFeature, Ktx2IsRefusedUnlessThereIsAnotherPicture) {
+  const std::size_t texture = add_texture({1, 2, 3, 255, 4, 5, 6, 255});
+  material() = {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", texture}}}, {"metallicFactor", 0}}}};
+  file_["textures"][0]["extensions"]["KHR_texture_basisu"]["source"] = 1;
+  file_["images"].push_back({{"uri", "none.ktx2"}});
+  file_["extensionsUsed"].push_back("KHR_texture_basisu");
+  EXPECT_EQ(read_file().left_out, "extensions KHR_texture_basisu");
+  file_["textures"][0].erase("source");
+  EXPECT_EQ(error(),
+            "textures[0].source: must be given beside KHR_texture_basisu: this program reads PNG, JPEG and WebP, not "
+            "KTX2; export the file with such pictures");
+}
+
+/// A mesh of 20 x 20 squares with heights.
+struct Hills {
+  std::vector<float> positions;
+  std::vector<std::uint32_t> indices;
+};
+Hills hills() {
+  Hills made;
+  for (int z = 0; z <= 20; ++z) {
+    for (int x = 0; x <= 20; ++x) {
+      made.positions.insert(made.positions.end(), {float(x), std::sin(float(x * z)), float(z)});
+    }
+  }
+  for (std::uint32_t z = 0; z < 20; ++z) {
+    for (std::uint32_t x = 0; x < 20; ++x) {
+      const std::uint32_t at = 21 * z + x;
+      made.indices.insert(made.indices.end(), {at, at + 21, at + 1, at + 1, at + 21, at + 22});
+    }
+  }
+  return made;
+}
+
+using Corner = std::array<float, 3>;
+
+/// The corners of all triangles, each triangle from its least corner on, sorted.
+std::vector<std::array<Corner, 3>> sorted_triangles(std::vector<Corner> corners) {
+  std::vector<std::array<Corner, 3>> triangles;
+  for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
+    auto& triangle = triangles.emplace_back(std::array<Corner, 3>{corners[i], corners[i + 1], corners[i + 2]});
+    std::ranges::rotate(triangle, std::ranges::min_element(triangle));
+  }
+  std::ranges::sort(triangles);
+  return triangles;
+}
+std::vector<std::array<Corner, 3>> triangles_of(const Mesh& mesh) {
+  std::vector<Corner> corners;
+  for (const std::uint32_t index : mesh.indices) {
+    const glm::vec3& position = mesh.vertices[index].position;
+    corners.push_back({position.x, position.y, position.z});
+  }
+  return sorted_triangles(corners);
+}
+std::vector<std::array<Corner, 3>> triangles_of(const Hills& given) {
+  std::vector<Corner> corners;
+  for (const std::uint32_t index : given.indices) {
+    const float* const at = &given.positions[std::size_t{3} * index];
+    corners.push_back({at[0], at[1], at[2]});
+  }
+  return sorted_triangles(corners);
+}
+
+class GltfCompression : public GltfFeature {
+ protected:
+  /// Makes the hills, Draco's, the file's only mesh; returns where their bytes are in the buffer.
+  std::pair<std::size_t, std::size_t> compress_by_draco() {
+    const Hills given = hills();
+    draco::TriangleSoupMeshBuilder builder;
+    builder.Start(int(given.indices.size() / 3));
+    const int position = builder.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
+    const auto corner = [&](std::size_t i) { return &given.positions[std::size_t{3} * given.indices[i]]; };
+    for (std::size_t i = 0; i < given.indices.size(); i += 3) {
+      builder.SetAttributeValuesForFace(position, draco::FaceIndex(std::uint32_t(i / 3)), corner(i), corner(i + 1),
+                                        corner(i + 2));
+    }
+    const auto mesh = builder.Finalize();
+    draco::Encoder encoder;  // without quantisation, so that nothing is lost
+    encoder.SetEncodingMethod(draco::MESH_EDGEBREAKER_ENCODING);
+    draco::EncoderBuffer encoded;
+    EXPECT_TRUE(encoder.EncodeMeshToBuffer(*mesh, &encoded).ok());
+    const std::size_t view = add_view(std::string(encoded.data(), encoded.size()));
+    json& accessors = file_["accessors"];
+    accessors.push_back({{"componentType", kFloat}, {"count", mesh->num_points()}, {"type", "VEC3"}});
+    accessors.push_back({{"componentType", kUnsignedShort}, {"count", given.indices.size()}, {"type", "SCALAR"}});
+    primitive()["attributes"] = {{"POSITION", accessors.size() - 2}};
+    primitive()["indices"] = accessors.size() - 1;
+    primitive()["extensions"]["KHR_draco_mesh_compression"] = {
+        {"bufferView", view}, {"attributes", {{"POSITION", mesh->attribute(position)->unique_id()}}}};
+    file_["extensionsRequired"] = {"KHR_draco_mesh_compression"};
+    return {buffer_.size() - encoded.size(), encoded.size()};
+  }
+
+  /// Makes bytes those of a view that stands in a buffer which is not there.
+  void compress_view(const std::vector<unsigned char>& encoded, std::size_t size, const json& more) {
+    const std::size_t compressed = add_view(std::string(encoded.begin(), encoded.end()));
+    json extension = file_["bufferViews"][compressed];
+    extension.update(more);
+    file_["buffers"][1] = {{"byteLength", 1 << 20},
+                           {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}};
+    file_["bufferViews"].push_back(
+        {{"buffer", 1}, {"byteLength", size}, {"extensions", {{"EXT_meshopt_compression", extension}}}});
+    file_["extensionsRequired"] = {"EXT_meshopt_compression"};
+  }
+
+  /// The same by meshopt.
+  std::pair<std::size_t, std::size_t> compress_by_meshopt() {
+    const Hills given = hills();
+    const std::size_t vertices = given.positions.size() / 3;
+    std::vector<unsigned char> encoded(meshopt_encodeVertexBufferBound(vertices, 12));
+    encoded.resize(meshopt_encodeVertexBuffer(encoded.data(), encoded.size(), given.positions.data(), vertices, 12));
+    compress_view(encoded, 12 * vertices, {{"byteStride", 12}, {"count", vertices}, {"mode", "ATTRIBUTES"}});
+    json& accessors = file_["accessors"];
+    accessors.push_back({{"bufferView", file_["bufferViews"].size() - 1},
+                         {"componentType", kFloat},
+                         {"count", vertices},
+                         {"type", "VEC3"}});
+    const std::size_t first = buffer_.size() - encoded.size();
+    encoded.resize(meshopt_encodeIndexBufferBound(given.indices.size(), vertices));
+    encoded.resize(
+        meshopt_encodeIndexBuffer(encoded.data(), encoded.size(), given.indices.data(), given.indices.size()));
+    compress_view(encoded, 4 * given.indices.size(),
+                  {{"byteStride", 4}, {"count", given.indices.size()}, {"mode", "TRIANGLES"}});
+    accessors.push_back({{"bufferView", file_["bufferViews"].size() - 1},
+                         {"componentType", 5125},
+                         {"count", given.indices.size()},
+                         {"type", "SCALAR"}});
+    primitive()["attributes"] = {{"POSITION", accessors.size() - 2}};
+    primitive()["indices"] = accessors.size() - 1;
+    return {first, buffer_.size() - first};
+  }
+
+  /// Reads the file with damaged bytes: as something else, or it fails with a sentence.
+  void expect_no_crash(const std::pair<std::size_t, std::size_t>& compressed) {
+    Random random(3);
+    int failed = 0;
+    constexpr int kTrials = 300;
+    for (int trial = 0; trial < kTrials; ++trial) {
+      std::string damaged = buffer_;
+      for (int bytes = 1 + random.below(3); bytes > 0; --bytes) {
+        const int part = int(compressed.second) / (trial % 2 == 0 ? 1 : 50);  // every other time where they begin
+        damaged[compressed.first + std::size_t(random.below(part))] = char(random.below(256));
+      }
+      try {
+        read(file_, damaged);
+      } catch (const InputError&) {
+        ++failed;
+      }
+    }
+    EXPECT_GT(failed, 0);
+    EXPECT_LT(failed, kTrials);
+  }
+};
+
+TEST_F(GltfCompression, DracoMeshIsTheOneThatWasCompressed) {
+  compress_by_draco();
+  const Scene scene = read_file();
+  EXPECT_EQ(triangles_of(mesh_of(scene)), triangles_of(hills()));
+  EXPECT_EQ(triangle_count(scene.models[0]), 800u);
+}
+
+TEST_F(GltfCompression, DracoMeshThatIsNotAsStatedFails) {
+  const auto [first, size] = compress_by_draco();
+  json& extension = primitive()["extensions"]["KHR_draco_mesh_compression"];
+  const std::string where = "meshes[0].primitives[0].extensions.KHR_draco_mesh_compression";
+  extension["attributes"]["POSITION"] = 9;
+  EXPECT_EQ(error(), where +
+                         ".attributes.POSITION = 9: must be an attribute of the compressed mesh, as its accessor "
+                         "states");
+  buffer_.replace(first, 5, "Draco");
+  EXPECT_EQ(error().find(where + " = an object: must be sound: "), 0u) << error();
+}
+
+TEST_F(GltfCompression, MeshoptMeshIsTheOneThatWasCompressed) {
+  compress_by_meshopt();
+  EXPECT_EQ(triangles_of(mesh_of(read_file())), triangles_of(hills()));
+  file_["buffers"][1].erase("extensions");  // a buffer that is not there needs no mark: nothing asks for it
+  EXPECT_EQ(triangles_of(mesh_of(read_file())), triangles_of(hills()));
+  file_["bufferViews"].back()["extensions"]["EXT_meshopt_compression"]["count"] = 2401;
+  EXPECT_EQ(error(), "bufferViews[7].extensions.EXT_meshopt_compression.count = 2401: must be three a triangle");
+}
+
+// Normals of 16 bits on the octahedron, and heights as powers of two.
+TEST_F(GltfCompression, MeshoptFiltersAreUndone) {
+  const std::vector<float> normals{0, 1, 0, 0, 0.6f, 0.8f, 0, 0, 0, -0.8f, 0.6f, 0, 1, 0, 0, 0};
+  std::vector<std::int16_t> octahedral(16);
+  meshopt_encodeFilterOct(octahedral.data(), 4, 8, 16, normals.data());
+  std::vector<unsigned char> encoded(meshopt_encodeVertexBufferBound(4, 8));
+  encoded.resize(meshopt_encodeVertexBuffer(encoded.data(), encoded.size(), octahedral.data(), 4, 8));
+  compress_view(encoded, 32, {{"byteStride", 8}, {"count", 4}, {"mode", "ATTRIBUTES"}, {"filter", "OCTAHEDRAL"}});
+  file_["bufferViews"].back()["byteStride"] = 8;
+  file_["accessors"].push_back({{"bufferView", file_["bufferViews"].size() - 1},
+                                {"componentType", kShort},
+                                {"normalized", true},
+                                {"count", 4},
+                                {"type", "VEC3"}});
+  attributes()["NORMAL"] = file_["accessors"].size() - 1;
+  const std::vector<float> uvs{0, 1.5f, 2.25f, 3, 1000, 5, 6, 7};
+  std::vector<std::uint32_t> exponential(8);
+  meshopt_encodeFilterExp(exponential.data(), 4, 8, 20, uvs.data());
+  encoded.resize(meshopt_encodeVertexBufferBound(4, 8));
+  encoded.resize(meshopt_encodeVertexBuffer(encoded.data(), encoded.size(), exponential.data(), 4, 8));
+  compress_view(encoded, 32, {{"byteStride", 8}, {"count", 4}, {"mode", "ATTRIBUTES"}, {"filter", "EXPONENTIAL"}});
+  file_["accessors"].push_back(
+      {{"bufferView", file_["bufferViews"].size() - 1}, {"componentType", kFloat}, {"count", 4}, {"type", "VEC2"}});
+  attributes()["TEXCOORD_0"] = file_["accessors"].size() - 1;
+  const Scene scene = read_file();
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vertex& vertex = mesh_of(scene).vertices[i];
+    EXPECT_LT(glm::distance(vertex.normal, glm::vec3(normals[4 * i], normals[4 * i + 1], normals[4 * i + 2])), 1e-4f);
+    EXPECT_LT(glm::distance(vertex.uv, glm::vec2(uvs[2 * i], uvs[2 * i + 1])), 1e-2f);
+  }
+  file_["bufferViews"].back()["extensions"]["EXT_meshopt_compression"]["filter"] = "COLOR";
+  EXPECT_EQ(error(),
+            "bufferViews[7].extensions.EXT_meshopt_compression.filter = \"COLOR\": must be NONE, OCTAHEDRAL, "
+            "QUATERNION or EXPONENTIAL");
+}
+
+TEST_F(GltfCompression, NoDamageOfDracoBytesCrashesTheReader) { expect_no_crash(compress_by_draco()); }
+
+TEST_F(GltfCompression, NoDamageOfMeshoptBytesCrashesTheReader) { expect_no_crash(compress_by_meshopt()); }
+
+TEST_F(GltfFeature, WhatIsLeftOutIsSaidInOneLine) {
+  file_["animations"] = {json::object(), json::object()};
+  file_["nodes"][0]["skin"] = 0;
+  primitive()["targets"] = {{{"POSITION", 0}}};
+  json points = primitive();
+  points["mode"] = 0;
+  file_["meshes"][0]["primitives"].push_back(points);
+  material()["occlusionTexture"]["index"] = 0;
+  material()["alphaMode"] = "BLEND";
+  file_["scenes"].push_back(json::object());
+  file_["cameras"].push_back({{"type", "orthographic"}});
+  file_["nodes"].push_back({{"camera", 1}});
+  file_["scenes"][0]["nodes"].push_back(3);
+  file_["extensionsUsed"] = {"KHR_materials_sheen", "KHR_lights_punctual", "KHR_materials_clearcoat"};
+  testing::internal::CaptureStderr();
+  const Scene scene = read_file();
+  const std::string line = testing::internal::GetCapturedStderr();
+  EXPECT_EQ(scene.left_out,
+            "2 animations, 1 skin (drawn in its rest pose), 1 mesh's morph targets, 1 primitive of points or lines, "
+            "1 occlusion texture, 1 material's blending (drawn where alpha >= 0.5), 1 other camera, 1 other scene, "
+            "extensions KHR_materials_clearcoat KHR_materials_sheen");
+  EXPECT_EQ(line, path("scene.gltf") + ": left out: " + scene.left_out + "\n");
+  file_ = floor_scene();
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(read_file().left_out, "");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+}  // namespace
+
+}  // namespace litfog::test
