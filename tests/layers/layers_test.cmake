@@ -38,9 +38,10 @@ endfunction()
 set(ceres ceres/ Eigen/)
 set(json nlohmann/ rapidjson/)
 set(graphics epoxy/ EGL/ GL/)
-set(images OpenImageIO/ openexr ImfC)
+set(images OpenImageIO/ openexr ImfC webp/)
 set(containers pugixml unzip.h zip.h uchardet)
-set(foreign ${ceres} ${json} ${graphics} ${images} ${containers} CLI/)
+set(meshes draco/ meshoptimizer)
+set(foreign ${ceres} ${json} ${graphics} ${images} ${containers} ${meshes} CLI/)
 set(commands command/ scene/ render/ measure/ solve/ demo/ bench/)
 
 # src. The public headers show no other library but GLM.

@@ -350,7 +350,7 @@ std::vector<std::array<Corner, 3>> sorted_triangles(std::vector<Corner> corners)
   std::vector<std::array<Corner, 3>> triangles;
   for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
     auto& triangle = triangles.emplace_back(std::array<Corner, 3>{corners[i], corners[i + 1], corners[i + 2]});
-    std::ranges::rotate(triangle, std::ranges::min_element(triangle));
+    std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
   }
   std::ranges::sort(triangles);
   return triangles;

@@ -19,9 +19,9 @@ struct GeometrySample {
   glm::vec3 normal;        ///< interpolated from the vertices, where it is a unit vector
   float gloss;
   glm::vec3 emission;  ///< linear RGB
-  float spare;
-  glm::vec3 albedo;  ///< linear RGB
-  float depth;       ///< the sample's own, not part of the fragment: render/gpu/depth.h
+  float spare;         ///< to fill a vec4
+  glm::vec3 albedo;    ///< linear RGB
+  float depth;         ///< the sample's own, not part of the fragment: render/gpu/depth.h
 
   bool is_of_same_fragment(const GeometrySample& other) const;
 };
