@@ -15,13 +15,16 @@
 #include "command/command.h"
 #include "command/option_rule.h"
 #include "command/output_files.h"
+#include "command/table.h"
 #include "demo/drawing.h"
 #include "demo/drawing_options.h"
 #include "demo/gallery.h"
 #include "demo/heat_map.h"
+#include "demo/light_list.h"
 #include "demo/paper_sheets.h"
 #include "demo/path_comparison.h"
 #include "demo/picture_file.h"
+#include "demo/scene_options.h"
 #include "files/whole_file.h"
 #include "litfog/gl/headless_context.h"
 #include "litfog/gl/unsupported.h"
@@ -46,6 +49,7 @@ constexpr const char* kDescription =
   litfog-demo compare [SCENE...] [-o FOLDER]         every scene by every lighting path, with times and errors
   litfog-demo papers [-o FOLDER]                     the papers' figures by their own programs
   litfog-demo list scenes|paths                      what SCENE and --path may be
+  litfog-demo list lights SCENE                      what --set may change of a scene's lights
 
 Each has its own options: litfog-demo gallery --help
 )";
@@ -57,6 +61,7 @@ constexpr const char* kExamples =
   litfog-demo street.glb --exposure -8.5 -o street.png
   litfog-demo city --lights 4000 --visibility 500 -o city.png
   litfog-demo room --path vertex --heat-map error.png
+  litfog-demo room --set lights[0].attenuation.quadratic=0.02 --camera 2,1.6,4 --target 0,1.5,-2
   litfog-demo gallery -o out
   litfog-demo compare room headlights --size 960x540 -o paths
 
@@ -66,18 +71,6 @@ shadow maps than memory; 4 output cannot be written.)";
 /// One of the command's jobs. It has put its options on the command line and runs when that has been parsed.
 using Job = std::function<ExitStatus()>;
 
-/// A scene's file: a bundled scene by its name, else the path itself.
-std::string scene_path(const std::string& scene) {
-  const std::filesystem::path path(scene);
-  if (path.filename() != scene) return scene;
-  std::error_code error;
-  const std::string bundled = scene::bundled_scene_path(scene);
-  if (std::filesystem::exists(bundled, error)) return bundled;
-  if (path.has_extension() || std::filesystem::exists(path, error)) return scene;
-  throw InputError({.file = scene},
-                   fmt::format("must be a scene file or one of {}", fmt::join(scene::bundled_scenes(), ", ")));
-}
-
 /// Those that are named, or all that come with litfog.
 std::vector<std::string> scene_paths(std::vector<std::string> scenes) {
   if (scenes.empty()) scenes = scene::bundled_scenes();
@@ -85,30 +78,24 @@ std::vector<std::string> scene_paths(std::vector<std::string> scenes) {
   return scenes;
 }
 
-/// Whether --time has an effect on a scene.
-bool has_turning_light(const scene::Scene& scene) {
-  return !scene.turn_rates.empty() ||
-         std::ranges::any_of(scene.cookie_uses, [](const auto& use) { return use.second.spin != 0; });
-}
-
 Job add_picture_job(CLI::App& app) {
   struct Options {
+    SceneOptions scene;
     DrawingOptions drawing;
-    std::string scene;
     std::string output;
     std::string heat_map;
     std::string stats;
-    int city_lights = 0;
     int frames = 1;
     bool reference = false;
   };
   const auto options = std::make_shared<Options>();
-  app.add_option("SCENE", options->scene,
-                 "A scene that comes with litfog (litfog-demo list scenes), a scene file or a glTF file")
-      ->type_name("");
+  add_scene(app, options->scene);
   app.add_option("-o,--output", options->output,
                  "Picture to write: .png (what a display shows) or .exr (linear light) (default SCENE.png)")
       ->type_name("FILE");
+  add_changes(app, options->scene);
+  add_city_lights(app, options->scene);
+  add_view(app, options->scene);
   add_fog_and_visibility(app, options->drawing);
   add_path(app, options->drawing);
   add_fog_light(app, options->drawing);
@@ -116,8 +103,6 @@ Job add_picture_job(CLI::App& app) {
   add_rendering(app, options->drawing);
   add_time(app, options->drawing);
   add_display(app, options->drawing.display);
-  add_integer(app, "--lights", options->city_lights, 1, int(scene::kMaxCityLights),
-              "Lights of a generated city (default the scene's)");
   add_integer(app, "--frames", options->frames, 1, 100'000,
               "Frames to draw and time, after one that is not timed (default 1)");
   app.add_flag("--reference", options->reference,
@@ -154,8 +139,7 @@ Job add_picture_job(CLI::App& app) {
     const bool has_reference = options->reference || is_given("--heat-map");
     if (has_reference) expect_pixels(drawing, kMaxReferencePixels, "for a reference");
 
-    const auto city_lights = is_given("--lights") ? std::optional(std::size_t(options->city_lights)) : std::nullopt;
-    scene::Scene scene = scene::read_scene(scene_path(options->scene), city_lights);
+    scene::Scene scene = read_scene(options->scene);
     check_options(app, {{scene.name, !has_turning_light(scene), {"--time"}, "none of its lights turns"},
                         {scene.name, !scene.has_city, {"--lights"}, "it has no generated city"}});
     scene::turn_lights(scene, drawing.seconds);
@@ -290,13 +274,35 @@ Job add_papers_job(CLI::App& app) {
 }
 
 Job add_list_job(CLI::App& app) {
-  enum class What { scenes, paths };
-  const auto what = std::make_shared<What>();
-  add_choice<What>(app, "WHAT", *what, {{"scenes", What::scenes}, {"paths", What::paths}},
-                   "scenes: those that come with litfog; paths: the lighting paths, each with its source")
+  enum class What { scenes, paths, lights };
+  struct Options {
+    What what;
+    SceneOptions scene;
+    TableFormat format = TableFormat::text;
+  };
+  const auto options = std::make_shared<Options>();
+  add_choice<What>(
+      app, "WHAT", options->what, {{"scenes", What::scenes}, {"paths", What::paths}, {"lights", What::lights}},
+      "scenes: those that come with litfog; paths: the lighting paths, each with its source; lights: those "
+      "of SCENE, as --set takes them")
       ->required();
-  return [what] {
-    if (*what == What::paths) {
+  app.footer("Example:\n  litfog-demo list lights approach --format json");
+  add_scene(app, options->scene);
+  add_changes(app, options->scene);
+  add_choice(app, "--format", options->format,
+             {{"table", TableFormat::text}, {"csv", TableFormat::csv}, {"json", TableFormat::json}},
+             "How lights are listed (default table)");
+  return [&app, options] {
+    const bool has_scene = app.count("SCENE") > 0;
+    if (options->what == What::lights) {
+      if (!has_scene)
+        throw CLI::ValidationError("list lights must be followed by a scene: see litfog-demo list scenes");
+      write_standard_output(format_table(list_lights(read_scene(options->scene)), options->format));
+      return kDone;
+    }
+    check_options(app,
+                  {{"list scenes or list paths", true, {"SCENE", "--set", "--format"}, "only lights are a scene's"}});
+    if (options->what == What::paths) {
       for (const auto paths : {render::lighting_paths(), render::published_programs()}) {
         for (const render::LightingPath& path : paths) {
           report(fmt::format("{:<13} {} ({})\n", path.name, path.description, path.source));
@@ -336,7 +342,7 @@ int main(int argc, char** argv) {
           add_comparison_job);
   add_job("papers", "Redraws the papers' figures by their own programs: a sheet a paper, with Hales's table 1",
           add_papers_job);
-  add_job("list", "Lists the scenes that come with litfog, or the lighting paths", add_list_job);
+  add_job("list", "Lists the scenes that come with litfog, the lighting paths or a scene's lights", add_list_job);
   app.footer(kExamples);  // now, so that the jobs' help is without it
   return run_command(app, argc, argv, [&] {
     try {

@@ -733,6 +733,77 @@ TEST_F(DemoCommand, InstalledProgramFindsItsOwnScenesWhereverItIs) {
   EXPECT_EQ(outcome.out.find("headlights"), std::string::npos) << outcome.out;
 }
 
+constexpr const char* kOneLamp = R"({"litfog": "scene", "version": 1, "name": "one",
+  "camera": {"position": [0, 1, 5], "target": [0, 1, 0]}, "objects": [{"model": "box"}],
+  "lights": [{"light": {"name": "a lamp", "attenuation": {"constant": 1, "quadratic": 0.1}}, "position": [1, 3, 1]}]})";
+
+TEST_F(DemoCommand, ChangedMemberGivesThePictureOfTheChangedFile) {
+  std::string text = kOneLamp;
+  write("one.json", text);
+  text.replace(text.find("0.1"), 3, "0.7");
+  write("two.json", text);
+  const std::string set = "--set lights[0].attenuation.quadratic=0.7 ";
+  for (const std::string& arguments : {std::string("one.json -o a.png"), std::string("two.json -o b.png"),
+                                       "one.json -o c.png " + set, set + "one.json -o d.png --set fog_top_m=1e9"}) {
+    const Outcome outcome = run(arguments + " --size 32x18");
+    ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  }
+  EXPECT_NE(read("a.png"), read("b.png"));
+  EXPECT_EQ(read("b.png"), read("c.png"));
+  EXPECT_EQ(read("b.png"), read("d.png"));
+  EXPECT_ERROR(run("one.json --set lights[0].threshold=7"), kBadInput,
+               "--set: lights[0].light.threshold = 7: must be in (0, 1); 7 % is 0.07\n");
+  EXPECT_ERROR(run("one.json --set fog_top_m"), kUsage,
+               std::string("litfog-demo: --set = fog_top_m: must be MEMBER=VALUE, such as "
+                           "lights[0].attenuation.quadratic=0.002") +
+                   kSeeHelp);
+}
+
+TEST_F(DemoCommand, CameraIsThatOfTheSceneFileWithThoseMembers) {
+  write("one.json", kOneLamp);
+  for (const char* arguments : {"-o a.png", "-o b.png --camera -1,1.5,4 --target 0.5,0,-1e0 --fov-deg 70",
+                                "-o c.png --set camera.position=[-1,1.5,4] --set camera.target=[0.5,0,-1] "
+                                "--set camera.field_of_view_deg=70"}) {
+    const Outcome outcome = run(std::string("one.json --size 32x18 ") + arguments);
+    ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  }
+  EXPECT_NE(read("a.png"), read("b.png"));
+  EXPECT_EQ(read("b.png"), read("c.png"));
+  for (const std::string point : {"1,2", "1,2,3,4", "1,2,x", "1,2,", ",,", "1,2,1e8", "1, 2, 3"}) {
+    EXPECT_ERROR(
+        run("one.json --camera '" + point + "'"), kUsage,
+        "litfog-demo: --camera = " + point + ": must be three numbers in [-10000000, 10000000], X,Y,Z" + kSeeHelp);
+  }
+  EXPECT_ERROR(run("one.json --camera 0,9,0"), kUsage,
+               std::string("litfog-demo: --camera = 0,9,0: must not be straight above or below the target, or at it") +
+                   kSeeHelp);
+  EXPECT_ERROR(run("one.json --fov-deg 151"), kUsage,
+               std::string("litfog-demo: --fov-deg = 151: must be a number in [1, 150]") + kSeeHelp);
+}
+
+TEST_F(DemoCommand, LightsAreListedAsTheirMembersAreSet) {
+  write("one.json", kOneLamp);
+  const auto lights = nlohmann::json::parse(run("list lights one.json --format json").out);
+  ASSERT_EQ(lights.size(), 1u);
+  EXPECT_EQ(lights[0]["member"], "lights[0]");
+  EXPECT_EQ(lights[0]["name"], "a lamp");
+  EXPECT_EQ(lights[0]["y_m"], 3);
+  EXPECT_EQ(lights[0]["quadratic"], 0.1);
+  EXPECT_EQ(lights[0]["carried"], "no");
+  const auto approach = nlohmann::json::parse(run("list lights approach --format json").out);
+  double count = 0;
+  for (std::size_t i = 0; i < approach.size(); ++i) {
+    EXPECT_EQ(approach[i]["member"], fmt::format("lights[{}]", i));
+    count += double(approach[i]["lights"]);
+  }
+  EXPECT_EQ(count, 1148);
+  const std::string changed = run("list lights one.json --set lights[0].carried=true --format csv").out;
+  EXPECT_NE(changed.find("lights[0],1,a lamp,1,3,1,1,0,0.1,0.05,"), std::string::npos) << changed;
+  EXPECT_NE(changed.find(",all around,1,yes\n"), std::string::npos) << changed;
+  EXPECT_EQ(run("list lights").status, kUsage);
+  EXPECT_EQ(run("list scenes one.json").status, kUsage);
+}
+
 }  // namespace
 
 }  // namespace litfog::test
