@@ -294,9 +294,12 @@ Job add_sequence_job(CLI::App& app) {
   };
   const auto options = std::make_shared<Options>();
   app.footer(
-      "NUMBERS is one number, a list A,B,C of a frame each, FROM..TO, or FROM..TO:N in N frames. A camera path's file "
-      "is "
-      "described in apps/demo/camera_path.h. Lights that the eye's vehicle carries move along with the camera.\n\n"
+      "NUMBERS is one number, a list A,B,C of a frame each, FROM..TO, or FROM..TO:N in N frames. Lights that the eye's "
+      "vehicle carries move along with the camera. The camera goes smoothly through the keyframes of a path's file; "
+      "their "
+      "times and angles may be left out:\n"
+      "  {\"litfog\": \"camera-path\", \"version\": 1, \"keyframes\": [\n"
+      "    {\"time_s\": 0, \"position\": [0, 2, 9], \"target\": [0, 1, 0], \"field_of_view_deg\": 50}, ...]}\n\n"
       "Examples:\n"
       "  litfog-demo sequence room --visibility 400..10:24 -o out\n"
       "  litfog-demo sequence lighthouse --time 0..8 --frames 48 --film beam.mp4\n"

@@ -480,7 +480,12 @@ TEST_F(DemoCommand, ComparisonShowsAllPathsAtOneExposureAndTellsIt) {
 
 TEST_F(DemoCommand, WrongUsageOfCompareIsAnError) {
   for (const std::string option :
-       {"--gallery", "--reference", "--heat-map h.png", "--stats s.json", "--path vertex", "--flat-shading"}) {
+       {"--path vertex", "--flat-shading", "--set name=a", "--camera 1,2,3", "--target 1,2,3"}) {
+    EXPECT_ERROR(run("compare room -o c " + option), kUsage,
+                 "litfog-demo: " + option.substr(0, option.find(' ')) +
+                     " cannot be given with a comparison of lighting paths: settings are given by --with" + kSeeHelp);
+  }
+  for (const std::string option : {"--gallery", "--reference", "--heat-map h.png", "--stats s.json"}) {
     const Outcome outcome = run("compare room -o c " + option);
     EXPECT_EQ(outcome.status, kUsage) << option;
     EXPECT_NE(outcome.err.find("not expected: " + option.substr(0, option.find(' '))), std::string::npos)
@@ -556,7 +561,7 @@ TEST_F(DemoCommand, OptionsWithoutEffectAreErrors) {
   }
   expect_usage("room --fog none --visibility 50", "--visibility cannot be given with --fog none: the air is clear");
   expect_usage("list", "WHAT is required");
-  expect_usage("list lamps", "WHAT = lamps: must be one of scenes|paths");
+  expect_usage("list lamps", "WHAT = lamps: must be one of scenes|paths|lights");
   expect_usage("gallery -o ''", "--output = \"\": must not be empty");
   for (const std::string option : {"-o", "--heat-map", "--stats"}) {
     EXPECT_EQ(run("room --size 8x8 " + option + " ''").status, kUsage) << option;
@@ -911,10 +916,6 @@ TEST_F(DemoCommand, WrongSettingsAreNamed) {
   EXPECT_EQ(error("one.json --with ' '"), std::string("litfog-demo: --with \" \": must not be empty") + kSeeHelp);
   EXPECT_EQ(error("--with visibility=9"),
             std::string("litfog-demo: --with compares settings of one SCENE: name it") + kSeeHelp);
-  EXPECT_EQ(error("one.json --set name=a"),
-            std::string("litfog-demo: --set cannot be given with a comparison of lighting paths: settings are given by "
-                        "--with") +
-                kSeeHelp);
   EXPECT_ERROR(run("compare one.json -o none --with lights[0].threshold=7"), kBadInput,
                "--set: lights[0].light.threshold = 7: must be in (0, 1); 7 % is 0.07\n");
   EXPECT_FALSE(std::filesystem::exists(directory() / "none"));
