@@ -15,13 +15,19 @@
 #include "command/command.h"
 #include "command/option_rule.h"
 #include "command/output_files.h"
+#include "command/table.h"
+#include "demo/animation.h"
 #include "demo/drawing.h"
 #include "demo/drawing_options.h"
 #include "demo/gallery.h"
 #include "demo/heat_map.h"
+#include "demo/light_list.h"
 #include "demo/paper_sheets.h"
 #include "demo/path_comparison.h"
 #include "demo/picture_file.h"
+#include "demo/scene_options.h"
+#include "demo/sequence.h"
+#include "demo/settings_comparison.h"
 #include "files/whole_file.h"
 #include "litfog/gl/headless_context.h"
 #include "litfog/gl/unsupported.h"
@@ -44,8 +50,11 @@ constexpr const char* kDescription =
   litfog-demo SCENE [OPTIONS]                        one picture
   litfog-demo gallery [SCENE...] [-o FOLDER]         every scene, clear and at its visibilities
   litfog-demo compare [SCENE...] [-o FOLDER]         every scene by every lighting path, with times and errors
+  litfog-demo compare SCENE --with SETTING ...       a scene in any settings, on a page that flips, wipes and zooms
+  litfog-demo sequence SCENE [-o FOLDER]             frames over visibility, time, a camera's way or any member
   litfog-demo papers [-o FOLDER]                     the papers' figures by their own programs
   litfog-demo list scenes|paths                      what SCENE and --path may be
+  litfog-demo list lights SCENE                      what --set may change of a scene's lights
 
 Each has its own options: litfog-demo gallery --help
 )";
@@ -57,6 +66,7 @@ constexpr const char* kExamples =
   litfog-demo street.glb --exposure -8.5 -o street.png
   litfog-demo city --lights 4000 --visibility 500 -o city.png
   litfog-demo room --path vertex --heat-map error.png
+  litfog-demo room --set lights[0].attenuation.quadratic=0.02 --camera 2,1.6,4 --target 0,1.5,-2
   litfog-demo gallery -o out
   litfog-demo compare room headlights --size 960x540 -o paths
 
@@ -66,18 +76,6 @@ shadow maps than memory; 4 output cannot be written.)";
 /// One of the command's jobs. It has put its options on the command line and runs when that has been parsed.
 using Job = std::function<ExitStatus()>;
 
-/// A scene's file: a bundled scene by its name, else the path itself.
-std::string scene_path(const std::string& scene) {
-  const std::filesystem::path path(scene);
-  if (path.filename() != scene) return scene;
-  std::error_code error;
-  const std::string bundled = scene::bundled_scene_path(scene);
-  if (std::filesystem::exists(bundled, error)) return bundled;
-  if (path.has_extension() || std::filesystem::exists(path, error)) return scene;
-  throw InputError({.file = scene},
-                   fmt::format("must be a scene file or one of {}", fmt::join(scene::bundled_scenes(), ", ")));
-}
-
 /// Those that are named, or all that come with litfog.
 std::vector<std::string> scene_paths(std::vector<std::string> scenes) {
   if (scenes.empty()) scenes = scene::bundled_scenes();
@@ -85,30 +83,24 @@ std::vector<std::string> scene_paths(std::vector<std::string> scenes) {
   return scenes;
 }
 
-/// Whether --time has an effect on a scene.
-bool has_turning_light(const scene::Scene& scene) {
-  return !scene.turn_rates.empty() ||
-         std::ranges::any_of(scene.cookie_uses, [](const auto& use) { return use.second.spin != 0; });
-}
-
 Job add_picture_job(CLI::App& app) {
   struct Options {
+    SceneOptions scene;
     DrawingOptions drawing;
-    std::string scene;
     std::string output;
     std::string heat_map;
     std::string stats;
-    int city_lights = 0;
     int frames = 1;
     bool reference = false;
   };
   const auto options = std::make_shared<Options>();
-  app.add_option("SCENE", options->scene,
-                 "A scene that comes with litfog (litfog-demo list scenes), a scene file or a glTF file")
-      ->type_name("");
+  add_scene(app, options->scene);
   app.add_option("-o,--output", options->output,
                  "Picture to write: .png (what a display shows) or .exr (linear light) (default SCENE.png)")
       ->type_name("FILE");
+  add_changes(app, options->scene);
+  add_city_lights(app, options->scene);
+  add_view(app, options->scene);
   add_fog_and_visibility(app, options->drawing);
   add_path(app, options->drawing);
   add_fog_light(app, options->drawing);
@@ -116,8 +108,6 @@ Job add_picture_job(CLI::App& app) {
   add_rendering(app, options->drawing);
   add_time(app, options->drawing);
   add_display(app, options->drawing.display);
-  add_integer(app, "--lights", options->city_lights, 1, int(scene::kMaxCityLights),
-              "Lights of a generated city (default the scene's)");
   add_integer(app, "--frames", options->frames, 1, 100'000,
               "Frames to draw and time, after one that is not timed (default 1)");
   app.add_flag("--reference", options->reference,
@@ -154,12 +144,10 @@ Job add_picture_job(CLI::App& app) {
     const bool has_reference = options->reference || is_given("--heat-map");
     if (has_reference) expect_pixels(drawing, kMaxReferencePixels, "for a reference");
 
-    const auto city_lights = is_given("--lights") ? std::optional(std::size_t(options->city_lights)) : std::nullopt;
-    scene::Scene scene = scene::read_scene(scene_path(options->scene), city_lights);
+    scene::Scene scene = read_scene(options->scene);
     check_options(app, {{scene.name, !has_turning_light(scene), {"--time"}, "none of its lights turns"},
                         {scene.name, !scene.has_city, {"--lights"}, "it has no generated city"}});
-    scene::turn_lights(scene, drawing.seconds);
-    scene.phase_g = drawing.phase_g.value_or(scene.phase_g);
+    set_scene(scene, drawing);
     OutputFiles outputs;
     const std::string output = is_given("--output") ? options->output : scene.name + ".png";
     outputs.add("--output", output);
@@ -236,35 +224,114 @@ Job add_gallery_job(CLI::App& app) {
 }
 
 Job add_comparison_job(CLI::App& app) {
-  const auto options =
-      std::make_shared<FolderOptions>(FolderOptions{.scenes = {}, .folder = "comparison", .drawing = {}});
-  const auto frames = std::make_shared<int>(kComparedFrames);
-  app.footer("Example:\n  litfog-demo compare room --visibility 30 --size 960x540 -o paths");
+  struct Options : FolderOptions {
+    SceneOptions scene;
+    std::vector<std::string> settings;
+    int frames = kComparedFrames;
+  };
+  const auto options = std::make_shared<Options>();
+  options->folder = "comparison";
+  app.footer(
+      "SETTING is options of a picture without their dashes, members as of --set, or another scene, with spaces "
+      "between "
+      "them. One is compared with the scene as it is without it.\n\n"
+      "Examples:\n"
+      "  litfog-demo compare room --visibility 30 --size 960x540 -o paths\n"
+      "  litfog-demo compare room --with \"visibility=50\" --with \"visibility=400 path=vertex\"\n"
+      "  litfog-demo compare room --with lights[0].attenuation.quadratic=0.05 --with my-room.json --with no-skip");
   add_folder(app, *options);
+  app.add_option("--with", options->settings,
+                 "Compare settings of one scene in place of its lighting paths; given once for each of them")
+      ->type_name("SETTING")
+      ->allow_extra_args(false);
+  add_changes(app, options->scene);
+  add_view(app, options->scene);
+  add_path(app, options->drawing);
   add_fog_and_visibility(app, options->drawing);
   add_fog_light(app, options->drawing);
   add_shadows(app, options->drawing);
   add_rendering(app, options->drawing);
   add_time(app, options->drawing);
   add_display(app, options->drawing.display);
-  add_integer(app, "--frames", *frames, 1, 100'000, "Frames of each path to time (default 5)");
-  return [&app, options, frames] {
+  add_integer(app, "--frames", options->frames, 1, 100'000, "Frames of each path or setting to time (default 5)");
+  return [&app, options] {
     const DrawingOptions& drawing = options->drawing;
     if (options->folder.empty()) fail_option("--output", "", "must not be empty");
     check_options(app, {{"--fog none", !drawing.fog, {"--visibility", "--phase-g"}, "the air is clear"}});
     check_options(app, shadow_rules(drawing));
+    if (!options->settings.empty()) {
+      if (options->scenes.size() != 1) throw CLI::ValidationError("--with compares settings of one SCENE: name it");
+      SceneOptions base = options->scene;
+      base.scene = options->scenes.front();
+      const auto settings = parse_settings({"as it is", base, drawing}, options->settings);
+      expect_pixels(drawing, kMaxComparedPixels, "for a comparison");
+      const gl::HeadlessContext context;
+      compare_settings(settings, options->folder, context.renderer(), options->frames);
+      return kDone;
+    }
+    check_options(app, {{"a comparison of lighting paths",
+                         true,
+                         {"--set", "--camera", "--target", "--fov-deg", "--path", "--flat-shading"},
+                         "settings are given by --with"}});
     expect_pixels(drawing, kMaxComparedPixels, "for a comparison");
     // All scenes are read first, so that an error in one is found before minutes are spent on another.
     std::vector<scene::Scene> scenes = scene::read_scenes(scene_paths(options->scenes));
     const bool turns = std::ranges::any_of(scenes, has_turning_light);
     check_options(app, {{"these scenes", !turns, {"--time"}, "none of their lights turns"}});
-    for (scene::Scene& scene : scenes) {
-      scene::turn_lights(scene, drawing.seconds);
-      scene.phase_g = drawing.phase_g.value_or(scene.phase_g);
-    }
+    for (scene::Scene& scene : scenes) set_scene(scene, drawing);
     const gl::HeadlessContext context;
     report(fmt::format("drawing {} scenes on {}\n", scenes.size(), context.renderer()));
-    compare_paths(scenes, options->folder, context.renderer(), drawing, *frames);
+    compare_paths(scenes, options->folder, context.renderer(), drawing, options->frames);
+    return kDone;
+  };
+}
+
+Job add_sequence_job(CLI::App& app) {
+  struct Options {
+    SequenceOptions sequence;
+    DrawingOptions drawing;
+    std::string folder = "sequence";
+  };
+  const auto options = std::make_shared<Options>();
+  app.footer(
+      "NUMBERS is one number, a list A,B,C of a frame each, FROM..TO, or FROM..TO:N in N frames. Lights that the eye's "
+      "vehicle carries move along with the camera. The camera goes smoothly through the keyframes of a path's file; "
+      "their "
+      "times and angles may be left out:\n"
+      "  {\"litfog\": \"camera-path\", \"version\": 1, \"keyframes\": [\n"
+      "    {\"time_s\": 0, \"position\": [0, 2, 9], \"target\": [0, 1, 0], \"field_of_view_deg\": 50}, ...]}\n\n"
+      "Examples:\n"
+      "  litfog-demo sequence room --visibility 400..10:24 -o out\n"
+      "  litfog-demo sequence lighthouse --time 0..8 --frames 48 --film beam.mp4\n"
+      "  litfog-demo sequence street --camera 0,1.6,20..0,1.6,-20 --target 0,1.6,-60\n"
+      "  litfog-demo sequence room --set lights[0].attenuation.quadratic=0.02..0.5");
+  app.add_option("SCENE", options->sequence.scene, "A scene as that of a single picture")->type_name("")->required();
+  app.add_option("-o,--output", options->folder,
+                 "Folder to write into: SCENE-0001.png and so on, and SCENE.apng, which plays them (default sequence)")
+      ->type_name("FOLDER");
+  add_sequence(app, options->sequence);
+  add_fog(app, options->drawing);
+  add_path(app, options->drawing);
+  add_fog_light(app, options->drawing);
+  add_shadows(app, options->drawing);
+  add_rendering(app, options->drawing);
+  add_display(app, options->drawing.display);
+  return [&app, options] {
+    const DrawingOptions& drawing = options->drawing;
+    if (options->folder.empty()) fail_option("--output", "", "must not be empty");
+    if (app.count("--film") > 0 && !is_film_path(options->sequence.film)) {
+      fail_option("--film", options->sequence.film, "must end in .mp4 or .webm");
+    }
+    check_options(app, drawing_rules(drawing));
+    check_options(app, shadow_rules(drawing));
+    check_options(app, {{"--camera-path", app.count("--camera-path") > 0, {"--camera", "--target", "--fov-deg"}}});
+    Sequence sequence(options->sequence, drawing.phase_g);
+    check_options(
+        app, {{sequence.scene().name, !has_turning_light(sequence.scene()), {"--time"}, "none of its lights turns"}});
+    const gl::HeadlessContext context;
+    report(
+        fmt::format("drawing {} frames of {} on {}\n", sequence.frames(), sequence.scene().name, context.renderer()));
+    draw_sequence(sequence, options->folder, drawing, options->sequence);
     return kDone;
   };
 }
@@ -290,13 +357,35 @@ Job add_papers_job(CLI::App& app) {
 }
 
 Job add_list_job(CLI::App& app) {
-  enum class What { scenes, paths };
-  const auto what = std::make_shared<What>();
-  add_choice<What>(app, "WHAT", *what, {{"scenes", What::scenes}, {"paths", What::paths}},
-                   "scenes: those that come with litfog; paths: the lighting paths, each with its source")
+  enum class What { scenes, paths, lights };
+  struct Options {
+    What what;
+    SceneOptions scene;
+    TableFormat format = TableFormat::text;
+  };
+  const auto options = std::make_shared<Options>();
+  add_choice<What>(
+      app, "WHAT", options->what, {{"scenes", What::scenes}, {"paths", What::paths}, {"lights", What::lights}},
+      "scenes: those that come with litfog; paths: the lighting paths, each with its source; lights: those "
+      "of SCENE, as --set takes them")
       ->required();
-  return [what] {
-    if (*what == What::paths) {
+  app.footer("Example:\n  litfog-demo list lights approach --format json");
+  add_scene(app, options->scene);
+  add_changes(app, options->scene);
+  add_choice(app, "--format", options->format,
+             {{"table", TableFormat::text}, {"csv", TableFormat::csv}, {"json", TableFormat::json}},
+             "How lights are listed (default table)");
+  return [&app, options] {
+    const bool has_scene = app.count("SCENE") > 0;
+    if (options->what == What::lights) {
+      if (!has_scene)
+        throw CLI::ValidationError("list lights must be followed by a scene: see litfog-demo list scenes");
+      write_standard_output(format_table(list_lights(read_scene(options->scene)), options->format));
+      return kDone;
+    }
+    check_options(app,
+                  {{"list scenes or list paths", true, {"SCENE", "--set", "--format"}, "only lights are a scene's"}});
+    if (options->what == What::paths) {
       for (const auto paths : {render::lighting_paths(), render::published_programs()}) {
         for (const render::LightingPath& path : paths) {
           report(fmt::format("{:<13} {} ({})\n", path.name, path.description, path.source));
@@ -331,12 +420,16 @@ int main(int argc, char** argv) {
     jobs.emplace_back(job, add(*job));
   };
   add_job("gallery", "Draws scenes clear and at each of their visibilities, and a contact sheet", add_gallery_job);
-  add_job("compare",
-          "Draws scenes by every lighting path, timed interleaved, with heat maps, contact sheets and index.html",
-          add_comparison_job);
+  add_job(
+      "compare",
+      "Draws scenes by every lighting path, or one in any settings, timed interleaved, with differences and index.html",
+      add_comparison_job);
+  add_job("sequence",
+          "Draws a scene over visibility, time, a camera's way or any member: numbered frames and what plays",
+          add_sequence_job);
   add_job("papers", "Redraws the papers' figures by their own programs: a sheet a paper, with Hales's table 1",
           add_papers_job);
-  add_job("list", "Lists the scenes that come with litfog, or the lighting paths", add_list_job);
+  add_job("list", "Lists the scenes that come with litfog, the lighting paths or a scene's lights", add_list_job);
   app.footer(kExamples);  // now, so that the jobs' help is without it
   return run_command(app, argc, argv, [&] {
     try {

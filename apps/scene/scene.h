@@ -32,6 +32,16 @@ struct Camera {
   float field_of_view = 1.0f;  ///< vertical, radians
 };
 
+inline constexpr double kLeastFieldOfViewDeg = 1;
+inline constexpr double kMostFieldOfViewDeg = 150;
+
+/// Whether a camera looks anywhere but straight up or down, where its picture would have no upright.
+inline bool has_heading(const Camera& camera) {
+  const glm::vec3 view = camera.target - camera.position;
+  return glm::length(glm::vec2(view.x, view.z)) > 1e-4f * glm::length(view);
+}
+inline constexpr const char* kHeadingRule = "must not be straight above or below the position, or at it";
+
 /// What lights a scene besides its lamps. Colours are linear RGB.
 struct Environment {
   glm::vec3 ambient_light{0.0f};
@@ -75,6 +85,8 @@ struct Scene {
   std::vector<Model> models;
   std::vector<Instance> instances;
   std::vector<PlacedLight> lights;
+  std::vector<std::size_t> light_copies;  ///< how many of `lights` each entry of a scene file's "lights" makes, in
+                                          ///< order; those of a city follow, and those of a glTF file have no entries
   bool has_city = false;  ///< whether lights and instances are those of a generated city (model/city.h), too
   std::vector<Cookie> cookies;
   std::map<std::size_t, CookieUse> cookie_uses;              ///< by their lights, whose cones are none

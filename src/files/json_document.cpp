@@ -32,9 +32,16 @@ struct JsonNode {
   std::size_t name_offset = 0;  ///< of a member: where its name starts
 };
 
+/// A part of a document's text that comes from one place.
+struct JsonSource {
+  std::string name;
+  std::size_t begin = 0;  ///< byte in the document's text
+  bool has_lines = true;  ///< an option of the command line has none
+};
+
 /// The text stays with the tree: a location is a byte offset until a message wants its line and column.
 struct JsonDocument {
-  std::string name;
+  std::vector<JsonSource> sources;  ///< by their begins: the file itself, then what with_value() has put into it
   std::string text;
   JsonNode root;
 
@@ -244,10 +251,12 @@ std::string shown(const JsonDocument& document, const JsonNode& node) {
 
 InputError JsonDocument::error(std::size_t offset, std::string_view what, std::string_view value,
                                std::string_view rule) const {
-  const auto before = std::string_view(text).substr(0, offset);
+  const JsonSource& source = *std::prev(std::ranges::upper_bound(sources, offset, {}, &JsonSource::begin));
+  if (!source.has_lines) return InputError({.file = source.name}, what, value, rule);
+  const auto before = std::string_view(text).substr(source.begin, offset - source.begin);
   const auto line = std::size_t(std::ranges::count(before, '\n')) + 1;
   const std::size_t column = count_code_points(before.substr(before.rfind('\n') + 1)) + 1;
-  return InputError({name, line, column}, what, value, rule);
+  return InputError({source.name, line, column}, what, value, rule);
 }
 
 std::string_view JsonDocument::word_at(std::size_t offset) const {
@@ -343,20 +352,125 @@ std::string JsonValue::path_of(std::string_view name) const {
 
 std::string_view JsonValue::name() const { return std::string_view(path_).substr(path_.rfind('.') + 1); }
 
-const std::string& JsonValue::file() const { return document_->name; }
+const std::string& JsonValue::file() const { return document_->sources.front().name; }
 
 JsonValue read_json(const std::string& path) { return parse_json(read_file_text(path, kMaxBytes), path); }
 
 JsonValue parse_json(std::string text, std::string name) {
   if (utf8::starts_with_bom(text)) text.erase(0, std::size(utf8::bom));
   const auto document = std::make_shared<JsonDocument>();
-  document->name = std::move(name);
+  document->sources.push_back({.name = std::move(name)});
   document->text = std::move(text);
   if (const auto zero = document->text.find('\0'); zero != std::string::npos) {  // an end of input to RapidJSON
     document->fail(zero, "file", "", "must be text, without zero bytes");
   }
   TreeBuilder(*document).parse();
   return JsonValue(document);
+}
+
+/// Puts values into a copy of a document.
+class JsonEditor {
+ public:
+  JsonEditor(const JsonValue& document, std::string_view option, const FollowLink& follow)
+      : document_(std::make_shared<JsonDocument>(*document.document_)), option_(option), follow_(follow) {}
+
+  JsonValue with(std::string_view path, const JsonValue& value) {
+    const std::size_t begin = append(*value.document_);
+    document_->sources.back() = {.name = option_, .begin = begin, .has_lines = false};
+    JsonNode* node = &document_->root;
+    for (std::size_t end = 0; end < path.size();) {
+      const std::string_view parent = path.substr(0, end);
+      if (path[end] == '[') {
+        const std::size_t close = path.find(']', end);
+        if (close == path.npos) fail_path(path);
+        node = &item(*node, parent, path.substr(0, close + 1), path.substr(end + 1, close - end - 1));
+        end = close + 1;
+      } else {
+        if (end > 0 && path[end++] != '.') fail_path(path);
+        const std::size_t stop = std::min(path.find_first_of(".[", end), path.size());
+        node = &member(*node, parent, path.substr(end, stop - end), begin);
+        end = stop;
+      }
+    }
+    put(*value.document_, *node, begin);
+    return JsonValue(document_);
+  }
+
+ private:
+  [[noreturn]] void fail(std::string_view what, std::string_view value, std::string_view rule) const {
+    throw InputError({.file = option_}, what.empty() ? "document" : what, value, rule);
+  }
+  [[noreturn]] void fail_path(std::string_view path) const {
+    fail(quoted_excerpt(path), "", "must be a member such as lights[0].position");
+  }
+
+  JsonNode& item(JsonNode& array, std::string_view parent, std::string_view path, std::string_view index) const {
+    std::size_t i = 0;
+    const auto [stop, error] = std::from_chars(index.data(), index.data() + index.size(), i);
+    if (index.empty() || stop != index.data() + index.size()) fail_path(path);
+    auto* const items = std::get_if<JsonNode::Array>(&array.value);
+    if (!items) fail(parent, shown(*document_, array), fmt::format("must be an array, to have {}", path));
+    if (error != std::errc() || i >= items->size()) {
+      fail(path, "",
+           items->empty() ? fmt::format("is not there: {} is empty", parent)
+                          : fmt::format("is not there: the last one is {}[{}]", parent, items->size() - 1));
+    }
+    return (*items)[i];
+  }
+
+  JsonNode& member(JsonNode& object, std::string_view parent, std::string_view name, std::size_t name_offset) {
+    const std::string path = parent.empty() ? std::string(name) : fmt::format("{}.{}", parent, name);
+    if (name.empty()) fail_path(path);
+    if (follow_ && std::holds_alternative<std::string>(object.value)) {
+      if (const auto linked = follow_(JsonValue(document_, object, std::string(parent)))) {
+        put(*linked->document_, object, append(*linked->document_));
+      }
+    }
+    auto* const members = std::get_if<JsonNode::Object>(&object.value);
+    if (!members) fail(parent, shown(*document_, object), fmt::format("must be an object, to have {}", path));
+    const auto [found, is_new] = members->try_emplace(std::string(name));
+    if (is_new) found->second = {.value = JsonNode::Object(), .offset = name_offset, .name_offset = name_offset};
+    return found->second;
+  }
+
+  /// Appends the text of another document. Returns where it begins.
+  std::size_t append(const JsonDocument& other) {
+    document_->text += '\n';  // so that the last word before it ends
+    const std::size_t begin = document_->text.size();
+    document_->text += other.text;
+    for (JsonSource source : other.sources) {
+      source.begin += begin;
+      document_->sources.push_back(std::move(source));
+    }
+    return begin;
+  }
+
+  /// Puts another document, whose text has been appended, in the place of a value.
+  static void put(const JsonDocument& other, JsonNode& node, std::size_t begin) {
+    const std::size_t name_offset = node.name_offset;
+    node = other.root;
+    shift(node, begin);
+    node.name_offset = name_offset;
+  }
+
+  static void shift(JsonNode& node, std::size_t by) {
+    node.offset += by;
+    node.name_offset += by;
+    if (auto* const items = std::get_if<JsonNode::Array>(&node.value)) {
+      for (JsonNode& item : *items) shift(item, by);
+    } else if (auto* const members = std::get_if<JsonNode::Object>(&node.value)) {
+      for (auto& [name, member] : *members) shift(member, by);
+    }
+  }
+
+  std::shared_ptr<JsonDocument> document_;
+  std::string option_;
+  const FollowLink& follow_;
+};
+
+JsonValue with_value(const JsonValue& document, std::string_view path, const JsonValue& value, std::string_view option,
+                     const FollowLink& follow) {
+  return JsonEditor(document, option, follow).with(path, value);
 }
 
 void expect_header(const JsonValue& root, std::string_view kind, int newest_version) {

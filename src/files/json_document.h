@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
@@ -69,6 +70,7 @@ class JsonValue {
   const std::string& file() const;                   ///< the document's name as given to read_json
 
  private:
+  friend class JsonEditor;
   JsonValue(std::shared_ptr<const JsonDocument> document, const JsonNode& node, std::string path);
   template <typename Type>
   const Type& expect(std::string_view rule) const;
@@ -84,6 +86,25 @@ JsonValue read_json(const std::string& path);
 
 /// The same from text; the name stands in messages.
 JsonValue parse_json(std::string text, std::string name);
+
+/// What stands in the file that a string names; nothing if the string names none. Throws InputError.
+using FollowLink = std::function<std::optional<JsonValue>(const JsonValue& link)>;
+
+/// A copy of a document in which one value is another one, so that whoever reads it applies all its rules to that too.
+/// Objects on the way to a member that is not there are made: the reader tells whether they may be.
+///
+///     const JsonValue scene = with_value(read_json("airfield.json"), "lamps[2].threshold", parse_json("7", "--set"),
+///     "--set"); scene.member("lamps").items()[2].member("threshold").fail("must be in (0, 1)");
+///     // --set: lamps[2].threshold = 7: must be in (0, 1)
+///
+/// path    as of JsonValue::path(), not empty
+/// value   the root of its document
+/// option  of the command line, which errors name in place of a file
+/// follow  called for a string of which the path names a member; what it returns then stands in the string's place, and
+///         its errors name its own file
+/// throws  InputError where the path leads nowhere: an array has no such item, a number no members
+JsonValue with_value(const JsonValue& document, std::string_view path, const JsonValue& value, std::string_view option,
+                     const FollowLink& follow = {});
 
 /// Requires "litfog": kind and a "version" from 1 to the newest one that the caller knows.
 void expect_header(const JsonValue& root, std::string_view kind, int newest_version);

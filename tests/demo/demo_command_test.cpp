@@ -481,7 +481,12 @@ TEST_F(DemoCommand, ComparisonShowsAllPathsAtOneExposureAndTellsIt) {
 
 TEST_F(DemoCommand, WrongUsageOfCompareIsAnError) {
   for (const std::string option :
-       {"--gallery", "--reference", "--heat-map h.png", "--stats s.json", "--path vertex", "--flat-shading"}) {
+       {"--path vertex", "--flat-shading", "--set name=a", "--camera 1,2,3", "--target 1,2,3"}) {
+    EXPECT_ERROR(run("compare room -o c " + option), kUsage,
+                 "litfog-demo: " + option.substr(0, option.find(' ')) +
+                     " cannot be given with a comparison of lighting paths: settings are given by --with" + kSeeHelp);
+  }
+  for (const std::string option : {"--gallery", "--reference", "--heat-map h.png", "--stats s.json"}) {
     const Outcome outcome = run("compare room -o c " + option);
     EXPECT_EQ(outcome.status, kUsage) << option;
     EXPECT_NE(outcome.err.find("not expected: " + option.substr(0, option.find(' '))), std::string::npos)
@@ -557,7 +562,7 @@ TEST_F(DemoCommand, OptionsWithoutEffectAreErrors) {
   }
   expect_usage("room --fog none --visibility 50", "--visibility cannot be given with --fog none: the air is clear");
   expect_usage("list", "WHAT is required");
-  expect_usage("list lamps", "WHAT = lamps: must be one of scenes|paths");
+  expect_usage("list lamps", "WHAT = lamps: must be one of scenes|paths|lights");
   expect_usage("gallery -o ''", "--output = \"\": must not be empty");
   for (const std::string option : {"-o", "--heat-map", "--stats"}) {
     EXPECT_EQ(run("room --size 8x8 " + option + " ''").status, kUsage) << option;
@@ -732,6 +737,189 @@ TEST_F(DemoCommand, InstalledProgramFindsItsOwnScenesWhereverItIs) {
   EXPECT_EQ(outcome.status, kDone) << outcome.err;
   EXPECT_NE(outcome.out.find("own          its own\n"), std::string::npos) << outcome.out;
   EXPECT_EQ(outcome.out.find("headlights"), std::string::npos) << outcome.out;
+}
+
+constexpr const char* kOneLamp = R"({"litfog": "scene", "version": 1, "name": "one",
+  "camera": {"position": [0, 1, 5], "target": [0, 1, 0]}, "objects": [{"model": "box"}],
+  "lights": [{"light": {"name": "a lamp", "attenuation": {"constant": 1, "quadratic": 0.1}}, "position": [1, 3, 1]}]})";
+
+TEST_F(DemoCommand, ChangedMemberGivesThePictureOfTheChangedFile) {
+  std::string text = kOneLamp;
+  write("one.json", text);
+  text.replace(text.find("0.1"), 3, "0.7");
+  write("two.json", text);
+  const std::string set = "--set lights[0].attenuation.quadratic=0.7 ";
+  for (const std::string& arguments : {std::string("one.json -o a.png"), std::string("two.json -o b.png"),
+                                       "one.json -o c.png " + set, set + "one.json -o d.png --set fog_top_m=1e9"}) {
+    const Outcome outcome = run(arguments + " --size 32x18");
+    ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  }
+  EXPECT_NE(read("a.png"), read("b.png"));
+  EXPECT_EQ(read("b.png"), read("c.png"));
+  EXPECT_EQ(read("b.png"), read("d.png"));
+  EXPECT_ERROR(run("one.json --set lights[0].threshold=7"), kBadInput,
+               "--set: lights[0].light.threshold = 7: must be in (0, 1); 7 % is 0.07\n");
+  EXPECT_ERROR(run("one.json --set fog_top_m"), kUsage,
+               std::string("litfog-demo: --set = fog_top_m: must be MEMBER=VALUE, such as "
+                           "lights[0].attenuation.quadratic=0.002") +
+                   kSeeHelp);
+}
+
+TEST_F(DemoCommand, CameraIsThatOfTheSceneFileWithThoseMembers) {
+  write("one.json", kOneLamp);
+  for (const char* arguments : {"-o a.png", "-o b.png --camera -1,1.5,4 --target 0.5,0,-1e0 --fov-deg 70",
+                                "-o c.png --set camera.position=[-1,1.5,4] --set camera.target=[0.5,0,-1] "
+                                "--set camera.field_of_view_deg=70"}) {
+    const Outcome outcome = run(std::string("one.json --size 32x18 ") + arguments);
+    ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  }
+  EXPECT_NE(read("a.png"), read("b.png"));
+  EXPECT_EQ(read("b.png"), read("c.png"));
+  for (const std::string point : {"1,2", "1,2,3,4", "1,2,x", "1,2,", ",,", "1,2,1e8", "1, 2, 3"}) {
+    EXPECT_ERROR(
+        run("one.json --camera '" + point + "'"), kUsage,
+        "litfog-demo: --camera = " + point + ": must be three numbers in [-10000000, 10000000], X,Y,Z" + kSeeHelp);
+  }
+  EXPECT_ERROR(run("one.json --camera 0,9,0"), kUsage,
+               std::string("litfog-demo: --camera = 0,9,0: must not be straight above or below the target, or at it") +
+                   kSeeHelp);
+  EXPECT_ERROR(run("one.json --fov-deg 151"), kUsage,
+               std::string("litfog-demo: --fov-deg = 151: must be a number in [1, 150]") + kSeeHelp);
+}
+
+TEST_F(DemoCommand, LightsAreListedAsTheirMembersAreSet) {
+  write("one.json", kOneLamp);
+  const auto lights = nlohmann::json::parse(run("list lights one.json --format json").out);
+  ASSERT_EQ(lights.size(), 1u);
+  EXPECT_EQ(lights[0]["member"], "lights[0]");
+  EXPECT_EQ(lights[0]["name"], "a lamp");
+  EXPECT_EQ(lights[0]["y_m"], 3);
+  EXPECT_EQ(lights[0]["quadratic"], 0.1);
+  EXPECT_EQ(lights[0]["carried"], "no");
+  const auto approach = nlohmann::json::parse(run("list lights approach --format json").out);
+  double count = 0;
+  for (std::size_t i = 0; i < approach.size(); ++i) {
+    EXPECT_EQ(approach[i]["member"], fmt::format("lights[{}]", i));
+    count += double(approach[i]["lights"]);
+  }
+  EXPECT_EQ(count, 1148);
+  const std::string changed = run("list lights one.json --set lights[0].carried=true --format csv").out;
+  EXPECT_NE(changed.find("lights[0],1,a lamp,1,3,1,1,0,0.1,0.05,"), std::string::npos) << changed;
+  EXPECT_NE(changed.find(",all around,1,yes\n"), std::string::npos) << changed;
+  EXPECT_EQ(run("list lights").status, kUsage);
+  EXPECT_EQ(run("list scenes one.json").status, kUsage);
+}
+
+/// A lamp that turns and one that the eye's vehicle carries.
+constexpr const char* kTwoLamps = R"({"litfog": "scene", "version": 1, "name": "two",
+  "camera": {"position": [0, 1, 5], "target": [0, 1, 0]}, "objects": [{"model": "box"}],
+  "lights": [{"light": {"attenuation": {"constant": 1, "quadratic": 0.1},
+                        "cone": {"profile": "smoothstep", "inner_deg": 10, "outer_deg": 30}},
+              "position": [1, 3, 1], "aim": [0, 0, 0], "turn_deg_per_s": 40},
+             {"light": {"attenuation": {"constant": 1, "quadratic": 0.1}}, "position": [1, 1, 5], "carried": true}]})";
+
+TEST_F(DemoCommand, FramesOfASequenceAreThePicturesOfTheirSettings) {
+  write("two.json", kTwoLamps);
+  const struct {
+    std::string changes;
+    std::string last;  // the picture of the third frame
+  } sequences[] = {{"--visibility 100..1", "--visibility 1"},
+                   {"--visibility 30,20,4 --time 0..2", "--visibility 4 --time 2"},
+                   {"--set lights[0].threshold=0.1..0.3 --set lights[1].carried=false --camera 0,1,5..1,1,6",
+                    "--set lights[0].threshold=0.3 --set lights[1].carried=false --camera 1,1,6"},
+                   {"--camera 0,1,5..2,1,5 --target 0,1,0..2,1,0 --fov-deg 40..60",  // the carried lamp moves by 2 m
+                    "--camera 2,1,5 --target 2,1,0 --fov-deg 60 --set lights[1].position[0]=3"}};
+  for (const auto& [changes, last] : sequences) {
+    const Outcome outcome = run("sequence two.json -o frames --size 32x18 --frames 3 " + changes);
+    ASSERT_EQ(outcome.status, kDone) << outcome.err;
+    ASSERT_EQ(run("two.json -o last.png --size 32x18 " + last).status, kDone);
+    EXPECT_EQ(read("frames/two-0003.png"), read("last.png")) << changes;
+    EXPECT_NE(read("frames/two-0001.png"), read("frames/two-0002.png")) << changes;
+    EXPECT_NE(read("frames/two-0002.png"), read("frames/two-0003.png")) << changes;
+    EXPECT_NE(read("frames/two.apng").find("acTL"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(directory() / "frames/two-0004.png"));
+  }
+}
+
+TEST_F(DemoCommand, SequencesThatCannotBeAreRefusedBeforeAnythingIsDrawn) {
+  write("two.json", kTwoLamps);
+  const auto error = [&](const std::string& options) {
+    const Outcome outcome = run("sequence two.json -o none " + options);
+    EXPECT_EQ(outcome.status, kUsage) << outcome.err;
+    return outcome.err;
+  };
+  EXPECT_EQ(error("--visibility 50"),
+            std::string("litfog-demo: nothing changes: give a range, such as --visibility 2000..50") + kSeeHelp);
+  EXPECT_EQ(error("--visibility 1,2,3 --time 0..1:2"),
+            std::string("litfog-demo: --time has 2 frames, and --visibility 3: they must have as many") + kSeeHelp);
+  EXPECT_EQ(error("--visibility 1,2,3 --frames 4"),
+            std::string("litfog-demo: --visibility has 3 frames, and --frames 4: they must have as many") + kSeeHelp);
+  EXPECT_EQ(error("--camera 0,4,0..0,1,5 --target 0,0,0"),
+            std::string("litfog-demo: frame 1: the target must not be straight above or below the position, or at it") +
+                kSeeHelp);
+  EXPECT_EQ(error("--visibility 9..1 --film a.gif"),
+            std::string("litfog-demo: --film = a.gif: must end in .mp4 or .webm") + kSeeHelp);
+  EXPECT_ERROR(run("sequence two.json -o none --set lights[0].threshold=0.1..2"), kBadInput,
+               "--set: lights[0].light.threshold = 2: must be in (0, 1); 2 % is 0.02\n");
+  EXPECT_FALSE(std::filesystem::exists(directory() / "none"));
+}
+
+TEST_F(DemoCommand, FilmNeedsFfmpeg) {
+  write("two.json", kTwoLamps);
+  const std::string arguments = "sequence two.json -o frames --size 33x17 --visibility 9,1 --film a.webm";
+  const Outcome missing = run(arguments, "PATH=/nowhere");
+  EXPECT_EQ(missing.status, kMissingCapability);
+  EXPECT_EQ(missing.err, "litfog-demo: ffmpeg cannot be run: No such file or directory; install ffmpeg\n");
+  EXPECT_FALSE(std::filesystem::exists(directory() / "frames"));
+  if (std::system("command -v ffmpeg >/dev/null") != 0) GTEST_SKIP() << "ffmpeg is not installed";
+  const Outcome outcome = run(arguments);
+  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  EXPECT_EQ(read("a.webm").substr(0, 4), "\x1A\x45\xDF\xA3") << "EBML";
+}
+
+TEST_F(DemoCommand, SettingsAreComparedOnAPageOfTheirOwn) {
+  write("one.json", kOneLamp);
+  const Outcome outcome =
+      run("compare one.json -o out.d --size 32x18 --frames 1 --visibility 30 --with \"visibility=9 path=vertex\" "
+          "--with lights[0].attenuation.quadratic=0.5 --with '--no-skip --visibility=30' --with 'room no-skip'");
+  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  EXPECT_NE(outcome.out.find("\n3: --no-skip --visibility=30 "), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("out.d/index.html shows them\n"), std::string::npos);
+  const std::string page = read("out.d/index.html");
+  EXPECT_NE(page.find("<td class=\"words\">visibility=9 path=vertex</td>"), std::string::npos);
+  EXPECT_NE(page.find("{first: 2, second: 3, largest: "), std::string::npos);
+
+  const Outcome same = run("compare one.json -o out.d --size 32x18 --frames 1 --with no-skip");
+  ASSERT_EQ(same.status, kDone) << same.err;
+  EXPECT_NE(same.out.find("\n2: no-skip "), std::string::npos);
+  EXPECT_NE(same.out.find("from 1: largest 0, mean 0 of 1/255"), std::string::npos) << same.out;
+}
+
+TEST_F(DemoCommand, WrongSettingsAreNamed) {
+  write("one.json", kOneLamp);
+  const auto error = [&](const std::string& arguments) {
+    const Outcome outcome = run("compare -o none " + arguments);
+    EXPECT_EQ(outcome.status, kUsage) << outcome.err;
+    return outcome.err;
+  };
+  EXPECT_EQ(
+      error("one.json --with visibility=x"),
+      std::string("litfog-demo: --with \"visibility=x\": --visibility = x: must be a number >= 0 or inf") + kSeeHelp);
+  EXPECT_EQ(error("one.json --with size=9x9"),
+            std::string("litfog-demo: --with \"size=9x9\": --size cannot be given with --with: all pictures are of one "
+                        "size") +
+                kSeeHelp);
+  EXPECT_EQ(
+      error("one.json --with 'fog=none visibility=9'"),
+      std::string("litfog-demo: --with \"fog=none visibility=9\": --visibility cannot be given with --fog none: the "
+                  "air is clear") +
+          kSeeHelp);
+  EXPECT_EQ(error("one.json --with ' '"), std::string("litfog-demo: --with \" \": must not be empty") + kSeeHelp);
+  EXPECT_EQ(error("--with visibility=9"),
+            std::string("litfog-demo: --with compares settings of one SCENE: name it") + kSeeHelp);
+  EXPECT_ERROR(run("compare one.json -o none --with lights[0].threshold=7"), kBadInput,
+               "--set: lights[0].light.threshold = 7: must be in (0, 1); 7 % is 0.07\n");
+  EXPECT_FALSE(std::filesystem::exists(directory() / "none"));
 }
 
 }  // namespace

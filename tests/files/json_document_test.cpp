@@ -224,5 +224,72 @@ TEST(JsonDocument, NumbersDoNotDependOnTheLocale) {
   EXPECT_EQ(error, "f:1:2: number = 1e999: must be within the range of a double");
 }
 
+JsonValue changed(const std::string& text, std::string_view path, const std::string& value) {
+  return with_value(parse_json(text, "f"), path, parse_json(value, "value"), "--set");
+}
+
+TEST(JsonDocument, ValueIsReplacedAndTheDocumentItselfStaysAsItIs) {
+  const JsonValue before = parse_json(R"({"a": [{"b": 1}, {"b": 2, "c": [3, 4]}], "d": 5})", "f");
+  const JsonValue after = with_value(before, "a[1].c[0]", parse_json("[6]", "value"), "--set");
+  EXPECT_EQ(before.member("a").items()[1].member("c").items()[0].number(), 3);
+  const JsonValue second = after.member("a").items()[1];
+  EXPECT_EQ(second.member("c").items()[0].items()[0].number(), 6);
+  EXPECT_EQ(second.member("c").items()[1].number(), 4);
+  EXPECT_EQ(second.member("b").number(), 2);
+  EXPECT_EQ(after.member("a").items()[0].member("b").number(), 1);
+  EXPECT_EQ(changed("[1, [2, 3]]", "[1][0]", "7").items()[1].items()[0].number(), 7);
+}
+
+TEST(JsonDocument, ReplacedValueIsLocatedByItsOptionAndAllOthersWhereTheyWere) {
+  const JsonValue root = changed("{\"a\": 1,\n \"b\": {\"c\": 2}}", "b.c", "[7, {\"x\": 8}]");
+  const JsonValue value = root.member("b").member("c");
+  EXPECT_EQ(error_of([&] { value.fail("must not"); }), "--set: b.c = an array: must not");
+  EXPECT_EQ(error_of([&] { value.items()[0].fail("must not"); }), "--set: b.c[0] = 7: must not");
+  EXPECT_EQ(error_of([&] { value.items()[1].allow_only({"y"}); }), "--set: \"x\": must be one of y");
+  EXPECT_EQ(error_of([&] { root.member("a").fail("must not"); }), "f:1:7: a = 1: must not");
+  EXPECT_EQ(error_of([&] { root.member("b").fail("must not"); }), "f:2:7: b = an object: must not");
+  EXPECT_EQ(error_of([&] { root.member("b").allow_only({"d"}); }), "f:2:8: \"c\": must be one of d");
+}
+
+TEST(JsonDocument, MembersThatAreNotThereAreMadeAndRefusedByTheirReader) {
+  const JsonValue root = changed("{\"a\": 1}", "colour.d", "2");
+  EXPECT_EQ(root.member("colour").member("d").number(), 2);
+  EXPECT_EQ(error_of([&] {
+              root.allow_only({"a", "bcd"});
+            }),
+            "--set: \"bc\": must be one of a, bcd; did you mean bcd?");
+}
+
+TEST(JsonDocument, PathsThatLeadNowhereAreErrors) {
+  const auto error = [](std::string_view path) {
+    return error_of([&] { changed(R"({"a": [1, 2], "s": "t", "e": []})", path, "3"); });
+  };
+  EXPECT_EQ(error("a[2]"), "--set: a[2]: is not there: the last one is a[1]");
+  EXPECT_EQ(error("a[99999999999999999999]"), "--set: a[99999999999999999999]: is not there: the last one is a[1]");
+  EXPECT_EQ(error("e[0]"), "--set: e[0]: is not there: e is empty");
+  EXPECT_EQ(error("a.x"), "--set: a = an array: must be an object, to have a.x");
+  EXPECT_EQ(error("a[0].x"), "--set: a[0] = 1: must be an object, to have a[0].x");
+  EXPECT_EQ(error("s[0]"), "--set: s = \"t\": must be an array, to have s[0]");
+  EXPECT_EQ(error("[0]"), "--set: document = an object: must be an array, to have [0]");
+  for (const std::string path : {"a[", "a[]", "a[-1]", "a[+1]", "a[1", "a[0]x", ".a", "s..b", "a[ 1]"}) {
+    EXPECT_NE(error(path).find(": must be a member such as lights[0].position"), std::string::npos) << error(path);
+  }
+}
+
+TEST(JsonDocument, StringIsFollowedToTheDocumentThatItNames) {
+  const JsonValue root = parse_json(R"({"a": "other", "b": "other"})", "f");
+  const FollowLink follow = [](const JsonValue& link) -> std::optional<JsonValue> {
+    if (link.string() != "other") return std::nullopt;
+    return parse_json("{\n \"x\": 1, \"y\": 2}", "g");
+  };
+  const JsonValue after = with_value(root, "a.y", parse_json("3", "value"), "--set", follow);
+  EXPECT_EQ(error_of([&] { after.member("a").member("x").fail("must not"); }), "g:2:7: a.x = 1: must not");
+  EXPECT_EQ(error_of([&] { after.member("a").member("y").fail("must not"); }), "--set: a.y = 3: must not");
+  EXPECT_EQ(after.member("b").string(), "other");
+  EXPECT_EQ(with_value(root, "a", parse_json("3", "value"), "--set", follow).member("a").number(), 3);
+  EXPECT_EQ(error_of([&] { with_value(parse_json(R"({"a": "t"})", "f"), "a.y", root, "--set", follow); }),
+            "--set: a = \"t\": must be an object, to have a.y");
+}
+
 }  // namespace
 }  // namespace litfog::test

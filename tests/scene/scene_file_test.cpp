@@ -392,6 +392,92 @@ TEST_F(SceneFile, CameraThatLooksStraightUpIsAnError) {
   EXPECT_THROW(read_scene(path()), InputError);
 }
 
+/// What changes make of a scene of two entries, the first with two copies, of one light file.
+class SceneChanges : public SceneFile {
+ protected:
+  SceneChanges() {
+    std::ofstream(directory_.path() / "lamp.json")
+        << R"({"litfog": "light", "version": 1, "attenuation": {"constant": 1, "quadratic": 0.1}})";
+    std::ofstream(path()) << R"({"litfog": "scene", "version": 1, "objects": [],
+      "camera": {"position": [0, 1, 5], "target": [0, 1, 0]},
+      "lights": [{"light": "lamp.json", "position": [0, 2, 0], "repeat": [{"count": 2, "step": [1, 0, 0]}]},
+                 {"light": "lamp.json", "position": [0, 3, 0], "color": [1, 1, 1]}]})";
+  }
+  Scene changed(const std::vector<SceneChange>& changes) const { return read_scene(path(), {}, changes); }
+  std::string error_of_change(const SceneChange& change) const {
+    try {
+      changed({change});
+    } catch (const InputError& bad) {
+      return bad.what();
+    }
+    return "no error";
+  }
+};
+
+TEST_F(SceneChanges, MembersOfALightFileChangeForTheirEntryAlone) {
+  const Scene before = changed({});
+  const Scene scene = changed({{"lights[0].attenuation.quadratic", "0.5"}, {"lights[0].light.threshold", "0.2"}});
+  ASSERT_EQ(scene.lights.size(), 3u);
+  for (const std::size_t i : {0u, 1u}) {
+    EXPECT_EQ(scene.lights[i].light.attenuation.quadratic, 0.5) << i;
+    EXPECT_EQ(scene.lights[i].light.threshold, 0.2) << i;
+    EXPECT_EQ(scene.lights[i].light.attenuation.constant, 1) << i;
+  }
+  EXPECT_EQ(scene.lights[0].light.name, before.lights[0].light.name);
+  EXPECT_EQ(scene.lights[0].light.name, "lamp");
+  EXPECT_EQ(scene.lights[2].light.attenuation.quadratic, 0.1);
+  EXPECT_EQ(scene.lights[2].light.threshold, before.lights[2].light.threshold);
+  EXPECT_NE(std::ranges::find(scene.files, (directory_.path() / "lamp.json").string()), scene.files.end());
+  EXPECT_EQ(scene.light_copies, (std::vector<std::size_t>{2, 1}));
+}
+
+TEST_F(SceneChanges, MembersOfTheSceneChangeInTheOrderGiven) {
+  const Scene scene = changed({{"lights[1].color", "[3, 2, 1]"},
+                               {"lights[1].carried", "true"},
+                               {"camera.position[0]", "7"},
+                               {"camera.field_of_view_deg", "60"},
+                               {"environment.stars", "2"},
+                               {"phase_g", "0.25"},
+                               {"phase_g", "-0.5"},
+                               {"name", "other"}});
+  EXPECT_EQ(scene.lights[2].light.color, glm::dvec3(3, 2, 1));
+  EXPECT_TRUE(scene.lights[2].carried);
+  EXPECT_EQ(scene.camera.position, glm::vec3(7, 1, 5));
+  EXPECT_FLOAT_EQ(scene.camera.field_of_view, glm::radians(60.0f));
+  EXPECT_EQ(scene.environment.star_brightness, 2);
+  EXPECT_EQ(scene.phase_g, -0.5);
+  EXPECT_EQ(scene.name, "other");
+}
+
+TEST_F(SceneChanges, WordStandsForAString) {
+  std::ofstream(directory_.path() / "2.json") << R"({"litfog": "light", "version": 1, "attenuation": {"constant": 4}})";
+  EXPECT_EQ(changed({{"lights[0].light", "./2.json"}}).lights[0].light.attenuation.constant, 4);
+  EXPECT_EQ(changed({{"lights[0].light", "\"2.json\""}}).lights[0].light.attenuation.constant, 4);
+  EXPECT_EQ(error_of_change({"lights[0].carried", "yes"}), "--set: lights[0].carried = \"yes\": must be true or false");
+}
+
+TEST_F(SceneChanges, WrongChangesNameTheOptionTheMemberAndTheRule) {
+  const std::pair<SceneChange, std::string> wrong[] = {
+      {{"lights[0].attenuation.quadratic", "-1"},
+       "--set: lights[0].light.attenuation.quadratic = -1: must be finite and >= 0"},
+      {{"lights[2].position", "[0, 0, 0]"}, "--set: lights[2]: is not there: the last one is lights[1]"},
+      {{"lights[1].colour", "[1, 1, 1]"},
+       "--set: lights[1].colour: \"colour\" must be one of light, position, aim, direction, mount, color, cookie, "
+       "turn_deg_per_s, carried, repeat, attenuation, threshold, cone, density_scale; did you mean color?"},
+      {{"camera.positon", "[0, 0, 0]"},
+       "--set: \"positon\": must be one of position, target, field_of_view_deg; did you mean position?"},
+      {{"lights[0].color", "[1, 2"}, "--set lights[0].color:1:6: end of file: must be ',' or ']'"}};
+  for (const auto& [change, sentence] : wrong) EXPECT_EQ(error_of_change(change), sentence);
+  EXPECT_TRUE(
+      error_of_change({"lights[0].light", "no.json"}).starts_with("--set: lights[0].light = \"no.json\": must be"));
+  std::ofstream(directory_.path() / "lamp.json") << "{\n 7}";
+  const std::string sentence = error_of_change({"lights[0].threshold", "0.1"});
+  EXPECT_NE(sentence.find("scene.json:3:28: lights[0].light = \"lamp.json\": must be a light file: "),
+            std::string::npos)
+      << sentence;
+  EXPECT_THROW(read_scene("a.glb", {}, {{"name", "b"}}), InputError);
+}
+
 }  // namespace
 
 }  // namespace litfog::test

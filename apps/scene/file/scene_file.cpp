@@ -15,6 +15,7 @@
 #include "command/bundled_data.h"
 #include "command/exit_status.h"
 #include "command/printable.h"
+#include "files/hint.h"
 #include "files/json_document.h"
 #include "files/json_text.h"
 #include "files/light_json.h"
@@ -38,6 +39,11 @@ constexpr std::size_t kMaxInstances = 50'000;
 constexpr std::size_t kMaxCookies = 32;                         // OpenGL 3.3 promises 256 layers, six a cookie
 constexpr std::size_t kMaxCookieTexels = std::size_t{1} << 28;  // 1 GiB of floats
 constexpr double kMaxDensityScale = 1e6;
+
+const std::vector<std::string_view> kLightEntryMembers{
+    "light", "position", "aim", "direction", "mount", "color", "cookie", "turn_deg_per_s", "carried", "repeat"};
+/// Those that a change may name without ".light".
+const std::vector<std::string_view> kMembersOfTheLight{"attenuation", "threshold", "cone", "density_scale"};
 
 bool is_color(const glm::dvec3& color) {
   return glm::all(glm::greaterThanEqual(color, glm::dvec3(0.0))) &&
@@ -121,13 +127,12 @@ std::vector<glm::dvec3> read_repeat(const JsonValue& object, const glm::dvec3& p
 
 Camera read_camera(const JsonValue& value) {
   value.allow_only({"position", "target", "field_of_view_deg"});
-  const Camera camera{.position = position_of(value.member("position")),
-                      .target = position_of(value.member("target")),
-                      .field_of_view = glm::radians(float(number_in_or(value, "field_of_view_deg", 1, 150, 50)))};
-  const glm::vec3 view = camera.target - camera.position;
-  if (!(glm::length(glm::vec2(view.x, view.z)) > 1e-4f * glm::length(view))) {
-    value.member("target").fail("must not be straight above or below the position, or at it");
-  }
+  const Camera camera{
+      .position = position_of(value.member("position")),
+      .target = position_of(value.member("target")),
+      .field_of_view =
+          glm::radians(float(number_in_or(value, "field_of_view_deg", kLeastFieldOfViewDeg, kMostFieldOfViewDeg, 50)))};
+  if (!has_heading(camera)) value.member("target").fail(kHeadingRule);
   return camera;
 }
 
@@ -171,13 +176,41 @@ Vehicle read_vehicle(const JsonValue& value) {
                        .roll = angle_or(value, "roll_deg", 180)}};
 }
 
+/// The member that a change means: an entry's own, or one of the light in it, whose name comes after ".light" then.
+std::string changed_member(const std::string& member) {
+  const std::size_t dot = member.find("].") + 1;
+  if (!member.starts_with("lights[") || dot == 0) return member;
+  const std::string name = member.substr(dot + 1, member.find_first_of(".[", dot + 1) - dot - 1);
+  const auto is_one_of = [&name](const auto& names) { return std::ranges::find(names, name) != std::end(names); };
+  if (name.empty() || is_one_of(kLightEntryMembers)) return member;
+  if (is_one_of(kMembersOfTheLight)) return member.substr(0, dot) + ".light" + member.substr(dot);
+  std::vector<std::string_view> names = kLightEntryMembers;
+  names.insert(names.end(), kMembersOfTheLight.begin(), kMembersOfTheLight.end());
+  throw InputError({.file = kChangePlace}, member, "",
+                   fmt::format("{} must be one of {}{}", files::quoted_excerpt(name), fmt::join(names, ", "),
+                               files::hint_for_word(name, names)));
+}
+
+/// What no JSON begins as is a word in place of a string.
+JsonValue changed_value(const SceneChange& change) {
+  const std::string& value = change.value;
+  const bool is_json = value.empty() || value.find_first_of("{[\"-0123456789") == 0 || value == "true" ||
+                       value == "false" || value == "null";
+  return files::parse_json(is_json ? value : files::json_quoted(value),
+                           fmt::format("{} {}", kChangePlace, change.member));
+}
+
 /// Reads scenes; keeps light files and models that several entries share.
 class SceneReader {
  public:
-  SceneReader(const std::string& path, std::optional<std::size_t> city_lights)
+  SceneReader(const std::string& path, std::optional<std::size_t> city_lights, const std::vector<SceneChange>& changes)
       : folder_(std::filesystem::path(path).parent_path()) {
     scene_.files.push_back(path);
-    const JsonValue root = files::read_json(path);
+    JsonValue root = files::read_json(path);
+    for (const SceneChange& change : changes) {
+      root = files::with_value(root, changed_member(change.member), changed_value(change), kChangePlace,
+                               [this](const JsonValue& link) { return linked_light(link); });
+    }
     expect_header(root, "scene", 1);
     root.allow_only({"litfog", "version", "name", "description", "camera", "environment", "visibilities_m", "fog_top_m",
                      "phase_g", "vehicle", "lights", "city", "objects"});
@@ -231,17 +264,34 @@ class SceneReader {
     }
   }
 
+  /// What `read` makes of the light file that a string names.
+  template <typename Read>
+  auto from_light_file(const JsonValue& name, const Read& read) {
+    try {
+      scene_.files.push_back((folder_ / name.string()).string());
+      return read(scene_.files.back());
+    } catch (const InputError& error) {
+      name.fail(std::string("must be a light file: ") + error.what());
+    }
+  }
+
+  /// The document of a light file for a change of its members; nothing of a string that names no light file.
+  std::optional<JsonValue> linked_light(const JsonValue& link) {
+    const std::string name(link.name());
+    const bool is_light = (link.path().starts_with("lights[") && name == "light") || link.path() == "city." + name;
+    if (!is_light) return std::nullopt;
+    return from_light_file(link, [](const std::string& file) {
+      const JsonValue document = files::read_json(file);
+      if (!document.is_object() || document.optional("name")) return document;
+      const std::string stem = std::filesystem::path(file).stem().string();
+      return files::with_value(document, "name", files::parse_json(files::json_quoted(stem), file), file);
+    });
+  }
+
   Light read_kind(const JsonValue& value) {
     if (!value.is_string()) return checked(value, parse_light(value));
     const auto [entry, is_new] = lights_.try_emplace(value.string());
-    if (is_new) {
-      try {
-        scene_.files.push_back((folder_ / value.string()).string());
-        entry->second = read_light(scene_.files.back());
-      } catch (const InputError& error) {
-        value.fail(std::string("must be a light file: ") + error.what());
-      }
-    }
+    if (is_new) entry->second = from_light_file(value, read_light);
     return checked(value, entry->second);
   }
 
@@ -256,8 +306,7 @@ class SceneReader {
   }
 
   void read_light_entry(const JsonValue& value) {
-    value.allow_only(
-        {"light", "position", "aim", "direction", "mount", "color", "cookie", "turn_deg_per_s", "carried", "repeat"});
+    value.allow_only(kLightEntryMembers);
     PlacedLight light{.light = read_kind(value.member("light")), .position = position_of(value.member("position"))};
     light.light.color = color_or(value, "color", light.light.color);
     light.direction = {0, -1, 0};
@@ -281,7 +330,9 @@ class SceneReader {
     }
     const double turn_rate = glm::radians(number_in_or(value, "turn_deg_per_s", -3600, 3600, 0));
     if (const auto carried = value.optional("carried")) light.carried = carried->boolean();
+    scene_.light_copies.push_back(0);
     for (const glm::dvec3& position : read_repeat(value, light.position)) {
+      ++scene_.light_copies.back();
       light.position = position;
       if (cookie) scene_.cookie_uses.emplace(scene_.lights.size(), *cookie);
       if (mount) scene_.mounts.emplace(scene_.lights.size(), *mount);
@@ -460,8 +511,13 @@ std::filesystem::path scene_folder() { return command::bundled_folder("scenes");
 
 }  // namespace
 
-Scene read_scene(const std::string& path, std::optional<std::size_t> city_lights) {
-  if (!is_gltf_path(path)) return SceneReader(path, city_lights).take();
+Scene read_scene(const std::string& path, std::optional<std::size_t> city_lights,
+                 const std::vector<SceneChange>& changes) {
+  if (!is_gltf_path(path)) return SceneReader(path, city_lights, changes).take();
+  if (!changes.empty()) {
+    throw InputError({.file = kChangePlace}, changes.front().member, "",
+                     "must be a member of a scene file, and a glTF file has none");
+  }
   Scene scene = read_gltf_scene(path);
   if (!scene.left_out.empty()) {
     fmt::print(stderr, "{}\n", command::printable(fmt::format("{}: left out: {}", path, scene.left_out)));

@@ -64,11 +64,29 @@ namespace litfog::scene {
 /// objects. Coordinates are within 10,000 km, parts of a colour at most 10,000.
 // clang-format on
 
+/// A value in place of one that a scene file states, or in addition to those. The file is changed before it is read, so
+/// that all its rules hold.
+///
+///     {"lights[0].carried", "true"}
+///     {"lights[0].attenuation.quadratic", "0.002"}      of the light, wherever it is written: lights[0].light may be a
+///     {"city.window.threshold", "0.1"}                  file's name; other lights from that file stay as they are
+///
+/// Entries of "lights" with copies change with all of them.
+struct SceneChange {
+  std::string member;  ///< as error messages name members
+  std::string value;   ///< JSON, or a word in place of a string: ../lights/street-lamp.json
+};
+
+/// The place that errors in a change name.
+inline constexpr const char* kChangePlace = "--set";
+
 /// Reads a scene file, or a glTF file (gltf_scene.h) by its ending; what is left out of that is said in one line on
-/// standard error. Throws InputError.
+/// standard error. Throws InputError, of which the file is kChangePlace where a change is wrong.
 ///
 /// city_lights  how many lights its city has, in place of its own number; without effect where the scene has no city
-Scene read_scene(const std::string& path, std::optional<std::size_t> city_lights = {});
+/// changes      in the order given; a glTF file takes none
+Scene read_scene(const std::string& path, std::optional<std::size_t> city_lights = {},
+                 const std::vector<SceneChange>& changes = {});
 
 /// Reads scenes whose pictures go into one folder. Throws InputError, also where two scenes, and so their pictures,
 /// would have one name.
