@@ -1,27 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command/plot.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cmath>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <iterator>
-#include <memory>
 #include <stdexcept>
 #include <string_view>
 
 #include "command/exit_status.h"
 #include "command/option_rule.h"
 #include "command/printable.h"
+#include "command/program.h"
 #include "litfog/files/output_error.h"
 
 namespace litfog::command {
@@ -239,55 +232,10 @@ std::string script_of(const Figure& figure, FigureFormat format) {
   return script.text();
 }
 
-using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
-
-/// Without a name, gone when closed.
-File temporary_file() {
-  File file(std::tmpfile(), std::fclose);
-  if (!file) throw OutputError(fmt::format("temporary file cannot be written: {}", std::strerror(errno)));
-  return file;
-}
-
-std::string contents_of(std::FILE* file) {
-  std::string text;
-  std::rewind(file);
-  std::array<char, 4096> buffer;
-  while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file)) text.append(buffer.data(), count);
-  return text;
-}
-
-/// What gnuplot writes to its standard output. No shell and no file name takes part, so that no text can be a command.
+/// What gnuplot writes to its standard output. No file name takes part, so that no text can be a command.
 std::string run_gnuplot(const std::string& script) {
-  const File input = temporary_file();
-  const File output = temporary_file();
-  const File messages = temporary_file();
-  if (std::fwrite(script.data(), 1, script.size(), input.get()) != script.size() || std::fflush(input.get()) != 0) {
-    throw OutputError(fmt::format("temporary file cannot be written: {}", std::strerror(errno)));
-  }
-  std::rewind(input.get());
-
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, fileno(input.get()), STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, fileno(output.get()), STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, fileno(messages.get()), STDERR_FILENO);
-  std::string program = "gnuplot";
-  std::string defaults = "--default-settings";  // the user's start-up file is not ours
-  std::array<char*, 3> arguments{program.data(), defaults.data(), nullptr};
-  pid_t process = 0;
-  const int error = posix_spawnp(&process, program.c_str(), &actions, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (error != 0) {
-    throw MissingCapability(fmt::format("gnuplot cannot be run: {}; install gnuplot-nox", std::strerror(error)));
-  }
-  int status = 0;
-  while (waitpid(process, &status, 0) < 0) {
-    if (errno != EINTR) throw MissingCapability(fmt::format("gnuplot cannot be run: {}", std::strerror(errno)));
-  }
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
-    throw MissingCapability("gnuplot failed: " + contents_of(messages.get()));
-  }
-  return contents_of(output.get());
+  // The user's start-up file is not ours.
+  return run_program({"gnuplot", "--default-settings"}, script, "install gnuplot-nox");
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "command/option_rule.h"
 #include "command/output_files.h"
 #include "command/table.h"
+#include "demo/animation.h"
 #include "demo/drawing.h"
 #include "demo/drawing_options.h"
 #include "demo/gallery.h"
@@ -25,6 +26,7 @@
 #include "demo/path_comparison.h"
 #include "demo/picture_file.h"
 #include "demo/scene_options.h"
+#include "demo/sequence.h"
 #include "files/whole_file.h"
 #include "litfog/gl/headless_context.h"
 #include "litfog/gl/unsupported.h"
@@ -47,6 +49,7 @@ constexpr const char* kDescription =
   litfog-demo SCENE [OPTIONS]                        one picture
   litfog-demo gallery [SCENE...] [-o FOLDER]         every scene, clear and at its visibilities
   litfog-demo compare [SCENE...] [-o FOLDER]         every scene by every lighting path, with times and errors
+  litfog-demo sequence SCENE [-o FOLDER]             frames over visibility, time, a camera's way or any member
   litfog-demo papers [-o FOLDER]                     the papers' figures by their own programs
   litfog-demo list scenes|paths                      what SCENE and --path may be
   litfog-demo list lights SCENE                      what --set may change of a scene's lights
@@ -253,6 +256,53 @@ Job add_comparison_job(CLI::App& app) {
   };
 }
 
+Job add_sequence_job(CLI::App& app) {
+  struct Options {
+    SequenceOptions sequence;
+    DrawingOptions drawing;
+    std::string folder = "sequence";
+  };
+  const auto options = std::make_shared<Options>();
+  app.footer(
+      "NUMBERS is one number, a list A,B,C of a frame each, FROM..TO, or FROM..TO:N in N frames. A camera path's file "
+      "is "
+      "described in apps/demo/camera_path.h. Lights that the eye's vehicle carries move along with the camera.\n\n"
+      "Examples:\n"
+      "  litfog-demo sequence room --visibility 400..10:24 -o out\n"
+      "  litfog-demo sequence lighthouse --time 0..8 --frames 48 --film beam.mp4\n"
+      "  litfog-demo sequence street --camera 0,1.6,20..0,1.6,-20 --target 0,1.6,-60\n"
+      "  litfog-demo sequence room --set lights[0].attenuation.quadratic=0.02..0.5");
+  app.add_option("SCENE", options->sequence.scene, "A scene as that of a single picture")->type_name("")->required();
+  app.add_option("-o,--output", options->folder,
+                 "Folder to write into: SCENE-0001.png and so on, and SCENE.apng, which plays them (default sequence)")
+      ->type_name("FOLDER");
+  add_sequence(app, options->sequence);
+  add_fog(app, options->drawing);
+  add_path(app, options->drawing);
+  add_fog_light(app, options->drawing);
+  add_shadows(app, options->drawing);
+  add_rendering(app, options->drawing);
+  add_display(app, options->drawing.display);
+  return [&app, options] {
+    const DrawingOptions& drawing = options->drawing;
+    if (options->folder.empty()) fail_option("--output", "", "must not be empty");
+    if (app.count("--film") > 0 && !is_film_path(options->sequence.film)) {
+      fail_option("--film", options->sequence.film, "must end in .mp4 or .webm");
+    }
+    check_options(app, drawing_rules(drawing));
+    check_options(app, shadow_rules(drawing));
+    check_options(app, {{"--camera-path", app.count("--camera-path") > 0, {"--camera", "--target", "--fov-deg"}}});
+    Sequence sequence(options->sequence, drawing.phase_g);
+    check_options(
+        app, {{sequence.scene().name, !has_turning_light(sequence.scene()), {"--time"}, "none of its lights turns"}});
+    const gl::HeadlessContext context;
+    report(
+        fmt::format("drawing {} frames of {} on {}\n", sequence.frames(), sequence.scene().name, context.renderer()));
+    draw_sequence(sequence, options->folder, drawing, options->sequence);
+    return kDone;
+  };
+}
+
 Job add_papers_job(CLI::App& app) {
   struct Options {
     std::string folder = "papers";
@@ -340,6 +390,9 @@ int main(int argc, char** argv) {
   add_job("compare",
           "Draws scenes by every lighting path, timed interleaved, with heat maps, contact sheets and index.html",
           add_comparison_job);
+  add_job("sequence",
+          "Draws a scene over visibility, time, a camera's way or any member: numbered frames and what plays",
+          add_sequence_job);
   add_job("papers", "Redraws the papers' figures by their own programs: a sheet a paper, with Hales's table 1",
           add_papers_job);
   add_job("list", "Lists the scenes that come with litfog, the lighting paths or a scene's lights", add_list_job);

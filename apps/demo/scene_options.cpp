@@ -21,28 +21,6 @@ const std::string kPointRule =
 const std::string kFieldOfViewRule =
     fmt::format("must be a number in [{}, {}]", scene::kLeastFieldOfViewDeg, scene::kMostFieldOfViewDeg);
 
-scene::SceneChange parse_change(const std::string& text) {
-  const std::size_t equals = text.find('=');
-  if (equals == 0 || equals == text.npos) {
-    command::fail_option("--set", text, "must be MEMBER=VALUE, such as lights[0].attenuation.quadratic=0.002");
-  }
-  return {.member = text.substr(0, equals), .value = text.substr(equals + 1)};
-}
-
-glm::dvec3 parse_point(const std::string& option, const std::string& text) {
-  glm::dvec3 point;
-  std::size_t begin = 0;
-  for (int i = 0; i < 3; ++i) {
-    const std::size_t end = i < 2 ? text.find(',', begin) : text.size();
-    const auto number =
-        end == text.npos ? std::nullopt : command::parse_number(std::string_view(text).substr(begin, end - begin));
-    if (!number || !(std::abs(*number) <= scene::kMaxCoordinate)) command::fail_option(option, text, kPointRule);
-    point[i] = *number;
-    begin = end + 1;
-  }
-  return point;
-}
-
 void add_point(CLI::App& app, const std::string& name, std::optional<glm::dvec3>& target,
                const std::string& description) {
   app.add_option_function<std::string>(
@@ -103,6 +81,28 @@ scene::Scene read_scene(const SceneOptions& options) {
   command::fail_option(
       options.target ? "--target" : "--camera", fmt::format("{},{},{}", at.x, at.y, at.z),
       fmt::format("must not be straight above or below the {}, or at it", options.target ? "camera" : "target"));
+}
+
+scene::SceneChange parse_change(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == 0 || equals == text.npos) {
+    command::fail_option("--set", text, "must be MEMBER=VALUE, such as lights[0].attenuation.quadratic=0.002");
+  }
+  return {.member = text.substr(0, equals), .value = text.substr(equals + 1)};
+}
+
+glm::dvec3 parse_point(const std::string& option, const std::string& text) {
+  glm::dvec3 point;
+  std::size_t begin = 0;
+  for (int i = 0; i < 3; ++i) {
+    const std::size_t end = i < 2 ? text.find(',', begin) : text.size();
+    const auto number =
+        end == text.npos ? std::nullopt : command::parse_number(std::string_view(text).substr(begin, end - begin));
+    if (!number || !(std::abs(*number) <= scene::kMaxCoordinate)) command::fail_option(option, text, kPointRule);
+    point[i] = *number;
+    begin = end + 1;
+  }
+  return point;
 }
 
 std::string scene_path(const std::string& scene) {

@@ -37,6 +37,12 @@ void add_view(CLI::App& app, SceneOptions& options);
 /// scene file may have either.
 scene::Scene read_scene(const SceneOptions& options);
 
+/// A --set's MEMBER=VALUE. Throws its usage error.
+scene::SceneChange parse_change(const std::string& text);
+
+/// An option's X,Y,Z as a point of a scene. Throws its usage error.
+glm::dvec3 parse_point(const std::string& option, const std::string& text);
+
 /// The file of a scene that is named as in SceneOptions. Throws InputError where there is none.
 std::string scene_path(const std::string& scene);
 

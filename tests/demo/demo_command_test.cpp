@@ -804,6 +804,73 @@ TEST_F(DemoCommand, LightsAreListedAsTheirMembersAreSet) {
   EXPECT_EQ(run("list scenes one.json").status, kUsage);
 }
 
+/// A lamp that turns and one that the eye's vehicle carries.
+constexpr const char* kTwoLamps = R"({"litfog": "scene", "version": 1, "name": "two",
+  "camera": {"position": [0, 1, 5], "target": [0, 1, 0]}, "objects": [{"model": "box"}],
+  "lights": [{"light": {"attenuation": {"constant": 1, "quadratic": 0.1},
+                        "cone": {"profile": "smoothstep", "inner_deg": 10, "outer_deg": 30}},
+              "position": [1, 3, 1], "aim": [0, 0, 0], "turn_deg_per_s": 40},
+             {"light": {"attenuation": {"constant": 1, "quadratic": 0.1}}, "position": [1, 1, 5], "carried": true}]})";
+
+TEST_F(DemoCommand, FramesOfASequenceAreThePicturesOfTheirSettings) {
+  write("two.json", kTwoLamps);
+  const struct {
+    std::string changes;
+    std::string last;  // the picture of the third frame
+  } sequences[] = {{"--visibility 100..1", "--visibility 1"},
+                   {"--visibility 30,20,4 --time 0..2", "--visibility 4 --time 2"},
+                   {"--set lights[0].threshold=0.1..0.3 --set lights[1].carried=false --camera 0,1,5..1,1,6",
+                    "--set lights[0].threshold=0.3 --set lights[1].carried=false --camera 1,1,6"},
+                   {"--camera 0,1,5..2,1,5 --target 0,1,0..2,1,0 --fov-deg 40..60",  // the carried lamp moves by 2 m
+                    "--camera 2,1,5 --target 2,1,0 --fov-deg 60 --set lights[1].position[0]=3"}};
+  for (const auto& [changes, last] : sequences) {
+    const Outcome outcome = run("sequence two.json -o frames --size 32x18 --frames 3 " + changes);
+    ASSERT_EQ(outcome.status, kDone) << outcome.err;
+    ASSERT_EQ(run("two.json -o last.png --size 32x18 " + last).status, kDone);
+    EXPECT_EQ(read("frames/two-0003.png"), read("last.png")) << changes;
+    EXPECT_NE(read("frames/two-0001.png"), read("frames/two-0002.png")) << changes;
+    EXPECT_NE(read("frames/two-0002.png"), read("frames/two-0003.png")) << changes;
+    EXPECT_NE(read("frames/two.apng").find("acTL"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(directory() / "frames/two-0004.png"));
+  }
+}
+
+TEST_F(DemoCommand, SequencesThatCannotBeAreRefusedBeforeAnythingIsDrawn) {
+  write("two.json", kTwoLamps);
+  const auto error = [&](const std::string& options) {
+    const Outcome outcome = run("sequence two.json -o none " + options);
+    EXPECT_EQ(outcome.status, kUsage) << outcome.err;
+    return outcome.err;
+  };
+  EXPECT_EQ(error("--visibility 50"),
+            std::string("litfog-demo: nothing changes: give a range, such as --visibility 2000..50") + kSeeHelp);
+  EXPECT_EQ(error("--visibility 1,2,3 --time 0..1:2"),
+            std::string("litfog-demo: --time has 2 frames, and --visibility 3: they must have as many") + kSeeHelp);
+  EXPECT_EQ(error("--visibility 1,2,3 --frames 4"),
+            std::string("litfog-demo: --visibility has 3 frames, and --frames 4: they must have as many") + kSeeHelp);
+  EXPECT_EQ(error("--camera 0,4,0..0,1,5 --target 0,0,0"),
+            std::string("litfog-demo: frame 1: the target must not be straight above or below the position, or at it") +
+                kSeeHelp);
+  EXPECT_EQ(error("--visibility 9..1 --film a.gif"),
+            std::string("litfog-demo: --film = a.gif: must end in .mp4 or .webm") + kSeeHelp);
+  EXPECT_ERROR(run("sequence two.json -o none --set lights[0].threshold=0.1..2"), kBadInput,
+               "--set: lights[0].light.threshold = 2: must be in (0, 1); 2 % is 0.02\n");
+  EXPECT_FALSE(std::filesystem::exists(directory() / "none"));
+}
+
+TEST_F(DemoCommand, FilmNeedsFfmpeg) {
+  write("two.json", kTwoLamps);
+  const std::string arguments = "sequence two.json -o frames --size 33x17 --visibility 9,1 --film a.webm";
+  const Outcome missing = run(arguments, "PATH=/nowhere");
+  EXPECT_EQ(missing.status, kMissingCapability);
+  EXPECT_EQ(missing.err, "litfog-demo: ffmpeg cannot be run: No such file or directory; install ffmpeg\n");
+  EXPECT_FALSE(std::filesystem::exists(directory() / "frames"));
+  if (std::system("command -v ffmpeg >/dev/null") != 0) GTEST_SKIP() << "ffmpeg is not installed";
+  const Outcome outcome = run(arguments);
+  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  EXPECT_EQ(read("a.webm").substr(0, 4), "\x1A\x45\xDF\xA3") << "EBML";
+}
+
 }  // namespace
 
 }  // namespace litfog::test
