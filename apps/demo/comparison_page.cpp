@@ -10,40 +10,12 @@
 #include "demo/heat_map.h"
 #include "demo/page_text.h"
 #include "measure/frame_times.h"
-#include "scene/texels.h"
 
 namespace litfog::demo {
 namespace {
 
 using command::html_link;
 using command::html_text;
-
-/// A file of apps/demo/page without its first line, the licence.
-std::string_view page_text(std::string_view name) {
-  const auto texts = page_texts();
-  const std::string_view text = std::ranges::find(texts, name, &PageText::name)->text;
-  return text.substr(text.find('\n') + 1);
-}
-
-/// Such a file, with its {fields} filled in.
-template <typename... Arguments>
-std::string filled(std::string_view name, const Arguments&... arguments) {
-  return fmt::format(fmt::runtime(page_text(name)), arguments...);
-}
-
-std::string error_text(double error) { return fmt::format("{:.3g}", error); }
-
-/// The heat map's colours as the stops of a gradient.
-std::string heat_gradient() {
-  constexpr int kSteps = 24;
-  std::string stops;
-  for (int i = 0; i <= kSteps; ++i) {
-    const glm::vec3 color = heat_color(double(i) / kSteps);
-    stops += fmt::format(", #{:02x}{:02x}{:02x}", scene::srgb_level_of(color.r), scene::srgb_level_of(color.g),
-                         scene::srgb_level_of(color.b));
-  }
-  return "linear-gradient(to right" + stops + ")";
-}
 
 std::string figure(const SceneResult& scene, const PathResult& result) {
   const render::LightingPath& path = *result.path;

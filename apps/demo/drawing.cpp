@@ -25,6 +25,11 @@ const char* sky_name(render::SkyDrawing sky) {
 
 }  // namespace
 
+void set_scene(scene::Scene& scene, const DrawingOptions& options) {
+  scene::turn_lights(scene, options.seconds);
+  scene.phase_g = options.phase_g.value_or(scene.phase_g);
+}
+
 Drawn draw(const scene::Scene& scene, const DrawingOptions& options, int frames, bool has_reference,
            bool has_statistics) {
   const gl::HeadlessContext context;

@@ -27,6 +27,9 @@ struct Drawn {
   std::string gl_version;
 };
 
+/// Turns a scene's lights and gives its fog the asymmetry that the options state.
+void set_scene(scene::Scene& scene, const DrawingOptions& options);
+
 /// Draws and times a scene. Throws gl::Unsupported if this machine cannot.
 ///
 /// frames          to time, >= 1

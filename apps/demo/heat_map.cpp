@@ -24,7 +24,10 @@ constexpr glm::vec3 kGround{0.012f, 0.012f, 0.014f};
 constexpr glm::vec3 kInk{0.75f, 0.75f, 0.72f};
 constexpr glm::vec3 kExcluded{1, 0, 0};
 
-double fraction_of(double error) { return std::clamp(std::log10(error / kHeatLeast) / kHeatDecades, 0.0, 1.0); }
+/// error  -1: excluded
+glm::vec3 color_of(double error) {
+  return error < 0 ? kExcluded : heat_color(std::clamp(std::log10(error / kHeatLeast) / kHeatDecades, 0.0, 1.0));
+}
 
 /// Fills columns [left, right) of rows [top, bottom).
 void fill(render::Picture& picture, int left, int top, int right, int bottom, const glm::vec3& color) {
@@ -65,6 +68,16 @@ glm::vec3 heat_color(double fraction) {
   return {OIIO::sRGB_to_linear(shown.r), OIIO::sRGB_to_linear(shown.g), OIIO::sRGB_to_linear(shown.b)};
 }
 
+render::Picture heat_picture(const measure::PictureError& error) {
+  render::Picture picture{error.width, error.height, {}};
+  picture.rgb.reserve(error.pixels.size() * 3);
+  for (const float value : error.pixels) {
+    const glm::vec3 color = color_of(double(value));
+    picture.rgb.insert(picture.rgb.end(), {color.r, color.g, color.b});
+  }
+  return picture;
+}
+
 render::Picture make_heat_map(const measure::PictureError& error, const std::string& title) {
   const int to_least_width = (kLeastWidth + error.width - 1) / error.width;
   const int magnified = std::clamp(kMostMagnifiedHeight / error.height, 1, to_least_width);
@@ -76,8 +89,7 @@ render::Picture make_heat_map(const measure::PictureError& error, const std::str
   for (int y = 0; y < error.height; ++y) {
     for (int x = 0; x < error.width; ++x) {
       const float value = error.pixels[std::size_t(y) * std::size_t(error.width) + std::size_t(x)];
-      fill(picture, x * magnified, y * magnified, (x + 1) * magnified, (y + 1) * magnified,
-           value < 0 ? kExcluded : heat_color(fraction_of(double(value))));
+      fill(picture, x * magnified, y * magnified, (x + 1) * magnified, (y + 1) * magnified, color_of(double(value)));
     }
   }
   const std::string words = title + ": " + measure::error_in_words(error) + (error.excluded > 0 ? " (red)" : "");

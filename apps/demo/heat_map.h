@@ -20,6 +20,9 @@ inline constexpr int kHeatDecades = 3;     ///< the length of the scale, in fact
 /// throws  std::runtime_error where no font is found
 render::Picture make_heat_map(const measure::PictureError& error, const std::string& title);
 
+/// The colours alone, a pixel each.
+render::Picture heat_picture(const measure::PictureError& error);
+
 /// The colour of a fraction of the scale: cubehelix (Green 2011, "A colour scheme for the display of astronomical
 /// intensity images"), through all hues, each brighter than those before it. Linear RGB.
 ///

@@ -27,6 +27,7 @@
 #include "demo/picture_file.h"
 #include "demo/scene_options.h"
 #include "demo/sequence.h"
+#include "demo/settings_comparison.h"
 #include "files/whole_file.h"
 #include "litfog/gl/headless_context.h"
 #include "litfog/gl/unsupported.h"
@@ -49,6 +50,7 @@ constexpr const char* kDescription =
   litfog-demo SCENE [OPTIONS]                        one picture
   litfog-demo gallery [SCENE...] [-o FOLDER]         every scene, clear and at its visibilities
   litfog-demo compare [SCENE...] [-o FOLDER]         every scene by every lighting path, with times and errors
+  litfog-demo compare SCENE --with SETTING ...       a scene in any settings, on a page that flips, wipes and zooms
   litfog-demo sequence SCENE [-o FOLDER]             frames over visibility, time, a camera's way or any member
   litfog-demo papers [-o FOLDER]                     the papers' figures by their own programs
   litfog-demo list scenes|paths                      what SCENE and --path may be
@@ -145,8 +147,7 @@ Job add_picture_job(CLI::App& app) {
     scene::Scene scene = read_scene(options->scene);
     check_options(app, {{scene.name, !has_turning_light(scene), {"--time"}, "none of its lights turns"},
                         {scene.name, !scene.has_city, {"--lights"}, "it has no generated city"}});
-    scene::turn_lights(scene, drawing.seconds);
-    scene.phase_g = drawing.phase_g.value_or(scene.phase_g);
+    set_scene(scene, drawing);
     OutputFiles outputs;
     const std::string output = is_given("--output") ? options->output : scene.name + ".png";
     outputs.add("--output", output);
@@ -223,35 +224,64 @@ Job add_gallery_job(CLI::App& app) {
 }
 
 Job add_comparison_job(CLI::App& app) {
-  const auto options =
-      std::make_shared<FolderOptions>(FolderOptions{.scenes = {}, .folder = "comparison", .drawing = {}});
-  const auto frames = std::make_shared<int>(kComparedFrames);
-  app.footer("Example:\n  litfog-demo compare room --visibility 30 --size 960x540 -o paths");
+  struct Options : FolderOptions {
+    SceneOptions scene;
+    std::vector<std::string> settings;
+    int frames = kComparedFrames;
+  };
+  const auto options = std::make_shared<Options>();
+  options->folder = "comparison";
+  app.footer(
+      "SETTING is options of a picture without their dashes, members as of --set, or another scene, with spaces "
+      "between "
+      "them. One is compared with the scene as it is without it.\n\n"
+      "Examples:\n"
+      "  litfog-demo compare room --visibility 30 --size 960x540 -o paths\n"
+      "  litfog-demo compare room --with \"visibility=50\" --with \"visibility=400 path=vertex\"\n"
+      "  litfog-demo compare room --with lights[0].attenuation.quadratic=0.05 --with my-room.json --with no-skip");
   add_folder(app, *options);
+  app.add_option("--with", options->settings,
+                 "Compare settings of one scene in place of its lighting paths; given once for each of them")
+      ->type_name("SETTING")
+      ->allow_extra_args(false);
+  add_changes(app, options->scene);
+  add_view(app, options->scene);
+  add_path(app, options->drawing);
   add_fog_and_visibility(app, options->drawing);
   add_fog_light(app, options->drawing);
   add_shadows(app, options->drawing);
   add_rendering(app, options->drawing);
   add_time(app, options->drawing);
   add_display(app, options->drawing.display);
-  add_integer(app, "--frames", *frames, 1, 100'000, "Frames of each path to time (default 5)");
-  return [&app, options, frames] {
+  add_integer(app, "--frames", options->frames, 1, 100'000, "Frames of each path or setting to time (default 5)");
+  return [&app, options] {
     const DrawingOptions& drawing = options->drawing;
     if (options->folder.empty()) fail_option("--output", "", "must not be empty");
     check_options(app, {{"--fog none", !drawing.fog, {"--visibility", "--phase-g"}, "the air is clear"}});
     check_options(app, shadow_rules(drawing));
+    if (!options->settings.empty()) {
+      if (options->scenes.size() != 1) throw CLI::ValidationError("--with compares settings of one SCENE: name it");
+      SceneOptions base = options->scene;
+      base.scene = options->scenes.front();
+      const auto settings = parse_settings({"as it is", base, drawing}, options->settings);
+      expect_pixels(drawing, kMaxComparedPixels, "for a comparison");
+      const gl::HeadlessContext context;
+      compare_settings(settings, options->folder, context.renderer(), options->frames);
+      return kDone;
+    }
+    check_options(app, {{"a comparison of lighting paths",
+                         true,
+                         {"--set", "--camera", "--target", "--fov-deg", "--path", "--flat-shading"},
+                         "settings are given by --with"}});
     expect_pixels(drawing, kMaxComparedPixels, "for a comparison");
     // All scenes are read first, so that an error in one is found before minutes are spent on another.
     std::vector<scene::Scene> scenes = scene::read_scenes(scene_paths(options->scenes));
     const bool turns = std::ranges::any_of(scenes, has_turning_light);
     check_options(app, {{"these scenes", !turns, {"--time"}, "none of their lights turns"}});
-    for (scene::Scene& scene : scenes) {
-      scene::turn_lights(scene, drawing.seconds);
-      scene.phase_g = drawing.phase_g.value_or(scene.phase_g);
-    }
+    for (scene::Scene& scene : scenes) set_scene(scene, drawing);
     const gl::HeadlessContext context;
     report(fmt::format("drawing {} scenes on {}\n", scenes.size(), context.renderer()));
-    compare_paths(scenes, options->folder, context.renderer(), drawing, *frames);
+    compare_paths(scenes, options->folder, context.renderer(), drawing, options->frames);
     return kDone;
   };
 }
@@ -387,9 +417,10 @@ int main(int argc, char** argv) {
     jobs.emplace_back(job, add(*job));
   };
   add_job("gallery", "Draws scenes clear and at each of their visibilities, and a contact sheet", add_gallery_job);
-  add_job("compare",
-          "Draws scenes by every lighting path, timed interleaved, with heat maps, contact sheets and index.html",
-          add_comparison_job);
+  add_job(
+      "compare",
+      "Draws scenes by every lighting path, or one in any settings, timed interleaved, with differences and index.html",
+      add_comparison_job);
   add_job("sequence",
           "Draws a scene over visibility, time, a camera's way or any member: numbered frames and what plays",
           add_sequence_job);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <fmt/format.h>
+
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace litfog::demo {
@@ -13,5 +16,20 @@ struct PageText {
 };
 
 std::span<const PageText> page_texts();
+
+/// A file of apps/demo/page without its first line, the licence.
+std::string_view page_text(std::string_view name);
+
+/// Such a file, with its {fields} filled in.
+template <typename... Arguments>
+std::string filled(std::string_view name, const Arguments&... arguments) {
+  return fmt::format(fmt::runtime(page_text(name)), arguments...);
+}
+
+/// An error or a difference of pictures, in 1/255.
+std::string error_text(double error);
+
+/// The heat map's colours as a gradient of CSS.
+std::string heat_gradient();
 
 }  // namespace litfog::demo

@@ -36,9 +36,7 @@ std::vector<unsigned char> encoded(const std::string& path, const OIIO::ImageSpe
   return bytes;
 }
 
-}  // namespace
-
-void write_picture(const std::string& path, const render::Picture& picture) {
+std::string text_of(const std::string& path, const render::Picture& picture) {
   const bool is_png = format_of(path) == Format::png;
   OIIO::ImageSpec spec(picture.width, picture.height, 3, is_png ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::HALF);
   spec.attribute("oiio:ColorSpace", is_png ? "sRGB" : "Linear");
@@ -54,8 +52,16 @@ void write_picture(const std::string& path, const render::Picture& picture) {
     for (float& value : pixels) value = OIIO::linear_to_sRGB(std::clamp(value, 0.0f, 1.0f));
   }
   const std::vector<unsigned char> bytes = encoded(path, spec, pixels);
-  files::write_whole_file(path, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+  return {bytes.begin(), bytes.end()};
 }
+
+}  // namespace
+
+void write_picture(const std::string& path, const render::Picture& picture) {
+  files::write_whole_file(path, text_of(path, picture));
+}
+
+std::string png_text(const render::Picture& picture) { return text_of("picture.png", picture); }
 
 bool is_picture_path(const std::string& path) { return format_of(path) != Format::unknown; }
 

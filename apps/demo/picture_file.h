@@ -11,6 +11,9 @@ namespace litfog::demo {
 /// makes it fit); .exr as linear half floats. Throws OutputError.
 void write_picture(const std::string& path, const render::Picture& picture);
 
+/// The bytes of a .png file of it. Throws OutputError.
+std::string png_text(const render::Picture& picture);
+
 /// Whether a path has one of those endings.
 bool is_picture_path(const std::string& path);
 

@@ -871,6 +871,55 @@ TEST_F(DemoCommand, FilmNeedsFfmpeg) {
   EXPECT_EQ(read("a.webm").substr(0, 4), "\x1A\x45\xDF\xA3") << "EBML";
 }
 
+TEST_F(DemoCommand, SettingsAreComparedOnAPageOfTheirOwn) {
+  write("one.json", kOneLamp);
+  const Outcome outcome =
+      run("compare one.json -o out.d --size 32x18 --frames 1 --visibility 30 --with \"visibility=9 path=vertex\" "
+          "--with lights[0].attenuation.quadratic=0.5 --with '--no-skip --visibility=30' --with 'room no-skip'");
+  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  EXPECT_NE(outcome.out.find("\n3: --no-skip --visibility=30 "), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("out.d/index.html shows them\n"), std::string::npos);
+  const std::string page = read("out.d/index.html");
+  EXPECT_NE(page.find("<td class=\"words\">visibility=9 path=vertex</td>"), std::string::npos);
+  EXPECT_NE(page.find("{first: 2, second: 3, largest: "), std::string::npos);
+
+  const Outcome same = run("compare one.json -o out.d --size 32x18 --frames 1 --with no-skip");
+  ASSERT_EQ(same.status, kDone) << same.err;
+  EXPECT_NE(same.out.find("\n2: no-skip "), std::string::npos);
+  EXPECT_NE(same.out.find("from 1: largest 0, mean 0 of 1/255"), std::string::npos) << same.out;
+}
+
+TEST_F(DemoCommand, WrongSettingsAreNamed) {
+  write("one.json", kOneLamp);
+  const auto error = [&](const std::string& arguments) {
+    const Outcome outcome = run("compare -o none " + arguments);
+    EXPECT_EQ(outcome.status, kUsage) << outcome.err;
+    return outcome.err;
+  };
+  EXPECT_EQ(
+      error("one.json --with visibility=x"),
+      std::string("litfog-demo: --with \"visibility=x\": --visibility = x: must be a number >= 0 or inf") + kSeeHelp);
+  EXPECT_EQ(error("one.json --with size=9x9"),
+            std::string("litfog-demo: --with \"size=9x9\": --size cannot be given with --with: all pictures are of one "
+                        "size") +
+                kSeeHelp);
+  EXPECT_EQ(
+      error("one.json --with 'fog=none visibility=9'"),
+      std::string("litfog-demo: --with \"fog=none visibility=9\": --visibility cannot be given with --fog none: the "
+                  "air is clear") +
+          kSeeHelp);
+  EXPECT_EQ(error("one.json --with ' '"), std::string("litfog-demo: --with \" \": must not be empty") + kSeeHelp);
+  EXPECT_EQ(error("--with visibility=9"),
+            std::string("litfog-demo: --with compares settings of one SCENE: name it") + kSeeHelp);
+  EXPECT_EQ(error("one.json --set name=a"),
+            std::string("litfog-demo: --set cannot be given with a comparison of lighting paths: settings are given by "
+                        "--with") +
+                kSeeHelp);
+  EXPECT_ERROR(run("compare one.json -o none --with lights[0].threshold=7"), kBadInput,
+               "--set: lights[0].light.threshold = 7: must be in (0, 1); 7 % is 0.07\n");
+  EXPECT_FALSE(std::filesystem::exists(directory() / "none"));
+}
+
 }  // namespace
 
 }  // namespace litfog::test

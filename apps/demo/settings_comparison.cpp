@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "demo/settings_comparison.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <deque>
+#include <memory>
+#include <sstream>
+
+#include "command/command.h"
+#include "command/progress.h"
+#include "command/standard_output.h"
+#include "demo/drawing.h"
+#include "demo/heat_map.h"
+#include "demo/picture_file.h"
+#include "demo/picture_folder.h"
+#include "demo/settings_page.h"
+#include "files/whole_file.h"
+#include "measure/frame_times.h"
+#include "measure/picture_error.h"
+#include "render/renderer.h"
+
+namespace litfog::demo {
+namespace {
+
+constexpr const char* kPageFile = "index.html";
+
+/// Words of a setting as the command line's arguments.
+std::vector<std::string> arguments_of(const std::string& text, const CLI::App& app) {
+  std::vector<std::string> arguments;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    const std::size_t equals = word.find('=');
+    const std::string option = "--" + word.substr(0, equals);
+    const bool is_option = app.get_option_no_throw(option) != nullptr;
+    if (word.starts_with("--")) {
+      arguments.push_back(word);
+    } else if (equals == word.npos) {
+      arguments.push_back(is_option ? option : word);
+    } else if (is_option) {
+      arguments.insert(arguments.end(), {option, word.substr(equals + 1)});
+    } else {
+      arguments.insert(arguments.end(), {"--set", word});
+    }
+  }
+  std::ranges::reverse(arguments);  // as CLI11 takes them
+  return arguments;
+}
+
+Setting parse_setting(const Setting& base, const std::string& text) {
+  Setting setting = base;
+  setting.words = text;
+  CLI::App app;
+  app.set_help_flag();
+  add_scene(app, setting.scene);
+  add_changes(app, setting.scene);
+  add_city_lights(app, setting.scene);
+  add_view(app, setting.scene);
+  add_fog_and_visibility(app, setting.drawing);
+  add_path(app, setting.drawing);
+  add_fog_light(app, setting.drawing);
+  add_shadows(app, setting.drawing);
+  add_rendering(app, setting.drawing);
+  add_time(app, setting.drawing);
+  add_display(app, setting.drawing.display);
+  try {
+    auto arguments = arguments_of(text, app);
+    if (arguments.empty()) throw CLI::ValidationError("must not be empty");
+    app.parse(arguments);
+    command::check_options(app, drawing_rules(setting.drawing));
+    command::check_options(app, shadow_rules(setting.drawing));
+    command::check_options(app, {{"--with", true, {"--size"}, "all pictures are of one size"}});
+  } catch (const CLI::ParseError& error) {
+    throw CLI::ValidationError(fmt::format("--with \"{}\": {}", text, error.what()));
+  }
+  return setting;
+}
+
+/// A picture compared with another, both as a display shows them.
+measure::PictureError difference(const render::Picture& one, const render::Picture& other) {
+  return measure::picture_error(
+      other, {.picture = one,
+              .least = one,
+              .most = one,
+              .is_at_jump = std::vector<std::uint8_t>(std::size_t(one.width) * std::size_t(one.height))});
+}
+
+}  // namespace
+
+std::vector<Setting> parse_settings(const Setting& base, const std::vector<std::string>& texts) {
+  if (texts.size() > kMaxSettings) {
+    throw CLI::ValidationError(fmt::format("--with: must be given at most {} times", kMaxSettings));
+  }
+  std::vector<Setting> settings;
+  if (texts.size() == 1) settings.push_back(base);
+  for (const std::string& text : texts) settings.push_back(parse_setting(base, text));
+  return settings;
+}
+
+void compare_settings(const std::vector<Setting>& settings, const std::string& folder, const std::string& machine,
+                      int frames) {
+  const DrawingOptions& first = settings.front().drawing;
+  std::deque<scene::Scene> scenes;  // which renderers keep the addresses of
+  std::vector<std::string> inputs;
+  for (const Setting& setting : settings) {
+    scene::Scene& scene = scenes.emplace_back(read_scene(setting.scene));
+    set_scene(scene, setting.drawing);
+    inputs.insert(inputs.end(), scene.files.begin(), scene.files.end());
+  }
+  const PictureFolder page(folder, {kPageFile}, inputs);
+
+  std::vector<std::unique_ptr<render::Renderer>> renderers;
+  std::vector<render::Display> displays;
+  std::optional<double> automatic;
+  for (std::size_t i = 0; i < settings.size(); ++i) {
+    const DrawingOptions& drawing = settings[i].drawing;
+    render::Renderer& renderer = *renderers.emplace_back(std::make_unique<render::Renderer>(
+        scenes[i], drawing.width, drawing.height, drawing.settings_of(*drawing.render.path)));
+    const double visibility = drawing.chosen_visibility().value_or(scene::suggested_visibility(scenes[i]));
+    renderer.set_fog(Fog::from_visibility(drawing.fog_mode(), visibility));
+    render::Display display = drawing.display.display_for(scenes[i]);
+    if (display.exposure.is_auto && automatic) display.exposure = {.ev = *automatic};
+    display.exposure = renderer.set_exposure(display.exposure);
+    if (display.exposure.is_auto) automatic = display.exposure.ev;
+    displays.push_back(display);
+  }
+  std::vector<measure::DrawFrame> in_turn;
+  for (const auto& renderer : renderers) in_turn.push_back(measure::frames_of(*renderer));
+  command::Progress shown;
+  const std::vector<measure::FrameTimes> times = measure::time_frames(
+      in_turn, measure::FrameBudget::exactly(frames), [&shown](std::string_view step) { shown.show(step); });
+
+  std::vector<render::Picture> pictures;
+  std::vector<SettingResult> results;
+  for (std::size_t i = 0; i < settings.size(); ++i) {
+    pictures.push_back(render::displayed(renderers[i]->read(), displays[i]));
+    results.push_back({.words = settings[i].words,
+                       .milliseconds = times[i].median(),
+                       .spread = times[i].spread(),
+                       .png = png_text(pictures[i])});
+  }
+  std::vector<PairResult> pairs;
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    for (std::size_t k = i + 1; k < pictures.size(); ++k) {
+      shown.show(fmt::format("comparing {} and {}", i + 1, k + 1));
+      const measure::PictureError error = difference(pictures[i], pictures[k]);
+      pairs.push_back({.first = i,
+                       .second = k,
+                       .largest = error.largest,
+                       .mean = error.mean,
+                       .png = png_text(heat_picture(error))});
+    }
+  }
+  const std::size_t widest =
+      std::ranges::max(results, {}, [](const auto& each) { return each.words.size(); }).words.size();
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const std::string apart =
+        i == 0 ? ""
+               : fmt::format("; from 1: largest {:.3g}, mean {:.3g} of 1/255", pairs[i - 1].largest, pairs[i - 1].mean);
+    command::report(fmt::format("{}: {:<{}} {:>8} ms{}\n", i + 1, results[i].words, widest,
+                                measure::milliseconds_text(results[i].milliseconds), apart));
+  }
+  const std::string file = page.path_of(kPageFile);
+  files::write_whole_file(file, settings_page({.title = scenes.front().name,
+                                               .machine = machine,
+                                               .width = first.width,
+                                               .height = first.height,
+                                               .frames = frames},
+                                              results, pairs));
+  command::report(fmt::format("{} shows them\n", file));
+}
+
+}  // namespace litfog::demo
