@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <fstream>
@@ -56,6 +57,24 @@ class SettingsPageInABrowser : public testing::Test {
     ASSERT_EQ(std::system(command.c_str()), 0) << text("messages");
   }
 
+  /// Adds to the page what runs after its own script.
+  void add_script(const std::string& script) const {
+    std::string html = text("index.html");
+    html.insert(html.rfind("</body>"), "<script>" + script + "</script>");
+    std::ofstream(directory_.path() / "index.html") << html;
+  }
+
+  /// How many pixels of the screenshot are of a colour.
+  int count(const Color& color) const {
+    OIIO::ImageBuf shot((directory_.path() / "shot.png").string());
+    EXPECT_TRUE(shot.read(0, 0, true, OIIO::TypeDesc::FLOAT)) << shot.geterror();
+    int found = 0;
+    for (OIIO::ImageBuf::ConstIterator<float> pixel(shot); !pixel.done(); ++pixel) {
+      found += Color{pixel[0], pixel[1], pixel[2]} == color;
+    }
+    return found;
+  }
+
   std::string text(const std::string& file) const {
     std::ifstream stream(directory_.path() / file);
     return {std::istreambuf_iterator<char>(stream), {}};
@@ -65,39 +84,56 @@ class SettingsPageInABrowser : public testing::Test {
 };
 
 TEST_F(SettingsPageInABrowser, WipesFromOnePictureToTheOtherAtPixelSize) {
+  // At 16x the red picture begins 8 of its pixels, 128, left of the stage's middle: right of the first edge, and left
+  // of the second.
   browse("mode=wipe&wipe=0.25&zoom=16&x=8&y=8", "--screenshot=shot.png");
-  OIIO::ImageBuf shot((directory_.path() / "shot.png").string());
-  ASSERT_EQ(shot.spec().width, kWindowWidth);
-  // The stage is as wide as the page but for its margins; pictures are where all but one channel is dark.
-  int red = 0;
-  int green = 0;
-  int blue = 0;
-  for (int y = 0; y < kWindowHeight; ++y) {
-    for (int x = 0; x < kWindowWidth; ++x) {
-      const Color color{shot.getchannel(x, y, 0, 0), shot.getchannel(x, y, 0, 1), shot.getchannel(x, y, 0, 2)};
-      red += color == kRed;
-      green += color == kGreen;
-      blue += color == kBlue;
-    }
-  }
-  // At 16x, the picture begins 8 pixels left of the stage's middle, which is 0.25 of its width from the wipe's edge.
-  EXPECT_EQ(blue, 0) << "the corner lies right of the edge, where the green picture is";
-  EXPECT_GT(green, 16 * 16 * 100);
-  EXPECT_EQ(red, 0);
+  EXPECT_EQ(count(kRed), 0);
+  EXPECT_EQ(count(kBlue), 0);
+  EXPECT_GT(count(kGreen), 16 * 16 * 100);
   browse("mode=wipe&wipe=0.5&zoom=16&x=8&y=8", "--screenshot=shot.png");
-  OIIO::ImageBuf half((directory_.path() / "shot.png").string());
-  red = green = blue = 0;
-  for (int y = 0; y < kWindowHeight; ++y) {
-    for (int x = 0; x < kWindowWidth; ++x) {
-      const Color color{half.getchannel(x, y, 0, 0), half.getchannel(x, y, 0, 1), half.getchannel(x, y, 0, 2)};
-      red += color == kRed;
-      green += color == kGreen;
-      blue += color == kBlue;
-    }
-  }
-  EXPECT_EQ(blue, 16 * 16) << "one pixel of the picture";
-  EXPECT_GT(red, 16 * 16 * 100);
-  EXPECT_GT(green, 16 * 16 * 100);
+  EXPECT_EQ(count(kBlue), 16 * 16) << "one pixel of the picture";
+  EXPECT_GT(count(kRed), 16 * 16 * 100);
+  EXPECT_GT(count(kGreen), 16 * 16 * 100);
+}
+
+TEST_F(SettingsPageInABrowser, FollowsKeysWheelAndPointer) {
+  add_script(R"(
+    const told = [];
+    const tell = (what) => told.push(`${what}: ${state.mode} ${state.wipe.toFixed(2)} ${state.zoom}`);
+    const box = () => stage.getBoundingClientRect();
+    const pointer = (type, x, y) => stage.dispatchEvent(new PointerEvent(type, {clientX: x, clientY: y, bubbles: true}));
+    stage.setPointerCapture = () => {};  // which takes no pointer that is none
+    const key = (name) => document.body.dispatchEvent(new KeyboardEvent('keydown', {key: name, bubbles: true}));
+    const quarter = () => box().left + box().width / 4;
+    pointer('pointerdown', quarter(), box().top + 5);
+    pointer('pointerup', quarter(), box().top + 5);
+    tell('click');
+    key('d'); tell('d');
+    key(' '); tell('space');
+    key(' '); tell('space again');
+    const middle = [box().left + box().width / 2, box().top + box().height / 2];
+    stage.dispatchEvent(new WheelEvent('wheel', {deltaY: -1, clientX: middle[0], clientY: middle[1], cancelable: true}));
+    tell('wheel');
+    pointer('pointerdown', ...middle);
+    pointer('pointermove', middle[0] + 64, middle[1]);
+    pointer('pointerup', middle[0] + 64, middle[1]);
+    told.push(`dragged to ${Math.round(state.x)}`);
+    key('0'); tell('0');
+    pointer('pointermove', box().left + 3, box().top + 3);
+    setTimeout(() => {
+      pointer('pointermove', box().left + 3, box().top + 3);
+      const result = document.createElement('pre');
+      result.textContent = told.concat(byId('pixel').value).join('|');
+      document.body.append(result);
+    }, 500);
+  )");
+  browse("", "--dump-dom");
+  const std::string dom = text("dom");
+  EXPECT_NE(
+      dom.find("<pre>click: wipe 0.25 0|d: difference 0.25 0|space: a 0.25 0|space again: b 0.25 0|wheel: b 0.25 32|"
+               "dragged to 18|0: b 0.25 0|pixel 0, 0: A 0 0 255, B 0 255 0</pre>"),
+      dom.npos)
+      << dom.substr(std::min(dom.rfind("<pre>"), dom.size()));
 }
 
 TEST_F(SettingsPageInABrowser, StatesThePairAndWhatIsShown) {

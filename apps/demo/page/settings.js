@@ -22,6 +22,12 @@ const origin = () => {
   return [stage.clientWidth / 2 - centre[0] * scale(), stage.clientHeight / 2 - centre[1] * scale()];
 };
 
+// A place in the window as seen from the stage's corner, within its border.
+function within(clientX, clientY) {
+  const box = stage.getBoundingClientRect();
+  return [clientX - box.left - stage.clientLeft, clientY - box.top - stage.clientTop];
+}
+
 function show() {
   const [left, top] = origin();
   const pair = pairOf(state.a, state.b);
@@ -57,11 +63,8 @@ function show() {
 
 // Zooms by powers of two; the picture's point under the pointer stays where it is.
 function zoomBy(step, clientX, clientY) {
-  const [left, top] = origin(), box = stage.getBoundingClientRect();
-  const at = [
-    clientX === undefined ? stage.clientWidth / 2 : clientX - box.left,
-    clientY === undefined ? stage.clientHeight / 2 : clientY - box.top
-  ];
+  const [left, top] = origin();
+  const at = clientX === undefined ? [stage.clientWidth / 2, stage.clientHeight / 2] : within(clientX, clientY);
   const point = [(at[0] - left) / scale(), (at[1] - top) / scale()];
   const rounded = step > 0 ? Math.floor(Math.log2(scale()) + 1e-9) + 1 : Math.ceil(Math.log2(scale()) - 1e-9) - 1;
   const next = Math.min(Math.pow(2, rounded), 64);
@@ -93,9 +96,9 @@ function valueAt(index, x, y) {
 }
 
 function showPixel(event) {
-  const [left, top] = origin(), box = stage.getBoundingClientRect();
-  const x = Math.floor((event.clientX - box.left - left) / scale());
-  const y = Math.floor((event.clientY - box.top - top) / scale());
+  const [left, top] = origin(), at = within(event.clientX, event.clientY);
+  const x = Math.floor((at[0] - left) / scale());
+  const y = Math.floor((at[1] - top) / scale());
   const isInside = x >= 0 && y >= 0 && x < width && y < height;
   byId('pixel').value =
       isInside ? `pixel ${x}, ${y}: A ${valueAt(state.a, x, y).join(' ')}, B ${valueAt(state.b, x, y).join(' ')}` : '';
@@ -104,12 +107,11 @@ function showPixel(event) {
 // What is dragged: the wipe's edge, or the pictures.
 let drag = null;
 const wipeTo = (clientX) => {
-  const box = stage.getBoundingClientRect();
-  state.wipe = Math.min(Math.max((clientX - box.left) / box.width, 0), 1);
+  state.wipe = Math.min(Math.max(within(clientX, 0)[0] / stage.clientWidth, 0), 1);
 };
 stage.addEventListener('pointerdown', (event) => {
-  const edge = stage.getBoundingClientRect().left + state.wipe * stage.clientWidth;
-  const isEdge = state.mode === 'wipe' && Math.abs(event.clientX - edge) < 12;
+  const fromEdge = within(event.clientX, 0)[0] - state.wipe * stage.clientWidth;
+  const isEdge = state.mode === 'wipe' && Math.abs(fromEdge) < 12;
   drag = {x: event.clientX, y: event.clientY, moved: false, isEdge};
   stage.setPointerCapture(event.pointerId);
 });
