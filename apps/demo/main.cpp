@@ -257,7 +257,7 @@ Job add_comparison_job(CLI::App& app) {
   return [&app, options] {
     const DrawingOptions& drawing = options->drawing;
     if (options->folder.empty()) fail_option("--output", "", "must not be empty");
-    check_options(app, {{"--fog none", !drawing.fog, {"--visibility", "--phase-g"}, "the air is clear"}});
+    check_options(app, {{"--fog none", !drawing.fog, {"--visibility", "--contrast", "--phase-g"}, "the air is clear"}});
     check_options(app, shadow_rules(drawing));
     if (!options->settings.empty()) {
       if (options->scenes.size() != 1) throw CLI::ValidationError("--with compares settings of one SCENE: name it");

@@ -262,7 +262,7 @@ double AirlightPainter::pixels_per_radian() const {
 const gl::Program& AirlightPainter::light_program(FogMode fog_mode, int profile, bool has_shafts) {
   const bool has_knee =
       std::ranges::any_of(scene_.lights, [](const PlacedLight& light) { return light.light.attenuation.constant < 1; });
-  const std::tuple key(fog_mode, profile, has_shafts, has_knee);
+  const std::tuple key(fog_mode, profile, has_shafts, has_knee, scene_.phase_g == 0);
   const auto found = light_programs_.find(key);
   if (found != light_programs_.end()) return found->second;
   const std::string constants = light_constants(scene_, fog_mode, profile, has_knee);

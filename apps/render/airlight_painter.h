@@ -94,9 +94,9 @@ class AirlightPainter {
   glm::ivec2 picture_size_;
   const ShadowMaps* shafts_;
   int shaft_steps_;
-  /// For lights of one profile, with or without shafts, in fog of one mode, where a light has a knee or none has: the
-  /// compiler leaves out what they do not need.
-  std::map<std::tuple<FogMode, int, bool, bool>, gl::Program> light_programs_;
+  /// For lights of one profile, with or without shafts, in fog of one mode, where a light has a knee or none has, and
+  /// that scatters evenly or not: the compiler leaves out what they do not need.
+  std::map<std::tuple<FogMode, int, bool, bool, bool>, gl::Program> light_programs_;
   gl::Program seen_program_;
   gl::Program fill_program_;
   gl::Program marks_program_;

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "window/lamp_panel.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+#include "window/range_curve.h"
+
+namespace litfog::window {
+namespace {
+
+constexpr int kCurveSamples = 240;
+
+/// To four digits: what a person means by a slider.
+double tidy(double value) { return std::stod(fmt::format("{:.4g}", value)); }
+
+/// A slider of doubles with its name left of it. Returns whether it has been moved.
+bool slide(const char* name, double& value, double low, double high, const char* format, ImGuiSliderFlags flags) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(name);
+  ImGui::SameLine(ImGui::GetFontSize() * 5.6f);
+  ImGui::SetNextItemWidth(-FLT_MIN);
+  const bool is_moved = ImGui::SliderScalar((std::string("##") + name).c_str(), ImGuiDataType_Double, &value, &low,
+                                            &high, format, flags | ImGuiSliderFlags_AlwaysClamp);
+  if (is_moved) value = tidy(value);
+  return is_moved;
+}
+
+bool slide_degrees(const char* name, double& radians, double low, double high) {
+  double degrees = glm::degrees(radians);
+  if (!slide(name, degrees, low, high, "%.4g\u00b0", 0)) return false;
+  radians = glm::radians(degrees);
+  return true;
+}
+
+void draw_list(Session& session, std::optional<std::size_t>& hovered) {
+  if (session.lights().empty()) ImGui::TextDisabled("The scene has no lamps");
+  ImGuiListClipper clipper;
+  clipper.Begin(int(session.lights().size()));
+  while (clipper.Step()) {
+    for (auto i = std::size_t(clipper.DisplayStart); i < std::size_t(clipper.DisplayEnd); ++i) {
+      const std::string text =
+          fmt::format("{}  {}{}", i, session.lights()[i].light.name, session.is_changed(i) ? " *" : "");
+      ImGui::PushID(int(i));
+      if (ImGui::Selectable(text.c_str(), session.picked == i)) session.picked = i;
+      if (ImGui::IsItemHovered()) hovered = i;
+      ImGui::PopID();
+    }
+  }
+}
+
+bool draw_cone(Cone& cone, bool was_point_light) {
+  constexpr std::pair<const char*, ConeProfile> kProfiles[] = {
+      {"none", ConeProfile::none}, {"cosine", ConeProfile::cosine}, {"smoothstep", ConeProfile::smoothstep}};
+  bool is_changed = false;
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("Cone");
+  ImGui::SameLine(ImGui::GetFontSize() * 5.6f);
+  ImGui::SetNextItemWidth(-FLT_MIN);
+  const auto shown = std::ranges::find(kProfiles, cone.profile, [](const auto& profile) { return profile.second; });
+  if (ImGui::BeginCombo("##cone", shown->first)) {
+    for (const auto& [name, profile] : kProfiles) {
+      if (profile == ConeProfile::none && !was_point_light) continue;  // a file cannot take a cone away
+      if (!ImGui::Selectable(name, profile == cone.profile)) continue;
+      cone = profile == ConeProfile::cosine       ? Cone::cosine(glm::radians(30.0), 4)
+             : profile == ConeProfile::smoothstep ? Cone::smoothstep(glm::radians(15.0), glm::radians(30.0))
+                                                  : Cone{};
+      is_changed = true;
+    }
+    ImGui::EndCombo();
+  }
+  if (cone.profile == ConeProfile::cosine) {
+    is_changed |= slide_degrees("Half angle", cone.half_angle, 1, 90);
+    is_changed |= slide("Exponent", cone.exponent, 0, 500, "%.4g", ImGuiSliderFlags_Logarithmic);
+  }
+  if (cone.profile == ConeProfile::smoothstep) {
+    is_changed |= slide_degrees("Inner", cone.inner, 0, 179);
+    if (cone.inner >= cone.outer) cone.outer = cone.inner + glm::radians(1.0);
+    if (slide_degrees("Outer", cone.outer, 1, 180)) {
+      is_changed = true;
+      if (cone.outer <= cone.inner) cone.inner = std::max(cone.outer - glm::radians(1.0), 0.0);
+    }
+  }
+  return is_changed;
+}
+
+bool draw_color(glm::dvec3& color) {
+  const double largest = std::max({color.r, color.g, color.b});
+  double brightness = largest;
+  const glm::dvec3 hue = largest > 0 ? color / largest : glm::dvec3(1);
+  float rgb[] = {float(hue.r), float(hue.g), float(hue.b)};
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("Colour");
+  ImGui::SameLine(ImGui::GetFontSize() * 5.6f);
+  ImGui::SetNextItemWidth(-FLT_MIN);
+  const bool has_hue = ImGui::ColorEdit3("##colour", rgb, ImGuiColorEditFlags_Float);
+  const bool has_brightness = slide("Brightness", brightness, 0.001, 1000, "%.4g", ImGuiSliderFlags_Logarithmic);
+  if (!has_hue && !has_brightness) return false;
+  // A scene file's colours are floats.
+  for (int i = 0; i < 3; ++i) color[i] = double(float(tidy(double(rgb[i]) * brightness)));
+  return true;
+}
+
+void draw_controls(Session& session, std::size_t index) {
+  const PlacedLight& placed = session.lights()[index];
+  Light light = placed.light;
+  const bool has_cookie = session.scene().cookie_uses.contains(index);
+  const std::size_t copies = session.copies(index);
+  ImGui::TextUnformatted(light.name.c_str());
+  ImGui::SameLine();
+  ImGui::TextDisabled("%s%s", placed.carried ? "carried" : "local",
+                      copies > 1 ? fmt::format(", {} copies", copies).c_str() : "");
+  const bool can_change = session.can_change(index);
+  if (!can_change) ImGui::TextDisabled("of no entry in a scene file: stays as it is");
+  ImGui::BeginDisabled(!can_change);
+  bool is_changed = slide("Constant", light.attenuation.constant, 0, 20, "%.4g", ImGuiSliderFlags_Logarithmic);
+  is_changed |= slide("Linear", light.attenuation.linear, 0, 10, "%.4g / m", ImGuiSliderFlags_Logarithmic);
+  is_changed |= slide("Quadratic", light.attenuation.quadratic, 0, 10, "%.4g / m\u00b2", ImGuiSliderFlags_Logarithmic);
+  is_changed |= slide("Threshold", light.threshold, 0.001, 0.9, "%.4g", ImGuiSliderFlags_Logarithmic);
+  if (has_cookie) {
+    ImGui::TextDisabled("A cookie is in place of the cone");
+  } else {
+    is_changed |= draw_cone(light.cone, session.scene().lights[index].light.cone == Cone{});
+  }
+  is_changed |= draw_color(light.color);
+  const auto error = check(light);
+  if (is_changed && !error) session.change(index, light);
+  ImGui::EndDisabled();
+  if (session.is_changed(index) && ImGui::Button("As in the file", {-FLT_MIN, 0})) session.reset(index);
+}
+
+/// A plot's place on the screen, and what it shows.
+struct Axes {
+  ImVec2 low;   ///< the bottom left corner
+  ImVec2 size;  ///< pixels
+  double end;   ///< of the range, metres
+  double top;   ///< of the values
+
+  ImVec2 at(double range, double value) const {
+    return {low.x + size.x * float(range / end), low.y - size.y * float(std::min(value / top, 1.0))};
+  }
+};
+
+/// 1, 2 or 5 times a power of ten: some five of them make the whole.
+double tick_step(double whole) {
+  const double power = std::pow(10, std::floor(std::log10(whole / 5)));
+  const double times = whole / 5 / power;
+  return power * (times < 1.5 ? 1 : times < 3.5 ? 2 : times < 7.5 ? 5 : 10);
+}
+
+void draw_grid(ImDrawList& draw, const Axes& axes) {
+  const ImU32 line = IM_COL32(255, 255, 255, 22);
+  const ImU32 text = ImGui::GetColorU32(ImGuiCol_TextDisabled);
+  const float font = ImGui::GetFontSize();
+  const double step = tick_step(axes.end);
+  for (double range = 0; range <= axes.end; range += step) {
+    const ImVec2 foot = axes.at(range, 0);
+    draw.AddLine(foot, axes.at(range, axes.top), line);
+    const std::string number = fmt::format("{:.4g}{}", range, range == 0 ? " m" : "");
+    draw.AddText({foot.x - ImGui::CalcTextSize(number.c_str()).x / 2, foot.y + 2}, text, number.c_str());
+  }
+  const double rise = tick_step(axes.top);
+  for (double value = 0; value <= axes.top; value += rise) {
+    const ImVec2 left = axes.at(0, value);
+    draw.AddLine(left, axes.at(axes.end, value), line);
+    const std::string number = fmt::format("{:.3g}", value);
+    draw.AddText({left.x - ImGui::CalcTextSize(number.c_str()).x - 5, left.y - font / 2}, text, number.c_str());
+  }
+}
+
+void draw_mark(ImDrawList& draw, const Axes& axes, double range, const std::string& text, ImU32 color, float line) {
+  if (!(range > 0 && range <= axes.end)) return;
+  const ImVec2 foot = axes.at(range, 0);
+  const float height = ImGui::GetFontSize();
+  draw.AddLine(foot, axes.at(range, axes.top), color);
+  const float width = ImGui::CalcTextSize(text.c_str()).x;
+  const bool is_left = foot.x + width + 6 > axes.low.x + axes.size.x;
+  draw.AddText({is_left ? foot.x - width - 4 : foot.x + 4, axes.low.y - axes.size.y + line * height}, color,
+               text.c_str());
+}
+
+void draw_curve(const Light& light, const Fog& fog) {
+  const RangeCurve curve = make_range_curve(light, fog, kCurveSamples);
+  const FogIntensity& solved = curve.solved;
+  ImGui::Text("(1 - f) a");
+  ImGui::SameLine();
+  ImGui::TextDisabled("over the range, in the fog of its class:  I = %.4g", solved.intensity);
+  const float font = ImGui::GetFontSize();
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const Axes axes{.low = {corner.x + 3.2f * font, corner.y + room.y - 1.5f * font},
+                  .size = {std::max(room.x - 4.2f * font, 1.0f), std::max(room.y - 2 * font, 1.0f)},
+                  .end = curve.end,
+                  .top = solved.intensity > 0 ? solved.intensity * 1.6 : 1};
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw_grid(draw, axes);
+  const auto plot = [&](double RangeCurve::Sample::*value, ImU32 color, float width) {
+    std::vector<ImVec2> points;
+    for (std::size_t i = 0; i < curve.samples.size(); ++i) {
+      points.push_back(axes.at(curve.end * double(i) / double(curve.samples.size() - 1), curve.samples[i].*value));
+    }
+    draw.AddPolyline(points.data(), int(points.size()), color, 0, width);
+  };
+  const ImU32 extent_color = IM_COL32(120, 170, 230, 255);
+  const ImU32 knee_color = IM_COL32(150, 200, 150, 255);
+  const ImU32 peak_color = IM_COL32(255, 180, 80, 255);
+  plot(&RangeCurve::Sample::attenuation, IM_COL32(150, 200, 150, 110), 1);
+  plot(&RangeCurve::Sample::opacity, IM_COL32(120, 170, 230, 110), 1);
+  plot(&RangeCurve::Sample::product, peak_color, 2);
+  draw_mark(draw, axes, curve.knee, fmt::format("knee {:.4g} m", curve.knee), knee_color, 2);
+  draw_mark(draw, axes, solved.extent, fmt::format("extent {:.4g} m", solved.extent), extent_color, 1);
+  if (solved.intensity > 0 && std::isfinite(solved.peak_range)) {
+    draw_mark(draw, axes, solved.peak_range,
+              fmt::format("peak {:.3g} at {:.4g} m", solved.intensity, solved.peak_range), peak_color, 0);
+    draw.AddCircleFilled(axes.at(solved.peak_range, solved.intensity), 4, peak_color);
+  }
+}
+
+}  // namespace
+
+void draw_lamps(Session& session, std::optional<std::size_t>& hovered) {
+  const float font = ImGui::GetFontSize();
+  ImGui::BeginChild("lamps", {font * 15, 0});
+  draw_list(session, hovered);
+  ImGui::EndChild();
+  ImGui::SameLine();
+  ImGui::BeginChild("controls", {font * 21, 0});
+  if (session.picked) {
+    draw_controls(session, *session.picked);
+  } else {
+    ImGui::TextDisabled("Click a lamp in the picture or in the list");
+  }
+  ImGui::EndChild();
+  ImGui::SameLine();
+  ImGui::BeginChild("curve", {0, 0});
+  if (session.picked) draw_curve(session.lights()[*session.picked].light, session.fog(session.edited));
+  ImGui::EndChild();
+}
+
+}  // namespace litfog::window

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "demo/drawing_options.h"
+#include "scene/scene.h"
+#include "window/command_line.h"
+#include "window/picture_maker.h"
+#include "window/scene_changes.h"
+
+namespace litfog::window {
+
+/// How dragging over the picture moves the camera.
+enum class CameraMotion { fly, orbit };
+
+/// What a person looks at and changes in a window, apart from how the window shows it.
+class Session {
+ public:
+  /// name      of the scene as litfog-demo takes it
+  /// scene     of which meshes and materials do not matter
+  /// settings  without a visibility the scene's own is taken
+  Session(std::string name, scene::Scene scene, const demo::DrawingOptions& settings);
+
+  // Two settings, A and B, which split views compare. B is a copy of A until the view is split for the first time.
+  std::array<demo::DrawingOptions, 2> settings;
+  bool is_split = false;
+  std::size_t edited = 0;  ///< which of them the controls change: 0 but in split views
+  double wipe = 0.5;       ///< where A ends and B begins, a fraction of the width
+
+  scene::Camera camera;
+  CameraMotion motion = CameraMotion::orbit;
+  std::optional<std::size_t> picked;  ///< of the lights
+
+  demo::DrawingOptions& edited_settings() { return settings[edited]; }
+  void split(bool on);
+
+  const scene::Scene& scene() const { return scene_; }  ///< as its file states it
+  const std::vector<PlacedLight>& lights() const { return *lights_; }
+  /// Whether a light's entry in a scene file could state changes of it.
+  bool can_change(std::size_t light) const { return entries_[light].has_value(); }
+  /// How many lights change with one: the copies of its entry.
+  std::size_t copies(std::size_t light) const;
+  /// Takes another light in the place of one, and of its copies. Those keep their names.
+  ///
+  /// changed  check() finds nothing wrong with it
+  void change(std::size_t light, const Light& changed);
+  void reset(std::size_t light) { change(light, scene_.lights[light].light); }
+  bool is_changed(std::size_t light) const;
+  /// What has been changed of the scene's lights.
+  std::vector<SceneChange> changes() const;
+
+  /// What the settings draw, in pixels.
+  PictureOrder order(int width, int height, bool is_sketch) const;
+  /// The command that draws the same.
+  DrawingCommand command(std::size_t which, int width, int height) const;
+  /// The fog of one of the settings.
+  Fog fog(std::size_t which) const;
+  /// The camera if it has been moved.
+  std::optional<scene::Camera> moved_camera() const;
+
+ private:
+  std::string name_;
+  scene::Scene scene_;
+  std::vector<std::optional<std::size_t>> entries_;
+  std::shared_ptr<const std::vector<PlacedLight>> lights_;
+  bool was_split_ = false;
+};
+
+/// A picture whose left part, up to a fraction of the width, is one picture's and whose right part another's of the
+/// same size.
+render::Picture wiped(const render::Picture& left, const render::Picture& right, double fraction);
+
+/// The first of STEM-1.ENDING, STEM-2.ENDING... that is no file yet.
+std::string free_file_name(const std::string& stem, const std::string& ending);
+
+}  // namespace litfog::window
