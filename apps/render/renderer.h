@@ -36,6 +36,8 @@ class Renderer {
   /// shadow maps would take more than 1 GiB, std::invalid_argument where a part is of a material that the scene lacks
   /// scene  has to outlive this
   Renderer(const scene::Scene& scene, int width, int height, const RenderSettings& settings);
+  Renderer(const Renderer&) = delete;  // its parts refer to each other
+  Renderer& operator=(const Renderer&) = delete;
 
   /// Takes another size of the pictures, and a change of the camera's field of view.
   ///

@@ -42,14 +42,18 @@ bool slide_degrees(const char* name, double& radians, double low, double high) {
 void draw_list(Session& session, std::optional<std::size_t>& hovered) {
   if (session.lights().empty()) ImGui::TextDisabled("The scene has no lamps");
   ImGuiListClipper clipper;
-  clipper.Begin(int(session.lights().size()));
+  clipper.Begin(int(session.firsts().size()));
   while (clipper.Step()) {
-    for (auto i = std::size_t(clipper.DisplayStart); i < std::size_t(clipper.DisplayEnd); ++i) {
-      const std::string text =
-          fmt::format("{}  {}{}", i, session.lights()[i].light.name, session.is_changed(i) ? " *" : "");
-      ImGui::PushID(int(i));
-      if (ImGui::Selectable(text.c_str(), session.picked == i)) session.picked = i;
-      if (ImGui::IsItemHovered()) hovered = i;
+    for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row) {
+      const std::size_t light = session.firsts()[std::size_t(row)];
+      const std::size_t copies = session.copies(light);
+      const std::string text = fmt::format("{}{}{}", session.lights()[light].light.name,
+                                           copies > 1 ? fmt::format(" \u00d7 {}", copies) : "",
+                                           session.is_changed(light) ? " *" : "");
+      ImGui::PushID(row);
+      const bool is_picked = session.picked && session.are_copies(*session.picked, light);
+      if (ImGui::Selectable(text.c_str(), is_picked)) session.picked = light;
+      if (ImGui::IsItemHovered()) hovered = light;
       ImGui::PopID();
     }
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "window/picture_maker.h"
 
-#include <array>
 #include <chrono>
+#include <deque>
 #include <glm/glm.hpp>
 #include <tuple>
 #include <utility>
@@ -122,7 +122,7 @@ void PictureMaker::work(scene::Scene scene) try {
   const gl::HeadlessContext context;
   const double own_phase_g = scene.phase_g;
   std::shared_ptr<const std::vector<PlacedLight>> lights;
-  std::vector<Easel> easels;
+  std::deque<Easel> easels;  // which resizing does not move
   std::unique_lock lock(mutex_);
   gl_renderer_ = context.renderer();
   while (true) {

@@ -25,6 +25,9 @@ Session::Session(std::string name, scene::Scene scene, const demo::DrawingOption
   for (demo::DrawingOptions& each : settings) {
     if (!each.visibility) each.visibility = scene::suggested_visibility(scene_);
   }
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    if (i == 0 || !are_copies(i - 1, i)) firsts_.push_back(i);
+  }
 }
 
 void Session::split(bool on) {
@@ -41,7 +44,7 @@ std::size_t Session::copies(std::size_t which) const {
 void Session::change(std::size_t which, const Light& changed) {
   auto lights = std::make_shared<std::vector<PlacedLight>>(*lights_);
   for (std::size_t i = 0; i < lights->size(); ++i) {
-    if (entries_[i] != entries_[which]) continue;
+    if (!are_copies(i, which)) continue;
     Light& light = (*lights)[i].light;
     const std::string name = light.name;
     light = changed;
@@ -56,11 +59,9 @@ bool Session::is_changed(std::size_t which) const {
 
 std::vector<SceneChange> Session::changes() const {
   std::vector<SceneChange> all;
-  std::optional<std::size_t> last;
-  for (std::size_t i = 0; i < lights().size(); ++i) {
-    if (!entries_[i] || entries_[i] == last) continue;
-    last = entries_[i];
-    const auto changes = changes_of(*last, scene_.lights[i].light, lights()[i].light);
+  for (const std::size_t i : firsts_) {
+    if (!entries_[i]) continue;
+    const auto changes = changes_of(*entries_[i], scene_.lights[i].light, lights()[i].light);
     all.insert(all.end(), changes.begin(), changes.end());
   }
   return all;

@@ -46,6 +46,10 @@ class Session {
   bool can_change(std::size_t light) const { return entries_[light].has_value(); }
   /// How many lights change with one: the copies of its entry.
   std::size_t copies(std::size_t light) const;
+  /// The first light of each entry, and each light that comes from none.
+  const std::vector<std::size_t>& firsts() const { return firsts_; }
+  /// Whether two lights are one, or copies of each other.
+  bool are_copies(std::size_t a, std::size_t b) const { return a == b || (entries_[a] && entries_[a] == entries_[b]); }
   /// Takes another light in the place of one, and of its copies. Those keep their names.
   ///
   /// changed  check() finds nothing wrong with it
@@ -68,6 +72,7 @@ class Session {
   std::string name_;
   scene::Scene scene_;
   std::vector<std::optional<std::size_t>> entries_;
+  std::vector<std::size_t> firsts_;
   std::shared_ptr<const std::vector<PlacedLight>> lights_;
   bool was_split_ = false;
 };

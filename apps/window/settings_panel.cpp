@@ -28,7 +28,7 @@ void explain(const char* sentence) {
 void label(const char* text) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(text);
-  ImGui::SameLine(ImGui::GetFontSize() * 6);
+  ImGui::SameLine(ImGui::GetFontSize() * 6.8f);
   ImGui::SetNextItemWidth(-FLT_MIN);
 }
 
