@@ -28,9 +28,7 @@ std::string contrast_word(double contrast) {
                                            : fmt::format("{}", contrast);
 }
 
-const char* cone_maps_word(render::ConeMaps maps) {
-  return maps == render::ConeMaps::even ? "even" : "one-disc";
-}
+const char* cone_maps_word(render::ConeMaps maps) { return maps == render::ConeMaps::even ? "even" : "one-disc"; }
 
 const char* shadows_word(render::Shadows shadows) {
   return shadows == render::Shadows::surfaces ? "surfaces" : "shafts";
@@ -85,7 +83,8 @@ std::string to_string(const DrawingCommand& command) {
     add(true, "--target", point(command.camera->target));
     add(true, "--fov-deg", fmt::format("{:.7g}", glm::degrees(command.camera->field_of_view)));
   }
-  for (const SceneChange& change : command.changes) add(true, "--set", change.text());
+  for (const scene::SceneChange& change : command.changes) add(true, "--set", change.member + "=" + change.value);
+  add(command.city_lights > 0, "--lights", fmt::format("{}", command.city_lights));
   add(true, "--size", fmt::format("{}x{}", options.width, options.height));
   return text;
 }

@@ -47,9 +47,9 @@ void draw_list(Session& session, std::optional<std::size_t>& hovered) {
     for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row) {
       const std::size_t light = session.firsts()[std::size_t(row)];
       const std::size_t copies = session.copies(light);
-      const std::string text = fmt::format("{}{}{}", session.lights()[light].light.name,
-                                           copies > 1 ? fmt::format(" \u00d7 {}", copies) : "",
-                                           session.is_changed(light) ? " *" : "");
+      const std::string text =
+          fmt::format("{}{}{}", session.lights()[light].light.name, copies > 1 ? fmt::format(" \u00d7 {}", copies) : "",
+                      session.is_changed(light) ? " *" : "");
       ImGui::PushID(row);
       const bool is_picked = session.picked && session.are_copies(*session.picked, light);
       if (ImGui::Selectable(text.c_str(), is_picked)) session.picked = light;
@@ -117,11 +117,19 @@ void draw_controls(Session& session, std::size_t index) {
   const bool has_cookie = session.scene().cookie_uses.contains(index);
   const std::size_t copies = session.copies(index);
   ImGui::TextUnformatted(light.name.c_str());
-  ImGui::SameLine();
+  if (session.is_changed(index)) {
+    const char* const words = "As in the file";
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(words).x -
+                    2 * ImGui::GetStyle().FramePadding.x);
+    if (ImGui::SmallButton(words)) session.reset(index);
+  }
   ImGui::TextDisabled("%s%s", placed.carried ? "carried" : "local",
                       copies > 1 ? fmt::format(", {} copies", copies).c_str() : "");
   const bool can_change = session.can_change(index);
-  if (!can_change) ImGui::TextDisabled("of no entry in a scene file: stays as it is");
+  if (!can_change) {
+    ImGui::SameLine();
+    ImGui::TextDisabled("of no scene file's entry: stays as it is");
+  }
   ImGui::BeginDisabled(!can_change);
   bool is_changed = slide("Constant", light.attenuation.constant, 0, 20, "%.4g", ImGuiSliderFlags_Logarithmic);
   is_changed |= slide("Linear", light.attenuation.linear, 0, 10, "%.4g / m", ImGuiSliderFlags_Logarithmic);
@@ -136,7 +144,6 @@ void draw_controls(Session& session, std::size_t index) {
   const auto error = check(light);
   if (is_changed && !error) session.change(index, light);
   ImGui::EndDisabled();
-  if (session.is_changed(index) && ImGui::Button("As in the file", {-FLT_MIN, 0})) session.reset(index);
 }
 
 /// A plot's place on the screen, and what it shows.
@@ -147,7 +154,7 @@ struct Axes {
   double top;   ///< of the values
 
   ImVec2 at(double range, double value) const {
-    return {low.x + size.x * float(range / end), low.y - size.y * float(std::min(value / top, 1.0))};
+    return {low.x + size.x * float(range / end), low.y - size.y * float(value / top)};
   }
 };
 
@@ -173,6 +180,7 @@ void draw_grid(ImDrawList& draw, const Axes& axes) {
   for (double value = 0; value <= axes.top; value += rise) {
     const ImVec2 left = axes.at(0, value);
     draw.AddLine(left, axes.at(axes.end, value), line);
+    if (value == 0) continue;
     const std::string number = fmt::format("{:.3g}", value);
     draw.AddText({left.x - ImGui::CalcTextSize(number.c_str()).x - 5, left.y - font / 2}, text, number.c_str());
   }
@@ -192,9 +200,21 @@ void draw_mark(ImDrawList& draw, const Axes& axes, double range, const std::stri
 void draw_curve(const Light& light, const Fog& fog) {
   const RangeCurve curve = make_range_curve(light, fog, kCurveSamples);
   const FogIntensity& solved = curve.solved;
-  ImGui::Text("(1 - f) a");
-  ImGui::SameLine();
-  ImGui::TextDisabled("over the range, in the fog of its class:  I = %.4g", solved.intensity);
+  const ImU32 extent_color = IM_COL32(120, 170, 230, 255);
+  const ImU32 opacity_color = IM_COL32(110, 150, 210, 150);
+  const ImU32 attenuation_color = IM_COL32(130, 190, 130, 170);
+  const ImU32 knee_color = IM_COL32(150, 210, 150, 255);
+  const ImU32 peak_color = IM_COL32(255, 180, 80, 255);
+  const auto name = [](ImU32 color, const char* text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    ImGui::TextUnformatted(text);
+    ImGui::PopStyleColor();
+    ImGui::SameLine();
+  };
+  name(peak_color, "(1 - f) a");
+  name(opacity_color, "  1 - f");
+  name(attenuation_color, "  a");
+  ImGui::TextDisabled("  over the range;  I = %.4g", solved.intensity);
   const float font = ImGui::GetFontSize();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 room = ImGui::GetContentRegionAvail();
@@ -209,13 +229,12 @@ void draw_curve(const Light& light, const Fog& fog) {
     for (std::size_t i = 0; i < curve.samples.size(); ++i) {
       points.push_back(axes.at(curve.end * double(i) / double(curve.samples.size() - 1), curve.samples[i].*value));
     }
+    draw.PushClipRect(axes.at(0, axes.top), axes.at(axes.end, 0), true);
     draw.AddPolyline(points.data(), int(points.size()), color, 0, width);
+    draw.PopClipRect();
   };
-  const ImU32 extent_color = IM_COL32(120, 170, 230, 255);
-  const ImU32 knee_color = IM_COL32(150, 200, 150, 255);
-  const ImU32 peak_color = IM_COL32(255, 180, 80, 255);
-  plot(&RangeCurve::Sample::attenuation, IM_COL32(150, 200, 150, 110), 1);
-  plot(&RangeCurve::Sample::opacity, IM_COL32(120, 170, 230, 110), 1);
+  plot(&RangeCurve::Sample::attenuation, attenuation_color, 1.3f);
+  plot(&RangeCurve::Sample::opacity, opacity_color, 1.3f);
   plot(&RangeCurve::Sample::product, peak_color, 2);
   draw_mark(draw, axes, curve.knee, fmt::format("knee {:.4g} m", curve.knee), knee_color, 2);
   draw_mark(draw, axes, solved.extent, fmt::format("extent {:.4g} m", solved.extent), extent_color, 1);
@@ -234,6 +253,8 @@ void draw_lamps(Session& session, std::optional<std::size_t>& hovered) {
   draw_list(session, hovered);
   ImGui::EndChild();
   ImGui::SameLine();
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ImGui::GetStyle().FramePadding.x, font * 0.1f});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, font * 0.25f});
   ImGui::BeginChild("controls", {font * 21, 0});
   if (session.picked) {
     draw_controls(session, *session.picked);
@@ -241,6 +262,7 @@ void draw_lamps(Session& session, std::optional<std::size_t>& hovered) {
     ImGui::TextDisabled("Click a lamp in the picture or in the list");
   }
   ImGui::EndChild();
+  ImGui::PopStyleVar(2);
   ImGui::SameLine();
   ImGui::BeginChild("curve", {0, 0});
   if (session.picked) draw_curve(session.lights()[*session.picked].light, session.fog(session.edited));

@@ -12,16 +12,17 @@
 #include "command/option_rule.h"
 #include "demo/drawing_options.h"
 #include "demo/picture_file.h"
+#include "demo/scene_options.h"
 #include "files/whole_file.h"
 #include "litfog/files/output_error.h"
 #include "litfog/gl/unsupported.h"
 #include "litfog/input_error.h"
 #include "scene/file/gltf_scene.h"
-#include "scene/file/scene_file.h"
 #include "window/drawing_pace.h"
 #include "window/lamp_panel.h"
 #include "window/picture_maker.h"
 #include "window/picture_panel.h"
+#include "window/scene_changes.h"
 #include "window/session.h"
 #include "window/settings_panel.h"
 #include "window/window.h"
@@ -251,7 +252,7 @@ void App::save_scene() {
     return;
   }
   const std::string path = free_file_name(session_.scene().name, ".json");
-  files::write_whole_file(path, changed_scene(file, session_.moved_camera(), session_.changes(), path));
+  files::write_whole_file(path, changed_scene(file, session_.own_camera(), session_.changes(), path));
   say(path + ": the scene with its changes");
 }
 
@@ -261,17 +262,18 @@ void App::copy_command() {
   say(command);  // a clipboard may end with the window
 }
 
-std::string scene_path(const std::string& name) { return scene::bundled_scene_path(name); }  // TODO seq
-
 struct Options {
+  demo::SceneOptions scene;
   demo::DrawingOptions drawing;
-  std::string scene;
 };
 
 ExitStatus show(const CLI::App& app, Options& options) {
+  if (app.count("SCENE") == 0) throw CLI::ValidationError("a scene must be given: see litfog-demo list scenes");
   check_options(app, demo::drawing_rules(options.drawing));
   check_options(app, demo::shadow_rules(options.drawing));
-  scene::Scene scene = scene::read_scene(scene_path(options.scene));
+  scene::Scene scene = demo::read_scene(options.scene);
+  check_options(app, {{scene.name, !demo::has_turning_light(scene), {"--time"}, "none of its lights turns"},
+                      {scene.name, !scene.has_city, {"--lights"}, "it has no generated city"}});
   scene::turn_lights(scene, options.drawing.seconds);
   scene::Scene facts = scene;
   facts.models.clear();
@@ -295,10 +297,10 @@ int main(int argc, char** argv) {
   CLI::App app{kDescription, "litfog-window"};
   Options options;
   app.footer(kFooter);
-  app.add_option("SCENE", options.scene,
-                 "A scene that comes with litfog (litfog-demo list scenes), a scene file or a glTF file")
-      ->type_name("")
-      ->required();
+  demo::add_scene(app, options.scene);
+  demo::add_changes(app, options.scene);
+  demo::add_city_lights(app, options.scene);
+  demo::add_view(app, options.scene);
   demo::add_fog_and_visibility(app, options.drawing);
   demo::add_path(app, options.drawing);
   demo::add_fog_light(app, options.drawing);

@@ -7,10 +7,11 @@
 #include <filesystem>
 #include <fstream>
 #include <glm/glm.hpp>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "litfog/input_error.h"
-#include "scene/file/gltf_scene.h"
 
 namespace litfog::window {
 namespace {
@@ -26,12 +27,6 @@ Json read_again(const std::string& path) {
   return json;
 }
 
-std::size_t copies_of(const Json& entry) {
-  std::size_t copies = 1;
-  for (const Json& repeat : entry.value("repeat", Json::array())) copies *= repeat.value("count", std::size_t{1});
-  return copies;
-}
-
 Json cone_json(const Cone& cone) {
   const auto degrees = [](double radians) { return std::stod(fmt::format("{:.12g}", glm::degrees(radians))); };
   if (cone.profile == ConeProfile::cosine) {
@@ -40,11 +35,38 @@ Json cone_json(const Cone& cone) {
   return {{"profile", "smoothstep"}, {"inner_deg", degrees(cone.inner)}, {"outer_deg", degrees(cone.outer)}};
 }
 
-/// A member of an object, made with the objects that it is in: "attenuation.quadratic".
-Json& member_of(Json& object, std::string_view path) {
-  const auto dot = path.find('.');
-  Json& member = object[std::string(path.substr(0, dot))];
-  return dot == path.npos ? member : member_of(member, path.substr(dot + 1));
+/// "lights[0].attenuation.quadratic" as the keys that lead there. A light's own members are in its entry's "light".
+std::vector<std::string> keys_of(const std::string& member) {
+  std::vector<std::string> keys;
+  for (std::size_t begin = 0; begin < member.size();) {
+    const std::size_t end = std::min(member.find_first_of(".[]", begin), member.size());
+    if (end > begin) keys.push_back(member.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  constexpr std::string_view kOfLight[] = {"attenuation", "threshold", "cone", "density_scale"};
+  if (keys.size() > 2 && keys[0] == "lights" && std::ranges::find(kOfLight, keys[2]) != std::end(kOfLight)) {
+    keys.insert(keys.begin() + 2, "light");
+  }
+  return keys;
+}
+
+/// Writes a light file out in the place of its name.
+void write_out(Json& name, const fs::path& folder) {
+  const fs::path file = folder / name.get<std::string>();
+  Json light = read_again(file.string());
+  if (!light.contains("name")) light["name"] = file.stem().string();
+  light.erase("fit");  // it tells of the light that was fitted
+  name = std::move(light);
+}
+
+void apply(Json& scene, const scene::SceneChange& change, const fs::path& folder) {
+  Json* value = &scene;
+  for (const std::string& key : keys_of(change.member)) {
+    if (value->is_string()) write_out(*value, folder);
+    value = value->is_array() ? &value->at(std::stoul(key)) : &(*value)[key];
+  }
+  *value = Json::parse(change.value, nullptr, /* allow_exceptions */ false);
+  if (value->is_discarded()) *value = change.value;  // a word
 }
 
 /// Makes a path beside one file one beside another.
@@ -65,54 +87,41 @@ std::vector<double> rounded(const glm::vec3& v) {  // as short as floats that re
 
 }  // namespace
 
-std::string SceneChange::text() const { return fmt::format("lights[{}].{}={}", entry, member, value); }
-
 std::vector<std::optional<std::size_t>> entries_of_lights(const scene::Scene& scene) {
   std::vector<std::optional<std::size_t>> entries;
-  if (!scene::is_gltf_path(scene.files.front())) {
-    const Json file = read_again(scene.files.front());
-    const Json lights = file.value("lights", Json::array());
-    for (std::size_t i = 0; i < lights.size(); ++i) entries.insert(entries.end(), copies_of(lights[i]), i);
-  }
+  for (std::size_t i = 0; i < scene.light_copies.size(); ++i) entries.insert(entries.end(), scene.light_copies[i], i);
   entries.resize(scene.lights.size());
   return entries;
 }
 
-std::vector<SceneChange> changes_of(std::size_t entry, const Light& from, const Light& to) {
-  std::vector<SceneChange> changes;
+std::vector<scene::SceneChange> changes_of(std::size_t entry, const Light& from, const Light& to) {
+  std::vector<scene::SceneChange> changes;
+  const auto add = [&](const char* member, const Json& value) {
+    changes.push_back({fmt::format("lights[{}].{}", entry, member), value.dump()});
+  };
   const auto compare = [&](const char* member, double was, double is) {
-    if (was != is) changes.push_back({entry, member, Json(is).dump()});
+    if (was != is) add(member, is);
   };
   compare("attenuation.constant", from.attenuation.constant, to.attenuation.constant);
   compare("attenuation.linear", from.attenuation.linear, to.attenuation.linear);
   compare("attenuation.quadratic", from.attenuation.quadratic, to.attenuation.quadratic);
   compare("threshold", from.threshold, to.threshold);
   compare("density_scale", from.density_scale, to.density_scale);
-  if (to.cone != from.cone) changes.push_back({entry, "cone", cone_json(to.cone).dump()});
-  if (to.color != from.color) changes.push_back({entry, "color", Json(rounded(glm::vec3(to.color))).dump()});
+  if (to.cone != from.cone) add("cone", cone_json(to.cone));
+  if (to.color != from.color) add("color", rounded(glm::vec3(to.color)));
   return changes;
 }
 
 std::string changed_scene(const std::string& file, const std::optional<scene::Camera>& camera,
-                          const std::vector<SceneChange>& changes, const std::string& place) {
+                          const std::vector<scene::SceneChange>& changes, const std::string& place) {
   Json scene = read_again(file);
   if (camera) {
     scene["camera"] = {{"position", rounded(camera->position)},
                        {"target", rounded(camera->target)},
                        {"field_of_view_deg", std::stod(fmt::format("{:.7g}", glm::degrees(camera->field_of_view)))}};
   }
-  std::vector<bool> is_inline(scene.value("lights", Json::array()).size());
-  for (const SceneChange& change : changes) {
-    Json& entry = scene["lights"].at(change.entry);
-    Json& light = entry["light"];
-    if (light.is_string() && change.member != "color") {
-      const fs::path light_file = fs::path(file).parent_path() / light.get<std::string>();
-      light = read_again(light_file.string());
-      if (!light.contains("name")) light["name"] = light_file.stem().string();
-      light.erase("fit");  // it tells of the light that was fitted
-    }
-    member_of(change.member == "color" ? entry : light, change.member) = Json::parse(change.value);
-  }
+  for (const scene::SceneChange& change : changes) apply(scene, change, fs::path(file).parent_path());
+  if (!scene.contains("lights")) scene["lights"] = Json::array();
   for (Json& entry : scene["lights"]) {
     move_light(entry["light"], file, place);
     if (entry.contains("cookie") && entry["cookie"].contains("image")) move_path(entry["cookie"]["image"], file, place);

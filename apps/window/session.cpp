@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <utility>
 
+#include "window/scene_changes.h"
+
 namespace litfog::window {
 namespace {
 
@@ -15,10 +17,10 @@ bool is_same(const scene::Camera& a, const scene::Camera& b) {
 
 }  // namespace
 
-Session::Session(std::string name, scene::Scene scene, const demo::DrawingOptions& both)
+Session::Session(demo::SceneOptions given, scene::Scene scene, const demo::DrawingOptions& both)
     : settings{both, both},
       camera(scene.camera),
-      name_(std::move(name)),
+      given_(std::move(given)),
       scene_(std::move(scene)),
       entries_(entries_of_lights(scene_)),
       lights_(std::make_shared<const std::vector<PlacedLight>>(scene_.lights)) {
@@ -57,8 +59,8 @@ bool Session::is_changed(std::size_t which) const {
   return !changes_of(0, scene_.lights[which].light, lights()[which].light).empty();
 }
 
-std::vector<SceneChange> Session::changes() const {
-  std::vector<SceneChange> all;
+std::vector<scene::SceneChange> Session::changes() const {
+  std::vector<scene::SceneChange> all = given_.changes;
   for (const std::size_t i : firsts_) {
     if (!entries_[i]) continue;
     const auto changes = changes_of(*entries_[i], scene_.lights[i].light, lights()[i].light);
@@ -77,7 +79,7 @@ PictureOrder Session::order(int width, int height, bool is_sketch) const {
 }
 
 DrawingCommand Session::command(std::size_t which, int width, int height) const {
-  DrawingCommand command{name_, settings[which], moved_camera(), changes()};
+  DrawingCommand command{given_.scene, given_.city_lights, settings[which], own_camera(), changes()};
   command.options.width = width;
   command.options.height = height;
   return command;
@@ -85,8 +87,11 @@ DrawingCommand Session::command(std::size_t which, int width, int height) const 
 
 Fog Session::fog(std::size_t which) const { return settings[which].fog_at(*settings[which].chosen_visibility()); }
 
-std::optional<scene::Camera> Session::moved_camera() const {
-  return is_same(camera, scene_.camera) ? std::nullopt : std::optional(camera);
+bool Session::is_camera_moved() const { return !is_same(camera, scene_.camera); }
+
+std::optional<scene::Camera> Session::own_camera() const {
+  const bool is_given = given_.camera || given_.target || given_.field_of_view_deg;
+  return is_given || is_camera_moved() ? std::optional(camera) : std::nullopt;
 }
 
 render::Picture wiped(const render::Picture& left, const render::Picture& right, double fraction) {

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "demo/drawing_options.h"
+#include "demo/scene_options.h"
 #include "scene/scene.h"
 #include "window/command_line.h"
 #include "window/picture_maker.h"
-#include "window/scene_changes.h"
 
 namespace litfog::window {
 
@@ -22,10 +22,10 @@ enum class CameraMotion { fly, orbit };
 /// What a person looks at and changes in a window, apart from how the window shows it.
 class Session {
  public:
-  /// name      of the scene as litfog-demo takes it
+  /// given     where the scene is from
   /// scene     of which meshes and materials do not matter
   /// settings  without a visibility the scene's own is taken
-  Session(std::string name, scene::Scene scene, const demo::DrawingOptions& settings);
+  Session(demo::SceneOptions given, scene::Scene scene, const demo::DrawingOptions& settings);
 
   // Two settings, A and B, which split views compare. B is a copy of A until the view is split for the first time.
   std::array<demo::DrawingOptions, 2> settings;
@@ -40,7 +40,7 @@ class Session {
   demo::DrawingOptions& edited_settings() { return settings[edited]; }
   void split(bool on);
 
-  const scene::Scene& scene() const { return scene_; }  ///< as its file states it
+  const scene::Scene& scene() const { return scene_; }  ///< as it was given
   const std::vector<PlacedLight>& lights() const { return *lights_; }
   /// Whether a light's entry in a scene file could state changes of it.
   bool can_change(std::size_t light) const { return entries_[light].has_value(); }
@@ -56,8 +56,8 @@ class Session {
   void change(std::size_t light, const Light& changed);
   void reset(std::size_t light) { change(light, scene_.lights[light].light); }
   bool is_changed(std::size_t light) const;
-  /// What has been changed of the scene's lights.
-  std::vector<SceneChange> changes() const;
+  /// What has been changed of the scene's file: what was given, and then the lights.
+  std::vector<scene::SceneChange> changes() const;
 
   /// What the settings draw, in pixels.
   PictureOrder order(int width, int height, bool is_sketch) const;
@@ -65,11 +65,12 @@ class Session {
   DrawingCommand command(std::size_t which, int width, int height) const;
   /// The fog of one of the settings.
   Fog fog(std::size_t which) const;
-  /// The camera if it has been moved.
-  std::optional<scene::Camera> moved_camera() const;
+  bool is_camera_moved() const;
+  /// The camera if it is not that of the scene's file.
+  std::optional<scene::Camera> own_camera() const;
 
  private:
-  std::string name_;
+  demo::SceneOptions given_;
   scene::Scene scene_;
   std::vector<std::optional<std::size_t>> entries_;
   std::vector<std::size_t> firsts_;

@@ -156,7 +156,7 @@ void draw_camera(Session& session) {
   if (ImGui::SliderFloat("##fov", &degrees, 10, 120, "%.0f\u00b0", ImGuiSliderFlags_AlwaysClamp)) {
     session.camera.field_of_view = glm::radians(std::round(degrees));
   }
-  ImGui::BeginDisabled(!session.moved_camera());
+  ImGui::BeginDisabled(!session.is_camera_moved());
   if (ImGui::Button("Back to the scene's", {-FLT_MIN, 0})) session.camera = session.scene().camera;
   ImGui::EndDisabled();
 }
