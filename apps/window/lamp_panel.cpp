@@ -81,7 +81,7 @@ bool draw_cone(Cone& cone, bool was_point_light) {
   }
   if (cone.profile == ConeProfile::cosine) {
     is_changed |= slide_degrees("Half angle", cone.half_angle, 1, 90);
-    is_changed |= slide("Exponent", cone.exponent, 0, 500, "%.4g", ImGuiSliderFlags_Logarithmic);
+    is_changed |= slide("Exponent", cone.exponent, 0, 5000, "%.4g", ImGuiSliderFlags_Logarithmic);
   }
   if (cone.profile == ConeProfile::smoothstep) {
     is_changed |= slide_degrees("Inner", cone.inner, 0, 179);

@@ -40,7 +40,7 @@ constexpr const char* kDescription =
     R"(Shows a scene lit by lamps in fog in a window, in which fog, lighting, camera and lamps can be changed.
 
 Drag over the picture to orbit or look around, with the right button to shift; the wheel goes nearer. W A S D, Q and E fly,
-with Shift faster. A click picks a lamp. Ctrl+S saves the picture, Ctrl+C copies the litfog-demo command that draws it, and
+with Shift faster. A click picks a lamp. Ctrl+P saves the picture, Ctrl+C copies the litfog-demo command that draws it, and
 prints it.)";
 
 constexpr const char* kFooter =
@@ -69,7 +69,9 @@ class App {
   App(Session session, PictureMaker& maker) : session_(std::move(session)), maker_(maker) {}
 
   /// Draws a frame of the window.
-  void draw();
+  ///
+  /// shortcuts  Window::begin_frame
+  void draw(const std::string& shortcuts);
   /// How long the window may wait for an event, seconds.
   double rest() const;
 
@@ -132,7 +134,7 @@ void App::order_pictures() {
   }
 }
 
-void App::draw() {
+void App::draw(const std::string& shortcuts) {
   take_delivery();
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   const float font = ImGui::GetFontSize();
@@ -172,10 +174,9 @@ void App::draw() {
   ImGui::End();
   ImGui::PopStyleVar(2);
 
-  const ImGuiIO& io = ImGui::GetIO();
-  if (io.KeyCtrl && !io.WantTextInput) {
-    wishes.picture = wishes.picture || ImGui::IsKeyPressed('S', false);
-    wishes.command = wishes.command || ImGui::IsKeyPressed('C', false);
+  if (!ImGui::GetIO().WantTextInput) {  // letters that do not fly
+    wishes.picture = wishes.picture || shortcuts.find('P') != shortcuts.npos;
+    wishes.command = wishes.command || shortcuts.find('C') != shortcuts.npos;
   }
   order_pictures();
   keep(wishes);
@@ -284,8 +285,7 @@ ExitStatus show(const CLI::App& app, Options& options) {
   App shown(Session(options.scene, std::move(facts), options.drawing), maker);
   while (!window.is_closed()) {
     window.wait(shown.rest());
-    window.begin_frame();
-    shown.draw();
+    shown.draw(window.begin_frame());
     window.end_frame();
   }
   return kDone;

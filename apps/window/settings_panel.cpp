@@ -165,9 +165,11 @@ void draw_camera(Session& session) {
 
 Wishes draw_settings(Session& session, const render::Exposure& shown_exposure) {
   ImGui::TextUnformatted(session.scene().name.c_str());
-  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-  ImGui::TextWrapped("%s", session.scene().description.c_str());
-  ImGui::PopStyleColor();
+  if (!session.scene().description.empty()) {
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    ImGui::TextWrapped("%s", session.scene().description.c_str());
+    ImGui::PopStyleColor();
+  }
   bool is_split = session.is_split;
   if (ImGui::Checkbox("Compare", &is_split)) session.split(is_split);
   explain("Two settings side by side: drag the line between them");
@@ -185,7 +187,7 @@ Wishes draw_settings(Session& session, const render::Exposure& shown_exposure) {
   Wishes wishes;
   const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
   wishes.picture = ImGui::Button("Save picture", {half, 0});
-  explain("As litfog-demo writes it (Ctrl+S)");
+  explain("As litfog-demo writes it (Ctrl+P)");
   ImGui::SameLine();
   wishes.scene = ImGui::Button("Save scene", {half, 0});
   explain("A scene file with this camera and these lamps");

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <string>
+#include <utility>
 
 #include "command/exit_status.h"
 
@@ -85,7 +86,13 @@ Window::Window(const std::string& title, int width, int height) {
   glfwGetWindowContentScale(window_, &scale, nullptr);
   set_style(scale);
   if (std::filesystem::exists(kFont)) io.Fonts->AddFontFromFileTTF(kFont, kFontSize * scale);
-  ImGui_ImplGlfw_InitForOpenGL(window_, true);
+  glfwSetWindowUserPointer(window_, this);
+  glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int modifiers) {
+    const bool is_letter = key >= GLFW_KEY_A && key <= GLFW_KEY_Z;
+    if (!is_letter || action != GLFW_PRESS || modifiers != GLFW_MOD_CONTROL) return;
+    static_cast<Window*>(glfwGetWindowUserPointer(window))->shortcuts_ += char(key);
+  });
+  ImGui_ImplGlfw_InitForOpenGL(window_, true);  // which calls that, too
   ImGui_ImplOpenGL3_Init("#version 330");
 }
 
@@ -112,10 +119,11 @@ void Window::wait(double seconds) {
 
 void Window::wake() { glfwPostEmptyEvent(); }
 
-void Window::begin_frame() {
+std::string Window::begin_frame() {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   ImGui::NewFrame();
+  return std::exchange(shortcuts_, {});
 }
 
 void Window::end_frame() {

@@ -26,12 +26,15 @@ class Window {
   static void wake();
 
   /// Between them controls are drawn.
-  void begin_frame();
+  ///
+  /// returns  the letters that have been pressed with Ctrl since the last frame, however shortly
+  std::string begin_frame();
   void end_frame();
 
  private:
   GLFWwindow* window_;
   int frames_to_settle_ = 0;
+  std::string shortcuts_;
 };
 
 }  // namespace litfog::window

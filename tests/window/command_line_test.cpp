@@ -48,12 +48,13 @@ TEST(CommandLine, OptionsWithoutEffectAreLeftOut) {
   EXPECT_EQ(to_string(command), "litfog-demo room --fog none --size 1280x720");
 
   command = {.scene = "room"};
-  command.options.render.path = render::find_lighting_path("lookup-3d");
+  command.options.render.path = render::find_lighting_path("vertex");
   command.options.fog_light = render::FogLighting::airlight;  // which the path has not
   command.options.render.shadows = render::Shadows::surfaces;
   command.options.phase_g = 0.5;
-  command.options.render.has_infinite_viewer = true;
-  EXPECT_EQ(to_string(command), "litfog-demo room --path lookup-3d --size 1280x720");
+  command.options.render.is_flat_shaded = true;
+  command.options.render.map_size = 64;
+  EXPECT_EQ(to_string(command), "litfog-demo room --path vertex --size 1280x720");
 }
 
 TEST(CommandLine, ClearAirAndOwnContrastsAreNumbersThatReadBack) {

@@ -13,7 +13,11 @@ namespace {
 
 const Fog kFog = Fog::from_visibility(FogMode::exp, 1500.0);
 
-Light lamp(const Attenuation& attenuation) { return {.name = "lamp", .attenuation = attenuation}; }
+Light lamp(const Attenuation& attenuation) {
+  Light light;
+  light.attenuation = attenuation;
+  return light;
+}
 
 TEST(RangeCurve, LargestSampleIsTheSolvedIntensity) {
   for (const Attenuation& attenuation : {Attenuation{1, 0, 9.5e-5}, Attenuation{0.2, 0.05, 0.001}}) {

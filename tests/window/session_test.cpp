@@ -13,9 +13,12 @@ using namespace window;
 
 namespace {
 
-Session street(const demo::SceneOptions& given = {.scene = "street"}) {
-  return {given, scene::read_scene(scene::bundled_scene_path("street")), {}};
+const scene::Scene& street_scene() {
+  static const scene::Scene scene = scene::read_scene(scene::bundled_scene_path("street"));
+  return scene;
 }
+
+Session street(const demo::SceneOptions& given = {.scene = "street"}) { return {given, street_scene(), {}}; }
 
 TEST(Session, BeginsWithTheScenesVisibilityAndNothingChanged) {
   const Session session = street();
@@ -85,7 +88,7 @@ TEST(Session, CommandHasTheGivenAndTheMovedCamera) {
 }
 
 TEST(Session, LightsOfNoFilesEntryStayAsTheyAre) {
-  scene::Scene scene = scene::read_scene(scene::bundled_scene_path("street"));
+  scene::Scene scene = street_scene();
   scene.lights.push_back(scene.lights.front());  // as of a city
   const Session session({.scene = "street"}, scene, {});
   EXPECT_TRUE(session.can_change(0));

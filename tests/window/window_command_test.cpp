@@ -51,7 +51,7 @@ class WindowCommand : public CommandTest {
 
   /// Starts a program and returns its process.
   int start(const std::string& line) const {
-    EXPECT_EQ(shell(line + " & echo $! >pid"), 0);
+    EXPECT_EQ(shell("{ " + line + " & echo $! >pid; }"), 0);
     return std::stoi(read("pid"));
   }
 
@@ -59,7 +59,7 @@ class WindowCommand : public CommandTest {
     server_ = start(fmt::format("{} -displayfd 3 3>display -screen 0 {}x{}x24 -fbdir . -nolisten tcp >xvfb 2>&1",
                                 LITFOG_XVFB, kWidth, kHeight));
     ASSERT_TRUE(wait_for([this] { return read("display").ends_with('\n'); })) << read("xvfb");
-    window_ = start(fmt::format("DISPLAY=:{} exec {} window {} >said 2>window-errors",
+    window_ = start(fmt::format("DISPLAY=:{} {} window {} >said 2>window-errors",
                                 read("display").substr(0, read("display").size() - 1), LITFOG_DEMO_PATH, arguments));
     steer("search --sync --onlyvisible --name litfog");
   }
@@ -136,8 +136,8 @@ TEST_F(WindowCommand, SteeredWindowShowsAndSavesThePictureThatItsCommandDraws) {
   start_window(fmt::format("yard.json --size {}x{}", kWidth, kHeight));
   // The picture is the window's upper right part. Dragged over it orbits, turned over it approaches.
   steer("mousemove 450 80 mousedown 1 mousemove 480 90 sleep 0.3 mousemove 520 95 sleep 0.3 mouseup 1 click 4");
-  steer("mousemove 150 177 sleep 0.3 mousedown 1 sleep 0.3 mouseup 1 sleep 0.3");  // the preset CAT II
-  steer("mousemove 20 390 key ctrl+s");                                            // over nothing that is lit by it
+  steer("mousemove 150 144 sleep 0.3 mousedown 1 sleep 0.3 mouseup 1 sleep 0.3");  // the preset CAT II
+  steer("mousemove 20 390 key ctrl+p");                                            // over nothing that is lit by it
   const std::string saved = next_line();
   steer("key ctrl+c");
   const std::string command = next_line();
