@@ -121,7 +121,10 @@ void PicturePanel::draw(Session& session, std::optional<std::size_t> hovered) {
     if (has_name) draw_words(draw, {at.x + 16, at.y - 8}, session.lights()[light].light.name);
   };
   draw.PushClipRect(corner, end, true);
-  if (session.picked) mark(*session.picked, IM_COL32(255, 180, 80, 255), false);
+  for (std::size_t i = 0; session.picked && i < session.lights().size(); ++i) {
+    if (!session.are_copies(*session.picked, i)) continue;
+    mark(i, i == session.picked ? IM_COL32(255, 180, 80, 255) : IM_COL32(255, 180, 80, 110), false);
+  }
   if (hovered) mark(*hovered, IM_COL32(255, 255, 255, 200), true);
   if (is_split) {
     const float x = wipe_at();

@@ -22,8 +22,8 @@ using namespace command;
 
 namespace {
 
-constexpr int kWidth = 640;
-constexpr int kHeight = 400;
+constexpr int kWidth = 960;
+constexpr int kHeight = 480;
 
 class WindowCommand : public CommandTest {
  protected:
@@ -119,6 +119,9 @@ int apart(const std::array<int, 3>& a, const std::array<int, 3>& b) {
   return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
 }
 
+// Where the window shows the lamp of this scene at first.
+constexpr int kLampX = 601;
+constexpr int kLampY = 70;
 constexpr const char* kScene = R"({"litfog": "scene", "version": 1, "name": "yard", "visibilities_m": [60],
   "camera": {"position": [0, 2, 9], "target": [0, 1.5, 0], "field_of_view_deg": 50},
   "environment": {"ambient": [0.1, 0.1, 0.12], "fog_color": [0.03, 0.03, 0.04], "sky_horizon": [0.1, 0.1, 0.1]},
@@ -134,15 +137,19 @@ TEST_F(WindowCommand, SteeredWindowShowsAndSavesThePictureThatItsCommandDraws) {
   }
   write("yard.json", kScene);
   start_window(fmt::format("yard.json --size {}x{}", kWidth, kHeight));
-  // The picture is the window's upper right part. Dragged over it orbits, turned over it approaches.
-  steer("mousemove 450 80 mousedown 1 mousemove 480 90 sleep 0.3 mousemove 520 95 sleep 0.3 mouseup 1 click 4");
-  steer("mousemove 150 144 sleep 0.3 mousedown 1 sleep 0.3 mouseup 1 sleep 0.3");  // the preset CAT II
-  steer("mousemove 20 390 key ctrl+p");                                            // over nothing that is lit by it
+  const std::string click = " sleep 0.2 mousedown 1 sleep 0.2 mouseup 1 sleep 0.2";
+  steer("mousemove 150 144" + click);                             // the preset CAT II
+  steer(fmt::format("mousemove {} {}", kLampX, kLampY) + click);  // which picks the lamp
+  steer("mousemove 700 334" + click);                             // its quadratic coefficient's slider
+  steer("mousemove 310 200" + click);                             // no lamp: nothing is marked any more
+  steer("mousedown 1 mousemove 340 190 sleep 0.2 mousemove 380 185 sleep 0.2 mouseup 1");  // orbits
+  steer("click 4 sleep 0.2 mousemove 20 470 key ctrl+p");  // approaches; then over nothing that is marked by it
   const std::string saved = next_line();
   steer("key ctrl+c");
   const std::string command = next_line();
   ASSERT_TRUE(saved.starts_with("yard-1.png: ")) << saved;
   ASSERT_TRUE(command.starts_with("litfog-demo yard.json --visibility 300 --camera ")) << command;
+  EXPECT_NE(command.find(" --set 'lights[0].attenuation.quadratic="), command.npos) << command;
   ASSERT_EQ(run(command.substr(command.find(' ')) + " -o headless.png").status, kDone) << read("err");
 
   int width = 0;
