@@ -400,7 +400,10 @@ Job add_list_job(CLI::App& app) {
 }
 
 Job add_window_job(CLI::App& app) {
-  app.prefix_command()->set_help_flag();  // all options are the window's
+  app.prefix_command();
+  app.footer(
+      "litfog-window SCENE [OPTIONS] is what it starts: see litfog-window --help.\n\n"
+      "Example:\n  litfog-demo window street --visibility 150");
   return [&app]() -> ExitStatus { become_window(app.remaining()); };
 }
 

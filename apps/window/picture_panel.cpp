@@ -113,19 +113,22 @@ void PicturePanel::draw(Session& session, std::optional<std::size_t> hovered) {
   }
   fly_by_keys(session);
 
-  const auto mark = [&](std::size_t light, ImU32 color, bool has_name) {
+  const auto mark = [&](std::size_t light, ImU32 color, float radius, bool has_name) {
     const auto place = place_in_picture(session.camera, aspect, session.lights()[light].position);
     if (!place) return;
     const ImVec2 at(corner.x + float(place->x) * size.x, corner.y + float(place->y) * size.y);
-    draw.AddCircle(at, 9, color, 0, 1.5f);
+    draw.AddCircle(at, radius, color, 0, 1.5f);
     if (has_name) draw_words(draw, {at.x + 16, at.y - 8}, session.lights()[light].light.name);
   };
   draw.PushClipRect(corner, end, true);
   for (std::size_t i = 0; session.picked && i < session.lights().size(); ++i) {
     if (!session.are_copies(*session.picked, i)) continue;
-    mark(i, i == session.picked ? IM_COL32(255, 180, 80, 255) : IM_COL32(255, 180, 80, 110), false);
+    if (i == session.picked)
+      mark(i, IM_COL32(255, 180, 80, 255), 9, false);
+    else
+      mark(i, IM_COL32(255, 180, 80, 70), 4, false);
   }
-  if (hovered) mark(*hovered, IM_COL32(255, 255, 255, 200), true);
+  if (hovered) mark(*hovered, IM_COL32(255, 255, 255, 200), 9, true);
   if (is_split) {
     const float x = wipe_at();
     draw.AddLine({x, corner.y}, {x, end.y}, IM_COL32(255, 255, 255, 200));

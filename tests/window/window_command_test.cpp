@@ -187,9 +187,12 @@ TEST_F(WindowCommand, WrongSceneAndWrongOptionsAreToldBeforeAWindowOpens) {
   EXPECT_EQ(run("window wrong.json").status, kBadInput);
   EXPECT_EQ(run("window wrong.json --visibility -1").status, kUsage);
   EXPECT_EQ(run("window").status, kUsage);
+}
+
+TEST_F(WindowCommand, HelpNamesTheProgramThatHasTheOptions) {
   const Outcome help = run("window --help");
   EXPECT_EQ(help.status, kDone);
-  EXPECT_NE(help.out.find("litfog-window"), std::string::npos) << help.out;
+  EXPECT_NE(help.out.find("litfog-window --help"), std::string::npos) << help.out;
 }
 
 TEST_F(WindowCommand, CommandWithoutItsWindowSaysSo) {
