@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "command/number.h"
+#include "window/controls.h"
 #include "window/range_curve.h"
 
 namespace litfog::window {
@@ -17,24 +19,9 @@ namespace {
 
 constexpr int kCurveSamples = 240;
 
-/// To four digits: what a person means by a slider.
-double tidy(double value) { return std::stod(fmt::format("{:.4g}", value)); }
-
-/// A slider of doubles with its name left of it. Returns whether it has been moved.
-bool slide(const char* name, double& value, double low, double high, const char* format, ImGuiSliderFlags flags) {
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(name);
-  ImGui::SameLine(ImGui::GetFontSize() * 5.6f);
-  ImGui::SetNextItemWidth(-FLT_MIN);
-  const bool is_moved = ImGui::SliderScalar((std::string("##") + name).c_str(), ImGuiDataType_Double, &value, &low,
-                                            &high, format, flags | ImGuiSliderFlags_AlwaysClamp);
-  if (is_moved) value = tidy(value);
-  return is_moved;
-}
-
 bool slide_degrees(const char* name, double& radians, double low, double high) {
   double degrees = glm::degrees(radians);
-  if (!slide(name, degrees, low, high, "%.4g\u00b0", 0)) return false;
+  if (!slide(name, degrees, low, high, "%.4g\u00b0")) return false;
   radians = glm::radians(degrees);
   return true;
 }
@@ -63,10 +50,7 @@ bool draw_cone(Cone& cone, bool was_point_light) {
   constexpr std::pair<const char*, ConeProfile> kProfiles[] = {
       {"none", ConeProfile::none}, {"cosine", ConeProfile::cosine}, {"smoothstep", ConeProfile::smoothstep}};
   bool is_changed = false;
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("Cone");
-  ImGui::SameLine(ImGui::GetFontSize() * 5.6f);
-  ImGui::SetNextItemWidth(-FLT_MIN);
+  label("Cone");
   const auto shown = std::ranges::find(kProfiles, cone.profile, [](const auto& profile) { return profile.second; });
   if (ImGui::BeginCombo("##cone", shown->first)) {
     for (const auto& [name, profile] : kProfiles) {
@@ -94,20 +78,19 @@ bool draw_cone(Cone& cone, bool was_point_light) {
   return is_changed;
 }
 
+/// A part of a colour to four digits, as a scene file, whose colours are floats, gives it back.
+double shortest(double value) { return double(float(*command::parse_number(fmt::format("{:.4g}", value)))); }
+
 bool draw_color(glm::dvec3& color) {
   const double largest = std::max({color.r, color.g, color.b});
   double brightness = largest;
   const glm::dvec3 hue = largest > 0 ? color / largest : glm::dvec3(1);
   float rgb[] = {float(hue.r), float(hue.g), float(hue.b)};
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("Colour");
-  ImGui::SameLine(ImGui::GetFontSize() * 5.6f);
-  ImGui::SetNextItemWidth(-FLT_MIN);
+  label("Colour");
   const bool has_hue = ImGui::ColorEdit3("##colour", rgb, ImGuiColorEditFlags_Float);
   const bool has_brightness = slide("Brightness", brightness, 0.001, 1000, "%.4g", ImGuiSliderFlags_Logarithmic);
   if (!has_hue && !has_brightness) return false;
-  // A scene file's colours are floats.
-  for (int i = 0; i < 3; ++i) color[i] = double(float(tidy(double(rgb[i]) * brightness)));
+  for (int i = 0; i < 3; ++i) color[i] = shortest(double(rgb[i]) * brightness);
   return true;
 }
 

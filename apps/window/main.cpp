@@ -35,6 +35,7 @@ using namespace litfog::window;
 
 constexpr double kFrameSeconds = 1.0 / 30;  // while something moves
 constexpr double kRestSeconds = 0.5;
+constexpr double kWordsStay = 10'000;  // milliseconds
 
 constexpr const char* kDescription =
     R"(Shows a scene lit by lamps in fog in a window, in which fog, lighting, camera and lamps can be changed.
@@ -83,7 +84,10 @@ class App {
   void save_scene();
   void copy_command();
   void draw_status() const;
+  /// Shows words for a while.
   void say(const std::string& words);
+  /// Says what has been done, on standard output, too.
+  void tell(const std::string& words);
   render::Exposure shown_exposure() const;
   bool is_finished() const {
     return delivery_ && delivery_->order == session_.order(picture_.width(), picture_.height(), false);
@@ -98,14 +102,15 @@ class App {
   std::optional<std::size_t> hovered_;  // of the list of lamps
   double changed_at_ = 0;               // milliseconds
   bool wants_picture_ = false;          // to be saved when it is finished
-  std::string words_;                   // what has last been done
+  std::string words_;                   // what has last been done, or could not be
+  double said_at_ = -kWordsStay;        // milliseconds
 };
 
 void App::take_delivery() {
   auto delivery = maker_.take();
   if (!delivery) return;
   if (!delivery->error.empty()) {
-    words_ = delivery->error;
+    say(delivery->error);
     return;
   }
   const int divisor = std::max(picture_.width() / std::max(delivery->order.width, 1), 1);
@@ -184,8 +189,9 @@ void App::draw(const std::string& shortcuts) {
 
 void App::draw_status() const {
   const float right = ImGui::GetContentRegionMax().x;
-  if (!delivery_ || delivery_->pictures.empty()) {
-    ImGui::TextDisabled("%s", words_.empty() ? "drawing the first picture" : words_.c_str());
+  const bool has_words = now_in_milliseconds() - said_at_ < kWordsStay;
+  if (!delivery_) {
+    ImGui::TextDisabled("%s", has_words ? words_.c_str() : "drawing the first picture");
     return;
   }
   const std::size_t which = std::min(session_.edited, delivery_->pictures.size() - 1);
@@ -197,7 +203,7 @@ void App::draw_status() const {
                       maker_.gl_renderer().c_str());
   }
   ImGui::SameLine();
-  ImGui::TextDisabled("%s", words_.empty() ? counts_in_words(drawn.counts).c_str() : words_.c_str());
+  ImGui::TextDisabled("%s", has_words ? words_.c_str() : counts_in_words(drawn.counts).c_str());
   const std::string sharpness = is_finished() ? ""
                                 : is_whole    ? "drawing"
                                               : fmt::format("1/{} size", picture_.width() / delivery_->order.width);
@@ -221,19 +227,24 @@ render::Exposure App::shown_exposure() const {
 
 void App::say(const std::string& words) {
   words_ = words;
+  said_at_ = now_in_milliseconds();
+}
+
+void App::tell(const std::string& words) {
+  say(words);
   report(words + "\n");
 }
 
 void App::keep(const Wishes& wishes) {
-  if (wishes.command) copy_command();
   wants_picture_ = wants_picture_ || wishes.picture;
   try {
+    if (wishes.command) copy_command();
     if (wishes.scene) save_scene();
     if (wants_picture_ && is_finished()) save_picture();
   } catch (const OutputError& error) {
-    words_ = error.what();
+    say(error.what());
   } catch (const InputError& error) {
-    words_ = error.what();
+    say(error.what());
   }
 }
 
@@ -243,24 +254,24 @@ void App::save_picture() {
   const std::vector<DrawnPicture>& pictures = delivery_->pictures;
   demo::write_picture(
       path, pictures.size() > 1 ? wiped(pictures[0].shown, pictures[1].shown, session_.wipe) : pictures[0].shown);
-  say(fmt::format("{}: {}x{}", path, picture_.width(), picture_.height()));
+  tell(fmt::format("{}: {}x{}", path, picture_.width(), picture_.height()));
 }
 
 void App::save_scene() {
   const std::string& file = session_.scene().files.front();
   if (scene::is_gltf_path(file)) {
-    words_ = "a glTF file cannot be saved: copy the command line, which has the camera";
+    say("a glTF file cannot be saved: copy the command line, which has the camera");
     return;
   }
   const std::string path = free_file_name(session_.scene().name, ".json");
   files::write_whole_file(path, changed_scene(file, session_.own_camera(), session_.changes(), path));
-  say(path + ": the scene with its changes");
+  tell(path + ": the scene with its changes");
 }
 
 void App::copy_command() {
   const std::string command = to_string(session_.command(session_.edited, picture_.width(), picture_.height()));
   ImGui::SetClipboardText(command.c_str());
-  say(command);  // a clipboard may end with the window
+  tell(command);  // a clipboard may end with the window
 }
 
 struct Options {

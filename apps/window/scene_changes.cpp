@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "command/number.h"
 #include "litfog/input_error.h"
 
 namespace litfog::window {
@@ -28,7 +29,9 @@ Json read_again(const std::string& path) {
 }
 
 Json cone_json(const Cone& cone) {
-  const auto degrees = [](double radians) { return std::stod(fmt::format("{:.12g}", glm::degrees(radians))); };
+  const auto degrees = [](double radians) {
+    return *command::parse_number(fmt::format("{:.12g}", glm::degrees(radians)));
+  };
   if (cone.profile == ConeProfile::cosine) {
     return {{"profile", "cosine"}, {"half_angle_deg", degrees(cone.half_angle)}, {"exponent", cone.exponent}};
   }
@@ -81,7 +84,7 @@ void move_light(Json& light, const fs::path& from, const fs::path& to) {
 }
 
 std::vector<double> rounded(const glm::vec3& v) {  // as short as floats that read back
-  const auto shortest = [](float x) { return std::stod(fmt::format("{}", x)); };
+  const auto shortest = [](float x) { return *command::parse_number(fmt::format("{}", x)); };
   return {shortest(v.x), shortest(v.y), shortest(v.z)};
 }
 
@@ -116,9 +119,10 @@ std::string changed_scene(const std::string& file, const std::optional<scene::Ca
                           const std::vector<scene::SceneChange>& changes, const std::string& place) {
   Json scene = read_again(file);
   if (camera) {
-    scene["camera"] = {{"position", rounded(camera->position)},
-                       {"target", rounded(camera->target)},
-                       {"field_of_view_deg", std::stod(fmt::format("{:.7g}", glm::degrees(camera->field_of_view)))}};
+    scene["camera"] = {
+        {"position", rounded(camera->position)},
+        {"target", rounded(camera->target)},
+        {"field_of_view_deg", *command::parse_number(fmt::format("{:.7g}", glm::degrees(camera->field_of_view)))}};
   }
   for (const scene::SceneChange& change : changes) apply(scene, change, fs::path(file).parent_path());
   if (!scene.contains("lights")) scene["lights"] = Json::array();

@@ -9,6 +9,7 @@
 #include <iterator>
 
 #include "render/lighting_path.h"
+#include "window/controls.h"
 #include "window/visibility_preset.h"
 
 namespace litfog::window {
@@ -24,23 +25,12 @@ void explain(const char* sentence) {
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", sentence);
 }
 
-/// A control's name left of it. The controls of a column begin below each other.
-void label(const char* text) {
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(text);
-  ImGui::SameLine(ImGui::GetFontSize() * 6.8f);
-  ImGui::SetNextItemWidth(-FLT_MIN);
-}
-
 template <typename Value>
 bool choice(const char* text, Value& value, const Value& meant) {
   if (!ImGui::RadioButton(text, value == meant)) return false;
   value = meant;
   return true;
 }
-
-/// To three digits: what a person means by a slider.
-double tidy(double value) { return std::stod(fmt::format("{:.3g}", value)); }
 
 void draw_presets(demo::DrawingOptions& options) {
   const float spacing = ImGui::GetStyle().ItemSpacing.x / 2;
@@ -68,13 +58,10 @@ void draw_fog(Session& session) {
   ImGui::SameLine();
   choice("none", options.fog, std::optional<FogMode>());
   ImGui::BeginDisabled(!options.fog);
-  label("Visibility");
   double metres = *options.visibility;
-  const double ends[] = {kLeastVisibility, kMostVisibility};
   const char* const format = std::isinf(metres) ? "clear" : "%.4g m";
-  if (ImGui::SliderScalar("##visibility", ImGuiDataType_Double, &metres, &ends[0], &ends[1], format,
-                          ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp)) {
-    options.visibility = tidy(metres);
+  if (slide("Visibility", metres, kLeastVisibility, kMostVisibility, format, ImGuiSliderFlags_Logarithmic)) {
+    options.visibility = metres;
   }
   draw_presets(options);
   label("Contrast");
