@@ -15,6 +15,7 @@
 #include "command/printable.h"
 #include "files/whole_file.h"
 #include "litfog/files/output_error.h"
+#include "litfog/fog.h"
 #include "litfog/input_error.h"
 
 namespace litfog::command {
@@ -85,6 +86,25 @@ CLI::Option* add_numbers(CLI::App& app, const std::string& name, std::vector<dou
     return true;
   };
   return app.add_option(name, parse, description)->type_name("NUMBER[,...]");
+}
+
+CLI::Option* add_contrast(CLI::App& app, double& target) {
+  const auto parse = [&target](const CLI::results_t& values) {
+    const std::string& text = values.front();
+    const auto number = text == "mor"           ? kContrastMor
+                        : text == "koschmieder" ? kContrastKoschmieder
+                        : text == "flightgear"  ? kContrastFlightgear
+                                                : parse_number(text);
+    if (!number || !kOpenUnitInterval.accepts(*number)) {
+      fail_option("--contrast", text, "must be mor, koschmieder, flightgear or a number in (0, 1)");
+    }
+    target = *number;
+    return true;
+  };
+  return app
+      .add_option("--contrast", parse,
+                  "Contrast left at the visibility: mor (0.05, the default), koschmieder (0.02), flightgear (0.01)")
+      ->type_name("mor|koschmieder|flightgear|NUMBER");
 }
 
 int run_command(CLI::App& app, int argc, char** argv, const std::function<ExitStatus()>& run) {

@@ -41,6 +41,9 @@ CLI::Option* add_integer(CLI::App& app, const std::string& name, int& target, in
 CLI::Option* add_numbers(CLI::App& app, const std::string& name, std::vector<double>& target, NumberRule rule,
                          const std::string& description);
 
+/// --contrast, by which a visibility means a density (Fog::from_visibility).
+CLI::Option* add_contrast(CLI::App& app, double& target);
+
 /// An option that takes one of a few words.
 template <typename Choice>
 CLI::Option* add_choice(CLI::App& app, const std::string& name, Choice& target,

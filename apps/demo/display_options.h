@@ -18,6 +18,8 @@ struct DisplayOptions {
   std::optional<render::Exposure> exposure = {};  ///< default: auto for glTF files, whose light is in candela, else 0
   render::ToneCurve tone = render::ToneCurve::neutral;
 
+  friend bool operator==(const DisplayOptions&, const DisplayOptions&) = default;
+
   render::Display display_for(const scene::Scene& scene) const;
 };
 

@@ -35,7 +35,7 @@ Drawn draw(const scene::Scene& scene, const DrawingOptions& options, int frames,
   const gl::HeadlessContext context;
   render::Renderer renderer(scene, options.width, options.height, options.settings_of(*options.render.path));
   const double visibility = options.chosen_visibility().value_or(scene::suggested_visibility(scene));
-  renderer.set_fog(Fog::from_visibility(options.fog_mode(), visibility));
+  renderer.set_fog(options.fog_at(visibility));
   render::Display display = options.display.display_for(scene);
   display.exposure = renderer.set_exposure(display.exposure);
   command::Progress progress;

@@ -94,7 +94,8 @@ void add_fog_and_visibility(CLI::App& app, DrawingOptions& options) {
                                               "How fog thickens with range (default exp)");
   add_number(
       app, "--visibility", options.visibility, command::kNotNegative,
-      "Range in metres at which 5 % of the contrast is left; inf is clear air (default: what the scene suggests)");
+      "Range in metres at which a fraction of the contrast is left; inf is clear air (default: what the scene suggests)");
+  command::add_contrast(app, options.contrast);
   add_phase(app, options);
 }
 
@@ -168,7 +169,7 @@ std::vector<command::OptionRule> drawing_rules(const DrawingOptions& options) {
   const bool can_be_flat =
       path.evaluation == render::Evaluation::lookup && path.surface == render::SurfaceModel::diffuse;
   const bool is_peak = options.settings_of(path).fog_lighting == render::FogLighting::peak;
-  return {{"--fog none", !options.fog, {"--visibility", "--phase-g"}, "the air is clear"},
+  return {{"--fog none", !options.fog, {"--visibility", "--contrast", "--phase-g"}, "the air is clear"},
           {options.fog_light ? "--fog-light peak" : name, is_peak, {"--phase-g"}, "only airlight scatters by it"},
           {name, path.maps == render::LightMapSet::none, {"--map-size", "--cone-maps"}, "it has no light maps"},
           {name, !can_be_flat, {"--flat-shading", "--light-ambient"}, "only lookup-3d and lookup-2d have it"},

@@ -20,6 +20,7 @@ namespace litfog::demo {
 struct DrawingOptions {
   std::optional<FogMode> fog = FogMode::exp;  ///< none: clear air
   std::optional<double> visibility = {};      ///< metres; default: what each scene suggests
+  double contrast = kContrastMor;             ///< that is left at the visibility, (0, 1)
   std::optional<double> phase_g = {};         ///< in (-1, 1); default: the scenes' own
   double seconds = 0;                         ///< for which the scenes' lights have been turning
   int width = 1280;                           ///< pixels
@@ -28,16 +29,20 @@ struct DrawingOptions {
   std::optional<render::FogLighting> fog_light = {};  ///< default: airlight along `unified`, peak along the others
   DisplayOptions display = {};
 
+  friend bool operator==(const DrawingOptions&, const DrawingOptions&) = default;
+
   /// The visibility that is asked for, infinite in clear air.
   std::optional<double> chosen_visibility() const;
   /// How a path draws. One that takes no airlight draws the peak whatever is asked for.
   render::RenderSettings settings_of(const render::LightingPath& path) const;
   FogMode fog_mode() const { return fog.value_or(FogMode::exp); }
+  /// The fog of a visibility in metres.
+  Fog fog_at(double metres) const { return Fog::from_visibility(fog_mode(), metres, contrast); }
 };
 
 /// --fog, for a job that draws clear air anyway, and --phase-g.
 void add_fog(CLI::App& app, DrawingOptions& options);
-/// --fog, which may be none, --visibility and --phase-g.
+/// --fog, which may be none, --visibility, --contrast and --phase-g.
 void add_fog_and_visibility(CLI::App& app, DrawingOptions& options);
 /// --path and --flat-shading, which belongs to two of the paths.
 void add_path(CLI::App& app, DrawingOptions& options);

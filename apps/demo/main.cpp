@@ -28,6 +28,7 @@
 #include "demo/scene_options.h"
 #include "demo/sequence.h"
 #include "demo/settings_comparison.h"
+#include "demo/window_job.h"
 #include "files/whole_file.h"
 #include "litfog/gl/headless_context.h"
 #include "litfog/gl/unsupported.h"
@@ -53,6 +54,7 @@ constexpr const char* kDescription =
   litfog-demo compare SCENE --with SETTING ...       a scene in any settings, on a page that flips, wipes and zooms
   litfog-demo sequence SCENE [-o FOLDER]             frames over visibility, time, a camera's way or any member
   litfog-demo papers [-o FOLDER]                     the papers' figures by their own programs
+  litfog-demo window SCENE [OPTIONS]                 a window to move and change things in
   litfog-demo list scenes|paths                      what SCENE and --path may be
   litfog-demo list lights SCENE                      what --set may change of a scene's lights
 
@@ -257,7 +259,7 @@ Job add_comparison_job(CLI::App& app) {
   return [&app, options] {
     const DrawingOptions& drawing = options->drawing;
     if (options->folder.empty()) fail_option("--output", "", "must not be empty");
-    check_options(app, {{"--fog none", !drawing.fog, {"--visibility", "--phase-g"}, "the air is clear"}});
+    check_options(app, {{"--fog none", !drawing.fog, {"--visibility", "--contrast", "--phase-g"}, "the air is clear"}});
     check_options(app, shadow_rules(drawing));
     if (!options->settings.empty()) {
       if (options->scenes.size() != 1) throw CLI::ValidationError("--with compares settings of one SCENE: name it");
@@ -400,6 +402,14 @@ Job add_list_job(CLI::App& app) {
   };
 }
 
+Job add_window_job(CLI::App& app) {
+  app.prefix_command();
+  app.footer(
+      "litfog-window SCENE [OPTIONS] is what it starts: see litfog-window --help.\n\n"
+      "Example:\n  litfog-demo window street --visibility 150");
+  return [&app]() -> ExitStatus { become_window(app.remaining()); };
+}
+
 /// Throws the usage error of a scene or an option of a single picture that is given before another job.
 void expect_nothing_before(const CLI::App& job, const CLI::App& app) {
   for (const CLI::Option* option : app.get_options()) {
@@ -429,6 +439,8 @@ int main(int argc, char** argv) {
           add_sequence_job);
   add_job("papers", "Redraws the papers' figures by their own programs: a sheet a paper, with Hales's table 1",
           add_papers_job);
+  add_job("window", "Shows a scene in a window, in which fog, lighting, camera and lamps can be changed",
+          add_window_job);
   add_job("list", "Lists the scenes that come with litfog, the lighting paths or a scene's lights", add_list_job);
   app.footer(kExamples);  // now, so that the jobs' help is without it
   return run_command(app, argc, argv, [&] {

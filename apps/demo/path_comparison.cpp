@@ -68,7 +68,7 @@ std::vector<measure::FrameTimes> time_paths(const std::vector<std::unique_ptr<re
 SceneResult compare_scene(const scene::Scene& scene, PictureFolder& pictures, const std::string& machine,
                           const DrawingOptions& options, int frames) {
   const double visibility = options.chosen_visibility().value_or(scene::suggested_visibility(scene));
-  const Fog fog = Fog::from_visibility(options.fog_mode(), visibility);
+  const Fog fog = options.fog_at(visibility);
   SceneResult result{.name = scene.name,
                      .description = scene.description,
                      .conditions = words_of(fog, visibility),

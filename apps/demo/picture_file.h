@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "render/picture.h"
 
@@ -13,6 +15,9 @@ void write_picture(const std::string& path, const render::Picture& picture);
 
 /// The bytes of a .png file of it. Throws OutputError.
 std::string png_text(const render::Picture& picture);
+
+/// The bytes of its pixels: RGB, top row first.
+std::vector<std::uint8_t> shown_pixels(const render::Picture& picture);
 
 /// Whether a path has one of those endings.
 bool is_picture_path(const std::string& path);

@@ -53,9 +53,7 @@ void check_framebuffer() {
 constexpr int kCookieProfile = 3;  // of a light as shaders know it
 
 /// The text of airlight_constants.glsl.
-std::string light_constants(const scene::Scene& scene, FogMode fog_mode, int profile) {
-  const bool has_knee =
-      std::ranges::any_of(scene.lights, [](const PlacedLight& light) { return light.light.attenuation.constant < 1; });
+std::string light_constants(const scene::Scene& scene, FogMode fog_mode, int profile, bool has_knee) {
   return fmt::format(
       "#define LITFOG_FOG_MODE {}.0\n"
       "{}"
@@ -81,7 +79,6 @@ AirlightPainter::AirlightPainter(const scene::Scene& scene, const SceneLights& l
     : scene_(scene),
       fog_lights_(fog_lights),
       lights_(lights),
-      picture_size_(framebuffer.width(), framebuffer.height()),
       shafts_(shafts),
       shaft_steps_(shaft_steps),
       seen_program_(make_seen_program(framebuffer.samples())),
@@ -90,6 +87,12 @@ AirlightPainter::AirlightPainter(const scene::Scene& scene, const SceneLights& l
       pack_program_("whole_picture.vert", "airlight_pack.frag", demo_shaders()),
       unpack_program_("whole_picture.vert", "airlight_unpack.frag", demo_shaders()),
       add_program_("whole_picture.vert", "airlight_add.frag", demo_shaders()) {
+  set_size(framebuffer);
+}
+
+void AirlightPainter::set_size(const Framebuffer& framebuffer) {
+  picture_size_ = {framebuffer.width(), framebuffer.height()};
+  grids_.clear();
   glBindFramebuffer(GL_FRAMEBUFFER, seen_.id());
   attach(GL_COLOR_ATTACHMENT0, seen_texture_, picture_size_);
   attach(GL_COLOR_ATTACHMENT1, mean_opacities_, picture_size_, GL_R32F);
@@ -257,10 +260,12 @@ double AirlightPainter::pixels_per_radian() const {
 }
 
 const gl::Program& AirlightPainter::light_program(FogMode fog_mode, int profile, bool has_shafts) {
-  const std::tuple key(fog_mode, profile, has_shafts);
+  const bool has_knee =
+      std::ranges::any_of(scene_.lights, [](const PlacedLight& light) { return light.light.attenuation.constant < 1; });
+  const std::tuple key(fog_mode, profile, has_shafts, has_knee, scene_.phase_g == 0);
   const auto found = light_programs_.find(key);
   if (found != light_programs_.end()) return found->second;
-  const std::string constants = light_constants(scene_, fog_mode, profile);
+  const std::string constants = light_constants(scene_, fog_mode, profile, has_knee);
   std::vector<gl::ShaderSource> files = scene_shaders(profile == kCookieProfile, has_shafts);
   files.push_back({"airlight_constants.glsl", constants});
   return light_programs_.emplace(key, gl::Program("airlight.vert", "airlight.frag", files)).first->second;

@@ -42,6 +42,9 @@ class AirlightPainter {
   AirlightPainter(const scene::Scene& scene, const SceneLights& lights, const gl::FogLightBuffer& fog_lights,
                   const Framebuffer& framebuffer, const ShadowMaps* shafts, int shaft_steps);
 
+  /// Takes another size of the pictures, and a change of the camera's field of view. They have as many samples as before.
+  void set_size(const Framebuffer& framebuffer);
+
   /// Adds that of all lights to a resolved framebuffer. The lights and the cookies are bound to their units.
   ///
   /// returns  the lights whose airlight it has drawn
@@ -91,9 +94,9 @@ class AirlightPainter {
   glm::ivec2 picture_size_;
   const ShadowMaps* shafts_;
   int shaft_steps_;
-  /// For lights of one profile, with or without shafts, in fog of one mode: the compiler leaves out what they do not
-  /// need.
-  std::map<std::tuple<FogMode, int, bool>, gl::Program> light_programs_;
+  /// For lights of one profile, with or without shafts, in fog of one mode, where a light has a knee or none has, and
+  /// that scatters evenly or not: the compiler leaves out what they do not need.
+  std::map<std::tuple<FogMode, int, bool, bool, bool>, gl::Program> light_programs_;
   gl::Program seen_program_;
   gl::Program fill_program_;
   gl::Program marks_program_;

@@ -13,6 +13,8 @@ inline constexpr double kMaxExposure = 32;  ///< EV, either way: half floats spa
 struct Exposure {
   double ev = 0;         ///< [-kMaxExposure, kMaxExposure]; of an automatic one what Renderer::set_exposure has chosen
   bool is_auto = false;  ///< whether it is to be chosen from the picture
+
+  friend bool operator==(const Exposure&, const Exposure&) = default;
 };
 
 /// How a display shows light beyond its white, which is 1.

@@ -36,12 +36,12 @@ FramePlanner::FramePlanner(const scene::Scene& scene, const SceneLights& lights,
       lights_(lights),
       surfaces_(surfaces),
       settings_(settings),
-      foggy_(surfaces.surfaces().size()),
-      strengths_(surfaces.lists().size()) {}
+      foggy_(surfaces.surfaces().size()) {}
 
 void FramePlanner::set_fog(const Fog& fog, bool is_fog_lit) {
   fog_ = fog;
   is_fog_lit_ = is_fog_lit;
+  strengths_.resize(surfaces_.lists().size());
   ++fog_number_;
   view_.reset();
 }

@@ -72,7 +72,8 @@ class FramePlanner {
   FramePlanner(const scene::Scene& scene, const SceneLights& lights, const SurfaceList& surfaces,
                const RenderSettings& settings);
 
-  /// Takes a change of the fog. is_fog_lit: whether carried lights light it by their intensity.
+  /// Takes a change of the fog, and of the lights where they have changed. is_fog_lit: whether carried lights light it
+  /// by their intensity.
   void set_fog(const Fog& fog, bool is_fog_lit);
 
   /// Valid until the next call; the same where the view has not changed, with has_changed() false.

@@ -52,6 +52,8 @@ struct RenderSettings {
   int shadow_map_size = 1024;       ///< texels a side, at least 16
   int shaft_steps = 64;             ///< along a pixel's ray, at which shadow maps are looked up: 1 to 1024
 
+  friend bool operator==(const RenderSettings&, const RenderSettings&) = default;
+
   /// What the path allows of skipping.
   Skipping path_skipping() const { return path->pairs_lights ? Skipping::off : skipping; }
 };

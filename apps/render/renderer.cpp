@@ -78,8 +78,7 @@ void set_point_uniforms(const gl::Program& program, FogLighting fog_lighting, in
 Renderer::Renderer(const scene::Scene& scene, int width, int height, const RenderSettings& settings)
     : scene_(scene),
       settings_(settings),
-      framebuffer_(width, height, settings.path->has_several_passes() ? Passes::several : Passes::one,
-                   settings.samples),
+      framebuffer_(width, height, passes(), settings.samples),
       lights_(scene, settings),
       cookie_cones_(lights_.cookie_cones().data(), lights_.cookie_cones().size_bytes(), BufferTexture::Texel::float4),
       surfaces_(scene, lights_, fog_block_, settings),
@@ -98,6 +97,22 @@ Renderer::Renderer(const scene::Scene& scene, int width, int height, const Rende
   if (!scene.cookies.empty()) cookies_ = upload_cookies(scene.cookies);
   set_fog(Fog{});
   gl::check_errors("uploading the scene");
+}
+
+void Renderer::set_size(int width, int height) {
+  framebuffer_ = Framebuffer(width, height, passes(), settings_.samples);
+  if (airlight_) airlight_->set_size(framebuffer_);
+  gl::check_errors("making a picture of another size");
+}
+
+void Renderer::set_lights() {
+  lights_ = SceneLights(scene_, settings_);
+  light_tables_ = {};  // so that all are uploaded
+  cookie_cones_ = BufferTexture(lights_.cookie_cones().data(), lights_.cookie_cones().size_bytes(),
+                                BufferTexture::Texel::float4);
+  surfaces_.set_lights();
+  if (shadows_) shadows_.emplace(lights_, surfaces_.surfaces(), scene_.camera.position, settings_);
+  set_fog(fog_);
 }
 
 void Renderer::set_fog(const Fog& fog) {

@@ -28,14 +28,25 @@ enum class LightPoints { on, off };
 /// height  of the picture, pixels
 void set_point_uniforms(const gl::Program& program, FogLighting fog_lighting, int height);
 
-/// Draws a scene by a lighting path into a framebuffer. Needs a current GL 3.3 core context.
+/// Draws a scene by a lighting path into a framebuffer. Needs a current GL 3.3 core context. The scene's camera may change
+/// from frame to frame, but lamps that cast shadows are chosen as set_lights() finds it.
 class Renderer {
  public:
   /// throws gl::Unsupported where this OpenGL cannot hold the scene's light lists, or the path's light maps or the
   /// shadow maps would take more than 1 GiB, std::invalid_argument where a part is of a material that the scene lacks
   /// scene  has to outlive this
   Renderer(const scene::Scene& scene, int width, int height, const RenderSettings& settings);
+  Renderer(const Renderer&) = delete;  // its parts refer to each other
+  Renderer& operator=(const Renderer&) = delete;
 
+  /// Takes another size of the pictures, and a change of the camera's field of view.
+  ///
+  /// throws  gl::Unsupported where the driver has no framebuffer of that size
+  void set_size(int width, int height);
+  /// Takes a change of the scene's lights, none of which is added or removed: solves and uploads them all.
+  ///
+  /// throws  gl::Unsupported as the constructor
+  void set_lights();
   /// Takes a change of the fog: solves the carried lights and uploads what changed of them.
   void set_fog(const Fog& fog);
   /// At which exposure frames will be shown; 0 EV until it is called. What makes less than a step of the display is
@@ -69,6 +80,7 @@ class Renderer {
   View view() const;
   unsigned carried_count() const { return unsigned(lights_.size() - lights_.local_count()); }
   FrameView frame_view(const View& view) const;
+  Passes passes() const { return settings_.path->has_several_passes() ? Passes::several : Passes::one; }
   void begin_frame(const glm::vec3& background);
   double count_lights_per_fragment();
   FrameCounts draw_stages(LightPoints light_points, FrameStatistics* statistics);

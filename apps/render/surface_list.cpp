@@ -99,10 +99,12 @@ std::vector<SurfaceMaterial> upload(std::vector<scene::Material> materials, cons
 
 SurfaceList::SurfaceList(const scene::Scene& scene, const SceneLights& lights, Skipping skipping)
     : meshes_(scene.models), materials_(upload(scene.materials, scene.environment)) {
-  list_lights(scene, lights, skipping);
+  set_lights(scene, lights, skipping);
 }
 
-void SurfaceList::list_lights(const scene::Scene& scene, const SceneLights& lights, Skipping skipping) {
+void SurfaceList::set_lights(const scene::Scene& scene, const SceneLights& lights, Skipping skipping) {
+  surfaces_.clear();
+  list_.clear();
   // A frame's light list holds the carried lights and points besides.
   const std::size_t most = std::min(kMaxListed, BufferTexture::max_texels());
   const LightFinder finder(lights.lights().first(lights.local_count()), lights.extents().first(lights.local_count()));

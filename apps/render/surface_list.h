@@ -45,6 +45,11 @@ class SurfaceList {
   ///         material that the scene lacks
   SurfaceList(const scene::Scene& scene, const SceneLights& lights, Skipping skipping);
 
+  /// Takes a change of the lights. The surfaces stay as many as they are, in their order.
+  ///
+  /// throws  gl::Unsupported as the constructor
+  void set_lights(const scene::Scene& scene, const SceneLights& lights, Skipping skipping);
+
   const std::vector<Surface>& surfaces() const { return surfaces_; }
   /// The lights that can reach a surface: indices in SceneLights, ascending. Without skipping they are
   /// all lights, or none of a surface that is beyond lights.
@@ -60,9 +65,6 @@ class SurfaceList {
 
  private:
   const SurfaceMaterial& material(const std::string& name) const;
-  /// Fills surfaces_ and list_.
-  void list_lights(const scene::Scene& scene, const SceneLights& lights, Skipping skipping);
-
   MeshStore meshes_;
   std::vector<SurfaceMaterial> materials_;  // sorted by name
   std::vector<Surface> surfaces_;

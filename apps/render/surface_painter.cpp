@@ -72,6 +72,11 @@ SurfacePainter::SurfacePainter(const scene::Scene& scene, const SceneLights& lig
       maps_(scene, lights, settings),
       programs_(scene, settings) {}
 
+void SurfacePainter::set_lights() {
+  surfaces_.set_lights(scene_, lights_, settings_.path_skipping());
+  maps_ = LightMapStore(scene_, lights_, settings_);
+}
+
 void SurfacePainter::set_fog() { fog_lights_ = fog_lights(lights_, settings_.path_skipping()); }
 
 std::size_t SurfacePainter::draw(const LightingPath& path, const FramePlan& plan, const glm::mat4& clip_from_world,

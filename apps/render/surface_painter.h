@@ -25,6 +25,10 @@ class SurfacePainter {
   SurfacePainter(const scene::Scene& scene, const SceneLights& lights, const gl::FogLightBuffer& fog_lights,
                  const RenderSettings& settings);
 
+  /// Takes a change of the lights; one of the fog has to follow.
+  ///
+  /// throws  gl::Unsupported as the constructor
+  void set_lights();
   /// Takes a change of the fog, which the lights have taken.
   void set_fog();
   /// Draws the surfaces of a plan. Its light list is bound to its unit.

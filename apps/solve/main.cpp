@@ -313,25 +313,6 @@ ExitStatus solve_batch(const Options& options) {
   return report.finish() ? status : kBadInput;
 }
 
-CLI::Option* add_contrast(CLI::App& app, double& target) {
-  const auto parse = [&target](const CLI::results_t& values) {
-    const std::string& text = values.front();
-    const auto number = text == "mor"           ? litfog::kContrastMor
-                        : text == "koschmieder" ? litfog::kContrastKoschmieder
-                        : text == "flightgear"  ? litfog::kContrastFlightgear
-                                                : parse_number(text);
-    if (!number || !kOpenUnitInterval.accepts(*number)) {
-      fail_option("--contrast", text, "must be mor, koschmieder, flightgear or a number in (0, 1)");
-    }
-    target = *number;
-    return true;
-  };
-  return app
-      .add_option("--contrast", parse,
-                  "Contrast left at the visibility: mor (0.05, the default), koschmieder (0.02), flightgear (0.01)")
-      ->type_name("mor|koschmieder|flightgear|NUMBER");
-}
-
 [[noreturn]] void fail_form(const std::string& sentence) { throw CLI::ValidationError(sentence); }
 
 /// What the options mean together.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -359,6 +360,26 @@ TEST_F(DemoCommand, BeamOfTheLighthouseTurnsWithTime) {
   }
   EXPECT_NE(read("a.png"), read("b.png"));  // the beam meets the eye
   EXPECT_EQ(read("a.png"), read("c.png"));
+}
+
+TEST_F(DemoCommand, ContrastGivesTheVisibilityItsMeaning) {
+  const double same_fog = 40 * std::log(0.05) / std::log(0.02);
+  for (const std::string& options : {std::string("40 --contrast koschmieder -o a.png"),
+                                     fmt::format("{} -o b.png", same_fog), std::string("40 -o c.png")}) {
+    ASSERT_EQ(run("room --size 32x18 --visibility " + options).status, kDone);
+  }
+  const auto pixels = [this](const char* name) {
+    OIIO::ImageBuf image((directory() / name).string());
+    std::vector<float> values(std::size_t(image.spec().image_pixels()) * 3);
+    EXPECT_TRUE(image.get_pixels(image.roi(), OIIO::TypeDesc::FLOAT, values.data()));
+    return values;
+  };
+  const std::vector<float> a = pixels("a.png");
+  const std::vector<float> b = pixels("b.png");
+  for (std::size_t i = 0; i < a.size(); ++i) ASSERT_NEAR(a[i], b[i], 1.5 / 255) << i;
+  EXPECT_NE(read("a.png"), read("c.png"));
+  EXPECT_EQ(run("room --fog none --contrast mor").status, kUsage);
+  EXPECT_EQ(run("room --contrast 1").status, kUsage);
 }
 
 TEST_F(DemoCommand, PhaseAsymmetryIsANumberBetweenMinusOneAndOne) {

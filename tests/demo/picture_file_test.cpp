@@ -4,6 +4,7 @@
 #include <OpenImageIO/imagebuf.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -66,6 +67,15 @@ TEST_F(PictureFile, PngIsDitheredAroundTheTrueValue) {
   }
   EXPECT_GE(levels.size(), 2u);
   EXPECT_NEAR(sum / double(values.size()) * 255, srgb_from_linear(linear) * 255, 0.05);
+}
+
+TEST_F(PictureFile, ShownPixelsAreThoseOfThePng) {
+  const Picture picture = gradient(61, 47, 1.3);
+  write_picture(path("a.png"), picture);
+  const std::vector<float> values = read("a.png");
+  const std::vector<std::uint8_t> pixels = demo::shown_pixels(picture);
+  ASSERT_EQ(pixels.size(), values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) ASSERT_EQ(pixels[i], std::lround(values[i] * 255)) << i;
 }
 
 TEST_F(PictureFile, PngClampsLightBeyondTheDisplay) {

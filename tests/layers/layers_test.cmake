@@ -2,7 +2,8 @@
 # Includes run one way only:
 #
 #     core  <-  photometry, files, gl  <-  fit;   c on core and files                                    (src)
-#     command  <-  scene  <-  render  <-  measure  <-  demo, bench;   solve and fit on command alone     (apps)
+#     command  <-  scene  <-  render  <-  measure  <-  demo  <-  window;   bench on measure;
+#     solve and fit on command alone                                                                     (apps)
 #
 # cmake -DROOT=<the repository> -P layers_test.cmake
 
@@ -41,11 +42,12 @@ set(graphics epoxy/ EGL/ GL/)
 set(images OpenImageIO/ openexr ImfC webp/)
 set(containers pugixml unzip.h zip.h uchardet)
 set(meshes draco/ meshoptimizer)
-set(foreign ${ceres} ${json} ${graphics} ${images} ${containers} ${meshes} CLI/)
+set(displays GLFW/ imgui backends/imgui)
+set(foreign ${ceres} ${json} ${graphics} ${images} ${containers} ${meshes} ${displays} CLI/)
 set(commands command/ scene/ render/ measure/ solve/ demo/ bench/)
 
 # src. The public headers show no other library but GLM.
-set(apps command/ scene/ render/ measure/ solve/ demo/ bench/)
+set(apps command/ scene/ render/ measure/ solve/ demo/ bench/ window/)
 set(photometry photometry/ litfog/photometry/)
 set(files files/ litfog/files/)
 set(gl gl/ litfog/gl/)
@@ -63,20 +65,21 @@ layer(include/litfog/litfog.h FORBIDDEN litfog/ glm/)  # C knows neither
 
 # apps. Scene data and the renderer know no file; only the scenes' readers do.
 set(catalogues scene/model/ scene/paint/)
-set(above_scene render/ measure/ demo/ bench/)
+set(above_scene render/ measure/ demo/ bench/ window/)
 layer(apps/** FORBIDDEN ${containers})
 layer(apps/command/** FORBIDDEN scene/ solve/ ${above_scene} ${fit} ${gl} ${graphics})
 layer(apps/scene/* FORBIDDEN command/ scene/file/ ${catalogues} ${above_scene} ${files} ${gl} ${fit} ${foreign} fmt/)
 layer(apps/scene/model/** apps/scene/paint/** FORBIDDEN command/ scene/file/ ${above_scene} ${files} ${gl} ${foreign})
 layer(apps/scene/file/** FORBIDDEN ${above_scene} ${gl} ${graphics})
-layer(apps/render/** FORBIDDEN command/ scene/file/ ${catalogues} measure/ demo/ bench/ litfog/files/ ${fit} ${ceres}
-      ${json} ${images} CLI/)
-layer(apps/measure/** FORBIDDEN command/ scene/file/ ${catalogues} demo/ bench/ litfog/files/ ${fit} ${ceres} ${json}
-      CLI/)
-layer(apps/demo/** FORBIDDEN solve/ fit/ bench/)
+layer(apps/render/** FORBIDDEN command/ scene/file/ ${catalogues} measure/ demo/ bench/ window/ litfog/files/ ${fit}
+      ${ceres} ${json} ${images} ${displays} CLI/)
+layer(apps/measure/** FORBIDDEN command/ scene/file/ ${catalogues} demo/ bench/ window/ litfog/files/ ${fit} ${ceres}
+      ${json} ${displays} CLI/)
+layer(apps/demo/** FORBIDDEN solve/ fit/ bench/ window/ ${displays})
+layer(apps/window/** FORBIDDEN solve/ fit/ bench/)
 layer(apps/solve/** apps/fit/** FORBIDDEN scene/ ${above_scene} ${gl} ${graphics})
 layer(apps/examples/** FORBIDDEN ${commands})  # they know what is installed
-layer(apps/bench/** FORBIDDEN demo/ solve/ fit/ core/ gl/)  # of tests/ it may know reference/
+layer(apps/bench/** FORBIDDEN demo/ window/ solve/ fit/ core/ gl/)  # of tests/ it may know reference/
 
 # tests. Only the benchmark's know its sources; what the benchmark takes from here is reference/.
 layer(tests/reference/** FORBIDDEN ${apps} core/ ${files} ${gl})

@@ -11,6 +11,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <tuple>
 
 #include "gl/gl_test.h"
 #include "litfog/gl/unsupported.h"
@@ -202,6 +203,51 @@ TEST_F(RendererTest, OnlyAnAutomaticExposureIsChosen) {
   const Exposure given = renderer.set_exposure({.ev = 1.5});
   EXPECT_FALSE(given.is_auto);
   EXPECT_EQ(given.ev, 1.5);
+}
+
+/// Changes what a renderer may be told of, for a scene with two lights or more: camera, lights and their order of extents.
+void change(Scene& scene) {
+  scene.camera.position += glm::vec3(0.7f, 0.3f, -0.4f);
+  scene.camera.field_of_view *= 0.8f;
+  Light& first = scene.lights.front().light;
+  first.attenuation = {.constant = 0.5, .linear = 0.02, .quadratic = 0.004};  // with a knee, which it did not have
+  first.color = glm::dvec3(2, 0.5, 0.1);
+  first.cone = Cone::smoothstep(0.2, 0.9);
+  scene.lights.back().light.color = glm::dvec3(0);  // off: left out of all lists
+}
+
+TEST_F(RendererTest, ChangedLightsCameraAndSizeGiveThePictureOfANewRenderer) {
+  const Scene original = read_scene(bundled_scene_path("room"));
+  const Fog fog = Fog::from_visibility(FogMode::exp, 30.0);
+  for (const auto& [path, fog_lighting, shadows] : {std::tuple{"unified", FogLighting::airlight, Shadows::shafts},
+                                                    std::tuple{"unified", FogLighting::peak, Shadows::none},
+                                                    std::tuple{"lookup-3d", FogLighting::peak, Shadows::none}}) {
+    const RenderSettings settings{.path = find_lighting_path(path),
+                                  .fog_lighting = fog_lighting,
+                                  .map_size = 16,
+                                  .shadows = shadows,
+                                  .shadow_map_size = 64};
+    Scene scene = original;
+    Renderer renderer(scene, kWidth, kHeight, settings);
+    renderer.set_fog(fog);
+    renderer.draw();
+    const Picture before = renderer.read();
+    change(scene);
+    renderer.set_size(80, 45);
+    renderer.set_lights();
+    renderer.draw();
+    Renderer made_anew(scene, 80, 45, settings);
+    made_anew.set_fog(fog);
+    made_anew.draw();
+    EXPECT_EQ(renderer.read().rgb, made_anew.read().rgb) << path;
+    scene.lights = original.lights;
+    scene.camera = original.camera;
+    renderer.set_size(kWidth, kHeight);
+    renderer.set_lights();
+    renderer.draw();
+    EXPECT_EQ(renderer.read().rgb, before.rgb) << path;
+    EXPECT_NE(made_anew.read().rgb, before.rgb) << path;
+  }
 }
 
 TEST_F(RendererTest, MoreSamplesThanTheDriverHasAreUnsupported) {

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "scene/scene.h"
+
+namespace litfog::window {
+
+// How a person moves a camera. It never looks straight up or down, where its picture would have no upright: its pitch
+// ends at kSteepest.
+
+inline constexpr double kSteepest = 1.5533;  ///< radians, 89 degrees
+
+/// Turns the camera about its eye: radians to the right and up. The target stays as far away as it was.
+void look(scene::Camera& camera, double right, double up);
+
+/// Moves eye and target: metres to the right and ahead in the camera's own directions, and up in the world's.
+void fly(scene::Camera& camera, double right, double up, double ahead);
+
+/// Moves the eye about the target: radians to the right and up.
+void orbit(scene::Camera& camera, double right, double up);
+
+/// Multiplies the eye's distance from the target, which ends at 0.1 m and at 100 km.
+void approach(scene::Camera& camera, double factor);
+
+/// Turns the camera towards a point, which becomes its target. A point straight above or below, or at the eye, is seen
+/// as nearly as the pitch allows.
+void face(scene::Camera& camera, const glm::dvec3& point);
+
+double target_distance(const scene::Camera& camera);  ///< metres
+
+}  // namespace litfog::window

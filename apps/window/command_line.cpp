@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "window/command_line.h"
+
+#include <fmt/format.h>
+
+#include <glm/glm.hpp>
+#include <string_view>
+
+#include "render/lighting_path.h"
+
+namespace litfog::window {
+namespace {
+
+/// A word for a POSIX shell.
+std::string quoted(std::string_view word) {
+  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+./,:=@%";
+  if (!word.empty() && word.find_first_not_of(kPlain) == word.npos) return std::string(word);
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? R"('\'')" : std::string(1, c);
+  return text + "'";
+}
+
+std::string point(const glm::vec3& p) { return fmt::format("{},{},{}", p.x, p.y, p.z); }
+
+std::string contrast_word(double contrast) {
+  return contrast == kContrastKoschmieder  ? "koschmieder"
+         : contrast == kContrastFlightgear ? "flightgear"
+                                           : fmt::format("{}", contrast);
+}
+
+const char* cone_maps_word(render::ConeMaps maps) { return maps == render::ConeMaps::even ? "even" : "one-disc"; }
+
+const char* shadows_word(render::Shadows shadows) {
+  return shadows == render::Shadows::surfaces ? "surfaces" : "shafts";
+}
+
+}  // namespace
+
+std::string to_string(const DrawingCommand& command) {
+  const demo::DrawingOptions& options = command.options;
+  const demo::DrawingOptions usual;
+  const render::LightingPath& path = *options.render.path;
+  const render::RenderSettings drawn = options.settings_of(path);
+  std::string text = "litfog-demo " + quoted(command.scene);
+  const auto add = [&text](bool is_given, const std::string& option, const std::string& value = "") {
+    if (is_given) text += " " + option + (value.empty() ? "" : " " + quoted(value));
+  };
+  add(!options.fog, "--fog", "none");
+  add(options.fog == FogMode::exp2, "--fog", "exp2");
+  if (options.fog) {
+    add(options.visibility.has_value(), "--visibility", fmt::format("{}", options.visibility.value_or(0)));
+    add(options.contrast != usual.contrast, "--contrast", contrast_word(options.contrast));
+    add(options.phase_g && drawn.fog_lighting == render::FogLighting::airlight, "--phase-g",
+        fmt::format("{}", options.phase_g.value_or(0)));
+  }
+  add(&path != usual.render.path, "--path", std::string(path.name));
+  const bool has_maps = path.maps != render::LightMapSet::none;
+  add(has_maps && drawn.map_size != usual.render.map_size, "--map-size", fmt::format("{}", drawn.map_size));
+  add(has_maps && drawn.cone_maps != usual.render.cone_maps, "--cone-maps", cone_maps_word(drawn.cone_maps));
+  const bool can_be_flat =
+      path.evaluation == render::Evaluation::lookup && path.surface == render::SurfaceModel::diffuse;
+  add(can_be_flat && drawn.is_flat_shaded, "--flat-shading");
+  add(can_be_flat && drawn.light_ambient != 0, "--light-ambient", fmt::format("{}", drawn.light_ambient));
+  add(path.surface == render::SurfaceModel::basic && drawn.has_infinite_viewer, "--infinite-viewer");
+  if (path.takes_airlight && options.fog_light) {
+    add(true, "--fog-light", drawn.fog_lighting == render::FogLighting::airlight ? "airlight" : "peak");
+  }
+  if (drawn.shadows != render::Shadows::none) {
+    add(true, "--shadows", shadows_word(drawn.shadows));
+    add(drawn.shadow_lamps != usual.render.shadow_lamps, "--shadow-lamps", fmt::format("{}", drawn.shadow_lamps));
+    add(drawn.shadow_map_size != usual.render.shadow_map_size, "--shadow-map-size",
+        fmt::format("{}", drawn.shadow_map_size));
+  }
+  add(options.seconds != 0, "--time", fmt::format("{}", options.seconds));
+  if (const auto& exposure = options.display.exposure) {
+    add(true, "--exposure", exposure->is_auto ? "auto" : fmt::format("{}", exposure->ev));
+  }
+  add(options.display.tone != usual.display.tone, "--tone", demo::tone_name(options.display.tone));
+  add(drawn.samples != usual.render.samples, "--samples", fmt::format("{}", drawn.samples));
+  add(options.render.skipping == render::Skipping::off, "--no-skip");
+  if (command.camera) {
+    add(true, "--camera", point(command.camera->position));
+    add(true, "--target", point(command.camera->target));
+    add(true, "--fov-deg", fmt::format("{:.7g}", glm::degrees(command.camera->field_of_view)));
+  }
+  for (const scene::SceneChange& change : command.changes) add(true, "--set", change.member + "=" + change.value);
+  add(command.city_lights > 0, "--lights", fmt::format("{}", command.city_lights));
+  add(true, "--size", fmt::format("{}x{}", options.width, options.height));
+  return text;
+}
+
+}  // namespace litfog::window

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "window/controls.h"
+
+#include <fmt/format.h>
+
+#include <cfloat>
+#include <string>
+
+#include "command/number.h"
+
+namespace litfog::window {
+
+void label(const char* name) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(name);
+  ImGui::SameLine(ImGui::GetFontSize() * 6.8f);
+  ImGui::SetNextItemWidth(-FLT_MIN);
+}
+
+bool slide(const char* name, double& value, double low, double high, const char* format, ImGuiSliderFlags flags) {
+  label(name);
+  if (!ImGui::SliderScalar((std::string("##") + name).c_str(), ImGuiDataType_Double, &value, &low, &high, format,
+                           flags | ImGuiSliderFlags_AlwaysClamp)) {
+    return false;
+  }
+  value = *command::parse_number(fmt::format("{:.4g}", value));
+  return true;
+}
+
+}  // namespace litfog::window

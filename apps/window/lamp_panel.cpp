@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "window/lamp_panel.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+#include "command/number.h"
+#include "window/controls.h"
+#include "window/range_curve.h"
+
+namespace litfog::window {
+namespace {
+
+constexpr int kCurveSamples = 240;
+
+bool slide_degrees(const char* name, double& radians, double low, double high) {
+  double degrees = glm::degrees(radians);
+  if (!slide(name, degrees, low, high, "%.4g\u00b0")) return false;
+  radians = glm::radians(degrees);
+  return true;
+}
+
+void draw_list(Session& session, std::optional<std::size_t>& hovered) {
+  if (session.lights().empty()) ImGui::TextDisabled("The scene has no lamps");
+  ImGuiListClipper clipper;
+  clipper.Begin(int(session.firsts().size()));
+  while (clipper.Step()) {
+    for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row) {
+      const std::size_t light = session.firsts()[std::size_t(row)];
+      const std::size_t copies = session.copies(light);
+      const std::string text =
+          fmt::format("{}{}{}", session.lights()[light].light.name, copies > 1 ? fmt::format(" \u00d7 {}", copies) : "",
+                      session.is_changed(light) ? " *" : "");
+      ImGui::PushID(row);
+      const bool is_picked = session.picked && session.are_copies(*session.picked, light);
+      if (ImGui::Selectable(text.c_str(), is_picked)) session.picked = light;
+      if (ImGui::IsItemHovered()) hovered = light;
+      ImGui::PopID();
+    }
+  }
+}
+
+bool draw_cone(Cone& cone, bool was_point_light) {
+  constexpr std::pair<const char*, ConeProfile> kProfiles[] = {
+      {"none", ConeProfile::none}, {"cosine", ConeProfile::cosine}, {"smoothstep", ConeProfile::smoothstep}};
+  bool is_changed = false;
+  label("Cone");
+  const auto shown = std::ranges::find(kProfiles, cone.profile, [](const auto& profile) { return profile.second; });
+  if (ImGui::BeginCombo("##cone", shown->first)) {
+    for (const auto& [name, profile] : kProfiles) {
+      if (profile == ConeProfile::none && !was_point_light) continue;  // a file cannot take a cone away
+      if (!ImGui::Selectable(name, profile == cone.profile)) continue;
+      cone = profile == ConeProfile::cosine       ? Cone::cosine(glm::radians(30.0), 4)
+             : profile == ConeProfile::smoothstep ? Cone::smoothstep(glm::radians(15.0), glm::radians(30.0))
+                                                  : Cone{};
+      is_changed = true;
+    }
+    ImGui::EndCombo();
+  }
+  if (cone.profile == ConeProfile::cosine) {
+    is_changed |= slide_degrees("Half angle", cone.half_angle, 1, 90);
+    is_changed |= slide("Exponent", cone.exponent, 0, 5000, "%.4g", ImGuiSliderFlags_Logarithmic);
+  }
+  if (cone.profile == ConeProfile::smoothstep) {
+    is_changed |= slide_degrees("Inner", cone.inner, 0, 179);
+    if (cone.inner >= cone.outer) cone.outer = cone.inner + glm::radians(1.0);
+    if (slide_degrees("Outer", cone.outer, 1, 180)) {
+      is_changed = true;
+      if (cone.outer <= cone.inner) cone.inner = std::max(cone.outer - glm::radians(1.0), 0.0);
+    }
+  }
+  return is_changed;
+}
+
+/// A part of a colour to four digits, as a scene file, whose colours are floats, gives it back.
+double shortest(double value) { return double(float(*command::parse_number(fmt::format("{:.4g}", value)))); }
+
+bool draw_color(glm::dvec3& color) {
+  const double largest = std::max({color.r, color.g, color.b});
+  double brightness = largest;
+  const glm::dvec3 hue = largest > 0 ? color / largest : glm::dvec3(1);
+  float rgb[] = {float(hue.r), float(hue.g), float(hue.b)};
+  label("Colour");
+  const bool has_hue = ImGui::ColorEdit3("##colour", rgb, ImGuiColorEditFlags_Float);
+  const bool has_brightness = slide("Brightness", brightness, 0.001, 1000, "%.4g", ImGuiSliderFlags_Logarithmic);
+  if (!has_hue && !has_brightness) return false;
+  for (int i = 0; i < 3; ++i) color[i] = shortest(double(rgb[i]) * brightness);
+  return true;
+}
+
+void draw_controls(Session& session, std::size_t index) {
+  const PlacedLight& placed = session.lights()[index];
+  Light light = placed.light;
+  const bool has_cookie = session.scene().cookie_uses.contains(index);
+  const std::size_t copies = session.copies(index);
+  ImGui::TextUnformatted(light.name.c_str());
+  if (session.is_changed(index)) {
+    const char* const words = "As in the file";
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(words).x -
+                    2 * ImGui::GetStyle().FramePadding.x);
+    if (ImGui::SmallButton(words)) session.reset(index);
+  }
+  ImGui::TextDisabled("%s%s", placed.carried ? "carried" : "local",
+                      copies > 1 ? fmt::format(", {} copies", copies).c_str() : "");
+  const bool can_change = session.can_change(index);
+  if (!can_change) {
+    ImGui::SameLine();
+    ImGui::TextDisabled("of no scene file's entry: stays as it is");
+  }
+  ImGui::BeginDisabled(!can_change);
+  bool is_changed = slide("Constant", light.attenuation.constant, 0, 20, "%.4g", ImGuiSliderFlags_Logarithmic);
+  is_changed |= slide("Linear", light.attenuation.linear, 0, 10, "%.4g / m", ImGuiSliderFlags_Logarithmic);
+  is_changed |= slide("Quadratic", light.attenuation.quadratic, 0, 10, "%.4g / m\u00b2", ImGuiSliderFlags_Logarithmic);
+  is_changed |= slide("Threshold", light.threshold, 0.001, 0.9, "%.4g", ImGuiSliderFlags_Logarithmic);
+  if (has_cookie) {
+    ImGui::TextDisabled("A cookie is in place of the cone");
+  } else {
+    is_changed |= draw_cone(light.cone, session.scene().lights[index].light.cone == Cone{});
+  }
+  is_changed |= draw_color(light.color);
+  const auto error = check(light);
+  if (is_changed && !error) session.change(index, light);
+  ImGui::EndDisabled();
+}
+
+/// A plot's place on the screen, and what it shows.
+struct Axes {
+  ImVec2 low;   ///< the bottom left corner
+  ImVec2 size;  ///< pixels
+  double end;   ///< of the range, metres
+  double top;   ///< of the values
+
+  ImVec2 at(double range, double value) const {
+    return {low.x + size.x * float(range / end), low.y - size.y * float(value / top)};
+  }
+};
+
+/// 1, 2 or 5 times a power of ten: some five of them make the whole.
+double tick_step(double whole) {
+  const double power = std::pow(10, std::floor(std::log10(whole / 5)));
+  const double times = whole / 5 / power;
+  return power * (times < 1.5 ? 1 : times < 3.5 ? 2 : times < 7.5 ? 5 : 10);
+}
+
+void draw_grid(ImDrawList& draw, const Axes& axes) {
+  const ImU32 line = IM_COL32(255, 255, 255, 22);
+  const ImU32 text = ImGui::GetColorU32(ImGuiCol_TextDisabled);
+  const float font = ImGui::GetFontSize();
+  const double step = tick_step(axes.end);
+  for (double range = 0; range <= axes.end; range += step) {
+    const ImVec2 foot = axes.at(range, 0);
+    draw.AddLine(foot, axes.at(range, axes.top), line);
+    const std::string number = fmt::format("{:.4g}{}", range, range == 0 ? " m" : "");
+    draw.AddText({foot.x - ImGui::CalcTextSize(number.c_str()).x / 2, foot.y + 2}, text, number.c_str());
+  }
+  const double rise = tick_step(axes.top);
+  for (double value = 0; value <= axes.top; value += rise) {
+    const ImVec2 left = axes.at(0, value);
+    draw.AddLine(left, axes.at(axes.end, value), line);
+    if (value == 0) continue;
+    const std::string number = fmt::format("{:.3g}", value);
+    draw.AddText({left.x - ImGui::CalcTextSize(number.c_str()).x - 5, left.y - font / 2}, text, number.c_str());
+  }
+}
+
+void draw_mark(ImDrawList& draw, const Axes& axes, double range, const std::string& text, ImU32 color, float line) {
+  if (!(range > 0 && range <= axes.end)) return;
+  const ImVec2 foot = axes.at(range, 0);
+  const float height = ImGui::GetFontSize();
+  draw.AddLine(foot, axes.at(range, axes.top), color);
+  const float width = ImGui::CalcTextSize(text.c_str()).x;
+  const bool is_left = foot.x + width + 6 > axes.low.x + axes.size.x;
+  draw.AddText({is_left ? foot.x - width - 4 : foot.x + 4, axes.low.y - axes.size.y + line * height}, color,
+               text.c_str());
+}
+
+void draw_curve(const Light& light, const Fog& fog) {
+  const RangeCurve curve = make_range_curve(light, fog, kCurveSamples);
+  const FogIntensity& solved = curve.solved;
+  const ImU32 extent_color = IM_COL32(120, 170, 230, 255);
+  const ImU32 opacity_color = IM_COL32(110, 150, 210, 150);
+  const ImU32 attenuation_color = IM_COL32(130, 190, 130, 170);
+  const ImU32 knee_color = IM_COL32(150, 210, 150, 255);
+  const ImU32 peak_color = IM_COL32(255, 180, 80, 255);
+  const auto name = [](ImU32 color, const char* text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    ImGui::TextUnformatted(text);
+    ImGui::PopStyleColor();
+    ImGui::SameLine();
+  };
+  name(peak_color, "(1 - f) a");
+  name(opacity_color, "  1 - f");
+  name(attenuation_color, "  a");
+  ImGui::TextDisabled("  over the range;  I = %.4g", solved.intensity);
+  const float font = ImGui::GetFontSize();
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const Axes axes{.low = {corner.x + 3.2f * font, corner.y + room.y - 1.5f * font},
+                  .size = {std::max(room.x - 4.2f * font, 1.0f), std::max(room.y - 2 * font, 1.0f)},
+                  .end = curve.end,
+                  .top = solved.intensity > 0 ? solved.intensity * 1.6 : 1};
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw_grid(draw, axes);
+  const auto plot = [&](double RangeCurve::Sample::*value, ImU32 color, float width) {
+    std::vector<ImVec2> points;
+    for (std::size_t i = 0; i < curve.samples.size(); ++i) {
+      points.push_back(axes.at(curve.end * double(i) / double(curve.samples.size() - 1), curve.samples[i].*value));
+    }
+    draw.PushClipRect(axes.at(0, axes.top), axes.at(axes.end, 0), true);
+    draw.AddPolyline(points.data(), int(points.size()), color, 0, width);
+    draw.PopClipRect();
+  };
+  plot(&RangeCurve::Sample::attenuation, attenuation_color, 1.3f);
+  plot(&RangeCurve::Sample::opacity, opacity_color, 1.3f);
+  plot(&RangeCurve::Sample::product, peak_color, 2);
+  draw_mark(draw, axes, curve.knee, fmt::format("knee {:.4g} m", curve.knee), knee_color, 2);
+  draw_mark(draw, axes, solved.extent, fmt::format("extent {:.4g} m", solved.extent), extent_color, 1);
+  if (solved.intensity > 0 && std::isfinite(solved.peak_range)) {
+    draw_mark(draw, axes, solved.peak_range,
+              fmt::format("peak {:.3g} at {:.4g} m", solved.intensity, solved.peak_range), peak_color, 0);
+    draw.AddCircleFilled(axes.at(solved.peak_range, solved.intensity), 4, peak_color);
+  }
+}
+
+}  // namespace
+
+void draw_lamps(Session& session, std::optional<std::size_t>& hovered) {
+  const float font = ImGui::GetFontSize();
+  ImGui::BeginChild("lamps", {font * 15, 0});
+  draw_list(session, hovered);
+  ImGui::EndChild();
+  ImGui::SameLine();
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ImGui::GetStyle().FramePadding.x, font * 0.1f});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, font * 0.25f});
+  ImGui::BeginChild("controls", {font * 21, 0});
+  if (session.picked) {
+    draw_controls(session, *session.picked);
+  } else {
+    ImGui::TextDisabled("Click a lamp in the picture or in the list");
+  }
+  ImGui::EndChild();
+  ImGui::PopStyleVar(2);
+  ImGui::SameLine();
+  ImGui::BeginChild("curve", {0, 0});
+  if (session.picked) draw_curve(session.lights()[*session.picked].light, session.fog(session.edited));
+  ImGui::EndChild();
+}
+
+}  // namespace litfog::window

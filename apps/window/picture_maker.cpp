@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "window/picture_maker.h"
+
+#include <chrono>
+#include <deque>
+#include <glm/glm.hpp>
+#include <tuple>
+#include <utility>
+
+#include "demo/picture_file.h"
+#include "litfog/gl/headless_context.h"
+#include "litfog/gl/unsupported.h"
+#include "render/renderer.h"
+
+namespace litfog::window {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+}
+
+auto members(const scene::Camera& camera) { return std::tie(camera.position, camera.target, camera.field_of_view); }
+
+/// A renderer that stays as long as its settings do, and what it was last told.
+class Easel {
+ public:
+  /// Makes the renderer draw as asked for.
+  void set(const scene::Scene& scene, const PictureOrder& order, const demo::DrawingOptions& options) {
+    const render::RenderSettings settings = options.settings_of(*options.render.path);
+    if (!renderer_ || renderer_->settings() != settings) {
+      renderer_.reset();  // before another takes as much memory
+      renderer_.emplace(scene, order.width, order.height, settings);
+    } else {
+      const bool has_size = renderer_->width() == order.width && renderer_->height() == order.height;
+      if (!has_size || order.camera.field_of_view != camera_.field_of_view) {
+        renderer_->set_size(order.width, order.height);
+      }
+      const bool are_casters_stale =
+          settings.shadows != render::Shadows::none && order.camera.position != camera_.position;
+      if (order.lights != lights_ || are_casters_stale) renderer_->set_lights();
+    }
+    camera_ = order.camera;
+    lights_ = order.lights;
+    const Fog fog = options.fog_at(options.chosen_visibility().value_or(scene::suggested_visibility(scene)));
+    if (fog != renderer_->fog() || scene.phase_g != phase_g_) renderer_->set_fog(fog);
+    phase_g_ = scene.phase_g;
+  }
+
+  DrawnPicture draw(const render::Display& display, bool is_sketch) {
+    render::Exposure exposure = display.exposure;
+    if (exposure.is_auto && is_sketch && chosen_) {
+      renderer_->set_exposure({.ev = *chosen_});
+      exposure.ev = *chosen_;
+    } else {
+      exposure = renderer_->set_exposure(exposure);
+    }
+    if (exposure.is_auto) chosen_ = exposure.ev;
+    DrawnPicture drawn;
+    drawn.display = {.exposure = exposure, .tone = display.tone};
+    const auto begin = Clock::now();
+    drawn.counts = renderer_->draw();
+    drawn.milliseconds = milliseconds_since(begin);
+    drawn.shown = render::displayed(renderer_->read(), drawn.display);
+    drawn.pixels = demo::shown_pixels(drawn.shown);
+    return drawn;
+  }
+
+ private:
+  std::optional<render::Renderer> renderer_;
+  scene::Camera camera_;
+  std::shared_ptr<const std::vector<PlacedLight>> lights_;
+  double phase_g_ = 0;
+  std::optional<double> chosen_;  // the last automatic exposure
+};
+
+}  // namespace
+
+bool operator==(const PictureOrder& a, const PictureOrder& b) {
+  return a.settings == b.settings && members(a.camera) == members(b.camera) && a.lights == b.lights &&
+         a.width == b.width && a.height == b.height && a.is_sketch == b.is_sketch;
+}
+
+PictureMaker::PictureMaker(scene::Scene scene, std::function<void()> deliver)
+    : deliver_(std::move(deliver)), thread_([this, own = std::move(scene)]() mutable { work(std::move(own)); }) {}
+
+PictureMaker::~PictureMaker() {
+  {
+    const std::lock_guard lock(mutex_);
+    is_ended_ = true;
+  }
+  wake_.notify_one();
+  thread_.join();
+}
+
+void PictureMaker::order(PictureOrder order) {
+  {
+    const std::lock_guard lock(mutex_);
+    next_ = std::move(order);
+  }
+  wake_.notify_one();
+}
+
+std::optional<Delivery> PictureMaker::take() {
+  const std::lock_guard lock(mutex_);
+  if (end_) std::rethrow_exception(std::exchange(end_, nullptr));
+  return std::exchange(delivery_, std::nullopt);
+}
+
+bool PictureMaker::is_busy() const {
+  const std::lock_guard lock(mutex_);
+  return is_busy_ || next_;
+}
+
+std::string PictureMaker::gl_renderer() const {
+  const std::lock_guard lock(mutex_);
+  return gl_renderer_;
+}
+
+void PictureMaker::work(scene::Scene scene) try {
+  const gl::HeadlessContext context;
+  const double own_phase_g = scene.phase_g;
+  std::shared_ptr<const std::vector<PlacedLight>> lights;
+  std::deque<Easel> easels;  // which resizing does not move
+  std::unique_lock lock(mutex_);
+  gl_renderer_ = context.renderer();
+  while (true) {
+    is_busy_ = false;
+    wake_.wait(lock, [this] { return next_ || is_ended_; });
+    if (is_ended_) return;
+    Delivery delivery{.order = *std::exchange(next_, std::nullopt), .pictures = {}, .error = {}};
+    is_busy_ = true;
+    lock.unlock();
+
+    const auto begin = Clock::now();
+    const PictureOrder& order = delivery.order;
+    if (order.lights != lights) scene.lights = *order.lights;
+    lights = order.lights;
+    scene.camera = order.camera;
+    easels.resize(order.settings.size());
+    try {
+      for (std::size_t i = 0; i < easels.size(); ++i) {
+        const demo::DrawingOptions& options = order.settings[i];
+        scene.phase_g = options.phase_g.value_or(own_phase_g);
+        easels[i].set(scene, order, options);
+        delivery.pictures.push_back(easels[i].draw(options.display.display_for(scene), order.is_sketch));
+      }
+    } catch (const gl::Unsupported& missing) {  // of these settings: others may do
+      delivery.pictures.clear();
+      delivery.error = missing.what();
+      easels.clear();
+    }
+    delivery.milliseconds = milliseconds_since(begin);
+    lock.lock();
+    delivery_ = std::move(delivery);
+    lock.unlock();
+    deliver_();
+    lock.lock();
+  }
+} catch (...) {
+  {
+    const std::lock_guard lock(mutex_);
+    end_ = std::current_exception();
+    is_busy_ = false;
+  }
+  deliver_();
+}
+
+}  // namespace litfog::window

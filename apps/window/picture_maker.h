@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <condition_variable>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "demo/drawing_options.h"
+#include "litfog/light.h"
+#include "render/display.h"
+#include "render/frame_counts.h"
+#include "render/picture.h"
+#include "scene/scene.h"
+
+namespace litfog::window {
+
+/// Pictures of one view to draw: one for each of a list of settings.
+struct PictureOrder {
+  std::vector<demo::DrawingOptions> settings;  ///< of which sizes and times do not count
+  scene::Camera camera;
+  std::shared_ptr<const std::vector<PlacedLight>> lights;  ///< in place of the scene's, one each; never null
+  int width = 0;                                           ///< pixels
+  int height = 0;
+  bool is_sketch = false;  ///< soon replaced: an automatic exposure stays as it was
+
+  friend bool operator==(const PictureOrder& a, const PictureOrder& b);
+};
+
+/// A picture as litfog-demo draws it.
+struct DrawnPicture {
+  render::Picture shown;             ///< what a display shows, for demo::write_picture
+  std::vector<std::uint8_t> pixels;  ///< of that: demo::shown_pixels
+  render::Display display;           ///< an automatic exposure chosen
+  render::FrameCounts counts;
+  double milliseconds = 0;  ///< of drawing, without the change of settings before it and the reading after it
+};
+
+/// What came of an order.
+struct Delivery {
+  PictureOrder order;
+  std::vector<DrawnPicture> pictures;  ///< one for each of its settings
+  std::string error;                   ///< why there are none, in words; else empty
+  double milliseconds = 0;             ///< all that it took
+};
+
+/// Draws pictures of a scene on a thread of its own, with a GL context of its own and without a display, so that a
+/// window stays awake however long a picture takes.
+class PictureMaker {
+ public:
+  /// deliver  called on that thread when something can be taken
+  PictureMaker(scene::Scene scene, std::function<void()> deliver);
+  ~PictureMaker();  ///< waits for the picture being drawn
+  PictureMaker(const PictureMaker&) = delete;
+  PictureMaker& operator=(const PictureMaker&) = delete;
+
+  /// Draws these pictures next. An order that has not been begun is forgotten.
+  void order(PictureOrder order);
+  /// The last delivery, once. Throws what the thread ended with: gl::Unsupported where there is no OpenGL 3.3.
+  std::optional<Delivery> take();
+  bool is_busy() const;
+  /// GL_RENDERER, empty until the first delivery.
+  std::string gl_renderer() const;
+
+ private:
+  void work(scene::Scene scene);
+
+  std::function<void()> deliver_;
+  mutable std::mutex mutex_;  // of all below but the thread
+  std::condition_variable wake_;
+  std::optional<PictureOrder> next_;
+  std::optional<Delivery> delivery_;
+  std::exception_ptr end_;
+  std::string gl_renderer_;
+  bool is_busy_ = false;
+  bool is_ended_ = false;
+  std::thread thread_;  // last: it uses the others
+};
+
+}  // namespace litfog::window

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "window/picture_panel.h"
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+#include "window/camera_motion.h"
+#include "window/light_pick.h"
+
+namespace litfog::window {
+namespace {
+
+constexpr double kPickReach = 0.04;        // of the height
+constexpr double kTurnPerHeight = 1.5;     // radians for a drag over the picture's height
+constexpr double kZoomPerNotch = 0.85;     // of the target's distance
+constexpr double kTargetsPerSecond = 0.5;  // flying speed in distances to the target
+constexpr double kLeastSpeed = 1;          // metres a second
+constexpr float kWipeReach = 7;            // pixels
+
+void* texture_id(const gl::TextureName& texture) {
+  return reinterpret_cast<void*>(std::uintptr_t{texture.id()});  // NOLINT: how ImGui takes OpenGL's names
+}
+
+void upload(const gl::TextureName& texture, const DrawnPicture& picture) {
+  glBindTexture(GL_TEXTURE_2D, texture.id());
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, picture.shown.width, picture.shown.height, 0, GL_RGB, GL_UNSIGNED_BYTE,
+               picture.pixels.data());
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
+/// Text on the picture.
+void draw_words(ImDrawList& draw, ImVec2 at, const std::string& words) {
+  const ImVec2 size = ImGui::CalcTextSize(words.c_str());
+  draw.AddRectFilled({at.x - 5, at.y - 3}, {at.x + size.x + 5, at.y + size.y + 3}, IM_COL32(0, 0, 0, 150), 3);
+  draw.AddText(at, IM_COL32(230, 230, 230, 255), words.c_str());
+}
+
+/// "A: airlight, exp, 150 m"
+std::string settings_in_words(char letter, const demo::DrawingOptions& options) {
+  const bool is_peak = options.settings_of(*options.render.path).fog_lighting == render::FogLighting::peak;
+  const std::string fog =
+      options.fog ? fmt::format("{}, {:.4g} m", name_of(*options.fog), *options.visibility) : "clear";
+  return fmt::format("{}: {}, {}, {}", letter, options.render.path->name, is_peak ? "peak" : "airlight", fog);
+}
+
+}  // namespace
+
+void PicturePanel::show(const Delivery& delivery) {
+  shown_ = delivery.pictures.size();
+  for (std::size_t i = 0; i < shown_; ++i) upload(textures_[i], delivery.pictures[i]);
+}
+
+void PicturePanel::draw(Session& session, std::optional<std::size_t> hovered) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const ImVec2 size = ImGui::GetContentRegionAvail();
+  const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+  width_ = std::max(int(size.x * scale.x), 1);
+  height_ = std::max(int(size.y * scale.y), 1);
+  const double aspect = double(width_) / height_;
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const ImVec2 end(corner.x + size.x, corner.y + size.y);
+  const auto wipe_at = [&] { return corner.x + std::round(float(session.wipe) * size.x); };
+  if (shown_ > 0) draw.AddImage(texture_id(textures_[0]), corner, end);
+  const bool is_split = session.is_split && shown_ > 1;
+  if (is_split) {
+    draw.PushClipRect({wipe_at(), corner.y}, end, true);
+    draw.AddImage(texture_id(textures_[1]), corner, end);
+    draw.PopClipRect();
+  }
+
+  ImGui::InvisibleButton("picture", {std::max(size.x, 1.0f), std::max(size.y, 1.0f)},
+                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool is_over = ImGui::IsItemHovered();
+  const bool is_at_wipe = is_split && is_over && std::abs(io.MousePos.x - wipe_at()) < kWipeReach;
+  if (ImGui::IsItemActivated()) drags_wipe_ = is_at_wipe;
+  if (is_at_wipe || (drags_wipe_ && ImGui::IsItemActive())) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+  const glm::dvec2 mouse((io.MousePos.x - corner.x) / size.x, (io.MousePos.y - corner.y) / size.y);
+  if (ImGui::IsItemActive() && drags_wipe_) {
+    session.wipe = std::clamp(mouse.x, 0.0, 1.0);
+  } else if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
+    const double right = -double(io.MouseDelta.x / size.y) * kTurnPerHeight;
+    const double up = double(io.MouseDelta.y / size.y) * kTurnPerHeight;
+    if (session.motion == CameraMotion::orbit)
+      orbit(session.camera, right, up);
+    else
+      look(session.camera, right, up);
+  } else if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Right)) {
+    const double metres = 2 * target_distance(session.camera) * std::tan(double(session.camera.field_of_view) / 2);
+    fly(session.camera, -double(io.MouseDelta.x / size.y) * metres, double(io.MouseDelta.y / size.y) * metres, 0);
+  }
+  const auto clicked_at = light_at(session.camera, aspect, session.lights(), mouse, kPickReach);
+  const bool is_click = ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left) && !drags_wipe_ &&
+                        io.MouseDragMaxDistanceSqr[0] < io.MouseDragThreshold * io.MouseDragThreshold;
+  if (is_click) session.picked = clicked_at;
+  if (is_over && !is_at_wipe && !ImGui::IsItemActive()) hovered = clicked_at;
+  if (is_over && io.MouseWheel != 0) {
+    const double factor = std::pow(kZoomPerNotch, double(io.MouseWheel));
+    if (session.motion == CameraMotion::orbit)
+      approach(session.camera, factor);
+    else
+      fly(session.camera, 0, 0, (1 - factor) * target_distance(session.camera));
+  }
+  fly_by_keys(session);
+
+  const auto mark = [&](std::size_t light, ImU32 color, float radius, bool has_name) {
+    const auto place = place_in_picture(session.camera, aspect, session.lights()[light].position);
+    if (!place) return;
+    const ImVec2 at(corner.x + float(place->x) * size.x, corner.y + float(place->y) * size.y);
+    draw.AddCircle(at, radius, color, 0, 1.5f);
+    if (has_name) draw_words(draw, {at.x + 16, at.y - 8}, session.lights()[light].light.name);
+  };
+  draw.PushClipRect(corner, end, true);
+  for (std::size_t i = 0; session.picked && i < session.lights().size(); ++i) {
+    if (!session.are_copies(*session.picked, i)) continue;
+    if (i == session.picked)
+      mark(i, IM_COL32(255, 180, 80, 255), 9, false);
+    else
+      mark(i, IM_COL32(255, 180, 80, 70), 4, false);
+  }
+  if (hovered) mark(*hovered, IM_COL32(255, 255, 255, 200), 9, true);
+  if (is_split) {
+    const float x = wipe_at();
+    draw.AddLine({x, corner.y}, {x, end.y}, IM_COL32(255, 255, 255, 200));
+    draw.AddCircleFilled({x, (corner.y + end.y) / 2}, 5, IM_COL32(255, 255, 255, 255));
+    const std::string right = settings_in_words('B', session.settings[1]);
+    draw_words(draw, {corner.x + 12, corner.y + 10}, settings_in_words('A', session.settings[0]));
+    draw_words(draw, {end.x - 12 - ImGui::CalcTextSize(right.c_str()).x, corner.y + 10}, right);
+  }
+  draw.PopClipRect();
+}
+
+void PicturePanel::fly_by_keys(Session& session) {
+  const ImGuiIO& io = ImGui::GetIO();
+  is_moving_ = false;
+  if (io.WantTextInput || io.KeyCtrl) return;
+  const auto key = [](char letter) { return double(ImGui::IsKeyDown(letter)); };  // GLFW's letters are ASCII's
+  const glm::dvec3 step(key('D') - key('A'), key('E') - key('Q'), key('W') - key('S'));
+  if (step == glm::dvec3(0)) return;
+  is_moving_ = true;
+  const double speed = std::max(kTargetsPerSecond * target_distance(session.camera), kLeastSpeed);
+  const double metres = speed * std::min(double(io.DeltaTime), 0.1) * (io.KeyShift ? 4 : 1);
+  fly(session.camera, step.x * metres, step.y * metres, step.z * metres);
+}
+
+}  // namespace litfog::window

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "litfog/fog.h"
+#include "litfog/light.h"
+#include "litfog/solve.h"
+
+namespace litfog::window {
+
+/// What a light makes of fog along its range, for a plot: (1 - f) a and its two factors.
+struct RangeCurve {
+  struct Sample {
+    double opacity;      ///< 1 - f
+    double attenuation;  ///< a
+    double product;
+  };
+
+  FogIntensity solved;          ///< the peak's height and range, and the extent
+  double knee;                  ///< metres; 0 where there is none
+  double end;                   ///< of the plot, metres: > 0, finite
+  std::vector<Sample> samples;  ///< at ranges end * i / (size - 1)
+};
+
+/// The curve from range 0 to a little beyond the extent; without an end of the light, to four times the peak's range.
+///
+/// fog      the scene's: the light sees it at its class's density
+/// samples  >= 2
+/// throws   std::invalid_argument naming field, value and rule
+RangeCurve make_range_curve(const Light& light, const Fog& fog, int samples);
+
+}  // namespace litfog::window

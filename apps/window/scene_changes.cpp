@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "window/scene_changes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <glm/glm.hpp>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "command/number.h"
+#include "litfog/input_error.h"
+
+namespace litfog::window {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// A file that has been read before, with all its rules.
+Json read_again(const std::string& path) {
+  std::ifstream file(path);
+  Json json = Json::parse(file, nullptr, /* allow_exceptions */ false);
+  if (!json.is_object()) throw InputError({.file = path}, "has been changed since it was read");
+  return json;
+}
+
+Json cone_json(const Cone& cone) {
+  const auto degrees = [](double radians) {
+    return *command::parse_number(fmt::format("{:.12g}", glm::degrees(radians)));
+  };
+  if (cone.profile == ConeProfile::cosine) {
+    return {{"profile", "cosine"}, {"half_angle_deg", degrees(cone.half_angle)}, {"exponent", cone.exponent}};
+  }
+  return {{"profile", "smoothstep"}, {"inner_deg", degrees(cone.inner)}, {"outer_deg", degrees(cone.outer)}};
+}
+
+/// "lights[0].attenuation.quadratic" as the keys that lead there. A light's own members are in its entry's "light".
+std::vector<std::string> keys_of(const std::string& member) {
+  std::vector<std::string> keys;
+  for (std::size_t begin = 0; begin < member.size();) {
+    const std::size_t end = std::min(member.find_first_of(".[]", begin), member.size());
+    if (end > begin) keys.push_back(member.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  constexpr std::string_view kOfLight[] = {"attenuation", "threshold", "cone", "density_scale"};
+  if (keys.size() > 2 && keys[0] == "lights" && std::ranges::find(kOfLight, keys[2]) != std::end(kOfLight)) {
+    keys.insert(keys.begin() + 2, "light");
+  }
+  return keys;
+}
+
+/// Writes a light file out in the place of its name.
+void write_out(Json& name, const fs::path& folder) {
+  const fs::path file = folder / name.get<std::string>();
+  Json light = read_again(file.string());
+  if (!light.contains("name")) light["name"] = file.stem().string();
+  light.erase("fit");  // it tells of the light that was fitted
+  name = std::move(light);
+}
+
+void apply(Json& scene, const scene::SceneChange& change, const fs::path& folder) {
+  Json* value = &scene;
+  for (const std::string& key : keys_of(change.member)) {
+    if (value->is_string()) write_out(*value, folder);
+    value = value->is_array() ? &value->at(std::stoul(key)) : &(*value)[key];
+  }
+  *value = Json::parse(change.value, nullptr, /* allow_exceptions */ false);
+  if (value->is_discarded()) *value = change.value;  // a word
+}
+
+/// Makes a path beside one file one beside another.
+void move_path(Json& path, const fs::path& from, const fs::path& to) {
+  const fs::path file = fs::absolute(from).parent_path() / path.get<std::string>();
+  path = file.lexically_normal().lexically_proximate(fs::absolute(to).parent_path().lexically_normal()).string();
+}
+
+/// Moves the paths in an object that is itself a light file's name or a light.
+void move_light(Json& light, const fs::path& from, const fs::path& to) {
+  if (light.is_string()) move_path(light, from, to);
+}
+
+std::vector<double> rounded(const glm::vec3& v) {  // as short as floats that read back
+  const auto shortest = [](float x) { return *command::parse_number(fmt::format("{}", x)); };
+  return {shortest(v.x), shortest(v.y), shortest(v.z)};
+}
+
+}  // namespace
+
+std::vector<std::optional<std::size_t>> entries_of_lights(const scene::Scene& scene) {
+  std::vector<std::optional<std::size_t>> entries;
+  for (std::size_t i = 0; i < scene.light_copies.size(); ++i) entries.insert(entries.end(), scene.light_copies[i], i);
+  entries.resize(scene.lights.size());
+  return entries;
+}
+
+std::vector<scene::SceneChange> changes_of(std::size_t entry, const Light& from, const Light& to) {
+  std::vector<scene::SceneChange> changes;
+  const auto add = [&](const char* member, const Json& value) {
+    changes.push_back({fmt::format("lights[{}].{}", entry, member), value.dump()});
+  };
+  const auto compare = [&](const char* member, double was, double is) {
+    if (was != is) add(member, is);
+  };
+  compare("attenuation.constant", from.attenuation.constant, to.attenuation.constant);
+  compare("attenuation.linear", from.attenuation.linear, to.attenuation.linear);
+  compare("attenuation.quadratic", from.attenuation.quadratic, to.attenuation.quadratic);
+  compare("threshold", from.threshold, to.threshold);
+  compare("density_scale", from.density_scale, to.density_scale);
+  if (to.cone != from.cone) add("cone", cone_json(to.cone));
+  if (to.color != from.color) add("color", rounded(glm::vec3(to.color)));
+  return changes;
+}
+
+std::string changed_scene(const std::string& file, const std::optional<scene::Camera>& camera,
+                          const std::vector<scene::SceneChange>& changes, const std::string& place) {
+  Json scene = read_again(file);
+  if (camera) {
+    scene["camera"] = {
+        {"position", rounded(camera->position)},
+        {"target", rounded(camera->target)},
+        {"field_of_view_deg", *command::parse_number(fmt::format("{:.7g}", glm::degrees(camera->field_of_view)))}};
+  }
+  for (const scene::SceneChange& change : changes) apply(scene, change, fs::path(file).parent_path());
+  if (!scene.contains("lights")) scene["lights"] = Json::array();
+  for (Json& entry : scene["lights"]) {
+    move_light(entry["light"], file, place);
+    if (entry.contains("cookie") && entry["cookie"].contains("image")) move_path(entry["cookie"]["image"], file, place);
+  }
+  if (scene.contains("city")) {
+    for (auto& [name, light] : scene["city"].items()) move_light(light, file, place);
+  }
+  return scene.dump(2) + "\n";
+}
+
+}  // namespace litfog::window

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "window/camera_motion.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/glm.hpp>
+#include <numbers>
+
+namespace litfog::test {
+using namespace window;
+
+namespace {
+
+constexpr double kTolerance = 2e-6;  // a float's, of coordinates up to 20
+
+scene::Camera camera() { return {.position = {1, 2, 3}, .target = {1, 2, -7}, .field_of_view = 1}; }
+
+void expect_near(const glm::vec3& a, const glm::dvec3& b) {
+  EXPECT_LE(glm::distance(glm::dvec3(a), b), 10 * kTolerance) << a.x << " " << a.y << " " << a.z;
+}
+
+TEST(CameraMotion, LookingRightTurnsFromMinusZToPlusX) {
+  scene::Camera moved = camera();
+  look(moved, std::numbers::pi / 2, 0);
+  EXPECT_EQ(moved.position, camera().position);
+  expect_near(moved.target, {11, 2, 3});
+}
+
+TEST(CameraMotion, OrbitingRightMovesTheEyeToPlusXAndKeepsTheTarget) {
+  scene::Camera moved = camera();
+  orbit(moved, std::numbers::pi / 2, 0);
+  EXPECT_EQ(moved.target, camera().target);
+  expect_near(moved.position, {11, 2, -7});
+}
+
+TEST(CameraMotion, OrbitingUpRaisesTheEye) {
+  scene::Camera moved = camera();
+  orbit(moved, 0, std::numbers::pi / 6);
+  expect_near(moved.position, {1, 7, -7 + 10 * std::cos(std::numbers::pi / 6)});
+}
+
+TEST(CameraMotion, NeverLooksStraightUpOrDown) {
+  for (const double up : {-9.0, 9.0}) {
+    for (const auto move : {look, orbit}) {
+      scene::Camera moved = camera();
+      for (int i = 0; i < 5; ++i) move(moved, 0, up);
+      EXPECT_TRUE(scene::has_heading(moved));
+      const glm::dvec3 view = glm::normalize(glm::dvec3(moved.target) - glm::dvec3(moved.position));
+      EXPECT_NEAR(std::asin(std::abs(view.y)), kSteepest, 1e-4);
+      EXPECT_LT(view.z, 0);  // it still faces the same way
+    }
+  }
+  scene::Camera moved = camera();
+  face(moved, {1, 20, 3});
+  EXPECT_TRUE(scene::has_heading(moved));
+}
+
+TEST(CameraMotion, FlyingKeepsTheViewAndFollowsTheCamerasAxes) {
+  scene::Camera moved = camera();
+  look(moved, std::numbers::pi / 2, 0);
+  fly(moved, 1, 2, 3);  // it looks along +X, its right is +Z
+  expect_near(moved.position, {4, 4, 4});
+  expect_near(moved.target, {14, 4, 4});
+}
+
+TEST(CameraMotion, ApproachingEndsBeforeTheTarget) {
+  scene::Camera moved = camera();
+  approach(moved, 0.5);
+  expect_near(moved.position, {1, 2, -2});
+  for (int i = 0; i < 100; ++i) approach(moved, 0.5);
+  EXPECT_NEAR(target_distance(moved), 0.1, kTolerance);
+  for (int i = 0; i < 100; ++i) approach(moved, 2);
+  EXPECT_NEAR(target_distance(moved), 1e5, 0.01);
+}
+
+TEST(CameraMotion, FacingAPointMakesItTheTarget) {
+  scene::Camera moved = camera();
+  face(moved, {-4, 5, 8});
+  EXPECT_EQ(moved.position, camera().position);
+  expect_near(moved.target, {-4, 5, 8});
+}
+
+}  // namespace
+
+}  // namespace litfog::test

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "window/picture_maker.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+#include "demo/drawing.h"
+#include "demo/picture_file.h"
+#include "gl/gl_test.h"
+#include "render/lighting_path.h"
+#include "scene/file/scene_file.h"
+
+namespace litfog::test {
+using namespace window;
+
+namespace {
+
+class PictureMakerTest : public GlTest {
+ protected:
+  PictureMakerTest() : scene_(scene::read_scene(scene::bundled_scene_path("room"))) {}
+
+  PictureOrder order(int width, int height) const {
+    PictureOrder order{.settings = {{}},
+                       .camera = scene_.camera,
+                       .lights = std::make_shared<const std::vector<PlacedLight>>(scene_.lights),
+                       .width = width,
+                       .height = height};
+    order.settings[0].visibility = 40;
+    return order;
+  }
+
+  static Delivery wait(PictureMaker& maker) {
+    while (true) {
+      if (auto delivery = maker.take()) return *delivery;
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+  }
+
+  /// As litfog-demo writes it.
+  std::vector<std::uint8_t> drawn_by_demo(const PictureOrder& order, std::size_t which) const {
+    scene::Scene scene = scene_;
+    scene.camera = order.camera;
+    scene.lights = *order.lights;
+    demo::DrawingOptions options = order.settings[which];
+    options.width = order.width;
+    options.height = order.height;
+    scene.phase_g = options.phase_g.value_or(scene.phase_g);
+    const demo::Drawn drawn = demo::draw(scene, options, 1, false, false);
+    return demo::shown_pixels(render::displayed(drawn.picture, drawn.display));
+  }
+
+  scene::Scene scene_;
+};
+
+TEST_F(PictureMakerTest, PicturesAreThoseOfLitfogDemoWhateverHasBeenChanged) {
+  PictureMaker maker(scene_, [] {});
+  PictureOrder next = order(48, 27);
+  const auto expect_same = [&](const char* change) {
+    maker.order(next);
+    const Delivery delivery = wait(maker);
+    ASSERT_EQ(delivery.error, "") << change;
+    ASSERT_EQ(delivery.pictures.size(), next.settings.size()) << change;
+    for (std::size_t i = 0; i < next.settings.size(); ++i) {
+      EXPECT_EQ(delivery.pictures[i].pixels, drawn_by_demo(next, i)) << change << ", " << i;
+    }
+  };
+  expect_same("nothing");
+  next.settings[0].visibility = 15;
+  next.settings[0].phase_g = 0.7;
+  next.camera.position.y += 0.5f;
+  next.camera.field_of_view = 0.6f;
+  expect_same("fog and camera");
+  next.width = 40;
+  auto lights = *next.lights;
+  lights[0].light.attenuation = {0.5, 0.1, 0.05};
+  lights[0].light.color *= 2;
+  next.lights = std::make_shared<const std::vector<PlacedLight>>(lights);
+  next.settings[0].display = {.exposure = render::Exposure{.is_auto = true}, .tone = render::ToneCurve::clip};
+  expect_same("size, a light and display");
+  next.settings.push_back(next.settings[0]);
+  next.settings[1].fog_light = render::FogLighting::peak;
+  next.settings[1].fog = FogMode::exp2;
+  next.settings[1].contrast = kContrastFlightgear;
+  expect_same("two settings");
+}
+
+TEST_F(PictureMakerTest, SketchKeepsTheAutomaticExposure) {
+  PictureMaker maker(scene_, [] {});
+  PictureOrder next = order(32, 18);
+  next.settings[0].display.exposure = render::Exposure{.is_auto = true};
+  maker.order(next);
+  const double chosen = wait(maker).pictures[0].display.exposure.ev;
+  next.settings[0].visibility = 3;
+  next.is_sketch = true;
+  maker.order(next);
+  EXPECT_EQ(wait(maker).pictures[0].display.exposure.ev, chosen);
+  next.is_sketch = false;
+  maker.order(next);
+  EXPECT_NE(wait(maker).pictures[0].display.exposure.ev, chosen);
+}
+
+TEST_F(PictureMakerTest, OrderThatHasNotBegunIsForgottenForTheNext) {
+  std::atomic<int> deliveries = 0;
+  PictureMaker maker(scene_, [&] { ++deliveries; });
+  for (int width = 16; width <= 64; width += 2) maker.order(order(width, 9));
+  while (wait(maker).order.width != 64) continue;
+  EXPECT_LE(deliveries, 4);
+  EXPECT_FALSE(maker.take());
+}
+
+TEST_F(PictureMakerTest, SettingsThatTheMachineCannotDrawAreToldAndOthersAreDrawnAfterwards) {
+  PictureMaker maker(scene_, [] {});
+  maker.order(order(1'000'000, 9));
+  const Delivery refused = wait(maker);
+  EXPECT_NE(refused.error.find("this driver draws at most"), std::string::npos) << refused.error;
+  EXPECT_TRUE(refused.pictures.empty());
+  maker.order(order(16, 9));
+  EXPECT_EQ(wait(maker).pictures.size(), 1u);
+  EXPECT_EQ(maker.gl_renderer(), context().renderer());
+}
+
+}  // namespace
+
+}  // namespace litfog::test

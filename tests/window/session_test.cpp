@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "window/session.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "command/temporary_directory.h"
+#include "scene/file/scene_file.h"
+
+namespace litfog::test {
+using namespace window;
+
+namespace {
+
+const scene::Scene& street_scene() {
+  static const scene::Scene scene = scene::read_scene(scene::bundled_scene_path("street"));
+  return scene;
+}
+
+Session street(const demo::SceneOptions& given = {.scene = "street"}) { return {given, street_scene(), {}}; }
+
+TEST(Session, BeginsWithTheScenesVisibilityAndNothingChanged) {
+  const Session session = street();
+  EXPECT_EQ(session.settings[0].visibility, 120);
+  EXPECT_TRUE(session.changes().empty());
+  EXPECT_EQ(to_string(session.command(0, 320, 180)), "litfog-demo street --visibility 120 --size 320x180");
+}
+
+TEST(Session, ChangedLightTakesItsCopiesAlongAndIsReset) {
+  Session session = street();
+  Light light = session.lights()[2].light;
+  light.attenuation.quadratic = 0.5;
+  session.change(2, light);
+  EXPECT_EQ(session.copies(2), 6u);
+  for (std::size_t i = 0; i < session.lights().size(); ++i) {
+    EXPECT_EQ(session.is_changed(i), i < 6) << i;
+    EXPECT_EQ(session.lights()[i].light.attenuation.quadratic == 0.5, i < 6) << i;
+  }
+  const auto changes = session.changes();
+  ASSERT_EQ(changes.size(), 1u);
+  EXPECT_EQ(changes[0].member + "=" + changes[0].value, "lights[0].attenuation.quadratic=0.5");
+  session.reset(5);
+  EXPECT_TRUE(session.changes().empty());
+}
+
+TEST(Session, OrderDiffersWhereThePictureMay) {
+  Session session = street();
+  const PictureOrder order = session.order(100, 50, false);
+  EXPECT_EQ(order, session.order(100, 50, false));
+  EXPECT_NE(order, session.order(100, 51, false));
+  session.camera.position.x += 1;
+  EXPECT_NE(order, session.order(100, 50, false));
+  session.camera = session.scene().camera;
+  session.settings[1].visibility = 9;  // which nobody sees
+  EXPECT_EQ(order, session.order(100, 50, false));
+  session.settings[0].display.tone = render::ToneCurve::clip;
+  EXPECT_NE(order, session.order(100, 50, false));
+  session.settings[0].display.tone = render::ToneCurve::neutral;
+  session.change(0, session.lights()[0].light);
+  EXPECT_NE(order, session.order(100, 50, false));  // it may be another
+}
+
+TEST(Session, SplitViewBeginsWithTwoOfTheSameAndKeepsB) {
+  Session session = street();
+  session.settings[0].visibility = 77;
+  session.split(true);
+  EXPECT_EQ(session.settings[1].visibility, 77);
+  EXPECT_EQ(session.edited, 1u);
+  EXPECT_EQ(session.order(9, 9, false).settings.size(), 2u);
+  session.edited_settings().visibility = 20;
+  session.split(false);
+  EXPECT_EQ(session.edited, 0u);
+  EXPECT_EQ(session.order(9, 9, false).settings.size(), 1u);
+  session.split(true);
+  EXPECT_EQ(session.settings[1].visibility, 20);
+}
+
+TEST(Session, CommandHasTheGivenAndTheMovedCamera) {
+  Session session = street({.scene = "street", .changes = {{"fog_top_m", "40"}}, .target = glm::dvec3(0, 2, -40)});
+  const std::string given = to_string(session.command(0, 8, 8));
+  EXPECT_NE(given.find("--target"), std::string::npos) << given;
+  EXPECT_NE(given.find("--set fog_top_m=40"), std::string::npos) << given;
+  Session other = street();
+  EXPECT_FALSE(other.own_camera());
+  other.camera.field_of_view = 1;
+  EXPECT_TRUE(other.own_camera());
+}
+
+TEST(Session, LightsOfNoFilesEntryStayAsTheyAre) {
+  scene::Scene scene = street_scene();
+  scene.lights.push_back(scene.lights.front());  // as of a city
+  const Session session({.scene = "street"}, scene, {});
+  EXPECT_TRUE(session.can_change(0));
+  EXPECT_FALSE(session.can_change(scene.lights.size() - 1));
+  EXPECT_EQ(session.copies(scene.lights.size() - 1), 1u);
+  EXPECT_EQ(session.firsts().back(), scene.lights.size() - 1);
+}
+
+TEST(Session, WipedPictureHasItsLeftFromOneAndItsRightFromTheOther) {
+  const render::Picture left{4, 2, std::vector<float>(24, 1)};
+  const render::Picture right{4, 2, std::vector<float>(24, 2)};
+  const render::Picture both = wiped(left, right, 0.25);
+  for (std::size_t i = 0; i < 24; ++i) EXPECT_EQ(both.rgb[i], i % 12 < 3 ? 1 : 2) << i;
+  EXPECT_EQ(wiped(left, right, 1).rgb, left.rgb);
+  EXPECT_EQ(wiped(left, right, 0).rgb, right.rgb);
+}
+
+TEST(Session, FileNamesAreNumberedPastThoseThatAreThere) {
+  const TemporaryDirectory directory;
+  const std::string stem = (directory.path() / "room").string();
+  std::ofstream(stem + "-1.png") << "x";
+  EXPECT_EQ(free_file_name(stem, ".png"), stem + "-2.png");
+  EXPECT_EQ(free_file_name(stem, ".json"), stem + "-1.json");
+}
+
+}  // namespace
+
+}  // namespace litfog::test

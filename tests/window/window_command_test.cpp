@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: Apache-2.0
+// litfog-demo window on a virtual X server, steered by its test events.
+
+#include <OpenImageIO/imagebuf.h>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "command/command_test.h"
+#include "command/exit_status.h"
+
+namespace litfog::test {
+using namespace command;
+
+namespace {
+
+constexpr int kWidth = 960;
+constexpr int kHeight = 480;
+
+class WindowCommand : public CommandTest {
+ protected:
+  WindowCommand() : CommandTest(LITFOG_DEMO_PATH) {}
+  ~WindowCommand() override {
+    for (const int process : {window_, server_}) {
+      if (process > 0) kill(process, SIGTERM);
+    }
+  }
+
+  /// Waits for a condition, a minute at most.
+  template <typename Condition>
+  static bool wait_for(const Condition& holds) {
+    for (int i = 0; i < 1200; ++i) {
+      if (holds()) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+    return false;
+  }
+
+  /// Runs a line in a shell in the test's directory.
+  int shell(const std::string& line) const {
+    return std::system(("cd " + directory().string() + " && " + line).c_str());
+  }
+
+  /// Starts a program and returns its process.
+  int start(const std::string& line) const {
+    EXPECT_EQ(shell("{ " + line + " & echo $! >pid; }"), 0);
+    return std::stoi(read("pid"));
+  }
+
+  void start_window(const std::string& arguments) {
+    server_ = start(fmt::format("{} -displayfd 3 3>display -screen 0 {}x{}x24 -fbdir . -nolisten tcp >xvfb 2>&1",
+                                LITFOG_XVFB, kWidth, kHeight));
+    ASSERT_TRUE(wait_for([this] { return read("display").ends_with('\n'); })) << read("xvfb");
+    window_ = start(fmt::format("DISPLAY=:{} {} window {} >said 2>window-errors",
+                                read("display").substr(0, read("display").size() - 1), LITFOG_DEMO_PATH, arguments));
+    steer("search --sync --onlyvisible --name litfog");
+  }
+
+  void steer(const std::string& events) const {
+    ASSERT_EQ(shell("DISPLAY=:$(cat display) timeout 60 " LITFOG_XDOTOOL " " + events + " >xdotool 2>&1"), 0)
+        << read("xdotool") << read("window-errors");
+  }
+
+  /// The line that the window says next.
+  std::string next_line() {
+    const auto has_line = [this] { return read("said").find('\n', said_) != std::string::npos; };
+    EXPECT_TRUE(wait_for(has_line)) << read("window-errors");
+    const std::string said = read("said");
+    const std::size_t end = std::min(said.find('\n', said_), said.size());
+    std::string line = said.substr(said_, end - said_);
+    said_ = end + 1;
+    return line;
+  }
+
+  /// A pixel of the screen. Xvfb keeps it in a file of the format XWD.
+  struct Screen {
+    std::string file;
+
+    std::uint32_t word(std::size_t index) const {
+      std::uint32_t value = 0;
+      for (std::size_t i = 0; i < 4; ++i) value = value << 8 | std::uint8_t(file.at(4 * index + i));
+      return value;
+    }
+    /// RGB.
+    std::array<int, 3> pixel(int x, int y) const {
+      const std::size_t data = word(0) + 12 * word(19);  // the header, and the colour map's entries
+      const std::size_t at = data + std::size_t(y) * word(12) + std::size_t(x) * 4;
+      return {std::uint8_t(file.at(at + 2)), std::uint8_t(file.at(at + 1)), std::uint8_t(file.at(at))};
+    }
+  };
+  Screen screen() const { return {read("Xvfb_screen0")}; }
+
+  /// Levels of 1/255.
+  std::vector<std::array<int, 3>> read_png(const std::string& name, int& width) const {
+    OIIO::ImageBuf image((directory() / name).string());
+    std::vector<std::array<int, 3>> pixels(std::size_t(image.spec().image_pixels()));
+    std::vector<std::uint8_t> bytes(pixels.size() * 3);
+    EXPECT_TRUE(image.get_pixels(image.roi(), OIIO::TypeDesc::UINT8, bytes.data())) << image.geterror();
+    for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] = {bytes[3 * i], bytes[3 * i + 1], bytes[3 * i + 2]};
+    width = image.spec().width;
+    return pixels;
+  }
+
+ private:
+  int server_ = 0;
+  int window_ = 0;
+  std::size_t said_ = 0;
+};
+
+int apart(const std::array<int, 3>& a, const std::array<int, 3>& b) {
+  return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
+}
+
+// Where the window shows the lamp of this scene at first.
+constexpr int kLampX = 601;
+constexpr int kLampY = 70;
+constexpr const char* kScene = R"({"litfog": "scene", "version": 1, "name": "yard", "visibilities_m": [60],
+  "camera": {"position": [0, 2, 9], "target": [0, 1.5, 0], "field_of_view_deg": 50},
+  "environment": {"ambient": [0.1, 0.1, 0.12], "fog_color": [0.03, 0.03, 0.04], "sky_horizon": [0.1, 0.1, 0.1]},
+  "lights": [{"light": {"name": "lamp", "attenuation": {"constant": 1, "quadratic": 0.05}},
+              "position": [-1, 3, 0], "color": [3, 1.5, 0.5]}],
+  "objects": [{"model": "box", "width_m": 2, "height_m": 1, "depth_m": 2, "position": [1, 0, 0]},
+              {"model": "box", "width_m": 30, "height_m": 0.1, "depth_m": 30, "position": [0, -0.1, 0]}]})";
+
+TEST_F(WindowCommand, SteeredWindowShowsAndSavesThePictureThatItsCommandDraws) {
+  if (!LITFOG_HAS_WINDOW) GTEST_SKIP() << "litfog-window was not built";
+  if (std::string(LITFOG_XVFB).ends_with("NOTFOUND") || std::string(LITFOG_XDOTOOL).ends_with("NOTFOUND")) {
+    GTEST_SKIP() << "Xvfb or xdotool is missing";
+  }
+  write("yard.json", kScene);
+  start_window(fmt::format("yard.json --size {}x{}", kWidth, kHeight));
+  const std::string click = " sleep 0.2 mousedown 1 sleep 0.2 mouseup 1 sleep 0.2";
+  steer("mousemove 150 144" + click);                             // the preset CAT II
+  steer(fmt::format("mousemove {} {}", kLampX, kLampY) + click);  // which picks the lamp
+  steer("mousemove 700 334" + click);                             // its quadratic coefficient's slider
+  steer("mousemove 310 200" + click);                             // no lamp: nothing is marked any more
+  steer("mousedown 1 mousemove 340 190 sleep 0.2 mousemove 380 185 sleep 0.2 mouseup 1");  // orbits
+  steer("click 4 sleep 0.2 mousemove 20 470 key ctrl+p");  // approaches; then over nothing that is marked by it
+  const std::string saved = next_line();
+  steer("key ctrl+c");
+  const std::string command = next_line();
+  ASSERT_TRUE(saved.starts_with("yard-1.png: ")) << saved;
+  ASSERT_TRUE(command.starts_with("litfog-demo yard.json --visibility 300 --camera ")) << command;
+  EXPECT_NE(command.find(" --set 'lights[0].attenuation.quadratic="), command.npos) << command;
+  ASSERT_EQ(run(command.substr(command.find(' ')) + " -o headless.png").status, kDone) << read("err");
+
+  int width = 0;
+  int headless_width = 0;
+  const auto window = read_png("yard-1.png", width);
+  const auto headless = read_png("headless.png", headless_width);
+  ASSERT_EQ(window.size(), headless.size());
+  ASSERT_EQ(width, headless_width);
+  const Screen shown = screen();
+  int largest = 0;
+  int largest_shown = 0;
+  int brightest = 0;
+  for (std::size_t i = 0; i < headless.size(); ++i) {
+    const int x = int(i) % width;
+    const int y = int(i) / width;
+    largest = std::max(largest, apart(window[i], headless[i]));
+    largest_shown = std::max(largest_shown, apart(shown.pixel(kWidth - width + x, y), headless[i]));
+    brightest = std::max(brightest, headless[i][0]);
+  }
+  EXPECT_LE(largest, 1);
+  EXPECT_LE(largest_shown, 1);
+  EXPECT_GT(brightest, 100);  // something is to be seen
+}
+
+TEST_F(WindowCommand, WindowWithoutADisplayIsAMissingCapability) {
+  if (!LITFOG_HAS_WINDOW) GTEST_SKIP() << "litfog-window was not built";
+  write("yard.json", kScene);
+  EXPECT_ERROR(run("window yard.json", "env -u WAYLAND_DISPLAY -u DISPLAY"), kMissingCapability,
+               "litfog-window: a window needs a display: X11: The DISPLAY environment variable is missing\n");
+}
+
+TEST_F(WindowCommand, WrongSceneAndWrongOptionsAreToldBeforeAWindowOpens) {
+  if (!LITFOG_HAS_WINDOW) GTEST_SKIP() << "litfog-window was not built";
+  write("wrong.json", R"({"litfog": "scene", "version": 1})");
+  EXPECT_EQ(run("window wrong.json").status, kBadInput);
+  EXPECT_EQ(run("window wrong.json --visibility -1").status, kUsage);
+  EXPECT_EQ(run("window").status, kUsage);
+}
+
+TEST_F(WindowCommand, HelpNamesTheProgramThatHasTheOptions) {
+  const Outcome help = run("window --help");
+  EXPECT_EQ(help.status, kDone);
+  EXPECT_NE(help.out.find("litfog-window --help"), std::string::npos) << help.out;
+}
+
+TEST_F(WindowCommand, CommandWithoutItsWindowSaysSo) {
+  std::filesystem::copy_file(LITFOG_DEMO_PATH, directory() / "litfog-demo");
+  ASSERT_EQ(shell("{ ./litfog-demo window room; echo $? >status; } >out 2>err"), 0);
+  EXPECT_EQ(read("status"), fmt::format("{}\n", int(kMissingCapability)));
+  EXPECT_NE(read("err").find("litfog-window cannot be started: No such file or directory (it is built where "
+                             "libglfw3-dev and libimgui-dev are installed)"),
+            std::string::npos)
+      << read("err");
+}
+
+}  // namespace
+
+}  // namespace litfog::test
