@@ -6,59 +6,20 @@
 #include <algorithm>
 #include <stdexcept>
 #include <string>
-#include <vector>
+#include <utility>
+
+#include "shader_assembly.h"
 
 namespace litfog::gl {
 namespace {
 
-/// Puts a shader together from its files; `#line` keeps each file's own line numbers, by the file's index in names().
-class Assembly {
- public:
-  explicit Assembly(std::span<const ShaderSource> files) : files_(files) {}
-
-  std::string assemble(std::string_view name) {
-    text_ = "#version 330 core\n";
-    add(name);
-    return text_;
+std::string_view text_of(std::string_view name, std::span<const ShaderSource> own_files) {
+  for (std::span<const ShaderSource> files : {own_files, shader_library()}) {
+    const auto found = std::ranges::find(files, name, &ShaderSource::name);
+    if (found != files.end()) return found->text;
   }
-  const std::vector<std::string_view>& names() const { return names_; }
-
- private:
-  const ShaderSource& find(std::string_view name) const {
-    for (std::span<const ShaderSource> files : {files_, shader_library()}) {
-      const auto found = std::ranges::find(files, name, &ShaderSource::name);
-      if (found != files.end()) return *found;
-    }
-    throw std::logic_error("no shader file " + std::string(name));
-  }
-
-  void add(std::string_view name) {
-    if (std::ranges::find(names_, name) != names_.end()) return;
-    const std::size_t file = names_.size();
-    names_.push_back(name);
-    const auto begin_at = [&](std::size_t line) {
-      text_ += "#line " + std::to_string(line) + " " + std::to_string(file) + "\n";
-    };
-    begin_at(1);
-    std::string_view rest = find(name).text;
-    for (std::size_t line = 1; !rest.empty(); ++line) {
-      const std::string_view text = rest.substr(0, rest.find('\n'));
-      rest.remove_prefix(std::min(text.size() + 1, rest.size()));
-      constexpr std::string_view kInclude = "#include \"";
-      if (text.starts_with(kInclude)) {
-        const std::string_view included = text.substr(kInclude.size());
-        add(included.substr(0, included.find('"')));
-        begin_at(line + 1);
-      } else {
-        text_.append(text).append("\n");
-      }
-    }
-  }
-
-  std::span<const ShaderSource> files_;
-  std::vector<std::string_view> names_;
-  std::string text_;
-};
+  throw std::logic_error("no shader file " + std::string(name));
+}
 
 /// The driver's log, read by a glGet*iv and a glGet*InfoLog.
 template <typename GetParameter, typename GetLog>
@@ -73,13 +34,14 @@ std::string info_log(GLuint object, GetParameter get_parameter, GetLog get_log) 
 
 /// Compiles a shader into a program, with which it is deleted.
 void add_shader(GLuint program, GLenum stage, std::string_view name, std::span<const ShaderSource> files) {
-  Assembly assembly(files);
-  const std::string text = assembly.assemble(name);
+  ShaderAssembly assembly([files](std::string_view file) { return text_of(file, files); });
+  assembly.add_line("#version 330 core");
+  assembly.add_file(name);
   const GLuint shader = glCreateShader(stage);
   glAttachShader(program, shader);
   glDeleteShader(shader);
-  const char* const pointer = text.c_str();
-  glShaderSource(shader, 1, &pointer, nullptr);
+  const char* const text = assembly.text().c_str();
+  glShaderSource(shader, 1, &text, nullptr);
   glCompileShader(shader);
   GLint compiled = GL_FALSE;
   glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Includes run one way only:
 #
-#     core  <-  photometry, files, gl  <-  fit                                                           (src)
+#     core  <-  photometry, files, gl  <-  fit;   c on core and files                                    (src)
 #     command  <-  scene  <-  render  <-  measure  <-  demo, bench;   solve and fit on command alone     (apps)
 #
 # cmake -DROOT=<the repository> -P layers_test.cmake
@@ -52,11 +52,13 @@ set(fit fit/ litfog/fit/)
 layer(src/* include/litfog/* FORBIDDEN ${apps} ${photometry} ${files} ${gl} ${fit} ${foreign} fmt/)
 layer(src/photometry/** FORBIDDEN ${apps} ${files} ${gl} ${fit} ${ceres} ${json} ${graphics} OpenImageIO/)
 layer(src/gl/** FORBIDDEN ${apps} ${photometry} ${files} ${fit} ${ceres} ${json} ${images})
+layer(src/c/** FORBIDDEN ${apps} ${photometry} ${gl} ${fit} ${foreign} fmt/)
 layer(src/fit/** FORBIDDEN ${apps} ${gl} ${json} ${graphics} ${images} ${containers})
 layer(include/litfog/photometry/** FORBIDDEN ${files} ${gl} ${fit})
 layer(include/litfog/gl/** FORBIDDEN ${photometry} ${files} ${fit})
 layer(include/litfog/fit/** FORBIDDEN ${gl})
 layer(include/litfog/** FORBIDDEN ${apps} ${foreign} fmt/)
+layer(include/litfog/litfog.h FORBIDDEN litfog/ glm/)  # C knows neither
 
 # apps. Scene data and the renderer know no file; only the scenes' readers do.
 set(catalogues scene/model/ scene/paint/)
@@ -76,7 +78,7 @@ layer(apps/bench/** FORBIDDEN demo/ solve/ fit/ core/ gl/)  # of tests/ it may k
 
 # tests. Only the benchmark's know its sources; what the benchmark takes from here is reference/.
 layer(tests/reference/** FORBIDDEN ${apps} core/ ${files} ${gl})
-layer(tests/core/** tests/photometry/** FORBIDDEN scene/ ${above_scene} ${gl} ${fit} ${ceres} ${graphics})
+layer(tests/core/** tests/c/** tests/photometry/** FORBIDDEN scene/ ${above_scene} ${gl} ${fit} ${ceres} ${graphics})
 layer(tests/gl/** tests/fit/** FORBIDDEN scene/ ${above_scene})
 layer(tests/scene/** tests/render/** tests/measure/** tests/demo/** tests/solve/** FORBIDDEN bench/)
 

@@ -1,0 +1,480 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+// The C face of litfog (component `c`): what a host needs of the library, for C and for every language that calls C.
+// Each call is that of the C++ header named above it, which states its formula, its source and its largest errors.
+//
+// Declarations for Ada and C#, with a host each, are in apps/examples; for Python's ctypes, in tests/c/ctypes_test.py.
+//
+// Units     metres, 1/m, radians, linear RGB; world space in doubles.
+// Results   a call that can fail returns a litfog_status and writes its results, the last parameters, only on
+//           LITFOG_OK. litfog_last_error() then says what is wrong: "attenuation.linear = -1: must be finite and >= 0".
+//           No C++ exception leaves a call. A null pointer is an error, except where a comment gives it a meaning.
+// Structs   plain. One that a caller fills is checked in every call, by the rules of check() in C++.
+// Handles   each *_create is undone by its *_destroy, which also takes NULL.
+// Threads   calls without a handle may run on any threads at once. Different handles are independent. Calls on one
+//           handle that take it as const may run at once, every other call on it alone.
+// ABI       within a minor version (0.1.x) functions and enumerators are only added; structs keep size and layout.
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define LITFOG_API __attribute__((visibility("default")))
+
+#define LITFOG_VERSION_MAJOR 0
+#define LITFOG_VERSION_MINOR 1
+#define LITFOG_VERSION_PATCH 0
+
+/// Version of the library that runs: "0.1.0".
+LITFOG_API const char* litfog_version(void);
+
+// --- errors ---
+
+typedef int32_t litfog_status;
+enum {
+  LITFOG_OK = 0,
+  LITFOG_INVALID_ARGUMENT = 1,  ///< a value breaks its rule
+  LITFOG_BAD_FILE = 2,          ///< a file that cannot be used; the error begins with file:line:column
+  LITFOG_OUT_OF_MEMORY = 3,
+  LITFOG_FAULT = 4  ///< of litfog itself: please report it
+};
+
+/// What the last call that failed on this thread said, in one sentence of UTF-8; empty if none has. Calls that succeed
+/// leave it. Valid until the next call that fails on this thread.
+LITFOG_API const char* litfog_last_error(void);
+
+// --- fog (litfog/fog.h) ---
+
+enum {
+  LITFOG_FOG_EXP = 0,  ///< f(r) = e^(-d r)
+  LITFOG_FOG_EXP2 = 1  ///< f(r) = e^(-(d r)^2)
+};
+
+typedef struct litfog_fog {
+  int32_t mode;    ///< LITFOG_FOG_*
+  double density;  ///< d, 1/m, >= 0. 0 is clear air, infinity total fog.
+} litfog_fog;
+
+// Contrast thresholds that give a visibility its meaning.
+#define LITFOG_CONTRAST_MOR 0.05          ///< meteorological optical range (WMO, ICAO Annex 3)
+#define LITFOG_CONTRAST_KOSCHMIEDER 0.02  ///< Koschmieder 1924
+#define LITFOG_CONTRAST_FLIGHTGEAR 0.01   ///< FlightGear's fog density
+
+/// The fog of a visibility.
+///
+/// mode      LITFOG_FOG_*
+/// metres    visibility, >= 0; infinity is no fog, 0 is total fog
+/// contrast  (0, 1)
+LITFOG_API litfog_status litfog_fog_from_visibility(int32_t mode, double metres, double contrast, litfog_fog* fog);
+
+// --- lights (litfog/light.h) ---
+
+/// a(r) = min(1, 1 / (constant + linear r + quadratic r^2)); finite, >= 0, not all 0.
+typedef struct litfog_attenuation {
+  double constant;
+  double linear;     ///< 1/m
+  double quadratic;  ///< 1/m^2
+} litfog_attenuation;
+
+enum {
+  LITFOG_CONE_NONE = 0,       ///< 1 everywhere: a point light
+  LITFOG_CONE_COSINE = 1,     ///< cos^exponent(u) for u < half_angle, else 0
+  LITFOG_CONE_SMOOTHSTEP = 2  ///< smoothstep(cos outer, cos inner, cos u)
+};
+
+typedef struct litfog_cone {
+  int32_t profile;    ///< LITFOG_CONE_*
+  double half_angle;  ///< cosine: (0, pi/2], where the light is cut off
+  double exponent;    ///< cosine: >= 0, finite; 0 is a flat beam
+  double inner;       ///< smoothstep: [0, outer), full intensity up to here
+  double outer;       ///< smoothstep: (inner, pi], no light beyond
+} litfog_cone;
+
+#define LITFOG_DEFAULT_THRESHOLD 0.05
+#define LITFOG_MAX_POSITION 16777216.0     ///< largest magnitude of a coordinate, 2^24 m
+#define LITFOG_DIRECTION_TOLERANCE 1.0e-6  ///< how far from 1 the length of a direction may be
+
+/// A kind of light: what a light file holds.
+typedef struct litfog_light {
+  double color[3];  ///< finite, >= 0; 1 is the display's white
+  litfog_attenuation attenuation;
+  double threshold;  ///< (0, 1): attenuation at which the light ends
+  litfog_cone cone;
+  double density_scale;  ///< finite, >= 0: its class sees this fraction of the fog's density; 0: no fog
+} litfog_light;
+
+/// A light in a scene.
+typedef struct litfog_placed_light {
+  litfog_light light;
+  double position[3];   ///< each coordinate at most LITFOG_MAX_POSITION in magnitude
+  double direction[3];  ///< axis of the cone; its length is 1 within LITFOG_DIRECTION_TOLERANCE
+  int32_t carried;      ///< not 0: by the eye's vehicle; such lights, and only they, light the fog by Hales's term
+} litfog_placed_light;
+
+/// A white point light with a(r) = 1 and the default threshold, to change from.
+LITFOG_API litfog_status litfog_default_light(litfog_light* light);
+/// The same at the origin along -z, not carried.
+LITFOG_API litfog_status litfog_default_placed_light(litfog_placed_light* light);
+
+/// Says what is wrong with a struct, by LITFOG_INVALID_ARGUMENT and litfog_last_error(). Every other call checks what
+/// it is given, too.
+LITFOG_API litfog_status litfog_check_fog(const litfog_fog* fog);
+LITFOG_API litfog_status litfog_check_light(const litfog_light* light);
+LITFOG_API litfog_status litfog_check_placed_light(const litfog_placed_light* light);
+
+// --- light files (litfog/files/light_file.h) ---
+
+/// Reads a light file.
+///
+/// path       UTF-8, or what else the system takes
+/// name       the light's, in UTF-8, cut after a whole character where it is longer than name_size - 1 bytes; may be
+///            NULL where name_size is 0
+/// returns    LITFOG_BAD_FILE with "headlight.json:7:12: threshold = 7: must be in (0, 1)" as the last error
+LITFOG_API litfog_status litfog_read_light(const char* path, litfog_light* light, char* name, size_t name_size);
+
+// --- fog colour intensity (litfog/solve.h) ---
+
+enum {
+  LITFOG_SOLVE_OK = 0,
+  LITFOG_SOLVE_NOT_CONVERGED = 1,  ///< intensity is a lower bound, taken at peak_range
+  LITFOG_SOLVE_INVALID = 2         ///< of a batch: a value breaks its rule; intensity, peak range and extent are 0
+};
+
+typedef struct litfog_fog_intensity {
+  double intensity;   ///< [0, 1]
+  double peak_range;  ///< metres, [0, extent]; may be infinity
+  double extent;      ///< metres; infinity for constant attenuation
+  int32_t status;     ///< LITFOG_SOLVE_OK or LITFOG_SOLVE_NOT_CONVERGED
+} litfog_fog_intensity;
+
+/// Fog colour intensity of a light in the fog that its class sees.
+LITFOG_API litfog_status litfog_solve(const litfog_light* light, const litfog_fog* fog, litfog_fog_intensity* solution);
+
+/// The same as published (Hales 2004): the largest of `samples` samples, which is too low.
+LITFOG_API litfog_status litfog_sample(const litfog_light* light, const litfog_fog* fog, int32_t samples,
+                                       litfog_fog_intensity* solution);
+
+// --- batch (litfog/batch.h): SIMD, no allocation ---
+
+/// Lights, a column a parameter. Columns hold `count` values; threshold and density may also hold a single one for all,
+/// with a count of 1.
+typedef struct litfog_batch_lights {
+  size_t count;
+  const double* constant;
+  const double* linear;     ///< 1/m
+  const double* quadratic;  ///< 1/m^2
+  const double* threshold;
+  size_t threshold_count;
+  const double* density;  ///< 1/m: the fog's, scaled for the light's class
+  size_t density_count;
+} litfog_batch_lights;
+
+/// Where the results go: columns of `count` values, none of which overlaps another column. NULL is not computed.
+typedef struct litfog_batch_solutions {
+  double* intensity;
+  double* peak_range;  ///< metres
+  double* extent;      ///< metres
+  uint8_t* status;     ///< LITFOG_SOLVE_OK, LITFOG_SOLVE_NOT_CONVERGED or LITFOG_SOLVE_INVALID
+} litfog_batch_solutions;
+
+typedef struct litfog_batch_lights_f {
+  size_t count;
+  const float* constant;
+  const float* linear;
+  const float* quadratic;
+  const float* threshold;
+  size_t threshold_count;
+  const float* density;
+  size_t density_count;
+} litfog_batch_lights_f;
+
+typedef struct litfog_batch_solutions_f {
+  float* intensity;
+  float* peak_range;
+  float* extent;
+  uint8_t* status;
+} litfog_batch_solutions_f;
+
+/// litfog_solve for columns of lights.
+///
+/// invalid  how many lights are invalid, which is no failure of the call; may be NULL
+LITFOG_API litfog_status litfog_solve_batch(int32_t fog_mode, const litfog_batch_lights* lights,
+                                            const litfog_batch_solutions* solutions, size_t* invalid);
+LITFOG_API litfog_status litfog_solve_batch_f(int32_t fog_mode, const litfog_batch_lights_f* lights,
+                                              const litfog_batch_solutions_f* solutions, size_t* invalid);
+
+// --- airlight (litfog/airlight.h) ---
+
+enum {
+  LITFOG_LAMP_LEG_CLEAR = 0,  ///< k = 0: nothing is lost on the way from the lamp, as in Hales's model
+  LITFOG_LAMP_LEG_FOGGED = 1  ///< k = 1: the fog factor is lost on it (single scattering)
+};
+
+typedef struct litfog_scattering {
+  int32_t lamp_leg;  ///< LITFOG_LAMP_LEG_*
+  double asymmetry;  ///< g of Henyey and Greenstein's phase function, in (-1, 1); 0 is isotropic
+} litfog_scattering;
+
+typedef struct litfog_eye_ray {
+  double origin[3];
+  double direction[3];  ///< its length is 1 within LITFOG_DIRECTION_TOLERANCE
+  double length;        ///< >= 0: to the surface or to the end of the fog; may be infinity
+} litfog_eye_ray;
+
+/// Airlight of a light along rays: what of it the fog scatters into the eye, to be multiplied with its colour.
+///
+/// scattering  NULL: the lamp's leg fogged, isotropic
+/// airlights   one a ray
+LITFOG_API litfog_status litfog_airlight(const litfog_placed_light* light, const litfog_fog* fog,
+                                         const litfog_eye_ray* rays, size_t count, const litfog_scattering* scattering,
+                                         double* airlights);
+
+/// Airlight of a light along its own axis, the eye at the light, the light's leg clear, out to its extent.
+LITFOG_API litfog_status litfog_axial_airlight(const litfog_light* light, const litfog_fog* fog, double* airlight);
+
+/// The same for columns of lights.
+///
+/// airlights  one a light, 0 for an invalid one
+/// invalid    how many lights are invalid; may be NULL
+LITFOG_API litfog_status litfog_axial_airlight_batch(int32_t fog_mode, const litfog_batch_lights* lights,
+                                                     double* airlights, size_t* invalid);
+
+/// The range in metres beyond which a light shows on no surface and in no fog.
+///
+/// budget    (0, 1): over the largest component of the light's colour
+/// lamp_leg  LITFOG_LAMP_LEG_*
+LITFOG_API litfog_status litfog_light_reach(const litfog_light* light, const litfog_fog* fog, double budget,
+                                            int32_t lamp_leg, double* range);
+
+// --- tables and block of the shaders (litfog/fog_light_block.h): std140, ready for upload ---
+
+typedef struct litfog_fog_light_kind {
+  float attenuation_extent[4];    ///< constant, linear, quadratic, extent
+  float cone_scale_intensity[4];  ///< cone (2), density scale, fog colour intensity
+} litfog_fog_light_kind;
+
+typedef struct litfog_fog_light_instance {
+  float position_kind[4];  ///< position (3), index of its kind
+  float axis_profile[4];   ///< axis (3), profile
+  float color[4];          ///< colour (3), 0
+} litfog_fog_light_instance;
+
+typedef struct litfog_fog_header {
+  float fog[4];                ///< density, mode, number of instances, 0
+  float ambient_fog_color[4];  ///< colour (3), 0
+} litfog_fog_header;
+
+#define LITFOG_MAX_FOG_LIGHTS 200
+
+/// The uniform block LitfogLightBlock.
+typedef struct litfog_fog_light_block {
+  litfog_fog_header header;
+  litfog_fog_light_kind kinds[LITFOG_MAX_FOG_LIGHTS];
+  litfog_fog_light_instance instances[LITFOG_MAX_FOG_LIGHTS];
+} litfog_fog_light_block;
+
+/// The first members of the block, for lights that an updater holds.
+///
+/// ambient_fog_color  three components, finite, >= 0
+LITFOG_API litfog_status litfog_pack_fog_header(const litfog_fog* fog, const double* ambient_fog_color,
+                                                size_t instances, litfog_fog_header* header);
+
+/// The whole block from lights that stay as they are, each solved in the fog; others are an updater's.
+///
+/// count  at most LITFOG_MAX_FOG_LIGHTS
+LITFOG_API litfog_status litfog_pack_fog_light_block(const litfog_fog* fog, const double* ambient_fog_color,
+                                                     const litfog_placed_light* lights, size_t count,
+                                                     litfog_fog_light_block* block);
+
+// --- updater (litfog/updater.h) ---
+
+/// The lights of a scene as tables of kinds and instances, kept up to date through every change of the visibility.
+typedef struct litfog_updater litfog_updater;
+
+/// A light that an updater holds.
+typedef struct litfog_light_handle {
+  uint32_t slot;
+  uint32_t generation;  ///< 0: of no light
+} litfog_light_handle;
+
+/// Entries [begin, end) of a table.
+typedef struct litfog_entry_range {
+  size_t begin;
+  size_t end;
+} litfog_entry_range;
+
+/// What must be uploaded again, of each table: sorted, disjoint ranges. Valid as the tables are.
+typedef struct litfog_fog_light_changes {
+  const litfog_entry_range* kinds;
+  size_t kind_count;
+  const litfog_entry_range* instances;
+  size_t instance_count;
+} litfog_fog_light_changes;
+
+/// The tables. Valid until the next call on the updater that is not const.
+typedef struct litfog_fog_light_tables {
+  const litfog_fog_light_kind* kinds;
+  size_t kind_count;
+  const litfog_fog_light_instance* instances;
+  size_t instance_count;
+} litfog_fog_light_tables;
+
+/// What the last set_fog did.
+typedef struct litfog_fog_update_statistics {
+  size_t kinds_solved;
+  size_t kinds_skipped;
+  size_t lights_skipped;
+  size_t bytes_dirty;
+} litfog_fog_update_statistics;
+
+#define LITFOG_DEFAULT_SKIP_BUDGET_255 0.5  ///< half a step of an 8-bit picture
+
+/// Makes an updater without lights in clear air.
+///
+/// skip_budget_255  1/255, finite, >= 0: lights that cannot show as much are not solved
+LITFOG_API litfog_status litfog_updater_create(double skip_budget_255, litfog_updater** updater);
+LITFOG_API void litfog_updater_destroy(litfog_updater* updater);
+
+/// Adds a light, switched on. The tables have it after the next set_fog; this holds for every change below, too.
+LITFOG_API litfog_status litfog_updater_add(litfog_updater* updater, const litfog_placed_light* light,
+                                            litfog_light_handle* handle);
+LITFOG_API litfog_status litfog_updater_change(litfog_updater* updater, litfog_light_handle handle,
+                                               const litfog_placed_light* light);
+LITFOG_API litfog_status litfog_updater_switch_light(litfog_updater* updater, litfog_light_handle handle,
+                                                     int32_t is_on);
+LITFOG_API litfog_status litfog_updater_remove(litfog_updater* updater, litfog_light_handle handle);
+
+/// Brings the tables up to date with the fog and with all changes of lights. Allocates nothing.
+LITFOG_API litfog_status litfog_updater_set_fog(litfog_updater* updater, const litfog_fog* fog,
+                                                litfog_fog_light_changes* changes);
+
+LITFOG_API litfog_status litfog_updater_tables(const litfog_updater* updater, litfog_fog_light_tables* tables);
+LITFOG_API litfog_status litfog_updater_statistics(const litfog_updater* updater,
+                                                   litfog_fog_update_statistics* statistics);
+/// Index of a light among the instances, and of its kind among the kinds.
+LITFOG_API litfog_status litfog_updater_instance_of(const litfog_updater* updater, litfog_light_handle handle,
+                                                    size_t* instance);
+LITFOG_API litfog_status litfog_updater_kind_of(const litfog_updater* updater, litfog_light_handle handle,
+                                                size_t* kind);
+
+// --- culling (litfog/light_bounds.h, litfog/view_frustum.h) ---
+
+/// All points within a range of a light and within an angle of its axis.
+typedef struct litfog_light_bounds {
+  double position[3];
+  double direction[3];
+  double range;       ///< metres, >= 0; 0 lights nothing, infinity has no end
+  double half_angle;  ///< [0, pi]; pi is a ball
+} litfog_light_bounds;
+
+/// The bounds of a light.
+///
+/// range  as litfog_light_reach gives it
+LITFOG_API litfog_status litfog_bounds_of(const litfog_placed_light* light, double range, litfog_light_bounds* bounds);
+
+/// Whether a light can light anything in a box.
+///
+/// low, high  corners, three coordinates each
+/// can        0 only where the light can light nothing in the box
+LITFOG_API litfog_status litfog_can_light(const litfog_light_bounds* bounds, const double* low, const double* high,
+                                          int32_t* can);
+
+/// What a perspective picture shows.
+typedef struct litfog_view {
+  double eye[3];
+  double forward[3];  ///< unit
+  double up[3];       ///< unit, orthogonal to forward
+  double left;        ///< tangents of the angles at which the picture's edges lie, right and up positive
+  double right;
+  double bottom;
+  double top;
+  double nearest;   ///< depth along forward, > 0
+  double farthest;  ///< (nearest, LITFOG_MAX_POSITION]
+} litfog_view;
+
+/// 90 degrees wide and high from the origin along -z, from 0.1 to 10,000 m.
+LITFOG_API litfog_status litfog_default_view(litfog_view* view);
+
+typedef struct litfog_view_frustum litfog_view_frustum;
+
+LITFOG_API litfog_status litfog_view_frustum_create(const litfog_view* view, litfog_view_frustum** frustum);
+LITFOG_API void litfog_view_frustum_destroy(litfog_view_frustum* frustum);
+
+/// Whether the view shows a ball, or anything that a light can light.
+///
+/// radius  metres, >= 0
+/// can     0 only where the ball does not meet the frustum
+LITFOG_API litfog_status litfog_view_frustum_can_see_ball(const litfog_view_frustum* frustum, const double* center,
+                                                          double radius, int32_t* can);
+/// can     0 only where the light can light nothing in the frustum
+LITFOG_API litfog_status litfog_view_frustum_can_see_light(const litfog_view_frustum* frustum,
+                                                           const litfog_light_bounds* bounds, int32_t* can);
+
+// --- cluster lists (litfog/light_clusters.h) ---
+
+typedef struct litfog_cluster_grid {
+  uint32_t columns;    ///< [1, 64]
+  uint32_t rows;       ///< [1, 64]
+  uint32_t slices;     ///< [1, 64]
+  double first_depth;  ///< metres: where the first slice ends
+} litfog_cluster_grid;
+
+/// `count` entries of the light list from `first` on.
+typedef struct litfog_cluster {
+  uint32_t first;
+  uint32_t count;
+} litfog_cluster;
+
+/// The lists, and how a shader finds the cluster of a fragment (ClusterLookup). Valid until the next update.
+typedef struct litfog_cluster_lists {
+  const litfog_cluster* clusters;
+  size_t cluster_count;
+  const uint32_t* lights;
+  size_t light_count;
+  float slice_scale;
+  float slice_bias;
+} litfog_cluster_lists;
+
+typedef struct litfog_light_clusters litfog_light_clusters;
+
+/// grid  NULL: 16 columns, 9 rows, 24 slices, the first to 5 m
+LITFOG_API litfog_status litfog_light_clusters_create(const litfog_cluster_grid* grid,
+                                                      litfog_light_clusters** clusters);
+LITFOG_API void litfog_light_clusters_destroy(litfog_light_clusters* clusters);
+
+/// Sets how many lights there are; new ones have a range of 0.
+LITFOG_API litfog_status litfog_light_clusters_resize(litfog_light_clusters* clusters, size_t count);
+LITFOG_API litfog_status litfog_light_clusters_set_light(litfog_light_clusters* clusters, size_t light,
+                                                         const litfog_light_bounds* bounds);
+/// changed  not 0 where the lists have changed; may be NULL
+LITFOG_API litfog_status litfog_light_clusters_update(litfog_light_clusters* clusters, const litfog_view* view,
+                                                      int32_t* changed);
+LITFOG_API litfog_status litfog_light_clusters_lists(const litfog_light_clusters* clusters,
+                                                     litfog_cluster_lists* lists);
+
+// --- shaders (litfog/shaders/*.glsl), embedded in the library ---
+
+typedef struct litfog_shader_text {
+  const char* name;  ///< by which it is included: "litfog/shaders/fog.glsl"
+  const char* text;
+} litfog_shader_text;
+
+/// The shader files as installed, for whatever resolves a host's `#include` lines.
+LITFOG_API litfog_status litfog_shader_texts(const litfog_shader_text** texts, size_t* count);
+
+/// A shader with litfog's files in place of the lines that include them, each once, for drivers that know no
+/// `#include`. Other lines stay as they are, `#version` first; `#line` keeps their numbers, by files in the order of
+/// inclusion.
+///
+/// source     may include litfog's files only; others are an error
+/// expanded   at least `size` bytes; may be NULL where size is 0
+/// length     of the whole text without its NUL; expanded holds it only where size is larger, and is left alone else
+LITFOG_API litfog_status litfog_expand_shader(const char* source, char* expanded, size_t size, size_t* length);
+
+#ifdef __cplusplus
+}
+#endif

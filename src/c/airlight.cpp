@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "litfog/airlight.h"
+
+#include "c/call.h"
+#include "c/convert.h"
+#include "c/layout.h"
+
+using namespace litfog;
+
+namespace {
+
+LampLeg lamp_leg(int32_t leg) {
+  c::require_enumerator(leg, 2, "lamp_leg");
+  return LampLeg(leg);
+}
+
+}  // namespace
+
+litfog_status litfog_airlight(const litfog_placed_light* light, const litfog_fog* fog, const litfog_eye_ray* rays,
+                              size_t count, const litfog_scattering* scattering, double* airlights) {
+  return c::call([&] {
+    if (scattering != nullptr) lamp_leg(scattering->lamp_leg);
+    airlight(c::placed_light(light), c::fog(fog), c::view_as_cpp(c::array(rays, count, "rays")),
+             scattering == nullptr ? Scattering{} : c::to_cpp(*scattering), c::array(airlights, count, "airlights"));
+  });
+}
+
+litfog_status litfog_axial_airlight(const litfog_light* light, const litfog_fog* fog, double* airlight) {
+  return c::call([&] { c::at(airlight, "airlight") = axial_airlight(c::light(light), c::fog(fog)); });
+}
+
+litfog_status litfog_light_reach(const litfog_light* light, const litfog_fog* fog, double budget, int32_t leg,
+                                 double* range) {
+  return c::call([&] { c::at(range, "range") = light_reach(c::light(light), c::fog(fog), budget, lamp_leg(leg)); });
+}

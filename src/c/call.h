@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <stdexcept>
+#include <string>
+
+#include "litfog/litfog.h"
+
+namespace litfog::c {
+
+/// The status of the exception being handled; its text becomes the thread's last error.
+litfog_status status_of_exception() noexcept;
+
+/// Runs the body of a C function. Whatever it throws ends here.
+template <typename Body>
+litfog_status call(const Body& body) noexcept {
+  try {
+    body();
+    return LITFOG_OK;
+  } catch (...) {
+    return status_of_exception();
+  }
+}
+
+/// What a caller's pointer points to. Results are asked for by it before anything is made that would be lost.
+///
+/// name    of the parameter or member, for the error
+/// throws  std::invalid_argument where it is null
+template <typename T>
+T& at(T* pointer, const char* name) {
+  if (pointer == nullptr) throw std::invalid_argument(std::string(name) + ": must not be NULL");
+  return *pointer;
+}
+
+/// A caller's array; it may be null where it is empty.
+template <typename T>
+std::span<T> array(T* first, std::size_t count, const char* name) {
+  if (count > 0) at(first, name);
+  return {first, count};
+}
+
+}  // namespace litfog::c

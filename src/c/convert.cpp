@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "c/convert.h"
+
+#include <stdexcept>
+#include <string>
+
+#include "c/call.h"
+#include "c/layout.h"
+
+namespace litfog::c {
+
+void require_enumerator(std::int32_t value, int count, const char* name) {
+  if (value >= 0 && value < count) return;
+  throw std::invalid_argument(std::string(name) + " = " + std::to_string(value) + ": must be in [0, " +
+                              std::to_string(count - 1) + "]");
+}
+
+FogMode fog_mode(std::int32_t mode) {
+  require_enumerator(mode, 2, "fog.mode");
+  return FogMode(mode);
+}
+
+Fog fog(const litfog_fog* fog) {
+  fog_mode(at(fog, "fog").mode);
+  return to_cpp(*fog);
+}
+
+Light light(const litfog_light* light) {
+  require_enumerator(at(light, "light").cone.profile, 3, "cone.profile");
+  return {.name = {},
+          .color = vector(light->color, "color"),
+          .attenuation = to_cpp(light->attenuation),
+          .threshold = light->threshold,
+          .cone = to_cpp(light->cone),
+          .density_scale = light->density_scale};
+}
+
+PlacedLight placed_light(const litfog_placed_light* placed) {
+  return {.light = light(&at(placed, "light").light),
+          .position = vector(placed->position, "position"),
+          .direction = vector(placed->direction, "direction"),
+          .carried = placed->carried != 0};
+}
+
+glm::dvec3 vector(const double* numbers, const char* name) {
+  at(numbers, name);
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+}  // namespace litfog::c

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+
+#include "litfog/fog.h"
+#include "litfog/light.h"
+#include "litfog/litfog.h"
+
+// A caller's structs as C++ has them. Numbers that are no enumerator throw std::invalid_argument; all other rules are
+// those of the C++ calls, which check them.
+
+namespace litfog::c {
+
+/// An enumerator of C++.
+///
+/// count   how many there are, from 0
+/// name    of the parameter or member
+/// throws  std::invalid_argument
+void require_enumerator(std::int32_t value, int count, const char* name);
+
+FogMode fog_mode(std::int32_t mode);
+Fog fog(const litfog_fog* fog);
+Light light(const litfog_light* light);
+PlacedLight placed_light(const litfog_placed_light* light);
+
+/// A light without its name.
+litfog_light light_of(const Light& light);
+
+/// Three numbers.
+glm::dvec3 vector(const double* numbers, const char* name);
+
+}  // namespace litfog::c

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "litfog/fog_light_block.h"
+
+#include <vector>
+
+#include "c/call.h"
+#include "c/convert.h"
+#include "c/layout.h"
+#include "litfog/solve.h"
+
+using namespace litfog;
+
+litfog_status litfog_pack_fog_header(const litfog_fog* fog, const double* ambient_fog_color, size_t instances,
+                                     litfog_fog_header* header) {
+  return c::call([&] {
+    c::at(header, "header") = c::to_c<litfog_fog_header>(
+        pack_fog_header(c::fog(fog), c::vector(ambient_fog_color, "ambient_fog_color"), instances));
+  });
+}
+
+litfog_status litfog_pack_fog_light_block(const litfog_fog* fog, const double* ambient_fog_color,
+                                          const litfog_placed_light* lights, size_t count,
+                                          litfog_fog_light_block* block) {
+  return c::call([&] {
+    const Fog in = c::fog(fog);
+    std::vector<PlacedLight> placed;
+    std::vector<FogIntensity> solutions;
+    for (const litfog_placed_light& light : c::array(lights, count, "lights")) {
+      placed.push_back(c::placed_light(&light));
+      solutions.push_back(solve_fog_intensity(placed.back().light, in));
+    }
+    c::at(block, "block") = c::to_c<litfog_fog_light_block>(
+        pack_fog_light_block(in, c::vector(ambient_fog_color, "ambient_fog_color"), placed, solutions));
+  });
+}

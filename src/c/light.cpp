@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "litfog/light.h"
+
+#include "c/call.h"
+#include "c/convert.h"
+#include "c/layout.h"
+#include "litfog/fog.h"
+#include "require.h"
+
+using namespace litfog;
+
+namespace {
+
+void write(const glm::dvec3& vector, double* numbers) {
+  for (int i = 0; i < 3; ++i) numbers[i] = vector[i];
+}
+
+}  // namespace
+
+litfog_light c::light_of(const Light& light) {
+  litfog_light result{};
+  write(light.color, result.color);
+  result.attenuation = to_c<litfog_attenuation>(light.attenuation);
+  result.threshold = light.threshold;
+  result.cone = to_c<litfog_cone>(light.cone);
+  result.density_scale = light.density_scale;
+  return result;
+}
+
+litfog_status litfog_fog_from_visibility(int32_t mode, double metres, double contrast, litfog_fog* fog) {
+  return c::call(
+      [&] { c::at(fog, "fog") = c::to_c<litfog_fog>(Fog::from_visibility(c::fog_mode(mode), metres, contrast)); });
+}
+
+litfog_status litfog_default_light(litfog_light* light) {
+  return c::call([&] { c::at(light, "light") = c::light_of({}); });
+}
+
+litfog_status litfog_default_placed_light(litfog_placed_light* light) {
+  return c::call([&] {
+    const PlacedLight placed;
+    litfog_placed_light result{};
+    result.light = c::light_of(placed.light);
+    write(placed.position, result.position);
+    write(placed.direction, result.direction);
+    result.carried = placed.carried;
+    c::at(light, "light") = result;
+  });
+}
+
+litfog_status litfog_check_fog(const litfog_fog* fog) {
+  return c::call([&] { require(check(c::fog(fog))); });
+}
+
+litfog_status litfog_check_light(const litfog_light* light) {
+  return c::call([&] { require(check(c::light(light))); });
+}
+
+litfog_status litfog_check_placed_light(const litfog_placed_light* light) {
+  return c::call([&] { require(check(c::placed_light(light))); });
+}

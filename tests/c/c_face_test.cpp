@@ -1,0 +1,487 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <glm/vec3.hpp>
+#include <limits>
+#include <span>
+#include <string>
+#include <thread>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "core/allocation_count.h"
+#include "litfog/airlight.h"
+#include "litfog/files/light_file.h"
+#include "litfog/fog_light_block.h"
+#include "litfog/litfog.h"
+#include "litfog/solve.h"
+#include "litfog/updater.h"
+#include "reference/random_light.h"
+
+namespace litfog::test {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// A light and its twin of C.
+struct Twins {
+  PlacedLight cpp;
+  litfog_placed_light c;
+};
+
+Twins random_twins(Random& random) {
+  PlacedLight placed;
+  Light& light = placed.light;
+  light.color = {random.uniform(0, 2), random.uniform(0, 2), random.uniform(0, 2)};
+  light.attenuation = {random.uniform(0.1, 2), random.log_uniform(1e-4, 1), random.log_uniform(1e-6, 1)};
+  light.threshold = random.uniform(0.01, 0.2);
+  light.density_scale = random.uniform(0.2, 2);
+  light.cone = random.pick(std::array{Cone{}, Cone::cosine(random.uniform(0.1, 1.5), random.uniform(0, 50)),
+                                      Cone::smoothstep(random.uniform(0, 0.4), random.uniform(0.5, 3))});
+  placed.position = {random.uniform(-50, 50), random.uniform(-50, 50), random.uniform(-50, 50)};
+  placed.direction = {0, 1, 0};
+  placed.carried = random.chance(0.5);
+  const Cone& cone = light.cone;
+  return {placed,
+          {{{light.color.r, light.color.g, light.color.b},
+            {light.attenuation.constant, light.attenuation.linear, light.attenuation.quadratic},
+            light.threshold,
+            {int(cone.profile), cone.half_angle, cone.exponent, cone.inner, cone.outer},
+            light.density_scale},
+           {placed.position.x, placed.position.y, placed.position.z},
+           {0, 1, 0},
+           placed.carried}};
+}
+
+class CFace : public testing::Test {
+ protected:
+  Random random_{15};
+  const litfog_fog fog_{LITFOG_FOG_EXP2, 0.002};
+  const Fog cpp_fog_{FogMode::exp2, 0.002};
+};
+
+TEST_F(CFace, SolvesAreThoseOfCpp) {
+  for (int i = 0; i < 100; ++i) {
+    const Twins twins = random_twins(random_);
+    const Light& light = twins.cpp.light;
+    litfog_fog_intensity solution;
+    ASSERT_EQ(litfog_solve(&twins.c.light, &fog_, &solution), LITFOG_OK) << litfog_last_error();
+    const FogIntensity exact = solve_fog_intensity(light, cpp_fog_);
+    EXPECT_EQ(solution.intensity, exact.intensity);
+    EXPECT_EQ(solution.peak_range, exact.peak_range);
+    EXPECT_EQ(solution.extent, exact.extent);
+    EXPECT_EQ(solution.status, LITFOG_SOLVE_OK);
+
+    ASSERT_EQ(litfog_sample(&twins.c.light, &fog_, 64, &solution), LITFOG_OK);
+    EXPECT_EQ(
+        solution.intensity,
+        sample_fog_intensity(light.attenuation, scaled(cpp_fog_, light.density_scale), light.threshold, 64).intensity);
+  }
+}
+
+TEST_F(CFace, AirlightsAreThoseOfCpp) {
+  const litfog_scattering scattering{LITFOG_LAMP_LEG_CLEAR, 0.3};
+  const litfog_eye_ray rays[] = {{{0, 0, 0}, {0, 0, -1}, kInfinity}, {{1, 2, 3}, {0, 1, 0}, 40}};
+  for (int i = 0; i < 50; ++i) {
+    const Twins twins = random_twins(random_);
+    double found[2];
+    ASSERT_EQ(litfog_airlight(&twins.c, &fog_, rays, 2, &scattering, found), LITFOG_OK) << litfog_last_error();
+    const Scattering same{LampLeg::clear, 0.3};
+    EXPECT_EQ(found[0], airlight(twins.cpp, cpp_fog_, EyeRay{}, same));
+    EXPECT_EQ(found[1], airlight(twins.cpp, cpp_fog_, {{1, 2, 3}, {0, 1, 0}, 40}, same));
+    ASSERT_EQ(litfog_airlight(&twins.c, &fog_, rays, 1, nullptr, found), LITFOG_OK);
+    EXPECT_EQ(found[0], airlight(twins.cpp, cpp_fog_, EyeRay{}));
+
+    double axial, range;
+    ASSERT_EQ(litfog_axial_airlight(&twins.c.light, &fog_, &axial), LITFOG_OK);
+    EXPECT_EQ(axial, axial_airlight(twins.cpp.light, cpp_fog_));
+    ASSERT_EQ(litfog_light_reach(&twins.c.light, &fog_, 0.01, LITFOG_LAMP_LEG_CLEAR, &range), LITFOG_OK);
+    EXPECT_EQ(range, light_reach(twins.cpp.light, cpp_fog_, 0.01, LampLeg::clear));
+  }
+}
+
+template <typename Real>
+class CFaceBatch : public testing::Test {};
+using Reals = testing::Types<double, float>;
+TYPED_TEST_SUITE(CFaceBatch, Reals);
+
+TYPED_TEST(CFaceBatch, SolvesAreThoseOfCpp) {
+  using Real = TypeParam;
+  constexpr bool kIsDouble = std::is_same_v<Real, double>;
+  using Lights = std::conditional_t<kIsDouble, litfog_batch_lights, litfog_batch_lights_f>;
+  using Solutions = std::conditional_t<kIsDouble, litfog_batch_solutions, litfog_batch_solutions_f>;
+  constexpr std::size_t kCount = 37;
+  std::vector<Real> constant(kCount), linear(kCount), quadratic(kCount), density(kCount);
+  Random random(5);
+  for (std::size_t i = 0; i < kCount; ++i) {
+    constant[i] = Real(random.uniform(0, 2));
+    linear[i] = Real(random.uniform(0, 1));
+    quadratic[i] = Real(i == 11 ? -1 : random.log_uniform(1e-6, 1));
+    density[i] = Real(random.log_uniform(1e-5, 0.1));
+  }
+  const Real threshold = Real(0.05);
+  const Lights lights{kCount, constant.data(), linear.data(), quadratic.data(), &threshold, 1, density.data(), kCount};
+  std::vector<Real> intensity(kCount), peak_range(kCount), extent(kCount);
+  std::vector<std::uint8_t> status(kCount);
+  const Solutions solutions{intensity.data(), peak_range.data(), extent.data(), status.data()};
+  std::size_t invalid = 0;
+  litfog_status result;
+  if constexpr (kIsDouble) {
+    result = litfog_solve_batch(LITFOG_FOG_EXP, &lights, &solutions, &invalid);
+  } else {
+    result = litfog_solve_batch_f(LITFOG_FOG_EXP, &lights, &solutions, &invalid);
+  }
+  ASSERT_EQ(result, LITFOG_OK) << litfog_last_error();
+  EXPECT_EQ(invalid, 1u);
+  EXPECT_EQ(status[11], LITFOG_SOLVE_INVALID);
+
+  std::vector<Real> cpp_intensity(kCount), cpp_peak_range(kCount), cpp_extent(kCount);
+  solve_fog_intensities(FogMode::exp,
+                        BasicBatchLights<Real>{constant, linear, quadratic, std::span(&threshold, 1), density},
+                        BasicBatchSolutions<Real>{cpp_intensity, cpp_peak_range, cpp_extent, {}});
+  EXPECT_EQ(intensity, cpp_intensity);
+  EXPECT_EQ(peak_range, cpp_peak_range);
+  EXPECT_EQ(extent, cpp_extent);
+}
+
+TEST_F(CFace, BatchRefusesColumnsThatDoNotFit) {
+  const double column[] = {1, 1, 1};
+  double results[3] = {7, 7, 7};
+  const litfog_batch_solutions solutions{results, nullptr, nullptr, nullptr};
+  litfog_batch_lights lights{3, column, column, column, column, 2, column, 3};
+  EXPECT_EQ(litfog_solve_batch(LITFOG_FOG_EXP, &lights, &solutions, nullptr), LITFOG_INVALID_ARGUMENT);
+  EXPECT_STREQ(litfog_last_error(), "lights.threshold_count = 2: must be 1 or count");
+  lights.threshold_count = 3;
+  lights.linear = nullptr;
+  EXPECT_EQ(litfog_axial_airlight_batch(LITFOG_FOG_EXP, &lights, results, nullptr), LITFOG_INVALID_ARGUMENT);
+  EXPECT_STREQ(litfog_last_error(), "lights.linear: must not be NULL");
+  lights.linear = column;
+  EXPECT_EQ(litfog_solve_batch(2, &lights, &solutions, nullptr), LITFOG_INVALID_ARGUMENT);
+  EXPECT_STREQ(litfog_last_error(), "fog.mode = 2: must be in [0, 1]");
+  EXPECT_EQ(results[0], 7);
+  lights = {};
+  lights.threshold = lights.density = column;
+  lights.threshold_count = lights.density_count = 1;
+  EXPECT_EQ(litfog_solve_batch(LITFOG_FOG_EXP, &lights, &solutions, nullptr), LITFOG_OK) << "no lights at all";
+}
+
+TEST_F(CFace, PackedBlockIsThatOfCpp) {
+  std::vector<PlacedLight> lights;
+  std::vector<litfog_placed_light> c_lights;
+  std::vector<FogIntensity> solutions;
+  for (int i = 0; i < 20; ++i) {
+    const Twins twins = random_twins(random_);
+    lights.push_back(twins.cpp);
+    c_lights.push_back(twins.c);
+    solutions.push_back(solve_fog_intensity(twins.cpp.light, cpp_fog_));
+  }
+  const double ambient[] = {0.1, 0.2, 0.3};
+  litfog_fog_light_block block;
+  ASSERT_EQ(litfog_pack_fog_light_block(&fog_, ambient, c_lights.data(), c_lights.size(), &block), LITFOG_OK);
+  const FogLightBlock expected = pack_fog_light_block(cpp_fog_, {0.1, 0.2, 0.3}, lights, solutions);
+  EXPECT_EQ(std::memcmp(&block, &expected, sizeof expected), 0);
+
+  c_lights.resize(LITFOG_MAX_FOG_LIGHTS + 1, c_lights[0]);
+  EXPECT_EQ(litfog_pack_fog_light_block(&fog_, ambient, c_lights.data(), c_lights.size(), &block),
+            LITFOG_INVALID_ARGUMENT);
+}
+
+TEST_F(CFace, UpdatersTablesAreThoseOfCpp) {
+  FogUpdater cpp;
+  litfog_updater* c = nullptr;
+  ASSERT_EQ(litfog_updater_create(LITFOG_DEFAULT_SKIP_BUDGET_255, &c), LITFOG_OK);
+  for (int i = 0; i < 40; ++i) {
+    const Twins twins = random_twins(random_);
+    const FogLightHandle expected = cpp.add(twins.cpp);
+    litfog_light_handle handle;
+    ASSERT_EQ(litfog_updater_add(c, &twins.c, &handle), LITFOG_OK);
+    EXPECT_EQ(handle.slot, expected.slot);
+    EXPECT_EQ(handle.generation, expected.generation);
+  }
+  for (const double density : {1e-3, 1e-2, 1e-2}) {
+    const FogLightChanges expected = cpp.set_fog({FogMode::exp, density});
+    const litfog_fog fog{LITFOG_FOG_EXP, density};
+    litfog_fog_light_changes changes;
+    ASSERT_EQ(litfog_updater_set_fog(c, &fog, &changes), LITFOG_OK);
+    ASSERT_EQ(changes.kind_count, expected.kinds.size());
+    for (std::size_t i = 0; i < changes.kind_count; ++i) EXPECT_EQ(changes.kinds[i].end, expected.kinds[i].end);
+    EXPECT_EQ(changes.instance_count, expected.instances.size());
+    litfog_fog_light_tables tables;
+    ASSERT_EQ(litfog_updater_tables(c, &tables), LITFOG_OK);
+    ASSERT_EQ(tables.kind_count, cpp.kinds().size());
+    EXPECT_EQ(std::memcmp(tables.kinds, cpp.kinds().data(), cpp.kinds().size_bytes()), 0);
+    ASSERT_EQ(tables.instance_count, cpp.instances().size());
+    EXPECT_EQ(std::memcmp(tables.instances, cpp.instances().data(), cpp.instances().size_bytes()), 0);
+  }
+  litfog_updater_destroy(c);
+}
+
+TEST_F(CFace, SetFogAndBatchAllocateNothing) {
+  litfog_updater* updater = nullptr;
+  litfog_light_handle handle;
+  ASSERT_EQ(litfog_updater_create(0, &updater), LITFOG_OK);
+  for (int i = 0; i < 40; ++i) {
+    const Twins twins = random_twins(random_);
+    ASSERT_EQ(litfog_updater_add(updater, &twins.c, &handle), LITFOG_OK);
+  }
+  litfog_fog_light_changes changes;
+  const double one = 1;
+  double intensity;
+  const litfog_batch_lights lights{1, &one, &one, &one, &one, 1, &one, 1};
+  const litfog_batch_solutions solutions{&intensity, nullptr, nullptr, nullptr};
+  const std::size_t before = allocation_count();
+  ASSERT_EQ(litfog_updater_set_fog(updater, &fog_, &changes), LITFOG_OK);
+  ASSERT_EQ(litfog_solve_batch(LITFOG_FOG_EXP, &lights, &solutions, nullptr), LITFOG_OK);
+  EXPECT_EQ(allocation_count(), before);
+  litfog_updater_destroy(updater);
+}
+
+TEST_F(CFace, NullIsRefusedByName) {
+  litfog_placed_light light;
+  ASSERT_EQ(litfog_default_placed_light(&light), LITFOG_OK);
+  litfog_fog_intensity solution;
+  litfog_updater* updater = nullptr;
+  litfog_fog_light_changes changes;
+  size_t count;
+  int32_t can;
+  double x;
+  const std::vector<std::pair<const char*, std::function<litfog_status()>>> calls = {
+      {"light", [&] { return litfog_default_light(nullptr); }},
+      {"light", [&] { return litfog_solve(nullptr, &fog_, &solution); }},
+      {"fog", [&] { return litfog_solve(&light.light, nullptr, &solution); }},
+      {"solution", [&] { return litfog_solve(&light.light, &fog_, nullptr); }},
+      {"rays", [&] { return litfog_airlight(&light, &fog_, nullptr, 1, nullptr, &x); }},
+      {"updater", [&] { return litfog_updater_create(0.5, nullptr); }},
+      {"updater", [&] { return litfog_updater_set_fog(updater, &fog_, &changes); }},
+      {"frustum", [&] { return litfog_view_frustum_can_see_ball(nullptr, &x, 1, &can); }},
+      {"clusters", [&] { return litfog_light_clusters_resize(nullptr, 1); }},
+      {"path", [&] { return litfog_read_light(nullptr, &light.light, nullptr, 0); }},
+      {"name", [&] { return litfog_read_light("x", &light.light, nullptr, 8); }},
+      {"texts", [&] { return litfog_shader_texts(nullptr, &count); }},
+      {"source", [&] { return litfog_expand_shader(nullptr, nullptr, 0, &count); }},
+  };
+  for (const auto& [name, call] : calls) {
+    EXPECT_EQ(call(), LITFOG_INVALID_ARGUMENT) << name;
+    EXPECT_EQ(litfog_last_error(), std::string(name) + ": must not be NULL");
+  }
+  litfog_updater_destroy(nullptr);
+  litfog_view_frustum_destroy(nullptr);
+  litfog_light_clusters_destroy(nullptr);
+}
+
+TEST_F(CFace, ValuesThatBreakTheirRuleAreRefusedAndResultsLeftAlone) {
+  litfog_placed_light light;
+  ASSERT_EQ(litfog_default_placed_light(&light), LITFOG_OK);
+  litfog_fog_intensity solution{1, 2, 3, 4};
+  const auto expect_error = [&](const char* error) {
+    EXPECT_EQ(litfog_check_placed_light(&light), LITFOG_INVALID_ARGUMENT);
+    EXPECT_STREQ(litfog_last_error(), error);
+    EXPECT_EQ(litfog_solve(&light.light, &fog_, &solution), LITFOG_INVALID_ARGUMENT);
+    EXPECT_EQ(solution.intensity, 1);
+    EXPECT_EQ(solution.status, 4);
+  };
+  light.light.attenuation.linear = kNaN;
+  expect_error("attenuation.linear = nan: must be finite and >= 0");
+  light.light.attenuation.linear = 0;
+  light.light.cone.profile = 3;
+  expect_error("cone.profile = 3: must be in [0, 2]");
+  light.light.cone.profile = LITFOG_CONE_COSINE;
+  expect_error("cone.half_angle = 0: must be in (0, pi/2]");
+
+  litfog_fog fog{LITFOG_FOG_EXP, -1};
+  EXPECT_EQ(litfog_check_fog(&fog), LITFOG_INVALID_ARGUMENT);
+  EXPECT_EQ(litfog_fog_from_visibility(LITFOG_FOG_EXP, kNaN, LITFOG_CONTRAST_MOR, &fog), LITFOG_INVALID_ARGUMENT);
+  EXPECT_STREQ(litfog_last_error(), "visibility = nan: must be >= 0");
+  EXPECT_EQ(fog.density, -1);
+  ASSERT_EQ(litfog_fog_from_visibility(LITFOG_FOG_EXP, 0, LITFOG_CONTRAST_MOR, &fog), LITFOG_OK);
+  EXPECT_EQ(fog.density, kInfinity);
+
+  litfog_light_clusters* clusters = nullptr;
+  ASSERT_EQ(litfog_light_clusters_create(nullptr, &clusters), LITFOG_OK);
+  EXPECT_EQ(litfog_light_clusters_resize(clusters, std::numeric_limits<std::size_t>::max()), LITFOG_INVALID_ARGUMENT);
+  litfog_light_clusters_destroy(clusters);
+}
+
+TEST_F(CFace, AnyNumbersAreTakenOrRefused) {
+  const auto number = [&] {
+    return random_.pick(std::array{0.0, -0.0, -1.0, 1.0, 0.05, kNaN, kInfinity, -kInfinity, 1e-310, 1e308, 3.5,
+                                   random_.uniform(-1, 1), random_.log_uniform(1e-9, 1e9)});
+  };
+  const auto fill = [&](auto& numbers) {
+    for (double& x : numbers) x = number();
+  };
+  litfog_updater* updater = nullptr;
+  ASSERT_EQ(litfog_updater_create(LITFOG_DEFAULT_SKIP_BUDGET_255, &updater), LITFOG_OK);
+  int taken = 0;
+  for (int i = 0; i < 10000; ++i) {
+    litfog_placed_light light = random_twins(random_).c;
+    for (int changes = random_.below(4); changes > 0; --changes) {
+      double* const members[] = {light.light.color,          &light.light.attenuation.constant,
+                                 &light.light.threshold,     &light.light.attenuation.linear,
+                                 &light.light.density_scale, &light.light.attenuation.quadratic,
+                                 &light.light.cone.outer,    &light.light.cone.half_angle,
+                                 &light.position[1],         &light.light.cone.exponent,
+                                 &light.direction[1],        &light.light.cone.inner};
+      *random_.pick(members) = number();
+    }
+    if (random_.chance(0.1)) light.light.cone.profile = random_.below(5) - 1;
+    const litfog_fog fog{random_.below(random_.chance(0.1) ? 4 : 2), number()};
+    litfog_eye_ray ray{{0, 0, 0}, {0, 0, -1}, number()};
+    if (random_.chance(0.1)) fill(ray.direction);
+    const litfog_scattering scattering{random_.below(3), random_.uniform(-1.1, 1.1)};
+
+    const bool is_light = litfog_check_light(&light.light) == LITFOG_OK;
+    const bool is_placed = litfog_check_placed_light(&light) == LITFOG_OK;
+    const bool is_fog = litfog_check_fog(&fog) == LITFOG_OK;
+    const auto status_if = [](bool valid) { return valid ? LITFOG_OK : LITFOG_INVALID_ARGUMENT; };
+    litfog_fog_intensity solution;
+    ASSERT_EQ(litfog_solve(&light.light, &fog, &solution), status_if(is_light && is_fog)) << litfog_last_error();
+    if (is_light && is_fog) {
+      ++taken;
+      EXPECT_TRUE(solution.intensity >= 0 && solution.intensity <= 1 && solution.extent >= 0) << solution.intensity;
+      double axial = -1, range = -1, seen = -1;
+      EXPECT_EQ(litfog_axial_airlight(&light.light, &fog, &axial), LITFOG_OK);
+      EXPECT_TRUE(axial >= 0 && axial <= 1) << axial;
+      EXPECT_EQ(litfog_light_reach(&light.light, &fog, 0.01, LITFOG_LAMP_LEG_FOGGED, &range), LITFOG_OK);
+      EXPECT_TRUE(range >= 0 && range <= solution.extent) << range;
+      if (litfog_airlight(&light, &fog, &ray, 1, &scattering, &seen) == LITFOG_OK) {
+        EXPECT_TRUE(is_placed && seen >= 0) << seen;
+      }
+    }
+    litfog_light_handle handle;
+    litfog_fog_light_changes changes;
+    litfog_light_bounds bounds;
+    ASSERT_EQ(litfog_updater_add(updater, &light, &handle), status_if(is_placed));
+    ASSERT_EQ(litfog_updater_set_fog(updater, &fog, &changes), status_if(is_fog));
+    if (is_placed) {
+      ASSERT_EQ(litfog_updater_remove(updater, handle), LITFOG_OK);
+      ASSERT_EQ(litfog_updater_remove(updater, handle), LITFOG_INVALID_ARGUMENT);
+    }
+    const double reach = number();
+    ASSERT_EQ(litfog_bounds_of(&light, reach, &bounds), status_if(is_placed && reach >= 0));
+  }
+  EXPECT_GT(taken, 3000);
+  litfog_updater_destroy(updater);
+}
+
+TEST_F(CFace, LastErrorIsThatOfTheThread) {
+  litfog_light light;
+  ASSERT_EQ(litfog_default_light(nullptr), LITFOG_INVALID_ARGUMENT);
+  std::string other = "none";
+  std::thread([&] {
+    other = litfog_last_error();
+    litfog_read_light("no such file", &light, nullptr, 0);
+  }).join();
+  EXPECT_EQ(other, "");
+  EXPECT_STREQ(litfog_last_error(), "light: must not be NULL");
+  EXPECT_EQ(litfog_default_light(&light), LITFOG_OK);
+  EXPECT_STREQ(litfog_last_error(), "light: must not be NULL") << "calls that succeed leave it";
+}
+
+class CFaceFile : public testing::Test {
+ protected:
+  ~CFaceFile() override { std::filesystem::remove(path_); }
+
+  std::string write(const std::string& text) const {
+    std::ofstream(path_) << text;
+    return path_;
+  }
+
+ private:
+  std::string path_ = testing::TempDir() + "c_face_test_lamp.json";
+};
+
+TEST_F(CFaceFile, LightIsThatOfCpp) {
+  const std::string path = write(R"({"litfog": "light", "version": 1, "name": "lamp", "color": [1, 0.5, 0.25],
+    "attenuation": {"constant": 1, "quadratic": 0.25}, "threshold": 0.1, "density_scale": 0.4,
+    "cone": {"profile": "cosine", "half_angle_deg": 15, "exponent": 75}})");
+  litfog_light light;
+  char name[8];
+  ASSERT_EQ(litfog_read_light(path.c_str(), &light, name, sizeof name), LITFOG_OK) << litfog_last_error();
+  const Light expected = read_light(path);
+  EXPECT_STREQ(name, "lamp");
+  EXPECT_EQ(glm::dvec3(light.color[0], light.color[1], light.color[2]), expected.color);
+  EXPECT_EQ(light.attenuation.quadratic, expected.attenuation.quadratic);
+  EXPECT_EQ(light.threshold, expected.threshold);
+  EXPECT_EQ(light.cone.profile, LITFOG_CONE_COSINE);
+  EXPECT_EQ(light.cone.half_angle, expected.cone.half_angle);
+  EXPECT_EQ(light.cone.exponent, expected.cone.exponent);
+  EXPECT_EQ(light.density_scale, expected.density_scale);
+}
+
+TEST_F(CFaceFile, ErrorBeginsWithFileLineAndColumn) {
+  const std::string path =
+      write("{\"litfog\": \"light\", \"version\": 1, \"attenuation\": {\"quadratic\": 1},\n \"threshold\": 7}");
+  litfog_light light;
+  light.threshold = 0.3;
+  EXPECT_EQ(litfog_read_light(path.c_str(), &light, nullptr, 0), LITFOG_BAD_FILE);
+  EXPECT_EQ(std::string(litfog_last_error()).substr(0, path.size() + 6), path + ":2:15:") << litfog_last_error();
+  EXPECT_EQ(light.threshold, 0.3);
+}
+
+TEST_F(CFaceFile, LongNameIsCutAfterAWholeCharacter) {
+  const std::string path =
+      write(R"({"litfog": "light", "version": 1, "name": "aéé", "attenuation": {"quadratic": 1}})");  // 1 + 2 + 2 bytes
+  litfog_light light;
+  for (const auto& [size, expected] : std::vector<std::pair<std::size_t, std::string>>{
+           {6, "aéé"}, {5, "aé"}, {4, "aé"}, {3, "a"}, {2, "a"}, {1, ""}}) {
+    std::array<char, 8> name;
+    name.fill('#');
+    ASSERT_EQ(litfog_read_light(path.c_str(), &light, name.data(), size), LITFOG_OK);
+    EXPECT_EQ(name.data(), expected) << size;
+    EXPECT_EQ(name[size], '#') << size;
+  }
+}
+
+class CFaceShader : public testing::Test {
+ protected:
+  static std::string expanded(const char* source) {
+    size_t length = 0;
+    EXPECT_EQ(litfog_expand_shader(source, nullptr, 0, &length), LITFOG_OK) << litfog_last_error();
+    std::string text(length + 1, '#');
+    EXPECT_EQ(litfog_expand_shader(source, text.data(), text.size(), &length), LITFOG_OK);
+    EXPECT_EQ(text.back(), '\0');
+    text.pop_back();
+    return text;
+  }
+};
+
+TEST_F(CFaceShader, IncludesAreReplacedOnceAndLinesKeepTheirNumbers) {
+  const std::string text = expanded(
+      "#version 330 core\n#include \"litfog/shaders/expm1.glsl\"\n#include \"litfog/shaders/expm1.glsl\"\nlast\n");
+  EXPECT_EQ(text.find("#version 330 core\n#line 1 1\n"), 0u);
+  EXPECT_EQ(text.find("#include \""), std::string::npos);
+  EXPECT_EQ(text.find("#ifndef LITFOG_EXPM1_GLSL"), text.rfind("#ifndef LITFOG_EXPM1_GLSL"));
+  EXPECT_TRUE(text.ends_with("#line 3 0\n#line 4 0\nlast\n")) << text;
+}
+
+TEST_F(CFaceShader, EveryTextExpands) {
+  const litfog_shader_text* texts;
+  size_t count;
+  ASSERT_EQ(litfog_shader_texts(&texts, &count), LITFOG_OK);
+  EXPECT_GT(count, 0u);
+  for (const litfog_shader_text& text : std::span(texts, count)) {
+    EXPECT_GE(expanded(text.text).size(), std::string(text.text).size() / 2) << text.name;
+  }
+}
+
+TEST_F(CFaceShader, UnknownFileIsNamedAndAShortBufferLeftAlone) {
+  size_t length = 7;
+  EXPECT_EQ(litfog_expand_shader("#include \"mine.glsl\"\n", nullptr, 0, &length), LITFOG_INVALID_ARGUMENT);
+  EXPECT_STREQ(litfog_last_error(), "#include \"mine.glsl\": must be a file of litfog_shader_texts()");
+  EXPECT_EQ(length, 7u);
+  char buffer[] = "####";
+  EXPECT_EQ(litfog_expand_shader("abc\n", buffer, 4, &length), LITFOG_OK);
+  EXPECT_EQ(length, 4u);
+  EXPECT_STREQ(buffer, "####");
+}
+
+}  // namespace
+}  // namespace litfog::test
