@@ -74,6 +74,7 @@ layer(apps/measure/** FORBIDDEN command/ scene/file/ ${catalogues} demo/ bench/ 
       CLI/)
 layer(apps/demo/** FORBIDDEN solve/ fit/ bench/)
 layer(apps/solve/** apps/fit/** FORBIDDEN scene/ ${above_scene} ${gl} ${graphics})
+layer(apps/examples/** FORBIDDEN ${commands})  # they know what is installed
 layer(apps/bench/** FORBIDDEN demo/ solve/ fit/ core/ gl/)  # of tests/ it may know reference/
 
 # tests. Only the benchmark's know its sources; what the benchmark takes from here is reference/.

@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: Apache-2.0
+# Builds each of EXAMPLES against the install tree PREFIX, as whoever copies it would, and runs it.
+cmake_minimum_required(VERSION 3.25)
+
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "${ARGN}\nended with ${status}:\n${output}")
+  endif()
+endfunction()
+
+file(REMOVE_RECURSE ${WORK_DIR})
+foreach(example "smallest;smallest_host" "smallest_c;smallest_c_host" "gl;gl_host" "cigi;cigi_ig;--demo")
+  list(POP_FRONT example folder program)
+  run(${CMAKE_COMMAND} -S ${EXAMPLES}/${folder} -B ${WORK_DIR}/${folder} -G ${GENERATOR}
+      -DCMAKE_PREFIX_PATH=${PREFIX} -DCMAKE_BUILD_TYPE=${CONFIG} -DCMAKE_CXX_COMPILER=${CXX_COMPILER})
+  run(${CMAKE_COMMAND} --build ${WORK_DIR}/${folder})
+  run(${WORK_DIR}/${folder}/${program} ${example})
+endforeach()
+file(REMOVE_RECURSE ${WORK_DIR})
