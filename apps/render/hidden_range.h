@@ -57,6 +57,18 @@ double largest_irradiance(const PlacedLight& light, double extent, const Fog& fo
 double airlight_end(const Light& light, double extent, const Fog& fog, double largest_phase, double eye_range,
                     double budget);
 
+/// Whether a light's cone can meet a ray from the eye through a box, anywhere from a range on.
+///
+/// Proof. From the eye the box lies in the ball around it, within the angle of asin(radius / distance) of the ball's
+/// middle. A point of such a ray at least that range from the eye, seen from the light instead, is turned by at most
+/// asin(delta / range), where delta is the distance from the eye to the light. So its angle from the light's axis is at
+/// least that of the ball's middle less both.
+///
+/// half_angle  of the cone, radians
+/// range       metres from the eye
+bool can_light_from(const PlacedLight& light, double half_angle, const glm::dvec3& eye, const scene::Bounds& box,
+                    double range);
+
 /// Distances from a point to a box: metres to its nearest and to its farthest point.
 double nearest_distance(const glm::dvec3& point, const scene::Bounds& box);
 double farthest_distance(const glm::dvec3& point, const scene::Bounds& box);
