@@ -480,6 +480,12 @@ TEST_F(BenchMeasurement, CityMeasuresClustersAndFramesAtEveryVisibility) {
     if (method == "frame-flight") continue;
     EXPECT_LE(row["lights_that_matter"].get<double>(), row["lights"].get<double>()) << row;
     EXPECT_EQ(row["excess_share"].is_number(), method == "clusters") << row;
+    const bool is_compared = method == "frame";
+    EXPECT_EQ(row["ratio_to_those"].is_number(), is_compared) << row;
+    if (is_compared) {
+      EXPECT_GT(row["ratio_to_those"].get<double>(), 0.5) << row;
+      EXPECT_LE(row["max_error_255"].get<double>(), 2) << row;
+    }
   }
   const std::map<std::string, int> expected{
       {"balls", 2}, {"clusters", 4},     {"clusters-fog", 4},  {"clusters-one-light", 4},
