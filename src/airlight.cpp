@@ -96,6 +96,10 @@ long double integrate_axially(const Attenuation& narrow, const Fog& fog, double 
 
 }  // namespace
 
+double unchecked::axial_airlight(const Attenuation& attenuation, const Fog& fog, double threshold) {
+  return double(integrate_axially(attenuation, fog, threshold));
+}
+
 std::optional<ValueError> check(const Scattering& scattering) {
   if (!(std::abs(scattering.asymmetry) < 1)) return ValueError{"asymmetry", scattering.asymmetry, "must be in (-1, 1)"};
   return std::nullopt;
@@ -195,29 +199,13 @@ double axial_airlight(const Attenuation& attenuation, const Fog& fog, double thr
   require(check(attenuation));
   require(check(fog));
   require(check_threshold(threshold));
-  return double(integrate_axially(attenuation, fog, threshold));
+  return unchecked::axial_airlight(attenuation, fog, threshold);
 }
 
 double axial_airlight(const Light& light, const Fog& fog) {
   require(check(light));
   require(check(fog));
-  return double(integrate_axially(light.attenuation, unchecked::scaled(fog, light.density_scale), light.threshold));
-}
-
-std::size_t axial_airlights(FogMode mode, const BatchLights& lights, std::span<double> airlights) {
-  assert(lights.constant.size() == airlights.size() && lights.linear.size() == airlights.size() &&
-         lights.quadratic.size() == airlights.size());
-  const auto at = [](std::span<const double> column, std::size_t i) { return column[column.size() == 1 ? 0 : i]; };
-  std::size_t invalid = 0;
-  for (std::size_t i = 0; i < airlights.size(); ++i) {
-    const Attenuation attenuation{at(lights.constant, i), at(lights.linear, i), at(lights.quadratic, i)};
-    const Fog fog{mode, at(lights.density, i)};
-    const double threshold = at(lights.threshold, i);
-    const bool is_valid = !check(attenuation) && !check(fog) && !check_threshold(threshold);
-    airlights[i] = is_valid ? double(integrate_axially(attenuation, fog, threshold)) : 0;
-    if (!is_valid) ++invalid;
-  }
-  return invalid;
+  return unchecked::axial_airlight(light.attenuation, unchecked::scaled(fog, light.density_scale), light.threshold);
 }
 
 }  // namespace litfog

@@ -11,6 +11,30 @@ test::AirlightCase draw_any_case(test::Random& random, FogMode mode, LampLeg lam
   return c;
 }
 
+test::AirlightCase draw_axial_case(test::Random& random, FogMode mode, LampLeg lamp_leg) {
+  const test::SolveCase drawn = test::draw_ordinary_case(random, mode);
+  test::AirlightCase c;
+  c.light.light.attenuation = drawn.attenuation;
+  c.light.light.threshold = drawn.threshold;
+  c.fog = drawn.fog;
+  c.scattering.lamp_leg = lamp_leg;
+  return c;
+}
+
+test::AirlightCase draw_case(AirlightMix mix, test::Random& random, FogMode mode, LampLeg lamp_leg) {
+  switch (mix) {
+    case AirlightMix::point:
+      return test::draw_airlight_case(random, mode, lamp_leg);
+    case AirlightMix::any:
+      return draw_any_case(random, mode, lamp_leg);
+    case AirlightMix::inverse_square:
+      return test::draw_inverse_square_airlight_case(random, mode, lamp_leg);
+    case AirlightMix::axial:
+      break;
+  }
+  return draw_axial_case(random, mode, lamp_leg);
+}
+
 }  // namespace
 
 const char* name_of(AirlightMix mix) {
@@ -20,9 +44,11 @@ const char* name_of(AirlightMix mix) {
     case AirlightMix::any:
       return "any";
     case AirlightMix::inverse_square:
+      return "inverse-square";
+    case AirlightMix::axial:
       break;
   }
-  return "inverse-square";
+  return "axial";
 }
 
 std::vector<test::AirlightCase> draw_airlight_mix(AirlightMix mix, FogMode mode, LampLeg lamp_leg, std::size_t count,
@@ -30,10 +56,7 @@ std::vector<test::AirlightCase> draw_airlight_mix(AirlightMix mix, FogMode mode,
   test::Random random(seed);
   std::vector<test::AirlightCase> rays;
   while (rays.size() < count) {
-    const test::AirlightCase c = mix == AirlightMix::point ? test::draw_airlight_case(random, mode, lamp_leg)
-                                 : mix == AirlightMix::any
-                                     ? draw_any_case(random, mode, lamp_leg)
-                                     : test::draw_inverse_square_airlight_case(random, mode, lamp_leg);
+    const test::AirlightCase c = draw_case(mix, random, mode, lamp_leg);
     if (reference_airlight(c.light, c.fog, c.ray, c.scattering) > kDimAirlight) rays.push_back(c);
   }
   return rays;

@@ -22,7 +22,9 @@ enum class AirlightMix {
   any,
   /// What closed forms and tables know: C = L = 0, Q of a knee of 0.1 to 10 m, rays that stay outside of the knee, the
   /// extent a thousand knees; visibility 3 m to 100 km.
-  inverse_square
+  inverse_square,
+  /// Ordinary lights (test::draw_ordinary_case), seen along their axis by an eye beside the lamp, to the light's end.
+  axial
 };
 
 const char* name_of(AirlightMix mix);

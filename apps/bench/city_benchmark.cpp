@@ -20,11 +20,12 @@
 #include <vector>
 
 #include "bench/stopwatch.h"
+#include "bench/visible_lights.h"
 #include "command/progress.h"
 #include "litfog/airlight.h"
 #include "litfog/gl/headless_context.h"
 #include "litfog/light_clusters.h"
-#include "measure/frame_times.h"
+#include "measure/picture_error.h"
 #include "measure/quantile.h"
 #include "reference/random_light.h"
 #include "render/renderer.h"
@@ -38,6 +39,7 @@ constexpr int kWidth = 320;
 constexpr int kHeight = 180;
 constexpr double kBudget = 0.5 / 255;  // of a display's white
 constexpr double kFarthest = 4000;     // metres: beyond the city
+constexpr double kMostLostSteps = 2;   // of the display: half is left out here, and either frame leaves out up to 3/4
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Scale {
@@ -132,11 +134,22 @@ struct Trial {
   std::size_t lights;
   std::vector<double> matter = {};  ///< a value a frame, as in those that follow
   std::vector<double> entries = {};
-  std::vector<double> milliseconds = {};
+  std::vector<double> milliseconds = {};       ///< of processor time
+  std::vector<double> wall_milliseconds = {};  ///< of frames
   std::optional<double> excess_share = {};
+  std::optional<double> ratio_to_those = {};
+  std::optional<double> max_error = {};  ///< steps of the display
 
   double median() const { return measure::quantile(milliseconds, 0.5); }
 };
+
+/// Notes the times of a frame.
+void time_frame(Trial& trial, render::Renderer& renderer) {
+  double processor = 0;
+  trial.wall_milliseconds.push_back(
+      time_of(wall_milliseconds, [&] { processor = time_of(process_milliseconds, [&] { renderer.draw(); }); }));
+  trial.milliseconds.push_back(processor);
+}
 
 // --- clusters ---
 
@@ -308,32 +321,32 @@ class CityTrials {
   void measure_frames(double visibility, std::size_t count) {
     scene::Scene all = city_;
     all.lights.resize(count);
+    const auto with_all = renderer_of(all, visibility);
     scene::Scene some = all;
-    some.lights = lights_that_matter(all, visibility);
-    const auto make = [&](const scene::Scene& scene) {
-      auto renderer = std::make_unique<render::Renderer>(scene, kWidth, kHeight, render::RenderSettings{});
-      renderer->set_fog(Fog::from_visibility(FogMode::exp, visibility));
-      return renderer;
-    };
-    const auto with_all = make(all);
-    const auto with_some = make(some);
-    const auto times = measure::time_frames({measure::frames_of(*with_all), measure::frames_of(*with_some)},
-                                            measure::FrameBudget::exactly(scale_.still_frames));
+    some.lights.clear();
+    for (const std::size_t light : find_visible_lights(*with_all)) some.lights.push_back(all.lights[light]);
+    const auto with_some = renderer_of(some, visibility);
     const auto matter = double(some.lights.size());
-    trials_.push_back({"frame", visibility, count, {matter}, {}, times[0].milliseconds});
-    trials_.push_back({"frame-of-those", visibility, some.lights.size(), {matter}, {}, times[1].milliseconds});
+    Trial& frame = trials_.emplace_back(Trial{"frame", visibility, count, {matter}});
+    Trial& those = trials_.emplace_back(Trial{"frame-of-those", visibility, some.lights.size(), {matter}});
+    for (int i = 0; i < scale_.still_frames; ++i) {  // interleaved
+      time_frame(frame, *with_all);
+      time_frame(those, *with_some);
+    }
+    frame.ratio_to_those = frame.median() / those.median();
+    const render::Picture picture = with_some->read();
+    const std::vector<std::uint8_t> no_jumps(picture.rgb.size() / 3);
+    frame.max_error = measure::picture_error(with_all->read(), {picture, picture, picture, no_jumps}).largest;
   }
 
   void measure_flight(double visibility) {
     scene::Scene scene = city_;
     scene.lights.resize(scale_.drawn_in_flight);
-    render::Renderer renderer(scene, kWidth, kHeight, {});
-    renderer.set_fog(Fog::from_visibility(FogMode::exp, visibility));
-    renderer.draw();  // drivers compile shaders when they are first drawn with
+    const auto renderer = renderer_of(scene, visibility);
     Trial& flight = add("frame-flight", visibility, scene.lights.size());
     for (int frame = 0; frame < scale_.flight_frames; ++frame) {
       scene.camera = camera_at(double(frame) / scale_.flight_frames, city_.camera.field_of_view);
-      flight.milliseconds.push_back(time_of(wall_milliseconds, [&] { renderer.draw(); }));
+      time_frame(flight, *renderer);
     }
   }
 
@@ -356,16 +369,12 @@ class CityTrials {
     return view_of(camera_at(double(frame) / scale_.flight_frames, city_.camera.field_of_view), visibility);
   }
 
-  std::vector<PlacedLight> lights_that_matter(const scene::Scene& scene, double visibility) const {
-    LightClusters clusters;
-    set_lights(clusters, KindedLights(scene.lights).bounds_in(Fog::from_visibility(FogMode::exp, visibility)));
-    clusters.update(view_of(scene.camera, visibility));
-    std::vector<std::uint32_t> listed(clusters.light_list().begin(), clusters.light_list().end());
-    std::ranges::sort(listed);
-    listed.erase(std::unique(listed.begin(), listed.end()), listed.end());
-    std::vector<PlacedLight> lights;
-    for (const std::uint32_t light : listed) lights.push_back(scene.lights[light]);
-    return lights;
+  /// Has drawn a frame, because drivers compile shaders when they are first drawn with.
+  static std::unique_ptr<render::Renderer> renderer_of(const scene::Scene& scene, double visibility) {
+    auto renderer = std::make_unique<render::Renderer>(scene, kWidth, kHeight, render::RenderSettings{});
+    renderer->set_fog(Fog::from_visibility(FogMode::exp, visibility));
+    renderer->draw();
+    return renderer;
   }
 
   const Scale& scale_;
@@ -380,17 +389,19 @@ double ratio_of_worst(const Trial& trial) { return std::ranges::max(trial.millis
 
 command::Table make_table(const std::deque<Trial>& trials) {
   command::Table table{{"method", "visibility_m", "lights", "lights_that_matter", "entries", "ms", "ms_spread",
-                        "worst_ratio", "excess_share"},
+                        "worst_ratio", "wall_ms", "ratio_to_those", "max_error_255", "excess_share"},
                        {}};
   using Cell = command::Table::Cell;
   const auto median = [](const std::vector<double>& values) {
     return values.empty() ? Cell(std::monostate{}) : Cell(measure::quantile(values, 0.5));
   };
+  const auto stated = [](const std::optional<double>& value) { return value ? Cell(*value) : Cell(std::monostate{}); };
   for (const Trial& trial : trials) {
     const double spread = measure::quantile(trial.milliseconds, 0.9) - measure::quantile(trial.milliseconds, 0.1);
     table.rows.push_back({trial.method, trial.visibility, double(trial.lights), median(trial.matter),
                           median(trial.entries), trial.median(), spread, ratio_of_worst(trial),
-                          trial.excess_share ? Cell(*trial.excess_share) : Cell(std::monostate{})});
+                          median(trial.wall_milliseconds), stated(trial.ratio_to_those), stated(trial.max_error),
+                          stated(trial.excess_share)});
   }
   return table;
 }
@@ -420,7 +431,7 @@ command::Figure make_figure(const std::deque<Trial>& trials, const Scale& scale,
   const auto matter_of = [](const Trial& trial) { return measure::quantile(trial.matter, 0.5); };
   const command::Axis lights{"lights in the scene", true};
   const command::Axis processor_time{"processor time of one thread (ms)", true};
-  const command::Axis wall_time{"wall time of a frame (ms)", true};
+  const command::Axis frame_time{"processor time of a frame (ms)", true};
   const auto chart = [](const std::string& title, const command::Axis& x, const command::Axis& y) {
     return command::Chart{.title = title, .x = x, .y = y, .key = command::KeyPlace::top_left};
   };
@@ -430,10 +441,13 @@ command::Figure make_figure(const std::deque<Trial>& trials, const Scale& scale,
   command::Chart matter = chart("the same", {"lights that matter", true}, processor_time);
   add_lines(matter, trials, scale, "clusters", "", line_and_points, matter_of);
   command::Chart frames =
-      chart("frames from the scene's camera (dashed: with the lights that matter alone)", lights, wall_time);
+      chart("frames from the scene's camera (dashed: with the lights that matter alone)", lights, frame_time);
   add_lines(frames, trials, scale, "frame", "", line_and_points, lights_of);
   add_lines(frames, trials, scale, "frame-of-those", "those, ", dashes, lights_of);
-  command::Chart flight = chart(fmt::format("flight with {} lights", scale.drawn_in_flight), {"frame"}, wall_time);
+  command::Chart frames_of_those = chart("the same", {"lights that matter", true}, frame_time);
+  add_lines(frames_of_those, trials, scale, "frame", "", line_and_points, matter_of);
+  add_lines(frames_of_those, trials, scale, "frame-of-those", "those, ", dashes, matter_of);
+  command::Chart flight = chart(fmt::format("flight with {} lights", scale.drawn_in_flight), {"frame"}, frame_time);
   flight.key = command::KeyPlace::bottom_right;
   for (const Trial& trial : trials) {
     if (trial.method != "frame-flight") continue;
@@ -445,10 +459,10 @@ command::Figure make_figure(const std::deque<Trial>& trials, const Scale& scale,
   }
   return {.title = fmt::format("A city of up to {} lights; frames {}x{}, {}", std::ranges::max(scale.lights), kWidth,
                                kHeight, gl_renderer),
-          .charts = {clusters, matter, frames, flight},
+          .charts = {clusters, matter, frames, frames_of_those, flight},
           .columns = 2,
           .width = 1500,
-          .height = 1100};
+          .height = 1600};
 }
 
 }  // namespace
@@ -477,6 +491,12 @@ Result measure_city(bool quick) {
   if (trials.missing() > 0) {
     result.failures.push_back(
         fmt::format("clusters: missing lights = {}: must be 0 of those whose points were tried", trials.missing()));
+  }
+  for (const Trial& trial : trials.trials()) {
+    if (!(trial.max_error.value_or(0) > kMostLostSteps)) continue;
+    result.failures.push_back(fmt::format("{} of {} lights at {}: max_error_255 = {}: must be at most {}", trial.method,
+                                          trial.lights, visibility_text(trial.visibility), *trial.max_error,
+                                          kMostLostSteps));
   }
   return result;
 }

@@ -13,20 +13,25 @@ namespace litfog::bench {
 ///                light changes), clusters-fog (a change of the visibility: reaches, ranges and clusters), balls
 ///                (Wronski's test of each light in view against the ball around each cluster, one frame in 30, up to
 ///                10,000 lights); frame (a picture of 320x180 by the default path, fog lit by peak, from the scene's
-///                camera), frame-of-those (the same scene with only the lights that are in clusters there),
-///                frame-flight (the same picture at each frame of the flight, with 10,000 lights)
+///                camera), frame-of-those (the same scene with only the lights that matter there), frame-flight (the
+///                same picture at each frame of the flight, with 10,000 lights)
 /// visibility_m   inf is clear air
 /// lights         in the scene
-/// lights_that_matter  in at least one cluster, median over the frames
+/// lights_that_matter  clusters, balls: in at least one cluster, median over the frames; frame: those that the picture
+///                needs (visible_lights.h)
 /// entries        of the light list, likewise
-/// ms             median over the frames: clusters, balls: processor time of one thread; frames: wall time, drawn and
-///                waited for
+/// ms             processor time, median over the frames: clusters, balls: of one thread; frames: of the process, a
+///                software rasteriser's threads included
 /// ms_spread      from the 10th to the 90th percentile
 /// worst_ratio    the longest frame over the median
+/// wall_ms        frames: wall time, drawn and waited for
+/// ratio_to_those frame: ms over that of frame-of-those
+/// max_error_255  frame: largest difference between the two pictures, in steps of the display (measure::PictureError)
 /// excess_share   fraction of the entries, of a frame in the flight's middle, whose light and cluster have no point in
 ///                common
 ///
-/// A light that is missing from a cluster in which it lights one of the points tried is a failure.
+/// A light that is missing from a cluster in which it lights one of the points tried is a failure, and so are pictures
+/// that differ by more than both may leave out.
 ///
 /// quick   fewer lights, visibilities and frames
 /// throws  gl::Unsupported, InputError where the city is not there

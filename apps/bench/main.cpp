@@ -53,10 +53,11 @@ exact, one light a call; batch; and, as the least possible, a copy of the bytes 
 columns in, one out). -uncached is the same over four million lights. Errors are against a 50-digit reference over the
 first 2,000 lights.
 
-airlight: per ray, over 4,000 rays whose airlight is more than 1e-5 of the lamp's colour, in three mixes. point: point
+airlight: per ray, over 4,000 rays whose airlight is more than 1e-10 of the lamp's colour, in four mixes. point: point
 lamps in isotropic fog; C below, at and above 1 and 0, L and Q from 0 over decades; visibility 3 m to 100 km, in one
 of twenty less; the eye beside, behind and in the lamp's light, rays of any length. any: two thirds are spots of 0.1
 to 180 degrees, half of the fogs scatter by g from -0.9 to 0.9. inverse-square: C = L = 0, outside of the knee.
+axial: the eye beside the lamp, along its axis, without the lamp's own leg, also as axial and axial-batch.
 Methods: uniform steps from the eye (march) and inside the lamp's sphere and cone only (march-clipped, as PlayCanvas);
 Gauss-Legendre nodes in asinh of the distance from the closest approach (gauss-asinh); litfog; the arctangent form
 without extinction (Macklin 2010); 256 x 256 tables (Sun et al. 2005); closed forms; litfog's reference, against which
@@ -88,12 +89,13 @@ city: a flight of 300 frames through streets. A light's range is its reach in th
 hides white. clusters: LightClusters (16 x 9 x 24) at each frame; clusters-one-light: the view stands and one light
 changes; clusters-fog: a change of the visibility; balls: each light in view tested with the ball around each cluster
 (Wronski 2017). frame, 320x180, peak: from the scene's camera with all lights; frame-of-those: with the lights alone
-that are in clusters there; frame-flight: the flight with 10,000 lights. excess_share: entries whose light and cluster
-have no point in common.
+that the picture needs, all others of which change it by at most half a step; ratio_to_those: the one over the other;
+frame-flight: the flight with 10,000 lights. excess_share: entries whose light and cluster have no point in common.
 
-Times are processor time of one thread (render, city's frames: wall time of a frame, drawn and waited for): medians,
-with the spread from the 10th to the 90th percentile of the repetitions (solve, airlight, fit), steps (update) or
-frames (render). Errors ending in _255 are in steps of an 8-bit colour channel.
+Times are processor time of one thread (render: wall time of a frame, drawn and waited for; city's frames: processor
+time of all threads, a software rasteriser's included, and wall_ms): medians, with the spread from the 10th to the 90th
+percentile of the repetitions (solve, airlight, fit), steps (update) or frames (render). Errors ending in _255 are in
+steps of an 8-bit colour channel.
 
 Examples:
   litfog-bench solve --quick

@@ -33,6 +33,12 @@ class Collector : public benchmark::BenchmarkReporter {
   std::vector<std::vector<double>> seconds_;
 };
 
+double milliseconds_of(clockid_t clock) {
+  timespec time{};
+  clock_gettime(clock, &time);
+  return double(time.tv_sec) * 1e3 + double(time.tv_nsec) * 1e-6;
+}
+
 }  // namespace
 
 std::vector<Timing> time_passes(const std::vector<TimedPass>& passes, const StopwatchSettings& settings,
@@ -74,10 +80,8 @@ std::vector<Timing> time_passes(const std::vector<TimedPass>& passes, const Stop
   return timings;
 }
 
-double thread_milliseconds() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return double(time.tv_sec) * 1e3 + double(time.tv_nsec) * 1e-6;
-}
+double thread_milliseconds() { return milliseconds_of(CLOCK_THREAD_CPUTIME_ID); }
+
+double process_milliseconds() { return milliseconds_of(CLOCK_PROCESS_CPUTIME_ID); }
 
 }  // namespace litfog::bench

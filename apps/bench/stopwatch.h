@@ -33,5 +33,7 @@ std::vector<Timing> time_passes(const std::vector<TimedPass>& passes, const Stop
 
 /// Processor time that the calling thread has taken so far.
 double thread_milliseconds();
+/// That all threads of the process have taken so far, a software rasteriser's included.
+double process_milliseconds();
 
 }  // namespace litfog::bench

@@ -7,6 +7,7 @@
 
 #include "litfog/attenuation.h"
 #include "litfog/cone.h"
+#include "render/hidden_range.h"
 
 namespace litfog::render {
 namespace {
@@ -86,20 +87,24 @@ class GlowBound {
   double weight_;
 };
 
-/// Slope of sRGB (IEC 61966-2-1) at a linear value.
-double display_slope(double value) { return std::min(12.92, 0.4396 * std::pow(value, 1 / 2.4 - 1)); }
+/// Slope of sRGB (IEC 61966-2-1), as a display shows it, at a linear value before exposure.
+double display_slope(double value, double gain) {
+  return gain * std::min(12.92, 0.4396 * std::pow(gain * value, 1 / 2.4 - 1));
+}
 
 /// Range from a light where cubics through pixels miss kMostError of its airlight, about k / h at a distance h.
 ///
 /// What a grid keeps of k / h has a fourth derivative of at most 81 k / range^5 (airlight.frag), or (1 + d range)^4
 /// times that where fog of density d makes it fall off faster. Of that by the fourth power of the texels' distance, a
 /// cubic through four misses 3/128.
-double find_bend_range(double k, double density, double pixel) {
+///
+/// gain  of the exposure
+double find_bend_range(double k, double density, double pixel, double gain) {
   constexpr double kMissed = kSafety * 81 * 3 / 128;
   const double step = 8 * pixel;  // of the coarsest grid, where d range matters most
   double range = step;
   for (int i = 0; i < 16; ++i) {
-    const double missed = kMissed * k * std::pow(step * (1 + density * range), 4) * display_slope(k / range);
+    const double missed = kMissed * k * std::pow(step * (1 + density * range), 4) * display_slope(k / range, gain);
     range = std::pow(missed / kMostError, 0.2);
   }
   return range / std::pow(8.0, 0.8);
@@ -108,8 +113,11 @@ double find_bend_range(double k, double density, double pixel) {
 }  // namespace
 
 AirlightList list_airlight(const SceneLights& lights, const Fog& fog, const Scattering& scattering,
-                           const glm::dvec3& eye, double pixels_per_radian, double budget,
+                           const glm::dvec3& eye, double pixels_per_radian, double exposure,
                            std::span<const std::int32_t> casters) {
+  if (lights.size() == 0) return {};
+  const double budget = kAirlightShare * visible_step(exposure) / double(lights.size());
+  const double gain = std::exp2(exposure);
   struct Found {
     std::pair<int, bool> kind;  // profile, has_shafts
     AirlightEntry entry;
@@ -125,7 +133,8 @@ AirlightList list_airlight(const SceneLights& lights, const Fog& fog, const Scat
     if (!(reach > 0)) continue;
     const double pixel = eye_range / pixels_per_radian;
     const SeenBeam beam = see_beam(placed, (eye - placed.position) / eye_range);
-    const double bend_range = std::min(find_bend_range(beam.narrowing * bound.k(), bound.density(), pixel), reach);
+    const double bend_range =
+        std::min(find_bend_range(beam.narrowing * bound.k(), bound.density(), pixel, gain), reach);
     // Up to this range a thin beam is thinner than a few texels of a grid.
     const double thin_range = beam.angle < kThinBeam ? 4 * pixel / std::tan(beam.angle) : 0;
     const bool is_thin = thin_range > bend_range;

@@ -15,7 +15,7 @@ namespace litfog::render {
 /// Where a picture's rays can see the airlight of a light.
 struct AirlightEntry {
   float light;  ///< of SceneLights
-  /// Metres from the light. What a ray shows of it from beyond is below the budget (airlight_list_test.cpp).
+  /// Metres from the light. What a ray shows of it from beyond is left out (airlight_list_test.cpp).
   float reach;
   /// Metres from the light where its airlight, about k / h at a distance h, bends so that cubics through pixels miss an
   /// eighth of a step of the display. Cubics through every g-th pixel do so at g^(4/5) times that range.
@@ -36,14 +36,15 @@ struct AirlightList {
   std::vector<Range> ranges;
 };
 
-/// What fog hides is left out.
+/// What fog hides is left out: of all lights together at most kAirlightShare of a step of the display in any pixel, of
+/// each an equal part.
 ///
-/// budget             of linear values, below which the airlight of a light is left out
 /// pixels_per_radian  of the picture, at its middle
+/// exposure           EV at which it is shown
 /// casters            of each light whether it cuts shafts: its number among those that do, or below 0; empty: none
 /// does
 AirlightList list_airlight(const SceneLights& lights, const Fog& fog, const Scattering& scattering,
-                           const glm::dvec3& eye, double pixels_per_radian, double budget,
+                           const glm::dvec3& eye, double pixels_per_radian, double exposure,
                            std::span<const std::int32_t> casters = {});
 
 }  // namespace litfog::render

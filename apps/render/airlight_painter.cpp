@@ -16,7 +16,6 @@
 #include "render/gpu/depth.h"
 #include "render/gpu/texture_unit.h"
 #include "render/gpu/uniform.h"
-#include "render/hidden_range.h"
 
 namespace litfog::render {
 namespace {
@@ -129,15 +128,14 @@ void AirlightPainter::attach_airlight(Target& target, bool has_gain) {
   check_framebuffer();
 }
 
-AirlightList AirlightPainter::draw(const Framebuffer& framebuffer, const View& view, const Fog& fog) {
+AirlightList AirlightPainter::draw(const Framebuffer& framebuffer, const View& view, const Fog& fog, double exposure) {
   const auto casters = shafts_ ? shafts_->caster_of_lights() : std::span<const std::int32_t>();
-  const double budget = visible_step(0) / 8;  // what a light may leave out of a pixel
   AirlightList list = list_airlight(lights_, fog, {.asymmetry = scene_.phase_g}, scene_.camera.position,
-                                    pixels_per_radian(), budget, casters);
+                                    pixels_per_radian(), exposure, casters);
   if (list.entries.empty()) return list;
   entries_.emplace(list.entries.data(), list.entries.size() * sizeof(AirlightEntry), BufferTexture::Texel::float4);
   entries_->bind(kEntryUnit);
-  const Frame frame{framebuffer, view, fog.mode, list.ranges};
+  const Frame frame{framebuffer, view, fog.mode, list.ranges, float(std::exp2(exposure))};
   glBindVertexArray(vertex_array_.id());
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
@@ -293,6 +291,7 @@ void AirlightPainter::use(const gl::Program& program, const Frame& frame, const 
   set_uniform(program, "shadow_maps", kShadowMapUnit);
   set_uniform(program, "shadow_casters", kShadowCasterUnit);
   set_uniform(program, "caster_of_light", kCasterOfLightUnit);
+  set_uniform(program, "exposure_gain", frame.exposure_gain);
   glUniform1i(program.uniform("shaft_steps"), shaft_steps_);
   glUniform1i(program.uniform("pixel_step"), grid.step);
 }

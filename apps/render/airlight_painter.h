@@ -47,8 +47,9 @@ class AirlightPainter {
 
   /// Adds that of all lights to a resolved framebuffer. The lights and the cookies are bound to their units.
   ///
-  /// returns  the lights whose airlight it has drawn
-  AirlightList draw(const Framebuffer& framebuffer, const View& view, const Fog& fog);
+  /// exposure  EV at which the picture is shown: what makes less than a step there is left out or interpolated
+  /// returns   the lights whose airlight it has drawn
+  AirlightList draw(const Framebuffer& framebuffer, const View& view, const Fog& fog, double exposure);
 
  private:
   /// Airlight in floats: half floats would lose what faint lights add to bright ones.
@@ -78,6 +79,7 @@ class AirlightPainter {
     const View& view;
     FogMode fog_mode;
     const std::vector<AirlightList::Range>& lights;
+    float exposure_gain;
   };
 
   double pixels_per_radian() const;  ///< at the middle of the picture

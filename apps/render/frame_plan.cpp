@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 
 #include "litfog/airlight.h"
+#include "litfog/cone.h"
 #include "render/fog_top.h"
 #include "render/frustum.h"
 #include "render/hidden_range.h"
@@ -206,7 +208,7 @@ void FramePlanner::make_plan(const FrameView& view) {
       const double through = fog_factor_at(fog_, each.nearest);
       plan_.surfaces.push_back(list_lights(each.surface, hides ? kSurfaceLightShare * step_ / through : -1));
       ++counts.chunks_drawn;
-    } else if (is_fog_lit_ || each.nearest < left_out_from ||
+    } else if (each.nearest < left_out_from || can_be_lit_from(view.eye, surface, left_out_from) ||
                highest_slope(view.eye, surface.bounds, each.nearest, each.farthest) > highest_left_out) {
       plan_.surfaces.push_back({&surface, true, 0, 0});
       ++counts.chunks_as_fog;
@@ -214,6 +216,17 @@ void FramePlanner::make_plan(const FrameView& view) {
       ++counts.chunks_hidden;
     }
   }
+}
+
+bool FramePlanner::can_be_lit_from(const glm::dvec3& eye, const Surface& surface, double range) const {
+  if (!is_fog_lit_) return false;
+  if (settings_.path->has_mapped_fog()) return true;
+  for (std::size_t i = lights_.local_count(); i < lights_.size(); ++i) {
+    const PlacedLight& light = lights_.lights()[i];
+    const double half_angle = lights_.cookie(i) ? std::numbers::pi : cutoff_angle(light.light.cone);
+    if (can_light_from(light, half_angle, eye, surface.bounds, range)) return true;
+  }
+  return false;
 }
 
 LightCounts FramePlanner::count_lights(std::span<const AirlightEntry> airlights) const {

@@ -62,7 +62,10 @@ struct FrameView {
 /// lamp, times f at its nearest distance from the eye. If that is below the share, its fog alone is drawn, with its own
 /// depth, so that all that is seen before and behind it stays as it is. If airlight and points from behind cannot be
 /// seen either, nor sky or brighter surfaces, it is left out: the picture's background is the colour of the fog.
-/// Hales's term depends on the position, so that nothing is left out where it lights the fog.
+/// Hales's term depends on the position, so that nothing is left out where the cone of a carried light meets the rays
+/// through the surface, there or behind it. Within a cone the picture would change: seen from the light, two points of
+/// a ray at a range r or more are up to delta / r apart, delta from the eye to the light. A headlight 1 m beside the
+/// eye, with a slope of some 10 a radian, would take r of more than 100 km for an eighth of a step.
 /// Fog hides neither surfaces nor their lights on paths without such a bound (LightingPath::has_light_bound), nor where
 /// lights have an ambient colour, which the bound leaves out. A surface before which light maps light the fog is drawn
 /// whole, because fog alone has the cones' formula.
@@ -99,6 +102,8 @@ class FramePlanner {
   void make_plan(const FrameView& view);
   /// From where on a surface is hidden, and how much each of its lights gives.
   double hidden_range_of(std::size_t surface);
+  /// Whether carried lights can light the fog by their intensity on a ray through the surface, from a range on.
+  bool can_be_lit_from(const glm::dvec3& eye, const Surface& surface, double range) const;
   double airlight_end_from(const glm::dvec3& eye, double budget) const;
   double sky_brightness() const;
   /// Appends a surface's lights to the plan's list but for those that fog hides.

@@ -63,4 +63,16 @@ double airlight_end(const Light& light, double extent, const Fog& fog, double la
   return square <= 0 ? 0 : (2 * eye_range + std::sqrt(square)) / 3;
 }
 
+bool can_light_from(const PlacedLight& light, double half_angle, const glm::dvec3& eye, const scene::Bounds& box,
+                    double range) {
+  const glm::dvec3 middle = (glm::dvec3(box.low) + glm::dvec3(box.high)) / 2.0 - eye;
+  const double distance = glm::length(middle);
+  const double radius = glm::distance(glm::dvec3(box.low), glm::dvec3(box.high)) / 2;
+  const double delta = glm::distance(eye, light.position);
+  if (!(radius < distance && delta < range)) return true;
+  constexpr double kRounding = 1e-4;  // radians: floats' of the shaders, too
+  const double angle = std::atan2(glm::length(glm::cross(middle, light.direction)), glm::dot(middle, light.direction));
+  return angle <= half_angle + std::asin(radius / distance) + std::asin(delta / range) + kRounding;
+}
+
 }  // namespace litfog::render

@@ -14,12 +14,13 @@ namespace litfog::render {
 /// the lights left out of it, or what stands behind a surface or sky that is left out; each of the two may be brighter
 /// than the fog by a share, so that the sample is darker or brighter by up to two. Over either come the lamps' points,
 /// of which some are left out, and their airlight. So all errors of a pixel lie in a range of
-/// kSurfaceLightShare + 2 kHiddenShare + kPointShare + kBehindShare = 3/4 of a step, and from one frame to the next
-/// they change by no more. The rest is left to the airlight of lamps that are left out.
+/// kSurfaceLightShare + 2 kHiddenShare + kPointShare + kBehindShare + kAirlightShare = 1 step, and from one frame to
+/// the next they change by no more.
 inline constexpr double kSurfaceLightShare = 1 / 4.;  ///< all lights left out of a surface
 inline constexpr double kHiddenShare = 1 / 8.;        ///< a surface, or the sky
 inline constexpr double kPointShare = 1 / 8.;         ///< the points of all lamps
 inline constexpr double kBehindShare = 1 / 8.;        ///< airlight from behind surfaces that are left out
+inline constexpr double kAirlightShare = 1 / 4.;      ///< airlight of all lamps that pixels beyond their reach lack
 
 /// The least light that makes a step of 1/255 on a display, linear, before exposure. sRGB is steepest where it is
 /// darkest, with this slope, and no tone curve (ToneCurve) makes it steeper.
@@ -55,6 +56,18 @@ double largest_irradiance(const PlacedLight& light, double extent, const Fog& fo
 /// eye_range  metres from the eye to the light
 double airlight_end(const Light& light, double extent, const Fog& fog, double largest_phase, double eye_range,
                     double budget);
+
+/// Whether a light's cone can meet a ray from the eye through a box, anywhere from a range on.
+///
+/// Proof. From the eye the box lies in the ball around it, within the angle of asin(radius / distance) of the ball's
+/// middle. A point of such a ray at least that range from the eye, seen from the light instead, is turned by at most
+/// asin(delta / range), where delta is the distance from the eye to the light. So its angle from the light's axis is at
+/// least that of the ball's middle less both.
+///
+/// half_angle  of the cone, radians
+/// range       metres from the eye
+bool can_light_from(const PlacedLight& light, double half_angle, const glm::dvec3& eye, const scene::Bounds& box,
+                    double range);
 
 /// Distances from a point to a box: metres to its nearest and to its farthest point.
 double nearest_distance(const glm::dvec3& point, const scene::Bounds& box);

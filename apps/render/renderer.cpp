@@ -129,10 +129,16 @@ void Renderer::set_fog(const Fog& fog) {
 Exposure Renderer::set_exposure(const Exposure& exposure) {
   exposure_ = exposure.ev;
   if (exposure.is_auto) {
+    // Surfaces are drawn as for the largest exposure. Airlight, which takes long then, is drawn as for the exposure
+    // found without what it leaves out at 0 EV.
     exposure_ = kMaxExposure;
+    airlight_exposure_ = 0;
     draw();
+    airlight_exposure_ = auto_exposure(read());
+    if (airlight_exposure_ > 0) draw();
     exposure_ = auto_exposure(read());
   }
+  airlight_exposure_ = exposure_;
   return {.ev = exposure_, .is_auto = exposure.is_auto};
 }
 
@@ -174,11 +180,12 @@ double Renderer::count_lights_per_fragment() {
   const View view = this->view();
   FramePlan plan = planner_.plan(frame_view(view));
   for (PlannedSurface& surface : plan.surfaces) surface.is_fog_alone = false;
-  begin_frame(glm::vec3(0));
+  const Framebuffer counts(width(), height(), Passes::several, samples());  // in floats: halves end at 65,504
+  begin_frame(counts, glm::vec3(0));
   surfaces_.draw(light_count_path(), plan, view.clip_from_world, nullptr);
   end_depths();
-  framebuffer_.resolve();
-  const Picture counted = read();
+  counts.resolve();
+  const Picture counted = counts.read();
   double lights = 0;
   double fragments = 0;
   for (std::size_t i = 0; i < counted.rgb.size(); i += 3) {
@@ -188,8 +195,8 @@ double Renderer::count_lights_per_fragment() {
   return fragments > 0 ? lights / fragments : 0;
 }
 
-void Renderer::begin_frame(const glm::vec3& background) {
-  framebuffer_.bind();
+void Renderer::begin_frame(const Framebuffer& framebuffer, const glm::vec3& background) {
+  framebuffer.bind();
   glClearColor(background.r, background.g, background.b, 1);
   glEnable(GL_CULL_FACE);
   glClear(GL_COLOR_BUFFER_BIT);
@@ -208,7 +215,7 @@ FrameCounts Renderer::draw_stages(LightPoints light_points, FrameStatistics* sta
   }
   clock.end(&StageTimes::plan);
   if (shadows_) counts.shadow_maps_drawn = shadows_->draw(framebuffer_.aspect());
-  begin_frame(scene_.environment.ambient_fog_color);  // SkyDrawing::background
+  begin_frame(framebuffer_, scene_.environment.ambient_fog_color);  // SkyDrawing::background
   light_tables_.bind_textures(kKindBufferUnit, kInstanceBufferUnit);
   light_list_->bind(kLightListUnit);
   if (cookies_) cookies_->bind(kCookieUnit);
@@ -228,7 +235,7 @@ FrameCounts Renderer::draw_stages(LightPoints light_points, FrameStatistics* sta
   clock.end(&StageTimes::resolve);
   AirlightList airlights;
   if (airlight_) {
-    airlights = airlight_->draw(framebuffer_, view, fog_);
+    airlights = airlight_->draw(framebuffer_, view, fog_, airlight_exposure_);
     counts.airlights_drawn = airlights.entries.size();
     counts.airlights_invisible = lights_.size() - airlights.entries.size();
     counts.bytes_uploaded += airlights.entries.size() * sizeof(AirlightEntry);

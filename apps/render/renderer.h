@@ -81,7 +81,7 @@ class Renderer {
   unsigned carried_count() const { return unsigned(lights_.size() - lights_.local_count()); }
   FrameView frame_view(const View& view) const;
   Passes passes() const { return settings_.path->has_several_passes() ? Passes::several : Passes::one; }
-  void begin_frame(const glm::vec3& background);
+  void begin_frame(const Framebuffer& framebuffer, const glm::vec3& background);
   double count_lights_per_fragment();
   FrameCounts draw_stages(LightPoints light_points, FrameStatistics* statistics);
   void draw_sky(const View& view, const gl::Program& program);
@@ -91,7 +91,8 @@ class Renderer {
   RenderSettings settings_;
   Fog fog_;
   double exposure_ = 0;
-  std::size_t fog_bytes_ = 0;  // uploaded by the last change of the fog
+  double airlight_exposure_ = 0;  // the same, but while an automatic one is being found
+  std::size_t fog_bytes_ = 0;     // uploaded by the last change of the fog
   Framebuffer framebuffer_;
   SceneLights lights_;
   gl::FogLightTables light_tables_;

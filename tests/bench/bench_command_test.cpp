@@ -193,6 +193,9 @@ TEST_F(BenchMeasurement, AirlightMeasuresEveryMethodOverTheRaysThatItKnows) {
   }
   expect_methods(" exp inverse-square 0", {"arctangent", "closed-form", "litfog", "reference"});
   expect_methods(" exp inverse-square 1", {"arctangent", "sun-2005", "closed-form", "litfog", "reference"});
+  for (const char* rays : {" exp axial 0", " exp2 axial 0"}) {
+    expect_methods(rays, {"axial", "axial-batch", "axial-batch-float", "litfog", "reference"});
+  }
   EXPECT_EQ(found.size(), count);
   EXPECT_NE(read("airlight.svg").find("processor time of one thread per ray"), std::string::npos);
 }
@@ -477,6 +480,12 @@ TEST_F(BenchMeasurement, CityMeasuresClustersAndFramesAtEveryVisibility) {
     if (method == "frame-flight") continue;
     EXPECT_LE(row["lights_that_matter"].get<double>(), row["lights"].get<double>()) << row;
     EXPECT_EQ(row["excess_share"].is_number(), method == "clusters") << row;
+    const bool is_compared = method == "frame";
+    EXPECT_EQ(row["ratio_to_those"].is_number(), is_compared) << row;
+    if (is_compared) {
+      EXPECT_GT(row["ratio_to_those"].get<double>(), 0.5) << row;
+      EXPECT_LE(row["max_error_255"].get<double>(), 2) << row;
+    }
   }
   const std::map<std::string, int> expected{
       {"balls", 2}, {"clusters", 4},     {"clusters-fog", 4},  {"clusters-one-light", 4},

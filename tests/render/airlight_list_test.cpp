@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <limits>
+#include <vector>
 
 #include "reference/random_airlight.h"
+#include "render/hidden_range.h"
 
 namespace litfog::test {
 using namespace render;
@@ -16,13 +19,13 @@ using namespace render;
 namespace {
 
 constexpr double kPixelsPerRadian = 800;
-constexpr double kBudget = 1e-5;
+constexpr double kExposure = 2;
 
 AirlightList list(const PlacedLight& light, const Fog& fog, const glm::dvec3& eye, const Scattering& scattering = {}) {
   scene::Scene scene;
   scene.lights = {light};
   const SceneLights lights(scene, {.path = &lighting_paths().front(), .fog_lighting = FogLighting::airlight});
-  return list_airlight(lights, fog, scattering, eye, kPixelsPerRadian, kBudget);
+  return list_airlight(lights, fog, scattering, eye, kPixelsPerRadian, kExposure);
 }
 
 PlacedLight lamp(const glm::dvec3& position) {
@@ -45,6 +48,7 @@ TEST(AirlightList, LightsThatTheFogHidesAreLeftOut) {
 }
 
 TEST(AirlightList, RayBeyondTheReachShowsLessThanTheBudget) {
+  const double budget = kAirlightShare * visible_step(kExposure);
   Random random(11);
   int listed = 0;
   int beyond = 0;
@@ -63,12 +67,45 @@ TEST(AirlightList, RayBeyondTheReachShowsLessThanTheBudget) {
       c.ray.direction = draw_direction(random);
       if (!(passing_range(c.light, c.ray) > reach * (1 + 1e-6))) continue;
       ++beyond;
-      EXPECT_LE(light.color.r * reference_airlight(c.light, c.fog, c.ray, c.scattering), kBudget * (1 + 1e-9))
+      EXPECT_LE(light.color.r * reference_airlight(c.light, c.fog, c.ray, c.scattering), budget * (1 + 1e-9))
           << to_string(c) << ", reach " << reach;
     }
   }
   EXPECT_GT(listed, 300);
   EXPECT_GT(beyond, 500);
+}
+
+TEST(AirlightList, RayShowsLessThanItsShareOfAllLightsThatItLacks) {
+  Random random(12);
+  const auto ahead = [](Random& from) { return glm::normalize(glm::dvec3(0, 0, -1) + 0.3 * draw_direction(from)); };
+  const Fog fog{FogMode::exp, 0.02};
+  scene::Scene scene;
+  for (int i = 0; i < 300; ++i) {
+    PlacedLight light = lamp(ahead(random) * random.uniform(300, 1200));
+    light.light.color = glm::dvec3(random.log_uniform(0.1, 10));
+    scene.lights.push_back(light);
+  }
+  const RenderSettings settings{.fog_lighting = FogLighting::airlight};
+  const SceneLights lights(scene, settings);
+  for (const double exposure : {-6.0, 0.0, 6.0}) {
+    const AirlightList found = list_airlight(lights, fog, {}, {}, kPixelsPerRadian, exposure);
+    std::vector<double> reaches(scene.lights.size(), 0.0);
+    for (const AirlightEntry& entry : found.entries) reaches[std::size_t(entry.light)] = double(entry.reach);
+    double worst = 0;
+    for (int ray = 0; ray < 20; ++ray) {
+      const EyeRay seen{.origin = {}, .direction = ahead(random)};
+      double lacking = 0;
+      for (std::size_t i = 0; i < reaches.size(); ++i) {
+        const PlacedLight& light = lights.lights()[i];
+        if (!(passing_range(light, seen) > reaches[i])) continue;
+        lacking += light.light.color.r * reference_airlight(light, fog, seen);
+      }
+      worst = std::max(worst, lacking / visible_step(exposure));
+    }
+    std::printf("lights that rays lack at %g EV: %.3f steps\n", exposure, worst);
+    EXPECT_LE(worst, kAirlightShare) << exposure;
+    EXPECT_GT(worst, 0) << exposure;
+  }
 }
 
 TEST(SceneLights, RadialPathsKeepTheLightsOwnExtentByAirlight) {
@@ -91,7 +128,7 @@ TEST(AirlightList, LightsOfAProfileLieTogether) {
   scene.lights = {lamp({0, 0, -20}), lamp({1, 0, -20}), lamp({2, 0, -20})};
   scene.lights[1].light.cone = Cone::smoothstep(0.1, 0.2);
   const SceneLights lights(scene, {.path = &lighting_paths().front(), .fog_lighting = FogLighting::airlight});
-  const AirlightList found = list_airlight(lights, {FogMode::exp, 0.01}, {}, {}, kPixelsPerRadian, kBudget);
+  const AirlightList found = list_airlight(lights, {FogMode::exp, 0.01}, {}, {}, kPixelsPerRadian, kExposure);
   ASSERT_EQ(found.ranges.size(), 2u);
   EXPECT_EQ(found.ranges[0].profile, 0);
   EXPECT_EQ(found.ranges[0].count, 2u);

@@ -123,6 +123,42 @@ TEST(LargestIrradiance, NoPointOfTheBoxGetsMore) {
   }
 }
 
+TEST(CanLightFrom, NoPointOfARayThroughTheBoxIsLitWhereTheAnswerIsNo) {
+  Random random(26);
+  int dark = 0;
+  int lit = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const glm::dvec3 eye = draw_direction(random) * random.uniform(0, 20);
+    const double size = random.log_uniform(0.1, 30);
+    const glm::vec3 low(eye + draw_direction(random) * random.log_uniform(1, 200));
+    const scene::Bounds box{low, low + glm::vec3(float(random.uniform(0, size)), float(random.uniform(0, size)),
+                                                 float(random.uniform(0, size)))};
+    PlacedLight light;
+    light.position = eye + draw_direction(random) * random.log_uniform(0.01, 30);
+    const double half_angle = random.log_uniform(0.01, 3);
+    const glm::dvec3 through(box.low + box.high);
+    light.direction = random.chance(0.5) ? draw_direction(random)
+                                         : glm::normalize(glm::normalize(through / 2.0 - eye) +
+                                                          half_angle * random.uniform(0, 3) * draw_direction(random));
+    const double range = nearest_distance(eye, box) * random.uniform(0.2, 1);
+    if (can_light_from(light, half_angle, eye, box, range)) {
+      ++lit;
+      continue;
+    }
+    ++dark;
+    for (int j = 0; j < 20; ++j) {
+      const glm::dvec3 t(random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1));
+      const glm::dvec3 point = glm::mix(glm::dvec3(box.low), glm::dvec3(box.high), glm::step(0.5, t));
+      const glm::dvec3 direction = glm::normalize(point - eye);
+      const glm::dvec3 seen = eye + direction * (range * (j % 2 == 0 ? 1 : random.log_uniform(1, 100)));
+      const double angle = std::acos(glm::dot(glm::normalize(seen - light.position), light.direction));
+      EXPECT_GT(angle, half_angle);
+    }
+  }
+  EXPECT_GT(dark, 500);
+  EXPECT_GT(lit, 500);
+}
+
 TEST(AirlightEnd, NoMoreThanTheBudgetComesFromBehind) {
   Random random(25);
   int attacked = 0;

@@ -341,6 +341,13 @@ TEST_F(RendererTest, FiftyThousandBoxesUnderTwentyThousandLampsLoadInSeconds) {
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
 }
 
+TEST_F(RendererTest, LightsPerFragmentAreExactBeyondWhatHalfFloatsHold) {
+  constexpr std::size_t kLights = 70'001;
+  const Scene scene = rows(12, kLights, {1, 0, 0.01});
+  Renderer renderer(scene, 4, 4, {.skipping = Skipping::off});
+  EXPECT_EQ(renderer.draw_and_measure().lights_per_fragment, double(kLights));
+}
+
 TEST_F(RendererTest, LightListThatMemoryCannotHoldIsAnError) {
   const Scene scene = rows(50'000, 20'000, {1, 0, 0});  // each lamp reaches everything
   EXPECT_THROW(Renderer(scene, 8, 8, {.skipping = Skipping::on}), gl::Unsupported);

@@ -308,5 +308,17 @@ TEST_F(HiddenWall, IsLitFogBeforeACarriedLight) {
   EXPECT_EQ(counts.sky, SkyDrawing::fog);
 }
 
+TEST_F(HiddenWall, IsLeftOutBesideTheBeamOfACarriedLight) {
+  PlacedLight lamp;
+  lamp.light = {.name = "lamp", .attenuation = {1, 0, 0.01}, .cone = Cone::smoothstep(0.05, 0.06)};
+  lamp.position = {0.5, 2, 0};
+  lamp.direction = glm::normalize(glm::dvec3(0.4, 0, -1));
+  lamp.carried = true;
+  scene_.lights.push_back(lamp);
+  const FrameCounts counts = counts_in_fog(FogLighting::peak);
+  EXPECT_EQ(counts.chunks_hidden, 1u);
+  EXPECT_EQ(counts.sky, SkyDrawing::fog);
+}
+
 }  // namespace
 }  // namespace litfog::test

@@ -17,7 +17,11 @@ uniform sampler2D packed_places;
 layout(location = 0) out vec4 airlight;
 layout(location = 1) out vec4 gain;  // of airlight, where the pixel sees farther, for the fog's gain of opacity
 
-const float most_equal_opacities = 0.002;  // between samples that share an airlight: half a step of the display
+uniform float exposure_gain;
+
+// Between samples that share an airlight: half a step of the display for a lamp as bright as its white. Brighter lamps
+// are shown at less exposure.
+float most_equal_opacities() { return 0.002 / max(exposure_gain, 1.0); }
 
 // The airlight from the end of a ray, for the fog's opacity there.
 vec3 gain_at(LitfogLight light, vec3 direction, float range) {
@@ -70,7 +74,7 @@ void main() {
   for (int first = 0; first < 4; first += run) {
     run = 1;
     float ranges = seen[first];
-    for (; first + run < 4 && opacities[first + run] - opacities[first] < most_equal_opacities; ++run) {
+    for (; first + run < 4 && opacities[first + run] - opacities[first] < most_equal_opacities(); ++run) {
       ranges += seen[first + run];
     }
     float range = ranges / float(run);

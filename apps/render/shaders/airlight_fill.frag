@@ -7,19 +7,25 @@
 
 uniform sampler2D grid;       // airlight
 uniform sampler2D grid_gain;  // what is gained of it where the fog before what is seen gains opacity
+uniform float exposure_gain;
 uniform int pixel_step;       // pixels between the target's texels; the grid's are twice as far apart
 
 layout(location = 0) out vec4 airlight;  // alpha 1: filled
 layout(location = 1) out vec4 gain;
 
-const float most_own_change = 0.01;      // of opacity, within the pixel
-const float most_opacity_change = 0.03;  // of opacity, from a texel of the grid
+const float most_own_change = 0.01;      // of opacity, within the pixel, at 0 EV
+const float most_opacity_change = 0.03;  // of opacity, from a texel of the grid, at 0 EV
 const float most_error = 0.0005;         // of the display: an eighth of a step
 const float most_correction = 0.004;     // of a straight line, by a cubic: of the display, a step
 
-// Slope of sRGB (IEC 61966-2-1) at a linear value below 1: what the display makes of errors of airlight that nothing
-// else outshines.
-vec3 display_slope(vec3 linear) { return min(vec3(12.92), 0.4396 * pow(max(linear, vec3(1.0e-4)), vec3(-0.5833))); }
+// Slope of sRGB (IEC 61966-2-1) at a linear value below 1, exposed: what the display makes of errors of airlight that
+// nothing else outshines.
+vec3 display_slope(vec3 linear) {
+  return exposure_gain * min(vec3(12.92), 0.4396 * pow(max(exposure_gain * linear, vec3(1.0e-4)), vec3(-0.5833)));
+}
+
+// Of those changes of opacity. What a change leaves out goes with its square.
+float brighter_share() { return inversesqrt(max(exposure_gain, 1.0)); }
 
 float largest(vec3 values) { return max(max(values.r, values.g), values.b); }
 
@@ -77,7 +83,8 @@ Middle middle_of(ivec2 place, ivec2 step, float opacity) {
   middle.airlight = 0.5 * (a + b);
   if (cubic_error < most_error) middle.airlight -= (first_bend + second_bend) / 16.0;
   middle.gain = 0.5 * (first.gain + second.gain);
-  middle.error = most_change > most_opacity_change ? 1.0 : max(min(line_error, cubic_error), gain_error);
+  bool is_far = most_change > most_opacity_change * brighter_share();
+  middle.error = is_far ? 1.0 : max(min(line_error, cubic_error), gain_error);
   return middle;
 }
 
@@ -93,7 +100,7 @@ void main() {
     middle = Middle(texel.airlight, texel.gain, 0.0);
   } else {
     vec4 opacities = seen_opacities(seen_at(pixel), 1.0);
-    if (opacities.w - opacities.x > most_own_change) discard;
+    if (opacities.w - opacities.x > most_own_change * brighter_share()) discard;
     // Between two texels of the grid, or across both diagonals between four.
     middle = middle_of(corner, part, opacity);
     if (part == ivec2(1)) {
