@@ -157,7 +157,7 @@ TEST(AutoExposure, OneBrightPixelAmongBlackIsShown) {
   EXPECT_EQ(auto_exposure(row(colors)), -6);
 }
 
-TEST(AutoExposure, StaysWithinWhatAnExposureMayBe) {
+TEST(AutoExposure, ExposureStaysWithinWhatAnExposureMayBe) {
   EXPECT_EQ(auto_exposure(row({glm::vec3(1e-30f)})), kMaxExposure);
   EXPECT_EQ(auto_exposure(row({glm::vec3(1e30f)})), -kMaxExposure);
 }

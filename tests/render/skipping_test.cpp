@@ -262,13 +262,13 @@ class HiddenWall : public SkippingTest {
   Scene scene_;
 };
 
-TEST_F(HiddenWall, IsLeftOutWhereNothingIsSeenBehind) {
+TEST_F(HiddenWall, WallIsLeftOutWhereNothingIsSeenBehind) {
   const FrameCounts counts = counts_in_fog(FogLighting::airlight);
   EXPECT_EQ(counts.chunks_hidden, 1u);
   EXPECT_EQ(counts.sky, SkyDrawing::background);
 }
 
-TEST_F(HiddenWall, HidesABrightSurface) {
+TEST_F(HiddenWall, WallHidesABrightSurface) {
   scene::Material glowing = scene_.materials.front();
   glowing.name = "glowing";
   glowing.emissive = glm::vec3(5000);
@@ -277,7 +277,7 @@ TEST_F(HiddenWall, HidesABrightSurface) {
   EXPECT_EQ(counts_in_fog(FogLighting::airlight).chunks_as_fog, 1u);
 }
 
-TEST_F(HiddenWall, HidesTheSkyAboveTheFog) {
+TEST_F(HiddenWall, WallHidesTheSkyAboveTheFog) {
   scene_.camera.target = {0, 4, -10};
   scene_.instances[0].world_from_model = glm::scale(scene_.instances[0].world_from_model, glm::vec3(1, 5, 1));
   scene_.fog_top = 10;
@@ -287,7 +287,7 @@ TEST_F(HiddenWall, HidesTheSkyAboveTheFog) {
   EXPECT_EQ(counts.sky, SkyDrawing::sky);
 }
 
-TEST_F(HiddenWall, HidesThePointAndTheGlowOfALamp) {
+TEST_F(HiddenWall, WallHidesThePointAndTheGlowOfALamp) {
   PlacedLight lamp;
   lamp.light = {.name = "lamp", .attenuation = {1, 0, 0.001}, .cone = {}};
   lamp.light.density_scale = 0.2;
@@ -297,7 +297,7 @@ TEST_F(HiddenWall, HidesThePointAndTheGlowOfALamp) {
   EXPECT_EQ(counts_in_fog(FogLighting::peak).chunks_as_fog, 1u);
 }
 
-TEST_F(HiddenWall, IsLitFogBeforeACarriedLight) {
+TEST_F(HiddenWall, WallIsLitFogBeforeACarriedLight) {
   PlacedLight lamp;
   lamp.light = {.name = "lamp", .attenuation = {1, 0, 0.01}, .cone = Cone::smoothstep(0.05, 0.06)};
   lamp.position = {3, 2, -5};
