@@ -77,6 +77,18 @@ Setting parse_setting(const Setting& base, const std::string& text) {
   return setting;
 }
 
+/// Throws the usage error of a --time or --lights that changes nothing in any scene.
+void expect_effects(const std::vector<Setting>& settings, const std::deque<scene::Scene>& scenes) {
+  const bool has_time = std::ranges::any_of(settings, [](const Setting& each) { return each.drawing.seconds > 0; });
+  if (has_time && std::ranges::none_of(scenes, has_turning_light)) {
+    throw CLI::ValidationError("--time cannot be given: none of the scene's lights turns");
+  }
+  const bool has_lights = std::ranges::any_of(settings, [](const Setting& each) { return each.scene.city_lights > 0; });
+  if (has_lights && std::ranges::none_of(scenes, &scene::Scene::has_city)) {
+    throw CLI::ValidationError("--lights cannot be given: the scene has no generated city");
+  }
+}
+
 /// A picture compared with another, both as a display shows them.
 measure::PictureError difference(const render::Picture& one, const render::Picture& other) {
   return measure::picture_error(
@@ -108,6 +120,7 @@ void compare_settings(const std::vector<Setting>& settings, const std::string& f
     set_scene(scene, setting.drawing);
     inputs.insert(inputs.end(), scene.files.begin(), scene.files.end());
   }
+  expect_effects(settings, scenes);
   const PictureFolder page(folder, {kPageFile}, inputs);
 
   std::vector<std::unique_ptr<render::Renderer>> renderers;

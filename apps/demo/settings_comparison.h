@@ -31,7 +31,7 @@ std::vector<Setting> parse_settings(const Setting& base, const std::vector<std::
 
 /// Draws the settings, their frames timed interleaved, and writes index.html (settings_page) into a folder, which is
 /// made where missing. Reports what it found on standard output. Needs a current GL context. Throws InputError,
-/// OutputError, and gl::Unsupported where a setting cannot be drawn here.
+/// OutputError, the usage error of an option without effect, and gl::Unsupported where a setting cannot be drawn here.
 ///
 /// settings  of one size; an automatic exposure is that of the first picture that has one, for all
 /// machine   text: what draws the pictures

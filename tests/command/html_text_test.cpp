@@ -22,6 +22,19 @@ TEST(HtmlLink, LinkNamesAFileBesideThePageWhateverItsName) {
   EXPECT_EQ(html_link("\u00fc.png"), "%C3%BC.png");
 }
 
+TEST(DataUri, BytesAreInBase64) {
+  // Test vectors of RFC 4648, section 10.
+  const std::pair<const char*, const char*> vectors[] = {{"", ""},
+                                                         {"f", "Zg=="},
+                                                         {"fo", "Zm8="},
+                                                         {"foo", "Zm9v"},
+                                                         {"foob", "Zm9vYg=="},
+                                                         {"fooba", "Zm9vYmE="},
+                                                         {"foobar", "Zm9vYmFy"}};
+  for (const auto& [bytes, text] : vectors) EXPECT_EQ(data_uri("a/b", bytes), std::string("data:a/b;base64,") + text);
+  EXPECT_EQ(data_uri("a/b", std::string("\xFF\xFE\x00\xFB\xEF\xBE", 6)), "data:a/b;base64,//4A++++");
+}
+
 }  // namespace
 
 }  // namespace litfog::test

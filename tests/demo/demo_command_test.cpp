@@ -935,6 +935,10 @@ TEST_F(DemoCommand, WrongSettingsAreNamed) {
       std::string("litfog-demo: --with \"fog=none visibility=9\": --visibility cannot be given with --fog none: the "
                   "air is clear") +
           kSeeHelp);
+  EXPECT_EQ(error("one.json --with time=3"),
+            std::string("litfog-demo: --time cannot be given: none of the scene's lights turns") + kSeeHelp);
+  EXPECT_EQ(error("one.json --with lights=3"),
+            std::string("litfog-demo: --lights cannot be given: the scene has no generated city") + kSeeHelp);
   EXPECT_EQ(error("one.json --with ' '"), std::string("litfog-demo: --with \" \": must not be empty") + kSeeHelp);
   EXPECT_EQ(error("--with visibility=9"),
             std::string("litfog-demo: --with compares settings of one SCENE: name it") + kSeeHelp);

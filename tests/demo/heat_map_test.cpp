@@ -41,6 +41,15 @@ TEST(HeatMap, EachPixelsErrorIsShownOnTheScaleMagnifiedByAWholeNumber) {
   }
 }
 
+TEST(HeatMap, PictureOfItsColorsAloneHasThePicturesSize) {
+  const PictureError error{.width = 2, .height = 2, .pixels = {0, 3.1623f, 100, -1}};
+  const Picture map = heat_picture(error);
+  ASSERT_EQ(map.width, 2);
+  ASSERT_EQ(map.height, 2);
+  const glm::dvec3 expected[] = {heat_color(0), heat_color(0.5), heat_color(1), {1, 0, 0}};
+  for (int i = 0; i < 4; ++i) EXPECT_LT(glm::distance(pixel(map, i % 2, i / 2), expected[i]), 1e-3f) << i;
+}
+
 TEST(HeatMap, NarrowPictureIsMagnifiedNoFurtherThanToTwoThousandRows) {
   const PictureError error{.width = 1, .height = 1000, .pixels = std::vector<float>(1000, 100.0f)};
   const Picture map = make_heat_map(error, "test");
