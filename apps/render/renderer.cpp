@@ -111,7 +111,7 @@ void Renderer::set_lights() {
   cookie_cones_ = BufferTexture(lights_.cookie_cones().data(), lights_.cookie_cones().size_bytes(),
                                 BufferTexture::Texel::float4);
   surfaces_.set_lights();
-  if (shadows_) shadows_.emplace(lights_, surfaces_.surfaces(), scene_.camera.position, settings_);
+  if (shadows_) shadows_.emplace(scene_, lights_, surfaces_.surfaces(), framebuffer_.aspect(), settings_);
   set_fog(fog_);
 }
 
