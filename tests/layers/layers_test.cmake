@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Includes run one way only:
 #
-#     core  <-  photometry, files, gl  <-  fit;   c on core and files                                    (src)
+#     core  <-  photometry, files, gl  <-  fit;   c on core and files, python on fit and files           (src)
 #     command  <-  scene  <-  render  <-  measure  <-  demo  <-  window;   bench on measure;
 #     solve and fit on command alone                                                                     (apps)
 #
@@ -56,6 +56,7 @@ layer(src/* include/litfog/* FORBIDDEN ${apps} ${photometry} ${files} ${gl} ${fi
 layer(src/photometry/** FORBIDDEN ${apps} ${files} ${gl} ${fit} ${ceres} ${json} ${graphics} OpenImageIO/)
 layer(src/gl/** FORBIDDEN ${apps} ${photometry} ${files} ${fit} ${ceres} ${json} ${images})
 layer(src/c/** FORBIDDEN ${apps} ${photometry} ${gl} ${fit} ${foreign} fmt/)
+layer(src/python/** FORBIDDEN ${apps} ${gl} ${foreign} fmt/)
 layer(src/fit/** FORBIDDEN ${apps} ${gl} ${json} ${graphics} ${images} ${containers})
 layer(include/litfog/photometry/** FORBIDDEN ${files} ${gl} ${fit})
 layer(include/litfog/gl/** FORBIDDEN ${photometry} ${files} ${fit})

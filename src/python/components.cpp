@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <pybind11/stl/filesystem.h>
+
+#include <exception>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "litfog/files/light_file.h"
+#include "litfog/fit/attenuation_fit.h"
+#include "litfog/fit/cone_fit.h"
+#include "litfog/input_error.h"
+#include "litfog/photometry/gldf.h"
+#include "litfog/photometry/intensity_distribution.h"
+#include "litfog/photometry/luminaire.h"
+#include "python/module.h"
+
+namespace litfog::python {
+namespace {
+
+using Path = std::filesystem::path;
+using Released = py::call_guard<py::gil_scoped_release>;
+
+/// Text of ours in which names of files may be no UTF-8: as Python's own errors show it.
+py::object text_of(std::string_view text) {
+  return py::reinterpret_steal<py::object>(PyUnicode_DecodeFSDefaultAndSize(text.data(), py::ssize_t(text.size())));
+}
+
+void bind_errors(py::module_& m) {
+  static const py::handle input_error =  // both are kept for as long as Python runs
+      py::exception<InputError>(m, "InputError", PyExc_ValueError).release();
+  static const py::handle output_error = py::exception<OutputError>(m, "OutputError", PyExc_OSError).release();
+  input_error.attr("__doc__") =
+      "A file that cannot be used: str() is the whole sentence, \"lamps.json:7:12: threshold = 7: must be in (0, "
+      "1)\".\n"
+      "Attributes: file, the path as given; line and column, from 1; 0 where the error is of the whole.";
+  output_error.attr("__doc__") = "Output that could not be written; str() is the whole sentence.";
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      std::rethrow_exception(thrown);
+    } catch (const InputError& error) {
+      const py::object raised = input_error(text_of(error.what()));
+      raised.attr("file") = text_of(error.location().file);
+      raised.attr("line") = error.location().line;
+      raised.attr("column") = error.location().column;
+      PyErr_SetObject(input_error.ptr(), raised.ptr());
+    } catch (const OutputError& error) {
+      PyErr_SetObject(output_error.ptr(), text_of(error.what()).ptr());
+    }
+  });
+}
+
+void bind_files(py::module_& m) {
+  m.def(
+      "read_light", [](const Path& path) { return read_light(path.string()); }, py::arg("path"), Released(),
+      "Reads a light file. InputError with file, line and column of what is wrong.");
+  m.def(
+      "write_light",
+      [](const Path& path, const Light& light, const std::vector<std::string>& source) {
+        write_light(path.string(), light, source);
+      },
+      py::arg("path"), py::arg("light"), py::arg("source") = std::vector<std::string>(),
+      "Writes a light file atomically. source: lines that say where the figures are from. OutputError.");
+  m.def(
+      "format_light",
+      [](const Light& light, const std::vector<std::string>& source) { return format_light(light, source); },
+      py::arg("light"), py::arg("source") = std::vector<std::string>(), "A light as the text of its file.");
+}
+
+py::dtype axial_sample_dtype() { return make_dtype({{"angle", "f8", 1}, {"mean", "f8", 1}, {"deviation", "f8", 1}}); }
+
+/// A measured table of a distribution, which lives as long as the array.
+template <std::vector<double> IntensityDistribution::*kTable>
+py::array table(const py::object& self) {
+  const std::vector<double>& values = self.cast<const IntensityDistribution&>().*kTable;
+  return view(py::dtype::of<double>(), {py::ssize_t(values.size())}, values.data(), self);
+}
+
+void bind_photometry(py::module_& m) {
+  py::enum_<PhotometryType>(m, "PhotometryType", "How a goniophotometer turned the luminaire (IES LM-63).")
+      .value("a", PhotometryType::a, "half planes round the vertical axis")
+      .value("b", PhotometryType::b, "half planes round the horizontal axis")
+      .value("c", PhotometryType::c, "half planes round the photometric axis");
+  m.attr("PHOTOMETRIC_AXIS") = kPhotometricAxis;
+  m.attr("AXIAL_SAMPLE") = axial_sample_dtype();
+  py::class_<IntensityDistribution>(
+      m, "IntensityDistribution",
+      "Luminous intensity by direction, as measured. Tables are read-only arrays where they lie.")
+      .def_readonly("type", &IntensityDistribution::type, "PhotometryType")
+      .def_property_readonly("horizontal", &table<&IntensityDistribution::horizontal>, "radians, strictly increasing")
+      .def_property_readonly("vertical", &table<&IntensityDistribution::vertical>, "radians, strictly increasing")
+      .def_property_readonly(
+          "intensity",
+          [](const py::object& self) {
+            const auto& distribution = self.cast<const IntensityDistribution&>();
+            return view(py::dtype::of<double>(),
+                        {py::ssize_t(distribution.horizontal.size()), py::ssize_t(distribution.vertical.size())},
+                        distribution.intensity.data(), self);
+          },
+          "candela, by horizontal and vertical angle");
+  py::class_<IntensityPeak>(m, "IntensityPeak", "The largest intensity, always at measured angles.")
+      .def_readonly("intensity", &IntensityPeak::intensity, "candela, > 0")
+      .def_readonly("direction", &IntensityPeak::direction, "unit; the photometric axis is (0, 0, -1)");
+  py::class_<Luminaire>(m, "Luminaire", "What a photometric file states about a luminaire.")
+      .def_readonly("name", &Luminaire::name, "empty if the file does not state it")
+      .def_readonly("manufacturer", &Luminaire::manufacturer, "likewise")
+      .def_readonly("distribution", &Luminaire::distribution, "IntensityDistribution")
+      .def_readonly("lamp_flux", &Luminaire::lamp_flux, "rated flux of all its lamps in lumens, or None")
+      .def_readonly("light_output_ratio", &Luminaire::light_output_ratio,
+                    "stated fraction of the lamps' flux that leaves the luminaire, or None")
+      .def_readonly("is_absolute", &Luminaire::is_absolute, "measured as a whole");
+  m.def(
+      "read_luminaire", [](const Path& path) { return read_luminaire(path.string()); }, py::arg("path"), Released(),
+      "Reads a photometric file of any kind that its content says: IES LM-63, EULUMDAT, TM-33, an isocandela table, "
+      "or\n"
+      "a GLDF container with one photometric file. InputError. Releases the GIL.");
+  m.def(
+      "list_gldf", [](const Path& path) { return list_gldf(path.string()); }, py::arg("path"), Released(),
+      "The photometric files in a GLDF container, as paths that read_luminaire takes. InputError.");
+  m.def("stated_flux", &stated_flux, py::arg("luminaire"),
+        "The luminaire's flux in lumens as its file states it, or None.");
+  m.def("luminous_flux", &luminous_flux, py::arg("distribution"), Released(),
+        "Luminous flux in lumens: the intensity as interpolated, integrated over the sphere in closed form.");
+  m.def("find_peak", &find_peak, py::arg("distribution"),
+        "The largest intensity; of several equal peaks one closest to the photometric axis.");
+  m.def(
+      "axial_profile",
+      [](const IntensityDistribution& distribution, const glm::dvec3& axis) {
+        std::vector<AxialSample> profile;
+        {
+          const py::gil_scoped_release released;
+          profile = axial_profile(distribution, axis);
+        }
+        return own(std::move(profile), axial_sample_dtype());
+      },
+      py::arg("distribution"), py::arg("axis") = kPhotometricAxis,
+      "Intensity against the angle from an axis, as the mean over each circle, and its largest deviation: an array of\n"
+      "dtype AXIAL_SAMPLE by increasing angles from 0 to pi. Releases the GIL.");
+  m.def(
+      "asymmetry",
+      [](const IntensityDistribution& distribution, const glm::dvec3& axis) { return asymmetry(distribution, axis); },
+      py::arg("distribution"), py::arg("axis") = kPhotometricAxis, Released(),
+      "How far a beam is from rotational symmetry about an axis: relative rms, 0 to 1, to 0.001. Releases the GIL.");
+}
+
+using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// Columns of samples; without weights each weighs 1.
+template <typename Sample>
+std::vector<Sample> samples_of(const std::optional<Numbers>& first, const std::optional<Numbers>& second,
+                               const std::optional<Numbers>& weights, const char* names) {
+  const auto refuse = [names] {
+    throw py::value_error(std::string(names) + ": must be one-dimensional and of one length");
+  };
+  if (!first && !second && !weights) return {};
+  if (!first || !second) refuse();
+  for (const auto& column : {first, second, weights}) {
+    if (column && (column->ndim() != 1 || column->size() != first->size())) refuse();
+  }
+  std::vector<Sample> samples;
+  for (py::ssize_t i = 0; i < first->size(); ++i) {
+    samples.push_back({first->at(i), second->at(i), weights ? weights->at(i) : 1});
+  }
+  return samples;
+}
+
+/// A covariance as a matrix, or None.
+template <typename Values>
+py::object matrix(const std::optional<Values>& values, py::ssize_t size) {
+  if (!values) return py::none();
+  return py::array_t<double>({size, size}, reinterpret_cast<const double*>(values->data()));
+}
+
+void bind_attenuation_fit(py::module_& m) {
+  py::enum_<AttenuationFamily>(m, "AttenuationFamily", "Which attenuation meets an extent, if there are no samples.")
+      .value("quadratic", AttenuationFamily::quadratic, "no linear term")
+      .value("linear", AttenuationFamily::linear, "no quadratic term")
+      .value("mixed", AttenuationFamily::mixed, "both alike at the extent");
+  py::enum_<AttenuationFitStatus>(m, "AttenuationFitStatus", "How a fit of an attenuation ended.")
+      .value("optimal", AttenuationFitStatus::optimal, "no attenuation has a smaller objective by more than 1e-7 of it")
+      .value("unproven", AttenuationFitStatus::unproven, "the best found")
+      .value("infeasible", AttenuationFitStatus::infeasible, "the best fit to a target that no attenuation meets");
+  py::class_<AttenuationFit>(m, "AttenuationFit", "A fit and how good it is.")
+      .def_readonly("attenuation", &AttenuationFit::attenuation, "Attenuation")
+      .def_readonly("threshold", &AttenuationFit::threshold, "attenuation at the extent")
+      .def_readonly("status", &AttenuationFit::status, "AttenuationFitStatus")
+      .def_readonly("sentence", &AttenuationFit::sentence, "the outcome in words")
+      .def_readonly("objective", &AttenuationFit::objective, "sum of weight * residual^2")
+      .def_readonly("rms_error", &AttenuationFit::rms_error, "root of the weighted mean of error^2")
+      .def_readonly("largest_error", &AttenuationFit::largest_error, "signed; 0.01 is 1 % too bright")
+      .def_property_readonly(
+          "residuals",
+          [](const py::object& self) {
+            const auto& residuals = self.cast<const AttenuationFit&>().residuals;
+            return view(py::dtype::of<double>(), {py::ssize_t(residuals.size())}, residuals.data(), self);
+          },
+          "ln a(range) - ln attenuation of each sample, a read-only array")
+      .def_property_readonly(
+          "covariance", [](const AttenuationFit& fit) { return matrix(fit.covariance, 3); },
+          "of constant, linear, quadratic, 3 x 3; None where the samples do not identify them")
+      .def_readonly("kkt_residual", &AttenuationFit::kkt_residual, "largest violation of the conditions of optimality");
+  m.def(
+      "fit_attenuation",
+      [](std::optional<double> extent, std::optional<double> constant, const std::optional<Numbers>& ranges,
+         const std::optional<Numbers>& attenuations, const std::optional<Numbers>& weights, double threshold,
+         AttenuationFamily family, bool is_robust) {
+        AttenuationTarget target{.threshold = threshold, .extent = extent, .constant = constant};
+        target.samples =
+            samples_of<AttenuationSample>(ranges, attenuations, weights, "ranges, attenuations and weights");
+        target.family = family;
+        target.is_robust = is_robust;
+        const py::gil_scoped_release released;
+        return fit_attenuation(target);
+      },
+      py::kw_only(), py::arg("extent") = py::none(), py::arg("constant") = py::none(), py::arg("ranges") = py::none(),
+      py::arg("attenuations") = py::none(), py::arg("weights") = py::none(), py::arg("threshold") = kDefaultThreshold,
+      py::arg("family") = AttenuationFamily::quadratic, py::arg("is_robust") = false,
+      "Fits an attenuation to an extent in metres, to samples, or to both: the global minimum of\n"
+      "sum w (ln a(r) - ln attenuation)^2 that meets the extent exactly. Samples are columns: ranges in metres,\n"
+      "attenuations, and weights (1 where absent); is_robust is for tables with outliers. Releases the GIL. "
+      "ValueError\n"
+      "with field, value and rule.");
+}
+
+void bind_cone_fit(py::module_& m) {
+  py::enum_<ConeChoice>(m, "ConeChoice", "Which profiles to fit.")
+      .value("cosine", ConeChoice::cosine, "cosine alone")
+      .value("smoothstep", ConeChoice::smoothstep, "smoothstep alone")
+      .value("best", ConeChoice::best, "both");
+  py::enum_<ConeFitStatus>(m, "ConeFitStatus", "How a fit of a cone ended.")
+      .value("optimal", ConeFitStatus::optimal, "no cone has an objective smaller by more than 0.1 %")
+      .value("unproven", ConeFitStatus::unproven, "the best found");
+  py::class_<ConeProfileFit>(m, "ConeProfileFit", "A fitted profile, how good it is, and how that is known.")
+      .def_readonly("cone", &ConeProfileFit::cone, "Cone")
+      .def_readonly("status", &ConeProfileFit::status, "ConeFitStatus")
+      .def_readonly("objective", &ConeProfileFit::objective, "sum of weight * (cone - I / I_max)^2")
+      .def_readonly("lower_bound", &ConeProfileFit::lower_bound, "no cone of this profile has a smaller objective")
+      .def_readonly("rms", &ConeProfileFit::rms, "sqrt(objective / sum of weights)")
+      .def_readonly("largest_error", &ConeProfileFit::largest_error, "cone - I / I_max, signed")
+      .def_readonly("flux_error", &ConeProfileFit::flux_error, "flux of the cone / of the samples - 1, or None")
+      .def_readonly("beam_angle_error", &ConeProfileFit::beam_angle_error, "relative, or None")
+      .def_readonly("field_angle_error", &ConeProfileFit::field_angle_error, "relative, or None")
+      .def_property_readonly(
+          "covariance", [](const ConeProfileFit& fit) { return matrix(fit.covariance, 2); },
+          "of exponent alone, or inner and outer, 2 x 2; None where the samples do not identify them");
+  py::class_<ConeFit>(m, "ConeFit", "The fits of the profiles chosen, and which is better.")
+      .def_readonly("cosine", &ConeFit::cosine, "ConeProfileFit, or None")
+      .def_readonly("smoothstep", &ConeFit::smoothstep, "ConeProfileFit, or None")
+      .def_readonly("profile", &ConeFit::profile, "the better of them")
+      .def_property_readonly("best", &ConeFit::best, "its ConeProfileFit");
+  m.def(
+      "fit_cone",
+      [](ConeChoice choice, std::optional<double> half_angle, std::optional<double> beam_angle,
+         std::optional<double> field_angle, const std::optional<Numbers>& angles,
+         const std::optional<Numbers>& intensities, const std::optional<Numbers>& weights) {
+        ConeTarget target{choice, half_angle, beam_angle, field_angle};
+        target.samples = samples_of<ConeSample>(angles, intensities, weights, "angles, intensities and weights");
+        const py::gil_scoped_release released;
+        return fit_cone(target);
+      },
+      py::kw_only(), py::arg("choice") = ConeChoice::best, py::arg("half_angle") = py::none(),
+      py::arg("beam_angle") = py::none(), py::arg("field_angle") = py::none(), py::arg("angles") = py::none(),
+      py::arg("intensities") = py::none(), py::arg("weights") = py::none(),
+      "Fits a cone to samples, to beam and field angles (full, in radians), or to all of these: the global minimum of\n"
+      "sum of weight * (cone - I / I_max)^2 of each profile. Samples are columns: angles from the axis in radians,\n"
+      "intensities in any unit, and weights (1 where absent). Releases the GIL. ValueError with field, value and "
+      "rule.");
+}
+
+}  // namespace
+
+void bind_components(py::module_& m) {
+  bind_errors(m);
+  bind_files(m);
+  bind_photometry(m);
+  bind_attenuation_fit(m);
+  bind_cone_fit(m);
+}
+
+}  // namespace litfog::python

@@ -1,0 +1,372 @@
+# SPDX-License-Identifier: Apache-2.0
+# The types of `import litfog`; help() has the texts.
+import enum
+import os
+from collections.abc import Sequence
+from typing import Any, overload
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+__version__: str
+CONTRAST_MOR: float
+CONTRAST_KOSCHMIEDER: float
+CONTRAST_FLIGHTGEAR: float
+DEFAULT_THRESHOLD: float
+PHOTOMETRIC_AXIS: tuple[float, float, float]
+EYE_RAY: np.dtype[np.void]
+AXIAL_SAMPLE: np.dtype[np.void]
+FOG_LIGHT_KIND: np.dtype[np.void]
+FOG_LIGHT_INSTANCE: np.dtype[np.void]
+
+_Path = str | bytes | os.PathLike[str] | os.PathLike[bytes]
+_Real = NDArray[np.float64] | NDArray[np.float32]
+_Column = float | NDArray[np.float64] | NDArray[np.float32]
+
+class InputError(ValueError):
+    file: str
+    line: int
+    column: int
+
+class OutputError(OSError): ...
+
+# The enumerations are of no Python base class, but look like this.
+class FogMode(enum.Enum):
+    exp = 0
+    exp2 = 1
+
+class ConeProfile(enum.Enum):
+    none = 0
+    cosine = 1
+    smoothstep = 2
+
+class SolveStatus(enum.Enum):
+    ok = 0
+    not_converged = 1
+
+class BatchStatus(enum.IntEnum):
+    ok = 0
+    not_converged = 1
+    invalid = 2
+
+class LampLeg(enum.Enum):
+    clear = 0
+    fogged = 1
+
+class PhotometryType(enum.Enum):
+    a = 0
+    b = 1
+    c = 2
+
+class AttenuationFamily(enum.Enum):
+    quadratic = 0
+    linear = 1
+    mixed = 2
+
+class AttenuationFitStatus(enum.Enum):
+    optimal = 0
+    unproven = 1
+    infeasible = 2
+
+class ConeChoice(enum.Enum):
+    cosine = 0
+    smoothstep = 1
+    best = 2
+
+class ConeFitStatus(enum.Enum):
+    optimal = 0
+    unproven = 1
+
+class Fog:
+    mode: FogMode
+    density: float
+    def __init__(self, mode: FogMode = ..., density: float = 0.0) -> None: ...
+    @staticmethod
+    def from_visibility(mode: FogMode, metres: float, contrast: float = ...) -> Fog: ...
+
+class Attenuation:
+    constant: float
+    linear: float
+    quadratic: float
+    def __init__(self, constant: float = 1.0, linear: float = 0.0, quadratic: float = 0.0) -> None: ...
+
+class Cone:
+    profile: ConeProfile
+    half_angle: float
+    exponent: float
+    inner: float
+    outer: float
+    def __init__(
+        self,
+        profile: ConeProfile = ...,
+        half_angle: float = 0.0,
+        exponent: float = 0.0,
+        inner: float = 0.0,
+        outer: float = 0.0,
+    ) -> None: ...
+    @staticmethod
+    def cosine(half_angle: float, exponent: float) -> Cone: ...
+    @staticmethod
+    def smoothstep(inner: float, outer: float) -> Cone: ...
+
+class Light:
+    name: str
+    color: Sequence[float]
+    attenuation: Attenuation
+    threshold: float
+    cone: Cone
+    density_scale: float
+    def __init__(
+        self,
+        name: str = "",
+        color: Sequence[float] = ...,
+        attenuation: Attenuation = ...,
+        threshold: float = ...,
+        cone: Cone = ...,
+        density_scale: float = 1.0,
+    ) -> None: ...
+
+class PlacedLight:
+    light: Light
+    position: Sequence[float]
+    direction: Sequence[float]
+    carried: bool
+    def __init__(
+        self,
+        light: Light,
+        position: Sequence[float] = ...,
+        direction: Sequence[float] = ...,
+        carried: bool = False,
+    ) -> None: ...
+
+class FogIntensity:
+    def __init__(self, intensity: float, peak_range: float, extent: float, status: SolveStatus) -> None: ...
+    @property
+    def intensity(self) -> float: ...
+    @property
+    def peak_range(self) -> float: ...
+    @property
+    def extent(self) -> float: ...
+    @property
+    def status(self) -> SolveStatus: ...
+
+class BatchSolutions:
+    """Of the results of a solve without `out`, every column is an array."""
+
+    def __init__(
+        self,
+        intensity: _Real | None = None,
+        peak_range: _Real | None = None,
+        extent: _Real | None = None,
+        status: NDArray[np.uint8] | None = None,
+    ) -> None: ...
+    @property
+    def intensity(self) -> Any: ...
+    @property
+    def peak_range(self) -> Any: ...
+    @property
+    def extent(self) -> Any: ...
+    @property
+    def status(self) -> Any: ...
+    @property
+    def invalid_count(self) -> int: ...
+
+class Scattering:
+    lamp_leg: LampLeg
+    asymmetry: float
+    def __init__(self, lamp_leg: LampLeg = ..., asymmetry: float = 0.0) -> None: ...
+
+class FogLightHandle: ...
+
+class FogLightChanges:
+    @property
+    def kinds(self) -> list[slice]: ...
+    @property
+    def instances(self) -> list[slice]: ...
+
+class FogUpdateStatistics:
+    @property
+    def kinds_solved(self) -> int: ...
+    @property
+    def kinds_skipped(self) -> int: ...
+    @property
+    def lights_skipped(self) -> int: ...
+    @property
+    def bytes_dirty(self) -> int: ...
+
+class FogUpdater:
+    def __init__(self, skip_budget_255: float = 0.5) -> None: ...
+    def add(self, light: PlacedLight) -> FogLightHandle: ...
+    def change(self, handle: FogLightHandle, light: PlacedLight) -> None: ...
+    def switch_light(self, handle: FogLightHandle, is_on: bool) -> None: ...
+    def remove(self, handle: FogLightHandle) -> None: ...
+    def set_fog(self, fog: Fog) -> FogLightChanges: ...
+    @property
+    def kinds(self) -> NDArray[np.void]: ...
+    @property
+    def instances(self) -> NDArray[np.void]: ...
+    def instance_of(self, handle: FogLightHandle) -> int: ...
+    def kind_of(self, handle: FogLightHandle) -> int: ...
+    @property
+    def statistics(self) -> FogUpdateStatistics: ...
+
+class IntensityDistribution:
+    @property
+    def type(self) -> PhotometryType: ...
+    @property
+    def horizontal(self) -> NDArray[np.float64]: ...
+    @property
+    def vertical(self) -> NDArray[np.float64]: ...
+    @property
+    def intensity(self) -> NDArray[np.float64]: ...
+
+class IntensityPeak:
+    @property
+    def intensity(self) -> float: ...
+    @property
+    def direction(self) -> tuple[float, float, float]: ...
+
+class Luminaire:
+    @property
+    def name(self) -> str: ...
+    @property
+    def manufacturer(self) -> str: ...
+    @property
+    def distribution(self) -> IntensityDistribution: ...
+    @property
+    def lamp_flux(self) -> float | None: ...
+    @property
+    def light_output_ratio(self) -> float | None: ...
+    @property
+    def is_absolute(self) -> bool: ...
+
+class AttenuationFit:
+    @property
+    def attenuation(self) -> Attenuation: ...
+    @property
+    def threshold(self) -> float: ...
+    @property
+    def status(self) -> AttenuationFitStatus: ...
+    @property
+    def sentence(self) -> str: ...
+    @property
+    def objective(self) -> float: ...
+    @property
+    def rms_error(self) -> float: ...
+    @property
+    def largest_error(self) -> float: ...
+    @property
+    def residuals(self) -> NDArray[np.float64]: ...
+    @property
+    def covariance(self) -> NDArray[np.float64] | None: ...
+    @property
+    def kkt_residual(self) -> float: ...
+
+class ConeProfileFit:
+    @property
+    def cone(self) -> Cone: ...
+    @property
+    def status(self) -> ConeFitStatus: ...
+    @property
+    def objective(self) -> float: ...
+    @property
+    def lower_bound(self) -> float: ...
+    @property
+    def rms(self) -> float: ...
+    @property
+    def largest_error(self) -> float: ...
+    @property
+    def flux_error(self) -> float | None: ...
+    @property
+    def beam_angle_error(self) -> float | None: ...
+    @property
+    def field_angle_error(self) -> float | None: ...
+    @property
+    def covariance(self) -> NDArray[np.float64] | None: ...
+
+class ConeFit:
+    @property
+    def cosine(self) -> ConeProfileFit | None: ...
+    @property
+    def smoothstep(self) -> ConeProfileFit | None: ...
+    @property
+    def profile(self) -> ConeProfile: ...
+    @property
+    def best(self) -> ConeProfileFit: ...
+
+def attenuation_at(attenuation: Attenuation, range: ArrayLike) -> Any: ...
+def fog_factor_at(fog: Fog, range: ArrayLike) -> Any: ...
+def opacity_at(fog: Fog, range: ArrayLike) -> Any: ...
+def cone_at(cone: Cone, cos_angle: ArrayLike) -> Any: ...
+def compute_extent(attenuation: Attenuation, threshold: float = ...) -> float: ...
+def flux_within(cone: Cone, angle: float) -> float: ...
+def angle_at_level(cone: Cone, level: float) -> float: ...
+def color_of_temperature(kelvin: float) -> tuple[float, float, float]: ...
+@overload
+def solve_fog_intensity(attenuation: Attenuation, fog: Fog, threshold: float = ...) -> FogIntensity: ...
+@overload
+def solve_fog_intensity(light: Light, fog: Fog) -> FogIntensity: ...
+def solve_fog_intensities(
+    constant: _Real,
+    linear: _Real,
+    quadratic: _Real,
+    density: _Column,
+    threshold: _Column = ...,
+    mode: FogMode = ...,
+    *,
+    out: BatchSolutions | None = None,
+) -> BatchSolutions: ...
+def airlight(
+    light: PlacedLight,
+    fog: Fog,
+    rays: NDArray[np.void],
+    scattering: Scattering = ...,
+    *,
+    out: NDArray[np.float64] | None = None,
+) -> NDArray[np.float64]: ...
+@overload
+def axial_airlight(attenuation: Attenuation, fog: Fog, threshold: float = ...) -> float: ...
+@overload
+def axial_airlight(light: Light, fog: Fog) -> float: ...
+def axial_airlights(
+    constant: NDArray[np.float64],
+    linear: NDArray[np.float64],
+    quadratic: NDArray[np.float64],
+    density: float | NDArray[np.float64],
+    threshold: float | NDArray[np.float64] = ...,
+    mode: FogMode = ...,
+    *,
+    out: NDArray[np.float64] | None = None,
+) -> NDArray[np.float64]: ...
+def light_reach(light: Light, fog: Fog, budget: float, lamp_leg: LampLeg = ...) -> float: ...
+def read_light(path: _Path) -> Light: ...
+def write_light(path: _Path, light: Light, source: Sequence[str] = ...) -> None: ...
+def format_light(light: Light, source: Sequence[str] = ...) -> str: ...
+def read_luminaire(path: _Path) -> Luminaire: ...
+def list_gldf(path: _Path) -> list[str]: ...
+def stated_flux(luminaire: Luminaire) -> float | None: ...
+def luminous_flux(distribution: IntensityDistribution) -> float: ...
+def find_peak(distribution: IntensityDistribution) -> IntensityPeak: ...
+def axial_profile(distribution: IntensityDistribution, axis: Sequence[float] = ...) -> NDArray[np.void]: ...
+def asymmetry(distribution: IntensityDistribution, axis: Sequence[float] = ...) -> float: ...
+def fit_attenuation(
+    *,
+    extent: float | None = None,
+    constant: float | None = None,
+    ranges: ArrayLike | None = None,
+    attenuations: ArrayLike | None = None,
+    weights: ArrayLike | None = None,
+    threshold: float = ...,
+    family: AttenuationFamily = ...,
+    is_robust: bool = False,
+) -> AttenuationFit: ...
+def fit_cone(
+    *,
+    choice: ConeChoice = ...,
+    half_angle: float | None = None,
+    beam_angle: float | None = None,
+    field_angle: float | None = None,
+    angles: ArrayLike | None = None,
+    intensities: ArrayLike | None = None,
+    weights: ArrayLike | None = None,
+) -> ConeFit: ...

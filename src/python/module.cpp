@@ -1,0 +1,610 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "python/module.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "litfog/airlight.h"
+#include "litfog/attenuation.h"
+#include "litfog/batch.h"
+#include "litfog/color_temperature.h"
+#include "litfog/cone.h"
+#include "litfog/fog.h"
+#include "litfog/light.h"
+#include "litfog/solve.h"
+#include "litfog/updater.h"
+
+namespace litfog::python {
+namespace {
+
+/// str(object)
+std::string text_of(const py::object& object) { return py::cast<std::string>(py::str(object)); }
+
+}  // namespace
+
+void make_record(const py::object& type, std::initializer_list<const char*> names) {
+  const std::vector<std::string> fields(names.begin(), names.end());
+  const auto add = [&type](const char* name, auto&& method) {
+    type.attr(name) = py::cpp_function(method, py::name(name), py::is_method(type));
+  };
+  add("__repr__", [fields](const py::object& self) {
+    std::string text = "litfog." + text_of(self.attr("__class__").attr("__name__")) + "(";
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      const py::object value = self.attr(fields[i].c_str());
+      // The repr() of an enumerator, "<FogMode.exp: 0>", does not read back; its str() does.
+      const bool is_enumerator = py::hasattr(py::type::of(value), "__members__");
+      text += (i == 0 ? "" : ", ") + fields[i] + "=";
+      text += is_enumerator ? "litfog." + text_of(value) : text_of(py::repr(value));
+    }
+    return text + ")";
+  });
+  add("__reduce__", [fields](const py::object& self) {
+    py::tuple values(fields.size());
+    for (std::size_t i = 0; i < fields.size(); ++i) values[i] = self.attr(fields[i].c_str());
+    return py::make_tuple(self.attr("__class__"), values);
+  });
+}
+
+py::dtype make_dtype(std::initializer_list<Member> members) {
+  py::list description;
+  for (const Member& member : members) {
+    description.append(member.width == 1 ? py::make_tuple(member.name, member.format)
+                                         : py::make_tuple(member.name, member.format, py::make_tuple(member.width)));
+  }
+  return py::dtype::from_args(description);
+}
+
+py::array view(const py::dtype& dtype, std::vector<py::ssize_t> shape, const void* data, const py::object& owner) {
+  py::array array(dtype, std::move(shape), {}, data, owner);
+  array.attr("flags").attr("writeable") = false;
+  return array;
+}
+
+namespace {
+
+/// An argument as the array that it must be: of this dtype and contiguous. Nothing is converted, because a copy would
+/// be made without a word, and results written into one would be lost.
+py::array take_array(const py::object& object, const std::string& name, const py::dtype& dtype, bool is_written) {
+  const std::string rule = name + ": must be a NumPy array of " + text_of(dtype);
+  if (!py::isinstance<py::array>(object)) {
+    throw py::type_error(rule + ", is of type " + text_of(py::type::of(object).attr("__name__")));
+  }
+  auto array = py::reinterpret_borrow<py::array>(object);
+  if (!array.dtype().equal(dtype)) {
+    throw py::type_error(rule + ", is one of " + text_of(array.dtype()));
+  }
+  const py::object flags = array.attr("flags");
+  if (!flags.attr("c_contiguous").cast<bool>() || !flags.attr("aligned").cast<bool>()) {
+    throw py::value_error(name + ": must be contiguous and aligned; numpy.ascontiguousarray makes such a copy");
+  }
+  if (is_written && !array.writeable()) throw py::value_error(name + ": must be writeable");
+  return array;
+}
+
+/// The bytes of arrays that a call reads and writes. No result may overlap any other array of the call.
+class Overlaps {
+ public:
+  void add(const py::array& array, const std::string& name, bool is_written) {
+    const auto* begin = static_cast<const std::byte*>(array.data());
+    const Bytes bytes{begin, begin + array.nbytes(), name, is_written};
+    for (const Bytes& other : arrays_) {
+      if ((bytes.is_written || other.is_written) && bytes.begin < other.end && other.begin < bytes.end) {
+        throw py::value_error(name + ": must not overlap " + other.name);
+      }
+    }
+    arrays_.push_back(bytes);
+  }
+
+ private:
+  struct Bytes {
+    const std::byte* begin;
+    const std::byte* end;
+    std::string name;
+    bool is_written;
+  };
+  std::vector<Bytes> arrays_;
+};
+
+/// Takes the columns of one call; the first says how long they are.
+class Columns {
+ public:
+  template <typename T>
+  std::span<T> take(const py::object& object, const std::string& name) {
+    const bool is_written = !std::is_const_v<T>;
+    const py::array array = take_array(object, name, py::dtype::of<std::remove_const_t<T>>(), is_written);
+    if (array.ndim() != 1) {
+      throw py::value_error(name + ": must have one dimension, has " + std::to_string(array.ndim()));
+    }
+    const auto size = std::size_t(array.size());
+    if (!size_) size_ = size;
+    if (size != *size_) {
+      throw py::value_error(name + ": must have " + std::to_string(*size_) + " values, has " + std::to_string(size));
+    }
+    overlaps_.add(array, name, is_written);
+    return {static_cast<T*>(const_cast<void*>(array.data())), size};
+  }
+
+  /// A column, or one number for all lights, which `single` then holds.
+  template <typename Real>
+  std::span<const Real> take_or_single(const py::object& object, const std::string& name, Real& single) {
+    if (py::isinstance<py::array>(object)) return take<const Real>(object, name);
+    try {
+      single = static_cast<Real>(object.cast<double>());
+    } catch (const py::cast_error&) {
+      throw py::type_error(name + ": must be a number or a NumPy array");
+    }
+    return {&single, 1};
+  }
+
+  std::size_t size() const { return *size_; }
+
+ private:
+  std::optional<std::size_t> size_;
+  Overlaps overlaps_;
+};
+
+// --- batch ---
+
+/// Where a batch's results go: arrays, or None for what is not computed.
+struct Solutions {
+  py::object intensity = py::none();
+  py::object peak_range = py::none();
+  py::object extent = py::none();
+  py::object status = py::none();
+  std::size_t invalid_count = 0;
+};
+
+/// The columns of lights as Python has them.
+struct Lights {
+  py::object constant, linear, quadratic, density, threshold;
+};
+
+/// The memory of single values, which the lights' columns point to.
+template <typename Real>
+struct Singles {
+  Real density, threshold;
+};
+
+template <typename Real>
+BasicBatchLights<Real> take_lights(Columns& columns, const Lights& lights, Singles<Real>& singles) {
+  BasicBatchLights<Real> taken;
+  taken.constant = columns.take<const Real>(lights.constant, "constant");
+  taken.linear = columns.take<const Real>(lights.linear, "linear");
+  taken.quadratic = columns.take<const Real>(lights.quadratic, "quadratic");
+  taken.density = columns.take_or_single(lights.density, "density", singles.density);
+  taken.threshold = columns.take_or_single(lights.threshold, "threshold", singles.threshold);
+  return taken;
+}
+
+template <typename Real>
+void solve_columns(FogMode mode, const Lights& lights, std::optional<Solutions>& out) {
+  Columns columns;
+  Singles<Real> singles;
+  const BasicBatchLights<Real> taken = take_lights(columns, lights, singles);
+  if (!out) {
+    const auto size = py::ssize_t(columns.size());
+    const auto column = [size](const py::dtype& dtype) { return py::array(dtype, std::vector{size}); };
+    const auto real = py::dtype::of<Real>();
+    out = Solutions{column(real), column(real), column(real), column(py::dtype::of<std::uint8_t>())};
+  }
+  BasicBatchSolutions<Real> results;
+  const auto take_result = [&columns]<typename T>(const py::object& object, const char* name, std::span<T>& result) {
+    if (!object.is_none()) result = columns.take<T>(object, std::string("out.") + name);
+  };
+  take_result(out->intensity, "intensity", results.intensity);
+  take_result(out->peak_range, "peak_range", results.peak_range);
+  take_result(out->extent, "extent", results.extent);
+  std::span<std::uint8_t> status;
+  take_result(out->status, "status", status);
+  static_assert(sizeof(BatchStatus) == 1);
+  results.status = {reinterpret_cast<BatchStatus*>(status.data()), status.size()};
+  const py::gil_scoped_release released;
+  out->invalid_count = solve_fog_intensities(mode, taken, results);
+}
+
+/// out  a Solutions, which is returned, or None
+py::object solve_batch(const Lights& lights, FogMode mode, const py::object& out) {
+  std::optional<Solutions> solutions;
+  if (!out.is_none()) solutions = out.cast<Solutions>();
+  const bool is_float = py::isinstance<py::array>(lights.constant) &&
+                        py::reinterpret_borrow<py::array>(lights.constant).dtype().equal(py::dtype::of<float>());
+  (is_float ? solve_columns<float> : solve_columns<double>)(mode, lights, solutions);
+  if (out.is_none()) return py::cast(std::move(*solutions));
+  out.cast<Solutions&>().invalid_count = solutions->invalid_count;
+  return out;
+}
+
+/// The array of results that a caller gave, or a new one.
+py::array take_out(const py::object& out, const std::vector<py::ssize_t>& shape) {
+  if (out.is_none()) return py::array_t<double>(shape);
+  py::array array = take_array(out, "out", py::dtype::of<double>(), true);
+  if (!std::equal(shape.begin(), shape.end(), array.shape(), array.shape() + array.ndim())) {
+    throw py::value_error("out: must have the shape " + text_of(py::tuple(py::cast(shape))) + ", has " +
+                          text_of(array.attr("shape")));
+  }
+  return array;
+}
+
+py::array axial_batch(const Lights& lights, FogMode mode, const py::object& out) {
+  Columns columns;
+  Singles<double> singles;
+  const BatchLights taken = take_lights(columns, lights, singles);
+  py::array airlights = take_out(out, {py::ssize_t(columns.size())});
+  const std::span<double> results = columns.take<double>(airlights, "out");
+  const py::gil_scoped_release released;
+  axial_airlights(mode, taken, results);
+  return airlights;
+}
+
+// --- airlight ---
+
+static_assert(sizeof(EyeRay) == 7 * sizeof(double) && offsetof(EyeRay, direction) == 3 * sizeof(double) &&
+              offsetof(EyeRay, length) == 6 * sizeof(double));
+
+py::dtype eye_ray_dtype() { return make_dtype({{"origin", "f8", 3}, {"direction", "f8", 3}, {"length", "f8", 1}}); }
+
+/// light and fog by value: other threads may change the caller's while this one runs.
+py::array airlights_of(PlacedLight light, Fog fog, const py::object& rays, Scattering scattering,
+                       const py::object& out) {
+  const py::array ray_array = take_array(rays, "rays", eye_ray_dtype(), false);
+  py::array airlights = take_out(out, {ray_array.shape(), ray_array.shape() + ray_array.ndim()});
+  Overlaps overlaps;
+  overlaps.add(ray_array, "rays", false);
+  overlaps.add(airlights, "out", true);
+  const std::span rays_read(static_cast<const EyeRay*>(ray_array.data()), std::size_t(ray_array.size()));
+  const std::span results(static_cast<double*>(airlights.mutable_data()), rays_read.size());
+  const py::gil_scoped_release released;
+  airlight(light, fog, rays_read, scattering, results);
+  return airlights;
+}
+
+// --- the updater ---
+
+py::dtype kind_dtype() { return make_dtype({{"attenuation_extent", "f4", 4}, {"cone_scale_intensity", "f4", 4}}); }
+py::dtype instance_dtype() {
+  return make_dtype({{"position_kind", "f4", 4}, {"axis_profile", "f4", 4}, {"color", "f4", 4}});
+}
+
+/// An updater whose tables stay where they are while arrays show them, as a bytearray does with its buffers. Only
+/// adding and changing lights can move them. Its calls keep the GIL, which makes them safe on any thread.
+struct Updater : FogUpdater {
+  using FogUpdater::FogUpdater;
+
+  void require_no_views() const {
+    if (views != 0) {
+      throw py::buffer_error("views of the updater's tables exist: a light can be added or changed once they are gone");
+    }
+  }
+
+  std::size_t views = 0;
+};
+
+template <typename Entry>
+py::array view_table(const std::shared_ptr<Updater>& updater, std::span<const Entry> table, const py::dtype& dtype) {
+  const py::capsule owner(new std::shared_ptr<Updater>(updater), [](void* pointer) {
+    const std::unique_ptr<std::shared_ptr<Updater>> held(static_cast<std::shared_ptr<Updater>*>(pointer));
+    --(*held)->views;
+  });
+  ++updater->views;
+  return view(dtype, {py::ssize_t(table.size())}, table.data(), owner);
+}
+
+struct Changes {
+  py::list kinds, instances;
+};
+
+py::list slices(std::span<const EntryRange> ranges) {
+  py::list list;
+  for (const EntryRange& range : ranges) list.append(py::slice(py::ssize_t(range.begin), py::ssize_t(range.end), 1));
+  return list;
+}
+
+void bind_lights(py::module_& m) {
+  py::enum_<FogMode>(m, "FogMode", "How the fog factor f falls with range.")
+      .value("exp", FogMode::exp, "f(r) = e^(-d r)")
+      .value("exp2", FogMode::exp2, "f(r) = e^(-(d r)^2)");
+  m.attr("CONTRAST_MOR") = kContrastMor;
+  m.attr("CONTRAST_KOSCHMIEDER") = kContrastKoschmieder;
+  m.attr("CONTRAST_FLIGHTGEAR") = kContrastFlightgear;
+  m.attr("DEFAULT_THRESHOLD") = kDefaultThreshold;
+
+  py::class_<Fog> fog(m, "Fog", "Homogeneous fog. density: 1/m, >= 0; 0 is clear air, infinity total fog.");
+  fog.def(py::init<FogMode, double>(), py::arg("mode") = FogMode::exp, py::arg("density") = 0.)
+      .def_readwrite("mode", &Fog::mode, "FogMode")
+      .def_readwrite("density", &Fog::density, "1/m, >= 0")
+      .def_static("from_visibility", &Fog::from_visibility, py::arg("mode"), py::arg("metres"),
+                  py::arg("contrast") = kContrastMor,
+                  "The fog of a visibility: metres >= 0, infinity is no fog; contrast in (0, 1) is what is left of a\n"
+                  "dark object's contrast at that range. ValueError with field, value and rule.")
+      .def(
+          "__eq__", [](const Fog& a, const Fog& b) { return a == b; }, py::is_operator());
+  make_record(fog, {"mode", "density"});
+
+  py::class_<Attenuation> attenuation(
+      m, "Attenuation",
+      "Range attenuation a(r) = min(1, 1 / (constant + linear r + quadratic r^2)), r in metres. Each is finite and\n"
+      ">= 0, not all are 0.");
+  attenuation
+      .def(py::init([](double constant, double linear, double quadratic) {
+             return Attenuation{constant, linear, quadratic};
+           }),
+           py::arg("constant") = 1., py::arg("linear") = 0., py::arg("quadratic") = 0.)
+      .def_readwrite("constant", &Attenuation::constant, "dimensionless")
+      .def_readwrite("linear", &Attenuation::linear, "1/m")
+      .def_readwrite("quadratic", &Attenuation::quadratic, "1/m^2")
+      .def(
+          "__eq__", [](const Attenuation& a, const Attenuation& b) { return a == b; }, py::is_operator());
+  make_record(attenuation, {"constant", "linear", "quadratic"});
+
+  py::enum_<ConeProfile>(m, "ConeProfile", "How a light's intensity falls with the angle from its axis.")
+      .value("none", ConeProfile::none, "1 everywhere: a point light")
+      .value("cosine", ConeProfile::cosine, "cos^exponent(u) up to half_angle")
+      .value("smoothstep", ConeProfile::smoothstep, "smoothstep(cos outer, cos inner, cos u)");
+  py::class_<Cone> cone(m, "Cone", "Angular shape of a light. Angles are radians from the axis (half angles).");
+  cone.def(py::init([](ConeProfile profile, double half_angle, double exponent, double inner, double outer) {
+             return Cone{profile, half_angle, exponent, inner, outer};
+           }),
+           py::arg("profile") = ConeProfile::none, py::arg("half_angle") = 0., py::arg("exponent") = 0.,
+           py::arg("inner") = 0., py::arg("outer") = 0.)
+      .def_readwrite("profile", &Cone::profile, "ConeProfile")
+      .def_readwrite("half_angle", &Cone::half_angle, "cosine: (0, pi/2], where the light is cut off")
+      .def_readwrite("exponent", &Cone::exponent, "cosine: finite, >= 0; 0 is a flat beam")
+      .def_readwrite("inner", &Cone::inner, "smoothstep: [0, outer), full intensity up to here")
+      .def_readwrite("outer", &Cone::outer, "smoothstep: (inner, pi], no light beyond")
+      .def_static("cosine", &Cone::cosine, py::arg("half_angle"), py::arg("exponent"), "A cosine cone (Hales 2004).")
+      .def_static("smoothstep", &Cone::smoothstep, py::arg("inner"), py::arg("outer"),
+                  "The dual cone of the Cg Tutorial.")
+      .def(
+          "__eq__", [](const Cone& a, const Cone& b) { return a == b; }, py::is_operator());
+  make_record(cone, {"profile", "half_angle", "exponent", "inner", "outer"});
+
+  py::class_<Light> light(m, "Light", "A kind of light: what a light file holds.");
+  light
+      .def(py::init([](std::string name, const glm::dvec3& color, const Attenuation& falloff, double threshold,
+                       const Cone& shape, double density_scale) {
+             return Light{std::move(name), color, falloff, threshold, shape, density_scale};
+           }),
+           py::arg("name") = "", py::arg("color") = glm::dvec3(1), py::arg("attenuation") = Attenuation(),
+           py::arg("threshold") = kDefaultThreshold, py::arg("cone") = Cone(), py::arg("density_scale") = 1.)
+      .def_readwrite("name", &Light::name, "UTF-8")
+      .def_readwrite("color", &Light::color, "linear RGB, finite, >= 0; 1 is the display's white")
+      .def_readwrite("attenuation", &Light::attenuation, "Attenuation")
+      .def_readwrite("threshold", &Light::threshold, "(0, 1): attenuation at which the light ends")
+      .def_readwrite("cone", &Light::cone, "Cone")
+      .def_readwrite("density_scale", &Light::density_scale,
+                     "finite, >= 0: its class sees so much of the fog's density");
+  make_record(light, {"name", "color", "attenuation", "threshold", "cone", "density_scale"});
+
+  py::class_<PlacedLight> placed(m, "PlacedLight", "A light in a scene. World space, metres.");
+  placed
+      .def(py::init([](const Light& kind, const glm::dvec3& position, const glm::dvec3& direction, bool carried) {
+             return PlacedLight{kind, position, direction, carried};
+           }),
+           py::arg("light"), py::arg("position") = glm::dvec3(0), py::arg("direction") = glm::dvec3(0, 0, -1),
+           py::arg("carried") = false)
+      .def_readwrite("light", &PlacedLight::light, "Light")
+      .def_readwrite("position", &PlacedLight::position, "each coordinate at most 2^24 in magnitude")
+      .def_readwrite("direction", &PlacedLight::direction, "axis of the cone; its length is 1 within 1e-6")
+      .def_readwrite("carried", &PlacedLight::carried,
+                     "by the eye's vehicle: such lights, and only they, light the fog by Hales's term");
+  make_record(placed, {"light", "position", "direction", "carried"});
+
+  m.def("attenuation_at", py::vectorize([](Attenuation of, double range) { return attenuation_at(of, range); }),
+        py::arg("attenuation"), py::arg("range"),
+        "a(r), the fraction of its near brightness that a light has at ranges in metres; numbers or arrays.");
+  m.def("fog_factor_at", py::vectorize([](Fog seen, double range) { return fog_factor_at(seen, range); }),
+        py::arg("fog"), py::arg("range"),
+        "Fog factor f(r), the fraction of light that the fog lets through; numbers or arrays.");
+  m.def("opacity_at", py::vectorize([](Fog seen, double range) { return opacity_at(seen, range); }), py::arg("fog"),
+        py::arg("range"), "Opacity 1 - f(r), without the cancellation of the plain form; numbers or arrays.");
+  m.def(
+      "cone_at", py::vectorize([](Cone shape, double cos_angle) { return cone_at(shape, cos_angle); }), py::arg("cone"),
+      py::arg("cos_angle"),
+      "Fraction of the axial intensity that a cone sends into a direction, by the cosine of its angle from the axis;\n"
+      "numbers or arrays.");
+  m.def("compute_extent", py::overload_cast<const Attenuation&, double>(&compute_extent), py::arg("attenuation"),
+        py::arg("threshold") = kDefaultThreshold,
+        "The range in metres at which the attenuation falls to the threshold.");
+  m.def("flux_within", &flux_within, py::arg("cone"), py::arg("angle"),
+        "Flux in steradians of a cone whose axial intensity is 1, out to an angle in radians.");
+  m.def("angle_at_level", &angle_at_level, py::arg("cone"), py::arg("level"),
+        "Angle in radians up to which a cone keeps a fraction of its axial intensity.");
+  m.def("color_of_temperature", &color_of_temperature, py::arg("kelvin"),
+        "A colour temperature, 1000 to 25000 K, as linear sRGB whose largest component is 1.");
+}
+
+void bind_solve(py::module_& m) {
+  py::enum_<SolveStatus>(m, "SolveStatus", "How a solve ended.")
+      .value("ok", SolveStatus::ok, "the fields hold the supremum to the stated error")
+      .value("not_converged", SolveStatus::not_converged, "intensity is a lower bound, taken at peak_range");
+  py::enum_<BatchStatus>(m, "BatchStatus", "What became of a light of a batch: the values of a column of status.")
+      .value("ok", BatchStatus::ok, "solved to the stated error")
+      .value("not_converged", BatchStatus::not_converged, "as SolveStatus.not_converged")
+      .value("invalid", BatchStatus::invalid, "an argument breaks its rule: intensity, peak range and extent are 0");
+  py::class_<FogIntensity> solved(m, "FogIntensity", "Fog colour intensity of a light and where it is taken.");
+  solved
+      .def(py::init([](double intensity, double peak_range, double extent, SolveStatus status) {
+             return FogIntensity{intensity, peak_range, extent, status};
+           }),
+           py::arg("intensity"), py::arg("peak_range"), py::arg("extent"), py::arg("status"))
+      .def_readonly("intensity", &FogIntensity::intensity, "[0, 1]")
+      .def_readonly("peak_range", &FogIntensity::peak_range, "metres, [0, extent]; may be infinity")
+      .def_readonly("extent", &FogIntensity::extent, "metres")
+      .def_readonly("status", &FogIntensity::status, "SolveStatus");
+  make_record(solved, {"intensity", "peak_range", "extent", "status"});
+
+  const char* solve_doc =
+      "Fog colour intensity of a light: the supremum over [0, extent] of opacity(r) * attenuation(r), to 2 ulp.\n"
+      "A Light sees the fog at its density scale. ValueError with field, value and rule.";
+  m.def("solve_fog_intensity", py::overload_cast<const Attenuation&, const Fog&, double>(&solve_fog_intensity),
+        py::arg("attenuation"), py::arg("fog"), py::arg("threshold") = kDefaultThreshold, solve_doc);
+  m.def("solve_fog_intensity", py::overload_cast<const Light&, const Fog&>(&solve_fog_intensity), py::arg("light"),
+        py::arg("fog"), solve_doc);
+
+  py::class_<Solutions>(m, "BatchSolutions",
+                        "Where a batch's results go: one-dimensional arrays, or None for what is not to be computed.\n"
+                        "Columns of real numbers have the dtype of the lights' columns, status is uint8.")
+      .def(py::init([](py::object intensity, py::object peak_range, py::object extent, py::object status) {
+             return Solutions{std::move(intensity), std::move(peak_range), std::move(extent), std::move(status)};
+           }),
+           py::arg("intensity") = py::none(), py::arg("peak_range") = py::none(), py::arg("extent") = py::none(),
+           py::arg("status") = py::none())
+      .def_readonly("intensity", &Solutions::intensity, "[0, 1]")
+      .def_readonly("peak_range", &Solutions::peak_range, "metres")
+      .def_readonly("extent", &Solutions::extent, "metres")
+      .def_readonly("status", &Solutions::status, "values of BatchStatus")
+      .def_readonly("invalid_count", &Solutions::invalid_count, "how many lights of the last solve were invalid");
+  m.def(
+      "solve_fog_intensities",
+      [](py::object constant, py::object linear, py::object quadratic, py::object density, py::object threshold,
+         FogMode mode, const py::object& out) {
+        return solve_batch(
+            {std::move(constant), std::move(linear), std::move(quadratic), std::move(density), std::move(threshold)},
+            mode, out);
+      },
+      py::arg("constant"), py::arg("linear"), py::arg("quadratic"), py::arg("density"),
+      py::arg("threshold") = kDefaultThreshold, py::arg("mode") = FogMode::exp, py::kw_only(),
+      py::arg("out") = py::none(),
+      "solve_fog_intensity for many lights by SIMD. Columns are contiguous one-dimensional arrays, all float64 or all\n"
+      "float32, and are read where they lie; density and threshold may be numbers. Returns BatchSolutions: out, or "
+      "new\n"
+      "columns. No result may overlap another column. Invalid lights are counted and marked, not raised. Releases the\n"
+      "GIL. TypeError and ValueError for columns that do not fit.");
+}
+
+void bind_airlight(py::module_& m) {
+  py::enum_<LampLeg>(m, "LampLeg", "A light's own leg through the fog, from the lamp to where it is scattered.")
+      .value("clear", LampLeg::clear, "nothing is lost on it, as in Hales's model")
+      .value("fogged", LampLeg::fogged, "the fog factor is lost on it (single scattering)");
+  py::class_<Scattering> scattering(
+      m, "Scattering", "How fog scatters light into the eye. asymmetry: g of Henyey and Greenstein, in (-1, 1).");
+  scattering
+      .def(py::init([](LampLeg lamp_leg, double asymmetry) {
+             return Scattering{lamp_leg, asymmetry};
+           }),
+           py::arg("lamp_leg") = LampLeg::fogged, py::arg("asymmetry") = 0.)
+      .def_readwrite("lamp_leg", &Scattering::lamp_leg, "LampLeg")
+      .def_readwrite("asymmetry", &Scattering::asymmetry, "(-1, 1); 0 is isotropic, > 0 forward");
+  make_record(scattering, {"lamp_leg", "asymmetry"});
+
+  m.attr("EYE_RAY") = eye_ray_dtype();
+  m.def(
+      "airlight", &airlights_of, py::arg("light"), py::arg("fog"), py::arg("rays"),
+      py::arg("scattering") = Scattering(), py::kw_only(), py::arg("out") = py::none(),
+      "Airlight of a PlacedLight along rays from the eye: what of it the fog scatters into the eye, to be multiplied\n"
+      "with its colour. rays: contiguous array of dtype EYE_RAY and any shape, read where it lies; direction is unit,\n"
+      "length is metres to the surface or infinity. Returns out, or a new float64 array of the same shape. Errs by at\n"
+      "most 1/255 in isotropic fog. Releases the GIL. ValueError with field, value and rule, before any result is\n"
+      "written.");
+  const char* axial_doc =
+      "Airlight of a light along its own axis, the eye at the light, the light's leg clear; never below the fog "
+      "colour\n"
+      "intensity. ValueError with field, value and rule.";
+  m.def("axial_airlight", py::overload_cast<const Attenuation&, const Fog&, double>(&axial_airlight),
+        py::arg("attenuation"), py::arg("fog"), py::arg("threshold") = kDefaultThreshold, axial_doc);
+  m.def("axial_airlight", py::overload_cast<const Light&, const Fog&>(&axial_airlight), py::arg("light"),
+        py::arg("fog"), axial_doc);
+  m.def(
+      "axial_airlights",
+      [](py::object constant, py::object linear, py::object quadratic, py::object density, py::object threshold,
+         FogMode mode, const py::object& out) {
+        return axial_batch(
+            {std::move(constant), std::move(linear), std::move(quadratic), std::move(density), std::move(threshold)},
+            mode, out);
+      },
+      py::arg("constant"), py::arg("linear"), py::arg("quadratic"), py::arg("density"),
+      py::arg("threshold") = kDefaultThreshold, py::arg("mode") = FogMode::exp, py::kw_only(),
+      py::arg("out") = py::none(),
+      "axial_airlight for many lights: float64 columns as for solve_fog_intensities. Returns out, or a new column; 0 "
+      "for\n"
+      "an invalid light. Releases the GIL.");
+  m.def("light_reach", &light_reach, py::arg("light"), py::arg("fog"), py::arg("budget"),
+        py::arg("lamp_leg") = LampLeg::fogged,
+        "The range in metres beyond which a light shows on no surface and in no fog by as much as the budget, in (0, "
+        "1).");
+}
+
+void bind_updater(py::module_& m) {
+  m.attr("FOG_LIGHT_KIND") = kind_dtype();
+  m.attr("FOG_LIGHT_INSTANCE") = instance_dtype();
+  py::class_<FogLightHandle>(m, "FogLightHandle", "A light that a FogUpdater holds.")
+      .def(
+          "__eq__", [](const FogLightHandle& a, const FogLightHandle& b) { return a == b; }, py::is_operator());
+  py::class_<Changes>(m, "FogLightChanges", "What must be uploaded again: sorted, disjoint slices of each table.")
+      .def_readonly("kinds", &Changes::kinds, "slices of FogUpdater.kinds")
+      .def_readonly("instances", &Changes::instances, "slices of FogUpdater.instances");
+  py::class_<FogUpdateStatistics>(m, "FogUpdateStatistics", "What the last set_fog did.")
+      .def_readonly("kinds_solved", &FogUpdateStatistics::kinds_solved, "kinds")
+      .def_readonly("kinds_skipped", &FogUpdateStatistics::kinds_skipped, "the other kinds held")
+      .def_readonly("lights_skipped", &FogUpdateStatistics::lights_skipped, "lights off, black, or of a skipped kind")
+      .def_readonly("bytes_dirty", &FogUpdateStatistics::bytes_dirty, "of the entries in the slices returned");
+  py::class_<Updater, std::shared_ptr<Updater>>(
+      m, "FogUpdater",
+      "The lights of a scene as the shaders' tables, kept up to date through every change of the visibility. Lights\n"
+      "that agree in all but name, colour, position and direction share a kind; a change of the fog touches kinds\n"
+      "alone. The tables have every change of lights after the next set_fog.")
+      .def(py::init<double>(), py::arg("skip_budget_255") = kDefaultSkipBudget255)
+      .def(
+          "add",
+          [](Updater& updater, const PlacedLight& light) {
+            updater.require_no_views();
+            return updater.add(light);
+          },
+          py::arg("light"), "Adds a light, switched on. BufferError while views of the tables exist.")
+      .def(
+          "change",
+          [](Updater& updater, FogLightHandle handle, const PlacedLight& light) {
+            updater.require_no_views();
+            updater.change(handle, light);
+          },
+          py::arg("handle"), py::arg("light"),
+          "Replaces a light. If it is switched off, it stays so. BufferError while views of the tables exist.")
+      .def("switch_light", &Updater::switch_light, py::arg("handle"), py::arg("is_on"),
+           "The instance of a light that is off is black.")
+      .def("remove", &Updater::remove, py::arg("handle"), "Removes a light; its handle is then of no light.")
+      .def(
+          "set_fog",
+          [](Updater& updater, const Fog& fog) {
+            const FogLightChanges changes = updater.set_fog(fog);
+            return Changes{slices(changes.kinds), slices(changes.instances)};
+          },
+          py::arg("fog"),
+          "Brings the tables up to date with the fog and the lights. Returns what has changed or is new.")
+      .def_property_readonly(
+          "kinds",
+          [](const std::shared_ptr<Updater>& updater) { return view_table(updater, updater->kinds(), kind_dtype()); },
+          "The table of kinds where it lies: a read-only array of dtype FOG_LIGHT_KIND, which set_fog changes.")
+      .def_property_readonly(
+          "instances",
+          [](const std::shared_ptr<Updater>& updater) {
+            return view_table(updater, updater->instances(), instance_dtype());
+          },
+          "The table of instances where it lies: a read-only array of dtype FOG_LIGHT_INSTANCE, which set_fog changes.")
+      .def("instance_of", &Updater::instance_of, py::arg("handle"), "Index of a light among the instances.")
+      .def("kind_of", &Updater::kind_of, py::arg("handle"), "Index of a light's kind.")
+      .def_property_readonly(
+          "statistics", [](const Updater& updater) { return updater.statistics(); }, "Of the last set_fog.");
+}
+
+}  // namespace
+}  // namespace litfog::python
+
+PYBIND11_MODULE(litfog, m) {
+  m.doc() =
+      "How brightly lights make fog glow, with stated errors. Metres, densities in 1/m, angles in radians, colours in\n"
+      "linear RGB. A value out of range raises ValueError with the field, the value and the rule.";
+  m.attr("__version__") = LITFOG_VERSION;
+  litfog::python::bind_lights(m);
+  litfog::python::bind_solve(m);
+  litfog::python::bind_airlight(m);
+  litfog::python::bind_updater(m);
+  litfog::python::bind_components(m);
+}

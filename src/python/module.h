@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <array>
+#include <glm/vec3.hpp>
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+/// A vector is a tuple of three floats; any sequence of three numbers is taken for one.
+template <>
+struct pybind11::detail::type_caster<glm::dvec3> {
+  PYBIND11_TYPE_CASTER(glm::dvec3, const_name("Sequence[float]"));
+
+  bool load(handle source, bool convert) {
+    make_caster<std::array<double, 3>> three;
+    if (!three.load(source, convert)) return false;
+    const auto& [x, y, z] = cast_op<std::array<double, 3>&>(three);
+    value = {x, y, z};
+    return true;
+  }
+  static handle cast(const glm::dvec3& vector, return_value_policy, handle) {
+    return make_tuple(vector.x, vector.y, vector.z).release();
+  }
+};
+
+namespace litfog::python {
+
+namespace py = pybind11;
+
+/// Gives a class of plain fields a repr() that reads back, and pickling. Its constructor takes the fields in this
+/// order.
+void make_record(const py::object& type, std::initializer_list<const char*> fields);
+
+/// A structured dtype of float64 or float32 members; a width of 1 is a scalar.
+struct Member {
+  const char* name;
+  const char* format;
+  int width;
+};
+py::dtype make_dtype(std::initializer_list<Member> members);
+
+/// The vector's memory as an array, which owns it from now on.
+template <typename T>
+py::array own(std::vector<T> values, const py::dtype& dtype) {
+  auto* kept = new std::vector<T>(std::move(values));
+  const py::capsule owner(kept, [](void* vector) { delete static_cast<std::vector<T>*>(vector); });
+  return py::array(dtype, {py::ssize_t(kept->size())}, {}, kept->data(), owner);
+}
+
+/// Memory of another object, which stays alive with the array, as an array that cannot be written.
+py::array view(const py::dtype& dtype, std::vector<py::ssize_t> shape, const void* data, const py::object& owner);
+
+/// Light files, photometric files and fits.
+void bind_components(py::module_& module);
+
+}  // namespace litfog::python

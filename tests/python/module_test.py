@@ -1,0 +1,407 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`import litfog` beside the command litfog-solve, which calls the same C++ without Python.
+
+module_test.py <litfog-solve> <data folder> <tests/data folder> <litfog.pyi>
+"""
+
+import ast
+import copy
+import json
+import math
+import os
+import pickle
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+
+import litfog
+import numpy as np
+
+solve_command, data, test_data, stub_file = sys.argv[1:5]
+
+
+def random_columns(count, dtype):
+    """Attenuations of lights of 5 m to 5,000 m and densities of 50 m to 10,000 m of visibility, by a fixed seed."""
+    random = np.random.default_rng(7)
+    extent = 10 ** random.uniform(0.7, 3.7, count)
+    return [
+        column.astype(dtype)
+        for column in (
+            random.uniform(0.2, 2, count),
+            random.uniform(0, 10, count) / extent,
+            random.uniform(0, 10, count) / extent**2 + 1e-9,
+            3 / 10 ** random.uniform(1.7, 4, count),
+        )
+    ]
+
+
+def address(array):
+    return array.__array_interface__["data"][0]
+
+
+class SolveTest(unittest.TestCase):
+    def test_solutions_are_those_of_the_command_to_the_bit(self):
+        lamp_file = os.path.join(data, "lights", "landing-lamp.json")
+        for mode in (litfog.FogMode.exp, litfog.FogMode.exp2):
+            output = subprocess.run(
+                [solve_command, "--light", lamp_file, "--fog", mode.name, "--visibility", "50,400,1500,inf", "--format", "json"],
+                check=True, capture_output=True, text=True,
+            ).stdout
+            lamp = litfog.read_light(lamp_file)
+            for row in json.loads(output):
+                fog = litfog.Fog.from_visibility(mode, float(row["visibility_m"]))
+                solved = litfog.solve_fog_intensity(lamp, fog)
+                self.assertEqual(
+                    (fog.density, solved.intensity, solved.peak_range, solved.extent, litfog.axial_airlight(lamp, fog)),
+                    (row["density"], row["intensity"], row["peak_range"], row["extent"], row["airlight"]),
+                )
+                self.assertEqual(litfog.solve_fog_intensity(lamp.attenuation, fog, lamp.threshold).intensity, row["intensity"])
+
+    def test_wrong_values_raise_field_value_and_rule(self):
+        with self.assertRaisesRegex(ValueError, r"^attenuation\.linear = -1: must be finite and >= 0$"):
+            litfog.solve_fog_intensity(litfog.Attenuation(linear=-1), litfog.Fog(density=1))
+        with self.assertRaisesRegex(ValueError, "^visibility = nan: must be >= 0$"):
+            litfog.Fog.from_visibility(litfog.FogMode.exp, math.nan)
+
+    def test_values_are_read_back_from_repr_and_pickle(self):
+        light = litfog.Light("a", (1, 0.5, 0), litfog.Attenuation(0.5, 0.1, 2), 0.1, litfog.Cone.cosine(0.3, 7), 0.4)
+        placed = litfog.PlacedLight(light, (1, 2, 3), (1, 0, 0), True)
+        for value in (placed, litfog.Fog(litfog.FogMode.exp2, 0.25), litfog.Scattering(litfog.LampLeg.clear, 0.5)):
+            self.assertEqual(repr(eval(repr(value))), repr(value))
+            self.assertEqual(repr(pickle.loads(pickle.dumps(value))), repr(value))
+            self.assertEqual(repr(copy.deepcopy(value)), repr(value))
+        self.assertEqual(placed.light.color, (1, 0.5, 0))
+
+    def test_functions_of_range_take_numbers_and_arrays(self):
+        attenuation, fog = litfog.Attenuation(1, 0, 0.25), litfog.Fog(density=0.5)
+        ranges = np.array([[0.0, 2.0], [4.0, math.inf]])
+        self.assertEqual(litfog.attenuation_at(attenuation, 2.0), 0.5)
+        np.testing.assert_array_equal(litfog.attenuation_at(attenuation, ranges), [[1, 0.5], [0.2, 0]])
+        np.testing.assert_allclose(litfog.opacity_at(fog, ranges), -np.expm1(-0.5 * ranges), rtol=1e-15)
+        np.testing.assert_allclose(litfog.fog_factor_at(fog, ranges), np.exp(-0.5 * ranges), atol=3e-16)
+        self.assertEqual(litfog.cone_at(litfog.Cone.cosine(1, 2), 0.75), 0.5625)
+
+
+class BatchTest(unittest.TestCase):
+    def test_columns_of_both_precisions_are_solved_as_single_lights_are(self):
+        for dtype, largest in ((np.float64, 4e-16 * 2), (np.float32, 2.5e-7)):
+            constant, linear, quadratic, density = random_columns(1000, dtype)
+            solved = litfog.solve_fog_intensities(constant, linear, quadratic, density)
+            self.assertEqual((solved.intensity.dtype, solved.status.dtype), (dtype, np.uint8))
+            self.assertEqual((solved.invalid_count, solved.status.max()), (0, int(litfog.BatchStatus.ok)))
+            for i in range(0, 1000, 37):
+                single = litfog.solve_fog_intensity(
+                    litfog.Attenuation(constant[i], linear[i], quadratic[i]), litfog.Fog(density=density[i])
+                )
+                self.assertLessEqual(abs(solved.intensity[i] - single.intensity), largest * single.intensity)
+                self.assertLessEqual(abs(solved.extent[i] - single.extent), largest * single.extent)
+
+    def test_results_are_written_where_out_lies_and_nowhere_else(self):
+        constant, linear, quadratic, density = random_columns(100, np.float64)
+        whole = litfog.solve_fog_intensities(constant, linear, quadratic, density)
+        table = np.zeros((3, 100))
+        out = litfog.BatchSolutions(intensity=table[1])
+        before = address(out.intensity)
+        self.assertIs(litfog.solve_fog_intensities(constant, linear, quadratic, density, out=out), out)
+        self.assertEqual((address(out.intensity), out.intensity.base is table), (before, True))
+        np.testing.assert_array_equal(table, [np.zeros(100), whole.intensity, np.zeros(100)])
+        self.assertIsNone(out.extent)
+
+    def test_lights_are_read_where_they_lie(self):
+        # A copy of the columns would be 24 MB: the process must not grow by it. Its peak is what the kernel counted.
+        import resource
+
+        count = 1_000_000
+        constant, linear, quadratic = np.ones(count), np.zeros(count), np.full(count, 1e-4)
+        out = litfog.BatchSolutions(intensity=np.ones(count))
+        litfog.solve_fog_intensities(constant[:10], linear[:10], quadratic[:10], 0.01)
+        before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+        litfog.solve_fog_intensities(constant, linear, quadratic, 0.01, out=out)
+        self.assertLess(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before, 4000)  # KiB
+
+    def test_invalid_lights_are_counted_and_marked(self):
+        solved = litfog.solve_fog_intensities(np.array([1.0, -1.0]), np.zeros(2), np.ones(2), 0.01)
+        self.assertEqual((solved.invalid_count, list(solved.status)), (1, [0, int(litfog.BatchStatus.invalid)]))
+        self.assertEqual(solved.intensity[1], 0)
+
+    def test_modes_and_single_values_reach_the_solver(self):
+        one = np.ones(1)
+        solved = litfog.solve_fog_intensities(one, 0 * one, 0.25 * one, 0.125, 0.5, litfog.FogMode.exp2)
+        single = litfog.solve_fog_intensity(litfog.Attenuation(1, 0, 0.25), litfog.Fog(litfog.FogMode.exp2, 0.125), 0.5)
+        self.assertAlmostEqual(solved.intensity[0], single.intensity, 14)
+        self.assertEqual(solved.extent[0], single.extent)
+        np.testing.assert_array_equal(
+            litfog.axial_airlights(one, 0 * one, 0.25 * one, np.array([0.125]), mode=litfog.FogMode.exp),
+            [litfog.axial_airlight(litfog.Attenuation(1, 0, 0.25), litfog.Fog(density=0.125))],
+        )
+
+    def test_columns_that_do_not_fit_are_refused_with_a_sentence(self):
+        ones = np.ones(4)
+        read_only = np.zeros(4)
+        read_only.flags.writeable = False
+        unaligned = np.zeros(33, np.uint8)[1:].view(np.float64)
+        for columns, error, sentence in (
+            (([1.0], ones, ones, 1), TypeError, "constant: must be a NumPy array of float64, is of type list"),
+            ((ones, ones.astype("f4"), ones, 1), TypeError, "linear: must be a NumPy array of float64, is one of float32"),
+            ((ones, ones, ones.astype(">f8"), 1), TypeError, "quadratic: must be a NumPy array of float64, is one of >f8"),
+            ((ones, ones, np.ones(8)[::2], 1), ValueError, "quadratic: must be contiguous and aligned; "),
+            ((ones, ones, unaligned, 1), ValueError, "quadratic: must be contiguous and aligned; "),
+            ((ones, ones[:3], ones, 1), ValueError, "linear: must have 4 values, has 3"),
+            ((np.ones((2, 2)), ones, ones, 1), ValueError, "constant: must have one dimension, has 2"),
+            ((ones, ones, ones, "thick"), TypeError, "density: must be a number or a NumPy array"),
+            ((ones, ones, ones, 1, np.ones(3)), ValueError, "threshold: must have 4 values, has 3"),
+        ):
+            with self.assertRaises(error) as raised:
+                litfog.solve_fog_intensities(*columns)
+            self.assertTrue(str(raised.exception).startswith(sentence), raised.exception)
+        for out, error, sentence in (
+            (np.zeros(3), ValueError, "out.intensity: must have 4 values, has 3"),
+            (np.zeros(4, np.float32), TypeError, "out.intensity: must be a NumPy array of float64, is one of float32"),
+            (read_only, ValueError, "out.intensity: must be writeable"),
+            (ones, ValueError, "out.intensity: must not overlap constant"),
+        ):
+            with self.assertRaises(error) as raised:
+                litfog.solve_fog_intensities(ones, ones, ones, 1, out=litfog.BatchSolutions(intensity=out))
+            self.assertEqual(str(raised.exception), sentence)
+
+    def test_another_thread_runs_while_a_batch_is_solved(self):
+        count = 1_500_000
+        constant, linear, quadratic = np.ones(count), np.full(count, 1e-3), np.full(count, 1e-4)
+        out = litfog.BatchSolutions(intensity=np.zeros(count))
+        # With the GIL held this thread could not run within the call at all.
+        times = []
+        done = threading.Event()
+
+        def watch():
+            while not done.is_set():
+                times.append(time.perf_counter())
+                time.sleep(0.0005)
+
+        watcher = threading.Thread(target=watch)
+        watcher.start()
+        try:
+            begin = time.perf_counter()
+            for _ in range(20):
+                litfog.solve_fog_intensities(constant, linear, quadratic, 0.01, out=out)
+                end = time.perf_counter()
+                inner = [t for t in times if begin + 0.2 * (end - begin) < t < begin + 0.8 * (end - begin)]
+                if len(inner) >= 3:
+                    break
+                begin = time.perf_counter()
+        finally:
+            done.set()
+            watcher.join()
+        self.assertGreaterEqual(len(inner), 3)
+
+
+class AirlightTest(unittest.TestCase):
+    def setUp(self):
+        self.fog = litfog.Fog.from_visibility(litfog.FogMode.exp, 1500)
+        self.light = litfog.PlacedLight(litfog.Light(attenuation=litfog.Attenuation(1, 0, 9.5e-5)), (0, 30, -200))
+
+    def test_rays_of_any_shape_are_read_and_written_where_they_lie(self):
+        rays = np.zeros((3, 5), litfog.EYE_RAY)
+        rays["direction"] = (0, 0, -1)
+        rays["length"] = np.linspace(10, 1000, 15).reshape(3, 5)
+        rays[0, 0]["length"] = math.inf
+        airlights = litfog.airlight(self.light, self.fog, rays)
+        self.assertEqual(airlights.shape, (3, 5))
+        self.assertAlmostEqual(airlights[0, 0], 0.256, 3)  # as the README's program prints it
+        self.assertTrue(np.all(np.diff(airlights.ravel()[1:]) >= 0))
+        out = np.zeros((3, 5))
+        self.assertIs(litfog.airlight(self.light, self.fog, rays, out=out), out)
+        np.testing.assert_array_equal(out, airlights)
+        single = litfog.airlight(self.light, self.fog, rays[0, :1])
+        self.assertEqual(single[0], airlights[0, 0])
+        forward = litfog.airlight(self.light, self.fog, rays, litfog.Scattering(asymmetry=0.8))
+        self.assertTrue(np.all(forward != airlights))
+
+    def test_rays_that_do_not_fit_are_refused_before_results_are_written(self):
+        rays = np.zeros(2, litfog.EYE_RAY)
+        rays["direction"] = [(0, 0, -1), (0, 0, -2)]
+        out = np.full(2, 7.0)
+        with self.assertRaisesRegex(ValueError, "length must be 1 within 1e-6"):
+            litfog.airlight(self.light, self.fog, rays, out=out)
+        np.testing.assert_array_equal(out, [7, 7])
+        with self.assertRaisesRegex(TypeError, "^rays: must be a NumPy array of .*origin.*, is one of float64$"):
+            litfog.airlight(self.light, self.fog, np.zeros((2, 7)))
+        with self.assertRaisesRegex(ValueError, r"^out: must have the shape \(2,\), has \(3,\)$"):
+            litfog.airlight(self.light, self.fog, rays, out=np.zeros(3))
+        with self.assertRaisesRegex(ValueError, "^out: must not overlap rays$"):
+            litfog.airlight(self.light, self.fog, rays, out=rays.view(np.float64)[:2])
+
+    def test_reach_holds_what_shows(self):
+        reach = litfog.light_reach(self.light.light, self.fog, 1 / 255)
+        shown = litfog.attenuation_at(self.light.light.attenuation, reach) * litfog.fog_factor_at(self.fog, reach)
+        self.assertTrue(0 < reach <= litfog.compute_extent(self.light.light.attenuation))
+        self.assertTrue(shown <= 1 / 255 or reach == litfog.compute_extent(self.light.light.attenuation))
+
+
+class UpdaterTest(unittest.TestCase):
+    lamp = litfog.Light(attenuation=litfog.Attenuation(1, 0, 9.5e-5))
+
+    def test_tables_are_views_that_follow_the_fog(self):
+        updater = litfog.FogUpdater()
+        handle = updater.add(litfog.PlacedLight(self.lamp, (1, 2, 3), carried=True))
+        other = updater.add(litfog.PlacedLight(self.lamp, (4, 5, 6)))
+        fog = litfog.Fog(density=0.003)
+        changes = updater.set_fog(fog)
+        self.assertEqual((changes.kinds, changes.instances), ([slice(0, 2, 1)], [slice(0, 2, 1)]))
+        kinds, instances = updater.kinds, updater.instances
+        self.assertEqual((kinds.dtype, instances.dtype), (litfog.FOG_LIGHT_KIND, litfog.FOG_LIGHT_INSTANCE))
+        self.assertEqual((address(kinds), kinds.flags.writeable), (address(updater.kinds), False))
+        kind = updater.kind_of(handle)
+        solved = litfog.solve_fog_intensity(self.lamp.attenuation, fog)
+        self.assertEqual(kinds[kind]["cone_scale_intensity"][3], np.float32(solved.intensity))
+        self.assertEqual(list(instances[updater.instance_of(other)]["position_kind"][:3]), [4, 5, 6])
+
+        thicker = litfog.Fog(density=0.03)
+        changes = updater.set_fog(thicker)
+        self.assertEqual((changes.kinds, changes.instances), ([slice(kind, kind + 1, 1)], []))
+        solved = litfog.solve_fog_intensity(self.lamp.attenuation, thicker)
+        self.assertEqual(kinds[kind]["cone_scale_intensity"][3], np.float32(solved.intensity))  # the same view
+        self.assertEqual((updater.statistics.kinds_solved, updater.statistics.bytes_dirty), (1, 32))
+
+        updater.switch_light(other, False)
+        changes = updater.set_fog(thicker)
+        self.assertEqual(list(instances[changes.instances[0]][0]["color"][:3]), [0, 0, 0])
+
+    def test_tables_do_not_move_while_views_exist_and_live_as_long_as_these(self):
+        updater = litfog.FogUpdater()
+        handle = updater.add(litfog.PlacedLight(self.lamp))
+        updater.set_fog(litfog.Fog(density=0.003))
+        row = updater.instances[:1]
+        for change in (lambda: updater.add(litfog.PlacedLight(self.lamp)),
+                       lambda: updater.change(handle, litfog.PlacedLight(self.lamp))):
+            with self.assertRaisesRegex(BufferError, "^views of the updater's tables exist"):
+                change()
+        del row
+        updater.change(handle, litfog.PlacedLight(self.lamp, (7, 8, 9)))
+        updater.set_fog(litfog.Fog(density=0.003))
+        row = updater.instances
+        del updater
+        self.assertEqual(list(row[0]["position_kind"][:3]), [7, 8, 9])
+
+    def test_handles_of_no_light_are_refused(self):
+        updater = litfog.FogUpdater()
+        handle = updater.add(litfog.PlacedLight(self.lamp))
+        updater.remove(handle)
+        with self.assertRaises(ValueError):
+            updater.switch_light(handle, True)
+
+
+class FileTest(unittest.TestCase):
+    def test_lights_are_written_and_read_back(self):
+        light = litfog.Light("lamp", (1, 0.9, 0.8), litfog.Attenuation(1, 0.1, 0.01), 0.1, litfog.Cone(), 0.4)
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "lamp.json")
+            litfog.write_light(path, light, ["a test"])
+            with open(path, encoding="utf-8") as file:
+                self.assertEqual(file.read(), litfog.format_light(light, ["a test"]))
+            self.assertEqual(repr(litfog.read_light(path)), repr(light))
+            with self.assertRaisesRegex(litfog.OutputError, "missing/lamp.json: cannot be written"):
+                litfog.write_light(os.path.join(folder, "missing", "lamp.json"), light)
+
+    def test_errors_of_files_have_file_line_and_column(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "lamp.json")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write('{"litfog": "light", "version": 1,\n "attenuation": {"constant": 1},\n "threshold": -7}')
+            with self.assertRaises(litfog.InputError) as raised:
+                litfog.read_light(path)
+            error = raised.exception
+            self.assertEqual((error.file, error.line, error.column), (path, 3, 15))
+            self.assertEqual(str(error), path + ":3:15: threshold = -7: must be in (0, 1)")
+            self.assertIsInstance(error, ValueError)
+            with self.assertRaises(litfog.InputError) as raised:  # a name that is no UTF-8
+                litfog.read_light(os.fsencode(folder) + b"/\xff.json")
+            self.assertEqual(os.fsencode(raised.exception.file), os.fsencode(folder) + b"/\xff.json")
+
+
+class PhotometryTest(unittest.TestCase):
+    def test_files_are_read_as_tables_with_flux_and_profile(self):
+        luminaire = litfog.read_luminaire(os.path.join(test_data, "photometry", "runway_edge_light.ldt"))
+        distribution = luminaire.distribution
+        table = distribution.intensity
+        self.assertEqual(table.shape, (distribution.horizontal.size, distribution.vertical.size))
+        self.assertEqual((address(table), table.flags.writeable), (address(distribution.intensity), False))
+        self.assertEqual(table.max(), litfog.find_peak(distribution).intensity)
+        flux, stated = litfog.luminous_flux(distribution), litfog.stated_flux(luminaire)
+        self.assertLess(abs(flux / stated - 1), 0.1)
+        profile = litfog.axial_profile(distribution)
+        self.assertEqual((profile.dtype, profile["angle"][0], profile["angle"][-1]), (litfog.AXIAL_SAMPLE, 0, math.pi))
+        self.assertTrue(0 <= litfog.asymmetry(distribution) <= 1)
+        del luminaire, distribution
+        self.assertGreater(table.max(), 0)  # it lives as long as its view
+        with self.assertRaises(litfog.InputError):
+            litfog.read_luminaire(stub_file)
+
+
+class FitTest(unittest.TestCase):
+    def test_attenuations_are_found_again(self):
+        wanted = litfog.Attenuation(0.8, 0.02, 0.003)
+        ranges = np.linspace(10, 90, 9)
+        fit = litfog.fit_attenuation(ranges=ranges, attenuations=litfog.attenuation_at(wanted, ranges))
+        self.assertEqual(fit.status, litfog.AttenuationFitStatus.optimal)
+        for name in ("constant", "linear", "quadratic"):
+            self.assertAlmostEqual(getattr(fit.attenuation, name), getattr(wanted, name), 8)
+        self.assertEqual((fit.residuals.size, fit.covariance.shape), (9, (3, 3)))
+        met = litfog.fit_attenuation(extent=100)
+        self.assertAlmostEqual(litfog.compute_extent(met.attenuation), 100, 9)
+        with self.assertRaisesRegex(ValueError, r"^samples\[1\]\.attenuation = 0: must be in \[1e-100, 1\]$"):
+            litfog.fit_attenuation(ranges=[1, 2], attenuations=[1, 0])
+        with self.assertRaisesRegex(ValueError, "^ranges, attenuations and weights: must be one-dimensional and of one"):
+            litfog.fit_attenuation(ranges=[1, 2], attenuations=[1])
+
+    def test_cones_are_found_again(self):
+        wanted = litfog.Cone.smoothstep(0.1, 0.4)
+        angles = np.linspace(0, 0.6, 40)
+        fit = litfog.fit_cone(angles=angles, intensities=500 * litfog.cone_at(wanted, np.cos(angles)))
+        self.assertEqual((fit.profile, fit.best.cone.profile), (litfog.ConeProfile.smoothstep,) * 2)
+        self.assertAlmostEqual(fit.best.cone.inner, 0.1, 4)
+        self.assertAlmostEqual(fit.best.cone.outer, 0.4, 4)
+        beam = litfog.fit_cone(choice=litfog.ConeChoice.cosine, beam_angle=0.5).best.cone
+        self.assertAlmostEqual(litfog.angle_at_level(beam, 0.5), 0.25, 4)
+        self.assertTrue(0 < litfog.flux_within(beam, math.pi) < 4 * math.pi)
+
+
+class FaceTest(unittest.TestCase):
+    def test_every_public_name_has_a_text_and_stands_in_the_stub(self):
+        with open(stub_file, encoding="utf-8") as file:
+            stub = ast.parse(file.read())
+
+        def names_of(nodes):
+            names = {}
+            for node in nodes:
+                if isinstance(node, (ast.FunctionDef, ast.ClassDef)):
+                    names[node.name] = node
+                elif isinstance(node, ast.AnnAssign):
+                    names[node.target.id] = node
+                elif isinstance(node, ast.Assign):
+                    names[node.targets[0].id] = node
+            return {name: node for name, node in names.items() if not name.startswith("_")}
+
+        def public(owner):
+            return {name for name in vars(owner) if not name.startswith("_")}
+
+        stubs = names_of(stub.body)
+        self.assertEqual(public(litfog), set(stubs))
+        for name in public(litfog):
+            value = getattr(litfog, name)
+            if isinstance(value, (float, tuple, np.dtype)):
+                continue
+            self.assertTrue(value.__doc__, name)
+            if not isinstance(value, type) or issubclass(value, Exception):
+                continue
+            members = public(value) - ({"name", "value"} if hasattr(value, "__members__") else set())
+            self.assertEqual(members, set(names_of(stubs[name].body)), name)
+            for member in members:
+                if not hasattr(value, "__members__"):
+                    self.assertTrue(getattr(value, member).__doc__, f"{name}.{member}")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

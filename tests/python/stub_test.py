@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a user writes, as mypy --strict sees it by the stub; never run."""
+
+import litfog
+import numpy as np
+
+fog = litfog.Fog.from_visibility(litfog.FogMode.exp2, 400, contrast=litfog.CONTRAST_KOSCHMIEDER)
+lamp: litfog.Light = litfog.read_light("lamp.json")
+peak: float = litfog.solve_fog_intensity(lamp, fog).intensity
+for dtype in (np.float32, np.float64):
+    column = np.ones(8, dtype)
+    out = litfog.BatchSolutions(intensity=np.empty(8))
+    invalid: int = litfog.solve_fog_intensities(column, column, column, 0.01, mode=fog.mode, out=out).invalid_count
+rays = np.zeros((4, 4), litfog.EYE_RAY)
+airlights: np.ndarray[tuple[int, ...], np.dtype[np.float64]] = litfog.airlight(litfog.PlacedLight(lamp), fog, rays)
+updater = litfog.FogUpdater()
+handle: litfog.FogLightHandle = updater.add(litfog.PlacedLight(lamp, carried=True))
+for dirty in updater.set_fog(fog).kinds:
+    updater.kinds[dirty].tobytes()
+covariance = litfog.fit_attenuation(extent=50).covariance
+if covariance is not None:
+    covariance.trace()
+updater.add(lamp)  # type: ignore[arg-type]
