@@ -73,16 +73,16 @@ namespace {
 /// An argument as the array that it must be: of this dtype and contiguous. Nothing is converted, because a copy would
 /// be made without a word, and results written into one would be lost.
 py::array take_array(const py::object& object, const std::string& name, const py::dtype& dtype, bool is_written) {
-  const std::string rule = name + ": must be a NumPy array of " + text_of(dtype);
+  const auto refuse_type = [&name, &dtype](const std::string& what_it_is) {
+    throw py::type_error(name + ": must be a NumPy array of " + text_of(dtype) + ", is " + what_it_is);
+  };
   if (!py::isinstance<py::array>(object)) {
-    throw py::type_error(rule + ", is of type " + text_of(py::type::of(object).attr("__name__")));
+    refuse_type("of type " + text_of(py::type::of(object).attr("__name__")));
   }
   auto array = py::reinterpret_borrow<py::array>(object);
-  if (!array.dtype().equal(dtype)) {
-    throw py::type_error(rule + ", is one of " + text_of(array.dtype()));
-  }
-  const py::object flags = array.attr("flags");
-  if (!flags.attr("c_contiguous").cast<bool>() || !flags.attr("aligned").cast<bool>()) {
+  if (!array.dtype().equal(dtype)) refuse_type("one of " + text_of(array.dtype()));
+  constexpr int kNeeded = int(py::array::c_style) | int(py::detail::npy_api::NPY_ARRAY_ALIGNED_);
+  if ((array.flags() & kNeeded) != kNeeded) {
     throw py::value_error(name + ": must be contiguous and aligned; numpy.ascontiguousarray makes such a copy");
   }
   if (is_written && !array.writeable()) throw py::value_error(name + ": must be writeable");
