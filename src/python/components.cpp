@@ -38,7 +38,7 @@ void bind_errors(py::module_& m) {
       "1)\".\n"
       "Attributes: file, the path as given; line and column, from 1; 0 where the error is of the whole.";
   output_error.attr("__doc__") = "Output that could not be written; str() is the whole sentence.";
-  py::register_exception_translator([](std::exception_ptr thrown) {
+  py::register_local_exception_translator([](std::exception_ptr thrown) {
     try {
       std::rethrow_exception(thrown);
     } catch (const InputError& error) {

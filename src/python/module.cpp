@@ -537,7 +537,8 @@ void bind_updater(py::module_& m) {
   m.attr("FOG_LIGHT_INSTANCE") = instance_dtype();
   py::class_<FogLightHandle>(m, "FogLightHandle", "A light that a FogUpdater holds.")
       .def(
-          "__eq__", [](const FogLightHandle& a, const FogLightHandle& b) { return a == b; }, py::is_operator());
+          "__eq__", [](const FogLightHandle& a, const FogLightHandle& b) { return a == b; }, py::is_operator())
+      .def("__hash__", [](const FogLightHandle& a) { return std::uint64_t{a.generation} << 32 | a.slot; });
   py::class_<Changes>(m, "FogLightChanges", "What must be uploaded again: sorted, disjoint slices of each table.")
       .def_readonly("kinds", &Changes::kinds, "slices of FogUpdater.kinds")
       .def_readonly("instances", &Changes::instances, "slices of FogUpdater.instances");

@@ -261,6 +261,7 @@ class UpdaterTest(unittest.TestCase):
         updater = litfog.FogUpdater()
         handle = updater.add(litfog.PlacedLight(self.lamp, (1, 2, 3), carried=True))
         other = updater.add(litfog.PlacedLight(self.lamp, (4, 5, 6)))
+        self.assertEqual(len({handle, other, handle}), 2)
         fog = litfog.Fog(density=0.003)
         changes = updater.set_fog(fog)
         self.assertEqual((changes.kinds, changes.instances), ([slice(0, 2, 1)], [slice(0, 2, 1)]))
@@ -330,6 +331,8 @@ class FileTest(unittest.TestCase):
             self.assertEqual((error.file, error.line, error.column), (path, 3, 15))
             self.assertEqual(str(error), path + ":3:15: threshold = -7: must be in (0, 1)")
             self.assertIsInstance(error, ValueError)
+            sent = pickle.loads(pickle.dumps(error))  # as from another process
+            self.assertEqual((str(sent), sent.file, sent.line, sent.column), (str(error), path, 3, 15))
             with self.assertRaises(litfog.InputError) as raised:  # a name that is no UTF-8
                 litfog.read_light(os.fsencode(folder) + b"/\xff.json")
             self.assertEqual(os.fsencode(raised.exception.file), os.fsencode(folder) + b"/\xff.json")
