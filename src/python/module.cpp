@@ -213,7 +213,12 @@ void solve_columns(FogMode mode, const Lights& lights, std::optional<Solutions>&
 /// out  a Solutions, which is returned, or None
 py::object solve_batch(const Lights& lights, FogMode mode, const py::object& out) {
   std::optional<Solutions> solutions;
-  if (!out.is_none()) solutions = out.cast<Solutions>();
+  if (!out.is_none()) {
+    if (!py::isinstance<Solutions>(out)) {
+      throw py::type_error("out: must be a BatchSolutions, is of type " + text_of(py::type::of(out).attr("__name__")));
+    }
+    solutions = out.cast<Solutions>();
+  }
   const bool is_float = py::isinstance<py::array>(lights.constant) &&
                         py::reinterpret_borrow<py::array>(lights.constant).dtype().equal(py::dtype::of<float>());
   (is_float ? solve_columns<float> : solve_columns<double>)(mode, lights, solutions);

@@ -177,6 +177,8 @@ class BatchTest(unittest.TestCase):
             with self.assertRaises(error) as raised:
                 litfog.solve_fog_intensities(ones, ones, ones, 1, out=litfog.BatchSolutions(intensity=out))
             self.assertEqual(str(raised.exception), sentence)
+        with self.assertRaisesRegex(TypeError, "^out: must be a BatchSolutions, is of type ndarray$"):
+            litfog.solve_fog_intensities(ones, ones, ones, 1, out=np.zeros(4))
 
     def test_another_thread_runs_while_a_batch_is_solved(self):
         count = 1_500_000
