@@ -47,12 +47,12 @@ litfog_status solve_batch(int32_t mode, const Lights* lights, const Solutions* s
     const BasicBatchLights<Real> batch = batch_lights<Real>(lights);
     const Solutions& to = c::at(solutions, "solutions");
     const std::size_t count = lights->count;
-    const std::size_t found =
-        solve_fog_intensities(c::fog_mode(mode), batch,
-                              BasicBatchSolutions<Real>{.intensity = result_column<Real>(to.intensity, count),
-                                                        .peak_range = result_column<Real>(to.peak_range, count),
-                                                        .extent = result_column<Real>(to.extent, count),
-                                                        .status = result_column<BatchStatus>(to.status, count)});
+    const std::size_t found = solve_fog_intensities(
+        c::fog_mode(mode), batch,
+        BasicBatchSolutions<Real>{.intensity = c::array(to.intensity, count, "solutions.intensity"),
+                                  .peak_range = result_column<Real>(to.peak_range, count),
+                                  .extent = result_column<Real>(to.extent, count),
+                                  .status = result_column<BatchStatus>(to.status, count)});
     if (invalid != nullptr) *invalid = found;
   });
 }

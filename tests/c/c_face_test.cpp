@@ -165,6 +165,9 @@ TEST_F(CFace, BatchRefusesColumnsThatDoNotFit) {
   lights.linear = column;
   EXPECT_EQ(litfog_solve_batch(2, &lights, &solutions, nullptr), LITFOG_INVALID_ARGUMENT);
   EXPECT_STREQ(litfog_last_error(), "fog.mode = 2: must be in [0, 1]");
+  const litfog_batch_solutions without_intensity{nullptr, results, nullptr, nullptr};
+  EXPECT_EQ(litfog_solve_batch(LITFOG_FOG_EXP, &lights, &without_intensity, nullptr), LITFOG_INVALID_ARGUMENT);
+  EXPECT_STREQ(litfog_last_error(), "solutions.intensity: must not be NULL");
   EXPECT_EQ(results[0], 7);
   lights = {};
   lights.threshold = lights.density = column;
