@@ -73,9 +73,8 @@ std::vector<std::uint8_t> shown_pixels(const render::Picture& picture) {
   OIIO::add_dither(3, picture.width, picture.height, 1, values.data(), 3 * sizeof(float), row, row * picture.height,
                    1.0f / 255, -1, -1, kDitherSeed);
   std::vector<std::uint8_t> pixels(values.size());
-  std::ranges::transform(values, pixels.begin(), [](float value) {
-    return std::uint8_t(std::clamp(value * 255.0f + 0.5f, 0.0f, 255.0f));
-  });
+  std::ranges::transform(values, pixels.begin(),
+                         [](float value) { return std::uint8_t(std::clamp(value * 255.0f + 0.5f, 0.0f, 255.0f)); });
   return pixels;
 }
 

@@ -34,11 +34,7 @@ double slope_in_fog(double fog_above_eye, double range) {
 
 FramePlanner::FramePlanner(const scene::Scene& scene, const SceneLights& lights, const SurfaceList& surfaces,
                            const RenderSettings& settings)
-    : scene_(scene),
-      lights_(lights),
-      surfaces_(surfaces),
-      settings_(settings),
-      foggy_(surfaces.surfaces().size()) {}
+    : scene_(scene), lights_(lights), surfaces_(surfaces), settings_(settings), foggy_(surfaces.surfaces().size()) {}
 
 void FramePlanner::set_fog(const Fog& fog, bool is_fog_lit) {
   fog_ = fog;

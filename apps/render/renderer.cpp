@@ -108,8 +108,8 @@ void Renderer::set_size(int width, int height) {
 void Renderer::set_lights() {
   lights_ = SceneLights(scene_, settings_);
   light_tables_ = {};  // so that all are uploaded
-  cookie_cones_ = BufferTexture(lights_.cookie_cones().data(), lights_.cookie_cones().size_bytes(),
-                                BufferTexture::Texel::float4);
+  cookie_cones_ =
+      BufferTexture(lights_.cookie_cones().data(), lights_.cookie_cones().size_bytes(), BufferTexture::Texel::float4);
   surfaces_.set_lights();
   if (shadows_) shadows_.emplace(scene_, lights_, surfaces_.surfaces(), framebuffer_.aspect(), settings_);
   set_fog(fog_);

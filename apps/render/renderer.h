@@ -28,8 +28,8 @@ enum class LightPoints { on, off };
 /// height  of the picture, pixels
 void set_point_uniforms(const gl::Program& program, FogLighting fog_lighting, int height);
 
-/// Draws a scene by a lighting path into a framebuffer. Needs a current GL 3.3 core context. The scene's camera may change
-/// from frame to frame, but lamps that cast shadows are chosen as set_lights() finds it.
+/// Draws a scene by a lighting path into a framebuffer. Needs a current GL 3.3 core context. The scene's camera may
+/// change from frame to frame, but lamps that cast shadows are chosen as set_lights() finds it.
 class Renderer {
  public:
   /// throws gl::Unsupported where this OpenGL cannot hold the scene's light lists, or the path's light maps or the

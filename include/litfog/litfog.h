@@ -173,8 +173,8 @@ typedef struct litfog_batch_lights {
   size_t density_count;
 } litfog_batch_lights;
 
-/// Where the results go: columns of `count` values, none of which overlaps another column. Of the columns but intensity,
-/// those that are NULL are not computed.
+/// Where the results go: columns of `count` values, none of which overlaps another column. Of the columns but
+/// intensity, those that are NULL are not computed.
 typedef struct litfog_batch_solutions {
   double* intensity;
   double* peak_range;  ///< metres

@@ -205,7 +205,8 @@ TEST_F(RendererTest, OnlyAnAutomaticExposureIsChosen) {
   EXPECT_EQ(given.ev, 1.5);
 }
 
-/// Changes what a renderer may be told of, for a scene with two lights or more: camera, lights and their order of extents.
+/// Changes what a renderer may be told of, for a scene with two lights or more: camera, lights and their order of
+/// extents.
 void change(Scene& scene) {
   scene.camera.position += glm::vec3(0.7f, 0.3f, -0.4f);
   scene.camera.field_of_view *= 0.8f;

@@ -12,25 +12,25 @@ bool is_gltf_path(const std::string& path);
 
 /// Reads a glTF 2.0 file with its buffers and pictures: the meshes, materials and lights of its scene (the default one,
 /// else the first) in their rest pose, seen by the first perspective camera found. Animation, skins, morph targets,
-/// blending, occlusion, points, lines and extensions that are not named here are left out: Scene::left_out counts what of
-/// these a file has. A file that requires such an extension fails.
+/// blending, occlusion, points, lines and extensions that are not named here are left out: Scene::left_out counts what
+/// of these a file has. A file that requires such an extension fails.
 ///
 /// Meshes: triangles, their strips and fans; sparse accessors; KHR_mesh_quantization (all its types, required or not),
-/// KHR_draco_mesh_compression, EXT_meshopt_compression, EXT_mesh_gpu_instancing. A double-sided material's triangles are
-/// there twice. A file is at most 1 GiB with its buffers, and so are its decoded views.
+/// KHR_draco_mesh_compression, EXT_meshopt_compression, EXT_mesh_gpu_instancing. A double-sided material's triangles
+/// are there twice. A file is at most 1 GiB with its buffers, and so are its decoded views.
 ///
 /// Pictures: PNG, JPEG and WebP (EXT_texture_webp), at most 16,384 pixels a side and 2^27 in all; KTX2
-/// (KHR_texture_basisu) only where another picture stands beside it. Each texture has its own sampler, set of coordinates
-/// and KHR_texture_transform, but for metallic-roughness: see below.
+/// (KHR_texture_basisu) only where another picture stands beside it. Each texture has its own sampler, set of
+/// coordinates and KHR_texture_transform, but for metallic-roughness: see below.
 ///
 /// Materials, metallic-roughness to the Basic model: albedo = base colour (1 - metallic); specular = (n + 8) / 8 F with
 /// F = mix(0.04, base colour, metallic), the lobe's energy (Akenine-Moller et al., "Real-Time Rendering", 3rd edition,
 /// 7.8.1); shininess n = 2 / roughness^4 - 2 (Karis 2013, "Specular BRDF Reference"), at most 1000. Specular and n are
 /// one value a material here, so they take the mean of their textures (metallic-roughness, and base colour for F). The
 /// albedo takes metallic texel by texel where its texture has the base colour's coordinates, else its mean. COLOR_0
-/// multiplies the base colour. KHR_materials_unlit sends the base colour to the eye through the fog and reflects nothing.
-/// Emission has its texels, times KHR_materials_emissive_strength, at most 10,000. MASK leaves no surface below
-/// alphaCutoff; BLEND is drawn as MASK at 0.5.
+/// multiplies the base colour. KHR_materials_unlit sends the base colour to the eye through the fog and reflects
+/// nothing. Emission has its texels, times KHR_materials_emissive_strength, at most 10,000. MASK leaves no surface
+/// below alphaCutoff; BLEND is drawn as MASK at 0.5.
 ///
 /// Lights (KHR_lights_punctual): a white surface square to a light of I cd shows I / (pi r^2) of the display's white at
 /// r metres, as in the Khronos sample viewer at exposure 1. This is Hales's attenuation with C = L = 0 and Q = 1/k^2,

@@ -15,8 +15,8 @@ bool is_tm33(std::string_view text);
 /// Parses an ANSI/IES TM-33 file of at most 16 MiB. The text of the standard was not at hand: read is what files and
 /// programs agree on. That is an intensity for each pair of angles, `<IntData h="0" v="45">` or
 /// `<IntensityData horz="0" vert="45">`, in the LuminousData of the one Emitter that has any, directly or in its
-/// LuminousIntensity; their Multiplier and PhotometryType; and the Emitter's RatedLumens times Quantity. The symmetry is
-/// that of the planes that are there.
+/// LuminousIntensity; their Multiplier and PhotometryType; and the Emitter's RatedLumens times Quantity. The symmetry
+/// is that of the planes that are there.
 ///
 /// Errors: XML that is not well-formed, no or several emitters with intensities, a metric other than luminous, pairs of
 /// angles missing or given twice, and what parse_ies() names of numbers, angles and intensities.
