@@ -849,7 +849,9 @@ TEST_F(DemoCommand, FramesOfASequenceAreThePicturesOfTheirSettings) {
                    {"--set lights[0].threshold=0.1..0.3 --set lights[1].carried=false --camera 0,1,5..1,1,6",
                     "--set lights[0].threshold=0.3 --set lights[1].carried=false --camera 1,1,6"},
                    {"--camera 0,1,5..2,1,5 --target 0,1,0..2,1,0 --fov-deg 40..60",  // the carried lamp moves by 2 m
-                    "--camera 2,1,5 --target 2,1,0 --fov-deg 60 --set lights[1].position[0]=3"}};
+                    "--camera 2,1,5 --target 2,1,0 --fov-deg 60 --set lights[1].position[0]=3"},
+                   {"--camera 0,1,5..2,1,5 --set camera.target[0]=0..2",  // likewise
+                    "--camera 2,1,5 --target 2,1,0 --set lights[1].position[0]=3"}};
   for (const auto& [changes, last] : sequences) {
     const Outcome outcome = run("sequence two.json -o frames --size 32x18 --frames 3 " + changes);
     ASSERT_EQ(outcome.status, kDone) << outcome.err;
