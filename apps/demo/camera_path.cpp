@@ -26,6 +26,12 @@ double field_of_view_of(const JsonValue& value) {
   value.fail(fmt::format("must be in [{}, {}]", scene::kLeastFieldOfViewDeg, scene::kMostFieldOfViewDeg));
 }
 
+double seconds_of(const JsonValue& value) {
+  const double seconds = value.number();
+  if (std::abs(seconds) <= scene::kMaxSeconds) return seconds;
+  value.fail("must be in [-1e9, 1e9]");
+}
+
 }  // namespace
 
 scene::Camera CameraPath::at(double fraction) const {
@@ -58,14 +64,14 @@ CameraPath read_camera_path(const std::string& file, double field_of_view) {
   root.allow_only({"litfog", "version", "keyframes"});
   const JsonValue list = root.member("keyframes");
   const auto items = list.items();
-  if (items.size() < 2) list.fail("must be two or more");
+  if (items.size() < 2) list.fail("must hold two keyframes or more");
   const bool has_times = items.front().optional("time_s").has_value();
   std::vector<Key> keys;
   for (const JsonValue& item : items) {
     item.allow_only({"time_s", "position", "target", "field_of_view_deg"});
     const auto time = item.optional("time_s");
     if (time && !has_times) time->fail("must be given of all keyframes or of none");
-    const double seconds = has_times ? item.member("time_s").number() : double(keys.size());
+    const double seconds = has_times ? seconds_of(item.member("time_s")) : double(keys.size());
     if (!keys.empty() && !(seconds > keys.back().seconds)) time->fail("must be after the keyframe before");
     const auto angle = item.optional("field_of_view_deg");
     keys.push_back({.seconds = seconds,

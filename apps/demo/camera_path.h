@@ -16,7 +16,7 @@ namespace litfog::demo {
 ///       "litfog": "camera-path",
 ///       "version": 1,
 ///       "keyframes": [                                   two or more
-///         {"time_s": 0,                                  ascending; optional if none states it: even steps
+///         {"time_s": 0,                                  ascending, in [-1e9, 1e9]; even steps if none states it
 ///          "position": [0, 40, 500], "target": [0, 0, 0],
 ///          "field_of_view_deg": 50},                     optional: the scene's
 ///         ...

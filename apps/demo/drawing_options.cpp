@@ -14,8 +14,6 @@ namespace litfog::demo {
 namespace {
 
 constexpr int kMaxSide = 16'384;
-constexpr command::NumberRule kSeconds{[](double x) { return x >= 0 && x <= scene::kMaxSeconds; },
-                                       "must be a number in [0, 1e9]"};
 constexpr command::NumberRule kFraction{[](double x) { return x >= 0 && x <= 1; }, "must be a number in [0, 1]"};
 constexpr command::NumberRule kPhase{scene::is_phase_g, scene::kPhaseRule};
 constexpr std::int64_t kMaxPixels = 40'000'000;  // some 3 GiB, 5 with airlight
@@ -66,6 +64,9 @@ const char* why_without_airlight(const render::LightingPath& path) {
 }
 
 }  // namespace
+
+const command::NumberRule kSeconds{[](double x) { return x >= 0 && x <= scene::kMaxSeconds; },
+                                   "must be a number in [0, 1e9]"};
 
 std::optional<double> DrawingOptions::chosen_visibility() const {
   return fog ? visibility : std::numeric_limits<double>::infinity();

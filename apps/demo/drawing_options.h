@@ -14,7 +14,13 @@ namespace CLI {
 class App;
 }
 
+namespace litfog::command {
+struct NumberRule;
+}
+
 namespace litfog::demo {
+
+extern const command::NumberRule kSeconds;  ///< of --time
 
 /// What the jobs of litfog-demo have in common: how they draw. A job adds the options that mean something to it.
 struct DrawingOptions {

@@ -234,9 +234,8 @@ Job add_comparison_job(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   options->folder = "comparison";
   app.footer(
-      "SETTING is options of a picture without their dashes, members as of --set, or another scene, with spaces "
-      "between "
-      "them. One is compared with the scene as it is without it.\n\n"
+      "SETTING is options of a picture without their dashes, members as of --set, or another scene, separated by "
+      "spaces. A single one is compared with the scene without it.\n\n"
       "Examples:\n"
       "  litfog-demo compare room --visibility 30 --size 960x540 -o paths\n"
       "  litfog-demo compare room --with \"visibility=50\" --with \"visibility=400 path=vertex\"\n"
@@ -297,9 +296,8 @@ Job add_sequence_job(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   app.footer(
       "NUMBERS is one number, a list A,B,C of a frame each, FROM..TO, or FROM..TO:N in N frames. Lights that the eye's "
-      "vehicle carries move along with the camera. The camera goes smoothly through the keyframes of a path's file; "
-      "their "
-      "times and angles may be left out:\n"
+      "vehicle carries move along with the camera. The camera goes smoothly through the keyframes of a path's file, "
+      "whose times and angles may be left out:\n"
       "  {\"litfog\": \"camera-path\", \"version\": 1, \"keyframes\": [\n"
       "    {\"time_s\": 0, \"position\": [0, 2, 9], \"target\": [0, 1, 0], \"field_of_view_deg\": 50}, ...]}\n\n"
       "Examples:\n"

@@ -18,8 +18,6 @@ namespace {
 
 const std::string kPointRule =
     fmt::format("must be three numbers in [{}, {}], X,Y,Z", -scene::kMaxCoordinate, scene::kMaxCoordinate);
-const std::string kFieldOfViewRule =
-    fmt::format("must be a number in [{}, {}]", scene::kLeastFieldOfViewDeg, scene::kMostFieldOfViewDeg);
 
 void add_point(CLI::App& app, const std::string& name, std::optional<glm::dvec3>& target,
                const std::string& description) {
@@ -29,6 +27,10 @@ void add_point(CLI::App& app, const std::string& name, std::optional<glm::dvec3>
 }
 
 }  // namespace
+
+const command::NumberRule kFieldOfView{
+    [](double x) { return x >= scene::kLeastFieldOfViewDeg && x <= scene::kMostFieldOfViewDeg; },
+    "must be a number in [1, 150]"};
 
 void add_scene(CLI::App& app, SceneOptions& options) {
   app.add_option("SCENE", options.scene,
@@ -60,9 +62,7 @@ void add_view(CLI::App& app, SceneOptions& options) {
          "--fov-deg",
          [&options](const std::string& text) {
            const auto angle = command::parse_number(text);
-           if (!angle || !(*angle >= scene::kLeastFieldOfViewDeg && *angle <= scene::kMostFieldOfViewDeg)) {
-             command::fail_option("--fov-deg", text, kFieldOfViewRule);
-           }
+           if (!angle || !kFieldOfView.accepts(*angle)) command::fail_option("--fov-deg", text, kFieldOfView.text);
            options.field_of_view_deg = angle;
          },
          "Its vertical field of view (default the scene's)")

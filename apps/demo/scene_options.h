@@ -12,7 +12,13 @@ namespace CLI {
 class App;
 }
 
+namespace litfog::command {
+struct NumberRule;
+}
+
 namespace litfog::demo {
+
+extern const command::NumberRule kFieldOfView;  ///< of --fov-deg
 
 /// A scene as the command line states it.
 struct SceneOptions {

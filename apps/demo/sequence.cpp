@@ -23,11 +23,6 @@ namespace {
 
 constexpr std::size_t kMaxFrameBytes = std::size_t{1} << 30;
 constexpr command::NumberRule kFinite{[](double x) { return std::isfinite(x); }, "must be a finite number"};
-constexpr command::NumberRule kSeconds{[](double x) { return x >= 0 && x <= scene::kMaxSeconds; },
-                                       "must be a number in [0, 1e9]"};
-constexpr command::NumberRule kFieldOfView{
-    [](double x) { return x >= scene::kLeastFieldOfViewDeg && x <= scene::kMostFieldOfViewDeg; },
-    "must be a number in [1, 150]"};
 
 template <typename Value>
 bool changes(const std::optional<Course<Value>>& course) {
@@ -70,7 +65,7 @@ int count_frames(const SequenceOptions& options) {
     if (!asked) return;
     if (frames != 0 && *asked != frames) {
       throw CLI::ValidationError(
-          fmt::format("{} has {} frames, and {} {}: they must have as many", name, *asked, first, frames));
+          fmt::format("{} has {} frames, and {} {}: the numbers must be equal", name, *asked, first, frames));
     }
     if (frames == 0) first = name;
     frames = *asked;
@@ -153,10 +148,10 @@ Sequence::Sequence(const SequenceOptions& options, std::optional<double> phase_g
   moves_camera_ = path_ || changes(options.camera) || changes(options.target) || changes(options.field_of_view_deg);
   moves_lights_ = (changes(options.seconds) && has_turning_light(scene_)) ||
                   (moves_camera_ && std::ranges::any_of(scene_.lights, &PlacedLight::carried));
-  for (int frame = 0; frame < frames_; ++frame) {
-    if (scene::has_heading(camera(frame))) continue;
-    throw CLI::ValidationError(fmt::format("frame {}: the target {}", frame + 1, scene::kHeadingRule));
+  if (!changes_members_) {  // else each frame's camera is known when it is shown
+    for (int frame = 0; frame < frames_; ++frame) expect_heading(frame);
   }
+  first_camera_ = camera(0);
   lights_ = scene_.lights;
   cookie_uses_ = scene_.cookie_uses;
   show(0);
@@ -182,6 +177,11 @@ scene::Camera Sequence::camera(int frame) const {
     camera.field_of_view = glm::radians(float(options_.field_of_view_deg->at(frame, frames_)));
   }
   return camera;
+}
+
+void Sequence::expect_heading(int frame) const {
+  if (scene::has_heading(camera(frame))) return;
+  throw CLI::ValidationError(fmt::format("frame {}: the target {}", frame + 1, scene::kHeadingRule));
 }
 
 double Sequence::visibility(int frame) const {
@@ -212,6 +212,7 @@ void Sequence::show(int frame) {
     cookie_uses_ = scene_.cookie_uses;
     own_camera_ = scene_.camera;
   }
+  expect_heading(frame);
   scene_.camera = camera(frame);
   if (frame == 0 || remakes_scene()) move_lights(frame);
 }
@@ -219,7 +220,7 @@ void Sequence::show(int frame) {
 void Sequence::move_lights(int frame) {
   scene_.lights = lights_;
   scene_.cookie_uses = cookie_uses_;
-  if (moves_camera_) carry_lights(scene_, camera(0), scene_.camera);
+  if (moves_camera_) carry_lights(scene_, first_camera_, scene_.camera);
   if (options_.seconds) scene::turn_lights(scene_, options_.seconds->at(frame, frames_));
 }
 

@@ -48,25 +48,28 @@ class Sequence {
   int frames() const { return frames_; }
   const scene::Scene& scene() const { return scene_; }  ///< of the frame last shown; keeps its address
   double visibility(int frame) const;                   ///< metres
-  std::string words(int frame) const;                   ///< all that changes: "visibility 400 m, --time 0.5"
+  std::string words(int frame) const;                   ///< all that changes: "visibility 400 m, time 0.5 s"
   bool moves_camera() const { return moves_camera_; }
   /// Whether lights, surfaces or surroundings change, so that a renderer has to be made anew.
   bool remakes_scene() const { return changes_members_ || moves_lights_; }
 
   /// Makes the scene that of a frame. Lights that the eye's vehicle carries move along with the camera, from where they
-  /// are in the first frame.
+  /// are in the first frame. Throws InputError, and a usage error, where members that change make a frame that cannot
+  /// be.
   void show(int frame);
 
  private:
   scene::Scene read(int frame) const;
   scene::Camera camera(int frame) const;
+  void expect_heading(int frame) const;
   void move_lights(int frame);
 
   const SequenceOptions& options_;
   std::optional<double> phase_g_;
   int frames_;
   scene::Scene scene_;
-  scene::Camera own_camera_;
+  scene::Camera own_camera_;    // of the file, in the frame last shown
+  scene::Camera first_camera_;  // that of frame 0
   std::optional<CameraPath> path_;
   bool changes_members_ = false;
   bool moves_camera_ = false;

@@ -62,7 +62,7 @@ double airlight_end(const Light& light, double extent, const Fog& fog, double la
 /// Proof. From the eye the box lies in the ball around it, within the angle of asin(radius / distance) of the ball's
 /// middle. A point of such a ray at least that range from the eye, seen from the light instead, is turned by at most
 /// asin(delta / range), where delta is the distance from the eye to the light. So its angle from the light's axis is at
-/// least that of the ball's middle less both.
+/// least that of the ball's middle minus both.
 ///
 /// half_angle  of the cone, radians
 /// range       metres from the eye

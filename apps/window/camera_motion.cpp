@@ -57,12 +57,6 @@ void approach(scene::Camera& camera, double factor) {
       glm::dvec3(camera.target) - view(camera) * (std::clamp(distance * factor, kNearest, kFarthest) / distance);
 }
 
-void face(scene::Camera& camera, const glm::dvec3& point) {
-  const glm::dvec3 to_point = point - glm::dvec3(camera.position);
-  const double distance = std::max(glm::length(to_point), kNearest);
-  camera.target = glm::dvec3(camera.position) + unit_vector(direction_of(to_point)) * distance;
-}
-
 double target_distance(const scene::Camera& camera) { return glm::length(view(camera)); }
 
 }  // namespace litfog::window

@@ -24,10 +24,6 @@ void orbit(scene::Camera& camera, double right, double up);
 /// Multiplies the eye's distance from the target, which ends at 0.1 m and at 100 km.
 void approach(scene::Camera& camera, double factor);
 
-/// Turns the camera towards a point, which becomes its target. A point straight above or below, or at the eye, is seen
-/// as nearly as the pitch allows.
-void face(scene::Camera& camera, const glm::dvec3& point);
-
 double target_distance(const scene::Camera& camera);  ///< metres
 
 }  // namespace litfog::window

@@ -13,8 +13,7 @@ namespace litfog::window {
 
 /// A picture as litfog-demo draws it.
 struct DrawingCommand {
-  std::string scene;    ///< as litfog-demo takes it: a bundled scene's name or a file
-  int city_lights = 0;  ///< of a generated city; 0: the scene's
+  std::string scene;  ///< as litfog-demo takes it: a bundled scene's name or a file
   demo::DrawingOptions options = {};
   std::optional<scene::Camera> camera = {};  ///< in place of the scene's
   std::vector<scene::SceneChange> changes = {};

@@ -111,6 +111,7 @@ void App::take_delivery() {
   if (!delivery) return;
   if (!delivery->error.empty()) {
     say(delivery->error);
+    wants_picture_ = false;
     return;
   }
   const int divisor = std::max(picture_.width() / std::max(delivery->order.width, 1), 1);

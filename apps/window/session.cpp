@@ -61,6 +61,7 @@ bool Session::is_changed(std::size_t which) const {
 
 std::vector<scene::SceneChange> Session::changes() const {
   std::vector<scene::SceneChange> all = given_.changes;
+  if (given_.city_lights > 0) all.push_back({"city.lights", std::to_string(given_.city_lights)});
   for (const std::size_t i : firsts_) {
     if (!entries_[i]) continue;
     const auto changes = changes_of(*entries_[i], scene_.lights[i].light, lights()[i].light);
@@ -79,7 +80,7 @@ PictureOrder Session::order(int width, int height, bool is_sketch) const {
 }
 
 DrawingCommand Session::command(std::size_t which, int width, int height) const {
-  DrawingCommand command{given_.scene, given_.city_lights, settings[which], own_camera(), changes()};
+  DrawingCommand command{given_.scene, settings[which], own_camera(), changes()};
   command.options.width = width;
   command.options.height = height;
   return command;

@@ -56,7 +56,8 @@ class Session {
   void change(std::size_t light, const Light& changed);
   void reset(std::size_t light) { change(light, scene_.lights[light].light); }
   bool is_changed(std::size_t light) const;
-  /// What has been changed of the scene's file: what was given, and then the lights.
+  /// What has been changed of the scene's file: what was given, with the number of a city's lights, and then the
+  /// lights.
   std::vector<scene::SceneChange> changes() const;
 
   /// What the settings draw, in pixels.

@@ -82,7 +82,7 @@ TEST_F(CameraPathFile, KeyframesWithoutTimesAreEvenAndWithoutAnAngleHaveTheScene
 
 TEST_F(CameraPathFile, WrongPathsAreErrorsAtTheirLocation) {
   const std::string key = R"({"position": [0, 1, 0], "target": [0, 1, -9])";
-  EXPECT_EQ(error_of("[" + key + "}]"), ":1:54: keyframes = an array: must be two or more");
+  EXPECT_EQ(error_of("[" + key + "}]"), ":1:54: keyframes = an array: must hold two keyframes or more");
   EXPECT_NE(error_of("[" + key + R"(, "time_s": 1}, )" + key + R"(, "time_s": 1}])")
                 .find("keyframes[1].time_s = 1: must be after the keyframe before"),
             std::string::npos);
@@ -94,6 +94,9 @@ TEST_F(CameraPathFile, WrongPathsAreErrorsAtTheirLocation) {
   EXPECT_NE(error_of("[" + key + "}, " + key + R"(, "field_of_view_deg": 151}])").find("must be in [1, 150]"),
             std::string::npos);
   EXPECT_NE(error_of(R"([{"position": [0, 1e8, 0], "target": [0, 0, 1]}, )" + key + "}]").find("must have coordinates"),
+            std::string::npos);
+  EXPECT_NE(error_of("[" + key + R"(, "time_s": -1e308}, )" + key + R"(, "time_s": 1e308}])")
+                .find("keyframes[0].time_s = -1e308: must be in [-1e9, 1e9]"),
             std::string::npos);
   EXPECT_NE(error_of("[" + key + R"(, "tine_s": 1}, )" + key + "}]").find("did you mean time_s?"), std::string::npos);
 }

@@ -849,7 +849,9 @@ TEST_F(DemoCommand, FramesOfASequenceAreThePicturesOfTheirSettings) {
                    {"--set lights[0].threshold=0.1..0.3 --set lights[1].carried=false --camera 0,1,5..1,1,6",
                     "--set lights[0].threshold=0.3 --set lights[1].carried=false --camera 1,1,6"},
                    {"--camera 0,1,5..2,1,5 --target 0,1,0..2,1,0 --fov-deg 40..60",  // the carried lamp moves by 2 m
-                    "--camera 2,1,5 --target 2,1,0 --fov-deg 60 --set lights[1].position[0]=3"}};
+                    "--camera 2,1,5 --target 2,1,0 --fov-deg 60 --set lights[1].position[0]=3"},
+                   {"--camera 0,1,5..2,1,5 --set camera.target[0]=0..2",  // likewise
+                    "--camera 2,1,5 --target 2,1,0 --set lights[1].position[0]=3"}};
   for (const auto& [changes, last] : sequences) {
     const Outcome outcome = run("sequence two.json -o frames --size 32x18 --frames 3 " + changes);
     ASSERT_EQ(outcome.status, kDone) << outcome.err;
@@ -872,9 +874,10 @@ TEST_F(DemoCommand, SequencesThatCannotBeAreRefusedBeforeAnythingIsDrawn) {
   EXPECT_EQ(error("--visibility 50"),
             std::string("litfog-demo: nothing changes: give a range, such as --visibility 2000..50") + kSeeHelp);
   EXPECT_EQ(error("--visibility 1,2,3 --time 0..1:2"),
-            std::string("litfog-demo: --time has 2 frames, and --visibility 3: they must have as many") + kSeeHelp);
-  EXPECT_EQ(error("--visibility 1,2,3 --frames 4"),
-            std::string("litfog-demo: --visibility has 3 frames, and --frames 4: they must have as many") + kSeeHelp);
+            std::string("litfog-demo: --time has 2 frames, and --visibility 3: the numbers must be equal") + kSeeHelp);
+  EXPECT_EQ(
+      error("--visibility 1,2,3 --frames 4"),
+      std::string("litfog-demo: --visibility has 3 frames, and --frames 4: the numbers must be equal") + kSeeHelp);
   EXPECT_EQ(error("--camera 0,4,0..0,1,5 --target 0,0,0"),
             std::string("litfog-demo: frame 1: the target must not be straight above or below the position, or at it") +
                 kSeeHelp);
@@ -883,6 +886,19 @@ TEST_F(DemoCommand, SequencesThatCannotBeAreRefusedBeforeAnythingIsDrawn) {
   EXPECT_ERROR(run("sequence two.json -o none --set lights[0].threshold=0.1..2"), kBadInput,
                "--set: lights[0].light.threshold = 2: must be in (0, 1); 2 % is 0.02\n");
   EXPECT_FALSE(std::filesystem::exists(directory() / "none"));
+}
+
+TEST_F(DemoCommand, SequenceEndsAtAFrameWhoseMembersAndOptionsMakeItsCameraLookStraightDown) {
+  write("two.json", kTwoLamps);
+  const Outcome outcome =
+      run("sequence two.json -o frames --size 8x8 --frames 3 --camera 0,3,0 --set camera.target[0]=1..-1 "
+          "--set camera.target[1]=0");
+  EXPECT_EQ(outcome.status, kUsage);
+  EXPECT_EQ(outcome.err,
+            std::string("litfog-demo: frame 2: the target must not be straight above or below the position, or at it") +
+                kSeeHelp);
+  EXPECT_TRUE(std::filesystem::exists(directory() / "frames/two-0001.png"));
+  EXPECT_FALSE(std::filesystem::exists(directory() / "frames/two-0002.png"));
 }
 
 TEST_F(DemoCommand, FilmNeedsFfmpeg) {

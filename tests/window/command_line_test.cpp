@@ -16,7 +16,7 @@ namespace {
 TEST(CommandLine, DefaultsAreLeftOut) { EXPECT_EQ(to_string({.scene = "room"}), "litfog-demo room --size 1280x720"); }
 
 TEST(CommandLine, EveryControlHasItsOption) {
-  DrawingCommand command{.scene = "room", .city_lights = 40};
+  DrawingCommand command{.scene = "room"};
   demo::DrawingOptions& options = command.options;
   options.fog = FogMode::exp2;
   options.visibility = 62.5;
@@ -36,7 +36,7 @@ TEST(CommandLine, EveryControlHasItsOption) {
             "litfog-demo room --fog exp2 --visibility 62.5 --contrast koschmieder --phase-g 0.5 --fog-light airlight "
             "--shadows shafts --time 1.5 --exposure -2.25 --tone clip --samples 8 --no-skip --camera 0.1,-2,3e-05 "
             "--target 1,2,3 --fov-deg 47.5 --set 'lights[0].attenuation.quadratic=0.002' "
-            "--set 'lights[1].color=[1.0,0.5,0.25]' --lights 40 --size 640x360");
+            "--set 'lights[1].color=[1.0,0.5,0.25]' --size 640x360");
 }
 
 TEST(CommandLine, OptionsWithoutEffectAreLeftOut) {

@@ -81,6 +81,10 @@ TEST(Session, CommandHasTheGivenAndTheMovedCamera) {
   const std::string given = to_string(session.command(0, 8, 8));
   EXPECT_NE(given.find("--target"), std::string::npos) << given;
   EXPECT_NE(given.find("--set fog_top_m=40"), std::string::npos) << given;
+  const Session city = street({.scene = "city", .city_lights = 40});  // saved scenes have them, too
+  EXPECT_NE(to_string(city.command(0, 8, 8)).find("--set city.lights=40"), std::string::npos);
+  ASSERT_EQ(city.changes().size(), 1u);
+  EXPECT_EQ(city.changes()[0].member, "city.lights");
   Session other = street();
   EXPECT_FALSE(other.own_camera());
   other.camera.field_of_view = 1;

@@ -145,6 +145,7 @@ stage.addEventListener('pointercancel', () => {
 });
 stage.addEventListener('wheel', (event) => {
   event.preventDefault();
+  if (event.deltaY === 0) return;  // scrolled sideways
   zoomBy(event.deltaY < 0 ? 1 : -1, event.clientX, event.clientY);
 }, {passive: false});
 
