@@ -287,6 +287,7 @@ TEST_F(CFace, ValuesThatBreakTheirRuleAreRefusedAndResultsLeftAlone) {
     EXPECT_EQ(litfog_check_placed_light(&light), LITFOG_INVALID_ARGUMENT);
     EXPECT_STREQ(litfog_last_error(), error);
     EXPECT_EQ(litfog_solve(&light.light, &fog_, &solution), LITFOG_INVALID_ARGUMENT);
+    EXPECT_EQ(litfog_sample(&light.light, &fog_, 64, &solution), LITFOG_INVALID_ARGUMENT);
     EXPECT_EQ(solution.intensity, 1);
     EXPECT_EQ(solution.status, 4);
   };
