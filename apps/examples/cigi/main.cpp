@@ -33,11 +33,13 @@
 #include <array>
 #include <bit>
 #include <cerrno>
+#include <charconv>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <ctime>
+#include <limits>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -268,6 +270,17 @@ void demo() {
   follow(ig, int(kFrames));
 }
 
+/// An argument as a whole number in [least, most].
+int number_of(const std::string& text, const char* name, int least, int most) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || end != text.data() + text.size() || number < least || number > most) {
+    refuse(std::string(name) + " = " + text + ": must be a whole number in [" + std::to_string(least) + ", " +
+           std::to_string(most) + "]");
+  }
+  return number;
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -276,9 +289,10 @@ int main(int count, char** arguments) {
     if (count == 2 && std::string(arguments[1]) == "--demo") {
       demo();
     } else if (count == 3) {
-      Socket socket(std::uint16_t(std::stoi(arguments[1])));
+      Socket socket(std::uint16_t(number_of(arguments[1], "PORT", 0, 65535)));
+      const int datagrams = number_of(arguments[2], "DATAGRAMS", 1, std::numeric_limits<int>::max());
       std::printf("port %d\n", socket.port());
-      follow(socket, std::stoi(arguments[2]));
+      follow(socket, datagrams);
     } else {
       std::fprintf(stderr, "usage: cigi_ig PORT DATAGRAMS | --demo\n");
       return 1;
