@@ -403,7 +403,7 @@ void bind_lights(py::module_& m) {
       .def_readwrite("threshold", &Light::threshold, "(0, 1): attenuation at which the light ends")
       .def_readwrite("cone", &Light::cone, "Cone")
       .def_readwrite("density_scale", &Light::density_scale,
-                     "finite, >= 0: its class sees so much of the fog's density");
+                     "finite, >= 0: its class sees this fraction of the fog's density");
   make_record(light, {"name", "color", "attenuation", "threshold", "cone", "density_scale"});
 
   py::class_<PlacedLight> placed(m, "PlacedLight", "A light in a scene. World space, metres.");

@@ -145,10 +145,9 @@ class BatchTest(unittest.TestCase):
         single = litfog.solve_fog_intensity(litfog.Attenuation(1, 0, 0.25), litfog.Fog(litfog.FogMode.exp2, 0.125), 0.5)
         self.assertAlmostEqual(solved.intensity[0], single.intensity, 14)
         self.assertEqual(solved.extent[0], single.extent)
-        np.testing.assert_array_equal(
-            litfog.axial_airlights(one, 0 * one, 0.25 * one, np.array([0.125]), mode=litfog.FogMode.exp),
-            [litfog.axial_airlight(litfog.Attenuation(1, 0, 0.25), litfog.Fog(density=0.125))],
-        )
+        airlight = litfog.axial_airlights(one, 0 * one, 0.25 * one, np.array([0.125]), mode=litfog.FogMode.exp)
+        single = litfog.axial_airlight(litfog.Attenuation(1, 0, 0.25), litfog.Fog(density=0.125))
+        self.assertLessEqual(abs(airlight[0] - single), 3e-14)  # 2e-14 on any SIMD target, and 3 ulp
 
     def test_columns_that_do_not_fit_are_refused_with_a_sentence(self):
         ones = np.ones(4)

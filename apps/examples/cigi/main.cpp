@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // An image generator (IG) that follows the visibility of a CIGI host, version 3.3 or 4.0, by UDP on loopback:
 //
-//     cigi_ig PORT DATAGRAMS    takes as many datagrams and ends; port 0 is a free one, which it prints
+//     cigi_ig PORT DATAGRAMS    takes that many datagrams and ends; port 0 is any free one, which it prints
 //     cigi_ig --demo            is its own host: 120 datagrams at 60 Hz, half of each version
 //
 // It prints what each datagram changes and, at the end, the latency: from the kernel's receipt of a datagram until the
