@@ -41,8 +41,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 // With x = density r, f the fog factor and D the attenuation's denominator the integral is
 //   1 - f(x0) + integral over [x0, x1] of -f'(x) / D(x) dx,
 // x0 at the knee and x1 at the extent, or where f leaves nothing. The scale s on which the second integrand changes is
-// that in which D doubles, or in which the fog fades. In t with x = x0 + s (e^t - 1) it changes evenly, and no light of
-// ordinary figures has more than kLongest of t.
+// that in which D doubles, or in which the fog fades. In t with x = x0 + s (e^t - 1) it changes evenly. The nodes are
+// enough for kLongest of t. The length over s is below 1 / threshold + 19, so that only thresholds below 1/600 need
+// more; such lights are integrated one by one.
 
 constexpr double kLongest = 6.5;
 

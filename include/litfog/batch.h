@@ -30,7 +30,8 @@ struct BasicBatchLights {
 using BatchLights = BasicBatchLights<double>;
 using BatchLightsF = BasicBatchLights<float>;
 
-/// Where a batch's results go. A column holds one value a light; an empty one is not computed.
+/// Where a batch's results go. A column holds one value a light. Those besides intensity may be empty: they are not
+/// computed.
 template <typename Real>
 struct BasicBatchSolutions {
   std::span<Real> intensity;

@@ -130,7 +130,7 @@ LITFOG_API litfog_status litfog_check_placed_light(const litfog_placed_light* li
 
 /// Reads a light file.
 ///
-/// path       UTF-8, or what else the system takes
+/// path       bytes as the system takes them, mostly UTF-8
 /// name       the light's, in UTF-8, cut after a whole character where it is longer than name_size - 1 bytes; may be
 ///            NULL where name_size is 0
 /// returns    LITFOG_BAD_FILE with "headlight.json:7:12: threshold = 7: must be in (0, 1)" as the last error
@@ -336,7 +336,7 @@ typedef struct litfog_fog_update_statistics {
 
 /// Makes an updater without lights in clear air.
 ///
-/// skip_budget_255  1/255, finite, >= 0: lights that cannot show as much are not solved
+/// skip_budget_255  1/255, finite, >= 0: lights that cannot add that much to a pixel are not solved
 LITFOG_API litfog_status litfog_updater_create(double skip_budget_255, litfog_updater** updater);
 LITFOG_API void litfog_updater_destroy(litfog_updater* updater);
 
@@ -473,7 +473,7 @@ LITFOG_API litfog_status litfog_shader_texts(const litfog_shader_text** texts, s
 ///
 /// source     may include litfog's files only; others are an error
 /// expanded   at least `size` bytes; may be NULL where size is 0
-/// length     of the whole text without its NUL; expanded holds it only where size is larger, and is left alone else
+/// length     of the whole text without its NUL; expanded is written only where size is larger
 LITFOG_API litfog_status litfog_expand_shader(const char* source, char* expanded, size_t size, size_t* length);
 
 #ifdef __cplusplus

@@ -9,6 +9,7 @@
 #include "c/layout.h"
 #include "litfog/airlight.h"
 #include "litfog/batch.h"
+#include "require.h"
 
 using namespace litfog;
 
@@ -69,6 +70,7 @@ litfog_status litfog_sample(const litfog_light* light, const litfog_fog* fog, in
                             litfog_fog_intensity* solution) {
   return c::call([&] {
     const Light from = c::light(light);
+    require(check(from));
     c::at(solution, "solution") = c::to_c<litfog_fog_intensity>(
         sample_fog_intensity(from.attenuation, scaled(c::fog(fog), from.density_scale), from.threshold, samples));
   });

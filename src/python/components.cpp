@@ -17,6 +17,7 @@
 #include "litfog/photometry/intensity_distribution.h"
 #include "litfog/photometry/luminaire.h"
 #include "python/module.h"
+#include "require.h"
 
 namespace litfog::python {
 namespace {
@@ -66,7 +67,10 @@ void bind_files(py::module_& m) {
       "Writes a light file atomically. source: lines that say where the figures are from. OutputError.");
   m.def(
       "format_light",
-      [](const Light& light, const std::vector<std::string>& source) { return format_light(light, source); },
+      [](const Light& light, const std::vector<std::string>& source) {
+        require(check(light));
+        return format_light(light, source);
+      },
       py::arg("light"), py::arg("source") = std::vector<std::string>(), "A light as the text of its file.");
 }
 

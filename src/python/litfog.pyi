@@ -30,7 +30,7 @@ class InputError(ValueError):
 
 class OutputError(OSError): ...
 
-# The enumerations are of no Python base class, but look like this.
+# The enumerations, except BatchStatus, have no Python base class, but look like this.
 class FogMode(enum.Enum):
     exp = 0
     exp2 = 1
@@ -155,7 +155,7 @@ class BatchSolutions:
 
     def __init__(
         self,
-        intensity: _Real | None = None,
+        intensity: _Real,
         peak_range: _Real | None = None,
         extent: _Real | None = None,
         status: NDArray[np.uint8] | None = None,

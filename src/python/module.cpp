@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "python/module.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <string>
@@ -21,6 +23,7 @@
 #include "litfog/light.h"
 #include "litfog/solve.h"
 #include "litfog/updater.h"
+#include "require.h"
 
 namespace litfog::python {
 namespace {
@@ -153,9 +156,9 @@ class Columns {
 
 // --- batch ---
 
-/// Where a batch's results go: arrays, or None for what is not computed.
+/// Where a batch's results go: arrays, or None for what is not computed. The intensity always is.
 struct Solutions {
-  py::object intensity = py::none();
+  py::object intensity;
   py::object peak_range = py::none();
   py::object extent = py::none();
   py::object status = py::none();
@@ -196,10 +199,10 @@ void solve_columns(FogMode mode, const Lights& lights, std::optional<Solutions>&
     out = Solutions{column(real), column(real), column(real), column(py::dtype::of<std::uint8_t>())};
   }
   BasicBatchSolutions<Real> results;
+  results.intensity = columns.take<Real>(out->intensity, "out.intensity");
   const auto take_result = [&columns]<typename T>(const py::object& object, const char* name, std::span<T>& result) {
     if (!object.is_none()) result = columns.take<T>(object, std::string("out.") + name);
   };
-  take_result(out->intensity, "intensity", results.intensity);
   take_result(out->peak_range, "peak_range", results.peak_range);
   take_result(out->extent, "extent", results.extent);
   std::span<std::uint8_t> status;
@@ -312,6 +315,21 @@ py::list slices(std::span<const EntryRange> ranges) {
   return list;
 }
 
+/// A value that keeps its rule. C++ leaves that to the caller, in functions for inner loops.
+double require_rule(bool is_kept, const char* field, double value, const char* rule) {
+  if (!is_kept) require(ValueError{field, value, rule});
+  return value;
+}
+
+double require_range(double range) { return require_rule(range >= 0, "range", range, "must be >= 0"); }
+
+/// A struct with which check() finds nothing wrong.
+template <typename T>
+const T& require_checked(const T& value) {
+  require(check(value));
+  return value;
+}
+
 void bind_lights(py::module_& m) {
   py::enum_<FogMode>(m, "FogMode", "How the fog factor f falls with range.")
       .value("exp", FogMode::exp, "f(r) = e^(-d r)")
@@ -385,7 +403,7 @@ void bind_lights(py::module_& m) {
       .def_readwrite("threshold", &Light::threshold, "(0, 1): attenuation at which the light ends")
       .def_readwrite("cone", &Light::cone, "Cone")
       .def_readwrite("density_scale", &Light::density_scale,
-                     "finite, >= 0: its class sees so much of the fog's density");
+                     "finite, >= 0: its class sees this fraction of the fog's density");
   make_record(light, {"name", "color", "attenuation", "threshold", "cone", "density_scale"});
 
   py::class_<PlacedLight> placed(m, "PlacedLight", "A light in a scene. World space, metres.");
@@ -402,26 +420,47 @@ void bind_lights(py::module_& m) {
                      "by the eye's vehicle: such lights, and only they, light the fog by Hales's term");
   make_record(placed, {"light", "position", "direction", "carried"});
 
-  m.def("attenuation_at", py::vectorize([](Attenuation of, double range) { return attenuation_at(of, range); }),
+  m.def("attenuation_at", py::vectorize([](Attenuation of, double range) {
+          return attenuation_at(require_checked(of), require_range(range));
+        }),
         py::arg("attenuation"), py::arg("range"),
         "a(r), the fraction of its near brightness that a light has at ranges in metres; numbers or arrays.");
-  m.def("fog_factor_at", py::vectorize([](Fog seen, double range) { return fog_factor_at(seen, range); }),
+  m.def("fog_factor_at", py::vectorize([](Fog seen, double range) {
+          return fog_factor_at(require_checked(seen), require_range(range));
+        }),
         py::arg("fog"), py::arg("range"),
         "Fog factor f(r), the fraction of light that the fog lets through; numbers or arrays.");
-  m.def("opacity_at", py::vectorize([](Fog seen, double range) { return opacity_at(seen, range); }), py::arg("fog"),
-        py::arg("range"), "Opacity 1 - f(r), without the cancellation of the plain form; numbers or arrays.");
+  m.def("opacity_at",
+        py::vectorize([](Fog seen, double range) { return opacity_at(require_checked(seen), require_range(range)); }),
+        py::arg("fog"), py::arg("range"),
+        "Opacity 1 - f(r), without the cancellation of the plain form; numbers or arrays.");
   m.def(
-      "cone_at", py::vectorize([](Cone shape, double cos_angle) { return cone_at(shape, cos_angle); }), py::arg("cone"),
-      py::arg("cos_angle"),
+      "cone_at", py::vectorize([](Cone shape, double cos_angle) {
+        return cone_at(require_checked(shape),
+                       require_rule(std::abs(cos_angle) <= 1, "cos_angle", cos_angle, "must be in [-1, 1]"));
+      }),
+      py::arg("cone"), py::arg("cos_angle"),
       "Fraction of the axial intensity that a cone sends into a direction, by the cosine of its angle from the axis;\n"
       "numbers or arrays.");
   m.def("compute_extent", py::overload_cast<const Attenuation&, double>(&compute_extent), py::arg("attenuation"),
         py::arg("threshold") = kDefaultThreshold,
         "The range in metres at which the attenuation falls to the threshold.");
-  m.def("flux_within", &flux_within, py::arg("cone"), py::arg("angle"),
-        "Flux in steradians of a cone whose axial intensity is 1, out to an angle in radians.");
-  m.def("angle_at_level", &angle_at_level, py::arg("cone"), py::arg("level"),
-        "Angle in radians up to which a cone keeps a fraction of its axial intensity.");
+  m.def(
+      "flux_within",
+      [](const Cone& shape, double angle) {
+        const bool is_kept = angle >= 0 && angle <= std::numbers::pi;
+        return flux_within(require_checked(shape), require_rule(is_kept, "angle", angle, "must be in [0, pi]"));
+      },
+      py::arg("cone"), py::arg("angle"),
+      "Flux in steradians of a cone whose axial intensity is 1, out to an angle in radians.");
+  m.def(
+      "angle_at_level",
+      [](const Cone& shape, double level) {
+        const bool is_kept = level > 0 && level < 1;
+        return angle_at_level(require_checked(shape), require_rule(is_kept, "level", level, "must be in (0, 1)"));
+      },
+      py::arg("cone"), py::arg("level"),
+      "Angle in radians up to which a cone keeps a fraction of its axial intensity.");
   m.def("color_of_temperature", &color_of_temperature, py::arg("kelvin"),
         "A colour temperature, 1000 to 25000 K, as linear sRGB whose largest component is 1.");
 }
@@ -430,10 +469,17 @@ void bind_solve(py::module_& m) {
   py::enum_<SolveStatus>(m, "SolveStatus", "How a solve ended.")
       .value("ok", SolveStatus::ok, "the fields hold the supremum to the stated error")
       .value("not_converged", SolveStatus::not_converged, "intensity is a lower bound, taken at peak_range");
-  py::enum_<BatchStatus>(m, "BatchStatus", "What became of a light of a batch: the values of a column of status.")
-      .value("ok", BatchStatus::ok, "solved to the stated error")
-      .value("not_converged", BatchStatus::not_converged, "as SolveStatus.not_converged")
-      .value("invalid", BatchStatus::invalid, "an argument breaks its rule: intensity, peak range and extent are 0");
+  // Python's own, so that its values equal the numbers in a column of status.
+  m.attr("BatchStatus") = py::module_::import("enum").attr("IntEnum")(
+      "BatchStatus",
+      py::dict(py::arg("ok") = int(BatchStatus::ok), py::arg("not_converged") = int(BatchStatus::not_converged),
+               py::arg("invalid") = int(BatchStatus::invalid)),
+      py::arg("module") = "litfog");
+  m.attr("BatchStatus").attr("__doc__") =
+      "What became of a light of a batch: the values of a column of status. ok: solved to the stated error;\n"
+      "not_converged: as SolveStatus.not_converged; invalid: an argument breaks its rule, and intensity, peak range "
+      "and\n"
+      "extent are 0.";
   py::class_<FogIntensity> solved(m, "FogIntensity", "Fog colour intensity of a light and where it is taken.");
   solved
       .def(py::init([](double intensity, double peak_range, double extent, SolveStatus status) {
@@ -454,13 +500,14 @@ void bind_solve(py::module_& m) {
   m.def("solve_fog_intensity", py::overload_cast<const Light&, const Fog&>(&solve_fog_intensity), py::arg("light"),
         py::arg("fog"), solve_doc);
 
-  py::class_<Solutions>(m, "BatchSolutions",
-                        "Where a batch's results go: one-dimensional arrays, or None for what is not to be computed.\n"
-                        "Columns of real numbers have the dtype of the lights' columns, status is uint8.")
+  py::class_<Solutions>(
+      m, "BatchSolutions",
+      "Where a batch's results go: one-dimensional arrays, or None for what, besides the intensity, is not to\n"
+      "be computed. Columns of real numbers have the dtype of the lights' columns, status is uint8.")
       .def(py::init([](py::object intensity, py::object peak_range, py::object extent, py::object status) {
              return Solutions{std::move(intensity), std::move(peak_range), std::move(extent), std::move(status)};
            }),
-           py::arg("intensity") = py::none(), py::arg("peak_range") = py::none(), py::arg("extent") = py::none(),
+           py::arg("intensity"), py::arg("peak_range") = py::none(), py::arg("extent") = py::none(),
            py::arg("status") = py::none())
       .def_readonly("intensity", &Solutions::intensity, "[0, 1]")
       .def_readonly("peak_range", &Solutions::peak_range, "metres")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Holds the C face to the ABI of the last release, abi.xml, without abidiff: the exported functions, and the size and
-the offsets of each struct, which the C compiler is asked for.
+"""Holds the C face to the ABI that this minor version keeps, abi.xml, without abidiff: the exported functions, and the
+size and the offsets of each struct, which the C compiler is asked for.
 
 python3 abi_test.py <abi.xml> <liblitfog_c.so> <include folder> <nm> <C compiler>
 """

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Compares LIBRARY, liblitfog_c with debug information, with DUMP, the ABI of the last release: nothing may differ but
-# functions that were added. After a release that changes the minor version, and on x86-64, the dump is
+# Compares LIBRARY, liblitfog_c with debug information, with DUMP, the ABI that this minor version keeps: nothing may
+# differ but functions that were added. After a change of the minor version, and on x86-64, the dump is
 #
 #     abidw --headers-dir include --drop-private-types --exported-interfaces-only --no-corpus-path --no-show-locs
 #           --no-comp-dir-path --no-elf-needed --no-parameter-names build/tests/c/liblitfog_c_shared.so

@@ -236,13 +236,16 @@ TEST_F(CFace, SetFogAndBatchAllocateNothing) {
   }
   litfog_fog_light_changes changes;
   const double one = 1;
+  const double threshold = 0.05;
   double intensity;
-  const litfog_batch_lights lights{1, &one, &one, &one, &one, 1, &one, 1};
+  std::size_t invalid;
+  const litfog_batch_lights lights{1, &one, &one, &one, &threshold, 1, &one, 1};
   const litfog_batch_solutions solutions{&intensity, nullptr, nullptr, nullptr};
   const std::size_t before = allocation_count();
   ASSERT_EQ(litfog_updater_set_fog(updater, &fog_, &changes), LITFOG_OK);
-  ASSERT_EQ(litfog_solve_batch(LITFOG_FOG_EXP, &lights, &solutions, nullptr), LITFOG_OK);
+  ASSERT_EQ(litfog_solve_batch(LITFOG_FOG_EXP, &lights, &solutions, &invalid), LITFOG_OK);
   EXPECT_EQ(allocation_count(), before);
+  EXPECT_EQ(invalid, 0u);
   litfog_updater_destroy(updater);
 }
 
@@ -287,6 +290,7 @@ TEST_F(CFace, ValuesThatBreakTheirRuleAreRefusedAndResultsLeftAlone) {
     EXPECT_EQ(litfog_check_placed_light(&light), LITFOG_INVALID_ARGUMENT);
     EXPECT_STREQ(litfog_last_error(), error);
     EXPECT_EQ(litfog_solve(&light.light, &fog_, &solution), LITFOG_INVALID_ARGUMENT);
+    EXPECT_EQ(litfog_sample(&light.light, &fog_, 64, &solution), LITFOG_INVALID_ARGUMENT);
     EXPECT_EQ(solution.intensity, 1);
     EXPECT_EQ(solution.status, 4);
   };

@@ -135,6 +135,11 @@ for i in range(1000):
         time.sleep(0.01)  # the socket's buffer is finite
 assert re.match(r"1000 datagrams, \d{3} refused, latency ", ig.lines()[-1])
 
+# Arguments that are no numbers in their range are refused by name.
+for arguments, name in ((["70000", "1"], "PORT = 70000"), (["0", "-1"], "DATAGRAMS = -1"), (["0", "2x"], "DATAGRAMS = 2x")):
+    ended = subprocess.run([program, *arguments], capture_output=True, text=True, timeout=60)
+    assert ended.returncode == 1 and ended.stderr.startswith(name + ": must be a whole number in ["), ended
+
 # At 60 Hz it keeps up: the ranges of a frame are known before the next.
 ig = ImageGenerator(60)
 for i in range(60):

@@ -21,3 +21,4 @@ covariance = litfog.fit_attenuation(extent=50).covariance
 if covariance is not None:
     covariance.trace()
 updater.add(lamp)  # type: ignore[arg-type]
+litfog.BatchSolutions(peak_range=np.empty(8))  # type: ignore[call-arg]

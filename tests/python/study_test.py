@@ -55,6 +55,12 @@ class StudyTest(Results, unittest.TestCase):
             with self.assertRaises(ValueError):
                 study.summarise(results, VISIBILITIES)
 
+    def test_no_workers_and_no_lights_are_refused(self):
+        for option in ("--workers", "--visibilities"):
+            ended = subprocess.run([sys.executable, study.__file__, option, "0"], capture_output=True, text=True)
+            self.assertEqual(ended.returncode, 2)
+            self.assertIn(f"argument {option}: 0: must be >= 1", ended.stderr)
+
 
 class DaskTest(Results, unittest.TestCase):
     def test_four_workers_of_one_scheduler_give_the_same_result(self):

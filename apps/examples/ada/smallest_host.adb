@@ -54,6 +54,11 @@ begin
          Ada.Text_IO.Put_Line
            ("  upload kinds [" & Changes.Kinds (I - 1).First'Image & "," & Changes.Kinds (I - 1).Beyond'Image & ")");
       end loop;
+      for I in 1 .. Changes.Instance_Count loop
+         Ada.Text_IO.Put_Line
+           ("  upload instances [" & Changes.Instances (I - 1).First'Image & ","
+            & Changes.Instances (I - 1).Beyond'Image & ")");
+      end loop;
    end loop;
    Destroy (Lights);
 end Smallest_Host;

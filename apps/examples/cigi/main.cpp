@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // An image generator (IG) that follows the visibility of a CIGI host, version 3.3 or 4.0, by UDP on loopback:
 //
-//     cigi_ig PORT DATAGRAMS    takes as many datagrams and ends; port 0 is a free one, which it prints
+//     cigi_ig PORT DATAGRAMS    takes that many datagrams and ends; port 0 is any free one, which it prints
 //     cigi_ig --demo            is its own host: 120 datagrams at 60 Hz, half of each version
 //
 // It prints what each datagram changes and, at the end, the latency: from the kernel's receipt of a datagram until the
@@ -33,11 +33,13 @@
 #include <array>
 #include <bit>
 #include <cerrno>
+#include <charconv>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <ctime>
+#include <limits>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -268,6 +270,17 @@ void demo() {
   follow(ig, int(kFrames));
 }
 
+/// An argument as a whole number in [least, most].
+int number_of(const std::string& text, const char* name, int least, int most) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || end != text.data() + text.size() || number < least || number > most) {
+    refuse(std::string(name) + " = " + text + ": must be a whole number in [" + std::to_string(least) + ", " +
+           std::to_string(most) + "]");
+  }
+  return number;
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -276,9 +289,10 @@ int main(int count, char** arguments) {
     if (count == 2 && std::string(arguments[1]) == "--demo") {
       demo();
     } else if (count == 3) {
-      Socket socket(std::uint16_t(std::stoi(arguments[1])));
+      Socket socket(std::uint16_t(number_of(arguments[1], "PORT", 0, 65535)));
+      const int datagrams = number_of(arguments[2], "DATAGRAMS", 1, std::numeric_limits<int>::max());
       std::printf("port %d\n", socket.port());
-      follow(socket, std::stoi(arguments[2]));
+      follow(socket, datagrams);
     } else {
       std::fprintf(stderr, "usage: cigi_ig PORT DATAGRAMS | --demo\n");
       return 1;

@@ -38,6 +38,11 @@ static class SmallestHost
                 EntryRange range = At<EntryRange>(changes.Kinds, i);
                 Console.WriteLine($"  upload kinds [{range.Begin}, {range.End})");
             }
+            for (int i = 0; i < (int)changes.InstanceCount; ++i)
+            {
+                EntryRange range = At<EntryRange>(changes.Instances, i);
+                Console.WriteLine($"  upload instances [{range.Begin}, {range.End})");
+            }
         }
         litfog_updater_destroy(updater);
     }

@@ -4,7 +4,7 @@
 //     gl_host [PICTURE.ppm]
 //
 // draws a road, a wall, headlights and a street lamp in fog of three visibilities, and compares the sky's pixels with
-// litfog::airlight. Ends with 1 where they differ, with 3 where there is no OpenGL 3.3.
+// litfog::airlight. Ends with 1 where they differ or PICTURE cannot be written, with 3 where there is no OpenGL 3.3.
 #include <epoxy/gl.h>
 #include <litfog/airlight.h>
 #include <litfog/gl/check_errors.h>
@@ -165,8 +165,12 @@ int draw(const char* file) {
                 updater.statistics().bytes_dirty, updater.statistics().kinds_solved);
   }
   if (file != nullptr) {
-    std::ofstream(file, std::ios::binary) << "P6 " << kWidth << ' ' << 3 * kHeight << " 255\n"
-                                          << std::string(picture.begin(), picture.end());
+    std::ofstream output(file, std::ios::binary);
+    output << "P6 " << kWidth << ' ' << 3 * kHeight << " 255\n" << std::string(picture.begin(), picture.end());
+    if (!output.flush()) {
+      std::fprintf(stderr, "%s: cannot be written\n", file);
+      return 1;
+    }
   }
   std::printf("sky within %.2f of 255\n", largest_error);
   return largest_error <= 2 ? 0 : 1;

@@ -79,11 +79,20 @@ def summarise(results, visibilities):
     return histogram, hashlib.sha256(b"".join(results[begin][1] for begin, _ in chunks)).hexdigest()
 
 
+def positive(text):
+    number = int(text)
+    if number < 1:
+        raise argparse.ArgumentTypeError(f"{number}: must be >= 1")
+    return number
+
+
 def main():
     parser = argparse.ArgumentParser(description="How intensity is distributed over a grid of lights.")
-    parser.add_argument("--visibilities", type=int, default=5000, help="times 2,000 extents: the lights (default 5000)")
+    parser.add_argument(
+        "--visibilities", type=positive, default=5000, help="times 2,000 extents: the lights (default 5000)"
+    )
     where = parser.add_mutually_exclusive_group()
-    where.add_argument("--workers", type=int, help="worker processes to start on this machine")
+    where.add_argument("--workers", type=positive, help="worker processes to start on this machine")
     where.add_argument("--scheduler", help="address of a scheduler that has workers")
     arguments = parser.parse_args()
     if arguments.workers or arguments.scheduler:
