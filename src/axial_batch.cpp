@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "batch_columns.h"
 #include "litfog/airlight.h"
 #include "unchecked.h"
 
@@ -116,11 +117,6 @@ HWY_INLINE V integrate_axially(D d, const AxialLanes<V>& in) {
   return hn::IfThenElse(hn::And(is_lit, is_ordinary), airlight, hn::NaN(d));
 }
 
-template <typename T>
-T value_at(std::span<const T> column, std::size_t at) {
-  return column[column.size() == 1 ? 0 : at];
-}
-
 /// A light by the scalar integral: 0 and one more invalid if it is.
 template <typename T>
 T integrate_one(FogMode mode, const BasicBatchLights<T>& lights, std::size_t at, std::size_t& invalid) {
@@ -145,12 +141,7 @@ std::size_t integrate_columns(const BasicBatchLights<T>& lights, std::span<T> ai
     T columns[5][hn::MaxLanes(d)];
     T results[hn::MaxLanes(d)];
     for (std::size_t lane = 0; lane < lanes; ++lane) {
-      const std::size_t from = std::min(at + lane, count - 1);  // beyond the end the last light again
-      columns[0][lane] = lights.constant[from];
-      columns[1][lane] = lights.linear[from];
-      columns[2][lane] = lights.quadratic[from];
-      columns[3][lane] = value_at(lights.threshold, from);
-      columns[4][lane] = value_at(lights.density, from);
+      copy_light(lights, std::min(at + lane, count - 1), columns, lane);  // beyond the end the last light again
     }
     const AxialLanes<hn::Vec<decltype(d)>> in{hn::LoadU(d, columns[0]), hn::LoadU(d, columns[1]),
                                               hn::LoadU(d, columns[2]), hn::LoadU(d, columns[3]),
@@ -209,13 +200,6 @@ AxialNodes<T> make_axial_nodes() {
   return nodes;
 }
 
-template <typename T>
-void assert_fitting([[maybe_unused]] const BasicBatchLights<T>& lights, [[maybe_unused]] std::size_t count) {
-  assert(lights.constant.size() == count && lights.linear.size() == count && lights.quadratic.size() == count);
-  assert(lights.threshold.size() == count || lights.threshold.size() == 1);
-  assert(lights.density.size() == count || lights.density.size() == 1);
-}
-
 }  // namespace
 
 template <typename T>
@@ -232,13 +216,13 @@ HWY_EXPORT(axial_exp_float);
 HWY_EXPORT(axial_exp2_float);
 
 std::size_t axial_airlights(FogMode mode, const BatchLights& lights, std::span<double> airlights) {
-  assert_fitting(lights, airlights.size());
+  assert(holds_lights(lights, airlights.size()));
   return mode == FogMode::exp ? HWY_DYNAMIC_DISPATCH(axial_exp_double)(lights, airlights)
                               : HWY_DYNAMIC_DISPATCH(axial_exp2_double)(lights, airlights);
 }
 
 std::size_t axial_airlights(FogMode mode, const BatchLightsF& lights, std::span<float> airlights) {
-  assert_fitting(lights, airlights.size());
+  assert(holds_lights(lights, airlights.size()));
   return mode == FogMode::exp ? HWY_DYNAMIC_DISPATCH(axial_exp_float)(lights, airlights)
                               : HWY_DYNAMIC_DISPATCH(axial_exp2_float)(lights, airlights);
 }

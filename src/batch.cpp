@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "batch_columns.h"
 #include "batch_guess.h"
 #include "litfog/solve.h"
 #include "unchecked.h"
@@ -525,11 +526,6 @@ void store(std::span<T> column, std::size_t at, T value) {
   if (!column.empty()) column[at] = value;
 }
 
-template <typename T>
-T value_at(std::span<const T> column, std::size_t at) {
-  return column[column.size() == 1 ? 0 : at];
-}
-
 /// One light by the scalar solver: returns whether it is invalid.
 template <typename T>
 bool solve_one(FogMode mode, const BasicBatchLights<T>& lights, const BasicBatchSolutions<T>& solutions, std::size_t at,
@@ -691,12 +687,7 @@ std::size_t solve_columns(const BasicBatchLights<T>& lights, const BasicBatchSol
     T extent[kMost];
     BatchStatus status[kMost];
     for (std::size_t lane = 0; lane < lanes; ++lane) {
-      const std::size_t from = std::min(at + lane, count - 1);  // the last light again
-      columns[0][lane] = lights.constant[from];
-      columns[1][lane] = lights.linear[from];
-      columns[2][lane] = lights.quadratic[from];
-      columns[3][lane] = value_at(lights.threshold, from);
-      columns[4][lane] = value_at(lights.density, from);
+      copy_light(lights, std::min(at + lane, count - 1), columns, lane);  // the last light again
     }
     solve_columns<kMode, T>({.constant = {columns[0], lanes},
                              .linear = {columns[1], lanes},
@@ -741,12 +732,9 @@ namespace {
 template <typename T>
 bool has_fitting_columns(const BasicBatchLights<T>& lights, const BasicBatchSolutions<T>& solutions) {
   const std::size_t count = solutions.intensity.size();
-  const auto is_whole = [count](const auto& column) { return column.size() == count; };
-  const auto is_shared = [&](const auto& column) { return is_whole(column) || column.size() == 1; };
-  const auto is_wanted = [&](const auto& column) { return is_whole(column) || column.empty(); };
-  return is_whole(lights.constant) && is_whole(lights.linear) && is_whole(lights.quadratic) &&
-         is_shared(lights.threshold) && is_shared(lights.density) && is_wanted(solutions.peak_range) &&
-         is_wanted(solutions.extent) && is_wanted(solutions.status);
+  const auto is_wanted = [count](const auto& column) { return column.size() == count || column.empty(); };
+  return holds_lights(lights, count) && is_wanted(solutions.peak_range) && is_wanted(solutions.extent) &&
+         is_wanted(solutions.status);
 }
 
 }  // namespace

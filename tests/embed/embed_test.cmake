@@ -3,13 +3,7 @@
 # (a static core, against which one file is compiled). It installs nothing of litfog's. SOURCE_DIR is that project.
 cmake_minimum_required(VERSION 3.25)
 
-function(run)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  if(NOT status EQUAL 0)
-    message(FATAL_ERROR "${ARGN}\nended with ${status}:\n${output}")
-  endif()
-  set(output "${output}" PARENT_SCOPE)
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/../install/run.cmake)
 
 file(REMOVE_RECURSE ${WORK_DIR})
 if(BY STREQUAL "FetchContent")

@@ -2,12 +2,7 @@
 # Builds each of EXAMPLES against the install tree PREFIX, as whoever copies it would, and runs it.
 cmake_minimum_required(VERSION 3.25)
 
-function(run)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  if(NOT status EQUAL 0)
-    message(FATAL_ERROR "${ARGN}\nended with ${status}:\n${output}")
-  endif()
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 
 file(REMOVE_RECURSE ${WORK_DIR})
 foreach(example "smallest;smallest_host" "smallest_c;smallest_c_host" "gl;gl_host" "cigi;cigi_ig;--demo")
