@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -98,7 +99,6 @@ void AirlightPainter::set_size(const Framebuffer& framebuffer) {
   glDrawBuffers(2, kTargets);
   check_framebuffer();
   for (const int step : kGridSteps) {
-    if (step > 1 && step > kMostApart * pixels_per_radian()) continue;
     Grid& grid = grids_.emplace_back();
     grid.step = step;
     grid.size = (picture_size_ + (step - 1)) / step + (step > 1 ? 1 : 0);
@@ -135,7 +135,10 @@ AirlightList AirlightPainter::draw(const Framebuffer& framebuffer, const View& v
   if (list.entries.empty()) return list;
   entries_.emplace(list.entries.data(), list.entries.size() * sizeof(AirlightEntry), BufferTexture::Texel::float4);
   entries_->bind(kEntryUnit);
-  const Frame frame{framebuffer, view, fog.mode, list.ranges, float(std::exp2(exposure))};
+  const double most_apart = std::max(1.0, kMostApart * pixels_per_radian());
+  const auto coarsest = std::ranges::find_if(grids_, [&](const Grid& grid) { return grid.step <= most_apart; });
+  const std::span<const Grid> grids(coarsest, grids_.end());
+  const Frame frame{framebuffer, view, fog.mode, list.ranges, float(std::exp2(exposure)), grids.front().step};
   glBindVertexArray(vertex_array_.id());
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
@@ -146,16 +149,16 @@ AirlightList AirlightPainter::draw(const Framebuffer& framebuffer, const View& v
 
   glBindFramebuffer(GL_FRAMEBUFFER, seen_.id());
   glViewport(0, 0, picture_size_.x, picture_size_.y);
-  use(seen_program_, frame, grids_.back());
+  use(seen_program_, frame, grids.back());
   glDrawArrays(GL_TRIANGLES, 0, 3);
 
-  for (std::size_t i = 0; i < grids_.size(); ++i) {
-    const Grid& grid = grids_[i];
+  for (std::size_t i = 0; i < grids.size(); ++i) {
+    const Grid& grid = grids[i];
     glBindFramebuffer(GL_FRAMEBUFFER, grid.framebuffer.id());
     glClear(GL_COLOR_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     if (i > 0) {
       glEnable(GL_STENCIL_TEST);
-      fill(frame, grid, grids_[i - 1]);
+      fill(frame, grid, grids[i - 1]);
       draw_lights(frame, grid, Part::left_out);
       draw_packed(frame, grid);
       glDisable(GL_STENCIL_TEST);
@@ -167,7 +170,7 @@ AirlightList AirlightPainter::draw(const Framebuffer& framebuffer, const View& v
   glBlendFunc(GL_ONE, GL_ONE);
   framebuffer.bind_resolved();
   add_program_.use();
-  bind_texture(kAirlightUnit, grids_.back().airlight);
+  bind_texture(kAirlightUnit, grids.back().airlight);
   set_uniform(add_program_, "airlight", kAirlightUnit);
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glDisable(GL_BLEND);
@@ -238,7 +241,7 @@ void AirlightPainter::draw_lights(const Frame& frame, const Grid& grid, Part par
   const glm::vec2 offset = scale - 1.0f + (1.0f - 1.0f / float(grid.step)) / glm::vec2(size);
   for (const AirlightList::Range& range : frame.lights) {
     const int smooth_step = range.profile == kCookieProfile ? 1 : range.has_shafts ? 2 : kGridSteps[0];
-    const int coarsest_step = std::min(smooth_step, grids_.front().step);
+    const int coarsest_step = std::min(smooth_step, frame.coarsest_step);
     if (part == Part::whole ? grid.step != coarsest_step : grid.step >= coarsest_step) continue;
     const gl::Program& program = light_program(frame.fog_mode, range.profile, range.has_shafts);
     use(program, frame, grid);

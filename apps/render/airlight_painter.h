@@ -42,8 +42,7 @@ class AirlightPainter {
   AirlightPainter(const scene::Scene& scene, const SceneLights& lights, const gl::FogLightBuffer& fog_lights,
                   const Framebuffer& framebuffer, const ShadowMaps* shafts, int shaft_steps);
 
-  /// Takes another size of the pictures, and a change of the camera's field of view. They have as many samples as
-  /// before.
+  /// Takes another size of the pictures, which have as many samples as before.
   void set_size(const Framebuffer& framebuffer);
 
   /// Adds that of all lights to a resolved framebuffer. The lights and the cookies are bound to their units.
@@ -81,6 +80,7 @@ class AirlightPainter {
     FogMode fog_mode;
     const std::vector<AirlightList::Range>& lights;
     float exposure_gain;
+    int coarsest_step;  // of the grids that the field of view allows
   };
 
   double pixels_per_radian() const;  ///< at the middle of the picture

@@ -39,7 +39,7 @@ class Renderer {
   Renderer(const Renderer&) = delete;  // its parts refer to each other
   Renderer& operator=(const Renderer&) = delete;
 
-  /// Takes another size of the pictures, and a change of the camera's field of view.
+  /// Takes another size of the pictures.
   ///
   /// throws  gl::Unsupported where the driver has no framebuffer of that size
   void set_size(int width, int height);

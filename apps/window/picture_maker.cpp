@@ -34,9 +34,7 @@ class Easel {
       renderer_.emplace(scene, order.width, order.height, settings);
     } else {
       const bool has_size = renderer_->width() == order.width && renderer_->height() == order.height;
-      if (!has_size || order.camera.field_of_view != camera_.field_of_view) {
-        renderer_->set_size(order.width, order.height);
-      }
+      if (!has_size) renderer_->set_size(order.width, order.height);
       const bool are_casters_stale =
           settings.shadows != render::Shadows::none && order.camera.position != camera_.position;
       if (order.lights != lights_ || are_casters_stale) renderer_->set_lights();

@@ -217,6 +217,25 @@ void change(Scene& scene) {
   scene.lights.back().light.color = glm::dvec3(0);  // off: left out of all lists
 }
 
+// Airlight's grids depend on it.
+TEST_F(RendererTest, ChangedFieldOfViewGivesThePictureOfANewRenderer) {
+  Scene scene = read_scene(bundled_scene_path("room"));
+  const Fog fog = Fog::from_visibility(FogMode::exp, 30.0);
+  const auto picture_of = [&](Renderer& renderer) {
+    renderer.set_fog(fog);
+    renderer.draw();
+    return renderer.read().rgb;
+  };
+  scene.camera.field_of_view = 0.2f;
+  Renderer renderer(scene, kWidth, kHeight, {});
+  const std::vector<float> narrow = picture_of(renderer);
+  scene.camera.field_of_view = 2.4f;
+  Renderer wide(scene, kWidth, kHeight, {});
+  EXPECT_EQ(picture_of(renderer), picture_of(wide));
+  scene.camera.field_of_view = 0.2f;
+  EXPECT_EQ(picture_of(wide), narrow);
+}
+
 TEST_F(RendererTest, ChangedLightsCameraAndSizeGiveThePictureOfANewRenderer) {
   const Scene original = read_scene(bundled_scene_path("room"));
   const Fog fog = Fog::from_visibility(FogMode::exp, 30.0);
