@@ -214,7 +214,7 @@ void Sequence::show(int frame) {
   }
   expect_heading(frame);
   scene_.camera = camera(frame);
-  if (frame == 0 || remakes_scene()) move_lights(frame);
+  if (frame == 0 || changes_members_ || moves_lights_) move_lights(frame);
 }
 
 void Sequence::move_lights(int frame) {
@@ -241,15 +241,18 @@ void draw_sequence(Sequence& sequence, const std::string& folder, const DrawingO
   }
 
   const render::RenderSettings settings = drawing.settings_of(*drawing.render.path);
-  const bool remakes_renderer =
-      sequence.remakes_scene() || (sequence.moves_camera() && settings.shadows != render::Shadows::none);
+  const bool chooses_casters = sequence.moves_camera() && settings.shadows != render::Shadows::none;
   std::optional<render::Renderer> renderer;
   render::Display display = drawing.display.display_for(scene);
   for (int frame = 0; frame < count; ++frame) {
     const auto frame_start = std::chrono::steady_clock::now();
-    if (remakes_renderer) renderer.reset();
+    if (sequence.changes_members()) renderer.reset();
     sequence.show(frame);
-    if (!renderer) renderer.emplace(scene, drawing.width, drawing.height, settings);
+    if (!renderer) {
+      renderer.emplace(scene, drawing.width, drawing.height, settings);
+    } else if (sequence.moves_lights() || chooses_casters) {
+      renderer->set_lights();
+    }
     renderer->set_fog(Fog::from_visibility(drawing.fog_mode(), sequence.visibility(frame)));
     if (frame == 0) {
       display.exposure = renderer->set_exposure(display.exposure);

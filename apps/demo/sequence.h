@@ -50,8 +50,8 @@ class Sequence {
   double visibility(int frame) const;                   ///< metres
   std::string words(int frame) const;                   ///< all that changes: "visibility 400 m, time 0.5 s"
   bool moves_camera() const { return moves_camera_; }
-  /// Whether lights, surfaces or surroundings change, so that a renderer has to be made anew.
-  bool remakes_scene() const { return changes_members_ || moves_lights_; }
+  bool moves_lights() const { return moves_lights_; }
+  bool changes_members() const { return changes_members_; }  ///< of the scene's file: anything in it
 
   /// Makes the scene that of a frame. Lights that the eye's vehicle carries move along with the camera, from where they
   /// are in the first frame. Throws InputError, and a usage error, where members that change make a frame that cannot
@@ -79,7 +79,7 @@ class Sequence {
 };
 
 /// Draws every frame into a folder (made where missing): SCENE-0001.png and so on, SCENE.apng, which plays them, and
-/// the film, if one is asked for. A renderer is kept as long as only fog and camera change. Reports every frame on
+/// the film, if one is asked for. A renderer is kept but where members change. Reports every frame on
 /// standard output. Needs a current GL context. Throws OutputError; MissingCapability where a film cannot be made.
 ///
 /// drawing  an automatic exposure is that of the first frame, for all
