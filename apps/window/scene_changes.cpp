@@ -7,9 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <glm/glm.hpp>
-#include <iterator>
 #include <nlohmann/json.hpp>
-#include <string_view>
 
 #include "command/number.h"
 #include "litfog/input_error.h"
@@ -38,17 +36,13 @@ Json cone_json(const Cone& cone) {
   return {{"profile", "smoothstep"}, {"inner_deg", degrees(cone.inner)}, {"outer_deg", degrees(cone.outer)}};
 }
 
-/// "lights[0].attenuation.quadratic" as the keys that lead there. A light's own members are in its entry's "light".
+/// "lights[0].light.attenuation.quadratic" as the keys that lead there.
 std::vector<std::string> keys_of(const std::string& member) {
   std::vector<std::string> keys;
   for (std::size_t begin = 0; begin < member.size();) {
     const std::size_t end = std::min(member.find_first_of(".[]", begin), member.size());
     if (end > begin) keys.push_back(member.substr(begin, end - begin));
     begin = end + 1;
-  }
-  constexpr std::string_view kOfLight[] = {"attenuation", "threshold", "cone", "density_scale"};
-  if (keys.size() > 2 && keys[0] == "lights" && std::ranges::find(kOfLight, keys[2]) != std::end(kOfLight)) {
-    keys.insert(keys.begin() + 2, "light");
   }
   return keys;
 }
@@ -64,7 +58,7 @@ void write_out(Json& name, const fs::path& folder) {
 
 void apply(Json& scene, const scene::SceneChange& change, const fs::path& folder) {
   Json* value = &scene;
-  for (const std::string& key : keys_of(change.member)) {
+  for (const std::string& key : keys_of(scene::changed_member(change.member))) {
     if (value->is_string()) write_out(*value, folder);
     value = value->is_array() ? &value->at(std::stoul(key)) : &(*value)[key];
   }

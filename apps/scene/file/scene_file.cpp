@@ -176,21 +176,6 @@ Vehicle read_vehicle(const JsonValue& value) {
                        .roll = angle_or(value, "roll_deg", 180)}};
 }
 
-/// The member that a change means: an entry's own, or one of the light in it, whose name comes after ".light" then.
-std::string changed_member(const std::string& member) {
-  const std::size_t dot = member.find("].") + 1;
-  if (!member.starts_with("lights[") || dot == 0) return member;
-  const std::string name = member.substr(dot + 1, member.find_first_of(".[", dot + 1) - dot - 1);
-  const auto is_one_of = [&name](const auto& names) { return std::ranges::find(names, name) != std::end(names); };
-  if (name.empty() || is_one_of(kLightEntryMembers)) return member;
-  if (is_one_of(kMembersOfTheLight)) return member.substr(0, dot) + ".light" + member.substr(dot);
-  std::vector<std::string_view> names = kLightEntryMembers;
-  names.insert(names.end(), kMembersOfTheLight.begin(), kMembersOfTheLight.end());
-  throw InputError({.file = kChangePlace}, member, "",
-                   fmt::format("{} must be one of {}{}", files::quoted_excerpt(name), fmt::join(names, ", "),
-                               files::hint_for_word(name, names)));
-}
-
 /// What no JSON begins as is a word in place of a string.
 JsonValue changed_value(const SceneChange& change) {
   const std::string& value = change.value;
@@ -510,6 +495,20 @@ class SceneReader {
 std::filesystem::path scene_folder() { return command::bundled_folder("scenes"); }
 
 }  // namespace
+
+std::string changed_member(const std::string& member) {
+  const std::size_t dot = member.find("].") + 1;
+  if (!member.starts_with("lights[") || dot == 0) return member;
+  const std::string name = member.substr(dot + 1, member.find_first_of(".[", dot + 1) - dot - 1);
+  const auto is_one_of = [&name](const auto& names) { return std::ranges::find(names, name) != std::end(names); };
+  if (name.empty() || is_one_of(kLightEntryMembers)) return member;
+  if (is_one_of(kMembersOfTheLight)) return member.substr(0, dot) + ".light" + member.substr(dot);
+  std::vector<std::string_view> names = kLightEntryMembers;
+  names.insert(names.end(), kMembersOfTheLight.begin(), kMembersOfTheLight.end());
+  throw InputError({.file = kChangePlace}, member, "",
+                   fmt::format("{} must be one of {}{}", files::quoted_excerpt(name), fmt::join(names, ", "),
+                               files::hint_for_word(name, names)));
+}
 
 Scene read_scene(const std::string& path, std::optional<std::size_t> city_lights,
                  const std::vector<SceneChange>& changes) {

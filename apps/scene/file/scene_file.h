@@ -80,6 +80,10 @@ struct SceneChange {
 /// The place that errors in a change name.
 inline constexpr const char* kChangePlace = "--set";
 
+/// The member of the file that a change means: an entry's own, or one of the light in it, whose name comes after
+/// ".light" then. Throws InputError where an entry has no such member.
+std::string changed_member(const std::string& member);
+
 /// Reads a scene file, or a glTF file (gltf_scene.h) by its ending; what is left out of that is said in one line on
 /// standard error. Throws InputError, of which the file is kChangePlace where a change is wrong.
 ///
