@@ -10,7 +10,7 @@ namespace litfog::demo {
 
 // clang-format off
 /// A camera's way through its keyframes: a smooth curve (cubic, its slope at a keyframe that of the chord between the
-/// neighbours). Files, version 1:
+/// neighbours). Files, version 1 (data/schemas has their JSON Schema):
 ///
 ///     {
 ///       "litfog": "camera-path",

@@ -13,7 +13,7 @@ namespace litfog::test {
 /// takes the two for one.
 class JsonSchema {
  public:
-  /// kind  "light", "light-spec" or "scene"
+  /// kind  "light", "light-spec", "scene" or "camera-path"
   explicit JsonSchema(const std::string& kind);
   ~JsonSchema();
 

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <array>
+#include <fstream>
+#include <string>
+
+#include "command/temporary_directory.h"
+#include "demo/camera_path.h"
+#include "files/json_schema.h"
+#include "litfog/input_error.h"
+
+namespace litfog::test {
+namespace {
+
+/// Between them they have every member.
+constexpr std::array kPaths{
+    R"({"litfog": "camera-path", "version": 1, "keyframes": [
+      {"time_s": 0, "position": [0, 2, 9], "target": [0, 1, 0], "field_of_view_deg": 50},
+      {"time_s": 4, "position": [3, 2, 5], "target": [0, 1, 0]}]})",
+    R"({"litfog": "camera-path", "version": 1, "keyframes": [
+      {"position": [0, 2, 9], "target": [0, 1, 0]}, {"position": [0, 2, 5], "target": [0, 1, 0]}]})"};
+
+/// What a schema cannot say: order.
+constexpr const char* kRuleAcrossMembers = "must be after the keyframe before";
+
+class CameraPathSchema : public testing::Test {
+ protected:
+  /// What litfog-demo says of a path; nothing where it takes it.
+  std::string refusal_of(const std::string& text) const {
+    const auto path = directory_.path() / "f.json";
+    std::ofstream(path) << text;
+    try {
+      demo::read_camera_path(path.string(), 1);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  const JsonSchema schema_{"camera-path"};
+  TemporaryDirectory directory_;
+};
+
+TEST_F(CameraPathSchema, MembersAreTheReaders) {
+  const std::string header = R"({"litfog": "camera-path", "version": 1, )";
+  EXPECT_EQ(schema_.members_at(""), members_in(refusal_of(header + R"("zzz": 1})")));
+  EXPECT_EQ(schema_.members_at("/definitions/keyframe"),
+            members_in(refusal_of(header + R"("keyframes": [{"zzz": 1}, {}]})")));
+}
+
+TEST_F(CameraPathSchema, ItRefusesWhatTheReaderRefusesAndNothingElse) {
+  int refused = 0;
+  for (const char* path : kPaths) {
+    EXPECT_EQ(refusal_of(path), "");
+    EXPECT_EQ(schema_.error_of(path), "");
+    for (const std::string& text : changed_documents(path)) {
+      const std::string refusal = refusal_of(text), error = schema_.error_of(text);
+      if (refusal.find(kRuleAcrossMembers) != refusal.npos) continue;
+      EXPECT_EQ(error.empty(), refusal.empty()) << text << "\n" << refusal << error;
+      if (!refusal.empty()) ++refused;
+    }
+  }
+  EXPECT_GT(refused, 100);
+}
+
+TEST_F(CameraPathSchema, LimitsOfMembersAreTheReaders) {
+  for (const char* key :
+       {R"("position": [10000000, 0, 0], "target": [0, 0, 0])", R"("position": [10000001, 0, 0], "target": [0, 0, 0])",
+        R"("position": [0, 0, 0], "target": [0, -10000000, 0])",
+        R"("position": [0, 0, 0], "target": [0, -10000001, 0])",
+        R"("position": [0, 0, 0], "target": [0, 0, 0], "field_of_view_deg": 1)",
+        R"("position": [0, 0, 0], "target": [0, 0, 0], "field_of_view_deg": 0.999)",
+        R"("position": [0, 0, 0], "target": [0, 0, 0], "field_of_view_deg": 150)",
+        R"("position": [0, 0, 0], "target": [0, 0, 0], "field_of_view_deg": 150.1)"}) {
+    const std::string text = R"({"litfog": "camera-path", "version": 1, "keyframes": [{"position": [0, 0, 0], )"
+                             R"("target": [0, 0, 0]}, {)" +
+                             std::string(key) + "}]}";
+    EXPECT_EQ(schema_.error_of(text).empty(), refusal_of(text).empty()) << text << "\n" << refusal_of(text);
+  }
+  for (const char* seconds : {"-1e9", "-1000000001", "1000000001"}) {
+    const std::string text = R"({"litfog": "camera-path", "version": 1, "keyframes": [
+      {"time_s": )" + std::string(seconds) +
+                             R"(, "position": [0, 0, 0], "target": [0, 0, 0]},
+      {"time_s": 1e9, "position": [0, 0, 0], "target": [0, 0, 0]}]})";
+    EXPECT_EQ(schema_.error_of(text).empty(), refusal_of(text).empty()) << text << "\n" << refusal_of(text);
+  }
+}
+
+}  // namespace
+}  // namespace litfog::test
