@@ -37,7 +37,7 @@ struct FogLightInstance {
 
 /// The fog: the first members of the uniform block.
 struct FogHeader {
-  glm::vec4 fog;                ///< x density (1/m), y mode: 0 exp, 1 exp2, z number of instances, w 0
+  glm::vec4 fog;                ///< x density (1/m), y mode: 0 exp, 1 exp2, z number of instances in the block, w 0
   glm::vec4 ambient_fog_color;  ///< rgb linear, w 0
 };
 
@@ -64,13 +64,14 @@ static_assert(offsetof(FogLightBlock, kinds) == 32 && offsetof(FogLightBlock, in
 FogLightKind pack_fog_light_kind(const PlacedLight& light, const FogIntensity& solution);
 
 /// kind    index among the kinds, at most 2^24: a float holds it
-/// throws  std::invalid_argument naming field, value and rule of the light
+/// throws  std::invalid_argument naming field, value and rule of the light or of kind
 FogLightInstance pack_fog_light_instance(const PlacedLight& light, std::size_t kind);
 
 /// An infinite density is stored as the largest float.
 ///
 /// ambient_fog_color  linear RGB, finite, >= 0
-/// throws             std::invalid_argument naming field, value and rule
+/// instances          of the block, which shaders go through: at most kMaxFogLights; 0 where lights are in buffers
+/// alone throws             std::invalid_argument naming field, value and rule
 FogHeader pack_fog_header(const Fog& fog, const glm::dvec3& ambient_fog_color, std::size_t instances);
 
 /// The whole block from lights and their solutions, in order, each light of a kind of its own; unused entries are zero.

@@ -112,6 +112,8 @@ static void pack(void) {
   litfog_fog_header header;
   EXPECT_OK(litfog_pack_fog_header(&fog, ambient, 7, &header));
   EXPECT(header.fog[0] == (float)fog.density && header.fog[2] == 7 && header.ambient_fog_color[1] == 0.2f);
+  EXPECT(litfog_pack_fog_header(&fog, ambient, LITFOG_MAX_FOG_LIGHTS + 1, &header) == LITFOG_INVALID_ARGUMENT);
+  EXPECT(header.fog[2] == 7);
   litfog_fog_light_block* block = malloc(sizeof *block);
   EXPECT(block != NULL);
   EXPECT_OK(litfog_pack_fog_light_block(&fog, ambient, &light, 1, block));

@@ -48,6 +48,8 @@ TEST(FogLightInstance, EveryFieldIsInItsPlace) {
 TEST(FogLightInstance, LargestKindIsExact) {
   EXPECT_EQ(pack_fog_light_instance(distinct_light(), 16'777'215).position_kind.w, 16'777'215.0f);
   EXPECT_EQ(pack_fog_light_instance(distinct_light(), 16'777'216).position_kind.w, 16'777'216.0f);
+  EXPECT_EQ(error_of([] { pack_fog_light_instance(distinct_light(), 16'777'217); }),
+            "kind = 16777217: must be at most 16777216");
 }
 
 TEST(FogLightKind, ProfilesAreNumbered) {
@@ -145,6 +147,11 @@ TEST(FogLightBlock, LightsAreInOrderWithZerosBehindThem) {
     EXPECT_EQ(std::memcmp(&block.kinds[i], &unused_kind, sizeof unused_kind), 0) << "kind " << i;
     EXPECT_EQ(std::memcmp(&block.instances[i], &unused_instance, sizeof unused_instance), 0) << "instance " << i;
   }
+}
+
+TEST(FogLightBlock, HeaderOfMoreInstancesThanTheBlockHasIsAnError) {
+  EXPECT_EQ(pack_fog_header({}, {}, kMaxFogLights).fog.z, float(kMaxFogLights));
+  EXPECT_EQ(error_of([] { pack_fog_header({}, {}, kMaxFogLights + 1); }), "instances = 201: must be at most 200");
 }
 
 TEST(FogLightBlock, TotalFogBecomesTheLargestFloat) {
