@@ -31,13 +31,53 @@ namespace {
 /// str(object)
 std::string text_of(const py::object& object) { return py::cast<std::string>(py::str(object)); }
 
+template <typename Function>
+void add_method(const py::object& type, const char* name, const Function& method) {
+  type.attr(name) = py::cpp_function(method, py::name(name), py::is_method(type));
+}
+
+PyTypeObject* instance_base() { return reinterpret_cast<PyTypeObject*>(py::detail::get_internals().instance_base); }
+
+/// What pybind11 has as tp_new, at another address.
+PyObject* new_instance(PyTypeObject* type, PyObject* arguments, PyObject* keywords) {
+  return instance_base()->tp_new(type, arguments, keywords);
+}
+
+/// Makes errors of two ways to an instance whose C++ value was never constructed, which pybind11 would read:
+/// Fog.__new__(Fog), which Python refuses where the class has another tp_new than its base; and object.__reduce__(),
+/// which calls it.
+void close_classes(const py::module_& m) {
+  for (const auto& [name, value] : m.attr("__dict__").cast<py::dict>()) {
+    if (!PyType_Check(value.ptr())) continue;
+    auto* type = reinterpret_cast<PyTypeObject*>(value.ptr());
+    if (!PyType_IsSubtype(type, instance_base())) continue;
+    type->tp_new = &new_instance;
+    const auto type_object = py::reinterpret_borrow<py::object>(value);
+    if (py::hasattr(type_object, "__members__")) {
+      add_method(type_object, "__reduce__", [](const py::object& self) {
+        return py::make_tuple(self.attr("__class__"), py::make_tuple(py::int_(self)));
+      });
+    } else if (!type_object.attr("__dict__").contains("__reduce__")) {
+      add_method(type_object, "__reduce__", [](const py::object& self) -> py::object {
+        throw py::type_error("cannot pickle a litfog." + text_of(self.attr("__class__").attr("__name__")));
+      });
+    }
+  }
+}
+
 }  // namespace
 
 void make_record(const py::object& type, std::initializer_list<const char*> names) {
   const std::vector<std::string> fields(names.begin(), names.end());
-  const auto add = [&type](const char* name, auto&& method) {
-    type.attr(name) = py::cpp_function(method, py::name(name), py::is_method(type));
-  };
+  const auto add = [&type](const char* name, auto&& method) { add_method(type, name, method); };
+  add("__eq__", [fields](const py::object& self, const py::object& other) -> py::object {
+    if (!py::type::of(self).is(py::type::of(other))) return py::reinterpret_borrow<py::object>(Py_NotImplemented);
+    const auto is_same = [&](const std::string& field) {
+      return self.attr(field.c_str()).equal(other.attr(field.c_str()));
+    };
+    return py::bool_(std::ranges::all_of(fields, is_same));
+  });
+  type.attr("__hash__") = py::none();  // its fields can change
   add("__repr__", [fields](const py::object& self) {
     std::string text = "litfog." + text_of(self.attr("__class__").attr("__name__")) + "(";
     for (std::size_t i = 0; i < fields.size(); ++i) {
@@ -346,9 +386,7 @@ void bind_lights(py::module_& m) {
       .def_static("from_visibility", &Fog::from_visibility, py::arg("mode"), py::arg("metres"),
                   py::arg("contrast") = kContrastMor,
                   "The fog of a visibility: metres >= 0, infinity is no fog; contrast in (0, 1) is what is left of a\n"
-                  "dark object's contrast at that range. ValueError with field, value and rule.")
-      .def(
-          "__eq__", [](const Fog& a, const Fog& b) { return a == b; }, py::is_operator());
+                  "dark object's contrast at that range. ValueError with field, value and rule.");
   make_record(fog, {"mode", "density"});
 
   py::class_<Attenuation> attenuation(
@@ -362,9 +400,7 @@ void bind_lights(py::module_& m) {
            py::arg("constant") = 1., py::arg("linear") = 0., py::arg("quadratic") = 0.)
       .def_readwrite("constant", &Attenuation::constant, "dimensionless")
       .def_readwrite("linear", &Attenuation::linear, "1/m")
-      .def_readwrite("quadratic", &Attenuation::quadratic, "1/m^2")
-      .def(
-          "__eq__", [](const Attenuation& a, const Attenuation& b) { return a == b; }, py::is_operator());
+      .def_readwrite("quadratic", &Attenuation::quadratic, "1/m^2");
   make_record(attenuation, {"constant", "linear", "quadratic"});
 
   py::enum_<ConeProfile>(m, "ConeProfile", "How a light's intensity falls with the angle from its axis.")
@@ -384,9 +420,7 @@ void bind_lights(py::module_& m) {
       .def_readwrite("outer", &Cone::outer, "smoothstep: (inner, pi], no light beyond")
       .def_static("cosine", &Cone::cosine, py::arg("half_angle"), py::arg("exponent"), "A cosine cone (Hales 2004).")
       .def_static("smoothstep", &Cone::smoothstep, py::arg("inner"), py::arg("outer"),
-                  "The dual cone of the Cg Tutorial.")
-      .def(
-          "__eq__", [](const Cone& a, const Cone& b) { return a == b; }, py::is_operator());
+                  "The dual cone of the Cg Tutorial.");
   make_record(cone, {"profile", "half_angle", "exponent", "inner", "outer"});
 
   py::class_<Light> light(m, "Light", "A kind of light: what a light file holds.");
@@ -660,4 +694,5 @@ PYBIND11_MODULE(litfog, m) {
   litfog::python::bind_airlight(m);
   litfog::python::bind_updater(m);
   litfog::python::bind_components(m);
+  litfog::python::close_classes(m);
 }

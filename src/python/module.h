@@ -32,8 +32,8 @@ namespace litfog::python {
 
 namespace py = pybind11;
 
-/// Gives a class of plain fields a repr() that reads back, and pickling. Its constructor takes the fields in this
-/// order.
+/// Gives a class of plain fields equality, a repr() that reads back, and pickling. Its constructor takes the fields in
+/// this order.
 void make_record(const py::object& type, std::initializer_list<const char*> fields);
 
 /// A structured dtype of float64 or float32 members; a width of 1 is a scalar.

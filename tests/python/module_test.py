@@ -87,7 +87,47 @@ class SolveTest(unittest.TestCase):
             self.assertEqual(repr(eval(repr(value))), repr(value))
             self.assertEqual(repr(pickle.loads(pickle.dumps(value))), repr(value))
             self.assertEqual(repr(copy.deepcopy(value)), repr(value))
+            for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
+                self.assertEqual(pickle.loads(pickle.dumps(value, protocol)), value)
         self.assertEqual(placed.light.color, (1, 0.5, 0))
+        self.assertEqual(pickle.loads(pickle.dumps(litfog.FogMode.exp2, 0)), litfog.FogMode.exp2)
+
+    def test_records_are_equal_where_all_their_fields_are(self):
+        values = {"name": "a", "color": (1, 0.5, 0), "attenuation": litfog.Attenuation(0.5, 0.1, 2), "threshold": 0.1,
+                  "cone": litfog.Cone.cosine(0.3, 7), "density_scale": 0.4}  # fmt: skip
+        light = litfog.Light(**values)
+        self.assertEqual(light, litfog.Light(**values))
+        self.assertFalse(light != litfog.Light(**values))
+        for field in values:
+            other = litfog.Light(**values)
+            setattr(other, field, getattr(litfog.Light(), field))
+            self.assertNotEqual(light, other, field)
+        self.assertEqual(litfog.PlacedLight(light), litfog.PlacedLight(litfog.Light(**values)))
+        self.assertNotEqual(litfog.PlacedLight(light), litfog.PlacedLight(light, carried=True))
+        self.assertNotEqual(litfog.Fog(), litfog.Attenuation())
+        self.assertNotEqual(litfog.Fog(), None)
+        with self.assertRaisesRegex(TypeError, "unhashable type: 'litfog.Light'"):
+            hash(light)
+
+    def test_instances_without_a_value_cannot_be_made(self):
+        classes = [value for value in vars(litfog).values() if isinstance(value, type) and "__doc__" in vars(value)]
+        classes = [value for value in classes if "pybind11" in type(value).__name__]
+        self.assertGreater(len(classes), 20)
+        for made in classes:
+            with self.assertRaises(TypeError):
+                made.__new__(made)
+        for result in (litfog.FogUpdater(), litfog.fit_attenuation(extent=5)):
+            for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
+                with self.assertRaisesRegex(TypeError, "^cannot pickle a litfog.(FogUpdater|AttenuationFit)$"):
+                    pickle.dumps(result, protocol)
+
+    def test_classes_can_be_derived_from(self):
+        class Named(litfog.Fog):
+            def __init__(self, name):
+                super().__init__(density=0.25)
+                self.name = name
+
+        self.assertEqual((Named("a").density, Named("a").name), (0.25, "a"))
 
     def test_functions_of_range_take_numbers_and_arrays(self):
         attenuation, fog = litfog.Attenuation(1, 0, 0.25), litfog.Fog(density=0.5)
