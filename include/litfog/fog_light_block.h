@@ -70,8 +70,8 @@ FogLightInstance pack_fog_light_instance(const PlacedLight& light, std::size_t k
 /// An infinite density is stored as the largest float.
 ///
 /// ambient_fog_color  linear RGB, finite, >= 0
-/// instances          of the block, which shaders go through: at most kMaxFogLights; 0 where lights are in buffers
-/// alone throws             std::invalid_argument naming field, value and rule
+/// instances          of the block, which shaders go through: at most kMaxFogLights; 0 if all lights are in buffers
+/// throws             std::invalid_argument naming field, value and rule
 FogHeader pack_fog_header(const Fog& fog, const glm::dvec3& ambient_fog_color, std::size_t instances);
 
 /// The whole block from lights and their solutions, in order, each light of a kind of its own; unused entries are zero.

@@ -281,8 +281,8 @@ typedef struct litfog_fog_light_block {
 /// The first members of the block, for lights that an updater holds.
 ///
 /// ambient_fog_color  three components, finite, >= 0
-/// instances          of the block, which shaders go through: at most LITFOG_MAX_FOG_LIGHTS; 0 where lights are in
-///                    buffers alone
+/// instances          of the block, which shaders go through: at most LITFOG_MAX_FOG_LIGHTS; 0 if all lights are in
+///                    buffers
 LITFOG_API litfog_status litfog_pack_fog_header(const litfog_fog* fog, const double* ambient_fog_color,
                                                 size_t instances, litfog_fog_header* header);
 

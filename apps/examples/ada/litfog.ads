@@ -90,6 +90,10 @@ package Litfog is
       Instance_Count : size_t := 0;
    end record with Convention => C;
 
+   type Fog_Update_Statistics is record
+      Kinds_Solved, Kinds_Skipped, Lights_Skipped, Bytes_Dirty : size_t := 0;
+   end record with Convention => C;
+
    function Create (Skip_Budget_255 : Real; Result : out Updater) return Status
      with Import, Convention => C, External_Name => "litfog_updater_create";
    procedure Destroy (Self : Updater)
@@ -104,6 +108,8 @@ package Litfog is
      with Import, Convention => C, External_Name => "litfog_updater_set_fog";
    function Tables (Self : Updater; Result : in out Fog_Light_Tables) return Status
      with Import, Convention => C, External_Name => "litfog_updater_tables";
+   function Statistics (Self : Updater; Result : in out Fog_Update_Statistics) return Status
+     with Import, Convention => C, External_Name => "litfog_updater_statistics";
 
 private
    type Store is null record;

@@ -3,6 +3,7 @@
 --
 --     gnatmake smallest_host.adb -largs -llitfog_c
 
+with Ada.Integer_Text_IO;
 with Ada.Text_IO;
 with Interfaces.C.Strings;
 with Litfog; use Litfog;
@@ -17,12 +18,20 @@ procedure Smallest_Host is
       end if;
    end Require;
 
+   procedure Put_Upload (Table : String; Entries : Entry_Range) is
+      First  : constant String := Entries.First'Image;  --  begins with a blank
+      Beyond : constant String := Entries.Beyond'Image;
+   begin
+      Ada.Text_IO.Put_Line ("  upload " & Table & " [" & First (2 .. First'Last) & "," & Beyond & ")");
+   end Put_Upload;
+
    Lights  : Updater;
    Handle  : Light_Handle;
    Lamp    : Placed_Light;
    Weather : Fog;
    Changes : Fog_Light_Changes;
    Now     : Fog_Light_Tables;
+   Done    : Fog_Update_Statistics;
    package Text is new Ada.Text_IO.Float_IO (Real);
 begin
    Require (Create (0.5, Lights));
@@ -41,23 +50,23 @@ begin
    Lamp.Carried := 1;
    Require (Add (Lights, Lamp, Handle));
 
-   for Visibility of Vector'(5000.0, 1500.0, 200.0) loop
-      Require (Fog_From_Visibility (Exp, Visibility, Contrast_Mor, Weather));
+   for Visibility of Vector4'(5000.0, 1500.0, 550.0, 200.0) loop
+      Require (Fog_From_Visibility (Exp, Real (Visibility), Contrast_Mor, Weather));
       Require (Set_Fog (Lights, Weather, Changes));
       Require (Tables (Lights, Now));
+      Require (Statistics (Lights, Done));
       Ada.Text_IO.Put ("visibility");
-      Text.Put (Visibility, Fore => 5, Aft => 0, Exp => 0);
-      Ada.Text_IO.Put (" m, landing lamp in fog");
+      Ada.Integer_Text_IO.Put (Integer (Visibility), Width => 5);
+      Ada.Text_IO.Put (" m: ");
+      Ada.Integer_Text_IO.Put (Integer (Done.Bytes_Dirty), Width => 3);
+      Ada.Text_IO.Put (" bytes, landing lamp in fog");
       Text.Put (Real (Now.Kinds (1).Cone_Scale_Intensity (4)), Fore => 2, Aft => 3, Exp => 0);
       Ada.Text_IO.New_Line;
       for I in 1 .. Changes.Kind_Count loop
-         Ada.Text_IO.Put_Line
-           ("  upload kinds [" & Changes.Kinds (I - 1).First'Image & "," & Changes.Kinds (I - 1).Beyond'Image & ")");
+         Put_Upload ("kinds", Changes.Kinds (I - 1));
       end loop;
       for I in 1 .. Changes.Instance_Count loop
-         Ada.Text_IO.Put_Line
-           ("  upload instances [" & Changes.Instances (I - 1).First'Image & ","
-            & Changes.Instances (I - 1).Beyond'Image & ")");
+         Put_Upload ("instances", Changes.Instances (I - 1));
       end loop;
    end loop;
    Destroy (Lights);

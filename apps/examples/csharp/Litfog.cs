@@ -5,7 +5,7 @@ using System.Runtime.InteropServices;
 
 public static class Litfog
 {
-    const string Library = "litfog_c";
+    const string Library = "liblitfog_c.so.0.1";  // of the package litfog-runtime
 
     public enum Status { Ok, InvalidArgument, BadFile, OutOfMemory, Fault }
     public enum FogMode { Exp, Exp2 }
@@ -72,6 +72,9 @@ public static class Litfog
         public UIntPtr InstanceCount;
     }
 
+    [StructLayout(LayoutKind.Sequential)]
+    public struct FogUpdateStatistics { public UIntPtr KindsSolved, KindsSkipped, LightsSkipped, BytesDirty; }
+
     [DllImport(Library)] static extern IntPtr litfog_last_error();
     [DllImport(Library)]
     public static extern Status litfog_fog_from_visibility(FogMode mode, double metres, double contrast, out Fog fog);
@@ -90,6 +93,8 @@ public static class Litfog
     [DllImport(Library)]
     public static extern Status litfog_updater_set_fog(IntPtr updater, ref Fog fog, out FogLightChanges changes);
     [DllImport(Library)] public static extern Status litfog_updater_tables(IntPtr updater, out FogLightTables tables);
+    [DllImport(Library)]
+    public static extern Status litfog_updater_statistics(IntPtr updater, out FogUpdateStatistics statistics);
 
     /// Throws what a call that failed on this thread said.
     public static void Require(Status status)

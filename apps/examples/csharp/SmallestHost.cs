@@ -31,8 +31,10 @@ static class SmallestHost
             Require(litfog_fog_from_visibility(FogMode.Exp, visibility, ContrastMor, out Fog fog));
             Require(litfog_updater_set_fog(updater, ref fog, out FogLightChanges changes));
             Require(litfog_updater_tables(updater, out FogLightTables tables));
+            Require(litfog_updater_statistics(updater, out FogUpdateStatistics statistics));
+            ulong bytes = (ulong)statistics.BytesDirty;
             float intensity = At<FogLightKind>(tables.Kinds, 1).ConeScaleIntensity.W;
-            Console.WriteLine($"visibility {visibility} m, landing lamp in fog {intensity:F3}");
+            Console.WriteLine($"visibility {visibility,4} m: {bytes,3} bytes, landing lamp in fog {intensity:F3}");
             for (int i = 0; i < (int)changes.KindCount; ++i)
             {
                 EntryRange range = At<EntryRange>(changes.Kinds, i);
