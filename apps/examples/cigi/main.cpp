@@ -7,10 +7,12 @@
 // It prints what each datagram changes and, at the end, the latency: from the kernel's receipt of a datagram until the
 // ranges to upload are known. Ends with 1 where nothing arrives for ten seconds.
 //
-// The layouts are those of Boeing's CIGI Class Library 4.0 (cigi-ccl, LGPL; classes CigiIGCtrlV3_3, CigiAtmosCtrlV3,
-// CigiWeatherCtrlV3, CigiIGCtrlV4, CigiAtmosCtrlV4, CigiWeatherCtrlV4, CigiIncomingMsg); those of 3.3 also agree with
-// github.com/Dnarok/cigi, which quotes sections 4.1.1 and 4.1.12 of the interface control document. The standard of 4.0
-// itself, SISO-STD-013, was not at hand. Offsets in bytes; `@` is "at":
+// The layouts are those of two sources, in each of which every id, size, offset and bit below was looked up: Boeing's
+// CIGI Class Library 4.0 (cigi-ccl; classes CigiIGCtrlV3_3, CigiAtmosCtrlV3, CigiWeatherCtrlV3, CigiIGCtrlV4,
+// CigiAtmosCtrlV4, CigiWeatherCtrlV4, CigiIncomingMsg), and Wireshark 4.4.18 (epan/dissectors/packet-cigi.c,
+// cigi3_add_* and cigi4_add_*). Those of 3.3 also agree with github.com/Dnarok/cigi, which quotes sections 4.1.1 and
+// 4.1.12 of the interface control document. The standard of 4.0 itself, SISO-STD-013, was not at hand. Offsets are in
+// bytes; `@` is "at":
 //
 //                          3.3                                     4.0
 //   every packet           u8 id, u8 size                          u16 size, u16 id
