@@ -1,12 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command/bundled_data.h"
 
+#include <dlfcn.h>
+#include <link.h>
+
 namespace litfog::command {
+namespace {
+
+/// Where an install put the data, seen from the file that holds this code: a program or an extension of Python.
+std::filesystem::path installed_data() {
+  static const char here = 0;
+  Dl_info info;
+  void* map = nullptr;
+  const bool is_found = dladdr1(&here, &info, &map, RTLD_DL_LINKMAP) != 0;
+  const std::filesystem::path library = is_found ? static_cast<const link_map*>(map)->l_name : "";
+  if (!library.empty()) return library.parent_path() / LITFOG_DATA_FROM_EXTENSION;
+  std::error_code error;  // a program has no name there
+  return std::filesystem::read_symlink("/proc/self/exe", error).parent_path() / LITFOG_DATA_FROM_PROGRAM;
+}
+
+}  // namespace
 
 std::filesystem::path bundled_folder(const std::string& name) {
   std::error_code error;
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
-  const std::filesystem::path installed = (program.parent_path() / LITFOG_DATA_FROM_PROGRAM / name).lexically_normal();
+  const std::filesystem::path installed = (installed_data() / name).lexically_normal();
   if (std::filesystem::is_directory(installed, error)) return installed;
   const std::filesystem::path sources = std::filesystem::path(LITFOG_SOURCE_DATA_DIR) / name;
   return std::filesystem::is_directory(sources, error) ? sources : installed;

@@ -7,7 +7,8 @@
 namespace litfog::command {
 
 /// A folder of the data that comes with litfog ("scenes", "lights"): where an install put it, seen from the running
-/// program, so that the whole may be moved; in a build tree it is the sources'. It need not exist.
+/// program or the extension of Python, so that the whole may be moved; in a build tree it is the sources'. It need not
+/// exist.
 std::filesystem::path bundled_folder(const std::string& name);
 
 }  // namespace litfog::command

@@ -25,6 +25,7 @@
 #include "demo/paper_sheets.h"
 #include "demo/path_comparison.h"
 #include "demo/picture_file.h"
+#include "demo/picture_options.h"
 #include "demo/scene_options.h"
 #include "demo/sequence.h"
 #include "demo/settings_comparison.h"
@@ -147,8 +148,7 @@ Job add_picture_job(CLI::App& app) {
     if (has_reference) expect_pixels(drawing, kMaxReferencePixels, "for a reference");
 
     scene::Scene scene = read_scene(options->scene);
-    check_options(app, {{scene.name, !has_turning_light(scene), {"--time"}, "none of its lights turns"},
-                        {scene.name, !scene.has_city, {"--lights"}, "it has no generated city"}});
+    check_scene_options(app, scene);
     set_scene(scene, drawing);
     OutputFiles outputs;
     const std::string output = is_given("--output") ? options->output : scene.name + ".png";

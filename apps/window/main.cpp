@@ -12,7 +12,7 @@
 #include "command/option_rule.h"
 #include "demo/drawing_options.h"
 #include "demo/picture_file.h"
-#include "demo/scene_options.h"
+#include "demo/picture_options.h"
 #include "files/whole_file.h"
 #include "litfog/files/output_error.h"
 #include "litfog/gl/unsupported.h"
@@ -282,11 +282,9 @@ struct Options {
 
 ExitStatus show(const CLI::App& app, Options& options) {
   if (app.count("SCENE") == 0) throw CLI::ValidationError("a scene must be given: see litfog-demo list scenes");
-  check_options(app, demo::drawing_rules(options.drawing));
-  check_options(app, demo::shadow_rules(options.drawing));
+  demo::check_picture_options(app, options.drawing);
   scene::Scene scene = demo::read_scene(options.scene);
-  check_options(app, {{scene.name, !demo::has_turning_light(scene), {"--time"}, "none of its lights turns"},
-                      {scene.name, !scene.has_city, {"--lights"}, "it has no generated city"}});
+  demo::check_scene_options(app, scene);
   scene::turn_lights(scene, options.drawing.seconds);
   scene::Scene facts = scene;
   facts.models.clear();
@@ -309,17 +307,7 @@ int main(int argc, char** argv) {
   CLI::App app{kDescription, "litfog-window"};
   Options options;
   app.footer(kFooter);
-  demo::add_scene(app, options.scene);
-  demo::add_changes(app, options.scene);
-  demo::add_city_lights(app, options.scene);
-  demo::add_view(app, options.scene);
-  demo::add_fog_and_visibility(app, options.drawing);
-  demo::add_path(app, options.drawing);
-  demo::add_fog_light(app, options.drawing);
-  demo::add_shadows(app, options.drawing);
-  demo::add_time(app, options.drawing);
-  demo::add_display(app, options.drawing.display);
-  demo::add_rendering(app, options.drawing);
+  demo::add_picture_options(app, options.scene, options.drawing);
   return run_command(app, argc, argv, [&] {
     try {
       return show(app, options);

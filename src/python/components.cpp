@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <pybind11/stl/filesystem.h>
 
-#include <exception>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "litfog/files/light_file.h"
 #include "litfog/fit/attenuation_fit.h"
 #include "litfog/fit/cone_fit.h"
+#include "litfog/files/output_error.h"
 #include "litfog/input_error.h"
 #include "litfog/photometry/gldf.h"
 #include "litfog/photometry/intensity_distribution.h"
 #include "litfog/photometry/luminaire.h"
+#include "python/errors.h"
 #include "python/module.h"
 #include "require.h"
 
@@ -25,33 +25,15 @@ namespace {
 using Path = std::filesystem::path;
 using Released = py::call_guard<py::gil_scoped_release>;
 
-/// Text of ours in which names of files may be no UTF-8: as Python's own errors show it.
-py::object text_of(std::string_view text) {
-  return py::reinterpret_steal<py::object>(PyUnicode_DecodeFSDefaultAndSize(text.data(), py::ssize_t(text.size())));
-}
-
 void bind_errors(py::module_& m) {
-  static const py::handle input_error =  // both are kept for as long as Python runs
-      py::exception<InputError>(m, "InputError", PyExc_ValueError).release();
-  static const py::handle output_error = py::exception<OutputError>(m, "OutputError", PyExc_OSError).release();
+  const py::exception<InputError> input_error(m, "InputError", PyExc_ValueError);
+  const py::exception<OutputError> output_error(m, "OutputError", PyExc_OSError);
   input_error.attr("__doc__") =
       "A file that cannot be used: str() is the whole sentence, \"lamps.json:7:12: threshold = 7: must be in (0, "
       "1)\".\n"
       "Attributes: file, the path as given; line and column, from 1; 0 where the error is of the whole.";
   output_error.attr("__doc__") = "Output that could not be written; str() is the whole sentence.";
-  py::register_local_exception_translator([](std::exception_ptr thrown) {
-    try {
-      std::rethrow_exception(thrown);
-    } catch (const InputError& error) {
-      const py::object raised = input_error(text_of(error.what()));
-      raised.attr("file") = text_of(error.location().file);
-      raised.attr("line") = error.location().line;
-      raised.attr("column") = error.location().column;
-      PyErr_SetObject(input_error.ptr(), raised.ptr());
-    } catch (const OutputError& error) {
-      PyErr_SetObject(output_error.ptr(), text_of(error.what()).ptr());
-    }
-  });
+  translate_errors(input_error, output_error);
 }
 
 void bind_files(py::module_& m) {
@@ -138,7 +120,8 @@ void bind_photometry(py::module_& m) {
           const py::gil_scoped_release released;
           profile = axial_profile(distribution, axis);
         }
-        return own(std::move(profile), axial_sample_dtype());
+        const auto count = py::ssize_t(profile.size());
+        return own(std::move(profile), axial_sample_dtype(), {count});
       },
       py::arg("distribution"), py::arg("axis") = kPhotometricAxis,
       "Intensity against the angle from an axis, as the mean over each circle, and its largest deviation: an array of\n"

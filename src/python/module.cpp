@@ -684,7 +684,8 @@ void bind_updater(py::module_& m) {
 }  // namespace
 }  // namespace litfog::python
 
-PYBIND11_MODULE(litfog, m) {
+PYBIND11_MODULE(_litfog, m) {
+  m.attr("__name__") = "litfog";  // of which all below is a part
   m.doc() =
       "How brightly lights make fog glow, with stated errors. Metres, densities in 1/m, angles in radians, colours in\n"
       "linear RGB. A value out of range raises ValueError with the field, the value and the rule.";
@@ -695,4 +696,5 @@ PYBIND11_MODULE(litfog, m) {
   litfog::python::bind_updater(m);
   litfog::python::bind_components(m);
   litfog::python::close_classes(m);
+  m.attr("__name__") = "litfog._litfog";
 }

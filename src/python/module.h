@@ -46,10 +46,10 @@ py::dtype make_dtype(std::initializer_list<Member> members);
 
 /// The vector's memory as an array, which owns it from now on.
 template <typename T>
-py::array own(std::vector<T> values, const py::dtype& dtype) {
+py::array own(std::vector<T> values, const py::dtype& dtype, std::vector<py::ssize_t> shape) {
   auto* kept = new std::vector<T>(std::move(values));
   const py::capsule owner(kept, [](void* vector) { delete static_cast<std::vector<T>*>(vector); });
-  return py::array(dtype, {py::ssize_t(kept->size())}, {}, kept->data(), owner);
+  return py::array(dtype, std::move(shape), {}, kept->data(), owner);
 }
 
 /// Memory of another object, which stays alive with the array, as an array that cannot be written.

@@ -2,7 +2,7 @@
 # Includes run one way only:
 #
 #     core  <-  photometry, files, gl  <-  fit;   c on core and files, python on fit and files           (src)
-#     command  <-  scene  <-  render  <-  measure  <-  demo  <-  window;   bench on measure;
+#     command  <-  scene  <-  render  <-  measure  <-  demo  <-  window, pictures;   bench on measure;
 #     solve and fit on command alone                                                                     (apps)
 #
 # cmake -DROOT=<the repository> -P layers_test.cmake
@@ -44,10 +44,10 @@ set(containers pugixml unzip.h zip.h uchardet)
 set(meshes draco/ meshoptimizer)
 set(displays GLFW/ imgui backends/imgui)
 set(foreign ${ceres} ${json} ${graphics} ${images} ${containers} ${meshes} ${displays} CLI/)
-set(commands command/ scene/ render/ measure/ solve/ demo/ bench/)
+set(commands command/ scene/ render/ measure/ solve/ demo/ bench/ pictures/)
 
 # src. The public headers show no other library but GLM.
-set(apps command/ scene/ render/ measure/ solve/ demo/ bench/ window/)
+set(apps command/ scene/ render/ measure/ solve/ demo/ bench/ window/ pictures/)
 set(photometry photometry/ litfog/photometry/)
 set(files files/ litfog/files/)
 set(gl gl/ litfog/gl/)
@@ -77,7 +77,8 @@ layer(apps/render/** FORBIDDEN command/ scene/file/ ${catalogues} measure/ demo/
 layer(apps/measure/** FORBIDDEN command/ scene/file/ ${catalogues} demo/ bench/ window/ litfog/files/ ${fit} ${ceres}
       ${json} ${displays} CLI/)
 layer(apps/demo/** FORBIDDEN solve/ fit/ bench/ window/ ${displays})
-layer(apps/window/** FORBIDDEN solve/ fit/ bench/)
+layer(apps/window/** FORBIDDEN solve/ fit/ bench/ pictures/)
+layer(apps/pictures/** FORBIDDEN solve/ fit/ bench/ window/ ${json} ${graphics} ${images} ${displays})
 layer(apps/solve/** apps/fit/** FORBIDDEN scene/ ${above_scene} ${gl} ${graphics})
 layer(apps/examples/** FORBIDDEN ${commands})  # they know what is installed
 layer(apps/bench/** FORBIDDEN demo/ window/ solve/ fit/ core/ gl/)  # of tests/ it may know reference/

@@ -4,7 +4,7 @@
     python3 apps/examples/python/tour.py [pictures]       from litfog's sources; writes the pictures into that folder
 """
 
-# %% What is needed: Debian's python3-litfog and python3-matplotlib.
+# %% What is needed: Debian's python3-litfog, python3-litfog.pictures for the last cell, and python3-matplotlib.
 import pathlib
 import sys
 
@@ -98,3 +98,20 @@ plt.title(f"the better cone: {fit.profile.name}")
 plt.grid(alpha=0.3)
 plt.legend()
 show("cone")
+
+# %% A scene as litfog-demo draws it, by the papers' formulas and by airlight: arrays of linear light and of what is shown.
+import litfog.pictures  # noqa: E402
+
+figure, axes = plt.subplots(1, 3, figsize=(13, 2.8))
+pictures_by = {by: litfog.pictures.render("headlights", visibility=100, fog_light=by, size=(400, 225))
+               for by in ("peak", "airlight")}  # fmt: skip
+for axis, (by, picture) in zip(axes, pictures_by.items()):
+    axis.imshow(picture.shown)
+    axis.set_title(by)
+difference = pictures_by["airlight"].light.mean(2) - pictures_by["peak"].light.mean(2)
+shown = axes[2].imshow(difference, cmap="RdBu_r", vmin=-1, vmax=1)
+figure.colorbar(shown, ax=axes[2])
+axes[2].set_title("airlight less peak, linear")
+for axis in axes:
+    axis.axis("off")
+show("scene")
