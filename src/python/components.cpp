@@ -5,12 +5,13 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "litfog/files/light_file.h"
+#include "litfog/files/output_error.h"
 #include "litfog/fit/attenuation_fit.h"
 #include "litfog/fit/cone_fit.h"
-#include "litfog/files/output_error.h"
 #include "litfog/input_error.h"
 #include "litfog/photometry/gldf.h"
 #include "litfog/photometry/intensity_distribution.h"
@@ -36,22 +37,30 @@ void bind_errors(py::module_& m) {
   translate_errors(input_error, output_error);
 }
 
+/// Where figures are from: a line or several.
+using Source = std::variant<std::string, std::vector<std::string>>;
+
+std::vector<std::string> lines_of(const Source& source) {
+  const auto* line = std::get_if<std::string>(&source);
+  return line ? std::vector{*line} : std::get<std::vector<std::string>>(source);
+}
+
 void bind_files(py::module_& m) {
   m.def(
       "read_light", [](const Path& path) { return read_light(path.string()); }, py::arg("path"), Released(),
       "Reads a light file. InputError with file, line and column of what is wrong.");
   m.def(
       "write_light",
-      [](const Path& path, const Light& light, const std::vector<std::string>& source) {
-        write_light(path.string(), light, source);
+      [](const Path& path, const Light& light, const Source& source) {
+        write_light(path.string(), light, lines_of(source));
       },
       py::arg("path"), py::arg("light"), py::arg("source") = std::vector<std::string>(),
-      "Writes a light file atomically. source: lines that say where the figures are from. OutputError.");
+      "Writes a light file atomically. source: a line, or lines, saying where the figures are from. OutputError.");
   m.def(
       "format_light",
-      [](const Light& light, const std::vector<std::string>& source) {
+      [](const Light& light, const Source& source) {
         require(check(light));
-        return format_light(light, source);
+        return format_light(light, lines_of(source));
       },
       py::arg("light"), py::arg("source") = std::vector<std::string>(), "A light as the text of its file.");
 }
@@ -90,6 +99,7 @@ void bind_photometry(py::module_& m) {
   py::class_<IntensityPeak>(m, "IntensityPeak", "The largest intensity, always at measured angles.")
       .def_readonly("intensity", &IntensityPeak::intensity, "candela, > 0")
       .def_readonly("direction", &IntensityPeak::direction, "unit; the photometric axis is (0, 0, -1)");
+  show_fields(m.attr("IntensityPeak"), {"intensity", "direction"});
   py::class_<Luminaire>(m, "Luminaire", "What a photometric file states about a luminaire.")
       .def_readonly("name", &Luminaire::name, "empty if the file does not state it")
       .def_readonly("manufacturer", &Luminaire::manufacturer, "likewise")
@@ -98,6 +108,7 @@ void bind_photometry(py::module_& m) {
       .def_readonly("light_output_ratio", &Luminaire::light_output_ratio,
                     "stated fraction of the lamps' flux that leaves the luminaire, or None")
       .def_readonly("is_absolute", &Luminaire::is_absolute, "measured as a whole");
+  show_fields(m.attr("Luminaire"), {"name", "manufacturer", "lamp_flux", "light_output_ratio", "is_absolute"});
   m.def(
       "read_luminaire", [](const Path& path) { return read_luminaire(path.string()); }, py::arg("path"), Released(),
       "Reads a photometric file of any kind that its content says: IES LM-63, EULUMDAT, TM-33, an isocandela table, "
@@ -189,6 +200,7 @@ void bind_attenuation_fit(py::module_& m) {
           "covariance", [](const AttenuationFit& fit) { return matrix(fit.covariance, 3); },
           "of constant, linear, quadratic, 3 x 3; None where the samples do not identify them")
       .def_readonly("kkt_residual", &AttenuationFit::kkt_residual, "largest violation of the conditions of optimality");
+  show_fields(m.attr("AttenuationFit"), {"attenuation", "threshold", "status", "rms_error", "largest_error"});
   m.def(
       "fit_attenuation",
       [](std::optional<double> extent, std::optional<double> constant, const std::optional<Numbers>& ranges,
@@ -233,11 +245,13 @@ void bind_cone_fit(py::module_& m) {
       .def_property_readonly(
           "covariance", [](const ConeProfileFit& fit) { return matrix(fit.covariance, 2); },
           "of exponent alone, or inner and outer, 2 x 2; None where the samples do not identify them");
+  show_fields(m.attr("ConeProfileFit"), {"cone", "status", "rms", "largest_error", "flux_error"});
   py::class_<ConeFit>(m, "ConeFit", "The fits of the profiles chosen, and which is better.")
       .def_readonly("cosine", &ConeFit::cosine, "ConeProfileFit, or None")
       .def_readonly("smoothstep", &ConeFit::smoothstep, "ConeProfileFit, or None")
       .def_readonly("profile", &ConeFit::profile, "the better of them")
       .def_property_readonly("best", &ConeFit::best, "its ConeProfileFit");
+  show_fields(m.attr("ConeFit"), {"profile", "cosine", "smoothstep"});
   m.def(
       "fit_cone",
       [](ConeChoice choice, std::optional<double> half_angle, std::optional<double> beam_angle,

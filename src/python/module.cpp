@@ -31,6 +31,21 @@ namespace {
 /// str(object)
 std::string text_of(const py::object& object) { return py::cast<std::string>(py::str(object)); }
 
+std::string name_of(const py::object& object) { return "litfog." + text_of(object.attr("__class__").attr("__name__")); }
+
+/// "mode=litfog.FogMode.exp, density=0.5"
+std::string fields_text(const py::object& object, const std::vector<std::string>& fields) {
+  std::string text;
+  for (const std::string& field : fields) {
+    const py::object value = object.attr(field.c_str());
+    // The repr() of an enumerator, "<FogMode.exp: 0>", does not read back; its str() does.
+    const bool is_enumerator = py::hasattr(py::type::of(value), "__members__");
+    text += (text.empty() ? "" : ", ") + field + "=";
+    text += is_enumerator ? "litfog." + text_of(value) : text_of(py::repr(value));
+  }
+  return text;
+}
+
 template <typename Function>
 void add_method(const py::object& type, const char* name, const Function& method) {
   type.attr(name) = py::cpp_function(method, py::name(name), py::is_method(type));
@@ -59,7 +74,7 @@ void close_classes(const py::module_& m) {
       });
     } else if (!type_object.attr("__dict__").contains("__reduce__")) {
       add_method(type_object, "__reduce__", [](const py::object& self) -> py::object {
-        throw py::type_error("cannot pickle a litfog." + text_of(self.attr("__class__").attr("__name__")));
+        throw py::type_error("cannot pickle a " + name_of(self));
       });
     }
   }
@@ -78,22 +93,18 @@ void make_record(const py::object& type, std::initializer_list<const char*> name
     return py::bool_(std::ranges::all_of(fields, is_same));
   });
   type.attr("__hash__") = py::none();  // its fields can change
-  add("__repr__", [fields](const py::object& self) {
-    std::string text = "litfog." + text_of(self.attr("__class__").attr("__name__")) + "(";
-    for (std::size_t i = 0; i < fields.size(); ++i) {
-      const py::object value = self.attr(fields[i].c_str());
-      // The repr() of an enumerator, "<FogMode.exp: 0>", does not read back; its str() does.
-      const bool is_enumerator = py::hasattr(py::type::of(value), "__members__");
-      text += (i == 0 ? "" : ", ") + fields[i] + "=";
-      text += is_enumerator ? "litfog." + text_of(value) : text_of(py::repr(value));
-    }
-    return text + ")";
-  });
+  add("__repr__", [fields](const py::object& self) { return name_of(self) + "(" + fields_text(self, fields) + ")"; });
   add("__reduce__", [fields](const py::object& self) {
     py::tuple values(fields.size());
     for (std::size_t i = 0; i < fields.size(); ++i) values[i] = self.attr(fields[i].c_str());
     return py::make_tuple(self.attr("__class__"), values);
   });
+}
+
+void show_fields(const py::object& type, std::initializer_list<const char*> names) {
+  const std::vector<std::string> fields(names.begin(), names.end());
+  add_method(type, "__repr__",
+             [fields](const py::object& self) { return "<" + name_of(self) + ": " + fields_text(self, fields) + ">"; });
 }
 
 py::dtype make_dtype(std::initializer_list<Member> members) {
@@ -628,11 +639,13 @@ void bind_updater(py::module_& m) {
   py::class_<Changes>(m, "FogLightChanges", "What must be uploaded again: sorted, disjoint slices of each table.")
       .def_readonly("kinds", &Changes::kinds, "slices of FogUpdater.kinds")
       .def_readonly("instances", &Changes::instances, "slices of FogUpdater.instances");
+  show_fields(m.attr("FogLightChanges"), {"kinds", "instances"});
   py::class_<FogUpdateStatistics>(m, "FogUpdateStatistics", "What the last set_fog did.")
       .def_readonly("kinds_solved", &FogUpdateStatistics::kinds_solved, "kinds")
       .def_readonly("kinds_skipped", &FogUpdateStatistics::kinds_skipped, "the other kinds held")
       .def_readonly("lights_skipped", &FogUpdateStatistics::lights_skipped, "lights off, black, or of a skipped kind")
       .def_readonly("bytes_dirty", &FogUpdateStatistics::bytes_dirty, "of the entries in the slices returned");
+  show_fields(m.attr("FogUpdateStatistics"), {"kinds_solved", "kinds_skipped", "lights_skipped", "bytes_dirty"});
   py::class_<Updater, std::shared_ptr<Updater>>(
       m, "FogUpdater",
       "The lights of a scene as the shaders' tables, kept up to date through every change of the visibility. Lights\n"

@@ -121,6 +121,20 @@ class SolveTest(unittest.TestCase):
                 with self.assertRaisesRegex(TypeError, "^cannot pickle a litfog.(FogUpdater|AttenuationFit)$"):
                     pickle.dumps(result, protocol)
 
+    def test_results_show_their_fields(self):
+        fit = litfog.fit_attenuation(extent=10)
+        self.assertEqual(repr(fit), f"<litfog.AttenuationFit: attenuation={fit.attenuation}, threshold=0.05, "
+                                    "status=litfog.AttenuationFitStatus.optimal, rms_error=0.0, largest_error=0.0>")  # fmt: skip
+        changes = litfog.FogUpdater().set_fog(litfog.Fog())
+        self.assertEqual(repr(changes), "<litfog.FogLightChanges: kinds=[], instances=[]>")
+        cone = litfog.fit_cone(angles=[0, 0.1, 0.2], intensities=[3, 2, 1])
+        self.assertIn(f"cosine={cone.cosine}, smoothstep={cone.smoothstep}>", repr(cone))
+
+    def test_source_of_a_light_is_a_line_or_several(self):
+        light = litfog.Light("a")
+        self.assertEqual(litfog.format_light(light, "b"), litfog.format_light(light, source=["b"]))
+        self.assertIn('"b",', litfog.format_light(light, ("b", "c")))
+
     def test_classes_can_be_derived_from(self):
         class Named(litfog.Fog):
             def __init__(self, name):
