@@ -16,7 +16,8 @@ if(CONSUMER STREQUAL "shaders")
 endif()
 
 set(options -G ${GENERATOR} -DCMAKE_PREFIX_PATH=${PREFIX} -DHAS_DATA=${HAS_DATA} -DCMAKE_BUILD_TYPE=${CONFIG}
-            -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DCMAKE_CXX_FLAGS=${CXX_FLAGS} -DCONSUMER=${CONSUMER})
+            -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DCMAKE_CXX_FLAGS=${CXX_FLAGS} -DCMAKE_C_COMPILER=${C_COMPILER}
+            -DCMAKE_C_FLAGS=${CXX_FLAGS} -DCONSUMER=${CONSUMER} --no-warn-unused-cli)
 if(CONSUMER MATCHES "^(core|photometry|files|c)$")
   foreach(package Ceres OpenGL OpenImageIO nlohmann_json CLI11 fmt)
     list(APPEND options -DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
