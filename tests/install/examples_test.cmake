@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Builds each of EXAMPLES against the install tree PREFIX, as whoever copies it would, and runs it.
+# Builds each example of the install tree PREFIX against that tree, as whoever copies it would, and runs it.
 cmake_minimum_required(VERSION 3.25)
 
 include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
@@ -7,8 +7,9 @@ include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 file(REMOVE_RECURSE ${WORK_DIR})
 foreach(example "smallest;smallest_host" "smallest_c;smallest_c_host" "gl;gl_host" "cigi;cigi_ig;--demo")
   list(POP_FRONT example folder program)
-  run(${CMAKE_COMMAND} -S ${EXAMPLES}/${folder} -B ${WORK_DIR}/${folder} -G ${GENERATOR}
-      -DCMAKE_PREFIX_PATH=${PREFIX} -DCMAKE_BUILD_TYPE=${CONFIG} -DCMAKE_CXX_COMPILER=${CXX_COMPILER})
+  run(${CMAKE_COMMAND} -S ${PREFIX}/share/doc/litfog-dev/examples/${folder} -B ${WORK_DIR}/${folder} -G ${GENERATOR}
+      -DCMAKE_PREFIX_PATH=${PREFIX} -DCMAKE_BUILD_TYPE=${CONFIG} -DCMAKE_CXX_COMPILER=${CXX_COMPILER}
+      -DCMAKE_C_COMPILER=${C_COMPILER} --no-warn-unused-cli)
   run(${CMAKE_COMMAND} --build ${WORK_DIR}/${folder})
   run(${WORK_DIR}/${folder}/${program} ${example})
 endforeach()
