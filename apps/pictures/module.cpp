@@ -3,9 +3,11 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <atomic>
 #include <cctype>
 #include <cstdint>
 #include <string>
@@ -104,10 +106,21 @@ struct Drawn {
   double exposure;
 };
 
+/// OpenGL's threads do not survive a fork: a child of a process that has drawn would wait for them for ever.
+void expect_no_fork() {
+  static std::atomic<pid_t> drawing_process = 0;
+  pid_t process = 0;
+  if (drawing_process.compare_exchange_strong(process, getpid()) || process == getpid()) return;
+  throw gl::Unsupported(
+      "this process was forked from one that has drawn, and OpenGL does not work in it: start processes by spawn or "
+      "forkserver (multiprocessing.get_context(\"spawn\")), or draw in none before");
+}
+
 Drawn draw(const CLI::App& app, const demo::SceneOptions& scene_options, const demo::DrawingOptions& options) {
   scene::Scene scene = demo::read_scene(scene_options);
   demo::check_scene_options(app, scene);
   demo::set_scene(scene, options);
+  expect_no_fork();
   const gl::HeadlessContext context;
   render::Renderer renderer(scene, options.width, options.height, options.settings_of(*options.render.path));
   const double visibility = options.chosen_visibility().value_or(scene::suggested_visibility(scene));
@@ -191,7 +204,8 @@ PYBIND11_MODULE(pictures, m) {
       "camera=(2, 1.6, 4), exposure=\"auto\", no_skip=True. set takes a dictionary of members and values:\n"
       "set={\"lights[0].attenuation.quadratic\": 0.002}. None stands for the default.\n\n"
       "Each call reads the scene and compiles its shaders anew. Releases the GIL; calls may run on any threads at\n"
-      "once. ValueError with option, value and rule; InputError; Unsupported.");
+      "once, but not in a process that was forked from one that has drawn. ValueError with option, value and rule;\n"
+      "InputError; Unsupported.");
   m.def("scenes", &scene::bundled_scenes, "Names of the scenes that come with litfog, sorted.");
   m.def("paths", &pictures::path_names, "Names of the lighting paths: the keyword path of render().");
 }

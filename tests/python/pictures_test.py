@@ -105,6 +105,17 @@ class PicturesTest(unittest.TestCase):
         for picture in drawn:
             np.testing.assert_array_equal(picture.light, self.room.light)
 
+    def test_child_forked_after_drawing_is_refused_with_a_sentence(self):
+        child = os.fork()
+        if child == 0:
+            try:
+                render("room", **ROOM)
+            except litfog.pictures.Unsupported as refused:
+                os._exit(0 if "forked from one that has drawn" in str(refused) else 1)
+            finally:
+                os._exit(2)
+        self.assertEqual(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), 0)
+
     def test_pictures_can_be_pickled(self):
         copy = pickle.loads(pickle.dumps(self.room))
         np.testing.assert_array_equal(copy.light, self.room.light)
