@@ -65,13 +65,13 @@ class PicturesTest(unittest.TestCase):
             subprocess.run(
                 [demo_command, "room", "--fog", "exp2", "--visibility", "12.5", "--camera", "2,1.6,4", "--target=-1,1.5,-2"]
                 + ["--set", "lights[0].attenuation.quadratic=0.02", "--set", "lights[0].color=[1,0.5,0]"]
-                + ["--size", "40x25", "--exposure", "1.5", "--samples", "1", "--no-skip", "-o", picture],
+                + ["--size", "40x25", "--exposure", "1.5", "--path", "legacy", "--samples", "1", "--no-skip", "-o", picture],
                 check=True,
                 capture_output=True,
             )
             drawn = render("room", fog="exp2", visibility=12.5, camera=(2, 1.6, 4), target=np.array([-1, 1.5, -2]),
                            set={"lights[0].attenuation.quadratic": 0.02, "lights[0].color": [1, 0.5, 0]},
-                           size=(40, 25), exposure=np.float32(1.5), samples=1, no_skip=True)  # fmt: skip
+                           size=(40, 25), exposure=np.float32(1.5), path="legacy", samples=1, no_skip=True)  # fmt: skip
             np.testing.assert_array_equal(drawn.shown, png_pixels(picture))
             self.assertEqual((drawn.visibility, drawn.exposure), (12.5, 1.5))
             self.assertTrue(np.ptp(drawn.shown) > 50)
