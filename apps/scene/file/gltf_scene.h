@@ -27,10 +27,10 @@ bool is_gltf_path(const std::string& path);
 /// F = mix(0.04, base colour, metallic), the lobe's energy (Akenine-Moller et al., "Real-Time Rendering", 3rd edition,
 /// 7.8.1); shininess n = 2 / roughness^4 - 2 (Karis 2013, "Specular BRDF Reference"), at most 1000. Specular and n are
 /// one value a material here, so they take the mean of their textures (metallic-roughness, and base colour for F). The
-/// albedo takes metallic texel by texel where its texture has the base colour's coordinates, else its mean. COLOR_0
-/// multiplies the base colour. KHR_materials_unlit sends the base colour to the eye through the fog and reflects
-/// nothing. Emission has its texels, times KHR_materials_emissive_strength, at most 10,000. MASK leaves no surface
-/// below alphaCutoff; BLEND is drawn as MASK at 0.5.
+/// albedo takes metallic texel by texel, before both are filtered, where its texture has the base colour's coordinates,
+/// else its mean. COLOR_0 multiplies the base colour, but not F's. KHR_materials_unlit sends the base colour to the eye
+/// through the fog and reflects nothing. Emission has its texels, times KHR_materials_emissive_strength, at most
+/// 10,000. MASK leaves no surface below alphaCutoff; BLEND is drawn as MASK at 0.5.
 ///
 /// Lights (KHR_lights_punctual): a white surface square to a light of I cd shows I / (pi r^2) of the display's white at
 /// r metres, as in the Khronos sample viewer at exposure 1. This is Hales's attenuation with C = L = 0 and Q = 1/k^2,
