@@ -13,13 +13,13 @@ namespace {
 /// The normal map's normal from the interpolated tangent space into world space (Jason Lacroix 2005, "Let There Be
 /// Light!: A Unified Lighting Technique for a New Generation of Games", listing 2.3). Material::normal has the rule by
 /// which the texel states the level that means 0.
-glm::dvec3 mapped_normal(const render::GeometrySample& sample) {
+glm::dvec3 mapped_normal(const render::GeometrySample& sample, double scale) {
   const glm::dvec4 texel = sample.normal_texel;
   const glm::dvec3 bump = 2.0 * glm::dvec3(texel) - (256 - texel.a) / 255;
   const glm::dvec3 n = glm::normalize(glm::dvec3(sample.normal));
   const glm::dvec3 t = glm::normalize(glm::dvec3(sample.tangent));
   const glm::dvec3 b = glm::normalize(glm::cross(n, t)) * double(sample.tangent.w);
-  return glm::normalize(t * bump.x + b * bump.y + n * bump.z);
+  return glm::normalize((t * bump.x + b * bump.y) * scale + n * bump.z);
 }
 
 }  // namespace
@@ -54,7 +54,8 @@ SurfacePoint Model::surface_point(const render::GeometrySample& sample) const {
   const glm::dvec3 position = sample.position;
   const bool is_basic = path_.surface == render::SurfaceModel::basic;
   return {.position = position,
-          .normal = path_.has_normal_maps ? mapped_normal(sample) : glm::normalize(glm::dvec3(sample.normal)),
+          .normal = path_.has_normal_maps ? mapped_normal(sample, double(material.normal_scale))
+                                          : glm::normalize(glm::dvec3(sample.normal)),
           .to_eye = settings_.has_infinite_viewer ? -forward_ : glm::normalize(eye_ - position),
           .emissive = sample.emission,
           .diffuse = sample.albedo,

@@ -175,10 +175,10 @@ void SurfacePainter::draw_pass(Frame& frame, const PlannedSurface& planned, Shad
   if (frame.path.has_several_passes()) select_samples(frame.passes_drawn++);
   glUniformMatrix4fv(program.world_from_model, 1, GL_FALSE, glm::value_ptr(surface.world_from_model));
   const scene::Material& material = surface.material->material;
-  const glm::vec4 constants[] = {glm::vec4(scene_.camera.position, 0),
-                                 glm::vec4(surface.bounds.low, material.least_coverage.value_or(0)),
-                                 glm::vec4(surface.bounds.high, 0), glm::vec4(material.specular, material.shininess),
-                                 glm::vec4(material.emissive, material.metal_roughness)};
+  const glm::vec4 constants[] = {
+      glm::vec4(scene_.camera.position, 0), glm::vec4(surface.bounds.low, material.least_coverage.value_or(0)),
+      glm::vec4(surface.bounds.high, material.normal_scale), glm::vec4(material.specular, material.shininess),
+      glm::vec4(material.emissive, material.metal_roughness)};
   glUniform4fv(program.draw_constants, GLsizei(std::size(constants)), glm::value_ptr(constants[0]));
   glUniform2i(program.light_list_range, planned.list_first, planned.list_count);
   frame.bytes += sizeof(glm::mat4) + sizeof(constants) + 2 * sizeof(GLint) + uniforms.size() * sizeof(PackedLight);

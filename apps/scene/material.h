@@ -20,6 +20,7 @@ struct Material {
   /// Tangent space, +Z out of the surface; A = 0: n = (rgb - 128) / 127.5, in which flat is exact; A = 255: n = rgb /
   /// 127.5 - 1, as in glTF.
   std::shared_ptr<const Texels> normal;
+  float normal_scale = 1;  ///< multiplies that normal's x and y before it is made a unit vector
   glm::vec3 specular;  ///< linear, at gloss 1
   float shininess;     ///< Blinn-Phong exponent
   glm::vec3 emissive;  ///< linear; 0 if it emits nothing

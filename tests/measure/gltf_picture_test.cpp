@@ -43,6 +43,24 @@ TEST_F(GltfPicture, ADarkColorIsNotRounded) {
   for (int channel = 0; channel < 3; ++channel) EXPECT_NEAR(middle[channel], 0.41f - 0.01f * float(channel), 1e-3f);
 }
 
+/// The floor's red in the pixel below and right of the middle of an 80x80 picture, lit by the lamp: the Basic model
+/// written out. The middle of the picture looks at the origin.
+double lit_red(const Scene& scene, const glm::dvec3& normal, double shininess) {
+  const glm::dvec3 eye = scene.camera.position;
+  const double pixel = 2 * std::tan(0.45) / 80;
+  const glm::dvec3 forward = glm::normalize(-eye);
+  const glm::dvec3 right(1, 0, 0);
+  const glm::dvec3 view = forward + (right - glm::cross(right, forward)) * (pixel / 2);
+  const glm::dvec3 to_light = glm::dvec3(0.5, 2, 0) - (eye - view * (eye.y / view.y));
+  const double range = glm::length(to_light);
+  const double facing = glm::dot(normal, to_light) / range;
+  const double highlight = glm::dot(normal, glm::normalize(to_light / range - glm::normalize(view)));
+  const double specular = 0.04 * (shininess + 8) / 8 * std::pow(highlight, shininess);
+  return double(scene.environment.ambient_light.r) + 40 / (pi * range * range) * (facing + specular);
+}
+
+double drawn_red(const Picture& picture) { return double(picture.rgb[std::size_t(3 * (40 * 80 + 40))]); }
+
 // Lit as the lamp's candela say: the Basic model written out, and the reference in every pixel.
 TEST_F(GltfPicture, TheFloorIsAsBrightAsItsLightSays) {
   const test::TemporaryDirectory directory;
@@ -53,20 +71,30 @@ TEST_F(GltfPicture, TheFloorIsAsBrightAsItsLightSays) {
   renderer.draw(LightPoints::off);
   const Picture picture = renderer.read();
   EXPECT_LE(picture_error(picture, shade_reference(renderer)).largest, 0.25);
-  // The middle of the picture looks at the origin; the pixel below and right of it half a pixel on.
-  const glm::dvec3 eye = scene.camera.position;
-  const double pixel = 2 * std::tan(0.45) / 80;
-  const glm::dvec3 forward = glm::normalize(-eye);
-  const glm::dvec3 right(1, 0, 0);
-  const glm::dvec3 view = forward + (right - glm::cross(right, forward)) * (pixel / 2);
-  const glm::dvec3 position = eye - view * (eye.y / view.y);
-  const glm::dvec3 to_light = glm::dvec3(0.5, 2, 0) - position;
-  const double range = glm::length(to_light);
-  const double facing = to_light.y / range;
-  const double highlight = glm::normalize(to_light / range + glm::normalize(eye - position)).y;
-  const double specular = 0.04 * 9 / 8 * highlight;  // roughness 1: shininess 1
-  const double red = double(scene.environment.ambient_light.r) + 40 / (pi * range * range) * (facing + specular);
-  EXPECT_NEAR(double(picture.rgb[std::size_t(3 * (40 * 80 + 40))]), red, 2e-3 * red);
+  const double red = lit_red(scene, {0, 1, 0}, 1);  // roughness 1: shininess 1
+  EXPECT_NEAR(drawn_red(picture), red, 2e-3 * red);
+}
+
+// In 8 bits this normal would be a quarter of a degree off, and the picture half a percent.
+TEST_F(GltfPicture, AScaledNormalIsNotRounded) {
+  const test::TemporaryDirectory directory;
+  const std::string path = (directory.path() / "floor.glb").string();
+  json file = floor_scene();
+  png((directory.path() / "normal.png").string(), {169, 30, 181}, 1);
+  file["images"] = {{{"uri", "normal.png"}}};
+  file["textures"] = {{{"source", 0}}};
+  file["materials"][0]["normalTexture"] = {{"index", 0}, {"scale", 0.2}};
+  file["materials"][0]["pbrMetallicRoughness"]["roughnessFactor"] = 0.3;
+  std::ofstream(path, std::ios::binary) << binary_file(file, floor_bytes());
+  const Scene scene = read_scene(path);
+  Renderer renderer(scene, 80, 80, {});
+  renderer.draw(LightPoints::off);
+  const Picture picture = renderer.read();
+  EXPECT_LE(picture_error(picture, shade_reference(renderer)).largest, 0.25);
+  const glm::dvec3 texel = glm::dvec3(169, 30, 181) / 127.5 - 1.0;
+  const glm::dvec3 normal = glm::normalize(glm::dvec3(0.2 * texel.x, texel.z, -0.2 * texel.y));  // u: +x, v: +z
+  const double red = lit_red(scene, normal, 2 / std::pow(0.3, 4) - 2);
+  EXPECT_NEAR(drawn_red(picture), red, 2e-3 * red);
 }
 
 }  // namespace

@@ -47,5 +47,6 @@ vec4 base_texture() { return texture(albedo_map, uv); }
 // 127.5 at 1.
 vec3 mapped_normal() {
   vec4 texel = texture(normal_map, map_uvs.xy);
-  return texel.xyz * 2.0 - (256.0 - texel.a) * (1.0 / 255.0);
+  vec3 bump = texel.xyz * 2.0 - (256.0 - texel.a) * (1.0 / 255.0);
+  return vec3(bump.xy * normal_scale, bump.z);
 }

@@ -44,6 +44,12 @@ std::optional<GltfCoordinates> coordinates_of(const JsonValue& object, const cha
   return info ? std::optional(scene::coordinates_of(*info)) : std::nullopt;
 }
 
+float normal_scale_of(const JsonValue& texture_info) {
+  const double scale = texture_info.number_or("scale", 1);
+  if (!(std::abs(scale) <= 1000)) texture_info.member("scale").fail("must be at most 1000");
+  return float(scale);
+}
+
 float factor_of(const JsonValue& object, const char* name) {
   const double factor = object.number_or(name, 1);
   if (!(factor >= 0 && factor <= 1)) object.member(name).fail("must be in [0, 1]");
@@ -140,13 +146,15 @@ Material GltfMaterials::make_lit(const std::string& name, const JsonValue& given
   const glm::vec3 kept = is_by_texel ? factor : factor * (1 - metallic);
   const std::optional<float> least_coverage = least_coverage_of(given, pbr);
   const glm::vec3 emissive = emissive_of(given);
+  const auto normal_texture = given.optional("normalTexture");
   const auto emissive_texture = given.optional("emissiveTexture");
   const bool has_emission = emissive_texture && emissive != glm::vec3(0);
   if (given.optional("occlusionTexture")) ++occluded_;
   return {.name = name,
           .size_m = 1,
           .albedo = tinted(given, base_texels(given, base_texture, least_coverage.has_value()), kept, metal),
-          .normal = normal_map(given),
+          .normal = normal_texture ? pictures_.use(*normal_texture).texels() : flat_,
+          .normal_scale = normal_texture ? normal_scale_of(*normal_texture) : 1,
           .specular = reflected * ((shininess + 8) / 8),
           .shininess = shininess,
           .emissive = emissive,
@@ -180,27 +188,6 @@ GltfMaterials::SharedTexels GltfMaterials::tinted(const JsonValue& material, con
       }
       to[3] = from[3];
     }
-  }
-  return made = std::make_shared<const Texels>(std::move(texels));
-}
-
-GltfMaterials::SharedTexels GltfMaterials::normal_map(const JsonValue& material) {
-  const auto info = material.optional("normalTexture");
-  if (!info) return flat_;
-  const SharedTexels picture = pictures_.use(*info).texels();
-  const double given = info->number_or("scale", 1);
-  if (given == 1) return picture;
-  if (!(std::abs(given) <= 1000)) info->member("scale").fail("must be at most 1000");
-  const auto scale = float(given);
-  SharedTexels& made = scaled_normals_[{picture.get(), scale}];
-  if (made) return made;
-  made_.take(material, picture->rgba.size() / 4);
-  Texels texels = *picture;
-  for (std::size_t i = 0; i < texels.rgba.size(); i += 4) {
-    glm::vec3 normal;
-    for (int axis = 0; axis < 3; ++axis) normal[axis] = float(texels.rgba[i + std::size_t(axis)]) / 127.5f - 1;
-    normal = glm::normalize(normal * glm::vec3(scale, scale, 1));
-    for (int axis = 0; axis < 3; ++axis) texels.rgba[i + std::size_t(axis)] = level_of(normal[axis] * 0.5f + 0.5f);
   }
   return made = std::make_shared<const Texels>(std::move(texels));
 }

@@ -62,7 +62,6 @@ class GltfMaterials {
   /// A picture whose colours are multiplied by a factor and by what is not metal.
   SharedTexels tinted(const JsonValue& material, const SharedTexels& picture, const glm::vec3& factor,
                       const Metal& metal);
-  SharedTexels normal_map(const JsonValue& material);
 
   JsonValue empty_;  // an object: glTF's default material, and a material's default model
   std::vector<JsonValue> given_;
@@ -73,7 +72,6 @@ class GltfMaterials {
   SharedTexels flat_;  // a normal map
   // Pictures derived from the file's, shared where they are the same.
   std::map<std::tuple<const Texels*, const Texels*, std::array<float, 4>>, SharedTexels> tinted_;
-  std::map<std::pair<const Texels*, float>, SharedTexels> scaled_normals_;
   TexelBudget made_;
   std::size_t blended_ = 0;
   std::size_t occluded_ = 0;

@@ -27,20 +27,26 @@ bool is_gltf_path(const std::string& path);
 /// F = mix(0.04, base colour, metallic), the lobe's energy (Akenine-Moller et al., "Real-Time Rendering", 3rd edition,
 /// 7.8.1); shininess n = 2 / roughness^4 - 2 (Karis 2013, "Specular BRDF Reference"), at most 1000. Specular and n are
 /// one value a material here, so they take the mean of their textures (metallic-roughness, and base colour for F). The
-/// albedo takes metallic texel by texel where its texture has the base colour's coordinates, else its mean. COLOR_0
-/// multiplies the base colour. KHR_materials_unlit sends the base colour to the eye through the fog and reflects
-/// nothing. Emission has its texels, times KHR_materials_emissive_strength, at most 10,000. MASK leaves no surface
-/// below alphaCutoff; BLEND is drawn as MASK at 0.5.
+/// albedo takes metallic texel by texel, before both are filtered, where its texture has the base colour's coordinates,
+/// else its mean. COLOR_0 multiplies the base colour, but not F's. KHR_materials_unlit sends the base colour to the eye
+/// through the fog and reflects nothing. Emission has its texels, times KHR_materials_emissive_strength, at most
+/// 10,000. MASK leaves no surface below alphaCutoff; BLEND is drawn as MASK at 0.5.
 ///
 /// Lights (KHR_lights_punctual): a white surface square to a light of I cd shows I / (pi r^2) of the display's white at
 /// r metres, as in the Khronos sample viewer at exposure 1. This is Hales's attenuation with C = L = 0 and Q = 1/k^2,
 /// that is 1 up to the knee k. There a white surface shows 16 times the display's white, k^2 = I / (16 pi), but k is at
 /// most 1 m, or more only as far as no colour is beyond 10,000 (from 31,416 cd). The light ends at its range: threshold
 /// k^2 / range^2; without one where it shows half of 1/256. A range within the knee puts the knee at half the range.
-/// Spots are smoothstep cones from their inner to their outer angle. Lights at the camera's node or below it are
-/// carried by the eye's vehicle. One directional light of E lx, at most 205,786, is the moon of colour E / pi. It
-/// lights fog and sky as isotropic fog without end does, E / 4 pi, and they light surfaces. Ambient light and fog are
-/// else a night's; in a file without lights the ambient light is bright.
+/// By airlight a light shines on beyond its range, which the extension calls a hint, to where it shows 1/255
+/// (render::threshold_of). Spots are smoothstep cones from their inner to their outer angle. Lights at the camera's
+/// node or below it are carried by the eye's vehicle.
+///
+/// Lamps light the fog by their colour times A (litfog/airlight.h), whose phase function is 1 where it is isotropic.
+/// That is 4 times what a path tracer shows of the same lamps in fog that only scatters: I / pi where it has I / 4 pi.
+///
+/// One directional light of E lx, at most 205,786, is the moon of colour E / pi. It lights fog and sky as isotropic fog
+/// without end does, E / 4 pi, and they light surfaces. Ambient light and fog are else a night's; in a file without
+/// lights the ambient light is bright.
 ///
 /// Visibilities: 10, 3 and 1 times the distance d from the camera to the farthest corner of the scene's box, each
 /// rounded up to two significant digits. At 3 d, at which a scene is drawn if none is given, at least 37 % of the
