@@ -175,7 +175,7 @@ void SurfacePainter::draw_pass(Frame& frame, const PlannedSurface& planned, Shad
   if (frame.path.has_several_passes()) select_samples(frame.passes_drawn++);
   glUniformMatrix4fv(program.world_from_model, 1, GL_FALSE, glm::value_ptr(surface.world_from_model));
   const scene::Material& material = surface.material->material;
-  const glm::vec4 constants[] = {glm::vec4(scene_.camera.position, 0),
+  const glm::vec4 constants[] = {glm::vec4(scene_.camera.position, material.relief_m / material.size_m),
                                  glm::vec4(surface.bounds.low, material.least_coverage.value_or(0)),
                                  glm::vec4(surface.bounds.high, 0), glm::vec4(material.specular, material.shininess),
                                  glm::vec4(material.emissive, material.metal_roughness)};
