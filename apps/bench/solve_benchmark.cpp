@@ -192,7 +192,7 @@ std::vector<Method> methods_of(Problem<double>& problem, Problem<float>& problem
                      }),
       {"litfog, float", command::LabelPlace::above, 2}, kIntensityMaxUlp<float>);
   add(batch("batch", problem), {"litfog batch, double", command::LabelPlace::below, 0}, kBatchIntensityMaxUlp);
-  add(batch("batch", problem_f), {"litfog batch, float", command::LabelPlace::above, 0}, kBatchIntensityMaxUlp);
+  add(batch("batch", problem_f), {"litfog batch, float", command::LabelPlace::below, 0}, kBatchIntensityMaxUlp);
   return methods;
 }
 

@@ -13,6 +13,7 @@
 
 #include "command/number.h"
 #include "command/printable.h"
+#include "files/hint.h"
 #include "files/whole_file.h"
 #include "litfog/files/output_error.h"
 #include "litfog/fog.h"
@@ -29,6 +30,30 @@ void occupy_closed_standard_streams() {
     if (fcntl(stream, F_GETFD) != -1) continue;
     if (open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) != stream) std::abort();
   }
+}
+
+/// fail_option, with what a wrong number may have meant.
+[[noreturn]] void fail_number(const std::string& name, std::string_view text, std::string_view rule) {
+  const auto number = parse_number(text);
+  fail_option(name, text,
+              std::string(rule) + (number ? files::hint_for_fraction(*number, rule) : files::hint_for_number(text)));
+}
+
+/// "--visbility: must be an option; did you mean --visibility?"
+std::string describe_extra(const CLI::App& app, const CLI::ExtrasError& error) {
+  const std::vector<std::string> extras = app.remaining(true);
+  const auto extra = std::ranges::find_if(extras, [](const std::string& word) { return word.starts_with("--"); });
+  if (extra == extras.end()) return error.what();
+  std::vector<std::string> names;
+  for (const CLI::App* part = &app; part;) {
+    for (const CLI::Option* option : part->get_options()) {
+      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    }
+    const auto chosen = part->get_subcommands();
+    part = chosen.empty() ? nullptr : chosen.front();
+  }
+  const std::string typed = extra->substr(0, extra->find('='));
+  return typed + ": must be an option of this command" + files::hint_for_word(typed, {names.begin(), names.end()});
 }
 
 ExitStatus parse_and_run(CLI::App& app, int argc, char** argv, const std::function<ExitStatus()>& run) {
@@ -50,7 +75,7 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, double& target, 
                         const std::string& description) {
   const auto parse = [&target, name, rule](const CLI::results_t& values) {
     const auto number = parse_number(values.front());
-    if (!number || !rule.accepts(*number)) fail_option(name, values.front(), rule.text);
+    if (!number || !rule.accepts(*number)) fail_number(name, values.front(), rule.text);
     target = *number;
     return true;
   };
@@ -79,7 +104,7 @@ CLI::Option* add_numbers(CLI::App& app, const std::string& name, std::vector<dou
     for (std::size_t begin = 0; begin <= text.size();) {
       const std::size_t end = std::min(text.find(',', begin), text.size());
       const auto number = parse_number(text.substr(begin, end - begin));
-      if (!number || !rule.accepts(*number)) fail_option(name, text.substr(begin, end - begin), rule.text);
+      if (!number || !rule.accepts(*number)) fail_number(name, text.substr(begin, end - begin), rule.text);
       target.push_back(*number);
       begin = end + 1;
     }
@@ -96,7 +121,7 @@ CLI::Option* add_contrast(CLI::App& app, double& target) {
                         : text == "flightgear"  ? kContrastFlightgear
                                                 : parse_number(text);
     if (!number || !kOpenUnitInterval.accepts(*number)) {
-      fail_option("--contrast", text, "must be mor, koschmieder, flightgear or a number in (0, 1)");
+      fail_number("--contrast", text, "must be mor, koschmieder, flightgear or a number in (0, 1)");
     }
     target = *number;
     return true;
@@ -123,6 +148,8 @@ int run_command(CLI::App& app, int argc, char** argv, const std::function<ExitSt
     const ExitStatus status = parse_and_run(app, argc, argv, run);
     close_standard_output();
     return status;
+  } catch (const CLI::ExtrasError& error) {
+    return end(describe_extra(app, error) + "; see " + app.get_name() + " --help", kUsage);
   } catch (const CLI::ParseError& error) {
     return end(std::string(error.what()) + "; see " + app.get_name() + " --help", kUsage);
   } catch (const InputError& error) {

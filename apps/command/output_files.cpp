@@ -36,7 +36,7 @@ void OutputFiles::add(const std::string& option, const std::string& path) {
   const auto identity = Identity::of(path);
   if (!identity) return;
   if (const Output* const other = find(*identity)) {
-    fail_option(option, path, "must not be the file of " + other->option);
+    fail_option(option, path, "must not be the file of " + (other->option == option ? "two inputs" : other->option));
   }
   add({option, path}, *identity);
 }

@@ -172,6 +172,14 @@ Rows lacroix_figures(const Draughtsman& pencil) {
   rows.back().push_back(pencil.draw(room, along("interpolated"), {"listing 2.2: interpolated normals"}));
   rows.back().push_back(pencil.draw(room, along("tangent"), {"listing 1.2: normal maps, lights in tangent space"}));
   rows.back().push_back(pencil.draw(room, along("unified"), {"listing 2.3: normal maps in world space"}));
+  rows.emplace_back();
+  Scene bricks = wall({1, 1}, "brick");
+  bricks.camera = {.position = {-1.6f, -0.5f, 0.45f}, .target = {-0.6f, -0.35f, 0}, .field_of_view = 0.6f};
+  bricks.lights = {lamp({-0.9, 0.3, 0.6}, {1, 0, 0.2})};
+  rows.back().push_back(
+      pencil.draw(bricks, along("interpolated"), {"bricks seen along the wall: interpolated normals"}));
+  rows.back().push_back(pencil.draw(bricks, along("unified"), {"normal map"}));
+  rows.back().push_back(pencil.draw(bricks, along("parallax"), {"and parallax mapping, by the bricks' heights"}));
   return rows;
 }
 

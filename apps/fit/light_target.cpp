@@ -200,6 +200,20 @@ void scale_luminaire(const LightSpec& spec, LightTarget& target, double peak) {
       fmt::format("Photometry: times {:.6g}, from its peak of {:.6g} cd to {:.6g} cd.", factor, *target.peak, peak));
 }
 
+/// Throws the error of a derived extent that cannot be fitted, at the member that puts it there.
+void expect_extent(const LightSpec& spec, double peak, double end) {
+  const auto error_of = [peak](double lux) { return check(AttenuationTarget{.extent = extent_of(peak, lux)}); };
+  const auto error = error_of(end);
+  if (!error) return;
+  const RangeSpec& range = *spec.range;
+  const char* const member = !error_of(kEndIlluminance) ? "range.end_lx"
+                             : range.illuminance        ? "range.illuminance"
+                             : range.flux               ? "range.flux_lm"
+                                                        : "range.peak_cd";
+  throw spec.error_at(member, "",
+                      fmt::format("the extent that follows, {:.3g} m, {}", error->error.value, error->error.rule));
+}
+
 /// The extent of a range that states where the light ends by its illuminance.
 void derive_extent(const LightSpec& spec, LightTarget& target) {
   const RangeSpec& range = *spec.range;
@@ -213,6 +227,7 @@ void derive_extent(const LightSpec& spec, LightTarget& target) {
   if (peak && target.luminaire) scale_luminaire(spec, target, *peak);
   if (peak) target.peak = peak;
   const double end = range.end_illuminance.value_or(kEndIlluminance);
+  expect_extent(spec, *target.peak, end);
   target.range->extent = extent_of(*target.peak, end);
   target.derived.push_back(
       fmt::format("Extent: sqrt({:.6g} cd / {:.6g} lx) = {:.6g} m, where the light gives {:.6g} lx{}.", *target.peak,

@@ -225,7 +225,7 @@ LightTarget read(const Options& options, const Input& input) {
   LightTarget target =
       is_spec(input.path) ? read_spec(input.path, options.choices) : read_photometric_spec(input.path, options.choices);
   if (!options.cookie.empty() && !target.luminaire && target.ellipses.empty()) {
-    throw litfog::InputError({.file = input.path}, "cone.photometry", "",
+    throw litfog::InputError({input.path, 1, 1}, "cone.photometry", "",
                              "must be given for a cookie, or the angles of an elliptical beam");
   }
   return target;
@@ -371,7 +371,7 @@ CLI::Option* add_axis(CLI::App& app, AxisChoice& choice) {
     const auto angle = [&](std::string_view part) {
       const auto number = parse_number(part);
       if (!number || !(std::abs(*number) <= 360)) {
-        fail_option("--axis", text, "must be peak, down, up or two angles H,V in degrees");
+        fail_option("--axis", text, "must be peak, down, up or two angles H,V in degrees, each from -360 to 360");
       }
       return litfog::files::radians(*number);
     };

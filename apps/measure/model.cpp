@@ -15,7 +15,7 @@ namespace {
 /// which the texel states the level that means 0.
 glm::dvec3 mapped_normal(const render::GeometrySample& sample, double scale) {
   const glm::dvec4 texel = sample.normal_texel;
-  const glm::dvec3 bump = 2.0 * glm::dvec3(texel) - (256 - texel.a) / 255;
+  const glm::dvec3 bump = 2.0 * glm::dvec3(texel) - (256 - std::floor(texel.a + 0.5 / 255)) / 255;
   const glm::dvec3 n = glm::normalize(glm::dvec3(sample.normal));
   const glm::dvec3 t = glm::normalize(glm::dvec3(sample.tangent));
   const glm::dvec3 b = glm::normalize(glm::cross(n, t)) * double(sample.tangent.w);

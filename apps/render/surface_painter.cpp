@@ -176,7 +176,8 @@ void SurfacePainter::draw_pass(Frame& frame, const PlannedSurface& planned, Shad
   glUniformMatrix4fv(program.world_from_model, 1, GL_FALSE, glm::value_ptr(surface.world_from_model));
   const scene::Material& material = surface.material->material;
   const glm::vec4 constants[] = {
-      glm::vec4(scene_.camera.position, 0), glm::vec4(surface.bounds.low, material.least_coverage.value_or(0)),
+      glm::vec4(scene_.camera.position, material.relief_m / material.size_m),
+      glm::vec4(surface.bounds.low, material.least_coverage.value_or(0)),
       glm::vec4(surface.bounds.high, material.normal_scale), glm::vec4(material.specular, material.shininess),
       glm::vec4(material.emissive, material.metal_roughness)};
   glUniform4fv(program.draw_constants, GLsizei(std::size(constants)), glm::value_ptr(constants[0]));

@@ -17,13 +17,14 @@ struct Material {
   /// sRGB colour; A = gloss, linear, scales specular, or coverage of a mask, whose gloss is 1. Materials share pictures
   /// that are the same.
   std::shared_ptr<const Texels> albedo;
-  /// Tangent space, +Z out of the surface; A = 0: n = (rgb - 128) / 127.5, in which flat is exact; A = 255: n = rgb /
-  /// 127.5 - 1, as in glTF.
+  /// Tangent space, +Z out of the surface; A < 255: n = (rgb - 128) / 127.5, in which flat is exact, and A is the
+  /// height, 254 the highest; A = 255: n = rgb / 127.5 - 1, as in glTF, which states no heights.
   std::shared_ptr<const Texels> normal;
   float normal_scale = 1;  ///< multiplies that normal's x and y before it is made a unit vector
   glm::vec3 specular;  ///< linear, at gloss 1
   float shininess;     ///< Blinn-Phong exponent
   glm::vec3 emissive;  ///< linear; 0 if it emits nothing
+  float relief_m = 0;  ///< from the height 0 to 254, metres: for the path that shifts textures by their heights
   /// Root mean square slope of a metal's facets (Cook and Torrance's m), for the paths that draw metals by models of
   /// their own; 0: no metal.
   float metal_roughness = 0;

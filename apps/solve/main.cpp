@@ -20,6 +20,7 @@
 #include "command/output_files.h"
 #include "command/progress.h"
 #include "command/table.h"
+#include "files/hint.h"
 #include "files/json_text.h"
 #include "litfog/airlight.h"
 #include "litfog/files/light_file.h"
@@ -159,6 +160,19 @@ struct Header {
   std::size_t field_count;
 };
 
+/// A column that a header lacks. Semicolons in place of commas, or a slip in its name, are named.
+RowError missing_column(std::string_view name, const CsvRecord& record) {
+  std::string sentence = fmt::format("column {}: must be given in the header", name);
+  for (std::size_t i = 0; i < record.size(); ++i) {
+    const std::string_view given = record.field(i);
+    const bool is_other_column = std::ranges::find(kColumnNames, given) != kColumnNames.end();
+    if (is_other_column || litfog::files::hint_for_word(given, {name}).empty()) continue;
+    return {record.location(i), fmt::format("{}; is {} meant?", sentence, litfog::files::quoted_excerpt(given))};
+  }
+  const bool has_semicolons = record.size() == 1 && record.field(0).find(';') != std::string_view::npos;
+  return {{}, sentence + (has_semicolons ? ", with commas between columns" : "")};
+}
+
 std::optional<RowError> read_header(const CsvRecord& record, Header& header) {
   if (record.error() != nullptr) return RowError{record.error_location(), fmt::format("header: {}", record.error())};
   if (record.size() > kMaxColumns) {
@@ -180,7 +194,7 @@ std::optional<RowError> read_header(const CsvRecord& record, Header& header) {
     header.index[column] = i;
   }
   for (std::size_t column = 0; column < kColumnCount; ++column) {
-    if (!is_found[column]) return RowError{{}, fmt::format("column {}: must be given", kColumnNames[column])};
+    if (!is_found[column]) return missing_column(kColumnNames[column], record);
   }
   return std::nullopt;
 }
@@ -217,7 +231,8 @@ std::optional<RowError> read_row(const Header& header, const CsvRecord& record, 
   std::array<double, kColumnCount> values;
   for (std::size_t column = kDensity; column < kColumnCount; ++column) {
     const auto number = parse_number(record.field(header.index[column]));
-    if (!number) return error_in(column, "must be a number");
+    if (!number)
+      return error_in(column, "must be a number" + litfog::files::hint_for_number(record.field(header.index[column])));
     values[column] = *number;
   }
   row = {{*mode, values[kDensity]}, {values[kConstant], values[kLinear], values[kQuadratic]}, values[kThreshold]};

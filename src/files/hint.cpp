@@ -34,6 +34,28 @@ std::size_t slips_between(std::string_view a, std::string_view b) {
   return slips[a.size()][b.size()];
 }
 
+/// How a member's name ends and what people write for it.
+struct Unit {
+  std::string_view symbol;
+  std::string_view name;
+  std::string_view sign = {};  ///< another symbol
+};
+
+/// That of a member's value, or of an item's in its array.
+const Unit* unit_of(std::string_view member) {
+  static constexpr std::array kUnits{Unit{"deg", "degrees", "\u00b0"},
+                                     Unit{"m", "metres"},
+                                     Unit{"cd", "candela"},
+                                     Unit{"lm", "lumens"},
+                                     Unit{"lx", "lux"},
+                                     Unit{"k", "kelvin"}};
+  if (member.ends_with(']')) member.remove_suffix(member.size() - member.rfind('['));
+  const std::string_view last = member.substr(member.find_last_of("._") + 1);
+  const bool is_suffix = last.size() < member.size();
+  const auto found = std::ranges::find(kUnits, last, &Unit::symbol);
+  return is_suffix && found != kUnits.end() ? &*found : nullptr;
+}
+
 /// A number that JSON can hold.
 std::optional<double> parse_number(std::string_view text) {
   double number;
@@ -77,20 +99,33 @@ std::string hint_for_word(std::string_view word, const std::vector<std::string_v
   return nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest);
 }
 
-std::string hint_for_number(std::string_view text) {
+std::string hint_for_number(std::string_view text, std::string_view member) {
   text = trimmed(text);
-  const bool is_percentage = text.ends_with('%');
-  if (is_percentage) text = trimmed(text.substr(0, text.size() - 1));
+  const std::size_t end = text.find_last_of(kDigits) + 1;
+  const std::string_view behind = trimmed(text.substr(end));
+  text = text.substr(0, end);
   const auto with = with_point(text);
   const auto number = parse_number(with ? *with : text);
   if (!number) return "";
-  if (is_percentage) return fmt::format("; {} % is {}", *number, *number / 100);
-  return with ? advice_on_comma(text, *with) : fmt::format("; write {}, without quotation marks", *number);
+  if (const Unit* const unit = unit_of(member); unit && !behind.empty()) {
+    const std::string written = lower(behind);
+    const bool is_unit = written == unit->symbol || written == unit->name || written == unit->sign;
+    return is_unit ? fmt::format("; write {} alone", *number) : fmt::format("; its unit is {}", unit->name);
+  }
+  if (behind == "%") return fmt::format("; {} % is {}", *number, *number / 100);
+  return behind.empty() && with ? advice_on_comma(text, *with) : "";
+}
+
+std::string hint_for_quoted_number(std::string_view text, std::string_view member) {
+  if (const auto number = parse_number(trimmed(text)))
+    return fmt::format("; write {}, without quotation marks", *number);
+  return hint_for_number(text, member);
 }
 
 std::string hint_for_fraction(double number, std::string_view rule) {
-  constexpr std::array<std::string_view, 3> kFractions{"must be in (0, 1", "must be in [0, 1", "must be in [1e-100, 1"};
-  const bool is_fraction = std::ranges::find(kFractions, rule.substr(0, rule.size() - 1)) != kFractions.end();
+  constexpr std::array<std::string_view, 3> kFractions{"in (0, 1", "in [0, 1", "in [1e-100, 1"};
+  rule.remove_suffix(rule.empty() ? 0 : 1);
+  const bool is_fraction = std::ranges::any_of(kFractions, [rule](auto end) { return rule.ends_with(end); });
   return is_fraction && number > 1 && number <= 100 ? fmt::format("; {} % is {}", number, number / 100) : "";
 }
 

@@ -14,8 +14,13 @@ namespace litfog::files {
 /// Of a word that is none of the known ones: the one that it begins, or else that few slips of the keyboard lead to.
 std::string hint_for_word(std::string_view word, const std::vector<std::string_view>& known);
 
-/// Of a text where a number is due: a number in quotation marks, a percentage, a decimal comma.
-std::string hint_for_number(std::string_view text);
+/// Of a text where a number is due: a number with its unit, a percentage, a decimal comma.
+///
+/// member  that the number is for. The end of its name states its unit: "extent_m"; without one it may be a fraction
+std::string hint_for_number(std::string_view text, std::string_view member = {});
+
+/// The same of a text in quotation marks, which a number by itself lacks.
+std::string hint_for_quoted_number(std::string_view text, std::string_view member = {});
 
 /// Of a number that breaks a rule such as "must be in (0, 1)" and may be a percentage.
 std::string hint_for_fraction(double number, std::string_view rule);

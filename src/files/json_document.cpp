@@ -312,7 +312,7 @@ std::vector<JsonValue> JsonValue::items() const {
 
 double JsonValue::number() const {
   const auto* const text = std::get_if<std::string>(&node_->value);
-  if (text) fail("must be a number" + hint_for_number(*text));
+  if (text) fail("must be a number" + hint_for_quoted_number(*text, path_));
   return expect<double>("must be a number");
 }
 
@@ -475,7 +475,10 @@ JsonValue with_value(const JsonValue& document, std::string_view path, const Jso
 
 void expect_header(const JsonValue& root, std::string_view kind, int newest_version) {
   const JsonValue litfog = root.member("litfog");
-  if (litfog.string() != kind) litfog.fail(fmt::format("must be \"{}\"", kind));
+  if (litfog.string() != kind) {
+    const bool can_be_fitted = kind == "light" && litfog.string() == "light-spec";
+    litfog.fail(fmt::format("must be \"{}\"{}", kind, can_be_fitted ? "; litfog-fit makes a light of a spec" : ""));
+  }
   const JsonValue version = root.member("version");
   const double number = version.number();
   for (int known = 1; known <= newest_version; ++known) {

@@ -27,6 +27,7 @@ class Loss {
   explicit Loss(double scale = std::numeric_limits<double>::infinity());
 
   double scale() const { return scale_; }
+  bool is_plain() const { return is_plain_; }  ///< z^2: the scale is infinite
 
   template <typename Real>
   Real value(Real z) const {
@@ -61,7 +62,7 @@ class Loss {
   }
 
   double scale_;
-  bool is_plain_;  ///< the scale is infinite
+  bool is_plain_;
   double convex_limit_;
 };
 

@@ -25,14 +25,23 @@
 //        F(q) >= sum_i a_i + min_{q in B} sum_i b_i D_i(q),
 //
 //    a linear function's minimum on the box, where it meets the end.
-// 2. All terms together, about any point p. With curvatures c_i <= f_i''(D) between D_i(p) and the D_i of the box, and
-//    K = sum_i c_i v_i v_i^T,
+// 2. All terms together, about any point p. With r_i = D_i(p) and curvatures c_i <= h_i(D) over the D_i of the box,
+//    where
+//
+//        f_i(D) = f_i(r_i) + f_i'(r_i) (D - r_i) + 1/2 h_i(D) (D - r_i)^2,
+//
+//    and with K = sum_i c_i v_i v_i^T,
 //
 //        F(q) >= F(p) + grad F(p) . (q - p) + 1/2 (q - p)^T K (q - p)
 //             >= F(p) + min_{q in B} grad F(p) . (q - p) + 3/2 min(0, lambda_min(R K R)),
 //
 //    R being the diagonal matrix of the largest |q_j - p_j| in the box, so that |R^-1 (q - p)|^2 <= 3. Near a minimum
 //    lambda_min is positive whatever the single terms are.
+//
+//    h(D) = 2 int_0^1 (1 - t) f''(r + t (D - r)) dt is a mean of f'' from r to D and so nowhere below its least value
+//    there. Of plain squares, f'' = 2 w (1 - ln D + y) / D^2 falls up to ln D = y + 3/2 and rises from there. So
+//    (D - r)^3 h'(D) = 2 int_r^D (D - s) (s - r) f'''(s) ds changes its sign at most once as D leaves r, and h falls
+//    and then rises: in an interval it is least at the high end if it falls there, at the low end if it rises there.
 //
 // The first is taken at the middle of the box, and both at a reference, which is a minimum: if nothing bends down
 // between it and the box, the whole box is ruled out at once. (About the middle the second closes one box in a hundred,
@@ -50,6 +59,9 @@ constexpr std::size_t kBoxEffort = 10;
 
 /// Below this D a dark sample's term is taken as its value at 0, without a slope.
 constexpr double kLeastSmooth = 1e-6;
+
+/// Steps from the reference, as fractions of its D, below which h loses digits: from here on it has twelve.
+constexpr double kLeastStep = 0.1;
 
 /// A number of held samples gets a descent of its own when it has more open boxes than this: it costs as much.
 constexpr std::size_t kPatience = 30;
@@ -383,8 +395,7 @@ class HeldSearch {
       const Term& term = terms_[i];
       tangents.add(term.tangent, term.x);
       if (is_held(i)) continue;
-      const auto& [d, log_d] = ranges_[i];
-      add_square(curvature, least_curvature(term, d.with(term.reference_d), log_d.with(term.log_reference_d)), term.x);
+      add_square(curvature, least_curvature(term, ranges_[i]), term.x);
     }
     return tangents.value + smallest_of(tangents.slope, box) + smallest_bend(curvature, reference_, box);
   }
@@ -410,8 +421,23 @@ class HeldSearch {
     return {at_low - slope * d.low, slope};
   }
 
+  /// A lower bound of h of inequality 2, about the reference, where a term's D is in a range.
+  double least_curvature(const Term& term, const Range& range) const {
+    const double r = term.reference_d, z = term.log_reference_d - term.y;
+    for (const bool is_high : {true, false}) {
+      if (!falloff_.loss.is_plain() || term.y == 0) break;
+      const double log_step = (is_high ? range.log_d.high : range.log_d.low) - term.log_reference_d;
+      const double step = (is_high ? range.d.high : range.d.low) / r - 1;
+      if (std::abs(step) < kLeastStep) continue;
+      const double above_tangent = log_step * log_step - 2 * z * (step - log_step);           // per weight
+      const double rise = step * (((z + log_step) / (1 + step) - z) * step - above_tangent);  // has the sign of h'
+      if (is_high ? rise <= 0 : rise >= 0) return 2 * term.weight * above_tangent / (step * r * (step * r));
+    }
+    return least_second_derivative(term, range.d.with(r), range.log_d.with(term.log_reference_d));
+  }
+
   /// A lower bound of a term's second derivative in D.
-  double least_curvature(const Term& term, const Interval& d, const Interval& log_d) const {
+  double least_second_derivative(const Term& term, const Interval& d, const Interval& log_d) const {
     const bool is_level = term.y == 0 && d.low < 1;
     const double z_low = is_level ? 0 : log_d.low - term.y;
     const double z_high = is_level ? std::max(0.0, log_d.high) : log_d.high - term.y;

@@ -52,8 +52,8 @@ class Rows {
       if (cells.size() > kMaxCells) scanner_.fail(cells[kMaxCells], "cell", "must be one of at most 1000 in a row");
       if (count_ == 0) count_ = cells.size();
       if (cells.size() != count_) {
-        scanner_.fail(cells.back(), "last cell of the row",
-                      "must be number " + std::to_string(count_) + ", as in the header");
+        throw InputError(scanner_.location(cells.back()), "number of cells", std::to_string(cells.size()),
+                         "must be " + std::to_string(count_) + ", as in the header");
       }
       return cells;
     }

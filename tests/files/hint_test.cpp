@@ -57,11 +57,26 @@ TEST(Hint, PercentageIsShownAsAFraction) {
 TEST(Hint, NumberInQuotationMarksIsShownWithout) {
   EXPECT_EQ(error_of(R"({"threshold": "0.05"})"),
             "f:1:15: threshold = \"0.05\": must be a number; write 0.05, without quotation marks");
-  EXPECT_EQ(hint_for_number(" .5 "), "; write 0.5, without quotation marks") << "as JSON has it";
-  EXPECT_EQ(hint_for_number("nan"), "") << "which JSON lacks";
-  EXPECT_EQ(hint_for_number("inf"), "");
+  EXPECT_EQ(hint_for_quoted_number(" .5 "), "; write 0.5, without quotation marks") << "as JSON has it";
+  EXPECT_EQ(hint_for_quoted_number("nan"), "") << "which JSON lacks";
+  EXPECT_EQ(hint_for_quoted_number("inf"), "");
   EXPECT_EQ(error_of(R"({"threshold": "low"})"), "f:1:15: threshold = \"low\": must be a number");
   EXPECT_EQ(error_of(R"({"threshold": ""})"), "f:1:15: threshold = \"\": must be a number");
+}
+
+TEST(Hint, NumberWithItsUnitIsToStandAlone) {
+  EXPECT_EQ(hint_for_number("120 m", "range.extent_m"), "; write 120 alone");
+  EXPECT_EQ(hint_for_number("3000K", "color_temperature_k"), "; write 3000 alone");
+  EXPECT_EQ(hint_for_number("20\u00b0", "cone.beam_angle_deg"), "; write 20 alone");
+  EXPECT_EQ(hint_for_number("24 Degrees", "cone.beam_angle_deg[0]"), "; write 24 alone");
+  EXPECT_EQ(hint_for_number("5 lx", "range.illuminance.lx"), "; write 5 alone");
+}
+
+TEST(Hint, NumberOfAnotherUnitIsToldTheRightOne) {
+  EXPECT_EQ(hint_for_number("20%", "cone.beam_angle_deg"), "; its unit is degrees");
+  EXPECT_EQ(hint_for_number("400 ft", "range.extent_m"), "; its unit is metres");
+  EXPECT_EQ(hint_for_number("20 knots", "threshold"), "");
+  EXPECT_EQ(hint_for_number("5 m", "m"), "") << "a name, not a unit";
 }
 
 TEST(Hint, CommaBetweenItemsIsNotTakenForADecimalOne) {

@@ -329,7 +329,7 @@ TEST_F(FitCommand, WrongUsageIsAnErrorBeforeAnyWork) {
   fs::create_directory(directory() / "a");
   write("a/lamp.json", kBeam);
   fs::create_directory(directory() / "folder");
-  expect_usage_error("lamp.json a/lamp.json -o folder", "-o = folder/lamp.json: must not be the file of -o");
+  expect_usage_error("lamp.json a/lamp.json -o folder", "-o = folder/lamp.json: must not be the file of two inputs");
   EXPECT_EQ(read("lamp.json"), kSpec);
 }
 
@@ -479,7 +479,7 @@ TEST_F(FitCommand, AxisIsThePeakOfABeamAimedElsewhereOrAsAsked) {
   ASSERT_EQ(run("aimed.ies --cookie aimed.exr --cookie-size 33").status, kDone);
   const auto cookie = litfog::read_cookie((directory() / "aimed.exr").string());
   EXPECT_NEAR(cookie.texels[5 * 33 * 33 + 16 * 33 + 16], 1, 1e-6) << "the peak is on the cookie's axis";
-  const std::string rule = "must be peak, down, up or two angles H,V in degrees";
+  const std::string rule = "must be peak, down, up or two angles H,V in degrees, each from -360 to 360";
   for (const char* wrong : {"left", "3", "3,", ",3", "1,2,3", "nan,0", "0,361"}) {
     expect_usage_error(std::string("aimed.ies --axis ") + wrong, std::string("--axis = ") + wrong + ": " + rule);
   }
@@ -692,6 +692,8 @@ TEST_F(FitCommand, PatternStandsForTheFilesThatMatch) {
 }
 
 TEST_F(FitCommand, BundledLightIsFoundByItsNameUnlessAFileHasIt) {
+  EXPECT_ERROR(run("landing-lmap"), kBadInput,
+               "landing-lmap: must be a file or a bundled light; did you mean landing-lamp?\n");
   EXPECT_NE(run("landing-lamp").out.find("landing-lamp.json"), std::string::npos);
   write("landing-lamp", kIes);
   EXPECT_NE(run("landing-lamp").out.find("luminaire       spot"), std::string::npos);

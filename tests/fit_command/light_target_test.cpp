@@ -155,6 +155,14 @@ TEST_F(LightTargetFile, PeakAndIlluminanceGiveTheExtentAndTheirSteps) {
   EXPECT_EQ(night.derived.back(),
             "Extent: sqrt(100 cd / 0.0001 lx) = 1000 m, where the light gives 0.0001 lx, what a pilot sees by day, "
             "commonly given after ICAO Annex 3, attachment D.");
+  const auto of_range = [this](const char* members) { return error_with("\"range\": {" + std::string(members) + "}"); };
+  EXPECT_EQ(of_range(R"("peak_cd": 1e-300)"),
+            "f.json:2:22: range.peak_cd = 1e-300: the extent that follows, 1e-150 m, must be in [1e-30, 1e30]");
+  EXPECT_EQ(of_range(R"("flux_lm": 1e305)").substr(0, 36), "f.json:2:22: range.flux_lm = 1e305: ");
+  EXPECT_EQ(of_range(R"("illuminance": {"range_m": 1e200, "lx": 1})"),
+            "f.json:2:26: range.illuminance = an object: the extent that follows, inf m, must be in [1e-30, 1e30]");
+  EXPECT_EQ(of_range(R"("peak_cd": 1000, "end_lx": 1e-300)"),
+            "f.json:2:38: range.end_lx = 1e-300: the extent that follows, 3.16e+151 m, must be in [1e-30, 1e30]");
   EXPECT_EQ(error_with(R"("range": {"end_lx": 1})"),
             "f.json:2:10: range.peak_cd: must be given, or illuminance, flux_lm or the cone's photometry, for "
             "end_lx");

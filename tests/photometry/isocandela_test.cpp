@@ -78,7 +78,7 @@ TEST(Isocandela, WrongTablesAreErrorsAtTheirCells) {
   EXPECT_EQ(error_of("vertical_deg,1,1\n"), "1:16: horizontal angle = 1: must be greater than the one before");
   EXPECT_EQ(error_of("vertical_deg,1,181\n"), "1:16: horizontal angle = 181: must be in [-180, 180]");
   EXPECT_EQ(error_of("vertical_deg,1,2\n0,1,1\n"), "3:1: second row of candela: must be given");
-  EXPECT_EQ(error_of("vertical_deg,1,2\n0,1\n"), "2:3: last cell of the row = 1: must be number 3, as in the header");
+  EXPECT_EQ(error_of("vertical_deg,1,2\n0,1\n"), "2:3: number of cells = 2: must be 3, as in the header");
   EXPECT_EQ(error_of("vertical_deg,1,2\n0,1,\n"), "2:5: candela: must be given");
   EXPECT_EQ(error_of("vertical_deg,1,2\n0,1,-1\n"), "2:5: candela = -1: must be in [0, 1e30]");
   EXPECT_EQ(error_of("vertical_deg,1,2\n91,1,1\n"), "2:1: vertical angle = 91: must be in [-90, 90]");

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 #include "gl/gl_test.h"
 #include "render/pixel.h"
@@ -56,19 +57,28 @@ struct Setting {
   double metal_roughness = 0;
   int cells = 1;
   double light_ambient = 0;
+  Texels normal_map{1, 1, {128, 128, 255, 0}};
+  dvec3 mapped_normal = kNormal;  ///< which it states
+  double turn = 0;                ///< of the wall about kTurnAxis through its middle, radians
 };
+const dvec3 kTurnAxis = glm::normalize(dvec3(1, -2, 0.5));
+
+dvec3 wall_normal(const Setting& setting) { return dvec3(glm::rotate(glm::dmat4(1), setting.turn, kTurnAxis)[2]); }
 
 Scene wall(const Setting& setting) {
   Scene scene = make_wall(setting.cells, "plain");
   scene.materials.push_back({.name = "plain",
                              .size_m = 1,
                              .albedo = nullptr,
-                             .normal = std::make_shared<const Texels>(Texels{1, 1, {128, 128, 255, 0}}),
+                             .normal = std::make_shared<const Texels>(setting.normal_map),
                              .specular = setting.ks,
                              .shininess = float(setting.shininess),
                              .emissive = {},
                              .metal_roughness = float(setting.metal_roughness),
                              .plain_albedo = setting.texture});
+  const glm::dmat4 turned = glm::rotate(glm::dmat4(1), setting.turn, kTurnAxis);
+  const double scale = setting.turn == 0 ? 1 : 2;  // so that it still fills the picture
+  scene.instances[0].world_from_model *= glm::mat4(glm::scale(turned, dvec3(scale)));
   for (const Lamp& lamp : setting.lamps) {
     const Cone cone =
         lamp.is_dual ? Cone::smoothstep(lamp.half_angle, lamp.exponent) : Cone::cosine(lamp.half_angle, lamp.exponent);
@@ -123,7 +133,9 @@ dvec3 fragment_fog_color(const Setting& setting, const dvec3& v, const AngleLaw&
   return color;
 }
 
-dvec3 directional() { return kAmbientLight + kMoonColor * std::max(glm::dot(kMoonDirection, kNormal), 0.0); }
+dvec3 directional(const dvec3& n = kNormal) {
+  return kAmbientLight + kMoonColor * std::max(glm::dot(kMoonDirection, n), 0.0);
+}
 
 double n_dot_l(const Lamp& lamp, const dvec3& v) {
   return std::max(glm::dot(kNormal, glm::normalize(lamp.position - v)), 0.0);
@@ -160,17 +172,23 @@ dvec3 frazier_light(const Setting& setting, const dvec3& v, const AngleLaw& angl
 
 /// prepareLightForPlane: x and y after the plane's rotation to z = 0, and the square of the plane's distance.
 dvec3 frazier_plane(const Setting& setting, const dvec3& v) {
-  const dvec3 forward(0, 0, -1);
+  const dvec3 normal = wall_normal(setting), forward(0, 0, -1);
+  const dvec3 axis = glm::cross(normal, forward);
+  const double length = glm::length(axis);
+  glm::dmat4 rotated(1);  // "we can leave the plane where it is"
+  if (length > 0.00001) {
+    double angle = std::asin(length);
+    if (std::acos(glm::dot(normal, forward)) <= std::numbers::pi / 2) angle = std::numbers::pi - angle;
+    rotated = glm::rotate(rotated, -angle, axis / length);
+  }
   dvec3 sum(0.0);
   for (const Lamp& lamp : setting.lamps) {
-    const dvec3 axis = glm::cross(kNormal, forward);
-    EXPECT_LE(glm::length(axis), 0.00001);
     const double r = range_extent(lamp);
-    const dvec3 xy = (v - lamp.position) / r;  // "we can leave the plane where it is"
-    const double z = glm::dot(kNormal, lamp.position - v) / r;
+    const dvec3 xy = dvec3(rotated * glm::dvec4(v - lamp.position, 0)) / r;
+    const double z = glm::dot(normal, lamp.position - v) / r;
     sum += lamp.color * std::max(1 - (xy.x * xy.x + xy.y * xy.y) - z * z, 0.0) * angle_attenuation(lamp, v);
   }
-  return (sum + directional()) * setting.texture;
+  return (sum + directional(normal)) * setting.texture;
 }
 
 /// A white circle on one side of the cube: scaled, it ends at the spot's angle.
@@ -187,9 +205,10 @@ struct Sums {
 
 /// C5E5_computeLighting.
 void compute_lighting(const Setting& setting, const dvec3& l, const dvec3& color, const dvec3& p, Sums& sums) {
-  const double diffuse = std::max(glm::dot(kNormal, l), 0.0);
+  const dvec3& n = setting.mapped_normal;
+  const double diffuse = std::max(glm::dot(n, l), 0.0);
   const dvec3 h = glm::normalize(l + glm::normalize(-p));  // the eye is at the origin
-  const double specular = diffuse <= 0 ? 0 : std::pow(std::max(glm::dot(kNormal, h), 0.0), setting.shininess);
+  const double specular = diffuse <= 0 ? 0 : std::pow(std::max(glm::dot(n, h), 0.0), setting.shininess);
   sums.diffuse += color * diffuse;
   sums.specular += color * specular;
 }
@@ -310,8 +329,10 @@ class PaperFormula : public test::GlTest {
  protected:
   /// Largest difference of a path's picture from the formula, in the fog.
   static double error(const Setting& setting, const RenderSettings& settings, const Formula& formula,
-                      FogOf fog_of = FogOf::hales, const AngleLaw& fog_angle = angle_attenuation) {
-    const Scene scene = wall(setting);
+                      FogOf fog_of = FogOf::hales, const AngleLaw& fog_angle = angle_attenuation,
+                      const std::function<void(Material&)>& change = {}) {
+    Scene scene = wall(setting);
+    if (change) change(scene.materials[0]);
     Renderer renderer(scene, kWidth, kHeight, settings);
     renderer.set_fog({.mode = FogMode::exp2, .density = kDensity});
     renderer.draw(LightPoints::off);
@@ -320,8 +341,10 @@ class PaperFormula : public test::GlTest {
     double brightest = 0;
     for (int y = 1; y < kHeight; y += 3) {
       for (int x = 1; x < kWidth; x += 3) {
-        const dvec3 point = wall_point(scene, x, y);
-        dvec3 expected = formula(point, corners_around(scene.models[0][0].mesh, point));
+        const dvec3 view = view_direction(scene.camera, kWidth, kHeight, x + 0.5, y + 0.5);
+        const dvec3 point = view * (kWallZ * wall_normal(setting).z / glm::dot(wall_normal(setting), view));
+        const bool is_turned = setting.turn != 0;
+        dvec3 expected = formula(point, is_turned ? Corners{} : corners_around(scene.models[0][0].mesh, point));
         if (fog_of != FogOf::none) {
           const dvec3 fog = fog_of == FogOf::legacy ? kAmbientFogColor : fragment_fog_color(setting, point, fog_angle);
           expected = glm::mix(fog, expected, fog_factor(glm::length(point)));
@@ -381,6 +404,15 @@ TEST_F(PaperFormula, RadialPathsAreFraziersEquation) {
   EXPECT_LE(error(setting, along("light-map"), untextured, FogOf::none), 3 * kTexels);
 }
 
+TEST_F(PaperFormula, RadialPlaneOfATurnedWallIsFraziersRotationToZ0) {
+  for (const double turn : {-0.5, 0.3}) {
+    const Setting setting{.lamps = lamps(true), .turn = turn};
+    const Formula formula = [&](const dvec3& point, const Corners&) { return frazier_plane(setting, point); };
+    EXPECT_LE(error(setting, along("radial-plane"), formula), kTexels) << turn;
+    EXPECT_LE(error(setting, along("radial"), formula), kTexels) << turn;
+  }
+}
+
 // Away from the circle's edge, which the texels blur.
 TEST_F(PaperFormula, OneDiscIsFraziersWhiteCircleAtEveryAngle) {
   for (const double angle : {0.3, 0.785398, 1.2}) {
@@ -406,6 +438,53 @@ TEST_F(PaperFormula, FragmentPathsAreTheBasicModel) {
   for (const char* path : {"unified", "tangent", "interpolated"}) {
     EXPECT_LE(error(setting, along(path), formula), kHalfFloat) << path;
   }
+}
+
+// A map's red and green point where u and v grow, on the wall to +X and +Y.
+TEST_F(PaperFormula, MappedNormalIsThatOfTheTangentSpace) {
+  Setting setting{.lamps = lamps(true), .normal_map = {1, 1, {180, 100, 230, 0}}};
+  setting.mapped_normal = glm::normalize(dvec3(180 - 128, 100 - 128, 230 - 128));
+  const Formula formula = [&](const dvec3& point, const Corners&) { return unified(setting, point); };
+  for (const char* path : {"unified", "tangent", "parallax"}) {
+    EXPECT_LE(error(setting, along(path), formula), 2 * kHalfFloat) << path;
+  }
+  setting.mapped_normal = kNormal;
+  EXPECT_LE(error(setting, along("interpolated"), formula), kHalfFloat);
+}
+
+// Welsh 2004: T_n = T_o + h V_xy. Stripes across, heights that rise with v; away from the stripes' edges.
+TEST_F(PaperFormula, ParallaxShiftsTheTextureByHeightAlongTheView) {
+  constexpr int kTexelsAcross = 64, kStripe = 4;  // texels of a quarter of a metre
+  constexpr double kTile = 16, kRelief = 2;       // metres
+  const std::array<std::uint8_t, 2> levels{200, 90};
+  Setting setting{.lamps = lamps(true), .normal_map = {kTexelsAcross, kTexelsAcross, {}}};
+  Texels stripes{kTexelsAcross, kTexelsAcross, {}};
+  for (int row = 0; row < kTexelsAcross; ++row) {
+    for (int column = 0; column < kTexelsAcross; ++column) {
+      const std::uint8_t level = levels[std::size_t(column / kStripe % 2)];
+      stripes.rgba.insert(stripes.rgba.end(), {level, level, level, 255});
+      setting.normal_map.rgba.insert(setting.normal_map.rgba.end(), {128, 128, 255, std::uint8_t(2 * row)});
+    }
+  }
+  const auto add_stripes = [&](Material& material) {
+    material.size_m = kTile;
+    material.relief_m = kRelief;
+    material.plain_albedo.reset();
+    material.albedo = std::make_shared<const Texels>(stripes);
+  };
+  const Formula formula = [&](const dvec3& point, const Corners&) {
+    const dvec3 to_eye = glm::normalize(-point);
+    const double row = (point.y + 4) / kTile * kTexelsAcross - 0.5;
+    const double height = (2 * row / 254 - 0.5) * kRelief;
+    const double column = (point.x + 6 + height * to_eye.x) / kTile * kTexelsAcross;
+    const double from_edge = std::abs(std::remainder(column, kStripe));
+    if (from_edge < 0.6) return dvec3(std::nan(""));
+    const double level = levels[std::size_t(column / kStripe) % 2] / 255.0;
+    Setting here = setting;
+    here.texture = dvec3(std::pow((level + 0.055) / 1.055, 2.4));
+    return unified(here, point);
+  };
+  EXPECT_LE(error(setting, along("parallax"), formula, FogOf::hales, angle_attenuation, add_stripes), kTexels);
 }
 
 TEST_F(PaperFormula, VertexPathsAreTheirFormulasAtTheVertices) {

@@ -101,6 +101,19 @@ TEST(MaterialCatalogue, SmoothPaintIsFlat) {
   }
 }
 
+TEST(MaterialCatalogue, BricksStandOutOfTheirJointsByTheirRelief) {
+  const Material material = make_material("brick");
+  EXPECT_GT(material.relief_m, 0.002f);
+  EXPECT_LT(material.relief_m, 0.03f);
+  std::array<int, 2> extremes{255, 0};
+  for (std::size_t i = 3; i < material.normal->rgba.size(); i += 4) {
+    extremes = {std::min<int>(extremes[0], material.normal->rgba[i]),
+                std::max<int>(extremes[1], material.normal->rgba[i])};
+  }
+  EXPECT_EQ(extremes, (std::array{0, 254})) << "255 is glTF's";
+  EXPECT_EQ(make_material("sign_white").relief_m, 0);
+}
+
 TEST_P(EveryMaterial, PicturesTile) {
   const Material material = make_material(GetParam());
   for (const bool rows : {false, true}) {

@@ -189,15 +189,20 @@ TEST_F(SolveCommand, WrongValuesAreUsageErrors) {
     SCOPED_TRACE(arguments);
     EXPECT_ERROR(run(arguments), kUsage, usage_message(reason));
   };
-  for (const std::string bad : {"-1", "nan", "0x10", "+1", "1e999", "1m", "-inf", "1,5", "inf"}) {
+  for (const std::string bad : {"-1", "nan", "0x10", "+1", "1e999", "1m", "-inf", "inf"}) {
     expect("--density 1 --constant " + bad, "--constant = " + bad + ": must be a finite number >= 0");
   }
+  expect("--density 1 --constant 1,5",
+         "--constant = 1,5: must be a finite number >= 0; write 1.5, with a decimal point");
   expect("--density 1 --linear ''", "--linear = \"\": must be a finite number >= 0");
   expect("--constant 1 --density 1,-2", "--density = -2: must be a number >= 0 or inf");
   expect("--constant 1 --density 1,,2", "--density = \"\": must be a number >= 0 or inf");
   expect("--constant 1 --density 1,", "--density = \"\": must be a number >= 0 or inf");
   expect("--constant 1 --visibility ' 1'", "--visibility =  1: must be a number >= 0 or inf");
   expect("--constant 1 --density 1 --threshold 1", "--threshold = 1: must be a number in (0, 1)");
+  expect("--constant 1 --density 1 --threshold 5", "--threshold = 5: must be a number in (0, 1); 5 % is 0.05");
+  expect("--constant 1 --visibility 1 --contrast 5%",
+         "--contrast = 5%: must be mor, koschmieder, flightgear or a number in (0, 1); 5 % is 0.05");
   expect("--constant 1 --visibility 1 --contrast haze",
          "--contrast = haze: must be mor, koschmieder, flightgear or a number in (0, 1)");
   expect("--constant 1 --visibility 1 --contrast 0",
@@ -226,16 +231,19 @@ TEST_F(SolveCommand, WrongFormsAreUsageErrors) {
   expect("--constant 1 --density 1 --samples 9", "--samples cannot be given with --method exact: it takes none");
   expect("--csv rows.csv --format json", "--format cannot be given with --csv");
   expect("--csv rows.csv --density 1", "--density cannot be given with --csv");
-  expect("--constant 1 --density 1 --colour red", "The following arguments were not expected: red --colour");
+  expect("--constant 1 --density 1 --colour red", "--colour: must be an option of this command");
   expect("--constant 1 --density 1 surplus", "The following argument was not expected: surplus");
   expect("--constant 1 --density 1 --density 2", "--density: At Most 1 required but received 2");
-  expect("--constant 1 --dens 1", "The following arguments were not expected: 1 --dens");
+  expect("--constant 1 --dens 1", "--dens: must be an option of this command; did you mean --density?");
 }
 
 TEST_F(SolveCommand, WrongLightFilesAreBadInputAndNothingIsPrinted) {
   write("good.json", R"({"litfog": "light", "version": 1, "attenuation": {"linear": 1}})");
   write("bad.json", "{\"litfog\": \"light\", \"version\": 1,\r\n\"attenuation\": {\"linear\": -1}}");
   write("empty.json", "");
+  write("spec.json", R"({"litfog": "light-spec", "version": 1, "range": {"extent_m": 1}})");
+  EXPECT_ERROR(run("--density 1 --light spec.json"), kBadInput,
+               "spec.json:1:12: litfog = \"light-spec\": must be \"light\"; litfog-fit makes a light of a spec\n");
   EXPECT_ERROR(run("--density 1 --light good.json bad.json"), kBadInput,
                "bad.json:2:27: attenuation.linear = -1: must be finite and >= 0\n");
   EXPECT_ERROR(run("--density 1 --light empty.json"), kBadInput,
@@ -411,9 +419,13 @@ TEST_F(SolveCommand, BatchWithAWrongHeaderPrintsNothing) {
     SCOPED_TRACE(header);
     EXPECT_ERROR(run_batch(header + "\nexp,1,0,1,0,0.05\n"), kBadInput, "rows.csv:" + message + "\n");
   };
-  expect("fog,density,constant,linear,quadratic", "1:1: column threshold: must be given");
-  expect("fog, density,constant,linear,quadratic,threshold", "1:1: column density: must be given");
-  expect("Fog,density,constant,linear,quadratic,threshold", "1:1: column fog: must be given");
+  expect("fog,density,constant,linear,quadratic", "1:1: column threshold: must be given in the header");
+  expect("fog, density,constant,linear,quadratic,threshold",
+         "1:5: column density: must be given in the header; is \" density\" meant?");
+  expect("fog;density;constant;linear;quadratic;threshold",
+         "1:1: column fog: must be given in the header, with commas between columns");
+  expect("Fog,density,constant,linear,quadratic,threshold",
+         "1:1: column fog: must be given in the header; is \"Fog\" meant?");
   expect("fog,density,constant,linear,\xC3\xA4,quadratic,threshold,density",
          "1:51: column density: must not be given twice");
   expect("fog,density,constant,linear,quadratic,threshold,status",
@@ -451,7 +463,7 @@ TEST_F(SolveCommand, BatchOfAnEmptyFileOrOfGarbageIsBadInput) {
   EXPECT_ERROR(run_batch(""), kBadInput, "rows.csv:1:1: header: must be given\n");
   EXPECT_ERROR(run_batch("\xEF\xBB\xBF"), kBadInput, "rows.csv:1:1: header: must be given\n");
   EXPECT_ERROR(run_batch(std::string("\x7F\x45LF\0\0\xFF\n,,\"", 11)), kBadInput,
-               "rows.csv:1:1: column fog: must be given\n");
+               "rows.csv:1:1: column fog: must be given in the header\n");
   EXPECT_ERROR(run_batch(std::string(3 << 20, ',')), kBadInput,
                "rows.csv:1:1: header: record must not be longer than 1 MiB (is a quote left open?)\n");
   EXPECT_ERROR(run("--csv absent.csv"), kBadInput, "absent.csv: cannot be read: No such file or directory\n");

@@ -14,6 +14,7 @@ uniform vec4 draw_constants[draw_constant_count];
 #endif
 
 vec3 eye = DRAW_CONSTANT(0).xyz;
+float relief = DRAW_CONSTANT(0).w;  // of the material's heights, in tiles
 vec3 bounds_low = DRAW_CONSTANT(1).xyz;  // of the surface drawn
 float least_coverage = DRAW_CONSTANT(1).w;  // of a mask (material.frag)
 vec3 bounds_high = DRAW_CONSTANT(2).xyz;

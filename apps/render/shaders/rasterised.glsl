@@ -16,6 +16,11 @@ in vec4 map_uvs;
 uniform sampler2D albedo_map;  // rgb reflectance, a gloss, or coverage of a mask
 uniform sampler2D normal_map;
 
+// Where a texture is looked up; parallax.frag shifts it.
+#ifndef texture_uv
+#define texture_uv(coordinates) (coordinates)
+#endif
+
 // The position, clamped to the surface's bounds: a partly covered pixel is shaded at its centre, which near the horizon
 // may be many metres beyond the surface, within reach of other lights.
 vec3 fragment_position() { return clamp(rasterised_position, bounds_low, bounds_high); }
@@ -24,9 +29,9 @@ vec3 drawn_back() { return fragment_position() - rasterised_position; }
 // The base texture and the vertices' colour; a is coverage.
 vec4 base_texel() {
 #ifdef VERTEX_DETAILS
-  return texture(albedo_map, uv) * tint;
+  return texture(albedo_map, texture_uv(uv)) * tint;
 #else
-  return texture(albedo_map, uv);
+  return texture(albedo_map, texture_uv(uv));
 #endif
 }
 
@@ -36,17 +41,17 @@ vec4 base_texture() { return vec4(0.0, 0.0, 0.0, 1.0); }  // all of it is emissi
 vec4 base_texture() { return vec4(base_texel().rgb, 1.0); }
 #elif defined VERTEX_DETAILS
 vec4 base_texture() {
-  vec4 texel = texture(albedo_map, uv);
+  vec4 texel = texture(albedo_map, texture_uv(uv));
   return vec4(texel.rgb * tint.rgb, texel.a);
 }
 #else
-vec4 base_texture() { return texture(albedo_map, uv); }
+vec4 base_texture() { return texture(albedo_map, texture_uv(uv)); }
 #endif
 
-// The normal map's normal in tangent space. The map's alpha gives the level that means 0 (Material::normal): 128 at 0,
-// 127.5 at 1.
+// The normal map's normal in tangent space. The map's alpha gives the level that means 0 (Material::normal): 128 below
+// 1, where it is a height, 127.5 at 1.
 vec3 mapped_normal() {
-  vec4 texel = texture(normal_map, map_uvs.xy);
-  vec3 bump = texel.xyz * 2.0 - (256.0 - texel.a) * (1.0 / 255.0);
+  vec4 texel = texture(normal_map, texture_uv(map_uvs.xy));
+  vec3 bump = texel.xyz * 2.0 - (256.0 - floor(texel.a + 0.5 / 255.0)) * (1.0 / 255.0);
   return vec3(bump.xy * normal_scale, bump.z);
 }

@@ -10,8 +10,7 @@
 // Left out, because no pixel would differ: his nested ifs that end the shader at the first light whose flag is off
 // (listing 3.2). He needs them where compilers unroll every loop; here a shader is compiled for its number of lights,
 // and the loop over a light list ends with the list. Left out: normal maps in object space, because the scenes' textures
-// tile over many objects, each of which would need a map of its own; and parallax, which he names but prints no line of,
-// because textures here hold normals without heights.
+// tile over many objects, each of which would need a map of its own. parallax.frag has his parallax mapping.
 
 #define CONSTANTS_FROM_VERTICES
 #include "lit_surface.glsl"

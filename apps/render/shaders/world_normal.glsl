@@ -7,10 +7,15 @@
 in vec3 normal;
 in vec4 tangent;
 
-vec3 mapped_world_normal() {
-  vec3 bump = mapped_normal();
+// Tangent, binormal and normal.
+mat3 world_from_tangent() {
   vec3 n = normalize(normal);
   vec3 t = normalize(tangent.xyz);
-  vec3 b = normalize(cross(n, t)) * tangent.w;
-  return normalize(t * bump.x + b * bump.y + n * bump.z);
+  return mat3(t, normalize(cross(n, t)) * tangent.w, n);
+}
+
+vec3 mapped_world_normal() {
+  vec3 bump = mapped_normal();
+  mat3 basis = world_from_tangent();
+  return normalize(basis[0] * bump.x + basis[1] * bump.y + basis[2] * bump.z);
 }

@@ -21,6 +21,7 @@ class Field {
     return std::size_t((y & mask) * size_ + (x & mask));
   }
   float at(int x, int y) const { return values_[texel(x, y)]; }
+  const std::vector<float>& values() const { return values_; }
 
  private:
   int size_;

@@ -106,8 +106,15 @@ Texels bake_albedo(const Canvas& canvas, const glm::vec3& mean_albedo) {
   return texels;
 }
 
-/// Normals of the height field at its true scale: central differences of metres over metres.
+/// From the lowest to the highest point, metres.
+float relief_of(const Field& height) {
+  const auto [low, high] = std::ranges::minmax(height.values());
+  return high - low;
+}
+
+/// Normals of the height field at its true scale, central differences of metres over metres, and the heights.
 Texels bake_normals(const Canvas& canvas) {
+  const float low = std::ranges::min(canvas.height.values()), relief = relief_of(canvas.height);
   const int size = canvas.size;
   const float per_texel = 0.5f / canvas.texel_m();
   Texels texels{size, size, std::vector<std::uint8_t>(4 * canvas.height.texels())};
@@ -120,7 +127,7 @@ Texels bake_normals(const Canvas& canvas) {
       texel[0] = normal_byte(-du * scale);
       texel[1] = normal_byte(-dv * scale);
       texel[2] = normal_byte(scale);
-      texel[3] = 0;
+      texel[3] = relief > 0 ? level_of((canvas.height.at(x, y) - low) / relief * (254.0f / 255.0f)) : std::uint8_t{0};
     }
   }
   return texels;
@@ -150,6 +157,7 @@ Material make_material(std::string_view name) {
           .specular = recipe->specular,
           .shininess = recipe->shininess,
           .emissive = recipe->emissive,
+          .relief_m = relief_of(canvas.height),
           .metal_roughness = recipe->metal_roughness};
 }
 

@@ -65,7 +65,7 @@ struct VisualThreshold {
 
 /// The pilot's are those in use for runway visual range and are quoted at second hand, not from the Annex's own text.
 inline constexpr std::array<VisualThreshold, 5> kVisualThresholds{{
-    {"dark night", 2e-7, "what a mariner sees by night, 33 CFR 84.15"},
+    {"dark night", 2e-7, "what a mariner sees by night, 33 CFR 84.14"},
     {"night", 8e-7, "what a pilot sees by night, commonly given after ICAO Annex 3, attachment D"},
     {"twilight", 1e-5, "what a pilot sees in twilight, commonly given after ICAO Annex 3, attachment D"},
     {"day", 1e-4, "what a pilot sees by day, commonly given after ICAO Annex 3, attachment D"},
