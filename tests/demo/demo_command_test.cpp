@@ -873,6 +873,10 @@ TEST_F(DemoCommand, SequencesThatCannotBeAreRefusedBeforeAnythingIsDrawn) {
   };
   EXPECT_EQ(error("--visibility 50"),
             std::string("litfog-demo: nothing changes: give a range, such as --visibility 2000..50") + kSeeHelp);
+  EXPECT_EQ(error("--set lights[0].threshold=0.1..x"),
+            std::string("litfog-demo: --set lights[0].threshold = x: must be a finite number") + kSeeHelp);
+  EXPECT_EQ(error("--set lights[0].position=[0,1,2]..[1,1,2]"),
+            std::string("litfog-demo: --set lights[0].position = [0,1,2]: must be a finite number") + kSeeHelp);
   EXPECT_EQ(error("--visibility 1,2,3 --time 0..1:2"),
             std::string("litfog-demo: --time has 2 frames, and --visibility 3: the numbers must be equal") + kSeeHelp);
   EXPECT_EQ(
@@ -888,7 +892,7 @@ TEST_F(DemoCommand, SequencesThatCannotBeAreRefusedBeforeAnythingIsDrawn) {
   EXPECT_FALSE(std::filesystem::exists(directory() / "none"));
 }
 
-TEST_F(DemoCommand, SequenceEndsAtAFrameWhoseMembersAndOptionsMakeItsCameraLookStraightDown) {
+TEST_F(DemoCommand, SequenceWithAFrameThatCannotBeIsRefusedBeforeAnythingIsDrawn) {
   write("two.json", kTwoLamps);
   const Outcome outcome =
       run("sequence two.json -o frames --size 8x8 --frames 3 --camera 0,3,0 --set camera.target[0]=1..-1 "
@@ -897,8 +901,9 @@ TEST_F(DemoCommand, SequenceEndsAtAFrameWhoseMembersAndOptionsMakeItsCameraLookS
   EXPECT_EQ(outcome.err,
             std::string("litfog-demo: frame 2: the target must not be straight above or below the position, or at it") +
                 kSeeHelp);
-  EXPECT_TRUE(std::filesystem::exists(directory() / "frames/two-0001.png"));
-  EXPECT_FALSE(std::filesystem::exists(directory() / "frames/two-0002.png"));
+  EXPECT_ERROR(run("sequence two.json -o frames --set lights[0].light.cone.inner_deg=9,40,10"), kBadInput,
+               "--set: lights[0].light.cone.inner_deg = 40: must be in [0, outer_deg)\n");
+  EXPECT_FALSE(std::filesystem::exists(directory() / "frames"));
 }
 
 TEST_F(DemoCommand, FilmNeedsFfmpeg) {
