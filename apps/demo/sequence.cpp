@@ -106,9 +106,10 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 }  // namespace
 
 void add_sequence(CLI::App& app, SequenceOptions& options) {
-  add_course(app, "--visibility", options.visibility, command::kNotNegative, Steps::ratio,
-             "Range in metres at which 5 % of the contrast is left; a range goes by equal ratios (default: what the "
-             "scene suggests)");
+  add_course(
+      app, "--visibility", options.visibility, command::kNotNegative, Steps::ratio,
+      "Range in metres at which a fraction of the contrast is left; a range goes by equal ratios (default: what the "
+      "scene suggests)");
   add_course(app, "--time", options.seconds, kSeconds, Steps::even,
              "Seconds for which the scene's cookies and lights have been turning (default 0)");
   add_point_course(app, "--camera", options.camera, "Where the eye is, metres (default the scene's)");
@@ -255,7 +256,7 @@ void draw_sequence(Sequence& sequence, const std::string& folder, const DrawingO
     } else if (sequence.moves_lights() || chooses_casters) {
       renderer->set_lights();
     }
-    renderer->set_fog(Fog::from_visibility(drawing.fog_mode(), sequence.visibility(frame)));
+    renderer->set_fog(drawing.fog_at(sequence.visibility(frame)));
     if (frame == 0) {
       display.exposure = renderer->set_exposure(display.exposure);
     } else {

@@ -845,7 +845,7 @@ TEST_F(DemoCommand, FramesOfASequenceAreThePicturesOfTheirSettings) {
     std::string changes;
     std::string last;  // the picture of the third frame
   } sequences[] = {{"--visibility 100..1", "--visibility 1"},
-                   {"--visibility 30,20,4 --time 0..2", "--visibility 4 --time 2"},
+                   {"--visibility 30,20,4 --contrast 0.01 --time 0..2", "--visibility 4 --contrast 0.01 --time 2"},
                    {"--set lights[0].threshold=0.1..0.3 --set lights[1].carried=false --camera 0,1,5..1,1,6",
                     "--set lights[0].threshold=0.3 --set lights[1].carried=false --camera 1,1,6"},
                    {"--camera 0,1,5..2,1,5 --target 0,1,0..2,1,0 --fov-deg 40..60",  // the carried lamp moves by 2 m
@@ -931,6 +931,16 @@ TEST_F(DemoCommand, SettingsAreComparedOnAPageOfTheirOwn) {
   EXPECT_NE(page.find("<td class=\"words\">visibility=9 path=vertex</td>"), std::string::npos);
   EXPECT_NE(page.find("{first: 2, second: 3, largest: "), std::string::npos);
 
+  // Options with an effect on one of the settings only.
+  const Outcome some =
+      run("compare one.json -o out.d --size 32x18 --frames 1 --visibility 9 --contrast flightgear --map-size 32 --with "
+          "fog=none --with path=radial --with contrast=0.01");
+  ASSERT_EQ(some.status, kDone) << some.err;
+  const Outcome contrast =
+      run("compare one.json -o out.d --size 32x18 --frames 1 --visibility 9 --with contrast=flightgear");
+  ASSERT_EQ(contrast.status, kDone) << contrast.err;
+  EXPECT_EQ(contrast.out.find("from 1: largest 0,"), std::string::npos) << contrast.out;
+
   const Outcome same = run("compare one.json -o out.d --size 32x18 --frames 1 --with no-skip");
   ASSERT_EQ(same.status, kDone) << same.err;
   EXPECT_NE(same.out.find("\n2: no-skip "), std::string::npos);
@@ -956,6 +966,14 @@ TEST_F(DemoCommand, WrongSettingsAreNamed) {
       std::string("litfog-demo: --with \"fog=none visibility=9\": --visibility cannot be given with --fog none: the "
                   "air is clear") +
           kSeeHelp);
+  const auto unused = [&](const std::string& option, const std::string& arguments) {
+    EXPECT_EQ(error("one.json " + arguments),
+              std::string("litfog-demo: ") + option + " has no effect on any of these settings" + kSeeHelp);
+  };
+  unused("--map-size", "--map-size 64 --with no-skip");
+  unused("--visibility", "--visibility 9 --with visibility=2 --with visibility=3");
+  unused("--contrast", "--contrast flightgear --fog none --with no-skip");
+  unused("--shadow-lamps", "--shadow-lamps 2 --path vertex --with no-skip --with path=legacy");
   EXPECT_EQ(error("one.json --with time=3"),
             std::string("litfog-demo: --time cannot be given: none of the scene's lights turns") + kSeeHelp);
   EXPECT_EQ(error("one.json --with lights=3"),
