@@ -17,6 +17,7 @@ vec3 eye = DRAW_CONSTANT(0).xyz;
 vec3 bounds_low = DRAW_CONSTANT(1).xyz;  // of the surface drawn
 float least_coverage = DRAW_CONSTANT(1).w;  // of a mask (material.frag)
 vec3 bounds_high = DRAW_CONSTANT(2).xyz;
+float opacity = DRAW_CONSTANT(2).w;  // of a pane (pane.glsl)
 vec3 specular = DRAW_CONSTANT(3).xyz;  // of its material
 float shininess = DRAW_CONSTANT(3).w;
 vec3 emissive = DRAW_CONSTANT(4).xyz;
