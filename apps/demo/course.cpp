@@ -95,11 +95,14 @@ Course<glm::dvec3> parse_point_course(const std::string& option, const std::stri
   return {.values = {parse_point(option, text)}};
 }
 
-bool is_number_range(const std::string& text) {
+bool is_meant_as_course(const std::string& text) {
+  const auto is_number = [](const std::string& word) { return command::parse_number(word).has_value(); };
   const std::size_t dots = text.find("..");
-  if (dots == text.npos) return false;
-  const std::size_t colon = std::min(text.find(':', dots), text.size());
-  return command::parse_number(text.substr(0, dots)) && command::parse_number(text.substr(dots + 2, colon - dots - 2));
+  const bool is_range = dots != text.npos;
+  if (text.starts_with('[')) return is_range;
+  if (is_range && is_number(text.substr(dots + 2, text.find(':', dots) - dots - 2))) return true;
+  const std::size_t end = std::min(text.find(','), dots);
+  return end != text.npos && is_number(text.substr(0, end));
 }
 
 }  // namespace litfog::demo

@@ -49,7 +49,7 @@ Course<double> parse_course(const std::string& option, const std::string& text, 
 /// The same for points X,Y,Z: one, or the two ends of a range.
 Course<glm::dvec3> parse_point_course(const std::string& option, const std::string& text);
 
-/// Whether a text is meant as a range of numbers: FROM..TO.
-bool is_number_range(const std::string& text);
+/// Whether a text of JSON, or a word, is meant as a list or range of numbers, right or wrong.
+bool is_meant_as_course(const std::string& text);
 
 }  // namespace litfog::demo

@@ -258,18 +258,18 @@ Job add_comparison_job(CLI::App& app) {
   return [&app, options] {
     const DrawingOptions& drawing = options->drawing;
     if (options->folder.empty()) fail_option("--output", "", "must not be empty");
-    check_options(app, {{"--fog none", !drawing.fog, {"--visibility", "--contrast", "--phase-g"}, "the air is clear"}});
-    check_options(app, shadow_rules(drawing));
     if (!options->settings.empty()) {
       if (options->scenes.size() != 1) throw CLI::ValidationError("--with compares settings of one SCENE: name it");
       SceneOptions base = options->scene;
       base.scene = options->scenes.front();
-      const auto settings = parse_settings({"as it is", base, drawing}, options->settings);
+      const auto settings = parse_settings(app, {"as it is", base, drawing}, options->settings);
       expect_pixels(drawing, kMaxComparedPixels, "for a comparison");
       const gl::HeadlessContext context;
       compare_settings(settings, options->folder, context.renderer(), options->frames);
       return kDone;
     }
+    check_options(app, {{"--fog none", !drawing.fog, {"--visibility", "--contrast", "--phase-g"}, "the air is clear"}});
+    check_options(app, shadow_rules(drawing));
     check_options(app, {{"a comparison of lighting paths",
                          true,
                          {"--set", "--camera", "--target", "--fov-deg", "--path", "--flat-shading"},
@@ -310,6 +310,7 @@ Job add_sequence_job(CLI::App& app) {
                  "Folder to write into: SCENE-0001.png and so on, and SCENE.apng, which plays them (default sequence)")
       ->type_name("FOLDER");
   add_sequence(app, options->sequence);
+  add_contrast(app, options->drawing.contrast);
   add_fog(app, options->drawing);
   add_path(app, options->drawing);
   add_fog_light(app, options->drawing);

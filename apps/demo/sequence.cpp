@@ -47,7 +47,7 @@ void add_point_course(CLI::App& app, const std::string& name, std::optional<Cour
 
 MemberCourse parse_member(const std::string& text) {
   MemberCourse member{.change = parse_change(text), .numbers = {}};
-  if (is_number_range(member.change.value)) {
+  if (is_meant_as_course(member.change.value)) {
     member.numbers = parse_course("--set " + member.change.member, member.change.value, kFinite);
   }
   return member;
@@ -106,9 +106,10 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 }  // namespace
 
 void add_sequence(CLI::App& app, SequenceOptions& options) {
-  add_course(app, "--visibility", options.visibility, command::kNotNegative, Steps::ratio,
-             "Range in metres at which 5 % of the contrast is left; a range goes by equal ratios (default: what the "
-             "scene suggests)");
+  add_course(
+      app, "--visibility", options.visibility, command::kNotNegative, Steps::ratio,
+      "Range in metres at which a fraction of the contrast is left; a range goes by equal ratios (default: what the "
+      "scene suggests)");
   add_course(app, "--time", options.seconds, kSeconds, Steps::even,
              "Seconds for which the scene's cookies and lights have been turning (default 0)");
   add_point_course(app, "--camera", options.camera, "Where the eye is, metres (default the scene's)");
@@ -122,7 +123,7 @@ void add_sequence(CLI::App& app, SequenceOptions& options) {
          [&options](const std::vector<std::string>& texts) {
            for (const std::string& text : texts) options.members.push_back(parse_member(text));
          },
-         "Change a member of the scene file, as for a single picture, to a value or through FROM..TO; may be given "
+         "Change a member of the scene file, as for a single picture, to a value or through NUMBERS; may be given "
          "again")
       ->type_name("MEMBER=VALUE")
       ->allow_extra_args(false);
@@ -144,13 +145,16 @@ Sequence::Sequence(const SequenceOptions& options, std::optional<double> phase_g
   }
   changes_members_ =
       std::ranges::any_of(options.members, [](const MemberCourse& member) { return changes(member.numbers); });
-  if (changes_members_) read(frames_ - 1);
   moves_camera_ = path_ || changes(options.camera) || changes(options.target) || changes(options.field_of_view_deg);
   moves_lights_ = (changes(options.seconds) && has_turning_light(scene_)) ||
                   (moves_camera_ && std::ranges::any_of(scene_.lights, &PlacedLight::carried));
-  if (!changes_members_) {  // else each frame's camera is known when it is shown
-    for (int frame = 0; frame < frames_; ++frame) expect_heading(frame);
+  // A frame that cannot be is found before any is drawn, which takes some ten times as long as reading it. The last one
+  // comes first: it has a number that the command line states, which an error then names.
+  for (int frame = frames_ - 1; frame >= 0; --frame) {
+    if (changes_members_ && frame > 0) own_camera_ = read(frame).camera;
+    expect_heading(frame);
   }
+  own_camera_ = scene_.camera;
   first_camera_ = camera(0);
   lights_ = scene_.lights;
   cookie_uses_ = scene_.cookie_uses;
@@ -212,7 +216,6 @@ void Sequence::show(int frame) {
     cookie_uses_ = scene_.cookie_uses;
     own_camera_ = scene_.camera;
   }
-  expect_heading(frame);
   scene_.camera = camera(frame);
   if (frame == 0 || changes_members_ || moves_lights_) move_lights(frame);
 }
@@ -253,7 +256,7 @@ void draw_sequence(Sequence& sequence, const std::string& folder, const DrawingO
     } else if (sequence.moves_lights() || chooses_casters) {
       renderer->set_lights();
     }
-    renderer->set_fog(Fog::from_visibility(drawing.fog_mode(), sequence.visibility(frame)));
+    renderer->set_fog(drawing.fog_at(sequence.visibility(frame)));
     if (frame == 0) {
       display.exposure = renderer->set_exposure(display.exposure);
     } else {

@@ -41,8 +41,8 @@ void add_sequence(CLI::App& app, SequenceOptions& options);
 /// A scene as it is frame by frame.
 class Sequence {
  public:
-  /// Reads the scene as of the first frame, and of the last one. Throws InputError, and usage errors of options that do
-  /// not belong together.
+  /// Reads the scene as of every frame, and keeps the first. Throws InputError, and usage errors of options that do not
+  /// belong together or make a frame that cannot be.
   Sequence(const SequenceOptions& options, std::optional<double> phase_g);
 
   int frames() const { return frames_; }
@@ -54,8 +54,7 @@ class Sequence {
   bool changes_members() const { return changes_members_; }  ///< of the scene's file: anything in it
 
   /// Makes the scene that of a frame. Lights that the eye's vehicle carries move along with the camera, from where they
-  /// are in the first frame. Throws InputError, and a usage error, where members that change make a frame that cannot
-  /// be.
+  /// are in the first frame. Throws InputError where a file has changed since the sequence was made.
   void show(int frame);
 
  private:

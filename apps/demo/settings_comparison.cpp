@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <deque>
+#include <iterator>
 #include <memory>
+#include <set>
 #include <sstream>
 
 #include "command/command.h"
@@ -25,6 +27,21 @@ namespace litfog::demo {
 namespace {
 
 constexpr const char* kPageFile = "index.html";
+
+void add_options(CLI::App& app, Setting& setting) {
+  app.set_help_flag();
+  add_scene(app, setting.scene);
+  add_changes(app, setting.scene);
+  add_city_lights(app, setting.scene);
+  add_view(app, setting.scene);
+  add_fog_and_visibility(app, setting.drawing);
+  add_path(app, setting.drawing);
+  add_fog_light(app, setting.drawing);
+  add_shadows(app, setting.drawing);
+  add_rendering(app, setting.drawing);
+  add_time(app, setting.drawing);
+  add_display(app, setting.drawing.display);
+}
 
 /// Words of a setting as the command line's arguments.
 std::vector<std::string> arguments_of(const std::string& text, const CLI::App& app) {
@@ -48,32 +65,45 @@ std::vector<std::string> arguments_of(const std::string& text, const CLI::App& a
   return arguments;
 }
 
-Setting parse_setting(const Setting& base, const std::string& text) {
+std::vector<command::OptionRule> rules_of(const DrawingOptions& drawing) {
+  std::vector<command::OptionRule> rules = drawing_rules(drawing);
+  std::ranges::move(shadow_rules(drawing), std::back_inserter(rules));
+  return rules;
+}
+
+using Unused = std::set<std::string>;  // options of the command line that no setting so far has a use for
+
+/// Takes from `unused` the command line's options that change the setting's picture: all but those that it states
+/// itself and those without effect on it.
+///
+/// own  whether the setting states an option itself
+template <typename IsOwn>
+void take_used(Unused& unused, const DrawingOptions& drawing, const IsOwn& is_own) {
+  std::erase_if(unused, [&, rules = rules_of(drawing)](const std::string& option) {
+    const bool is_excluded = std::ranges::any_of(rules, [&](const command::OptionRule& rule) {
+      return rule.applies && std::ranges::find(rule.excluded, option) != rule.excluded.end();
+    });
+    return !is_excluded && !is_own(option);
+  });
+}
+
+Setting parse_setting(const Setting& base, const std::string& text, Unused& unused) {
   Setting setting = base;
   setting.words = text;
   CLI::App app;
-  app.set_help_flag();
-  add_scene(app, setting.scene);
-  add_changes(app, setting.scene);
-  add_city_lights(app, setting.scene);
-  add_view(app, setting.scene);
-  add_fog_and_visibility(app, setting.drawing);
-  add_path(app, setting.drawing);
-  add_fog_light(app, setting.drawing);
-  add_shadows(app, setting.drawing);
-  add_rendering(app, setting.drawing);
-  add_time(app, setting.drawing);
-  add_display(app, setting.drawing.display);
+  add_options(app, setting);
   try {
     auto arguments = arguments_of(text, app);
     if (arguments.empty()) throw CLI::ValidationError("must not be empty");
     app.parse(arguments);
-    command::check_options(app, drawing_rules(setting.drawing));
-    command::check_options(app, shadow_rules(setting.drawing));
+    command::check_options(app, rules_of(setting.drawing));
     command::check_options(app, {{"--with", true, {"--size"}, "all pictures are of one size"}});
   } catch (const CLI::ParseError& error) {
     throw CLI::ValidationError(fmt::format("--with \"{}\": {}", text, error.what()));
   }
+  take_used(unused, setting.drawing, [&app](const std::string& option) {
+    return option != "--set" && app.count(option) > 0;  // members add up
+  });
   return setting;
 }
 
@@ -100,14 +130,26 @@ measure::PictureError difference(const render::Picture& one, const render::Pictu
 
 }  // namespace
 
-std::vector<Setting> parse_settings(const Setting& base, const std::vector<std::string>& texts) {
+std::vector<Setting> parse_settings(const CLI::App& app, const Setting& base, const std::vector<std::string>& texts) {
   if (texts.size() > kMaxSettings) {
     throw CLI::ValidationError(fmt::format("--with: must be given at most {} times", kMaxSettings));
   }
+  Unused unused;
+  CLI::App picture;
+  Setting any;
+  add_options(picture, any);
+  for (const CLI::Option* option : picture.get_options()) {
+    const CLI::Option* const given = app.get_option_no_throw(option->get_name());
+    if (!option->get_positional() && given && given->count() > 0) unused.insert(option->get_name());
+  }
   std::vector<Setting> settings;
-  if (texts.size() == 1) settings.push_back(base);
-  for (const std::string& text : texts) settings.push_back(parse_setting(base, text));
-  return settings;
+  if (texts.size() == 1) {
+    settings.push_back(base);
+    take_used(unused, base.drawing, [](const std::string&) { return false; });
+  }
+  for (const std::string& text : texts) settings.push_back(parse_setting(base, text, unused));
+  if (unused.empty()) return settings;
+  throw CLI::ValidationError(*unused.begin() + " has no effect on any of these settings");
 }
 
 void compare_settings(const std::vector<Setting>& settings, const std::string& folder, const std::string& machine,
@@ -130,8 +172,7 @@ void compare_settings(const std::vector<Setting>& settings, const std::string& f
     const DrawingOptions& drawing = settings[i].drawing;
     render::Renderer& renderer = *renderers.emplace_back(std::make_unique<render::Renderer>(
         scenes[i], drawing.width, drawing.height, drawing.settings_of(*drawing.render.path)));
-    const double visibility = drawing.chosen_visibility().value_or(scene::suggested_visibility(scenes[i]));
-    renderer.set_fog(Fog::from_visibility(drawing.fog_mode(), visibility));
+    renderer.set_fog(drawing.fog_at(drawing.chosen_visibility().value_or(scene::suggested_visibility(scenes[i]))));
     render::Display display = drawing.display.display_for(scenes[i]);
     if (display.exposure.is_auto && automatic) display.exposure = {.ev = *automatic};
     display.exposure = renderer.set_exposure(display.exposure);

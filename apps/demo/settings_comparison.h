@@ -18,16 +18,18 @@ struct Setting {
   DrawingOptions drawing;
 };
 
-/// The settings of a comparison: the base with what each text says in place of its own. One text is compared with the
-/// base itself.
+/// The settings of a comparison: the base, which a command line states, with what each text says in place of its own.
+/// One text is compared with the base itself.
 ///
 ///     visibility=50 path=vertex         options of a single picture, with or without their dashes
 ///     no-skip                           flags, likewise
 ///     lights[0].threshold=0.1           other members: as by --set
 ///     other.json                        another scene
 ///
-/// throws  CLI::ValidationError naming --with, its text and what is wrong
-std::vector<Setting> parse_settings(const Setting& base, const std::vector<std::string>& texts);
+/// throws  CLI::ValidationError naming --with, its text and what is wrong, or an option of the command line that
+/// changes
+///         none of the pictures
+std::vector<Setting> parse_settings(const CLI::App& app, const Setting& base, const std::vector<std::string>& texts);
 
 /// Draws the settings, their frames timed interleaved, and writes index.html (settings_page) into a folder, which is
 /// made where missing. Reports what it found on standard output. Needs a current GL context. Throws InputError,

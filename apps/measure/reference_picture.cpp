@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "measure/jump_watch.h"
 #include "measure/lookup_bounds.h"
@@ -54,6 +56,8 @@ struct Shade {
   bool is_at_jump = false;
 };
 
+using Samples = std::span<const render::GeometrySample>;  // of a pixel
+
 class ReferenceShading {
  public:
   explicit ReferenceShading(const render::Renderer& renderer)
@@ -68,37 +72,75 @@ class ReferenceShading {
   ReferenceShading& operator=(const ReferenceShading&) = delete;
 
   /// The mean of a pixel's samples.
-  Shade pixel(std::span<const render::GeometrySample> samples, int x, int y) const {
+  ///
+  /// samples  what is seen behind all panes
+  /// panes    of each sample those in front of that and behind it, in any order; a material of -1 is none
+  Shade pixel(Samples samples, std::span<const Samples> panes, int x, int y) const {
     const glm::dvec3 direction = rays_.direction(x, y);
     Shade mean;
-    for (auto sample = samples.begin(); sample != samples.end(); ++sample) {
-      const auto is_same = [&](const render::GeometrySample& other) { return sample->is_of_same_fragment(other); };
-      if (std::find_if(samples.begin(), sample, is_same) != sample) continue;  // shaded before
-      const double weight = double(std::count_if(sample, samples.end(), is_same)) / double(samples.size());
-      const Shade shade = sample->material < 0 ? sky(direction) : surface(model_.surface_point(*sample));
+    std::vector<double> seen(samples.size(), 1);  // how much of each sample is seen
+    if (panes.empty()) {
+      add(samples, seen, direction, mean);
+      return mean;
+    }
+    for (std::size_t i = 0; i < panes.size(); ++i) {
+      std::vector<double> pane_seen(samples.size(), 0);
+      for (std::size_t k = 0; k < samples.size(); ++k) {
+        const render::GeometrySample& pane = panes[i][k];
+        if (pane.material < 0 || pane.depth < samples[k].depth) continue;
+        pane_seen[k] = double(pane.opacity);
+        for (std::size_t j = 0; j < panes.size(); ++j) {  // of two that are equally near the one drawn last is in front
+          const render::GeometrySample& other = panes[j][k];
+          const bool is_before = other.depth > pane.depth || (other.depth == pane.depth && j > i);
+          if (other.material >= 0 && is_before) pane_seen[k] *= 1 - double(other.opacity);
+        }
+        seen[k] *= 1 - double(pane.opacity);
+      }
+      add(panes[i], pane_seen, direction, mean);
+    }
+    add(samples, seen, direction, mean);
+    return mean;
+  }
+
+ private:
+  /// Adds what is seen of a pixel's samples, as a part of all of them.
+  void add(Samples samples, std::span<const double> seen, const glm::dvec3& direction, Shade& mean) const {
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const render::GeometrySample& sample = samples[i];
+      const auto is_same = [&](const render::GeometrySample& other) { return sample.is_of_same_fragment(other); };
+      const auto own = samples.begin() + std::ptrdiff_t(i);
+      if (std::find_if(samples.begin(), own, is_same) != own) continue;  // shaded before
+      double weight = 0;
+      for (std::size_t k = i; k < samples.size(); ++k) weight += is_same(samples[k]) ? seen[k] : 0;
+      if (weight == 0) continue;
+      weight /= double(samples.size());
+      const Shade shade = sample.material < 0 ? sky(direction) : surface(model_.surface_point(sample));
       mean.color += shade.color * weight;
       mean.least += shade.least * weight;
       mean.most += shade.most * weight;
       mean.is_at_jump |= shade.is_at_jump;
     }
-    const glm::dvec3 airlight = mean_airlight(samples, direction);
+    const glm::dvec3 airlight = mean_airlight(samples, seen, direction);
     mean.color += airlight;
     mean.least += airlight;
     mean.most += airlight;
-    return mean;
   }
 
- private:
   /// That of the pixel's ray to the distance of each sample: that of the surface in the middle of the pixel or, if
   /// several are seen and a surface may end before the middle, the sample's own.
-  glm::dvec3 mean_airlight(std::span<const render::GeometrySample> samples, const glm::dvec3& direction) const {
+  glm::dvec3 mean_airlight(Samples samples, std::span<const double> seen, const glm::dvec3& direction) const {
     const render::GeometrySample& first = samples.front();
     const bool is_edge = !std::ranges::all_of(
         samples, [&](const render::GeometrySample& sample) { return sample.is_of_same_fragment(first); });
-    if (!is_edge) return model_.airlight(direction, length_to(first, is_edge, direction));
     glm::dvec3 sum(0.0);
-    for (const render::GeometrySample& sample : samples)
-      sum += model_.airlight(direction, length_to(sample, is_edge, direction));
+    if (!is_edge) {
+      const double all = std::accumulate(seen.begin(), seen.end(), 0.0);
+      if (all > 0) sum = model_.airlight(direction, length_to(first, is_edge, direction)) * all;
+    } else {
+      for (std::size_t i = 0; i < samples.size(); ++i) {
+        if (seen[i] > 0) sum += model_.airlight(direction, length_to(samples[i], is_edge, direction)) * seen[i];
+      }
+    }
     return sum / double(samples.size());
   }
 
@@ -147,13 +189,27 @@ void set_pixel(render::Picture& picture, std::size_t pixel, const glm::dvec3& co
   }
 }
 
+/// The layers of a renderer's panes in some rows, until one is empty.
+std::vector<std::vector<render::GeometrySample>> read_panes(render::Renderer& renderer,
+                                                            const render::GeometryBuffer& geometry, int first,
+                                                            int count) {
+  std::vector<std::vector<render::GeometrySample>> layers;
+  while (int(layers.size()) < render::GeometryBuffer::kMostLayers) {
+    renderer.draw_pane_geometry(geometry, int(layers.size()));
+    std::vector<render::GeometrySample> rows = geometry.read_rows(first, count);
+    if (std::ranges::all_of(rows, [](const render::GeometrySample& sample) { return sample.material < 0; })) break;
+    layers.push_back(std::move(rows));
+  }
+  return layers;
+}
+
 }  // namespace
 
 ReferencePicture shade_reference(render::Renderer& renderer, const Progress& progress) {
   const int width = renderer.width();
   const int height = renderer.height();
   const render::GeometryBuffer geometry(width, height, renderer.samples());
-  renderer.draw_geometry(geometry);
+  if (!renderer.has_panes()) renderer.draw_geometry(geometry);
   const ReferenceShading shading(renderer);
   const auto samples = std::size_t(geometry.samples());
   const std::size_t pixels = std::size_t(width) * std::size_t(height);
@@ -161,12 +217,19 @@ ReferencePicture shade_reference(render::Renderer& renderer, const Progress& pro
   ReferencePicture reference{empty, empty, empty, std::vector<std::uint8_t>(pixels)};
   for (int first = 0; first < height; first += render::GeometryBuffer::kMostRows) {
     const int count = std::min(render::GeometryBuffer::kMostRows, height - first);
+    std::vector<std::vector<render::GeometrySample>> pane_rows;
+    if (renderer.has_panes()) {  // which are drawn into the same buffer
+      pane_rows = read_panes(renderer, geometry, first, count);
+      renderer.draw_geometry(geometry);
+    }
     const std::vector<render::GeometrySample> rows = geometry.read_rows(first, count);
     for_each_in_parallel(std::size_t(count), [&](std::size_t row) {
       for (int x = 0; x < width; ++x) {
         const std::size_t read = row * std::size_t(width) + std::size_t(x);
         const std::size_t pixel = std::size_t(first) * std::size_t(width) + read;
-        const Shade shade = shading.pixel(std::span(rows).subspan(read * samples, samples), x, first + int(row));
+        std::vector<Samples> panes;
+        for (const auto& layer : pane_rows) panes.push_back(std::span(layer).subspan(read * samples, samples));
+        const Shade shade = shading.pixel(std::span(rows).subspan(read * samples, samples), panes, x, first + int(row));
         set_pixel(reference.picture, pixel, shade.color);
         set_pixel(reference.least, pixel, shade.least);
         set_pixel(reference.most, pixel, shade.most);

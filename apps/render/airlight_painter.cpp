@@ -128,13 +128,19 @@ void AirlightPainter::attach_airlight(Target& target, bool has_gain) {
   check_framebuffer();
 }
 
-AirlightList AirlightPainter::draw(const Framebuffer& framebuffer, const View& view, const Fog& fog, double exposure) {
+AirlightList AirlightPainter::list(const Fog& fog, double exposure) {
   const auto casters = shafts_ ? shafts_->caster_of_lights() : std::span<const std::int32_t>();
   AirlightList list = list_airlight(lights_, fog, {.asymmetry = scene_.phase_g}, scene_.camera.position,
                                     pixels_per_radian(), exposure, casters);
   if (list.entries.empty()) return list;
   entries_.emplace(list.entries.data(), list.entries.size() * sizeof(AirlightEntry), BufferTexture::Texel::float4);
   entries_->bind(kEntryUnit);
+  return list;
+}
+
+void AirlightPainter::draw(const AirlightList& list, const Framebuffer& framebuffer, const View& view, const Fog& fog,
+                           double exposure, bool is_seen_by_alpha) {
+  if (list.entries.empty()) return;
   const double most_apart = std::max(1.0, kMostApart * pixels_per_radian());
   const auto coarsest = std::ranges::find_if(grids_, [&](const Grid& grid) { return grid.step <= most_apart; });
   const std::span<const Grid> grids(coarsest, grids_.end());
@@ -167,14 +173,13 @@ AirlightList AirlightPainter::draw(const Framebuffer& framebuffer, const View& v
   }
 
   glEnable(GL_BLEND);
-  glBlendFunc(GL_ONE, GL_ONE);
+  glBlendFunc(is_seen_by_alpha ? GL_DST_ALPHA : GL_ONE, GL_ONE);
   framebuffer.bind_resolved();
   add_program_.use();
   bind_texture(kAirlightUnit, grids.back().airlight);
   set_uniform(add_program_, "airlight", kAirlightUnit);
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glDisable(GL_BLEND);
-  return list;
 }
 
 /// Fills the texels for which the coarser grid is good enough, and marks them.

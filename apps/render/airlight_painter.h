@@ -45,11 +45,15 @@ class AirlightPainter {
   /// Takes another size of the pictures, which have as many samples as before.
   void set_size(const Framebuffer& framebuffer);
 
-  /// Adds that of all lights to a resolved framebuffer. The lights and the cookies are bound to their units.
+  /// The lights whose airlight a frame shows, which it binds to their unit.
   ///
   /// exposure  EV at which the picture is shown: what makes less than a step there is left out or interpolated
-  /// returns   the lights whose airlight it has drawn
-  AirlightList draw(const Framebuffer& framebuffer, const View& view, const Fog& fog, double exposure);
+  AirlightList list(const Fog& fog, double exposure);
+  /// Adds that of the list to a resolved framebuffer. The lights and the cookies are bound to their units.
+  ///
+  /// is_seen_by_alpha  the framebuffer's alpha is the fraction of it that is seen
+  void draw(const AirlightList& list, const Framebuffer& framebuffer, const View& view, const Fog& fog, double exposure,
+            bool is_seen_by_alpha);
 
  private:
   /// Airlight in floats: half floats would lose what faint lights add to bright ones.

@@ -49,6 +49,7 @@ struct StageTimes {
   double surfaces = 0;
   double sky = 0;
   double points = 0;
+  double panes = 0;
   double resolve = 0;  ///< of a pixel's samples
   double airlight = 0;
 };

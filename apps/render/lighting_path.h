@@ -101,6 +101,8 @@ struct LightingPath {
 
   /// Whether a surface may be drawn more than once, which needs a stencil.
   bool has_several_passes() const { return passes.size() > 1 || passes[0].lights.kind == LightFeed::Kind::batches; }
+  /// Whether it draws panes (scene::Material::opacity) as such, and not as masks.
+  bool draws_panes() const { return !has_several_passes(); }
   /// Whether the cones of the lit fog before surfaces come from the light maps.
   bool has_mapped_fog() const { return passes[0].lights.bring_fog; }
 };

@@ -57,6 +57,15 @@ std::vector<scene::VertexDetail> details_of(const std::vector<scene::Model>& mod
   return details;
 }
 
+void keep_triangles(Chunk& chunk, const std::vector<scene::Vertex>& vertices,
+                    const std::vector<std::uint32_t>& indices) {
+  for (std::size_t i = chunk.first_index; i < chunk.first_index + std::size_t(chunk.index_count); i += 3) {
+    const glm::vec3 middle =
+        (vertices[indices[i]].position + vertices[indices[i + 1]].position + vertices[indices[i + 2]].position) / 3.0f;
+    chunk.triangles.push_back({middle, {indices[i], indices[i + 1], indices[i + 2]}});
+  }
+}
+
 }  // namespace
 
 std::vector<Chunk> cut_into_chunks(const scene::Model& model, std::vector<scene::Vertex>& vertices,
@@ -101,10 +110,15 @@ void set_vertex_attributes() {
   set_attribute<scene::Vertex>(3, 2, offsetof(scene::Vertex, uv));
 }
 
-MeshStore::MeshStore(const std::vector<scene::Model>& models) {
+MeshStore::MeshStore(const std::vector<scene::Model>& models,
+                     const std::function<bool(const std::string&)>& is_sorted) {
   std::vector<scene::Vertex> vertices;
   std::vector<std::uint32_t> indices;
-  for (const scene::Model& model : models) chunks_.push_back(cut_into_chunks(model, vertices, indices));
+  for (const scene::Model& model : models) {
+    for (Chunk& chunk : chunks_.emplace_back(cut_into_chunks(model, vertices, indices))) {
+      if (is_sorted(chunk.material)) keep_triangles(chunk, vertices, indices);
+    }
+  }
   index_count_ = indices.size();
   indices.resize(2 * index_count_);
   for (std::size_t i = 0; i < index_count_; i += 3) {
@@ -124,7 +138,19 @@ MeshStore::MeshStore(const std::vector<scene::Model>& models) {
 
 void MeshStore::bind() const {
   glBindVertexArray(vertex_array_.id());
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
   glVertexAttrib4f(4, 1, 1, 1, 1);  // the color of vertices without details
+}
+
+void MeshStore::bind_sorted(const std::vector<std::uint32_t>& indices) const {
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, sorted_indices_.id());
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(indices.size() * sizeof(indices[0])), indices.data(),
+               GL_STREAM_DRAW);
+}
+
+void MeshStore::draw_sorted(std::size_t first, std::size_t count) const {
+  glDrawElements(GL_TRIANGLES, GLsizei(count), GL_UNSIGNED_INT,
+                 reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
 }
 
 void MeshStore::draw(const Chunk& chunk, TriangleOrder order) const {

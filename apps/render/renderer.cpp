@@ -229,13 +229,15 @@ FrameCounts Renderer::draw_stages(LightPoints light_points, FrameStatistics* sta
   }
   clock.end(&StageTimes::sky);
   if (light_points == LightPoints::on) draw_light_points(view, plan);
-  end_depths();
   clock.end(&StageTimes::points);
+  const AirlightList airlights = airlight_ ? airlight_->list(fog_, airlight_exposure_) : AirlightList{};
+  if (has_panes()) counts.bytes_uploaded += draw_panes(view, plan, airlights.entries.size());
+  end_depths();
+  clock.end(&StageTimes::panes);
   framebuffer_.resolve();
   clock.end(&StageTimes::resolve);
-  AirlightList airlights;
   if (airlight_) {
-    airlights = airlight_->draw(framebuffer_, view, fog_, airlight_exposure_);
+    airlight_->draw(airlights, framebuffer_, view, fog_, airlight_exposure_, has_panes());
     counts.airlights_drawn = airlights.entries.size();
     counts.airlights_invisible = lights_.size() - airlights.entries.size();
     counts.bytes_uploaded += airlights.entries.size() * sizeof(AirlightEntry);
@@ -253,6 +255,29 @@ void Renderer::draw_geometry(const GeometryBuffer& geometry) {
   surfaces_.draw(geometry_path(*settings_.path), planner_.plan_geometry(clip_from_world()), clip_from_world(), nullptr);
   geometry.end();
   gl::check_errors("drawing the geometry");
+}
+
+void Renderer::draw_pane_geometry(const GeometryBuffer& geometry, int layer) {
+  geometry.begin_layer(layer);
+  glEnable(GL_CULL_FACE);
+  surfaces_.draw_panes(geometry_path(*settings_.path), planner_.plan_geometry(clip_from_world()), clip_from_world(),
+                       nullptr, 0);
+  geometry.end();
+  gl::check_errors("drawing the geometry of panes");
+}
+
+/// Draws panes over all that is in the framebuffer, even over points before them, and leaves as its alpha the fraction
+/// of the rest that they let through.
+std::size_t Renderer::draw_panes(const View& view, const FramePlan& plan, std::size_t airlights) {
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
+  glClearColor(0, 0, 0, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glEnable(GL_BLEND);
+  glBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
+  const std::size_t bytes = surfaces_.draw_panes(*settings_.path, plan, view.clip_from_world, shadows(), airlights);
+  glDisable(GL_BLEND);
+  return bytes;
 }
 
 void Renderer::draw_sky(const View& view, const gl::Program& program) {

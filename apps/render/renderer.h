@@ -72,6 +72,10 @@ class Renderer {
 
   /// Draws the surfaces of a frame into a geometry buffer of the same size.
   void draw_geometry(const GeometryBuffer& geometry);
+  bool has_panes() const { return surfaces_.has_panes(); }
+  /// Draws a layer of a frame's panes, which the surfaces' are without: in each sample the pane that the frame draws
+  /// there after so many others, even one that a surface hides.
+  void draw_pane_geometry(const GeometryBuffer& geometry, int layer);
   /// The surfaces' materials, without their texels, by their numbers in a geometry buffer.
   std::vector<scene::Material> materials() const { return surfaces_.surfaces().materials(); }
 
@@ -86,6 +90,7 @@ class Renderer {
   FrameCounts draw_stages(LightPoints light_points, FrameStatistics* statistics);
   void draw_sky(const View& view, const gl::Program& program);
   void draw_light_points(const View& view, const FramePlan& plan);
+  std::size_t draw_panes(const View& view, const FramePlan& plan, std::size_t airlights);
 
   const scene::Scene& scene_;
   RenderSettings settings_;

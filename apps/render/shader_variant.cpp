@@ -66,6 +66,7 @@ std::string pass_constants(const ShaderVariant& variant) {
 std::string material_constants(const MaterialFeatures& material) {
   std::string text;
   if (material.is_masked) text += "#define MATERIAL_MASK\n";
+  if (material.is_pane) text += "#define MATERIAL_PANE\n";
   if (material.is_unlit) text += "#define MATERIAL_UNLIT\n";
   if (material.has_emission_map) text += "#define MATERIAL_EMISSION_MAP\n";
   if (material.has_details) text += "#define VERTEX_DETAILS\n";

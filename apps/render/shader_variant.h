@@ -35,6 +35,7 @@ UniformLights compiled_for(std::span<const PackedLight> lights);
 /// What few materials and meshes have: shaders without it cost nothing for it (material.frag).
 struct MaterialFeatures {
   bool is_masked = false;
+  bool is_pane = false;
   bool is_unlit = false;
   bool has_emission_map = false;
   bool has_details = false;  ///< its vertices: scene::VertexDetail

@@ -170,7 +170,7 @@ std::size_t ShadowMaps::draw(double aspect) {
   glDepthFunc(GL_LESS);
   glDepthMask(GL_TRUE);
   glDisable(GL_CULL_FACE);  // ground and leaves have no thickness
-  surfaces_.bind_meshes();
+  surfaces_.meshes().bind();
   std::size_t layer = 0;
   if (draws_lamps) {
     for (const ShadowCaster& caster : casters_) {
@@ -222,7 +222,7 @@ void ShadowMaps::draw_surface(const Surface& surface) {
     set_uniform(program, "least_coverage", *material.least_coverage);
     surface.material->albedo->bind(kAlbedoUnit);
   }
-  surfaces_.draw(surface, TriangleOrder::stored);
+  surfaces_.meshes().draw(*surface.chunk, TriangleOrder::stored);
 }
 
 void ShadowMaps::bind() const {

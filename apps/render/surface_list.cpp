@@ -98,7 +98,9 @@ std::vector<SurfaceMaterial> upload(std::vector<scene::Material> materials, cons
 }  // namespace
 
 SurfaceList::SurfaceList(const scene::Scene& scene, const SceneLights& lights, Skipping skipping)
-    : meshes_(scene.models), materials_(upload(scene.materials, scene.environment)) {
+    : materials_(upload(scene.materials, scene.environment)),
+      meshes_(scene.models, [this](const std::string& name) { return material(name).is_pane(); }),
+      has_panes_(std::ranges::any_of(materials_, &SurfaceMaterial::is_pane)) {
   set_lights(scene, lights, skipping);
 }
 

@@ -25,6 +25,8 @@ struct SurfaceMaterial {
   std::shared_ptr<const Texture> albedo;  ///< materials of the same texels share their texture
   std::shared_ptr<const Texture> normal;
   std::shared_ptr<const Texture> emission;  ///< null: none
+
+  bool is_pane() const { return material.opacity.has_value(); }
 };
 
 /// A run of triangles of one material, placed in the world, and the lights that can reach it.
@@ -57,16 +59,18 @@ class SurfaceList {
     return std::span(list_).subspan(std::size_t(surface.list_first), std::size_t(surface.list_count));
   }
   std::span<const std::int32_t> lists() const { return list_; }  ///< of all surfaces
-  /// Makes the vertices of all surfaces current (see MeshStore).
-  void bind_meshes() const { meshes_.bind(); }
   /// In the order of their numbers.
   std::vector<scene::Material> materials() const;
-  void draw(const Surface& surface, TriangleOrder order) const { meshes_.draw(*surface.chunk, order); }
+  bool has_panes() const { return has_panes_; }
+  /// The vertices and what is drawn of them: all triangles of a surface, or triangles of panes in an order of their
+  /// own.
+  const MeshStore& meshes() const { return meshes_; }
 
  private:
   const SurfaceMaterial& material(const std::string& name) const;
-  MeshStore meshes_;
   std::vector<SurfaceMaterial> materials_;  // sorted by name
+  MeshStore meshes_;
+  bool has_panes_;
   std::vector<Surface> surfaces_;
   std::vector<std::int32_t> list_;  // indices in SceneLights
 };

@@ -40,9 +40,11 @@ void select_samples(int pass) {
   glStencilOp(GL_KEEP, GL_KEEP, pass == 0 ? GL_REPLACE : GL_INCR_WRAP);
 }
 
-MaterialFeatures features_of(const Surface& surface) {
+MaterialFeatures features_of(const Surface& surface, bool draws_panes) {
   const SurfaceMaterial& material = *surface.material;
-  return {.is_masked = material.material.least_coverage.has_value(),
+  const bool is_pane = draws_panes && material.is_pane();
+  return {.is_masked = material.material.least_coverage.has_value() && !is_pane,
+          .is_pane = is_pane,
           .is_unlit = material.material.is_unlit,
           .has_emission_map = material.emission != nullptr,
           .has_details = surface.chunk->has_details};
@@ -60,6 +62,11 @@ struct SurfacePainter::Frame {
   std::size_t bytes = 0;
   const SurfaceProgram* used = nullptr;
   const SurfaceMaterial* bound = nullptr;
+  // Of panes: the run of sorted indices that is drawn of a surface.
+  bool draws_panes = false;
+  std::size_t airlights = 0;
+  std::size_t first = 0;
+  std::size_t count = 0;
 };
 
 SurfacePainter::SurfacePainter(const scene::Scene& scene, const SceneLights& lights,
@@ -84,11 +91,54 @@ std::size_t SurfacePainter::draw(const LightingPath& path, const FramePlan& plan
   Frame frame{.path = path, .clip_from_world = clip_from_world, .shadows = shadows, .number = ++frames_};
   if (path.has_several_passes()) glEnable(GL_STENCIL_TEST);
   select_samples(0);
-  surfaces_.bind_meshes();
-  for (const PlannedSurface& surface : plan.surfaces) draw_surface(frame, surface, plan.lights_of(surface));
+  surfaces_.meshes().bind();
+  for (const PlannedSurface& surface : plan.surfaces) {
+    if (settings_.path->draws_panes() && surface.surface->material->is_pane()) continue;
+    draw_surface(frame, surface, plan.lights_of(surface));
+  }
   glDisable(GL_STENCIL_TEST);
   set_blend(Blend::replace);
   select_samples(0);
+  return frame.bytes;
+}
+
+std::size_t SurfacePainter::draw_panes(const LightingPath& path, const FramePlan& plan,
+                                       const glm::mat4& clip_from_world, const ShadowMaps* shadows,
+                                       std::size_t airlights) {
+  struct Triangle {
+    float distance;
+    const PlannedSurface* surface;
+    const SortedTriangle* triangle;
+  };
+  std::vector<Triangle> triangles;
+  for (const PlannedSurface& surface : plan.surfaces) {
+    const glm::mat4& world_from_model = surface.surface->world_from_model;
+    for (const SortedTriangle& triangle : surface.surface->chunk->triangles) {
+      const glm::vec3 middle(world_from_model * glm::vec4(triangle.middle, 1));
+      triangles.push_back({glm::distance(middle, scene_.camera.position), &surface, &triangle});
+    }
+  }
+  std::ranges::stable_sort(triangles, std::ranges::greater{}, &Triangle::distance);
+  std::vector<std::uint32_t> indices;
+  for (const Triangle& each : triangles) {
+    indices.insert(indices.end(), each.triangle->indices.begin(), each.triangle->indices.end());
+  }
+  Frame frame{.path = path,
+              .clip_from_world = clip_from_world,
+              .shadows = shadows,
+              .number = ++frames_,
+              .bytes = indices.size() * sizeof(indices[0]),
+              .draws_panes = true,
+              .airlights = airlights};
+  surfaces_.meshes().bind();
+  surfaces_.meshes().bind_sorted(indices);
+  for (std::size_t first = 0, next = 0; first < triangles.size(); first = next) {
+    const PlannedSurface& surface = *triangles[first].surface;
+    while (next < triangles.size() && triangles[next].surface == &surface) ++next;
+    frame.first = 3 * first;
+    frame.count = 3 * (next - first);
+    draw_surface(frame, surface, plan.lights_of(surface));
+  }
   return frame.bytes;
 }
 
@@ -133,7 +183,7 @@ void SurfacePainter::draw_surface(Frame& frame, const PlannedSurface& planned, s
 void SurfacePainter::draw_pass(Frame& frame, const PlannedSurface& planned, ShaderVariant variant,
                                std::span<const std::int32_t> fog_lights, std::span<const std::int32_t> batch) {
   const Surface& surface = *planned.surface;
-  variant.material = features_of(surface);
+  variant.material = features_of(surface, settings_.path->draws_panes());
   const bool has_maps = !maps_.kinds().empty();  // which hold the cones
   std::vector<PackedLight> uniforms;
   std::vector<std::int32_t> casters;  // of the uniforms
@@ -175,11 +225,11 @@ void SurfacePainter::draw_pass(Frame& frame, const PlannedSurface& planned, Shad
   if (frame.path.has_several_passes()) select_samples(frame.passes_drawn++);
   glUniformMatrix4fv(program.world_from_model, 1, GL_FALSE, glm::value_ptr(surface.world_from_model));
   const scene::Material& material = surface.material->material;
+  const std::optional<float>& coverage = variant.material.is_pane ? material.opacity : material.least_coverage;
   const glm::vec4 constants[] = {
       glm::vec4(scene_.camera.position, material.relief_m / material.size_m),
-      glm::vec4(surface.bounds.low, material.least_coverage.value_or(0)),
-      glm::vec4(surface.bounds.high, material.normal_scale), glm::vec4(material.specular, material.shininess),
-      glm::vec4(material.emissive, material.metal_roughness)};
+      glm::vec4(surface.bounds.low, coverage.value_or(0)), glm::vec4(surface.bounds.high, material.normal_scale),
+      glm::vec4(material.specular, material.shininess), glm::vec4(material.emissive, material.metal_roughness)};
   glUniform4fv(program.draw_constants, GLsizei(std::size(constants)), glm::value_ptr(constants[0]));
   glUniform2i(program.light_list_range, planned.list_first, planned.list_count);
   frame.bytes += sizeof(glm::mat4) + sizeof(constants) + 2 * sizeof(GLint) + uniforms.size() * sizeof(PackedLight);
@@ -196,7 +246,11 @@ void SurfacePainter::draw_pass(Frame& frame, const PlannedSurface& planned, Shad
     glUniformMatrix3fv(program.cone_from_world, GLsizei(cones.size()), GL_FALSE, glm::value_ptr(cones[0]));
     maps_.bind(maps_.kinds()[std::size_t(batch[0])]);
   }
-  surfaces_.draw(surface, is_later ? TriangleOrder::reversed : TriangleOrder::stored);
+  if (frame.draws_panes) {
+    surfaces_.meshes().draw_sorted(frame.first, frame.count);
+  } else {
+    surfaces_.meshes().draw(*surface.chunk, is_later ? TriangleOrder::reversed : TriangleOrder::stored);
+  }
 }
 
 SurfaceProgram& SurfacePainter::use(Frame& frame, const ShaderVariant& variant, const SurfaceMaterial& material) {
@@ -204,7 +258,8 @@ SurfaceProgram& SurfacePainter::use(Frame& frame, const ShaderVariant& variant, 
   if (&program != frame.used) {
     frame.used = &program;
     program.program.use();
-    set_blend(variant.pass->blend == Blend::replace && !variant.is_first ? Blend::add : variant.pass->blend);
+    if (!frame.draws_panes)
+      set_blend(variant.pass->blend == Blend::replace && !variant.is_first ? Blend::add : variant.pass->blend);
   }
   if (program.frame != frame.number) {
     program.frame = frame.number;
@@ -229,6 +284,12 @@ SurfaceProgram& SurfacePainter::use(Frame& frame, const ShaderVariant& variant, 
     set_uniform(program.program, "shadow_casters", kShadowCasterUnit);
     set_uniform(program.program, "caster_of_light", kCasterOfLightUnit);
     if (frame.shadows) frame.shadows->set_moon_maps(program.program);
+    if (variant.material.is_pane) {
+      set_uniform(program.program, "airlight_entries", kEntryUnit);
+      glUniform1i(program.program.uniform("airlight_count"), GLint(frame.airlights));
+      set_uniform(program.program, "asymmetry", float(scene_.phase_g));
+      glUniform1i(program.program.uniform("shaft_steps"), settings_.shaft_steps);
+    }
   }
   if (&material != frame.bound) {
     frame.bound = &material;

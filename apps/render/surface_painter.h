@@ -31,12 +31,20 @@ class SurfacePainter {
   void set_lights();
   /// Takes a change of the fog, which the lights have taken.
   void set_fog();
-  /// Draws the surfaces of a plan. Its light list is bound to its unit.
+  /// Draws the surfaces of a plan but for its panes. Its light list is bound to its unit.
   ///
   /// shadows  of the lamps; drawn and bound. Null: none
   /// returns  bytes that the draws were passed
   std::size_t draw(const LightingPath& path, const FramePlan& plan, const glm::mat4& clip_from_world,
                    const ShadowMaps* shadows);
+  /// Whether there are panes that draw() leaves out.
+  bool has_panes() const { return settings_.path->draws_panes() && surfaces_.has_panes(); }
+  /// Draws a plan's panes likewise, triangle by triangle from the farthest to the nearest. Premultiplied by their
+  /// opacity, which is alpha; how they are blended is the caller's to set.
+  ///
+  /// airlights  those whose list is bound
+  std::size_t draw_panes(const LightingPath& path, const FramePlan& plan, const glm::mat4& clip_from_world,
+                         const ShadowMaps* shadows, std::size_t airlights);
   const SurfaceList& surfaces() const { return surfaces_; }
 
  private:

@@ -24,13 +24,14 @@ std::string environment_constants(const scene::Environment& environment, const R
       "const vec3 moon_color = {};\n"
       "const bool has_infinite_viewer = {};\n"
       "const bool is_lamp_leg_fogged = {};\n"
+      "const bool has_shafts = {};\n"
       "const float light_ambient = {};\n"
       "const int spot_edge_hard = 0;\n"
       "const int spot_edge_lerp = 1;\n"
       "const int spot_edge = {};\n",
       glsl(environment.ambient_light), environment.moon_color != glm::vec3(0.0f), glsl(environment.moon_direction),
       glsl(environment.moon_color), settings.has_infinite_viewer, settings.fog_lighting == FogLighting::airlight,
-      settings.light_ambient, int(settings.spot_edge));
+      settings.shadows == Shadows::shafts, settings.light_ambient, int(settings.spot_edge));
 }
 
 std::size_t count_vertex_lights() {

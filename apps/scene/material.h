@@ -34,6 +34,10 @@ struct Material {
   std::shared_ptr<const Texels> emission = nullptr;
   /// A mask: there is no surface where its coverage, times the vertices', is less than this. > 0.
   std::optional<float> least_coverage = std::nullopt;
+  /// A pane: this times its coverage, times the vertices', is the fraction of what is behind it that it hides. [0, 1].
+  /// It has a least_coverage, too, from which on it casts a shadow, and as a mask of which a path that draws surfaces
+  /// in several passes draws it.
+  std::optional<float> opacity = std::nullopt;
   /// It sends emissive times its base colour to the eye, and reflects nothing.
   bool is_unlit = false;
 };

@@ -76,10 +76,12 @@ TEST(Course, WrongTextsAreErrorsOfTheirOption) {
   }
 }
 
-TEST(Course, WordsWithDotsAreNoRanges) {
-  for (const char* text : {"1..2", "-1e3..0.5:24", "0..9:x"}) EXPECT_TRUE(demo::is_number_range(text)) << text;
-  for (const char* text : {"../lights/a.json", "1", "1.5", "[1..2]", "1..", "a..b"}) {
-    EXPECT_FALSE(demo::is_number_range(text)) << text;
+TEST(Course, WordsWithDotsAreNoCourses) {
+  for (const char* text : {"1..2", "-1e3..0.5:24", "0..9:x", "1..", "..2", "1,2,3", "[1..2]", "[0,1]..[2,3]"}) {
+    EXPECT_TRUE(demo::is_meant_as_course(text)) << text;
+  }
+  for (const char* text : {"../lights/a.json", "lights/../a.json", "1", "1.5", "[1,2,3]", "a..b", "a,1"}) {
+    EXPECT_FALSE(demo::is_meant_as_course(text)) << text;
   }
 }
 

@@ -846,7 +846,7 @@ TEST_F(DemoCommand, FramesOfASequenceAreThePicturesOfTheirSettings) {
     std::string changes;
     std::string last;  // the picture of the third frame
   } sequences[] = {{"--visibility 100..1", "--visibility 1"},
-                   {"--visibility 30,20,4 --time 0..2", "--visibility 4 --time 2"},
+                   {"--visibility 30,20,4 --contrast 0.01 --time 0..2", "--visibility 4 --contrast 0.01 --time 2"},
                    {"--set lights[0].threshold=0.1..0.3 --set lights[1].carried=false --camera 0,1,5..1,1,6",
                     "--set lights[0].threshold=0.3 --set lights[1].carried=false --camera 1,1,6"},
                    {"--camera 0,1,5..2,1,5 --target 0,1,0..2,1,0 --fov-deg 40..60",  // the carried lamp moves by 2 m
@@ -874,6 +874,10 @@ TEST_F(DemoCommand, SequencesThatCannotBeAreRefusedBeforeAnythingIsDrawn) {
   };
   EXPECT_EQ(error("--visibility 50"),
             std::string("litfog-demo: nothing changes: give a range, such as --visibility 2000..50") + kSeeHelp);
+  EXPECT_EQ(error("--set lights[0].threshold=0.1..x"),
+            std::string("litfog-demo: --set lights[0].threshold = x: must be a finite number") + kSeeHelp);
+  EXPECT_EQ(error("--set lights[0].position=[0,1,2]..[1,1,2]"),
+            std::string("litfog-demo: --set lights[0].position = [0,1,2]: must be a finite number") + kSeeHelp);
   EXPECT_EQ(error("--visibility 1,2,3 --time 0..1:2"),
             std::string("litfog-demo: --time has 2 frames, and --visibility 3: the numbers must be equal") + kSeeHelp);
   EXPECT_EQ(
@@ -889,7 +893,7 @@ TEST_F(DemoCommand, SequencesThatCannotBeAreRefusedBeforeAnythingIsDrawn) {
   EXPECT_FALSE(std::filesystem::exists(directory() / "none"));
 }
 
-TEST_F(DemoCommand, SequenceEndsAtAFrameWhoseMembersAndOptionsMakeItsCameraLookStraightDown) {
+TEST_F(DemoCommand, SequenceWithAFrameThatCannotBeIsRefusedBeforeAnythingIsDrawn) {
   write("two.json", kTwoLamps);
   const Outcome outcome =
       run("sequence two.json -o frames --size 8x8 --frames 3 --camera 0,3,0 --set camera.target[0]=1..-1 "
@@ -898,8 +902,9 @@ TEST_F(DemoCommand, SequenceEndsAtAFrameWhoseMembersAndOptionsMakeItsCameraLookS
   EXPECT_EQ(outcome.err,
             std::string("litfog-demo: frame 2: the target must not be straight above or below the position, or at it") +
                 kSeeHelp);
-  EXPECT_TRUE(std::filesystem::exists(directory() / "frames/two-0001.png"));
-  EXPECT_FALSE(std::filesystem::exists(directory() / "frames/two-0002.png"));
+  EXPECT_ERROR(run("sequence two.json -o frames --set lights[0].light.cone.inner_deg=9,40,10"), kBadInput,
+               "--set: lights[0].light.cone.inner_deg = 40: must be in [0, outer_deg)\n");
+  EXPECT_FALSE(std::filesystem::exists(directory() / "frames"));
 }
 
 TEST_F(DemoCommand, FilmNeedsFfmpeg) {
@@ -927,6 +932,16 @@ TEST_F(DemoCommand, SettingsAreComparedOnAPageOfTheirOwn) {
   EXPECT_NE(page.find("<td class=\"words\">visibility=9 path=vertex</td>"), std::string::npos);
   EXPECT_NE(page.find("{first: 2, second: 3, largest: "), std::string::npos);
 
+  // Options with an effect on one of the settings only.
+  const Outcome some =
+      run("compare one.json -o out.d --size 32x18 --frames 1 --visibility 9 --contrast flightgear --map-size 32 --with "
+          "fog=none --with path=radial --with contrast=0.01");
+  ASSERT_EQ(some.status, kDone) << some.err;
+  const Outcome contrast =
+      run("compare one.json -o out.d --size 32x18 --frames 1 --visibility 9 --with contrast=flightgear");
+  ASSERT_EQ(contrast.status, kDone) << contrast.err;
+  EXPECT_EQ(contrast.out.find("from 1: largest 0,"), std::string::npos) << contrast.out;
+
   const Outcome same = run("compare one.json -o out.d --size 32x18 --frames 1 --with no-skip");
   ASSERT_EQ(same.status, kDone) << same.err;
   EXPECT_NE(same.out.find("\n2: no-skip "), std::string::npos);
@@ -952,6 +967,14 @@ TEST_F(DemoCommand, WrongSettingsAreNamed) {
       std::string("litfog-demo: --with \"fog=none visibility=9\": --visibility cannot be given with --fog none: the "
                   "air is clear") +
           kSeeHelp);
+  const auto unused = [&](const std::string& option, const std::string& arguments) {
+    EXPECT_EQ(error("one.json " + arguments),
+              std::string("litfog-demo: ") + option + " has no effect on any of these settings" + kSeeHelp);
+  };
+  unused("--map-size", "--map-size 64 --with no-skip");
+  unused("--visibility", "--visibility 9 --with visibility=2 --with visibility=3");
+  unused("--contrast", "--contrast flightgear --fog none --with no-skip");
+  unused("--shadow-lamps", "--shadow-lamps 2 --path vertex --with no-skip --with path=legacy");
   EXPECT_EQ(error("one.json --with time=3"),
             std::string("litfog-demo: --time cannot be given: none of the scene's lights turns") + kSeeHelp);
   EXPECT_EQ(error("one.json --with lights=3"),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Materials with masks, emission maps, vertex colours and pictures of coordinates of their own, and unlit ones: drawn
-// as their texels say, and by every path as the reference has them.
+// Materials with masks, opacity, emission maps, vertex colours and pictures of coordinates of their own, and unlit
+// ones: drawn as their texels say, and by every path as the reference has them.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -212,7 +212,71 @@ TEST_F(ReferenceMaterial, VerticesColorTheSurfaceAndMoveItsPictures) {
   }
 }
 
-/// Four panels of all these materials around lamps, with pictures that are filtered.
+// Light from behind goes through the pane and then on through the fog before it, which adds its own.
+TEST_F(ReferenceMaterial, PaneLetsThroughWhatItsOpacityLeaves) {
+  struct Panel {
+    double z;
+    glm::dvec3 color;
+    double opacity;
+  };
+  // In the order of the file, which is not that of the eye.
+  const Panel panels[] = {{1, {0.9, 0.2, 0.1}, 0.3}, {-3, {0.4, 0.7, 0.9}, 1}, {0, {0.1, 0.8, 0.3}, 0.75}};
+  Scene scene = panel(material(kNearest));
+  const Mesh mesh = scene.models[0][0].mesh;
+  scene.models.clear();
+  scene.instances.clear();
+  scene.materials.clear();
+  for (const Panel& each : panels) {
+    Material& of = scene.materials.emplace_back(material(kNearest));
+    of.name = fmt::format("panel at {}", each.z);
+    of.plain_albedo = each.color;
+    of.least_coverage = 0.5f;
+    if (each.opacity < 1) of.opacity = float(each.opacity);
+    scene.models.push_back({Part{of.name, mesh}});
+    scene.instances.push_back({scene.models.size() - 1, glm::translate(glm::mat4(1), {0, 0, float(each.z)})});
+  }
+  for (const char* path : {"unified", "vertex", "legacy", "interpolated"}) {
+    Renderer renderer(scene, 16, 16, {.path = find_lighting_path(path)});
+    const Fog fog = Fog::from_visibility(FogMode::exp, 15.0);
+    renderer.set_fog(fog);
+    renderer.draw(LightPoints::off);
+    const glm::dvec3 eye = scene.camera.position;
+    const glm::dvec3 view = view_direction(scene.camera, 16, 16, 8.5, 8.5);
+    glm::dvec3 seen(kFogColor);  // far behind
+    for (const std::size_t i : {1, 2, 0}) {
+      const double range = (panels[i].z - eye.z) / view.z * glm::length(view);
+      const glm::dvec3 lit = panels[i].color * glm::dvec3(scene.environment.ambient_light);
+      // What is behind, as it is seen just before the panel, on through the fog.
+      const double through = fog_factor_at(fog, range);
+      const glm::dvec3 arriving = (seen - glm::dvec3(kFogColor) * (1 - through)) / through;
+      seen = glm::mix(glm::dvec3(kFogColor), glm::mix(arriving, lit, panels[i].opacity), through);
+    }
+    EXPECT_LT(glm::distance(pixel(renderer.read(), 8, 8), seen), 2e-3) << path;
+    EXPECT_LT(glm::distance(pixel(shade_reference(renderer).picture, 8, 8), seen), 1e-5) << path;
+  }
+}
+
+// A picture draws them in the order of their middles, which is wrong on one side: an error that the reference shows.
+TEST_F(ReferenceMaterial, PanesThatCrossAreSortedByTheReference) {
+  Material of = material(kNearest);
+  of.plain_albedo = glm::vec3(0.9f, 0.1f, 0.1f);
+  of.least_coverage = 0.5f;
+  of.opacity = 0.5f;
+  Scene scene = panel(of);
+  scene.environment.ambient_light = glm::vec3(1);
+  Material& other = scene.materials.emplace_back(of);
+  other.name = "other";
+  other.plain_albedo = glm::vec3(0.1f, 0.9f, 0.1f);
+  scene.models.push_back({Part{"other", scene.models[0][0].mesh}});
+  scene.instances.push_back({1, glm::rotate(glm::mat4(1), 0.5f, glm::vec3(0, 1, 0))});
+  Renderer renderer(scene, 32, 32, {});
+  const Picture picture = shade_reference(renderer).picture;
+  // The left side of the other is nearer than the panel.
+  EXPECT_LT(glm::distance(pixel(picture, 8, 16), {0.5 * 0.1 + 0.25 * 0.9, 0.5 * 0.9 + 0.25 * 0.1, 0.075}), 1e-4);
+  EXPECT_LT(glm::distance(pixel(picture, 23, 16), {0.5 * 0.9 + 0.25 * 0.1, 0.5 * 0.1 + 0.25 * 0.9, 0.075}), 1e-4);
+}
+
+/// Five panels of all these materials around lamps, with pictures that are filtered.
 Scene panels_by_lamps() {
   Material of = material({});
   of.specular = glm::vec3(0.3f);
@@ -242,6 +306,10 @@ Scene panels_by_lamps() {
     added.specular = glm::vec3(0);
     added.emissive = {0.3f, 0.4f, 0.5f};
     added.least_coverage = 0.6f;
+  });
+  add("pane", at({0.3f, -0.4f, 1.8f}, 0.3f), [](Material& added) {
+    added.least_coverage = 0.5f / 0.7f;
+    added.opacity = 0.7f;
   });
   for (int i = 0; i < 3; ++i) {
     PlacedLight lamp;

@@ -99,11 +99,15 @@ TEST_F(GltfFeature, MaskTakesItsCoverageFromTheBaseTexture) {
   EXPECT_EQ(error(), "materials[0].alphaMode = \"CUTOUT\": must be OPAQUE, MASK or BLEND");
 }
 
-TEST_F(GltfFeature, BlendedMaterialIsAMaskAtHalfAndSaysSo) {
+TEST_F(GltfFeature, BlendedMaterialIsAPaneOfItsAlphaWithAMaskAtHalf) {
   material()["alphaMode"] = "BLEND";
+  material()["pbrMetallicRoughness"]["baseColorFactor"] = {1, 1, 1, 0.25};
   const Scene scene = read_file();
-  EXPECT_EQ(scene.materials.at(0).least_coverage, 0.5f);
-  EXPECT_EQ(scene.left_out, "1 material's blending (drawn where alpha >= 0.5)");
+  EXPECT_EQ(scene.materials.at(0).opacity, 0.25f);
+  EXPECT_EQ(scene.materials[0].least_coverage, 2.0f);
+  EXPECT_EQ(scene.left_out, "");
+  material()["alphaMode"] = "MASK";
+  EXPECT_FALSE(read_file().materials.at(0).opacity);
 }
 
 TEST_F(GltfFeature, EmissionKeepsItsTexelsAndItsStrength) {
@@ -539,7 +543,6 @@ TEST_F(GltfFeature, WhatIsLeftOutIsSaidInOneLine) {
   points["mode"] = 0;
   file_["meshes"][0]["primitives"].push_back(points);
   material()["occlusionTexture"]["index"] = 0;
-  material()["alphaMode"] = "BLEND";
   file_["scenes"].push_back(json::object());
   file_["cameras"].push_back({{"type", "orthographic"}});
   file_["nodes"].push_back({{"camera", 1}});
@@ -550,7 +553,7 @@ TEST_F(GltfFeature, WhatIsLeftOutIsSaidInOneLine) {
   const std::string line = testing::internal::GetCapturedStderr();
   EXPECT_EQ(scene.left_out,
             "2 animations, 1 skin (drawn in its rest pose), 1 mesh's morph targets, 1 primitive of points or lines, "
-            "1 occlusion texture, 1 material's blending (drawn where alpha >= 0.5), 1 other camera, 1 other scene, "
+            "1 occlusion texture, 1 other camera, 1 other scene, "
             "extensions KHR_materials_clearcoat KHR_materials_sheen");
   EXPECT_EQ(line, path("scene.gltf") + ": left out: " + scene.left_out + "\n");
   file_ = floor_scene();

@@ -181,6 +181,13 @@ TEST_F(WindowCommand, WindowWithoutADisplayIsAMissingCapability) {
                "litfog-window: a window needs a display: X11: The DISPLAY environment variable is missing\n");
 }
 
+TEST_F(WindowCommand, MissingLibraryOfTheWindowIsNamedWithItsPackage) {
+  if (!LITFOG_HAS_WINDOW) GTEST_SKIP() << "litfog-window was not built";
+  write("libglfw.so.3", "no library");
+  EXPECT_ERROR(run("window yard.json", "LD_LIBRARY_PATH=."), kMissingCapability,
+               "litfog-demo: litfog-window needs libglfw.so.3, which cannot be loaded (install libglfw3)\n");
+}
+
 TEST_F(WindowCommand, WrongSceneAndWrongOptionsAreToldBeforeAWindowOpens) {
   if (!LITFOG_HAS_WINDOW) GTEST_SKIP() << "litfog-window was not built";
   write("wrong.json", R"({"litfog": "scene", "version": 1})");

@@ -26,7 +26,7 @@ bool is_complete() { return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAME
 bool GeometrySample::is_of_same_fragment(const GeometrySample& other) const {
   return position == other.position && material == other.material && normal_texel == other.normal_texel &&
          tangent == other.tangent && normal == other.normal && gloss == other.gloss && emission == other.emission &&
-         albedo == other.albedo;
+         opacity == other.opacity && albedo == other.albedo;
 }
 
 const LightingPath& geometry_path(const LightingPath& other) {
@@ -55,8 +55,8 @@ GeometryBuffer::GeometryBuffer(int width, int height, int samples)
     glFramebufferTexture2D(GL_FRAMEBUFFER, kAttachments[i], GL_TEXTURE_2D_MULTISAMPLE, textures_[i].id(), 0);
   }
   glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, drawn_depth_.id());
-  glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples_, GL_DEPTH_COMPONENT32F, width, height, GL_TRUE);
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D_MULTISAMPLE, drawn_depth_.id(), 0);
+  glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples_, GL_DEPTH32F_STENCIL8, width, height, GL_TRUE);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_TEXTURE_2D_MULTISAMPLE, drawn_depth_.id(), 0);
   glDrawBuffers(kTargets, kAttachments);
   const bool drawn_is_whole = is_complete();
   glBindFramebuffer(GL_FRAMEBUFFER, read_.id());
@@ -78,8 +78,19 @@ void GeometryBuffer::begin() const {
   for (int i = 0; i < kTargets; ++i) glClearBufferfv(GL_COLOR, i, kSky);
 }
 
+void GeometryBuffer::begin_layer(int layer) const {
+  assert(layer >= 0 && layer < kMostLayers);
+  begin();
+  glDepthFunc(GL_ALWAYS);
+  glClear(GL_STENCIL_BUFFER_BIT);
+  glEnable(GL_STENCIL_TEST);
+  glStencilFunc(GL_EQUAL, layer, 0xff);
+  glStencilOp(GL_INCR, GL_INCR, GL_INCR);  // counts what is drawn
+}
+
 void GeometryBuffer::end() const {
   end_depths();
+  glDisable(GL_STENCIL_TEST);
   glEnable(GL_MULTISAMPLE);
 }
 

@@ -19,7 +19,7 @@ struct GeometrySample {
   glm::vec3 normal;        ///< interpolated from the vertices, where it is a unit vector
   float gloss;
   glm::vec3 emission;  ///< linear RGB
-  float spare;         ///< to fill a vec4
+  float opacity;       ///< of a pane the fraction of what is behind it that it hides, else 1
   glm::vec3 albedo;    ///< linear RGB
   float depth;         ///< the sample's own, not part of the fragment: render/gpu/depth.h
 
@@ -41,12 +41,15 @@ class GeometryBuffer {
   int samples() const { return samples_; }
   /// Makes it the target of drawing, and empty: sky everywhere.
   void begin() const;
+  /// The same for a layer: what is drawn in a sample after so many others, in front of all or behind. At most 254.
+  void begin_layer(int layer) const;
   /// Has to be called when all is drawn.
   void end() const;
   /// Rows of samples, the picture's top row being row 0: all of a pixel's samples, then the next pixel's.
   std::vector<GeometrySample> read_rows(int first, int count) const;
 
   static constexpr int kMostRows = 64;  ///< at a time
+  static constexpr int kMostLayers = 254;
 
  private:
   static constexpr int kTargets = 6;  // vec4s of a GeometrySample

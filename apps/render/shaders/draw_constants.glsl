@@ -16,7 +16,7 @@ uniform vec4 draw_constants[draw_constant_count];
 vec3 eye = DRAW_CONSTANT(0).xyz;
 float relief = DRAW_CONSTANT(0).w;  // of the material's heights, in tiles
 vec3 bounds_low = DRAW_CONSTANT(1).xyz;  // of the surface drawn
-float least_coverage = DRAW_CONSTANT(1).w;  // of a mask (material.frag)
+float coverage = DRAW_CONSTANT(1).w;  // the least of a mask; of a pane, where its texels and vertices have 1
 vec3 bounds_high = DRAW_CONSTANT(2).xyz;
 float normal_scale = DRAW_CONSTANT(2).w;  // of its normal map
 vec3 specular = DRAW_CONSTANT(3).xyz;  // of its material

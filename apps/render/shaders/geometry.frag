@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The inputs of a fragment's shading, before any formula is applied. The CPU shades from them in double.
 
+#define WITHOUT_COLOR
 #include "rasterised.glsl"
 
 in vec3 normal;
@@ -21,6 +22,6 @@ void main() {
   normal_texel = texture(normal_map, map_uvs.xy);
   vertex_tangent = tangent;
   vertex_normal_gloss = vec4(normal, base.a);
-  emission = vec4(emissive, 0.0);
+  emission = vec4(emissive, fragment_opacity());
   albedo_depth = vec4(base.rgb, 0.0);  // each sample has its own depth: geometry_sample.frag
 }

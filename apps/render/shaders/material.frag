@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// A pass's shader for a material that has more than a colour and normals: where its mask leaves a surface, and what the
-// surface emits there.
+// A pass's shader for a material that has more than a colour and normals: where its mask leaves a surface, what the
+// surface emits there, and what a pane lets through.
 
 #define main shade_surface
 #include "pass.frag"
 #undef main
 #include "rasterised.glsl"
+#if defined MATERIAL_PANE && !defined WITHOUT_COLOR
+#include "pane.glsl"
+#endif
 
 uniform sampler2D emission_map;
 
@@ -17,7 +20,10 @@ void main() {
   emissive *= base_texel().rgb;
 #endif
   shade_surface();
+#if defined MATERIAL_PANE && !defined WITHOUT_COLOR
+  color = over_what_is_behind(color.rgb);
+#endif
 #ifdef MATERIAL_MASK
-  if (base_texel().a < least_coverage) discard;  // last: textures are filtered by their neighbours' coordinates
+  if (base_texel().a < coverage) discard;  // last: textures are filtered by their neighbours' coordinates
 #endif
 }

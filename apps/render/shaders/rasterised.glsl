@@ -13,7 +13,7 @@ in vec4 map_uvs;
 #define map_uvs uv.xyxy
 #endif
 
-uniform sampler2D albedo_map;  // rgb reflectance, a gloss, or coverage of a mask
+uniform sampler2D albedo_map;  // rgb reflectance, a gloss, or coverage of a mask or pane
 uniform sampler2D normal_map;
 
 // Where a texture is looked up; parallax.frag shifts it.
@@ -37,7 +37,7 @@ vec4 base_texel() {
 
 #if defined MATERIAL_UNLIT
 vec4 base_texture() { return vec4(0.0, 0.0, 0.0, 1.0); }  // all of it is emission
-#elif defined MATERIAL_MASK
+#elif defined MATERIAL_MASK || defined MATERIAL_PANE
 vec4 base_texture() { return vec4(base_texel().rgb, 1.0); }
 #elif defined VERTEX_DETAILS
 vec4 base_texture() {
@@ -46,6 +46,13 @@ vec4 base_texture() {
 }
 #else
 vec4 base_texture() { return texture(albedo_map, texture_uv(uv)); }
+#endif
+
+// The fraction of what is behind it that it hides.
+#ifdef MATERIAL_PANE
+float fragment_opacity() { return clamp(base_texel().a * coverage, 0.0, 1.0); }
+#else
+float fragment_opacity() { return 1.0; }
 #endif
 
 // The normal map's normal in tangent space. The map's alpha gives the level that means 0 (Material::normal): 128 below

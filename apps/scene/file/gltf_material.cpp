@@ -13,7 +13,7 @@ namespace litfog::scene {
 namespace {
 
 constexpr float kMaxShininess = 1000;
-constexpr double kBlendCutoff = 0.5;  // of materials that would be blended
+constexpr double kBlendCutoff = 0.5;  // from which blended materials cast shadows
 
 /// The colour of `size` numbers, of which RGB count, or what stands for it where none is given.
 glm::vec3 color_or(const JsonValue& object, const char* name, std::size_t size, const glm::vec3& absent) {
@@ -56,6 +56,33 @@ float factor_of(const JsonValue& object, const char* name) {
   return float(factor);
 }
 
+bool is_blended(const JsonValue& material) {
+  const auto mode = material.optional("alphaMode");
+  return mode && mode->string() == "BLEND";
+}
+
+/// The alpha of the base colour's factor, which is not in the texels.
+double alpha_factor_of(const JsonValue& pbr) {
+  const auto factor = pbr.optional("baseColorFactor");
+  return factor ? numbers(*factor, 4)[3] : 1;
+}
+
+/// Material::least_coverage.
+std::optional<float> least_coverage_of(const JsonValue& material, const JsonValue& pbr) {
+  const auto mode = material.optional("alphaMode");
+  if (!mode || mode->string() == "OPAQUE") return std::nullopt;
+  if (!is_blended(material) && mode->string() != "MASK") mode->fail("must be OPAQUE, MASK or BLEND");
+  const double cutoff = is_blended(material) ? kBlendCutoff : material.number_or("alphaCutoff", 0.5);
+  if (!(cutoff >= 0)) material.member("alphaCutoff").fail("must be >= 0");
+  if (cutoff == 0) return std::nullopt;
+  return float(cutoff / alpha_factor_of(pbr));  // an alpha of 0 leaves no surface
+}
+
+/// Material::opacity.
+std::optional<float> opacity_of(const JsonValue& material, const JsonValue& pbr) {
+  return is_blended(material) ? std::optional(float(alpha_factor_of(pbr))) : std::nullopt;
+}
+
 }  // namespace
 
 GltfMaterials::GltfMaterials(const GltfFile& file)
@@ -90,20 +117,6 @@ const GltfMaterial& GltfMaterials::use(const JsonValue& primitive) {
   return *used;
 }
 
-std::optional<float> GltfMaterials::least_coverage_of(const JsonValue& material, const JsonValue& pbr) {
-  const auto mode = material.optional("alphaMode");
-  if (!mode || mode->string() == "OPAQUE") return std::nullopt;
-  const bool is_blended = mode->string() == "BLEND";
-  if (!is_blended && mode->string() != "MASK") mode->fail("must be OPAQUE, MASK or BLEND");
-  if (is_blended) ++blended_;
-  const double cutoff = is_blended ? kBlendCutoff : material.number_or("alphaCutoff", 0.5);
-  if (!(cutoff >= 0)) material.member("alphaCutoff").fail("must be >= 0");
-  if (cutoff == 0) return std::nullopt;
-  const auto factor = pbr.optional("baseColorFactor");
-  const double alpha = factor ? numbers(*factor, 4)[3] : 1;  // which is not in the texels; 0 leaves no surface
-  return float(cutoff / alpha);
-}
-
 GltfMaterials::SharedTexels GltfMaterials::base_texels(const JsonValue& material,
                                                        const std::optional<JsonValue>& texture, bool is_masked) {
   if (!texture) return white_.texels();
@@ -123,6 +136,7 @@ Material GltfMaterials::make_unlit(const std::string& name, const JsonValue& giv
           .emissive = base_factor_of(pbr),
           .plain_albedo = texture ? std::nullopt : std::optional(glm::vec3(1)),
           .least_coverage = least_coverage,
+          .opacity = opacity_of(given, pbr),
           .is_unlit = true};
 }
 
@@ -160,7 +174,8 @@ Material GltfMaterials::make_lit(const std::string& name, const JsonValue& given
           .emissive = emissive,
           .plain_albedo = base_texture || is_by_texel ? std::nullopt : std::optional(kept),
           .emission = has_emission ? pictures_.use(*emissive_texture).texels() : nullptr,
-          .least_coverage = least_coverage};
+          .least_coverage = least_coverage,
+          .opacity = opacity_of(given, pbr)};
 }
 
 GltfMaterials::SharedTexels GltfMaterials::tinted(const JsonValue& material, const SharedTexels& picture,

@@ -42,7 +42,6 @@ class GltfMaterials {
   std::vector<Material> take() { return std::move(materials_); }
 
   // What is left out of those made.
-  std::size_t blended() const { return blended_; }
   std::size_t occluded() const { return occluded_; }
 
  private:
@@ -50,8 +49,6 @@ class GltfMaterials {
 
   Material make_lit(const std::string& name, const JsonValue& given, const JsonValue& pbr);
   Material make_unlit(const std::string& name, const JsonValue& given, const JsonValue& pbr);
-  /// Material::least_coverage.
-  std::optional<float> least_coverage_of(const JsonValue& material, const JsonValue& pbr);
   /// The texels of a base texture or what stands for it.
   SharedTexels base_texels(const JsonValue& material, const std::optional<JsonValue>& texture, bool is_masked);
   /// What is metal, texel by texel: a factor times the blue of a picture. Null: nothing.
@@ -73,7 +70,6 @@ class GltfMaterials {
   // Pictures derived from the file's, shared where they are the same.
   std::map<std::tuple<const Texels*, const Texels*, std::array<float, 4>>, SharedTexels> tinted_;
   TexelBudget made_;
-  std::size_t blended_ = 0;
   std::size_t occluded_ = 0;
 };
 

@@ -135,8 +135,6 @@ class GltfReader {
     add(morphs_, "mesh's morph targets", "meshes' morph targets");
     add(surfaceless_, "primitive of points or lines", "primitives of points or lines");
     add(materials_.occluded(), "occlusion texture", "occlusion textures");
-    add(materials_.blended(), "material's blending (drawn where alpha >= 0.5)",
-        "materials' blending (drawn where alpha >= 0.5)");
     add(other_cameras_, "other camera", "other cameras");
     const std::size_t scenes = items_of(file_.root(), "scenes").size();
     add(scenes - 1, "other scene", "other scenes");

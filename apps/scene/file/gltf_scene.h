@@ -12,7 +12,7 @@ bool is_gltf_path(const std::string& path);
 
 /// Reads a glTF 2.0 file with its buffers and pictures: the meshes, materials and lights of its scene (the default one,
 /// else the first) in their rest pose, seen by the first perspective camera found. Animation, skins, morph targets,
-/// blending, occlusion, points, lines and extensions that are not named here are left out: Scene::left_out counts what
+/// occlusion, points, lines and extensions that are not named here are left out: Scene::left_out counts what
 /// of these a file has. A file that requires such an extension fails.
 ///
 /// Meshes: triangles, their strips and fans; sparse accessors; KHR_mesh_quantization (all its types, required or not),
@@ -30,7 +30,8 @@ bool is_gltf_path(const std::string& path);
 /// albedo takes metallic texel by texel, before both are filtered, where its texture has the base colour's coordinates,
 /// else its mean. COLOR_0 multiplies the base colour, but not F's. KHR_materials_unlit sends the base colour to the eye
 /// through the fog and reflects nothing. Emission has its texels, times KHR_materials_emissive_strength, at most
-/// 10,000. MASK leaves no surface below alphaCutoff; BLEND is drawn as MASK at 0.5.
+/// 10,000. MASK leaves no surface below alphaCutoff; BLEND hides alpha of what is behind it, but in paths that draw a
+/// surface in several passes, which draw it as MASK at 0.5.
 ///
 /// Lights (KHR_lights_punctual): a white surface square to a light of I cd shows I / (pi r^2) of the display's white at
 /// r metres, as in the Khronos sample viewer at exposure 1. This is Hales's attenuation with C = L = 0 and Q = 1/k^2,

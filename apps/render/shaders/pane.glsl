@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// A fragment of a pane over what is behind it. Light from behind arrives at the pane, the part that it lets through goes
+// on through the fog before it, which adds its own: f L' + A = f ((1 - o) L + o S) + A = (1 - o) (f L + A) + o (f S + A).
+// So the picture without the pane and one of the pane alone, each with all of its fog, are mixed by the opacity.
+
+#include "cookie.glsl"
+#include "litfog/shaders/glow.glsl"
+#include "litfog/shaders/light_buffer.glsl"
+#include "scene.glsl"
+
+uniform samplerBuffer airlight_entries;  // render::AirlightEntry
+uniform int airlight_count;              // 0 where the scene is not lit by airlight
+uniform float asymmetry;
+
+#include "shaft.glsl"
+
+// The airlight before the fragment. That of the picture without panes is added later, by what they let through of it.
+vec3 airlight_before(vec3 position) {
+  float range = distance(position, eye);
+  vec3 direction = (position - eye) / max(range, 1.0e-6);
+  vec3 sum = vec3(0.0);
+  for (int i = 0; i < airlight_count; ++i) {
+    vec4 entry = texelFetch(airlight_entries, i);
+    int index = int(entry.x);
+    LitfogLight light = litfog_buffered_light(index);
+    vec3 to_light = light.position_extent.xyz - eye;
+    vec3 offset = to_light - clamp(dot(to_light, direction), 0.0, range) * direction;
+    if (dot(offset, offset) > entry.y * entry.y) continue;
+    float lit = has_shafts ? lit_fraction(index, light, direction, range) : 1.0;
+    sum += lit * litfog_glow(light, eye, direction, range, asymmetry);
+  }
+  return sum;
+}
+
+// Premultiplied by the opacity.
+vec4 over_what_is_behind(vec3 seen) {
+  float o = fragment_opacity();
+  return vec4(o * (seen + airlight_before(fragment_position())), o);
+}
