@@ -25,7 +25,6 @@ constexpr unsigned kBlockBinding = 0;
 constexpr unsigned kAlbedoUnit = 0;
 constexpr unsigned kNormalUnit = 1;
 constexpr unsigned kPictureUnit = 0;
-constexpr unsigned kDepthUnit = 1;
 constexpr int kSamples = 4;  // a pixel: WebGL 2 has as many everywhere
 
 glm::mat4 clip_from_view(const scene::Camera& camera, int width, int height) {
@@ -87,22 +86,19 @@ void View::set_size(int width, int height) {
   height_ = height;
   drawn_.emplace();
   glBindFramebuffer(GL_FRAMEBUFFER, drawn_->framebuffer.id());
-  for (const auto& [buffer, format, attachment] : {std::tuple{&drawn_->color_buffer, GL_RGBA16F, GL_COLOR_ATTACHMENT0},
-                                                   {&drawn_->depth_buffer, GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT}}) {
+  for (const auto& [buffer, format, attachment] : {std::tuple{&drawn_->color, GL_RGBA16F, GL_COLOR_ATTACHMENT0},
+                                                   {&drawn_->depth, GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT}}) {
     glBindRenderbuffer(GL_RENDERBUFFER, buffer->id());
     glRenderbufferStorageMultisample(GL_RENDERBUFFER, kSamples, GLenum(format), width, height);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GLenum(attachment), GL_RENDERBUFFER, buffer->id());
   }
   resolved_.emplace();
   glBindFramebuffer(GL_FRAMEBUFFER, resolved_->framebuffer.id());
-  for (const auto& [texture, format, attachment] : {std::tuple{&resolved_->color, GL_RGBA16F, GL_COLOR_ATTACHMENT0},
-                                                    {&resolved_->depth, GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT}}) {
-    glBindTexture(GL_TEXTURE_2D, texture->id());
-    glTexStorage2D(GL_TEXTURE_2D, 1, GLenum(format), width, height);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GLenum(attachment), GL_TEXTURE_2D, texture->id(), 0);
-  }
+  glBindTexture(GL_TEXTURE_2D, resolved_->color.id());
+  glTexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA16F, width, height);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, resolved_->color.id(), 0);
   if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
     throw gl::Unsupported("this browser's WebGL 2 draws no pictures of half floats");
   }
@@ -125,14 +121,15 @@ FrameReport View::draw(const Fog& fog, const render::Display& display) {
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   report.surfaces = draw_surfaces(clip_from_world);
   glDepthMask(GL_FALSE);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);  // alpha is the surfaces'
   glBindVertexArray(no_vertices_.id());
   draw_sky();
   draw_light_points(clip_from_world);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 
   glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_->framebuffer.id());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_->framebuffer.id());
-  glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT,
-                    GL_NEAREST);
+  glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
   show(display);
   gl::check_errors("drawing a frame");
   return report;
@@ -210,15 +207,10 @@ void View::show(const render::Display& display) {
   glDisable(GL_DEPTH_TEST);
   glActiveTexture(GL_TEXTURE0 + kPictureUnit);
   glBindTexture(GL_TEXTURE_2D, resolved_->color.id());
-  glActiveTexture(GL_TEXTURE0 + kDepthUnit);
-  glBindTexture(GL_TEXTURE_2D, resolved_->depth.id());
   shown_program_.use();
   light_block_.bind(shown_program_, kBlockBinding);
   set_uniform(shown_program_, "picture", kPictureUnit);
-  set_uniform(shown_program_, "depths", kDepthUnit);
   set_uniform(shown_program_, "eye", camera.position);
-  set_uniform(shown_program_, "forward", glm::normalize(camera.target - camera.position));
-  set_uniform(shown_program_, "near_plane", render::kNearPlane);
   set_uniform(shown_program_, "pixel_size", glm::vec2(2) / glm::vec2(width_, height_));
   set_uniform(shown_program_, "direction_from_clip", direction_from_clip(camera, width_, height_));
   set_uniform(shown_program_, "has_airlight", unsigned{fog_lighting_ == render::FogLighting::airlight});

@@ -48,12 +48,16 @@ class View {
     render::Texture albedo;
     render::Texture normal;
   };
-  struct Target {
+  /// What is drawn to, several samples a pixel.
+  struct Samples {
     gl::FramebufferName framebuffer;
-    gl::RenderbufferName color_buffer;
-    gl::RenderbufferName depth_buffer;
+    gl::RenderbufferName color;
+    gl::RenderbufferName depth;
+  };
+  /// Their means.
+  struct Means {
+    gl::FramebufferName framebuffer;
     gl::TextureName color;
-    gl::TextureName depth;
   };
 
   PlacedLight drawn_light(std::size_t light) const;
@@ -77,8 +81,8 @@ class View {
   gl::Program point_program_;
   gl::Program shown_program_;
   gl::VertexArrayName no_vertices_;
-  std::optional<Target> drawn_;     // several samples a pixel
-  std::optional<Target> resolved_;  // textures
+  std::optional<Samples> drawn_;
+  std::optional<Means> resolved_;
 };
 
 }  // namespace litfog::browser

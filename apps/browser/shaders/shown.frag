@@ -6,11 +6,8 @@
 #include "light_list.glsl"
 #include "pixel_direction.glsl"
 
-uniform sampler2D picture;
-uniform sampler2D depths;
+uniform sampler2D picture;  // lit.frag
 uniform vec3 eye;
-uniform vec3 forward;  // unit
-uniform float near_plane;
 uniform bool has_airlight;
 uniform float exposure_gain;
 uniform bool is_neutral;
@@ -64,12 +61,12 @@ float dither(vec2 pixel) { return fract(52.9829189 * fract(dot(pixel, vec2(0.067
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  vec3 light = texelFetch(picture, pixel, 0).rgb;
+  vec4 seen = texelFetch(picture, pixel, 0);
+  vec3 light = seen.rgb;
   if (has_airlight) {
     vec3 direction = pixel_direction(pixel);
-    float depth = texelFetch(depths, pixel, 0).r;
-    float range = depth < 1.0 ? near_plane / (1.0 - depth) / dot(direction, forward) : fog_before_sky(direction);
-    light += lamps_glow(direction, range);
+    float end = fog_before_sky(direction);
+    light += lamps_glow(direction, seen.a * end > 1.0 ? 1.0 / seen.a : end);
   }
   light = min(light * exposure_gain, 1.0e30);
   vec3 shown = is_neutral ? neutral(light) : min(light, 1.0);
