@@ -151,11 +151,10 @@ EMSCRIPTEN_KEEPALIVE double page_draw(int width, int height, int divisor) {
   return milliseconds;
 }
 
-/// What the last frame did: surfaces drawn, kinds of lights solved, bytes of their tables uploaded.
+/// What the last frame did: surfaces drawn, bytes of the lights' tables uploaded.
 EMSCRIPTEN_KEEPALIVE const double* page_report() {
-  static std::array<double, 3> values;
-  const FrameReport& report = session().report;
-  values = {double(report.surfaces), double(report.kinds_solved), double(report.bytes_uploaded)};
+  static std::array<double, 2> values;
+  values = {double(session().report.surfaces), double(session().report.bytes_uploaded)};
   return values.data();
 }
 

@@ -15,6 +15,7 @@
 #include "render/gpu/depth.h"
 #include "render/gpu/uniform.h"
 #include "render/light_point.h"
+#include "render/light_threshold.h"
 
 namespace litfog::browser {
 namespace {
@@ -65,10 +66,11 @@ View::View(const scene::Scene& scene)
   gl::check_errors("making the view");
 }
 
-/// By airlight no light is the carried one's of Hales's term.
 PlacedLight View::drawn_light(std::size_t light) const {
   PlacedLight drawn = scene_.lights[light];
-  drawn.carried = drawn.carried && fog_lighting_ == render::FogLighting::peak;
+  if (fog_lighting_ == render::FogLighting::peak) return drawn;
+  drawn.carried = false;  // Hales's term is not for it
+  drawn.light.threshold = render::airlight_threshold(drawn.light);
   return drawn;
 }
 
@@ -108,8 +110,7 @@ FrameReport View::draw(const Fog& fog, const render::Display& display) {
   const FogLightChanges changes = updater_.set_fog(fog);
   light_block_.upload(pack_fog_header(fog, scene_.environment.ambient_fog_color, updater_.instances().size()),
                       updater_.kinds(), updater_.instances(), changes);
-  FrameReport report{.kinds_solved = updater_.statistics().kinds_solved,
-                     .bytes_uploaded = updater_.statistics().bytes_dirty + sizeof(FogHeader)};
+  FrameReport report{.bytes_uploaded = updater_.statistics().bytes_dirty + sizeof(FogHeader)};
 
   const glm::mat4 clip_from_world =
       clip_from_view(scene_.camera, width_, height_) * view_from_world(scene_.camera);

@@ -92,25 +92,21 @@ function readAddress() {
   state.ev = Math.min(Math.max(state.ev, -12), 12);
 }
 
-// --- Drawing. ---
-let changedAt = 0;
-let isDrawn = {sketch: false, whole: false};
+// --- Drawing: at once and coarsely where the machine is slow, and at full size when the view is still. ---
+let still = 0;  // a timer
 let isWaiting = false;
 
 function change() {
-  changedAt = performance.now();
-  isDrawn = {sketch: false, whole: false};
-  if (!isWaiting) requestAnimationFrame(frame);
+  clearTimeout(still);
+  still = setTimeout(() => attempt(() => draw(1)), kStillAfter);
+  if (!isWaiting) requestAnimationFrame(() => attempt(sketch));
   isWaiting = true;
 }
 
-function frame() {
+function sketch() {
   isWaiting = false;
-  const isMoving = moveByKeys() || performance.now() - changedAt < kStillAfter;
-  if (!isDrawn.sketch || (!isMoving && !isDrawn.whole)) draw(isMoving ? _page_divisor() : 1);
-  if (isDrawn.whole) return;
-  isWaiting = true;
-  requestAnimationFrame(frame);
+  moveByKeys();
+  draw(_page_divisor());
 }
 
 function draw(divisor) {
@@ -121,15 +117,14 @@ function draw(divisor) {
   picture.width = Math.max(Math.round(picture.clientWidth * scale), 1);
   picture.height = Math.max(Math.round(picture.clientHeight * scale), 1);
   const milliseconds = _page_draw(picture.width, picture.height, divisor);
-  isDrawn = {sketch: true, whole: divisor === 1};
-  const [surfaces, solved, bytes] = numbers(_page_report(), 3);
+  const [surfaces, bytes] = numbers(_page_report(), 2);
   byId('density').textContent = Number.isFinite(density) ? `${short(density)} / m` : 'total fog';
   byId('facts').textContent = `${picture.width} × ${picture.height}, ${milliseconds.toFixed(0)} ms · ` +
-      `${surfaces} surfaces · ${solved} kinds of lamps solved, ${bytes} bytes uploaded`;
-  if (isDrawn.whole) {
-    document.body.dataset.drawn = milliseconds.toFixed(1);
-    history.replaceState(null, '', address());
-  }
+      `${surfaces} surfaces · ${bytes} bytes of lamps uploaded`;
+  if (divisor > 1) return;
+  clearTimeout(still);
+  document.body.dataset.drawn = milliseconds.toFixed(1);
+  history.replaceState(null, '', address());
 }
 
 // --- The panel. ---
@@ -333,7 +328,7 @@ const held = new Set();  // keys
 const pointers = new Map();
 let movedAt = 0;
 
-// Moves by what is held; returns whether anything is.
+// Moves by what is held.
 function moveByKeys() {
   const now = performance.now();
   const seconds = Math.min((now - movedAt) / 1000, 0.1);
@@ -341,10 +336,9 @@ function moveByKeys() {
   const step = seconds * (held.has('shift') ? 20 : 4);
   const axis = (ahead, back) => (held.has(ahead) - held.has(back)) * step;
   const [right, up, ahead] = [axis('d', 'a'), axis('e', 'q'), axis('w', 's')];
-  if (right === 0 && up === 0 && ahead === 0) return false;
+  if (right === 0 && up === 0 && ahead === 0) return;
   _page_fly(right, up, ahead);
   change();
-  return true;
 }
 
 function listenToCamera() {
@@ -378,9 +372,10 @@ function listenToCamera() {
   }, {passive: false});
   window.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || event.target.matches('select')) return;
+    if (!held.size) movedAt = performance.now();
+    if (!'wasdqe'.includes(event.key.toLowerCase()) && event.key !== 'Shift') return;
     held.add(event.key.toLowerCase());
-    movedAt = performance.now();
-    if (!isWaiting) change();
+    change();
   });
   window.addEventListener('keyup', (event) => held.delete(event.key.toLowerCase()));
   window.addEventListener('blur', () => held.clear());

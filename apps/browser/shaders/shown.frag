@@ -14,8 +14,8 @@ uniform bool is_neutral;
 
 out vec4 color;
 
-// Of the display's white: all lamps that are left out add up to less than half of its step.
-const float glow_budget = 0.5 / 255.0;
+// Of the display's white: all lamps that are left out add up to less than half a step, which is smallest in the dark.
+const float glow_budget = 0.5 / 255.0 / 12.92;
 
 vec3 lamps_glow(vec3 direction, float range) {
   vec3 sum = vec3(0.0);
