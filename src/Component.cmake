@@ -14,11 +14,13 @@ function(litfog_add_component target)
   string(REGEX REPLACE "^litfog_" "" component ${target})
   add_library(litfog::${component} ALIAS ${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${component} VERSION ${PROJECT_VERSION}
-                                             SOVERSION ${litfog_abi} INSTALL_RPATH $ORIGIN
-                                             DEFINE_SYMBOL "" POSITION_INDEPENDENT_CODE ON)
+                                             SOVERSION ${litfog_abi} INSTALL_RPATH $ORIGIN DEFINE_SYMBOL "")
   # Position-independent though static, for litfog::c and bindings, which are shared libraries. Nobody replaces a
   # function of a library alone: calls within it may be inlined.
-  target_compile_options(${target} PRIVATE -fno-semantic-interposition)
+  if(NOT EMSCRIPTEN)
+    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    target_compile_options(${target} PRIVATE -fno-semantic-interposition)
+  endif()
   get_target_property(type ${target} TYPE)
   if(type STREQUAL "SHARED_LIBRARY")
     set(map ${PROJECT_SOURCE_DIR}/src/litfog.map)

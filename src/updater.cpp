@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <glm/vec3.hpp>
 #include <memory>
@@ -47,12 +48,12 @@ KindKey key_of(const PlacedLight& placed) {
 
 struct KindKeyHash {
   std::size_t operator()(const KindKey& key) const {
-    std::size_t hash = 0;
+    std::uint64_t hash = 0;
     for (const double value : key) {
       hash = (hash ^ std::hash<double>{}(value)) * 0x9e3779b97f4a7c15u;  // 2^64 / golden ratio (Knuth, TAOCP 3, 6.4)
       hash ^= hash >> 32;
     }
-    return hash;
+    return std::size_t(hash);
   }
 };
 

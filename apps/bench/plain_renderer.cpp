@@ -191,7 +191,8 @@ void PlainRenderer::draw_light_points(const glm::mat4& clip_from_world) const {
   use(light_point_program_);
   fog_block_.bind(light_point_program_, render::kFogLightBinding);
   set_uniform(light_point_program_, "clip_from_world", clip_from_world);
-  render::set_point_uniforms(light_point_program_, render::FogLighting::peak, framebuffer_.height());
+  render::set_point_uniforms(light_point_program_, render::FogLighting::peak, framebuffer_.height(),
+                             render::has_clip_control());
   glEnable(GL_PROGRAM_POINT_SIZE);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);

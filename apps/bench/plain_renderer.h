@@ -12,6 +12,7 @@
 #include "litfog/gl/fog_light_buffer.h"
 #include "litfog/gl/gl_name.h"
 #include "litfog/gl/program.h"
+#include "render/gpu/data_texture.h"
 #include "render/gpu/framebuffer.h"
 #include "render/gpu/texture.h"
 #include "scene/scene.h"

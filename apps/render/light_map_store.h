@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "render/gpu/texture.h"
+#include "render/gpu/data_texture.h"
 #include "render/light_map.h"
 #include "render/render_settings.h"
 #include "render/scene_lights.h"

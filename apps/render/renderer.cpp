@@ -18,6 +18,7 @@
 #include "render/gpu/texture_unit.h"
 #include "render/gpu/uniform.h"
 #include "render/light_map_store.h"
+#include "render/light_point.h"
 
 namespace litfog::render {
 namespace {
@@ -61,19 +62,6 @@ class StageClock {
 };
 
 }  // namespace
-
-void set_point_uniforms(const gl::Program& program, FogLighting fog_lighting, int height) {
-  const bool has_glare = fog_lighting == FogLighting::peak;
-  set_uniform(program, "has_glare", unsigned{has_glare});
-  set_uniform(program, "full_brightness", kFullBrightness);
-  set_uniform(program, "brightest", kBrightestPoint);
-  set_uniform(program, "core_radius", kPointRadius);
-  set_uniform(program, "point_radii", kPointRadii);
-  set_uniform(program, "largest_growth", has_glare ? kLargestGlare : kLargestWithoutGlare);
-  set_uniform(program, "pixel_scale", float(height) / 720.0f);
-  set_uniform(program, "near_plane", kNearPlane);
-  set_uniform(program, "has_clip_control", unsigned{has_clip_control()});
-}
 
 Renderer::Renderer(const scene::Scene& scene, int width, int height, const RenderSettings& settings)
     : scene_(scene),
@@ -310,7 +298,7 @@ void Renderer::draw_light_points(const View& view, const FramePlan& plan) {
   set_uniform(light_point_program_, "cookie_cones", kCookieConeUnit);
   set_uniform(light_point_program_, "clip_from_world", view.clip_from_world);
   set_uniform(light_point_program_, "eye", scene_.camera.position);
-  set_point_uniforms(light_point_program_, settings_.fog_lighting, framebuffer_.height());
+  set_point_uniforms(light_point_program_, settings_.fog_lighting, framebuffer_.height(), has_clip_control());
   set_uniform(light_point_program_, "first_point", unsigned(plan.point_first));
   set_uniform(light_point_program_, "litfog_kind_buffer", kKindBufferUnit);
   set_uniform(light_point_program_, "litfog_instance_buffer", kInstanceBufferUnit);

@@ -9,10 +9,10 @@
 #include "render/airlight_painter.h"
 #include "render/display.h"
 #include "render/frame_plan.h"
+#include "render/gpu/data_texture.h"
 #include "render/gpu/depth.h"
 #include "render/gpu/framebuffer.h"
 #include "render/gpu/geometry_buffer.h"
-#include "render/gpu/texture.h"
 #include "render/scene_lights.h"
 #include "render/shadow_maps.h"
 #include "render/surface_painter.h"
@@ -22,11 +22,6 @@ namespace litfog::render {
 
 /// Whether lamps are drawn as points over the surfaces.
 enum class LightPoints { on, off };
-
-/// Passes a program of shaders/light_point.vert how points are drawn, but for the view and the lights.
-///
-/// height  of the picture, pixels
-void set_point_uniforms(const gl::Program& program, FogLighting fog_lighting, int height);
 
 /// Draws a scene by a lighting path into a framebuffer. Needs a current GL 3.3 core context. The scene's camera may
 /// change from frame to frame, but lamps that cast shadows are chosen as set_lights() finds it.

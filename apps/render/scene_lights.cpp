@@ -18,13 +18,9 @@ glm::vec4 cookie_cone(const PlacedLight& light, const scene::CookieUse& use) {
 
 }  // namespace
 
-double largest_component(const glm::dvec3& color) { return std::max({color.r, color.g, color.b}); }
-
 double threshold_of(const Light& light, const RenderSettings& settings) {
   const bool has_own_end = settings.fog_lighting == FogLighting::peak || settings.path->range == RangeLaw::radial;
-  if (has_own_end) return light.threshold;
-  constexpr double kInvisible = 1 / 255.0;  // on a surface, that reflects a part of it
-  return std::min(light.threshold, kInvisible / std::max(largest_component(light.color), 1.0));
+  return has_own_end ? light.threshold : airlight_threshold(light);
 }
 
 Cone drawn_cone(const Cone& cone, const RenderSettings& settings) {

@@ -8,17 +8,14 @@
 
 #include "litfog/fog_light_block.h"
 #include "litfog/updater.h"
+#include "render/light_threshold.h"
 #include "render/render_settings.h"
 #include "scene/scene.h"
 
 namespace litfog::render {
 
-/// By which a colour counts.
-double largest_component(const glm::dvec3& color);
-
-/// Where a light ends: at its own threshold or, lit by airlight, where its colour's largest component is below 1/255,
-/// so that no end is seen at 0 EV on surfaces or in the fog. On a path of the radial range law always at its own: that
-/// law falls to 0 there, and is brighter everywhere the farther off the end is.
+/// Where a light ends: at its own threshold or, lit by airlight, at airlight_threshold(). On a path of the radial range
+/// law always at its own: that law falls to 0 there, and is brighter everywhere the farther off the end is.
 ///
 /// settings  of which the path and the fog's lighting matter
 double threshold_of(const Light& light, const RenderSettings& settings);

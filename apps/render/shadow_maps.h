@@ -10,7 +10,7 @@
 
 #include "litfog/gl/gl_name.h"
 #include "litfog/gl/program.h"
-#include "render/gpu/texture.h"
+#include "render/gpu/data_texture.h"
 #include "render/moon_map.h"
 #include "render/render_settings.h"
 #include "render/scene_lights.h"

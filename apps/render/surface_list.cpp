@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "litfog/gl/unsupported.h"
+#include "render/gpu/data_texture.h"
 #include "render/light_finder.h"
 #include "render/light_selection.h"
 

@@ -13,6 +13,13 @@
 namespace litfog::gl {
 namespace {
 
+#ifdef __EMSCRIPTEN__  // WebGL 2, which has no default precision for some types
+constexpr std::string_view kShaderHead =
+    "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;";
+#else
+constexpr std::string_view kShaderHead = "#version 330 core";
+#endif
+
 std::string_view text_of(std::string_view name, std::span<const ShaderSource> own_files) {
   for (std::span<const ShaderSource> files : {own_files, shader_library()}) {
     const auto found = std::ranges::find(files, name, &ShaderSource::name);
@@ -35,19 +42,19 @@ std::string info_log(GLuint object, GetParameter get_parameter, GetLog get_log) 
 /// Compiles a shader into a program, with which it is deleted.
 void add_shader(GLuint program, GLenum stage, std::string_view name, std::span<const ShaderSource> files) {
   ShaderAssembly assembly([files](std::string_view file) { return text_of(file, files); });
-  assembly.add_line("#version 330 core");
+  assembly.add_line(kShaderHead);
   assembly.add_file(name);
   const GLuint shader = glCreateShader(stage);
-  glAttachShader(program, shader);
-  glDeleteShader(shader);
   const char* const text = assembly.text().c_str();
   glShaderSource(shader, 1, &text, nullptr);
   glCompileShader(shader);
   GLint compiled = GL_FALSE;
   glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+  const std::string log = compiled == GL_TRUE ? "" : info_log(shader, glGetShaderiv, glGetShaderInfoLog);
+  glAttachShader(program, shader);
+  glDeleteShader(shader);  // last: Emscripten forgets its name at once
   if (compiled == GL_TRUE) return;
-  std::string message = "shader " + std::string(name) + " does not compile:\n" +
-                        info_log(shader, glGetShaderiv, glGetShaderInfoLog) + "\nfile numbers:";
+  std::string message = "shader " + std::string(name) + " does not compile:\n" + log + "\nfile numbers:";
   for (std::size_t i = 0; i < assembly.names().size(); ++i) {
     message.append(" ").append(std::to_string(i)).append(" = ").append(assembly.names()[i]);
   }

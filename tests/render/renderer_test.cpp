@@ -16,7 +16,7 @@
 #include "gl/gl_test.h"
 #include "litfog/gl/unsupported.h"
 #include "render/display.h"
-#include "render/gpu/texture.h"
+#include "render/gpu/data_texture.h"
 #include "render/pixel.h"
 #include "scene/file/scene_file.h"
 #include "scene/model/model_catalogue.h"

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
 #include <glm/glm.hpp>
-#include <vector>
 
 #include "litfog/gl/gl_name.h"
 #include "scene/texels.h"
@@ -23,53 +21,6 @@ class Texture {
 
  private:
   gl::TextureName name_;
-};
-
-/// A map of 16-bit fractions with linear filtering, clamped at its edges: no repetition, no mipmaps.
-class LookupTexture {
- public:
-  enum class Shape { line, square, volume, cube };
-
-  /// texels  size to the power of the shape's dimensions; a cube's faces +x -x +y -y +z -z
-  /// throws  gl::Unsupported where this OpenGL has no texture of that size
-  LookupTexture(Shape shape, int size, const std::vector<std::uint16_t>& texels);
-
-  void bind(unsigned unit) const;
-
- private:
-  unsigned target_;
-  gl::TextureName name_;
-};
-
-/// An array of square pictures of 16-bit fractions with linear filtering inside each.
-class LayeredTexture {
- public:
-  /// texels  size * size * layers
-  /// throws  gl::Unsupported if the driver's layer or size limit is exceeded
-  LayeredTexture(int size, int layers, const std::vector<std::uint16_t>& texels);
-
-  void bind(unsigned unit) const;
-
- private:
-  gl::TextureName name_;
-};
-
-/// A buffer of texels for a shader's texelFetch: four floats or one integer each.
-class BufferTexture {
- public:
-  enum class Texel { float4, int1 };
-
-  /// The most texels that a buffer texture of this context may have.
-  static std::size_t max_texels();
-
-  /// throws gl::Unsupported where that is less than the data's
-  BufferTexture(const void* data, std::size_t bytes, Texel texel);
-
-  void bind(unsigned unit) const;
-
- private:
-  gl::BufferName buffer_;
-  gl::TextureName texture_;
 };
 
 }  // namespace litfog::render

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <future>
-#include <set>
 #include <stdexcept>
 
 #include "scene/paint/painter.h"
@@ -159,29 +157,6 @@ Material make_material(std::string_view name) {
           .emissive = recipe->emissive,
           .relief_m = relief_of(canvas.height),
           .metal_roughness = recipe->metal_roughness};
-}
-
-std::vector<Material> make_materials(std::span<const std::string> names) {
-  std::vector<std::future<Material>> painted;  // without a thread to spare one is painted when asked for
-  for (const std::string& name : names) {
-    // An lvalue, which is copied: libstdc++ would move it into the thread that does not start.
-    const auto paint = [name] { return make_material(name); };
-    painted.push_back(std::async(paint));
-  }
-  std::vector<Material> materials;
-  for (std::future<Material>& material : painted) materials.push_back(material.get());
-  return materials;
-}
-
-void add_materials(Scene& scene) {
-  std::set<std::string> missing;
-  for (const Model& model : scene.models) {
-    for (const Part& part : model) missing.insert(part.material);
-  }
-  for (const Material& own : scene.materials) missing.erase(own.name);
-  for (Material& made : make_materials(std::vector(missing.begin(), missing.end()))) {
-    scene.materials.push_back(std::move(made));
-  }
 }
 
 }  // namespace litfog::scene

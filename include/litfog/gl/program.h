@@ -14,8 +14,9 @@ namespace litfog::gl {
 /// threads  as GlName
 class Program {
  public:
-  /// Compiles two or three of the given files behind `#version 330 core`. A line `#include "name"` includes a file of
-  /// `files` or else of shader_library(), each file once. Compile errors name file and line.
+  /// Compiles two or three of the given files behind `#version 330 core`; in WebGL 2, for which Emscripten compiles
+  /// this, behind `#version 300 es`. A line `#include "name"` includes a file of `files` or else of shader_library(),
+  /// each file once. Compile errors name file and line.
   ///
   /// throws  std::logic_error with the driver's log, because shaders are part of the program
   Program(std::string_view vertex_name, std::string_view fragment_name, std::span<const ShaderSource> files);

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the page's script (page/page.js) calls: the scene, its lamps, and the view of it. All numbers; angles in degrees.
+
+#include <emscripten/emscripten.h>
+#include <emscripten/html5.h>
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <exception>
+#include <glm/glm.hpp>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "browser/street.h"
+#include "browser/view.h"
+#include "litfog/gl/unsupported.h"
+#include "scene/paint/material_catalogue.h"
+#include "window/camera_motion.h"
+#include "window/drawing_pace.h"
+#include "window/range_curve.h"
+#include "window/visibility_preset.h"
+
+namespace litfog::browser {
+namespace {
+
+constexpr int kCurveSamples = 240;
+
+/// Lights of a name: what the page changes together.
+struct Lamp {
+  std::vector<std::size_t> lights;
+};
+
+/// Everything that the page shows.
+struct Session {
+  scene::Scene scene = make_street();
+  std::vector<std::string> unpainted;  // materials
+  std::vector<Lamp> lamps;
+  std::optional<View> view;
+  Fog fog;
+  render::Display display;
+  FrameReport report;
+  window::DrawingPace pace;
+
+  Session() {
+    std::set<std::string> names;
+    for (const scene::Model& model : scene.models) {
+      for (const scene::Part& part : model) names.insert(part.material);
+    }
+    unpainted.assign(names.rbegin(), names.rend());
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+      if (i == 0 || scene.lights[i].light.name != scene.lights[i - 1].light.name) lamps.emplace_back();
+      lamps.back().lights.push_back(i);
+    }
+  }
+
+  const PlacedLight& first_of(int lamp) const { return scene.lights[lamps[std::size_t(lamp)].lights.front()]; }
+};
+
+Session& session() {
+  static Session session;
+  return session;
+}
+
+/// The members of a lamp, in the order of page.js.
+enum LampMember { red, green, blue, constant, linear, quadratic, threshold, profile, first_angle, second, kLampMembers };
+
+using LampValues = std::array<double, kLampMembers>;
+
+LampValues values_of(const Light& light) {
+  const bool is_cosine = light.cone.profile == ConeProfile::cosine;
+  return {light.color.r,
+          light.color.g,
+          light.color.b,
+          light.attenuation.constant,
+          light.attenuation.linear,
+          light.attenuation.quadratic,
+          light.threshold,
+          double(light.cone.profile),
+          glm::degrees(is_cosine ? light.cone.half_angle : light.cone.inner),
+          is_cosine ? light.cone.exponent : glm::degrees(light.cone.outer)};
+}
+
+Light light_of(const LampValues& values, Light light) {
+  light.color = {values[red], values[green], values[blue]};
+  light.attenuation = {values[constant], values[linear], values[quadratic]};
+  light.threshold = values[threshold];
+  const double angle = glm::radians(values[first_angle]);
+  switch (ConeProfile(int(values[profile]))) {
+    case ConeProfile::none:
+      light.cone = {};
+      break;
+    case ConeProfile::cosine:
+      light.cone = Cone::cosine(angle, values[second]);
+      break;
+    case ConeProfile::smoothstep:
+      light.cone = Cone::smoothstep(angle, glm::radians(values[second]));
+      break;
+  }
+  return light;
+}
+
+}  // namespace
+
+// Pointers are to what the next call of the same function overwrites.
+extern "C" {
+
+/// The sentence of an exception that has left one of these functions.
+EMSCRIPTEN_KEEPALIVE const char* page_what(const std::exception* error) { return error->what(); }
+
+/// Paints one of the materials that are left; returns how many are left then.
+EMSCRIPTEN_KEEPALIVE int page_paint() {
+  auto& unpainted = session().unpainted;
+  if (!unpainted.empty()) {
+    session().scene.materials.push_back(scene::make_material(unpainted.back()));
+    unpainted.pop_back();
+  }
+  return int(unpainted.size());
+}
+
+/// Makes the view in the canvas of a CSS selector, which has no context yet. All materials are painted.
+EMSCRIPTEN_KEEPALIVE void page_open(const char* canvas) {
+  EmscriptenWebGLContextAttributes attributes;
+  emscripten_webgl_init_context_attributes(&attributes);
+  attributes.majorVersion = 2;
+  attributes.alpha = attributes.depth = attributes.antialias = false;
+  const auto context = emscripten_webgl_create_context(canvas, &attributes);
+  if (context <= 0) throw gl::Unsupported("this browser has no WebGL 2");
+  emscripten_webgl_make_context_current(context);
+  if (!emscripten_webgl_enable_extension(context, "EXT_color_buffer_float")) {
+    throw gl::Unsupported("this browser's WebGL 2 has no EXT_color_buffer_float");
+  }
+  session().view.emplace(session().scene);
+}
+
+/// By what a moving view's picture is made smaller.
+EMSCRIPTEN_KEEPALIVE int page_divisor() { return session().pace.divisor(); }
+
+/// Draws a frame of a size in pixels, which is the canvas's over a divisor, and waits for it; returns milliseconds.
+EMSCRIPTEN_KEEPALIVE double page_draw(int width, int height, int divisor) {
+  const double begin = emscripten_get_now();
+  session().view->set_size(width, height);
+  session().report = session().view->draw(session().fog, session().display);
+  std::array<unsigned char, 4> pixel;
+  glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel.data());  // glFinish does not wait in browsers
+  const double milliseconds = emscripten_get_now() - begin;
+  session().pace.learn(divisor, milliseconds);
+  return milliseconds;
+}
+
+/// What the last frame did: surfaces drawn, bytes of the lights' tables uploaded.
+EMSCRIPTEN_KEEPALIVE const double* page_report() {
+  static std::array<double, 2> values;
+  values = {double(session().report.surfaces), double(session().report.bytes_uploaded)};
+  return values.data();
+}
+
+/// mode     -1 none, or FogMode
+/// metres   visibility, [0, infinity]
+/// returns  density, 1/m
+EMSCRIPTEN_KEEPALIVE double page_set_fog(int mode, double metres, double contrast) {
+  session().fog = mode < 0 ? Fog{} : Fog::from_visibility(FogMode(mode), metres, contrast);
+  return session().fog.density;
+}
+
+EMSCRIPTEN_KEEPALIVE void page_set_airlight(bool has_airlight) {
+  session().view->set_fog_lighting(has_airlight ? render::FogLighting::airlight : render::FogLighting::peak);
+}
+
+/// ev  exposure
+EMSCRIPTEN_KEEPALIVE void page_set_display(double ev, bool is_neutral) {
+  session().display = {.exposure = {.ev = ev},
+                       .tone = is_neutral ? render::ToneCurve::neutral : render::ToneCurve::clip};
+}
+
+/// The camera: position and target, three metres each.
+EMSCRIPTEN_KEEPALIVE const double* page_camera() {
+  static std::array<double, 6> values;
+  const scene::Camera& camera = session().scene.camera;
+  for (int i = 0; i < 3; ++i) {
+    values[std::size_t(i)] = double{camera.position[i]};
+    values[std::size_t(i) + 3] = double{camera.target[i]};
+  }
+  return values.data();
+}
+EMSCRIPTEN_KEEPALIVE void page_set_camera(double x, double y, double z, double to_x, double to_y, double to_z) {
+  scene::Camera camera = session().scene.camera;
+  camera.position = glm::dvec3(x, y, z);
+  camera.target = glm::dvec3(to_x, to_y, to_z);
+  if (scene::has_heading(camera)) session().scene.camera = camera;
+}
+EMSCRIPTEN_KEEPALIVE void page_look(double right_deg, double up_deg) {
+  window::look(session().scene.camera, glm::radians(right_deg), glm::radians(up_deg));
+}
+EMSCRIPTEN_KEEPALIVE void page_orbit(double right_deg, double up_deg) {
+  window::orbit(session().scene.camera, glm::radians(right_deg), glm::radians(up_deg));
+}
+EMSCRIPTEN_KEEPALIVE void page_fly(double right, double up, double ahead) {
+  window::fly(session().scene.camera, right, up, ahead);
+}
+EMSCRIPTEN_KEEPALIVE void page_approach(double factor) { window::approach(session().scene.camera, factor); }
+
+EMSCRIPTEN_KEEPALIVE int page_lamp_count() { return int(session().lamps.size()); }
+EMSCRIPTEN_KEEPALIVE const char* page_lamp_name(int lamp) { return session().first_of(lamp).light.name.c_str(); }
+EMSCRIPTEN_KEEPALIVE bool page_lamp_is_carried(int lamp) { return session().first_of(lamp).carried; }
+EMSCRIPTEN_KEEPALIVE int page_lamp_copies(int lamp) {
+  return int(session().lamps[std::size_t(lamp)].lights.size());
+}
+
+/// A lamp's members, for page_set_lamp to read what the page writes there.
+EMSCRIPTEN_KEEPALIVE double* page_lamp(int lamp) {
+  static LampValues values;
+  values = values_of(session().first_of(lamp).light);
+  return values.data();
+}
+/// Changes all lights of a lamp; returns what is wrong with the members, and then changes nothing, or nothing.
+EMSCRIPTEN_KEEPALIVE const char* page_set_lamp(int lamp, const double* members) {
+  static std::string error;
+  LampValues values;
+  std::copy_n(members, values.size(), values.begin());
+  const Light light = light_of(values, session().first_of(lamp).light);
+  if (const auto wrong = check(light)) {
+    error = to_string(*wrong);
+    return error.c_str();
+  }
+  for (const std::size_t i : session().lamps[std::size_t(lamp)].lights) {
+    session().scene.lights[i].light = light;
+    session().view->set_light(i);
+  }
+  return nullptr;
+}
+
+/// A lamp's solve and its curve: intensity, peak range, extent, knee, end of the plot, number of samples; then of each
+/// sample opacity, attenuation and their product.
+EMSCRIPTEN_KEEPALIVE const double* page_curve(int lamp) {
+  static std::vector<double> values;
+  const window::RangeCurve curve =
+      window::make_range_curve(session().first_of(lamp).light, session().fog, kCurveSamples);
+  values = {curve.solved.intensity, curve.solved.peak_range, curve.solved.extent, curve.knee, curve.end,
+            double(curve.samples.size())};
+  for (const window::RangeCurve::Sample& sample : curve.samples) {
+    values.insert(values.end(), {sample.opacity, sample.attenuation, sample.product});
+  }
+  return values.data();
+}
+
+/// The visibility slider's ends and its presets.
+EMSCRIPTEN_KEEPALIVE double page_least_visibility() { return window::kLeastVisibility; }
+EMSCRIPTEN_KEEPALIVE double page_most_visibility() { return window::kMostVisibility; }
+EMSCRIPTEN_KEEPALIVE int page_preset_count() { return int(window::kVisibilityPresets.size()); }
+EMSCRIPTEN_KEEPALIVE const char* page_preset_name(int i) { return window::kVisibilityPresets[std::size_t(i)].name; }
+EMSCRIPTEN_KEEPALIVE double page_preset_metres(int i) { return window::kVisibilityPresets[std::size_t(i)].metres; }
+EMSCRIPTEN_KEEPALIVE const char* page_preset_meaning(int i) {
+  return window::kVisibilityPresets[std::size_t(i)].meaning;
+}
+
+}  // extern "C"
+
+}  // namespace litfog::browser

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "litfog/gl/fog_light_buffer.h"
+#include "litfog/gl/gl_name.h"
+#include "litfog/gl/program.h"
+#include "litfog/updater.h"
+#include "render/display.h"
+#include "render/gpu/texture.h"
+#include "render/mesh_store.h"
+#include "render/render_settings.h"
+#include "scene/scene.h"
+
+namespace litfog::browser {
+
+/// What a frame did.
+struct FrameReport {
+  std::size_t surfaces = 0;  ///< drawn; the others are out of view
+  std::size_t bytes_uploaded = 0;  ///< of the light tables
+};
+
+/// Draws a scene's surfaces, sky, lamps and lit fog by WebGL 2 into the current context's canvas: litfog's core and
+/// shaders, and what of the demo's renderer WebGL 2 can hold. No shadows.
+class View {
+ public:
+  /// Needs float framebuffers (EXT_color_buffer_float).
+  ///
+  /// scene  has to outlive this; may change its camera and, followed by set_light(), its lights
+  explicit View(const scene::Scene& scene);
+
+  /// Pixels.
+  void set_size(int width, int height);
+  /// Takes a change of a light of the scene.
+  void set_light(std::size_t light);
+  void set_fog_lighting(render::FogLighting fog_lighting);
+
+  FrameReport draw(const Fog& fog, const render::Display& display);
+
+ private:
+  struct SurfaceMaterial {
+    scene::Material material;
+    render::Texture albedo;
+    render::Texture normal;
+  };
+  /// What is drawn to, several samples a pixel.
+  struct Samples {
+    gl::FramebufferName framebuffer;
+    gl::RenderbufferName color;
+    gl::RenderbufferName depth;
+  };
+  /// Their means.
+  struct Means {
+    gl::FramebufferName framebuffer;
+    gl::TextureName color;
+  };
+
+  PlacedLight drawn_light(std::size_t light) const;
+  std::size_t draw_surfaces(const glm::mat4& clip_from_world);
+  void draw_sky();
+  void draw_light_points(const glm::mat4& clip_from_world);
+  void show(const render::Display& display);
+
+  const scene::Scene& scene_;
+  unsigned carried_count_ = 0;
+  render::FogLighting fog_lighting_ = render::FogLighting::airlight;
+  int width_ = 0;
+  int height_ = 0;
+  FogUpdater updater_;
+  std::vector<FogLightHandle> handles_;  // of the scene's lights
+  gl::FogLightBuffer light_block_;
+  render::MeshStore meshes_;
+  std::map<std::string, SurfaceMaterial> materials_;
+  gl::Program surface_program_;
+  gl::Program sky_program_;
+  gl::Program point_program_;
+  gl::Program shown_program_;
+  gl::VertexArrayName no_vertices_;
+  std::optional<Samples> drawn_;
+  std::optional<Means> resolved_;
+};
+
+}  // namespace litfog::browser
