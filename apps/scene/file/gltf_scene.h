@@ -25,7 +25,7 @@ bool is_gltf_path(const std::string& path);
 ///
 /// Materials, metallic-roughness to the Basic model: albedo = base colour (1 - metallic); specular = (n + 8) / 8 F with
 /// F = mix(0.04, base colour, metallic), the lobe's energy (Akenine-Moller et al., "Real-Time Rendering", 3rd edition,
-/// 7.8.1); shininess n = 2 / roughness^4 - 2 (Karis 2013, "Specular BRDF Reference"), at most 1000. Specular and n are
+/// 7.8.1); shininess n = 2 / roughness^4 - 2 (Karis 2013, "Specular BRDF Reference"), in [1, 1000]. Specular and n are
 /// one value a material here, so they take the mean of their textures (metallic-roughness, and base colour for F). The
 /// albedo takes metallic texel by texel, before both are filtered, where its texture has the base colour's coordinates,
 /// else its mean. COLOR_0 multiplies the base colour, but not F's. KHR_materials_unlit sends the base colour to the eye
