@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the page's script (page/page.js) calls: the scene, its lamps, and the view of it. All numbers; angles in degrees.
+// What the page's script (page/page.js) calls: the scene, its lamps, and the view of it. All numbers; angles in
+// degrees.
 
 #include <emscripten/emscripten.h>
 #include <emscripten/html5.h>
@@ -66,7 +67,19 @@ Session& session() {
 }
 
 /// The members of a lamp, in the order of page.js.
-enum LampMember { red, green, blue, constant, linear, quadratic, threshold, profile, first_angle, second, kLampMembers };
+enum LampMember {
+  red,
+  green,
+  blue,
+  constant,
+  linear,
+  quadratic,
+  threshold,
+  profile,
+  first_angle,
+  second,
+  kLampMembers
+};
 
 using LampValues = std::array<double, kLampMembers>;
 
@@ -205,10 +218,7 @@ EMSCRIPTEN_KEEPALIVE void page_approach(double factor) { window::approach(sessio
 
 EMSCRIPTEN_KEEPALIVE int page_lamp_count() { return int(session().lamps.size()); }
 EMSCRIPTEN_KEEPALIVE const char* page_lamp_name(int lamp) { return session().first_of(lamp).light.name.c_str(); }
-EMSCRIPTEN_KEEPALIVE bool page_lamp_is_carried(int lamp) { return session().first_of(lamp).carried; }
-EMSCRIPTEN_KEEPALIVE int page_lamp_copies(int lamp) {
-  return int(session().lamps[std::size_t(lamp)].lights.size());
-}
+EMSCRIPTEN_KEEPALIVE int page_lamp_copies(int lamp) { return int(session().lamps[std::size_t(lamp)].lights.size()); }
 
 /// A lamp's members, for page_set_lamp to read what the page writes there.
 EMSCRIPTEN_KEEPALIVE double* page_lamp(int lamp) {
@@ -239,7 +249,7 @@ EMSCRIPTEN_KEEPALIVE const double* page_curve(int lamp) {
   static std::vector<double> values;
   const window::RangeCurve curve =
       window::make_range_curve(session().first_of(lamp).light, session().fog, kCurveSamples);
-  values = {curve.solved.intensity, curve.solved.peak_range, curve.solved.extent, curve.knee, curve.end,
+  values = {curve.solved.intensity,      curve.solved.peak_range, curve.solved.extent, curve.knee, curve.end,
             double(curve.samples.size())};
   for (const window::RangeCurve::Sample& sample : curve.samples) {
     values.insert(values.end(), {sample.opacity, sample.attenuation, sample.product});

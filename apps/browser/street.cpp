@@ -87,9 +87,8 @@ void add_lamps(Builder& builder) {
                                               {{5.4f, 0.13f, -81}, 180.0f}});
   const double x = 5.4 - double{lamp.arm_m};
   const double y = 0.13 + double{kLampLight};
-  PlacedLight sodium{.light = bundled_light("street-lamp"), .direction = {0, -1, 0}};
-  sodium.light.color *= 1.8;
-  builder.add(sodium, {{-x, y, -6}, {-x, y, -36}, {-x, y, -66}, {x, y, -21}, {x, y, -51}, {x, y, -81}});
+  builder.add({.light = bundled_light("street-lamp"), .direction = {0, -1, 0}},
+              {{-x, y, -6}, {-x, y, -36}, {-x, y, -66}, {x, y, -21}, {x, y, -51}, {x, y, -81}});
   builder.add({.light = bundled_light("headlight-lower"), .direction = {-0.01, -0.015, 1}},
               {{-2.48, 0.61, -43.75}, {-1.32, 0.61, -43.75}});
 }
@@ -110,7 +109,6 @@ scene::Scene make_street() {
                        .sky_horizon = {0.0130f, 0.0115f, 0.0120f},
                        .star_brightness = 0.5f};
   scene.fog_top = 60;
-  scene.visibilities = {120};
   return scene;
 }
 

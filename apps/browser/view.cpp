@@ -58,8 +58,7 @@ View::View(const scene::Scene& scene)
   }
   for (const scene::Material& material : scene.materials) {
     materials_.emplace(material.name,
-                       SurfaceMaterial{material,
-                                       render::Texture(*material.albedo, render::Texture::Encoding::srgb),
+                       SurfaceMaterial{material, render::Texture(*material.albedo, render::Texture::Encoding::srgb),
                                        render::Texture(*material.normal, render::Texture::Encoding::linear)});
   }
   gl::check_fog_light_layout(shown_program_);
@@ -112,8 +111,7 @@ FrameReport View::draw(const Fog& fog, const render::Display& display) {
                       updater_.kinds(), updater_.instances(), changes);
   FrameReport report{.bytes_uploaded = updater_.statistics().bytes_dirty + sizeof(FogHeader)};
 
-  const glm::mat4 clip_from_world =
-      clip_from_view(scene_.camera, width_, height_) * view_from_world(scene_.camera);
+  const glm::mat4 clip_from_world = clip_from_view(scene_.camera, width_, height_) * view_from_world(scene_.camera);
   glBindFramebuffer(GL_FRAMEBUFFER, drawn_->framebuffer.id());
   glViewport(0, 0, width_, height_);
   glEnable(GL_DEPTH_TEST);

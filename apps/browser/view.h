@@ -20,7 +20,7 @@ namespace litfog::browser {
 
 /// What a frame did.
 struct FrameReport {
-  std::size_t surfaces = 0;  ///< drawn; the others are out of view
+  std::size_t surfaces = 0;        ///< drawn; the others are out of view
   std::size_t bytes_uploaded = 0;  ///< of the light tables
 };
 

@@ -3,7 +3,7 @@
 #
 #     core  <-  photometry, files, gl  <-  fit;   c on core and files, python on fit and files           (src)
 #     command  <-  scene  <-  render  <-  measure  <-  demo  <-  window, pictures;   bench on measure;
-#     solve and fit on command alone                                                                     (apps)
+#     solve and fit on command alone; browser on scene and what of render and window WebGL 2 can hold    (apps)
 #
 # cmake -DROOT=<the repository> -P layers_test.cmake
 
@@ -79,6 +79,8 @@ layer(apps/measure/** FORBIDDEN command/ scene/file/ ${catalogues} demo/ bench/ 
 layer(apps/demo/** FORBIDDEN solve/ fit/ bench/ window/ ${displays})
 layer(apps/window/** FORBIDDEN solve/ fit/ bench/ pictures/)
 layer(apps/pictures/** FORBIDDEN solve/ fit/ bench/ window/ ${json} ${graphics} ${images} ${displays})
+layer(apps/browser/** FORBIDDEN command/ scene/file/ measure/ demo/ solve/ fit/ bench/ ${files} ${fit} ${ceres} ${json}
+      ${images} ${displays} CLI/)
 layer(apps/solve/** apps/fit/** FORBIDDEN scene/ ${above_scene} ${gl} ${graphics})
 layer(apps/examples/** FORBIDDEN ${commands})  # they know what is installed
 layer(apps/bench/** FORBIDDEN demo/ window/ solve/ fit/ core/ gl/)  # of tests/ it may know reference/

@@ -8,7 +8,7 @@ const kStillAfter = 250;  // milliseconds without a change, after which the pict
 const kModes = {none: -1, exp: 0, exp2: 1};
 const kProfiles = ['none', 'cosine', 'smoothstep'];
 
-const state = {mode: 'exp', visibility: 120, contrast: 0.05, light: 'airlight', ev: 0, tone: 'neutral'};
+const state = {mode: 'exp', visibility: 150, contrast: 0.05, light: 'airlight', ev: 0, tone: 'neutral'};
 const text = (pointer) => UTF8ToString(pointer);
 const numbers = (pointer, count) => Array.from(HEAPF64.subarray(pointer / 8, pointer / 8 + count));
 
@@ -206,6 +206,7 @@ function changeLamp(changes) {
 
 function pickLamp(index) {
   picked = index;
+  byId('lamps').selectedIndex = index;
   byId('wrong').textContent = '';
   buildMembers();
   showLamp();
@@ -449,8 +450,7 @@ function begin() {
     const members = numbers(_page_lamp(i), kMembers.length);
     lamps.push({members, original: members});
     const copies = _page_lamp_copies(i);
-    byId('lamps').add(new Option(text(_page_lamp_name(i)) + (copies > 1 ? ` × ${copies}` : '') +
-                                 (_page_lamp_is_carried(i) ? ', of the car' : '')));
+    byId('lamps').add(new Option(text(_page_lamp_name(i)) + (copies > 1 ? ` × ${copies}` : '')));
   }
   byId('fog').querySelector('.row').after(visibility.row);
   byId('display').append(exposure.row);
