@@ -7,11 +7,10 @@ namespace litfog::measure {
 
 Comparison compare_with_reference(render::Renderer& renderer, const Progress& progress) {
   render::Picture drawn = renderer.read();
-  renderer.set_exposure({});  // errors are steps of a display that does not expose
   renderer.draw(render::LightPoints::off);
   const render::Picture shading = renderer.read();
   ReferencePicture reference = shade_reference(renderer, progress);
-  PictureError error = picture_error(shading, reference);
+  PictureError error = picture_error(shading, reference, renderer.exposure());
   return {std::move(drawn), std::move(reference.picture), std::move(error)};
 }
 

@@ -13,10 +13,10 @@ namespace litfog::measure {
 struct Comparison {
   render::Picture drawn;  ///< with the lamps' points
   render::Picture reference;
-  PictureError error;  ///< of the frame drawn without the lamps' points, for 0 EV
+  PictureError error;  ///< of the frame drawn without the lamps' points, as the renderer's exposure shows it
 };
 
-/// Compares the frame that a renderer has drawn last with its reference. The renderer's exposure is 0 EV from then on.
+/// Compares the frame that a renderer has drawn last with its reference.
 ///
 /// throws  what shade_reference throws
 Comparison compare_with_reference(render::Renderer& renderer, const Progress& progress = {});

@@ -39,7 +39,8 @@ Model::Model(const render::Renderer& renderer)
       fog_(renderer.fog()),
       scattering_{.lamp_leg = LampLeg::fogged, .asymmetry = renderer.scene().phase_g},
       materials_(renderer.materials()),
-      lights_(reference_lights(renderer.scene(), renderer.fog(), renderer.settings())),
+      lights_(reference_lights(renderer.scene(), renderer.fog(), renderer.settings(), renderer.ends_exposure())),
+      airlight_budget_(kAirlightBudget * std::exp2(-renderer.exposure())),
       eye_(renderer.scene().camera.position),
       forward_(glm::normalize(glm::dvec3(renderer.scene().camera.target) - eye_)) {
   if (!renderer.shadows()) return;
@@ -161,7 +162,7 @@ glm::dvec3 Model::airlight(const glm::dvec3& direction, double length) const {
   double left_out = 0;
   for (const auto& [most, light] : candidates) {
     left_out += most;
-    if (left_out > kAirlightBudget) sum += light->placed.light.color * airlight(*light, ray);
+    if (left_out > airlight_budget_) sum += light->placed.light.color * airlight(*light, ray);
   }
   return sum;
 }

@@ -96,7 +96,7 @@ class Model {
   bool lights_fog(const ReferenceLight& light) const { return path_.has_lit_fog && light.fog_intensity > 0; }
   /// The airlight of all lights along a ray from the eye, by the definition's integral, but for the shafts of those
   /// that cut them; 0 where the renderer lights the fog otherwise. What it leaves out adds up to less than
-  /// kAirlightBudget of white.
+  /// kAirlightBudget of what the renderer's exposure shows as white.
   ///
   /// direction  unit
   glm::dvec3 airlight(const glm::dvec3& direction, double length) const;
@@ -113,6 +113,7 @@ class Model {
   Scattering scattering_;
   std::vector<scene::Material> materials_;
   std::vector<ReferenceLight> lights_;
+  double airlight_budget_;
   std::optional<ReferenceShadows> shadows_;
   glm::dvec3 eye_;
   glm::dvec3 forward_;  // unit: the camera's axis

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Linear light in steps of PictureError.
+/// Linear light, exposed, in steps of PictureError.
 double steps(float linear) {
   constexpr double kSlopeAt1 = 1.055 / 2.4;  // of sRGB (IEC 61966-2-1)
   if (linear <= 1) return 255 * double(OIIO::linear_to_sRGB(std::max(linear, 0.0f)));
@@ -32,10 +32,14 @@ bool is_finite(const render::Picture& picture, std::size_t pixel) {
 
 }  // namespace
 
-PictureError picture_error(const render::Picture& drawn, const ReferencePicture& reference) {
+PictureError picture_error(const render::Picture& drawn, const ReferencePicture& reference, double exposure) {
   const render::Picture& exact = reference.picture;
   assert(drawn.width == exact.width && drawn.height == exact.height);
   PictureError error{.width = drawn.width, .height = drawn.height};
+  const auto gain = float(std::exp2(exposure));
+  const auto exposed = [gain](const render::Picture& picture, std::size_t pixel, std::size_t channel) {
+    return steps(gain * channels(picture, pixel)[channel]);
+  };
   double sum = 0;
   for (std::size_t pixel = 0; pixel < reference.is_at_jump.size(); ++pixel) {
     double largest = 0;
@@ -49,10 +53,10 @@ PictureError picture_error(const render::Picture& drawn, const ReferencePicture&
       continue;
     } else {
       for (std::size_t i = 0; i < 3; ++i) {
-        const double value = steps(channels(drawn, pixel)[i]);
-        largest = std::max(largest, std::abs(value - steps(channels(exact, pixel)[i])));
-        beyond = std::max({beyond, steps(channels(reference.least, pixel)[i]) - value,
-                           value - steps(channels(reference.most, pixel)[i])});
+        const double value = exposed(drawn, pixel, i);
+        largest = std::max(largest, std::abs(value - exposed(exact, pixel, i)));
+        beyond =
+            std::max({beyond, exposed(reference.least, pixel, i) - value, value - exposed(reference.most, pixel, i)});
       }
     }
     error.pixels.push_back(float(largest));

@@ -19,11 +19,11 @@ double ReferenceLight::airlight(const Fog& scene_fog, const EyeRay& ray, const S
 }
 
 std::vector<ReferenceLight> reference_lights(const scene::Scene& scene, const Fog& fog,
-                                             const render::RenderSettings& settings) {
+                                             const render::RenderSettings& settings, double exposure) {
   std::vector<ReferenceLight> lights;
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     PlacedLight placed = scene.lights[i];
-    placed.light.threshold = render::threshold_of(placed.light, settings);
+    placed.light.threshold = render::threshold_of(placed.light, settings, exposure);
     placed.light.cone = render::drawn_cone(placed.light.cone, settings);
     const Light& light = placed.light;
     const bool has_intensity = placed.carried && settings.fog_lighting == render::FogLighting::peak;

@@ -32,6 +32,6 @@ struct ReferenceLight {
 ///
 /// scene  has to outlive them: they point to its cookies
 std::vector<ReferenceLight> reference_lights(const scene::Scene& scene, const Fog& fog,
-                                             const render::RenderSettings& settings);
+                                             const render::RenderSettings& settings, double exposure = 0);
 
 }  // namespace litfog::measure

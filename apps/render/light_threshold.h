@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "litfog/light.h"
 
@@ -11,10 +12,12 @@ namespace litfog::render {
 inline double largest_component(const glm::dvec3& color) { return std::max({color.r, color.g, color.b}); }
 
 /// Where a light that is lit by airlight ends: at its own threshold, but not before its colour's largest component is
-/// below 1/255, so that no end is seen at 0 EV on surfaces or in the fog.
-inline double airlight_threshold(const Light& light) {
-  constexpr double kInvisible = 1 / 255.0;  // on a surface, that reflects a part of it
-  return std::min(light.threshold, kInvisible / std::max(largest_component(light.color), 1.0));
+/// below 1/255 as shown, so that no end is seen on surfaces or in the fog.
+///
+/// exposure  EV at which the picture is shown; below 0 the end is that of 0 EV
+inline double airlight_threshold(const Light& light, double exposure = 0) {
+  const double invisible = std::exp2(-std::max(exposure, 0.0)) / 255;  // on a surface, that reflects a part of it
+  return std::min(light.threshold, invisible / std::max(largest_component(light.color), 1.0));
 }
 
 }  // namespace litfog::render

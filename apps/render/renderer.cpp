@@ -94,7 +94,7 @@ void Renderer::set_size(int width, int height) {
 }
 
 void Renderer::set_lights() {
-  lights_ = SceneLights(scene_, settings_);
+  lights_ = SceneLights(scene_, settings_, ends_exposure_);
   light_tables_ = {};  // so that all are uploaded
   cookie_cones_ =
       BufferTexture(lights_.cookie_cones().data(), lights_.cookie_cones().size_bytes(), BufferTexture::Texel::float4);
@@ -127,6 +127,11 @@ Exposure Renderer::set_exposure(const Exposure& exposure) {
     exposure_ = auto_exposure(read());
   }
   airlight_exposure_ = exposure_;
+  // Lights' ends are those of the next whole EV, so that small changes of the exposure leave all lists as they are.
+  const double ends_exposure = std::ceil(std::max(exposure_, 0.0));
+  const bool has_other_ends = settings_.fog_lighting == FogLighting::airlight && ends_exposure != ends_exposure_;
+  ends_exposure_ = ends_exposure;
+  if (has_other_ends) set_lights();
   return {.ev = exposure_, .is_auto = exposure.is_auto};
 }
 

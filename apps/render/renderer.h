@@ -46,7 +46,7 @@ class Renderer {
   void set_fog(const Fog& fog);
   /// At which exposure frames will be shown; 0 EV until it is called. What makes less than a step of the display is
   /// left out; frames themselves are not exposed. An automatic exposure is that of a frame in the present fog, drawn
-  /// for it as for the largest exposure.
+  /// for it as for the largest exposure. By airlight an exposure above 0 EV moves the lights' ends outwards.
   ///
   /// returns  it; of an automatic one what has been chosen
   Exposure set_exposure(const Exposure& exposure);
@@ -58,6 +58,8 @@ class Renderer {
 
   const scene::Scene& scene() const { return scene_; }
   const Fog& fog() const { return fog_; }
+  double exposure() const { return exposure_; }            ///< EV
+  double ends_exposure() const { return ends_exposure_; }  ///< EV, for which lights' ends are chosen (threshold_of)
   const RenderSettings& settings() const { return settings_; }
   int width() const { return framebuffer_.width(); }
   int height() const { return framebuffer_.height(); }
@@ -91,6 +93,7 @@ class Renderer {
   RenderSettings settings_;
   Fog fog_;
   double exposure_ = 0;
+  double ends_exposure_ = 0;      // for which lights' ends are chosen
   double airlight_exposure_ = 0;  // the same, but while an automatic one is being found
   std::size_t fog_bytes_ = 0;     // uploaded by the last change of the fog
   Framebuffer framebuffer_;

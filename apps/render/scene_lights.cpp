@@ -18,21 +18,22 @@ glm::vec4 cookie_cone(const PlacedLight& light, const scene::CookieUse& use) {
 
 }  // namespace
 
-double threshold_of(const Light& light, const RenderSettings& settings) {
+double threshold_of(const Light& light, const RenderSettings& settings, double exposure) {
   const bool has_own_end = settings.fog_lighting == FogLighting::peak || settings.path->range == RangeLaw::radial;
-  return has_own_end ? light.threshold : airlight_threshold(light);
+  return has_own_end ? light.threshold : airlight_threshold(light, exposure);
 }
 
 Cone drawn_cone(const Cone& cone, const RenderSettings& settings) {
   return settings.path->maps == LightMapSet::none ? cone : mapped_cone(cone, settings.cone_maps);
 }
 
-SceneLights::SceneLights(const scene::Scene& scene, const RenderSettings& settings) : updater_(kSkipsNothing) {
+SceneLights::SceneLights(const scene::Scene& scene, const RenderSettings& settings, double exposure)
+    : updater_(kSkipsNothing) {
   for (const bool is_carried : {false, true}) {
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
       PlacedLight light = scene.lights[i];
       if (light.carried != is_carried || light.light.color == glm::dvec3(0)) continue;
-      light.light.threshold = threshold_of(light.light, settings);
+      light.light.threshold = threshold_of(light.light, settings, exposure);
       light.light.cone = drawn_cone(light.light.cone, settings);
       const bool has_end = settings.path->range != RangeLaw::unbounded;
       const double extent = has_end ? compute_extent(light.light.attenuation, light.light.threshold)

@@ -18,7 +18,8 @@ namespace litfog::render {
 /// law always at its own: that law falls to 0 there, and is brighter everywhere the farther off the end is.
 ///
 /// settings  of which the path and the fog's lighting matter
-double threshold_of(const Light& light, const RenderSettings& settings);
+/// exposure  EV at which the picture is shown; below 0 ends are those of 0 EV
+double threshold_of(const Light& light, const RenderSettings& settings, double exposure = 0);
 
 /// A light's cone as a renderer draws it: its own, but for paths whose maps hold another (mapped_cone).
 Cone drawn_cone(const Cone& cone, const RenderSettings& settings);
@@ -37,7 +38,8 @@ class SceneLights {
   /// scene  has to outlive this
   /// settings  of which the path and the fog's lighting say whether carried lights light the fog by their intensity,
   ///           and where lights end
-  SceneLights(const scene::Scene& scene, const RenderSettings& settings);
+  /// exposure  EV at which the picture is shown (threshold_of)
+  SceneLights(const scene::Scene& scene, const RenderSettings& settings, double exposure = 0);
 
   std::size_t size() const { return lights_.size(); }
   std::size_t local_count() const { return local_count_; }

@@ -35,18 +35,24 @@ TEST_F(ComparisonTest, LampsPointsAreInTheFrameButNeitherInTheReferenceNorInTheE
   EXPECT_GT(brightest_point, 0.1);
 }
 
-// A frame for a dark picture leaves out much of what a step at 0 EV is.
-TEST_F(ComparisonTest, ErrorDoesNotDependOnTheExposureOfTheFrame) {
-  const Scene scene = read_scene(bundled_scene_path("approach"));
-  Renderer renderer(scene, 64, 36, {});
-  renderer.set_fog(Fog::from_visibility(FogMode::exp, 2000.0));
-  renderer.draw();
-  const Comparison expected = compare_with_reference(renderer);
-  renderer.set_exposure({.ev = -10});
-  renderer.draw();
-  const Comparison comparison = compare_with_reference(renderer);
-  EXPECT_NE(comparison.drawn.rgb, expected.drawn.rgb);
-  EXPECT_EQ(comparison.error.pixels, expected.error.pixels);
+// A picture that is exposed shows more of the error, one for a dark display less.
+TEST_F(ComparisonTest, ErrorIsInStepsOfThePictureAsShown) {
+  const Scene scene = read_scene(bundled_scene_path("room"));
+  Renderer renderer(scene, 16, 9, {});
+  renderer.set_fog(Fog::from_visibility(FogMode::exp, 20.0));
+  for (const double ev : {4.0, -6.0}) {
+    SCOPED_TRACE(ev);
+    renderer.set_exposure({.ev = ev});
+    renderer.draw(LightPoints::off);
+    const Picture frame = renderer.read();
+    const Comparison comparison = compare_with_reference(renderer);
+    EXPECT_EQ(renderer.exposure(), ev);
+    EXPECT_LE(comparison.error.largest, 1);
+    const std::vector<std::uint8_t> no_jumps(comparison.error.pixels.size());
+    const ReferencePicture reference{comparison.reference, comparison.reference, comparison.reference, no_jumps};
+    EXPECT_EQ(picture_error(frame, reference, ev).largest, comparison.error.largest);
+    EXPECT_NE(picture_error(frame, reference).largest, comparison.error.largest);
+  }
 }
 
 }  // namespace

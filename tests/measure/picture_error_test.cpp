@@ -47,6 +47,12 @@ TEST(PictureError, StepsAreAsLargeJustAbove1AsJustBelow) {
   EXPECT_NEAR(below / above, 1, 0.01);
 }
 
+TEST(PictureError, IsThatOfTheExposedPictures) {
+  const double plain = picture_error(picture({0.4f, 1, 1}), row({0.2f, 1, 1})).largest;
+  EXPECT_EQ(picture_error(picture({0.1f, 0.25f, 0.25f}), row({0.05f, 0.25f, 0.25f}), 2).largest, plain);
+  EXPECT_EQ(picture_error(picture({0.8f, 2, 2}), row({0.4f, 2, 2}), -1).largest, plain);
+}
+
 TEST(PictureError, LightBelow0CountsAs0) { EXPECT_EQ(picture_error(picture({-1, 0, 0}), row({0, 0, 0})).largest, 0); }
 
 TEST(PictureError, ExcludedPixelsAreCountedAndNotCompared) {

@@ -423,7 +423,8 @@ TEST_F(RendererTest, LargestFiguresOfASceneGiveFinitePixels) {
 }
 
 // A floor under a lamp, in clear air, against the Basic model's diffuse term for the floor's flat colour.
-TEST_F(RendererTest, SurfacesAreDarkBeyondTheExtentAndBrightBelowTheLamp) {
+/// A floor of 40 m from 6 m above it, and a lamp 1 m above it, which ends after 3 m by its own threshold.
+Scene lamp_over_floor() {
   Scene scene;
   scene.camera = {.position = {0, 6, 0.01f}, .target = {0, 0, -0.6f}, .field_of_view = 1.6f};
   scene.models.push_back(make_model("box", {{"width_m", 40}, {"depth_m", 40}, {"height_m", 0.2}}));
@@ -435,11 +436,33 @@ TEST_F(RendererTest, SurfacesAreDarkBeyondTheExtentAndBrightBelowTheLamp) {
   lamp.direction = {0, -1, 0};
   lamp.carried = true;
   scene.lights.push_back(lamp);
+  return scene;
+}
+
+TEST_F(RendererTest, SurfacesAreDarkBeyondTheExtentAndBrightBelowTheLamp) {
+  const Scene scene = lamp_over_floor();
   const Picture picture = draw(scene, Fog{});
   const double below = pixel(picture, kWidth / 2, kHeight / 2).g;
   EXPECT_GT(below, 0.02);
   EXPECT_EQ(pixel(picture, 1, 1).g, 0);
   EXPECT_EQ(pixel(picture, kWidth - 2, kHeight - 2).g, 0);
+}
+
+// By airlight a light ends where it is 1/255 at 0 EV: for this lamp after 6 m, which the corner is farther off.
+TEST_F(RendererTest, LightsEndsMoveOutwardsWithTheExposureByAirlight) {
+  Scene scene = lamp_over_floor();
+  scene.lights[0].light.attenuation.quadratic = 254.0 / 36;
+  const auto corner_at = [](Renderer& renderer, double ev) {
+    renderer.set_exposure({.ev = ev});
+    renderer.draw();
+    return std::exp2(ev) * pixel(renderer.read(), 1, 1).g;
+  };
+  Renderer renderer(scene, kWidth, kHeight, {.fog_lighting = FogLighting::airlight});
+  EXPECT_EQ(corner_at(renderer, 0), 0);
+  EXPECT_GT(corner_at(renderer, 5.5), 1 / (255 * 12.92)) << "a step of a display, whose darkest slope is sRGB's";
+  EXPECT_EQ(corner_at(renderer, -3), 0);
+  Renderer by_peak(scene, kWidth, kHeight, {});
+  EXPECT_EQ(corner_at(by_peak, 5.5), 0) << "the papers' lights end at their own thresholds";
 }
 
 // A lamp over a box shines past it: the box alone bounds how far its shadow map reaches.
