@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "demo/picture_options.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "command/option_rule.h"
 
 namespace litfog::demo {
@@ -19,9 +22,10 @@ void add_picture_options(CLI::App& app, SceneOptions& scene, DrawingOptions& dra
   add_display(app, drawing.display);
 }
 
-void check_picture_options(const CLI::App& app, const DrawingOptions& drawing) {
-  command::check_options(app, drawing_rules(drawing));
-  command::check_options(app, shadow_rules(drawing));
+std::vector<command::OptionRule> picture_rules(const DrawingOptions& drawing) {
+  std::vector<command::OptionRule> rules = drawing_rules(drawing);
+  std::ranges::move(shadow_rules(drawing), std::back_inserter(rules));
+  return rules;
 }
 
 void check_scene_options(const CLI::App& app, const scene::Scene& scene) {

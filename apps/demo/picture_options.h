@@ -9,8 +9,8 @@ namespace litfog::demo {
 /// SCENE and every option that changes a single picture of it, whatever becomes of the picture.
 void add_picture_options(CLI::App& app, SceneOptions& scene, DrawingOptions& drawing);
 
-/// Throws the usage error of options that exclude each other.
-void check_picture_options(const CLI::App& app, const DrawingOptions& drawing);
+/// Of --fog none, of the chosen path and of --shadows.
+std::vector<command::OptionRule> picture_rules(const DrawingOptions& drawing);
 
 /// Throws the usage error of a --time or --lights that changes nothing in the scene.
 void check_scene_options(const CLI::App& app, const scene::Scene& scene);

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <deque>
-#include <iterator>
 #include <memory>
 #include <set>
 #include <sstream>
@@ -17,6 +16,7 @@
 #include "demo/heat_map.h"
 #include "demo/picture_file.h"
 #include "demo/picture_folder.h"
+#include "demo/picture_options.h"
 #include "demo/settings_page.h"
 #include "files/whole_file.h"
 #include "measure/frame_times.h"
@@ -30,17 +30,7 @@ constexpr const char* kPageFile = "index.html";
 
 void add_options(CLI::App& app, Setting& setting) {
   app.set_help_flag();
-  add_scene(app, setting.scene);
-  add_changes(app, setting.scene);
-  add_city_lights(app, setting.scene);
-  add_view(app, setting.scene);
-  add_fog_and_visibility(app, setting.drawing);
-  add_path(app, setting.drawing);
-  add_fog_light(app, setting.drawing);
-  add_shadows(app, setting.drawing);
-  add_rendering(app, setting.drawing);
-  add_time(app, setting.drawing);
-  add_display(app, setting.drawing.display);
+  add_picture_options(app, setting.scene, setting.drawing);
 }
 
 /// Words of a setting as the command line's arguments.
@@ -65,12 +55,6 @@ std::vector<std::string> arguments_of(const std::string& text, const CLI::App& a
   return arguments;
 }
 
-std::vector<command::OptionRule> rules_of(const DrawingOptions& drawing) {
-  std::vector<command::OptionRule> rules = drawing_rules(drawing);
-  std::ranges::move(shadow_rules(drawing), std::back_inserter(rules));
-  return rules;
-}
-
 using Unused = std::set<std::string>;  // options of the command line that no setting so far has a use for
 
 /// Takes from `unused` the command line's options that change the setting's picture: all but those that it states
@@ -79,7 +63,7 @@ using Unused = std::set<std::string>;  // options of the command line that no se
 /// own  whether the setting states an option itself
 template <typename IsOwn>
 void take_used(Unused& unused, const DrawingOptions& drawing, const IsOwn& is_own) {
-  std::erase_if(unused, [&, rules = rules_of(drawing)](const std::string& option) {
+  std::erase_if(unused, [&, rules = picture_rules(drawing)](const std::string& option) {
     const bool is_excluded = std::ranges::any_of(rules, [&](const command::OptionRule& rule) {
       return rule.applies && std::ranges::find(rule.excluded, option) != rule.excluded.end();
     });
@@ -96,7 +80,7 @@ Setting parse_setting(const Setting& base, const std::string& text, Unused& unus
     auto arguments = arguments_of(text, app);
     if (arguments.empty()) throw CLI::ValidationError("must not be empty");
     app.parse(arguments);
-    command::check_options(app, rules_of(setting.drawing));
+    command::check_options(app, picture_rules(setting.drawing));
     command::check_options(app, {{"--with", true, {"--size"}, "all pictures are of one size"}});
   } catch (const CLI::ParseError& error) {
     throw CLI::ValidationError(fmt::format("--with \"{}\": {}", text, error.what()));

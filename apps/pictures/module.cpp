@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "command/option_rule.h"
 #include "demo/drawing.h"
 #include "demo/picture_file.h"
 #include "demo/picture_options.h"
@@ -143,7 +144,7 @@ py::object render(const py::object& picture_class, const py::object& scene, cons
   Drawn drawn;
   try {
     app.parse(arguments_of(options, app));
-    demo::check_picture_options(app, drawing);
+    command::check_options(app, demo::picture_rules(drawing));
     const py::gil_scoped_release released;
     drawn = draw(app, scene_options, drawing);
   } catch (const CLI::ParseError& error) {
