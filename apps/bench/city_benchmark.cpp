@@ -47,6 +47,7 @@ struct Scale {
   std::vector<std::size_t> lights;
   std::size_t most_balls;       ///< lights, of the method `balls`
   std::size_t most_drawn;       ///< lights, of frames
+  std::size_t most_glowing;     ///< lights, of frames by airlight
   std::size_t drawn_in_flight;  ///< lights
   int flight_frames;
   int still_frames;
@@ -56,11 +57,12 @@ const Scale kFull{{kInfinity, 1500, 400, 50},
                   {100, 300, 1000, 3000, 10'000, 30'000, 100'000},
                   10'000,
                   10'000,
+                  1000,
                   10'000,
                   300,
                   9,
                   100'000};
-const Scale kQuick{{kInfinity, 50}, {100, 1000}, 100, 100, 100, 4, 2, 2000};
+const Scale kQuick{{kInfinity, 50}, {100, 1000}, 100, 100, 100, 100, 4, 2, 2000};
 
 // --- the flight ---
 
@@ -339,6 +341,18 @@ class CityTrials {
     frame.max_error = measure::picture_error(with_all->read(), {picture, picture, picture, no_jumps}).largest;
   }
 
+  /// A frame from the scene's camera with the airlight of `count` lights.
+  void measure_glow(double visibility, std::size_t count) {
+    scene::Scene scene = city_;
+    scene.lights.resize(count);
+    const auto renderer = renderer_of(scene, visibility, render::FogLighting::airlight);
+    Trial& glow = add("frame-airlight", visibility, count);
+    for (int i = 0; i < scale_.still_frames; ++i) {
+      glow.matter.push_back(double(renderer->draw().airlights_drawn));
+      time_frame(glow, *renderer);
+    }
+  }
+
   void measure_flight(double visibility) {
     scene::Scene scene = city_;
     scene.lights.resize(scale_.drawn_in_flight);
@@ -370,8 +384,10 @@ class CityTrials {
   }
 
   /// Has drawn a frame, because drivers compile shaders when they are first drawn with.
-  static std::unique_ptr<render::Renderer> renderer_of(const scene::Scene& scene, double visibility) {
-    auto renderer = std::make_unique<render::Renderer>(scene, kWidth, kHeight, render::RenderSettings{});
+  static std::unique_ptr<render::Renderer> renderer_of(const scene::Scene& scene, double visibility,
+                                                       render::FogLighting fog_lighting = render::FogLighting::peak) {
+    const render::RenderSettings settings{.fog_lighting = fog_lighting};
+    auto renderer = std::make_unique<render::Renderer>(scene, kWidth, kHeight, settings);
     renderer->set_fog(Fog::from_visibility(FogMode::exp, visibility));
     renderer->draw();
     return renderer;
@@ -480,6 +496,7 @@ Result measure_city(bool quick) {
       if (lights > scale.most_drawn) continue;
       progress.show(fmt::format("{}: frames with {} lights", name, lights));
       trials.measure_frames(visibility, lights);
+      if (lights <= scale.most_glowing) trials.measure_glow(visibility, lights);
     }
     progress.show(fmt::format("{}: flight", name));
     trials.measure_flight(visibility);

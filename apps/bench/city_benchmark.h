@@ -13,12 +13,13 @@ namespace litfog::bench {
 ///                light changes), clusters-fog (a change of the visibility: reaches, ranges and clusters), balls
 ///                (Wronski's test of each light in view against the ball around each cluster, one frame in 30, up to
 ///                10,000 lights); frame (a picture of 320x180 by the default path, fog lit by peak, from the scene's
-///                camera), frame-of-those (the same scene with only the lights that matter there), frame-flight (the
-///                same picture at each frame of the flight, with 10,000 lights)
+///                camera), frame-airlight (the same, fog lit by airlight, up to 1000 lights), frame-of-those (the same
+///                scene by peak with only the lights that matter there), frame-flight (the same picture at each frame
+///                of the flight, with 10,000 lights)
 /// visibility_m   inf is clear air
 /// lights         in the scene
 /// lights_that_matter  clusters, balls: in at least one cluster, median over the frames; frame: those that the picture
-///                needs (visible_lights.h)
+///                needs (visible_lights.h); frame-airlight: those whose airlight fog does not hide
 /// entries        of the light list, likewise
 /// ms             processor time, median over the frames: clusters, balls: of one thread; frames: of the process, a
 ///                software rasteriser's threads included

@@ -92,15 +92,15 @@ double display_slope(double value, double gain) {
   return gain * std::min(12.92, 0.4396 * std::pow(gain * value, 1 / 2.4 - 1));
 }
 
-/// Range from a light where cubics through pixels miss kMostError of its airlight, about k / h at a distance h.
+/// Range from a light where grids of all pixels may miss kMostError of its airlight, about k / h at a distance h.
 ///
 /// What a grid keeps of k / h has a fourth derivative of at most 81 k / range^5 (airlight.frag), or (1 + d range)^4
 /// times that where fog of density d makes it fall off faster. Of that by the fourth power of the texels' distance, a
-/// cubic through four misses 3/128.
+/// cubic through four misses 3/128, and the polynomial through six (airlight_fill.frag) half as much.
 ///
 /// gain  of the exposure
 double find_bend_range(double k, double density, double pixel, double gain) {
-  constexpr double kMissed = kSafety * 81 * 3 / 128;
+  constexpr double kMissed = kSafety * 81 * 3 / 256;
   const double step = 8 * pixel;  // of the coarsest grid, where d range matters most
   double range = step;
   for (int i = 0; i < 16; ++i) {

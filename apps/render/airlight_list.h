@@ -17,8 +17,8 @@ struct AirlightEntry {
   float light;  ///< of SceneLights
   /// Metres from the light. What a ray shows of it from beyond is left out (airlight_list_test.cpp).
   float reach;
-  /// Metres from the light where its airlight, about k / h at a distance h, bends so that cubics through pixels miss an
-  /// eighth of a step of the display. Cubics through every g-th pixel do so at g^(4/5) times that range.
+  /// Metres from the light where its airlight, about k / h at a distance h, bends so that a grid of all pixels may
+  /// miss an eighth of a step of the display. A grid of every g-th pixel may do so at g^(4/5) times that range.
   float bend_range;
   float width;  ///< metres, within which its airlight is flat; 0 for a thin beam
 };

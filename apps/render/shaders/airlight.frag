@@ -19,9 +19,21 @@ layout(location = 1) out vec4 gain;  // of airlight, where the pixel sees farthe
 
 uniform float exposure_gain;
 
-// Between samples that share an airlight: half a step of the display for a lamp as bright as its white. Brighter lamps
-// are shown at less exposure.
-float most_equal_opacities() { return 0.002 / max(exposure_gain, 1.0); }
+// Between samples that share an airlight: of opacity, half a step of the display for a lamp as bright as its white.
+// Brighter lamps are shown at less exposure.
+const float most_equal_opacities = 0.002;
+// The same, of the airlight that the opacity can bring.
+const float most_equal_airlights = 0.0006;
+
+// Bounds what a light adds to the airlight of a ray that ends between two ranges, for the fog's opacity there: of a
+// light as bright as white, or darker.
+float largest_gain(LitfogLight light, vec3 direction, float nearest, float farthest) {
+  vec3 to_light = light.position_extent.xyz - eye;
+  float range = distance(direction * clamp(dot(to_light, direction), nearest, farthest), to_light);
+  vec3 color = min(light.color_intensity.rgb, vec3(1.0));
+  return max(max(color.r, color.g), color.b) *
+         litfog_attenuation(range, light.attenuation.x, light.attenuation.y, light.attenuation.z);
+}
 
 // The airlight from the end of a ray, for the fog's opacity there.
 vec3 gain_at(LitfogLight light, vec3 direction, float range) {
@@ -69,18 +81,22 @@ void main() {
   if (share <= 0.0) return;  // not discarded: the stencil would no longer be tested before
   vec4 seen = seen_at(pixel);
   vec4 opacities = seen_opacities(seen, light.attenuation.w);
+  light.color_intensity.rgb *= share;  // before the glow chooses its nodes: what adds little needs few
+  float equal_opacities =
+      max(most_equal_opacities, most_equal_airlights / largest_gain(light, direction, seen.x, seen.w)) /
+      max(exposure_gain, 1.0);
   vec3 sum = vec3(0.0);
   int run;  // of quarters that share an airlight
   for (int first = 0; first < 4; first += run) {
     run = 1;
     float ranges = seen[first];
-    for (; first + run < 4 && opacities[first + run] - opacities[first] < most_equal_opacities(); ++run) {
+    for (; first + run < 4 && opacities[first + run] - opacities[first] < equal_opacities; ++run) {
       ranges += seen[first + run];
     }
     float range = ranges / float(run);
     sum += litfog_glow(light, eye, direction, range, asymmetry) *
            (0.25 * float(run) * lit_fraction(light_index, light, direction, range));
   }
-  airlight = vec4(share * sum, 0.0);
-  if (pixel_step > 1) gain.rgb = share * gain_at(light, direction, dot(seen, vec4(0.25)));  // the finest grid has none
+  airlight = vec4(sum, 0.0);
+  if (pixel_step > 1) gain.rgb = gain_at(light, direction, dot(seen, vec4(0.25)));  // the finest grid has none
 }

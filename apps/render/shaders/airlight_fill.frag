@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The airlight of all lights from a grid of half as many rows and columns, where that is good enough: where, brought
-// to what the pixel sees, a cubic or a straight line through texels errs little. Other pixels are left for lights one
-// by one.
+// to what the pixel sees, a polynomial through six texels or a straight line through two errs little. Other pixels are
+// left for lights one by one.
 
 #include "seen.glsl"
 
@@ -16,7 +16,8 @@ layout(location = 1) out vec4 gain;
 const float most_own_change = 0.01;      // of opacity, within the pixel, at 0 EV
 const float most_opacity_change = 0.03;  // of opacity, from a texel of the grid, at 0 EV
 const float most_error = 0.0005;         // of the display: an eighth of a step
-const float most_correction = 0.004;     // of a straight line, by a cubic: of the display, a step
+const float most_correction = 0.004;     // of a straight line, by a polynomial: of the display, a step
+const float most_depth_correction = 0.016;  // of a texel, to what the pixel sees: of the display, four steps
 
 // Slope of sRGB (IEC 61966-2-1) at a linear value below 1, exposed: what the display makes of errors of airlight that
 // nothing else outshines.
@@ -63,28 +64,35 @@ Middle middle_of(ivec2 place, ivec2 step, float opacity) {
   vec3 b = second.airlight;
   vec3 before = grid_texel(place - step, opacity).airlight;
   vec3 behind = grid_texel(place + 2 * step, opacity).airlight;
-  // At the grid's border not all of these are known: no cubic, and the bend of the inner two is not to be relied upon.
+  // At the grid's border not all of these are known: no polynomial, and the bend of the inner two is not to be relied
+  // upon.
   bool knows_bends = is_inside(place - step) && is_inside(place + 2 * step);
   bool knows_all = is_inside(place - 2 * step) && is_inside(place + 3 * step);
   vec3 first_bend = is_inside(place - step) ? before - 2.0 * a + b : vec3(0.0);
   vec3 second_bend = is_inside(place + 2 * step) ? a - 2.0 * b + behind : vec3(0.0);
   vec3 bend_before = grid_texel(place - 2 * step, opacity).airlight - 2.0 * before + a;
   vec3 bend_behind = b - 2.0 * behind + grid_texel(place + 3 * step, opacity).airlight;
-  // Where the airlight is smooth, the straight line errs by an eighth of the bend, and the cubic by 3/128 of the bend's
-  // own bend. Where it has an edge, they err by more.
+  // The bends' own bends.
+  vec3 first_turn = bend_before - 2.0 * first_bend + second_bend;
+  vec3 second_turn = first_bend - 2.0 * second_bend + bend_behind;
+  // Where the airlight is smooth, the straight line errs by an eighth of the bend. The polynomial errs by less than
+  // 3/128 of the turn, which a cubic would, and by at most 1/19 of it at the edge of a beam, where the slope is
+  // continuous and the bend is not.
   vec3 slope = display_slope(min(a, b));
   float line_error = largest(max(abs(first_bend), abs(second_bend)) * slope) / (knows_bends ? 4.0 : 2.0);
-  float cubic_error = largest(max(abs(bend_before - 2.0 * first_bend + second_bend),
-                                  abs(first_bend - 2.0 * second_bend + bend_behind)) * slope) * (3.0 / 32.0);
-  if (!knows_all || line_error > most_correction) cubic_error = 1.0;
+  float polynomial_error = largest(max(abs(first_turn), abs(second_turn)) * slope) / 14.0;
+  if (!knows_all || line_error > most_correction) polynomial_error = 1.0;
   float most_change = max(abs(first.opacity_change), abs(second.opacity_change));
   float gain_error = largest(abs(first.gain - second.gain) * slope) * most_change / 4.0;
   Middle middle;
   middle.airlight = 0.5 * (a + b);
-  if (cubic_error < most_error) middle.airlight -= (first_bend + second_bend) / 16.0;
+  if (polynomial_error < most_error) {
+    middle.airlight += (first_turn + second_turn) * (3.0 / 256.0) - (first_bend + second_bend) / 14.0;
+  }
   middle.gain = 0.5 * (first.gain + second.gain);
-  bool is_far = most_change > most_opacity_change * brighter_share();
-  middle.error = is_far ? 1.0 : max(min(line_error, cubic_error), gain_error);
+  float depth_correction = largest(max(first.gain, second.gain) * slope) * most_change;
+  bool is_far = most_change > most_opacity_change * brighter_share() || depth_correction > most_depth_correction;
+  middle.error = is_far ? 1.0 : max(min(line_error, polynomial_error), gain_error);
   return middle;
 }
 
