@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <glm/trigonometric.hpp>
-#include <map>
+#include <vector>
 
 namespace litfog::demo {
 namespace {
@@ -36,19 +36,18 @@ command::Table list_lights(const scene::Scene& scene) {
                           a.quadratic, light.threshold, compute_extent(a, light.threshold), cone_in_words(scene, index),
                           light.density_scale, carried ? "yes" : "no"});
   };
-  std::size_t next = 0;
-  for (std::size_t entry = 0; entry < scene.light_copies.size(); ++entry) {
-    add(fmt::format("lights[{}]", entry), scene.light_copies[entry], next);
-    next += scene.light_copies[entry];
+  struct Entry {
+    std::size_t count = 0;
+    std::size_t first = 0;  // of the scene's lights
+  };
+  std::vector<Entry> entries(scene.light_members.size());
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    Entry& entry = entries[scene.light_entries[i]];
+    if (entry.count++ == 0) entry.first = i;
   }
-  if (!scene.has_city) {
-    for (; next < scene.lights.size(); ++next) add("", 1, next);
-    return table;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (entries[i].count > 0) add(scene.light_members[i], entries[i].count, entries[i].first);
   }
-  std::map<std::string, std::pair<std::size_t, std::size_t>> kinds;  // by name: how many, and the first one
-  for (; next < scene.lights.size(); ++next)
-    ++kinds.try_emplace(scene.lights[next].light.name, 0, next).first->second.first;
-  for (const auto& [name, kind] : kinds) add("city", kind.first, kind.second);
   return table;
 }
 

@@ -21,6 +21,7 @@
 namespace litfog::render {
 namespace {
 
+constexpr unsigned kDrawnAtOnce = 100;      // lights, between which an interruption may come
 constexpr int kGridSteps[] = {8, 4, 2, 1};  // pixels
 constexpr double kMostApart = 0.06;         // radians between a grid's texels: airlight is not known to be smoother
 constexpr int kBlock = 8;                   // of airlight_blocks.glsl: texels
@@ -139,12 +140,13 @@ AirlightList AirlightPainter::list(const Fog& fog, double exposure) {
 }
 
 void AirlightPainter::draw(const AirlightList& list, const Framebuffer& framebuffer, const View& view, const Fog& fog,
-                           double exposure, bool is_seen_by_alpha) {
+                           double exposure, bool is_seen_by_alpha, Interruption& interruption) {
   if (list.entries.empty()) return;
   const double most_apart = std::max(1.0, kMostApart * pixels_per_radian());
   const auto coarsest = std::ranges::find_if(grids_, [&](const Grid& grid) { return grid.step <= most_apart; });
   const std::span<const Grid> grids(coarsest, grids_.end());
-  const Frame frame{framebuffer, view, fog.mode, list.ranges, float(std::exp2(exposure)), grids.front().step};
+  const Frame frame{framebuffer,        view,        fog.mode, list.ranges, float(std::exp2(exposure)),
+                    grids.front().step, interruption};
   glBindVertexArray(vertex_array_.id());
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
@@ -158,7 +160,7 @@ void AirlightPainter::draw(const AirlightList& list, const Framebuffer& framebuf
   use(seen_program_, frame, grids.back());
   glDrawArrays(GL_TRIANGLES, 0, 3);
 
-  for (std::size_t i = 0; i < grids.size(); ++i) {
+  for (std::size_t i = 0; i < grids.size() && !interruption.has_come(); ++i) {
     const Grid& grid = grids[i];
     glBindFramebuffer(GL_FRAMEBUFFER, grid.framebuffer.id());
     glClear(GL_COLOR_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
@@ -255,8 +257,11 @@ void AirlightPainter::draw_lights(const Frame& frame, const Grid& grid, Part par
     set_uniform(program, "is_packed", unsigned{part == Part::packed});
     set_uniform(program, "block_angle", float(kBlock * grid.step * std::numbers::sqrt2 / pixels_per_radian()));
     set_uniform(program, "target_from_picture", glm::vec4(scale, offset));
-    glUniform1i(program.uniform("first_entry"), GLint(range.first));
-    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, GLsizei(range.count));
+    const unsigned most = frame.interruption.can_come() ? kDrawnAtOnce : range.count;
+    for (unsigned drawn = 0; drawn < range.count && !frame.interruption.has_come(); drawn += most) {
+      glUniform1i(program.uniform("first_entry"), GLint(range.first + drawn));
+      glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, GLsizei(std::min(most, range.count - drawn)));
+    }
   }
   glDisable(GL_BLEND);
 }

@@ -14,6 +14,7 @@
 #include "render/airlight_list.h"
 #include "render/gpu/data_texture.h"
 #include "render/gpu/framebuffer.h"
+#include "render/interruption.h"
 #include "render/scene_lights.h"
 #include "render/shadow_maps.h"
 #include "scene/scene.h"
@@ -52,8 +53,9 @@ class AirlightPainter {
   /// Adds that of the list to a resolved framebuffer. The lights and the cookies are bound to their units.
   ///
   /// is_seen_by_alpha  the framebuffer's alpha is the fraction of it that is seen
+  /// interruption      after which it draws no more
   void draw(const AirlightList& list, const Framebuffer& framebuffer, const View& view, const Fog& fog, double exposure,
-            bool is_seen_by_alpha);
+            bool is_seen_by_alpha, Interruption& interruption);
 
  private:
   /// Airlight in floats: half floats would lose what faint lights add to bright ones.
@@ -85,6 +87,7 @@ class AirlightPainter {
     const std::vector<AirlightList::Range>& lights;
     float exposure_gain;
     int coarsest_step;  // of the grids that the field of view allows
+    Interruption& interruption;
   };
 
   double pixels_per_radian() const;  ///< at the middle of the picture

@@ -9,6 +9,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <iterator>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "litfog/fog_light_block.h"
@@ -175,7 +176,8 @@ double Renderer::count_lights_per_fragment() {
   for (PlannedSurface& surface : plan.surfaces) surface.is_fog_alone = false;
   const Framebuffer counts(width(), height(), Passes::several, samples());  // in floats: halves end at 65,504
   begin_frame(counts, glm::vec3(0));
-  surfaces_.draw(light_count_path(), plan, view.clip_from_world, nullptr);
+  Interruption whole;
+  surfaces_.draw(light_count_path(), plan, view.clip_from_world, nullptr, whole);
   end_depths();
   counts.resolve();
   const Picture counted = counts.read();
@@ -214,7 +216,12 @@ FrameCounts Renderer::draw_stages(LightPoints light_points, FrameStatistics* sta
   if (cookies_) cookies_->bind(kCookieUnit);
   cookie_cones_.bind(kCookieConeUnit);
   if (shadows_) shadows_->bind();
-  counts.bytes_uploaded += surfaces_.draw(*settings_.path, plan, view.clip_from_world, shadows());
+  Interruption interruption(is_unwanted_);
+  counts.bytes_uploaded += surfaces_.draw(*settings_.path, plan, view.clip_from_world, shadows(), interruption);
+  if (interruption.has_come()) {
+    end_depths();
+    throw Interrupted{};
+  }
   clock.end(&StageTimes::surfaces);
   glDepthMask(GL_FALSE);
   if (counts.sky != SkyDrawing::background) {
@@ -230,7 +237,8 @@ FrameCounts Renderer::draw_stages(LightPoints light_points, FrameStatistics* sta
   framebuffer_.resolve();
   clock.end(&StageTimes::resolve);
   if (airlight_) {
-    airlight_->draw(airlights, framebuffer_, view, fog_, airlight_exposure_, has_panes());
+    airlight_->draw(airlights, framebuffer_, view, fog_, airlight_exposure_, has_panes(), interruption);
+    if (interruption.has_come()) throw Interrupted{};
     counts.airlights_drawn = airlights.entries.size();
     counts.airlights_invisible = lights_.size() - airlights.entries.size();
     counts.bytes_uploaded += airlights.entries.size() * sizeof(AirlightEntry);
@@ -245,7 +253,9 @@ FrameCounts Renderer::draw_stages(LightPoints light_points, FrameStatistics* sta
 void Renderer::draw_geometry(const GeometryBuffer& geometry) {
   geometry.begin();
   glEnable(GL_CULL_FACE);
-  surfaces_.draw(geometry_path(*settings_.path), planner_.plan_geometry(clip_from_world()), clip_from_world(), nullptr);
+  Interruption whole;
+  surfaces_.draw(geometry_path(*settings_.path), planner_.plan_geometry(clip_from_world()), clip_from_world(), nullptr,
+                 whole);
   geometry.end();
   gl::check_errors("drawing the geometry");
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "litfog/gl/fog_light_buffer.h"
@@ -50,6 +51,9 @@ class Renderer {
   ///
   /// returns  it; of an automatic one what has been chosen
   Exposure set_exposure(const Exposure& exposure);
+  /// Lets draw() and set_exposure() end with Interrupted as soon as a function says that the frame is unwanted, which
+  /// asking delays a little. An empty one never does.
+  void interrupt_when(std::function<bool()> is_unwanted) { is_unwanted_ = std::move(is_unwanted); }
   /// Draws a frame and waits for it.
   FrameCounts draw(LightPoints light_points = LightPoints::on);
   /// Draws a frame as if the view had changed, stage by stage, and looks at it closely. Takes longer than draw().
@@ -92,6 +96,7 @@ class Renderer {
   const scene::Scene& scene_;
   RenderSettings settings_;
   Fog fog_;
+  std::function<bool()> is_unwanted_;
   double exposure_ = 0;
   double ends_exposure_ = 0;      // for which lights' ends are chosen
   double airlight_exposure_ = 0;  // the same, but while an automatic one is being found

@@ -13,6 +13,8 @@
 namespace litfog::render {
 namespace {
 
+constexpr std::size_t kDrawnAtOnce = 500;  // surfaces, between which an interruption may come
+
 void set_blend(Blend blend) {
   (blend == Blend::replace ? glDisable : glEnable)(GL_BLEND);
   switch (blend) {
@@ -87,12 +89,14 @@ void SurfacePainter::set_lights() {
 void SurfacePainter::set_fog() { fog_lights_ = fog_lights(lights_, settings_.path_skipping()); }
 
 std::size_t SurfacePainter::draw(const LightingPath& path, const FramePlan& plan, const glm::mat4& clip_from_world,
-                                 const ShadowMaps* shadows) {
+                                 const ShadowMaps* shadows, Interruption& interruption) {
   Frame frame{.path = path, .clip_from_world = clip_from_world, .shadows = shadows, .number = ++frames_};
   if (path.has_several_passes()) glEnable(GL_STENCIL_TEST);
   select_samples(0);
   surfaces_.meshes().bind();
-  for (const PlannedSurface& surface : plan.surfaces) {
+  for (std::size_t i = 0; i < plan.surfaces.size(); ++i) {
+    if (i % kDrawnAtOnce == 0 && interruption.has_come()) break;
+    const PlannedSurface& surface = plan.surfaces[i];
     if (settings_.path->draws_panes() && surface.surface->material->is_pane()) continue;
     draw_surface(frame, surface, plan.lights_of(surface));
   }

@@ -7,6 +7,7 @@
 
 #include "litfog/gl/fog_light_buffer.h"
 #include "render/frame_plan.h"
+#include "render/interruption.h"
 #include "render/light_map_store.h"
 #include "render/light_selection.h"
 #include "render/render_settings.h"
@@ -33,10 +34,11 @@ class SurfacePainter {
   void set_fog();
   /// Draws the surfaces of a plan but for its panes. Its light list is bound to its unit.
   ///
-  /// shadows  of the lamps; drawn and bound. Null: none
-  /// returns  bytes that the draws were passed
+  /// shadows       of the lamps; drawn and bound. Null: none
+  /// interruption  after which it draws no more
+  /// returns       bytes that the draws were passed
   std::size_t draw(const LightingPath& path, const FramePlan& plan, const glm::mat4& clip_from_world,
-                   const ShadowMaps* shadows);
+                   const ShadowMaps* shadows, Interruption& interruption);
   /// Whether there are panes that draw() leaves out.
   bool has_panes() const { return settings_.path->draws_panes() && surfaces_.has_panes(); }
   /// Draws a plan's panes likewise, triangle by triangle from the farthest to the nearest. Premultiplied by their

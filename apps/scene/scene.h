@@ -85,8 +85,10 @@ struct Scene {
   std::vector<Model> models;
   std::vector<Instance> instances;
   std::vector<PlacedLight> lights;
-  std::vector<std::size_t> light_copies;  ///< how many of `lights` each entry of a scene file's "lights" makes, in
-                                          ///< order; those of a city follow, and those of a glTF file have no entries
+  /// The members of its file that state lights: "lights[2]", "city.window". Each light of a glTF file has one, as if it
+  /// stood in a scene file.
+  std::vector<std::string> light_members;
+  std::vector<std::size_t> light_entries;  ///< of each light, which of these it comes from
   bool has_city = false;  ///< whether lights and instances are those of a generated city (model/city.h), too
   std::vector<Cookie> cookies;
   std::map<std::size_t, CookieUse> cookie_uses;              ///< by their lights, whose cones are none

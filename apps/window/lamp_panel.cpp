@@ -108,12 +108,6 @@ void draw_controls(Session& session, std::size_t index) {
   }
   ImGui::TextDisabled("%s%s", placed.carried ? "carried" : "local",
                       copies > 1 ? fmt::format(", {} copies", copies).c_str() : "");
-  const bool can_change = session.can_change(index);
-  if (!can_change) {
-    ImGui::SameLine();
-    ImGui::TextDisabled("of no scene file's entry: stays as it is");
-  }
-  ImGui::BeginDisabled(!can_change);
   bool is_changed = slide("Constant", light.attenuation.constant, 0, 20, "%.4g", ImGuiSliderFlags_Logarithmic);
   is_changed |= slide("Linear", light.attenuation.linear, 0, 10, "%.4g / m", ImGuiSliderFlags_Logarithmic);
   is_changed |= slide("Quadratic", light.attenuation.quadratic, 0, 10, "%.4g / m\u00b2", ImGuiSliderFlags_Logarithmic);
@@ -126,7 +120,6 @@ void draw_controls(Session& session, std::size_t index) {
   is_changed |= draw_color(light.color);
   const auto error = check(light);
   if (is_changed && !error) session.change(index, light);
-  ImGui::EndDisabled();
 }
 
 /// A plot's place on the screen, and what it shows.

@@ -46,7 +46,9 @@ class Easel {
     phase_g_ = scene.phase_g;
   }
 
-  DrawnPicture draw(const render::Display& display, bool is_sketch) {
+  /// is_unwanted  Renderer::interrupt_when
+  DrawnPicture draw(const render::Display& display, bool is_sketch, std::function<bool()> is_unwanted) {
+    renderer_->interrupt_when(std::move(is_unwanted));
     render::Exposure exposure = display.exposure;
     if (exposure.is_auto && is_sketch && chosen_) {
       renderer_->set_exposure({.ev = *chosen_});
@@ -111,6 +113,11 @@ bool PictureMaker::is_busy() const {
   return is_busy_ || next_;
 }
 
+bool PictureMaker::is_unwanted(const PictureOrder& begun) const {
+  const std::lock_guard lock(mutex_);
+  return is_ended_ || (next_ && next_->is_sketch && !begun.is_sketch);
+}
+
 std::string PictureMaker::gl_renderer() const {
   const std::lock_guard lock(mutex_);
   return gl_renderer_;
@@ -142,8 +149,12 @@ void PictureMaker::work(scene::Scene scene) try {
         const demo::DrawingOptions& options = order.settings[i];
         scene.phase_g = options.phase_g.value_or(own_phase_g);
         easels[i].set(scene, order, options);
-        delivery.pictures.push_back(easels[i].draw(options.display.display_for(scene), order.is_sketch));
+        delivery.pictures.push_back(easels[i].draw(options.display.display_for(scene), order.is_sketch,
+                                                   [this, &order] { return is_unwanted(order); }));
       }
+    } catch (const render::Interrupted&) {
+      lock.lock();
+      continue;
     } catch (const gl::Unsupported& missing) {  // of these settings: others may do
       delivery.pictures.clear();
       delivery.error = missing.what();

@@ -56,11 +56,12 @@ class PictureMaker {
  public:
   /// deliver  called on that thread when something can be taken
   PictureMaker(scene::Scene scene, std::function<void()> deliver);
-  ~PictureMaker();  ///< waits for the picture being drawn
+  ~PictureMaker();
   PictureMaker(const PictureMaker&) = delete;
   PictureMaker& operator=(const PictureMaker&) = delete;
 
-  /// Draws these pictures next. An order that has not been begun is forgotten.
+  /// Draws these pictures next. An order that has not been begun is forgotten, and one that is no sketch is given up
+  /// for a sketch: a view that begins to move need not wait for its last picture.
   void order(PictureOrder order);
   /// The last delivery, once. Throws what the thread ended with: gl::Unsupported where there is no OpenGL 3.3.
   std::optional<Delivery> take();
@@ -70,6 +71,7 @@ class PictureMaker {
 
  private:
   void work(scene::Scene scene);
+  bool is_unwanted(const PictureOrder& begun) const;
 
   std::function<void()> deliver_;
   mutable std::mutex mutex_;  // of all below but the thread

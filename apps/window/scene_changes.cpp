@@ -84,17 +84,10 @@ std::vector<double> rounded(const glm::vec3& v) {  // as short as floats that re
 
 }  // namespace
 
-std::vector<std::optional<std::size_t>> entries_of_lights(const scene::Scene& scene) {
-  std::vector<std::optional<std::size_t>> entries;
-  for (std::size_t i = 0; i < scene.light_copies.size(); ++i) entries.insert(entries.end(), scene.light_copies[i], i);
-  entries.resize(scene.lights.size());
-  return entries;
-}
-
-std::vector<scene::SceneChange> changes_of(std::size_t entry, const Light& from, const Light& to) {
+std::vector<scene::SceneChange> changes_of(const std::string& light, const Light& from, const Light& to) {
   std::vector<scene::SceneChange> changes;
   const auto add = [&](const char* member, const Json& value) {
-    changes.push_back({fmt::format("lights[{}].{}", entry, member), value.dump()});
+    changes.push_back({light + "." + member, value.dump()});
   };
   const auto compare = [&](const char* member, double was, double is) {
     if (was != is) add(member, is);

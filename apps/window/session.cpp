@@ -22,13 +22,15 @@ Session::Session(demo::SceneOptions given, scene::Scene scene, const demo::Drawi
       camera(scene.camera),
       given_(std::move(given)),
       scene_(std::move(scene)),
-      entries_(entries_of_lights(scene_)),
       lights_(std::make_shared<const std::vector<PlacedLight>>(scene_.lights)) {
   for (demo::DrawingOptions& each : settings) {
     if (!each.visibility) each.visibility = scene::suggested_visibility(scene_);
   }
-  for (std::size_t i = 0; i < entries_.size(); ++i) {
-    if (i == 0 || !are_copies(i - 1, i)) firsts_.push_back(i);
+  std::vector<bool> is_met(scene_.light_members.size());
+  for (std::size_t i = 0; i < scene_.lights.size(); ++i) {
+    const std::size_t entry = scene_.light_entries[i];
+    if (!is_met[entry]) firsts_.push_back(i);
+    is_met[entry] = true;
   }
 }
 
@@ -40,7 +42,7 @@ void Session::split(bool on) {
 }
 
 std::size_t Session::copies(std::size_t which) const {
-  return entries_[which] ? std::size_t(std::ranges::count(entries_, entries_[which])) : 1;
+  return std::size_t(std::ranges::count(scene_.light_entries, scene_.light_entries[which]));
 }
 
 void Session::change(std::size_t which, const Light& changed) {
@@ -56,15 +58,15 @@ void Session::change(std::size_t which, const Light& changed) {
 }
 
 bool Session::is_changed(std::size_t which) const {
-  return !changes_of(0, scene_.lights[which].light, lights()[which].light).empty();
+  return !changes_of("", scene_.lights[which].light, lights()[which].light).empty();
 }
 
 std::vector<scene::SceneChange> Session::changes() const {
   std::vector<scene::SceneChange> all = given_.changes;
   if (given_.city_lights > 0) all.push_back({"city.lights", std::to_string(given_.city_lights)});
   for (const std::size_t i : firsts_) {
-    if (!entries_[i]) continue;
-    const auto changes = changes_of(*entries_[i], scene_.lights[i].light, lights()[i].light);
+    const std::string& member = scene_.light_members[scene_.light_entries[i]];
+    const auto changes = changes_of(member, scene_.lights[i].light, lights()[i].light);
     all.insert(all.end(), changes.begin(), changes.end());
   }
   return all;

@@ -42,14 +42,12 @@ class Session {
 
   const scene::Scene& scene() const { return scene_; }  ///< as it was given
   const std::vector<PlacedLight>& lights() const { return *lights_; }
-  /// Whether a light's entry in a scene file could state changes of it.
-  bool can_change(std::size_t light) const { return entries_[light].has_value(); }
-  /// How many lights change with one: the copies of its entry.
+  /// How many lights change with one: those that the same member of the file states.
   std::size_t copies(std::size_t light) const;
-  /// The first light of each entry, and each light that comes from none.
+  /// The first light of each such member.
   const std::vector<std::size_t>& firsts() const { return firsts_; }
   /// Whether two lights are one, or copies of each other.
-  bool are_copies(std::size_t a, std::size_t b) const { return a == b || (entries_[a] && entries_[a] == entries_[b]); }
+  bool are_copies(std::size_t a, std::size_t b) const { return scene_.light_entries[a] == scene_.light_entries[b]; }
   /// Takes another light in the place of one, and of its copies. Those keep their names.
   ///
   /// changed  check() finds nothing wrong with it
@@ -73,7 +71,6 @@ class Session {
  private:
   demo::SceneOptions given_;
   scene::Scene scene_;
-  std::vector<std::optional<std::size_t>> entries_;
   std::vector<std::size_t> firsts_;
   std::shared_ptr<const std::vector<PlacedLight>> lights_;
   bool was_split_ = false;

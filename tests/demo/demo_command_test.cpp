@@ -825,6 +825,9 @@ TEST_F(DemoCommand, LightsAreListedAsTheirMembersAreSet) {
     count += double(approach[i]["lights"]);
   }
   EXPECT_EQ(count, 1148);
+  const auto city = nlohmann::json::parse(run("list lights city --format json").out);
+  EXPECT_EQ(city.at(0)["member"], "city.street_lamp");
+  EXPECT_EQ(city.at(0)["lights"], 32);
   const std::string changed = run("list lights one.json --set lights[0].carried=true --format csv").out;
   EXPECT_NE(changed.find("lights[0],1,a lamp,1,3,1,1,0,0.1,0.05,"), std::string::npos) << changed;
   EXPECT_NE(changed.find(",all around,1,yes\n"), std::string::npos) << changed;

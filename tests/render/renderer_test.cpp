@@ -270,6 +270,30 @@ TEST_F(RendererTest, ChangedLightsCameraAndSizeGiveThePictureOfANewRenderer) {
   }
 }
 
+TEST_F(RendererTest, InterruptedFrameLeavesTheNextOneAsItIs) {
+  const Scene scene = read_scene(bundled_scene_path("room"));
+  Renderer renderer(scene, 40, 24, {.fog_lighting = FogLighting::airlight});
+  renderer.set_fog(Fog::from_visibility(FogMode::exp, 40.0));
+  renderer.draw();
+  const std::vector<float> whole = renderer.read().rgb;
+  int interruptions = 0;
+  for (bool is_interrupted = true; is_interrupted; interruptions += is_interrupted) {
+    int asked = 0;
+    renderer.interrupt_when([&] { return asked++ == interruptions; });
+    is_interrupted = false;
+    try {
+      renderer.draw();
+    } catch (const Interrupted&) {
+      is_interrupted = true;
+    }
+    EXPECT_EQ(asked, interruptions + (is_interrupted ? 1 : 0));  // and no more
+    renderer.interrupt_when({});
+    renderer.draw();
+    EXPECT_EQ(renderer.read().rgb, whole) << interruptions;
+  }
+  EXPECT_GT(interruptions, 5);
+}
+
 TEST_F(RendererTest, MoreSamplesThanTheDriverHasAreUnsupported) {
   EXPECT_THROW(draw(open_air(Cone{}), Fog{}, {.samples = 1 << 16}), gl::Unsupported);
 }

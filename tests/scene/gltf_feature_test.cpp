@@ -110,6 +110,33 @@ TEST_F(GltfFeature, BlendedMaterialIsAPaneOfItsAlphaWithAMaskAtHalf) {
   EXPECT_FALSE(read_file().materials.at(0).opacity);
 }
 
+TEST_F(GltfFeature, LightsChangeAsIfASceneFileStatedThem) {
+  const Light before = read_file().lights.at(0).light;
+  const auto changed = [&](const std::string& member, const std::string& value) {
+    return read_scene(path("scene.gltf"), {}, {{"lights[0].threshold", "0.25"}, {member, value}}).lights.at(0).light;
+  };
+  const Light light = changed("lights[0].cone", R"({"profile": "smoothstep", "inner_deg": 10, "outer_deg": 30})");
+  EXPECT_EQ(light.threshold, 0.25);
+  EXPECT_EQ(light.cone.profile, ConeProfile::smoothstep);
+  EXPECT_EQ(light.attenuation, before.attenuation);
+  EXPECT_EQ(light.color, before.color);
+  EXPECT_EQ(light.name, "lamp");
+  EXPECT_EQ(changed("lights[0].color", "[1, 2, 3]").color, glm::dvec3(1, 2, 3));
+  const auto error = [&](const std::string& member, const std::string& value) -> std::string {
+    try {
+      changed(member, value);
+    } catch (const InputError& bad) {
+      return bad.what();
+    }
+    return "no error";
+  };
+  EXPECT_EQ(error("lights[0].threshold", "7"), "--set: lights[0].light.threshold = 7: must be in (0, 1); 7 % is 0.07");
+  EXPECT_EQ(error("lights[1].threshold", "0.1"), "--set: lights[1]: is not there: the last one is lights[0]");
+  EXPECT_EQ(error("lights[0].position", "[1, 2, 3]"), "--set: \"position\": must be one of light, color");
+  EXPECT_EQ(error("fog_top_m", "9"),
+            "--set: fog_top_m: must be a member of a light, such as lights[0].color: a glTF file has no others");
+}
+
 TEST_F(GltfFeature, EmissionKeepsItsTexelsAndItsStrength) {
   const std::vector<std::uint8_t> rgba{10, 20, 30, 255, 200, 220, 240, 255};
   material()["emissiveTexture"] = {{"index", add_texture(rgba)}};

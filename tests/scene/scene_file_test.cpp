@@ -428,7 +428,8 @@ TEST_F(SceneChanges, MembersOfALightFileChangeForTheirEntryAlone) {
   EXPECT_EQ(scene.lights[2].light.attenuation.quadratic, 0.1);
   EXPECT_EQ(scene.lights[2].light.threshold, before.lights[2].light.threshold);
   EXPECT_NE(std::ranges::find(scene.files, (directory_.path() / "lamp.json").string()), scene.files.end());
-  EXPECT_EQ(scene.light_copies, (std::vector<std::size_t>{2, 1}));
+  EXPECT_EQ(scene.light_members, (std::vector<std::string>{"lights[0]", "lights[1]"}));
+  EXPECT_EQ(scene.light_entries, (std::vector<std::size_t>{0, 0, 1}));
 }
 
 TEST_F(SceneChanges, MembersOfTheSceneChangeInTheOrderGiven) {

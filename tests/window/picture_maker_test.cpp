@@ -55,6 +55,21 @@ class PictureMakerTest : public GlTest {
   scene::Scene scene_;
 };
 
+TEST_F(PictureMakerTest, SketchNeedNotWaitForTheWholePictureBefore) {
+  PictureMaker maker(scene_, [] {});
+  maker.order(order(8, 8));
+  wait(maker);  // all is uploaded
+  maker.order(order(2400, 1350));
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));  // it takes seconds
+  PictureOrder sketch = order(48, 27);
+  sketch.is_sketch = true;
+  maker.order(sketch);
+  const Delivery delivery = wait(maker);
+  EXPECT_TRUE(delivery.order.is_sketch);
+  EXPECT_EQ(delivery.pictures[0].pixels, drawn_by_demo(sketch, 0));
+  EXPECT_FALSE(maker.is_busy());
+}
+
 TEST_F(PictureMakerTest, PicturesAreThoseOfLitfogDemoWhateverHasBeenChanged) {
   PictureMaker maker(scene_, [] {});
   PictureOrder next = order(48, 27);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "command/temporary_directory.h"
@@ -91,14 +92,25 @@ TEST(Session, CommandHasTheGivenAndTheMovedCamera) {
   EXPECT_TRUE(other.own_camera());
 }
 
-TEST(Session, LightsOfNoFilesEntryStayAsTheyAre) {
-  scene::Scene scene = street_scene();
-  scene.lights.push_back(scene.lights.front());  // as of a city
-  const Session session({.scene = "street"}, scene, {});
-  EXPECT_TRUE(session.can_change(0));
-  EXPECT_FALSE(session.can_change(scene.lights.size() - 1));
-  EXPECT_EQ(session.copies(scene.lights.size() - 1), 1u);
-  EXPECT_EQ(session.firsts().back(), scene.lights.size() - 1);
+TEST(Session, LightsOfACityChangeWithAllOfTheirKind) {
+  const std::string path = scene::bundled_scene_path("city");
+  const scene::Scene city = scene::read_scene(path);
+  Session session({.scene = "city"}, city, {});
+  const std::size_t last = city.lights.size() - 1;
+  Light light = city.lights[last].light;
+  const auto kind = std::size_t(
+      std::ranges::count_if(city.lights, [&](const PlacedLight& each) { return each.light.name == light.name; }));
+  EXPECT_EQ(session.copies(last), kind);
+  EXPECT_EQ(session.firsts().size(), 4u);
+  light.threshold = 0.2;
+  session.change(last, light);
+  const auto changes = session.changes();
+  ASSERT_EQ(changes.size(), 1u);
+  EXPECT_EQ(changes[0].member + "=" + changes[0].value, "city.shop_window.threshold=0.2");
+  const scene::Scene again = scene::read_scene(path, {}, changes);
+  for (std::size_t i = 0; i <= last; ++i) {
+    EXPECT_EQ(again.lights[i].light.threshold, session.lights()[i].light.threshold) << i;
+  }
 }
 
 TEST(Session, WipedPictureHasItsLeftFromOneAndItsRightFromTheOther) {

@@ -313,6 +313,8 @@ class GltfReader {
     if (!(brightest / knee_square <= kMaxColor)) {
       fail_at(light, "range", "must not end a light where it shows more than 2500 times the display's white");
     }
+    scene_.light_entries.push_back(scene_.lights.size());
+    scene_.light_members.push_back(fmt::format("lights[{}]", scene_.lights.size()));
     scene_.lights.push_back(placed);
     if (scene_.lights.size() > kMaxSceneLights) index.fail(fmt::format("lights must be at most {}", kMaxSceneLights));
     if (is_carried && ++carried_ > kMaxFogLights) {

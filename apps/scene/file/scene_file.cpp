@@ -10,10 +10,12 @@
 #include <map>
 #include <numbers>
 #include <random>
+#include <set>
 #include <stdexcept>
 
 #include "command/bundled_data.h"
 #include "command/exit_status.h"
+#include "command/number.h"
 #include "command/printable.h"
 #include "files/hint.h"
 #include "files/json_document.h"
@@ -69,6 +71,16 @@ glm::dvec3 position_of(const JsonValue& value) {
   const glm::dvec3 position = value.vec3();
   if (!is_position(position)) value.fail(kPositionRule);
   return position;
+}
+
+/// Fails where a light file states what the renderer's floats cannot hold.
+const Light& checked(const JsonValue& value, const Light& light) {
+  if (!is_color(light.color)) value.fail(value.path() + ".color", "", kColorRule);
+  if (!(light.density_scale <= kMaxDensityScale)) {
+    value.fail(value.path() + ".density_scale", fmt::format("{}", light.density_scale),
+               fmt::format("must be at most {}", kMaxDensityScale));
+  }
+  return light;
 }
 
 glm::vec3 color_or(const JsonValue& object, std::string_view name, const glm::vec3& absent) {
@@ -280,16 +292,6 @@ class SceneReader {
     return checked(value, entry->second);
   }
 
-  /// Fails where a light file states what the renderer's floats cannot hold.
-  static const Light& checked(const JsonValue& value, const Light& light) {
-    if (!is_color(light.color)) value.fail(value.path() + ".color", "", kColorRule);
-    if (!(light.density_scale <= kMaxDensityScale)) {
-      value.fail(value.path() + ".density_scale", fmt::format("{}", light.density_scale),
-                 fmt::format("must be at most {}", kMaxDensityScale));
-    }
-    return light;
-  }
-
   void read_light_entry(const JsonValue& value) {
     value.allow_only(kLightEntryMembers);
     PlacedLight light{.light = read_kind(value.member("light")), .position = position_of(value.member("position"))};
@@ -315,9 +317,9 @@ class SceneReader {
     }
     const double turn_rate = glm::radians(number_in_or(value, "turn_deg_per_s", -3600, 3600, 0));
     if (const auto carried = value.optional("carried")) light.carried = carried->boolean();
-    scene_.light_copies.push_back(0);
+    scene_.light_members.push_back(value.path());
     for (const glm::dvec3& position : read_repeat(value, light.position)) {
-      ++scene_.light_copies.back();
+      scene_.light_entries.push_back(scene_.light_members.size() - 1);
       light.position = position;
       if (cookie) scene_.cookie_uses.emplace(scene_.lights.size(), *cookie);
       if (mount) scene_.mounts.emplace(scene_.lights.size(), *mount);
@@ -492,6 +494,37 @@ class SceneReader {
   std::size_t carried_ = 0;
 };
 
+/// Changes lights of a glTF file, as if a scene file stated each of them.
+void change_lights(Scene& scene, const std::vector<SceneChange>& changes) {
+  std::set<std::size_t> changed;
+  for (const SceneChange& change : changes) {
+    if (!change.member.starts_with("lights[")) {
+      throw InputError({.file = kChangePlace}, change.member, "",
+                       "must be a member of a light, such as lights[0].color: a glTF file has no others");
+    }
+    const std::size_t begin = change.member.find('[') + 1;
+    const auto index = command::parse_integer(change.member.substr(begin, change.member.find(']') - begin));
+    if (index && *index >= 0) changed.insert(std::size_t(*index));  // else with_value() tells
+  }
+  if (changes.empty()) return;
+  std::string entries;
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    entries += i == 0 ? "" : ", ";
+    entries += changed.contains(i) ? fmt::format("{{\"light\": {}}}", format_light(scene.lights[i].light)) : "{}";
+  }
+  JsonValue root = files::parse_json(fmt::format("{{\"lights\": [{}]}}", entries), scene.files.front());
+  for (const SceneChange& change : changes) {
+    root = files::with_value(root, changed_member(change.member), changed_value(change), kChangePlace);
+  }
+  const std::vector<JsonValue> stated = root.member("lights").items();
+  for (const std::size_t i : changed) {
+    stated[i].allow_only({"light", "color"});
+    const JsonValue light = stated[i].member("light");
+    scene.lights[i].light = checked(light, files::parse_light(light));
+    scene.lights[i].light.color = color_or(stated[i], "color", scene.lights[i].light.color);
+  }
+}
+
 std::filesystem::path scene_folder() { return command::bundled_folder("scenes"); }
 
 }  // namespace
@@ -513,11 +546,8 @@ std::string changed_member(const std::string& member) {
 Scene read_scene(const std::string& path, std::optional<std::size_t> city_lights,
                  const std::vector<SceneChange>& changes) {
   if (!is_gltf_path(path)) return SceneReader(path, city_lights, changes).take();
-  if (!changes.empty()) {
-    throw InputError({.file = kChangePlace}, changes.front().member, "",
-                     "must be a member of a scene file, and a glTF file has none");
-  }
   Scene scene = read_gltf_scene(path);
+  change_lights(scene, changes);
   if (!scene.left_out.empty()) {
     fmt::print(stderr, "{}\n", command::printable(fmt::format("{}: left out: {}", path, scene.left_out)));
   }

@@ -70,6 +70,7 @@ namespace litfog::scene {
 ///     {"lights[0].carried", "true"}
 ///     {"lights[0].attenuation.quadratic", "0.002"}      of the light, wherever it is written: lights[0].light may be a
 ///     {"city.window.threshold", "0.1"}                  file's name; other lights from that file stay as they are
+///     {"lights[1].threshold", "0.1"}                    of a glTF file: its second light, as a light file states it
 ///
 /// Entries of "lights" with copies change with all of them.
 struct SceneChange {
@@ -88,7 +89,9 @@ std::string changed_member(const std::string& member);
 /// standard error. Throws InputError, of which the file is kChangePlace where a change is wrong.
 ///
 /// city_lights  how many lights its city has, in place of its own number; without effect where the scene has no city
-/// changes      in the order given; a glTF file takes none
+/// changes      in the order given; of a glTF file those of its lights' attenuation, threshold, cone, colour and
+/// density
+///              scale alone
 Scene read_scene(const std::string& path, std::optional<std::size_t> city_lights = {},
                  const std::vector<SceneChange>& changes = {});
 

@@ -33,6 +33,7 @@ constexpr float kRunwayLength = 1000;
 
 struct Lamp {
   PlacedLight light;
+  std::size_t kind;  // of City::kinds
   bool is_window;
 };
 
@@ -82,7 +83,12 @@ class CityBuilder {
     }
     std::ranges::stable_sort(
         lamps_, {}, [](const Lamp& lamp) { return std::pair(lamp.is_window, glm::length(lamp.light.position)); });
-    for (std::size_t i = 0; i < city_.lights; ++i) scene_.lights.push_back(lamps_[i].light);
+    const std::size_t first_kind = scene_.light_members.size();
+    for (const char* kind : kCityKinds) scene_.light_members.push_back(std::string("city.") + kind);
+    for (std::size_t i = 0; i < city_.lights; ++i) {
+      scene_.lights.push_back(lamps_[i].light);
+      scene_.light_entries.push_back(first_kind + lamps_[i].kind);
+    }
   }
 
  private:
@@ -102,11 +108,14 @@ class CityBuilder {
     scene_.instances.push_back({model, world_from_model});
   }
 
+  /// light  one of the city's kinds
   void add_lamp(const Light& light, const glm::mat4& world_from_model, const glm::vec3& position,
                 const glm::vec3& direction, bool is_window = false) {
     const glm::dvec3 at(world_from_model * glm::vec4(position, 1));
     const glm::dvec3 axis = glm::normalize(glm::dvec3(glm::mat3(world_from_model) * direction));
-    lamps_.push_back({{.light = light, .position = at, .direction = axis}, is_window});
+    const auto kinds = city_.kinds();
+    const auto kind = std::size_t(std::ranges::find(kinds, &light) - kinds.begin());
+    lamps_.push_back({{.light = light, .position = at, .direction = axis}, kind, is_window});
   }
 
   void add_ground() {

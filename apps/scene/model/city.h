@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -26,9 +27,18 @@ struct City {
   Light window;
   Light runway_edge;     ///< shines along the runway
   Light approach_light;  ///< likewise, before its threshold
+
+  /// Its kinds of lights, in that order.
+  std::array<const Light*, 7> kinds() const {
+    return {&street_lamp, &headlight, &tail_lamp, &shop_window, &window, &runway_edge, &approach_light};
+  }
 };
 
-/// Adds a city's models, instances and lights. Deterministic.
+/// Their names in a scene file.
+inline constexpr std::array<const char*, 7> kCityKinds{"street_lamp", "headlight",   "tail_lamp",     "shop_window",
+                                                       "window",      "runway_edge", "approach_light"};
+
+/// Adds a city's models, instances and lights, and their members of a scene file. Deterministic.
 ///
 /// throws  std::invalid_argument where it would have more lights than the city has lamps
 void add_city(Scene& scene, const City& city);
