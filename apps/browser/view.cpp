@@ -47,7 +47,7 @@ glm::mat4 direction_from_clip(const scene::Camera& camera, int width, int height
 View::View(const scene::Scene& scene)
     : scene_(scene),
       updater_(0),  // which lights are too dark to be seen depends on the exposure
-      meshes_(scene.models),
+      meshes_(scene.models, [](const std::string&) { return false; }),
       surface_program_("lit.vert", "lit.frag", page_shaders()),
       sky_program_("sky.vert", "sky.frag", page_shaders()),
       point_program_("light_point.vert", "light_point.frag", page_shaders()),
@@ -162,6 +162,7 @@ std::size_t View::draw_surfaces(const glm::mat4& clip_from_world) {
       set_uniform(program, "specular", surface.material.specular);
       set_uniform(program, "shininess", surface.material.shininess);
       set_uniform(program, "emissive", surface.material.emissive);
+      set_uniform(program, "normal_scale", surface.material.normal_scale);
       surface.albedo.bind(kAlbedoUnit);
       surface.normal.bind(kNormalUnit);
       meshes_.draw(chunk, render::TriangleOrder::stored);

@@ -7,3 +7,4 @@ uniform vec3 bounds_high;
 uniform vec3 specular;  // of its material
 uniform float shininess;
 uniform vec3 emissive;
+uniform float normal_scale;
