@@ -82,6 +82,9 @@ std::string advice_on_comma(std::string_view text, const std::string& with_point
   return fmt::format("; write {} or {}{}", with_point, text.substr(0, comma), text.substr(comma + 1));
 }
 
+/// A percentage as a fraction, without the digits that division by 100 adds: 1.1 / 100 is 0.011000000000000001.
+std::string percent_text(double percent) { return fmt::format("; {} % is {:.15g}", percent, percent / 100); }
+
 }  // namespace
 
 std::string hint_for_word(std::string_view word, const std::vector<std::string_view>& known) {
@@ -112,7 +115,7 @@ std::string hint_for_number(std::string_view text, std::string_view member) {
     const bool is_unit = written == unit->symbol || written == unit->name || written == unit->sign;
     return is_unit ? fmt::format("; write {} alone", *number) : fmt::format("; its unit is {}", unit->name);
   }
-  if (behind == "%") return fmt::format("; {} % is {}", *number, *number / 100);
+  if (behind == "%") return percent_text(*number);
   return behind.empty() && with ? advice_on_comma(text, *with) : "";
 }
 
@@ -126,7 +129,7 @@ std::string hint_for_fraction(double number, std::string_view rule) {
   constexpr std::array<std::string_view, 3> kFractions{"in (0, 1", "in [0, 1", "in [1e-100, 1"};
   rule.remove_suffix(rule.empty() ? 0 : 1);
   const bool is_fraction = std::ranges::any_of(kFractions, [rule](auto end) { return rule.ends_with(end); });
-  return is_fraction && number > 1 && number <= 100 ? fmt::format("; {} % is {}", number, number / 100) : "";
+  return is_fraction && number > 1 && number <= 100 ? percent_text(number) : "";
 }
 
 std::string hint_for_syntax(std::string_view text, std::size_t offset) {

@@ -592,7 +592,8 @@ TEST_F(DemoCommand, OptionsWithoutEffectAreErrors) {
   expect_usage("room --map-size 64", "--map-size cannot be given with --path unified: it has no light maps");
   expect_usage("room --cone-maps even", "--cone-maps cannot be given with --path unified: it has no light maps");
   expect_usage("room --path lookup-3d --cone-maps wide", "--cone-maps = wide: must be one of scaled|even|one-disc");
-  expect_usage("room --path lookup-3d --light-ambient 1.1", "--light-ambient = 1.1: must be a number in [0, 1]");
+  expect_usage("room --path lookup-3d --light-ambient 1.1",
+               "--light-ambient = 1.1: must be a number in [0, 1]; 1.1 % is 0.011");
   expect_usage("room --path cg --light-ambient 0.1",
                "--light-ambient cannot be given with --path cg: only lookup-3d and lookup-2d have it");
   expect_usage("room --path sample --reference",

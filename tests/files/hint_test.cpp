@@ -48,6 +48,7 @@ TEST(Hint, NearestOfTwoWordsIsMeant) {
 
 TEST(Hint, PercentageIsShownAsAFraction) {
   EXPECT_EQ(error_of(R"({"threshold": 5})"), "f:1:15: threshold = 5: must be in (0, 1); 5 % is 0.05");
+  EXPECT_EQ(error_of(R"({"threshold": 1.1})"), "f:1:15: threshold = 1.1: must be in (0, 1); 1.1 % is 0.011");
   EXPECT_EQ(error_of(R"({"threshold": "5 %"})"), "f:1:15: threshold = \"5 %\": must be a number; 5 % is 0.05");
   EXPECT_EQ(error_of(R"({"threshold": "2,5%"})"), "f:1:15: threshold = \"2,5%\": must be a number; 2.5 % is 0.025");
   EXPECT_EQ(error_of(R"({"threshold": 200})"), "f:1:15: threshold = 200: must be in (0, 1)");
