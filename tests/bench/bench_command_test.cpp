@@ -488,8 +488,8 @@ TEST_F(BenchMeasurement, CityMeasuresClustersAndFramesAtEveryVisibility) {
     }
   }
   const std::map<std::string, int> expected{
-      {"balls", 2}, {"clusters", 4},     {"clusters-fog", 4},  {"clusters-one-light", 4},
-      {"frame", 2}, {"frame-airlight", 2},  {"frame-flight", 2}, {"frame-of-those", 2}};
+      {"balls", 2}, {"clusters", 4},       {"clusters-fog", 4}, {"clusters-one-light", 4},
+      {"frame", 2}, {"frame-airlight", 2}, {"frame-flight", 2}, {"frame-of-those", 2}};
   EXPECT_EQ(rows, expected);
   EXPECT_TRUE(std::filesystem::exists(directory() / "city.png"));
 }

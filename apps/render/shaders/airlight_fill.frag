@@ -13,10 +13,10 @@ uniform int pixel_step;       // pixels between the target's texels; the grid's 
 layout(location = 0) out vec4 airlight;  // alpha 1: filled
 layout(location = 1) out vec4 gain;
 
-const float most_own_change = 0.01;      // of opacity, within the pixel, at 0 EV
-const float most_opacity_change = 0.03;  // of opacity, from a texel of the grid, at 0 EV
-const float most_error = 0.0005;         // of the display: an eighth of a step
-const float most_correction = 0.004;     // of a straight line, by a polynomial: of the display, a step
+const float most_own_change = 0.01;         // of opacity, within the pixel, at 0 EV
+const float most_opacity_change = 0.03;     // of opacity, from a texel of the grid, at 0 EV
+const float most_error = 0.0005;            // of the display: an eighth of a step
+const float most_correction = 0.004;        // of a straight line, by a polynomial: of the display, a step
 const float most_depth_correction = 0.016;  // of a texel, to what the pixel sees: of the display, four steps
 
 // Slope of sRGB (IEC 61966-2-1) at a linear value below 1, exposed: what the display makes of errors of airlight that
