@@ -51,6 +51,9 @@ class Renderer {
   ///
   /// returns  it; of an automatic one what has been chosen
   Exposure set_exposure(const Exposure& exposure);
+  /// Until the next set_exposure(), airlight is drawn as for that exposure: what is left out of it, and what its grids
+  /// err, but not where lights end. EV, at most kMaxExposure, at which nothing is left out.
+  void set_airlight_exposure(double exposure) { airlight_exposure_ = exposure; }
   /// Lets draw() and set_exposure() end with Interrupted as soon as a function says that the frame is unwanted, which
   /// asking delays a little. An empty one never does.
   void interrupt_when(std::function<bool()> is_unwanted) { is_unwanted_ = std::move(is_unwanted); }
@@ -99,7 +102,7 @@ class Renderer {
   std::function<bool()> is_unwanted_;
   double exposure_ = 0;
   double ends_exposure_ = 0;      // for which lights' ends are chosen
-  double airlight_exposure_ = 0;  // the same, but while an automatic one is being found
+  double airlight_exposure_ = 0;  // the same, unless set apart or while an automatic one is found
   std::size_t fog_bytes_ = 0;     // uploaded by the last change of the fog
   Framebuffer framebuffer_;
   SceneLights lights_;

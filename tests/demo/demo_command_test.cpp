@@ -559,7 +559,8 @@ TEST_F(DemoCommand, WrongUsageIsAnError) {
   EXPECT_ERROR(
       run("room --path phong"), kUsage,
       std::string("litfog-demo: --path = phong: must be one of unified|lookup-3d|lookup-2d|radial|radial-plane|"
-                  "accumulate|vertex|mixed|tangent|legacy|sample|light-map|interpolated|cg|cook-torrance|anisotropic") +
+                  "accumulate|vertex|mixed|tangent|legacy|sample|light-map|interpolated|parallax|cg|cook-torrance|"
+                  "anisotropic") +
           kSeeHelp);
   EXPECT_EQ(run("room --bogus").status, kUsage);
   EXPECT_EQ(run("").status, kUsage);

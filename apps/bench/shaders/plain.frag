@@ -22,7 +22,7 @@ out vec4 color;
 
 vec3 mapped_normal() {
   vec4 texel = texture(normal_map, uv);
-  vec3 bump = texel.xyz * 2.0 - (256.0 - texel.a) / 255.0;
+  vec3 bump = texel.xyz * 2.0 - (256.0 - floor(texel.a + 0.5 / 255.0)) / 255.0;
   vec3 n = normalize(normal);
   vec3 t = normalize(tangent.xyz);
   vec3 b = normalize(cross(n, t)) * tangent.w;
