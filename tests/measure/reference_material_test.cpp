@@ -243,7 +243,7 @@ TEST_F(ReferenceMaterial, PaneLetsThroughWhatItsOpacityLeaves) {
     const glm::dvec3 eye = scene.camera.position;
     const glm::dvec3 view = view_direction(scene.camera, 16, 16, 8.5, 8.5);
     glm::dvec3 seen(kFogColor);  // far behind
-    for (const std::size_t i : {1, 2, 0}) {
+    for (const std::size_t i : {1u, 2u, 0u}) {
       const double range = (panels[i].z - eye.z) / view.z * glm::length(view);
       const glm::dvec3 lit = panels[i].color * glm::dvec3(scene.environment.ambient_light);
       // What is behind, as it is seen just before the panel, on through the fog.
