@@ -20,8 +20,8 @@ namespace {
 
 /// Illuminance at which a photometric file's light ends: 1 lx, as for the lights of data/lights.
 constexpr double kEndIlluminance = 1;
-constexpr double kHorizon = 1e-9;    // cosine from the photometric axis that is level within rounding
-constexpr double kAimed = 0.5;       // of it: about the peak of a beam that is aimed there
+constexpr double kHorizon = 1e-9;  // cosine from the photometric axis that is level within rounding
+constexpr double kAimed = 0.5;     // of it: about the peak of a beam that is aimed there
 
 struct MeasuredAxis {
   glm::dvec3 axis;

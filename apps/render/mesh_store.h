@@ -25,7 +25,7 @@ struct Chunk {
   scene::Bounds bounds;  ///< model space
   std::size_t first_index;
   int index_count;
-  bool has_details;  ///< its vertices have scene::VertexDetail
+  bool has_details;                            ///< its vertices have scene::VertexDetail
   std::vector<SortedTriangle> triangles = {};  ///< of a material that is sorted
 };
 

@@ -21,10 +21,10 @@ struct Material {
   /// height, 254 the highest; A = 255: n = rgb / 127.5 - 1, as in glTF, which states no heights.
   std::shared_ptr<const Texels> normal;
   float normal_scale = 1;  ///< multiplies that normal's x and y before it is made a unit vector
-  glm::vec3 specular;  ///< linear, at gloss 1
-  float shininess;     ///< Blinn-Phong exponent
-  glm::vec3 emissive;  ///< linear; 0 if it emits nothing
-  float relief_m = 0;  ///< from the height 0 to 254, metres: for the path that shifts textures by their heights
+  glm::vec3 specular;      ///< linear, at gloss 1
+  float shininess;         ///< Blinn-Phong exponent
+  glm::vec3 emissive;      ///< linear; 0 if it emits nothing
+  float relief_m = 0;      ///< from the height 0 to 254, metres: for the path that shifts textures by their heights
   /// Root mean square slope of a metal's facets (Cook and Torrance's m), for the paths that draw metals by models of
   /// their own; 0: no metal.
   float metal_roughness = 0;
