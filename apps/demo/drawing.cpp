@@ -30,20 +30,25 @@ void set_scene(scene::Scene& scene, const DrawingOptions& options) {
   scene.phase_g = options.phase_g.value_or(scene.phase_g);
 }
 
+DrawnFor set_fog_and_exposure(render::Renderer& renderer, const DrawingOptions& options) {
+  const double visibility = options.chosen_visibility().value_or(scene::suggested_visibility(renderer.scene()));
+  renderer.set_fog(options.fog_at(visibility));
+  render::Display display = options.display.display_for(renderer.scene());
+  display.exposure = renderer.set_exposure(display.exposure);
+  return {.display = display, .visibility = visibility};
+}
+
 Drawn draw(const scene::Scene& scene, const DrawingOptions& options, int frames, bool has_reference,
            bool has_statistics) {
   const gl::HeadlessContext context;
   render::Renderer renderer(scene, options.width, options.height, options.settings_of(*options.render.path));
-  const double visibility = options.chosen_visibility().value_or(scene::suggested_visibility(scene));
-  renderer.set_fog(options.fog_at(visibility));
-  render::Display display = options.display.display_for(scene);
-  display.exposure = renderer.set_exposure(display.exposure);
+  const DrawnFor drawn_for = set_fog_and_exposure(renderer, options);
   command::Progress progress;
   const measure::Progress show = [&progress](std::string_view step) { progress.show(step); };
   Drawn drawn{
       .picture = {},
-      .display = display,
-      .visibility = visibility,
+      .display = drawn_for.display,
+      .visibility = drawn_for.visibility,
       .times =
           measure::time_frames({measure::frames_of(renderer)}, measure::FrameBudget::exactly(frames), show).front(),
       .shadow_lamps = renderer.shadows() ? renderer.shadows()->casters().size() : 0,

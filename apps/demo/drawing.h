@@ -8,6 +8,7 @@
 #include "litfog/fog.h"
 #include "measure/comparison.h"
 #include "measure/frame_times.h"
+#include "render/renderer.h"
 #include "scene/scene.h"
 
 namespace litfog::demo {
@@ -29,6 +30,15 @@ struct Drawn {
 
 /// Turns a scene's lights and gives its fog the asymmetry that the options state.
 void set_scene(scene::Scene& scene, const DrawingOptions& options);
+
+/// What a picture is drawn for.
+struct DrawnFor {
+  render::Display display;  ///< an automatic exposure chosen
+  double visibility;        ///< metres
+};
+
+/// Gives a renderer the fog and the exposure that the options state, or else its scene suggests.
+DrawnFor set_fog_and_exposure(render::Renderer& renderer, const DrawingOptions& options);
 
 /// Draws and times a scene. Throws gl::Unsupported if this machine cannot.
 ///

@@ -124,10 +124,7 @@ Drawn draw(const CLI::App& app, const demo::SceneOptions& scene_options, const d
   expect_no_fork();
   const gl::HeadlessContext context;
   render::Renderer renderer(scene, options.width, options.height, options.settings_of(*options.render.path));
-  const double visibility = options.chosen_visibility().value_or(scene::suggested_visibility(scene));
-  renderer.set_fog(options.fog_at(visibility));
-  render::Display display = options.display.display_for(scene);
-  display.exposure = renderer.set_exposure(display.exposure);
+  const auto [display, visibility] = demo::set_fog_and_exposure(renderer, options);
   renderer.draw();
   Drawn drawn{.light = renderer.read(), .shown = {}, .visibility = visibility, .exposure = display.exposure.ev};
   drawn.shown = demo::shown_pixels(render::displayed(drawn.light, display));

@@ -10,6 +10,19 @@
 #include "litfog/gl/unsupported.h"
 
 namespace litfog::render {
+namespace {
+
+/// The bound texture of one level is read linearly between its texels, and beyond the outermost as at them.
+void interpolate_within(GLenum target) {
+  for (const GLenum wrap : {GLenum{GL_TEXTURE_WRAP_S}, GLenum{GL_TEXTURE_WRAP_T}, GLenum{GL_TEXTURE_WRAP_R}}) {
+    glTexParameteri(target, wrap, GL_CLAMP_TO_EDGE);
+  }
+  glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
+}
+
+}  // namespace
 
 LookupTexture::LookupTexture(Shape shape, int size, const std::vector<std::uint16_t>& texels) {
   struct Kind {
@@ -51,12 +64,7 @@ LookupTexture::LookupTexture(Shape shape, int size, const std::vector<std::uint1
       break;
   }
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  for (const GLenum wrap : {GLenum{GL_TEXTURE_WRAP_S}, GLenum{GL_TEXTURE_WRAP_T}, GLenum{GL_TEXTURE_WRAP_R}}) {
-    glTexParameteri(target_, wrap, GL_CLAMP_TO_EDGE);
-  }
-  glTexParameteri(target_, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  glTexParameteri(target_, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  glTexParameteri(target_, GL_TEXTURE_MAX_LEVEL, 0);
+  interpolate_within(target_);
 }
 
 void LookupTexture::bind(unsigned unit) const {
@@ -78,12 +86,7 @@ LayeredTexture::LayeredTexture(int size, int layers, const std::vector<std::uint
   glPixelStorei(GL_UNPACK_ALIGNMENT, 2);
   glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_R16, size, size, layers, 0, GL_RED, GL_UNSIGNED_SHORT, texels.data());
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  for (const GLenum wrap : {GLenum{GL_TEXTURE_WRAP_S}, GLenum{GL_TEXTURE_WRAP_T}}) {
-    glTexParameteri(GL_TEXTURE_2D_ARRAY, wrap, GL_CLAMP_TO_EDGE);
-  }
-  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
+  interpolate_within(GL_TEXTURE_2D_ARRAY);
 }
 
 void LayeredTexture::bind(unsigned unit) const {
