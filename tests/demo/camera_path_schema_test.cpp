@@ -2,13 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <fstream>
 #include <string>
 
 #include "command/temporary_directory.h"
 #include "demo/camera_path.h"
 #include "files/json_schema.h"
-#include "litfog/input_error.h"
 
 namespace litfog::test {
 namespace {
@@ -28,14 +26,7 @@ class CameraPathSchema : public testing::Test {
  protected:
   /// What litfog-demo says of a path; nothing where it takes it.
   std::string refusal_of(const std::string& text) const {
-    const auto path = directory_.path() / "f.json";
-    std::ofstream(path) << text;
-    try {
-      demo::read_camera_path(path.string(), 1);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    return refusal_by([](const std::string& path) { demo::read_camera_path(path, 1); }, directory_.path(), text);
   }
 
   const JsonSchema schema_{"camera-path"};

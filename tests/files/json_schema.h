@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
+#include <fstream>
 #include <map>
 #include <memory>
 #include <set>
 #include <string>
 #include <vector>
+
+#include "litfog/input_error.h"
 
 namespace litfog::test {
 
@@ -30,6 +34,19 @@ class JsonSchema {
   struct Parsed;
   std::unique_ptr<const Parsed> parsed_;
 };
+
+/// What read(path) says of a file with that text, written into the folder; nothing where it takes it.
+template <typename Read>
+std::string refusal_by(Read read, const std::filesystem::path& folder, const std::string& text) {
+  const std::string path = folder / "f.json";
+  std::ofstream(path) << text;
+  try {
+    read(path);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
 
 /// The members that a reader's sentence on an unknown one lists: "...: must be one of a, b; did you mean b?".
 std::set<std::string> members_in(const std::string& sentence);

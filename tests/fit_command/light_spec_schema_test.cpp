@@ -10,7 +10,6 @@
 #include "command/temporary_directory.h"
 #include "files/json_schema.h"
 #include "fit/light_target.h"
-#include "litfog/input_error.h"
 
 namespace litfog::test {
 namespace {
@@ -51,14 +50,7 @@ class LightSpecSchema : public testing::Test {
 
   /// What litfog-fit says of a spec; nothing where it takes it.
   std::string refusal_of(const std::string& text) const {
-    const auto path = directory_.path() / "f.json";
-    std::ofstream(path) << text;
-    try {
-      read_spec(path.string());
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    return refusal_by([](const std::string& path) { read_spec(path); }, directory_.path(), text);
   }
 
   const JsonSchema schema_{"light-spec"};

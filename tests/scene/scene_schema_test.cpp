@@ -10,7 +10,6 @@
 
 #include "command/temporary_directory.h"
 #include "files/json_schema.h"
-#include "litfog/input_error.h"
 #include "litfog/photometry/cookie_file.h"
 #include "scene/file/scene_file.h"
 #include "scene/model/model_catalogue.h"
@@ -52,14 +51,7 @@ class SceneSchema : public testing::Test {
 
   /// What litfog-demo says of a scene; nothing where it takes it.
   std::string refusal_of(const std::string& text) const {
-    const auto path = directory_.path() / "f.json";
-    std::ofstream(path) << text;
-    try {
-      scene::read_scene(path.string());
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    return refusal_by([](const std::string& path) { scene::read_scene(path); }, directory_.path(), text);
   }
 
   /// The members that the reader lists where a scene has a wrong one.
