@@ -54,12 +54,17 @@ struct Trial {
   double over_legacy;                               // of the medians
   double over_two_light_legacy;                     // likewise
   std::optional<double> over_plain = {};            // likewise; none where plain cannot hold the lights
-  std::optional<measure::PictureError> error = {};  // none of the unlit pass and of plain, which have no formulas
+  /// Of a picture of kErrorWidth x kErrorHeight; none of the unlit pass and of plain, which have no formulas.
+  std::optional<measure::PictureError> error = {};
 };
 
 constexpr const char* kTableScene = "headlights";  // as Hales's figure 1
 constexpr int kTableWidth = 640;
 constexpr int kTableHeight = 360;
+
+/// Of the pictures that errors are found in: the reference shades each sample of each pixel in double.
+constexpr int kErrorWidth = 80;
+constexpr int kErrorHeight = 45;
 
 std::vector<Setting> settings(bool quick) {
   if (quick) {
@@ -163,6 +168,7 @@ std::vector<Trial> measure(const Setting& setting, const measure::FrameBudget& b
                       .over_two_light_legacy = time / two_light_time});
     if (plain_time) trials.back().over_plain = time / *plain_time;
     if (renderers[i] && techniques[i].path != &render::unlit_path()) {
+      renderers[i]->set_size(kErrorWidth, kErrorHeight);
       trials.back().error = measure::compare_with_reference(*renderers[i], progress).error;
       trials.back().error->pixels.clear();  // nobody looks at them
     }
@@ -269,7 +275,7 @@ Result measure_render(bool quick) {
   std::vector<Trial> trials;
   const std::vector<Setting> all = settings(quick);
   const measure::FrameBudget budget =
-      quick ? measure::FrameBudget::exactly(3) : measure::FrameBudget{.seconds = 20, .fewest = 3, .most = 25};
+      quick ? measure::FrameBudget::exactly(3) : measure::FrameBudget{.seconds = 8, .fewest = 3, .most = 25};
   command::Progress shown;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Setting& measured = all[i];
