@@ -31,7 +31,7 @@ void set_scene(scene::Scene& scene, const DrawingOptions& options) {
 }
 
 DrawnFor set_fog_and_exposure(render::Renderer& renderer, const DrawingOptions& options) {
-  const double visibility = options.chosen_visibility().value_or(scene::suggested_visibility(renderer.scene()));
+  const double visibility = options.visibility_in(renderer.scene());
   renderer.set_fog(options.fog_at(visibility));
   render::Display display = options.display.display_for(renderer.scene());
   display.exposure = renderer.set_exposure(display.exposure);

@@ -9,6 +9,7 @@
 #include "demo/display_options.h"
 #include "litfog/fog.h"
 #include "render/render_settings.h"
+#include "scene/scene.h"
 
 namespace CLI {
 class App;
@@ -37,8 +38,8 @@ struct DrawingOptions {
 
   friend bool operator==(const DrawingOptions&, const DrawingOptions&) = default;
 
-  /// The visibility that is asked for, infinite in clear air.
-  std::optional<double> chosen_visibility() const;
+  /// Metres: the visibility that is asked for, else the one that the scene suggests; infinite in clear air.
+  double visibility_in(const scene::Scene& scene) const;
   /// How a path draws. One that takes no airlight draws the peak whatever is asked for.
   render::RenderSettings settings_of(const render::LightingPath& path) const;
   FogMode fog_mode() const { return fog.value_or(FogMode::exp); }
@@ -61,11 +62,11 @@ void add_fog_light(CLI::App& app, DrawingOptions& options);
 void add_shadows(CLI::App& app, DrawingOptions& options);
 void add_time(CLI::App& app, DrawingOptions& options);
 
-/// Of --fog none and of the chosen path.
-std::vector<command::OptionRule> drawing_rules(const DrawingOptions& options);
+/// Of --fog none and --shadows: all there are for a job over every path.
+std::vector<command::OptionRule> fog_and_shadow_rules(const DrawingOptions& options);
 
-/// Of --shadows.
-std::vector<command::OptionRule> shadow_rules(const DrawingOptions& options);
+/// Those, and the chosen path's.
+std::vector<command::OptionRule> drawing_rules(const DrawingOptions& options);
 
 /// Throws the usage error of a --size of more pixels than this. what: of which, "for a reference"
 void expect_pixels(const DrawingOptions& options, std::int64_t most, const std::string& what);

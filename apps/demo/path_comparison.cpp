@@ -67,7 +67,7 @@ std::vector<measure::FrameTimes> time_paths(const std::vector<std::unique_ptr<re
 
 SceneResult compare_scene(const scene::Scene& scene, PictureFolder& pictures, const std::string& machine,
                           const DrawingOptions& options, int frames) {
-  const double visibility = options.chosen_visibility().value_or(scene::suggested_visibility(scene));
+  const double visibility = options.visibility_in(scene);
   const Fog fog = options.fog_at(visibility);
   SceneResult result{.name = scene.name,
                      .description = scene.description,

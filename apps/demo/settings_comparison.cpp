@@ -63,7 +63,7 @@ using Unused = std::set<std::string>;  // options of the command line that no se
 /// own  whether the setting states an option itself
 template <typename IsOwn>
 void take_used(Unused& unused, const DrawingOptions& drawing, const IsOwn& is_own) {
-  std::erase_if(unused, [&, rules = picture_rules(drawing)](const std::string& option) {
+  std::erase_if(unused, [&, rules = drawing_rules(drawing)](const std::string& option) {
     const bool is_excluded = std::ranges::any_of(rules, [&](const command::OptionRule& rule) {
       return rule.applies && std::ranges::find(rule.excluded, option) != rule.excluded.end();
     });
@@ -80,7 +80,7 @@ Setting parse_setting(const Setting& base, const std::string& text, Unused& unus
     auto arguments = arguments_of(text, app);
     if (arguments.empty()) throw CLI::ValidationError("must not be empty");
     app.parse(arguments);
-    command::check_options(app, picture_rules(setting.drawing));
+    command::check_options(app, drawing_rules(setting.drawing));
     command::check_options(app, {{"--with", true, {"--size"}, "all pictures are of one size"}});
   } catch (const CLI::ParseError& error) {
     throw CLI::ValidationError(fmt::format("--with \"{}\": {}", text, error.what()));
@@ -156,7 +156,7 @@ void compare_settings(const std::vector<Setting>& settings, const std::string& f
     const DrawingOptions& drawing = settings[i].drawing;
     render::Renderer& renderer = *renderers.emplace_back(std::make_unique<render::Renderer>(
         scenes[i], drawing.width, drawing.height, drawing.settings_of(*drawing.render.path)));
-    renderer.set_fog(drawing.fog_at(drawing.chosen_visibility().value_or(scene::suggested_visibility(scenes[i]))));
+    renderer.set_fog(drawing.fog_at(drawing.visibility_in(scenes[i])));
     render::Display display = drawing.display.display_for(scenes[i]);
     if (display.exposure.is_auto && automatic) display.exposure = {.ev = *automatic};
     display.exposure = renderer.set_exposure(display.exposure);

@@ -41,7 +41,7 @@ class Easel {
     }
     camera_ = order.camera;
     lights_ = order.lights;
-    const Fog fog = options.fog_at(options.chosen_visibility().value_or(scene::suggested_visibility(scene)));
+    const Fog fog = options.fog_at(options.visibility_in(scene));
     if (fog != renderer_->fog() || scene.phase_g != phase_g_) renderer_->set_fog(fog);
     phase_g_ = scene.phase_g;
   }

@@ -88,7 +88,7 @@ DrawingCommand Session::command(std::size_t which, int width, int height) const 
   return command;
 }
 
-Fog Session::fog(std::size_t which) const { return settings[which].fog_at(*settings[which].chosen_visibility()); }
+Fog Session::fog(std::size_t which) const { return settings[which].fog_at(settings[which].visibility_in(scene_)); }
 
 bool Session::is_camera_moved() const { return !is_same(camera, scene_.camera); }
 
