@@ -30,6 +30,8 @@ struct Camera {
   glm::vec3 position{0.0f, 1.6f, 0.0f};
   glm::vec3 target{0.0f, 1.6f, -1.0f};
   float field_of_view = 1.0f;  ///< vertical, radians
+
+  friend bool operator==(const Camera&, const Camera&) = default;
 };
 
 inline constexpr double kLeastFieldOfViewDeg = 1;

@@ -4,7 +4,6 @@
 #include <chrono>
 #include <deque>
 #include <glm/glm.hpp>
-#include <tuple>
 #include <utility>
 
 #include "demo/picture_file.h"
@@ -20,8 +19,6 @@ using Clock = std::chrono::steady_clock;
 double milliseconds_since(Clock::time_point begin) {
   return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
 }
-
-auto members(const scene::Camera& camera) { return std::tie(camera.position, camera.target, camera.field_of_view); }
 
 /// A renderer that stays as long as its settings do, and what it was last told.
 class Easel {
@@ -76,11 +73,6 @@ class Easel {
 };
 
 }  // namespace
-
-bool operator==(const PictureOrder& a, const PictureOrder& b) {
-  return a.settings == b.settings && members(a.camera) == members(b.camera) && a.lights == b.lights &&
-         a.width == b.width && a.height == b.height && a.is_sketch == b.is_sketch;
-}
 
 PictureMaker::PictureMaker(scene::Scene scene, std::function<void()> deliver)
     : deliver_(std::move(deliver)), thread_([this, own = std::move(scene)]() mutable { work(std::move(own)); }) {}
