@@ -20,8 +20,6 @@
 namespace litfog::bench {
 namespace {
 
-using namespace litfog::bench;
-
 /// The conditions under which all paths' frames are drawn.
 struct Setting {
   std::string scene;
