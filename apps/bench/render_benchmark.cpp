@@ -202,7 +202,7 @@ command::Table make_table(const std::vector<Trial>& trials) {
 command::Chart make_light_chart(const std::vector<Trial>& trials, render::Skipping skipping) {
   command::Chart chart{
       .title = fmt::format("{}, {}", trials.front().setting.scene,
-                           skipping == render::Skipping::on ? "what cannot show skipped" : "nothing skipped"),
+                           skipping == render::Skipping::on ? "what is invisible skipped" : "nothing skipped"),
       .x = {"lights", true},
       .y = {"wall time of a frame (ms)", true},
       .key = command::KeyPlace::top_left};
@@ -238,8 +238,9 @@ command::Chart make_table_1(const std::vector<Trial>& trials) {
   double row = 0;
   command::Series cards{.name = "2004, per pixel on all polygons", .style = command::SeriesStyle::points};
   for (const Card& card : kCards) cards.points.push_back({card.shader / card.legacy, row--, card.name});
-  command::Series here[2] = {{.name = "this machine, nothing skipped", .style = command::SeriesStyle::points},
-                             {.name = "this machine, what cannot show skipped", .style = command::SeriesStyle::points}};
+  command::Series here[2] = {
+      {.name = "this machine, nothing skipped", .style = command::SeriesStyle::points},
+      {.name = "this machine, what is invisible skipped", .style = command::SeriesStyle::points}};
   double most = 3;
   for (const Technique& technique : measured_techniques()) {
     --row;

@@ -28,7 +28,7 @@ std::string words_of(const Fog& fog, double visibility) {
 }
 
 std::string words_of(const render::RenderSettings& settings) {
-  std::string words = settings.skipping == render::Skipping::on ? "what cannot show is skipped" : "nothing is skipped";
+  std::string words = settings.skipping == render::Skipping::on ? "what is invisible is skipped" : "nothing is skipped";
   if (settings.has_infinite_viewer) words += ", highlights as seen from far away";
   return fmt::format("{}, light maps of {} texels a side", words, settings.map_size);
 }

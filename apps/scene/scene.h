@@ -75,7 +75,7 @@ struct Mount {
   Bearing light = {};
 };
 
-/// Everything the demo draws. Plain data: no GL.
+/// Everything that a renderer draws. Plain data: no GL.
 struct Scene {
   std::vector<std::string> files;  ///< all that it was read from: its own, light files, cookies, buffers, pictures
   std::string name;

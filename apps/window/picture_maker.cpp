@@ -21,7 +21,7 @@ double milliseconds_since(Clock::time_point begin) {
 }
 
 /// A renderer that stays as long as its settings do, and what it was last told.
-class Easel {
+class KeptRenderer {
  public:
   /// Makes the renderer draw as asked for.
   void set(const scene::Scene& scene, const PictureOrder& order, const demo::DrawingOptions& options) {
@@ -119,7 +119,7 @@ void PictureMaker::work(scene::Scene scene) try {
   const gl::HeadlessContext context;
   const double own_phase_g = scene.phase_g;
   std::shared_ptr<const std::vector<PlacedLight>> lights;
-  std::deque<Easel> easels;  // which resizing does not move
+  std::deque<KeptRenderer> renderers;  // which resizing does not move
   std::unique_lock lock(mutex_);
   gl_renderer_ = context.renderer();
   while (true) {
@@ -135,14 +135,14 @@ void PictureMaker::work(scene::Scene scene) try {
     if (order.lights != lights) scene.lights = *order.lights;
     lights = order.lights;
     scene.camera = order.camera;
-    easels.resize(order.settings.size());
+    renderers.resize(order.settings.size());
     try {
-      for (std::size_t i = 0; i < easels.size(); ++i) {
+      for (std::size_t i = 0; i < renderers.size(); ++i) {
         const demo::DrawingOptions& options = order.settings[i];
         scene.phase_g = options.phase_g.value_or(own_phase_g);
-        easels[i].set(scene, order, options);
-        delivery.pictures.push_back(easels[i].draw(options.display.display_for(scene), order.is_sketch,
-                                                   [this, &order] { return is_unwanted(order); }));
+        renderers[i].set(scene, order, options);
+        delivery.pictures.push_back(renderers[i].draw(options.display.display_for(scene), order.is_sketch,
+                                                      [this, &order] { return is_unwanted(order); }));
       }
     } catch (const render::Interrupted&) {
       lock.lock();
@@ -150,7 +150,7 @@ void PictureMaker::work(scene::Scene scene) try {
     } catch (const gl::Unsupported& missing) {  // of these settings: others may do
       delivery.pictures.clear();
       delivery.error = missing.what();
-      easels.clear();
+      renderers.clear();
     }
     delivery.milliseconds = milliseconds_since(begin);
     lock.lock();
