@@ -36,7 +36,6 @@ struct Technique {
   const render::LightingPath* path;  ///< null: the rival
   render::FogLighting fog_lighting;
 
-  const char* fog_light() const { return fog_lighting == render::FogLighting::airlight ? "airlight" : "peak"; }
   std::string path_name() const { return path ? std::string(path->name) : "plain"; }
   std::string name() const {
     return fmt::format("{}{}", path_name(), fog_lighting == render::FogLighting::airlight ? ", airlight" : "");
@@ -187,7 +186,7 @@ command::Table make_table(const std::vector<Trial>& trials) {
                          : command::Table::Cell(std::monostate{});
     };
     table.rows.push_back(
-        {setting.scene, trial.technique.path_name(), trial.technique.fog_light(), double(setting.lights),
+        {setting.scene, trial.technique.path_name(), name_of(trial.technique.fog_lighting), double(setting.lights),
          fmt::format("{}x{}", setting.width, setting.height), double(setting.samples),
          setting.skipping == render::Skipping::on ? "on" : "off", trial.times.median(), trial.times.spread(),
          trial.over_legacy, trial.over_two_light_legacy,

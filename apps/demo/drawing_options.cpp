@@ -100,6 +100,10 @@ void add_fog_and_visibility(CLI::App& app, DrawingOptions& options) {
   add_phase(app, options);
 }
 
+bool is_hales_lookup(const render::LightingPath& path) {
+  return path.evaluation == render::Evaluation::lookup && path.surface == render::SurfaceModel::diffuse;
+}
+
 void add_path(CLI::App& app, DrawingOptions& options) {
   command::add_choice(app, "--path", options.render.path, path_names(),
                       "Lighting path: see `litfog-demo list paths` (default unified)");
@@ -182,19 +186,18 @@ std::vector<command::OptionRule> fog_and_shadow_rules(const DrawingOptions& opti
 std::vector<command::OptionRule> drawing_rules(const DrawingOptions& options) {
   const render::LightingPath& path = *options.render.path;
   const std::string name = fmt::format("--path {}", path.name);
-  const bool can_be_flat =
-      path.evaluation == render::Evaluation::lookup && path.surface == render::SurfaceModel::diffuse;
   const bool is_peak = options.settings_of(path).fog_lighting == render::FogLighting::peak;
   std::vector<command::OptionRule> rules = fog_and_shadow_rules(options);
-  rules.insert(rules.end(),
-               {{options.fog_light ? "--fog-light peak" : name, is_peak, {"--phase-g"}, "only airlight scatters by it"},
-                {name, path.maps == render::LightMapSet::none, {"--map-size", "--cone-maps"}, "it has no light maps"},
-                {name, !can_be_flat, {"--flat-shading", "--light-ambient"}, "only lookup-3d and lookup-2d have it"},
-                {name,
-                 options.fog_light == render::FogLighting::airlight && !path.takes_airlight,
-                 {"--fog-light"},
-                 why_without_airlight(path)},
-                {name, path.surface != render::SurfaceModel::basic, {"--infinite-viewer"}, "it has no highlights"}});
+  rules.insert(
+      rules.end(),
+      {{options.fog_light ? "--fog-light peak" : name, is_peak, {"--phase-g"}, "only airlight scatters by it"},
+       {name, path.maps == render::LightMapSet::none, {"--map-size", "--cone-maps"}, "it has no light maps"},
+       {name, !is_hales_lookup(path), {"--flat-shading", "--light-ambient"}, "only lookup-3d and lookup-2d have it"},
+       {name,
+        options.fog_light == render::FogLighting::airlight && !path.takes_airlight,
+        {"--fog-light"},
+        why_without_airlight(path)},
+       {name, path.surface != render::SurfaceModel::basic, {"--infinite-viewer"}, "it has no highlights"}});
   return rules;
 }
 

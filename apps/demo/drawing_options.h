@@ -51,7 +51,9 @@ struct DrawingOptions {
 void add_fog(CLI::App& app, DrawingOptions& options);
 /// --fog, which may be none, --visibility, --contrast and --phase-g.
 void add_fog_and_visibility(CLI::App& app, DrawingOptions& options);
-/// --path and --flat-shading, which belongs to two of the paths.
+/// Whether a path is lookup-3d or lookup-2d, to which --flat-shading and --light-ambient belong.
+bool is_hales_lookup(const render::LightingPath& path);
+/// --path and --flat-shading.
 void add_path(CLI::App& app, DrawingOptions& options);
 void add_size(CLI::App& app, DrawingOptions& options);
 /// --size, --samples, --map-size, --cone-maps, --light-ambient, --infinite-viewer and --no-skip.
