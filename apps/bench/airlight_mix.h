@@ -13,12 +13,10 @@ namespace litfog::bench {
 enum class AirlightMix {
   /// Point lamps in isotropic fog, as test::draw_airlight_case draws them: C = 0, below, at and above 1, L and Q 0 in a
   /// quarter each and else log-uniform over decades, threshold 0.05 in half; visibility 3 m to 100 km log-uniform, in
-  /// one
-  /// of twenty 5 cm to 3 m; rays through, past, from and behind the lamp, of any length.
+  /// one of twenty 5 cm to 3 m; rays through, past, from and behind the lamp, of any length.
   point,
   /// All parameters: a third of the lamps of `point`, two thirds spots of 0.1 to 180 degrees of both profiles, two
-  /// thirds
-  /// of them aimed near the ray; half of the rays in fog that scatters by g uniform in (-0.9, 0.9).
+  /// thirds of them aimed near the ray; half of the rays in fog that scatters by g uniform in (-0.9, 0.9).
   any,
   /// What closed forms and tables know: C = L = 0, Q of a knee of 0.1 to 10 m, rays that stay outside of the knee, the
   /// extent a thousand knees; visibility 3 m to 100 km.

@@ -20,8 +20,6 @@
 namespace litfog::bench {
 namespace {
 
-using namespace litfog::bench;
-
 /// The conditions under which all paths' frames are drawn.
 struct Setting {
   std::string scene;
@@ -38,7 +36,6 @@ struct Technique {
   const render::LightingPath* path;  ///< null: the rival
   render::FogLighting fog_lighting;
 
-  const char* fog_light() const { return fog_lighting == render::FogLighting::airlight ? "airlight" : "peak"; }
   std::string path_name() const { return path ? std::string(path->name) : "plain"; }
   std::string name() const {
     return fmt::format("{}{}", path_name(), fog_lighting == render::FogLighting::airlight ? ", airlight" : "");
@@ -195,7 +192,7 @@ command::Table make_table(const std::vector<Trial>& trials) {
                          : command::Table::Cell(std::monostate{});
     };
     table.rows.push_back(
-        {setting.scene, trial.technique.path_name(), trial.technique.fog_light(), double(setting.lights),
+        {setting.scene, trial.technique.path_name(), name_of(trial.technique.fog_lighting), double(setting.lights),
          fmt::format("{}x{}", setting.width, setting.height), double(setting.samples),
          setting.skipping == render::Skipping::on ? "on" : "off", trial.times.median(), trial.times.spread(),
          trial.over_legacy, trial.over_two_light_legacy,
@@ -210,7 +207,7 @@ command::Table make_table(const std::vector<Trial>& trials) {
 command::Chart make_light_chart(const std::vector<Trial>& trials, render::Skipping skipping) {
   command::Chart chart{
       .title = fmt::format("{}, {}", trials.front().setting.scene,
-                           skipping == render::Skipping::on ? "what cannot show skipped" : "nothing skipped"),
+                           skipping == render::Skipping::on ? "what is invisible skipped" : "nothing skipped"),
       .x = {"lights", true},
       .y = {"wall time of a frame (ms)", true},
       .key = command::KeyPlace::top_left};
@@ -246,8 +243,9 @@ command::Chart make_table_1(const std::vector<Trial>& trials) {
   double row = 0;
   command::Series cards{.name = "2004, per pixel on all polygons", .style = command::SeriesStyle::points};
   for (const Card& card : kCards) cards.points.push_back({card.shader / card.legacy, row--, card.name});
-  command::Series here[2] = {{.name = "this machine, nothing skipped", .style = command::SeriesStyle::points},
-                             {.name = "this machine, what cannot show skipped", .style = command::SeriesStyle::points}};
+  command::Series here[2] = {
+      {.name = "this machine, nothing skipped", .style = command::SeriesStyle::points},
+      {.name = "this machine, what is invisible skipped", .style = command::SeriesStyle::points}};
   double most = 3;
   for (const Technique& technique : measured_techniques()) {
     --row;

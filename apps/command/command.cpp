@@ -100,13 +100,10 @@ CLI::Option* add_numbers(CLI::App& app, const std::string& name, std::vector<dou
                          const std::string& description) {
   const auto parse = [&target, name, rule](const CLI::results_t& values) {
     target.clear();
-    const std::string_view text = values.front();
-    for (std::size_t begin = 0; begin <= text.size();) {
-      const std::size_t end = std::min(text.find(',', begin), text.size());
-      const auto number = parse_number(text.substr(begin, end - begin));
-      if (!number || !rule.accepts(*number)) fail_number(name, text.substr(begin, end - begin), rule.text);
+    for (const std::string_view part : split_at_commas(values.front())) {
+      const auto number = parse_number(part);
+      if (!number || !rule.accepts(*number)) fail_number(name, part, rule.text);
       target.push_back(*number);
-      begin = end + 1;
     }
     return true;
   };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command/number.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -25,5 +26,15 @@ std::optional<double> parse_number(std::string_view text) {
 }
 
 std::optional<int> parse_integer(std::string_view text) { return parse<int>(text); }
+
+std::vector<std::string_view> split_at_commas(std::string_view text) {
+  std::vector<std::string_view> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
 
 }  // namespace litfog::command

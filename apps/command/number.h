@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string_view>
+#include <vector>
 
 namespace litfog::command {
 
@@ -12,5 +13,8 @@ std::optional<double> parse_number(std::string_view text);
 
 /// The same for an integer: decimal digits with an optional minus.
 std::optional<int> parse_integer(std::string_view text);
+
+/// The parts of a text before, between and after its commas, one at least: "1,,2" has three.
+std::vector<std::string_view> split_at_commas(std::string_view text);
 
 }  // namespace litfog::command

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <string_view>
@@ -75,11 +76,7 @@ Course<double> parse_course(const std::string& option, const std::string& text, 
     return {.values = {from, to}, .is_range = true, .range_frames = range->frames, .steps = steps};
   }
   Course<double> course{.values = {}, .steps = steps};
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    course.values.push_back(parse(std::string_view(text).substr(begin, end - begin)));
-    begin = end + 1;
-  }
+  for (const std::string_view part : command::split_at_commas(text)) course.values.push_back(parse(part));
   if (course.values.size() > std::size_t(kMaxFrames)) {
     command::fail_option(option, text, fmt::format("must be at most {} numbers", kMaxFrames));
   }

@@ -31,7 +31,7 @@ void set_scene(scene::Scene& scene, const DrawingOptions& options) {
 }
 
 DrawnFor set_fog_and_exposure(render::Renderer& renderer, const DrawingOptions& options) {
-  const double visibility = options.chosen_visibility().value_or(scene::suggested_visibility(renderer.scene()));
+  const double visibility = options.visibility_in(renderer.scene());
   renderer.set_fog(options.fog_at(visibility));
   render::Display display = options.display.display_for(renderer.scene());
   display.exposure = renderer.set_exposure(display.exposure);
@@ -74,8 +74,7 @@ std::string stats_json(const scene::Scene& scene, const DrawingOptions& options,
   Json stats{
       {"scene", scene.name},
       {"path", options.render.path->name},
-      {"fog_light",
-       options.settings_of(*options.render.path).fog_lighting == render::FogLighting::airlight ? "airlight" : "peak"},
+      {"fog_light", name_of(options.settings_of(*options.render.path).fog_lighting)},
       {"fog", options.fog ? name_of(*options.fog) : "none"},
       {"visibility_m", std::isinf(drawn.visibility) ? Json("inf") : Json(drawn.visibility)},
       {"size", {options.width, options.height}},

@@ -48,8 +48,8 @@ DrawnFor set_fog_and_exposure(render::Renderer& renderer, const DrawingOptions& 
 Drawn draw(const scene::Scene& scene, const DrawingOptions& options, int frames, bool has_reference,
            bool has_statistics);
 
-/// The file of --stats: what was drawn, how (`scene` to `lights`, `skip`), the times of `frames` frames
-/// (`ms_per_frame`), and of one frame more, drawn stage by stage as if the view had just changed:
+/// The file of --stats: what was drawn and how (`scene` to `lights`, `skip` to `shadow_maps`), the times of `frames`
+/// frames (`ms_per_frame`), and of one frame more, drawn stage by stage as if the view had just changed:
 ///
 /// chunks                surfaces: drawn; fog_alone (hidden by fog, but before something that is visible);
 ///                       outside_view; hidden_by_fog. chunks_drawn is the sum of the first two, chunks_skipped of the
@@ -64,7 +64,8 @@ Drawn draw(const scene::Scene& scene, const DrawingOptions& options, int frames,
 /// sky                   drawn, fog_alone or hidden_by_fog
 /// lights_per_fragment   of visible surfaces, in the mean; 0 on those that are fog alone
 /// bytes_uploaded        by the last fog_change: of the light tables; by the frame: lists of lights and what draws take
-/// ms_by_stage           plan (what to draw, on the CPU), surfaces, sky, points, resolve, airlight: each is waited for
+/// ms_by_stage           plan (what to draw, on the CPU), surfaces, sky, points, panes, resolve (of a pixel's samples),
+///                       airlight: each is waited for
 ///
 /// Then exposure and tone of a picture that a display shows, and errors where there is a reference.
 ///

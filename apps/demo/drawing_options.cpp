@@ -8,7 +8,6 @@
 #include "command/command.h"
 #include "command/number.h"
 #include "render/lighting_path.h"
-#include "scene/scene.h"
 
 namespace litfog::demo {
 namespace {
@@ -68,8 +67,9 @@ const char* why_without_airlight(const render::LightingPath& path) {
 const command::NumberRule kSeconds{[](double x) { return x >= 0 && x <= scene::kMaxSeconds; },
                                    "must be a number in [0, 1e9]"};
 
-std::optional<double> DrawingOptions::chosen_visibility() const {
-  return fog ? visibility : std::numeric_limits<double>::infinity();
+double DrawingOptions::visibility_in(const scene::Scene& scene) const {
+  if (!fog) return std::numeric_limits<double>::infinity();
+  return visibility.value_or(scene::suggested_visibility(scene));
 }
 
 render::RenderSettings DrawingOptions::settings_of(const render::LightingPath& path) const {
@@ -98,6 +98,10 @@ void add_fog_and_visibility(CLI::App& app, DrawingOptions& options) {
              "suggests)");
   command::add_contrast(app, options.contrast);
   add_phase(app, options);
+}
+
+bool is_hales_lookup(const render::LightingPath& path) {
+  return path.evaluation == render::Evaluation::lookup && path.surface == render::SurfaceModel::diffuse;
 }
 
 void add_path(CLI::App& app, DrawingOptions& options) {
@@ -164,35 +168,37 @@ void add_time(CLI::App& app, DrawingOptions& options) {
                       "Seconds for which the scene's cookies and lights have been turning (default 0)");
 }
 
-std::vector<command::OptionRule> drawing_rules(const DrawingOptions& options) {
-  const render::LightingPath& path = *options.render.path;
-  const std::string name = fmt::format("--path {}", path.name);
-  const bool can_be_flat =
-      path.evaluation == render::Evaluation::lookup && path.surface == render::SurfaceModel::diffuse;
-  const bool is_peak = options.settings_of(path).fog_lighting == render::FogLighting::peak;
-  return {{"--fog none", !options.fog, {"--visibility", "--contrast", "--phase-g"}, "the air is clear"},
-          {options.fog_light ? "--fog-light peak" : name, is_peak, {"--phase-g"}, "only airlight scatters by it"},
-          {name, path.maps == render::LightMapSet::none, {"--map-size", "--cone-maps"}, "it has no light maps"},
-          {name, !can_be_flat, {"--flat-shading", "--light-ambient"}, "only lookup-3d and lookup-2d have it"},
-          {name,
-           options.fog_light == render::FogLighting::airlight && !path.takes_airlight,
-           {"--fog-light"},
-           why_without_airlight(path)},
-          {name, path.surface != render::SurfaceModel::basic, {"--infinite-viewer"}, "it has no highlights"}};
-}
-
-std::vector<command::OptionRule> shadow_rules(const DrawingOptions& options) {
+std::vector<command::OptionRule> fog_and_shadow_rules(const DrawingOptions& options) {
   using render::Shadows;
   const render::LightingPath& path = *options.render.path;
   const std::string name = fmt::format("--path {}", path.name);
   const Shadows shadows = options.render.shadows;
   const bool is_peak = options.settings_of(path).fog_lighting == render::FogLighting::peak;
-  return {{name, shadows != Shadows::none && !path.takes_airlight, {"--shadows"}, why_without_airlight(path)},
+  return {{"--fog none", !options.fog, {"--visibility", "--contrast", "--phase-g"}, "the air is clear"},
+          {name, shadows != Shadows::none && !path.takes_airlight, {"--shadows"}, why_without_airlight(path)},
           {options.fog_light ? "--fog-light peak" : name,
            shadows == Shadows::shafts && is_peak,
            {"--shadows"},
            "only airlight has shafts"},
           {"--shadows none", shadows == Shadows::none, {"--shadow-lamps", "--shadow-map-size"}, "no lamp casts any"}};
+}
+
+std::vector<command::OptionRule> drawing_rules(const DrawingOptions& options) {
+  const render::LightingPath& path = *options.render.path;
+  const std::string name = fmt::format("--path {}", path.name);
+  const bool is_peak = options.settings_of(path).fog_lighting == render::FogLighting::peak;
+  std::vector<command::OptionRule> rules = fog_and_shadow_rules(options);
+  rules.insert(
+      rules.end(),
+      {{options.fog_light ? "--fog-light peak" : name, is_peak, {"--phase-g"}, "only airlight scatters by it"},
+       {name, path.maps == render::LightMapSet::none, {"--map-size", "--cone-maps"}, "it has no light maps"},
+       {name, !is_hales_lookup(path), {"--flat-shading", "--light-ambient"}, "only lookup-3d and lookup-2d have it"},
+       {name,
+        options.fog_light == render::FogLighting::airlight && !path.takes_airlight,
+        {"--fog-light"},
+        why_without_airlight(path)},
+       {name, path.surface != render::SurfaceModel::basic, {"--infinite-viewer"}, "it has no highlights"}});
+  return rules;
 }
 
 void expect_pixels(const DrawingOptions& options, std::int64_t most, const std::string& what) {

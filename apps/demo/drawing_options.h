@@ -9,6 +9,7 @@
 #include "demo/display_options.h"
 #include "litfog/fog.h"
 #include "render/render_settings.h"
+#include "scene/scene.h"
 
 namespace CLI {
 class App;
@@ -37,8 +38,8 @@ struct DrawingOptions {
 
   friend bool operator==(const DrawingOptions&, const DrawingOptions&) = default;
 
-  /// The visibility that is asked for, infinite in clear air.
-  std::optional<double> chosen_visibility() const;
+  /// Metres: the visibility that is asked for, else the one that the scene suggests; infinite in clear air.
+  double visibility_in(const scene::Scene& scene) const;
   /// How a path draws. One that takes no airlight draws the peak whatever is asked for.
   render::RenderSettings settings_of(const render::LightingPath& path) const;
   FogMode fog_mode() const { return fog.value_or(FogMode::exp); }
@@ -50,7 +51,9 @@ struct DrawingOptions {
 void add_fog(CLI::App& app, DrawingOptions& options);
 /// --fog, which may be none, --visibility, --contrast and --phase-g.
 void add_fog_and_visibility(CLI::App& app, DrawingOptions& options);
-/// --path and --flat-shading, which belongs to two of the paths.
+/// Whether a path is lookup-3d or lookup-2d, to which --flat-shading and --light-ambient belong.
+bool is_hales_lookup(const render::LightingPath& path);
+/// --path and --flat-shading.
 void add_path(CLI::App& app, DrawingOptions& options);
 void add_size(CLI::App& app, DrawingOptions& options);
 /// --size, --samples, --map-size, --cone-maps, --light-ambient, --infinite-viewer and --no-skip.
@@ -61,11 +64,11 @@ void add_fog_light(CLI::App& app, DrawingOptions& options);
 void add_shadows(CLI::App& app, DrawingOptions& options);
 void add_time(CLI::App& app, DrawingOptions& options);
 
-/// Of --fog none and of the chosen path.
-std::vector<command::OptionRule> drawing_rules(const DrawingOptions& options);
+/// Of --fog none and --shadows: all there are for a job over every path.
+std::vector<command::OptionRule> fog_and_shadow_rules(const DrawingOptions& options);
 
-/// Of --shadows.
-std::vector<command::OptionRule> shadow_rules(const DrawingOptions& options);
+/// Those, and the chosen path's.
+std::vector<command::OptionRule> drawing_rules(const DrawingOptions& options);
 
 /// Throws the usage error of a --size of more pixels than this. what: of which, "for a reference"
 void expect_pixels(const DrawingOptions& options, std::int64_t most, const std::string& what);

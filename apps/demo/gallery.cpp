@@ -12,6 +12,7 @@
 #include "command/standard_output.h"
 #include "command/table.h"
 #include "demo/contact_sheet.h"
+#include "demo/drawing.h"
 #include "demo/picture_folder.h"
 #include "scene/file/scene_file.h"
 
@@ -66,13 +67,15 @@ struct Row {
   std::string prefix;  ///< of its files
 };
 
-/// A row a scene, the first one twice if that is asked for.
-std::vector<Row> make_rows(const std::vector<scene::Scene>& scenes, const GallerySettings& settings) {
+/// A row a scene, and the first one's by the peak where airlight is the default.
+std::vector<Row> make_rows(const std::vector<scene::Scene>& scenes, const DrawingOptions& options) {
+  const render::RenderSettings settings = options.settings_of(*options.render.path);
+  const bool compares_peak = !options.fog_light && settings.fog_lighting == render::FogLighting::airlight;
   std::vector<Row> rows;
   for (const scene::Scene& scene : scenes) {
-    rows.push_back({&scene, settings.render, scene.name, scene.name});
-    if (!settings.compares_peak || rows.size() > 1) continue;
-    rows.push_back({&scene, settings.render, scene.name + " by --fog-light peak", scene.name + "-peak"});
+    rows.push_back({&scene, settings, scene.name, scene.name});
+    if (!compares_peak || rows.size() > 1) continue;
+    rows.push_back({&scene, settings, scene.name + " by --fog-light peak", scene.name + "-peak"});
     rows.back().render.fog_lighting = render::FogLighting::peak;
   }
   return rows;
@@ -80,6 +83,11 @@ std::vector<Row> make_rows(const std::vector<scene::Scene>& scenes, const Galler
 
 std::string picture_file(const Row& row, double visibility) {
   return row.prefix + (std::isinf(visibility) ? "-clear" : fmt::format("-{}m", visibility)) + ".png";
+}
+
+DrawingOptions at_visibility(DrawingOptions options, double visibility) {
+  options.visibility = visibility;
+  return options;
 }
 
 PictureFolder make_folder(const std::string& path, const std::vector<Row>& rows) {
@@ -94,28 +102,26 @@ PictureFolder make_folder(const std::string& path, const std::vector<Row>& rows)
 
 }  // namespace
 
-void draw_gallery(const std::vector<std::string>& scenes, const std::string& folder, const GallerySettings& settings) {
+void draw_gallery(const std::vector<std::string>& scenes, const std::string& folder, const DrawingOptions& options) {
   const Clock::time_point start = Clock::now();
   std::vector<scene::Scene> read = scene::read_scenes(scenes);
-  for (scene::Scene& scene : read) scene.phase_g = settings.phase_g.value_or(scene.phase_g);
+  for (scene::Scene& scene : read) set_scene(scene, options);
   command::report(fmt::format("{} scenes loaded in {:.2f} s\n", read.size(), seconds_since(start)));
-  const std::vector<Row> rows = make_rows(read, settings);
+  const std::vector<Row> rows = make_rows(read, options);
   PictureFolder pictures = make_folder(folder, rows);
   command::Table solutions{{"scene", "light", "visibility_m", "extent_m", "peak_range_m", "intensity"}, {}};
   std::vector<std::vector<SheetEntry>> sheet;
-  for (const scene::Scene& scene : read) add_solutions(solutions, scene, settings.fog_mode);
+  for (const scene::Scene& scene : read) add_solutions(solutions, scene, options.fog_mode());
   for (const Row& row : rows) {
     const scene::Scene& scene = *row.scene;
-    render::Renderer renderer(scene, settings.width, settings.height, row.render);
+    render::Renderer renderer(scene, options.width, options.height, row.render);
     command::report(fmt::format("{}: {} lights\n", row.title, scene.lights.size()));
     sheet.emplace_back();
     for (const double visibility : shown_visibilities(scene)) {
       const bool is_clear = std::isinf(visibility);
       const std::string file = picture_file(row, visibility);
       const Clock::time_point frame_start = Clock::now();
-      renderer.set_fog(Fog::from_visibility(settings.fog_mode, visibility));
-      render::Display display = settings.display.display_for(scene);
-      display.exposure = renderer.set_exposure(display.exposure);
+      const render::Display display = set_fog_and_exposure(renderer, at_visibility(options, visibility)).display;
       renderer.draw();
       const render::Picture drawn = renderer.read();
       const double draw_seconds = seconds_since(frame_start);

@@ -2,7 +2,6 @@
 // litfog-demo: draws lit-fog scenes without a display.
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -33,9 +32,7 @@
 #include "files/whole_file.h"
 #include "litfog/gl/headless_context.h"
 #include "litfog/gl/unsupported.h"
-#include "litfog/input_error.h"
 #include "scene/file/scene_file.h"
-#include "scene/model/city.h"
 
 namespace {
 
@@ -73,8 +70,8 @@ constexpr const char* kExamples =
   litfog-demo gallery -o out
   litfog-demo compare room headlights --size 960x540 -o paths
 
-Exit status: 0 done; 1 wrong usage; 2 bad scene or light file; 3 no OpenGL 3.3 through EGL, fewer samples a pixel, or more
-shadow maps than memory; 4 output cannot be written.)";
+Exit status: 0 done; 1 wrong usage; 2 bad scene or light file; 3 no OpenGL 3.3 through EGL, too few samples a
+pixel, too little memory for the shadow maps, or no ffmpeg for --film; 4 output cannot be written.)";
 
 /// One of the command's jobs. It has put its options on the command line and runs when that has been parsed.
 using Job = std::function<ExitStatus()>;
@@ -97,20 +94,10 @@ Job add_picture_job(CLI::App& app) {
     bool reference = false;
   };
   const auto options = std::make_shared<Options>();
-  add_scene(app, options->scene);
   app.add_option("-o,--output", options->output,
                  "Picture to write: .png (what a display shows) or .exr (linear light) (default SCENE.png)")
       ->type_name("FILE");
-  add_changes(app, options->scene);
-  add_city_lights(app, options->scene);
-  add_view(app, options->scene);
-  add_fog_and_visibility(app, options->drawing);
-  add_path(app, options->drawing);
-  add_fog_light(app, options->drawing);
-  add_shadows(app, options->drawing);
-  add_rendering(app, options->drawing);
-  add_time(app, options->drawing);
-  add_display(app, options->drawing.display);
+  add_picture_options(app, options->scene, options->drawing);
   add_integer(app, "--frames", options->frames, 1, 100'000,
               "Frames to draw and time, after one that is not timed (default 1)");
   app.add_flag("--reference", options->reference,
@@ -137,7 +124,6 @@ Job add_picture_job(CLI::App& app) {
                      {"--exposure", "--tone"},
                      "it holds the scene's light"});
     check_options(app, rules);
-    check_options(app, shadow_rules(drawing));
     if (is_given("--output") && !is_picture_path(options->output)) {
       fail_option("--output", options->output, "must end in .png or .exr");
     }
@@ -178,26 +164,36 @@ Job add_picture_job(CLI::App& app) {
   };
 }
 
+/// files  what is written, where the pictures alone do not say it: ": a page"
+void add_folder(CLI::App& app, std::string& folder, const std::string& files = "") {
+  const auto take = [&folder](const std::string& text) {
+    if (text.empty()) fail_option("--output", text, "must not be empty");
+    folder = text;
+  };
+  app.add_option_function<std::string>("-o,--output", take,
+                                       fmt::format("Folder to write into{} (default {})", files, folder))
+      ->type_name("FOLDER");
+}
+
 /// Common to the jobs over many scenes.
-struct FolderOptions {
+struct ScenesOptions {
   std::vector<std::string> scenes;
   std::string folder;
   DrawingOptions drawing;
 };
 
-void add_folder(CLI::App& app, FolderOptions& options) {
+void add_scenes_and_folder(CLI::App& app, ScenesOptions& options) {
   app.add_option("SCENE", options.scenes, "Scenes as those of a single picture (default: all that come with litfog)")
       ->type_name("");
-  app.add_option("-o,--output", options.folder, "Folder to write into (default " + options.folder + ")")
-      ->type_name("FOLDER");
+  add_folder(app, options.folder);
 }
 
 Job add_gallery_job(CLI::App& app) {
-  const auto options = std::make_shared<FolderOptions>(FolderOptions{.scenes = {}, .folder = "gallery", .drawing = {}});
+  const auto options = std::make_shared<ScenesOptions>(ScenesOptions{.scenes = {}, .folder = "gallery", .drawing = {}});
   app.footer(
       "Where airlight is the default, the first scene is drawn by peak as well, for comparison.\n\n"
       "Example:\n  litfog-demo gallery room headlights --size 640x360 -o out");
-  add_folder(app, *options);
+  add_scenes_and_folder(app, *options);
   add_fog(app, options->drawing);
   add_path(app, options->drawing);
   add_fog_light(app, options->drawing);
@@ -206,27 +202,17 @@ Job add_gallery_job(CLI::App& app) {
   add_display(app, options->drawing.display);
   return [&app, options] {
     const DrawingOptions& drawing = options->drawing;
-    if (options->folder.empty()) fail_option("--output", "", "must not be empty");
     check_options(app, drawing_rules(drawing));
-    check_options(app, shadow_rules(drawing));
     const std::vector<std::string> scenes = scene_paths(options->scenes);
-    const render::RenderSettings render = drawing.settings_of(*drawing.render.path);
     const gl::HeadlessContext context;
     report(fmt::format("drawing {} scenes on {}\n", scenes.size(), context.renderer()));
-    draw_gallery(scenes, options->folder,
-                 {.fog_mode = drawing.fog_mode(),
-                  .phase_g = drawing.phase_g,
-                  .width = drawing.width,
-                  .height = drawing.height,
-                  .render = render,
-                  .compares_peak = !drawing.fog_light && render.fog_lighting == render::FogLighting::airlight,
-                  .display = drawing.display});
+    draw_gallery(scenes, options->folder, drawing);
     return kDone;
   };
 }
 
 Job add_comparison_job(CLI::App& app) {
-  struct Options : FolderOptions {
+  struct Options : ScenesOptions {
     SceneOptions scene;
     std::vector<std::string> settings;
     int frames = kComparedFrames;
@@ -240,7 +226,7 @@ Job add_comparison_job(CLI::App& app) {
       "  litfog-demo compare room --visibility 30 --size 960x540 -o paths\n"
       "  litfog-demo compare room --with \"visibility=50\" --with \"visibility=400 path=vertex\"\n"
       "  litfog-demo compare room --with lights[0].attenuation.quadratic=0.05 --with my-room.json --with no-skip");
-  add_folder(app, *options);
+  add_scenes_and_folder(app, *options);
   app.add_option("--with", options->settings,
                  "Compare settings of one scene in place of its lighting paths; given once for each of them")
       ->type_name("SETTING")
@@ -257,7 +243,6 @@ Job add_comparison_job(CLI::App& app) {
   add_integer(app, "--frames", options->frames, 1, 100'000, "Frames of each path or setting to time (default 5)");
   return [&app, options] {
     const DrawingOptions& drawing = options->drawing;
-    if (options->folder.empty()) fail_option("--output", "", "must not be empty");
     if (!options->settings.empty()) {
       if (options->scenes.size() != 1) throw CLI::ValidationError("--with compares settings of one SCENE: name it");
       SceneOptions base = options->scene;
@@ -268,8 +253,7 @@ Job add_comparison_job(CLI::App& app) {
       compare_settings(settings, options->folder, context.renderer(), options->frames);
       return kDone;
     }
-    check_options(app, {{"--fog none", !drawing.fog, {"--visibility", "--contrast", "--phase-g"}, "the air is clear"}});
-    check_options(app, shadow_rules(drawing));
+    check_options(app, fog_and_shadow_rules(drawing));
     check_options(app, {{"a comparison of lighting paths",
                          true,
                          {"--set", "--camera", "--target", "--fov-deg", "--path", "--flat-shading"},
@@ -306,9 +290,7 @@ Job add_sequence_job(CLI::App& app) {
       "  litfog-demo sequence street --camera 0,1.6,20..0,1.6,-20 --target 0,1.6,-60\n"
       "  litfog-demo sequence room --set lights[0].attenuation.quadratic=0.02..0.5");
   app.add_option("SCENE", options->sequence.scene, "A scene as that of a single picture")->type_name("")->required();
-  app.add_option("-o,--output", options->folder,
-                 "Folder to write into: SCENE-0001.png and so on, and SCENE.apng, which plays them (default sequence)")
-      ->type_name("FOLDER");
+  add_folder(app, options->folder, ": SCENE-0001.png and so on, and SCENE.apng, which plays them");
   add_sequence(app, options->sequence);
   add_contrast(app, options->drawing.contrast);
   add_fog(app, options->drawing);
@@ -319,12 +301,10 @@ Job add_sequence_job(CLI::App& app) {
   add_display(app, options->drawing.display);
   return [&app, options] {
     const DrawingOptions& drawing = options->drawing;
-    if (options->folder.empty()) fail_option("--output", "", "must not be empty");
     if (app.count("--film") > 0 && !is_film_path(options->sequence.film)) {
       fail_option("--film", options->sequence.film, "must end in .mp4 or .webm");
     }
     check_options(app, drawing_rules(drawing));
-    check_options(app, shadow_rules(drawing));
     check_options(app, {{"--camera-path", app.count("--camera-path") > 0, {"--camera", "--target", "--fov-deg"}}});
     Sequence sequence(options->sequence, drawing.phase_g);
     check_options(
@@ -347,11 +327,10 @@ Job add_papers_job(CLI::App& app) {
   app.footer(
       "hales.png has the times of table 1 beside those measured now; times in software rendering are not a GPU's.\n\n"
       "Example:\n  litfog-demo papers -o out");
-  app.add_option("-o,--output", options->folder, "Folder to write into (default papers)")->type_name("FOLDER");
+  add_folder(app, options->folder);
   add_size(app, options->drawing);
   add_integer(app, "--frames", options->frames, 1, 100'000, "Frames of each program to time (default 5)");
   return [options] {
-    if (options->folder.empty()) fail_option("--output", "", "must not be empty");
     draw_paper_sheets(options->folder, options->drawing.width, options->drawing.height, options->frames);
     return kDone;
   };

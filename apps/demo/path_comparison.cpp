@@ -28,7 +28,7 @@ std::string words_of(const Fog& fog, double visibility) {
 }
 
 std::string words_of(const render::RenderSettings& settings) {
-  std::string words = settings.skipping == render::Skipping::on ? "what cannot show is skipped" : "nothing is skipped";
+  std::string words = settings.skipping == render::Skipping::on ? "what is invisible is skipped" : "nothing is skipped";
   if (settings.has_infinite_viewer) words += ", highlights as seen from far away";
   return fmt::format("{}, light maps of {} texels a side", words, settings.map_size);
 }
@@ -67,7 +67,7 @@ std::vector<measure::FrameTimes> time_paths(const std::vector<std::unique_ptr<re
 
 SceneResult compare_scene(const scene::Scene& scene, PictureFolder& pictures, const std::string& machine,
                           const DrawingOptions& options, int frames) {
-  const double visibility = options.chosen_visibility().value_or(scene::suggested_visibility(scene));
+  const double visibility = options.visibility_in(scene);
   const Fog fog = options.fog_at(visibility);
   SceneResult result{.name = scene.name,
                      .description = scene.description,

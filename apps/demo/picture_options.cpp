@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "demo/picture_options.h"
 
-#include <algorithm>
-#include <iterator>
-
 #include "command/option_rule.h"
 
 namespace litfog::demo {
@@ -20,12 +17,6 @@ void add_picture_options(CLI::App& app, SceneOptions& scene, DrawingOptions& dra
   add_rendering(app, drawing);
   add_time(app, drawing);
   add_display(app, drawing.display);
-}
-
-std::vector<command::OptionRule> picture_rules(const DrawingOptions& drawing) {
-  std::vector<command::OptionRule> rules = drawing_rules(drawing);
-  std::ranges::move(shadow_rules(drawing), std::back_inserter(rules));
-  return rules;
 }
 
 void check_scene_options(const CLI::App& app, const scene::Scene& scene) {

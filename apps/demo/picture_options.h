@@ -9,9 +9,6 @@ namespace litfog::demo {
 /// SCENE and every option that changes a single picture of it, whatever becomes of the picture.
 void add_picture_options(CLI::App& app, SceneOptions& scene, DrawingOptions& drawing);
 
-/// Of --fog none, of the chosen path and of --shadows.
-std::vector<command::OptionRule> picture_rules(const DrawingOptions& drawing);
-
 /// Throws the usage error of a --time or --lights that changes nothing in the scene.
 void check_scene_options(const CLI::App& app, const scene::Scene& scene);
 

@@ -92,15 +92,13 @@ scene::SceneChange parse_change(const std::string& text) {
 }
 
 glm::dvec3 parse_point(const std::string& option, const std::string& text) {
+  const std::vector<std::string_view> parts = command::split_at_commas(text);
+  if (parts.size() != 3) command::fail_option(option, text, kPointRule);
   glm::dvec3 point;
-  std::size_t begin = 0;
   for (int i = 0; i < 3; ++i) {
-    const std::size_t end = i < 2 ? text.find(',', begin) : text.size();
-    const auto number =
-        end == text.npos ? std::nullopt : command::parse_number(std::string_view(text).substr(begin, end - begin));
+    const auto number = command::parse_number(parts[std::size_t(i)]);
     if (!number || !(std::abs(*number) <= scene::kMaxCoordinate)) command::fail_option(option, text, kPointRule);
     point[i] = *number;
-    begin = end + 1;
   }
   return point;
 }

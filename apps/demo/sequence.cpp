@@ -231,12 +231,14 @@ void draw_sequence(Sequence& sequence, const std::string& folder, const DrawingO
                    const SequenceOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const scene::Scene& scene = sequence.scene();
-  const std::string name = scene.name;
   const int count = sequence.frames();
   if (!options.film.empty()) require_film_maker();
-  std::vector<std::string> files{name + ".apng"};
-  for (int frame = 0; frame < count; ++frame) files.push_back(frame_file(scene, frame));
+  std::vector<std::string> frame_files;
+  for (int frame = 0; frame < count; ++frame) frame_files.push_back(frame_file(scene, frame));
+  std::vector<std::string> files = frame_files;
+  files.push_back(scene.name + ".apng");
   PictureFolder pictures(folder, files, scene.files);
+  const std::string animation = pictures.path_of(files.back());
   if (!options.film.empty()) {
     command::OutputFiles outputs;
     outputs.add("--film", options.film);
@@ -263,17 +265,15 @@ void draw_sequence(Sequence& sequence, const std::string& folder, const DrawingO
       renderer->set_exposure({.ev = display.exposure.ev});
     }
     renderer->draw();
-    pictures.write(files[std::size_t(frame) + 1], render::displayed(renderer->read(), display));
-    command::report(fmt::format("{}: {}, drawn in {:.2f} s\n", pictures.path_of(files[std::size_t(frame) + 1]),
-                                sequence.words(frame), seconds_since(frame_start)));
+    const std::string& file = frame_files[std::size_t(frame)];
+    pictures.write(file, render::displayed(renderer->read(), display));
+    command::report(fmt::format("{}: {}, drawn in {:.2f} s\n", pictures.path_of(file), sequence.words(frame),
+                                seconds_since(frame_start)));
   }
   pictures.finish();
 
   std::vector<std::string> frames;
-  for (int frame = 0; frame < count; ++frame) {
-    frames.push_back(read_file_text(pictures.path_of(files[std::size_t(frame) + 1]), kMaxFrameBytes));
-  }
-  const std::string animation = pictures.path_of(files.front());
+  for (const std::string& file : frame_files) frames.push_back(read_file_text(pictures.path_of(file), kMaxFrameBytes));
   files::write_whole_file(animation, animated_png(frames, options.frames_per_second));
   if (!options.film.empty()) {
     files::write_whole_file(options.film, film(options.film, frames, options.frames_per_second));

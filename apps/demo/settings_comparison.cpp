@@ -63,7 +63,7 @@ using Unused = std::set<std::string>;  // options of the command line that no se
 /// own  whether the setting states an option itself
 template <typename IsOwn>
 void take_used(Unused& unused, const DrawingOptions& drawing, const IsOwn& is_own) {
-  std::erase_if(unused, [&, rules = picture_rules(drawing)](const std::string& option) {
+  std::erase_if(unused, [&, rules = drawing_rules(drawing)](const std::string& option) {
     const bool is_excluded = std::ranges::any_of(rules, [&](const command::OptionRule& rule) {
       return rule.applies && std::ranges::find(rule.excluded, option) != rule.excluded.end();
     });
@@ -80,7 +80,7 @@ Setting parse_setting(const Setting& base, const std::string& text, Unused& unus
     auto arguments = arguments_of(text, app);
     if (arguments.empty()) throw CLI::ValidationError("must not be empty");
     app.parse(arguments);
-    command::check_options(app, picture_rules(setting.drawing));
+    command::check_options(app, drawing_rules(setting.drawing));
     command::check_options(app, {{"--with", true, {"--size"}, "all pictures are of one size"}});
   } catch (const CLI::ParseError& error) {
     throw CLI::ValidationError(fmt::format("--with \"{}\": {}", text, error.what()));
@@ -103,6 +103,30 @@ void expect_effects(const std::vector<Setting>& settings, const std::deque<scene
   }
 }
 
+struct SettingRenderer {
+  std::unique_ptr<render::Renderer> renderer;
+  render::Display display;  // an automatic exposure chosen
+};
+
+/// An automatic exposure is that of the first setting that has one.
+std::vector<SettingRenderer> make_renderers(const std::vector<Setting>& settings,
+                                            const std::deque<scene::Scene>& scenes) {
+  std::vector<SettingRenderer> renderers;
+  std::optional<double> automatic;
+  for (std::size_t i = 0; i < settings.size(); ++i) {
+    const DrawingOptions& drawing = settings[i].drawing;
+    auto renderer = std::make_unique<render::Renderer>(scenes[i], drawing.width, drawing.height,
+                                                       drawing.settings_of(*drawing.render.path));
+    renderer->set_fog(drawing.fog_at(drawing.visibility_in(scenes[i])));
+    render::Display display = drawing.display.display_for(scenes[i]);
+    if (display.exposure.is_auto && automatic) display.exposure = {.ev = *automatic};
+    display.exposure = renderer->set_exposure(display.exposure);
+    if (display.exposure.is_auto) automatic = display.exposure.ev;
+    renderers.push_back({std::move(renderer), display});
+  }
+  return renderers;
+}
+
 /// A picture compared with another, both as a display shows them.
 measure::PictureError difference(const render::Picture& one, const render::Picture& other) {
   return measure::picture_error(
@@ -110,6 +134,36 @@ measure::PictureError difference(const render::Picture& one, const render::Pictu
               .least = one,
               .most = one,
               .is_at_jump = std::vector<std::uint8_t>(std::size_t(one.width) * std::size_t(one.height))});
+}
+
+/// Each picture with each later one, the pairs of the first picture first.
+std::vector<PairResult> compare_pairs(const std::vector<render::Picture>& pictures, const measure::Progress& progress) {
+  std::vector<PairResult> pairs;
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    for (std::size_t k = i + 1; k < pictures.size(); ++k) {
+      progress(fmt::format("comparing {} and {}", i + 1, k + 1));
+      const measure::PictureError error = difference(pictures[i], pictures[k]);
+      pairs.push_back({.first = i,
+                       .second = k,
+                       .largest = error.largest,
+                       .mean = error.mean,
+                       .png = png_text(heat_picture(error))});
+    }
+  }
+  return pairs;
+}
+
+/// pairs  those of the first setting first
+void report_results(const std::vector<SettingResult>& results, const std::vector<PairResult>& pairs) {
+  const std::size_t widest =
+      std::ranges::max(results, {}, [](const auto& each) { return each.words.size(); }).words.size();
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const std::string apart =
+        i == 0 ? ""
+               : fmt::format("; from 1: largest {:.3g}, mean {:.3g} of 1/255", pairs[i - 1].largest, pairs[i - 1].mean);
+    command::report(fmt::format("{}: {:<{}} {:>8} ms{}\n", i + 1, results[i].words, widest,
+                                measure::milliseconds_text(results[i].milliseconds), apart));
+  }
 }
 
 }  // namespace
@@ -149,56 +203,25 @@ void compare_settings(const std::vector<Setting>& settings, const std::string& f
   expect_effects(settings, scenes);
   const PictureFolder page(folder, {kPageFile}, inputs);
 
-  std::vector<std::unique_ptr<render::Renderer>> renderers;
-  std::vector<render::Display> displays;
-  std::optional<double> automatic;
-  for (std::size_t i = 0; i < settings.size(); ++i) {
-    const DrawingOptions& drawing = settings[i].drawing;
-    render::Renderer& renderer = *renderers.emplace_back(std::make_unique<render::Renderer>(
-        scenes[i], drawing.width, drawing.height, drawing.settings_of(*drawing.render.path)));
-    renderer.set_fog(drawing.fog_at(drawing.chosen_visibility().value_or(scene::suggested_visibility(scenes[i]))));
-    render::Display display = drawing.display.display_for(scenes[i]);
-    if (display.exposure.is_auto && automatic) display.exposure = {.ev = *automatic};
-    display.exposure = renderer.set_exposure(display.exposure);
-    if (display.exposure.is_auto) automatic = display.exposure.ev;
-    displays.push_back(display);
-  }
+  const std::vector<SettingRenderer> renderers = make_renderers(settings, scenes);
   std::vector<measure::DrawFrame> in_turn;
-  for (const auto& renderer : renderers) in_turn.push_back(measure::frames_of(*renderer));
+  for (const SettingRenderer& each : renderers) in_turn.push_back(measure::frames_of(*each.renderer));
   command::Progress shown;
-  const std::vector<measure::FrameTimes> times = measure::time_frames(
-      in_turn, measure::FrameBudget::exactly(frames), [&shown](std::string_view step) { shown.show(step); });
+  const measure::Progress progress = [&shown](std::string_view step) { shown.show(step); };
+  const std::vector<measure::FrameTimes> times =
+      measure::time_frames(in_turn, measure::FrameBudget::exactly(frames), progress);
 
   std::vector<render::Picture> pictures;
   std::vector<SettingResult> results;
   for (std::size_t i = 0; i < settings.size(); ++i) {
-    pictures.push_back(render::displayed(renderers[i]->read(), displays[i]));
+    pictures.push_back(render::displayed(renderers[i].renderer->read(), renderers[i].display));
     results.push_back({.words = settings[i].words,
                        .milliseconds = times[i].median(),
                        .spread = times[i].spread(),
                        .png = png_text(pictures[i])});
   }
-  std::vector<PairResult> pairs;
-  for (std::size_t i = 0; i < pictures.size(); ++i) {
-    for (std::size_t k = i + 1; k < pictures.size(); ++k) {
-      shown.show(fmt::format("comparing {} and {}", i + 1, k + 1));
-      const measure::PictureError error = difference(pictures[i], pictures[k]);
-      pairs.push_back({.first = i,
-                       .second = k,
-                       .largest = error.largest,
-                       .mean = error.mean,
-                       .png = png_text(heat_picture(error))});
-    }
-  }
-  const std::size_t widest =
-      std::ranges::max(results, {}, [](const auto& each) { return each.words.size(); }).words.size();
-  for (std::size_t i = 0; i < results.size(); ++i) {
-    const std::string apart =
-        i == 0 ? ""
-               : fmt::format("; from 1: largest {:.3g}, mean {:.3g} of 1/255", pairs[i - 1].largest, pairs[i - 1].mean);
-    command::report(fmt::format("{}: {:<{}} {:>8} ms{}\n", i + 1, results[i].words, widest,
-                                measure::milliseconds_text(results[i].milliseconds), apart));
-  }
+  const std::vector<PairResult> pairs = compare_pairs(pictures, progress);
+  report_results(results, pairs);
   const std::string file = page.path_of(kPageFile);
   files::write_whole_file(file, settings_page({.title = scenes.front().name,
                                                .machine = machine,

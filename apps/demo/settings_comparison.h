@@ -26,9 +26,8 @@ struct Setting {
 ///     lights[0].threshold=0.1           other members: as by --set
 ///     other.json                        another scene
 ///
-/// throws  CLI::ValidationError naming --with, its text and what is wrong, or an option of the command line that
-/// changes
-///         none of the pictures
+/// throws  CLI::ValidationError that names --with, its text and what is wrong, or an option of the command line that
+///         changes none of the pictures
 std::vector<Setting> parse_settings(const CLI::App& app, const Setting& base, const std::vector<std::string>& texts);
 
 /// Draws the settings, their frames timed interleaved, and writes index.html (settings_page) into a folder, which is

@@ -7,7 +7,7 @@
 
 namespace litfog::measure {
 
-/// The sky in double, without fog: a gradient, stars and the moon, as render/shaders/sky.frag draws it.
+/// The sky in double, without fog: a gradient, stars and the moon, as render/shaders/night_sky.glsl draws it.
 ///
 /// direction  unit
 glm::dvec3 night_sky(const scene::Environment& environment, const glm::dvec3& direction);

@@ -31,12 +31,12 @@ double alpha_at(const scene::Texels& texels, const glm::dvec2& uv) {
     y = wrapped(y, texels.height, texels.sampling.wrap_v);
     return texels.rgba[4 * (std::size_t(y) * std::size_t(texels.width) + std::size_t(x)) + 3] / 255.0;
   };
-  const glm::dvec2 place = uv * glm::dvec2(texels.width, texels.height);
+  const glm::dvec2 texel = uv * glm::dvec2(texels.width, texels.height);
   if (texels.sampling.magnified == scene::Sampling::Filter::nearest) {
-    return alpha(int(std::floor(place.x)), int(std::floor(place.y)));
+    return alpha(int(std::floor(texel.x)), int(std::floor(texel.y)));
   }
-  const glm::dvec2 low = glm::floor(place - 0.5);
-  const glm::dvec2 part = place - 0.5 - low;
+  const glm::dvec2 low = glm::floor(texel - 0.5);
+  const glm::dvec2 part = texel - 0.5 - low;
   const int x = int(low.x);
   const int y = int(low.y);
   return std::lerp(std::lerp(alpha(x, y), alpha(x + 1, y), part.x),
@@ -61,15 +61,15 @@ bool meets(const glm::dvec3& low, const glm::dvec3& high, const glm::dvec3& orig
 
 }  // namespace
 
-/// Of a triangle on a ray.
-struct TriangleTree::Place {
+/// Of a ray with a triangle.
+struct TriangleTree::Crossing {
   double distance;  // metres along the ray
-  double u, v;      // shares of the second and of the third corner
+  double u, v;      // barycentric coordinates: weights of the second and of the third corner
 };
 
 /// Tomas Möller and Ben Trumbore 1997, "Fast, Minimum Storage Ray/Triangle Intersection".
-std::optional<TriangleTree::Place> TriangleTree::place_on(const Corners& corners, const glm::dvec3& origin,
-                                                          const glm::dvec3& direction) {
+std::optional<TriangleTree::Crossing> TriangleTree::crossing_of(const Corners& corners, const glm::dvec3& origin,
+                                                                const glm::dvec3& direction) {
   const glm::dvec3 e1 = corners[1] - corners[0];
   const glm::dvec3 e2 = corners[2] - corners[0];
   const glm::dvec3 p = glm::cross(direction, e2);
@@ -80,14 +80,14 @@ std::optional<TriangleTree::Place> TriangleTree::place_on(const Corners& corners
   const glm::dvec3 q = glm::cross(t, e1);
   const double v = glm::dot(direction, q) / determinant;
   if (!(u >= 0 && v >= 0 && u + v <= 1)) return std::nullopt;
-  return Place{glm::dot(e2, q) / determinant, u, v};
+  return Crossing{glm::dot(e2, q) / determinant, u, v};
 }
 
-bool TriangleTree::is_left_by_mask(const Triangle& triangle, const Place& place) const {
+bool TriangleTree::is_left(const Triangle& triangle, const Crossing& crossing) const {
   if (triangle.mask == kNoMask) return true;
   const Mask& mask = masks_[triangle.mask];
   const std::array<glm::dvec3, 3>& at = mask.uv_coverage;
-  const glm::dvec3 uv_coverage = at[0] + (at[1] - at[0]) * place.u + (at[2] - at[0]) * place.v;
+  const glm::dvec3 uv_coverage = at[0] + (at[1] - at[0]) * crossing.u + (at[2] - at[0]) * crossing.v;
   const scene::Material& material = *mask.material;
   const double alpha =
       material.plain_albedo ? 1 : alpha_at(*material.albedo, glm::dvec2(uv_coverage) / double(material.size_m));
@@ -160,9 +160,9 @@ void TriangleTree::search(const glm::dvec3& origin, const glm::dvec3& direction,
       continue;
     }
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-      const std::optional<Place> place = place_on(triangles_[i].corners, origin, direction);
-      const bool is_between = place && place->distance >= first && place->distance <= last;
-      if (is_between && is_left_by_mask(triangles_[i], *place)) last = found(triangles_[i].corners, place->distance);
+      const std::optional<Crossing> crossing = crossing_of(triangles_[i].corners, origin, direction);
+      const bool is_between = crossing && crossing->distance >= first && crossing->distance <= last;
+      if (is_between && is_left(triangles_[i], *crossing)) last = found(triangles_[i].corners, crossing->distance);
     }
   }
 }

@@ -36,17 +36,14 @@ class TriangleTree {
   using Corners = std::array<glm::dvec3, 3>;
   struct Triangle {
     Corners corners;
-    std::size_t mask;  // kNoMask: of no such material
+    std::size_t mask;  // kNoMask where its material has none
   };
   static constexpr auto kNoMask = std::size_t(-1);
   struct Mask {
     const scene::Material* material;
-    std::array<glm::dvec3, 3> uv_coverage;  // at the corners; the vertices' coverage
+    std::array<glm::dvec3, 3> uv_coverage;  // u, v and the vertex's coverage at each corner
   };
-  struct Place;
-
-  static std::optional<Place> place_on(const Corners& corners, const glm::dvec3& origin, const glm::dvec3& direction);
-  bool is_left_by_mask(const Triangle& triangle, const Place& place) const;
+  struct Crossing;
   struct Node {
     glm::dvec3 low, high;
     std::uint32_t first;  // of its triangles; of an inner node, the second child: the first one follows the node
@@ -54,6 +51,10 @@ class TriangleTree {
   };
 
   void build(std::uint32_t first, std::uint32_t count);
+  static std::optional<Crossing> crossing_of(const Corners& corners, const glm::dvec3& origin,
+                                             const glm::dvec3& direction);
+  /// Whether the triangle's mask, if it has one, leaves it there.
+  bool is_left(const Triangle& triangle, const Crossing& crossing) const;
   /// Calls found(corners, distance) for what the ray meets; it returns the distance up to which to go on.
   template <typename Found>
   void search(const glm::dvec3& origin, const glm::dvec3& direction, double first, double last,

@@ -141,7 +141,7 @@ py::object render(const py::object& picture_class, const py::object& scene, cons
   Drawn drawn;
   try {
     app.parse(arguments_of(options, app));
-    command::check_options(app, demo::picture_rules(drawing));
+    command::check_options(app, demo::drawing_rules(drawing));
     const py::gil_scoped_release released;
     drawn = draw(app, scene_options, drawing);
   } catch (const CLI::ParseError& error) {

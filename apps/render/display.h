@@ -31,9 +31,9 @@ struct Display {
   ToneCurve tone = ToneCurve::neutral;
 };
 
-/// The largest exposure at which one in twenty of the pixels that are not black has a channel beyond 0.8, up to where a
-/// display shows colours as they are, and one in a hundred beyond 4, which `neutral` still shows below white. So a few
-/// bright lamps do not darken a picture, and a dark sky around does not turn what is lit white.
+/// The largest exposure at which no more than one in twenty of the pixels that are not black has a channel beyond 0.8,
+/// up to where a display shows colours as they are, and no more than one in a hundred beyond 4, which `neutral` still
+/// shows below white. So a few bright lamps do not darken a picture, and a dark sky does not make what is lit white.
 ///
 /// returns  EV in hundredths, in [-kMaxExposure, kMaxExposure]; 0 where all is 0 or not finite, which does not count
 double auto_exposure(const Picture& picture);

@@ -29,7 +29,7 @@ struct FrameCounts {
   // Airlight of lights.
   std::size_t airlights_drawn = 0;
   std::size_t airlights_invisible = 0;  ///< hidden by fog, or without fog to light
-  std::size_t shadow_maps_drawn = 0;    ///< all in the first frame, none later
+  std::size_t shadow_maps_drawn = 0;    ///< all in the first frame, later the moon's where the view has changed
   SkyDrawing sky = SkyDrawing::sky;
   std::size_t bytes_uploaded = 0;  ///< lists of lights, where the view has changed, and what each draw is passed
 };

@@ -132,72 +132,58 @@ PlannedSurface FramePlanner::list_lights(std::size_t index, double most_left_out
 }
 
 void FramePlanner::make_plan(const FrameView& view) {
-  const bool skips = settings_.path_skipping() == Skipping::on;
-  const bool hides = skips && settings_.path->has_light_bound && settings_.light_ambient == 0;
   plan_.surfaces.clear();
   plan_.counts = {};
-  FrameCounts& counts = plan_.counts;
   plan_.light_list.resize(lights_.size() - lights_.local_count());
   std::iota(plan_.light_list.begin(), plan_.light_list.end(), std::int32_t(lights_.local_count()));
-
-  plan_.point_first = int(plan_.light_list.size());
-  const Frustum frustum = make_frustum(view.clip_from_world);
-  PointList points;
-  if (skips) {
-    points = list_points(lights_, fog_, view.eye, frustum, kPointShare * step_);
+  if (settings_.path_skipping() == Skipping::on) {
+    plan_visible(view);
   } else {
-    points.lights.resize(lights_.local_count());
-    std::iota(points.lights.begin(), points.lights.end(), 0);
+    plan_everything();
   }
-  plan_.point_count = int(points.lights.size());
-  plan_.light_list.insert(plan_.light_list.end(), points.lights.begin(), points.lights.end());
-  counts.points_drawn = points.lights.size();
-  counts.points_outside_view = points.outside_view;
-  counts.points_hidden = points.hidden;
+}
+
+void FramePlanner::plan_everything() {
+  PointList points;
+  points.lights.resize(lights_.local_count());
+  std::iota(points.lights.begin(), points.lights.end(), 0);
+  add_points(points);
+  const auto first = int(plan_.light_list.size());
+  const std::span<const std::int32_t> lists = surfaces_.lists();
+  plan_.light_list.insert(plan_.light_list.end(), lists.begin(), lists.end());
+  for (const Surface& surface : surfaces_.surfaces()) {
+    plan_.surfaces.push_back({&surface, false, first + surface.list_first, surface.list_count});
+    plan_.counts.lights_listed += std::size_t(surface.list_count);
+    plan_.counts.lights_out_of_reach += lights_.size() - std::size_t(surface.list_count);
+  }
+  plan_.counts.chunks_drawn = plan_.surfaces.size();
+}
+
+void FramePlanner::plan_visible(const FrameView& view) {
+  FrameCounts& counts = plan_.counts;
+  const Frustum frustum = make_frustum(view.clip_from_world);
+  const PointList points = list_points(lights_, fog_, view.eye, frustum, kPointShare * step_);
+  add_points(points);
 
   const double fog_above_eye = scene_.fog_top - view.eye.y;
   const double fog_color = largest_component(scene_.environment.ambient_fog_color);
   const double sky_range = hidden_range(fog_, sky_brightness() + fog_color, kHiddenShare * step_);
-  if (skips && view.highest_slope <= slope_in_fog(fog_above_eye, sky_range)) {
+  if (view.highest_slope <= slope_in_fog(fog_above_eye, sky_range)) {
     counts.sky = is_fog_lit_ ? SkyDrawing::fog : SkyDrawing::background;
   }
 
-  if (!skips) {
-    const auto first = int(plan_.light_list.size());
-    const std::span<const std::int32_t> lists = surfaces_.lists();
-    plan_.light_list.insert(plan_.light_list.end(), lists.begin(), lists.end());
-    for (const Surface& surface : surfaces_.surfaces()) {
-      plan_.surfaces.push_back({&surface, false, first + surface.list_first, surface.list_count});
-      counts.lights_listed += std::size_t(surface.list_count);
-      counts.lights_out_of_reach += lights_.size() - std::size_t(surface.list_count);
-    }
-    counts.chunks_drawn = plan_.surfaces.size();
-    return;
-  }
-
-  struct Seen {
-    std::size_t surface;
-    double nearest, farthest, hidden_range;
-  };
-  std::vector<Seen> seen;
+  const std::vector<SurfaceInView> in_view = find_surfaces_in_view(view.eye, frustum);
   double hidden_from = 0;  // nothing that is farther away is visible
-  for (std::size_t i = 0; i < surfaces_.surfaces().size(); ++i) {
-    const scene::Bounds& box = surfaces_.surfaces()[i].bounds;
-    if (!can_see(frustum, box)) {
-      ++counts.chunks_outside_view;
-      continue;
-    }
+  for (const SurfaceInView& each : in_view) {
     constexpr double kRounding = 1 + 1e-6;
-    const double range = hidden_range_of(i);
-    seen.push_back({i, nearest_distance(view.eye, box), farthest_distance(view.eye, box), range});
-    if (seen.back().nearest < range) {
-      hidden_from = std::max(hidden_from, std::min(seen.back().farthest, range) * kRounding);
-    }
+    if (each.nearest >= each.hidden_range) continue;
+    hidden_from = std::max(hidden_from, std::min(each.farthest, each.hidden_range) * kRounding);
   }
   const double left_out_from = std::max({hidden_from, sky_range, airlight_end_from(view.eye, kBehindShare * step_),
                                          points.farthest * view.point_depth_factor});
   const double highest_left_out = slope_in_fog(fog_above_eye, left_out_from);
-  for (const Seen& each : seen) {
+  const bool hides = settings_.path->has_light_bound && settings_.light_ambient == 0;
+  for (const SurfaceInView& each : in_view) {
     const Surface& surface = surfaces_.surfaces()[each.surface];
     const bool has_mapped_fog = settings_.path->has_mapped_fog() && surface.is_fog_lit;
     if (!hides || has_mapped_fog || each.nearest < each.hidden_range) {
@@ -212,6 +198,28 @@ void FramePlanner::make_plan(const FrameView& view) {
       ++counts.chunks_hidden;
     }
   }
+}
+
+void FramePlanner::add_points(const PointList& points) {
+  plan_.point_first = int(plan_.light_list.size());
+  plan_.point_count = int(points.lights.size());
+  plan_.light_list.insert(plan_.light_list.end(), points.lights.begin(), points.lights.end());
+  plan_.counts.points_drawn = points.lights.size();
+  plan_.counts.points_outside_view = points.outside_view;
+  plan_.counts.points_hidden = points.hidden;
+}
+
+std::vector<FramePlanner::SurfaceInView> FramePlanner::find_surfaces_in_view(const glm::dvec3& eye,
+                                                                             const Frustum& frustum) {
+  std::vector<SurfaceInView> found;
+  for (std::size_t i = 0; i < surfaces_.surfaces().size(); ++i) {
+    const scene::Bounds& box = surfaces_.surfaces()[i].bounds;
+    if (can_see(frustum, box)) {
+      found.push_back({i, nearest_distance(eye, box), farthest_distance(eye, box), hidden_range_of(i)});
+    }
+  }
+  plan_.counts.chunks_outside_view = surfaces_.surfaces().size() - found.size();
+  return found;
 }
 
 bool FramePlanner::can_be_lit_from(const glm::dvec3& eye, const Surface& surface, double range) const {

@@ -10,6 +10,7 @@
 #include "litfog/fog.h"
 #include "render/airlight_list.h"
 #include "render/frame_counts.h"
+#include "render/frustum.h"
 #include "render/point_list.h"
 #include "render/render_settings.h"
 #include "render/scene_lights.h"
@@ -99,7 +100,16 @@ class FramePlanner {
     float hidden_range = 0;
   };
 
+  struct SurfaceInView {
+    std::size_t surface;
+    double nearest, farthest, hidden_range;  // metres from the eye
+  };
+
   void make_plan(const FrameView& view);
+  void plan_everything();
+  void plan_visible(const FrameView& view);
+  void add_points(const PointList& points);
+  std::vector<SurfaceInView> find_surfaces_in_view(const glm::dvec3& eye, const Frustum& frustum);
   /// From where on a surface is hidden, and how much each of its lights gives.
   double hidden_range_of(std::size_t surface);
   /// Whether carried lights can light the fog by their intensity on a ray through the surface, from a range on.

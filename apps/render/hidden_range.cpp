@@ -27,14 +27,6 @@ double hidden_range(const Fog& fog, double brightness, double budget) {
   return kRounding * (fog.mode == FogMode::exp ? depth : std::sqrt(depth)) / fog.density;
 }
 
-double nearest_distance(const glm::dvec3& point, const scene::Bounds& box) {
-  return glm::distance(point, glm::clamp(point, glm::dvec3(box.low), glm::dvec3(box.high)));
-}
-
-double farthest_distance(const glm::dvec3& point, const scene::Bounds& box) {
-  return glm::length(glm::max(glm::abs(point - glm::dvec3(box.low)), glm::abs(point - glm::dvec3(box.high))));
-}
-
 double largest_irradiance(const PlacedLight& light, double extent, const Fog& fog, FogLighting fog_lighting,
                           const LightingPath& path, const scene::Bounds& box) {
   const double range = path.evaluation == Evaluation::fragment ? nearest_distance(light.position, box) : 0;

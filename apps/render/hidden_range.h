@@ -69,8 +69,4 @@ double airlight_end(const Light& light, double extent, const Fog& fog, double la
 bool can_light_from(const PlacedLight& light, double half_angle, const glm::dvec3& eye, const scene::Bounds& box,
                     double range);
 
-/// Distances from a point to a box: metres to its nearest and to its farthest point.
-double nearest_distance(const glm::dvec3& point, const scene::Bounds& box);
-double farthest_distance(const glm::dvec3& point, const scene::Bounds& box);
-
 }  // namespace litfog::render

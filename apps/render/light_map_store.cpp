@@ -24,32 +24,30 @@ std::size_t square(int side) { return std::size_t(side) * std::size_t(side); }
 }  // namespace
 
 LightMapStore::LightMapStore(const scene::Scene& scene, const SceneLights& lights, const RenderSettings& settings)
-    : set_(settings.path->maps), size_(settings.map_size), cone_kind_(settings.cone_maps) {
-  const LightMapSet set = set_;
-  const int size = size_;
-  if (set == LightMapSet::none) return;
+    : set_(settings.path->maps), size_(settings.map_size), cone_coverage_(settings.cone_maps) {
+  if (set_ == LightMapSet::none) return;
   expect_room(lights);
   glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
-  if (set == LightMapSet::pair) {
-    distance_.emplace(Shape::square, pair_size(size), make_distance_map(pair_size(size)));
+  if (set_ == LightMapSet::pair) {
+    distance_.emplace(Shape::square, pair_size(size_), make_distance_map(pair_size(size_)));
   }
-  if (set == LightMapSet::radial) {
-    squares_.emplace(Shape::square, size, make_square_map(size));
-    distance_.emplace(Shape::line, size, make_square_ramp(size));
+  if (set_ == LightMapSet::radial) {
+    squares_.emplace(Shape::square, size_, make_square_map(size_));
+    distance_.emplace(Shape::line, size_, make_square_ramp(size_));
   }
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const PlacedLight& light = lights.lights()[i];
     const Cone& cone = light.light.cone;
     const scene::CookieUse* const cookie = lights.cookie(i);
-    const Maps maps{set == LightMapSet::radial ? &*squares_ : range_map(light, lights.extents()[i]),
+    const Maps maps{set_ == LightMapSet::radial ? &*squares_ : range_map(light, lights.extents()[i]),
                     cookie ? cookie_map(scene, cookie->cookie) : cone_map(cone)};
     auto found = std::ranges::find(maps_, maps);
     if (found == maps_.end()) found = maps_.insert(maps_.end(), maps);
-    const double across = cone_coordinate_scale(cone, size, cone_kind_);
+    const double across = cone_coordinate_scale(cone, size_, cone_coverage_);
     glm::dmat3 cone_from_world;
     if (cookie) {
       cone_from_world = scene::cookie_from_world(light.direction, cookie->roll);
-    } else if (set == LightMapSet::radial) {
+    } else if (set_ == LightMapSet::radial) {
       cone_from_world = glm::dmat3(across, 0, 0, 0, across, 0, 0, 0, 1) * scene::basis_from_world(light.direction);
     } else {
       const scene::Mount mount = lights.mount(i);
@@ -89,7 +87,7 @@ int LightMapStore::cone_side(const Cone& cone) const { return cone.profile == Co
 
 /// Frazier's spot has the same texels at every angle. Its own is 45 degrees, at which the scale is 1.
 Cone LightMapStore::stored_cone(const Cone& cone) const {
-  const bool is_disc = cone_kind_ == ConeMaps::one_disc && is_scaled(cone, cone_kind_);
+  const bool is_disc = cone_coverage_ == ConeMaps::one_disc && is_scaled(cone, cone_coverage_);
   return is_disc ? Cone::cosine(std::numbers::pi / 4, 0) : cone;
 }
 
@@ -110,7 +108,8 @@ const LookupTexture* LightMapStore::cone_map(const Cone& given) {
   }
   const int side = cone_side(cone);
   const CubeAxis axis = set_ == LightMapSet::radial ? CubeAxis::minus_z : CubeAxis::plus_x;
-  return &cone_maps_.emplace_back(cone, LookupTexture(Shape::cube, side, make_cone_cube(cone, axis, side, cone_kind_)))
+  return &cone_maps_
+              .emplace_back(cone, LookupTexture(Shape::cube, side, make_cone_cube(cone, axis, side, cone_coverage_)))
               .second;
 }
 

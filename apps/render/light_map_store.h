@@ -52,7 +52,7 @@ class LightMapStore {
 
   LightMapSet set_;
   int size_;
-  ConeMaps cone_kind_;
+  ConeMaps cone_coverage_;
   std::map<RangeProfile, LookupTexture> range_maps_;
   std::deque<std::pair<Cone, LookupTexture>> cone_maps_;
   std::map<std::size_t, LookupTexture> cookie_maps_;

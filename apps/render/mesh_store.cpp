@@ -35,6 +35,12 @@ void fill(GLenum target, const gl::BufferName& buffer, const std::vector<Element
   glBufferData(target, GLsizeiptr(bytes), elements.data(), GL_STATIC_DRAW);
 }
 
+/// Draws indices of the bound GL_ELEMENT_ARRAY_BUFFER.
+void draw_triangles(std::size_t first, std::size_t count) {
+  glDrawElements(GL_TRIANGLES, GLsizei(count), GL_UNSIGNED_INT,
+                 reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
+}
+
 /// One of a struct's members, of floats, from the bound GL_ARRAY_BUFFER.
 template <typename Struct>
 void set_attribute(GLuint location, GLint components, std::size_t offset) {
@@ -57,12 +63,15 @@ std::vector<scene::VertexDetail> details_of(const std::vector<scene::Model>& mod
   return details;
 }
 
+/// corners  three indices
+glm::vec3 middle_of(const std::uint32_t* corners, const std::vector<scene::Vertex>& vertices) {
+  return (vertices[corners[0]].position + vertices[corners[1]].position + vertices[corners[2]].position) / 3.0f;
+}
+
 void keep_triangles(Chunk& chunk, const std::vector<scene::Vertex>& vertices,
                     const std::vector<std::uint32_t>& indices) {
   for (std::size_t i = chunk.first_index; i < chunk.first_index + std::size_t(chunk.index_count); i += 3) {
-    const glm::vec3 middle =
-        (vertices[indices[i]].position + vertices[indices[i + 1]].position + vertices[indices[i + 2]].position) / 3.0f;
-    chunk.triangles.push_back({middle, {indices[i], indices[i + 1], indices[i + 2]}});
+    chunk.triangles.push_back({middle_of(&indices[i], vertices), {indices[i], indices[i + 1], indices[i + 2]}});
   }
 }
 
@@ -80,10 +89,7 @@ std::vector<Chunk> cut_into_chunks(const scene::Model& model, std::vector<scene:
     std::map<Cell, std::vector<std::uint32_t>> cells;
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
       const std::uint32_t* triangle = &mesh.indices[i];
-      const glm::vec3 centre = (mesh.vertices[triangle[0]].position + mesh.vertices[triangle[1]].position +
-                                mesh.vertices[triangle[2]].position) /
-                               3.0f;
-      auto& cell = cells[is_large ? cell_of(centre) : Cell{}];
+      auto& cell = cells[is_large ? cell_of(middle_of(triangle, mesh.vertices)) : Cell{}];
       cell.insert(cell.end(), triangle, triangle + 3);
     }
     for (const auto& [cell, members] : cells) {
@@ -148,17 +154,13 @@ void MeshStore::bind_sorted(const std::vector<std::uint32_t>& indices) const {
                GL_STREAM_DRAW);
 }
 
-void MeshStore::draw_sorted(std::size_t first, std::size_t count) const {
-  glDrawElements(GL_TRIANGLES, GLsizei(count), GL_UNSIGNED_INT,
-                 reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
-}
+void MeshStore::draw_sorted(std::size_t first, std::size_t count) const { draw_triangles(first, count); }
 
 void MeshStore::draw(const Chunk& chunk, TriangleOrder order) const {
   const std::size_t first = order == TriangleOrder::stored
                                 ? chunk.first_index
                                 : 2 * index_count_ - chunk.first_index - std::size_t(chunk.index_count);
-  glDrawElements(GL_TRIANGLES, chunk.index_count, GL_UNSIGNED_INT,
-                 reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
+  draw_triangles(first, std::size_t(chunk.index_count));
 }
 
 }  // namespace litfog::render

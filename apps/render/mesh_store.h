@@ -29,7 +29,7 @@ struct Chunk {
   std::vector<SortedTriangle> triangles = {};  ///< of a material that is sorted
 };
 
-/// A model's parts as chunks: large parts are cut into cells. The indices are appended to those of a store.
+/// A model's parts as chunks: large parts are cut into cells. Appends their vertices, and the indices to draw.
 std::vector<Chunk> cut_into_chunks(const scene::Model& model, std::vector<scene::Vertex>& vertices,
                                    std::vector<std::uint32_t>& indices);
 

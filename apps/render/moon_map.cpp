@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/hidden_range.h"
 #include "scene/light_frame.h"
 
 namespace litfog::render {

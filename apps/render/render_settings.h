@@ -16,6 +16,8 @@ enum class FogLighting {
   airlight,
 };
 
+inline const char* name_of(FogLighting lighting) { return lighting == FogLighting::airlight ? "airlight" : "peak"; }
+
 /// What the shadows of lamps, and of the directional light, darken.
 enum class Shadows {
   none,

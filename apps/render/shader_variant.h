@@ -32,7 +32,7 @@ struct UniformLights {
 /// A shader of compiled_light_count() lights for these.
 UniformLights compiled_for(std::span<const PackedLight> lights);
 
-/// What few materials and meshes have: shaders without it cost nothing for it (material.frag).
+/// Features that few materials and meshes have: only shaders compiled with one pay for it (material.frag).
 struct MaterialFeatures {
   bool is_masked = false;
   bool is_pane = false;

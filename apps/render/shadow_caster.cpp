@@ -8,7 +8,6 @@
 
 #include "litfog/attenuation.h"
 #include "litfog/cone.h"
-#include "render/hidden_range.h"
 #include "scene/light_frame.h"
 
 namespace litfog::render {

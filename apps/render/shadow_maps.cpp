@@ -25,18 +25,13 @@ struct PackedCaster {
   glm::vec4 up_reach;
 };
 
-PackedCaster pack(const ShadowCaster& caster, int first_layer) {
+/// caster  a ShadowCaster or MoonMap, of maps from a layer on
+template <typename Caster>
+PackedCaster pack(const Caster& caster, double half_size, int layer) {
   const glm::dmat3 world_from_frame = glm::transpose(caster.frame_from_world);
-  return {.position_layer = glm::vec4(caster.position, first_layer),
-          .axis_half_size = glm::vec4(-world_from_frame[2], caster.is_cube ? 0 : caster.half_size),
+  return {.position_layer = glm::vec4(caster.position, layer),
+          .axis_half_size = glm::vec4(-world_from_frame[2], half_size),
           .up_reach = glm::vec4(world_from_frame[1], caster.reach)};
-}
-
-PackedCaster pack(const MoonMap& map, int layer) {
-  const glm::dmat3 world_from_frame = glm::transpose(map.frame_from_world);
-  return {.position_layer = glm::vec4(map.position, layer),
-          .axis_half_size = glm::vec4(-world_from_frame[2], map.half_size),
-          .up_reach = glm::vec4(world_from_frame[1], map.reach)};
 }
 
 scene::Bounds bounds_of_all(const std::vector<Surface>& surfaces) {
@@ -67,31 +62,30 @@ void expect_room(const std::string& whose, std::size_t layers, int size) {
   }
 }
 
-/// Leaves the program in use.
-void set_map(const gl::Program& program, const ShadowCaster& caster, int map) {
-  // A map's corner is the point of its lamp's sphere that is nearest to the lamp's plane.
-  const double near_plane = kLampRadius / std::sqrt(1 + 2 * caster.half_size * caster.half_size);
+/// Leaves the program in use. caster: a ShadowCaster or MoonMap.
+template <typename Caster>
+void set_frame(const gl::Program& program, const Caster& caster, int map) {
   program.use();
   set_uniform(program, "frame_from_world", glm::mat4(glm::dmat4(caster.frame_from_world)));
   set_uniform(program, "lamp_position", glm::vec3(caster.position));
   set_uniform(program, "map", unsigned(map));
   set_uniform(program, "half_size", float(caster.half_size));
-  set_uniform(program, "near_plane", float(near_plane));
-  set_uniform(program, "lamp_radius", float(kLampRadius));
-  set_uniform(program, "is_parallel", unsigned{false});
   set_uniform(program, "reach", float(caster.reach));
 }
 
-/// Leaves the program in use.
+void set_map(const gl::Program& program, const ShadowCaster& caster, int map) {
+  // A map's corner is the point of its lamp's sphere that is nearest to the lamp's plane.
+  const double near_plane = kLampRadius / std::sqrt(1 + 2 * caster.half_size * caster.half_size);
+  set_frame(program, caster, map);
+  set_uniform(program, "near_plane", float(near_plane));
+  set_uniform(program, "lamp_radius", float(kLampRadius));
+  set_uniform(program, "is_parallel", unsigned{false});
+}
+
 void set_map(const gl::Program& program, const MoonMap& map) {
-  program.use();
-  set_uniform(program, "frame_from_world", glm::mat4(glm::dmat4(map.frame_from_world)));
-  set_uniform(program, "lamp_position", glm::vec3(map.position));
-  set_uniform(program, "map", 0u);
-  set_uniform(program, "half_size", float(map.half_size));
+  set_frame(program, map, 0);
   set_uniform(program, "lamp_radius", 0.0f);
   set_uniform(program, "is_parallel", unsigned{true});
-  set_uniform(program, "reach", float(map.reach));
 }
 
 }  // namespace
@@ -147,10 +141,10 @@ void ShadowMaps::upload_casters() {
   std::vector<PackedCaster> packed;
   int layer = 0;
   for (const ShadowCaster& caster : casters_) {
-    packed.push_back(pack(caster, layer));
+    packed.push_back(pack(caster, caster.is_cube ? 0 : caster.half_size, layer));
     layer += caster.map_count;
   }
-  for (const MoonMap& map : moon_maps_) packed.push_back(pack(map, layer++));
+  for (const MoonMap& map : moon_maps_) packed.push_back(pack(map, map.half_size, layer++));
   caster_texture_.emplace(packed.data(), packed.size() * sizeof(PackedCaster), BufferTexture::Texel::float4);
 }
 

@@ -36,7 +36,7 @@ class ShadowMaps {
 
   const std::vector<ShadowCaster>& casters() const { return casters_; }
   const std::vector<MoonMap>& moon_maps() const { return moon_maps_; }
-  /// Of both.
+  /// The lamps' maps and the moon's.
   std::size_t map_count() const;
   /// A light's caster as the shaders number them, or kNoCaster.
   std::int32_t caster_of(std::size_t light) const { return caster_of_[light]; }

@@ -63,6 +63,14 @@ Bounds transformed(const Bounds& box, const glm::mat4& to_from_box) {
   return {centre - reach, centre + reach};
 }
 
+double nearest_distance(const glm::dvec3& point, const Bounds& box) {
+  return glm::distance(point, glm::clamp(point, glm::dvec3(box.low), glm::dvec3(box.high)));
+}
+
+double farthest_distance(const glm::dvec3& point, const Bounds& box) {
+  return glm::length(glm::max(glm::abs(point - glm::dvec3(box.low)), glm::abs(point - glm::dvec3(box.high))));
+}
+
 std::size_t triangle_count(const Model& model) {
   std::size_t count = 0;
   for (const Part& piece : model) count += piece.mesh.indices.size() / 3;

@@ -61,6 +61,10 @@ Bounds united(const Bounds& a, const Bounds& b);
 /// The box around a transformed box.
 Bounds transformed(const Bounds& box, const glm::mat4& to_from_box);
 
+/// Metres from a point to the nearest and to the farthest point of a box.
+double nearest_distance(const glm::dvec3& point, const Bounds& box);
+double farthest_distance(const glm::dvec3& point, const Bounds& box);
+
 std::size_t triangle_count(const Model& model);
 
 /// Adds a transformed copy. A mirroring transform keeps front faces in front.

@@ -30,6 +30,8 @@ struct Camera {
   glm::vec3 position{0.0f, 1.6f, 0.0f};
   glm::vec3 target{0.0f, 1.6f, -1.0f};
   float field_of_view = 1.0f;  ///< vertical, radians
+
+  friend bool operator==(const Camera&, const Camera&) = default;
 };
 
 inline constexpr double kLeastFieldOfViewDeg = 1;
@@ -73,7 +75,7 @@ struct Mount {
   Bearing light = {};
 };
 
-/// Everything the demo draws. Plain data: no GL.
+/// Everything that a renderer draws. Plain data: no GL.
 struct Scene {
   std::vector<std::string> files;  ///< all that it was read from: its own, light files, cookies, buffers, pictures
   std::string name;

@@ -57,14 +57,11 @@ std::string to_string(const DrawingCommand& command) {
   const bool has_maps = path.maps != render::LightMapSet::none;
   add(has_maps && drawn.map_size != usual.render.map_size, "--map-size", fmt::format("{}", drawn.map_size));
   add(has_maps && drawn.cone_maps != usual.render.cone_maps, "--cone-maps", cone_maps_word(drawn.cone_maps));
-  const bool can_be_flat =
-      path.evaluation == render::Evaluation::lookup && path.surface == render::SurfaceModel::diffuse;
-  add(can_be_flat && drawn.is_flat_shaded, "--flat-shading");
-  add(can_be_flat && drawn.light_ambient != 0, "--light-ambient", fmt::format("{}", drawn.light_ambient));
+  const bool is_lookup = demo::is_hales_lookup(path);
+  add(is_lookup && drawn.is_flat_shaded, "--flat-shading");
+  add(is_lookup && drawn.light_ambient != 0, "--light-ambient", fmt::format("{}", drawn.light_ambient));
   add(path.surface == render::SurfaceModel::basic && drawn.has_infinite_viewer, "--infinite-viewer");
-  if (path.takes_airlight && options.fog_light) {
-    add(true, "--fog-light", drawn.fog_lighting == render::FogLighting::airlight ? "airlight" : "peak");
-  }
+  add(path.takes_airlight && options.fog_light, "--fog-light", name_of(drawn.fog_lighting));
   if (drawn.shadows != render::Shadows::none) {
     add(true, "--shadows", shadows_word(drawn.shadows));
     add(drawn.shadow_lamps != usual.render.shadow_lamps, "--shadow-lamps", fmt::format("{}", drawn.shadow_lamps));

@@ -282,7 +282,7 @@ struct Options {
 
 ExitStatus show(const CLI::App& app, Options& options) {
   if (app.count("SCENE") == 0) throw CLI::ValidationError("a scene must be given: see litfog-demo list scenes");
-  check_options(app, demo::picture_rules(options.drawing));
+  check_options(app, demo::drawing_rules(options.drawing));
   scene::Scene scene = demo::read_scene(options.scene);
   demo::check_scene_options(app, scene);
   scene::turn_lights(scene, options.drawing.seconds);

@@ -4,7 +4,6 @@
 #include <chrono>
 #include <deque>
 #include <glm/glm.hpp>
-#include <tuple>
 #include <utility>
 
 #include "demo/picture_file.h"
@@ -21,10 +20,8 @@ double milliseconds_since(Clock::time_point begin) {
   return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
 }
 
-auto members(const scene::Camera& camera) { return std::tie(camera.position, camera.target, camera.field_of_view); }
-
 /// A renderer that stays as long as its settings do, and what it was last told.
-class Easel {
+class KeptRenderer {
  public:
   /// Makes the renderer draw as asked for.
   void set(const scene::Scene& scene, const PictureOrder& order, const demo::DrawingOptions& options) {
@@ -41,7 +38,7 @@ class Easel {
     }
     camera_ = order.camera;
     lights_ = order.lights;
-    const Fog fog = options.fog_at(options.chosen_visibility().value_or(scene::suggested_visibility(scene)));
+    const Fog fog = options.fog_at(options.visibility_in(scene));
     if (fog != renderer_->fog() || scene.phase_g != phase_g_) renderer_->set_fog(fog);
     phase_g_ = scene.phase_g;
   }
@@ -76,11 +73,6 @@ class Easel {
 };
 
 }  // namespace
-
-bool operator==(const PictureOrder& a, const PictureOrder& b) {
-  return a.settings == b.settings && members(a.camera) == members(b.camera) && a.lights == b.lights &&
-         a.width == b.width && a.height == b.height && a.is_sketch == b.is_sketch;
-}
 
 PictureMaker::PictureMaker(scene::Scene scene, std::function<void()> deliver)
     : deliver_(std::move(deliver)), thread_([this, own = std::move(scene)]() mutable { work(std::move(own)); }) {}
@@ -127,7 +119,7 @@ void PictureMaker::work(scene::Scene scene) try {
   const gl::HeadlessContext context;
   const double own_phase_g = scene.phase_g;
   std::shared_ptr<const std::vector<PlacedLight>> lights;
-  std::deque<Easel> easels;  // which resizing does not move
+  std::deque<KeptRenderer> renderers;  // which resizing does not move
   std::unique_lock lock(mutex_);
   gl_renderer_ = context.renderer();
   while (true) {
@@ -143,14 +135,14 @@ void PictureMaker::work(scene::Scene scene) try {
     if (order.lights != lights) scene.lights = *order.lights;
     lights = order.lights;
     scene.camera = order.camera;
-    easels.resize(order.settings.size());
+    renderers.resize(order.settings.size());
     try {
-      for (std::size_t i = 0; i < easels.size(); ++i) {
+      for (std::size_t i = 0; i < renderers.size(); ++i) {
         const demo::DrawingOptions& options = order.settings[i];
         scene.phase_g = options.phase_g.value_or(own_phase_g);
-        easels[i].set(scene, order, options);
-        delivery.pictures.push_back(easels[i].draw(options.display.display_for(scene), order.is_sketch,
-                                                   [this, &order] { return is_unwanted(order); }));
+        renderers[i].set(scene, order, options);
+        delivery.pictures.push_back(renderers[i].draw(options.display.display_for(scene), order.is_sketch,
+                                                      [this, &order] { return is_unwanted(order); }));
       }
     } catch (const render::Interrupted&) {
       lock.lock();
@@ -158,7 +150,7 @@ void PictureMaker::work(scene::Scene scene) try {
     } catch (const gl::Unsupported& missing) {  // of these settings: others may do
       delivery.pictures.clear();
       delivery.error = missing.what();
-      easels.clear();
+      renderers.clear();
     }
     delivery.milliseconds = milliseconds_since(begin);
     lock.lock();

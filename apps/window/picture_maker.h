@@ -30,7 +30,7 @@ struct PictureOrder {
   int height = 0;
   bool is_sketch = false;  ///< soon replaced: an automatic exposure stays as it was
 
-  friend bool operator==(const PictureOrder& a, const PictureOrder& b);
+  friend bool operator==(const PictureOrder&, const PictureOrder&) = default;
 };
 
 /// A picture as litfog-demo draws it.

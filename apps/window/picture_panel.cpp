@@ -47,10 +47,10 @@ void draw_words(ImDrawList& draw, ImVec2 at, const std::string& words) {
 
 /// "A: airlight, exp, 150 m"
 std::string settings_in_words(char letter, const demo::DrawingOptions& options) {
-  const bool is_peak = options.settings_of(*options.render.path).fog_lighting == render::FogLighting::peak;
+  const render::LightingPath& path = *options.render.path;
   const std::string fog =
       options.fog ? fmt::format("{}, {:.4g} m", name_of(*options.fog), *options.visibility) : "clear";
-  return fmt::format("{}: {}, {}, {}", letter, options.render.path->name, is_peak ? "peak" : "airlight", fog);
+  return fmt::format("{}: {}, {}, {}", letter, path.name, name_of(options.settings_of(path).fog_lighting), fog);
 }
 
 }  // namespace

@@ -9,13 +9,6 @@
 #include "window/scene_changes.h"
 
 namespace litfog::window {
-namespace {
-
-bool is_same(const scene::Camera& a, const scene::Camera& b) {
-  return a.position == b.position && a.target == b.target && a.field_of_view == b.field_of_view;
-}
-
-}  // namespace
 
 Session::Session(demo::SceneOptions given, scene::Scene scene, const demo::DrawingOptions& both)
     : settings{both, both},
@@ -88,9 +81,9 @@ DrawingCommand Session::command(std::size_t which, int width, int height) const 
   return command;
 }
 
-Fog Session::fog(std::size_t which) const { return settings[which].fog_at(*settings[which].chosen_visibility()); }
+Fog Session::fog(std::size_t which) const { return settings[which].fog_at(settings[which].visibility_in(scene_)); }
 
-bool Session::is_camera_moved() const { return !is_same(camera, scene_.camera); }
+bool Session::is_camera_moved() const { return camera != scene_.camera; }
 
 std::optional<scene::Camera> Session::own_camera() const {
   const bool is_given = given_.camera || given_.target || given_.field_of_view_deg;

@@ -37,6 +37,13 @@ TEST(Number, TextThatIsNotOneNumberIsAnError) {
   }
 }
 
+TEST(Number, PartsBetweenCommasMayBeEmpty) {
+  using Parts = std::vector<std::string_view>;
+  EXPECT_EQ(split_at_commas("1,-2, 3"), (Parts{"1", "-2", " 3"}));
+  EXPECT_EQ(split_at_commas(",1,,"), (Parts{"", "1", "", ""}));
+  EXPECT_EQ(split_at_commas(""), Parts{""});
+}
+
 }  // namespace
 
 }  // namespace litfog::test

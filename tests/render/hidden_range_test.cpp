@@ -54,40 +54,6 @@ TEST(HiddenRange, FogLeavesTheBudgetThereAndMoreBefore) {
   EXPECT_EQ(hidden_range({FogMode::exp2, kInfinity}, 1, 1e-4), 0);
 }
 
-TEST(HiddenRange, DistancesToABoxHoldForItsPoints) {
-  Random random(23);
-  for (int i = 0; i < 1000; ++i) {
-    const glm::dvec3 eye = draw_direction(random) * random.uniform(0, 20);
-    const glm::vec3 low(random.uniform(-10, 0), random.uniform(-10, 0), random.uniform(-10, 0));
-    const glm::vec3 high = low + glm::vec3(random.uniform(0, 10), random.uniform(0, 10), random.uniform(0, 10));
-    const scene::Bounds box{low, high};
-    double nearest = kInfinity;
-    double farthest = 0;
-    for (int j = 0; j < 20; ++j) {
-      const auto along = [&](int axis) {
-        return random.chance(0.3) ? double(random.chance(0.5) ? low[axis] : high[axis])
-                                  : random.uniform(double(low[axis]), double(high[axis]));
-      };
-      const double distance = glm::distance(eye, glm::dvec3(along(0), along(1), along(2)));
-      nearest = std::min(nearest, distance);
-      farthest = std::max(farthest, distance);
-    }
-    EXPECT_LE(nearest_distance(eye, box), nearest);
-    EXPECT_GE(farthest_distance(eye, box), farthest);
-    double gap = 0;  // squared, as is the way to the farther face along each axis
-    double way = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double below = double(low[axis]) - eye[axis];
-      const double above = eye[axis] - double(high[axis]);
-      gap += std::pow(std::max({below, above, 0.0}), 2);
-      way += std::pow(std::min(below, above), 2);
-    }
-    EXPECT_NEAR(nearest_distance(eye, box), std::sqrt(gap), 1e-12);
-    EXPECT_NEAR(farthest_distance(eye, box), std::sqrt(way), 1e-12);
-  }
-  EXPECT_EQ(nearest_distance({0, 0, 0}, {{-1, -1, -1}, {1, 1, 1}}), 0);
-}
-
 TEST(LargestIrradiance, NoPointOfTheBoxGetsMore) {
   Random random(24);
   for (int i = 0; i < 1000; ++i) {

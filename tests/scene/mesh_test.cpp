@@ -3,11 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <string>
 
 #include "mesh_faults.h"
+#include "reference/double_limits.h"
+#include "reference/random_airlight.h"
 #include "scene/model/primitive.h"
 
 namespace litfog::test {
@@ -19,6 +22,40 @@ TEST(Mesh, BoundsEncloseABox) {
   const Bounds box = bounds(make_box({2.0f, 3.0f, 4.0f}));
   EXPECT_EQ(box.low, glm::vec3(-1.0f, 0.0f, -2.0f));
   EXPECT_EQ(box.high, glm::vec3(1.0f, 3.0f, 2.0f));
+}
+
+TEST(Mesh, DistancesToABoxAreThoseToItsPoints) {
+  Random random(23);
+  for (int i = 0; i < 1000; ++i) {
+    const glm::dvec3 eye = draw_direction(random) * random.uniform(0, 20);
+    const glm::vec3 low(random.uniform(-10, 0), random.uniform(-10, 0), random.uniform(-10, 0));
+    const glm::vec3 high = low + glm::vec3(random.uniform(0, 10), random.uniform(0, 10), random.uniform(0, 10));
+    const Bounds box{low, high};
+    double nearest = kInfinity;
+    double farthest = 0;
+    for (int j = 0; j < 20; ++j) {
+      const auto along = [&](int axis) {
+        return random.chance(0.3) ? double(random.chance(0.5) ? low[axis] : high[axis])
+                                  : random.uniform(double(low[axis]), double(high[axis]));
+      };
+      const double distance = glm::distance(eye, glm::dvec3(along(0), along(1), along(2)));
+      nearest = std::min(nearest, distance);
+      farthest = std::max(farthest, distance);
+    }
+    EXPECT_LE(nearest_distance(eye, box), nearest);
+    EXPECT_GE(farthest_distance(eye, box), farthest);
+    double gap = 0;  // squared, as is the way to the farther face along each axis
+    double way = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double below = double(low[axis]) - eye[axis];
+      const double above = eye[axis] - double(high[axis]);
+      gap += std::pow(std::max({below, above, 0.0}), 2);
+      way += std::pow(std::min(below, above), 2);
+    }
+    EXPECT_NEAR(nearest_distance(eye, box), std::sqrt(gap), 1e-12);
+    EXPECT_NEAR(farthest_distance(eye, box), std::sqrt(way), 1e-12);
+  }
+  EXPECT_EQ(nearest_distance({0, 0, 0}, {{-1, -1, -1}, {1, 1, 1}}), 0);
 }
 
 TEST(Mesh, AppendingAMirroredMeshKeepsFrontFacesInFront) {

@@ -9,11 +9,11 @@ namespace litfog::render {
 /// How often a surface is drawn at most.
 enum class Passes { one, several };
 
-/// What the demo draws into: linear RGBA half floats and depth. Several passes draw into floats, because their sums
+/// What a renderer draws into: linear RGBA half floats and depth. Several passes draw into floats, because their sums
 /// round less, and have a stencil too.
 class Framebuffer {
  public:
-  /// samples  a pixel: some drivers take more
+  /// samples  a pixel: some drivers take more than that
   /// throws   gl::Unsupported where the driver has no framebuffer of that size or fewer samples
   Framebuffer(int width, int height, Passes passes, int samples);
 

@@ -3,7 +3,7 @@
 
 namespace litfog::render {
 
-/// The texture units of the demo's shaders, one a sampler.
+/// The texture units of the shaders, one for each sampler.
 enum TextureUnit : unsigned {
   kAlbedoUnit,
   kNormalUnit,

@@ -83,7 +83,7 @@ class GltfReader {
     if (scene_.lights.empty() && scene_.environment.moon_color == glm::vec3(0.0f)) {
       scene_.environment.ambient_light = kLampless;
     }
-    const double depth = std::max(0.01, distance_to_farthest_corner(box));
+    const double depth = std::max(0.01, farthest_distance(scene_.camera.position, box));
     scene_.left_out = left_out();
     for (const double depths : {10, 3, 1}) scene_.visibilities.push_back(with_two_digits(depths * depth));
   }
@@ -254,12 +254,6 @@ class GltfReader {
     scene_.camera.target = middle;
     scene_.camera.position =
         middle + glm::normalize(glm::vec3(0.3f, 0.35f, 1)) * (radius / std::sin(scene_.camera.field_of_view / 2));
-  }
-
-  /// From the camera to the corner of a box.
-  double distance_to_farthest_corner(const Bounds& box) const {
-    const glm::vec3 eye = scene_.camera.position;
-    return double(glm::length(glm::max(glm::abs(box.low - eye), glm::abs(box.high - eye))));
   }
 
   // --- lights ---

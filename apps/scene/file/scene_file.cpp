@@ -346,17 +346,14 @@ class SceneReader {
   }
 
   void read_city(const JsonValue& value, std::optional<std::size_t> lights) {
-    value.allow_only({"lights", "seed", "street_lamp", "headlight", "tail_lamp", "shop_window", "window", "runway_edge",
-                      "approach_light"});
+    std::vector<std::string_view> members{"lights", "seed"};
+    for (const CityLightKind& kind : kCityLightKinds) members.emplace_back(kind.name);
+    value.allow_only(members);
     City city;
     if (const auto count = value.optional("lights")) city.lights = count_in(*count, kMaxCityLights);
     if (lights) city.lights = *lights;
     city.seed = std::uint32_t(number_in_or(value, "seed", 0, kMaxSeed, city.seed));
-    const std::pair<const char*, Light*> kinds[] = {
-        {"street_lamp", &city.street_lamp},      {"headlight", &city.headlight}, {"tail_lamp", &city.tail_lamp},
-        {"shop_window", &city.shop_window},      {"window", &city.window},       {"runway_edge", &city.runway_edge},
-        {"approach_light", &city.approach_light}};
-    for (const auto& [name, light] : kinds) *light = read_kind(value.member(name));
+    for (const CityLightKind& kind : kCityLightKinds) city.*kind.light = read_kind(value.member(kind.name));
     scene_.has_city = true;
     try {
       add_city(scene_, city);

@@ -89,9 +89,8 @@ std::string changed_member(const std::string& member);
 /// standard error. Throws InputError, of which the file is kChangePlace where a change is wrong.
 ///
 /// city_lights  how many lights its city has, in place of its own number; without effect where the scene has no city
-/// changes      in the order given; of a glTF file those of its lights' attenuation, threshold, cone, colour and
-/// density
-///              scale alone
+/// changes      in the order given; of a glTF file only those of its lights' attenuation, threshold, cone, colour and
+///              density scale
 Scene read_scene(const std::string& path, std::optional<std::size_t> city_lights = {},
                  const std::vector<SceneChange>& changes = {});
 

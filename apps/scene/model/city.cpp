@@ -33,7 +33,7 @@ constexpr float kRunwayLength = 1000;
 
 struct Lamp {
   PlacedLight light;
-  std::size_t kind;  // of City::kinds
+  std::size_t kind;  // in kCityLightKinds
   bool is_window;
 };
 
@@ -84,7 +84,7 @@ class CityBuilder {
     std::ranges::stable_sort(
         lamps_, {}, [](const Lamp& lamp) { return std::pair(lamp.is_window, glm::length(lamp.light.position)); });
     const std::size_t first_kind = scene_.light_members.size();
-    for (const char* kind : kCityKinds) scene_.light_members.push_back(std::string("city.") + kind);
+    for (const CityLightKind& kind : kCityLightKinds) scene_.light_members.push_back(std::string("city.") + kind.name);
     for (std::size_t i = 0; i < city_.lights; ++i) {
       scene_.lights.push_back(lamps_[i].light);
       scene_.light_entries.push_back(first_kind + lamps_[i].kind);
@@ -108,14 +108,13 @@ class CityBuilder {
     scene_.instances.push_back({model, world_from_model});
   }
 
-  /// light  one of the city's kinds
-  void add_lamp(const Light& light, const glm::mat4& world_from_model, const glm::vec3& position,
+  void add_lamp(Light City::*light, const glm::mat4& world_from_model, const glm::vec3& position,
                 const glm::vec3& direction, bool is_window = false) {
     const glm::dvec3 at(world_from_model * glm::vec4(position, 1));
     const glm::dvec3 axis = glm::normalize(glm::dvec3(glm::mat3(world_from_model) * direction));
-    const auto kinds = city_.kinds();
-    const auto kind = std::size_t(std::ranges::find(kinds, &light) - kinds.begin());
-    lamps_.push_back({{.light = light, .position = at, .direction = axis}, kind, is_window});
+    const auto kind =
+        std::size_t(std::ranges::find(kCityLightKinds, light, &CityLightKind::light) - kCityLightKinds.begin());
+    lamps_.push_back({{.light = city_.*light, .position = at, .direction = axis}, kind, is_window});
   }
 
   void add_ground() {
@@ -167,7 +166,7 @@ class CityBuilder {
     const auto [panes, is_new] = panes_.try_emplace(key);
     if (is_new) panes->second = bright_panes(house);
     for (const BrightPane& pane : panes->second) {
-      add_lamp(pane.is_shop ? city_.shop_window : city_.window, at, pane.position, pane.normal, !pane.is_shop);
+      add_lamp(pane.is_shop ? &City::shop_window : &City::window, at, pane.position, pane.normal, !pane.is_shop);
     }
   }
 
@@ -186,7 +185,7 @@ class CityBuilder {
       const glm::mat4 foot = at * place({right * (kerb + 0.6f), kKerb, (float(i) - 1) * kLampSpacing},
                                         right > 0 ? glm::pi<float>() : 0.0f);
       add(catalogue_model("street_lamp", {{"height_m", kLampHeight}, {"arm_m", kLampArm}, {"sodium", 1}}), foot);
-      add_lamp(city_.street_lamp, foot, {kLampArm, kLampHeight - 0.15f, 0}, {0, -1, 0});
+      add_lamp(&City::street_lamp, foot, {kLampArm, kLampHeight - 0.15f, 0}, {0, -1, 0});
     }
     for (const float lane : {1.0f, -1.0f}) {
       const float heading = lane > 0 ? 0.0f : glm::pi<float>();
@@ -206,8 +205,8 @@ class CityBuilder {
     add(catalogue_model("car", {{"paint", std::floor(random_.between(0, 5))}, {"lights", is_driven ? 1 : 0}}), at);
     if (!is_driven) return;
     for (const float side : {-1.0f, 1.0f}) {
-      add_lamp(city_.headlight, at, {side * 0.58f, 0.61f, -2.25f}, {side * 0.01f, -0.015f, -1});
-      add_lamp(city_.tail_lamp, at, {side * 0.7f, 0.8f, 2.2f}, {0, 0, 1});
+      add_lamp(&City::headlight, at, {side * 0.58f, 0.61f, -2.25f}, {side * 0.01f, -0.015f, -1});
+      add_lamp(&City::tail_lamp, at, {side * 0.7f, 0.8f, 2.2f}, {0, 0, 1});
     }
   }
 
@@ -220,13 +219,13 @@ class CityBuilder {
       for (const float side : {-1.0f, 1.0f}) {
         const glm::mat4 at = threshold * place({side * 24.0f, 0, -z});
         add(catalogue_model("edge_light"), at);
-        add_lamp(city_.runway_edge, at, {0, 0.33f, 0}, to_approach);
+        add_lamp(&City::runway_edge, at, {0, 0.33f, 0}, to_approach);
       }
     }
     for (float z = 30; z <= 420; z += 30) {
       const glm::mat4 at = threshold * place({0, 0, z});
       add(catalogue_model("approach_light", {{"height_m", 1}}), at);
-      for (int i = -2; i <= 2; ++i) add_lamp(city_.approach_light, at, {float(i), 1, 0}, to_approach);
+      for (int i = -2; i <= 2; ++i) add_lamp(&City::approach_light, at, {float(i), 1, 0}, to_approach);
     }
     const float apron = kRunway - 75;
     for (int i = 0; i < 3; ++i) {

@@ -27,16 +27,21 @@ struct City {
   Light window;
   Light runway_edge;     ///< shines along the runway
   Light approach_light;  ///< likewise, before its threshold
-
-  /// Its kinds of lights, in that order.
-  std::array<const Light*, 7> kinds() const {
-    return {&street_lamp, &headlight, &tail_lamp, &shop_window, &window, &runway_edge, &approach_light};
-  }
 };
 
-/// Their names in a scene file.
-inline constexpr std::array<const char*, 7> kCityKinds{"street_lamp", "headlight",   "tail_lamp",     "shop_window",
-                                                       "window",      "runway_edge", "approach_light"};
+/// One of a city's kinds of lights.
+struct CityLightKind {
+  const char* name;  ///< in a scene file
+  Light City::*light;
+};
+
+inline constexpr std::array kCityLightKinds{CityLightKind{"street_lamp", &City::street_lamp},
+                                            CityLightKind{"headlight", &City::headlight},
+                                            CityLightKind{"tail_lamp", &City::tail_lamp},
+                                            CityLightKind{"shop_window", &City::shop_window},
+                                            CityLightKind{"window", &City::window},
+                                            CityLightKind{"runway_edge", &City::runway_edge},
+                                            CityLightKind{"approach_light", &City::approach_light}};
 
 /// Adds a city's models, instances and lights, and their members of a scene file. Deterministic.
 ///
