@@ -64,8 +64,7 @@ double fast_airlight(const SeenLight& seen, const EyeRay& ray, const Scattering&
 }
 
 /// axial_airlight of checked arguments, beyond the plateau panel by panel, each eight times as long as the one before.
-/// The fog's reach is that of e^-50: a falls, so that all beyond it is less than that fraction of what comes within
-/// 1/d.
+/// It ends where f is e^-50: a falls, so that all beyond is less than that fraction of what comes from within 1/d.
 long double integrate_axially(const Attenuation& narrow, const Fog& fog, double threshold) {
   const auto attenuation = convert<long double>(narrow);
   const long double density = fog.density;
@@ -142,6 +141,8 @@ double reference_airlight(const PlacedLight& light, const Fog& fog, const EyeRay
 double bound_airlight(const PlacedLight& light, const Fog& fog, const glm::dvec3& eye, const glm::dvec3& direction,
                       double half_angle, const Scattering& scattering) {
   constexpr double kMargin = 1e-12;
+  constexpr double kPositionMargin = 1e-15 * kMaxPosition;      // metres; closest approaches are rounded by less
+  const double largest_slope = std::sqrt(2 / std::numbers::e);  // of 1 - e^-(x^2)
   require_all(light, fog, {eye, direction}, scattering);
   if (!(half_angle >= 0 && half_angle <= std::numbers::pi)) {
     require(ValueError{"half_angle", half_angle, "must be in [0, pi]"});
@@ -155,16 +156,15 @@ double bound_airlight(const PlacedLight& light, const Fog& fog, const glm::dvec3
   const double range = glm::length(to_light);
   const double from_axis = std::atan2(glm::length(glm::cross(direction, to_light)), glm::dot(direction, to_light));
   const double outside = std::max(from_axis - half_angle - kMargin, 0.0);
-  const double nearest =
-      range * (outside < std::numbers::pi / 2 ? std::sin(outside) : 1) * (1 - kMargin) - 1e-15 * kMaxPosition;
-  const double closest = std::max(nearest, 0.0);
+  const double nearest = range * (outside < std::numbers::pi / 2 ? std::sin(outside) : 1);
+  const double closest = std::max(nearest * (1 - kMargin) - kPositionMargin, 0.0);
   if (closest >= extent) return 0;
 
   const double start = std::max(range * (1 - kMargin) - extent, 0.0);
   const double chord = 2 * std::sqrt(extent - closest) * std::sqrt(extent + closest);
   const double opacity = class_fog.mode == FogMode::exp
                              ? fog_factor_at(class_fog, start) * opacity_at(class_fog, chord)
-                             : std::min(fog_factor_at(class_fog, start), chord * density * 0.85776388496070680);
+                             : std::min(fog_factor_at(class_fog, start), chord * density * largest_slope);
   const double lamp_leg = scattering.lamp_leg == LampLeg::fogged ? fog_factor_at(class_fog, closest) : 1;
   // One subnormal more: the products may be rounded down to 0.
   return largest_phase(scattering) * attenuation_at(light.light.attenuation, closest) * opacity * lamp_leg *

@@ -8,14 +8,15 @@
 
 #include "airlight_text.h"
 
-// The reference of the airlight: the integrand of its text, in long double, summed by bisection.
+// The reference airlight: the integrand of the shared text, in long double, by adaptive bisection.
 
 namespace litfog::airlight_text {
 
+/// Adaptive quadrature of a function.
 template <typename Function>
 class Bisection {
  public:
-  /// agreement  fraction of a whole to which its two halves must give the same
+  /// agreement  relative difference between a stretch and the sum of its halves at which it is halved no further
   Bisection(const Function& function, long double agreement) : function_(function), agreement_(agreement) {}
 
   /// Eight nodes of Gauss and Legendre.
@@ -46,7 +47,7 @@ class Bisection {
 
 /// The integral of a function >= 0 over the stretches between cuts in ascending order.
 ///
-/// bound  of the function: its integral times 1e-21 is negligible, because in the edge of a cone more would be rounding
+/// bound  an upper bound of the function. 1e-21 of its integral is negligible: in the edge of a cone that is rounding
 template <typename Function, typename Bound>
 long double integrate(const std::vector<long double>& cuts, const Function& function, const Bound& bound) {
   constexpr int kDepth = 40;
@@ -61,7 +62,7 @@ long double integrate(const std::vector<long double>& cuts, const Function& func
     total += estimates.emplace_back(bisection.estimate(cuts[i], cuts[i + 1]));
     total_of_bound += bisection_of_bound.estimate(cuts[i], cuts[i + 1]);
   }
-  for (;;) {  // again where the first estimate was so much too high that its negligible is not
+  for (;;) {  // again if the estimate was so much too high that what it called negligible is not
     const long double negligible = std::max(kNegligible * total, 1e-21L * total_of_bound);
     long double refined = 0;
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
@@ -80,7 +81,7 @@ long double integrate_airlight(Text<long double, Cookie> text,
   if (air.density == 0 || air.offset >= air.extent) return 0;
   const long double chord = text.litfog_airlight_chord(air, air.extent);
   const long double fog_scale = 1 / air.density;
-  const long double reach = (air.mode == 0 ? 11400 : 107) * fog_scale;  // beyond, long double has no e^-depth but 0
+  const long double reach = (air.mode == 0 ? 11400 : 107) * fog_scale;  // beyond, e^-depth is 0 in long double
   const long double low = std::max(-air.approach, -chord);
   const long double high = std::min({air.ray_length - air.approach, chord, reach - air.approach});
   if (!(high > low)) return 0;
@@ -116,8 +117,8 @@ long double integrate_airlight(Text<long double, Cookie> text,
 
   // Towards each of them in steps that shrink down to that distance.
   scale = std::max(scale, 1e-36L * (high - low));
-  const std::size_t places = cuts.size();
-  for (std::size_t i = 0; i + 1 < places; ++i) {
+  const std::size_t kinks = cuts.size();
+  for (std::size_t i = 0; i + 1 < kinks; ++i) {
     const long double from = cuts[i], to = cuts[i + 1];
     for (long double size = (to - from) / 2; size > scale; size /= 8) {
       cuts.insert(cuts.end(), {from + size, to - size});

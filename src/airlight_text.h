@@ -9,7 +9,7 @@
 #include "litfog/formulas.h"
 #include "unchecked.h"
 
-// The text of the airlight, shared with the shaders (litfog/shaders/airlight.glsl), and what it is asked about.
+// The airlight's formulas as C++: the text that the shaders share (litfog/shaders/airlight.glsl), and its arguments.
 
 namespace litfog::airlight_text {
 

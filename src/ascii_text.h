@@ -7,14 +7,14 @@
 
 namespace litfog {
 
-/// A text with the capital letters of ASCII made small, whatever the locale.
+/// A text with the capital letters of ASCII in lower case, whatever the locale.
 inline std::string lower(std::string_view text) {
   std::string result(text);
   std::ranges::transform(result, result.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
   return result;
 }
 
-/// A text without the white space around it; of blanks alone, its empty end.
+/// A text without the white space around it. Of a text of white space alone it is the empty end.
 constexpr std::string_view trimmed(std::string_view text) {
   constexpr std::string_view kBlank = " \t\r\n";
   const auto begin = std::min(text.find_first_not_of(kBlank), text.size());

@@ -193,7 +193,7 @@ HWY_INLINE VF rough_log(DF df, VF y) {
   return hn::MulAdd(hn::ConvertTo(df, hn::BitCast(di, y)), hn::Set(df, kUnit), hn::Set(df, -127 * 0.69314718f));
 }
 
-/// x^(1/3) for x >= 0 within 4 %, from the bits: a third of the exponent.
+/// x^(1/3) for x >= 0 within 4 %, from a third of the bits.
 template <class DF, class VF = hn::Vec<DF>>
 HWY_INLINE VF rough_cube_root(DF df, VF x) {
   const hn::RebindToSigned<DF> di;
@@ -202,8 +202,8 @@ HWY_INLINE VF rough_cube_root(DF df, VF x) {
   return hn::BitCast(df, hn::Add(hn::ConvertTo(di, third), hn::Set(di, batch_guess::kCubeRootBits)));
 }
 
-/// a / b to 4e-4: enough for guesses, last steps and corrections in float. Exact in double, where no such instruction
-/// is.
+/// a / b to 4e-4 in float, enough for guesses, last steps and corrections. Exact in double, which has no such
+/// instruction.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V rough_quotient(D, V a, V b) {
   if constexpr (sizeof(hn::TFromD<D>) == 4) {
@@ -219,7 +219,7 @@ HWY_INLINE VF rough_sqrt(DF df, VF x) {
   return hn::Mul(x, hn::ApproximateReciprocalSqrt(hn::Max(x, hn::Set(df, 1e-37f))));
 }
 
-/// u with e^u - 1 - u = z, to 3e-3 of itself: the two first terms for small z and the logarithm for large z are right.
+/// u with e^u - 1 - u = z, to 3e-3 of itself. The first two terms for small z are right, and the logarithm for large z.
 template <class DF, class VF = hn::Vec<DF>>
 HWY_INLINE VF guess_depth(DF df, VF z) {
   const VF one = hn::Set(df, 1.0f);
@@ -345,7 +345,7 @@ struct Solved {
   V peak_range;
 };
 
-/// The range of 2 K / (l + sqrt(l^2 + 4 q K)), 0 where K <= 0; its argument is level * parameter.
+/// The range at which l r + q r^2 is an excess K: 2 K / (l + sqrt(l^2 + 4 q K)), 0 where K <= 0.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V level_root(D d, V excess, V linear, V quadratic) {
   const V twice = hn::Add(excess, excess);
@@ -353,14 +353,14 @@ HWY_INLINE V level_root(D d, V excess, V linear, V quadratic) {
   return hn::IfThenElseZero(hn::Gt(excess, hn::Zero(d)), hn::Div(twice, hn::Add(linear, root)));
 }
 
-/// The range of a level to half its precision, 0 where no light gets down to it.
+/// The range at which the attenuation falls to a level, to half the precision of the type; 0 where it starts below it.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V rough_level_range(D d, const Lanes<V>& in, V level) {
   const V excess = minus_product(d, hn::Set(d, 1), in.constant, level);
   return level_root(d, excess, hn::Mul(level, in.linear), hn::Mul(level, in.quadratic));
 }
 
-/// What the range of a level lacks of the true one: a Newton step with the split residual.
+/// The difference of the true range of a level from a rough one: a Newton step with the split residual.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V level_correction(D d, const Lanes<V>& in, V level, V range, const Split<V>& denominator) {
   using T = hn::TFromD<D>;

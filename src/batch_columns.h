@@ -17,7 +17,7 @@ bool holds_lights(const BasicBatchLights<T>& lights, std::size_t count) {
          is_shared(lights.threshold) && is_shared(lights.density);
 }
 
-/// Of a column that holds a value a light, or one for all.
+/// A light's value in a column that holds one a light, or a single one for all.
 template <typename T>
 T value_at(std::span<const T> column, std::size_t at) {
   return column[column.size() == 1 ? 0 : at];

@@ -12,8 +12,8 @@ namespace litfog::batch_guess {
 /// the true value at 1. Error 2.4e-3.
 inline constexpr float kLog1p[] = {-0.48625f, 0.2625f, -0.0831f};
 
-/// x^(1/3) has a third of x's bits, read as an integer, plus two thirds of those of 1 (710235477.3), less what balances
-/// the error of the bits as a logarithm. Error 3.5 %; no other gains a fifth.
+/// x^(1/3) has a third of x's bits, read as an integer, plus two thirds of those of 1 (710235477.3), minus what
+/// balances the error of the bits as a logarithm. Error 3.5 %; no other value gains a fifth.
 inline constexpr int kCubeRootBits = 709921077;
 
 /// e^u - 1 - u = z at u = log(1 + s + z (1 - 1 / (3 + 3 k s))), s = sqrt(2 z): the series in s for small z, log z for

@@ -34,6 +34,7 @@ glm::dvec3 tristimulus(const glm::dvec2& xy) { return {xy.x / xy.y, 1, (1 - xy.x
 }  // namespace
 
 glm::dvec2 chromaticity_of_temperature(double kelvin) {
+  static_assert(kLeastColorTemperature == 1000 && kMostColorTemperature == 25000);
   if (!(kelvin >= kLeastColorTemperature && kelvin <= kMostColorTemperature)) {
     require(ValueError{"kelvin", kelvin, "must be in [1000, 25000]"});
   }

@@ -50,10 +50,9 @@ HWY_INLINE Split<T> split_denominator(const BasicAttenuation<T>& attenuation, T 
   return {sum.high, sum.low + rise.low};
 }
 
-/// The range at which the attenuation's unclamped form 1 / (C + L r + Q r^2) falls to a level in (0, 1]:
-/// 0 where it starts at or below the level, infinity where it never falls.
-/// The root's form 2 K / (L + sqrt(L^2 + 4 Q K)) does not cancel; one Newton step with the split residual adds the
-/// digits.
+/// The range at which the attenuation's unclamped form 1 / (C + L r + Q r^2) falls to a level in (0, 1]; 0 where it
+/// starts at or below the level, infinity where it never falls. The root's form 2 K / (L + sqrt(L^2 + 4 Q K)) does not
+/// cancel; one Newton step with the split residual adds the digits.
 template <typename T>
 HWY_INLINE Split<T> level_range(const BasicAttenuation<T>& attenuation, T level) {
   const auto [constant, linear, quadratic] = attenuation;

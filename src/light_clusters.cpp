@@ -23,7 +23,7 @@ void for_each_cluster(const ClusterRun& run, std::size_t columns, const Visit& v
   }
 }
 
-/// Slices from the second on grow by this factor, in octaves of depth a slice.
+/// Binary logarithm of the factor by which slices from the second on grow.
 double octaves_per_slice(const ClusterGrid& grid, const View& view) {
   return std::log2(view.farthest / grid.first_depth) / (grid.slices - 1);
 }

@@ -21,7 +21,7 @@ using Corners = std::array<glm::dvec3, 8>;
 
 inline constexpr double kPolytopeRounding = 1e-12;  ///< of coordinates
 
-/// The spherical sector that a light can light. Half angle at most 90 degrees: else it is not convex.
+/// The spherical sector that a light can light. It is convex if the half angle is at most 90 degrees.
 struct Sector {
   glm::dvec3 apex;
   glm::dvec3 axis;
@@ -42,7 +42,7 @@ struct Sector {
     return apex + range * (cos_half_angle * axis + sin_half_angle * outward);
   }
 
-  /// Whether a point is deeper than a margin in the cone that a half angle over 90 degrees leaves dark.
+  /// Whether a point lies deeper than a margin inside the cone that a half angle over 90 degrees leaves dark.
   bool has_in_dark_cone(const glm::dvec3& point, double margin) const {
     const double along = glm::dot(point - apex, axis);
     const double width = glm::length(point - apex - axis * along);
@@ -55,12 +55,12 @@ struct Point {
   glm::dvec3 farthest_along(const glm::dvec3&) const { return position; }
 };
 
-/// Up to four points whose convex hull holds the point of a body next to the origin that is known so far.
+/// Up to four points of a body. Their convex hull holds the point nearest to the origin that is known so far.
 class Simplex {
  public:
   void add(const glm::dvec3& point) { points_[std::size_t(size_++)] = point; }
 
-  /// The hull's point next to the origin; drops the points that it does not need.
+  /// The hull's point nearest to the origin. Drops the points that it does not depend on.
   glm::dvec3 reduce_to_nearest() {
     unsigned best = 0;
     glm::dvec3 nearest{0};
@@ -83,7 +83,8 @@ class Simplex {
   }
 
  private:
-  /// The point next to the origin of the plane (point, line, space) through a subset, and whether it lies between them.
+  /// Of the point, line, plane or space through a subset: the point nearest to the origin, and whether it lies between
+  /// the subset's points.
   std::pair<bool, glm::dvec3> nearest_of_plane(unsigned subset) const {
     std::array<glm::dvec3, 4> p;
     int count = 0;
@@ -121,7 +122,7 @@ class Simplex {
 /// Whether a polytope is within a margin of a convex body: never false where it is. By the algorithm of Gilbert,
 /// Johnson and Keerthi (1988): each step has a proof of separation, a common point, or a smaller distance.
 ///
-/// rounding  metres: bodies so much further apart may still be called within the margin
+/// rounding  metres: bodies that are farther apart than the margin by up to this may be called within it, too
 template <typename Body>
 bool is_within(const Corners& corners, const Body& body, double margin, double rounding) {
   constexpr int kMostSteps = 64;  // the bodies then touch, but for rounding

@@ -64,7 +64,7 @@ struct Kind {
   double density_scale;
   IntensityBound bound;
   std::size_t lit_count = 0;  ///< lights that are on and not black
-  float brightest = 0;        ///< the first light's brightness: to fetch that light takes longer than to solve the kind
+  float brightest = 0;        ///< the first light's brightness: fetching that light takes longer than solving the kind
   bool is_carried;
   bool has_changed = true;  ///< any of its lights since the last set_fog
   bool is_dirty = true;
@@ -76,9 +76,9 @@ struct Kind {
 struct Record {
   std::uint32_t generation = 1;
   std::uint32_t kind = 0;
-  std::uint32_t place = 0;  ///< in its kind's heap
-  float brightness = 0;     ///< largest colour component; 0 where it is off
-  glm::vec3 color{0};       ///< when on
+  std::uint32_t heap_index = 0;  ///< among its kind's lights
+  float brightness = 0;          ///< largest colour component; 0 where it is off
+  glm::vec3 color{0};            ///< when on
   bool is_on = false;
   bool is_held = false;
   bool is_dirty = false;
@@ -150,8 +150,8 @@ class FogUpdater::Store {
   void pack(std::uint32_t slot, const PlacedLight& placed);
   void show(std::uint32_t slot);
   void mark(std::uint32_t slot);
-  void put(Kind& kind, std::size_t place, std::uint32_t slot);
-  void settle(Kind& kind, std::size_t place);
+  void put(Kind& kind, std::size_t index, std::uint32_t slot);
+  void sift(Kind& kind, std::size_t index);
   bool is_below_budget(const Kind& kind, const Fog& seen_fog) const;
   void set_intensity(std::uint32_t kind_index, float intensity);
   FogLightChanges collect_changes();
@@ -336,9 +336,9 @@ void FogUpdater::Store::leave(std::uint32_t slot) {
   const std::uint32_t last = kind.lights.back();
   kind.lights.pop_back();
   if (last != slot) {
-    const std::uint32_t place = record.place;
-    put(kind, place, last);
-    settle(kind, place);
+    const std::uint32_t index = record.heap_index;
+    put(kind, index, last);
+    sift(kind, index);
   }
   if (!kind.lights.empty()) return;
   kind_of_key_.erase(kind.key);
@@ -365,7 +365,7 @@ void FogUpdater::Store::show(std::uint32_t slot) {
   record.brightness = brightness_of(color);
   if (record.brightness > 0) ++kind.lit_count;
   kind.has_changed = true;
-  settle(kind, record.place);
+  sift(kind, record.heap_index);
 }
 
 void FogUpdater::Store::mark(std::uint32_t slot) {
@@ -374,28 +374,28 @@ void FogUpdater::Store::mark(std::uint32_t slot) {
   dirty_slots_.push_back(slot);
 }
 
-void FogUpdater::Store::put(Kind& kind, std::size_t place, std::uint32_t slot) {
-  kind.lights[place] = slot;
-  records_[slot].place = std::uint32_t(place);
+void FogUpdater::Store::put(Kind& kind, std::size_t index, std::uint32_t slot) {
+  kind.lights[index] = slot;
+  records_[slot].heap_index = std::uint32_t(index);
 }
 
-/// Moves a light to where it belongs in its kind's heap, after a change of its brightness.
-void FogUpdater::Store::settle(Kind& kind, std::size_t place) {
+/// Restores the order of a kind's heap after a change of one light's brightness.
+void FogUpdater::Store::sift(Kind& kind, std::size_t index) {
   const auto brightness_at = [&](std::size_t at) { return records_[kind.lights[at]].brightness; };
-  const auto trade = [&](std::size_t to) {
-    const std::uint32_t slot = kind.lights[place];
-    put(kind, place, kind.lights[to]);
-    put(kind, to, slot);
-    place = to;
+  const auto swap_with = [&](std::size_t other) {
+    const std::uint32_t slot = kind.lights[index];
+    put(kind, index, kind.lights[other]);
+    put(kind, other, slot);
+    index = other;
   };
-  while (place > 0 && brightness_at(place) > brightness_at((place - 1) / 2)) trade((place - 1) / 2);
+  while (index > 0 && brightness_at(index) > brightness_at((index - 1) / 2)) swap_with((index - 1) / 2);
   for (;;) {
-    std::size_t brightest = place;
-    for (std::size_t child = 2 * place + 1; child < std::min(2 * place + 3, kind.lights.size()); ++child) {
+    std::size_t brightest = index;
+    for (std::size_t child = 2 * index + 1; child < std::min(2 * index + 3, kind.lights.size()); ++child) {
       if (brightness_at(child) > brightness_at(brightest)) brightest = child;
     }
-    if (brightest == place) break;
-    trade(brightest);
+    if (brightest == index) break;
+    swap_with(brightest);
   }
   kind.brightest = brightness_at(0);
 }

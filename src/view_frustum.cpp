@@ -16,8 +16,9 @@ std::optional<ValueError> check(const View& view) {
   if (const auto error = check_direction(view.forward, "forward")) return error;
   if (const auto error = check_direction(view.up, "up")) return error;
   const double dot = glm::dot(view.forward, view.up);
-  if (!(std::abs(dot) <= kDirectionTolerance))
+  if (!(std::abs(dot) <= kDirectionTolerance)) {
     return ValueError{"up", dot, "must be orthogonal to forward within 1e-6"};
+  }
   constexpr const char* kRule = "must be at most 10 in magnitude";
   const std::pair<const char*, double> edges[] = {
       {"left", view.left}, {"right", view.right}, {"bottom", view.bottom}, {"top", view.top}};

@@ -29,8 +29,8 @@ struct Scattering {
 /// What is wrong with it, or nothing.
 std::optional<ValueError> check(const Scattering& scattering);
 
-/// The phase function where it is largest, straight ahead or straight back, over its isotropic value: 1 where that is
-/// all, (1 + |g|) / (1 - |g|)^2.
+/// The largest value of the phase function over its isotropic value: (1 + |g|) / (1 - |g|)^2, straight ahead for g > 0
+/// and straight back for g < 0. It is 1 in isotropic fog.
 ///
 /// scattering  one that check() finds nothing wrong with; not checked here
 double largest_phase(const Scattering& scattering);
@@ -45,11 +45,12 @@ struct EyeRay {
 /// What is wrong with it, or nothing.
 std::optional<ValueError> check(const EyeRay& ray);
 
-/// Errors of airlight() in isotropic fog, for fog from clear to 5 cm of visibility and cones down to 0.1 degree: the
-/// largest, and the largest relative one in 99 of 100 rays that show anything at all of a point light, or more than
-/// kDimAirlight of a spot. Less comes from the outermost edge of a cone only, where it is rounding; a display of 8 bits
-/// shows a step of it if the lamp is a million times as bright as white. With |g| up to 0.9 the largest error holds
-/// times the phase function's largest value, (1 + |g|) / (1 - |g|)^2.
+/// Errors of airlight() in isotropic fog, from clear air to 5 cm of visibility, and for cones down to 0.1 degree.
+/// kAirlightMaxError is the largest error. kAirlightTypicalError is the largest relative error of 99 in 100 rays. Of a
+/// point light it counts all rays along which anything shows, of a spot those that show more than kDimAirlight: less
+/// comes only from the outermost edge of its cone and is rounding there, of which an 8-bit display shows no step unless
+/// the lamp is over a million times as bright as white.
+/// With |g| up to 0.9 the largest error is kAirlightMaxError times largest_phase().
 inline constexpr double kAirlightMaxError = 1 / 255.;
 inline constexpr double kAirlightTypicalError = 0.01;
 inline constexpr double kDimAirlight = 1e-10;
@@ -66,14 +67,14 @@ inline constexpr double kDimAirlight = 1e-10;
 /// throws     std::invalid_argument naming field, value and rule
 double airlight(const PlacedLight& light, const Fog& fog, const EyeRay& ray, const Scattering& scattering = {});
 
-/// The same along many rays; the columns are of one length.
+/// The same along many rays. Columns of different lengths are a bug of the caller's and assert.
 ///
 /// throws     std::invalid_argument naming field, value and rule, before any result is written
 void airlight(const PlacedLight& light, const Fog& fog, std::span<const EyeRay> rays, const Scattering& scattering,
               std::span<double> airlights);
 
-/// Largest error of reference_airlight, relative, for |g| up to 0.99. Of a spot 1e-19 of what it would show without its
-/// cone, where that is more.
+/// Largest error of reference_airlight for |g| up to 0.99: this fraction of the airlight, or of a spot 1e-19 of its
+/// airlight without the cone, whichever is larger.
 inline constexpr double kReferenceAirlightMaxError = 1e-10;
 
 /// The same by adaptive quadrature, cut wherever the integrand is not smooth. For tests and comparisons: it takes some
@@ -95,9 +96,10 @@ double reference_airlight(const PlacedLight& light, const Fog& fog, const EyeRay
 /// eye, R being the light's range. Hence
 ///   A <= p a(h) (f(s0) - f(s0 + c))              in exp fog, where -f' falls;
 ///   A <= p a(h) min(f(s0), c d sqrt(2 / e))      in exp2 fog, where -f' is at most d sqrt(2 / e).
-/// With the lamp's leg fogged the integrand is less by f(r), and f(r) <= f(h).
+/// With the lamp's leg fogged the integrand has the factor f(r) as well, and f(r) <= f(h).
 /// Rounding: h is lowered and the rest raised by 1e-12 of itself.
 ///
+/// eye         each coordinate at most kMaxPosition in magnitude
 /// direction   the axis of the rays; its length is 1 within kDirectionTolerance
 /// half_angle  radians, [0, pi]; pi is all rays
 /// returns     never below the airlight, exact or by reference_airlight                             (airlight_test.cpp)
@@ -105,14 +107,15 @@ double reference_airlight(const PlacedLight& light, const Fog& fog, const EyeRay
 double bound_airlight(const PlacedLight& light, const Fog& fog, const glm::dvec3& eye, const glm::dvec3& direction,
                       double half_angle, const Scattering& scattering = {});
 
-/// The range beyond which a light shows on no surface and in no fog: where a(r) f(r)^k stays below a budget. The lit
-/// part of the scene lies in the sphere of this radius around the light.
+/// The range beyond which a light is visible on no surface and in no fog, because a(r) f(r)^k stays below a budget. The
+/// lit part of the scene lies in the sphere of this radius around the light.
 ///
-/// Proof. a and f fall, and so does their product: where it is below the budget at one range, it is so at all beyond.
-/// The range returned is the extent or the upper end of a bisection, at which it is.
+/// Proof. a and f fall, and so does their product: where it is below the budget at one range, it is below it at all
+/// longer ones. The range returned is the extent, or the upper end of a bisection, where it is below the budget.
 ///
-/// budget   (0, 1): over the largest component of the light's colour
-/// returns  metres, [0, extent], at most 1e-9 of itself too long; infinite for constant attenuation in clear air
+/// budget   (0, 1): a fraction of the largest component of the light's colour
+/// returns  metres, [0, extent], at most 1e-9 of itself too long (airlight_test.cpp); infinite for constant attenuation
+///          above the budget in clear air or with the lamp's leg clear
 /// throws   std::invalid_argument naming field, value and rule
 double light_reach(const Light& light, const Fog& fog, double budget, LampLeg lamp_leg = LampLeg::fogged);
 
@@ -141,9 +144,10 @@ template <typename Real>
 inline constexpr double kAxialAirlightsMaxError = std::is_same_v<Real, float> ? 5e-7 : 2e-14;
 
 /// The same for many lights: SIMD of the widest kind that the processor has, chosen at run time. Gauss-Legendre
-/// quadrature, 20 nodes in float and 40 in double; lights of extraordinary figures one by one as axial_airlight.
-/// Allocates nothing, never throws, and may run on any number of threads at once. The column of results holds one value
-/// a light, 0 for an invalid one; lengths that do not fit are a bug of the caller's and assert.
+/// quadrature, 20 nodes in float and 40 in double. Lights beyond the figures that vectors hold for are integrated one
+/// by one, as by axial_airlight. Allocates nothing, never throws, and may run on any number of threads at once. The
+/// column of results holds one value a light, 0 for an invalid one; lengths that do not fit are a bug of the caller's
+/// and assert.
 ///
 /// returns    how many lights are invalid
 /// max error  on every target kAxialAirlightsMaxError                                               (airlight_test.cpp)

@@ -32,12 +32,13 @@ std::optional<ValueError> check_threshold(double threshold);
 /// Largest error of attenuation_at in ulp: five roundings.
 inline constexpr double kAttenuationMaxUlp = 5;
 
-/// a(r), the fraction of its near brightness that a light has at a range.
+/// a(r), the fraction of its near brightness that a light has at a range. For inner loops: arguments are not checked.
 ///
-/// range      metres, >= 0; infinity gives the limit
-/// returns    [0, 1]
-/// max error  kAttenuationMaxUlp where the coefficients and the range are 0 or within 1e-100..1e100; beyond, the
-///            denominator may leave double's range, and the result is 0 there (attenuation_test.cpp)
+/// attenuation  one that check() finds nothing wrong with
+/// range        metres, >= 0; infinity gives the limit
+/// returns      [0, 1]
+/// max error    kAttenuationMaxUlp where the coefficients and the range are 0 or within 1e-100..1e100; beyond, the
+///              denominator may overflow, and the result is then 0                           (attenuation_test.cpp)
 double attenuation_at(const Attenuation& attenuation, double range);
 
 /// Largest error of compute_extent in ulp, and of compute_knee.

@@ -6,7 +6,7 @@
 
 namespace litfog {
 
-/// Kelvin that the functions below take.
+/// The colour temperatures that the functions below take, in kelvin.
 inline constexpr double kLeastColorTemperature = 1000;
 inline constexpr double kMostColorTemperature = 25000;
 
@@ -24,6 +24,8 @@ glm::dvec2 chromaticity_of_temperature(double kelvin);
 
 /// The same as linear sRGB (IEC 61966-2-1) whose largest component is 1. Below 1900 K the colour is outside sRGB: its
 /// blue, which would be negative, is 0.
+///
+/// throws     as chromaticity_of_temperature()
 glm::dvec3 color_of_temperature(double kelvin);
 
 }  // namespace litfog

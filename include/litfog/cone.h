@@ -40,11 +40,14 @@ struct Cone {
 /// What is wrong with a cone, or nothing.
 std::optional<ValueError> check(const Cone& cone);
 
+// The functions below are for inner loops and do not check their arguments: `cone` is one that check() finds nothing
+// wrong with.
+
 /// Half angle beyond which a cone is dark: radians, pi for a point light.
 double cutoff_angle(const Cone& cone);
 
-/// Largest errors of cone_at: of a cosine cone in ulp; of a smoothstep cone absolute, multiplied by the width of its
-/// edge, cos inner - cos outer, because the cosines are rounded.
+/// Largest errors of cone_at: of a cosine cone in ulp; of a smoothstep cone the absolute error times the width of its
+/// edge, cos inner - cos outer, because a narrow edge magnifies the rounding of the cosines.
 inline constexpr double kCosineConeMaxUlp = 1;
 inline constexpr double kSmoothstepConeMaxErrorTimesWidth = 4e-16;
 
@@ -52,16 +55,17 @@ inline constexpr double kSmoothstepConeMaxErrorTimesWidth = 4e-16;
 ///
 /// cos_angle  cosine of the angle from the axis, [-1, 1]
 /// returns    [0, 1]
-/// max error  kCosineConeMaxUlp, but for a half angle whose rounded cosine is cos_angle's neighbour;
-///            kSmoothstepConeMaxErrorTimesWidth / (cos inner - cos outer)                           (cone_test.cpp)
+/// max error  cosine: kCosineConeMaxUlp, except where cos_angle is within an ulp of the half angle's cosine, whose
+///            rounding then decides between the edge's value and 0;
+///            smoothstep: kSmoothstepConeMaxErrorTimesWidth / (cos inner - cos outer)               (cone_test.cpp)
 double cone_at(const Cone& cone, double cos_angle);
 
 /// Largest errors of angle_at_level and flux_within, relative.
 inline constexpr double kAngleAtLevelMaxError = 2e-15;
 inline constexpr double kFluxMaxError = 2e-15;
 
-/// Angle up to which a cone keeps a fraction of its axial intensity: acos(level^(1/exponent)), the root of Hermite's
-/// cubic, or the cut-off where the cone ends with more than that.
+/// Angle up to which a cone keeps a fraction of its axial intensity: acos(level^(1/exponent)) of a cosine cone, the
+/// root of Hermite's cubic of a smoothstep cone, or the cut-off angle if the cone is still brighter there.
 ///
 /// level      (0, 1)
 /// returns    radians from the axis, [0, pi]; pi for a point light

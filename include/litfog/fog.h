@@ -52,12 +52,14 @@ std::optional<ValueError> check(const Fog& fog);
 /// throws         std::invalid_argument naming field, value and rule
 Fog scaled(const Fog& fog, double density_scale);
 
-/// Largest error of fog_factor_at, absolute: a relative error of the optical depth x, 3 roundings at most, counts
-/// x e^-x < 0.37, and the exponential adds less than an ulp.
+/// Largest absolute error of fog_factor_at. A relative error of the optical depth x, which has up to 3 roundings,
+/// changes the factor by x e^-x < 0.37 times that error, and the exponential adds less than an ulp.
 inline constexpr double kFogFactorMaxError = 2.5e-16;
 
-/// Fog factor f(r), the fraction of light that the fog lets through over a range.
+/// Fog factor f(r), the fraction of light that the fog lets through over a range. For inner loops: arguments are not
+/// checked.
 ///
+/// fog        one that check() finds nothing wrong with
 /// range      metres, >= 0
 /// returns    [0, 1]
 /// max error  kFogFactorMaxError                                                (fog_test.cpp)
@@ -66,8 +68,9 @@ double fog_factor_at(const Fog& fog, double range);
 /// Largest error of opacity_at in ulp.
 inline constexpr double kOpacityMaxUlp = 4;
 
-/// Opacity 1 - f(r), without the cancellation of the plain form.
+/// Opacity 1 - f(r), without the cancellation of the plain form. For inner loops: arguments are not checked.
 ///
+/// fog        one that check() finds nothing wrong with
 /// range      metres, >= 0
 /// returns    [0, 1]
 /// max error  kOpacityMaxUlp                                                    (fog_test.cpp)

@@ -13,10 +13,10 @@
 
 namespace litfog {
 
-// What the shaders read of lights (litfog/shaders/light.glsl) stands in two tables, so that a change of the fog changes
-// few numbers however many lights there are: a kind holds what its lights have in common and the fog changes, an
-// instance is one light. The same tables serve as uniform block, buffer textures and storage buffers: they have vec4
-// members only, so that std140, std430, texels and C++ agree. World space, metres.
+// What the shaders read of lights (litfog/shaders/light.glsl) is held in two tables, so that a change of the fog
+// changes few numbers however many lights there are: a kind holds what its lights have in common, which includes all
+// that the fog changes; an instance is one light. The same tables serve as uniform block, buffer textures and storage
+// buffers: they have vec4 members only, so that std140, std430, texels and C++ agree. World space, metres.
 
 /// What lights of a kind share. Airlight needs no more of the fog than its density, which the shaders scale.
 struct FogLightKind {

@@ -6,8 +6,8 @@
 
 namespace litfog {
 
-/// What the fog colour intensity of a light cannot exceed, whatever the fog: made once a light, then asked with a few
-/// multiplications a fog, no exponential. For deciding that a light need not be solved.
+/// An upper bound of the fog colour intensity of a light in any fog, for deciding that the light need not be solved. It
+/// is made once for each light; each fog then takes a few multiplications and no exponential.
 ///
 /// Proof. With a(r) the attenuation and E the extent, I = sup over r in [0, E] of (1 - f(r)) a(r). From 1 - e^-x <= x:
 ///   exp:  1 - f <= d r,     so I <= d sup r a(r)      = d M1
@@ -19,9 +19,9 @@ namespace litfog {
 /// - r^2 a(r) rises everywhere: its derivative beyond the knee has the sign of 2 C + L r. Hence it is largest at E,
 ///   where a is the threshold t: S = E sqrt(t).
 /// Rounding. All terms are positive, so nothing cancels, and the computed values err by a few ulps of long double (a
-/// knee or extent by 2; sqrt(C/Q) by 2, which counts squared because r a(r) is stationary there). They are raised by
-/// eight times the batch's largest error: half of that for an intensity that is computed too high, half for the
-/// multiplications of at().
+/// knee or extent by 2; sqrt(C/Q) by 2, of which only the square counts, because r a(r) is stationary there). They are
+/// raised by eight times the batch's largest error: half of that for an intensity that is computed too high, half for
+/// the multiplications of at().
 class IntensityBound {
  public:
   /// attenuation  finite, >= 0, not all zero
@@ -29,7 +29,7 @@ class IntensityBound {
   /// throws       std::invalid_argument naming field, value and rule
   IntensityBound(const Attenuation& attenuation, double threshold);
 
-  /// fog      as the light's class sees it (see scaled()); density >= 0, infinity is total fog
+  /// fog      as the light's class sees it (see scaled()); density >= 0, infinity is total fog; not checked here
   /// returns  [0, 1], never below the intensity, exact or computed. Above it by less than the fraction x / 2, x being
   ///          the optical depth of the extent, d E or (d E)^2: tight in thin fog       (intensity_bound_test.cpp)
   double at(const Fog& fog) const;

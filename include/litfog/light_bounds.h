@@ -25,18 +25,22 @@ struct LightBounds {
 /// What is wrong with them, or nothing. The value of a wrong direction is its length.
 std::optional<ValueError> check(const LightBounds& bounds);
 
-/// Those of a light that has passed check(), within a range (see light_reach in airlight.h).
+/// The bounds of a light within a range, such as light_reach() gives (airlight.h).
+///
+/// light  one that check() finds nothing wrong with; not checked here
+/// range  metres, >= 0
 inline LightBounds bounds_of(const PlacedLight& light, double range) {
   return {light.position, light.direction, range, cutoff_angle(light.light.cone)};
 }
 
-/// Largest distance, over that of coordinates from the eye or the light, at which what does not touch is taken to.
+/// The largest gap at which bodies that do not touch may be taken to touch, as a fraction of the largest distance of
+/// their points from the eye (a view) or from the light (a box).
 inline constexpr double kCullSlack = 1e-9;
 
 /// Whether a light can light anything in a box. World space, metres.
 ///
-/// No answer is false where it can. It is true where it cannot only within kCullSlack of touching; and for lights whose
-/// half angle is over 90 degrees, where part of the box is in the dark cone and the rest beyond the range
+/// An answer of false is always right. An answer of true may be wrong in two cases: within kCullSlack of touching; and
+/// for a half angle over 90 degrees, if part of the box is in the light's dark cone and the rest beyond its range
 /// (light_bounds_test.cpp).
 ///
 /// low, high  corners, each coordinate finite and of low at most that of high

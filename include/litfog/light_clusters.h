@@ -49,8 +49,8 @@ struct ClusterStatistics {
   std::size_t entries = 0;         ///< of the light list
 };
 
-/// Fraction by which lights are taken too large, of their range and their distance from the eye: more than the floats
-/// here and in a shader's look-up err.
+/// Lights are enlarged by this fraction of the sum of their range and their distance from the eye, which is more than
+/// the floats here and in a shader's look-up err.
 inline constexpr double kClusterSlack = 1e-5;
 
 /// Largest fraction of the entries of many lights whose light and cluster have no point in common.
@@ -59,9 +59,9 @@ inline constexpr double kClusterExcess = 0.1;
 /// Which lights can light what a view shows, by clusters: small parts of the view, whose fragments then go through a
 /// short list instead of all lights.
 ///
-/// No light is missing from a cluster in which it can light a point. A light is in a cluster only where no plane of the
-/// grid, no plane that touches the light's cone, and no ball around the light shrunk by the cluster's planes tells them
-/// apart; at most kClusterExcess of the entries have no point in common          (light_clusters_test.cpp).
+/// No light is missing from a cluster in which it can light a point. A light is in a cluster only if no plane of the
+/// grid, no plane that touches the light's cone, and no ball around the light shrunk by the cluster's planes separates
+/// them; at most kClusterExcess of the entries have no point in common           (light_clusters_test.cpp).
 /// Lights are listed in the order of their indices. The lists depend on the lights and the view alone: not on what was
 /// held before, nor on threads.
 ///

@@ -411,7 +411,7 @@ LITFOG_API void litfog_view_frustum_destroy(litfog_view_frustum* frustum);
 ///
 /// radius  metres, >= 0
 /// can     0 only where the ball does not meet the frustum
-LITFOG_API litfog_status litfog_view_frustum_can_see_ball(const litfog_view_frustum* frustum, const double* center,
+LITFOG_API litfog_status litfog_view_frustum_can_see_ball(const litfog_view_frustum* frustum, const double* centre,
                                                           double radius, int32_t* can);
 /// can     0 only where the light can light nothing in the frustum
 LITFOG_API litfog_status litfog_view_frustum_can_see_light(const litfog_view_frustum* frustum,

@@ -51,6 +51,7 @@ FogIntensityF solve_fog_intensity(const AttenuationF& attenuation, const FogF& f
 /// throws  std::invalid_argument naming field, value and rule
 FogIntensity solve_fog_intensity(const Light& light, const Fog& fog);
 
+/// Largest absolute error of sample_fog_intensity with 64 samples over the lights and fogs that it names.
 inline constexpr double kSampled64MaxError = 0.024;
 
 /// The same as published: the largest of N samples at r = extent * i / N, i = 1..N (Hales 2004, "Lighting in Fog").

@@ -40,8 +40,8 @@ glm::dmat3 axes_of(const View& view);
 
 /// The truncated pyramid that a view shows, to ask whether bodies meet it.
 ///
-/// No answer is false where body and frustum have a point in common. Answers are true where they have none as for boxes
-/// (can_light in light_bounds.h)                                                             (view_frustum_test.cpp).
+/// An answer of false is always right. An answer of true may be wrong in the cases that can_light() names for a box
+/// (light_bounds.h)                                                                          (view_frustum_test.cpp).
 class ViewFrustum {
  public:
   /// throws  std::invalid_argument naming field, value and rule

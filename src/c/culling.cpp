@@ -54,9 +54,9 @@ litfog_status litfog_view_frustum_create(const litfog_view* view, litfog_view_fr
 
 void litfog_view_frustum_destroy(litfog_view_frustum* frustum) { delete frustum; }
 
-litfog_status litfog_view_frustum_can_see_ball(const litfog_view_frustum* frustum, const double* center, double radius,
+litfog_status litfog_view_frustum_can_see_ball(const litfog_view_frustum* frustum, const double* centre, double radius,
                                                int32_t* can) {
-  return c::call([&] { c::at(can, "can") = frustum_of(frustum).can_see(c::vector(center, "center"), radius); });
+  return c::call([&] { c::at(can, "can") = frustum_of(frustum).can_see(c::vector(centre, "centre"), radius); });
 }
 
 litfog_status litfog_view_frustum_can_see_light(const litfog_view_frustum* frustum, const litfog_light_bounds* bounds,

@@ -11,12 +11,14 @@ namespace litfog::files {
 // What an author may have meant, as the end of a rule in a message: "; did you mean extent_m?". Empty where nothing
 // suggests itself.
 
-/// Of a word that is none of the known ones: the one that it begins, or else that few slips of the keyboard lead to.
+/// Of a word that is none of the known ones: the known word that begins with it, or else one that is a few slips of the
+/// keyboard away.
 std::string hint_for_word(std::string_view word, const std::vector<std::string_view>& known);
 
 /// Of a text where a number is due: a number with its unit, a percentage, a decimal comma.
 ///
-/// member  that the number is for. The end of its name states its unit: "extent_m"; without one it may be a fraction
+/// member  that the number is for. The end of its name states its unit, as in "extent_m"; a number without a unit may
+///         be a fraction
 std::string hint_for_number(std::string_view text, std::string_view member = {});
 
 /// The same of a text in quotation marks, which a number by itself lacks.

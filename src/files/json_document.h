@@ -93,8 +93,9 @@ using FollowLink = std::function<std::optional<JsonValue>(const JsonValue& link)
 /// A copy of a document in which one value is another one, so that whoever reads it applies all its rules to that too.
 /// Objects on the way to a member that is not there are made: the reader tells whether they may be.
 ///
-///     const JsonValue scene = with_value(read_json("airfield.json"), "lamps[2].threshold", parse_json("7", "--set"),
-///     "--set"); scene.member("lamps").items()[2].member("threshold").fail("must be in (0, 1)");
+///     const JsonValue seven = parse_json("7", "--set");
+///     const JsonValue scene = with_value(read_json("airfield.json"), "lamps[2].threshold", seven, "--set");
+///     scene.member("lamps").items()[2].member("threshold").fail("must be in (0, 1)");
 ///     // --set: lamps[2].threshold = 7: must be in (0, 1)
 ///
 /// path    as of JsonValue::path(), not empty

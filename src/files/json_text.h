@@ -7,12 +7,12 @@
 
 namespace litfog::files {
 
-/// Text as a JSON string with its quotes, escapes included; bytes that are no UTF-8 become U+FFFD.
+/// Text as a JSON string with its quotes, escapes included; bytes that are not UTF-8 become U+FFFD.
 std::string json_quoted(std::string_view text);
 
 /// An object of members such as "\"a\": 1", or an array, an item a line.
 ///
-/// depth  how many objects and arrays it stands in: its indentation
+/// depth  how many objects and arrays it is nested in, which sets its indentation
 std::string json_object(const std::vector<std::string>& members, int depth = 0);
 std::string json_array(const std::vector<std::string>& items, int depth);
 

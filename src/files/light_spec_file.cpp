@@ -261,9 +261,15 @@ std::string cone_json(const ConeSpec& cone, const std::filesystem::path& folder)
 
 /// The file's name for a field of a range or a cone.
 std::string member_name(std::string_view field) {
-  if (field == "extent" || field == "range") return std::string(field) + "_m";
+  using Names = std::pair<std::string_view, std::string_view>;
+  static constexpr std::array<Names, 5> kNames{{{"extent", "extent_m"},
+                                                {"end_illuminance", "end_lx"},
+                                                {"peak", "peak_cd"},
+                                                {"flux", "flux_lm"},
+                                                {"range", "range_m"}}};
   if (field.ends_with("angle")) return std::string(field) + "_deg";
-  return std::string(field);
+  const auto found = std::ranges::find(kNames, field, &Names::first);
+  return std::string(found == kNames.end() ? field : found->second);
 }
 
 /// A step on the way to a value: a member, and the item of it if it is an array.

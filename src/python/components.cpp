@@ -30,8 +30,8 @@ void bind_errors(py::module_& m) {
   const py::exception<InputError> input_error(m, "InputError", PyExc_ValueError);
   const py::exception<OutputError> output_error(m, "OutputError", PyExc_OSError);
   input_error.attr("__doc__") =
-      "A file that cannot be used: str() is the whole sentence, \"lamps.json:7:12: threshold = 7: must be in (0, "
-      "1)\".\n"
+      "A file that cannot be used. str() is the whole sentence:\n"
+      "\"lamps.json:7:12: threshold = 7: must be in (0, 1)\".\n"
       "Attributes: file, the path as given; line and column, from 1; 0 where the error is of the whole.";
   output_error.attr("__doc__") = "Output that could not be written; str() is the whole sentence.";
   translate_errors(input_error, output_error);
@@ -111,9 +111,8 @@ void bind_photometry(py::module_& m) {
   show_fields(m.attr("Luminaire"), {"name", "manufacturer", "lamp_flux", "light_output_ratio", "is_absolute"});
   m.def(
       "read_luminaire", [](const Path& path) { return read_luminaire(path.string()); }, py::arg("path"), Released(),
-      "Reads a photometric file of any kind that its content says: IES LM-63, EULUMDAT, TM-33, an isocandela table, "
-      "or\n"
-      "a GLDF container with one photometric file. InputError. Releases the GIL.");
+      "Reads a photometric file of any kind that its content says: IES LM-63, EULUMDAT, TM-33, an isocandela table,\n"
+      "or a GLDF container with one photometric file. InputError. Releases the GIL.");
   m.def(
       "list_gldf", [](const Path& path) { return list_gldf(path.string()); }, py::arg("path"), Released(),
       "The photometric files in a GLDF container, as paths that read_luminaire takes. InputError.");
@@ -219,9 +218,8 @@ void bind_attenuation_fit(py::module_& m) {
       py::arg("family") = AttenuationFamily::quadratic, py::arg("is_robust") = false,
       "Fits an attenuation to an extent in metres, to samples, or to both: the global minimum of\n"
       "sum w (ln a(r) - ln attenuation)^2 that meets the extent exactly. Samples are columns: ranges in metres,\n"
-      "attenuations, and weights (1 where absent); is_robust is for tables with outliers. Releases the GIL. "
-      "ValueError\n"
-      "with field, value and rule.");
+      "attenuations, and weights (1 where absent); is_robust is for tables with outliers. Releases the GIL.\n"
+      "ValueError with field, value and rule.");
 }
 
 void bind_cone_fit(py::module_& m) {
@@ -267,7 +265,7 @@ void bind_cone_fit(py::module_& m) {
       py::arg("intensities") = py::none(), py::arg("weights") = py::none(),
       "Fits a cone to samples, to beam and field angles (full, in radians), or to all of these: the global minimum of\n"
       "sum of weight * (cone - I / I_max)^2 of each profile. Samples are columns: angles from the axis in radians,\n"
-      "intensities in any unit, and weights (1 where absent). Releases the GIL. ValueError with field, value and "
+      "intensities in any unit, and weights (1 where absent). Releases the GIL. ValueError with field, value and\n"
       "rule.");
 }
 

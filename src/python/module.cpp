@@ -53,7 +53,7 @@ void add_method(const py::object& type, const char* name, const Function& method
 
 PyTypeObject* instance_base() { return reinterpret_cast<PyTypeObject*>(py::detail::get_internals().instance_base); }
 
-/// What pybind11 has as tp_new, at another address.
+/// pybind11's tp_new under another address, because Python compares a class's with its base's.
 PyObject* new_instance(PyTypeObject* type, PyObject* arguments, PyObject* keywords) {
   return instance_base()->tp_new(type, arguments, keywords);
 }
@@ -522,9 +522,8 @@ void bind_solve(py::module_& m) {
       py::arg("module") = "litfog");
   m.attr("BatchStatus").attr("__doc__") =
       "What became of a light of a batch: the values of a column of status. ok: solved to the stated error;\n"
-      "not_converged: as SolveStatus.not_converged; invalid: an argument breaks its rule, and intensity, peak range "
-      "and\n"
-      "extent are 0.";
+      "not_converged: as SolveStatus.not_converged; invalid: an argument breaks its rule, and intensity, peak range\n"
+      "and extent are 0.";
   py::class_<FogIntensity> solved(m, "FogIntensity", "Fog colour intensity of a light and where it is taken.");
   solved
       .def(py::init([](double intensity, double peak_range, double extent, SolveStatus status) {
@@ -571,10 +570,9 @@ void bind_solve(py::module_& m) {
       py::arg("threshold") = kDefaultThreshold, py::arg("mode") = FogMode::exp, py::kw_only(),
       py::arg("out") = py::none(),
       "solve_fog_intensity for many lights by SIMD. Columns are contiguous one-dimensional arrays, all float64 or all\n"
-      "float32, and are read where they lie; density and threshold may be numbers. Returns BatchSolutions: out, or "
-      "new\n"
-      "columns. No result may overlap another column. Invalid lights are counted and marked, not raised. Releases the\n"
-      "GIL. TypeError and ValueError for columns that do not fit.");
+      "float32, and are read where they lie; density and threshold may be numbers. Returns BatchSolutions: out, or\n"
+      "new columns. No result may overlap another column. Invalid lights are counted and marked, not raised. Releases\n"
+      "the GIL. TypeError and ValueError for columns that do not fit.");
 }
 
 void bind_airlight(py::module_& m) {
@@ -602,9 +600,8 @@ void bind_airlight(py::module_& m) {
       "most 1/255 in isotropic fog. Releases the GIL. ValueError with field, value and rule, before any result is\n"
       "written.");
   const char* axial_doc =
-      "Airlight of a light along its own axis, the eye at the light, the light's leg clear; never below the fog "
-      "colour\n"
-      "intensity. ValueError with field, value and rule.";
+      "Airlight of a light along its own axis, the eye at the light, the light's leg clear; never below the fog\n"
+      "colour intensity. ValueError with field, value and rule.";
   m.def("axial_airlight", py::overload_cast<const Attenuation&, const Fog&, double>(&axial_airlight),
         py::arg("attenuation"), py::arg("fog"), py::arg("threshold") = kDefaultThreshold, axial_doc);
   m.def("axial_airlight", py::overload_cast<const Light&, const Fog&>(&axial_airlight), py::arg("light"),
@@ -620,13 +617,12 @@ void bind_airlight(py::module_& m) {
       py::arg("constant"), py::arg("linear"), py::arg("quadratic"), py::arg("density"),
       py::arg("threshold") = kDefaultThreshold, py::arg("mode") = FogMode::exp, py::kw_only(),
       py::arg("out") = py::none(),
-      "axial_airlight for many lights: float64 columns as for solve_fog_intensities. Returns out, or a new column; 0 "
-      "for\n"
-      "an invalid light. Releases the GIL.");
+      "axial_airlight for many lights: float64 columns as for solve_fog_intensities. Returns out, or a new column;\n"
+      "0 for an invalid light. Releases the GIL.");
   m.def("light_reach", &light_reach, py::arg("light"), py::arg("fog"), py::arg("budget"),
         py::arg("lamp_leg") = LampLeg::fogged,
-        "The range in metres beyond which a light shows on no surface and in no fog by as much as the budget, in (0, "
-        "1).");
+        "The range in metres beyond which a light shows on no surface and in no fog by as much as the budget, a\n"
+        "fraction of its colour in (0, 1).");
 }
 
 void bind_updater(py::module_& m) {

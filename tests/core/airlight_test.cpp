@@ -349,7 +349,7 @@ TEST(Airlight, ReferenceIsTheDefinitionByAnotherQuadrature) {
                          kReferenceAirlightMaxError, "relative");
         for (int i = 0; i < kRays; ++i) {
           AirlightCase c = is_spot ? draw_spot_airlight_case(random, mode, leg) : draw_airlight_case(random, mode, leg);
-          if (i % 2 == 0) c.scattering.asymmetry = random.uniform(-0.95, 0.95);
+          if (i % 2 == 0) c.scattering.asymmetry = random.uniform(-0.99, 0.99);
           const double expected = double(Definition(c).integral());
           // Of spots 1e-13 may be rounding at the edge of a cone; dimmer points than 1e-60 lie beyond the integral's
           // end.
@@ -602,6 +602,29 @@ TEST(Airlight, AirlightOfWildInputIsFiniteAndNotNegative) {
   }
 }
 
+TEST(Airlight, LightSeesTheFogThroughItsDensityScale) {
+  Random random(75);
+  for (int i = 0; i < 50; ++i) {
+    AirlightCase c = draw_spot_airlight_case(random, random.pick(kModes), random.pick(kLampLegs));
+    c.light.light.density_scale = random.pick(std::array{0.0, 0.4, 2.5});
+    AirlightCase seen = c;
+    seen.light.light.density_scale = 1;
+    seen.fog.density = c.fog.density * c.light.light.density_scale;
+    EXPECT_EQ(airlight_of(c), airlight_of(seen)) << to_string(c);
+    EXPECT_EQ(reference_of(c), reference_of(seen)) << to_string(c);
+    const auto bound = [](const AirlightCase& of) {
+      return bound_airlight(of.light, of.fog, of.ray.origin, of.ray.direction, 0.1, of.scattering);
+    };
+    EXPECT_EQ(bound(c), bound(seen)) << to_string(c);
+    EXPECT_EQ(light_reach(c.light.light, c.fog, 0.01), light_reach(seen.light.light, seen.fog, 0.01)) << to_string(c);
+  }
+}
+
+TEST(Airlight, PhaseFunctionIsLargestStraightAheadOrStraightBack) {
+  EXPECT_EQ(largest_phase({}), 1);
+  for (const double g : {0.5, -0.5}) EXPECT_EQ(largest_phase({.asymmetry = g}), 6) << g;
+}
+
 TEST(Airlight, TotalFogScattersInTheEyeAlone) {
   for (const FogMode mode : kModes) {
     const Fog total{mode, kInfinity};
@@ -681,7 +704,7 @@ TEST(LightReach, NothingBeyondTheReachShowsTheBudget) {
     }
     for (const double factor : {1 + 1e-14, 1.01, 2.0, 1000.0})
       ASSERT_LT(shown_at(reach * factor), budget) << to_string(c);
-    ASSERT_GE(shown_at(reach * (1 - 2e-9)), budget * (1 - 1e-12)) << to_string(c);  // nor is it longer than need be
+    ASSERT_GE(shown_at(reach * (1 - 1e-9)), budget) << to_string(c);  // nor is it longer than need be
   }
 }
 

@@ -130,7 +130,7 @@ std::string describe(const Cone& cone, double argument) {
 }
 
 /// The definitions in 50 digits, for any angle from the axis.
-Digits50 share_at(const Cone& cone, const Digits50& angle) {
+Digits50 fraction_at(const Cone& cone, const Digits50& angle) {
   if (cone.profile == ConeProfile::cosine) return pow(cos(angle), Digits50(cone.exponent));
   const Digits50 inner = cos(Digits50(cone.inner));
   const Digits50 outer = cos(Digits50(cone.outer));
@@ -176,14 +176,14 @@ TEST(Cone, AngleAtALevelIsWhereTheConeFallsToIt) {
     const double level = random.log_uniform(1e-3, 0.999);
     const double angle = angle_at_level(cone, level);
     if (cone.profile == ConeProfile::cosine && angle == cone.half_angle) {
-      EXPECT_GE(share_at(cone, angle), level * (1 - 1e-9)) << "ends only where it is still brighter";
+      EXPECT_GE(fraction_at(cone, angle), level * (1 - 1e-9)) << "ends only where it is still brighter";
       continue;
     }
     Digits50 low = 0;
     Digits50 high = cone.profile == ConeProfile::cosine ? pi / 2 : cone.outer;
     for (int step = 0; step < 90; ++step) {
       const Digits50 middle = (low + high) / 2;
-      (share_at(cone, middle) > level ? low : high) = middle;
+      (fraction_at(cone, middle) > level ? low : high) = middle;
     }
     error.add(relative_error(angle, low), [&] { return describe(cone, level); });
   }
@@ -204,7 +204,7 @@ TEST(Cone, FluxIsTheIntegralOverTheSphere) {
   for (int i = 0; i < 100; ++i) {
     const Cone cone = draw_cone(random);
     const double end = random.chance(0.5) ? pi : random.uniform(0, cutoff_angle(cone));
-    const auto density = [&cone](const Digits50& angle) { return share_at(cone, angle) * sin(angle); };
+    const auto density = [&cone](const Digits50& angle) { return fraction_at(cone, angle) * sin(angle); };
     const Digits50 last = std::min(end, cutoff_angle(cone));
     const Digits50 full = std::min<Digits50>(cone.inner, last);  // a smoothstep's; the integrand is smooth beyond
     const Digits50 sphere = 2 * boost::math::constants::pi<Digits50>();

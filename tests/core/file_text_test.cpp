@@ -10,7 +10,7 @@
 #include "command/temporary_directory.h"
 #include "litfog/input_error.h"
 
-namespace litfog {
+namespace litfog::test {
 namespace {
 
 class FileText : public testing::Test {
@@ -34,7 +34,7 @@ class FileText : public testing::Test {
   }
 
  private:
-  test::TemporaryDirectory directory_;
+  TemporaryDirectory directory_;
 };
 
 TEST_F(FileText, EveryByteIsRead) {
@@ -70,4 +70,4 @@ TEST_F(FileText, MissingFileFolderOrDeviceIsAnError) {
 }
 
 }  // namespace
-}  // namespace litfog
+}  // namespace litfog::test

@@ -175,7 +175,7 @@ void expect_updater_within_budget(const Enter& enter, const Leave& leave) {
   EXPECT_GT(skipped, 0u);
 }
 
-TEST_F(FloatingPointMode, NoRoundingModeLeadsAstray) {
+TEST_F(FloatingPointMode, SolutionsStayNearTheUsualInEveryRoundingMode) {
   for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO, FE_TONEAREST}) {
     SCOPED_TRACE("rounding mode " + std::to_string(mode));
     const auto enter = [mode] { std::fesetround(mode); };
@@ -188,7 +188,7 @@ TEST_F(FloatingPointMode, NoRoundingModeLeadsAstray) {
 }
 
 #if defined(__SSE2__)
-TEST_F(FloatingPointMode, FlushingSubnormalsLeadsNowhereAstray) {
+TEST_F(FloatingPointMode, SolutionsStayNearTheUsualWhereSubnormalsAreFlushed) {
   const auto enter = [] { _mm_setcsr(_mm_getcsr() | 0x8040); };  // FTZ and DAZ
   const auto leave = [this] { back_to_default(); };
   expect_near_the_usual(enter, leave);

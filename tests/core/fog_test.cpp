@@ -84,7 +84,7 @@ TEST(FogFromVisibility, FogFactorAtTheVisibilityIsTheContrast) {
   }
 }
 
-TEST(FogFromVisibility, DefaultIsTheMeteorologicalOpticalRange) {
+TEST(FogFromVisibility, DefaultContrastIsThatOfTheMeteorologicalOpticalRange) {
   for (const FogMode mode : kModes) {
     EXPECT_EQ(Fog::from_visibility(mode, 300), Fog::from_visibility(mode, 300, 0.05));
     EXPECT_EQ(FogF::from_visibility(mode, 300), FogF::from_visibility(mode, 300, 0.05f));

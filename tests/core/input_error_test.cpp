@@ -5,7 +5,7 @@
 
 #include <type_traits>
 
-namespace litfog {
+namespace litfog::test {
 namespace {
 
 static_assert(std::is_nothrow_copy_constructible_v<InputError>);
@@ -33,4 +33,4 @@ TEST(InputError, ValueErrorKeepsItsSentence) {
 }
 
 }  // namespace
-}  // namespace litfog
+}  // namespace litfog::test

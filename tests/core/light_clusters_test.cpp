@@ -197,31 +197,31 @@ bool meets_ball_around(const View& part, const LightBounds& light) {
          glm::length(offset) <= radius + light.range;
 }
 
-TEST(LightClusters, FewEntriesOfACityAreInVain) {
+TEST(LightClusters, FewEntriesOfACityAreSuperfluous) {
   const City city(3000);
   LightClusters clusters;
   set_lights(clusters, city.lights);
   clusters.update(city.view);
-  std::size_t in_vain = 0;
+  std::size_t superfluous = 0;
   std::size_t by_balls = 0;
   for (std::size_t cluster = 0; cluster < clusters.clusters().size(); ++cluster) {
     const View part = clusters.part_of_view(cluster);
     const ViewFrustum frustum(part);
-    for (const std::uint32_t light : lights_of(clusters, cluster)) in_vain += !frustum.can_see(city.lights[light]);
+    for (const std::uint32_t light : lights_of(clusters, cluster)) superfluous += !frustum.can_see(city.lights[light]);
     for (const LightBounds& light : city.lights) by_balls += meets_ball_around(part, light);
   }
   const double entries = double(clusters.light_list().size());
-  std::printf("%.0f entries, %.2f %% in vain; %zu by balls around clusters\n", entries, 100 * double(in_vain) / entries,
-              by_balls);
+  std::printf("%.0f entries, %.2f %% superfluous; %zu by balls around clusters\n", entries,
+              100 * double(superfluous) / entries, by_balls);
   EXPECT_GT(entries, 5000);
-  EXPECT_LE(double(in_vain), kClusterExcess * entries);
+  EXPECT_LE(double(superfluous), kClusterExcess * entries);
 }
 
-/// The fraction of entries in vain where all sorts of views and lights are drawn.
-TEST(LightClusters, EntriesInVainOfRandomViewsAreFew) {
+/// The fraction of superfluous entries where all sorts of views and lights are drawn.
+TEST(LightClusters, FewEntriesOfRandomViewsAreSuperfluous) {
   Random random(76);
   std::size_t entries = 0;
-  std::size_t in_vain = 0;
+  std::size_t superfluous = 0;
   for (int i = 0; i < 100; ++i) {
     const View view = draw_view(random);
     LightClusters clusters(
@@ -233,12 +233,12 @@ TEST(LightClusters, EntriesInVainOfRandomViewsAreFew) {
     entries += clusters.light_list().size();
     for (std::size_t cluster = 0; cluster < clusters.clusters().size(); ++cluster) {
       const ViewFrustum part(clusters.part_of_view(cluster));
-      for (const std::uint32_t light : lights_of(clusters, cluster)) in_vain += !part.can_see(lights[light]);
+      for (const std::uint32_t light : lights_of(clusters, cluster)) superfluous += !part.can_see(lights[light]);
     }
   }
-  std::printf("%zu entries, %.2f %% in vain\n", entries, 100 * double(in_vain) / double(entries));
+  std::printf("%zu entries, %.2f %% superfluous\n", entries, 100 * double(superfluous) / double(entries));
   EXPECT_GT(entries, 50000u);
-  EXPECT_LE(double(in_vain), kClusterExcess * double(entries));
+  EXPECT_LE(double(superfluous), kClusterExcess * double(entries));
 }
 
 // --- the lists ---

@@ -233,7 +233,7 @@ Fog draw_fog(Random& random, const Fog& last) {
 }
 
 /// Random calls; set_fog is one in calls_per_fog.
-void run_random_calls(Mirror& mirror, Random& random, int calls, double calls_per_fog, double removed_share) {
+void run_random_calls(Mirror& mirror, Random& random, int calls, double calls_per_fog, double removed_fraction) {
   Fog fog;
   for (int call = 0; call < calls; ++call) {
     if (random.chance(1 / calls_per_fog)) {
@@ -245,7 +245,7 @@ void run_random_calls(Mirror& mirror, Random& random, int calls, double calls_pe
       continue;
     }
     const std::size_t i = std::size_t(random.uniform(0, double(mirror.lights.size())));
-    if (random.chance(removed_share)) {
+    if (random.chance(removed_fraction)) {
       mirror.remove(i);
     } else if (random.chance(0.5)) {
       mirror.switch_light(i, random.chance(0.5));

@@ -33,14 +33,14 @@ class CameraPathSchema : public testing::Test {
   TemporaryDirectory directory_;
 };
 
-TEST_F(CameraPathSchema, MembersAreTheReaders) {
+TEST_F(CameraPathSchema, SchemaHasTheReadersMembersAlone) {
   const std::string header = R"({"litfog": "camera-path", "version": 1, )";
   EXPECT_EQ(schema_.members_at(""), members_in(refusal_of(header + R"("zzz": 1})")));
   EXPECT_EQ(schema_.members_at("/definitions/keyframe"),
             members_in(refusal_of(header + R"("keyframes": [{"zzz": 1}, {}]})")));
 }
 
-TEST_F(CameraPathSchema, ItRefusesWhatTheReaderRefusesAndNothingElse) {
+TEST_F(CameraPathSchema, SchemaRefusesWhatTheReaderRefusesAndNothingElse) {
   int refused = 0;
   for (const char* path : kPaths) {
     EXPECT_EQ(refusal_of(path), "");
@@ -55,7 +55,7 @@ TEST_F(CameraPathSchema, ItRefusesWhatTheReaderRefusesAndNothingElse) {
   EXPECT_GT(refused, 100);
 }
 
-TEST_F(CameraPathSchema, LimitsOfMembersAreTheReaders) {
+TEST_F(CameraPathSchema, SchemaHasTheReadersLimits) {
   for (const char* key :
        {R"("position": [10000000, 0, 0], "target": [0, 0, 0])", R"("position": [10000001, 0, 0], "target": [0, 0, 0])",
         R"("position": [0, 0, 0], "target": [0, -10000000, 0])",

@@ -8,7 +8,9 @@
 #include "files/json_document.h"
 #include "litfog/input_error.h"
 
-namespace litfog::files {
+namespace litfog::test {
+using namespace files;
+
 namespace {
 
 /// The sentence of what is wrong with a document, which is read as {"threshold": number, "color": number}.
@@ -108,4 +110,4 @@ TEST(Hint, DecimalCommaIsShownAsAPoint) {
 }
 
 }  // namespace
-}  // namespace litfog::files
+}  // namespace litfog::test

@@ -24,8 +24,6 @@ using namespace files;
 
 namespace {
 
-using litfog::ConeProfile;
-using litfog::Light;
 using std::numbers::pi;
 
 Light parse(const std::string& text) { return parse_light(parse_json(text, "f")); }
@@ -46,18 +44,17 @@ TEST(LightFile, EveryMemberIsRead) {
     "cone": {"profile": "cosine", "half_angle_deg": 45, "exponent": 16}, "fit": {"rms": 0}})");
   EXPECT_EQ(light.name, "lamp");
   EXPECT_EQ(light.color, glm::dvec3(1, 0.5, 2));
-  EXPECT_EQ(light.attenuation, (litfog::Attenuation{0.5, 0.25, 0.125}));
+  EXPECT_EQ(light.attenuation, (Attenuation{0.5, 0.25, 0.125}));
   EXPECT_EQ(light.threshold, 0.01);
   EXPECT_EQ(light.density_scale, 0.4);
-  EXPECT_EQ(light.cone, litfog::Cone::cosine(pi / 4, 16));
+  EXPECT_EQ(light.cone, Cone::cosine(pi / 4, 16));
 }
 
 TEST(LightFile, MissingMembersHaveTheModelsDefaults) {
   const Light light = parse(R"({"attenuation": {"linear": 1}})");
   EXPECT_EQ(light.name, "");
   EXPECT_EQ(light.color, glm::dvec3(1));
-  EXPECT_EQ(light.attenuation, (litfog::Attenuation{0, 1, 0}))
-      << "a coefficient that is not given is 0, the constant too";
+  EXPECT_EQ(light.attenuation, (Attenuation{0, 1, 0})) << "a coefficient that is not given is 0, the constant too";
   EXPECT_EQ(light.threshold, 0.05);
   EXPECT_EQ(light.density_scale, 1);
   EXPECT_EQ(light.cone.profile, ConeProfile::none);
@@ -67,8 +64,8 @@ TEST(LightFile, WidestAnglesAreExact) {
   const auto cone_of = [](const std::string& cone) {
     return parse(R"({"attenuation": {"linear": 1}, "cone": )" + cone + "}").cone;
   };
-  EXPECT_EQ(cone_of(R"({"profile": "cosine", "half_angle_deg": 90, "exponent": 0})"), litfog::Cone::cosine(pi / 2, 0));
-  EXPECT_EQ(cone_of(R"({"profile": "smoothstep", "inner_deg": 0, "outer_deg": 180})"), litfog::Cone::smoothstep(0, pi));
+  EXPECT_EQ(cone_of(R"({"profile": "cosine", "half_angle_deg": 90, "exponent": 0})"), Cone::cosine(pi / 2, 0));
+  EXPECT_EQ(cone_of(R"({"profile": "smoothstep", "inner_deg": 0, "outer_deg": 180})"), Cone::smoothstep(0, pi));
 }
 
 TEST(LightFile, WrongMemberIsAnErrorAtItsLocationInTheFilesTerms) {
@@ -116,7 +113,7 @@ TEST(LightFile, WrongConeIsAnErrorInDegrees) {
 }
 
 TEST(LightFile, WrittenLightIsReadBackToTheDigit) {
-  litfog::test::Random random(31);
+  Random random(31);
   for (int i = 0; i < 300; ++i) {
     Light light;
     light.name = "lamp \"5\"\n";
@@ -125,8 +122,8 @@ TEST(LightFile, WrittenLightIsReadBackToTheDigit) {
     light.threshold = random.uniform(0.001, 0.999);
     light.density_scale = random.chance(0.5) ? 1 : random.uniform(0, 2);
     const double outer = pi / 180 * random.uniform(0.1, 180);
-    if (random.chance(0.4)) light.cone = litfog::Cone::smoothstep(random.uniform(0, 0.9) * outer, outer);
-    if (random.chance(0.4)) light.cone = litfog::Cone::cosine(outer / 2, random.log_uniform(1e-3, 1e5));
+    if (random.chance(0.4)) light.cone = Cone::smoothstep(random.uniform(0, 0.9) * outer, outer);
+    if (random.chance(0.4)) light.cone = Cone::cosine(outer / 2, random.log_uniform(1e-3, 1e5));
     const std::string text = format_light(light, {"a", "\xC3\xA4\\"}, "{\"rms\": 0}");
     Light back = parse(text);
     // A degree is 57 radians: some angles have no double of degrees.
@@ -150,7 +147,7 @@ TEST(LightFile, WrittenLightIsReadBackToTheDigit) {
 TEST(LightFile, WrittenFileIsReadAndAWrongLightLeavesTheEarlierOne) {
   const TemporaryDirectory directory;
   const std::string path = (directory.path() / "lamp.json").string();
-  Light light{.name = "lamp", .attenuation = {1, 0, 0.1}, .cone = litfog::Cone::cosine(radians(12), 7)};
+  Light light{.name = "lamp", .attenuation = {1, 0, 0.1}, .cone = Cone::cosine(radians(12), 7)};
   write_light(path, light, {"a test"});
   EXPECT_EQ(read_light(path).cone, light.cone);
   EXPECT_EQ(read_json(path).member("source").items()[0].string(), "a test");

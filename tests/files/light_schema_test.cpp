@@ -35,7 +35,7 @@ TEST(LightSchema, BundledLightsAreValid) {
   for (const auto& [file, error] : errors) EXPECT_EQ(error, "") << file;
 }
 
-TEST(LightSchema, MembersAreTheReaders) {
+TEST(LightSchema, SchemaHasTheReadersMembersAlone) {
   const JsonSchema schema("light");
   const std::string light = R"({"litfog": "light", "version": 1, "attenuation": {"constant": 1})";
   const auto refused_members = [&](const std::string& rest) { return members_in(refusal_of(light + rest + "}")); };
@@ -47,7 +47,7 @@ TEST(LightSchema, MembersAreTheReaders) {
             members_in(refusal_of(R"({"litfog": "light", "version": 1, "attenuation": {"zzz": 1}})")));
 }
 
-TEST(LightSchema, ItRefusesWhatTheReaderRefusesAndNothingElse) {
+TEST(LightSchema, SchemaRefusesWhatTheReaderRefusesAndNothingElse) {
   const JsonSchema schema("light");
   int refused = 0;
   for (const char* light : {kSpot, kDual}) {

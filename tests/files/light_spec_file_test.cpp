@@ -29,7 +29,7 @@ class LightSpecFile : public testing::Test {
     return read_light_spec(path.string());
   }
 
-  /// Less the folder.
+  /// Without the folder.
   std::string error_of(const std::string& members) const {
     try {
       read(members);
@@ -161,6 +161,15 @@ TEST_F(LightSpecFile, ErrorsOfACallerAreInTheFilesTerms) {
             "f.json:3:9: cone.half_angle_deg = 4: must be in (0, 90]");
   EXPECT_EQ(error_at("cone.photometry", "", "must be round"),
             "f.json:3:47: cone.photometry = \"lamp.ies\": must be round");
+}
+
+TEST_F(LightSpecFile, ErrorsOfACallerNameEachFieldOfTheRangeAsTheFileDoes) {
+  const LightSpec spec = read(R"("range": {"end_lx": 2, "peak_cd": 3e0})");
+  EXPECT_EQ(without_folder(spec.error_at("range.end_illuminance", "2", "must be 1")),
+            "f.json:2:21: range.end_lx = 2: must be 1");
+  EXPECT_EQ(without_folder(spec.error_at("range.peak", "3", "must be 1")),
+            "f.json:2:35: range.peak_cd = 3e0: must be 1");
+  EXPECT_EQ(without_folder(spec.error_at("range.flux", "4", "must be 1")), "f.json:2:10: range.flux_lm = 4: must be 1");
 }
 
 /// Every field but the path of the file; angles to 4 ulp.

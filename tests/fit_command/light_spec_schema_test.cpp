@@ -63,7 +63,7 @@ TEST_F(LightSpecSchema, BundledSpecsAreValid) {
   for (const auto& [file, error] : errors) EXPECT_EQ(error, "") << file;
 }
 
-TEST_F(LightSpecSchema, MembersAreTheReaders) {
+TEST_F(LightSpecSchema, SchemaHasTheReadersMembersAlone) {
   const auto refused_members = [&](const std::string& rest) {
     return members_in(refusal_of(R"({"litfog": "light-spec", "version": 1, )" + rest + "}"));
   };
@@ -78,7 +78,7 @@ TEST_F(LightSpecSchema, MembersAreTheReaders) {
             refused_members(R"("cone": {"samples": [{"zzz": 1}]})"));
 }
 
-TEST_F(LightSpecSchema, ItRefusesWhatTheReaderRefusesAndNothingElse) {
+TEST_F(LightSpecSchema, SchemaRefusesWhatTheReaderRefusesAndNothingElse) {
   int refused = 0;
   for (const char* spec : kSpecs) {
     EXPECT_EQ(refusal_of(spec), "");

@@ -205,7 +205,7 @@ TEST_F(LightTargetFile, PhotometryIsScaledToAStatedPeak) {
   EXPECT_EQ(read_range(R"("peak_cd": 100)").derived.size(), 2u) << "the cone's and the extent's: nothing to scale";
   EXPECT_EQ(find_peak(read_range(R"("extent_m": 7)").luminaire->distribution).intensity, 100);
   EXPECT_EQ(error_with(R"("cone": {"photometry": "lamp.ies"}, "range": {"peak_cd": 1e31})"),
-            "f.json:2:46: range.peak = 1e+31 cd: must have a peak in [1e-30, 1e30] cd");
+            "f.json:2:58: range.peak_cd = 1e31: must have a peak in [1e-30, 1e30] cd");
 }
 
 TEST_F(LightTargetFile, EllipticalBeamIsFittedByTheConeOfItsFlux) {

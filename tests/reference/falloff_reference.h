@@ -74,12 +74,12 @@ class FalloffReferenceSearch {
     std::vector<std::size_t> moving;
     for (std::size_t j = target_.constant ? 1 : 0; j < 3; ++j) {
       // What logarithms leave where the optimum is 0; the slopes below show whether it is.
-      double largest_share = 0;
+      double largest_fraction = 0;
       for (const AttenuationSample& sample : target_.samples) {
         const double r = sample.range, d = near[0] + r * near[1] + r * r * near[2];
-        largest_share = std::max(largest_share, near[j] * power(r, j) / std::max(1.0, d));
+        largest_fraction = std::max(largest_fraction, near[j] * power(r, j) / std::max(1.0, d));
       }
-      if (largest_share > 1e-6) {
+      if (largest_fraction > 1e-6) {
         moving.push_back(j);
       } else {
         q[j] = 0;
@@ -118,7 +118,7 @@ class FalloffReferenceSearch {
   }
 
   /// Coefficients from the logarithms of those of a face: in units of the sample that they would meet alone or, with an
-  /// extent, as shares of what is left there.
+  /// extent, as fractions of what is left there.
   std::array<double, 3> from_logs(unsigned face, const Eigen::Vector3d& logs) const {
     std::array<double, 3> q{target_.constant.value_or(0), 0, 0};
     double sum = 0;

@@ -71,7 +71,7 @@ TEST_F(SceneSchema, BundledScenesAreValid) {
   EXPECT_EQ(schema_.error_of({std::istreambuf_iterator<char>(strip), {}}), "");
 }
 
-TEST_F(SceneSchema, MembersAreTheReaders) {
+TEST_F(SceneSchema, SchemaHasTheReadersMembersAlone) {
   const std::string camera = R"("camera": {"position": [0, 2, 0], "target": [0, 1, -9]}, )";
   EXPECT_EQ(schema_.members_at(""), refused_members(R"("zzz": 1)"));
   EXPECT_EQ(schema_.members_at("/definitions/camera"), refused_members(R"("camera": {"zzz": 1})"));
@@ -111,7 +111,7 @@ TEST_F(SceneSchema, ModelsAreTheCatalogues) {
   }
 }
 
-TEST_F(SceneSchema, ItRefusesWhatTheReaderRefusesAndNothingElse) {
+TEST_F(SceneSchema, SchemaRefusesWhatTheReaderRefusesAndNothingElse) {
   EXPECT_EQ(refusal_of(kScene), "");
   EXPECT_EQ(schema_.error_of(kScene), "");
   int refused = 0;

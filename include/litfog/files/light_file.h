@@ -41,6 +41,7 @@ Light read_light(const std::string& path);
 /// A light as the text of its file. Numbers are read back exactly, except angles that no double in degrees stands for,
 /// which are off by their last bit.
 ///
+/// light   one that check() finds nothing wrong with; not checked here
 /// source  lines of the member "source"; without any it is left out
 /// fit     JSON text of the member "fit"; empty: left out
 std::string format_light(const Light& light, const std::vector<std::string>& source = {}, std::string_view fit = {});

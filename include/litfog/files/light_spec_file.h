@@ -146,7 +146,8 @@ struct LightSpec {
   std::optional<ConeSpec> cone = {};
   std::shared_ptr<const LightSpecText> text = {};  ///< the file as read, for error_at
 
-  /// What is wrong with a value of this spec, at its location in the file and in the file's terms, degrees for radians:
+  /// What is wrong with a value of a spec that was read from a file, at its location in the file and in the file's
+  /// terms, degrees for radians:
   ///
   ///     throw spec.error_at("cone.beam_angle", "6.3", "must be in (0, 2 pi]");
   ///     lamp.json:9:23: cone.beam_angle_deg = 361: must be in (0, 360]

@@ -3,7 +3,7 @@
 
 namespace litfog::gl {
 
-/// Throws where a GL error is pending, which is a bug of the caller. The error is no longer pending then.
+/// Throws if a GL error is pending, which is a bug of the caller's, and clears it.
 ///
 /// action   what was done, for the message
 /// throws   std::logic_error naming the error and `action`

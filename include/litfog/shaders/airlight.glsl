@@ -201,7 +201,7 @@ LITFOG_REAL litfog_airlight_plateau(LitfogAirlight air, LITFOG_REAL along) {
              litfog_erf(LITFOG_REAL(1.4142135623731) * (x - half_way));
 }
 
-// Where along the ray the attenuation has a range: the distance from the closest approach, 0 if it has it nowhere.
+// Distance along the ray from the closest approach to where the lamp is at a range; 0 if the ray passes farther away.
 LITFOG_REAL litfog_airlight_chord(LitfogAirlight air, LITFOG_REAL range) {
   return range > air.offset ? sqrt(range - air.offset) * sqrt(range + air.offset) : LITFOG_REAL(0.0);
 }
@@ -218,7 +218,8 @@ LITFOG_REAL litfog_airlight_level(LitfogAirlight air, LITFOG_REAL value) {
   return litfog_level_range(value, air.constant, air.linear, air.quadratic);
 }
 
-// Where the ray crosses the cone of a cosine: the number of crossings; the root of lower or higher place.
+// Where the ray crosses the cone whose half angle has a cosine: the lower or the higher of the two distances from the
+// closest approach, litfog_far if there is none.
 LITFOG_REAL litfog_airlight_crossing(LitfogAirlight air, LITFOG_REAL cosine, bool higher) {
   LITFOG_REAL c2 = cosine * cosine;
   LITFOG_REAL a = air.axis_slope * air.axis_slope - c2;
@@ -232,10 +233,10 @@ LITFOG_REAL litfog_airlight_crossing(LitfogAirlight air, LITFOG_REAL cosine, boo
   LITFOG_REAL q = b < LITFOG_REAL(0.0) ? root - b : -b - root;
   LITFOG_REAL first = abs(a) * litfog_far > abs(q) ? q / a : litfog_far;
   LITFOG_REAL second = q != LITFOG_REAL(0.0) ? c / q : LITFOG_REAL(0.0);
-  LITFOG_REAL place = higher ? max(first, second) : min(first, second);
+  LITFOG_REAL along = higher ? max(first, second) : min(first, second);
   // The other nappe is that of the opposite cosine. Near a right angle both are a plane: rounding decides which is met.
   bool is_plane = abs(cosine) < LITFOG_REAL(1.0e-4);
-  return is_plane || (air.axis_offset + air.axis_slope * place) * cosine >= LITFOG_REAL(0.0) ? place : litfog_far;
+  return is_plane || (air.axis_offset + air.axis_slope * along) * cosine >= LITFOG_REAL(0.0) ? along : litfog_far;
 }
 
 // A point lamp in isotropic fog.
@@ -251,16 +252,16 @@ LITFOG_REAL litfog_airlight_nodes(LitfogAirlight air) {
   return air.cone_x <= LITFOG_REAL(0.0) ? LITFOG_REAL(28.0) : LITFOG_REAL(20.0);
 }
 
-// A stretch of the ray on one side of a place from which x is measured.
+// A stretch of the ray on one side of an anchor, the point from which x is measured.
 struct LitfogAirlightSide {
-  LITFOG_REAL anchor;     // that place, from the closest approach
+  LITFOG_REAL anchor;     // along the ray from the closest approach
   LITFOG_REAL direction;  // 1 beyond it or -1 before it
   LITFOG_REAL nearest;    // x of the stretch
   LITFOG_REAL farthest;
   LITFOG_REAL rate;   // q of z
   LITFOG_REAL width;  // w of t
   LITFOG_REAL size;   // its length in t; 0 where there is none
-  LITFOG_REAL bend;   // by 1 + bend nodes lie closer in t where it begins than if they were evenly spread; >= 0
+  LITFOG_REAL bend;   // >= 0: where it begins, nodes lie 1 + bend times as close in t as if they were evenly spread
 };
 
 LITFOG_REAL litfog_airlight_z(LitfogAirlightSide side, LITFOG_REAL x) {
@@ -272,9 +273,10 @@ LITFOG_REAL litfog_airlight_t(LitfogAirlightSide side, LITFOG_REAL x) {
   return asinh(litfog_airlight_z(side, x) / side.width);
 }
 
-// Rate at which the fog dims the integrand along a side, 1/m: in exp fog a fog scale beyond the nearest end, in exp2 fog
-// at that end. Towards the eye t takes the fog, but for half of it in exp fog if the lamp's leg is clear: else the fog
-// before the eye would be spread so far that too few nodes were left for what is close to the lamp.
+// Rate q at which the fog dims the integrand along a side, 1/m: in exp fog that of a fog scale beyond the nearest end,
+// in exp2 fog that at the nearest end. Towards the eye the fog brightens it, which is left to t. But in exp fog with a
+// clear lamp leg q takes half of it, or t would spread so many nodes before the eye that too few were left close to the
+// lamp.
 LITFOG_REAL litfog_airlight_rate(LitfogAirlight air, LitfogAirlightSide side) {
   LITFOG_REAL along = side.anchor + side.direction * side.nearest;
   if (air.mode != LITFOG_REAL(0.0)) {
@@ -286,8 +288,9 @@ LITFOG_REAL litfog_airlight_rate(LitfogAirlight air, LitfogAirlightSide side) {
   return air.density * (LITFOG_REAL(1.0) + air.lamp_leg * along / litfog_airlight_range(air, along));
 }
 
-// The bend of a point lamp's side, about the closest approach, that ends at a z: 0.15 times the logarithm of how many
-// times as bright it begins, per t, as it ends. In exp2 fog, which scatters in proportion to the eye's leg, that leg counts at the middle.
+// The bend of a point lamp's side about the closest approach, whose farthest z is `end`: 0.15 times the logarithm of
+// the ratio of its brightness per t where it begins to that where it ends. Exp2 fog scatters in proportion to the eye's
+// leg: there the ratio takes that leg at the side's middle in place of its end.
 LITFOG_REAL litfog_airlight_bend(LitfogAirlight air, LitfogAirlightSide side, LITFOG_REAL end) {
   LITFOG_REAL last = side.nearest + end;
   LITFOG_REAL begins = litfog_airlight_range(air, side.nearest);
@@ -329,8 +332,8 @@ LitfogAirlightSide litfog_airlight_side(LitfogAirlight air, LITFOG_REAL from, LI
 }
 
 // Side i of the lit part [low, high] of the ray: 0 and 1 about the closest approach, 2 and 3 about the crossing of a
-// beam, which has the part on its side of the border. What is measured about the closest approach spares a hole around
-// it.
+// beam, which has the part on its side of the border. The sides about the closest approach leave out a hole around it,
+// the plateau that has a closed form.
 LitfogAirlightSide litfog_airlight_side_of(LitfogAirlight air, int i, LITFOG_REAL low, LITFOG_REAL high,
                                            LITFOG_REAL hole, LITFOG_REAL width, LITFOG_REAL crossing,
                                            LITFOG_REAL border, LITFOG_REAL beam_width) {
@@ -354,9 +357,9 @@ LITFOG_REAL litfog_airlight_between(LitfogAirlight air, LitfogAirlightSide side,
   LITFOG_REAL panel = LITFOG_REAL(0.0);
   LITFOG_REAL sum = LITFOG_REAL(0.0);
   for (int i = nodes_each * panels; i > 0; --i) {
-    LITFOG_REAL place = (panel + litfog_gauss_nodes[node]) / LITFOG_REAL(panels);
-    LITFOG_REAL nearer = LITFOG_REAL(1.0) / (LITFOG_REAL(1.0) + side.bend * (LITFOG_REAL(1.0) - place));
-    LITFOG_REAL growth = exp(start + (end - start) * place * nearer);
+    LITFOG_REAL position = (panel + litfog_gauss_nodes[node]) / LITFOG_REAL(panels);
+    LITFOG_REAL nearer = LITFOG_REAL(1.0) / (LITFOG_REAL(1.0) + side.bend * (LITFOG_REAL(1.0) - position));
+    LITFOG_REAL growth = exp(start + (end - start) * position * nearer);
     LITFOG_REAL sinh_t = LITFOG_REAL(0.5) * (growth - LITFOG_REAL(1.0) / growth);
     LITFOG_REAL cosh_t = LITFOG_REAL(0.5) * (growth + LITFOG_REAL(1.0) / growth);
     LITFOG_REAL z = side.width * sinh_t;
@@ -375,8 +378,8 @@ LITFOG_REAL litfog_airlight_between(LitfogAirlight air, LitfogAirlightSide side,
 
 // The nearest of the cuts that lie between two distances of a side, or the farther of the two.
 LITFOG_REAL litfog_airlight_next(LitfogAirlightSide side, LITFOG_REAL cut, LITFOG_REAL x, LITFOG_REAL next) {
-  LITFOG_REAL place = (cut - side.anchor) * side.direction;
-  return place > x * LITFOG_REAL(1.00001) && place < next ? place : next;
+  LITFOG_REAL cut_x = (cut - side.anchor) * side.direction;
+  return cut_x > x * LITFOG_REAL(1.00001) && cut_x < next ? cut_x : next;
 }
 
 LITFOG_REAL litfog_airlight(LitfogAirlight air) {
@@ -514,8 +517,8 @@ LITFOG_REAL litfog_airlight(LitfogAirlight air) {
         next = litfog_airlight_next(side, edge_high, x, next);
         next = litfog_airlight_next(side, inner_low, x, next);
         next = litfog_airlight_next(side, inner_high, x, next);
-        LITFOG_REAL centre = side.anchor + side.direction * LITFOG_REAL(0.5) * (x + next);
-        is_dark = is_wide && litfog_airlight_cosine(air, centre, litfog_airlight_range(air, centre)) <= air.cone_x;
+        LITFOG_REAL middle = side.anchor + side.direction * LITFOG_REAL(0.5) * (x + next);
+        is_dark = is_wide && litfog_airlight_cosine(air, middle, litfog_airlight_range(air, middle)) <= air.cone_x;
         end = litfog_airlight_t(side, next);
         part = max(floor(nodes * (end - t) / side.size + LITFOG_REAL(1.5)), LITFOG_REAL(1.0));
       }

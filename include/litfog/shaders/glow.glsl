@@ -8,9 +8,10 @@
 #include "litfog/shaders/fog.glsl"
 
 #ifdef LITFOG_COOKIES
-LitfogLight litfog_glow_light;    // for a cookie: the light
-vec3 litfog_glow_offset;          // from it to the ray's closest approach
-vec3 litfog_glow_direction;       // of the ray
+// What litfog_glow_ray() leaves for litfog_airlight_cookie().
+LitfogLight litfog_glow_light;
+vec3 litfog_glow_offset;     // from the light to the ray's closest approach
+vec3 litfog_glow_direction;  // of the ray
 #endif
 #include "litfog/shaders/airlight.glsl"
 
@@ -21,8 +22,8 @@ float litfog_airlight_cookie(LitfogAirlight air, float along) {
 }
 #endif
 
-// What of a light the fog can scatter to the eye at most, but for the attenuation's integral along the ray: 1/m. With L
-// the distance from the eye to the light s + r >= L on every ray. So in exp fog f(s) f(r) <= e^(-d L). In exp2 fog
+// An upper bound of -f'(s) f(r) on any ray, 1/m: times the integral of the attenuation along a ray it bounds the
+// airlight. With L the distance from the eye to the light, s + r >= L. So in exp fog f(s) f(r) <= e^(-d L). In exp2 fog
 // s^2 / 2 + r^2 >= L^2 / 3, and 2 d^2 s e^(-(d s)^2 / 2) <= 1.2131 d.
 float litfog_glow_weight(LitfogLight light, float eye_range) {
   float density = min(litfog_fog.x * light.attenuation.w, 1.0e6);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // litfog: a light and what of it arrives at a point. World space, metres.
 //
-// Lights stand in two tables, kinds and instances (litfog/fog_light_block.h). light_block.glsl reads them from a
+// Lights are held in two tables, kinds and instances (litfog/fog_light_block.h). light_block.glsl reads them from a
 // uniform block, light_buffer.glsl from textures or storage buffers. A program may use both, or fill a LitfogLight
 // itself.
 //
@@ -35,7 +35,7 @@ struct LitfogLight {
 };
 
 #ifdef LITFOG_COOKIES
-// The cone field of a light of profile 3, from what stands in its instance's color.w.
+// The cone field of a light of profile 3, from its instance's color.w.
 vec4 litfog_cookie_cone(float cookie);
 #endif
 

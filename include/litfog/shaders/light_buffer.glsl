@@ -88,7 +88,7 @@ LitfogLight litfog_buffered_light(int light) {
   return litfog_light(instance, litfog_buffered_kind(int(instance.position_kind.w)));
 }
 
-// Its position_extent alone: asked of a light that may not reach before all of it is fetched.
+// The light's position_extent alone, to test whether it reaches before the rest of it is fetched.
 vec4 litfog_buffered_position_extent(int light) {
   vec4 position_kind = litfog_buffered_instance(light).position_kind;
   return vec4(position_kind.xyz, litfog_buffered_kind(int(position_kind.w)).attenuation_extent.w);
