@@ -125,7 +125,7 @@ std::shared_ptr<const scene::Texels> make_dirt() {
   const scene::Field patches = scene::make_octaves(256, 4, 5, 1);
   scene::Texels texels{patches.size(), patches.size(), {}};
   for (const float height : patches.values()) {
-    const std::uint8_t level = scene::srgb_level_of(0.65f + 0.6f * height);
+    const std::uint8_t level = scene::srgb_level_of(0.8f + 0.5f * height);
     texels.rgba.insert(texels.rgba.end(), {level, level, level, 255});
   }
   return std::make_shared<const scene::Texels>(std::move(texels));
@@ -267,11 +267,11 @@ std::shared_ptr<const scene::Texels> make_dents(NormalSpace space) {
   return std::make_shared<const scene::Texels>(std::move(texels));
 }
 
-/// A globe with dents, its north pole in view.
+/// A globe with dents, in view the meridian at which its map begins and ends: vertices there share their normals, but
+/// not their tangents.
 Scene dented_globe(int faces_around, NormalSpace space) {
   Scene scene = figure(globe(faces_around), {.diffuse = glm::vec3(0.5f), .specular = glm::vec3(0.4f), .shininess = 40});
   scene.materials[0].normal = make_dents(space);
-  scene.camera.position = {0, 2.3f, 2.2f};
   return scene;
 }
 
@@ -315,10 +315,11 @@ Rows lacroix_figures(const Draughtsman& pencil) {
   rows.emplace_back();
   RenderSettings object_space;
   object_space.path = &render::object_space_path();
-  rows.back().push_back(pencil.draw(dented_globe(12, NormalSpace::tangent), along("unified"),
-                                    {"12 faces around, normal map in tangent space", "listing 2.3"}));
-  rows.back().push_back(pencil.draw(dented_globe(12, NormalSpace::object), object_space,
-                                    {"12 faces around, normal map in object space"}));
+  rows.back().push_back(pencil.draw(
+      dented_globe(8, NormalSpace::tangent), along("unified"),
+      {"8 faces around, normal map in tangent space", "a seam where vertices share normals, but no tangents"}));
+  rows.back().push_back(
+      pencil.draw(dented_globe(8, NormalSpace::object), object_space, {"8 faces around, normal map in object space"}));
   rows.back().push_back(pencil.draw(dented_globe(192, NormalSpace::tangent), along("unified"),
                                     {"192 faces around, normal map in tangent space"}));
   return rows;
