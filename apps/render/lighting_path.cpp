@@ -167,6 +167,13 @@ std::vector<LightingPath> make_programs() {
        .source = of(kLacroix, "listing 2.2"),
        .takes_airlight = true,
        .passes = {per_fragment("interpolated.frag")}},
+      {.name = "lacroix",
+       .description = "attenuation and N.L as printed, neither clamped nor cut; matt surfaces",
+       .source = of(kLacroix, "equations 1 to 4, listings 2.1 and 2.2"),
+       .surface = SurfaceModel::diffuse,
+       .range = RangeLaw::unbounded,
+       .has_reference = false,
+       .passes = {{.vertex = "surface.vert", .fragment = "lacroix.frag", .lights = {.kind = LightFeed::Kind::all}}}},
       {.name = "parallax",
        .description = "unified, its textures shifted by their heights",
        .source = of(kLacroix, "\"Per-pixel normal map based lighting\""),
@@ -220,6 +227,17 @@ const LightingPath& light_count_path() {
       .source = {},
       .has_lit_fog = false,
       .passes = {{.vertex = "unlit.vert", .fragment = "light_count.frag", .shows_fog = false}}};
+  return kPath;
+}
+
+const LightingPath& object_space_path() {
+  static const LightingPath kPath{.name = "object-space",
+                                  .description = "unified, its normal maps in the space of their models",
+                                  .source = of(kLacroix, "\"Per-pixel normal map based lighting\""),
+                                  .has_normal_maps = true,
+                                  .takes_airlight = true,
+                                  .has_reference = false,
+                                  .passes = {per_fragment("object_space.frag")}};
   return kPath;
 }
 

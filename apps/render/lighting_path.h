@@ -27,7 +27,8 @@ enum class SurfaceModel {
 enum class RangeLaw {
   attenuation,  ///< min(1, 1 / (C + L r + Q r^2)), the model's
   radial,       ///< 1 - r^2 / E^2 (Frazier 2000)
-  unbounded,    ///< 1 / (C + L r + Q r^2), neither clamped nor ended by an extent (The Cg Tutorial, example 5-6)
+  unbounded,    ///< 1 / (C + L r + Q r^2), neither clamped nor ended by an extent (The Cg Tutorial, example 5-6; Jason
+                ///< Lacroix 2005, "Let There Be Light!", equation 3)
 };
 
 /// Where the lights' part is computed, and so how near the picture comes to the surface model's formula.
@@ -119,6 +120,9 @@ const LightingPath& unlit_path();
 
 /// As red a surface's number of lights, as green 1. Not one of the paths.
 const LightingPath& light_count_path();
+
+/// Normal maps in object space (Lacroix 2005). Not one of the paths: bundled scenes have maps in tangent space.
+const LightingPath& object_space_path();
 
 /// The fog before a surface alone, for any path.
 const SurfacePass& fog_alone_pass();

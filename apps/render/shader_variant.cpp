@@ -69,6 +69,7 @@ std::string material_constants(const MaterialFeatures& material) {
   if (material.is_pane) text += "#define MATERIAL_PANE\n";
   if (material.is_unlit) text += "#define MATERIAL_UNLIT\n";
   if (material.has_emission_map) text += "#define MATERIAL_EMISSION_MAP\n";
+  if (material.has_second_texture) text += "#define MATERIAL_SECOND_TEXTURE\n";
   if (material.has_details) text += "#define VERTEX_DETAILS\n";
   return text;
 }

@@ -38,6 +38,7 @@ struct MaterialFeatures {
   bool is_pane = false;
   bool is_unlit = false;
   bool has_emission_map = false;
+  bool has_second_texture = false;
   bool has_details = false;  ///< its vertices: scene::VertexDetail
 
   auto operator<=>(const MaterialFeatures&) const = default;

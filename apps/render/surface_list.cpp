@@ -87,11 +87,14 @@ std::vector<SurfaceMaterial> upload(std::vector<scene::Material> materials, cons
     auto normal = textures.upload(material.normal, Texture::Encoding::linear);
     std::shared_ptr<const Texture> emission;
     if (material.emission) emission = textures.upload(material.emission, Texture::Encoding::srgb);
+    std::shared_ptr<const Texture> second;
+    if (material.second) second = textures.upload(material.second, Texture::Encoding::srgb);
     material.albedo.reset();
     material.normal.reset();
     material.emission.reset();
+    material.second.reset();
     uploaded.push_back({std::move(material), float(uploaded.size()), reflectance, own_light, std::move(albedo),
-                        std::move(normal), std::move(emission)});
+                        std::move(normal), std::move(emission), std::move(second)});
   }
   return uploaded;
 }

@@ -25,6 +25,7 @@ struct SurfaceMaterial {
   std::shared_ptr<const Texture> albedo;  ///< materials of the same texels share their texture
   std::shared_ptr<const Texture> normal;
   std::shared_ptr<const Texture> emission;  ///< null: none
+  std::shared_ptr<const Texture> second;    ///< null: none
 
   bool is_pane() const { return material.opacity.has_value(); }
 };

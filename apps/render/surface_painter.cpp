@@ -49,6 +49,7 @@ MaterialFeatures features_of(const Surface& surface, bool draws_panes) {
           .is_pane = is_pane,
           .is_unlit = material.material.is_unlit,
           .has_emission_map = material.emission != nullptr,
+          .has_second_texture = material.second != nullptr,
           .has_details = surface.chunk->has_details};
 }
 
@@ -275,6 +276,7 @@ SurfaceProgram& SurfacePainter::use(Frame& frame, const ShaderVariant& variant, 
     set_uniform(program.program, "albedo_map", kAlbedoUnit);
     set_uniform(program.program, "normal_map", kNormalUnit);
     set_uniform(program.program, "emission_map", kEmissionUnit);
+    set_uniform(program.program, "second_map", kSecondUnit);
     set_uniform(program.program, "litfog_kind_buffer", kKindBufferUnit);
     set_uniform(program.program, "litfog_instance_buffer", kInstanceBufferUnit);
     set_uniform(program.program, "light_list", kLightListUnit);
@@ -300,11 +302,13 @@ SurfaceProgram& SurfacePainter::use(Frame& frame, const ShaderVariant& variant, 
     material.albedo->bind(kAlbedoUnit);
     material.normal->bind(kNormalUnit);
     if (material.emission) material.emission->bind(kEmissionUnit);
+    if (material.second) material.second->bind(kSecondUnit);
   }
   if (&material != program.material) {
     program.material = &material;
     set_uniform(program.program, "material", material.number);
     set_uniform(program.program, "tile_size", material.material.size_m);
+    set_uniform(program.program, "second_tiles", material.material.size_m / material.material.second_size_m);
   }
   return program;
 }

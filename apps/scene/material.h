@@ -32,6 +32,9 @@ struct Material {
   std::optional<glm::vec3> plain_albedo = std::nullopt;
   /// sRGB colour that multiplies emissive; null: 1.
   std::shared_ptr<const Texels> emission = nullptr;
+  /// sRGB colour that multiplies the reflectance, in tiles of its own (Hales 2004, "face texture 2 (if any)"); null: 1.
+  std::shared_ptr<const Texels> second = nullptr;
+  float second_size_m = 1;  ///< as size_m
   /// A mask: there is no surface where its coverage, times the vertices', is less than this. > 0.
   std::optional<float> least_coverage = std::nullopt;
   /// A pane: this times its coverage, times the vertices', is the fraction of what is behind it that it hides. [0, 1].

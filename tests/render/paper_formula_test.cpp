@@ -137,6 +137,7 @@ dvec3 directional(const dvec3& n = kNormal) {
   return kAmbientLight + kMoonColor * std::max(glm::dot(kMoonDirection, n), 0.0);
 }
 
+/// His I . N, by the direction to the light from each fragment.
 double n_dot_l(const Lamp& lamp, const dvec3& v) {
   return std::max(glm::dot(kNormal, glm::normalize(lamp.position - v)), 0.0);
 }
@@ -150,7 +151,7 @@ dvec3 hales(const Setting& setting, const dvec3& v) {
   return sum * setting.texture;
 }
 
-/// "(RA * (AA1 + AA2) * lcol + f) * icol * tex1", with MAD_SAT and MUL_SAT.
+/// "(RA * (AA1 + AA2) * lcol + f) * icol * tex1 * tex2", with MAD_SAT and MUL_SAT; both textures in one.
 dvec3 hales_sample(const Setting& setting, const dvec3& v) {
   const Lamp& first = setting.lamps[0];
   const double ra = range_attenuation(first, glm::distance(v, first.position));
@@ -283,6 +284,42 @@ dvec3 mixed(const Setting& setting, const Corners& corners) {
   return color;
 }
 
+/// Equations (1) to (4) of Lacroix; a framebuffer holds nothing below 0.
+dvec3 lacroix(const Setting& setting, const dvec3& p) {
+  dvec3 sum = kAmbientLight + kMoonColor * glm::dot(kNormal, kMoonDirection);
+  for (const Lamp& lamp : setting.lamps) {
+    const double dist = glm::length(p - lamp.position);
+    const dvec3 l = (p - lamp.position) / dist;
+    const double att = 1 / (lamp.c + lamp.l * dist + lamp.q * dist * dist);
+    sum += lamp.color * angle_attenuation(lamp, p) * att * glm::dot(kNormal, -l);
+  }
+  return glm::max(setting.texture * sum, 0.0);
+}
+
+// --- textures ---
+
+/// Stripes across u, each of two levels in turn.
+constexpr int kTexelsAcross = 64, kStripe = 4;
+constexpr std::array<std::uint8_t, 2> kStripeLevels{200, 90};
+
+Texels stripes() {
+  Texels texels{kTexelsAcross, kTexelsAcross, {}};
+  for (int row = 0; row < kTexelsAcross; ++row) {
+    for (int column = 0; column < kTexelsAcross; ++column) {
+      const std::uint8_t level = kStripeLevels[std::size_t(column / kStripe % 2)];
+      texels.rgba.insert(texels.rgba.end(), {level, level, level, 255});
+    }
+  }
+  return texels;
+}
+
+/// What they reflect at a place in tiles, linear. NaN near the stripes' edges, which filtering blurs.
+double stripe_at(double tiles) {
+  const double column = (tiles - std::floor(tiles)) * kTexelsAcross;
+  if (std::abs(std::remainder(column, kStripe)) < 0.6) return std::nan("");
+  return std::pow((kStripeLevels[std::size_t(column / kStripe) % 2] / 255.0 + 0.055) / 1.055, 2.4);
+}
+
 // --- metals ---
 
 using Reflect = dvec3 (*)(const Setting&, const dvec3& l, const dvec3& v);
@@ -389,6 +426,29 @@ TEST_F(PaperFormula, SampleIsHalessSampleProgram) {
   EXPECT_LE(error(setting, along("sample"), formula), 2.2 * 2 * kTexels);
 }
 
+// "face texture 1 * face texture 2 (if any)": a plain one, and stripes in tiles of their own.
+TEST_F(PaperFormula, SecondFaceTextureMultipliesTheFirst) {
+  using Equation = dvec3 (*)(const Setting&, const dvec3&);
+  constexpr double kTile = 7;  // metres
+  Setting setting{.lamps = lamps(false), .texture = {1, 0.9, 0.8}};
+  setting.lamps.pop_back();
+  setting.lamps[1].color = setting.lamps[0].color;
+  const auto add_stripes = [](Material& material) {
+    material.second = std::make_shared<const Texels>(stripes());
+    material.second_size_m = kTile;
+  };
+  for (const auto& [path, equation] : {std::pair<const char*, Equation>{"sample", hales_sample}, {"lookup-3d", hales}}) {
+    const Formula formula = [&, &law = equation](const dvec3& point, const Corners&) {
+      const double stripe = stripe_at((point.x + 6) / kTile);
+      if (std::isnan(stripe)) return dvec3(stripe);
+      Setting here = setting;
+      here.texture *= stripe;
+      return law(here, point);
+    };
+    EXPECT_LE(error(setting, along(path), formula, FogOf::hales, angle_attenuation, add_stripes), 2 * kTexels) << path;
+  }
+}
+
 TEST_F(PaperFormula, RadialPathsAreFraziersEquation) {
   const Setting setting{.lamps = lamps(true)};
   const Formula formula = [&](const dvec3& point, const Corners&) {
@@ -452,17 +512,23 @@ TEST_F(PaperFormula, MappedNormalIsThatOfTheTangentSpace) {
   EXPECT_LE(error(setting, along("interpolated"), formula), kHalfFloat);
 }
 
+// The map's levels are a direction in the model's own space.
+TEST_F(PaperFormula, ObjectSpaceNormalTurnsWithItsModel) {
+  for (const double turn : {0.0, 0.3}) {
+    Setting setting{.lamps = lamps(true), .normal_map = {1, 1, {180, 100, 230, 0}}, .turn = turn};
+    const glm::dmat3 turned(glm::rotate(glm::dmat4(1), turn, kTurnAxis));
+    setting.mapped_normal = turned * glm::normalize(dvec3(180 - 128, 100 - 128, 230 - 128));
+    const Formula formula = [&](const dvec3& point, const Corners&) { return unified(setting, point); };
+    EXPECT_LE(error(setting, {.path = &object_space_path()}, formula), 2 * kHalfFloat) << turn;
+  }
+}
+
 // Welsh 2004: T_n = T_o + h V_xy. Stripes across, heights that rise with v; away from the stripes' edges.
 TEST_F(PaperFormula, ParallaxShiftsTheTextureByHeightAlongTheView) {
-  constexpr int kTexelsAcross = 64, kStripe = 4;  // texels of a quarter of a metre
-  constexpr double kTile = 16, kRelief = 2;       // metres
-  const std::array<std::uint8_t, 2> levels{200, 90};
+  constexpr double kTile = 16, kRelief = 2;  // metres
   Setting setting{.lamps = lamps(true), .normal_map = {kTexelsAcross, kTexelsAcross, {}}};
-  Texels stripes{kTexelsAcross, kTexelsAcross, {}};
   for (int row = 0; row < kTexelsAcross; ++row) {
     for (int column = 0; column < kTexelsAcross; ++column) {
-      const std::uint8_t level = levels[std::size_t(column / kStripe % 2)];
-      stripes.rgba.insert(stripes.rgba.end(), {level, level, level, 255});
       setting.normal_map.rgba.insert(setting.normal_map.rgba.end(), {128, 128, 255, std::uint8_t(2 * row)});
     }
   }
@@ -470,18 +536,14 @@ TEST_F(PaperFormula, ParallaxShiftsTheTextureByHeightAlongTheView) {
     material.size_m = kTile;
     material.relief_m = kRelief;
     material.plain_albedo.reset();
-    material.albedo = std::make_shared<const Texels>(stripes);
+    material.albedo = std::make_shared<const Texels>(stripes());
   };
   const Formula formula = [&](const dvec3& point, const Corners&) {
     const dvec3 to_eye = glm::normalize(-point);
     const double row = (point.y + 4) / kTile * kTexelsAcross - 0.5;
     const double height = (2 * row / 254 - 0.5) * kRelief;
-    const double column = (point.x + 6 + height * to_eye.x) / kTile * kTexelsAcross;
-    const double from_edge = std::abs(std::remainder(column, kStripe));
-    if (from_edge < 0.6) return dvec3(std::nan(""));
-    const double level = levels[std::size_t(column / kStripe) % 2] / 255.0;
     Setting here = setting;
-    here.texture = dvec3(std::pow((level + 0.055) / 1.055, 2.4));
+    here.texture = dvec3(stripe_at((point.x + 6 + height * to_eye.x) / kTile));
     return unified(here, point);
   };
   EXPECT_LE(error(setting, along("parallax"), formula, FogOf::hales, angle_attenuation, add_stripes), kTexels);
@@ -525,6 +587,21 @@ TEST_F(PaperFormula, CgNeitherClampsNorCutsTheAttenuation) {
     };
     EXPECT_LE(error(setting, along("cg", {.spot_edge = spot_edge}), formula), 8 * kHalfFloat) << int(spot_edge);
   }
+}
+
+// One lamp is so near that its attenuation exceeds 1, and one behind the wall takes away more than there is.
+TEST_F(PaperFormula, LacroixClampsNeitherTheAttenuationNorTheCosine) {
+  Setting setting{.lamps = lamps(true)};
+  setting.lamps[0].c = 0.05, setting.lamps[0].q = 0.02;
+  setting.lamps.push_back({{1.5, -0.5, -6.5}, {0, 0, 1}, {0.8, 0.9, 1}, 0, 1, 1e-3, true, 0.5, 1.2});
+  double darkest = 1;
+  const Formula formula = [&](const dvec3& point, const Corners&) {
+    const dvec3 color = lacroix(setting, point);
+    darkest = std::min(darkest, color.x);
+    return color;
+  };
+  EXPECT_LE(error(setting, along("lacroix"), formula), 8 * kHalfFloat);
+  EXPECT_EQ(darkest, 0);
 }
 
 // The last lamp grazes the wall, whose facets then mask its light if they are rough.

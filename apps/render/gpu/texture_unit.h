@@ -27,6 +27,7 @@ enum TextureUnit : unsigned {
   kShadowCasterUnit,
   kCasterOfLightUnit,
   kEmissionUnit,
+  kSecondUnit,
 };
 
 inline constexpr unsigned kFogLightBinding = 0;  ///< of the FogLightBlock

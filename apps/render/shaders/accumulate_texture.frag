@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // "Finally, after all lights are rendered, render the base textures using dst_color : zero blending" (Ronald Frazier
 // 2000, "Real-Time Per-Pixel Point Lights and Spot Lights in OpenGL", section "Multiple Lights in a Scene"). His back
-// buffer of eight bits ends at 1; this one does not.
+// buffer of eight bits clamps to 1; this one does not.
 
 #include "fragment.glsl"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Brushed metals (Randima Fernando and Mark Kilgard 2003, "The Cg Tutorial", chapter 5, exercise 7) by Wolfgang
 // Heidrich and Hans-Peter Seidel 1998, "Efficient Rendering of Anisotropic Surfaces Using Computer Graphics Hardware":
-// a groove along the tangent has all normals that are perpendicular to it, of which that one counts that sends most
-// light to the eye. Other materials keep the Basic model.
+// a groove along the tangent has every normal that is perpendicular to it, and the one that sends most light to the eye
+// counts. Other materials keep the Basic model.
 
 #define CONSTANTS_FROM_VERTICES
 #include "cookie.glsl"

@@ -2,12 +2,13 @@
 // The lighting of Randima Fernando and Mark Kilgard 2003, "The Cg Tutorial", chapter 5, as its examples 5-3 to 5-10
 // print it, for each fragment: attenuation is neither clamped to 1 nor cut at an extent, and a spotlight's edge is hard
 // (5-8), or between its two cones linear (the text's lerp) or smooth (5-9). The other paths clamp and cut
-// (litfog/shaders/ surface.glsl), so that no light is brighter than its colour and each ends somewhere.
+// (litfog/shaders/surface.glsl), so that no light is brighter than its colour and each ends somewhere.
 //
-// The examples light in object space, exercise 3 in eye space, this in world space. Dot products and distances are the
-// same in all three, but for an object that is scaled by s: in its space distances, and with them the attenuation, are
-// in units of 1/s metres. Eye space saves the eye's position, which there is 0. So one of them is drawn. Ka is Kd here,
-// the texture; where a material has a Ka of its own, Ka * globalAmbient is a constant and can be stated as its Ke.
+// Where this leaves them: the examples light in object space, exercise 3 in eye space, this in world space. No pixel
+// would differ, because rotations and translations keep dot products and distances. (An object scaled by s is the
+// exception: in its own space distances are in units of s metres, so the application has to scale kL and kQ, too.) Eye
+// space saves the eye's position, which there is the origin. Ka is Kd, the texture; a material with a Ka of its own can
+// state Ka * globalAmbient, a constant, as its Ke.
 
 #include "cookie.glsl"
 #include "litfog/shaders/surface.glsl"

@@ -2,9 +2,8 @@
 // Metals by Robert Cook and Kenneth Torrance 1982, "A Reflectance Model for Computer Graphics" (further reading of The
 // Cg Tutorial, chapter 5): facets of a Beckmann distribution of slopes, which shadow and mask each other, under
 // Fresnel's reflection, here by Christophe Schlick's approximation of 1994. A metal has no diffuse light; its
-// reflectance at normal incidence is its base colour. Other materials keep the Basic model. Light of colour 1 from one
-// direction is here pi times as bright as an irradiance of 1, as in the Basic model, whose diffuse term lacks the 1 /
-// pi.
+// reflectance at normal incidence is its base colour. Other materials keep the Basic model. The Basic model's diffuse
+// term lacks the factor 1 / pi; this leaves it out as well, so that the two compare.
 
 #define CONSTANTS_FROM_VERTICES
 #include "cookie.glsl"

@@ -6,7 +6,8 @@
 //
 // Where this leaves it: the map holds each light's own cone, unless it is to be his one map for every angle
 // (ConeMaps::one_disc); a cone of 90 degrees or more has no scale. Texture coordinates are made at the fragment
-// (light_coordinates.glsl). No value ends at 1 but the screen's. The fog is Hales's, the directional light is added.
+// (light_coordinates.glsl). Nothing is clamped to 1 before the screen. The fog is Hales's, the directional light is
+// added.
 
 #include "light_coordinates.glsl"
 #include "map_coordinate.glsl"

@@ -3,8 +3,10 @@
 // Frazier 2000, "Real-Time Per-Pixel Point Lights and Spot Lights in OpenGL", sections "Simplifying a Point Light to
 // Use Only One Texture" to "Configuring the Register Combiners for Per-Pixel Spot Lighting": 1 - (texture0 + constant
 // color 0), times colour and texture1). He leaves open whether two point lights fit into one pass on the texture unit
-// that this frees. They do, as four do here: each needs a look-up, a constant and a colour of its own, and no more.
-// Where this leaves it: as radial.glsl.
+// that this frees. They do, even on his card: each light's z^2 goes into the alpha of its constant color, a general
+// combiner for each light adds that to its texture, and the final combiner computes (1 - spare 0) * constant color 0 +
+// (1 - spare 1) * constant color 1, the second product as its E * F. Here a pass has up to four lights, of which each
+// may be a spot. Where this leaves it: as radial.glsl.
 
 #include "fragment.glsl"
 #include "light_batch.glsl"

@@ -35,18 +35,29 @@ vec4 base_texel() {
 #endif
 }
 
+// What the first texture and the vertices' colour reflect; a is gloss.
 #if defined MATERIAL_UNLIT
-vec4 base_texture() { return vec4(0.0, 0.0, 0.0, 1.0); }  // all of it is emission
+vec4 first_texture() { return vec4(0.0, 0.0, 0.0, 1.0); }  // all of it is emission
 #elif defined MATERIAL_MASK || defined MATERIAL_PANE
-vec4 base_texture() { return vec4(base_texel().rgb, 1.0); }
+vec4 first_texture() { return vec4(base_texel().rgb, 1.0); }
 #elif defined VERTEX_DETAILS
-vec4 base_texture() {
+vec4 first_texture() {
   vec4 texel = texture(albedo_map, texture_uv(uv));
   return vec4(texel.rgb * tint.rgb, texel.a);
 }
 #else
-vec4 base_texture() { return texture(albedo_map, texture_uv(uv)); }
+vec4 first_texture() { return texture(albedo_map, texture_uv(uv)); }
 #endif
+
+#ifdef MATERIAL_SECOND_TEXTURE
+uniform sampler2D second_map;
+uniform float second_tiles;  // on one tile of the first texture
+vec3 second_texture() { return texture(second_map, texture_uv(uv) * second_tiles).rgb; }
+#else
+vec3 second_texture() { return vec3(1.0); }
+#endif
+
+vec4 base_texture() { return first_texture() * vec4(second_texture(), 1.0); }
 
 // The fraction of what is behind it that it hides.
 #ifdef MATERIAL_PANE

@@ -4,8 +4,12 @@
 // value can be used for both", the light's colour as its ambient colour, saturating arithmetic; with the section
 // "Lighting in Fog", as for his figure 2.
 //
-// As printed, "ATTRIB tc_t0 = fragment.texcoord[0]" is missing. What stands for its registers here: icol is white,
-// texture 2 (face texture 2, "if any") is, too, and tc_f, which he has as one number, has the environment's colours.
+// As printed, the texture coordinates are declared as tc_t1 and tc_t2, but used as tc_t0 and tc_t1. What stands for its
+// registers here: tc_f, which he has as one number, has the environment's colours; icol is the vertices' colour, which
+// first_texture() includes; a surface without a second texture has a white one. (Two face textures and the cube map
+// leave one of a card's four texture units, which is why the program takes its range from the 3-D map.) The fog is that
+// of the scene, not always exp2.
+//
 // Lights that are neither two nor alike are drawn in further passes, as in lookup.glsl. Two lights that are not close
 // together, which no printed line forbids, are both lit by the range of the first.
 
@@ -19,7 +23,8 @@ vec3 saturate(vec3 color) { return clamp(color, 0.0, 1.0); }
 
 void main() {
   vec3 tc_f = is_first_pass ? directional_light(directional_shade) : vec3(0.0);
-  vec3 tex1 = base_texture().rgb;                                                    // TXP tex1
+  vec3 tex1 = first_texture().rgb;                                                   // TXP tex1
+  vec3 tex2 = second_texture();                                                      // TXP tex2
   float ra = 0.0;
   float aa = 0.0;
   vec3 lcol = vec3(0.0);
@@ -33,6 +38,7 @@ void main() {
   vec3 acc = vec3(aa * ra);              // MUL acc, aa, ra
   acc = saturate(acc * lcol + tc_f);     // MAD_SAT acc.xyz, acc, lcol, tc_f.x
   acc = acc * tex1;                      // MUL acc, acc, tex1
+  acc = acc * tex2;                      // MUL acc, acc, tex2
   vec3 before_fog = saturate(acc);       // MUL_SAT output, acc, icol
   vec3 fog = lcol * (aa * fog_intensity);  // "light color * angle attenuation * fog color intensity"
   if (is_first_pass) fog += litfog_ambient_fog_color.rgb;

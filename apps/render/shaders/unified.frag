@@ -9,8 +9,8 @@
 //
 // Left out, because no pixel would differ: his nested ifs that end the shader at the first light whose flag is off
 // (listing 3.2). He needs them where compilers unroll every loop; here a shader is compiled for its number of lights,
-// and the loop over a light list ends with the list. Left out: normal maps in object space, because the scenes' textures
-// tile over many objects, each of which would need a map of its own. parallax.frag has his parallax mapping.
+// and the loop over a light list ends with the list. object_space.frag has normal maps in object space, parallax.frag
+// parallax mapping, lacroix.frag his equations without clamp and end.
 
 #define CONSTANTS_FROM_VERTICES
 #include "lit_surface.glsl"
