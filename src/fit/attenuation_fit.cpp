@@ -199,7 +199,8 @@ void fit_samples(const AttenuationTarget& target, AttenuationFit& fit) {
   Falloff& falloff = scaled.falloff;
   FalloffSearch found = target.is_robust ? minimise_robustly(falloff, free_count(target)) : minimise(falloff);
   double kkt = kkt_residual(falloff, found.minimum.coefficients);
-  const bool is_one_of_many = falloff.samples.size() < free_count(target) || !found.minimum.covariance;
+  const auto covariance = covariance_of(falloff, found.minimum.coefficients);
+  const bool is_one_of_many = falloff.samples.size() < free_count(target) || !covariance;
   if (is_one_of_many && !target.constant) {
     // If it is there, that with the constant of a lamp whose near brightness is its brightness.
     Falloff normalized = falloff;
@@ -221,7 +222,7 @@ void fit_samples(const AttenuationTarget& target, AttenuationFit& fit) {
   fit.iterations = found.minimum.iterations;
   fit.boxes = found.boxes;
   if (!is_one_of_many) {
-    fit.covariance = found.minimum.covariance;
+    fit.covariance = covariance;
     const std::array<double, 3> units{1, scaled.unit, scaled.unit * scaled.unit};
     for (std::size_t i = 0; i < 9; ++i) (*fit.covariance)[i] /= units[i / 3] * units[i % 3];
   }

@@ -3,7 +3,6 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <cassert>
 #include <limits>
 
 #include "fit/active_set.h"
@@ -24,125 +23,43 @@ std::vector<std::size_t> free_coefficients(const Falloff& falloff) {
 /// What the free coefficients' terms must add up to at the end.
 long double rest_at_end(const Falloff& falloff) { return falloff.end->top - falloff.constant.value_or(0); }
 
-/// The coefficients as parameters within plain bounds. Without an end they are themselves, in units of the largest
-/// value that exceeds no sample; with one, C's fraction of the top and L's fraction of the rest. Those that start at a
-/// bound are left out: bounds that hold cost Ceres many steps.
-class Parameters {
- public:
-  Parameters(const Falloff& falloff, const Coefficients& start) : falloff_(falloff), free_(free_coefficients(falloff)) {
-    if (falloff.end) {
-      const auto [e, top] = *falloff.end;
-      if (!falloff.constant)
-        all_.push_back(start[0] < falloff.largest_constant() ? start[0] / double(top) : kLargestConstantFraction);
-      const double linear = start[1] * e, quadratic = start[2] * e * e;
-      all_.push_back(linear + quadratic > 0 ? linear / (linear + quadratic) : 0);
-    } else {
-      for (const std::size_t j : free_) {
-        double unit = std::numeric_limits<double>::infinity();
-        for (const auto& [x, y, weight] : falloff.samples) {
-          if (j == 0 || x > 0) unit = std::min(unit, std::exp(double(y)) / powers(x)[j]);
-        }
-        units_[j] = unit;
-        all_.push_back(start[j] / unit);
-      }
-    }
-    for (std::size_t k = 0; k < all_.size(); ++k) {
-      if (all_[k] > 0 && all_[k] < upper_bound(k)) moving_.push_back(k);
-    }
-  }
-
-  std::size_t count() const { return moving_.size(); }
-
-  std::vector<double> start() const {
-    std::vector<double> result;
-    for (const std::size_t k : moving_) result.push_back(all_[k]);
-    return result;
-  }
-  std::vector<double> lower() const { return std::vector<double>(count(), 0.0); }
-  std::vector<double> upper() const {
-    std::vector<double> result;
-    for (const std::size_t k : moving_) result.push_back(upper_bound(k));
-    return result;
-  }
-
-  Coefficients coefficients(std::span<const double> parameters) const {
-    const auto all = filled(parameters);
-    Coefficients q{falloff_.constant.value_or(0), 0, 0};
-    if (!falloff_.end) {
-      for (std::size_t k = 0; k < free_.size(); ++k) q[free_[k]] = units_[free_[k]] * all[k];
-      return q;
-    }
-    const double e = falloff_.end->x;
-    if (!falloff_.constant) q[0] = double(falloff_.end->top) * all[0];
-    const double rest = rest_of(all);
-    q[1] = rest * all.back() / e;
-    q[2] = rest * (1 - all.back()) / e / e;
-    return q;
-  }
-
-  /// Derivatives of the coefficients by the i-th parameter.
-  Coefficients slope(std::span<const double> parameters, std::size_t i) const {
-    const auto all = filled(parameters);
-    const std::size_t k = moving_[i];
-    Coefficients slope{};
-    if (!falloff_.end) {
-      slope[free_[k]] = units_[free_[k]];
-      return slope;
-    }
-    const double e = falloff_.end->x, top = double(falloff_.end->top);
-    if (k + 1 < all.size()) return {top, -top * all.back() / e, -top * (1 - all.back()) / e / e};
-    return {0, rest_of(all) / e, -rest_of(all) / e / e};
-  }
-
- private:
-  double upper_bound(std::size_t k) const {
-    if (!falloff_.end) return std::numeric_limits<double>::infinity();
-    return k + 1 < all_.size() ? kLargestConstantFraction : 1;
-  }
-
-  std::vector<double> filled(std::span<const double> parameters) const {
-    std::vector<double> all = all_;
-    for (std::size_t i = 0; i < count(); ++i) all[moving_[i]] = parameters[i];
-    return all;
-  }
-
-  /// What is left at the end for L and Q.
-  double rest_of(const std::vector<double>& all) const {
-    return double(rest_at_end(falloff_)) * (falloff_.constant ? 1 : 1 - all[0]);
-  }
-
-  const Falloff& falloff_;
-  std::vector<std::size_t> free_;
-  std::vector<double> all_;
-  std::vector<std::size_t> moving_;
-  Coefficients units_{1, 1, 1};
+/// How the terms bend in the objective to second order.
+enum class Bend {
+  own,     ///< as they do
+  upward,  ///< at least by an eighth of what Gauss and Newton's method takes, so that it has a minimum
 };
 
-/// Which coefficients are 0.
-std::array<bool, 3> zeros(const Coefficients& q) { return {q[0] == 0, q[1] == 0, q[2] == 0}; }
-
-/// Slope of the objective in the coefficients, and what it would be if all residuals were 1 with the same sign.
+/// The objective to second order in the coefficients, and what its slopes would be if all residuals were 1 with the
+/// same sign.
 template <typename Real>
 struct Slopes {
+  Real objective = 0;
   std::array<Real, 3> slope{};
   std::array<Real, 3> scale{};
   Eigen::Matrix<Real, 3, 3> curvature = Eigen::Matrix<Real, 3, 3>::Zero();
 };
 
 template <typename Real>
-Slopes<Real> slopes_at(const Falloff& falloff, const std::array<Real, 3>& q) {
+Slopes<Real> slopes_at(const Falloff& falloff, const std::array<Real, 3>& q, Bend bend = Bend::own) {
   using std::log;
   Slopes<Real> result;
   for (const auto& sample : falloff.samples) {
     const auto power = powers(Real(sample.x));
     const Real d = q[0] + power[1] * q[1] + power[2] * q[2];
-    if (d < 1 && falloff.is_clamped_at(sample)) continue;  // at 1 only the slope above counts: below, the clamp holds
-    const Real z = log(d) - Real(sample.y);
-    const Real first = Real(sample.weight) * falloff.loss.slope(z) / d;
-    const Real second = Real(sample.weight) * (falloff.loss.curvature(z) - falloff.loss.slope(z)) / (d * d);
+    const bool is_level = falloff.is_level(d, sample);
+    const Real z = (is_level ? 0 : log(d)) - Real(sample.y), weight = Real(sample.weight);
+    result.objective += weight * falloff.loss.value(z);
+    if (is_level) continue;
+    const Real first = weight * falloff.loss.slope(z) / d;
+    Real curvature = falloff.loss.curvature(z) - falloff.loss.slope(z);
+    if (bend == Bend::upward) {
+      const double root_slope = falloff.loss.root_slope(double(z));
+      curvature = std::max(curvature, Real(root_slope * root_slope / 4));
+    }
+    const Real second = weight * curvature / (d * d);
     for (std::size_t j = 0; j < 3; ++j) {
       result.slope[j] += first * power[j];
-      result.scale[j] += 2 * Real(sample.weight) / d * power[j];
+      result.scale[j] += 2 * weight / d * power[j];
       for (std::size_t k = 0; k < 3; ++k) {
         result.curvature(Eigen::Index(j), Eigen::Index(k)) += second * power[j] * power[k];
       }
@@ -203,37 +120,71 @@ BoundedModel<Real, 3> model_at(const Falloff& falloff, const std::array<Real, 3>
   } else if (falloff.end) {
     model.upper[0] = Real(falloff.largest_constant());
   }
-  if (falloff.end) model.plane = {powers(Real(falloff.end->x)), falloff.end->top};
+  if (falloff.end) model.plane = {powers(Real(falloff.end->x)), Real(falloff.end->top)};
   return model;
 }
 
+/// A step towards the minimum of what the objective is to second order.
+///
+/// damping   by which fraction the coefficients' own curvatures are raised (Marquardt), which shortens the step
+/// releases  whether coefficients may leave their bounds
+template <typename Real>
+ActiveSetStep<Real, 3> newton_step(const Falloff& falloff, const std::array<Real, 3>& q, const Slopes<Real>& at,
+                                   Real damping, bool releases) {
+  auto model = model_at(falloff, q, at);
+  model.curvature.diagonal() *= 1 + damping;
+  auto slope_along_end = at.slope;
+  project_onto_end(falloff, q, slope_along_end);
+  auto free = free_variables(model, slope_along_end);
+  if (!releases) std::erase_if(free, [&](std::size_t j) { return q[j] == model.lower[j] || q[j] == model.upper[j]; });
+  auto step = active_set_step(model, free);
+  // A coefficient at its bound may be driven across it by the others.
+  while (step.blocked && step.point == q) {
+    std::erase(free, *step.blocked);
+    step = active_set_step(model, free);
+  }
+  return step;
+}
+
+/// The start with C within its bound; L and Q take what it gives up.
+Coefficients within_bounds(const Falloff& falloff, Coefficients q) {
+  if (!falloff.end || falloff.constant || q[0] <= falloff.largest_constant()) return q;
+  const auto power = powers(falloff.end->x);
+  const double rest = q[1] * power[1] + q[2] * power[2];
+  q[0] = falloff.largest_constant();
+  const double wanted = double(falloff.end->top - static_cast<long double>(q[0]));
+  if (!(rest > 0)) return {q[0], 0, wanted / power[2]};
+  return {q[0], q[1] * wanted / rest, q[2] * wanted / rest};
+}
+
 /// Newton steps in extended precision, as long as they bring the slopes nearer to 0 and the objective does not rise.
-/// Gauss-Newton neglects the curvature of large residuals and converges slowly there.
-Coefficients refine(const Falloff& falloff, const Coefficients& start) {
+FalloffMinimum refine(const Falloff& falloff, FalloffMinimum minimum) {
   using Real = long double;
-  const auto rounded = [](const std::array<Real, 3>& q) {
-    return Coefficients{double(q[0]), double(q[1]), double(q[2])};
-  };
+  constexpr double kRounding = 1e-16;  // of slopes that no coefficient leaves its bound for
+  const auto& start = minimum.coefficients;
   std::array<Real, 3> q{start[0], start[1], start[2]};
   Slopes<Real> at = slopes_at(falloff, q);
   Real kkt = kkt_residual_of(falloff, q, at);
-  double objective = falloff.objective(start);
+  bool releases = false;
   for (int i = 0; i < 50 && kkt > 0; ++i) {
-    auto slope_along_end = at.slope;
-    project_onto_end(falloff, q, slope_along_end);
-    const auto model = model_at(falloff, q, at);
-    const auto [next, blocked] = active_set_step(model, free_variables(model, slope_along_end));
-    const double next_objective = falloff.objective(rounded(next));
-    if (!(next_objective <= objective * (1 + 1e-12) + falloff.negligible())) break;
+    const auto [next, blocked] = newton_step(falloff, q, at, Real(0), releases);
     const Slopes<Real> at_next = slopes_at(falloff, next);
     const Real next_kkt = kkt_residual_of(falloff, next, at_next);
-    if (!(next_kkt < kkt) && !(blocked && next_objective <= objective)) break;
-    q = next;
-    at = at_next;
-    kkt = next_kkt;
-    objective = next_objective;
+    ++minimum.iterations;
+    if (at_next.objective <= at.objective * (1 + 1e-12) + falloff.negligible() &&
+        (next_kkt < kkt || (blocked && at_next.objective <= at.objective))) {
+      q = next;
+      at = at_next;
+      kkt = next_kkt;
+      releases = false;
+    } else {
+      if (releases || kkt <= kRounding) break;
+      releases = true;
+    }
   }
-  return rounded(q);
+  minimum.coefficients = {double(q[0]), double(q[1]), double(q[2])};
+  minimum.objective = falloff.objective(minimum.coefficients);
+  return minimum;
 }
 
 }  // namespace
@@ -304,86 +255,85 @@ Coefficients linear_start(const Falloff& falloff) {
   return best;
 }
 
-namespace {
-
-/// What Ceres squares: ln attenuation, because the errors of a falloff table are fractions of values that span decades,
-/// weighted, and bent so that its square is the loss. It is written over D, in which the coefficients are linear, so
-/// that one derivative does for all of them.
-struct FalloffResidual {
-  const Falloff& falloff;
-  const Falloff::Sample& sample;
-
-  template <typename T>
-  T operator()(const T& d) const {
-    return std::sqrt(sample.weight) * falloff.loss.root(falloff.residual(d, sample));
-  }
-};
-
-/// One descent among the coefficients that are not 0, and Newton steps among all.
-FalloffMinimum descend_once(const Falloff& falloff, const Coefficients& start) {
-  const Parameters parameters(falloff, start);
-  FalloffMinimum minimum;
-  minimum.coefficients = parameters.coefficients(parameters.start());
-  const std::size_t count = parameters.count();
-  if (count > 0) {
-    LeastSquaresProblem problem;
-    problem.residual_count = falloff.samples.size();
-    problem.lower = parameters.lower();
-    problem.upper = parameters.upper();
-    problem.evaluate = [&](std::span<const double> values, std::span<double> residuals, std::span<double> jacobian) {
-      const Coefficients q = parameters.coefficients(values);
-      std::array<Coefficients, 3> slopes;
-      for (std::size_t k = 0; k < count; ++k) slopes[k] = parameters.slope(values, k);
-      for (std::size_t i = 0; i < falloff.samples.size(); ++i) {
-        const auto& sample = falloff.samples[i];
-        using Jet = ceres::Jet<double, 1>;
-        const Jet residual = FalloffResidual{falloff, sample}(Jet(denominator(q, sample.x), 0));
-        residuals[i] = residual.a;
-        if (jacobian.empty()) continue;
-        for (std::size_t k = 0; k < count; ++k)
-          jacobian[i * count + k] = residual.v[0] * denominator(slopes[k], sample.x);
-      }
-      return true;
-    };
-    const LeastSquaresFit fit = fit_least_squares(problem, parameters.start(), Descent::one);
-    minimum.coefficients = parameters.coefficients(fit.parameters);
-    minimum.iterations = fit.iterations;
-    if (fit.covariance) {
-      Eigen::Matrix<double, 3, 3, Eigen::RowMajor> covariance = Eigen::Matrix3d::Zero();
-      for (std::size_t k = 0; k < count; ++k) {
-        const Coefficients left = parameters.slope(fit.parameters, k);
-        for (std::size_t l = 0; l < count; ++l) {
-          const Coefficients right = parameters.slope(fit.parameters, l);
-          covariance += (*fit.covariance)[k * count + l] * Eigen::Map<const Eigen::Vector3d>(left.data()) *
-                        Eigen::Map<const Eigen::RowVector3d>(right.data());
-        }
-      }
-      std::copy_n(covariance.data(), 9, minimum.covariance.emplace().data());
+FalloffMinimum approach(const Falloff& falloff, const Coefficients& start, double tolerance) {
+  constexpr double kLeastDamping = 1e-2, kLargestDamping = 1e8;
+  FalloffMinimum minimum{.coefficients = within_bounds(falloff, start)};
+  auto& q = minimum.coefficients;
+  Slopes<double> at = slopes_at(falloff, q, Bend::upward);
+  double damping = 0;
+  bool releases = false;  // not before the others are at a minimum: of several minima, that with more zeros
+  while (damping < kLargestDamping && std::isfinite(at.objective)) {
+    const auto [next, blocked] = newton_step(falloff, q, at, damping, releases);
+    const Slopes<double> at_next = slopes_at(falloff, next, Bend::upward);
+    ++minimum.iterations;
+    const double fall = at.objective - at_next.objective;
+    const bool is_done = !blocked && std::abs(fall) <= tolerance * at.objective + falloff.negligible();
+    if (is_done && releases) break;
+    if (fall > 0) {
+      q = next;
+      at = at_next;
+      damping = damping > kLeastDamping ? damping / 10 : 0;
+    } else if (!is_done) {
+      damping = std::max(10 * damping, kLeastDamping);
     }
-  } else {
-    minimum.covariance.emplace().fill(0);
+    releases = is_done;
   }
-  // A fraction next to 1 has no digits left for the other term, which may matter far beyond the end.
-  const bool may_start = !falloff.end || falloff.constant || start[0] <= falloff.largest_constant();
-  if (may_start && falloff.objective(start) < falloff.objective(minimum.coefficients)) minimum.coefficients = start;
-  minimum.coefficients = refine(falloff, minimum.coefficients);
-  minimum.objective = falloff.objective(minimum.coefficients);
+  minimum.objective = falloff.objective(q);
   return minimum;
 }
 
-}  // namespace
-
 FalloffMinimum descend(const Falloff& falloff, const Coefficients& start) {
-  FalloffMinimum minimum = descend_once(falloff, start);
-  // Once more if the coefficients that ended at 0 are not those left out: for the covariance, and to converge fully.
-  std::array<bool, 3> left_out = zeros(start);
-  for (int i = 0; i < 4 && zeros(minimum.coefficients) != left_out; ++i) {
-    left_out = zeros(minimum.coefficients);
-    const std::size_t iterations = minimum.iterations;
-    minimum = descend_once(falloff, minimum.coefficients);
-    minimum.iterations += iterations;
+  constexpr double kTolerance = 1e-14;  // from here on Newton steps converge without damping
+  return refine(falloff, approach(falloff, start, kTolerance));
+}
+
+std::optional<std::array<double, 9>> covariance_of(const Falloff& falloff, const Coefficients& q) {
+  constexpr double kRounding = 1e-12;  // of slopes
+  Slopes<double> at = slopes_at(falloff, q);
+  project_onto_end(falloff, q, at.slope);
+  std::vector<Eigen::Index> free;
+  for (const std::size_t j : free_coefficients(falloff)) {
+    const bool is_held = q[j] == 0 ? at.slope[j] > kRounding * at.scale[j] : is_at_limit(falloff, q, j);
+    if (!is_held) free.push_back(Eigen::Index(j));
   }
-  return minimum;
+  // In which directions they can move: with an end, each against the one whose term is largest there.
+  Eigen::Matrix3Xd directions = Eigen::Matrix3d::Identity()(Eigen::all, free);
+  if (falloff.end && !free.empty()) {
+    const auto power = powers(falloff.end->x);
+    const auto term = [&](Eigen::Index j) { return q[std::size_t(j)] * power[std::size_t(j)]; };
+    const Eigen::Index largest = *std::ranges::max_element(free, {}, term);
+    std::erase(free, largest);
+    directions = Eigen::Matrix3d::Identity()(Eigen::all, free);
+    for (std::size_t m = 0; m < free.size(); ++m) {
+      directions(largest, Eigen::Index(m)) = -power[std::size_t(free[m])] / power[std::size_t(largest)];
+    }
+  }
+  std::array<double, 9> rows{};
+  const auto count = Eigen::Index(falloff.samples.size());
+  if (free.empty()) return rows;
+  if (count <= directions.cols()) return std::nullopt;
+  Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(count, directions.cols());
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const auto& sample = falloff.samples[std::size_t(i)];
+    const double d = denominator(q, sample.x);
+    if (falloff.is_level(d, sample)) continue;
+    const double slope = std::sqrt(sample.weight) * falloff.loss.root_slope(std::log(d) - double(sample.y)) / d;
+    jacobian.row(i) = slope * Eigen::RowVector3d(1, sample.x, sample.x * sample.x) * directions;
+  }
+  // Columns of one length: the rank must not depend on units.
+  const Eigen::VectorXd lengths = jacobian.colwise().norm();
+  if (!(lengths.array() > 0).all()) return std::nullopt;
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> decomposition(jacobian * lengths.cwiseInverse().asDiagonal());
+  if (decomposition.rank() < directions.cols()) return std::nullopt;
+  const Eigen::MatrixXd inverse = decomposition.matrixR()
+                                      .topRows(directions.cols())
+                                      .triangularView<Eigen::Upper>()
+                                      .solve(Eigen::MatrixXd::Identity(directions.cols(), directions.cols()));
+  const Eigen::Matrix3Xd root =
+      directions * lengths.cwiseInverse().asDiagonal() * decomposition.colsPermutation() * inverse;
+  const double variance = falloff.objective(q) / double(count - directions.cols());
+  Eigen::Map<Eigen::Matrix3d>(rows.data()) = variance * root * root.transpose();  // symmetric: rows are columns
+  return rows;
 }
 
 double kkt_residual(const Falloff& falloff, const Coefficients& q) {

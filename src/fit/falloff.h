@@ -8,8 +8,6 @@
 #include <optional>
 #include <vector>
 
-#include "fit/least_squares.h"
-
 // The range fit in the coordinates that it is computed in. Internal.
 
 namespace litfog {
@@ -42,11 +40,10 @@ class Loss {
     const Real s = stretch(z);
     return 2 / (s * s * s);
   }
-  /// What value is the square of, with z's sign.
-  template <typename Real>
-  Real root(const Real& z) const {
-    using std::sqrt;
-    return z * sqrt(2.0 / (1.0 + stretch(z)));
+  /// Derivative by |z| of the root of value: 1 where value is a square.
+  double root_slope(double z) const {
+    const double s = stretch(z);
+    return std::sqrt((1 + s) / 2) / s;
   }
   /// The residual >= 0 that costs `value`.
   double residual(double value) const { return std::sqrt(value + value / scale_ * (value / scale_) / 4); }
@@ -95,17 +92,16 @@ struct Falloff {
   double objective(const Coefficients& q) const;
   /// Largest C that leaves an extent; only with an end and without a constant.
   double largest_constant() const { return kLargestConstantFraction * double(end->top); }
-  bool is_clamped_at(const Sample& sample) const { return is_clamped || sample.y == 0; }
-  /// ln of the attenuation at the denominator D minus that of the sample.
+  /// Whether the clamp holds the sample's attenuation at 1, so that its residual has no slope. At D = 1 the slope is
+  /// that above, which is 0 for a sample with attenuation 1.
   template <typename Real>
-  Real residual(const Real& d, const Sample& sample) const {
-    using std::log;
-    // At D = 1 a sample with attenuation 1 has no slope: a smaller D is as good.
-    const bool is_level = is_clamped_at(sample) && (sample.y > 0 ? d < 1.0 : d <= 1.0);
-    return is_level ? Real(double(sample.y)) : double(sample.y) - log(d);
+  bool is_level(Real d, const Sample& sample) const {
+    return (is_clamped || sample.y == 0) && (sample.y > 0 ? d < 1 : d <= 1);
   }
+  /// ln of the attenuation minus that of the sample.
   double residual(const Coefficients& q, const Sample& sample) const {
-    return residual(denominator(q, sample.x), sample);
+    const double d = denominator(q, sample.x);
+    return double(sample.y) - (is_level(d, sample) ? 0 : std::log(d));
   }
 };
 
@@ -114,14 +110,24 @@ struct FalloffMinimum {
   Coefficients coefficients = {};
   double objective = 0;
   std::size_t iterations = 0;
-  std::optional<std::array<double, 9>> covariance = {};
 };
 
 /// The minimum of the weighted linear least squares of D a - 1, which is the residual to first order.
 Coefficients linear_start(const Falloff& falloff);
 
-/// The local minimum that a start leads to.
+/// A point near the local minimum that a start leads to, by damped Newton steps (Levenberg and Marquardt; Nocedal and
+/// Wright, "Numerical Optimization", 2nd edition, 10.3).
+///
+/// tolerance  fraction of the objective: the last step lowers it by less
+FalloffMinimum approach(const Falloff& falloff, const Coefficients& start, double tolerance);
+
+/// The minimum to all digits: then Newton steps in extended precision.
 FalloffMinimum descend(const Falloff& falloff, const Coefficients& start);
+
+/// Of the coefficients at a minimum, row by row, with the residuals' own variance; 0 for those that a bound holds
+/// against a slope. Absent where the samples do not identify the others: a rank below their count at the working
+/// precision, or no residual to spare.
+std::optional<std::array<double, 9>> covariance_of(const Falloff& falloff, const Coefficients& q);
 
 /// Largest violation of the conditions of optimality. A coefficient's slope is divided by what it would be if all
 /// residuals were 1 to one side.

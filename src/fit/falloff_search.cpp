@@ -63,8 +63,11 @@ constexpr double kLeastSmooth = 1e-6;
 /// Steps from the reference, as fractions of its D, below which h loses digits: from here on it has twelve.
 constexpr double kLeastStep = 0.1;
 
+/// Of its objective, to which a reference other than a minimum is found: its own slope takes little from the bounds.
+constexpr double kReferenceTolerance = 1e-8;
+
 /// A number of held samples gets a descent of its own when it has more open boxes than this: it costs as much.
-constexpr std::size_t kPatience = 30;
+constexpr std::size_t kPatience = 8;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -265,7 +268,7 @@ class HeldSearch {
     std::erase_if(rest.samples,
                   [&](const Falloff::Sample& sample) { return sample.y > 0 && sample.x <= terms_[last].x; });
     if (rest.samples.empty()) return;
-    Coefficients q = descend(rest, best_.coefficients).coefficients;
+    Coefficients q = approach(rest, best_.coefficients, kReferenceTolerance).coefficients;
     const double x = terms_[last].x, d = denominator(q, x), given = falloff_.constant.value_or(0);
     if (d <= 1 || falloff_.end || given >= 1) return refer_to(q);
     const double factor = (1 - given) / (d - given);
@@ -275,7 +278,7 @@ class HeldSearch {
     } else {
       rest.constant = 1;
     }
-    refer_to(descend(rest, q).coefficients);
+    refer_to(approach(rest, q, kReferenceTolerance).coefficients);
     Plane all;
     for (std::size_t i = 0; i < terms_.size(); ++i) {
       if (!is_held(i)) all.add(terms_[i].tangent, terms_[i].x);

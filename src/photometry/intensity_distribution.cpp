@@ -17,8 +17,7 @@ namespace {
 using std::numbers::pi;
 
 constexpr double kTolerance = 1e-9;       // radians: a direction at the last measured angle must not round to beyond it
-constexpr int kTurnSteps = 720;           // directions of a circle about an axis of the measured grid
-constexpr int kEquatorSteps = 360;        // of the largest circle about another axis; of others by their circumference
+constexpr int kEquatorSteps = 360;        // of the largest circle about an axis; of others by their circumference
 constexpr int kLeastSteps = 72;           // of any circle
 constexpr int kAxialStepsPerTurn = 1440;  // a quarter degree from an axis
 
@@ -84,15 +83,31 @@ std::optional<Bracket> locate(std::span<const double> angles, double angle) {
   return Bracket{high - 1, high, std::clamp(fraction, 0.0, 1.0)};
 }
 
-/// The mean over a turn of type C of what is linear between its planes.
+/// The mean over a turn of type C.
+///
+/// between  mean between plane i - 1 and plane i
+template <typename Between>
+double mean_of_parts(std::span<const double> turn, const Between& between) {
+  double sum = 0;
+  for (std::size_t i = 1; i < turn.size(); ++i) sum += (turn[i] - turn[i - 1]) * between(i);
+  return sum / (turn.back() - turn.front());
+}
+
+/// Of what is linear between the planes.
 template <typename InPlane>
 double mean_over_turn(std::span<const double> turn, const InPlane& in_plane) {
   if (turn.size() == 1) return in_plane(0);
-  double sum = 0;
-  for (std::size_t i = 1; i < turn.size(); ++i) {
-    sum += (turn[i] - turn[i - 1]) * std::midpoint(in_plane(i - 1), in_plane(i));
-  }
-  return sum / (turn.back() - turn.front());
+  return mean_of_parts(turn, [&](std::size_t i) { return std::midpoint(in_plane(i - 1), in_plane(i)); });
+}
+
+/// Of the square of what is linear between the planes.
+template <typename InPlane>
+double mean_square_over_turn(std::span<const double> turn, const InPlane& in_plane) {
+  if (turn.size() == 1) return in_plane(0) * in_plane(0);
+  return mean_of_parts(turn, [&](std::size_t i) {
+    const double a = in_plane(i - 1), b = in_plane(i);
+    return (a * a + a * b + b * b) / 3;
+  });
 }
 
 // --- integration ---
@@ -142,80 +157,79 @@ bool is_own_axis(const IntensityDistribution& distribution, const glm::dvec3& ax
   return distribution.type == PhotometryType::c && (axis == kPhotometricAxis || axis == -kPhotometricAxis);
 }
 
-/// Intensities on circles about an axis, at even steps of the turn.
+/// The intensities on a circle about an axis.
+struct Circle {
+  double mean = 0;
+  double deviation = 0;  ///< rms, from the mean
+  double largest_deviation = 0;
+};
+
+/// values       of which each is on the circle, the least and the largest among them
+/// mean_square  of a function of the indices of values
+template <typename MeanSquare>
+Circle circle_of(std::span<const double> values, double mean, const MeanSquare& mean_square) {
+  const auto [least, largest] = std::ranges::minmax(values);
+  const double reach = std::max(mean - least, largest - mean);
+  if (!(reach > 0)) return {mean, 0, 0};
+  return {mean, reach * std::sqrt(mean_square([&](std::size_t i) { return (values[i] - mean) / reach; })), reach};
+}
+
+/// Circles about an axis: about the grid's own from its planes, about another by even steps of the turn.
 class AxisCircles {
  public:
   AxisCircles(const IntensityDistribution& distribution, const glm::dvec3& axis)
       : distribution_(distribution), is_own_axis_(is_own_axis(distribution, axis)), is_up_(axis == -kPhotometricAxis) {
-    if (is_own_axis_) {
-      for (int i = 0; i < kTurnSteps; ++i) {
-        const double turn = 2 * pi * i / kTurnSteps;
-        planes_.push_back(*locate(distribution.horizontal,
-                                  folded_turn(distribution.horizontal, is_up_ ? pi - turn : turn)));
-      }
-    }
+    if (is_own_axis_) return;
     forward_ = AxisFrame(axis).direction(0, 0);
     for (int i = 0; i < kEquatorSteps; ++i) {
       rim_.push_back(AxisFrame(axis).direction(pi / 2, 2 * pi * i / kEquatorSteps));
     }
   }
 
-  /// The circle at an angle; it lives until the next call.
-  std::span<const double> circle(double angle) {
-    if (is_own_axis_) {
-      fill_own_circle(angle);
-    } else {
-      fill_circle(angle);
-    }
-    return intensities_;
-  }
+  Circle at(double angle) { return is_own_axis_ ? own_circle(angle) : sampled_circle(angle); }
 
  private:
-  /// All directions of a circle about the grid's own axis lie between the same two vertical angles.
-  void fill_own_circle(double angle) {
+  /// All directions lie between the same two vertical angles.
+  Circle own_circle(double angle) {
     const auto& [type, horizontal, vertical, intensity] = distribution_;
-    intensities_.assign(kTurnSteps, 0.0);
     const auto v = locate(vertical, is_up_ ? pi - angle : angle);
-    if (!v) return;
-    in_planes_.resize(horizontal.size());
+    if (!v) return {};
+    values_.clear();
     for (std::size_t plane = 0; plane < horizontal.size(); ++plane) {
       const double* const row = &intensity[plane * vertical.size()];
-      in_planes_[plane] = std::lerp(row[v->low], row[v->high], v->fraction);
+      values_.push_back(std::lerp(row[v->low], row[v->high], v->fraction));
     }
-    if (angle == 0) {
-      intensities_.assign(kTurnSteps, mean_over_turn(horizontal, [this](std::size_t i) { return in_planes_[i]; }));
-      return;
-    }
-    for (std::size_t i = 0; i < planes_.size(); ++i) {
-      intensities_[i] = std::lerp(in_planes_[planes_[i].low], in_planes_[planes_[i].high], planes_[i].fraction);
-    }
+    const double mean = mean_over_turn(horizontal, [this](std::size_t i) { return values_[i]; });
+    if (angle == 0) return {mean, 0, 0};  // a single direction
+    return circle_of(values_, mean,
+                     [&](const auto& value) { return mean_square_over_turn(distribution_.horizontal, value); });
   }
 
-  void fill_circle(double angle) {
+  Circle sampled_circle(double angle) {
     const double sine = std::sin(angle), cosine = std::cos(angle);
     const int wanted = std::max(kLeastSteps, int(std::ceil(kEquatorSteps * sine)));
     const int stride = kEquatorSteps / wanted;  // of the rim's directions
-    intensities_.clear();
+    values_.clear();
+    double sum = 0;
     for (int i = 0; i < kEquatorSteps; i += stride) {
-      intensities_.push_back(intensity_at(distribution_, cosine * forward_ + sine * rim_[std::size_t(i)]));
+      values_.push_back(intensity_at(distribution_, cosine * forward_ + sine * rim_[std::size_t(i)]));
+      sum += values_.back();
     }
+    const auto count = double(values_.size());
+    return circle_of(values_, sum / count, [&](const auto& value) {
+      double squares = 0;
+      for (std::size_t i = 0; i < values_.size(); ++i) squares += value(i) * value(i);
+      return squares / count;
+    });
   }
 
   const IntensityDistribution& distribution_;
   bool is_own_axis_;
   bool is_up_;
-  std::vector<Bracket> planes_ = {};
   glm::dvec3 forward_{};
   std::vector<glm::dvec3> rim_ = {};
-  std::vector<double> in_planes_ = {};
-  std::vector<double> intensities_ = {};
+  std::vector<double> values_ = {};
 };
-
-double mean_of(std::span<const double> values) {
-  double sum = 0;
-  for (const double value : values) sum += value;
-  return sum / double(values.size());
-}
 
 /// Appends angles from the last one to pi in the last step; where the last one is lit, the dark begins beside it.
 void extend_to_pi(std::vector<double>& angles, bool is_last_lit) {
@@ -240,10 +254,9 @@ double square_integral(const IntensityDistribution& distribution, const glm::dve
   AxisCircles circles(distribution, axis);
   double total = 0;
   for (const double angle : asymmetry_angles()) {
-    const auto circle = circles.circle(angle);
-    double sum = 0;
-    for (const double intensity : circle) sum += (intensity / peak) * (intensity / peak);
-    total += std::sin(angle) * sum / double(circle.size());
+    const Circle circle = circles.at(angle);
+    const double mean = circle.mean / peak, deviation = circle.deviation / peak;
+    total += std::sin(angle) * (mean * mean + deviation * deviation);
   }
   return total;
 }
@@ -424,10 +437,8 @@ std::vector<AxialSample> axial_profile(const IntensityDistribution& distribution
   AxisCircles circles(distribution, axis);
   std::vector<AxialSample> profile;
   for (const double angle : profile_angles(distribution, axis)) {
-    const auto circle = circles.circle(angle);
-    const double mean = mean_of(circle);
-    const auto [least, largest] = std::ranges::minmax_element(circle);
-    profile.push_back({angle, mean, std::max(mean - *least, *largest - mean)});
+    const Circle circle = circles.at(angle);
+    profile.push_back({angle, circle.mean, circle.largest_deviation});
   }
   return profile;
 }
@@ -471,11 +482,8 @@ double asymmetry(const IntensityDistribution& distribution, const glm::dvec3& ax
   AxisCircles circles(distribution, axis);
   double deviation = 0;
   for (const double angle : asymmetry_angles()) {
-    const auto circle = circles.circle(angle);
-    const double mean = mean_of(circle);
-    double sum = 0;
-    for (const double intensity : circle) sum += ((intensity - mean) / peak) * ((intensity - mean) / peak);
-    deviation += std::sin(angle) * sum / double(circle.size());
+    const double fraction = circles.at(angle).deviation / peak;
+    deviation += std::sin(angle) * fraction * fraction;
     if (deviation > limit * limit * total) break;
   }
   return std::min(1.0, std::sqrt(deviation / total));

@@ -83,8 +83,8 @@ struct AttenuationFit {
 /// Fits an attenuation to a target: the global minimum of sum w (ln a(r) - ln attenuation)^2 over all C, L, Q >= 0, not
 /// all 0, that have the extent and the constant given.
 ///
-/// search      starts from the linear least squares of 1 / a, descends by Ceres, ends with Newton steps, and rules out
-///             all other coefficients by branch and bound
+/// search      starts from the linear least squares of 1 / a, descends by damped Newton steps, and rules out all other
+///             coefficients by branch and bound
 /// ties        where several attenuations are optimal (two samples and no extent, a table of ones), one with C = 1 if
 ///             there is one
 /// extent      C is at most (1 - 2^-20) / threshold; at 1 / threshold the light would end at 0

@@ -95,10 +95,11 @@ struct AxialSample {
   double deviation;  ///< candela, the largest from the mean on the circle, in magnitude
 };
 
-/// Intensity against the angle from an axis, as the mean over 72 to 720 directions of each circle: what a cone about
-/// the axis is fitted to. The angles are every quarter degree from 0 to pi, but the measured ones if the axis is the
-/// photometric one of type C or its opposite. Angles that were not measured are dark: from the first and last measured
-/// ones, the profile goes on in their steps to 0 and pi with intensity 0, which begins 0.01 degrees beyond a lit one.
+/// Intensity against the angle from an axis, as the mean over the turn: what a cone about the axis is fitted to. If the
+/// axis is the photometric one of type C or its opposite, the angles are the measured ones and the mean is that of what
+/// is linear between the planes; else the angles are every quarter degree from 0 to pi and the mean is over 72 to 360
+/// directions. Angles that were not measured are dark: from the first and last measured ones, the profile goes on in
+/// their steps to 0 and pi with intensity 0, which begins 0.01 degrees beyond a lit one.
 ///
 /// axis      luminaire frame, of any length but 0
 /// returns   increasing angles from 0 to pi
@@ -127,8 +128,8 @@ double half_angle(const std::vector<AxialSample>& profile, double fraction);
 /// axis       luminaire frame, of any length but 0
 /// limit      the search ends where the asymmetry is above it: the result is then only known to be so, too
 /// max error  0.001 for beams that change little within a degree: sampled every quarter degree from the axis, and in
-///            the turn every half degree about the photometric axis of type C, every degree of the largest circle about
-///            another                                                         (intensity_distribution_test.cpp)
+///            the turn every degree of the largest circle, but exact about the photometric axis of type C
+///                                                                             (intensity_distribution_test.cpp)
 double asymmetry(const IntensityDistribution& distribution, const glm::dvec3& axis,
                  double limit = std::numeric_limits<double>::infinity());
 
