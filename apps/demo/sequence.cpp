@@ -16,6 +16,7 @@
 #include "demo/picture_folder.h"
 #include "file_text.h"
 #include "files/whole_file.h"
+#include "litfog/input_error.h"
 #include "render/renderer.h"
 
 namespace litfog::demo {
@@ -185,7 +186,9 @@ scene::Camera Sequence::camera(int frame) const {
 
 void Sequence::expect_heading(int frame) const {
   if (scene::has_heading(camera(frame))) return;
-  throw CLI::ValidationError(fmt::format("frame {}: the target {}", frame + 1, scene::kHeadingRule));
+  const std::string sentence = fmt::format("frame {}: the target {}", frame + 1, scene::kHeadingRule);
+  if (path_) throw InputError({.file = options_.camera_path}, sentence);
+  throw CLI::ValidationError(sentence);
 }
 
 double Sequence::visibility(int frame) const {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <iterator>
 #include <memory>
 #include <set>
 #include <sstream>
@@ -18,10 +19,13 @@
 #include "demo/picture_folder.h"
 #include "demo/picture_options.h"
 #include "demo/settings_page.h"
+#include "files/hint.h"
 #include "files/whole_file.h"
+#include "litfog/input_error.h"
 #include "measure/frame_times.h"
 #include "measure/picture_error.h"
 #include "render/renderer.h"
+#include "scene/file/scene_file.h"
 
 namespace litfog::demo {
 namespace {
@@ -89,6 +93,34 @@ Setting parse_setting(const Setting& base, const std::string& text, Unused& unus
     return option != "--set" && app.count(option) > 0;  // members add up
   });
   return setting;
+}
+
+/// The option that a word of a setting may have been meant as, where a member of its name was looked for in vain.
+std::string hint_for(const std::string& text, const std::string& error) {
+  CLI::App app;
+  Setting any;
+  add_options(app, any);
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) std::ranges::copy(option->get_lnames(), std::back_inserter(names));
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    const std::string name = word.substr(0, word.find('='));
+    if (error.find(fmt::format(" \"{}\": must be one of ", name)) == error.npos) continue;
+    return files::hint_for_word(name, {names.begin(), names.end()});
+  }
+  return {};
+}
+
+/// Reads the scene of a setting. What is wrong with a member is told with the setting's words.
+scene::Scene read_scene_of(const Setting& setting) {
+  try {
+    return read_scene(setting.scene);
+  } catch (const InputError& error) {
+    const bool is_of_member = error.location().file.starts_with(scene::kChangePlace);
+    if (!is_of_member || setting.words.find('=') == std::string::npos) throw;
+    throw InputError({.file = fmt::format("--with \"{}\"", setting.words)},
+                     error.what() + hint_for(setting.words, error.what()));
+  }
 }
 
 /// Throws the usage error of a --time or --lights that changes nothing in any scene.
@@ -196,7 +228,7 @@ void compare_settings(const std::vector<Setting>& settings, const std::string& f
   std::deque<scene::Scene> scenes;  // which renderers keep the addresses of
   std::vector<std::string> inputs;
   for (const Setting& setting : settings) {
-    scene::Scene& scene = scenes.emplace_back(read_scene(setting.scene));
+    scene::Scene& scene = scenes.emplace_back(read_scene_of(setting));
     set_scene(scene, setting.drawing);
     inputs.insert(inputs.end(), scene.files.begin(), scene.files.end());
   }

@@ -41,7 +41,8 @@ std::string number_text(const py::handle& number) {
 /// The value of an option: a word, a number, or numbers as the option separates them.
 std::string value_text(const std::string& name, const py::handle& value) {
   if (py::isinstance<py::str>(value)) return value.cast<std::string>();
-  if (PyNumber_Check(value.ptr()) && !PySequence_Check(value.ptr())) return number_text(value);
+  const bool is_number = PyNumber_Check(value.ptr()) && !py::isinstance<py::bool_>(value);
+  if (is_number && !PySequence_Check(value.ptr())) return number_text(value);
   if (!PySequence_Check(value.ptr())) {
     throw py::type_error(name + ": must be a word, a number or a sequence of numbers, is of type " +
                          text_of(py::type::of(value).attr("__name__")));
@@ -62,7 +63,8 @@ std::vector<std::string> arguments_of(const py::kwargs& options, const CLI::App&
     const std::string name = key.cast<std::string>();
     std::string option = "--" + name;
     std::ranges::replace(option, '_', '-');
-    if (app.get_option_no_throw(option) == nullptr) {
+    const CLI::Option* const known = app.get_option_no_throw(option);
+    if (known == nullptr || name.find('-') != name.npos) {
       throw py::type_error("render() got an unexpected keyword argument '" + name + "'");
     }
     if (value.is_none()) continue;
@@ -72,7 +74,8 @@ std::vector<std::string> arguments_of(const py::kwargs& options, const CLI::App&
         const std::string to = py::isinstance<py::str>(change) ? change.cast<std::string>() : text_of(json(change));
         arguments.push_back(option + "=" + text_of(member) + "=" + to);
       }
-    } else if (py::isinstance<py::bool_>(value)) {
+    } else if (known->get_expected_max() == 0) {
+      if (!py::isinstance<py::bool_>(value)) throw py::type_error(name + ": must be True or False");
       if (value.cast<bool>()) arguments.push_back(option);
     } else {
       arguments.push_back(option + "=" + value_text(name, value));
@@ -138,6 +141,7 @@ py::object render(const py::object& picture_class, const py::object& scene, cons
   demo::DrawingOptions drawing;
   demo::add_picture_options(app, scene_options, drawing);
   scene_options.scene = py::module_::import("os").attr("fsencode")(scene).cast<std::string>();
+  if (scene_options.scene.find('\0') != std::string::npos) throw py::value_error("scene: must not hold a null character");
   Drawn drawn;
   try {
     app.parse(arguments_of(options, app));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -35,9 +36,16 @@ T& at(T* pointer, const char* name) {
 }
 
 /// A caller's array; it may be null where it is empty.
+///
+/// throws  std::invalid_argument also where no memory is that large: a negative count of a language that has them
 template <typename T>
 std::span<T> array(T* first, std::size_t count, const char* name) {
   if (count > 0) at(first, name);
+  constexpr std::size_t kMost = std::numeric_limits<std::ptrdiff_t>::max() / sizeof(T);
+  if (count > kMost) {
+    throw std::invalid_argument("size of " + std::string(name) + " = " + std::to_string(count) + ": must be at most " +
+                                std::to_string(kMost));
+  }
   return {first, count};
 }
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <pybind11/stl/filesystem.h>
 
+#include <array>
+#include <bit>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -164,11 +167,15 @@ std::vector<Sample> samples_of(const std::optional<Numbers>& first, const std::o
   return samples;
 }
 
-/// A covariance as a matrix, or None.
-template <typename Values>
-py::object matrix(const std::optional<Values>& values, py::ssize_t size) {
+template <std::size_t kSize>
+using Matrix = std::array<std::array<double, kSize>, kSize>;
+
+/// A covariance as an array, or None.
+template <std::size_t kSize, typename Values>
+py::object array_of(const std::optional<Values>& values) {
+  static_assert(sizeof(Values) == sizeof(Matrix<kSize>));
   if (!values) return py::none();
-  return py::array_t<double>({size, size}, reinterpret_cast<const double*>(values->data()));
+  return py::array_t<double>({kSize, kSize}, reinterpret_cast<const double*>(values->data()));
 }
 
 void bind_attenuation_fit(py::module_& m) {
@@ -180,7 +187,22 @@ void bind_attenuation_fit(py::module_& m) {
       .value("optimal", AttenuationFitStatus::optimal, "no attenuation has a smaller objective by more than 1e-7 of it")
       .value("unproven", AttenuationFitStatus::unproven, "the best found")
       .value("infeasible", AttenuationFitStatus::infeasible, "the best fit to a target that no attenuation meets");
-  py::class_<AttenuationFit>(m, "AttenuationFit", "A fit and how good it is.")
+  py::class_<AttenuationFit> fit(m, "AttenuationFit", "A fit and how good it is.");
+  fit.def(py::init([](const Attenuation& attenuation, double threshold, AttenuationFitStatus status,
+                      std::string sentence, double objective, double rms_error, double largest_error,
+                      std::vector<double> residuals, const std::optional<Matrix<3>>& covariance, double kkt_residual) {
+         AttenuationFit made{.attenuation = attenuation,
+                             .threshold = threshold,
+                             .status = status,
+                             .sentence = std::move(sentence),
+                             .objective = objective,
+                             .rms_error = rms_error,
+                             .largest_error = largest_error,
+                             .residuals = std::move(residuals),
+                             .kkt_residual = kkt_residual};
+         if (covariance) made.covariance = std::bit_cast<std::array<double, 9>>(*covariance);
+         return made;
+       }))
       .def_readonly("attenuation", &AttenuationFit::attenuation, "Attenuation")
       .def_readonly("threshold", &AttenuationFit::threshold, "attenuation at the extent")
       .def_readonly("status", &AttenuationFit::status, "AttenuationFitStatus")
@@ -196,10 +218,12 @@ void bind_attenuation_fit(py::module_& m) {
           },
           "ln a(range) - ln attenuation of each sample, a read-only array")
       .def_property_readonly(
-          "covariance", [](const AttenuationFit& fit) { return matrix(fit.covariance, 3); },
+          "covariance", [](const AttenuationFit& self) { return array_of<3>(self.covariance); },
           "of constant, linear, quadratic, 3 x 3; None where the samples do not identify them")
       .def_readonly("kkt_residual", &AttenuationFit::kkt_residual, "largest violation of the conditions of optimality");
-  show_fields(m.attr("AttenuationFit"), {"attenuation", "threshold", "status", "rms_error", "largest_error"});
+  show_fields(fit, {"attenuation", "threshold", "status", "rms_error", "largest_error"});
+  make_picklable(fit, {"attenuation", "threshold", "status", "sentence", "objective", "rms_error", "largest_error",
+                       "residuals", "covariance", "kkt_residual"});
   m.def(
       "fit_attenuation",
       [](std::optional<double> extent, std::optional<double> constant, const std::optional<Numbers>& ranges,
@@ -230,7 +254,23 @@ void bind_cone_fit(py::module_& m) {
   py::enum_<ConeFitStatus>(m, "ConeFitStatus", "How a fit of a cone ended.")
       .value("optimal", ConeFitStatus::optimal, "no cone has an objective smaller by more than 0.1 %")
       .value("unproven", ConeFitStatus::unproven, "the best found");
-  py::class_<ConeProfileFit>(m, "ConeProfileFit", "A fitted profile, how good it is, and how that is known.")
+  py::class_<ConeProfileFit> profile_fit(m, "ConeProfileFit",
+                                         "A fitted profile, how good it is, and how that is known.");
+  profile_fit
+      .def(py::init([](const Cone& cone, ConeFitStatus status, double objective, double lower_bound, double rms,
+                       double largest_error, std::optional<double> flux_error, std::optional<double> beam_angle_error,
+                       std::optional<double> field_angle_error, const std::optional<Matrix<2>>& covariance) {
+        return ConeProfileFit{.cone = cone,
+                              .objective = objective,
+                              .lower_bound = lower_bound,
+                              .rms = rms,
+                              .largest_error = largest_error,
+                              .flux_error = flux_error,
+                              .beam_angle_error = beam_angle_error,
+                              .field_angle_error = field_angle_error,
+                              .covariance = covariance,
+                              .status = status};
+      }))
       .def_readonly("cone", &ConeProfileFit::cone, "Cone")
       .def_readonly("status", &ConeProfileFit::status, "ConeFitStatus")
       .def_readonly("objective", &ConeProfileFit::objective, "sum of weight * (cone - I / I_max)^2")
@@ -241,15 +281,25 @@ void bind_cone_fit(py::module_& m) {
       .def_readonly("beam_angle_error", &ConeProfileFit::beam_angle_error, "relative, or None")
       .def_readonly("field_angle_error", &ConeProfileFit::field_angle_error, "relative, or None")
       .def_property_readonly(
-          "covariance", [](const ConeProfileFit& fit) { return matrix(fit.covariance, 2); },
+          "covariance", [](const ConeProfileFit& self) { return array_of<2>(self.covariance); },
           "of exponent alone, or inner and outer, 2 x 2; None where the samples do not identify them");
-  show_fields(m.attr("ConeProfileFit"), {"cone", "status", "rms", "largest_error", "flux_error"});
-  py::class_<ConeFit>(m, "ConeFit", "The fits of the profiles chosen, and which is better.")
+  show_fields(profile_fit, {"cone", "status", "rms", "largest_error", "flux_error"});
+  make_picklable(profile_fit, {"cone", "status", "objective", "lower_bound", "rms", "largest_error", "flux_error",
+                               "beam_angle_error", "field_angle_error", "covariance"});
+  py::class_<ConeFit> fit(m, "ConeFit", "The fits of the profiles chosen, and which is better.");
+  fit.def(py::init([](std::optional<ConeProfileFit> cosine, std::optional<ConeProfileFit> smoothstep,
+                      ConeProfile profile) {
+         if (!(profile == ConeProfile::cosine ? cosine : smoothstep)) {
+           throw py::value_error("profile: must be that of a fit given");
+         }
+         return ConeFit{.cosine = std::move(cosine), .smoothstep = std::move(smoothstep), .profile = profile};
+       }))
       .def_readonly("cosine", &ConeFit::cosine, "ConeProfileFit, or None")
       .def_readonly("smoothstep", &ConeFit::smoothstep, "ConeProfileFit, or None")
       .def_readonly("profile", &ConeFit::profile, "the better of them")
       .def_property_readonly("best", &ConeFit::best, "its ConeProfileFit");
-  show_fields(m.attr("ConeFit"), {"profile", "cosine", "smoothstep"});
+  show_fields(fit, {"profile", "cosine", "smoothstep"});
+  make_picklable(fit, {"cosine", "smoothstep", "profile"});
   m.def(
       "fit_cone",
       [](ConeChoice choice, std::optional<double> half_angle, std::optional<double> beam_angle,

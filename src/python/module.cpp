@@ -94,7 +94,12 @@ void make_record(const py::object& type, std::initializer_list<const char*> name
   });
   type.attr("__hash__") = py::none();  // its fields can change
   add("__repr__", [fields](const py::object& self) { return name_of(self) + "(" + fields_text(self, fields) + ")"; });
-  add("__reduce__", [fields](const py::object& self) {
+  make_picklable(type, names);
+}
+
+void make_picklable(const py::object& type, std::initializer_list<const char*> names) {
+  const std::vector<std::string> fields(names.begin(), names.end());
+  add_method(type, "__reduce__", [fields](const py::object& self) {
     py::tuple values(fields.size());
     for (std::size_t i = 0; i < fields.size(); ++i) values[i] = self.attr(fields[i].c_str());
     return py::make_tuple(self.attr("__class__"), values);
@@ -399,6 +404,16 @@ void bind_lights(py::module_& m) {
                   "The fog of a visibility: metres >= 0, infinity is no fog; contrast in (0, 1) is what is left of a\n"
                   "dark object's contrast at that range. ValueError with field, value and rule.");
   make_record(fog, {"mode", "density"});
+  m.def(
+      "density_from_visibility",
+      [](FogMode mode, const py::array_t<double, py::array::forcecast>& metres, double contrast) {
+        const auto density = [mode, contrast](double each) {
+          return Fog::from_visibility(mode, each, contrast).density;
+        };
+        return py::vectorize(density)(metres);
+      },
+      py::arg("mode"), py::arg("metres"), py::arg("contrast") = kContrastMor,
+      "The density of Fog.from_visibility in 1/m; metres are a number or an array.");
 
   py::class_<Attenuation> attenuation(
       m, "Attenuation",

@@ -36,6 +36,9 @@ namespace py = pybind11;
 /// this order.
 void make_record(const py::object& type, std::initializer_list<const char*> fields);
 
+/// Lets a class be pickled. Its constructor takes the fields in this order.
+void make_picklable(const py::object& type, std::initializer_list<const char*> fields);
+
 /// Gives a class that is no record a repr() of some of its fields.
 void show_fields(const py::object& type, std::initializer_list<const char*> fields);
 

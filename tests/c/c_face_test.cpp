@@ -194,6 +194,35 @@ TEST_F(CFace, PackedBlockIsThatOfCpp) {
   c_lights.resize(LITFOG_MAX_FOG_LIGHTS + 1, c_lights[0]);
   EXPECT_EQ(litfog_pack_fog_light_block(&fog_, ambient, c_lights.data(), c_lights.size(), &block),
             LITFOG_INVALID_ARGUMENT);
+  EXPECT_STREQ(litfog_last_error(), "count = 201: must be at most 200");
+  EXPECT_EQ(litfog_pack_fog_light_block(&fog_, ambient, c_lights.data(), 1'000'000'000, &block),
+            LITFOG_INVALID_ARGUMENT)
+      << "and none of them is read";
+}
+
+TEST_F(CFace, SizesThatNoMemoryHasAreRefusedBeforeAnythingIsRead) {
+  constexpr auto kMinusOne = std::size_t(-1);
+  litfog_placed_light light;
+  ASSERT_EQ(litfog_default_placed_light(&light), LITFOG_OK);
+  const litfog_eye_ray ray{{0, 0, 0}, {0, 0, -1}, 9};
+  double x = 7;
+  char text = '#';
+  std::size_t length;
+  const litfog_batch_lights lights{kMinusOne, &x, &x, &x, &x, 1, &x, 1};
+  const litfog_batch_solutions solutions{&x, nullptr, nullptr, nullptr};
+  const auto expect_refused = [](litfog_status status) {
+    EXPECT_EQ(status, LITFOG_INVALID_ARGUMENT);
+    const std::string error = litfog_last_error();
+    EXPECT_TRUE(error.starts_with("size of ")) << error;
+    EXPECT_NE(error.find(" = 18446744073709551615: must be at most "), error.npos) << error;
+  };
+  expect_refused(litfog_airlight(&light, &fog_, &ray, kMinusOne, nullptr, &x));
+  expect_refused(litfog_solve_batch(LITFOG_FOG_EXP, &lights, &solutions, nullptr));
+  expect_refused(litfog_axial_airlight_batch(LITFOG_FOG_EXP, &lights, &x, nullptr));
+  expect_refused(litfog_read_light("x", &light.light, &text, kMinusOne));
+  expect_refused(litfog_expand_shader("", &text, kMinusOne, &length));
+  EXPECT_EQ(x, 7);
+  EXPECT_EQ(text, '#');
 }
 
 TEST_F(CFace, UpdatersTablesAreThoseOfCpp) {

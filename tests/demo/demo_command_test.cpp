@@ -909,6 +909,10 @@ TEST_F(DemoCommand, SequenceWithAFrameThatCannotBeIsRefusedBeforeAnythingIsDrawn
                 kSeeHelp);
   EXPECT_ERROR(run("sequence two.json -o frames --set lights[0].light.cone.inner_deg=9,40,10"), kBadInput,
                "--set: lights[0].light.cone.inner_deg = 40: must be in [0, outer_deg)\n");
+  write("through.json", R"({"litfog": "camera-path", "version": 1, "keyframes": [
+    {"position": [0, 1, 1], "target": [0, 1, 0]}, {"position": [0, 1, -1], "target": [0, 1, 0]}]})");
+  EXPECT_ERROR(run("sequence two.json -o frames --frames 3 --camera-path through.json"), kBadInput,
+               "through.json: frame 2: the target must not be straight above or below the position, or at it\n");
   EXPECT_FALSE(std::filesystem::exists(directory() / "frames"));
 }
 
@@ -988,7 +992,13 @@ TEST_F(DemoCommand, WrongSettingsAreNamed) {
   EXPECT_EQ(error("--with visibility=9"),
             std::string("litfog-demo: --with compares settings of one SCENE: name it") + kSeeHelp);
   EXPECT_ERROR(run("compare one.json -o none --with lights[0].threshold=7"), kBadInput,
+               "--with \"lights[0].threshold=7\": --set: lights[0].light.threshold = 7: must be in (0, 1); 7 % is 0.07\n");
+  EXPECT_ERROR(run("compare one.json -o none --set lights[0].threshold=7 --with no-skip"), kBadInput,
                "--set: lights[0].light.threshold = 7: must be in (0, 1); 7 % is 0.07\n");
+  const Outcome misspelt = run("compare one.json -o none --with visibility=9 --with \"tone=clip exposre=3\"");
+  EXPECT_EQ(misspelt.status, kBadInput);
+  EXPECT_TRUE(misspelt.err.starts_with("--with \"tone=clip exposre=3\": --set: \"exposre\": must be one of ")) << misspelt.err;
+  EXPECT_TRUE(misspelt.err.ends_with("; did you mean exposure?\n")) << misspelt.err;
   EXPECT_FALSE(std::filesystem::exists(directory() / "none"));
 }
 

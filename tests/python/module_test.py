@@ -116,9 +116,9 @@ class SolveTest(unittest.TestCase):
         for made in classes:
             with self.assertRaises(TypeError):
                 made.__new__(made)
-        for result in (litfog.FogUpdater(), litfog.fit_attenuation(extent=5)):
+        for result in (litfog.FogUpdater(), litfog.FogUpdater().set_fog(litfog.Fog())):
             for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
-                with self.assertRaisesRegex(TypeError, "^cannot pickle a litfog.(FogUpdater|AttenuationFit)$"):
+                with self.assertRaisesRegex(TypeError, "^cannot pickle a litfog.(FogUpdater|FogLightChanges)$"):
                     pickle.dumps(result, protocol)
 
     def test_results_show_their_fields(self):
@@ -151,6 +151,22 @@ class SolveTest(unittest.TestCase):
         np.testing.assert_allclose(litfog.opacity_at(fog, ranges), -np.expm1(-0.5 * ranges), rtol=1e-15)
         np.testing.assert_allclose(litfog.fog_factor_at(fog, ranges), np.exp(-0.5 * ranges), atol=3e-16)
         self.assertEqual(litfog.cone_at(litfog.Cone.cosine(1, 2), 0.75), 0.5625)
+
+
+    def test_densities_of_arrays_are_those_of_single_fogs(self):
+        metres = np.array([[0.0, 50, 400], [1500, 1e4, math.inf]])
+        for mode in (litfog.FogMode.exp, litfog.FogMode.exp2):
+            densities = litfog.density_from_visibility(mode, metres, 0.02)
+            for i, visibility in np.ndenumerate(metres):
+                self.assertEqual(densities[i], litfog.Fog.from_visibility(mode, visibility, 0.02).density)
+            self.assertEqual(
+                litfog.density_from_visibility(mode, 300), litfog.Fog.from_visibility(mode, 300).density
+            )
+        self.assertEqual((densities[0, 0], densities[1, 2]), (math.inf, 0))
+        with self.assertRaisesRegex(ValueError, "^visibility = -1: must be >= 0$"):
+            litfog.density_from_visibility(litfog.FogMode.exp, [400, -1])
+        with self.assertRaisesRegex(ValueError, r"^contrast = 1: must be in \(0, 1\)$"):
+            litfog.density_from_visibility(litfog.FogMode.exp, 400, 1)
 
 
 class BatchTest(unittest.TestCase):
@@ -465,6 +481,34 @@ class FitTest(unittest.TestCase):
         beam = litfog.fit_cone(choice=litfog.ConeChoice.cosine, beam_angle=0.5).best.cone
         self.assertAlmostEqual(litfog.angle_at_level(beam, 0.5), 0.25, 4)
         self.assertTrue(0 < litfog.flux_within(beam, math.pi) < 4 * math.pi)
+
+    def test_fits_come_back_from_other_processes_with_all_that_they_show(self):
+        ranges, angles = np.array([10, 20, 40, 80, 160]), np.linspace(0, 0.6, 40)
+        fits = [
+            litfog.fit_attenuation(extent=100),
+            litfog.fit_attenuation(ranges=ranges, attenuations=[0.9, 0.66, 0.31, 0.102, 0.03], threshold=0.04),
+            litfog.fit_cone(angles=angles, intensities=1 - angles),
+            litfog.fit_cone(choice=litfog.ConeChoice.cosine, beam_angle=0.5),
+        ]
+        self.assertIsNone(fits[0].covariance)
+        self.assertIsNotNone(fits[1].covariance)
+        self.assertIsNotNone(fits[2].best.covariance)
+
+        def expect_same(fit, sent):
+            members = [name for name in dir(fit) if not name.startswith("_")]
+            self.assertGreaterEqual(len(members), 4)
+            for name in members:
+                value, other = getattr(fit, name), getattr(sent, name)
+                if type(value).__name__ == "ConeProfileFit":
+                    expect_same(value, other)
+                else:
+                    np.testing.assert_equal(other, value, name)
+
+        for fit in fits:
+            for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
+                expect_same(fit, pickle.loads(pickle.dumps(fit, protocol)))
+        with self.assertRaisesRegex(ValueError, "^profile: must be that of a fit given$"):
+            litfog.ConeFit(None, fits[2].smoothstep, litfog.ConeProfile.cosine)  # which would have no best
 
 
 class FaceTest(unittest.TestCase):

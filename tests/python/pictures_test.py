@@ -128,6 +128,9 @@ class PicturesTest(unittest.TestCase):
             ({"visibility": math.nan}, ValueError, "visibility = nan: must be a number >= 0"),
             ({"visibility": object()}, TypeError, "visibility: must be a word, a number or a sequence of numbers, is of "
                                                   "type object"),
+            ({"samples": True}, TypeError, "samples: must be a word, a number or a sequence of numbers, is of type bool"),
+            ({"no_skip": "yes"}, TypeError, "no_skip: must be True or False"),
+            ({"fog-light": "peak"}, TypeError, "render() got an unexpected keyword argument 'fog-light'"),
             ({"fog_light": "dim"}, ValueError, "fog_light = dim: must be one of "),
             ({"size": (0, 5)}, ValueError, "size = 0x5: must be WIDTHxHEIGHT"),
             ({"camera": (1, 2)}, ValueError, "camera = 1,2: must be three numbers"),
@@ -144,6 +147,8 @@ class PicturesTest(unittest.TestCase):
         self.assertEqual(raised.exception.file, "nowhere")
         with self.assertRaises(TypeError):
             render(7)
+        with self.assertRaisesRegex(ValueError, "^scene: must not hold a null character$"):
+            render("room\0")
 
     def test_keywords_are_the_options_of_the_command(self):
         with open(stub_file, encoding="utf-8") as file:

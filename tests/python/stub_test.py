@@ -11,6 +11,8 @@ for dtype in (np.float32, np.float64):
     column = np.ones(8, dtype)
     out = litfog.BatchSolutions(intensity=np.empty(8))
     invalid: int = litfog.solve_fog_intensities(column, column, column, 0.01, mode=fog.mode, out=out).invalid_count
+density = litfog.density_from_visibility(fog.mode, np.array([50.0, 400.0]), contrast=0.02)
+litfog.solve_fog_intensities(np.ones(2), np.ones(2), np.ones(2), density)
 rays = np.zeros((4, 4), litfog.EYE_RAY)
 airlights: np.ndarray[tuple[int, ...], np.dtype[np.float64]] = litfog.airlight(litfog.PlacedLight(lamp), fog, rays)
 updater = litfog.FogUpdater()

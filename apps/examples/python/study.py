@@ -29,12 +29,10 @@ def solve_chunk(begin, end, visibilities):
     index = np.arange(begin, end)
     extent = 5 * 1000 ** (index % EXTENTS / (EXTENTS - 1))
     row = index // EXTENTS
-    densities = [  # one fog for each row, of 50 to 10,000 m
-        litfog.Fog.from_visibility(litfog.FogMode.exp, 50 * 200 ** (i / visibilities)).density
-        for i in range(row[0], row[-1] + 1)
-    ]
+    metres = 50 * 200 ** (np.arange(row[0], row[-1] + 1) / visibilities)  # one fog for each row, of 50 to 10,000 m
+    densities = litfog.density_from_visibility(litfog.FogMode.exp, metres)
     solved = litfog.solve_fog_intensities(
-        np.ones(end - begin), np.zeros(end - begin), 19 / extent**2, np.array(densities)[row - row[0]]
+        np.ones(end - begin), np.zeros(end - begin), 19 / extent**2, densities[row - row[0]]
     )
     if solved.invalid_count:
         raise ValueError(f"{solved.invalid_count} lights of [{begin}, {end}) are invalid")

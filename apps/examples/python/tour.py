@@ -27,7 +27,7 @@ def show(name):
 
 # %% How brightly four lamps light the fog, over the visibility. A batch takes columns: one light or fog a row.
 visibilities = np.geomspace(50, 10_000, 400)
-densities = np.array([litfog.Fog.from_visibility(litfog.FogMode.exp, metres).density for metres in visibilities])
+densities = litfog.density_from_visibility(litfog.FogMode.exp, visibilities)
 for name in ("landing-lamp", "headlight", "street-lamp", "runway-edge"):
     lamp = litfog.read_light(lights / f"{name}.json")
     constant, linear, quadratic = (
