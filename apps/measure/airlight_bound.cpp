@@ -48,13 +48,13 @@ double airlight_bound(const ReferenceLight& light, const EyeRay& ray, const Scat
   const glm::dvec3 to_light = light.placed.position - ray.origin;
   const double approach = glm::dot(to_light, ray.direction);
   const double nearest = glm::distance(to_light, std::clamp(approach, 0.0, ray.length) * ray.direction);
-  if (!(nearest < light.extent)) return 0;
+  if (!(nearest < light.fog_extent)) return 0;
   const Attenuation& attenuation = light.placed.light.attenuation;
   const double brightest = attenuation_at(attenuation, nearest);
   const double eye_range = glm::length(to_light);
   if (std::isinf(light.fog.density) && eye_range > 0) return 0;  // all is scattered in the eye
   const double offset = glm::distance(to_light, approach * ray.direction);
-  const double half_chord = std::sqrt(std::max(light.extent * light.extent - offset * offset, 0.0));
+  const double half_chord = std::sqrt(std::max(light.fog_extent * light.fog_extent - offset * offset, 0.0));
   const double first = std::clamp(approach - half_chord, 0.0, ray.length);
   const double last = std::clamp(approach + half_chord, first, ray.length);
   const double factor =

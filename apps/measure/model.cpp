@@ -46,7 +46,11 @@ Model::Model(const render::Renderer& renderer)
   if (!renderer.shadows()) return;
   shadows_.emplace(renderer);
   for (const render::ShadowCaster& caster : renderer.shadows()->casters()) {
-    lights_[caster.scene_light].casts_shadows = true;
+    ReferenceLight& light = lights_[caster.scene_light];
+    light.casts_shadows = true;
+    if (settings_.shadows != render::Shadows::shafts) continue;
+    light.fog_threshold = light.placed.light.threshold;  // no shafts are cut out of what lies beyond
+    light.fog_extent = light.extent;
   }
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "measure/reference_light.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "litfog/fog_light_block.h"
 #include "litfog/photometry/cookie_airlight.h"
 #include "render/scene_lights.h"
@@ -14,23 +17,33 @@ double ReferenceLight::emitted(const glm::dvec3& direction) const {
 }
 
 double ReferenceLight::airlight(const Fog& scene_fog, const EyeRay& ray, const Scattering& scattering) const {
-  return cookie ? reference_airlight(placed, *cookie, cookie_from_world, scene_fog, ray, scattering)
-                : reference_airlight(placed, scene_fog, ray, scattering);
+  PlacedLight seen = placed;
+  seen.light.threshold = fog_threshold;
+  return cookie ? reference_airlight(seen, *cookie, cookie_from_world, scene_fog, ray, scattering)
+                : reference_airlight(seen, scene_fog, ray, scattering);
 }
 
 std::vector<ReferenceLight> reference_lights(const scene::Scene& scene, const Fog& fog,
                                              const render::RenderSettings& settings, double exposure) {
+  const bool has_far_ends = render::lights_fog_beyond_end(settings);
   std::vector<ReferenceLight> lights;
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     PlacedLight placed = scene.lights[i];
     placed.light.threshold = render::threshold_of(placed.light, settings, exposure);
     placed.light.cone = render::drawn_cone(placed.light.cone, settings);
     const Light& light = placed.light;
+    // Beyond a light's end a(r) is below the threshold, and the fog's weights along a ray sum to less than 1.
+    const double share = kCutOff * std::exp2(-exposure) / double(scene.lights.size());
+    const double brightest = render::largest_component(light.color) * largest_phase({.asymmetry = scene.phase_g});
+    const double fog_threshold =
+        has_far_ends && brightest > 0 ? std::min(light.threshold, share / brightest) : light.threshold;
     const bool has_intensity = placed.carried && settings.fog_lighting == render::FogLighting::peak;
     const auto use = scene.cookie_uses.find(i);
     const bool has_cookie = use != scene.cookie_uses.end();
     lights.push_back({.placed = placed,
                       .extent = compute_extent(light.attenuation, light.threshold),
+                      .fog_threshold = fog_threshold,
+                      .fog_extent = compute_extent(light.attenuation, fog_threshold),
                       .fog = scaled(fog, light.density_scale),
                       .fog_intensity = has_intensity ? solve_fog_intensity(light, fog).intensity : 0,
                       .cookie = has_cookie ? &scene.cookies[use->second.cookie] : nullptr,

@@ -15,7 +15,9 @@ namespace litfog::measure {
 /// A light of a scene in double, with everything that does not depend on the position it lights.
 struct ReferenceLight {
   PlacedLight placed;            ///< its threshold is that of the renderer (render::threshold_of)
-  double extent;                 ///< metres
+  double extent;                 ///< metres, on surfaces
+  double fog_threshold;          ///< where it ends in the fog
+  double fog_extent;             ///< metres: that end
   Fog fog;                       ///< as the light's class sees it
   double fog_intensity;          ///< 0 unless the light is carried by the eye's vehicle, and in airlight
   const Cookie* cookie;          ///< replaces the cone; null: none
@@ -28,9 +30,14 @@ struct ReferenceLight {
   double airlight(const Fog& scene_fog, const EyeRay& ray, const Scattering& scattering) const;
 };
 
-/// A scene's lights, in its order.
+/// What the ends of all lights together may cut off the airlight of a ray, of what the exposure shows as white.
+inline constexpr double kCutOff = 1e-6;
+
+/// A scene's lights, in its order. Where the renderer lights the fog beyond a light's end on surfaces, it ends where
+/// kCutOff allows.
 ///
-/// scene  has to outlive them: they point to its cookies
+/// scene     has to outlive them: they point to its cookies
+/// exposure  EV, for which the renderer chooses ends
 std::vector<ReferenceLight> reference_lights(const scene::Scene& scene, const Fog& fog,
                                              const render::RenderSettings& settings, double exposure = 0);
 

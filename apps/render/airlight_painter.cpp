@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "litfog/gl/unsupported.h"
+#include "render/airlight_program.h"
 #include "render/demo_shaders.h"
 #include "render/fog_top.h"
 #include "render/gpu/depth.h"
@@ -51,19 +52,6 @@ void check_framebuffer() {
   }
 }
 
-constexpr int kCookieProfile = 3;  // of a light as shaders know it
-
-/// The text of airlight_constants.glsl.
-std::string light_constants(const scene::Scene& scene, FogMode fog_mode, int profile, bool has_knee) {
-  return fmt::format(
-      "#define LITFOG_FOG_MODE {}.0\n"
-      "{}"
-      "const float profile = {}.0;  // of the lights to draw\n"
-      "{}",
-      int(fog_mode), has_knee ? "" : "#define LITFOG_NO_KNEE\n", profile,
-      scene.phase_g == 0 ? "const float asymmetry = 0.0;\n" : "uniform float asymmetry;\n");
-}
-
 /// Reads that many depths a pixel.
 gl::Program make_seen_program(int samples) {
   const std::string count = fmt::format("#define SAMPLE_COUNT {}\n", samples);
@@ -76,12 +64,14 @@ gl::Program make_seen_program(int samples) {
 
 AirlightPainter::AirlightPainter(const scene::Scene& scene, const SceneLights& lights,
                                  const gl::FogLightBuffer& fog_lights, const Framebuffer& framebuffer,
-                                 const ShadowMaps* shafts, int shaft_steps)
+                                 const RenderSettings& settings, const ShadowMaps* shafts)
     : scene_(scene),
       fog_lights_(fog_lights),
       lights_(lights),
+      has_far_(lights_fog_beyond_end(settings)),
+      far_(scene, lights, fog_lights),
       shafts_(shafts),
-      shaft_steps_(shaft_steps),
+      shaft_steps_(settings.shaft_steps),
       seen_program_(make_seen_program(framebuffer.samples())),
       fill_program_("whole_picture.vert", "airlight_fill.frag", demo_shaders()),
       marks_program_("whole_picture.vert", "airlight_marks.frag", demo_shaders()),
@@ -129,10 +119,17 @@ void AirlightPainter::attach_airlight(Target& target, bool has_gain) {
   check_framebuffer();
 }
 
+std::span<const std::int32_t> AirlightPainter::casters() const {
+  return shafts_ ? shafts_->caster_of_lights() : std::span<const std::int32_t>();
+}
+
+void AirlightPainter::draw_far(const View& view, const Fog& fog, double exposure) {
+  if (has_far_) far_.draw(picture_size_, pixels_per_radian(), view.direction_from_clip, fog, exposure, casters());
+}
+
 AirlightList AirlightPainter::list(const Fog& fog, double exposure) {
-  const auto casters = shafts_ ? shafts_->caster_of_lights() : std::span<const std::int32_t>();
   AirlightList list = list_airlight(lights_, fog, {.asymmetry = scene_.phase_g}, scene_.camera.position,
-                                    pixels_per_radian(), exposure, casters);
+                                    pixels_per_radian(), exposure, casters());
   if (list.entries.empty()) return list;
   entries_.emplace(list.entries.data(), list.entries.size() * sizeof(AirlightEntry), BufferTexture::Texel::float4);
   entries_->bind(kEntryUnit);
@@ -141,7 +138,7 @@ AirlightList AirlightPainter::list(const Fog& fog, double exposure) {
 
 void AirlightPainter::draw(const AirlightList& list, const Framebuffer& framebuffer, const View& view, const Fog& fog,
                            double exposure, bool is_seen_by_alpha, Interruption& interruption) {
-  if (list.entries.empty()) return;
+  if (list.entries.empty() && far_.is_empty()) return;
   const double most_apart = std::max(1.0, kMostApart * pixels_per_radian());
   const auto coarsest = std::ranges::find_if(grids_, [&](const Grid& grid) { return grid.step <= most_apart; });
   const std::span<const Grid> grids(coarsest, grids_.end());
@@ -180,6 +177,8 @@ void AirlightPainter::draw(const AirlightList& list, const Framebuffer& framebuf
   add_program_.use();
   bind_texture(kAirlightUnit, grids.back().airlight);
   set_uniform(add_program_, "airlight", kAirlightUnit);
+  set_uniform(add_program_, "seen_ranges", kSeenUnit);
+  far_.bind(add_program_);
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glDisable(GL_BLEND);
 }
@@ -276,10 +275,10 @@ const gl::Program& AirlightPainter::light_program(FogMode fog_mode, int profile,
   const std::tuple key(fog_mode, profile, has_shafts, has_knee, scene_.phase_g == 0);
   const auto found = light_programs_.find(key);
   if (found != light_programs_.end()) return found->second;
-  const std::string constants = light_constants(scene_, fog_mode, profile, has_knee);
-  std::vector<gl::ShaderSource> files = scene_shaders(profile == kCookieProfile, has_shafts);
-  files.push_back({"airlight_constants.glsl", constants});
-  return light_programs_.emplace(key, gl::Program("airlight.vert", "airlight.frag", files)).first->second;
+  return light_programs_
+      .emplace(key,
+               make_airlight_program("airlight.vert", "airlight.frag", scene_, fog_mode, profile, has_shafts, has_knee))
+      .first->second;
 }
 
 void AirlightPainter::use(const gl::Program& program, const Frame& frame, const Grid& grid) {

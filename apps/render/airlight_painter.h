@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <map>
 #include <optional>
+#include <span>
 #include <tuple>
 #include <vector>
 
@@ -12,6 +14,7 @@
 #include "litfog/gl/gl_name.h"
 #include "litfog/gl/program.h"
 #include "render/airlight_list.h"
+#include "render/far_airlight.h"
 #include "render/gpu/data_texture.h"
 #include "render/gpu/framebuffer.h"
 #include "render/interruption.h"
@@ -38,19 +41,28 @@ class AirlightPainter {
  public:
   /// scene, lights, fog_lights  have to outlive this
   /// framebuffer                of the pictures' size and samples
-  /// shafts                     the shadows that cut shafts, with shaft_steps a pixel; null: none do
+  /// settings                   of which the path and the steps of shafts matter
+  /// shafts                     the shadows that cut shafts; null: none do
   /// throws                     gl::Unsupported where the driver has no float framebuffer of their size
   AirlightPainter(const scene::Scene& scene, const SceneLights& lights, const gl::FogLightBuffer& fog_lights,
-                  const Framebuffer& framebuffer, const ShadowMaps* shafts, int shaft_steps);
+                  const Framebuffer& framebuffer, const RenderSettings& settings, const ShadowMaps* shafts);
 
   /// Takes another size of the pictures, which have as many samples as before.
   void set_size(const Framebuffer& framebuffer);
 
-  /// The lights whose airlight a frame shows, which it binds to their unit.
+  /// Sums up what lights add beyond their extents. The lights and the cookies are bound to their units.
+  ///
+  /// exposure  EV at which the picture is shown
+  void draw_far(const View& view, const Fog& fog, double exposure);
+  /// That, for panes.
+  const FarAirlight& far() const { return far_; }
+
+  /// The lights whose airlight a frame shows within their extents, which it binds to their unit.
   ///
   /// exposure  EV at which the picture is shown: what makes less than a step there is left out or interpolated
   AirlightList list(const Fog& fog, double exposure);
-  /// Adds that of the list to a resolved framebuffer. The lights and the cookies are bound to their units.
+  /// Adds that of the list, and that beyond extents, to a resolved framebuffer. The lights and the cookies are bound to
+  /// their units.
   ///
   /// is_seen_by_alpha  the framebuffer's alpha is the fraction of it that is seen
   /// interruption      after which it draws no more
@@ -90,7 +102,8 @@ class AirlightPainter {
     Interruption& interruption;
   };
 
-  double pixels_per_radian() const;  ///< at the middle of the picture
+  std::span<const std::int32_t> casters() const;  ///< of shafts, as list_airlight() takes them
+  double pixels_per_radian() const;               ///< at the middle of the picture
   const gl::Program& light_program(FogMode fog_mode, int profile, bool has_shafts);
   void attach_airlight(Target& target, bool has_gain);
   void use(const gl::Program& program, const Frame& frame, const Grid& grid);
@@ -101,6 +114,8 @@ class AirlightPainter {
   const scene::Scene& scene_;
   const gl::FogLightBuffer& fog_lights_;
   const SceneLights& lights_;
+  bool has_far_;  // lights_fog_beyond_end()
+  FarAirlight far_;
   glm::ivec2 picture_size_;
   const ShadowMaps* shafts_;
   int shaft_steps_;

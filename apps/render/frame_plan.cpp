@@ -9,6 +9,7 @@
 
 #include "litfog/airlight.h"
 #include "litfog/cone.h"
+#include "render/far_airlight_list.h"
 #include "render/fog_top.h"
 #include "render/frustum.h"
 #include "render/hidden_range.h"
@@ -83,7 +84,9 @@ double FramePlanner::airlight_end_from(const glm::dvec3& eye, double budget) con
     end = std::max(end, airlight_end(placed.light, lights_.extents()[i], fog_, phase,
                                      glm::distance(eye, placed.position), budget / double(lights_.size())));
   }
-  return end;
+  if (!lights_fog_beyond_end(settings_)) return end;
+  const Scattering scattering{.asymmetry = scene_.phase_g};
+  return std::max(end, list_far_airlight(lights_, fog_, scattering, eye, view_->exposure).depth);
 }
 
 double FramePlanner::hidden_range_of(std::size_t index) {

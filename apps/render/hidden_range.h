@@ -14,13 +14,14 @@ namespace litfog::render {
 /// the lights left out of it, or what stands behind a surface or sky that is left out; each of the two may be brighter
 /// than the fog by a share, so that the sample is darker or brighter by up to two. Over either come the lamps' points,
 /// of which some are left out, and their airlight. So all errors of a pixel lie in a range of
-/// kSurfaceLightShare + 2 kHiddenShare + kPointShare + kBehindShare + kAirlightShare = 1 step, and from one frame to
-/// the next they change by no more.
+/// kSurfaceLightShare + 2 kHiddenShare + kPointShare + kBehindShare + kAirlightShare + kFarShare = 1 step, and from one
+/// frame to the next they change by no more.
 inline constexpr double kSurfaceLightShare = 1 / 4.;  ///< all lights left out of a surface
 inline constexpr double kHiddenShare = 1 / 8.;        ///< a surface, or the sky
 inline constexpr double kPointShare = 1 / 8.;         ///< the points of all lamps
 inline constexpr double kBehindShare = 1 / 8.;        ///< airlight from behind surfaces that are left out
-inline constexpr double kAirlightShare = 1 / 4.;      ///< airlight of all lamps that pixels beyond their reach lack
+inline constexpr double kAirlightShare = 1 / 8.;      ///< airlight of all lamps that pixels beyond their reach lack
+inline constexpr double kFarShare = 1 / 8.;           ///< airlight of all lamps beyond their extents
 
 /// The least light that makes a step of 1/255 on a display, linear, before exposure. sRGB is steepest where it is
 /// darkest, with this slope, and no tone curve (ToneCurve) makes it steeper.

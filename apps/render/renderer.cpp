@@ -52,7 +52,7 @@ class StageClock {
     if (!times_) return;
     glFinish();
     const auto now = Clock::now();
-    times_->*stage = std::chrono::duration<double, std::milli>(now - begin_).count();
+    times_->*stage += std::chrono::duration<double, std::milli>(now - begin_).count();
     begin_ = now;
   }
 
@@ -80,8 +80,8 @@ Renderer::Renderer(const scene::Scene& scene, int width, int height, const Rende
     shadows_.emplace(scene, lights_, surfaces_.surfaces(), framebuffer_.aspect(), settings);
   }
   if (settings.fog_lighting == FogLighting::airlight) {
-    airlight_.emplace(scene, lights_, fog_block_, framebuffer_,
-                      settings.shadows == Shadows::shafts ? shadows() : nullptr, settings.shaft_steps);
+    airlight_.emplace(scene, lights_, fog_block_, framebuffer_, settings,
+                      settings.shadows == Shadows::shafts ? shadows() : nullptr);
   }
   if (!scene.cookies.empty()) cookies_ = upload_cookies(scene.cookies);
   set_fog(Fog{});
@@ -210,12 +210,15 @@ FrameCounts Renderer::draw_stages(LightPoints light_points, FrameStatistics* sta
   }
   clock.end(&StageTimes::plan);
   if (shadows_) counts.shadow_maps_drawn = shadows_->draw(framebuffer_.aspect());
-  begin_frame(framebuffer_, scene_.environment.ambient_fog_color);  // SkyDrawing::background
   light_tables_.bind_textures(kKindBufferUnit, kInstanceBufferUnit);
   light_list_->bind(kLightListUnit);
   if (cookies_) cookies_->bind(kCookieUnit);
   cookie_cones_.bind(kCookieConeUnit);
   if (shadows_) shadows_->bind();
+  clock.end(&StageTimes::surfaces);
+  if (airlight_) airlight_->draw_far(view, fog_, airlight_exposure_);
+  clock.end(&StageTimes::airlight);
+  begin_frame(framebuffer_, scene_.environment.ambient_fog_color);  // SkyDrawing::background
   Interruption interruption(is_unwanted_);
   counts.bytes_uploaded += surfaces_.draw(*settings_.path, plan, view.clip_from_world, shadows(), interruption);
   if (interruption.has_come()) {
@@ -264,7 +267,7 @@ void Renderer::draw_pane_geometry(const GeometryBuffer& geometry, int layer) {
   geometry.begin_layer(layer);
   glEnable(GL_CULL_FACE);
   surfaces_.draw_panes(geometry_path(*settings_.path), planner_.plan_geometry(clip_from_world()), clip_from_world(),
-                       nullptr, 0);
+                       nullptr, 0, nullptr);
   geometry.end();
   gl::check_errors("drawing the geometry of panes");
 }
@@ -278,7 +281,8 @@ std::size_t Renderer::draw_panes(const View& view, const FramePlan& plan, std::s
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glEnable(GL_BLEND);
   glBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
-  const std::size_t bytes = surfaces_.draw_panes(*settings_.path, plan, view.clip_from_world, shadows(), airlights);
+  const std::size_t bytes = surfaces_.draw_panes(*settings_.path, plan, view.clip_from_world, shadows(), airlights,
+                                                 airlight_ ? &airlight_->far() : nullptr);
   glDisable(GL_BLEND);
   return bytes;
 }

@@ -18,9 +18,12 @@ glm::vec4 cookie_cone(const PlacedLight& light, const scene::CookieUse& use) {
 
 }  // namespace
 
+bool lights_fog_beyond_end(const RenderSettings& settings) {
+  return settings.fog_lighting == FogLighting::airlight && settings.path->range != RangeLaw::radial;
+}
+
 double threshold_of(const Light& light, const RenderSettings& settings, double exposure) {
-  const bool has_own_end = settings.fog_lighting == FogLighting::peak || settings.path->range == RangeLaw::radial;
-  return has_own_end ? light.threshold : airlight_threshold(light, exposure);
+  return lights_fog_beyond_end(settings) ? airlight_threshold(light, exposure) : light.threshold;
 }
 
 Cone drawn_cone(const Cone& cone, const RenderSettings& settings) {

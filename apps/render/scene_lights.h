@@ -21,6 +21,10 @@ namespace litfog::render {
 /// exposure  EV at which the picture is shown; below 0 ends are those of 0 EV
 double threshold_of(const Light& light, const RenderSettings& settings, double exposure = 0);
 
+/// Whether lights light the fog beyond their ends, too: hundreds of tails that are cut off, each too faint to be seen,
+/// would add up. On surfaces they are cut off, where few lamps shine and most at a grazing angle.
+bool lights_fog_beyond_end(const RenderSettings& settings);
+
 /// A light's cone as a renderer draws it: its own, but for paths whose maps hold another (mapped_cone).
 Cone drawn_cone(const Cone& cone, const RenderSettings& settings);
 

@@ -68,6 +68,7 @@ struct SurfacePainter::Frame {
   // Of panes: the run of sorted indices that is drawn of a surface.
   bool draws_panes = false;
   std::size_t airlights = 0;
+  const FarAirlight* far_airlight = nullptr;
   std::size_t first = 0;
   std::size_t count = 0;
 };
@@ -109,7 +110,7 @@ std::size_t SurfacePainter::draw(const LightingPath& path, const FramePlan& plan
 
 std::size_t SurfacePainter::draw_panes(const LightingPath& path, const FramePlan& plan,
                                        const glm::mat4& clip_from_world, const ShadowMaps* shadows,
-                                       std::size_t airlights) {
+                                       std::size_t airlights, const FarAirlight* far_airlight) {
   struct Triangle {
     float distance;
     const PlannedSurface* surface;
@@ -134,7 +135,8 @@ std::size_t SurfacePainter::draw_panes(const LightingPath& path, const FramePlan
               .number = ++frames_,
               .bytes = indices.size() * sizeof(indices[0]),
               .draws_panes = true,
-              .airlights = airlights};
+              .airlights = airlights,
+              .far_airlight = far_airlight};
   surfaces_.meshes().bind();
   surfaces_.meshes().bind_sorted(indices);
   for (std::size_t first = 0, next = 0; first < triangles.size(); first = next) {
@@ -293,6 +295,7 @@ SurfaceProgram& SurfacePainter::use(Frame& frame, const ShaderVariant& variant, 
     if (variant.material.is_pane) {
       set_uniform(program.program, "airlight_entries", kEntryUnit);
       glUniform1i(program.program.uniform("airlight_count"), GLint(frame.airlights));
+      if (frame.far_airlight) frame.far_airlight->bind(program.program);
       set_uniform(program.program, "asymmetry", float(scene_.phase_g));
       glUniform1i(program.program.uniform("shaft_steps"), settings_.shaft_steps);
     }

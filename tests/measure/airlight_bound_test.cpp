@@ -15,6 +15,8 @@ namespace {
 measure::ReferenceLight reference_light(const PlacedLight& light, const Fog& fog) {
   return {.placed = light,
           .extent = compute_extent(light.light.attenuation, light.light.threshold),
+          .fog_threshold = light.light.threshold,
+          .fog_extent = compute_extent(light.light.attenuation, light.light.threshold),
           .fog = scaled(fog, light.light.density_scale),
           .fog_intensity = 0,
           .cookie = nullptr,

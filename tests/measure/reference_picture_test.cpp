@@ -12,8 +12,10 @@
 #include <optional>
 
 #include "gl/gl_test.h"
+#include "measure/model.h"
 #include "measure/no_more_threads.h"
 #include "measure/picture_error.h"
+#include "reference/srgb.h"
 #include "render/pixel.h"
 #include "scene/file/scene_file.h"
 #include "scene/model/model_catalogue.h"
@@ -504,6 +506,40 @@ TEST_F(ReferencePictureTest, AirlightOfALampWithoutAnEndIsThatOfTheReference) {
   for (const Cone& cone : {Cone{}, Cone::smoothstep(0.1, 0.2)}) {
     lamp.light.cone = cone;
     expect_airlight_of_reference(floor_and_lamp(lamp), "constant attenuation");
+  }
+}
+
+// Beyond its extent each lamp adds less than a step, all together add many.
+TEST_F(ReferencePictureTest, AirlightOfManyLampsBeyondTheirExtentsIsThatOfTheReference) {
+  Scene scene = flat_floor();
+  scene.camera = {.position = {0, 12, 700}, .target = {0, 10, 0}, .field_of_view = 0.6f};
+  scene.instances.clear();
+  for (int i = 0; i < 40; ++i) {
+    PlacedLight lamp;
+    lamp.light.attenuation = {1, 0, 0.002};
+    lamp.light.cone = i % 2 == 0 ? Cone::smoothstep(0.14, 0.2) : Cone{};
+    lamp.position = {(i % 4) * 20 - 30, 2, -30 * (i / 4)};
+    lamp.direction = glm::normalize(glm::dvec3(0, 0.1, 1));
+    scene.lights.push_back(lamp);
+  }
+  for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
+    const Fog fog = Fog::from_visibility(mode, 1500);
+    Renderer renderer(scene, 24, 14, {.fog_lighting = FogLighting::airlight, .samples = 1});
+    renderer.set_fog(fog);
+    renderer.draw(LightPoints::off);
+    const PictureError error = picture_error(renderer.read(), shade_reference(renderer));
+    double cut_off = 0;  // of a ray over the lamps
+    double whole = 0;
+    const EyeRay ray{.origin = scene.camera.position, .direction = glm::normalize(glm::dvec3(0, 0.15, -1))};
+    const measure::Model model(renderer);
+    for (const ReferenceLight& light : model.lights()) {
+      whole += light.airlight(fog, ray, {});
+      cut_off += reference_airlight(light.placed, fog, ray);
+    }
+    const double steps = 255 * (srgb_from_linear(whole) - srgb_from_linear(cut_off));
+    fmt::print("{}: largest error {:.3f} steps; extents would cut off {:.1f}\n", name_of(mode), error.largest, steps);
+    EXPECT_LE(error.largest, kAirlightBound) << name_of(mode);
+    EXPECT_GT(steps, 4) << name_of(mode);
   }
 }
 

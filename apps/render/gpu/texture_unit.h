@@ -28,6 +28,9 @@ enum TextureUnit : unsigned {
   kCasterOfLightUnit,
   kEmissionUnit,
   kSecondUnit,
+  kFarLightUnit,     // the lights whose airlight beyond their extents is drawn
+  kFarSlabUnit,      // of it: sums in groups of slabs
+  kFarAirlightUnit,  // before each slab
 };
 
 inline constexpr unsigned kFogLightBinding = 0;  ///< of the FogLightBlock

@@ -12,6 +12,7 @@ uniform samplerBuffer airlight_entries;  // render::AirlightEntry
 uniform int airlight_count;              // 0 where the scene is not lit by airlight
 uniform float asymmetry;
 
+#include "far_airlight_at.glsl"
 #include "shaft.glsl"
 
 // The airlight before the fragment. That of the picture without panes is added later, by what they let through of it.
@@ -29,7 +30,7 @@ vec3 airlight_before(vec3 position) {
     float lit = has_shafts ? lit_fraction(index, light, direction, range) : 1.0;
     sum += lit * litfog_glow(light, eye, direction, range, asymmetry);
   }
-  return sum;
+  return sum + far_airlight_at(gl_FragCoord.xy, range);
 }
 
 // Premultiplied by the opacity.

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// What lights add beyond their extents, in eight slabs of the ray through a texel, added up along the ray.
+
+#include "airlight_constants.glsl"
+#include "cookie.glsl"
+#include "far_airlight.glsl"
+#include "litfog/shaders/glow.glsl"
+#include "litfog/shaders/light_buffer.glsl"
+#include "pixel_direction.glsl"
+
+uniform vec3 eye;
+uniform isamplerBuffer far_lights;
+uniform int first_light;
+uniform int light_count;
+uniform int row_count;  // of texels: those of the next eight slabs are above
+
+layout(location = 0) out vec4 sums[slabs_at_once];
+
+// The fog's -f'(s) f(r), 1/m.
+float fog_weight(float density, float seen, float range) {
+  if (litfog_fog_mode() == 0.0) return density * exp(-density * (seen + range));
+  float x = density * seen;
+  float y = density * range;
+  return 2.0 * density * x * exp(-x * x - y * y);
+}
+
+void main() {
+  ivec2 place = ivec2(gl_FragCoord.xy);
+  int first_slab = place.y / row_count * slabs_at_once;
+  vec3 direction = pixel_direction(ivec2(place.x, place.y % row_count) * far_step);
+  vec3 slabs[slabs_at_once];
+  for (int i = 0; i < slabs_at_once; ++i) slabs[i] = vec3(0.0);
+  for (int i = 0; i < light_count; ++i) {
+    LitfogLight light = litfog_buffered_light(texelFetch(far_lights, first_light + i).x);
+    light.axis_profile.w = profile;
+    float density = min(litfog_fog.x * light.attenuation.w, 1.0e6);
+    float extent = light.position_extent.w;
+    vec3 to_light = light.position_extent.xyz - eye;
+    float approach = dot(to_light, direction);
+    float square = dot(to_light, to_light) - approach * approach;
+    float half_chord = sqrt(max(extent * extent - square, 0.0));
+    for (int slab = 0; slab < slabs_at_once; ++slab) {
+      float begin = slab_begin(first_slab + slab);
+      float end = slab_begin(first_slab + slab + 1);
+      float seen = 0.5 * (begin + end);
+      float within = max(min(end, approach + half_chord) - max(begin, approach - half_chord), 0.0);
+      vec4 ray = litfog_ray(to_light, direction * seen);
+      float range = max(ray.w, extent);
+      float arriving = litfog_cone(light, ray.xyz) *
+                       litfog_attenuation(range, light.attenuation.x, light.attenuation.y, light.attenuation.z);
+      float scattered = (end - begin - within) * fog_weight(density, seen, range) * arriving;
+      if (asymmetry != 0.0) scattered *= litfog_phase(-dot(direction, ray.xyz), asymmetry);
+      slabs[slab] += light.color_intensity.rgb * scattered;
+    }
+  }
+  vec4 sum = vec4(0.0);
+#define ADD_SLAB(i) \
+  sum.rgb += slabs[i]; \
+  sums[i] = sum;
+  ADD_SLAB(0)
+  ADD_SLAB(1)
+  ADD_SLAB(2)
+  ADD_SLAB(3)
+  ADD_SLAB(4)
+  ADD_SLAB(5)
+  ADD_SLAB(6)
+  ADD_SLAB(7)
+#undef ADD_SLAB
+}
