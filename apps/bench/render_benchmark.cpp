@@ -273,7 +273,7 @@ Result measure_render(bool quick) {
   std::vector<Trial> trials;
   const std::vector<Setting> all = settings(quick);
   const measure::FrameBudget budget =
-      quick ? measure::FrameBudget::exactly(3) : measure::FrameBudget{.seconds = 8, .fewest = 3, .most = 25};
+      quick ? measure::FrameBudget::exactly(3) : measure::FrameBudget{.seconds = 5, .fewest = 3, .most = 25};
   command::Progress shown;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Setting& measured = all[i];
