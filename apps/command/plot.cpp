@@ -80,6 +80,16 @@ class Script {
   std::string text_;
 };
 
+/// 1, 2 or 5 times a power of ten: the least such step of which at most `count` are needed up to a value.
+double round_step(double most, int count) {
+  const double least = most / count;
+  const double power = std::pow(10, std::floor(std::log10(least)));
+  for (const double factor : {1, 2, 5}) {
+    if (factor * power >= least) return factor * power;
+  }
+  return 10 * power;
+}
+
 /// name is gnuplot's: x or y.
 void add_axis(Script& script, char name, const Axis& axis, const std::vector<Series>& series) {
   script.add("set {}label {} noenhanced", name, in_quotes(axis.label));
@@ -98,6 +108,8 @@ void add_axis(Script& script, char name, const Axis& axis, const std::vector<Ser
       most = std::max(most, name == 'x' ? point.x : point.y);
     }
   }
+  const bool has_long_labels = name == 'x' && !axis.is_log && most >= 1e5;  // side by side
+  script.add("set {}tics {}", name, has_long_labels ? fmt::format("{}", round_step(most, 4)) : "autofreq");
   const char* const format = axis.is_log && (least < 1e-4 || most > 1e5) ? "'10^{%T}'" : "'%g'";
   script.add("set format {} {}", name, axis.label.empty() ? "''" : format);
 }
@@ -153,21 +165,12 @@ std::string style_command(SeriesStyle style, std::size_t color) {
   return "lines dt 2 " + line;
 }
 
-/// 1, 2 or 5 times a power of ten: two or three rings.
-double ring_step(double most) {
-  const double power = std::pow(10, std::floor(std::log10(most / 3)));
-  for (const double factor : {1, 2, 5}) {
-    if (factor * power >= most / 3) return factor * power;
-  }
-  return 10 * power;
-}
-
 /// Rings and rays in place of axes.
 void begin_polar(Script& script, const Axis& radius) {
   script.add("set polar; set angles degrees; set theta bottom cw");
   script.add("unset xlabel; unset ylabel; unset logscale; unset border; unset xtics; unset ytics; unset raxis");
-  const double step = ring_step(radius.most);
-  const double rings = std::ceil(radius.most / step);
+  const double most = radius.most * (1 - 1e-9);  // no ring for the rounding of what ends on one
+  const double step = round_step(most, 3), rings = std::ceil(most / step);
   script.add("set xrange [-{0}:{0}]; set yrange [-{0}:{0}]; set rrange [0:{0}]", step * rings);
   // Three rings are too close for 10000, which then is 10k.
   script.add("set rtics scale 0 {}; set format r '{}'", step, rings > 2 && step >= 1000 ? "%.0s%c" : "%g");
@@ -187,7 +190,9 @@ void end_polar(Script& script) {
 }
 
 void add_chart(Script& script, const Chart& chart) {
-  script.add("set title {} noenhanced", in_quotes(chart.is_polar ? chart.y.label : chart.title));
+  // A polar chart's title has room over its rays' labels, off the figure's.
+  script.add("set title {} noenhanced offset character 0,{}", in_quotes(chart.is_polar ? chart.y.label : chart.title),
+             chart.is_polar ? -1.2 : 0);
   if (chart.is_polar) {
     begin_polar(script, chart.y);
   } else {
@@ -241,6 +246,9 @@ std::string run_gnuplot(const std::string& script) {
   return run_program({"gnuplot", "--default-settings"}, script, "install gnuplot-nox");
 }
 
+/// A full temporary folder is not seen in gnuplot's exit status.
+[[noreturn]] void fail_unfinished() { throw OutputError("picture cannot be written: gnuplot did not finish it"); }
+
 }  // namespace
 
 FigureFormat figure_format_of(const std::string& option, const std::string& path) {
@@ -253,13 +261,30 @@ FigureFormat figure_format_of(const std::string& option, const std::string& path
 void require_plotter() { run_gnuplot("set terminal pngcairo\n"); }
 
 std::string draw_figure(const Figure& figure, FigureFormat format) {
+  if (format == FigureFormat::svg) return draw_svg_figures({figure}).front();
   check(figure);
   std::string picture = run_gnuplot(script_of(figure, format));
-  // A full temporary folder is not seen in gnuplot's exit status.
-  const bool is_whole = format == FigureFormat::png ? picture.ends_with(std::string_view("IEND\xAE\x42\x60\x82", 8))
-                                                    : picture.find("</svg>") != std::string::npos;
-  if (!is_whole) throw OutputError("picture cannot be written: gnuplot did not finish it");
+  if (!picture.ends_with(std::string_view("IEND\xAE\x42\x60\x82", 8))) fail_unfinished();
   return picture;
+}
+
+std::vector<std::string> draw_svg_figures(const std::vector<Figure>& figures) {
+  std::string script;
+  for (const Figure& figure : figures) {
+    check(figure);
+    script += "reset\n" + script_of(figure, FigureFormat::svg);
+  }
+  const std::string drawn = run_gnuplot(script);
+  constexpr std::string_view kEnd = "</svg>";  // which no text contains: SVG escapes them
+  std::vector<std::string> pictures;
+  for (std::size_t begin = 0; pictures.size() < figures.size();) {
+    const std::size_t end = drawn.find(kEnd, begin);
+    if (end == drawn.npos) fail_unfinished();
+    const std::size_t next = std::min(drawn.find_first_not_of('\n', end + kEnd.size()), drawn.size());
+    pictures.push_back(drawn.substr(begin, next - begin));
+    begin = next;
+  }
+  return pictures;
 }
 
 }  // namespace litfog::command

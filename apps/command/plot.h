@@ -73,4 +73,7 @@ void require_plotter();
 /// std::invalid_argument for a figure without points, or a value that its axis cannot show.
 std::string draw_figure(const Figure& figure, FigureFormat format);
 
+/// The bytes of an SVG file each, as draw_figure's, by one run of gnuplot: its start takes longer than a figure.
+std::vector<std::string> draw_svg_figures(const std::vector<Figure>& figures);
+
 }  // namespace litfog::command

@@ -144,7 +144,9 @@ std::string visibilities() {
 }
 
 std::string text_of(const Cell& cell) {
-  if (const double* number = std::get_if<double>(&cell)) return fmt::format("{:.3g}", *number);
+  if (const double* number = std::get_if<double>(&cell)) {
+    return std::abs(*number) < 1000 ? fmt::format("{:.3g}", *number) : fmt::format("{:.0f}", *number);
+  }
   if (const auto* text = std::get_if<std::string>(&cell)) return html_text(*text);
   return "";
 }
@@ -233,15 +235,21 @@ std::optional<Summary> Catalogue::find(const Input& input) const {
   return summary_of_record(file_of(input, ".record"), input, options_);
 }
 
-void Catalogue::add(const Outcome& outcome, const Summary& summary) const {
-  const auto write = [&](const char* ending, std::string_view text) {
-    files::write_whole_file(file_of(outcome.input, ending).string(), text);
-  };
-  write(".record", "{}");  // from now on the files are the catalogue's, and not done
-  write(".svg", draw_figure(fit_figure({&*outcome.fit}), command::FigureFormat::svg));
-  write(".png", draw_fog_picture(outcome.fit->light));
-  write(".json", outcome.light);
-  write(".record", record_of(outcome, summary, options_, begun_));
+void Catalogue::add(const std::vector<FittedLamp>& lamps) const {
+  std::vector<command::Figure> figures;
+  for (const auto& [outcome, summary] : lamps) figures.push_back(fit_figure({&*outcome.fit}));
+  const std::vector<std::string> drawn = command::draw_svg_figures(figures);
+  for (std::size_t i = 0; i < lamps.size(); ++i) {
+    const auto& [outcome, summary] = lamps[i];
+    const auto write = [&, &input = outcome.input](const char* ending, std::string_view text) {
+      files::write_whole_file(file_of(input, ending).string(), text);
+    };
+    write(".record", "{}");  // from now on the files are the catalogue's, and not done
+    write(".svg", drawn[i]);
+    write(".png", draw_fog_picture(outcome.fit->light));
+    write(".json", outcome.light);
+    write(".record", record_of(outcome, summary, options_, begun_));
+  }
 }
 
 void Catalogue::write_page(const std::vector<Input>& inputs, const std::vector<Summary>& summaries) const {

@@ -12,6 +12,12 @@
 
 namespace litfog::fit {
 
+/// What a catalogue keeps of an input that gave a light.
+struct FittedLamp {
+  Outcome outcome;
+  Summary summary;
+};
+
 /// A folder of lights with their pictures, and a page that shows them:
 ///
 ///     index.html            opens from the disk; needs nothing but the files beside it, and no script
@@ -39,9 +45,9 @@ class Catalogue {
   /// What is recorded of an input, unless it must be fitted anew.
   std::optional<Summary> find(const Input& input) const;
 
-  /// Writes an input's light, pictures and record. Threads may call it at once, for different inputs. Throws
-  /// OutputError, and MissingCapability without gnuplot.
-  void add(const Outcome& outcome, const Summary& summary) const;
+  /// Writes inputs' lights, pictures and records; those before one that fails are whole. Threads may call it at once,
+  /// for different inputs. Throws OutputError, and MissingCapability without gnuplot.
+  void add(const std::vector<FittedLamp>& lamps) const;
 
   /// Writes the page. `summaries` are the inputs' own, in their order. Throws OutputError.
   void write_page(const std::vector<Input>& inputs, const std::vector<Summary>& summaries) const;

@@ -58,6 +58,9 @@ std::string joined(const std::vector<std::string>& words) {
   return words.empty() ? "none" : fmt::format("{}", fmt::join(words, ", "));
 }
 
+/// In percent, without the noise of rounding.
+double percent_of(double fraction) { return std::abs(fraction) < 1e-11 ? 0 : 100 * fraction; }
+
 void add_range(Sheet& sheet, const AttenuationTarget& target, const AttenuationFit& fit) {
   sheet.add_heading(fmt::format("Range: {}", name_of(fit.status)));
   const auto& [constant, linear, quadratic] = fit.attenuation;
@@ -74,7 +77,7 @@ void add_range(Sheet& sheet, const AttenuationTarget& target, const AttenuationF
   sheet.add("held by", joined(active));
   if (!target.samples.empty()) {
     sheet.add("error", fmt::format("rms {:.3g} %, largest {:+.3g} %, of the attenuation; objective {:.6g}",
-                                   100 * fit.rms_error, 100 * fit.largest_error, fit.objective));
+                                   percent_of(fit.rms_error), percent_of(fit.largest_error), fit.objective));
     if (!fit.covariance) {
       sheet.add("uncertainty", "not identifiable");
     } else {
@@ -90,12 +93,14 @@ void add_range(Sheet& sheet, const AttenuationTarget& target, const AttenuationF
   for (std::size_t i = 0; i < target.samples.size(); ++i) {
     const auto& [range, attenuation, weight] = target.samples[i];
     table.rows.push_back(
-        {range, attenuation, attenuation_at(fit.attenuation, range), 100 * std::expm1(fit.residuals[i]), weight});
+        {range, attenuation, attenuation_at(fit.attenuation, range), percent_of(std::expm1(fit.residuals[i])), weight});
   }
   sheet.add(table);
 }
 
-std::string percent(const std::optional<double>& error) { return error ? fmt::format("{:+.3g} %", 100 * *error) : "-"; }
+std::string percent(const std::optional<double>& error) {
+  return error ? fmt::format("{:+.3g} %", percent_of(*error)) : "-";
+}
 
 std::string shape_of(const litfog::Cone& cone) {
   return cone.profile == ConeProfile::cosine
@@ -147,9 +152,9 @@ void add_cone(Sheet& sheet, const ConeTarget& target, const ConeFit& fit) {
   add_row("held by", [&](const auto& p) { return joined(active_constraints(p.cone, target)); });
   add_row("objective", [](const auto& p) { return fmt::format("{:.6g}", p.objective); });
   add_row("none is below", [](const auto& p) { return fmt::format("{:.6g}", p.lower_bound); });
-  add_row("rms error", [](const auto& p) { return fmt::format("{:.3g} % of the peak", 100 * p.rms); });
+  add_row("rms error", [](const auto& p) { return fmt::format("{:.3g} % of the peak", percent_of(p.rms)); });
   add_row("largest error", [](const auto& p) {
-    return fmt::format("{:+.3g} % at {:.4g} deg", 100 * p.largest_error, files::degrees(p.largest_error_angle));
+    return fmt::format("{:+.3g} % at {:.4g} deg", percent_of(p.largest_error), files::degrees(p.largest_error_angle));
   });
   add_row("flux error", [](const auto& p) { return percent(p.flux_error); });
   add_row("50 % angle off", [](const auto& p) { return percent(p.beam_angle_error); });
@@ -175,7 +180,7 @@ void add_cone(Sheet& sheet, const ConeTarget& target, const ConeFit& fit) {
     row.insert(row.end(), {files::degrees(sample.angle), sample.intensity / peak});
     for (const auto* profile : profiles) {
       const double fraction = cone_at(profile->cone, std::cos(sample.angle));
-      row.insert(row.end(), {fraction, 100 * (fraction - sample.intensity / peak)});
+      row.insert(row.end(), {fraction, percent_of(fraction - sample.intensity / peak)});
     }
   }
   sheet.add(residuals);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -238,7 +239,14 @@ struct NamedTurn {
   const char* name;
   double turn;
 };
-constexpr NamedTurn kPlanes[] = {{"horizontal", 0}, {"vertical", pi / 2}};
+/// Two planes through the axis. A lamp of type C has names for those through its own; about another none is level.
+std::array<NamedTurn, 2> planes_of(const LightFit& fit) {
+  const bool is_level = !fit.target.luminaire || fit.target.luminaire->distribution.type != PhotometryType::c;
+  if (is_level) return {{{"horizontal", 0}, {"vertical", pi / 2}}};
+  const bool is_own_axis = fit.target.axis == kPhotometricAxis || fit.target.axis == -kPhotometricAxis;
+  if (is_own_axis) return {{{"C0-C180", 0}, {"C90-C270", pi / 2}}};
+  return {{{"turn 0-180°", 0}, {"turn 90-270°", pi / 2}}};
+}
 
 std::vector<Series> plane_series(const Subject& subject, const ConeData& data, double end) {
   std::vector<Series> planes;
@@ -246,7 +254,7 @@ std::vector<Series> plane_series(const Subject& subject, const ConeData& data, d
   const Beam beam(subject, data);
   if (beam.is_round()) return planes;
   int color = kPlaneColor;
-  for (const auto& [name, turn] : kPlanes) {
+  for (const auto& [name, turn] : planes_of(subject.fit)) {
     Series& series = planes.emplace_back(Series{.name = name, .style = SeriesStyle::dashes, .color = color++});
     series.points = beam.half_plane(turn);
     std::erase_if(series.points, [end](const PlotPoint& point) { return point.x > end; });
@@ -321,7 +329,7 @@ command::Chart polar_chart(const std::vector<Subject>& subjects) {
       continue;
     }
     int color = kPlaneColor;
-    for (const auto& [name, turn] : kPlanes) {
+    for (const auto& [name, turn] : planes_of(subject.fit)) {
       lines.push_back({.name = subject.second_name(name),
                        .points = beam.plane(turn),
                        .style = SeriesStyle::dashes,

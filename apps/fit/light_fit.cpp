@@ -122,6 +122,10 @@ std::vector<std::string> LightFit::advice() const {
   const auto add = [&advice]<typename... Arguments>(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
     advice.push_back(fmt::format(format, std::forward<Arguments>(arguments)...));
   };
+  constexpr double kLikelyBytes = 10;  // no light is that bright on purpose
+  if (const double brightest = std::max({light.color.r, light.color.g, light.color.b}); brightest > kLikelyBytes) {
+    add("The color reaches {:.6g}, and 1 is the display's white: it is linear RGB, not sRGB of 8 bits.", brightest);
+  }
   if (!range) add("No range is given: the light does not fall off. Give its extent or a falloff table.");
   if (range) {
     const auto& samples = target.range->samples;
@@ -144,8 +148,9 @@ std::vector<std::string> LightFit::advice() const {
   }
   const litfog::ConeProfileFit& best = cone->best();
   if (target.cone->samples.empty() && !(target.cone->beam_angle && target.cone->field_angle)) {
-    add("One angle does not determine the beam's edge: the profile's is an assumption. Give the other angle, or "
-        "samples.");
+    add("One angle does not determine the beam's edge: the profile's is an assumption{}. Give the other angle, or "
+        "samples.",
+        target.flux ? ", and with it the peak that follows from the flux" : "");
   }
   if (best.cone.profile == ConeProfile::cosine && !target.cone->half_angle) {
     const double edge = std::pow(std::cos(best.cone.half_angle), best.cone.exponent);

@@ -264,29 +264,63 @@ struct Results {
   std::vector<Outcome> outcomes;
 };
 
+/// Inputs as they are done, by any thread.
+class FitProgress {
+ public:
+  explicit FitProgress(std::size_t count) : count_(count) {}
+
+  void add(const Input& input) {
+    const std::scoped_lock lock(mutex_);
+    progress_.show(fmt::format("{} of {}: {}", ++done_, count_, input.path));
+  }
+
+ private:
+  std::size_t count_;
+  std::size_t done_ = 0;
+  std::mutex mutex_;
+  Progress progress_;
+};
+
 Results fit_all(const Options& options, const std::vector<Input>& inputs, const std::vector<std::string>& outputs,
-                const OutputFiles& files, const std::optional<Catalogue>& catalogue, bool keeps_outcomes) {
-  const bool has_report = catalogue || options.format == TableFormat::json;
+                const OutputFiles& files, bool keeps_outcomes) {
+  const bool has_report = options.format == TableFormat::json;
   Results results{.summaries = std::vector<Summary>(inputs.size()),
                   .outcomes = std::vector<Outcome>(keeps_outcomes ? inputs.size() : 0)};
-  Progress progress;
-  std::mutex showing;
-  std::size_t done = 0;
+  FitProgress progress(inputs.size());
   litfog::for_each_in_parallel(inputs.size(), [&](std::size_t i) {
-    std::optional<Summary> known = catalogue ? catalogue->find(inputs[i]) : std::nullopt;
-    if (!known) {
-      Outcome outcome = fit(options, inputs[i], outputs[i], files);
-      known = summary_of(outcome, has_report);
-      if (catalogue && outcome.fit) catalogue->add(outcome, *known);
-      if (keeps_outcomes) {
-        results.outcomes[i] = std::move(outcome);
-      } else if (!catalogue) {
-        write_light(outcome);
+    Outcome outcome = fit(options, inputs[i], outputs[i], files);
+    results.summaries[i] = summary_of(outcome, has_report);
+    if (keeps_outcomes) {
+      results.outcomes[i] = std::move(outcome);
+    } else {
+      write_light(outcome);
+    }
+    progress.add(inputs[i]);
+  });
+  return results;
+}
+
+/// Adds what a catalogue does not have, a few inputs at a time: they share a run of gnuplot.
+Results fill_catalogue(const Options& options, const std::vector<Input>& inputs,
+                       const std::vector<std::string>& outputs, const OutputFiles& files, const Catalogue& catalogue) {
+  constexpr std::size_t kMostTogether = 32, kLeastTurns = 16;
+  const std::size_t together = std::clamp<std::size_t>(inputs.size() / kLeastTurns, 1, kMostTogether);
+  Results results{.summaries = std::vector<Summary>(inputs.size()), .outcomes = {}};
+  FitProgress progress(inputs.size());
+  litfog::for_each_in_parallel((inputs.size() + together - 1) / together, [&](std::size_t turn) {
+    const std::size_t first = turn * together, last = std::min(first + together, inputs.size());
+    std::vector<FittedLamp> lamps;
+    for (std::size_t i = first; i < last; ++i) {
+      if (auto known = catalogue.find(inputs[i])) {
+        results.summaries[i] = *std::move(known);
+      } else {
+        Outcome outcome = fit(options, inputs[i], outputs[i], files);
+        results.summaries[i] = summary_of(outcome, true);
+        if (outcome.fit) lamps.push_back({std::move(outcome), results.summaries[i]});
       }
     }
-    results.summaries[i] = *std::move(known);
-    const std::scoped_lock lock(showing);
-    progress.show(fmt::format("{} of {}: {}", ++done, inputs.size(), inputs[i].path));
+    if (!lamps.empty()) catalogue.add(lamps);
+    for (std::size_t i = first; i < last; ++i) progress.add(inputs[i]);
   });
   return results;
 }
@@ -344,8 +378,9 @@ ExitStatus run(const CLI::App& app, const Options& options) {
   const OutputFiles files = files_to_write(options, inputs, traits, outputs);
   if (!options.plot.empty() || catalogue) require_plotter();
 
-  const bool keeps_outcomes = !catalogue && (inputs.size() == 1 || is_pair);
-  const Results results = fit_all(options, inputs, outputs, files, catalogue, keeps_outcomes);
+  const bool keeps_outcomes = inputs.size() == 1 || is_pair;
+  const Results results = catalogue ? fill_catalogue(options, inputs, outputs, files, *catalogue)
+                                    : fit_all(options, inputs, outputs, files, keeps_outcomes);
   write_kept(options, results.outcomes);
   if (catalogue) catalogue->write_page(inputs, results.summaries);
   ExitStatus worst = kDone;

@@ -16,12 +16,17 @@ struct Finding {
   std::string text;
 };
 
+/// To a hundredth of a percent, so that rounding's noise is 0, and not -0.
+double percent(double fraction) { return std::round(1e4 * fraction) / 100 + 0.0; }
+
 class Findings {
  public:
   void add(Grade grade, std::string text) { findings_.push_back({grade, std::move(text)}); }
 
+  /// Unless the error is 0 as it is shown.
   void add_error(double GradeLimits::*limit, double error, std::string text) {
     const double size = std::abs(error);
+    if (percent(size) == 0) return;
     add(size <= kGood.*limit ? Grade::good : size <= kFair.*limit ? Grade::fair : Grade::poor, std::move(text));
   }
 
@@ -32,16 +37,13 @@ class Findings {
     for (const Finding& finding : findings_) {
       if (finding.grade == verdict.grade) verdict.why += (verdict.why.empty() ? "" : "; ") + finding.text;
     }
-    if (findings_.empty()) verdict.why = "what is stated is met exactly";
+    if (findings_.empty()) verdict.why = "what is stated is met";
     return verdict;
   }
 
  private:
   std::vector<Finding> findings_;
 };
-
-/// To a hundredth of a percent, so that rounding's noise is 0, and not -0.
-double percent(double fraction) { return std::round(1e4 * fraction) / 100 + 0.0; }
 
 void judge_range(Findings& findings, const AttenuationTarget& target, const AttenuationFit& fit) {
   if (fit.status == AttenuationFitStatus::infeasible) {

@@ -2,17 +2,19 @@
 #include "command/plot.h"
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 #include <unistd.h>
 
 #include <CLI/Error.hpp>
 #include <cstdint>
-#include <cstdlib>
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "command/exit_status.h"
+#include "command/program_folder.h"
+#include "command/temporary_directory.h"
+#include "litfog/files/output_error.h"
 
 namespace litfog::test {
 using namespace command;
@@ -56,6 +58,19 @@ TEST(Plot, SvgShowsEveryText) {
   }
 }
 
+TEST(Plot, FiguresDrawnTogetherAreThoseDrawnAlone) {
+  Figure polar = one_line();
+  polar.charts[0].is_polar = true;
+  polar.charts[0].y.most = 1000;
+  const std::vector<Figure> figures{one_line(), polar, one_line()};
+  const std::vector<std::string> together = draw_svg_figures(figures);
+  ASSERT_EQ(together.size(), figures.size());
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    EXPECT_EQ(together[i], draw_figure(figures[i], FigureFormat::svg)) << i;
+  }
+  EXPECT_TRUE(draw_svg_figures({}).empty());
+}
+
 TEST(Plot, ChartsStandSideBySide) {
   Figure figure = one_line();
   figure.charts.push_back(figure.charts[0]);
@@ -92,6 +107,26 @@ TEST(Plot, EveryStyleAndPositionIsDrawn) {
     figure.charts[0].series[0].points[0] = {1, 1, "label", place};
     EXPECT_TRUE(contains(draw_figure(figure, FigureFormat::svg), "label"));
   }
+}
+
+TEST(Plot, OutermostRingIsThatOfTheData) {
+  Figure figure = one_line();
+  figure.charts[0].is_polar = true;
+  figure.charts[0].y.most = 1;
+  const std::string svg = draw_figure(figure, FigureFormat::svg);
+  EXPECT_TRUE(contains(svg, ">1<"));
+  figure.charts[0].y.most = 1 + 1e-12;
+  EXPECT_EQ(draw_figure(figure, FigureFormat::svg), svg) << "rounding";
+  figure.charts[0].y.most = 1.1;
+  EXPECT_TRUE(contains(draw_figure(figure, FigureFormat::svg), ">1.5<"));
+}
+
+TEST(Plot, LongNumbersBelowAnAxisStandApart) {
+  Figure figure = one_line();
+  figure.charts[0].x = {.label = "range (m)", .most = 174'000};
+  const std::string svg = draw_figure(figure, FigureFormat::svg);
+  for (const char* shown : {">0<", ">50000<", ">100000<", ">150000<"}) EXPECT_TRUE(contains(svg, shown)) << shown;
+  EXPECT_FALSE(contains(svg, ">20000<"));
 }
 
 TEST(Plot, TextsAreNeverCommands) {
@@ -153,12 +188,25 @@ TEST(Plot, OtherFileNameEndingIsAnError) {
 }
 
 TEST(Plot, MissingGnuplotIsNamed) {
-  const std::string path = getenv("PATH");
-  setenv("PATH", "/nowhere", 1);
-  EXPECT_THROW(require_plotter(), MissingCapability);
-  EXPECT_THROW(draw_figure(one_line(), FigureFormat::svg), MissingCapability);
-  setenv("PATH", path.c_str(), 1);
+  {
+    const ProgramFolder folder("/nowhere");
+    EXPECT_THROW(require_plotter(), MissingCapability);
+    EXPECT_THROW(draw_figure(one_line(), FigureFormat::svg), MissingCapability);
+  }
   EXPECT_NO_THROW(require_plotter());
+}
+
+TEST(Plot, GnuplotThatEndsBetweenTwoFiguresIsAnError) {
+  const TemporaryDirectory directory;
+  const auto draw_by = [&directory](const std::string& script) {
+    write_program(directory.path() / "gnuplot", script);
+    const ProgramFolder folder(directory.path());
+    return draw_svg_figures({one_line(), one_line()});
+  };
+  EXPECT_EQ(draw_by("echo '<svg></svg>'; echo; echo '<svg></svg>'"),
+            (std::vector<std::string>{"<svg></svg>\n\n", "<svg></svg>\n"}));
+  EXPECT_THROW(draw_by("echo '<svg></svg>'; echo '<svg>'"), OutputError) << "as with a full disk";
+  EXPECT_THROW(draw_by("echo '<svg></svg>'; kill -9 $$"), MissingCapability);
 }
 
 }  // namespace
