@@ -242,8 +242,8 @@ std::string script_of(const Figure& figure, FigureFormat format) {
 
 /// What gnuplot writes to its standard output. No file name takes part, so that no text can be a command.
 std::string run_gnuplot(const std::string& script) {
-  // The user's start-up file is not ours.
-  return run_program({"gnuplot", "--default-settings"}, script, "install gnuplot-nox");
+  // The user's start-up file is not ours. What gnuplot is not told to be a file it reads byte by byte.
+  return run_program({"gnuplot", "--default-settings", "/dev/stdin"}, script, "install gnuplot-nox");
 }
 
 /// A full temporary folder is not seen in gnuplot's exit status.
