@@ -192,7 +192,7 @@ void end_polar(Script& script) {
 void add_chart(Script& script, const Chart& chart) {
   // A polar chart's title has room over its rays' labels, off the figure's.
   script.add("set title {} noenhanced offset character 0,{}", in_quotes(chart.is_polar ? chart.y.label : chart.title),
-             chart.is_polar ? -1.2 : 0);
+             chart.is_polar ? -0.7 : 0);
   if (chart.is_polar) {
     begin_polar(script, chart.y);
   } else {
