@@ -70,13 +70,18 @@ Series level_line(double end, double level, const std::string& label = "") {
           .color = kLineColor};
 }
 
+/// With room around 0 and all errors, so that no mark is cut off.
 command::Axis error_axis(const char* label, const std::vector<Series>& errors) {
-  double largest = 0;
+  double least = 0, most = 0;
   for (const Series& series : errors) {
-    for (const PlotPoint& point : series.points) largest = std::max(largest, std::abs(point.y));
+    for (const PlotPoint& point : series.points) {
+      least = std::min(least, point.y);
+      most = std::max(most, point.y);
+    }
   }
-  if (largest >= kLeastError) return {.label = label};
-  return {.label = label, .least = -kLeastError, .most = kLeastError};
+  if (std::max(-least, most) < kLeastError) return {.label = label, .least = -kLeastError, .most = kLeastError};
+  const double room = 0.05 * (most - least);
+  return {.label = label, .least = least - room, .most = most + room};
 }
 
 double highest_of(const std::vector<Series>& lines, double least) {
