@@ -165,7 +165,14 @@ std::vector<std::string> LightFit::advice() const {
     add("The cone misses the 10 % angle by {:+.1f} %.", 100 * *best.field_angle_error);
   }
   if (best.flux_error && std::abs(*best.flux_error) > 0.1) {
-    add("The cone's flux is off by {:+.0f} %: no cone of this profile holds the beam's spill.", 100 * *best.flux_error);
+    std::string sentence = fmt::format("The cone's flux is off by {:+.0f} %", 100 * *best.flux_error);
+    if (*best.flux_error < 0) sentence += ": it leaves out much of the beam's spill";
+    const auto& other = cone->profile == ConeProfile::cosine ? cone->smoothstep : cone->cosine;
+    if (other && other->flux_error && std::abs(*other->flux_error) < 0.5 * std::abs(*best.flux_error)) {
+      sentence += fmt::format(". Of --profile {} it is off by {:+.0f} %", name_of(other->cone.profile),
+                              100 * *other->flux_error);
+    }
+    advice.push_back(sentence + ".");
   }
   if (best.rms > 0.05) add("Neither profile follows the beam well (rms error {:.2g} of the peak).", best.rms);
   if (beam() && target.asymmetry > kRoundBeam) {

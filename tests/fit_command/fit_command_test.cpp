@@ -300,6 +300,20 @@ TEST_F(FitCommand, ReportHasNoErrorsThatAreRounding) {
   }
 }
 
+TEST_F(FitCommand, AdviceNamesTheProfileWhoseFluxIsNearer) {
+  const auto advice_on = [&](const std::string& angles, const std::string& candela) {
+    write("lamp.ies",
+          "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 5 1 1 2 0 0 0\n1 1 10\n" + angles + "\n0\n" + candela + "\n");
+    return nlohmann::json::parse(run("lamp.ies --format json").out)[0]["advice"].dump();
+  };
+  const std::string bright_to_the_end = advice_on("0 30 60 80 90", "100 95 80 70 60");
+  EXPECT_NE(bright_to_the_end.find("off by +24 %. Of --profile cosine it is off by +1 %."), std::string::npos)
+      << bright_to_the_end;
+  const std::string wide_spill = advice_on("0 5 10 15 90", "100 50 6 5 5");
+  EXPECT_NE(wide_spill.find("it leaves out much of the beam's spill"), std::string::npos) << wide_spill;
+  EXPECT_EQ(wide_spill.find("--profile"), std::string::npos) << wide_spill;
+}
+
 TEST_F(FitCommand, AdviceNamesThePeakOfOneAngleAndColorsInBytes) {
   const auto has_advice = [&](const std::string& members, const std::string& part) {
     write("spec.json", R"({"litfog": "light-spec", "version": 1, )" + members + "}");
