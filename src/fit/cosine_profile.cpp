@@ -115,8 +115,11 @@ std::pair<std::size_t, double> CosineProfile::best_cut(double most_exponent, dou
   for (const std::size_t cut : cuts_) {
     for (; lit < cut; ++lit) {
       const ConePoint& point = points_[lit];
-      lit_loss += point.loss(std::pow(point.cosine, most_exponent), std::pow(point.cosine, least_exponent));
+      const double least = std::pow(point.cosine, most_exponent);
+      const double most = most_exponent == least_exponent ? least : std::pow(point.cosine, least_exponent);
+      lit_loss += point.loss(least, most);
     }
+    if (lit_loss > best.second) break;  // further cuts lose more
     if (lit_loss + dark_losses_[cut] < best.second) best = {cut, lit_loss + dark_losses_[cut]};
   }
   return best;
