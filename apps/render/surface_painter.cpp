@@ -15,6 +15,10 @@ namespace {
 
 constexpr std::size_t kDrawnAtOnce = 500;  // surfaces, between which an interruption may come
 
+/// In place of lights that a shader is compiled for and a surface lacks: black. Paths that do not clamp the attenuation
+/// need one that is finite.
+constexpr PackedLight kBlack{.kind = {.attenuation_extent = {1, 0, 0, 0}, .cone_scale_intensity = {}}, .instance = {}};
+
 void set_blend(Blend blend) {
   (blend == Blend::replace ? glDisable : glEnable)(GL_BLEND);
   switch (blend) {
@@ -198,8 +202,8 @@ void SurfacePainter::draw_pass(Frame& frame, const PlannedSurface& planned, Shad
     uniforms.push_back(lights_.packed(std::size_t(light)));
     if (frame.shadows) casters.push_back(frame.shadows->caster_of(std::size_t(light)));
   };
-  const auto resize_uniforms = [&](std::size_t count) {  // those that are added are black
-    uniforms.resize(count);
+  const auto resize_uniforms = [&](std::size_t count) {
+    uniforms.resize(count, kBlack);
     if (frame.shadows) casters.resize(count, ShadowMaps::kNoCaster);
   };
   if (variant.is_first && variant.pass->shows_fog) {

@@ -604,6 +604,23 @@ TEST_F(PaperFormula, LacroixClampsNeitherTheAttenuationNorTheCosine) {
   EXPECT_EQ(darkest, 0);
 }
 
+// Shaders are compiled for some numbers of lights only: black ones make up the rest, whose attenuation is not clamped.
+TEST_F(PaperFormula, UnclampedAttenuationIsRightForAnyNumberOfLights) {
+  for (const std::size_t count : {std::size_t{7}, std::size_t{13}}) {
+    Setting setting{.lamps = {}};
+    for (std::size_t i = 0; i < count; ++i) {
+      setting.lamps.push_back(lamps(true)[i % 3]);
+      setting.lamps.back().color *= 3.0 / double(count);
+    }
+    const Formula cg = [&](const dvec3& point, const Corners&) {
+      return basic(setting, basic_sums(setting, point, printed_attenuation, angle_attenuation));
+    };
+    EXPECT_LE(error(setting, along("cg"), cg), 2 * kHalfFloat) << count;
+    const Formula printed = [&](const dvec3& point, const Corners&) { return lacroix(setting, point); };
+    EXPECT_LE(error(setting, along("lacroix"), printed), 2 * kHalfFloat) << count;
+  }
+}
+
 // The last lamp grazes the wall, whose facets then mask its light if they are rough.
 TEST_F(PaperFormula, MetalsAreTheirPapersModels) {
   Setting setting{.lamps = lamps(true), .metal_roughness = 0.3};
