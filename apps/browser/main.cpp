@@ -164,10 +164,11 @@ EMSCRIPTEN_KEEPALIVE double page_draw(int width, int height, int divisor) {
   return milliseconds;
 }
 
-/// What the last frame did: surfaces drawn, bytes of the lights' tables uploaded.
+/// What the last frame did: surfaces drawn, bytes of the lights' tables uploaded; and its exposure in EV.
 EMSCRIPTEN_KEEPALIVE const double* page_report() {
-  static std::array<double, 2> values;
-  values = {double(session().report.surfaces), double(session().report.bytes_uploaded)};
+  static std::array<double, 3> values;
+  const FrameReport& report = session().report;
+  values = {double(report.surfaces), double(report.bytes_uploaded), report.exposure};
   return values.data();
 }
 
@@ -183,9 +184,10 @@ EMSCRIPTEN_KEEPALIVE void page_set_airlight(bool has_airlight) {
   session().view->set_fog_lighting(has_airlight ? render::FogLighting::airlight : render::FogLighting::peak);
 }
 
-/// ev  exposure
-EMSCRIPTEN_KEEPALIVE void page_set_display(double ev, bool is_neutral) {
-  session().display = {.exposure = {.ev = ev},
+/// ev       exposure
+/// is_auto  each frame chooses its own in place of it
+EMSCRIPTEN_KEEPALIVE void page_set_display(double ev, bool is_auto, bool is_neutral) {
+  session().display = {.exposure = {.ev = ev, .is_auto = is_auto},
                        .tone = is_neutral ? render::ToneCurve::neutral : render::ToneCurve::clip};
 }
 

@@ -3,9 +3,11 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <tuple>
+#include <vector>
 
 #include "browser/page_shaders.h"
 #include "litfog/gl/check_errors.h"
@@ -27,6 +29,10 @@ constexpr unsigned kAlbedoUnit = 0;
 constexpr unsigned kNormalUnit = 1;
 constexpr unsigned kPictureUnit = 0;
 constexpr int kSamples = 4;  // a pixel: WebGL 2 has as many everywhere
+// An automatic exposure is chosen by this many pixels along the picture's shorter side, or up to twice as many, with
+// all airlight that shows at the largest exposure of the page's slider.
+constexpr int kMeasuredPixels = 100;
+constexpr render::Display kMeasured{.exposure = {.ev = 12}};
 
 glm::mat4 clip_from_view(const scene::Camera& camera, int width, int height) {
   return glm::infinitePerspective(camera.field_of_view, float(width) / float(height), render::kNearPlane);
@@ -93,15 +99,20 @@ void View::set_size(int width, int height) {
     glRenderbufferStorageMultisample(GL_RENDERBUFFER, kSamples, GLenum(format), width, height);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GLenum(attachment), GL_RENDERBUFFER, buffer->id());
   }
-  resolved_.emplace();
-  glBindFramebuffer(GL_FRAMEBUFFER, resolved_->framebuffer.id());
-  glBindTexture(GL_TEXTURE_2D, resolved_->color.id());
-  glTexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA16F, width, height);
+  resolved_.emplace(unsigned{GL_RGBA16F}, width, height);
+  stride_ = std::max(std::min(width, height) / kMeasuredPixels, 1);
+  measured_.emplace(unsigned{GL_RGBA32F}, width / stride_, height / stride_);
+}
+
+View::Target::Target(unsigned format, int width, int height) {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+  glBindTexture(GL_TEXTURE_2D, color.id());
+  glTexStorage2D(GL_TEXTURE_2D, 1, format, width, height);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, resolved_->color.id(), 0);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color.id(), 0);
   if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-    throw gl::Unsupported("this browser's WebGL 2 draws no pictures of half floats");
+    throw gl::Unsupported("this browser's WebGL 2 draws no pictures of floats");
   }
 }
 
@@ -129,7 +140,13 @@ FrameReport View::draw(const Fog& fog, const render::Display& display) {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_->framebuffer.id());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_->framebuffer.id());
   glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-  show(display);
+  glDisable(GL_DEPTH_TEST);
+  render::Display shown = display;
+  if (shown.exposure.is_auto) shown.exposure.ev = measured_exposure();
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glViewport(0, 0, width_, height_);
+  draw_finished(shown, 1, false);
+  report.exposure = shown.exposure.ev;
   gl::check_errors("drawing a frame");
   return report;
 }
@@ -201,10 +218,19 @@ void View::draw_light_points(const glm::mat4& clip_from_world) {
   glDisable(GL_BLEND);
 }
 
-void View::show(const render::Display& display) {
+double View::measured_exposure() {
+  render::Picture picture{width_ / stride_, height_ / stride_, {}};
+  glBindFramebuffer(GL_FRAMEBUFFER, measured_->framebuffer.id());
+  glViewport(0, 0, picture.width, picture.height);
+  draw_finished(kMeasured, stride_, true);
+  std::vector<glm::vec4> light(std::size_t(picture.width) * std::size_t(picture.height));
+  glReadPixels(0, 0, picture.width, picture.height, GL_RGBA, GL_FLOAT, light.data());
+  for (const glm::vec4& color : light) picture.rgb.insert(picture.rgb.end(), {color.r, color.g, color.b});
+  return render::auto_exposure(picture);
+}
+
+void View::draw_finished(const render::Display& display, int stride, bool is_measured) {
   const scene::Camera& camera = scene_.camera;
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  glDisable(GL_DEPTH_TEST);
   glActiveTexture(GL_TEXTURE0 + kPictureUnit);
   glBindTexture(GL_TEXTURE_2D, resolved_->color.id());
   shown_program_.use();
@@ -216,6 +242,8 @@ void View::show(const render::Display& display) {
   set_uniform(shown_program_, "has_airlight", unsigned{fog_lighting_ == render::FogLighting::airlight});
   set_uniform(shown_program_, "exposure_gain", float(std::exp2(display.exposure.ev)));
   set_uniform(shown_program_, "is_neutral", unsigned{display.tone == render::ToneCurve::neutral});
+  set_uniform(shown_program_, "stride", unsigned(stride));
+  set_uniform(shown_program_, "is_measured", unsigned{is_measured});
   render::set_fog_top(shown_program_, scene_);
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }

@@ -22,6 +22,7 @@ namespace litfog::browser {
 struct FrameReport {
   std::size_t surfaces = 0;        ///< drawn; the others are out of view
   std::size_t bytes_uploaded = 0;  ///< of the light tables
+  double exposure = 0;             ///< EV, at which it is shown
 };
 
 /// Draws a scene's surfaces, sky, lamps and lit fog by WebGL 2 into the current context's canvas: litfog's core and
@@ -39,6 +40,7 @@ class View {
   void set_light(std::size_t light);
   void set_fog_lighting(render::FogLighting fog_lighting);
 
+  /// display  an automatic exposure is chosen by every so many of the frame's pixels, as render::auto_exposure does
   FrameReport draw(const Fog& fog, const render::Display& display);
 
  private:
@@ -53,8 +55,11 @@ class View {
     gl::RenderbufferName color;
     gl::RenderbufferName depth;
   };
-  /// Their means.
-  struct Means {
+  /// A picture of one sample a pixel.
+  struct Target {
+    /// format  of its colours
+    Target(unsigned format, int width, int height);
+
     gl::FramebufferName framebuffer;
     gl::TextureName color;
   };
@@ -63,7 +68,10 @@ class View {
   std::size_t draw_surfaces(const glm::mat4& clip_from_world);
   void draw_sky();
   void draw_light_points(const glm::mat4& clip_from_world);
-  void show(const render::Display& display);
+  /// EV, chosen by the light of the frame that has been drawn.
+  double measured_exposure();
+  /// The last pass, into the framebuffer that is bound; the last two are shown.frag's.
+  void draw_finished(const render::Display& display, int stride, bool is_measured);
 
   const scene::Scene& scene_;
   unsigned carried_count_ = 0;
@@ -81,7 +89,9 @@ class View {
   gl::Program shown_program_;
   gl::VertexArrayName no_vertices_;
   std::optional<Samples> drawn_;
-  std::optional<Means> resolved_;
+  std::optional<Target> resolved_;  // the means of the samples
+  std::optional<Target> measured_;  // every stride_-th pixel each way
+  int stride_ = 1;
 };
 
 }  // namespace litfog::browser

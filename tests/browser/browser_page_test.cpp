@@ -208,19 +208,30 @@ TEST_F(BrowserPage, AirlightIsThatOfTheFormulasAlsoAfterSlidersAreMoved) {
   EXPECT_GT(difference(street, page.front(), moved).mean, 20);
 }
 
-TEST_F(BrowserPage, PeakInExp2FogIsThatOfTheFormulas) {
-  const std::vector<Pixels> page =
-      shown("mode=exp2&visibility=60&contrast=0.01&light=peak&ev=1&tone=clip", Textures::first_texel);
-  ASSERT_FALSE(page.empty());
+TEST_F(BrowserPage, PeakInExp2FogIsThatOfTheFormulasAlsoAtAnAutomaticExposure) {
+  const std::vector<Pixels> page = shown("mode=exp2&visibility=60&contrast=0.01&light=peak&ev=1&tone=clip",
+                                         Textures::first_texel, "document.querySelector('[value=auto]').click();");
+  ASSERT_GE(page.size(), 2u);
   const scene::Scene street = painted_street(Textures::first_texel);
-  expect_close(difference(street, page.back(),
-                          reference(street, Fog::from_visibility(FogMode::exp2, 60.0, kContrastFlightgear),
-                                    FogLighting::peak, {.exposure = {.ev = 1}, .tone = render::ToneCurve::clip})),
-               2);
+  const Fog fog = Fog::from_visibility(FogMode::exp2, 60.0, kContrastFlightgear);
+  render::Display display{.exposure = {.ev = 1}, .tone = render::ToneCurve::clip};
+  expect_close(difference(street, page.front(), reference(street, fog, FogLighting::peak, display)), 2);
+
+  render::RenderSettings settings;
+  settings.fog_lighting = FogLighting::peak;
+  render::Renderer renderer(street, kWidth, kHeight, settings);
+  renderer.set_fog(fog);
+  display.exposure = renderer.set_exposure({.is_auto = true});
+  fmt::print("automatic exposure {} EV\n", display.exposure.ev);
+  EXPECT_GT(std::abs(display.exposure.ev - 1), 0.3);
+  expect_close(difference(street, page.back(), reference(street, fog, FogLighting::peak, display)), 3);
 }
 
-TEST_F(BrowserPage, TexturesInClearAirAreThoseOfTheFormulas) {
-  const std::vector<Pixels> page = shown("mode=none&light=peak", Textures::filtered);
+TEST_F(BrowserPage, TexturesInClearAirAreThoseOfTheFormulasWhateverElseTheAddressSays) {
+  const std::vector<Pixels> page = shown(
+      "mode=none&light=peak&lamp0=1,1,1,1,0,1,0.1,7,0,0&lamp1=1,1,1,-1,0,1,0.1,0,0,0&lamp9=1&ev=x&contrast=2&"
+      "visibility=-1&tone=7&camera=1e300,0,0,0,0,0&camera=1&%=%&=",
+      Textures::filtered);
   ASSERT_FALSE(page.empty());
   const scene::Scene street = painted_street(Textures::filtered);
   expect_close(difference(street, page.back(), reference(street, Fog{}, FogLighting::peak)), 8);

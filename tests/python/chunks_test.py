@@ -153,6 +153,18 @@ class CatalogueTest(Catalogue, unittest.TestCase):
                 for name in ("lamp.ies", "lamp.ldt"):
                     (pathlib.Path(folder) / name).touch()
 
+    def test_lights_that_cannot_be_written_and_a_missing_command_are_told_before_files_are_fitted(self):
+        for lights, path, wanted in (
+            (self.folder / "bad.ies", os.environ["PATH"], "bad.ies: cannot be made: File exists\n"),
+            (self.folder, "", "litfog-fit must be in PATH: install litfog-tools\n"),
+        ):
+            ended = subprocess.run(
+                [sys.executable, catalogue.__file__, self.folder, lights],
+                env=os.environ | {"PATH": path}, capture_output=True, text=True,
+            )  # fmt: skip
+            self.assertEqual(ended.returncode, 2)
+            self.assertTrue(ended.stderr.endswith(wanted), ended.stderr)
+
 
 class DaskTest(Study, Catalogue, unittest.TestCase):
     @classmethod

@@ -8,7 +8,8 @@ const kStillAfter = 250;  // milliseconds without a change, after which the pict
 const kModes = {none: -1, exp: 0, exp2: 1};
 const kProfiles = ['none', 'cosine', 'smoothstep'];
 
-const state = {mode: 'exp', visibility: 150, contrast: 0.05, light: 'airlight', ev: 0, tone: 'neutral'};
+const state =
+    {mode: 'exp', visibility: 150, contrast: 0.05, light: 'airlight', exposure: 'fixed', ev: 0, tone: 'neutral'};
 const text = (pointer) => UTF8ToString(pointer);
 const numbers = (pointer, count) => Array.from(HEAPF64.subarray(pointer / 8, pointer / 8 + count));
 
@@ -58,9 +59,11 @@ function makeSlider(id, name, scale, changed) {
 
 // --- What stands in the address, so that it opens this picture again. ---
 const kNumbers = ['visibility', 'contrast', 'ev'];
-const kWords = {mode: Object.keys(kModes), light: ['airlight', 'peak'], tone: ['neutral', 'clip']};
+const kWords = {mode: Object.keys(kModes), light: ['airlight', 'peak'], exposure: ['fixed', 'auto'],
+                tone: ['neutral', 'clip']};
 const kMembers =
     ['red', 'green', 'blue', 'constant', 'linear', 'quadratic', 'threshold', 'profile', 'angle', 'second'];
+const kProfileAt = kMembers.indexOf('profile');
 let lamps = [];  // {name, members, original}
 let firstCamera = [];
 
@@ -78,14 +81,14 @@ function address() {
 // What the address says that makes no sense is left as it is.
 function readAddress() {
   for (const item of location.hash.slice(1).split('&')) {
-    const [name, word] = decodeURIComponent(item).split('=');
+    const [name, word] = item.replaceAll('%2C', ',').split('=');  // as some programs write a comma
     const list = (word ?? '').split(',').map(Number);
     if (kWords[name]?.includes(word)) state[name] = word;
     if (kNumbers.includes(name) && word && !Number.isNaN(list[0])) state[name] = list[0];
     if (name === 'camera' && list.length === 6 && list.every(Number.isFinite)) _page_set_camera(...list);
     if (name === 'controls') showPanel(word !== 'off');
     const lamp = lamps[name.match(/^lamp(\d+)$/)?.[1]];
-    if (lamp && list.length === kMembers.length) setLamp(lamp, list);
+    if (lamp && list.length === kMembers.length && kProfiles[list[kProfileAt]]) setLamp(lamp, list);
   }
   state.visibility = Math.max(state.visibility, 0);
   if (!(state.contrast > 0 && state.contrast < 1)) state.contrast = 0.05;
@@ -112,12 +115,14 @@ function sketch() {
 function draw(divisor) {
   const density = _page_set_fog(kModes[state.mode], state.visibility, state.contrast);
   _page_set_airlight(state.light === 'airlight');
-  _page_set_display(state.ev, state.tone === 'neutral');
+  _page_set_display(state.ev, state.exposure === 'auto' && divisor === 1, state.tone === 'neutral');
   const scale = Math.min(window.devicePixelRatio || 1, 2) / divisor;
   picture.width = Math.max(Math.round(picture.clientWidth * scale), 1);
   picture.height = Math.max(Math.round(picture.clientHeight * scale), 1);
   const milliseconds = _page_draw(picture.width, picture.height, divisor);
-  const [surfaces, bytes] = numbers(_page_report(), 2);
+  const [surfaces, bytes, ev] = numbers(_page_report(), 3);
+  state.ev = ev;
+  exposure.show(ev);
   byId('density').textContent = Number.isFinite(density) ? `${short(density)} / m` : 'total fog';
   byId('facts').textContent = `${picture.width} × ${picture.height}, ${milliseconds.toFixed(0)} ms · ` +
       `${surfaces} surfaces · ${bytes} bytes of lamps uploaded`;
@@ -137,9 +142,9 @@ function showPanel(isShown) {
 
 const visibilityScale = {words: (value) => (value === Infinity ? 'clear' : short(value)), unit: ' m'};
 const visibility = makeSlider('visibility', 'Visibility', visibilityScale, (value) => set({visibility: value}));
-const exposure = makeSlider('ev', 'Exposure', {low: -12, high: 12, linear: true, step: 0.05,
-                                               words: (value) => (value > 0 ? '+' : '') + value.toFixed(2), unit: ' EV'},
-                            (value) => set({ev: value}));
+const exposure = makeSlider('ev', 'EV', {low: -12, high: 12, linear: true, step: 0.05,
+                                         words: (value) => (value > 0 ? '+' : '') + value.toFixed(2)},
+                            (value) => set({ev: value, exposure: 'fixed'}));
 
 function set(changes) {
   Object.assign(state, changes);
@@ -194,7 +199,7 @@ function changeLamp(changes) {
   const lamp = lamps[picked];
   const members = [...lamp.members];
   for (const [name, value] of Object.entries(changes)) members[kMembers.indexOf(name)] = value;
-  if (kProfiles[members[kMembers.indexOf('profile')]] === 'smoothstep') {  // inner < outer
+  if (kProfiles[members[kProfileAt]] === 'smoothstep') {  // inner < outer
     const [inner, outer] = ['angle', 'second'].map((name) => kMembers.indexOf(name));
     if ('second' in changes) members[inner] = Math.min(members[inner], Math.max(members[outer] - 1, 0));
     else members[outer] = Math.max(members[outer], members[inner] + 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The last pass: adds the lamps' airlight along each pixel's ray, and shows the sum as a display does.
+// The last pass: adds the lamps' airlight along each pixel's ray, and shows the sum as a display does, or measures it.
 
 #include "litfog/shaders/glow.glsl"
 #include "fog_top.glsl"
@@ -11,6 +11,8 @@ uniform vec3 eye;
 uniform bool has_airlight;
 uniform float exposure_gain;
 uniform bool is_neutral;
+uniform int stride;        // of the picture's pixels, each way, every how many there is one here
+uniform bool is_measured;  // the light itself is wanted, by which an exposure is chosen
 
 out vec4 color;
 
@@ -60,13 +62,17 @@ vec3 srgb(vec3 light) {
 float dither(vec2 pixel) { return fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715)))) - 0.5; }
 
 void main() {
-  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  ivec2 pixel = ivec2(gl_FragCoord.xy) * stride + stride / 2;
   vec4 seen = texelFetch(picture, pixel, 0);
   vec3 light = seen.rgb;
   if (has_airlight) {
     vec3 direction = pixel_direction(pixel);
     float end = fog_before_sky(direction);
     light += lamps_glow(direction, seen.a * end > 1.0 ? 1.0 / seen.a : end);
+  }
+  if (is_measured) {
+    color = vec4(light, 1.0);
+    return;
   }
   light = min(light * exposure_gain, 1.0e30);
   vec3 shown = is_neutral ? neutral(light) : min(light, 1.0);

@@ -15,6 +15,7 @@ machine litfog-fit takes all cores by itself: there --workers is to try it.
 import argparse
 import csv
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -81,6 +82,12 @@ def main():
     parts = chunks_of(folder)
     if not parts:
         parser.error(f"{folder} holds no photometric file")
+    if not options.scheduler and shutil.which("litfog-fit") is None:
+        parser.error("litfog-fit must be in PATH: install litfog-tools")
+    try:
+        options.lights.mkdir(parents=True, exist_ok=True)
+    except OSError as error:  # now, and not after hours of fits
+        parser.error(f"{options.lights}: cannot be made: {error.strerror}")
     rows, messages = gather(chunks.run(fit_chunk, parts, options), parts, folder, options.lights)
     for message in messages:
         print(message, file=sys.stderr)

@@ -34,7 +34,10 @@ def run(work, chunks, options):
     if work.__module__ == "__main__":  # as the workers import it: what stands in __main__ would be sent with each chunk
         work = getattr(importlib.import_module(pathlib.Path(sys.argv[0]).stem), work.__name__)
     if options.scheduler:
-        client = distributed.Client(options.scheduler)
+        try:
+            client = distributed.Client(options.scheduler)
+        except (OSError, ValueError) as error:
+            raise SystemExit(f"--scheduler {options.scheduler}: {error}") from None
     else:
         client = distributed.Client(n_workers=options.workers, threads_per_worker=1, dashboard_address=None)
     with client:
