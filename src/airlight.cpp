@@ -141,7 +141,6 @@ double reference_airlight(const PlacedLight& light, const Fog& fog, const EyeRay
 double bound_airlight(const PlacedLight& light, const Fog& fog, const glm::dvec3& eye, const glm::dvec3& direction,
                       double half_angle, const Scattering& scattering) {
   constexpr double kMargin = 1e-12;
-  constexpr double kPositionMargin = 1e-15 * kMaxPosition;      // metres; closest approaches are rounded by less
   const double largest_slope = std::sqrt(2 / std::numbers::e);  // of 1 - e^-(x^2)
   require_all(light, fog, {eye, direction}, scattering);
   if (!(half_angle >= 0 && half_angle <= std::numbers::pi)) {
@@ -157,7 +156,7 @@ double bound_airlight(const PlacedLight& light, const Fog& fog, const glm::dvec3
   const double from_axis = std::atan2(glm::length(glm::cross(direction, to_light)), glm::dot(direction, to_light));
   const double outside = std::max(from_axis - half_angle - kMargin, 0.0);
   const double nearest = range * (outside < std::numbers::pi / 2 ? std::sin(outside) : 1);
-  const double closest = std::max(nearest * (1 - kMargin) - kPositionMargin, 0.0);
+  const double closest = std::max(nearest * (1 - kMargin), 0.0);
   if (closest >= extent) return 0;
 
   const double start = std::max(range * (1 - kMargin) - extent, 0.0);

@@ -665,6 +665,12 @@ TEST(AirlightBound, BoundIsNeverBelowTheAirlightOfARayInItsCone) {
     AirlightCase c = draw_spot_airlight_case(random, random.pick(kModes), random.pick(kLampLegs));
     if (random.chance(0.5)) c.light.light.cone = {};
     if (random.chance(0.3)) c.scattering.asymmetry = random.uniform(-0.95, 0.95);
+    if (random.chance(0.3)) {  // far from the origin, where positions are rounded
+      const glm::dvec3 offset = random.log_uniform(1e3, 1.6e7) * draw_direction(random);
+      c.ray.origin += offset;
+      c.light.position += offset;
+      if (check(c.light) || check(c.ray)) continue;
+    }
     const double half_angle = random.chance(0.1) ? std::numbers::pi : random.log_uniform(1e-6, 3);
     const double tilt =
         half_angle * (random.chance(0.5) ? 1 - 1e-9 : random.uniform(0, 1));  // of the ray from the axis
@@ -676,6 +682,54 @@ TEST(AirlightBound, BoundIsNeverBelowTheAirlightOfARayInItsCone) {
   }
   std::printf("airlight bound: %d of 20000 cones of rays are found to show less than 0.5/255\n", dark);
   EXPECT_GT(dark, 1000);
+}
+
+/// The bound of the airlight along the ray of a case alone.
+double bound_of_ray(const AirlightCase& c) {
+  return bound_airlight(c.light, c.fog, c.ray.origin, c.ray.direction, 0, c.scattering);
+}
+
+TEST(AirlightBound, BoundHoldsToTheLastDigitWhereTheAirlightReachesIt) {
+  Random random(76);
+  for (int i = 0; i < 2000; ++i) {  // the eye at an endless light: A = p / C
+    AirlightCase c = looking({random.uniform(1, 5), 0, 0}, {random.pick(kModes), 0.01}, LampLeg::clear);
+    c.scattering.asymmetry = -random.uniform(0, 0.9);
+    const double airlight = largest_phase(c.scattering) / c.light.light.attenuation.constant;
+    ASSERT_GE(bound_of_ray(c), std::max(airlight, reference_of(c))) << to_string(c);
+    ASSERT_LE(bound_of_ray(c), airlight * (1 + 1e-10)) << to_string(c);
+  }
+}
+
+/// A ball of light, nearly as bright at its edge, 0.7 m from its middle, straight ahead.
+AirlightCase ball_of_light(const Fog& fog, double distance) {
+  AirlightCase c = looking({2.5, 0, 1e-6}, fog, LampLeg::clear, {0, 0, -distance});
+  c.light.light.threshold = 1 / (2.5 + 0.49e-6);
+  return c;
+}
+
+TEST(AirlightBound, BoundOfASmallLightIsNearItsAirlight) {
+  for (const double density : {0.001, 0.01}) {
+    const AirlightCase exp = ball_of_light({FogMode::exp, density}, 50);
+    EXPECT_GE(bound_of_ray(exp), reference_of(exp));
+    EXPECT_LE(bound_of_ray(exp), reference_of(exp) * (1 + 1e-4));
+    const AirlightCase exp2 = ball_of_light({FogMode::exp2, density}, std::sqrt(0.5) / density);  // f is steepest there
+    EXPECT_GE(bound_of_ray(exp2), reference_of(exp2));
+    EXPECT_LE(bound_of_ray(exp2), reference_of(exp2) * (1 + 1e-3));
+  }
+}
+
+TEST(AirlightBound, BoundOfARayThatGrazesALightIsAboveItsAirlight) {
+  AirlightCase c = ball_of_light({FogMode::exp, 0.01}, 50);
+  c.light.position.x = compute_extent(c.light.light.attenuation, c.light.light.threshold) * (1 - 1e-10);
+  EXPECT_GT(reference_of(c), 0);
+  EXPECT_GE(bound_of_ray(c), reference_of(c));
+}
+
+TEST(AirlightBound, BoundIsZeroInClearAirAndAboveZeroWhereItsProductsRoundToZero) {
+  EXPECT_EQ(bound_of_ray(ball_of_light({FogMode::exp, 0}, 50)), 0);
+  const AirlightCase faint = ball_of_light({FogMode::exp, kDenormMin}, 50);
+  EXPECT_EQ(reference_of(faint), kDenormMin);  // 0.56 of it, rounded
+  EXPECT_GE(bound_of_ray(faint), kDenormMin);
 }
 
 TEST(AirlightBound, WrongHalfAngleIsAnError) {

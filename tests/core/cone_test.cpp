@@ -192,6 +192,7 @@ TEST(Cone, AngleAtALevelIsWhereTheConeFallsToIt) {
 
 TEST(Cone, AngleAtALevelAboveTheEdgeIsTheCutOff) {
   EXPECT_EQ(angle_at_level(Cone::cosine(0.5, 0), 0.5), 0.5);
+  EXPECT_EQ(angle_at_level(Cone::cosine(0.5, -0.0), 0.5), 0.5);
   EXPECT_EQ(angle_at_level(Cone::cosine(0.5, 1), 0.5), 0.5);
   EXPECT_DOUBLE_EQ(angle_at_level(Cone::cosine(1.5, 1), 0.5), pi / 3);
   EXPECT_EQ(angle_at_level(Cone{}, 0.5), pi);

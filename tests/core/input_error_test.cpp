@@ -21,6 +21,7 @@ TEST(InputError, SentenceBeginsWithTheLocation) {
 TEST(InputError, UnknownLineAndColumnAreLeftOut) {
   EXPECT_STREQ(InputError({"lamp.ies", 3}, "ends within a number").what(), "lamp.ies:3: ends within a number");
   EXPECT_STREQ(InputError({"lamp.ies"}, "is a folder").what(), "lamp.ies: is a folder");
+  EXPECT_EQ(to_string(InputLocation{"lamp.ies", 0, 7}), "lamp.ies") << "a column of no line";
 }
 
 TEST(InputError, EmptyValueIsLeftOut) {

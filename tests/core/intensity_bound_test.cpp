@@ -120,6 +120,14 @@ TEST(IntensityBound, BoundIsAboveZeroWhereTheIntensityRoundsToZero) {
   EXPECT_GT(IntensityBound({0, 10, 0}, 0.05).at({FogMode::exp2, 1e-200}), 0);
 }
 
+TEST(IntensityBound, BoundOfALightOfSubnormalExtentIsNotBelowItsIntensity) {
+  const Attenuation attenuation{std::nextafter(20.0, 0.0), 1.5e308, 0};
+  const FogIntensity solved = solve_fog_intensity(attenuation, {FogMode::exp, 1e308}, 0.05);
+  ASSERT_GT(solved.extent, 0);
+  ASSERT_GT(solved.intensity, 0);
+  EXPECT_GE(IntensityBound(attenuation, 0.05).at({FogMode::exp, 1e308}), solved.intensity);
+}
+
 TEST(IntensityBound, BoundOfConstantAttenuationIsItsValueInAnyFog) {
   for (const FogMode mode : kModes) {
     for (const double density : {std::numeric_limits<double>::denorm_min(), 1e-3, kInfinity}) {

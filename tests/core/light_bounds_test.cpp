@@ -93,6 +93,24 @@ TEST(LightBounds, LightDoesNotReachABoxApartFromIt) {
   EXPECT_GT(lit, 2000);
 }
 
+TEST(LightBounds, LightWhoseRangeEndsOnABoxReachesIt) {
+  Random random(63);
+  for (int i = 0; i < 10000; ++i) {
+    const Box box = draw_box(random);
+    LightBounds light{.position = 200.0 * draw_direction(random)};
+    const glm::dvec3 nearest = glm::clamp(light.position, box.low, box.high);
+    const auto offset = glm::vec<3, long double>(nearest) - glm::vec<3, long double>(light.position);
+    light.range = std::nextafter(double(glm::length(offset)), kInfinity);
+    ASSERT_TRUE(can_light(light, box)) << light.range;
+  }
+}
+
+TEST(LightBounds, BoxThatTouchesTheEdgeOfADarkConeIsLit) {
+  const LightBounds light{.half_angle = kPi * 3 / 4};  // dark within 45 degrees of +z
+  EXPECT_TRUE(can_light(light, {{0, 0, 1}, {1, 0, 2}}));
+  EXPECT_FALSE(can_light(light, {{0, 0, 1}, {1 - 1e-9, 0, 2}}));
+}
+
 TEST(LightBounds, BoxBehindABeamOrInADarkConeIsUnlit) {
   const Box ahead{{-1, -1, -6}, {1, 1, -5}};
   const LightBounds beam{.half_angle = 0.3};

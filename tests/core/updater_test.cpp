@@ -509,6 +509,18 @@ TEST(FogUpdater, UnchangedStoredValueIsNotDirty) {
   EXPECT_EQ(updater.statistics().bytes_dirty, 0u);
 }
 
+TEST(FogUpdater, LightSwitchedToWhatItIsIsNotDirty) {
+  FogUpdater updater;
+  const FogLightHandle handle = updater.add(carried_light());
+  updater.set_fog(kMist);
+  updater.switch_light(handle, true);
+  EXPECT_TRUE(updater.set_fog(kMist).empty());
+  updater.switch_light(handle, false);
+  updater.set_fog(kMist);
+  updater.switch_light(handle, false);
+  EXPECT_TRUE(updater.set_fog(kMist).empty());
+}
+
 TEST(FogUpdater, ChangedLightSolvesItsKindOnly) {
   FogUpdater updater;
   for (int i = 0; i < 100; ++i) updater.add(carried_light({1, 0.1 * (1 + i / 10), 0.01}));

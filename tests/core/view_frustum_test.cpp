@@ -16,6 +16,18 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
+TEST(View, AxesAreOrthonormalWhereTheViewIsSoWithinItsTolerance) {
+  const View view{.forward = {0, 0, -1 - 0.9e-6}, .up = {0.9e-6, 1 - 0.9e-6, 0.9e-6}};
+  ASSERT_FALSE(check(view));
+  const glm::dmat3 axes = axes_of(view);
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) EXPECT_NEAR(glm::dot(axes[i], axes[j]), i == j ? 1 : 0, 1e-15) << i << j;
+  }
+  EXPECT_EQ(axes[2], glm::dvec3(0, 0, -1));
+  EXPECT_NEAR(axes[0].x, 1, 1e-6);
+  EXPECT_NEAR(axes[1].y, 1, 1e-6);
+}
+
 TEST(ViewFrustum, LightThatLightsAPointInViewIsSeen) {
   Random random(71);
   int common = 0;
