@@ -268,6 +268,25 @@ TEST_F(HiddenWall, WallIsLeftOutWhereNothingIsSeenBehind) {
   EXPECT_EQ(counts.sky, SkyDrawing::background);
 }
 
+TEST_F(HiddenWall, WallThatIsBrightWithoutLampsIsDrawn) {
+  const auto expect_drawn = [this] {
+    const FrameCounts counts = counts_in_fog(FogLighting::airlight);
+    EXPECT_EQ(counts.chunks_drawn, 1u);
+    EXPECT_EQ(counts.sky, SkyDrawing::background);
+  };
+  const glm::vec3 bright(5000);
+  const scene::Environment dark = scene_.environment;
+  scene_.environment.ambient_light = bright;
+  expect_drawn();
+  scene_.environment = dark;
+  scene_.environment.moon_direction = {0, 0, 1};
+  scene_.environment.moon_color = bright;  // of its light alone: in the sky it is as bright as ever
+  expect_drawn();
+  scene_.environment = dark;
+  scene_.materials.front().emissive = bright;
+  expect_drawn();
+}
+
 TEST_F(HiddenWall, WallHidesABrightSurface) {
   scene::Material glowing = scene_.materials.front();
   glowing.name = "glowing";
