@@ -270,6 +270,21 @@ TEST_F(RendererTest, ChangedLightsCameraAndSizeGiveThePictureOfANewRenderer) {
   }
 }
 
+TEST_F(RendererTest, TurnedCookiesGiveThePictureOfANewRenderer) {
+  Scene scene = read_scene(bundled_scene_path("cookies"));
+  const RenderSettings settings{.fog_lighting = FogLighting::airlight};
+  Renderer renderer(scene, 80, 45, settings);
+  renderer.draw();
+  const std::vector<float> before = renderer.read().rgb;
+  for (auto& [light, use] : scene.cookie_uses) use.roll += 1;
+  renderer.set_lights();
+  renderer.draw();
+  Renderer made_anew(scene, 80, 45, settings);
+  made_anew.draw();
+  EXPECT_EQ(renderer.read().rgb, made_anew.read().rgb);
+  EXPECT_NE(made_anew.read().rgb, before);
+}
+
 TEST_F(RendererTest, InterruptedFrameLeavesTheNextOneAsItIs) {
   const Scene scene = read_scene(bundled_scene_path("room"));
   Renderer renderer(scene, 40, 24, {.fog_lighting = FogLighting::airlight});

@@ -268,6 +268,25 @@ TEST_F(HiddenWall, WallIsLeftOutWhereNothingIsSeenBehind) {
   EXPECT_EQ(counts.sky, SkyDrawing::background);
 }
 
+TEST_F(HiddenWall, WallThatIsBrightWithoutLampsIsDrawn) {
+  const auto expect_drawn = [this] {
+    const FrameCounts counts = counts_in_fog(FogLighting::airlight);
+    EXPECT_EQ(counts.chunks_drawn, 1u);
+    EXPECT_EQ(counts.sky, SkyDrawing::background);
+  };
+  const glm::vec3 bright(5000);
+  const scene::Environment dark = scene_.environment;
+  scene_.environment.ambient_light = bright;
+  expect_drawn();
+  scene_.environment = dark;
+  scene_.environment.moon_direction = {0, 0, 1};
+  scene_.environment.moon_color = bright;  // of its light alone: in the sky it is as bright as ever
+  expect_drawn();
+  scene_.environment = dark;
+  scene_.materials.front().emissive = bright;
+  expect_drawn();
+}
+
 TEST_F(HiddenWall, WallHidesABrightSurface) {
   scene::Material glowing = scene_.materials.front();
   glowing.name = "glowing";
@@ -295,6 +314,40 @@ TEST_F(HiddenWall, WallHidesThePointAndTheGlowOfALamp) {
   scene_.lights.push_back(lamp);
   EXPECT_EQ(counts_in_fog(FogLighting::airlight).chunks_as_fog, 1u);
   EXPECT_EQ(counts_in_fog(FogLighting::peak).chunks_as_fog, 1u);
+}
+
+TEST_F(HiddenWall, WallHidesTheGlowOfALampThatHasNoPoint) {
+  PlacedLight lamp;
+  lamp.light = {.name = "lamp", .attenuation = {1, 0, 0.001}, .cone = {}};
+  lamp.light.density_scale = 0.2;
+  lamp.position = {0, 4, -130};
+  lamp.carried = true;  // no point is drawn of it
+  scene_.lights.push_back(lamp);
+  EXPECT_EQ(counts_in_fog(FogLighting::airlight).chunks_as_fog, 1u);
+}
+
+TEST_F(HiddenWall, MoonIsSeenThroughTheTopOfTheFog) {
+  scene_.camera.target = {0, 12, -10};
+  scene_.fog_top = 52;
+  scene_.environment.moon_direction = glm::normalize(glm::vec3(0, 1, -1));
+  scene_.environment.moon_color = glm::vec3(1e-3f);
+  EXPECT_EQ(counts_in_fog(FogLighting::airlight).sky, SkyDrawing::sky);
+}
+
+TEST_F(HiddenWall, ChangedFogAndExposureDecideAnew) {
+  Pair pair(scene_, {.fog_lighting = FogLighting::peak});
+  const auto drawn = [&](double visibility, double exposure) {
+    pair.set_fog(Fog::from_visibility(FogMode::exp, visibility));
+    pair.set_exposure(0);
+    EXPECT_LE(largest(pair.changes()), 1);
+    pair.set_exposure(exposure);
+    EXPECT_LE(largest(pair.changes()), 1);
+    return pair.counts.chunks_drawn;
+  };
+  EXPECT_EQ(drawn(30, 0), 0u);
+  EXPECT_EQ(drawn(30, 12), 1u);
+  EXPECT_EQ(drawn(3000, 0), 1u);
+  EXPECT_EQ(drawn(30, 0), 0u);
 }
 
 TEST_F(HiddenWall, WallIsLitFogBeforeACarriedLight) {
