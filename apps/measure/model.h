@@ -96,7 +96,8 @@ class Model {
   bool lights_fog(const ReferenceLight& light) const { return path_.has_lit_fog && light.fog_intensity > 0; }
   /// The airlight of all lights along a ray from the eye, by the definition's integral, but for the shafts of those
   /// that cut them; 0 where the renderer lights the fog otherwise. What it leaves out adds up to less than
-  /// kAirlightBudget of what the renderer's exposure shows as white.
+  /// kAirlightBudget of what the renderer's exposure shows as white; what lights' ends cut off, to less than kCutOff of
+  /// it.
   ///
   /// direction  unit
   glm::dvec3 airlight(const glm::dvec3& direction, double length) const;
