@@ -41,14 +41,13 @@ void FramePlanner::set_fog(const Fog& fog, bool is_fog_lit) {
   fog_ = fog;
   is_fog_lit_ = is_fog_lit;
   strengths_.resize(surfaces_.lists().size());
-  ++fog_number_;
-  view_.reset();
+  forget();
 }
 
 const FramePlan& FramePlanner::plan(const FrameView& view) {
   has_changed_ = view_ != view;
   if (!has_changed_) return plan_;
-  if (!view_ || view_->exposure != view.exposure) {
+  if (!view_ || view_->exposure != view.exposure) {  // another fog, too
     step_ = visible_step(view.exposure);
     ++fog_number_;
   }

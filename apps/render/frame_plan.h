@@ -96,7 +96,7 @@ class FramePlanner {
  private:
   /// What a surface is in the fog.
   struct Foggy {
-    unsigned fog = 0;  // number of the fog
+    unsigned fog = 0;  // number of the fog and the exposure
     float hidden_range = 0;
   };
 

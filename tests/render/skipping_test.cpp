@@ -350,6 +350,37 @@ TEST_F(HiddenWall, ChangedFogAndExposureDecideAnew) {
   EXPECT_EQ(drawn(30, 0), 0u);
 }
 
+TEST_F(HiddenWall, WallThatIsLeftOutWasBelowItsShare) {
+  scene_.environment.ambient_fog_color = glm::vec3(0);
+  Pair pair(scene_, {.fog_lighting = FogLighting::peak});
+  double most = 0;
+  for (double visibility = 40; visibility < 80; visibility *= 1.02) {
+    pair.set_fog(Fog::from_visibility(FogMode::exp, visibility));
+    const double change = largest(pair.changes());
+    if (pair.counts.chunks_drawn == 0) most = std::max(most, change);
+  }
+  EXPECT_LE(most, kHiddenShare);
+  EXPECT_GT(most, kHiddenShare / 4);
+}
+
+TEST_F(HiddenWall, LampsThatAreLeftOutOfASurfaceWereBelowTheirShare) {
+  scene_.environment.ambient_light = scene_.environment.ambient_fog_color = glm::vec3(0);
+  for (int i = 0; i < 64; ++i) {
+    PlacedLight lamp;
+    lamp.light = {.name = "lamp", .attenuation = {1, 0, 0.01}, .cone = Cone::smoothstep(1.0, 1.2)};  // not to the eye
+    lamp.light.color = glm::dvec3(2e-5 * (1 + 0.01 * i));
+    lamp.position = {0.1 * i - 3.2, 2, -95};
+    lamp.direction = {0, 0, -1};
+    scene_.lights.push_back(lamp);
+  }
+  Pair pair(scene_, {.fog_lighting = FogLighting::peak});
+  pair.set_fog(Fog{});
+  const double change = largest(pair.changes());
+  EXPECT_GT(pair.counts.lights_hidden, 0u);
+  EXPECT_LE(change, kSurfaceLightShare);
+  EXPECT_GT(change, kSurfaceLightShare / 8);
+}
+
 TEST_F(HiddenWall, WallIsLitFogBeforeACarriedLight) {
   PlacedLight lamp;
   lamp.light = {.name = "lamp", .attenuation = {1, 0, 0.01}, .cone = Cone::smoothstep(0.05, 0.06)};
