@@ -148,7 +148,8 @@ double reference_of(const AirlightCase& c) { return reference_airlight(c.light, 
 
 /// The axial airlight of L or Q > 0 and 0 < density < infinity, by 50 digits.
 Digits50 axial_reference(const SolveCase& c) {
-  static boost::math::quadrature::tanh_sinh<Digits50> quadrature(9);
+  // Nothing happens at the ends: nodes nearer to them than this fraction would be most of its work.
+  static boost::math::quadrature::tanh_sinh<Digits50> quadrature(9, Digits50("1e-50"));
   const Attenuation& a = c.attenuation;
   const Digits50 extent = reference_extent(a, c.threshold);
   if (extent == 0) return 0;

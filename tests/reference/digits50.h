@@ -2,7 +2,7 @@
 #pragma once
 
 #include <algorithm>
-#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/mpfr.hpp>
 #include <cmath>
 #include <limits>
 
@@ -10,8 +10,11 @@
 
 namespace litfog::test {
 
-/// 50 decimal digits, exponents to 2^+-2^31: no product of doubles leaves its range.
-using Digits50 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
+/// 50 decimal digits, exponents to 2^+-2^30: no product of doubles leaves its range. MPFR is a library, compiled and
+/// optimised: Boost's own cpp_bin_float would be compiled with each test, and with a sanitizer.
+using Digits50 =
+    boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<50, boost::multiprecision::allocate_stack>,
+                                  boost::multiprecision::et_off>;
 
 /// Distance in units in the last place of T at the reference; denorm_min where the reference is subnormal or 0.
 /// T's infinity stands for the first value T cannot hold, and so does every reference beyond it.
@@ -24,7 +27,8 @@ double ulp_error_in(T computed, const Wide& reference) {
   const Wide clamped = clamp(reference, Wide(-first_beyond), first_beyond);
   const Wide value = std::isinf(computed) ? (computed > 0 ? first_beyond : Wide(-first_beyond)) : Wide(computed);
   int exponent = Limits::min_exponent;
-  if (clamped != 0) frexp(clamped, &exponent);
+  // Boost takes MPFR's exponent from the nearest double, which may be a power of two above.
+  if (clamped != 0 && abs(Wide(frexp(clamped, &exponent))) < Wide(0.5)) --exponent;
   exponent = clamp(exponent, Limits::min_exponent, Limits::max_exponent);
   return static_cast<double>(ldexp(Wide(abs(Wide(value - clamped))), Limits::digits - exponent));
 }
