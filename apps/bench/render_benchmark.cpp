@@ -48,9 +48,9 @@ struct Trial {
   Setting setting;
   Technique technique;
   measure::FrameTimes times;
-  double over_legacy;                               // of the medians
-  double over_two_light_legacy;                     // likewise
-  std::optional<double> over_plain = {};            // likewise; none where plain cannot hold the lights
+  double over_legacy;                     // of the medians
+  double over_two_light_legacy;           // likewise
+  std::optional<double> over_plain = {};  // likewise; none where plain cannot hold the lights
   /// Of a picture of kErrorWidth x kErrorHeight; none of the unlit pass and of plain, which have no formulas.
   std::optional<measure::PictureError> error = {};
 };

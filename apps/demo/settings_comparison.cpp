@@ -101,7 +101,8 @@ std::string hint_for(const std::string& text, const std::string& error) {
   Setting any;
   add_options(app, any);
   std::vector<std::string> names;
-  for (const CLI::Option* option : app.get_options()) std::ranges::copy(option->get_lnames(), std::back_inserter(names));
+  for (const CLI::Option* option : app.get_options())
+    std::ranges::copy(option->get_lnames(), std::back_inserter(names));
   std::istringstream words(text);
   for (std::string word; words >> word;) {
     const std::string name = word.substr(0, word.find('='));

@@ -141,7 +141,8 @@ py::object render(const py::object& picture_class, const py::object& scene, cons
   demo::DrawingOptions drawing;
   demo::add_picture_options(app, scene_options, drawing);
   scene_options.scene = py::module_::import("os").attr("fsencode")(scene).cast<std::string>();
-  if (scene_options.scene.find('\0') != std::string::npos) throw py::value_error("scene: must not hold a null character");
+  if (scene_options.scene.find('\0') != std::string::npos)
+    throw py::value_error("scene: must not hold a null character");
   Drawn drawn;
   try {
     app.parse(arguments_of(options, app));

@@ -191,18 +191,18 @@ void bind_attenuation_fit(py::module_& m) {
   fit.def(py::init([](const Attenuation& attenuation, double threshold, AttenuationFitStatus status,
                       std::string sentence, double objective, double rms_error, double largest_error,
                       std::vector<double> residuals, const std::optional<Matrix<3>>& covariance, double kkt_residual) {
-         AttenuationFit made{.attenuation = attenuation,
-                             .threshold = threshold,
-                             .status = status,
-                             .sentence = std::move(sentence),
-                             .objective = objective,
-                             .rms_error = rms_error,
-                             .largest_error = largest_error,
-                             .residuals = std::move(residuals),
-                             .kkt_residual = kkt_residual};
-         if (covariance) made.covariance = std::bit_cast<std::array<double, 9>>(*covariance);
-         return made;
-       }))
+       AttenuationFit made{.attenuation = attenuation,
+                           .threshold = threshold,
+                           .status = status,
+                           .sentence = std::move(sentence),
+                           .objective = objective,
+                           .rms_error = rms_error,
+                           .largest_error = largest_error,
+                           .residuals = std::move(residuals),
+                           .kkt_residual = kkt_residual};
+       if (covariance) made.covariance = std::bit_cast<std::array<double, 9>>(*covariance);
+       return made;
+     }))
       .def_readonly("attenuation", &AttenuationFit::attenuation, "Attenuation")
       .def_readonly("threshold", &AttenuationFit::threshold, "attenuation at the extent")
       .def_readonly("status", &AttenuationFit::status, "AttenuationFitStatus")
@@ -287,13 +287,13 @@ void bind_cone_fit(py::module_& m) {
   make_picklable(profile_fit, {"cone", "status", "objective", "lower_bound", "rms", "largest_error", "flux_error",
                                "beam_angle_error", "field_angle_error", "covariance"});
   py::class_<ConeFit> fit(m, "ConeFit", "The fits of the profiles chosen, and which is better.");
-  fit.def(py::init([](std::optional<ConeProfileFit> cosine, std::optional<ConeProfileFit> smoothstep,
-                      ConeProfile profile) {
-         if (!(profile == ConeProfile::cosine ? cosine : smoothstep)) {
-           throw py::value_error("profile: must be that of a fit given");
-         }
-         return ConeFit{.cosine = std::move(cosine), .smoothstep = std::move(smoothstep), .profile = profile};
-       }))
+  fit.def(py::init(
+              [](std::optional<ConeProfileFit> cosine, std::optional<ConeProfileFit> smoothstep, ConeProfile profile) {
+                if (!(profile == ConeProfile::cosine ? cosine : smoothstep)) {
+                  throw py::value_error("profile: must be that of a fit given");
+                }
+                return ConeFit{.cosine = std::move(cosine), .smoothstep = std::move(smoothstep), .profile = profile};
+              }))
       .def_readonly("cosine", &ConeFit::cosine, "ConeProfileFit, or None")
       .def_readonly("smoothstep", &ConeFit::smoothstep, "ConeProfileFit, or None")
       .def_readonly("profile", &ConeFit::profile, "the better of them")

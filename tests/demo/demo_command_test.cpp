@@ -558,9 +558,10 @@ TEST_F(DemoCommand, WrongUsageIsAnError) {
   }
   EXPECT_ERROR(
       run("room --path phong"), kUsage,
-      std::string("litfog-demo: --path = phong: must be one of unified|lookup-3d|lookup-2d|radial|radial-plane|"
-                  "accumulate|vertex|mixed|tangent|legacy|sample|light-map|interpolated|parallax|cg|cook-torrance|"
-                  "anisotropic") +
+      std::string(
+          "litfog-demo: --path = phong: must be one of unified|lookup-3d|lookup-2d|radial|radial-plane|"
+          "accumulate|vertex|mixed|tangent|legacy|sample|light-map|interpolated|lacroix|parallax|cg|cook-torrance|"
+          "anisotropic") +
           kSeeHelp);
   EXPECT_EQ(run("room --bogus").status, kUsage);
   EXPECT_EQ(run("").status, kUsage);
@@ -991,13 +992,15 @@ TEST_F(DemoCommand, WrongSettingsAreNamed) {
   EXPECT_EQ(error("one.json --with ' '"), std::string("litfog-demo: --with \" \": must not be empty") + kSeeHelp);
   EXPECT_EQ(error("--with visibility=9"),
             std::string("litfog-demo: --with compares settings of one SCENE: name it") + kSeeHelp);
-  EXPECT_ERROR(run("compare one.json -o none --with lights[0].threshold=7"), kBadInput,
-               "--with \"lights[0].threshold=7\": --set: lights[0].light.threshold = 7: must be in (0, 1); 7 % is 0.07\n");
+  EXPECT_ERROR(
+      run("compare one.json -o none --with lights[0].threshold=7"), kBadInput,
+      "--with \"lights[0].threshold=7\": --set: lights[0].light.threshold = 7: must be in (0, 1); 7 % is 0.07\n");
   EXPECT_ERROR(run("compare one.json -o none --set lights[0].threshold=7 --with no-skip"), kBadInput,
                "--set: lights[0].light.threshold = 7: must be in (0, 1); 7 % is 0.07\n");
   const Outcome misspelt = run("compare one.json -o none --with visibility=9 --with \"tone=clip exposre=3\"");
   EXPECT_EQ(misspelt.status, kBadInput);
-  EXPECT_TRUE(misspelt.err.starts_with("--with \"tone=clip exposre=3\": --set: \"exposre\": must be one of ")) << misspelt.err;
+  EXPECT_TRUE(misspelt.err.starts_with("--with \"tone=clip exposre=3\": --set: \"exposre\": must be one of "))
+      << misspelt.err;
   EXPECT_TRUE(misspelt.err.ends_with("; did you mean exposure?\n")) << misspelt.err;
   EXPECT_FALSE(std::filesystem::exists(directory() / "none"));
 }

@@ -437,7 +437,8 @@ TEST_F(PaperFormula, SecondFaceTextureMultipliesTheFirst) {
     material.second = std::make_shared<const Texels>(stripes());
     material.second_size_m = kTile;
   };
-  for (const auto& [path, equation] : {std::pair<const char*, Equation>{"sample", hales_sample}, {"lookup-3d", hales}}) {
+  for (const auto& [path, equation] :
+       {std::pair<const char*, Equation>{"sample", hales_sample}, {"lookup-3d", hales}}) {
     const Formula formula = [&, &law = equation](const dvec3& point, const Corners&) {
       const double stripe = stripe_at((point.x + 6) / kTile);
       if (std::isnan(stripe)) return dvec3(stripe);
