@@ -39,9 +39,10 @@ RenderSettings along(std::string_view path, RenderSettings settings = {}) {
   return settings;
 }
 
-class Draughtsman {
+/// Draws the figures of a sheet, all of one size.
+class FigurePainter {
  public:
-  Draughtsman(int width, int height, int frames) : width_(width), height_(height), frames_(frames) {}
+  FigurePainter(int width, int height, int frames) : width_(width), height_(height), frames_(frames) {}
 
   SheetEntry draw(const Scene& scene, const RenderSettings& render, std::vector<std::string> caption) const {
     return draw(*renderer(scene, render), std::move(caption));
@@ -144,7 +145,7 @@ Scene with_dirt(Scene scene) {
 
 /// Figures 1 and 2 and table 1: "headlights" with its two headlights alone. Every program draws every polygon, so that
 /// their times compare.
-Rows hales_figures(const Draughtsman& pencil) {
+Rows hales_figures(const FigurePainter& painter) {
   Scene scene = scene::read_scene(scene::bundled_scene_path("headlights"));
   std::erase_if(scene.lights, [](const PlacedLight& light) { return !light.carried; });
   const RenderSettings whole{.skipping = render::Skipping::off};
@@ -163,12 +164,12 @@ Rows hales_figures(const Draughtsman& pencil) {
   std::vector<std::unique_ptr<render::Renderer>> renderers;
   std::vector<measure::DrawFrame> frames;
   for (const Program& program : programs) {
-    renderers.push_back(pencil.renderer(*program.scene, program.render));
+    renderers.push_back(painter.renderer(*program.scene, program.render));
     frames.push_back(measure::frames_of(*renderers.back()));
   }
   const Fog thick = Fog::from_visibility(FogMode::exp2, 100.0);
   const std::vector<measure::FrameTimes> times =
-      measure::time_frames(frames, measure::FrameBudget::exactly(pencil.frames()));
+      measure::time_frames(frames, measure::FrameBudget::exactly(painter.frames()));
   Rows rows;
   for (const auto& [figure, fog] : {std::pair{"figure 1, clear air", Fog{}}, {"figure 2, exp2 fog, 100 m", thick}}) {
     rows.emplace_back();
@@ -180,14 +181,14 @@ Rows hales_figures(const Draughtsman& pencil) {
       if (is_table && i == 0) caption.push_back("table 1, legacy: X800 1.0, 9800 1.130, FX 5950 1.847");
       if (is_table && i == 1) caption.push_back("table 1, shader: 1.95, 2.450, 4.830: 1.95, 2.17, 2.62 x legacy");
       renderers[i]->set_fog(fog);
-      rows.back().push_back(pencil.draw(*renderers[i], std::move(caption)));
+      rows.back().push_back(painter.draw(*renderers[i], std::move(caption)));
     }
   }
   return rows;
 }
 
 /// A cosine cone on a wall that is near enough for its edge to be in the picture.
-Rows hales_cones(const Draughtsman& pencil) {
+Rows hales_cones(const FigurePainter& painter) {
   Rows rows;
   for (const double degrees : {60.0, 80.0, 89.0}) {
     Scene scene = wall({1, 1}, "sign_white");
@@ -198,13 +199,13 @@ Rows hales_cones(const Draughtsman& pencil) {
     for (const int size : {32, 128}) {
       RenderSettings scaled = along("lookup-3d");
       scaled.map_size = size;
-      rows.back().push_back(pencil.draw(
+      rows.back().push_back(painter.draw(
           scene, scaled, {fmt::format("cone of {} degrees, scaled, {} texels", degrees, size), "as Hales scales it"}));
     }
-    rows.back().push_back(pencil.draw(scene, along("lookup-3d", {.cone_maps = render::ConeMaps::even}),
-                                      {fmt::format("cone of {} degrees, even, 128 texels", degrees),
-                                       "beyond 60 degrees over all faces of the cube"}));
-    rows.back().push_back(pencil.draw(scene, along("unified"), {fmt::format("cone of {} degrees, formula", degrees)}));
+    rows.back().push_back(painter.draw(scene, along("lookup-3d", {.cone_maps = render::ConeMaps::even}),
+                                       {fmt::format("cone of {} degrees, even, 128 texels", degrees),
+                                        "beyond 60 degrees over all faces of the cube"}));
+    rows.back().push_back(painter.draw(scene, along("unified"), {fmt::format("cone of {} degrees, formula", degrees)}));
   }
   return rows;
 }
@@ -282,46 +283,47 @@ Scene ball_between_lamps() {
   return scene;
 }
 
-Rows lacroix_figures(const Draughtsman& pencil) {
+Rows lacroix_figures(const FigurePainter& painter) {
   Rows rows{{}};
   const auto lit_wall = [](const glm::ivec2& cells) {
     Scene scene = wall(cells, "sign_white");
     scene.lights = {lamp({0.2, 0.1, 0.8}, {0, 1, 0})};  // his 1 / distance
     return scene;
   };
-  rows.back().push_back(pencil.draw(lit_wall({1, 1}), along("vertex"), {"figure 1: 4 vertices, lit at the vertices"}));
-  rows.back().push_back(pencil.draw(lit_wall({6, 4}), along("vertex"), {"figure 2: 35 vertices, lit at the vertices"}));
-  rows.back().push_back(pencil.draw(lit_wall({1, 1}), along("interpolated"),
-                                    {"figure 3: 4 vertices, lit per pixel", "listing 2.2, interpolated normals"}));
+  rows.back().push_back(painter.draw(lit_wall({1, 1}), along("vertex"), {"figure 1: 4 vertices, lit at the vertices"}));
+  rows.back().push_back(
+      painter.draw(lit_wall({6, 4}), along("vertex"), {"figure 2: 35 vertices, lit at the vertices"}));
+  rows.back().push_back(painter.draw(lit_wall({1, 1}), along("interpolated"),
+                                     {"figure 3: 4 vertices, lit per pixel", "listing 2.2, interpolated normals"}));
   rows.emplace_back();
   rows.back().push_back(
-      pencil.draw(ball_between_lamps(), along("lacroix"),
-                  {"equations 1 to 4 as printed", "a lamp behind a surface takes away what the other gives"}));
+      painter.draw(ball_between_lamps(), along("lacroix"),
+                   {"equations 1 to 4 as printed", "a lamp behind a surface takes away what the other gives"}));
   rows.back().push_back(
-      pencil.draw(ball_between_lamps(), along("interpolated"), {"N.L clamped to 0", "the other paths"}));
+      painter.draw(ball_between_lamps(), along("interpolated"), {"N.L clamped to 0", "the other paths"}));
   rows.emplace_back();
   const Scene room = scene::read_scene(scene::bundled_scene_path("room"));
-  rows.back().push_back(pencil.draw(room, along("interpolated"), {"listing 2.2: interpolated normals"}));
-  rows.back().push_back(pencil.draw(room, along("tangent"), {"listing 1.2: normal maps, lights in tangent space"}));
-  rows.back().push_back(pencil.draw(room, along("unified"), {"listing 2.3: normal maps in world space"}));
+  rows.back().push_back(painter.draw(room, along("interpolated"), {"listing 2.2: interpolated normals"}));
+  rows.back().push_back(painter.draw(room, along("tangent"), {"listing 1.2: normal maps, lights in tangent space"}));
+  rows.back().push_back(painter.draw(room, along("unified"), {"listing 2.3: normal maps in world space"}));
   rows.emplace_back();
   Scene bricks = wall({1, 1}, "brick");
   bricks.camera = {.position = {-1.6f, -0.5f, 0.45f}, .target = {-0.6f, -0.35f, 0}, .field_of_view = 0.6f};
   bricks.lights = {lamp({-0.9, 0.3, 0.6}, {1, 0, 0.2})};
   rows.back().push_back(
-      pencil.draw(bricks, along("interpolated"), {"bricks seen along the wall: interpolated normals"}));
-  rows.back().push_back(pencil.draw(bricks, along("unified"), {"normal map"}));
-  rows.back().push_back(pencil.draw(bricks, along("parallax"), {"and parallax mapping, by the bricks' heights"}));
+      painter.draw(bricks, along("interpolated"), {"bricks seen along the wall: interpolated normals"}));
+  rows.back().push_back(painter.draw(bricks, along("unified"), {"normal map"}));
+  rows.back().push_back(painter.draw(bricks, along("parallax"), {"and parallax mapping, by the bricks' heights"}));
   rows.emplace_back();
   RenderSettings object_space;
   object_space.path = &render::object_space_path();
-  rows.back().push_back(pencil.draw(
+  rows.back().push_back(painter.draw(
       dented_globe(8, NormalSpace::tangent), along("unified"),
       {"8 faces around, normal map in tangent space", "a seam where vertices share normals, but no tangents"}));
   rows.back().push_back(
-      pencil.draw(dented_globe(8, NormalSpace::object), object_space, {"8 faces around, normal map in object space"}));
-  rows.back().push_back(pencil.draw(dented_globe(192, NormalSpace::tangent), along("unified"),
-                                    {"192 faces around, normal map in tangent space"}));
+      painter.draw(dented_globe(8, NormalSpace::object), object_space, {"8 faces around, normal map in object space"}));
+  rows.back().push_back(painter.draw(dented_globe(192, NormalSpace::tangent), along("unified"),
+                                     {"192 faces around, normal map in tangent space"}));
   return rows;
 }
 
@@ -334,15 +336,15 @@ scene::Mesh drum(int segments) {
   return mesh;
 }
 
-Rows cg_figures(const Draughtsman& pencil) {
+Rows cg_figures(const FigurePainter& painter) {
   const glm::vec3 ka(0.06f, 0.09f, 0.06f), kd(0.2f, 0.4f, 0.2f), ks(0.8f);
   Rows rows;
   const auto add_row = [&rows]() -> std::vector<SheetEntry>& { return rows.emplace_back(); };
   const auto ball = [](const Finish& finish) { return figure(scene::make_sphere(1, 96), finish); };
   auto* row = &add_row();
   for (const float shininess : {2.0f, 10.0f, 50.0f, 250.0f}) {
-    row->push_back(pencil.draw(ball({ka, kd, ks, shininess}), along("unified"),
-                               {fmt::format("figure 5-12: shininess {}", shininess)}));
+    row->push_back(painter.draw(ball({ka, kd, ks, shininess}), along("unified"),
+                                {fmt::format("figure 5-12: shininess {}", shininess)}));
   }
   row = &add_row();
   const glm::vec3 none(0.0f);
@@ -350,56 +352,56 @@ Rows cg_figures(const Draughtsman& pencil) {
                                      {"diffuse", {none, kd, none, 90}},
                                      {"specular", {none, none, ks, 90}},
                                      {"ambient + diffuse + specular", {ka, kd, ks, 90}}}) {
-    row->push_back(pencil.draw(ball(finish), along("unified"), {fmt::format("figure 5-14: {}", name)}));
+    row->push_back(painter.draw(ball(finish), along("unified"), {fmt::format("figure 5-14: {}", name)}));
   }
   row = &add_row();
   const Scene coarse = figure(drum(10), {ka, kd, ks, 40});
-  row->push_back(pencil.draw(coarse, along("vertex"), {"figure 5-17, left: per vertex"}));
-  row->push_back(pencil.draw(coarse, along("mixed"), {"exercise 6: specular per fragment"}));
-  row->push_back(pencil.draw(coarse, along("unified"), {"figure 5-17, right: per fragment"}));
+  row->push_back(painter.draw(coarse, along("vertex"), {"figure 5-17, left: per vertex"}));
+  row->push_back(painter.draw(coarse, along("mixed"), {"exercise 6: specular per fragment"}));
+  row->push_back(painter.draw(coarse, along("unified"), {"figure 5-17, right: per fragment"}));
   const Scene tessellation = scene::read_scene(scene::bundled_scene_path("tessellation"));
-  row->push_back(pencil.draw(tessellation, along("vertex"), {"figure 5-16: tessellation, per vertex"}));
+  row->push_back(painter.draw(tessellation, along("vertex"), {"figure 5-16: tessellation, per vertex"}));
   row = &add_row();
   Scene spot = wall({1, 1}, "plaster");
   spot.lights = {lamp({0, 0, 3}, {1, 0, 0}, Cone::smoothstep(12 * kDegree, 26 * kDegree))};
   for (const auto& [name, edge] : {std::pair{"figure 5-21, left: one cone", render::SpotEdge::hard},
                                    {"two cones by lerp", render::SpotEdge::lerp},
                                    {"figure 5-21, right: two cones by smoothstep", render::SpotEdge::smoothstep}}) {
-    row->push_back(pencil.draw(spot, along("cg", {.spot_edge = edge}), {name}));
+    row->push_back(painter.draw(spot, along("cg", {.spot_edge = edge}), {name}));
   }
   row = &add_row();
   Scene bright = wall({1, 1}, "plaster");
   bright.lights = {lamp({-1.5, 0, 0.4}, {0.2, 0, 1.5}), lamp({1.6, 0, 0.4}, {1, 0, 9})};
   row->push_back(
-      pencil.draw(bright, along("cg"), {"example 5-6: attenuation as printed", "C = 0.2, Q = 1.5; C = 1, Q = 9"}));
-  row->push_back(pencil.draw(bright, along("unified"), {"clamped to 1 and cut at 0.05", "the other paths"}));
+      painter.draw(bright, along("cg"), {"example 5-6: attenuation as printed", "C = 0.2, Q = 1.5; C = 1, Q = 9"}));
+  row->push_back(painter.draw(bright, along("unified"), {"clamped to 1 and cut at 0.05", "the other paths"}));
   Scene glossy = figure(wall({1, 1}, "plaster").models[0][0].mesh, {ka, kd, ks, 40});
   glossy.lights[0].position = {-1, 0.5, 2};
-  row->push_back(pencil.draw(glossy, along("unified"), {"exercise 4: viewer where the eye is"}));
-  row->push_back(pencil.draw(glossy, along("unified", {.has_infinite_viewer = true}),
-                             {"exercise 4: V always (0, 0, 1)", "infinite viewer"}));
+  row->push_back(painter.draw(glossy, along("unified"), {"exercise 4: viewer where the eye is"}));
+  row->push_back(painter.draw(glossy, along("unified", {.has_infinite_viewer = true}),
+                              {"exercise 4: V always (0, 0, 1)", "infinite viewer"}));
   row = &add_row();
   Scene metal = figure(drum(64), {});
   metal.materials.clear();
   metal.models[0][0].material = "galvanised";
   scene::add_materials(metal);
-  row->push_back(pencil.draw(metal, along("unified"), {"galvanised steel by the Basic model"}));
-  row->push_back(pencil.draw(metal, along("cook-torrance"), {"further reading: Cook and Torrance"}));
-  row->push_back(pencil.draw(metal, along("anisotropic"), {"exercise 7: brushed around the drum"}));
+  row->push_back(painter.draw(metal, along("unified"), {"galvanised steel by the Basic model"}));
+  row->push_back(painter.draw(metal, along("cook-torrance"), {"further reading: Cook and Torrance"}));
+  row->push_back(painter.draw(metal, along("anisotropic"), {"exercise 7: brushed around the drum"}));
   return rows;
 }
 
 // --- Frazier ---
 
-Rows frazier_figures(const Draughtsman& pencil) {
+Rows frazier_figures(const FigurePainter& painter) {
   Scene room = scene::read_scene(scene::bundled_scene_path("room"));
   for (PlacedLight& light : room.lights) light.light.color *= 0.3;  // his back buffer ends at 1
   Rows rows{{}, {}};
-  rows[0].push_back(pencil.draw(room, along("light-map"), {"dynamic multi-light light map, without texture"}));
-  rows[0].push_back(pencil.draw(room, along("accumulate"), {"multiplied by the base texture"}));
+  rows[0].push_back(painter.draw(room, along("light-map"), {"dynamic multi-light light map, without texture"}));
+  rows[0].push_back(painter.draw(room, along("accumulate"), {"multiplied by the base texture"}));
   for (const auto& [name, maps] : {std::pair{"one spot map for every angle, by its scale", render::ConeMaps::one_disc},
                                    {"a map of each light's own cone", render::ConeMaps::scaled}}) {
-    rows[1].push_back(pencil.draw(room, along("radial", {.cone_maps = maps}), {name}));
+    rows[1].push_back(painter.draw(room, along("radial", {.cone_maps = maps}), {name}));
   }
   Scene points = room;
   points.lights = {lamp({0, 1.4, -1}, {1, 0, 1}), lamp({-2.4, 1.8, -3}, {1, 0, 0.6})};
@@ -408,33 +410,33 @@ Rows frazier_figures(const Draughtsman& pencil) {
   RenderSettings unlit;
   unlit.path = &render::unlit_path();
   rows.push_back(
-      {pencil.draw(points, unlit, {"base texture only"}),
-       pencil.draw(points, along("radial-plane"), {"two point lights in one pass", "z^2 of each a constant"}),
-       pencil.draw(room, along("accumulate", {.shadows = render::Shadows::surfaces}),
-                   {"improvements: \"depth buffer shadow casting\""})});
+      {painter.draw(points, unlit, {"base texture only"}),
+       painter.draw(points, along("radial-plane"), {"two point lights in one pass", "z^2 of each a constant"}),
+       painter.draw(room, along("accumulate", {.shadows = render::Shadows::surfaces}),
+                    {"improvements: \"depth buffer shadow casting\""})});
   return rows;
 }
 
 }  // namespace
 
 void draw_paper_sheets(const std::string& folder, int width, int height, int frames) {
-  const std::pair<const char*, Rows (*)(const Draughtsman&)> sheets[] = {{"hales.png",
-                                                                          [](const Draughtsman& pencil) {
-                                                                            Rows rows = hales_figures(pencil);
-                                                                            for (auto& row : hales_cones(pencil))
-                                                                              rows.push_back(std::move(row));
-                                                                            return rows;
-                                                                          }},
-                                                                         {"lacroix.png", lacroix_figures},
-                                                                         {"cg.png", cg_figures},
-                                                                         {"frazier.png", frazier_figures}};
+  const std::pair<const char*, Rows (*)(const FigurePainter&)> sheets[] = {{"hales.png",
+                                                                            [](const FigurePainter& painter) {
+                                                                              Rows rows = hales_figures(painter);
+                                                                              for (auto& row : hales_cones(painter))
+                                                                                rows.push_back(std::move(row));
+                                                                              return rows;
+                                                                            }},
+                                                                           {"lacroix.png", lacroix_figures},
+                                                                           {"cg.png", cg_figures},
+                                                                           {"frazier.png", frazier_figures}};
   std::vector<std::string> files;
   for (const auto& [file, draw] : sheets) files.emplace_back(file);
   PictureFolder pictures(folder, files, {});
   const gl::HeadlessContext context;
-  const Draughtsman pencil(width, height, frames);
+  const FigurePainter painter(width, height, frames);
   for (const auto& [file, draw] : sheets) {
-    pictures.write(file, make_contact_sheet(draw(pencil)));
+    pictures.write(file, make_contact_sheet(draw(painter)));
     command::report(fmt::format("{}\n", pictures.path_of(file)));
   }
   pictures.finish();

@@ -41,8 +41,7 @@ struct AirlightList {
 ///
 /// pixels_per_radian  of the picture, at its middle
 /// exposure           EV at which it is shown
-/// casters            of each light whether it cuts shafts: its number among those that do, or below 0; empty: none
-/// does
+/// casters            of each light: its number among those that cut shafts, or below 0; empty: none cuts any
 AirlightList list_airlight(const SceneLights& lights, const Fog& fog, const Scattering& scattering,
                            const glm::dvec3& eye, double pixels_per_radian, double exposure,
                            std::span<const std::int32_t> casters = {});

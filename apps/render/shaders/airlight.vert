@@ -27,13 +27,13 @@ void main() {
   }
   // The cone's part of that sphere is within a ball at its end, or between that and the light.
   vec3 apex = light.position_extent.xyz;
-  vec3 center = apex;
+  vec3 centre = apex;
   if (!is_filled && (profile == 1.0 || profile == 2.0)) {
     float cos_cut = max(light.cone.x, 0.0);
-    center += light.axis_profile.xyz * (radius * cos_cut);
+    centre += light.axis_profile.xyz * (radius * cos_cut);
     radius *= sqrt(1.0 - cos_cut * cos_cut);
   }
-  vec3 toward = center - eye;
+  vec3 toward = centre - eye;
   float range = length(toward);
   toward /= range;
   vec3 toward_apex = apex - eye;
