@@ -80,7 +80,8 @@ also with airlight, by the base texture alone (unlit) and, as the rival, by a sm
 loops over all lights and skips nothing (plain); with 1 to 16 lights also with nothing skipped, and with 2 at 1280x720.
 Every scene with 2 and 16 lights at 1280x720 by unified, legacy and plain, with 1 and 4 samples a pixel, with and
 without skipping; with 4 and skipping also with airlight. Frames of all paths interleaved. Errors are those of the same
-picture at 80x45, against the path's own plain formulas, shaded in double. The picture has table 1 of Hales 2004.
+picture at 80x45, by airlight at 32x18, against the path's own plain formulas, shaded in double. The picture has table 1
+of Hales 2004.
 
 maps: no times; headlights by its two headlights in exp2 fog, 320x180, drawn from 3-D range maps and from pairs of 2-D
 maps of as many texels, of 16 to 256 texels a side. Errors are against the path's plain formulas, shaded in double.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <glm/glm.hpp>
 #include <iterator>
 #include <limits>
 #include <memory>
@@ -51,7 +52,7 @@ struct Trial {
   double over_legacy;                     // of the medians
   double over_two_light_legacy;           // likewise
   std::optional<double> over_plain = {};  // likewise; none where plain cannot hold the lights
-  /// Of a picture of kErrorWidth x kErrorHeight; none of the unlit pass and of plain, which have no formulas.
+  /// Of a smaller picture; none of the unlit pass and of plain, which have no formulas.
   std::optional<measure::PictureError> error = {};
 };
 
@@ -59,9 +60,10 @@ constexpr const char* kTableScene = "headlights";  // as Hales's figure 1
 constexpr int kTableWidth = 640;
 constexpr int kTableHeight = 360;
 
-/// Of the pictures that errors are found in: the reference shades each sample of each pixel in double.
-constexpr int kErrorWidth = 80;
-constexpr int kErrorHeight = 45;
+/// Sizes of the pictures that errors are found in: the reference shades each sample of each pixel in double, and
+/// integrates the airlight of each lamp to 1e-10.
+constexpr glm::ivec2 kErrorSize{80, 45};
+constexpr glm::ivec2 kAirlightErrorSize{32, 18};
 
 std::vector<Setting> settings(bool quick) {
   if (quick) {
@@ -164,7 +166,9 @@ std::vector<Trial> measure(const Setting& setting, const measure::FrameBudget& b
                       .over_two_light_legacy = time / two_light_time});
     if (plain_time) trials.back().over_plain = time / *plain_time;
     if (renderers[i] && techniques[i].path != &render::unlit_path()) {
-      renderers[i]->set_size(kErrorWidth, kErrorHeight);
+      const bool has_airlight = techniques[i].fog_lighting == render::FogLighting::airlight;
+      const glm::ivec2 size = has_airlight ? kAirlightErrorSize : kErrorSize;
+      renderers[i]->set_size(size.x, size.y);
       trials.back().error = measure::compare_with_reference(*renderers[i], progress).error;
       trials.back().error->pixels.clear();  // nobody looks at them
     }

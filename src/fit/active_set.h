@@ -57,6 +57,7 @@ template <typename Real, std::size_t kSize>
 ActiveSetStep<Real, kSize> active_set_step(const BoundedModel<Real, kSize>& model,
                                            const std::vector<std::size_t>& free) {
   using Eigen::Index;
+  if (free.empty()) return {model.point, std::nullopt};
   constexpr int kMost = int(kSize) + 1;
   const auto count = Index(free.size());
   const Index size = count + (model.plane ? 1 : 0);
