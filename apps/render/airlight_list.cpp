@@ -49,8 +49,7 @@ class GlowBound {
   GlowBound(const Light& light, double extent, const Fog& fog, double eye_range, double brightness)
       : attenuation_(light.attenuation), extent_(extent), brightness_(brightness) {
     density_ = std::min(fog.density * light.density_scale, 1e6);
-    const double x = std::min(density_ * eye_range, 80.0);
-    weight_ = density_ * (fog.mode == FogMode::exp ? std::exp(-x) : 1.2131 * std::exp(-std::min(x * x / 3, 80.0)));
+    weight_ = largest_fog_weight({.mode = fog.mode, .density = density_}, eye_range);
   }
 
   /// Range beyond which it is below a budget; 0 where it is so everywhere.

@@ -16,6 +16,7 @@
 #include "render/demo_shaders.h"
 #include "render/fog_top.h"
 #include "render/gpu/depth.h"
+#include "render/gpu/light_uniforms.h"
 #include "render/gpu/texture_unit.h"
 #include "render/gpu/uniform.h"
 
@@ -283,14 +284,10 @@ const gl::Program& AirlightPainter::light_program(FogMode fog_mode, int profile,
 
 void AirlightPainter::use(const gl::Program& program, const Frame& frame, const Grid& grid) {
   program.use();
-  fog_lights_.bind(program, kFogLightBinding);
+  bind_lights(program, fog_lights_);
   set_uniform(program, "depths", kDepthUnit);
   set_uniform(program, "seen_ranges", kSeenUnit);
   set_uniform(program, "mean_opacities", kOpacityUnit);
-  set_uniform(program, "cookies", kCookieUnit);
-  set_uniform(program, "cookie_cones", kCookieConeUnit);
-  set_uniform(program, "litfog_kind_buffer", kKindBufferUnit);
-  set_uniform(program, "litfog_instance_buffer", kInstanceBufferUnit);
   set_uniform(program, "airlight_entries", kEntryUnit);
   set_uniform(program, "clip_from_world", frame.view.clip_from_world);
   set_uniform(program, "direction_from_clip", frame.view.direction_from_clip);

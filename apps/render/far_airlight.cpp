@@ -9,6 +9,7 @@
 #include "litfog/gl/unsupported.h"
 #include "render/airlight_program.h"
 #include "render/demo_shaders.h"
+#include "render/gpu/light_uniforms.h"
 #include "render/gpu/texture_unit.h"
 #include "render/gpu/uniform.h"
 
@@ -80,11 +81,7 @@ void FarAirlight::draw(glm::ivec2 picture_size, double pixels_per_radian, const 
   for (const FarAirlightList::Range& range : list.ranges) {
     const gl::Program& program = light_program(fog.mode, range.profile);
     program.use();
-    fog_lights_.bind(program, kFogLightBinding);
-    set_uniform(program, "cookies", kCookieUnit);
-    set_uniform(program, "cookie_cones", kCookieConeUnit);
-    set_uniform(program, "litfog_kind_buffer", kKindBufferUnit);
-    set_uniform(program, "litfog_instance_buffer", kInstanceBufferUnit);
+    bind_lights(program, fog_lights_);
     set_uniform(program, "far_lights", kFarLightUnit);
     set_uniform(program, "direction_from_clip", direction_from_clip);
     set_uniform(program, "pixel_size", 2.0f / glm::vec2(picture_size));

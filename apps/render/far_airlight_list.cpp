@@ -24,8 +24,7 @@ class FarBound {
   double whole() const {
     const double beyond = brightness_ * light_->threshold * fog_factor_at(fog_, extent_);
     if (!(light_->attenuation.quadratic > 0)) return beyond;
-    const double x = fog_.density * std::max(eye_range_, extent_);
-    const double weight = fog_.density * (fog_.mode == FogMode::exp ? std::exp(-x) : 1.2131 * std::exp(-x * x / 3));
+    const double weight = largest_fog_weight(fog_, std::max(eye_range_, extent_));
     return std::min(beyond, brightness_ * weight * 2 / (light_->attenuation.quadratic * extent_));
   }
 

@@ -37,6 +37,11 @@ double largest_irradiance(const PlacedLight& light, double extent, const Fog& fo
   return factor * attenuation_at(light.light.attenuation, range);
 }
 
+double largest_fog_weight(const Fog& fog, double eye_range) {
+  const double x = std::min(fog.density * eye_range, 80.0);
+  return fog.density * (fog.mode == FogMode::exp ? std::exp(-x) : 1.2131 * std::exp(-std::min(x * x / 3, 80.0)));
+}
+
 double airlight_end(const Light& light, double extent, const Fog& fog, double largest_phase, double eye_range,
                     double budget) {
   Fog seen = scaled(fog, light.density_scale);
@@ -47,7 +52,7 @@ double airlight_end(const Light& light, double extent, const Fog& fog, double la
   if (light.attenuation.quadratic > 0) {
     integral = std::min(integral, 4 / std::sqrt(light.attenuation.quadratic * most));
   }
-  const double weight = seen.density * (seen.mode == FogMode::exp ? 1 : 1.2131);
+  const double weight = largest_fog_weight(seen, 0);
   const double x = hidden_range(seen, largest_component(light.color) * largest_phase * weight * integral, budget);
   if (std::isinf(x)) return x;
   if (seen.mode == FogMode::exp) return eye_range >= x ? 0 : (x + eye_range) / 2;

@@ -43,6 +43,12 @@ double hidden_range(const Fog& fog, double brightness, double budget);
 double largest_irradiance(const PlacedLight& light, double extent, const Fog& fog, FogLighting fog_lighting,
                           const LightingPath& path, const scene::Bounds& box);
 
+/// An upper bound of -f'(s) f(r) on any ray, 1/m (litfog/shaders/glow.glsl has the proof).
+///
+/// fog        as the light's class sees it
+/// eye_range  metres from the eye to the light, or less
+double largest_fog_weight(const Fog& fog, double eye_range);
+
 /// The range beyond which nothing that stands between the eye and the fog behind it takes more than a budget of a
 /// light's airlight away. Metres, 0 where that is so everywhere, infinity where it is so nowhere.
 ///

@@ -16,6 +16,7 @@
 #include "litfog/gl/check_errors.h"
 #include "render/demo_shaders.h"
 #include "render/fog_top.h"
+#include "render/gpu/light_uniforms.h"
 #include "render/gpu/texture_unit.h"
 #include "render/gpu/uniform.h"
 #include "render/light_map_store.h"
@@ -290,11 +291,7 @@ std::size_t Renderer::draw_panes(const View& view, const FramePlan& plan, std::s
 void Renderer::draw_sky(const View& view, const gl::Program& program) {
   const scene::Environment& environment = scene_.environment;
   program.use();
-  fog_block_.bind(program, kFogLightBinding);
-  set_uniform(program, "cookies", kCookieUnit);
-  set_uniform(program, "cookie_cones", kCookieConeUnit);
-  set_uniform(program, "litfog_kind_buffer", kKindBufferUnit);
-  set_uniform(program, "litfog_instance_buffer", kInstanceBufferUnit);
+  bind_lights(program, fog_block_);
   set_uniform(program, "light_list", kLightListUnit);
   set_uniform(program, "carried_count", carried_count());
   set_uniform(program, "direction_from_clip", view.direction_from_clip);
@@ -312,15 +309,11 @@ void Renderer::draw_sky(const View& view, const gl::Program& program) {
 void Renderer::draw_light_points(const View& view, const FramePlan& plan) {
   if (plan.point_count == 0) return;
   light_point_program_.use();
-  fog_block_.bind(light_point_program_, kFogLightBinding);
-  set_uniform(light_point_program_, "cookies", kCookieUnit);
-  set_uniform(light_point_program_, "cookie_cones", kCookieConeUnit);
+  bind_lights(light_point_program_, fog_block_);
   set_uniform(light_point_program_, "clip_from_world", view.clip_from_world);
   set_uniform(light_point_program_, "eye", scene_.camera.position);
   set_point_uniforms(light_point_program_, settings_.fog_lighting, framebuffer_.height(), has_clip_control());
   set_uniform(light_point_program_, "first_point", unsigned(plan.point_first));
-  set_uniform(light_point_program_, "litfog_kind_buffer", kKindBufferUnit);
-  set_uniform(light_point_program_, "litfog_instance_buffer", kInstanceBufferUnit);
   set_uniform(light_point_program_, "light_list", kLightListUnit);
   glEnable(GL_PROGRAM_POINT_SIZE);
   glEnable(GL_BLEND);

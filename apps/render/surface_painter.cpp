@@ -7,6 +7,7 @@
 #include <iterator>
 #include <vector>
 
+#include "render/gpu/light_uniforms.h"
 #include "render/gpu/texture_unit.h"
 #include "render/gpu/uniform.h"
 
@@ -275,7 +276,7 @@ SurfaceProgram& SurfacePainter::use(Frame& frame, const ShaderVariant& variant, 
   if (program.frame != frame.number) {
     program.frame = frame.number;
     program.material = nullptr;
-    fog_light_buffer_.bind(program.program, kFogLightBinding);
+    bind_lights(program.program, fog_light_buffer_);
     set_uniform(program.program, "clip_from_world", frame.clip_from_world);
     set_uniform(program.program, "infinite_viewer", glm::normalize(scene_.camera.position - scene_.camera.target));
     set_uniform(program.program, "is_flat_shaded", unsigned{settings_.is_flat_shaded});
@@ -283,15 +284,11 @@ SurfaceProgram& SurfacePainter::use(Frame& frame, const ShaderVariant& variant, 
     set_uniform(program.program, "normal_map", kNormalUnit);
     set_uniform(program.program, "emission_map", kEmissionUnit);
     set_uniform(program.program, "second_map", kSecondUnit);
-    set_uniform(program.program, "litfog_kind_buffer", kKindBufferUnit);
-    set_uniform(program.program, "litfog_instance_buffer", kInstanceBufferUnit);
     set_uniform(program.program, "light_list", kLightListUnit);
     set_uniform(program.program, "carried_count", unsigned(lights_.size() - lights_.local_count()));
     set_uniform(program.program, "range_map", kRangeMapUnit);
     set_uniform(program.program, "distance_map", kDistanceMapUnit);
     set_uniform(program.program, "cone_map", kConeMapUnit);
-    set_uniform(program.program, "cookies", kCookieUnit);
-    set_uniform(program.program, "cookie_cones", kCookieConeUnit);
     set_uniform(program.program, "shadow_maps", kShadowMapUnit);
     set_uniform(program.program, "shadow_casters", kShadowCasterUnit);
     set_uniform(program.program, "caster_of_light", kCasterOfLightUnit);
