@@ -75,9 +75,14 @@ FarAirlightList list_far_airlight(const SceneLights& lights, const Fog& fog, con
     }
     return true;
   };
-  constexpr double kFiner = 1.25;
-  list.depth = kSkyDistance;
-  while (list.depth > 1 && is_enough(list.depth / kFiner)) list.depth /= kFiner;
+  // A bisection, since what is left out falls with the depth.
+  const auto depth_of = [](int step) { return kSkyDistance * std::pow(1.25, -step); };
+  int enough = 0, too_near = 49;  // less than a metre
+  while (too_near - enough > 1) {
+    const int middle = (enough + too_near) / 2;
+    (is_enough(depth_of(middle)) ? enough : too_near) = middle;
+  }
+  list.depth = depth_of(enough);
 
   std::ranges::sort(candidates, {}, [](const Candidate& each) { return std::pair(each.profile, each.light); });
   for (const Candidate& each : candidates) {
