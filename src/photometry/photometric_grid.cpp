@@ -2,21 +2,16 @@
 #include "photometric_grid.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <numbers>
+
+#include "number_text.h"
 
 namespace litfog {
 namespace {
 
 constexpr int kMaxAngles = 10'000;
 constexpr double kRadiansPerDegree = std::numbers::pi / 180;
-
-std::string as_written(double x) {
-  std::array<char, 32> text;
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
-}
 
 /// "candela value 12 of 361"
 std::string name_of(std::string_view what, std::size_t index, std::size_t count) {
@@ -40,7 +35,7 @@ std::vector<double> PhotometricGrid::angles(std::string_view what, int count, do
       scanner_.fail(piece, name(), range_rule(low, high));
     }
     if (i > 0 && !(angle * kRadiansPerDegree > angles.back() * kRadiansPerDegree)) {  // they may round to the same
-      scanner_.fail(piece, name(), "must be greater than the one before, " + as_written(angles.back()));
+      scanner_.fail(piece, name(), "must be greater than the one before, " + number_text(angles.back()));
     }
     angles.push_back(angle);
   }
@@ -106,7 +101,7 @@ void close_turn(std::vector<double>& planes_deg, std::vector<double>& intensity)
 }
 
 std::string range_rule(double low, double high) {
-  return "must be in [" + as_written(low) + ", " + as_written(high) + "]";
+  return "must be in [" + number_text(low) + ", " + number_text(high) + "]";
 }
 
 std::vector<double> radians_from_degrees(std::vector<double> angles) {
