@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
-#include "litfog/gl/unsupported.h"
 #include "render/airlight_program.h"
 #include "render/demo_shaders.h"
 #include "render/fog_top.h"
 #include "render/gpu/depth.h"
+#include "render/gpu/framebuffer.h"
 #include "render/gpu/light_uniforms.h"
 #include "render/gpu/texture_unit.h"
 #include "render/gpu/uniform.h"
@@ -45,12 +45,6 @@ void attach(GLenum attachment, const gl::TextureName& texture, glm::ivec2 size, 
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, texture.id(), 0);
-}
-
-void check_framebuffer() {
-  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE || glGetError() != GL_NO_ERROR) {
-    throw gl::Unsupported("this driver cannot draw into textures of floats");
-  }
 }
 
 /// Reads that many depths a pixel.
@@ -89,7 +83,7 @@ void AirlightPainter::set_size(const Framebuffer& framebuffer) {
   attach(GL_COLOR_ATTACHMENT0, seen_texture_, picture_size_);
   attach(GL_COLOR_ATTACHMENT1, mean_opacities_, picture_size_, GL_R32F);
   glDrawBuffers(2, kTargets);
-  check_framebuffer();
+  check_float_framebuffer();
   for (const int step : kGridSteps) {
     Grid& grid = grids_.emplace_back();
     grid.step = step;
@@ -101,11 +95,11 @@ void AirlightPainter::set_size(const Framebuffer& framebuffer) {
   attach_airlight(packed_, true);
   glBindFramebuffer(GL_FRAMEBUFFER, marks_framebuffer_.id());
   attach(GL_COLOR_ATTACHMENT0, marks_, {most_blocks.x, packed_.size.y}, GL_R32F);
-  check_framebuffer();
+  check_float_framebuffer();
   glBindFramebuffer(GL_FRAMEBUFFER, places_framebuffer_.id());
   attach(GL_COLOR_ATTACHMENT0, places_, packed_.size, GL_RG32F);
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, packed_.stencil.id());
-  check_framebuffer();
+  check_float_framebuffer();
 }
 
 /// Gives a target of a size its textures and its stencil.
@@ -117,7 +111,7 @@ void AirlightPainter::attach_airlight(Target& target, bool has_gain) {
   glBindRenderbuffer(GL_RENDERBUFFER, target.stencil.id());
   glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, target.size.x, target.size.y);
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, target.stencil.id());
-  check_framebuffer();
+  check_float_framebuffer();
 }
 
 std::span<const std::int32_t> AirlightPainter::casters() const {

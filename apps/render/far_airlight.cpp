@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "litfog/gl/unsupported.h"
 #include "render/airlight_program.h"
 #include "render/demo_shaders.h"
+#include "render/gpu/framebuffer.h"
 #include "render/gpu/light_uniforms.h"
 #include "render/gpu/texture_unit.h"
 #include "render/gpu/uniform.h"
@@ -20,12 +20,6 @@ constexpr double kApart = 0.045;  // radians between texels
 constexpr int kMostRows = 120;    // of texels: as many pictures as there are slabs have to fit into a texture
 constexpr int kSlabs = 32;        // of far_airlight.glsl, as is the next
 constexpr int kSlabsAtOnce = 8;
-
-void check_framebuffer() {
-  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE || glGetError() != GL_NO_ERROR) {
-    throw gl::Unsupported("this driver cannot draw into textures of floats");
-  }
-}
 
 }  // namespace
 
@@ -45,7 +39,7 @@ void FarAirlight::set_size(glm::ivec2 size) {
     glFramebufferTextureLayer(GL_FRAMEBUFFER, targets[i], slabs_.id(), 0, i);
   }
   glDrawBuffers(kSlabsAtOnce, targets);
-  check_framebuffer();
+  check_float_framebuffer();
   glActiveTexture(GL_TEXTURE0 + kFarAirlightUnit);
   glBindTexture(GL_TEXTURE_2D, sums_.id());
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, size.x, size.y * (kSlabs + 1), 0, GL_RGBA, GL_FLOAT, nullptr);
@@ -55,7 +49,7 @@ void FarAirlight::set_size(glm::ivec2 size) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   glBindFramebuffer(GL_FRAMEBUFFER, sums_framebuffer_.id());
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, sums_.id(), 0);
-  check_framebuffer();
+  check_float_framebuffer();
 }
 
 void FarAirlight::draw(glm::ivec2 picture_size, double pixels_per_radian, const glm::mat4& direction_from_clip,

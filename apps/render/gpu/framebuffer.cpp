@@ -92,4 +92,10 @@ Picture Framebuffer::read() const {
   return picture;
 }
 
+void check_float_framebuffer() {
+  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE || glGetError() != GL_NO_ERROR) {
+    throw gl::Unsupported("this driver cannot draw into textures of floats");
+  }
+}
+
 }  // namespace litfog::render

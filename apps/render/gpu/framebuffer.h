@@ -44,4 +44,7 @@ class Framebuffer {
   gl::RenderbufferName resolved_color_;
 };
 
+/// Throws gl::Unsupported where the driver cannot draw into the bound framebuffer, which is of textures of floats.
+void check_float_framebuffer();
+
 }  // namespace litfog::render
