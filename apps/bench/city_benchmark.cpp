@@ -28,8 +28,8 @@
 #include "measure/picture_error.h"
 #include "measure/quantile.h"
 #include "reference/random_light.h"
+#include "render/light/scene_lights.h"
 #include "render/renderer.h"
-#include "render/scene_lights.h"
 #include "scene/file/scene_file.h"
 
 namespace litfog::bench {

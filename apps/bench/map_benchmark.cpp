@@ -7,7 +7,7 @@
 #include "litfog/gl/headless_context.h"
 #include "measure/comparison.h"
 #include "measure/quantile.h"
-#include "render/light_map.h"
+#include "render/light/light_map.h"
 #include "render/renderer.h"
 #include "scene/file/scene_file.h"
 

@@ -12,15 +12,15 @@
 #include <span>
 
 #include "litfog/gl/check_errors.h"
-#include "render/demo_shaders.h"
 #include "render/fog_top.h"
 #include "render/gpu/depth.h"
 #include "render/gpu/texture_unit.h"
 #include "render/gpu/uniform.h"
-#include "render/light_map_store.h"
-#include "render/light_point.h"
-#include "render/mesh_store.h"
+#include "render/light/light_map_store.h"
+#include "render/light/light_point.h"
+#include "render/render_shaders.h"
 #include "render/renderer.h"
+#include "render/surface/mesh_store.h"
 #include "scene/light_frame.h"
 
 namespace litfog::bench {

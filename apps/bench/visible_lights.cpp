@@ -10,8 +10,8 @@
 #include "measure/model.h"
 #include "render/gpu/depth.h"
 #include "render/gpu/geometry_buffer.h"
-#include "render/hidden_range.h"
-#include "render/point_list.h"
+#include "render/light/hidden_range.h"
+#include "render/light/point_list.h"
 
 namespace litfog::bench {
 namespace {

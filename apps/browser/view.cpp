@@ -16,8 +16,8 @@
 #include "render/frustum.h"
 #include "render/gpu/depth.h"
 #include "render/gpu/uniform.h"
-#include "render/light_point.h"
-#include "render/light_threshold.h"
+#include "render/light/light_point.h"
+#include "render/light/light_threshold.h"
 
 namespace litfog::browser {
 namespace {

@@ -12,8 +12,8 @@
 #include "litfog/updater.h"
 #include "render/display.h"
 #include "render/gpu/texture.h"
-#include "render/mesh_store.h"
 #include "render/render_settings.h"
+#include "render/surface/mesh_store.h"
 #include "scene/scene.h"
 
 namespace litfog::browser {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "demo/drawing_options.h"
+#include "demo/options/drawing_options.h"
 #include "litfog/fog.h"
 #include "measure/comparison.h"
 #include "measure/frame_times.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "render/light_map.h"
+#include "render/light/light_map.h"
 
 namespace litfog::measure {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "measure/airlight_bound.h"
-#include "render/hidden_range.h"
+#include "render/light/hidden_range.h"
 
 namespace litfog::measure {
 namespace {

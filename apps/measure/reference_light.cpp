@@ -6,7 +6,7 @@
 
 #include "litfog/fog_light_block.h"
 #include "litfog/photometry/cookie_airlight.h"
-#include "render/scene_lights.h"
+#include "render/light/scene_lights.h"
 #include "scene/light_frame.h"
 
 namespace litfog::measure {

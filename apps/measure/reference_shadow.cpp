@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "litfog/cone.h"
-#include "render/shadow_caster.h"
+#include "render/shadow/shadow_caster.h"
 #include "scene/light_frame.h"
 
 namespace litfog::measure {

@@ -15,8 +15,8 @@
 
 #include "command/option_rule.h"
 #include "demo/drawing.h"
+#include "demo/options/picture_options.h"
 #include "demo/picture_file.h"
-#include "demo/picture_options.h"
 #include "litfog/gl/headless_context.h"
 #include "litfog/gl/unsupported.h"
 #include "python/errors.h"

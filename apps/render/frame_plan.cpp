@@ -9,10 +9,10 @@
 
 #include "litfog/airlight.h"
 #include "litfog/cone.h"
-#include "render/far_airlight_list.h"
+#include "render/airlight/far_airlight_list.h"
 #include "render/fog_top.h"
 #include "render/frustum.h"
-#include "render/hidden_range.h"
+#include "render/light/hidden_range.h"
 
 namespace litfog::render {
 namespace {

@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "litfog/fog.h"
-#include "render/airlight_list.h"
+#include "render/airlight/airlight_list.h"
 #include "render/frame_counts.h"
 #include "render/frustum.h"
-#include "render/point_list.h"
+#include "render/light/point_list.h"
+#include "render/light/scene_lights.h"
 #include "render/render_settings.h"
-#include "render/scene_lights.h"
-#include "render/surface_list.h"
+#include "render/surface/surface_list.h"
 #include "scene/scene.h"
 
 namespace litfog::render {

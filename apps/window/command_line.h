@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "demo/drawing_options.h"
+#include "demo/options/drawing_options.h"
 #include "scene/file/scene_file.h"
 #include "scene/scene.h"
 

@@ -10,9 +10,9 @@
 
 #include "command/command.h"
 #include "command/option_rule.h"
-#include "demo/drawing_options.h"
+#include "demo/options/drawing_options.h"
+#include "demo/options/picture_options.h"
 #include "demo/picture_file.h"
-#include "demo/picture_options.h"
 #include "files/whole_file.h"
 #include "litfog/files/output_error.h"
 #include "litfog/gl/unsupported.h"

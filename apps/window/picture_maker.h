@@ -12,7 +12,7 @@
 #include <thread>
 #include <vector>
 
-#include "demo/drawing_options.h"
+#include "demo/options/drawing_options.h"
 #include "litfog/light.h"
 #include "render/display.h"
 #include "render/frame_counts.h"

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "demo/drawing_options.h"
-#include "demo/scene_options.h"
+#include "demo/options/drawing_options.h"
+#include "demo/options/scene_options.h"
 #include "scene/scene.h"
 #include "window/command_line.h"
 #include "window/picture_maker.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "demo/animation.h"
+#include "demo/sequence/animation.h"
 
 #include <gtest/gtest.h>
 #include <zlib.h>

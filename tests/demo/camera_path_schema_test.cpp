@@ -5,7 +5,7 @@
 #include <string>
 
 #include "command/temporary_directory.h"
-#include "demo/camera_path.h"
+#include "demo/sequence/camera_path.h"
 #include "files/json_schema.h"
 
 namespace litfog::test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "demo/camera_path.h"
+#include "demo/sequence/camera_path.h"
 
 #include <gtest/gtest.h>
 

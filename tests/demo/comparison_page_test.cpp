@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "demo/comparison_page.h"
+#include "demo/compare/comparison_page.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "demo/contact_sheet.h"
+#include "demo/sheet/contact_sheet.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "demo/course.h"
+#include "demo/sequence/course.h"
 
 #include <gtest/gtest.h>
 

@@ -12,8 +12,8 @@
 #include <iterator>
 
 #include "command/temporary_directory.h"
+#include "demo/compare/settings_page.h"
 #include "demo/picture_file.h"
-#include "demo/settings_page.h"
 
 namespace litfog::test {
 namespace {

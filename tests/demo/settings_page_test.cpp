@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "demo/settings_page.h"
+#include "demo/compare/settings_page.h"
 
 #include <gtest/gtest.h>
 

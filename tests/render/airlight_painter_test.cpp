@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/airlight_painter.h"
+#include "render/airlight/airlight_painter.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/far_airlight_list.h"
+#include "render/airlight/far_airlight_list.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 
 #include "reference/random_airlight.h"
 #include "render/fog_top.h"
-#include "render/hidden_range.h"
+#include "render/light/hidden_range.h"
 
 namespace litfog::test {
 using namespace render;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/hidden_range.h"
+#include "render/light/hidden_range.h"
 
 #include <gtest/gtest.h>
 

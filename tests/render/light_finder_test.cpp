@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/light_finder.h"
+#include "render/light/light_finder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/light_map.h"
+#include "render/light/light_map.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/moon_map.h"
+#include "render/shadow/moon_map.h"
 
 #include <gtest/gtest.h>
 

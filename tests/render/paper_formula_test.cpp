@@ -12,8 +12,8 @@
 
 #include "gl/gl_test.h"
 #include "render/pixel.h"
-#include "render/polygon_sort.h"
 #include "render/renderer.h"
+#include "render/surface/polygon_sort.h"
 #include "render/wall.h"
 #include "scene/file/scene_file.h"
 

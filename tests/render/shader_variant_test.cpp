@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/shader_variant.h"
+#include "render/surface/shader_variant.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/shadow_caster.h"
+#include "render/shadow/shadow_caster.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "litfog/light_bounds.h"
 #include "reference/random_light.h"
-#include "render/scene_lights.h"
+#include "render/light/scene_lights.h"
 
 namespace litfog::test {
 using namespace render;

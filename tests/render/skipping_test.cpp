@@ -12,7 +12,7 @@
 #include "gl/gl_test.h"
 #include "reference/srgb.h"
 #include "render/display.h"
-#include "render/hidden_range.h"
+#include "render/light/hidden_range.h"
 #include "render/renderer.h"
 #include "scene/file/scene_file.h"
 #include "scene/model/model_catalogue.h"

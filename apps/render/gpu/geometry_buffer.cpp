@@ -10,8 +10,8 @@
 #include <iterator>
 
 #include "litfog/gl/unsupported.h"
-#include "render/demo_shaders.h"
 #include "render/gpu/depth.h"
+#include "render/render_shaders.h"
 
 namespace litfog::render {
 namespace {
@@ -46,7 +46,7 @@ GeometryBuffer::GeometryBuffer(int width, int height, int samples)
     : width_(width),
       height_(height),
       samples_(samples),
-      sample_program_("whole_picture.vert", "geometry_sample.frag", demo_shaders()) {
+      sample_program_("whole_picture.vert", "geometry_sample.frag", render_shaders()) {
   static_assert(sizeof(GeometrySample) == kTargets * sizeof(glm::vec4) && std::size(kAttachments) == kTargets);
   glBindFramebuffer(GL_FRAMEBUFFER, drawn_.id());
   for (int i = 0; i < kTargets; ++i) {

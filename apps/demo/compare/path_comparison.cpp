@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "demo/compare/path_comparison.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+
+#include "command/progress.h"
+#include "command/standard_output.h"
+#include "demo/compare/comparison_page.h"
+#include "demo/heat_map.h"
+#include "demo/picture_folder.h"
+#include "demo/sheet/contact_sheet.h"
+#include "files/whole_file.h"
+#include "measure/comparison.h"
+#include "measure/frame_times.h"
+#include "scene/scene.h"
+
+namespace litfog::demo {
+namespace {
+
+constexpr std::size_t kSheetColumns = 4;
+
+std::string words_of(const Fog& fog, double visibility) {
+  if (std::isinf(visibility)) return "clear air";
+  return fmt::format("{} fog, visibility {} m", name_of(fog.mode), visibility);
+}
+
+std::string words_of(const render::RenderSettings& settings) {
+  std::string words = settings.skipping == render::Skipping::on ? "what is invisible is skipped" : "nothing is skipped";
+  if (settings.has_infinite_viewer) words += ", highlights as seen from far away";
+  return fmt::format("{}, light maps of {} texels a side", words, settings.map_size);
+}
+
+/// Pictures in reading order, as rows of a sheet.
+class Sheet {
+ public:
+  void add(const render::Picture& picture, std::vector<std::string> caption) {
+    if (rows_.empty() || rows_.back().size() == kSheetColumns) rows_.emplace_back();
+    rows_.back().push_back({fitted_to_cell(picture), std::move(caption)});
+  }
+  render::Picture picture() const { return make_contact_sheet(rows_); }
+
+ private:
+  std::vector<std::vector<SheetEntry>> rows_;
+};
+
+std::vector<std::unique_ptr<render::Renderer>> make_renderers(const scene::Scene& scene, const Fog& fog,
+                                                              const DrawingOptions& options) {
+  std::vector<std::unique_ptr<render::Renderer>> renderers;
+  for (const render::LightingPath& path : render::lighting_paths()) {
+    renderers.push_back(
+        std::make_unique<render::Renderer>(scene, options.width, options.height, options.settings_of(path)));
+    renderers.back()->set_fog(fog);
+  }
+  return renderers;
+}
+
+/// The times of every path, in the paths' order.
+std::vector<measure::FrameTimes> time_paths(const std::vector<std::unique_ptr<render::Renderer>>& renderers, int frames,
+                                            const measure::Progress& progress) {
+  std::vector<measure::DrawFrame> in_turn;
+  for (const auto& renderer : renderers) in_turn.push_back(measure::frames_of(*renderer));
+  return measure::time_frames(in_turn, measure::FrameBudget::exactly(frames), progress);
+}
+
+SceneResult compare_scene(const scene::Scene& scene, PictureFolder& pictures, const std::string& machine,
+                          const DrawingOptions& options, int frames) {
+  const double visibility = options.visibility_in(scene);
+  const Fog fog = options.fog_at(visibility);
+  SceneResult result{.name = scene.name,
+                     .description = scene.description,
+                     .conditions = words_of(fog, visibility),
+                     .lights = scene.lights.size()};
+  command::report(fmt::format("{}: {} lights, {}\n", scene.name, scene.lights.size(), result.conditions));
+  auto renderers = make_renderers(scene, fog, options);
+  render::Display display = options.display.display_for(scene);
+  display.exposure = renderers.front()->set_exposure(display.exposure);
+  for (const auto& renderer : renderers) renderer->set_exposure({.ev = display.exposure.ev});  // one for all pictures
+  if (const std::string words = display_in_words(display); !words.empty()) result.conditions += ", " + words;
+  pictures.finish();  // encoding would take time from the frames
+  command::Progress shown;
+  const measure::Progress progress = [&](std::string_view step) {
+    shown.show(fmt::format("{}: {}", scene.name, step));
+  };
+  const std::vector<measure::FrameTimes> times = time_paths(renderers, frames, progress);
+  const auto paths = render::lighting_paths();
+  const auto legacy = std::size_t(render::find_lighting_path("legacy") - paths.data());
+  Sheet sheet;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const render::LightingPath& path = paths[i];
+    measure::Comparison comparison = measure::compare_with_reference(*renderers[i], progress);
+    renderers[i].reset();
+    const measure::PictureError& error = comparison.error;
+    const PathResult& row =
+        result.paths.emplace_back(PathResult{.path = &path,
+                                             .milliseconds = times[i].median(),
+                                             .spread = times[i].spread(),
+                                             .over_legacy = times[i].median() / times[legacy].median(),
+                                             .largest_error = error.largest,
+                                             .mean_error = error.mean,
+                                             .excluded = error.excluded});
+    render::Picture drawn = render::displayed(comparison.drawn, display);
+    render::Picture reference = render::displayed(comparison.reference, display);
+    if (i == 0) {
+      sheet.add(reference, {fmt::format("{}, {}: reference in double", scene.name, result.conditions),
+                            fmt::format("{} x {} on {}", options.width, options.height, machine)});
+    }
+    const std::string time =
+        fmt::format("{} ms a frame, {:.2f} x legacy", measure::milliseconds_text(row.milliseconds), row.over_legacy);
+    sheet.add(drawn, {fmt::format("{}: {}", path.name, time), measure::error_in_words(error)});
+    command::report(fmt::format("  {:<12} {:>32}; {}\n", path.name, time, measure::error_in_words(error)));
+    pictures.write(result.error_file(path), make_heat_map(error, fmt::format("{}, {}", scene.name, path.name)));
+    pictures.write(result.drawn_file(path), std::move(drawn));
+    pictures.write(result.reference_file(path), std::move(reference));
+  }
+  pictures.write(result.sheet_file(), sheet.picture());
+  return result;
+}
+
+constexpr const char* kPageFile = "index.html";
+
+PictureFolder make_folder(const std::string& path, const std::vector<scene::Scene>& scenes) {
+  std::vector<std::string> files{kPageFile};
+  std::vector<std::string> inputs;
+  for (const scene::Scene& scene : scenes) {
+    const std::vector<std::string> pictures = picture_files(scene.name);
+    files.insert(files.end(), pictures.begin(), pictures.end());
+    inputs.insert(inputs.end(), scene.files.begin(), scene.files.end());
+  }
+  return {path, files, inputs};
+}
+
+}  // namespace
+
+void compare_paths(const std::vector<scene::Scene>& scenes, const std::string& folder, const std::string& machine,
+                   const DrawingOptions& options, int frames) {
+  PictureFolder pictures = make_folder(folder, scenes);
+  const std::string page = pictures.path_of(kPageFile);
+  std::vector<SceneResult> results;
+  for (const scene::Scene& scene : scenes) results.push_back(compare_scene(scene, pictures, machine, options, frames));
+  pictures.finish();
+  files::write_whole_file(page, comparison_page({.machine = machine,
+                                                 .width = options.width,
+                                                 .height = options.height,
+                                                 .frames = frames,
+                                                 .settings = words_of(options.render)},
+                                                results));
+  command::report(fmt::format("{} shows all\n", page));
+}
+
+}  // namespace litfog::demo

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "demo/options/drawing_options.h"
+#include "demo/options/scene_options.h"
+#include "demo/sequence/camera_path.h"
+#include "demo/sequence/course.h"
+
+namespace litfog::demo {
+
+/// A member of the scene file in each frame.
+struct MemberCourse {
+  scene::SceneChange change;
+  std::optional<Course<double>> numbers;  ///< in place of the change's value
+};
+
+/// What changes from frame to frame.
+struct SequenceOptions {
+  std::string scene;  ///< as SceneOptions::scene
+  std::vector<MemberCourse> members = {};
+  std::optional<Course<double>> visibility = {};  ///< metres; default: what the scene suggests
+  std::optional<Course<double>> seconds = {};     ///< for which the scene's lights have been turning; default: 0
+  std::optional<Course<glm::dvec3>> camera = {};  ///< default: the scene's, like the three that follow
+  std::optional<Course<glm::dvec3>> target = {};
+  std::optional<Course<double>> field_of_view_deg = {};
+  std::string camera_path = {};  ///< a file, in place of these three
+  int frames = 0;                ///< 0: as many as a course asks for, else kDefaultFrames
+  int frames_per_second = 12;
+  std::string film = {};  ///< a file, beside the folder; empty: none
+};
+
+inline constexpr int kDefaultFrames = 24;
+
+/// --set, --visibility, --time, the camera's options, --frames, --fps and --film.
+void add_sequence(CLI::App& app, SequenceOptions& options);
+
+/// A scene as it is frame by frame.
+class Sequence {
+ public:
+  /// Reads the scene as of every frame, and keeps the first. Throws InputError, and usage errors of options that do not
+  /// belong together or make a frame that cannot be.
+  Sequence(const SequenceOptions& options, std::optional<double> phase_g);
+
+  int frames() const { return frames_; }
+  const scene::Scene& scene() const { return scene_; }  ///< of the frame last shown; keeps its address
+  double visibility(int frame) const;                   ///< metres
+  std::string words(int frame) const;                   ///< all that changes: "visibility 400 m, time 0.5 s"
+  bool moves_camera() const { return moves_camera_; }
+  bool moves_lights() const { return moves_lights_; }
+  bool changes_members() const { return changes_members_; }  ///< of the scene's file: anything in it
+
+  /// Makes the scene that of a frame. Lights that the eye's vehicle carries move along with the camera, from where they
+  /// are in the first frame. Throws InputError where a file has changed since the sequence was made.
+  void show(int frame);
+
+ private:
+  scene::Scene read(int frame) const;
+  scene::Camera camera(int frame) const;
+  void expect_heading(int frame) const;
+  void move_lights(int frame);
+
+  const SequenceOptions& options_;
+  std::optional<double> phase_g_;
+  int frames_;
+  scene::Scene scene_;
+  scene::Camera own_camera_;    // of the file, in the frame last shown
+  scene::Camera first_camera_;  // that of frame 0
+  std::optional<CameraPath> path_;
+  bool changes_members_ = false;
+  bool moves_camera_ = false;
+  bool moves_lights_ = false;
+  std::vector<PlacedLight> lights_;  // at rest, like what follows
+  std::map<std::size_t, scene::CookieUse> cookie_uses_;
+};
+
+/// Draws every frame into a folder (made where missing): SCENE-0001.png and so on, SCENE.apng, which plays them, and
+/// the film, if one is asked for. A renderer is kept but where members change. Reports every frame on
+/// standard output. Needs a current GL context. Throws OutputError; MissingCapability where a film cannot be made.
+///
+/// drawing  an automatic exposure is that of the first frame, for all
+void draw_sequence(Sequence& sequence, const std::string& folder, const DrawingOptions& drawing,
+                   const SequenceOptions& options);
+
+}  // namespace litfog::demo

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/airlight/airlight_list.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "litfog/attenuation.h"
+#include "litfog/cone.h"
+#include "render/light/hidden_range.h"
+
+namespace litfog::render {
+namespace {
+
+constexpr double kMostError = 0.0005;   // of the display: an eighth of a step
+constexpr double kSafety = 4;           // for airlight that bends more than k / h
+constexpr double kFarthestReach = 1e9;  // metres, for lights without an end: floats hold its square
+constexpr double kThinBeam = 0.17;      // radians: half the angle of a beam on the picture that grids may miss
+
+/// Range at which the attenuation's denominator has a value; 0 where it is above it everywhere.
+double level_range(const Attenuation& attenuation, double denominator) {
+  return denominator > 1 ? compute_extent(attenuation, 1 / denominator) : 0;
+}
+
+/// A beam as the eye sees it.
+struct SeenBeam {
+  double angle;      // half of it, on the picture: radians, at most a right angle
+  double narrowing;  // of the width in which its airlight falls off: at most 1, less for a beam along the line of sight
+};
+
+/// to_eye  unit, from the light
+SeenBeam see_beam(const PlacedLight& placed, const glm::dvec3& to_eye) {
+  const Cone& cone = placed.light.cone;
+  if (cone.profile == ConeProfile::none) return {0.5 * std::numbers::pi, 1};
+  // Half angle at which it has half its brightness or less.
+  const double bright =
+      cone.profile == ConeProfile::smoothstep ? cone.outer : std::acos(std::exp2(-1 / std::max(cone.exponent, 1e-3)));
+  const double half_angle = std::min({bright, cutoff_angle(cone), 0.25 * std::numbers::pi});
+  const double sine = glm::length(glm::cross(to_eye, placed.direction));
+  return {std::asin(std::min(std::sin(half_angle) / std::max(sine, 1e-6), 1.0)),
+          std::min(std::max(std::tan(half_angle), sine), 1.0)};
+}
+
+/// Bounds of what the fog shows of a light. litfog/shaders/glow.glsl has the proofs.
+class GlowBound {
+ public:
+  /// eye_range   metres from the eye to the light
+  /// brightness  of the largest component of its colour, in the direction in which the fog scatters most
+  GlowBound(const Light& light, double extent, const Fog& fog, double eye_range, double brightness)
+      : attenuation_(light.attenuation), extent_(extent), brightness_(brightness) {
+    density_ = std::min(fog.density * light.density_scale, 1e6);
+    weight_ = largest_fog_weight({.mode = fog.mode, .density = density_}, eye_range);
+  }
+
+  /// Range beyond which it is below a budget; 0 where it is so everywhere.
+  double reach(double budget) const {
+    const double share = budget / brightness_;
+    const double integral = share / std::max(weight_, 1e-300);  // that of the attenuation may not exceed
+    double denominator = std::min(1 / share, 2 * extent_ / integral);
+    if (attenuation_.quadratic > 0) {
+      denominator = std::min(denominator, 16 / (attenuation_.quadratic * integral * integral));
+    }
+    if (!(denominator > std::max(attenuation_.constant, 1.0))) return 0;
+    return std::min({level_range(attenuation_, denominator), extent_, kFarthestReach});
+  }
+
+  double density() const { return density_; }  ///< of the fog as the light's class sees it, 1/m
+
+  /// Metres: the falloff's.
+  double width() const { return level_range(attenuation_, 2 * std::max(attenuation_.constant, 1.0)); }
+
+  /// Metres within which it is flat: half of the falloff's width, or less in dense fog.
+  double flat_range() const { return 0.5 * std::min(width(), 0.5 / density_); }
+
+  /// k, where at a distance h it is about k / h. Metres.
+  double k() const {
+    const double slope = std::max(attenuation_.quadratic, attenuation_.linear / std::max(width(), 1e-3));
+    return brightness_ * weight_ * 4 / std::max(slope, 1e-30);
+  }
+
+ private:
+  Attenuation attenuation_;
+  double extent_;
+  double brightness_;
+  double density_;
+  double weight_;
+};
+
+/// Slope of sRGB (IEC 61966-2-1), as a display shows it, at a linear value before exposure.
+double display_slope(double value, double gain) {
+  return gain * std::min(12.92, 0.4396 * std::pow(gain * value, 1 / 2.4 - 1));
+}
+
+/// Range from a light where grids of all pixels may miss kMostError of its airlight, about k / h at a distance h.
+///
+/// What a grid keeps of k / h has a fourth derivative of at most 81 k / range^5 (airlight.frag), or (1 + d range)^4
+/// times that where fog of density d makes it fall off faster. Of that by the fourth power of the texels' distance, a
+/// cubic through four misses 3/128, and the polynomial through six (airlight_fill.frag) half as much.
+///
+/// gain  of the exposure
+double find_bend_range(double k, double density, double pixel, double gain) {
+  constexpr double kMissed = kSafety * 81 * 3 / 256;
+  const double step = 8 * pixel;  // of the coarsest grid, where d range matters most
+  double range = step;
+  for (int i = 0; i < 16; ++i) {
+    const double missed = kMissed * k * std::pow(step * (1 + density * range), 4) * display_slope(k / range, gain);
+    range = std::pow(missed / kMostError, 0.2);
+  }
+  return range / std::pow(8.0, 0.8);
+}
+
+}  // namespace
+
+AirlightList list_airlight(const SceneLights& lights, const Fog& fog, const Scattering& scattering,
+                           const glm::dvec3& eye, double pixels_per_radian, double exposure,
+                           std::span<const std::int32_t> casters) {
+  if (lights.size() == 0) return {};
+  const double budget = kAirlightShare * visible_step(exposure) / double(lights.size());
+  const double gain = std::exp2(exposure);
+  struct Found {
+    std::pair<int, bool> kind;  // profile, has_shafts
+    AirlightEntry entry;
+  };
+  std::vector<Found> found;
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const PlacedLight& placed = lights.lights()[i];
+    const double brightness = largest_phase(scattering) * largest_component(placed.light.color);
+    if (!(brightness > 0)) continue;
+    const double eye_range = std::max(glm::distance(eye, placed.position), 1e-6);
+    const GlowBound bound(placed.light, lights.extents()[i], fog, eye_range, brightness);
+    const double reach = bound.reach(budget);
+    if (!(reach > 0)) continue;
+    const double pixel = eye_range / pixels_per_radian;
+    const SeenBeam beam = see_beam(placed, (eye - placed.position) / eye_range);
+    const double bend_range =
+        std::min(find_bend_range(beam.narrowing * bound.k(), bound.density(), pixel, gain), reach);
+    // Up to this range a thin beam is thinner than a few texels of a grid.
+    const double thin_range = beam.angle < kThinBeam ? 4 * pixel / std::tan(beam.angle) : 0;
+    const bool is_thin = thin_range > bend_range;
+    found.push_back({{int(lights.instances()[i].axis_profile.w), !casters.empty() && casters[i] >= 0},
+                     {.light = float(i),
+                      .reach = float(reach),
+                      .bend_range = float(std::min(is_thin ? thin_range : bend_range, eye_range / 2)),
+                      .width = float(is_thin ? 0 : beam.narrowing * bound.flat_range())}});
+  }
+  std::ranges::stable_sort(found, {}, &Found::kind);
+  AirlightList list;
+  for (const auto& [kind, entry] : found) {
+    if (list.entries.empty() || std::pair(list.ranges.back().profile, list.ranges.back().has_shafts) != kind) {
+      list.ranges.push_back(
+          {.profile = kind.first, .has_shafts = kind.second, .first = unsigned(list.entries.size()), .count = 0});
+    }
+    list.entries.push_back(entry);
+    ++list.ranges.back().count;
+  }
+  return list;
+}
+
+}  // namespace litfog::render

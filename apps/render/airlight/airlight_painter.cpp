@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/airlight/airlight_painter.h"
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "render/airlight/airlight_program.h"
+#include "render/fog_top.h"
+#include "render/gpu/depth.h"
+#include "render/gpu/framebuffer.h"
+#include "render/gpu/light_uniforms.h"
+#include "render/gpu/texture_unit.h"
+#include "render/gpu/uniform.h"
+#include "render/render_shaders.h"
+
+namespace litfog::render {
+namespace {
+
+constexpr unsigned kDrawnAtOnce = 100;      // lights, between which an interruption may come
+constexpr int kGridSteps[] = {8, 4, 2, 1};  // pixels
+constexpr double kMostApart = 0.06;         // radians between a grid's texels: airlight is not known to be smoother
+constexpr int kBlock = 8;                   // of airlight_blocks.glsl: texels
+constexpr GLint kMarked = 1;                // of a stencil, which is 0 elsewhere
+constexpr GLenum kTargets[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+
+/// Blocks that cover a size.
+glm::ivec2 blocks(glm::ivec2 size) { return (size + (kBlock - 1)) / kBlock; }
+
+void bind_texture(TextureUnit unit, const gl::TextureName& texture) {
+  glActiveTexture(GL_TEXTURE0 + unit);
+  glBindTexture(GL_TEXTURE_2D, texture.id());
+}
+
+/// Makes a texture of floats the bound framebuffer's.
+void attach(GLenum attachment, const gl::TextureName& texture, glm::ivec2 size, GLint format = GL_RGBA32F) {
+  bind_texture(kAirlightUnit, texture);
+  glTexImage2D(GL_TEXTURE_2D, 0, format, size.x, size.y, 0, GL_RGBA, GL_FLOAT, nullptr);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, texture.id(), 0);
+}
+
+/// Reads that many depths a pixel.
+gl::Program make_seen_program(int samples) {
+  const std::string count = fmt::format("#define SAMPLE_COUNT {}\n", samples);
+  std::vector<gl::ShaderSource> files(render_shaders().begin(), render_shaders().end());
+  files.push_back({"sample_count.glsl", count});
+  return gl::Program("whole_picture.vert", "airlight_seen.frag", files);
+}
+
+}  // namespace
+
+AirlightPainter::AirlightPainter(const scene::Scene& scene, const SceneLights& lights,
+                                 const gl::FogLightBuffer& fog_lights, const Framebuffer& framebuffer,
+                                 const RenderSettings& settings, const ShadowMaps* shafts)
+    : scene_(scene),
+      fog_lights_(fog_lights),
+      lights_(lights),
+      has_far_(lights_fog_beyond_end(settings)),
+      far_(scene, lights, fog_lights),
+      shafts_(shafts),
+      shaft_steps_(settings.shaft_steps),
+      seen_program_(make_seen_program(framebuffer.samples())),
+      fill_program_("whole_picture.vert", "airlight_fill.frag", render_shaders()),
+      marks_program_("whole_picture.vert", "airlight_marks.frag", render_shaders()),
+      pack_program_("whole_picture.vert", "airlight_pack.frag", render_shaders()),
+      unpack_program_("whole_picture.vert", "airlight_unpack.frag", render_shaders()),
+      add_program_("whole_picture.vert", "airlight_add.frag", render_shaders()) {
+  set_size(framebuffer);
+}
+
+void AirlightPainter::set_size(const Framebuffer& framebuffer) {
+  picture_size_ = {framebuffer.width(), framebuffer.height()};
+  grids_.clear();
+  glBindFramebuffer(GL_FRAMEBUFFER, seen_.id());
+  attach(GL_COLOR_ATTACHMENT0, seen_texture_, picture_size_);
+  attach(GL_COLOR_ATTACHMENT1, mean_opacities_, picture_size_, GL_R32F);
+  glDrawBuffers(2, kTargets);
+  check_float_framebuffer();
+  for (const int step : kGridSteps) {
+    Grid& grid = grids_.emplace_back();
+    grid.step = step;
+    grid.size = (picture_size_ + (step - 1)) / step + (step > 1 ? 1 : 0);
+    attach_airlight(grid, step > 1);
+  }
+  const glm::ivec2 most_blocks = blocks(grids_.back().size);
+  packed_.size = most_blocks * kBlock;
+  attach_airlight(packed_, true);
+  glBindFramebuffer(GL_FRAMEBUFFER, marks_framebuffer_.id());
+  attach(GL_COLOR_ATTACHMENT0, marks_, {most_blocks.x, packed_.size.y}, GL_R32F);
+  check_float_framebuffer();
+  glBindFramebuffer(GL_FRAMEBUFFER, places_framebuffer_.id());
+  attach(GL_COLOR_ATTACHMENT0, places_, packed_.size, GL_RG32F);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, packed_.stencil.id());
+  check_float_framebuffer();
+}
+
+/// Gives a target of a size its textures and its stencil.
+void AirlightPainter::attach_airlight(Target& target, bool has_gain) {
+  glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.id());
+  attach(GL_COLOR_ATTACHMENT0, target.airlight, target.size);
+  if (has_gain) attach(GL_COLOR_ATTACHMENT1, target.gain, target.size);
+  glDrawBuffers(has_gain ? 2 : 1, kTargets);
+  glBindRenderbuffer(GL_RENDERBUFFER, target.stencil.id());
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, target.size.x, target.size.y);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, target.stencil.id());
+  check_float_framebuffer();
+}
+
+std::span<const std::int32_t> AirlightPainter::casters() const {
+  return shafts_ ? shafts_->caster_of_lights() : std::span<const std::int32_t>();
+}
+
+void AirlightPainter::draw_far(const View& view, const Fog& fog, double exposure) {
+  if (has_far_) far_.draw(picture_size_, pixels_per_radian(), view.direction_from_clip, fog, exposure, casters());
+}
+
+AirlightList AirlightPainter::list(const Fog& fog, double exposure) {
+  AirlightList list = list_airlight(lights_, fog, {.asymmetry = scene_.phase_g}, scene_.camera.position,
+                                    pixels_per_radian(), exposure, casters());
+  if (list.entries.empty()) return list;
+  entries_.emplace(list.entries.data(), list.entries.size() * sizeof(AirlightEntry), BufferTexture::Texel::float4);
+  entries_->bind(kEntryUnit);
+  return list;
+}
+
+void AirlightPainter::draw(const AirlightList& list, const Framebuffer& framebuffer, const View& view, const Fog& fog,
+                           double exposure, bool is_seen_by_alpha, Interruption& interruption) {
+  if (list.entries.empty() && far_.is_empty()) return;
+  const double most_apart = std::max(1.0, kMostApart * pixels_per_radian());
+  const auto coarsest = std::ranges::find_if(grids_, [&](const Grid& grid) { return grid.step <= most_apart; });
+  const std::span<const Grid> grids(coarsest, grids_.end());
+  const Frame frame{framebuffer,        view,        fog.mode, list.ranges, float(std::exp2(exposure)),
+                    grids.front().step, interruption};
+  glBindVertexArray(vertex_array_.id());
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  glClearColor(0, 0, 0, 0);
+  framebuffer.bind_depth(kDepthUnit);
+  bind_texture(kSeenUnit, seen_texture_);
+  bind_texture(kOpacityUnit, mean_opacities_);
+
+  glBindFramebuffer(GL_FRAMEBUFFER, seen_.id());
+  glViewport(0, 0, picture_size_.x, picture_size_.y);
+  use(seen_program_, frame, grids.back());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+
+  for (std::size_t i = 0; i < grids.size() && !interruption.has_come(); ++i) {
+    const Grid& grid = grids[i];
+    glBindFramebuffer(GL_FRAMEBUFFER, grid.framebuffer.id());
+    glClear(GL_COLOR_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    if (i > 0) {
+      glEnable(GL_STENCIL_TEST);
+      fill(frame, grid, grids[i - 1]);
+      draw_lights(frame, grid, Part::left_out);
+      draw_packed(frame, grid);
+      glDisable(GL_STENCIL_TEST);
+    }
+    draw_lights(frame, grid, Part::whole);
+  }
+
+  glEnable(GL_BLEND);
+  glBlendFunc(is_seen_by_alpha ? GL_DST_ALPHA : GL_ONE, GL_ONE);
+  framebuffer.bind_resolved();
+  add_program_.use();
+  bind_texture(kAirlightUnit, grids.back().airlight);
+  set_uniform(add_program_, "airlight", kAirlightUnit);
+  set_uniform(add_program_, "seen_ranges", kSeenUnit);
+  far_.bind(add_program_);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glDisable(GL_BLEND);
+}
+
+/// Fills the texels for which the coarser grid is good enough, and marks them.
+void AirlightPainter::fill(const Frame& frame, const Grid& grid, const Grid& coarse) {
+  glStencilFunc(GL_ALWAYS, kMarked, 0xff);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+  glViewport(0, 0, grid.size.x, grid.size.y);
+  use(fill_program_, frame, grid);
+  bind_texture(kAirlightUnit, coarse.airlight);
+  bind_texture(kGainUnit, coarse.gain);
+  set_uniform(fill_program_, "grid", kAirlightUnit);
+  set_uniform(fill_program_, "grid_gain", kGainUnit);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+}
+
+/// Draws all lights at the texels of a grid that are not filled.
+void AirlightPainter::draw_packed(const Frame& frame, const Grid& grid) {
+  const glm::ivec2 size = blocks(grid.size);
+  glBindFramebuffer(GL_FRAMEBUFFER, marks_framebuffer_.id());
+  glViewport(0, 0, size.x, size.y * kBlock);
+  marks_program_.use();
+  bind_texture(kAirlightUnit, grid.airlight);
+  set_uniform(marks_program_, "airlight", kAirlightUnit);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+
+  bind_texture(kMarkUnit, marks_);
+  glBindFramebuffer(GL_FRAMEBUFFER, places_framebuffer_.id());
+  glViewport(0, 0, size.x * kBlock, size.y * kBlock);
+  glClear(GL_STENCIL_BUFFER_BIT);
+  glStencilFunc(GL_ALWAYS, kMarked, 0xff);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+  pack_program_.use();
+  set_uniform(pack_program_, "row_marks", kMarkUnit);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+
+  glBindFramebuffer(GL_FRAMEBUFFER, packed_.framebuffer.id());
+  glClear(GL_COLOR_BUFFER_BIT);
+  bind_texture(kPlaceUnit, places_);
+  draw_lights(frame, grid, Part::packed);
+
+  glBindFramebuffer(GL_FRAMEBUFFER, grid.framebuffer.id());
+  glViewport(0, 0, grid.size.x, grid.size.y);
+  glStencilFunc(GL_NOTEQUAL, kMarked, 0xff);
+  unpack_program_.use();
+  bind_texture(kAirlightUnit, packed_.airlight);
+  bind_texture(kGainUnit, packed_.gain);
+  set_uniform(unpack_program_, "row_marks", kMarkUnit);
+  set_uniform(unpack_program_, "packed_airlight", kAirlightUnit);
+  set_uniform(unpack_program_, "packed_gain", kGainUnit);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+/// Adds lights to the bound framebuffer, which is that of a grid or of its packed texels.
+void AirlightPainter::draw_lights(const Frame& frame, const Grid& grid, Part part) {
+  const glm::ivec2 size = part == Part::packed ? blocks(grid.size) * kBlock : grid.size;
+  glViewport(0, 0, size.x, size.y);
+  glStencilFunc(GL_EQUAL, kMarked, 0xff);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE);
+  // Texel i's middle is that of pixel i * step.
+  const glm::vec2 scale = glm::vec2(picture_size_) / glm::vec2(grid.step * size);
+  const glm::vec2 offset = scale - 1.0f + (1.0f - 1.0f / float(grid.step)) / glm::vec2(size);
+  for (const AirlightList::Range& range : frame.lights) {
+    const int smooth_step = range.profile == kCookieProfile ? 1 : range.has_shafts ? 2 : kGridSteps[0];
+    const int coarsest_step = std::min(smooth_step, frame.coarsest_step);
+    if (part == Part::whole ? grid.step != coarsest_step : grid.step >= coarsest_step) continue;
+    const gl::Program& program = light_program(frame.fog_mode, range.profile, range.has_shafts);
+    use(program, frame, grid);
+    set_uniform(program, "packed_places", kPlaceUnit);
+    set_uniform(program, "is_filled", unsigned{part == Part::left_out});
+    set_uniform(program, "is_packed", unsigned{part == Part::packed});
+    set_uniform(program, "block_angle", float(kBlock * grid.step * std::numbers::sqrt2 / pixels_per_radian()));
+    set_uniform(program, "target_from_picture", glm::vec4(scale, offset));
+    const unsigned most = frame.interruption.can_come() ? kDrawnAtOnce : range.count;
+    for (unsigned drawn = 0; drawn < range.count && !frame.interruption.has_come(); drawn += most) {
+      glUniform1i(program.uniform("first_entry"), GLint(range.first + drawn));
+      glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, GLsizei(std::min(most, range.count - drawn)));
+    }
+  }
+  glDisable(GL_BLEND);
+}
+
+double AirlightPainter::pixels_per_radian() const {
+  return picture_size_.y / (2 * std::tan(double(scene_.camera.field_of_view) / 2));
+}
+
+const gl::Program& AirlightPainter::light_program(FogMode fog_mode, int profile, bool has_shafts) {
+  const bool has_knee =
+      std::ranges::any_of(scene_.lights, [](const PlacedLight& light) { return light.light.attenuation.constant < 1; });
+  const std::tuple key(fog_mode, profile, has_shafts, has_knee, scene_.phase_g == 0);
+  const auto found = light_programs_.find(key);
+  if (found != light_programs_.end()) return found->second;
+  return light_programs_
+      .emplace(key,
+               make_airlight_program("airlight.vert", "airlight.frag", scene_, fog_mode, profile, has_shafts, has_knee))
+      .first->second;
+}
+
+void AirlightPainter::use(const gl::Program& program, const Frame& frame, const Grid& grid) {
+  program.use();
+  bind_lights(program, fog_lights_);
+  set_uniform(program, "depths", kDepthUnit);
+  set_uniform(program, "seen_ranges", kSeenUnit);
+  set_uniform(program, "mean_opacities", kOpacityUnit);
+  set_uniform(program, "airlight_entries", kEntryUnit);
+  set_uniform(program, "clip_from_world", frame.view.clip_from_world);
+  set_uniform(program, "direction_from_clip", frame.view.direction_from_clip);
+  set_uniform(program, "pixel_size", 2.0f / glm::vec2(picture_size_));
+  set_uniform(program, "eye", scene_.camera.position);
+  set_uniform(program, "forward", glm::normalize(scene_.camera.target - scene_.camera.position));
+  set_uniform(program, "near_plane", kNearPlane);
+  set_fog_top(program, scene_);
+  set_uniform(program, "asymmetry", float(scene_.phase_g));
+  set_uniform(program, "shadow_maps", kShadowMapUnit);
+  set_uniform(program, "shadow_casters", kShadowCasterUnit);
+  set_uniform(program, "caster_of_light", kCasterOfLightUnit);
+  set_uniform(program, "exposure_gain", frame.exposure_gain);
+  glUniform1i(program.uniform("shaft_steps"), shaft_steps_);
+  glUniform1i(program.uniform("pixel_step"), grid.step);
+}
+
+}  // namespace litfog::render

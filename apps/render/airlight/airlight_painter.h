@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <map>
+#include <optional>
+#include <span>
+#include <tuple>
+#include <vector>
+
+#include "litfog/fog.h"
+#include "litfog/gl/fog_light_buffer.h"
+#include "litfog/gl/gl_name.h"
+#include "litfog/gl/program.h"
+#include "render/airlight/airlight_list.h"
+#include "render/airlight/far_airlight.h"
+#include "render/gpu/data_texture.h"
+#include "render/gpu/framebuffer.h"
+#include "render/interruption.h"
+#include "render/light/scene_lights.h"
+#include "render/shadow/shadow_maps.h"
+#include "scene/scene.h"
+
+namespace litfog::render {
+
+/// A frame's view, for passes over its pixels.
+struct View {
+  glm::mat4 clip_from_world;
+  glm::mat4 direction_from_clip;  ///< of the ray through a place on the picture
+};
+
+/// Adds the airlight of lights over a picture. Needs a current GL context.
+///
+/// Airlight mostly changes slowly over a picture. So all lights are first drawn at every eighth pixel of every eighth
+/// row (of small pictures at more), and then in finer and finer grids. A grid leaves out the part of a light's airlight
+/// that bends sharply, close to the light. A texel of a finer grid takes the mean of its neighbours in the one before
+/// where that is good enough (shaders/airlight_fill.frag), and only what they have left out is drawn. For the others
+/// all lights are drawn, at texels packed into a target of their own.
+class AirlightPainter {
+ public:
+  /// scene, lights, fog_lights  have to outlive this
+  /// framebuffer                of the pictures' size and samples
+  /// settings                   of which the path and the steps of shafts matter
+  /// shafts                     the shadows that cut shafts; null: none do
+  /// throws                     gl::Unsupported where the driver has no float framebuffer of their size
+  AirlightPainter(const scene::Scene& scene, const SceneLights& lights, const gl::FogLightBuffer& fog_lights,
+                  const Framebuffer& framebuffer, const RenderSettings& settings, const ShadowMaps* shafts);
+
+  /// Takes another size of the pictures, which have as many samples as before.
+  void set_size(const Framebuffer& framebuffer);
+
+  /// Sums up what lights add beyond their extents. The lights and the cookies are bound to their units.
+  ///
+  /// exposure  EV at which the picture is shown
+  void draw_far(const View& view, const Fog& fog, double exposure);
+  /// That, for panes.
+  const FarAirlight& far() const { return far_; }
+
+  /// The lights whose airlight a frame shows within their extents, which it binds to their unit.
+  ///
+  /// exposure  EV at which the picture is shown: what makes less than a step there is left out or interpolated
+  AirlightList list(const Fog& fog, double exposure);
+  /// Adds that of the list, and that beyond extents, to a resolved framebuffer. The lights and the cookies are bound to
+  /// their units.
+  ///
+  /// is_seen_by_alpha  the framebuffer's alpha is the fraction of it that is seen
+  /// interruption      after which it draws no more
+  void draw(const AirlightList& list, const Framebuffer& framebuffer, const View& view, const Fog& fog, double exposure,
+            bool is_seen_by_alpha, Interruption& interruption);
+
+ private:
+  /// Airlight in floats: half floats would lose what faint lights add to bright ones.
+  struct Target {
+    glm::ivec2 size;
+    gl::FramebufferName framebuffer;
+    gl::TextureName airlight;
+    gl::TextureName gain;  // per opacity of the fog; the finest grid has none
+    gl::RenderbufferName stencil;
+  };
+
+  /// At every so many pixels.
+  struct Grid : Target {
+    int step;  // pixels
+  };
+
+  /// What is drawn of the lights, and where. Cookies and shafts may be finer than coarse grids, which do without them.
+  enum class Part {
+    whole,     // at all texels: lights that coarser grids do without
+    left_out,  // at texels that the coarser grid has filled: what it has not
+    packed,    // at packed texels: lights that the coarser grid has
+  };
+
+  /// What the passes of a frame have in common.
+  struct Frame {
+    const Framebuffer& framebuffer;
+    const View& view;
+    FogMode fog_mode;
+    const std::vector<AirlightList::Range>& lights;
+    float exposure_gain;
+    int coarsest_step;  // of the grids that the field of view allows
+    Interruption& interruption;
+  };
+
+  std::span<const std::int32_t> casters() const;  ///< of shafts, as list_airlight() takes them
+  double pixels_per_radian() const;               ///< at the middle of the picture
+  const gl::Program& light_program(FogMode fog_mode, int profile, bool has_shafts);
+  void attach_airlight(Target& target, bool has_gain);
+  void use(const gl::Program& program, const Frame& frame, const Grid& grid);
+  void fill(const Frame& frame, const Grid& grid, const Grid& coarse);
+  void draw_lights(const Frame& frame, const Grid& grid, Part part);
+  void draw_packed(const Frame& frame, const Grid& grid);
+
+  const scene::Scene& scene_;
+  const gl::FogLightBuffer& fog_lights_;
+  const SceneLights& lights_;
+  bool has_far_;  // lights_fog_beyond_end()
+  FarAirlight far_;
+  glm::ivec2 picture_size_;
+  const ShadowMaps* shafts_;
+  int shaft_steps_;
+  /// For lights of one profile, with or without shafts, in fog of one mode, where a light has a knee or none has, and
+  /// that scatters evenly or not: the compiler leaves out what they do not need.
+  std::map<std::tuple<FogMode, int, bool, bool, bool>, gl::Program> light_programs_;
+  gl::Program seen_program_;
+  gl::Program fill_program_;
+  gl::Program marks_program_;
+  gl::Program pack_program_;
+  gl::Program unpack_program_;
+  gl::Program add_program_;
+  gl::FramebufferName seen_;
+  gl::TextureName seen_texture_;
+  gl::TextureName mean_opacities_;  // of the fog before what is seen
+  std::vector<Grid> grids_;         // from coarse to fine
+  Target packed_;                   // texels that a grid does not fill, packed (shaders/airlight_blocks.glsl)
+  gl::FramebufferName marks_framebuffer_;
+  gl::TextureName marks_;  // of those texels
+  gl::FramebufferName places_framebuffer_;
+  gl::TextureName places_;                // of those texels in their grid
+  std::optional<BufferTexture> entries_;  // of the light list
+  gl::VertexArrayName vertex_array_;      // of no attributes
+};
+
+}  // namespace litfog::render

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/airlight/far_airlight.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/airlight/airlight_program.h"
+#include "render/gpu/framebuffer.h"
+#include "render/gpu/light_uniforms.h"
+#include "render/gpu/texture_unit.h"
+#include "render/gpu/uniform.h"
+#include "render/render_shaders.h"
+
+namespace litfog::render {
+namespace {
+
+constexpr double kApart = 0.045;  // radians between texels
+constexpr int kMostRows = 120;    // of texels: as many pictures as there are slabs have to fit into a texture
+constexpr int kSlabs = 32;        // of far_airlight.glsl, as is the next
+constexpr int kSlabsAtOnce = 8;
+
+}  // namespace
+
+void FarAirlight::set_size(glm::ivec2 size) {
+  if (size == size_) return;
+  size_ = size;
+  glActiveTexture(GL_TEXTURE0 + kFarSlabUnit);
+  glBindTexture(GL_TEXTURE_2D_ARRAY, slabs_.id());
+  glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA32F, size.x, size.y * (kSlabs / kSlabsAtOnce), kSlabsAtOnce, 0, GL_RGBA,
+               GL_FLOAT, nullptr);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glBindFramebuffer(GL_FRAMEBUFFER, slabs_framebuffer_.id());
+  GLenum targets[kSlabsAtOnce];
+  for (int i = 0; i < kSlabsAtOnce; ++i) {
+    targets[i] = GLenum(GL_COLOR_ATTACHMENT0 + i);
+    glFramebufferTextureLayer(GL_FRAMEBUFFER, targets[i], slabs_.id(), 0, i);
+  }
+  glDrawBuffers(kSlabsAtOnce, targets);
+  check_float_framebuffer();
+  glActiveTexture(GL_TEXTURE0 + kFarAirlightUnit);
+  glBindTexture(GL_TEXTURE_2D, sums_.id());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, size.x, size.y * (kSlabs + 1), 0, GL_RGBA, GL_FLOAT, nullptr);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  glBindFramebuffer(GL_FRAMEBUFFER, sums_framebuffer_.id());
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, sums_.id(), 0);
+  check_float_framebuffer();
+}
+
+void FarAirlight::draw(glm::ivec2 picture_size, double pixels_per_radian, const glm::mat4& direction_from_clip,
+                       const Fog& fog, double exposure, std::span<const std::int32_t> casters) {
+  const FarAirlightList list =
+      list_far_airlight(lights_, fog, {.asymmetry = scene_.phase_g}, scene_.camera.position, exposure, casters);
+  depth_ = list.depth;
+  if (is_empty()) return;
+  step_ = std::max({1, int(kApart * pixels_per_radian), (picture_size.y + kMostRows - 1) / kMostRows});
+  set_size((picture_size + (step_ - 1)) / step_ + 1);
+  listed_.emplace(list.lights.data(), list.lights.size() * sizeof(list.lights[0]), BufferTexture::Texel::int1);
+  listed_->bind(kFarLightUnit);
+  glBindVertexArray(vertex_array_.id());
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+
+  glBindFramebuffer(GL_FRAMEBUFFER, slabs_framebuffer_.id());
+  glViewport(0, 0, size_.x, size_.y * (kSlabs / kSlabsAtOnce));
+  glClearColor(0, 0, 0, 0);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE);
+  for (const FarAirlightList::Range& range : list.ranges) {
+    const gl::Program& program = light_program(fog.mode, range.profile);
+    program.use();
+    bind_lights(program, fog_lights_);
+    set_uniform(program, "far_lights", kFarLightUnit);
+    set_uniform(program, "direction_from_clip", direction_from_clip);
+    set_uniform(program, "pixel_size", 2.0f / glm::vec2(picture_size));
+    set_uniform(program, "eye", scene_.camera.position);
+    set_uniform(program, "asymmetry", float(scene_.phase_g));
+    set_uniform(program, "far_depth", float(depth_));
+    set_uniform(program, "far_step", unsigned(step_));
+    set_uniform(program, "row_count", unsigned(size_.y));
+    set_uniform(program, "first_light", unsigned(range.first));
+    set_uniform(program, "light_count", unsigned(range.count));
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+  }
+  glDisable(GL_BLEND);
+
+  glBindFramebuffer(GL_FRAMEBUFFER, sums_framebuffer_.id());
+  glViewport(0, 0, size_.x, size_.y * (kSlabs + 1));
+  if (!sum_program_) sum_program_.emplace("whole_picture.vert", "far_airlight_sum.frag", render_shaders());
+  sum_program_->use();
+  glActiveTexture(GL_TEXTURE0 + kFarSlabUnit);
+  glBindTexture(GL_TEXTURE_2D_ARRAY, slabs_.id());
+  set_uniform(*sum_program_, "far_slab_sums", kFarSlabUnit);
+  set_uniform(*sum_program_, "row_count", unsigned(size_.y));
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void FarAirlight::bind(const gl::Program& program) const {
+  glActiveTexture(GL_TEXTURE0 + kFarAirlightUnit);
+  glBindTexture(GL_TEXTURE_2D, sums_.id());
+  set_uniform(program, "far_airlight", kFarAirlightUnit);
+  set_uniform(program, "far_depth", float(depth_));
+  set_uniform(program, "far_step", unsigned(step_));
+}
+
+const gl::Program& FarAirlight::light_program(FogMode fog_mode, int profile) {
+  const std::tuple key(fog_mode, profile, scene_.phase_g == 0);
+  const auto found = light_programs_.find(key);
+  if (found != light_programs_.end()) return found->second;
+  return light_programs_
+      .emplace(key, make_airlight_program("whole_picture.vert", "far_airlight.frag", scene_, fog_mode, profile, false,
+                                          false))
+      .first->second;
+}
+
+}  // namespace litfog::render

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/light/hidden_range.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "litfog/attenuation.h"
+
+namespace litfog::render {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+double visible_step(double exposure) {
+  constexpr double kDarkestSlope = 12.92;  // IEC 61966-2-1
+  return std::exp2(-exposure) / (255 * kDarkestSlope);
+}
+
+double hidden_range(const Fog& fog, double brightness, double budget) {
+  if (!(brightness > budget)) return 0;
+  if (!(fog.density > 0)) return kInfinity;
+  constexpr double kRounding = 1 + 1e-6;  // floats' of the shaders, too
+  const double depth = std::log(brightness / budget);
+  return kRounding * (fog.mode == FogMode::exp ? depth : std::sqrt(depth)) / fog.density;
+}
+
+double largest_irradiance(const PlacedLight& light, double extent, const Fog& fog, FogLighting fog_lighting,
+                          const LightingPath& path, const scene::Bounds& box) {
+  const double range = path.evaluation == Evaluation::fragment ? nearest_distance(light.position, box) : 0;
+  if (range > extent) return 0;
+  const double factor =
+      fog_lighting == FogLighting::airlight ? fog_factor_at(scaled(fog, light.light.density_scale), range) : 1;
+  if (path.range == RangeLaw::radial) return factor * (std::isinf(extent) ? 1 : 1 - range * range / (extent * extent));
+  return factor * attenuation_at(light.light.attenuation, range);
+}
+
+double largest_fog_weight(const Fog& fog, double eye_range) {
+  const double x = std::min(fog.density * eye_range, 80.0);
+  return fog.density * (fog.mode == FogMode::exp ? std::exp(-x) : 1.2131 * std::exp(-std::min(x * x / 3, 80.0)));
+}
+
+double airlight_end(const Light& light, double extent, const Fog& fog, double largest_phase, double eye_range,
+                    double budget) {
+  Fog seen = scaled(fog, light.density_scale);
+  if (!(seen.density > 0)) return 0;
+  seen.density = std::min(seen.density, 1e6);  // as shaders do
+  const double most = std::max(light.attenuation.constant, 1.0);
+  double integral = 2 * extent / most;
+  if (light.attenuation.quadratic > 0) {
+    integral = std::min(integral, 4 / std::sqrt(light.attenuation.quadratic * most));
+  }
+  const double weight = largest_fog_weight(seen, 0);
+  const double x = hidden_range(seen, largest_component(light.color) * largest_phase * weight * integral, budget);
+  if (std::isinf(x)) return x;
+  if (seen.mode == FogMode::exp) return eye_range >= x ? 0 : (x + eye_range) / 2;
+  const double square = 6 * x * x - 2 * eye_range * eye_range;
+  return square <= 0 ? 0 : (2 * eye_range + std::sqrt(square)) / 3;
+}
+
+bool can_light_from(const PlacedLight& light, double half_angle, const glm::dvec3& eye, const scene::Bounds& box,
+                    double range) {
+  const glm::dvec3 middle = (glm::dvec3(box.low) + glm::dvec3(box.high)) / 2.0 - eye;
+  const double distance = glm::length(middle);
+  const double radius = glm::distance(glm::dvec3(box.low), glm::dvec3(box.high)) / 2;
+  const double delta = glm::distance(eye, light.position);
+  if (!(radius < distance && delta < range)) return true;
+  constexpr double kRounding = 1e-4;  // radians: floats' of the shaders, too
+  const double angle = std::atan2(glm::length(glm::cross(middle, light.direction)), glm::dot(middle, light.direction));
+  return angle <= half_angle + std::asin(radius / distance) + std::asin(delta / range) + kRounding;
+}
+
+}  // namespace litfog::render

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "render/light/scene_lights.h"
+#include "render/render_settings.h"
+#include "scene/mesh.h"
+
+namespace litfog::render {
+
+/// The lights that can reach a surface, by their indices in SceneLights.
+struct LightSelection {
+  std::vector<std::int32_t> surface;  ///< the local ones, then the carried ones
+  /// Whether a carried light's cone meets the surface. Only then is the fog before it lit by carried lights, and then
+  /// by all that shine: each number of lights needs its own shader.
+  bool is_fog_lit = false;
+};
+
+/// local   the local lights that can reach the surface
+/// bounds  the surface's, world space
+LightSelection select_lights(const SceneLights& lights, std::vector<std::int32_t> local, const scene::Bounds& bounds);
+
+/// The carried lights that light the fog by their intensity; without skipping all carried lights.
+std::vector<std::int32_t> fog_lights(const SceneLights& lights, Skipping skipping);
+
+/// Makes lights that share their maps adjacent.
+///
+/// map_kinds  LightMapStore::kinds, empty where a path has no maps
+std::vector<std::int32_t> grouped_by_maps(std::span<const std::int32_t> lights, std::span<const int> map_kinds);
+
+/// The lights of a pass whose lights bring their fog (LightFeed::bring_fog): those of the surface and those of the fog.
+std::vector<std::int32_t> with_fog_lights(std::span<const std::int32_t> lights,
+                                          std::span<const std::int32_t> fog_lights, std::span<const int> map_kinds);
+
+/// How many of the first lights make a batch: at most `most`, and all share their maps.
+std::size_t batch_length(std::span<const std::int32_t> lights, std::size_t most, std::span<const int> map_kinds);
+
+}  // namespace litfog::render

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/light/point_list.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "litfog/attenuation.h"
+#include "litfog/cone.h"
+
+namespace litfog::render {
+namespace {
+
+/// Sums of light by octaves: those of the dimmest octaves that stay below a budget are left out.
+class Octaves {
+ public:
+  void add(double light) { sums_[octave_of(light)] += light; }
+
+  /// The light below which all together is at most the budget.
+  double least_kept(double budget) const {
+    double sum = 0;
+    std::size_t octave = 0;
+    while (octave < sums_.size() && (sum += sums_[octave]) <= budget) ++octave;
+    return std::ldexp(1.0, int(octave) + kFirst);
+  }
+
+ private:
+  static constexpr int kFirst = -64;
+  static std::size_t octave_of(double light) { return std::size_t(std::clamp(std::ilogb(light) - kFirst, 0, 95)); }
+
+  std::array<double, 96> sums_{};
+};
+
+/// The most that a light's point adds to a pixel.
+double largest_point(const SceneLights& lights, std::size_t i, const Fog& fog, const glm::dvec3& to_eye) {
+  const PlacedLight& placed = lights.lights()[i];
+  const Light& light = placed.light;
+  const double range = glm::length(to_eye);
+  if (!(range > 0)) return 0;
+  constexpr double kCoreAndHalo = 1.25;
+  const double cone = lights.cookie(i) ? 1 : cone_at(light.cone, glm::dot(to_eye, placed.direction) / range);
+  const double through = fog_factor_at(scaled(fog, light.density_scale), range);
+  const double brightness = attenuation_at(light.attenuation, range) * cone * through / kFullBrightness;
+  return kCoreAndHalo * largest_component(light.color) * std::min(brightness, double(kBrightestPoint));
+}
+
+}  // namespace
+
+PointList list_points(const SceneLights& lights, const Fog& fog, const glm::dvec3& eye, const Frustum& frustum,
+                      double budget) {
+  constexpr float kMargin = 1;  // metres, more than a point is moved towards the eye
+  struct Point {
+    std::int32_t light;
+    double largest;
+  };
+  PointList list;
+  std::vector<Point> points;
+  Octaves octaves;
+  for (std::size_t i = 0; i < lights.local_count(); ++i) {
+    const glm::vec3 position(lights.lights()[i].position);
+    if (!can_see(frustum, {position - kMargin, position + kMargin})) {
+      ++list.outside_view;
+      continue;
+    }
+    const double largest = largest_point(lights, i, fog, eye - lights.lights()[i].position);
+    points.push_back({std::int32_t(i), largest});
+    if (largest > 0) octaves.add(largest);
+  }
+  const double least = octaves.least_kept(budget);
+  for (const Point& point : points) {
+    if (point.largest < least) {
+      ++list.hidden;
+      continue;
+    }
+    list.lights.push_back(point.light);
+    list.farthest = std::max(list.farthest, glm::distance(eye, lights.lights()[std::size_t(point.light)].position));
+  }
+  return list;
+}
+
+double point_depth_factor(double field_of_view, int height) {
+  constexpr double kLargest = kPointRadii * kPointRadius * kLargestGlare / 720;  // of the picture's height
+  const double size = std::max(kLargest, 2.0 / height);                          // no point is below two pixels
+  return 1 + size * std::tan(field_of_view / 2);
+}
+
+}  // namespace litfog::render

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/light/scene_lights.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "render/light/light_map.h"
+
+namespace litfog::render {
+namespace {
+
+constexpr double kSkipsNothing = 0;  // in 1/255: the reference that pictures are compared with has every light
+
+glm::vec4 cookie_cone(const PlacedLight& light, const scene::CookieUse& use) {
+  const glm::dvec3 up = glm::transpose(scene::cookie_from_world(light.direction, use.roll))[1];
+  return {float(use.cookie), glm::vec3(up)};
+}
+
+}  // namespace
+
+bool lights_fog_beyond_end(const RenderSettings& settings) {
+  return settings.fog_lighting == FogLighting::airlight && settings.path->range != RangeLaw::radial;
+}
+
+double threshold_of(const Light& light, const RenderSettings& settings, double exposure) {
+  return lights_fog_beyond_end(settings) ? airlight_threshold(light, exposure) : light.threshold;
+}
+
+Cone drawn_cone(const Cone& cone, const RenderSettings& settings) {
+  return settings.path->maps == LightMapSet::none ? cone : mapped_cone(cone, settings.cone_maps);
+}
+
+SceneLights::SceneLights(const scene::Scene& scene, const RenderSettings& settings, double exposure)
+    : updater_(kSkipsNothing) {
+  for (const bool is_carried : {false, true}) {
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+      PlacedLight light = scene.lights[i];
+      if (light.carried != is_carried || light.light.color == glm::dvec3(0)) continue;
+      light.light.threshold = threshold_of(light.light, settings, exposure);
+      light.light.cone = drawn_cone(light.light.cone, settings);
+      const bool has_end = settings.path->range != RangeLaw::unbounded;
+      const double extent = has_end ? compute_extent(light.light.attenuation, light.light.threshold)
+                                    : std::numeric_limits<double>::infinity();
+      if (!is_carried && !(extent > 0)) continue;
+      const auto use = scene.cookie_uses.find(i);
+      lights_.push_back(light);
+      scene_lights_.push_back(i);
+      extents_.push_back(extent);
+      const auto mount = scene.mounts.find(i);
+      mounts_.push_back(mount == scene.mounts.end() ? scene::Mount{.light = scene::bearing_of(light.direction)}
+                                                    : mount->second);
+      cookies_.push_back(use == scene.cookie_uses.end() ? nullptr : &use->second);
+      light.carried = is_carried && settings.path->has_lit_fog && settings.fog_lighting == FogLighting::peak;
+      updater_.add(light);
+    }
+    if (!is_carried) local_count_ = lights_.size();
+  }
+  updater_.set_fog(Fog{});
+  instances_.assign(updater_.instances().begin(), updater_.instances().end());
+  for (std::size_t i = 0; i < lights_.size(); ++i) {
+    if (!cookies_[i]) continue;
+    instances_[i].axis_profile.w = 3;
+    instances_[i].color.w = float(cookie_cones_.size());
+    cookie_cones_.push_back(cookie_cone(lights_[i], *cookies_[i]));
+  }
+}
+
+PackedLight SceneLights::packed(std::size_t light) const {
+  const FogLightInstance& instance = instances_[light];
+  return {.kind = kinds()[std::size_t(instance.position_kind.w)], .instance = instance};
+}
+
+}  // namespace litfog::render

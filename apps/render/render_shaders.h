@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "litfog/gl/shader_library.h"
+
+namespace litfog::render {
+
+/// The files of apps/render/shaders, embedded.
+std::span<const gl::ShaderSource> render_shaders();
+
+/// The same for a scene with or without cookies, with or without the shadows of lamps.
+inline std::vector<gl::ShaderSource> scene_shaders(bool has_cookies, bool has_shadows = false) {
+  std::vector<gl::ShaderSource> files;
+  if (has_shadows) files.push_back({"shadow.glsl", "#include \"mapped_shadow.glsl\"\n"});
+  if (has_shadows) files.push_back({"shaft.glsl", "#include \"mapped_shaft.glsl\"\n"});
+  if (has_cookies) files.push_back({"cookie.glsl", "#include \"cube_cookie.glsl\"\n"});  // found before the file
+  files.insert(files.end(), render_shaders().begin(), render_shaders().end());
+  return files;
+}
+
+}  // namespace litfog::render

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "litfog/gl/gl_name.h"
+#include "litfog/gl/program.h"
+#include "render/gpu/data_texture.h"
+#include "render/light/scene_lights.h"
+#include "render/render_settings.h"
+#include "render/shadow/moon_map.h"
+#include "render/shadow/shadow_caster.h"
+#include "render/surface/surface_list.h"
+
+namespace litfog::render {
+
+/// The shadow maps of a scene's lamps and of its directional light in one array of depth textures. Needs a current GL
+/// context.
+class ShadowMaps {
+ public:
+  static constexpr int kNoCaster = -1;
+  static constexpr std::size_t kMostBytes = std::size_t{1} << 30;
+
+  /// scene     has to outlive this
+  /// surfaces  that cast shadows; have to outlive this
+  /// aspect    width over height of the pictures
+  /// settings  of which the shadows are not none
+  /// throws    gl::Unsupported where the maps would take more than kMostBytes, or this OpenGL has no such textures
+  ShadowMaps(const scene::Scene& scene, const SceneLights& lights, const SurfaceList& surfaces, double aspect,
+             const RenderSettings& settings);
+
+  const std::vector<ShadowCaster>& casters() const { return casters_; }
+  const std::vector<MoonMap>& moon_maps() const { return moon_maps_; }
+  /// The lamps' maps and the moon's.
+  std::size_t map_count() const;
+  /// A light's caster as the shaders number them, or kNoCaster.
+  std::int32_t caster_of(std::size_t light) const { return caster_of_[light]; }
+  std::span<const std::int32_t> caster_of_lights() const { return caster_of_; }
+
+  /// Draws the lamps' maps the first time that it is called, since lamps and surfaces stay as they are as long as this,
+  /// and the directional light's as often as the scene's camera has changed. Returns how many were drawn. Changes the
+  /// bound framebuffer.
+  std::size_t draw(double aspect);
+  /// Binds the maps and the casters to their units.
+  void bind() const;
+  /// Tells a program in use which casters are the directional light's maps.
+  void set_moon_maps(const gl::Program& program) const;
+
+ private:
+  std::vector<MoonMap> fitted_moon_maps(double aspect) const;
+  void upload_casters();
+  void begin_map(std::size_t layer);
+  void draw_map(const ShadowCaster& caster, int map);
+  void draw_map(const MoonMap& map);
+  void draw_surface(const Surface& surface);
+
+  const scene::Scene& scene_;
+  const SurfaceList& surfaces_;
+  scene::Bounds bounds_;  // of the surfaces
+  std::vector<ShadowCaster> casters_;
+  std::vector<MoonMap> moon_maps_;
+  std::vector<std::int32_t> caster_of_;  // of each light
+  int size_;                             // texels a side
+  bool is_drawn_ = false;
+  gl::Program program_;
+  gl::Program mask_program_;  // of materials with a mask
+  gl::FramebufferName framebuffer_;
+  gl::TextureName maps_;
+  std::optional<BufferTexture> caster_texture_;
+  std::optional<BufferTexture> caster_of_texture_;
+};
+
+}  // namespace litfog::render

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/surface/surface_list.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+
+#include "litfog/gl/unsupported.h"
+#include "render/gpu/data_texture.h"
+#include "render/light/light_finder.h"
+#include "render/light/light_selection.h"
+
+namespace litfog::render {
+namespace {
+
+constexpr std::size_t kMaxListed = 1 << 25;  // lights in all surfaces' lists: 128 MiB
+
+scene::Bounds around(const std::vector<scene::Bounds>& boxes) {
+  scene::Bounds whole = boxes.front();
+  for (const scene::Bounds& box : boxes) whole = united(whole, box);
+  return whole;
+}
+
+/// A scene's pictures on the GPU, each once.
+class TextureStore {
+ public:
+  std::shared_ptr<const Texture> upload(const std::shared_ptr<const scene::Texels>& texels,
+                                        Texture::Encoding encoding) {
+    std::shared_ptr<const Texture>& texture = textures_[{texels.get(), encoding}];
+    if (!texture) texture = std::make_shared<const Texture>(*texels, encoding);
+    return texture;
+  }
+
+ private:
+  std::map<std::pair<const scene::Texels*, Texture::Encoding>, std::shared_ptr<const Texture>> textures_;
+};
+
+double linear_of(std::uint8_t level) {  // IEC 61966-2-1
+  const double x = level / 255.0;
+  return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
+}
+
+/// The largest component of a material's base texture, and its largest gloss. Mipmaps and filters are means of texels.
+struct Largest {
+  double albedo;
+  double gloss;
+};
+Largest largest_of(const scene::Texels& texels) {
+  std::uint8_t albedo = 0;
+  std::uint8_t gloss = 0;
+  const std::vector<std::uint8_t>& rgba = texels.rgba;
+  for (std::size_t i = 0; i + 3 < rgba.size(); i += 4) {
+    albedo = std::max({albedo, rgba[i], rgba[i + 1], rgba[i + 2]});
+    gloss = std::max(gloss, rgba[i + 3]);
+  }
+  return {linear_of(albedo), gloss / 255.0};
+}
+Largest largest_of(const scene::Material& material) {
+  if (material.plain_albedo) return {largest_component(*material.plain_albedo), 1};
+  const Largest most = largest_of(*material.albedo);
+  return {most.albedo, material.least_coverage ? 1 : most.gloss};
+}
+
+/// What it sends to the eye by itself: the largest component.
+double most_emitted(const scene::Material& material, const Largest& most) {
+  const double emissive = largest_component(material.emissive);
+  if (material.is_unlit) return emissive * most.albedo;
+  return material.emission ? emissive * largest_of(*material.emission).albedo : emissive;
+}
+
+/// A scene's materials on the GPU, sorted by name.
+std::vector<SurfaceMaterial> upload(std::vector<scene::Material> materials, const scene::Environment& environment) {
+  std::ranges::sort(materials, {}, &scene::Material::name);
+  TextureStore textures;
+  std::vector<SurfaceMaterial> uploaded;
+  for (scene::Material& material : materials) {
+    const Largest most = largest_of(material);
+    const double diffuse = material.is_unlit ? 0 : most.albedo;
+    const double reflectance = diffuse + most.gloss * largest_component(material.specular);
+    const double own_light = most_emitted(material, most) + diffuse * largest_component(environment.ambient_light) +
+                             reflectance * largest_component(environment.moon_color);
+    auto albedo = material.plain_albedo ? std::make_shared<const Texture>(glm::vec4(*material.plain_albedo, 1.0f))
+                                        : textures.upload(material.albedo, Texture::Encoding::srgb);
+    auto normal = textures.upload(material.normal, Texture::Encoding::linear);
+    std::shared_ptr<const Texture> emission;
+    if (material.emission) emission = textures.upload(material.emission, Texture::Encoding::srgb);
+    std::shared_ptr<const Texture> second;
+    if (material.second) second = textures.upload(material.second, Texture::Encoding::srgb);
+    material.albedo.reset();
+    material.normal.reset();
+    material.emission.reset();
+    material.second.reset();
+    uploaded.push_back({std::move(material), float(uploaded.size()), reflectance, own_light, std::move(albedo),
+                        std::move(normal), std::move(emission), std::move(second)});
+  }
+  return uploaded;
+}
+
+}  // namespace
+
+SurfaceList::SurfaceList(const scene::Scene& scene, const SceneLights& lights, Skipping skipping)
+    : materials_(upload(scene.materials, scene.environment)),
+      meshes_(scene.models, [this](const std::string& name) { return material(name).is_pane(); }),
+      has_panes_(std::ranges::any_of(materials_, &SurfaceMaterial::is_pane)) {
+  set_lights(scene, lights, skipping);
+}
+
+void SurfaceList::set_lights(const scene::Scene& scene, const SceneLights& lights, Skipping skipping) {
+  surfaces_.clear();
+  list_.clear();
+  // A frame's light list holds the carried lights and points besides.
+  const std::size_t most = std::min(kMaxListed, BufferTexture::max_texels());
+  const LightFinder finder(lights.lights().first(lights.local_count()), lights.extents().first(lights.local_count()));
+  if (skipping == Skipping::off) {
+    list_.resize(lights.size());
+    std::iota(list_.begin(), list_.end(), 0);
+  }
+  for (const scene::Instance& instance : scene.instances) {
+    const auto& chunks = meshes_.chunks(instance.model);
+    std::vector<scene::Bounds> boxes;
+    for (const Chunk& chunk : chunks) boxes.push_back(transformed(chunk.bounds, instance.world_from_model));
+    std::vector<std::int32_t> near;  // lights that can reach the instance
+    const bool is_listed = skipping == Skipping::on && !instance.is_beyond_lights;
+    if (is_listed && !boxes.empty()) near = finder.reaching(around(boxes));
+    for (std::size_t i = 0; i < chunks.size(); ++i) {
+      Surface surface{.material = &material(chunks[i].material),
+                      .chunk = &chunks[i],
+                      .world_from_model = instance.world_from_model,
+                      .bounds = boxes[i],
+                      .is_fog_lit = !instance.is_beyond_lights,
+                      .list_first = 0,
+                      .list_count = instance.is_beyond_lights ? 0 : int(lights.size())};
+      if (is_listed) {
+        const LightSelection selection = select_lights(lights, finder.reaching(boxes[i], near), boxes[i]);
+        surface.is_fog_lit = selection.is_fog_lit;
+        surface.list_first = int(list_.size());
+        surface.list_count = int(selection.surface.size());
+        list_.insert(list_.end(), selection.surface.begin(), selection.surface.end());
+        if (list_.size() + lights.size() > most) {
+          throw gl::Unsupported("the scene's surfaces are reached by too many lights: at most " + std::to_string(most) +
+                                " can be listed for all of them together");
+        }
+      }
+      surfaces_.push_back(surface);
+    }
+  }
+  // By name, not by address, because the order decides which of two coplanar surfaces is visible.
+  std::ranges::stable_sort(surfaces_, {}, [](const Surface& surface) { return surface.material->material.name; });
+}
+
+const SurfaceMaterial& SurfaceList::material(const std::string& name) const {
+  const auto name_of = [](const SurfaceMaterial& each) -> const std::string& { return each.material.name; };
+  const auto found = std::ranges::lower_bound(materials_, name, {}, name_of);
+  if (found == materials_.end() || name_of(*found) != name)
+    throw std::invalid_argument("material = " + name + ": must be one of the scene's");
+  return *found;
+}
+
+std::vector<scene::Material> SurfaceList::materials() const {
+  std::vector<scene::Material> materials;
+  for (const SurfaceMaterial& material : materials_) materials.push_back(material.material);
+  return materials;
+}
+
+}  // namespace litfog::render

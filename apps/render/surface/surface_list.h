@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "render/gpu/texture.h"
+#include "render/light/scene_lights.h"
+#include "render/render_settings.h"
+#include "render/surface/mesh_store.h"
+#include "scene/material.h"
+#include "scene/scene.h"
+
+namespace litfog::render {
+
+/// A material with its pictures on the GPU.
+struct SurfaceMaterial {
+  scene::Material material;  ///< without its texels
+  float number;              ///< in their order
+  double reflectance;        ///< most of a light that it reflects, diffuse and specular together: the largest component
+  double own_light;          ///< what it sends to the eye without lamps is at most this: linear, the largest component
+  std::shared_ptr<const Texture> albedo;  ///< materials of the same texels share their texture
+  std::shared_ptr<const Texture> normal;
+  std::shared_ptr<const Texture> emission;  ///< null: none
+  std::shared_ptr<const Texture> second;    ///< null: none
+
+  bool is_pane() const { return material.opacity.has_value(); }
+};
+
+/// A run of triangles of one material, placed in the world, and the lights that can reach it.
+struct Surface {
+  const SurfaceMaterial* material;
+  const Chunk* chunk;
+  glm::mat4 world_from_model;
+  scene::Bounds bounds;  ///< world space
+  bool is_fog_lit;       ///< a carried light's cone meets it, so that fog before it is lit by such lights
+  int list_first;        ///< in the lists of all surfaces: the lights that can reach it, of which there are
+  int list_count;
+};
+
+/// The surfaces of a scene, sorted by material. Needs a current GL context.
+class SurfaceList {
+ public:
+  /// throws  gl::Unsupported where this OpenGL cannot hold the light lists, std::invalid_argument where a part is of a
+  ///         material that the scene lacks
+  SurfaceList(const scene::Scene& scene, const SceneLights& lights, Skipping skipping);
+
+  /// Takes a change of the lights. The surfaces stay as many as they are, in their order.
+  ///
+  /// throws  gl::Unsupported as the constructor
+  void set_lights(const scene::Scene& scene, const SceneLights& lights, Skipping skipping);
+
+  const std::vector<Surface>& surfaces() const { return surfaces_; }
+  /// The lights that can reach a surface: indices in SceneLights, ascending. Without skipping they are
+  /// all lights, or none of a surface that is beyond lights.
+  std::span<const std::int32_t> lights_of(const Surface& surface) const {
+    return std::span(list_).subspan(std::size_t(surface.list_first), std::size_t(surface.list_count));
+  }
+  std::span<const std::int32_t> lists() const { return list_; }  ///< of all surfaces
+  /// In the order of their numbers.
+  std::vector<scene::Material> materials() const;
+  bool has_panes() const { return has_panes_; }
+  /// The vertices and what is drawn of them: all triangles of a surface, or triangles of panes in an order of their
+  /// own.
+  const MeshStore& meshes() const { return meshes_; }
+
+ private:
+  const SurfaceMaterial& material(const std::string& name) const;
+  std::vector<SurfaceMaterial> materials_;  // sorted by name
+  MeshStore meshes_;
+  bool has_panes_;
+  std::vector<Surface> surfaces_;
+  std::vector<std::int32_t> list_;  // indices in SceneLights
+};
+
+}  // namespace litfog::render

@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/surface/surface_painter.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
+#include "render/gpu/light_uniforms.h"
+#include "render/gpu/texture_unit.h"
+#include "render/gpu/uniform.h"
+
+namespace litfog::render {
+namespace {
+
+constexpr std::size_t kDrawnAtOnce = 500;  // surfaces, between which an interruption may come
+
+/// In place of lights that a shader is compiled for and a surface lacks: black. Paths that do not clamp the attenuation
+/// need one that is finite.
+constexpr PackedLight kBlack{.kind = {.attenuation_extent = {1, 0, 0, 0}, .cone_scale_intensity = {}}, .instance = {}};
+
+void set_blend(Blend blend) {
+  (blend == Blend::replace ? glDisable : glEnable)(GL_BLEND);
+  switch (blend) {
+    case Blend::replace:
+      break;
+    case Blend::add:
+      glBlendFunc(GL_ONE, GL_ONE);
+      break;
+    case Blend::multiply:
+      glBlendFunc(GL_DST_COLOR, GL_ZERO);
+      break;
+    case Blend::over:
+      glBlendFunc(GL_ONE, GL_SRC_ALPHA);
+      break;
+  }
+}
+
+/// The first pass of a surface decides which samples it covers. Each later pass draws each of them once, because the
+/// stencil counts the passes of a sample. Where several triangles have the same depth, the first pass keeps the last
+/// one; later passes keep the first one, so they draw the triangles in reverse order.
+void select_samples(int pass) {
+  glDepthFunc(pass == 0 ? GL_GEQUAL : GL_EQUAL);
+  glDepthMask(pass == 0 ? GL_TRUE : GL_FALSE);
+  glStencilFunc(pass == 0 ? GL_ALWAYS : GL_EQUAL, pass == 0 ? 0 : (pass - 1) & 0xff, 0xff);
+  glStencilOp(GL_KEEP, GL_KEEP, pass == 0 ? GL_REPLACE : GL_INCR_WRAP);
+}
+
+MaterialFeatures features_of(const Surface& surface, bool draws_panes) {
+  const SurfaceMaterial& material = *surface.material;
+  const bool is_pane = draws_panes && material.is_pane();
+  return {.is_masked = material.material.least_coverage.has_value() && !is_pane,
+          .is_pane = is_pane,
+          .is_unlit = material.material.is_unlit,
+          .has_emission_map = material.emission != nullptr,
+          .has_second_texture = material.second != nullptr,
+          .has_details = surface.chunk->has_details};
+}
+
+}  // namespace
+
+/// What draw() keeps between surfaces.
+struct SurfacePainter::Frame {
+  const LightingPath& path;
+  glm::mat4 clip_from_world;
+  const ShadowMaps* shadows;
+  std::size_t number;
+  int passes_drawn = 0;  // of the surface being drawn
+  std::size_t bytes = 0;
+  const SurfaceProgram* used = nullptr;
+  const SurfaceMaterial* bound = nullptr;
+  // Of panes: the run of sorted indices that is drawn of a surface.
+  bool draws_panes = false;
+  std::size_t airlights = 0;
+  const FarAirlight* far_airlight = nullptr;
+  std::size_t first = 0;
+  std::size_t count = 0;
+};
+
+SurfacePainter::SurfacePainter(const scene::Scene& scene, const SceneLights& lights,
+                               const gl::FogLightBuffer& fog_lights, const RenderSettings& settings)
+    : scene_(scene),
+      lights_(lights),
+      fog_light_buffer_(fog_lights),
+      settings_(settings),
+      surfaces_(scene, lights, settings.path_skipping()),
+      maps_(scene, lights, settings),
+      programs_(scene, settings) {}
+
+void SurfacePainter::set_lights() {
+  surfaces_.set_lights(scene_, lights_, settings_.path_skipping());
+  maps_ = LightMapStore(scene_, lights_, settings_);
+}
+
+void SurfacePainter::set_fog() { fog_lights_ = fog_lights(lights_, settings_.path_skipping()); }
+
+std::size_t SurfacePainter::draw(const LightingPath& path, const FramePlan& plan, const glm::mat4& clip_from_world,
+                                 const ShadowMaps* shadows, Interruption& interruption) {
+  Frame frame{.path = path, .clip_from_world = clip_from_world, .shadows = shadows, .number = ++frames_};
+  if (path.has_several_passes()) glEnable(GL_STENCIL_TEST);
+  select_samples(0);
+  surfaces_.meshes().bind();
+  for (std::size_t i = 0; i < plan.surfaces.size(); ++i) {
+    if (i % kDrawnAtOnce == 0 && interruption.has_come()) break;
+    const PlannedSurface& surface = plan.surfaces[i];
+    if (settings_.path->draws_panes() && surface.surface->material->is_pane()) continue;
+    draw_surface(frame, surface, plan.lights_of(surface));
+  }
+  glDisable(GL_STENCIL_TEST);
+  set_blend(Blend::replace);
+  select_samples(0);
+  return frame.bytes;
+}
+
+std::size_t SurfacePainter::draw_panes(const LightingPath& path, const FramePlan& plan,
+                                       const glm::mat4& clip_from_world, const ShadowMaps* shadows,
+                                       std::size_t airlights, const FarAirlight* far_airlight) {
+  struct Triangle {
+    float distance;
+    const PlannedSurface* surface;
+    const SortedTriangle* triangle;
+  };
+  std::vector<Triangle> triangles;
+  for (const PlannedSurface& surface : plan.surfaces) {
+    const glm::mat4& world_from_model = surface.surface->world_from_model;
+    for (const SortedTriangle& triangle : surface.surface->chunk->triangles) {
+      const glm::vec3 middle(world_from_model * glm::vec4(triangle.middle, 1));
+      triangles.push_back({glm::distance(middle, scene_.camera.position), &surface, &triangle});
+    }
+  }
+  std::ranges::stable_sort(triangles, std::ranges::greater{}, &Triangle::distance);
+  std::vector<std::uint32_t> indices;
+  for (const Triangle& each : triangles) {
+    indices.insert(indices.end(), each.triangle->indices.begin(), each.triangle->indices.end());
+  }
+  Frame frame{.path = path,
+              .clip_from_world = clip_from_world,
+              .shadows = shadows,
+              .number = ++frames_,
+              .bytes = indices.size() * sizeof(indices[0]),
+              .draws_panes = true,
+              .airlights = airlights,
+              .far_airlight = far_airlight};
+  surfaces_.meshes().bind();
+  surfaces_.meshes().bind_sorted(indices);
+  for (std::size_t first = 0, next = 0; first < triangles.size(); first = next) {
+    const PlannedSurface& surface = *triangles[first].surface;
+    while (next < triangles.size() && triangles[next].surface == &surface) ++next;
+    frame.first = 3 * first;
+    frame.count = 3 * (next - first);
+    draw_surface(frame, surface, plan.lights_of(surface));
+  }
+  return frame.bytes;
+}
+
+/// Draws all passes of a surface before the next surface, because the later of two coplanar ones hides the earlier.
+void SurfacePainter::draw_surface(Frame& frame, const PlannedSurface& planned, std::span<const std::int32_t> lights) {
+  frame.passes_drawn = 0;
+  std::span<const std::int32_t> fog = planned.surface->is_fog_lit ? std::span(fog_lights_) : std::span<std::int32_t>{};
+  if (planned.is_fog_alone) {
+    draw_pass(frame, planned, {.pass = &fog_alone_pass()}, fog, {});
+    return;
+  }
+  const std::vector<std::int32_t> grouped = frame.path.has_mapped_fog() ? with_fog_lights(lights, fog, maps_.kinds())
+                                                                        : grouped_by_maps(lights, maps_.kinds());
+  if (frame.path.has_mapped_fog()) fog = {};
+  for (const SurfacePass& pass : frame.path.passes) {
+    std::span<const std::int32_t> rest = grouped;
+    switch (pass.lights.kind) {
+      case LightFeed::Kind::none:
+        draw_pass(frame, planned, {.pass = &pass}, fog, {});
+        break;
+      case LightFeed::Kind::all: {
+        const bool are_listed = rest.size() > kMaxUniformLights;
+        draw_pass(frame, planned, {.pass = &pass, .has_listed_lights = are_listed}, fog,
+                  are_listed ? rest.first(0) : rest);
+        break;
+      }
+      case LightFeed::Kind::batches: {
+        bool is_first = pass.blend == Blend::replace;  // which is drawn even without lights
+        while (is_first || !rest.empty()) {
+          const auto batch = rest.first(batch_length(rest, pass.lights.batch_size, maps_.kinds()));
+          const bool are_listed = is_first && pass.lights.lists_rest && batch.size() < rest.size();
+          draw_pass(frame, planned, {.pass = &pass, .is_first = is_first, .has_listed_lights = are_listed}, fog, batch);
+          rest = rest.subspan(batch.size());
+          is_first = false;
+        }
+        break;
+      }
+    }
+  }
+}
+
+void SurfacePainter::draw_pass(Frame& frame, const PlannedSurface& planned, ShaderVariant variant,
+                               std::span<const std::int32_t> fog_lights, std::span<const std::int32_t> batch) {
+  const Surface& surface = *planned.surface;
+  variant.material = features_of(surface, settings_.path->draws_panes());
+  const bool has_maps = !maps_.kinds().empty();  // which hold the cones
+  std::vector<PackedLight> uniforms;
+  std::vector<std::int32_t> casters;  // of the uniforms
+  const auto add_uniform = [&](std::int32_t light) {
+    uniforms.push_back(lights_.packed(std::size_t(light)));
+    if (frame.shadows) casters.push_back(frame.shadows->caster_of(std::size_t(light)));
+  };
+  const auto resize_uniforms = [&](std::size_t count) {
+    uniforms.resize(count, kBlack);
+    if (frame.shadows) casters.resize(count, ShadowMaps::kNoCaster);
+  };
+  if (variant.is_first && variant.pass->shows_fog) {
+    variant.has_listed_fog_lights = fog_lights.size() > kMaxUniformLights;
+    if (!variant.has_listed_fog_lights) {
+      for (const std::int32_t light : fog_lights) add_uniform(light);
+      variant.fog_lights = compiled_for(uniforms);
+      resize_uniforms(variant.fog_lights.count);
+    }
+  }
+  const std::size_t first = uniforms.size();
+  // A pass that takes all lights computes once what the fog's lights and the surface's have in common.
+  variant.shares_lights = variant.pass->lights.kind == LightFeed::Kind::all && !variant.has_listed_lights && first > 0;
+  for (const std::int32_t light : batch) {
+    if (variant.shares_lights && std::ranges::find(fog_lights, light) != fog_lights.end()) continue;
+    add_uniform(light);
+  }
+  if (has_maps) {
+    variant.lights.count = uniforms.size() - first;
+  } else {
+    variant.lights = compiled_for(std::span(uniforms).subspan(first));
+    resize_uniforms(first + variant.lights.count);
+  }
+
+  if (variant.pass->constants_from_vertices) {
+    variant.vertex_lights = std::min(uniforms.size(), programs_.most_vertex_lights());
+  }
+  const SurfaceProgram& program = use(frame, variant, *surface.material);
+  const bool is_later = frame.passes_drawn > 0;
+  if (frame.path.has_several_passes()) select_samples(frame.passes_drawn++);
+  glUniformMatrix4fv(program.world_from_model, 1, GL_FALSE, glm::value_ptr(surface.world_from_model));
+  const scene::Material& material = surface.material->material;
+  const std::optional<float>& coverage = variant.material.is_pane ? material.opacity : material.least_coverage;
+  const glm::vec4 constants[] = {
+      glm::vec4(scene_.camera.position, material.relief_m / material.size_m),
+      glm::vec4(surface.bounds.low, coverage.value_or(0)), glm::vec4(surface.bounds.high, material.normal_scale),
+      glm::vec4(material.specular, material.shininess), glm::vec4(material.emissive, material.metal_roughness)};
+  glUniform4fv(program.draw_constants, GLsizei(std::size(constants)), glm::value_ptr(constants[0]));
+  glUniform2i(program.light_list_range, planned.list_first, planned.list_count);
+  frame.bytes += sizeof(glm::mat4) + sizeof(constants) + 2 * sizeof(GLint) + uniforms.size() * sizeof(PackedLight);
+  if (!uniforms.empty()) {
+    glUniform4fv(program.uniform_lights, GLsizei(5 * uniforms.size()),
+                 glm::value_ptr(uniforms[0].kind.attenuation_extent));
+  }
+  if (!casters.empty()) {
+    glUniform1iv(program.uniform_casters, GLsizei(casters.size()), casters.data());
+  }
+  if (has_maps && !batch.empty()) {
+    std::vector<glm::mat3> cones;
+    for (const std::int32_t light : batch) cones.push_back(maps_.cone_from_world(std::size_t(light)));
+    glUniformMatrix3fv(program.cone_from_world, GLsizei(cones.size()), GL_FALSE, glm::value_ptr(cones[0]));
+    maps_.bind(maps_.kinds()[std::size_t(batch[0])]);
+  }
+  if (frame.draws_panes) {
+    surfaces_.meshes().draw_sorted(frame.first, frame.count);
+  } else {
+    surfaces_.meshes().draw(*surface.chunk, is_later ? TriangleOrder::reversed : TriangleOrder::stored);
+  }
+}
+
+SurfaceProgram& SurfacePainter::use(Frame& frame, const ShaderVariant& variant, const SurfaceMaterial& material) {
+  SurfaceProgram& program = programs_.program(variant);
+  if (&program != frame.used) {
+    frame.used = &program;
+    program.program.use();
+    if (!frame.draws_panes)
+      set_blend(variant.pass->blend == Blend::replace && !variant.is_first ? Blend::add : variant.pass->blend);
+  }
+  if (program.frame != frame.number) {
+    program.frame = frame.number;
+    program.material = nullptr;
+    bind_lights(program.program, fog_light_buffer_);
+    set_uniform(program.program, "clip_from_world", frame.clip_from_world);
+    set_uniform(program.program, "infinite_viewer", glm::normalize(scene_.camera.position - scene_.camera.target));
+    set_uniform(program.program, "is_flat_shaded", unsigned{settings_.is_flat_shaded});
+    set_uniform(program.program, "albedo_map", kAlbedoUnit);
+    set_uniform(program.program, "normal_map", kNormalUnit);
+    set_uniform(program.program, "emission_map", kEmissionUnit);
+    set_uniform(program.program, "second_map", kSecondUnit);
+    set_uniform(program.program, "light_list", kLightListUnit);
+    set_uniform(program.program, "carried_count", unsigned(lights_.size() - lights_.local_count()));
+    set_uniform(program.program, "range_map", kRangeMapUnit);
+    set_uniform(program.program, "distance_map", kDistanceMapUnit);
+    set_uniform(program.program, "cone_map", kConeMapUnit);
+    set_uniform(program.program, "shadow_maps", kShadowMapUnit);
+    set_uniform(program.program, "shadow_casters", kShadowCasterUnit);
+    set_uniform(program.program, "caster_of_light", kCasterOfLightUnit);
+    if (frame.shadows) frame.shadows->set_moon_maps(program.program);
+    if (variant.material.is_pane) {
+      set_uniform(program.program, "airlight_entries", kEntryUnit);
+      glUniform1i(program.program.uniform("airlight_count"), GLint(frame.airlights));
+      if (frame.far_airlight) frame.far_airlight->bind(program.program);
+      set_uniform(program.program, "asymmetry", float(scene_.phase_g));
+      glUniform1i(program.program.uniform("shaft_steps"), settings_.shaft_steps);
+    }
+  }
+  if (&material != frame.bound) {
+    frame.bound = &material;
+    material.albedo->bind(kAlbedoUnit);
+    material.normal->bind(kNormalUnit);
+    if (material.emission) material.emission->bind(kEmissionUnit);
+    if (material.second) material.second->bind(kSecondUnit);
+  }
+  if (&material != program.material) {
+    program.material = &material;
+    set_uniform(program.program, "material", material.number);
+    set_uniform(program.program, "tile_size", material.material.size_m);
+    set_uniform(program.program, "second_tiles", material.material.size_m / material.material.second_size_m);
+  }
+  return program;
+}
+
+}  // namespace litfog::render

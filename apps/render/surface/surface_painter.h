@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "litfog/gl/fog_light_buffer.h"
+#include "render/airlight/far_airlight.h"
+#include "render/frame_plan.h"
+#include "render/interruption.h"
+#include "render/light/light_map_store.h"
+#include "render/light/light_selection.h"
+#include "render/light/scene_lights.h"
+#include "render/render_settings.h"
+#include "render/shadow/shadow_maps.h"
+#include "render/surface/surface_list.h"
+#include "render/surface/surface_programs.h"
+
+namespace litfog::render {
+
+/// Draws a scene's surfaces by a lighting path. Needs a current GL context.
+class SurfacePainter {
+ public:
+  /// scene, lights, fog_lights  have to outlive this
+  /// throws  gl::Unsupported where this OpenGL cannot hold the scene's light lists or the path's light maps
+  SurfacePainter(const scene::Scene& scene, const SceneLights& lights, const gl::FogLightBuffer& fog_lights,
+                 const RenderSettings& settings);
+
+  /// Takes a change of the lights; one of the fog has to follow.
+  ///
+  /// throws  gl::Unsupported as the constructor
+  void set_lights();
+  /// Takes a change of the fog, which the lights have taken.
+  void set_fog();
+  /// Draws the surfaces of a plan but for its panes. Its light list is bound to its unit.
+  ///
+  /// shadows       of the lamps; drawn and bound. Null: none
+  /// interruption  after which it draws no more
+  /// returns       bytes that the draws were passed
+  std::size_t draw(const LightingPath& path, const FramePlan& plan, const glm::mat4& clip_from_world,
+                   const ShadowMaps* shadows, Interruption& interruption);
+  /// Whether there are panes that draw() leaves out.
+  bool has_panes() const { return settings_.path->draws_panes() && surfaces_.has_panes(); }
+  /// Draws a plan's panes likewise, triangle by triangle from the farthest to the nearest. Premultiplied by their
+  /// opacity, which is alpha; how they are blended is the caller's to set.
+  ///
+  /// airlights     those whose list is bound
+  /// far_airlight  beyond lights' extents; null: none
+  std::size_t draw_panes(const LightingPath& path, const FramePlan& plan, const glm::mat4& clip_from_world,
+                         const ShadowMaps* shadows, std::size_t airlights, const FarAirlight* far_airlight);
+  const SurfaceList& surfaces() const { return surfaces_; }
+
+ private:
+  struct Frame;
+
+  void draw_surface(Frame& frame, const PlannedSurface& planned, std::span<const std::int32_t> lights);
+  /// Draws a surface by the lights of its fog and a batch of its own. Fills in the variant's uniform lights.
+  void draw_pass(Frame& frame, const PlannedSurface& planned, ShaderVariant variant,
+                 std::span<const std::int32_t> fog_lights, std::span<const std::int32_t> batch);
+  SurfaceProgram& use(Frame& frame, const ShaderVariant& variant, const SurfaceMaterial& material);
+
+  const scene::Scene& scene_;
+  const SceneLights& lights_;
+  const gl::FogLightBuffer& fog_light_buffer_;
+  RenderSettings settings_;
+  SurfaceList surfaces_;
+  LightMapStore maps_;
+  SurfacePrograms programs_;
+  std::vector<std::int32_t> fog_lights_;
+  std::size_t frames_ = 0;
+};
+
+}  // namespace litfog::render

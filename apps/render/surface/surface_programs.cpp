@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/surface/surface_programs.h"
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "render/render_shaders.h"
+
+namespace litfog::render {
+namespace {
+
+std::string glsl(const glm::vec3& v) { return fmt::format("vec3({}, {}, {})", v.x, v.y, v.z); }
+
+/// What stays the same in a scene, as constants, because some drivers look a uniform up for every fragment.
+std::string environment_constants(const scene::Environment& environment, const RenderSettings& settings) {
+  return fmt::format(
+      "const vec3 ambient_light = {};\n"
+      "const bool has_moon = {};  // the directional light\n"
+      "const vec3 moon_direction = {};\n"
+      "const vec3 moon_color = {};\n"
+      "const bool has_infinite_viewer = {};\n"
+      "const bool is_lamp_leg_fogged = {};\n"
+      "const bool has_shafts = {};\n"
+      "const float light_ambient = {};\n"
+      "const int spot_edge_hard = 0;\n"
+      "const int spot_edge_lerp = 1;\n"
+      "const int spot_edge = {};\n",
+      glsl(environment.ambient_light), environment.moon_color != glm::vec3(0.0f), glsl(environment.moon_direction),
+      glsl(environment.moon_color), settings.has_infinite_viewer, settings.fog_lighting == FogLighting::airlight,
+      settings.shadows == Shadows::shafts, settings.light_ambient, int(settings.spot_edge));
+}
+
+std::size_t count_vertex_lights() {
+  constexpr int kOtherVectors = 11;  // of unified's vertices: four interpolated, seven constant
+  GLint components = 0;
+  glGetIntegerv(GL_MAX_VARYING_COMPONENTS, &components);
+  return std::size_t(std::max(components / 4 - kOtherVectors, 0) / 5);
+}
+
+}  // namespace
+
+SurfaceProgram::SurfaceProgram(gl::Program linked)
+    : program(std::move(linked)),
+      world_from_model(program.uniform("world_from_model")),
+      draw_constants(program.uniform("draw_constants")),
+      light_list_range(program.uniform("light_list_range")),
+      uniform_lights(program.uniform("uniform_lights")),
+      uniform_casters(program.uniform("uniform_casters")),
+      cone_from_world(program.uniform("cone_from_world")) {}
+
+SurfacePrograms::SurfacePrograms(const scene::Scene& scene, const RenderSettings& settings)
+    : has_cookies_(!scene.cookies.empty()),
+      has_shadows_(settings.shadows != Shadows::none),
+      most_vertex_lights_(count_vertex_lights()),
+      environment_(environment_constants(scene.environment, settings)) {}
+
+SurfaceProgram& SurfacePrograms::program(const ShaderVariant& variant) {
+  const auto found = programs_.find(variant);
+  if (found != programs_.end()) return found->second;
+  const std::string pass = pass_constants(variant);
+  std::vector<gl::ShaderSource> files = scene_shaders(has_cookies_, has_shadows_);
+  files.push_back({"environment.glsl", environment_});
+  files.push_back({"pass.glsl", pass});
+  const std::string material = material_constants(variant.material);
+  files.push_back({"material.glsl", material});
+  const std::string pass_fragment = fmt::format("#include \"{}\"\n", variant.pass->fragment);
+  files.push_back({"pass.frag", pass_fragment});
+  const bool is_plain = variant.material == MaterialFeatures{};
+  gl::Program program(variant.pass->vertex, variant.pass->geometry,
+                      is_plain ? variant.pass->fragment : std::string_view("material.frag"), files);
+  return programs_.emplace(variant, std::move(program)).first->second;
+}
+
+}  // namespace litfog::render

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "litfog/gl/program.h"
+#include "render/render_settings.h"
+#include "render/surface/shader_variant.h"
+#include "render/surface/surface_list.h"
+#include "scene/scene.h"
+
+namespace litfog::render {
+
+/// A variant's program, and what its uniforms were set to last.
+struct SurfaceProgram {
+  explicit SurfaceProgram(gl::Program linked);
+
+  gl::Program program;
+  int world_from_model, draw_constants, light_list_range, uniform_lights, uniform_casters, cone_from_world;
+  std::size_t frame = 0;
+  const SurfaceMaterial* material = nullptr;
+};
+
+/// The programs that draw a scene's surfaces, each compiled when it is first asked for. Needs a current GL context.
+class SurfacePrograms {
+ public:
+  SurfacePrograms(const scene::Scene& scene, const RenderSettings& settings);
+
+  /// Good as long as this.
+  SurfaceProgram& program(const ShaderVariant& variant);
+  /// How many lights vertices can pass on to fragments on this driver (ShaderVariant::vertex_lights).
+  std::size_t most_vertex_lights() const { return most_vertex_lights_; }
+
+ private:
+  bool has_cookies_;
+  bool has_shadows_;
+  std::size_t most_vertex_lights_;
+  std::string environment_;  // environment.glsl
+  std::map<ShaderVariant, SurfaceProgram> programs_;
+};
+
+}  // namespace litfog::render
