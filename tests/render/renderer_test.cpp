@@ -285,6 +285,27 @@ TEST_F(RendererTest, TurnedCookiesGiveThePictureOfANewRenderer) {
   EXPECT_NE(made_anew.read().rgb, before);
 }
 
+// What drawing a frame leaves bound must not be what drawing the next one takes for its own.
+TEST_F(RendererTest, NextFrameOfTheSameFogIsTheFirstInEveryBundledScene) {
+  for (const std::string& name : bundled_scenes()) {
+    const Scene scene = read_scene(bundled_scene_path(name));
+    for (const Shadows shadows : {Shadows::none, Shadows::shafts}) {
+      if (shadows == Shadows::shafts && name != "cookies") continue;
+      Renderer renderer(scene, 32, 18,
+                        {.fog_lighting = FogLighting::airlight,
+                         .samples = 1,
+                         .shadows = shadows,
+                         .shadow_map_size = 64,
+                         .shaft_steps = 4});
+      renderer.set_fog(Fog::from_visibility(FogMode::exp, 3 * suggested_visibility(scene)));  // lamps have far airlight
+      renderer.draw();
+      const Picture first = renderer.read();
+      renderer.draw();
+      EXPECT_EQ(renderer.read().rgb, first.rgb) << name << ", shadows " << int(shadows);
+    }
+  }
+}
+
 TEST_F(RendererTest, InterruptedFrameLeavesTheNextOneAsItIs) {
   const Scene scene = read_scene(bundled_scene_path("room"));
   Renderer renderer(scene, 40, 24, {.fog_lighting = FogLighting::airlight});

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "litfog/gl/unsupported.h"
+#include "render/gpu/texture_unit.h"
 
 namespace litfog::render {
 namespace {
@@ -44,6 +45,7 @@ LookupTexture::LookupTexture(Shape shape, int size, const std::vector<std::uint1
                           std::to_string(largest));
   }
   target_ = kind.target;
+  glActiveTexture(GL_TEXTURE0 + kUploadUnit);
   glBindTexture(target_, name_.id());
   glPixelStorei(GL_UNPACK_ALIGNMENT, 2);
   switch (shape) {
@@ -82,6 +84,7 @@ LayeredTexture::LayeredTexture(int size, int layers, const std::vector<std::uint
     throw gl::Unsupported("the scene's cookies need " + std::to_string(layers) + " layers of " + std::to_string(size) +
                           " texels a side; this OpenGL has " + std::to_string(most) + " of " + std::to_string(largest));
   }
+  glActiveTexture(GL_TEXTURE0 + kUploadUnit);
   glBindTexture(GL_TEXTURE_2D_ARRAY, name_.id());
   glPixelStorei(GL_UNPACK_ALIGNMENT, 2);
   glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_R16, size, size, layers, 0, GL_RED, GL_UNSIGNED_SHORT, texels.data());
@@ -110,6 +113,7 @@ BufferTexture::BufferTexture(const void* data, std::size_t bytes, Texel texel) {
   glBindBuffer(GL_TEXTURE_BUFFER, buffer_.id());
   glBufferData(GL_TEXTURE_BUFFER, GLsizeiptr(bytes > 0 ? bytes : kOneTexel.size()), bytes > 0 ? data : kOneTexel.data(),
                GL_STATIC_DRAW);
+  glActiveTexture(GL_TEXTURE0 + kUploadUnit);
   glBindTexture(GL_TEXTURE_BUFFER, texture_.id());
   glTexBuffer(GL_TEXTURE_BUFFER, texel == Texel::float4 ? GL_RGBA32F : GL_R32I, buffer_.id());
 }

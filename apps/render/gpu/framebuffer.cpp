@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "litfog/gl/unsupported.h"
+#include "render/gpu/texture_unit.h"
 
 namespace litfog::render {
 
@@ -35,6 +36,7 @@ Framebuffer::Framebuffer(int width, int height, Passes passes, int samples)
   attach(resolved_, resolved_color_, GL_COLOR_ATTACHMENT0, color, 0);
   const bool resolved_is_whole = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
   attach(drawn_, drawn_color_, GL_COLOR_ATTACHMENT0, color, samples == 1 ? 0 : samples);  // drivers take 1 for 2
+  glActiveTexture(GL_TEXTURE0 + kUploadUnit);
   glBindTexture(depth_target_, drawn_depth_.id());
   const GLenum depth = is_summed ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F;
   if (samples == 1) {

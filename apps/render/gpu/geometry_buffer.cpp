@@ -11,6 +11,7 @@
 
 #include "litfog/gl/unsupported.h"
 #include "render/gpu/depth.h"
+#include "render/gpu/texture_unit.h"
 #include "render/render_shaders.h"
 
 namespace litfog::render {
@@ -49,6 +50,7 @@ GeometryBuffer::GeometryBuffer(int width, int height, int samples)
       sample_program_("whole_picture.vert", "geometry_sample.frag", render_shaders()) {
   static_assert(sizeof(GeometrySample) == kTargets * sizeof(glm::vec4) && std::size(kAttachments) == kTargets);
   glBindFramebuffer(GL_FRAMEBUFFER, drawn_.id());
+  glActiveTexture(GL_TEXTURE0 + kUploadUnit);
   for (int i = 0; i < kTargets; ++i) {
     glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, textures_[i].id());
     glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples_, GL_RGBA32F, width, height, GL_TRUE);

@@ -31,6 +31,7 @@ enum TextureUnit : unsigned {
   kFarLightUnit,     // the lights whose airlight beyond their extents is drawn
   kFarSlabUnit,      // of it: sums in groups of slabs
   kFarAirlightUnit,  // before each slab
+  kUploadUnit,       // of no sampler: textures are filled there, so that none that is bound is lost
 };
 
 inline constexpr unsigned kFogLightBinding = 0;  ///< of the FogLightBlock
