@@ -97,14 +97,16 @@ long double integrate_airlight(Text<long double, Cookie> text,
       text.litfog_airlight_chord(air, text.litfog_airlight_level(air, 2 * std::max(1.0L, denominator)));
   if (falloff > 0) scale = std::min(scale, falloff);
   if (air.mode != 0) cuts.push_back((air.lamp_leg != 0 ? -0.5L : -1.0L) * air.approach);
-  if (air.profile == 1 || air.profile == 2) {
+  const bool is_cosine = air.profile == LITFOG_PROFILE_COSINE;
+  const bool is_smoothstep = air.profile == LITFOG_PROFILE_SMOOTHSTEP;
+  if (is_cosine || is_smoothstep) {
     for (const bool higher : {false, true}) {
       cuts.push_back(text.litfog_airlight_crossing(air, air.cone_x, higher));
-      if (air.profile == 2) cuts.push_back(text.litfog_airlight_crossing(air, air.cone_y, higher));
+      if (is_smoothstep) cuts.push_back(text.litfog_airlight_crossing(air, air.cone_y, higher));
     }
     if (air.axis_offset > 0) {
       const long double crossing = air.axis_slope * air.offset * air.offset / air.axis_offset;
-      const long double sharpness = air.profile == 1 ? 1 + air.cone_y : 1 / (1 - air.cone_x);
+      const long double sharpness = is_cosine ? 1 + air.cone_y : 1 / (1 - air.cone_x);
       const long double range = text.litfog_airlight_range(air, crossing);
       cuts.push_back(crossing);
       scale = std::min(scale, range * (range / air.offset) / std::sqrt(sharpness));
@@ -126,7 +128,7 @@ long double integrate_airlight(Text<long double, Cookie> text,
   }
   std::sort(cuts.begin(), cuts.end());
   auto without_cone = air;
-  without_cone.profile = 0;
+  without_cone.profile = LITFOG_PROFILE_NONE;
   const auto integrand_of = [&text](const auto& of) {
     return [&text, &of](long double along) { return text.litfog_airlight_integrand(of, along); };
   };

@@ -16,7 +16,7 @@ namespace litfog::airlight_text {
 using std::abs, std::asinh, std::ceil, std::clamp, std::exp, std::floor, std::log, std::max, std::min, std::sqrt;
 
 /// Cookie  called with a distance along the ray from its closest approach to the light: the fraction of the light's
-///         axial intensity there, for profile 3
+///         axial intensity there, for LITFOG_PROFILE_COOKIE
 template <typename Real, typename Cookie>
 struct Text {
   const Cookie& cookie;
@@ -60,11 +60,11 @@ struct Text {
     air.quadratic = Real(light.attenuation.quadratic);
     air.extent = extent;
     if (light.cone.profile == ConeProfile::cosine) {
-      air.profile = 1;
+      air.profile = Real(LITFOG_PROFILE_COSINE);
       air.cone_x = std::cos(Real(light.cone.half_angle));
       air.cone_y = Real(light.cone.exponent);
     } else if (light.cone.profile == ConeProfile::smoothstep) {
-      air.profile = 2;
+      air.profile = Real(LITFOG_PROFILE_SMOOTHSTEP);
       air.cone_x = std::cos(Real(light.cone.outer));
       air.cone_y = std::cos(Real(light.cone.inner));
     }

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "fog_light_count.h"
+#include "litfog/shaders/cone_profile.glsl"
 #include "require.h"
 #include "unchecked.h"
 
@@ -33,13 +34,13 @@ glm::vec2 pack_cone(const Cone& cone) {
 float pack_profile(ConeProfile profile) {
   switch (profile) {
     case ConeProfile::cosine:
-      return 1;
+      return float(LITFOG_PROFILE_COSINE);
     case ConeProfile::smoothstep:
-      return 2;
+      return float(LITFOG_PROFILE_SMOOTHSTEP);
     case ConeProfile::none:
       break;
   }
-  return 0;
+  return float(LITFOG_PROFILE_NONE);
 }
 
 }  // namespace

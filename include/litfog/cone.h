@@ -15,7 +15,7 @@ enum class ConeProfile {
   /// section "Lighting Algorithms").
   cosine,
   /// smoothstep(cos outer, cos inner, cos u): the dual cone of Randima Fernando and Mark Kilgard 2003, "The Cg
-  /// Tutorial", section 5.5.3.
+  /// Tutorial", section 5.5.2.
   smoothstep,
 };
 

@@ -31,6 +31,7 @@ struct FogLightKind {
 struct FogLightInstance {
   glm::vec4 position_kind;  ///< xyz position, w index of its kind
   /// xyz unit axis, w its kind's profile: 0 none, 1 cosine, 2 smoothstep; 3 is left to shaders
+  /// (litfog/shaders/cone_profile.glsl)
   glm::vec4 axis_profile;
   glm::vec4 color;  ///< rgb linear colour, w 0; of profile 3 it is left to shaders
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "litfog/shaders/cone_profile.glsl"
 #include "render/light/light_map.h"
 
 namespace litfog::render {
@@ -59,7 +60,7 @@ SceneLights::SceneLights(const scene::Scene& scene, const RenderSettings& settin
   instances_.assign(updater_.instances().begin(), updater_.instances().end());
   for (std::size_t i = 0; i < lights_.size(); ++i) {
     if (!cookies_[i]) continue;
-    instances_[i].axis_profile.w = 3;
+    instances_[i].axis_profile.w = float(LITFOG_PROFILE_COOKIE);
     instances_[i].color.w = float(cookie_cones_.size());
     cookie_cones_.push_back(cookie_cone(lights_[i], *cookies_[i]));
   }

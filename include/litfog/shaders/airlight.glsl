@@ -24,6 +24,7 @@
 #ifndef LITFOG_AIRLIGHT_GLSL
 #define LITFOG_AIRLIGHT_GLSL
 
+#include "litfog/shaders/cone_profile.glsl"
 #include "litfog/shaders/formulas.glsl"
 
 #ifndef __cplusplus
@@ -41,7 +42,7 @@ struct LitfogAirlight {
   LITFOG_REAL linear;
   LITFOG_REAL quadratic;
   LITFOG_REAL extent;        // metres
-  LITFOG_REAL profile;       // of the cone: 0 none, 1 cosine, 2 smoothstep, 3 the including program's
+  LITFOG_REAL profile;       // of the cone: LITFOG_PROFILE_*
   LITFOG_REAL cone_x;        // cosine: cos half angle; smoothstep: cos outer
   LITFOG_REAL cone_y;        // cosine: exponent; smoothstep: cos inner
   LITFOG_REAL ray_length;    // D, metres
@@ -108,12 +109,12 @@ LITFOG_REAL litfog_airlight_cookie(LitfogAirlight air, LITFOG_REAL along);
 #endif
 
 LITFOG_REAL litfog_airlight_beam(LitfogAirlight air, LITFOG_REAL along, LITFOG_REAL range) {
-  if (air.profile == LITFOG_REAL(0.0)) return LITFOG_REAL(1.0);
+  if (air.profile == LITFOG_REAL(LITFOG_PROFILE_NONE)) return LITFOG_REAL(1.0);
 #ifdef LITFOG_COOKIES
-  if (air.profile == LITFOG_REAL(3.0)) return litfog_airlight_cookie(air, along);
+  if (air.profile == LITFOG_REAL(LITFOG_PROFILE_COOKIE)) return litfog_airlight_cookie(air, along);
 #endif
   LITFOG_REAL cosine = litfog_airlight_cosine(air, along, range);
-  if (air.profile == LITFOG_REAL(1.0)) return litfog_cosine_cone(cosine, air.cone_x, air.cone_y);
+  if (air.profile == LITFOG_REAL(LITFOG_PROFILE_COSINE)) return litfog_cosine_cone(cosine, air.cone_x, air.cone_y);
   return litfog_smoothstep_cone(cosine, air.cone_y, air.cone_x);
 }
 
@@ -241,13 +242,13 @@ LITFOG_REAL litfog_airlight_crossing(LitfogAirlight air, LITFOG_REAL cosine, boo
 
 // A point lamp in isotropic fog.
 bool litfog_airlight_is_plain(LitfogAirlight air) {
-  return air.profile == LITFOG_REAL(0.0) && air.asymmetry == LITFOG_REAL(0.0);
+  return air.profile == LITFOG_REAL(LITFOG_PROFILE_NONE) && air.asymmetry == LITFOG_REAL(0.0);
 }
 
 // The number of nodes of the stated errors.
 LITFOG_REAL litfog_airlight_nodes(LitfogAirlight air) {
   if (litfog_airlight_is_plain(air)) return air.mode == LITFOG_REAL(0.0) ? LITFOG_REAL(7.0) : LITFOG_REAL(8.0);
-  if (air.profile == LITFOG_REAL(3.0)) return LITFOG_REAL(128.0);
+  if (air.profile == LITFOG_REAL(LITFOG_PROFILE_COOKIE)) return LITFOG_REAL(128.0);
   if (air.asymmetry != LITFOG_REAL(0.0)) return LITFOG_REAL(40.0);
   return air.cone_x <= LITFOG_REAL(0.0) ? LITFOG_REAL(28.0) : LITFOG_REAL(20.0);
 }
@@ -393,7 +394,7 @@ LITFOG_REAL litfog_airlight(LitfogAirlight air) {
 
   LITFOG_REAL edge_low = litfog_far;  // where the ray crosses the edge of a wide cone
   LITFOG_REAL edge_high = litfog_far;
-  bool has_cone = air.profile == LITFOG_REAL(1.0) || air.profile == LITFOG_REAL(2.0);
+  bool has_cone = air.profile == LITFOG_REAL(LITFOG_PROFILE_COSINE) || air.profile == LITFOG_REAL(LITFOG_PROFILE_SMOOTHSTEP);
   bool is_wide = has_cone && air.cone_x <= LITFOG_REAL(0.0);
   if (has_cone) {
     LITFOG_REAL first = litfog_airlight_crossing(air, air.cone_x, false);
@@ -447,7 +448,7 @@ LITFOG_REAL litfog_airlight(LitfogAirlight air) {
   LITFOG_REAL doubled = litfog_airlight_level(air, LITFOG_REAL(2.0) * max(LITFOG_REAL(1.0), denominator));
   LITFOG_REAL width = min(litfog_airlight_chord(air, doubled), max(air.offset, LITFOG_REAL(2.0) * fog_scale));
   if (air.asymmetry != LITFOG_REAL(0.0)) width = min(width, max(air.offset, LITFOG_REAL(1.0e-2) * fog_scale));
-  if (air.profile == LITFOG_REAL(3.0)) width = min(width, max(air.offset, LITFOG_REAL(0.01) * width));
+  if (air.profile == LITFOG_REAL(LITFOG_PROFILE_COOKIE)) width = min(width, max(air.offset, LITFOG_REAL(0.01) * width));
 
   // Where the ray is nearest to the beam's axis in angle, and the beam's width there.
   LITFOG_REAL crossing = LITFOG_REAL(0.0);
@@ -456,7 +457,7 @@ LITFOG_REAL litfog_airlight(LitfogAirlight air) {
   if (has_cone && air.axis_offset > LITFOG_REAL(0.0)) {
     crossing = air.axis_slope * air.offset * air.offset / air.axis_offset;
     LITFOG_REAL cosine = LITFOG_REAL(0.5) * (air.cone_x + air.cone_y);
-    LITFOG_REAL sine_squared = air.profile == LITFOG_REAL(1.0)
+    LITFOG_REAL sine_squared = air.profile == LITFOG_REAL(LITFOG_PROFILE_COSINE)
                                    ? -litfog_expm1(LITFOG_REAL(-1.3862944) / max(air.cone_y, LITFOG_REAL(0.05)))
                                    : LITFOG_REAL(1.0) - cosine * cosine;
     beam_width = LITFOG_REAL(1.2) * sqrt(sine_squared) * (air.offset * air.offset + crossing * crossing) /
@@ -483,7 +484,7 @@ LITFOG_REAL litfog_airlight(LitfogAirlight air) {
   bool is_cut = !is_plain && nodes_left > LITFOG_REAL(8.0);
   LITFOG_REAL inner_low = litfog_far;
   LITFOG_REAL inner_high = litfog_far;
-  if (is_cut && air.profile == LITFOG_REAL(2.0)) {
+  if (is_cut && air.profile == LITFOG_REAL(LITFOG_PROFILE_SMOOTHSTEP)) {
     inner_low = litfog_airlight_crossing(air, air.cone_y, false);
     inner_high = litfog_airlight_crossing(air, air.cone_y, true);
   }

@@ -42,7 +42,7 @@ LITFOG_FUNCTION LITFOG_REAL litfog_cosine_cone(LITFOG_REAL cos_angle, LITFOG_REA
 }
 
 // Dual cone: smoothstep from the outer to the inner cosine  (Randima Fernando and Mark Kilgard 2003, "The Cg Tutorial",
-// section 5.5.3)
+// section 5.5.2)
 LITFOG_FUNCTION LITFOG_REAL litfog_smoothstep_cone(LITFOG_REAL cos_angle, LITFOG_REAL cos_inner,
                                                    LITFOG_REAL cos_outer) {
   if (cos_angle >= cos_inner) return LITFOG_REAL(1.0);  // first, because a narrow cone's cosines may be equal

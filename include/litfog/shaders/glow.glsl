@@ -73,11 +73,11 @@ vec3 litfog_glow(LitfogLight light, vec3 eye, vec3 direction, float range, float
   air.nodes = litfog_airlight_nodes(air);
   // A light that adds little needs few nodes: their relative errors are some 3 % and 0.5 % of a point light's airlight,
   // some 10 %, 2 % and 0.3 % of another's.
-  if (asymmetry == 0.0 && air.profile != 3.0) {
+  if (asymmetry == 0.0 && air.profile != LITFOG_PROFILE_COOKIE) {
     float denominator = litfog_denominator(air.offset, air.constant, air.linear, air.quadratic);
     float weight = litfog_glow_weight(light, distance(light.position_extent.xyz, eye));
     float most = max(max(color.r, color.g), color.b) * litfog_glow_bound(light, weight, denominator);
-    if (air.profile == 0.0) {
+    if (air.profile == LITFOG_PROFILE_NONE) {
       air.nodes = most < 0.02 ? 4.0 : most < 0.1 ? 6.0 : air.nodes;
     } else {
       air.nodes = most < 0.002 ? 4.0 : most < 0.01 ? 8.0 : most < 0.1 ? 12.0 : air.nodes;

@@ -5,12 +5,13 @@
 // uniform block, light_buffer.glsl from textures or storage buffers. A program may use both, or fill a LitfogLight
 // itself.
 //
-// LITFOG_COOKIES, defined before the first include of litfog, opens profile 3, which belongs to the including program:
-// the program defines litfog_cookie(), and litfog_cookie_cone(), which fills the light's cone for it.
+// LITFOG_COOKIES, defined before the first include of litfog, opens LITFOG_PROFILE_COOKIE, which belongs to the
+// including program: the program defines litfog_cookie(), and litfog_cookie_cone(), which fills the light's cone for it.
 
 #ifndef LITFOG_LIGHT_GLSL
 #define LITFOG_LIGHT_GLSL
 
+#include "litfog/shaders/cone_profile.glsl"
 #include "litfog/shaders/formulas.glsl"
 
 // What lights of a kind share.
@@ -21,8 +22,8 @@ struct LitfogKind {
 
 struct LitfogInstance {
   vec4 position_kind;  // xyz position, w index of its kind
-  vec4 axis_profile;   // xyz unit axis, w profile: 0 none, 1 cosine, 2 smoothstep, 3 the including program's
-  vec4 color;          // rgb colour, w of profile 3 the including program's
+  vec4 axis_profile;   // xyz unit axis, w profile: LITFOG_PROFILE_*
+  vec4 color;          // rgb colour, w of LITFOG_PROFILE_COOKIE the including program's
 };
 
 // An instance with its kind.
@@ -35,14 +36,14 @@ struct LitfogLight {
 };
 
 #ifdef LITFOG_COOKIES
-// The cone field of a light of profile 3, from its instance's color.w.
+// The cone field of a light of LITFOG_PROFILE_COOKIE, from its instance's color.w.
 vec4 litfog_cookie_cone(float cookie);
 #endif
 
 LitfogLight litfog_light(LitfogInstance instance, LitfogKind kind) {
   vec4 cone = vec4(kind.cone_scale_intensity.xy, 0.0, 0.0);
 #ifdef LITFOG_COOKIES
-  if (instance.axis_profile.w == 3.0) cone = litfog_cookie_cone(instance.color.w);
+  if (instance.axis_profile.w == LITFOG_PROFILE_COOKIE) cone = litfog_cookie_cone(instance.color.w);
 #endif
   return LitfogLight(vec4(instance.position_kind.xyz, kind.attenuation_extent.w), instance.axis_profile,
                      vec4(instance.color.rgb, kind.cone_scale_intensity.w),
@@ -65,10 +66,10 @@ float litfog_cookie(LitfogLight light, vec3 direction);
 // Fraction of the axial intensity in a unit direction from the light.
 float litfog_cone(LitfogLight light, vec3 direction) {
   float cos_angle = dot(light.axis_profile.xyz, direction);
-  if (light.axis_profile.w == 1.0) return litfog_cosine_cone(cos_angle, light.cone.x, light.cone.y);
-  if (light.axis_profile.w == 2.0) return litfog_smoothstep_cone(cos_angle, light.cone.y, light.cone.x);
+  if (light.axis_profile.w == LITFOG_PROFILE_COSINE) return litfog_cosine_cone(cos_angle, light.cone.x, light.cone.y);
+  if (light.axis_profile.w == LITFOG_PROFILE_SMOOTHSTEP) return litfog_smoothstep_cone(cos_angle, light.cone.y, light.cone.x);
 #ifdef LITFOG_COOKIES
-  if (light.axis_profile.w == 3.0) return litfog_cookie(light, direction);
+  if (light.axis_profile.w == LITFOG_PROFILE_COOKIE) return litfog_cookie(light, direction);
 #endif
   return 1.0;
 }

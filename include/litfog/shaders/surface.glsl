@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // litfog: the Basic model of Randima Fernando and Mark Kilgard 2003, "The Cg Tutorial", section 5.2: emissive + ambient
-// + sum over lights of diffuse + specular, specular zero where diffuse is; attenuated by range (5.5.1) and cone (5.5.2,
-// 5.5.3).
+// + sum over lights of diffuse + specular, specular zero where diffuse is; attenuated by range (5.5.1) and cone
+// (5.5.2).
 
 #ifndef LITFOG_SURFACE_GLSL
 #define LITFOG_SURFACE_GLSL

@@ -28,7 +28,7 @@ void main() {
   // The cone's part of that sphere is within a ball at its end, or between that and the light.
   vec3 apex = light.position_extent.xyz;
   vec3 centre = apex;
-  if (!is_filled && (profile == 1.0 || profile == 2.0)) {
+  if (!is_filled && (profile == LITFOG_PROFILE_COSINE || profile == LITFOG_PROFILE_SMOOTHSTEP)) {
     float cos_cut = max(light.cone.x, 0.0);
     centre += light.axis_profile.xyz * (radius * cos_cut);
     radius *= sqrt(1.0 - cos_cut * cos_cut);

@@ -40,7 +40,7 @@ float lit_fraction(int light_index, LitfogLight light, vec3 direction, float ran
   float chord = litfog_airlight_chord(air, air.extent);
   float low = max(-air.approach, -chord);
   float high = min(range - air.approach, chord);
-  if ((air.profile == 1.0 || air.profile == 2.0) && air.cone_x > 0.0) {
+  if ((air.profile == LITFOG_PROFILE_COSINE || air.profile == LITFOG_PROFILE_SMOOTHSTEP) && air.cone_x > 0.0) {
     float first = litfog_airlight_crossing(air, air.cone_x, false);
     float last = litfog_airlight_crossing(air, air.cone_x, true);
     bool is_low_lit = litfog_airlight_cosine(air, low, litfog_airlight_range(air, low)) > air.cone_x;

@@ -37,7 +37,7 @@ void main() {
     light.position_extent.xyz = to_light[i];
     light.axis_profile.xyz = normalize(light_axis[i]);
 #ifdef LITFOG_COOKIES
-    if (light.axis_profile.w == 3.0) light.cone.yzw = normalize(cookie_up[i]);
+    if (light.axis_profile.w == LITFOG_PROFILE_COOKIE) light.cone.yzw = normalize(cookie_up[i]);
 #endif
     lit += lamp_shadow(i) * lit_by(surface, light);
   }
