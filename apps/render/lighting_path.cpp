@@ -16,11 +16,9 @@ constexpr std::string_view kLacroix =
 std::string of(std::string_view paper, std::string_view place) { return std::string(paper).append(", ").append(place); }
 
 /// The Basic model at each fragment, any number of lights, by a fragment shader.
-SurfacePass per_fragment(std::string_view fragment) {
-  return {.vertex = "surface.vert",
-          .fragment = fragment,
-          .lights = {.kind = LightFeed::Kind::all},
-          .constants_from_vertices = true};
+SurfacePass per_fragment(std::string_view fragment, LightFeed lights = {}) {
+  lights.kind = LightFeed::Kind::all;
+  return {.vertex = "surface.vert", .fragment = fragment, .lights = lights, .constants_from_vertices = true};
 }
 
 /// Batches of lights by light maps, at the fragments.
@@ -167,6 +165,12 @@ std::vector<LightingPath> make_programs() {
        .source = of(kLacroix, "listing 2.2"),
        .takes_airlight = true,
        .passes = {per_fragment("interpolated.frag")}},
+      {.name = "nested",
+       .description = "unified, its lights in nested ifs that end at the first one whose flag is off",
+       .source = of(kLacroix, "listings 3.1 and 3.2"),
+       .has_normal_maps = true,
+       .takes_airlight = true,
+       .passes = {per_fragment("nested.frag", {.has_flags = true})}},
       {.name = "lacroix",
        .description = "attenuation and N.L as printed, neither clamped nor cut; matt surfaces",
        .source = of(kLacroix, "equations 1 to 4, listings 2.1 and 2.2"),

@@ -61,6 +61,9 @@ struct LightFeed {
   /// batches: a light brings its fog with it, coloured by the same look-up as its light on the surface. Else the pass
   /// that draws a surface first adds the fog of all lights, by the cones' formula.
   bool bring_fog = false;
+  /// all: shaders take kMaxUniformLights lights, the first of which are flagged as being there. Else they are compiled
+  /// for about as many lights as there are.
+  bool has_flags = false;
 };
 
 /// One way of drawing a surface again. Shaders are files of apps/render/shaders.

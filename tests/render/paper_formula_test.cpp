@@ -496,7 +496,7 @@ TEST_F(PaperFormula, OneDiscIsFraziersWhiteCircleAtEveryAngle) {
 TEST_F(PaperFormula, FragmentPathsAreTheBasicModel) {
   const Setting setting{.lamps = lamps(true)};
   const Formula formula = [&](const dvec3& point, const Corners&) { return unified(setting, point); };
-  for (const char* path : {"unified", "tangent", "interpolated"}) {
+  for (const char* path : {"unified", "tangent", "interpolated", "nested"}) {
     EXPECT_LE(error(setting, along(path), formula), kHalfFloat) << path;
   }
 }
@@ -619,6 +619,21 @@ TEST_F(PaperFormula, UnclampedAttenuationIsRightForAnyNumberOfLights) {
     EXPECT_LE(error(setting, along("cg"), cg), 2 * kHalfFloat) << count;
     const Formula printed = [&](const dvec3& point, const Corners&) { return lacroix(setting, point); };
     EXPECT_LE(error(setting, along("lacroix"), printed), 2 * kHalfFloat) << count;
+  }
+}
+
+// Surfaces have lamps of their own: what one leaves in the arrays behind the last flag does not light the next.
+TEST_F(PaperFormula, NestedFlagsEndTheLightsOfEachSurface) {
+  for (const char* name : {"room", "street"}) {
+    const Scene scene = read_scene(bundled_scene_path(name));
+    std::vector<Picture> pictures;
+    for (const char* path : {"unified", "nested"}) {
+      Renderer renderer(scene, 2 * kWidth, 2 * kHeight, along(path));
+      renderer.set_fog(Fog::from_visibility(FogMode::exp2, 100.0));
+      renderer.draw();
+      pictures.push_back(renderer.read());
+    }
+    EXPECT_LE(largest_difference(pictures[0], pictures[1]), 8 * kHalfFloat) << name;
   }
 }
 

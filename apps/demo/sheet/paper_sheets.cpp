@@ -143,6 +143,16 @@ Scene with_dirt(Scene scene) {
   return scene;
 }
 
+/// The times of frames over that of the first renderer's, all interleaved.
+std::vector<double> relative_times(const std::vector<std::unique_ptr<render::Renderer>>& renderers, int frames) {
+  std::vector<measure::DrawFrame> draws;
+  for (const auto& renderer : renderers) draws.push_back(measure::frames_of(*renderer));
+  const std::vector<measure::FrameTimes> times = measure::time_frames(draws, measure::FrameBudget::exactly(frames));
+  std::vector<double> ratios;
+  for (const measure::FrameTimes& each : times) ratios.push_back(each.median() / times.front().median());
+  return ratios;
+}
+
 /// Figures 1 and 2 and table 1: "headlights" with its two headlights alone. Every program draws every polygon, so that
 /// their times compare.
 Rows hales_figures(const FigurePainter& painter) {
@@ -162,14 +172,9 @@ Rows hales_figures(const FigurePainter& painter) {
                                       {"unified, Hales's fog", along("unified", whole), &scene},
                                       {"unified, airlight", airlight, &scene}};
   std::vector<std::unique_ptr<render::Renderer>> renderers;
-  std::vector<measure::DrawFrame> frames;
-  for (const Program& program : programs) {
-    renderers.push_back(painter.renderer(*program.scene, program.render));
-    frames.push_back(measure::frames_of(*renderers.back()));
-  }
+  for (const Program& program : programs) renderers.push_back(painter.renderer(*program.scene, program.render));
   const Fog thick = Fog::from_visibility(FogMode::exp2, 100.0);
-  const std::vector<measure::FrameTimes> times =
-      measure::time_frames(frames, measure::FrameBudget::exactly(painter.frames()));
+  const std::vector<double> times = relative_times(renderers, painter.frames());
   Rows rows;
   for (const auto& [figure, fog] : {std::pair{"figure 1, clear air", Fog{}}, {"figure 2, exp2 fog, 100 m", thick}}) {
     rows.emplace_back();
@@ -177,7 +182,7 @@ Rows hales_figures(const FigurePainter& painter) {
       if (rows.back().size() == 4) rows.emplace_back();
       std::vector<std::string> caption{fmt::format("{}: {}", figure, programs[i].name)};
       const bool is_table = rows.size() <= 2;  // "the scene in figure 1 was used to measure the performance"
-      if (is_table) caption.push_back(fmt::format("{:.2f} x legacy's frame", times[i].median() / times[0].median()));
+      if (is_table) caption.push_back(fmt::format("{:.2f} x legacy's frame", times[i]));
       if (is_table && i == 0) caption.push_back("table 1, legacy: X800 1.0, 9800 1.130, FX 5950 1.847");
       if (is_table && i == 1) caption.push_back("table 1, shader: 1.95, 2.450, 4.830: 1.95, 2.17, 2.62 x legacy");
       renderers[i]->set_fog(fog);
@@ -283,6 +288,20 @@ Scene ball_between_lamps() {
   return scene;
 }
 
+/// Listings 3.1 and 3.2, whose picture is that of listing 2.1: "Let's assume there are 6 point lights".
+std::vector<SheetEntry> nested_flags(const FigurePainter& painter, Scene scene) {
+  scene.lights.clear();
+  for (int i = 0; i < 6; ++i) {
+    scene.lights.push_back(lamp({i % 2 == 0 ? -2.2 : 2.2, 1.8, 1.2 - 2.4 * (i / 2)}, {1, 0, 2}));
+  }
+  std::vector<std::unique_ptr<render::Renderer>> renderers;
+  for (const char* path : {"unified", "nested"}) renderers.push_back(painter.renderer(scene, along(path)));
+  const std::vector<double> times = relative_times(renderers, painter.frames());
+  return {painter.draw(*renderers[0], {"listing 2.1: six point lights", "compiled for each number of lights"}),
+          painter.draw(*renderers[1], {"listings 3.1 and 3.2: nested ifs, ended by flags",
+                                       fmt::format("{:.2f} x that frame", times[1])})};
+}
+
 Rows lacroix_figures(const FigurePainter& painter) {
   Rows rows{{}};
   const auto lit_wall = [](const glm::ivec2& cells) {
@@ -306,6 +325,7 @@ Rows lacroix_figures(const FigurePainter& painter) {
   rows.back().push_back(painter.draw(room, along("interpolated"), {"listing 2.2: interpolated normals"}));
   rows.back().push_back(painter.draw(room, along("tangent"), {"listing 1.2: normal maps, lights in tangent space"}));
   rows.back().push_back(painter.draw(room, along("unified"), {"listing 2.3: normal maps in world space"}));
+  rows.push_back(nested_flags(painter, room));
   rows.emplace_back();
   Scene bricks = wall({1, 1}, "brick");
   bricks.camera = {.position = {-1.6f, -0.5f, 0.45f}, .target = {-0.6f, -0.35f, 0}, .field_of_view = 0.6f};

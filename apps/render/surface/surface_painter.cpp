@@ -4,6 +4,7 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <vector>
 
@@ -217,20 +218,24 @@ void SurfacePainter::draw_pass(Frame& frame, const PlannedSurface& planned, Shad
   }
   const std::size_t first = uniforms.size();
   // A pass that takes all lights computes once what the fog's lights and the surface's have in common.
-  variant.shares_lights = variant.pass->lights.kind == LightFeed::Kind::all && !variant.has_listed_lights && first > 0;
+  const LightFeed& feed = variant.pass->lights;
+  variant.shares_lights =
+      feed.kind == LightFeed::Kind::all && !feed.has_flags && !variant.has_listed_lights && first > 0;
   for (const std::int32_t light : batch) {
     if (variant.shares_lights && std::ranges::find(fog_lights, light) != fog_lights.end()) continue;
     add_uniform(light);
   }
   if (has_maps) {
     variant.lights.count = uniforms.size() - first;
+  } else if (feed.has_flags) {
+    variant.lights.count = kMaxUniformLights;
   } else {
     variant.lights = compiled_for(std::span(uniforms).subspan(first));
     resize_uniforms(first + variant.lights.count);
   }
 
   if (variant.pass->constants_from_vertices) {
-    variant.vertex_lights = std::min(uniforms.size(), programs_.most_vertex_lights());
+    variant.vertex_lights = std::min(first + variant.lights.count, programs_.most_vertex_lights());
   }
   const SurfaceProgram& program = use(frame, variant, *surface.material);
   const bool is_later = frame.passes_drawn > 0;
@@ -248,6 +253,11 @@ void SurfacePainter::draw_pass(Frame& frame, const PlannedSurface& planned, Shad
   if (!uniforms.empty()) {
     glUniform4fv(program.uniform_lights, GLsizei(5 * uniforms.size()),
                  glm::value_ptr(uniforms[0].kind.attenuation_extent));
+  }
+  if (feed.has_flags) {
+    std::array<GLint, kMaxUniformLights> flags{};
+    std::fill_n(flags.begin(), batch.size(), 1);
+    glUniform1iv(program.light_flags, GLsizei(flags.size()), flags.data());
   }
   if (!casters.empty()) {
     glUniform1iv(program.uniform_casters, GLsizei(casters.size()), casters.data());

@@ -49,6 +49,7 @@ SurfaceProgram::SurfaceProgram(gl::Program linked)
       draw_constants(program.uniform("draw_constants")),
       light_list_range(program.uniform("light_list_range")),
       uniform_lights(program.uniform("uniform_lights")),
+      light_flags(program.uniform("light_flags")),
       uniform_casters(program.uniform("uniform_casters")),
       cone_from_world(program.uniform("cone_from_world")) {}
 

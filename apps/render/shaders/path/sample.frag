@@ -10,6 +10,9 @@
 // leave one of a card's four texture units, which is why the program takes its range from the 3-D map.) The fog is that
 // of the scene, not always exp2.
 //
+// "The polygons within the extent of the light (and within the cone angle) can be sorted from those outside": for table
+// 1 `litfog-demo papers` draws the program over all polygons, and over a scene sorted by render::sort_polygons.
+//
 // Lights that are neither two nor alike are drawn in further passes, as in lookup.glsl. Two lights that are not close
 // together, which no printed line forbids, are both lit by the range of the first.
 

@@ -7,10 +7,9 @@
 // attenuation in place of 1/dist, and a cone; Hales's fog lies before the surface. His constant registers, 224, were
 // the limit of his lights; here it is kMaxUniformLights (shader_variant.h), and more are read from a buffer.
 //
-// Left out, because no pixel would differ: his nested ifs that end the shader at the first light whose flag is off
-// (listing 3.2). He needs them where compilers unroll every loop; here a shader is compiled for its number of lights,
-// and the loop over a light list ends with the list. object_space.frag has normal maps in object space, parallax.frag
-// parallax mapping, lacroix.frag his equations without clamp and end.
+// A shader is compiled for its number of lights, and the loop over a light list ends with the list; nested.frag has his
+// nested ifs instead (listings 3.1 and 3.2). object_space.frag has normal maps in object space, parallax.frag parallax
+// mapping, lacroix.frag his equations without clamp and end.
 
 #define CONSTANTS_FROM_VERTICES
 #include "lit_surface.glsl"

@@ -8,7 +8,7 @@
 // Where this leaves them: attenuation is clamped to 1 and ends at the extent (cg.frag has it as printed); N.L is
 // clamped to 0 (lacroix.frag has it as printed); lighting is in world space (cg.frag says why object and eye space look
 // the same); the material's colours follow at the fragments. Lacroix casts the world matrix to 3x3, which leaves out
-// its translation: his objects stand at the origin.
+// its translation, and projects the vertex without that matrix: his objects stand unturned at the origin.
 
 #include "cookie.glsl"
 #include "litfog/shaders/surface.glsl"
