@@ -191,7 +191,9 @@ void add_scenes_and_folder(CLI::App& app, ScenesOptions& options) {
 Job add_gallery_job(CLI::App& app) {
   const auto options = std::make_shared<ScenesOptions>(ScenesOptions{.scenes = {}, .folder = "gallery", .drawing = {}});
   app.footer(
-      "Where airlight is the default, the first scene is drawn by peak as well, for comparison.\n\n"
+      "Where airlight is the default, the first scene is drawn by peak as well, for comparison. A scene that shows "
+      "what "
+      "tessellation does is drawn by the path vertex, unless another is chosen.\n\n"
       "Example:\n  litfog-demo gallery room headlights --size 640x360 -o out");
   add_scenes_and_folder(app, *options);
   add_fog(app, options->drawing);

@@ -93,10 +93,11 @@ struct Scene {
   std::vector<std::size_t> light_entries;  ///< of each light, which of these it comes from
   bool has_city = false;  ///< whether lights and instances are those of a generated city (model/city.h), too
   std::vector<Cookie> cookies;
-  std::map<std::size_t, CookieUse> cookie_uses;              ///< by their lights, whose cones are none
-  std::map<std::size_t, Mount> mounts;                       ///< by their lights, whose directions they give
-  std::map<std::size_t, double> turn_rates;                  ///< of lights whose axes turn about +Y: radians a second
-  std::vector<double> visibilities;                          ///< metres: those at which the gallery shows the scene
+  std::map<std::size_t, CookieUse> cookie_uses;  ///< by their lights, whose cones are none
+  std::map<std::size_t, Mount> mounts;           ///< by their lights, whose directions they give
+  std::map<std::size_t, double> turn_rates;      ///< of lights whose axes turn about +Y: radians a second
+  std::vector<double> visibilities;              ///< metres: those at which the gallery shows the scene
+  bool is_lit_at_vertices = false;  ///< it shows what tessellation does: the gallery draws it by the path `vertex`
   double fog_top = std::numeric_limits<double>::infinity();  ///< height at which rays to the sky leave the fog, metres
   double phase_g = 0;  ///< (-1, 1): the fog's Henyey-Greenstein asymmetry; 0 scatters evenly, near 1 straight ahead
 };

@@ -420,6 +420,14 @@ TEST_F(DemoCommand, GalleryShowsItsFirstSceneByPeakTooUnlessAWayIsChosen) {
   }
 }
 
+TEST_F(DemoCommand, GalleryDrawsTheSceneOfTessellationsByVertex) {
+  for (const char* path : {"unified", "vertex", "mixed"}) {
+    ASSERT_EQ(run(fmt::format("gallery tessellation -o {0} --size 64x36 --path {0}", path)).status, kDone) << path;
+  }
+  EXPECT_EQ(read("unified/tessellation-20m.png"), read("vertex/tessellation-20m.png"));
+  EXPECT_NE(read("mixed/tessellation-20m.png"), read("vertex/tessellation-20m.png"));
+}
+
 TEST_F(DemoCommand, GallerySheetIsTallerByTheLineThatTellsTheDisplay) {
   const auto sheet_height = [this](const std::string& folder) {
     return OIIO::ImageBuf((directory() / folder / "contact-sheet.png").string()).spec().height;
@@ -558,10 +566,9 @@ TEST_F(DemoCommand, WrongUsageIsAnError) {
   }
   EXPECT_ERROR(
       run("room --path phong"), kUsage,
-      std::string(
-          "litfog-demo: --path = phong: must be one of unified|lookup-3d|lookup-2d|radial|radial-plane|"
-          "accumulate|vertex|mixed|tangent|legacy|sample|light-map|interpolated|lacroix|parallax|cg|cook-torrance|"
-          "anisotropic") +
+      std::string("litfog-demo: --path = phong: must be one of unified|lookup-3d|lookup-2d|radial|radial-plane|"
+                  "accumulate|vertex|mixed|tangent|legacy|sample|light-map|interpolated|nested|lacroix|parallax|cg|"
+                  "cook-torrance|anisotropic") +
           kSeeHelp);
   EXPECT_EQ(run("room --bogus").status, kUsage);
   EXPECT_EQ(run("").status, kUsage);

@@ -272,6 +272,10 @@ TEST_F(SceneFile, AttitudesThatMakeNoSenseAreErrorsAtTheirMembers) {
   EXPECT_EQ(mount(there, R"("mount": {}, "aim": [0, 0, 0])"),
             ":5:21: lights[0].aim = an array: must not stand beside mount");
   EXPECT_EQ(mount("", R"("mount": {})"), ":5:10: lights[0].mount = an object: must be in a scene with a vehicle");
+  // Both within the limit, but not the lamp in the world.
+  EXPECT_EQ(error_of(R"("vehicle": {"position": [1e7, 0, 0]}, "objects": [], "lights": [{"light": {)" +
+                     std::string(kLamp) + "},\n\"mount\": {}, \"position\": [1, 0, 0]}]"),
+            ":4:26: lights[0].position = an array: must have coordinates in [-10000000, 10000000] in the world, too");
 }
 
 TEST_F(SceneFile, EveryLightIsOneThatTheLibraryTakes) {

@@ -69,11 +69,14 @@ struct Row {
 
 /// A row a scene, and the first one's by the peak where airlight is the default.
 std::vector<Row> make_rows(const std::vector<scene::Scene>& scenes, const DrawingOptions& options) {
-  const render::RenderSettings settings = options.settings_of(*options.render.path);
-  const bool compares_peak = !options.fog_light && settings.fog_lighting == render::FogLighting::airlight;
+  const bool is_default_path = options.render.path == &render::lighting_paths().front();
   std::vector<Row> rows;
   for (const scene::Scene& scene : scenes) {
-    rows.push_back({&scene, settings, scene.name, scene.name});
+    const bool is_at_vertices = scene.is_lit_at_vertices && is_default_path;
+    const render::RenderSettings settings =
+        options.settings_of(is_at_vertices ? *render::find_lighting_path("vertex") : *options.render.path);
+    rows.push_back({&scene, settings, scene.name + (is_at_vertices ? " by --path vertex" : ""), scene.name});
+    const bool compares_peak = !options.fog_light && settings.fog_lighting == render::FogLighting::airlight;
     if (!compares_peak || rows.size() > 1) continue;
     rows.push_back({&scene, settings, scene.name + " by --fog-light peak", scene.name + "-peak"});
     rows.back().render.fog_lighting = render::FogLighting::peak;

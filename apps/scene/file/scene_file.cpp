@@ -209,13 +209,16 @@ class SceneReader {
                                [this](const JsonValue& link) { return linked_light(link); });
     }
     expect_header(root, "scene", 1);
-    root.allow_only({"litfog", "version", "name", "description", "camera", "environment", "visibilities_m", "fog_top_m",
-                     "phase_g", "vehicle", "lights", "city", "objects"});
+    root.allow_only({"litfog", "version", "name", "description", "camera", "environment", "visibilities_m",
+                     "lit_at_vertices", "fog_top_m", "phase_g", "vehicle", "lights", "city", "objects"});
     read_name(root, std::filesystem::path(path).stem().string());
     if (const auto description = root.optional("description")) scene_.description = description->string();
     scene_.camera = read_camera(root.member("camera"));
     if (const auto environment = root.optional("environment")) scene_.environment = read_environment(*environment);
     if (const auto visibilities = root.optional("visibilities_m")) read_visibilities(*visibilities);
+    if (const auto is_at_vertices = root.optional("lit_at_vertices")) {
+      scene_.is_lit_at_vertices = is_at_vertices->boolean();
+    }
     scene_.fog_top = root.number_or("fog_top_m", scene_.fog_top);
     if (const auto phase_g = root.optional("phase_g")) {
       scene_.phase_g = phase_g->number();
@@ -301,6 +304,7 @@ class SceneReader {
     if (const auto given = value.optional("mount")) {
       mount = read_mount(value, *given);
       light.position = vehicle_->point(light.position);
+      if (!is_position(light.position)) value.member("position").fail(kPositionRule + " in the world, too");
       light.direction = glm::transpose(light_from_world(mount->light, mount->vehicle))[0];
     } else if (const auto aim = value.optional("aim")) {
       if (const auto twice = value.optional("direction")) twice->fail("must not stand beside aim");
