@@ -101,7 +101,7 @@ double Model::falloff(const ReferenceLight& light, double range) const {
   const double through = is_fogged ? fog_factor_at(light.fog, range) : 1;
   if (path_.range == render::RangeLaw::attenuation)
     return through * attenuation_at(light.placed.light.attenuation, range);
-  const double fraction = range / light.extent;
+  const double fraction = std::isinf(light.extent) ? 0 : range / light.extent;
   return through * (1 - fraction * fraction);
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
+#include <numbers>
 #include <numeric>
 #include <optional>
 
@@ -413,6 +414,34 @@ TEST_F(ReferencePictureTest, PathsByLightMapsAndInTangentSpaceAreWithinTheirBoun
       }
     }
     EXPECT_EQ(compared, 6);
+  }
+}
+
+// Lamps that never end, that end at the lamp, that are as bright as the clamp allows, and beams of half a degree to
+// more than half a sphere.
+TEST_F(ReferencePictureTest, OddLampsAreWithinTheBoundsOfTheirPaths) {
+  constexpr double kDegree = std::numbers::pi / 180;
+  Scene scene = flat_floor();
+  const std::pair<Attenuation, Cone> lamps[] = {{{3, 0, 0}, Cone::smoothstep(0.2 * kDegree, 0.5 * kDegree)},
+                                                {{25, 0.1, 0.01}, Cone{}},
+                                                {{0, 0, 0.3}, Cone::cosine(89 * kDegree, 3)},
+                                                {{0, 1, 0}, Cone::cosine(0.5 * kDegree, 0)},
+                                                {{0.02, 0, 0.02}, Cone::smoothstep(100 * kDegree, 120 * kDegree)}};
+  for (const auto& [attenuation, cone] : lamps) {
+    const auto count = double(scene.lights.size());
+    scene.lights.push_back({.light = {.color = {0.3, 0.2, 0.1}, .attenuation = attenuation, .cone = cone},
+                            .position = {1.5 * count - 3, 2, 1},
+                            .direction = glm::normalize(glm::dvec3(0.1, -1, 0.2)),
+                            .carried = true});
+  }
+  for (const LightingPath& path : lighting_paths()) {
+    if (path.evaluation == Evaluation::vertex) continue;
+    Renderer renderer(scene, kWidth, kHeight, {.skipping = Skipping::off, .path = &path});
+    renderer.set_fog(Fog::from_visibility(FogMode::exp, 60.0));
+    renderer.draw(LightPoints::off);
+    const PictureError error = picture_error(renderer.read(), shade_reference(renderer));
+    EXPECT_LE(error.beyond_maps, kLookupBound.beyond_maps) << path.name;
+    EXPECT_LE(error.excluded, std::size_t{kWidth * kHeight / 400}) << path.name;
   }
 }
 
