@@ -2,6 +2,7 @@
 #include "scene/file/gltf_file.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -60,6 +61,15 @@ void expect_version(const JsonValue& asset) {
   if (!version.string().starts_with("2.")) version.fail("must be \"2.0\" or a later 2");
   const auto least = asset.optional("minVersion");
   if (least && least->string() != "2.0") least->fail("must be \"2.0\", which is what this program knows");
+}
+
+/// A component type that its use allows.
+GltfComponent component_of(const JsonValue& type, std::initializer_list<GltfComponent> allowed) {
+  const auto component = GltfComponent(whole_number(type));
+  if (std::ranges::find(allowed, component) != allowed.end()) return component;
+  std::vector<int> numbers;
+  for (const GltfComponent each : allowed) numbers.push_back(int(each));
+  type.fail(fmt::format("must be {}", fmt::join(numbers, " or ")));
 }
 
 }  // namespace
@@ -147,12 +157,12 @@ GltfNumbers GltfFile::format(const JsonValue& accessor_index, std::initializer_l
   const JsonValue& accessor = accessors_[index_in(accessors_, accessor_index)];
   const JsonValue type_name = accessor.member("type");
   const auto type = std::ranges::find(types, type_name.string(), &GltfType::name);
-  if (type == types.end()) type_name.fail("must be that of what it is used for");
-  const JsonValue component_type = accessor.member("componentType");
-  const auto component = GltfComponent(whole_number(component_type));
-  if (std::ranges::find(components, component) == components.end()) {
-    component_type.fail("must be one that glTF allows for what it is used for");
+  if (type == types.end()) {
+    std::vector<std::string_view> names;
+    for (const GltfType& each : types) names.push_back(each.name);
+    type_name.fail(fmt::format("must be {}", fmt::join(names, " or ")));
   }
+  const GltfComponent component = component_of(accessor.member("componentType"), components);
   const auto normalized = accessor.optional("normalized");
   const JsonValue count = accessor.member("count");
   const GltfNumbers format{.stride = size_of(component) * type->components,
@@ -211,12 +221,10 @@ void GltfFile::replace_sparse(const JsonValue& sparse, GltfNumbers& numbers) con
     return bytes.data() + offset;
   };
   const JsonValue indices = sparse.member("indices");
-  const JsonValue component_type = indices.member("componentType");
-  GltfNumbers index{.count = count, .component = GltfComponent(whole_number(component_type))};
-  if (index.component != GltfComponent::unsigned_byte && index.component != GltfComponent::unsigned_short &&
-      index.component != GltfComponent::unsigned_int) {
-    component_type.fail("must be one that glTF allows for what it is used for");
-  }
+  using enum GltfComponent;
+  GltfNumbers index{
+      .count = count,
+      .component = component_of(indices.member("componentType"), {unsigned_byte, unsigned_short, unsigned_int})};
   index.stride = size_of(index.component);
   index.data = part(indices, index.stride);
   const char* const values = part(sparse.member("values"), element);

@@ -66,6 +66,78 @@ bool is_within_limits(const glm::vec<N, float>& v) {
   return glm::all(glm::lessThanEqual(glm::abs(v), glm::vec<N, float>(kMaxCoordinate)));
 }
 
+/// What a primitive gives of its vertices, and its indices; no data of what it lacks.
+struct Attributes {
+  GltfNumbers positions, normals, tangents, base_uvs, normal_uvs, emission_uvs, colors, indices;
+};
+
+Attributes read_attributes(const GltfFile& file, const JsonValue& primitive, const GltfMaterial& material) {
+  using enum GltfComponent;
+  const JsonValue given = primitive.member("attributes");
+  std::optional<GltfDraco> draco;
+  if (const auto compression = extension_of(primitive, "KHR_draco_mesh_compression")) draco.emplace(file, *compression);
+  const auto read = [&](const std::string& name, const JsonValue& index, std::initializer_list<GltfType> types,
+                        std::initializer_list<GltfComponent> components) {
+    const auto decoded =
+        draco ? draco->attribute(name, file.format(index, types, components)) : std::optional<GltfNumbers>();
+    return decoded ? *decoded : file.numbers(index, types, components);
+  };
+  // Of all component types: those of KHR_mesh_quantization, too.
+  Attributes attributes{.positions = read("POSITION", given.member("POSITION"), {kGltfVec3},
+                                          {floating, signed_byte, unsigned_byte, signed_short, unsigned_short})};
+  const auto attribute = [&](const std::string& name, std::initializer_list<GltfType> types,
+                             std::initializer_list<GltfComponent> components) {
+    const auto index = given.optional(name);
+    if (!index) return GltfNumbers{};
+    const GltfNumbers numbers = read(name, *index, types, components);
+    if (numbers.count != attributes.positions.count) index->fail("must have as many elements as POSITION");
+    return numbers;
+  };
+  const auto texture_coordinates = [&](std::size_t set) {
+    return attribute(fmt::format("TEXCOORD_{}", set), {kGltfVec2},
+                     {floating, signed_byte, unsigned_byte, signed_short, unsigned_short});
+  };
+  attributes.normals = attribute("NORMAL", {kGltfVec3}, {floating, signed_byte, signed_short});
+  attributes.tangents = attribute("TANGENT", {kGltfVec4}, {floating, signed_byte, signed_short});
+  attributes.base_uvs = texture_coordinates(material.base.set);
+  attributes.normal_uvs = texture_coordinates(material.normal.set);
+  attributes.emission_uvs = texture_coordinates(material.emission.set);
+  attributes.colors = attribute("COLOR_0", {kGltfVec3, kGltfVec4}, {floating, unsigned_byte, unsigned_short});
+  if (const auto index = primitive.optional("indices")) {
+    attributes.indices =
+        draco ? draco->indices() : file.numbers(*index, {kGltfScalar}, {unsigned_byte, unsigned_short, unsigned_int});
+  }
+  return attributes;
+}
+
+/// Vertices without a normal point up.
+void read_vertices(const JsonValue& primitive, const Attributes& given, const GltfMaterial& material, Mesh& mesh) {
+  const bool has_details = given.colors.data || material.normal != material.base || material.emission != material.base;
+  for (std::size_t i = 0; i < given.positions.count; ++i) {
+    const auto uv = [i](const GltfNumbers& uvs, const GltfCoordinates& coordinates) {
+      return uvs.data ? coordinates.transform * glm::vec3(uvs.vec2(i), 1) : glm::vec2(0);
+    };
+    Vertex vertex{given.positions.vec3(i), glm::vec3(0, 1, 0), glm::vec4(0), uv(given.base_uvs, material.base)};
+    VertexDetail detail{.normal_uv = uv(given.normal_uvs, material.normal),
+                        .emission_uv = uv(given.emission_uvs, material.emission)};
+    if (given.normals.data) vertex.normal = given.normals.vec3(i);
+    if (given.tangents.data) {
+      vertex.tangent = glm::vec4(given.tangents.vec3(i), given.tangents.at(i, 3) < 0 ? -1 : 1);
+    }
+    if (given.colors.data) {
+      detail.color = glm::vec4(given.colors.vec3(i), given.colors.components == 4 ? given.colors.at(i, 3) : 1);
+    }
+    const bool is_sound = is_within_limits(vertex.position) && is_within_limits(vertex.normal) &&
+                          is_within_limits(vertex.tangent) && is_within_limits(vertex.uv) &&
+                          is_within_limits(detail.normal_uv) && is_within_limits(detail.emission_uv) &&
+                          is_within_limits(detail.color);
+    if (!is_sound) primitive.member("attributes").fail(fmt::format("must be finite and at most {}", kMaxCoordinate));
+    detail.color = glm::clamp(detail.color, 0.0f, 1.0f);  // glTF 2.0, 3.7.2.1
+    mesh.vertices.push_back(vertex);
+    if (has_details) mesh.details.push_back(detail);
+  }
+}
+
 /// By the normal map's coordinates.
 void give_tangents(Mesh& mesh) {
   const auto swap_uvs = [&mesh] {
@@ -97,77 +169,25 @@ bool is_without_surface(const JsonValue& primitive) {
 
 Mesh read_gltf_primitive(const GltfFile& file, const JsonValue& primitive, const GltfMaterial& material,
                          MeshBudget& budget) {
-  using enum GltfComponent;
   const std::size_t mode = whole_number_or(primitive, "mode", kTriangles);
-  const JsonValue attributes = primitive.member("attributes");
-  std::optional<GltfDraco> draco;
-  if (const auto compression = extension_of(primitive, "KHR_draco_mesh_compression")) draco.emplace(file, *compression);
-  const auto read = [&](const std::string& name, const JsonValue& index, std::initializer_list<GltfType> types,
-                        std::initializer_list<GltfComponent> components) {
-    const auto decoded =
-        draco ? draco->attribute(name, file.format(index, types, components)) : std::optional<GltfNumbers>();
-    return decoded ? *decoded : file.numbers(index, types, components);
-  };
-  // Of all component types: those of KHR_mesh_quantization, too.
-  const GltfNumbers positions = read("POSITION", attributes.member("POSITION"), {kGltfVec3},
-                                     {floating, signed_byte, unsigned_byte, signed_short, unsigned_short});
-  const auto attribute = [&](const std::string& name, std::initializer_list<GltfType> types,
-                             std::initializer_list<GltfComponent> components) {
-    const auto index = attributes.optional(name);
-    if (!index) return GltfNumbers{};
-    const GltfNumbers given = read(name, *index, types, components);
-    if (given.count != positions.count) index->fail("must have as many elements as POSITION");
-    return given;
-  };
-  const auto texture_coordinates = [&](std::size_t set) {
-    return attribute(fmt::format("TEXCOORD_{}", set), {kGltfVec2},
-                     {floating, signed_byte, unsigned_byte, signed_short, unsigned_short});
-  };
-  const GltfNumbers normals = attribute("NORMAL", {kGltfVec3}, {floating, signed_byte, signed_short});
-  const GltfNumbers tangents = attribute("TANGENT", {kGltfVec4}, {floating, signed_byte, signed_short});
-  const GltfNumbers base_uvs = texture_coordinates(material.base.set);
-  const GltfNumbers normal_uvs = texture_coordinates(material.normal.set);
-  const GltfNumbers emission_uvs = texture_coordinates(material.emission.set);
-  const GltfNumbers colors = attribute("COLOR_0", {kGltfVec3, kGltfVec4}, {floating, unsigned_byte, unsigned_short});
-  GltfNumbers indices;
-  if (const auto index = primitive.optional("indices")) {
-    indices =
-        draco ? draco->indices() : file.numbers(*index, {kGltfScalar}, {unsigned_byte, unsigned_short, unsigned_int});
-  }
-  const std::size_t index_count = indices.data ? indices.count : positions.count;
+  const Attributes given = read_attributes(file, primitive, material);
+  const std::size_t index_count = given.indices.data ? given.indices.count : given.positions.count;
   if (mode == kTriangles ? index_count % 3 != 0 : index_count < 3) {
     const auto index = primitive.optional("indices");
     (index ? *index : primitive).fail(primitive.path_of("indices"), "", "must be three a triangle");
   }
   const std::size_t triangle_count = mode == kTriangles ? index_count / 3 : index_count - 2;
   const std::size_t sides = material.is_double_sided ? 2 : 1;
-  const std::size_t vertex_count = normals.data ? positions.count : std::max(positions.count, 3 * triangle_count);
+  const std::size_t vertex_count =
+      given.normals.data ? given.positions.count : std::max(given.positions.count, 3 * triangle_count);
   budget.take(primitive, sides * triangle_count, sides * vertex_count);
   Mesh mesh;
-  const bool has_details = colors.data || material.normal != material.base || material.emission != material.base;
-  bool has_tangents = normals.data && tangents.data && normal_uvs.data;
-  for (std::size_t i = 0; i < positions.count; ++i) {
-    const auto uv = [i](const GltfNumbers& uvs, const GltfCoordinates& coordinates) {
-      return uvs.data ? coordinates.transform * glm::vec3(uvs.vec2(i), 1) : glm::vec2(0);
-    };
-    Vertex vertex{positions.vec3(i), glm::vec3(0, 1, 0), glm::vec4(0), uv(base_uvs, material.base)};
-    VertexDetail detail{.normal_uv = uv(normal_uvs, material.normal),
-                        .emission_uv = uv(emission_uvs, material.emission)};
-    if (normals.data) vertex.normal = normals.vec3(i);
-    if (tangents.data) vertex.tangent = glm::vec4(tangents.vec3(i), tangents.at(i, 3) < 0 ? -1 : 1);
-    if (colors.data) detail.color = glm::vec4(colors.vec3(i), colors.components == 4 ? colors.at(i, 3) : 1);
-    const bool is_sound = is_within_limits(vertex.position) && is_within_limits(vertex.normal) &&
-                          is_within_limits(vertex.tangent) && is_within_limits(vertex.uv) &&
-                          is_within_limits(detail.normal_uv) && is_within_limits(detail.emission_uv) &&
-                          is_within_limits(detail.color);
-    if (!is_sound) attributes.fail(fmt::format("must be finite and at most {}", kMaxCoordinate));
-    detail.color = glm::clamp(detail.color, 0.0f, 1.0f);  // glTF 2.0, 3.7.2.1
-    has_tangents = has_tangents && glm::length(glm::vec3(vertex.tangent)) > 0;
-    mesh.vertices.push_back(vertex);
-    if (has_details) mesh.details.push_back(detail);
-  }
-  read_indices(primitive, indices, index_count, mode, mesh);
-  if (!normals.data) flatten(mesh);
+  read_vertices(primitive, given, material, mesh);
+  const bool has_tangents =
+      given.normals.data && given.tangents.data && given.normal_uvs.data &&
+      std::ranges::all_of(mesh.vertices, [](const Vertex& each) { return glm::length(glm::vec3(each.tangent)) > 0; });
+  read_indices(primitive, given.indices, index_count, mode, mesh);
+  if (!given.normals.data) flatten(mesh);
   for (Vertex& vertex : mesh.vertices) {
     const float length = glm::length(vertex.normal);
     vertex.normal = length > 0 ? vertex.normal / length : glm::vec3(0, 1, 0);

@@ -7,15 +7,12 @@
 #include <glm/glm.hpp>
 #include <numbers>
 
+#include "litfog/formulas.h"
+
 namespace litfog::scene {
 namespace {
 
 constexpr int kPatternSize = 256;  // a texel is a third of a degree
-
-double smooth_edge(double cos_outer, double cos_inner, double x) {
-  const double t = std::clamp((x - cos_outer) / (cos_inner - cos_outer), 0.0, 1.0);
-  return t * t * (3 - 2 * t);
-}
 
 /// Spots in rings around the axis, as the mirrors of a ball lie.
 double disco(const glm::dvec3& direction) {
@@ -27,12 +24,12 @@ double disco(const glm::dvec3& direction) {
   const double turn = 2 * std::numbers::pi / spots;
   const double spot = std::round(std::atan2(direction.y, direction.x) / turn) * turn;
   const glm::dvec3 middle(std::sin(ring) * std::cos(spot), std::sin(ring) * std::sin(spot), -std::cos(ring));
-  return smooth_edge(std::cos(0.36 * kRing), std::cos(0.26 * kRing), glm::dot(direction, middle));
+  return formulas::smoothstep_cone(glm::dot(direction, middle), std::cos(0.26 * kRing), std::cos(0.36 * kRing));
 }
 
 /// Two beams to the sides.
 double beacon(const glm::dvec3& direction) {
-  return smooth_edge(std::cos(glm::radians(24.0)), std::cos(glm::radians(8.0)), std::abs(direction.x));
+  return formulas::smoothstep_cone(std::abs(direction.x), std::cos(glm::radians(8.0)), std::cos(glm::radians(24.0)));
 }
 
 }  // namespace
