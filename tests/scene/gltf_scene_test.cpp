@@ -279,8 +279,8 @@ TEST_F(GltfScene, ErrorsNameLocationValueAndRule) {
   EXPECT_EQ(error_of(with("/scene", 3)), "scene = 3: must be in [0, 0]");
   EXPECT_EQ(error_of(with("/accessors/0/count", 5)), "accessors[0].count = 5: must be > 0 and within its buffer view");
   EXPECT_EQ(error_of(with("/accessors/0/type", "VEC2")), "accessors[0].type = \"VEC2\": must be VEC3");
-  EXPECT_EQ(error_of(with("/accessors/1/componentType", 5126)),
-            "accessors[1].componentType = 5126: must be 5121 or 5123 or 5125");
+  EXPECT_EQ(error_of(with("/accessors/3/componentType", 5126)),
+            "accessors[3].componentType = 5126: must be 5121 or 5123 or 5125");
   EXPECT_EQ(error_of(with("/bufferViews/0/byteLength", 1000)),
             "bufferViews[0].byteLength = 1000: must end within its buffer");
   EXPECT_EQ(error_of(with("/bufferViews/0/buffer", 2)), "bufferViews[0].buffer = 2: must be in [0, 0]");
