@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "file_text.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <system_error>
+#include <utility>
 
 #include "litfog/input_error.h"
 
@@ -25,22 +27,30 @@ void expect_no_device(const std::string& path) {
   if (fs::is_character_file(status) || fs::is_block_file(status)) fail(path, "Is a device");
 }
 
-}  // namespace
-
-std::string read_file_text(const std::string& path, std::size_t max_bytes) {
+/// A file's first bytes, and whether it has more of them.
+std::pair<std::string, bool> read(const std::string& path, std::size_t max_bytes) {
   expect_no_device(path);  // before it is opened, which may already do something to it
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
   if (!file) fail(path, std::generic_category().message(errno));
   std::string text;
   std::array<char, 65536> chunk;
   while (const std::size_t count = std::fread(chunk.data(), 1, chunk.size(), file.get())) {
-    if (count > max_bytes - text.size()) {
-      throw InputError({.file = path}, "file", "", "must not be larger than " + std::to_string(max_bytes) + " bytes");
-    }
-    text.append(chunk.data(), count);
+    const std::size_t taken = std::min(count, max_bytes - text.size());
+    text.append(chunk.data(), taken);
+    if (taken < count) return {std::move(text), true};
   }
   if (std::ferror(file.get())) fail(path, std::generic_category().message(errno));
-  return text;
+  return {std::move(text), false};
 }
+
+}  // namespace
+
+std::string read_file_text(const std::string& path, std::size_t max_bytes) {
+  auto [text, has_more] = read(path, max_bytes);
+  if (!has_more) return std::move(text);
+  throw InputError({.file = path}, "file", "", "must not be larger than " + std::to_string(max_bytes) + " bytes");
+}
+
+std::string read_file_start(const std::string& path, std::size_t max_bytes) { return read(path, max_bytes).first; }
 
 }  // namespace litfog

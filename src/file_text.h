@@ -11,5 +11,7 @@ namespace litfog {
 /// max_bytes  a larger file is an error, found without reading more of it
 /// throws     InputError for the file as a whole
 std::string read_file_text(const std::string& path, std::size_t max_bytes);
+/// The same, but of a larger file its first bytes.
+std::string read_file_start(const std::string& path, std::size_t max_bytes);
 
 }  // namespace litfog

@@ -261,7 +261,7 @@ void App::save_picture() {
 void App::save_scene() {
   const std::string& file = session_.scene().files.front();
   if (scene::is_gltf_path(file)) {
-    say("a glTF file cannot be saved: copy the command line, which has the camera");
+    say("a glTF file cannot be saved: copy the command line, which has the camera and the lamps");
     return;
   }
   const std::string path = free_file_name(session_.scene().name, ".json");

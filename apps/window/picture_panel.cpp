@@ -53,6 +53,74 @@ std::string settings_in_words(char letter, const demo::DrawingOptions& options) 
   return fmt::format("{}: {}, {}, {}", letter, path.name, name_of(options.settings_of(path).fog_lighting), fog);
 }
 
+/// Where the panel lies on the screen.
+struct Area {
+  ImVec2 corner;
+  ImVec2 size;
+
+  ImVec2 end() const { return {corner.x + size.x, corner.y + size.y}; }
+  ImVec2 at(const glm::dvec2& fraction) const {
+    return {corner.x + float(fraction.x) * size.x, corner.y + float(fraction.y) * size.y};
+  }
+  glm::dvec2 fraction_of(ImVec2 point) const { return {(point.x - corner.x) / size.x, (point.y - corner.y) / size.y}; }
+  /// Where A ends and B begins.
+  float wipe_x(const Session& session) const { return corner.x + std::round(float(session.wipe) * size.x); }
+};
+
+/// Turns the camera by what the left button drags, and shifts it by what the right one does.
+void drag_camera(Session& session, const Area& area) {
+  const ImVec2 delta = ImGui::GetIO().MouseDelta;
+  const double right = -double(delta.x / area.size.y);
+  const double up = double(delta.y / area.size.y);
+  if (ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
+    const auto turn = session.motion == CameraMotion::orbit ? orbit : look;
+    turn(session.camera, right * kTurnPerHeight, up * kTurnPerHeight);
+  } else if (ImGui::IsMouseDragging(ImGuiMouseButton_Right)) {
+    const double metres = 2 * target_distance(session.camera) * std::tan(double(session.camera.field_of_view) / 2);
+    fly(session.camera, right * metres, up * metres, 0);
+  }
+}
+
+void zoom(Session& session, double notches) {
+  const double factor = std::pow(kZoomPerNotch, notches);
+  if (session.motion == CameraMotion::orbit)
+    approach(session.camera, factor);
+  else
+    fly(session.camera, 0, 0, (1 - factor) * target_distance(session.camera));
+}
+
+/// Rings around the picked lamp, its copies and the lamp under the mouse, which has its name beside it.
+void mark_lamps(ImDrawList& draw, const Area& area, double aspect, const Session& session,
+                std::optional<std::size_t> hovered) {
+  const auto mark = [&](std::size_t light, ImU32 color, float radius) {
+    const auto place = place_in_picture(session.camera, aspect, session.lights()[light].position);
+    if (place) draw.AddCircle(area.at(*place), radius, color, 0, 1.5f);
+    return place;
+  };
+  for (std::size_t i = 0; session.picked && i < session.lights().size(); ++i) {
+    if (i == session.picked)
+      mark(i, IM_COL32(255, 180, 80, 255), 9);
+    else if (session.are_copies(*session.picked, i))
+      mark(i, IM_COL32(255, 180, 80, 70), 4);
+  }
+  if (!hovered) return;
+  const auto place = mark(*hovered, IM_COL32(255, 255, 255, 200), 9);
+  if (!place) return;
+  const ImVec2 at = area.at(*place);
+  draw_words(draw, {at.x + 16, at.y - 8}, session.lights()[*hovered].light.name);
+}
+
+/// The line between two settings' pictures, and what they are.
+void draw_wipe(ImDrawList& draw, const Area& area, const Session& session) {
+  const float x = area.wipe_x(session);
+  const ImVec2 end = area.end();
+  draw.AddLine({x, area.corner.y}, {x, end.y}, IM_COL32(255, 255, 255, 200));
+  draw.AddCircleFilled({x, (area.corner.y + end.y) / 2}, 5, IM_COL32(255, 255, 255, 255));
+  const std::string right = settings_in_words('B', session.settings[1]);
+  draw_words(draw, {area.corner.x + 12, area.corner.y + 10}, settings_in_words('A', session.settings[0]));
+  draw_words(draw, {end.x - 12 - ImGui::CalcTextSize(right.c_str()).x, area.corner.y + 10}, right);
+}
+
 }  // namespace
 
 void PicturePanel::show(const Delivery& delivery) {
@@ -61,82 +129,43 @@ void PicturePanel::show(const Delivery& delivery) {
 }
 
 void PicturePanel::draw(Session& session, std::optional<std::size_t> hovered) {
-  const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const ImVec2 size = ImGui::GetContentRegionAvail();
+  const Area area{ImGui::GetCursorScreenPos(), ImGui::GetContentRegionAvail()};
   const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
-  width_ = std::max(int(size.x * scale.x), 1);
-  height_ = std::max(int(size.y * scale.y), 1);
+  width_ = std::max(int(area.size.x * scale.x), 1);
+  height_ = std::max(int(area.size.y * scale.y), 1);
   const double aspect = double(width_) / height_;
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const ImVec2 end(corner.x + size.x, corner.y + size.y);
-  const auto wipe_at = [&] { return corner.x + std::round(float(session.wipe) * size.x); };
-  if (shown_ > 0) draw.AddImage(texture_id(textures_[0]), corner, end);
   const bool is_split = session.is_split && shown_ > 1;
+  if (shown_ > 0) draw.AddImage(texture_id(textures_[0]), area.corner, area.end());
   if (is_split) {
-    draw.PushClipRect({wipe_at(), corner.y}, end, true);
-    draw.AddImage(texture_id(textures_[1]), corner, end);
+    draw.PushClipRect({area.wipe_x(session), area.corner.y}, area.end(), true);
+    draw.AddImage(texture_id(textures_[1]), area.corner, area.end());
     draw.PopClipRect();
   }
 
-  ImGui::InvisibleButton("picture", {std::max(size.x, 1.0f), std::max(size.y, 1.0f)},
+  ImGui::InvisibleButton("picture", {std::max(area.size.x, 1.0f), std::max(area.size.y, 1.0f)},
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
   const ImGuiIO& io = ImGui::GetIO();
   const bool is_over = ImGui::IsItemHovered();
-  const bool is_at_wipe = is_split && is_over && std::abs(io.MousePos.x - wipe_at()) < kWipeReach;
+  const bool is_at_wipe = is_split && is_over && std::abs(io.MousePos.x - area.wipe_x(session)) < kWipeReach;
   if (ImGui::IsItemActivated()) drags_wipe_ = is_at_wipe;
   if (is_at_wipe || (drags_wipe_ && ImGui::IsItemActive())) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-  const glm::dvec2 mouse((io.MousePos.x - corner.x) / size.x, (io.MousePos.y - corner.y) / size.y);
-  if (ImGui::IsItemActive() && drags_wipe_) {
+  const glm::dvec2 mouse = area.fraction_of(io.MousePos);
+  if (ImGui::IsItemActive() && drags_wipe_)
     session.wipe = std::clamp(mouse.x, 0.0, 1.0);
-  } else if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
-    const double right = -double(io.MouseDelta.x / size.y) * kTurnPerHeight;
-    const double up = double(io.MouseDelta.y / size.y) * kTurnPerHeight;
-    if (session.motion == CameraMotion::orbit)
-      orbit(session.camera, right, up);
-    else
-      look(session.camera, right, up);
-  } else if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Right)) {
-    const double metres = 2 * target_distance(session.camera) * std::tan(double(session.camera.field_of_view) / 2);
-    fly(session.camera, -double(io.MouseDelta.x / size.y) * metres, double(io.MouseDelta.y / size.y) * metres, 0);
-  }
-  const auto clicked_at = light_at(session.camera, aspect, session.lights(), mouse, kPickReach);
+  else if (ImGui::IsItemActive())
+    drag_camera(session, area);
+  const auto under_mouse = light_at(session.camera, aspect, session.lights(), mouse, kPickReach);
   const bool is_click = ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left) && !drags_wipe_ &&
                         io.MouseDragMaxDistanceSqr[0] < io.MouseDragThreshold * io.MouseDragThreshold;
-  if (is_click) session.picked = clicked_at;
-  if (is_over && !is_at_wipe && !ImGui::IsItemActive()) hovered = clicked_at;
-  if (is_over && io.MouseWheel != 0) {
-    const double factor = std::pow(kZoomPerNotch, double(io.MouseWheel));
-    if (session.motion == CameraMotion::orbit)
-      approach(session.camera, factor);
-    else
-      fly(session.camera, 0, 0, (1 - factor) * target_distance(session.camera));
-  }
+  if (is_click) session.picked = under_mouse;
+  if (is_over && !is_at_wipe && !ImGui::IsItemActive()) hovered = under_mouse;
+  if (is_over && io.MouseWheel != 0) zoom(session, double(io.MouseWheel));
   fly_by_keys(session);
 
-  const auto mark = [&](std::size_t light, ImU32 color, float radius, bool has_name) {
-    const auto place = place_in_picture(session.camera, aspect, session.lights()[light].position);
-    if (!place) return;
-    const ImVec2 at(corner.x + float(place->x) * size.x, corner.y + float(place->y) * size.y);
-    draw.AddCircle(at, radius, color, 0, 1.5f);
-    if (has_name) draw_words(draw, {at.x + 16, at.y - 8}, session.lights()[light].light.name);
-  };
-  draw.PushClipRect(corner, end, true);
-  for (std::size_t i = 0; session.picked && i < session.lights().size(); ++i) {
-    if (!session.are_copies(*session.picked, i)) continue;
-    if (i == session.picked)
-      mark(i, IM_COL32(255, 180, 80, 255), 9, false);
-    else
-      mark(i, IM_COL32(255, 180, 80, 70), 4, false);
-  }
-  if (hovered) mark(*hovered, IM_COL32(255, 255, 255, 200), 9, true);
-  if (is_split) {
-    const float x = wipe_at();
-    draw.AddLine({x, corner.y}, {x, end.y}, IM_COL32(255, 255, 255, 200));
-    draw.AddCircleFilled({x, (corner.y + end.y) / 2}, 5, IM_COL32(255, 255, 255, 255));
-    const std::string right = settings_in_words('B', session.settings[1]);
-    draw_words(draw, {corner.x + 12, corner.y + 10}, settings_in_words('A', session.settings[0]));
-    draw_words(draw, {end.x - 12 - ImGui::CalcTextSize(right.c_str()).x, corner.y + 10}, right);
-  }
+  draw.PushClipRect(area.corner, area.end(), true);
+  mark_lamps(draw, area, aspect, session, hovered);
+  if (is_split) draw_wipe(draw, area, session);
   draw.PopClipRect();
 }
 

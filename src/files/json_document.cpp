@@ -302,6 +302,12 @@ void JsonValue::allow_only(const std::vector<std::string_view>& names) const {
   }
 }
 
+std::vector<std::string_view> JsonValue::names() const {
+  std::vector<std::string_view> names;
+  for (const auto& [name, node] : expect<JsonNode::Object>("must be an object")) names.push_back(name);
+  return names;
+}
+
 std::vector<JsonValue> JsonValue::items() const {
   std::vector<JsonValue> values;
   for (const JsonNode& node : expect<JsonNode::Array>("must be an array")) {

@@ -45,6 +45,7 @@ class JsonValue {
   std::optional<JsonValue> optional(std::string_view name) const;
   void allow_only(const std::vector<std::string_view>& names) const;  ///< fails at any other member of an object
 
+  std::vector<std::string_view> names() const;  ///< of an object's members
   std::vector<JsonValue> items() const;
   double number() const;  ///< always finite
   double number_or(std::string_view name, double absent) const;

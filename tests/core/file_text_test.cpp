@@ -42,6 +42,8 @@ TEST_F(FileText, EveryByteIsRead) {
   for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = char(i % 251);
   EXPECT_EQ(read_file_text(write("bytes", bytes), bytes.size()), bytes);
   EXPECT_EQ(read_file_text(write("empty", ""), 0), "");
+  EXPECT_EQ(read_file_start(write("long", "abcdef"), 3), "abc");
+  EXPECT_EQ(read_file_start(write("short", "ab"), 3), "ab");
 }
 
 TEST_F(FileText, FileLargerThanTheLimitIsAnError) {

@@ -899,6 +899,8 @@ TEST_F(DemoCommand, SequencesThatCannotBeAreRefusedBeforeAnythingIsDrawn) {
   EXPECT_EQ(error("--camera 0,4,0..0,1,5 --target 0,0,0"),
             std::string("litfog-demo: frame 1: the target must not be straight above or below the position, or at it") +
                 kSeeHelp);
+  EXPECT_EQ(error("--set lights[0].threshold=0.1..0.3 --set lights[0].light.threshold=0.2"),
+            std::string("litfog-demo: --set lights[0].light.threshold: must not be given twice") + kSeeHelp);
   EXPECT_EQ(error("--visibility 9..1 --film a.gif"),
             std::string("litfog-demo: --film = a.gif: must end in .mp4 or .webm") + kSeeHelp);
   EXPECT_ERROR(run("sequence two.json -o none --set lights[0].threshold=0.1..2"), kBadInput,
@@ -996,6 +998,19 @@ TEST_F(DemoCommand, WrongSettingsAreNamed) {
             std::string("litfog-demo: --time cannot be given: none of the scene's lights turns") + kSeeHelp);
   EXPECT_EQ(error("one.json --with lights=3"),
             std::string("litfog-demo: --lights cannot be given: the scene has no generated city") + kSeeHelp);
+  EXPECT_EQ(
+      error("one.json --with no-skip --with 'camera=0,9,0 target=0,0,0'"),
+      std::string("litfog-demo: --with \"camera=0,9,0 target=0,0,0\": --target = 0,0,0: must not be straight above "
+                  "or below the camera, or at it") +
+          kSeeHelp);
+  EXPECT_EQ(error("one.json --with '--set lights[0].threshold'"),
+            std::string("litfog-demo: --with \"--set lights[0].threshold\": --set = lights[0].threshold: must be "
+                        "MEMBER=VALUE, such as lights[0].attenuation.quadratic=0.002") +
+                kSeeHelp);
+  EXPECT_ERROR(
+      run("compare one.json -o none --with '--set lights[0].threshold=7'"), kBadInput,
+      "--with \"--set lights[0].threshold=7\": --set: lights[0].light.threshold = 7: must be in (0, 1); 7 % is "
+      "0.07\n");
   EXPECT_EQ(error("one.json --with ' '"), std::string("litfog-demo: --with \" \": must not be empty") + kSeeHelp);
   EXPECT_EQ(error("--with visibility=9"),
             std::string("litfog-demo: --with compares settings of one SCENE: name it") + kSeeHelp);

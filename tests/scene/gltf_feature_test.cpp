@@ -293,6 +293,124 @@ TEST_F(GltfFeature, SparseAccessorReplacesSomeOfItsNumbers) {
   EXPECT_EQ(error(), "accessors[0].sparse.indices = an object: must be those of its elements");
 }
 
+TEST_F(GltfFeature, ViewWhoseElementsOverlapIsRefused) {
+  file_["bufferViews"][0]["byteStride"] = 8;
+  EXPECT_EQ(error(),
+            "bufferViews[0].byteStride = 8: must be a multiple of 4, at most 252 and at least an element's 12 bytes");
+}
+
+/// The floor's first two vertices on one joint of a skin, the others halfway between both joints.
+class GltfPoseTest : public GltfFeature {
+ protected:
+  GltfPoseTest() {
+    attributes()["JOINTS_0"] =
+        add(std::vector<std::uint8_t>{0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0}, "VEC4", 4, kUnsignedByte);
+    attributes()["WEIGHTS_0"] =
+        add(std::vector<float>{1, 0, 0, 0, 1, 0, 0, 0, 0.5f, 0.5f, 0, 0, 0.5f, 0.5f, 0, 0}, "VEC4", 4, kFloat);
+    const std::vector<float> unmoved{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    const std::vector<float> lowered{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -2, 0, 1};
+    std::vector<float> matrices = unmoved;
+    matrices.insert(matrices.end(), lowered.begin(), lowered.end());
+    file_["nodes"][0] = {{"mesh", 0}, {"skin", 0}, {"translation", {500, 0, 0}}};  // which does not count
+    file_["nodes"].push_back({{"children", {4, 5}}, {"scale", {0.1, 0.1, 0.1}}});
+    file_["nodes"].push_back({{"translation", {0, 0, 7}}});
+    file_["nodes"].push_back({{"translation", {0, 12, 0}}});
+    file_["scenes"][0]["nodes"].push_back(3);
+    file_["skins"] = {{{"joints", {4, 5}}, {"inverseBindMatrices", add(matrices, "MAT4", 2, kFloat)}}};
+  }
+};
+
+TEST_F(GltfPoseTest, SkinnedMeshIsWhereItsJointsAre) {
+  const Scene scene = read_file();
+  const Mesh& mesh = mesh_of(scene);
+  EXPECT_LT(glm::distance(mesh.vertices[0].position, glm::vec3(-1, 0, -0.3f)), 1e-6f);
+  EXPECT_LT(glm::distance(mesh.vertices[1].position, glm::vec3(1, 0, -0.3f)), 1e-6f);
+  // Halfway between (1, 0, 1.7) and (1, 1, 1): what was at 0 is 2 lower for the second joint, which is 12 up.
+  EXPECT_LT(glm::distance(mesh.vertices[2].position, glm::vec3(1, 0.5f, 1.35f)), 1e-6f);
+  EXPECT_LT(glm::distance(mesh.vertices[3].normal, glm::vec3(0, 1, 0)), 1e-6f);
+  EXPECT_EQ(scene.left_out, "");
+}
+
+TEST_F(GltfPoseTest, NormalsTurnWithTheirJoints) {
+  const double slant = std::sqrt(0.5);
+  file_["nodes"][4]["rotation"] = {slant, 0, 0, slant};  // a quarter about x
+  file_["nodes"][4]["scale"] = {1, 3, 1};
+  const Mesh mesh = mesh_of(read_file());
+  EXPECT_LT(glm::distance(mesh.vertices[0].normal, glm::vec3(0, 0, 1)), 1e-6f);
+  attributes().erase("NORMAL");  // that of the triangle as it stands
+  const Mesh flat = mesh_of(read_file());
+  for (std::size_t i = 0; i < flat.vertices.size(); i += 3) {
+    const glm::vec3 normal = glm::cross(flat.vertices[i + 1].position - flat.vertices[i].position,
+                                        flat.vertices[i + 2].position - flat.vertices[i].position);
+    EXPECT_LT(glm::distance(flat.vertices[i].normal, glm::normalize(normal)), 1e-5f);
+  }
+}
+
+TEST_F(GltfPoseTest, WeightsAreTakenOverTheirSum) {
+  attributes()["WEIGHTS_0"] = add(std::vector<std::uint8_t>{100, 0, 0, 0, 0, 0, 0, 0, 100, 100, 0, 0, 200, 200, 0, 0},
+                                  "VEC4", 4, kUnsignedByte, true);
+  const Mesh mesh = mesh_of(read_file());
+  EXPECT_LT(glm::distance(mesh.vertices[0].position, glm::vec3(-1, 0, -0.3f)), 1e-6f);
+  EXPECT_LT(glm::distance(mesh.vertices[1].position, glm::vec3(1, 0, -0.3f)), 1e-6f);  // none: by the first joint
+  EXPECT_LT(glm::distance(mesh.vertices[2].position, glm::vec3(1, 0.5f, 1.35f)), 1e-6f);
+}
+
+TEST_F(GltfPoseTest, SkinsThatAreNotSoundFail) {
+  const auto error_with = [&](const char* pointer, const json& value) {
+    json file = file_;
+    file[json::json_pointer(pointer)] = value;
+    return error_of(file, buffer_);
+  };
+  EXPECT_EQ(error_with("/nodes/0/skin", 1), "nodes[0].skin = 1: must be in [0, 0]");
+  EXPECT_EQ(error_with("/skins/0/joints", json::array()), "skins[0].joints = an array: must not be empty");
+  EXPECT_EQ(error_with("/skins/0/joints/1", 9), "skins[0].joints[1] = 9: must be in [0, 5]");
+  EXPECT_EQ(error_with("/nodes/3/children", {4}), "skins[0].joints[1] = 5: must be a node of the scene");
+  EXPECT_EQ(error_with("/skins/0/joints", {4, 5, 3}),
+            "skins[0].inverseBindMatrices = 6: must have a matrix for each joint");
+  EXPECT_EQ(error_with("/skins/0/joints", {4}),
+            "meshes[0].primitives[0] = an object: must have joints that its skin has");
+  file_["meshes"][0]["primitives"][0]["attributes"].erase("WEIGHTS_0");
+  EXPECT_EQ(error(), "meshes[0].primitives[0].attributes.WEIGHTS_0: must be given");
+  file_["meshes"][0]["primitives"][0]["attributes"].erase("JOINTS_0");
+  EXPECT_EQ(error(), "meshes[0].primitives[0].attributes.JOINTS_0: must be given");
+}
+
+TEST_F(GltfFeature, MorphTargetsDisplaceByTheirWeights) {
+  const std::size_t up = add(std::vector<float>{0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 2, 0}, "VEC3", 4, kFloat);
+  const std::size_t along = add(std::vector<float>{1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0}, "VEC3", 4, kFloat);
+  primitive()["targets"] = {{{"POSITION", up}}, {{"POSITION", along}, {"NORMAL", along}}};
+  EXPECT_EQ(mesh_of(read_file()).vertices[3].position, glm::vec3(-10, 0, 10));
+  file_["meshes"][0]["weights"] = {0.5, 0};
+  EXPECT_EQ(mesh_of(read_file()).vertices[3].position, glm::vec3(-10, 1, 10));
+  file_["nodes"][0]["weights"] = {0, 1};  // in place of the mesh's
+  file_["nodes"].push_back({{"mesh", 0}, {"translation", {0, 5, 0}}});
+  file_["scenes"][0]["nodes"].push_back(3);
+  const Scene scene = read_file();
+  const Mesh& mesh = mesh_of(scene);
+  ASSERT_EQ(mesh.vertices.size(), 8u);
+  EXPECT_EQ(mesh.vertices[3].position, glm::vec3(-9, 0, 10));
+  EXPECT_LT(glm::distance(mesh.vertices[3].normal, glm::vec3(std::sqrt(0.5f), std::sqrt(0.5f), 0)), 1e-6f);
+  EXPECT_EQ(mesh.vertices[7].position, glm::vec3(-10, 6, 10));
+  EXPECT_EQ(mesh.vertices[7].normal, glm::vec3(0, 1, 0));
+  EXPECT_EQ(scene.left_out, "");
+  file_["accessors"][up]["count"] = 3;
+  EXPECT_EQ(error(), "meshes[0].primitives[0].targets[0].POSITION = 4: must have as many elements as POSITION");
+}
+
+TEST_F(GltfFeature, SpotWithAHardEdgeIsSoftenedByAThousandthOfTheCosine) {
+  json& light = file_["extensions"]["KHR_lights_punctual"]["lights"][0];
+  const auto cone = [&](double inner, double outer) {
+    light = {{"type", "spot"}, {"intensity", 900}, {"spot", {{"innerConeAngle", inner}, {"outerConeAngle", outer}}}};
+    return read_file().lights.at(0).light.cone;
+  };
+  EXPECT_NEAR(std::cos(cone(0.5, 0.5).inner), std::cos(0.5) + 0.001, 1e-12);
+  EXPECT_EQ(cone(0.5, 0.5).outer, 0.5);
+  EXPECT_EQ(cone(0.01, 0.02).inner, 0);
+  EXPECT_EQ(cone(0.3, 0.5).inner, 0.3);
+  light["spot"]["innerConeAngle"] = 0.6;
+  EXPECT_EQ(error(), "extensions.KHR_lights_punctual.lights[0] = an object: cone.inner must be in [0, outer)");
+}
+
 TEST_F(GltfFeature, StripsAndFansAreTheirTriangles) {
   using Indices = std::vector<std::uint32_t>;
   primitive()["indices"] = add(std::vector<std::uint16_t>{0, 3, 1, 2}, "SCALAR", 4, kUnsignedShort);
@@ -564,24 +682,30 @@ TEST_F(GltfCompression, NoDamageOfMeshoptBytesCrashesTheReader) { expect_no_cras
 
 TEST_F(GltfFeature, WhatIsLeftOutIsSaidInOneLine) {
   file_["animations"] = {json::object(), json::object()};
-  file_["nodes"][0]["skin"] = 0;
-  primitive()["targets"] = {{{"POSITION", 0}}};
   json points = primitive();
   points["mode"] = 0;
   file_["meshes"][0]["primitives"].push_back(points);
   material()["occlusionTexture"]["index"] = 0;
+  material()["extensions"]["KHR_materials_ior"]["ior"] = 1.3;  // not listed as used
+  material()["emissiveTexture"] = {{"index", add_texture({9, 9, 9, 9, 9, 9, 9, 9})}, {"texCoord", 1}};
+  for (const json& scale : {json{1, 0, 1}, json{0, 0, 0}}) {  // the second one is how files hide a mesh
+    file_["scenes"][0]["nodes"].push_back(file_["nodes"].size());
+    file_["nodes"].push_back({{"mesh", 0}, {"scale", scale}});
+  }
   file_["scenes"].push_back(json::object());
   file_["cameras"].push_back({{"type", "orthographic"}});
-  file_["nodes"].push_back({{"camera", 1}});
-  file_["scenes"][0]["nodes"].push_back(3);
+  for (const std::size_t camera : {0, 1}) {
+    file_["scenes"][0]["nodes"].push_back(file_["nodes"].size());
+    file_["nodes"].push_back({{"camera", camera}});
+  }
   file_["extensionsUsed"] = {"KHR_materials_sheen", "KHR_lights_punctual", "KHR_materials_clearcoat"};
   testing::internal::CaptureStderr();
   const Scene scene = read_file();
   const std::string line = testing::internal::GetCapturedStderr();
   EXPECT_EQ(scene.left_out,
-            "2 animations, 1 skin (drawn in its rest pose), 1 mesh's morph targets, 1 primitive of points or lines, "
-            "1 occlusion texture, 1 other camera, 1 other scene, "
-            "extensions KHR_materials_clearcoat KHR_materials_sheen");
+            "2 animations, 1 primitive of points or lines, 1 occlusion texture, 1 primitive without its textures' "
+            "coordinates, 1 mesh flattened by a scale of 0, 1 orthographic camera, 1 other camera, 1 other scene, "
+            "extensions KHR_materials_clearcoat KHR_materials_ior KHR_materials_sheen");
   EXPECT_EQ(line, path("scene.gltf") + ": left out: " + scene.left_out + "\n");
   file_ = floor_scene();
   testing::internal::CaptureStderr();

@@ -118,8 +118,9 @@ TEST(GltfValues, ErrorsNameLocationValueAndRule) {
   EXPECT_EQ(error_with("/nodes/0/children/0", -2), "nodes[0].children[0] = -2: must be a whole number >= 0");
   EXPECT_EQ(error_with("/nodes/1/matrix", {1, 0, 0}), "nodes[1].matrix = an array: must be 16 numbers");
   EXPECT_EQ(error_with("/nodes/0/rotation", {0, 0, 0, 0}), "nodes[0].rotation = an array: must not be all 0");
-  EXPECT_EQ(error_with("/nodes/0/extensions/KHR_lights_punctual/light", "0"),
-            "nodes[0].extensions.KHR_lights_punctual.light = \"0\": must be a number; write 0, without quotation marks");
+  EXPECT_EQ(
+      error_with("/nodes/0/extensions/KHR_lights_punctual/light", "0"),
+      "nodes[0].extensions.KHR_lights_punctual.light = \"0\": must be a number; write 0, without quotation marks");
   EXPECT_EQ(error_with("/accessors/0/byteOffset", -4), "accessors[0].byteOffset = -4: must be a whole number >= 0");
   EXPECT_EQ(error_with("/materials/0/doubleSided", 1), "materials[0].doubleSided = 1: must be true or false");
   EXPECT_EQ(error_with("/materials/0/normalTexture/scale", "1"),

@@ -45,7 +45,7 @@ std::vector<std::string> arguments_of(const std::string& text, const CLI::App& a
     const std::size_t equals = word.find('=');
     const std::string option = "--" + word.substr(0, equals);
     const bool is_option = app.get_option_no_throw(option) != nullptr;
-    if (word.starts_with("--")) {
+    if (word.starts_with("--") || (!arguments.empty() && arguments.back() == "--set")) {
       arguments.push_back(word);
     } else if (equals == word.npos) {
       arguments.push_back(is_option ? option : word);
@@ -112,10 +112,12 @@ std::string hint_for(const std::string& text, const std::string& error) {
   return {};
 }
 
-/// Reads the scene of a setting. What is wrong with a member is told with the setting's words.
+/// Reads the scene of a setting. What is wrong with a view or a member is told with the setting's words.
 scene::Scene read_scene_of(const Setting& setting) {
   try {
     return read_scene(setting.scene);
+  } catch (const CLI::ValidationError& error) {
+    throw CLI::ValidationError(fmt::format("--with \"{}\": {}", setting.words, error.what()));
   } catch (const InputError& error) {
     const bool is_of_member = error.location().file.starts_with(scene::kChangePlace);
     if (!is_of_member || setting.words.find('=') == std::string::npos) throw;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 #include <glm/gtc/matrix_transform.hpp>
+#include <set>
 
 #include "command/command.h"
 #include "command/output_files.h"
@@ -54,8 +55,18 @@ MemberCourse parse_member(const std::string& text) {
   return member;
 }
 
+/// Throws the usage error of a member that is set twice: the later one would hide a change.
+void expect_no_member_twice(const std::vector<MemberCourse>& members) {
+  std::set<std::string> names;
+  for (const MemberCourse& member : members) {
+    if (names.insert(scene::changed_member(member.change.member)).second) continue;
+    throw CLI::ValidationError(fmt::format("--set {}: must not be given twice", member.change.member));
+  }
+}
+
 /// How many frames the options agree on.
 int count_frames(const SequenceOptions& options) {
+  expect_no_member_twice(options.members);
   int frames = options.frames;
   std::string first = "--frames";
   bool has_change = !options.camera_path.empty();

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
-#include <filesystem>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -43,9 +42,9 @@ Chunks split(const std::string& path, std::string_view bytes) {
   const auto expect = [&](bool is_so, std::string_view rule) {
     if (!is_so) throw InputError({.file = path}, rule);
   };
-  expect(bytes.size() >= kHeaders && bytes.starts_with("glTF") && bytes.substr(16, 4) == "JSON" &&
-             little_endian(bytes, 12) <= bytes.size() - kHeaders,
-         "must be a binary glTF file that begins with its JSON chunk");
+  expect(
+      bytes.size() >= kHeaders && bytes.substr(16, 4) == "JSON" && little_endian(bytes, 12) <= bytes.size() - kHeaders,
+      "must be a binary glTF file that begins with its JSON chunk");
   expect(little_endian(bytes, 4) == 2, "must be a binary glTF file of version 2");
   expect(little_endian(bytes, 8) <= bytes.size(), "must be as long as its header states");
   Chunks chunks{.json = bytes.substr(kHeaders, little_endian(bytes, 12)), .buffer = {}};
@@ -123,7 +122,7 @@ GltfFile::GltfFile(const std::string& path)
 
 JsonValue GltfFile::read(const std::string& path) {
   std::string bytes = read_file_text(path, kMaxBytes);
-  if (std::filesystem::path(path).extension() != ".glb") return files::parse_json(std::move(bytes), path);
+  if (!bytes.starts_with("glTF")) return files::parse_json(std::move(bytes), path);
   const Chunks chunks = split(path, bytes);
   binary_chunk_ = chunks.buffer;
   return files::parse_json(std::string(chunks.json), path);
@@ -145,9 +144,10 @@ void GltfFile::read_buffers() {
       bytes_.emplace_back();
       continue;
     }
-    bytes_.push_back(is_chunk ? std::move(binary_chunk_) : read_gltf_uri(buffer, "buffer", size));
-    const bool fits = is_chunk ? size <= bytes_.back().size() : size == bytes_.back().size();
-    if (!fits) length.fail(fmt::format("must be the buffer's {} bytes", bytes_.back().size()));
+    bytes_.push_back(is_chunk ? std::move(binary_chunk_) : read_gltf_buffer(buffer, size));
+    if (size > bytes_.back().size()) {
+      length.fail(fmt::format("must be at most the buffer's {} bytes", bytes_.back().size()));
+    }
     bytes_.back().resize(size);  // a chunk is padded
   }
 }
@@ -185,8 +185,8 @@ GltfNumbers GltfFile::numbers(const JsonValue& accessor_index, std::initializer_
     const std::string_view bytes = view(*view_index);
     if (const auto given = views_[index_in(views_, *view_index)].optional("byteStride")) {
       numbers.stride = whole_number(*given);
-      if (numbers.stride < 4 || numbers.stride > 252 || numbers.stride % 4 != 0) {
-        given->fail("must be a multiple of 4 in [4, 252]");
+      if (numbers.stride < element || numbers.stride > 252 || numbers.stride % 4 != 0) {
+        given->fail(fmt::format("must be a multiple of 4, at most 252 and at least an element's {} bytes", element));
       }
     }
     const std::size_t offset = whole_number_or(accessor, "byteOffset", 0);

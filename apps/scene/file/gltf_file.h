@@ -36,6 +36,7 @@ inline constexpr GltfType kGltfScalar{"SCALAR", 1};
 inline constexpr GltfType kGltfVec2{"VEC2", 2};
 inline constexpr GltfType kGltfVec3{"VEC3", 3};
 inline constexpr GltfType kGltfVec4{"VEC4", 4};
+inline constexpr GltfType kGltfMat4{"MAT4", 16};  ///< column by column
 
 /// Bytes of a component.
 std::size_t size_of(GltfComponent component);

@@ -109,9 +109,16 @@ const GltfMaterial& GltfMaterials::use(const JsonValue& primitive) {
   used = GltfMaterial{.index = materials_.size(),
                       .name = index ? fmt::format("glTF material {}", at) : "glTF material -1",
                       .is_double_sided = double_sided && double_sided->boolean(),
+                      .sets = {},
                       .base = first,
                       .normal = normal.value_or(first),
                       .emission = emission.value_or(first)};
+  for (const auto& texture : {base, rough, normal, emission}) {
+    if (texture) used->sets.insert(texture->set);
+  }
+  if (const auto extensions = given.optional("extensions")) {
+    for (const std::string_view name : extensions->names()) extensions_.emplace(name);
+  }
   const bool is_unlit = extension_of(given, "KHR_materials_unlit").has_value();
   materials_.push_back(is_unlit ? make_unlit(used->name, given, pbr) : make_lit(used->name, given, pbr));
   return *used;

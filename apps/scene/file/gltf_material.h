@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -22,9 +23,10 @@ struct GltfMaterial {
   std::size_t index;  ///< of those made, in their order
   std::string name;
   bool is_double_sided;
-  GltfCoordinates base;      ///< of the base texture or, where there is none, another's
-  GltfCoordinates normal;    ///< of the normal map or, where there is none, the base's
-  GltfCoordinates emission;  ///< likewise
+  std::set<std::size_t> sets;  ///< of texture coordinates that its textures take
+  GltfCoordinates base;        ///< of the base texture or, where there is none, another's
+  GltfCoordinates normal;      ///< of the normal map or, where there is none, the base's
+  GltfCoordinates emission;    ///< likewise
 };
 
 /// Converts the materials of a glTF file that are used to the demo's; read_gltf_scene documents how.
@@ -41,8 +43,9 @@ class GltfMaterials {
   /// Those made.
   std::vector<Material> take() { return std::move(materials_); }
 
-  // What is left out of those made.
-  std::size_t occluded() const { return occluded_; }
+  std::size_t occluded() const { return occluded_; }  ///< how many of them have an occlusion texture
+  /// The extensions that they have, known or not: files do not always list them in "extensionsUsed".
+  const std::set<std::string>& extensions() const { return extensions_; }
 
  private:
   using SharedTexels = std::shared_ptr<const Texels>;
@@ -71,6 +74,7 @@ class GltfMaterials {
   std::map<std::tuple<const Texels*, const Texels*, std::array<float, 4>>, SharedTexels> tinted_;
   TexelBudget made_;
   std::size_t occluded_ = 0;
+  std::set<std::string> extensions_;
 };
 
 }  // namespace litfog::scene

@@ -69,9 +69,11 @@ bool is_within_limits(const glm::vec<N, float>& v) {
 /// What a primitive gives of its vertices, and its indices; no data of what it lacks.
 struct Attributes {
   GltfNumbers positions, normals, tangents, base_uvs, normal_uvs, emission_uvs, colors, indices;
+  std::optional<GltfPosing> posing;  // always
 };
 
-Attributes read_attributes(const GltfFile& file, const JsonValue& primitive, const GltfMaterial& material) {
+Attributes read_attributes(const GltfFile& file, const JsonValue& primitive, const GltfMaterial& material,
+                           const GltfPose& pose) {
   using enum GltfComponent;
   const JsonValue given = primitive.member("attributes");
   std::optional<GltfDraco> draco;
@@ -103,6 +105,7 @@ Attributes read_attributes(const GltfFile& file, const JsonValue& primitive, con
   attributes.normal_uvs = texture_coordinates(material.normal.set);
   attributes.emission_uvs = texture_coordinates(material.emission.set);
   attributes.colors = attribute("COLOR_0", {kGltfVec3, kGltfVec4}, {floating, unsigned_byte, unsigned_short});
+  attributes.posing.emplace(file, primitive, pose, attribute, attributes.positions.count);
   if (const auto index = primitive.optional("indices")) {
     attributes.indices =
         draco ? draco->indices() : file.numbers(*index, {kGltfScalar}, {unsigned_byte, unsigned_short, unsigned_int});
@@ -124,6 +127,7 @@ void read_vertices(const JsonValue& primitive, const Attributes& given, const Gl
     if (given.tangents.data) {
       vertex.tangent = glm::vec4(given.tangents.vec3(i), given.tangents.at(i, 3) < 0 ? -1 : 1);
     }
+    given.posing->apply(i, vertex);
     if (given.colors.data) {
       detail.color = glm::vec4(given.colors.vec3(i), given.colors.components == 4 ? given.colors.at(i, 3) : 1);
     }
@@ -168,9 +172,9 @@ bool is_without_surface(const JsonValue& primitive) {
 }
 
 Mesh read_gltf_primitive(const GltfFile& file, const JsonValue& primitive, const GltfMaterial& material,
-                         MeshBudget& budget) {
+                         const GltfPose& pose, MeshBudget& budget) {
   const std::size_t mode = whole_number_or(primitive, "mode", kTriangles);
-  const Attributes given = read_attributes(file, primitive, material);
+  const Attributes given = read_attributes(file, primitive, material, pose);
   const std::size_t index_count = given.indices.data ? given.indices.count : given.positions.count;
   if (mode == kTriangles ? index_count % 3 != 0 : index_count < 3) {
     const auto index = primitive.optional("indices");

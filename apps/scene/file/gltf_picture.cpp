@@ -176,7 +176,7 @@ Sampling GltfPictures::sampling_of(const JsonValue& texture) const {
 
 GltfPicture GltfPictures::read(const JsonValue& image, const Sampling& sampling) {
   const auto view = image.optional("bufferView");
-  if (!view) return decode(image, read_gltf_uri(image, "picture", kMaxEncodedBytes), sampling);
+  if (!view) return decode(image, read_gltf_picture(image, kMaxEncodedBytes), sampling);
   if (const auto uri = image.optional("uri")) uri->fail("must not stand beside bufferView");
   return decode(image, file_.view(*view), sampling);
 }

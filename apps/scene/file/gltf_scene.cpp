@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <strings.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,6 +30,8 @@ namespace {
 constexpr double kBrightestAtKnee = 16;   // of the display's white
 constexpr double kLargestKnee = 1;        // metres
 constexpr double kLeast = 1.0 / 512;      // half of 1/256 of the display's white
+constexpr double kLeastTilt = 1e-3;       // radians from the vertical, which floats tell from it
+constexpr double kLeastRoll = 0.026;      // radians, 1.5 degrees: less is not told
 constexpr double kBrightestSun = 65'504;  // of the display's white: a framebuffer's half floats end there
 constexpr std::string_view kPunctual = "KHR_lights_punctual";
 constexpr std::string_view kBasisu = "KHR_texture_basisu";
@@ -61,6 +64,8 @@ class GltfReader {
         nodes_(items_of(file_.root(), "nodes")),
         cameras_(items_of(file_.root(), "cameras")),
         meshes_(items_of(file_.root(), "meshes")),
+        skins_(items_of(file_.root(), "skins")),
+        world_from_node_(nodes_.size()),
         primitives_(meshes_.size()),
         is_read_(meshes_.size()),
         materials_(file_) {
@@ -78,7 +83,10 @@ class GltfReader {
     if (scene_.models[0].empty()) file_.root().fail("meshes", "", "must hold triangles");
     scene_.instances.push_back({0, glm::mat4(1.0f)});
     const Bounds box = bounds(scene_.models[0]);
-    if (!has_camera_) look_at(box);
+    if (forward_)
+      aim_at(box);
+    else
+      look_at(box);
     light_fog_and_sky();
     if (scene_.lights.empty() && scene_.environment.moon_color == glm::vec3(0.0f)) {
       scene_.environment.ambient_light = kLampless;
@@ -131,17 +139,20 @@ class GltfReader {
       if (count > 0) parts.push_back(fmt::format("{} {}", count, count == 1 ? one : many));
     };
     add(items_of(file_.root(), "animations").size(), "animation", "animations");
-    add(skins_, "skin (drawn in its rest pose)", "skins (drawn in their rest pose)");
-    add(morphs_, "mesh's morph targets", "meshes' morph targets");
     add(surfaceless_, "primitive of points or lines", "primitives of points or lines");
     add(materials_.occluded(), "occlusion texture", "occlusion textures");
+    add(unmapped_, "primitive without its textures' coordinates", "primitives without their textures' coordinates");
+    add(flattened_, "mesh flattened by a scale of 0", "meshes flattened by a scale of 0");
+    add(suns_ - std::min<std::size_t>(suns_, 1), "directional light but for the brightest",
+        "directional lights but for the brightest");
+    add(orthographic_cameras_, "orthographic camera", "orthographic cameras");
     add(other_cameras_, "other camera", "other cameras");
+    if (roll_ > kLeastRoll) parts.push_back(fmt::format("the camera's roll of {:.0f} degrees", glm::degrees(roll_)));
     const std::size_t scenes = items_of(file_.root(), "scenes").size();
     add(scenes - 1, "other scene", "other scenes");
-    std::set<std::string> extensions;
-    for (const JsonValue& extension : items_of(file_.root(), "extensionsUsed")) {
-      if (!is_known(extension.string())) extensions.insert(extension.string());
-    }
+    std::set<std::string> extensions = materials_.extensions();
+    for (const JsonValue& extension : items_of(file_.root(), "extensionsUsed")) extensions.insert(extension.string());
+    std::erase_if(extensions, is_known);
     if (!extensions.empty()) parts.push_back(fmt::format("extensions {}", fmt::join(extensions, " ")));
     return fmt::format("{}", fmt::join(parts, ", "));
   }
@@ -204,23 +215,23 @@ class GltfReader {
     if (scenes.empty()) file_.root().fail("must hold a scene");
     const auto chosen = file_.root().optional("scene");
     add(items_of(scenes[chosen ? index_in(scenes, *chosen) : 0], "nodes"), glm::dmat4(1.0), false);
-    std::vector<bool> is_met(nodes_.size());
+    std::vector<std::size_t> with_mesh;  // read when all nodes are known, which may be joints of their skins
     while (!visits.empty()) {
       Visit visit = visits.back();
       visits.pop_back();
       const JsonValue& node = nodes_[visit.node];
-      if (is_met[visit.node]) node.fail("must be one node's child only");
-      is_met[visit.node] = true;
+      if (world_from_node_[visit.node]) node.fail("must be one node's child only");
       const glm::dmat4 world_from_node = visit.world_from_parent * local_transform(node);
       expect_within_limits(node, world_from_node);
+      world_from_node_[visit.node] = world_from_node;
       if (const auto camera = node.optional("camera")) visit.is_carried |= read_camera(*camera, world_from_node);
-      skins_ += node.optional("skin").has_value();
-      if (const auto mesh = node.optional("mesh")) read_instances(node, *mesh, world_from_node);
+      if (node.optional("mesh")) with_mesh.push_back(visit.node);
       if (const auto punctual = extension_of(node, kPunctual)) {
         read_light(punctual->member("light"), world_from_node, visit.is_carried);
       }
       add(items_of(node, "children"), world_from_node, visit.is_carried);
     }
+    for (const std::size_t node : with_mesh) read_instances(nodes_[node], *world_from_node_[node]);
   }
 
   // --- camera ---
@@ -228,22 +239,39 @@ class GltfReader {
   /// Returns whether it is the camera that sees the scene.
   bool read_camera(const JsonValue& index, const glm::dmat4& world_from_node) {
     const JsonValue& camera = cameras_[index_in(cameras_, index)];
-    if (has_camera_ || camera.member("type").string() != "perspective") {
-      ++other_cameras_;
+    const bool is_perspective = camera.member("type").string() == "perspective";
+    if (forward_ || !is_perspective) {
+      ++(is_perspective ? other_cameras_ : orthographic_cameras_);
       return false;
     }
     const JsonValue field_of_view = camera.member("perspective").member("yfov");
     const double yfov = field_of_view.number();
     if (!(yfov > 0 && yfov < std::numbers::pi * 0.95)) field_of_view.fail("must be in (0, 2.98) radians");
-    const glm::dvec3 forward = -glm::dvec3(world_from_node[2]);
-    if (!(glm::length(glm::dvec2(forward.x, forward.z)) > 1e-4 * glm::length(forward))) {
-      index.fail("must not look straight up or down");
+    const glm::dmat3 axes(world_from_node);
+    if (!(std::abs(glm::determinant(axes)) > 0)) index.fail("must not be at a node of scale 0");
+    glm::dvec3 forward = -glm::normalize(axes[2]);
+    const glm::dvec3 up = glm::normalize(axes[1]);
+    // One that looks straight up or down has no upright but its own: 0.06 degrees of tilt keep it.
+    if (std::hypot(forward.x, forward.z) < kLeastTilt) {
+      forward = glm::normalize(forward - std::copysign(kLeastTilt, forward.y) * up);
     }
-    scene_.camera = {.position = glm::dvec3(world_from_node[3]),
-                     .target = glm::dvec3(world_from_node[3]) + glm::normalize(forward),
-                     .field_of_view = float(yfov)};
-    has_camera_ = true;
+    const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0, 1, 0)));
+    roll_ = std::abs(std::atan2(glm::dot(up, right), glm::dot(up, glm::cross(right, forward))));
+    scene_.camera.position = glm::dvec3(world_from_node[3]);
+    scene_.camera.field_of_view = float(yfov);
+    forward_ = forward;
     return true;
+  }
+
+  /// Puts the target as far ahead as the scene's middle, for what moves the camera around it; at least so far that
+  /// floats keep the camera's heading.
+  void aim_at(const Bounds& box) {
+    const glm::dvec3 position(scene_.camera.position);
+    const glm::dvec3 middle = (glm::dvec3(box.low) + glm::dvec3(box.high)) * 0.5;
+    const double least = 3e-4 * glm::length(position) / std::hypot(forward_->x, forward_->z);
+    const double distance = std::max(
+        {glm::dot(middle - position, *forward_), glm::distance(glm::dvec3(box.high), middle) / 10, least, 1e-3});
+    scene_.camera.target = position + *forward_ * distance;
   }
 
   /// Shows the whole scene from its front, from somewhat above.
@@ -278,7 +306,9 @@ class GltfReader {
     const glm::dvec3 axis = -glm::dvec3(world_from_node[2]);
     if (!(glm::length(axis) > 0)) index.fail("must not be at a node of scale 0");
     if (is_directional) {
-      if (scene_.environment.moon_color != glm::vec3(0.0f)) light.fail("must be the only directional light");
+      ++suns_;
+      if (brightest <= brightest_sun_) return;
+      brightest_sun_ = brightest;
       if (!(brightest <= kBrightestSun)) {
         fail_at(light, "intensity", "must not show more than 65504 times the display's white");
       }
@@ -319,7 +349,11 @@ class GltfReader {
   static Cone read_cone(const JsonValue& spot) {
     const double outer = spot.number_or("outerConeAngle", std::numbers::pi / 4);
     if (!(outer <= std::numbers::pi / 2)) spot.member("outerConeAngle").fail("must be at most pi/2");
-    return Cone::smoothstep(spot.number_or("innerConeAngle", 0), outer);
+    const double inner = spot.number_or("innerConeAngle", 0);
+    // Exporters write a hard edge as inner = outer. As in the extension's own formula, cosines are 0.001 apart at
+    // least.
+    const double hardest = std::acos(std::min(std::cos(outer) + 0.001, 1.0));
+    return Cone::smoothstep(inner <= outer ? std::min(inner, hardest) : inner, outer);
   }
 
   /// Fails at a member, whether it is given or not.
@@ -337,10 +371,46 @@ class GltfReader {
     Mesh mesh;
   };
 
+  /// How a node's mesh stands. All empty where it stands as the file has it.
+  GltfPose pose_of(const JsonValue& node, const JsonValue& mesh) const {
+    GltfPose pose;
+    const auto own = node.optional("weights");
+    for (const JsonValue& weight : own ? own->items() : items_of(mesh, "weights")) {
+      pose.weights.push_back(weight.number());
+    }
+    if (std::ranges::count(pose.weights, 0.0) == std::ssize(pose.weights)) pose.weights.clear();
+    const auto skin_index = node.optional("skin");
+    if (!skin_index) return pose;
+    const JsonValue& skin = skins_[index_in(skins_, *skin_index)];
+    const JsonValue joints_given = skin.member("joints");
+    const std::vector<JsonValue> joints = joints_given.items();
+    if (joints.empty()) joints_given.fail("must not be empty");
+    GltfNumbers joint_from_mesh;
+    if (const auto matrices = skin.optional("inverseBindMatrices")) {
+      joint_from_mesh = file_.numbers(*matrices, {kGltfMat4}, {GltfComponent::floating});
+      if (joint_from_mesh.count < joints.size()) matrices->fail("must have a matrix for each joint");
+    }
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      const auto& world_from_joint = world_from_node_[index_in(nodes_, joints[i])];
+      if (!world_from_joint) joints[i].fail("must be a node of the scene");
+      glm::dmat4 bind(1.0);
+      for (int k = 0; joint_from_mesh.data && k < 16; ++k) bind[k / 4][k % 4] = joint_from_mesh.at(i, std::size_t(k));
+      pose.world_from_mesh.push_back(*world_from_joint * bind);
+    }
+    return pose;
+  }
+
   /// A node's mesh, once or as often as it states (EXT_mesh_gpu_instancing).
-  void read_instances(const JsonValue& node, const JsonValue& mesh, const glm::dmat4& world_from_node) {
+  void read_instances(const JsonValue& node, const glm::dmat4& world_from_node) {
+    const std::size_t mesh = index_in(meshes_, node.member("mesh"));
+    const GltfPose pose = pose_of(node, meshes_[mesh]);
+    const bool is_skinned = !pose.world_from_mesh.empty();
+    std::vector<Primitive> posed;
+    if (is_skinned || !pose.weights.empty()) posed = read_primitives(mesh, pose);
+    const std::vector<Primitive>& primitives = posed.empty() ? primitives_of(mesh) : posed;
+    if (is_skinned) return draw(primitives, glm::dmat4(1.0));  // its joints are where it is (glTF 2.0, 3.7.3.3)
     const auto instancing = extension_of(node, "EXT_mesh_gpu_instancing");
-    if (!instancing) return read_mesh(mesh, world_from_node);
+    if (!instancing) return draw(primitives, world_from_node);
     using enum GltfComponent;
     const JsonValue attributes = instancing->member("attributes");
     std::optional<std::size_t> count;
@@ -365,14 +435,18 @@ class GltfReader {
       }
       if (scales.data) transform = glm::scale(transform, glm::dvec3(scales.vec3(i)));
       expect_within_limits(node, transform);
-      read_mesh(mesh, transform);
+      draw(primitives, transform);
     }
   }
 
-  void read_mesh(const JsonValue& index, const glm::dmat4& world_from_node) {
-    if (!(std::abs(glm::determinant(glm::dmat3(world_from_node))) > 1e-18)) return;  // flattened to nothing
+  void draw(const std::vector<Primitive>& primitives, const glm::dmat4& world_from_node) {
+    const glm::dmat3 linear(world_from_node);
+    if (!(std::abs(glm::determinant(linear)) > 1e-18)) {
+      flattened_ += linear != glm::dmat3(0.0);  // a scale of 0 in all axes hides a mesh
+      return;
+    }
     Model& model = scene_.models[0];
-    for (const Primitive& primitive : primitives_of(index_in(meshes_, index))) {
+    for (const Primitive& primitive : primitives) {
       const Mesh& mesh = primitive.mesh;
       drawn_.take(primitive.json, mesh.indices.size() / 3, mesh.vertices.size());
       append(model[primitive.part].mesh, mesh, world_from_node);
@@ -380,22 +454,26 @@ class GltfReader {
   }
 
   const std::vector<Primitive>& primitives_of(std::size_t mesh) {
-    std::vector<Primitive>& primitives = primitives_[mesh];
-    if (is_read_[mesh]) return primitives;
+    if (!is_read_[mesh]) primitives_[mesh] = read_primitives(mesh, {});
     is_read_[mesh] = true;
-    bool has_targets = false;
+    return primitives_[mesh];
+  }
+
+  std::vector<Primitive> read_primitives(std::size_t mesh, const GltfPose& pose) {
+    std::vector<Primitive> primitives;
     for (const JsonValue& json : meshes_[mesh].member("primitives").items()) {
-      has_targets |= json.optional("targets").has_value();
       if (is_without_surface(json)) {
         ++surfaceless_;
         continue;
       }
       const GltfMaterial& material = materials_.use(json);
+      const JsonValue attributes = json.member("attributes");
+      unmapped_ += std::ranges::any_of(
+          material.sets, [&](std::size_t set) { return !attributes.optional(fmt::format("TEXCOORD_{}", set)); });
       Model& model = scene_.models[0];
       if (material.index == model.size()) model.push_back({material.name, {}});  // a part a material, in their order
-      primitives.push_back({json, material.index, read_gltf_primitive(file_, json, material, read_)});
+      primitives.push_back({json, material.index, read_gltf_primitive(file_, json, material, pose, read_)});
     }
-    morphs_ += has_targets;
     return primitives;
   }
 
@@ -404,26 +482,32 @@ class GltfReader {
   std::vector<JsonValue> cameras_;
   std::vector<JsonValue> lights_;
   std::vector<JsonValue> meshes_;
-  std::vector<std::vector<Primitive>> primitives_;  // of each mesh, when it is first drawn
-  std::vector<bool> is_read_;                       // of each mesh
+  std::vector<JsonValue> skins_;
+  std::vector<std::optional<glm::dmat4>> world_from_node_;  // of those met so far
+  std::vector<std::vector<Primitive>> primitives_;          // of each mesh as the file has it, when it is first drawn
+  std::vector<bool> is_read_;                               // of each mesh
   GltfMaterials materials_;
   Scene scene_;
-  bool has_camera_ = false;
+  std::optional<glm::dvec3> forward_;  // of the camera, if there is one
+  double roll_ = 0;                    // of that, radians
+  double brightest_sun_ = 0;
   MeshBudget read_;
   MeshBudget drawn_;
   std::size_t carried_ = 0;
   // What is left out.
-  std::size_t skins_ = 0;
-  std::size_t morphs_ = 0;
   std::size_t surfaceless_ = 0;
+  std::size_t unmapped_ = 0;
+  std::size_t flattened_ = 0;
+  std::size_t suns_ = 0;
+  std::size_t orthographic_cameras_ = 0;
   std::size_t other_cameras_ = 0;
 };
 
 }  // namespace
 
 bool is_gltf_path(const std::string& path) {
-  const auto ending = std::filesystem::path(path).extension();
-  return ending == ".gltf" || ending == ".glb";
+  const std::string ending = std::filesystem::path(path).extension();
+  return strcasecmp(ending.c_str(), ".gltf") == 0 || strcasecmp(ending.c_str(), ".glb") == 0;
 }
 
 Scene read_gltf_scene(const std::string& path) { return GltfReader(path).take(); }

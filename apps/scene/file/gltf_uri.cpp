@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdint>
@@ -28,6 +29,27 @@ std::string percent_decoded(std::string_view text) {
     if (is_escape) i += 2;
   }
   return decoded;
+}
+
+/// noun       what the owner is, for the error's sentence
+/// read_file  of a path
+template <typename ReadFile>
+std::string read_uri(const JsonValue& owner, std::string_view noun, const ReadFile& read_file) {
+  const auto path = gltf_uri_path(owner);
+  if (!path) {
+    const JsonValue uri = owner.member("uri");
+    const std::string_view text = uri.string();
+    const std::size_t comma = text.find(',');
+    if (!text.substr(0, comma).ends_with(";base64")) uri.fail("must be a data URI in base64");
+    auto bytes = decode_base64(text.substr(comma + 1));
+    if (!bytes) uri.fail("must hold base64 after its comma");
+    return *std::move(bytes);
+  }
+  try {
+    return read_file(*path);
+  } catch (const InputError& error) {
+    owner.fail(fmt::format("must be a {} that can be read: {}", noun, error.what()));
+  }
 }
 
 }  // namespace
@@ -67,22 +89,15 @@ std::optional<std::string> gltf_uri_path(const JsonValue& owner) {
   return (std::filesystem::path(owner.file()).parent_path() / path.relative_path()).string();
 }
 
-std::string read_gltf_uri(const JsonValue& owner, std::string_view noun, std::size_t max_bytes) {
-  const auto path = gltf_uri_path(owner);
-  if (!path) {
-    const JsonValue uri = owner.member("uri");
-    const std::string_view text = uri.string();
-    const std::size_t comma = text.find(',');
-    if (!text.substr(0, comma).ends_with(";base64")) uri.fail("must be a data URI in base64");
-    auto bytes = decode_base64(text.substr(comma + 1));
-    if (!bytes) uri.fail("must hold base64 after its comma");
-    return *std::move(bytes);
-  }
-  try {
-    return read_file_text(*path, max_bytes);
-  } catch (const InputError& error) {
-    owner.fail(fmt::format("must be a {} that can be read: {}", noun, error.what()));
-  }
+std::string read_gltf_picture(const JsonValue& picture, std::size_t max_bytes) {
+  return read_uri(picture, "picture", [&](const std::string& path) { return read_file_text(path, max_bytes); });
+}
+
+std::string read_gltf_buffer(const JsonValue& buffer, std::size_t max_bytes) {
+  std::string bytes =
+      read_uri(buffer, "buffer", [&](const std::string& path) { return read_file_start(path, max_bytes); });
+  bytes.resize(std::min(bytes.size(), max_bytes));
+  return bytes;
 }
 
 }  // namespace litfog::scene

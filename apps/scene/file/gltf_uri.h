@@ -12,13 +12,15 @@ namespace litfog::scene {
 
 using files::JsonValue;
 
-/// The bytes that the "uri" of a glTF file's buffer or picture refers to: of a base64 data URI, or of a file whose path
-/// is relative to the glTF file's folder.
+/// The bytes of a picture that has a "uri": of a base64 data URI, or of a file whose path is relative to the glTF
+/// file's folder.
 ///
-/// noun       what the owner is, for the error's sentence
 /// max_bytes  a larger file is an error, found without reading more of it
-/// throws     InputError at the owner or its uri
-std::string read_gltf_uri(const JsonValue& owner, std::string_view noun, std::size_t max_bytes);
+/// throws     InputError at the picture or its uri
+std::string read_gltf_picture(const JsonValue& picture, std::size_t max_bytes);
+/// Likewise of a buffer: of more bytes the first ones, because a buffer may be shorter than what it refers to
+/// (glTF 2.0, buffer.byteLength).
+std::string read_gltf_buffer(const JsonValue& buffer, std::size_t max_bytes);
 
 /// The path of the file that the "uri" of a buffer or picture names; nothing where there is no uri or it is a data URI.
 ///

@@ -549,9 +549,9 @@ Scene read_scene(const std::string& path, std::optional<std::size_t> city_lights
   if (!is_gltf_path(path)) return SceneReader(path, city_lights, changes).take();
   Scene scene = read_gltf_scene(path);
   change_lights(scene, changes);
-  if (!scene.left_out.empty()) {
-    fmt::print(stderr, "{}\n", command::printable(fmt::format("{}: left out: {}", path, scene.left_out)));
-  }
+  static std::set<std::string> told;  // once, though a sequence may read the file for each frame
+  const std::string line = command::printable(fmt::format("{}: left out: {}", path, scene.left_out));
+  if (!scene.left_out.empty() && told.insert(line).second) fmt::print(stderr, "{}\n", line);
   return scene;
 }
 

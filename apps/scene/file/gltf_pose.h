@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <glm/glm.hpp>
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+#include "scene/file/gltf_file.h"
+#include "scene/mesh.h"
+
+namespace litfog::scene {
+
+/// How a node's mesh stands at rest: displaced by its morph targets, then moved by the joints of its skin.
+struct GltfPose {
+  std::vector<double> weights;              ///< of the morph targets; 0 where they are fewer
+  std::vector<glm::dmat4> world_from_mesh;  ///< by each joint; empty: no skin, and vertices stay in the mesh's space
+};
+
+/// The pose's data of one primitive (glTF 2.0, 3.7.2.2 and 3.7.3).
+class GltfPosing {
+ public:
+  /// A vertex attribute's numbers by its name, data null if it is not given.
+  using Attribute = std::function<GltfNumbers(const std::string& name, std::initializer_list<GltfType> types,
+                                              std::initializer_list<GltfComponent> components)>;
+
+  /// pose    has to outlive this
+  /// throws  InputError
+  GltfPosing(const GltfFile& file, const JsonValue& primitive, const GltfPose& pose, const Attribute& attribute,
+             std::size_t vertex_count);
+
+  /// Moves a vertex whose normal and tangent are as given, not yet of unit length.
+  ///
+  /// throws  InputError for a joint that the skin lacks
+  void apply(std::size_t index, Vertex& vertex) const;
+
+ private:
+  struct Target {
+    double weight;
+    GltfNumbers positions;
+    GltfNumbers normals;
+    GltfNumbers tangents;
+  };
+  struct Influences {  // of four joints on each vertex
+    GltfNumbers joints;
+    GltfNumbers weights;
+  };
+
+  glm::dmat4 world_from_mesh(std::size_t vertex) const;
+
+  JsonValue primitive_;
+  const GltfPose& pose_;
+  std::vector<Target> targets_;
+  std::vector<Influences> influences_;
+};
+
+}  // namespace litfog::scene
