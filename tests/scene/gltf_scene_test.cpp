@@ -243,8 +243,13 @@ TEST_F(GltfScene, AFileWithoutLightsOrCameraIsStillSeen) {
   json file = floor_scene();
   file["scenes"][0]["nodes"] = {0};
   const Scene scene = read(file);
-  EXPECT_GT(scene.environment.ambient_light.r, 0.5f);
-  EXPECT_GT(glm::distance(scene.camera.position, glm::vec3(0)), 14.2f);  // outside of the floor
+  const Environment& environment = scene.environment;
+  EXPECT_EQ(environment.ambient_light, glm::vec3(0.3f));
+  EXPECT_EQ(environment.moon_color, glm::vec3(0.6f));
+  EXPECT_GT(glm::dot(environment.moon_direction, glm::normalize(scene.camera.position)), 0.5f);
+  EXPECT_FLOAT_EQ(glm::length(environment.moon_direction), 1);
+  EXPECT_EQ(environment.ambient_fog_color, read(floor_scene()).environment.ambient_fog_color);  // the night's
+  EXPECT_GT(glm::distance(scene.camera.position, glm::vec3(0)), 14.2f);                         // outside of the floor
   EXPECT_EQ(scene.camera.target, glm::vec3(0));
 }
 

@@ -46,7 +46,8 @@ constexpr std::string_view kKnownExtensions[] = {"EXT_mesh_gpu_instancing",
                                                  "KHR_texture_transform"};
 
 constexpr glm::vec3 kNightAmbient{0.045f, 0.05f, 0.07f};
-constexpr glm::vec3 kLampless{0.6f};
+constexpr glm::vec3 kLamplessAmbient{0.3f};
+constexpr glm::vec3 kLamplessSun{0.6f};
 constexpr glm::vec3 kNightFog{0.012f, 0.013f, 0.017f};
 constexpr glm::vec3 kZenith{0.0012f, 0.0018f, 0.005f};
 
@@ -88,9 +89,7 @@ class GltfReader {
     else
       look_at(box);
     light_fog_and_sky();
-    if (scene_.lights.empty() && scene_.environment.moon_color == glm::vec3(0.0f)) {
-      scene_.environment.ambient_light = kLampless;
-    }
+    if (scene_.lights.empty() && suns_ == 0) light_from_viewer();
     const double depth = std::max(0.01, farthest_distance(scene_.camera.position, box));
     scene_.left_out = left_out();
     for (const double depths : {10, 3, 1}) scene_.visibilities.push_back(with_two_digits(depths * depth));
@@ -113,6 +112,17 @@ class GltfReader {
     environment.sky_horizon += scattered;
     environment.sky_zenith += zenith;
     environment.ambient_light += (scattered + zenith) / 2.0f;
+  }
+
+  /// Lights the surfaces of a file without lights from over the viewer's shoulder, so that their shapes show and
+  /// metals, which reflect no ambient light, are not black.
+  void light_from_viewer() {
+    const glm::vec3 ahead = glm::normalize(scene_.camera.target - scene_.camera.position);
+    const glm::vec3 right = glm::normalize(glm::cross(ahead, glm::vec3(0, 1, 0)));
+    Environment& environment = scene_.environment;
+    environment.ambient_light = kLamplessAmbient;
+    environment.moon_color = kLamplessSun;
+    environment.moon_direction = glm::normalize(0.5f * right + 0.7f * glm::cross(right, ahead) - 0.6f * ahead);
   }
 
   void expect_known_extensions() const {

@@ -12,9 +12,9 @@ bool is_gltf_path(const std::string& path);
 
 /// Reads a glTF 2.0 file with its buffers and pictures: the meshes, materials and lights of its scene (the default one,
 /// else the first) in their rest pose, seen by the first perspective camera found. Animation, occlusion, points, lines,
-/// meshes flattened by a scale of 0, all directional lights but the brightest, the camera's roll and extensions that are
-/// not named here are left out: Scene::left_out counts what of these a file has. A file that requires such an extension
-/// fails.
+/// meshes flattened by a scale of 0, all directional lights but the brightest, the camera's roll and extensions that
+/// are not named here are left out: Scene::left_out counts what of these a file has. A file that requires such an
+/// extension fails.
 ///
 /// Meshes: triangles, their strips and fans; skins and morph targets as nodes and weights place them without animation;
 /// sparse accessors; KHR_mesh_quantization (all its types, required or not),
@@ -43,15 +43,15 @@ bool is_gltf_path(const std::string& path);
 /// most 1 m, or more only as far as no colour is beyond 10,000 (from 31,416 cd). The light ends at its range: threshold
 /// k^2 / range^2; without one where it shows half of 1/256. A range within the knee puts the knee at half the range.
 /// By airlight a light shines on beyond its range, which the extension calls a hint, to where it shows 1/255
-/// (render::threshold_of). Spots are smoothstep cones from their inner to their outer angle, at least 0.001 apart in the cosine. Lights at the camera's
-/// node or below it are carried by the eye's vehicle.
+/// (render::threshold_of). Spots are smoothstep cones from their inner to their outer angle, at least 0.001 apart in
+/// the cosine. Lights at the camera's node or below it are carried by the eye's vehicle.
 ///
 /// Lamps light the fog by their colour times A (litfog/airlight.h), whose phase function is 1 where it is isotropic.
 /// That is 4 times what a path tracer shows of the same lamps in fog that only scatters: I / pi where it has I / 4 pi.
 ///
-/// The brightest directional light, of E lx, at most 205,786, is the moon of colour E / pi. It lights fog and sky as isotropic fog
-/// without end does, E / 4 pi, and they light surfaces. Ambient light and fog are else a night's; in a file without
-/// lights the ambient light is bright.
+/// The brightest directional light, of E lx, at most 205,786, is the moon of colour E / pi. It lights fog and sky as
+/// isotropic fog without end does, E / 4 pi, and they light surfaces. Ambient light and fog are else a night's. The
+/// surfaces of a file without lights are lit from over the viewer's shoulder, and by half as much ambient light.
 ///
 /// Visibilities: 10, 3 and 1 times the distance d from the camera to the farthest corner of the scene's box, each
 /// rounded up to two significant digits. At 3 d, at which a scene is drawn if none is given, at least 37 % of the
