@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
+#include <span>
 #include <string>
 #include <unsupported/Eigen/NonLinearOptimization>
 #include <vector>
@@ -176,7 +176,15 @@ double digits_of(const Attenuation& a, const Samples& samples, const Optimum& op
   return std::clamp(-std::log10(worst), 0.0, 17.0);
 }
 
-/// A method on the tables of a family, and what was measured of it.
+/// A method on the tables of a family.
+struct Run {
+  const Family* family;
+  const Method* method;
+  const std::vector<Samples>* tables;
+  std::vector<Attenuation> found;  ///< a table each
+};
+
+/// What was measured of a run.
 struct Measurement {
   const Family* family;
   const Method* method;
@@ -184,8 +192,73 @@ struct Measurement {
   Timing timing;           ///< ns a table
   double objective;        ///< mean over the tables
   double solved_fraction;  ///< of the tables
-  double digits;
+  double digits;           ///< the fewest of a table
 };
+
+/// For each family.
+std::vector<std::vector<Samples>> draw_tables(int count) {
+  test::Random random(20'040'601);
+  std::vector<std::vector<Samples>> tables;
+  for (const Family& family : kFamilies) {
+    auto& drawn = tables.emplace_back();
+    for (int i = 0; i < count; ++i) drawn.push_back(draw_table(family, random));
+  }
+  return tables;
+}
+
+/// All methods on the first family, then on the next.
+///
+/// tables  outlive the runs
+std::vector<Run> runs_on(const std::vector<std::vector<Samples>>& tables) {
+  std::vector<Run> runs;
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    for (const Method& method : kMethods) {
+      runs.push_back({&kFamilies[i], &method, &tables[i], std::vector<Attenuation>(tables[i].size())});
+    }
+  }
+  return runs;
+}
+
+std::vector<Timing> time_runs(std::vector<Run>& runs, const StopwatchSettings& settings) {
+  std::vector<TimedPass> passes;
+  for (Run& run : runs) {
+    passes.push_back({run.tables->size(), [&run] {
+                        for (std::size_t i = 0; i < run.found.size(); ++i) {
+                          run.found[i] = run.method->fit((*run.tables)[i]);
+                        }
+                      }});
+  }
+  command::Progress progress;
+  return time_passes(passes, settings, progress);
+}
+
+/// The optimum of each table, none where nothing found is one.
+///
+/// runs  of all methods on one family
+std::vector<Optimum> optima_of(std::span<const Run> runs) {
+  std::vector<Optimum> optima;
+  for (std::size_t i = 0; i < runs.front().tables->size(); ++i) {
+    std::vector<Attenuation> found;
+    for (const Run& run : runs) found.push_back(run.found[i]);
+    optima.push_back(certified_optimum((*runs.front().tables)[i], found));
+  }
+  return optima;
+}
+
+Measurement assess(const Run& run, const Timing& timing, const std::vector<Optimum>& optima) {
+  double sum = 0, digits = 17;
+  int solved = 0;
+  for (std::size_t i = 0; i < optima.size(); ++i) {
+    const Samples& samples = (*run.tables)[i];
+    const double value = objective(run.found[i], samples);
+    sum += value;
+    if (optima[i].log_attenuation.empty()) continue;
+    if (value <= optima[i].objective * 1.001 + 1e-20) ++solved;
+    digits = std::min(digits, digits_of(run.found[i], samples, optima[i]));
+  }
+  const auto size = double(optima.size());
+  return {run.family, run.method, optima.size(), timing, sum / size, solved / size, digits};
+}
 
 command::Figure draw(const std::vector<Measurement>& measurements) {
   command::Chart chart{.x = {"processor time of one thread per table of 20 samples (ms)", true},
@@ -215,65 +288,25 @@ command::Table make_table(const std::vector<Measurement>& measurements) {
 
 Result measure_fit(bool quick) {
   const Scale& scale = quick ? kQuick : kFull;
-  command::Progress progress;
-  struct Run {
-    const Family* family;
-    const Method* method;
-    const std::vector<Samples>* tables;
-    std::vector<Attenuation> found;
-  };
-  std::vector<std::vector<Samples>> tables;
-  std::vector<Run> runs;
-  test::Random random(20'040'601);
-  tables.reserve(std::size(kFamilies));
-  for (const Family& family : kFamilies) {
-    auto& drawn = tables.emplace_back();
-    for (int i = 0; i < scale.tables; ++i) drawn.push_back(draw_table(family, random));
-    for (const Method& method : kMethods)
-      runs.push_back({&family, &method, &drawn, std::vector<Attenuation>(drawn.size())});
-  }
-  std::vector<TimedPass> passes;
-  for (Run& run : runs) {
-    passes.push_back({run.tables->size(), [&run] {
-                        for (std::size_t i = 0; i < run.found.size(); ++i) {
-                          run.found[i] = run.method->fit((*run.tables)[i]);
-                        }
-                      }});
-  }
-  const auto timings = time_passes(passes, scale.stopwatch, progress);
+  const std::vector<std::vector<Samples>> tables = draw_tables(scale.tables);
+  std::vector<Run> runs = runs_on(tables);
+  const std::vector<Timing> timings = time_runs(runs, scale.stopwatch);
 
   Result result;
   std::vector<Measurement> measurements;
-  for (std::size_t first = 0; first < runs.size(); first += std::size(kMethods)) {
-    const std::vector<Samples>& family_tables = *runs[first].tables;
-    std::vector<Optimum> optima;
-    for (std::size_t i = 0; i < family_tables.size(); ++i) {
-      std::vector<Attenuation> found;
-      for (std::size_t m = 0; m < std::size(kMethods); ++m) found.push_back(runs[first + m].found[i]);
-      optima.push_back(certified_optimum(family_tables[i], found));
-      if (optima.back().log_attenuation.empty()) {
-        result.failures.push_back(
-            fmt::format("{}, table {}: nothing found is an optimum", runs[first].family->name, i));
-      }
+  constexpr std::size_t kMethodCount = std::size(kMethods);
+  for (std::size_t first = 0; first < runs.size(); first += kMethodCount) {
+    const std::vector<Optimum> optima = optima_of(std::span(runs).subspan(first, kMethodCount));
+    for (std::size_t i = 0; i < optima.size(); ++i) {
+      if (!optima[i].log_attenuation.empty()) continue;
+      result.failures.push_back(fmt::format("{}, table {}: nothing found is an optimum", runs[first].family->name, i));
     }
-    for (std::size_t m = first; m < first + std::size(kMethods); ++m) {
-      const Run& run = runs[m];
-      double sum = 0, digits = 17;
-      int solved = 0;
-      for (std::size_t i = 0; i < family_tables.size(); ++i) {
-        const double value = objective(run.found[i], family_tables[i]);
-        sum += value;
-        if (optima[i].log_attenuation.empty()) continue;
-        if (value <= optima[i].objective * 1.001 + 1e-20) ++solved;
-        digits = std::min(digits, digits_of(run.found[i], family_tables[i], optima[i]));
-      }
-      const auto size = double(family_tables.size());
-      measurements.push_back(
-          {run.family, run.method, family_tables.size(), timings[m], sum / size, solved / size, digits});
-      if (!(digits >= run.method->stated_digits)) {
-        result.failures.push_back(fmt::format("{} {}: digits = {}: must be at least {}", run.method->name,
-                                              run.family->name, digits, run.method->stated_digits));
-      }
+    for (std::size_t i = first; i < first + kMethodCount; ++i) {
+      const Method& method = *runs[i].method;
+      const Measurement& measurement = measurements.emplace_back(assess(runs[i], timings[i], optima));
+      if (measurement.digits >= method.stated_digits) continue;
+      result.failures.push_back(fmt::format("{} {}: digits = {}: must be at least {}", method.name,
+                                            measurement.family->name, measurement.digits, method.stated_digits));
     }
   }
   result.table = make_table(measurements);
