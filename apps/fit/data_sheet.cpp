@@ -11,18 +11,12 @@
 
 #include "command/table.h"
 #include "files/angle_deg.h"
+#include "fit/advice.h"
 #include "fit/verdict.h"
 
 namespace litfog::fit {
 
 namespace {
-
-using litfog::AttenuationFit;
-using litfog::AttenuationTarget;
-using litfog::ConeFit;
-using litfog::ConeProfile;
-using litfog::ConeProfileFit;
-using litfog::ConeTarget;
 
 constexpr std::size_t kMostRows = 40;
 
@@ -102,7 +96,7 @@ std::string percent(const std::optional<double>& error) {
   return error ? fmt::format("{:+.3g} %", percent_of(*error)) : "-";
 }
 
-std::string shape_of(const litfog::Cone& cone) {
+std::string shape_of(const Cone& cone) {
   return cone.profile == ConeProfile::cosine
              ? fmt::format("H = {:.6g} deg, S = {:.6g}", files::degrees(cone.half_angle), cone.exponent)
              : fmt::format("inner {:.6g}, outer {:.6g} deg", files::degrees(cone.inner), files::degrees(cone.outer));
@@ -173,8 +167,7 @@ void add_cone(Sheet& sheet, const ConeTarget& target, const ConeFit& fit) {
     residuals.columns.emplace_back(name_of(profile->cone.profile));
     residuals.columns.emplace_back("error_%");
   }
-  double peak = 0;
-  for (const auto& sample : target.samples) peak = std::max(peak, sample.weight > 0 ? sample.intensity : 0);
+  const double peak = peak_of(target.samples);
   for (const auto& sample : target.samples) {
     auto& row = residuals.rows.emplace_back();
     row.insert(row.end(), {files::degrees(sample.angle), sample.intensity / peak});
@@ -191,7 +184,7 @@ void add_asymmetry(Sheet& sheet, const LightFit& fit) {
 }
 
 void add_luminaire(Sheet& sheet, const LightFit& fit) {
-  const litfog::Luminaire& luminaire = *fit.target.luminaire;
+  const Luminaire& luminaire = *fit.target.luminaire;
   const auto& distribution = luminaire.distribution;
   sheet.add_heading("Photometry");
   if (!luminaire.name.empty()) sheet.add("luminaire", luminaire.name);
@@ -237,7 +230,7 @@ std::string format_data_sheet(const LightFit& fit) {
   if (fit.elliptical_beam) add_elliptical_beam(sheet, fit);
   if (fit.range) add_range(sheet, *fit.target.range, *fit.range);
   if (fit.cone) add_cone(sheet, *fit.target.cone, *fit.cone);
-  const auto advice = fit.advice();
+  const auto advice = advice_on(fit);
   if (!advice.empty()) sheet.add_heading("Advice");
   for (const std::string& sentence : advice) sheet.add("-", sentence);
   return sheet.text();

@@ -170,8 +170,7 @@ std::vector<const ConeProfileFit*> profiles_of(const Subject& subject) {
 
 ConeData cone_data(const Subject& subject, bool is_in_candela) {
   const ConeTarget& target = *subject.fit.target.cone;
-  double peak = 0;
-  for (const auto& sample : target.samples) peak = std::max(peak, sample.weight > 0 ? sample.intensity : 0);
+  const double peak = peak_of(target.samples);
   ConeData data{.is_in_candela = is_in_candela, .unit = is_in_candela ? peak : 1};
   if (target.beam_angle) data.targets.push_back({files::degrees(*target.beam_angle / 2), 0.5 * data.unit});
   if (target.field_angle) data.targets.push_back({files::degrees(*target.field_angle / 2), 0.1 * data.unit});

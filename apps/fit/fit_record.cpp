@@ -18,7 +18,7 @@ Json covariance_of(const std::optional<Matrix>& rows) {
 
 Json number_or_null(const std::optional<double>& number) { return number ? Json(*number) : Json(nullptr); }
 
-Json range_record(const litfog::AttenuationFit& fit, bool has_time) {
+Json range_record(const AttenuationFit& fit, bool has_time) {
   Json active = Json::array();
   for (const auto constraint : fit.active) active.push_back(litfog::name_of(constraint));
   std::optional<std::array<std::array<double, 3>, 3>> covariance;
@@ -34,19 +34,19 @@ Json range_record(const litfog::AttenuationFit& fit, bool has_time) {
   return record;
 }
 
-Json cone_record(const litfog::Cone& cone) {
-  if (cone.profile == litfog::ConeProfile::cosine) {
+Json cone_record(const Cone& cone) {
+  if (cone.profile == ConeProfile::cosine) {
     return {{"profile", "cosine"}, {"half_angle_deg", files::degrees(cone.half_angle)}, {"exponent", cone.exponent}};
   }
   return {
       {"profile", "smoothstep"}, {"inner_deg", files::degrees(cone.inner)}, {"outer_deg", files::degrees(cone.outer)}};
 }
 
-Json profile_record(const litfog::ConeProfileFit& fit, const litfog::ConeTarget& target) {
+Json profile_record(const ConeProfileFit& fit, const ConeTarget& target) {
   Json covariance = "not identifiable";
   if (fit.covariance) {
-    covariance = fit.cone.profile == litfog::ConeProfile::cosine ? Json::array({Json::array({(*fit.covariance)[0][0]})})
-                                                                 : Json(*fit.covariance);
+    covariance = fit.cone.profile == ConeProfile::cosine ? Json::array({Json::array({(*fit.covariance)[0][0]})})
+                                                         : Json(*fit.covariance);
   }
   return {{"cone", cone_record(fit.cone)},
           {"status", name_of(fit.status)},

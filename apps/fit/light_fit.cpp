@@ -11,15 +11,9 @@
 #include <numeric>
 
 #include "files/angle_deg.h"
-#include "fit/verdict.h"
 #include "litfog/photometry/elliptical_beam.h"
 
 namespace litfog::fit {
-
-using litfog::AttenuationFitStatus;
-using litfog::Cone;
-using litfog::ConeFitStatus;
-using litfog::ConeProfile;
 
 namespace {
 
@@ -66,15 +60,6 @@ double asymmetry_of(std::vector<IsocandelaEllipse> lines) {
   return asymmetry(elliptical_beam(lines), kPhotometricAxis);
 }
 
-/// Where the mean over the turn of a nearly round beam is brightest, if its middle has less than half of that. Radians.
-std::optional<double> ring_angle(const LightTarget& target) {
-  if (!target.luminaire || target.asymmetry > kGood.asymmetry) return std::nullopt;
-  const auto& samples = target.cone->samples;
-  const auto brightest = std::ranges::max_element(samples, {}, &ConeSample::intensity);
-  if (brightest == samples.end() || samples.front().intensity >= 0.5 * brightest->intensity) return std::nullopt;
-  return brightest->angle;
-}
-
 }  // namespace
 
 LightFit fit_light(LightTarget target, bool is_robust) {
@@ -115,79 +100,6 @@ const IntensityDistribution* LightFit::beam() const {
 bool LightFit::is_proven() const {
   return (!range || range->status == AttenuationFitStatus::optimal) &&
          (!cone || cone->best().status == ConeFitStatus::optimal);
-}
-
-std::vector<std::string> LightFit::advice() const {
-  std::vector<std::string> advice;
-  const auto add = [&advice]<typename... Arguments>(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-    advice.push_back(fmt::format(format, std::forward<Arguments>(arguments)...));
-  };
-  constexpr double kLikelyBytes = 10;  // no light is that bright on purpose
-  if (const double brightest = std::max({light.color.r, light.color.g, light.color.b}); brightest > kLikelyBytes) {
-    add("The color reaches {:.6g}, and 1 is the display's white: it is linear RGB, not sRGB of 8 bits.", brightest);
-  }
-  if (!range) add("No range is given: the light does not fall off. Give its extent or a falloff table.");
-  if (range) {
-    const auto& samples = target.range->samples;
-    const bool is_measured = samples.size() > 3;
-    if (is_measured && !target.range->is_robust && range->rms_error > 0.01 &&
-        std::abs(range->largest_error) > 3 * range->rms_error) {
-      add("One sample is off by {:.3g} times the rms error: if it is an outlier, try --robust.",
-          std::abs(range->largest_error) / range->rms_error);
-    } else if (range->rms_error > 0.1) {
-      add("The range fit is off by {:.2g} % (rms): no 1/(C + L r + Q r^2) falls as the table does.",
-          100 * range->rms_error);
-    }
-    if (is_measured && !range->covariance) {
-      add("The samples do not determine C, L and Q: other values fit as well.");
-    }
-  }
-  if (!cone) {
-    add("No cone is given: a point light.");
-    return advice;
-  }
-  const litfog::ConeProfileFit& best = cone->best();
-  if (target.cone->samples.empty() && !(target.cone->beam_angle && target.cone->field_angle)) {
-    add("One angle does not determine the beam's edge: the profile's is an assumption{}. Give the other angle, or "
-        "samples.",
-        target.flux ? ", and with it the peak that follows from the flux" : "");
-  }
-  if (best.cone.profile == ConeProfile::cosine && !target.cone->half_angle) {
-    const double edge = std::pow(std::cos(best.cone.half_angle), best.cone.exponent);
-    if (edge > 0.01) {
-      add("The cone ends at {:.3g} degrees with {:.2g} % of the peak, an edge that is visible in fog: half_angle_deg "
-          "moves it.",
-          files::degrees(best.cone.half_angle), 100 * edge);
-    }
-  }
-  constexpr double kPlainMiss = 0.05;  // of an angle
-  if (best.field_angle_error && std::abs(*best.field_angle_error) > kPlainMiss) {
-    add("The cone misses the 10 % angle by {:+.1f} %.", 100 * *best.field_angle_error);
-  }
-  if (best.flux_error && std::abs(*best.flux_error) > 0.1) {
-    std::string sentence = fmt::format("The cone's flux is off by {:+.0f} %", 100 * *best.flux_error);
-    if (*best.flux_error < 0) sentence += ": it leaves out much of the beam's spill";
-    const auto& other = cone->profile == ConeProfile::cosine ? cone->smoothstep : cone->cosine;
-    if (other && other->flux_error && std::abs(*other->flux_error) < 0.5 * std::abs(*best.flux_error)) {
-      sentence += fmt::format(". Of --profile {} it is off by {:+.0f} %", name_of(other->cone.profile),
-                              100 * *other->flux_error);
-    }
-    advice.push_back(sentence + ".");
-  }
-  if (best.rms > 0.05) add("Neither profile follows the beam well (rms error {:.2g} of the peak).", best.rms);
-  if (beam() && target.asymmetry > kRoundBeam) {
-    add("The beam is not rotationally symmetric: any cone loses {:.0f} % of it (rms). --cookie keeps its shape.",
-        100 * target.asymmetry);
-  }
-  if (const auto angle = ring_angle(target)) {
-    add("The beam is a ring, brightest {:.3g} degrees off the axis: no cone is dark in its middle. --cookie keeps its "
-        "shape.",
-        files::degrees(*angle));
-  } else if (target.luminaire && peak_angle > files::radians(5)) {
-    add("The beam's peak is {:.3g} degrees off the cone's axis: --axis peak moves the axis there.",
-        files::degrees(peak_angle));
-  }
-  return advice;
 }
 
 std::vector<std::string> active_constraints(const Cone& cone, const litfog::ConeTarget& target) {

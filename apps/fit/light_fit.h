@@ -13,27 +13,26 @@ namespace litfog::fit {
 /// A light made from its spec, with all that is known of the fits.
 struct LightFit {
   LightTarget target;
-  std::optional<litfog::AttenuationFit> range;  ///< without a target the attenuation is 1 everywhere
-  std::optional<litfog::ConeFit> cone;          ///< without a target it is a point light
-  litfog::Light light;
+  std::optional<AttenuationFit> range;  ///< without a target the attenuation is 1 everywhere
+  std::optional<ConeFit> cone;          ///< without a target it is a point light
+  Light light;
 
   std::optional<IntensityDistribution> elliptical_beam;  ///< of a target with ellipses
   /// The measured or elliptical beam that the cone stands for, which a cookie keeps; nothing where the cone is all.
   const IntensityDistribution* beam() const;
-  double peak_angle = 0;                    ///< of a photometric file: radians from the axis to the largest intensity
-  bool is_proven() const;                   ///< every fit is feasible, and shown to be the best
-  std::vector<std::string> advice() const;  ///< what a light-spec author may want to know, a sentence each
+  double peak_angle = 0;   ///< of a photometric file: radians from the axis to the largest intensity
+  bool is_proven() const;  ///< every fit is feasible, and shown to be the best
 };
 
 /// is_robust  for the range's samples: outliers count less
 LightFit fit_light(LightTarget target, bool is_robust);
 
 /// The text of the bounds and given figures that hold a cone.
-std::vector<std::string> active_constraints(const litfog::Cone& cone, const litfog::ConeTarget& target);
+std::vector<std::string> active_constraints(const Cone& cone, const ConeTarget& target);
 
 /// The meaning of optimal, unproven and infeasible in reports.
-const char* name_of(litfog::AttenuationFitStatus status);
-const char* name_of(litfog::ConeFitStatus status);
-const char* name_of(litfog::ConeProfile profile);
+const char* name_of(AttenuationFitStatus status);
+const char* name_of(ConeFitStatus status);
+const char* name_of(ConeProfile profile);
 
 }  // namespace litfog::fit

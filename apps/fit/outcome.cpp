@@ -8,6 +8,7 @@
 
 #include "files/angle_deg.h"
 #include "files/json_text.h"
+#include "fit/advice.h"
 #include "fit/beam_data.h"
 #include "litfog/attenuation.h"
 
@@ -71,7 +72,7 @@ std::string json_of(const Outcome& outcome) {
       outcome.fit ? json_of(beam_data(*outcome.fit)) : "null",
       text_or_null(has_axis ? describe_axis(outcome.fit->target.luminaire->distribution.type, outcome.fit->target.axis)
                             : ""),
-      outcome.fit ? json_of(outcome.fit->target.derived) : "[]", outcome.fit ? json_of(outcome.fit->advice()) : "[]");
+      outcome.fit ? json_of(outcome.fit->target.derived) : "[]", outcome.fit ? json_of(advice_on(*outcome.fit)) : "[]");
   text += "\"light\": " + (outcome.fit ? outcome.light : std::string("null"));
   while (text.ends_with('\n')) text.pop_back();
   return text + "}";
@@ -106,7 +107,7 @@ std::vector<Cell> row_of(const Outcome& outcome) {
     row.push_back(fit.beam() ? Cell(fit.target.asymmetry) : Cell(std::monostate()));
     const bool has_samples = fit.range && !fit.target.range->samples.empty();
     row.push_back(has_samples ? Cell(100 * fit.range->largest_error) : Cell(std::monostate()));
-    row.insert(row.end(), {name_of(outcome.verdict->grade), double(fit.advice().size())});
+    row.insert(row.end(), {name_of(outcome.verdict->grade), double(advice_on(fit).size())});
   }
   row.resize(summary_columns().size() - 1, std::monostate());
   row.emplace_back(status_of(outcome));

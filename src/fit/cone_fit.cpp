@@ -119,7 +119,6 @@ std::optional<TargetError> check(const ConeTarget& target) {
   if (target.beam_angle && target.field_angle && !(*target.field_angle > *target.beam_angle)) {
     return error("field_angle", *target.field_angle, "must be larger than the beam angle");
   }
-  double peak = 0;
   std::size_t count = 0;
   for (std::size_t i = 0; i < target.samples.size(); ++i) {
     const auto& [angle, intensity, weight] = target.samples[i];
@@ -131,14 +130,14 @@ std::optional<TargetError> check(const ConeTarget& target) {
     if (!(weight == 0 || (weight >= 1e-100 && weight <= 1e100))) {
       return error("weight", weight, "must be 0 or in [1e-100, 1e100]", i);
     }
-    if (weight == 0) continue;
-    ++count;
-    peak = std::max(peak, intensity);
+    if (weight > 0) ++count;
   }
   if (!target.beam_angle && !target.field_angle && count < 2) {
     return error("samples", double(count), "must be at least two with weight where no beam or field angle is given");
   }
-  if (count > 0 && peak == 0) return error("samples.intensity", peak, "must be > 0 for one of the samples with weight");
+  if (count > 0 && peak_of(target.samples) == 0) {
+    return error("samples.intensity", 0, "must be > 0 for one of the samples with weight");
+  }
   return std::nullopt;
 }
 
@@ -146,6 +145,12 @@ std::vector<ConeSample> cone_samples(const std::vector<AxialSample>& profile) {
   std::vector<ConeSample> samples;
   for (const AxialSample& sample : profile) samples.push_back({sample.angle, sample.mean, 1});
   return samples;
+}
+
+double peak_of(const std::vector<ConeSample>& samples) {
+  double peak = 0;
+  for (const ConeSample& sample : samples) peak = std::max(peak, sample.weight > 0 ? sample.intensity : 0);
+  return peak;
 }
 
 ConeFit fit_cone(const ConeTarget& given) {

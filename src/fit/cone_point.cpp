@@ -3,12 +3,6 @@
 
 namespace litfog {
 
-double peak_of(const std::vector<ConeSample>& samples) {
-  double peak = 0;
-  for (const ConeSample& sample : samples) peak = std::max(peak, sample.intensity);
-  return peak;
-}
-
 std::vector<ConePoint> points_of(const ConeTarget& target) {
   std::vector<ConePoint> points;
   if (target.beam_angle || target.field_angle) points.emplace_back(0, 1, 1);

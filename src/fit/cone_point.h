@@ -36,8 +36,6 @@ struct ConePoint {
   double loss(double least, double most) const { return loss(std::clamp(fraction, least, most)); }
 };
 
-double peak_of(const std::vector<ConeSample>& samples);
-
 /// A target's samples and stated angles, by increasing angle.
 std::vector<ConePoint> points_of(const ConeTarget& target);
 

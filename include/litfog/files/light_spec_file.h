@@ -47,9 +47,9 @@ namespace litfog {
 ///                                               an elliptical beam, which has no samples
 ///         "field_angle_deg": 22,                full angle at 10 %, likewise
 ///         "samples": [{"angle_deg": 0, "intensity": 1, "weight": 1}],        by increasing angle; weight optional
-///         "photometry": "lamp.ies"              in place of samples: IES LM-63, EULUMDAT or an isocandela table
-///                                               (.csv, litfog/photometry/isocandela.h), relative to this file;
-///                                               without a range the light ends where its peak gives 1 lx
+///         "photometry": "lamp.ies"              in place of samples: any photometric file that read_luminaire() reads
+///                                               (litfog/photometry/luminaire.h), relative to this file; without a
+///                                               range the light ends where its peak gives 1 lx
 ///       }
 ///     }
 ///

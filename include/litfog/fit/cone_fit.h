@@ -23,6 +23,9 @@ struct ConeSample {
 /// (litfog/photometry/intensity_distribution.h).
 std::vector<ConeSample> cone_samples(const std::vector<AxialSample>& profile);
 
+/// The largest intensity of the samples with weight, 0 of none.
+double peak_of(const std::vector<ConeSample>& samples);
+
 /// Which profiles to fit.
 enum class ConeChoice {
   cosine,

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fit/advice.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "files/angle_deg.h"
+#include "fit/verdict.h"
+
+namespace litfog::fit {
+namespace {
+
+class Advice {
+ public:
+  template <typename... Arguments>
+  void add(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+    sentences_.push_back(fmt::format(format, std::forward<Arguments>(arguments)...));
+  }
+  std::vector<std::string> sentences() && { return std::move(sentences_); }
+
+ private:
+  std::vector<std::string> sentences_;
+};
+
+void advise_on_color(const glm::dvec3& color, Advice& advice) {
+  constexpr double kLikelyBytes = 10;  // no light is that bright on purpose
+  const double brightest = std::max({color.r, color.g, color.b});
+  if (brightest <= kLikelyBytes) return;
+  advice.add("The color reaches {:.6g}, and 1 is the display's white: it is linear RGB, not sRGB of 8 bits.",
+             brightest);
+}
+
+void advise_on_range(const AttenuationTarget& target, const AttenuationFit& fit, Advice& advice) {
+  const bool is_measured = target.samples.size() > 3;
+  const double largest = std::abs(fit.largest_error);
+  if (is_measured && !target.is_robust && fit.rms_error > 0.01 && largest > 3 * fit.rms_error) {
+    advice.add("One sample is off by {:.3g} times the rms error: if it is an outlier, try --robust.",
+               largest / fit.rms_error);
+  } else if (fit.rms_error > 0.1) {
+    advice.add("The range fit is off by {:.2g} % (rms): no 1/(C + L r + Q r^2) falls as the table does.",
+               100 * fit.rms_error);
+  }
+  if (is_measured && !fit.covariance) {
+    advice.add("The samples do not determine C, L and Q: other values fit as well.");
+  }
+}
+
+void advise_on_edge(const LightTarget& target, const ConeProfileFit& best, Advice& advice) {
+  const ConeTarget& cone = *target.cone;
+  if (cone.samples.empty() && !(cone.beam_angle && cone.field_angle)) {
+    advice.add(
+        "One angle does not determine the beam's edge: the profile's is an assumption{}. Give the other angle, or "
+        "samples.",
+        target.flux ? ", and with it the peak that follows from the flux" : "");
+  }
+  if (best.cone.profile != ConeProfile::cosine || cone.half_angle) return;
+  const double edge = std::pow(std::cos(best.cone.half_angle), best.cone.exponent);
+  if (edge <= 0.01) return;
+  advice.add(
+      "The cone ends at {:.3g} degrees with {:.2g} % of the peak, an edge that is visible in fog: half_angle_deg moves "
+      "it.",
+      files::degrees(best.cone.half_angle), 100 * edge);
+}
+
+void advise_on_flux(const ConeFit& cone, Advice& advice) {
+  const std::optional<double>& error = cone.best().flux_error;
+  if (!error || std::abs(*error) <= 0.1) return;
+  const auto& other = cone.profile == ConeProfile::cosine ? cone.smoothstep : cone.cosine;
+  const bool is_other_nearer = other && other->flux_error && std::abs(*other->flux_error) < 0.5 * std::abs(*error);
+  advice.add("The cone's flux is off by {:+.0f} %{}{}.", 100 * *error,
+             *error < 0 ? ": it leaves out much of the beam's spill" : "",
+             is_other_nearer ? fmt::format(". Of --profile {} it is off by {:+.0f} %", name_of(other->cone.profile),
+                                           100 * *other->flux_error)
+                             : "");
+}
+
+/// Where the mean over the turn of a nearly round beam is brightest, if its middle has less than half of that. Radians.
+std::optional<double> ring_angle(const LightTarget& target) {
+  if (!target.luminaire || target.asymmetry > kGood.asymmetry) return std::nullopt;
+  const auto& samples = target.cone->samples;
+  const auto brightest = std::ranges::max_element(samples, {}, &ConeSample::intensity);
+  if (brightest == samples.end() || samples.front().intensity >= 0.5 * brightest->intensity) return std::nullopt;
+  return brightest->angle;
+}
+
+void advise_on_shape(const LightFit& fit, Advice& advice) {
+  if (fit.beam() && fit.target.asymmetry > kRoundBeam) {
+    advice.add("The beam is not rotationally symmetric: any cone loses {:.0f} % of it (rms). --cookie keeps its shape.",
+               100 * fit.target.asymmetry);
+  }
+  if (const auto angle = ring_angle(fit.target)) {
+    advice.add(
+        "The beam is a ring, brightest {:.3g} degrees off the axis: no cone is dark in its middle. --cookie keeps its "
+        "shape.",
+        files::degrees(*angle));
+  } else if (fit.target.luminaire && fit.peak_angle > files::radians(5)) {
+    advice.add("The beam's peak is {:.3g} degrees off the cone's axis: --axis peak moves the axis there.",
+               files::degrees(fit.peak_angle));
+  }
+}
+
+void advise_on_cone(const LightFit& fit, Advice& advice) {
+  constexpr double kPlainMiss = 0.05;  // of an angle
+  const ConeProfileFit& best = fit.cone->best();
+  advise_on_edge(fit.target, best, advice);
+  if (best.field_angle_error && std::abs(*best.field_angle_error) > kPlainMiss) {
+    advice.add("The cone misses the 10 % angle by {:+.1f} %.", 100 * *best.field_angle_error);
+  }
+  advise_on_flux(*fit.cone, advice);
+  if (best.rms > 0.05) {
+    advice.add("Neither profile follows the beam well (rms error {:.2g} of the peak).", best.rms);
+  }
+  advise_on_shape(fit, advice);
+}
+
+}  // namespace
+
+std::vector<std::string> advice_on(const LightFit& fit) {
+  Advice advice;
+  advise_on_color(fit.light.color, advice);
+  if (fit.range) {
+    advise_on_range(*fit.target.range, *fit.range, advice);
+  } else {
+    advice.add("No range is given: the light does not fall off. Give its extent or a falloff table.");
+  }
+  if (fit.cone) {
+    advise_on_cone(fit, advice);
+  } else {
+    advice.add("No cone is given: a point light.");
+  }
+  return std::move(advice).sentences();
+}
+
+}  // namespace litfog::fit
