@@ -8,7 +8,6 @@
 #include <chrono>
 #include <cmath>
 #include <deque>
-#include <glm/gtc/matrix_transform.hpp>
 #include <limits>
 #include <map>
 #include <memory>
@@ -101,13 +100,12 @@ double farthest_in(double visibility) {
 }
 
 View view_of(const scene::Camera& camera, double visibility) {
-  const glm::dvec3 forward = glm::normalize(glm::dvec3(camera.target) - glm::dvec3(camera.position));
-  const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0, 1, 0)));
+  const scene::CameraAxes axes = axes_of(camera);
   const double top = std::tan(double(camera.field_of_view) / 2);
   const double side = top * kWidth / kHeight;
   return {.eye = camera.position,
-          .forward = forward,
-          .up = glm::cross(right, forward),
+          .forward = axes.forward,
+          .up = axes.up,
           .left = -side,
           .right = side,
           .bottom = -top,

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <numeric>
 #include <span>
@@ -124,7 +123,7 @@ void PlainRenderer::set_fog(const Fog& fog) {
 
 void PlainRenderer::draw() {
   const scene::Camera& camera = scene_.camera;
-  const glm::mat4 view_from_world = glm::lookAt(camera.position, camera.target, glm::vec3(0, 1, 0));
+  const glm::mat4 view_from_world = scene::view_from_world<float>(camera);
   const glm::mat4 clip_from_view = render::clip_from_view(camera, framebuffer_.aspect());
   framebuffer_.bind();
   glEnable(GL_CULL_FACE);

@@ -3,11 +3,10 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <glm/gtc/matrix_transform.hpp>
 #include <limits>
 #include <numeric>
 
-#include "measure/model.h"
+#include "measure/path_model.h"
 #include "render/gpu/depth.h"
 #include "render/gpu/geometry_buffer.h"
 #include "render/light/hidden_range.h"
@@ -18,7 +17,7 @@ namespace {
 
 /// The most that each light gives to any pixel tried, in steps of the display.
 std::vector<double> largest_contributions(render::Renderer& renderer) {
-  const measure::Model model(renderer);
+  const measure::PathModel model(renderer);
   const std::vector<measure::ReferenceLight>& lights = model.lights();
   const glm::dvec3 eye = renderer.scene().camera.position;
   const double step = render::visible_step(0);
@@ -51,8 +50,7 @@ std::vector<std::size_t> lights_with_points(const render::Renderer& renderer) {
   const render::SceneLights lights(renderer.scene(), renderer.settings());
   const scene::Camera& camera = renderer.scene().camera;
   const double aspect = double(renderer.width()) / renderer.height();
-  const glm::mat4 clip_from_world =
-      render::clip_from_view(camera, aspect) * glm::lookAt(camera.position, camera.target, glm::vec3(0, 1, 0));
+  const glm::mat4 clip_from_world = render::clip_from_view(camera, aspect) * scene::view_from_world<float>(camera);
   const render::PointList points =
       render::list_points(lights, renderer.fog(), camera.position, render::make_frustum(clip_from_world),
                           render::kPointShare * render::visible_step(0));

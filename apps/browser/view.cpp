@@ -38,14 +38,10 @@ glm::mat4 clip_from_view(const scene::Camera& camera, int width, int height) {
   return glm::infinitePerspective(camera.field_of_view, float(width) / float(height), render::kNearPlane);
 }
 
-glm::mat4 view_from_world(const scene::Camera& camera) {
-  return glm::lookAt(camera.position, camera.target, glm::vec3(0, 1, 0));
-}
-
 /// From clip space, where z is 1, to a vector from the eye.
 glm::mat4 direction_from_clip(const scene::Camera& camera, int width, int height) {
   const glm::mat4 clip_from_view = glm::perspective(camera.field_of_view, float(width) / float(height), 0.1f, 1.0f);
-  return glm::inverse(clip_from_view * glm::mat4(glm::mat3(view_from_world(camera))));
+  return glm::inverse(clip_from_view * glm::mat4(glm::mat3(scene::view_from_world<float>(camera))));
 }
 
 }  // namespace
@@ -122,7 +118,8 @@ FrameReport View::draw(const Fog& fog, const render::Display& display) {
                       updater_.kinds(), updater_.instances(), changes);
   FrameReport report{.bytes_uploaded = updater_.statistics().bytes_dirty + sizeof(FogHeader)};
 
-  const glm::mat4 clip_from_world = clip_from_view(scene_.camera, width_, height_) * view_from_world(scene_.camera);
+  const glm::mat4 clip_from_world =
+      clip_from_view(scene_.camera, width_, height_) * scene::view_from_world<float>(scene_.camera);
   glBindFramebuffer(GL_FRAMEBUFFER, drawn_->framebuffer.id());
   glViewport(0, 0, width_, height_);
   glEnable(GL_DEPTH_TEST);

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <glm/gtc/matrix_transform.hpp>
 #include <iterator>
 #include <numbers>
 #include <utility>
@@ -24,10 +23,6 @@
 
 namespace litfog::render {
 namespace {
-
-glm::mat4 view_from_world(const scene::Camera& camera) {
-  return glm::lookAt(camera.position, camera.target, glm::vec3(0, 1, 0));
-}
 
 /// Files of the sky's shaders where fog hides the sky.
 std::vector<gl::ShaderSource> hidden_sky_shaders(bool has_cookies) {
@@ -138,12 +133,12 @@ Exposure Renderer::set_exposure(const Exposure& exposure) {
 }
 
 glm::mat4 Renderer::clip_from_world() const {
-  return clip_from_view(scene_.camera, framebuffer_.aspect()) * view_from_world(scene_.camera);
+  return clip_from_view(scene_.camera, framebuffer_.aspect()) * scene::view_from_world<float>(scene_.camera);
 }
 
 View Renderer::view() const {
   // Without the eye's position: far from the origin, the rounding of a near point minus the eye would rotate the rays.
-  const auto turned = glm::mat4(glm::mat3(view_from_world(scene_.camera)));
+  const auto turned = glm::mat4(glm::mat3(scene::view_from_world<float>(scene_.camera)));
   return {.clip_from_world = clip_from_world(),
           .direction_from_clip = glm::inverse(clip_from_view(scene_.camera, framebuffer_.aspect()) * turned)};
 }

@@ -12,6 +12,7 @@
 
 #include "litfog/light.h"
 #include "litfog/photometry/cookie.h"
+#include "scene/camera.h"
 #include "scene/light_frame.h"
 #include "scene/material.h"
 #include "scene/mesh.h"
@@ -24,25 +25,6 @@ inline constexpr std::size_t kMaxTriangles = 20'000'000;
 inline constexpr std::size_t kMaxVertices = 20'000'000;  ///< of all models: 960 MB, below the 2 GiB of a GL buffer
 inline constexpr double kMaxCoordinate = 1e7;            ///< metres: floats there still resolve a metre
 inline constexpr double kMaxColor = 1e4;                 ///< a framebuffer's half floats end at 65,504
-
-/// The eye. Right-handed, Y up, metres.
-struct Camera {
-  glm::vec3 position{0.0f, 1.6f, 0.0f};
-  glm::vec3 target{0.0f, 1.6f, -1.0f};
-  float field_of_view = 1.0f;  ///< vertical, radians
-
-  friend bool operator==(const Camera&, const Camera&) = default;
-};
-
-inline constexpr double kLeastFieldOfViewDeg = 1;
-inline constexpr double kMostFieldOfViewDeg = 150;
-
-/// Whether a camera looks anywhere but straight up or down, where its picture would have no upright.
-inline bool has_heading(const Camera& camera) {
-  const glm::vec3 view = camera.target - camera.position;
-  return glm::length(glm::vec2(view.x, view.z)) > 1e-4f * glm::length(view);
-}
-inline constexpr const char* kHeadingRule = "must not be straight above or below the position, or at it";
 
 /// What lights a scene besides its lamps. Colours are linear RGB.
 struct Environment {

@@ -38,9 +38,8 @@ void look(scene::Camera& camera, double right, double up) {
 }
 
 void fly(scene::Camera& camera, double right, double up, double ahead) {
-  const glm::dvec3 forward = glm::normalize(view(camera));
-  const glm::dvec3 to_right = glm::normalize(glm::cross(forward, glm::dvec3(0, 1, 0)));
-  const glm::dvec3 step = right * to_right + up * glm::dvec3(0, 1, 0) + ahead * forward;
+  const scene::CameraAxes axes = axes_of(camera);
+  const glm::dvec3 step = right * axes.right + up * glm::dvec3(0, 1, 0) + ahead * axes.forward;
   camera.position = glm::dvec3(camera.position) + step;
   camera.target = glm::dvec3(camera.target) + step;
 }

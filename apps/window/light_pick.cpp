@@ -9,9 +9,7 @@ namespace litfog::window {
 
 std::optional<glm::dvec2> place_in_picture(const scene::Camera& camera, double aspect, const glm::dvec3& point) {
   const glm::dvec3 eye(camera.position);
-  const glm::dvec3 forward = glm::normalize(glm::dvec3(camera.target) - eye);
-  const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0, 1, 0)));
-  const glm::dvec3 up = glm::cross(right, forward);
+  const auto [forward, right, up] = axes_of(camera);
   const double depth = glm::dot(point - eye, forward);
   if (!(depth > double(render::kNearPlane))) return std::nullopt;
   const double half_height = depth * std::tan(double(camera.field_of_view) / 2);

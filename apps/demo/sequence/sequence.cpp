@@ -7,7 +7,6 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <glm/gtc/matrix_transform.hpp>
 #include <set>
 
 #include "command/command.h"
@@ -94,10 +93,7 @@ int count_frames(const SequenceOptions& options) {
 
 /// Moves a scene's carried lights as a camera moves, as if both were one rigid body.
 void carry_lights(scene::Scene& scene, const scene::Camera& from, const scene::Camera& to) {
-  const auto view_from_world = [](const scene::Camera& camera) {
-    return glm::lookAt(glm::dvec3(camera.position), glm::dvec3(camera.target), glm::dvec3(0, 1, 0));
-  };
-  const glm::dmat4 motion = glm::inverse(view_from_world(to)) * view_from_world(from);
+  const glm::dmat4 motion = glm::inverse(scene::view_from_world<double>(to)) * scene::view_from_world<double>(from);
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     PlacedLight& light = scene.lights[i];
     if (!light.carried) continue;

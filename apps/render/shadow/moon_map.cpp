@@ -43,7 +43,7 @@ std::vector<MoonMap> fit_moon_maps(const scene::Scene& scene, const scene::Bound
   if (environment.moon_color == glm::vec3(0.0f)) return {};
   constexpr double kNextDistance = 4;
   const glm::dvec3 eye = scene.camera.position;
-  const glm::dvec3 forward = glm::normalize(glm::dvec3(scene.camera.target) - eye);
+  const glm::dvec3 forward = axes_of(scene.camera).forward;
   const double slope = std::tan(0.5 * double(scene.camera.field_of_view)) * std::hypot(1.0, aspect);
   const glm::dmat3 frame_from_world = scene::basis_from_world(-glm::normalize(glm::dvec3(environment.moon_direction)));
   const Box all = turned(bounds, frame_from_world);

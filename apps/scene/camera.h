@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/glm.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace litfog::scene {
+
+/// The eye. Right-handed, Y up, metres.
+struct Camera {
+  glm::vec3 position{0.0f, 1.6f, 0.0f};
+  glm::vec3 target{0.0f, 1.6f, -1.0f};
+  float field_of_view = 1.0f;  ///< vertical, radians
+
+  friend bool operator==(const Camera&, const Camera&) = default;
+};
+
+inline constexpr double kLeastFieldOfViewDeg = 1;
+inline constexpr double kMostFieldOfViewDeg = 150;
+
+/// Whether a camera looks anywhere but straight up or down, where its picture would have no upright.
+inline bool has_heading(const Camera& camera) {
+  const glm::vec3 view = camera.target - camera.position;
+  return glm::length(glm::vec2(view.x, view.z)) > 1e-4f * glm::length(view);
+}
+inline constexpr const char* kHeadingRule = "must not be straight above or below the position, or at it";
+
+/// Unit vectors along a camera's axis, and to the right and up in its picture.
+///
+/// camera  has_heading
+struct CameraAxes {
+  glm::dvec3 forward;
+  glm::dvec3 right;
+  glm::dvec3 up;
+};
+inline CameraAxes axes_of(const Camera& camera) {
+  const glm::dvec3 forward = glm::normalize(glm::dvec3(camera.target) - glm::dvec3(camera.position));
+  const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0, 1, 0)));
+  return {.forward = forward, .right = right, .up = glm::cross(right, forward)};
+}
+
+/// Into a camera's view: the eye at the origin, x to the right, y up, -z along the camera's axis.
+///
+/// camera  has_heading
+template <typename Real>
+glm::mat<4, 4, Real> view_from_world(const Camera& camera) {
+  using Vector = glm::vec<3, Real>;
+  return glm::lookAt(Vector(camera.position), Vector(camera.target), Vector(0, 1, 0));
+}
+
+}  // namespace litfog::scene
