@@ -6,16 +6,10 @@
 #include <numbers>
 
 #include "litfog/formulas.h"
+#include "render/light/hidden_range.h"
 
 namespace litfog::measure {
 namespace {
-
-/// Bound of -f'(s) f(r) along a ray, 1/m.
-double largest_weight(const Fog& fog, double eye_range) {
-  const double depth = fog.density * eye_range;
-  if (fog.mode == FogMode::exp) return fog.density * std::exp(-depth);
-  return 2 * std::exp(-0.5) * fog.density * std::exp(-depth * depth / 3);
-}
 
 /// The cosine between a cone's axis and the direction from its light to the point of a ray where the angle is smallest,
 /// rounded up.
@@ -64,7 +58,7 @@ double airlight_bound(const ReferenceLight& light, const EyeRay& ray, const Scat
       formulas::denominator(offset, attenuation.constant, attenuation.linear, attenuation.quadratic);
   const double integral =
       std::min(brightest * (last - first), std::numbers::pi / std::sqrt(attenuation.quadratic * denominator));
-  return factor * std::min(brightest, largest_weight(light.fog, eye_range) * integral);
+  return factor * std::min(brightest, render::largest_fog_weight(light.fog, eye_range) * integral);
 }
 
 }  // namespace litfog::measure

@@ -9,12 +9,9 @@ namespace litfog::measure {
 /// A bound of a light's airlight along a ray, through fog that dims the lamp's leg too: cheap enough to find the few
 /// lights of thousands that matter. Cookies count as if they let all light through.
 ///
-/// With d the density, L the distance from the eye to the lamp, s and r those from a point on the ray to the eye and to
-/// the lamp, s + r >= L. So in exp fog -f'(s) f(r) = d e^(-d (s + r)) <= d e^(-d L). In exp2 fog -f'(s) f(r) =
-/// [2 d^2 s e^(-(d s)^2 / 2)] e^(-d^2 (s^2 / 2 + r^2)); the bracket is at most 2 d e^(-1/2), at d s = 1, and
-/// s^2 / 2 + r^2 >= L^2 / 3, at s = 2 L / 3. That times the integral of the attenuation over the ray bounds the
-/// airlight. The integral is at most the attenuation at the point nearest to the lamp times the length within the
-/// extent; and with D the attenuation's denominator and h the lamp's distance from the ray's line, at most
+/// The bound of -f'(s) f(r) that render::largest_fog_weight has, times the integral of the attenuation over the ray,
+/// bounds the airlight. The integral is at most the attenuation at the point nearest to the lamp times the length
+/// within the extent; and with D the attenuation's denominator and h the lamp's distance from the ray's line, at most
 /// pi / sqrt(Q D(h)), because D >= D(h) + Q x^2 at the distance x from the closest approach. The attenuation at the
 /// nearest point alone is a bound, too: the fog's -f' adds up to at most 1. All of them are multiplied with the cone at
 /// the smallest angle from its axis, and with the largest value of the phase function.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "measure/model.h"
+#include "measure/path_model.h"
 
 namespace litfog::measure {
 
@@ -12,7 +12,7 @@ namespace litfog::measure {
 class JumpWatch {
  public:
   /// model  has to outlive this
-  explicit JumpWatch(const Model& model) : model_(model) {}
+  explicit JumpWatch(const PathModel& model) : model_(model) {}
 
   /// Of the light that a surface sends to the eye.
   bool is_at_jump(const SurfacePoint& point) const;
@@ -26,7 +26,7 @@ class JumpWatch {
   bool is_at_jump(const SurfacePoint& point, const ReferenceLight& light, const LightRay& ray) const;
   bool is_at_shadow_edge(const SurfacePoint& point, const ReferenceLight& light, const LightRay& ray) const;
 
-  const Model& model_;
+  const PathModel& model_;
 };
 
 }  // namespace litfog::measure

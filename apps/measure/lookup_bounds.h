@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "measure/model.h"
+#include "measure/path_model.h"
 
 namespace litfog::measure {
 
@@ -11,7 +11,7 @@ namespace litfog::measure {
 class LookupBounds {
  public:
   /// model  of a path with light maps; has to outlive this
-  LookupBounds(const Model& model, const render::RenderSettings& settings)
+  LookupBounds(const PathModel& model, const render::RenderSettings& settings)
       : model_(model), cone_maps_(settings.cone_maps), texel_(2.0 / (settings.map_size - 1)) {}
 
   struct Interval {
@@ -30,7 +30,7 @@ class LookupBounds {
   };
   Fractions emitted(const ReferenceLight& light, const glm::dvec3& direction) const;
 
-  const Model& model_;
+  const PathModel& model_;
   render::ConeMaps cone_maps_;
   double texel_;  // of a map's coordinates, which run from -1 to 1
 };

@@ -33,10 +33,10 @@ std::vector<ReferenceLight> reference_lights(const scene::Scene& scene, const Fo
     placed.light.cone = render::drawn_cone(placed.light.cone, settings);
     const Light& light = placed.light;
     // Beyond a light's end a(r) is below the threshold, and the fog's weights along a ray sum to less than 1.
-    const double share = kCutOff * std::exp2(-exposure) / double(scene.lights.size());
+    const double each = kCutOff * std::exp2(-exposure) / double(scene.lights.size());
     const double brightest = render::largest_component(light.color) * largest_phase({.asymmetry = scene.phase_g});
     const double fog_threshold =
-        has_far_ends && brightest > 0 ? std::min(light.threshold, share / brightest) : light.threshold;
+        has_far_ends && brightest > 0 ? std::min(light.threshold, each / brightest) : light.threshold;
     const bool has_intensity = placed.carried && settings.fog_lighting == render::FogLighting::peak;
     const auto use = scene.cookie_uses.find(i);
     const bool has_cookie = use != scene.cookie_uses.end();

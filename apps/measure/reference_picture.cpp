@@ -12,8 +12,8 @@
 
 #include "measure/jump_watch.h"
 #include "measure/lookup_bounds.h"
-#include "measure/model.h"
 #include "measure/night_sky.h"
+#include "measure/path_model.h"
 #include "parallel.h"
 #include "render/gpu/geometry_buffer.h"
 
@@ -24,27 +24,23 @@ namespace {
 class PixelRays {
  public:
   PixelRays(const scene::Camera& camera, int width, int height)
-      : forward_(glm::normalize(glm::dvec3(camera.target) - glm::dvec3(camera.position))),
-        middle_(width / 2.0, height / 2.0) {
-    const double pixel = 2 * std::tan(double(camera.field_of_view) / 2) / height;
-    const glm::dvec3 right = glm::normalize(glm::cross(forward_, glm::dvec3(0, 1, 0)));
-    right_ = right * pixel;
-    up_ = glm::cross(right, forward_) * pixel;
-  }
+      : axes_(axes_of(camera)),
+        pixel_(2 * std::tan(double(camera.field_of_view) / 2) / height),
+        middle_(width / 2.0, height / 2.0) {}
 
   glm::dvec3 direction(int x, int y) const {
-    return glm::normalize(forward_ + right_ * (x + 0.5 - middle_.x) + up_ * (middle_.y - y - 0.5));
+    const glm::dvec2 off = pixel_ * glm::dvec2(x + 0.5 - middle_.x, middle_.y - y - 0.5);
+    return glm::normalize(axes_.forward + axes_.right * off.x + axes_.up * off.y);
   }
 
   /// Metres along a direction to a distance along the camera's axis.
   double length_to(double distance, const glm::dvec3& direction) const {
-    return distance / glm::dot(direction, forward_);
+    return distance / glm::dot(direction, axes_.forward);
   }
 
  private:
-  glm::dvec3 forward_;
-  glm::dvec3 right_;  // a pixel's width
-  glm::dvec3 up_;
+  scene::CameraAxes axes_;
+  double pixel_;       // the size of one, a metre ahead
   glm::dvec2 middle_;  // pixels
 };
 
@@ -175,7 +171,7 @@ class ReferenceShading {
             .is_at_jump = jumps_.is_at_jump(veil, position) || jumps_.is_at_fog_horizon(fog_above_eye_, direction)};
   }
 
-  Model model_;
+  PathModel model_;
   JumpWatch jumps_;
   std::optional<LookupBounds> bounds_;  // of paths with light maps
   glm::dvec3 eye_;

@@ -23,7 +23,7 @@ struct ReferencePicture {
 };
 
 /// Shades a renderer's scene, without the points of its lamps, on the CPU in double by the plain formulas of its
-/// lighting path: Model for surfaces and fog, night_sky for the sky.
+/// lighting path: PathModel for surfaces and fog, night_sky for the sky.
 ///
 /// Only the rasterised values of each sample are the GPU's, in floats: the position, the interpolated normal and
 /// tangent, and the texels of the material's maps, because OpenGL leaves their filter and level of detail to the

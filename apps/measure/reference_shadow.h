@@ -14,8 +14,8 @@ namespace litfog::measure {
 /// The shadows of a renderer's lamps and of its directional light by rays in double: without maps, so with sharp edges.
 class ReferenceShadows {
  public:
-  /// How far a shadow map may put the edge of a shadow beside its place, in texels of the map: three fit around the
-  /// place that is compared, and a surface narrower than a texel may be missed.
+  /// How far a shadow map may move the edge of a shadow, in texels of the map: three fit around the position that is
+  /// compared, and a surface narrower than a texel may be missed.
   static constexpr double kEdgeTexels = 2.5;
 
   /// renderer  whose settings have shadows
@@ -44,7 +44,7 @@ class ReferenceShadows {
     double first, distance;  // metres
   };
   bool is_met(const Probe& probe, double before_plane) const;
-  /// probe_at  of a place beside the position, in texels across the light's ray; nothing where the plane is seen edge
+  /// probe_at  of a point beside the position, in texels across the light's ray; nothing where the plane is seen edge
   /// on
   template <typename ProbeAt>
   bool is_at_edge(const ProbeAt& probe_at, double contact) const;

@@ -83,7 +83,7 @@ std::optional<TriangleTree::Crossing> TriangleTree::crossing_of(const Corners& c
   return Crossing{glm::dot(e2, q) / determinant, u, v};
 }
 
-bool TriangleTree::is_left(const Triangle& triangle, const Crossing& crossing) const {
+bool TriangleTree::is_kept(const Triangle& triangle, const Crossing& crossing) const {
   if (triangle.mask == kNoMask) return true;
   const Mask& mask = masks_[triangle.mask];
   const std::array<glm::dvec3, 3>& at = mask.uv_coverage;
@@ -162,7 +162,7 @@ void TriangleTree::search(const glm::dvec3& origin, const glm::dvec3& direction,
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
       const std::optional<Crossing> crossing = crossing_of(triangles_[i].corners, origin, direction);
       const bool is_between = crossing && crossing->distance >= first && crossing->distance <= last;
-      if (is_between && is_left(triangles_[i], *crossing)) last = found(triangles_[i].corners, crossing->distance);
+      if (is_between && is_kept(triangles_[i], *crossing)) last = found(triangles_[i].corners, crossing->distance);
     }
   }
 }

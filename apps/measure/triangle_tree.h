@@ -13,7 +13,7 @@
 namespace litfog::measure {
 
 /// The triangles of a scene in a tree of boxes, all in double, for rays that ask what they meet. Both sides of a
-/// triangle count, and where its material has a mask, only what that leaves: by the base texture itself, without
+/// triangle count, and where its material has a mask, only what that keeps: by the base texture itself, without
 /// mipmaps.
 class TriangleTree {
  public:
@@ -53,8 +53,8 @@ class TriangleTree {
   void build(std::uint32_t first, std::uint32_t count);
   static std::optional<Crossing> crossing_of(const Corners& corners, const glm::dvec3& origin,
                                              const glm::dvec3& direction);
-  /// Whether the triangle's mask, if it has one, leaves it there.
-  bool is_left(const Triangle& triangle, const Crossing& crossing) const;
+  /// Whether the triangle has no mask, or one that keeps it at the crossing.
+  bool is_kept(const Triangle& triangle, const Crossing& crossing) const;
   /// Calls found(corners, distance) for what the ray meets; it returns the distance up to which to go on.
   template <typename Found>
   void search(const glm::dvec3& origin, const glm::dvec3& direction, double first, double last,

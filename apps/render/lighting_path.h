@@ -96,7 +96,7 @@ struct LightingPath {
   bool has_normal_maps = false;  ///< else the vertices' normals
   bool has_lit_fog = true;       ///< else the ambient fog colour alone
   bool takes_airlight = false;   ///< its lamps light each fragment: fog can dim them on their way, shadows hide them
-  bool has_reference = true;     ///< measure::Model has its formulas
+  bool has_reference = true;     ///< measure::PathModel has its formulas
   /// hidden_range.h is known to bound what its surfaces send to the eye, all of it through the fog: fog can hide them.
   bool has_light_bound = false;
   bool pairs_lights = false;  ///< a batch is lit by its first light's range, so that no light can be left out

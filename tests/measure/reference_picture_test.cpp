@@ -13,8 +13,8 @@
 #include <optional>
 
 #include "gl/gl_test.h"
-#include "measure/model.h"
 #include "measure/no_more_threads.h"
+#include "measure/path_model.h"
 #include "measure/picture_error.h"
 #include "reference/srgb.h"
 #include "render/pixel.h"
@@ -560,7 +560,7 @@ TEST_F(ReferencePictureTest, AirlightOfManyLampsBeyondTheirExtentsIsThatOfTheRef
     double cut_off = 0;  // of a ray over the lamps
     double whole = 0;
     const EyeRay ray{.origin = scene.camera.position, .direction = glm::normalize(glm::dvec3(0, 0.15, -1))};
-    const measure::Model model(renderer);
+    const measure::PathModel model(renderer);
     for (const ReferenceLight& light : model.lights()) {
       whole += light.airlight(fog, ray, {});
       cut_off += reference_airlight(light.placed, fog, ray);

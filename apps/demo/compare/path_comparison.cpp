@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "command/progress.h"
 #include "command/standard_output.h"
@@ -60,9 +61,43 @@ std::vector<std::unique_ptr<render::Renderer>> make_renderers(const scene::Scene
 /// The times of every path, in the paths' order.
 std::vector<measure::FrameTimes> time_paths(const std::vector<std::unique_ptr<render::Renderer>>& renderers, int frames,
                                             const measure::Progress& progress) {
-  std::vector<measure::DrawFrame> in_turn;
-  for (const auto& renderer : renderers) in_turn.push_back(measure::frames_of(*renderer));
-  return measure::time_frames(in_turn, measure::FrameBudget::exactly(frames), progress);
+  std::vector<measure::DrawFrame> draws;
+  for (const auto& renderer : renderers) draws.push_back(measure::frames_of(*renderer));
+  return measure::time_frames(draws, measure::FrameBudget::exactly(frames), progress);
+}
+
+/// Chooses an automatic exposure by the first path's picture and gives it to all renderers.
+render::Display set_exposures(const std::vector<std::unique_ptr<render::Renderer>>& renderers,
+                              render::Display display) {
+  display.exposure = renderers.front()->set_exposure(display.exposure);
+  for (const auto& renderer : renderers) renderer->set_exposure({.ev = display.exposure.ev});
+  return display;
+}
+
+PathResult result_of(const render::LightingPath& path, const measure::FrameTimes& times,
+                     const measure::FrameTimes& legacy, const measure::PictureError& error) {
+  return {.path = &path,
+          .milliseconds = times.median(),
+          .spread = times.spread(),
+          .over_legacy = times.median() / legacy.median(),
+          .largest_error = error.largest,
+          .mean_error = error.mean,
+          .excluded = error.excluded};
+}
+
+/// Reports a path's result, writes its pictures and adds what it has drawn to the scene's sheet.
+void show_path(const SceneResult& scene, const PathResult& result, const measure::Comparison& comparison,
+               const render::Display& display, PictureFolder& pictures, Sheet& sheet) {
+  const render::LightingPath& path = *result.path;
+  const std::string time = fmt::format("{} ms a frame, {:.2f} x legacy",
+                                       measure::milliseconds_text(result.milliseconds), result.over_legacy);
+  const std::string error = measure::error_in_words(comparison.error);
+  command::report(fmt::format("  {:<12} {:>32}; {}\n", path.name, time, error));
+  render::Picture drawn = render::displayed(comparison.drawn, display);
+  sheet.add(drawn, {fmt::format("{}: {}", path.name, time), error});
+  pictures.write(scene.error_file(path), make_heat_map(comparison.error, fmt::format("{}, {}", scene.name, path.name)));
+  pictures.write(scene.drawn_file(path), std::move(drawn));
+  pictures.write(scene.reference_file(path), render::displayed(comparison.reference, display));
 }
 
 SceneResult compare_scene(const scene::Scene& scene, PictureFolder& pictures, const std::string& machine,
@@ -75,9 +110,7 @@ SceneResult compare_scene(const scene::Scene& scene, PictureFolder& pictures, co
                      .lights = scene.lights.size()};
   command::report(fmt::format("{}: {} lights, {}\n", scene.name, scene.lights.size(), result.conditions));
   auto renderers = make_renderers(scene, fog, options);
-  render::Display display = options.display.display_for(scene);
-  display.exposure = renderers.front()->set_exposure(display.exposure);
-  for (const auto& renderer : renderers) renderer->set_exposure({.ev = display.exposure.ev});  // one for all pictures
+  const render::Display display = set_exposures(renderers, options.display.display_for(scene));
   if (const std::string words = display_in_words(display); !words.empty()) result.conditions += ", " + words;
   pictures.finish();  // encoding would take time from the frames
   command::Progress shown;
@@ -89,31 +122,15 @@ SceneResult compare_scene(const scene::Scene& scene, PictureFolder& pictures, co
   const auto legacy = std::size_t(render::find_lighting_path("legacy") - paths.data());
   Sheet sheet;
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    const render::LightingPath& path = paths[i];
-    measure::Comparison comparison = measure::compare_with_reference(*renderers[i], progress);
+    const measure::Comparison comparison = measure::compare_with_reference(*renderers[i], progress);
     renderers[i].reset();
-    const measure::PictureError& error = comparison.error;
-    const PathResult& row =
-        result.paths.emplace_back(PathResult{.path = &path,
-                                             .milliseconds = times[i].median(),
-                                             .spread = times[i].spread(),
-                                             .over_legacy = times[i].median() / times[legacy].median(),
-                                             .largest_error = error.largest,
-                                             .mean_error = error.mean,
-                                             .excluded = error.excluded});
-    render::Picture drawn = render::displayed(comparison.drawn, display);
-    render::Picture reference = render::displayed(comparison.reference, display);
     if (i == 0) {
-      sheet.add(reference, {fmt::format("{}, {}: reference in double", scene.name, result.conditions),
-                            fmt::format("{} x {} on {}", options.width, options.height, machine)});
+      sheet.add(render::displayed(comparison.reference, display),
+                {fmt::format("{}, {}: reference in double", scene.name, result.conditions),
+                 fmt::format("{} x {} on {}", options.width, options.height, machine)});
     }
-    const std::string time =
-        fmt::format("{} ms a frame, {:.2f} x legacy", measure::milliseconds_text(row.milliseconds), row.over_legacy);
-    sheet.add(drawn, {fmt::format("{}: {}", path.name, time), measure::error_in_words(error)});
-    command::report(fmt::format("  {:<12} {:>32}; {}\n", path.name, time, measure::error_in_words(error)));
-    pictures.write(result.error_file(path), make_heat_map(error, fmt::format("{}, {}", scene.name, path.name)));
-    pictures.write(result.drawn_file(path), std::move(drawn));
-    pictures.write(result.reference_file(path), std::move(reference));
+    result.paths.push_back(result_of(paths[i], times[i], times[legacy], comparison.error));
+    show_path(result, result.paths.back(), comparison, display, pictures, sheet);
   }
   pictures.write(result.sheet_file(), sheet.picture());
   return result;

@@ -239,12 +239,12 @@ void compare_settings(const std::vector<Setting>& settings, const std::string& f
   const PictureFolder page(folder, {kPageFile}, inputs);
 
   const std::vector<SettingRenderer> renderers = make_renderers(settings, scenes);
-  std::vector<measure::DrawFrame> in_turn;
-  for (const SettingRenderer& each : renderers) in_turn.push_back(measure::frames_of(*each.renderer));
+  std::vector<measure::DrawFrame> draws;
+  for (const SettingRenderer& each : renderers) draws.push_back(measure::frames_of(*each.renderer));
   command::Progress shown;
   const measure::Progress progress = [&shown](std::string_view step) { shown.show(step); };
   const std::vector<measure::FrameTimes> times =
-      measure::time_frames(in_turn, measure::FrameBudget::exactly(frames), progress);
+      measure::time_frames(draws, measure::FrameBudget::exactly(frames), progress);
 
   std::vector<render::Picture> pictures;
   std::vector<SettingResult> results;

@@ -32,8 +32,8 @@ struct LightRay {
   glm::dvec3 direction;  ///< unit
   double range;          ///< metres
 };
-/// Nothing if the position is farther than a range, or if it is the light's own, to which there is no direction.
 inline constexpr double kAnyRange = std::numeric_limits<double>::infinity();
+/// Nothing if the position is farther than a range, or if it is the light's own, to which there is no direction.
 std::optional<LightRay> ray_within(double range, const ReferenceLight& light, const glm::dvec3& position);
 
 /// The fog before a position: over(colour) is how the eye sees the colour behind it.
@@ -46,10 +46,10 @@ struct Veil {
 
 /// The formulas of a renderer's lighting path in double, written as the papers have them: no maps, no tessellation, no
 /// skipping. Every light is evaluated at every sample, but for airlight that is proved to be negligible.
-class Model {
+class PathModel {
  public:
   /// renderer  has to outlive this
-  explicit Model(const render::Renderer& renderer);
+  explicit PathModel(const render::Renderer& renderer);
 
   const std::vector<ReferenceLight>& lights() const { return lights_; }
   const render::LightingPath& path() const { return path_; }
@@ -63,7 +63,7 @@ class Model {
   glm::dvec3 surface_color(const SurfacePoint& point) const;
   /// Its emissive, ambient and directional light.
   glm::dvec3 without_lamps(const SurfacePoint& point) const;
-  /// A light's attenuation by the path's range law and, lit by airlight, by the fog on its way; 0 beyond its extent.
+  /// A light's attenuation by the path's range law and, lit by airlight, by the fog before it; 0 beyond its extent.
   double falloff(const ReferenceLight& light, double range) const;
   /// The fraction of the light from a unit direction that the surface reflects.
   glm::dvec3 reflectance(const SurfacePoint& point, const glm::dvec3& to_light) const;

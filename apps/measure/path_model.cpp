@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "measure/model.h"
+#include "measure/path_model.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +32,7 @@ std::optional<LightRay> ray_within(double range, const ReferenceLight& light, co
   return LightRay{offset / length, length};
 }
 
-Model::Model(const render::Renderer& renderer)
+PathModel::PathModel(const render::Renderer& renderer)
     : settings_(renderer.settings()),
       path_(*renderer.settings().path),
       environment_(renderer.scene().environment),
@@ -42,7 +42,7 @@ Model::Model(const render::Renderer& renderer)
       lights_(reference_lights(renderer.scene(), renderer.fog(), renderer.settings(), renderer.ends_exposure())),
       airlight_budget_(kAirlightBudget * std::exp2(-renderer.exposure())),
       eye_(renderer.scene().camera.position),
-      forward_(glm::normalize(glm::dvec3(renderer.scene().camera.target) - eye_)) {
+      forward_(axes_of(renderer.scene().camera).forward) {
   if (!renderer.shadows()) return;
   shadows_.emplace(renderer);
   for (const render::ShadowCaster& caster : renderer.shadows()->casters()) {
@@ -54,7 +54,7 @@ Model::Model(const render::Renderer& renderer)
   }
 }
 
-SurfacePoint Model::surface_point(const render::GeometrySample& sample) const {
+SurfacePoint PathModel::surface_point(const render::GeometrySample& sample) const {
   const scene::Material& material = materials_[std::size_t(sample.material)];
   const glm::dvec3 position = sample.position;
   const bool is_basic = path_.surface == render::SurfaceModel::basic;
@@ -69,7 +69,7 @@ SurfacePoint Model::surface_point(const render::GeometrySample& sample) const {
           .vertex_moon_cosine = glm::dot(glm::dvec3(sample.normal), glm::dvec3(environment_.moon_direction))};
 }
 
-glm::dvec3 Model::surface_color(const SurfacePoint& point) const {
+glm::dvec3 PathModel::surface_color(const SurfacePoint& point) const {
   glm::dvec3 color = without_lamps(point);
   for (const ReferenceLight& light : lights_) {
     const auto ray = ray_within(light.extent, light, point.position);
@@ -81,13 +81,13 @@ glm::dvec3 Model::surface_color(const SurfacePoint& point) const {
   return color;
 }
 
-glm::dvec3 Model::without_lamps(const SurfacePoint& point) const {
+glm::dvec3 PathModel::without_lamps(const SurfacePoint& point) const {
   const glm::dvec3 color = point.emissive + point.diffuse * glm::dvec3(environment_.ambient_light);
   const glm::dvec3 moonlit = moonlight(point);
   return moonlit == glm::dvec3(0.0) || is_in_moon_shadow(point) ? color : color + moonlit;
 }
 
-glm::dvec3 Model::moonlight(const SurfacePoint& point) const {
+glm::dvec3 PathModel::moonlight(const SurfacePoint& point) const {
   const glm::dvec3 moon_color = environment_.moon_color;
   if (path_.evaluation == render::Evaluation::lookup) {  // Hales: the shading value, interpolated
     return moon_color * point.diffuse * std::clamp(point.vertex_moon_cosine, 0.0, 1.0);
@@ -95,7 +95,7 @@ glm::dvec3 Model::moonlight(const SurfacePoint& point) const {
   return moon_color * reflectance(point, environment_.moon_direction);
 }
 
-double Model::falloff(const ReferenceLight& light, double range) const {
+double PathModel::falloff(const ReferenceLight& light, double range) const {
   if (range > light.extent) return 0;
   const bool is_fogged = settings_.fog_lighting == render::FogLighting::airlight;
   const double through = is_fogged ? fog_factor_at(light.fog, range) : 1;
@@ -105,7 +105,7 @@ double Model::falloff(const ReferenceLight& light, double range) const {
   return through * (1 - fraction * fraction);
 }
 
-glm::dvec3 Model::reflectance(const SurfacePoint& point, const glm::dvec3& to_light) const {
+glm::dvec3 PathModel::reflectance(const SurfacePoint& point, const glm::dvec3& to_light) const {
   if (path_.surface == render::SurfaceModel::unshaded) return point.diffuse;
   const double cosine = glm::dot(point.normal, to_light);
   if (path_.surface == render::SurfaceModel::diffuse) {
@@ -114,7 +114,7 @@ glm::dvec3 Model::reflectance(const SurfacePoint& point, const glm::dvec3& to_li
   return cosine > 0 ? point.diffuse * cosine + highlight(point, to_light) : glm::dvec3(0.0);
 }
 
-glm::dvec3 Model::highlight(const SurfacePoint& point, const glm::dvec3& to_light) const {
+glm::dvec3 PathModel::highlight(const SurfacePoint& point, const glm::dvec3& to_light) const {
   if (point.specular == glm::dvec3(0.0)) return glm::dvec3(0.0);
   const glm::dvec3 half_vector = glm::normalize(to_light + point.to_eye);
   return point.specular * std::pow(std::max(glm::dot(point.normal, half_vector), 0.0), point.shininess);
@@ -122,7 +122,7 @@ glm::dvec3 Model::highlight(const SurfacePoint& point, const glm::dvec3& to_ligh
 
 /// Ambient fog + sum over the carried lights of color * cone * intensity (Steven Hales 2004, "Realtime Pixel Lighting
 /// Using Fragment Programs", section "Lighting in Fog").
-Veil Model::veil(const glm::dvec3& position) const {
+Veil PathModel::veil(const glm::dvec3& position) const {
   Veil veil{.color = environment_.ambient_fog_color, .opacity = opacity_at(fog_, glm::distance(position, eye_))};
   if (veil.opacity <= 0) return veil;
   for (const ReferenceLight& light : lights_) {
@@ -133,7 +133,7 @@ Veil Model::veil(const glm::dvec3& position) const {
   return veil;
 }
 
-double Model::airlight(const ReferenceLight& light, const EyeRay& ray) const {
+double PathModel::airlight(const ReferenceLight& light, const EyeRay& ray) const {
   if (!light.casts_shadows || settings_.shadows != render::Shadows::shafts) {
     return light.airlight(fog_, ray, scattering_);
   }
@@ -148,7 +148,7 @@ double Model::airlight(const ReferenceLight& light, const EyeRay& ray) const {
   return sum;
 }
 
-glm::dvec3 Model::airlight(const glm::dvec3& direction, double length) const {
+glm::dvec3 PathModel::airlight(const glm::dvec3& direction, double length) const {
   glm::dvec3 sum(0.0);
   if (settings_.fog_lighting != render::FogLighting::airlight) return sum;
   const EyeRay ray{.origin = eye_, .direction = direction, .length = length};
