@@ -35,7 +35,8 @@ std::vector<FrameTimes> time_frames(const std::vector<DrawFrame>& renderers, con
     if (timed < budget.fewest) return false;
     return timed == budget.most || Clock::now() - first_timed >= std::chrono::duration<double>(budget.seconds);
   };
-  for (int timed = -1; !is_enough(timed); ++timed) {  // the first is not
+  const int untimed = renderers.size() > 1 ? 2 : 1;
+  for (int timed = -untimed; !is_enough(timed); ++timed) {
     if (timed == 0) first_timed = Clock::now();
     for (std::size_t i = 0; i < renderers.size(); ++i) {
       if (progress) {
