@@ -292,7 +292,7 @@ Scene ball_between_lamps() {
 std::vector<SheetEntry> nested_flags(const FigurePainter& painter, Scene scene) {
   scene.lights.clear();
   for (int i = 0; i < 6; ++i) {
-    scene.lights.push_back(lamp({i % 2 == 0 ? -2.2 : 2.2, 1.8, 1.2 - 2.4 * (i / 2)}, {1, 0, 2}));
+    scene.lights.push_back(lamp({i % 2 == 0 ? -2.2 : 2.2, 1.8, 1.2 - 2.4 * (i / 2)}, {1, 0, 0.4}));
   }
   std::vector<std::unique_ptr<render::Renderer>> renderers;
   for (const char* path : {"unified", "nested"}) renderers.push_back(painter.renderer(scene, along(path)));
