@@ -30,6 +30,8 @@ class SmoothstepProfile {
   ConeParameters softest(const ConeParameters& parameters, double exact, bool& is_identified) const;
 
  private:
+  double mean_value_bound(const ConeBox& box) const;
+
   const std::vector<ConePoint>& points_;
   std::optional<double> outer_;  // versine, where given
 };
