@@ -16,10 +16,13 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kTolerance = 1e-9;       // radians: a direction at the last measured angle must not round to beyond it
-constexpr int kEquatorSteps = 360;        // of the largest circle about an axis; of others by their circumference
-constexpr int kLeastSteps = 72;           // of any circle
-constexpr int kAxialStepsPerTurn = 1440;  // a quarter degree from an axis
+constexpr double kTolerance = 1e-9;  // radians: a direction at the last measured angle must not round to beyond it
+constexpr int kEquatorSteps = 360;   // of the largest circle about an axis; of others by their circumference
+constexpr int kLeastSteps = 72;      // of any circle
+constexpr int kAxialSteps = 720;     // of a quarter degree, from an axis to its opposite
+constexpr double kAxialStep = pi / kAxialSteps;
+constexpr double kLeastAxialStep = kAxialStep / 25;
+constexpr int kFineSteps = 100;  // of a finer grid, from the axis
 
 double sum_of(const glm::dvec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
@@ -242,21 +245,51 @@ void extend_to_pi(std::vector<double>& angles, bool is_last_lit) {
   if (angles.back() < pi) angles.push_back(pi);
 }
 
-/// Of the circles on which a beam's asymmetry is measured.
-std::vector<double> asymmetry_angles() {
+double least_difference(std::span<const double> angles) {
+  double least = kAxialStep;
+  for (std::size_t i = 1; i < angles.size(); ++i) least = std::min(least, angles[i] - angles[i - 1]);
+  return least;
+}
+
+/// From 0 to pi in quarters of a degree; of a finer grid, which a narrow beam has, in its own steps near the axis.
+std::vector<double> axial_angles(const IntensityDistribution& distribution) {
+  double step = least_difference(distribution.vertical);
+  if (distribution.type != PhotometryType::c) step = std::min(step, least_difference(distribution.horizontal));
+  step = std::max(step, kLeastAxialStep);
   std::vector<double> angles;
-  for (int i = 0; i < kAxialStepsPerTurn / 2; ++i) angles.push_back(2 * pi * (i + 0.5) / kAxialStepsPerTurn);
+  for (int i = 0; step < kAxialStep && i < kFineSteps; ++i) angles.push_back(i * step);
+  const double beyond = angles.empty() ? 0 : angles.back() + step / 2;
+  for (int i = 0; i <= kAxialSteps; ++i) {
+    if (const double angle = pi * i / kAxialSteps; angle >= beyond) angles.push_back(angle);
+  }
   return angles;
+}
+
+/// A belt between two circles about an axis.
+struct Belt {
+  double angle;  ///< of its middle
+  double weight;
+};
+
+/// Those on which a beam's asymmetry is measured.
+std::vector<Belt> belts_of(const IntensityDistribution& distribution) {
+  const std::vector<double> angles = axial_angles(distribution);
+  std::vector<Belt> belts;
+  for (std::size_t i = 1; i < angles.size(); ++i) {
+    const double middle = std::midpoint(angles[i - 1], angles[i]);
+    belts.push_back({middle, std::sin(middle) * (angles[i] - angles[i - 1])});
+  }
+  return belts;
 }
 
 /// Of (intensity / peak)^2 over the sphere, but for a factor.
 double square_integral(const IntensityDistribution& distribution, const glm::dvec3& axis, double peak) {
   AxisCircles circles(distribution, axis);
   double total = 0;
-  for (const double angle : asymmetry_angles()) {
+  for (const auto& [angle, weight] : belts_of(distribution)) {
     const Circle circle = circles.at(angle);
     const double mean = circle.mean / peak, deviation = circle.deviation / peak;
-    total += std::sin(angle) * (mean * mean + deviation * deviation);
+    total += weight * (mean * mean + deviation * deviation);
   }
   return total;
 }
@@ -276,19 +309,15 @@ bool is_lit(const IntensityDistribution& distribution, std::size_t vertical) {
 }
 
 std::vector<double> profile_angles(const IntensityDistribution& distribution, const glm::dvec3& axis) {
-  std::vector<double> angles;
-  if (is_own_axis(distribution, axis)) {
-    angles = distribution.vertical;
-    extend_to_pi(angles, is_lit(distribution, angles.size() - 1));
-    if (angles.front() > 0) {
-      angles = supplements(angles);
-      extend_to_pi(angles, is_lit(distribution, 0));
-      angles = supplements(angles);
-    }
-    return axis == kPhotometricAxis ? angles : supplements(angles);
+  if (!is_own_axis(distribution, axis)) return axial_angles(distribution);
+  std::vector<double> angles = distribution.vertical;
+  extend_to_pi(angles, is_lit(distribution, angles.size() - 1));
+  if (angles.front() > 0) {
+    angles = supplements(angles);
+    extend_to_pi(angles, is_lit(distribution, 0));
+    angles = supplements(angles);
   }
-  for (int i = 0; i <= kAxialStepsPerTurn / 2; ++i) angles.push_back(2 * pi * i / kAxialStepsPerTurn);
-  return angles;
+  return axis == kPhotometricAxis ? angles : supplements(angles);
 }
 
 // --- checks ---
@@ -422,13 +451,22 @@ double luminous_flux(const IntensityDistribution& distribution) {
 IntensityPeak find_peak(const IntensityDistribution& distribution) {
   require(check(distribution));
   const auto& [type, horizontal, vertical, intensity] = distribution;
-  IntensityPeak peak{0, kPhotometricAxis};
-  for (std::size_t i = 0; i < intensity.size(); ++i) {
-    if (intensity[i] < peak.intensity || intensity[i] == 0) continue;
-    const auto direction = direction_of(type, horizontal[i / vertical.size()], vertical[i % vertical.size()]);
-    if (intensity[i] > peak.intensity || direction.z < peak.direction.z) peak = {intensity[i], direction};
+  // A flat beam has its peak at thousands of angles. The cosine of each from the axis is a product of two of these.
+  std::vector<double> horizontal_cosines(horizontal.size(), 1), vertical_cosines;
+  for (std::size_t h = 0; type != PhotometryType::c && h < horizontal.size(); ++h) {
+    horizontal_cosines[h] = std::cos(horizontal[h]);
   }
-  return peak;
+  for (const double angle : vertical) vertical_cosines.push_back(std::cos(angle));
+  std::size_t peak = 0;
+  double peak_cosine = 0;
+  for (std::size_t i = 0; i < intensity.size(); ++i) {
+    if (intensity[i] < intensity[peak]) continue;
+    const double cosine = horizontal_cosines[i / vertical.size()] * vertical_cosines[i % vertical.size()];
+    if (i > 0 && intensity[i] == intensity[peak] && cosine <= peak_cosine) continue;
+    peak = i;
+    peak_cosine = cosine;
+  }
+  return {intensity[peak], direction_of(type, horizontal[peak / vertical.size()], vertical[peak % vertical.size()])};
 }
 
 std::vector<AxialSample> axial_profile(const IntensityDistribution& distribution, const glm::dvec3& axis) {
@@ -481,9 +519,9 @@ double asymmetry(const IntensityDistribution& distribution, const glm::dvec3& ax
   if (total == 0) return 0;
   AxisCircles circles(distribution, axis);
   double deviation = 0;
-  for (const double angle : asymmetry_angles()) {
+  for (const auto& [angle, weight] : belts_of(distribution)) {
     const double fraction = circles.at(angle).deviation / peak;
-    deviation += std::sin(angle) * fraction * fraction;
+    deviation += weight * fraction * fraction;
     if (deviation > limit * limit * total) break;
   }
   return std::min(1.0, std::sqrt(deviation / total));

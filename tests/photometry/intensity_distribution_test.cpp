@@ -411,6 +411,21 @@ TEST(AxialProfile, ProfileAboutAnyAxisFollowsABeamAimedThere) {
   EXPECT_GT(asymmetry(beam, kPhotometricAxis), 0.5);
 }
 
+TEST(AxialProfile, NarrowBeamIsFollowedInTheStepsOfItsGrid) {
+  // A search light's, by tenths of a degree: about axes that are not the grid's own.
+  const double sigma = 0.3 * kDegree;
+  const auto gaussian = [sigma](double h, double v) { return std::exp(-(h * h + v * v) / (sigma * sigma)); };
+  for (const PhotometryType type : {PhotometryType::a, PhotometryType::b}) {
+    const auto beam = sampled(type, degrees(-5, 5, 0.1), degrees(-5, 5, 0.1), gaussian);
+    const auto profile = axial_profile(beam, kPhotometricAxis);
+    EXPECT_NEAR(half_angle(profile, 0.5), sigma * std::sqrt(std::log(2)), 0.01 * kDegree);
+    EXPECT_NEAR(half_angle(profile, 0.1), sigma * std::sqrt(std::log(10)), 0.02 * kDegree);
+    EXPECT_NEAR(profile.back().angle, pi, 1e-15);
+    EXPECT_TRUE(std::ranges::is_sorted(profile, std::less_equal(), &AxialSample::angle));
+    EXPECT_LT(asymmetry(beam, kPhotometricAxis), 0.02);
+  }
+}
+
 TEST(HalfAngle, HalfAngleIsLinearBetweenSamplesBeyondThePeak) {
   const std::vector<AxialSample> profile{{0, 20, 0}, {1, 100, 0}, {2, 60, 0}, {3, 0, 0}, {4, 80, 0}};
   EXPECT_DOUBLE_EQ(half_angle(profile, 0.8), 1.5);

@@ -97,9 +97,10 @@ struct AxialSample {
 
 /// Intensity against the angle from an axis, as the mean over the turn: what a cone about the axis is fitted to. If the
 /// axis is the photometric one of type C or its opposite, the angles are the measured ones and the mean is that of what
-/// is linear between the planes; else the angles are every quarter degree from 0 to pi and the mean is over 72 to 360
-/// directions. Angles that were not measured are dark: from the first and last measured ones, the profile goes on in
-/// their steps to 0 and pi with intensity 0, which begins 0.01 degrees beyond a lit one.
+/// is linear between the planes; else the angles are every quarter degree from 0 to pi, in a finer grid the first
+/// hundred in its smallest step (at least 0.01 degrees), and the mean is over 72 to 360 directions. Angles that were
+/// not measured are dark: from the first and last measured ones, the profile goes on in their steps to 0 and pi with
+/// intensity 0, which begins 0.01 degrees beyond a lit one.
 ///
 /// axis      luminaire frame, of any length but 0
 /// returns   increasing angles from 0 to pi
@@ -127,8 +128,9 @@ double half_angle(const std::vector<AxialSample>& profile, double fraction);
 ///
 /// axis       luminaire frame, of any length but 0
 /// limit      the search ends where the asymmetry is above it: the result is then only known to be so, too
-/// max error  0.001 for beams that change little within a degree: sampled every quarter degree from the axis, and in
-///            the turn every degree of the largest circle, but exact about the photometric axis of type C
+/// max error  0.001 for beams that change little within a degree: sampled between the angles that axial_profile() has
+///            about an axis other than the grid's, and in the turn every degree of the largest circle, but exact about
+///            the photometric axis of type C
 ///                                                                             (intensity_distribution_test.cpp)
 double asymmetry(const IntensityDistribution& distribution, const glm::dvec3& axis,
                  double limit = std::numeric_limits<double>::infinity());
