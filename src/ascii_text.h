@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -19,6 +20,13 @@ constexpr std::string_view trimmed(std::string_view text) {
   constexpr std::string_view kBlank = " \t\r\n";
   const auto begin = std::min(text.find_first_not_of(kBlank), text.size());
   return text.substr(begin, text.find_last_not_of(kBlank) + 1 - begin);
+}
+
+/// Where a line that begins at a position ends: at the first line feed or carriage return, or with the text.
+/// find_first_of() would search its set for each character.
+inline std::size_t find_line_end(std::string_view text, std::size_t begin = 0) {
+  const auto ends_line = [](char c) { return c == '\n' || c == '\r'; };
+  return std::size_t(std::find_if(text.begin() + std::ptrdiff_t(begin), text.end(), ends_line) - text.begin());
 }
 
 }  // namespace litfog

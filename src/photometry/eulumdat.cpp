@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "ascii_text.h"
 #include "photometric_grid.h"
 #include "text_scanner.h"
 
@@ -54,7 +55,7 @@ StoredPlanes stored_planes(const std::vector<double>& listed, Symmetry symmetry)
 
 bool is_eulumdat(std::string_view text) {
   const auto next_line = [&text] {
-    const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+    const std::size_t end = find_line_end(text);
     const std::string_view line = text.substr(0, end);
     text.remove_prefix(std::min(end + (text.substr(end).starts_with("\r\n") ? 2 : 1), text.size()));
     return line;

@@ -130,7 +130,7 @@ bool is_ies(std::string_view text) {
   const std::string label = upper(text.substr(0, 9));
   if (label.starts_with("IESNA") || label == "IES:LM-63") return true;
   while (!text.empty()) {
-    const auto end = std::min(text.find_first_of("\r\n"), text.size());
+    const std::size_t end = find_line_end(text);
     if (tilt_of(trimmed(text.substr(0, end)))) return true;
     text.remove_prefix(std::min(end + 1, text.size()));
   }

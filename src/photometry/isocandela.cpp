@@ -191,7 +191,7 @@ void parse_ellipses(Rows& rows, Luminaire& luminaire) {
 /// The first line that is neither blank nor a comment.
 std::string_view header_of(std::string_view text) {
   while (!text.empty()) {
-    const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
+    const std::string_view line = text.substr(0, find_line_end(text));
     if (line.find_first_not_of(" \t") != line.npos && !line.starts_with('#')) return line;
     text.remove_prefix(std::min(line.size() + 1, text.size()));
   }
@@ -210,6 +210,7 @@ Luminaire parse_isocandela(std::string text, const std::string& name) {
   Luminaire luminaire;
   luminaire.file = name;
   luminaire.is_absolute = true;
+  luminaire.is_isocandela = true;
   const std::vector<Piece> header = rows.next();
   std::string names;
   for (const Piece& cell : header) names += (names.empty() ? "" : ",") + std::string(cell.text);

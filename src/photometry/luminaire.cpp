@@ -31,12 +31,23 @@ bool is_named(const std::string& path, const char* ending, std::string_view text
   return ending_of(path) == ending && !text.starts_with('<') && text.find('\0') == text.npos;
 }
 
+struct PlainFormat {
+  const char* ending;
+  bool (*is_of_it)(std::string_view text);
+  Luminaire (*parse)(std::string text, const std::string& name);
+};
+constexpr PlainFormat kPlainFormats[] = {
+    {".ies", is_ies, parse_ies}, {".csv", is_isocandela, parse_isocandela}, {".ldt", is_eulumdat, parse_eulumdat}};
+
 Luminaire parse_luminaire(std::string bytes, const std::string& path) {
   std::string text = utf8_from_bytes(std::move(bytes));
   if (is_tm33(text)) return parse_tm33(std::move(text), path);
-  if (is_ies(text) || is_named(path, ".ies", text)) return parse_ies(std::move(text), path);
-  if (is_isocandela(text) || is_named(path, ".csv", text)) return parse_isocandela(std::move(text), path);
-  if (is_eulumdat(text) || is_named(path, ".ldt", text)) return parse_eulumdat(std::move(text), path);
+  for (const PlainFormat& format : kPlainFormats) {
+    if (format.is_of_it(text)) return format.parse(std::move(text), path);
+  }
+  for (const PlainFormat& format : kPlainFormats) {
+    if (is_named(path, format.ending, text)) return format.parse(std::move(text), path);
+  }
   throw InputError({.file = path}, "not a photometric file", "",
                    "must be of IES LM-63 (with a line TILT=), EULUMDAT, TM-33 or GLDF, or an isocandela table");
 }

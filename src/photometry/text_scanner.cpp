@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 
+#include "ascii_text.h"
 #include "file_text.h"
 #include "text_encoding.h"
 
@@ -17,7 +18,21 @@ namespace {
 constexpr std::size_t kMaxShown = 40;               // of a value in a message
 constexpr std::string_view kBlank = " \t\v\f\x1A";  // 0x1A ended a file under DOS
 constexpr std::string_view kLineEnd = "\r\n";
-constexpr std::string_view kSeparators = " \t\v\f\x1A\r\n,";
+
+bool is_separator(char c) {
+  switch (c) {
+    case ' ':
+    case '\t':
+    case '\v':
+    case '\f':
+    case '\x1A':
+    case '\r':
+    case '\n':
+    case ',':
+      return true;
+  }
+  return false;
+}
 
 /// Text for a message: cut where it is long, control characters replaced.
 std::string excerpt(std::string_view text) {
@@ -54,14 +69,15 @@ TextScanner::TextScanner(std::string bytes, std::string name)
 TextScanner::Piece TextScanner::next(Unit unit) { return unit == Unit::token ? next_token() : next_line(); }
 
 TextScanner::Piece TextScanner::next_token() {
-  const std::size_t begin = std::min(text_.find_first_not_of(kSeparators, cursor_), text_.size());
-  cursor_ = std::min(text_.find_first_of(kSeparators, begin), text_.size());
-  return {std::string_view(text_).substr(begin, cursor_ - begin), begin, begin == text_.size()};
+  const auto begin = std::find_if_not(text_.begin() + std::ptrdiff_t(cursor_), text_.end(), is_separator);
+  const auto end = std::find_if(begin, text_.end(), is_separator);
+  cursor_ = std::size_t(end - text_.begin());
+  return {std::string_view(begin, end), std::size_t(begin - text_.begin()), begin == text_.end()};
 }
 
 TextScanner::Piece TextScanner::next_line() {
   const bool is_missing = is_at_end();
-  const std::size_t end = std::min(text_.find_first_of(kLineEnd, cursor_), text_.size());
+  const std::size_t end = find_line_end(text_, cursor_);
   const std::size_t begin = std::min(text_.find_first_not_of(kBlank, cursor_), end);
   const std::string_view line = std::string_view(text_).substr(begin, end - begin);
   cursor_ = std::min(end + (text_.compare(end, 2, kLineEnd) == 0 ? 2 : 1), text_.size());

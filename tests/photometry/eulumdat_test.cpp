@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <fstream>
 #include <string>
 #include <vector>
 
+#include "command/temporary_directory.h"
 #include "photometry/photometric_file.h"
 
 namespace litfog::test {
@@ -51,6 +53,15 @@ TEST(Eulumdat, IntensitiesAreScaledByTheFluxOfTheLamps) {
   EXPECT_EQ(luminaire.light_output_ratio, 0.8);
   EXPECT_EQ(stated_flux(luminaire), 2000);
   EXPECT_FALSE(luminaire.is_absolute);
+}
+
+TEST(Eulumdat, FileIsKnownByItsTextWhateverItsEnding) {
+  const TemporaryDirectory directory;
+  for (const char* name : {"lamp.ies", "lamp.csv", "lamp.LDT", "lamp"}) {
+    const std::string path = (directory.path() / name).string();
+    std::ofstream(path) << EulumdatText().str();
+    EXPECT_EQ(read_luminaire(path).name, "name") << name;
+  }
 }
 
 TEST(Eulumdat, FirstOfSeveralSetsOfLampsIsTaken) {

@@ -40,7 +40,8 @@ struct Luminaire {
   std::optional<double> lamp_flux;
   /// Stated fraction of the lamps' flux that leaves the luminaire (EULUMDAT's LORL).
   std::optional<double> light_output_ratio;
-  bool is_absolute = false;  ///< measured as a whole, without separate ratings of its lamps
+  bool is_absolute = false;    ///< measured as a whole, without separate ratings of its lamps
+  bool is_isocandela = false;  ///< by an isocandela table: of a beam ahead, wherever its lamp is pointed
 
   LuminousOpening opening;
   std::optional<LampTilt> tilt;
