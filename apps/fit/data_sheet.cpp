@@ -190,7 +190,7 @@ void add_luminaire(Sheet& sheet, const LightFit& fit) {
   if (!luminaire.name.empty()) sheet.add("luminaire", luminaire.name);
   if (!luminaire.manufacturer.empty()) sheet.add("manufacturer", luminaire.manufacturer);
   const bool is_photometric = fit.target.axis == kPhotometricAxis;
-  if (!is_photometric) sheet.add("axis", describe_axis(distribution.type, fit.target.axis));
+  if (!is_photometric) sheet.add("axis", describe_axis(luminaire, fit.target.axis));
   sheet.add("peak", fmt::format("{:.6g} cd, {:.3g} deg off {}", find_peak(distribution).intensity,
                                 files::degrees(fit.peak_angle), is_photometric ? "the photometric axis" : "that axis"));
   const auto stated = stated_flux(luminaire);

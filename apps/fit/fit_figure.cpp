@@ -149,7 +149,7 @@ std::vector<command::Chart> range_charts(const std::vector<Subject>& subjects) {
 struct ConeData {
   bool is_in_candela = false;
   double unit = 1;                      ///< the peak
-  std::vector<PlotPoint> targets = {};  ///< by increasing angle, but for the stated angles, which come first
+  std::vector<PlotPoint> targets = {};  ///< by increasing angle
   double end = 0;                       ///< degrees: of what is lit
 };
 
@@ -177,6 +177,7 @@ ConeData cone_data(const Subject& subject, bool is_in_candela) {
   for (const auto& sample : target.samples) {
     data.targets.push_back({files::degrees(sample.angle), sample.intensity / peak * data.unit});
   }
+  std::ranges::stable_sort(data.targets, {}, &PlotPoint::x);  // a stated angle may lie among the samples
   for (const auto* profile : profiles_of(subject)) {
     data.end = std::max(data.end, files::degrees(angle_at_level(profile->cone, kDark)));
   }
@@ -185,6 +186,12 @@ ConeData cone_data(const Subject& subject, bool is_in_candela) {
   }
   data.end = std::min(180.0, kMargin * data.end);
   return data;
+}
+
+/// Marks of a few points, a line through many, whose marks would lie on each other.
+SeriesStyle style_of(const std::vector<PlotPoint>& points, SeriesStyle marks) {
+  constexpr std::size_t kMostMarks = 100;
+  return points.size() > kMostMarks ? SeriesStyle::line : marks;
 }
 
 double value_of(const ConeProfileFit& profile, double unit, double angle_deg) {
@@ -243,10 +250,9 @@ struct NamedTurn {
   const char* name;
   double turn;
 };
-/// Two planes through the axis. A lamp of type C has names for those through its own; about another none is level.
+/// Two planes through the axis. A lamp that hangs has names for those through its own; about another none is level.
 std::array<NamedTurn, 2> planes_of(const LightFit& fit) {
-  const bool is_level = !fit.target.luminaire || fit.target.luminaire->distribution.type != PhotometryType::c;
-  if (is_level) return {{{"horizontal", 0}, {"vertical", pi / 2}}};
+  if (!fit.target.luminaire || !hangs(*fit.target.luminaire)) return {{{"horizontal", 0}, {"vertical", pi / 2}}};
   const bool is_own_axis = fit.target.axis == kPhotometricAxis || fit.target.axis == -kPhotometricAxis;
   if (is_own_axis) return {{{"C0-C180", 0}, {"C90-C270", pi / 2}}};
   return {{{"turn 0-180°", 0}, {"turn 90-270°", pi / 2}}};
@@ -289,14 +295,16 @@ std::vector<command::Chart> angle_charts(const std::vector<Subject>& subjects) {
     for (const auto* profile : profiles_of(subject)) {
       lines.push_back(sampled(subject.name(name_of(profile->cone.profile)), color, 0, end,
                               [&](double angle) { return value_of(*profile, data.unit, angle); }));
-      Series& error = errors.emplace_back(Series{.style = SeriesStyle::line_and_points, .color = color++});
+      Series& error =
+          errors.emplace_back(Series{.style = style_of(data.targets, SeriesStyle::line_and_points), .color = color++});
       for (const PlotPoint& point : data.targets) {
         error.points.push_back({point.x, 100 * (value_of(*profile, data.unit, point.x) - point.y) / data.unit});
       }
     }
+    const SeriesStyle style = style_of(data.targets, SeriesStyle::points);
     lines.push_back({.name = subject.second_name("target"),
                      .points = std::move(data.targets),
-                     .style = SeriesStyle::points,
+                     .style = style,
                      .color = subject.target_color});
   }
   const command::Axis angle{.label = "angle from the axis (deg)", .most = end};

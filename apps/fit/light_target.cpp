@@ -112,7 +112,7 @@ std::string sentence_on_range(const Luminaire& luminaire) {
 std::string sentence_on_cone(const LightTarget& target) {
   return fmt::format("Cone: fitted to {}, the mean over the turn about its axis: {}.",
                      std::filesystem::path(target.luminaire->file).filename().string(),
-                     describe_axis(target.luminaire->distribution.type, target.axis));
+                     describe_axis(*target.luminaire, target.axis));
 }
 
 /// What a fit does not take, at the value of the spec that it comes from.
@@ -243,6 +243,9 @@ void set_range(const LightSpec& spec, LightTarget& light) {
   }
   target.family = family_of(range.family);
   derive_extent(spec, light);
+  if (!target.extent && target.samples.empty()) {
+    throw spec.error_at("range.extent", "", "must be given, or peak_cd, illuminance, flux_lm or samples");
+  }
   if (const auto error = check(target)) throw error_at(spec, "range", *error);
 }
 
@@ -306,6 +309,9 @@ ConeTarget cone_of(const LightSpec& spec) {
 }
 
 void expect_fittable(const LightSpec& spec, const ConeTarget& target) {
+  if (!target.beam_angle && !target.field_angle && target.samples.empty()) {
+    throw spec.error_at("cone.beam_angle", "", "must be given, or field_angle_deg, samples or photometry");
+  }
   const auto error = check(target);
   if (!error) return;
   if (error->sample && spec.cone->photometry) throw spec.error_at("cone.photometry", "", to_string(*error));
@@ -367,14 +373,17 @@ LightTarget read_photometric_spec(const std::string& path, const FitChoices& cho
   return target;
 }
 
-std::string describe_axis(PhotometryType type, const glm::dvec3& axis) {
-  const bool is_c = type == PhotometryType::c;
-  if (axis == kPhotometricAxis) return is_c ? "down, the photometric axis" : "ahead, the photometric axis";
+bool hangs(const Luminaire& luminaire) {
+  return luminaire.distribution.type == PhotometryType::c && !luminaire.is_isocandela;
+}
+
+std::string describe_axis(const Luminaire& luminaire, const glm::dvec3& axis) {
+  if (axis == kPhotometricAxis) return fmt::format("{}, the photometric axis", hangs(luminaire) ? "down" : "ahead");
   if (axis == -kPhotometricAxis) {
-    return fmt::format("{}, opposite to the photometric axis", is_c ? "up" : "behind");
+    return fmt::format("{}, opposite to the photometric axis", hangs(luminaire) ? "up" : "behind");
   }
   const double angle = std::acos(std::clamp(glm::dot(axis, kPhotometricAxis), -1.0, 1.0));
-  const auto [horizontal, vertical] = angles_of(type, axis);
+  const auto [horizontal, vertical] = angles_of(luminaire.distribution.type, axis);
   return fmt::format("{:.4g} deg from the photometric axis, --axis {:.4g},{:.4g}", files::degrees(angle),
                      files::degrees(horizontal), files::degrees(vertical));
 }

@@ -72,8 +72,12 @@ LightTarget read_spec(const std::string& path, const FitChoices& choices = {});
 /// take.
 LightTarget read_photometric_spec(const std::string& path, const FitChoices& choices = {});
 
-/// An axis in words, as --axis takes it: "down, the photometric axis", "up, opposite to the photometric axis", of types
-/// A and B "ahead" and "behind", or "40 deg from the photometric axis, --axis 0,40" in the file's angles.
-std::string describe_axis(PhotometryType type, const glm::dvec3& axis);
+/// Whether a luminaire's photometric axis points down, as in files of type C, and not ahead.
+bool hangs(const Luminaire& luminaire);
+
+/// A luminaire's axis in words, as --axis takes it: "down, the photometric axis", "up, opposite to the photometric
+/// axis", of one that does not hang "ahead" and "behind", or "40 deg from the photometric axis, --axis 0,40" in the
+/// file's angles.
+std::string describe_axis(const Luminaire& luminaire, const glm::dvec3& axis);
 
 }  // namespace litfog::fit

@@ -70,8 +70,7 @@ std::string json_of(const Outcome& outcome) {
       text_or_null(outcome.reason), text_or_null(outcome.verdict ? name_of(outcome.verdict->grade) : ""),
       text_or_null(outcome.verdict ? outcome.verdict->why : ""),
       outcome.fit ? json_of(beam_data(*outcome.fit)) : "null",
-      text_or_null(has_axis ? describe_axis(outcome.fit->target.luminaire->distribution.type, outcome.fit->target.axis)
-                            : ""),
+      text_or_null(has_axis ? describe_axis(*outcome.fit->target.luminaire, outcome.fit->target.axis) : ""),
       outcome.fit ? json_of(outcome.fit->target.derived) : "[]", outcome.fit ? json_of(advice_on(*outcome.fit)) : "[]");
   text += "\"light\": " + (outcome.fit ? outcome.light : std::string("null"));
   while (text.ends_with('\n')) text.pop_back();

@@ -58,7 +58,12 @@ void judge_range(Findings& findings, const AttenuationTarget& target, const Atte
                      fmt::format("a sample of the attenuation off by {:+.3g} %", percent(fit.largest_error)));
 }
 
-/// is_measured  the data are linear between their samples, as a photometric file's are: what lies there counts
+/// Whether what lies between a cone's samples counts, too: theirs are many, or a photometric file's.
+bool is_measured(const LightTarget& target) {
+  constexpr std::size_t kFewSamples = 3;
+  return target.luminaire || target.cone->samples.size() > kFewSamples;
+}
+
 void judge_cone(Findings& findings, const ConeTarget& target, const ConeProfileFit& fit, bool is_measured) {
   if (fit.status == ConeFitStatus::unproven) findings.add(Grade::fair, "a better cone is not ruled out");
   findings.add_error(&GradeLimits::cone_rms, fit.rms,
@@ -76,7 +81,7 @@ void judge_cone(Findings& findings, const ConeTarget& target, const ConeProfileF
 Verdict judge(const LightFit& fit) {
   Findings findings;
   if (fit.range) judge_range(findings, *fit.target.range, *fit.range);
-  if (fit.cone) judge_cone(findings, *fit.target.cone, fit.cone->best(), fit.target.luminaire.has_value());
+  if (fit.cone) judge_cone(findings, *fit.target.cone, fit.cone->best(), is_measured(fit.target));
   if (fit.beam()) {
     const double asymmetry = fit.target.asymmetry;
     findings.add_error(&GradeLimits::asymmetry, asymmetry,

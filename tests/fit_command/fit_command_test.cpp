@@ -613,6 +613,12 @@ TEST_F(FitCommand, VerdictTellsAPoorLightWhateverItsProof) {
   EXPECT_EQ("spill.ies: poor: " + report["why"].get<std::string>() + "\n", outcome.err);
   EXPECT_TRUE(files().contains("light.json")) << "the best light";
   EXPECT_NE(run("spill.ies").out.find("verdict         poor: flux off by -"), std::string::npos);
+  // The same beam as a table of a spec.
+  write("spill.json", R"({"litfog": "light-spec", "version": 1, "range": {"peak_cd": 1000}, "cone": {"samples": [
+      {"angle_deg": 0, "intensity": 1000}, {"angle_deg": 1, "intensity": 900}, {"angle_deg": 2, "intensity": 500},
+      {"angle_deg": 3, "intensity": 200}, {"angle_deg": 4, "intensity": 60}, {"angle_deg": 5, "intensity": 30},
+      {"angle_deg": 30, "intensity": 30}, {"angle_deg": 60, "intensity": 30}, {"angle_deg": 90, "intensity": 0}]}})");
+  EXPECT_TRUE(run("spill.json").err.starts_with("spill.json: poor: flux off by -"));
   const auto exact = nlohmann::json::parse(run("beam.json --format json").out)[0];
   EXPECT_EQ(exact["verdict"], "good");
   EXPECT_NEAR(exact["beam"]["beam_angle_deg"].get<double>(), 11, 1e-12);
