@@ -333,7 +333,7 @@ TEST_F(FitCommand, BadInputIsAnErrorAndNothingIsWritten) {
   const Outcome outcome = run("bad.json -o light.json --plot fit.svg");
   EXPECT_EQ(outcome.status, kBadInput);
   EXPECT_EQ(outcome.out, "");
-  EXPECT_TRUE(outcome.err.starts_with("bad.json:2:23: range.samples")) << outcome.err;
+  EXPECT_TRUE(outcome.err.starts_with("bad.json:2:23: range.extent_m: must be given, or ")) << outcome.err;
   write("hostile.ies", "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 2147483648 2147483648 1 2 0 0 0\n1 1 10\n");
   const Outcome hostile = run("hostile.ies -o light.json");
   EXPECT_EQ(hostile.status, kBadInput);
