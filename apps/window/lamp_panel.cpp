@@ -225,7 +225,7 @@ void draw_curve(const Light& light, const Fog& fog) {
 
 void draw_lamps(Session& session, std::optional<std::size_t>& hovered) {
   const float font = ImGui::GetFontSize();
-  ImGui::BeginChild("lamps", {font * 15, 0});
+  ImGui::BeginChild("lamps", {font * 18, 0});
   draw_list(session, hovered);
   ImGui::EndChild();
   ImGui::SameLine();

@@ -43,8 +43,8 @@ enum {
   LITFOG_FAULT = 4  ///< of litfog itself: please report it
 };
 
-/// What the last call that failed on this thread said, in one sentence of UTF-8; empty if none has. Calls that succeed
-/// leave it. Valid until the next call that fails on this thread.
+/// What the last call that failed on this thread said, in one sentence of UTF-8, in which the name of a file is the
+/// caller's bytes; empty if none has. Calls that succeed leave it. Valid until the next call that fails on this thread.
 LITFOG_API const char* litfog_last_error(void);
 
 // --- fog (litfog/fog.h) ---
