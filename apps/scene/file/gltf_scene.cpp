@@ -117,12 +117,11 @@ class GltfReader {
   /// Lights the surfaces of a file without lights from over the viewer's shoulder, so that their shapes show and
   /// metals, which reflect no ambient light, are not black.
   void light_from_viewer() {
-    const glm::vec3 ahead = glm::normalize(scene_.camera.target - scene_.camera.position);
-    const glm::vec3 right = glm::normalize(glm::cross(ahead, glm::vec3(0, 1, 0)));
+    const CameraAxes axes = axes_of(scene_.camera);
     Environment& environment = scene_.environment;
     environment.ambient_light = kLamplessAmbient;
     environment.moon_color = kLamplessSun;
-    environment.moon_direction = glm::normalize(0.5f * right + 0.7f * glm::cross(right, ahead) - 0.6f * ahead);
+    environment.moon_direction = glm::normalize(0.5 * axes.right + 0.7 * axes.up - 0.6 * axes.forward);
   }
 
   void expect_known_extensions() const {
