@@ -572,6 +572,41 @@ TEST_F(ReferencePictureTest, AirlightOfManyLampsBeyondTheirExtentsIsThatOfTheRef
   }
 }
 
+// What is faint takes few nodes of the integral, but not where the exposure shows it bright.
+TEST_F(ReferencePictureTest, AirlightOfFaintLampsIsThatOfTheReferenceAtAHighExposure) {
+  constexpr double kExposure = 8;
+  const Scene scene = read_scene(bundled_scene_path("headlights"));
+  Renderer renderer(scene, 32, 18, {.fog_lighting = FogLighting::airlight, .samples = 1});
+  renderer.set_fog(Fog::from_visibility(FogMode::exp, 2000));
+  renderer.set_exposure({.ev = kExposure});
+  renderer.draw(LightPoints::off);
+  const PictureError error = picture_error(renderer.read(), shade_reference(renderer), kExposure);
+  EXPECT_LE(error.largest, kAirlightBound);
+  EXPECT_LE(error.mean, 0.15);
+}
+
+// From the side, at a small size: coarse grids of the airlight see next to nothing of the beam.
+TEST_F(ReferencePictureTest, AirlightOfABeamThinnerThanAPixelIsThatOfTheReference) {
+  Scene scene = flat_floor();
+  scene.instances.clear();
+  scene.camera = {.position = {0, 1.5f, 0}, .target = {0, 1.3f, -10}, .field_of_view = 1.1f};
+  PlacedLight lamp;
+  lamp.light.color = glm::dvec3(1300);
+  lamp.light.attenuation = {0, 0, 1};
+  lamp.light.cone = Cone::smoothstep(0.02, 0.05);
+  lamp.position = {-12, 9, -25};
+  for (const double down : {0.6, 0.7, 0.8, 0.9}) {
+    lamp.direction = glm::normalize(glm::dvec3(0.8, -down, 0.1));
+    scene.lights.assign(1, lamp);
+    for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
+      const PictureError error =
+          airlight_error(scene, Fog::from_visibility(mode, 50), 96, 54, lighting_paths().front());
+      fmt::print("{}: largest error {:.3f} steps\n", name_of(mode), error.largest);
+      EXPECT_LE(error.largest, kAirlightBound) << name_of(mode) << ", " << down;
+    }
+  }
+}
+
 TEST_F(ReferencePictureTest, AirlightOfACookieIsThatOfTheReference) {
   Scene scene = floor_and_lamp(bright_lamp());
   scene.cookies.push_back(make_cookie(16, [](const glm::dvec3& direction) {

@@ -16,6 +16,8 @@ constexpr double kMostError = 0.0005;   // of the display: an eighth of a step
 constexpr double kSafety = 4;           // for airlight that bends more than k / h
 constexpr double kFarthestReach = 1e9;  // metres, for lights without an end: floats hold its square
 constexpr double kThinBeam = 0.17;      // radians: half the angle of a beam on the picture that grids may miss
+// The fourth derivative of what a grid keeps of a thin beam is 23 times as large as of others (airlight.frag).
+constexpr double kThinBend = 1.9;  // 23^(1/5)
 
 /// Range at which the attenuation's denominator has a value; 0 where it is above it everywhere.
 double level_range(const Attenuation& attenuation, double denominator) {
@@ -134,14 +136,17 @@ AirlightList list_airlight(const SceneLights& lights, const Fog& fog, const Scat
     const SeenBeam beam = see_beam(placed, (eye - placed.position) / eye_range);
     const double bend_range =
         std::min(find_bend_range(beam.narrowing * bound.k(), bound.density(), pixel, gain), reach);
-    // Up to this range a thin beam is thinner than a few texels of a grid.
-    const double thin_range = beam.angle < kThinBeam ? 4 * pixel / std::tan(beam.angle) : 0;
-    const bool is_thin = thin_range > bend_range;
-    found.push_back({{int(lights.instances()[i].axis_profile.w), !casters.empty() && casters[i] >= 0},
-                     {.light = float(i),
-                      .reach = float(reach),
-                      .bend_range = float(std::min(is_thin ? thin_range : bend_range, eye_range / 2)),
-                      .width = float(is_thin ? 0 : beam.narrowing * bound.flat_range())}});
+    const double most_bend_range = eye_range / 2;
+    // Up to a range, a thin beam is thinner than a few texels of a grid, which keep next to nothing of it there.
+    const bool is_thin = beam.angle < kThinBeam;
+    const double thin_range =
+        is_thin ? std::max(4 * pixel / std::tan(beam.angle), std::min(kThinBend * bend_range, most_bend_range)) : 0;
+    found.push_back(
+        {{int(lights.instances()[i].axis_profile.w), !casters.empty() && casters[i] >= 0},
+         {.light = float(i),
+          .reach = float(reach),
+          .bend_range = float(is_thin ? std::min(thin_range, kFarthestReach) : std::min(bend_range, most_bend_range)),
+          .width = float(is_thin ? 0 : beam.narrowing * bound.flat_range())}});
   }
   std::ranges::stable_sort(found, {}, &Found::kind);
   AirlightList list;

@@ -81,7 +81,9 @@ void main() {
   if (share <= 0.0) return;  // not discarded: the stencil would no longer be tested before
   vec4 seen = seen_at(pixel);
   vec4 opacities = seen_opacities(seen, light.attenuation.w);
-  light.color_intensity.rgb *= share;  // before the glow chooses its nodes: what adds little needs few
+  light.color_intensity.rgb *= share;
+  LitfogLight shown = light;  // by which the glow chooses its nodes: what adds little to the display needs few
+  shown.color_intensity.rgb *= exposure_gain;
   float equal_opacities =
       max(most_equal_opacities, most_equal_airlights / largest_gain(light, direction, seen.x, seen.w)) /
       max(exposure_gain, 1.0);
@@ -94,9 +96,9 @@ void main() {
       ranges += seen[first + run];
     }
     float range = ranges / float(run);
-    sum += litfog_glow(light, eye, direction, range, asymmetry) *
+    sum += litfog_glow(shown, eye, direction, range, asymmetry) *
            (0.25 * float(run) * lit_fraction(light_index, light, direction, range));
   }
-  airlight = vec4(sum, 0.0);
+  airlight = vec4(sum / exposure_gain, 0.0);
   if (pixel_step > 1) gain.rgb = gain_at(light, direction, dot(seen, vec4(0.25)));  // the finest grid has none
 }

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <string>
+#include <vector>
+
+#include "gl/formula_pixels.h"
+#include "gl/gl_test.h"
+#include "litfog/attenuation.h"
+#include "litfog/cone.h"
+#include "reference/random_airlight.h"
+
+namespace litfog::test {
+namespace {
+
+class AirlightShader : public GlTest {};
+
+constexpr int kRays = 8000;
+constexpr double kNarrowest = 0.02;  // radians: of narrower cones, a float has too few digits of the cosine
+
+constexpr double kDim = 1e-5;  // of white, a thirtieth of a step of the display: in floats, less is rounding
+
+/// A case as the shader's floats hold it: the same lamp, fog and ray, seen from the origin along -z.
+struct ShaderCase {
+  AirlightCase exact;
+  std::array<glm::vec4, 5> members;  // of LitfogAirlight, in order
+};
+
+double rounded(double x) { return double(float(x)); }
+
+ShaderCase shader_case(const AirlightCase& drawn) {
+  const Light& light = drawn.light.light;
+  const glm::dvec3 to_light = drawn.light.position - drawn.ray.origin;
+  const double approach = rounded(glm::dot(to_light, drawn.ray.direction));
+  const glm::dvec3 from_light = glm::dot(to_light, drawn.ray.direction) * drawn.ray.direction - to_light;
+  const double offset = rounded(glm::length(from_light));
+  AirlightCase exact = drawn;
+  exact.ray = {.origin = {0, 0, 0}, .direction = {0, 0, -1}, .length = rounded(std::min(drawn.ray.length, 1e30))};
+  exact.light.position = {offset, 0, -approach};
+  exact.fog.density = rounded(drawn.fog.density);
+  Attenuation& attenuation = exact.light.light.attenuation;
+  attenuation = {rounded(attenuation.constant), rounded(attenuation.linear), rounded(attenuation.quadratic)};
+  const double extent = compute_extent(attenuation, light.threshold);
+
+  const double axis_slope = rounded(glm::dot(drawn.light.direction, drawn.ray.direction));
+  const double outwards = glm::dot(drawn.light.direction, from_light);
+  const double most = offset * std::sqrt(std::max(1 - axis_slope * axis_slope, 0.0)) * (1 - 1e-6);
+  const double axis_offset = rounded(std::clamp(outwards, -most, most));
+  const double across = offset > 0 ? -axis_offset / offset : 0;
+  const double rest = 1 - axis_slope * axis_slope - across * across;
+  exact.light.direction = glm::normalize(glm::dvec3(across, std::sqrt(std::max(rest, 0.0)), -axis_slope));
+
+  Cone& cone = exact.light.light.cone;
+  glm::vec2 cosines(0);
+  if (cone.profile == ConeProfile::cosine) {
+    cosines = {std::cos(cone.half_angle), cone.exponent};
+    cone = Cone::cosine(std::acos(double(cosines.x)), double(cosines.y));
+  } else if (cone.profile == ConeProfile::smoothstep) {
+    cosines = {std::cos(cone.outer), std::cos(cone.inner)};
+    cone = Cone::smoothstep(std::acos(double(cosines.y)), std::acos(double(cosines.x)));
+  }
+  return {exact,
+          {glm::vec4(exact.fog.density, exact.fog.mode == FogMode::exp ? 0 : 1,
+                     drawn.scattering.lamp_leg == LampLeg::fogged ? 1 : 0, drawn.scattering.asymmetry),
+           glm::vec4(attenuation.constant, attenuation.linear, attenuation.quadratic, std::min(extent, 1e30)),
+           glm::vec4(int(cone.profile), cosines, exact.ray.length),
+           glm::vec4(approach, offset, axis_offset, axis_slope), glm::vec4(0)}};
+}
+
+std::vector<double> draw(const std::vector<ShaderCase>& cases) {
+  std::vector<std::vector<glm::vec4>> inputs(5);
+  for (const ShaderCase& c : cases) {
+    for (std::size_t row = 0; row < 5; ++row) inputs[row].push_back(c.members[row]);
+  }
+  const gl::Program program = FormulaPixels::program(
+      "#include \"test/input.glsl\"\n#include \"litfog/shaders/airlight.glsl\"\n"
+      "void main() { vec4 a = given(0), b = given(1), c = given(2), d = given(3);\n"
+      "result = vec4(litfog_airlight(LitfogAirlight(a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w, c.x, c.y, c.z, c.w,\n"
+      "d.x, d.y, d.z, d.w, 0.0))); }\n");
+  std::vector<double> airlights;
+  for (const glm::vec4& result : FormulaPixels().draw(program, inputs)) airlights.push_back(double(result.x));
+  return airlights;
+}
+
+TEST_F(AirlightShader, AirlightInFloatsHasItsStatedErrors) {
+  Random random(77);
+  for (const FogMode mode : kModes) {
+    for (const LampLeg leg : kLampLegs) {
+      for (const bool is_spot : {false, true}) {
+        std::vector<ShaderCase> cases;
+        while (cases.size() < kRays) {
+          const AirlightCase drawn =
+              is_spot ? draw_spot_airlight_case(random, mode, leg) : draw_airlight_case(random, mode, leg);
+          if (!is_spot || cutoff_angle(drawn.light.light.cone) > kNarrowest) cases.push_back(shader_case(drawn));
+        }
+        const std::vector<double> airlights = draw(cases);
+        double largest = 0;
+        std::string worst;
+        std::vector<double> relative;
+        for (std::size_t i = 0; i < cases.size(); ++i) {
+          const AirlightCase& c = cases[i].exact;
+          const double reference = reference_airlight(c.light, c.fog, c.ray, c.scattering);
+          const double error = std::abs(airlights[i] - reference);
+          if (!(error <= largest)) {
+            largest = error;
+            worst = to_string(c);
+          }
+          if (reference > kDim) relative.push_back(error / reference);
+        }
+        std::ranges::sort(relative);
+        const double typical = relative[relative.size() * 99 / 100];
+        const std::string measured =
+            fmt::format("{}, {}, k = {}: largest {:.3f}/255, 99 % within {:.2f} %", is_spot ? "spots" : "points",
+                        name_of(mode), leg == LampLeg::fogged ? 1 : 0, 255 * largest, 100 * typical);
+        fmt::print("{}\n", measured);
+        EXPECT_LE(largest, kAirlightMaxError) << measured << worst;
+        EXPECT_LE(typical, kAirlightTypicalError) << measured;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace litfog::test
