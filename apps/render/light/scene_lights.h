@@ -22,7 +22,10 @@ namespace litfog::render {
 double threshold_of(const Light& light, const RenderSettings& settings, double exposure = 0);
 
 /// Whether lights light the fog beyond their ends, too: hundreds of tails that are cut off, each too faint to be seen,
-/// would add up. On surfaces they are cut off, where few lamps shine and most at a grazing angle.
+/// would add up. Surfaces lack these tails, so that they are too dark where hundreds of lights face them. Measured at 0
+/// EV against surfaces without ends, in steps of 1/255, largest and mean: `city` in clear air 35 and 4.9, at 1500 m 9.3
+/// and 2.8, at 500 m 5.8 and 1.4; `approach` in clear air 8.9 and 0.61; `street` 2.1 and 0.03, at 400 m 0.6 and 0.04;
+/// `headlights` 2.1 and 0.04. The reference in double ends lights where the renderer does, so that it does not tell.
 bool lights_fog_beyond_end(const RenderSettings& settings);
 
 /// A light's cone as a renderer draws it: its own, but for paths whose maps hold another (mapped_cone).
