@@ -17,6 +17,8 @@
 // Highway's order: highway.h first.
 #include <hwy/contrib/math/math-inl.h>
 
+#include "batch_lanes.h"
+
 // Gauss-Legendre nodes and weights of (0, 1), once for all targets.
 #ifndef LITFOG_AXIAL_NODES
 #define LITFOG_AXIAL_NODES
@@ -48,23 +50,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr double kLongest = 6.5;
 
-/// One vector's columns.
-template <class V>
-struct AxialLanes {
-  V constant, linear, quadratic, threshold, density;
-};
-
-/// x at which l x + q x^2 is a rise of D; 0 for one that is not above 0.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE V range_of_rise(D d, V linear, V quadratic, V rise) {
-  const V twice = hn::Add(rise, rise);
-  const V discriminant = hn::MulAdd(linear, linear, hn::Mul(hn::Add(quadratic, quadratic), twice));
-  return hn::IfThenZeroElse(hn::Le(rise, hn::Zero(d)), hn::Div(twice, hn::Add(linear, hn::Sqrt(discriminant))));
-}
-
 /// The integral; NaN for lights beyond the figures that it holds for.
 template <FogMode kMode, class D, class V = hn::Vec<D>>
-HWY_INLINE V integrate_axially(D d, const AxialLanes<V>& in) {
+HWY_INLINE V integrate_axially(D d, const Lanes<V>& in) {
   using T = hn::TFromD<D>;
   constexpr bool kIsFloat = sizeof(T) == 4;
   constexpr bool kIsExp = kMode == FogMode::exp;
@@ -75,7 +63,7 @@ HWY_INLINE V integrate_axially(D d, const AxialLanes<V>& in) {
   const V linear = hn::Mul(in.linear, metres);
   const V quadratic = hn::Mul(hn::Mul(in.quadratic, metres), metres);
   const V first = hn::Max(in.constant, one);  // D at x0
-  const auto range_at = [&](V rise) HWY_ATTR { return range_of_rise(d, linear, quadratic, rise); };
+  const auto range_at = [&](V rise) HWY_ATTR { return level_root(d, rise, linear, quadratic); };
   const V end = range_at(hn::Div(hn::NegMulAdd(in.constant, in.threshold, one), in.threshold));
   const V knee = hn::Min(range_at(hn::Sub(one, in.constant)), end);
   const V doubling = hn::Sub(range_at(hn::Sub(hn::Add(first, first), in.constant)), knee);
@@ -143,9 +131,8 @@ std::size_t integrate_columns(const BasicBatchLights<T>& lights, std::span<T> ai
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       copy_light(lights, std::min(at + lane, count - 1), columns, lane);  // beyond the end the last light again
     }
-    const AxialLanes<hn::Vec<decltype(d)>> in{hn::LoadU(d, columns[0]), hn::LoadU(d, columns[1]),
-                                              hn::LoadU(d, columns[2]), hn::LoadU(d, columns[3]),
-                                              hn::LoadU(d, columns[4])};
+    const Lanes<hn::Vec<decltype(d)>> in{hn::LoadU(d, columns[0]), hn::LoadU(d, columns[1]), hn::LoadU(d, columns[2]),
+                                         hn::LoadU(d, columns[3]), hn::LoadU(d, columns[4])};
     hn::StoreU(integrate_axially<kMode>(d, in), d, results);
     for (std::size_t lane = 0; lane < used; ++lane) {
       const bool is_done = results[lane] == results[lane];

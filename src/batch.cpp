@@ -16,6 +16,8 @@
 // Highway's order: highway.h first.
 #include <hwy/contrib/math/math-inl.h>
 
+#include "batch_lanes.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace litfog::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
@@ -78,16 +80,6 @@ template <class V>
 HWY_INLINE Split<V> two_sum(V a, V b) {
   return fast_two_sum(hn::Max(a, b), hn::Min(a, b));
 }
-
-/// One vector's columns.
-template <class V>
-struct Lanes {
-  V constant;
-  V linear;
-  V quadratic;
-  V threshold;
-  V density;
-};
 
 /// C + L r + Q r^2 with its rounding error, as in level_range.h.
 template <class D, class V = hn::Vec<D>>
@@ -344,14 +336,6 @@ struct Solved {
   V intensity;
   V peak_range;
 };
-
-/// The range at which l r + q r^2 is an excess K: 2 K / (l + sqrt(l^2 + 4 q K)), 0 where K <= 0.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE V level_root(D d, V excess, V linear, V quadratic) {
-  const V twice = hn::Add(excess, excess);
-  const V root = hn::Sqrt(hn::MulAdd(linear, linear, hn::Mul(hn::Add(quadratic, quadratic), twice)));
-  return hn::IfThenElseZero(hn::Gt(excess, hn::Zero(d)), hn::Div(twice, hn::Add(linear, root)));
-}
 
 /// The range at which the attenuation falls to a level, to half the precision of the type; 0 where it starts below it.
 template <class D, class V = hn::Vec<D>>
