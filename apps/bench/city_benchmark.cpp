@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <deque>
 #include <limits>
@@ -21,6 +20,7 @@
 #include "bench/stopwatch.h"
 #include "bench/visible_lights.h"
 #include "command/progress.h"
+#include "command/wall_timer.h"
 #include "litfog/airlight.h"
 #include "litfog/gl/headless_context.h"
 #include "litfog/light_clusters.h"
@@ -116,10 +116,6 @@ View view_of(const scene::Camera& camera, double visibility) {
 
 // --- times ---
 
-double wall_milliseconds() {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 template <typename Clock, typename Work>
 double time_of(const Clock& clock, const Work& work) {
   const double begin = clock();
@@ -145,10 +141,9 @@ struct Trial {
 
 /// Notes the times of a frame.
 void time_frame(Trial& trial, render::Renderer& renderer) {
-  double processor = 0;
-  trial.wall_milliseconds.push_back(
-      time_of(wall_milliseconds, [&] { processor = time_of(process_milliseconds, [&] { renderer.draw(); }); }));
-  trial.milliseconds.push_back(processor);
+  const command::WallTimer wall;
+  trial.milliseconds.push_back(time_of(process_milliseconds, [&] { renderer.draw(); }));
+  trial.wall_milliseconds.push_back(wall.milliseconds());
 }
 
 // --- clusters ---

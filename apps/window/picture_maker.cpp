@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "window/picture_maker.h"
 
-#include <chrono>
 #include <deque>
 #include <glm/glm.hpp>
 #include <utility>
 
+#include "command/wall_timer.h"
 #include "demo/picture_file.h"
 #include "litfog/gl/headless_context.h"
 #include "litfog/gl/unsupported.h"
@@ -13,12 +13,6 @@
 
 namespace litfog::window {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double milliseconds_since(Clock::time_point begin) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
-}
 
 /// A renderer that stays as long as its settings do, and what it was last told.
 class KeptRenderer {
@@ -56,9 +50,9 @@ class KeptRenderer {
     if (exposure.is_auto) chosen_ = exposure.ev;
     DrawnPicture drawn;
     drawn.display = {.exposure = exposure, .tone = display.tone};
-    const auto begin = Clock::now();
+    const command::WallTimer timer;
     drawn.counts = renderer_->draw();
-    drawn.milliseconds = milliseconds_since(begin);
+    drawn.milliseconds = timer.milliseconds();
     drawn.shown = render::displayed(renderer_->read(), drawn.display);
     drawn.pixels = demo::shown_pixels(drawn.shown);
     return drawn;
@@ -130,7 +124,7 @@ void PictureMaker::work(scene::Scene scene) try {
     is_busy_ = true;
     lock.unlock();
 
-    const auto begin = Clock::now();
+    const command::WallTimer timer;
     const PictureOrder& order = delivery.order;
     if (order.lights != lights) scene.lights = *order.lights;
     lights = order.lights;
@@ -152,7 +146,7 @@ void PictureMaker::work(scene::Scene scene) try {
       delivery.error = missing.what();
       renderers.clear();
     }
-    delivery.milliseconds = milliseconds_since(begin);
+    delivery.milliseconds = timer.milliseconds();
     lock.lock();
     delivery_ = std::move(delivery);
     lock.unlock();

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <set>
@@ -12,6 +11,7 @@
 #include "command/command.h"
 #include "command/output_files.h"
 #include "command/standard_output.h"
+#include "command/wall_timer.h"
 #include "demo/picture_folder.h"
 #include "demo/sequence/animation.h"
 #include "file_text.h"
@@ -105,10 +105,6 @@ void carry_lights(scene::Scene& scene, const scene::Camera& from, const scene::C
 
 std::string frame_file(const scene::Scene& scene, int frame) {
   return fmt::format("{}-{:04}.png", scene.name, frame + 1);
-}
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 }  // namespace
@@ -239,7 +235,7 @@ void Sequence::move_lights(int frame) {
 
 void draw_sequence(Sequence& sequence, const std::string& folder, const DrawingOptions& drawing,
                    const SequenceOptions& options) {
-  const auto start = std::chrono::steady_clock::now();
+  const command::WallTimer timer;
   const scene::Scene& scene = sequence.scene();
   const int count = sequence.frames();
   if (!options.film.empty()) require_film_maker();
@@ -260,7 +256,7 @@ void draw_sequence(Sequence& sequence, const std::string& folder, const DrawingO
   std::optional<render::Renderer> renderer;
   render::Display display = drawing.display.display_for(scene);
   for (int frame = 0; frame < count; ++frame) {
-    const auto frame_start = std::chrono::steady_clock::now();
+    const command::WallTimer frame_timer;
     if (sequence.changes_members()) renderer.reset();
     sequence.show(frame);
     if (!renderer) {
@@ -278,7 +274,7 @@ void draw_sequence(Sequence& sequence, const std::string& folder, const DrawingO
     const std::string& file = frame_files[std::size_t(frame)];
     pictures.write(file, render::displayed(renderer->read(), display));
     command::report(fmt::format("{}: {}, drawn in {:.2f} s\n", pictures.path_of(file), sequence.words(frame),
-                                seconds_since(frame_start)));
+                                frame_timer.seconds()));
   }
   pictures.finish();
 
@@ -291,7 +287,7 @@ void draw_sequence(Sequence& sequence, const std::string& folder, const DrawingO
   const std::string words = display_in_words(display);
   command::report(fmt::format("{}{}: {} frames, {} a second{}; {:.1f} s in all\n", animation,
                               options.film.empty() ? "" : " and " + options.film, count, options.frames_per_second,
-                              words.empty() ? "" : ", " + words, seconds_since(start)));
+                              words.empty() ? "" : ", " + words, timer.seconds()));
 }
 
 }  // namespace litfog::demo

@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <tuple>
 
 #include "command/standard_output.h"
 #include "command/table.h"
+#include "command/wall_timer.h"
 #include "demo/drawing.h"
 #include "demo/picture_folder.h"
 #include "demo/sheet/contact_sheet.h"
@@ -18,10 +18,6 @@
 
 namespace litfog::demo {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// Whether two lights have one row in the table: the name and all that the solution depends on are the same.
 bool is_same_kind(const Light& a, const Light& b) {
@@ -106,10 +102,10 @@ PictureFolder make_folder(const std::string& path, const std::vector<Row>& rows)
 }  // namespace
 
 void draw_gallery(const std::vector<std::string>& scenes, const std::string& folder, const DrawingOptions& options) {
-  const Clock::time_point start = Clock::now();
+  const command::WallTimer timer;
   std::vector<scene::Scene> read = scene::read_scenes(scenes);
   for (scene::Scene& scene : read) set_scene(scene, options);
-  command::report(fmt::format("{} scenes loaded in {:.2f} s\n", read.size(), seconds_since(start)));
+  command::report(fmt::format("{} scenes loaded in {:.2f} s\n", read.size(), timer.seconds()));
   const std::vector<Row> rows = make_rows(read, options);
   PictureFolder pictures = make_folder(folder, rows);
   command::Table solutions{{"scene", "light", "visibility_m", "extent_m", "peak_range_m", "intensity"}, {}};
@@ -123,11 +119,11 @@ void draw_gallery(const std::vector<std::string>& scenes, const std::string& fol
     for (const double visibility : shown_visibilities(scene)) {
       const bool is_clear = std::isinf(visibility);
       const std::string file = picture_file(row, visibility);
-      const Clock::time_point frame_start = Clock::now();
+      const command::WallTimer frame_timer;
       const render::Display display = set_fog_and_exposure(renderer, at_visibility(options, visibility)).display;
       renderer.draw();
       const render::Picture drawn = renderer.read();
-      const double draw_seconds = seconds_since(frame_start);
+      const double draw_seconds = frame_timer.seconds();
       std::vector<std::string> caption{is_clear ? row.title + ", clear air"
                                                 : fmt::format("{}, visibility {} m", row.title, visibility)};
       const std::string words = display_in_words(display);
@@ -142,7 +138,7 @@ void draw_gallery(const std::vector<std::string>& scenes, const std::string& fol
   pictures.write(kSheetFile, make_contact_sheet(sheet));
   pictures.finish();
   command::report("\n" + command::format_table(solutions, command::TableFormat::text));
-  command::report(fmt::format("\n{} shows all; {:.1f} s in all\n", pictures.path_of(kSheetFile), seconds_since(start)));
+  command::report(fmt::format("\n{} shows all; {:.1f} s in all\n", pictures.path_of(kSheetFile), timer.seconds()));
 }
 
 }  // namespace litfog::demo
