@@ -18,6 +18,9 @@
 //
 // Errors and what they were measured on: litfog/airlight.h.
 //
+// Loops test at their end. Drivers without branches (llvmpipe) run a body once more, for nothing, to find out at its
+// beginning that the loop has ended.
+//
 // A program whose lamps all have C >= 1 has no plateaus. If it defines LITFOG_NO_KNEE before the first include of
 // litfog, compilers leave their closed forms out.
 
@@ -357,7 +360,8 @@ LITFOG_REAL litfog_airlight_between(LitfogAirlight air, LitfogAirlightSide side,
   int node = first;
   LITFOG_REAL panel = LITFOG_REAL(0.0);
   LITFOG_REAL sum = LITFOG_REAL(0.0);
-  for (int i = nodes_each * panels; i > 0; --i) {
+  int left = nodes_each * panels;
+  do {
     LITFOG_REAL position = (panel + litfog_gauss_nodes[node]) / LITFOG_REAL(panels);
     LITFOG_REAL nearer = LITFOG_REAL(1.0) / (LITFOG_REAL(1.0) + side.bend * (LITFOG_REAL(1.0) - position));
     LITFOG_REAL growth = exp(start + (end - start) * position * nearer);
@@ -373,7 +377,8 @@ LITFOG_REAL litfog_airlight_between(LitfogAirlight air, LitfogAirlightSide side,
       node = first;
       panel += LITFOG_REAL(1.0);
     }
-  }
+    --left;
+  } while (left > 0);
   return sum * (LITFOG_REAL(1.0) + side.bend) * (end - start) / LITFOG_REAL(panels);
 }
 
@@ -381,6 +386,50 @@ LITFOG_REAL litfog_airlight_between(LitfogAirlight air, LitfogAirlightSide side,
 LITFOG_REAL litfog_airlight_next(LitfogAirlightSide side, LITFOG_REAL cut, LITFOG_REAL x, LITFOG_REAL next) {
   LITFOG_REAL cut_x = (cut - side.anchor) * side.direction;
   return cut_x > x * LITFOG_REAL(1.00001) && cut_x < next ? cut_x : next;
+}
+
+// Where a side is cut into smooth pieces: distances along the ray from the closest approach, litfog_far for none.
+struct LitfogAirlightCuts {
+  bool are_made;
+  bool is_wide;           // the cone's half angle is a right one or more: all but one stretch of the ray may be lit
+  LITFOG_REAL plateau;    // and the same before the closest approach
+  LITFOG_REAL edge_low;   // of a wide cone
+  LITFOG_REAL edge_high;
+  LITFOG_REAL inner_low;  // of a smoothstep cone's full brightness
+  LITFOG_REAL inner_high;
+};
+
+// The integral over a side by some nodes, spread over its pieces in proportion to their sizes.
+LITFOG_REAL litfog_airlight_over(LitfogAirlight air, LitfogAirlightSide side, LitfogAirlightCuts cuts,
+                                 LITFOG_REAL nodes) {
+  LITFOG_REAL sum = LITFOG_REAL(0.0);
+  LITFOG_REAL x = side.nearest;
+  LITFOG_REAL t = LITFOG_REAL(0.0);
+  int pieces = 0;
+  do {
+    LITFOG_REAL next = side.farthest;
+    LITFOG_REAL end = side.size;
+    LITFOG_REAL part = nodes;
+    bool is_dark = false;
+    if (cuts.are_made) {
+      next = litfog_airlight_next(side, cuts.plateau, x, next);
+      next = litfog_airlight_next(side, -cuts.plateau, x, next);
+      next = litfog_airlight_next(side, cuts.edge_low, x, next);
+      next = litfog_airlight_next(side, cuts.edge_high, x, next);
+      next = litfog_airlight_next(side, cuts.inner_low, x, next);
+      next = litfog_airlight_next(side, cuts.inner_high, x, next);
+      LITFOG_REAL middle = side.anchor + side.direction * LITFOG_REAL(0.5) * (x + next);
+      is_dark =
+          cuts.is_wide && litfog_airlight_cosine(air, middle, litfog_airlight_range(air, middle)) <= air.cone_x;
+      end = litfog_airlight_t(side, next);
+      part = max(floor(nodes * (end - t) / side.size + LITFOG_REAL(1.5)), LITFOG_REAL(1.0));
+    }
+    if (!is_dark) sum += litfog_airlight_between(air, side, t, end, int(part));
+    x = next;
+    t = end;
+    ++pieces;
+  } while (cuts.are_made && pieces < 7 && x < side.farthest);
+  return sum;
 }
 
 LITFOG_REAL litfog_airlight(LitfogAirlight air) {
@@ -481,53 +530,39 @@ LITFOG_REAL litfog_airlight(LitfogAirlight air) {
     roots += sqrt(before_crossing.size) + sqrt(beyond_crossing.size);
   }
   LITFOG_REAL nodes_left = air.nodes > LITFOG_REAL(0.0) ? air.nodes : litfog_airlight_nodes(air);
-  bool is_cut = !is_plain && nodes_left > LITFOG_REAL(8.0);
-  LITFOG_REAL inner_low = litfog_far;
-  LITFOG_REAL inner_high = litfog_far;
-  if (is_cut && air.profile == LITFOG_REAL(LITFOG_PROFILE_SMOOTHSTEP)) {
-    inner_low = litfog_airlight_crossing(air, air.cone_y, false);
-    inner_high = litfog_airlight_crossing(air, air.cone_y, true);
+  LitfogAirlightCuts cuts;
+  cuts.are_made = !is_plain && nodes_left > LITFOG_REAL(8.0);
+  cuts.is_wide = is_wide;
+  cuts.plateau = plateau;
+  cuts.edge_low = edge_low;
+  cuts.edge_high = edge_high;
+  cuts.inner_low = litfog_far;
+  cuts.inner_high = litfog_far;
+  if (cuts.are_made && air.profile == LITFOG_REAL(LITFOG_PROFILE_SMOOTHSTEP)) {
+    cuts.inner_low = litfog_airlight_crossing(air, air.cone_y, false);
+    cuts.inner_high = litfog_airlight_crossing(air, air.cone_y, true);
   }
   int sides = crosses ? 4 : 2;
-  for (int i = 0; i < sides; ++i) {
+  int i = 0;
+  do {
     LitfogAirlightSide side = before;
     if (i == 1) side = beyond;
     if (i == 2) side = before_crossing;
     if (i == 3) side = beyond_crossing;
     LITFOG_REAL root = sqrt(side.size);
-    if (root <= LITFOG_REAL(0.0)) continue;
-    LITFOG_REAL nodes = nodes_left * root / roots;
-    bool is_last = root > LITFOG_REAL(0.99) * roots;
-    roots = max(roots - root, LITFOG_REAL(1.0e-9));
-    if (!is_cut) {
-      LITFOG_REAL most = is_last ? nodes_left : nodes_left - LITFOG_REAL(1.0);  // one for the other side
-      nodes = max(min(floor(nodes + LITFOG_REAL(0.5)), most), LITFOG_REAL(1.0));
-    }
-    nodes_left -= nodes;
-    LITFOG_REAL x = side.nearest;
-    LITFOG_REAL t = LITFOG_REAL(0.0);
-    for (int cut = 0; cut < 7 && x < side.farthest; ++cut) {
-      LITFOG_REAL next = side.farthest;
-      LITFOG_REAL end = side.size;
-      LITFOG_REAL part = nodes;
-      bool is_dark = false;
-      if (is_cut) {
-        next = litfog_airlight_next(side, plateau, x, next);
-        next = litfog_airlight_next(side, -plateau, x, next);
-        next = litfog_airlight_next(side, edge_low, x, next);
-        next = litfog_airlight_next(side, edge_high, x, next);
-        next = litfog_airlight_next(side, inner_low, x, next);
-        next = litfog_airlight_next(side, inner_high, x, next);
-        LITFOG_REAL middle = side.anchor + side.direction * LITFOG_REAL(0.5) * (x + next);
-        is_dark = is_wide && litfog_airlight_cosine(air, middle, litfog_airlight_range(air, middle)) <= air.cone_x;
-        end = litfog_airlight_t(side, next);
-        part = max(floor(nodes * (end - t) / side.size + LITFOG_REAL(1.5)), LITFOG_REAL(1.0));
+    if (root > LITFOG_REAL(0.0)) {
+      LITFOG_REAL nodes = nodes_left * root / roots;
+      bool is_last = root > LITFOG_REAL(0.99) * roots;
+      roots = max(roots - root, LITFOG_REAL(1.0e-9));
+      if (!cuts.are_made) {
+        LITFOG_REAL most = is_last ? nodes_left : nodes_left - LITFOG_REAL(1.0);  // one for the other side
+        nodes = max(min(floor(nodes + LITFOG_REAL(0.5)), most), LITFOG_REAL(1.0));
       }
-      if (!is_dark) sum += litfog_airlight_between(air, side, t, end, int(part));
-      x = next;
-      t = end;
+      nodes_left -= nodes;
+      sum += litfog_airlight_over(air, side, cuts, nodes);
     }
-  }
+    ++i;
+  } while (i < sides);
   return max(sum, LITFOG_REAL(0.0));
 }
 

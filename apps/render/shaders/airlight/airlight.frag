@@ -88,9 +88,9 @@ void main() {
       max(most_equal_opacities, most_equal_airlights / largest_gain(light, direction, seen.x, seen.w)) /
       max(exposure_gain, 1.0);
   vec3 sum = vec3(0.0);
-  int run;  // of quarters that share an airlight
-  for (int first = 0; first < 4; first += run) {
-    run = 1;
+  int first = 0;
+  do {
+    int run = 1;  // of quarters that share an airlight
     float ranges = seen[first];
     for (; first + run < 4 && opacities[first + run] - opacities[first] < equal_opacities; ++run) {
       ranges += seen[first + run];
@@ -98,7 +98,8 @@ void main() {
     float range = ranges / float(run);
     sum += litfog_glow(shown, eye, direction, range, asymmetry) *
            (0.25 * float(run) * lit_fraction(light_index, light, direction, range));
-  }
+    first += run;
+  } while (first < 4);
   airlight = vec4(sum / exposure_gain, 0.0);
   if (pixel_step > 1) gain.rgb = gain_at(light, direction, dot(seen, vec4(0.25)));  // the finest grid has none
 }
