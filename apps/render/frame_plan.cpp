@@ -9,7 +9,6 @@
 
 #include "litfog/airlight.h"
 #include "litfog/cone.h"
-#include "render/airlight/far_airlight_list.h"
 #include "render/fog_top.h"
 #include "render/frustum.h"
 #include "render/light/hidden_range.h"
@@ -37,9 +36,10 @@ FramePlanner::FramePlanner(const scene::Scene& scene, const SceneLights& lights,
                            const RenderSettings& settings)
     : scene_(scene), lights_(lights), surfaces_(surfaces), settings_(settings), foggy_(surfaces.surfaces().size()) {}
 
-void FramePlanner::set_fog(const Fog& fog, bool is_fog_lit) {
+void FramePlanner::set_fog(const Fog& fog, bool is_fog_lit, std::span<const std::int32_t> shaft_casters) {
   fog_ = fog;
   is_fog_lit_ = is_fog_lit;
+  shaft_casters_ = shaft_casters;
   strengths_.resize(surfaces_.lists().size());
   forget();
 }
@@ -47,8 +47,8 @@ void FramePlanner::set_fog(const Fog& fog, bool is_fog_lit) {
 const FramePlan& FramePlanner::plan(const FrameView& view) {
   has_changed_ = view_ != view;
   if (!has_changed_) return plan_;
-  if (!view_ || view_->exposure != view.exposure) {  // another fog, too
-    step_ = visible_step(view.exposure);
+  if (!view_ || view_->exposures.surfaces != view.exposures.surfaces) {  // another fog, too
+    step_ = visible_step(view.exposures.surfaces);
     ++fog_number_;
   }
   view_ = view;
@@ -83,9 +83,7 @@ double FramePlanner::airlight_end_from(const glm::dvec3& eye, double budget) con
     end = std::max(end, airlight_end(placed.light, lights_.extents()[i], fog_, phase,
                                      glm::distance(eye, placed.position), budget / double(lights_.size())));
   }
-  if (!lights_fog_beyond_end(settings_)) return end;
-  const Scattering scattering{.asymmetry = scene_.phase_g};
-  return std::max(end, list_far_airlight(lights_, fog_, scattering, eye, view_->exposure).depth);
+  return std::max(end, plan_.far_airlights.depth);
 }
 
 double FramePlanner::hidden_range_of(std::size_t index) {
@@ -138,11 +136,24 @@ void FramePlanner::make_plan(const FrameView& view) {
   plan_.counts = {};
   plan_.light_list.resize(lights_.size() - lights_.local_count());
   std::iota(plan_.light_list.begin(), plan_.light_list.end(), std::int32_t(lights_.local_count()));
+  if (settings_.fog_lighting == FogLighting::airlight) plan_airlight(view);
   if (settings_.path_skipping() == Skipping::on) {
     plan_visible(view);
   } else {
     plan_everything();
   }
+}
+
+void FramePlanner::plan_airlight(const FrameView& view) {
+  const Scattering scattering{.asymmetry = scene_.phase_g};
+  const double exposure = view.exposures.airlight;
+  plan_.airlights =
+      list_airlight(lights_, fog_, scattering, view.eye, view.pixels_per_radian, exposure, shaft_casters_);
+  if (lights_fog_beyond_end(settings_)) {
+    plan_.far_airlights = list_far_airlight(lights_, fog_, scattering, view.eye, exposure, shaft_casters_);
+  }
+  plan_.counts.airlights_drawn = plan_.airlights.entries.size();
+  plan_.counts.airlights_invisible = lights_.size() - plan_.airlights.entries.size();
 }
 
 void FramePlanner::plan_everything() {
@@ -235,7 +246,7 @@ bool FramePlanner::can_be_lit_from(const glm::dvec3& eye, const Surface& surface
   return false;
 }
 
-LightCounts FramePlanner::count_lights(std::span<const AirlightEntry> airlights) const {
+LightCounts FramePlanner::count_lights() const {
   enum class Fate { out_of_reach, outside_view, hidden, drawn };
   std::vector<Fate> fates(lights_.size(), Fate::out_of_reach);
   const auto raise = [&](std::span<const std::int32_t> lights, Fate fate) {
@@ -251,7 +262,7 @@ LightCounts FramePlanner::count_lights(std::span<const AirlightEntry> airlights)
   }
   for (const PlannedSurface& surface : plan_.surfaces) raise(plan_.lights_of(surface), Fate::drawn);
   raise(plan_.points(), Fate::drawn);
-  for (const AirlightEntry& entry : airlights) fates[std::size_t(entry.light)] = Fate::drawn;
+  for (const AirlightEntry& entry : plan_.airlights.entries) fates[std::size_t(entry.light)] = Fate::drawn;
   const auto count = [&](Fate fate) { return std::size_t(std::ranges::count(fates, fate)); };
   return {.off = scene_.lights.size() - lights_.size(),
           .drawn = count(Fate::drawn),

@@ -9,6 +9,7 @@
 
 #include "litfog/fog.h"
 #include "render/airlight/airlight_list.h"
+#include "render/airlight/far_airlight_list.h"
 #include "render/frame_counts.h"
 #include "render/frustum.h"
 #include "render/light/point_list.h"
@@ -35,6 +36,8 @@ struct FramePlan {
   std::vector<std::int32_t> light_list;
   int point_first = 0;
   int point_count = 0;
+  AirlightList airlights;         ///< within the lights' extents
+  FarAirlightList far_airlights;  ///< beyond them
   FrameCounts counts;
 
   std::span<const std::int32_t> points() const {
@@ -45,13 +48,23 @@ struct FramePlan {
   }
 };
 
-/// Where a frame is seen from, and in what.
+/// At which exposures a picture is shown as far as what it may leave out is concerned, EV: [-kMaxExposure,
+/// kMaxExposure].
+struct FrameExposures {
+  double surfaces;  ///< and sky and points
+  double airlight;
+
+  friend bool operator==(const FrameExposures&, const FrameExposures&) = default;
+};
+
+/// Where a frame is seen from.
 struct FrameView {
   glm::dvec3 eye;
   glm::mat4 clip_from_world;
   double highest_slope;       ///< largest y of a unit direction from the eye into the picture
   double point_depth_factor;  ///< point_list.h
-  double exposure;            ///< EV at which the picture is shown: [-kMaxExposure, kMaxExposure]
+  double pixels_per_radian;   ///< at the picture's middle
+  FrameExposures exposures;
 
   friend bool operator==(const FrameView&, const FrameView&) = default;
 };
@@ -76,18 +89,18 @@ class FramePlanner {
   FramePlanner(const scene::Scene& scene, const SceneLights& lights, const SurfaceList& surfaces,
                const RenderSettings& settings);
 
-  /// Takes a change of the fog, and of the lights where they have changed. is_fog_lit: whether carried lights light it
-  /// by their intensity.
-  void set_fog(const Fog& fog, bool is_fog_lit);
+  /// Takes a change of the fog, and of the lights where they have changed.
+  ///
+  /// is_fog_lit     whether carried lights light it by their intensity
+  /// shaft_casters  as list_airlight() takes them; have to outlive this or the next call
+  void set_fog(const Fog& fog, bool is_fog_lit, std::span<const std::int32_t> shaft_casters);
 
   /// Valid until the next call; the same where the view has not changed, with has_changed() false.
   const FramePlan& plan(const FrameView& view);
   /// Makes the next plan anew.
   void forget() { view_.reset(); }
   /// What the last plan makes of the lights that the scene has on.
-  ///
-  /// airlights  those whose airlight is drawn
-  LightCounts count_lights(std::span<const AirlightEntry> airlights) const;
+  LightCounts count_lights() const;
   bool has_changed() const { return has_changed_; }
 
   /// All surfaces in view, without lights.
@@ -106,6 +119,7 @@ class FramePlanner {
   };
 
   void make_plan(const FrameView& view);
+  void plan_airlight(const FrameView& view);
   void plan_everything();
   void plan_visible(const FrameView& view);
   void add_points(const PointList& points);
@@ -125,6 +139,7 @@ class FramePlanner {
   RenderSettings settings_;
   Fog fog_;
   bool is_fog_lit_ = false;
+  std::span<const std::int32_t> shaft_casters_;
   unsigned fog_number_ = 1;
   double step_ = 0;
   std::vector<Foggy> foggy_;      // one a surface

@@ -76,8 +76,7 @@ Renderer::Renderer(const scene::Scene& scene, int width, int height, const Rende
     shadows_.emplace(scene, lights_, surfaces_.surfaces(), framebuffer_.aspect(), settings);
   }
   if (settings.fog_lighting == FogLighting::airlight) {
-    airlight_.emplace(scene, lights_, fog_block_, framebuffer_, settings,
-                      settings.shadows == Shadows::shafts ? shadows() : nullptr);
+    airlight_.emplace(scene, fog_block_, framebuffer_, settings);
   }
   if (!scene.cookies.empty()) cookies_ = upload_cookies(scene.cookies);
   set_fog(Fog{});
@@ -90,8 +89,10 @@ void Renderer::set_size(int width, int height) {
   gl::check_errors("making a picture of another size");
 }
 
-void Renderer::set_lights() {
-  lights_ = SceneLights(scene_, settings_, ends_exposure_);
+void Renderer::set_lights() { set_lights_for(lights_.exposure()); }
+
+void Renderer::set_lights_for(double ends_exposure) {
+  lights_ = SceneLights(scene_, settings_, ends_exposure);
   light_tables_ = {};  // so that all are uploaded
   cookie_cones_ =
       BufferTexture(lights_.cookie_cones().data(), lights_.cookie_cones().size_bytes(), BufferTexture::Texel::float4);
@@ -108,7 +109,9 @@ void Renderer::set_fog(const Fog& fog) {
                entries_in(changes.instances) * sizeof(FogLightInstance);
   fog_block_.upload(pack_fog_header(fog, scene_.environment.ambient_fog_color, 0));
   surfaces_.set_fog();
-  planner_.set_fog(fog, !fog_lights(lights_, Skipping::on).empty());
+  const bool has_shafts = settings_.shadows == Shadows::shafts;
+  planner_.set_fog(fog, !fog_lights(lights_, Skipping::on).empty(),
+                   has_shafts ? shadows_->caster_of_lights() : std::span<const std::int32_t>());
 }
 
 Exposure Renderer::set_exposure(const Exposure& exposure) {
@@ -116,19 +119,18 @@ Exposure Renderer::set_exposure(const Exposure& exposure) {
   if (exposure.is_auto) {
     // Surfaces are drawn as for the largest exposure. Airlight, which takes long then, is drawn as for the exposure
     // found without what it leaves out at 0 EV.
-    exposure_ = kMaxExposure;
-    airlight_exposure_ = 0;
-    draw();
-    airlight_exposure_ = auto_exposure(read());
-    if (airlight_exposure_ > 0) draw();
+    draw_for({.surfaces = kMaxExposure, .airlight = 0});
     exposure_ = auto_exposure(read());
+    if (exposure_ > 0) {
+      draw_for({.surfaces = kMaxExposure, .airlight = exposure_});
+      exposure_ = auto_exposure(read());
+    }
   }
-  airlight_exposure_ = exposure_;
   // Lights' ends are those of the next whole EV, so that small changes of the exposure leave all lists as they are.
   const double ends_exposure = std::ceil(std::max(exposure_, 0.0));
-  const bool has_other_ends = settings_.fog_lighting == FogLighting::airlight && ends_exposure != ends_exposure_;
-  ends_exposure_ = ends_exposure;
-  if (has_other_ends) set_lights();
+  if (settings_.fog_lighting == FogLighting::airlight && ends_exposure != lights_.exposure()) {
+    set_lights_for(ends_exposure);
+  }
   return {.ev = exposure_, .is_auto = exposure.is_auto};
 }
 
@@ -140,10 +142,11 @@ View Renderer::view() const {
   // Without the eye's position: far from the origin, the rounding of a near point minus the eye would rotate the rays.
   const auto turned = glm::mat4(glm::mat3(scene::view_from_world<float>(scene_.camera)));
   return {.clip_from_world = clip_from_world(),
-          .direction_from_clip = glm::inverse(clip_from_view(scene_.camera, framebuffer_.aspect()) * turned)};
+          .direction_from_clip = glm::inverse(clip_from_view(scene_.camera, framebuffer_.aspect()) * turned),
+          .pixels_per_radian = framebuffer_.height() / (2 * std::tan(double(scene_.camera.field_of_view) / 2))};
 }
 
-FrameView Renderer::frame_view(const View& view) const {
+FrameView Renderer::frame_view(const View& view, const FrameExposures& exposures) const {
   const scene::Camera& camera = scene_.camera;
   const glm::vec3 forward = glm::normalize(camera.target - camera.position);
   constexpr double kRight = std::numbers::pi / 2;
@@ -152,23 +155,22 @@ FrameView Renderer::frame_view(const View& view) const {
           .clip_from_world = view.clip_from_world,
           .highest_slope = std::sin(std::min(pitch + double(camera.field_of_view) / 2, kRight)),
           .point_depth_factor = point_depth_factor(camera.field_of_view, framebuffer_.height()),
-          .exposure = exposure_};
+          .pixels_per_radian = view.pixels_per_radian,
+          .exposures = exposures};
 }
-
-FrameCounts Renderer::draw(LightPoints light_points) { return draw_stages(light_points, nullptr); }
 
 FrameStatistics Renderer::draw_and_measure() {
   FrameStatistics statistics;
   statistics.fog_bytes_uploaded = fog_bytes_;
   statistics.lights_per_fragment = count_lights_per_fragment();
   planner_.forget();
-  statistics.counts = draw_stages(LightPoints::on, &statistics);
+  statistics.counts = draw_stages({exposure_, exposure_}, LightPoints::on, &statistics);
   return statistics;
 }
 
 double Renderer::count_lights_per_fragment() {
   const View view = this->view();
-  FramePlan plan = planner_.plan(frame_view(view));
+  FramePlan plan = planner_.plan(frame_view(view, {exposure_, exposure_}));
   for (PlannedSurface& surface : plan.surfaces) surface.is_fog_alone = false;
   const Framebuffer counts(width(), height(), Passes::several, samples());  // in floats: halves end at 65,504
   begin_frame(counts, glm::vec3(0));
@@ -194,15 +196,21 @@ void Renderer::begin_frame(const Framebuffer& framebuffer, const glm::vec3& back
   begin_depths();
 }
 
-FrameCounts Renderer::draw_stages(LightPoints light_points, FrameStatistics* statistics) {
+FrameCounts Renderer::draw_stages(const FrameExposures& exposures, LightPoints light_points,
+                                  FrameStatistics* statistics) {
   StageClock clock(statistics ? &statistics->times : nullptr);
   const View view = this->view();
-  const FramePlan& plan = planner_.plan(frame_view(view));
+  const FramePlan& plan = planner_.plan(frame_view(view, exposures));
   FrameCounts counts = plan.counts;
   if (planner_.has_changed()) {
     const std::size_t bytes = plan.light_list.size() * sizeof(plan.light_list[0]);
     light_list_.emplace(plan.light_list.data(), bytes, BufferTexture::Texel::int1);
     counts.bytes_uploaded += bytes;
+    if (airlight_) {
+      airlight_->set_lists(plan.airlights, plan.far_airlights);
+      counts.bytes_uploaded += plan.airlights.entries.size() * sizeof(AirlightEntry) +
+                               plan.far_airlights.lights.size() * sizeof(plan.far_airlights.lights[0]);
+    }
   }
   clock.end(&StageTimes::plan);
   if (shadows_) counts.shadow_maps_drawn = shadows_->draw(framebuffer_.aspect());
@@ -212,7 +220,7 @@ FrameCounts Renderer::draw_stages(LightPoints light_points, FrameStatistics* sta
   cookie_cones_.bind(kCookieConeUnit);
   if (shadows_) shadows_->bind();
   clock.end(&StageTimes::surfaces);
-  if (airlight_) airlight_->draw_far(view, fog_, airlight_exposure_);
+  if (airlight_) airlight_->draw_far(view, fog_.mode);
   clock.end(&StageTimes::airlight);
   begin_frame(framebuffer_, scene_.environment.ambient_fog_color);  // SkyDrawing::background
   Interruption interruption(is_unwanted_);
@@ -229,23 +237,19 @@ FrameCounts Renderer::draw_stages(LightPoints light_points, FrameStatistics* sta
   clock.end(&StageTimes::sky);
   if (light_points == LightPoints::on) draw_light_points(view, plan);
   clock.end(&StageTimes::points);
-  const AirlightList airlights = airlight_ ? airlight_->list(fog_, airlight_exposure_) : AirlightList{};
-  if (has_panes()) counts.bytes_uploaded += draw_panes(view, plan, airlights.entries.size());
+  if (has_panes()) counts.bytes_uploaded += draw_panes(view, plan);
   end_depths();
   clock.end(&StageTimes::panes);
   framebuffer_.resolve();
   clock.end(&StageTimes::resolve);
   if (airlight_) {
-    airlight_->draw(airlights, framebuffer_, view, fog_, airlight_exposure_, has_panes(), interruption);
+    airlight_->draw(framebuffer_, view, fog_.mode, exposures.airlight, has_panes(), interruption);
     if (interruption.has_come()) throw Interrupted{};
-    counts.airlights_drawn = airlights.entries.size();
-    counts.airlights_invisible = lights_.size() - airlights.entries.size();
-    counts.bytes_uploaded += airlights.entries.size() * sizeof(AirlightEntry);
   }
   clock.end(&StageTimes::airlight);
   glFinish();
   gl::check_errors("drawing a frame");
-  if (statistics) statistics->lights = planner_.count_lights(airlights.entries);
+  if (statistics) statistics->lights = planner_.count_lights();
   return counts;
 }
 
@@ -263,21 +267,21 @@ void Renderer::draw_pane_geometry(const GeometryBuffer& geometry, int layer) {
   geometry.begin_layer(layer);
   glEnable(GL_CULL_FACE);
   surfaces_.draw_panes(geometry_path(*settings_.path), planner_.plan_geometry(clip_from_world()), clip_from_world(),
-                       nullptr, 0, nullptr);
+                       nullptr, nullptr);
   geometry.end();
   gl::check_errors("drawing the geometry of panes");
 }
 
 /// Draws panes over all that is in the framebuffer, even over points before them, and leaves as its alpha the fraction
 /// of the rest that they let through.
-std::size_t Renderer::draw_panes(const View& view, const FramePlan& plan, std::size_t airlights) {
+std::size_t Renderer::draw_panes(const View& view, const FramePlan& plan) {
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
   glClearColor(0, 0, 0, 1);
   glClear(GL_COLOR_BUFFER_BIT);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glEnable(GL_BLEND);
   glBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
-  const std::size_t bytes = surfaces_.draw_panes(*settings_.path, plan, view.clip_from_world, shadows(), airlights,
+  const std::size_t bytes = surfaces_.draw_panes(*settings_.path, plan, view.clip_from_world, shadows(),
                                                  airlight_ ? &airlight_->far() : nullptr);
   glDisable(GL_BLEND);
   return bytes;

@@ -51,22 +51,25 @@ class Renderer {
   ///
   /// returns  it; of an automatic one what has been chosen
   Exposure set_exposure(const Exposure& exposure);
-  /// Until the next set_exposure(), airlight is drawn as for that exposure: what is left out of it, and what its grids
-  /// err, but not where lights end. EV, at most kMaxExposure, at which nothing is left out.
-  void set_airlight_exposure(double exposure) { airlight_exposure_ = exposure; }
   /// Lets draw() and set_exposure() end with Interrupted as soon as a function says that the frame is unwanted, which
   /// asking delays a little. An empty one never does.
   void interrupt_when(std::function<bool()> is_unwanted) { is_unwanted_ = std::move(is_unwanted); }
   /// Draws a frame and waits for it.
-  FrameCounts draw(LightPoints light_points = LightPoints::on);
+  FrameCounts draw(LightPoints light_points = LightPoints::on) {
+    return draw_for({exposure_, exposure_}, light_points);
+  }
+  /// The same as for other exposures than the one set, but for where lights end. At kMaxExposure nothing is left out.
+  FrameCounts draw_for(const FrameExposures& exposures, LightPoints light_points = LightPoints::on) {
+    return draw_stages(exposures, light_points, nullptr);
+  }
   /// Draws a frame as if the view had changed, stage by stage, and looks at it closely. Takes longer than draw().
   FrameStatistics draw_and_measure();
   Picture read() const { return framebuffer_.read(); }
 
   const scene::Scene& scene() const { return scene_; }
   const Fog& fog() const { return fog_; }
-  double exposure() const { return exposure_; }            ///< EV
-  double ends_exposure() const { return ends_exposure_; }  ///< EV, for which lights' ends are chosen (threshold_of)
+  double exposure() const { return exposure_; }                ///< EV
+  double ends_exposure() const { return lights_.exposure(); }  ///< EV, for which lights' ends are chosen (threshold_of)
   const RenderSettings& settings() const { return settings_; }
   int width() const { return framebuffer_.width(); }
   int height() const { return framebuffer_.height(); }
@@ -87,23 +90,22 @@ class Renderer {
   glm::mat4 clip_from_world() const;
   View view() const;
   unsigned carried_count() const { return unsigned(lights_.size() - lights_.local_count()); }
-  FrameView frame_view(const View& view) const;
+  FrameView frame_view(const View& view, const FrameExposures& exposures) const;
   Passes passes() const { return settings_.path->has_several_passes() ? Passes::several : Passes::one; }
+  void set_lights_for(double ends_exposure);
   void begin_frame(const Framebuffer& framebuffer, const glm::vec3& background);
   double count_lights_per_fragment();
-  FrameCounts draw_stages(LightPoints light_points, FrameStatistics* statistics);
+  FrameCounts draw_stages(const FrameExposures& exposures, LightPoints light_points, FrameStatistics* statistics);
   void draw_sky(const View& view, const gl::Program& program);
   void draw_light_points(const View& view, const FramePlan& plan);
-  std::size_t draw_panes(const View& view, const FramePlan& plan, std::size_t airlights);
+  std::size_t draw_panes(const View& view, const FramePlan& plan);
 
   const scene::Scene& scene_;
   RenderSettings settings_;
   Fog fog_;
   std::function<bool()> is_unwanted_;
   double exposure_ = 0;
-  double ends_exposure_ = 0;      // for which lights' ends are chosen
-  double airlight_exposure_ = 0;  // the same, unless set apart or while an automatic one is found
-  std::size_t fog_bytes_ = 0;     // uploaded by the last change of the fog
+  std::size_t fog_bytes_ = 0;  // uploaded by the last change of the fog
   Framebuffer framebuffer_;
   SceneLights lights_;
   gl::FogLightTables light_tables_;

@@ -130,9 +130,9 @@ TEST(AirlightList, LightsOfAProfileLieTogether) {
   const SceneLights lights(scene, {.path = &lighting_paths().front(), .fog_lighting = FogLighting::airlight});
   const AirlightList found = list_airlight(lights, {FogMode::exp, 0.01}, {}, {}, kPixelsPerRadian, kExposure);
   ASSERT_EQ(found.ranges.size(), 2u);
-  EXPECT_EQ(found.ranges[0].profile, 0);
+  EXPECT_EQ(found.ranges[0].kind.profile, 0);
   EXPECT_EQ(found.ranges[0].count, 2u);
-  EXPECT_EQ(found.ranges[1].profile, 2);
+  EXPECT_EQ(found.ranges[1].kind.profile, 2);
   EXPECT_EQ(found.ranges[1].first, 2u);
   EXPECT_EQ(found.entries[2].light, 1);
 }

@@ -55,8 +55,9 @@ TEST_F(AirlightPainterTest, ErrorsOfAllLampsTogetherStayBelowAStepAtEveryExposur
       renderer.set_exposure({.ev = exposure});
       const std::size_t drawn = renderer.draw(LightPoints::off).airlights_drawn;
       const Picture picture = renderer.read();
-      renderer.set_airlight_exposure(kMaxExposure);
-      EXPECT_GE(renderer.draw(LightPoints::off).airlights_drawn, drawn) << name << " at " << exposure << " EV";
+      const FrameExposures every_lamp{.surfaces = exposure, .airlight = kMaxExposure};
+      EXPECT_GE(renderer.draw_for(every_lamp, LightPoints::off).airlights_drawn, drawn)
+          << name << " at " << exposure << " EV";
       const double difference = largest_difference(picture, renderer.read(), exposure);
       std::printf("%s at %g EV: %zu lamps, largest error %.2f steps\n", name.c_str(), exposure, drawn, difference);
       EXPECT_LE(difference, 1) << name << " at " << exposure << " EV";

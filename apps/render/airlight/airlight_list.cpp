@@ -120,7 +120,7 @@ AirlightList list_airlight(const SceneLights& lights, const Fog& fog, const Scat
   const double budget = kAirlightShare * visible_step(exposure) / double(lights.size());
   const double gain = std::exp2(exposure);
   struct Found {
-    std::pair<int, bool> kind;  // profile, has_shafts
+    AirlightKind kind;
     AirlightEntry entry;
   };
   std::vector<Found> found;
@@ -142,7 +142,9 @@ AirlightList list_airlight(const SceneLights& lights, const Fog& fog, const Scat
     const double thin_range =
         is_thin ? std::max(4 * pixel / std::tan(beam.angle), std::min(kThinBend * bend_range, most_bend_range)) : 0;
     found.push_back(
-        {{int(lights.instances()[i].axis_profile.w), !casters.empty() && casters[i] >= 0},
+        {{.profile = int(lights.instances()[i].axis_profile.w),
+          .has_shafts = !casters.empty() && casters[i] >= 0,
+          .has_knee = placed.light.attenuation.constant < 1},
          {.light = float(i),
           .reach = float(reach),
           .bend_range = float(is_thin ? std::min(thin_range, kFarthestReach) : std::min(bend_range, most_bend_range)),
@@ -151,9 +153,8 @@ AirlightList list_airlight(const SceneLights& lights, const Fog& fog, const Scat
   std::ranges::stable_sort(found, {}, &Found::kind);
   AirlightList list;
   for (const auto& [kind, entry] : found) {
-    if (list.entries.empty() || std::pair(list.ranges.back().profile, list.ranges.back().has_shafts) != kind) {
-      list.ranges.push_back(
-          {.profile = kind.first, .has_shafts = kind.second, .first = unsigned(list.entries.size()), .count = 0});
+    if (list.ranges.empty() || list.ranges.back().kind != kind) {
+      list.ranges.push_back({.kind = kind, .first = unsigned(list.entries.size()), .count = 0});
     }
     list.entries.push_back(entry);
     ++list.ranges.back().count;

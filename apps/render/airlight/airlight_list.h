@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
@@ -23,12 +24,19 @@ struct AirlightEntry {
   float width;  ///< metres, within which its airlight is flat; 0 for a thin beam
 };
 
-/// The lights whose airlight a picture shows: those of one profile (FogLightInstance), with or without shafts, lie
-/// together.
+/// What lights that are drawn by one program have in common.
+struct AirlightKind {
+  int profile;              ///< FogLightInstance
+  bool has_shafts = false;  ///< cut out by shadows
+  bool has_knee = false;    ///< a stretch of full brightness: their attenuation's constant is below 1
+
+  auto operator<=>(const AirlightKind&) const = default;
+};
+
+/// The lights whose airlight a picture shows: those of a kind lie together.
 struct AirlightList {
   struct Range {
-    int profile;
-    bool has_shafts;  ///< cut out by shadows
+    AirlightKind kind;
     unsigned first, count;
   };
 

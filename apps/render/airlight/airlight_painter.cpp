@@ -11,7 +11,6 @@
 #include <string>
 #include <vector>
 
-#include "render/airlight/airlight_program.h"
 #include "render/fog_top.h"
 #include "render/gpu/depth.h"
 #include "render/gpu/framebuffer.h"
@@ -57,16 +56,13 @@ gl::Program make_seen_program(int samples) {
 
 }  // namespace
 
-AirlightPainter::AirlightPainter(const scene::Scene& scene, const SceneLights& lights,
-                                 const gl::FogLightBuffer& fog_lights, const Framebuffer& framebuffer,
-                                 const RenderSettings& settings, const ShadowMaps* shafts)
+AirlightPainter::AirlightPainter(const scene::Scene& scene, const gl::FogLightBuffer& fog_lights,
+                                 const Framebuffer& framebuffer, const RenderSettings& settings)
     : scene_(scene),
       fog_lights_(fog_lights),
-      lights_(lights),
-      has_far_(lights_fog_beyond_end(settings)),
-      far_(scene, lights, fog_lights),
-      shafts_(shafts),
+      far_(scene, fog_lights),
       shaft_steps_(settings.shaft_steps),
+      light_programs_(scene, "airlight.vert", "airlight.frag"),
       seen_program_(make_seen_program(framebuffer.samples())),
       fill_program_("whole_picture.vert", "airlight_fill.frag", render_shaders()),
       marks_program_("whole_picture.vert", "airlight_marks.frag", render_shaders()),
@@ -114,31 +110,28 @@ void AirlightPainter::attach_airlight(Target& target, bool has_gain) {
   check_float_framebuffer();
 }
 
-std::span<const std::int32_t> AirlightPainter::casters() const {
-  return shafts_ ? shafts_->caster_of_lights() : std::span<const std::int32_t>();
+void AirlightPainter::set_lists(const AirlightList& lights, const FarAirlightList& far_lights) {
+  ranges_ = lights.ranges;
+  entries_.reset();
+  if (!lights.entries.empty()) {
+    entries_.emplace(lights.entries.data(), lights.entries.size() * sizeof(AirlightEntry),
+                     BufferTexture::Texel::float4);
+  }
+  far_.set_list(far_lights);
 }
 
-void AirlightPainter::draw_far(const View& view, const Fog& fog, double exposure) {
-  if (has_far_) far_.draw(picture_size_, pixels_per_radian(), view.direction_from_clip, fog, exposure, casters());
+void AirlightPainter::draw_far(const View& view, FogMode fog_mode) {
+  if (entries_) entries_->bind(kEntryUnit);
+  far_.draw(picture_size_, view.pixels_per_radian, view.direction_from_clip, fog_mode);
 }
 
-AirlightList AirlightPainter::list(const Fog& fog, double exposure) {
-  AirlightList list = list_airlight(lights_, fog, {.asymmetry = scene_.phase_g}, scene_.camera.position,
-                                    pixels_per_radian(), exposure, casters());
-  if (list.entries.empty()) return list;
-  entries_.emplace(list.entries.data(), list.entries.size() * sizeof(AirlightEntry), BufferTexture::Texel::float4);
-  entries_->bind(kEntryUnit);
-  return list;
-}
-
-void AirlightPainter::draw(const AirlightList& list, const Framebuffer& framebuffer, const View& view, const Fog& fog,
-                           double exposure, bool is_seen_by_alpha, Interruption& interruption) {
-  if (list.entries.empty() && far_.is_empty()) return;
-  const double most_apart = std::max(1.0, kMostApart * pixels_per_radian());
+void AirlightPainter::draw(const Framebuffer& framebuffer, const View& view, FogMode fog_mode, double exposure,
+                           bool is_seen_by_alpha, Interruption& interruption) {
+  if (ranges_.empty() && far_.is_empty()) return;
+  const double most_apart = std::max(1.0, kMostApart * view.pixels_per_radian);
   const auto coarsest = std::ranges::find_if(grids_, [&](const Grid& grid) { return grid.step <= most_apart; });
   const std::span<const Grid> grids(coarsest, grids_.end());
-  const Frame frame{framebuffer,        view,        fog.mode, list.ranges, float(std::exp2(exposure)),
-                    grids.front().step, interruption};
+  const Frame frame{framebuffer, view, fog_mode, float(std::exp2(exposure)), grids.front().step, interruption};
   glBindVertexArray(vertex_array_.id());
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
@@ -240,40 +233,24 @@ void AirlightPainter::draw_lights(const Frame& frame, const Grid& grid, Part par
   // Texel i's middle is that of pixel i * step.
   const glm::vec2 scale = glm::vec2(picture_size_) / glm::vec2(grid.step * size);
   const glm::vec2 offset = scale - 1.0f + (1.0f - 1.0f / float(grid.step)) / glm::vec2(size);
-  for (const AirlightList::Range& range : frame.lights) {
-    const int smooth_step = range.profile == kCookieProfile ? 1 : range.has_shafts ? 2 : kGridSteps[0];
+  for (const auto& [kind, first, count] : ranges_) {
+    const int smooth_step = kind.profile == kCookieProfile ? 1 : kind.has_shafts ? 2 : kGridSteps[0];
     const int coarsest_step = std::min(smooth_step, frame.coarsest_step);
     if (part == Part::whole ? grid.step != coarsest_step : grid.step >= coarsest_step) continue;
-    const gl::Program& program = light_program(frame.fog_mode, range.profile, range.has_shafts);
+    const gl::Program& program = light_programs_.program(frame.fog_mode, kind);
     use(program, frame, grid);
     set_uniform(program, "packed_places", kPlaceUnit);
     set_uniform(program, "is_filled", unsigned{part == Part::left_out});
     set_uniform(program, "is_packed", unsigned{part == Part::packed});
-    set_uniform(program, "block_angle", float(kBlock * grid.step * std::numbers::sqrt2 / pixels_per_radian()));
+    set_uniform(program, "block_angle", float(kBlock * grid.step * std::numbers::sqrt2 / frame.view.pixels_per_radian));
     set_uniform(program, "target_from_picture", glm::vec4(scale, offset));
-    const unsigned most = frame.interruption.can_come() ? kDrawnAtOnce : range.count;
-    for (unsigned drawn = 0; drawn < range.count && !frame.interruption.has_come(); drawn += most) {
-      glUniform1i(program.uniform("first_entry"), GLint(range.first + drawn));
-      glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, GLsizei(std::min(most, range.count - drawn)));
+    const unsigned most = frame.interruption.can_come() ? kDrawnAtOnce : count;
+    for (unsigned drawn = 0; drawn < count && !frame.interruption.has_come(); drawn += most) {
+      glUniform1i(program.uniform("first_entry"), GLint(first + drawn));
+      glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, GLsizei(std::min(most, count - drawn)));
     }
   }
   glDisable(GL_BLEND);
-}
-
-double AirlightPainter::pixels_per_radian() const {
-  return picture_size_.y / (2 * std::tan(double(scene_.camera.field_of_view) / 2));
-}
-
-const gl::Program& AirlightPainter::light_program(FogMode fog_mode, int profile, bool has_shafts) {
-  const bool has_knee =
-      std::ranges::any_of(scene_.lights, [](const PlacedLight& light) { return light.light.attenuation.constant < 1; });
-  const std::tuple key(fog_mode, profile, has_shafts, has_knee, scene_.phase_g == 0);
-  const auto found = light_programs_.find(key);
-  if (found != light_programs_.end()) return found->second;
-  return light_programs_
-      .emplace(key,
-               make_airlight_program("airlight.vert", "airlight.frag", scene_, fog_mode, profile, has_shafts, has_knee))
-      .first->second;
 }
 
 void AirlightPainter::use(const gl::Program& program, const Frame& frame, const Grid& grid) {

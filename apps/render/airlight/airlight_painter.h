@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
 #include <glm/glm.hpp>
-#include <map>
 #include <optional>
-#include <span>
-#include <tuple>
 #include <vector>
 
 #include "litfog/fog.h"
@@ -14,12 +10,12 @@
 #include "litfog/gl/gl_name.h"
 #include "litfog/gl/program.h"
 #include "render/airlight/airlight_list.h"
+#include "render/airlight/airlight_programs.h"
 #include "render/airlight/far_airlight.h"
 #include "render/gpu/data_texture.h"
 #include "render/gpu/framebuffer.h"
 #include "render/interruption.h"
-#include "render/light/scene_lights.h"
-#include "render/shadow/shadow_maps.h"
+#include "render/render_settings.h"
 #include "scene/scene.h"
 
 namespace litfog::render {
@@ -28,6 +24,7 @@ namespace litfog::render {
 struct View {
   glm::mat4 clip_from_world;
   glm::mat4 direction_from_clip;  ///< of the ray through a place on the picture
+  double pixels_per_radian;       ///< at the picture's middle
 };
 
 /// Adds the airlight of lights over a picture. Needs a current GL context.
@@ -39,35 +36,30 @@ struct View {
 /// all lights are drawn, at texels packed into a target of their own.
 class AirlightPainter {
  public:
-  /// scene, lights, fog_lights  have to outlive this
-  /// framebuffer                of the pictures' size and samples
-  /// settings                   of which the path and the steps of shafts matter
-  /// shafts                     the shadows that cut shafts; null: none do
-  /// throws                     gl::Unsupported where the driver has no float framebuffer of their size
-  AirlightPainter(const scene::Scene& scene, const SceneLights& lights, const gl::FogLightBuffer& fog_lights,
-                  const Framebuffer& framebuffer, const RenderSettings& settings, const ShadowMaps* shafts);
+  /// scene, fog_lights  have to outlive this
+  /// framebuffer        of the pictures' size and samples
+  /// settings           of which the steps of shafts matter
+  /// throws             gl::Unsupported where the driver has no float framebuffer of their size
+  AirlightPainter(const scene::Scene& scene, const gl::FogLightBuffer& fog_lights, const Framebuffer& framebuffer,
+                  const RenderSettings& settings);
 
   /// Takes another size of the pictures, which have as many samples as before.
   void set_size(const Framebuffer& framebuffer);
 
-  /// Sums up what lights add beyond their extents. The lights and the cookies are bound to their units.
-  ///
-  /// exposure  EV at which the picture is shown
-  void draw_far(const View& view, const Fog& fog, double exposure);
+  /// Uploads the lights whose airlight frames have from now on, within their extents and beyond.
+  void set_lists(const AirlightList& lights, const FarAirlightList& far_lights);
+  /// Binds the lights to their unit, and sums up what they add beyond their extents. Their tables and the cookies are
+  /// bound to their units.
+  void draw_far(const View& view, FogMode fog_mode);
   /// That, for panes.
   const FarAirlight& far() const { return far_; }
-
-  /// The lights whose airlight a frame shows within their extents, which it binds to their unit.
+  /// Adds the airlight of all lights to a resolved framebuffer. Needs what draw_far() does, and has left.
   ///
-  /// exposure  EV at which the picture is shown: what makes less than a step there is left out or interpolated
-  AirlightList list(const Fog& fog, double exposure);
-  /// Adds that of the list, and that beyond extents, to a resolved framebuffer. The lights and the cookies are bound to
-  /// their units.
-  ///
+  /// exposure          EV at which the picture is shown: what errs by less than a step there is interpolated
   /// is_seen_by_alpha  the framebuffer's alpha is the fraction of it that is seen
   /// interruption      after which it draws no more
-  void draw(const AirlightList& list, const Framebuffer& framebuffer, const View& view, const Fog& fog, double exposure,
-            bool is_seen_by_alpha, Interruption& interruption);
+  void draw(const Framebuffer& framebuffer, const View& view, FogMode fog_mode, double exposure, bool is_seen_by_alpha,
+            Interruption& interruption);
 
  private:
   /// Airlight in floats: half floats would lose what faint lights add to bright ones.
@@ -96,15 +88,11 @@ class AirlightPainter {
     const Framebuffer& framebuffer;
     const View& view;
     FogMode fog_mode;
-    const std::vector<AirlightList::Range>& lights;
     float exposure_gain;
     int coarsest_step;  // of the grids that the field of view allows
     Interruption& interruption;
   };
 
-  std::span<const std::int32_t> casters() const;  ///< of shafts, as list_airlight() takes them
-  double pixels_per_radian() const;               ///< at the middle of the picture
-  const gl::Program& light_program(FogMode fog_mode, int profile, bool has_shafts);
   void attach_airlight(Target& target, bool has_gain);
   void use(const gl::Program& program, const Frame& frame, const Grid& grid);
   void fill(const Frame& frame, const Grid& grid, const Grid& coarse);
@@ -113,15 +101,10 @@ class AirlightPainter {
 
   const scene::Scene& scene_;
   const gl::FogLightBuffer& fog_lights_;
-  const SceneLights& lights_;
-  bool has_far_;  // lights_fog_beyond_end()
   FarAirlight far_;
   glm::ivec2 picture_size_;
-  const ShadowMaps* shafts_;
   int shaft_steps_;
-  /// For lights of one profile, with or without shafts, in fog of one mode, where a light has a knee or none has, and
-  /// that scatters evenly or not: the compiler leaves out what they do not need.
-  std::map<std::tuple<FogMode, int, bool, bool, bool>, gl::Program> light_programs_;
+  AirlightPrograms light_programs_;
   gl::Program seen_program_;
   gl::Program fill_program_;
   gl::Program marks_program_;
@@ -136,9 +119,10 @@ class AirlightPainter {
   gl::FramebufferName marks_framebuffer_;
   gl::TextureName marks_;  // of those texels
   gl::FramebufferName places_framebuffer_;
-  gl::TextureName places_;                // of those texels in their grid
-  std::optional<BufferTexture> entries_;  // of the light list
-  gl::VertexArrayName vertex_array_;      // of no attributes
+  gl::TextureName places_;                   // of those texels in their grid
+  std::vector<AirlightList::Range> ranges_;  // of the lights
+  std::optional<BufferTexture> entries_;     // likewise
+  gl::VertexArrayName vertex_array_;         // of no attributes
 };
 
 }  // namespace litfog::render

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/airlight/airlight_program.h"
 #include "render/gpu/framebuffer.h"
 #include "render/gpu/light_uniforms.h"
 #include "render/gpu/texture_unit.h"
@@ -52,15 +51,18 @@ void FarAirlight::set_size(glm::ivec2 size) {
   check_float_framebuffer();
 }
 
-void FarAirlight::draw(glm::ivec2 picture_size, double pixels_per_radian, const glm::mat4& direction_from_clip,
-                       const Fog& fog, double exposure, std::span<const std::int32_t> casters) {
-  const FarAirlightList list =
-      list_far_airlight(lights_, fog, {.asymmetry = scene_.phase_g}, scene_.camera.position, exposure, casters);
+void FarAirlight::set_list(const FarAirlightList& list) {
   depth_ = list.depth;
+  ranges_ = list.ranges;
+  if (is_empty()) return;
+  listed_.emplace(list.lights.data(), list.lights.size() * sizeof(list.lights[0]), BufferTexture::Texel::int1);
+}
+
+void FarAirlight::draw(glm::ivec2 picture_size, double pixels_per_radian, const glm::mat4& direction_from_clip,
+                       FogMode fog_mode) {
   if (is_empty()) return;
   step_ = std::max({1, int(kApart * pixels_per_radian), (picture_size.y + kMostRows - 1) / kMostRows});
   set_size((picture_size + (step_ - 1)) / step_ + 1);
-  listed_.emplace(list.lights.data(), list.lights.size() * sizeof(list.lights[0]), BufferTexture::Texel::int1);
   listed_->bind(kFarLightUnit);
   glBindVertexArray(vertex_array_.id());
   glDisable(GL_DEPTH_TEST);
@@ -72,8 +74,8 @@ void FarAirlight::draw(glm::ivec2 picture_size, double pixels_per_radian, const 
   glClear(GL_COLOR_BUFFER_BIT);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);
-  for (const FarAirlightList::Range& range : list.ranges) {
-    const gl::Program& program = light_program(fog.mode, range.profile);
+  for (const FarAirlightList::Range& range : ranges_) {
+    const gl::Program& program = light_programs_.program(fog_mode, {.profile = range.profile});
     program.use();
     bind_lights(program, fog_lights_);
     set_uniform(program, "far_lights", kFarLightUnit);
@@ -107,16 +109,6 @@ void FarAirlight::bind(const gl::Program& program) const {
   set_uniform(program, "far_airlight", kFarAirlightUnit);
   set_uniform(program, "far_depth", float(depth_));
   set_uniform(program, "far_step", unsigned(step_));
-}
-
-const gl::Program& FarAirlight::light_program(FogMode fog_mode, int profile) {
-  const std::tuple key(fog_mode, profile, scene_.phase_g == 0);
-  const auto found = light_programs_.find(key);
-  if (found != light_programs_.end()) return found->second;
-  return light_programs_
-      .emplace(key, make_airlight_program("whole_picture.vert", "far_airlight.frag", scene_, fog_mode, profile, false,
-                                          false))
-      .first->second;
 }
 
 }  // namespace litfog::render

@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
 #include <glm/glm.hpp>
-#include <map>
 #include <optional>
-#include <span>
-#include <tuple>
+#include <vector>
 
 #include "litfog/fog.h"
 #include "litfog/gl/fog_light_buffer.h"
 #include "litfog/gl/gl_name.h"
 #include "litfog/gl/program.h"
+#include "render/airlight/airlight_programs.h"
 #include "render/airlight/far_airlight_list.h"
 #include "render/gpu/data_texture.h"
-#include "render/light/scene_lights.h"
 #include "scene/scene.h"
 
 namespace litfog::render {
@@ -25,18 +22,17 @@ namespace litfog::render {
 /// (shaders/far_airlight.frag), between which pixels look it up. Needs a current GL context.
 class FarAirlight {
  public:
-  /// scene, lights, fog_lights  have to outlive this
-  FarAirlight(const scene::Scene& scene, const SceneLights& lights, const gl::FogLightBuffer& fog_lights)
-      : scene_(scene), lights_(lights), fog_lights_(fog_lights) {}
+  /// scene, fog_lights  have to outlive this
+  FarAirlight(const scene::Scene& scene, const gl::FogLightBuffer& fog_lights)
+      : scene_(scene), fog_lights_(fog_lights), light_programs_(scene, "whole_picture.vert", "far_airlight.frag") {}
 
+  /// Uploads the lights that frames have from now on.
+  void set_list(const FarAirlightList& list);
   /// Sums it up for a frame. The lights and the cookies are bound to their units.
   ///
   /// pixels_per_radian  of the picture, at its middle
-  /// exposure           EV at which the picture is shown
-  /// casters            of list_far_airlight
   /// throws             gl::Unsupported where the driver cannot draw into textures of floats
-  void draw(glm::ivec2 picture_size, double pixels_per_radian, const glm::mat4& direction_from_clip, const Fog& fog,
-            double exposure, std::span<const std::int32_t> casters);
+  void draw(glm::ivec2 picture_size, double pixels_per_radian, const glm::mat4& direction_from_clip, FogMode fog_mode);
 
   bool is_empty() const { return depth_ == 0; }
   /// Lets the program in use, one of shaders/far_airlight_at.glsl, look up what has been drawn.
@@ -44,16 +40,15 @@ class FarAirlight {
 
  private:
   void set_size(glm::ivec2 size);
-  const gl::Program& light_program(FogMode fog_mode, int profile);
 
   const scene::Scene& scene_;
-  const SceneLights& lights_;
   const gl::FogLightBuffer& fog_lights_;
   double depth_ = 0;  // FarAirlightList::depth
   int step_ = 1;      // pixels between texels
   glm::ivec2 size_{0};
+  std::vector<FarAirlightList::Range> ranges_;
   std::optional<BufferTexture> listed_;
-  std::map<std::tuple<FogMode, int, bool>, gl::Program> light_programs_;  // by profile, and whether fog is isotropic
+  AirlightPrograms light_programs_;
   std::optional<gl::Program> sum_program_;
   gl::FramebufferName slabs_framebuffer_;
   gl::TextureName slabs_;

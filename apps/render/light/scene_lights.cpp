@@ -32,7 +32,7 @@ Cone drawn_cone(const Cone& cone, const RenderSettings& settings) {
 }
 
 SceneLights::SceneLights(const scene::Scene& scene, const RenderSettings& settings, double exposure)
-    : updater_(kSkipsNothing) {
+    : exposure_(exposure), updater_(kSkipsNothing) {
   for (const bool is_carried : {false, true}) {
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
       PlacedLight light = scene.lights[i];

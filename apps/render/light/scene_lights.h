@@ -48,6 +48,7 @@ class SceneLights {
   /// exposure  EV at which the picture is shown (threshold_of)
   SceneLights(const scene::Scene& scene, const RenderSettings& settings, double exposure = 0);
 
+  double exposure() const { return exposure_; }  ///< EV, for which ends are chosen
   std::size_t size() const { return lights_.size(); }
   std::size_t local_count() const { return local_count_; }
   std::span<const PlacedLight> lights() const { return lights_; }
@@ -72,6 +73,7 @@ class SceneLights {
   std::span<const glm::vec4> cookie_cones() const { return cookie_cones_; }
 
  private:
+  double exposure_;
   std::vector<PlacedLight> lights_;
   std::size_t local_count_ = 0;
   std::vector<double> extents_;

@@ -116,7 +116,7 @@ std::size_t SurfacePainter::draw(const LightingPath& path, const FramePlan& plan
 
 std::size_t SurfacePainter::draw_panes(const LightingPath& path, const FramePlan& plan,
                                        const glm::mat4& clip_from_world, const ShadowMaps* shadows,
-                                       std::size_t airlights, const FarAirlight* far_airlight) {
+                                       const FarAirlight* far_airlight) {
   struct Triangle {
     float distance;
     const PlannedSurface* surface;
@@ -141,7 +141,7 @@ std::size_t SurfacePainter::draw_panes(const LightingPath& path, const FramePlan
               .number = ++frames_,
               .bytes = indices.size() * sizeof(indices[0]),
               .draws_panes = true,
-              .airlights = airlights,
+              .airlights = plan.airlights.entries.size(),
               .far_airlight = far_airlight};
   surfaces_.meshes().bind();
   surfaces_.meshes().bind_sorted(indices);

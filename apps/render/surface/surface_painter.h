@@ -45,10 +45,9 @@ class SurfacePainter {
   /// Draws a plan's panes likewise, triangle by triangle from the farthest to the nearest. Premultiplied by their
   /// opacity, which is alpha; how they are blended is the caller's to set.
   ///
-  /// airlights     those whose list is bound
   /// far_airlight  beyond lights' extents; null: none
   std::size_t draw_panes(const LightingPath& path, const FramePlan& plan, const glm::mat4& clip_from_world,
-                         const ShadowMaps* shadows, std::size_t airlights, const FarAirlight* far_airlight);
+                         const ShadowMaps* shadows, const FarAirlight* far_airlight);
   const SurfaceList& surfaces() const { return surfaces_; }
 
  private:

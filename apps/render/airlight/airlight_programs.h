@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <tuple>
+
+#include "litfog/fog.h"
+#include "litfog/gl/program.h"
+#include "litfog/shaders/cone_profile.glsl"
+#include "render/airlight/airlight_list.h"
+#include "scene/scene.h"
+
+namespace litfog::render {
+
+inline constexpr int kCookieProfile = int(LITFOG_PROFILE_COOKIE);  ///< of a light as shaders know it
+
+/// The programs of two shaders for lights of one kind in fog of one mode, that scatters evenly or not: the compiler
+/// leaves out what they do not need. Each is compiled when it is first asked for. The shaders include
+/// airlight_constants.glsl. Needs a current GL context.
+class AirlightPrograms {
+ public:
+  /// scene  has to outlive this
+  AirlightPrograms(const scene::Scene& scene, const char* vertex_file, const char* fragment_file)
+      : scene_(scene), vertex_file_(vertex_file), fragment_file_(fragment_file) {}
+
+  /// Good as long as this.
+  const gl::Program& program(FogMode fog_mode, const AirlightKind& lights);
+
+ private:
+  const scene::Scene& scene_;
+  const char* vertex_file_;
+  const char* fragment_file_;
+  std::map<std::tuple<FogMode, AirlightKind, bool>, gl::Program> programs_;  // bool: whether it scatters evenly
+};
+
+}  // namespace litfog::render
