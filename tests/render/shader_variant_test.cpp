@@ -41,6 +41,14 @@ TEST(ShaderVariant, ShaderOfNoLightsHasNoEmptyArray) {
   EXPECT_NE(text.find("lights_in_pass = 0;"), std::string::npos);
 }
 
+TEST(ShaderVariant, VerticesPassConstantsOnOnlyWhereTheVariantTakesThem) {
+  const SurfacePass pass;
+  ShaderVariant variant{.pass = &pass};
+  EXPECT_EQ(pass_constants(variant).find("#define VERTICES_PASS_CONSTANTS"), std::string::npos);
+  variant.takes_constants_from_vertices = true;
+  EXPECT_NE(pass_constants(variant).find("#define VERTICES_PASS_CONSTANTS"), std::string::npos);
+}
+
 TEST(ShaderVariant, PassThatSharesTheLightsOfTheFogStartsAtTheFirst) {
   const SurfacePass pass;
   ShaderVariant variant{.pass = &pass, .fog_lights = {.count = 2, .profile = 1}, .lights = {.count = 4}};

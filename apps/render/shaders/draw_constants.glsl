@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is the same all over a draw. Some drivers look each number of a uniform up for every few fragments, which here
-// costs more than a light. So a fragment shader that defines CONSTANTS_FROM_VERTICES takes these, the fog and the first
-// lights from the vertices, which pass them on unchanged (surface.vert).
+// What is the same all over a draw. Some drivers look each number of a uniform up for every few fragments, which on large
+// triangles costs more than a light. So a fragment shader that defines CONSTANTS_FROM_VERTICES takes these, the fog and
+// the first lights from the vertices, which pass them on unchanged (surface.vert). On small triangles that costs more.
 
 const int draw_constant_count = 5;
 

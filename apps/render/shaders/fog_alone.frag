@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The fog before a surface that it hides.
 
-#define CONSTANTS_FROM_VERTICES
+#include "constants_from_vertices.glsl"
 #include "fragment.glsl"
 
 void main() { color = seen_by_eye(vec3(0.0), fragment_position()); }

@@ -12,17 +12,21 @@ out vec4 tangent;
 
 uniform vec4 uniform_lights[5 * uniform_light_count];
 
+#ifdef VERTICES_PASS_CONSTANTS
 flat out vec4 vertex_constants[draw_constant_count];
 flat out vec4 vertex_fog;
 flat out vec4 vertex_ambient_fog_color;
 flat out vec4 vertex_lights[5 * max(vertex_light_count, 1)];
+#endif
 
 void main() {
   place_vertex();
   normal = world_normal();
   tangent = vec4(world_direction(vertex_tangent.xyz), vertex_tangent.w);
+#ifdef VERTICES_PASS_CONSTANTS
   vertex_constants = draw_constants;
   vertex_fog = litfog_fog;
   vertex_ambient_fog_color = litfog_ambient_fog_color;
   for (int i = 0; i < 5 * vertex_light_count; ++i) vertex_lights[i] = uniform_lights[i];
+#endif
 }

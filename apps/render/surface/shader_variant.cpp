@@ -46,6 +46,7 @@ std::string pass_constants(const ShaderVariant& variant) {
   const std::size_t lights_in_pass = profiles.size() - first_light;
   if (profiles.empty()) profiles.push_back(UniformLights::kAnyProfile);  // arrays may not be empty
   return fmt::format(
+      "{}"
       "const int uniform_light_count = {};\n"
       "const int profiles[uniform_light_count] = int[]({});\n"
       "const int vertex_light_count = {};\n"
@@ -58,9 +59,10 @@ std::string pass_constants(const ShaderVariant& variant) {
       "const bool is_first_pass = {};\n"
       "#define EACH_LIGHT(DO){}\n"
       "#define EACH_FOG_LIGHT(DO){}\n",
-      profiles.size(), fmt::join(profiles, ", "), variant.vertex_lights, UniformLights::kAnyProfile, first_light,
-      lights_in_pass, variant.has_listed_lights, variant.has_listed_fog_lights, variant.is_first,
-      unrolled(lights_in_pass), unrolled(fog_lights.count));
+      variant.takes_constants_from_vertices ? "#define VERTICES_PASS_CONSTANTS\n" : "", profiles.size(),
+      fmt::join(profiles, ", "), variant.vertex_lights, UniformLights::kAnyProfile, first_light, lights_in_pass,
+      variant.has_listed_lights, variant.has_listed_fog_lights, variant.is_first, unrolled(lights_in_pass),
+      unrolled(fog_lights.count));
 }
 
 std::string material_constants(const MaterialFeatures& material) {

@@ -51,10 +51,11 @@ struct ShaderVariant {
   bool is_first = true;  ///< of the times that the pass draws a surface
   bool has_listed_lights = false;
   bool has_listed_fog_lights = false;
-  UniformLights fog_lights = {};  ///< the first of the uniform array
-  UniformLights lights = {};      ///< the others
-  bool shares_lights = false;     ///< the surface is lit by the fog's lights, too
-  std::size_t vertex_lights = 0;  ///< of the uniform lights, the first: those that vertices pass on
+  UniformLights fog_lights = {};               ///< the first of the uniform array
+  UniformLights lights = {};                   ///< the others
+  bool shares_lights = false;                  ///< the surface is lit by the fog's lights, too
+  bool takes_constants_from_vertices = false;  ///< shaders/draw_constants.glsl
+  std::size_t vertex_lights = 0;               ///< of the uniform lights, the first: those that vertices pass on
 
   auto operator<=>(const ShaderVariant&) const = default;
 };

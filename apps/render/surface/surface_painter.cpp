@@ -17,6 +17,10 @@ namespace {
 
 constexpr std::size_t kDrawnAtOnce = 500;  // surfaces, between which an interruption may come
 
+/// Of a chunk whose vertices pass constants on. For small triangles that costs more than it saves their fragments,
+/// unless these have many lights: measured on llvmpipe.
+constexpr int kMostPassingVertices = 96;
+
 /// In place of lights that a shader is compiled for and a surface lacks: black. Paths that do not clamp the attenuation
 /// need one that is finite.
 constexpr PackedLight kBlack{.kind = {.attenuation_extent = {1, 0, 0, 0}, .cone_scale_intensity = {}}, .instance = {}};
@@ -234,7 +238,9 @@ void SurfacePainter::draw_pass(Frame& frame, const PlannedSurface& planned, Shad
     resize_uniforms(first + variant.lights.count);
   }
 
-  if (variant.pass->constants_from_vertices) {
+  const bool has_few_vertices = surface.chunk->index_count <= kMostPassingVertices;
+  if (variant.pass->constants_from_vertices && (has_few_vertices || variant.has_listed_lights)) {
+    variant.takes_constants_from_vertices = true;
     variant.vertex_lights = std::min(first + variant.lights.count, programs_.most_vertex_lights());
   }
   const SurfaceProgram& program = use(frame, variant, *surface.material);

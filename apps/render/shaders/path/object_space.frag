@@ -6,7 +6,7 @@
 // return each model needs a map of its own: none can tile, or be shared by surfaces that face different ways, as the
 // catalogue's are. The lighting is that of unified.frag.
 
-#define CONSTANTS_FROM_VERTICES
+#include "constants_from_vertices.glsl"
 #include "world_normal.glsl"
 
 uniform mat4 world_from_model;

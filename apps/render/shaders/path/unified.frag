@@ -11,7 +11,7 @@
 // nested ifs instead (listings 3.1 and 3.2). object_space.frag has normal maps in object space, parallax.frag parallax
 // mapping, lacroix.frag his equations without clamp and end.
 
-#define CONSTANTS_FROM_VERTICES
+#include "constants_from_vertices.glsl"
 #include "lit_surface.glsl"
 #include "listed_lights.glsl"
 #include "world_normal.glsl"
