@@ -4,6 +4,11 @@
 #ifndef LITFOG_CONE_PROFILE_GLSL
 #define LITFOG_CONE_PROFILE_GLSL
 
+#ifdef GL_ES
+precision highp float;
+precision highp int;
+#endif
+
 #define LITFOG_PROFILE_NONE 0.0  // a point light
 #define LITFOG_PROFILE_COSINE 1.0
 #define LITFOG_PROFILE_SMOOTHSTEP 2.0

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// litfog: expm1, which GLSL lacks. Every other file of litfog includes this one first; in GLSL ES it makes highp the
-// default precision of float and int.
+// litfog: expm1, which GLSL lacks. Every other file of litfog that has functions includes this one first. In GLSL ES it
+// makes highp the default precision of float and int.
 
 #ifndef LITFOG_EXPM1_GLSL
 #define LITFOG_EXPM1_GLSL
