@@ -694,7 +694,7 @@ TEST_F(GltfFeature, WhatIsLeftOutIsSaidInOneLine) {
   }
   file_["scenes"].push_back(json::object());
   file_["cameras"].push_back({{"type", "orthographic"}});
-  for (const std::size_t camera : {0, 1}) {
+  for (const std::size_t camera : {0u, 1u}) {
     file_["scenes"][0]["nodes"].push_back(file_["nodes"].size());
     file_["nodes"].push_back({{"camera", camera}});
   }
