@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/renderer.h"
 
+#include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <ctime>
@@ -17,6 +19,8 @@
 #include "litfog/gl/unsupported.h"
 #include "render/display.h"
 #include "render/gpu/data_texture.h"
+#include "render/gpu/texture.h"
+#include "render/gpu/texture_unit.h"
 #include "render/pixel.h"
 #include "scene/file/scene_file.h"
 #include "scene/model/model_catalogue.h"
@@ -444,6 +448,32 @@ TEST_F(RendererTest, MoreLightMapsThanMemoryHoldsAreAnErrorBeforeTheFirstIsMade)
   const std::clock_t start = std::clock();
   EXPECT_THROW(Renderer(scene, 8, 8, large), gl::Unsupported);
   EXPECT_LT(double(std::clock() - start) / CLOCKS_PER_SEC, 1);  // a GiB of maps takes five
+}
+
+TEST_F(RendererTest, FillingATextureLeavesThoseThatAreBound) {
+  const float texel[] = {1, 2, 3, 4};
+  const BufferTexture buffer(texel, sizeof(texel), BufferTexture::Texel::float4);
+  const LayeredTexture layers(1, 1, {7});
+  const Texture plain(glm::vec4(1));
+  buffer.bind(kCookieConeUnit);
+  layers.bind(kCookieConeUnit);
+  plain.bind(kCookieConeUnit);
+  const auto bound = [] {
+    glActiveTexture(GL_TEXTURE0 + kCookieConeUnit);
+    std::array<GLint, 3> names{};
+    glGetIntegerv(GL_TEXTURE_BINDING_BUFFER, &names[0]);
+    glGetIntegerv(GL_TEXTURE_BINDING_2D_ARRAY, &names[1]);
+    glGetIntegerv(GL_TEXTURE_BINDING_2D, &names[2]);
+    return names;
+  };
+  const std::array<GLint, 3> before = bound();
+  EXPECT_TRUE(std::ranges::none_of(before, [](GLint name) { return name == 0; }));
+  const BufferTexture other_buffer(texel, sizeof(texel), BufferTexture::Texel::float4);
+  EXPECT_EQ(bound(), before);
+  const LayeredTexture other_layers(1, 1, {7});
+  EXPECT_EQ(bound(), before);
+  const Texture other_plain(glm::vec4(1));
+  EXPECT_EQ(bound(), before);
 }
 
 TEST_F(RendererTest, BufferTextureLargerThanTheContextAllowsIsAnError) {
