@@ -429,10 +429,11 @@ TEST_F(ReferencePictureTest, OddLampsAreWithinTheBoundsOfTheirPaths) {
                                                 {{0.02, 0, 0.02}, Cone::smoothstep(100 * kDegree, 120 * kDegree)}};
   for (const auto& [attenuation, cone] : lamps) {
     const auto count = double(scene.lights.size());
-    scene.lights.push_back({.light = {.color = {0.3, 0.2, 0.1}, .attenuation = attenuation, .cone = cone},
-                            .position = {1.5 * count - 3, 2, 1},
-                            .direction = glm::normalize(glm::dvec3(0.1, -1, 0.2)),
-                            .carried = true});
+    scene.lights.push_back(
+        {.light = {.name = "lamp", .color = {0.3, 0.2, 0.1}, .attenuation = attenuation, .cone = cone},
+         .position = {1.5 * count - 3, 2, 1},
+         .direction = glm::normalize(glm::dvec3(0.1, -1, 0.2)),
+         .carried = true});
   }
   for (const LightingPath& path : lighting_paths()) {
     if (path.evaluation == Evaluation::vertex) continue;

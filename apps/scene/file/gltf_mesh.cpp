@@ -84,9 +84,10 @@ Attributes read_attributes(const GltfFile& file, const JsonValue& primitive, con
         draco ? draco->attribute(name, file.format(index, types, components)) : std::optional<GltfNumbers>();
     return decoded ? *decoded : file.numbers(index, types, components);
   };
+  Attributes attributes;
   // Of all component types: those of KHR_mesh_quantization, too.
-  Attributes attributes{.positions = read("POSITION", given.member("POSITION"), {kGltfVec3},
-                                          {floating, signed_byte, unsigned_byte, signed_short, unsigned_short})};
+  attributes.positions = read("POSITION", given.member("POSITION"), {kGltfVec3},
+                              {floating, signed_byte, unsigned_byte, signed_short, unsigned_short});
   const auto attribute = [&](const std::string& name, std::initializer_list<GltfType> types,
                              std::initializer_list<GltfComponent> components) {
     const auto index = given.optional(name);
