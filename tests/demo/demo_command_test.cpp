@@ -865,7 +865,15 @@ TEST_F(DemoCommand, FramesOfASequenceAreThePicturesOfTheirSettings) {
                    {"--camera 0,1,5..2,1,5 --target 0,1,0..2,1,0 --fov-deg 40..60",  // the carried lamp moves by 2 m
                     "--camera 2,1,5 --target 2,1,0 --fov-deg 60 --set lights[1].position[0]=3"},
                    {"--camera 0,1,5..2,1,5 --set camera.target[0]=0..2",  // likewise
-                    "--camera 2,1,5 --target 2,1,0 --set lights[1].position[0]=3"}};
+                    "--camera 2,1,5 --target 2,1,0 --set lights[1].position[0]=3"},
+                   {"--set lights[0].attenuation.quadratic=0.1..9 --set lights[1].position[1]=1..2",
+                    "--set lights[0].attenuation.quadratic=9 --set lights[1].position[1]=2"},
+                   {"--set lights[0].attenuation.constant=1,9,30", "--set lights[0].attenuation.constant=30"},  // off
+                   {"--set 'lights[0].repeat=[{\"count\":1,\"step\":[1,0,0]}]' --set lights[0].repeat[0].count=1,2,3",
+                    "--set 'lights[0].repeat=[{\"count\":3,\"step\":[1,0,0]}]'"},
+                   {"--set objects[0].heading_deg=0..40 --set environment.stars=0..1",
+                    "--set objects[0].heading_deg=40 --set environment.stars=1"},
+                   {"--set objects[0].width_m=1..2", "--set objects[0].width_m=2"}};
   for (const auto& [changes, last] : sequences) {
     const Outcome outcome = run("sequence two.json -o frames --size 32x18 --frames 3 " + changes);
     ASSERT_EQ(outcome.status, kDone) << outcome.err;

@@ -461,6 +461,31 @@ TEST_F(SceneChanges, WordStandsForAString) {
   EXPECT_EQ(error_of_change({"lights[0].carried", "yes"}), "--set: lights[0].carried = \"yes\": must be true or false");
 }
 
+TEST_F(SceneChanges, PartsThatNoChangeConcernsAreKept) {
+  std::ofstream(path()) << R"({"litfog": "scene", "version": 1,
+    "camera": {"position": [0, 1, 5], "target": [0, 1, 0]},
+    "objects": [{"model": "box", "height_m": 2}, {"model": "spruce"}],
+    "lights": [{"light": "lamp.json", "position": [0, 2, 0], "cookie": {"pattern": "disco"}}]})";
+  const auto quadratic_and_box = [&](const std::string& quadratic, const std::string& height) {
+    return std::vector<SceneChange>{{"lights[0].attenuation.quadratic", quadratic}, {"objects[0].height_m", height}};
+  };
+  scene::SceneParts kept;
+  const Scene first = read_scene(path(), {}, quadratic_and_box("0.2", "2"), &kept);
+  const Scene second = read_scene(path(), {}, quadratic_and_box("0.3", "4"), &kept);
+  const Scene alone = changed(quadratic_and_box("0.3", "4"));
+  EXPECT_EQ(second.lights.at(0).light.attenuation.quadratic, 0.3);
+  ASSERT_EQ(second.models.size(), alone.models.size());
+  for (std::size_t i = 0; i < alone.models.size(); ++i) {
+    EXPECT_EQ(scene::bounds(second.models[i]).high, scene::bounds(alone.models[i]).high) << i;
+  }
+  EXPECT_NE(scene::bounds(second.models[0]).high, scene::bounds(first.models[0]).high);
+  ASSERT_EQ(second.materials.size(), first.materials.size());
+  for (std::size_t i = 0; i < first.materials.size(); ++i) {
+    EXPECT_EQ(second.materials[i].albedo, first.materials[i].albedo) << "painted again";
+  }
+  EXPECT_EQ(kept.models.size(), 2u);  // not those of the first reading
+}
+
 TEST_F(SceneChanges, WrongChangesNameTheOptionTheMemberAndTheRule) {
   const std::pair<SceneChange, std::string> wrong[] = {
       {{"lights[0].attenuation.quadratic", "-1"},

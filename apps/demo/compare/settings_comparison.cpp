@@ -113,9 +113,9 @@ std::string hint_for(const std::string& text, const std::string& error) {
 }
 
 /// Reads the scene of a setting. What is wrong with a view or a member is told with the setting's words.
-scene::Scene read_scene_of(const Setting& setting) {
+scene::Scene read_scene_of(const Setting& setting, scene::SceneParts& kept) {
   try {
-    return read_scene(setting.scene);
+    return read_scene(setting.scene, &kept);
   } catch (const CLI::ValidationError& error) {
     throw CLI::ValidationError(fmt::format("--with \"{}\": {}", setting.words, error.what()));
   } catch (const InputError& error) {
@@ -229,9 +229,10 @@ void compare_settings(const std::vector<Setting>& settings, const std::string& f
                       int frames) {
   const DrawingOptions& first = settings.front().drawing;
   std::deque<scene::Scene> scenes;  // which renderers keep the addresses of
+  scene::SceneParts kept;
   std::vector<std::string> inputs;
   for (const Setting& setting : settings) {
-    scene::Scene& scene = scenes.emplace_back(read_scene_of(setting));
+    scene::Scene& scene = scenes.emplace_back(read_scene_of(setting, kept));
     set_scene(scene, setting.drawing);
     inputs.insert(inputs.end(), scene.files.begin(), scene.files.end());
   }

@@ -69,9 +69,9 @@ void add_view(CLI::App& app, SceneOptions& options) {
       ->type_name("DEGREES");
 }
 
-scene::Scene read_scene(const SceneOptions& options) {
+scene::Scene read_scene(const SceneOptions& options, scene::SceneParts* kept) {
   const auto city_lights = options.city_lights > 0 ? std::optional(std::size_t(options.city_lights)) : std::nullopt;
-  scene::Scene scene = scene::read_scene(scene_path(options.scene), city_lights, options.changes);
+  scene::Scene scene = scene::read_scene(scene_path(options.scene), city_lights, options.changes, kept);
   scene::Camera& camera = scene.camera;
   if (options.camera) camera.position = *options.camera;
   if (options.target) camera.target = *options.target;

@@ -41,7 +41,9 @@ void add_view(CLI::App& app, SceneOptions& options);
 
 /// Reads the scene, changes it and puts its camera in place. Throws InputError, and the usage error of a view that no
 /// scene file may have either.
-scene::Scene read_scene(const SceneOptions& options);
+///
+/// kept  as scene::read_scene takes it
+scene::Scene read_scene(const SceneOptions& options, scene::SceneParts* kept = nullptr);
 
 /// A --set's MEMBER=VALUE. Throws its usage error.
 scene::SceneChange parse_change(const std::string& text);

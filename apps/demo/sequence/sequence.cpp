@@ -91,6 +91,15 @@ int count_frames(const SequenceOptions& options) {
   return frames == 0 ? kDefaultFrames : frames;
 }
 
+/// Whether a change of a member's number needs a new renderer: all else than lights and the camera is in its textures,
+/// buffers and shaders, and it takes no other number of lights.
+bool needs_new_renderer(const MemberCourse& course) {
+  if (!changes(course.numbers)) return false;
+  const std::string& member = course.change.member;
+  const bool is_of_light = member.starts_with("lights[") && !member.ends_with(".count");
+  return !is_of_light && !member.starts_with("camera.");
+}
+
 /// Moves a scene's carried lights as a camera moves, as if both were one rigid body.
 void carry_lights(scene::Scene& scene, const scene::Camera& from, const scene::Camera& to) {
   const glm::dmat4 motion = glm::inverse(scene::view_from_world<double>(to)) * scene::view_from_world<double>(from);
@@ -149,6 +158,7 @@ Sequence::Sequence(const SequenceOptions& options, std::optional<double> phase_g
   }
   changes_members_ =
       std::ranges::any_of(options.members, [](const MemberCourse& member) { return changes(member.numbers); });
+  keeps_renderer_ = std::ranges::none_of(options.members, needs_new_renderer);
   moves_camera_ = path_ || changes(options.camera) || changes(options.target) || changes(options.field_of_view_deg);
   moves_lights_ = (changes(options.seconds) && has_turning_light(scene_)) ||
                   (moves_camera_ && std::ranges::any_of(scene_.lights, &PlacedLight::carried));
@@ -165,13 +175,13 @@ Sequence::Sequence(const SequenceOptions& options, std::optional<double> phase_g
   show(0);
 }
 
-scene::Scene Sequence::read(int frame) const {
+scene::Scene Sequence::read(int frame) {
   SceneOptions options{.scene = options_.scene};
   for (const MemberCourse& member : options_.members) {
     options.changes.push_back(member.change);
     if (member.numbers) options.changes.back().value = fmt::format("{}", member.numbers->at(frame, frames_));
   }
-  scene::Scene scene = read_scene(options);
+  scene::Scene scene = read_scene(options, &parts_);
   scene.phase_g = phase_g_.value_or(scene.phase_g);
   return scene;
 }
@@ -257,11 +267,11 @@ void draw_sequence(Sequence& sequence, const std::string& folder, const DrawingO
   render::Display display = drawing.display.display_for(scene);
   for (int frame = 0; frame < count; ++frame) {
     const command::WallTimer frame_timer;
-    if (sequence.changes_members()) renderer.reset();
+    if (!sequence.keeps_renderer()) renderer.reset();
     sequence.show(frame);
     if (!renderer) {
       renderer.emplace(scene, drawing.width, drawing.height, settings);
-    } else if (sequence.moves_lights() || chooses_casters) {
+    } else if (sequence.changes_members() || sequence.moves_lights() || chooses_casters) {
       renderer->set_lights();
     }
     renderer->set_fog(drawing.fog_at(sequence.visibility(frame)));

@@ -51,14 +51,17 @@ class Sequence {
   std::string words(int frame) const;                   ///< all that changes: "visibility 400 m, time 0.5 s"
   bool moves_camera() const { return moves_camera_; }
   bool moves_lights() const { return moves_lights_; }
-  bool changes_members() const { return changes_members_; }  ///< of the scene's file: anything in it
+  bool changes_members() const { return changes_members_; }  ///< of the scene's file
+  /// Whether a renderer of an earlier frame, after Renderer::set_lights(), draws this one too: no member changes but
+  /// those of the camera and of lights, none of which is added or removed.
+  bool keeps_renderer() const { return keeps_renderer_; }
 
   /// Makes the scene that of a frame. Lights that the eye's vehicle carries move along with the camera, from where they
   /// are in the first frame. Throws InputError where a file has changed since the sequence was made.
   void show(int frame);
 
  private:
-  scene::Scene read(int frame) const;
+  scene::Scene read(int frame);
   scene::Camera camera(int frame) const;
   void expect_heading(int frame) const;
   void move_lights(int frame);
@@ -66,11 +69,13 @@ class Sequence {
   const SequenceOptions& options_;
   std::optional<double> phase_g_;
   int frames_;
+  scene::SceneParts parts_;
   scene::Scene scene_;
   scene::Camera own_camera_;    // of the file, in the frame last shown
   scene::Camera first_camera_;  // that of frame 0
   std::optional<CameraPath> path_;
   bool changes_members_ = false;
+  bool keeps_renderer_ = true;
   bool moves_camera_ = false;
   bool moves_lights_ = false;
   std::vector<PlacedLight> lights_;  // at rest, like what follows
@@ -78,7 +83,7 @@ class Sequence {
 };
 
 /// Draws every frame into a folder (made where missing): SCENE-0001.png and so on, SCENE.apng, which plays them, and
-/// the film, if one is asked for. A renderer is kept but where members change. Reports every frame on
+/// the film, if one is asked for. One renderer draws all frames if it can (keeps_renderer). Reports every frame on
 /// standard output. Needs a current GL context. Throws OutputError; MissingCapability where a film cannot be made.
 ///
 /// drawing  an automatic exposure is that of the first frame, for all

@@ -197,11 +197,12 @@ JsonValue changed_value(const SceneChange& change) {
                            fmt::format("{} {}", kChangePlace, change.member));
 }
 
-/// Reads scenes; keeps light files and models that several entries share.
+/// Reads scenes; shares light files and models between the entries that name them.
 class SceneReader {
  public:
-  SceneReader(const std::string& path, std::optional<std::size_t> city_lights, const std::vector<SceneChange>& changes)
-      : folder_(std::filesystem::path(path).parent_path()) {
+  SceneReader(const std::string& path, std::optional<std::size_t> city_lights, const std::vector<SceneChange>& changes,
+              SceneParts* kept)
+      : folder_(std::filesystem::path(path).parent_path()), kept_(kept) {
     scene_.files.push_back(path);
     JsonValue root = files::read_json(path);
     for (const SceneChange& change : changes) {
@@ -233,7 +234,8 @@ class SceneReader {
     if (!city || root.optional("objects")) {
       for (const JsonValue& object : root.member("objects").items()) read_object(object);
     }
-    add_materials(scene_);
+    read_materials();
+    if (kept_) *kept_ = std::move(used_);
   }
 
   Scene take() { return std::move(scene_); }
@@ -389,7 +391,9 @@ class SceneReader {
         value.fail(fmt::format("must be one of at most {} cookies", kMaxCookies));
       try {
         if (!pattern) scene_.files.push_back((folder_ / source.string()).string());
-        scene_.cookies.push_back(pattern ? paint_cookie(name) : read_cookie(scene_.files.back()));
+        scene_.cookies.push_back(kept_or_made(&SceneParts::cookies, entry->first, [&] {
+          return pattern ? paint_cookie(name) : read_cookie(scene_.files.back());
+        }));
       } catch (const InputError& error) {
         source.fail(std::string("must be a cookie: ") + error.what());
       }
@@ -467,12 +471,36 @@ class SceneReader {
     const auto [entry, is_new] = models_.try_emplace(key, scene_.models.size());
     if (is_new) {
       try {
-        scene_.models.push_back(make_model(name.string(), parameters));
+        scene_.models.push_back(
+            kept_or_made(&SceneParts::models, key, [&] { return make_model(name.string(), parameters); }));
       } catch (const std::invalid_argument& error) {  // a rule across parameters
         name.fail("model", name.string(), error.what());
       }
     }
     return entry->second;
+  }
+
+  /// A part that is kept from an earlier reading, else one that is made.
+  template <typename Key, typename Part, typename Make>
+  Part kept_or_made(std::map<Key, Part> SceneParts::*parts, const Key& key, const Make& make) {
+    if (!kept_) return make();
+    auto kept = (kept_->*parts).extract(key);
+    if (!kept) return (used_.*parts).emplace(key, make()).first->second;
+    return (used_.*parts).insert(std::move(kept)).position->second;
+  }
+
+  void read_materials() {
+    std::set<std::string> names;
+    for (const Model& model : scene_.models) {
+      for (const Part& part : model) names.insert(part.material);
+    }
+    if (kept_) {
+      for (const auto& [name, material] : kept_->materials) {
+        if (names.contains(name)) scene_.materials.push_back(material);
+      }
+    }
+    add_materials(scene_);
+    for (const Material& material : scene_.materials) used_.materials.emplace(material.name, material);
   }
 
   void add_instance(const JsonValue& at, std::size_t model, const glm::dvec3& position, float heading, double scale) {
@@ -486,6 +514,8 @@ class SceneReader {
   }
 
   std::filesystem::path folder_;
+  SceneParts* kept_;
+  SceneParts used_;  // to be kept in their place
   Scene scene_;
   std::optional<Vehicle> vehicle_;
   std::map<std::string, Light> lights_;
@@ -545,11 +575,17 @@ std::string changed_member(const std::string& member) {
 }
 
 Scene read_scene(const std::string& path, std::optional<std::size_t> city_lights,
-                 const std::vector<SceneChange>& changes) {
-  if (!is_gltf_path(path)) return SceneReader(path, city_lights, changes).take();
-  Scene scene = read_gltf_scene(path);
+                 const std::vector<SceneChange>& changes, SceneParts* kept) {
+  if (!is_gltf_path(path)) return SceneReader(path, city_lights, changes, kept).take();
+  Scene scene;
+  if (kept && kept->gltf_scenes.contains(path)) {
+    scene = kept->gltf_scenes.at(path);
+  } else {
+    scene = read_gltf_scene(path);
+    if (kept) *kept = {.gltf_scenes = {{path, scene}}};
+  }
   change_lights(scene, changes);
-  static std::set<std::string> told;  // once, though a sequence may read the file for each frame
+  static std::set<std::string> told;  // once, though a program may draw the file again and again
   const std::string line = command::printable(fmt::format("{}: left out: {}", path, scene.left_out));
   if (!scene.left_out.empty() && told.insert(line).second) fmt::print(stderr, "{}\n", line);
   return scene;

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scene/scene.h"
@@ -87,14 +89,24 @@ inline constexpr const char* kChangePlace = "--set";
 /// ".light" then. Throws InputError where an entry has no such member.
 std::string changed_member(const std::string& member);
 
+/// What takes long to make of a scene file, kept from one reading for the next. The files of cookies and glTF scenes
+/// are not read again, so that a change of them goes unnoticed.
+struct SceneParts {
+  std::map<std::string, Model> models = {};                     ///< by name and parameters
+  std::map<std::string, Material> materials = {};               ///< by name
+  std::map<std::pair<bool, std::string>, Cookie> cookies = {};  ///< by whether they are patterns, and name or path
+  std::map<std::string, Scene> gltf_scenes = {};                ///< by path, without changes
+};
+
 /// Reads a scene file, or a glTF file (gltf_scene.h) by its ending; what is left out of that is said in one line on
 /// standard error. Throws InputError, of which the file is kChangePlace where a change is wrong.
 ///
 /// city_lights  how many lights its city has, in place of its own number; without effect where the scene has no city
 /// changes      in the order given; of a glTF file only those of its lights' attenuation, threshold, cone, colour and
 ///              density scale
+/// kept         parts of an earlier reading, copied where the scene has them, then replaced by this one's; null: none
 Scene read_scene(const std::string& path, std::optional<std::size_t> city_lights = {},
-                 const std::vector<SceneChange>& changes = {});
+                 const std::vector<SceneChange>& changes = {}, SceneParts* kept = nullptr);
 
 /// Reads scenes whose pictures go into one folder. Throws InputError, also where two scenes, and so their pictures,
 /// would have one name.
