@@ -102,10 +102,42 @@ inline AirlightCase draw_inverse_square_airlight_case(Random& random, FogMode mo
   return c;
 }
 
-/// draw_airlight_case() of spots of 0.1 to 180 degrees. Two thirds of them light some of the ray.
-inline AirlightCase draw_spot_airlight_case(Random& random, FogMode mode, LampLeg lamp_leg) {
+/// Where a lamp lies as the eye sees it.
+struct LampRegion {
+  double nearest, farthest;          ///< fog scales (1 / density) from the eye
+  double smallest_deg, largest_deg;  ///< between the ray and the vector to the lamp
+};
+
+/// Point lamps in a region whose denominators double within 0.001 to 10 fog scales, with C of 0 to 5, linear falloff,
+/// quadratic or both, and thresholds of 1e-6 to 0.3 / C. Half of the rays end 0.3 to 3 times as far away as the lamp.
+inline AirlightCase draw_region_airlight_case(Random& random, const LampRegion& region, FogMode mode,
+                                              LampLeg lamp_leg) {
+  constexpr double kScale = 10;  // metres
+  AirlightCase c;
+  c.scattering.lamp_leg = lamp_leg;
+  c.fog = {mode, 1 / kScale};
+  Light& light = c.light.light;
+  const double constant = random.chance(0.15)  ? 0
+                          : random.chance(0.4) ? random.uniform(0, 1)
+                          : random.chance(0.5) ? 1
+                                               : random.log_uniform(1, 5);
+  const double level = std::max(1.0, constant);
+  const double width = kScale * random.log_uniform(1e-3, 10);
+  const double linear_part = random.chance(0.25) ? 0 : random.chance(0.33) ? 1 : random.uniform(0, 1);
+  const double rise = 2 * level - constant;
+  light.attenuation = {constant, linear_part * rise / width, (1 - linear_part) * rise / (width * width)};
+  light.threshold = random.chance(0.5) ? 0.05 : random.log_uniform(1e-6, 0.3 / level);
+
+  const double range = kScale * random.uniform(region.nearest, region.farthest);
+  const double angle = random.log_uniform(region.smallest_deg, region.largest_deg) * std::numbers::pi / 180;
+  c.light.position = range * glm::dvec3(std::sin(angle), 0, -std::cos(angle));
+  if (random.chance(0.5)) c.ray.length = range * random.log_uniform(0.3, 3);
+  return c;
+}
+
+/// Turns the lamp of a case into a spot of 0.1 to 180 degrees. Two thirds of such spots light some of the ray.
+inline void turn_into_spot(Random& random, AirlightCase& c) {
   constexpr double kDegree = std::numbers::pi / 180;
-  AirlightCase c = draw_airlight_case(random, mode, lamp_leg);
   Cone& cone = c.light.light.cone;
   if (random.chance(0.5)) {
     const double exponent = random.chance(0.125) ? 0 : random.log_uniform(0.5, 2000);
@@ -127,6 +159,12 @@ inline AirlightCase draw_spot_airlight_case(Random& random, FogMode mode, LampLe
     const double tilt = random.uniform(-1, 1) * cutoff_angle(cone);
     c.light.direction = glm::normalize(std::cos(tilt) * aim + std::sin(tilt) * draw_perpendicular(random, aim));
   }
+}
+
+/// draw_airlight_case() of spots.
+inline AirlightCase draw_spot_airlight_case(Random& random, FogMode mode, LampLeg lamp_leg) {
+  AirlightCase c = draw_airlight_case(random, mode, lamp_leg);
+  turn_into_spot(random, c);
   return c;
 }
 

@@ -13,7 +13,7 @@
 //   t = asinh(z / w),  z = (1 - e^(-q (x - x0))) / q,
 // in which both the falloff of the lamp (of width w) and that of the fog (of rate q) are nearly straight; x0 is where
 // the lit part begins on that side. A point lamp in isotropic fog has a closed form on the plateau and takes 7 nodes
-// elsewhere, 8 in exp2 fog, which lie closer where its light is brighter; a beam takes some 20, one wider than 90
+// elsewhere, which lie closer where its light is brighter, 8 in exp2 fog; a beam takes some 20, one wider than 90
 // degrees some 28, a phase function some 40, a cookie some 128.
 //
 // Errors and what they were measured on: litfog/airlight.h.
@@ -265,7 +265,8 @@ struct LitfogAirlightSide {
   LITFOG_REAL rate;   // q of z
   LITFOG_REAL width;  // w of t
   LITFOG_REAL size;   // its length in t; 0 where there is none
-  LITFOG_REAL bend;   // >= 0: where it begins, nodes lie 1 + bend times as close in t as if they were evenly spread
+  LITFOG_REAL part;   // of the nodes that it takes, but for a factor
+  LITFOG_REAL bend;   // > -1: where it begins, nodes lie 1 + bend times as close in t as if they were evenly spread
 };
 
 LITFOG_REAL litfog_airlight_z(LitfogAirlightSide side, LITFOG_REAL x) {
@@ -278,37 +279,34 @@ LITFOG_REAL litfog_airlight_t(LitfogAirlightSide side, LITFOG_REAL x) {
 }
 
 // Rate q at which the fog dims the integrand along a side, 1/m: in exp fog that of a fog scale beyond the nearest end,
-// in exp2 fog that at the nearest end. Towards the eye the fog brightens it, which is left to t. But in exp fog with a
-// clear lamp leg q takes half of it, or t would spread so many nodes before the eye that too few were left close to the
-// lamp.
+// in exp2 fog 0.6 of that at the nearest end. Towards the eye the fog brightens it, which is left to t. But in exp fog
+// with a clear lamp leg q takes half of it, or t would spread so many nodes before the eye that too few were left close
+// to the lamp. In exp2 fog q takes an eighth of it: the weight -f'(s) f(r)^k is about a Gaussian around a point between
+// eye and lamp, from where most of the light of a far lamp comes, and t alone has hardly a node there.
 LITFOG_REAL litfog_airlight_rate(LitfogAirlight air, LitfogAirlightSide side) {
   LITFOG_REAL along = side.anchor + side.direction * side.nearest;
   if (air.mode != LITFOG_REAL(0.0)) {
     LITFOG_REAL legs = air.approach + along + air.lamp_leg * along;
-    return max(side.direction * LITFOG_REAL(2.0) * air.density * air.density * legs, LITFOG_REAL(0.0));
+    LITFOG_REAL rate = side.direction * LITFOG_REAL(2.0) * air.density * air.density * legs;
+    return rate > LITFOG_REAL(0.0) ? LITFOG_REAL(0.6) * rate
+                                   : max(LITFOG_REAL(0.125) * rate, LITFOG_REAL(-8.0) / (side.farthest - side.nearest));
   }
   if (side.direction < LITFOG_REAL(0.0)) return LITFOG_REAL(0.5) * air.density * (air.lamp_leg - LITFOG_REAL(1.0));
   along += LITFOG_REAL(1.0) / air.density;
   return air.density * (LITFOG_REAL(1.0) + air.lamp_leg * along / litfog_airlight_range(air, along));
 }
 
-// The bend of a point lamp's side about the closest approach, whose farthest z is `end`: 0.15 times the logarithm of
-// the ratio of its brightness per t where it begins to that where it ends. Exp2 fog scatters in proportion to the eye's
-// leg: there the ratio takes that leg at the side's middle in place of its end.
+// The bend of a point lamp's side about the closest approach, whose farthest z is `end`: in exp fog 0.15 times the
+// logarithm of the ratio of its brightness per t where it begins to that where it ends. In exp2 fog nodes lie closer at
+// the end of a side that the fog brightens towards the eye.
 LITFOG_REAL litfog_airlight_bend(LitfogAirlight air, LitfogAirlightSide side, LITFOG_REAL end) {
-  LITFOG_REAL last = side.nearest + end;
+  if (air.mode != LITFOG_REAL(0.0)) return side.rate < LITFOG_REAL(0.0) ? LITFOG_REAL(-0.32) : LITFOG_REAL(0.0);
   LITFOG_REAL begins = litfog_airlight_range(air, side.nearest);
-  LITFOG_REAL ends = litfog_airlight_range(air, last);
+  LITFOG_REAL ends = litfog_airlight_range(air, side.nearest + end);
   LITFOG_REAL fall = litfog_attenuation(begins, air.constant, air.linear, air.quadratic) /
                      litfog_attenuation(ends, air.constant, air.linear, air.quadratic);
   LITFOG_REAL stretch = end / side.width;
   LITFOG_REAL squared = fall * fall / (LITFOG_REAL(1.0) + stretch * stretch);
-  if (air.mode != LITFOG_REAL(0.0)) {
-    LITFOG_REAL first_leg = air.approach + side.direction * side.nearest;
-    LITFOG_REAL middle_leg = air.approach + side.direction * LITFOG_REAL(0.5) * (side.nearest + last);
-    LITFOG_REAL rise = first_leg / max(middle_leg, LITFOG_REAL(1.0) / litfog_far);
-    squared *= rise * rise;
-  }
   return LITFOG_REAL(0.075) * log(max(squared, LITFOG_REAL(1.0)));
 }
 
@@ -324,13 +322,18 @@ LitfogAirlightSide litfog_airlight_side(LitfogAirlight air, LITFOG_REAL from, LI
   if (abs(side.rate) * (side.farthest - side.nearest) < LITFOG_REAL(1.0)) side.rate = LITFOG_REAL(0.0);
   side.width = LITFOG_REAL(1.0);
   side.size = LITFOG_REAL(0.0);
+  side.part = LITFOG_REAL(0.0);
   side.bend = LITFOG_REAL(0.0);
   if (side.farthest > side.nearest) {
     LITFOG_REAL end = litfog_airlight_z(side, side.farthest);
     side.width = clamp(sqrt(width * width + side.nearest * side.nearest), LITFOG_REAL(0.0015) * end,
                        LITFOG_REAL(1000.0) * end);
     side.size = asinh(end / side.width);
-    if (litfog_airlight_is_plain(air)) side.bend = litfog_airlight_bend(air, side, end);
+    side.part = sqrt(side.size);
+    if (litfog_airlight_is_plain(air)) {
+      side.bend = litfog_airlight_bend(air, side, end);
+      if (air.mode != LITFOG_REAL(0.0)) side.part *= sqrt(side.part);
+    }
   }
   return side;
 }
@@ -466,18 +469,27 @@ LITFOG_REAL litfog_airlight(LitfogAirlight air) {
     }
   }
 
-  // What of it the fog leaves: exp fog 1e-4, exp2 fog 3e-4 of its first metres.
+  // What of it the fog leaves: exp fog 1e-4 of its first metres, exp2 fog 3e-4 of the brightest (of a point lamp 1e-3),
+  // towards the eye 1e-2 (2e-2). A lamp up to 6 fog scales away may be so much brighter than the fog before it that the
+  // fog around the lamp counts, too.
+  bool is_plain = litfog_airlight_is_plain(air);
   if (air.mode == LITFOG_REAL(0.0)) {
     high = min(high, air.lamp_leg == LITFOG_REAL(0.0) ? low + LITFOG_REAL(9.0) * fog_scale
                                                       : max(low, LITFOG_REAL(0.0)) + LITFOG_REAL(4.5) * fog_scale +
                                                             min(LITFOG_REAL(4.5) * fog_scale, air.offset));
   } else {
     LITFOG_REAL brightest = (LITFOG_REAL(0.5) * air.lamp_leg - LITFOG_REAL(1.0)) * air.approach;
-    LITFOG_REAL reach = LITFOG_REAL(8.0) / (LITFOG_REAL(1.0) + air.lamp_leg) * fog_scale * fog_scale;
+    LITFOG_REAL legs = LITFOG_REAL(1.0) + air.lamp_leg;
+    LITFOG_REAL reach = (is_plain ? LITFOG_REAL(6.6) : LITFOG_REAL(8.0)) / legs * fog_scale * fog_scale;
+    LITFOG_REAL distance = air.density * air.approach;  // in fog scales
+    LITFOG_REAL behind_lamp =
+        (is_plain ? LITFOG_REAL(0.9) : LITFOG_REAL(4.0)) * fog_scale / max(distance, LITFOG_REAL(2.0));
+    bool has_lamp = distance > LITFOG_REAL(0.0) && distance < LITFOG_REAL(6.0);
     LITFOG_REAL before = max(low - brightest, LITFOG_REAL(0.0));
     LITFOG_REAL after = max(brightest - high, LITFOG_REAL(0.0));
-    high = min(high, brightest + sqrt(before * before + reach));
-    low = max(low, brightest - sqrt(after * after + reach));
+    LITFOG_REAL last = brightest + sqrt(before * before + reach);
+    high = min(high, has_lamp ? max(last, behind_lamp) : last);
+    low = max(low, brightest - sqrt(after * after + LITFOG_REAL(0.6) * reach));
   }
   if (!(high > low)) return LITFOG_REAL(0.0);
 
@@ -486,7 +498,6 @@ LITFOG_REAL litfog_airlight(LitfogAirlight air) {
 #else
   LITFOG_REAL plateau = litfog_airlight_chord(air, litfog_airlight_level(air, LITFOG_REAL(1.0)));
 #endif
-  bool is_plain = litfog_airlight_is_plain(air);
   LITFOG_REAL sum = LITFOG_REAL(0.0);
   if (is_plain && min(high, plateau) > max(low, -plateau)) {
     sum = litfog_airlight_plateau(air, min(high, plateau)) - litfog_airlight_plateau(air, max(low, -plateau));
@@ -517,17 +528,18 @@ LITFOG_REAL litfog_airlight(LitfogAirlight air) {
   }
   LITFOG_REAL border = crosses ? LITFOG_REAL(0.5) * crossing : LITFOG_REAL(0.0);
 
-  // Nodes for each side in proportion to the root of its size in t.
+  // Nodes for each side in proportion to the root of its size in t, of a point lamp in exp2 fog to the power 3/4.
   LITFOG_REAL hole = is_plain ? plateau : LITFOG_REAL(0.0);
   LitfogAirlightSide before = litfog_airlight_side_of(air, 0, low, high, hole, width, crossing, border, beam_width);
   LitfogAirlightSide beyond = litfog_airlight_side_of(air, 1, low, high, hole, width, crossing, border, beam_width);
   LitfogAirlightSide before_crossing = before;
   LitfogAirlightSide beyond_crossing = beyond;
-  LITFOG_REAL roots = sqrt(before.size) + sqrt(beyond.size);
+  if (before.bend < LITFOG_REAL(0.0)) beyond.part *= LITFOG_REAL(0.77);  // behind a far lamp
+  LITFOG_REAL parts = before.part + beyond.part;
   if (crosses) {
     before_crossing = litfog_airlight_side_of(air, 2, low, high, hole, width, crossing, border, beam_width);
     beyond_crossing = litfog_airlight_side_of(air, 3, low, high, hole, width, crossing, border, beam_width);
-    roots += sqrt(before_crossing.size) + sqrt(beyond_crossing.size);
+    parts += before_crossing.part + beyond_crossing.part;
   }
   LITFOG_REAL nodes_left = air.nodes > LITFOG_REAL(0.0) ? air.nodes : litfog_airlight_nodes(air);
   LitfogAirlightCuts cuts;
@@ -549,11 +561,10 @@ LITFOG_REAL litfog_airlight(LitfogAirlight air) {
     if (i == 1) side = beyond;
     if (i == 2) side = before_crossing;
     if (i == 3) side = beyond_crossing;
-    LITFOG_REAL root = sqrt(side.size);
-    if (root > LITFOG_REAL(0.0)) {
-      LITFOG_REAL nodes = nodes_left * root / roots;
-      bool is_last = root > LITFOG_REAL(0.99) * roots;
-      roots = max(roots - root, LITFOG_REAL(1.0e-9));
+    if (side.part > LITFOG_REAL(0.0)) {
+      LITFOG_REAL nodes = nodes_left * side.part / parts;
+      bool is_last = side.part > LITFOG_REAL(0.99) * parts;
+      parts = max(parts - side.part, LITFOG_REAL(1.0e-9));
       if (!cuts.are_made) {
         LITFOG_REAL most = is_last ? nodes_left : nodes_left - LITFOG_REAL(1.0);  // one for the other side
         nodes = max(min(floor(nodes + LITFOG_REAL(0.5)), most), LITFOG_REAL(1.0));
