@@ -47,9 +47,9 @@ std::optional<ValueError> check(const EyeRay& ray);
 
 /// Errors of airlight() in isotropic fog, from clear air to 5 cm of visibility, and for cones down to 0.1 degree.
 /// kAirlightMaxError is the largest error. kAirlightTypicalError is the largest relative error of 99 in 100 rays, also
-/// of the rays that pass a light at any one angle and distance up to 4 fog scales (1 / density) from the eye; but in
-/// exp2 fog kPeakedAirlightTypicalError of the rays that pass a point light within 3 degrees, where both the light and
-/// the fog before it make a peak.
+/// of those that pass a light at any one angle and distance up to 4 fog scales (1 / density) from the eye; but of the
+/// rays that pass a point light within 3 degrees, 3 or more fog scales away in exp2 fog, kPeakedAirlightTypicalError:
+/// there both the light and the fog before it make a peak.
 /// Of a point light it counts all rays along which anything shows, of a spot those that show more than kDimAirlight:
 /// less comes only from the outermost edge of its cone and is rounding there, of which an 8-bit display shows no step
 /// unless the lamp is over a million times as bright as white.

@@ -296,11 +296,11 @@ LITFOG_REAL litfog_airlight_rate(LitfogAirlight air, LitfogAirlightSide side) {
   return air.density * (LITFOG_REAL(1.0) + air.lamp_leg * along / litfog_airlight_range(air, along));
 }
 
-// The bend of a point lamp's side about the closest approach, whose farthest z is `end`: in exp fog 0.15 times the
-// logarithm of the ratio of its brightness per t where it begins to that where it ends. In exp2 fog nodes lie closer at
-// the end of a side that the fog brightens towards the eye.
+// The bend of a point lamp's side about the closest approach, whose farthest z is `end`: 0.15 times the logarithm of
+// the ratio of its brightness per t where it begins to that where it ends, the fog left out. Where exp2 fog brightens a
+// side towards the eye, nodes lie closer at its end.
 LITFOG_REAL litfog_airlight_bend(LitfogAirlight air, LitfogAirlightSide side, LITFOG_REAL end) {
-  if (air.mode != LITFOG_REAL(0.0)) return side.rate < LITFOG_REAL(0.0) ? LITFOG_REAL(-0.32) : LITFOG_REAL(0.0);
+  if (air.mode != LITFOG_REAL(0.0) && side.rate < LITFOG_REAL(0.0)) return LITFOG_REAL(-0.32);
   LITFOG_REAL begins = litfog_airlight_range(air, side.nearest);
   LITFOG_REAL ends = litfog_airlight_range(air, side.nearest + end);
   LITFOG_REAL fall = litfog_attenuation(begins, air.constant, air.linear, air.quadratic) /
