@@ -126,6 +126,40 @@ TEST_F(PictureMakerTest, OrderThatHasNotBegunIsForgottenForTheNext) {
   EXPECT_FALSE(maker.take());
 }
 
+TEST_F(PictureMakerTest, DragOfALightGivesUpTheWholePictureAndEndsWithTheLastLight) {
+  std::atomic<int> deliveries = 0;
+  PictureMaker maker(scene_, [&] { ++deliveries; });
+  maker.order(order(8, 8));
+  wait(maker);  // all is uploaded
+  maker.order(order(2400, 1350));
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));  // it takes seconds
+  const auto with_light = [this](int step) {
+    PictureOrder dragged = order(48, 27);
+    auto lights = *dragged.lights;
+    lights[0].light.attenuation.quadratic = 0.01 * step;
+    lights[0].light.color *= 1 + step;
+    dragged.lights = std::make_shared<const std::vector<PlacedLight>>(std::move(lights));
+    return dragged;
+  };
+  constexpr int kSteps = 25;
+  for (int step = 1; step <= kSteps; ++step) {
+    PictureOrder sketch = with_light(step);
+    sketch.is_sketch = true;
+    maker.order(sketch);
+  }
+  const Delivery dragged = wait(maker);
+  EXPECT_TRUE(dragged.order.is_sketch) << dragged.order.width;
+  const PictureOrder last = with_light(kSteps);
+  maker.order(last);
+  Delivery shown = wait(maker);
+  while (shown.order.is_sketch) shown = wait(maker);
+  EXPECT_EQ(shown.pictures[0].pixels, drawn_by_demo(last, 0));
+  EXPECT_NE(shown.pictures[0].pixels, drawn_by_demo(with_light(kSteps - 1), 0));
+  EXPECT_LE(deliveries, 5);  // of 28 orders
+  EXPECT_FALSE(maker.take());
+  EXPECT_FALSE(maker.is_busy());
+}
+
 TEST_F(PictureMakerTest, SettingsThatTheMachineCannotDrawAreToldAndOthersAreDrawnAfterwards) {
   PictureMaker maker(scene_, [] {});
   maker.order(order(1'000'000, 9));
