@@ -179,7 +179,7 @@ std::size_t View::draw_surfaces(const glm::mat4& clip_from_world) {
       set_uniform(program, "normal_scale", surface.material.normal_scale);
       surface.albedo.bind(kAlbedoUnit);
       surface.normal.bind(kNormalUnit);
-      meshes_.draw(chunk, render::TriangleOrder::stored);
+      meshes_.draw(chunk.first_index, std::size_t(chunk.index_count), render::TriangleOrder::stored);
       ++drawn;
     }
   }

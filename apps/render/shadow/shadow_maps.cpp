@@ -216,7 +216,7 @@ void ShadowMaps::draw_surface(const Surface& surface) {
     set_uniform(program, "least_coverage", *material.least_coverage);
     surface.material->albedo->bind(kAlbedoUnit);
   }
-  surfaces_.meshes().draw(*surface.chunk, TriangleOrder::stored);
+  surfaces_.meshes().draw(surface.chunk->first_index, std::size_t(surface.chunk->index_count), TriangleOrder::stored);
 }
 
 void ShadowMaps::bind() const {

@@ -156,11 +156,8 @@ void MeshStore::bind_sorted(const std::vector<std::uint32_t>& indices) const {
 
 void MeshStore::draw_sorted(std::size_t first, std::size_t count) const { draw_triangles(first, count); }
 
-void MeshStore::draw(const Chunk& chunk, TriangleOrder order) const {
-  const std::size_t first = order == TriangleOrder::stored
-                                ? chunk.first_index
-                                : 2 * index_count_ - chunk.first_index - std::size_t(chunk.index_count);
-  draw_triangles(first, std::size_t(chunk.index_count));
+void MeshStore::draw(std::size_t first, std::size_t count, TriangleOrder order) const {
+  draw_triangles(order == TriangleOrder::stored ? first : 2 * index_count_ - first - count, count);
 }
 
 }  // namespace litfog::render

@@ -37,7 +37,7 @@ std::vector<Chunk> cut_into_chunks(const scene::Model& model, std::vector<scene:
 /// 2 tangent, 3 uv.
 void set_vertex_attributes();
 
-/// In which order a chunk's triangles are drawn.
+/// In which order triangles are drawn.
 enum class TriangleOrder { stored, reversed };
 
 /// All models of a scene in one vertex array on the GPU. Where any of them has details, so has the array: locations 4
@@ -52,7 +52,8 @@ class MeshStore {
   const std::vector<Chunk>& chunks(std::size_t model) const { return chunks_[model]; }
   /// Makes the vertex array current, laid out by set_vertex_attributes().
   void bind() const;
-  void draw(const Chunk& chunk, TriangleOrder order) const;
+  /// Draws a run of the chunks' indices.
+  void draw(std::size_t first, std::size_t count, TriangleOrder order) const;
   /// Takes indices in place of those of the chunks, until the next bind().
   void bind_sorted(const std::vector<std::uint32_t>& indices) const;
   /// Draws a run of those indices.

@@ -63,6 +63,21 @@ MaterialFeatures features_of(const Surface& surface, bool draws_panes) {
           .has_details = surface.chunk->has_details};
 }
 
+bool passes_few_vertices(const Surface& surface) { return surface.chunk->index_count <= kMostPassingVertices; }
+
+/// How many of the first surfaces are drawn with the same state but for their places.
+std::size_t count_alike(const FramePlan& plan, std::span<const PlannedSurface> surfaces) {
+  const PlannedSurface& first = surfaces[0];
+  const auto is_alike = [&](const PlannedSurface& other) {
+    const Surface& a = *first.surface;
+    const Surface& b = *other.surface;
+    return a.material == b.material && a.is_fog_lit == b.is_fog_lit && a.chunk->has_details == b.chunk->has_details &&
+           passes_few_vertices(a) == passes_few_vertices(b) && first.is_fog_alone == other.is_fog_alone &&
+           std::ranges::equal(plan.lights_of(first), plan.lights_of(other));
+  };
+  return std::size_t(std::ranges::find_if_not(surfaces, is_alike) - surfaces.begin());
+}
+
 }  // namespace
 
 /// What draw() keeps between surfaces.
@@ -106,11 +121,20 @@ std::size_t SurfacePainter::draw(const LightingPath& path, const FramePlan& plan
   if (path.has_several_passes()) glEnable(GL_STENCIL_TEST);
   select_samples(0);
   surfaces_.meshes().bind();
-  for (std::size_t i = 0; i < plan.surfaces.size(); ++i) {
-    if (i % kDrawnAtOnce == 0 && interruption.has_come()) break;
-    const PlannedSurface& surface = plan.surfaces[i];
-    if (settings_.path->draws_panes() && surface.surface->material->is_pane()) continue;
-    draw_surface(frame, surface, plan.lights_of(surface));
+  // Of several passes, all of a surface are drawn before the next surface, because the later of two coplanar ones hides
+  // the earlier.
+  const std::size_t most_alike = path.has_several_passes() ? 1 : kDrawnAtOnce;
+  std::size_t drawn = kDrawnAtOnce;  // since the interruption was asked for
+  for (std::span<const PlannedSurface> rest = plan.surfaces; !rest.empty();) {
+    if (drawn >= kDrawnAtOnce) {
+      if (interruption.has_come()) break;
+      drawn = 0;
+    }
+    const auto alike = rest.first(count_alike(plan, rest.first(std::min(rest.size(), most_alike))));
+    rest = rest.subspan(alike.size());
+    drawn += alike.size();
+    if (settings_.path->draws_panes() && alike[0].surface->material->is_pane()) continue;
+    draw_surfaces(frame, alike, plan.lights_of(alike[0]));
   }
   glDisable(GL_STENCIL_TEST);
   set_blend(Blend::replace);
@@ -154,17 +178,18 @@ std::size_t SurfacePainter::draw_panes(const LightingPath& path, const FramePlan
     while (next < triangles.size() && triangles[next].surface == &surface) ++next;
     frame.first = 3 * first;
     frame.count = 3 * (next - first);
-    draw_surface(frame, surface, plan.lights_of(surface));
+    draw_surfaces(frame, {&surface, 1}, plan.lights_of(surface));
   }
   return frame.bytes;
 }
 
-/// Draws all passes of a surface before the next surface, because the later of two coplanar ones hides the earlier.
-void SurfacePainter::draw_surface(Frame& frame, const PlannedSurface& planned, std::span<const std::int32_t> lights) {
+void SurfacePainter::draw_surfaces(Frame& frame, std::span<const PlannedSurface> alike,
+                                   std::span<const std::int32_t> lights) {
+  const PlannedSurface& planned = alike[0];
   frame.passes_drawn = 0;
   std::span<const std::int32_t> fog = planned.surface->is_fog_lit ? std::span(fog_lights_) : std::span<std::int32_t>{};
   if (planned.is_fog_alone) {
-    draw_pass(frame, planned, {.pass = &fog_alone_pass()}, fog, {});
+    draw_pass(frame, alike, {.pass = &fog_alone_pass()}, fog, {});
     return;
   }
   const std::vector<std::int32_t> grouped = frame.path.has_mapped_fog() ? with_fog_lights(lights, fog, maps_.kinds())
@@ -174,11 +199,11 @@ void SurfacePainter::draw_surface(Frame& frame, const PlannedSurface& planned, s
     std::span<const std::int32_t> rest = grouped;
     switch (pass.lights.kind) {
       case LightFeed::Kind::none:
-        draw_pass(frame, planned, {.pass = &pass}, fog, {});
+        draw_pass(frame, alike, {.pass = &pass}, fog, {});
         break;
       case LightFeed::Kind::all: {
         const bool are_listed = rest.size() > kMaxUniformLights;
-        draw_pass(frame, planned, {.pass = &pass, .has_listed_lights = are_listed}, fog,
+        draw_pass(frame, alike, {.pass = &pass, .has_listed_lights = are_listed}, fog,
                   are_listed ? rest.first(0) : rest);
         break;
       }
@@ -187,7 +212,7 @@ void SurfacePainter::draw_surface(Frame& frame, const PlannedSurface& planned, s
         while (is_first || !rest.empty()) {
           const auto batch = rest.first(batch_length(rest, pass.lights.batch_size, maps_.kinds()));
           const bool are_listed = is_first && pass.lights.lists_rest && batch.size() < rest.size();
-          draw_pass(frame, planned, {.pass = &pass, .is_first = is_first, .has_listed_lights = are_listed}, fog, batch);
+          draw_pass(frame, alike, {.pass = &pass, .is_first = is_first, .has_listed_lights = are_listed}, fog, batch);
           rest = rest.subspan(batch.size());
           is_first = false;
         }
@@ -197,9 +222,9 @@ void SurfacePainter::draw_surface(Frame& frame, const PlannedSurface& planned, s
   }
 }
 
-void SurfacePainter::draw_pass(Frame& frame, const PlannedSurface& planned, ShaderVariant variant,
+void SurfacePainter::draw_pass(Frame& frame, std::span<const PlannedSurface> alike, ShaderVariant variant,
                                std::span<const std::int32_t> fog_lights, std::span<const std::int32_t> batch) {
-  const Surface& surface = *planned.surface;
+  const Surface& surface = *alike[0].surface;
   variant.material = features_of(surface, settings_.path->draws_panes());
   const bool has_maps = !maps_.kinds().empty();  // which hold the cones
   std::vector<PackedLight> uniforms;
@@ -238,24 +263,21 @@ void SurfacePainter::draw_pass(Frame& frame, const PlannedSurface& planned, Shad
     resize_uniforms(first + variant.lights.count);
   }
 
-  const bool has_few_vertices = surface.chunk->index_count <= kMostPassingVertices;
-  if (variant.pass->constants_from_vertices && (has_few_vertices || variant.has_listed_lights)) {
+  if (variant.pass->constants_from_vertices && (passes_few_vertices(surface) || variant.has_listed_lights)) {
     variant.takes_constants_from_vertices = true;
     variant.vertex_lights = std::min(first + variant.lights.count, programs_.most_vertex_lights());
   }
   const SurfaceProgram& program = use(frame, variant, *surface.material);
   const bool is_later = frame.passes_drawn > 0;
   if (frame.path.has_several_passes()) select_samples(frame.passes_drawn++);
-  glUniformMatrix4fv(program.world_from_model, 1, GL_FALSE, glm::value_ptr(surface.world_from_model));
   const scene::Material& material = surface.material->material;
   const std::optional<float>& coverage = variant.material.is_pane ? material.opacity : material.least_coverage;
-  const glm::vec4 constants[] = {
+  const DrawConstants constants{
       glm::vec4(scene_.camera.position, material.relief_m / material.size_m),
-      glm::vec4(surface.bounds.low, coverage.value_or(0)), glm::vec4(surface.bounds.high, material.normal_scale),
+      glm::vec4(glm::vec3(0), coverage.value_or(0)), glm::vec4(glm::vec3(0), material.normal_scale),
       glm::vec4(material.specular, material.shininess), glm::vec4(material.emissive, material.metal_roughness)};
-  glUniform4fv(program.draw_constants, GLsizei(std::size(constants)), glm::value_ptr(constants[0]));
-  glUniform2i(program.light_list_range, planned.list_first, planned.list_count);
-  frame.bytes += sizeof(glm::mat4) + sizeof(constants) + 2 * sizeof(GLint) + uniforms.size() * sizeof(PackedLight);
+  glUniform2i(program.light_list_range, alike[0].list_first, alike[0].list_count);
+  frame.bytes += 2 * sizeof(GLint) + uniforms.size() * sizeof(PackedLight);
   if (!uniforms.empty()) {
     glUniform4fv(program.uniform_lights, GLsizei(5 * uniforms.size()),
                  glm::value_ptr(uniforms[0].kind.attenuation_extent));
@@ -274,10 +296,37 @@ void SurfacePainter::draw_pass(Frame& frame, const PlannedSurface& planned, Shad
     glUniformMatrix3fv(program.cone_from_world, GLsizei(cones.size()), GL_FALSE, glm::value_ptr(cones[0]));
     maps_.bind(maps_.kinds()[std::size_t(batch[0])]);
   }
-  if (frame.draws_panes) {
-    surfaces_.meshes().draw_sorted(frame.first, frame.count);
-  } else {
-    surfaces_.meshes().draw(*surface.chunk, is_later ? TriangleOrder::reversed : TriangleOrder::stored);
+  draw_triangles(frame, alike, program, constants, is_later ? TriangleOrder::reversed : TriangleOrder::stored);
+}
+
+void SurfacePainter::draw_triangles(Frame& frame, std::span<const PlannedSurface> alike, const SurfaceProgram& program,
+                                    DrawConstants constants, TriangleOrder order) {
+  // With one sample a pixel, no position is beyond its surface, so that neighbours need no bounds of their own.
+  const bool joins_chunks = settings_.samples == 1;
+  for (std::size_t i = 0; i < alike.size();) {
+    const glm::mat4& world_from_model = alike[i].surface->world_from_model;
+    scene::Bounds bounds = alike[i].surface->bounds;
+    const std::size_t first = alike[i].surface->chunk->first_index;
+    auto count = std::size_t(alike[i].surface->chunk->index_count);
+    if (i == 0 || world_from_model != alike[i - 1].surface->world_from_model) {
+      glUniformMatrix4fv(program.world_from_model, 1, GL_FALSE, glm::value_ptr(world_from_model));
+      frame.bytes += sizeof(glm::mat4);
+    }
+    for (++i; joins_chunks && i < alike.size(); ++i) {
+      const Surface& next = *alike[i].surface;
+      if (next.chunk->first_index != first + count || next.world_from_model != world_from_model) break;
+      bounds = united(bounds, next.bounds);
+      count += std::size_t(next.chunk->index_count);
+    }
+    constants[1] = glm::vec4(bounds.low, constants[1].w);
+    constants[2] = glm::vec4(bounds.high, constants[2].w);
+    glUniform4fv(program.draw_constants, GLsizei(constants.size()), glm::value_ptr(constants[0]));
+    frame.bytes += sizeof(constants);
+    if (frame.draws_panes) {
+      surfaces_.meshes().draw_sorted(frame.first, frame.count);
+    } else {
+      surfaces_.meshes().draw(first, count, order);
+    }
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -52,11 +53,15 @@ class SurfacePainter {
 
  private:
   struct Frame;
+  using DrawConstants = std::array<glm::vec4, 5>;  // shaders/draw_constants.glsl
 
-  void draw_surface(Frame& frame, const PlannedSurface& planned, std::span<const std::int32_t> lights);
-  /// Draws a surface by the lights of its fog and a batch of its own. Fills in the variant's uniform lights.
-  void draw_pass(Frame& frame, const PlannedSurface& planned, ShaderVariant variant,
+  /// Draws surfaces that differ in their places only; of several passes all, so that there may be but one surface.
+  void draw_surfaces(Frame& frame, std::span<const PlannedSurface> alike, std::span<const std::int32_t> lights);
+  /// Draws them by the lights of their fog and a batch of their own. Fills in the variant's uniform lights.
+  void draw_pass(Frame& frame, std::span<const PlannedSurface> alike, ShaderVariant variant,
                  std::span<const std::int32_t> fog_lights, std::span<const std::int32_t> batch);
+  void draw_triangles(Frame& frame, std::span<const PlannedSurface> alike, const SurfaceProgram& program,
+                      DrawConstants constants, TriangleOrder order);
   SurfaceProgram& use(Frame& frame, const ShaderVariant& variant, const SurfaceMaterial& material);
 
   const scene::Scene& scene_;
