@@ -55,7 +55,7 @@ first 2,000 lights.
 
 airlight: per ray, over 4,000 rays whose airlight is more than 1e-10 of the lamp's colour, in four mixes. point: point
 lamps in isotropic fog; C below, at and above 1 and 0, L and Q from 0 over decades; visibility 3 m to 100 km, in one
-of twenty less; the eye beside, behind and in the lamp's light, rays of any length. any: two thirds are spots of 0.1
+of twenty fogs 5 cm to 3 m; the eye beside, behind and in the lamp's light, rays of any length. any: two thirds are spots of 0.1
 to 180 degrees, half of the fogs scatter by g from -0.9 to 0.9. inverse-square: C = L = 0, outside of the knee.
 axial: the eye beside the lamp, along its axis, without the lamp's own leg, also as axial and axial-batch.
 Methods: uniform steps from the eye (march) and inside the lamp's sphere and cone only (march-clipped, as PlayCanvas);

@@ -2,6 +2,8 @@
 #include "command/command.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -70,6 +72,11 @@ ExitStatus parse_and_run(CLI::App& app, int argc, char** argv, const std::functi
 }
 
 }  // namespace
+
+void fail_choice(const std::string& name, const std::string& word, const std::vector<std::string_view>& choices) {
+  fail_option(name, word,
+              fmt::format("must be one of {}{}", fmt::join(choices, "|"), files::hint_for_word(word, choices)));
+}
 
 CLI::Option* add_number(CLI::App& app, const std::string& name, double& target, NumberRule rule,
                         const std::string& description) {

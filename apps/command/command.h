@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -44,6 +45,10 @@ CLI::Option* add_numbers(CLI::App& app, const std::string& name, std::vector<dou
 /// --contrast, by which a visibility means a density (Fog::from_visibility).
 CLI::Option* add_contrast(CLI::App& app, double& target);
 
+/// Ends the command as fail_option does, for a word that is none of the choices.
+[[noreturn]] void fail_choice(const std::string& name, const std::string& word,
+                              const std::vector<std::string_view>& choices);
+
 /// An option that takes one of a few words.
 template <typename Choice>
 CLI::Option* add_choice(CLI::App& app, const std::string& name, Choice& target,
@@ -57,7 +62,9 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, Choice& target,
         return true;
       }
     }
-    fail_option(name, values.front(), "must be one of " + words);
+    std::vector<std::string_view> known;
+    for (const auto& choice : choices) known.push_back(choice.first);
+    fail_choice(name, values.front(), known);
   };
   return app.add_option(name, parse, description)->type_name(words);
 }

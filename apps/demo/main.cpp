@@ -50,7 +50,7 @@ constexpr const char* kDescription =
   litfog-demo gallery [SCENE...] [-o FOLDER]         every scene, clear and at its visibilities
   litfog-demo compare [SCENE...] [-o FOLDER]         every scene by every lighting path, with times and errors
   litfog-demo compare SCENE --with SETTING ...       a scene in any settings, on a page that flips, wipes and zooms
-  litfog-demo sequence SCENE [-o FOLDER]             frames over visibility, time, a camera's way or any member
+  litfog-demo sequence SCENE [-o FOLDER]             frames over visibility, time, a camera path or any member
   litfog-demo papers [-o FOLDER]                     the papers' figures by their own programs
   litfog-demo window SCENE [OPTIONS]                 a window to move and change things in
   litfog-demo list scenes|paths                      what SCENE and --path may be
@@ -207,7 +207,7 @@ Job add_gallery_job(CLI::App& app) {
     check_options(app, drawing_rules(drawing));
     const std::vector<std::string> scenes = scene_paths(options->scenes);
     const gl::HeadlessContext context;
-    report(fmt::format("drawing {} scenes on {}\n", scenes.size(), context.renderer()));
+    report(fmt::format("drawing {} scene{} on {}\n", scenes.size(), scenes.size() == 1 ? "" : "s", context.renderer()));
     draw_gallery(scenes, options->folder, drawing);
     return kDone;
   };
@@ -267,7 +267,7 @@ Job add_comparison_job(CLI::App& app) {
     check_options(app, {{"these scenes", !turns, {"--time"}, "none of their lights turns"}});
     for (scene::Scene& scene : scenes) set_scene(scene, drawing);
     const gl::HeadlessContext context;
-    report(fmt::format("drawing {} scenes on {}\n", scenes.size(), context.renderer()));
+    report(fmt::format("drawing {} scene{} on {}\n", scenes.size(), scenes.size() == 1 ? "" : "s", context.renderer()));
     compare_paths(scenes, options->folder, context.renderer(), drawing, options->frames);
     return kDone;
   };
@@ -415,9 +415,9 @@ int main(int argc, char** argv) {
       "Draws scenes by every lighting path, or one in any settings, timed interleaved, with differences and index.html",
       add_comparison_job);
   add_job("sequence",
-          "Draws a scene over visibility, time, a camera's way or any member: numbered frames and what plays",
+          "Draws a scene over visibility, time, a camera path or any member: numbered frames and an animation of them",
           add_sequence_job);
-  add_job("papers", "Redraws the papers' figures by their own programs: a sheet a paper, with Hales's table 1",
+  add_job("papers", "Redraws the papers' figures by their own programs: a sheet for each paper, with Hales's table 1",
           add_papers_job);
   add_job("window", "Shows a scene in a window, in which fog, lighting, camera and lamps can be changed",
           add_window_job);

@@ -80,7 +80,7 @@ void add_range(Sheet& sheet, const AttenuationTarget& target, const AttenuationF
                                            deviation(1), deviation(2)));
     }
   }
-  sheet.add("certificate", fmt::format("KKT residual {:.1e}; {} boxes ruled out; {} iterations, {:.3g} ms",
+  sheet.add("certificate", fmt::format("KKT residual {:.1e}; boxes ruled out: {}; iterations: {}, {:.3g} ms",
                                        fit.kkt_residual, fit.boxes, fit.iterations, fit.milliseconds));
   if (target.samples.empty()) return;
   command::Table table{.columns = {"range_m", "attenuation", "fitted", "error_%", "weight"}};

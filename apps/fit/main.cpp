@@ -35,6 +35,7 @@
 #include "fit/verdict.h"
 #include "litfog/files/light_file.h"
 #include "litfog/files/light_spec_file.h"
+#include "litfog/files/output_error.h"
 #include "litfog/input_error.h"
 #include "litfog/photometry/cookie_file.h"
 #include "parallel.h"
@@ -185,14 +186,17 @@ void expect_effect(const CLI::App& app, const std::vector<Input>& inputs, const 
   }
 }
 
-/// Where each input's light goes, empty for nowhere.
+/// Where each input's light goes, empty for nowhere. Makes the folder of several where it is missing.
 std::vector<std::string> outputs_of(const Options& options, const std::vector<Input>& inputs,
                                     const std::optional<Catalogue>& catalogue) {
   std::error_code error;
-  const bool is_folder = fs::is_directory(options.output, error);
-  if (inputs.size() > 1 && !options.output.empty() && !is_folder) {
-    fail_option("-o", options.output, "must be a folder for several inputs");
+  if (inputs.size() > 1 && !options.output.empty()) {
+    const fs::path folder(options.output);
+    if (folder.extension() != ".json" && !fs::exists(folder, error)) fs::create_directory(folder, error);
+    if (error) throw litfog::OutputError(fmt::format("{}: cannot be made: {}", options.output, error.message()));
+    if (!fs::is_directory(folder, error)) fail_option("-o", options.output, "must be a folder for several inputs");
   }
+  const bool is_folder = fs::is_directory(options.output, error);
   std::vector<std::string> outputs;
   for (const Input& input : inputs) {
     if (catalogue) {
@@ -433,7 +437,7 @@ int main(int argc, char** argv) {
       ->type_name("FILE...")
       ->required();
   app.add_option("-o,--output", options.output,
-                 "Write the light here; of several inputs, NAME.json each in this folder")
+                 "Write the light here; of several inputs, NAME.json each in this folder, made if missing")
       ->type_name("FILE|FOLDER");
   app.add_option("--against", options.against, "Another input: both in one table and one plot")->type_name("INPUT");
   app.add_option("--catalogue", options.catalogue,

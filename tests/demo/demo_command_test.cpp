@@ -660,7 +660,7 @@ TEST_F(DemoCommand, InputsAreNotOverwritten) {
 TEST_F(DemoCommand, MistypedSceneIsAnsweredWithTheNamesOfAllScenes) {
   EXPECT_ERROR(run("rooom"), kBadInput,
                "rooom: must be a scene file or one of approach, city, cookies, headlights, lighthouse, room, street, "
-               "tessellation\n");
+               "tessellation; did you mean room?\n");
 }
 
 TEST_F(DemoCommand, SceneWhoseNameIsNoUtf8HasItsStatistics) {
@@ -1032,6 +1032,8 @@ TEST_F(DemoCommand, WrongSettingsAreNamed) {
   EXPECT_TRUE(misspelt.err.starts_with("--with \"tone=clip exposre=3\": --set: \"exposre\": must be one of "))
       << misspelt.err;
   EXPECT_TRUE(misspelt.err.ends_with("; did you mean exposure?\n")) << misspelt.err;
+  const Outcome begun = run("compare one.json -o none --with visib=9");  // or visibilities_m, a member
+  EXPECT_TRUE(begun.err.ends_with("objects; did you mean visibility?\n")) << begun.err;
   EXPECT_FALSE(std::filesystem::exists(directory() / "none"));
 }
 

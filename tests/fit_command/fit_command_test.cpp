@@ -351,6 +351,14 @@ TEST_F(FitCommand, EarlierLightStaysWhereTheSpecHasAnError) {
   EXPECT_EQ(read("light.json"), "earlier");
 }
 
+TEST_F(FitCommand, FolderOfSeveralLightsIsMade) {
+  EXPECT_EQ(run("lamp.json beam.json -o lights").status, kDone);
+  EXPECT_TRUE(fs::exists(directory() / "lights" / "lamp.json"));
+  EXPECT_TRUE(fs::exists(directory() / "lights" / "beam.json"));
+  EXPECT_EQ(run("lamp.json beam.json -o none/lights").status, kCannotWrite);
+  EXPECT_FALSE(fs::exists(directory() / "none"));
+}
+
 TEST_F(FitCommand, WrongUsageIsAnErrorBeforeAnyWork) {
   expect_usage_error("lamp.json beam.json -o light.json", "-o = light.json: must be a folder for several inputs");
   expect_usage_error("lamp.json beam.json --plot a.png",

@@ -235,6 +235,7 @@ TEST_F(SolveCommand, WrongFormsAreUsageErrors) {
   expect("--constant 1 --density 1 surplus", "The following argument was not expected: surplus");
   expect("--constant 1 --density 1 --density 2", "--density: At Most 1 required but received 2");
   expect("--constant 1 --dens 1", "--dens: must be an option of this command; did you mean --density?");
+  expect("--constant 1 --density 1 --format jsn", "--format = jsn: must be one of table|csv|json; did you mean json?");
 }
 
 TEST_F(SolveCommand, WrongLightFilesAreBadInputAndNothingIsPrinted) {

@@ -95,8 +95,8 @@ Setting parse_setting(const Setting& base, const std::string& text, Unused& unus
   return setting;
 }
 
-/// The option that a word of a setting may have been meant as, where a member of its name was looked for in vain.
-std::string hint_for(const std::string& text, const std::string& error) {
+/// An error of a member that was looked for in vain, with the option that the setting's word may have been meant as.
+std::string with_option_hint(const std::string& text, const std::string& error) {
   CLI::App app;
   Setting any;
   add_options(app, any);
@@ -107,9 +107,10 @@ std::string hint_for(const std::string& text, const std::string& error) {
   for (std::string word; words >> word;) {
     const std::string name = word.substr(0, word.find('='));
     if (error.find(fmt::format(" \"{}\": must be one of ", name)) == error.npos) continue;
-    return files::hint_for_word(name, {names.begin(), names.end()});
+    const std::string hint = files::hint_for_word(name, {names.begin(), names.end()});
+    return hint.empty() ? error : error.substr(0, error.find("; did you mean")) + hint;
   }
-  return {};
+  return error;
 }
 
 /// Reads the scene of a setting. What is wrong with a view or a member is told with the setting's words.
@@ -122,7 +123,7 @@ scene::Scene read_scene_of(const Setting& setting, scene::SceneParts& kept) {
     const bool is_of_member = error.location().file.starts_with(scene::kChangePlace);
     if (!is_of_member || setting.words.find('=') == std::string::npos) throw;
     throw InputError({.file = fmt::format("--with \"{}\"", setting.words)},
-                     error.what() + hint_for(setting.words, error.what()));
+                     with_option_hint(setting.words, error.what()));
   }
 }
 

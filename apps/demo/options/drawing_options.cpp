@@ -121,7 +121,7 @@ void add_size(CLI::App& app, DrawingOptions& options) {
 void add_rendering(CLI::App& app, DrawingOptions& options) {
   add_size(app, options);
   command::add_choice(app, "--samples", options.render.samples, {{"1", 1}, {"2", 2}, {"4", 4}, {"8", 8}},
-                      "Samples a pixel, at least (default 4)");
+                      "At least this many samples a pixel (default 4)");
   command::add_integer(app, "--map-size", options.render.map_size, 8, 256,
                        "Edge of the path's light maps in texels (default 128)");
   command::add_choice(

@@ -10,6 +10,7 @@
 
 #include "command/command.h"
 #include "command/number.h"
+#include "files/hint.h"
 #include "litfog/input_error.h"
 #include "scene/model/city.h"
 
@@ -110,8 +111,9 @@ std::string scene_path(const std::string& scene) {
   const std::string bundled = scene::bundled_scene_path(scene);
   if (std::filesystem::exists(bundled, error)) return bundled;
   if (path.has_extension() || std::filesystem::exists(path, error)) return scene;
-  throw InputError({.file = scene},
-                   fmt::format("must be a scene file or one of {}", fmt::join(scene::bundled_scenes(), ", ")));
+  const std::vector<std::string> names = scene::bundled_scenes();
+  throw InputError({.file = scene}, fmt::format("must be a scene file or one of {}{}", fmt::join(names, ", "),
+                                                files::hint_for_word(scene, {names.begin(), names.end()})));
 }
 
 bool has_turning_light(const scene::Scene& scene) {

@@ -142,7 +142,8 @@ void add_sequence(CLI::App& app, SequenceOptions& options) {
       ->allow_extra_args(false);
   command::add_integer(app, "--frames", options.frames, 2, kMaxFrames,
                        fmt::format("How many (default as many as a list or range asks for, else {})", kDefaultFrames));
-  command::add_integer(app, "--fps", options.frames_per_second, 1, 100, "Frames a second of what plays (default 12)");
+  command::add_integer(app, "--fps", options.frames_per_second, 1, 100,
+                       "Frames a second of SCENE.apng and the film (default 12)");
   app.add_option("--film", options.film, "Write a film, too: .mp4 or .webm (needs ffmpeg)")->type_name("FILE");
 }
 

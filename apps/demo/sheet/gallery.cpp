@@ -105,7 +105,7 @@ void draw_gallery(const std::vector<std::string>& scenes, const std::string& fol
   const command::WallTimer timer;
   std::vector<scene::Scene> read = scene::read_scenes(scenes);
   for (scene::Scene& scene : read) set_scene(scene, options);
-  command::report(fmt::format("{} scenes loaded in {:.2f} s\n", read.size(), timer.seconds()));
+  command::report(fmt::format("all loaded in {:.2f} s\n", timer.seconds()));
   const std::vector<Row> rows = make_rows(read, options);
   PictureFolder pictures = make_folder(folder, rows);
   command::Table solutions{{"scene", "light", "visibility_m", "extent_m", "peak_range_m", "intensity"}, {}};

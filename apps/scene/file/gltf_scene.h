@@ -32,10 +32,11 @@ bool is_gltf_path(const std::string& path);
 /// albedo takes metallic texel by texel, before both are filtered, where its texture has the base colour's coordinates,
 /// else its mean. COLOR_0 multiplies the base colour, but not F's. KHR_materials_unlit sends the base colour to the eye
 /// through the fog and reflects nothing. Emission has its texels, times KHR_materials_emissive_strength, at most
-/// 10,000. MASK leaves no surface below alphaCutoff. BLEND hides alpha of what is behind it. Its
-/// triangles are drawn from the farthest to the nearest middle, which is wrong where two cross and can be where a large
-/// one is beside a small one, and lamps' points before it are dimmed like those behind it. Paths that draw a surface
-/// in several passes draw it as MASK at 0.5.
+/// 10,000. MASK leaves no surface below alphaCutoff. BLEND hides alpha of what is behind it, in
+/// linear light; three.js blends so in a linear render target only, and on a canvas the values encoded for the display.
+/// Its triangles are drawn from the farthest to the nearest middle, which is wrong where two cross and can be where a
+/// large one is beside a small one, and lamps' points before it are dimmed like those behind it. Paths that draw a
+/// surface in several passes draw it as MASK at 0.5.
 ///
 /// Lights (KHR_lights_punctual): a white surface square to a light of I cd shows I / (pi r^2) of the display's white at
 /// r metres, as in the Khronos sample viewer at exposure 1. This is Hales's attenuation with C = L = 0 and Q = 1/k^2,
