@@ -207,7 +207,7 @@ TEST_F(SolveCommand, WrongValuesAreUsageErrors) {
          "--contrast = haze: must be mor, koschmieder, flightgear or a number in (0, 1)");
   expect("--constant 1 --visibility 1 --contrast 0",
          "--contrast = 0: must be mor, koschmieder, flightgear or a number in (0, 1)");
-  expect("--constant 1 --density 1 --fog exp3", "--fog = exp3: must be one of exp|exp2");
+  expect("--constant 1 --density 1 --fog exp3", "--fog = exp3: must be one of exp|exp2; did you mean exp?");
   expect("--constant 1 --density 1 --fog 1", "--fog = 1: must be one of exp|exp2");
   expect("--constant 1 --density 1 --format xml", "--format = xml: must be one of table|csv|json");
   expect("--constant 1 --density 1 --method sampled --samples 0",
