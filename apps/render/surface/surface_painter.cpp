@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <vector>
 
@@ -16,10 +17,6 @@ namespace litfog::render {
 namespace {
 
 constexpr std::size_t kDrawnAtOnce = 500;  // surfaces, between which an interruption may come
-
-/// Of a chunk whose vertices pass constants on. For small triangles that costs more than it saves their fragments,
-/// unless these have many lights: measured on llvmpipe.
-constexpr int kMostPassingVertices = 96;
 
 /// In place of lights that a shader is compiled for and a surface lacks: black. Paths that do not clamp the attenuation
 /// need one that is finite.
@@ -63,16 +60,40 @@ MaterialFeatures features_of(const Surface& surface, bool draws_panes) {
           .has_details = surface.chunk->has_details};
 }
 
-bool passes_few_vertices(const Surface& surface) { return surface.chunk->index_count <= kMostPassingVertices; }
+/// Where surfaces are seen from.
+struct Eye {
+  glm::vec3 position;
+  double pixels_per_radian;
+};
+
+/// Of the viewport's picture.
+Eye eye_of(const scene::Camera& camera) {
+  GLint viewport[4];
+  glGetIntegerv(GL_VIEWPORT, viewport);
+  return {camera.position, viewport[3] / (2 * std::tan(double(camera.field_of_view) / 2))};
+}
+
+/// Whether vertices pass on what is the same all over a draw. For small triangles that costs more than it saves their
+/// fragments, but so few of them cost less than the change of a fragment shader's uniforms: measured on llvmpipe.
+bool passes_constants(const Surface& surface, const Eye& eye) {
+  constexpr int kFewIndices = 96;
+  constexpr double kManyPixels = 30;  // a triangle
+  if (surface.chunk->index_count <= kFewIndices) return true;
+  const scene::Bounds& box = surface.bounds;
+  const double size = glm::distance(box.low, box.high);
+  const double nearest = glm::distance(eye.position, glm::clamp(eye.position, box.low, box.high));
+  const double pixels = eye.pixels_per_radian * size / std::max(nearest, size);
+  return pixels * pixels > kManyPixels * surface.chunk->index_count / 3;
+}
 
 /// How many of the first surfaces are drawn with the same state but for their places.
-std::size_t count_alike(const FramePlan& plan, std::span<const PlannedSurface> surfaces) {
+std::size_t count_alike(const FramePlan& plan, std::span<const PlannedSurface> surfaces, const Eye& eye) {
   const PlannedSurface& first = surfaces[0];
   const auto is_alike = [&](const PlannedSurface& other) {
     const Surface& a = *first.surface;
     const Surface& b = *other.surface;
     return a.material == b.material && a.is_fog_lit == b.is_fog_lit && a.chunk->has_details == b.chunk->has_details &&
-           passes_few_vertices(a) == passes_few_vertices(b) && first.is_fog_alone == other.is_fog_alone &&
+           passes_constants(a, eye) == passes_constants(b, eye) && first.is_fog_alone == other.is_fog_alone &&
            std::ranges::equal(plan.lights_of(first), plan.lights_of(other));
   };
   return std::size_t(std::ranges::find_if_not(surfaces, is_alike) - surfaces.begin());
@@ -83,6 +104,7 @@ std::size_t count_alike(const FramePlan& plan, std::span<const PlannedSurface> s
 /// What draw() keeps between surfaces.
 struct SurfacePainter::Frame {
   const LightingPath& path;
+  Eye eye;
   glm::mat4 clip_from_world;
   const ShadowMaps* shadows;
   std::size_t number;
@@ -117,7 +139,11 @@ void SurfacePainter::set_fog() { fog_lights_ = fog_lights(lights_, settings_.pat
 
 std::size_t SurfacePainter::draw(const LightingPath& path, const FramePlan& plan, const glm::mat4& clip_from_world,
                                  const ShadowMaps* shadows, Interruption& interruption) {
-  Frame frame{.path = path, .clip_from_world = clip_from_world, .shadows = shadows, .number = ++frames_};
+  Frame frame{.path = path,
+              .eye = eye_of(scene_.camera),
+              .clip_from_world = clip_from_world,
+              .shadows = shadows,
+              .number = ++frames_};
   if (path.has_several_passes()) glEnable(GL_STENCIL_TEST);
   select_samples(0);
   surfaces_.meshes().bind();
@@ -130,7 +156,7 @@ std::size_t SurfacePainter::draw(const LightingPath& path, const FramePlan& plan
       if (interruption.has_come()) break;
       drawn = 0;
     }
-    const auto alike = rest.first(count_alike(plan, rest.first(std::min(rest.size(), most_alike))));
+    const auto alike = rest.first(count_alike(plan, rest.first(std::min(rest.size(), most_alike)), frame.eye));
     rest = rest.subspan(alike.size());
     drawn += alike.size();
     if (settings_.path->draws_panes() && alike[0].surface->material->is_pane()) continue;
@@ -164,6 +190,7 @@ std::size_t SurfacePainter::draw_panes(const LightingPath& path, const FramePlan
     indices.insert(indices.end(), each.triangle->indices.begin(), each.triangle->indices.end());
   }
   Frame frame{.path = path,
+              .eye = eye_of(scene_.camera),
               .clip_from_world = clip_from_world,
               .shadows = shadows,
               .number = ++frames_,
@@ -263,7 +290,7 @@ void SurfacePainter::draw_pass(Frame& frame, std::span<const PlannedSurface> ali
     resize_uniforms(first + variant.lights.count);
   }
 
-  if (variant.pass->constants_from_vertices && (passes_few_vertices(surface) || variant.has_listed_lights)) {
+  if (variant.pass->constants_from_vertices && (passes_constants(surface, frame.eye) || variant.has_listed_lights)) {
     variant.takes_constants_from_vertices = true;
     variant.vertex_lights = std::min(first + variant.lights.count, programs_.most_vertex_lights());
   }
