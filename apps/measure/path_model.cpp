@@ -50,7 +50,7 @@ PathModel::PathModel(const render::Renderer& renderer)
     light.casts_shadows = true;
     if (settings_.shadows != render::Shadows::shafts) continue;
     light.fog_threshold = light.placed.light.threshold;  // no shafts are cut out of what lies beyond
-    light.fog_extent = light.extent;
+    light.fog_extent = compute_extent(light.placed.light.attenuation, light.fog_threshold);
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "litfog/fog_light_block.h"
 #include "litfog/photometry/cookie_airlight.h"
@@ -10,6 +11,11 @@
 #include "scene/light_frame.h"
 
 namespace litfog::measure {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
 
 double ReferenceLight::emitted(const glm::dvec3& direction) const {
   return cookie ? cookie_at(*cookie, cookie_from_world * direction)
@@ -37,11 +43,12 @@ std::vector<ReferenceLight> reference_lights(const scene::Scene& scene, const Fo
     const double brightest = render::largest_component(light.color) * largest_phase({.asymmetry = scene.phase_g});
     const double fog_threshold =
         has_far_ends && brightest > 0 ? std::min(light.threshold, each / brightest) : light.threshold;
+    const double extent = compute_extent(light.attenuation, light.threshold);
     const bool has_intensity = placed.carried && settings.fog_lighting == render::FogLighting::peak;
     const auto use = scene.cookie_uses.find(i);
     const bool has_cookie = use != scene.cookie_uses.end();
     lights.push_back({.placed = placed,
-                      .extent = compute_extent(light.attenuation, light.threshold),
+                      .extent = extent > 0 && render::lights_surfaces_beyond_end(settings) ? kInfinity : extent,
                       .fog_threshold = fog_threshold,
                       .fog_extent = compute_extent(light.attenuation, fog_threshold),
                       .fog = scaled(fog, light.density_scale),

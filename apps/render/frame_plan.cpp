@@ -12,6 +12,7 @@
 #include "render/fog_top.h"
 #include "render/frustum.h"
 #include "render/light/hidden_range.h"
+#include "render/light/octaves.h"
 
 namespace litfog::render {
 namespace {
@@ -96,8 +97,8 @@ double FramePlanner::hidden_range_of(std::size_t index) {
     const auto light = std::size_t(lights[i]);
     const PlacedLight& placed = lights_.lights()[light];
     const double strength = surface.material->reflectance * largest_component(placed.light.color) *
-                            largest_irradiance(placed, lights_.extents()[light], fog_, settings_.fog_lighting,
-                                               *settings_.path, surface.bounds);
+                            largest_irradiance(placed, surfaces_.range_of(lights_.extents()[light]), fog_,
+                                               settings_.fog_lighting, *settings_.path, surface.bounds);
     strengths_[std::size_t(surface.list_first) + i] = float(strength);
     brightness += strength;
   }
@@ -111,17 +112,15 @@ PlannedSurface FramePlanner::list_lights(std::size_t index, double most_left_out
   const std::span<const std::int32_t> lights = surfaces_.lights_of(surface);
   const std::span<const float> strengths =
       std::span(strengths_).subspan(std::size_t(surface.list_first), lights.size());
-  float least = 0;  // of a light that is kept
+  double least = 0;  // of a light that is kept
   if (!lights.empty() && double(std::ranges::min(strengths)) <= most_left_out) {
-    sorted_.assign(strengths.begin(), strengths.end());
-    std::ranges::sort(sorted_);
-    double sum = 0;
-    const auto kept = std::ranges::find_if(sorted_, [&](float strength) { return (sum += strength) > most_left_out; });
-    least = kept == sorted_.end() ? std::numeric_limits<float>::infinity() : *kept;
+    Octaves octaves;
+    for (const float strength : strengths) octaves.add(double(strength));
+    least = octaves.least_kept(most_left_out);
   }
   PlannedSurface planned{&surface, false, int(plan_.light_list.size()), 0};
   for (std::size_t i = 0; i < lights.size(); ++i) {
-    if (strengths[i] < least) continue;
+    if (double(strengths[i]) < least) continue;
     plan_.light_list.push_back(lights[i]);
     ++planned.list_count;
   }

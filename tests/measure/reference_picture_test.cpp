@@ -353,7 +353,8 @@ TEST_P(ReferenceOfScene, AirlightIsWithinAStepFromClearAirToAMetreOfVisibility) 
   const Scene scene = read_scene(bundled_scene_path(name));
   // Of more than a thousand lamps each takes an integral a pixel, and a cookie takes one a texel.
   const int height = scene.lights.size() > 100 || !scene.cookies.empty() ? 12 : 45;
-  for (const double visibility : {20'000.0, scene.visibilities.at(1), 1.0}) {
+  constexpr double kClear = std::numeric_limits<double>::infinity();
+  for (const double visibility : {kClear, 20'000.0, scene.visibilities.at(1), 1.0}) {
     for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
       const PictureError error = airlight_error(scene, Fog::from_visibility(mode, visibility), height * 16 / 9, height,
                                                 lighting_paths().front());

@@ -29,7 +29,7 @@ scene::Scene four_lamps() {
 
 LightSelection select(const scene::Scene& scene) {
   const SceneLights lights(scene, {.path = &lighting_paths().front()});
-  return select_lights(lights, Indices{0, 1}, kBox);
+  return select_lights(lights, lights.extents(), Indices{0, 1}, kBox);
 }
 
 Indices fog_lights_of(const scene::Scene& scene, const Fog& fog, const LightingPath& path,

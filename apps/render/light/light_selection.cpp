@@ -10,12 +10,13 @@
 
 namespace litfog::render {
 
-LightSelection select_lights(const SceneLights& lights, std::vector<std::int32_t> local, const scene::Bounds& bounds) {
+LightSelection select_lights(const SceneLights& lights, std::span<const double> ranges, std::vector<std::int32_t> local,
+                             const scene::Bounds& bounds) {
   constexpr double kFarthest = std::numeric_limits<double>::infinity();  // fog is lit as far as it is seen
   LightSelection selection{.surface = std::move(local), .is_fog_lit = false};
   for (std::size_t i = lights.local_count(); i < lights.size(); ++i) {
     const PlacedLight& light = lights.lights()[i];
-    if (can_reach(light, lights.extents()[i], bounds)) selection.surface.push_back(std::int32_t(i));
+    if (can_reach(light, ranges[i], bounds)) selection.surface.push_back(std::int32_t(i));
     selection.is_fog_lit = selection.is_fog_lit || can_reach(light, kFarthest, bounds);
   }
   return selection;

@@ -19,9 +19,11 @@ struct LightSelection {
   bool is_fog_lit = false;
 };
 
+/// ranges  metres, one a light: how far it lights surfaces
 /// local   the local lights that can reach the surface
 /// bounds  the surface's, world space
-LightSelection select_lights(const SceneLights& lights, std::vector<std::int32_t> local, const scene::Bounds& bounds);
+LightSelection select_lights(const SceneLights& lights, std::span<const double> ranges, std::vector<std::int32_t> local,
+                             const scene::Bounds& bounds);
 
 /// The carried lights that light the fog by their intensity; without skipping all carried lights.
 std::vector<std::int32_t> fog_lights(const SceneLights& lights, Skipping skipping);

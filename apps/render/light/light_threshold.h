@@ -11,8 +11,9 @@ namespace litfog::render {
 /// By which a colour counts.
 inline double largest_component(const glm::dvec3& color) { return std::max({color.r, color.g, color.b}); }
 
-/// Where a light that is lit by airlight ends on surfaces: at its own threshold, but not before its colour's largest
-/// component is below 1/255 as shown, so that no end is seen. Where it ends in the fog: lights_fog_beyond_end().
+/// Where a light of a picture by airlight ends: at its own threshold, but not before its colour's largest component is
+/// below 1/255 as shown, so that no end is seen. What lies beyond: lights_fog_beyond_end(),
+/// lights_surfaces_beyond_end().
 ///
 /// exposure  EV at which the picture is shown; below 0 the end is that of 0 EV
 inline double airlight_threshold(const Light& light, double exposure = 0) {

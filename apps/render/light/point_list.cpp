@@ -2,34 +2,14 @@
 #include "render/light/point_list.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "litfog/attenuation.h"
 #include "litfog/cone.h"
+#include "render/light/octaves.h"
 
 namespace litfog::render {
 namespace {
-
-/// Sums of light by octaves: those of the dimmest octaves that stay below a budget are left out.
-class Octaves {
- public:
-  void add(double light) { sums_[octave_of(light)] += light; }
-
-  /// The light below which all together is at most the budget.
-  double least_kept(double budget) const {
-    double sum = 0;
-    std::size_t octave = 0;
-    while (octave < sums_.size() && (sum += sums_[octave]) <= budget) ++octave;
-    return std::ldexp(1.0, int(octave) + kFirst);
-  }
-
- private:
-  static constexpr int kFirst = -64;
-  static std::size_t octave_of(double light) { return std::size_t(std::clamp(std::ilogb(light) - kFirst, 0, 95)); }
-
-  std::array<double, 96> sums_{};
-};
 
 /// The most that a light's point adds to a pixel.
 double largest_point(const SceneLights& lights, std::size_t i, const Fog& fog, const glm::dvec3& to_eye) {

@@ -23,6 +23,10 @@ bool lights_fog_beyond_end(const RenderSettings& settings) {
   return settings.fog_lighting == FogLighting::airlight && settings.path->range != RangeLaw::radial;
 }
 
+bool lights_surfaces_beyond_end(const RenderSettings& settings) {
+  return lights_fog_beyond_end(settings) && settings.path->evaluation == Evaluation::fragment;
+}
+
 double threshold_of(const Light& light, const RenderSettings& settings, double exposure) {
   return lights_fog_beyond_end(settings) ? airlight_threshold(light, exposure) : light.threshold;
 }
@@ -32,7 +36,7 @@ Cone drawn_cone(const Cone& cone, const RenderSettings& settings) {
 }
 
 SceneLights::SceneLights(const scene::Scene& scene, const RenderSettings& settings, double exposure)
-    : exposure_(exposure), updater_(kSkipsNothing) {
+    : exposure_(exposure), light_surfaces_beyond_end_(lights_surfaces_beyond_end(settings)), updater_(kSkipsNothing) {
   for (const bool is_carried : {false, true}) {
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
       PlacedLight light = scene.lights[i];

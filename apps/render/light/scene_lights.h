@@ -22,11 +22,12 @@ namespace litfog::render {
 double threshold_of(const Light& light, const RenderSettings& settings, double exposure = 0);
 
 /// Whether lights light the fog beyond their ends, too: hundreds of tails that are cut off, each too faint to be seen,
-/// would add up. Surfaces lack these tails, so that they are too dark where hundreds of lights face them. Measured at 0
-/// EV against surfaces without ends, in steps of 1/255, largest and mean: `city` in clear air 35 and 4.9, at 1500 m 9.3
-/// and 2.8, at 500 m 5.8 and 1.4; `approach` in clear air 8.9 and 0.61; `street` 2.1 and 0.03, at 400 m 0.6 and 0.04;
-/// `headlights` 2.1 and 0.04. The reference in double ends lights where the renderer does, so that it does not tell.
+/// would add up.
 bool lights_fog_beyond_end(const RenderSettings& settings);
+
+/// Whether they light surfaces beyond their ends likewise, as far as SurfaceList::range_of() says. Paths that look
+/// lights up end where their maps do, and those that light vertices are farther from the formula than tails are bright.
+bool lights_surfaces_beyond_end(const RenderSettings& settings);
 
 /// A light's cone as a renderer draws it: its own, but for paths whose maps hold another (mapped_cone).
 Cone drawn_cone(const Cone& cone, const RenderSettings& settings);
@@ -54,6 +55,8 @@ class SceneLights {
   std::span<const PlacedLight> lights() const { return lights_; }
   /// Metres, one a light.
   std::span<const double> extents() const { return extents_; }
+  /// lights_surfaces_beyond_end() of the settings.
+  bool light_surfaces_beyond_end() const { return light_surfaces_beyond_end_; }
   /// The cookie that replaces a light's cone, or null.
   const scene::CookieUse* cookie(std::size_t light) const { return cookies_[light]; }
   /// A light's index in Scene::lights.
@@ -74,6 +77,7 @@ class SceneLights {
 
  private:
   double exposure_;
+  bool light_surfaces_beyond_end_;
   std::vector<PlacedLight> lights_;
   std::size_t local_count_ = 0;
   std::vector<double> extents_;

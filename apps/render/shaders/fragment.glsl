@@ -24,6 +24,15 @@ vec3 litfog_lights_fog(vec3 position) {
   return fog;
 }
 
+// How far lights reach, in their extents.
+uniform float reach;
+
+// A light as it lights surfaces.
+LitfogLight surface_light(LitfogLight light) {
+  if (are_lit_beyond_ends) light.position_extent.w *= reach;
+  return light;
+}
+
 // Fraction of a light that is left at a range from the lamp.
 float lamp_factor(LitfogLight light, float range) {
   return is_lamp_leg_fogged ? litfog_lamp_factor(light, range) : 1.0;

@@ -10,8 +10,8 @@ int listed_light_count() { return has_listed_lights ? light_list_range.y : 0; }
 int listed_entry(int i) { return light_entry(light_list_range.x + i); }
 LitfogLight listed_light(int i) { return litfog_buffered_light(listed_entry(i)); }
 
-// Whether a position is beyond a light's extent. Asked before the rest of the light is fetched.
-bool is_out_of_reach(int i, vec3 position) {
+// Whether a position is beyond a light's reach, in its extents. Asked before the rest of the light is fetched.
+bool is_out_of_reach(int i, vec3 position, float reach) {
   vec4 position_extent = litfog_buffered_position_extent(listed_entry(i));
-  return distance(position_extent.xyz, position) > position_extent.w;
+  return distance(position_extent.xyz, position) > position_extent.w * reach;
 }

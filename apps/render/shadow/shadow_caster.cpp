@@ -47,18 +47,21 @@ std::vector<ShadowCaster> choose_shadow_casters(const SceneLights& lights, const
     const bool is_cube = half_angle > kWidestShadowMap;
     // A map's corner is atan(sqrt(2)) from its middle.
     const bool is_lit_behind = half_angle > std::numbers::pi - std::atan(std::numbers::sqrt2);
+    const double farthest = farthest_distance(placed.position, bounds);
     const double margin = 1 + 4.0 / map_size;  // the taps around a texel at the beam's edge
-    casters.push_back({.light = light,
-                       .scene_light = lights.scene_light(std::size_t(light)),
-                       .position = placed.position,
-                       .frame_from_world = scene::basis_from_world(placed.direction),
-                       .is_cube = is_cube,
-                       .map_count = !is_cube        ? 1
-                                    : is_lit_behind ? 6
-                                                    : 5,
-                       .half_size = is_cube ? 1 : margin * std::tan(half_angle),
-                       .reach = std::max(2 * kLampRadius, std::min(lights.extents()[std::size_t(light)],
-                                                                   farthest_distance(placed.position, bounds)))});
+    casters.push_back(
+        {.light = light,
+         .scene_light = lights.scene_light(std::size_t(light)),
+         .position = placed.position,
+         .frame_from_world = scene::basis_from_world(placed.direction),
+         .is_cube = is_cube,
+         .map_count = !is_cube        ? 1
+                      : is_lit_behind ? 6
+                                      : 5,
+         .half_size = is_cube ? 1 : margin * std::tan(half_angle),
+         .reach = std::max(2 * kLampRadius, lights.light_surfaces_beyond_end()
+                                                ? farthest
+                                                : std::min(lights.extents()[std::size_t(light)], farthest))});
   }
   return casters;
 }

@@ -16,7 +16,8 @@
 namespace litfog::render {
 namespace {
 
-constexpr std::size_t kMaxListed = 1 << 25;  // lights in all surfaces' lists: 128 MiB
+constexpr std::size_t kMaxListed = 1 << 25;            // lights in all surfaces' lists: 128 MiB
+constexpr std::size_t kMaxListedBeyondEnds = 1 << 22;  // where lights may have a shorter reach instead
 
 scene::Bounds around(const std::vector<scene::Bounds>& boxes) {
   scene::Bounds whole = boxes.front();
@@ -109,11 +110,26 @@ SurfaceList::SurfaceList(const scene::Scene& scene, const SceneLights& lights, S
 }
 
 void SurfaceList::set_lights(const scene::Scene& scene, const SceneLights& lights, Skipping skipping) {
-  surfaces_.clear();
-  list_.clear();
   // A frame's light list holds the carried lights and points besides.
   const std::size_t most = std::min(kMaxListed, BufferTexture::max_texels());
-  const LightFinder finder(lights.lights().first(lights.local_count()), lights.extents().first(lights.local_count()));
+  const std::size_t room = most - std::min(most, lights.size());
+  const bool has_ends = !lights.light_surfaces_beyond_end();
+  for (const double reach : kReaches) {
+    if (has_ends && reach != 1) continue;
+    reach_ = reach;
+    if (list_lights(scene, lights, skipping, reach == 1 ? room : std::min(room, kMaxListedBeyondEnds))) return;
+  }
+  throw gl::Unsupported("the scene's surfaces are reached by too many lights: at most " + std::to_string(most) +
+                        " can be listed for all of them together");
+}
+
+bool SurfaceList::list_lights(const scene::Scene& scene, const SceneLights& lights, Skipping skipping,
+                              std::size_t most) {
+  surfaces_.clear();
+  list_.clear();
+  std::vector<double> ranges;
+  for (const double extent : lights.extents()) ranges.push_back(range_of(extent));
+  const LightFinder finder(lights.lights().first(lights.local_count()), std::span(ranges).first(lights.local_count()));
   if (skipping == Skipping::off) {
     list_.resize(lights.size());
     std::iota(list_.begin(), list_.end(), 0);
@@ -134,21 +150,19 @@ void SurfaceList::set_lights(const scene::Scene& scene, const SceneLights& light
                       .list_first = 0,
                       .list_count = instance.is_beyond_lights ? 0 : int(lights.size())};
       if (is_listed) {
-        const LightSelection selection = select_lights(lights, finder.reaching(boxes[i], near), boxes[i]);
+        const LightSelection selection = select_lights(lights, ranges, finder.reaching(boxes[i], near), boxes[i]);
         surface.is_fog_lit = selection.is_fog_lit;
         surface.list_first = int(list_.size());
         surface.list_count = int(selection.surface.size());
         list_.insert(list_.end(), selection.surface.begin(), selection.surface.end());
-        if (list_.size() + lights.size() > most) {
-          throw gl::Unsupported("the scene's surfaces are reached by too many lights: at most " + std::to_string(most) +
-                                " can be listed for all of them together");
-        }
+        if (list_.size() > most) return false;
       }
       surfaces_.push_back(surface);
     }
   }
   // By name, not by address, because the order decides which of two coplanar surfaces is visible.
   std::ranges::stable_sort(surfaces_, {}, [](const Surface& surface) { return surface.material->material.name; });
+  return true;
 }
 
 const SurfaceMaterial& SurfaceList::material(const std::string& name) const {

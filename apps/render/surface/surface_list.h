@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -48,10 +49,20 @@ class SurfaceList {
   ///         material that the scene lacks
   SurfaceList(const scene::Scene& scene, const SceneLights& lights, Skipping skipping);
 
-  /// Takes a change of the lights. The surfaces stay as many as they are, in their order.
+  /// Takes a change of the lights. The surfaces stay as many as they are, in their order. Where lights light surfaces
+  /// beyond their ends, they have the largest of kReaches that leaves all lists together short enough: infinity where
+  /// surfaces times lights are some millions or fewer. What is cut off by another is not bounded: at 16, which `city`
+  /// (400 lights) and `approach` (1148) have, pictures in clear air err by up to 0.3 steps of 1/255, of 35 and 8.9
+  /// at 1.
   ///
   /// throws  gl::Unsupported as the constructor
   void set_lights(const scene::Scene& scene, const SceneLights& lights, Skipping skipping);
+
+  static constexpr double kReaches[] = {std::numeric_limits<double>::infinity(), 16, 8, 4, 2, 1};
+  /// How far lights light surfaces, in their extents.
+  double reach() const { return reach_; }
+  /// How far a light of an extent does, metres.
+  double range_of(double extent) const { return extent > 0 ? extent * reach_ : 0; }
 
   const std::vector<Surface>& surfaces() const { return surfaces_; }
   /// The lights that can reach a surface: indices in SceneLights, ascending. Without skipping they are
@@ -68,10 +79,13 @@ class SurfaceList {
   const MeshStore& meshes() const { return meshes_; }
 
  private:
+  /// Lists the lights that reach each surface. Returns false, with some surfaces only, where that makes too many.
+  bool list_lights(const scene::Scene& scene, const SceneLights& lights, Skipping skipping, std::size_t most);
   const SurfaceMaterial& material(const std::string& name) const;
   std::vector<SurfaceMaterial> materials_;  // sorted by name
   MeshStore meshes_;
   bool has_panes_;
+  double reach_ = 1;
   std::vector<Surface> surfaces_;
   std::vector<std::int32_t> list_;  // indices in SceneLights
 };

@@ -22,6 +22,8 @@ constexpr std::size_t kDrawnAtOnce = 500;  // surfaces, between which an interru
 /// need one that is finite.
 constexpr PackedLight kBlack{.kind = {.attenuation_extent = {1, 0, 0, 0}, .cone_scale_intensity = {}}, .instance = {}};
 
+constexpr double kFarReach = 1e30;  // times an extent of 0 it is none
+
 void set_blend(Blend blend) {
   (blend == Blend::replace ? glDisable : glEnable)(GL_BLEND);
   switch (blend) {
@@ -377,6 +379,7 @@ SurfaceProgram& SurfacePainter::use(Frame& frame, const ShaderVariant& variant, 
     set_uniform(program.program, "emission_map", kEmissionUnit);
     set_uniform(program.program, "second_map", kSecondUnit);
     set_uniform(program.program, "light_list", kLightListUnit);
+    set_uniform(program.program, "reach", float(std::min(surfaces_.reach(), kFarReach)));
     set_uniform(program.program, "carried_count", unsigned(lights_.size() - lights_.local_count()));
     set_uniform(program.program, "range_map", kRangeMapUnit);
     set_uniform(program.program, "distance_map", kDistanceMapUnit);

@@ -24,6 +24,7 @@ std::string environment_constants(const scene::Environment& environment, const R
       "const vec3 moon_color = {};\n"
       "const bool has_infinite_viewer = {};\n"
       "const bool is_lamp_leg_fogged = {};\n"
+      "const bool are_lit_beyond_ends = {};  // surfaces\n"
       "const bool has_shafts = {};\n"
       "const float light_ambient = {};\n"
       "const int spot_edge_hard = 0;\n"
@@ -31,7 +32,8 @@ std::string environment_constants(const scene::Environment& environment, const R
       "const int spot_edge = {};\n",
       glsl(environment.ambient_light), environment.moon_color != glm::vec3(0.0f), glsl(environment.moon_direction),
       glsl(environment.moon_color), settings.has_infinite_viewer, settings.fog_lighting == FogLighting::airlight,
-      settings.shadows == Shadows::shafts, settings.light_ambient, int(settings.spot_edge));
+      lights_surfaces_beyond_end(settings), settings.shadows == Shadows::shafts, settings.light_ambient,
+      int(settings.spot_edge));
 }
 
 std::size_t count_vertex_lights() {

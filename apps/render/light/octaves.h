@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace litfog::render {
+
+/// Sums of light by octaves: those of the dimmest octaves that stay below a budget are left out.
+class Octaves {
+ public:
+  void add(double light) { sums_[octave_of(light)] += light; }
+
+  /// The light below which all together is at most the budget.
+  double least_kept(double budget) const {
+    double sum = 0;
+    std::size_t octave = 0;
+    while (octave < sums_.size() && (sum += sums_[octave]) <= budget) ++octave;
+    return std::ldexp(1.0, int(octave) + kFirst);
+  }
+
+ private:
+  static constexpr int kFirst = -64;
+  static std::size_t octave_of(double light) { return std::size_t(std::clamp(std::ilogb(light) - kFirst, 0, 95)); }
+
+  std::array<double, 96> sums_{};
+};
+
+}  // namespace litfog::render

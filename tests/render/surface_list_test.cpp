@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/surface/surface_list.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "gl/gl_test.h"
+#include "render/light/light_finder.h"
+#include "scene/model/model_catalogue.h"
+#include "scene/paint/material_catalogue.h"
+
+namespace litfog::test {
+using namespace render;
+using namespace scene;
+
+namespace {
+
+class SurfaceListTest : public test::GlTest {};
+
+/// Boxes and lamps along a street.
+Scene street(int boxes, int lamps) {
+  Scene scene;
+  scene.models = {make_model("box", {{"width_m", 1}, {"depth_m", 1}, {"height_m", 1}})};
+  for (int i = 0; i < boxes; ++i) {
+    scene.instances.push_back({0, glm::translate(glm::mat4(1), glm::vec3(0, 0, float(i)))});
+  }
+  for (int i = 0; i < lamps; ++i) {
+    PlacedLight lamp;
+    lamp.light.attenuation = {1, 0, 1};
+    lamp.position = {2, 5, 1.5 * i};
+    scene.lights.push_back(lamp);
+  }
+  add_materials(scene);
+  return scene;
+}
+
+TEST_F(SurfaceListTest, LampsLightEverySurfaceByAirlightAndEndByPeak) {
+  const Scene scene = street(100, 40);
+  const SceneLights endless(scene, {.fog_lighting = FogLighting::airlight});
+  const SurfaceList list(scene, endless, Skipping::on);
+  EXPECT_TRUE(std::isinf(list.reach()));
+  for (const Surface& surface : list.surfaces()) EXPECT_EQ(list.lights_of(surface).size(), 40u);
+  const SceneLights ending(scene, {.fog_lighting = FogLighting::peak});
+  const SurfaceList short_list(scene, ending, Skipping::on);
+  EXPECT_EQ(short_list.reach(), 1);
+  EXPECT_LT(short_list.lists().size(), list.lists().size() / 2);
+}
+
+TEST_F(SurfaceListTest, ReachOfLampsIsTheLargestThatLeavesTheListsShort) {
+  const Scene scene = street(3000, 2000);
+  const SceneLights lights(scene, {.fog_lighting = FogLighting::airlight});
+  const SurfaceList list(scene, lights, Skipping::on);
+  EXPECT_FALSE(std::isinf(list.reach()));
+  EXPECT_GT(list.reach(), 1);
+  EXPECT_LE(list.lists().size(), std::size_t{1} << 22);
+  const Surface& surface = list.surfaces()[list.surfaces().size() / 2];
+  std::ptrdiff_t reaching = 0;
+  std::ptrdiff_t reaching_twice_as_far = 0;
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    reaching += can_reach(lights.lights()[i], list.range_of(lights.extents()[i]), surface.bounds);
+    reaching_twice_as_far += can_reach(lights.lights()[i], 2 * list.range_of(lights.extents()[i]), surface.bounds);
+  }
+  EXPECT_EQ(std::ssize(list.lights_of(surface)), reaching);
+  EXPECT_GT(reaching_twice_as_far * std::ssize(list.surfaces()), (1 << 22));
+}
+
+}  // namespace
+}  // namespace litfog::test
