@@ -234,7 +234,7 @@ void AirlightPainter::draw_lights(const Frame& frame, const Grid& grid, Part par
   const glm::vec2 scale = glm::vec2(picture_size_) / glm::vec2(grid.step * size);
   const glm::vec2 offset = scale - 1.0f + (1.0f - 1.0f / float(grid.step)) / glm::vec2(size);
   for (const auto& [kind, first, count] : ranges_) {
-    const int smooth_step = kind.profile == kCookieProfile ? 1 : kind.has_shafts ? 2 : kGridSteps[0];
+    const int smooth_step = kind.profile == kCookieProfile || kind.has_shafts ? 2 : kGridSteps[0];
     const int coarsest_step = std::min(smooth_step, frame.coarsest_step);
     if (part == Part::whole ? grid.step != coarsest_step : grid.step >= coarsest_step) continue;
     const gl::Program& program = light_programs_.program(frame.fog_mode, kind);
