@@ -134,15 +134,13 @@ Exposure Renderer::set_exposure(const Exposure& exposure) {
   return {.ev = exposure_, .is_auto = exposure.is_auto};
 }
 
-glm::mat4 Renderer::clip_from_world() const {
-  return clip_from_view(scene_.camera, framebuffer_.aspect()) * scene::view_from_world<float>(scene_.camera);
-}
-
 View Renderer::view() const {
+  const glm::mat4 clip_from_eye = clip_from_view(scene_.camera, framebuffer_.aspect());
+  const glm::mat4 view_from_world = scene::view_from_world<float>(scene_.camera);
   // Without the eye's position: far from the origin, the rounding of a near point minus the eye would rotate the rays.
-  const auto turned = glm::mat4(glm::mat3(scene::view_from_world<float>(scene_.camera)));
-  return {.clip_from_world = clip_from_world(),
-          .direction_from_clip = glm::inverse(clip_from_view(scene_.camera, framebuffer_.aspect()) * turned),
+  const auto turned = glm::mat4(glm::mat3(view_from_world));
+  return {.clip_from_world = clip_from_eye * view_from_world,
+          .direction_from_clip = glm::inverse(clip_from_eye * turned),
           .pixels_per_radian = framebuffer_.height() / (2 * std::tan(double(scene_.camera.field_of_view) / 2))};
 }
 
@@ -175,7 +173,7 @@ double Renderer::count_lights_per_fragment() {
   const Framebuffer counts(width(), height(), Passes::several, samples());  // in floats: halves end at 65,504
   begin_frame(counts, glm::vec3(0));
   Interruption whole;
-  surfaces_.draw(light_count_path(), plan, view.clip_from_world, nullptr, whole);
+  surfaces_.draw(light_count_path(), plan, view, nullptr, whole);
   end_depths();
   counts.resolve();
   const Picture counted = counts.read();
@@ -224,7 +222,7 @@ FrameCounts Renderer::draw_stages(const FrameExposures& exposures, LightPoints l
   clock.end(&StageTimes::airlight);
   begin_frame(framebuffer_, scene_.environment.ambient_fog_color);  // SkyDrawing::background
   Interruption interruption(is_unwanted_);
-  counts.bytes_uploaded += surfaces_.draw(*settings_.path, plan, view.clip_from_world, shadows(), interruption);
+  counts.bytes_uploaded += surfaces_.draw(*settings_.path, plan, view, shadows(), interruption);
   if (interruption.has_come()) {
     end_depths();
     throw Interrupted{};
@@ -257,8 +255,8 @@ void Renderer::draw_geometry(const GeometryBuffer& geometry) {
   geometry.begin();
   glEnable(GL_CULL_FACE);
   Interruption whole;
-  surfaces_.draw(geometry_path(*settings_.path), planner_.plan_geometry(clip_from_world()), clip_from_world(), nullptr,
-                 whole);
+  const View view = this->view();
+  surfaces_.draw(geometry_path(*settings_.path), planner_.plan_geometry(view.clip_from_world), view, nullptr, whole);
   geometry.end();
   gl::check_errors("drawing the geometry");
 }
@@ -266,8 +264,9 @@ void Renderer::draw_geometry(const GeometryBuffer& geometry) {
 void Renderer::draw_pane_geometry(const GeometryBuffer& geometry, int layer) {
   geometry.begin_layer(layer);
   glEnable(GL_CULL_FACE);
-  surfaces_.draw_panes(geometry_path(*settings_.path), planner_.plan_geometry(clip_from_world()), clip_from_world(),
-                       nullptr, nullptr);
+  const View view = this->view();
+  surfaces_.draw_panes(geometry_path(*settings_.path), planner_.plan_geometry(view.clip_from_world), view, nullptr,
+                       nullptr);
   geometry.end();
   gl::check_errors("drawing the geometry of panes");
 }
@@ -281,8 +280,8 @@ std::size_t Renderer::draw_panes(const View& view, const FramePlan& plan) {
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glEnable(GL_BLEND);
   glBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
-  const std::size_t bytes = surfaces_.draw_panes(*settings_.path, plan, view.clip_from_world, shadows(),
-                                                 airlight_ ? &airlight_->far() : nullptr);
+  const std::size_t bytes =
+      surfaces_.draw_panes(*settings_.path, plan, view, shadows(), airlight_ ? &airlight_->far() : nullptr);
   glDisable(GL_BLEND);
   return bytes;
 }

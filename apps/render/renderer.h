@@ -87,7 +87,6 @@ class Renderer {
   std::vector<scene::Material> materials() const { return surfaces_.surfaces().materials(); }
 
  private:
-  glm::mat4 clip_from_world() const;
   View view() const;
   unsigned carried_count() const { return unsigned(lights_.size() - lights_.local_count()); }
   FrameView frame_view(const View& view, const FrameExposures& exposures) const;

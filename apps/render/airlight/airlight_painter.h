@@ -16,16 +16,10 @@
 #include "render/gpu/framebuffer.h"
 #include "render/interruption.h"
 #include "render/render_settings.h"
+#include "render/view.h"
 #include "scene/scene.h"
 
 namespace litfog::render {
-
-/// A frame's view, for passes over its pixels.
-struct View {
-  glm::mat4 clip_from_world;
-  glm::mat4 direction_from_clip;  ///< of the ray through a place on the picture
-  double pixels_per_radian;       ///< at the picture's middle
-};
 
 /// Adds the airlight of lights over a picture. Needs a current GL context.
 ///

@@ -68,13 +68,6 @@ struct Eye {
   double pixels_per_radian;
 };
 
-/// Of the viewport's picture.
-Eye eye_of(const scene::Camera& camera) {
-  GLint viewport[4];
-  glGetIntegerv(GL_VIEWPORT, viewport);
-  return {camera.position, viewport[3] / (2 * std::tan(double(camera.field_of_view) / 2))};
-}
-
 /// Whether vertices pass on what is the same all over a draw. For small triangles that costs more than it saves their
 /// fragments, but so few of them cost less than the change of a fragment shader's uniforms: measured on llvmpipe.
 bool passes_constants(const Surface& surface, const Eye& eye) {
@@ -139,11 +132,11 @@ void SurfacePainter::set_lights() {
 
 void SurfacePainter::set_fog() { fog_lights_ = fog_lights(lights_, settings_.path_skipping()); }
 
-std::size_t SurfacePainter::draw(const LightingPath& path, const FramePlan& plan, const glm::mat4& clip_from_world,
+std::size_t SurfacePainter::draw(const LightingPath& path, const FramePlan& plan, const View& view,
                                  const ShadowMaps* shadows, Interruption& interruption) {
   Frame frame{.path = path,
-              .eye = eye_of(scene_.camera),
-              .clip_from_world = clip_from_world,
+              .eye = {scene_.camera.position, view.pixels_per_radian},
+              .clip_from_world = view.clip_from_world,
               .shadows = shadows,
               .number = ++frames_};
   if (path.has_several_passes()) glEnable(GL_STENCIL_TEST);
@@ -170,9 +163,8 @@ std::size_t SurfacePainter::draw(const LightingPath& path, const FramePlan& plan
   return frame.bytes;
 }
 
-std::size_t SurfacePainter::draw_panes(const LightingPath& path, const FramePlan& plan,
-                                       const glm::mat4& clip_from_world, const ShadowMaps* shadows,
-                                       const FarAirlight* far_airlight) {
+std::size_t SurfacePainter::draw_panes(const LightingPath& path, const FramePlan& plan, const View& view,
+                                       const ShadowMaps* shadows, const FarAirlight* far_airlight) {
   struct Triangle {
     float distance;
     const PlannedSurface* surface;
@@ -192,8 +184,8 @@ std::size_t SurfacePainter::draw_panes(const LightingPath& path, const FramePlan
     indices.insert(indices.end(), each.triangle->indices.begin(), each.triangle->indices.end());
   }
   Frame frame{.path = path,
-              .eye = eye_of(scene_.camera),
-              .clip_from_world = clip_from_world,
+              .eye = {scene_.camera.position, view.pixels_per_radian},
+              .clip_from_world = view.clip_from_world,
               .shadows = shadows,
               .number = ++frames_,
               .bytes = indices.size() * sizeof(indices[0]),

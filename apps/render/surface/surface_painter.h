@@ -17,6 +17,7 @@
 #include "render/shadow/shadow_maps.h"
 #include "render/surface/surface_list.h"
 #include "render/surface/surface_programs.h"
+#include "render/view.h"
 
 namespace litfog::render {
 
@@ -39,16 +40,16 @@ class SurfacePainter {
   /// shadows       of the lamps; drawn and bound. Null: none
   /// interruption  after which it draws no more
   /// returns       bytes that the draws were passed
-  std::size_t draw(const LightingPath& path, const FramePlan& plan, const glm::mat4& clip_from_world,
-                   const ShadowMaps* shadows, Interruption& interruption);
+  std::size_t draw(const LightingPath& path, const FramePlan& plan, const View& view, const ShadowMaps* shadows,
+                   Interruption& interruption);
   /// Whether there are panes that draw() leaves out.
   bool has_panes() const { return settings_.path->draws_panes() && surfaces_.has_panes(); }
   /// Draws a plan's panes likewise, triangle by triangle from the farthest to the nearest. Premultiplied by their
   /// opacity, which is alpha; how they are blended is the caller's to set.
   ///
   /// far_airlight  beyond lights' extents; null: none
-  std::size_t draw_panes(const LightingPath& path, const FramePlan& plan, const glm::mat4& clip_from_world,
-                         const ShadowMaps* shadows, const FarAirlight* far_airlight);
+  std::size_t draw_panes(const LightingPath& path, const FramePlan& plan, const View& view, const ShadowMaps* shadows,
+                         const FarAirlight* far_airlight);
   const SurfaceList& surfaces() const { return surfaces_; }
 
  private:

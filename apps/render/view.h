@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace litfog::render {
+
+/// A frame's view, for passes over its pixels.
+struct View {
+  glm::mat4 clip_from_world;
+  glm::mat4 direction_from_clip;  ///< of the ray through a place on the picture
+  double pixels_per_radian;       ///< at the picture's middle
+};
+
+}  // namespace litfog::render
