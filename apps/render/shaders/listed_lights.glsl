@@ -10,8 +10,10 @@ int listed_light_count() { return has_listed_lights ? light_list_range.y : 0; }
 int listed_entry(int i) { return light_entry(light_list_range.x + i); }
 LitfogLight listed_light(int i) { return litfog_buffered_light(listed_entry(i)); }
 
-// Whether a position is beyond a light's reach, in its extents. Asked before the rest of the light is fetched.
-bool is_out_of_reach(int i, vec3 position, float reach) {
+// Whether a surface faces away from a light, or is beyond its reach, in its extents. Asked before the rest of the light
+// is fetched.
+bool is_out_of_reach(int i, vec3 position, vec3 normal, float reach) {
   vec4 position_extent = litfog_buffered_position_extent(listed_entry(i));
-  return distance(position_extent.xyz, position) > position_extent.w * reach;
+  vec3 to_light = position_extent.xyz - position;
+  return dot(normal, to_light) <= 0.0 || length(to_light) > position_extent.w * reach;
 }

@@ -35,7 +35,7 @@ void main() {
   EACH_LIGHT(ADD_LIGHT)
 #undef ADD_LIGHT
   for (int i = 0; i < listed_light_count(); ++i) {
-    if (is_out_of_reach(i, position, are_lit_beyond_ends ? reach : 1.0)) continue;
+    if (is_out_of_reach(i, position, surface.normal, are_lit_beyond_ends ? reach : 1.0)) continue;
     lit += listed_lamp_shadow(listed_entry(i)) * lit_by(surface, listed_light(i));
   }
   color = seen_by_eye(lit, position);
