@@ -169,12 +169,12 @@ TEST_F(DemoCommand, GltfOfBlendersLampsAndSunsIsAPictureAndNotWhite) {
 }
 
 TEST_F(DemoCommand, StatisticsStateWhatWasDrawn) {
-  ASSERT_EQ(run("approach --visibility 500 --fog exp2 --size 64x36 --frames 3 -o a.png --stats s.json").status, kDone);
+  ASSERT_EQ(run("approach --visibility 200 --fog exp2 --size 64x36 --frames 3 -o a.png --stats s.json").status, kDone);
   const auto stats = nlohmann::json::parse(read("s.json"));
   EXPECT_EQ(stats["scene"], "approach");
   EXPECT_EQ(stats["path"], "unified");
   EXPECT_EQ(stats["fog"], "exp2");
-  EXPECT_EQ(stats["visibility_m"], 500);
+  EXPECT_EQ(stats["visibility_m"], 200);
   EXPECT_EQ(stats["frames"], 3);
   EXPECT_EQ(stats["samples"], 4);
   EXPECT_GT(stats["lights"], 1000);

@@ -539,7 +539,7 @@ TEST_F(RendererTest, SurfacesAreDarkBeyondTheExtentAndBrightBelowTheLamp) {
 }
 
 // By airlight a light ends where it is 1/255 at 0 EV: for this lamp after 6 m, which the corner is farther off.
-TEST_F(RendererTest, LightsEndsMoveOutwardsWithTheExposureByAirlight) {
+TEST_F(RendererTest, LightsHaveNoEndOnSurfacesByAirlightButOfMapsOneThatMovesOutwardsWithTheExposure) {
   Scene scene = lamp_over_floor();
   scene.lights[0].light.attenuation.quadratic = 254.0 / 36;
   const auto corner_at = [](Renderer& renderer, double ev) {
@@ -547,10 +547,16 @@ TEST_F(RendererTest, LightsEndsMoveOutwardsWithTheExposureByAirlight) {
     renderer.draw();
     return std::exp2(ev) * pixel(renderer.read(), 1, 1).g;
   };
-  Renderer renderer(scene, kWidth, kHeight, {.fog_lighting = FogLighting::airlight});
-  EXPECT_EQ(corner_at(renderer, 0), 0);
-  EXPECT_GT(corner_at(renderer, 5.5), 1 / (255 * 12.92)) << "a step of a display, whose darkest slope is sRGB's";
-  EXPECT_EQ(corner_at(renderer, -3), 0);
+  Renderer by_airlight(scene, kWidth, kHeight, {.fog_lighting = FogLighting::airlight});
+  const double beyond = corner_at(by_airlight, 0);
+  EXPECT_GT(beyond, 0);
+  EXPECT_NEAR(corner_at(by_airlight, 5.5), std::exp2(5.5) * beyond, 0.01 * std::exp2(5.5) * beyond);
+  EXPECT_NEAR(corner_at(by_airlight, -3), std::exp2(-3) * beyond, 0.01 * std::exp2(-3) * beyond);
+  Renderer by_maps(scene, kWidth, kHeight,
+                   {.path = find_lighting_path("lookup-3d"), .fog_lighting = FogLighting::airlight});
+  EXPECT_EQ(corner_at(by_maps, 0), 0);
+  EXPECT_GT(corner_at(by_maps, 5.5), 1 / (255 * 12.92)) << "a step of a display, whose darkest slope is sRGB's";
+  EXPECT_EQ(corner_at(by_maps, -3), 0);
   Renderer by_peak(scene, kWidth, kHeight, {});
   EXPECT_EQ(corner_at(by_peak, 5.5), 0) << "the papers' lights end at their own thresholds";
 }
