@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <iterator>
 #include <numbers>
 #include <numeric>
 
@@ -12,7 +12,6 @@
 #include "render/fog_top.h"
 #include "render/frustum.h"
 #include "render/light/hidden_range.h"
-#include "render/light/octaves.h"
 
 namespace litfog::render {
 namespace {
@@ -112,12 +111,13 @@ PlannedSurface FramePlanner::list_lights(std::size_t index, double most_left_out
   const std::span<const std::int32_t> lights = surfaces_.lights_of(surface);
   const std::span<const float> strengths =
       std::span(strengths_).subspan(std::size_t(surface.list_first), lights.size());
-  double least = 0;  // of a light that is kept
-  if (!lights.empty() && double(std::ranges::min(strengths)) <= most_left_out) {
-    Octaves octaves;
-    for (const float strength : strengths) octaves.add(double(strength));
-    least = octaves.least_kept(most_left_out);
-  }
+  sorted_.clear();  // those that may be left out
+  std::ranges::copy_if(strengths, std::back_inserter(sorted_),
+                       [&](float strength) { return double(strength) <= most_left_out; });
+  std::ranges::sort(sorted_);
+  double sum = 0;
+  const auto kept = std::ranges::find_if(sorted_, [&](float strength) { return (sum += strength) > most_left_out; });
+  const double least = kept == sorted_.end() ? most_left_out : *kept;
   PlannedSurface planned{&surface, false, int(plan_.light_list.size()), 0};
   for (std::size_t i = 0; i < lights.size(); ++i) {
     if (double(strengths[i]) < least) continue;

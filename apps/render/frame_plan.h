@@ -144,6 +144,7 @@ class FramePlanner {
   double step_ = 0;
   std::vector<Foggy> foggy_;      // one a surface
   std::vector<float> strengths_;  // of the surfaces' lists: what each light gives, before the fog on the eye's leg
+  std::vector<float> sorted_;     // scratch
   std::optional<FrameView> view_;
   bool has_changed_ = false;
   FramePlan plan_;

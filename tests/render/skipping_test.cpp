@@ -368,7 +368,7 @@ TEST_F(HiddenWall, LampsThatAreLeftOutOfASurfaceWereBelowTheirShare) {
   for (int i = 0; i < 64; ++i) {
     PlacedLight lamp;
     lamp.light = {.name = "lamp", .attenuation = {1, 0, 0.01}, .cone = Cone::smoothstep(1.0, 1.2)};  // not to the eye
-    lamp.light.color = glm::dvec3(1e-6 * std::exp2(i / 8.0));
+    lamp.light.color = glm::dvec3(2e-5 * (1 + 0.01 * i));
     lamp.position = {0.1 * i - 3.2, 2, -95};
     lamp.direction = {0, 0, -1};
     scene_.lights.push_back(lamp);
