@@ -14,7 +14,7 @@
 // in which both the falloff of the lamp (of width w) and that of the fog (of rate q) are nearly straight; x0 is where
 // the lit part begins on that side. A point lamp in isotropic fog has a closed form on the plateau and takes 7 nodes
 // elsewhere, which lie closer where its light is brighter, 8 in exp2 fog; a beam takes some 20, one wider than 90
-// degrees some 28, a phase function some 40, a cookie some 128.
+// degrees some 28, a phase function some 40, a cookie some 128 (glow.glsl chooses by what the lamp can show).
 //
 // Errors and what they were measured on: litfog/airlight.h.
 //
