@@ -99,56 +99,85 @@ struct Finish {
   double gloss, shininess;
 };
 
-/// What a path says that a point of the wall looks like, in double from the papers' formulas.
-dvec3 expected_color(const Scene& scene, const Finish& finish, const LightingPath& path, const Fog& fog,
-                     const dvec3& point, bool infinite_viewer) {
-  const Environment& environment = scene.environment;
-  const dvec3 normal(0, 0, 1);
-  const dvec3 to_eye = infinite_viewer ? dvec3(0, 0, 1) : glm::normalize(dvec3(scene.camera.position) - point);
-  const auto reflected = [&](const dvec3& to_light) {
-    const double diffuse = std::max(glm::dot(normal, to_light), 0.0);
-    if (path.surface != SurfaceModel::basic || diffuse <= 0) return finish.albedo * diffuse;
-    const double facing = std::max(glm::dot(normal, glm::normalize(to_light + to_eye)), 0.0);
-    return finish.albedo * diffuse + finish.specular * (finish.gloss * std::pow(facing, finish.shininess));
-  };
-  dvec3 surface = finish.albedo * dvec3(environment.ambient_light) +
-                  reflected(dvec3(environment.moon_direction)) * dvec3(environment.moon_color);
-  dvec3 fog_color = environment.ambient_fog_color;
-  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-    const auto& [light, position, direction, carried] = scene.lights[i];
-    const double reach = compute_extent(light.attenuation, light.threshold);
-    const double range = glm::distance(point, position);
-    const dvec3 to_light = (position - point) / range;
-    const auto cookie = scene.cookie_uses.find(i);
-    const double cone = cookie == scene.cookie_uses.end()
-                            ? cone_at(light.cone, glm::dot(direction, -to_light))
-                            : cookie_at(scene.cookies[cookie->second.cookie],
-                                        cookie_from_world(direction, cookie->second.roll) * -to_light);
-    if (carried && path.has_lit_fog) fog_color += light.color * (cone * solve_fog_intensity(light, fog).intensity);
-    if (range > reach) continue;
-    const double fall =
-        path.range == RangeLaw::radial ? 1 - range * range / (reach * reach) : attenuation_at(light.attenuation, range);
-    surface +=
-        light.color * (cone * fall) * (path.surface == SurfaceModel::unshaded ? finish.albedo : reflected(to_light));
-  }
-  const double through = fog_factor_at(fog, glm::length(point));
-  return through * surface + (1 - through) * fog_color;
-}
-
-/// Largest difference from the formula over all pixels.
-double worst_error(const Scene& scene, const Fog& fog, const RenderSettings& settings) {
-  const Finish finish(scene);
-  const Picture picture = draw(scene, fog, settings);
-  double worst = 0;
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
-      const dvec3 expected =
-          expected_color(scene, finish, *settings.path, fog, wall_point(scene, x, y), settings.has_infinite_viewer);
-      const dvec3 error = glm::abs(pixel(picture, x, y) - expected);
-      worst = std::max({worst, error.x, error.y, error.z});
+/// What a path says of a wall in a fog, in double from the papers' formulas.
+class Expected {
+ public:
+  Expected(const Scene& scene, const Finish& finish, const RenderSettings& settings, const Fog& fog)
+      : scene_(scene), finish_(finish), settings_(settings), fog_(fog) {
+    for (const PlacedLight& placed : scene.lights) {
+      reaches_.push_back(compute_extent(placed.light.attenuation, placed.light.threshold));
+      intensities_.push_back(solve_fog_intensity(placed.light, fog).intensity);
     }
   }
-  return worst;
+
+  /// What a point of the wall looks like.
+  dvec3 color_at(const dvec3& point) const {
+    const LightingPath& path = *settings_.path;
+    const Environment& environment = scene_.environment;
+    const dvec3 normal(0, 0, 1);
+    const dvec3 to_eye =
+        settings_.has_infinite_viewer ? dvec3(0, 0, 1) : glm::normalize(dvec3(scene_.camera.position) - point);
+    const auto reflected = [&](const dvec3& to_light) {
+      const double diffuse = std::max(glm::dot(normal, to_light), 0.0);
+      if (path.surface != SurfaceModel::basic || diffuse <= 0) return finish_.albedo * diffuse;
+      const double facing = std::max(glm::dot(normal, glm::normalize(to_light + to_eye)), 0.0);
+      return finish_.albedo * diffuse + finish_.specular * (finish_.gloss * std::pow(facing, finish_.shininess));
+    };
+    dvec3 surface = finish_.albedo * dvec3(environment.ambient_light) +
+                    reflected(dvec3(environment.moon_direction)) * dvec3(environment.moon_color);
+    dvec3 fog_color = environment.ambient_fog_color;
+    for (std::size_t i = 0; i < scene_.lights.size(); ++i) {
+      const auto& [light, position, direction, carried] = scene_.lights[i];
+      const double range = glm::distance(point, position);
+      const dvec3 to_light = (position - point) / range;
+      const auto cookie = scene_.cookie_uses.find(i);
+      const double cone = cookie == scene_.cookie_uses.end()
+                              ? cone_at(light.cone, glm::dot(direction, -to_light))
+                              : cookie_at(scene_.cookies[cookie->second.cookie],
+                                          cookie_from_world(direction, cookie->second.roll) * -to_light);
+      if (carried && path.has_lit_fog) fog_color += light.color * (cone * intensities_[i]);
+      if (range > reaches_[i]) continue;
+      const double fall = path.range == RangeLaw::radial ? 1 - range * range / (reaches_[i] * reaches_[i])
+                                                         : attenuation_at(light.attenuation, range);
+      surface +=
+          light.color * (cone * fall) * (path.surface == SurfaceModel::unshaded ? finish_.albedo : reflected(to_light));
+    }
+    const double through = fog_factor_at(fog_, glm::length(point));
+    return through * surface + (1 - through) * fog_color;
+  }
+
+ private:
+  const Scene& scene_;
+  const Finish& finish_;
+  const RenderSettings& settings_;
+  Fog fog_;
+  std::vector<double> reaches_;      // of each light
+  std::vector<double> intensities_;  // likewise
+};
+
+/// Largest difference from the formula over all pixels, in each fog.
+std::vector<double> worst_errors(const Scene& scene, const Finish& finish, const std::vector<Fog>& fogs,
+                                 const RenderSettings& settings) {
+  Renderer renderer(scene, kWidth, kHeight, settings);
+  std::vector<double> errors;
+  for (const Fog& fog : fogs) {
+    renderer.set_fog(fog);
+    renderer.draw();
+    const Picture picture = renderer.read();
+    const Expected expected(scene, finish, settings, fog);
+    double& worst = errors.emplace_back(0);
+    for (int y = 0; y < kHeight; ++y) {
+      for (int x = 0; x < kWidth; ++x) {
+        const dvec3 error = glm::abs(pixel(picture, x, y) - expected.color_at(wall_point(scene, x, y)));
+        worst = std::max({worst, error.x, error.y, error.z});
+      }
+    }
+  }
+  return errors;
+}
+
+double worst_error(const Scene& scene, const Fog& fog, const RenderSettings& settings) {
+  return worst_errors(scene, Finish(scene), {fog}, settings).front();
 }
 
 class LightingPathPixels : public test::GlTest {
@@ -156,6 +185,15 @@ class LightingPathPixels : public test::GlTest {
   static RenderSettings settings(std::string_view path) { return {.path = find_lighting_path(path)}; }
   static std::vector<Fog> clear_and_foggy() {
     return {Fog{}, Fog::from_visibility(FogMode::exp, 20.0), Fog::from_visibility(FogMode::exp2, 12.0)};
+  }
+  /// A path's errors in clear air and in fogs.
+  static void check(const std::string& range, double bound, const Scene& scene, const Finish& finish,
+                    std::string_view path) {
+    test::WorstError error(std::string(path), range, bound, "absolute");
+    for (const double worst : worst_errors(scene, finish, clear_and_foggy(), settings(path))) {
+      error.add(worst, [] { return ""; });
+    }
+    error.check();
   }
 };
 
@@ -178,10 +216,9 @@ double lookup_bound(const LightingPath& path, const Light& light) {
 TEST_F(LightingPathPixels, FragmentPathsAreTheBasicModel) {
   Scene scene = wall(1);
   scene.lights = lamps();
+  const Finish finish(scene);
   for (const char* path : {"unified", "tangent"}) {
-    test::WorstError error(path, "wall under eight lamps, clear and foggy", kHalfFloat, "absolute");
-    for (const Fog& fog : clear_and_foggy()) error.add(worst_error(scene, fog, settings(path)), [] { return ""; });
-    error.check();
+    check("wall under eight lamps, clear and foggy", kHalfFloat, scene, finish, path);
   }
 }
 
@@ -200,21 +237,19 @@ std::vector<PlacedLight> crowd(int count) {
 
 // Up to 16 lights, those of the fog and of the surface, are passed as uniforms; more are in the light list.
 TEST_F(LightingPathPixels, FewAndManyLightsAreTheBasicModel) {
+  Scene scene = wall(1);
+  const Finish finish(scene);
   for (const int count : {1, 2, 3, 4, 5, 8, 9, 15, 16, 17, 31, 32, 33, 34, 40}) {
-    Scene scene = wall(1);
     scene.lights = crowd(count);
     const std::string lights = "wall under " + std::to_string(count) + " lamps of every profile";
-    for (const char* path : {"unified", "tangent"}) {  // in one pass, in several
-      test::WorstError error(path, lights, kHalfFloat, "absolute");
-      for (const Fog& fog : clear_and_foggy()) error.add(worst_error(scene, fog, settings(path)), [] { return ""; });
-      error.check();
-    }
+    // In one pass, in several.
+    for (const char* path : {"unified", "tangent"}) check(lights, kHalfFloat, scene, finish, path);
   }
 }
 
 TEST_F(LightingPathPixels, LookupPathsAreThePapersModelToWithinTheirTexels) {
   Scene scene = wall(1);
-  const double albedo = Finish(scene).albedo.r;
+  const Finish finish(scene);
   const std::vector<PlacedLight> few = lamps();
   for (const std::size_t count : {std::size_t{1}, few.size(), 5 * few.size()}) {  // the last too many to hand over
     scene.lights.clear();
@@ -226,12 +261,8 @@ TEST_F(LightingPathPixels, LookupPathsAreThePapersModelToWithinTheirTexels) {
       if (path.evaluation != Evaluation::lookup) continue;
       double bound = kHalfFloat;
       for (const PlacedLight& light : scene.lights)
-        bound += albedo * light.light.color.r * lookup_bound(path, light.light);
-      test::WorstError error(std::string(path.name), "wall under " + std::to_string(count) + " lamps", bound,
-                             "absolute");
-      for (const Fog& fog : clear_and_foggy())
-        error.add(worst_error(scene, fog, settings(path.name)), [] { return ""; });
-      error.check();
+        bound += finish.albedo.r * light.light.color.r * lookup_bound(path, light.light);
+      check("wall under " + std::to_string(count) + " lamps", bound, scene, finish, path.name);
     }
   }
 }
@@ -241,6 +272,7 @@ TEST_F(LightingPathPixels, LookupPathsAreThePapersModelToWithinTheirTexels) {
 TEST_F(LightingPathPixels, LightsWithoutAnEndLightEveryPath) {
   for (const Attenuation& attenuation : {Attenuation{2, 0, 0}, Attenuation{1, 1.9e-6, 0}}) {
     Scene scene = wall(256);
+    const Finish finish(scene);
     scene.lights = {lamp({0.4, -0.3, -2}, attenuation, Cone{}, true)};
     const double reach = compute_extent(attenuation, scene.lights[0].light.threshold);
     for (const LightingPath& path : lighting_paths()) {
@@ -249,12 +281,9 @@ TEST_F(LightingPathPixels, LightsWithoutAnEndLightEveryPath) {
         // The wall lies between the texels around the light, half a texel off along each axis.
         const double off = std::sqrt(3.0) / 127;  // of the extent
         const double fall = path.range == RangeLaw::radial ? off * off : 1 - attenuation_at(attenuation, off * reach);
-        bound += Finish(scene).albedo.r * scene.lights[0].light.color.r * fall;
+        bound += finish.albedo.r * scene.lights[0].light.color.r * fall;
       }
-      test::WorstError error(std::string(path.name), "wall under an endless lamp", bound, "absolute");
-      for (const Fog& fog : clear_and_foggy())
-        error.add(worst_error(scene, fog, settings(path.name)), [] { return ""; });
-      error.check();
+      check("wall under an endless lamp", bound, scene, finish, path.name);
     }
   }
 }
@@ -336,9 +365,10 @@ TEST_F(LightingPathPixels, CookiesAreTheirTexelsByEveryPath) {
   scene.cookie_uses = {{0, {.cookie = 0, .roll = 0.4}}, {1, {.cookie = 1, .spin = -0.3}}};
   turn_lights(scene, 2);
   EXPECT_EQ(scene.cookie_uses[1].roll, -0.6);
+  const Finish finish(scene);
   for (const LightingPath& path : lighting_paths()) {
-    for (const Fog& fog : clear_and_foggy()) {
-      EXPECT_LE(worst_error(scene, fog, settings(path.name)), 1.0 / 255) << path.name;
+    for (const double error : worst_errors(scene, finish, clear_and_foggy(), settings(path.name))) {
+      EXPECT_LE(error, 1.0 / 255) << path.name;
     }
   }
 }

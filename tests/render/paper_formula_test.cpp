@@ -127,9 +127,13 @@ double fog_color_intensity(const Lamp& lamp) {
 
 using AngleLaw = std::function<double(const Lamp&, const dvec3&)>;
 
-dvec3 fragment_fog_color(const Setting& setting, const dvec3& v, const AngleLaw& angle) {
+/// intensities  fog_color_intensity() of each lamp
+dvec3 fragment_fog_color(const Setting& setting, const std::vector<double>& intensities, const dvec3& v,
+                         const AngleLaw& angle) {
   dvec3 color = kAmbientFogColor;
-  for (const Lamp& lamp : setting.lamps) color += lamp.color * angle(lamp, v) * fog_color_intensity(lamp);
+  for (std::size_t i = 0; i < setting.lamps.size(); ++i) {
+    color += setting.lamps[i].color * angle(setting.lamps[i], v) * intensities[i];
+  }
   return color;
 }
 
@@ -374,6 +378,8 @@ class PaperFormula : public test::GlTest {
     renderer.set_fog({.mode = FogMode::exp2, .density = kDensity});
     renderer.draw(LightPoints::off);
     const Picture picture = renderer.read();
+    std::vector<double> intensities;
+    for (const Lamp& lamp : setting.lamps) intensities.push_back(fog_color_intensity(lamp));
     double worst = 0;
     double brightest = 0;
     for (int y = 1; y < kHeight; y += 3) {
@@ -383,7 +389,8 @@ class PaperFormula : public test::GlTest {
         const bool is_turned = setting.turn != 0;
         dvec3 expected = formula(point, is_turned ? Corners{} : corners_around(scene.models[0][0].mesh, point));
         if (fog_of != FogOf::none) {
-          const dvec3 fog = fog_of == FogOf::legacy ? kAmbientFogColor : fragment_fog_color(setting, point, fog_angle);
+          const dvec3 fog =
+              fog_of == FogOf::legacy ? kAmbientFogColor : fragment_fog_color(setting, intensities, point, fog_angle);
           expected = glm::mix(fog, expected, fog_factor(glm::length(point)));
         }
         if (std::isnan(expected.x)) continue;  // the formula's jump
