@@ -340,9 +340,12 @@ constexpr double kAirlightBound = 1;
 /// nodes of the integral do not change.
 constexpr double kFineCookieBound = 2;
 
-/// Draws a scene by airlight and compares it with its reference.
-PictureError airlight_error(const Scene& scene, const Fog& fog, int width, int height, const LightingPath& path) {
-  Renderer renderer(scene, width, height, {.path = &path, .fog_lighting = FogLighting::airlight});
+RenderSettings by_airlight(const LightingPath& path = lighting_paths().front()) {
+  return {.path = &path, .fog_lighting = FogLighting::airlight};
+}
+
+/// Draws a scene in a fog and compares it with its reference.
+PictureError error_in(Renderer& renderer, const Fog& fog) {
   renderer.set_fog(fog);
   renderer.draw(LightPoints::off);
   return picture_error(renderer.read(), shade_reference(renderer));
@@ -354,10 +357,10 @@ TEST_P(ReferenceOfScene, AirlightIsWithinAStepFromClearAirToAMetreOfVisibility) 
   // Of more than a thousand lamps each takes an integral a pixel, and a cookie takes one a texel.
   const int height = scene.lights.size() > 100 || !scene.cookies.empty() ? 12 : 45;
   constexpr double kClear = std::numeric_limits<double>::infinity();
+  Renderer renderer(scene, height * 16 / 9, height, by_airlight());
   for (const double visibility : {kClear, 20'000.0, scene.visibilities.at(1), 1.0}) {
     for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
-      const PictureError error = airlight_error(scene, Fog::from_visibility(mode, visibility), height * 16 / 9, height,
-                                                lighting_paths().front());
+      const PictureError error = error_in(renderer, Fog::from_visibility(mode, visibility));
       const std::string measured =
           fmt::format("{:<12} {:>5} m {:<4} largest {:6.3f}, mean {:.4f} of 1/255, {} excluded", name, visibility,
                       name_of(mode), error.largest, error.mean, error.excluded);
@@ -373,9 +376,9 @@ TEST_F(ReferencePictureTest, AirlightOfADistantViewIsThatOfTheReference) {
   for (const char* name : {"headlights", "lighthouse", "room", "street"}) {
     Scene scene = read_scene(bundled_scene_path(name));
     scene.camera.field_of_view = glm::radians(8.0f);
+    Renderer renderer(scene, 80, 45, by_airlight());
     for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
-      const Fog fog = Fog::from_visibility(mode, scene.visibilities.at(1));
-      const PictureError error = airlight_error(scene, fog, 80, 45, lighting_paths().front());
+      const PictureError error = error_in(renderer, Fog::from_visibility(mode, scene.visibilities.at(1)));
       fmt::print("{:<12} {:<4} largest {:6.3f}, {} excluded\n", name, name_of(mode), error.largest, error.excluded);
       EXPECT_LE(error.largest, kAirlightBound) << name << ", " << name_of(mode);
       EXPECT_LE(error.excluded, 45u) << name << ", " << name_of(mode);
@@ -400,9 +403,9 @@ TEST_F(ReferencePictureTest, PathsByLightMapsAndInTangentSpaceAreWithinTheirBoun
       if (!path.takes_airlight || path.evaluation == Evaluation::fragment) continue;
       ++compared;
       const double bound = path.name == "tangent" ? tangent.beyond_maps : kLookupBound.beyond_maps;
+      Renderer renderer(scene, 80, 45, by_airlight(path));
       for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
-        const PictureError error =
-            airlight_error(scene, Fog::from_visibility(mode, scene.visibilities.at(1)), 80, 45, path);
+        const PictureError error = error_in(renderer, Fog::from_visibility(mode, scene.visibilities.at(1)));
         const std::string measured =
             fmt::format("{:<12} {:<12} {:<4} largest {:6.3f}, beyond maps {:6.3f}, mean {:.4f} of 1/255, {} excluded",
                         name, path.name, name_of(mode), error.largest, error.beyond_maps, error.mean, error.excluded);
@@ -498,10 +501,10 @@ PlacedLight bright_lamp() {
 
 /// In fogs from clear air to a visibility in metres, 0 being total fog.
 void expect_airlight_of_reference(const Scene& scene, const std::string& words, double densest = 0) {
+  Renderer renderer(scene, 64, 36, by_airlight());
   for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
     for (const double visibility : {densest, 0.01, 1.0, 30.0, 20'000.0}) {
-      const PictureError error =
-          airlight_error(scene, Fog::from_visibility(mode, visibility), 64, 36, lighting_paths().front());
+      const PictureError error = error_in(renderer, Fog::from_visibility(mode, visibility));
       EXPECT_LE(error.largest, kAirlightBound) << words << ", " << name_of(mode) << ", " << visibility << " m";
       EXPECT_LE(error.excluded, 64u) << words << ", " << name_of(mode) << ", " << visibility << " m";
     }
@@ -600,9 +603,9 @@ TEST_F(ReferencePictureTest, AirlightOfABeamThinnerThanAPixelIsThatOfTheReferenc
   for (const double down : {0.6, 0.7, 0.8, 0.9}) {
     lamp.direction = glm::normalize(glm::dvec3(0.8, -down, 0.1));
     scene.lights.assign(1, lamp);
+    Renderer renderer(scene, 96, 54, by_airlight());
     for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
-      const PictureError error =
-          airlight_error(scene, Fog::from_visibility(mode, 50), 96, 54, lighting_paths().front());
+      const PictureError error = error_in(renderer, Fog::from_visibility(mode, 50));
       fmt::print("{}: largest error {:.3f} steps\n", name_of(mode), error.largest);
       EXPECT_LE(error.largest, kAirlightBound) << name_of(mode) << ", " << down;
     }
