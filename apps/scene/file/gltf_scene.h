@@ -43,9 +43,9 @@ bool is_gltf_path(const std::string& path);
 /// that is 1 up to the knee k. There a white surface shows 16 times the display's white, k^2 = I / (16 pi), but k is at
 /// most 1 m, or more only as far as no colour is beyond 10,000 (from 31,416 cd). The light ends at its range: threshold
 /// k^2 / range^2; without one where it shows half of 1/256. A range within the knee puts the knee at half the range.
-/// By airlight a light shines on beyond its range, which the extension calls a hint, to where it shows 1/255
-/// (render::threshold_of). Spots are smoothstep cones from their inner to their outer angle, at least 0.001 apart in
-/// the cosine. Lights at the camera's node or below it are carried by the eye's vehicle.
+/// By airlight a light shines on beyond its range, which the extension calls a hint (render::SurfaceList::set_lights,
+/// render::FarAirlight). Spots are smoothstep cones from their inner to their outer angle, at least 0.001 apart in the
+/// cosine. Lights at the camera's node or below it are carried by the eye's vehicle.
 ///
 /// Lamps light the fog by their colour times A (litfog/airlight.h), whose phase function is 1 where it is isotropic.
 /// That is 4 times what a path tracer shows of the same lamps in fog that only scatters: I / pi where it has I / 4 pi.
