@@ -47,12 +47,12 @@ std::optional<ValueError> check(const EyeRay& ray);
 
 /// Errors of airlight() in isotropic fog, from clear air to 5 cm of visibility, and for cones down to 0.1 degree.
 /// kAirlightMaxError is the largest error. kAirlightTypicalError is the largest relative error of 99 in 100 rays: of
-/// random rays, and of random rays to lights at any one distance (0.02 to 4 fog scales, 1 / density) and angle from the
-/// ray (0.1 to 179 degrees). Of the latter, rays to a point light within 3 degrees, 3 to 4 fog scales away in exp2 fog,
-/// have kPeakedAirlightTypicalError: there both the light and the fog before it make a peak.
-/// Of a spot it counts rays that show more than kDimAirlight: less comes only from the outermost edge of its cone and is
-/// rounding there, of which an 8-bit display shows no step unless the lamp is over a million times as bright as white.
-/// Of a point light it counts all random rays, and at one distance and angle those that show more than 1e-12.
+/// random rays, and of those that pass a light at any one angle (0.1 to 179 degrees) and distance from the eye (0.02 to
+/// 4 fog scales, 1 / density). Among the latter it is kPeakedAirlightTypicalError for a point light within 3 degrees of
+/// the ray, 3 to 4 fog scales away in exp2 fog: there both the light and the fog before it make a peak.
+/// Of a point light it counts all random rays, and at one angle and distance those that show more than 1e-12. Of a spot
+/// it counts those that show more than kDimAirlight: less comes only from the outermost edge of its cone and is rounding
+/// there, of which an 8-bit display shows no step unless the lamp is over a million times as bright as white.
 /// With |g| up to 0.9 the largest error is kAirlightMaxError times largest_phase().
 inline constexpr double kAirlightMaxError = 1 / 255.;
 inline constexpr double kAirlightTypicalError = 0.01;
