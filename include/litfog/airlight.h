@@ -51,8 +51,8 @@ std::optional<ValueError> check(const EyeRay& ray);
 /// 4 fog scales, 1 / density). Among the latter it is kPeakedAirlightTypicalError for a point light within 3 degrees of
 /// the ray, 3 to 4 fog scales away in exp2 fog: there both the light and the fog before it make a peak.
 /// Of a point light it counts all random rays, and at one angle and distance those that show more than 1e-12. Of a spot
-/// it counts those that show more than kDimAirlight: less comes only from the outermost edge of its cone and is rounding
-/// there, of which an 8-bit display shows no step unless the lamp is over a million times as bright as white.
+/// it counts those that show more than kDimAirlight: less comes only from the outermost edge of its cone, as rounding,
+/// of which an 8-bit display shows no step unless the lamp is over a million times as bright as white.
 /// With |g| up to 0.9 the largest error is kAirlightMaxError times largest_phase().
 inline constexpr double kAirlightMaxError = 1 / 255.;
 inline constexpr double kAirlightTypicalError = 0.01;
