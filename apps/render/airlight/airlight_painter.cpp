@@ -32,11 +32,6 @@ constexpr GLenum kTargets[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
 /// Blocks that cover a size.
 glm::ivec2 blocks(glm::ivec2 size) { return (size + (kBlock - 1)) / kBlock; }
 
-void bind_texture(TextureUnit unit, const gl::TextureName& texture) {
-  glActiveTexture(GL_TEXTURE0 + unit);
-  glBindTexture(GL_TEXTURE_2D, texture.id());
-}
-
 /// Makes a texture of floats the bound framebuffer's.
 void attach(GLenum attachment, const gl::TextureName& texture, glm::ivec2 size, GLint format = GL_RGBA32F) {
   bind_texture(kAirlightUnit, texture);

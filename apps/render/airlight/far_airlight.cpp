@@ -25,8 +25,7 @@ constexpr int kSlabsAtOnce = 8;
 void FarAirlight::set_size(glm::ivec2 size) {
   if (size == size_) return;
   size_ = size;
-  glActiveTexture(GL_TEXTURE0 + kFarSlabUnit);
-  glBindTexture(GL_TEXTURE_2D_ARRAY, slabs_.id());
+  bind_texture(kFarSlabUnit, slabs_, GL_TEXTURE_2D_ARRAY);
   glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA32F, size.x, size.y * (kSlabs / kSlabsAtOnce), kSlabsAtOnce, 0, GL_RGBA,
                GL_FLOAT, nullptr);
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
@@ -39,8 +38,7 @@ void FarAirlight::set_size(glm::ivec2 size) {
   }
   glDrawBuffers(kSlabsAtOnce, targets);
   check_float_framebuffer();
-  glActiveTexture(GL_TEXTURE0 + kFarAirlightUnit);
-  glBindTexture(GL_TEXTURE_2D, sums_.id());
+  bind_texture(kFarAirlightUnit, sums_);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, size.x, size.y * (kSlabs + 1), 0, GL_RGBA, GL_FLOAT, nullptr);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
@@ -96,16 +94,14 @@ void FarAirlight::draw(glm::ivec2 picture_size, double pixels_per_radian, const 
   glViewport(0, 0, size_.x, size_.y * (kSlabs + 1));
   if (!sum_program_) sum_program_.emplace("whole_picture.vert", "far_airlight_sum.frag", render_shaders());
   sum_program_->use();
-  glActiveTexture(GL_TEXTURE0 + kFarSlabUnit);
-  glBindTexture(GL_TEXTURE_2D_ARRAY, slabs_.id());
+  bind_texture(kFarSlabUnit, slabs_, GL_TEXTURE_2D_ARRAY);
   set_uniform(*sum_program_, "far_slab_sums", kFarSlabUnit);
   set_uniform(*sum_program_, "row_count", unsigned(size_.y));
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 void FarAirlight::bind(const gl::Program& program) const {
-  glActiveTexture(GL_TEXTURE0 + kFarAirlightUnit);
-  glBindTexture(GL_TEXTURE_2D, sums_.id());
+  bind_texture(kFarAirlightUnit, sums_);
   set_uniform(program, "far_airlight", kFarAirlightUnit);
   set_uniform(program, "far_depth", float(depth_));
   set_uniform(program, "far_step", unsigned(step_));

@@ -45,8 +45,7 @@ LookupTexture::LookupTexture(Shape shape, int size, const std::vector<std::uint1
                           std::to_string(largest));
   }
   target_ = kind.target;
-  glActiveTexture(GL_TEXTURE0 + kUploadUnit);
-  glBindTexture(target_, name_.id());
+  bind_texture(kUploadUnit, name_, target_);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 2);
   switch (shape) {
     case Shape::line:
@@ -69,10 +68,7 @@ LookupTexture::LookupTexture(Shape shape, int size, const std::vector<std::uint1
   interpolate_within(target_);
 }
 
-void LookupTexture::bind(unsigned unit) const {
-  glActiveTexture(GL_TEXTURE0 + unit);
-  glBindTexture(target_, name_.id());
-}
+void LookupTexture::bind(unsigned unit) const { bind_texture(unit, name_, target_); }
 
 LayeredTexture::LayeredTexture(int size, int layers, const std::vector<std::uint16_t>& texels) {
   assert(texels.size() == std::size_t(size) * std::size_t(size) * std::size_t(layers));
@@ -84,18 +80,14 @@ LayeredTexture::LayeredTexture(int size, int layers, const std::vector<std::uint
     throw gl::Unsupported("the scene's cookies need " + std::to_string(layers) + " layers of " + std::to_string(size) +
                           " texels a side; this OpenGL has " + std::to_string(most) + " of " + std::to_string(largest));
   }
-  glActiveTexture(GL_TEXTURE0 + kUploadUnit);
-  glBindTexture(GL_TEXTURE_2D_ARRAY, name_.id());
+  bind_texture(kUploadUnit, name_, GL_TEXTURE_2D_ARRAY);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 2);
   glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_R16, size, size, layers, 0, GL_RED, GL_UNSIGNED_SHORT, texels.data());
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
   interpolate_within(GL_TEXTURE_2D_ARRAY);
 }
 
-void LayeredTexture::bind(unsigned unit) const {
-  glActiveTexture(GL_TEXTURE0 + unit);
-  glBindTexture(GL_TEXTURE_2D_ARRAY, name_.id());
-}
+void LayeredTexture::bind(unsigned unit) const { bind_texture(unit, name_, GL_TEXTURE_2D_ARRAY); }
 
 std::size_t BufferTexture::max_texels() {
   GLint most = 0;
@@ -113,14 +105,10 @@ BufferTexture::BufferTexture(const void* data, std::size_t bytes, Texel texel) {
   glBindBuffer(GL_TEXTURE_BUFFER, buffer_.id());
   glBufferData(GL_TEXTURE_BUFFER, GLsizeiptr(bytes > 0 ? bytes : kOneTexel.size()), bytes > 0 ? data : kOneTexel.data(),
                GL_STATIC_DRAW);
-  glActiveTexture(GL_TEXTURE0 + kUploadUnit);
-  glBindTexture(GL_TEXTURE_BUFFER, texture_.id());
+  bind_texture(kUploadUnit, texture_, GL_TEXTURE_BUFFER);
   glTexBuffer(GL_TEXTURE_BUFFER, texel == Texel::float4 ? GL_RGBA32F : GL_R32I, buffer_.id());
 }
 
-void BufferTexture::bind(unsigned unit) const {
-  glActiveTexture(GL_TEXTURE0 + unit);
-  glBindTexture(GL_TEXTURE_BUFFER, texture_.id());
-}
+void BufferTexture::bind(unsigned unit) const { bind_texture(unit, texture_, GL_TEXTURE_BUFFER); }
 
 }  // namespace litfog::render

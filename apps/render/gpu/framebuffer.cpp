@@ -36,8 +36,7 @@ Framebuffer::Framebuffer(int width, int height, Passes passes, int samples)
   attach(resolved_, resolved_color_, GL_COLOR_ATTACHMENT0, color, 0);
   const bool resolved_is_whole = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
   attach(drawn_, drawn_color_, GL_COLOR_ATTACHMENT0, color, samples == 1 ? 0 : samples);  // drivers take 1 for 2
-  glActiveTexture(GL_TEXTURE0 + kUploadUnit);
-  glBindTexture(depth_target_, drawn_depth_.id());
+  bind_texture(kUploadUnit, drawn_depth_, depth_target_);
   const GLenum depth = is_summed ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F;
   if (samples == 1) {
     const auto [layout, type] = is_summed ? std::pair{GL_DEPTH_STENCIL, GL_FLOAT_32_UNSIGNED_INT_24_8_REV}
@@ -76,10 +75,7 @@ void Framebuffer::bind_resolved() const {
   glViewport(0, 0, width_, height_);
 }
 
-void Framebuffer::bind_depth(unsigned unit) const {
-  glActiveTexture(GL_TEXTURE0 + unit);
-  glBindTexture(depth_target_, drawn_depth_.id());
-}
+void Framebuffer::bind_depth(unsigned unit) const { bind_texture(unit, drawn_depth_, depth_target_); }
 
 Picture Framebuffer::read() const {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.id());

@@ -50,13 +50,12 @@ GeometryBuffer::GeometryBuffer(int width, int height, int samples)
       sample_program_("whole_picture.vert", "geometry_sample.frag", render_shaders()) {
   static_assert(sizeof(GeometrySample) == kTargets * sizeof(glm::vec4) && std::size(kAttachments) == kTargets);
   glBindFramebuffer(GL_FRAMEBUFFER, drawn_.id());
-  glActiveTexture(GL_TEXTURE0 + kUploadUnit);
   for (int i = 0; i < kTargets; ++i) {
-    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, textures_[i].id());
+    bind_texture(kUploadUnit, textures_[i], GL_TEXTURE_2D_MULTISAMPLE);
     glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples_, GL_RGBA32F, width, height, GL_TRUE);
     glFramebufferTexture2D(GL_FRAMEBUFFER, kAttachments[i], GL_TEXTURE_2D_MULTISAMPLE, textures_[i].id(), 0);
   }
-  glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, drawn_depth_.id());
+  bind_texture(kUploadUnit, drawn_depth_, GL_TEXTURE_2D_MULTISAMPLE);
   glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples_, GL_DEPTH32F_STENCIL8, width, height, GL_TRUE);
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_TEXTURE_2D_MULTISAMPLE, drawn_depth_.id(), 0);
   glDrawBuffers(kTargets, kAttachments);
@@ -109,12 +108,10 @@ std::vector<GeometrySample> GeometryBuffer::read_rows(int first, int count) cons
   glUniform1i(sample_program_.uniform("target"), 0);
   glUniform1i(sample_program_.uniform("depths"), 1);
   glUniform1i(sample_program_.uniform("top_row"), height_ - 1 - first);  // GL counts rows from the bottom
-  glActiveTexture(GL_TEXTURE1);
-  glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, drawn_depth_.id());
-  glActiveTexture(GL_TEXTURE0);
+  bind_texture(1, drawn_depth_, GL_TEXTURE_2D_MULTISAMPLE);
   for (std::size_t i = 0; i < kTargets; ++i) {
     glUniform1i(sample_program_.uniform("ends_in_depth"), i + 1 == kTargets);
-    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, textures_[i].id());
+    bind_texture(0, textures_[i], GL_TEXTURE_2D_MULTISAMPLE);
     for (std::size_t sample = 0; sample < samples; ++sample) {
       glUniform1i(sample_program_.uniform("sample_index"), GLint(sample));
       glDrawArrays(GL_TRIANGLES, 0, 3);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/gpu/texture.h"
-#include "render/gpu/texture_unit.h"
 
 #include <epoxy/gl.h>
 
 #include <cassert>
 #include <glm/gtc/type_ptr.hpp>
+
+#include "render/gpu/texture_unit.h"
 
 namespace litfog::render {
 namespace {
@@ -41,8 +42,7 @@ GLint filter_of(Sampling::Filter filter, Sampling::Mipmaps mipmaps) {
 
 Texture::Texture(const scene::Texels& texels, Encoding encoding) {
   assert(texels.rgba.size() == std::size_t(texels.width) * std::size_t(texels.height) * 4);
-  glActiveTexture(GL_TEXTURE0 + kUploadUnit);
-  glBindTexture(GL_TEXTURE_2D, name_.id());
+  bind_texture(kUploadUnit, name_);
   glTexImage2D(GL_TEXTURE_2D, 0, encoding == Encoding::srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, texels.width, texels.height,
                0, GL_RGBA, GL_UNSIGNED_BYTE, texels.rgba.data());
   glGenerateMipmap(GL_TEXTURE_2D);
@@ -55,16 +55,12 @@ Texture::Texture(const scene::Texels& texels, Encoding encoding) {
 }
 
 Texture::Texture(const glm::vec4& texel) {
-  glActiveTexture(GL_TEXTURE0 + kUploadUnit);
-  glBindTexture(GL_TEXTURE_2D, name_.id());
+  bind_texture(kUploadUnit, name_);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, 1, 1, 0, GL_RGBA, GL_FLOAT, glm::value_ptr(texel));
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
-void Texture::bind(unsigned unit) const {
-  glActiveTexture(GL_TEXTURE0 + unit);
-  glBindTexture(GL_TEXTURE_2D, name_.id());
-}
+void Texture::bind(unsigned unit) const { bind_texture(unit, name_); }
 
 }  // namespace litfog::render

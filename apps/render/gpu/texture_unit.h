@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <epoxy/gl.h>
+
+#include "litfog/gl/gl_name.h"
+
 namespace litfog::render {
 
 /// The texture units of the shaders, one for each sampler.
@@ -18,7 +22,7 @@ enum TextureUnit : unsigned {
   kDepthUnit,     // the depths of a picture's samples
   kSeenUnit,      // how far each pixel sees
   kOpacityUnit,   // of the fog before that
-  kAirlightUnit,  // airlight at every so many pixels
+  kAirlightUnit,  // airlight at the texels of a grid
   kEntryUnit,     // the lights whose airlight is drawn
   kGainUnit,      // of airlight, per opacity of the fog
   kMarkUnit,      // texels that a coarser grid is not good enough for
@@ -35,5 +39,11 @@ enum TextureUnit : unsigned {
 };
 
 inline constexpr unsigned kFogLightBinding = 0;  ///< of the FogLightBlock
+
+/// Makes a unit the active one and binds a texture to it.
+inline void bind_texture(unsigned unit, const gl::TextureName& texture, GLenum target = GL_TEXTURE_2D) {
+  glActiveTexture(GL_TEXTURE0 + unit);
+  glBindTexture(target, texture.id());
+}
 
 }  // namespace litfog::render

@@ -107,8 +107,7 @@ ShadowMaps::ShadowMaps(const scene::Scene& scene, const SceneLights& lights, con
   for (std::size_t i = 0; i < casters_.size(); ++i) caster_of_[std::size_t(casters_[i].light)] = std::int32_t(i);
   upload_casters();
   caster_of_texture_.emplace(caster_of_.data(), caster_of_.size() * sizeof(std::int32_t), BufferTexture::Texel::int1);
-  glActiveTexture(GL_TEXTURE0 + kShadowMapUnit);
-  glBindTexture(GL_TEXTURE_2D_ARRAY, maps_.id());
+  bind_texture(kShadowMapUnit, maps_, GL_TEXTURE_2D_ARRAY);
   glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_DEPTH_COMPONENT32F, size_, size_, std::max(GLsizei(layers), 1), 0,
                GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);
   for (const GLenum wrap : {GLenum{GL_TEXTURE_WRAP_S}, GLenum{GL_TEXTURE_WRAP_T}}) {
@@ -220,8 +219,7 @@ void ShadowMaps::draw_surface(const Surface& surface) {
 }
 
 void ShadowMaps::bind() const {
-  glActiveTexture(GL_TEXTURE0 + kShadowMapUnit);
-  glBindTexture(GL_TEXTURE_2D_ARRAY, maps_.id());
+  bind_texture(kShadowMapUnit, maps_, GL_TEXTURE_2D_ARRAY);
   caster_texture_->bind(kShadowCasterUnit);
   caster_of_texture_->bind(kCasterOfLightUnit);
 }
