@@ -311,7 +311,7 @@ void Renderer::draw_light_points(const View& view, const FramePlan& plan) {
   set_uniform(light_point_program_, "clip_from_world", view.clip_from_world);
   set_uniform(light_point_program_, "eye", scene_.camera.position);
   set_point_uniforms(light_point_program_, settings_.fog_lighting, framebuffer_.height(), has_clip_control());
-  set_uniform(light_point_program_, "first_point", unsigned(plan.point_first));
+  set_uniform(light_point_program_, "first_point", plan.point_first);
   set_uniform(light_point_program_, "light_list", kLightListUnit);
   glEnable(GL_PROGRAM_POINT_SIZE);
   glEnable(GL_BLEND);

@@ -235,13 +235,13 @@ void AirlightPainter::draw_lights(const Frame& frame, const Grid& grid, Part par
     const gl::Program& program = light_programs_.program(frame.fog_mode, kind);
     use(program, frame, grid);
     set_uniform(program, "packed_places", kPlaceUnit);
-    set_uniform(program, "is_filled", unsigned{part == Part::left_out});
-    set_uniform(program, "is_packed", unsigned{part == Part::packed});
+    set_uniform(program, "is_filled", part == Part::left_out);
+    set_uniform(program, "is_packed", part == Part::packed);
     set_uniform(program, "block_angle", float(kBlock * grid.step * std::numbers::sqrt2 / frame.view.pixels_per_radian));
     set_uniform(program, "target_from_picture", glm::vec4(scale, offset));
     const unsigned most = frame.interruption.can_come() ? kDrawnAtOnce : count;
     for (unsigned drawn = 0; drawn < count && !frame.interruption.has_come(); drawn += most) {
-      glUniform1i(program.uniform("first_entry"), GLint(first + drawn));
+      set_uniform(program, "first_entry", int(first + drawn));
       glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, GLsizei(std::min(most, count - drawn)));
     }
   }
@@ -267,8 +267,8 @@ void AirlightPainter::use(const gl::Program& program, const Frame& frame, const 
   set_uniform(program, "shadow_casters", kShadowCasterUnit);
   set_uniform(program, "caster_of_light", kCasterOfLightUnit);
   set_uniform(program, "exposure_gain", frame.exposure_gain);
-  glUniform1i(program.uniform("shaft_steps"), shaft_steps_);
-  glUniform1i(program.uniform("pixel_step"), grid.step);
+  set_uniform(program, "shaft_steps", shaft_steps_);
+  set_uniform(program, "pixel_step", grid.step);
 }
 
 }  // namespace litfog::render

@@ -82,10 +82,10 @@ void FarAirlight::draw(glm::ivec2 picture_size, double pixels_per_radian, const 
     set_uniform(program, "eye", scene_.camera.position);
     set_uniform(program, "asymmetry", float(scene_.phase_g));
     set_uniform(program, "far_depth", float(depth_));
-    set_uniform(program, "far_step", unsigned(step_));
-    set_uniform(program, "row_count", unsigned(size_.y));
-    set_uniform(program, "first_light", unsigned(range.first));
-    set_uniform(program, "light_count", unsigned(range.count));
+    set_uniform(program, "far_step", step_);
+    set_uniform(program, "row_count", size_.y);
+    set_uniform(program, "first_light", range.first);
+    set_uniform(program, "light_count", range.count);
     glDrawArrays(GL_TRIANGLES, 0, 3);
   }
   glDisable(GL_BLEND);
@@ -96,7 +96,7 @@ void FarAirlight::draw(glm::ivec2 picture_size, double pixels_per_radian, const 
   sum_program_->use();
   bind_texture(kFarSlabUnit, slabs_, GL_TEXTURE_2D_ARRAY);
   set_uniform(*sum_program_, "far_slab_sums", kFarSlabUnit);
-  set_uniform(*sum_program_, "row_count", unsigned(size_.y));
+  set_uniform(*sum_program_, "row_count", size_.y);
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
@@ -104,7 +104,7 @@ void FarAirlight::bind(const gl::Program& program) const {
   bind_texture(kFarAirlightUnit, sums_);
   set_uniform(program, "far_airlight", kFarAirlightUnit);
   set_uniform(program, "far_depth", float(depth_));
-  set_uniform(program, "far_step", unsigned(step_));
+  set_uniform(program, "far_step", step_);
 }
 
 }  // namespace litfog::render

@@ -12,6 +12,7 @@
 #include "litfog/gl/unsupported.h"
 #include "render/gpu/depth.h"
 #include "render/gpu/texture_unit.h"
+#include "render/gpu/uniform.h"
 #include "render/render_shaders.h"
 
 namespace litfog::render {
@@ -105,15 +106,15 @@ std::vector<GeometrySample> GeometryBuffer::read_rows(int first, int count) cons
   glViewport(0, 0, width_, count);
   glBindVertexArray(vertex_array_.id());
   sample_program_.use();
-  glUniform1i(sample_program_.uniform("target"), 0);
-  glUniform1i(sample_program_.uniform("depths"), 1);
-  glUniform1i(sample_program_.uniform("top_row"), height_ - 1 - first);  // GL counts rows from the bottom
+  set_uniform(sample_program_, "target", 0);
+  set_uniform(sample_program_, "depths", 1);
+  set_uniform(sample_program_, "top_row", height_ - 1 - first);  // GL counts rows from the bottom
   bind_texture(1, drawn_depth_, GL_TEXTURE_2D_MULTISAMPLE);
   for (std::size_t i = 0; i < kTargets; ++i) {
-    glUniform1i(sample_program_.uniform("ends_in_depth"), i + 1 == kTargets);
+    set_uniform(sample_program_, "ends_in_depth", i + 1 == kTargets);
     bind_texture(0, textures_[i], GL_TEXTURE_2D_MULTISAMPLE);
     for (std::size_t sample = 0; sample < samples; ++sample) {
-      glUniform1i(sample_program_.uniform("sample_index"), GLint(sample));
+      set_uniform(sample_program_, "sample_index", int(sample));
       glDrawArrays(GL_TRIANGLES, 0, 3);
       glReadPixels(0, 0, width_, count, GL_RGBA, GL_FLOAT, texels.data());
       for (std::size_t pixel = 0; pixel < pixels; ++pixel) {

@@ -27,7 +27,11 @@ inline void set_uniform(const gl::Program& program, const char* name, const glm:
 inline void set_uniform(const gl::Program& program, const char* name, float value) {
   glUniform1f(program.uniform(name), value);
 }
-/// Of a sampler: its texture unit. Of a bool: 0 or 1.
+/// Of a bool: 0 or 1.
+inline void set_uniform(const gl::Program& program, const char* name, int value) {
+  glUniform1i(program.uniform(name), value);
+}
+/// Of a sampler: its texture unit.
 inline void set_uniform(const gl::Program& program, const char* name, unsigned value) {
   glUniform1i(program.uniform(name), GLint(value));
 }

@@ -9,7 +9,7 @@ namespace litfog::render {
 
 void set_point_uniforms(const gl::Program& program, FogLighting fog_lighting, int height, bool has_clip_control) {
   const bool has_glare = fog_lighting == FogLighting::peak;
-  set_uniform(program, "has_glare", unsigned{has_glare});
+  set_uniform(program, "has_glare", has_glare);
   set_uniform(program, "full_brightness", kFullBrightness);
   set_uniform(program, "brightest", kBrightestPoint);
   set_uniform(program, "core_radius", kPointRadius);
@@ -17,7 +17,7 @@ void set_point_uniforms(const gl::Program& program, FogLighting fog_lighting, in
   set_uniform(program, "largest_growth", has_glare ? kLargestGlare : kLargestWithoutGlare);
   set_uniform(program, "pixel_scale", float(height) / 720.0f);
   set_uniform(program, "near_plane", kNearPlane);
-  set_uniform(program, "has_clip_control", unsigned{has_clip_control});
+  set_uniform(program, "has_clip_control", has_clip_control);
 }
 
 }  // namespace litfog::render

@@ -68,7 +68,7 @@ void set_frame(const gl::Program& program, const Caster& caster, int map) {
   program.use();
   set_uniform(program, "frame_from_world", glm::mat4(glm::dmat4(caster.frame_from_world)));
   set_uniform(program, "lamp_position", glm::vec3(caster.position));
-  set_uniform(program, "map", unsigned(map));
+  set_uniform(program, "map", map);
   set_uniform(program, "half_size", float(caster.half_size));
   set_uniform(program, "reach", float(caster.reach));
 }
@@ -79,13 +79,13 @@ void set_map(const gl::Program& program, const ShadowCaster& caster, int map) {
   set_frame(program, caster, map);
   set_uniform(program, "near_plane", float(near_plane));
   set_uniform(program, "lamp_radius", float(kLampRadius));
-  set_uniform(program, "is_parallel", unsigned{false});
+  set_uniform(program, "is_parallel", false);
 }
 
 void set_map(const gl::Program& program, const MoonMap& map) {
   set_frame(program, map, 0);
   set_uniform(program, "lamp_radius", 0.0f);
-  set_uniform(program, "is_parallel", unsigned{true});
+  set_uniform(program, "is_parallel", true);
 }
 
 }  // namespace
@@ -225,8 +225,8 @@ void ShadowMaps::bind() const {
 }
 
 void ShadowMaps::set_moon_maps(const gl::Program& program) const {
-  set_uniform(program, "first_moon_map", unsigned(casters_.size()));
-  set_uniform(program, "end_of_moon_maps", unsigned(casters_.size() + moon_maps_.size()));
+  set_uniform(program, "first_moon_map", int(casters_.size()));
+  set_uniform(program, "end_of_moon_maps", int(casters_.size() + moon_maps_.size()));
 }
 
 }  // namespace litfog::render

@@ -365,7 +365,7 @@ SurfaceProgram& SurfacePainter::use(Frame& frame, const ShaderVariant& variant, 
     bind_lights(program.program, fog_light_buffer_);
     set_uniform(program.program, "clip_from_world", frame.clip_from_world);
     set_uniform(program.program, "infinite_viewer", glm::normalize(scene_.camera.position - scene_.camera.target));
-    set_uniform(program.program, "is_flat_shaded", unsigned{settings_.is_flat_shaded});
+    set_uniform(program.program, "is_flat_shaded", settings_.is_flat_shaded);
     set_uniform(program.program, "albedo_map", kAlbedoUnit);
     set_uniform(program.program, "normal_map", kNormalUnit);
     set_uniform(program.program, "emission_map", kEmissionUnit);
@@ -382,10 +382,10 @@ SurfaceProgram& SurfacePainter::use(Frame& frame, const ShaderVariant& variant, 
     if (frame.shadows) frame.shadows->set_moon_maps(program.program);
     if (variant.material.is_pane) {
       set_uniform(program.program, "airlight_entries", kEntryUnit);
-      glUniform1i(program.program.uniform("airlight_count"), GLint(frame.airlights));
+      set_uniform(program.program, "airlight_count", int(frame.airlights));
       if (frame.far_airlight) frame.far_airlight->bind(program.program);
       set_uniform(program.program, "asymmetry", float(scene_.phase_g));
-      glUniform1i(program.program.uniform("shaft_steps"), settings_.shaft_steps);
+      set_uniform(program.program, "shaft_steps", settings_.shaft_steps);
     }
   }
   if (&material != frame.bound) {
