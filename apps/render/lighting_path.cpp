@@ -217,8 +217,6 @@ std::span<const LightingPath> lighting_paths() {
 
 const LightingPath& unlit_path() {
   static const LightingPath kPath{.name = "unlit",
-                                  .description = "the base texture alone",
-                                  .source = {},
                                   .has_lit_fog = false,
                                   .passes = {{.vertex = "unlit.vert", .fragment = "unlit.frag", .shows_fog = false}}};
   return kPath;
@@ -227,8 +225,6 @@ const LightingPath& unlit_path() {
 const LightingPath& light_count_path() {
   static const LightingPath kPath{
       .name = "light-count",
-      .description = {},
-      .source = {},
       .has_lit_fog = false,
       .passes = {{.vertex = "unlit.vert", .fragment = "light_count.frag", .shows_fog = false}}};
   return kPath;
@@ -243,6 +239,17 @@ const LightingPath& object_space_path() {
                                   .has_reference = false,
                                   .passes = {per_fragment("object_space.frag")}};
   return kPath;
+}
+
+const LightingPath& geometry_path(const LightingPath& other) {
+  const auto make = [](std::string_view vertex, std::string_view geometry) {
+    return LightingPath{
+        .name = "geometry",
+        .passes = {{.vertex = vertex, .geometry = geometry, .fragment = "geometry.frag", .shows_fog = false}}};
+  };
+  static const LightingPath kDirect = make("surface.vert", {});
+  static const LightingPath kByGeometryShader = make("geometry_corner.vert", "geometry_corner.geom");
+  return other.passes.front().geometry.empty() ? kDirect : kByGeometryShader;
 }
 
 const SurfacePass& fog_alone_pass() {

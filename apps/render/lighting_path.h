@@ -88,8 +88,8 @@ enum class LightMapSet {
 /// A published way to light a pixel.
 struct LightingPath {
   std::string_view name;
-  std::string_view description;
-  std::string source;  ///< paper and section
+  std::string_view description = {};
+  std::string source = {};  ///< paper and section
   SurfaceModel surface = SurfaceModel::basic;
   RangeLaw range = RangeLaw::attenuation;
   Evaluation evaluation = Evaluation::fragment;
@@ -126,6 +126,9 @@ const LightingPath& light_count_path();
 
 /// Normal maps in object space (Lacroix 2005). Not one of the paths: bundled scenes have maps in tangent space.
 const LightingPath& object_space_path();
+
+/// A path that rasterises exactly the samples of `other` and writes a GeometryBuffer's attributes instead of colour.
+const LightingPath& geometry_path(const LightingPath& other);
 
 /// The fog before a surface alone, for any path.
 const SurfacePass& fog_alone_pass();

@@ -31,19 +31,6 @@ bool GeometrySample::is_of_same_fragment(const GeometrySample& other) const {
          opacity == other.opacity && albedo == other.albedo;
 }
 
-const LightingPath& geometry_path(const LightingPath& other) {
-  const auto make = [](std::string_view vertex, std::string_view geometry) {
-    return LightingPath{
-        .name = "geometry",
-        .description = {},
-        .source = {},
-        .passes = {{.vertex = vertex, .geometry = geometry, .fragment = "geometry.frag", .shows_fog = false}}};
-  };
-  static const LightingPath kDirect = make("surface.vert", {});
-  static const LightingPath kByGeometryShader = make("geometry_corner.vert", "geometry_corner.geom");
-  return other.passes.front().geometry.empty() ? kDirect : kByGeometryShader;
-}
-
 GeometryBuffer::GeometryBuffer(int width, int height, int samples)
     : width_(width),
       height_(height),

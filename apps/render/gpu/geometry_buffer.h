@@ -6,7 +6,6 @@
 
 #include "litfog/gl/gl_name.h"
 #include "litfog/gl/program.h"
-#include "render/lighting_path.h"
 
 namespace litfog::render {
 
@@ -25,9 +24,6 @@ struct GeometrySample {
 
   bool is_of_same_fragment(const GeometrySample& other) const;
 };
-
-/// A path that rasterises exactly the samples of `other` and writes surface attributes instead of colour.
-const LightingPath& geometry_path(const LightingPath& other);
 
 /// The scene's surfaces as the GPU rasterises them: floats for each sample, which can be read back. With as many
 /// samples a pixel as a Framebuffer's, the edges of surfaces cover the same samples.
