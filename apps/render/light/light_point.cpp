@@ -15,7 +15,8 @@ void set_point_uniforms(const gl::Program& program, FogLighting fog_lighting, in
   set_uniform(program, "core_radius", kPointRadius);
   set_uniform(program, "point_radii", kPointRadii);
   set_uniform(program, "largest_growth", has_glare ? kLargestGlare : kLargestWithoutGlare);
-  set_uniform(program, "pixel_scale", float(height) / 720.0f);
+  set_uniform(program, "halo_brightness", kHaloBrightness);
+  set_uniform(program, "pixel_scale", float(height) / kPointPictureHeight);
   set_uniform(program, "near_plane", kNearPlane);
   set_uniform(program, "has_clip_control", has_clip_control);
 }

@@ -17,7 +17,7 @@ double largest_point(const SceneLights& lights, std::size_t i, const Fog& fog, c
   const Light& light = placed.light;
   const double range = glm::length(to_eye);
   if (!(range > 0)) return 0;
-  constexpr double kCoreAndHalo = 1.25;
+  constexpr double kCoreAndHalo = 1 + kHaloBrightness;
   const double cone = lights.cookie(i) ? 1 : cone_at(light.cone, glm::dot(to_eye, placed.direction) / range);
   const double through = fog_factor_at(scaled(fog, light.density_scale), range);
   const double brightness = attenuation_at(light.attenuation, range) * cone * through / kFullBrightness;
@@ -59,8 +59,8 @@ PointList list_points(const SceneLights& lights, const Fog& fog, const glm::dvec
 }
 
 double point_depth_factor(double field_of_view, int height) {
-  constexpr double kLargest = kPointRadii * kPointRadius * kLargestGlare / 720;  // of the picture's height
-  const double size = std::max(kLargest, 2.0 / height);                          // no point is below two pixels
+  constexpr double kLargest = kPointRadii * kPointRadius * kLargestGlare / kPointPictureHeight;
+  const double size = std::max(kLargest, 2.0 / height);  // of the picture's; no point is below two pixels
   return 1 + size * std::tan(field_of_view / 2);
 }
 

@@ -15,7 +15,9 @@ namespace litfog::render {
 inline constexpr float kFullBrightness = 1 / 2000.f;  ///< attenuation at which a point has its full brightness: at
                                                       ///< night an eye sees a light long before a surface lit by it
 inline constexpr float kBrightestPoint = 1.5f;        ///< beyond full brightness, so that its core is white
-inline constexpr float kPointRadius = 1.3f;           ///< pixels of a picture 720 high, at full brightness
+inline constexpr float kHaloBrightness = 0.25f;       ///< in the middle, where the core has 1
+inline constexpr float kPointPictureHeight = 720;     ///< pixels: of the picture that the next is for
+inline constexpr float kPointRadius = 1.3f;           ///< pixels of that picture, at full brightness
 inline constexpr float kLargestGlare = 8;             ///< times that radius
 inline constexpr float kLargestWithoutGlare = 1.5f;   ///< likewise
 inline constexpr float kPointRadii = 5;               ///< size of a point in radii: beyond 2.5 nothing of it is left
@@ -29,8 +31,8 @@ struct PointList {
 };
 
 /// Leaves out lights that are outside the view and those whose points together add less than a budget to any pixel.
-/// All points may lie over each other. A point is at most 1 in its core and a quarter in its halo (light_point.frag),
-/// times its brightness, in which a cookie counts as 1.
+/// All points may lie over each other. A point is at most 1 in its core and kHaloBrightness in its halo, times its
+/// brightness, in which a cookie counts as 1.
 ///
 /// budget  linear
 PointList list_points(const SceneLights& lights, const Fog& fog, const glm::dvec3& eye, const Frustum& frustum,

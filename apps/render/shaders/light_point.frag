@@ -9,7 +9,8 @@ out vec4 color;
 
 const float least_core = 0.02;   // of the squared radius: a pixel of a point that has grown
 const float halo_falloff = 0.8;  // per squared radius: 1/150 at the point's edge
-const float halo_brightness = 0.25;
+
+uniform float halo_brightness;  // point_list.h
 
 void main() {
   vec2 offset = (gl_PointCoord - 0.5) * point_radii;

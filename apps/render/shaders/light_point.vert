@@ -10,7 +10,7 @@
 
 uniform mat4 clip_from_world;
 uniform vec3 eye;
-uniform float pixel_scale;  // of a picture 720 pixels high
+uniform float pixel_scale;  // of the picture's height over kPointPictureHeight
 uniform float near_plane;  // metres
 uniform bool has_clip_control;
 uniform bool has_glare;  // else what surrounds a point is the fog's airlight, which is drawn apart
