@@ -115,6 +115,12 @@ struct SurfacePainter::Frame {
   std::size_t count = 0;
 };
 
+/// The lights that a pass takes as uniforms: those of the fog, then those of the surface.
+struct SurfacePainter::LightUniforms {
+  std::vector<PackedLight> lights;
+  std::vector<std::int32_t> casters;  // of each light; empty without shadows
+};
+
 SurfacePainter::SurfacePainter(const scene::Scene& scene, const SceneLights& lights,
                                const gl::FogLightBuffer& fog_lights, const RenderSettings& settings)
     : scene_(scene),
@@ -247,26 +253,24 @@ void SurfacePainter::draw_pass(Frame& frame, std::span<const PlannedSurface> ali
                                std::span<const std::int32_t> fog_lights, std::span<const std::int32_t> batch) {
   const Surface& surface = *alike[0].surface;
   variant.material = features_of(surface, settings_.path->draws_panes());
-  const bool has_maps = !maps_.kinds().empty();  // which hold the cones
-  std::vector<PackedLight> uniforms;
-  std::vector<std::int32_t> casters;  // of the uniforms
+  LightUniforms uniforms;
   const auto add_uniform = [&](std::int32_t light) {
-    uniforms.push_back(lights_.packed(std::size_t(light)));
-    if (frame.shadows) casters.push_back(frame.shadows->caster_of(std::size_t(light)));
+    uniforms.lights.push_back(lights_.packed(std::size_t(light)));
+    if (frame.shadows) uniforms.casters.push_back(frame.shadows->caster_of(std::size_t(light)));
   };
   const auto resize_uniforms = [&](std::size_t count) {
-    uniforms.resize(count, kBlack);
-    if (frame.shadows) casters.resize(count, ShadowMaps::kNoCaster);
+    uniforms.lights.resize(count, kBlack);
+    if (frame.shadows) uniforms.casters.resize(count, ShadowMaps::kNoCaster);
   };
   if (variant.is_first && variant.pass->shows_fog) {
     variant.has_listed_fog_lights = fog_lights.size() > kMaxUniformLights;
     if (!variant.has_listed_fog_lights) {
       for (const std::int32_t light : fog_lights) add_uniform(light);
-      variant.fog_lights = compiled_for(uniforms);
+      variant.fog_lights = compiled_for(uniforms.lights);
       resize_uniforms(variant.fog_lights.count);
     }
   }
-  const std::size_t first = uniforms.size();
+  const std::size_t first = uniforms.lights.size();
   // A pass that takes all lights computes once what the fog's lights and the surface's have in common.
   const LightFeed& feed = variant.pass->lights;
   variant.shares_lights =
@@ -275,48 +279,54 @@ void SurfacePainter::draw_pass(Frame& frame, std::span<const PlannedSurface> ali
     if (variant.shares_lights && std::ranges::find(fog_lights, light) != fog_lights.end()) continue;
     add_uniform(light);
   }
-  if (has_maps) {
-    variant.lights.count = uniforms.size() - first;
+  if (has_maps()) {
+    variant.lights.count = uniforms.lights.size() - first;
   } else if (feed.has_flags) {
     variant.lights.count = kMaxUniformLights;
   } else {
-    variant.lights = compiled_for(std::span(uniforms).subspan(first));
+    variant.lights = compiled_for(std::span(uniforms.lights).subspan(first));
     resize_uniforms(first + variant.lights.count);
   }
-
   if (variant.pass->constants_from_vertices && (passes_constants(surface, frame.eye) || variant.has_listed_lights)) {
     variant.takes_constants_from_vertices = true;
     variant.vertex_lights = std::min(first + variant.lights.count, programs_.most_vertex_lights());
   }
-  const SurfaceProgram& program = use(frame, variant, *surface.material);
+  draw_variant(frame, alike, variant, uniforms, batch);
+}
+
+void SurfacePainter::draw_variant(Frame& frame, std::span<const PlannedSurface> alike, const ShaderVariant& variant,
+                                  const LightUniforms& uniforms, std::span<const std::int32_t> batch) {
+  const SurfaceMaterial& surface_material = *alike[0].surface->material;
+  const SurfaceProgram& program = use(frame, variant, surface_material);
   const bool is_later = frame.passes_drawn > 0;
   if (frame.path.has_several_passes()) select_samples(frame.passes_drawn++);
-  const scene::Material& material = surface.material->material;
-  const std::optional<float>& coverage = variant.material.is_pane ? material.opacity : material.least_coverage;
-  const DrawConstants constants{
-      glm::vec4(scene_.camera.position, material.relief_m / material.size_m),
-      glm::vec4(glm::vec3(0), coverage.value_or(0)), glm::vec4(glm::vec3(0), material.normal_scale),
-      glm::vec4(material.specular, material.shininess), glm::vec4(material.emissive, material.metal_roughness)};
   glUniform2i(program.light_list_range, alike[0].list_first, alike[0].list_count);
-  frame.bytes += 2 * sizeof(GLint) + uniforms.size() * sizeof(PackedLight);
-  if (!uniforms.empty()) {
-    glUniform4fv(program.uniform_lights, GLsizei(5 * uniforms.size()),
-                 glm::value_ptr(uniforms[0].kind.attenuation_extent));
+  frame.bytes += 2 * sizeof(GLint) + uniforms.lights.size() * sizeof(PackedLight);
+  if (!uniforms.lights.empty()) {
+    glUniform4fv(program.uniform_lights, GLsizei(uniforms.lights.size() * sizeof(PackedLight) / sizeof(glm::vec4)),
+                 glm::value_ptr(uniforms.lights[0].kind.attenuation_extent));
   }
-  if (feed.has_flags) {
+  if (variant.pass->lights.has_flags) {
     std::array<GLint, kMaxUniformLights> flags{};
     std::fill_n(flags.begin(), batch.size(), 1);
     glUniform1iv(program.light_flags, GLsizei(flags.size()), flags.data());
   }
-  if (!casters.empty()) {
-    glUniform1iv(program.uniform_casters, GLsizei(casters.size()), casters.data());
+  if (!uniforms.casters.empty()) {
+    glUniform1iv(program.uniform_casters, GLsizei(uniforms.casters.size()), uniforms.casters.data());
   }
-  if (has_maps && !batch.empty()) {
+  if (has_maps() && !batch.empty()) {
     std::vector<glm::mat3> cones;
     for (const std::int32_t light : batch) cones.push_back(maps_.cone_from_world(std::size_t(light)));
     glUniformMatrix3fv(program.cone_from_world, GLsizei(cones.size()), GL_FALSE, glm::value_ptr(cones[0]));
     maps_.bind(maps_.kinds()[std::size_t(batch[0])]);
   }
+  const scene::Material& material = surface_material.material;
+  const std::optional<float>& coverage = variant.material.is_pane ? material.opacity : material.least_coverage;
+  const DrawConstants constants{.eye_relief = glm::vec4(scene_.camera.position, material.relief_m / material.size_m),
+                                .low_coverage = glm::vec4(glm::vec3(0), coverage.value_or(0)),
+                                .high_normal_scale = glm::vec4(glm::vec3(0), material.normal_scale),
+                                .specular_shininess = glm::vec4(material.specular, material.shininess),
+                                .emissive_metal_roughness = glm::vec4(material.emissive, material.metal_roughness)};
   draw_triangles(frame, alike, program, constants, is_later ? TriangleOrder::reversed : TriangleOrder::stored);
 }
 
@@ -339,9 +349,10 @@ void SurfacePainter::draw_triangles(Frame& frame, std::span<const PlannedSurface
       bounds = united(bounds, next.bounds);
       count += std::size_t(next.chunk->index_count);
     }
-    constants[1] = glm::vec4(bounds.low, constants[1].w);
-    constants[2] = glm::vec4(bounds.high, constants[2].w);
-    glUniform4fv(program.draw_constants, GLsizei(constants.size()), glm::value_ptr(constants[0]));
+    constants.low_coverage = glm::vec4(bounds.low, constants.low_coverage.w);
+    constants.high_normal_scale = glm::vec4(bounds.high, constants.high_normal_scale.w);
+    glUniform4fv(program.draw_constants, GLsizei(sizeof(constants) / sizeof(glm::vec4)),
+                 glm::value_ptr(constants.eye_relief));
     frame.bytes += sizeof(constants);
     if (frame.draws_panes) {
       surfaces_.meshes().draw_sorted(frame.first, frame.count);
@@ -356,37 +367,13 @@ SurfaceProgram& SurfacePainter::use(Frame& frame, const ShaderVariant& variant, 
   if (&program != frame.used) {
     frame.used = &program;
     program.program.use();
-    if (!frame.draws_panes)
-      set_blend(variant.pass->blend == Blend::replace && !variant.is_first ? Blend::add : variant.pass->blend);
+    const bool is_added = variant.pass->blend == Blend::replace && !variant.is_first;
+    if (!frame.draws_panes) set_blend(is_added ? Blend::add : variant.pass->blend);
   }
   if (program.frame != frame.number) {
     program.frame = frame.number;
     program.material = nullptr;
-    bind_lights(program.program, fog_light_buffer_);
-    set_uniform(program.program, "clip_from_world", frame.clip_from_world);
-    set_uniform(program.program, "infinite_viewer", glm::normalize(scene_.camera.position - scene_.camera.target));
-    set_uniform(program.program, "is_flat_shaded", settings_.is_flat_shaded);
-    set_uniform(program.program, "albedo_map", kAlbedoUnit);
-    set_uniform(program.program, "normal_map", kNormalUnit);
-    set_uniform(program.program, "emission_map", kEmissionUnit);
-    set_uniform(program.program, "second_map", kSecondUnit);
-    set_uniform(program.program, "light_list", kLightListUnit);
-    set_uniform(program.program, "reach", float(std::min(surfaces_.reach(), kFarReach)));
-    set_uniform(program.program, "carried_count", unsigned(lights_.size() - lights_.local_count()));
-    set_uniform(program.program, "range_map", kRangeMapUnit);
-    set_uniform(program.program, "distance_map", kDistanceMapUnit);
-    set_uniform(program.program, "cone_map", kConeMapUnit);
-    set_uniform(program.program, "shadow_maps", kShadowMapUnit);
-    set_uniform(program.program, "shadow_casters", kShadowCasterUnit);
-    set_uniform(program.program, "caster_of_light", kCasterOfLightUnit);
-    if (frame.shadows) frame.shadows->set_moon_maps(program.program);
-    if (variant.material.is_pane) {
-      set_uniform(program.program, "airlight_entries", kEntryUnit);
-      set_uniform(program.program, "airlight_count", int(frame.airlights));
-      if (frame.far_airlight) frame.far_airlight->bind(program.program);
-      set_uniform(program.program, "asymmetry", float(scene_.phase_g));
-      set_uniform(program.program, "shaft_steps", settings_.shaft_steps);
-    }
+    set_frame_uniforms(frame, variant, program.program);
   }
   if (&material != frame.bound) {
     frame.bound = &material;
@@ -402,6 +389,35 @@ SurfaceProgram& SurfacePainter::use(Frame& frame, const ShaderVariant& variant, 
     set_uniform(program.program, "second_tiles", material.material.size_m / material.material.second_size_m);
   }
   return program;
+}
+
+void SurfacePainter::set_frame_uniforms(const Frame& frame, const ShaderVariant& variant,
+                                        const gl::Program& program) const {
+  bind_lights(program, fog_light_buffer_);
+  set_uniform(program, "clip_from_world", frame.clip_from_world);
+  set_uniform(program, "infinite_viewer", glm::normalize(scene_.camera.position - scene_.camera.target));
+  set_uniform(program, "is_flat_shaded", settings_.is_flat_shaded);
+  set_uniform(program, "albedo_map", kAlbedoUnit);
+  set_uniform(program, "normal_map", kNormalUnit);
+  set_uniform(program, "emission_map", kEmissionUnit);
+  set_uniform(program, "second_map", kSecondUnit);
+  set_uniform(program, "light_list", kLightListUnit);
+  set_uniform(program, "reach", float(std::min(surfaces_.reach(), kFarReach)));
+  set_uniform(program, "carried_count", unsigned(lights_.size() - lights_.local_count()));
+  set_uniform(program, "range_map", kRangeMapUnit);
+  set_uniform(program, "distance_map", kDistanceMapUnit);
+  set_uniform(program, "cone_map", kConeMapUnit);
+  set_uniform(program, "shadow_maps", kShadowMapUnit);
+  set_uniform(program, "shadow_casters", kShadowCasterUnit);
+  set_uniform(program, "caster_of_light", kCasterOfLightUnit);
+  if (frame.shadows) frame.shadows->set_moon_maps(program);
+  if (variant.material.is_pane) {
+    set_uniform(program, "airlight_entries", kEntryUnit);
+    set_uniform(program, "airlight_count", int(frame.airlights));
+    if (frame.far_airlight) frame.far_airlight->bind(program);
+    set_uniform(program, "asymmetry", float(scene_.phase_g));
+    set_uniform(program, "shaft_steps", settings_.shaft_steps);
+  }
 }
 
 }  // namespace litfog::render

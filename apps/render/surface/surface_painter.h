@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -54,16 +53,26 @@ class SurfacePainter {
 
  private:
   struct Frame;
-  using DrawConstants = std::array<glm::vec4, 5>;  // shaders/draw_constants.glsl
+  struct LightUniforms;
+  /// shaders/draw_constants.glsl
+  struct DrawConstants {
+    glm::vec4 eye_relief, low_coverage, high_normal_scale, specular_shininess, emissive_metal_roughness;
+  };
 
+  bool has_maps() const { return !maps_.kinds().empty(); }  // which hold the cones
   /// Draws surfaces that differ in their places only; of several passes all, so that there may be but one surface.
   void draw_surfaces(Frame& frame, std::span<const PlannedSurface> alike, std::span<const std::int32_t> lights);
-  /// Draws them by the lights of their fog and a batch of their own. Fills in the variant's uniform lights.
+  /// Draws them by the lights of their fog and a batch of their own. Fills in what the variant is compiled for.
   void draw_pass(Frame& frame, std::span<const PlannedSurface> alike, ShaderVariant variant,
                  std::span<const std::int32_t> fog_lights, std::span<const std::int32_t> batch);
+  /// Draws them by such a variant and its uniforms, which hold the batch's lights.
+  void draw_variant(Frame& frame, std::span<const PlannedSurface> alike, const ShaderVariant& variant,
+                    const LightUniforms& uniforms, std::span<const std::int32_t> batch);
   void draw_triangles(Frame& frame, std::span<const PlannedSurface> alike, const SurfaceProgram& program,
                       DrawConstants constants, TriangleOrder order);
   SurfaceProgram& use(Frame& frame, const ShaderVariant& variant, const SurfaceMaterial& material);
+  /// Sets what stays the same in a frame, for the program in use.
+  void set_frame_uniforms(const Frame& frame, const ShaderVariant& variant, const gl::Program& program) const;
 
   const scene::Scene& scene_;
   const SceneLights& lights_;
