@@ -8,7 +8,7 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
-#include <utility>
+#include <span>
 #include <vector>
 
 #include "litfog/fog_light_block.h"
@@ -194,22 +194,21 @@ void Renderer::begin_frame(const Framebuffer& framebuffer, const glm::vec3& back
   begin_depths();
 }
 
+std::size_t Renderer::upload_lists(const FramePlan& plan) {
+  const std::size_t bytes = std::span(plan.light_list).size_bytes();
+  light_list_.emplace(plan.light_list.data(), bytes, BufferTexture::Texel::int1);
+  if (!airlight_) return bytes;
+  airlight_->set_lists(plan.airlights, plan.far_airlights);
+  return bytes + std::span(plan.airlights.entries).size_bytes() + std::span(plan.far_airlights.lights).size_bytes();
+}
+
 FrameCounts Renderer::draw_stages(const FrameExposures& exposures, LightPoints light_points,
                                   FrameStatistics* statistics) {
   StageClock clock(statistics ? &statistics->times : nullptr);
   const View view = this->view();
   const FramePlan& plan = planner_.plan(frame_view(view, exposures));
   FrameCounts counts = plan.counts;
-  if (planner_.has_changed()) {
-    const std::size_t bytes = plan.light_list.size() * sizeof(plan.light_list[0]);
-    light_list_.emplace(plan.light_list.data(), bytes, BufferTexture::Texel::int1);
-    counts.bytes_uploaded += bytes;
-    if (airlight_) {
-      airlight_->set_lists(plan.airlights, plan.far_airlights);
-      counts.bytes_uploaded += plan.airlights.entries.size() * sizeof(AirlightEntry) +
-                               plan.far_airlights.lights.size() * sizeof(plan.far_airlights.lights[0]);
-    }
-  }
+  if (planner_.has_changed()) counts.bytes_uploaded += upload_lists(plan);
   clock.end(&StageTimes::plan);
   if (shadows_) counts.shadow_maps_drawn = shadows_->draw(framebuffer_.aspect());
   light_tables_.bind_textures(kKindBufferUnit, kInstanceBufferUnit);
@@ -291,7 +290,7 @@ void Renderer::draw_sky(const View& view, const gl::Program& program) {
   program.use();
   bind_lights(program, fog_block_);
   set_uniform(program, "light_list", kLightListUnit);
-  set_uniform(program, "carried_count", carried_count());
+  set_uniform(program, "carried_count", int(lights_.carried_count()));
   set_uniform(program, "direction_from_clip", view.direction_from_clip);
   set_uniform(program, "far_plane", far_plane_in_clip());
   set_uniform(program, "eye", scene_.camera.position);

@@ -28,9 +28,10 @@ enum class LightPoints { on, off };
 /// change from frame to frame, but lamps that cast shadows are chosen as set_lights() finds it.
 class Renderer {
  public:
-  /// throws gl::Unsupported where this OpenGL cannot hold the scene's light lists, or the path's light maps or the
-  /// shadow maps would take more than 1 GiB, std::invalid_argument where a part is of a material that the scene lacks
-  /// scene  has to outlive this
+  /// scene   has to outlive this
+  /// throws  gl::Unsupported where this OpenGL cannot hold the scene's light lists, or the path's light maps or the
+  ///         shadow maps would take more than 1 GiB, std::invalid_argument where a part is of a material that the scene
+  ///         lacks
   Renderer(const scene::Scene& scene, int width, int height, const RenderSettings& settings);
   Renderer(const Renderer&) = delete;  // its parts refer to each other
   Renderer& operator=(const Renderer&) = delete;
@@ -81,19 +82,20 @@ class Renderer {
   void draw_geometry(const GeometryBuffer& geometry);
   bool has_panes() const { return surfaces_.has_panes(); }
   /// Draws a layer of a frame's panes, which the surfaces' are without: in each sample the pane that the frame draws
-  /// there after so many others, even one that a surface hides.
+  /// there after `layer` others, even one that a surface hides.
   void draw_pane_geometry(const GeometryBuffer& geometry, int layer);
   /// The surfaces' materials, without their texels, by their numbers in a geometry buffer.
   std::vector<scene::Material> materials() const { return surfaces_.surfaces().materials(); }
 
  private:
   View view() const;
-  unsigned carried_count() const { return unsigned(lights_.size() - lights_.local_count()); }
   FrameView frame_view(const View& view, const FrameExposures& exposures) const;
   Passes passes() const { return settings_.path->has_several_passes() ? Passes::several : Passes::one; }
   void set_lights_for(double ends_exposure);
   void begin_frame(const Framebuffer& framebuffer, const glm::vec3& background);
   double count_lights_per_fragment();
+  /// Uploads what a new plan lists. Returns its bytes.
+  std::size_t upload_lists(const FramePlan& plan);
   FrameCounts draw_stages(const FrameExposures& exposures, LightPoints light_points, FrameStatistics* statistics);
   void draw_sky(const View& view, const gl::Program& program);
   void draw_light_points(const View& view, const FramePlan& plan);

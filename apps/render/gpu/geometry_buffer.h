@@ -37,7 +37,7 @@ class GeometryBuffer {
   int samples() const { return samples_; }
   /// Makes it the target of drawing, and empty: sky everywhere.
   void begin() const;
-  /// The same for a layer: what is drawn in a sample after so many others, in front of all or behind. At most 254.
+  /// The same for a layer, below kMostLayers: what is drawn in a sample after `layer` others, at any depth.
   void begin_layer(int layer) const;
   /// Has to be called when all is drawn.
   void end() const;

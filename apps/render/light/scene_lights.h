@@ -52,6 +52,7 @@ class SceneLights {
   double exposure() const { return exposure_; }  ///< EV, for which ends are chosen
   std::size_t size() const { return lights_.size(); }
   std::size_t local_count() const { return local_count_; }
+  std::size_t carried_count() const { return size() - local_count_; }
   std::span<const PlacedLight> lights() const { return lights_; }
   /// Metres, one a light.
   std::span<const double> extents() const { return extents_; }

@@ -403,7 +403,7 @@ void SurfacePainter::set_frame_uniforms(const Frame& frame, const ShaderVariant&
   set_uniform(program, "second_map", kSecondUnit);
   set_uniform(program, "light_list", kLightListUnit);
   set_uniform(program, "reach", float(std::min(surfaces_.reach(), kFarReach)));
-  set_uniform(program, "carried_count", unsigned(lights_.size() - lights_.local_count()));
+  set_uniform(program, "carried_count", int(lights_.carried_count()));
   set_uniform(program, "range_map", kRangeMapUnit);
   set_uniform(program, "distance_map", kDistanceMapUnit);
   set_uniform(program, "cone_map", kConeMapUnit);
