@@ -117,7 +117,7 @@ void AirlightPainter::set_lists(const AirlightList& lights, const FarAirlightLis
 
 void AirlightPainter::draw_far(const View& view, FogMode fog_mode) {
   if (entries_) entries_->bind(kEntryUnit);
-  far_.draw(picture_size_, view.pixels_per_radian, view.direction_from_clip, fog_mode);
+  far_.draw(picture_size_, view, fog_mode);
 }
 
 void AirlightPainter::draw(const Framebuffer& framebuffer, const View& view, FogMode fog_mode, double exposure,
@@ -126,7 +126,7 @@ void AirlightPainter::draw(const Framebuffer& framebuffer, const View& view, Fog
   const double most_apart = std::max(1.0, kMostApart * view.pixels_per_radian);
   const auto coarsest = std::ranges::find_if(grids_, [&](const Grid& grid) { return grid.step <= most_apart; });
   const std::span<const Grid> grids(coarsest, grids_.end());
-  const Frame frame{framebuffer, view, fog_mode, float(std::exp2(exposure)), grids.front().step, interruption};
+  const Frame frame{view, fog_mode, float(std::exp2(exposure)), grids.front().step, interruption};
   glBindVertexArray(vertex_array_.id());
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);

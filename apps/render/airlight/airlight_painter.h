@@ -65,21 +65,19 @@ class AirlightPainter {
     gl::RenderbufferName stencil;
   };
 
-  /// At every so many pixels.
   struct Grid : Target {
-    int step;  // pixels
+    int step;  // pixels between texels
   };
 
   /// What is drawn of the lights, and where. Cookies and shafts may be finer than coarse grids, which do without them.
   enum class Part {
     whole,     // at all texels: lights that coarser grids do without
-    left_out,  // at texels that the coarser grid has filled: what it has not
+    left_out,  // at texels filled from the coarser grid: what that grid leaves out
     packed,    // at packed texels: lights that the coarser grid has
   };
 
   /// What the passes of a frame have in common.
   struct Frame {
-    const Framebuffer& framebuffer;
     const View& view;
     FogMode fog_mode;
     float exposure_gain;

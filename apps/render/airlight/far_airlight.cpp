@@ -4,7 +4,6 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "render/gpu/framebuffer.h"
 #include "render/gpu/light_uniforms.h"
@@ -56,10 +55,9 @@ void FarAirlight::set_list(const FarAirlightList& list) {
   listed_.emplace(list.lights.data(), list.lights.size() * sizeof(list.lights[0]), BufferTexture::Texel::int1);
 }
 
-void FarAirlight::draw(glm::ivec2 picture_size, double pixels_per_radian, const glm::mat4& direction_from_clip,
-                       FogMode fog_mode) {
+void FarAirlight::draw(glm::ivec2 picture_size, const View& view, FogMode fog_mode) {
   if (is_empty()) return;
-  step_ = std::max({1, int(kApart * pixels_per_radian), (picture_size.y + kMostRows - 1) / kMostRows});
+  step_ = std::max({1, int(kApart * view.pixels_per_radian), (picture_size.y + kMostRows - 1) / kMostRows});
   set_size((picture_size + (step_ - 1)) / step_ + 1);
   listed_->bind(kFarLightUnit);
   glBindVertexArray(vertex_array_.id());
@@ -77,7 +75,7 @@ void FarAirlight::draw(glm::ivec2 picture_size, double pixels_per_radian, const 
     program.use();
     bind_lights(program, fog_lights_);
     set_uniform(program, "far_lights", kFarLightUnit);
-    set_uniform(program, "direction_from_clip", direction_from_clip);
+    set_uniform(program, "direction_from_clip", view.direction_from_clip);
     set_uniform(program, "pixel_size", 2.0f / glm::vec2(picture_size));
     set_uniform(program, "eye", scene_.camera.position);
     set_uniform(program, "asymmetry", float(scene_.phase_g));

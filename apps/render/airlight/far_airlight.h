@@ -12,6 +12,7 @@
 #include "render/airlight/airlight_programs.h"
 #include "render/airlight/far_airlight_list.h"
 #include "render/gpu/data_texture.h"
+#include "render/view.h"
 #include "scene/scene.h"
 
 namespace litfog::render {
@@ -30,9 +31,8 @@ class FarAirlight {
   void set_list(const FarAirlightList& list);
   /// Sums it up for a frame. The lights and the cookies are bound to their units.
   ///
-  /// pixels_per_radian  of the picture, at its middle
-  /// throws             gl::Unsupported where the driver cannot draw into textures of floats
-  void draw(glm::ivec2 picture_size, double pixels_per_radian, const glm::mat4& direction_from_clip, FogMode fog_mode);
+  /// throws  gl::Unsupported where the driver cannot draw into textures of floats
+  void draw(glm::ivec2 picture_size, const View& view, FogMode fog_mode);
 
   bool is_empty() const { return depth_ == 0; }
   /// Lets the program in use, one of shaders/far_airlight_at.glsl, look up what has been drawn.

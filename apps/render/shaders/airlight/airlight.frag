@@ -50,12 +50,12 @@ vec3 gain_at(LitfogLight light, vec3 direction, float range) {
   return asymmetry == 0.0 ? lit : lit * litfog_phase(-dot(direction, ray.xyz), asymmetry);
 }
 
-// How much of its airlight a grid of every so many pixels has, along a ray at a distance from the light. With t = h /
-// range it keeps k / range (35 - 35 t^2 + 21 t^4 - 5 t^6) / 16 of k / h, the softening of multilevel summation (Hardy
-// et al. 2015, "Multilevel Summation Method for Electrostatic Force Evaluation"). That has no peak, and meets k / h
-// with three derivatives at t = 1. Near the light h stops at the falloff's width. A thin beam is missed by texels close
-// to the light, so little of it may be kept there.
-float kept_share(float distance_squared, int grid_step) {
+// The fraction of a light's airlight that a grid of every grid_step-th pixel keeps, along a ray at a distance from the
+// light. With t = h / range it keeps k / range (35 - 35 t^2 + 21 t^4 - 5 t^6) / 16 of k / h, the softening of
+// multilevel summation (Hardy et al. 2015, "Multilevel Summation Method for Electrostatic Force Evaluation"). That has
+// no peak, and meets k / h with three derivatives at t = 1. Near the light h stops at the falloff's width. A thin beam
+// is missed by texels close to the light, so little of it may be kept there.
+float kept_fraction(float distance_squared, int grid_step) {
   float range = left_out_range(bend_range_width.x, bend_range_width.y, grid_step);
   if (grid_step == 1 || range <= 0.0) return 1.0;
   float width = bend_range_width.y * bend_range_width.y;
@@ -74,14 +74,14 @@ void main() {
   vec3 to_light = light.position_extent.xyz - eye;
   vec3 offset = max(dot(to_light, direction), 0.0) * direction - to_light;
   float distance_squared = dot(offset, offset);
-  float share = kept_share(distance_squared, pixel_step);
-  if (is_filled) share -= kept_share(distance_squared, 2 * pixel_step);
+  float fraction = kept_fraction(distance_squared, pixel_step);
+  if (is_filled) fraction -= kept_fraction(distance_squared, 2 * pixel_step);
   airlight = vec4(0.0);
   gain = vec4(0.0);
-  if (share <= 0.0) return;  // not discarded: the stencil would no longer be tested before
+  if (fraction <= 0.0) return;  // not discarded: the stencil would no longer be tested before
   vec4 seen = seen_at(pixel);
   vec4 opacities = seen_opacities(seen, light.attenuation.w);
-  light.color_intensity.rgb *= share;
+  light.color_intensity.rgb *= fraction;
   LitfogLight shown = light;  // by which the glow chooses its nodes: what adds little to the display needs few
   shown.color_intensity.rgb *= exposure_gain;
   float equal_opacities =

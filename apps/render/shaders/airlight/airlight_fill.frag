@@ -25,8 +25,8 @@ vec3 display_slope(vec3 linear) {
   return exposure_gain * min(vec3(12.92), 0.4396 * pow(max(exposure_gain * linear, vec3(1.0e-4)), vec3(-0.5833)));
 }
 
-// Of those changes of opacity. What a change leaves out goes with its square.
-float brighter_share() { return inversesqrt(max(exposure_gain, 1.0)); }
+// Scales both limits of the opacity's change above 0 EV: what a change leaves out goes with its square.
+float change_scale() { return inversesqrt(max(exposure_gain, 1.0)); }
 
 float largest(vec3 values) { return max(max(values.r, values.g), values.b); }
 
@@ -91,7 +91,7 @@ Middle middle_of(ivec2 place, ivec2 step, float opacity) {
   }
   middle.gain = 0.5 * (first.gain + second.gain);
   float depth_correction = largest(max(first.gain, second.gain) * slope) * most_change;
-  bool is_far = most_change > most_opacity_change * brighter_share() || depth_correction > most_depth_correction;
+  bool is_far = most_change > most_opacity_change * change_scale() || depth_correction > most_depth_correction;
   middle.error = is_far ? 1.0 : max(min(line_error, polynomial_error), gain_error);
   return middle;
 }
@@ -108,7 +108,7 @@ void main() {
     middle = Middle(texel.airlight, texel.gain, 0.0);
   } else {
     vec4 opacities = seen_opacities(seen_at(pixel), 1.0);
-    if (opacities.w - opacities.x > most_own_change * brighter_share()) discard;
+    if (opacities.w - opacities.x > most_own_change * change_scale()) discard;
     // Between two texels of the grid, or across both diagonals between four.
     middle = middle_of(corner, part, opacity);
     if (part == ivec2(1)) {

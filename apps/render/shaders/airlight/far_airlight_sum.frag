@@ -10,7 +10,7 @@ layout(location = 0) out vec4 airlight;
 
 void main() {
   ivec2 place = ivec2(gl_FragCoord.xy);
-  int before = place.y / row_count;  // so many slabs
+  int before = place.y / row_count;  // slabs
   ivec2 texel = ivec2(place.x, place.y % row_count);
   int groups = before / slabs_at_once;
   airlight = vec4(0.0);
