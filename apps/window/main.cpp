@@ -4,9 +4,12 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <chrono>
-#include <memory>
+#include <cmath>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "command/command.h"
 #include "command/option_rule.h"

@@ -2,7 +2,6 @@
 #include "window/picture_maker.h"
 
 #include <deque>
-#include <glm/glm.hpp>
 #include <utility>
 
 #include "command/wall_timer.h"

@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <glm/glm.hpp>
-#include <iterator>
 
 #include "render/lighting_path.h"
 #include "window/controls.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/light/scene_lights.h"
 
-#include <algorithm>
 #include <limits>
 
 #include "litfog/shaders/cone_profile.glsl"

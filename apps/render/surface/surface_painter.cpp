@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <iterator>
 #include <vector>
 
 #include "render/gpu/light_uniforms.h"
