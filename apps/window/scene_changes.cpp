@@ -84,13 +84,11 @@ std::vector<double> rounded(const glm::vec3& v) {  // as short as floats that re
 
 }  // namespace
 
-std::vector<scene::SceneChange> changes_of(const std::string& light, const Light& from, const Light& to) {
+std::vector<scene::SceneChange> changes_of(const std::string& member, const Light& from, const Light& to) {
   std::vector<scene::SceneChange> changes;
-  const auto add = [&](const char* member, const Json& value) {
-    changes.push_back({light + "." + member, value.dump()});
-  };
-  const auto compare = [&](const char* member, double was, double is) {
-    if (was != is) add(member, is);
+  const auto add = [&](const char* name, const Json& value) { changes.push_back({member + "." + name, value.dump()}); };
+  const auto compare = [&](const char* name, double was, double is) {
+    if (was != is) add(name, is);
   };
   compare("attenuation.constant", from.attenuation.constant, to.attenuation.constant);
   compare("attenuation.linear", from.attenuation.linear, to.attenuation.linear);

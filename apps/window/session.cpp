@@ -34,24 +34,24 @@ void Session::split(bool on) {
   edited = on ? 1 : 0;
 }
 
-std::size_t Session::copies(std::size_t which) const {
-  return std::size_t(std::ranges::count(scene_.light_entries, scene_.light_entries[which]));
+std::size_t Session::copies(std::size_t light) const {
+  return std::size_t(std::ranges::count(scene_.light_entries, scene_.light_entries[light]));
 }
 
-void Session::change(std::size_t which, const Light& changed) {
+void Session::change(std::size_t light, const Light& changed) {
   auto lights = std::make_shared<std::vector<PlacedLight>>(*lights_);
   for (std::size_t i = 0; i < lights->size(); ++i) {
-    if (!are_copies(i, which)) continue;
-    Light& light = (*lights)[i].light;
-    const std::string name = light.name;
-    light = changed;
-    light.name = name;
+    if (!are_copies(i, light)) continue;
+    Light& copy = (*lights)[i].light;
+    const std::string name = copy.name;
+    copy = changed;
+    copy.name = name;
   }
   lights_ = std::move(lights);
 }
 
-bool Session::is_changed(std::size_t which) const {
-  return !changes_of("", scene_.lights[which].light, lights()[which].light).empty();
+bool Session::is_changed(std::size_t light) const {
+  return !changes_of("", scene_.lights[light].light, lights()[light].light).empty();
 }
 
 std::vector<scene::SceneChange> Session::changes() const {

@@ -9,7 +9,7 @@
 
 namespace litfog::demo {
 
-/// A file of apps/demo/page, embedded in the program. In an .html file {name} is a field (fmt::format).
+/// A file of apps/demo/compare/page, embedded in the program. In an .html file {name} is a field (fmt::format).
 struct PageText {
   std::string_view name;
   std::string_view text;
@@ -17,7 +17,7 @@ struct PageText {
 
 std::span<const PageText> page_texts();
 
-/// A file of apps/demo/page without its first line, the licence.
+/// A file of apps/demo/compare/page without its first line, the licence.
 std::string_view page_text(std::string_view name);
 
 /// Such a file, with its {fields} filled in.
