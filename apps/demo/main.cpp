@@ -83,17 +83,79 @@ std::vector<std::string> scene_paths(std::vector<std::string> scenes) {
   return scenes;
 }
 
+/// Options of a single picture.
+struct PictureOptions {
+  SceneOptions scene;
+  DrawingOptions drawing;
+  std::string output;
+  std::string heat_map;
+  std::string stats;
+  int frames = 1;
+  bool reference = false;
+};
+
+/// Throws the usage error of options that do not belong together.
+void check_picture_options(const CLI::App& app, const PictureOptions& options) {
+  const DrawingOptions& drawing = options.drawing;
+  const auto is_given = [&app](const char* option) { return app.count(option) > 0; };
+  if (!is_given("SCENE")) throw CLI::ValidationError("a scene must be given: see litfog-demo list scenes");
+  auto rules = drawing_rules(drawing);
+  rules.push_back(
+      {"--flat-shading", is_given("--flat-shading"), {"--reference", "--heat-map"}, "references are shaded smoothly"});
+  rules.push_back({fmt::format("--path {}", drawing.render.path->name),
+                   !drawing.render.path->has_reference,
+                   {"--reference", "--heat-map"},
+                   "it is one of the papers' programs that have none"});
+  rules.push_back({"--output " + options.output,
+                   holds_scene_light(options.output),
+                   {"--exposure", "--tone"},
+                   "it holds the scene's light"});
+  check_options(app, rules);
+  if (is_given("--output") && !is_picture_path(options.output)) {
+    fail_option("--output", options.output, "must end in .png or .exr");
+  }
+  if (is_given("--heat-map") && std::filesystem::path(options.heat_map).extension() != ".png") {
+    fail_option("--heat-map", options.heat_map, "must end in .png");
+  }
+  if (options.reference || is_given("--heat-map")) expect_pixels(drawing, kMaxReferencePixels, "for a reference");
+}
+
+ExitStatus draw_picture(const CLI::App& app, const PictureOptions& options) {
+  const DrawingOptions& drawing = options.drawing;
+  const auto is_given = [&app](const char* option) { return app.count(option) > 0; };
+  scene::Scene scene = read_scene(options.scene);
+  check_scene_options(app, scene);
+  set_scene(scene, drawing);
+  OutputFiles outputs;
+  const std::string output = is_given("--output") ? options.output : scene.name + ".png";
+  outputs.add("--output", output);
+  if (is_given("--heat-map")) outputs.add("--heat-map", options.heat_map);
+  if (is_given("--stats")) outputs.add("--stats", options.stats);
+  for (const std::string& file : scene.files) outputs.expect_apart_from(file);
+
+  const Drawn drawn =
+      draw(scene, drawing, options.frames, options.reference || is_given("--heat-map"), is_given("--stats"));
+  if (is_given("--heat-map")) {
+    write_picture(options.heat_map,
+                  make_heat_map(drawn.comparison->error, fmt::format("{}, {}", scene.name, drawing.render.path->name)));
+  }
+  const render::Picture& picture = options.reference ? drawn.comparison->reference : drawn.picture;
+  std::optional<render::Display> display;
+  if (!holds_scene_light(output)) display = drawn.display;
+  write_picture(output, display ? render::displayed(picture, *display) : picture);
+  if (is_given("--stats")) files::write_whole_file(options.stats, stats_json(scene, drawing, drawn, display));
+  const std::string words = display ? display_in_words(*display) : "";
+  report(fmt::format("{}: {} ({}x{}{}) in {} ms on {}\n", output, scene.name, drawing.width, drawing.height,
+                     words.empty() ? "" : ", " + words, measure::milliseconds_text(drawn.times.median()),
+                     drawn.gl_renderer));
+  if (drawn.comparison) {
+    report(fmt::format("{}: {}\n", drawing.render.path->name, measure::error_in_words(drawn.comparison->error)));
+  }
+  return kDone;
+}
+
 Job add_picture_job(CLI::App& app) {
-  struct Options {
-    SceneOptions scene;
-    DrawingOptions drawing;
-    std::string output;
-    std::string heat_map;
-    std::string stats;
-    int frames = 1;
-    bool reference = false;
-  };
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<PictureOptions>();
   app.add_option("-o,--output", options->output,
                  "Picture to write: .png (what a display shows) or .exr (linear light) (default SCENE.png)")
       ->type_name("FILE");
@@ -105,62 +167,9 @@ Job add_picture_job(CLI::App& app) {
   app.add_option("--heat-map", options->heat_map, "Write the path's error against that picture as colours, .png")
       ->type_name("FILE");
   app.add_option("--stats", options->stats, "Write times and counts as JSON")->type_name("FILE");
-
   return [&app, options] {
-    DrawingOptions& drawing = options->drawing;
-    const auto is_given = [&app](const char* option) { return app.count(option) > 0; };
-    if (!is_given("SCENE")) throw CLI::ValidationError("a scene must be given: see litfog-demo list scenes");
-    auto rules = drawing_rules(drawing);
-    rules.push_back({"--flat-shading",
-                     is_given("--flat-shading"),
-                     {"--reference", "--heat-map"},
-                     "references are shaded smoothly"});
-    rules.push_back({fmt::format("--path {}", drawing.render.path->name),
-                     !drawing.render.path->has_reference,
-                     {"--reference", "--heat-map"},
-                     "it is one of the papers' programs that have none"});
-    rules.push_back({"--output " + options->output,
-                     holds_scene_light(options->output),
-                     {"--exposure", "--tone"},
-                     "it holds the scene's light"});
-    check_options(app, rules);
-    if (is_given("--output") && !is_picture_path(options->output)) {
-      fail_option("--output", options->output, "must end in .png or .exr");
-    }
-    if (is_given("--heat-map") && std::filesystem::path(options->heat_map).extension() != ".png") {
-      fail_option("--heat-map", options->heat_map, "must end in .png");
-    }
-    const bool has_reference = options->reference || is_given("--heat-map");
-    if (has_reference) expect_pixels(drawing, kMaxReferencePixels, "for a reference");
-
-    scene::Scene scene = read_scene(options->scene);
-    check_scene_options(app, scene);
-    set_scene(scene, drawing);
-    OutputFiles outputs;
-    const std::string output = is_given("--output") ? options->output : scene.name + ".png";
-    outputs.add("--output", output);
-    if (is_given("--heat-map")) outputs.add("--heat-map", options->heat_map);
-    if (is_given("--stats")) outputs.add("--stats", options->stats);
-    for (const std::string& file : scene.files) outputs.expect_apart_from(file);
-
-    const Drawn drawn = draw(scene, drawing, options->frames, has_reference, is_given("--stats"));
-    if (is_given("--heat-map")) {
-      write_picture(options->heat_map, make_heat_map(drawn.comparison->error,
-                                                     fmt::format("{}, {}", scene.name, drawing.render.path->name)));
-    }
-    const render::Picture& picture = options->reference ? drawn.comparison->reference : drawn.picture;
-    std::optional<render::Display> display;
-    if (!holds_scene_light(output)) display = drawn.display;
-    write_picture(output, display ? render::displayed(picture, *display) : picture);
-    if (is_given("--stats")) files::write_whole_file(options->stats, stats_json(scene, drawing, drawn, display));
-    const std::string words = display ? display_in_words(*display) : "";
-    report(fmt::format("{}: {} ({}x{}{}) in {} ms on {}\n", output, scene.name, drawing.width, drawing.height,
-                       words.empty() ? "" : ", " + words, measure::milliseconds_text(drawn.times.median()),
-                       drawn.gl_renderer));
-    if (drawn.comparison) {
-      report(fmt::format("{}: {}\n", drawing.render.path->name, measure::error_in_words(drawn.comparison->error)));
-    }
-    return kDone;
+    check_picture_options(app, *options);
+    return draw_picture(app, *options);
   };
 }
 
@@ -213,13 +222,44 @@ Job add_gallery_job(CLI::App& app) {
   };
 }
 
+struct ComparisonOptions : ScenesOptions {
+  SceneOptions scene;
+  std::vector<std::string> settings;
+  int frames = kComparedFrames;
+};
+
+ExitStatus compare_by_settings(const CLI::App& app, const ComparisonOptions& options) {
+  if (options.scenes.size() != 1) throw CLI::ValidationError("--with compares settings of one SCENE: name it");
+  SceneOptions base = options.scene;
+  base.scene = options.scenes.front();
+  const auto settings = parse_settings(app, {"as it is", base, options.drawing}, options.settings);
+  expect_pixels(options.drawing, kMaxComparedPixels, "for a comparison");
+  const gl::HeadlessContext context;
+  compare_settings(settings, options.folder, context.renderer(), options.frames);
+  return kDone;
+}
+
+ExitStatus compare_by_paths(const CLI::App& app, const ComparisonOptions& options) {
+  const DrawingOptions& drawing = options.drawing;
+  check_options(app, fog_and_shadow_rules(drawing));
+  check_options(app, {{"a comparison of lighting paths",
+                       true,
+                       {"--set", "--camera", "--target", "--fov-deg", "--path", "--flat-shading"},
+                       "settings are given by --with"}});
+  expect_pixels(drawing, kMaxComparedPixels, "for a comparison");
+  // All scenes are read first, so that an error in one is found before minutes are spent on another.
+  std::vector<scene::Scene> scenes = scene::read_scenes(scene_paths(options.scenes));
+  const bool turns = std::ranges::any_of(scenes, has_turning_light);
+  check_options(app, {{"these scenes", !turns, {"--time"}, "none of their lights turns"}});
+  for (scene::Scene& scene : scenes) set_scene(scene, drawing);
+  const gl::HeadlessContext context;
+  report(fmt::format("drawing {} scene{} on {}\n", scenes.size(), scenes.size() == 1 ? "" : "s", context.renderer()));
+  compare_paths(scenes, options.folder, context.renderer(), drawing, options.frames);
+  return kDone;
+}
+
 Job add_comparison_job(CLI::App& app) {
-  struct Options : ScenesOptions {
-    SceneOptions scene;
-    std::vector<std::string> settings;
-    int frames = kComparedFrames;
-  };
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ComparisonOptions>();
   options->folder = "comparison";
   app.footer(
       "SETTING is options of a picture without their dashes, members as of --set, or another scene, separated by "
@@ -244,32 +284,7 @@ Job add_comparison_job(CLI::App& app) {
   add_display(app, options->drawing.display);
   add_integer(app, "--frames", options->frames, 1, 100'000, "Frames of each path or setting to time (default 5)");
   return [&app, options] {
-    const DrawingOptions& drawing = options->drawing;
-    if (!options->settings.empty()) {
-      if (options->scenes.size() != 1) throw CLI::ValidationError("--with compares settings of one SCENE: name it");
-      SceneOptions base = options->scene;
-      base.scene = options->scenes.front();
-      const auto settings = parse_settings(app, {"as it is", base, drawing}, options->settings);
-      expect_pixels(drawing, kMaxComparedPixels, "for a comparison");
-      const gl::HeadlessContext context;
-      compare_settings(settings, options->folder, context.renderer(), options->frames);
-      return kDone;
-    }
-    check_options(app, fog_and_shadow_rules(drawing));
-    check_options(app, {{"a comparison of lighting paths",
-                         true,
-                         {"--set", "--camera", "--target", "--fov-deg", "--path", "--flat-shading"},
-                         "settings are given by --with"}});
-    expect_pixels(drawing, kMaxComparedPixels, "for a comparison");
-    // All scenes are read first, so that an error in one is found before minutes are spent on another.
-    std::vector<scene::Scene> scenes = scene::read_scenes(scene_paths(options->scenes));
-    const bool turns = std::ranges::any_of(scenes, has_turning_light);
-    check_options(app, {{"these scenes", !turns, {"--time"}, "none of their lights turns"}});
-    for (scene::Scene& scene : scenes) set_scene(scene, drawing);
-    const gl::HeadlessContext context;
-    report(fmt::format("drawing {} scene{} on {}\n", scenes.size(), scenes.size() == 1 ? "" : "s", context.renderer()));
-    compare_paths(scenes, options->folder, context.renderer(), drawing, options->frames);
-    return kDone;
+    return options->settings.empty() ? compare_by_paths(app, *options) : compare_by_settings(app, *options);
   };
 }
 
