@@ -215,6 +215,12 @@ Rows hales_cones(const FigurePainter& painter) {
   return rows;
 }
 
+Rows hales_sheet(const FigurePainter& painter) {
+  Rows rows = hales_figures(painter);
+  for (std::vector<SheetEntry>& row : hales_cones(painter)) rows.push_back(std::move(row));
+  return rows;
+}
+
 // --- Lacroix ---
 
 /// The direction in which a place on a ball lies from its middle.
@@ -303,48 +309,38 @@ std::vector<SheetEntry> nested_flags(const FigurePainter& painter, Scene scene) 
 }
 
 Rows lacroix_figures(const FigurePainter& painter) {
-  Rows rows{{}};
   const auto lit_wall = [](const glm::ivec2& cells) {
     Scene scene = wall(cells, "sign_white");
     scene.lights = {lamp({0.2, 0.1, 0.8}, {0, 1, 0})};  // his 1 / distance
     return scene;
   };
-  rows.back().push_back(painter.draw(lit_wall({1, 1}), along("vertex"), {"figure 1: 4 vertices, lit at the vertices"}));
-  rows.back().push_back(
-      painter.draw(lit_wall({6, 4}), along("vertex"), {"figure 2: 35 vertices, lit at the vertices"}));
-  rows.back().push_back(painter.draw(lit_wall({1, 1}), along("interpolated"),
-                                     {"figure 3: 4 vertices, lit per pixel", "listing 2.2, interpolated normals"}));
-  rows.emplace_back();
-  rows.back().push_back(
-      painter.draw(ball_between_lamps(), along("lacroix"),
-                   {"equations 1 to 4 as printed", "a lamp behind a surface takes away what the other gives"}));
-  rows.back().push_back(
-      painter.draw(ball_between_lamps(), along("interpolated"), {"N.L clamped to 0", "the other paths"}));
-  rows.emplace_back();
   const Scene room = scene::read_scene(scene::bundled_scene_path("room"));
-  rows.back().push_back(painter.draw(room, along("interpolated"), {"listing 2.2: interpolated normals"}));
-  rows.back().push_back(painter.draw(room, along("tangent"), {"listing 1.2: normal maps, lights in tangent space"}));
-  rows.back().push_back(painter.draw(room, along("unified"), {"listing 2.3: normal maps in world space"}));
-  rows.push_back(nested_flags(painter, room));
-  rows.emplace_back();
   Scene bricks = wall({1, 1}, "brick");
   bricks.camera = {.position = {-1.6f, -0.5f, 0.45f}, .target = {-0.6f, -0.35f, 0}, .field_of_view = 0.6f};
   bricks.lights = {lamp({-0.9, 0.3, 0.6}, {1, 0, 0.2})};
-  rows.back().push_back(
-      painter.draw(bricks, along("interpolated"), {"bricks seen along the wall: interpolated normals"}));
-  rows.back().push_back(painter.draw(bricks, along("unified"), {"normal map"}));
-  rows.back().push_back(painter.draw(bricks, along("parallax"), {"and parallax mapping, by the bricks' heights"}));
-  rows.emplace_back();
   RenderSettings object_space;
   object_space.path = &render::object_space_path();
-  rows.back().push_back(painter.draw(
-      dented_globe(8, NormalSpace::tangent), along("unified"),
-      {"8 faces around, normal map in tangent space", "a seam where vertices share normals, but no tangents"}));
-  rows.back().push_back(
-      painter.draw(dented_globe(8, NormalSpace::object), object_space, {"8 faces around, normal map in object space"}));
-  rows.back().push_back(painter.draw(dented_globe(192, NormalSpace::tangent), along("unified"),
-                                     {"192 faces around, normal map in tangent space"}));
-  return rows;
+  return {
+      {painter.draw(lit_wall({1, 1}), along("vertex"), {"figure 1: 4 vertices, lit at the vertices"}),
+       painter.draw(lit_wall({6, 4}), along("vertex"), {"figure 2: 35 vertices, lit at the vertices"}),
+       painter.draw(lit_wall({1, 1}), along("interpolated"),
+                    {"figure 3: 4 vertices, lit per pixel", "listing 2.2, interpolated normals"})},
+      {painter.draw(ball_between_lamps(), along("lacroix"),
+                    {"equations 1 to 4 as printed", "a lamp behind a surface takes away what the other gives"}),
+       painter.draw(ball_between_lamps(), along("interpolated"), {"N.L clamped to 0", "the other paths"})},
+      {painter.draw(room, along("interpolated"), {"listing 2.2: interpolated normals"}),
+       painter.draw(room, along("tangent"), {"listing 1.2: normal maps, lights in tangent space"}),
+       painter.draw(room, along("unified"), {"listing 2.3: normal maps in world space"})},
+      nested_flags(painter, room),
+      {painter.draw(bricks, along("interpolated"), {"bricks seen along the wall: interpolated normals"}),
+       painter.draw(bricks, along("unified"), {"normal map"}),
+       painter.draw(bricks, along("parallax"), {"and parallax mapping, by the bricks' heights"})},
+      {painter.draw(
+           dented_globe(8, NormalSpace::tangent), along("unified"),
+           {"8 faces around, normal map in tangent space", "a seam where vertices share normals, but no tangents"}),
+       painter.draw(dented_globe(8, NormalSpace::object), object_space, {"8 faces around, normal map in object space"}),
+       painter.draw(dented_globe(192, NormalSpace::tangent), along("unified"),
+                    {"192 faces around, normal map in tangent space"})}};
 }
 
 // --- The Cg Tutorial ---
@@ -357,57 +353,50 @@ scene::Mesh drum(int segments) {
 }
 
 Rows cg_figures(const FigurePainter& painter) {
-  const glm::vec3 ka(0.06f, 0.09f, 0.06f), kd(0.2f, 0.4f, 0.2f), ks(0.8f);
-  Rows rows;
-  const auto add_row = [&rows]() -> std::vector<SheetEntry>& { return rows.emplace_back(); };
+  const glm::vec3 none(0.0f), ka(0.06f, 0.09f, 0.06f), kd(0.2f, 0.4f, 0.2f), ks(0.8f);
   const auto ball = [](const Finish& finish) { return figure(scene::make_sphere(1, 96), finish); };
-  auto* row = &add_row();
+  Rows rows{{}, {}};
   for (const float shininess : {2.0f, 10.0f, 50.0f, 250.0f}) {
-    row->push_back(painter.draw(ball({ka, kd, ks, shininess}), along("unified"),
-                                {fmt::format("figure 5-12: shininess {}", shininess)}));
+    rows[0].push_back(painter.draw(ball({ka, kd, ks, shininess}), along("unified"),
+                                   {fmt::format("figure 5-12: shininess {}", shininess)}));
   }
-  row = &add_row();
-  const glm::vec3 none(0.0f);
   for (const auto& [name, finish] : {std::pair<const char*, Finish>{"ambient", {ka, none, none, 90}},
                                      {"diffuse", {none, kd, none, 90}},
                                      {"specular", {none, none, ks, 90}},
                                      {"ambient + diffuse + specular", {ka, kd, ks, 90}}}) {
-    row->push_back(painter.draw(ball(finish), along("unified"), {fmt::format("figure 5-14: {}", name)}));
+    rows[1].push_back(painter.draw(ball(finish), along("unified"), {fmt::format("figure 5-14: {}", name)}));
   }
-  row = &add_row();
   const Scene coarse = figure(drum(10), {ka, kd, ks, 40});
-  row->push_back(painter.draw(coarse, along("vertex"), {"figure 5-17, left: per vertex"}));
-  row->push_back(painter.draw(coarse, along("mixed"), {"exercise 6: specular per fragment"}));
-  row->push_back(painter.draw(coarse, along("unified"), {"figure 5-17, right: per fragment"}));
   const Scene tessellation = scene::read_scene(scene::bundled_scene_path("tessellation"));
-  row->push_back(painter.draw(tessellation, along("vertex"), {"figure 5-16: tessellation, per vertex"}));
-  row = &add_row();
+  rows.push_back({painter.draw(coarse, along("vertex"), {"figure 5-17, left: per vertex"}),
+                  painter.draw(coarse, along("mixed"), {"exercise 6: specular per fragment"}),
+                  painter.draw(coarse, along("unified"), {"figure 5-17, right: per fragment"}),
+                  painter.draw(tessellation, along("vertex"), {"figure 5-16: tessellation, per vertex"})});
   Scene spot = wall({1, 1}, "plaster");
   spot.lights = {lamp({0, 0, 3}, {1, 0, 0}, Cone::smoothstep(12 * kDegree, 26 * kDegree))};
+  rows.emplace_back();
   for (const auto& [name, edge] : {std::pair{"figure 5-21, left: one cone", render::SpotEdge::hard},
                                    {"two cones by lerp", render::SpotEdge::lerp},
                                    {"figure 5-21, right: two cones by smoothstep", render::SpotEdge::smoothstep}}) {
-    row->push_back(painter.draw(spot, along("cg", {.spot_edge = edge}), {name}));
+    rows.back().push_back(painter.draw(spot, along("cg", {.spot_edge = edge}), {name}));
   }
-  row = &add_row();
   Scene bright = wall({1, 1}, "plaster");
   bright.lights = {lamp({-1.5, 0, 0.4}, {0.2, 0, 1.5}), lamp({1.6, 0, 0.4}, {1, 0, 9})};
-  row->push_back(
-      painter.draw(bright, along("cg"), {"example 5-6: attenuation as printed", "C = 0.2, Q = 1.5; C = 1, Q = 9"}));
-  row->push_back(painter.draw(bright, along("unified"), {"clamped to 1 and cut at 0.05", "the other paths"}));
   Scene glossy = figure(wall({1, 1}, "plaster").models[0][0].mesh, {ka, kd, ks, 40});
   glossy.lights[0].position = {-1, 0.5, 2};
-  row->push_back(painter.draw(glossy, along("unified"), {"exercise 4: viewer where the eye is"}));
-  row->push_back(painter.draw(glossy, along("unified", {.has_infinite_viewer = true}),
-                              {"exercise 4: V always (0, 0, 1)", "infinite viewer"}));
-  row = &add_row();
+  rows.push_back(
+      {painter.draw(bright, along("cg"), {"example 5-6: attenuation as printed", "C = 0.2, Q = 1.5; C = 1, Q = 9"}),
+       painter.draw(bright, along("unified"), {"clamped to 1 and cut at 0.05", "the other paths"}),
+       painter.draw(glossy, along("unified"), {"exercise 4: viewer where the eye is"}),
+       painter.draw(glossy, along("unified", {.has_infinite_viewer = true}),
+                    {"exercise 4: V always (0, 0, 1)", "infinite viewer"})});
   Scene metal = figure(drum(64), {});
   metal.materials.clear();
   metal.models[0][0].material = "galvanised";
   scene::add_materials(metal);
-  row->push_back(painter.draw(metal, along("unified"), {"galvanised steel by the Basic model"}));
-  row->push_back(painter.draw(metal, along("cook-torrance"), {"further reading: Cook and Torrance"}));
-  row->push_back(painter.draw(metal, along("anisotropic"), {"exercise 7: brushed around the drum"}));
+  rows.push_back({painter.draw(metal, along("unified"), {"galvanised steel by the Basic model"}),
+                  painter.draw(metal, along("cook-torrance"), {"further reading: Cook and Torrance"}),
+                  painter.draw(metal, along("anisotropic"), {"exercise 7: brushed around the drum"})});
   return rows;
 }
 
@@ -440,13 +429,7 @@ Rows frazier_figures(const FigurePainter& painter) {
 }  // namespace
 
 void draw_paper_sheets(const std::string& folder, int width, int height, int frames) {
-  const std::pair<const char*, Rows (*)(const FigurePainter&)> sheets[] = {{"hales.png",
-                                                                            [](const FigurePainter& painter) {
-                                                                              Rows rows = hales_figures(painter);
-                                                                              for (auto& row : hales_cones(painter))
-                                                                                rows.push_back(std::move(row));
-                                                                              return rows;
-                                                                            }},
+  const std::pair<const char*, Rows (*)(const FigurePainter&)> sheets[] = {{"hales.png", hales_sheet},
                                                                            {"lacroix.png", lacroix_figures},
                                                                            {"cg.png", cg_figures},
                                                                            {"frazier.png", frazier_figures}};
