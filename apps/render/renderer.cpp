@@ -117,8 +117,8 @@ void Renderer::set_fog(const Fog& fog) {
 Exposure Renderer::set_exposure(const Exposure& exposure) {
   exposure_ = exposure.ev;
   if (exposure.is_auto) {
-    // Surfaces are drawn as for the largest exposure. Airlight, which takes long then, is drawn as for the exposure
-    // found without what it leaves out at 0 EV.
+    // Surfaces are drawn as for the largest exposure. Airlight would take long then: it is drawn as for 0 EV and, where
+    // the exposure found by that is higher, once more as for that.
     draw_for({.surfaces = kMaxExposure, .airlight = 0});
     exposure_ = auto_exposure(read());
     if (exposure_ > 0) {

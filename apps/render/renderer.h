@@ -59,7 +59,8 @@ class Renderer {
   FrameCounts draw(LightPoints light_points = LightPoints::on) {
     return draw_for({exposure_, exposure_}, light_points);
   }
-  /// The same as for other exposures than the one set, but for where lights end. At kMaxExposure nothing is left out.
+  /// The same, but leaves out what makes less than a step at these exposures. Lights' ends stay those of the one set.
+  /// At kMaxExposure nothing is left out.
   FrameCounts draw_for(const FrameExposures& exposures, LightPoints light_points = LightPoints::on) {
     return draw_stages(exposures, light_points, nullptr);
   }
@@ -81,7 +82,7 @@ class Renderer {
   /// Draws the surfaces of a frame into a geometry buffer of the same size.
   void draw_geometry(const GeometryBuffer& geometry);
   bool has_panes() const { return surfaces_.has_panes(); }
-  /// Draws a layer of a frame's panes, which the surfaces' are without: in each sample the pane that the frame draws
+  /// Draws a layer of a frame's panes, which draw_geometry() leaves out: in each sample the pane that the frame draws
   /// there after `layer` others, even one that a surface hides.
   void draw_pane_geometry(const GeometryBuffer& geometry, int layer);
   /// The surfaces' materials, without their texels, by their numbers in a geometry buffer.

@@ -56,9 +56,9 @@ class GlowBound {
 
   /// Range beyond which it is below a budget; 0 where it is so everywhere.
   double reach(double budget) const {
-    const double share = budget / brightness_;
-    const double integral = share / std::max(weight_, 1e-300);  // that of the attenuation may not exceed
-    double denominator = std::min(1 / share, 2 * extent_ / integral);
+    const double fraction = budget / brightness_;
+    const double integral = fraction / std::max(weight_, 1e-300);  // that of the attenuation may not exceed
+    double denominator = std::min(1 / fraction, 2 * extent_ / integral);
     if (attenuation_.quadratic > 0) {
       denominator = std::min(denominator, 16 / (attenuation_.quadratic * integral * integral));
     }

@@ -31,18 +31,19 @@ bool lights_surfaces_beyond_end(const RenderSettings& settings);
 /// A light's cone as a renderer draws it: its own, but for paths whose maps hold another (mapped_cone).
 Cone drawn_cone(const Cone& cone, const RenderSettings& settings);
 
-/// A light for shaders that take it as uniforms: five vec4.
+/// A light for shaders that take it as uniforms: vec4s, as shaders/light_batch.glsl counts them.
 struct PackedLight {
   FogLightKind kind;
   FogLightInstance instance;
 };
+inline constexpr std::size_t kPackedVectors = sizeof(PackedLight) / sizeof(glm::vec4);
 
 /// The lights of a scene as the renderer takes them: first the local lights, then those that the eye's vehicle carries,
 /// which light the fog too. Lights that are off are left out: black ones, and local ones of extent 0, which light
 /// nothing and have no visible point.
 class SceneLights {
  public:
-  /// scene  has to outlive this
+  /// scene     has to outlive this
   /// settings  of which the path and the fog's lighting say whether carried lights light the fog by their intensity,
   ///           and where lights end
   /// exposure  EV at which the picture is shown (threshold_of)

@@ -82,6 +82,7 @@ class SurfaceList {
   /// Lists the lights that reach each surface. Returns false, with some surfaces only, where that makes too many.
   bool list_lights(const scene::Scene& scene, const SceneLights& lights, Skipping skipping, std::size_t most);
   const SurfaceMaterial& material(const std::string& name) const;
+
   std::vector<SurfaceMaterial> materials_;  // sorted by name
   MeshStore meshes_;
   bool has_panes_;

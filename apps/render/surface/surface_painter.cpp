@@ -105,11 +105,11 @@ struct SurfacePainter::Frame {
   std::size_t bytes = 0;
   const SurfaceProgram* used = nullptr;
   const SurfaceMaterial* bound = nullptr;
-  // Of panes: the run of sorted indices that is drawn of a surface.
+  // Of panes:
   bool draws_panes = false;
-  std::size_t airlights = 0;
+  std::size_t airlights = 0;  // in the plan's list
   const FarAirlight* far_airlight = nullptr;
-  std::size_t first = 0;
+  std::size_t first = 0;  // of the sorted indices of the surface being drawn
   std::size_t count = 0;
 };
 
@@ -301,7 +301,7 @@ void SurfacePainter::draw_variant(Frame& frame, std::span<const PlannedSurface> 
   glUniform2i(program.light_list_range, alike[0].list_first, alike[0].list_count);
   frame.bytes += 2 * sizeof(GLint) + uniforms.lights.size() * sizeof(PackedLight);
   if (!uniforms.lights.empty()) {
-    glUniform4fv(program.uniform_lights, GLsizei(uniforms.lights.size() * sizeof(PackedLight) / sizeof(glm::vec4)),
+    glUniform4fv(program.uniform_lights, GLsizei(uniforms.lights.size() * kPackedVectors),
                  glm::value_ptr(uniforms.lights[0].kind.attenuation_extent));
   }
   if (variant.pass->lights.has_flags) {

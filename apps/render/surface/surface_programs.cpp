@@ -40,7 +40,7 @@ std::size_t count_vertex_lights() {
   constexpr int kOtherVectors = 11;  // of unified's vertices: four interpolated, seven constant
   GLint components = 0;
   glGetIntegerv(GL_MAX_VARYING_COMPONENTS, &components);
-  return std::size_t(std::max(components / 4 - kOtherVectors, 0) / 5);
+  return std::size_t(std::max(components / 4 - kOtherVectors, 0)) / kPackedVectors;
 }
 
 }  // namespace
