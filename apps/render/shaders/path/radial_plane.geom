@@ -4,47 +4,26 @@
 // rotated to z = 0, so that z^2 is a constant, and x and y are texture coordinates. In the paper the application did
 // this before drawing each plane; here the triangle's shader does.
 
+#include "corner.glsl"
 #include "light_batch.glsl"
-#include "material.glsl"
 #include "plane_rotation.glsl"
 
-layout(triangles) in;
-layout(triangle_strip, max_vertices = 3) out;
-
-in vec3 corner_position[];
-in vec2 corner_uv[];
 in float corner_shade[];
-#ifdef VERTEX_DETAILS
-in vec4 corner_tint[];
-in vec4 corner_map_uvs[];
-#endif
 
 uniform mat3 cone_from_world[batch_size];
 
-out vec3 rasterised_position;
-out vec2 uv;
-#ifdef VERTEX_DETAILS
-out vec4 tint;
-out vec4 map_uvs;
-#endif
 out float directional_shade;
 out vec2 range_coordinates[batch_size];
 flat out vec3 plane_normal;
 flat out float square_distance[batch_size];  // of the plane, in squares of R
 out vec3 cone_coordinates[batch_size];
-invariant gl_Position;
 
 void main() {
   vec3 normal =
       normalize(cross(corner_position[1] - corner_position[0], corner_position[2] - corner_position[0]));
 
   for (int corner = 0; corner < 3; ++corner) {
-    rasterised_position = corner_position[corner];
-    uv = corner_uv[corner];
-#ifdef VERTEX_DETAILS
-    tint = corner_tint[corner];
-    map_uvs = corner_map_uvs[corner];
-#endif
+    pass_corner(corner);
     directional_shade = corner_shade[corner];
     plane_normal = normal;
     for (int i = 0; i < lights_in_pass; ++i) {
@@ -56,7 +35,6 @@ void main() {
       square_distance[i] = radial_distance * radial_distance;
       cone_coordinates[i] = cone_from_world[i] * p;
     }
-    gl_Position = gl_in[corner].gl_Position;
     EmitVertex();
   }
   EndPrimitive();
