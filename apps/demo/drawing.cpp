@@ -41,7 +41,7 @@ DrawnFor set_fog_and_exposure(render::Renderer& renderer, const DrawingOptions& 
 Drawn draw(const scene::Scene& scene, const DrawingOptions& options, int frames, bool has_reference,
            bool has_statistics) {
   const gl::HeadlessContext context;
-  render::Renderer renderer(scene, options.width, options.height, options.settings_of(*options.render.path));
+  render::Renderer renderer(scene, options.width, options.height, options.settings());
   const DrawnFor drawn_for = set_fog_and_exposure(renderer, options);
   command::Progress progress;
   const measure::Progress show = [&progress](std::string_view step) { progress.show(step); };
@@ -74,7 +74,7 @@ std::string stats_json(const scene::Scene& scene, const DrawingOptions& options,
   Json stats{
       {"scene", scene.name},
       {"path", options.render.path->name},
-      {"fog_light", name_of(options.settings_of(*options.render.path).fog_lighting)},
+      {"fog_light", name_of(options.settings().fog_lighting)},
       {"fog", options.fog ? name_of(*options.fog) : "none"},
       {"visibility_m", std::isinf(drawn.visibility) ? Json("inf") : Json(drawn.visibility)},
       {"size", {options.width, options.height}},

@@ -40,7 +40,7 @@ std::string to_string(const DrawingCommand& command) {
   const demo::DrawingOptions& options = command.options;
   const demo::DrawingOptions usual;
   const render::LightingPath& path = *options.render.path;
-  const render::RenderSettings drawn = options.settings_of(path);
+  const render::RenderSettings drawn = options.settings();
   std::string text = "litfog-demo " + quoted(command.scene);
   const auto add = [&text](bool is_given, const std::string& option, const std::string& value = "") {
     if (is_given) text += " " + option + (value.empty() ? "" : " " + quoted(value));

@@ -18,7 +18,7 @@ class KeptRenderer {
  public:
   /// Makes the renderer draw as asked for.
   void set(const scene::Scene& scene, const PictureOrder& order, const demo::DrawingOptions& options) {
-    const render::RenderSettings settings = options.settings_of(*options.render.path);
+    const render::RenderSettings settings = options.settings();
     if (!renderer_ || renderer_->settings() != settings) {
       renderer_.reset();  // before another takes as much memory
       renderer_.emplace(scene, order.width, order.height, settings);

@@ -45,12 +45,12 @@ void draw_words(ImDrawList& draw, ImVec2 at, const std::string& words) {
   draw.AddText(at, IM_COL32(230, 230, 230, 255), words.c_str());
 }
 
-/// "A: airlight, exp, 150 m"
+/// "A: unified, airlight, exp, 150 m"
 std::string settings_in_words(char letter, const demo::DrawingOptions& options) {
-  const render::LightingPath& path = *options.render.path;
   const std::string fog =
       options.fog ? fmt::format("{}, {:.4g} m", name_of(*options.fog), *options.visibility) : "clear";
-  return fmt::format("{}: {}, {}, {}", letter, path.name, name_of(options.settings_of(path).fog_lighting), fog);
+  return fmt::format("{}: {}, {}, {}", letter, options.render.path->name, name_of(options.settings().fog_lighting),
+                     fog);
 }
 
 /// Where the panel lies on the screen.

@@ -96,7 +96,7 @@ void draw_lighting(demo::DrawingOptions& options) {
   }
   label("Fog light");
   const bool takes_airlight = options.render.path->takes_airlight;
-  render::FogLighting fog_light = options.settings_of(*options.render.path).fog_lighting;
+  render::FogLighting fog_light = options.settings().fog_lighting;
   ImGui::BeginDisabled(!takes_airlight);
   if (choice("airlight", fog_light, render::FogLighting::airlight)) options.fog_light = fog_light;
   explain("Every lamp by what the fog scatters into the eye along each ray");

@@ -151,8 +151,7 @@ std::vector<SettingRenderer> make_renderers(const std::vector<Setting>& settings
   std::optional<double> automatic;
   for (std::size_t i = 0; i < settings.size(); ++i) {
     const DrawingOptions& drawing = settings[i].drawing;
-    auto renderer = std::make_unique<render::Renderer>(scenes[i], drawing.width, drawing.height,
-                                                       drawing.settings_of(*drawing.render.path));
+    auto renderer = std::make_unique<render::Renderer>(scenes[i], drawing.width, drawing.height, drawing.settings());
     renderer->set_fog(drawing.fog_at(drawing.visibility_in(scenes[i])));
     render::Display display = drawing.display.display_for(scenes[i]);
     if (display.exposure.is_auto && automatic) display.exposure = {.ev = *automatic};

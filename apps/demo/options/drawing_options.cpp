@@ -173,7 +173,7 @@ std::vector<command::OptionRule> fog_and_shadow_rules(const DrawingOptions& opti
   const render::LightingPath& path = *options.render.path;
   const std::string name = fmt::format("--path {}", path.name);
   const Shadows shadows = options.render.shadows;
-  const bool is_peak = options.settings_of(path).fog_lighting == render::FogLighting::peak;
+  const bool is_peak = options.settings().fog_lighting == render::FogLighting::peak;
   return {{"--fog none", !options.fog, {"--visibility", "--contrast", "--phase-g"}, "the air is clear"},
           {name, shadows != Shadows::none && !path.takes_airlight, {"--shadows"}, why_without_airlight(path)},
           {options.fog_light ? "--fog-light peak" : name,
@@ -186,7 +186,7 @@ std::vector<command::OptionRule> fog_and_shadow_rules(const DrawingOptions& opti
 std::vector<command::OptionRule> drawing_rules(const DrawingOptions& options) {
   const render::LightingPath& path = *options.render.path;
   const std::string name = fmt::format("--path {}", path.name);
-  const bool is_peak = options.settings_of(path).fog_lighting == render::FogLighting::peak;
+  const bool is_peak = options.settings().fog_lighting == render::FogLighting::peak;
   std::vector<command::OptionRule> rules = fog_and_shadow_rules(options);
   rules.insert(
       rules.end(),

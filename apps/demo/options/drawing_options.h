@@ -42,6 +42,8 @@ struct DrawingOptions {
   double visibility_in(const scene::Scene& scene) const;
   /// How a path draws. One that takes no airlight draws the peak whatever is asked for.
   render::RenderSettings settings_of(const render::LightingPath& path) const;
+  /// How the chosen path draws: by `render`, but for what fog_light states and the path excludes.
+  render::RenderSettings settings() const { return settings_of(*render.path); }
   FogMode fog_mode() const { return fog.value_or(FogMode::exp); }
   /// The fog of a visibility in metres.
   Fog fog_at(double metres) const { return Fog::from_visibility(fog_mode(), metres, contrast); }

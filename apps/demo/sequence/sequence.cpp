@@ -261,7 +261,7 @@ void draw_sequence(Sequence& sequence, const std::string& folder, const DrawingO
     for (const std::string& file : scene.files) outputs.expect_apart_from(file);
   }
 
-  const render::RenderSettings settings = drawing.settings_of(*drawing.render.path);
+  const render::RenderSettings settings = drawing.settings();
   const bool chooses_casters = sequence.moves_camera() && settings.shadows != render::Shadows::none;
   std::optional<render::Renderer> renderer;
   render::Display display = drawing.display.display_for(scene);
