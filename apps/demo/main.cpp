@@ -329,7 +329,7 @@ Job add_sequence_job(CLI::App& app) {
     const gl::HeadlessContext context;
     report(
         fmt::format("drawing {} frames of {} on {}\n", sequence.frames(), sequence.scene().name, context.renderer()));
-    draw_sequence(sequence, options->folder, drawing, options->sequence);
+    draw_sequence(sequence, options->folder, drawing);
     return kDone;
   };
 }

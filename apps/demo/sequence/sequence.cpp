@@ -243,9 +243,9 @@ void Sequence::move_lights(int frame) {
   if (options_.seconds) scene::turn_lights(scene_, options_.seconds->at(frame, frames_));
 }
 
-void draw_sequence(Sequence& sequence, const std::string& folder, const DrawingOptions& drawing,
-                   const SequenceOptions& options) {
+void draw_sequence(Sequence& sequence, const std::string& folder, const DrawingOptions& drawing) {
   const command::WallTimer timer;
+  const SequenceOptions& options = sequence.options();
   const scene::Scene& scene = sequence.scene();
   const int count = sequence.frames();
   if (!options.film.empty()) require_film_maker();

@@ -41,10 +41,11 @@ void add_sequence(CLI::App& app, SequenceOptions& options);
 /// A scene as it is frame by frame.
 class Sequence {
  public:
-  /// Reads the scene as of every frame, and keeps the first. Throws InputError, and usage errors of options that do not
-  /// belong together or make a frame that cannot be.
+  /// Reads the scene as of every frame, and keeps the first. The options have to outlive this. Throws InputError, and
+  /// usage errors of options that do not belong together or make a frame that cannot be.
   Sequence(const SequenceOptions& options, std::optional<double> phase_g);
 
+  const SequenceOptions& options() const { return options_; }
   int frames() const { return frames_; }
   const scene::Scene& scene() const { return scene_; }  ///< of the frame last shown; keeps its address
   double visibility(int frame) const;                   ///< metres
@@ -87,7 +88,6 @@ class Sequence {
 /// standard output. Needs a current GL context. Throws OutputError; MissingCapability where a film cannot be made.
 ///
 /// drawing  an automatic exposure is that of the first frame, for all
-void draw_sequence(Sequence& sequence, const std::string& folder, const DrawingOptions& drawing,
-                   const SequenceOptions& options);
+void draw_sequence(Sequence& sequence, const std::string& folder, const DrawingOptions& drawing);
 
 }  // namespace litfog::demo
