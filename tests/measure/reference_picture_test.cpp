@@ -386,6 +386,17 @@ TEST_F(ReferencePictureTest, AirlightOfADistantViewIsThatOfTheReference) {
   }
 }
 
+// Hundreds of lamps that are seen from afar: what they add beyond their extents changes within few pixels.
+TEST_F(ReferencePictureTest, AirlightOfADistantAirportIsThatOfTheReference) {
+  Scene scene = read_scene(bundled_scene_path("approach"));
+  scene.camera.field_of_view *= 0.5f;
+  Renderer renderer(scene, 24, 14, by_airlight());
+  const PictureError error = error_in(renderer, Fog::from_visibility(FogMode::exp, 5000.0));
+  fmt::print("largest {:6.3f}, {} excluded\n", error.largest, error.excluded);
+  EXPECT_LE(error.largest, kAirlightBound);
+  EXPECT_EQ(error.excluded, 0u);
+}
+
 /// The bounds by airlight of paths that do not light each fragment by the formula. Those by light maps have their bound
 /// by `peak`: the airlight errs by as little. Those of `tangent`, which interpolates vectors between vertices, are
 /// measured, with 5 % of margin.
