@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Whether what is nearer hides a fragment. Included first, because #extension has to precede all declarations.
 //
-// Most drivers shade no hidden fragment. Mesa's llvmpipe does where a pixel has several samples, and spares it loops
-// alone, which end where no fragment goes on. Masks and panes do not know: a mask's depth is tested after its texture,
-// and panes lie in front of each other.
+// Most drivers shade no hidden fragment. Mesa's llvmpipe shades them where a pixel has several samples, and a shader
+// can save it no other work than loops. No fragment of a mask or pane counts as hidden: a mask's depth is tested after
+// its texture, and panes lie in front of each other.
 
 #include "material.glsl"
 
