@@ -20,6 +20,7 @@
 #include <string>
 #include <vector>
 
+#include "airlight_text.h"
 #include "core/simd_targets.h"
 #include "core/value_errors.h"
 #include "litfog/solve.h"
@@ -734,6 +735,31 @@ TEST(AirlightBound, BoundIsNeverBelowTheAirlightOfARayInItsCone) {
   }
   std::printf("airlight bound: %d of 20000 cones of rays are found to show less than 0.5/255\n", dark);
   EXPECT_GT(dark, 1000);
+}
+
+TEST(AirlightBound, BoundOnAStretchOfARayIsNeverBelowItsAirlight) {
+  constexpr double kLeftOut = 0.02;    // of the airlight, where the stretch ends in the fog
+  constexpr double kAllLeftOut = 1e-6;  // airlight of which the fog leaves so little that the stretch may be empty
+  airlight_text::Text<double, airlight_text::NoCookie> text{airlight_text::NoCookie{}};
+  Random random(80);
+  std::vector<double> loose;  // bounds over airlights
+  for (int i = 0; i < 40000; ++i) {
+    AirlightCase c = draw_spot_airlight_case(random, random.pick(kModes), random.pick(kLampLegs));
+    if (random.chance(0.3)) c.light.light.cone = {};
+    const Light& light = c.light.light;
+    const auto air = text.seen_along(c.light, compute_extent(light.attenuation, light.threshold), c.fog, c.ray,
+                                     c.scattering);
+    const double bound = text.litfog_airlight_bound(air, text.litfog_airlight_stretch(air));
+    const double airlight = reference_of(c);
+    ASSERT_GE(bound, (1 - kLeftOut) * airlight - kAllLeftOut) << to_string(c);
+    if (airlight > kDimAirlight) loose.push_back(bound / airlight);
+  }
+  ASSERT_GT(loose.size(), 5000u);
+  std::ranges::sort(loose);
+  const double median = loose[loose.size() / 2];
+  std::printf("airlight bound on a stretch: %.4f to %.1f times the airlight, median %.2f\n", loose.front(),
+              loose.back(), median);
+  EXPECT_LE(median, 4);
 }
 
 /// The bound of the airlight along the ray of a case alone.

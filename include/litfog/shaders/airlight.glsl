@@ -437,27 +437,46 @@ LITFOG_REAL litfog_airlight_over(LitfogAirlight air, LitfogAirlightSide side, Li
   return sum;
 }
 
-LITFOG_REAL litfog_airlight(LitfogAirlight air) {
-  if (!(air.density > LITFOG_REAL(0.0)) || air.offset >= air.extent) return LITFOG_REAL(0.0);
+bool litfog_airlight_has_cone(LitfogAirlight air) {
+  return air.profile == LITFOG_REAL(LITFOG_PROFILE_COSINE) || air.profile == LITFOG_REAL(LITFOG_PROFILE_SMOOTHSTEP);
+}
+
+// Where a ray that passes the lamp on the side to which it shines is nearest in angle to the cone's axis: distance
+// along the ray from the closest approach. Needs axis_offset > 0. Farther away in either direction the angle grows.
+LITFOG_REAL litfog_airlight_axis_crossing(LitfogAirlight air) {
+  return air.axis_slope * air.offset * air.offset / air.axis_offset;
+}
+
+// The part of a ray that can contribute: inside extent, cone and the fog's reach.
+struct LitfogAirlightStretch {
+  LITFOG_REAL low;  // distances along the ray from the closest approach; equal where nothing can contribute
+  LITFOG_REAL high;
+  LITFOG_REAL edge_low;  // within it, where the ray crosses the edge of a wide cone; litfog_far for nowhere
+  LITFOG_REAL edge_high;
+};
+
+LitfogAirlightStretch litfog_airlight_stretch(LitfogAirlight air) {
+  LitfogAirlightStretch stretch;
+  stretch.low = LITFOG_REAL(0.0);
+  stretch.high = LITFOG_REAL(0.0);
+  stretch.edge_low = litfog_far;
+  stretch.edge_high = litfog_far;
+  if (!(air.density > LITFOG_REAL(0.0)) || air.offset >= air.extent) return stretch;
   LITFOG_REAL fog_scale = LITFOG_REAL(1.0) / air.density;
   LITFOG_REAL chord = litfog_airlight_chord(air, air.extent);
   LITFOG_REAL low = max(-air.approach, -chord);
   LITFOG_REAL high = min(air.ray_length - air.approach, chord);
   high = min(high, max(low, LITFOG_REAL(0.0)) + LITFOG_REAL(100.0) * fog_scale);
-  if (!(high > low)) return LITFOG_REAL(0.0);
+  if (!(high > low)) return stretch;
 
-  LITFOG_REAL edge_low = litfog_far;  // where the ray crosses the edge of a wide cone
-  LITFOG_REAL edge_high = litfog_far;
-  bool has_cone = air.profile == LITFOG_REAL(LITFOG_PROFILE_COSINE) || air.profile == LITFOG_REAL(LITFOG_PROFILE_SMOOTHSTEP);
-  bool is_wide = has_cone && air.cone_x <= LITFOG_REAL(0.0);
-  if (has_cone) {
+  if (litfog_airlight_has_cone(air)) {
     LITFOG_REAL first = litfog_airlight_crossing(air, air.cone_x, false);
     LITFOG_REAL last = litfog_airlight_crossing(air, air.cone_x, true);
     first = first > low && first < high ? first : litfog_far;
     last = last > low && last < high ? last : litfog_far;
-    if (is_wide) {  // all but one stretch of the ray may be lit
-      edge_low = first;
-      edge_high = last;
+    if (air.cone_x <= LITFOG_REAL(0.0)) {  // all but one stretch of the ray may be lit
+      stretch.edge_low = first;
+      stretch.edge_high = last;
     } else {  // one stretch
       LITFOG_REAL enters = low;
       LITFOG_REAL leaves = high;
@@ -465,7 +484,7 @@ LITFOG_REAL litfog_airlight(LitfogAirlight air) {
       if (litfog_airlight_cosine(air, high, litfog_airlight_range(air, high)) <= air.cone_x) {
         leaves = first == litfog_far ? last : last == litfog_far ? first : max(first, last);
       }
-      if (!(min(leaves, high) > enters)) return LITFOG_REAL(0.0);
+      if (!(min(leaves, high) > enters)) return stretch;
       low = enters;
       high = min(leaves, high);
     }
@@ -493,7 +512,57 @@ LITFOG_REAL litfog_airlight(LitfogAirlight air) {
     high = min(high, has_lamp ? max(last, behind_lamp) : last);
     low = max(low, brightest - sqrt(after * after + LITFOG_REAL(0.6) * reach));
   }
+  if (!(high > low)) return stretch;
+  stretch.low = low;
+  stretch.high = high;
+  return stretch;
+}
+
+// An upper bound of the integral, but for the phase function.
+//
+// Proof. On the stretch the attenuation is at most 1 / m, m being the larger of 1 and its denominator where the lamp is
+// nearest, and a cone is at most what it is where the ray is nearest to its axis. What is left is -f'(s) f(r)^k: its
+// integral is at most 1, and at most the stretch's size times its largest value.
+// - In exp fog that is d e^(-d (s + k r)) at the stretch's beginning, because s + k r falls nowhere. Beyond the closest
+//   approach it rises as fast as s, so that no more than a fog scale counts of that side.
+// - In exp2 fog it is at most 1.2131 d e^(-(d s)^2 / 2 - k (d r)^2), because 2 x e^(-x^2 / 2) <= 1.2131.
+// For the integral of the attenuation litfog_glow_bound() has another bound, 4 / sqrt(Q m).
+LITFOG_REAL litfog_airlight_bound(LitfogAirlight air, LitfogAirlightStretch stretch) {
+  LITFOG_REAL begin = air.approach + stretch.low;
+  LITFOG_REAL size = stretch.high - stretch.low;
+  LITFOG_REAL nearest = litfog_airlight_range(air, clamp(LITFOG_REAL(0.0), stretch.low, stretch.high));
+  LITFOG_REAL weight;
+  if (air.mode == LITFOG_REAL(0.0)) {
+    size = min(size, max(-stretch.low, LITFOG_REAL(0.0)) + LITFOG_REAL(1.0) / air.density);
+    weight = exp(-air.density * (begin + air.lamp_leg * litfog_airlight_range(air, stretch.low)));
+  } else {
+    LITFOG_REAL x = air.density * begin;
+    LITFOG_REAL y = air.density * air.lamp_leg * nearest;
+    weight = LITFOG_REAL(1.2131) * exp(LITFOG_REAL(-0.5) * x * x - y * y);
+  }
+  weight *= air.density;
+  LITFOG_REAL denominator = max(litfog_denominator(nearest, air.constant, air.linear, air.quadratic), LITFOG_REAL(1.0));
+  LITFOG_REAL integral = size / denominator;
+  if (air.quadratic > LITFOG_REAL(0.0)) {
+    integral = min(integral, LITFOG_REAL(4.0) / sqrt(air.quadratic * denominator));
+  }
+  LITFOG_REAL beam = LITFOG_REAL(1.0);
+  if (litfog_airlight_has_cone(air) && air.axis_offset > LITFOG_REAL(0.0)) {
+    LITFOG_REAL brightest = clamp(litfog_airlight_axis_crossing(air), stretch.low, stretch.high);
+    beam = litfog_airlight_beam(air, brightest, litfog_airlight_range(air, brightest));
+  }
+  return beam * min(LITFOG_REAL(1.0) / denominator, weight * integral);
+}
+
+// The integral over the stretch of a ray.
+LITFOG_REAL litfog_airlight_along(LitfogAirlight air, LitfogAirlightStretch stretch) {
+  LITFOG_REAL low = stretch.low;
+  LITFOG_REAL high = stretch.high;
   if (!(high > low)) return LITFOG_REAL(0.0);
+  LITFOG_REAL fog_scale = LITFOG_REAL(1.0) / air.density;
+  bool is_plain = litfog_airlight_is_plain(air);
+  bool has_cone = litfog_airlight_has_cone(air);
+  bool is_wide = has_cone && air.cone_x <= LITFOG_REAL(0.0);
 
 #ifdef LITFOG_NO_KNEE
   LITFOG_REAL plateau = LITFOG_REAL(0.0);
@@ -517,7 +586,7 @@ LITFOG_REAL litfog_airlight(LitfogAirlight air) {
   LITFOG_REAL beam_width = litfog_far;
   bool crosses = false;
   if (has_cone && air.axis_offset > LITFOG_REAL(0.0)) {
-    crossing = air.axis_slope * air.offset * air.offset / air.axis_offset;
+    crossing = litfog_airlight_axis_crossing(air);
     LITFOG_REAL cosine = LITFOG_REAL(0.5) * (air.cone_x + air.cone_y);
     LITFOG_REAL sine_squared = air.profile == LITFOG_REAL(LITFOG_PROFILE_COSINE)
                                    ? -litfog_expm1(LITFOG_REAL(-1.3862944) / max(air.cone_y, LITFOG_REAL(0.05)))
@@ -548,8 +617,8 @@ LITFOG_REAL litfog_airlight(LitfogAirlight air) {
   cuts.are_made = !is_plain && nodes_left > LITFOG_REAL(8.0);
   cuts.is_wide = is_wide;
   cuts.plateau = plateau;
-  cuts.edge_low = edge_low;
-  cuts.edge_high = edge_high;
+  cuts.edge_low = stretch.edge_low;
+  cuts.edge_high = stretch.edge_high;
   cuts.inner_low = litfog_far;
   cuts.inner_high = litfog_far;
   if (cuts.are_made && air.profile == LITFOG_REAL(LITFOG_PROFILE_SMOOTHSTEP)) {
@@ -578,6 +647,8 @@ LITFOG_REAL litfog_airlight(LitfogAirlight air) {
   } while (i < sides);
   return max(sum, LITFOG_REAL(0.0));
 }
+
+LITFOG_REAL litfog_airlight(LitfogAirlight air) { return litfog_airlight_along(air, litfog_airlight_stretch(air)); }
 
 #undef LITFOG_TABLE
 #undef LITFOG_TABLE_END

@@ -71,23 +71,22 @@ vec3 litfog_glow(LitfogLight light, vec3 eye, vec3 direction, float range, float
   vec3 color = light.color_intensity.rgb;
   LitfogAirlight air = litfog_glow_ray(light, eye, direction, range, asymmetry);
   air.nodes = litfog_airlight_nodes(air);
-  // A light that adds little needs few nodes: their relative errors are some 3 % and 0.5 % of a point light's airlight,
-  // some 10 %, 2 % and 0.3 % of another's. Those of a cookie fall with the square of their number, and a display shows
-  // them the less the brighter it is.
-  float denominator = litfog_denominator(air.offset, air.constant, air.linear, air.quadratic);
-  float weight = litfog_glow_weight(light, distance(light.position_extent.xyz, eye));
-  float most = max(max(color.r, color.g), color.b) * litfog_glow_bound(light, weight, denominator);
+  // A light that adds little along this ray needs few nodes: their relative errors are some 3 % and 0.5 % of a point
+  // light's airlight, some 10 %, 2 % and 0.3 % of another's. Those of a cookie fall with the square of their number,
+  // and a display shows them the less the brighter it is.
+  LitfogAirlightStretch stretch = litfog_airlight_stretch(air);
+  float most = max(max(color.r, color.g), color.b) * litfog_airlight_bound(air, stretch);
   if (air.profile == LITFOG_PROFILE_COOKIE) {
     most *= litfog_phase(asymmetry < 0.0 ? -1.0 : 1.0, asymmetry);
     air.nodes = clamp(156.0 * pow(most, 0.3), 8.0, 512.0);
   } else if (asymmetry == 0.0) {
     if (air.profile == LITFOG_PROFILE_NONE) {
-      air.nodes = most < 0.02 ? 4.0 : most < 0.1 ? 6.0 : air.nodes;
+      air.nodes = most < 0.0015 ? 4.0 : most < 0.03 ? 6.0 : air.nodes;
     } else {
-      air.nodes = most < 0.002 ? 4.0 : most < 0.01 ? 8.0 : most < 0.1 ? 12.0 : air.nodes;
+      air.nodes = most < 0.0004 ? 4.0 : most < 0.008 ? 8.0 : most < 0.03 ? 12.0 : air.nodes;
     }
   }
-  return color * litfog_airlight(air);
+  return color * litfog_airlight_along(air, stretch);
 }
 
 #endif
