@@ -38,7 +38,7 @@ bool can_light(const LightBounds& light, const glm::dvec3& low, const glm::dvec3
         light.position;
   }
   const glm::dvec3 farthest = glm::max(glm::abs(low - light.position), glm::abs(high - light.position));
-  return can_light(light, glm::dvec3(0), corners, glm::length(farthest));
+  return can_light(light, glm::dvec3(0), corners, nearest, glm::length(farthest));
 }
 
 }  // namespace litfog

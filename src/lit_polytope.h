@@ -42,6 +42,18 @@ struct Sector {
     return apex + range * (cos_half_angle * axis + sin_half_angle * outward);
   }
 
+  /// The nearest of its points to a point, but for rounding. The half angle is at most 90 degrees.
+  glm::dvec3 nearest_to(const glm::dvec3& point) const {
+    const glm::dvec3 offset = point - apex;
+    const double along = glm::dot(offset, axis);
+    const double distance = glm::length(offset);
+    if (along >= distance * cos_half_angle) return distance <= range ? point : apex + offset * (range / distance);
+    const glm::dvec3 across = offset - axis * along;
+    const double width = glm::length(across);
+    const glm::dvec3 edge = cos_half_angle * axis + (width > 0 ? across * (sin_half_angle / width) : glm::dvec3(0));
+    return apex + std::clamp(glm::dot(offset, edge), 0.0, range) * edge;
+  }
+
   /// Whether a point lies deeper than a margin inside the cone that a half angle over 90 degrees leaves dark.
   bool has_in_dark_cone(const glm::dvec3& point, double margin) const {
     const double along = glm::dot(point - apex, axis);
@@ -52,6 +64,7 @@ struct Sector {
 
 struct Point {
   glm::dvec3 position;
+  glm::dvec3 nearest_to(const glm::dvec3&) const { return position; }
   glm::dvec3 farthest_along(const glm::dvec3&) const { return position; }
 };
 
@@ -122,12 +135,13 @@ class Simplex {
 /// Whether a polytope is within a margin of a convex body: never false where it is. By the algorithm of Gilbert,
 /// Johnson and Keerthi (1988): each step has a proof of separation, a common point, or a smaller distance.
 ///
+/// start     a point of the polytope: the nearer to the body, the fewer steps
 /// rounding  metres: bodies that are farther apart than the margin by up to this may be called within it, too
 template <typename Body>
-bool is_within(const Corners& corners, const Body& body, double margin, double rounding) {
+bool is_within(const Corners& corners, const glm::dvec3& start, const Body& body, double margin, double rounding) {
   constexpr int kMostSteps = 64;  // the bodies then touch, but for rounding
   Simplex simplex;
-  glm::dvec3 apart = corners[0] - body.farthest_along(corners[0]);  // a difference of their points
+  glm::dvec3 apart = start - body.nearest_to(start);  // a difference of their points
   for (int step = 0; step < kMostSteps; ++step) {
     const double distance = glm::length(apart);
     if (distance <= margin + rounding) return true;
@@ -142,21 +156,21 @@ bool is_within(const Corners& corners, const Body& body, double margin, double r
   return true;
 }
 
-/// Whether a light that has passed check() can light anything in a polytope whose corners are at most `size` from the
-/// origin: never false where it can. `apex` is the light's position as the corners are given, which may be from the
-/// eye.
-inline bool can_light(const LightBounds& light, const glm::dvec3& apex, const Corners& corners, double size) {
+/// Whether a light that has passed check() can light anything in a polytope that is not all beyond its range: never
+/// false where it can. The corners are at most `size` from the origin. `apex` is the light's position as the corners
+/// are given, which may be from the eye; `start` is that of is_within().
+inline bool can_light(const LightBounds& light, const glm::dvec3& apex, const Corners& corners, const glm::dvec3& start,
+                      double size) {
   if (light.range == 0) return false;
+  if (light.half_angle == std::numbers::pi) return true;
   const double distance = glm::length(apex);
   const double rounding = kPolytopeRounding * (size + distance);
-  if (!is_within(corners, Point{apex}, light.range, rounding)) return false;
-  if (light.half_angle == std::numbers::pi) return true;
   const Sector sector{.apex = apex,
                       .axis = glm::normalize(light.direction),
                       .range = std::min(light.range, 2 * (size + distance)),  // beyond all corners
                       .cos_half_angle = std::cos(light.half_angle),
                       .sin_half_angle = std::sin(light.half_angle)};
-  if (light.half_angle <= std::numbers::pi / 2) return is_within(corners, sector, 0, rounding);
+  if (light.half_angle <= std::numbers::pi / 2) return is_within(corners, start, sector, 0, rounding);
   const auto is_dark = [&](const glm::dvec3& corner) { return sector.has_in_dark_cone(corner, rounding); };
   return !std::ranges::all_of(corners, is_dark);
 }

@@ -56,12 +56,12 @@ bool ViewFrustum::can_see(const glm::dvec3& centre, double radius) const {
   require(check_position(centre, {"centre.x", "centre.y", "centre.z"}));
   if (!(radius >= 0)) require(ValueError{"radius", radius, "must be >= 0"});
   const glm::dvec3 from_eye = centre - eye_;
-  return is_within(corners_, Point{from_eye}, radius, kPolytopeRounding * (size_ + glm::length(from_eye)));
+  return is_within(corners_, corners_[0], Point{from_eye}, radius, kPolytopeRounding * (size_ + glm::length(from_eye)));
 }
 
 bool ViewFrustum::can_see(const LightBounds& light) const {
   require(check(light));
-  return can_light(light, light.position - eye_, corners_, size_);
+  return can_see(light.position, light.range) && can_light(light, light.position - eye_, corners_, corners_[0], size_);
 }
 
 }  // namespace litfog
