@@ -122,7 +122,7 @@ RangeSpec parse_range(const JsonValue& value) {
   return range;
 }
 
-ConeSpec parse_cone(const JsonValue& value) {
+ConeSpec parse_cone_spec(const JsonValue& value) {
   value.allow_only({"profile", "half_angle_deg", "beam_angle_deg", "field_angle_deg", "samples", "photometry"});
   ConeSpec cone;
   if (const auto profile = value.optional("profile")) cone.profile = choice_of(*profile, kProfiles);
@@ -181,7 +181,7 @@ LightSpec parse_spec(const JsonValue& root) {
   const auto cone = root.optional("cone");
   if (!range && !cone) root.fail("range or cone", "", "must be given");
   if (range) spec.range = parse_range(*range);
-  if (cone) spec.cone = parse_cone(*cone);
+  if (cone) spec.cone = parse_cone_spec(*cone);
   spec.text = std::make_shared<const LightSpecText>(LightSpecText{root});
   return spec;
 }

@@ -10,9 +10,9 @@
 namespace litfog {
 namespace {
 
-constexpr int kFaces = 6;
+constexpr int kFaceCount = 6;
 
-std::size_t texel_count(int size) { return kFaces * std::size_t(size) * std::size_t(size); }
+std::size_t texel_count(int size) { return kFaceCount * std::size_t(size) * std::size_t(size); }
 
 std::optional<ValueError> check_size(int size) {
   if (size >= 1 && size <= kMaxCookieSize) return std::nullopt;
@@ -37,7 +37,7 @@ Cookie make_cookie(int size, const std::function<double(const glm::dvec3& direct
   const auto texel_centre = [size](int i) { return (2 * i + 1) / double(size) - 1; };
   Cookie cookie{.size = size, .texels = {}};
   cookie.texels.reserve(texel_count(size));
-  for (int face = 0; face < kFaces; ++face) {
+  for (int face = 0; face < kFaceCount; ++face) {
     for (int row = 0; row < size; ++row) {
       for (int column = 0; column < size; ++column) {
         const glm::dvec3 direction = cube_direction({face, texel_centre(column), texel_centre(row)});
