@@ -32,7 +32,7 @@ MeasuredAxis best_axis(const IntensityDistribution& distribution, const glm::dve
   const double cosine = glm::dot(peak, kPhotometricAxis);
   const glm::dvec3 axis = cosine < -kHorizon ? -kPhotometricAxis : kPhotometricAxis;
   const double about_axis = asymmetry(distribution, axis);
-  if (about_axis <= kRoundBeam) return {axis, about_axis};
+  if (about_axis <= kRoundBeam || peak == axis) return {axis, about_axis};
   const double about_peak = asymmetry(distribution, peak, kAimed * about_axis);
   return about_peak < kAimed * about_axis ? MeasuredAxis{peak, about_peak} : MeasuredAxis{axis, about_axis};
 }

@@ -282,16 +282,25 @@ std::vector<Belt> belts_of(const IntensityDistribution& distribution) {
   return belts;
 }
 
-/// Of (intensity / peak)^2 over the sphere, but for a factor.
-double square_integral(const IntensityDistribution& distribution, const glm::dvec3& axis, double peak) {
+/// Over the sphere, but for a factor.
+struct SquareIntegrals {
+  double total = 0;      ///< of (intensity / peak)^2
+  double deviation = 0;  ///< of ((intensity - mean over the turn) / peak)^2
+};
+
+/// limit  of the deviation, where the sums end
+SquareIntegrals square_integrals(const IntensityDistribution& distribution, const glm::dvec3& axis, double peak,
+                                 double limit = std::numeric_limits<double>::infinity()) {
   AxisCircles circles(distribution, axis);
-  double total = 0;
+  SquareIntegrals sums;
   for (const auto& [angle, weight] : belts_of(distribution)) {
     const Circle circle = circles.at(angle);
     const double mean = circle.mean / peak, deviation = circle.deviation / peak;
-    total += weight * (mean * mean + deviation * deviation);
+    sums.total += weight * (mean * mean + deviation * deviation);
+    sums.deviation += weight * deviation * deviation;
+    if (sums.deviation > limit) break;
   }
-  return total;
+  return sums;
 }
 
 std::vector<double> supplements(std::vector<double> angles) {
@@ -515,15 +524,12 @@ double asymmetry(const IntensityDistribution& distribution, const glm::dvec3& ax
   if (distribution.horizontal.size() == 1 && is_own_axis(distribution, axis)) return 0;
   const double peak = find_peak(distribution).intensity;
   const bool has_own_axis = distribution.type == PhotometryType::c;
-  const double total = square_integral(distribution, has_own_axis ? kPhotometricAxis : axis, peak);
+  const glm::dvec3 total_axis = has_own_axis ? kPhotometricAxis : axis;
+  const auto [total, own_deviation] = square_integrals(distribution, total_axis, peak);
   if (total == 0) return 0;
-  AxisCircles circles(distribution, axis);
-  double deviation = 0;
-  for (const auto& [angle, weight] : belts_of(distribution)) {
-    const double fraction = circles.at(angle).deviation / peak;
-    deviation += weight * fraction * fraction;
-    if (deviation > limit * limit * total) break;
-  }
+  const double deviation = axis == total_axis
+                               ? own_deviation
+                               : square_integrals(distribution, axis, peak, limit * limit * total).deviation;
   return std::min(1.0, std::sqrt(deviation / total));
 }
 
