@@ -12,11 +12,20 @@ using std::numbers::pi;
 /// The beam on both sides of the axis.
 using Plane = std::array<std::vector<AxialSample>, 2>;
 
+/// Of the samples that count.
+std::vector<AxialSample> profile_of(const std::vector<ConeSample>& samples) {
+  std::vector<AxialSample> profile;
+  for (const ConeSample& sample : samples) {
+    if (sample.weight > 0) profile.push_back({sample.angle, sample.intensity, 0});
+  }
+  return profile;
+}
+
 /// One plane of a round beam, the mean over the turn; else the horizontal and the vertical one.
 std::vector<Plane> planes_of(const LightTarget& target) {
   const IntensityDistribution& distribution = target.luminaire->distribution;
   if (target.asymmetry <= kRoundBeam) {
-    const auto profile = axial_profile(distribution, target.axis);
+    const std::vector<AxialSample> profile = profile_of(target.cone->samples);  // the luminaire's about that axis
     return {{profile, profile}};
   }
   const auto plane = [&](double turn) {
@@ -35,10 +44,7 @@ std::vector<double> full_angles(const std::vector<Plane>& planes, double fractio
 std::vector<double> full_angle(const std::optional<double>& stated, const std::vector<ConeSample>& samples,
                                double fraction) {
   if (stated) return {*stated};
-  std::vector<AxialSample> profile;
-  for (const ConeSample& sample : samples) {
-    if (sample.weight > 0) profile.push_back({sample.angle, sample.intensity, 0});
-  }
+  const std::vector<AxialSample> profile = profile_of(samples);
   if (profile.empty()) return {};
   const double angle = half_angle(profile, fraction);
   return angle < profile.back().angle ? std::vector{2 * angle} : std::vector<double>{};

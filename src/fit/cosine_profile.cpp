@@ -27,6 +27,14 @@ struct CosineResidual {
   }
 };
 
+/// The exponent at which the cone is the point's fraction; not a number where rounding would blur it.
+double own_exponent(const ConePoint& point) {
+  constexpr double kPlain = 1e-6;  // of a logarithm
+  const bool is_plain = point.cosine > 0 && point.fraction > 0 && std::log(point.cosine) < 0 &&
+                        std::abs(std::log(point.fraction)) > kPlain;
+  return is_plain ? std::log(point.fraction) / std::log(point.cosine) : std::numeric_limits<double>::quiet_NaN();
+}
+
 }  // namespace
 
 CosineProfile::CosineProfile(const std::vector<ConePoint>& points, std::optional<double> half_angle) : points_(points) {
@@ -40,6 +48,7 @@ CosineProfile::CosineProfile(const std::vector<ConePoint>& points, std::optional
       if (!parts_equals && !is_on_axis) cuts_.push_back(lit);
     }
   }
+  for (const ConePoint& point : points_) own_exponents_.push_back(own_exponent(point));
   dark_losses_.assign(points_.size() + 1, 0);
   for (std::size_t i = points_.size(); i-- > 0;) dark_losses_[i] = dark_losses_[i + 1] + points_[i].loss(0);
   const auto first = std::find_if(points_.begin(), points_.end(), [](const ConePoint& p) { return p.cosine < 1; });
@@ -108,19 +117,28 @@ std::optional<std::size_t> CosineProfile::first_cut(double exponent, std::size_t
   return std::nullopt;
 }
 
+double CosineProfile::least_loss(std::size_t i, double most_exponent, double least_exponent) const {
+  const ConePoint& point = points_[i];
+  const auto cone_at = [&point](double exponent) { return std::pow(point.cosine, exponent); };
+  if (most_exponent == least_exponent) return point.loss(cone_at(most_exponent));
+  // A power takes time. Which of them is nearest to the fraction is mostly known before.
+  constexpr double kMargin = 1e-6;  // wide of rounding
+  const double below = own_exponents_[i] * (1 - kMargin), above = own_exponents_[i] * (1 + kMargin);
+  if (least_exponent > above) return point.loss(cone_at(least_exponent));
+  if (most_exponent < below) return point.loss(cone_at(most_exponent));
+  if (least_exponent < below && most_exponent > above) return 0;
+  return point.loss(cone_at(most_exponent), cone_at(least_exponent));
+}
+
 std::pair<std::size_t, double> CosineProfile::best_cut(double most_exponent, double least_exponent) const {
   std::pair<std::size_t, double> best{0, kInfinity};
   double lit_loss = 0;
   std::size_t lit = 0;
   for (const std::size_t cut : cuts_) {
-    for (; lit < cut; ++lit) {
-      const ConePoint& point = points_[lit];
-      const double least = std::pow(point.cosine, most_exponent);
-      const double most = most_exponent == least_exponent ? least : std::pow(point.cosine, least_exponent);
-      lit_loss += point.loss(least, most);
-    }
+    for (; lit < cut; ++lit) lit_loss += least_loss(lit, most_exponent, least_exponent);
     if (lit_loss > best.second) break;  // further cuts lose more
     if (lit_loss + dark_losses_[cut] < best.second) best = {cut, lit_loss + dark_losses_[cut]};
+    if (dark_losses_[cut] == 0) break;  // likewise: all beyond is dark
   }
   return best;
 }

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <span>
+#include <utility>
 
 #include "dark_edge.h"
 #include "require.h"
@@ -141,6 +143,81 @@ std::vector<double> polar_weights(std::span<const double> angles, double pole) {
   return weights;
 }
 
+// --- what is dark ---
+
+bool is_plane_lit(const IntensityDistribution& distribution, std::size_t horizontal) {
+  const auto first = distribution.intensity.begin() + std::ptrdiff_t(horizontal * distribution.vertical.size());
+  const auto last = first + std::ptrdiff_t(distribution.vertical.size());
+  return std::any_of(first, last, [](double candela) { return candela > 0; });
+}
+
+bool is_lit(const IntensityDistribution& distribution, std::size_t vertical) {
+  const std::size_t rows = distribution.vertical.size();
+  for (std::size_t h = 0; h < distribution.horizontal.size(); ++h) {
+    if (distribution.intensity[h * rows + vertical] > 0) return true;
+  }
+  return false;
+}
+
+struct AngleRange {
+  double low, high;
+};
+
+/// The angles beyond which all is dark, on both sides where they are mirrored.
+template <typename IsLit>
+AngleRange lit_range(std::span<const double> angles, bool is_mirrored, const IsLit& is_lit_at) {
+  std::size_t first = 0, last = angles.size() - 1;
+  while (first < last && !is_lit_at(first)) ++first;
+  while (last > first && !is_lit_at(last)) --last;
+  const double high = angles[std::min(last + 1, angles.size() - 1)];
+  return is_mirrored ? AngleRange{-high, high} : AngleRange{angles[first == 0 ? 0 : first - 1], high};
+}
+
+/// The directions outside a distribution's lit angles, which most are of a narrow beam.
+class Darkness {
+ public:
+  explicit Darkness(const IntensityDistribution& distribution) : type_(distribution.type) {
+    const auto& [type, horizontal, vertical, intensity] = distribution;
+    const bool is_c = type == PhotometryType::c;
+    const auto in_rows = lit_range(vertical, !is_c && is_mirrored(vertical),
+                                   [&](std::size_t v) { return is_lit(distribution, v); });
+    if (is_c) {
+      elevation_ = {std::cos(in_rows.high), std::cos(in_rows.low)};
+      return;
+    }
+    const auto in_planes = lit_range(horizontal, is_mirrored(horizontal),
+                                     [&](std::size_t h) { return is_plane_lit(distribution, h); });
+    const bool is_a = type == PhotometryType::a;
+    const auto [elevation, turn] = is_a ? std::pair(in_rows, in_planes) : std::pair(in_planes, in_rows);
+    elevation_ = {std::sin(elevation.low), std::sin(elevation.high)};
+    low_ = {std::cos(turn.low), std::sin(turn.low)};
+    high_ = {std::cos(turn.high), std::sin(turn.high)};
+    is_wide_ = turn.high - turn.low > pi;
+  }
+
+  /// True only where intensity_at() is 0. No inverse trigonometric function is needed for it.
+  bool holds(const glm::dvec3& unit) const {
+    constexpr double kMargin = 1e-6;  // above the tolerance of measured angles
+    const double elevation = type_ == PhotometryType::c ? -unit.z : type_ == PhotometryType::a ? unit.y : unit.x;
+    if (elevation < elevation_.low - kMargin || elevation > elevation_.high + kMargin) return true;
+    if (type_ == PhotometryType::c) return false;
+    const double across = type_ == PhotometryType::a ? unit.x : unit.y;
+    const bool is_below = low_.sine * -unit.z - low_.cosine * across > kMargin;  // within half a turn
+    const bool is_above = high_.cosine * across - high_.sine * -unit.z > kMargin;
+    return is_wide_ ? is_below && is_above : is_below || is_above;
+  }
+
+ private:
+  struct Turn {
+    double cosine = 1, sine = 0;
+  };
+
+  PhotometryType type_;
+  AngleRange elevation_{};  // its sine; of type C the cosine of the angle from the axis
+  Turn low_, high_;         // of types A and B, about the axis that the elevation is measured from
+  bool is_wide_ = false;    // the turn from low to high is more than a half
+};
+
 // --- circles about an axis ---
 
 /// Directions by the angle from an axis and the turn about it, which starts at the light's +x.
@@ -182,7 +259,11 @@ class AxisCircles {
  public:
   AxisCircles(const IntensityDistribution& distribution, const glm::dvec3& axis)
       : distribution_(distribution), is_own_axis_(is_own_axis(distribution, axis)), is_up_(axis == -kPhotometricAxis) {
-    if (is_own_axis_) return;
+    if (is_own_axis_) {
+      for (std::size_t v = 0; v < distribution.vertical.size(); ++v) is_row_lit_.push_back(is_lit(distribution, v));
+      return;
+    }
+    darkness_.emplace(distribution);
     forward_ = AxisFrame(axis).direction(0, 0);
     for (int i = 0; i < kEquatorSteps; ++i) {
       rim_.push_back(AxisFrame(axis).direction(pi / 2, 2 * pi * i / kEquatorSteps));
@@ -196,7 +277,7 @@ class AxisCircles {
   Circle own_circle(double angle) {
     const auto& [type, horizontal, vertical, intensity] = distribution_;
     const auto v = locate(vertical, is_up_ ? pi - angle : angle);
-    if (!v) return {};
+    if (!v || !(is_row_lit_[v->low] || is_row_lit_[v->high])) return {};
     values_.clear();
     for (std::size_t plane = 0; plane < horizontal.size(); ++plane) {
       const double* const row = &intensity[plane * vertical.size()];
@@ -215,7 +296,8 @@ class AxisCircles {
     values_.clear();
     double sum = 0;
     for (int i = 0; i < kEquatorSteps; i += stride) {
-      values_.push_back(intensity_at(distribution_, cosine * forward_ + sine * rim_[std::size_t(i)]));
+      const glm::dvec3 direction = cosine * forward_ + sine * rim_[std::size_t(i)];
+      values_.push_back(darkness_->holds(direction) ? 0 : intensity_at(distribution_, direction));
       sum += values_.back();
     }
     const auto count = double(values_.size());
@@ -229,6 +311,8 @@ class AxisCircles {
   const IntensityDistribution& distribution_;
   bool is_own_axis_;
   bool is_up_;
+  std::vector<bool> is_row_lit_ = {};                // of circles about the grid's own axis
+  std::optional<Darkness> darkness_ = std::nullopt;  // of others
   glm::dvec3 forward_{};
   std::vector<glm::dvec3> rim_ = {};
   std::vector<double> values_ = {};
@@ -307,14 +391,6 @@ std::vector<double> supplements(std::vector<double> angles) {
   std::ranges::reverse(angles);
   for (double& angle : angles) angle = pi - angle;
   return angles;
-}
-
-bool is_lit(const IntensityDistribution& distribution, std::size_t vertical) {
-  const std::size_t rows = distribution.vertical.size();
-  for (std::size_t h = 0; h < distribution.horizontal.size(); ++h) {
-    if (distribution.intensity[h * rows + vertical] > 0) return true;
-  }
-  return false;
 }
 
 std::vector<double> profile_angles(const IntensityDistribution& distribution, const glm::dvec3& axis) {
