@@ -43,8 +43,9 @@ struct ConeOptimum {
 
 /// A profile's search as a problem for branch_and_bound. A profile has
 ///     root()                      the box of all parameters
-///     bound(box)                  a lower bound of the objective in the box; infinite where the box holds no cone
 ///     start(box)                  some parameters in it, unless it holds no cone
+///     bound(box, objective)       a lower bound of the objective in the box, given that at its start; infinite where the
+///                                 box holds no cone
 ///     objective(parameters)
 ///     descend(start, iterations)  the local minimum below a start
 template <typename Profile>
@@ -61,13 +62,15 @@ class ConeSearch {
 
   ConeBox root() const { return profile_.root(); }
   bool contract(ConeBox&) const { return true; }
-  double bound(const ConeBox& box) const { return profile_.bound(box); }
+  double bound(const ConeBox& box) const { return profile_.bound(box, start_objective_); }
   bool is_closed(double bound) const {
     return optimum_.best.objective <= exact_ || bound >= (1 - kGap) * optimum_.best.objective;
   }
   void try_inside(const ConeBox& box) {
     const std::optional<ConeParameters> start = profile_.start(box);
-    if (!start || !(profile_.objective(*start) < optimum_.best.objective)) return;
+    if (!start) return;
+    start_objective_ = profile_.objective(*start);
+    if (!(start_objective_ < optimum_.best.objective)) return;
     ConeCandidate candidate = profile_.descend(*start, optimum_.iterations);
     if (candidate.objective < optimum_.best.objective) optimum_.best = std::move(candidate);
   }
@@ -84,6 +87,7 @@ class ConeSearch {
 
   const Profile& profile_;
   double exact_;
+  double start_objective_ = 0;  // of the box that was tried last, which is bounded next
   ConeOptimum optimum_;
 };
 

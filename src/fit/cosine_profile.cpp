@@ -30,7 +30,7 @@ struct CosineResidual {
 /// The exponent at which the cone is the point's fraction; not a number where rounding would blur it.
 double own_exponent(const ConePoint& point) {
   constexpr double kPlain = 1e-6;  // of a logarithm
-  const bool is_plain = point.cosine > 0 && point.fraction > 0 && std::log(point.cosine) < 0 &&
+  const bool is_plain = point.cosine > 0 && std::log(point.cosine) < 0 &&
                         std::abs(std::log(point.fraction)) > kPlain;
   return is_plain ? std::log(point.fraction) / std::log(point.cosine) : std::numeric_limits<double>::quiet_NaN();
 }
@@ -65,7 +65,7 @@ double CosineProfile::objective(const ConeParameters& parameters) const {
   return best_cut(exponent, exponent).second;
 }
 
-double CosineProfile::bound(const ConeBox& box) const {
+double CosineProfile::bound(const ConeBox& box, double) const {
   return best_cut(exponent_of(box.least[0]), exponent_of(box.most[0])).second;
 }
 

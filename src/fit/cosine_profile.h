@@ -25,7 +25,7 @@ class CosineProfile {
   ConeBox root() const { return {{0, 0}, {1, 0}}; }
   std::optional<ConeParameters> start(const ConeBox& box) const;
   double objective(const ConeParameters& parameters) const;
-  double bound(const ConeBox& box) const;
+  double bound(const ConeBox& box, double start_objective) const;
   /// The candidate's parameters are the exponent and 0.
   ConeCandidate descend(const ConeParameters& start, std::size_t& iterations) const;
 

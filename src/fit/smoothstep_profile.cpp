@@ -42,8 +42,11 @@ struct Slope {
 }  // namespace
 
 SmoothstepProfile::SmoothstepProfile(const std::vector<ConePoint>& points, std::optional<double> outer)
-    : points_(points) {
+    : points_(points), full_losses_{0} {
   if (outer) outer_ = versine(*outer);
+  for (const ConePoint& point : points) full_losses_.push_back(full_losses_.back() + point.loss(1));
+  dark_begin_ = points.end();
+  while (dark_begin_ != points.begin() && dark_begin_[-1].fraction == 0) --dark_begin_;
 }
 
 ConeBox SmoothstepProfile::root() const {
@@ -57,20 +60,41 @@ std::optional<ConeParameters> SmoothstepProfile::start(const ConeBox& box) const
   return middle[0] < middle[1] ? middle : ConeParameters{box.least[0], box.most[1]};
 }
 
-double SmoothstepProfile::objective(const ConeParameters& parameters) const {
-  double sum = 0;
-  for (const ConePoint& point : points_) sum += point.loss(smoothstep_at(point, parameters));
+SmoothstepProfile::Point SmoothstepProfile::full_end(const ConeParameters& parameters) const {
+  const auto [inner, outer] = parameters;
+  return std::partition_point(points_.begin(), points_.end(), [inner, outer](const ConePoint& point) {
+    return point.versine == 0 || (point.versine <= inner && point.versine < outer);
+  });
+}
+
+SmoothstepProfile::Point SmoothstepProfile::dark_from(double outer) const {
+  return std::partition_point(points_.begin(), points_.end(), [outer](const ConePoint& point) {
+    return point.versine == 0 || point.versine < outer;
+  });
+}
+
+template <typename Loss>
+double SmoothstepProfile::sum_losses(Point full, Point dark, const Loss& loss) const {
+  double sum = full_losses_[std::size_t(full - points_.begin())];
+  for (Point point = full; point < dark; ++point) sum += loss(*point);
+  for (Point point = dark; point < dark_begin_; ++point) sum += point->loss(0);
   return sum;
 }
 
-double SmoothstepProfile::bound(const ConeBox& box) const {
+double SmoothstepProfile::objective(const ConeParameters& parameters) const {
+  return sum_losses(full_end(parameters), dark_from(parameters[1]),
+                    [&](const ConePoint& point) { return point.loss(smoothstep_at(point, parameters)); });
+}
+
+double SmoothstepProfile::bound(const ConeBox& box, double start_objective) const {
   if (!(box.least[0] < box.most[1])) return std::numeric_limits<double>::infinity();
   // Where the ranges overlap, a step is the limit of the cones.
   const ConeParameters least{box.least[0], std::max(box.least[0], box.least[1])};
   const ConeParameters most{std::min(box.most[0], box.most[1]), box.most[1]};
-  double sum = 0;
-  for (const ConePoint& point : points_) sum += point.loss(smoothstep_at(point, least), smoothstep_at(point, most));
-  return std::max(sum, mean_value_bound(box));
+  const double sum = sum_losses(full_end(least), dark_from(most[1]), [&](const ConePoint& point) {
+    return point.loss(smoothstep_at(point, least), smoothstep_at(point, most));
+  });
+  return std::max(sum, mean_value_bound(box, start_objective));
 }
 
 /// The objective F is at least F(middle) - sum over the parameters of max |dF/dp| over the box times half its width.
@@ -79,7 +103,7 @@ double SmoothstepProfile::bound(const ConeBox& box) const {
 /// With x a point's versine, t = (outer - x) / (outer - inner) in [0, 1] and s = t^2 (3 - 2 t) its cone,
 ///     ds/dinner = 6 t^2 (1 - t) / (outer - inner),  ds/douter = 6 t (1 - t)^2 / (outer - inner),
 /// both >= 0. A box that holds steps has no such slopes and is bounded by 0.
-double SmoothstepProfile::mean_value_bound(const ConeBox& box) const {
+double SmoothstepProfile::mean_value_bound(const ConeBox& box, double middle_objective) const {
   const double least_width = box.least[1] - box.most[0], most_width = box.most[1] - box.least[0];
   if (!(least_width > 0)) return 0;
   const auto t_at = [](double versine, const ConeParameters& parameters) {
@@ -88,20 +112,21 @@ double SmoothstepProfile::mean_value_bound(const ConeBox& box) const {
   constexpr double kSteepest = 8.0 / 9;  // of 6 t^2 (1 - t), at 2/3, and of 6 t (1 - t)^2, at 1/3
   constexpr std::array kSteepestAt{2.0 / 3, 1.0 / 3};
   std::array<Slope, 2> slopes;  // of F
-  for (const ConePoint& point : points_) {
-    const double low = t_at(point.versine, box.least), high = t_at(point.versine, box.most);
+  const Point dark = dark_from(box.most[1]);
+  for (Point point = full_end(box.least); point < dark; ++point) {  // others are flat in the whole box
+    const double low = t_at(point->versine, box.least), high = t_at(point->versine, box.most);
     if (low == 1 || high == 0) continue;
-    const double least_error = smoothstep(low) - point.fraction, most_error = smoothstep(high) - point.fraction;
+    const double least_error = smoothstep(low) - point->fraction, most_error = smoothstep(high) - point->fraction;
     for (std::size_t j = 0; j < 2; ++j) {
       const auto steepness = [j](double t) { return 6 * t * (1 - t) * (j == 0 ? t : 1 - t); };
       const auto [flat, steep] = std::minmax({steepness(low), steepness(high)});
       const bool holds_steepest = low < kSteepestAt[j] && high > kSteepestAt[j];
       const double least = flat / most_width, most = (holds_steepest ? kSteepest : steep) / least_width;
-      slopes[j].least += 2 * point.weight * least_error * (least_error < 0 ? most : least);
-      slopes[j].most += 2 * point.weight * most_error * (most_error < 0 ? least : most);
+      slopes[j].least += 2 * point->weight * least_error * (least_error < 0 ? most : least);
+      slopes[j].most += 2 * point->weight * most_error * (most_error < 0 ? least : most);
     }
   }
-  double bound = objective({(box.least[0] + box.most[0]) / 2, (box.least[1] + box.most[1]) / 2});
+  double bound = middle_objective;
   for (std::size_t j = 0; j < 2; ++j) {
     bound -= std::max(-slopes[j].least, slopes[j].most) * (box.most[j] - box.least[j]) / 2;
   }

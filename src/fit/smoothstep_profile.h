@@ -23,16 +23,26 @@ class SmoothstepProfile {
   /// The middle, or near the diagonal the corner that is a cone.
   std::optional<ConeParameters> start(const ConeBox& box) const;
   double objective(const ConeParameters& parameters) const;
-  double bound(const ConeBox& box) const;
+  double bound(const ConeBox& box, double start_objective) const;
   ConeCandidate descend(const ConeParameters& start, std::size_t& iterations) const;
 
   /// The softest of the edges that all points see alike, where fewer of them are in the edge than it has parameters.
   ConeParameters softest(const ConeParameters& parameters, double exact, bool& is_identified) const;
 
  private:
-  double mean_value_bound(const ConeBox& box) const;
+  using Point = std::vector<ConePoint>::const_iterator;
+
+  Point full_end(const ConeParameters& parameters) const;  ///< of the points at full light
+  Point dark_from(double outer) const;
+  /// The sum of the losses: of points before `full`, which are at full light, of the lit ones by `loss`, and of those
+  /// from `dark` on, which are dark.
+  template <typename Loss>
+  double sum_losses(Point full, Point dark, const Loss& loss) const;
+  double mean_value_bound(const ConeBox& box, double middle_objective) const;
 
   const std::vector<ConePoint>& points_;
+  std::vector<double> full_losses_;  // of the points before each, at full light
+  Point dark_begin_;                 // of the points that are dark themselves, to the last
   std::optional<double> outer_;  // versine, where given
 };
 
