@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
+#include <utility>
 
 #include "fit/least_squares.h"
 #include "litfog/formulas.h"
@@ -61,12 +63,37 @@ std::optional<ConeParameters> CosineProfile::start(const ConeBox& box) const {
 }
 
 double CosineProfile::objective(const ConeParameters& parameters) const {
+  constexpr std::size_t kMostKept = 1 << 20;  // 8 MB
   const double exponent = exponent_of(parameters[0]);
-  return best_cut(exponent, exponent).second;
+  std::vector<double> powers;
+  const double loss = best_cut([&](std::size_t i) {
+                        powers.push_back(std::pow(points_[i].cosine, exponent));
+                        return points_[i].loss(powers.back());
+                      }).loss;
+  if (powers_.size() * points_.size() < kMostKept) powers_[exponent] = std::move(powers);
+  return loss;
 }
 
 double CosineProfile::bound(const ConeBox& box, double) const {
-  return best_cut(exponent_of(box.least[0]), exponent_of(box.most[0])).second;
+  const double most_exponent = exponent_of(box.least[0]), least_exponent = exponent_of(box.most[0]);
+  const auto power_at = [this](double exponent) {
+    const auto kept = powers_.find(exponent);
+    const std::span<const double> powers = kept != powers_.end() ? kept->second : std::span<const double>();
+    return [this, exponent, powers](std::size_t i) {
+      return i < powers.size() ? powers[i] : std::pow(points_[i].cosine, exponent);
+    };
+  };
+  const auto least_at = power_at(most_exponent), most_at = power_at(least_exponent);
+  const auto least_loss = [&](std::size_t i) {
+    // Which end is nearer to the fraction is mostly known without the powers.
+    constexpr double kMargin = 1e-6;  // wide of rounding
+    const double below = own_exponents_[i] * (1 - kMargin), above = own_exponents_[i] * (1 + kMargin);
+    if (least_exponent > above) return points_[i].loss(most_at(i));
+    if (most_exponent < below) return points_[i].loss(least_at(i));
+    if (least_exponent < below && most_exponent > above) return 0.0;
+    return points_[i].loss(least_at(i), most_at(i));
+  };
+  return best_cut(least_loss).loss;
 }
 
 ConeCandidate CosineProfile::descend(const ConeParameters& start, std::size_t& iterations) const {
@@ -74,7 +101,7 @@ ConeCandidate CosineProfile::descend(const ConeParameters& start, std::size_t& i
   candidate.parameters = {exponent_of(start[0]), 0};
   // A round's cut is the best for the exponent of the round before.
   for (int round = 0; round < kMaxRounds; ++round) {
-    const auto [lit, objective] = best_cut(candidate.parameters[0], candidate.parameters[0]);
+    const auto [lit, objective] = best_cut_at(candidate.parameters[0]);
     const bool is_settled = lit == candidate.lit && round > 0;
     candidate.lit = lit;
     candidate.objective = objective;
@@ -106,7 +133,7 @@ std::size_t CosineProfile::lit_within(double angle) const {
 }
 
 std::optional<std::size_t> CosineProfile::first_cut(double exponent, std::size_t least_lit, double limit) const {
-  const std::size_t last = std::max(least_lit, best_cut(exponent, exponent).first);
+  const std::size_t last = std::max(least_lit, best_cut_at(exponent).lit);
   double lit_loss = 0;
   std::size_t lit = 0;
   for (const std::size_t cut : cuts_) {
@@ -117,30 +144,22 @@ std::optional<std::size_t> CosineProfile::first_cut(double exponent, std::size_t
   return std::nullopt;
 }
 
-double CosineProfile::least_loss(std::size_t i, double most_exponent, double least_exponent) const {
-  const ConePoint& point = points_[i];
-  const auto cone_at = [&point](double exponent) { return std::pow(point.cosine, exponent); };
-  if (most_exponent == least_exponent) return point.loss(cone_at(most_exponent));
-  // A power takes time. Which of them is nearest to the fraction is mostly known before.
-  constexpr double kMargin = 1e-6;  // wide of rounding
-  const double below = own_exponents_[i] * (1 - kMargin), above = own_exponents_[i] * (1 + kMargin);
-  if (least_exponent > above) return point.loss(cone_at(least_exponent));
-  if (most_exponent < below) return point.loss(cone_at(most_exponent));
-  if (least_exponent < below && most_exponent > above) return 0;
-  return point.loss(cone_at(most_exponent), cone_at(least_exponent));
-}
-
-std::pair<std::size_t, double> CosineProfile::best_cut(double most_exponent, double least_exponent) const {
-  std::pair<std::size_t, double> best{0, kInfinity};
+template <typename Loss>
+CosineProfile::Cut CosineProfile::best_cut(const Loss& lit_loss_of) const {
+  Cut best{0, kInfinity};
   double lit_loss = 0;
   std::size_t lit = 0;
   for (const std::size_t cut : cuts_) {
-    for (; lit < cut; ++lit) lit_loss += least_loss(lit, most_exponent, least_exponent);
-    if (lit_loss > best.second) break;  // further cuts lose more
-    if (lit_loss + dark_losses_[cut] < best.second) best = {cut, lit_loss + dark_losses_[cut]};
+    for (; lit < cut; ++lit) lit_loss += lit_loss_of(lit);
+    if (lit_loss > best.loss) break;  // further cuts lose more
+    if (lit_loss + dark_losses_[cut] < best.loss) best = {cut, lit_loss + dark_losses_[cut]};
     if (dark_losses_[cut] == 0) break;  // likewise: all beyond is dark
   }
   return best;
+}
+
+CosineProfile::Cut CosineProfile::best_cut_at(double exponent) const {
+  return best_cut([&](std::size_t i) { return points_[i].loss(std::pow(points_[i].cosine, exponent)); });
 }
 
 }  // namespace litfog

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 #include <optional>
-#include <utility>
+#include <unordered_map>
 #include <vector>
 
 #include "fit/cone_point.h"
@@ -38,14 +38,23 @@ class CosineProfile {
  private:
   bool is_exponent_seen(std::size_t lit) const { return lit > 0 && points_[lit - 1].cosine < 1; }
   double exponent_of(double parameter) const { return (1 - parameter) / (parameter * fall_); }  // infinity at 0
-  /// The loss of a lit point by the exponent of a range that suits it best.
-  double least_loss(std::size_t i, double most_exponent, double least_exponent) const;
-  /// How many points are best lit, and the objective then, or its bound over a range of exponents.
-  std::pair<std::size_t, double> best_cut(double most_exponent, double least_exponent) const;
+  struct Cut {
+    std::size_t lit;
+    double loss;
+  };
+
+  /// How many points are best lit, and the loss of all then.
+  ///
+  /// lit_loss_of  loss of a point that is lit
+  template <typename Loss>
+  Cut best_cut(const Loss& lit_loss_of) const;
+  Cut best_cut_at(double exponent) const;
 
   const std::vector<ConePoint>& points_;
   std::vector<std::size_t> cuts_;    // numbers of points that a cone can light, increasing
   std::vector<double> own_exponents_;
+  /// cos^S of the first points at an S that objective() was asked for: it is an end of two boxes later.
+  mutable std::unordered_map<double, std::vector<double>> powers_;
   std::vector<double> dark_losses_;  // of the points from each on, and 0
   double fall_ = 1;
 };
