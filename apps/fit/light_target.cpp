@@ -91,8 +91,7 @@ std::vector<ConeSample> samples_of(const Luminaire& luminaire, const glm::dvec3&
 double extent_of(double peak, double end_illuminance) { return std::sqrt(peak / end_illuminance); }
 
 /// What is wrong is shown as the file's, which has intensities and no extent.
-AttenuationTarget range_of(const Luminaire& luminaire) {
-  const double peak = find_peak(luminaire.distribution).intensity;
+AttenuationTarget range_of(const Luminaire& luminaire, double peak) {
   AttenuationTarget target{.extent = extent_of(peak, kEndIlluminance)};
   if (const auto error = check(target)) {
     throw InputError(luminaire.peak_location, "largest intensity", fmt::format("{:.6g}", peak),
@@ -101,8 +100,7 @@ AttenuationTarget range_of(const Luminaire& luminaire) {
   return target;
 }
 
-std::string sentence_on_range(const Luminaire& luminaire) {
-  const double peak = find_peak(luminaire.distribution).intensity;
+std::string sentence_on_range(double peak) {
   return fmt::format(
       "Attenuation: C = 1 and no L; Q = (1/0.05 - 1)/E^2 puts the threshold 0.05 at E = sqrt({:.6g} cd / 1 lx) = "
       "{:.4g} m, where the lamp gives 1 lx.",
@@ -349,8 +347,8 @@ LightTarget read_spec(const std::string& path, const FitChoices& choices) {
   }
   if (spec.range) set_range(spec, target);
   if (target.luminaire && !target.range) {
-    target.range = range_of(*target.luminaire);
-    target.derived.push_back(sentence_on_range(*target.luminaire));
+    target.range = range_of(*target.luminaire, *target.peak);
+    target.derived.push_back(sentence_on_range(*target.peak));
   }
   return target;
 }
@@ -364,9 +362,10 @@ LightTarget read_photometric_spec(const std::string& path, const FitChoices& cho
   const std::string file = std::filesystem::path(path).filename().string();
   if (!luminaire.name.empty()) target.name = luminaire.name;
   target.source = {luminaire.manufacturer.empty() ? file : fmt::format("{}: {}", file, luminaire.manufacturer)};
-  target.derived.push_back(sentence_on_range(luminaire));
+  target.peak = find_peak(luminaire.distribution).intensity;
+  target.derived.push_back(sentence_on_range(*target.peak));
   target.derived.push_back(sentence_on_cone(target));
-  target.range = range_of(luminaire);
+  target.range = range_of(luminaire, *target.peak);
   target.cone =
       ConeTarget{.choice = choices.profile.value_or(ConeChoice::best), .samples = samples_of(luminaire, target.axis)};
   if (const auto error = check(*target.cone)) throw InputError({.file = path}, to_string(*error));

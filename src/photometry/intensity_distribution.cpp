@@ -595,10 +595,9 @@ double half_angle(const std::vector<AxialSample>& profile, double fraction) {
 }
 
 double asymmetry(const IntensityDistribution& distribution, const glm::dvec3& axis, double limit) {
-  require(check(distribution));
+  const double peak = find_peak(distribution).intensity;
   require_axis(axis);
   if (distribution.horizontal.size() == 1 && is_own_axis(distribution, axis)) return 0;
-  const double peak = find_peak(distribution).intensity;
   const bool has_own_axis = distribution.type == PhotometryType::c;
   const glm::dvec3 total_axis = has_own_axis ? kPhotometricAxis : axis;
   const auto [total, own_deviation] = square_integrals(distribution, total_axis, peak);
