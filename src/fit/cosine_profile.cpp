@@ -32,8 +32,7 @@ struct CosineResidual {
 /// The exponent at which the cone is the point's fraction; not a number where rounding would blur it.
 double own_exponent(const ConePoint& point) {
   constexpr double kPlain = 1e-6;  // of a logarithm
-  const bool is_plain = point.cosine > 0 && std::log(point.cosine) < 0 &&
-                        std::abs(std::log(point.fraction)) > kPlain;
+  const bool is_plain = point.cosine > 0 && std::log(point.cosine) < 0 && std::abs(std::log(point.fraction)) > kPlain;
   return is_plain ? std::log(point.fraction) / std::log(point.cosine) : std::numeric_limits<double>::quiet_NaN();
 }
 

@@ -51,7 +51,7 @@ class CosineProfile {
   Cut best_cut_at(double exponent) const;
 
   const std::vector<ConePoint>& points_;
-  std::vector<std::size_t> cuts_;    // numbers of points that a cone can light, increasing
+  std::vector<std::size_t> cuts_;  // numbers of points that a cone can light, increasing
   std::vector<double> own_exponents_;
   /// cos^S of the first points at an S that objective() was asked for: it is an end of two boxes later.
   mutable std::unordered_map<double, std::vector<double>> powers_;

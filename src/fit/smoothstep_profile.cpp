@@ -68,9 +68,8 @@ SmoothstepProfile::Point SmoothstepProfile::full_end(const ConeParameters& param
 }
 
 SmoothstepProfile::Point SmoothstepProfile::dark_from(double outer) const {
-  return std::partition_point(points_.begin(), points_.end(), [outer](const ConePoint& point) {
-    return point.versine == 0 || point.versine < outer;
-  });
+  return std::partition_point(points_.begin(), points_.end(),
+                              [outer](const ConePoint& point) { return point.versine == 0 || point.versine < outer; });
 }
 
 template <typename Loss>

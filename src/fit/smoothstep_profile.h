@@ -43,7 +43,7 @@ class SmoothstepProfile {
   const std::vector<ConePoint>& points_;
   std::vector<double> full_losses_;  // of the points before each, at full light
   Point dark_begin_;                 // of the points that are dark themselves, to the last
-  std::optional<double> outer_;  // versine, where given
+  std::optional<double> outer_;      // versine, where given
 };
 
 }  // namespace litfog

@@ -179,14 +179,14 @@ class Darkness {
   explicit Darkness(const IntensityDistribution& distribution) : type_(distribution.type) {
     const auto& [type, horizontal, vertical, intensity] = distribution;
     const bool is_c = type == PhotometryType::c;
-    const auto in_rows = lit_range(vertical, !is_c && is_mirrored(vertical),
-                                   [&](std::size_t v) { return is_lit(distribution, v); });
+    const auto in_rows =
+        lit_range(vertical, !is_c && is_mirrored(vertical), [&](std::size_t v) { return is_lit(distribution, v); });
     if (is_c) {
       elevation_ = {std::cos(in_rows.high), std::cos(in_rows.low)};
       return;
     }
-    const auto in_planes = lit_range(horizontal, is_mirrored(horizontal),
-                                     [&](std::size_t h) { return is_plane_lit(distribution, h); });
+    const auto in_planes =
+        lit_range(horizontal, is_mirrored(horizontal), [&](std::size_t h) { return is_plane_lit(distribution, h); });
     const bool is_a = type == PhotometryType::a;
     const auto [elevation, turn] = is_a ? std::pair(in_rows, in_planes) : std::pair(in_planes, in_rows);
     elevation_ = {std::sin(elevation.low), std::sin(elevation.high)};
@@ -602,9 +602,8 @@ double asymmetry(const IntensityDistribution& distribution, const glm::dvec3& ax
   const glm::dvec3 total_axis = has_own_axis ? kPhotometricAxis : axis;
   const auto [total, own_deviation] = square_integrals(distribution, total_axis, peak);
   if (total == 0) return 0;
-  const double deviation = axis == total_axis
-                               ? own_deviation
-                               : square_integrals(distribution, axis, peak, limit * limit * total).deviation;
+  const double deviation =
+      axis == total_axis ? own_deviation : square_integrals(distribution, axis, peak, limit * limit * total).deviation;
   return std::min(1.0, std::sqrt(deviation / total));
 }
 

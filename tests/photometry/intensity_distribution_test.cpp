@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <functional>
@@ -409,6 +410,38 @@ TEST(AxialProfile, ProfileAboutAnyAxisFollowsABeamAimedThere) {
   EXPECT_NEAR(half_angle(axial_profile(beam, aim), 0.5), half, 0.1 * kDegree);
   EXPECT_LT(asymmetry(beam, aim), 0.005);
   EXPECT_GT(asymmetry(beam, kPhotometricAxis), 0.5);
+}
+
+TEST(AxialProfile, ProfileAboutAnyAxisMissesNoLitDirection) {
+  Random random(31);
+  for (int i = 0; i < 60; ++i) {
+    const auto type = std::array{PhotometryType::a, PhotometryType::b, PhotometryType::c}[std::size_t(i % 3)];
+    const bool is_c = type == PhotometryType::c;
+    const double turn_end = random.uniform(0.2, pi), rise_end = random.uniform(0.2, pi / 2);
+    const bool is_mirrored = random.uniform(0, 1) < 0.5;
+    const auto angles = [&](double most) {
+      return random_angles(random, is_mirrored ? 0 : -most * random.uniform(0, 1), most);
+    };
+    Angles horizontal =
+        is_c ? random_angles(random, 0, 2 * pi) : angles(type == PhotometryType::a ? turn_end : rise_end);
+    Angles vertical = is_c ? random_angles(random, 0, pi) : angles(type == PhotometryType::a ? rise_end : turn_end);
+    const auto lit = [&](const Angles& all, double angle) { return angle > all[1] && angle < all[5]; };
+    const auto distribution = sampled(type, horizontal, vertical, [&](double h, double v) {  // dark towards its ends
+      return lit(vertical, v) && lit(horizontal, h) ? random.uniform(1, 100) : 0;
+    });
+    const double peak = find_peak(distribution).intensity;
+    const glm::dvec3 axis{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+    const glm::dmat3 frame = luminaire_from_light(axis);
+    for (const AxialSample& sample : axial_profile(distribution, axis)) {
+      const int stride = 360 / std::max(72, int(std::ceil(360 * std::sin(sample.angle))));
+      double sum = 0;
+      for (int turn = 0; turn < 360; turn += stride) {
+        sum += intensity_at(distribution, frame * direction_of(PhotometryType::c, turn * kDegree, sample.angle));
+      }
+      const double mean = sum / std::ceil(360.0 / stride);
+      ASSERT_NEAR(sample.mean, mean, 1e-6 * peak) << "light " << i << " at " << sample.angle / kDegree << " degrees";
+    }
+  }
 }
 
 TEST(AxialProfile, NarrowBeamIsFollowedInTheStepsOfItsGrid) {
