@@ -8,7 +8,7 @@
 namespace litfog::command {
 
 enum class TableFormat {
-  text,  ///< aligned for reading, six digits
+  text,  ///< aligned for reading, six digits, but whole numbers below 1e9 in full
   csv,   ///< RFC 4180, numbers read back exactly, infinity is inf
   json,  ///< an array of objects, one a row; numbers read back exactly, infinity is the string "inf", empty is null
 };

@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <glm/trigonometric.hpp>
 #include <vector>
+
+#include "files/angle_deg.h"
+#include "shown_number.h"
 
 namespace litfog::demo {
 namespace {
@@ -16,9 +18,10 @@ std::string cone_in_words(const scene::Scene& scene, std::size_t index) {
     case ConeProfile::none:
       break;
     case ConeProfile::cosine:
-      return fmt::format("cosine to {:.4g} deg, exponent {:.4g}", glm::degrees(cone.half_angle), cone.exponent);
+      return fmt::format("cosine to {} deg, exponent {}", files::shown_degrees(cone.half_angle),
+                         shown_number(cone.exponent));
     case ConeProfile::smoothstep:
-      return fmt::format("smoothstep {:.4g} to {:.4g} deg", glm::degrees(cone.inner), glm::degrees(cone.outer));
+      return fmt::format("smoothstep {} to {} deg", files::shown_degrees(cone.inner), files::shown_degrees(cone.outer));
   }
   return "all around";
 }

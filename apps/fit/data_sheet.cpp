@@ -13,6 +13,7 @@
 #include "files/angle_deg.h"
 #include "fit/advice.h"
 #include "fit/verdict.h"
+#include "shown_number.h"
 
 namespace litfog::fit {
 
@@ -60,11 +61,14 @@ void add_range(Sheet& sheet, const AttenuationTarget& target, const AttenuationF
   const auto& [constant, linear, quadratic] = fit.attenuation;
   sheet.add("attenuation", fmt::format("1 / (C + L r + Q r^2), at most 1: C = {:.9g}, L = {:.9g} /m, Q = {:.9g} /m^2",
                                        constant, linear, quadratic));
-  const double end = compute_extent(fit.attenuation, fit.threshold);
-  sheet.add("extent", fmt::format("{:.6g} m, where the attenuation is {:.6g}", end, fit.threshold) +
-                          (target.extent ? fmt::format(" (wanted {:.6g} m)", *target.extent) : ""));
+  constexpr double kSame = 1e-12;  // of an extent that is met
+  const double end = compute_extent(fit.attenuation, fit.threshold), wanted = target.extent.value_or(end);
+  sheet.add("extent", fmt::format("{} m, where the attenuation is {}",
+                                  shown_number(std::abs(end - wanted) <= kSame * wanted ? wanted : end),
+                                  shown_number(fit.threshold)) +
+                          (target.extent ? fmt::format(" (wanted {} m)", shown_number(wanted)) : ""));
   const double clamped = compute_knee(fit.attenuation);
-  if (clamped > 0) sheet.add("knee", fmt::format("{:.6g} m, full brightness up to there", clamped));
+  if (clamped > 0) sheet.add("knee", fmt::format("{} m, full brightness up to there", shown_number(clamped)));
   if (!fit.sentence.empty()) sheet.add("outcome", fit.sentence);
   std::vector<std::string> active;
   for (const auto constraint : fit.active) active.emplace_back(litfog::name_of(constraint));
@@ -126,7 +130,7 @@ void add_cone(Sheet& sheet, const ConeTarget& target, const ConeFit& fit) {
   sheet.add_heading(fmt::format("Cone: {} ({})", name_of(fit.profile), name_of(fit.best().status)));
   std::vector<std::string> wanted;
   const auto add_angle = [&wanted](const char* name, const std::optional<double>& angle) {
-    if (angle) wanted.push_back(fmt::format("{} {:.6g} deg", name, files::degrees(*angle)));
+    if (angle) wanted.push_back(fmt::format("{} {} deg", name, files::shown_degrees(*angle)));
   };
   add_angle("beam angle", target.beam_angle);
   add_angle("field angle", target.field_angle);
@@ -191,13 +195,14 @@ void add_luminaire(Sheet& sheet, const LightFit& fit) {
   if (!luminaire.manufacturer.empty()) sheet.add("manufacturer", luminaire.manufacturer);
   const bool is_photometric = fit.target.axis == kPhotometricAxis;
   if (!is_photometric) sheet.add("axis", describe_axis(luminaire, fit.target.axis));
-  sheet.add("peak", fmt::format("{:.6g} cd, {:.3g} deg off {}", find_peak(distribution).intensity,
+  sheet.add("peak", fmt::format("{} cd, {:.3g} deg off {}", shown_number(find_peak(distribution).intensity),
                                 files::degrees(fit.peak_angle), is_photometric ? "the photometric axis" : "that axis"));
   const auto stated = stated_flux(luminaire);
   const double flux = luminous_flux(distribution);
-  sheet.add("flux",
-            fmt::format("{:.5g} lm", flux) +
-                (stated ? fmt::format(", stated {:.5g} lm ({:+.2g} %)", *stated, 100 * (flux / *stated - 1)) : ""));
+  sheet.add(
+      "flux",
+      fmt::format("{} lm", shown_number(flux)) +
+          (stated ? fmt::format(", stated {} lm ({:+.2g} %)", shown_number(*stated), 100 * (flux / *stated - 1)) : ""));
   add_asymmetry(sheet, fit);
 }
 
@@ -205,8 +210,8 @@ void add_elliptical_beam(Sheet& sheet, const LightFit& fit) {
   sheet.add_heading("Elliptical beam");
   for (const auto& [level, angles] : fit.target.ellipses) {
     sheet.add(fmt::format("at {} %", 100 * level),
-              fmt::format("{:.6g} deg horizontally, {:.6g} deg vertically", files::degrees(angles.horizontal),
-                          files::degrees(angles.vertical)));
+              fmt::format("{} deg horizontally, {} deg vertically", files::shown_degrees(angles.horizontal),
+                          files::shown_degrees(angles.vertical)));
   }
   add_asymmetry(sheet, fit);
 }
@@ -223,7 +228,7 @@ std::string format_data_sheet(const LightFit& fit) {
   }
   sheet.add("color",
             fmt::format("{:.6g} {:.6g} {:.6g}, linear RGB", fit.light.color.r, fit.light.color.g, fit.light.color.b));
-  if (fit.light.density_scale != 1) sheet.add("density scale", fmt::format("{:.6g}", fit.light.density_scale));
+  if (fit.light.density_scale != 1) sheet.add("density scale", shown_number(fit.light.density_scale));
   const Verdict verdict = judge(fit);
   sheet.add("verdict", fmt::format("{}: {}", name_of(verdict.grade), verdict.why));
   if (fit.target.luminaire) add_luminaire(sheet, fit);

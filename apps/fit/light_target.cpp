@@ -14,6 +14,7 @@
 #include "files/angle_deg.h"
 #include "litfog/input_error.h"
 #include "litfog/photometry/elliptical_beam.h"
+#include "shown_number.h"
 
 namespace litfog::fit {
 namespace {
@@ -62,8 +63,8 @@ void scale(Luminaire& luminaire, double factor, const char* what) {
   const double peak = find_peak(luminaire.distribution).intensity;
   for (double& candela : luminaire.distribution.intensity) candela *= factor;
   if (check(luminaire.distribution)) {
-    throw InputError(luminaire.peak_location, "largest intensity", fmt::format("{:.6g}", peak),
-                     fmt::format("must be in (0, 1e30] times the {} {:.6g}", what, factor));
+    throw InputError(luminaire.peak_location, "largest intensity", shown_number(peak),
+                     fmt::format("must be in (0, 1e30] times the {} {}", what, shown_number(factor)));
   }
 }
 
@@ -74,8 +75,8 @@ void apply_tilt(LightTarget& target, double tilt) {
   const double factor = tilt_factor(*luminaire.tilt, tilt);
   scale(luminaire, factor, "tilt factor");
   target.derived.push_back(
-      fmt::format("Tilt: {:.6g} deg, where the lamps give {:.6g} of what they give as measured. --tilt changes it.",
-                  files::degrees(tilt), factor));
+      fmt::format("Tilt: {} deg, where the lamps give {} of what they give as measured. --tilt changes it.",
+                  files::shown_degrees(tilt), shown_number(factor)));
 }
 
 void set_axis(LightTarget& target, const AxisChoice& choice) {
@@ -94,7 +95,7 @@ double extent_of(double peak, double end_illuminance) { return std::sqrt(peak / 
 AttenuationTarget range_of(const Luminaire& luminaire, double peak) {
   AttenuationTarget target{.extent = extent_of(peak, kEndIlluminance)};
   if (const auto error = check(target)) {
-    throw InputError(luminaire.peak_location, "largest intensity", fmt::format("{:.6g}", peak),
+    throw InputError(luminaire.peak_location, "largest intensity", shown_number(peak),
                      "must give an extent: " + to_string(*error));
   }
   return target;
@@ -102,9 +103,9 @@ AttenuationTarget range_of(const Luminaire& luminaire, double peak) {
 
 std::string sentence_on_range(double peak) {
   return fmt::format(
-      "Attenuation: C = 1 and no L; Q = (1/0.05 - 1)/E^2 puts the threshold 0.05 at E = sqrt({:.6g} cd / 1 lx) = "
+      "Attenuation: C = 1 and no L; Q = (1/0.05 - 1)/E^2 puts the threshold 0.05 at E = sqrt({} cd / 1 lx) = "
       "{:.4g} m, where the lamp gives 1 lx.",
-      peak, extent_of(peak, kEndIlluminance));
+      shown_number(peak), extent_of(peak, kEndIlluminance));
 }
 
 std::string sentence_on_cone(const LightTarget& target) {
@@ -173,14 +174,16 @@ std::optional<double> stated_peak(const RangeSpec& range, LightTarget& target) {
   if (range.illuminance) {
     const auto& [metres, lux] = *range.illuminance;
     const double peak = lux * metres * metres;
-    target.derived.push_back(fmt::format("Peak: {:.6g} lx * ({:.6g} m)^2 = {:.6g} cd.", lux, metres, peak));
+    target.derived.push_back(
+        fmt::format("Peak: {} lx * ({} m)^2 = {} cd.", shown_number(lux), shown_number(metres), shown_number(peak)));
     return peak;
   }
   if (range.flux) {
     const UnitFlux unit = unit_flux_of(target);
     const double peak = *range.flux / unit.flux;
-    target.derived.push_back(fmt::format("Peak: {:.6g} lm / {:.6g} sr = {:.6g} cd, with the flux of {} per candela.",
-                                         *range.flux, unit.flux, peak, unit.of));
+    target.derived.push_back(fmt::format("Peak: {} lm / {} sr = {} cd, with the flux of {} per candela.",
+                                         shown_number(*range.flux), shown_number(unit.flux), shown_number(peak),
+                                         unit.of));
     return peak;
   }
   return range.peak;
@@ -191,11 +194,11 @@ void scale_luminaire(const LightSpec& spec, LightTarget& target, double peak) {
   const double factor = peak / *target.peak;
   if (factor == 1) return;
   if (!(peak >= 1 / kMaxIntensity && peak <= kMaxIntensity)) {
-    throw spec.error_at("range.peak", fmt::format("{:.6g} cd", peak), "must have a peak in [1e-30, 1e30] cd");
+    throw spec.error_at("range.peak", fmt::format("{} cd", shown_number(peak)), "must have a peak in [1e-30, 1e30] cd");
   }
   scale(*target.luminaire, factor, "spec's factor");
-  target.derived.push_back(
-      fmt::format("Photometry: times {:.6g}, from its peak of {:.6g} cd to {:.6g} cd.", factor, *target.peak, peak));
+  target.derived.push_back(fmt::format("Photometry: times {}, from its peak of {} cd to {} cd.", shown_number(factor),
+                                       shown_number(*target.peak), shown_number(peak)));
 }
 
 /// Throws the error of a derived extent that cannot be fitted, at the member that puts it there.
@@ -227,9 +230,9 @@ void derive_extent(const LightSpec& spec, LightTarget& target) {
   const double end = range.end_illuminance.value_or(kEndIlluminance);
   expect_extent(spec, *target.peak, end);
   target.range->extent = extent_of(*target.peak, end);
-  target.derived.push_back(
-      fmt::format("Extent: sqrt({:.6g} cd / {:.6g} lx) = {:.6g} m, where the light gives {:.6g} lx{}.", *target.peak,
-                  end, *target.range->extent, end, source_of(end)));
+  target.derived.push_back(fmt::format("Extent: sqrt({} cd / {} lx) = {} m, where the light gives {} lx{}.",
+                                       shown_number(*target.peak), shown_number(end),
+                                       shown_number(*target.range->extent), shown_number(end), source_of(end)));
 }
 
 void set_range(const LightSpec& spec, LightTarget& light) {
@@ -288,9 +291,9 @@ void set_ellipses(const LightSpec& spec, LightTarget& target) {
     target.ellipses.push_back({level, *angles});
     inner = *angles;
     if (angles->is_round()) continue;
-    target.derived.push_back(fmt::format("{}: {:.6g} x {:.6g} deg is {:.6g} deg round, by its solid angle.", what,
-                                         files::degrees(angles->horizontal), files::degrees(angles->vertical),
-                                         files::degrees(*round_angle(angles))));
+    target.derived.push_back(fmt::format(
+        "{}: {} x {} deg is {} deg round, by its solid angle.", what, files::shown_degrees(angles->horizontal),
+        files::shown_degrees(angles->vertical), files::shown_degrees(*round_angle(angles))));
   }
 }
 
@@ -326,8 +329,9 @@ LightTarget read_spec(const std::string& path, const FitChoices& choices) {
                      .color = spec.color,
                      .density_scale = spec.density_scale};
   if (spec.color_temperature) {
-    target.derived.push_back(fmt::format("Color: {:.6g} K is {:.4g} {:.4g} {:.4g}, linear sRGB.",
-                                         *spec.color_temperature, spec.color.r, spec.color.g, spec.color.b));
+    target.derived.push_back(fmt::format("Color: {} K is {:.4g} {:.4g} {:.4g}, linear sRGB.",
+                                         shown_number(*spec.color_temperature), spec.color.r, spec.color.g,
+                                         spec.color.b));
   }
   if (spec.cone && spec.cone->photometry) {
     target.luminaire = read_luminaire_of(spec);

@@ -4,6 +4,8 @@
 #include <array>
 #include <charconv>
 
+#include "shown_number.h"
+
 namespace litfog::files {
 
 double degrees(double radians) {
@@ -19,5 +21,7 @@ double degrees(double radians) {
   }
   return quotient;
 }
+
+std::string shown_degrees(double radians) { return shown_number(degrees(radians)); }
 
 }  // namespace litfog::files

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <numbers>
+#include <string>
 
 namespace litfog::files {
 
@@ -11,5 +12,8 @@ inline double radians(double degrees) { return degrees / 180 * std::numbers::pi;
 /// The inverse: of the doubles next to the quotient the one with the fewest digits that is read back as the same angle,
 /// or the quotient if there is none.
 double degrees(double radians);
+
+/// Those degrees for a sentence.
+std::string shown_degrees(double radians);
 
 }  // namespace litfog::files

@@ -11,7 +11,6 @@
 #include "fit/attenuation_reach.h"
 #include "fit/falloff.h"
 #include "fit/falloff_search.h"
-#include "number_text.h"
 
 namespace litfog {
 namespace {
@@ -298,9 +297,7 @@ AttenuationFit fit_attenuation(const AttenuationTarget& asked) {
   const double largest_constant = kLargestConstantFraction / asked.threshold;
   if (asked.extent && asked.constant && *asked.constant > largest_constant) {
     fit.status = AttenuationFitStatus::infeasible;
-    fit.sentence = "constant " + number_text(*asked.constant) + " cannot be reached with an extent of " +
-                   number_text(*asked.extent) + " m at threshold " + number_text(asked.threshold) + ": from 0 to " +
-                   number_text(largest_constant) + " can";
+    fit.sentence = describe_constant_reach(asked, largest_constant);
     target.constant = largest_constant;
   }
   if (target.samples.empty()) {

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "number_text.h"
+#include "shown_number.h"
 
 namespace litfog {
 namespace {
@@ -46,10 +47,10 @@ Interval reachable_ranges(const AttenuationTarget& target, double attenuation) {
   return {std::min(linear, quadratic), std::max(linear, quadratic)};
 }
 
-/// To four digits, up or down: further digits where they are needed to stay between low and high.
-std::string format_within(double value, double low, double high) {
+/// To few digits, up or down: more where they are needed to stay between low and high.
+std::string format_within(double value, double low, double high, int few = 4) {
   std::array<char, 32> text;
-  for (int digits = 4; digits < 17; ++digits) {
+  for (int digits = few; digits < 17; ++digits) {
     // The neighbours of the rounded number on its decimal grid are tried too.
     const double unit = std::pow(10.0, std::floor(std::log10(value)) - digits + 1);
     for (const double candidate : {value, value + unit, value - unit}) {
@@ -57,7 +58,9 @@ std::string format_within(double value, double low, double high) {
           std::to_chars(text.data(), text.data() + text.size(), candidate, std::chars_format::general, digits).ptr;
       double rounded = 0;
       std::from_chars(text.data(), end, rounded);
-      if (rounded >= low && rounded <= high) return {text.data(), end};
+      constexpr int kMostShown = 9;  // beyond which shown_number() rounds
+      if (!(rounded >= low && rounded <= high)) continue;
+      return digits <= kMostShown ? shown_number(rounded) : std::string(text.data(), end);
     }
   }
   return number_text(value);
@@ -71,24 +74,30 @@ double distance_from_reach(const AttenuationTarget& target, const AttenuationSam
   return std::max({0.0, std::log(std::max(1.0, low)) - y, y - std::log(std::max(1.0, high))});
 }
 
+std::string describe_constant_reach(const AttenuationTarget& target, double largest) {
+  return "constant " + shown_number(*target.constant) + " cannot be reached with an extent of " +
+         shown_number(*target.extent) + " m at threshold " + shown_number(target.threshold) + ": from 0 to " +
+         format_within(largest, 0, largest, 7) + " can";
+}
+
 std::string describe_reach(const AttenuationTarget& target, const AttenuationSample& sample) {
-  std::string text = "attenuation " + number_text(sample.attenuation);
-  const std::string at_range = " at " + number_text(sample.range) + " m";
-  const std::string with_constant = target.constant ? " constant " + number_text(*target.constant) : "";
+  std::string text = "attenuation " + shown_number(sample.attenuation);
+  const std::string at_range = " at " + shown_number(sample.range) + " m";
+  const std::string with_constant = target.constant ? " constant " + shown_number(*target.constant) : "";
   if (target.constant && !(1 / sample.attenuation >= *target.constant)) {
     return text + " cannot be reached with" + with_constant + ": at most " +
            format_within(1 / *target.constant, 0, 1 / *target.constant) + " can";
   }
   if (!target.extent) {
     return text + at_range + " cannot be reached with" + with_constant + ": " +
-           number_text(std::min(1.0, 1 / *target.constant)) + " can";
+           shown_number(std::min(1.0, 1 / *target.constant)) + " can";
   }
-  text += at_range + " cannot be reached with an extent of " + number_text(*target.extent) + " m" +
+  text += at_range + " cannot be reached with an extent of " + shown_number(*target.extent) + " m" +
           (target.constant ? " and" + with_constant : "") + ": ";
   auto [low, high] = reachable_ranges(target, sample.attenuation);
   low *= *target.extent;
   high *= *target.extent;
-  if (low == high) return text + "only " + number_text(low) + " m can";
+  if (low == high) return text + "only " + shown_number(low) + " m can";
   const std::string from = low > 0 ? format_within(low, low, high) : "0";
   if (high == kInfinity) return text + "from " + from + " m on can";
   return text + "between " + from + " and " + format_within(high, low, high) + " m can";

@@ -24,6 +24,12 @@ TEST(Table, TextIsAlignedByCodePoints) {
             "-          inf  ok\n");
 }
 
+TEST(Table, WholeNumbersAreShownInFull) {
+  const Table table{{"x"}, {{1234567.0}, {-200000.0}, {-0.0}, {1234567.5}, {1e9}}};
+  EXPECT_EQ(format_table(table, TableFormat::text),
+            "          x\n    1234567\n    -200000\n          0\n1.23457e+06\n      1e+09\n");
+}
+
 TEST(Table, TerminalGetsNoCommands) {
   EXPECT_EQ(format_table({{"name", "x"}, {{"\x1B[2J\n\xFF", 1.0}}}, TableFormat::text),
             "name             x\n\\x1b[2J\\x0a\\xff  1\n");

@@ -475,6 +475,22 @@ TEST(AttenuationFit, InfeasibleSampleIsAnsweredWithTheRangesThatReachIt) {
   EXPECT_TRUE(sentence({.extent = 100, .samples = {{30, 0.5}}}).starts_with("feasible: "));
 }
 
+TEST(AttenuationFit, InfeasibleSentenceHasNoDigitsOfRounding) {
+  const auto sentence = [](const AttenuationTarget& target) { return fit_attenuation(target).sentence; };
+  const double derived = std::sqrt(12345.678);  // an extent of an illuminance
+  EXPECT_EQ(sentence({.extent = derived, .constant = 20.1}),
+            "constant 20.1 cannot be reached with an extent of 111.111 m at threshold 0.05: from 0 to 19.99998 can");
+  EXPECT_EQ(sentence({.threshold = 0.07, .extent = 450.125, .constant = 14.3}),
+            "constant 14.3 cannot be reached with an extent of 450.125 m at threshold 0.07: from 0 to 14.2857 can");
+  EXPECT_EQ(sentence({.extent = 200000, .constant = 0.1 + 0.2, .samples = {{300000, 0.5}}}),
+            "attenuation 0.5 at 300000 m cannot be reached with an extent of 200000 m and constant 0.3: between "
+            "17260 and 58750 m can");
+  EXPECT_EQ(sentence({.constant = 3, .samples = {{0, 0.25}, {20, 0.1}}}),
+            "attenuation 0.25 at 0 m cannot be reached with constant 3: 0.333333 can");
+  EXPECT_EQ(sentence({.extent = 0.1 + 0.2, .constant = 1, .samples = {{0.2, 0.05}}}),
+            "attenuation 0.05 at 0.2 m cannot be reached with an extent of 0.3 m and constant 1: only 0.3 m can");
+}
+
 TEST(AttenuationFit, InfeasibleTableIsAnsweredInASentence) {
   AttenuationTarget target{.extent = 100};
   for (int range = 1; range < 100; ++range) target.samples.push_back({double(range), 1 / (1 + 1e-4 * range * range)});
