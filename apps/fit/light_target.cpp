@@ -38,7 +38,14 @@ MeasuredAxis best_axis(const IntensityDistribution& distribution, const glm::dve
   return about_peak < kAimed * about_axis ? MeasuredAxis{peak, about_peak} : MeasuredAxis{axis, about_axis};
 }
 
-MeasuredAxis axis_of(const IntensityDistribution& distribution, const AxisChoice& choice) {
+/// The type whose angles name a luminaire's directions. An isocandela table has degrees to the right and above, though
+/// the beam of its ellipses is kept about its axis.
+PhotometryType angle_type_of(const Luminaire& luminaire) {
+  return luminaire.is_isocandela ? PhotometryType::a : luminaire.distribution.type;
+}
+
+MeasuredAxis axis_of(const Luminaire& luminaire, const AxisChoice& choice) {
+  const IntensityDistribution& distribution = luminaire.distribution;
   const glm::dvec3 peak = find_peak(distribution).direction;
   const auto measured = [&](const glm::dvec3& axis) { return MeasuredAxis{axis, asymmetry(distribution, axis)}; };
   switch (choice.kind) {
@@ -51,7 +58,7 @@ MeasuredAxis axis_of(const IntensityDistribution& distribution, const AxisChoice
     case AxisChoice::Kind::up:
       return measured(-kPhotometricAxis);
     case AxisChoice::Kind::given:
-      return measured(direction_of(distribution.type, choice.horizontal, choice.vertical));
+      return measured(direction_of(angle_type_of(luminaire), choice.horizontal, choice.vertical));
   }
   return best_axis(distribution, peak);
 }
@@ -80,7 +87,7 @@ void apply_tilt(LightTarget& target, double tilt) {
 }
 
 void set_axis(LightTarget& target, const AxisChoice& choice) {
-  const auto [axis, asymmetry] = axis_of(target.luminaire->distribution, choice);
+  const auto [axis, asymmetry] = axis_of(*target.luminaire, choice);
   target.axis = axis;
   target.asymmetry = asymmetry;
 }
@@ -120,7 +127,10 @@ std::string sentence_on_cone(const LightTarget& target) {
 InputError error_at(const LightSpec& spec, const char* part, const TargetError& error) {
   const std::string holder = error.sample ? fmt::format("{}.samples[{}]", part, *error.sample) : part;
   const auto& [field, value, rule] = error.error;
-  return spec.error_at(fmt::format("{}.{}", holder, field), fmt::format("{}", value), rule);
+  constexpr double kLargestPercentage = 100;  // more is none, but may be lux
+  const bool may_be_lux = field == std::string_view("attenuation") && value > kLargestPercentage;
+  return spec.error_at(fmt::format("{}.{}", holder, field), fmt::format("{}", value),
+                       std::string(rule) + (may_be_lux ? "; of a table of lx give one row as illuminance" : ""));
 }
 
 AttenuationFamily family_of(RangeSpec::Family family) {
@@ -386,7 +396,7 @@ std::string describe_axis(const Luminaire& luminaire, const glm::dvec3& axis) {
     return fmt::format("{}, opposite to the photometric axis", hangs(luminaire) ? "up" : "behind");
   }
   const double angle = std::acos(std::clamp(glm::dot(axis, kPhotometricAxis), -1.0, 1.0));
-  const auto [horizontal, vertical] = angles_of(luminaire.distribution.type, axis);
+  const auto [horizontal, vertical] = angles_of(angle_type_of(luminaire), axis);
   return fmt::format("{:.4g} deg from the photometric axis, --axis {:.4g},{:.4g}", files::degrees(angle),
                      files::degrees(horizontal), files::degrees(vertical));
 }

@@ -86,10 +86,13 @@ Figures that are derived from these are reported step by step, as "derived", and
 A photometric file (IES LM-63 of any edition, EULUMDAT, TM-33, GLDF, or an isocandela table) is a light without a
 spec: its cone is fitted to the intensities at the file's own angles, each of weight 1, as the mean over the turn about
 the axis; it is white; and it ends, at the threshold 0.05, where its peak gives 1 lx: C = 1, Q = (1/0.05 - 1) / (peak
-in cd / 1 lx). A spec with photometry and no range ends there, too. Angles that the file does not state are dark. The
-axis is the photometric one, down, or its opposite where the peak lies above the horizon, or the peak of a beam aimed
-elsewhere; the report says which, and --axis moves it. The report also measures how far a beam is from rotational
-symmetry, and --cookie keeps its shape as a cube map.
+in cd / 1 lx). A spec with photometry and no range ends there, too. With a range its peak_cd, illuminance or flux_lm
+scales the intensities, which may then be percentages. Angles that the file does not state are dark.
+
+The axis is the photometric one, down, or its opposite where the peak lies above the horizon, or the peak of a beam
+aimed elsewhere. The report says which, and --axis moves it: in degrees to the right and above of an isocandela table,
+else by the file's two angles. The report also measures how far a beam is from rotational symmetry, and --cookie keeps
+its shape as a cube map.
 
 An isocandela table is CSV, lines with # are comments. It is a grid of candela, with degrees to the right and above,
   vertical_deg,-10,-5,0,5,10
