@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 #include <utility>
 
@@ -47,8 +48,10 @@ struct Subject {
   int target_color;
   bool is_alone;
 
+  std::string own_name = fit.light.name;
+
   /// A line's name in the key: of several lights, which colour tells apart, their own.
-  std::string name(const std::string& line) const { return is_alone ? line : shortened(fit.light.name, kMostInKey); }
+  std::string name(const std::string& line) const { return is_alone ? line : shortened(own_name, kMostInKey); }
   /// That of other lines in the light's colour.
   std::string second_name(const std::string& line) const { return is_alone ? line : ""; }
 };
@@ -59,6 +62,11 @@ std::vector<Subject> subjects_of(const std::vector<const LightFit*>& fits) {
   for (const LightFit* fit : fits) {
     const int color = int(subjects.size());
     subjects.push_back({*fit, color, color, false});
+  }
+  for (Subject& subject : subjects) {
+    const auto count =
+        std::ranges::count(fits, subject.fit.light.name, [](const LightFit* fit) { return fit->light.name; });
+    if (count > 1) subject.own_name = std::filesystem::path(subject.fit.target.file).filename().string();
   }
   return subjects;
 }
@@ -301,7 +309,8 @@ std::vector<command::Chart> angle_charts(const std::vector<Subject>& subjects) {
         error.points.push_back({point.x, 100 * (value_of(*profile, data.unit, point.x) - point.y) / data.unit});
       }
     }
-    const SeriesStyle style = style_of(data.targets, SeriesStyle::points);
+    SeriesStyle style = style_of(data.targets, SeriesStyle::points);
+    if (!subject.is_alone && style == SeriesStyle::line) style = SeriesStyle::dashes;  // the cone has that colour, too
     lines.push_back({.name = subject.second_name("target"),
                      .points = std::move(data.targets),
                      .style = style,
@@ -382,8 +391,8 @@ command::Figure fit_figure(const std::vector<const LightFit*>& fits) {
   }
   command::Figure figure{.columns = int(columns.size())};
   const std::size_t most = kMostInTitle * columns.size() / fits.size();
-  for (const LightFit* fit : fits) {
-    figure.title += (figure.title.empty() ? "" : " / ") + shortened(fit->light.name, most);
+  for (const Subject& subject : subjects) {
+    figure.title += (figure.title.empty() ? "" : " / ") + shortened(subject.own_name, most);
   }
   figure.width = 600 * figure.columns;
   figure.height = 780;
