@@ -130,7 +130,7 @@ figure {{ margin: 0.5rem 0; }}
 figure img {{ max-width: 100%; height: auto; }}
 figcaption {{ font-size: 0.8125rem; color: #666; }}
 </style></head><body>
-<h1>{count} lights</h1>
+<h1>{heading}</h1>
 <p>Errors are fit less data. A beam's asymmetry is the part of it (rms) that no cone can follow. In fog a light is seen
 from 30 m beside its beam, the frame is {metres} m wide, visibility {near}, and all lights have one exposure.</p>
 <div class="scroll"><table><thead><tr><th>light</th><th>extent m</th><th>cone</th><th>rms %</th><th>flux %</th>
@@ -155,6 +155,15 @@ std::string text_of(const Cell& cell) {
 const Cell& cell_of(const Summary& summary, std::string_view column) {
   const auto& columns = summary_columns();
   return summary.row[std::size_t(std::ranges::find(columns, column) - columns.begin())];
+}
+
+bool has_light(const Summary& summary) { return !text_of(cell_of(summary, "verdict")).empty(); }
+
+/// "40 lights", "1 light of 3 files".
+std::string heading_of(const std::vector<Summary>& summaries) {
+  const auto count = std::size_t(std::ranges::count_if(summaries, has_light));
+  const std::string lights = fmt::format("{} light{}", count, count == 1 ? "" : "s");
+  return count == summaries.size() ? lights : fmt::format("{} of {} files", lights, summaries.size());
 }
 
 std::string table_row(const Input& input, const Summary& summary) {
@@ -253,13 +262,19 @@ void Catalogue::add(const std::vector<FittedLamp>& lamps) const {
 }
 
 void Catalogue::write_page(const std::vector<Input>& inputs, const std::vector<Summary>& summaries) const {
-  std::string html =
-      fmt::format(fmt::runtime(kPageBegin), fmt::arg("first_line", kFirstLine), fmt::arg("count", inputs.size()),
-                  fmt::arg("metres", kFogPictureMetres), fmt::arg("near", visibilities()));
+  std::string html = fmt::format(fmt::runtime(kPageBegin), fmt::arg("first_line", kFirstLine),
+                                 fmt::arg("heading", heading_of(summaries)), fmt::arg("metres", kFogPictureMetres),
+                                 fmt::arg("near", visibilities()));
   for (std::size_t i = 0; i < inputs.size(); ++i) html += table_row(inputs[i], summaries[i]);
   html += "</tbody></table></div>\n";
+  for (const Summary& summary : summaries) {
+    if (has_light(summary)) continue;
+    for (const std::string& message : summary.messages) {
+      html += fmt::format("<p class=\"poor\">{}</p>\n", html_text(message));
+    }
+  }
   for (std::size_t i = 0; i < inputs.size(); ++i) {
-    if (!text_of(cell_of(summaries[i], "verdict")).empty()) html += section(inputs[i], summaries[i]);
+    if (has_light(summaries[i])) html += section(inputs[i], summaries[i]);
   }
   files::write_whole_file((folder_ / kPage).string(), html + "</body></html>\n");
 }
