@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -45,9 +46,20 @@ class Findings {
   std::vector<Finding> findings_;
 };
 
+/// What holds an attenuation: "extent and constant", "extent, constant and samples".
+std::string given_of(const AttenuationTarget& target) {
+  std::vector<std::string> given;
+  if (target.extent) given.emplace_back("extent");
+  if (target.constant) given.emplace_back("constant");
+  if (!target.samples.empty()) given.emplace_back("samples");
+  const std::string last = given.back();
+  given.pop_back();
+  return given.empty() ? last : fmt::format("{} and {}", fmt::join(given, ", "), last);
+}
+
 void judge_range(Findings& findings, const AttenuationTarget& target, const AttenuationFit& fit) {
   if (fit.status == AttenuationFitStatus::infeasible) {
-    findings.add(Grade::poor, "no attenuation has the extent, constant and samples given");
+    findings.add(Grade::poor, fmt::format("no attenuation has the {} given", given_of(target)));
   } else if (fit.status == AttenuationFitStatus::unproven) {
     findings.add(Grade::fair, "a better attenuation is not ruled out");
   }
