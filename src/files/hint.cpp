@@ -7,6 +7,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <optional>
 
@@ -41,14 +42,15 @@ struct Unit {
   std::string_view sign = {};  ///< another symbol
 };
 
+constexpr std::array kUnits{Unit{"deg", "degrees", "\u00b0"},
+                            Unit{"m", "metres"},
+                            Unit{"cd", "candela"},
+                            Unit{"lm", "lumens"},
+                            Unit{"lx", "lux"},
+                            Unit{"k", "kelvin"}};
+
 /// That of a member's value, or of an item's in its array.
 const Unit* unit_of(std::string_view member) {
-  static constexpr std::array kUnits{Unit{"deg", "degrees", "\u00b0"},
-                                     Unit{"m", "metres"},
-                                     Unit{"cd", "candela"},
-                                     Unit{"lm", "lumens"},
-                                     Unit{"lx", "lux"},
-                                     Unit{"k", "kelvin"}};
   if (member.ends_with(']')) member.remove_suffix(member.size() - member.rfind('['));
   const std::string_view last = member.substr(member.find_last_of("._") + 1);
   const bool is_suffix = last.size() < member.size();
@@ -85,6 +87,22 @@ std::string advice_on_comma(std::string_view text, const std::string& with_point
 /// A percentage as a fraction, without the digits that division by 100 adds: 1.1 / 100 is 0.011000000000000001.
 std::string percent_text(double percent) { return fmt::format("; {} % is {:.15g}", percent, percent / 100); }
 
+std::string_view first_part(std::string_view name) { return name.substr(0, name.find('_')); }
+
+/// The only known name with the unit that a word ends with or is, as "distance_m" and "lumens", or the only one of
+/// these that begins as it does, as "beam_deg".
+std::string_view name_by_unit(std::string_view word, const std::vector<std::string_view>& known) {
+  const auto named = std::ranges::find_if(kUnits, [word](const Unit& unit) { return word.ends_with(unit.name); });
+  const Unit* const unit = named != kUnits.end() ? &*named : unit_of(word);
+  if (unit == nullptr) return {};
+  std::vector<std::string_view> alike;
+  std::ranges::copy_if(known, std::back_inserter(alike), [unit](auto name) { return unit_of(name) == unit; });
+  if (alike.size() > 1) {
+    std::erase_if(alike, [word](auto name) { return first_part(name) != first_part(word); });
+  }
+  return alike.size() == 1 ? alike.front() : std::string_view();
+}
+
 }  // namespace
 
 std::string hint_for_word(std::string_view word, const std::vector<std::string_view>& known) {
@@ -99,6 +117,7 @@ std::string hint_for_word(std::string_view word, const std::vector<std::string_v
     fewest = slips;
     nearest = candidate;
   }
+  if (nearest.empty()) nearest = name_by_unit(typed, known);
   return nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest);
 }
 

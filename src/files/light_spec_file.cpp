@@ -60,9 +60,11 @@ std::optional<double> angle_of(const JsonValue& value, std::string_view name) {
 std::optional<FullAngles> angles_of(const JsonValue& value, std::string_view name) {
   const auto member = value.optional(name);
   if (!member) return std::nullopt;
+  constexpr const char* kRule = "must be a number, or an array of two: horizontal and vertical";
+  if (member->is_object()) member->fail(kRule);
   if (!member->is_array()) return FullAngles(radians(member->number()));
   const auto angles = member->items();
-  if (angles.size() != 2) member->fail("must be a number, or two: horizontal and vertical");
+  if (angles.size() != 2) member->fail(kRule);
   return FullAngles(radians(angles[0].number()), radians(angles[1].number()));
 }
 
@@ -94,6 +96,7 @@ void parse_end(const JsonValue& value, RangeSpec& range) {
   if (const auto peak = value.optional("peak_cd")) range.peak = positive_number(*peak);
   if (const auto flux = value.optional("flux_lm")) range.flux = positive_number(*flux);
   if (const auto illuminance = value.optional("illuminance")) {
+    if (!illuminance->is_object()) illuminance->fail("must be an object of range_m and lx, as one row of a table");
     illuminance->allow_only({"range_m", "lx"});
     range.illuminance = {.range = positive_number(illuminance->member("range_m")),
                          .lux = positive_number(illuminance->member("lx"))};

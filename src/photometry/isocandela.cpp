@@ -219,7 +219,9 @@ Luminaire parse_isocandela(std::string text, const std::string& name) {
   } else if (names == kEllipses) {
     parse_ellipses(rows, luminaire);
   } else {
-    rows.scanner().fail(header.front(), "header", kHeaderRule);
+    const std::string_view last = header.back().text;
+    const std::size_t length = header.back().offset + last.size() - header.front().offset;
+    rows.scanner().fail({{header.front().text.data(), length}, header.front().offset}, "header", kHeaderRule);
   }
   luminaire.name = rows.name();
   return luminaire;

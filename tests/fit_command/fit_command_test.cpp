@@ -291,6 +291,30 @@ TEST_F(FitCommand, PlotNamesPlanesOfTheBeamAsItsDataSheetDoes) {
   expect_labels("ellipse.json", {"intensity / peak", ">horizontal<", ">vertical<"});
 }
 
+TEST_F(FitCommand, PlotOfLightsOfOneNameHasTheNamesOfTheirFiles) {
+  for (const char* name : {"white.json", "red.json"}) {
+    write(name, R"({"litfog": "light-spec", "version": 1, "name": "edge", "range": {"extent_m": 50}})");
+  }
+  EXPECT_EQ(run("white.json --against red.json --plot both.svg").status, kDone);
+  for (const char* label : {">white.json<", ">red.json<", ">white.json / red.json<"}) {
+    EXPECT_NE(read("both.svg").find(label), std::string::npos) << label;
+  }
+}
+
+TEST_F(FitCommand, ReportShowsNumbersAsTheyWereWritten) {
+  write("bright.json", R"({"litfog": "light-spec", "version": 1, "range": {"peak_cd": 1234567, "end_lx": 2.25}})");
+  EXPECT_NE(run("bright.json").out.find("sqrt(1234567 cd / 2.25 lx) = 740.74 m, where the light gives 2.25 lx."),
+            std::string::npos);
+  write("far.json",
+        R"({"litfog": "light-spec", "version": 1, "range": {"extent_m": 450.123456, "threshold": 0.0123456}})");
+  EXPECT_NE(run("far.json").out.find("450.123456 m, where the attenuation is 0.0123456 (wanted 450.123456 m)"),
+            std::string::npos);
+  write("beyond.json", R"({"litfog": "light-spec", "version": 1, "range": {"peak_cd": 12345.678, "constant": 20.1}})");
+  EXPECT_NE(run("beyond.json").err.find(" an extent of 111.111 m at threshold 0.05: from 0 to 19.99998 can\n"),
+            std::string::npos);
+  EXPECT_NE(run("beyond.json").out.find("poor: no attenuation has the extent and constant given"), std::string::npos);
+}
+
 TEST_F(FitCommand, ReportHasNoErrorsThatAreRounding) {
   write("one-angle.json", R"({"litfog": "light-spec", "version": 1, "cone": {"beam_angle_deg": 36}})");
   const std::string report = run("one-angle.json").out;
@@ -326,6 +350,32 @@ TEST_F(FitCommand, AdviceNamesThePeakOfOneAngleAndColorsInBytes) {
   EXPECT_FALSE(has_advice(beam + R"(, "field_angle_deg": 60})", of_flux));
   EXPECT_TRUE(has_advice(R"("color": [255, 200, 100], "range": {"extent_m": 100})", "color reaches 255"));
   EXPECT_FALSE(has_advice(R"("color": [2, 0.8, 0.4], "range": {"extent_m": 100})", "color"));
+}
+
+TEST_F(FitCommand, WordsOfDataSheetsAreAnsweredWithTheMember) {
+  const auto expect_rule = [&](const std::string& members, const std::string& end) {
+    write("spec.json", R"({"litfog": "light-spec", "version": 1, )" + members + "}");
+    const std::string message = run("spec.json").err;
+    EXPECT_TRUE(message.ends_with(end + "\n")) << message;
+  };
+  expect_rule(R"("range": {"candela": 9})", "; did you mean peak_cd?");
+  expect_rule(R"("range": {"lumens": 9})", "; did you mean flux_lm?");
+  expect_rule(R"("range": {"distance_m": 9})", "; did you mean extent_m?");
+  expect_rule(R"("cone": {"beam_deg": 9})", "; did you mean beam_angle_deg?");
+  expect_rule(R"("range": {"extent_m": 9}, "power_w": 9)", "density_scale, range, cone");
+  const std::string row = ": must be an object of range_m and lx, as one row of a table";
+  expect_rule(R"("range": {"illuminance": [{"range_m": 1, "lx": 900}, {"range_m": 2, "lx": 225}]})", row);
+  expect_rule(R"("range": {"illuminance": 900})", row);
+  expect_rule(R"("range": {"samples": [{"range_m": 1, "attenuation": 900}, {"range_m": 2, "attenuation": 225}]})",
+              "must be in [1e-100, 1]; of a table of lx give one row as illuminance");
+  expect_rule(R"("cone": {"beam_angle_deg": {"horizontal": 20, "vertical": 10}})",
+              "must be a number, or an array of two: horizontal and vertical");
+  expect_rule(R"("range": {"extent_m": 9,})",
+              "must be a member's name in quotes; the last member has no comma behind it");
+  expect_rule(R"("color": [1, 1, 1,], "range": {"extent_m": 9})",
+              "must be an item; the last one has no comma behind it");
+  write("header.csv", "candela,horizontal,vertical\n9,2,1\n");
+  EXPECT_NE(run("header.csv").err.find("header = candela,horizontal,vertical: must be "), std::string::npos);
 }
 
 TEST_F(FitCommand, BadInputIsAnErrorAndNothingIsWritten) {
@@ -555,6 +605,16 @@ TEST_F(FitCommand, AxisOfANarrowBeamIsItsPeakHoweverNear) {
   EXPECT_EQ(nlohmann::json::parse(run("aimed.csv --axis 0,4 --format json").out)[0]["axis"], report["axis"]);
   EXPECT_EQ(nlohmann::json::parse(run("aimed.csv --axis down --format json").out)[0]["axis"],
             "ahead, the photometric axis");
+}
+
+TEST_F(FitCommand, AxisOfAnIsocandelaTableIsToTheRightAndAbove) {
+  write("ellipses.csv", "candela,horizontal_deg,vertical_deg\n5000,7,5\n500,11.5,6\n");
+  write("grid.csv", "vertical_deg,-10,0,10\n10,10,20,10\n0,20,50,20\n-10,10,20,10\n");
+  for (const char* table : {"ellipses.csv", "grid.csv"}) {
+    const std::string command = std::string(table) + " --axis -5,2 --format json";
+    EXPECT_EQ(nlohmann::json::parse(run(command).out)[0]["axis"], "5.384 deg from the photometric axis, --axis -5,2")
+        << table;
+  }
 }
 
 TEST_F(FitCommand, DerivedFiguresAreToldWithTheirSteps) {
@@ -868,9 +928,9 @@ TEST_F(FitCommand, CatalogueHasAPageWithEachLightAndItsPictures) {
   const Outcome outcome = run("lamp.json 'a b.ies' bad.ies --catalogue cat");
   EXPECT_EQ(outcome.status, kBadInput);
   const std::string page = read("cat/index.html");
-  for (const char* part :
-       {"<h1>3 lights</h1>", "&lt;b&gt;&amp;", "href=\"lamps/a%20b.json\"", "src=\"lamps/a%20b.svg\"",
-        "src=\"lamps/a%20b.png\"", "src=\"lamps/lamp.svg\"", "<td>no light</td>"}) {
+  for (const char* part : {"<h1>2 lights of 3 files</h1>", "&lt;b&gt;&amp;", "href=\"lamps/a%20b.json\"",
+                           "src=\"lamps/a%20b.svg\"", "src=\"lamps/a%20b.png\"", "src=\"lamps/lamp.svg\"",
+                           "<td>no light</td>", "<p class=\"poor\">bad.ies:1:2: TILT: must be given</p>"}) {
     EXPECT_NE(page.find(part), std::string::npos) << part;
   }
   for (const char* part : {"<script", "http:", "https:", "//", "<b>"}) {
