@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -72,8 +73,8 @@ std::vector<Subject> subjects_of(const std::vector<const LightFit*>& fits) {
 }
 
 /// A dashed line across a chart at a height.
-Series level_line(double end, double level, const std::string& label = "") {
-  return {.points = {{0, level}, {0.9 * end, level, label, command::LabelPlace::above}, {end, level}},
+Series level_line(double end, double level, const std::string& label = "", double begin = 0) {
+  return {.points = {{begin, level}, {0.9 * end, level, label, command::LabelPlace::above}, {end, level}},
           .style = SeriesStyle::dashes,
           .color = kLineColor};
 }
@@ -118,33 +119,49 @@ std::vector<PlotPoint> range_targets(const AttenuationTarget& target) {
   return points;
 }
 
-std::vector<command::Chart> range_charts(const std::vector<Subject>& subjects) {
-  double end = 0;
+/// Of several lights whose ends lie far apart, a logarithmic one, or the nearer would be lost at 0.
+command::Axis range_axis(const std::vector<Subject>& subjects) {
+  constexpr double kFarApart = 30, kLeast = 0.01;  // of the nearest end
+  double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
   for (const Subject& subject : subjects) {
     if (!subject.fit.range) continue;
+    double end = 0;
     for (const PlotPoint& point : range_targets(*subject.fit.target.range)) end = std::max(end, kMargin * point.x);
+    nearest = std::min(nearest, end);
+    farthest = std::max(farthest, end);
   }
+  const bool is_log = farthest > kFarApart * nearest;
+  return {.label = "range (m)", .is_log = is_log, .least = is_log ? kLeast * nearest : 0, .most = farthest};
+}
+
+std::vector<command::Chart> range_charts(const std::vector<Subject>& subjects) {
+  const command::Axis range = range_axis(subjects);
+  const bool is_log = range.is_log;
+  const double begin = range.least, end = range.most;
   std::vector<Series> lines, errors;
   for (const Subject& subject : subjects) {
     const LightFit& fit = subject.fit;
     if (!fit.range) continue;
     const Attenuation& attenuation = fit.range->attenuation;
-    lines.push_back(level_line(end, fit.target.range->threshold, subject.is_alone ? "threshold" : ""));
-    lines.push_back(
-        sampled(subject.name("fit"), subject.color, 0, end, [&](double r) { return attenuation_at(attenuation, r); }));
+    lines.push_back(level_line(end, fit.target.range->threshold, subject.is_alone ? "threshold" : "", begin));
+    Series line =
+        sampled(subject.name("fit"), subject.color, is_log ? std::log(begin) : begin, is_log ? std::log(end) : end,
+                [&](double x) { return attenuation_at(attenuation, is_log ? std::exp(x) : x); });
+    for (PlotPoint& point : line.points) point.x = is_log ? std::exp(point.x) : point.x;
+    lines.push_back(std::move(line));
     lines.push_back({.name = subject.second_name("target"),
                      .points = range_targets(*fit.target.range),
                      .style = SeriesStyle::points,
                      .color = subject.target_color});
+    std::erase_if(lines.back().points, [&](const PlotPoint& point) { return point.x < begin; });
     Series& error = errors.emplace_back(Series{.style = SeriesStyle::points, .color = subject.color});
     for (const auto& [x, y, label, place] : lines.back().points) {
       error.points.push_back({x, 100 * (attenuation_at(attenuation, x) / y - 1)});
     }
   }
   if (errors.empty()) return {};
-  const command::Axis range{.label = "range (m)", .most = end};
   const command::Axis error = error_axis("error (%)", errors);
-  errors.insert(errors.begin(), level_line(end, 0));
+  errors.insert(errors.begin(), level_line(end, 0, "", begin));
   const command::Axis fraction{.label = "attenuation", .most = 1.05};
   const command::Chart values{.x = range, .y = fraction, .series = lines, .key = command::KeyPlace::above};
   const command::Chart below{.x = range, .y = error, .series = errors, .key = command::KeyPlace::none};

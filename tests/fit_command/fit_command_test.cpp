@@ -301,6 +301,19 @@ TEST_F(FitCommand, PlotOfLightsOfOneNameHasTheNamesOfTheirFiles) {
   }
 }
 
+TEST_F(FitCommand, PlotOfLightsOfVeryDifferentReachHasALogarithmicRange) {
+  write("near.json", R"({"litfog": "light-spec", "version": 1, "range": {"extent_m": 50}})");
+  write("far.json", R"({"litfog": "light-spec", "version": 1, "range": {"extent_m": 50000,
+        "samples": [{"range_m": 0, "attenuation": 1}, {"range_m": 50000, "attenuation": 0.05}]}})");
+  write("farther.json", R"({"litfog": "light-spec", "version": 1, "range": {"extent_m": 60000}})");
+  const auto has_thousand = [&](const std::string& lights) {
+    EXPECT_EQ(run(lights + " --plot both.svg").status, kDone) << lights;
+    return read("both.svg").find(">1000<") != std::string::npos;
+  };
+  EXPECT_TRUE(has_thousand("near.json --against far.json"));
+  EXPECT_FALSE(has_thousand("farther.json --against far.json"));
+}
+
 TEST_F(FitCommand, ReportShowsNumbersAsTheyWereWritten) {
   write("bright.json", R"({"litfog": "light-spec", "version": 1, "range": {"peak_cd": 1234567, "end_lx": 2.25}})");
   EXPECT_NE(run("bright.json").out.find("sqrt(1234567 cd / 2.25 lx) = 740.74 m, where the light gives 2.25 lx."),
@@ -370,10 +383,8 @@ TEST_F(FitCommand, WordsOfDataSheetsAreAnsweredWithTheMember) {
               "must be in [1e-100, 1]; of a table of lx give one row as illuminance");
   expect_rule(R"("cone": {"beam_angle_deg": {"horizontal": 20, "vertical": 10}})",
               "must be a number, or an array of two: horizontal and vertical");
-  expect_rule(R"("range": {"extent_m": 9,})",
-              "must be a member's name in quotes; the last member has no comma behind it");
-  expect_rule(R"("color": [1, 1, 1,], "range": {"extent_m": 9})",
-              "must be an item; the last one has no comma behind it");
+  expect_rule(R"("range": {"extent_m": 9,})", "must be a member's name in quotes; leave out the comma before it");
+  expect_rule(R"("color": [1, 1, 1,], "range": {"extent_m": 9})", "; leave out the comma before it");
   write("header.csv", "candela,horizontal,vertical\n9,2,1\n");
   EXPECT_NE(run("header.csv").err.find("header = candela,horizontal,vertical: must be "), std::string::npos);
 }
