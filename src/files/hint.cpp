@@ -90,14 +90,14 @@ std::string percent_text(double percent) { return fmt::format("; {} % is {:.15g}
 std::string_view first_part(std::string_view name) { return name.substr(0, name.find('_')); }
 
 /// The only known name with the unit that a word ends with or is, as "distance_m" and "lumens", or the only one of
-/// these that begins as it does, as "beam_deg".
+/// these that begins as it does, as "beam_deg": angles are of many kinds.
 std::string_view name_by_unit(std::string_view word, const std::vector<std::string_view>& known) {
   const auto named = std::ranges::find_if(kUnits, [word](const Unit& unit) { return word.ends_with(unit.name); });
   const Unit* const unit = named != kUnits.end() ? &*named : unit_of(word);
   if (unit == nullptr) return {};
   std::vector<std::string_view> alike;
   std::ranges::copy_if(known, std::back_inserter(alike), [unit](auto name) { return unit_of(name) == unit; });
-  if (alike.size() > 1) {
+  if (alike.size() > 1 || unit->symbol == "deg") {
     std::erase_if(alike, [word](auto name) { return first_part(name) != first_part(word); });
   }
   return alike.size() == 1 ? alike.front() : std::string_view();
@@ -152,6 +152,8 @@ std::string hint_for_fraction(double number, std::string_view rule) {
 }
 
 std::string hint_for_syntax(std::string_view text, std::size_t offset) {
+  const bool is_end = offset < text.size() && (text[offset] == '}' || text[offset] == ']');
+  if (is_end && trimmed(text.substr(0, offset)).ends_with(',')) return "; leave out the comma before it";
   // Behind a comma an object has no number, and an array none of two digits that begins with 0: the comma is a decimal
   // one. Elsewhere it divides the items of an array.
   const std::string_view before = text.substr(0, offset);

@@ -27,7 +27,7 @@ std::string hint_for_quoted_number(std::string_view text, std::string_view membe
 /// Of a number that breaks a rule such as "must be in (0, 1)" and may be a percentage.
 std::string hint_for_fraction(double number, std::string_view rule);
 
-/// Of JSON that is wrong at an offset: a decimal comma.
+/// Of JSON that is wrong at an offset: a decimal comma, or one behind the last member or item.
 std::string hint_for_syntax(std::string_view text, std::size_t offset);
 
 }  // namespace litfog::files

@@ -75,12 +75,10 @@ SyntaxRule syntax_rule(rapidjson::ParseErrorCode code, std::string_view found) {
   switch (code) {
     case rapidjson::kParseErrorDocumentEmpty:
     case rapidjson::kParseErrorValueInvalid:
-      if (found == "]") return {"text", "must be an item; the last one has no comma behind it"};
       return {"text", "must be an object, an array, a string, a number, true, false or null"};
     case rapidjson::kParseErrorDocumentRootNotSingular:
       return {"text", "must not follow the end of the document"};
     case rapidjson::kParseErrorObjectMissName:
-      if (found == "}") return {"text", "must be a member's name in quotes; the last member has no comma behind it"};
       return {"text", "must be a member's name in quotes"};
     case rapidjson::kParseErrorObjectMissColon:
       return {"text", "must be ':'"};

@@ -85,9 +85,11 @@ TEST(JsonDocument, ByteOrderMarkIsNoColumn) {
 
 TEST(JsonDocument, BrokenTextIsAnErrorAtItsLocation) {
   EXPECT_EQ(error_of(""), "f:1:1: end of file: must be an object, an array, a string, a number, true, false or null");
-  EXPECT_EQ(error_of("{\n \"a\": 1,\n}"), R"(f:3:1: text = "}": must be a member's name in quotes)");
+  EXPECT_EQ(error_of("{\n \"a\": 1,\n}"),
+            R"(f:3:1: text = "}": must be a member's name in quotes; leave out the comma before it)");
   EXPECT_EQ(error_of("{\"a\": 1 \"b\": 2}"), R"(f:1:9: text = "\"b\"": must be ',' or '}')");
   EXPECT_EQ(error_of("[1, 2"), "f:1:6: end of file: must be ',' or ']'");
+  EXPECT_TRUE(error_of("[1, ]").ends_with("true, false or null; leave out the comma before it")) << error_of("[1, ]");
   EXPECT_EQ(error_of("[tru]"),
             R"(f:1:5: text = "tru": must be an object, an array, a string, a number, true, false or null)");
   EXPECT_EQ(error_of("[01]"), R"(f:1:3: text = "1": must be ',' or ']')");

@@ -228,8 +228,9 @@ TEST_F(LightSpecFile, AnglesOfAnEllipticalBeamAreTwo) {
   const std::string copy = (directory_.path() / "copy.json").string();
   write_light_spec(copy, spec);
   expect_equal(read_light_spec(copy), spec);
-  EXPECT_EQ(error_of(R"("cone": {"beam_angle_deg": [1, 2, 3]})"),
-            "f.json:2:28: cone.beam_angle_deg = an array: must be a number, or two: horizontal and vertical");
+  EXPECT_EQ(
+      error_of(R"("cone": {"beam_angle_deg": [1, 2, 3]})"),
+      "f.json:2:28: cone.beam_angle_deg = an array: must be a number, or an array of two: horizontal and vertical");
   EXPECT_EQ(error_of(R"("cone": {"beam_angle_deg": [1, "2"]})"),
             "f.json:2:32: cone.beam_angle_deg[1] = \"2\": must be a number; write 2, without quotation marks");
   EXPECT_EQ(error_of(R"("cone": {"field_angle_deg": [9, 8], "photometry": "a.ies"})"),
