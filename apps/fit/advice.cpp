@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -87,7 +89,24 @@ std::optional<double> ring_angle(const LightTarget& target) {
   return brightest->angle;
 }
 
+/// Of a lamp that lights both ways: the brightness of its second beam, a fraction of the first.
+std::optional<double> second_beam(const LightTarget& target) {
+  constexpr double kLeast = 0.25;  // of the first beam
+  if (!target.luminaire || (target.axis != kPhotometricAxis && target.axis != -kPhotometricAxis)) return std::nullopt;
+  double level = std::numeric_limits<double>::infinity(), second = 0;
+  for (const ConeSample& sample : target.cone->samples) {
+    if (sample.angle > std::numbers::pi / 2) second = std::max(second, sample.intensity);
+    if (std::abs(sample.angle - std::numbers::pi / 2) < files::radians(30)) level = std::min(level, sample.intensity);
+  }
+  const double fraction = second / peak_of(target.cone->samples);
+  return fraction >= kLeast && level < 0.5 * second ? std::optional(fraction) : std::nullopt;
+}
+
 void advise_on_shape(const LightFit& fit, Advice& advice) {
+  if (const auto fraction = second_beam(fit.target)) {
+    advice.add("A second beam, {:.0f} % as bright, goes the other way: --axis {} fits it, as a light of its own.",
+               100 * *fraction, fit.target.axis == kPhotometricAxis ? "up" : "down");
+  }
   if (fit.beam() && fit.target.asymmetry > kRoundBeam) {
     advice.add("The beam is not rotationally symmetric: any cone loses {:.0f} % of it (rms). --cookie keeps its shape.",
                100 * fit.target.asymmetry);

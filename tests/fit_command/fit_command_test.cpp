@@ -351,6 +351,21 @@ TEST_F(FitCommand, AdviceNamesTheProfileWhoseFluxIsNearer) {
   EXPECT_EQ(wide_spill.find("--profile"), std::string::npos) << wide_spill;
 }
 
+TEST_F(FitCommand, AdviceNamesASecondBeam) {
+  const auto advice_on = [&](const std::string& candela, const std::string& options = "") {
+    write("lamp.ies",
+          "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 7 1 1 2 0 0 0\n1 1 10\n0 20 40 90 140 160 180\n0\n" + candela + "\n");
+    return nlohmann::json::parse(run("lamp.ies --format json" + options).out)[0]["advice"].dump();
+  };
+  EXPECT_NE(
+      advice_on("100 50 5 0 5 40 80").find("A second beam, 80 % as bright, goes the other way: --axis up fits it"),
+      std::string::npos);
+  EXPECT_NE(advice_on("100 50 5 0 5 40 80", " --axis up").find("--axis down fits it"), std::string::npos);
+  for (const char* candela : {"100 50 5 0 0 0 0", "100 50 5 0 0 5 10", "100 95 90 85 80 75 70"}) {
+    EXPECT_EQ(advice_on(candela).find("second beam"), std::string::npos) << candela;
+  }
+}
+
 TEST_F(FitCommand, AdviceNamesThePeakOfOneAngleAndColorsInBytes) {
   const auto has_advice = [&](const std::string& members, const std::string& part) {
     write("spec.json", R"({"litfog": "light-spec", "version": 1, )" + members + "}");
