@@ -61,7 +61,7 @@ std::optional<ConeParameters> SmoothstepProfile::start(const ConeBox& box) const
 }
 
 SmoothstepProfile::Point SmoothstepProfile::full_end(const ConeParameters& parameters) const {
-  const auto [inner, outer] = parameters;
+  const double inner = parameters[0], outer = parameters[1];
   return std::partition_point(points_.begin(), points_.end(), [inner, outer](const ConePoint& point) {
     return point.versine == 0 || (point.versine <= inner && point.versine < outer);
   });
