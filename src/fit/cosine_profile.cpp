@@ -65,6 +65,7 @@ double CosineProfile::objective(const ConeParameters& parameters) const {
   constexpr std::size_t kMostKept = 1 << 20;  // 8 MB
   const double exponent = exponent_of(parameters[0]);
   std::vector<double> powers;
+  powers.reserve(cuts_.back());
   const double loss = best_cut([&](std::size_t i) {
                         powers.push_back(std::pow(points_[i].cosine, exponent));
                         return points_[i].loss(powers.back());

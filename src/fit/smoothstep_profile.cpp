@@ -116,9 +116,10 @@ double SmoothstepProfile::mean_value_bound(const ConeBox& box, double middle_obj
     const double low = t_at(point->versine, box.least), high = t_at(point->versine, box.most);
     if (low == 1 || high == 0) continue;
     const double least_error = smoothstep(low) - point->fraction, most_error = smoothstep(high) - point->fraction;
+    const double low_factor = 6 * low * (1 - low), high_factor = 6 * high * (1 - high);
     for (std::size_t j = 0; j < 2; ++j) {
-      const auto steepness = [j](double t) { return 6 * t * (1 - t) * (j == 0 ? t : 1 - t); };
-      const auto [flat, steep] = std::minmax({steepness(low), steepness(high)});
+      const double at_low = low_factor * (j == 0 ? low : 1 - low), at_high = high_factor * (j == 0 ? high : 1 - high);
+      const double flat = std::min(at_low, at_high), steep = std::max(at_low, at_high);
       const bool holds_steepest = low < kSteepestAt[j] && high > kSteepestAt[j];
       const double least = flat / most_width, most = (holds_steepest ? kSteepest : steep) / least_width;
       slopes[j].least += 2 * point->weight * least_error * (least_error < 0 ? most : least);

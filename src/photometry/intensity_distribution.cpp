@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
@@ -478,8 +479,11 @@ std::optional<ValueError> check(const IntensityDistribution& distribution) {
   if (intensity.size() != horizontal.size() * vertical.size()) {
     return ValueError{kField, double(intensity.size()), "must be as many as pairs of angles"};
   }
-  for (const double candela : intensity) {
-    if (!(candela >= 0 && candela <= kMaxIntensity)) return ValueError{kField, candela, "must be in [0, 1e30]"};
+  const auto is_wrong = [](double candela) { return !(candela >= 0 && candela <= kMaxIntensity); };
+  std::int64_t wrong = 0;  // counted first, which compilers do several at a time
+  for (const double candela : intensity) wrong += is_wrong(candela) ? 1 : 0;
+  if (wrong > 0) {
+    return ValueError{kField, *std::ranges::find_if(intensity, is_wrong), "must be in [0, 1e30]"};
   }
   if (std::ranges::all_of(intensity, [](double candela) { return candela == 0; })) {
     return ValueError{kField, 0, "must not be 0 everywhere"};
@@ -542,16 +546,21 @@ IntensityPeak find_peak(const IntensityDistribution& distribution) {
     horizontal_cosines[h] = std::cos(horizontal[h]);
   }
   for (const double angle : vertical) vertical_cosines.push_back(std::cos(angle));
-  std::size_t peak = 0;
-  double peak_cosine = 0;
-  for (std::size_t i = 0; i < intensity.size(); ++i) {
-    if (intensity[i] < intensity[peak]) continue;
-    const double cosine = horizontal_cosines[i / vertical.size()] * vertical_cosines[i % vertical.size()];
-    if (i > 0 && intensity[i] == intensity[peak] && cosine <= peak_cosine) continue;
-    peak = i;
-    peak_cosine = cosine;
+  double most = 0, most_cosine = 0;
+  std::size_t peak_h = 0, peak_v = 0;
+  const double* candela = intensity.data();
+  for (std::size_t h = 0; h < horizontal.size(); ++h) {
+    for (std::size_t v = 0; v < vertical.size(); ++v, ++candela) {
+      if (*candela < most) continue;
+      const double cosine = horizontal_cosines[h] * vertical_cosines[v];
+      if (*candela == most && cosine <= most_cosine) continue;
+      most = *candela;
+      most_cosine = cosine;
+      peak_h = h;
+      peak_v = v;
+    }
   }
-  return {intensity[peak], direction_of(type, horizontal[peak / vertical.size()], vertical[peak % vertical.size()])};
+  return {most, direction_of(type, horizontal[peak_h], vertical[peak_v])};
 }
 
 std::vector<AxialSample> axial_profile(const IntensityDistribution& distribution, const glm::dvec3& axis) {
