@@ -87,6 +87,27 @@ std::string advice_on_comma(std::string_view text, const std::string& with_point
 /// A percentage as a fraction, without the digits that division by 100 adds: 1.1 / 100 is 0.011000000000000001.
 std::string percent_text(double percent) { return fmt::format("; {} % is {:.15g}", percent, percent / 100); }
 
+/// A unit that data sheets have and no member has.
+struct ForeignUnit {
+  std::string_view symbol;
+  std::string_view own;  ///< of the members
+  double factor;
+};
+constexpr std::array kForeignUnits{ForeignUnit{"ft", "m", 0.3048},     ForeignUnit{"km", "m", 1000},
+                                   ForeignUnit{"nm", "m", 1852},       ForeignUnit{"fc", "lx", 10.7639},
+                                   ForeignUnit{"kcd", "cd", 1000},     ForeignUnit{"klm", "lm", 1000},
+                                   ForeignUnit{"rad", "deg", 57.29578}};
+
+/// "; did you mean range_m?" and, of "range_ft", " 1 ft is 0.3048 m".
+std::string suggestion(std::string_view typed, std::string_view name) {
+  std::string text = fmt::format("; did you mean {}?", name);
+  const auto foreign = std::ranges::find(kForeignUnits, typed.substr(typed.rfind('_') + 1), &ForeignUnit::symbol);
+  if (foreign != kForeignUnits.end() && foreign->own == name.substr(name.rfind('_') + 1)) {
+    text += fmt::format(" 1 {} is {} {}", foreign->symbol, foreign->factor, foreign->own);
+  }
+  return text;
+}
+
 std::string_view first_part(std::string_view name) { return name.substr(0, name.find('_')); }
 
 /// The only known name with the unit that a word ends with or is, as "distance_m" and "lumens", or the only one of
@@ -107,8 +128,12 @@ std::string_view name_by_unit(std::string_view word, const std::vector<std::stri
 
 std::string hint_for_word(std::string_view word, const std::vector<std::string_view>& known) {
   constexpr std::size_t kLongest = 40;  // beyond it a word is no slip, and comparing takes its time
-  if (word.size() < 3 || word.size() > kLongest) return "";
   const std::string typed = lower(word);
+  const auto foreign = std::ranges::find(kForeignUnits, typed, &ForeignUnit::symbol);
+  if (foreign != kForeignUnits.end() && std::ranges::count(known, foreign->own) > 0) {
+    return suggestion(typed, foreign->own);
+  }
+  if (word.size() < 3 || word.size() > kLongest) return "";
   std::string_view nearest;
   std::size_t fewest = typed.size() / 3 + 1;
   for (const std::string_view candidate : known) {
@@ -118,7 +143,7 @@ std::string hint_for_word(std::string_view word, const std::vector<std::string_v
     nearest = candidate;
   }
   if (nearest.empty()) nearest = name_by_unit(typed, known);
-  return nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest);
+  return nearest.empty() ? "" : suggestion(typed, nearest);
 }
 
 std::string hint_for_number(std::string_view text, std::string_view member) {
