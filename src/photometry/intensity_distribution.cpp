@@ -367,25 +367,16 @@ std::vector<Belt> belts_of(const IntensityDistribution& distribution) {
   return belts;
 }
 
-/// Over the sphere, but for a factor.
+/// Of a belt's part of the sphere, but for a factor.
 struct SquareIntegrals {
-  double total = 0;      ///< of (intensity / peak)^2
-  double deviation = 0;  ///< of ((intensity - mean over the turn) / peak)^2
+  double total;      ///< of (intensity / peak)^2
+  double deviation;  ///< of ((intensity - mean over the turn) / peak)^2
 };
 
-/// limit  of the deviation, where the sums end
-SquareIntegrals square_integrals(const IntensityDistribution& distribution, const glm::dvec3& axis, double peak,
-                                 double limit = std::numeric_limits<double>::infinity()) {
-  AxisCircles circles(distribution, axis);
-  SquareIntegrals sums;
-  for (const auto& [angle, weight] : belts_of(distribution)) {
-    const Circle circle = circles.at(angle);
-    const double mean = circle.mean / peak, deviation = circle.deviation / peak;
-    sums.total += weight * (mean * mean + deviation * deviation);
-    sums.deviation += weight * deviation * deviation;
-    if (sums.deviation > limit) break;
-  }
-  return sums;
+SquareIntegrals square_integrals(AxisCircles& circles, const Belt& belt, double peak) {
+  const Circle circle = circles.at(belt.angle);
+  const double mean = circle.mean / peak, deviation = circle.deviation / peak;
+  return {belt.weight * (mean * mean + deviation * deviation), belt.weight * deviation * deviation};
 }
 
 std::vector<double> supplements(std::vector<double> angles) {
@@ -609,10 +600,22 @@ double asymmetry(const IntensityDistribution& distribution, const glm::dvec3& ax
   if (distribution.horizontal.size() == 1 && is_own_axis(distribution, axis)) return 0;
   const bool has_own_axis = distribution.type == PhotometryType::c;
   const glm::dvec3 total_axis = has_own_axis ? kPhotometricAxis : axis;
-  const auto [total, own_deviation] = square_integrals(distribution, total_axis, peak);
+  const std::vector<Belt> belts = belts_of(distribution);
+  std::optional<AxisCircles> circles(std::in_place, distribution, total_axis);
+  double total = 0;
+  std::vector<double> deviations;  // of the belts about that axis
+  for (const Belt& belt : belts) {
+    const auto [belt_total, belt_deviation] = square_integrals(*circles, belt, peak);
+    total += belt_total;
+    deviations.push_back(belt_deviation);
+  }
   if (total == 0) return 0;
-  const double deviation =
-      axis == total_axis ? own_deviation : square_integrals(distribution, axis, peak, limit * limit * total).deviation;
+  const bool is_same = axis == total_axis;
+  if (!is_same) circles.emplace(distribution, axis);
+  double deviation = 0;
+  for (std::size_t i = 0; i < belts.size() && deviation <= limit * limit * total; ++i) {
+    deviation += is_same ? deviations[i] : square_integrals(*circles, belts[i], peak).deviation;
+  }
   return std::min(1.0, std::sqrt(deviation / total));
 }
 

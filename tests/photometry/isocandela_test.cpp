@@ -71,7 +71,7 @@ TEST(Isocandela, TableIsKnownByItsHeaderOrItsName) {
 
 TEST(Isocandela, WrongTablesAreErrorsAtTheirCells) {
   const std::string header = "must be vertical_deg and the horizontal angles, or candela,horizontal_deg,vertical_deg, ";
-  EXPECT_EQ(error_of("vertical,1,2\n"), "1:1: header = vertical: " + header + "with commas between");
+  EXPECT_EQ(error_of("vertical,1,2\n"), "1:1: header = vertical,1,2: " + header + "with commas between");
   EXPECT_EQ(error_of("#\nvertical_deg;1;2\n"), "2:1: header = vertical_deg;1;2: " + header + "with commas between");
   EXPECT_EQ(error_of(""), "1:1: header: must be given");
   EXPECT_EQ(error_of("vertical_deg,1\n"), "1:14: header = 1: must have at least two horizontal angles");
