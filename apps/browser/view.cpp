@@ -29,10 +29,11 @@ constexpr unsigned kAlbedoUnit = 0;
 constexpr unsigned kNormalUnit = 1;
 constexpr unsigned kPictureUnit = 0;
 constexpr int kSamples = 4;  // a pixel: WebGL 2 has as many everywhere
+constexpr double kLargestExposure = 12;  // EV, of the page's slider
 // An automatic exposure is chosen by this many pixels along the picture's shorter side, or up to twice as many, with
-// all airlight that shows at the largest exposure of the page's slider.
+// all airlight that shows at the largest exposure.
 constexpr int kMeasuredPixels = 100;
-constexpr render::Display kMeasured{.exposure = {.ev = 12}};
+constexpr render::Display kMeasured{.exposure = {.ev = kLargestExposure}};
 
 glm::mat4 clip_from_view(const scene::Camera& camera, int width, int height) {
   return glm::infinitePerspective(camera.field_of_view, float(width) / float(height), render::kNearPlane);
@@ -71,7 +72,7 @@ PlacedLight View::drawn_light(std::size_t light) const {
   PlacedLight drawn = scene_.lights[light];
   if (fog_lighting_ == render::FogLighting::peak) return drawn;
   drawn.carried = false;  // Hales's term is not for it
-  drawn.light.threshold = render::airlight_threshold(drawn.light);
+  drawn.light.threshold = render::airlight_threshold(drawn.light, kLargestExposure);  // few lamps: no end is seen
   return drawn;
 }
 

@@ -72,6 +72,7 @@ class BrowserPage : public GlTest {
     settings.fog_lighting = fog_lighting;
     render::Renderer renderer(street, kWidth, kHeight, settings);
     renderer.set_fog(fog);
+    renderer.set_exposure(display.exposure);
     Pixels pixels;
     for (const float light : render::displayed(measure::shade_reference(renderer).picture, display).rgb) {
       pixels.push_back(255 * double{OIIO::linear_to_sRGB(light)});
@@ -235,6 +236,21 @@ TEST_F(BrowserPage, TexturesInClearAirAreThoseOfTheFormulasWhateverElseTheAddres
   ASSERT_FALSE(page.empty());
   const scene::Scene street = painted_street(Textures::filtered);
   expect_close(difference(street, page.back(), reference(street, Fog{}, FogLighting::peak)), 8);
+}
+
+TEST_F(BrowserPage, LampsHaveNoEndThatALargeExposureShows) {
+  const std::vector<Pixels> page =
+      shown("visibility=2000&ev=4&tone=clip&lamp1=1,0.5,0.12,1,0,0.5,0.05,0,0,0", Textures::first_texel);
+  ASSERT_FALSE(page.empty());
+  scene::Scene street = painted_street(Textures::first_texel);
+  for (PlacedLight& placed : street.lights) {
+    if (placed.light.name != "street lamp, sodium") continue;
+    placed.light.attenuation.quadratic = 0.5;
+    placed.light.cone = {};
+  }
+  const Fog fog = Fog::from_visibility(FogMode::exp, 2000.0);
+  const render::Display display{.exposure = {.ev = 4}, .tone = render::ToneCurve::clip};
+  expect_close(difference(street, page.back(), reference(street, fog, FogLighting::airlight, display)), 2);
 }
 
 }  // namespace
