@@ -2,6 +2,7 @@
 #include "scene/mesh.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
 #include <utility>
@@ -164,7 +165,7 @@ void add_back_faces(Mesh& mesh) {
   }
   if (!mesh.details.empty()) {
     mesh.details.resize(2 * std::size_t(vertices));
-    std::copy_n(mesh.details.begin(), vertices, mesh.details.begin() + vertices);
+    std::copy_n(mesh.details.begin(), vertices, mesh.details.begin() + std::ptrdiff_t(vertices));
   }
   for (std::size_t i = 0; i + 2 < indices; i += 3) {
     mesh.indices.push_back(vertices + mesh.indices[i]);
