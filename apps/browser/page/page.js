@@ -159,6 +159,7 @@ function showState() {
   visibility.show(state.visibility);
   exposure.show(state.ev);
   byId('contrast').value = state.contrast;
+  byId('fogged').disabled = state.mode === 'none';
   for (const button of byId('presets').children) {
     button.setAttribute('aria-pressed', Number(button.value) === state.visibility);
   }
@@ -325,8 +326,8 @@ function drawCurve() {
     pen.fill();
   }
   const kneeText = knee > 0 ? `, knee ${short(knee)} m` : '';
-  byId('solve').innerHTML = '<b class="product">(1 − f) a</b> · <b class="opacity">1 − f</b> · ' +
-      `<b class="attenuation">a</b><br>peak ${short(intensity)} at ${short(peak)} m, extent ${short(extent)} m${kneeText}`;
+  byId('solve').innerHTML = '<b class="product">light in fog (1 − f) a</b>, <b class="opacity">opacity 1 − f</b>, ' +
+      `<b class="attenuation">attenuation a</b><br>peak ${short(intensity)} at ${short(peak)} m, extent ${short(extent)} m${kneeText}`;
 }
 
 // --- The camera. ---
@@ -457,7 +458,7 @@ function begin() {
     const copies = _page_lamp_copies(i);
     byId('lamps').add(new Option(text(_page_lamp_name(i)) + (copies > 1 ? ` × ${copies}` : '')));
   }
-  byId('fog').querySelector('.row').after(visibility.row);
+  byId('fogged').prepend(visibility.row);
   byId('display').append(exposure.row);
   byId('panel').hidden = false;
   readAddress();
