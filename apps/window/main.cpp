@@ -60,8 +60,8 @@ double now_in_milliseconds() {
 /// What a frame drew and left out, in words.
 std::string counts_in_words(const render::FrameCounts& counts) {
   return fmt::format(
-      "surfaces {} drawn, {} out of view, {} in fog  |  their lamps {} lit, {} out of reach, {} in fog  |  "
-      "airlight {}, {} unseen",
+      "surfaces {} drawn, {} out of view, {} hidden by fog  |  "
+      "lamps on them {} lit, {} out of reach, {} hidden by fog  |  airlight {}, {} unseen",
       counts.chunks_drawn + counts.chunks_as_fog, counts.chunks_outside_view, counts.chunks_hidden,
       counts.lights_listed, counts.lights_out_of_reach, counts.lights_hidden, counts.airlights_drawn,
       counts.airlights_invisible);

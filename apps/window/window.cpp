@@ -46,7 +46,7 @@ void set_style(float scale) {
   style.Colors[ImGuiCol_Button] = {0.21f, 0.22f, 0.25f, 1};
   style.Colors[ImGuiCol_ButtonHovered] = faded(0.45f);
   style.Colors[ImGuiCol_ButtonActive] = faded(0.7f);
-  style.Colors[ImGuiCol_SliderGrab] = faded(0.85f);
+  style.Colors[ImGuiCol_SliderGrab] = faded(0.5f);  // values are written over it
   style.Colors[ImGuiCol_SliderGrabActive] = accent;
   style.Colors[ImGuiCol_CheckMark] = accent;
   style.Colors[ImGuiCol_Header] = faded(0.3f);
