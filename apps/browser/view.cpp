@@ -28,7 +28,7 @@ constexpr unsigned kBlockBinding = 0;
 constexpr unsigned kAlbedoUnit = 0;
 constexpr unsigned kNormalUnit = 1;
 constexpr unsigned kPictureUnit = 0;
-constexpr int kSamples = 4;  // a pixel: WebGL 2 has as many everywhere
+constexpr int kSamples = 4;              // a pixel: WebGL 2 has as many everywhere
 constexpr double kLargestExposure = 12;  // EV, of the page's slider
 // An automatic exposure is chosen by this many pixels along the picture's shorter side, or up to twice as many, with
 // all airlight that shows at the largest exposure.
@@ -71,7 +71,7 @@ View::View(const scene::Scene& scene)
 PlacedLight View::drawn_light(std::size_t light) const {
   PlacedLight drawn = scene_.lights[light];
   if (fog_lighting_ == render::FogLighting::peak) return drawn;
-  drawn.carried = false;  // Hales's term is not for it
+  drawn.carried = false;                                                              // Hales's term is not for it
   drawn.light.threshold = render::airlight_threshold(drawn.light, kLargestExposure);  // few lamps: no end is seen
   return drawn;
 }
