@@ -41,6 +41,13 @@ void occupy_closed_standard_streams() {
               std::string(rule) + (number ? files::hint_for_fraction(*number, rule) : files::hint_for_number(text)));
 }
 
+/// "; see litfog-demo compare --help": the help that has the options of what was asked for.
+std::string see_help(const CLI::App& app) {
+  std::string command = app.get_name();
+  for (const CLI::App* job : app.get_subcommands()) command += " " + job->get_name();
+  return "; see " + command + " --help";
+}
+
 /// "--visbility: must be an option; did you mean --visibility?"
 std::string describe_extra(const CLI::App& app, const CLI::ExtrasError& error) {
   const std::vector<std::string> extras = app.remaining(true);
@@ -153,9 +160,9 @@ int run_command(CLI::App& app, int argc, char** argv, const std::function<ExitSt
     close_standard_output();
     return status;
   } catch (const CLI::ExtrasError& error) {
-    return end(describe_extra(app, error) + "; see " + app.get_name() + " --help", kUsage);
+    return end(describe_extra(app, error) + see_help(app), kUsage);
   } catch (const CLI::ParseError& error) {
-    return end(std::string(error.what()) + "; see " + app.get_name() + " --help", kUsage);
+    return end(error.what() + see_help(app), kUsage);
   } catch (const InputError& error) {
     // Starts with the file's name, not the command's: editors can jump to it.
     std::fprintf(stderr, "%s\n", printable(error.what()).c_str());

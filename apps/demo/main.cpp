@@ -263,7 +263,9 @@ Job add_comparison_job(CLI::App& app) {
   options->folder = "comparison";
   app.footer(
       "SETTING is options of a picture without their dashes, members as of --set, or another scene, separated by "
-      "spaces. A single one is compared with the scene without it.\n\n"
+      "spaces. A single one is compared with the scene without it; other options are those of all. Without --with, "
+      "each "
+      "scene is drawn as it is: --set, --camera, --target, --fov-deg, --path and --flat-shading need --with.\n\n"
       "Examples:\n"
       "  litfog-demo compare room --visibility 30 --size 960x540 -o paths\n"
       "  litfog-demo compare room --with \"visibility=50\" --with \"visibility=400 path=vertex\"\n"
@@ -399,9 +401,7 @@ Job add_list_job(CLI::App& app) {
 
 Job add_window_job(CLI::App& app) {
   app.prefix_command();
-  app.footer(
-      "litfog-window SCENE [OPTIONS] is what it starts: see litfog-window --help.\n\n"
-      "Example:\n  litfog-demo window street --visibility 150");
+  app.set_help_flag();  // litfog-window's is shown
   return [&app]() -> ExitStatus { become_window(app.remaining()); };
 }
 

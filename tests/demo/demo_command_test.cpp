@@ -49,6 +49,15 @@ class DemoCommand : public CommandTest {
 };
 
 constexpr const char* kSeeHelp = "; see litfog-demo --help\n";
+constexpr const char* kSeeCompareHelp = "; see litfog-demo compare --help\n";
+constexpr const char* kSeeSequenceHelp = "; see litfog-demo sequence --help\n";
+
+/// Where an error of the arguments sends their reader.
+std::string see_help(const std::string& arguments) {
+  const std::string job = arguments.substr(0, arguments.find(' '));
+  const bool is_job = job == "gallery" || job == "compare" || job == "sequence" || job == "papers" || job == "list";
+  return is_job ? "; see litfog-demo " + job + " --help\n" : kSeeHelp;
+}
 
 TEST_F(DemoCommand, PngAndExrShowTheSameLight) {
   // By clip, for neutral changes the dark too.
@@ -513,7 +522,8 @@ TEST_F(DemoCommand, WrongUsageOfCompareIsAnError) {
        {"--path vertex", "--flat-shading", "--set name=a", "--camera 1,2,3", "--target 1,2,3"}) {
     EXPECT_ERROR(run("compare room -o c " + option), kUsage,
                  "litfog-demo: " + option.substr(0, option.find(' ')) +
-                     " cannot be given with a comparison of lighting paths: settings are given by --with" + kSeeHelp);
+                     " cannot be given with a comparison of lighting paths: settings are given by --with" +
+                     kSeeCompareHelp);
   }
   for (const std::string option : {"--gallery", "--reference", "--heat-map h.png", "--stats s.json"}) {
     const Outcome outcome = run("compare room -o c " + option);
@@ -522,10 +532,11 @@ TEST_F(DemoCommand, WrongUsageOfCompareIsAnError) {
               std::string::npos)
         << outcome.err;
   }
-  EXPECT_ERROR(run("compare -o ''"), kUsage, std::string("litfog-demo: --output = \"\": must not be empty") + kSeeHelp);
+  EXPECT_ERROR(run("compare -o ''"), kUsage,
+               std::string("litfog-demo: --output = \"\": must not be empty") + kSeeCompareHelp);
   EXPECT_ERROR(run("compare room -o c --size 4000x3000"), kUsage,
                std::string("litfog-demo: --size = 4000x3000: must be at most 2500000 pixels in all for a comparison") +
-                   kSeeHelp);
+                   kSeeCompareHelp);
   EXPECT_EQ(run("compare room -o c --fog none --visibility 5").status, kUsage);
   EXPECT_EQ(run("compare room -o c --time 1").status, kUsage);
   EXPECT_FALSE(std::filesystem::exists(directory() / "c"));
@@ -581,7 +592,7 @@ TEST_F(DemoCommand, WrongUsageIsAnError) {
 
 TEST_F(DemoCommand, OptionsWithoutEffectAreErrors) {
   const auto expect_usage = [this](const std::string& arguments, const std::string& sentence) {
-    EXPECT_ERROR(run(arguments), kUsage, "litfog-demo: " + sentence + kSeeHelp);
+    EXPECT_ERROR(run(arguments), kUsage, "litfog-demo: " + sentence + see_help(arguments));
   };
   for (const std::string option : {"--visibility 50", "--frames 2", "--fog none", "--stats s.json", "--reference",
                                    "--heat-map h.png", "--time 1"}) {
@@ -630,7 +641,7 @@ TEST_F(DemoCommand, OptionsWithoutEffectAreErrors) {
 
 TEST_F(DemoCommand, TwoOutputsOfOneFileAreAnError) {
   const auto expect_usage = [this](const std::string& arguments, const std::string& sentence) {
-    EXPECT_ERROR(run(arguments), kUsage, "litfog-demo: " + sentence + kSeeHelp);
+    EXPECT_ERROR(run(arguments), kUsage, "litfog-demo: " + sentence + see_help(arguments));
   };
   expect_usage("room -o a.png --stats ./a.png", "--stats = ./a.png: must not be the file of --output");
   expect_usage("room --stats room.png", "--stats = room.png: must not be the file of --output");
@@ -893,24 +904,26 @@ TEST_F(DemoCommand, SequencesThatCannotBeAreRefusedBeforeAnythingIsDrawn) {
     EXPECT_EQ(outcome.status, kUsage) << outcome.err;
     return outcome.err;
   };
-  EXPECT_EQ(error("--visibility 50"),
-            std::string("litfog-demo: nothing changes: give a range, such as --visibility 2000..50") + kSeeHelp);
-  EXPECT_EQ(error("--set lights[0].threshold=0.1..x"),
-            std::string("litfog-demo: --set lights[0].threshold = x: must be a finite number") + kSeeHelp);
-  EXPECT_EQ(error("--set lights[0].position=[0,1,2]..[1,1,2]"),
-            std::string("litfog-demo: --set lights[0].position = [0,1,2]: must be a finite number") + kSeeHelp);
-  EXPECT_EQ(error("--visibility 1,2,3 --time 0..1:2"),
-            std::string("litfog-demo: --time has 2 frames, and --visibility 3: the numbers must be equal") + kSeeHelp);
   EXPECT_EQ(
-      error("--visibility 1,2,3 --frames 4"),
-      std::string("litfog-demo: --visibility has 3 frames, and --frames 4: the numbers must be equal") + kSeeHelp);
+      error("--visibility 50"),
+      std::string("litfog-demo: nothing changes: give a range, such as --visibility 2000..50") + kSeeSequenceHelp);
+  EXPECT_EQ(error("--set lights[0].threshold=0.1..x"),
+            std::string("litfog-demo: --set lights[0].threshold = x: must be a finite number") + kSeeSequenceHelp);
+  EXPECT_EQ(error("--set lights[0].position=[0,1,2]..[1,1,2]"),
+            std::string("litfog-demo: --set lights[0].position = [0,1,2]: must be a finite number") + kSeeSequenceHelp);
+  EXPECT_EQ(error("--visibility 1,2,3 --time 0..1:2"),
+            std::string("litfog-demo: --time has 2 frames, and --visibility 3: the numbers must be equal") +
+                kSeeSequenceHelp);
+  EXPECT_EQ(error("--visibility 1,2,3 --frames 4"),
+            std::string("litfog-demo: --visibility has 3 frames, and --frames 4: the numbers must be equal") +
+                kSeeSequenceHelp);
   EXPECT_EQ(error("--camera 0,4,0..0,1,5 --target 0,0,0"),
             std::string("litfog-demo: frame 1: the target must not be straight above or below the position, or at it") +
-                kSeeHelp);
+                kSeeSequenceHelp);
   EXPECT_EQ(error("--set lights[0].threshold=0.1..0.3 --set lights[0].light.threshold=0.2"),
-            std::string("litfog-demo: --set lights[0].light.threshold: must not be given twice") + kSeeHelp);
+            std::string("litfog-demo: --set lights[0].light.threshold: must not be given twice") + kSeeSequenceHelp);
   EXPECT_EQ(error("--visibility 9..1 --film a.gif"),
-            std::string("litfog-demo: --film = a.gif: must end in .mp4 or .webm") + kSeeHelp);
+            std::string("litfog-demo: --film = a.gif: must end in .mp4 or .webm") + kSeeSequenceHelp);
   EXPECT_ERROR(run("sequence two.json -o none --set lights[0].threshold=0.1..2"), kBadInput,
                "--set: lights[0].light.threshold = 2: must be in (0, 1); 2 % is 0.02\n");
   EXPECT_FALSE(std::filesystem::exists(directory() / "none"));
@@ -924,7 +937,7 @@ TEST_F(DemoCommand, SequenceWithAFrameThatCannotBeIsRefusedBeforeAnythingIsDrawn
   EXPECT_EQ(outcome.status, kUsage);
   EXPECT_EQ(outcome.err,
             std::string("litfog-demo: frame 2: the target must not be straight above or below the position, or at it") +
-                kSeeHelp);
+                kSeeSequenceHelp);
   EXPECT_ERROR(run("sequence two.json -o frames --set lights[0].light.cone.inner_deg=9,40,10"), kBadInput,
                "--set: lights[0].light.cone.inner_deg = 40: must be in [0, outer_deg)\n");
   write("through.json", R"({"litfog": "camera-path", "version": 1, "keyframes": [
@@ -982,46 +995,47 @@ TEST_F(DemoCommand, WrongSettingsAreNamed) {
     EXPECT_EQ(outcome.status, kUsage) << outcome.err;
     return outcome.err;
   };
-  EXPECT_EQ(
-      error("one.json --with visibility=x"),
-      std::string("litfog-demo: --with \"visibility=x\": --visibility = x: must be a number >= 0 or inf") + kSeeHelp);
+  EXPECT_EQ(error("one.json --with visibility=x"),
+            std::string("litfog-demo: --with \"visibility=x\": --visibility = x: must be a number >= 0 or inf") +
+                kSeeCompareHelp);
   EXPECT_EQ(error("one.json --with size=9x9"),
             std::string("litfog-demo: --with \"size=9x9\": --size cannot be given with --with: all pictures are of one "
                         "size") +
-                kSeeHelp);
+                kSeeCompareHelp);
   EXPECT_EQ(
       error("one.json --with 'fog=none visibility=9'"),
       std::string("litfog-demo: --with \"fog=none visibility=9\": --visibility cannot be given with --fog none: the "
                   "air is clear") +
-          kSeeHelp);
+          kSeeCompareHelp);
   const auto unused = [&](const std::string& option, const std::string& arguments) {
     EXPECT_EQ(error("one.json " + arguments),
-              std::string("litfog-demo: ") + option + " has no effect on any of these settings" + kSeeHelp);
+              std::string("litfog-demo: ") + option + " has no effect on any of these settings" + kSeeCompareHelp);
   };
   unused("--map-size", "--map-size 64 --with no-skip");
   unused("--visibility", "--visibility 9 --with visibility=2 --with visibility=3");
   unused("--contrast", "--contrast flightgear --fog none --with no-skip");
   unused("--shadow-lamps", "--shadow-lamps 2 --path vertex --with no-skip --with path=legacy");
   EXPECT_EQ(error("one.json --with time=3"),
-            std::string("litfog-demo: --time cannot be given: none of the scene's lights turns") + kSeeHelp);
+            std::string("litfog-demo: --time cannot be given: none of the scene's lights turns") + kSeeCompareHelp);
   EXPECT_EQ(error("one.json --with lights=3"),
-            std::string("litfog-demo: --lights cannot be given: the scene has no generated city") + kSeeHelp);
+            std::string("litfog-demo: --lights cannot be given: the scene has no generated city") + kSeeCompareHelp);
   EXPECT_EQ(
       error("one.json --with no-skip --with 'camera=0,9,0 target=0,0,0'"),
       std::string("litfog-demo: --with \"camera=0,9,0 target=0,0,0\": --target = 0,0,0: must not be straight above "
                   "or below the camera, or at it") +
-          kSeeHelp);
+          kSeeCompareHelp);
   EXPECT_EQ(error("one.json --with '--set lights[0].threshold'"),
             std::string("litfog-demo: --with \"--set lights[0].threshold\": --set = lights[0].threshold: must be "
                         "MEMBER=VALUE, such as lights[0].attenuation.quadratic=0.002") +
-                kSeeHelp);
+                kSeeCompareHelp);
   EXPECT_ERROR(
       run("compare one.json -o none --with '--set lights[0].threshold=7'"), kBadInput,
       "--with \"--set lights[0].threshold=7\": --set: lights[0].light.threshold = 7: must be in (0, 1); 7 % is "
       "0.07\n");
-  EXPECT_EQ(error("one.json --with ' '"), std::string("litfog-demo: --with \" \": must not be empty") + kSeeHelp);
+  EXPECT_EQ(error("one.json --with ' '"),
+            std::string("litfog-demo: --with \" \": must not be empty") + kSeeCompareHelp);
   EXPECT_EQ(error("--with visibility=9"),
-            std::string("litfog-demo: --with compares settings of one SCENE: name it") + kSeeHelp);
+            std::string("litfog-demo: --with compares settings of one SCENE: name it") + kSeeCompareHelp);
   EXPECT_ERROR(
       run("compare one.json -o none --with lights[0].threshold=7"), kBadInput,
       "--with \"lights[0].threshold=7\": --set: lights[0].light.threshold = 7: must be in (0, 1); 7 % is 0.07\n");

@@ -45,7 +45,8 @@ void add_number(CLI::App& app, const std::string& name, std::optional<double>& t
 void add_phase(CLI::App& app, DrawingOptions& options) {
   add_number(
       app, "--phase-g", options.phase_g, kPhase,
-      "Henyey-Greenstein asymmetry of the fog, in place of the scene's: 0 scatters evenly, near 1 straight ahead");
+      "With airlight: Henyey-Greenstein asymmetry of the fog, in place of the scene's; 0 scatters evenly, near 1 "
+      "straight ahead");
 }
 
 std::vector<std::pair<std::string, const render::LightingPath*>> path_names() {
@@ -155,12 +156,13 @@ void add_shadows(CLI::App& app, DrawingOptions& options) {
       app, "--shadows", options.render.shadows,
       {{"none", render::Shadows::none}, {"surfaces", render::Shadows::surfaces}, {"shafts", render::Shadows::shafts}},
       "What the shadows of lamps and moon darken: surfaces; shafts is surfaces and lamps' airlight (default none)");
-  command::add_integer(app, "--shadow-lamps", options.render.shadow_lamps, 1, int(scene::kMaxSceneLights),
-                       "Lamps that cast shadows: at most this many, the carried ones first, then the brightest at the "
-                       "camera (default 8)");
+  command::add_integer(
+      app, "--shadow-lamps", options.render.shadow_lamps, 1, int(scene::kMaxSceneLights),
+      "With --shadows: at most this many lamps cast them, the carried ones first, then the brightest at "
+      "the camera (default 8)");
   command::add_integer(app, "--shadow-map-size", options.render.shadow_map_size, 16, 8192,
-                       "Edge of a shadow map in texels; a lamp has one, or up to six if it shines all around, the moon "
-                       "four (default 1024)");
+                       "With --shadows: edge of a shadow map in texels; a lamp has one, or up to six if it shines all "
+                       "around, the moon four (default 1024)");
 }
 
 void add_time(CLI::App& app, DrawingOptions& options) {
