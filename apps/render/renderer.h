@@ -25,7 +25,8 @@ namespace litfog::render {
 enum class LightPoints { on, off };
 
 /// Draws a scene by a lighting path into a framebuffer. Needs a current GL 3.3 core context. The scene's camera may
-/// change from frame to frame, but lamps that cast shadows are chosen as set_lights() finds it.
+/// change from frame to frame, but lamps that cast shadows are chosen as set_lights() finds it. So may the fog's top,
+/// asymmetry and colour, and the sky, before set_fog().
 class Renderer {
  public:
   /// scene   has to outlive this

@@ -859,6 +859,7 @@ TEST_F(DemoCommand, LightsAreListedAsTheirMembersAreSet) {
 /// A lamp that turns and one that the eye's vehicle carries.
 constexpr const char* kTwoLamps = R"({"litfog": "scene", "version": 1, "name": "two",
   "camera": {"position": [0, 1, 5], "target": [0, 1, 0]}, "objects": [{"model": "box"}],
+  "environment": {"fog_color": [0, 0, 0], "sky_zenith": [0, 0, 0], "sky_horizon": [0, 0, 0]},
   "lights": [{"light": {"attenuation": {"constant": 1, "quadratic": 0.1},
                         "cone": {"profile": "smoothstep", "inner_deg": 10, "outer_deg": 30}},
               "position": [1, 3, 1], "aim": [0, 0, 0], "turn_deg_per_s": 40},
@@ -884,7 +885,11 @@ TEST_F(DemoCommand, FramesOfASequenceAreThePicturesOfTheirSettings) {
                     "--set 'lights[0].repeat=[{\"count\":3,\"step\":[1,0,0]}]'"},
                    {"--set objects[0].heading_deg=0..40 --set environment.stars=0..1",
                     "--set objects[0].heading_deg=40 --set environment.stars=1"},
-                   {"--set objects[0].width_m=1..2", "--set objects[0].width_m=2"}};
+                   {"--set objects[0].width_m=1..2", "--set objects[0].width_m=2"},
+                   {"--set environment.fog_color[1]=0..0.3 --set environment.sky_zenith[2]=0..0.2 --set phase_g=0..0.7",
+                    "--set environment.fog_color[1]=0.3 --set environment.sky_zenith[2]=0.2 --set phase_g=0.7"},
+                   {"--set fog_top_m=100..2 --set environment.stars=0..1 --set environment.sky_horizon[0]=0..0.2",
+                    "--set fog_top_m=2 --set environment.stars=1 --set environment.sky_horizon[0]=0.2"}};
   for (const auto& [changes, last] : sequences) {
     const Outcome outcome = run("sequence two.json -o frames --size 32x18 --frames 3 " + changes);
     ASSERT_EQ(outcome.status, kDone) << outcome.err;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <string_view>
 
 #include "command/command.h"
 #include "command/output_files.h"
@@ -90,13 +91,16 @@ int count_frames(const SequenceOptions& options) {
   return frames == 0 ? kDefaultFrames : frames;
 }
 
-/// Whether a change of a member's number needs a new renderer: all else than lights and the camera is in its textures,
-/// buffers and shaders, and it takes no other number of lights.
+/// Whether a change of a member's number needs a new renderer: one takes no other number of lights, and holds all but
+/// what is named here in its textures, buffers and shaders.
 bool needs_new_renderer(const MemberCourse& course) {
   if (!changes(course.numbers)) return false;
   const std::string& member = course.change.member;
-  const bool is_of_light = member.starts_with("lights[") && !member.ends_with(".count");
-  return !is_of_light && !member.starts_with("camera.");
+  if (member.starts_with("lights[")) return member.ends_with(".count");
+  constexpr std::string_view kReadByEachFrame[] = {
+      "camera.",          "fog_top_m",        "phase_g", "visibilities_m[", "environment.fog_color[",
+      "environment.sky_", "environment.stars"};
+  return std::ranges::none_of(kReadByEachFrame, [&](std::string_view name) { return member.starts_with(name); });
 }
 
 /// Moves a scene's carried lights as a camera moves, as if both were one rigid body.
