@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "litfog/airlight.h"
 
+#include <array>
+
 #include "c/call.h"
+#include "c/column.h"
 #include "c/convert.h"
 #include "c/layout.h"
 
@@ -20,8 +23,11 @@ litfog_status litfog_airlight(const litfog_placed_light* light, const litfog_fog
                               size_t count, const litfog_scattering* scattering, double* airlights) {
   return c::call([&] {
     if (scattering != nullptr) lamp_leg(scattering->lamp_leg);
-    airlight(c::placed_light(light), c::fog(fog), c::view_as_cpp(c::array(rays, count, "rays")),
-             scattering == nullptr ? Scattering{} : c::to_cpp(*scattering), c::array(airlights, count, "airlights"));
+    const std::span<const litfog_eye_ray> from = c::array(rays, count, "rays");
+    const std::span<double> results = c::array(airlights, count, "airlights");
+    c::expect_apart(std::array{c::Column(results, "airlights")}, std::array{c::Column(from, "rays")});
+    airlight(c::placed_light(light), c::fog(fog), c::view_as_cpp(from),
+             scattering == nullptr ? Scattering{} : c::to_cpp(*scattering), results);
   });
 }
 

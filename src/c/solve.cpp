@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "litfog/solve.h"
 
+#include <array>
 #include <stdexcept>
 #include <string>
 
 #include "c/call.h"
+#include "c/column.h"
 #include "c/convert.h"
 #include "c/layout.h"
 #include "litfog/airlight.h"
@@ -35,6 +37,15 @@ BasicBatchLights<Real> batch_lights(const Lights* lights) {
           .density = shared_column(from.density, from.density_count, from.count, "lights.density")};
 }
 
+template <typename Real>
+std::array<c::Column, 5> columns_of(const BasicBatchLights<Real>& lights) {
+  return {{{lights.constant, "lights.constant"},
+           {lights.linear, "lights.linear"},
+           {lights.quadratic, "lights.quadratic"},
+           {lights.threshold, "lights.threshold"},
+           {lights.density, "lights.density"}}};
+}
+
 /// A column of results, empty where it is not asked for.
 template <typename Result, typename T>
 std::span<Result> result_column(T* first, std::size_t count) {
@@ -48,12 +59,16 @@ litfog_status solve_batch(int32_t mode, const Lights* lights, const Solutions* s
     const BasicBatchLights<Real> batch = batch_lights<Real>(lights);
     const Solutions& to = c::at(solutions, "solutions");
     const std::size_t count = lights->count;
-    const std::size_t found = solve_fog_intensities(
-        c::fog_mode(mode), batch,
-        BasicBatchSolutions<Real>{.intensity = c::array(to.intensity, count, "solutions.intensity"),
-                                  .peak_range = result_column<Real>(to.peak_range, count),
-                                  .extent = result_column<Real>(to.extent, count),
-                                  .status = result_column<BatchStatus>(to.status, count)});
+    const BasicBatchSolutions<Real> results{.intensity = c::array(to.intensity, count, "solutions.intensity"),
+                                            .peak_range = result_column<Real>(to.peak_range, count),
+                                            .extent = result_column<Real>(to.extent, count),
+                                            .status = result_column<BatchStatus>(to.status, count)};
+    c::expect_apart(std::array<c::Column, 4>{{{results.intensity, "solutions.intensity"},
+                                              {results.peak_range, "solutions.peak_range"},
+                                              {results.extent, "solutions.extent"},
+                                              {results.status, "solutions.status"}}},
+                    columns_of(batch));
+    const std::size_t found = solve_fog_intensities(c::fog_mode(mode), batch, results);
     if (invalid != nullptr) *invalid = found;
   });
 }
@@ -90,8 +105,9 @@ litfog_status litfog_axial_airlight_batch(int32_t fog_mode, const litfog_batch_l
                                           size_t* invalid) {
   return c::call([&] {
     const BatchLights batch = batch_lights<double>(lights);
-    const std::size_t found =
-        axial_airlights(c::fog_mode(fog_mode), batch, c::array(airlights, lights->count, "airlights"));
+    const std::span<double> results = c::array(airlights, lights->count, "airlights");
+    c::expect_apart(std::array{c::Column(results, "airlights")}, columns_of(batch));
+    const std::size_t found = axial_airlights(c::fog_mode(fog_mode), batch, results);
     if (invalid != nullptr) *invalid = found;
   });
 }

@@ -175,6 +175,42 @@ TEST_F(CFace, BatchRefusesColumnsThatDoNotFit) {
   EXPECT_EQ(litfog_solve_batch(LITFOG_FOG_EXP, &lights, &solutions, nullptr), LITFOG_OK) << "no lights at all";
 }
 
+TEST_F(CFace, ColumnsOfResultsThatOverlapAnotherColumnAreRefused) {
+  const std::vector<double> ones(6, 1);
+  std::vector<double> from = ones;
+  std::vector<double> to(6, 7);
+  const double threshold = 0.5;
+  litfog_batch_lights lights{3, ones.data(), ones.data(), ones.data(), &threshold, 1, &from[3], 3};
+  litfog_batch_solutions solutions{to.data(), nullptr, nullptr, nullptr};
+  const auto expect_refused = [](litfog_status status, const char* error) {
+    EXPECT_EQ(status, LITFOG_INVALID_ARGUMENT);
+    EXPECT_STREQ(litfog_last_error(), error);
+  };
+  const auto solve = [&] { return litfog_solve_batch(LITFOG_FOG_EXP, &lights, &solutions, nullptr); };
+  solutions.intensity = &from[3];
+  expect_refused(solve(), "solutions.intensity: must not overlap lights.density");
+  solutions.intensity = &from[1];
+  expect_refused(solve(), "solutions.intensity: must not overlap lights.density");
+  solutions.intensity = to.data();
+  solutions.extent = &to[2];
+  expect_refused(solve(), "solutions.extent: must not overlap solutions.intensity");
+  solutions.extent = nullptr;
+  solutions.status = reinterpret_cast<std::uint8_t*>(&to[2]) + 7;
+  expect_refused(solve(), "solutions.status: must not overlap solutions.intensity");
+  expect_refused(litfog_axial_airlight_batch(LITFOG_FOG_EXP, &lights, &from[5], nullptr),
+                 "airlights: must not overlap lights.density");
+  litfog_placed_light light;
+  ASSERT_EQ(litfog_default_placed_light(&light), LITFOG_OK);
+  std::vector<litfog_eye_ray> rays(2, {{0, 0, 0}, {0, 0, -1}, 9});
+  expect_refused(litfog_airlight(&light, &fog_, rays.data(), 2, nullptr, &rays[1].length),
+                 "airlights: must not overlap rays");
+  EXPECT_EQ(from, ones);
+  EXPECT_EQ(to, std::vector<double>(6, 7));
+
+  solutions = {&from[0], &to[0], &to[3], nullptr};  // side by side
+  EXPECT_EQ(solve(), LITFOG_OK) << litfog_last_error();
+}
+
 TEST_F(CFace, PackedBlockIsThatOfCpp) {
   std::vector<PlacedLight> lights;
   std::vector<litfog_placed_light> c_lights;
