@@ -12,11 +12,14 @@
 // Units     metres, 1/m, radians, linear RGB; world space in doubles.
 // Results   a call that can fail returns a litfog_status and writes its results, the last parameters, only on
 //           LITFOG_OK. litfog_last_error() then says what is wrong: "attenuation.linear = -1: must be finite and >= 0".
-//           No C++ exception leaves a call. A null pointer is an error, except where a comment gives it a meaning.
+//           No C++ exception leaves a call. A null pointer is an error, except where a comment gives it a meaning, or
+//           for an array of no entries. Memory for results must not overlap other memory that the call is given.
+// Memory    a call keeps no pointer that it is given. Memory that a result points to is litfog's: never freed by the
+//           caller, and gone with the handle that it came from. Strings end with a NUL.
 // Structs   plain. One that a caller fills is checked in every call, by the rules of check() in C++.
 // Handles   each *_create is undone by its *_destroy, which also takes NULL.
 // Threads   calls without a handle may run on any threads at once. Different handles are independent. Calls on one
-//           handle that take it as const may run at once, every other call on it alone.
+//           handle that take it as const may run at once, every other call on it alone. No handle belongs to a thread.
 // ABI       within a minor version (0.1.x) functions and enumerators are only added; structs keep size and layout.
 
 #ifdef __cplusplus
@@ -29,7 +32,7 @@ extern "C" {
 #define LITFOG_VERSION_MINOR 1
 #define LITFOG_VERSION_PATCH 0
 
-/// Version of the library that runs: "0.1.0".
+/// Version of the library that runs: "0.1.0". Never freed, never NULL.
 LITFOG_API const char* litfog_version(void);
 
 // --- errors ---
@@ -37,14 +40,15 @@ LITFOG_API const char* litfog_version(void);
 typedef int32_t litfog_status;
 enum {
   LITFOG_OK = 0,
-  LITFOG_INVALID_ARGUMENT = 1,  ///< a value breaks its rule
-  LITFOG_BAD_FILE = 2,          ///< a file that cannot be used; the error begins with file:line:column
-  LITFOG_OUT_OF_MEMORY = 3,
-  LITFOG_FAULT = 4  ///< of litfog itself: please report it
+  LITFOG_INVALID_ARGUMENT = 1,  ///< of any call: a value breaks its rule
+  LITFOG_BAD_FILE = 2,          ///< of litfog_read_light: cannot be used; the error begins with file:line:column
+  LITFOG_OUT_OF_MEMORY = 3,     ///< of any call that is not said to allocate nothing
+  LITFOG_FAULT = 4              ///< of litfog itself: please report it
 };
 
 /// What the last call that failed on this thread said, in one sentence of UTF-8, in which the name of a file is the
-/// caller's bytes; empty if none has. Calls that succeed leave it. Valid until the next call that fails on this thread.
+/// caller's bytes; empty if none has. Calls that succeed leave it. Never NULL. Valid until the next call that fails on
+/// this thread, or until the thread ends.
 LITFOG_API const char* litfog_last_error(void);
 
 // --- fog (litfog/fog.h) ---
@@ -131,8 +135,8 @@ LITFOG_API litfog_status litfog_check_placed_light(const litfog_placed_light* li
 /// Reads a light file.
 ///
 /// path       bytes as the system takes them, mostly UTF-8
-/// name       the light's, in UTF-8, cut after a whole character where it is longer than name_size - 1 bytes; may be
-///            NULL where name_size is 0
+/// name       name_size bytes: the light's, in UTF-8 and with a NUL, cut after a whole character where it is longer;
+///            may be NULL where name_size is 0
 /// returns    LITFOG_BAD_FILE with "headlight.json:7:12: threshold = 7: must be in (0, 1)" as the last error
 LITFOG_API litfog_status litfog_read_light(const char* path, litfog_light* light, char* name, size_t name_size);
 
@@ -155,10 +159,12 @@ typedef struct litfog_fog_intensity {
 LITFOG_API litfog_status litfog_solve(const litfog_light* light, const litfog_fog* fog, litfog_fog_intensity* solution);
 
 /// The same as published (Hales 2004): the largest of `samples` samples, which is too low.
+///
+/// samples  >= 1; the time taken is in proportion
 LITFOG_API litfog_status litfog_sample(const litfog_light* light, const litfog_fog* fog, int32_t samples,
                                        litfog_fog_intensity* solution);
 
-// --- batch (litfog/batch.h): SIMD, no allocation ---
+// --- batch (litfog/batch.h): SIMD; allocates nothing but errors ---
 
 /// Lights, a column a parameter. Columns hold `count` values; threshold and density may also hold a single one for all,
 /// with a count of 1.
@@ -173,8 +179,8 @@ typedef struct litfog_batch_lights {
   size_t density_count;
 } litfog_batch_lights;
 
-/// Where the results go: columns of `count` values, none of which overlaps another column. Of the columns but
-/// intensity, those that are NULL are not computed.
+/// Where the results go: columns of `count` values. One that overlaps another, or a column of the lights, is refused.
+/// Of the columns but intensity, those that are NULL are not computed.
 typedef struct litfog_batch_solutions {
   double* intensity;
   double* peak_range;  ///< metres
@@ -229,17 +235,17 @@ typedef struct litfog_eye_ray {
 /// Airlight of a light along rays: what of it the fog scatters into the eye, to be multiplied with its colour.
 ///
 /// scattering  NULL: the lamp's leg fogged, isotropic
-/// airlights   one a ray
+/// airlights   one a ray, [0, 1] in isotropic fog; refused where they overlap the rays
 LITFOG_API litfog_status litfog_airlight(const litfog_placed_light* light, const litfog_fog* fog,
                                          const litfog_eye_ray* rays, size_t count, const litfog_scattering* scattering,
                                          double* airlights);
 
-/// Airlight of a light along its own axis, the eye at the light, the light's leg clear, out to its extent.
+/// Airlight of a light along its own axis, [0, 1]: the eye at the light, the light's leg clear, out to its extent.
 LITFOG_API litfog_status litfog_axial_airlight(const litfog_light* light, const litfog_fog* fog, double* airlight);
 
 /// The same for columns of lights.
 ///
-/// airlights  one a light, 0 for an invalid one
+/// airlights  one a light, 0 for an invalid one; refused where they overlap a column of the lights
 /// invalid    how many lights are invalid; may be NULL
 LITFOG_API litfog_status litfog_axial_airlight_batch(int32_t fog_mode, const litfog_batch_lights* lights,
                                                      double* airlights, size_t* invalid);
@@ -248,6 +254,7 @@ LITFOG_API litfog_status litfog_axial_airlight_batch(int32_t fog_mode, const lit
 ///
 /// budget    (0, 1): over the largest component of the light's colour
 /// lamp_leg  LITFOG_LAMP_LEG_*
+/// range     [0, extent]; may be infinity
 LITFOG_API litfog_status litfog_light_reach(const litfog_light* light, const litfog_fog* fog, double budget,
                                             int32_t lamp_leg, double* range);
 
@@ -298,7 +305,8 @@ LITFOG_API litfog_status litfog_pack_fog_light_block(const litfog_fog* fog, cons
 /// The lights of a scene as tables of kinds and instances, kept up to date through every change of the visibility.
 typedef struct litfog_updater litfog_updater;
 
-/// A light that an updater holds.
+/// A light that an updater holds. Calls refuse the handle of a light that has been removed, but cannot tell a handle of
+/// another updater from their own.
 typedef struct litfog_light_handle {
   uint32_t slot;
   uint32_t generation;  ///< 0: of no light
@@ -345,13 +353,16 @@ LITFOG_API void litfog_updater_destroy(litfog_updater* updater);
 /// Adds a light, switched on. The tables have it after the next set_fog; this holds for every change below, too.
 LITFOG_API litfog_status litfog_updater_add(litfog_updater* updater, const litfog_placed_light* light,
                                             litfog_light_handle* handle);
+/// Replaces a light. If it is switched off, it stays so.
 LITFOG_API litfog_status litfog_updater_change(litfog_updater* updater, litfog_light_handle handle,
                                                const litfog_placed_light* light);
+/// is_on  0: off, which is black in the tables; else on
 LITFOG_API litfog_status litfog_updater_switch_light(litfog_updater* updater, litfog_light_handle handle,
                                                      int32_t is_on);
 LITFOG_API litfog_status litfog_updater_remove(litfog_updater* updater, litfog_light_handle handle);
 
-/// Brings the tables up to date with the fog and with all changes of lights. Allocates nothing.
+/// Brings the tables up to date with the fog, clear air before the first call, and with all changes of lights.
+/// Allocates nothing. Once a frame.
 LITFOG_API litfog_status litfog_updater_set_fog(litfog_updater* updater, const litfog_fog* fog,
                                                 litfog_fog_light_changes* changes);
 
@@ -376,12 +387,12 @@ typedef struct litfog_light_bounds {
 
 /// The bounds of a light.
 ///
-/// range  as litfog_light_reach gives it
+/// range  metres, >= 0, as litfog_light_reach gives it
 LITFOG_API litfog_status litfog_bounds_of(const litfog_placed_light* light, double range, litfog_light_bounds* bounds);
 
 /// Whether a light can light anything in a box.
 ///
-/// low, high  corners, three coordinates each
+/// low, high  corners, three coordinates each: metres, finite, those of low at most those of high
 /// can        0 only where the light can light nothing in the box
 LITFOG_API litfog_status litfog_can_light(const litfog_light_bounds* bounds, const double* low, const double* high,
                                           int32_t* can);
@@ -391,7 +402,8 @@ typedef struct litfog_view {
   double eye[3];
   double forward[3];  ///< unit
   double up[3];       ///< unit, orthogonal to forward
-  double left;        ///< tangents of the angles at which the picture's edges lie, right and up positive
+  double left;        ///< tangents of the angles at which the picture's edges lie, right and up positive, in [-10, 10],
+                      ///< left < right and bottom < top
   double right;
   double bottom;
   double top;
@@ -423,7 +435,8 @@ typedef struct litfog_cluster_grid {
   uint32_t columns;    ///< [1, 64]
   uint32_t rows;       ///< [1, 64]
   uint32_t slices;     ///< [1, 64]
-  double first_depth;  ///< metres: where the first slice ends
+  double first_depth;  ///< metres, > 0: where the first slice ends; below the view's farthest depth, and above its
+                       ///< nearest with two slices
 } litfog_cluster_grid;
 
 /// `count` entries of the light list from `first` on.
@@ -432,7 +445,8 @@ typedef struct litfog_cluster {
   uint32_t count;
 } litfog_cluster;
 
-/// The lists, and how a shader finds the cluster of a fragment (ClusterLookup). Valid until the next update.
+/// The lists, and how a shader finds the cluster of a fragment (ClusterLookup). Valid until the next update. Before
+/// the first all clusters are empty.
 typedef struct litfog_cluster_lists {
   const litfog_cluster* clusters;
   size_t cluster_count;
@@ -450,9 +464,14 @@ LITFOG_API litfog_status litfog_light_clusters_create(const litfog_cluster_grid*
 LITFOG_API void litfog_light_clusters_destroy(litfog_light_clusters* clusters);
 
 /// Sets how many lights there are; new ones have a range of 0.
+///
+/// count  at most (2^32 - 1) / (columns * rows * slices)
 LITFOG_API litfog_status litfog_light_clusters_resize(litfog_light_clusters* clusters, size_t count);
+/// light  below the number of lights
 LITFOG_API litfog_status litfog_light_clusters_set_light(litfog_light_clusters* clusters, size_t light,
                                                          const litfog_light_bounds* bounds);
+/// Brings the lists up to date with a view and the lights.
+///
 /// changed  not 0 where the lists have changed; may be NULL
 LITFOG_API litfog_status litfog_light_clusters_update(litfog_light_clusters* clusters, const litfog_view* view,
                                                       int32_t* changed);
@@ -466,7 +485,7 @@ typedef struct litfog_shader_text {
   const char* text;
 } litfog_shader_text;
 
-/// The shader files as installed, for whatever resolves a host's `#include` lines.
+/// The shader files as installed, for whatever resolves a host's `#include` lines. Never freed.
 LITFOG_API litfog_status litfog_shader_texts(const litfog_shader_text** texts, size_t* count);
 
 /// A shader with litfog's files in place of the lines that include them, each once, for drivers that know no

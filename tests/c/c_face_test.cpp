@@ -381,6 +381,67 @@ TEST_F(CFace, ValuesThatBreakTheirRuleAreRefusedAndResultsLeftAlone) {
   litfog_light_clusters_destroy(clusters);
 }
 
+TEST_F(CFace, ArgumentsOutsideTheirStatedRangesAreRefused) {
+  litfog_placed_light light;
+  ASSERT_EQ(litfog_default_placed_light(&light), LITFOG_OK);
+  litfog_view view;
+  ASSERT_EQ(litfog_default_view(&view), LITFOG_OK);
+  const auto expect_refused = [](litfog_status status, const char* error) {
+    EXPECT_EQ(status, LITFOG_INVALID_ARGUMENT);
+    EXPECT_STREQ(litfog_last_error(), error);
+  };
+  litfog_fog_intensity solution;
+  expect_refused(litfog_sample(&light.light, &fog_, 0, &solution), "samples = 0: must be >= 1");
+
+  litfog_light_bounds bounds;
+  EXPECT_EQ(litfog_bounds_of(&light, -1, &bounds), LITFOG_INVALID_ARGUMENT);
+  ASSERT_EQ(litfog_bounds_of(&light, 5, &bounds), LITFOG_OK);
+  const double low[] = {0, 0, 0};
+  const double high[] = {1, -1, 1};
+  int32_t can = 7;
+  EXPECT_EQ(litfog_can_light(&bounds, low, high, &can), LITFOG_INVALID_ARGUMENT);
+  EXPECT_EQ(can, 7);
+
+  litfog_light_clusters* clusters = nullptr;
+  ASSERT_EQ(litfog_light_clusters_create(nullptr, &clusters), LITFOG_OK);
+  litfog_cluster_lists lists;
+  ASSERT_EQ(litfog_light_clusters_lists(clusters, &lists), LITFOG_OK);
+  EXPECT_EQ(lists.light_count, 0u) << "before the first update";
+  for (const litfog_cluster& cluster : std::span(lists.clusters, lists.cluster_count)) EXPECT_EQ(cluster.count, 0u);
+  ASSERT_EQ(litfog_light_clusters_resize(clusters, 2), LITFOG_OK);
+  EXPECT_EQ(litfog_light_clusters_set_light(clusters, 2, &bounds), LITFOG_INVALID_ARGUMENT);
+  EXPECT_EQ(litfog_light_clusters_set_light(clusters, 1, &bounds), LITFOG_OK);
+  view.left = view.right;
+  EXPECT_EQ(litfog_light_clusters_update(clusters, &view, nullptr), LITFOG_INVALID_ARGUMENT);
+  view.left = -10.5;
+  EXPECT_EQ(litfog_light_clusters_update(clusters, &view, nullptr), LITFOG_INVALID_ARGUMENT);
+  view.left = -1;
+  view.farthest = 5;  // where the first slice ends
+  EXPECT_EQ(litfog_light_clusters_update(clusters, &view, nullptr), LITFOG_INVALID_ARGUMENT);
+  litfog_light_clusters_destroy(clusters);
+}
+
+TEST_F(CFace, HandlesOfRemovedLightsAreRefused) {
+  litfog_placed_light light;
+  ASSERT_EQ(litfog_default_placed_light(&light), LITFOG_OK);
+  litfog_updater* updater = nullptr;
+  litfog_light_handle removed, held;
+  ASSERT_EQ(litfog_updater_create(0, &updater), LITFOG_OK);
+  ASSERT_EQ(litfog_updater_add(updater, &light, &removed), LITFOG_OK);
+  ASSERT_EQ(litfog_updater_remove(updater, removed), LITFOG_OK);
+  ASSERT_EQ(litfog_updater_add(updater, &light, &held), LITFOG_OK);
+  size_t index = 7;
+  EXPECT_EQ(litfog_updater_change(updater, removed, &light), LITFOG_INVALID_ARGUMENT);
+  EXPECT_EQ(litfog_updater_switch_light(updater, removed, 0), LITFOG_INVALID_ARGUMENT);
+  EXPECT_EQ(litfog_updater_remove(updater, removed), LITFOG_INVALID_ARGUMENT);
+  EXPECT_EQ(litfog_updater_instance_of(updater, removed, &index), LITFOG_INVALID_ARGUMENT);
+  EXPECT_EQ(litfog_updater_kind_of(updater, removed, &index), LITFOG_INVALID_ARGUMENT);
+  EXPECT_EQ(litfog_updater_remove(updater, {0, 0}), LITFOG_INVALID_ARGUMENT) << "of no light";
+  EXPECT_EQ(index, 7u);
+  EXPECT_EQ(litfog_updater_instance_of(updater, held, &index), LITFOG_OK);
+  litfog_updater_destroy(updater);
+}
+
 TEST_F(CFace, AnyNumbersAreTakenOrRefused) {
   const auto number = [&] {
     return random_.pick(std::array{0.0, -0.0, -1.0, 1.0, 0.05, kNaN, kInfinity, -kInfinity, 1e-310, 1e308, 3.5,
