@@ -90,7 +90,7 @@ double FramePlanner::hidden_range_of(std::size_t index) {
   Foggy& foggy = foggy_[index];
   if (foggy.fog == fog_number_) return double(foggy.hidden_range);
   const Surface& surface = surfaces_.surfaces()[index];
-  double brightness = surface.material->own_light;
+  double brightness = surface.material->own_light(scene_.environment);
   const std::span<const std::int32_t> lights = surfaces_.lights_of(surface);
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const auto light = std::size_t(lights[i]);

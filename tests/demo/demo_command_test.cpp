@@ -859,7 +859,7 @@ TEST_F(DemoCommand, LightsAreListedAsTheirMembersAreSet) {
 /// A lamp that turns and one that the eye's vehicle carries.
 constexpr const char* kTwoLamps = R"({"litfog": "scene", "version": 1, "name": "two",
   "camera": {"position": [0, 1, 5], "target": [0, 1, 0]}, "objects": [{"model": "box"}],
-  "environment": {"fog_color": [0, 0, 0], "sky_zenith": [0, 0, 0], "sky_horizon": [0, 0, 0]},
+  "environment": {"ambient": [0, 0, 0], "fog_color": [0, 0, 0], "sky_zenith": [0, 0, 0], "sky_horizon": [0, 0, 0]},
   "lights": [{"light": {"attenuation": {"constant": 1, "quadratic": 0.1},
                         "cone": {"profile": "smoothstep", "inner_deg": 10, "outer_deg": 30}},
               "position": [1, 3, 1], "aim": [0, 0, 0], "turn_deg_per_s": 40},
@@ -870,26 +870,31 @@ TEST_F(DemoCommand, FramesOfASequenceAreThePicturesOfTheirSettings) {
   const struct {
     std::string changes;
     std::string last;  // the picture of the third frame
-  } sequences[] = {{"--visibility 100..1", "--visibility 1"},
-                   {"--visibility 30,20,4 --contrast 0.01 --time 0..2", "--visibility 4 --contrast 0.01 --time 2"},
-                   {"--set lights[0].threshold=0.1..0.3 --set lights[1].carried=false --camera 0,1,5..1,1,6",
-                    "--set lights[0].threshold=0.3 --set lights[1].carried=false --camera 1,1,6"},
-                   {"--camera 0,1,5..2,1,5 --target 0,1,0..2,1,0 --fov-deg 40..60",  // the carried lamp moves by 2 m
-                    "--camera 2,1,5 --target 2,1,0 --fov-deg 60 --set lights[1].position[0]=3"},
-                   {"--camera 0,1,5..2,1,5 --set camera.target[0]=0..2",  // likewise
-                    "--camera 2,1,5 --target 2,1,0 --set lights[1].position[0]=3"},
-                   {"--set lights[0].attenuation.quadratic=0.1..9 --set lights[1].position[1]=1..2",
-                    "--set lights[0].attenuation.quadratic=9 --set lights[1].position[1]=2"},
-                   {"--set lights[0].attenuation.constant=1,9,30", "--set lights[0].attenuation.constant=30"},  // off
-                   {"--set 'lights[0].repeat=[{\"count\":1,\"step\":[1,0,0]}]' --set lights[0].repeat[0].count=1,2,3",
-                    "--set 'lights[0].repeat=[{\"count\":3,\"step\":[1,0,0]}]'"},
-                   {"--set objects[0].heading_deg=0..40 --set environment.stars=0..1",
-                    "--set objects[0].heading_deg=40 --set environment.stars=1"},
-                   {"--set objects[0].width_m=1..2", "--set objects[0].width_m=2"},
-                   {"--set environment.fog_color[1]=0..0.3 --set environment.sky_zenith[2]=0..0.2 --set phase_g=0..0.7",
-                    "--set environment.fog_color[1]=0.3 --set environment.sky_zenith[2]=0.2 --set phase_g=0.7"},
-                   {"--set fog_top_m=100..2 --set environment.stars=0..1 --set environment.sky_horizon[0]=0..0.2",
-                    "--set fog_top_m=2 --set environment.stars=1 --set environment.sky_horizon[0]=0.2"}};
+  } sequences[] = {
+      {"--visibility 100..1", "--visibility 1"},
+      {"--visibility 30,20,4 --contrast 0.01 --time 0..2", "--visibility 4 --contrast 0.01 --time 2"},
+      {"--set lights[0].threshold=0.1..0.3 --set lights[1].carried=false --camera 0,1,5..1,1,6",
+       "--set lights[0].threshold=0.3 --set lights[1].carried=false --camera 1,1,6"},
+      {"--camera 0,1,5..2,1,5 --target 0,1,0..2,1,0 --fov-deg 40..60",  // the carried lamp moves by 2 m
+       "--camera 2,1,5 --target 2,1,0 --fov-deg 60 --set lights[1].position[0]=3"},
+      {"--camera 0,1,5..2,1,5 --set camera.target[0]=0..2",  // likewise
+       "--camera 2,1,5 --target 2,1,0 --set lights[1].position[0]=3"},
+      {"--set lights[0].attenuation.quadratic=0.1..9 --set lights[1].position[1]=1..2",
+       "--set lights[0].attenuation.quadratic=9 --set lights[1].position[1]=2"},
+      {"--set lights[0].attenuation.constant=1,9,30", "--set lights[0].attenuation.constant=30"},  // off
+      {"--set 'lights[0].repeat=[{\"count\":1,\"step\":[1,0,0]}]' --set lights[0].repeat[0].count=1,2,3",
+       "--set 'lights[0].repeat=[{\"count\":3,\"step\":[1,0,0]}]'"},
+      {"--set objects[0].heading_deg=0..40 --set environment.stars=0..1",
+       "--set objects[0].heading_deg=40 --set environment.stars=1"},
+      {"--set objects[0].width_m=1..2", "--set objects[0].width_m=2"},
+      {"--set environment.fog_color[1]=0..0.3 --set environment.sky_zenith[2]=0..0.2 --set phase_g=0..0.7",
+       "--set environment.fog_color[1]=0.3 --set environment.sky_zenith[2]=0.2 --set phase_g=0.7"},
+      {"--set environment.ambient[0]=0,0.5,0.4", "--set environment.ambient[0]=0.4"},
+      {"--path legacy --set environment.ambient[1]=0.1..0.4", "--path legacy --set environment.ambient[1]=0.4"},
+      {"--path tangent --set environment.ambient[2]=0.4..0.1 --set environment.fog_color[2]=0..0.4",
+       "--path tangent --set environment.ambient[2]=0.1 --set environment.fog_color[2]=0.4"},
+      {"--set fog_top_m=100..2 --set environment.stars=0..1 --set environment.sky_horizon[0]=0..0.2",
+       "--set fog_top_m=2 --set environment.stars=1 --set environment.sky_horizon[0]=0.2"}};
   for (const auto& [changes, last] : sequences) {
     const Outcome outcome = run("sequence two.json -o frames --size 32x18 --frames 3 " + changes);
     ASSERT_EQ(outcome.status, kDone) << outcome.err;

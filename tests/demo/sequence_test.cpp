@@ -17,9 +17,9 @@ class SequenceTest : public testing::Test {
   SequenceTest() {
     std::ofstream(scene_) << R"({"litfog": "scene", "version": 1, "fog_top_m": 9, "visibilities_m": [50],
       "camera": {"position": [0, 1, 5], "target": [0, 1, 0]}, "objects": [{"model": "box"}],
-      "environment": {"ambient": [0, 0, 0], "fog_color": [0, 0, 0], "sky_zenith": [0, 0, 0]},
-      "lights": [{"light": {"attenuation": {"constant": 1}}, "position": [1, 3, 1],
-                  "repeat": [{"count": 1, "step": [1, 0, 0]}]}]})";
+      "environment": {"ambient": [0, 0, 0], "fog_color": [0, 0, 0], "sky_zenith": [0, 0, 0],
+                      "moon": {"direction": [0, 1, 0], "color": [0, 0, 0]}},
+      "lights": [{"light": {"attenuation": {"constant": 1}}, "position": [1, 3, 1]}]})";
   }
 
   bool keeps_renderer(const std::string& member) const {
@@ -37,12 +37,12 @@ class SequenceTest : public testing::Test {
 };
 
 TEST_F(SequenceTest, OneRendererDrawsAllFramesUnlessWhatItHoldsChanges) {
-  for (const char* member :
-       {"camera.position[0]", "lights[0].threshold", "lights[0].position[1]", "fog_top_m", "phase_g",
-        "visibilities_m[0]", "environment.fog_color[0]", "environment.sky_zenith[2]", "environment.stars"}) {
+  for (const char* member : {"camera.position[0]", "lights[0].threshold", "lights[0].position[1]", "fog_top_m",
+                             "phase_g", "visibilities_m[0]", "environment.ambient[0]", "environment.fog_color[0]",
+                             "environment.sky_zenith[2]", "environment.stars"}) {
     EXPECT_TRUE(keeps_renderer(member)) << member;
   }
-  for (const char* member : {"objects[0].width_m", "environment.ambient[0]"}) {
+  for (const char* member : {"objects[0].width_m", "objects[0].heading_deg", "environment.moon.color[0]"}) {
     EXPECT_FALSE(keeps_renderer(member)) << member;
   }
 }

@@ -92,15 +92,15 @@ int count_frames(const SequenceOptions& options) {
 }
 
 /// Whether a change of a member's number needs a new renderer: one takes no other number of lights, and holds all but
-/// what is named here in its textures, buffers and shaders.
+/// what is named here for good, in its textures, buffers and shaders.
 bool needs_new_renderer(const MemberCourse& course) {
   if (!changes(course.numbers)) return false;
   const std::string& member = course.change.member;
   if (member.starts_with("lights[")) return member.ends_with(".count");
-  constexpr std::string_view kReadByEachFrame[] = {
-      "camera.",          "fog_top_m",        "phase_g", "visibilities_m[", "environment.fog_color[",
-      "environment.sky_", "environment.stars"};
-  return std::ranges::none_of(kReadByEachFrame, [&](std::string_view name) { return member.starts_with(name); });
+  constexpr std::string_view kTaken[] = {"camera.",          "environment.ambient[", "fog_top_m",
+                                         "phase_g",          "visibilities_m[",      "environment.fog_color[",
+                                         "environment.sky_", "environment.stars"};
+  return std::ranges::none_of(kTaken, [&](std::string_view name) { return member.starts_with(name); });
 }
 
 /// Moves a scene's carried lights as a camera moves, as if both were one rigid body.
@@ -272,7 +272,9 @@ void draw_sequence(Sequence& sequence, const std::string& folder, const DrawingO
   for (int frame = 0; frame < count; ++frame) {
     const command::WallTimer frame_timer;
     if (!sequence.keeps_renderer()) renderer.reset();
+    const glm::vec3 ambient_light = scene.environment.ambient_light;
     sequence.show(frame);
+    if (renderer && scene.environment.ambient_light != ambient_light) renderer->set_ambient_light();
     if (!renderer) {
       renderer.emplace(scene, drawing.width, drawing.height, settings);
     } else if (sequence.changes_members() || sequence.moves_lights() || chooses_casters) {

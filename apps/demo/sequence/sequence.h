@@ -54,7 +54,7 @@ class Sequence {
   bool moves_lights() const { return moves_lights_; }
   bool changes_members() const { return changes_members_; }  ///< of the scene's file
   /// Whether a renderer of an earlier frame, after Renderer::set_lights(), draws this one too: no member changes but
-  /// those of the camera, the fog, the sky and lights, none of which is added or removed.
+  /// those of the camera, the fog, the sky, ambient light and lights, none of which is added or removed.
   bool keeps_renderer() const { return keeps_renderer_; }
 
   /// Makes the scene that of a frame. Lights that the eye's vehicle carries move along with the camera, from where they

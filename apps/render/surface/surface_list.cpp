@@ -73,7 +73,7 @@ double most_emitted(const scene::Material& material, const Largest& most) {
 }
 
 /// A scene's materials on the GPU, sorted by name.
-std::vector<SurfaceMaterial> upload(std::vector<scene::Material> materials, const scene::Environment& environment) {
+std::vector<SurfaceMaterial> upload(std::vector<scene::Material> materials) {
   std::ranges::sort(materials, {}, &scene::Material::name);
   TextureStore textures;
   std::vector<SurfaceMaterial> uploaded;
@@ -81,8 +81,7 @@ std::vector<SurfaceMaterial> upload(std::vector<scene::Material> materials, cons
     const Largest most = largest_of(material);
     const double diffuse = material.is_unlit ? 0 : most.albedo;
     const double reflectance = diffuse + most.gloss * largest_component(material.specular);
-    const double own_light = most_emitted(material, most) + diffuse * largest_component(environment.ambient_light) +
-                             reflectance * largest_component(environment.moon_color);
+    const double emitted = most_emitted(material, most);
     auto albedo = material.plain_albedo ? std::make_shared<const Texture>(glm::vec4(*material.plain_albedo, 1.0f))
                                         : textures.upload(material.albedo, Texture::Encoding::srgb);
     auto normal = textures.upload(material.normal, Texture::Encoding::linear);
@@ -94,7 +93,7 @@ std::vector<SurfaceMaterial> upload(std::vector<scene::Material> materials, cons
     material.normal.reset();
     material.emission.reset();
     material.second.reset();
-    uploaded.push_back({std::move(material), float(uploaded.size()), reflectance, own_light, std::move(albedo),
+    uploaded.push_back({std::move(material), float(uploaded.size()), reflectance, diffuse, emitted, std::move(albedo),
                         std::move(normal), std::move(emission), std::move(second)});
   }
   return uploaded;
@@ -103,7 +102,7 @@ std::vector<SurfaceMaterial> upload(std::vector<scene::Material> materials, cons
 }  // namespace
 
 SurfaceList::SurfaceList(const scene::Scene& scene, const SceneLights& lights, Skipping skipping)
-    : materials_(upload(scene.materials, scene.environment)),
+    : materials_(upload(scene.materials)),
       meshes_(scene.models, [this](const std::string& name) { return material(name).is_pane(); }),
       has_panes_(std::ranges::any_of(materials_, &SurfaceMaterial::is_pane)) {
   set_lights(scene, lights, skipping);

@@ -22,13 +22,19 @@ struct SurfaceMaterial {
   scene::Material material;  ///< without its texels
   float number;              ///< in their order
   double reflectance;        ///< most of a light that it reflects, diffuse and specular together: the largest component
-  double own_light;          ///< what it sends to the eye without lamps is at most this: linear, the largest component
+  double diffuse;            ///< most of it that is diffuse, likewise
+  double emitted;            ///< most that it sends to the eye by itself: linear, likewise
   std::shared_ptr<const Texture> albedo;  ///< materials of the same texels share their texture
   std::shared_ptr<const Texture> normal;
   std::shared_ptr<const Texture> emission;  ///< null: none
   std::shared_ptr<const Texture> second;    ///< null: none
 
   bool is_pane() const { return material.opacity.has_value(); }
+  /// What it sends to the eye without lamps is at most this: linear, the largest component.
+  double own_light(const scene::Environment& environment) const {
+    return emitted + diffuse * largest_component(environment.ambient_light) +
+           reflectance * largest_component(environment.moon_color);
+  }
 };
 
 /// A run of triangles of one material, placed in the world, and the lights that can reach it.

@@ -392,6 +392,9 @@ SurfaceProgram& SurfacePainter::use(Frame& frame, const ShaderVariant& variant, 
 void SurfacePainter::set_frame_uniforms(const Frame& frame, const ShaderVariant& variant,
                                         const gl::Program& program) const {
   bind_lights(program, fog_light_buffer_);
+  if (programs_.is_ambient_light_uniform()) {
+    set_uniform(program, "ambient_light", scene_.environment.ambient_light);
+  }
   set_uniform(program, "clip_from_world", frame.clip_from_world);
   set_uniform(program, "infinite_viewer", glm::normalize(scene_.camera.position - scene_.camera.target));
   set_uniform(program, "is_flat_shaded", settings_.is_flat_shaded);

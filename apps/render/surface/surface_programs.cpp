@@ -18,7 +18,6 @@ std::string glsl(const glm::vec3& v) { return fmt::format("vec3({}, {}, {})", v.
 /// What stays the same in a scene, as constants, because some drivers look a uniform up for every fragment.
 std::string environment_constants(const scene::Environment& environment, const RenderSettings& settings) {
   return fmt::format(
-      "const vec3 ambient_light = {};\n"
       "const bool has_moon = {};  // the directional light\n"
       "const vec3 moon_direction = {};\n"
       "const vec3 moon_color = {};\n"
@@ -30,8 +29,8 @@ std::string environment_constants(const scene::Environment& environment, const R
       "const int spot_edge_hard = 0;\n"
       "const int spot_edge_lerp = 1;\n"
       "const int spot_edge = {};\n",
-      glsl(environment.ambient_light), environment.moon_color != glm::vec3(0.0f), glsl(environment.moon_direction),
-      glsl(environment.moon_color), settings.has_infinite_viewer, settings.fog_lighting == FogLighting::airlight,
+      environment.moon_color != glm::vec3(0.0f), glsl(environment.moon_direction), glsl(environment.moon_color),
+      settings.has_infinite_viewer, settings.fog_lighting == FogLighting::airlight,
       lights_surfaces_beyond_end(settings), settings.shadows == Shadows::shafts, settings.light_ambient,
       int(settings.spot_edge));
 }
@@ -59,14 +58,23 @@ SurfacePrograms::SurfacePrograms(const scene::Scene& scene, const RenderSettings
     : has_cookies_(!scene.cookies.empty()),
       has_shadows_(settings.shadows != Shadows::none),
       most_vertex_lights_(count_vertex_lights()),
+      ambient_light_(fmt::format("const vec3 ambient_light = {};\n", glsl(scene.environment.ambient_light))),
       environment_(environment_constants(scene.environment, settings)) {}
+
+void SurfacePrograms::make_ambient_light_uniform() {
+  if (is_ambient_light_uniform_) return;
+  is_ambient_light_uniform_ = true;
+  ambient_light_ = "uniform vec3 ambient_light;\n";
+  programs_.clear();
+}
 
 SurfaceProgram& SurfacePrograms::program(const ShaderVariant& variant) {
   const auto found = programs_.find(variant);
   if (found != programs_.end()) return found->second;
   const std::string pass = pass_constants(variant);
   std::vector<gl::ShaderSource> files = scene_shaders(has_cookies_, has_shadows_);
-  files.push_back({"environment.glsl", environment_});
+  const std::string environment = ambient_light_ + environment_;
+  files.push_back({"environment.glsl", environment});
   files.push_back({"pass.glsl", pass});
   const std::string material = material_constants(variant.material);
   files.push_back({"material.glsl", material});

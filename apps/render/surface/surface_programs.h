@@ -27,6 +27,10 @@ class SurfacePrograms {
  public:
   SurfacePrograms(const scene::Scene& scene, const RenderSettings& settings);
 
+  /// From now on programs have the ambient light as a uniform, ambient_light, in place of a constant.
+  void make_ambient_light_uniform();
+  bool is_ambient_light_uniform() const { return is_ambient_light_uniform_; }
+
   /// Good as long as this.
   SurfaceProgram& program(const ShaderVariant& variant);
   /// How many lights vertices can pass on to fragments on this driver (ShaderVariant::vertex_lights).
@@ -36,7 +40,9 @@ class SurfacePrograms {
   bool has_cookies_;
   bool has_shadows_;
   std::size_t most_vertex_lights_;
-  std::string environment_;  // environment.glsl
+  bool is_ambient_light_uniform_ = false;
+  std::string ambient_light_;  // the beginning of environment.glsl
+  std::string environment_;    // the rest
   std::map<ShaderVariant, SurfaceProgram> programs_;
 };
 
