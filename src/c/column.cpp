@@ -10,7 +10,7 @@ namespace {
 
 bool overlap(std::span<const std::byte> a, std::span<const std::byte> b) {
   if (a.empty() || b.empty()) return false;
-  constexpr std::less<const std::byte*> is_before;  // orders pointers into different arrays, too
+  constexpr std::less<const std::byte*> is_before{};  // orders pointers into different arrays, too
   return is_before(a.data(), b.data() + b.size()) && is_before(b.data(), a.data() + a.size());
 }
 
