@@ -111,7 +111,7 @@ TEST_F(DemoCommand, WrongExposuresAndTonesAreErrors) {
   }
   for (const std::string job : {"gallery room -o g", "compare room -o g"}) {
     EXPECT_ERROR(run(job + " --exposure bright"), kUsage,
-                 std::string("litfog-demo: --exposure = bright: must be auto or a number in [-32, 32]") + kSeeHelp);
+                 "litfog-demo: --exposure = bright: must be auto or a number in [-32, 32]" + see_help(job));
   }
   EXPECT_ERROR(run("room --tone filmic"), kUsage,
                std::string("litfog-demo: --tone = filmic: must be one of neutral|clip") + kSeeHelp);
