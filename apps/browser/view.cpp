@@ -71,8 +71,9 @@ View::View(const scene::Scene& scene)
 PlacedLight View::drawn_light(std::size_t light) const {
   PlacedLight drawn = scene_.lights[light];
   if (fog_lighting_ == render::FogLighting::peak) return drawn;
-  drawn.carried = false;                                                              // Hales's term is not for it
-  drawn.light.threshold = render::airlight_threshold(drawn.light, kLargestExposure);  // few lamps: no end is seen
+  drawn.carried = false;  // Hales's term is not for it
+  // The page has few lamps, so that none needs an end that a larger exposure would show.
+  drawn.light.threshold = render::airlight_threshold(drawn.light, kLargestExposure);
   return drawn;
 }
 

@@ -45,8 +45,7 @@ struct ConeOptimum {
 ///     root()                      the box of all parameters
 ///     start(box)                  some parameters in it, unless it holds no cone
 ///     bound(box, objective)       a lower bound of the objective in the box, given that at its start; infinite where
-///     the
-///                                 box holds no cone
+///                                 the box holds no cone
 ///     objective(parameters)
 ///     descend(start, iterations)  the local minimum below a start
 template <typename Profile>
