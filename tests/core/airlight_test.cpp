@@ -738,7 +738,7 @@ TEST(AirlightBound, BoundIsNeverBelowTheAirlightOfARayInItsCone) {
 }
 
 TEST(AirlightBound, BoundOnAStretchOfARayIsNeverBelowItsAirlight) {
-  constexpr double kLeftOut = 0.02;    // of the airlight, where the stretch ends in the fog
+  constexpr double kLeftOut = 0.02;     // of the airlight, where the stretch ends in the fog
   constexpr double kAllLeftOut = 1e-6;  // airlight of which the fog leaves so little that the stretch may be empty
   airlight_text::Text<double, airlight_text::NoCookie> text{airlight_text::NoCookie{}};
   Random random(80);
@@ -747,8 +747,8 @@ TEST(AirlightBound, BoundOnAStretchOfARayIsNeverBelowItsAirlight) {
     AirlightCase c = draw_spot_airlight_case(random, random.pick(kModes), random.pick(kLampLegs));
     if (random.chance(0.3)) c.light.light.cone = {};
     const Light& light = c.light.light;
-    const auto air = text.seen_along(c.light, compute_extent(light.attenuation, light.threshold), c.fog, c.ray,
-                                     c.scattering);
+    const auto air =
+        text.seen_along(c.light, compute_extent(light.attenuation, light.threshold), c.fog, c.ray, c.scattering);
     const double bound = text.litfog_airlight_bound(air, text.litfog_airlight_stretch(air));
     const double airlight = reference_of(c);
     ASSERT_GE(bound, (1 - kLeftOut) * airlight - kAllLeftOut) << to_string(c);
