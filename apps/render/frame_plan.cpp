@@ -12,6 +12,7 @@
 #include "render/fog_top.h"
 #include "render/frustum.h"
 #include "render/light/hidden_range.h"
+#include "render/surface/shader_variant.h"
 
 namespace litfog::render {
 namespace {
@@ -41,6 +42,8 @@ void FramePlanner::set_fog(const Fog& fog, bool is_fog_lit, std::span<const std:
   is_fog_lit_ = is_fog_lit;
   shaft_casters_ = shaft_casters;
   strengths_.resize(surfaces_.lists().size());
+  group_picker_.reset();  // the lights may have changed
+  if (!lights_.groups().groups.empty()) group_picker_.emplace(lights_, *settings_.path);
   forget();
 }
 
@@ -95,9 +98,10 @@ double FramePlanner::hidden_range_of(std::size_t index) {
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const auto light = std::size_t(lights[i]);
     const PlacedLight& placed = lights_.lights()[light];
-    const double strength = surface.material->reflectance * largest_component(placed.light.color) *
-                            largest_irradiance(placed, surfaces_.range_of(lights_.extents()[light]), fog_,
-                                               settings_.fog_lighting, *settings_.path, surface.bounds);
+    const double strength =
+        surface.material->reflectance * largest_component(placed.light.color) *
+        largest_irradiance(placed.light, placed.position, surfaces_.range_of(lights_.extents()[light]), fog_,
+                           settings_.fog_lighting, *settings_.path, surface.bounds);
     strengths_[std::size_t(surface.list_first) + i] = float(strength);
     brightness += strength;
   }
@@ -106,7 +110,7 @@ double FramePlanner::hidden_range_of(std::size_t index) {
   return double(foggy.hidden_range);
 }
 
-PlannedSurface FramePlanner::list_lights(std::size_t index, double most_left_out) {
+PlannedSurface FramePlanner::list_lights(std::size_t index, double most_left_out, double through) {
   const Surface& surface = surfaces_.surfaces()[index];
   const std::span<const std::int32_t> lights = surfaces_.lights_of(surface);
   const std::span<const float> strengths =
@@ -127,6 +131,15 @@ PlannedSurface FramePlanner::list_lights(std::size_t index, double most_left_out
   plan_.counts.lights_listed += std::size_t(planned.list_count);
   plan_.counts.lights_hidden += lights.size() - std::size_t(planned.list_count);
   plan_.counts.lights_out_of_reach += lights_.size() - lights.size();
+  if (group_picker_ && std::size_t(planned.list_count) > kMaxUniformLights) {  // few lights are cheap
+    group_picker_->pick(plan_.light_list, std::size_t(planned.list_first),
+                        {.bounds = surface.bounds,
+                         .reflectance = surface.material->reflectance,
+                         .shininess = double(surface.material->material.shininess),
+                         .through = through},
+                        fog_, step_);
+    planned.list_count = int(plan_.light_list.size()) - planned.list_first;
+  }
   return planned;
 }
 
@@ -200,7 +213,7 @@ void FramePlanner::plan_visible(const FrameView& view) {
     const bool has_mapped_fog = settings_.path->has_mapped_fog() && surface.is_fog_lit;
     if (!hides || has_mapped_fog || each.nearest < each.hidden_range) {
       const double through = fog_factor_at(fog_, each.nearest);
-      plan_.surfaces.push_back(list_lights(each.surface, hides ? kSurfaceLightShare * step_ / through : -1));
+      plan_.surfaces.push_back(list_lights(each.surface, hides ? kSurfaceLightShare * step_ / through : -1, through));
       ++counts.chunks_drawn;
     } else if (each.nearest < left_out_from || can_be_lit_from(view.eye, surface, left_out_from) ||
                highest_slope(view.eye, surface.bounds, each.nearest, each.farthest) > highest_left_out) {
@@ -259,7 +272,9 @@ LightCounts FramePlanner::count_lights() const {
     const glm::vec3 position(lights_.lights()[i].position);
     if (can_see(frustum, {position, position})) fates[i] = std::max(fates[i], Fate::hidden);
   }
-  for (const PlannedSurface& surface : plan_.surfaces) raise(plan_.lights_of(surface), Fate::drawn);
+  for (const PlannedSurface& surface : plan_.surfaces) {
+    for (const std::int32_t& instance : plan_.lights_of(surface)) raise(lights_.lights_of(instance), Fate::drawn);
+  }
   raise(plan_.points(), Fate::drawn);
   for (const AirlightEntry& entry : plan_.airlights.entries) fates[std::size_t(entry.light)] = Fate::drawn;
   const auto count = [&](Fate fate) { return std::size_t(std::ranges::count(fates, fate)); };

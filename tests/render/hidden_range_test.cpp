@@ -65,7 +65,7 @@ TEST(LargestIrradiance, NoPointOfTheBoxGetsMore) {
     for (const FogLighting lighting : {FogLighting::peak, FogLighting::airlight}) {
       for (const char* name : {"unified", "lookup-3d", "radial"}) {
         const LightingPath& path = *find_lighting_path(name);
-        const double most = largest_irradiance(c.light, extent, c.fog, lighting, path, box);
+        const double most = largest_irradiance(c.light.light, c.light.position, extent, c.fog, lighting, path, box);
         for (int j = 0; j < 5; ++j) {
           const glm::dvec3 t(random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1));
           const glm::dvec3 point = j == 0 ? glm::clamp(c.light.position, glm::dvec3(box.low), glm::dvec3(box.high))

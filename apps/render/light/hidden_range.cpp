@@ -27,14 +27,14 @@ double hidden_range(const Fog& fog, double brightness, double budget) {
   return kRounding * (fog.mode == FogMode::exp ? depth : std::sqrt(depth)) / fog.density;
 }
 
-double largest_irradiance(const PlacedLight& light, double extent, const Fog& fog, FogLighting fog_lighting,
-                          const LightingPath& path, const scene::Bounds& box) {
-  const double range = path.evaluation == Evaluation::fragment ? nearest_distance(light.position, box) : 0;
+double largest_irradiance(const Light& light, const glm::dvec3& position, double extent, const Fog& fog,
+                          FogLighting fog_lighting, const LightingPath& path, const scene::Bounds& box) {
+  const double range = path.evaluation == Evaluation::fragment ? nearest_distance(position, box) : 0;
   if (range > extent) return 0;
   const double factor =
-      fog_lighting == FogLighting::airlight ? fog_factor_at(scaled(fog, light.light.density_scale), range) : 1;
+      fog_lighting == FogLighting::airlight ? fog_factor_at(scaled(fog, light.density_scale), range) : 1;
   if (path.range == RangeLaw::radial) return factor * (std::isinf(extent) ? 1 : 1 - range * range / (extent * extent));
-  return factor * attenuation_at(light.light.attenuation, range);
+  return factor * attenuation_at(light.attenuation, range);
 }
 
 double largest_fog_weight(const Fog& fog, double eye_range) {

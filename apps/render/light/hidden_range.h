@@ -16,6 +16,8 @@ namespace litfog::render {
 /// of which some are left out, and their airlight. So all errors of a pixel lie in a range of
 /// kSurfaceLightShare + 2 kHiddenShare + kPointShare + kBehindShare + kAirlightShare + kFarShare = 1 step, and from one
 /// frame to the next they change by no more.
+///
+/// Besides, groups of lights as one light err on surfaces by an estimate, not by a bound (group_picker.h).
 inline constexpr double kSurfaceLightShare = 1 / 4.;  ///< all lights left out of a surface
 inline constexpr double kHiddenShare = 1 / 8.;        ///< a surface, or the sky
 inline constexpr double kPointShare = 1 / 8.;         ///< the points of all lamps
@@ -39,9 +41,9 @@ double hidden_range(const Fog& fog, double brightness, double budget);
 /// they are largest at the point of the box nearest to the light. What is looked up in a map lies between texels, of
 /// which the largest is the value at the light.
 ///
-/// extent  metres
-double largest_irradiance(const PlacedLight& light, double extent, const Fog& fog, FogLighting fog_lighting,
-                          const LightingPath& path, const scene::Bounds& box);
+/// position, extent  of the light, metres
+double largest_irradiance(const Light& light, const glm::dvec3& position, double extent, const Fog& fog,
+                          FogLighting fog_lighting, const LightingPath& path, const scene::Bounds& box);
 
 /// An upper bound of -f'(s) f(r) on any ray, 1/m (litfog/shaders/glow.glsl has the proof).
 ///

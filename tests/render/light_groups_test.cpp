@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/light/light_groups.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <vector>
+
+#include "litfog/attenuation.h"
+#include "litfog/cone.h"
+#include "reference/double_limits.h"
+#include "reference/random_airlight.h"
+#include "render/light/group_picker.h"
+
+namespace litfog::test {
+using namespace render;
+
+namespace {
+
+PlacedLight lamp(const glm::dvec3& position) {
+  return {.light = {.name = "lamp", .attenuation = {1, 0, 0.01}, .threshold = 0.001, .cone = {}}, .position = position};
+}
+
+std::vector<glm::dvec3> places_of(const LightGroups& groups, const LightGroup& group,
+                                  const std::vector<PlacedLight>& lights) {
+  std::vector<glm::dvec3> places;
+  for (const std::int32_t i : groups.lights_of(group)) places.push_back(lights[std::size_t(i)].position);
+  return places;
+}
+
+TEST(LightGroups, RowsOfLampsFallApartIntoRowsThenIntoLamps) {
+  std::vector<PlacedLight> lights;
+  for (const double z : {0.0, -30.0, -60.0}) {
+    for (int i = 0; i < 4; ++i) lights.push_back(lamp({double(i), 2, z}));
+  }
+  const LightGroups found = group_lights(lights, std::vector(lights.size(), 0));
+  ASSERT_EQ(found.groups.size(), lights.size() - 1);
+  EXPECT_EQ(found.groups[0].parent, -1);
+  EXPECT_EQ(found.groups[0].position, glm::dvec3(1.5, 2, -30));
+  int rows = 0;
+  for (const LightGroup& group : found.groups) {
+    const auto places = places_of(found, group, lights);
+    const bool is_in_a_row =
+        std::ranges::all_of(places, [&](const glm::dvec3& place) { return place.z == places.front().z; });
+    EXPECT_EQ(is_in_a_row, group.count <= 4);
+    if (group.count != 4) continue;
+    ++rows;
+    EXPECT_DOUBLE_EQ(group.radius, 1.5);
+    EXPECT_DOUBLE_EQ(group.spread, std::sqrt(1.25));
+  }
+  EXPECT_EQ(rows, 3);
+}
+
+TEST(LightGroups, EveryLightIsInAllGroupsAboveIt) {
+  Random random(41);
+  std::vector<PlacedLight> lights;
+  std::vector<int> kinds;
+  for (int i = 0; i < 500; ++i) {
+    lights.push_back(lamp(draw_direction(random) * random.log_uniform(1, 1000)));
+    if (random.chance(0.2)) lights.back().position = lights[lights.size() / 2].position;
+    lights.back().light.color = glm::dvec3(random.chance(0.5) ? 1 : 2);
+    kinds.push_back(random.chance(0.1) ? -1 : random.chance(0.5) ? 3 : 7);
+  }
+  const LightGroups found = group_lights(lights, kinds);
+  std::vector<int> sizes(found.groups.size(), 0);
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    EXPECT_EQ(found.parents[i] < 0, kinds[i] < 0);
+    for (std::int32_t at = found.parents[i]; at >= 0; at = found.groups[std::size_t(at)].parent) {
+      const LightGroup& group = found.groups[std::size_t(at)];
+      ++sizes[std::size_t(at)];
+      EXPECT_EQ(std::ranges::count(found.lights_of(group), std::int32_t(i)), 1);
+      const auto first = std::size_t(found.lights_of(group).front());
+      EXPECT_EQ(kinds[i], kinds[first]);
+      EXPECT_EQ(lights[i].light.color, lights[first].light.color);
+      EXPECT_LE(glm::distance(lights[i].position, group.position), group.radius * (1 + 1e-12));
+    }
+  }
+  for (std::size_t i = 0; i < sizes.size(); ++i) EXPECT_EQ(sizes[i], found.groups[i].count);
+}
+
+/// The Basic model (The Cg Tutorial, 5.2.1), white and half diffuse.
+double reflected(const glm::dvec3& normal, const glm::dvec3& to_eye, const glm::dvec3& to_light, double shininess) {
+  const double facing = glm::dot(normal, to_light);
+  if (facing <= 0) return 0;
+  const double highlight = std::max(glm::dot(normal, glm::normalize(to_light + to_eye)), 0.0);
+  return 0.5 * facing + 0.5 * std::pow(highlight, shininess);
+}
+
+TEST(LightGroups, OneLightForAGroupErrsAboutAsEstimated) {
+  Random random(42);
+  std::vector<double> ratios;
+  double worst = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const Fog fog{random.pick(kModes), random.log_uniform(1e-5, 0.1)};
+    const double range = random.log_uniform(1, 1000);
+    const glm::dvec3 normal = draw_direction(random);
+    const auto above = [&] {
+      glm::dvec3 direction = draw_direction(random);
+      if (glm::dot(direction, normal) < 0) direction = -direction;
+      return glm::normalize(direction + normal * random.uniform(-0.1, 0.3));
+    };
+    const glm::dvec3 to_eye = above();
+    const glm::dvec3 middle = above() * range;  // the surface is at the origin
+    const Cone cone = random.chance(0.3)   ? Cone{}
+                      : random.chance(0.5) ? Cone::cosine(random.uniform(0.2, 1.5), random.log_uniform(0.5, 200))
+                                           : Cone::smoothstep(random.uniform(0.01, 0.3), random.uniform(0.35, 1.2));
+    const double shininess = random.log_uniform(5, 200);
+    std::vector<PlacedLight> lights;
+    const double size = range * random.log_uniform(0.001, 0.3);
+    const glm::dvec3 axis = glm::normalize(-middle / range + random.uniform(0, 1.2) * draw_direction(random));
+    for (int j = 0; j < 5; ++j) {
+      lights.push_back(lamp(middle + draw_direction(random) * (size * random.uniform(0, 1))));
+      lights.back().light.cone = cone;
+      lights.back().direction = axis;
+    }
+    const auto shown = [&](const glm::dvec3& place) {
+      const double distance = glm::length(place);
+      return attenuation_at(lights[0].light.attenuation, distance) * fog_factor_at(fog, distance) *
+             cone_at(cone, glm::dot(-place / distance, axis)) * reflected(normal, to_eye, place / distance, shininess);
+    };
+    const LightGroup group = group_lights(lights, std::vector(lights.size(), 0)).groups[0];
+    const double estimate = group_error(group, cone, fog, shininess, glm::length(group.position));
+    if (std::isinf(estimate)) continue;
+    double by_lights = 0;
+    for (const PlacedLight& light : lights) by_lights += shown(light.position) / 5;
+    const double nearest = glm::length(group.position) - group.radius;
+    const double most = attenuation_at(lights[0].light.attenuation, nearest) * fog_factor_at(fog, nearest);
+    const double error = std::abs(by_lights - shown(group.position)) / most;
+    worst = std::max(worst, error);
+    ratios.push_back(error / estimate);
+  }
+  std::ranges::sort(ratios);
+  const auto at = [&](double fraction) { return ratios[std::size_t(fraction * double(ratios.size() - 1))]; };
+  std::printf(
+      "error of a group over its estimate: median %.4f, 95 %% %.3f, 99 %% %.2f, most %.1f; most %.2f of a light\n",
+      at(0.5), at(0.95), at(0.99), at(1), worst);
+  EXPECT_GT(ratios.size(), 10'000u);
+  EXPECT_LE(at(0.99), 1);
+  EXPECT_LE(worst, 1);
+}
+
+}  // namespace
+}  // namespace litfog::test
