@@ -16,7 +16,8 @@ out vec4 color;
 vec3 litfog_lights_fog(vec3 position) {
   vec3 fog = vec3(0.0);
   if (has_listed_fog_lights) {
-    for (int i = 0; i < carried_count; ++i) fog += litfog_light_fog(carried_light(i), position);
+    int carried = is_hidden() ? 0 : carried_count;
+    for (int i = 0; i < carried; ++i) fog += litfog_light_fog(carried_light(i), position);
   }
 #define ADD_LIGHT(i) fog += litfog_light_fog(uniform_light(i), position);
   EACH_FOG_LIGHT(ADD_LIGHT)

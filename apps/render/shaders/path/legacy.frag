@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // One texture, and fog of one colour.
 
+#include "early_depth.glsl"
 #include "fragment.glsl"
 
 in vec3 light;
