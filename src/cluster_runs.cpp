@@ -362,9 +362,13 @@ void LightColumns::set(std::size_t light, const LightBounds& bounds) {
   axis_x[light] = float(axis.x);
   axis_y[light] = float(axis.y);
   axis_z[light] = float(axis.z);
-  range[light] = bounds.range > 0 ? std::max(float(bounds.range), std::numeric_limits<float>::min()) : 0;
   cos_half_angle[light] = float(std::cos(bounds.half_angle));
   sin_half_angle[light] = float(std::sin(bounds.half_angle));
+  set_range(light, bounds.range);
+}
+
+void LightColumns::set_range(std::size_t light, double metres) {
+  range[light] = metres > 0 ? std::max(float(metres), std::numeric_limits<float>::min()) : 0;
 }
 
 EdgePlanes::EdgePlanes(std::uint32_t count, double low, double high) : parts(count) {

@@ -27,6 +27,8 @@ struct LightColumns {
   std::size_t size = 0;
   void resize(std::size_t count);
   void set(std::size_t light, const LightBounds& bounds);
+  /// set() where only the range has changed, without its sines.
+  void set_range(std::size_t light, double metres);
 };
 
 /// The planes that bound columns (x) or rows (y) of clusters, all through the eye: plane i bounds part i from below and

@@ -98,9 +98,11 @@ void LightClusters::Store::resize(std::size_t count) {
   const std::size_t most = std::numeric_limits<std::uint32_t>::max() / clusters_.size();
   if (count > most) require(ValueError{"count", double(count), "must be at most (2^32 - 1) / clusters"});
   if (count == bounds_.size()) return;
-  const std::size_t first_changed = std::min(count, bounds_.size()) / kLightBlock;
+  const std::size_t before = bounds_.size();
+  const std::size_t first_changed = std::min(count, before) / kLightBlock;
   bounds_.resize(count, {.range = 0});
   columns_.resize(count);
+  for (std::size_t light = before; light < count; ++light) columns_.set(light, bounds_[light]);
   blocks_.resize((count + kLightBlock - 1) / kLightBlock);
   for (std::size_t block = first_changed; block < blocks_.size(); ++block) blocks_[block].has_changed = true;
   has_changed_ = true;
@@ -109,9 +111,15 @@ void LightClusters::Store::resize(std::size_t count) {
 void LightClusters::Store::set_light(std::size_t light, const LightBounds& bounds) {
   if (light >= bounds_.size()) require(ValueError{"light", double(light), "must be below the number of lights"});
   require(check(bounds));
-  if (bounds == bounds_[light]) return;
-  bounds_[light] = bounds;
-  columns_.set(light, bounds);
+  LightBounds& held = bounds_[light];
+  if (bounds == held) return;
+  held.range = bounds.range;
+  if (bounds == held) {  // as when the fog changes
+    columns_.set_range(light, bounds.range);
+  } else {
+    held = bounds;
+    columns_.set(light, bounds);
+  }
   blocks_[light / kLightBlock].has_changed = true;
   has_changed_ = true;
 }
