@@ -287,7 +287,7 @@ void SurfacePainter::draw_pass(Frame& frame, std::span<const PlannedSurface> ali
   }
   if (variant.pass->constants_from_vertices && (passes_constants(surface, frame.eye) || variant.has_listed_lights)) {
     variant.takes_constants_from_vertices = true;
-    variant.vertex_lights = std::min(first + variant.lights.count, programs_.most_vertex_lights());
+    variant.vertex_lights = std::min(first + variant.lights.count, programs_.most_vertex_lights(variant.material));
   }
   draw_variant(frame, alike, variant, uniforms, batch);
 }

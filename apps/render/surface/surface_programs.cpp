@@ -35,11 +35,10 @@ std::string environment_constants(const scene::Environment& environment, const R
       int(settings.spot_edge));
 }
 
-std::size_t count_vertex_lights() {
-  constexpr int kOtherVectors = 11;  // of unified's vertices: four interpolated, seven constant
+int most_varying_vectors() {
   GLint components = 0;
   glGetIntegerv(GL_MAX_VARYING_COMPONENTS, &components);
-  return std::size_t(std::max(components / 4 - kOtherVectors, 0)) / kPackedVectors;
+  return components / 4;
 }
 
 }  // namespace
@@ -57,7 +56,7 @@ SurfaceProgram::SurfaceProgram(gl::Program linked)
 SurfacePrograms::SurfacePrograms(const scene::Scene& scene, const RenderSettings& settings)
     : has_cookies_(!scene.cookies.empty()),
       has_shadows_(settings.shadows != Shadows::none),
-      most_vertex_lights_(count_vertex_lights()),
+      most_varying_vectors_(most_varying_vectors()),
       ambient_light_(fmt::format("const vec3 ambient_light = {};\n", glsl(scene.environment.ambient_light))),
       environment_(environment_constants(scene.environment, settings)) {}
 
@@ -66,6 +65,12 @@ void SurfacePrograms::make_ambient_light_uniform() {
   is_ambient_light_uniform_ = true;
   ambient_light_ = "uniform vec3 ambient_light;\n";
   programs_.clear();
+}
+
+std::size_t SurfacePrograms::most_vertex_lights(const MaterialFeatures& material) const {
+  constexpr int kConstant = 7;  // of unified's vertices: draw_constants.glsl, the fog and its colour
+  const int interpolated = material.has_details ? 6 : 4;
+  return std::size_t(std::max(most_varying_vectors_ - kConstant - interpolated, 0)) / kPackedVectors;
 }
 
 SurfaceProgram& SurfacePrograms::program(const ShaderVariant& variant) {

@@ -33,13 +33,14 @@ class SurfacePrograms {
 
   /// Good as long as this.
   SurfaceProgram& program(const ShaderVariant& variant);
-  /// How many lights vertices can pass on to fragments on this driver (ShaderVariant::vertex_lights).
-  std::size_t most_vertex_lights() const { return most_vertex_lights_; }
+  /// How many lights the vertices of a material can pass on to fragments on this driver
+  /// (ShaderVariant::vertex_lights), each varying taken as a whole vector.
+  std::size_t most_vertex_lights(const MaterialFeatures& material) const;
 
  private:
   bool has_cookies_;
   bool has_shadows_;
-  std::size_t most_vertex_lights_;
+  int most_varying_vectors_;
   bool is_ambient_light_uniform_ = false;
   std::string ambient_light_;  // the beginning of environment.glsl
   std::string environment_;    // the rest
