@@ -12,6 +12,7 @@ out vec4 tangent;
 
 uniform vec4 uniform_lights[5 * uniform_light_count];
 
+flat out vec4 vertex_bounds[draw_bound_count];
 #ifdef VERTICES_PASS_CONSTANTS
 flat out vec4 vertex_constants[draw_constant_count];
 flat out vec4 vertex_fog;
@@ -23,6 +24,7 @@ void main() {
   place_vertex();
   normal = world_normal();
   tangent = vec4(world_direction(vertex_tangent.xyz), vertex_tangent.w);
+  vertex_bounds = draw_bounds;
 #ifdef VERTICES_PASS_CONSTANTS
   vertex_constants = draw_constants;
   vertex_fog = litfog_fog;

@@ -67,11 +67,9 @@ struct Eye {
 };
 
 /// Whether vertices pass on what is the same all over a draw. For small triangles that costs more than it saves their
-/// fragments, but so few of them cost less than the change of a fragment shader's uniforms: measured on llvmpipe.
+/// fragments: measured on llvmpipe.
 bool passes_constants(const Surface& surface, const Eye& eye) {
-  constexpr int kFewIndices = 96;
-  constexpr double kManyPixels = 30;  // a triangle
-  if (surface.chunk->index_count <= kFewIndices) return true;
+  constexpr double kManyPixels = 100;  // a triangle
   const scene::Bounds& box = surface.bounds;
   const double size = glm::distance(box.low, box.high);
   const double nearest = glm::distance(eye.position, glm::clamp(eye.position, box.low, box.high));
@@ -321,15 +319,18 @@ void SurfacePainter::draw_variant(Frame& frame, std::span<const PlannedSurface> 
   const scene::Material& material = surface_material.material;
   const std::optional<float>& coverage = variant.material.is_pane ? material.opacity : material.least_coverage;
   const DrawConstants constants{.eye_relief = glm::vec4(scene_.camera.position, material.relief_m / material.size_m),
-                                .low_coverage = glm::vec4(glm::vec3(0), coverage.value_or(0)),
-                                .high_normal_scale = glm::vec4(glm::vec3(0), material.normal_scale),
                                 .specular_shininess = glm::vec4(material.specular, material.shininess),
                                 .emissive_metal_roughness = glm::vec4(material.emissive, material.metal_roughness)};
-  draw_triangles(frame, alike, program, constants, is_later ? TriangleOrder::reversed : TriangleOrder::stored);
+  glUniform4fv(program.draw_constants, GLsizei(sizeof(constants) / sizeof(glm::vec4)),
+               glm::value_ptr(constants.eye_relief));
+  frame.bytes += sizeof(constants);
+  const DrawBounds drawn{.low_coverage = glm::vec4(glm::vec3(0), coverage.value_or(0)),
+                         .high_normal_scale = glm::vec4(glm::vec3(0), material.normal_scale)};
+  draw_triangles(frame, alike, program, drawn, is_later ? TriangleOrder::reversed : TriangleOrder::stored);
 }
 
 void SurfacePainter::draw_triangles(Frame& frame, std::span<const PlannedSurface> alike, const SurfaceProgram& program,
-                                    DrawConstants constants, TriangleOrder order) {
+                                    DrawBounds drawn, TriangleOrder order) {
   // With one sample a pixel, no position is beyond its surface, so that neighbours need no bounds of their own.
   const bool joins_chunks = settings_.samples == 1;
   for (std::size_t i = 0; i < alike.size();) {
@@ -347,11 +348,10 @@ void SurfacePainter::draw_triangles(Frame& frame, std::span<const PlannedSurface
       bounds = united(bounds, next.bounds);
       count += std::size_t(next.chunk->index_count);
     }
-    constants.low_coverage = glm::vec4(bounds.low, constants.low_coverage.w);
-    constants.high_normal_scale = glm::vec4(bounds.high, constants.high_normal_scale.w);
-    glUniform4fv(program.draw_constants, GLsizei(sizeof(constants) / sizeof(glm::vec4)),
-                 glm::value_ptr(constants.eye_relief));
-    frame.bytes += sizeof(constants);
+    drawn.low_coverage = glm::vec4(bounds.low, drawn.low_coverage.w);
+    drawn.high_normal_scale = glm::vec4(bounds.high, drawn.high_normal_scale.w);
+    glUniform4fv(program.draw_bounds, GLsizei(sizeof(drawn) / sizeof(glm::vec4)), glm::value_ptr(drawn.low_coverage));
+    frame.bytes += sizeof(drawn);
     if (frame.draws_panes) {
       surfaces_.meshes().draw_sorted(frame.first, frame.count);
     } else {

@@ -57,8 +57,11 @@ class SurfacePainter {
   struct Frame;
   struct LightUniforms;
   /// shaders/draw_constants.glsl
+  struct DrawBounds {
+    glm::vec4 low_coverage, high_normal_scale;
+  };
   struct DrawConstants {
-    glm::vec4 eye_relief, low_coverage, high_normal_scale, specular_shininess, emissive_metal_roughness;
+    glm::vec4 eye_relief, specular_shininess, emissive_metal_roughness;
   };
 
   bool has_maps() const { return !maps_.kinds().empty(); }  // which hold the cones
@@ -71,7 +74,7 @@ class SurfacePainter {
   void draw_variant(Frame& frame, std::span<const PlannedSurface> alike, const ShaderVariant& variant,
                     const LightUniforms& uniforms, std::span<const std::int32_t> batch);
   void draw_triangles(Frame& frame, std::span<const PlannedSurface> alike, const SurfaceProgram& program,
-                      DrawConstants constants, TriangleOrder order);
+                      DrawBounds drawn, TriangleOrder order);
   SurfaceProgram& use(Frame& frame, const ShaderVariant& variant, const SurfaceMaterial& material);
   /// Sets what stays the same in a frame, for the program in use.
   void set_frame_uniforms(const Frame& frame, const ShaderVariant& variant, const gl::Program& program) const;

@@ -46,6 +46,7 @@ int most_varying_vectors() {
 SurfaceProgram::SurfaceProgram(gl::Program linked)
     : program(std::move(linked)),
       world_from_model(program.uniform("world_from_model")),
+      draw_bounds(program.uniform("draw_bounds")),
       draw_constants(program.uniform("draw_constants")),
       light_list_range(program.uniform("light_list_range")),
       uniform_lights(program.uniform("uniform_lights")),

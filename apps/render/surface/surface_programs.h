@@ -17,7 +17,8 @@ struct SurfaceProgram {
   explicit SurfaceProgram(gl::Program linked);
 
   gl::Program program;
-  int world_from_model, draw_constants, light_list_range, uniform_lights, light_flags, uniform_casters, cone_from_world;
+  int world_from_model, draw_bounds, draw_constants, light_list_range, uniform_lights, light_flags, uniform_casters,
+      cone_from_world;
   std::size_t frame = 0;
   const SurfaceMaterial* material = nullptr;
 };
