@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is the same all over a draw. Some drivers look each number of a uniform up for every few fragments, which on
 // large triangles costs more than a light. So a fragment shader that defines CONSTANTS_FROM_VERTICES takes these, the
-// fog and the first lights from the vertices, which pass them on unchanged (surface.vert). On small triangles that costs
-// more.
+// fog and the first lights from the vertices, which pass them on unchanged (surface.vert). On small triangles that
+// costs more.
 //
 // The bounds differ between draws that have all else in common, and some drivers copy all uniforms of a fragment shader
 // when one of them changes. So a fragment shader that defines BOUNDS_FROM_VERTICES takes them from the vertices, too.
