@@ -35,12 +35,13 @@ double slope_in_fog(double fog_above_eye, double range) {
 
 FramePlanner::FramePlanner(const scene::Scene& scene, const SceneLights& lights, const SurfaceList& surfaces,
                            const RenderSettings& settings)
-    : scene_(scene), lights_(lights), surfaces_(surfaces), settings_(settings), foggy_(surfaces.surfaces().size()) {}
+    : scene_(scene), lights_(lights), surfaces_(surfaces), settings_(settings) {}
 
 void FramePlanner::set_fog(const Fog& fog, bool is_fog_lit, std::span<const std::int32_t> shaft_casters) {
   fog_ = fog;
   is_fog_lit_ = is_fog_lit;
   shaft_casters_ = shaft_casters;
+  foggy_.resize(surfaces_.surfaces().size());
   strengths_.resize(surfaces_.lists().size());
   group_picker_.reset();  // the lights may have changed
   if (!lights_.groups().groups.empty()) group_picker_.emplace(lights_, *settings_.path);

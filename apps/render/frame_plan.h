@@ -90,7 +90,7 @@ class FramePlanner {
   FramePlanner(const scene::Scene& scene, const SceneLights& lights, const SurfaceList& surfaces,
                const RenderSettings& settings);
 
-  /// Takes a change of the fog, and of the lights where they have changed.
+  /// Takes a change of the fog, and of the lights and surfaces where they have changed.
   ///
   /// is_fog_lit     whether carried lights light it by their intensity
   /// shaft_casters  as list_airlight() takes them; have to outlive this or the next call

@@ -41,7 +41,12 @@ class Renderer {
   ///
   /// throws  gl::Unsupported where the driver has no framebuffer of that size
   void set_size(int width, int height);
-  /// Takes a change of the scene's lights, none of which is added or removed: solves and uploads them all.
+  /// Takes a change of the scene's objects, models and materials, of which those of names that it has had stay as they
+  /// are; set_lights() has to follow.
+  ///
+  /// throws  as the constructor
+  void set_objects() { surfaces_.set_objects(); }
+  /// Takes a change of the scene's lights: solves and uploads them all.
   ///
   /// throws  gl::Unsupported as the constructor
   void set_lights();

@@ -887,6 +887,15 @@ TEST_F(DemoCommand, FramesOfASequenceAreThePicturesOfTheirSettings) {
       {"--set objects[0].heading_deg=0..40 --set environment.stars=0..1",
        "--set objects[0].heading_deg=40 --set environment.stars=1"},
       {"--set objects[0].width_m=1..2", "--set objects[0].width_m=2"},
+      {"--shadows shafts --set objects[0].width_m=2..1 --set lights[0].position[0]=1..2",
+       "--shadows shafts --set objects[0].width_m=1 --set lights[0].position[0]=2"},
+      {"--path lookup-3d --fog-light peak --set "
+       "'objects[0]={\"model\":\"box\",\"scatter\":{\"count\":1,\"area\":[-1,-1,1,1]}}' "
+       "--set objects[0].scatter.count=2,1,5 --set 'lights[0].repeat=[{\"count\":1,\"step\":[1,0,0]}]' "
+       "--set lights[0].repeat[0].count=1,4,2",
+       "--path lookup-3d --fog-light peak --set "
+       "'objects[0]={\"model\":\"box\",\"scatter\":{\"count\":5,\"area\":[-1,-1,1,1]}}' "
+       "--set 'lights[0].repeat=[{\"count\":2,\"step\":[1,0,0]}]'"},
       {"--set environment.fog_color[1]=0..0.3 --set environment.sky_zenith[2]=0..0.2 --set phase_g=0..0.7",
        "--set environment.fog_color[1]=0.3 --set environment.sky_zenith[2]=0.2 --set phase_g=0.7"},
       {"--set environment.ambient[0]=0,0.5,0.4", "--set environment.ambient[0]=0.4"},

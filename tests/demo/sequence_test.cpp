@@ -16,18 +16,21 @@ class SequenceTest : public testing::Test {
  protected:
   SequenceTest() {
     std::ofstream(scene_) << R"({"litfog": "scene", "version": 1, "fog_top_m": 9, "visibilities_m": [50],
-      "camera": {"position": [0, 1, 5], "target": [0, 1, 0]}, "objects": [{"model": "box"}],
+      "camera": {"position": [0, 1, 5], "target": [0, 1, 0]},
+      "vehicle": {"position": [0, 0, 0], "heading_deg": 0},
+      "objects": [{"model": "box", "repeat": [{"count": 1, "step": [1, 0, 0]}]}],
       "environment": {"ambient": [0, 0, 0], "fog_color": [0, 0, 0], "sky_zenith": [0, 0, 0],
                       "moon": {"direction": [0, 1, 0], "color": [0, 0, 0]}},
       "lights": [{"light": {"attenuation": {"constant": 1}}, "position": [1, 3, 1]}]})";
   }
 
+  demo::SequenceOptions over(const std::string& member, const std::vector<double>& values = {0.5, 0.75}) const {
+    return {.scene = scene_,
+            .members = {{.change = {.member = member, .value = ""},
+                         .numbers = demo::Course<double>{.values = values, .is_range = false}}}};
+  }
   bool keeps_renderer(const std::string& member) const {
-    const demo::SequenceOptions options{
-        .scene = scene_,
-        .members = {{.change = {.member = member, .value = ""},
-                     .numbers = demo::Course<double>{.values = {0.5, 0.75}, .is_range = true}}},
-        .frames = 2};
+    const demo::SequenceOptions options = over(member);
     return demo::Sequence(options, {}).keeps_renderer();
   }
 
@@ -36,15 +39,26 @@ class SequenceTest : public testing::Test {
   const std::string scene_ = (directory_.path() / "scene.json").string();
 };
 
-TEST_F(SequenceTest, OneRendererDrawsAllFramesUnlessWhatItHoldsChanges) {
-  for (const char* member : {"camera.position[0]", "lights[0].threshold", "lights[0].position[1]", "fog_top_m",
-                             "phase_g", "visibilities_m[0]", "environment.ambient[0]", "environment.fog_color[0]",
-                             "environment.sky_zenith[2]", "environment.stars"}) {
+TEST_F(SequenceTest, OneRendererDrawsAllFramesUnlessTheMoonChanges) {
+  for (const char* member :
+       {"camera.position[0]", "lights[0].threshold", "lights[0].position[1]", "fog_top_m", "phase_g",
+        "visibilities_m[0]", "environment.ambient[0]", "environment.fog_color[0]", "environment.sky_zenith[2]",
+        "environment.stars", "objects[0].width_m", "objects[0].heading_deg", "vehicle.heading_deg"}) {
     EXPECT_TRUE(keeps_renderer(member)) << member;
   }
-  for (const char* member : {"objects[0].width_m", "objects[0].heading_deg", "environment.moon.color[0]"}) {
+  for (const char* member : {"environment.moon.color[0]", "environment.moon.direction[1]"}) {
     EXPECT_FALSE(keeps_renderer(member)) << member;
   }
+}
+
+TEST_F(SequenceTest, ObjectsChangeWithTheirMembersAlone) {
+  const demo::SequenceOptions copies = over("objects[0].repeat[0].count", {1, 2});
+  EXPECT_TRUE(demo::Sequence(copies, {}).changes_objects());
+  const demo::SequenceOptions same = over("objects[0].width_m", {2});
+  const demo::SequenceOptions fog = over("fog_top_m");
+  demo::SequenceOptions both = fog;
+  both.members.push_back(same.members[0]);
+  EXPECT_FALSE(demo::Sequence(both, {}).changes_objects());
 }
 
 }  // namespace

@@ -274,6 +274,38 @@ TEST_F(RendererTest, ChangedLightsCameraAndSizeGiveThePictureOfANewRenderer) {
   }
 }
 
+TEST_F(RendererTest, ChangedObjectsGiveThePictureOfANewRenderer) {
+  const Scene original = read_scene(bundled_scene_path("room"));
+  const Scene other = read_scene(bundled_scene_path("tessellation"));
+  const RenderSettings settings{.fog_lighting = FogLighting::airlight,
+                                .samples = 1,
+                                .shadows = Shadows::surfaces,
+                                .shadow_lamps = 1,
+                                .shadow_map_size = 64};
+  const auto picture_of = [](Renderer& renderer) {
+    renderer.set_fog(Fog::from_visibility(FogMode::exp, 300.0));
+    renderer.draw();
+    return renderer.read().rgb;
+  };
+  Scene scene = original;
+  Renderer renderer(scene, 80, 45, settings);
+  const std::vector<float> before = picture_of(renderer);
+  for (const Scene* from : {&other, &original}) {
+    scene.models = from->models;
+    scene.materials = from->materials;
+    scene.instances = from->instances;
+    scene.lights.push_back(scene.lights[0]);
+    scene.lights.back().position.x += 1;
+    renderer.set_objects();
+    renderer.set_lights();
+    const std::vector<float> after = picture_of(renderer);
+    Renderer made_anew(scene, 80, 45, settings);
+    EXPECT_EQ(after, picture_of(made_anew)) << from->name;
+    EXPECT_EQ(renderer.materials().size(), made_anew.materials().size()) << from->name;
+    EXPECT_NE(after, before) << from->name;
+  }
+}
+
 TEST_F(RendererTest, TurnedCookiesGiveThePictureOfANewRenderer) {
   Scene scene = read_scene(bundled_scene_path("cookies"));
   const RenderSettings settings{.fog_lighting = FogLighting::airlight};

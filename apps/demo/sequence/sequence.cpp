@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <set>
 #include <string_view>
 
@@ -91,16 +92,13 @@ int count_frames(const SequenceOptions& options) {
   return frames == 0 ? kDefaultFrames : frames;
 }
 
-/// Whether a change of a member's number needs a new renderer: one takes no other number of lights, and holds all but
-/// what is named here for good, in its textures, buffers and shaders.
-bool needs_new_renderer(const MemberCourse& course) {
-  if (!changes(course.numbers)) return false;
-  const std::string& member = course.change.member;
-  if (member.starts_with("lights[")) return member.ends_with(".count");
-  constexpr std::string_view kTaken[] = {"camera.",          "environment.ambient[", "fog_top_m",
-                                         "phase_g",          "visibilities_m[",      "environment.fog_color[",
-                                         "environment.sky_", "environment.stars"};
-  return std::ranges::none_of(kTaken, [&](std::string_view name) { return member.starts_with(name); });
+/// Whether the number of any member changes whose name has one of these beginnings.
+bool change(const std::vector<MemberCourse>& members, std::initializer_list<std::string_view> beginnings) {
+  return std::ranges::any_of(members, [&](const MemberCourse& course) {
+    const std::string& member = course.change.member;
+    return changes(course.numbers) &&
+           std::ranges::any_of(beginnings, [&](std::string_view name) { return member.starts_with(name); });
+  });
 }
 
 /// Moves a scene's carried lights as a camera moves, as if both were one rigid body.
@@ -162,7 +160,8 @@ Sequence::Sequence(const SequenceOptions& options, std::optional<double> phase_g
   }
   changes_members_ =
       std::ranges::any_of(options.members, [](const MemberCourse& member) { return changes(member.numbers); });
-  keeps_renderer_ = std::ranges::none_of(options.members, needs_new_renderer);
+  changes_objects_ = change(options.members, {"objects[", "city."});
+  keeps_renderer_ = !change(options.members, {"environment.moon."});  // constants of shaders
   moves_camera_ = path_ || changes(options.camera) || changes(options.target) || changes(options.field_of_view_deg);
   moves_lights_ = (changes(options.seconds) && has_turning_light(scene_)) ||
                   (moves_camera_ && std::ranges::any_of(scene_.lights, &PlacedLight::carried));
@@ -275,6 +274,7 @@ void draw_sequence(Sequence& sequence, const std::string& folder, const DrawingO
     const glm::vec3 ambient_light = scene.environment.ambient_light;
     sequence.show(frame);
     if (renderer && scene.environment.ambient_light != ambient_light) renderer->set_ambient_light();
+    if (renderer && sequence.changes_objects()) renderer->set_objects();
     if (!renderer) {
       renderer.emplace(scene, drawing.width, drawing.height, settings);
     } else if (sequence.changes_members() || sequence.moves_lights() || chooses_casters) {

@@ -53,8 +53,9 @@ class Sequence {
   bool moves_camera() const { return moves_camera_; }
   bool moves_lights() const { return moves_lights_; }
   bool changes_members() const { return changes_members_; }  ///< of the scene's file
-  /// Whether a renderer of an earlier frame, after Renderer::set_lights(), draws this one too: no member changes but
-  /// those of the camera, the fog, the sky, ambient light and lights, none of which is added or removed.
+  bool changes_objects() const { return changes_objects_; }  ///< of the scene, or its generated city
+  /// Whether a renderer of an earlier frame, after Renderer::set_objects() and set_lights(), draws this one too: no
+  /// member of the moon changes.
   bool keeps_renderer() const { return keeps_renderer_; }
 
   /// Makes the scene that of a frame. Lights that the eye's vehicle carries move along with the camera, from where they
@@ -76,6 +77,7 @@ class Sequence {
   scene::Camera first_camera_;  // that of frame 0
   std::optional<CameraPath> path_;
   bool changes_members_ = false;
+  bool changes_objects_ = false;
   bool keeps_renderer_ = true;
   bool moves_camera_ = false;
   bool moves_lights_ = false;

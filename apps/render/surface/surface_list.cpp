@@ -39,6 +39,8 @@ class TextureStore {
   std::map<std::pair<const scene::Texels*, Texture::Encoding>, std::shared_ptr<const Texture>> textures_;
 };
 
+const std::string& material_name(const SurfaceMaterial& material) { return material.material.name; }
+
 double linear_of(std::uint8_t level) {  // IEC 61966-2-1
   const double x = level / 255.0;
   return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
@@ -73,11 +75,19 @@ double most_emitted(const scene::Material& material, const Largest& most) {
 }
 
 /// A scene's materials on the GPU, sorted by name.
-std::vector<SurfaceMaterial> upload(std::vector<scene::Material> materials) {
+///
+/// earlier  are taken where their names agree
+std::vector<SurfaceMaterial> upload(std::vector<scene::Material> materials, std::vector<SurfaceMaterial> earlier = {}) {
   std::ranges::sort(materials, {}, &scene::Material::name);
   TextureStore textures;
   std::vector<SurfaceMaterial> uploaded;
   for (scene::Material& material : materials) {
+    const auto known = std::ranges::find(earlier, material.name, material_name);
+    if (known != earlier.end()) {
+      uploaded.push_back(std::move(*known));
+      uploaded.back().number = float(uploaded.size() - 1);
+      continue;
+    }
     const Largest most = largest_of(material);
     const double diffuse = material.is_unlit ? 0 : most.albedo;
     const double reflectance = diffuse + most.gloss * largest_component(material.specular);
@@ -102,10 +112,18 @@ std::vector<SurfaceMaterial> upload(std::vector<scene::Material> materials) {
 }  // namespace
 
 SurfaceList::SurfaceList(const scene::Scene& scene, const SceneLights& lights, Skipping skipping)
-    : materials_(upload(scene.materials)),
-      meshes_(scene.models, [this](const std::string& name) { return material(name).is_pane(); }),
-      has_panes_(std::ranges::any_of(materials_, &SurfaceMaterial::is_pane)) {
+    : materials_(upload(scene.materials)), meshes_(upload_meshes(scene)) {
   set_lights(scene, lights, skipping);
+}
+
+void SurfaceList::set_objects(const scene::Scene& scene) {
+  surfaces_.clear();  // which refer to what follows
+  materials_ = upload(scene.materials, std::move(materials_));
+  meshes_ = upload_meshes(scene);
+}
+
+MeshStore SurfaceList::upload_meshes(const scene::Scene& scene) const {
+  return {scene.models, [this](const std::string& name) { return material(name).is_pane(); }};
 }
 
 void SurfaceList::set_lights(const scene::Scene& scene, const SceneLights& lights, Skipping skipping) {
@@ -165,9 +183,8 @@ bool SurfaceList::list_lights(const scene::Scene& scene, const SceneLights& ligh
 }
 
 const SurfaceMaterial& SurfaceList::material(const std::string& name) const {
-  const auto name_of = [](const SurfaceMaterial& each) -> const std::string& { return each.material.name; };
-  const auto found = std::ranges::lower_bound(materials_, name, {}, name_of);
-  if (found == materials_.end() || name_of(*found) != name)
+  const auto found = std::ranges::lower_bound(materials_, name, {}, material_name);
+  if (found == materials_.end() || material_name(*found) != name)
     throw std::invalid_argument("material = " + name + ": must be one of the scene's");
   return *found;
 }

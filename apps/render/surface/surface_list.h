@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -55,6 +56,11 @@ class SurfaceList {
   ///         material that the scene lacks
   SurfaceList(const scene::Scene& scene, const SceneLights& lights, Skipping skipping);
 
+  /// Takes a change of the scene's objects; set_lights() has to follow. Materials of names that it has had stay as they
+  /// are.
+  ///
+  /// throws  as the constructor
+  void set_objects(const scene::Scene& scene);
   /// Takes a change of the lights. The surfaces stay as many as they are, in their order. Where lights light surfaces
   /// beyond their ends, they have the largest of kReaches that leaves all lists together short enough: infinity where
   /// surfaces times lights are some millions or fewer. What is cut off by another is not bounded: at 16, which `city`
@@ -79,7 +85,7 @@ class SurfaceList {
   std::span<const std::int32_t> lists() const { return list_; }  ///< of all surfaces
   /// In the order of their numbers.
   std::vector<scene::Material> materials() const;
-  bool has_panes() const { return has_panes_; }
+  bool has_panes() const { return std::ranges::any_of(materials_, &SurfaceMaterial::is_pane); }
   /// The vertices and what is drawn of them: all triangles of a surface, or triangles of panes in an order of their
   /// own.
   const MeshStore& meshes() const { return meshes_; }
@@ -88,10 +94,10 @@ class SurfaceList {
   /// Lists the lights that reach each surface. Returns false, with some surfaces only, where that makes too many.
   bool list_lights(const scene::Scene& scene, const SceneLights& lights, Skipping skipping, std::size_t most);
   const SurfaceMaterial& material(const std::string& name) const;
+  MeshStore upload_meshes(const scene::Scene& scene) const;
 
   std::vector<SurfaceMaterial> materials_;  // sorted by name
   MeshStore meshes_;
-  bool has_panes_;
   double reach_ = 1;
   std::vector<Surface> surfaces_;
   std::vector<std::int32_t> list_;  // indices in SceneLights

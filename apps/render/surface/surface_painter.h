@@ -28,6 +28,10 @@ class SurfacePainter {
   SurfacePainter(const scene::Scene& scene, const SceneLights& lights, const gl::FogLightBuffer& fog_lights,
                  const RenderSettings& settings);
 
+  /// Takes a change of the scene's objects; set_lights() has to follow.
+  ///
+  /// throws  as the constructor
+  void set_objects() { surfaces_.set_objects(scene_); }
   /// Takes a change of the lights; one of the fog has to follow.
   ///
   /// throws  gl::Unsupported as the constructor
