@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "demo/sequence/course.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -33,9 +34,29 @@ TEST(Course, RangeGoesEvenlyFromOneEndExactlyToTheOther) {
   const Course<double> course = parse_course("--x", "0.1..0.7:4", kNotNegative);
   EXPECT_EQ(course.frames(), 4);
   EXPECT_EQ(course.at(0, 4), 0.1);
-  EXPECT_DOUBLE_EQ(course.at(1, 4), 0.3);
   EXPECT_EQ(course.at(3, 4), 0.7);
   EXPECT_FALSE(parse_course("--x", "1..2", kNotNegative).frames());
+}
+
+TEST(Course, NumbersBetweenDecimalEndsHaveNoRoundingDigits) {
+  ASSERT_NE(std::lerp(1.5, 0, 4.0 / 5), 0.3);
+  const auto numbers = [](double from, double to, int count) {
+    const Course<double> course{.values = {from, to}, .is_range = true};
+    std::string text;
+    for (int frame = 0; frame < count; ++frame) text += fmt::format(" {}", course.at(frame, count));
+    return text;
+  };
+  EXPECT_EQ(numbers(1.5, 0, 6), " 1.5 1.2 0.9 0.6 0.3 0");
+  ASSERT_LT(std::lerp(-0.1, 0.2, 1.0 / 3), 0);
+  EXPECT_EQ(numbers(-0.1, 0.2, 4), " -0.1 0 0.1 0.2");
+  for (const double end : {1e-9, 1e-3, 0.1, 1e3, 1e6, 1e14, 1e15, 1e40}) {
+    const Course<double> course{.values = {0, end}, .is_range = true};
+    for (int frame = 0; frame < 7; ++frame) {
+      EXPECT_NEAR(course.at(frame, 7), frame * end / 6, 1e-14 * end) << end << ", " << frame;
+    }
+  }
+  const Course<double> zeros{.values = {0, 0}, .is_range = true};
+  EXPECT_EQ(zeros.at(1, 3), 0);
 }
 
 TEST(Course, RatiosOfNeighboursAreTheSame) {

@@ -856,6 +856,31 @@ TEST_F(DemoCommand, LightsAreListedAsTheirMembersAreSet) {
   EXPECT_EQ(run("list scenes one.json").status, kUsage);
 }
 
+TEST_F(DemoCommand, ListOfLightsSaysInWordsWhereTheyShine) {
+  write("four.json", R"({"litfog": "scene", "version": 1, "objects": [{"model": "box"}],
+    "camera": {"position": [0, 1, 5], "target": [0, 1, 0]},
+    "lights": [{"light": {"name": "street lamp", "attenuation": {"constant": 1, "quadratic": 0.1},
+                          "cone": {"profile": "cosine", "half_angle_deg": 80.1, "exponent": 1.5}},
+                "position": [0.1, 3, 1], "repeat": [{"count": 12, "step": [0.1, 0, 0]}]},
+               {"light": {"name": "torch", "attenuation": {"constant": 0, "linear": 0.3}, "threshold": 0.1,
+                          "cone": {"profile": "smoothstep", "inner_deg": 4.3, "outer_deg": 14}, "density_scale": 0.4},
+                "position": [-0.75, 1.35, 4.8], "carried": true},
+               {"light": {"name": "stars", "attenuation": {"constant": 1}},
+                "cookie": {"pattern": "disco"}, "position": [0, 1e6, 0]},
+               {"light": {"name": "bulb", "attenuation": {"constant": 1, "quadratic": 0.1}}, "position": [0, 2, 0]}]})");
+  EXPECT_EQ(run("list lights four.json").out,
+            "member     lights  name           x_m      y_m  z_m  constant  linear  quadratic "
+            " threshold  extent_m  cone                              density_scale  carried\n"
+            "lights[0]      12  street lamp    0.1        3    1         1       0        0.1 "
+            "      0.05    13.784  cosine to 80.1 deg, exponent 1.5              1  no\n"
+            "lights[1]       1  torch        -0.75     1.35  4.8         0     0.3          0 "
+            "       0.1   33.3333  smoothstep 4.3 to 14 deg                    0.4  yes\n"
+            "lights[2]       1  stars            0  1000000    0         1       0          0 "
+            "      0.05       inf  cookie                                        1  no\n"
+            "lights[3]       1  bulb             0        2    0         1       0        0.1 "
+            "      0.05    13.784  all around                                    1  no\n");
+}
+
 /// A lamp that turns and one that the eye's vehicle carries.
 constexpr const char* kTwoLamps = R"({"litfog": "scene", "version": 1, "name": "two",
   "camera": {"position": [0, 1, 5], "target": [0, 1, 0]}, "objects": [{"model": "box"}],
@@ -959,6 +984,9 @@ TEST_F(DemoCommand, SequenceWithAFrameThatCannotBeIsRefusedBeforeAnythingIsDrawn
                 kSeeSequenceHelp);
   EXPECT_ERROR(run("sequence two.json -o frames --set lights[0].light.cone.inner_deg=9,40,10"), kBadInput,
                "--set: lights[0].light.cone.inner_deg = 40: must be in [0, outer_deg)\n");
+  EXPECT_ERROR(run("sequence two.json -o frames --set 'objects[0].repeat=[{\"count\":1,\"step\":[1,0,0]}]' "
+                   "--set objects[0].repeat[0].count=3..1:6"),
+               kBadInput, "--set: objects[0].repeat[0].count = 1.4: must be a whole number\n");
   write("through.json", R"({"litfog": "camera-path", "version": 1, "keyframes": [
     {"position": [0, 1, 1], "target": [0, 1, 0]}, {"position": [0, 1, -1], "target": [0, 1, 0]}]})");
   EXPECT_ERROR(run("sequence two.json -o frames --frames 3 --camera-path through.json"), kBadInput,

@@ -13,9 +13,21 @@
 namespace litfog::demo {
 namespace {
 
+/// Without the digits that rounding leaves between decimal ends: 0.3 and 0 in place of 0.30000000000000004 and 3e-17.
+///
+/// size  of the larger end
+double without_rounding_digits(double number, double size) {
+  constexpr double kLargestExactPower = 1e22;                              // of ten
+  const double parts = std::pow(10.0, 14 - std::floor(std::log10(size)));  // a unit: 15 digits of the larger end
+  if (!(parts >= 1 && parts <= kLargestExactPower)) return number;
+  return std::round(number * parts) / parts + 0.0;  // no -0
+}
+
 double mixed(double from, double to, double fraction, Steps steps) {
-  if (steps == Steps::ratio) return fraction < 1 ? from * std::pow(to / from, fraction) : to;
-  return std::lerp(from, to, fraction);
+  if (fraction == 0) return from;
+  if (fraction == 1) return to;
+  if (steps == Steps::ratio) return from * std::pow(to / from, fraction);
+  return without_rounding_digits(std::lerp(from, to, fraction), std::max(std::abs(from), std::abs(to)));
 }
 
 glm::dvec3 mixed(const glm::dvec3& from, const glm::dvec3& to, double fraction, Steps) {
