@@ -28,8 +28,7 @@ struct BranchAndBoundResult {
 /// Minimises over problem.root(). The problem keeps the best parameters known; it has
 ///     Box root()
 ///     bool contract(Box&)       removes what cannot be better than the best known; false if nothing is left
-///     void try_inside(Box)      looks for better parameters in the box
-///     double bound(Box)         a lower bound of the objective in the box
+///     double examine(Box)       looks for better parameters in the box; returns a lower bound of the objective in it
 ///     bool is_closed(double)    whether no box with this bound can improve enough on the best known
 ///     std::optional<std::array<Box, 2>> split(Box)    nothing if the box is a point
 /// max_boxes  where the search gives up; it may exceed this by one
@@ -45,8 +44,7 @@ BranchAndBoundResult branch_and_bound(Problem& problem, std::size_t max_boxes) {
   const auto is_left_open = [&](Node& node) {
     if (!problem.contract(node.box)) return false;
     ++result.boxes;
-    problem.try_inside(node.box);
-    node.bound = std::max(node.bound, problem.bound(node.box));
+    node.bound = std::max(node.bound, problem.examine(node.box));
     if (!problem.is_closed(node.bound)) return true;
     result.lower_bound = std::min(result.lower_bound, node.bound);
     return false;

@@ -44,8 +44,7 @@ struct ConeOptimum {
 /// A profile's search as a problem for branch_and_bound. A profile has
 ///     root()                      the box of all parameters
 ///     start(box)                  some parameters in it, unless it holds no cone
-///     bound(box, objective)       a lower bound of the objective in the box, given that at its start; infinite where
-///                                 the box holds no cone
+///     bound(box, objective)       a lower bound of the objective in the box, given that at its start
 ///     objective(parameters)
 ///     descend(start, iterations)  the local minimum below a start
 template <typename Profile>
@@ -62,17 +61,18 @@ class ConeSearch {
 
   ConeBox root() const { return profile_.root(); }
   bool contract(ConeBox&) const { return true; }
-  double bound(const ConeBox& box) const { return profile_.bound(box, start_objective_); }
   bool is_closed(double bound) const {
     return optimum_.best.objective <= exact_ || bound >= (1 - kGap) * optimum_.best.objective;
   }
-  void try_inside(const ConeBox& box) {
+  double examine(const ConeBox& box) {
     const std::optional<ConeParameters> start = profile_.start(box);
-    if (!start) return;
-    start_objective_ = profile_.objective(*start);
-    if (!(start_objective_ < optimum_.best.objective)) return;
-    ConeCandidate candidate = profile_.descend(*start, optimum_.iterations);
-    if (candidate.objective < optimum_.best.objective) optimum_.best = std::move(candidate);
+    if (!start) return std::numeric_limits<double>::infinity();
+    const double objective = profile_.objective(*start);
+    if (objective < optimum_.best.objective) {
+      ConeCandidate candidate = profile_.descend(*start, optimum_.iterations);
+      if (candidate.objective < optimum_.best.objective) optimum_.best = std::move(candidate);
+    }
+    return profile_.bound(box, objective);
   }
   std::optional<std::array<ConeBox, 2>> split(const ConeBox& box) const {
     const std::size_t widest = box.most[0] - box.least[0] >= box.most[1] - box.least[1] ? 0 : 1;
@@ -87,7 +87,6 @@ class ConeSearch {
 
   const Profile& profile_;
   double exact_;
-  double start_objective_ = 0;  // of the box that was tried last, which is bounded next
   ConeOptimum optimum_;
 };
 

@@ -140,17 +140,8 @@ class HeldSearch {
     return contract(box, Powers(falloff_.end->x), {top * (1 - kRounding), top * (1 + kRounding)});
   }
 
-  void try_inside(const Box& box) {
-    const Coefficients start = middle(box);
-    if (!(falloff_.objective(start) < wanted_objective(falloff_, best_))) return;
-    FalloffMinimum better = descend(falloff_, start);
-    better.iterations += best_.iterations;
-    if (!(better.objective < wanted_objective(falloff_, best_))) return;
-    best_ = better;
-    restart();
-  }
-
-  double bound(const Box& box) {
+  double examine(const Box& box) {
+    try_inside(box);
     double bound = held_cost_ + lower_bound(box);
     if (!is_closed(bound) && !has_own_reference_ && ++boxes_left_ > kPatience) {
       has_own_reference_ = true;
@@ -204,6 +195,16 @@ class HeldSearch {
   struct Range {
     Interval d, log_d;
   };
+
+  void try_inside(const Box& box) {
+    const Coefficients start = middle(box);
+    if (!(falloff_.objective(start) < wanted_objective(falloff_, best_))) return;
+    FalloffMinimum better = descend(falloff_, start);
+    better.iterations += best_.iterations;
+    if (!(better.objective < wanted_objective(falloff_, best_))) return;
+    best_ = better;
+    restart();
+  }
 
   bool is_held(std::size_t i) const { return i < held_count_ && terms_[i].y > 0; }
 

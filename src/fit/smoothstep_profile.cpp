@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <type_traits>
 
 #include "fit/least_squares.h"
@@ -86,7 +85,6 @@ double SmoothstepProfile::objective(const ConeParameters& parameters) const {
 }
 
 double SmoothstepProfile::bound(const ConeBox& box, double start_objective) const {
-  if (!(box.least[0] < box.most[1])) return std::numeric_limits<double>::infinity();
   // Where the ranges overlap, a step is the limit of the cones.
   const ConeParameters least{box.least[0], std::max(box.least[0], box.least[1])};
   const ConeParameters most{std::min(box.most[0], box.most[1]), box.most[1]};

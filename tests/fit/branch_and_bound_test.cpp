@@ -34,13 +34,14 @@ struct Wave {
     return box.low <= box.high;
   }
   double bound(const Box& box) const { return value((box.low + box.high) / 2) - 7 * (box.high - box.low) / 2; }
-  void try_inside(const Box& box) {
+  double examine(const Box& box) {
     ++tries;
     const double x = (box.low + box.high) / 2;
     if (value(x) < best) {
       best = value(x);
       best_x = x;
     }
+    return bound(box);
   }
   bool is_closed(double bound) const { return bound >= best - gap; }
   std::optional<std::array<Box, 2>> split(const Box& box) const {
