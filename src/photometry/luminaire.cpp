@@ -41,6 +41,7 @@ constexpr PlainFormat kPlainFormats[] = {
 
 Luminaire parse_luminaire(std::string bytes, const std::string& path) {
   std::string text = utf8_from_bytes(std::move(bytes));
+  if (trimmed(text).empty()) throw InputError({.file = path}, "is empty");
   if (is_tm33(text)) return parse_tm33(std::move(text), path);
   for (const PlainFormat& format : kPlainFormats) {
     if (format.is_of_it(text)) return format.parse(std::move(text), path);

@@ -520,7 +520,17 @@ TEST(Luminaire, FileOfAnotherKindIsNoPhotometricFile) {
   EXPECT_EQ(error("picture.ies", std::string("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16)), rule);
   EXPECT_EQ(error("page.ldt", "<!DOCTYPE html>\n<html><body>404</body></html>\n"), rule);
   EXPECT_EQ(error("notes.txt", "lamps\nthe first\n"), rule);
-  EXPECT_EQ(error("empty", ""), rule);
+}
+
+TEST(Luminaire, EmptyFileIsToldSo) {
+  const TemporaryDirectory directory;
+  for (const char* name : {"empty", "empty.ies", "empty.ldt", "empty.csv", "empty.xml"}) {
+    for (const char* text : {"", "\r\n \n"}) {
+      const std::string path = (directory.path() / name).string();
+      std::ofstream(path, std::ios::binary) << text;
+      EXPECT_EQ(photometry_error_of([&] { read_luminaire(path); }), " is empty") << name;
+    }
+  }
 }
 
 TEST(Luminaire, MissingFileOrFolderIsAnError) {
