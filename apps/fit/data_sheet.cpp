@@ -109,9 +109,11 @@ std::string shape_of(const Cone& cone) {
 std::string uncertainty_of(const ConeProfileFit& fit) {
   if (!fit.covariance) return "not identifiable";
   const auto deviation = [&fit](std::size_t i) { return std::sqrt((*fit.covariance)[i][i]); };
-  if (fit.cone.profile == ConeProfile::cosine) return fmt::format("S +-{:.2g}", deviation(0));
+  if (fit.cone.profile == ConeProfile::cosine) {
+    return deviation(0) > 0 ? fmt::format("S +-{:.2g}", deviation(0)) : "held";
+  }
   const auto angle = [&](std::size_t i) {
-    return deviation(i) > 0 ? fmt::format("+-{:.2g} deg", deviation(i) / files::radians(1)) : std::string("held");
+    return deviation(i) > 0 ? fmt::format("+-{:.2g} deg", deviation(i) / files::radians(1)) : "held";
   };
   return angle(0) + ", " + angle(1);
 }

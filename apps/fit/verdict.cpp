@@ -17,17 +17,17 @@ struct Finding {
   std::string text;
 };
 
-/// To a hundredth of a percent, so that rounding's noise is 0, and not -0.
-double percent(double fraction) { return std::round(1e4 * fraction) / 100 + 0.0; }
+double percent(double fraction) { return 100 * fraction; }
 
 class Findings {
  public:
   void add(Grade grade, std::string text) { findings_.push_back({grade, std::move(text)}); }
 
-  /// Unless the error is 0 as it is shown.
+  /// Unless the error is rounding's noise: less than half of a hundredth of a percent.
   void add_error(double GradeLimits::*limit, double error, std::string text) {
     const double size = std::abs(error);
-    if (percent(size) == 0) return;
+    constexpr double kNoise = 5e-5;
+    if (size < kNoise) return;
     add(size <= kGood.*limit ? Grade::good : size <= kFair.*limit ? Grade::fair : Grade::poor, std::move(text));
   }
 

@@ -724,6 +724,23 @@ TEST_F(FitCommand, VerdictTellsAPoorLightWhateverItsProof) {
   EXPECT_TRUE(exact["beam"]["peak_cd"].is_null());
 }
 
+TEST_F(FitCommand, VerdictHasTheNumbersOfTheReport) {
+  write("rising.json", R"({"litfog": "light-spec", "version": 1, "range": {"samples": [
+      {"range_m": 10, "attenuation": 0.1}, {"range_m": 20, "attenuation": 0.5}]}})");
+  const Outcome outcome = run("rising.json");
+  EXPECT_EQ(outcome.err,
+            "rising.json: poor: attenuation off by 95.7 % (rms); a sample of the attenuation off by +124 %\n");
+  EXPECT_NE(outcome.out.find("rms 95.7 %, largest +124 %, of the attenuation"), std::string::npos) << outcome.out;
+}
+
+TEST_F(FitCommand, ExponentAtItsBoundIsHeld) {
+  write("ring.json", R"({"litfog": "light-spec", "version": 1, "cone": {"profile": "cosine", "samples": [
+      {"angle_deg": 0, "intensity": 10}, {"angle_deg": 30, "intensity": 100}, {"angle_deg": 60, "intensity": 10}]}})");
+  const std::string report = run("ring.json").out;
+  EXPECT_NE(report.find("held by         exponent = 0\n"), std::string::npos) << report;
+  EXPECT_NE(report.find("uncertainty     held\n"), std::string::npos) << report;
+}
+
 TEST_F(FitCommand, BeamHasTwoAnglesWhereItIsNotRound) {
   const auto beam = nlohmann::json::parse(run("spot.ies --format json").out)[0]["beam"];
   EXPECT_NEAR(beam["peak_cd"].get<double>(), 100, 1e-9);
