@@ -217,8 +217,10 @@ FrameCounts Renderer::draw_stages(const FrameExposures& exposures, LightPoints l
   cookie_cones_.bind(kCookieConeUnit);
   if (shadows_) shadows_->bind();
   clock.end(&StageTimes::surfaces);
+  sampler_states_.set(framebuffer_);
   if (airlight_) airlight_->draw_far(view, fog_.mode);
   clock.end(&StageTimes::airlight);
+  sampler_states_.set(framebuffer_);
   begin_frame(framebuffer_, scene_.environment.ambient_fog_color);  // SkyDrawing::background
   Interruption interruption(is_unwanted_);
   counts.bytes_uploaded += surfaces_.draw(*settings_.path, plan, view, shadows(), interruption);

@@ -14,6 +14,7 @@
 #include "render/gpu/depth.h"
 #include "render/gpu/framebuffer.h"
 #include "render/gpu/geometry_buffer.h"
+#include "render/gpu/sampler_states.h"
 #include "render/light/scene_lights.h"
 #include "render/shadow/shadow_maps.h"
 #include "render/surface/surface_painter.h"
@@ -126,6 +127,7 @@ class Renderer {
   std::optional<ShadowMaps> shadows_;
   FramePlanner planner_;
   std::optional<BufferTexture> light_list_;  // of the plan
+  SamplerStates sampler_states_;
   gl::Program sky_program_;
   gl::Program hidden_sky_program_;
   gl::Program light_point_program_;

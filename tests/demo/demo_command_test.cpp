@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -806,6 +808,18 @@ TEST_F(DemoCommand, ChangedMemberGivesThePictureOfTheChangedFile) {
                std::string("litfog-demo: --set = fog_top_m: must be MEMBER=VALUE, such as "
                            "lights[0].attenuation.quadratic=0.002") +
                    kSeeHelp);
+}
+
+// Mesa keeps what it has compiled on disk, from where the second frame of a second run would take it.
+TEST_F(DemoCommand, SecondFrameHasItsShadersFromTheFirst) {
+  setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+  const auto begin = std::chrono::steady_clock::now();
+  const Outcome outcome = run("room -o a.png --size 32x18 --stats times.json");
+  const std::chrono::duration<double, std::milli> whole = std::chrono::steady_clock::now() - begin;
+  unsetenv("MESA_SHADER_CACHE_DISABLE");
+  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  const double second = nlohmann::json::parse(read("times.json"))["ms_per_frame"]["median"];
+  EXPECT_LT(second, 0.15 * whole.count());
 }
 
 TEST_F(DemoCommand, CameraIsThatOfTheSceneFileWithThoseMembers) {

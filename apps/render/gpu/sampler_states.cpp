@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/gpu/sampler_states.h"
+
+#include <epoxy/gl.h>
+
+#include <vector>
+
+#include "render/gpu/texture_unit.h"
+#include "render/render_shaders.h"
+
+namespace litfog::render {
+
+SamplerStates::SamplerStates()
+    : program_("whole_picture.vert", "all_samplers.frag", render_shaders()), texture_(glm::vec4(0)) {
+  constexpr int kSamplers = 16;  // as many as OpenGL 3.3 promises
+  const std::vector<GLint> units(kSamplers, GLint(kUploadUnit));
+  program_.use();
+  glUniform1iv(program_.uniform("maps"), kSamplers, units.data());
+}
+
+void SamplerStates::set(const Framebuffer& framebuffer) const {
+  framebuffer.bind();
+  program_.use();
+  texture_.bind(kUploadUnit);
+  glBindVertexArray(no_vertices_.id());
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  glDrawArrays(GL_POINTS, 0, 1);  // in a corner, to no effect
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+}  // namespace litfog::render
