@@ -229,7 +229,13 @@ struct ComparisonOptions : ScenesOptions {
 };
 
 ExitStatus compare_by_settings(const CLI::App& app, const ComparisonOptions& options) {
-  if (options.scenes.size() != 1) throw CLI::ValidationError("--with compares settings of one SCENE: name it");
+  if (options.scenes.empty()) throw CLI::ValidationError("--with compares settings of one SCENE: name it");
+  if (options.scenes.size() > 1) {
+    throw CLI::ValidationError(
+        fmt::format("--with compares settings of one SCENE, not of {}: a SETTING may be another, "
+                    "as in --with {}",
+                    options.scenes.size(), options.scenes[1]));
+  }
   SceneOptions base = options.scene;
   base.scene = options.scenes.front();
   const auto settings = parse_settings(app, {"as it is", base, options.drawing}, options.settings);

@@ -1097,6 +1097,10 @@ TEST_F(DemoCommand, WrongSettingsAreNamed) {
             std::string("litfog-demo: --with \" \": must not be empty") + kSeeCompareHelp);
   EXPECT_EQ(error("--with visibility=9"),
             std::string("litfog-demo: --with compares settings of one SCENE: name it") + kSeeCompareHelp);
+  EXPECT_EQ(error("one.json room --with visibility=9"),
+            std::string("litfog-demo: --with compares settings of one SCENE, not of 2: a SETTING may be another, as in "
+                        "--with room") +
+                kSeeCompareHelp);
   EXPECT_ERROR(
       run("compare one.json -o none --with lights[0].threshold=7"), kBadInput,
       "--with \"lights[0].threshold=7\": --set: lights[0].light.threshold = 7: must be in (0, 1); 7 % is 0.07\n");
