@@ -80,11 +80,20 @@ struct Bracket {
   double fraction;
 };
 
+/// The first of two or more angles that is beyond an angle, but neither the first nor beyond the last of all.
+std::size_t first_beyond(std::span<const double> angles, double angle) {
+  const std::size_t last = angles.size() - 1;
+  // Measured angles are mostly even, so that this holds mostly.
+  const double even = (angle - angles.front()) / (angles.back() - angles.front()) * double(last);
+  const auto guess = std::size_t(std::clamp(even, 0.0, double(last - 1))) + 1;
+  if ((guess == 1 || angles[guess - 1] <= angle) && (guess == last || angles[guess] > angle)) return guess;
+  return std::size_t(std::upper_bound(angles.begin() + 1, angles.end() - 1, angle) - angles.begin());
+}
+
 std::optional<Bracket> locate(std::span<const double> angles, double angle) {
   if (angles.size() == 1) return Bracket{0, 0, 0};
   if (!(angle >= angles.front() - kTolerance && angle <= angles.back() + kTolerance)) return std::nullopt;
-  const auto above = std::upper_bound(angles.begin() + 1, angles.end() - 1, angle);
-  const auto high = std::size_t(above - angles.begin());
+  const std::size_t high = first_beyond(angles, angle);
   const double fraction = (angle - angles[high - 1]) / (angles[high] - angles[high - 1]);
   return Bracket{high - 1, high, std::clamp(fraction, 0.0, 1.0)};
 }
