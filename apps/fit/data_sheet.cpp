@@ -21,21 +21,29 @@ namespace {
 
 constexpr std::size_t kMostRows = 40;
 
+using Row = std::vector<command::Table::Cell>;
+
 class Sheet {
  public:
   void add_heading(const std::string& text) { text_ += fmt::format("\n{}\n", text); }
   void add(std::string_view name, const std::string& value) { text_ += fmt::format("  {:<16}{}\n", name, value); }
-  /// Rows evenly spread where there are too many to read.
-  void add(command::Table table) {
-    const std::size_t step = (table.rows.size() + kMostRows - 1) / kMostRows;
-    if (step > 1) {
-      text_ += fmt::format("\n  One of every {} samples:\n", step);
-      std::vector<std::vector<command::Table::Cell>> rows;
-      for (std::size_t i = 0; i < table.rows.size(); i += step) rows.push_back(std::move(table.rows[i]));
-      table.rows = std::move(rows);
-    } else {
-      text_ += "\n";
-    }
+  void add(const command::Table& table) {
+    text_ += "\n";
+    append(table);
+  }
+  /// A row for each sample, or for some evenly spread ones where there are too many to read.
+  ///
+  /// row_of  the row of sample i
+  void add_samples(command::Table table, std::size_t count, const std::function<Row(std::size_t)>& row_of) {
+    const std::size_t step = (count + kMostRows - 1) / kMostRows;
+    text_ += step > 1 ? fmt::format("\n  One of every {} samples:\n", step) : "\n";
+    for (std::size_t i = 0; i < count; i += step) table.rows.push_back(row_of(i));
+    append(table);
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  void append(const command::Table& table) {
     const std::string text = command::format_table(table, command::TableFormat::text);
     for (std::size_t begin = 0; begin < text.size();) {
       const std::size_t end = text.find('\n', begin) + 1;
@@ -43,9 +51,7 @@ class Sheet {
       begin = end;
     }
   }
-  const std::string& text() const { return text_; }
 
- private:
   std::string text_;
 };
 
@@ -87,13 +93,12 @@ void add_range(Sheet& sheet, const AttenuationTarget& target, const AttenuationF
   sheet.add("certificate", fmt::format("KKT residual {:.1e}; boxes ruled out: {}; iterations: {}, {:.3g} ms",
                                        fit.kkt_residual, fit.boxes, fit.iterations, fit.milliseconds));
   if (target.samples.empty()) return;
-  command::Table table{.columns = {"range_m", "attenuation", "fitted", "error_%", "weight"}};
-  for (std::size_t i = 0; i < target.samples.size(); ++i) {
-    const auto& [range, attenuation, weight] = target.samples[i];
-    table.rows.push_back(
-        {range, attenuation, attenuation_at(fit.attenuation, range), percent_of(std::expm1(fit.residuals[i])), weight});
-  }
-  sheet.add(table);
+  sheet.add_samples({.columns = {"range_m", "attenuation", "fitted", "error_%", "weight"}, .rows = {}},
+                    target.samples.size(), [&](std::size_t i) {
+                      const auto& [range, attenuation, weight] = target.samples[i];
+                      return Row{range, attenuation, attenuation_at(fit.attenuation, range),
+                                 percent_of(std::expm1(fit.residuals[i])), weight};
+                    });
 }
 
 std::string percent(const std::optional<double>& error) {
@@ -174,15 +179,15 @@ void add_cone(Sheet& sheet, const ConeTarget& target, const ConeFit& fit) {
     residuals.columns.emplace_back("error_%");
   }
   const double peak = peak_of(target.samples);
-  for (const auto& sample : target.samples) {
-    auto& row = residuals.rows.emplace_back();
-    row.insert(row.end(), {files::degrees(sample.angle), sample.intensity / peak});
+  sheet.add_samples(std::move(residuals), target.samples.size(), [&](std::size_t i) {
+    const auto& sample = target.samples[i];
+    Row row{files::degrees(sample.angle), sample.intensity / peak};
     for (const auto* profile : profiles) {
       const double fraction = cone_at(profile->cone, std::cos(sample.angle));
       row.insert(row.end(), {fraction, percent_of(fraction - sample.intensity / peak)});
     }
-  }
-  sheet.add(residuals);
+    return row;
+  });
 }
 
 void add_asymmetry(Sheet& sheet, const LightFit& fit) {
