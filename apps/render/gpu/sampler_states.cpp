@@ -24,6 +24,7 @@ void SamplerStates::set(const Framebuffer& framebuffer) const {
   texture_.bind(kUploadUnit);
   glBindVertexArray(no_vertices_.id());
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  glDisable(GL_PROGRAM_POINT_SIZE);
   glDrawArrays(GL_POINTS, 0, 1);  // in a corner, to no effect
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
