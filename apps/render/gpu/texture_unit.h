@@ -35,7 +35,7 @@ enum TextureUnit : unsigned {
   kFarLightUnit,     // the lights whose airlight beyond their extents is drawn
   kFarSlabUnit,      // of it: sums in groups of slabs
   kFarAirlightUnit,  // before each slab
-  kUploadUnit,       // of no sampler: textures are filled there, so that none that is bound is lost
+  kUploadUnit,       // of no picture's sampler: textures are filled there, so that none that is bound is lost
 };
 
 inline constexpr unsigned kFogLightBinding = 0;  ///< of the FogLightBlock
