@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <system_error>
+#include <thread>
 #include <vector>
 
 #include "litfog/gl/unsupported.h"
@@ -41,6 +43,13 @@ void expect_libraries() {
   void* const gl = load(library, {"libOpenGL.so.0", "libGL.so.1"});
   if (!gl) throw Unsupported("OpenGL is missing: neither libOpenGL.so.0 nor libGL.so.1 can be loaded (install libgl1)");
   expect_functions(gl, library, {"glGetError", "glGetIntegerv", "glGetString"});
+}
+
+/// Mesa waits for ever for its threads where none can start.
+void expect_threads() try {
+  std::thread([] {}).join();
+} catch (const std::system_error& error) {
+  throw Unsupported(std::string("OpenGL needs threads, and none can start: ") + error.what());
 }
 
 /// Displays to try, best first.
@@ -135,6 +144,7 @@ struct HeadlessContext::Egl {
 
 HeadlessContext::HeadlessContext() {
   expect_libraries();
+  expect_threads();
   if (!eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS)) {
     throw Unsupported("EGL without a display is missing: no EGL client extensions (is libEGL installed?)");
   }

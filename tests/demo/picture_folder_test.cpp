@@ -9,10 +9,10 @@
 #include <fstream>
 
 #include "command/exit_status.h"
+#include "command/no_more_threads.h"
 #include "command/temporary_directory.h"
 #include "litfog/files/output_error.h"
 #include "litfog/input_error.h"
-#include "measure/no_more_threads.h"
 
 namespace litfog::test {
 using namespace demo;
@@ -52,7 +52,6 @@ TEST_F(PictureFolderTest, ReplacingAnInputIsAnError) {
 }
 
 TEST_F(PictureFolderTest, FolderIsFilledWhereNoThreadCanStart) {
-  write_picture(path("before.png"), kPixel);  // OpenImageIO starts threads of its own with the first picture
   const NoMoreThreads limit;
   PictureFolder pictures(path("a"), {"first.png", "second.png"}, {});
   pictures.write("first.png", kPixel);

@@ -14,8 +14,10 @@
 #include <string>
 #include <thread>
 
+#include "command/no_more_threads.h"
 #include "gl/gl_test.h"
 #include "litfog/gl/gl_name.h"
+#include "litfog/gl/unsupported.h"
 
 namespace litfog::test {
 namespace {
@@ -113,6 +115,11 @@ std::string output_of_probe(const std::string& empty_library) {
   const std::size_t length = std::fread(text.data(), 1, text.size(), pipe);
   pclose(pipe);
   return {text.data(), length};
+}
+
+TEST(HeadlessContext, MachineWhereNoThreadCanStartIsUnsupported) {
+  const NoMoreThreads limit;
+  EXPECT_THROW(gl::HeadlessContext(), gl::Unsupported);
 }
 
 TEST(HeadlessContext, LibraryWithoutItsFunctionsIsUnsupported) {

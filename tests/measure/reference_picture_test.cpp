@@ -12,8 +12,8 @@
 #include <numeric>
 #include <optional>
 
+#include "command/no_more_threads.h"
 #include "gl/gl_test.h"
-#include "measure/no_more_threads.h"
 #include "measure/path_model.h"
 #include "measure/picture_error.h"
 #include "reference/srgb.h"
