@@ -11,4 +11,9 @@ namespace litfog::command {
 /// exist.
 std::filesystem::path bundled_folder(const std::string& name);
 
+/// A library that a command loads itself: where an install put it, seen as above.
+///
+/// built  where it is in the build tree
+std::filesystem::path bundled_plugin(const std::string& name, const std::string& built);
+
 }  // namespace litfog::command

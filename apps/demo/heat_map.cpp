@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "demo/heat_map.h"
 
-#include <OpenImageIO/color.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +9,7 @@
 #include <numbers>
 
 #include "demo/lettering.h"
+#include "scene/srgb.h"
 
 namespace litfog::demo {
 namespace {
@@ -65,7 +65,7 @@ glm::vec3 heat_color(double fraction) {
   const glm::dvec3 color = fraction + amplitude * (glm::dvec3(-0.14861, -0.29227, 1.97294) * std::cos(angle) +
                                                    glm::dvec3(1.78277, -0.90649, 0) * std::sin(angle));
   const glm::vec3 shown(glm::clamp(color, 0.0, 1.0));
-  return {OIIO::sRGB_to_linear(shown.r), OIIO::sRGB_to_linear(shown.g), OIIO::sRGB_to_linear(shown.b)};
+  return {scene::linear_from_srgb(shown.r), scene::linear_from_srgb(shown.g), scene::linear_from_srgb(shown.b)};
 }
 
 render::Picture heat_picture(const measure::PictureError& error) {

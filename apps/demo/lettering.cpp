@@ -1,33 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "demo/lettering.h"
 
-#include <OpenImageIO/imagebuf.h>
-#include <OpenImageIO/imagebufalgo.h>
-
-#include <stdexcept>
+#include <glm/gtc/type_ptr.hpp>
 
 #include "code_points.h"
+#include "image/image_library.h"
 
 namespace litfog::demo {
-namespace {
-
-constexpr const char* kFont = "DejaVuSans";
-
-}  // namespace
 
 void draw_text(render::Picture& picture, int left, int baseline, const std::string& text, int size,
                const glm::vec3& ink) {
-  const OIIO::ImageSpec spec(picture.width, picture.height, 3, OIIO::TypeDesc::FLOAT);
-  OIIO::ImageBuf image(spec, picture.rgb.data());  // draws into the picture's own pixels
-  if (!OIIO::ImageBufAlgo::render_text(image, left, baseline, text, size, kFont, OIIO::cspan<float>(&ink.x, 3))) {
-    throw std::runtime_error("text cannot be drawn: " + image.geterror());
-  }
+  image::image_library().draw_text(picture.width, picture.height, picture.rgb, left, baseline, text, size,
+                                   std::span<const float, 3>(glm::value_ptr(ink), 3));
 }
 
 std::string fitted_text(const std::string& text, int size, int width) {
-  const auto fits = [&](const std::string& part) {
-    return OIIO::ImageBufAlgo::text_size(part, size, kFont).width() <= width;
-  };
+  const auto fits = [&](const std::string& part) { return image::image_library().text_width(part, size) <= width; };
   std::string part = text;
   std::string shown = text;
   while (!fits(shown) && !part.empty()) {

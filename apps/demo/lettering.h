@@ -12,7 +12,7 @@ namespace litfog::demo {
 ///
 /// left, baseline, size  pixels; baseline is where the letters stand, size about the height of a line
 /// ink                   linear RGB
-/// throws                std::runtime_error where no font is found
+/// throws                image::ImageError where no font is found
 void draw_text(render::Picture& picture, int left, int baseline, const std::string& text, int size,
                const glm::vec3& ink);
 

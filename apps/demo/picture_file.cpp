@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "demo/picture_file.h"
 
-#include <OpenImageIO/color.h>
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
-
 #include <algorithm>
 #include <filesystem>
 
 #include "files/whole_file.h"
+#include "image/image_library.h"
+#include "image/png_text.h"
 #include "litfog/files/output_error.h"
+#include "scene/hash_random.h"
+#include "scene/srgb.h"
 
 namespace litfog::demo {
 namespace {
@@ -21,42 +21,13 @@ Format format_of(const std::string& path) {
   return ending == ".png" ? Format::png : ending == ".exr" ? Format::exr : Format::unknown;
 }
 
-/// A file's bytes, made in memory: OIIO's PNG writer does not notice a full disk. Throws OutputError naming the path.
-std::vector<unsigned char> encoded(const std::string& path, const OIIO::ImageSpec& spec,
-                                   const std::vector<float>& pixels) {
-  std::vector<unsigned char> bytes;
-  OIIO::Filesystem::IOVecOutput memory(bytes);
-  OIIO::attribute("debug", 0);  // which would tell on standard error that a date is left out
-  const auto output = OIIO::ImageOutput::create(path);
-  if (!output) throw OutputError(path + ": cannot be written: " + OIIO::geterror());
-  if (!output->set_ioproxy(&memory) || !output->open(path, spec) ||
-      !output->write_image(OIIO::TypeDesc::FLOAT, pixels.data()) || !output->close()) {
-    throw OutputError(path + ": cannot be written: " + output->geterror());
-  }
-  return bytes;
-}
-
-constexpr unsigned kDitherSeed = 1;  // of OIIO: an output's attribute oiio:dither
-
-std::vector<float> srgb_values(const render::Picture& picture) {
-  std::vector<float> values = picture.rgb;
-  for (float& value : values) value = OIIO::linear_to_sRGB(std::clamp(value, 0.0f, 1.0f));
-  return values;
-}
-
 std::string text_of(const std::string& path, const render::Picture& picture) {
-  const bool is_png = format_of(path) == Format::png;
-  OIIO::ImageSpec spec(picture.width, picture.height, 3, is_png ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::HALF);
-  spec.attribute("oiio:ColorSpace", is_png ? "sRGB" : "Linear");
-  if (is_png) {
-    spec.attribute("oiio:dither", int(kDitherSeed));
-    spec.attribute("png:compressionLevel", 3);
-  } else {
-    spec.attribute("compression", "zip");
-    spec.attribute("DateTime", 0);  // no time: the same picture is the same file
+  if (format_of(path) == Format::png) return png_text(picture);
+  try {
+    return image::image_library().exr_text(picture.width, picture.height, picture.rgb);
+  } catch (const image::ImageError& error) {
+    throw OutputError(path + ": cannot be written: " + error.what());
   }
-  const std::vector<unsigned char> bytes = encoded(path, spec, is_png ? srgb_values(picture) : picture.rgb);
-  return {bytes.begin(), bytes.end()};
 }
 
 }  // namespace
@@ -65,16 +36,16 @@ void write_picture(const std::string& path, const render::Picture& picture) {
   files::write_whole_file(path, text_of(path, picture));
 }
 
-std::string png_text(const render::Picture& picture) { return text_of("picture.png", picture); }
+std::string png_text(const render::Picture& picture) {
+  return image::png_text(picture.width, picture.height, shown_pixels(picture));
+}
 
 std::vector<std::uint8_t> shown_pixels(const render::Picture& picture) {
-  std::vector<float> values = srgb_values(picture);
-  const auto row = OIIO::stride_t(sizeof(float)) * 3 * picture.width;
-  OIIO::add_dither(3, picture.width, picture.height, 1, values.data(), 3 * sizeof(float), row, row * picture.height,
-                   1.0f / 255, -1, -1, kDitherSeed);
-  std::vector<std::uint8_t> pixels(values.size());
-  std::ranges::transform(values, pixels.begin(),
-                         [](float value) { return std::uint8_t(std::clamp(value * 255.0f + 0.5f, 0.0f, 255.0f)); });
+  std::vector<std::uint8_t> pixels(picture.rgb.size());
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const float dither = scene::unit_float(scene::hash(std::uint32_t(i)));  // in [0, 1): the mean is the value
+    pixels[i] = std::uint8_t(std::min(255.0f, 255 * scene::srgb_from_linear(picture.rgb[i]) + dither));
+  }
   return pixels;
 }
 

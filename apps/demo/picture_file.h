@@ -13,7 +13,7 @@ namespace litfog::demo {
 /// makes it fit); .exr as linear half floats. Throws OutputError.
 void write_picture(const std::string& path, const render::Picture& picture);
 
-/// The bytes of a .png file of it. Throws OutputError.
+/// The bytes of a .png file of it.
 std::string png_text(const render::Picture& picture);
 
 /// The bytes of its pixels: RGB, top row first.

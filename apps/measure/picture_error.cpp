@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "measure/picture_error.h"
 
-#include <OpenImageIO/color.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +8,8 @@
 #include <cmath>
 #include <limits>
 #include <span>
+
+#include "scene/srgb.h"
 
 namespace litfog::measure {
 namespace {
@@ -18,7 +19,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Linear light, exposed, in steps of PictureError.
 double steps(float linear) {
   constexpr double kSlopeAt1 = 1.055 / 2.4;  // of sRGB (IEC 61966-2-1)
-  if (linear <= 1) return 255 * double(OIIO::linear_to_sRGB(std::max(linear, 0.0f)));
+  if (linear <= 1) return 255 * double(scene::srgb_from_linear(linear));
   return 255 * (1 + kSlopeAt1 * std::log(double(linear)));
 }
 

@@ -771,6 +771,27 @@ TEST_F(DemoCommand, MissingLibraryIsNamed) {
       "litfog-demo: OpenGL is missing: neither libOpenGL.so.0 nor libGL.so.1 can be loaded (install libgl1)\n");
 }
 
+/// OpenImageIO brings some 250 libraries, each of which takes its time to load.
+TEST_F(DemoCommand, CommandStartsWithoutOpenImageIo) {
+  const Outcome outcome = run("--version", "LD_TRACE_LOADED_OBJECTS=1");  // what the dynamic linker would load
+  EXPECT_EQ(outcome.status, kDone) << outcome.err;
+  EXPECT_NE(outcome.out.find("libpng"), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.find("libOpenImageIO"), std::string::npos) << outcome.out;
+}
+
+TEST_F(DemoCommand, InstalledProgramLoadsItsOwnPluginWhereverItIs) {
+  namespace fs = std::filesystem;
+  const fs::path plugins = directory() / LITFOG_PLUGIN_FOLDER;
+  fs::create_directories(directory() / "bin");
+  fs::create_directories(plugins);
+  fs::copy_file(LITFOG_DEMO_PATH, directory() / "bin/litfog-demo");
+  write(LITFOG_PLUGIN_FOLDER "/litfog-openimageio.so", "no library");
+  EXPECT_EQ(run("--version; bin/litfog-demo room --size 8x8 -o a.png").status, kDone);
+  const Outcome outcome = run("--version; bin/litfog-demo room --size 8x8 -o a.exr");
+  EXPECT_EQ(outcome.status, kMissingCapability);
+  EXPECT_NE(outcome.err.find("OpenImageIO cannot be loaded: "), std::string::npos) << outcome.err;
+}
+
 TEST_F(DemoCommand, InstalledProgramFindsItsOwnScenesWhereverItIs) {
   namespace fs = std::filesystem;
   fs::create_directories(directory() / "bin");

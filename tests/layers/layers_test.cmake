@@ -2,7 +2,7 @@
 # Includes run one way only:
 #
 #     core  <-  photometry, files, gl  <-  fit;   c on core and files, python on fit and files           (src)
-#     command  <-  scene  <-  render  <-  measure  <-  demo  <-  window, pictures;   bench on measure;
+#     command  <-  image  <-  scene  <-  render  <-  measure  <-  demo  <-  window, pictures;   bench on measure;
 #     solve and fit on command alone; browser on scene and what of render and window WebGL 2 can hold    (apps)
 #
 # cmake -DROOT=<the repository> -P layers_test.cmake
@@ -44,10 +44,10 @@ set(containers pugixml unzip.h zip.h uchardet)
 set(meshes draco/ meshoptimizer)
 set(displays GLFW/ imgui backends/imgui)
 set(foreign ${ceres} ${json} ${graphics} ${images} ${containers} ${meshes} ${displays} CLI/)
-set(commands command/ scene/ render/ measure/ solve/ demo/ bench/ pictures/)
+set(commands command/ image/ scene/ render/ measure/ solve/ demo/ bench/ pictures/)
 
 # src. The public headers show no other library but GLM.
-set(apps command/ scene/ render/ measure/ solve/ demo/ bench/ window/ pictures/)
+set(apps command/ image/ scene/ render/ measure/ solve/ demo/ bench/ window/ pictures/)
 set(photometry photometry/ litfog/photometry/)
 set(files files/ litfog/files/)
 set(gl gl/ litfog/gl/)
@@ -68,20 +68,26 @@ layer(include/litfog/litfog.h FORBIDDEN litfog/ glm/)  # C knows neither
 set(catalogues scene/model/ scene/paint/)
 set(above_scene render/ measure/ demo/ bench/ window/)
 layer(apps/** FORBIDDEN ${containers})
-layer(apps/command/** FORBIDDEN scene/ solve/ ${above_scene} ${fit} ${gl} ${graphics})
-layer(apps/scene/* FORBIDDEN command/ scene/file/ ${catalogues} ${above_scene} ${files} ${gl} ${fit} ${foreign} fmt/)
-layer(apps/scene/model/** apps/scene/paint/** FORBIDDEN command/ scene/file/ ${above_scene} ${files} ${gl} ${foreign})
+# Only image/ knows OpenImageIO, so that a command starts without it.
+layer(apps/command/** apps/fit/** apps/scene/** apps/render/** apps/measure/** apps/demo/** apps/window/** apps/bench/**
+      apps/pictures/** FORBIDDEN OpenImageIO/)
+layer(apps/image/** FORBIDDEN scene/ solve/ ${above_scene} ${fit} ${gl} ${graphics})
+layer(apps/command/** FORBIDDEN image/ scene/ solve/ ${above_scene} ${fit} ${gl} ${graphics})
+layer(apps/scene/* FORBIDDEN command/ image/ scene/file/ ${catalogues} ${above_scene} ${files} ${gl} ${fit} ${foreign}
+      fmt/)
+layer(apps/scene/model/** apps/scene/paint/** FORBIDDEN command/ image/ scene/file/ ${above_scene} ${files}
+      ${gl} ${foreign})
 layer(apps/scene/file/** FORBIDDEN ${above_scene} ${gl} ${graphics})
-layer(apps/render/** FORBIDDEN command/ scene/file/ ${catalogues} measure/ demo/ bench/ window/ litfog/files/ ${fit}
-      ${ceres} ${json} ${images} ${displays} CLI/)
-layer(apps/measure/** FORBIDDEN command/ scene/file/ ${catalogues} demo/ bench/ window/ litfog/files/ ${fit} ${ceres}
-      ${json} ${displays} CLI/)
+layer(apps/render/** FORBIDDEN command/ image/ scene/file/ ${catalogues} measure/ demo/ bench/ window/ litfog/files/
+      ${fit} ${ceres} ${json} ${images} ${displays} CLI/)
+layer(apps/measure/** FORBIDDEN command/ image/ scene/file/ ${catalogues} demo/ bench/ window/ litfog/files/ ${fit}
+      ${ceres} ${json} ${displays} CLI/)
 layer(apps/demo/** FORBIDDEN solve/ fit/ bench/ window/ ${displays})
 layer(apps/window/** FORBIDDEN solve/ fit/ bench/ pictures/)
 layer(apps/pictures/** FORBIDDEN solve/ fit/ bench/ window/ ${json} ${graphics} ${images} ${displays})
-layer(apps/browser/** FORBIDDEN command/ scene/file/ measure/ demo/ solve/ fit/ bench/ ${files} ${fit} ${ceres} ${json}
-      ${images} ${displays} CLI/)
-layer(apps/solve/** apps/fit/** FORBIDDEN scene/ ${above_scene} ${gl} ${graphics})
+layer(apps/browser/** FORBIDDEN command/ image/ scene/file/ measure/ demo/ solve/ fit/ bench/ ${files} ${fit} ${ceres}
+      ${json} ${images} ${displays} CLI/)
+layer(apps/solve/** apps/fit/** FORBIDDEN image/ scene/ ${above_scene} ${gl} ${graphics})
 layer(apps/examples/** FORBIDDEN ${commands})  # they know what is installed
 layer(apps/bench/** FORBIDDEN demo/ window/ solve/ fit/ core/ gl/)  # of tests/ it may know reference/
 

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "demo/sheet/contact_sheet.h"
 
-#include <OpenImageIO/imagebuf.h>
-#include <OpenImageIO/imagebufalgo.h>
-
 #include <algorithm>
 #include <array>
 
 #include "demo/lettering.h"
+#include "image/image_library.h"
 
 namespace litfog::demo {
 namespace {
@@ -20,19 +18,13 @@ constexpr std::array<float, 3> kGround{0.012f, 0.012f, 0.014f};
 constexpr glm::vec3 kInk{0.75f, 0.75f, 0.72f};
 constexpr glm::vec3 kFaintInk{0.33f, 0.33f, 0.31f};
 
-OIIO::ImageSpec spec_of(int width, int height) { return {width, height, 3, OIIO::TypeDesc::FLOAT}; }
-
-render::Picture to_picture(const OIIO::ImageBuf& image) {
-  render::Picture picture{image.spec().width, image.spec().height, {}};
-  picture.rgb.resize(std::size_t(picture.width) * std::size_t(picture.height) * 3);
-  image.get_pixels(image.roi(), OIIO::TypeDesc::FLOAT, picture.rgb.data());
-  return picture;
-}
-
-OIIO::ImageBuf to_image(const render::Picture& picture) {
-  OIIO::ImageBuf image(spec_of(picture.width, picture.height));
-  image.set_pixels(image.roi(), OIIO::TypeDesc::FLOAT, picture.rgb.data());
-  return image;
+void paste(render::Picture& sheet, int left, int top, const render::Picture& cell) {
+  const std::size_t row = std::size_t(cell.width) * 3;
+  for (int y = 0; y < cell.height; ++y) {
+    const std::size_t to = std::size_t(top + y) * std::size_t(sheet.width) + std::size_t(left);
+    std::copy_n(cell.rgb.begin() + std::ptrdiff_t(std::size_t(y) * row), row,
+                sheet.rgb.begin() + std::ptrdiff_t(3 * to));
+  }
 }
 
 }  // namespace
@@ -42,8 +34,7 @@ render::Picture fitted_to_cell(const render::Picture& picture) {
   const auto scaled = [scale](int size) { return std::max(1, int(size * scale + 0.5)); };
   const int width = scaled(picture.width);
   const int height = scaled(picture.height);
-  return to_picture(
-      OIIO::ImageBufAlgo::resize(to_image(picture), "box", 0, OIIO::ROI(0, width, 0, height, 0, 1, 0, 3)));
+  return {width, height, image::image_library().resized(picture.width, picture.height, picture.rgb, width, height)};
 }
 
 render::Picture make_contact_sheet(const std::vector<std::vector<SheetEntry>>& rows) {
@@ -66,13 +57,12 @@ render::Picture make_contact_sheet(const std::vector<std::vector<SheetEntry>>& r
   }
   render::Picture sheet{int(columns) * (kSheetCellWidth + kMargin) + kMargin, height, {}};
   sheet.rgb.resize(std::size_t(sheet.width) * std::size_t(sheet.height) * 3);
-  OIIO::ImageBuf image(spec_of(sheet.width, sheet.height), sheet.rgb.data());
-  OIIO::ImageBufAlgo::fill(image, OIIO::cspan<float>(kGround.data(), 3));
+  for (std::size_t i = 0; i < sheet.rgb.size(); ++i) sheet.rgb[i] = kGround[i % 3];
   for (std::size_t r = 0; r < rows.size(); ++r) {
     for (std::size_t c = 0; c < rows[r].size(); ++c) {
       const render::Picture& cell = cells[r][c];
       const int left = kMargin + int(c) * (kSheetCellWidth + kMargin);
-      OIIO::ImageBufAlgo::paste(image, left, tops[r], 0, 0, to_image(cell));
+      paste(sheet, left, tops[r], cell);
       int baseline = tops[r] + cell.height - 2;
       for (const std::string& line : rows[r][c].caption) {
         const bool is_first = &line == &rows[r][c].caption.front();

@@ -20,7 +20,7 @@ struct SheetEntry {
 
 /// Rows of pictures, each fitted to a cell, with captions in a plain type, on a dark ground. Lines that are wider than
 /// a cell are cut short.
-/// throws std::runtime_error where no font is found for the captions
+/// throws image::ImageError where no font is found for the captions
 render::Picture make_contact_sheet(const std::vector<std::vector<SheetEntry>>& rows);
 
 /// A picture in the same shape as wide as a cell, or as tall if that makes it smaller; averaged. It is one that a

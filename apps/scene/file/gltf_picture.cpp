@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/file/gltf_picture.h"
 
-#include <OpenImageIO/color.h>
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 #include <webp/decode.h>
 
@@ -14,6 +11,7 @@
 
 #include "scene/file/gltf_uri.h"
 #include "scene/file/gltf_value.h"
+#include "scene/srgb.h"
 
 namespace litfog::scene {
 namespace {
@@ -42,7 +40,7 @@ std::array<float, 256> make_table(const Value& value_of) {
 }
 
 const std::array<float, 256>& linear_values() {
-  static const auto kValues = make_table([](float srgb) { return OIIO::sRGB_to_linear(srgb); });
+  static const auto kValues = make_table(linear_from_srgb);
   return kValues;
 }
 
@@ -182,17 +180,17 @@ GltfPicture GltfPictures::read(const JsonValue& image, const Sampling& sampling)
 }
 
 GltfPicture GltfPictures::decode(const JsonValue& image, std::string_view bytes, const Sampling& sampling) {
-  const Pixels pixels = bytes.starts_with("RIFF") ? decode_webp(image, bytes) : decode_png_or_jpeg(image, bytes);
-  const std::size_t count = pixels.levels.size() / pixels.channels;
+  const image::Levels pixels = bytes.starts_with("RIFF") ? decode_webp(image, bytes) : decode_png_or_jpeg(image, bytes);
+  const std::size_t count = pixels.values.size() / pixels.channels;
   Texels texels{pixels.width, pixels.height, std::vector<std::uint8_t>(count * 4, 255), sampling};
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t channel = 0; channel < 3; ++channel) {  // a grey picture has one for all three
-      texels.rgba[4 * i + channel] = pixels.levels[i * pixels.channels + (pixels.channels < 3 ? 0 : channel)];
+      texels.rgba[4 * i + channel] = pixels.values[i * pixels.channels + (pixels.channels < 3 ? 0 : channel)];
     }
   }
   if (pixels.channels != 2 && pixels.channels != 4) return GltfPicture(std::move(texels));
   std::vector<std::uint8_t> alpha(count);
-  for (std::size_t i = 0; i < count; ++i) alpha[i] = pixels.levels[(i + 1) * pixels.channels - 1];
+  for (std::size_t i = 0; i < count; ++i) alpha[i] = pixels.values[(i + 1) * pixels.channels - 1];
   return GltfPicture(std::move(texels), std::move(alpha));
 }
 
@@ -203,30 +201,19 @@ void GltfPictures::take(const JsonValue& image, int width, int height) {
   budget_.take(image, std::size_t(width) * std::size_t(height));
 }
 
-GltfPictures::Pixels GltfPictures::decode_png_or_jpeg(const JsonValue& image, std::string_view bytes) {
+image::Levels GltfPictures::decode_png_or_jpeg(const JsonValue& image, std::string_view bytes) {
   const bool is_png = bytes.starts_with("\x89PNG");
   if (!is_png && !bytes.starts_with("\xFF\xD8")) image.fail("must be a PNG, JPEG or WebP picture");
-  OIIO::Filesystem::IOMemReader reader(const_cast<char*>(bytes.data()), bytes.size());
-  const std::string format = is_png ? "png" : "jpeg";
-  const auto input = OIIO::ImageInput::create(format);
-  OIIO::ImageSpec config;
-  config.attribute("oiio:UnassociatedAlpha", 1);  // else colours come multiplied by alpha
-  OIIO::ImageSpec spec;
-  if (!input) image.fail("must be a picture of a kind that this OpenImageIO reads: " + OIIO::geterror());
-  if (!input->set_ioproxy(&reader) || !input->open("picture." + format, spec, config)) {
-    image.fail("must be a sound picture: " + input->geterror());
+  try {
+    return image::image_library().decode(is_png ? "png" : "jpeg", bytes,
+                                         [&](int width, int height) { take(image, width, height); });
+  } catch (const image::ImageError& error) {
+    image.fail(std::string("must be a sound picture: ") + error.what());
   }
-  take(image, spec.width, spec.height);
-  Pixels pixels{spec.width, spec.height, std::size_t(spec.nchannels), {}};
-  pixels.levels.resize(spec.image_pixels() * pixels.channels);
-  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, pixels.levels.data())) {
-    image.fail("must be a sound picture: " + input->geterror());
-  }
-  return pixels;
 }
 
 /// Not by OpenImageIO, which multiplies WebP's colours by alpha whatever it is asked for (2.4).
-GltfPictures::Pixels GltfPictures::decode_webp(const JsonValue& image, std::string_view bytes) {
+image::Levels GltfPictures::decode_webp(const JsonValue& image, std::string_view bytes) {
   const auto* const data = reinterpret_cast<const std::uint8_t*>(bytes.data());
   WebPBitstreamFeatures features;
   if (WebPGetFeatures(data, bytes.size(), &features) != VP8_STATUS_OK)
@@ -234,10 +221,10 @@ GltfPictures::Pixels GltfPictures::decode_webp(const JsonValue& image, std::stri
   take(image, features.width, features.height);
   const std::size_t channels = features.has_alpha ? 4 : 3;
   const int stride = features.width * int(channels);
-  Pixels pixels{features.width, features.height, channels, {}};
-  pixels.levels.resize(std::size_t(stride) * std::size_t(features.height));
+  image::Levels pixels{features.width, features.height, channels, {}};
+  pixels.values.resize(std::size_t(stride) * std::size_t(features.height));
   const auto decode = features.has_alpha ? WebPDecodeRGBAInto : WebPDecodeRGBInto;
-  if (!decode(data, bytes.size(), pixels.levels.data(), pixels.levels.size(), stride)) {
+  if (!decode(data, bytes.size(), pixels.values.data(), pixels.values.size(), stride)) {
     image.fail("must be a sound picture, not animated");
   }
   return pixels;

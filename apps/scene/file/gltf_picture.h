@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "image/image_library.h"
 #include "scene/file/gltf_file.h"
 #include "scene/texels.h"
 
@@ -83,14 +84,8 @@ class GltfPictures {
   std::size_t image_of(const JsonValue& texture) const;
   GltfPicture read(const JsonValue& image, const Sampling& sampling);
   GltfPicture decode(const JsonValue& image, std::string_view bytes, const Sampling& sampling);
-  struct Pixels {
-    int width;
-    int height;
-    std::size_t channels;  // 1 or 2 of a grey picture; 2 and 4 end with alpha, which colours are not multiplied by
-    std::vector<std::uint8_t> levels;
-  };
-  Pixels decode_png_or_jpeg(const JsonValue& image, std::string_view bytes);
-  Pixels decode_webp(const JsonValue& image, std::string_view bytes);
+  image::Levels decode_png_or_jpeg(const JsonValue& image, std::string_view bytes);
+  image::Levels decode_webp(const JsonValue& image, std::string_view bytes);
   /// Counts a picture before its memory is allocated.
   void take(const JsonValue& image, int width, int height);
   Sampling sampling_of(const JsonValue& texture) const;
