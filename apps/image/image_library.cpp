@@ -14,7 +14,7 @@ const ImageLibrary& loaded() {
   void* const handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);  // never closed
   void* const entry = handle ? dlsym(handle, "litfog_image_library") : nullptr;
   if (!entry) throw command::MissingCapability(std::string("OpenImageIO cannot be loaded: ") + dlerror());
-  return reinterpret_cast<const ImageLibrary& (*)()>(entry)();
+  return *reinterpret_cast<const ImageLibrary* (*)()>(entry)();
 }
 
 }  // namespace

@@ -77,8 +77,8 @@ class OpenImageIo final : public ImageLibrary {
 }  // namespace
 }  // namespace litfog::image
 
-extern "C" const litfog::image::ImageLibrary& litfog_image_library();
-extern "C" const litfog::image::ImageLibrary& litfog_image_library() {
+extern "C" const litfog::image::ImageLibrary* litfog_image_library();
+extern "C" const litfog::image::ImageLibrary* litfog_image_library() {
   static const litfog::image::OpenImageIo library;
-  return library;
+  return &library;
 }
