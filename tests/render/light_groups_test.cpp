@@ -20,7 +20,7 @@ using namespace render;
 
 namespace {
 
-PlacedLight lamp(const glm::dvec3& position) {
+PlacedLight white_lamp(const glm::dvec3& position) {
   return {.light = {.name = "lamp", .attenuation = {1, 0, 0.01}, .threshold = 0.001, .cone = {}}, .position = position};
 }
 
@@ -34,7 +34,7 @@ std::vector<glm::dvec3> places_of(const LightGroups& groups, const LightGroup& g
 TEST(LightGroups, RowsOfLampsFallApartIntoRowsThenIntoLamps) {
   std::vector<PlacedLight> lights;
   for (const double z : {0.0, -30.0, -60.0}) {
-    for (int i = 0; i < 4; ++i) lights.push_back(lamp({double(i), 2, z}));
+    for (int i = 0; i < 4; ++i) lights.push_back(white_lamp({double(i), 2, z}));
   }
   const LightGroups found = group_lights(lights, std::vector(lights.size(), 0));
   ASSERT_EQ(found.groups.size(), lights.size() - 1);
@@ -59,7 +59,7 @@ TEST(LightGroups, EveryLightIsInAllGroupsAboveIt) {
   std::vector<PlacedLight> lights;
   std::vector<int> kinds;
   for (int i = 0; i < 500; ++i) {
-    lights.push_back(lamp(draw_direction(random) * random.log_uniform(1, 1000)));
+    lights.push_back(white_lamp(draw_direction(random) * random.log_uniform(1, 1000)));
     if (random.chance(0.2)) lights.back().position = lights[lights.size() / 2].position;
     lights.back().light.color = glm::dvec3(random.chance(0.5) ? 1 : 2);
     kinds.push_back(random.chance(0.1) ? -1 : random.chance(0.5) ? 3 : 7);
@@ -112,7 +112,7 @@ TEST(LightGroups, OneLightForAGroupErrsAboutAsEstimated) {
     const double size = range * random.log_uniform(0.001, 0.3);
     const glm::dvec3 axis = glm::normalize(-middle / range + random.uniform(0, 1.2) * draw_direction(random));
     for (int j = 0; j < 5; ++j) {
-      lights.push_back(lamp(middle + draw_direction(random) * (size * random.uniform(0, 1))));
+      lights.push_back(white_lamp(middle + draw_direction(random) * (size * random.uniform(0, 1))));
       lights.back().light.cone = cone;
       lights.back().direction = axis;
     }

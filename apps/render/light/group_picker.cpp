@@ -8,10 +8,9 @@
 namespace litfog::render {
 namespace {
 
-constexpr double kMostError = 0.25;  // of a step of the display, about, for each light of a group
-constexpr double kBrightest = 4;     // steps that each may make: a surface may turn away from some of them
-constexpr double kGrazing = 25;      // 1 / (4 cos^2) of an incidence of 84 degrees
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kMostGroupError = 0.25;  // of a step of the display, about, for each light of a group
+constexpr double kMostSteps = 4;          // steps that each may make: a surface may turn away from some of them
+constexpr double kGrazing = 25;           // 1 / (4 cos^2) of an incidence of 84 degrees
 
 /// The largest second derivative of a cone by the angle.
 double bend_of(const Cone& cone) {
@@ -29,7 +28,7 @@ double bend_of(const Cone& cone) {
 }  // namespace
 
 double group_error(const LightGroup& group, const Cone& cone, const Fog& fog, double shininess, double range) {
-  if (range < 2 * group.radius) return kInfinity;
+  if (range < 2 * group.radius) return std::numeric_limits<double>::infinity();
   if (group.spread == 0) return 0;
   const double fog_depth = fog.density * range;
   const double bend = 6 + fog_depth * fog_depth + bend_of(cone) + kGrazing * shininess;
@@ -66,12 +65,12 @@ GroupPicker::Use& GroupPicker::use(std::int32_t index, const GroupedSurface& sur
   const Light& one = lights_.lights()[std::size_t(lights_.groups().lights_of(group).front())].light;
   const auto radius = float(group.radius);
   const scene::Bounds around{surface.bounds.low - radius, surface.bounds.high + radius};
-  const double brightness =
-      surface.reflectance * largest_component(one.color) * surface.through *
-      largest_irradiance(one, group.position, kInfinity, fog, FogLighting::airlight, path_, around);
+  const double brightness = surface.reflectance * largest_component(one.color) * surface.through *
+                            largest_irradiance(one, group.position, std::numeric_limits<double>::infinity(), fog,
+                                               FogLighting::airlight, path_, around);
   const double error = group_error(group, one.cone, scaled(fog, one.density_scale), surface.shininess,
                                    nearest_distance(group.position, surface.bounds));
-  const bool is_far = brightness <= kBrightest * step && brightness * error <= kMostError * step;
+  const bool is_far = brightness <= kMostSteps * step && brightness * error <= kMostGroupError * step;
   use = {.list = list_number_, .is_near = !is_far};
   return use;
 }
