@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "litfog/attenuation.h"
@@ -14,6 +15,8 @@
 #include "reference/double_limits.h"
 #include "reference/random_airlight.h"
 #include "render/light/group_picker.h"
+#include "render/light/hidden_range.h"
+#include "render/lighting_path.h"
 
 namespace litfog::test {
 using namespace render;
@@ -140,6 +143,58 @@ TEST(LightGroups, OneLightForAGroupErrsAboutAsEstimated) {
   EXPECT_GT(ratios.size(), 10'000u);
   EXPECT_LE(at(0.99), 1);
   EXPECT_LE(worst, 1);
+}
+
+TEST(GroupPicker, EveryLightIsListedOnceAloneOrInAGroup) {
+  Random random(43);
+  scene::Scene scene;
+  for (int i = 0; i < 200; ++i) {
+    PlacedLight light = white_lamp({random.uniform(-300, 300), 5, 30 * std::floor(random.uniform(-20, 20))});
+    light.light.color = glm::dvec3(random.chance(0.8) ? 1 : 0.5);
+    scene.lights.push_back(light);
+  }
+  const SceneLights lights(scene, {.fog_lighting = FogLighting::airlight});
+  ASSERT_FALSE(lights.groups().groups.empty());
+  GroupPicker picker(lights, lighting_paths().front());
+  std::size_t fewest = lights.size();
+  std::size_t most = 0;
+  for (int i = 0; i < 500; ++i) {
+    const glm::vec3 low = glm::vec3(draw_direction(random) * random.log_uniform(1, 3000));
+    const scene::Bounds box{low, low + glm::vec3(20, 1, 20)};
+    std::vector<std::int32_t> asked{7, 7, 7};  // of another surface, which stay
+    std::vector<int> times(lights.size(), 0);
+    for (std::size_t light = 0; light < lights.size(); ++light) {
+      if (random.chance(0.9)) asked.push_back(std::int32_t(light));
+    }
+    std::vector<std::int32_t> list = asked;
+    picker.pick(list, 3, {.bounds = box, .reflectance = 0.3, .shininess = 10, .through = 0.5}, {FogMode::exp, 0.002},
+                visible_step(0));
+    ASSERT_EQ(std::vector(list.begin(), list.begin() + 3), std::vector<std::int32_t>(3, 7));
+    for (const std::int32_t& instance : std::span(list).subspan(3)) {
+      for (const std::int32_t light : lights.lights_of(instance)) ++times[std::size_t(light)];
+    }
+    for (const std::int32_t light : std::span(asked).subspan(3)) EXPECT_EQ(times[std::size_t(light)], 1) << light;
+    EXPECT_LE(std::ranges::max(times), 1);
+    fewest = std::min(fewest, list.size() - 3);
+    most = std::max(most, list.size() - 3);
+  }
+  EXPECT_LT(fewest, 10u) << "far from all lights";
+  EXPECT_GT(most, 100u) << "among them";
+}
+
+TEST(GroupPicker, NoGroupsWhereNothingIsSkippedOrLightsEndOrCastShadows) {
+  scene::Scene scene;
+  scene.lights = {white_lamp({0, 0, 0}), white_lamp({1, 0, 0})};
+  const RenderSettings by_airlight{.fog_lighting = FogLighting::airlight};
+  EXPECT_EQ(SceneLights(scene, by_airlight).groups().groups.size(), 1u);
+  EXPECT_EQ(SceneLights(scene, by_airlight).instances().size(), 3u);
+  RenderSettings whole = by_airlight;
+  whole.skipping = Skipping::off;
+  RenderSettings shadowed = by_airlight;
+  shadowed.shadows = Shadows::surfaces;
+  for (const RenderSettings& settings : {whole, shadowed, RenderSettings{.fog_lighting = FogLighting::peak}}) {
+    EXPECT_TRUE(SceneLights(scene, settings).groups().groups.empty());
+  }
 }
 
 }  // namespace
