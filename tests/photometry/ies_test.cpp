@@ -509,7 +509,8 @@ TEST(Luminaire, FormatIsKnownByContentThenByEnding) {
 
 TEST(Luminaire, FileOfAnotherKindIsNoPhotometricFile) {
   const TemporaryDirectory directory;
-  const std::string rule = " not a photometric file: must be of IES LM-63 (with a line TILT=), EULUMDAT, TM-33 or GLDF, or an "
+  const std::string rule =
+      " not a photometric file: must be of IES LM-63 (with a line TILT=), EULUMDAT, TM-33 or GLDF, or an "
       "isocandela table";
   const auto error = [&](const char* name, const std::string& bytes) {
     const std::string path = (directory.path() / name).string();
