@@ -73,7 +73,7 @@ class SceneLights {
   std::span<const FogLightKind> kinds() const { return updater_.kinds(); }
   std::span<const FogLightInstance> instances() const { return instances_; }
   /// Of an instance.
-  PackedLight packed(std::size_t instance) const;
+  PackedLight packed(std::size_t index) const;
   /// A cookie and the cookie's y axis in world space, for each light that has one: color.w of its instance is the index
   /// (cube_cookie.glsl).
   std::span<const glm::vec4> cookie_cones() const { return cookie_cones_; }

@@ -2,7 +2,6 @@
 #include "render/surface/surface_list.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <numeric>
 #include <stdexcept>
@@ -12,6 +11,7 @@
 #include "render/gpu/data_texture.h"
 #include "render/light/light_finder.h"
 #include "render/light/light_selection.h"
+#include "scene/srgb.h"
 
 namespace litfog::render {
 namespace {
@@ -41,11 +41,6 @@ class TextureStore {
 
 const std::string& material_name(const SurfaceMaterial& material) { return material.material.name; }
 
-double linear_of(std::uint8_t level) {  // IEC 61966-2-1
-  const double x = level / 255.0;
-  return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
-}
-
 /// The largest component of a material's base texture, and its largest gloss. Mipmaps and filters are means of texels.
 struct Largest {
   double albedo;
@@ -59,7 +54,7 @@ Largest largest_of(const scene::Texels& texels) {
     albedo = std::max({albedo, rgba[i], rgba[i + 1], rgba[i + 2]});
     gloss = std::max(gloss, rgba[i + 3]);
   }
-  return {linear_of(albedo), gloss / 255.0};
+  return {double(scene::linear_from_srgb(float(albedo) / 255)), gloss / 255.0};
 }
 Largest largest_of(const scene::Material& material) {
   if (material.plain_albedo) return {largest_component(*material.plain_albedo), 1};
