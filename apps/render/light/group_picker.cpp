@@ -30,8 +30,9 @@ double bend_of(const Cone& cone) {
 double group_error(const LightGroup& group, const Cone& cone, const Fog& fog, double shininess, double range) {
   if (range < 2 * group.radius) return std::numeric_limits<double>::infinity();
   if (group.spread == 0) return 0;
-  const double fog_depth = fog.density * range;
-  const double bend = 6 + fog_depth * fog_depth + bend_of(cone) + kGrazing * shininess;
+  const double x = fog.density * range;
+  const double fog_bend = fog.mode == FogMode::exp ? x * x : 4 * x * x * x * x;
+  const double bend = 6 + fog_bend + bend_of(cone) + kGrazing * shininess;
   return 0.5 * bend * (group.spread / range) * (group.spread / range);
 }
 

@@ -14,13 +14,14 @@
 namespace litfog::render {
 
 /// About how much what a surface shows of a group as one light differs from what it shows of its lights: a fraction of
-/// what one of them can give. Of random cases 99 in 100 stay below (light_groups_test.cpp). Not a bound: where a
-/// surface turns away from some lights of a group and not from the others, it may err by a whole light.
+/// what one of them can give. Of random cases in which a surface faces all of them 99 in 100 stay below
+/// (light_groups_test.cpp). Not a bound: where it turns away from some and not from the others, it may err by a whole
+/// light.
 ///
 /// The mean of their places takes the first order of the error away. Of a brightness b, half of spread^2 b'' is left.
 /// Across the light's direction the edge of a cone bends by at most 6 / width^2 or by the exponent, a highlight by its
 /// shininess, and the more, the more light and eye graze the surface: here as at 6 degrees. Along it 1 / r^2 bends by
-/// 6 / r^2 and fog of density d by d^2.
+/// 6 / r^2, exp fog of density d by d^2 and exp2 fog by at most 4 d^4 r^2.
 ///
 /// fog    as the lights' class sees it
 /// range  metres, from the group's place to the surface; nearer than twice the group's radius the error is infinite
