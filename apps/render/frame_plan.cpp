@@ -162,6 +162,7 @@ void FramePlanner::plan_airlight(const FrameView& view) {
   const double exposure = view.exposures.airlight;
   plan_.airlights =
       list_airlight(lights_, fog_, scattering, view.eye, view.pixels_per_radian, exposure, shaft_casters_);
+  plan_.airlight_tiles = list_airlight_tiles(plan_.airlights, scene_.camera, view.picture_size, kCoarsestGrid);
   if (lights_fog_beyond_end(settings_)) {
     plan_.far_airlights = list_far_airlight(lights_, fog_, scattering, view.eye, exposure, shaft_casters_);
   }

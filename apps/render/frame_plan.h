@@ -9,6 +9,7 @@
 
 #include "litfog/fog.h"
 #include "render/airlight/airlight_list.h"
+#include "render/airlight/airlight_tiles.h"
 #include "render/airlight/far_airlight_list.h"
 #include "render/frame_counts.h"
 #include "render/frustum.h"
@@ -38,6 +39,7 @@ struct FramePlan {
   int point_first = 0;
   int point_count = 0;
   AirlightList airlights;         ///< within the lights' extents
+  AirlightTiles airlight_tiles;   ///< of them
   FarAirlightList far_airlights;  ///< beyond them
   FrameCounts counts;
 
@@ -64,6 +66,7 @@ struct FrameView {
   glm::mat4 clip_from_world;
   double highest_slope;       ///< largest y of a unit direction from the eye into the picture
   double point_depth_factor;  ///< point_list.h
+  glm::ivec2 picture_size;    ///< pixels
   double pixels_per_radian;   ///< at the picture's middle
   FrameExposures exposures;
 

@@ -153,6 +153,7 @@ FrameView Renderer::frame_view(const View& view, const FrameExposures& exposures
           .clip_from_world = view.clip_from_world,
           .highest_slope = std::sin(std::min(pitch + double(camera.field_of_view) / 2, kRight)),
           .point_depth_factor = point_depth_factor(camera.field_of_view, framebuffer_.height()),
+          .picture_size = {width(), height()},
           .pixels_per_radian = view.pixels_per_radian,
           .exposures = exposures};
 }
@@ -198,8 +199,9 @@ std::size_t Renderer::upload_lists(const FramePlan& plan) {
   const std::size_t bytes = std::span(plan.light_list).size_bytes();
   light_list_.emplace(plan.light_list.data(), bytes, BufferTexture::Texel::int1);
   if (!airlight_) return bytes;
-  airlight_->set_lists(plan.airlights, plan.far_airlights);
-  return bytes + std::span(plan.airlights.entries).size_bytes() + std::span(plan.far_airlights.lights).size_bytes();
+  airlight_->set_lists(plan.airlights, plan.airlight_tiles, plan.far_airlights);
+  return bytes + std::span(plan.airlights.entries).size_bytes() + std::span(plan.airlight_tiles.lists).size_bytes() +
+         std::span(plan.far_airlights.lights).size_bytes();
 }
 
 FrameCounts Renderer::draw_stages(const FrameExposures& exposures, LightPoints light_points,

@@ -16,7 +16,7 @@ constexpr double kMostError = 0.0005;   // of the display: an eighth of a step
 constexpr double kSafety = 4;           // for airlight that bends more than k / h
 constexpr double kFarthestReach = 1e9;  // metres, for lights without an end: floats hold its square
 constexpr double kThinBeam = 0.17;      // radians: half the angle of a beam on the picture that grids may miss
-// The fourth derivative of what a grid keeps of a thin beam is 23 times as large as of others (airlight.frag).
+// The fourth derivative of what a grid keeps of a thin beam is 23 times as large as of others (airlight_light.glsl).
 constexpr double kThinBend = 1.9;  // 23^(1/5)
 
 /// Range at which the attenuation's denominator has a value; 0 where it is above it everywhere.
@@ -95,20 +95,20 @@ double display_slope(double value, double gain) {
 
 /// Range from a light where grids of all pixels may miss kMostError of its airlight, about k / h at a distance h.
 ///
-/// What a grid keeps of k / h has a fourth derivative of at most 81 k / range^5 (airlight.frag), or (1 + d range)^4
-/// times that where fog of density d makes it fall off faster. Of that by the fourth power of the texels' distance, a
-/// cubic through four misses 3/128, and the polynomial through six (airlight_fill.frag) half as much.
+/// What a grid keeps of k / h has a fourth derivative of at most 81 k / range^5 (airlight_light.glsl), or (1 + d
+/// range)^4 times that where fog of density d makes it fall off faster. Of that by the fourth power of the texels'
+/// distance, a cubic through four misses 3/128, and the polynomial through six (airlight_fill.frag) half as much.
 ///
 /// gain  of the exposure
 double find_bend_range(double k, double density, double pixel, double gain) {
   constexpr double kMissed = kSafety * 81 * 3 / 256;
-  const double step = 8 * pixel;  // of the coarsest grid, where d range matters most
+  const double step = kCoarsestGrid * pixel;  // where d range matters most
   double range = step;
   for (int i = 0; i < 16; ++i) {
     const double missed = kMissed * k * std::pow(step * (1 + density * range), 4) * display_slope(k / range, gain);
     range = std::pow(missed / kMostError, 0.2);
   }
-  return range / std::pow(8.0, 0.8);
+  return range / std::pow(double(kCoarsestGrid), 0.8);
 }
 
 }  // namespace
@@ -122,6 +122,7 @@ AirlightList list_airlight(const SceneLights& lights, const Fog& fog, const Scat
   struct Found {
     AirlightKind kind;
     AirlightEntry entry;
+    LightBounds bounds;
   };
   std::vector<Found> found;
   for (std::size_t i = 0; i < lights.size(); ++i) {
@@ -148,15 +149,17 @@ AirlightList list_airlight(const SceneLights& lights, const Fog& fog, const Scat
          {.light = float(i),
           .reach = float(reach),
           .bend_range = float(is_thin ? std::min(thin_range, kFarthestReach) : std::min(bend_range, most_bend_range)),
-          .width = float(is_thin ? 0 : beam.narrowing * bound.flat_range())}});
+          .width = float(is_thin ? 0 : beam.narrowing * bound.flat_range())},
+         lights.cookie(i) ? LightBounds{.position = placed.position, .range = reach} : bounds_of(placed, reach)});
   }
   std::ranges::stable_sort(found, {}, &Found::kind);
   AirlightList list;
-  for (const auto& [kind, entry] : found) {
+  for (const auto& [kind, entry, bounds] : found) {
     if (list.ranges.empty() || list.ranges.back().kind != kind) {
       list.ranges.push_back({.kind = kind, .first = unsigned(list.entries.size()), .count = 0});
     }
     list.entries.push_back(entry);
+    list.bounds.push_back(bounds);
     ++list.ranges.back().count;
   }
   return list;

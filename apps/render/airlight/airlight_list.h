@@ -9,9 +9,12 @@
 
 #include "litfog/airlight.h"
 #include "litfog/fog.h"
+#include "litfog/light_bounds.h"
 #include "render/light/scene_lights.h"
 
 namespace litfog::render {
+
+inline constexpr int kCoarsestGrid = 8;  ///< pixels between texels of the coarsest grid (AirlightPainter)
 
 /// Where a picture's rays can see the airlight of a light.
 struct AirlightEntry {
@@ -41,6 +44,7 @@ struct AirlightList {
   };
 
   std::vector<AirlightEntry> entries;
+  std::vector<LightBounds> bounds;  ///< of each entry: within its reach and its cone, if it has one
   std::vector<Range> ranges;
 };
 

@@ -6,11 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "render/airlight/airlight_tiles.h"
 #include "render/fog_top.h"
 #include "render/gpu/depth.h"
 #include "render/gpu/framebuffer.h"
@@ -22,11 +22,11 @@
 namespace litfog::render {
 namespace {
 
-constexpr unsigned kDrawnAtOnce = 100;      // lights, between which an interruption may come
-constexpr int kGridSteps[] = {8, 4, 2, 1};  // pixels
-constexpr double kMostApart = 0.06;         // radians between a grid's texels: airlight is not known to be smoother
-constexpr int kBlock = 8;                   // of airlight_blocks.glsl: texels
-constexpr GLint kMarked = 1;                // of a stencil, which is 0 elsewhere
+constexpr int kStripes = 16;                            // of a target, between which an interruption may come
+constexpr int kGridSteps[] = {kCoarsestGrid, 4, 2, 1};  // pixels
+constexpr double kMostApart = 0.06;  // radians between a grid's texels: airlight is not known to be smoother
+constexpr int kBlock = 8;            // of airlight_blocks.glsl: texels
+constexpr GLint kMarked = 1;         // of a stencil, which is 0 elsewhere
 constexpr GLenum kTargets[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
 
 /// Blocks that cover a size.
@@ -57,7 +57,8 @@ AirlightPainter::AirlightPainter(const scene::Scene& scene, const gl::FogLightBu
       fog_lights_(fog_lights),
       far_(scene, fog_lights),
       shaft_steps_(settings.shaft_steps),
-      light_programs_(scene, "airlight.vert", "airlight.frag"),
+      tile_programs_(scene, "whole_picture.vert", "airlight_tiles.frag"),
+      left_out_programs_(scene, "airlight_left_out.vert", "airlight_left_out.frag"),
       seen_program_(make_seen_program(framebuffer.samples())),
       fill_program_("whole_picture.vert", "airlight_fill.frag", render_shaders()),
       marks_program_("whole_picture.vert", "airlight_marks.frag", render_shaders()),
@@ -105,18 +106,24 @@ void AirlightPainter::attach_airlight(Target& target, bool has_gain) {
   check_float_framebuffer();
 }
 
-void AirlightPainter::set_lists(const AirlightList& lights, const FarAirlightList& far_lights) {
+void AirlightPainter::set_lists(const AirlightList& lights, const AirlightTiles& tiles,
+                                const FarAirlightList& far_lights) {
   ranges_ = lights.ranges;
   entries_.reset();
   if (!lights.entries.empty()) {
-    entries_.emplace(lights.entries.data(), lights.entries.size() * sizeof(AirlightEntry),
-                     BufferTexture::Texel::float4);
+    entries_.emplace(lights.entries.data(), std::span(lights.entries).size_bytes(), BufferTexture::Texel::float4);
+    tile_lists_.emplace(tiles.lists.data(), std::span(tiles.lists).size_bytes(), BufferTexture::Texel::int1);
+    tile_count_ = tiles.count;
+    tile_size_ = glm::vec2(tiles.size) / glm::vec2(tiles.count);
   }
   far_.set_list(far_lights);
 }
 
 void AirlightPainter::draw_far(const View& view, FogMode fog_mode) {
-  if (entries_) entries_->bind(kEntryUnit);
+  if (entries_) {
+    entries_->bind(kEntryUnit);
+    tile_lists_->bind(kTileUnit);
+  }
   far_.draw(picture_size_, view, fog_mode);
 }
 
@@ -147,7 +154,7 @@ void AirlightPainter::draw(const Framebuffer& framebuffer, const View& view, Fog
     if (i > 0) {
       glEnable(GL_STENCIL_TEST);
       fill(frame, grid, grids[i - 1]);
-      draw_lights(frame, grid, Part::left_out);
+      draw_left_out(frame, grid);
       draw_packed(frame, grid);
       glDisable(GL_STENCIL_TEST);
     }
@@ -218,6 +225,26 @@ void AirlightPainter::draw_packed(const Frame& frame, const Grid& grid) {
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
+/// Adds what the coarser grid leaves out of its lights at texels filled from it.
+void AirlightPainter::draw_left_out(const Frame& frame, const Grid& grid) {
+  glViewport(0, 0, grid.size.x, grid.size.y);
+  glStencilFunc(GL_EQUAL, kMarked, 0xff);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE);
+  // Texel i's middle is that of pixel i * step.
+  const glm::vec2 scale = glm::vec2(picture_size_) / glm::vec2(grid.step * grid.size);
+  const glm::vec2 offset = scale - 1.0f + (1.0f - 1.0f / float(grid.step)) / glm::vec2(grid.size);
+  for (const auto& [kind, first, count] : ranges_) {
+    if (grid.step >= coarsest_step(kind, frame)) continue;
+    const gl::Program& program = left_out_programs_.program(frame.fog_mode, kind);
+    use(program, frame, grid);
+    set_uniform(program, "target_from_picture", glm::vec4(scale, offset));
+    set_uniform(program, "first_entry", int(first));
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, GLsizei(count));
+  }
+  glDisable(GL_BLEND);
+}
+
 /// Adds lights to the bound framebuffer, which is that of a grid or of its packed texels.
 void AirlightPainter::draw_lights(const Frame& frame, const Grid& grid, Part part) {
   const glm::ivec2 size = part == Part::packed ? blocks(grid.size) * kBlock : grid.size;
@@ -225,27 +252,38 @@ void AirlightPainter::draw_lights(const Frame& frame, const Grid& grid, Part par
   glStencilFunc(GL_EQUAL, kMarked, 0xff);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);
-  // Texel i's middle is that of pixel i * step.
-  const glm::vec2 scale = glm::vec2(picture_size_) / glm::vec2(grid.step * size);
-  const glm::vec2 offset = scale - 1.0f + (1.0f - 1.0f / float(grid.step)) / glm::vec2(size);
-  for (const auto& [kind, first, count] : ranges_) {
-    const int smooth_step = kind.profile == kCookieProfile || kind.has_shafts ? 2 : kGridSteps[0];
-    const int coarsest_step = std::min(smooth_step, frame.coarsest_step);
-    if (part == Part::whole ? grid.step != coarsest_step : grid.step >= coarsest_step) continue;
-    const gl::Program& program = light_programs_.program(frame.fog_mode, kind);
+  for (std::size_t i = 0; i < ranges_.size(); ++i) {
+    const AirlightKind& kind = ranges_[i].kind;
+    const int coarsest = coarsest_step(kind, frame);
+    if (part == Part::whole ? grid.step != coarsest : grid.step >= coarsest) continue;
+    const gl::Program& program = tile_programs_.program(frame.fog_mode, kind);
     use(program, frame, grid);
     set_uniform(program, "packed_places", kPlaceUnit);
-    set_uniform(program, "is_filled", part == Part::left_out);
     set_uniform(program, "is_packed", part == Part::packed);
-    set_uniform(program, "block_angle", float(kBlock * grid.step * std::numbers::sqrt2 / frame.view.pixels_per_radian));
-    set_uniform(program, "target_from_picture", glm::vec4(scale, offset));
-    const unsigned most = frame.interruption.can_come() ? kDrawnAtOnce : count;
-    for (unsigned drawn = 0; drawn < count && !frame.interruption.has_come(); drawn += most) {
-      set_uniform(program, "first_entry", int(first + drawn));
-      glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, GLsizei(std::min(most, count - drawn)));
-    }
+    set_uniform(program, "tile_lists", kTileUnit);
+    set_uniform(program, "tile_count", tile_count_);
+    set_uniform(program, "tile_size", tile_size_);
+    set_uniform(program, "first_tile", int(i) * 2 * tile_count_.x * tile_count_.y);
+    draw_stripes(size, frame.interruption);
   }
   glDisable(GL_BLEND);
+}
+
+/// Pixels between the texels of the first grid that draws lights of a kind.
+int AirlightPainter::coarsest_step(const AirlightKind& kind, const Frame& frame) {
+  const int smooth_step = kind.profile == kCookieProfile || kind.has_shafts ? 2 : kGridSteps[0];
+  return std::min(smooth_step, frame.coarsest_step);
+}
+
+/// Draws a target's texels: at once, or if an interruption may come, stripe by stripe.
+void AirlightPainter::draw_stripes(glm::ivec2 size, Interruption& interruption) {
+  const int rows = interruption.can_come() ? (size.y + kStripes - 1) / kStripes : size.y;
+  glEnable(GL_SCISSOR_TEST);
+  for (int row = 0; row < size.y && !interruption.has_come(); row += rows) {
+    glScissor(0, row, size.x, rows);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+  }
+  glDisable(GL_SCISSOR_TEST);
 }
 
 void AirlightPainter::use(const gl::Program& program, const Frame& frame, const Grid& grid) {

@@ -11,6 +11,7 @@
 #include "litfog/gl/program.h"
 #include "render/airlight/airlight_list.h"
 #include "render/airlight/airlight_programs.h"
+#include "render/airlight/airlight_tiles.h"
 #include "render/airlight/far_airlight.h"
 #include "render/gpu/data_texture.h"
 #include "render/gpu/framebuffer.h"
@@ -27,7 +28,7 @@ namespace litfog::render {
 /// row (of small pictures at more), and then in finer and finer grids. A grid leaves out the part of a light's airlight
 /// that bends sharply, close to the light. A texel of a finer grid takes the mean of its neighbours in the one before
 /// where that is good enough (shaders/airlight_fill.frag), and only what they have left out is drawn. For the others
-/// all lights are drawn, at texels packed into a target of their own.
+/// all lights of their tile are drawn (AirlightTiles), at texels packed into a target of their own.
 class AirlightPainter {
  public:
   /// scene, fog_lights  have to outlive this
@@ -41,7 +42,7 @@ class AirlightPainter {
   void set_size(const Framebuffer& framebuffer);
 
   /// Uploads the lights whose airlight frames have from now on, within their extents and beyond.
-  void set_lists(const AirlightList& lights, const FarAirlightList& far_lights);
+  void set_lists(const AirlightList& lights, const AirlightTiles& tiles, const FarAirlightList& far_lights);
   /// Binds the lights to their unit, and sums up what they add beyond their extents. Their tables and the cookies are
   /// bound to their units.
   void draw_far(const View& view, FogMode fog_mode);
@@ -69,11 +70,10 @@ class AirlightPainter {
     int step;  // pixels between texels
   };
 
-  /// What is drawn of the lights, and where. Cookies and shafts may be finer than coarse grids, which do without them.
+  /// Which lights are drawn, and where. Cookies and shafts may be finer than coarse grids, which do without them.
   enum class Part {
-    whole,     // at all texels: lights that coarser grids do without
-    left_out,  // at texels filled from the coarser grid: what that grid leaves out
-    packed,    // at packed texels: lights that the coarser grid has
+    whole,   // lights that coarser grids do without: at all texels
+    packed,  // lights that the coarser grid has: at packed texels
   };
 
   /// What the passes of a frame have in common.
@@ -88,7 +88,10 @@ class AirlightPainter {
   void attach_airlight(Target& target, bool has_gain);
   void use(const gl::Program& program, const Frame& frame, const Grid& grid);
   void fill(const Frame& frame, const Grid& grid, const Grid& coarse);
+  void draw_left_out(const Frame& frame, const Grid& grid);
   void draw_lights(const Frame& frame, const Grid& grid, Part part);
+  static int coarsest_step(const AirlightKind& kind, const Frame& frame);
+  void draw_stripes(glm::ivec2 size, Interruption& interruption);
   void draw_packed(const Frame& frame, const Grid& grid);
 
   const scene::Scene& scene_;
@@ -96,7 +99,8 @@ class AirlightPainter {
   FarAirlight far_;
   glm::ivec2 picture_size_;
   int shaft_steps_;
-  AirlightPrograms light_programs_;
+  AirlightPrograms tile_programs_;
+  AirlightPrograms left_out_programs_;
   gl::Program seen_program_;
   gl::Program fill_program_;
   gl::Program marks_program_;
@@ -114,7 +118,10 @@ class AirlightPainter {
   gl::TextureName places_;                   // of those texels in their grid
   std::vector<AirlightList::Range> ranges_;  // of the lights
   std::optional<BufferTexture> entries_;     // likewise
-  gl::VertexArrayName vertex_array_;         // of no attributes
+  std::optional<BufferTexture> tile_lists_;  // AirlightTiles::lists
+  glm::ivec2 tile_count_{0};
+  glm::vec2 tile_size_{0};            // pixels
+  gl::VertexArrayName vertex_array_;  // of no attributes
 };
 
 }  // namespace litfog::render

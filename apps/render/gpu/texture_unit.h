@@ -24,6 +24,7 @@ enum TextureUnit : unsigned {
   kOpacityUnit,   // of the fog before that
   kAirlightUnit,  // airlight at the texels of a grid
   kEntryUnit,     // the lights whose airlight is drawn
+  kTileUnit,      // of them, those of each tile of the picture
   kGainUnit,      // of airlight, per opacity of the fog
   kMarkUnit,      // texels that a coarser grid is not good enough for
   kPlaceUnit,     // of packed texels in their grid

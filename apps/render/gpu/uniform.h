@@ -24,6 +24,9 @@ inline void set_uniform(const gl::Program& program, const char* name, const glm:
 inline void set_uniform(const gl::Program& program, const char* name, const glm::vec2& value) {
   glUniform2fv(program.uniform(name), 1, glm::value_ptr(value));
 }
+inline void set_uniform(const gl::Program& program, const char* name, const glm::ivec2& value) {
+  glUniform2iv(program.uniform(name), 1, glm::value_ptr(value));
+}
 inline void set_uniform(const gl::Program& program, const char* name, float value) {
   glUniform1f(program.uniform(name), value);
 }

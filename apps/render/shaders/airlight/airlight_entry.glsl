@@ -7,8 +7,6 @@
 
 uniform samplerBuffer airlight_entries;  // light, reach, bend_range, width
 uniform int pixel_step;                  // pixels between the target's texels, half of those of the grid before
-uniform bool is_filled;                  // only what the grid before leaves out, for texels filled from that grid
-uniform bool is_packed;                  // the target's texels stand for others of their block (airlight_blocks.glsl)
 
 // Range from a light within which a grid leaves out a part of its airlight, because it bends too much for lines between
 // texels; 0 where it is flat there.

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The airlight of one light along the ray through each pixel, to what the pixel's samples see.
+// The airlight of a light along the ray through a pixel, to what the pixel's samples see.
 
 #include "airlight_constants.glsl"
 #include "airlight_entry.glsl"
-#include "pixel_direction.glsl"
 #include "seen.glsl"
 
-flat in int light_index;
-flat in vec2 bend_range_width;
-
 uniform vec3 eye;
-uniform sampler2D packed_places;
 
 #include "shaft.glsl"  // of rays from that eye
 
@@ -36,7 +31,7 @@ float largest_gain(LitfogLight light, vec3 direction, float nearest, float farth
 }
 
 // The airlight from the end of a ray, for the fog's opacity there.
-vec3 gain_at(LitfogLight light, vec3 direction, float range) {
+vec3 gain_at(int light_index, LitfogLight light, vec3 direction, float range) {
   vec3 position = eye + direction * range;
   vec4 ray = litfog_ray(light.position_extent.xyz, position);
   float density = litfog_fog.x;
@@ -55,31 +50,26 @@ vec3 gain_at(LitfogLight light, vec3 direction, float range) {
 // multilevel summation (Hardy et al. 2015, "Multilevel Summation Method for Electrostatic Force Evaluation"). That has
 // no peak, and meets k / h with three derivatives at t = 1. Near the light h stops at the falloff's width. A thin beam
 // is missed by texels close to the light, so little of it may be kept there.
-float kept_fraction(float distance_squared, int grid_step) {
-  float range = left_out_range(bend_range_width.x, bend_range_width.y, grid_step);
+float kept_fraction(vec4 entry, float distance_squared, int grid_step) {
+  float range = left_out_range(entry.z, entry.w, grid_step);
   if (grid_step == 1 || range <= 0.0) return 1.0;
-  float width = bend_range_width.y * bend_range_width.y;
+  float width = entry.w * entry.w;
   float q = min((distance_squared + width) / (range * range + width), 1.0);
   if (width == 0.0) return 1.0 - pow(1.0 - q, 4.0) * (1.0 + 4.0 * q);
   return sqrt(q) * (35.0 - q * (35.0 - q * (21.0 - 5.0 * q))) / 16.0;
 }
 
-void main() {
-  ivec2 place = ivec2(gl_FragCoord.xy);
-  if (is_packed) place = ivec2(texelFetch(packed_places, place, 0).xy);
-  ivec2 pixel = place * pixel_step;
-  vec3 direction = pixel_direction(pixel);
+// The square of the distance at which a ray passes a light, or from the eye to one behind.
+float squared_passing_distance(vec3 position, vec3 direction) {
+  vec3 to_light = position - eye;
+  vec3 offset = max(dot(to_light, direction), 0.0) * direction - to_light;
+  return dot(offset, offset);
+}
+
+// Adds a fraction of a light's airlight.
+void add_light(int light_index, float fraction, vec3 direction, vec4 seen) {
   LitfogLight light = litfog_buffered_light(light_index);
   light.axis_profile.w = profile;
-  vec3 to_light = light.position_extent.xyz - eye;
-  vec3 offset = max(dot(to_light, direction), 0.0) * direction - to_light;
-  float distance_squared = dot(offset, offset);
-  float fraction = kept_fraction(distance_squared, pixel_step);
-  if (is_filled) fraction -= kept_fraction(distance_squared, 2 * pixel_step);
-  airlight = vec4(0.0);
-  gain = vec4(0.0);
-  if (fraction <= 0.0) return;  // not discarded: the stencil would no longer be tested before
-  vec4 seen = seen_at(pixel);
   vec4 opacities = seen_opacities(seen, light.attenuation.w);
   light.color_intensity.rgb *= fraction;
   LitfogLight shown = light;  // by which the glow chooses its nodes: what adds little to the display needs few
@@ -100,6 +90,6 @@ void main() {
            (0.25 * float(run) * lit_fraction(light_index, light, direction, range));
     first += run;
   } while (first < 4);
-  airlight = vec4(sum / exposure_gain, 0.0);
-  if (pixel_step > 1) gain.rgb = gain_at(light, direction, dot(seen, vec4(0.25)));  // the finest grid has none
+  airlight.rgb += sum / exposure_gain;
+  if (pixel_step > 1) gain.rgb += gain_at(light_index, light, direction, dot(seen, vec4(0.25)));  // the finest grid has none
 }

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// The part of a light's airlight that the grid before leaves out, at texels filled from that grid.
+
+#include "airlight_constants.glsl"
+#include "airlight_light.glsl"
+#include "pixel_direction.glsl"
+
+flat in vec4 entry;
+
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy) * pixel_step;
+  vec3 direction = pixel_direction(pixel);
+  vec3 position = litfog_buffered_position_extent(int(entry.x)).xyz;
+  float square = squared_passing_distance(position, direction);
+  float fraction = kept_fraction(entry, square, pixel_step) - kept_fraction(entry, square, 2 * pixel_step);
+  airlight = vec4(0.0);
+  gain = vec4(0.0);
+  if (fraction <= 0.0) return;  // not discarded: the stencil would no longer be tested before
+  add_light(int(entry.x), fraction, direction, seen_at(pixel));
+}

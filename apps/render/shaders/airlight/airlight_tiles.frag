@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// The airlight of all lights of a kind: of those that the tile of the pixel lists.
+
+#include "airlight_constants.glsl"
+#include "airlight_light.glsl"
+#include "pixel_direction.glsl"
+
+uniform bool is_packed;  // the target's texels stand for others of their block (airlight_blocks.glsl)
+uniform sampler2D packed_places;
+uniform isamplerBuffer tile_lists;  // render::AirlightTiles
+uniform ivec2 tile_count;
+uniform vec2 tile_size;  // pixels
+uniform int first_tile;  // of the kind
+
+// The first of a tile's entries in the lists, and the end of them.
+ivec2 tile_list(ivec2 pixel) {
+  ivec2 tile = min(ivec2((vec2(pixel) + 0.5) / tile_size), tile_count - 1);
+  int place = first_tile + 2 * (tile.y * tile_count.x + tile.x);
+  return ivec2(texelFetch(tile_lists, place).x, texelFetch(tile_lists, place + 1).x);
+}
+
+void main() {
+  ivec2 place = ivec2(gl_FragCoord.xy);
+  if (is_packed) place = ivec2(texelFetch(packed_places, place, 0).xy);
+  ivec2 pixel = place * pixel_step;
+  vec3 direction = pixel_direction(pixel);
+  vec4 seen = seen_at(pixel);
+  ivec2 list = tile_list(pixel);
+  airlight = vec4(0.0);
+  gain = vec4(0.0);
+  for (int i = list.x; i < list.y; ++i) {
+    vec4 entry = texelFetch(airlight_entries, texelFetch(tile_lists, i).x);
+    vec3 position = litfog_buffered_position_extent(int(entry.x)).xyz;
+    float square = squared_passing_distance(position, direction);
+    float fraction = square < entry.y * entry.y ? kept_fraction(entry, square, pixel_step) : 0.0;
+    if (fraction > 0.0) add_light(int(entry.x), fraction, direction, seen);
+  }
+}
