@@ -49,7 +49,10 @@ CosineProfile::CosineProfile(const std::vector<ConePoint>& points, std::optional
       if (!parts_equals && !is_on_axis) cuts_.push_back(lit);
     }
   }
-  for (const ConePoint& point : points_) own_exponents_.push_back(own_exponent(point));
+  for (const ConePoint& point : points_) {
+    own_exponents_.push_back(own_exponent(point));
+    falls_.push_back(-std::log(point.cosine));
+  }
   dark_losses_.assign(points_.size() + 1, 0);
   for (std::size_t i = points_.size(); i-- > 0;) dark_losses_[i] = dark_losses_[i + 1] + points_[i].loss(0);
   const auto first = std::find_if(points_.begin(), points_.end(), [](const ConePoint& p) { return p.cosine < 1; });
@@ -74,16 +77,25 @@ double CosineProfile::objective(const ConeParameters& parameters) const {
   return loss;
 }
 
+std::span<const double> CosineProfile::kept_powers(double exponent) const {
+  const auto kept = powers_.find(exponent);
+  return kept != powers_.end() ? kept->second : std::span<const double>();
+}
+
+/// With F the objective for some cut, m the box's middle, q = cos^S of a point and f its fraction,
+///     F(S) >= F(m) - (distance from m to the box's end) * (steepest descent of F from m to there),
+///     -dF/dS = sum of 2 weight (-ln cos) h(q),  h(q) = q (q - f),
+/// where h is least at f / 2 and largest at an end of its range. Near a minimum that misses F by the square of the
+/// width, the bound by each point alone by the width. It takes the powers that objective() has kept.
 double CosineProfile::bound(const ConeBox& box, double) const {
   const double most_exponent = exponent_of(box.least[0]), least_exponent = exponent_of(box.most[0]);
-  const auto power_at = [this](double exponent) {
-    const auto kept = powers_.find(exponent);
-    const std::span<const double> powers = kept != powers_.end() ? kept->second : std::span<const double>();
-    return [this, exponent, powers](std::size_t i) {
+  const double middle = exponent_of((*start(box))[0]);
+  const auto powers_at = [this](double exponent) {
+    return [this, exponent, powers = kept_powers(exponent)](std::size_t i) {
       return i < powers.size() ? powers[i] : std::pow(points_[i].cosine, exponent);
     };
   };
-  const auto least_at = power_at(most_exponent), most_at = power_at(least_exponent);
+  const auto least_at = powers_at(most_exponent), most_at = powers_at(least_exponent);
   const auto least_loss = [&](std::size_t i) {
     // Which end is nearer to the fraction is mostly known without the powers.
     constexpr double kMargin = 1e-6;  // wide of rounding
@@ -93,7 +105,30 @@ double CosineProfile::bound(const ConeBox& box, double) const {
     if (least_exponent < below && most_exponent > above) return 0.0;
     return points_[i].loss(least_at(i), most_at(i));
   };
-  return best_cut(least_loss).loss;
+  const std::span<const double> middles =
+      std::isfinite(most_exponent) ? kept_powers(middle) : std::span<const double>();
+  double middle_loss = 0;
+  double towards_least = 0, towards_most = 0;  // descents of the objective, at most
+  std::size_t known = 0;                       // of the points before it
+  const auto lit_loss = [&](std::size_t i) {
+    if (i < middles.size()) {
+      const auto& [angle, cosine, versine, fraction, weight] = points_[i];
+      const auto h = [f = fraction](double q) { return q * (q - f); };
+      const double q = middles[i], factor = 2 * weight * falls_[i];
+      middle_loss += points_[i].loss(q);
+      towards_least -= factor * h(std::clamp(fraction / 2, q, std::max(q, most_at(i))));
+      towards_most += factor * std::max(h(q), h(least_at(i)));
+      known = i + 1;
+    }
+    return least_loss(i);
+  };
+  const auto loss = [&](double least_lit_loss, std::size_t lit) {
+    if (lit > known) return least_lit_loss + dark_losses_[lit];
+    const double descent =
+        std::max({0.0, (middle - least_exponent) * towards_least, (most_exponent - middle) * towards_most});
+    return std::max(least_lit_loss, middle_loss - descent) + dark_losses_[lit];
+  };
+  return best_cut(lit_loss, loss).loss;
 }
 
 ConeCandidate CosineProfile::descend(const ConeParameters& start, std::size_t& iterations) const {
@@ -144,18 +179,23 @@ std::optional<std::size_t> CosineProfile::first_cut(double exponent, std::size_t
   return std::nullopt;
 }
 
-template <typename Loss>
-CosineProfile::Cut CosineProfile::best_cut(const Loss& lit_loss_of) const {
+template <typename Loss, typename TotalLoss>
+CosineProfile::Cut CosineProfile::best_cut(const Loss& lit_loss_of, const TotalLoss& loss_of) const {
   Cut best{0, kInfinity};
   double lit_loss = 0;
   std::size_t lit = 0;
   for (const std::size_t cut : cuts_) {
     for (; lit < cut; ++lit) lit_loss += lit_loss_of(lit);
     if (lit_loss > best.loss) break;  // further cuts lose more
-    if (lit_loss + dark_losses_[cut] < best.loss) best = {cut, lit_loss + dark_losses_[cut]};
+    if (const double loss = loss_of(lit_loss, cut); loss < best.loss) best = {cut, loss};
     if (dark_losses_[cut] == 0) break;  // likewise: all beyond is dark
   }
   return best;
+}
+
+template <typename Loss>
+CosineProfile::Cut CosineProfile::best_cut(const Loss& lit_loss_of) const {
+  return best_cut(lit_loss_of, [this](double lit_loss, std::size_t lit) { return lit_loss + dark_losses_[lit]; });
 }
 
 CosineProfile::Cut CosineProfile::best_cut_at(double exponent) const {

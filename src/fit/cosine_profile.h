@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -46,13 +47,19 @@ class CosineProfile {
   /// How many points are best lit, and the loss of all then.
   ///
   /// lit_loss_of  loss of a point that is lit
+  /// loss_of      loss of all points, given the sum of that of the lit ones and their number
+  template <typename Loss, typename TotalLoss>
+  Cut best_cut(const Loss& lit_loss_of, const TotalLoss& loss_of) const;
   template <typename Loss>
   Cut best_cut(const Loss& lit_loss_of) const;
   Cut best_cut_at(double exponent) const;
+  /// cos^S of the first points, as objective() left them.
+  std::span<const double> kept_powers(double exponent) const;
 
   const std::vector<ConePoint>& points_;
   std::vector<std::size_t> cuts_;  // numbers of points that a cone can light, increasing
   std::vector<double> own_exponents_;
+  std::vector<double> falls_;  // -ln cos of each point; not a number beyond 90 degrees
   /// cos^S of the first points at an S that objective() was asked for: it is an end of two boxes later.
   mutable std::unordered_map<double, std::vector<double>> powers_;
   std::vector<double> dark_losses_;  // of the points from each on, and 0
