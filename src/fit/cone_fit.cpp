@@ -26,10 +26,11 @@ constexpr double kExact = 1e-20;     // of the fractions' own sum: ten digits of
 constexpr double kInvisible = 5e-4;  // fraction at which a cut-off does not show: 1.6 of 255 in sRGB
 
 void fill_in_proof(const ConeOptimum& optimum, double exact, ConeProfileFit& fit) {
-  const bool is_proven = optimum.best.objective <= exact || optimum.lower_bound >= (1 - kTolerance) * fit.objective;
+  const bool is_exact = optimum.best.objective <= exact;
+  const bool is_proven = is_exact || optimum.lower_bound >= (1 - kTolerance) * fit.objective;
   fit.status = is_proven ? ConeFitStatus::optimal : ConeFitStatus::unproven;
   fit.lower_bound = std::min(optimum.lower_bound, fit.objective);
-  fit.kkt_residual = optimum.best.kkt_residual;
+  fit.kkt_residual = is_exact ? 0 : optimum.best.kkt_residual;
   fit.iterations = optimum.iterations;
   fit.boxes = optimum.boxes;
 }

@@ -56,6 +56,8 @@ struct Iterate {
   double objective() const { return 0.5 * residuals.squaredNorm(); }
 };
 
+bool has_converged(const Iterate& iterate) { return iterate.gradient <= 1e-6 || iterate.relative_step <= 1e-10; }
+
 /// Whether a parameter is at a bound.
 bool is_at_lower(const LeastSquaresProblem& problem, const Vector& parameters, Index i) {
   const auto at = std::size_t(i);
@@ -139,18 +141,44 @@ std::optional<Iterate> evaluate(const LeastSquaresProblem& problem, const Vector
   return iterate;
 }
 
+/// Where a fraction of the step leads, within the bounds.
+Vector stepped(const LeastSquaresProblem& problem, const Iterate& iterate, double fraction) {
+  Vector parameters = iterate.parameters + fraction * iterate.step;
+  for (std::size_t k = 0; k < problem.lower.size(); ++k) {
+    parameters[Index(k)] = std::max(parameters[Index(k)], problem.lower[k]);
+  }
+  for (std::size_t k = 0; k < problem.upper.size(); ++k) {
+    parameters[Index(k)] = std::min(parameters[Index(k)], problem.upper[k]);
+  }
+  return parameters;
+}
+
+/// Gauss-Newton, with each step halved until the objective falls, down to where it hardly does. Nothing where no step
+/// lets it fall.
+std::optional<Iterate> approach(const LeastSquaresProblem& problem, Iterate iterate, std::size_t& iterations) {
+  constexpr int kMaxSteps = 100, kMaxHalvings = 12;
+  constexpr double kHardly = 1e-6;
+  for (int i = 0; i < kMaxSteps; ++i) {
+    std::optional<Iterate> next;
+    double fraction = 1;
+    for (int halvings = 0; halvings <= kMaxHalvings && !next; ++halvings, fraction /= 2) {
+      next = evaluate(problem, stepped(problem, iterate, fraction));
+      ++iterations;
+      if (next && !(next->objective() < iterate.objective())) next.reset();
+    }
+    if (!next) return has_converged(iterate) ? std::optional(std::move(iterate)) : std::nullopt;
+    const bool is_near = next->objective() >= (1 - kHardly) * iterate.objective();
+    iterate = *std::move(next);
+    if (is_near) break;
+  }
+  return iterate;
+}
+
 /// Gauss-Newton to the last digits. Near the optimum the slope still distinguishes two iterates when the objective no
-/// longer does: a descent that asks for a smaller objective, as Ceres does, stops with half the digits.
+/// longer does: a descent that asks for a smaller objective, as approach() and Ceres do, stops with half the digits.
 Iterate polish(const LeastSquaresProblem& problem, Iterate iterate, std::size_t& iterations) {
   for (int i = 0; i < 60; ++i) {
-    Vector parameters = iterate.parameters + iterate.step;
-    for (std::size_t k = 0; k < problem.lower.size(); ++k) {
-      parameters[Index(k)] = std::max(parameters[Index(k)], problem.lower[k]);
-    }
-    for (std::size_t k = 0; k < problem.upper.size(); ++k) {
-      parameters[Index(k)] = std::min(parameters[Index(k)], problem.upper[k]);
-    }
-    auto next = evaluate(problem, parameters);
+    auto next = evaluate(problem, stepped(problem, iterate, 1));
     ++iterations;
     if (!next || !(next->projection < iterate.projection) || !(next->objective() <= iterate.objective() * (1 + 1e-9))) {
       break;
@@ -220,15 +248,19 @@ LeastSquaresFit fit_least_squares(const LeastSquaresProblem& problem, std::span<
   const Vector first = Eigen::Map<const Vector>(start.data(), Index(start.size()));
   std::optional<Iterate> best = evaluate(problem, first);
   if (!best) return fit;
-  for (const auto& options : strategies(descent)) {
-    const auto end = descend(problem, first, options, fit.iterations);
-    if (end && end->objective() < best->objective()) best = end;
+  if (descent == Descent::one) {
+    if (auto near = approach(problem, *best, fit.iterations)) best = polish(problem, *std::move(near), fit.iterations);
+  }
+  if (descent == Descent::several || !has_converged(*best)) {
+    for (const auto& options : strategies(descent)) {
+      const auto end = descend(problem, first, options, fit.iterations);
+      if (end && end->objective() < best->objective()) best = end;
+    }
   }
   fit.parameters.assign(best->parameters.begin(), best->parameters.end());
   fit.objective = best->objective();
   fit.gradient = best->gradient;
-  const bool has_converged = best->gradient <= 1e-6 || best->relative_step <= 1e-10;
-  fit.status = has_converged ? LeastSquaresStatus::converged : LeastSquaresStatus::stalled;
+  fit.status = has_converged(*best) ? LeastSquaresStatus::converged : LeastSquaresStatus::stalled;
   const Index free_count = std::count(best->is_held.begin(), best->is_held.end(), false);
   const Index degrees_of_freedom = best->residuals.size() - free_count;
   if (best->has_full_rank && degrees_of_freedom > 0) {

@@ -29,7 +29,7 @@ struct LeastSquaresProblem {
 };
 
 enum class Descent {
-  one,      ///< by Levenberg-Marquardt: for a start known to be near
+  one,      ///< by Gauss-Newton, or by Levenberg-Marquardt where that stalls: where a local optimum is enough
   several,  ///< the best of what different trust regions find, for starts that may be far off
 };
 

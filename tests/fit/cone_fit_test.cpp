@@ -200,6 +200,13 @@ TEST(ConeFit, FitOfExactSamplesIsTheConeThatTheyWereDrawnFrom) {
   angle_error.check();
 }
 
+TEST(ConeFit, ResidualsThatAreRoundingHaveNoKktResidual) {
+  // Their direction is chance. No cone has residuals of exactly 0 here.
+  const ConeFit fit = fit_cone(target_of(ConeChoice::smoothstep, {{0, 1, 1}, {pi / 2, 1.522997974e-8, 1}}));
+  EXPECT_LT(fit.best().rms, 1e-15);
+  EXPECT_EQ(fit.best().kkt_residual, 0);
+}
+
 TEST(ConeFit, BeamAngleAloneIsMetInClosedForm) {
   const ConeTarget target{.beam_angle = radians(20)};
   const ConeFit fit = fit_cone(target);

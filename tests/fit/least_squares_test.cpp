@@ -68,6 +68,24 @@ TEST(LeastSquares, DescentStaysWhereTheModelHasAValue) {
   EXPECT_NEAR(fit.parameters[0], std::exp(2), 1e-14);
 }
 
+TEST(LeastSquares, OneDescentConvergesWherePlainStepsOvershoot) {
+  const auto arc = differentiate<1>([](const auto* b, auto* residuals) {  // Newton's method diverges beyond 1.39
+    using std::atan;
+    residuals[0] = atan(b[0]);
+  });
+  const LeastSquaresFit near = fit_least_squares({1, arc}, std::vector<double>{3}, Descent::one);
+  EXPECT_EQ(near.status, LeastSquaresStatus::converged);
+  EXPECT_NEAR(near.parameters[0], 0, 1e-15);
+
+  const auto bell = differentiate<1>([](const auto* b, auto* residuals) {  // no part of its tail's step is short enough
+    using std::exp;
+    residuals[0] = exp(-b[0] * b[0]) - 0.5;
+  });
+  const LeastSquaresFit far = fit_least_squares({1, bell}, std::vector<double>{5}, Descent::one);
+  EXPECT_EQ(far.status, LeastSquaresStatus::converged);
+  EXPECT_NEAR(std::abs(far.parameters[0]), std::sqrt(std::log(2)), 1e-14);
+}
+
 TEST(LeastSquares, FitWritesNothing) {
   testing::internal::CaptureStderr();
   testing::internal::CaptureStdout();

@@ -68,7 +68,8 @@ struct ConeProfileFit {
   /// between them, first fall to 50 % beyond their peak. Absent where they do not.
   std::optional<double> beam_angle_error = std::nullopt;
   std::optional<double> field_angle_error = std::nullopt;  ///< the same at 10 %
-  /// Largest |cosine| between the residuals and the effect of a parameter that is free to move; 0 at a smooth optimum.
+  /// Largest |cosine| between the residuals and the effect of a parameter that is free to move; 0 at a smooth optimum,
+  /// and of residuals that are but rounding.
   double kkt_residual = 0;
   /// Of the parameters, from the residuals' own variance: exponent alone, or inner and outer in radians; 0 for one at a
   /// bound or given. Absent where the samples do not identify them (fit_cone) or leave no degrees of freedom.
