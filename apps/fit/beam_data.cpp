@@ -54,10 +54,9 @@ std::vector<double> full_angle(const std::optional<double>& stated, const std::v
 
 BeamData beam_data(const LightFit& fit) {
   if (fit.target.luminaire) {
-    const IntensityDistribution& distribution = fit.target.luminaire->distribution;
     const std::vector<Plane> planes = planes_of(fit.target);
-    return {.peak = find_peak(distribution).intensity,
-            .flux = luminous_flux(distribution),
+    return {.peak = fit.target.luminaire_peak.intensity,
+            .flux = luminous_flux(fit.target.luminaire->distribution),
             .beam_angle = full_angles(planes, 0.5),
             .field_angle = full_angles(planes, 0.1)};
   }

@@ -202,7 +202,7 @@ void add_luminaire(Sheet& sheet, const LightFit& fit) {
   if (!luminaire.manufacturer.empty()) sheet.add("manufacturer", luminaire.manufacturer);
   const bool is_photometric = fit.target.axis == kPhotometricAxis;
   if (!is_photometric) sheet.add("axis", describe_axis(luminaire, fit.target.axis));
-  sheet.add("peak", fmt::format("{} cd, {:.3g} deg off {}", shown_number(find_peak(distribution).intensity),
+  sheet.add("peak", fmt::format("{} cd, {:.3g} deg off {}", shown_number(fit.target.luminaire_peak.intensity),
                                 files::degrees(fit.peak_angle), is_photometric ? "the photometric axis" : "that axis"));
   const auto stated = stated_flux(luminaire);
   const double flux = luminous_flux(distribution);

@@ -79,8 +79,7 @@ LightFit fit_light(LightTarget target, bool is_robust) {
     fit.light.cone = fit.cone->best().cone;
   }
   if (target.luminaire) {
-    const auto& distribution = target.luminaire->distribution;
-    const double cosine = dot(find_peak(distribution).direction, target.axis);
+    const double cosine = dot(target.luminaire_peak.direction, target.axis);
     fit.peak_angle = std::acos(std::clamp(cosine, -1.0, 1.0));
   }
   if (!target.ellipses.empty()) {

@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <tuple>
+#include <utility>
 
 #include "files/angle_deg.h"
 #include "litfog/input_error.h"
@@ -44,9 +45,9 @@ PhotometryType angle_type_of(const Luminaire& luminaire) {
   return luminaire.is_isocandela ? PhotometryType::a : luminaire.distribution.type;
 }
 
-MeasuredAxis axis_of(const Luminaire& luminaire, const AxisChoice& choice) {
+/// peak  direction of the largest intensity
+MeasuredAxis axis_of(const Luminaire& luminaire, const glm::dvec3& peak, const AxisChoice& choice) {
   const IntensityDistribution& distribution = luminaire.distribution;
-  const glm::dvec3 peak = find_peak(distribution).direction;
   const auto measured = [&](const glm::dvec3& axis) { return MeasuredAxis{axis, asymmetry(distribution, axis)}; };
   switch (choice.kind) {
     case AxisChoice::Kind::best:
@@ -63,31 +64,40 @@ MeasuredAxis axis_of(const Luminaire& luminaire, const AxisChoice& choice) {
   return best_axis(distribution, peak);
 }
 
-/// Multiplies a luminaire's intensities, whose product may leave their range.
+/// Multiplies the luminaire's intensities, whose product may leave their range.
 ///
 /// what  names the factor in the error
-void scale(Luminaire& luminaire, double factor, const char* what) {
-  const double peak = find_peak(luminaire.distribution).intensity;
+void scale_luminaire(LightTarget& target, double factor, const char* what) {
+  Luminaire& luminaire = *target.luminaire;
   for (double& candela : luminaire.distribution.intensity) candela *= factor;
   if (check(luminaire.distribution)) {
-    throw InputError(luminaire.peak_location, "largest intensity", shown_number(peak),
+    throw InputError(luminaire.peak_location, "largest intensity", shown_number(target.luminaire_peak.intensity),
                      fmt::format("must be in (0, 1e30] times the {} {}", what, shown_number(factor)));
   }
+  target.luminaire_peak.intensity *= factor;
 }
 
 /// Lamps whose output depends on how they burn: their intensities as mounted.
 void apply_tilt(LightTarget& target, double tilt) {
-  Luminaire& luminaire = *target.luminaire;
-  if (!luminaire.tilt) return;
-  const double factor = tilt_factor(*luminaire.tilt, tilt);
-  scale(luminaire, factor, "tilt factor");
+  const auto& data = target.luminaire->tilt;
+  if (!data) return;
+  const double factor = tilt_factor(*data, tilt);
+  scale_luminaire(target, factor, "tilt factor");
   target.derived.push_back(
       fmt::format("Tilt: {} deg, where the lamps give {} of what they give as measured. --tilt changes it.",
                   files::shown_degrees(tilt), shown_number(factor)));
 }
 
+/// The luminaire as it is mounted, and its peak.
+void set_luminaire(LightTarget& target, Luminaire luminaire, double tilt) {
+  target.luminaire = std::move(luminaire);
+  target.luminaire_peak = find_peak(target.luminaire->distribution);
+  apply_tilt(target, tilt);
+  target.peak = target.luminaire_peak.intensity;
+}
+
 void set_axis(LightTarget& target, const AxisChoice& choice) {
-  const auto [axis, asymmetry] = axis_of(*target.luminaire, choice);
+  const auto [axis, asymmetry] = axis_of(*target.luminaire, target.luminaire_peak.direction, choice);
   target.axis = axis;
   target.asymmetry = asymmetry;
 }
@@ -171,8 +181,7 @@ struct UnitFlux {
 
 UnitFlux unit_flux_of(const LightTarget& target) {
   if (target.luminaire) {
-    const auto& distribution = target.luminaire->distribution;
-    return {luminous_flux(distribution) / find_peak(distribution).intensity,
+    return {luminous_flux(target.luminaire->distribution) / target.luminaire_peak.intensity,
             std::filesystem::path(target.luminaire->file).filename().string()};
   }
   const Cone cone = target.cone ? fit_cone(*target.cone).best().cone : Cone{};
@@ -200,13 +209,13 @@ std::optional<double> stated_peak(const RangeSpec& range, LightTarget& target) {
 }
 
 /// A luminaire's intensities made those of a light with another peak.
-void scale_luminaire(const LightSpec& spec, LightTarget& target, double peak) {
+void scale_to_peak(const LightSpec& spec, LightTarget& target, double peak) {
   const double factor = peak / *target.peak;
   if (factor == 1) return;
   if (!(peak >= 1 / kMaxIntensity && peak <= kMaxIntensity)) {
     throw spec.error_at("range.peak", fmt::format("{} cd", shown_number(peak)), "must have a peak in [1e-30, 1e30] cd");
   }
-  scale(*target.luminaire, factor, "spec's factor");
+  scale_luminaire(target, factor, "spec's factor");
   target.derived.push_back(fmt::format("Photometry: times {}, from its peak of {} cd to {} cd.", shown_number(factor),
                                        shown_number(*target.peak), shown_number(peak)));
 }
@@ -235,7 +244,7 @@ void derive_extent(const LightSpec& spec, LightTarget& target) {
     throw spec.error_at("range.peak_cd", "",
                         "must be given, or illuminance, flux_lm or the cone's photometry, for end_lx");
   }
-  if (peak && target.luminaire) scale_luminaire(spec, target, *peak);
+  if (peak && target.luminaire) scale_to_peak(spec, target, *peak);
   if (peak) target.peak = peak;
   const double end = range.end_illuminance.value_or(kEndIlluminance);
   expect_extent(spec, *target.peak, end);
@@ -343,11 +352,7 @@ LightTarget read_spec(const std::string& path, const FitChoices& choices) {
                                          shown_number(*spec.color_temperature), spec.color.r, spec.color.g,
                                          spec.color.b));
   }
-  if (spec.cone && spec.cone->photometry) {
-    target.luminaire = read_luminaire_of(spec);
-    apply_tilt(target, choices.tilt);
-    target.peak = find_peak(target.luminaire->distribution).intensity;
-  }
+  if (spec.cone && spec.cone->photometry) set_luminaire(target, read_luminaire_of(spec), choices.tilt);
   if (spec.cone) {
     set_ellipses(spec, target);
     target.cone = cone_of(spec);
@@ -369,14 +374,12 @@ LightTarget read_spec(const std::string& path, const FitChoices& choices) {
 
 LightTarget read_photometric_spec(const std::string& path, const FitChoices& choices) {
   LightTarget target{.file = path, .name = std::filesystem::path(path).stem().string()};
-  target.luminaire = read_luminaire(path);
-  apply_tilt(target, choices.tilt);
+  set_luminaire(target, read_luminaire(path), choices.tilt);
   const Luminaire& luminaire = *target.luminaire;
   set_axis(target, choices.axis);
   const std::string file = std::filesystem::path(path).filename().string();
   if (!luminaire.name.empty()) target.name = luminaire.name;
   target.source = {luminaire.manufacturer.empty() ? file : fmt::format("{}: {}", file, luminaire.manufacturer)};
-  target.peak = find_peak(luminaire.distribution).intensity;
   target.derived.push_back(sentence_on_range(*target.peak));
   target.derived.push_back(sentence_on_cone(target));
   target.range = range_of(luminaire, *target.peak);

@@ -59,6 +59,7 @@ struct LightTarget {
   std::optional<ConeTarget> cone = std::nullopt;
   std::vector<BeamEllipse> ellipses = {};  ///< of an elliptical beam; from the inner one to the outer
   std::optional<Luminaire> luminaire = std::nullopt;
+  IntensityPeak luminaire_peak = {};   ///< of its beam, if there is a luminaire
   glm::dvec3 axis = kPhotometricAxis;  ///< of the light, in the luminaire frame; unit
   double asymmetry = 0;                ///< of the luminaire's beam about that axis, or of the elliptical beam
 };
