@@ -58,13 +58,17 @@ double vertical_angle_of(PhotometryType type, const glm::dvec3& direction) {
 }
 
 /// The number of measured parts in a whole turn: 1, 2 or 4.
-int turn_multiplicity(std::span<const double> turn) { return int(std::lround(2 * pi / (turn.back() - turn.front()))); }
+int turn_multiplicity(std::span<const double> turn) {
+  const double span = turn.back() - turn.front();
+  return span > 1.5 * pi ? 1 : span > 0.75 * pi ? 2 : 4;
+}
 bool is_mirrored(std::span<const double> angles) { return angles.front() == 0; }
 
 /// The measured angle that a turn of type C mirrors to.
 double folded_turn(std::span<const double> turn, double angle) {
   if (turn.size() == 1) return turn.front();
-  double offset = std::fmod(angle - turn.front(), 2 * pi);
+  double offset = angle - turn.front();
+  if (std::abs(offset) >= 2 * pi) offset = std::fmod(offset, 2 * pi);
   if (offset < 0) offset += 2 * pi;
   const int multiplicity = turn_multiplicity(turn);
   if (multiplicity >= 2) offset = std::min(offset, 2 * pi - offset);
@@ -124,6 +128,27 @@ double mean_square_over_turn(std::span<const double> turn, const InPlane& in_pla
     return (a * a + a * b + b * b) / 3;
   });
 }
+
+/// Interpolated between the measured angles.
+///
+/// is_on_pole  of type C: on the line where all planes meet, their mean
+double intensity_by_angles(const IntensityDistribution& distribution, const PhotometricAngles& angles,
+                           bool is_on_pole) {
+  const auto& [type, horizontal, vertical, intensity] = distribution;
+  const bool is_c = type == PhotometryType::c;
+  const auto v = locate(vertical, is_c ? angles.vertical : folded(vertical, angles.vertical));
+  if (!v) return 0;
+  const auto in_plane = [&, &grid = intensity, rows = vertical.size()](std::size_t plane) {
+    return std::lerp(grid[plane * rows + v->low], grid[plane * rows + v->high], v->fraction);
+  };
+  if (horizontal.size() == 1) return in_plane(0);
+  if (is_c && is_on_pole) return mean_over_turn(horizontal, in_plane);
+  const double turn = angles.horizontal;
+  const auto h = locate(horizontal, is_c ? folded_turn(horizontal, turn) : folded(horizontal, turn));
+  return h ? std::lerp(in_plane(h->low), in_plane(h->high), h->fraction) : 0;
+}
+
+bool is_on_pole(const glm::dvec3& direction) { return direction.x == 0 && direction.y == 0; }
 
 // --- integration ---
 
@@ -250,18 +275,13 @@ bool is_own_axis(const IntensityDistribution& distribution, const glm::dvec3& ax
 /// The intensities on a circle about an axis.
 struct Circle {
   double mean = 0;
-  double deviation = 0;  ///< rms, from the mean
-  double largest_deviation = 0;
+  double largest_deviation = 0;  ///< from the mean
 };
 
-/// values       of which each is on the circle, the least and the largest among them
-/// mean_square  of a function of the indices of values
-template <typename MeanSquare>
-Circle circle_of(std::span<const double> values, double mean, const MeanSquare& mean_square) {
+/// values  of which each is on the circle, the least and the largest among them
+Circle circle_of(std::span<const double> values, double mean) {
   const auto [least, largest] = std::ranges::minmax(values);
-  const double reach = std::max(mean - least, largest - mean);
-  if (!(reach > 0)) return {mean, 0, 0};
-  return {mean, reach * std::sqrt(mean_square([&](std::size_t i) { return (values[i] - mean) / reach; })), reach};
+  return {mean, std::max({0.0, mean - least, largest - mean})};
 }
 
 /// Circles about an axis: about the grid's own from its planes, about another by even steps of the turn.
@@ -275,12 +295,24 @@ class AxisCircles {
     }
     darkness_.emplace(distribution);
     forward_ = AxisFrame(axis).direction(0, 0);
+    angles_.resize(kEquatorSteps);
     for (int i = 0; i < kEquatorSteps; ++i) {
       rim_.push_back(AxisFrame(axis).direction(pi / 2, 2 * pi * i / kEquatorSteps));
     }
   }
 
   Circle at(double angle) { return is_own_axis_ ? own_circle(angle) : sampled_circle(angle); }
+
+  /// The rms deviation from the mean on the circle that at() gave last.
+  double deviation(const Circle& last) const {
+    const double reach = last.largest_deviation;
+    if (!(reach > 0)) return 0;
+    const auto value = [&](std::size_t i) { return (values_[i] - last.mean) / reach; };
+    if (is_own_axis_) return reach * std::sqrt(mean_square_over_turn(distribution_.horizontal, value));
+    double squares = 0;
+    for (std::size_t i = 0; i < values_.size(); ++i) squares += value(i) * value(i);
+    return reach * std::sqrt(squares / double(values_.size()));
+  }
 
  private:
   /// All directions lie between the same two vertical angles.
@@ -294,28 +326,43 @@ class AxisCircles {
       values_.push_back(std::lerp(row[v->low], row[v->high], v->fraction));
     }
     const double mean = mean_over_turn(horizontal, [this](std::size_t i) { return values_[i]; });
-    if (angle == 0) return {mean, 0, 0};  // a single direction
-    return circle_of(values_, mean,
-                     [&](const auto& value) { return mean_square_over_turn(distribution_.horizontal, value); });
+    if (angle == 0) return {mean, 0};  // a single direction
+    return circle_of(values_, mean);
   }
 
   Circle sampled_circle(double angle) {
     const double sine = std::sin(angle), cosine = std::cos(angle);
+    angles_.assign(angles_.size(), std::nullopt);
     const int wanted = std::max(kLeastSteps, int(std::ceil(kEquatorSteps * sine)));
     const int stride = kEquatorSteps / wanted;  // of the rim's directions
+    const auto direction = [&](int step) { return cosine * forward_ + sine * rim_[std::size_t(step)]; };
     values_.clear();
     double sum = 0;
     for (int i = 0; i < kEquatorSteps; i += stride) {
-      const glm::dvec3 direction = cosine * forward_ + sine * rim_[std::size_t(i)];
-      values_.push_back(darkness_->holds(direction) ? 0 : intensity_at(distribution_, direction));
+      values_.push_back(sample(i, direction));
       sum += values_.back();
     }
-    const auto count = double(values_.size());
-    return circle_of(values_, sum / count, [&](const auto& value) {
-      double squares = 0;
-      for (std::size_t i = 0; i < values_.size(); ++i) squares += value(i) * value(i);
-      return squares / count;
-    });
+    return circle_of(values_, sum / double(values_.size()));
+  }
+
+  /// The intensity in a direction of a circle. Where the axis lies in a coordinate plane, directions mirror each other,
+  /// and the angles of one are known from those of the other: the rim starts at +x and turns to +y.
+  template <typename Direction>
+  double sample(int step, const Direction& direction) {
+    if (darkness_->holds(direction(step))) return 0;
+    constexpr int kHalf = kEquatorSteps / 2, kQuarter = kHalf / 2;
+    const bool may_be_pole = step % kQuarter == 0;  // of a type, where an angle is chance
+    const bool is_y_mirrored = forward_.y == 0 && step > kHalf && !may_be_pole;
+    int mirrored = is_y_mirrored ? kEquatorSteps - step : step;
+    const bool is_x_mirrored = forward_.x == 0 && forward_.y == 0 && mirrored > kQuarter && !may_be_pole;
+    if (is_x_mirrored) mirrored = kHalf - mirrored;
+    auto& known = angles_[std::size_t(mirrored)];
+    if (!known) known = angles_of(distribution_.type, direction(mirrored));
+    auto [horizontal, vertical] = *known;
+    const bool is_c = distribution_.type == PhotometryType::c;
+    if (is_y_mirrored) (is_c ? horizontal : vertical) *= -1;
+    if (is_x_mirrored) horizontal = (is_c ? pi : 0) - horizontal;
+    return intensity_by_angles(distribution_, {horizontal, vertical}, is_c && is_on_pole(direction(mirrored)));
   }
 
   const IntensityDistribution& distribution_;
@@ -325,6 +372,7 @@ class AxisCircles {
   std::optional<Darkness> darkness_ = std::nullopt;  // of others
   glm::dvec3 forward_{};
   std::vector<glm::dvec3> rim_ = {};
+  std::vector<std::optional<PhotometricAngles>> angles_ = {};  // of a circle's directions, as far as they are known
   std::vector<double> values_ = {};
 };
 
@@ -384,7 +432,7 @@ struct SquareIntegrals {
 
 SquareIntegrals square_integrals(AxisCircles& circles, const Belt& belt, double peak) {
   const Circle circle = circles.at(belt.angle);
-  const double mean = circle.mean / peak, deviation = circle.deviation / peak;
+  const double mean = circle.mean / peak, deviation = circles.deviation(circle) / peak;
   return {belt.weight * (mean * mean + deviation * deviation), belt.weight * deviation * deviation};
 }
 
@@ -492,19 +540,7 @@ std::optional<ValueError> check(const IntensityDistribution& distribution) {
 }
 
 double intensity_at(const IntensityDistribution& distribution, const glm::dvec3& direction) {
-  const auto& [type, horizontal, vertical, intensity] = distribution;
-  const bool is_c = type == PhotometryType::c;
-  const double elevation = vertical_angle_of(type, direction);
-  const auto v = locate(vertical, is_c ? elevation : folded(vertical, elevation));
-  if (!v) return 0;
-  const auto in_plane = [&, &grid = intensity, rows = vertical.size()](std::size_t plane) {
-    return std::lerp(grid[plane * rows + v->low], grid[plane * rows + v->high], v->fraction);
-  };
-  if (horizontal.size() == 1) return in_plane(0);
-  if (is_c && direction.x == 0 && direction.y == 0) return mean_over_turn(horizontal, in_plane);
-  const double turn = horizontal_angle_of(type, direction);
-  const auto h = locate(horizontal, is_c ? folded_turn(horizontal, turn) : folded(horizontal, turn));
-  return h ? std::lerp(in_plane(h->low), in_plane(h->high), h->fraction) : 0;
+  return intensity_by_angles(distribution, angles_of(distribution.type, direction), is_on_pole(direction));
 }
 
 double luminous_flux(const IntensityDistribution& distribution) {
