@@ -23,6 +23,12 @@ pugi::xml_node intensities_of(const pugi::xml_node& emitter) {
   return inner ? inner : data;
 }
 
+/// What is said of the intensities, beside them or beside the element that holds them.
+pugi::xml_node remark_of(const pugi::xml_node& data, const char* name) {
+  const pugi::xml_node remark = data.child(name);
+  return remark ? remark : data.parent().child(name);
+}
+
 pugi::xml_node the_lit_emitter(const XmlText& xml) {
   pugi::xml_node lit;
   for (const pugi::xml_node& emitter : xml.root().children("Emitter")) {
@@ -36,7 +42,7 @@ pugi::xml_node the_lit_emitter(const XmlText& xml) {
 
 /// A, B or C, as in "CIE _ C" and "TypeC".
 PhotometryType type_of(const XmlText& xml, const pugi::xml_node& data) {
-  const Piece piece = xml.text_of(data.child("PhotometryType"));
+  const Piece piece = xml.text_of(remark_of(data, "PhotometryType"));
   if (piece.text.empty() || piece.text.ends_with('C')) return PhotometryType::c;
   if (piece.text.ends_with('B')) return PhotometryType::b;
   if (!piece.text.ends_with('A')) xml.scanner().fail(piece, "PhotometryType", "must be type A, B or C");
@@ -44,7 +50,7 @@ PhotometryType type_of(const XmlText& xml, const pugi::xml_node& data) {
 }
 
 void expect_luminous(const XmlText& xml, const pugi::xml_node& data) {
-  const Piece metric = xml.text_of(data.child("Metric"));
+  const Piece metric = xml.text_of(remark_of(data, "Metric"));
   if (metric.text.empty() || metric.text == "Luminous" || metric.text == "luminous") return;
   xml.scanner().fail(metric, "Metric", "must be Luminous");
 }
@@ -135,7 +141,7 @@ Luminaire parse_tm33(std::string text, const std::string& name) {
   luminaire.name = xml.text_of(header.child("Description")).text;
   if (luminaire.name.empty()) luminaire.name = xml.text_of(header.child("CatalogNumber")).text;
   luminaire.manufacturer = xml.text_of(header.child("Manufacturer")).text;
-  luminaire.is_absolute = xml.text_of(data.child("AbsolutePhotometry")).text == "true";
+  luminaire.is_absolute = xml.text_of(remark_of(data, "AbsolutePhotometry")).text == "true";
   if (const pugi::xml_node lumens = emitter.child("RatedLumens")) {
     const pugi::xml_node quantity = emitter.child("Quantity");
     luminaire.lamp_flux = scanner.positive(xml.text_of(lumens), "RatedLumens") *
@@ -153,7 +159,7 @@ Luminaire parse_tm33(std::string text, const std::string& name) {
     xml.fail(data, "must have two vertical angles or more, and in types A and B two horizontal ones");
   }
 
-  const pugi::xml_node multiplier = data.child("Multiplier");
+  const pugi::xml_node multiplier = remark_of(data, "Multiplier");
   const double factor = multiplier ? scanner.positive(xml.text_of(multiplier), "Multiplier") : 1;
   IntensityReader reader(scanner, entries.size(), factor);
   for (const Entry& entry : entries) reader.add(entry.intensity);

@@ -56,6 +56,21 @@ TEST(Tm33, IntensitiesAreThoseOfTheirAnglesTimesTheMultiplier) {
   EXPECT_EQ(to_string(luminaire.peak_location), "lamp.xml:8:22");
 }
 
+TEST(Tm33, RemarksMayStandBesideTheElementOfTheIntensities) {
+  const auto with = [](const std::string& remarks) {
+    Tm33Text tm33;
+    tm33.data = "";
+    std::string text = tm33.str();
+    return text.insert(text.find("<LuminousIntensity>"), remarks);
+  };
+  const Luminaire luminaire = parse(with(
+      "<PhotometryType>TypeB</PhotometryType><Multiplier>3</Multiplier><AbsolutePhotometry>true</AbsolutePhotometry>"));
+  EXPECT_EQ(luminaire.distribution.type, PhotometryType::b);
+  EXPECT_EQ(luminaire.distribution.intensity.front(), 300);
+  EXPECT_TRUE(luminaire.is_absolute);
+  EXPECT_EQ(error_of(with("<Metric>Radiant</Metric>")), "6:23: Metric = Radiant: must be Luminous");
+}
+
 TEST(Tm33, BothSpellingsOfItsElementsAreRead) {
   std::string other = Tm33Text().str();
   for (const auto& [from, to] : {std::pair<std::string, std::string>{"IntData", "IntensityData"},
