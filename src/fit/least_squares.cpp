@@ -158,7 +158,7 @@ Vector stepped(const LeastSquaresProblem& problem, const Iterate& iterate, doubl
 std::optional<Iterate> approach(const LeastSquaresProblem& problem, Iterate iterate, std::size_t& iterations) {
   constexpr int kMaxSteps = 100, kMaxHalvings = 12;
   constexpr double kHardly = 1e-6;
-  for (int i = 0; i < kMaxSteps; ++i) {
+  for (int i = 0; i < kMaxSteps && !has_converged(iterate); ++i) {
     std::optional<Iterate> next;
     double fraction = 1;
     for (int halvings = 0; halvings <= kMaxHalvings && !next; ++halvings, fraction /= 2) {
@@ -166,7 +166,7 @@ std::optional<Iterate> approach(const LeastSquaresProblem& problem, Iterate iter
       ++iterations;
       if (next && !(next->objective() < iterate.objective())) next.reset();
     }
-    if (!next) return has_converged(iterate) ? std::optional(std::move(iterate)) : std::nullopt;
+    if (!next) return std::nullopt;
     const bool is_near = next->objective() >= (1 - kHardly) * iterate.objective();
     iterate = *std::move(next);
     if (is_near) break;
