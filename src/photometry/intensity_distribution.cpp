@@ -361,7 +361,7 @@ class AxisCircles {
     auto [horizontal, vertical] = *known;
     const bool is_c = distribution_.type == PhotometryType::c;
     if (is_y_mirrored) (is_c ? horizontal : vertical) *= -1;
-    if (is_x_mirrored) horizontal = (is_c ? pi : 0) - horizontal;
+    if (is_x_mirrored) horizontal *= -1;  // of types A and B alone: it is type C's own axis
     return intensity_by_angles(distribution_, {horizontal, vertical}, is_c && is_on_pole(direction(mirrored)));
   }
 
