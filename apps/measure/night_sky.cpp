@@ -41,7 +41,7 @@ glm::dvec3 night_sky(const scene::Environment& environment, const glm::dvec3& di
   glm::dvec3 sky =
       glm::mix(glm::dvec3(environment.sky_horizon), glm::dvec3(environment.sky_zenith), 1 - std::pow(1 - height, 4));
   sky += double(environment.star_brightness) * star(direction) * glm::smoothstep(0.0, 0.25, height);
-  if (environment.moon_color != glm::vec3(0.0f)) {
+  if (environment.has_moon()) {
     const double off = glm::distance(direction, glm::dvec3(environment.moon_direction));
     const double disc = 1 - glm::smoothstep(0.0045, 0.0053, off);
     sky += glm::normalize(glm::dvec3(environment.moon_color)) * (disc + 0.05 * std::exp(-off * 40));

@@ -73,7 +73,7 @@ FramePlan FramePlanner::plan_geometry(const glm::mat4& clip_from_world) const {
 
 double FramePlanner::sky_brightness() const {
   const scene::Environment& environment = scene_.environment;
-  const double moon = environment.moon_color == glm::vec3(0.0f) ? 0 : 1.05;  // shaders/night_sky.glsl
+  const double moon = environment.has_moon() ? 1.05 : 0;  // shaders/night_sky.glsl
   return std::max(largest_component(environment.sky_zenith), largest_component(environment.sky_horizon)) +
          double(environment.star_brightness) + moon;
 }

@@ -51,8 +51,9 @@ class Renderer {
   ///
   /// throws  gl::Unsupported as the constructor
   void set_lights();
-  /// Takes a change of the scene's ambient light; set_fog() has to follow. The first one compiles shaders anew.
-  void set_ambient_light() { surfaces_.set_ambient_light(); }
+  /// Takes a change of the scene's ambient light or moon; set_lights(), where the moon casts shadows, and set_fog()
+  /// have to follow. The first one compiles shaders anew, in which a driver may round the last bit of a sum otherwise.
+  void set_environment_light() { surfaces_.set_environment_light(); }
   /// Takes a change of the fog: solves the carried lights and uploads what changed of them.
   void set_fog(const Fog& fog);
   /// At which exposure frames will be shown; 0 EV until it is called. What makes less than a step of the display is

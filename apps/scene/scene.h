@@ -35,6 +35,8 @@ struct Environment {
   float star_brightness = 0.0f;
   glm::vec3 moon_direction{0.0f, 1.0f, 0.0f};  ///< unit, towards the moon
   glm::vec3 moon_color{0.0f};                  ///< of its light on surfaces; 0 is no moon
+
+  bool has_moon() const { return moon_color != glm::vec3(0.0f); }
 };
 
 /// A model put somewhere.

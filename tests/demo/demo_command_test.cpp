@@ -919,7 +919,8 @@ TEST_F(DemoCommand, ListOfLightsSaysInWordsWhereTheyShine) {
 /// A lamp that turns and one that the eye's vehicle carries.
 constexpr const char* kTwoLamps = R"({"litfog": "scene", "version": 1, "name": "two",
   "camera": {"position": [0, 1, 5], "target": [0, 1, 0]}, "objects": [{"model": "box"}],
-  "environment": {"ambient": [0, 0, 0], "fog_color": [0, 0, 0], "sky_zenith": [0, 0, 0], "sky_horizon": [0, 0, 0]},
+  "environment": {"ambient": [0, 0, 0], "fog_color": [0, 0, 0], "sky_zenith": [0, 0, 0], "sky_horizon": [0, 0, 0],
+                  "moon": {"direction": [0, 0.5, 1], "color": [0, 0, 0]}},
   "lights": [{"light": {"attenuation": {"constant": 1, "quadratic": 0.1},
                         "cone": {"profile": "smoothstep", "inner_deg": 10, "outer_deg": 30}},
               "position": [1, 3, 1], "aim": [0, 0, 0], "turn_deg_per_s": 40},
@@ -962,6 +963,10 @@ TEST_F(DemoCommand, FramesOfASequenceAreThePicturesOfTheirSettings) {
       {"--path legacy --set environment.ambient[1]=0.1..0.4", "--path legacy --set environment.ambient[1]=0.4"},
       {"--path tangent --set environment.ambient[2]=0.4..0.1 --set environment.fog_color[2]=0..0.4",
        "--path tangent --set environment.ambient[2]=0.1 --set environment.fog_color[2]=0.4"},
+      {"--shadows shafts --set environment.moon.color[0]=0..0.3 --set environment.moon.direction[0]=0..1",
+       "--shadows shafts --set environment.moon.color[0]=0.3 --set environment.moon.direction[0]=1"},
+      {"--path lookup-3d --fog-light peak --set environment.moon.color[1]=1,0.5,0",
+       "--path lookup-3d --fog-light peak --set environment.moon.color[1]=0"},
       {"--set fog_top_m=100..2 --set environment.stars=0..1 --set environment.sky_horizon[0]=0..0.2",
        "--set fog_top_m=2 --set environment.stars=1 --set environment.sky_horizon[0]=0.2"}};
   for (const auto& [changes, last] : sequences) {

@@ -135,7 +135,7 @@ TEST_F(RendererTest, TotalFogHidesTheScene) {
 TEST_F(RendererTest, MoonOfABundledSceneFadesAsTheFogThickens) {
   for (const std::string& name : bundled_scenes()) {
     Scene scene = read_scene(bundled_scene_path(name));
-    if (scene.environment.moon_color == glm::vec3(0.0f)) continue;
+    if (!scene.environment.has_moon()) continue;
     scene.instances.clear();
     scene.lights.clear();
     scene.camera.target = scene.camera.position + scene.environment.moon_direction;

@@ -161,7 +161,7 @@ Sequence::Sequence(const SequenceOptions& options, std::optional<double> phase_g
   changes_members_ =
       std::ranges::any_of(options.members, [](const MemberCourse& member) { return changes(member.numbers); });
   changes_objects_ = change(options.members, {"objects[", "city."});
-  keeps_renderer_ = !change(options.members, {"environment.moon."});  // constants of shaders
+  changes_environment_light_ = change(options.members, {"environment.ambient[", "environment.moon."});
   moves_camera_ = path_ || changes(options.camera) || changes(options.target) || changes(options.field_of_view_deg);
   moves_lights_ = (changes(options.seconds) && has_turning_light(scene_)) ||
                   (moves_camera_ && std::ranges::any_of(scene_.lights, &PlacedLight::carried));
@@ -266,29 +266,25 @@ void draw_sequence(Sequence& sequence, const std::string& folder, const DrawingO
 
   const render::RenderSettings settings = drawing.settings();
   const bool chooses_casters = sequence.moves_camera() && settings.shadows != render::Shadows::none;
-  std::optional<render::Renderer> renderer;
+  render::Renderer renderer(scene, drawing.width, drawing.height, settings);
+  if (sequence.changes_environment_light()) renderer.set_environment_light();
   render::Display display = drawing.display.display_for(scene);
   for (int frame = 0; frame < count; ++frame) {
     const command::WallTimer frame_timer;
-    if (!sequence.keeps_renderer()) renderer.reset();
-    const glm::vec3 ambient_light = scene.environment.ambient_light;
-    sequence.show(frame);
-    if (renderer && scene.environment.ambient_light != ambient_light) renderer->set_ambient_light();
-    if (renderer && sequence.changes_objects()) renderer->set_objects();
-    if (!renderer) {
-      renderer.emplace(scene, drawing.width, drawing.height, settings);
-    } else if (sequence.changes_members() || sequence.moves_lights() || chooses_casters) {
-      renderer->set_lights();
+    if (frame > 0) {
+      sequence.show(frame);
+      if (sequence.changes_objects()) renderer.set_objects();
+      if (sequence.changes_members() || sequence.moves_lights() || chooses_casters) renderer.set_lights();
     }
-    renderer->set_fog(drawing.fog_at(sequence.visibility(frame)));
+    renderer.set_fog(drawing.fog_at(sequence.visibility(frame)));
     if (frame == 0) {
-      display.exposure = renderer->set_exposure(display.exposure);
+      display.exposure = renderer.set_exposure(display.exposure);
     } else {
-      renderer->set_exposure({.ev = display.exposure.ev});
+      renderer.set_exposure({.ev = display.exposure.ev});
     }
-    renderer->draw();
+    renderer.draw();
     const std::string& file = frame_files[std::size_t(frame)];
-    pictures.write(file, render::displayed(renderer->read(), display));
+    pictures.write(file, render::displayed(renderer.read(), display));
     command::report(fmt::format("{}: {}, drawn in {:.2f} s\n", pictures.path_of(file), sequence.words(frame),
                                 frame_timer.seconds()));
   }

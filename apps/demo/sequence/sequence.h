@@ -54,9 +54,7 @@ class Sequence {
   bool moves_lights() const { return moves_lights_; }
   bool changes_members() const { return changes_members_; }  ///< of the scene's file
   bool changes_objects() const { return changes_objects_; }  ///< of the scene, or its generated city
-  /// Whether a renderer of an earlier frame, after Renderer::set_objects() and set_lights(), draws this one too: no
-  /// member of the moon changes.
-  bool keeps_renderer() const { return keeps_renderer_; }
+  bool changes_environment_light() const { return changes_environment_light_; }  ///< the ambient light or the moon
 
   /// Makes the scene that of a frame. Lights that the eye's vehicle carries move along with the camera, from where they
   /// are in the first frame. Throws InputError where a file has changed since the sequence was made.
@@ -78,7 +76,7 @@ class Sequence {
   std::optional<CameraPath> path_;
   bool changes_members_ = false;
   bool changes_objects_ = false;
-  bool keeps_renderer_ = true;
+  bool changes_environment_light_ = false;
   bool moves_camera_ = false;
   bool moves_lights_ = false;
   std::vector<PlacedLight> lights_;  // at rest, like what follows
@@ -86,9 +84,10 @@ class Sequence {
 };
 
 /// Draws every frame into a folder (made where missing): SCENE-0001.png and so on, SCENE.apng, which plays them, and
-/// the film, if one is asked for. One renderer draws all frames if it can (keeps_renderer). Reports every frame on
-/// standard output. Needs a current GL context. Throws OutputError; MissingCapability where a film cannot be made.
+/// the film, if one is asked for. One renderer draws all frames. Reports every frame on standard output. Needs a
+/// current GL context. Throws OutputError; MissingCapability where a film cannot be made.
 ///
+/// sequence  shows its first frame
 /// drawing  an automatic exposure is that of the first frame, for all
 void draw_sequence(Sequence& sequence, const std::string& folder, const DrawingOptions& drawing);
 

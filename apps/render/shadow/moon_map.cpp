@@ -40,7 +40,7 @@ Box turned(const scene::Bounds& box, const glm::dmat3& frame_from_world) {
 std::vector<MoonMap> fit_moon_maps(const scene::Scene& scene, const scene::Bounds& bounds, double aspect,
                                    int map_size) {
   const scene::Environment& environment = scene.environment;
-  if (environment.moon_color == glm::vec3(0.0f)) return {};
+  if (!environment.has_moon()) return {};
   constexpr double kNextDistance = 4;
   const glm::dvec3 eye = scene.camera.position;
   const glm::dvec3 forward = axes_of(scene.camera).forward;

@@ -36,8 +36,8 @@ class SurfacePainter {
   ///
   /// throws  gl::Unsupported as the constructor
   void set_lights();
-  /// Takes a change of the ambient light. The first one compiles all programs anew, further ones none.
-  void set_ambient_light() { programs_.make_ambient_light_uniform(); }
+  /// Takes a change of the ambient light or the moon's. The first one compiles all programs anew, further ones none.
+  void set_environment_light() { programs_.make_environment_light_uniform(); }
   /// Takes a change of the fog, which the lights have taken.
   void set_fog();
   /// Draws the surfaces of a plan but for its panes. Its light list is bound to its unit.

@@ -15,12 +15,26 @@ namespace {
 
 std::string glsl(const glm::vec3& v) { return fmt::format("vec3({}, {}, {})", v.x, v.y, v.z); }
 
-/// What stays the same in a scene, as constants, because some drivers look a uniform up for every fragment.
-std::string environment_constants(const scene::Environment& environment, const RenderSettings& settings) {
+/// The light that is not from lamps, as constants, because some drivers look a uniform up for every fragment.
+std::string environment_light_constants(const scene::Environment& environment) {
   return fmt::format(
+      "const vec3 ambient_light = {};\n"
       "const bool has_moon = {};  // the directional light\n"
       "const vec3 moon_direction = {};\n"
-      "const vec3 moon_color = {};\n"
+      "const vec3 moon_color = {};\n",
+      glsl(environment.ambient_light), environment.has_moon(), glsl(environment.moon_direction),
+      glsl(environment.moon_color));
+}
+
+constexpr const char* kEnvironmentLightUniforms =
+    "uniform vec3 ambient_light;\n"
+    "uniform bool has_moon;\n"
+    "uniform vec3 moon_direction;\n"
+    "uniform vec3 moon_color;\n";
+
+/// What stays the same as long as a renderer, as constants, too.
+std::string settings_constants(const RenderSettings& settings) {
+  return fmt::format(
       "const bool has_infinite_viewer = {};\n"
       "const bool is_lamp_leg_fogged = {};\n"
       "const bool are_lit_beyond_ends = {};  // surfaces\n"
@@ -29,7 +43,6 @@ std::string environment_constants(const scene::Environment& environment, const R
       "const int spot_edge_hard = 0;\n"
       "const int spot_edge_lerp = 1;\n"
       "const int spot_edge = {};\n",
-      environment.moon_color != glm::vec3(0.0f), glsl(environment.moon_direction), glsl(environment.moon_color),
       settings.has_infinite_viewer, settings.fog_lighting == FogLighting::airlight,
       lights_surfaces_beyond_end(settings), settings.shadows == Shadows::shafts, settings.light_ambient,
       int(settings.spot_edge));
@@ -58,13 +71,13 @@ SurfacePrograms::SurfacePrograms(const scene::Scene& scene, const RenderSettings
     : has_cookies_(!scene.cookies.empty()),
       has_shadows_(settings.shadows != Shadows::none),
       most_varying_vectors_(most_varying_vectors()),
-      ambient_light_(fmt::format("const vec3 ambient_light = {};\n", glsl(scene.environment.ambient_light))),
-      environment_(environment_constants(scene.environment, settings)) {}
+      environment_light_(environment_light_constants(scene.environment)),
+      settings_(settings_constants(settings)) {}
 
-void SurfacePrograms::make_ambient_light_uniform() {
-  if (is_ambient_light_uniform_) return;
-  is_ambient_light_uniform_ = true;
-  ambient_light_ = "uniform vec3 ambient_light;\n";
+void SurfacePrograms::make_environment_light_uniform() {
+  if (is_environment_light_uniform_) return;
+  is_environment_light_uniform_ = true;
+  environment_light_ = kEnvironmentLightUniforms;
   programs_.clear();
 }
 
@@ -79,7 +92,7 @@ SurfaceProgram& SurfacePrograms::program(const ShaderVariant& variant) {
   if (found != programs_.end()) return found->second;
   const std::string pass = pass_constants(variant);
   std::vector<gl::ShaderSource> files = scene_shaders(has_cookies_, has_shadows_);
-  const std::string environment = ambient_light_ + environment_;
+  const std::string environment = environment_light_ + settings_;
   files.push_back({"environment.glsl", environment});
   files.push_back({"pass.glsl", pass});
   const std::string material = material_constants(variant.material);

@@ -28,9 +28,10 @@ class SurfacePrograms {
  public:
   SurfacePrograms(const scene::Scene& scene, const RenderSettings& settings);
 
-  /// From now on programs have the ambient light as a uniform, ambient_light, in place of a constant.
-  void make_ambient_light_uniform();
-  bool is_ambient_light_uniform() const { return is_ambient_light_uniform_; }
+  /// From now on programs have the ambient light and the moon's as uniforms in place of constants: ambient_light,
+  /// has_moon, moon_direction and moon_color.
+  void make_environment_light_uniform();
+  bool is_environment_light_uniform() const { return is_environment_light_uniform_; }
 
   /// Good as long as this.
   SurfaceProgram& program(const ShaderVariant& variant);
@@ -42,9 +43,9 @@ class SurfacePrograms {
   bool has_cookies_;
   bool has_shadows_;
   int most_varying_vectors_;
-  bool is_ambient_light_uniform_ = false;
-  std::string ambient_light_;  // the beginning of environment.glsl
-  std::string environment_;    // the rest
+  bool is_environment_light_uniform_ = false;
+  std::string environment_light_;  // the beginning of environment.glsl
+  std::string settings_;           // the rest
   std::map<ShaderVariant, SurfaceProgram> programs_;
 };
 
