@@ -53,13 +53,11 @@ std::string describe_extra(const CLI::App& app, const CLI::ExtrasError& error) {
   const std::vector<std::string> extras = app.remaining(true);
   const auto extra = std::ranges::find_if(extras, [](const std::string& word) { return word.starts_with("--"); });
   if (extra == extras.end()) return error.what();
+  const CLI::App* part = &app;  // the job's, which takes no options of the command itself
+  while (!part->get_subcommands().empty()) part = part->get_subcommands().front();
   std::vector<std::string> names;
-  for (const CLI::App* part = &app; part;) {
-    for (const CLI::Option* option : part->get_options()) {
-      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-    }
-    const auto chosen = part->get_subcommands();
-    part = chosen.empty() ? nullptr : chosen.front();
+  for (const CLI::Option* option : part->get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
   }
   const std::string typed = extra->substr(0, extra->find('='));
   return typed + ": must be an option of this command" + files::hint_for_word(typed, {names.begin(), names.end()});
