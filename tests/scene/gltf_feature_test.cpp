@@ -293,6 +293,19 @@ TEST_F(GltfFeature, SparseAccessorReplacesSomeOfItsNumbers) {
   EXPECT_EQ(error(), "accessors[0].sparse.indices = an object: must be those of its elements");
 }
 
+// As exporters leave out the morph targets' numbers that are all 0.
+TEST_F(GltfFeature, AccessorWithoutAViewIsZeros) {
+  const std::size_t zeros = file_["accessors"].size();
+  file_["accessors"].push_back({{"componentType", kFloat}, {"count", 4}, {"type", "VEC3"}});
+  primitive()["targets"] = {{{"POSITION", zeros}, {"NORMAL", zeros}}};
+  file_["meshes"][0]["weights"] = {1};
+  EXPECT_EQ(mesh_of(read_file()).vertices[3].position, glm::vec3(-10, 0, 10));
+  attributes()["COLOR_0"] = zeros;
+  EXPECT_EQ(mesh_of(read_file()).details.at(3).color, glm::vec4(0, 0, 0, 1));
+  file_["accessors"][zeros]["count"] = 1 << 30;
+  EXPECT_EQ(error(), "accessors[" + std::to_string(zeros) + "].count = 1073741824: must be one that fits into a GiB");
+}
+
 TEST_F(GltfFeature, ViewWhoseElementsOverlapIsRefused) {
   file_["bufferViews"][0]["byteStride"] = 8;
   EXPECT_EQ(error(),

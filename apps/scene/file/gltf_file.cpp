@@ -194,20 +194,20 @@ GltfNumbers GltfFile::numbers(const JsonValue& accessor_index, std::initializer_
                       (bytes.size() - offset - element) / numbers.stride >= numbers.count - 1;
     if (!fits) count.fail("must be > 0 and within its buffer view");
     numbers.data = bytes.data() + offset;
-  } else if (!sparse) {
-    accessor.member("bufferView");  // fails; zeros alone draw nothing
-  }
-  if (sparse) {
+  } else {
     if (numbers.count > kMaxBytes / element) count.fail("must be one that fits into a GiB");
-    replace_sparse(*sparse, numbers);
+    numbers.made = std::make_shared<const std::string>(element, '\0');  // all are 0 (glTF 2.0, 5.1.1)
+    numbers.data = numbers.made->data();
+    numbers.stride = 0;
   }
+  if (sparse) replace_sparse(*sparse, numbers);
   return numbers;
 }
 
 void GltfFile::replace_sparse(const JsonValue& sparse, GltfNumbers& numbers) const {
   const std::size_t element = size_of(numbers.component) * numbers.components;
   std::string dense(numbers.count * element, '\0');
-  for (std::size_t i = 0; numbers.data && i < numbers.count; ++i) {
+  for (std::size_t i = 0; i < numbers.count; ++i) {
     std::memcpy(&dense[i * element], numbers.data + i * numbers.stride, element);
   }
   const JsonValue count_given = sparse.member("count");
