@@ -14,6 +14,12 @@ constexpr const char* kFont = "DejaVuSans";
 
 OIIO::ImageSpec float_spec(int width, int height) { return {width, height, 3, OIIO::TypeDesc::FLOAT}; }
 
+/// What failed last, in the first of the lines in which OpenImageIO tells it.
+std::string error_of(const OIIO::ImageInput& input) {
+  const std::string lines = input.geterror();
+  return lines.substr(0, lines.find('\n'));
+}
+
 class OpenImageIo final : public ImageLibrary {
   Levels decode(const std::string& format, std::string_view bytes,
                 const std::function<void(int, int)>& accept) const override {
@@ -24,13 +30,13 @@ class OpenImageIo final : public ImageLibrary {
     OIIO::ImageSpec spec;
     if (!input) throw ImageError("this OpenImageIO does not read its kind: " + OIIO::geterror());
     if (!input->set_ioproxy(&reader) || !input->open("picture." + format, spec, config)) {
-      throw ImageError(input->geterror());
+      throw ImageError(error_of(*input));
     }
     accept(spec.width, spec.height);
     Levels levels{spec.width, spec.height, std::size_t(spec.nchannels), {}};
     levels.values.resize(spec.image_pixels() * levels.channels);
     if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, levels.values.data())) {
-      throw ImageError(input->geterror());
+      throw ImageError(error_of(*input));
     }
     return levels;
   }

@@ -311,6 +311,23 @@ TEST_F(GltfScene, AFileWithoutTrianglesFails) {
   EXPECT_EQ(error_of(file), "meshes: must hold triangles");
 }
 
+TEST_F(GltfScene, AFileWithoutACameraIsLargerThanAPoint) {
+  json file = floor_scene();
+  file["nodes"][0]["scale"] = {1e-5, 1e-5, 1e-5};
+  file["nodes"][0]["translation"] = {1e6, 0, 1e6};  // where floats resolve 6 cm
+  EXPECT_EQ(read(file).camera.position, glm::vec3(0, 5, 5));
+  file["scenes"][0]["nodes"] = {0};
+  EXPECT_EQ(error_of(file), "meshes: must be larger than a point");
+}
+
+TEST_F(GltfScene, APointLightNeedsNoDirection) {
+  json file = floor_scene();
+  file["nodes"][2]["scale"] = {0, 0, 0};
+  EXPECT_EQ(read(file).lights.at(0).position, glm::dvec3(0.5, 2, 0));
+  file["extensions"]["KHR_lights_punctual"]["lights"][0] = {{"type", "spot"}, {"spot", json::object()}};
+  EXPECT_EQ(error_of(file), "nodes[2].extensions.KHR_lights_punctual.light = 0: must not be at a node of scale 0");
+}
+
 TEST_F(GltfScene, WithoutNormalsEachTriangleIsFlat) {
   json file = floor_scene();
   file["meshes"][0]["primitives"][0]["attributes"].erase("NORMAL");
@@ -388,6 +405,7 @@ TEST_F(GltfScene, PicturesThatCannotBeReadFail) {
   write("half.png", whole.substr(0, whole.size() / 2));
   file["images"] = {{{"uri", "half.png"}}};
   EXPECT_EQ(error_of(file).find("images[0] = an object: must be a sound picture: "), 0u) << error_of(file);
+  EXPECT_EQ(error_of(file).find('\n'), std::string::npos) << error_of(file);
 }
 
 TEST_F(GltfScene, FilesThatAreNoGltfFail) {

@@ -291,6 +291,7 @@ class GltfReader {
     scene_.camera.target = middle;
     scene_.camera.position =
         middle + glm::normalize(glm::vec3(0.3f, 0.35f, 1)) * (radius / std::sin(scene_.camera.field_of_view / 2));
+    if (!has_heading(scene_.camera)) file_.root().fail("meshes", "", "must be larger than a point");
   }
 
   // --- lights ---
@@ -312,8 +313,11 @@ class GltfReader {
     const glm::dvec3 at_one_metre = color * (intensity / std::numbers::pi);
     const double brightest = std::max({at_one_metre.r, at_one_metre.g, at_one_metre.b});
     if (brightest == 0) return;
-    const glm::dvec3 axis = -glm::dvec3(world_from_node[2]);
-    if (!(glm::length(axis) > 0)) index.fail("must not be at a node of scale 0");
+    glm::dvec3 axis = -glm::dvec3(world_from_node[2]);
+    if (!(glm::length(axis) > 0)) {
+      if (is_spot || is_directional) index.fail("must not be at a node of scale 0");
+      axis = {0, 0, -1};  // of a light that shines all around
+    }
     if (is_directional) {
       ++suns_;
       if (brightest <= brightest_sun_) return;
