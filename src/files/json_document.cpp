@@ -389,8 +389,10 @@ class JsonEditor {
       if (path[end] == '[') {
         const std::size_t close = path.find(']', end);
         if (close == path.npos) fail_path(path);
-        node = &item(*node, parent, path.substr(0, close + 1), path.substr(end + 1, close - end - 1));
+        JsonNode& array = *node;
+        node = &item(array, parent, path.substr(0, close + 1), path.substr(end + 1, close - end - 1));
         end = close + 1;
+        if (end == path.size()) array.offset = begin;  // a rule on all of it that is broken now is the change's
       } else {
         if (end > 0 && path[end++] != '.') fail_path(path);
         const std::size_t stop = std::min(path.find_first_of(".[", end), path.size());

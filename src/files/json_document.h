@@ -101,7 +101,7 @@ using FollowLink = std::function<std::optional<JsonValue>(const JsonValue& link)
 ///
 /// path    as of JsonValue::path(), not empty
 /// value   the root of its document
-/// option  of the command line, which errors name in place of a file
+/// option  of the command line, which errors name in place of a file: also those of an array of which it is an item
 /// follow  called for a string of which the path names a member; what it returns then stands in the string's place, and
 ///         its errors name its own file
 /// throws  InputError where the path leads nowhere: an array has no such item, a number no members

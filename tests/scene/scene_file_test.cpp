@@ -490,6 +490,8 @@ TEST_F(SceneChanges, WrongChangesNameTheOptionTheMemberAndTheRule) {
   const std::pair<SceneChange, std::string> wrong[] = {
       {{"lights[0].attenuation.quadratic", "-1"},
        "--set: lights[0].light.attenuation.quadratic = -1: must be finite and >= 0"},
+      {{"camera.position[1]", "1e9"},
+       "--set: camera.position = an array: must have coordinates in [-10000000, 10000000]"},
       {{"lights[2].position", "[0, 0, 0]"}, "--set: lights[2]: is not there: the last one is lights[1]"},
       {{"lights[1].colour", "[1, 1, 1]"},
        "--set: lights[1].colour: \"colour\" must be one of light, position, aim, direction, mount, color, cookie, "
