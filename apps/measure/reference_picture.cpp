@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <span>
 #include <vector>
@@ -122,28 +121,18 @@ class ReferenceShading {
     mean.most += airlight;
   }
 
-  /// That of the pixel's ray to the distance of each sample: that of the surface in the middle of the pixel or, if
-  /// several are seen and a surface may end before the middle, the sample's own.
+  /// That of the pixel's ray to the distance of each sample.
   glm::dvec3 mean_airlight(Samples samples, std::span<const double> seen, const glm::dvec3& direction) const {
-    const render::GeometrySample& first = samples.front();
-    const bool is_edge = !std::ranges::all_of(
-        samples, [&](const render::GeometrySample& sample) { return sample.is_of_same_fragment(first); });
     glm::dvec3 sum(0.0);
-    if (!is_edge) {
-      const double all = std::accumulate(seen.begin(), seen.end(), 0.0);
-      if (all > 0) sum = model_.airlight(direction, length_to(first, is_edge, direction)) * all;
-    } else {
-      for (std::size_t i = 0; i < samples.size(); ++i) {
-        if (seen[i] > 0) sum += model_.airlight(direction, length_to(samples[i], is_edge, direction)) * seen[i];
-      }
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      if (seen[i] > 0) sum += model_.airlight(direction, length_to(samples[i], direction)) * seen[i];
     }
     return sum / double(samples.size());
   }
 
-  double length_to(const render::GeometrySample& sample, bool is_edge, const glm::dvec3& direction) const {
+  double length_to(const render::GeometrySample& sample, const glm::dvec3& direction) const {
     if (sample.material < 0) return fog_before_sky(fog_above_eye_, direction);
-    if (is_edge) return rays_.length_to(render::kNearPlane / double(sample.depth), direction);
-    return glm::distance(glm::dvec3(sample.position), eye_);
+    return rays_.length_to(render::kNearPlane / double(sample.depth), direction);
   }
 
   Shade surface(const SurfacePoint& point) const {

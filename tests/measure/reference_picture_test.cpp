@@ -336,9 +336,6 @@ TEST_P(ReferenceOfScene, EveryPathIsWithinItsBoundInClearAirAndInFog) {
 /// In airlight a pixel may err by a step of the display: what of faint lights, and between nodes of the integral and
 /// pixels of the grid, may be left out.
 constexpr double kAirlightBound = 1;
-/// The same with cookies whose texels are finer than the pixels: the dots of a mirror ball. Measured: 1.54, which more
-/// nodes of the integral do not change.
-constexpr double kFineCookieBound = 2;
 
 RenderSettings by_airlight(const LightingPath& path = lighting_paths().front()) {
   return {.path = &path, .fog_lighting = FogLighting::airlight};
@@ -365,7 +362,7 @@ TEST_P(ReferenceOfScene, AirlightIsWithinAStepFromClearAirToAMetreOfVisibility) 
           fmt::format("{:<12} {:>5} m {:<4} largest {:6.3f}, mean {:.4f} of 1/255, {} excluded", name, visibility,
                       name_of(mode), error.largest, error.mean, error.excluded);
       fmt::print("{}\n", measured);
-      EXPECT_LE(error.largest, scene.cookies.empty() ? kAirlightBound : kFineCookieBound) << measured;
+      EXPECT_LE(error.largest, kAirlightBound) << measured;
       EXPECT_LE(error.excluded, std::size_t(height * height / 50)) << measured;
     }
   }
