@@ -13,7 +13,7 @@
 namespace litfog::render {
 namespace {
 
-constexpr std::uint32_t kMostTiles = 64;  // a side: of ClusterGrid
+constexpr std::uint32_t kMostTiles = 32;  // a side: more cost more than shorter lists save
 constexpr double kNearest = 1e-5;         // metres
 
 /// What tiles of a size show.
