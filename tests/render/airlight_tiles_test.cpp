@@ -79,10 +79,10 @@ TEST(AirlightTiles, EveryLightOnAPixelsRayIsInItsTile) {
     const scene::Camera camera{.position = glm::vec3(100. * draw_direction(random)),
                                .target = glm::vec3(glm::dvec3(random.uniform(-300, 300), random.uniform(-40, 40), 500)),
                                .field_of_view = float(random.uniform(0.05, 2.98))};
-    const glm::ivec2 picture_size(random.uniform(1, 2500), random.uniform(1, 600));
+    const glm::ivec2 picture_size(random.log_uniform(4, 2500), random.log_uniform(4, 1500));
     const AirlightList list = draw_airlights(random, camera, 100);
     const AirlightTiles tiles = list_airlight_tiles(list, camera, picture_size, kBeyond);
-    for (int ray = 0; ray < 20; ++ray) {
+    for (int ray = 0; ray < 60; ++ray) {
       const glm::ivec2 pixel(random.uniform(0, picture_size.x + kBeyond), random.uniform(0, picture_size.y + kBeyond));
       const glm::dvec3 direction = ray_through(camera, picture_size, pixel);
       for (std::size_t range = 0; range < list.ranges.size(); ++range) {
