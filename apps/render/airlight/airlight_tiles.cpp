@@ -13,6 +13,7 @@
 namespace litfog::render {
 namespace {
 
+constexpr int kTile = 32;                 // pixels a side, about
 constexpr std::uint32_t kMostTiles = 32;  // a side: more cost more than shorter lists save
 constexpr double kNearest = 1e-5;         // metres
 

@@ -10,7 +10,7 @@
 
 namespace litfog::render {
 
-/// Which lights' airlight each tile of a picture can show: an equal part of it, of kTile pixels a side or more.
+/// Which lights' airlight each tile of a picture can show: an equal part of it, of some 32 pixels a side or more.
 struct AirlightTiles {
   glm::ivec2 count{0};  ///< columns and rows
   glm::ivec2 size{0};   ///< pixels that they cover, which is more than the picture's: grids reach beyond its edges
@@ -18,8 +18,6 @@ struct AirlightTiles {
   /// where they end; then the entries.
   std::vector<std::int32_t> lists;
 };
-
-inline constexpr int kTile = 32;
 
 /// No entry is missing from a tile through which a ray passes its light within its bounds. The entries of a tile are in
 /// the order of the list. A view that is wider than litfog::View takes is one tile.

@@ -66,7 +66,7 @@ float squared_passing_distance(vec3 position, vec3 direction) {
   return dot(offset, offset);
 }
 
-// Adds a fraction of a light's airlight.
+// Adds a fraction of a light's airlight, and its gain, which the finest grid has not.
 void add_light(int light_index, float fraction, vec3 direction, vec4 seen) {
   LitfogLight light = litfog_buffered_light(light_index);
   light.axis_profile.w = profile;
@@ -91,5 +91,5 @@ void add_light(int light_index, float fraction, vec3 direction, vec4 seen) {
     first += run;
   } while (first < 4);
   airlight.rgb += sum / exposure_gain;
-  if (pixel_step > 1) gain.rgb += gain_at(light_index, light, direction, dot(seen, vec4(0.25)));  // the finest grid has none
+  if (pixel_step > 1) gain.rgb += gain_at(light_index, light, direction, dot(seen, vec4(0.25)));
 }
