@@ -11,7 +11,10 @@
 #include <span>
 #include <utility>
 
+#include "circle_sampler.h"
 #include "dark_edge.h"
+#include "darkness.h"
+#include "measured_angles.h"
 #include "require.h"
 
 namespace litfog {
@@ -19,10 +22,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kTolerance = 1e-9;  // radians: a direction at the last measured angle must not round to beyond it
-constexpr int kEquatorSteps = 360;   // of the largest circle about an axis; of others by their circumference
-constexpr int kLeastSteps = 72;      // of any circle
-constexpr int kAxialSteps = 720;     // of a quarter degree, from an axis to its opposite
+constexpr int kAxialSteps = 720;  // of a quarter degree, from an axis to its opposite
 constexpr double kAxialStep = pi / kAxialSteps;
 constexpr double kLeastAxialStep = kAxialStep / 25;
 constexpr int kFineSteps = 100;  // of a finer grid, from the axis
@@ -57,13 +57,6 @@ double vertical_angle_of(PhotometryType type, const glm::dvec3& direction) {
   return std::atan2(std::hypot(x, y), -z);
 }
 
-/// The number of measured parts in a whole turn: 1, 2 or 4.
-int turn_multiplicity(std::span<const double> turn) {
-  const double span = turn.back() - turn.front();
-  return span > 1.5 * pi ? 1 : span > 0.75 * pi ? 2 : 4;
-}
-bool is_mirrored(std::span<const double> angles) { return angles.front() == 0; }
-
 /// The measured angle that a turn of type C mirrors to.
 double folded_turn(std::span<const double> turn, double angle) {
   if (turn.size() == 1) return turn.front();
@@ -96,7 +89,7 @@ std::size_t first_beyond(std::span<const double> angles, double angle) {
 
 std::optional<Bracket> locate(std::span<const double> angles, double angle) {
   if (angles.size() == 1) return Bracket{0, 0, 0};
-  if (!(angle >= angles.front() - kTolerance && angle <= angles.back() + kTolerance)) return std::nullopt;
+  if (!(angle >= angles.front() - kAngleTolerance && angle <= angles.back() + kAngleTolerance)) return std::nullopt;
   const std::size_t high = first_beyond(angles, angle);
   const double fraction = (angle - angles[high - 1]) / (angles[high] - angles[high - 1]);
   return Bracket{high - 1, high, std::clamp(fraction, 0.0, 1.0)};
@@ -178,81 +171,6 @@ std::vector<double> polar_weights(std::span<const double> angles, double pole) {
   return weights;
 }
 
-// --- what is dark ---
-
-bool is_plane_lit(const IntensityDistribution& distribution, std::size_t horizontal) {
-  const auto first = distribution.intensity.begin() + std::ptrdiff_t(horizontal * distribution.vertical.size());
-  const auto last = first + std::ptrdiff_t(distribution.vertical.size());
-  return std::any_of(first, last, [](double candela) { return candela > 0; });
-}
-
-bool is_lit(const IntensityDistribution& distribution, std::size_t vertical) {
-  const std::size_t rows = distribution.vertical.size();
-  for (std::size_t h = 0; h < distribution.horizontal.size(); ++h) {
-    if (distribution.intensity[h * rows + vertical] > 0) return true;
-  }
-  return false;
-}
-
-struct AngleRange {
-  double low, high;
-};
-
-/// The angles beyond which all is dark, on both sides where they are mirrored.
-template <typename IsLit>
-AngleRange lit_range(std::span<const double> angles, bool is_mirrored, const IsLit& is_lit_at) {
-  std::size_t first = 0, last = angles.size() - 1;
-  while (first < last && !is_lit_at(first)) ++first;
-  while (last > first && !is_lit_at(last)) --last;
-  const double high = angles[std::min(last + 1, angles.size() - 1)];
-  return is_mirrored ? AngleRange{-high, high} : AngleRange{angles[first == 0 ? 0 : first - 1], high};
-}
-
-/// The directions outside a distribution's lit angles, which most are of a narrow beam.
-class Darkness {
- public:
-  explicit Darkness(const IntensityDistribution& distribution) : type_(distribution.type) {
-    const auto& [type, horizontal, vertical, intensity] = distribution;
-    const bool is_c = type == PhotometryType::c;
-    const auto in_rows =
-        lit_range(vertical, !is_c && is_mirrored(vertical), [&](std::size_t v) { return is_lit(distribution, v); });
-    if (is_c) {
-      elevation_ = {std::cos(in_rows.high), std::cos(in_rows.low)};
-      return;
-    }
-    const auto in_planes =
-        lit_range(horizontal, is_mirrored(horizontal), [&](std::size_t h) { return is_plane_lit(distribution, h); });
-    const bool is_a = type == PhotometryType::a;
-    const auto [elevation, turn] = is_a ? std::pair(in_rows, in_planes) : std::pair(in_planes, in_rows);
-    elevation_ = {std::sin(elevation.low), std::sin(elevation.high)};
-    low_ = {std::cos(turn.low), std::sin(turn.low)};
-    high_ = {std::cos(turn.high), std::sin(turn.high)};
-    is_wide_ = turn.high - turn.low > pi;
-  }
-
-  /// True only where intensity_at() is 0. No inverse trigonometric function is needed for it.
-  bool holds(const glm::dvec3& unit) const {
-    constexpr double kMargin = 1e-6;  // above the tolerance of measured angles
-    const double elevation = type_ == PhotometryType::c ? -unit.z : type_ == PhotometryType::a ? unit.y : unit.x;
-    if (elevation < elevation_.low - kMargin || elevation > elevation_.high + kMargin) return true;
-    if (type_ == PhotometryType::c) return false;
-    const double across = type_ == PhotometryType::a ? unit.x : unit.y;
-    const bool is_below = low_.sine * -unit.z - low_.cosine * across > kMargin;  // within half a turn
-    const bool is_above = high_.cosine * across - high_.sine * -unit.z > kMargin;
-    return is_wide_ ? is_below && is_above : is_below || is_above;
-  }
-
- private:
-  struct Turn {
-    double cosine = 1, sine = 0;
-  };
-
-  PhotometryType type_;
-  AngleRange elevation_{};  // its sine; of type C the cosine of the angle from the axis
-  Turn low_, high_;         // of types A and B, about the axis that the elevation is measured from
-  bool is_wide_ = false;    // the turn from low to high is more than a half
-};
-
 // --- circles about an axis ---
 
 /// Directions by the angle from an axis and the turn about it, which starts at the light's +x.
@@ -272,107 +190,44 @@ bool is_own_axis(const IntensityDistribution& distribution, const glm::dvec3& ax
   return distribution.type == PhotometryType::c && (axis == kPhotometricAxis || axis == -kPhotometricAxis);
 }
 
-/// The intensities on a circle about an axis.
-struct Circle {
-  double mean = 0;
-  double largest_deviation = 0;  ///< from the mean
-};
-
-/// values  of which each is on the circle, the least and the largest among them
-Circle circle_of(std::span<const double> values, double mean) {
-  const auto [least, largest] = std::ranges::minmax(values);
-  return {mean, std::max({0.0, mean - least, largest - mean})};
-}
-
 /// Circles about an axis: about the grid's own from its planes, about another by even steps of the turn.
 class AxisCircles {
  public:
   AxisCircles(const IntensityDistribution& distribution, const glm::dvec3& axis)
-      : distribution_(distribution), is_own_axis_(is_own_axis(distribution, axis)), is_up_(axis == -kPhotometricAxis) {
-    if (is_own_axis_) {
-      for (std::size_t v = 0; v < distribution.vertical.size(); ++v) is_row_lit_.push_back(is_lit(distribution, v));
+      : distribution_(distribution), is_up_(axis == -kPhotometricAxis) {
+    if (!is_own_axis(distribution, axis)) {
+      sampler_.emplace(distribution, axis);
       return;
     }
-    darkness_.emplace(distribution);
-    forward_ = AxisFrame(axis).direction(0, 0);
-    angles_.resize(kEquatorSteps);
-    for (int i = 0; i < kEquatorSteps; ++i) {
-      rim_.push_back(AxisFrame(axis).direction(pi / 2, 2 * pi * i / kEquatorSteps));
-    }
+    for (std::size_t v = 0; v < distribution.vertical.size(); ++v) is_lit_.push_back(is_row_lit(distribution, v));
   }
 
-  Circle at(double angle) { return is_own_axis_ ? own_circle(angle) : sampled_circle(angle); }
-
-  /// The rms deviation from the mean on the circle that at() gave last.
-  double deviation(const Circle& last) const {
-    const double reach = last.largest_deviation;
-    if (!(reach > 0)) return 0;
-    const auto value = [&](std::size_t i) { return (values_[i] - last.mean) / reach; };
-    if (is_own_axis_) return reach * std::sqrt(mean_square_over_turn(distribution_.horizontal, value));
-    double squares = 0;
-    for (std::size_t i = 0; i < values_.size(); ++i) squares += value(i) * value(i);
-    return reach * std::sqrt(squares / double(values_.size()));
-  }
+  Circle at(double angle) { return sampler_ ? sampler_->at(angle) : own_circle(angle); }
 
  private:
   /// All directions lie between the same two vertical angles.
   Circle own_circle(double angle) {
     const auto& [type, horizontal, vertical, intensity] = distribution_;
     const auto v = locate(vertical, is_up_ ? pi - angle : angle);
-    if (!v || !(is_row_lit_[v->low] || is_row_lit_[v->high])) return {};
+    if (!v || !(is_lit_[v->low] || is_lit_[v->high])) return {};
     values_.clear();
     for (std::size_t plane = 0; plane < horizontal.size(); ++plane) {
       const double* const row = &intensity[plane * vertical.size()];
       values_.push_back(std::lerp(row[v->low], row[v->high], v->fraction));
     }
     const double mean = mean_over_turn(horizontal, [this](std::size_t i) { return values_[i]; });
-    if (angle == 0) return {mean, 0};  // a single direction
-    return circle_of(values_, mean);
-  }
-
-  Circle sampled_circle(double angle) {
-    const double sine = std::sin(angle), cosine = std::cos(angle);
-    angles_.assign(angles_.size(), std::nullopt);
-    const int wanted = std::max(kLeastSteps, int(std::ceil(kEquatorSteps * sine)));
-    const int stride = kEquatorSteps / wanted;  // of the rim's directions
-    const auto direction = [&](int step) { return cosine * forward_ + sine * rim_[std::size_t(step)]; };
-    values_.clear();
-    double sum = 0;
-    for (int i = 0; i < kEquatorSteps; i += stride) {
-      values_.push_back(sample(i, direction));
-      sum += values_.back();
-    }
-    return circle_of(values_, sum / double(values_.size()));
-  }
-
-  /// The intensity in a direction of a circle. Where the axis lies in a coordinate plane, directions mirror each other,
-  /// and the angles of one are known from those of the other: the rim starts at +x and turns to +y.
-  template <typename Direction>
-  double sample(int step, const Direction& direction) {
-    if (darkness_->holds(direction(step))) return 0;
-    constexpr int kHalf = kEquatorSteps / 2, kQuarter = kHalf / 2;
-    const bool may_be_pole = step % kQuarter == 0;  // of a type, where an angle is chance
-    const bool is_y_mirrored = forward_.y == 0 && step > kHalf && !may_be_pole;
-    int mirrored = is_y_mirrored ? kEquatorSteps - step : step;
-    const bool is_x_mirrored = forward_.x == 0 && forward_.y == 0 && mirrored > kQuarter && !may_be_pole;
-    if (is_x_mirrored) mirrored = kHalf - mirrored;
-    auto& known = angles_[std::size_t(mirrored)];
-    if (!known) known = angles_of(distribution_.type, direction(mirrored));
-    auto [horizontal, vertical] = *known;
-    const bool is_c = distribution_.type == PhotometryType::c;
-    if (is_y_mirrored) (is_c ? horizontal : vertical) *= -1;
-    if (is_x_mirrored) horizontal *= -1;  // of types A and B alone: it is type C's own axis
-    return intensity_by_angles(distribution_, {horizontal, vertical}, is_c && is_on_pole(direction(mirrored)));
+    if (angle == 0) return {mean, 0, 0};  // a single direction
+    const auto [least, largest] = std::ranges::minmax(values_);
+    const double reach = std::max({0.0, mean - least, largest - mean});
+    if (reach == 0) return {mean, 0, 0};
+    const auto fraction = [&](std::size_t i) { return (values_[i] - mean) / reach; };
+    return {mean, reach, reach * std::sqrt(mean_square_over_turn(horizontal, fraction))};
   }
 
   const IntensityDistribution& distribution_;
-  bool is_own_axis_;
   bool is_up_;
-  std::vector<bool> is_row_lit_ = {};                // of circles about the grid's own axis
-  std::optional<Darkness> darkness_ = std::nullopt;  // of others
-  glm::dvec3 forward_{};
-  std::vector<glm::dvec3> rim_ = {};
-  std::vector<std::optional<PhotometricAngles>> angles_ = {};  // of a circle's directions, as far as they are known
+  std::optional<CircleSampler> sampler_ = std::nullopt;  // of circles about another axis
+  std::vector<bool> is_lit_ = {};                        // the rows, of circles about the grid's own
   std::vector<double> values_ = {};
 };
 
@@ -432,7 +287,7 @@ struct SquareIntegrals {
 
 SquareIntegrals square_integrals(AxisCircles& circles, const Belt& belt, double peak) {
   const Circle circle = circles.at(belt.angle);
-  const double mean = circle.mean / peak, deviation = circles.deviation(circle) / peak;
+  const double mean = circle.mean / peak, deviation = circle.rms_deviation / peak;
   return {belt.weight * (mean * mean + deviation * deviation), belt.weight * deviation * deviation};
 }
 
@@ -445,10 +300,10 @@ std::vector<double> supplements(std::vector<double> angles) {
 std::vector<double> profile_angles(const IntensityDistribution& distribution, const glm::dvec3& axis) {
   if (!is_own_axis(distribution, axis)) return axial_angles(distribution);
   std::vector<double> angles = distribution.vertical;
-  extend_to_pi(angles, is_lit(distribution, angles.size() - 1));
+  extend_to_pi(angles, is_row_lit(distribution, angles.size() - 1));
   if (angles.front() > 0) {
     angles = supplements(angles);
-    extend_to_pi(angles, is_lit(distribution, 0));
+    extend_to_pi(angles, is_row_lit(distribution, 0));
     angles = supplements(angles);
   }
   return axis == kPhotometricAxis ? angles : supplements(angles);
@@ -459,7 +314,7 @@ std::vector<double> profile_angles(const IntensityDistribution& distribution, co
 std::optional<ValueError> check_angles(const char* field, std::span<const double> angles, double low, double high) {
   if (angles.size() < 2) return ValueError{field, double(angles.size()), "must be at least two angles"};
   for (std::size_t i = 0; i < angles.size(); ++i) {
-    if (!(angles[i] >= low - kTolerance && angles[i] <= high + kTolerance)) {
+    if (!(angles[i] >= low - kAngleTolerance && angles[i] <= high + kAngleTolerance)) {
       return ValueError{field, angles[i], "must be within the range of its photometry type"};
     }
     if (i > 0 && !(angles[i] > angles[i - 1])) return ValueError{field, angles[i], "must be in increasing order"};
@@ -473,7 +328,7 @@ std::optional<ValueError> check_turn(std::span<const double> turn) {
   if (const auto error = check_angles(kField, turn, -2 * pi, 4 * pi)) return error;
   const double span = turn.back() - turn.front();
   for (const int multiplicity : {1, 2, 4}) {
-    if (std::abs(span - 2 * pi / multiplicity) <= kTolerance) return std::nullopt;
+    if (std::abs(span - 2 * pi / multiplicity) <= kAngleTolerance) return std::nullopt;
   }
   return ValueError{kField, span, "must span pi / 2, pi or 2 pi"};
 }

@@ -12,9 +12,11 @@
 #include <glm/matrix.hpp>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <string>
 #include <vector>
 
+#include "core/simd_targets.h"
 #include "core/value_errors.h"
 #include "reference/random_light.h"
 
@@ -412,6 +414,18 @@ TEST(AxialProfile, ProfileAboutAnyAxisFollowsABeamAimedThere) {
   EXPECT_GT(asymmetry(beam, kPhotometricAxis), 0.5);
 }
 
+/// What axial_profile() has at an angle about an axis other than the grid's, from intensity_at().
+AxialSample circle_by_directions(const IntensityDistribution& distribution, const glm::dmat3& frame, double angle) {
+  const int stride = 360 / std::max(72, int(std::ceil(360 * std::sin(angle))));
+  std::vector<double> values;
+  for (int turn = 0; turn < 360; turn += stride) {
+    values.push_back(intensity_at(distribution, frame * direction_of(PhotometryType::c, turn * kDegree, angle)));
+  }
+  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
+  const auto [least, most] = std::ranges::minmax(values);
+  return {angle, mean, std::max(mean - least, most - mean)};
+}
+
 TEST(AxialProfile, ProfileAboutAnyAxisMissesNoLitDirection) {
   Random random(31);
   for (int i = 0; i < 60; ++i) {
@@ -435,14 +449,56 @@ TEST(AxialProfile, ProfileAboutAnyAxisMissesNoLitDirection) {
     if (kind == 1) axis.y = 0;  // directions mirror each other
     if (kind > 1 && !is_c) axis = kind == 2 ? kPhotometricAxis : -kPhotometricAxis;
     const glm::dmat3 frame = luminaire_from_light(axis);
+    std::vector<AxialSample> expected;
     for (const AxialSample& sample : axial_profile(distribution, axis)) {
-      const int stride = 360 / std::max(72, int(std::ceil(360 * std::sin(sample.angle))));
-      double sum = 0;
-      for (int turn = 0; turn < 360; turn += stride) {
-        sum += intensity_at(distribution, frame * direction_of(PhotometryType::c, turn * kDegree, sample.angle));
+      expected.push_back(circle_by_directions(distribution, frame, sample.angle));
+    }
+    for_each_simd_target([&](const char*) {
+      const auto profile = axial_profile(distribution, axis);
+      for (std::size_t j = 0; j < profile.size(); ++j) {
+        ASSERT_NEAR(profile[j].mean, expected[j].mean, 1e-6 * peak)
+            << "light " << i << " at " << profile[j].angle / kDegree << " degrees";
       }
-      const double mean = sum / std::ceil(360.0 / stride);
-      ASSERT_NEAR(sample.mean, mean, 1e-6 * peak) << "light " << i << " at " << sample.angle / kDegree << " degrees";
+    });
+  }
+}
+
+/// Bright up to the last measured angle and over whole turns, from quadrants, halves and single planes, and in
+/// intervals of most uneven width; also so faint and so bright that squares would under- and overflow.
+TEST(AxialProfile, CirclesAboutAnyAxisAreThoseOfIntensityAt) {
+  const auto smooth = [](double h, double v) { return 3 + std::cos(h) * std::sin(v) + std::sin(2 * v + h); };
+  const Angles uneven{0, 0.001, 0.002, 0.003, 0.004, 0.1, 0.2, 0.7, 1.5, 3};
+  std::vector<IntensityDistribution> lamps{
+      sampled(PhotometryType::a, degrees(-180, 180, 10), degrees(-90, 90, 10), smooth),
+      sampled(PhotometryType::b, degrees(-90, 90, 10), degrees(-180, 180, 10), smooth),
+      sampled(PhotometryType::a, degrees(0, 180, 10), degrees(0, 90, 10), smooth),
+      sampled(PhotometryType::b, degrees(0, 90, 10), degrees(0, 180, 10), smooth),
+      sampled(PhotometryType::c, {0.3}, uneven, smooth)};
+  for (const auto& [first, last] : {std::pair{0, 90}, {0, 180}, {90, 270}, {-90, 90}, {0, 360}, {-180, 180}}) {
+    lamps.push_back(sampled(PhotometryType::c, degrees(first, last, 10), degrees(0, 180, 5), smooth));
+  }
+  const glm::dvec3 aim = turned(PhotometryType::a, 0.3, 0.2);
+  for (std::size_t i = 0; i < lamps.size(); ++i) {
+    const double scale = std::array{1.0, 1e-200, 1e29}[i % 3];
+    IntensityDistribution scaled = lamps[i];
+    for (double& candela : scaled.intensity) candela *= scale;
+    for (const glm::dvec3& axis : {aim, glm::dvec3{1, 0, 0}}) {
+      const glm::dmat3 frame = luminaire_from_light(axis);
+      std::vector<std::pair<std::size_t, AxialSample>> expected;
+      const auto angles = axial_profile(lamps[i], axis);
+      for (std::size_t j = 1; j < angles.size(); j += 7) {
+        if (std::abs(angles[j].angle - pi / 2) < 1e-9)
+          continue;  // there turns about a pole of types A and B are chance
+        expected.emplace_back(j, circle_by_directions(lamps[i], frame, angles[j].angle));
+      }
+      for_each_simd_target([&](const char*) {
+        const auto profile = axial_profile(scaled, axis);
+        for (const auto& [j, sample] : expected) {
+          ASSERT_NEAR(profile[j].mean / scale, sample.mean, 1e-9) << i << " at " << sample.angle / kDegree;
+          ASSERT_NEAR(profile[j].deviation / scale, sample.deviation, 1e-9) << i << " at " << sample.angle / kDegree;
+        }
+      });
+      EXPECT_NEAR(asymmetry(scaled, axis), asymmetry(lamps[i], axis), 1e-9);
     }
   }
 }

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "darkness.h"
+#include "litfog/photometry/intensity_distribution.h"
+
+namespace litfog {
+
+inline constexpr int kEquatorSteps = 360;  // of the largest circle about an axis; of others by their circumference
+inline constexpr int kLeastSteps = 72;     // of any circle
+inline constexpr std::size_t kMostLanes = 8;
+inline constexpr std::size_t kRoom = kEquatorSteps + kMostLanes;  // for whole vectors of a circle's directions
+
+/// The intensities on a circle about an axis.
+struct Circle {
+  double mean = 0;               ///< candela
+  double largest_deviation = 0;  ///< from the mean
+  double rms_deviation = 0;
+};
+
+/// Measured angles as SIMD finds others among them: by buckets of even width, each of which has the interval in which
+/// it begins. Mostly that is the interval.
+struct AngleIndex {
+  AngleIndex() = default;
+  /// angles  two or more, strictly increasing
+  /// stride  of intensities from one angle to the next
+  AngleIndex(std::span<const double> angles, std::size_t stride);
+
+  double first = 0, last = 0;  // of the angles
+  double scale = 0;            // from angles to buckets
+  double last_bucket = 0;
+  std::size_t stride = 0;
+  std::vector<std::int64_t> intervals = {};  // by bucket
+  std::vector<double> low = {};              // angle, by interval
+  std::vector<double> next = {};             // likewise; infinite of the last
+  std::vector<double> reciprocal = {};       // of the width
+  std::vector<std::int64_t> offset = {};     // of the intensities at the low angle
+};
+
+/// A distribution as SIMD looks intensities up in it.
+struct CircleTable {
+  explicit CircleTable(const IntensityDistribution& distribution);
+
+  bool is_c;
+  AngleIndex turn;        // about the pole; of type C from the first plane
+  AngleIndex rise;        // from the pole of type C, from its equator of types A and B
+  double first_turn = 0;  // of type C, in [-pi, pi]
+  int multiplicity = 0;   // of the parts in a turn of type C
+  bool is_turn_mirrored = false, is_rise_mirrored = false;
+  double nadir, zenith;  // intensities on the pole of type C, where all planes meet
+  double unit;  // candela: a power of 2 near the largest intensity, so that squares neither over- nor underflow
+  const double* intensity;
+  Darkness darkness;
+};
+
+/// Directions at right angles to an axis, in even steps of the turn about it.
+struct Rim {
+  std::size_t count = 0;
+  std::vector<double> pole = {}, ahead = {}, aside = {};  // with room for whole vectors
+};
+
+/// Circles about any axis by even steps of the turn, which starts at the light's +x (luminaire_from_light): one of a
+/// degree on the largest circle, and 72 or more on any.
+class CircleSampler {
+ public:
+  /// distribution  outlives the sampler
+  CircleSampler(const IntensityDistribution& distribution, const glm::dvec3& axis);
+
+  /// angle  from the axis, radians in [0, pi]
+  Circle at(double angle) const;
+
+ private:
+  CircleTable table_;
+  PoleCoordinates forward_;
+  std::array<Rim, kEquatorSteps / kLeastSteps> rims_;  // of every degree, of every other, ...
+};
+
+}  // namespace litfog
