@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -10,13 +11,12 @@
 
 #include "darkness.h"
 #include "litfog/photometry/intensity_distribution.h"
+#include "measured_angles.h"
 
 namespace litfog {
 
 inline constexpr int kEquatorSteps = 360;  // of the largest circle about an axis; of others by their circumference
 inline constexpr int kLeastSteps = 72;     // of any circle
-inline constexpr std::size_t kMostLanes = 8;
-inline constexpr std::size_t kRoom = kEquatorSteps + kMostLanes;  // for whole vectors of a circle's directions
 
 /// The intensities on a circle about an axis.
 struct Circle {
@@ -25,26 +25,39 @@ struct Circle {
   double rms_deviation = 0;
 };
 
-/// Measured angles as SIMD finds others among them: by buckets of even width, each of which has the interval in which
-/// it begins. Mostly that is the interval.
+/// Measured angles, to find others among them: by buckets of even width, each of which has the interval in which it
+/// begins. Mostly that is the interval.
 struct AngleIndex {
   AngleIndex() = default;
   /// angles  two or more, strictly increasing
   /// stride  of intensities from one angle to the next
   AngleIndex(std::span<const double> angles, std::size_t stride);
 
+  bool is_outside(double angle) const { return !(angle >= first - kAngleTolerance && angle <= last + kAngleTolerance); }
+  std::size_t bucket_of(double angle) const {
+    return std::size_t(std::int64_t(std::min(std::max((angle - first) * scale, 0.0), last_bucket)));
+  }
+  /// That which holds an angle, or is next to it.
+  std::size_t interval(double angle) const {
+    std::size_t interval = intervals[bucket_of(angle)];
+    while (angle >= low[interval + 1]) ++interval;
+    return interval;
+  }
+  /// Of an interval, at an angle in it.
+  double fraction(std::size_t interval, double angle) const {
+    return std::min(std::max((angle - low[interval]) * reciprocal[interval], 0.0), 1.0);
+  }
+
   double first = 0, last = 0;  // of the angles
   double scale = 0;            // from angles to buckets
   double last_bucket = 0;
   std::size_t stride = 0;
-  std::vector<std::int64_t> intervals = {};  // by bucket
-  std::vector<double> low = {};              // angle, by interval
-  std::vector<double> next = {};             // likewise; infinite of the last
-  std::vector<double> reciprocal = {};       // of the width
-  std::vector<std::int64_t> offset = {};     // of the intensities at the low angle
+  std::vector<std::uint32_t> intervals = {};  // by bucket
+  std::vector<double> low = {};               // angle, by interval, and infinity
+  std::vector<double> reciprocal = {};        // of the width
 };
 
-/// A distribution as SIMD looks intensities up in it.
+/// A distribution as intensities are looked up in it, many at a time.
 struct CircleTable {
   explicit CircleTable(const IntensityDistribution& distribution);
 
@@ -60,12 +73,6 @@ struct CircleTable {
   Darkness darkness;
 };
 
-/// Directions at right angles to an axis, in even steps of the turn about it.
-struct Rim {
-  std::size_t count = 0;
-  std::vector<double> pole = {}, ahead = {}, aside = {};  // with room for whole vectors
-};
-
 /// Circles about any axis by even steps of the turn, which starts at the light's +x (luminaire_from_light): one of a
 /// degree on the largest circle, and 72 or more on any.
 class CircleSampler {
@@ -79,7 +86,7 @@ class CircleSampler {
  private:
   CircleTable table_;
   PoleCoordinates forward_;
-  std::array<Rim, kEquatorSteps / kLeastSteps> rims_;  // of every degree, of every other, ...
+  std::array<std::vector<PoleCoordinates>, kEquatorSteps / kLeastSteps> rims_;  // by every degree, every other, ...
 };
 
 }  // namespace litfog
