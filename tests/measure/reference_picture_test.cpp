@@ -383,6 +383,17 @@ TEST_F(ReferencePictureTest, AirlightOfADistantViewIsThatOfTheReference) {
   }
 }
 
+// A beam's edge beside the second texel of the coarse grids: of the texels within the picture, three lie on a straight
+// line by chance.
+TEST_F(ReferencePictureTest, AirlightAtThePicturesEdgeIsThatOfTheReference) {
+  const Scene scene = read_scene(bundled_scene_path("tessellation"));
+  Renderer renderer(scene, 48, 27, by_airlight());
+  const PictureError error = error_in(renderer, Fog::from_visibility(FogMode::exp, 100));
+  fmt::print("largest {:6.3f}\n", error.largest);
+  EXPECT_LE(error.largest, 0.5);  // 1.001 by one bend alone
+  EXPECT_EQ(error.excluded, 0u);
+}
+
 // Hundreds of lamps that are seen from afar: what they add beyond their extents changes within few pixels.
 TEST_F(ReferencePictureTest, AirlightOfADistantAirportIsThatOfTheReference) {
   Scene scene = read_scene(bundled_scene_path("approach"));

@@ -64,14 +64,19 @@ Middle middle_of(ivec2 place, ivec2 step, float opacity) {
   vec3 b = second.airlight;
   vec3 before = grid_texel(place - step, opacity).airlight;
   vec3 behind = grid_texel(place + 2 * step, opacity).airlight;
-  // At the grid's border not all of these are known: no polynomial, and the bend of the inner two is not to be relied
-  // upon.
-  bool knows_bends = is_inside(place - step) && is_inside(place + 2 * step);
+  // At the grid's border not all of these are known: no polynomial, and the bend at one of the inner two goes on as
+  // those of the next two texels do. One bend alone may be 0 by chance, where a beam's edge lies beyond it.
+  bool knows_first = is_inside(place - step);
+  bool knows_second = is_inside(place + 2 * step);
   bool knows_all = is_inside(place - 2 * step) && is_inside(place + 3 * step);
-  vec3 first_bend = is_inside(place - step) ? before - 2.0 * a + b : vec3(0.0);
-  vec3 second_bend = is_inside(place + 2 * step) ? a - 2.0 * b + behind : vec3(0.0);
+  bool knows_bends = knows_first ? knows_second || is_inside(place - 2 * step)
+                                 : knows_second && is_inside(place + 3 * step);
   vec3 bend_before = grid_texel(place - 2 * step, opacity).airlight - 2.0 * before + a;
   vec3 bend_behind = b - 2.0 * behind + grid_texel(place + 3 * step, opacity).airlight;
+  vec3 first_bend = before - 2.0 * a + b;
+  vec3 second_bend = a - 2.0 * b + behind;
+  if (!knows_first) first_bend = 2.0 * second_bend - bend_behind;
+  if (!knows_second) second_bend = 2.0 * first_bend - bend_before;
   // The bends' own bends.
   vec3 first_turn = bend_before - 2.0 * first_bend + second_bend;
   vec3 second_turn = first_bend - 2.0 * second_bend + bend_behind;
@@ -79,7 +84,9 @@ Middle middle_of(ivec2 place, ivec2 step, float opacity) {
   // 3/128 of the turn, which a cubic would, and by at most 1/19 of it at the edge of a beam, where the slope is
   // continuous and the bend is not.
   vec3 slope = display_slope(min(a, b));
-  float line_error = largest(max(abs(first_bend), abs(second_bend)) * slope) / (knows_bends ? 4.0 : 2.0);
+  float fraction = knows_first && knows_second ? 0.25 : 0.5;  // with a margin
+  float line_error = largest(max(abs(first_bend), abs(second_bend)) * slope) * fraction;
+  if (!knows_bends) line_error = 1.0;
   float polynomial_error = largest(max(abs(first_turn), abs(second_turn)) * slope) / 14.0;
   if (!knows_all || line_error > most_correction) polynomial_error = 1.0;
   float most_change = max(abs(first.opacity_change), abs(second.opacity_change));
