@@ -552,6 +552,18 @@ TEST_F(ReferencePictureTest, AirlightOfForwardAndBackwardScatteringFogIsThatOfTh
   }
 }
 
+// The samples of a pixel share an airlight only where they see almost the same of it: a lamp that shines towards the
+// eye is brighter by the phase function.
+TEST_F(ReferencePictureTest, AirlightOfForwardScatteringFogAtEdgesIsThatOfTheReference) {
+  Scene scene = read_scene(bundled_scene_path("street"));  // with cars that come towards the eye
+  scene.phase_g = 0.8;
+  Renderer renderer(scene, 48, 27, by_airlight());
+  const PictureError error = error_in(renderer, Fog::from_visibility(FogMode::exp2, 1500));
+  fmt::print("largest {:6.3f}, {} excluded\n", error.largest, error.excluded);
+  EXPECT_LE(error.largest, kAirlightBound);
+  EXPECT_EQ(error.excluded, 0u);
+}
+
 TEST_F(ReferencePictureTest, AirlightOfALampWithoutAnEndIsThatOfTheReference) {
   PlacedLight lamp = bright_lamp();
   lamp.light.attenuation = {2, 0, 0};

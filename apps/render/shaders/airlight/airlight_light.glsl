@@ -30,6 +30,14 @@ float largest_gain(LitfogLight light, vec3 direction, float nearest, float farth
          litfog_attenuation(range, light.attenuation.x, light.attenuation.y, light.attenuation.z);
 }
 
+// The phase function where it is largest between two ranges of a ray: the cosine of the angle of scattering falls along
+// a ray.
+float largest_phase(LitfogLight light, vec3 direction, float nearest, float farthest) {
+  if (asymmetry == 0.0) return 1.0;
+  vec3 position = eye + direction * (asymmetry > 0.0 ? nearest : farthest);
+  return litfog_phase(-dot(direction, litfog_ray(light.position_extent.xyz, position).xyz), asymmetry);
+}
+
 // The airlight from the end of a ray, for the fog's opacity there.
 vec3 gain_at(int light_index, LitfogLight light, vec3 direction, float range) {
   vec3 position = eye + direction * range;
@@ -76,7 +84,7 @@ void add_light(int light_index, float fraction, vec3 direction, vec4 seen) {
   shown.color_intensity.rgb *= exposure_gain;
   float equal_opacities =
       max(most_equal_opacities, most_equal_airlights / largest_gain(light, direction, seen.x, seen.w)) /
-      max(exposure_gain, 1.0);
+      (max(exposure_gain, 1.0) * largest_phase(light, direction, seen.x, seen.w));
   vec3 sum = vec3(0.0);
   int first = 0;
   do {
