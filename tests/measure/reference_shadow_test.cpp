@@ -309,6 +309,23 @@ TEST_F(ReferenceShadow, ShaftsComeNearToRaysAsStepsGrow) {
   EXPECT_GT(without.mean, 5);
 }
 
+// What stands beside the road cuts finer shafts than the steps and the texels of the maps tell.
+TEST_F(ReferenceShadow, ShaftsOfHeadlightsAreWithinTwoAndAHalfStepsOfRays) {
+  Scene scene = read_scene(bundled_scene_path("headlights"));
+  const CameraAxes axes = axes_of(scene.camera);
+  scene.camera.target =
+      glm::vec3(glm::dvec3(scene.camera.position) + axes.forward - 0.244 * axes.right + 0.134 * axes.up);
+  scene.camera.field_of_view = 0.2195f;
+  Renderer renderer(scene, 24, 14, {.fog_lighting = FogLighting::airlight, .shadows = Shadows::shafts});
+  renderer.set_fog(Fog::from_visibility(FogMode::exp, 400.0));
+  renderer.draw(LightPoints::off);
+  const PictureError error = picture_error(renderer.read(), shade_reference(renderer));
+  fmt::print("largest {:.2f}, mean {:.4f}, {} excluded\n", error.largest, error.mean, error.excluded);
+  EXPECT_LE(error.largest, 2.5);
+  EXPECT_LE(error.mean, 0.1);
+  EXPECT_LE(error.excluded, std::size_t{24 * 14 / 2});
+}
+
 TEST_F(ReferenceShadow, MapsAreDrawnOnceForAllFrames) {
   const Scene scene = box_over_floor(lamp_at({0, 6, 0}, {0, 0, 0}, {}));
   Renderer renderer(scene, 32, 18, {.shadows = Shadows::surfaces});
