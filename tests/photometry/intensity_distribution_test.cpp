@@ -480,8 +480,8 @@ TEST(AxialProfile, CirclesAboutAnyAxisAreThoseOfIntensityAt) {
       for (const AxialSample& sample : axial_profile(scaled, axis)) {
         if (std::abs(sample.angle - pi / 2) < 1e-9) continue;  // there turns about a pole of types A and B are chance
         const AxialSample expected = circle_by_directions(lamps[i], frame, sample.angle);
-        ASSERT_NEAR(sample.mean / scale, expected.mean, 1e-9) << i << " at " << sample.angle / kDegree;
-        ASSERT_NEAR(sample.deviation / scale, expected.deviation, 1e-9) << i << " at " << sample.angle / kDegree;
+        ASSERT_NEAR(sample.mean / scale, expected.mean, 1e-12) << i << " at " << sample.angle / kDegree;
+        ASSERT_NEAR(sample.deviation / scale, expected.deviation, 1e-12) << i << " at " << sample.angle / kDegree;
       }
       EXPECT_NEAR(asymmetry(scaled, axis), asymmetry(lamps[i], axis), 1e-9);
     }
