@@ -16,9 +16,9 @@ using std::numbers::pi;
 
 using Column = std::array<double, kEquatorSteps>;
 
-/// std::atan2(y, x) to 1e-15 without branches and calls, so that compilers take several at a time in a loop; of two
-/// zeros it is a zero. The rational function is that of Cephes (S. L. Moshier, atan.c), which holds to 0.66: the
-/// tangent is brought to within tan(pi / 8).
+/// std::atan2(y, x) without branches and calls, so that compilers take several at a time in a loop; of two zeros it is
+/// a zero. Circles by it are those by std::atan2 to 1e-12. The rational function is that of Cephes (S. L. Moshier,
+/// atan.c), which holds to 0.66: the tangent is brought to within tan(pi / 8).
 inline double arc_tangent(double y, double x) {
   const double across = std::abs(y), along = std::abs(x);
   const double least = std::min(across, along), most = std::max(across, along);
