@@ -15,9 +15,8 @@ namespace {
 constexpr double kMostError = 0.0005;   // of the display: an eighth of a step
 constexpr double kSafety = 4;           // for airlight that bends more than k / h
 constexpr double kFarthestReach = 1e9;  // metres, for lights without an end: floats hold its square
-constexpr double kThinBeam = 0.17;      // radians: half the angle of a beam on the picture that grids may miss
-// The fourth derivative of what a grid keeps of a thin beam is 23 times as large as of others (airlight_light.glsl).
-constexpr double kThinBend = 1.9;  // 23^(1/5)
+// The fourth derivative of what a grid keeps of a beam is 23 times as large as of others (airlight_light.glsl).
+constexpr double kBeamBend = 1.9;  // 23^(1/5)
 
 /// Range at which the attenuation's denominator has a value; 0 where it is above it everywhere.
 double level_range(const Attenuation& attenuation, double denominator) {
@@ -138,18 +137,19 @@ AirlightList list_airlight(const SceneLights& lights, const Fog& fog, const Scat
     const double bend_range =
         std::min(find_bend_range(beam.narrowing * bound.k(), bound.density(), pixel, gain), reach);
     const double most_bend_range = eye_range / 2;
-    // Up to a range, a thin beam is thinner than a few texels of a grid, which keep next to nothing of it there.
-    const bool is_thin = beam.angle < kThinBeam;
-    const double thin_range =
-        is_thin ? std::max(4 * pixel / std::tan(beam.angle), std::min(kThinBend * bend_range, most_bend_range)) : 0;
+    // Across its apex, a beam's airlight jumps, unless it is seen along its axis. Up to a range a thin one is thinner
+    // than a few texels of a grid, too. Grids keep next to nothing of it there.
+    const bool is_beam = beam.angle < 0.5 * std::numbers::pi;
+    const double beam_range =
+        is_beam ? std::max(4 * pixel / std::tan(beam.angle), std::min(kBeamBend * bend_range, most_bend_range)) : 0;
     found.push_back(
         {{.profile = int(lights.instances()[i].axis_profile.w),
           .has_shafts = !casters.empty() && casters[i] >= 0,
           .has_knee = placed.light.attenuation.constant < 1},
          {.light = float(i),
           .reach = float(reach),
-          .bend_range = float(is_thin ? std::min(thin_range, kFarthestReach) : std::min(bend_range, most_bend_range)),
-          .width = float(is_thin ? 0 : beam.narrowing * bound.flat_range())},
+          .bend_range = float(is_beam ? std::min(beam_range, kFarthestReach) : std::min(bend_range, most_bend_range)),
+          .width = float(is_beam ? 0 : beam.narrowing * bound.flat_range())},
          lights.cookie(i) ? LightBounds{.position = placed.position, .range = reach} : bounds_of(placed, reach)});
   }
   std::ranges::stable_sort(found, {}, &Found::kind);

@@ -24,7 +24,7 @@ struct AirlightEntry {
   /// Metres from the light where its airlight, about k / h at a distance h, bends so that a grid of all pixels may
   /// miss an eighth of a step of the display. A grid of every g-th pixel may do so at g^(4/5) times that range.
   float bend_range;
-  float width;  ///< metres, within which its airlight is flat; 0 for a thin beam
+  float width;  ///< metres, within which its airlight is flat; 0 for a beam, unless seen along its axis
 };
 
 /// What lights that are drawn by one program have in common.

@@ -56,8 +56,8 @@ vec3 gain_at(int light_index, LitfogLight light, vec3 direction, float range) {
 // The fraction of a light's airlight that a grid of every grid_step-th pixel keeps, along a ray at a distance from the
 // light. With t = h / range it keeps k / range (35 - 35 t^2 + 21 t^4 - 5 t^6) / 16 of k / h, the softening of
 // multilevel summation (Hardy et al. 2015, "Multilevel Summation Method for Electrostatic Force Evaluation"). That has
-// no peak, and meets k / h with three derivatives at t = 1. Near the light h stops at the falloff's width. A thin beam
-// is missed by texels close to the light, so little of it may be kept there.
+// no peak, and meets k / h with three derivatives at t = 1. Near the light h stops at the falloff's width. A beam's
+// airlight jumps across its apex, and texels close to it miss a thin one, so next to nothing of a beam is kept there.
 float kept_fraction(vec4 entry, float distance_squared, int grid_step) {
   float range = left_out_range(entry.z, entry.w, grid_step);
   if (grid_step == 1 || range <= 0.0) return 1.0;
