@@ -44,15 +44,6 @@ void take_arc_tangents(const Column& y, const Column& x, std::size_t count, Colu
   for (std::size_t i = 0; i < count; ++i) angles[i] = arc_tangent(y[i], x[i]);
 }
 
-inline bool is_dark(const Darkness& darkness, const PoleCoordinates& direction) {
-  constexpr double kMargin = 1e-6;  // above the tolerance of measured angles
-  const auto [pole, ahead, aside] = direction;
-  const bool is_below = darkness.low_ahead * ahead - darkness.low_aside * aside > kMargin;  // within half a turn
-  const bool is_above = darkness.high_ahead * ahead - darkness.high_aside * aside > kMargin;
-  const bool is_turned_off = darkness.is_wide ? is_below & is_above : is_below | is_above;
-  return is_turned_off | (pole < darkness.least_pole - kMargin) | (pole > darkness.most_pole + kMargin);
-}
-
 /// The turn in the measured part of one.
 inline double folded(const CircleTable& table, double turn) {
   if (!table.is_c) return table.is_turn_mirrored ? std::abs(turn) : turn;
@@ -78,27 +69,11 @@ inline double intensity_between(const CircleTable& table, double turn, double ri
 
 }  // namespace
 
-AngleIndex::AngleIndex(std::span<const double> angles, std::size_t stride_given)
-    : first(angles.front()), last(angles.back()), stride(stride_given) {
-  const std::size_t count = angles.size() - 1;
-  last_bucket = 2 * double(count);
-  scale = last_bucket / (last - first);
-  for (std::size_t bucket = 0, interval = 0; bucket <= 2 * count; ++bucket) {
-    while (interval + 1 < count && bucket_of(angles[interval + 1]) < bucket) ++interval;
-    intervals.push_back(std::uint32_t(interval));
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    low.push_back(angles[i]);
-    reciprocal.push_back(1 / (angles[i + 1] - angles[i]));
-  }
-  low.push_back(std::numeric_limits<double>::infinity());
-}
-
 CircleTable::CircleTable(const IntensityDistribution& distribution)
     : is_c(distribution.type == PhotometryType::c),
       nadir(intensity_at(distribution, kPhotometricAxis)),
       zenith(intensity_at(distribution, -kPhotometricAxis)),
-      unit(std::exp2(std::max(std::ilogb(find_peak(distribution).intensity), -1000))),
+      unit(std::exp2(std::max(std::ilogb(std::ranges::max(distribution.intensity)), -1000))),
       intensity(distribution.intensity.data()),
       darkness(distribution) {
   const auto& [type, horizontal, vertical, intensities] = distribution;
@@ -150,7 +125,7 @@ Circle CircleSampler::at(double angle) const {
     pole[lit] = direction.pole;
     ahead[lit] = direction.ahead;
     aside[lit] = direction.aside;
-    lit += is_dark(table_.darkness, direction) ? 0 : 1;
+    lit += table_.darkness.holds(direction) ? 0 : 1;
   }
   if (lit == 0) return {};
   for (std::size_t i = 0; i < lit; ++i) radius[i] = std::sqrt(ahead[i] * ahead[i] + aside[i] * aside[i]);

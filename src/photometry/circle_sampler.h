@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cstddef>
-#include <cstdint>
 #include <glm/vec3.hpp>
-#include <span>
 #include <vector>
 
+#include "angle_index.h"
 #include "darkness.h"
 #include "litfog/photometry/intensity_distribution.h"
-#include "measured_angles.h"
+#include "pole_coordinates.h"
 
 namespace litfog {
 
@@ -23,38 +20,6 @@ struct Circle {
   double mean = 0;               ///< candela
   double largest_deviation = 0;  ///< from the mean
   double rms_deviation = 0;
-};
-
-/// Measured angles, to find others among them: by buckets of even width, each of which has the interval in which it
-/// begins. Mostly that is the interval.
-struct AngleIndex {
-  AngleIndex() = default;
-  /// angles  two or more, strictly increasing
-  /// stride  of intensities from one angle to the next
-  AngleIndex(std::span<const double> angles, std::size_t stride);
-
-  bool is_outside(double angle) const { return !(angle >= first - kAngleTolerance && angle <= last + kAngleTolerance); }
-  std::size_t bucket_of(double angle) const {
-    return std::size_t(std::int64_t(std::min(std::max((angle - first) * scale, 0.0), last_bucket)));
-  }
-  /// That which holds an angle, or is next to it.
-  std::size_t interval(double angle) const {
-    std::size_t interval = intervals[bucket_of(angle)];
-    while (angle >= low[interval + 1]) ++interval;
-    return interval;
-  }
-  /// Of an interval, at an angle in it.
-  double fraction(std::size_t interval, double angle) const {
-    return std::min(std::max((angle - low[interval]) * reciprocal[interval], 0.0), 1.0);
-  }
-
-  double first = 0, last = 0;  // of the angles
-  double scale = 0;            // from angles to buckets
-  double last_bucket = 0;
-  std::size_t stride = 0;
-  std::vector<std::uint32_t> intervals = {};  // by bucket
-  std::vector<double> low = {};               // angle, by interval, and infinity
-  std::vector<double> reciprocal = {};        // of the width
 };
 
 /// A distribution as intensities are looked up in it, many at a time.

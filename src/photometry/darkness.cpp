@@ -42,39 +42,27 @@ bool is_row_lit(const IntensityDistribution& distribution, std::size_t vertical)
   return false;
 }
 
-PoleCoordinates pole_coordinates(PhotometryType type, const glm::dvec3& direction) {
-  switch (type) {
-    case PhotometryType::a:
-      return {direction.y, -direction.z, direction.x};
-    case PhotometryType::b:
-      return {direction.x, -direction.z, direction.y};
-    case PhotometryType::c:
-      break;
-  }
-  return {-direction.z, direction.x, direction.y};
-}
-
 Darkness::Darkness(const IntensityDistribution& distribution) {
   const auto& [type, horizontal, vertical, intensity] = distribution;
   const bool is_c = type == PhotometryType::c;
   const auto in_rows =
       lit_range(vertical, !is_c && is_mirrored(vertical), [&](std::size_t v) { return is_row_lit(distribution, v); });
   if (is_c) {
-    least_pole = std::cos(in_rows.high);
-    most_pole = std::cos(in_rows.low);
+    least_pole_ = std::cos(in_rows.high);
+    most_pole_ = std::cos(in_rows.low);
     return;
   }
   const auto in_planes =
       lit_range(horizontal, is_mirrored(horizontal), [&](std::size_t h) { return is_plane_lit(distribution, h); });
   const bool is_a = type == PhotometryType::a;
   const auto [elevation, turn] = is_a ? std::pair(in_rows, in_planes) : std::pair(in_planes, in_rows);
-  least_pole = std::sin(elevation.low);
-  most_pole = std::sin(elevation.high);
-  low_ahead = std::sin(turn.low);
-  low_aside = std::cos(turn.low);
-  high_ahead = -std::sin(turn.high);
-  high_aside = -std::cos(turn.high);
-  is_wide = turn.high - turn.low > std::numbers::pi;
+  least_pole_ = std::sin(elevation.low);
+  most_pole_ = std::sin(elevation.high);
+  low_ahead_ = std::sin(turn.low);
+  low_aside_ = std::cos(turn.low);
+  high_ahead_ = -std::sin(turn.high);
+  high_aside_ = -std::cos(turn.high);
+  is_wide_ = turn.high - turn.low > std::numbers::pi;
 }
 
 }  // namespace litfog

@@ -15,6 +15,7 @@
 #include "dark_edge.h"
 #include "darkness.h"
 #include "measured_angles.h"
+#include "pole_coordinates.h"
 #include "require.h"
 
 namespace litfog {
@@ -30,32 +31,6 @@ constexpr int kFineSteps = 100;  // of a finer grid, from the axis
 double sum_of(const glm::dvec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
 // --- the measured grid ---
-
-double horizontal_angle_of(PhotometryType type, const glm::dvec3& direction) {
-  const auto [x, y, z] = std::array{direction.x, direction.y, direction.z};
-  switch (type) {
-    case PhotometryType::a:
-      return std::atan2(x, -z);
-    case PhotometryType::b:
-      return std::atan2(x, std::hypot(y, z));
-    case PhotometryType::c:
-      break;
-  }
-  return std::atan2(y, x);
-}
-
-double vertical_angle_of(PhotometryType type, const glm::dvec3& direction) {
-  const auto [x, y, z] = std::array{direction.x, direction.y, direction.z};
-  switch (type) {
-    case PhotometryType::a:
-      return std::atan2(y, std::hypot(x, z));
-    case PhotometryType::b:
-      return std::atan2(y, -z);
-    case PhotometryType::c:
-      break;
-  }
-  return std::atan2(std::hypot(x, y), -z);
-}
 
 /// The measured angle that a turn of type C mirrors to.
 double folded_turn(std::span<const double> turn, double angle) {
@@ -122,27 +97,6 @@ double mean_square_over_turn(std::span<const double> turn, const InPlane& in_pla
   });
 }
 
-/// Interpolated between the measured angles.
-///
-/// is_on_pole  of type C: on the line where all planes meet, their mean
-double intensity_by_angles(const IntensityDistribution& distribution, const PhotometricAngles& angles,
-                           bool is_on_pole) {
-  const auto& [type, horizontal, vertical, intensity] = distribution;
-  const bool is_c = type == PhotometryType::c;
-  const auto v = locate(vertical, is_c ? angles.vertical : folded(vertical, angles.vertical));
-  if (!v) return 0;
-  const auto in_plane = [&, &grid = intensity, rows = vertical.size()](std::size_t plane) {
-    return std::lerp(grid[plane * rows + v->low], grid[plane * rows + v->high], v->fraction);
-  };
-  if (horizontal.size() == 1) return in_plane(0);
-  if (is_c && is_on_pole) return mean_over_turn(horizontal, in_plane);
-  const double turn = angles.horizontal;
-  const auto h = locate(horizontal, is_c ? folded_turn(horizontal, turn) : folded(horizontal, turn));
-  return h ? std::lerp(in_plane(h->low), in_plane(h->high), h->fraction) : 0;
-}
-
-bool is_on_pole(const glm::dvec3& direction) { return direction.x == 0 && direction.y == 0; }
-
 // --- integration ---
 
 /// Weights of the trapezoidal rule: the integral of what is linear between the angles.
@@ -172,19 +126,6 @@ std::vector<double> polar_weights(std::span<const double> angles, double pole) {
 }
 
 // --- circles about an axis ---
-
-/// Directions by the angle from an axis and the turn about it, which starts at the light's +x.
-class AxisFrame {
- public:
-  explicit AxisFrame(const glm::dvec3& axis) : luminaire_from_light_(luminaire_from_light(axis)) {}
-
-  glm::dvec3 direction(double angle, double turn) const {
-    return luminaire_from_light_ * direction_of(PhotometryType::c, turn, angle);
-  }
-
- private:
-  glm::dmat3 luminaire_from_light_;
-};
 
 bool is_own_axis(const IntensityDistribution& distribution, const glm::dvec3& axis) {
   return distribution.type == PhotometryType::c && (axis == kPhotometricAxis || axis == -kPhotometricAxis);
@@ -341,7 +282,11 @@ void require_axis(const glm::dvec3& axis) {
 }  // namespace
 
 PhotometricAngles angles_of(PhotometryType type, const glm::dvec3& direction) {
-  return {horizontal_angle_of(type, direction), vertical_angle_of(type, direction)};
+  const auto [pole, ahead, aside] = pole_coordinates(type, direction);
+  const double turn = std::atan2(aside, ahead), radius = std::hypot(ahead, aside);
+  if (type == PhotometryType::c) return {turn, std::atan2(radius, pole)};
+  const double rise = std::atan2(pole, radius);
+  return type == PhotometryType::a ? PhotometricAngles{turn, rise} : PhotometricAngles{rise, turn};
 }
 
 glm::dvec3 direction_of(PhotometryType type, double horizontal, double vertical) {
@@ -395,7 +340,20 @@ std::optional<ValueError> check(const IntensityDistribution& distribution) {
 }
 
 double intensity_at(const IntensityDistribution& distribution, const glm::dvec3& direction) {
-  return intensity_by_angles(distribution, angles_of(distribution.type, direction), is_on_pole(direction));
+  const auto& [type, horizontal, vertical, intensity] = distribution;
+  const bool is_c = type == PhotometryType::c;
+  const PhotometricAngles angles = angles_of(type, direction);
+  const auto v = locate(vertical, is_c ? angles.vertical : folded(vertical, angles.vertical));
+  if (!v) return 0;
+  const auto in_plane = [&, &grid = intensity, rows = vertical.size()](std::size_t plane) {
+    return std::lerp(grid[plane * rows + v->low], grid[plane * rows + v->high], v->fraction);
+  };
+  if (horizontal.size() == 1) return in_plane(0);
+  const bool is_on_pole = is_c && direction.x == 0 && direction.y == 0;  // the line where all planes meet
+  if (is_on_pole) return mean_over_turn(horizontal, in_plane);
+  const double turn = angles.horizontal;
+  const auto h = locate(horizontal, is_c ? folded_turn(horizontal, turn) : folded(horizontal, turn));
+  return h ? std::lerp(in_plane(h->low), in_plane(h->high), h->fraction) : 0;
 }
 
 double luminous_flux(const IntensityDistribution& distribution) {
@@ -470,10 +428,10 @@ std::vector<AxialSample> plane_profile(const IntensityDistribution& distribution
   require(check(distribution));
   require_axis(axis);
   if (!std::isfinite(turn)) require(ValueError{"turn", turn, "must be finite"});
-  const AxisFrame frame(axis);
+  const glm::dmat3 frame = luminaire_from_light(axis);
   std::vector<AxialSample> profile;
   for (const double angle : profile_angles(distribution, axis)) {
-    profile.push_back({angle, intensity_at(distribution, frame.direction(angle, turn)), 0});
+    profile.push_back({angle, intensity_at(distribution, frame * direction_of(PhotometryType::c, turn, angle)), 0});
   }
   return profile;
 }
