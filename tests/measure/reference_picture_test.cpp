@@ -564,16 +564,18 @@ TEST_F(ReferencePictureTest, AirlightOfForwardAndBackwardScatteringFogIsThatOfTh
   }
 }
 
-// The samples of a pixel share an airlight only where they see almost the same of it: a lamp that shines towards the
-// eye is brighter by the phase function.
-TEST_F(ReferencePictureTest, AirlightOfForwardScatteringFogAtEdgesIsThatOfTheReference) {
-  Scene scene = read_scene(bundled_scene_path("street"));  // with cars that come towards the eye
-  scene.phase_g = 0.8;
-  Renderer renderer(scene, 48, 27, by_airlight());
-  const PictureError error = error_in(renderer, Fog::from_visibility(FogMode::exp2, 1500));
-  fmt::print("largest {:6.3f}, {} excluded\n", error.largest, error.excluded);
-  EXPECT_LE(error.largest, kAirlightBound);
-  EXPECT_EQ(error.excluded, 0u);
+// The samples of a pixel share an airlight only where they see almost the same of it. Headlights of cars that come
+// towards the eye are brighter by the phase function where g > 0, those of others where g < 0.
+TEST_F(ReferencePictureTest, AirlightOfDirectionalFogAtEdgesIsThatOfTheReference) {
+  for (const float g : {0.8f, -0.8f}) {
+    Scene scene = read_scene(bundled_scene_path("street"));
+    scene.phase_g = g;
+    Renderer renderer(scene, 48, 27, by_airlight());
+    const PictureError error = error_in(renderer, Fog::from_visibility(FogMode::exp2, 1500));
+    fmt::print("g {:4.1f}: largest {:6.3f}, {} excluded\n", g, error.largest, error.excluded);
+    EXPECT_LE(error.largest, kAirlightBound) << g;
+    EXPECT_EQ(error.excluded, 0u) << g;
+  }
 }
 
 TEST_F(ReferencePictureTest, AirlightOfALampWithoutAnEndIsThatOfTheReference) {
