@@ -567,7 +567,7 @@ TEST_F(ReferencePictureTest, AirlightOfForwardAndBackwardScatteringFogIsThatOfTh
 // The samples of a pixel share an airlight only where they see almost the same of it. Headlights of cars that come
 // towards the eye are brighter by the phase function where g > 0, those of others where g < 0.
 TEST_F(ReferencePictureTest, AirlightOfDirectionalFogAtEdgesIsThatOfTheReference) {
-  for (const float g : {0.8f, -0.8f}) {
+  for (const double g : {0.8, -0.8}) {
     Scene scene = read_scene(bundled_scene_path("street"));
     scene.phase_g = g;
     Renderer renderer(scene, 48, 27, by_airlight());

@@ -155,8 +155,8 @@ void add_shadows(CLI::App& app, DrawingOptions& options) {
   command::add_choice(
       app, "--shadows", options.render.shadows,
       {{"none", render::Shadows::none}, {"surfaces", render::Shadows::surfaces}, {"shafts", render::Shadows::shafts}},
-      "What the shadows of lamps and moon darken: surfaces; shafts is surfaces and lamps' airlight, whose edges may "
-      "err by 2.5 steps of 1/255 (default none)");
+      "What the shadows of lamps and moon darken: surfaces; shafts is surfaces and lamps' airlight, which errs by up "
+      "to 2.5 steps of 1/255 at the edges of shafts (default none)");
   command::add_integer(
       app, "--shadow-lamps", options.render.shadow_lamps, 1, int(scene::kMaxSceneLights),
       "With --shadows: at most this many lamps cast them, the carried ones first, then the brightest at "

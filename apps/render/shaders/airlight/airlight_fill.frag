@@ -64,8 +64,8 @@ Middle middle_of(ivec2 place, ivec2 step, float opacity) {
   vec3 b = second.airlight;
   vec3 before = grid_texel(place - step, opacity).airlight;
   vec3 behind = grid_texel(place + 2 * step, opacity).airlight;
-  // At the grid's border not all of these are known: no polynomial, and the bend at one of the inner two goes on as
-  // those of the next two texels do. One bend alone may be 0 by chance, where a beam's edge lies beyond it.
+  // At the grid's border not all of these are known. Then there is no polynomial, and an unknown bend of the inner two
+  // continues those of the next two texels. One bend alone may be 0 by chance, where a beam's edge lies beyond it.
   bool knows_first = is_inside(place - step);
   bool knows_second = is_inside(place + 2 * step);
   bool knows_all = is_inside(place - 2 * step) && is_inside(place + 3 * step);
