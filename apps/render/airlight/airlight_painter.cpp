@@ -57,12 +57,12 @@ AirlightPainter::AirlightPainter(const scene::Scene& scene, const gl::FogLightBu
       fog_lights_(fog_lights),
       far_(scene, fog_lights),
       shaft_steps_(settings.shaft_steps),
-      tile_programs_(scene, "whole_picture.vert", "airlight_tiles.frag"),
+      tile_programs_(scene, "airlight_blocks.vert", "airlight_tiles.frag"),
       left_out_programs_(scene, "airlight_left_out.vert", "airlight_left_out.frag"),
       seen_program_(make_seen_program(framebuffer.samples())),
       fill_program_("whole_picture.vert", "airlight_fill.frag", render_shaders()),
       marks_program_("whole_picture.vert", "airlight_marks.frag", render_shaders()),
-      pack_program_("whole_picture.vert", "airlight_pack.frag", render_shaders()),
+      pack_program_("airlight_blocks.vert", "airlight_pack.frag", render_shaders()),
       unpack_program_("whole_picture.vert", "airlight_unpack.frag", render_shaders()),
       add_program_("whole_picture.vert", "airlight_add.frag", render_shaders()) {
   set_size(framebuffer);
@@ -151,14 +151,14 @@ void AirlightPainter::draw(const Framebuffer& framebuffer, const View& view, Fog
     const Grid& grid = grids[i];
     glBindFramebuffer(GL_FRAMEBUFFER, grid.framebuffer.id());
     glClear(GL_COLOR_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    glEnable(GL_STENCIL_TEST);
     if (i > 0) {
-      glEnable(GL_STENCIL_TEST);
       fill(frame, grid, grids[i - 1]);
       draw_left_out(frame, grid);
-      draw_packed(frame, grid);
-      glDisable(GL_STENCIL_TEST);
     }
-    draw_lights(frame, grid, Part::whole);
+    draw_packed(frame, grid);
+    glDisable(GL_STENCIL_TEST);
+    draw_whole(frame, grid);
   }
 
   glEnable(GL_BLEND);
@@ -187,11 +187,14 @@ void AirlightPainter::fill(const Frame& frame, const Grid& grid, const Grid& coa
   glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
 }
 
-/// Draws all lights at the texels of a grid that are not filled.
+/// Draws the lights of a grid at its texels that are not filled: at the first grid all that it has, at others those
+/// that the coarser one has. Packed blocks lie apart, as far as the target has room: drivers share a picture out among
+/// processors by large tiles, of which a coarse grid fills only one.
 void AirlightPainter::draw_packed(const Frame& frame, const Grid& grid) {
-  const glm::ivec2 size = blocks(grid.size);
+  const glm::ivec2 count = blocks(grid.size), room = packed_.size / kBlock;
+  const Blocks packed{count, glm::max((room - 1) / glm::max(count - 1, 1), 1), packed_.size};
   glBindFramebuffer(GL_FRAMEBUFFER, marks_framebuffer_.id());
-  glViewport(0, 0, size.x, size.y * kBlock);
+  glViewport(0, 0, count.x, count.y * kBlock);
   marks_program_.use();
   bind_texture(kAirlightUnit, grid.airlight);
   set_uniform(marks_program_, "airlight", kAirlightUnit);
@@ -199,19 +202,22 @@ void AirlightPainter::draw_packed(const Frame& frame, const Grid& grid) {
 
   bind_texture(kMarkUnit, marks_);
   glBindFramebuffer(GL_FRAMEBUFFER, places_framebuffer_.id());
-  glViewport(0, 0, size.x * kBlock, size.y * kBlock);
   glClear(GL_STENCIL_BUFFER_BIT);
   glStencilFunc(GL_ALWAYS, kMarked, 0xff);
   glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
   pack_program_.use();
   set_uniform(pack_program_, "row_marks", kMarkUnit);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  draw_blocks(pack_program_, packed);
   glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
 
   glBindFramebuffer(GL_FRAMEBUFFER, packed_.framebuffer.id());
   glClear(GL_COLOR_BUFFER_BIT);
   bind_texture(kPlaceUnit, places_);
-  draw_lights(frame, grid, Part::packed);
+  const bool is_first = grid.step == frame.coarsest_step;
+  for (std::size_t i = 0; i < ranges_.size(); ++i) {
+    const int coarsest = coarsest_step(ranges_[i].kind, frame);
+    if (grid.step < coarsest || (is_first && grid.step == coarsest)) draw_lights(frame, grid, i, packed, true);
+  }
 
   glBindFramebuffer(GL_FRAMEBUFFER, grid.framebuffer.id());
   glViewport(0, 0, grid.size.x, grid.size.y);
@@ -222,6 +228,7 @@ void AirlightPainter::draw_packed(const Frame& frame, const Grid& grid) {
   set_uniform(unpack_program_, "row_marks", kMarkUnit);
   set_uniform(unpack_program_, "packed_airlight", kAirlightUnit);
   set_uniform(unpack_program_, "packed_gain", kGainUnit);
+  set_uniform(unpack_program_, "block_stride", packed.stride);
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
@@ -245,45 +252,53 @@ void AirlightPainter::draw_left_out(const Frame& frame, const Grid& grid) {
   glDisable(GL_BLEND);
 }
 
-/// Adds lights to the bound framebuffer, which is that of a grid or of its packed texels.
-void AirlightPainter::draw_lights(const Frame& frame, const Grid& grid, Part part) {
-  const glm::ivec2 size = part == Part::packed ? blocks(grid.size) * kBlock : grid.size;
-  glViewport(0, 0, size.x, size.y);
+/// Adds the lights that all coarser grids do without.
+void AirlightPainter::draw_whole(const Frame& frame, const Grid& grid) {
+  if (grid.step == frame.coarsest_step) return;  // which has its lights packed
+  const glm::ivec2 count = blocks(grid.size);
+  for (std::size_t i = 0; i < ranges_.size(); ++i) {
+    if (grid.step != coarsest_step(ranges_[i].kind, frame)) continue;
+    draw_lights(frame, grid, i, {.count = count, .stride = glm::ivec2(1), .target = count * kBlock}, false);
+  }
+}
+
+/// Adds the lights of a range to blocks of the bound framebuffer's texels, which are a grid's own or packed ones.
+void AirlightPainter::draw_lights(const Frame& frame, const Grid& grid, std::size_t range, const Blocks& blocks,
+                                  bool is_packed) {
+  const gl::Program& program = tile_programs_.program(frame.fog_mode, ranges_[range].kind);
+  use(program, frame, grid);
+  set_uniform(program, "packed_places", kPlaceUnit);
+  set_uniform(program, "is_packed", is_packed);
+  set_uniform(program, "tile_lists", kTileUnit);
+  set_uniform(program, "tile_count", tile_count_);
+  set_uniform(program, "tile_size", tile_size_);
+  set_uniform(program, "first_tile", int(range) * 2 * tile_count_.x * tile_count_.y);
   glStencilFunc(GL_EQUAL, kMarked, 0xff);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);
-  for (std::size_t i = 0; i < ranges_.size(); ++i) {
-    const AirlightKind& kind = ranges_[i].kind;
-    const int coarsest = coarsest_step(kind, frame);
-    if (part == Part::whole ? grid.step != coarsest : grid.step >= coarsest) continue;
-    const gl::Program& program = tile_programs_.program(frame.fog_mode, kind);
-    use(program, frame, grid);
-    set_uniform(program, "packed_places", kPlaceUnit);
-    set_uniform(program, "is_packed", part == Part::packed);
-    set_uniform(program, "tile_lists", kTileUnit);
-    set_uniform(program, "tile_count", tile_count_);
-    set_uniform(program, "tile_size", tile_size_);
-    set_uniform(program, "first_tile", int(i) * 2 * tile_count_.x * tile_count_.y);
-    draw_stripes(size, frame.interruption);
+  const int rows = frame.interruption.can_come() ? (blocks.target.y + kStripes - 1) / kStripes : blocks.target.y;
+  glEnable(GL_SCISSOR_TEST);
+  for (int row = 0; row < blocks.target.y && !frame.interruption.has_come(); row += rows) {
+    glScissor(0, row, blocks.target.x, rows);
+    draw_blocks(program, blocks);
   }
+  glDisable(GL_SCISSOR_TEST);
   glDisable(GL_BLEND);
+}
+
+void AirlightPainter::draw_blocks(const gl::Program& program, const Blocks& blocks) {
+  glViewport(0, 0, blocks.target.x, blocks.target.y);
+  set_uniform(program, "block_columns", blocks.count.x);
+  set_uniform(program, "block_stride", blocks.stride);
+  set_uniform(program, "target_size", glm::vec2(blocks.target));
+  glEnable(GL_PROGRAM_POINT_SIZE);
+  glDrawArrays(GL_POINTS, 0, blocks.count.x * blocks.count.y);
 }
 
 /// Pixels between the texels of the first grid that draws lights of a kind.
 int AirlightPainter::coarsest_step(const AirlightKind& kind, const Frame& frame) {
   const int smooth_step = kind.profile == kCookieProfile || kind.has_shafts ? 2 : kGridSteps[0];
   return std::min(smooth_step, frame.coarsest_step);
-}
-
-/// Draws a target's texels: at once, or if an interruption may come, stripe by stripe.
-void AirlightPainter::draw_stripes(glm::ivec2 size, Interruption& interruption) {
-  const int rows = interruption.can_come() ? (size.y + kStripes - 1) / kStripes : size.y;
-  glEnable(GL_SCISSOR_TEST);
-  for (int row = 0; row < size.y && !interruption.has_come(); row += rows) {
-    glScissor(0, row, size.x, rows);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-  }
-  glDisable(GL_SCISSOR_TEST);
 }
 
 void AirlightPainter::use(const gl::Program& program, const Frame& frame, const Grid& grid) {

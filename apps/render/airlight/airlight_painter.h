@@ -70,10 +70,11 @@ class AirlightPainter {
     int step;  // pixels between texels
   };
 
-  /// Which lights are drawn, and where. Cookies and shafts may be finer than coarse grids, which do without them.
-  enum class Part {
-    whole,   // lights that coarser grids do without: at all texels
-    packed,  // lights that the coarser grid has: at packed texels
+  /// Some of a target's blocks of texels (shaders/airlight_blocks.glsl).
+  struct Blocks {
+    glm::ivec2 count;
+    glm::ivec2 stride;  // from one to the next, in blocks
+    glm::ivec2 target;  // texels
   };
 
   /// What the passes of a frame have in common.
@@ -89,10 +90,11 @@ class AirlightPainter {
   void use(const gl::Program& program, const Frame& frame, const Grid& grid);
   void fill(const Frame& frame, const Grid& grid, const Grid& coarse);
   void draw_left_out(const Frame& frame, const Grid& grid);
-  void draw_lights(const Frame& frame, const Grid& grid, Part part);
-  static int coarsest_step(const AirlightKind& kind, const Frame& frame);
-  void draw_stripes(glm::ivec2 size, Interruption& interruption);
   void draw_packed(const Frame& frame, const Grid& grid);
+  void draw_whole(const Frame& frame, const Grid& grid);
+  void draw_lights(const Frame& frame, const Grid& grid, std::size_t range, const Blocks& blocks, bool is_packed);
+  static void draw_blocks(const gl::Program& program, const Blocks& blocks);
+  static int coarsest_step(const AirlightKind& kind, const Frame& frame);
 
   const scene::Scene& scene_;
   const gl::FogLightBuffer& fog_lights_;

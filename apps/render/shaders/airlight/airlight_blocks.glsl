@@ -2,6 +2,7 @@
 // The texels of a grid for which a coarser one is not good enough, packed: those of a block of 8 x 8 stand at its first
 // places in Morton order. Scattered texels would leave most lanes of a processor idle.
 
+uniform ivec2 block_stride;   // from one packed block to the next, in blocks
 uniform sampler2D row_marks;  // a texel has 8 bits, of 8 texels in a row: 1 for one that is not filled
 
 const int block_size = 8;

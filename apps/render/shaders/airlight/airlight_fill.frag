@@ -13,8 +13,8 @@ uniform int pixel_step;       // pixels between the target's texels; the grid's 
 layout(location = 0) out vec4 airlight;  // alpha 1: filled
 layout(location = 1) out vec4 gain;
 
-const float most_own_change = 0.01;         // of opacity, within the pixel, at 0 EV
-const float most_opacity_change = 0.03;     // of opacity, from a texel of the grid, at 0 EV
+const float most_opacity_change = 0.03;     // of opacity, within the pixel or from a texel of the grid, at 0 EV
+const float most_outlying_change = 0.003;   // of opacity, from that of both texels, at 0 EV
 const float most_error = 0.0005;            // of the display: an eighth of a step
 const float most_correction = 0.004;        // of a straight line, by a polynomial: of the display, a step
 const float most_depth_correction = 0.016;  // of a texel, to what the pixel sees: of the display, four steps
@@ -80,26 +80,29 @@ Middle middle_of(ivec2 place, ivec2 step, float opacity) {
   // The bends' own bends.
   vec3 first_turn = bend_before - 2.0 * first_bend + second_bend;
   vec3 second_turn = first_bend - 2.0 * second_bend + bend_behind;
-  // Where the airlight is smooth, the straight line errs by an eighth of the bend. The polynomial errs by less than
-  // 3/128 of the turn, which a cubic would, and by at most 1/19 of it at the edge of a beam, where the slope is
-  // continuous and the bend is not.
+  // Where the airlight is smooth, the straight line errs by an eighth of the bend, and the polynomial by less than the
+  // 3/128 of the turn that a cubic would miss. At the edge of a beam, where the slope is continuous and the bend is not,
+  // the polynomial errs by at most 1/19 of the turn.
   vec3 slope = display_slope(min(a, b));
   float fraction = knows_first && knows_second ? 0.25 : 0.5;  // with a margin
   float line_error = largest(max(abs(first_bend), abs(second_bend)) * slope) * fraction;
   if (!knows_bends) line_error = 1.0;
-  float polynomial_error = largest(max(abs(first_turn), abs(second_turn)) * slope) / 14.0;
+  float polynomial_error = largest(max(abs(first_turn), abs(second_turn)) * slope) / 19.0;
   if (!knows_all || line_error > most_correction) polynomial_error = 1.0;
   float most_change = max(abs(first.opacity_change), abs(second.opacity_change));
   float gain_error = largest(abs(first.gain - second.gain) * slope) * most_change / 4.0;
   Middle middle;
   middle.airlight = 0.5 * (a + b);
   if (polynomial_error < most_error) {
-    middle.airlight += (first_turn + second_turn) * (3.0 / 256.0) - (first_bend + second_bend) / 14.0;
+    middle.airlight += (first_turn + second_turn) * (3.0 / 256.0) - (first_bend + second_bend) / 16.0;
   }
   middle.gain = 0.5 * (first.gain + second.gain);
   float depth_correction = largest(max(first.gain, second.gain) * slope) * most_change;
   bool is_far = most_change > most_opacity_change * change_scale() || depth_correction > most_depth_correction;
-  middle.error = is_far ? 1.0 : max(min(line_error, polynomial_error), gain_error);
+  // A pixel that sees nearer or farther than both texels: their gains say nothing of a beam in between.
+  bool is_outlying = first.opacity_change * second.opacity_change > 0.0 &&
+                     min(abs(first.opacity_change), abs(second.opacity_change)) > most_outlying_change * change_scale();
+  middle.error = is_far || is_outlying ? 1.0 : max(min(line_error, polynomial_error), gain_error);
   return middle;
 }
 
@@ -115,7 +118,7 @@ void main() {
     middle = Middle(texel.airlight, texel.gain, 0.0);
   } else {
     vec4 opacities = seen_opacities(seen_at(pixel), 1.0);
-    if (opacities.w - opacities.x > most_own_change * change_scale()) discard;
+    if (opacities.w - opacities.x > most_opacity_change * change_scale()) discard;
     // Between two texels of the grid, or across both diagonals between four.
     middle = middle_of(corner, part, opacity);
     if (part == ivec2(1)) {

@@ -7,9 +7,10 @@ out vec2 place;
 
 void main() {
   ivec2 here = ivec2(gl_FragCoord.xy);
-  ivec2 block = here / block_size;
-  int left = packed_index(here - block * block_size);  // texels of the block that come before
-  int marks = 0;                                       // of the texel's row
+  ivec2 packed_block = here / block_size;
+  ivec2 block = packed_block / block_stride;
+  int left = packed_index(here - packed_block * block_size);  // texels of the block that come before
+  int marks = 0;                                              // of the texel's row
   int row = 0;
   for (; row < block_size; ++row) {
     marks = row_marks_at(block, row);

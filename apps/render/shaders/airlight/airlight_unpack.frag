@@ -15,7 +15,7 @@ void main() {
   ivec2 within = here - block * block_size;
   int index = count_bits(row_marks_at(block, within.y) & ((1 << within.x) - 1));
   for (int row = 0; row < within.y; ++row) index += count_bits(row_marks_at(block, row));
-  ivec2 place = block * block_size + packed_place(index);
+  ivec2 place = block * block_stride * block_size + packed_place(index);
   airlight = texelFetch(packed_airlight, place, 0);
   gain = texelFetch(packed_gain, place, 0);
 }
