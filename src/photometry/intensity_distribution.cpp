@@ -213,9 +213,10 @@ struct Belt {
 std::vector<Belt> belts_of(const IntensityDistribution& distribution) {
   const std::vector<double> angles = axial_angles(distribution);
   std::vector<Belt> belts;
-  for (std::size_t i = 1; i < angles.size(); ++i) {
-    const double middle = std::midpoint(angles[i - 1], angles[i]);
-    belts.push_back({middle, std::sin(middle) * (angles[i] - angles[i - 1])});
+  for (std::size_t i = 0; i + 1 < angles.size(); i += 2) {  // one for two steps: half the profile's angles are enough
+    const double low = angles[i], high = angles[std::min(i + 2, angles.size() - 1)];
+    const double middle = std::midpoint(low, high);
+    belts.push_back({middle, std::sin(middle) * (high - low)});
   }
   return belts;
 }

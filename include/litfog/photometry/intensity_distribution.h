@@ -128,9 +128,9 @@ double half_angle(const std::vector<AxialSample>& profile, double fraction);
 ///
 /// axis       luminaire frame, of any length but 0
 /// limit      the search ends where the asymmetry is above it: the result is then only known to be so, too
-/// max error  0.001 for beams that change little within a degree: sampled between the angles that axial_profile() has
-///            about an axis other than the grid's, and in the turn every degree of the largest circle, but exact about
-///            the photometric axis of type C
+/// max error  0.001 for beams that change little within a degree: sampled at about every second of the angles that
+///            axial_profile() has about an axis other than the grid's, and in the turn every degree of the largest
+///            circle, but exact in the turn about the photometric axis of type C
 ///                                                                             (intensity_distribution_test.cpp)
 double asymmetry(const IntensityDistribution& distribution, const glm::dvec3& axis,
                  double limit = std::numeric_limits<double>::infinity());
