@@ -50,7 +50,7 @@ std::vector<IsocandelaEllipse> stretched(const Cone& cone, const std::vector<Bea
 }
 
 /// Of a beam by its isocandela lines. A narrow beam is widened, which changes its asymmetry by less than a hundredth,
-/// because asymmetry() steps in quarters of a degree.
+/// because asymmetry() steps in halves of a degree.
 double asymmetry_of(std::vector<IsocandelaEllipse> lines) {
   const double scale = std::max(1.0, files::radians(10) / std::max(lines.back().horizontal, lines.back().vertical));
   for (IsocandelaEllipse& line : lines) {

@@ -207,7 +207,8 @@ void AirlightPainter::draw_packed(const Frame& frame, const Grid& grid) {
   glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
   pack_program_.use();
   set_uniform(pack_program_, "row_marks", kMarkUnit);
-  draw_blocks(pack_program_, packed);
+  set_blocks(pack_program_, packed);
+  glDrawArrays(GL_POINTS, 0, count.x * count.y);
   glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
 
   glBindFramebuffer(GL_FRAMEBUFFER, packed_.framebuffer.id());
@@ -252,7 +253,7 @@ void AirlightPainter::draw_left_out(const Frame& frame, const Grid& grid) {
   glDisable(GL_BLEND);
 }
 
-/// Adds the lights that all coarser grids do without.
+/// Adds the lights that all coarser grids do without: cookies and shafts are too fine for them.
 void AirlightPainter::draw_whole(const Frame& frame, const Grid& grid) {
   if (grid.step == frame.coarsest_step) return;  // which has its lights packed
   const glm::ivec2 count = blocks(grid.size);
@@ -273,6 +274,7 @@ void AirlightPainter::draw_lights(const Frame& frame, const Grid& grid, std::siz
   set_uniform(program, "tile_count", tile_count_);
   set_uniform(program, "tile_size", tile_size_);
   set_uniform(program, "first_tile", int(range) * 2 * tile_count_.x * tile_count_.y);
+  set_blocks(program, blocks);
   glStencilFunc(GL_EQUAL, kMarked, 0xff);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);
@@ -280,19 +282,19 @@ void AirlightPainter::draw_lights(const Frame& frame, const Grid& grid, std::siz
   glEnable(GL_SCISSOR_TEST);
   for (int row = 0; row < blocks.target.y && !frame.interruption.has_come(); row += rows) {
     glScissor(0, row, blocks.target.x, rows);
-    draw_blocks(program, blocks);
+    glDrawArrays(GL_POINTS, 0, blocks.count.x * blocks.count.y);
   }
   glDisable(GL_SCISSOR_TEST);
   glDisable(GL_BLEND);
 }
 
-void AirlightPainter::draw_blocks(const gl::Program& program, const Blocks& blocks) {
+/// Sets what a program of airlight_blocks.vert needs to draw blocks as points.
+void AirlightPainter::set_blocks(const gl::Program& program, const Blocks& blocks) {
   glViewport(0, 0, blocks.target.x, blocks.target.y);
   set_uniform(program, "block_columns", blocks.count.x);
   set_uniform(program, "block_stride", blocks.stride);
   set_uniform(program, "target_size", glm::vec2(blocks.target));
   glEnable(GL_PROGRAM_POINT_SIZE);
-  glDrawArrays(GL_POINTS, 0, blocks.count.x * blocks.count.y);
 }
 
 /// Pixels between the texels of the first grid that draws lights of a kind.
