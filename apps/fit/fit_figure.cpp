@@ -257,7 +257,7 @@ class Beam {
   std::vector<PlotPoint> spread(double end) const {
     const double peak = find_peak(distribution_).intensity;
     std::vector<PlotPoint> points;
-    for (const AxialSample& sample : axial_profile(distribution_, axis_)) {
+    for (const AxialSample& sample : AxialBeam(distribution_, axis_).profile()) {
       if (files::degrees(sample.angle) > end) break;
       points.push_back({files::degrees(sample.angle), 100 * sample.deviation / peak});
     }

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "files/angle_deg.h"
+#include "litfog/photometry/axial_beam.h"
 #include "litfog/photometry/elliptical_beam.h"
 
 namespace litfog::fit {
@@ -49,17 +49,6 @@ std::vector<IsocandelaEllipse> stretched(const Cone& cone, const std::vector<Bea
   return lines;
 }
 
-/// Of a beam by its isocandela lines. A narrow beam is widened, which changes its asymmetry by less than a hundredth,
-/// because asymmetry() steps in halves of a degree.
-double asymmetry_of(std::vector<IsocandelaEllipse> lines) {
-  const double scale = std::max(1.0, files::radians(10) / std::max(lines.back().horizontal, lines.back().vertical));
-  for (IsocandelaEllipse& line : lines) {
-    line.horizontal *= scale;
-    line.vertical *= scale;
-  }
-  return asymmetry(elliptical_beam(lines), kPhotometricAxis);
-}
-
 }  // namespace
 
 LightFit fit_light(LightTarget target, bool is_robust) {
@@ -85,7 +74,7 @@ LightFit fit_light(LightTarget target, bool is_robust) {
   if (!target.ellipses.empty()) {
     const auto lines = stretched(fit.light.cone, target.ellipses);
     fit.elliptical_beam = elliptical_beam(lines);
-    target.asymmetry = asymmetry_of(lines);
+    target.asymmetry = AxialBeam(*fit.elliptical_beam, kPhotometricAxis).asymmetry();
   }
   fit.target = std::move(target);
   return fit;

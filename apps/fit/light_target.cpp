@@ -14,6 +14,7 @@
 
 #include "files/angle_deg.h"
 #include "litfog/input_error.h"
+#include "litfog/photometry/axial_beam.h"
 #include "litfog/photometry/elliptical_beam.h"
 #include "shown_number.h"
 
@@ -25,18 +26,14 @@ constexpr double kEndIlluminance = 1;
 constexpr double kHorizon = 1e-9;  // cosine from the photometric axis that is level within rounding
 constexpr double kAimed = 0.5;     // of it: about the peak of a beam that is aimed there
 
-struct MeasuredAxis {
-  glm::dvec3 axis;
-  double asymmetry;  ///< of the beam about it
-};
-
-MeasuredAxis best_axis(const IntensityDistribution& distribution, const glm::dvec3& peak) {
+AxialBeam beam_about_best_axis(const IntensityDistribution& distribution, const glm::dvec3& peak) {
   const double cosine = glm::dot(peak, kPhotometricAxis);
   const glm::dvec3 axis = cosine < -kHorizon ? -kPhotometricAxis : kPhotometricAxis;
-  const double about_axis = asymmetry(distribution, axis);
-  if (about_axis <= kRoundBeam || peak == axis) return {axis, about_axis};
-  const double about_peak = asymmetry(distribution, peak, kAimed * about_axis);
-  return about_peak < kAimed * about_axis ? MeasuredAxis{peak, about_peak} : MeasuredAxis{axis, about_axis};
+  AxialBeam about_axis(distribution, axis);
+  const double asymmetry = about_axis.asymmetry();
+  if (asymmetry <= kRoundBeam || peak == axis) return about_axis;
+  AxialBeam about_peak(distribution, peak);
+  return about_peak.asymmetry(kAimed * asymmetry) < kAimed * asymmetry ? std::move(about_peak) : std::move(about_axis);
 }
 
 /// The type whose angles name a luminaire's directions. An isocandela table has degrees to the right and above, though
@@ -46,22 +43,21 @@ PhotometryType angle_type_of(const Luminaire& luminaire) {
 }
 
 /// peak  direction of the largest intensity
-MeasuredAxis axis_of(const Luminaire& luminaire, const glm::dvec3& peak, const AxisChoice& choice) {
+AxialBeam beam_of(const Luminaire& luminaire, const glm::dvec3& peak, const AxisChoice& choice) {
   const IntensityDistribution& distribution = luminaire.distribution;
-  const auto measured = [&](const glm::dvec3& axis) { return MeasuredAxis{axis, asymmetry(distribution, axis)}; };
   switch (choice.kind) {
     case AxisChoice::Kind::best:
       break;
     case AxisChoice::Kind::peak:
-      return measured(peak);
+      return AxialBeam(distribution, peak);
     case AxisChoice::Kind::down:
-      return measured(kPhotometricAxis);
+      return AxialBeam(distribution, kPhotometricAxis);
     case AxisChoice::Kind::up:
-      return measured(-kPhotometricAxis);
+      return AxialBeam(distribution, -kPhotometricAxis);
     case AxisChoice::Kind::given:
-      return measured(direction_of(angle_type_of(luminaire), choice.horizontal, choice.vertical));
+      return AxialBeam(distribution, direction_of(angle_type_of(luminaire), choice.horizontal, choice.vertical));
   }
-  return best_axis(distribution, peak);
+  return beam_about_best_axis(distribution, peak);
 }
 
 /// Multiplies the luminaire's intensities, whose product may leave their range.
@@ -96,14 +92,12 @@ void set_luminaire(LightTarget& target, Luminaire luminaire, double tilt) {
   target.peak = target.luminaire_peak.intensity;
 }
 
-void set_axis(LightTarget& target, const AxisChoice& choice) {
-  const auto [axis, asymmetry] = axis_of(*target.luminaire, target.luminaire_peak.direction, choice);
-  target.axis = axis;
-  target.asymmetry = asymmetry;
-}
-
-std::vector<ConeSample> samples_of(const Luminaire& luminaire, const glm::dvec3& axis) {
-  return cone_samples(axial_profile(luminaire.distribution, axis));
+/// The axis, the asymmetry about it, and the intensities that a cone about it is fitted to.
+void set_beam(LightTarget& target, const AxisChoice& choice) {
+  AxialBeam beam = beam_of(*target.luminaire, target.luminaire_peak.direction, choice);
+  target.axis = beam.axis();
+  target.asymmetry = beam.asymmetry();
+  target.cone->samples = cone_samples(beam.profile());
 }
 
 double extent_of(double peak, double end_illuminance) { return std::sqrt(peak / end_illuminance); }
@@ -357,8 +351,7 @@ LightTarget read_spec(const std::string& path, const FitChoices& choices) {
     set_ellipses(spec, target);
     target.cone = cone_of(spec);
     if (target.luminaire) {
-      set_axis(target, choices.axis);
-      target.cone->samples = samples_of(*target.luminaire, target.axis);
+      set_beam(target, choices.axis);
       target.derived.push_back(sentence_on_cone(target));
     }
     if (choices.profile) target.cone->choice = *choices.profile;
@@ -376,15 +369,14 @@ LightTarget read_photometric_spec(const std::string& path, const FitChoices& cho
   LightTarget target{.file = path, .name = std::filesystem::path(path).stem().string()};
   set_luminaire(target, read_luminaire(path), choices.tilt);
   const Luminaire& luminaire = *target.luminaire;
-  set_axis(target, choices.axis);
+  target.cone = ConeTarget{.choice = choices.profile.value_or(ConeChoice::best)};
+  set_beam(target, choices.axis);
   const std::string file = std::filesystem::path(path).filename().string();
   if (!luminaire.name.empty()) target.name = luminaire.name;
   target.source = {luminaire.manufacturer.empty() ? file : fmt::format("{}: {}", file, luminaire.manufacturer)};
   target.derived.push_back(sentence_on_range(*target.peak));
   target.derived.push_back(sentence_on_cone(target));
   target.range = range_of(luminaire, *target.peak);
-  target.cone =
-      ConeTarget{.choice = choices.profile.value_or(ConeChoice::best), .samples = samples_of(luminaire, target.axis)};
   if (const auto error = check(*target.cone)) throw InputError({.file = path}, to_string(*error));
   return target;
 }

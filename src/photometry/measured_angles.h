@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <numbers>
+#include <numeric>
 #include <span>
+
+#include "litfog/photometry/intensity_distribution.h"
 
 namespace litfog {
 
@@ -17,5 +21,23 @@ inline int turn_multiplicity(std::span<const double> turn) {
 
 /// Of types A and B.
 inline bool is_mirrored(std::span<const double> angles) { return angles.front() == 0; }
+
+/// The number of times that a sphere has what is measured.
+inline int measured_parts(const IntensityDistribution& distribution) {
+  const auto& [type, horizontal, vertical, intensity] = distribution;
+  if (type == PhotometryType::c) return horizontal.size() == 1 ? 1 : turn_multiplicity(horizontal);
+  return (is_mirrored(horizontal) ? 2 : 1) * (is_mirrored(vertical) ? 2 : 1);
+}
+
+/// The mean over a turn of type C of what is linear between the planes.
+template <typename InPlane>
+double mean_over_turn(std::span<const double> turn, const InPlane& in_plane) {
+  if (turn.size() == 1) return in_plane(std::size_t(0));
+  double sum = 0;
+  for (std::size_t i = 1; i < turn.size(); ++i) {
+    sum += (turn[i] - turn[i - 1]) * std::midpoint(in_plane(i - 1), in_plane(i));
+  }
+  return sum / (turn.back() - turn.front());
+}
 
 }  // namespace litfog

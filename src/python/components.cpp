@@ -16,6 +16,7 @@
 #include "litfog/fit/attenuation_fit.h"
 #include "litfog/fit/cone_fit.h"
 #include "litfog/input_error.h"
+#include "litfog/photometry/axial_beam.h"
 #include "litfog/photometry/gldf.h"
 #include "litfog/photometry/intensity_distribution.h"
 #include "litfog/photometry/luminaire.h"
@@ -131,7 +132,7 @@ void bind_photometry(py::module_& m) {
         std::vector<AxialSample> profile;
         {
           const py::gil_scoped_release released;
-          profile = axial_profile(distribution, axis);
+          profile = AxialBeam(distribution, axis).profile();
         }
         const auto count = py::ssize_t(profile.size());
         return own(std::move(profile), axial_sample_dtype(), {count});
@@ -141,7 +142,9 @@ void bind_photometry(py::module_& m) {
       "dtype AXIAL_SAMPLE by increasing angles from 0 to pi. Releases the GIL.");
   m.def(
       "asymmetry",
-      [](const IntensityDistribution& distribution, const glm::dvec3& axis) { return asymmetry(distribution, axis); },
+      [](const IntensityDistribution& distribution, const glm::dvec3& axis) {
+        return AxialBeam(distribution, axis).asymmetry();
+      },
       py::arg("distribution"), py::arg("axis") = kPhotometricAxis, Released(),
       "How far a beam is from rotational symmetry about an axis: relative rms, 0 to 1, to 0.001. Releases the GIL.");
 }

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "litfog/photometry/axial_beam.h"
 #include "litfog/photometry/eulumdat.h"
 #include "litfog/photometry/ies.h"
 #include "photometry/photometric_file.h"
@@ -95,7 +96,7 @@ TEST(RealLamps, LampSendsOutItsStatedFluxOrLessThanItsLampsGive) {
     const Luminaire luminaire = read_luminaire(file);
     const double flux = luminous_flux(luminaire.distribution);
     std::printf("%-50s %9.1f lm, asymmetry %.3f", fs::path(file).filename().c_str(), flux,
-                asymmetry(luminaire.distribution, kPhotometricAxis));
+                AxialBeam(luminaire.distribution, kPhotometricAxis).asymmetry());
     if (const auto stated = stated_flux(luminaire)) {
       std::printf(", stated %.1f lm", *stated);
       EXPECT_NEAR(flux, *stated, 0.005 * flux);

@@ -8,7 +8,7 @@
 
 #include "litfog/cone.h"
 #include "litfog/fit/target_error.h"
-#include "litfog/photometry/intensity_distribution.h"
+#include "litfog/photometry/axial_beam.h"
 
 namespace litfog {
 

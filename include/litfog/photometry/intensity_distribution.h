@@ -3,7 +3,6 @@
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -87,52 +86,5 @@ glm::dvec3 direction_of(PhotometryType type, double horizontal, double vertical)
 /// axis      luminaire frame, of any length but 0
 /// throws    std::invalid_argument naming field, value and rule
 glm::dmat3 luminaire_from_light(const glm::dvec3& axis);
-
-/// Intensity on a circle about an axis.
-struct AxialSample {
-  double angle;      ///< from the axis, radians in [0, pi]
-  double mean;       ///< candela, over the turn
-  double deviation;  ///< candela, the largest from the mean on the circle, in magnitude
-};
-
-/// Intensity against the angle from an axis, as the mean over the turn: what a cone about the axis is fitted to. If the
-/// axis is the photometric one of type C or its opposite, the angles are the measured ones and the mean is that of what
-/// is linear between the planes; else the angles are every quarter degree from 0 to pi, in a finer grid the first
-/// hundred in its smallest step (at least 0.01 degrees), and the mean is over 72 to 360 directions. Angles that were
-/// not measured are dark: from the first and last measured ones, the profile goes on in their steps to 0 and pi with
-/// intensity 0, which begins 0.01 degrees beyond a lit one.
-///
-/// axis      luminaire frame, of any length but 0
-/// returns   increasing angles from 0 to pi
-std::vector<AxialSample> axial_profile(const IntensityDistribution& distribution, const glm::dvec3& axis);
-
-/// The same along one half plane about an axis, as data sheets show it: the deviation is 0.
-///
-/// turn      radians: 0 is towards the light's +x (the photometric axis of type C: the plane C0), pi / 2 towards its +y
-///           (C90)
-std::vector<AxialSample> plane_profile(const IntensityDistribution& distribution, double turn,
-                                       const glm::dvec3& axis = kPhotometricAxis);
-
-/// The first angle beyond the peak at which a profile, linear between its samples, falls to a fraction of the peak:
-/// half of a data sheet's beam angle at 0.5, half of its field angle at 0.1.
-///
-/// profile   at least one sample, means finite and >= 0
-/// fraction  (0, 1]
-/// returns   radians; the last sample's angle if the profile ends above the fraction
-/// throws    std::invalid_argument naming field, value and rule
-double half_angle(const std::vector<AxialSample>& profile, double fraction);
-
-/// How far a beam is from rotational symmetry about an axis: sqrt(integral of (I - mean)^2 / integral of I^2) over the
-/// sphere, with the mean taken over the turn. The mean is the closest symmetric beam, so no cone profile can have a
-/// smaller relative rms error than this. 0 for a symmetric beam, at most 1.
-///
-/// axis       luminaire frame, of any length but 0
-/// limit      the search ends where the asymmetry is above it: the result is then only known to be so, too
-/// max error  0.001 for beams that change little within a degree: sampled at about every second of the angles that
-///            axial_profile() has about an axis other than the grid's, and in the turn every degree of the largest
-///            circle, but exact in the turn about the photometric axis of type C
-///                                                                             (intensity_distribution_test.cpp)
-double asymmetry(const IntensityDistribution& distribution, const glm::dvec3& axis,
-                 double limit = std::numeric_limits<double>::infinity());
 
 }  // namespace litfog
