@@ -213,7 +213,7 @@ command::Chart make_light_chart(const std::vector<Trial>& trials, render::Skippi
                            skipping == render::Skipping::on ? "what is invisible skipped" : "nothing skipped"),
       .x = {"lights", true},
       .y = {"wall time of a frame (ms)", true},
-      .key = command::KeyPlace::top_left};
+      .key = command::KeyPlace::beside};
   for (const Technique& technique : measured_techniques()) {
     command::Series series{.name = technique.name(), .style = command::SeriesStyle::line_and_points};
     for (const Trial& trial : trials) {
@@ -304,7 +304,7 @@ Result measure_render(bool quick) {
   result.figure = {.title = fmt::format("Frames of every lighting path, {}x{}, {}", all.front().width,
                                         all.front().height, context.renderer()),
                    .charts = {make_table_1(trials), make_light_chart(trials, render::Skipping::on)},
-                   .width = 1800,
+                   .width = 2000,
                    .height = 700};
   command::Chart unskipped = make_light_chart(trials, render::Skipping::off);
   if (!unskipped.series.empty()) result.figure.charts.push_back(std::move(unskipped));
