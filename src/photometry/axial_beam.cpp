@@ -129,6 +129,10 @@ struct SquareWeights {
   }
 };
 
+const std::vector<double>& angles_from_pole(const IntensityDistribution& distribution) {
+  return distribution.type == PhotometryType::b ? distribution.horizontal : distribution.vertical;
+}
+
 /// Over the sphere, of ((intensity - mean) / unit)^2 as interpolated.
 ///
 /// means  one for each angle from the pole
@@ -136,7 +140,7 @@ double square_integral(const IntensityDistribution& distribution, double unit, s
   const auto& [type, horizontal, vertical, intensity] = distribution;
   const bool is_b = type == PhotometryType::b;
   const std::vector<double>& turn = is_b ? vertical : horizontal;
-  const std::vector<double>& rise = is_b ? horizontal : vertical;
+  const std::vector<double>& rise = angles_from_pole(distribution);
   const std::size_t turn_stride = is_b ? 1 : vertical.size(), rise_stride = is_b ? vertical.size() : 1;
   const double pole = type == PhotometryType::c ? 0 : -pi / 2;
   std::vector<SquareWeights> weights;
@@ -163,9 +167,7 @@ double square_integral(const IntensityDistribution& distribution, double unit, s
 }
 
 double total_square(const IntensityDistribution& distribution, double unit) {
-  const bool is_b = distribution.type == PhotometryType::b;
-  return square_integral(distribution, unit,
-                         std::vector<double>((is_b ? distribution.horizontal : distribution.vertical).size(), 0));
+  return square_integral(distribution, unit, std::vector<double>(angles_from_pole(distribution).size(), 0));
 }
 
 double own_asymmetry(const IntensityDistribution& distribution, double unit) {
@@ -226,7 +228,7 @@ double AxialBeam::asymmetry(double limit) {
   const double unit = std::ranges::max(distribution_->intensity);
   if (!circles_) return own_asymmetry(*distribution_, unit);
   // Belts of two steps about every second circle: half the profile's circles are enough.
-  const double end = limit * limit * total_square(*distribution_, unit) / (2 * pi);
+  const double expected_total = total_square(*distribution_, unit) / (2 * pi), end = limit * limit * expected_total;
   double total = 0, deviation = 0;
   for (std::size_t i = 1; i < circles_->count() && deviation <= end; i += 2) {
     const Circle& circle = circles_->at(i);
@@ -236,7 +238,7 @@ double AxialBeam::asymmetry(double limit) {
     total += area * (mean * mean + rms_deviation * rms_deviation);
     deviation += area * rms_deviation * rms_deviation;
   }
-  if (deviation > end) return limit * std::sqrt(deviation / end);
+  if (deviation > end) return std::sqrt(deviation / expected_total);
   return total == 0 ? 0 : std::min(1.0, std::sqrt(deviation / total));
 }
 

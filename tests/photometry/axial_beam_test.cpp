@@ -273,6 +273,7 @@ TEST(Asymmetry, SearchEndsWhereTheAsymmetryIsAboveTheLimit) {
       const double part = AxialBeam(lamp, axis).asymmetry(0.5 * whole);
       EXPECT_GT(part, 0.5 * whole);
       EXPECT_LT(part, whole);
+      EXPECT_GT(AxialBeam(lamp, axis).asymmetry(0), 0);
     }
   }
 }

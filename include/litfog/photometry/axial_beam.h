@@ -44,7 +44,7 @@ class AxialBeam {
   /// with the mean taken over the turn. The mean is the closest symmetric beam, so no cone profile can have a smaller
   /// relative rms error than this. 0 for a symmetric beam, at most 1.
   ///
-  /// limit      the search ends where the asymmetry is above it: the result is then only known to be so, too
+  /// limit      >= 0; the search ends where the asymmetry is above it: the result is then only known to be so, too
   /// max error  about the photometric axis of type C and its opposite 1e-9 of the intensity as interpolated, if
   /// measured
   ///            angles are at most 60 degrees apart; about another axis 0.001 for beams that change little within a
