@@ -5,9 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <span>
-#include <utility>
 
 #include "circle_sampler.h"
 #include "dark_edge.h"
@@ -101,11 +99,12 @@ AxialSample own_sample(const IntensityDistribution& distribution, double angle, 
   if (measured == vertical.end() || *measured > gamma + kAngleTolerance) return {angle, 0, 0};
   const auto row = std::size_t(measured - vertical.begin());
   const double mean = row_mean(distribution, row);
+  if (angle == 0) return {angle, mean, 0};  // a single direction
   double deviation = 0;
-  for (std::size_t i = row; angle > 0 && i < distribution.intensity.size(); i += vertical.size()) {
+  for (std::size_t i = row; i < distribution.intensity.size(); i += vertical.size()) {
     deviation = std::max(deviation, std::abs(distribution.intensity[i] - mean));
   }
-  return {angle, mean, deviation};  // on the axis is a single direction
+  return {angle, mean, deviation};
 }
 
 // --- integrals of squares ---
@@ -225,10 +224,12 @@ std::vector<AxialSample> AxialBeam::profile() {
 }
 
 double AxialBeam::asymmetry(double limit) {
+  if (asymmetry_) return *asymmetry_;
   const double unit = std::ranges::max(distribution_->intensity);
-  if (!circles_) return own_asymmetry(*distribution_, unit);
+  if (!circles_) return asymmetry_.emplace(own_asymmetry(*distribution_, unit));
   // Belts of two steps about every second circle: half the profile's circles are enough.
-  const double expected_total = total_square(*distribution_, unit) / (2 * pi), end = limit * limit * expected_total;
+  const double expected_total = std::isinf(limit) ? 1 : total_square(*distribution_, unit) / (2 * pi);
+  const double end = limit * limit * expected_total;
   double total = 0, deviation = 0;
   for (std::size_t i = 1; i < circles_->count() && deviation <= end; i += 2) {
     const Circle& circle = circles_->at(i);
@@ -239,7 +240,7 @@ double AxialBeam::asymmetry(double limit) {
     deviation += area * rms_deviation * rms_deviation;
   }
   if (deviation > end) return std::sqrt(deviation / expected_total);
-  return total == 0 ? 0 : std::min(1.0, std::sqrt(deviation / total));
+  return asymmetry_.emplace(total == 0 ? 0 : std::min(1.0, std::sqrt(deviation / total)));
 }
 
 std::vector<AxialSample> plane_profile(const IntensityDistribution& distribution, double turn, const glm::dvec3& axis) {

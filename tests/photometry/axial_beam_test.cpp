@@ -264,6 +264,9 @@ TEST(Asymmetry, SearchEndsWhereTheAsymmetryIsAboveTheLimit) {
   const std::vector<IntensityDistribution> lamps{
       sampled(PhotometryType::a, degrees(-180, 180, 5), degrees(-90, 90, 5), smooth),
       sampled(PhotometryType::b, degrees(-90, 90, 5), degrees(-180, 180, 5), smooth),
+      sampled(PhotometryType::a, degrees(0, 180, 5), degrees(0, 90, 5), smooth),  // and mirrored
+      sampled(PhotometryType::b, degrees(0, 90, 5), degrees(-180, 180, 5), smooth),
+      sampled(PhotometryType::c, degrees(0, 90, 10), degrees(0, 180, 5), smooth),
       sampled(PhotometryType::c, degrees(0, 180, 10), degrees(0, 180, 5), smooth)};
   for (const IntensityDistribution& lamp : lamps) {
     for (const glm::dvec3 axis : {glm::dvec3{0.3, 1, 0}, glm::dvec3{1, 0.2, -1}}) {
@@ -273,6 +276,9 @@ TEST(Asymmetry, SearchEndsWhereTheAsymmetryIsAboveTheLimit) {
       const double part = AxialBeam(lamp, axis).asymmetry(0.5 * whole);
       EXPECT_GT(part, 0.5 * whole);
       EXPECT_LT(part, whole);
+      AxialBeam beam(lamp, axis);
+      EXPECT_LT(beam.asymmetry(0.5 * whole), whole);
+      EXPECT_EQ(beam.asymmetry(), whole) << "after a search that ended early";
       EXPECT_GT(AxialBeam(lamp, axis).asymmetry(0), 0);
     }
   }

@@ -4,6 +4,7 @@
 #include <glm/vec3.hpp>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "litfog/photometry/intensity_distribution.h"
@@ -45,10 +46,9 @@ class AxialBeam {
   /// relative rms error than this. 0 for a symmetric beam, at most 1.
   ///
   /// limit      >= 0; the search ends where the asymmetry is above it: the result is then only known to be so, too
-  /// max error  about the photometric axis of type C and its opposite 1e-9 of the intensity as interpolated, if
-  /// measured
-  ///            angles are at most 60 degrees apart; about another axis 0.001 for beams that change little within a
-  ///            degree: taken on every second circle of the profile               (axial_beam_test.cpp)
+  /// max error  0.001 for beams that change little within a degree: on every second circle of the profile. About the
+  ///            photometric axis of type C and its opposite 1e-9, for the intensity as interpolated between angles at
+  ///            most 60 degrees apart                                                           (axial_beam_test.cpp)
   double asymmetry(double limit = std::numeric_limits<double>::infinity());
 
  private:
@@ -57,6 +57,7 @@ class AxialBeam {
   const IntensityDistribution* distribution_;
   glm::dvec3 axis_;
   std::unique_ptr<Circles> circles_;  // none about the grid's own axis
+  std::optional<double> asymmetry_;   // once a search has gone to its end
 };
 
 /// Intensity against the angle along one half plane about an axis, as data sheets show it: the angles are those of the
