@@ -26,10 +26,10 @@ uniform vec4 draw_constants[draw_constant_count];
 #define DRAW_CONSTANT(i) draw_constants[i]
 #endif
 
+uniform float coverage;  // the least of a mask; of a pane, where its texels and vertices have 1
+uniform float normal_scale;  // of its material's normal map
 vec3 bounds_low = DRAW_BOUND(0).xyz;  // of the surface drawn
-float coverage = DRAW_BOUND(0).w;  // the least of a mask; of a pane, where its texels and vertices have 1
 vec3 bounds_high = DRAW_BOUND(1).xyz;
-float normal_scale = DRAW_BOUND(1).w;  // of its material's normal map
 vec3 eye = DRAW_CONSTANT(0).xyz;
 float relief = DRAW_CONSTANT(0).w;  // of the material's heights, in tiles
 vec3 specular = DRAW_CONSTANT(1).xyz;  // of its material

@@ -22,8 +22,12 @@ uniform sampler2D normal_map;
 #endif
 
 // The position, clamped to the surface's bounds: a partly covered pixel is shaded at its centre, which near the horizon
-// may be many metres beyond the surface, within reach of other lights.
+// may be many metres beyond the surface, within reach of other lights. With one sample a pixel it never is.
+#ifdef ONE_SAMPLE
+vec3 fragment_position() { return rasterised_position; }
+#else
 vec3 fragment_position() { return clamp(rasterised_position, bounds_low, bounds_high); }
+#endif
 vec3 drawn_back() { return fragment_position() - rasterised_position; }
 
 // The base texture and the vertices' colour; a is coverage.

@@ -317,41 +317,37 @@ void SurfacePainter::draw_variant(Frame& frame, std::span<const PlannedSurface> 
     maps_.bind(maps_.kinds()[std::size_t(batch[0])]);
   }
   const scene::Material& material = surface_material.material;
-  const std::optional<float>& coverage = variant.material.is_pane ? material.opacity : material.least_coverage;
   const DrawConstants constants{.eye_relief = glm::vec4(scene_.camera.position, material.relief_m / material.size_m),
                                 .specular_shininess = glm::vec4(material.specular, material.shininess),
                                 .emissive_metal_roughness = glm::vec4(material.emissive, material.metal_roughness)};
   glUniform4fv(program.draw_constants, GLsizei(sizeof(constants) / sizeof(glm::vec4)),
                glm::value_ptr(constants.eye_relief));
   frame.bytes += sizeof(constants);
-  const DrawBounds drawn{.low_coverage = glm::vec4(glm::vec3(0), coverage.value_or(0)),
-                         .high_normal_scale = glm::vec4(glm::vec3(0), material.normal_scale)};
-  draw_triangles(frame, alike, program, drawn, is_later ? TriangleOrder::reversed : TriangleOrder::stored);
+  draw_triangles(frame, alike, program, is_later ? TriangleOrder::reversed : TriangleOrder::stored);
 }
 
 void SurfacePainter::draw_triangles(Frame& frame, std::span<const PlannedSurface> alike, const SurfaceProgram& program,
-                                    DrawBounds drawn, TriangleOrder order) {
-  // With one sample a pixel, no position is beyond its surface, so that neighbours need no bounds of their own.
-  const bool joins_chunks = settings_.samples == 1;
+                                    TriangleOrder order) {
+  const bool have_bounds = settings_.samples > 1;  // shaders/rasterised.glsl; else neighbours are drawn as one
   for (std::size_t i = 0; i < alike.size();) {
     const glm::mat4& world_from_model = alike[i].surface->world_from_model;
-    scene::Bounds bounds = alike[i].surface->bounds;
+    const scene::Bounds& bounds = alike[i].surface->bounds;
     const std::size_t first = alike[i].surface->chunk->first_index;
     auto count = std::size_t(alike[i].surface->chunk->index_count);
     if (i == 0 || world_from_model != alike[i - 1].surface->world_from_model) {
       glUniformMatrix4fv(program.world_from_model, 1, GL_FALSE, glm::value_ptr(world_from_model));
       frame.bytes += sizeof(glm::mat4);
     }
-    for (++i; joins_chunks && i < alike.size(); ++i) {
+    for (++i; !have_bounds && i < alike.size(); ++i) {
       const Surface& next = *alike[i].surface;
       if (next.chunk->first_index != first + count || next.world_from_model != world_from_model) break;
-      bounds = united(bounds, next.bounds);
       count += std::size_t(next.chunk->index_count);
     }
-    drawn.low_coverage = glm::vec4(bounds.low, drawn.low_coverage.w);
-    drawn.high_normal_scale = glm::vec4(bounds.high, drawn.high_normal_scale.w);
-    glUniform4fv(program.draw_bounds, GLsizei(sizeof(drawn) / sizeof(glm::vec4)), glm::value_ptr(drawn.low_coverage));
-    frame.bytes += sizeof(drawn);
+    if (have_bounds) {
+      const DrawBounds drawn{.low = glm::vec4(bounds.low, 0), .high = glm::vec4(bounds.high, 0)};
+      glUniform4fv(program.draw_bounds, GLsizei(sizeof(drawn) / sizeof(glm::vec4)), glm::value_ptr(drawn.low));
+      frame.bytes += sizeof(drawn);
+    }
     if (frame.draws_panes) {
       surfaces_.meshes().draw_sorted(frame.first, frame.count);
     } else {
@@ -385,6 +381,10 @@ SurfaceProgram& SurfacePainter::use(Frame& frame, const ShaderVariant& variant, 
     set_uniform(program.program, "material", material.number);
     set_uniform(program.program, "tile_size", material.material.size_m);
     set_uniform(program.program, "second_tiles", material.material.size_m / material.material.second_size_m);
+    set_uniform(program.program, "normal_scale", material.material.normal_scale);
+    const std::optional<float> coverage =
+        variant.material.is_pane ? material.material.opacity : material.material.least_coverage;
+    set_uniform(program.program, "coverage", coverage.value_or(0));
   }
   return program;
 }

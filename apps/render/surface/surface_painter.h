@@ -62,7 +62,7 @@ class SurfacePainter {
   struct LightUniforms;
   /// shaders/draw_constants.glsl
   struct DrawBounds {
-    glm::vec4 low_coverage, high_normal_scale;
+    glm::vec4 low, high;
   };
   struct DrawConstants {
     glm::vec4 eye_relief, specular_shininess, emissive_metal_roughness;
@@ -78,7 +78,7 @@ class SurfacePainter {
   void draw_variant(Frame& frame, std::span<const PlannedSurface> alike, const ShaderVariant& variant,
                     const LightUniforms& uniforms, std::span<const std::int32_t> batch);
   void draw_triangles(Frame& frame, std::span<const PlannedSurface> alike, const SurfaceProgram& program,
-                      DrawBounds drawn, TriangleOrder order);
+                      TriangleOrder order);
   SurfaceProgram& use(Frame& frame, const ShaderVariant& variant, const SurfaceMaterial& material);
   /// Sets what stays the same in a frame, for the program in use.
   void set_frame_uniforms(const Frame& frame, const ShaderVariant& variant, const gl::Program& program) const;

@@ -42,6 +42,7 @@ class SurfacePrograms {
  private:
   bool has_cookies_;
   bool has_shadows_;
+  bool has_one_sample_;
   int most_varying_vectors_;
   bool is_environment_light_uniform_ = false;
   std::string environment_light_;  // the beginning of environment.glsl
