@@ -62,7 +62,7 @@ struct ShaderVariant {
 
 /// The text of pass.glsl for a variant.
 std::string pass_constants(const ShaderVariant& variant);
-/// The text of material.glsl.
+/// The text of material.glsl for a material.
 std::string material_constants(const MaterialFeatures& material);
 
 }  // namespace litfog::render

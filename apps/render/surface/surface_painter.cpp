@@ -328,7 +328,7 @@ void SurfacePainter::draw_variant(Frame& frame, std::span<const PlannedSurface> 
 
 void SurfacePainter::draw_triangles(Frame& frame, std::span<const PlannedSurface> alike, const SurfaceProgram& program,
                                     TriangleOrder order) {
-  const bool have_bounds = settings_.samples > 1;  // shaders/rasterised.glsl; else neighbours are drawn as one
+  const bool have_bounds = settings_.samples > 1;  // shaders/rasterised.glsl; without, neighbours are drawn as one
   for (std::size_t i = 0; i < alike.size();) {
     const glm::mat4& world_from_model = alike[i].surface->world_from_model;
     const scene::Bounds& bounds = alike[i].surface->bounds;

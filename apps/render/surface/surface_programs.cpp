@@ -70,7 +70,7 @@ SurfaceProgram::SurfaceProgram(gl::Program linked)
 SurfacePrograms::SurfacePrograms(const scene::Scene& scene, const RenderSettings& settings)
     : has_cookies_(!scene.cookies.empty()),
       has_shadows_(settings.shadows != Shadows::none),
-      has_one_sample_(settings.samples == 1),
+      samples_(settings.samples == 1 ? "#define ONE_SAMPLE\n" : ""),
       most_varying_vectors_(most_varying_vectors()),
       environment_light_(environment_light_constants(scene.environment)),
       settings_(settings_constants(settings)) {}
@@ -96,7 +96,7 @@ SurfaceProgram& SurfacePrograms::program(const ShaderVariant& variant) {
   const std::string environment = environment_light_ + settings_;
   files.push_back({"environment.glsl", environment});
   files.push_back({"pass.glsl", pass});
-  const std::string material = (has_one_sample_ ? "#define ONE_SAMPLE\n" : "") + material_constants(variant.material);
+  const std::string material = samples_ + material_constants(variant.material);
   files.push_back({"material.glsl", material});
   const std::string pass_fragment = fmt::format("#include \"{}\"\n", variant.pass->fragment);
   files.push_back({"pass.frag", pass_fragment});

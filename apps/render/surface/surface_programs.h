@@ -42,7 +42,7 @@ class SurfacePrograms {
  private:
   bool has_cookies_;
   bool has_shadows_;
-  bool has_one_sample_;
+  std::string samples_;  // the beginning of material.glsl, which all that reads a fragment's position includes
   int most_varying_vectors_;
   bool is_environment_light_uniform_ = false;
   std::string environment_light_;  // the beginning of environment.glsl
