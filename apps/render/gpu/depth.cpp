@@ -4,10 +4,17 @@
 #include <epoxy/gl.h>
 
 #include <glm/gtc/matrix_transform.hpp>
+#include <string_view>
 
 namespace litfog::render {
 
 bool has_clip_control() { return epoxy_gl_version() >= 45 || epoxy_has_gl_extension("GL_ARB_clip_control"); }
+
+bool should_test_depth_late(int samples) {
+  if (samples == 1 || !epoxy_has_gl_extension("GL_ARB_shader_stencil_export")) return false;
+  const auto* const renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  return renderer && std::string_view(renderer).starts_with("llvmpipe");
+}
 
 float far_plane_in_clip() { return has_clip_control() ? 0.0f : -1.0f; }
 

@@ -17,6 +17,10 @@ inline constexpr float kNearPlane = 0.1f;  ///< metres
 /// Whether the current context has GL_ARB_clip_control.
 bool has_clip_control();
 
+/// Whether the current context's driver shades fewer fragments if they test their depth late (shaders/depth_test.glsl):
+/// Mesa's llvmpipe where a pixel has several samples.
+bool should_test_depth_late(int samples);
+
 /// What the clip volume of begin_depths() has at infinity.
 float far_plane_in_clip();
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The fog before a surface that it hides.
 
-#include "early_depth.glsl"
+#include "depth_test.glsl"
 #include "constants_from_vertices.glsl"
 #include "fragment.glsl"
 

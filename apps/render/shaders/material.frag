@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A pass's shader for a material that has more than a colour and normals: where its mask leaves a surface, what the
-// surface emits there, and what a pane lets through.
+// surface emits there, and what a pane lets through. Also for fragments that test their depth late.
 
 #define main shade_surface
 #include "pass.frag"
@@ -13,6 +13,9 @@
 uniform sampler2D emission_map;
 
 void main() {
+#ifdef TESTS_DEPTH_LATE
+  gl_FragStencilRefARB = 0;
+#endif
 #ifdef MATERIAL_EMISSION_MAP
   emissive *= texture(emission_map, map_uvs.zw).rgb;
 #endif

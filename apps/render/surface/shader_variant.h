@@ -56,6 +56,7 @@ struct ShaderVariant {
   bool shares_lights = false;                  ///< the surface is lit by the fog's lights, too
   bool takes_constants_from_vertices = false;  ///< shaders/draw_constants.glsl
   std::size_t vertex_lights = 0;               ///< of the uniform lights, the first: those that vertices pass on
+  bool tests_depth_late = false;               ///< shaders/depth_test.glsl
 
   auto operator<=>(const ShaderVariant&) const = default;
 };

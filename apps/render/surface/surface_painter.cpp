@@ -287,6 +287,10 @@ void SurfacePainter::draw_pass(Frame& frame, std::span<const PlannedSurface> ali
     variant.takes_constants_from_vertices = true;
     variant.vertex_lights = std::min(first + variant.lights.count, programs_.most_vertex_lights(variant.material));
   }
+  // Loops over lists end early where depths are tested first. Several passes need the stencil for themselves.
+  variant.tests_depth_late = programs_.should_test_depth_late() && feed.kind == LightFeed::Kind::all &&
+                             !frame.path.has_several_passes() && !variant.has_listed_lights &&
+                             !variant.has_listed_fog_lights;
   draw_variant(frame, alike, variant, uniforms, batch);
 }
 

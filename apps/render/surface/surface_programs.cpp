@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "render/gpu/depth.h"
 #include "render/render_shaders.h"
 
 namespace litfog::render {
@@ -70,6 +71,7 @@ SurfaceProgram::SurfaceProgram(gl::Program linked)
 SurfacePrograms::SurfacePrograms(const scene::Scene& scene, const RenderSettings& settings)
     : has_cookies_(!scene.cookies.empty()),
       has_shadows_(settings.shadows != Shadows::none),
+      should_test_depth_late_(render::should_test_depth_late(settings.samples)),
       samples_(settings.samples == 1 ? "#define ONE_SAMPLE\n" : ""),
       most_varying_vectors_(most_varying_vectors()),
       environment_light_(environment_light_constants(scene.environment)),
@@ -96,11 +98,12 @@ SurfaceProgram& SurfacePrograms::program(const ShaderVariant& variant) {
   const std::string environment = environment_light_ + settings_;
   files.push_back({"environment.glsl", environment});
   files.push_back({"pass.glsl", pass});
-  const std::string material = samples_ + material_constants(variant.material);
+  const std::string material = samples_ + (variant.tests_depth_late ? "#define TESTS_DEPTH_LATE\n" : "") +
+                               material_constants(variant.material);
   files.push_back({"material.glsl", material});
   const std::string pass_fragment = fmt::format("#include \"{}\"\n", variant.pass->fragment);
   files.push_back({"pass.frag", pass_fragment});
-  const bool is_plain = variant.material == MaterialFeatures{};
+  const bool is_plain = variant.material == MaterialFeatures{} && !variant.tests_depth_late;
   gl::Program program(variant.pass->vertex, variant.pass->geometry,
                       is_plain ? variant.pass->fragment : std::string_view("material.frag"), files);
   return programs_.emplace(variant, std::move(program)).first->second;

@@ -38,10 +38,12 @@ class SurfacePrograms {
   /// How many lights the vertices of a material can pass on to fragments on this driver
   /// (ShaderVariant::vertex_lights), each varying taken as a whole vector.
   std::size_t most_vertex_lights(const MaterialFeatures& material) const;
+  bool should_test_depth_late() const { return should_test_depth_late_; }  ///< as render::should_test_depth_late()
 
  private:
   bool has_cookies_;
   bool has_shadows_;
+  bool should_test_depth_late_;
   std::string samples_;  // the beginning of material.glsl, which all that reads a fragment's position includes
   int most_varying_vectors_;
   bool is_environment_light_uniform_ = false;

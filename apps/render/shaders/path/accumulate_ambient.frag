@@ -3,7 +3,7 @@
 // Per-Pixel Point Lights and Spot Lights in OpenGL", section "Multiple Lights in a Scene"). Here that colour includes
 // the directional light.
 
-#include "early_depth.glsl"
+#include "depth_test.glsl"
 #include "light_coordinates.glsl"
 
 void main() { color = vec4(directional_light(directional_shade), 1.0); }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The surface's emission, and the fog over everything drawn so far. Alpha is the fog's transmittance.
 
-#include "early_depth.glsl"
+#include "depth_test.glsl"
 #include "fragment.glsl"
 
 void main() {

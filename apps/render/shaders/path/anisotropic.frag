@@ -4,7 +4,7 @@
 // a groove along the tangent has every normal that is perpendicular to it, and the one that sends most light to the eye
 // counts. Other materials keep the Basic model.
 
-#include "early_depth.glsl"
+#include "depth_test.glsl"
 #include "constants_from_vertices.glsl"
 #include "cookie.glsl"
 #include "litfog/shaders/surface.glsl"

@@ -10,7 +10,7 @@
 // space saves the eye's position, which there is the origin. Ka is Kd, the texture; a material with a Ka of its own can
 // state Ka * globalAmbient, a constant, as its Ke.
 
-#include "early_depth.glsl"
+#include "depth_test.glsl"
 #include "cookie.glsl"
 #include "litfog/shaders/surface.glsl"
 #include "fragment.glsl"
@@ -68,7 +68,9 @@ void main() {
 #define ADD_LIGHT(i) spot_atten_lighting(batch_light(i), p, n, diffuse_sum, specular_sum);
   EACH_LIGHT(ADD_LIGHT)
 #undef ADD_LIGHT
-  int listed = is_hidden() ? 0 : listed_light_count();
-  for (int i = 0; i < listed; ++i) spot_atten_lighting(listed_light(i), p, n, diffuse_sum, specular_sum);
+  if (has_listed_lights) {
+    int listed = is_hidden() ? 0 : listed_light_count();
+    for (int i = 0; i < listed; ++i) spot_atten_lighting(listed_light(i), p, n, diffuse_sum, specular_sum);
+  }
   color = seen_by_eye(emissive + kd.rgb * ambient_light + kd.rgb * diffuse_sum + ks * specular_sum, p);
 }

@@ -5,7 +5,7 @@
 // reflectance at normal incidence is its base colour. Other materials keep the Basic model. The Basic model's diffuse
 // term lacks the factor 1 / pi; this leaves it out as well, so that the two compare.
 
-#include "early_depth.glsl"
+#include "depth_test.glsl"
 #include "constants_from_vertices.glsl"
 #include "cookie.glsl"
 #include "litfog/shaders/surface.glsl"

@@ -2,7 +2,7 @@
 // The interpolated normal, normalised, without a normal map (Jason Lacroix 2005, "Let There Be Light!: A Unified
 // Lighting Technique for a New Generation of Games", listing 2.2); the lighting is that of all surfaces (listing 2.1).
 
-#include "early_depth.glsl"
+#include "depth_test.glsl"
 #include "constants_from_vertices.glsl"
 #include "world_normal.glsl"
 

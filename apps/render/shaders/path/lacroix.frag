@@ -9,7 +9,7 @@
 // spots have their cones, the base texture reflects the lights, ambient light and a directional light are added, and
 // Hales's fog lies before the surface. The sum is clamped to 0, as a framebuffer of eight bits does.
 
-#include "early_depth.glsl"
+#include "depth_test.glsl"
 #include "fragment.glsl"
 #include "listed_lights.glsl"
 
@@ -29,7 +29,9 @@ void main() {
 #define ADD_LIGHT(i) light += contribution(batch_light(i), position, n);
   EACH_LIGHT(ADD_LIGHT)
 #undef ADD_LIGHT
-  int listed = is_hidden() ? 0 : listed_light_count();
-  for (int i = 0; i < listed; ++i) light += contribution(listed_light(i), position, n);
+  if (has_listed_lights) {
+    int listed = is_hidden() ? 0 : listed_light_count();
+    for (int i = 0; i < listed; ++i) light += contribution(listed_light(i), position, n);
+  }
   color = seen_by_eye(max(emissive + base_texture().rgb * light, 0.0), position);
 }

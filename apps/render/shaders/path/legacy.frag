@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // One texture, and fog of one colour.
 
-#include "early_depth.glsl"
+#include "depth_test.glsl"
 #include "fragment.glsl"
 
 in vec3 light;

@@ -4,7 +4,7 @@
 // that are short of memory). With the cube map these are three of a card's four texture units, so that a face has one
 // texture left; this path draws its second texture all the same.
 
-#include "early_depth.glsl"
+#include "depth_test.glsl"
 #include "lookup.glsl"
 
 uniform sampler2D distance_map;

@@ -2,7 +2,7 @@
 // Range attenuation from a 3-D map (Steven Hales 2004, "Realtime Pixel Lighting Using Fragment Programs", section
 // "Embedding Range Attenuation in a Texture Map").
 
-#include "early_depth.glsl"
+#include "depth_test.glsl"
 #include "lookup.glsl"
 
 uniform sampler3D range_map;

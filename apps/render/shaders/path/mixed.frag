@@ -2,7 +2,7 @@
 // "Compute just the specular contribution using the interpolated half-angle and normal vectors" (Randima Fernando and
 // Mark Kilgard 2003, "The Cg Tutorial", chapter 5, exercise 6).
 
-#include "early_depth.glsl"
+#include "depth_test.glsl"
 #include "fragment.glsl"
 
 in vec3 diffuse_light;

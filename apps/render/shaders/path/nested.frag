@@ -9,7 +9,7 @@
 // needs no flags. His example has 6 lights, and his compiler nests up to 24. The lighting is that of unified.frag, which
 // is compiled for the number of lights that a surface has.
 
-#include "early_depth.glsl"
+#include "depth_test.glsl"
 #include "constants_from_vertices.glsl"
 #include "lit_surface.glsl"
 #include "light_batch.glsl"

@@ -6,7 +6,7 @@
 // return each model needs a map of its own: none can tile, or be shared by surfaces that face different ways, as the
 // catalogue's are. The lighting is that of unified.frag.
 
-#include "early_depth.glsl"
+#include "depth_test.glsl"
 #include "constants_from_vertices.glsl"
 #include "world_normal.glsl"
 

@@ -9,7 +9,7 @@
 // Heights are true to scale and the surface stands half-way between the lowest and the highest. What this cannot show:
 // parts that hide each other, their shadows, and an uneven outline.
 
-#include "early_depth.glsl"
+#include "depth_test.glsl"
 #include "constants_from_vertices.glsl"
 #define texture_uv shifted_uv
 vec2 shifted_uv(vec2 coordinates);

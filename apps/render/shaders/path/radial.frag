@@ -2,7 +2,7 @@
 // Point and spot lights on the base texture (Ronald Frazier 2000, "Real-Time Per-Pixel Point Lights and Spot Lights in
 // OpenGL", section "Per-Pixel Point Lighting", whose two passes are one here).
 
-#include "early_depth.glsl"
+#include "depth_test.glsl"
 #include "radial.glsl"
 
 void main() {

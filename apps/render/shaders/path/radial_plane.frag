@@ -8,7 +8,7 @@
 // (1 - spare 1) * constant color 1, the second product as its E * F. Here a pass has up to four lights, of which each
 // may be a spot. Where this leaves it: as radial.glsl.
 
-#include "early_depth.glsl"
+#include "depth_test.glsl"
 #include "fragment.glsl"
 #include "light_batch.glsl"
 #include "map_coordinate.glsl"

@@ -16,7 +16,7 @@
 // Lights that are neither two nor alike are drawn in further passes, as in lookup.glsl. Two lights that are not close
 // together, which no printed line forbids, are both lit by the range of the first.
 
-#include "early_depth.glsl"
+#include "depth_test.glsl"
 #include "light_coordinates.glsl"
 #include "map_coordinate.glsl"
 

@@ -4,7 +4,7 @@
 // has the Basic model's terms, clamped to 0, its own attenuation in place of 1/dist, and a cone (lit_surface.glsl); the
 // normal is normalised.
 
-#include "early_depth.glsl"
+#include "depth_test.glsl"
 #include "lit_surface.glsl"
 #include "light_batch.glsl"
 

@@ -11,7 +11,7 @@
 // nested ifs instead (listings 3.1 and 3.2). object_space.frag has normal maps in object space, parallax.frag parallax
 // mapping, lacroix.frag his equations without clamp and end.
 
-#include "early_depth.glsl"
+#include "depth_test.glsl"
 #include "constants_from_vertices.glsl"
 #include "lit_surface.glsl"
 #include "listed_lights.glsl"
@@ -35,10 +35,12 @@ void main() {
 #define ADD_LIGHT(i) lit += lamp_shadow(i) * lit_by(surface, batch_light(i));
   EACH_LIGHT(ADD_LIGHT)
 #undef ADD_LIGHT
-  int listed = is_hidden() ? 0 : listed_light_count();
-  for (int i = 0; i < listed; ++i) {
-    if (is_out_of_reach(i, position, surface.normal, are_lit_beyond_ends ? reach : 1.0)) continue;
-    lit += listed_lamp_shadow(listed_entry(i)) * lit_by(surface, listed_light(i));
+  if (has_listed_lights) {
+    int listed = is_hidden() ? 0 : listed_light_count();
+    for (int i = 0; i < listed; ++i) {
+      if (is_out_of_reach(i, position, surface.normal, are_lit_beyond_ends ? reach : 1.0)) continue;
+      lit += listed_lamp_shadow(listed_entry(i)) * lit_by(surface, listed_light(i));
+    }
   }
   color = seen_by_eye(lit, position);
 }

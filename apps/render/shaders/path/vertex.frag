@@ -3,7 +3,7 @@
 // "modulate diffuse and specular by material color"). Emissive and ambient light is added here too, because only
 // fragments have the material's texture and gloss.
 
-#include "early_depth.glsl"
+#include "depth_test.glsl"
 #include "fragment.glsl"
 
 in vec3 diffuse_light;
