@@ -32,13 +32,18 @@ constexpr GLenum kTargets[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
 /// Blocks that cover a size.
 glm::ivec2 blocks(glm::ivec2 size) { return (size + (kBlock - 1)) / kBlock; }
 
-/// Makes a texture of floats the bound framebuffer's.
+/// Binds one of the textures that attach() makes, which are rectangles (shaders/airlight/texel.glsl).
+void bind_texels(unsigned unit, const gl::TextureName& texture) { bind_texture(unit, texture, GL_TEXTURE_RECTANGLE); }
+
+/// Makes a texture the bound framebuffer's.
 void attach(GLenum attachment, const gl::TextureName& texture, glm::ivec2 size, GLint format = GL_RGBA32F) {
-  bind_texture(kAirlightUnit, texture);
-  glTexImage2D(GL_TEXTURE_2D, 0, format, size.x, size.y, 0, GL_RGBA, GL_FLOAT, nullptr);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, texture.id(), 0);
+  bind_texels(kAirlightUnit, texture);
+  const bool is_integer = format == GL_RG32UI;
+  glTexImage2D(GL_TEXTURE_RECTANGLE, 0, format, size.x, size.y, 0, is_integer ? GL_RG_INTEGER : GL_RGBA,
+               is_integer ? GL_UNSIGNED_INT : GL_FLOAT, nullptr);
+  glTexParameteri(GL_TEXTURE_RECTANGLE, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_RECTANGLE, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_RECTANGLE, texture.id(), 0);
 }
 
 /// Reads that many depths a pixel.
@@ -46,7 +51,7 @@ gl::Program make_seen_program(int samples) {
   const std::string count = fmt::format("#define SAMPLE_COUNT {}\n", samples);
   std::vector<gl::ShaderSource> files(render_shaders().begin(), render_shaders().end());
   files.push_back({"sample_count.glsl", count});
-  return gl::Program("whole_picture.vert", "airlight_seen.frag", files);
+  return gl::Program("sky.vert", "airlight_seen.frag", files);
 }
 
 }  // namespace
@@ -73,8 +78,6 @@ void AirlightPainter::set_size(const Framebuffer& framebuffer) {
   grids_.clear();
   glBindFramebuffer(GL_FRAMEBUFFER, seen_.id());
   attach(GL_COLOR_ATTACHMENT0, seen_texture_, picture_size_);
-  attach(GL_COLOR_ATTACHMENT1, mean_opacities_, picture_size_, GL_R32F);
-  glDrawBuffers(2, kTargets);
   check_float_framebuffer();
   for (const int step : kGridSteps) {
     Grid& grid = grids_.emplace_back();
@@ -86,7 +89,7 @@ void AirlightPainter::set_size(const Framebuffer& framebuffer) {
   packed_.size = most_blocks * kBlock;
   attach_airlight(packed_, true);
   glBindFramebuffer(GL_FRAMEBUFFER, marks_framebuffer_.id());
-  attach(GL_COLOR_ATTACHMENT0, marks_, {most_blocks.x, packed_.size.y}, GL_R32F);
+  attach(GL_COLOR_ATTACHMENT0, marks_, most_blocks, GL_RG32UI);
   check_float_framebuffer();
   glBindFramebuffer(GL_FRAMEBUFFER, places_framebuffer_.id());
   attach(GL_COLOR_ATTACHMENT0, places_, packed_.size, GL_RG32F);
@@ -137,10 +140,9 @@ void AirlightPainter::draw(const Framebuffer& framebuffer, const View& view, Fog
   glBindVertexArray(vertex_array_.id());
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
-  glClearColor(0, 0, 0, 0);
+  glClearColor(0, 0, 0, -1);  // alpha: not filled
   framebuffer.bind_depth(kDepthUnit);
-  bind_texture(kSeenUnit, seen_texture_);
-  bind_texture(kOpacityUnit, mean_opacities_);
+  bind_texels(kSeenUnit, seen_texture_);
 
   glBindFramebuffer(GL_FRAMEBUFFER, seen_.id());
   glViewport(0, 0, picture_size_.x, picture_size_.y);
@@ -165,7 +167,7 @@ void AirlightPainter::draw(const Framebuffer& framebuffer, const View& view, Fog
   glBlendFunc(is_seen_by_alpha ? GL_DST_ALPHA : GL_ONE, GL_ONE);
   framebuffer.bind_resolved();
   add_program_.use();
-  bind_texture(kAirlightUnit, grids.back().airlight);
+  bind_texels(kAirlightUnit, grids.back().airlight);
   set_uniform(add_program_, "airlight", kAirlightUnit);
   set_uniform(add_program_, "seen_ranges", kSeenUnit);
   far_.bind(add_program_);
@@ -179,8 +181,8 @@ void AirlightPainter::fill(const Frame& frame, const Grid& grid, const Grid& coa
   glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
   glViewport(0, 0, grid.size.x, grid.size.y);
   use(fill_program_, frame, grid);
-  bind_texture(kAirlightUnit, coarse.airlight);
-  bind_texture(kGainUnit, coarse.gain);
+  bind_texels(kAirlightUnit, coarse.airlight);
+  bind_texels(kGainUnit, coarse.gain);
   set_uniform(fill_program_, "grid", kAirlightUnit);
   set_uniform(fill_program_, "grid_gain", kGainUnit);
   glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -194,26 +196,26 @@ void AirlightPainter::draw_packed(const Frame& frame, const Grid& grid) {
   const glm::ivec2 count = blocks(grid.size), room = packed_.size / kBlock;
   const Blocks packed{count, glm::max((room - 1) / glm::max(count - 1, 1), 1), packed_.size};
   glBindFramebuffer(GL_FRAMEBUFFER, marks_framebuffer_.id());
-  glViewport(0, 0, count.x, count.y * kBlock);
+  glViewport(0, 0, count.x, count.y);
   marks_program_.use();
-  bind_texture(kAirlightUnit, grid.airlight);
+  bind_texels(kAirlightUnit, grid.airlight);
   set_uniform(marks_program_, "airlight", kAirlightUnit);
   glDrawArrays(GL_TRIANGLES, 0, 3);
 
-  bind_texture(kMarkUnit, marks_);
+  bind_texels(kMarkUnit, marks_);
   glBindFramebuffer(GL_FRAMEBUFFER, places_framebuffer_.id());
   glClear(GL_STENCIL_BUFFER_BIT);
   glStencilFunc(GL_ALWAYS, kMarked, 0xff);
   glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
   pack_program_.use();
-  set_uniform(pack_program_, "row_marks", kMarkUnit);
+  set_uniform(pack_program_, "block_marks", kMarkUnit);
   set_blocks(pack_program_, packed);
   glDrawArrays(GL_POINTS, 0, count.x * count.y);
   glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
 
   glBindFramebuffer(GL_FRAMEBUFFER, packed_.framebuffer.id());
   glClear(GL_COLOR_BUFFER_BIT);
-  bind_texture(kPlaceUnit, places_);
+  bind_texels(kPlaceUnit, places_);
   const bool is_first = grid.step == frame.coarsest_step;
   for (std::size_t i = 0; i < ranges_.size(); ++i) {
     const int coarsest = coarsest_step(ranges_[i].kind, frame);
@@ -223,10 +225,10 @@ void AirlightPainter::draw_packed(const Frame& frame, const Grid& grid) {
   glBindFramebuffer(GL_FRAMEBUFFER, grid.framebuffer.id());
   glViewport(0, 0, grid.size.x, grid.size.y);
   glStencilFunc(GL_NOTEQUAL, kMarked, 0xff);
-  unpack_program_.use();
-  bind_texture(kAirlightUnit, packed_.airlight);
-  bind_texture(kGainUnit, packed_.gain);
-  set_uniform(unpack_program_, "row_marks", kMarkUnit);
+  use(unpack_program_, frame, grid);
+  bind_texels(kAirlightUnit, packed_.airlight);
+  bind_texels(kGainUnit, packed_.gain);
+  set_uniform(unpack_program_, "block_marks", kMarkUnit);
   set_uniform(unpack_program_, "packed_airlight", kAirlightUnit);
   set_uniform(unpack_program_, "packed_gain", kGainUnit);
   set_uniform(unpack_program_, "block_stride", packed.stride);
@@ -308,7 +310,6 @@ void AirlightPainter::use(const gl::Program& program, const Frame& frame, const 
   bind_lights(program, fog_lights_);
   set_uniform(program, "depths", kDepthUnit);
   set_uniform(program, "seen_ranges", kSeenUnit);
-  set_uniform(program, "mean_opacities", kOpacityUnit);
   set_uniform(program, "airlight_entries", kEntryUnit);
   set_uniform(program, "clip_from_world", frame.view.clip_from_world);
   set_uniform(program, "direction_from_clip", frame.view.direction_from_clip);

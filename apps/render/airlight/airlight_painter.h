@@ -111,9 +111,8 @@ class AirlightPainter {
   gl::Program add_program_;
   gl::FramebufferName seen_;
   gl::TextureName seen_texture_;
-  gl::TextureName mean_opacities_;  // of the fog before what is seen
-  std::vector<Grid> grids_;         // from coarse to fine
-  Target packed_;                   // texels that a grid does not fill, packed (shaders/airlight_blocks.glsl)
+  std::vector<Grid> grids_;  // from coarse to fine
+  Target packed_;            // texels that a grid does not fill, packed (shaders/airlight_blocks.glsl)
   gl::FramebufferName marks_framebuffer_;
   gl::TextureName marks_;  // of those texels
   gl::FramebufferName places_framebuffer_;

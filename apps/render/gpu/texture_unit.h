@@ -21,7 +21,6 @@ enum TextureUnit : unsigned {
   kCookieConeUnit,
   kDepthUnit,     // the depths of a picture's samples
   kSeenUnit,      // how far each pixel sees
-  kOpacityUnit,   // of the fog before that
   kAirlightUnit,  // airlight at the texels of a grid
   kEntryUnit,     // the lights whose airlight is drawn
   kTileUnit,      // of them, those of each tile of the picture

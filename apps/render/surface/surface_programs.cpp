@@ -98,8 +98,8 @@ SurfaceProgram& SurfacePrograms::program(const ShaderVariant& variant) {
   const std::string environment = environment_light_ + settings_;
   files.push_back({"environment.glsl", environment});
   files.push_back({"pass.glsl", pass});
-  const std::string material = samples_ + (variant.tests_depth_late ? "#define TESTS_DEPTH_LATE\n" : "") +
-                               material_constants(variant.material);
+  const std::string material =
+      samples_ + (variant.tests_depth_late ? "#define TESTS_DEPTH_LATE\n" : "") + material_constants(variant.material);
   files.push_back({"material.glsl", material});
   const std::string pass_fragment = fmt::format("#include \"{}\"\n", variant.pass->fragment);
   files.push_back({"pass.frag", pass_fragment});

@@ -4,22 +4,30 @@
 #include "far_airlight_at.glsl"
 #include "seen.glsl"
 
-uniform sampler2D airlight;  // within the lights' extents
+uniform sampler2DRect airlight;  // within the lights' extents
 
 out vec4 color;
 
 // That of lights beyond their extents, before what the pixel's samples see.
 vec3 far_airlight_before(vec4 seen) {
   const float most_equal = 1.02;  // ranges that share a look-up
-  vec2 place = gl_FragCoord.xy;
-  if (seen.w <= most_equal * seen.x) return far_airlight_at(place, dot(seen, vec4(0.25)));
-  return 0.25 * (far_airlight_at(place, seen.x) + far_airlight_at(place, seen.y) + far_airlight_at(place, seen.z) +
-                 far_airlight_at(place, seen.w));
+  int ranges = 4;
+  if (seen.w <= most_equal * seen.x) {
+    ranges = 1;
+    seen.x = dot(seen, vec4(0.25));
+  }
+  vec3 sum = vec3(0.0);
+  int i = 0;
+  do {
+    sum += far_airlight_at(gl_FragCoord.xy, seen[i]);
+    ++i;
+  } while (i < ranges);
+  return sum / float(ranges);
 }
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  vec3 sum = texelFetch(airlight, pixel, 0).rgb;
+  vec3 sum = texel_at(airlight, pixel).rgb;
   if (far_depth > 0.0) sum += far_airlight_before(seen_at(pixel));
   color = vec4(sum, 0.0);
 }

@@ -2,19 +2,21 @@
 // The texels of a grid for which a coarser one is not good enough, packed: those of a block of 8 x 8 stand at its first
 // places in Morton order. Scattered texels would leave most lanes of a processor idle.
 
-uniform ivec2 block_stride;   // from one packed block to the next, in blocks
-uniform sampler2D row_marks;  // a texel has 8 bits, of 8 texels in a row: 1 for one that is not filled
+#include "texel.glsl"
+
+uniform ivec2 block_stride;  // from one packed block to the next, in blocks
+// Of a block: a bit for each of its texels, row by row from the lowest bit of x on, and then of y. 1: not filled.
+uniform usampler2DRect block_marks;
 
 const int block_size = 8;
 
-int row_marks_at(ivec2 block, int row) {
-  return int(texelFetch(row_marks, ivec2(block.x, block.y * block_size + row), 0).r);
-}
+uvec2 marks_of(ivec2 block) { return texture(block_marks, vec2(block) + 0.5).xy; }
 
-int count_bits(int byte) {
-  byte -= (byte >> 1) & 0x55;
-  byte = (byte & 0x33) + ((byte >> 2) & 0x33);
-  return (byte + (byte >> 4)) & 0x0f;
+int count_bits(uint bits) {
+  bits -= bits >> 1 & 0x55555555u;
+  bits = (bits & 0x33333333u) + (bits >> 2 & 0x33333333u);
+  bits = bits + (bits >> 4) & 0x0f0f0f0fu;
+  return int(bits * 0x01010101u >> 24);
 }
 
 // Bits 0, 2 and 4 of an index, moved together.

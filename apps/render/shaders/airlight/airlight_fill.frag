@@ -5,12 +5,12 @@
 
 #include "seen.glsl"
 
-uniform sampler2D grid;       // airlight
-uniform sampler2D grid_gain;  // what is gained of it where the fog before what is seen gains opacity
+uniform sampler2DRect grid;       // airlight; alpha the mean opacity of the fog before what a texel sees
+uniform sampler2DRect grid_gain;  // what is gained of it where the fog before what is seen gains opacity
 uniform float exposure_gain;
 uniform int pixel_step;       // pixels between the target's texels; the grid's are twice as far apart
 
-layout(location = 0) out vec4 airlight;  // alpha 1: filled
+layout(location = 0) out vec4 airlight;  // alpha as the grid's; below 0 where it is not filled
 layout(location = 1) out vec4 gain;
 
 const float most_opacity_change = 0.03;     // of opacity, within the pixel or from a texel of the grid, at 0 EV
@@ -38,16 +38,16 @@ struct Texel {
 
 // A texel of the grid, brought to what the pixel sees.
 Texel grid_texel(ivec2 place, float opacity) {
-  place = clamp(place, ivec2(0), textureSize(grid, 0) - 1);
+  vec4 airlight_opacity = texel_at(grid, place);
   Texel texel;
-  texel.gain = texelFetch(grid_gain, place, 0).rgb;
-  texel.opacity_change = opacity - mean_opacity_at(place * 2 * pixel_step);
-  texel.airlight = max(texelFetch(grid, place, 0).rgb + texel.gain * texel.opacity_change, vec3(0.0));
+  texel.gain = texel_at(grid_gain, place).rgb;
+  texel.opacity_change = opacity - airlight_opacity.a;
+  texel.airlight = max(airlight_opacity.rgb + texel.gain * texel.opacity_change, vec3(0.0));
   return texel;
 }
 
 bool is_inside(ivec2 place) {
-  return all(greaterThanEqual(place, ivec2(0))) && all(lessThan(place, textureSize(grid, 0)));
+  return all(greaterThanEqual(place, ivec2(0))) && all(lessThan(place, textureSize(grid)));
 }
 
 // What six texels in a row say of the place in their middle.
@@ -111,13 +111,13 @@ void main() {
   ivec2 pixel = place * pixel_step;
   ivec2 corner = place / 2;
   ivec2 part = place - 2 * corner;
-  float opacity = mean_opacity_at(pixel);
+  vec4 opacities = seen_opacities(seen_at(pixel), 1.0);
+  float opacity = dot(opacities, vec4(0.25));
   Middle middle;
   if (part == ivec2(0)) {
     Texel texel = grid_texel(corner, opacity);
     middle = Middle(texel.airlight, texel.gain, 0.0);
   } else {
-    vec4 opacities = seen_opacities(seen_at(pixel), 1.0);
     if (opacities.w - opacities.x > most_opacity_change * change_scale()) discard;
     // Between two texels of the grid, or across both diagonals between four.
     middle = middle_of(corner, part, opacity);
@@ -129,6 +129,6 @@ void main() {
     }
     if (middle.error > most_error) discard;
   }
-  airlight = vec4(max(middle.airlight, vec3(0.0)), 1.0);
+  airlight = vec4(max(middle.airlight, vec3(0.0)), opacity);
   gain = vec4(middle.gain, 0.0);
 }

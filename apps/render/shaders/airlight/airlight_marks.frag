@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which texels of a grid are not filled, 8 in a texel: row_marks of airlight_blocks.glsl.
+// Which texels of a block of a grid are not filled: block_marks of airlight_blocks.glsl.
 
 #include "airlight_blocks.glsl"
 
-uniform sampler2D airlight;  // of the grid; alpha 1 where it is filled
+uniform sampler2DRect airlight;  // of the grid; alpha below 0 where it is not filled
 
-out float marks;
+out uvec2 marks;
 
 void main() {
-  ivec2 first = ivec2(gl_FragCoord.xy) * ivec2(block_size, 1);
-  ivec2 size = textureSize(airlight, 0);
-  marks = 0.0;
-  for (int i = 0; i < block_size; ++i) {
-    ivec2 place = first + ivec2(i, 0);
-    if (all(lessThan(place, size)) && texelFetch(airlight, place, 0).a == 0.0) marks += float(1 << i);
+  ivec2 first = ivec2(gl_FragCoord.xy) * block_size;
+  ivec2 size = textureSize(airlight);
+  marks = uvec2(0u);
+  for (int i = 0; i < block_size * block_size; ++i) {
+    ivec2 place = first + ivec2(i % block_size, i / block_size);
+    bool is_marked = all(lessThan(place, size)) && texel_at(airlight, place).a < 0.0;
+    if (is_marked) marks[i / 32] |= 1u << uint(i % 32);
   }
 }

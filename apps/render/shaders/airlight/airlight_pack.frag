@@ -9,20 +9,23 @@ void main() {
   ivec2 here = ivec2(gl_FragCoord.xy);
   ivec2 packed_block = here / block_size;
   ivec2 block = packed_block / block_stride;
-  int left = packed_index(here - packed_block * block_size);  // texels of the block that come before
-  int marks = 0;                                              // of the texel's row
-  int row = 0;
-  for (; row < block_size; ++row) {
-    marks = row_marks_at(block, row);
-    int count = count_bits(marks);
-    if (left < count) break;
-    left -= count;
+  int before = packed_index(here - packed_block * block_size);  // marked texels of the block that come before
+  uvec2 marks = marks_of(block);
+  int low = count_bits(marks.x);
+  bool is_high = before >= low;
+  if (is_high) before -= low;
+  uint bits = is_high ? marks.y : marks.x;
+  if (before >= count_bits(bits)) discard;
+  // The bit that has so many set bits below it, by halving what is left.
+  int index = is_high ? 32 : 0;
+  for (int halving = 0; halving < 5; ++halving) {
+    int half_size = 16 >> halving;
+    int count = count_bits(bits & (1u << uint(half_size)) - 1u);
+    if (before >= count) {
+      before -= count;
+      bits >>= uint(half_size);
+      index += half_size;
+    }
   }
-  if (row == block_size) discard;
-  int column = 0;
-  for (; left > 0 || (marks & 1) == 0; ++column) {
-    left -= marks & 1;
-    marks >>= 1;
-  }
-  place = vec2(block * block_size + ivec2(column, row));
+  place = vec2(block * block_size + ivec2(index % block_size, index / block_size));
 }

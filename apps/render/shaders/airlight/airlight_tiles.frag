@@ -6,7 +6,7 @@
 #include "pixel_direction.glsl"
 
 uniform bool is_packed;  // the target's texels stand for others of their block (airlight_blocks.glsl)
-uniform sampler2D packed_places;
+uniform sampler2DRect packed_places;
 uniform isamplerBuffer tile_lists;  // render::AirlightTiles
 uniform ivec2 tile_count;
 uniform vec2 tile_size;  // pixels
@@ -21,18 +21,21 @@ ivec2 tile_list(ivec2 pixel) {
 
 void main() {
   ivec2 place = ivec2(gl_FragCoord.xy);
-  if (is_packed) place = ivec2(texelFetch(packed_places, place, 0).xy);
+  if (is_packed) place = ivec2(texel_at(packed_places, place).xy);
   ivec2 pixel = place * pixel_step;
   vec3 direction = pixel_direction(pixel);
   vec4 seen = seen_at(pixel);
   ivec2 list = tile_list(pixel);
   airlight = vec4(0.0);
   gain = vec4(0.0);
-  for (int i = list.x; i < list.y; ++i) {
+  int i = list.x;
+  do {  // tested at its end, as the loops of airlight.glsl
     vec4 entry = texelFetch(airlight_entries, texelFetch(tile_lists, i).x);
     vec3 position = litfog_buffered_position_extent(int(entry.x)).xyz;
     float square = squared_passing_distance(position, direction);
-    float fraction = square < entry.y * entry.y ? kept_fraction(entry, square, pixel_step) : 0.0;
+    bool is_reached = i < list.y && square < entry.y * entry.y;
+    float fraction = is_reached ? kept_fraction(entry, square, pixel_step) : 0.0;
     if (fraction > 0.0) add_light(int(entry.x), fraction, direction, seen);
-  }
+    ++i;
+  } while (i < list.y);
 }

@@ -2,9 +2,11 @@
 // Packed texels back to their places in the grid.
 
 #include "airlight_blocks.glsl"
+#include "seen.glsl"
 
-uniform sampler2D packed_airlight;
-uniform sampler2D packed_gain;
+uniform sampler2DRect packed_airlight;
+uniform sampler2DRect packed_gain;
+uniform int pixel_step;  // pixels between texels
 
 layout(location = 0) out vec4 airlight;
 layout(location = 1) out vec4 gain;
@@ -13,9 +15,12 @@ void main() {
   ivec2 here = ivec2(gl_FragCoord.xy);
   ivec2 block = here / block_size;
   ivec2 within = here - block * block_size;
-  int index = count_bits(row_marks_at(block, within.y) & ((1 << within.x) - 1));
-  for (int row = 0; row < within.y; ++row) index += count_bits(row_marks_at(block, row));
+  uvec2 marks = marks_of(block);
+  int bit = within.y * block_size + within.x;
+  uint below = (1u << uint(bit % 32)) - 1u;
+  int index = bit < 32 ? count_bits(marks.x & below) : count_bits(marks.x) + count_bits(marks.y & below);
   ivec2 place = block * block_stride * block_size + packed_place(index);
-  airlight = texelFetch(packed_airlight, place, 0);
-  gain = texelFetch(packed_gain, place, 0);
+  float opacity = dot(seen_opacities(seen_at(here * pixel_step), 1.0), vec4(0.25));
+  airlight = vec4(texel_at(packed_airlight, place).rgb, opacity);
+  gain = texel_at(packed_gain, place);
 }
