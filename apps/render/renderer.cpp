@@ -6,14 +6,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <iterator>
 #include <numbers>
 #include <span>
 #include <vector>
 
 #include "litfog/fog_light_block.h"
 #include "litfog/gl/check_errors.h"
-#include "render/fog_top.h"
 #include "render/gpu/light_uniforms.h"
 #include "render/gpu/texture_unit.h"
 #include "render/gpu/uniform.h"
@@ -23,14 +21,6 @@
 
 namespace litfog::render {
 namespace {
-
-/// Files of the sky's shaders where fog hides the sky.
-std::vector<gl::ShaderSource> hidden_sky_shaders(bool has_cookies) {
-  std::vector<gl::ShaderSource> files{
-      {"night_sky.glsl", "vec3 night_sky(vec3 direction) { return vec3(0.0); }\n"}};  // found before the file
-  std::ranges::copy(scene_shaders(has_cookies), std::back_inserter(files));
-  return files;
-}
 
 std::size_t entries_in(std::span<const EntryRange> ranges) {
   std::size_t entries = 0;
@@ -68,10 +58,9 @@ Renderer::Renderer(const scene::Scene& scene, int width, int height, const Rende
       cookie_cones_(lights_.cookie_cones().data(), lights_.cookie_cones().size_bytes(), BufferTexture::Texel::float4),
       surfaces_(scene, lights_, fog_block_, settings),
       planner_(scene, lights_, surfaces_.surfaces(), settings),
-      sky_program_("sky.vert", "sky.frag", scene_shaders(!scene.cookies.empty())),
-      hidden_sky_program_("sky.vert", "sky.frag", hidden_sky_shaders(!scene.cookies.empty())),
+      sky_(scene, fog_block_),
       light_point_program_("light_point.vert", "light_point.frag", scene_shaders(!scene.cookies.empty())) {
-  gl::check_fog_light_layout(sky_program_);
+  gl::check_fog_light_layout(light_point_program_);
   if (settings.shadows != Shadows::none) {
     shadows_.emplace(scene, lights_, surfaces_.surfaces(), framebuffer_.aspect(), settings);
   }
@@ -232,9 +221,7 @@ FrameCounts Renderer::draw_stages(const FrameExposures& exposures, LightPoints l
   }
   clock.end(&StageTimes::surfaces);
   glDepthMask(GL_FALSE);
-  if (counts.sky != SkyDrawing::background) {
-    draw_sky(view, counts.sky == SkyDrawing::sky ? sky_program_ : hidden_sky_program_);
-  }
+  sky_.draw(view, counts.sky, lights_.carried_count());
   clock.end(&StageTimes::sky);
   if (light_points == LightPoints::on) draw_light_points(view, plan);
   clock.end(&StageTimes::points);
@@ -287,24 +274,6 @@ std::size_t Renderer::draw_panes(const View& view, const FramePlan& plan) {
       surfaces_.draw_panes(*settings_.path, plan, view, shadows(), airlight_ ? &airlight_->far() : nullptr);
   glDisable(GL_BLEND);
   return bytes;
-}
-
-void Renderer::draw_sky(const View& view, const gl::Program& program) {
-  const scene::Environment& environment = scene_.environment;
-  program.use();
-  bind_lights(program, fog_block_);
-  set_uniform(program, "light_list", kLightListUnit);
-  set_uniform(program, "carried_count", int(lights_.carried_count()));
-  set_uniform(program, "direction_from_clip", view.direction_from_clip);
-  set_uniform(program, "far_plane", far_plane_in_clip());
-  set_uniform(program, "eye", scene_.camera.position);
-  set_uniform(program, "sky_zenith", environment.sky_zenith);
-  set_uniform(program, "sky_horizon", environment.sky_horizon);
-  set_uniform(program, "star_brightness", environment.star_brightness);
-  set_uniform(program, "moon_direction", environment.moon_direction);
-  set_uniform(program, "moon_color", environment.moon_color);
-  set_fog_top(program, scene_);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 void Renderer::draw_light_points(const View& view, const FramePlan& plan) {

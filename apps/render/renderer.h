@@ -17,6 +17,7 @@
 #include "render/gpu/sampler_states.h"
 #include "render/light/scene_lights.h"
 #include "render/shadow/shadow_maps.h"
+#include "render/sky_painter.h"
 #include "render/surface/surface_painter.h"
 #include "scene/scene.h"
 
@@ -108,7 +109,6 @@ class Renderer {
   /// Uploads what a new plan lists. Returns its bytes.
   std::size_t upload_lists(const FramePlan& plan);
   FrameCounts draw_stages(const FrameExposures& exposures, LightPoints light_points, FrameStatistics* statistics);
-  void draw_sky(const View& view, const gl::Program& program);
   void draw_light_points(const View& view, const FramePlan& plan);
   std::size_t draw_panes(const View& view, const FramePlan& plan);
 
@@ -129,8 +129,7 @@ class Renderer {
   FramePlanner planner_;
   std::optional<BufferTexture> light_list_;  // of the plan
   SamplerStates sampler_states_;
-  gl::Program sky_program_;
-  gl::Program hidden_sky_program_;
+  SkyPainter sky_;
   gl::Program light_point_program_;
   std::optional<AirlightPainter> airlight_;  // of FogLighting::airlight
 };

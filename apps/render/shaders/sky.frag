@@ -3,8 +3,8 @@
 
 #define LITFOG_FOG_LIGHTS
 #include "cookie.glsl"
+#include "carried_fog.glsl"
 #include "fog_top.glsl"
-#include "light_list.glsl"
 #include "litfog/shaders/fog.glsl"
 #include "night_sky.glsl"
 
@@ -13,12 +13,6 @@ in vec3 seen_direction;
 uniform vec3 eye;
 
 out vec4 color;
-
-vec3 litfog_lights_fog(vec3 position) {
-  vec3 fog = vec3(0.0);
-  for (int i = 0; i < carried_count; ++i) fog += litfog_light_fog(carried_light(i), position);
-  return fog;
-}
 
 void main() {
   vec3 direction = normalize(seen_direction);

@@ -71,10 +71,14 @@ struct Eye {
 bool passes_constants(const Surface& surface, const Eye& eye) {
   constexpr double kManyPixels = 100;  // a triangle
   const scene::Bounds& box = surface.bounds;
-  const double size = glm::distance(box.low, box.high);
-  const double nearest = glm::distance(eye.position, glm::clamp(eye.position, box.low, box.high));
-  const double pixels = eye.pixels_per_radian * size / std::max(nearest, size);
-  return pixels * pixels > kManyPixels * surface.chunk->index_count / 3;
+  const glm::vec3 size = box.high - box.low;
+  const glm::vec3 to_middle = 0.5f * (box.low + box.high) - eye.position;
+  const float range = std::max(glm::length(to_middle), 0.5f * glm::length(size));
+  // A box's outline has half the area of its faces as they are seen along the line of sight.
+  const glm::vec3 faces(size.y * size.z, size.z * size.x, size.x * size.y);
+  const double outline = double(glm::dot(glm::abs(to_middle), faces) / range);  // square metres
+  const double pixels = outline * eye.pixels_per_radian * eye.pixels_per_radian / (double(range) * double(range));
+  return pixels > kManyPixels * surface.chunk->index_count / 3;
 }
 
 /// How many of the first surfaces are drawn with the same state but for their places.
