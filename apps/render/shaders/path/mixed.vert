@@ -35,5 +35,9 @@ void main() {
     specular_light[i] = dot(normal, ray.xyz) < 0.0 ? litfog_light_along(light, ray) : vec3(0.0);
     if (is_first_pass && !has_listed_lights) diffuse_light += diffuse_reflection(light, position, normal);
   }
-  for (int i = 0; i < listed_light_count(); ++i) diffuse_light += diffuse_reflection(listed_light(i), position, normal);
+  if (has_listed_lights) {
+    for (int i = 0; i < listed_light_count(); ++i) {
+      diffuse_light += diffuse_reflection(listed_light(i), position, normal);
+    }
+  }
 }
