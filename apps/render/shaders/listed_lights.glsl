@@ -6,8 +6,8 @@
 
 uniform ivec2 light_list_range;  // first, count: of this surface
 
-// Loops over these belong behind `if (has_listed_lights)`: compilers may keep a loop that never runs, and drivers without
-// branches run its body once.
+// Loops over these belong behind `if (has_listed_lights)`: compilers may keep a loop that never runs, and drivers
+// without branches run its body once.
 int listed_light_count() { return light_list_range.y; }
 int listed_entry(int i) { return light_entry(light_list_range.x + i); }
 LitfogLight listed_light(int i) { return litfog_buffered_light(listed_entry(i)); }
