@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The light of the fog by the lights that the eye's vehicle carries.
+// The light of the fog by the lights that the eye's vehicle carries, if any.
 
 #include "light_list.glsl"
 #include "litfog/shaders/fog.glsl"

@@ -6,9 +6,18 @@
 
 uniform ivec2 light_list_range;  // first, count: of this surface
 
-// Loops over these belong behind `if (has_listed_lights)`: compilers may keep a loop that never runs, and drivers
-// without branches run its body once.
-int listed_light_count() { return light_list_range.y; }
+#ifndef is_hidden  // of fragments: depth_test.glsl
+#define is_hidden() false
+#endif
+
+// A loop over them, not unrolled as EACH_LIGHT is. It is left out of shaders that have none, because compilers may keep
+// a loop that never runs, and drivers without branches run its body once.
+#define EACH_LISTED_LIGHT(DO) \
+  if (has_listed_lights) { \
+    int listed = is_hidden() ? 0 : light_list_range.y; \
+    for (int i = 0; i < listed; ++i) { DO(i) } \
+  }
+
 int listed_entry(int i) { return light_entry(light_list_range.x + i); }
 LitfogLight listed_light(int i) { return litfog_buffered_light(listed_entry(i)); }
 

@@ -14,7 +14,7 @@ vec3 far_airlight_before(vec4 seen) {
   int ranges = 4;
   if (seen.w <= most_equal * seen.x) {
     ranges = 1;
-    seen.x = dot(seen, vec4(0.25));
+    seen.x = mean_of(seen);
   }
   vec3 sum = vec3(0.0);
   int i = 0;

@@ -10,7 +10,7 @@ uniform usampler2DRect block_marks;
 
 const int block_size = 8;
 
-uvec2 marks_of(ivec2 block) { return texture(block_marks, vec2(block) + 0.5).xy; }
+uvec2 marks_of(ivec2 block) { return texel_at(block_marks, block).xy; }
 
 int count_bits(uint bits) {
   bits -= bits >> 1 & 0x55555555u;

@@ -112,7 +112,7 @@ void main() {
   ivec2 corner = place / 2;
   ivec2 part = place - 2 * corner;
   vec4 opacities = seen_opacities(seen_at(pixel), 1.0);
-  float opacity = dot(opacities, vec4(0.25));
+  float opacity = mean_of(opacities);
   Middle middle;
   if (part == ivec2(0)) {
     Texel texel = grid_texel(corner, opacity);

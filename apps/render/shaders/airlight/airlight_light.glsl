@@ -99,5 +99,5 @@ void add_light(int light_index, float fraction, vec3 direction, vec4 seen) {
     first += run;
   } while (first < 4);
   airlight.rgb += sum / exposure_gain;
-  if (pixel_step > 1) gain.rgb += gain_at(light_index, light, direction, dot(seen, vec4(0.25)));
+  if (pixel_step > 1) gain.rgb += gain_at(light_index, light, direction, mean_of(seen));
 }

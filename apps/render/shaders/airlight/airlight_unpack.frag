@@ -20,7 +20,7 @@ void main() {
   uint below = (1u << uint(bit % 32)) - 1u;
   int index = bit < 32 ? count_bits(marks.x & below) : count_bits(marks.x) + count_bits(marks.y & below);
   ivec2 place = block * block_stride * block_size + packed_place(index);
-  float opacity = dot(seen_opacities(seen_at(here * pixel_step), 1.0), vec4(0.25));
+  float opacity = mean_of(seen_opacities(seen_at(here * pixel_step), 1.0));
   airlight = vec4(texel_at(packed_airlight, place).rgb, opacity);
   gain = texel_at(packed_gain, place);
 }

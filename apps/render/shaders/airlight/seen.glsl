@@ -10,6 +10,9 @@ uniform sampler2DRect seen_ranges;
 // pixel beyond the edge: what the edge sees.
 vec4 seen_at(ivec2 pixel) { return texel_at(seen_ranges, pixel); }
 
+// Of a pixel's quarters.
+float mean_of(vec4 quarters) { return dot(quarters, vec4(0.25)); }
+
 // Opacity of the fog before them, as a light class of that density scale sees it.
 vec4 seen_opacities(vec4 seen, float density_scale) {
   return vec4(litfog_fog_opacity(seen.x, density_scale), litfog_fog_opacity(seen.y, density_scale),

@@ -5,3 +5,4 @@
 // size of a level anew for each fragment, which takes twice as long.
 
 vec4 texel_at(sampler2DRect texels, ivec2 place) { return texture(texels, vec2(place) + 0.5); }
+uvec4 texel_at(usampler2DRect texels, ivec2 place) { return texture(texels, vec2(place) + 0.5); }

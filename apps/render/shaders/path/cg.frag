@@ -68,9 +68,8 @@ void main() {
 #define ADD_LIGHT(i) spot_atten_lighting(batch_light(i), p, n, diffuse_sum, specular_sum);
   EACH_LIGHT(ADD_LIGHT)
 #undef ADD_LIGHT
-  if (has_listed_lights) {
-    int listed = is_hidden() ? 0 : listed_light_count();
-    for (int i = 0; i < listed; ++i) spot_atten_lighting(listed_light(i), p, n, diffuse_sum, specular_sum);
-  }
+#define ADD_LIGHT(i) spot_atten_lighting(listed_light(i), p, n, diffuse_sum, specular_sum);
+  EACH_LISTED_LIGHT(ADD_LIGHT)
+#undef ADD_LIGHT
   color = seen_by_eye(emissive + kd.rgb * ambient_light + kd.rgb * diffuse_sum + ks * specular_sum, p);
 }

@@ -29,9 +29,8 @@ void main() {
 #define ADD_LIGHT(i) light += contribution(batch_light(i), position, n);
   EACH_LIGHT(ADD_LIGHT)
 #undef ADD_LIGHT
-  if (has_listed_lights) {
-    int listed = is_hidden() ? 0 : listed_light_count();
-    for (int i = 0; i < listed; ++i) light += contribution(listed_light(i), position, n);
-  }
+#define ADD_LIGHT(i) light += contribution(listed_light(i), position, n);
+  EACH_LISTED_LIGHT(ADD_LIGHT)
+#undef ADD_LIGHT
   color = seen_by_eye(max(emissive + base_texture().rgb * light, 0.0), position);
 }

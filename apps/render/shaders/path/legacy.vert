@@ -17,7 +17,7 @@ void main() {
 #define ADD_LIGHT(i) light += diffuse_reflection(batch_light(i), position, normal);
   EACH_LIGHT(ADD_LIGHT)
 #undef ADD_LIGHT
-  if (has_listed_lights) {
-    for (int i = 0; i < listed_light_count(); ++i) light += diffuse_reflection(listed_light(i), position, normal);
-  }
+#define ADD_LIGHT(i) light += diffuse_reflection(listed_light(i), position, normal);
+  EACH_LISTED_LIGHT(ADD_LIGHT)
+#undef ADD_LIGHT
 }

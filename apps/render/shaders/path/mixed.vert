@@ -35,9 +35,7 @@ void main() {
     specular_light[i] = dot(normal, ray.xyz) < 0.0 ? litfog_light_along(light, ray) : vec3(0.0);
     if (is_first_pass && !has_listed_lights) diffuse_light += diffuse_reflection(light, position, normal);
   }
-  if (has_listed_lights) {
-    for (int i = 0; i < listed_light_count(); ++i) {
-      diffuse_light += diffuse_reflection(listed_light(i), position, normal);
-    }
-  }
+#define ADD_LIGHT(i) diffuse_light += diffuse_reflection(listed_light(i), position, normal);
+  EACH_LISTED_LIGHT(ADD_LIGHT)
+#undef ADD_LIGHT
 }

@@ -35,12 +35,10 @@ void main() {
 #define ADD_LIGHT(i) lit += lamp_shadow(i) * lit_by(surface, batch_light(i));
   EACH_LIGHT(ADD_LIGHT)
 #undef ADD_LIGHT
-  if (has_listed_lights) {
-    int listed = is_hidden() ? 0 : listed_light_count();
-    for (int i = 0; i < listed; ++i) {
-      if (is_out_of_reach(i, position, surface.normal, are_lit_beyond_ends ? reach : 1.0)) continue;
-      lit += listed_lamp_shadow(listed_entry(i)) * lit_by(surface, listed_light(i));
-    }
-  }
+#define ADD_LIGHT(i) \
+  if (is_out_of_reach(i, position, surface.normal, are_lit_beyond_ends ? reach : 1.0)) continue; \
+  lit += listed_lamp_shadow(listed_entry(i)) * lit_by(surface, listed_light(i));
+  EACH_LISTED_LIGHT(ADD_LIGHT)
+#undef ADD_LIGHT
   color = seen_by_eye(lit, position);
 }

@@ -37,7 +37,7 @@ void main() {
 #define ADD_LIGHT(i) add_light(batch_light(i), position, normal, to_eye);
   EACH_LIGHT(ADD_LIGHT)
 #undef ADD_LIGHT
-  if (has_listed_lights) {
-    for (int i = 0; i < listed_light_count(); ++i) add_light(listed_light(i), position, normal, to_eye);
-  }
+#define ADD_LIGHT(i) add_light(listed_light(i), position, normal, to_eye);
+  EACH_LISTED_LIGHT(ADD_LIGHT)
+#undef ADD_LIGHT
 }
