@@ -25,7 +25,7 @@ namespace {
 constexpr int kStripes = 16;                            // of a target, between which an interruption may come
 constexpr int kGridSteps[] = {kCoarsestGrid, 4, 2, 1};  // pixels
 constexpr double kMostApart = 0.06;  // radians between a grid's texels: airlight is not known to be smoother
-constexpr int kBlock = 8;            // of airlight_blocks.glsl: texels
+constexpr int kBlock = 16;           // of airlight_blocks.glsl: texels
 constexpr GLint kMarked = 1;         // of a stencil, which is 0 elsewhere
 constexpr GLenum kTargets[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
 
@@ -38,8 +38,8 @@ void bind_texels(unsigned unit, const gl::TextureName& texture) { bind_texture(u
 /// Makes a texture the bound framebuffer's.
 void attach(GLenum attachment, const gl::TextureName& texture, glm::ivec2 size, GLint format = GL_RGBA32F) {
   bind_texels(kAirlightUnit, texture);
-  const bool is_integer = format == GL_RG32UI;
-  glTexImage2D(GL_TEXTURE_RECTANGLE, 0, format, size.x, size.y, 0, is_integer ? GL_RG_INTEGER : GL_RGBA,
+  const bool is_integer = format == GL_RGBA32UI;
+  glTexImage2D(GL_TEXTURE_RECTANGLE, 0, format, size.x, size.y, 0, is_integer ? GL_RGBA_INTEGER : GL_RGBA,
                is_integer ? GL_UNSIGNED_INT : GL_FLOAT, nullptr);
   glTexParameteri(GL_TEXTURE_RECTANGLE, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_RECTANGLE, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
@@ -89,7 +89,7 @@ void AirlightPainter::set_size(const Framebuffer& framebuffer) {
   packed_.size = most_blocks * kBlock;
   attach_airlight(packed_, true);
   glBindFramebuffer(GL_FRAMEBUFFER, marks_framebuffer_.id());
-  attach(GL_COLOR_ATTACHMENT0, marks_, most_blocks, GL_RG32UI);
+  attach(GL_COLOR_ATTACHMENT0, marks_, most_blocks * glm::ivec2(2, 1), GL_RGBA32UI);
   check_float_framebuffer();
   glBindFramebuffer(GL_FRAMEBUFFER, places_framebuffer_.id());
   attach(GL_COLOR_ATTACHMENT0, places_, packed_.size, GL_RG32F);
@@ -194,9 +194,9 @@ void AirlightPainter::fill(const Frame& frame, const Grid& grid, const Grid& coa
 /// processors by large tiles, of which a coarse grid fills only one.
 void AirlightPainter::draw_packed(const Frame& frame, const Grid& grid) {
   const glm::ivec2 count = blocks(grid.size), room = packed_.size / kBlock;
-  const Blocks packed{count, glm::max((room - 1) / glm::max(count - 1, 1), 1), packed_.size};
+  const Blocks packed{count, glm::max((room - 1) / glm::max(count - 1, 1), 1), packed_.size, true};
   glBindFramebuffer(GL_FRAMEBUFFER, marks_framebuffer_.id());
-  glViewport(0, 0, count.x, count.y);
+  glViewport(0, 0, 2 * count.x, count.y);
   marks_program_.use();
   bind_texels(kAirlightUnit, grid.airlight);
   set_uniform(marks_program_, "airlight", kAirlightUnit);
@@ -208,7 +208,6 @@ void AirlightPainter::draw_packed(const Frame& frame, const Grid& grid) {
   glStencilFunc(GL_ALWAYS, kMarked, 0xff);
   glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
   pack_program_.use();
-  set_uniform(pack_program_, "block_marks", kMarkUnit);
   set_blocks(pack_program_, packed);
   glDrawArrays(GL_POINTS, 0, count.x * count.y);
   glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
@@ -219,7 +218,7 @@ void AirlightPainter::draw_packed(const Frame& frame, const Grid& grid) {
   const bool is_first = grid.step == frame.coarsest_step;
   for (std::size_t i = 0; i < ranges_.size(); ++i) {
     const int coarsest = coarsest_step(ranges_[i].kind, frame);
-    if (grid.step < coarsest || (is_first && grid.step == coarsest)) draw_lights(frame, grid, i, packed, true);
+    if (grid.step < coarsest || (is_first && grid.step == coarsest)) draw_lights(frame, grid, i, packed);
   }
 
   glBindFramebuffer(GL_FRAMEBUFFER, grid.framebuffer.id());
@@ -259,19 +258,18 @@ void AirlightPainter::draw_left_out(const Frame& frame, const Grid& grid) {
 void AirlightPainter::draw_whole(const Frame& frame, const Grid& grid) {
   if (grid.step == frame.coarsest_step) return;  // which has its lights packed
   const glm::ivec2 count = blocks(grid.size);
+  const Blocks whole{count, glm::ivec2(1), count * kBlock, false};
   for (std::size_t i = 0; i < ranges_.size(); ++i) {
     if (grid.step != coarsest_step(ranges_[i].kind, frame)) continue;
-    draw_lights(frame, grid, i, {.count = count, .stride = glm::ivec2(1), .target = count * kBlock}, false);
+    draw_lights(frame, grid, i, whole);
   }
 }
 
 /// Adds the lights of a range to blocks of the bound framebuffer's texels, which are a grid's own or packed ones.
-void AirlightPainter::draw_lights(const Frame& frame, const Grid& grid, std::size_t range, const Blocks& blocks,
-                                  bool is_packed) {
+void AirlightPainter::draw_lights(const Frame& frame, const Grid& grid, std::size_t range, const Blocks& blocks) {
   const gl::Program& program = tile_programs_.program(frame.fog_mode, ranges_[range].kind);
   use(program, frame, grid);
   set_uniform(program, "packed_places", kPlaceUnit);
-  set_uniform(program, "is_packed", is_packed);
   set_uniform(program, "tile_lists", kTileUnit);
   set_uniform(program, "tile_count", tile_count_);
   set_uniform(program, "tile_size", tile_size_);
@@ -293,6 +291,8 @@ void AirlightPainter::draw_lights(const Frame& frame, const Grid& grid, std::siz
 /// Sets what a program of airlight_blocks.vert needs to draw blocks as points.
 void AirlightPainter::set_blocks(const gl::Program& program, const Blocks& blocks) {
   glViewport(0, 0, blocks.target.x, blocks.target.y);
+  set_uniform(program, "is_packed", blocks.is_packed);
+  set_uniform(program, "block_marks", kMarkUnit);
   set_uniform(program, "block_columns", blocks.count.x);
   set_uniform(program, "block_stride", blocks.stride);
   set_uniform(program, "target_size", glm::vec2(blocks.target));

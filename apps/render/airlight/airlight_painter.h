@@ -75,6 +75,7 @@ class AirlightPainter {
     glm::ivec2 count;
     glm::ivec2 stride;  // from one to the next, in blocks
     glm::ivec2 target;  // texels
+    bool is_packed;
   };
 
   /// What the passes of a frame have in common.
@@ -92,7 +93,7 @@ class AirlightPainter {
   void draw_left_out(const Frame& frame, const Grid& grid);
   void draw_packed(const Frame& frame, const Grid& grid);
   void draw_whole(const Frame& frame, const Grid& grid);
-  void draw_lights(const Frame& frame, const Grid& grid, std::size_t range, const Blocks& blocks, bool is_packed);
+  void draw_lights(const Frame& frame, const Grid& grid, std::size_t range, const Blocks& blocks);
   static void set_blocks(const gl::Program& program, const Blocks& blocks);
   static int coarsest_step(const AirlightKind& kind, const Frame& frame);
 

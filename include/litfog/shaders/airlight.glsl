@@ -366,15 +366,17 @@ LITFOG_REAL litfog_airlight_between(LitfogAirlight air, LitfogAirlightSide side,
   LITFOG_REAL panel = LITFOG_REAL(0.0);
   LITFOG_REAL sum = LITFOG_REAL(0.0);
   int left = nodes_each * panels;
+  LITFOG_REAL panel_size = LITFOG_REAL(1.0) / LITFOG_REAL(panels);
+  LITFOG_REAL decay_length = side.rate == LITFOG_REAL(0.0) ? LITFOG_REAL(0.0) : LITFOG_REAL(1.0) / side.rate;
   do {
-    LITFOG_REAL position = (panel + litfog_gauss_nodes[node]) / LITFOG_REAL(panels);
+    LITFOG_REAL position = (panel + litfog_gauss_nodes[node]) * panel_size;
     LITFOG_REAL nearer = LITFOG_REAL(1.0) / (LITFOG_REAL(1.0) + side.bend * (LITFOG_REAL(1.0) - position));
     LITFOG_REAL growth = exp(start + (end - start) * position * nearer);
     LITFOG_REAL sinh_t = LITFOG_REAL(0.5) * (growth - LITFOG_REAL(1.0) / growth);
     LITFOG_REAL cosh_t = LITFOG_REAL(0.5) * (growth + LITFOG_REAL(1.0) / growth);
     LITFOG_REAL z = side.width * sinh_t;
     LITFOG_REAL decay = max(LITFOG_REAL(1.0) - side.rate * z, LITFOG_REAL(1.0e-7));  // e^(-q x) since the nearest end
-    LITFOG_REAL x = side.nearest + (side.rate == LITFOG_REAL(0.0) ? z : -log(decay) / side.rate);
+    LITFOG_REAL x = side.nearest + (side.rate == LITFOG_REAL(0.0) ? z : -decay_length * log(decay));
     sum += litfog_gauss_weights[node] * nearer * nearer * (side.width * cosh_t / decay) *
            litfog_airlight_integrand(air, side.anchor + side.direction * x);
     ++node;
@@ -384,7 +386,7 @@ LITFOG_REAL litfog_airlight_between(LitfogAirlight air, LitfogAirlightSide side,
     }
     --left;
   } while (left > 0);
-  return sum * (LITFOG_REAL(1.0) + side.bend) * (end - start) / LITFOG_REAL(panels);
+  return sum * (LITFOG_REAL(1.0) + side.bend) * (end - start) * panel_size;
 }
 
 // The nearest of the cuts that lie between two distances of a side, or the farther of the two.
@@ -554,6 +556,16 @@ LITFOG_REAL litfog_airlight_bound(LitfogAirlight air, LitfogAirlightStretch stre
   return beam * min(LITFOG_REAL(1.0) / denominator, weight * integral);
 }
 
+// The first of the four sides from side i on that is not empty; 4 if there is none. Drivers without branches run a loop
+// as often as the ray that needs it most, and most rays have one or two such sides.
+int litfog_airlight_used_side(int i, LitfogAirlightSide before, LitfogAirlightSide beyond,
+                              LitfogAirlightSide before_crossing, LitfogAirlightSide beyond_crossing) {
+  if (i <= 0 && before.part > LITFOG_REAL(0.0)) return 0;
+  if (i <= 1 && beyond.part > LITFOG_REAL(0.0)) return 1;
+  if (i <= 2 && before_crossing.part > LITFOG_REAL(0.0)) return 2;
+  return i <= 3 && beyond_crossing.part > LITFOG_REAL(0.0) ? 3 : 4;
+}
+
 // The integral over the stretch of a ray.
 LITFOG_REAL litfog_airlight_along(LitfogAirlight air, LitfogAirlightStretch stretch) {
   LITFOG_REAL low = stretch.low;
@@ -605,6 +617,8 @@ LITFOG_REAL litfog_airlight_along(LitfogAirlight air, LitfogAirlightStretch stre
   LitfogAirlightSide beyond = litfog_airlight_side_of(air, 1, low, high, hole, width, crossing, border, beam_width);
   LitfogAirlightSide before_crossing = before;
   LitfogAirlightSide beyond_crossing = beyond;
+  before_crossing.part = LITFOG_REAL(0.0);
+  beyond_crossing.part = LITFOG_REAL(0.0);
   if (before.bend < LITFOG_REAL(0.0)) beyond.part *= LITFOG_REAL(0.77);  // behind a far lamp
   LITFOG_REAL parts = before.part + beyond.part;
   if (crosses) {
@@ -625,8 +639,7 @@ LITFOG_REAL litfog_airlight_along(LitfogAirlight air, LitfogAirlightStretch stre
     cuts.inner_low = litfog_airlight_crossing(air, air.cone_y, false);
     cuts.inner_high = litfog_airlight_crossing(air, air.cone_y, true);
   }
-  int sides = crosses ? 4 : 2;
-  int i = 0;
+  int i = litfog_airlight_used_side(0, before, beyond, before_crossing, beyond_crossing);
   do {
     LitfogAirlightSide side = before;
     if (i == 1) side = beyond;
@@ -643,8 +656,8 @@ LITFOG_REAL litfog_airlight_along(LitfogAirlight air, LitfogAirlightStretch stre
       nodes_left -= nodes;
       sum += litfog_airlight_over(air, side, cuts, nodes);
     }
-    ++i;
-  } while (i < sides);
+    i = litfog_airlight_used_side(i + 1, before, beyond, before_crossing, beyond_crossing);
+  } while (i < 4);
   return max(sum, LITFOG_REAL(0.0));
 }
 

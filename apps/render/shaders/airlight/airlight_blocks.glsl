@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The texels of a grid for which a coarser one is not good enough, packed: those of a block of 8 x 8 stand at its first
-// places in Morton order. Scattered texels would leave most lanes of a processor idle.
+// The texels of a grid for which a coarser one is not good enough, packed: those of a block of 16 x 16 stand at its
+// first places in Morton order. Scattered texels would leave most lanes of a processor idle.
 
 #include "texel.glsl"
 
 uniform ivec2 block_stride;  // from one packed block to the next, in blocks
-// Of a block: a bit for each of its texels, row by row from the lowest bit of x on, and then of y. 1: not filled.
+// Two texels a block, side by side. Of them, a bit for each of the block's texels, in Morton order: 1 where it is not
+// filled. The first has the lower half.
 uniform usampler2DRect block_marks;
 
-const int block_size = 8;
-
-uvec2 marks_of(ivec2 block) { return texel_at(block_marks, block).xy; }
+const int block_size = 16;
 
 int count_bits(uint bits) {
   bits -= bits >> 1 & 0x55555555u;
@@ -19,12 +18,21 @@ int count_bits(uint bits) {
   return int(bits * 0x01010101u >> 24);
 }
 
-// Bits 0, 2 and 4 of an index, moved together.
-int even_bits(int index) { return (index & 1) | (index >> 1 & 2) | (index >> 2 & 4); }
+const int mark_words = 8;  // of 32 bits each
 
-ivec2 packed_place(int index) { return ivec2(even_bits(index), even_bits(index >> 1)); }
+uint[mark_words] marks_of(ivec2 block) {
+  uvec4 low = texel_at(block_marks, ivec2(2 * block.x, block.y));
+  uvec4 high = texel_at(block_marks, ivec2(2 * block.x + 1, block.y));
+  return uint[mark_words](low.x, low.y, low.z, low.w, high.x, high.y, high.z, high.w);
+}
 
-// Bits 0, 1 and 2 moved to 0, 2 and 4.
-int spread_bits(int bits) { return (bits & 1) | (bits & 2) << 1 | (bits & 4) << 2; }
+// Bits 0, 2, 4 and 6 of an index, moved together.
+int even_bits(int index) { return (index & 1) | (index >> 1 & 2) | (index >> 2 & 4) | (index >> 3 & 8); }
 
-int packed_index(ivec2 place) { return spread_bits(place.x) | spread_bits(place.y) << 1; }
+// In a block, of a place's index.
+ivec2 morton_place(int index) { return ivec2(even_bits(index), even_bits(index >> 1)); }
+
+// Bits 0, 1, 2 and 3 moved to 0, 2, 4 and 6.
+int spread_bits(int bits) { return (bits & 1) | (bits & 2) << 1 | (bits & 4) << 2 | (bits & 8) << 3; }
+
+int morton_index(ivec2 place) { return spread_bits(place.x) | spread_bits(place.y) << 1; }

@@ -1,13 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
-// A point covers one of a target's blocks of texels.
+// A point covers one of a target's blocks of texels, as far as it is used.
 
 #include "airlight_blocks.glsl"
 
+uniform bool is_packed;  // or else all of a block is used
 uniform int block_columns;
 uniform vec2 target_size;  // texels
 
+// Texels a side of the smallest square that holds the packed ones; 0 if there are none.
+int packed_size(ivec2 block) {
+  uint marks[mark_words] = marks_of(block);
+  int count = 0;
+  for (int word = 0; word < mark_words; ++word) count += count_bits(marks[word]);
+  return count == 0 ? 0 : count <= 16 ? 4 : count <= 64 ? 8 : block_size;
+}
+
 void main() {
-  vec2 block = vec2(ivec2(gl_VertexID % block_columns, gl_VertexID / block_columns) * block_stride);
-  gl_Position = vec4((block + 0.5) * (2.0 * float(block_size) / target_size) - 1.0, 0.0, 1.0);
-  gl_PointSize = float(block_size);
+  ivec2 block = ivec2(gl_VertexID % block_columns, gl_VertexID / block_columns);
+  int size = is_packed ? packed_size(block) : block_size;
+  vec2 middle = vec2(block * block_stride * block_size) + 0.5 * float(size);
+  gl_Position = vec4(middle * (2.0 / target_size) - 1.0, 0.0, 1.0);
+  if (size == 0) gl_Position.z = 2.0;  // outside the picture
+  gl_PointSize = float(size);
 }

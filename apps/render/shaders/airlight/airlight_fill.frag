@@ -3,11 +3,11 @@
 // to what the pixel sees, a polynomial through six texels or a straight line through two errs little. Other pixels are
 // left for lights one by one.
 
+#include "display_slope.glsl"
 #include "seen.glsl"
 
 uniform sampler2DRect grid;       // airlight; alpha the mean opacity of the fog before what a texel sees
 uniform sampler2DRect grid_gain;  // what is gained of it where the fog before what is seen gains opacity
-uniform float exposure_gain;
 uniform int pixel_step;       // pixels between the target's texels; the grid's are twice as far apart
 
 layout(location = 0) out vec4 airlight;  // alpha as the grid's; below 0 where it is not filled
@@ -18,12 +18,6 @@ const float most_outlying_change = 0.003;   // of opacity, from that of both tex
 const float most_error = 0.0005;            // of the display: an eighth of a step
 const float most_correction = 0.004;        // of a straight line, by a polynomial: of the display, a step
 const float most_depth_correction = 0.016;  // of a texel, to what the pixel sees: of the display, four steps
-
-// Slope of sRGB (IEC 61966-2-1) at a linear value below 1, exposed: what the display makes of errors of airlight that
-// nothing else outshines.
-vec3 display_slope(vec3 linear) {
-  return exposure_gain * min(vec3(12.92), 0.4396 * pow(max(exposure_gain * linear, vec3(1.0e-4)), vec3(-0.5833)));
-}
 
 // Scales both limits of the opacity's change above 0 EV: what a change leaves out goes with its square.
 float change_scale() { return inversesqrt(max(exposure_gain, 1.0)); }
@@ -83,7 +77,7 @@ Middle middle_of(ivec2 place, ivec2 step, float opacity) {
   // Where the airlight is smooth, the straight line errs by an eighth of the bend, and the polynomial by less than the
   // 3/128 of the turn that a cubic would miss. At the edge of a beam, where the slope is continuous and the bend is not,
   // the polynomial errs by at most 1/19 of the turn.
-  vec3 slope = display_slope(min(a, b));
+  vec3 slope = display_slope(min(a, b) + litfog_ambient_fog_color.rgb * opacity);  // over the fog's own light
   float fraction = knows_first && knows_second ? 0.25 : 0.5;  // with a margin
   float line_error = largest(max(abs(first_bend), abs(second_bend)) * slope) * fraction;
   if (!knows_bends) line_error = 1.0;

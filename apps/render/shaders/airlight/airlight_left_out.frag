@@ -16,5 +16,6 @@ void main() {
   airlight = vec4(0.0);
   gain = vec4(0.0);
   if (fraction <= 0.0) return;  // not discarded: the stencil would no longer be tested before
-  add_light(int(entry.x), fraction, direction, seen_at(pixel));
+  vec4 seen = seen_at(pixel);
+  add_light(int(entry.x), fraction, direction, seen, shown_gain_at(seen));
 }

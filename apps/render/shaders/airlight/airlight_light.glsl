@@ -3,6 +3,7 @@
 
 #include "airlight_constants.glsl"
 #include "airlight_entry.glsl"
+#include "display_slope.glsl"
 #include "seen.glsl"
 
 uniform vec3 eye;
@@ -11,8 +12,6 @@ uniform vec3 eye;
 
 layout(location = 0) out vec4 airlight;
 layout(location = 1) out vec4 gain;  // of airlight, where the pixel sees farther, for the fog's gain of opacity
-
-uniform float exposure_gain;
 
 // Between samples that share an airlight: of opacity, half a step of the display for a lamp as bright as its white.
 // Brighter lamps are shown at less exposure.
@@ -74,17 +73,25 @@ float squared_passing_distance(vec3 position, vec3 direction) {
   return dot(offset, offset);
 }
 
+// The exposure's gain, or less: where the fog shines by itself, a display shows less of what a lamp adds.
+float shown_gain_at(vec4 seen) {
+  vec3 slope = display_slope(litfog_ambient_fog_color.rgb * litfog_fog_opacity(seen.x, 1.0));
+  return max(max(slope.r, slope.g), slope.b) / darkest_slope;
+}
+
 // Adds a fraction of a light's airlight, and its gain, which the finest grid has not.
-void add_light(int light_index, float fraction, vec3 direction, vec4 seen) {
+//
+// shown_gain  shown_gain_at() of seen
+void add_light(int light_index, float fraction, vec3 direction, vec4 seen, float shown_gain) {
   LitfogLight light = litfog_buffered_light(light_index);
   light.axis_profile.w = profile;
   vec4 opacities = seen_opacities(seen, light.attenuation.w);
   light.color_intensity.rgb *= fraction;
   LitfogLight shown = light;  // by which the glow chooses its nodes: what adds little to the display needs few
-  shown.color_intensity.rgb *= exposure_gain;
+  shown.color_intensity.rgb *= shown_gain;
   float equal_opacities =
       max(most_equal_opacities, most_equal_airlights / largest_gain(light, direction, seen.x, seen.w)) /
-      (max(exposure_gain, 1.0) * largest_phase(light, direction, seen.x, seen.w));
+      (max(shown_gain, 1.0) * largest_phase(light, direction, seen.x, seen.w));
   vec3 sum = vec3(0.0);
   int first = 0;
   do {
@@ -98,6 +105,6 @@ void add_light(int light_index, float fraction, vec3 direction, vec4 seen) {
            (0.25 * float(run) * lit_fraction(light_index, light, direction, range));
     first += run;
   } while (first < 4);
-  airlight.rgb += sum / exposure_gain;
+  airlight.rgb += sum / shown_gain;
   if (pixel_step > 1) gain.rgb += gain_at(light_index, light, direction, mean_of(seen));
 }

@@ -9,23 +9,29 @@ void main() {
   ivec2 here = ivec2(gl_FragCoord.xy);
   ivec2 packed_block = here / block_size;
   ivec2 block = packed_block / block_stride;
-  int before = packed_index(here - packed_block * block_size);  // marked texels of the block that come before
-  uvec2 marks = marks_of(block);
-  int low = count_bits(marks.x);
-  bool is_high = before >= low;
-  if (is_high) before -= low;
-  uint bits = is_high ? marks.y : marks.x;
-  if (before >= count_bits(bits)) discard;
+  int before = morton_index(here - packed_block * block_size);  // marked texels of the block that come before
+  uint marks[mark_words] = marks_of(block);
+  uint bits = 0u;  // of the word that has it
+  int index = 0;
+  int rest = before;
+  for (int word = 0; word < mark_words; ++word) {
+    if (before >= 0) {
+      bits = marks[word];
+      index = 32 * word;
+      rest = before;
+    }
+    before -= count_bits(marks[word]);
+  }
+  if (before >= 0) discard;
   // The bit that has so many set bits below it, by halving what is left.
-  int index = is_high ? 32 : 0;
   for (int halving = 0; halving < 5; ++halving) {
     int half_size = 16 >> halving;
     int count = count_bits(bits & (1u << uint(half_size)) - 1u);
-    if (before >= count) {
-      before -= count;
+    if (rest >= count) {
+      rest -= count;
       bits >>= uint(half_size);
       index += half_size;
     }
   }
-  place = vec2(block * block_size + ivec2(index % block_size, index / block_size));
+  place = vec2(block * block_size + morton_place(index));
 }

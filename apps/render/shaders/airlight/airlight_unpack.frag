@@ -14,12 +14,15 @@ layout(location = 1) out vec4 gain;
 void main() {
   ivec2 here = ivec2(gl_FragCoord.xy);
   ivec2 block = here / block_size;
-  ivec2 within = here - block * block_size;
-  uvec2 marks = marks_of(block);
-  int bit = within.y * block_size + within.x;
-  uint below = (1u << uint(bit % 32)) - 1u;
-  int index = bit < 32 ? count_bits(marks.x & below) : count_bits(marks.x) + count_bits(marks.y & below);
-  ivec2 place = block * block_stride * block_size + packed_place(index);
+  int here_in_block = morton_index(here - block * block_size);
+  uint marks[mark_words] = marks_of(block);
+  int index = 0;
+  for (int word = 0; word < mark_words; ++word) {
+    int below = clamp(here_in_block - 32 * word, 0, 32);  // bits of the word
+    uint mask = below == 32 ? 0xffffffffu : (1u << uint(below)) - 1u;
+    index += count_bits(marks[word] & mask);
+  }
+  ivec2 place = block * block_stride * block_size + morton_place(index);
   float opacity = mean_of(seen_opacities(seen_at(here * pixel_step), 1.0));
   airlight = vec4(texel_at(packed_airlight, place).rgb, opacity);
   gain = texel_at(packed_gain, place);
