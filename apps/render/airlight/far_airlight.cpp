@@ -17,7 +17,7 @@ namespace {
 constexpr double kApart = 0.022;  // radians between texels
 constexpr int kMostRows = 120;    // of texels: as many pictures as there are slabs have to fit into a texture
 constexpr int kSlabs = 32;        // of far_airlight.glsl, as is the next
-constexpr int kSlabsAtOnce = 8;
+constexpr int kSlabsAtOnce = kSlabs / FarAirlightList::kSections;
 
 }  // namespace
 
@@ -25,8 +25,8 @@ void FarAirlight::set_size(glm::ivec2 size) {
   if (size == size_) return;
   size_ = size;
   bind_texture(kFarSlabUnit, slabs_, GL_TEXTURE_2D_ARRAY);
-  glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA32F, size.x, size.y * (kSlabs / kSlabsAtOnce), kSlabsAtOnce, 0, GL_RGBA,
-               GL_FLOAT, nullptr);
+  glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA32F, size.x, size.y * FarAirlightList::kSections, kSlabsAtOnce, 0,
+               GL_RGBA, GL_FLOAT, nullptr);
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   glBindFramebuffer(GL_FRAMEBUFFER, slabs_framebuffer_.id());
@@ -65,7 +65,7 @@ void FarAirlight::draw(glm::ivec2 picture_size, const View& view, FogMode fog_mo
   glDisable(GL_CULL_FACE);
 
   glBindFramebuffer(GL_FRAMEBUFFER, slabs_framebuffer_.id());
-  glViewport(0, 0, size_.x, size_.y * (kSlabs / kSlabsAtOnce));
+  glViewport(0, 0, size_.x, size_.y * FarAirlightList::kSections);
   glClearColor(0, 0, 0, 0);
   glClear(GL_COLOR_BUFFER_BIT);
   glEnable(GL_BLEND);
@@ -83,8 +83,15 @@ void FarAirlight::draw(glm::ivec2 picture_size, const View& view, FogMode fog_mo
     set_uniform(program, "far_step", step_);
     set_uniform(program, "row_count", size_.y);
     set_uniform(program, "first_light", range.first);
-    set_uniform(program, "light_count", range.count);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glEnable(GL_SCISSOR_TEST);
+    for (int section = 0; section < FarAirlightList::kSections; ++section) {
+      const int count = range.counts[std::size_t(section)];
+      if (count == 0) continue;
+      glScissor(0, section * size_.y, size_.x, size_.y);
+      set_uniform(program, "light_count", count);
+      glDrawArrays(GL_TRIANGLES, 0, 3);
+    }
+    glDisable(GL_SCISSOR_TEST);
   }
   glDisable(GL_BLEND);
 

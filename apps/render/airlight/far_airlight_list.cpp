@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <tuple>
 
 #include "litfog/attenuation.h"
 #include "render/fog_top.h"
@@ -21,18 +23,16 @@ class FarBound {
         brightness_(largest_phase * largest_component(placed.light.color)),
         eye_range_(glm::distance(eye, placed.position)) {}
 
-  double whole() const {
-    const double beyond = brightness_ * light_->threshold * fog_factor_at(fog_, extent_);
-    if (!(light_->attenuation.quadratic > 0)) return beyond;
-    const double weight = largest_fog_weight(fog_, std::max(eye_range_, extent_));
-    return std::min(beyond, brightness_ * weight * 2 / (light_->attenuation.quadratic * extent_));
-  }
-
   /// From a distance from the eye on.
   double from(double distance) const {
     const double range = std::max(extent_, distance - eye_range_);
-    return brightness_ * attenuation_at(light_->attenuation, range) * fog_factor_at(fog_, range) *
-           fog_factor_at(fog_, distance);
+    const double beyond =
+        attenuation_at(light_->attenuation, range) * fog_factor_at(fog_, range) * fog_factor_at(fog_, distance);
+    if (!(light_->attenuation.quadratic > 0)) return brightness_ * beyond;
+    const double both_legs =
+        fog_.mode == FogMode::exp ? distance + range : std::sqrt(3 * (distance * distance / 2 + range * range));
+    const double weight = largest_fog_weight(fog_, std::max(eye_range_, both_legs));
+    return brightness_ * std::min(beyond, weight * std::numbers::pi / (light_->attenuation.quadratic * range));
   }
 
  private:
@@ -49,19 +49,22 @@ FarAirlightList list_far_airlight(const SceneLights& lights, const Fog& fog, con
                                   const glm::dvec3& eye, double exposure, std::span<const std::int32_t> casters) {
   FarAirlightList list;
   if (!(fog.density > 0) || std::isinf(fog.density)) return list;
-  const double budget = kFarShare / 2 * visible_step(exposure);  // for lights, and again for what is too far away
+  // For lights, for what is too far away of all, and for what is too far away of some.
+  const double budget = kFarShare / 3 * visible_step(exposure);
   struct Candidate {
     std::int32_t light;
     int profile;
-    double most;
+    int sections;  // in which it matters
     FarBound bound;
+    double most;  // that it adds from somewhere on
   };
   std::vector<Candidate> candidates;
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const double extent = lights.extents()[i];
     if (std::isinf(extent) || (!casters.empty() && casters[i] >= 0)) continue;
     const FarBound bound(lights.lights()[i], extent, fog, largest_phase(scattering), eye);
-    candidates.push_back({std::int32_t(i), int(lights.instances()[i].axis_profile.w), bound.whole(), bound});
+    candidates.push_back(
+        {std::int32_t(i), int(lights.instances()[i].axis_profile.w), FarAirlightList::kSections, bound, bound.from(0)});
   }
   std::ranges::sort(candidates, {}, &Candidate::most);
   double left_out = 0;
@@ -84,13 +87,26 @@ FarAirlightList list_far_airlight(const SceneLights& lights, const Fog& fog, con
   }
   list.depth = depth_of(enough);
 
-  std::ranges::sort(candidates, {}, [](const Candidate& each) { return std::pair(each.profile, each.light); });
+  double left_out_far = 0;
+  for (int section = 1; section < FarAirlightList::kSections; ++section) {
+    for (Candidate& each : candidates) each.most = each.bound.from(list.section_begin(section));
+    std::ranges::sort(candidates, {}, &Candidate::most);
+    for (Candidate& each : candidates) {
+      if (each.sections < section) continue;
+      if (left_out_far + each.most > budget) break;
+      left_out_far += each.most;
+      each.sections = section;
+    }
+  }
+
+  std::ranges::sort(candidates, {},
+                    [](const Candidate& each) { return std::tuple(each.profile, -each.sections, each.light); });
   for (const Candidate& each : candidates) {
     if (list.ranges.empty() || list.ranges.back().profile != each.profile) {
-      list.ranges.push_back({.profile = each.profile, .first = int(list.lights.size()), .count = 0});
+      list.ranges.push_back({.profile = each.profile, .first = int(list.lights.size()), .counts = {}});
     }
     list.lights.push_back(each.light);
-    ++list.ranges.back().count;
+    for (int section = 0; section < each.sections; ++section) ++list.ranges.back().counts[std::size_t(section)];
   }
   return list;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
@@ -13,26 +14,33 @@
 namespace litfog::render {
 
 /// The lights whose airlight beyond their extents a picture shows: those of one profile (FogLightInstance) lie
-/// together.
+/// together. A ray is cut into sections, of which those far from the eye need fewer lights.
 struct FarAirlightList {
+  static constexpr int kSections = 4;
+
   struct Range {
     int profile;
-    int first, count;
+    int first;
+    std::array<int, kSections> counts;  ///< of each section the first so many; never more than of the one before
   };
 
   std::vector<std::int32_t> lights;  ///< of SceneLights
   std::vector<Range> ranges;
   double depth = 0;  ///< metres from the eye, beyond which they add nothing that is visible; at most kSkyDistance
+
+  /// Where a section begins, and where the last one ends: metres from the eye. Sections grow with the distance.
+  double section_begin(int section) const { return depth * section * section / (kSections * kSections); }
 };
 
 /// Of what lights add beyond their extents, at most kFarShare of a step of the display is left out in any pixel.
 ///
-/// Proof. Beyond the extent E of a light a(r) is at most its threshold t, and f(r) at most f(E). The weights -f'(s) of
-/// the eye's leg sum to at most 1. So the light adds at most c t f(E), c being its colour times the phase function,
-/// both where they are largest. Where -f'(s) f(r) is at most w (litfog/shaders/glow.glsl, with the larger of L and E
-/// for L, since r >= E), it also adds at most c w 2 / (Q E), because a(r) <= 1 / (Q r^2), on both sides of the closest
-/// approach. From a distance S from the eye on, with the larger of E and S - L for E, what is left is also f(S) times
-/// the first.
+/// Proof. Of a ray from a distance S from the eye on, let R be the larger of the light's extent and S - L, L being the
+/// distance from the eye to the light. There, beyond the extent, r >= R. The weights -f'(s) of the eye's leg sum to at
+/// most f(S). So the light adds at most c a(R) f(R) f(S), c being its colour times the phase function, both where they
+/// are largest. Where -f'(s) f(r) is at most w, it also adds at most c w pi / (Q R): a(r) <= 1 / (Q r^2), and the
+/// integral of 1 / r^2 over what is outside the ball of radius R is largest on the line that touches it. In exp fog w
+/// is d e^(-d X), with X the larger of L and S + R. In exp2 fog it is 1.2131 d e^(-d^2 Y), with Y the larger of L^2 / 3
+/// and S^2 / 2 + R^2 (litfog/shaders/glow.glsl).
 ///
 /// exposure  EV at which the picture is shown
 /// casters   of each light whether it cuts shafts: at least 0; empty: none does. Those that do are left out
