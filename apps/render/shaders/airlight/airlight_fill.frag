@@ -79,7 +79,9 @@ Middle middle_of(ivec2 place, ivec2 step, float opacity) {
   // the polynomial errs by at most 1/19 of the turn.
   vec3 slope = display_slope(min(a, b) + litfog_ambient_fog_color.rgb * opacity);  // over the fog's own light
   float fraction = knows_first && knows_second ? 0.25 : 0.5;  // with a margin
-  float line_error = largest(max(abs(first_bend), abs(second_bend)) * slope) * fraction;
+  // Both inner bends may be 0 by chance; beside a beam's edge the outer ones are not.
+  vec3 most_bend = max(max(abs(first_bend), abs(second_bend)), 0.25 * max(abs(bend_before), abs(bend_behind)));
+  float line_error = largest(most_bend * slope) * fraction;
   if (!knows_bends) line_error = 1.0;
   float polynomial_error = largest(max(abs(first_turn), abs(second_turn)) * slope) / 19.0;
   if (!knows_all || line_error > most_correction) polynomial_error = 1.0;
