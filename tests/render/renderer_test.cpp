@@ -593,6 +593,34 @@ TEST_F(RendererTest, LightsHaveNoEndOnSurfacesByAirlightButOfMapsOneThatMovesOut
   EXPECT_EQ(corner_at(by_peak, 5.5), 0) << "the papers' lights end at their own thresholds";
 }
 
+// Flat normals have a shader of their own; a bumpy map of scale 0 has not.
+TEST_F(RendererTest, FlatNormalsGiveThePictureOfAMapWithoutScaleByEveryPath) {
+  Scene scene = lamp_over_floor();
+  Material& material = scene.materials[0];
+  material = make_material("brick");
+  material.name = scene.models[0][0].material;
+  material.relief_m = 0;
+  for (const LightingPath& path : lighting_paths()) {
+    const auto picture_of = [&](std::shared_ptr<const Texels> normals, float scale) {
+      material.normal = std::move(normals);
+      material.normal_scale = scale;
+      return draw(scene, Fog{}, {.path = &path});
+    };
+    const auto bumps = make_material("brick").normal;
+    const Picture bumpy = picture_of(bumps, 4);
+    const Picture without_scale = picture_of(bumps, 0);
+    const Picture flat = picture_of(std::make_shared<const Texels>(Texels{1, 1, {128, 128, 255, 0}}), 1);
+    double change = 0;
+    double error = 0;
+    for (std::size_t i = 0; i < flat.rgb.size(); ++i) {
+      change = std::max(change, std::abs(double(bumpy.rgb[i]) - double(flat.rgb[i])));
+      error = std::max(error, std::abs(double(without_scale.rgb[i]) - double(flat.rgb[i])));
+    }
+    EXPECT_LE(error, 5e-4) << path.name << ": half floats";
+    EXPECT_EQ(change > 5e-3, path.has_normal_maps) << path.name << ", " << change;
+  }
+}
+
 // A lamp over a box shines past it: the box alone bounds how far its shadow map reaches.
 TEST_F(RendererTest, FogBeyondAllThatCastsShadowsIsLit) {
   Scene scene;

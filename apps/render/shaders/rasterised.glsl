@@ -72,8 +72,12 @@ float fragment_opacity() { return 1.0; }
 
 // The normal map's normal in tangent space. The map's alpha gives the level that means 0 (Material::normal): 128 below
 // 1, where it is a height, 127.5 at 1.
+#ifdef MATERIAL_FLAT
+vec3 mapped_normal() { return vec3(0.0, 0.0, 1.0); }
+#else
 vec3 mapped_normal() {
   vec4 texel = texture(normal_map, texture_uv(map_uvs.xy));
   vec3 bump = texel.xyz * 2.0 - (256.0 - floor(texel.a + 0.5 / 255.0)) * (1.0 / 255.0);
   return vec3(bump.xy * normal_scale, bump.z);
 }
+#endif

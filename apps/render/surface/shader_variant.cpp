@@ -67,6 +67,7 @@ std::string pass_constants(const ShaderVariant& variant) {
 
 std::string material_constants(const MaterialFeatures& material) {
   std::string text;
+  if (material.is_flat) text += "#define MATERIAL_FLAT\n";
   if (material.is_masked) text += "#define MATERIAL_MASK\n";
   if (material.is_pane) text += "#define MATERIAL_PANE\n";
   if (material.is_unlit) text += "#define MATERIAL_UNLIT\n";

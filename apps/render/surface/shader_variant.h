@@ -32,8 +32,10 @@ struct UniformLights {
 /// A shader of compiled_light_count() lights for these.
 UniformLights compiled_for(std::span<const PackedLight> lights);
 
-/// Features that few materials and meshes have: only shaders compiled with one pay for it (material.frag).
+/// What some materials and meshes have, or lack, beside others: only shaders compiled with a feature pay for it
+/// (material.frag).
 struct MaterialFeatures {
+  bool is_flat = false;  ///< without a normal map
   bool is_masked = false;
   bool is_pane = false;
   bool is_unlit = false;

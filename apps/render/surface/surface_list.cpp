@@ -62,6 +62,15 @@ Largest largest_of(const scene::Material& material) {
   return {most.albedo, material.least_coverage ? 1 : most.gloss};
 }
 
+bool is_flat(const scene::Texels& normals) {
+  const std::vector<std::uint8_t>& rgba = normals.rgba;
+  for (std::size_t i = 0; i + 3 < rgba.size(); i += 4) {
+    // With an alpha of 255, 127.5 would be flat (scene::Material::normal).
+    if (rgba[i] != 128 || rgba[i + 1] != 128 || rgba[i + 2] <= 128 || rgba[i + 3] == 255) return false;
+  }
+  return true;
+}
+
 /// What it sends to the eye by itself: the largest component.
 double most_emitted(const scene::Material& material, const Largest& most) {
   const double emissive = largest_component(material.emissive);
@@ -87,6 +96,7 @@ std::vector<SurfaceMaterial> upload(std::vector<scene::Material> materials, std:
     const double diffuse = material.is_unlit ? 0 : most.albedo;
     const double reflectance = diffuse + most.gloss * largest_component(material.specular);
     const double emitted = most_emitted(material, most);
+    const bool has_flat_normals = is_flat(*material.normal);
     auto albedo = material.plain_albedo ? std::make_shared<const Texture>(glm::vec4(*material.plain_albedo, 1.0f))
                                         : textures.upload(material.albedo, Texture::Encoding::srgb);
     auto normal = textures.upload(material.normal, Texture::Encoding::linear);
@@ -98,8 +108,8 @@ std::vector<SurfaceMaterial> upload(std::vector<scene::Material> materials, std:
     material.normal.reset();
     material.emission.reset();
     material.second.reset();
-    uploaded.push_back({std::move(material), float(uploaded.size()), reflectance, diffuse, emitted, std::move(albedo),
-                        std::move(normal), std::move(emission), std::move(second)});
+    uploaded.push_back({std::move(material), float(uploaded.size()), reflectance, diffuse, emitted, has_flat_normals,
+                        std::move(albedo), std::move(normal), std::move(emission), std::move(second)});
   }
   return uploaded;
 }

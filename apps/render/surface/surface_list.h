@@ -25,6 +25,7 @@ struct SurfaceMaterial {
   double reflectance;        ///< most of a light that it reflects, diffuse and specular together: the largest component
   double diffuse;            ///< most of it that is diffuse, likewise
   double emitted;            ///< most that it sends to the eye by itself: linear, likewise
+  bool is_flat;              ///< all texels of its normal map say so
   std::shared_ptr<const Texture> albedo;  ///< materials of the same texels share their texture
   std::shared_ptr<const Texture> normal;
   std::shared_ptr<const Texture> emission;  ///< null: none

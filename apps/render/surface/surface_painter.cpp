@@ -52,7 +52,8 @@ void select_samples(int pass) {
 MaterialFeatures features_of(const Surface& surface, bool draws_panes) {
   const SurfaceMaterial& material = *surface.material;
   const bool is_pane = draws_panes && material.is_pane();
-  return {.is_masked = material.material.least_coverage.has_value() && !is_pane,
+  return {.is_flat = material.is_flat,
+          .is_masked = material.material.least_coverage.has_value() && !is_pane,
           .is_pane = is_pane,
           .is_unlit = material.material.is_unlit,
           .has_emission_map = material.emission != nullptr,

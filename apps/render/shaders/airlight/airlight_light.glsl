@@ -73,8 +73,10 @@ float squared_passing_distance(vec3 position, vec3 direction) {
   return dot(offset, offset);
 }
 
-// The exposure's gain, or less: where the fog shines by itself, a display shows less of what a lamp adds.
+// The exposure's gain, or less: where the fog shines by itself, a display shows less of what a lamp adds. Not less for
+// cookies, whose fewer nodes would then err by up to a step where 16 lamps add up.
 float shown_gain_at(vec4 seen) {
+  if (profile == LITFOG_PROFILE_COOKIE) return exposure_gain;
   vec3 slope = display_slope(litfog_ambient_fog_color.rgb * litfog_fog_opacity(seen.x, 1.0));
   return max(max(slope.r, slope.g), slope.b) / darkest_slope;
 }
