@@ -75,8 +75,8 @@ Middle middle_of(ivec2 place, ivec2 step, float opacity) {
   vec3 first_turn = bend_before - 2.0 * first_bend + second_bend;
   vec3 second_turn = first_bend - 2.0 * second_bend + bend_behind;
   // Where the airlight is smooth, the straight line errs by an eighth of the bend, and the polynomial by less than the
-  // 3/128 of the turn that a cubic would miss. At the edge of a beam, where the slope is continuous and the bend is not,
-  // the polynomial errs by at most 1/19 of the turn.
+  // 3/128 of the turn that a cubic would miss. At the edge of a beam, where the slope is continuous and the bend is
+  // not, the polynomial errs by at most 1/19 of the turn.
   vec3 slope = display_slope(min(a, b) + litfog_ambient_fog_color.rgb * opacity);  // over the fog's own light
   float fraction = knows_first && knows_second ? 0.25 : 0.5;  // with a margin
   // Both inner bends may be 0 by chance; beside a beam's edge the outer ones are not.
