@@ -35,7 +35,7 @@ UniformLights compiled_for(std::span<const PackedLight> lights);
 /// What some materials and meshes have, or lack, beside others: only shaders compiled with a feature pay for it
 /// (material.frag).
 struct MaterialFeatures {
-  bool is_flat = false;  ///< without a normal map
+  bool is_flat = false;  ///< without a normal map, where the path has them
   bool is_masked = false;
   bool is_pane = false;
   bool is_unlit = false;

@@ -49,10 +49,10 @@ void select_samples(int pass) {
   glStencilOp(GL_KEEP, GL_KEEP, pass == 0 ? GL_REPLACE : GL_INCR_WRAP);
 }
 
-MaterialFeatures features_of(const Surface& surface, bool draws_panes) {
+MaterialFeatures features_of(const Surface& surface, const LightingPath& path) {
   const SurfaceMaterial& material = *surface.material;
-  const bool is_pane = draws_panes && material.is_pane();
-  return {.is_flat = material.is_flat,
+  const bool is_pane = path.draws_panes() && material.is_pane();
+  return {.is_flat = material.is_flat && path.has_normal_maps,
           .is_masked = material.material.least_coverage.has_value() && !is_pane,
           .is_pane = is_pane,
           .is_unlit = material.material.is_unlit,
@@ -253,7 +253,7 @@ void SurfacePainter::draw_surfaces(Frame& frame, std::span<const PlannedSurface>
 void SurfacePainter::draw_pass(Frame& frame, std::span<const PlannedSurface> alike, ShaderVariant variant,
                                std::span<const std::int32_t> fog_lights, std::span<const std::int32_t> batch) {
   const Surface& surface = *alike[0].surface;
-  variant.material = features_of(surface, settings_.path->draws_panes());
+  variant.material = features_of(surface, *settings_.path);
   LightUniforms uniforms;
   const auto add_uniform = [&](std::int32_t light) {
     uniforms.lights.push_back(lights_.packed(std::size_t(light)));
