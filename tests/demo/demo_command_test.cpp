@@ -317,6 +317,15 @@ TEST_F(DemoCommand, PictureIsTheSameToAStepWithoutClipControl) {
   }
 }
 
+TEST_F(DemoCommand, PictureIsTheSameWithoutDerivativeControl) {
+  for (const std::string scene : {"headlights", "street"}) {
+    const std::string options = scene + " --visibility 100 --size 161x91";
+    ASSERT_EQ(run(options + " -o a.exr").status, kDone);
+    ASSERT_EQ(run(options + " -o b.exr", "MESA_EXTENSION_OVERRIDE=-GL_ARB_derivative_control").status, kDone);
+    EXPECT_EQ(read("a.exr"), read("b.exr")) << scene;
+  }
+}
+
 TEST_F(DemoCommand, HeatMapShowsThePathsErrorBesideItsPicture) {
   const Outcome outcome = run("room --path vertex --size 64x36 -o a.png --heat-map h.png --stats s.json");
   ASSERT_EQ(outcome.status, kDone) << outcome.err;

@@ -93,7 +93,7 @@ void AirlightPainter::set_size(const Framebuffer& framebuffer) {
   check_float_framebuffer();
   glBindFramebuffer(GL_FRAMEBUFFER, places_framebuffer_.id());
   attach(GL_COLOR_ATTACHMENT0, places_, packed_.size, GL_RG32F);
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, packed_.stencil.id());
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_STENCIL_ATTACHMENT, GL_RENDERBUFFER, packed_.stencil.id());
   check_float_framebuffer();
 }
 
@@ -104,8 +104,8 @@ void AirlightPainter::attach_airlight(Target& target, bool has_gain) {
   if (has_gain) attach(GL_COLOR_ATTACHMENT1, target.gain, target.size);
   glDrawBuffers(has_gain ? 2 : 1, kTargets);
   glBindRenderbuffer(GL_RENDERBUFFER, target.stencil.id());
-  glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, target.size.x, target.size.y);
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, target.stencil.id());
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_STENCIL_INDEX8, target.size.x, target.size.y);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_STENCIL_ATTACHMENT, GL_RENDERBUFFER, target.stencil.id());
   check_float_framebuffer();
 }
 
@@ -213,13 +213,16 @@ void AirlightPainter::draw_packed(const Frame& frame, const Grid& grid) {
   glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
 
   glBindFramebuffer(GL_FRAMEBUFFER, packed_.framebuffer.id());
-  glClear(GL_COLOR_BUFFER_BIT);
-  bind_texels(kPlaceUnit, places_);
-  const bool is_first = grid.step == frame.coarsest_step;
+  bind_texels(kPlaceUnit, places_);  // the first range replaces what is there: a clear would cost as much as it draws
+  const bool is_coarsest = grid.step == frame.coarsest_step;
+  bool has_drawn = false;
   for (std::size_t i = 0; i < ranges_.size(); ++i) {
     const int coarsest = coarsest_step(ranges_[i].kind, frame);
-    if (grid.step < coarsest || (is_first && grid.step == coarsest)) draw_lights(frame, grid, i, packed);
+    if (grid.step > coarsest || (!is_coarsest && grid.step == coarsest)) continue;
+    draw_lights(frame, grid, i, packed, has_drawn);
+    has_drawn = true;
   }
+  if (!has_drawn) glClear(GL_COLOR_BUFFER_BIT);
 
   glBindFramebuffer(GL_FRAMEBUFFER, grid.framebuffer.id());
   glViewport(0, 0, grid.size.x, grid.size.y);
@@ -261,12 +264,14 @@ void AirlightPainter::draw_whole(const Frame& frame, const Grid& grid) {
   const Blocks whole{count, glm::ivec2(1), count * kBlock, false};
   for (std::size_t i = 0; i < ranges_.size(); ++i) {
     if (grid.step != coarsest_step(ranges_[i].kind, frame)) continue;
-    draw_lights(frame, grid, i, whole);
+    draw_lights(frame, grid, i, whole, true);
   }
 }
 
-/// Adds the lights of a range to blocks of the bound framebuffer's texels, which are a grid's own or packed ones.
-void AirlightPainter::draw_lights(const Frame& frame, const Grid& grid, std::size_t range, const Blocks& blocks) {
+/// Draws the lights of a range in blocks of the bound framebuffer's texels, which are a grid's own or packed ones: adds
+/// them to what is there, or replaces it.
+void AirlightPainter::draw_lights(const Frame& frame, const Grid& grid, std::size_t range, const Blocks& blocks,
+                                  bool adds) {
   const gl::Program& program = tile_programs_.program(frame.fog_mode, ranges_[range].kind);
   use(program, frame, grid);
   set_uniform(program, "packed_places", kPlaceUnit);
@@ -276,7 +281,7 @@ void AirlightPainter::draw_lights(const Frame& frame, const Grid& grid, std::siz
   set_uniform(program, "first_tile", int(range) * 2 * tile_count_.x * tile_count_.y);
   set_blocks(program, blocks);
   glStencilFunc(GL_EQUAL, kMarked, 0xff);
-  glEnable(GL_BLEND);
+  if (adds) glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);
   const int rows = frame.interruption.can_come() ? (blocks.target.y + kStripes - 1) / kStripes : blocks.target.y;
   glEnable(GL_SCISSOR_TEST);

@@ -93,7 +93,7 @@ class AirlightPainter {
   void draw_left_out(const Frame& frame, const Grid& grid);
   void draw_packed(const Frame& frame, const Grid& grid);
   void draw_whole(const Frame& frame, const Grid& grid);
-  void draw_lights(const Frame& frame, const Grid& grid, std::size_t range, const Blocks& blocks);
+  void draw_lights(const Frame& frame, const Grid& grid, std::size_t range, const Blocks& blocks, bool adds);
   static void set_blocks(const gl::Program& program, const Blocks& blocks);
   static int coarsest_step(const AirlightKind& kind, const Frame& frame);
 

@@ -3,6 +3,8 @@
 // to what the pixel sees, a polynomial through six texels or a straight line through two errs little. Other pixels are
 // left for lights one by one.
 
+#extension GL_ARB_derivative_control : enable  // of OpenGL 4.5
+
 #include "display_slope.glsl"
 #include "seen.glsl"
 
@@ -102,29 +104,46 @@ Middle middle_of(ivec2 place, ivec2 step, float opacity) {
   return middle;
 }
 
+Middle mean_of(Middle first, Middle second) {
+  return Middle(0.5 * (first.airlight + second.airlight), 0.5 * (first.gain + second.gain),
+                max(first.error, second.error));
+}
+
+// The middle of four texels lies on two diagonals. Its own fragment looks along the first. The fragment of the texel at
+// the corner has nothing of its own to look for, and looks along the second for it, where drivers can exchange that.
+#ifdef GL_ARB_derivative_control
+const bool is_shared = true;
+
+// Of a block of 2 x 2 fragments, to the last of them from the first.
+vec4 from_corner(vec4 values, bool is_corner) { return dFdyFine(dFdxFine(is_corner ? values : vec4(0.0))); }
+#else
+const bool is_shared = false;
+
+vec4 from_corner(vec4 values, bool is_corner) { return vec4(0.0); }
+#endif
+
+Middle from_corner(Middle middle, bool is_corner) {
+  vec4 airlight_error = from_corner(vec4(middle.airlight, middle.error), is_corner);
+  return Middle(airlight_error.rgb, from_corner(vec4(middle.gain, 0.0), is_corner).rgb, airlight_error.a);
+}
+
 void main() {
   ivec2 place = ivec2(gl_FragCoord.xy);
-  ivec2 pixel = place * pixel_step;
   ivec2 corner = place / 2;
   ivec2 part = place - 2 * corner;
-  vec4 opacities = seen_opacities(seen_at(pixel), 1.0);
+  bool is_corner = part == ivec2(0);
+  ivec2 second_corner = corner + ivec2(1, 0);
+  const ivec2 second_diagonal = ivec2(-1, 1);
+  // Of the pixel for which the fragment looks.
+  vec4 opacities = seen_opacities(seen_at((is_corner ? place + 1 : place) * pixel_step), 1.0);
   float opacity = mean_of(opacities);
-  Middle middle;
-  if (part == ivec2(0)) {
-    Texel texel = grid_texel(corner, opacity);
-    middle = Middle(texel.airlight, texel.gain, 0.0);
-  } else {
-    if (opacities.w - opacities.x > most_opacity_change * change_scale()) discard;
-    // Between two texels of the grid, or across both diagonals between four.
-    middle = middle_of(corner, part, opacity);
-    if (part == ivec2(1)) {
-      Middle other = middle_of(corner + ivec2(1, 0), ivec2(-1, 1), opacity);
-      middle.airlight = 0.5 * (middle.airlight + other.airlight);
-      middle.gain = 0.5 * (middle.gain + other.gain);
-      middle.error = max(middle.error, other.error);
-    }
-    if (middle.error > most_error) discard;
-  }
-  airlight = vec4(max(middle.airlight, vec3(0.0)), opacity);
-  gain = vec4(middle.gain, 0.0);
+  // Between two texels of the grid, or across both diagonals between four.
+  Middle middle = middle_of(is_corner ? second_corner : corner, is_corner ? second_diagonal : part, opacity);
+  Middle other = is_shared ? from_corner(middle, is_corner) : middle_of(second_corner, second_diagonal, opacity);
+  if (part == ivec2(1)) middle = mean_of(middle, other);
+  bool is_torn = opacities.w - opacities.x > most_opacity_change * change_scale();
+  if (!is_corner && (is_torn || middle.error > most_error)) discard;
+  // The corner's pixel is that of the grid's texel.
+  airlight = is_corner ? texel_at(grid, corner) : vec4(max(middle.airlight, vec3(0.0)), opacity);
+  gain = vec4(is_corner ? texel_at(grid_gain, corner).rgb : middle.gain, 0.0);
 }
