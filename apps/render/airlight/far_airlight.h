@@ -19,7 +19,7 @@ namespace litfog::render {
 
 /// What lights add to the fog beyond their extents. One light adds little there, but hundreds in view made pictures
 /// darker by tens of steps of the display. It changes slowly over a picture and along its rays, so that all lights
-/// together are summed up at few places: in slabs of the rays through pixels 0.02 radians apart
+/// together are summed up at few places: in slabs of the rays through pixels 0.03 radians apart
 /// (shaders/far_airlight.frag), between which pixels look it up. Needs a current GL context.
 class FarAirlight {
  public:
