@@ -334,10 +334,12 @@ class CityTrials {
     frame.max_error = measure::picture_error(with_all->read(), {picture, picture, picture, no_jumps}).largest;
   }
 
-  /// A frame from the scene's camera with the airlight of `count` lights.
+  /// A frame from the scene's camera with the airlight of the first `count` lights in view.
   void measure_glow(double visibility, std::size_t count) {
     scene::Scene scene = city_;
-    scene.lights.resize(count);
+    const ViewFrustum frustum(view_of(scene.camera, kInfinity));
+    std::erase_if(scene.lights, [&](const PlacedLight& light) { return !frustum.can_see(light.position, 0); });
+    scene.lights.resize(std::min(count, scene.lights.size()));
     const auto renderer = renderer_of(scene, visibility, render::FogLighting::airlight);
     Trial& glow = add("frame-airlight", visibility, count);
     for (int i = 0; i < scale_.still_frames; ++i) {
