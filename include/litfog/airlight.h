@@ -50,10 +50,12 @@ std::optional<ValueError> check(const EyeRay& ray);
 /// random rays, and of those that pass a light at any one angle (0.1 to 179 degrees) and distance from the eye (0.02 to
 /// 4 fog scales, 1 / density). Among the latter it is kPeakedAirlightTypicalError for a point light within 3 degrees of
 /// the ray, 3 to 4 fog scales away in exp2 fog: there both the light and the fog before it make a peak.
-/// Of a point light it counts all random rays, and at one angle and distance those that show more than 1e-12. Of a spot
-/// it counts those that show more than kDimAirlight: less comes only from the outermost edge of its cone, as rounding,
-/// of which an 8-bit display shows no step unless the lamp is over a million times as bright as white.
-/// With |g| up to 0.9 the largest error is kAirlightMaxError times largest_phase().
+/// For a point light it covers all random rays, and at one angle and distance those that show more than 1e-12. For a
+/// spot it covers those that show more than kDimAirlight: less comes only from the outermost edge of its cone, as
+/// rounding, of which an 8-bit display shows no step unless the lamp is over a million times as bright as white.
+///
+/// Forward and backward scattering: with g in [-0.7, 0.9] both hold for random rays; where the airlight is above 1, the
+/// largest error is relative to it. With g down to -0.9 it is kAirlightMaxError times largest_phase().
 inline constexpr double kAirlightMaxError = 1 / 255.;
 inline constexpr double kAirlightTypicalError = 0.01;
 inline constexpr double kPeakedAirlightTypicalError = 0.03;
@@ -67,7 +69,7 @@ inline constexpr double kDimAirlight = 1e-10;
 /// light      its extent is that of its threshold; its class sees the fog at its density scale
 /// fog        of the scene
 /// returns    [0, 1] in isotropic fog; up to (1 + |g|) / (1 - |g|)^2 else
-/// max error  kAirlightMaxError; mostly kAirlightTypicalError                                       (airlight_test.cpp)
+/// max error  kAirlightMaxError, mostly kAirlightTypicalError, for g as above                       (airlight_test.cpp)
 /// throws     std::invalid_argument naming field, value and rule
 double airlight(const PlacedLight& light, const Fog& fog, const EyeRay& ray, const Scattering& scattering = {});
 
@@ -128,7 +130,7 @@ inline constexpr double kAxialAirlightMaxUlp = 3;
 
 /// Airlight of a light along its own axis: the eye at the light, the light's leg clear, out to its extent,
 ///   A = integral of a(r) d(1 - f(r)) over [0, extent].
-/// The fog colour intensity (solve.h) is the largest rectangle below this integral, so that A is never less.
+/// The fog colour intensity (solve.h) is the largest rectangle under a over 1 - f, so that A is never less.
 ///
 /// attenuation  constant (1), linear (1/m), quadratic (1/m^2): finite, >= 0, not all zero
 /// fog.density  1/m, >= 0; 0 is clear air (0), infinity is total fog (attenuation at 0+)
@@ -148,10 +150,9 @@ template <typename Real>
 inline constexpr double kAxialAirlightsMaxError = std::is_same_v<Real, float> ? 5e-7 : 2e-14;
 
 /// The same for many lights: SIMD of the widest kind that the processor has, chosen at run time. Gauss-Legendre
-/// quadrature, 20 nodes in float and 40 in double. Lights beyond the figures that vectors hold for are integrated one
-/// by one, as by axial_airlight. Allocates nothing, never throws, and may run on any number of threads at once. The
-/// column of results holds one value a light, 0 for an invalid one; lengths that do not fit are a bug of the caller's
-/// and assert.
+/// quadrature, 20 nodes in float and 40 in double. Lights outside the range of the vector code are integrated one by
+/// one, by axial_airlight. Allocates nothing, never throws, and may run on any number of threads at once. The column of
+/// results holds one value a light, 0 for an invalid one; lengths that do not fit are a bug of the caller's and assert.
 ///
 /// returns    how many lights are invalid
 /// max error  on every target kAxialAirlightsMaxError                                               (airlight_test.cpp)

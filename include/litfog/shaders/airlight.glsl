@@ -14,7 +14,8 @@
 // in which both the falloff of the lamp (of width w) and that of the fog (of rate q) are nearly straight; x0 is where
 // the lit part begins on that side. A point lamp in isotropic fog has a closed form on the plateau and takes 7 nodes
 // elsewhere, which lie closer where its light is brighter, 8 in exp2 fog; a beam takes some 20, one wider than 90
-// degrees some 28, a phase function some 40, a cookie some 128 (glow.glsl chooses by what the lamp can show).
+// degrees some 28, a phase function some 40, 64 where |g| > 0.5, a cookie some 128 (glow.glsl chooses by what the lamp
+// can show).
 //
 // Errors and what they were measured on: litfog/airlight.h.
 //
@@ -252,6 +253,7 @@ bool litfog_airlight_is_plain(LitfogAirlight air) {
 LITFOG_REAL litfog_airlight_nodes(LitfogAirlight air) {
   if (litfog_airlight_is_plain(air)) return air.mode == LITFOG_REAL(0.0) ? LITFOG_REAL(7.0) : LITFOG_REAL(8.0);
   if (air.profile == LITFOG_REAL(LITFOG_PROFILE_COOKIE)) return LITFOG_REAL(128.0);
+  if (abs(air.asymmetry) > LITFOG_REAL(0.5)) return LITFOG_REAL(64.0);
   if (air.asymmetry != LITFOG_REAL(0.0)) return LITFOG_REAL(40.0);
   return air.cone_x <= LITFOG_REAL(0.0) ? LITFOG_REAL(28.0) : LITFOG_REAL(20.0);
 }
@@ -265,7 +267,7 @@ struct LitfogAirlightSide {
   LITFOG_REAL rate;   // q of z
   LITFOG_REAL width;  // w of t
   LITFOG_REAL size;   // its length in t; 0 where there is none
-  LITFOG_REAL part;   // of the nodes that it takes, but for a factor
+  LITFOG_REAL part;   // its weight when nodes are shared out
   LITFOG_REAL bend;   // > -1: where it begins, nodes lie 1 + bend times as close in t as if they were evenly spread
 };
 
@@ -318,7 +320,7 @@ LitfogAirlightSide litfog_airlight_side(LitfogAirlight air, LITFOG_REAL from, LI
   side.nearest = max(beyond ? from - anchor : anchor - to, LITFOG_REAL(0.0));
   side.farthest = beyond ? to - anchor : anchor - from;
   side.rate = litfog_airlight_rate(air, side);
-  // So little is straight enough by itself; the logarithm of nearly 1 would be noise in floats.
+  // Within a fog scale no z is needed, and the logarithm of nearly 1 is noise in floats.
   if (abs(side.rate) * (side.farthest - side.nearest) < LITFOG_REAL(1.0)) side.rate = LITFOG_REAL(0.0);
   side.width = LITFOG_REAL(1.0);
   side.size = LITFOG_REAL(0.0);
@@ -354,8 +356,8 @@ LitfogAirlightSide litfog_airlight_side_of(LitfogAirlight air, int i, LITFOG_REA
                               beyond, width);
 }
 
-// The integral over a part of a side by some nodes, at least 1; more than 8 are spread over equal panels. Those of a
-// cookie, which has detail between them, are evenly spread: they err half as much.
+// The integral over a part of a side by some nodes, at least 1; more than 8 are spread over equal panels. A cookie has
+// detail between nodes and takes the midpoint rule, which errs half as much.
 LITFOG_REAL litfog_airlight_between(LitfogAirlight air, LitfogAirlightSide side, LITFOG_REAL start, LITFOG_REAL end,
                                     int nodes) {
   int most_each = air.profile == LITFOG_REAL(LITFOG_PROFILE_COOKIE) ? 1 : 8;
@@ -389,7 +391,7 @@ LITFOG_REAL litfog_airlight_between(LitfogAirlight air, LitfogAirlightSide side,
   return sum * (LITFOG_REAL(1.0) + side.bend) * (end - start) * panel_size;
 }
 
-// The nearest of the cuts that lie between two distances of a side, or the farther of the two.
+// Where a cut lies on a side, if that is between x and next; else next.
 LITFOG_REAL litfog_airlight_next(LitfogAirlightSide side, LITFOG_REAL cut, LITFOG_REAL x, LITFOG_REAL next) {
   LITFOG_REAL cut_x = (cut - side.anchor) * side.direction;
   return cut_x > x * LITFOG_REAL(1.00001) && cut_x < next ? cut_x : next;
@@ -492,9 +494,9 @@ LitfogAirlightStretch litfog_airlight_stretch(LitfogAirlight air) {
     }
   }
 
-  // What of it the fog leaves: exp fog 1e-4 of its first metres, exp2 fog 3e-4 of the brightest (of a point lamp 1e-3),
-  // towards the eye 1e-2 (2e-2). A lamp up to 6 fog scales away may be so much brighter than the fog before it that the
-  // fog around the lamp counts, too.
+  // Cut where fog has dimmed it: exp fog to 1e-4 of its beginning, exp2 fog to 3e-4 of its brightest (of a point lamp
+  // 1e-3), towards the eye to 1e-2 (2e-2). A lamp up to 6 fog scales away may be so much brighter than the fog before
+  // it that the fog around the lamp counts, too.
   bool is_plain = litfog_airlight_is_plain(air);
   if (air.mode == LITFOG_REAL(0.0)) {
     high = min(high, air.lamp_leg == LITFOG_REAL(0.0) ? low + LITFOG_REAL(9.0) * fog_scale
