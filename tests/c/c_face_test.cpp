@@ -393,6 +393,13 @@ TEST_F(CFace, ArgumentsOutsideTheirStatedRangesAreRefused) {
   litfog_fog_intensity solution;
   expect_refused(litfog_sample(&light.light, &fog_, 0, &solution), "samples = 0: must be >= 1");
 
+  const litfog_eye_ray ray{{0, 0, 0}, {0, 0, -1}, 9};
+  const litfog_scattering scattering{2, 0};
+  double result = 7;
+  expect_refused(litfog_airlight(&light, &fog_, &ray, 1, &scattering, &result), "lamp_leg = 2: must be in [0, 1]");
+  expect_refused(litfog_light_reach(&light.light, &fog_, 0.01, -1, &result), "lamp_leg = -1: must be in [0, 1]");
+  EXPECT_EQ(result, 7);
+
   litfog_light_bounds bounds;
   EXPECT_EQ(litfog_bounds_of(&light, -1, &bounds), LITFOG_INVALID_ARGUMENT);
   ASSERT_EQ(litfog_bounds_of(&light, 5, &bounds), LITFOG_OK);

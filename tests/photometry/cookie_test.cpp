@@ -147,6 +147,7 @@ TEST(Cookie, CheckNamesWhatIsWrong) {
   EXPECT_EQ(error_of({0, {}}), "size = 0: must be in [1, 4096]");
   EXPECT_EQ(error_of({2, six}), "texels = 6: must be 6 * size * size");
   EXPECT_EQ(error_of({1, {0, 0, 0, 0, 0, 2}}), "texel = 2: must be in [0, 1]");
+  EXPECT_EQ(error_of({1, {std::numeric_limits<float>::infinity(), 0, 0, 0, 0, 0}}), "texel = inf: must be in [0, 1]");
   EXPECT_EQ(error_of({1, {std::numeric_limits<float>::quiet_NaN(), 0, 0, 0, 0, 0}}), "texel = nan: must be in [0, 1]");
 }
 

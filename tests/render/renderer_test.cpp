@@ -443,6 +443,32 @@ TEST_F(RendererTest, GlareOfALampDoesNotShrinkAsFogThickens) {
   EXPECT_GT(widest, 3 * 12);  // more than a point that has not grown
 }
 
+// By airlight the fog around a lamp is lit apart, so that its point has to stay as small as in clear air.
+TEST_F(RendererTest, PointOfALampMakesNoHaloOfItsOwnByAirlight) {
+  Scene scene = open_air(Cone{});
+  scene.environment = {};
+  scene.lights[0].carried = false;
+  scene.lights[0].position = {0, 2, -30};
+  const auto lit_by_point = [&](const Fog& fog) {
+    Renderer renderer(scene, kWidth, kHeight, {.fog_lighting = FogLighting::airlight});
+    renderer.set_fog(fog);
+    renderer.draw(LightPoints::on);
+    const Picture with = renderer.read();
+    renderer.draw(LightPoints::off);
+    const Picture without = renderer.read();
+    std::ptrdiff_t count = 0;
+    for (std::size_t i = 0; i < with.rgb.size(); ++i) count += with.rgb[i] != without.rgb[i];
+    return count;
+  };
+  const std::ptrdiff_t in_clear_air = lit_by_point(Fog{});
+  EXPECT_GT(in_clear_air, 0);
+  for (const double visibility : {1000.0, 100.0, 30.0}) {
+    const std::ptrdiff_t in_fog = lit_by_point(Fog::from_visibility(FogMode::exp, visibility));
+    EXPECT_GT(in_fog, 0) << visibility;
+    EXPECT_LE(in_fog, in_clear_air) << visibility;
+  }
+}
+
 TEST_F(RendererTest, PartOfAMaterialThatTheSceneLacksIsAnError) {
   Scene scene = rows(1, 1, {1, 0, 0.01});
   scene.materials.clear();
@@ -540,6 +566,29 @@ TEST_F(RendererTest, LargestFiguresOfASceneGiveFinitePixels) {
     for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
       const Picture picture = draw(scene, Fog::from_visibility(mode, visibility));
       EXPECT_TRUE(std::ranges::all_of(picture.rgb, [](float value) { return std::isfinite(value); })) << visibility;
+    }
+  }
+}
+
+TEST_F(RendererTest, LampAtTheEyeToTheLastBitGivesFinitePixelsByAirlight) {
+  Scene scene = rows(3, 3, {1, 0, 0.01});
+  PlacedLight& lamp = scene.lights[0];
+  lamp.position = scene.camera.position;
+  for (const Cone& cone : {Cone{}, Cone::cosine(0.5, 2), Cone::smoothstep(0.2, 0.4)}) {
+    for (const Attenuation& attenuation : {Attenuation{1, 0, 0.01}, Attenuation{0, 0, 1}}) {
+      lamp.light.cone = cone;
+      lamp.light.attenuation = attenuation;
+      for (const Shadows shadows : {Shadows::none, Shadows::shafts}) {
+        Renderer renderer(scene, 16, 9, {.fog_lighting = FogLighting::airlight, .shadows = shadows});
+        for (const double visibility : {1e-300, 1e-3, 50.0, 1e300}) {
+          for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
+            renderer.set_fog(Fog::from_visibility(mode, visibility));
+            renderer.draw(LightPoints::on);
+            EXPECT_TRUE(std::ranges::all_of(renderer.read().rgb, [](float value) { return std::isfinite(value); }))
+                << visibility;
+          }
+        }
+      }
     }
   }
 }

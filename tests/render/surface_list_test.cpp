@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <limits>
+#include <string>
 
 #include "gl/gl_test.h"
 #include "render/light/light_finder.h"
+#include "scene/file/scene_file.h"
 #include "scene/model/model_catalogue.h"
 #include "scene/paint/material_catalogue.h"
 
@@ -61,6 +64,15 @@ TEST_F(SurfaceListTest, LampsEndFarAwayWhereListsWouldGrowTooLongWithoutEnds) {
     reaching += can_reach(lights.lights()[i], list.range_of(lights.extents()[i]), surface.bounds);
   }
   EXPECT_EQ(std::ssize(list.lights_of(surface)), reaching);
+}
+
+TEST_F(SurfaceListTest, LampsOfCityAndApproachAloneEndFarAway) {
+  for (const std::string& name : scene::bundled_scenes()) {
+    const Scene scene = scene::read_scene(scene::bundled_scene_path(name));
+    const SceneLights lights(scene, {.fog_lighting = FogLighting::airlight});
+    const double reach = SurfaceList(scene, lights, Skipping::on).reach();
+    EXPECT_EQ(reach, name == "approach" ? 16 : name == "city" ? 8 : std::numeric_limits<double>::infinity()) << name;
+  }
 }
 
 }  // namespace
