@@ -35,8 +35,8 @@ using namespace litfog::command;
 
 constexpr const char* kDescription = R"(Measures litfog and its rivals: time beside error, in the same run.
 
-  litfog-bench solve     time against error of every way to a light's fog colour intensity
-  litfog-bench airlight  time against error of every way to a light's airlight along a ray
+  litfog-bench solve     time against error of every method for a light's fog colour intensity
+  litfog-bench airlight  time against error of every method for a light's airlight along a ray
   litfog-bench lamps     peak and airlight of four lamps over visibility, beside the reference
   litfog-bench update    time to follow a visibility step by step over a million lights
   litfog-bench fit       time and quality of fits of an attenuation to a falloff table
@@ -60,8 +60,8 @@ to 180 degrees, half of the fogs scatter by g from -0.9 to 0.9. inverse-square: 
 axial: the eye beside the lamp, along its axis, without the lamp's own leg, also as axial and axial-batch.
 Methods: uniform steps from the eye (march) and inside the lamp's sphere and cone only (march-clipped, as PlayCanvas);
 Gauss-Legendre nodes in asinh of the distance from the closest approach (gauss-asinh); litfog; the arctangent form
-without extinction (Macklin 2010); 256 x 256 tables (Sun et al. 2005); closed forms; litfog's reference, against which
-errors are. lamp_leg is 1 where the fog dims the light on its way from the lamp, too. p99_relative: of the relative
+without extinction (Macklin 2010); 256 x 256 tables (Sun et al. 2005); closed forms; litfog's reference, which
+errors are against. lamp_leg is 1 where the fog dims the light on its way from the lamp, too. p99_relative: of the relative
 error.
 
 lamps: no times; what an eye sees in exp fog that carries a lamp of data/lights and looks along its axis: the fog colour

@@ -269,8 +269,8 @@ Job add_comparison_job(CLI::App& app) {
   options->folder = "comparison";
   app.footer(
       "SETTING is options of a picture without their dashes, members as of --set, or another scene, separated by "
-      "spaces. A single one is compared with the scene without it; other options are those of all. Without --with, "
-      "each scene is drawn as it is: --set, --camera, --target, --fov-deg, --path and --flat-shading need --with.\n\n"
+      "spaces. A single SETTING is compared with the scene without it; other options apply to all. Without --with, "
+      "scenes are drawn as they are: --set, --camera, --target, --fov-deg, --path and --flat-shading need --with.\n\n"
       "Examples:\n"
       "  litfog-demo compare room --visibility 30 --size 960x540 -o paths\n"
       "  litfog-demo compare room --with \"visibility=50\" --with \"visibility=400 path=vertex\"\n"

@@ -49,9 +49,9 @@ airlight.
 
 constexpr const char* kExamples =
     R"(Units: metres, 1/m (density, linear), 1/m^2 (quadratic). The intensity is the largest fraction of the light's
-colour that the fog throws back along the light's axis: the peak of (1 - f(r)) / (constant + linear r + quadratic r^2),
-its denominator at least 1, for r from 0 to the extent; f(r) is the fraction that the fog lets through. The airlight is
-all that the fog throws back along the axis: the same fraction 1 / (constant + linear r + quadratic r^2), integrated over
+colour that the fog scatters back along the light's axis: the peak of (1 - f(r)) / (constant + linear r + quadratic r^2),
+its denominator at least 1, for r from 0 to the extent; f(r) is the fraction that the fog transmits. The airlight is
+all that the fog scatters back along the axis: the same fraction 1 / (constant + linear r + quadratic r^2), integrated over
 the opacity 1 - f(r). It is never below the intensity.
 
 Examples:

@@ -43,7 +43,7 @@ constexpr double kWordsStay = 10'000;  // milliseconds
 constexpr const char* kDescription =
     R"(Shows a scene lit by lamps in fog in a window, in which fog, lighting, camera and lamps can be changed.
 
-Drag over the picture to orbit or look around, with the right button to shift; the wheel goes nearer. W A S D, Q and E fly,
+Drag the picture to orbit or look around, right-drag to pan; the wheel goes nearer. W A S D, Q and E fly,
 with Shift faster. A click picks a lamp. Ctrl+P saves the picture, Ctrl+C copies the litfog-demo command that draws it, and
 prints it.)";
 

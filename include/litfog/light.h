@@ -11,7 +11,7 @@
 
 namespace litfog {
 
-/// A kind of light: what a light file holds.
+/// A light as a light file holds it: without a place.
 struct Light {
   std::string name;
   glm::dvec3 color{1.0};  ///< linear RGB, finite, >= 0; 1 is the display's white

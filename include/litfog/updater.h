@@ -50,7 +50,7 @@ struct FogUpdateStatistics {
 inline constexpr double kDefaultSkipBudget255 = 0.5;
 
 /// The lights of a scene as the shaders' tables (litfog/fog_light_block.h), kept up to date through every change of the
-/// visibility, at a cost that does not grow with the number of lights.
+/// visibility, at a cost for each kind of light, not for each light.
 ///
 /// The caller adds, changes, switches and removes lights, then calls set_fog once a frame and uploads the ranges that
 /// it returns, by litfog::gl or otherwise. Lights that agree in all but name, colour, position and direction share a

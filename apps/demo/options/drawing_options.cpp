@@ -86,14 +86,14 @@ render::RenderSettings DrawingOptions::settings_of(const render::LightingPath& p
 void add_fog(CLI::App& app, DrawingOptions& options) {
   command::add_choice<std::optional<FogMode>>(app, "--fog", options.fog,
                                               {{"exp", FogMode::exp}, {"exp2", FogMode::exp2}},
-                                              "How fog thickens with range (default exp)");
+                                              "Law by which fog dims light over range (default exp)");
   add_phase(app, options);
 }
 
 void add_fog_and_visibility(CLI::App& app, DrawingOptions& options) {
   command::add_choice<std::optional<FogMode>>(app, "--fog", options.fog,
                                               {{"exp", FogMode::exp}, {"exp2", FogMode::exp2}, {"none", std::nullopt}},
-                                              "How fog thickens with range (default exp)");
+                                              "Law by which fog dims light over range (default exp)");
   add_number(app, "--visibility", options.visibility, command::kNotNegative,
              "Range in metres at which a fraction of the contrast is left; inf is clear air (default: what the scene "
              "suggests)");

@@ -46,7 +46,7 @@ void attach(GLenum attachment, const gl::TextureName& texture, glm::ivec2 size, 
   glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_RECTANGLE, texture.id(), 0);
 }
 
-/// Reads that many depths a pixel.
+/// The program that reads the depths of a pixel's samples.
 gl::Program make_seen_program(int samples) {
   const std::string count = fmt::format("#define SAMPLE_COUNT {}\n", samples);
   std::vector<gl::ShaderSource> files(render_shaders().begin(), render_shaders().end());

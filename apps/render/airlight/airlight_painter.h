@@ -43,14 +43,15 @@ class AirlightPainter {
 
   /// Uploads the lights whose airlight frames have from now on, within their extents and beyond.
   void set_lists(const AirlightList& lights, const AirlightTiles& tiles, const FarAirlightList& far_lights);
-  /// Binds the lights to their unit, and sums up what they add beyond their extents. Their tables and the cookies are
-  /// bound to their units.
+  /// Binds the lists of set_lists() for draw(), and sums up what lights add beyond their extents. The caller has bound
+  /// the lights' tables and the cookies.
   void draw_far(const View& view, FogMode fog_mode);
-  /// That, for panes.
+  /// What draw_far() has summed up, for panes.
   const FarAirlight& far() const { return far_; }
-  /// Adds the airlight of all lights to a resolved framebuffer. Needs what draw_far() does, and has left.
+  /// Adds the airlight of all lights to a resolved framebuffer. draw_far() comes first; its bindings have to hold
+  /// still.
   ///
-  /// exposure          EV at which the picture is shown: what errs by less than a step there is interpolated
+  /// exposure          EV at which the picture is shown: interpolation may err by an eighth of a step there
   /// is_seen_by_alpha  the framebuffer's alpha is the fraction of it that is seen
   /// interruption      after which it draws no more
   void draw(const Framebuffer& framebuffer, const View& view, FogMode fog_mode, double exposure, bool is_seen_by_alpha,

@@ -10,7 +10,7 @@
 
 namespace litfog::render {
 
-/// Which lights' airlight each tile of a picture can show: an equal part of it, of some 32 pixels a side or more.
+/// The lights whose airlight each tile of a picture can show. Tiles are equal, of some 32 pixels a side or more.
 struct AirlightTiles {
   glm::ivec2 count{0};  ///< columns and rows
   glm::ivec2 size{0};   ///< pixels that they cover, which is more than the picture's: grids reach beyond its edges

@@ -14,9 +14,9 @@
 namespace litfog::render {
 namespace {
 
-constexpr double kApart = 0.03;   // radians between texels
-constexpr int kMostRows = 120;    // of texels: as many pictures as there are slabs have to fit into a texture
-constexpr int kSlabs = 32;        // of far_airlight.glsl, as is the next
+constexpr double kApart = 0.03;  // radians between texels
+constexpr int kMostRows = 120;   // and one more: kSlabs + 1 pictures of them fit into 4096
+constexpr int kSlabs = 32;       // of far_airlight.glsl, as is the next
 constexpr int kSlabsAtOnce = kSlabs / FarAirlightList::kSections;
 
 }  // namespace

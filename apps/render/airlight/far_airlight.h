@@ -17,10 +17,10 @@
 
 namespace litfog::render {
 
-/// What lights add to the fog beyond their extents. One light adds little there, but hundreds in view made pictures
-/// darker by tens of steps of the display. It changes slowly over a picture and along its rays, so that all lights
-/// together are summed up at few places: in slabs of the rays through pixels 0.03 radians apart
-/// (shaders/far_airlight.frag), between which pixels look it up. Needs a current GL context.
+/// The airlight of lights beyond their extents. That of one is faint, but without that of hundreds in view pictures
+/// were darker by tens of steps of the display. It varies slowly over a picture and along its rays, so that all lights
+/// are summed at once, in slabs of rays 0.03 radians apart (shaders/airlight/far_airlight.frag), between which pixels
+/// interpolate. Needs a current GL context.
 class FarAirlight {
  public:
   /// scene, fog_lights  have to outlive this

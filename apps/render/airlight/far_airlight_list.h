@@ -32,7 +32,8 @@ struct FarAirlightList {
   double section_begin(int section) const { return depth * section * section / (kSections * kSections); }
 };
 
-/// Of what lights add beyond their extents, at most kFarShare of a step of the display is left out in any pixel.
+/// Of what lights without shafts add beyond their extents, at most kFarShare of a step of the display is left out in
+/// any pixel. Lights that cut shafts end at their extents in the fog.
 ///
 /// Proof. Of a ray from a distance S from the eye on, let R be the larger of the light's extent and S - L, L being the
 /// distance from the eye to the light. There, beyond the extent, r >= R. The weights -f'(s) of the eye's leg sum to at
@@ -43,7 +44,7 @@ struct FarAirlightList {
 /// and S^2 / 2 + R^2 (litfog/shaders/glow.glsl).
 ///
 /// exposure  EV at which the picture is shown
-/// casters   of each light whether it cuts shafts: at least 0; empty: none does. Those that do are left out
+/// casters   of each light: at least 0 if it cuts shafts; empty: none does
 FarAirlightList list_far_airlight(const SceneLights& lights, const Fog& fog, const Scattering& scattering,
                                   const glm::dvec3& eye, double exposure, std::span<const std::int32_t> casters = {});
 

@@ -33,7 +33,7 @@ float litfog_lamp_factor(LitfogLight light, float range) {
 }
 
 // What one light adds to the fog colour of a fragment: colour * cone * fog colour intensity (Steven Hales 2004,
-// "Realtime Pixel Lighting Using Fragment Programs", section "Lighting in Fog"). No other function lights the fog.
+// "Realtime Pixel Lighting Using Fragment Programs", section "Lighting in Fog"). glow.glsl has the airlight instead.
 vec3 litfog_light_fog(LitfogLight light, vec3 position) {
   vec3 direction = litfog_ray(light.position_extent.xyz, position).xyz;
   return light.color_intensity.rgb * (litfog_cone(light, direction) * light.color_intensity.w);

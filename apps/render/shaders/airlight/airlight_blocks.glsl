@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The texels of a grid for which a coarser one is not good enough, packed: those of a block of 16 x 16 stand at its
-// first places in Morton order. Scattered texels would leave most lanes of a processor idle.
+// Texels of a grid that the coarser grid cannot fill, packed: those of a block of 16 x 16 stand at its first places in
+// Morton order. Scattered texels would leave most lanes of a processor idle.
 
 #include "texel.glsl"
 

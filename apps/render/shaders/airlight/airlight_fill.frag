@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The airlight of all lights from a grid of half as many rows and columns, where that is good enough: where, brought
-// to what the pixel sees, a polynomial through six texels or a straight line through two errs little. Other pixels are
-// left for lights one by one.
+// Fills texels from a grid of half as many rows and columns where interpolation errs little: by a polynomial through
+// six texels or a straight line through two, each brought to the depth that the pixel sees. At other texels the lights
+// are drawn one by one.
 
 #extension GL_ARB_derivative_control : enable  // of OpenGL 4.5
 
@@ -9,7 +9,7 @@
 #include "seen.glsl"
 
 uniform sampler2DRect grid;       // airlight; alpha the mean opacity of the fog before what a texel sees
-uniform sampler2DRect grid_gain;  // what is gained of it where the fog before what is seen gains opacity
+uniform sampler2DRect grid_gain;  // its derivative by that opacity
 uniform int pixel_step;       // pixels between the target's texels; the grid's are twice as far apart
 
 layout(location = 0) out vec4 airlight;  // alpha as the grid's; below 0 where it is not filled
@@ -61,7 +61,7 @@ Middle middle_of(ivec2 place, ivec2 step, float opacity) {
   vec3 before = grid_texel(place - step, opacity).airlight;
   vec3 behind = grid_texel(place + 2 * step, opacity).airlight;
   // At the grid's border not all of these are known. Then there is no polynomial, and an unknown bend of the inner two
-  // continues those of the next two texels. One bend alone may be 0 by chance, where a beam's edge lies beyond it.
+  // continues those of the next two texels.
   bool knows_first = is_inside(place - step);
   bool knows_second = is_inside(place + 2 * step);
   bool knows_all = is_inside(place - 2 * step) && is_inside(place + 3 * step);

@@ -15,7 +15,7 @@ void main() {
   float fraction = kept_fraction(entry, square, pixel_step) - kept_fraction(entry, square, 2 * pixel_step);
   airlight = vec4(0.0);
   gain = vec4(0.0);
-  if (fraction <= 0.0) return;  // not discarded: the stencil would no longer be tested before
+  if (fraction <= 0.0) return;  // no discard, which would end the early stencil test
   vec4 seen = seen_at(pixel);
-  add_light(int(entry.x), fraction, direction, seen, shown_gain_at(seen));
+  add_light(int(entry.x), fraction, direction, seen, shown_exposure_at(seen));
 }

@@ -11,7 +11,7 @@ uniform vec3 eye;
 #include "shaft.glsl"  // of rays from that eye
 
 layout(location = 0) out vec4 airlight;
-layout(location = 1) out vec4 gain;  // of airlight, where the pixel sees farther, for the fog's gain of opacity
+layout(location = 1) out vec4 gain;  // derivative of airlight by the fog's opacity, at what the pixel sees
 
 // Between samples that share an airlight: of opacity, half a step of the display for a lamp as bright as its white.
 // Brighter lamps are shown at less exposure.
@@ -37,7 +37,7 @@ float largest_phase(LitfogLight light, vec3 direction, float nearest, float fart
   return litfog_phase(-dot(direction, litfog_ray(light.position_extent.xyz, position).xyz), asymmetry);
 }
 
-// The airlight from the end of a ray, for the fog's opacity there.
+// The derivative of a light's airlight by the fog's opacity, at the end of a ray.
 vec3 gain_at(int light_index, LitfogLight light, vec3 direction, float range) {
   vec3 position = eye + direction * range;
   vec4 ray = litfog_ray(light.position_extent.xyz, position);
@@ -48,7 +48,7 @@ vec3 gain_at(int light_index, LitfogLight light, vec3 direction, float range) {
                      ? scale * exp(min((1.0 - scale) * density * range, 8.0))
                      : scale * scale * exp(min((1.0 - scale * scale) * pow(density * range, 2.0), 8.0));
   vec3 lit = litfog_light_along(light, ray) * (litfog_lamp_factor(light, ray.w) * weight) *
-             shadow_at(light_index, position);
+             lit_fraction_at(light_index, position);
   return asymmetry == 0.0 ? lit : lit * litfog_phase(-dot(direction, ray.xyz), asymmetry);
 }
 
@@ -75,25 +75,25 @@ float squared_passing_distance(vec3 position, vec3 direction) {
 
 // The exposure's gain, or less: where the fog shines by itself, a display shows less of what a lamp adds. Not less for
 // cookies, whose fewer nodes would then err by up to a step where 16 lamps add up.
-float shown_gain_at(vec4 seen) {
+float shown_exposure_at(vec4 seen) {
   if (profile == LITFOG_PROFILE_COOKIE) return exposure_gain;
   vec3 slope = display_slope(litfog_ambient_fog_color.rgb * litfog_fog_opacity(seen.x, 1.0));
   return max(max(slope.r, slope.g), slope.b) / darkest_slope;
 }
 
-// Adds a fraction of a light's airlight, and its gain, which the finest grid has not.
+// Adds a fraction of a light's airlight and, except in the finest grid, its gain.
 //
-// shown_gain  shown_gain_at() of seen
-void add_light(int light_index, float fraction, vec3 direction, vec4 seen, float shown_gain) {
+// shown_exposure  shown_exposure_at() of seen
+void add_light(int light_index, float fraction, vec3 direction, vec4 seen, float shown_exposure) {
   LitfogLight light = litfog_buffered_light(light_index);
   light.axis_profile.w = profile;
   vec4 opacities = seen_opacities(seen, light.attenuation.w);
   light.color_intensity.rgb *= fraction;
   LitfogLight shown = light;  // by which the glow chooses its nodes: what adds little to the display needs few
-  shown.color_intensity.rgb *= shown_gain;
+  shown.color_intensity.rgb *= shown_exposure;
   float equal_opacities =
       max(most_equal_opacities, most_equal_airlights / largest_gain(light, direction, seen.x, seen.w)) /
-      (max(shown_gain, 1.0) * largest_phase(light, direction, seen.x, seen.w));
+      (max(shown_exposure, 1.0) * largest_phase(light, direction, seen.x, seen.w));
   vec3 sum = vec3(0.0);
   int first = 0;
   do {
@@ -107,6 +107,6 @@ void add_light(int light_index, float fraction, vec3 direction, vec4 seen, float
            (0.25 * float(run) * lit_fraction(light_index, light, direction, range));
     first += run;
   } while (first < 4);
-  airlight.rgb += sum / shown_gain;
+  airlight.rgb += sum / shown_exposure;
   if (pixel_step > 1) gain.rgb += gain_at(light_index, light, direction, mean_of(seen));
 }

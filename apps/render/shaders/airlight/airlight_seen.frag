@@ -19,7 +19,7 @@ in vec3 seen_direction;
 uniform vec3 forward;      // unit: the camera's axis
 uniform float near_plane;  // metres
 
-out vec4 seen;  // metres: means of the nearest quarter of the samples, of the next, and so on
+out vec4 seen;  // metres: middles of the nearest quarter of the samples, of the next, and so on
 
 void put_in_order(inout float nearer, inout float farther) {
   float least = min(nearer, farther);
@@ -37,7 +37,7 @@ void main() {
     float depth = sample_depth(pixel, i);  // near_plane / distance along the axis
     sorted[i] = depth > 0.0 ? near_range / depth : sky_range;
   }
-  // Neighbours are exchanged, even and odd ones in turn: no index depends on a range, so that compilers unroll it.
+  // Odd-even transposition sort: no index depends on a range, so that compilers unroll it.
   for (int turn = 0; turn < sample_count; turn += 2) {
     for (int i = 0; i < sample_count - 1; i += 2) put_in_order(sorted[i], sorted[i + 1]);
     for (int i = 1; i < sample_count - 1; i += 2) put_in_order(sorted[i], sorted[i + 1]);

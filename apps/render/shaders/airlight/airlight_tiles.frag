@@ -25,7 +25,7 @@ void main() {
   ivec2 pixel = place * pixel_step;
   vec3 direction = pixel_direction(pixel);
   vec4 seen = seen_at(pixel);
-  float shown_gain = shown_gain_at(seen);
+  float shown_exposure = shown_exposure_at(seen);
   ivec2 list = tile_list(pixel);
   airlight = vec4(0.0);
   gain = vec4(0.0);
@@ -36,7 +36,7 @@ void main() {
     float square = squared_passing_distance(position, direction);
     bool is_reached = i < list.y && square < entry.y * entry.y;
     float fraction = is_reached ? kept_fraction(entry, square, pixel_step) : 0.0;
-    if (fraction > 0.0) add_light(int(entry.x), fraction, direction, seen, shown_gain);
+    if (fraction > 0.0) add_light(int(entry.x), fraction, direction, seen, shown_exposure);
     ++i;
   } while (i < list.y);
 }

@@ -33,7 +33,7 @@ void main() {
   for (int i = 0; i < light_count; ++i) {
     LitfogLight light = litfog_buffered_light(texelFetch(far_lights, first_light + i).x);
     light.axis_profile.w = profile;
-    float density = min(litfog_fog.x * light.attenuation.w, 1.0e6);
+    float density = litfog_glow_density(light);
     float extent = light.position_extent.w;
     vec3 to_light = light.position_extent.xyz - eye;
     float approach = dot(to_light, direction);

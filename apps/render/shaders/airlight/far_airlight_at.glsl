@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Looks the airlight of lights beyond their extents up.
+// Looks up the airlight of lights beyond their extents.
 
 #include "far_airlight.glsl"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The airlight of lights beyond their extents before each slab, of the sums in groups of slabs.
+// The airlight of lights beyond their extents before each slab: prefix sums, of those within groups of slabs.
 
 #include "far_airlight.glsl"
 

@@ -22,8 +22,8 @@ float lit_at(ShadowCaster caster, vec3 position) {
   return texture(shadow_maps, vec4(uv, float(caster.first_layer + map), compared));
 }
 
-// The same of a light that may cast no shadows.
-float shadow_at(int light_index, vec3 position) {
+// The same of a light; 1 if it casts no shadows.
+float lit_fraction_at(int light_index, vec3 position) {
   int caster = texelFetch(caster_of_light, light_index).x;
   return caster < 0 ? 1.0 : lit_at(shadow_caster(caster), position);
 }

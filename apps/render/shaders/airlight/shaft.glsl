@@ -3,4 +3,4 @@
 // replaces this file.
 
 float lit_fraction(int light_index, LitfogLight light, vec3 direction, float range) { return 1.0; }
-float shadow_at(int light_index, vec3 position) { return 1.0; }
+float lit_fraction_at(int light_index, vec3 position) { return 1.0; }
