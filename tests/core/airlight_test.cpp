@@ -579,7 +579,7 @@ TEST(Airlight, AirlightIsBelowTheOpacityAndRisesWithTheLength) {
     c.ray.length = random.log_uniform(0.1, 1000);
     const double reference = reference_of(c);
     ASSERT_LE(reference, opacity_at(c.fog, c.ray.length) * (1 + kReferenceAirlightMaxError)) << to_string(c);
-    ASSERT_LE(airlight_of(c), 1);
+    ASSERT_LE(airlight_of(c), opacity_at(c.fog, c.ray.length) + kAirlightMaxError) << to_string(c);
     c.ray.length *= 1.5;
     ASSERT_GE(reference_of(c), reference * (1 - kReferenceAirlightMaxError) - 1e-19) << to_string(c);
   }
@@ -599,10 +599,12 @@ TEST(Airlight, AxialAirlightIsThatOfTheEyeAtTheLight) {
 }
 
 TEST(Airlight, ErrorOfTheFastFormHasNoSeams) {
-  constexpr double kSeam = 0.75 * kStep;
+  // Over 20,000 lamps at most 1.04 steps: a lamp that never falls off, in exp2 fog without the lamp's leg, where the
+  // closest approach passes the eye.
+  constexpr double kSeam = 1.1 * kStep;
   Random random(69);
   const auto error_of_fast = [](const AirlightCase& c) { return airlight_of(c) - reference_of(c); };
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < 2000; ++i) {
     AirlightCase c = draw_spot_airlight_case(random, random.pick(kModes), random.pick(kLampLegs));
     if (i % 2 == 0) c.light.light.cone = {};
     const Light& light = c.light.light;
@@ -628,6 +630,17 @@ TEST(Airlight, ErrorOfTheFastFormHasNoSeams) {
       longer.ray.length = length * (1 + 1e-9);
       ASSERT_NEAR(error_of_fast(shorter), error_of_fast(longer), kSeam) << to_string(c);
     }
+    AirlightCase uneven = c;
+    uneven.scattering.asymmetry = random.pick(std::array{-1e-9, 1e-9});
+    ASSERT_NEAR(error_of_fast(uneven), error_of_fast(c), kSeam) << to_string(c);
+    AirlightCase with_knee = c, without_knee = c;
+    with_knee.light.light.attenuation.constant = 1 - 1e-9;
+    without_knee.light.light.attenuation.constant = 1;
+    ASSERT_NEAR(error_of_fast(with_knee), error_of_fast(without_knee), kSeam) << to_string(c);
+    AirlightCase narrow = c, wide = c;
+    narrow.light.light.cone = Cone::smoothstep(0.5, std::numbers::pi / 2 * (1 - 1e-9));
+    wide.light.light.cone = Cone::smoothstep(0.5, std::numbers::pi / 2 * (1 + 1e-9));
+    ASSERT_NEAR(error_of_fast(narrow), error_of_fast(wide), kSeam) << to_string(c);
     if (light.cone.profile == ConeProfile::none) continue;
     for (const double tilt : {-1e-9, 1e-9}) {  // the edge of the cone at the closest approach
       const double angle = cutoff_angle(light.cone) * (1 + tilt);
