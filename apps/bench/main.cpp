@@ -61,8 +61,8 @@ axial: the eye beside the lamp, along its axis, without the lamp's own leg, also
 Methods: uniform steps from the eye (march) and inside the lamp's sphere and cone only (march-clipped, as PlayCanvas);
 Gauss-Legendre nodes in asinh of the distance from the closest approach (gauss-asinh); litfog; the arctangent form
 without extinction (Macklin 2010); 256 x 256 tables (Sun et al. 2005); closed forms; litfog's reference, which
-errors are against. lamp_leg is 1 where the fog dims the light on its way from the lamp, too. p99_relative: of the relative
-error.
+errors are against: of the lamp's colour, or of the airlight where that is brighter. lamp_leg is 1 where the fog dims the
+light on its way from the lamp, too. p99_relative: of the relative error.
 
 lamps: no times; what an eye sees in exp fog that carries a lamp of data/lights and looks along its axis: the fog colour
 intensity (peak), the airlight without and with the lamp's own leg through the fog (k0, k1), and its reference.
