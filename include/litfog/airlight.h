@@ -54,8 +54,8 @@ std::optional<ValueError> check(const EyeRay& ray);
 /// spot it covers those that show more than kDimAirlight: less comes only from the outermost edge of its cone, as
 /// rounding, of which an 8-bit display shows no step unless the lamp is over a million times as bright as white.
 ///
-/// Forward and backward scattering: with g in [-0.7, 0.9] both hold for random rays; where the airlight is above 1, the
-/// largest error is relative to it. With g down to -0.9 it is kAirlightMaxError times largest_phase().
+/// Forward and backward scattering: for |g| <= 0.9 both hold for random rays; where the airlight is above 1, the
+/// largest error is relative to it.
 inline constexpr double kAirlightMaxError = 1 / 255.;
 inline constexpr double kAirlightTypicalError = 0.01;
 inline constexpr double kPeakedAirlightTypicalError = 0.03;
@@ -69,7 +69,7 @@ inline constexpr double kDimAirlight = 1e-10;
 /// light      its extent is that of its threshold; its class sees the fog at its density scale
 /// fog        of the scene
 /// returns    [0, 1] in isotropic fog; up to (1 + |g|) / (1 - |g|)^2 else
-/// max error  kAirlightMaxError, mostly kAirlightTypicalError, for g as above                       (airlight_test.cpp)
+/// max error  kAirlightMaxError, mostly kAirlightTypicalError, for |g| <= 0.9                       (airlight_test.cpp)
 /// throws     std::invalid_argument naming field, value and rule
 double airlight(const PlacedLight& light, const Fog& fog, const EyeRay& ray, const Scattering& scattering = {});
 

@@ -321,6 +321,10 @@ LitfogAirlightSide litfog_airlight_side(LitfogAirlight air, LITFOG_REAL from, LI
   side.nearest = max(beyond ? from - anchor : anchor - to, LITFOG_REAL(0.0));
   side.farthest = beyond ? to - anchor : anchor - from;
   side.rate = litfog_airlight_rate(air, side);
+  // Fog that scatters backwards shines the brighter, the farther behind the lamp it is. That makes up for a part of q.
+  if (air.asymmetry < LITFOG_REAL(0.0) && side.rate > LITFOG_REAL(0.0)) {
+    side.rate *= LITFOG_REAL(1.0) - LITFOG_REAL(0.6) * air.asymmetry * air.asymmetry;
+  }
   // Within a fog scale no z is needed, and the logarithm of nearly 1 is noise in floats.
   if (abs(side.rate) * (side.farthest - side.nearest) < LITFOG_REAL(1.0)) side.rate = LITFOG_REAL(0.0);
   side.width = LITFOG_REAL(1.0);
@@ -499,14 +503,18 @@ LitfogAirlightStretch litfog_airlight_stretch(LitfogAirlight air) {
   // 1e-3), towards the eye to 1e-2 (2e-2). A lamp up to 6 fog scales away may be so much brighter than the fog before
   // it that the fog around the lamp counts, too.
   bool is_plain = litfog_airlight_is_plain(air);
+  // Far behind the lamp, fog that scatters backwards is brighter by up to (1 + |g|) / (1 - |g|)^2, down to g = -0.9 at
+  // most e^(6 |g|).
+  LITFOG_REAL depths = LITFOG_REAL(6.0) * max(-air.asymmetry, LITFOG_REAL(0.0));
   if (air.mode == LITFOG_REAL(0.0)) {
-    high = min(high, air.lamp_leg == LITFOG_REAL(0.0) ? low + LITFOG_REAL(9.0) * fog_scale
-                                                      : max(low, LITFOG_REAL(0.0)) + LITFOG_REAL(4.5) * fog_scale +
-                                                            min(LITFOG_REAL(4.5) * fog_scale, air.offset));
+    high = min(high, air.lamp_leg == LITFOG_REAL(0.0)
+                         ? low + (LITFOG_REAL(9.0) + depths) * fog_scale
+                         : max(low, LITFOG_REAL(0.0)) + (LITFOG_REAL(4.5) + LITFOG_REAL(0.5) * depths) * fog_scale +
+                               min(LITFOG_REAL(4.5) * fog_scale, air.offset));
   } else {
     LITFOG_REAL brightest = (LITFOG_REAL(0.5) * air.lamp_leg - LITFOG_REAL(1.0)) * air.approach;
     LITFOG_REAL legs = LITFOG_REAL(1.0) + air.lamp_leg;
-    LITFOG_REAL reach = (is_plain ? LITFOG_REAL(6.6) : LITFOG_REAL(8.0)) / legs * fog_scale * fog_scale;
+    LITFOG_REAL reach = (is_plain ? LITFOG_REAL(6.6) : LITFOG_REAL(8.0) + depths) / legs * fog_scale * fog_scale;
     LITFOG_REAL distance = air.density * air.approach;  // in fog scales
     LITFOG_REAL behind_lamp =
         (is_plain ? LITFOG_REAL(0.9) : LITFOG_REAL(4.0)) * fog_scale / max(distance, LITFOG_REAL(2.0));
