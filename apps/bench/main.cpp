@@ -60,9 +60,9 @@ to 180 degrees, half of the fogs scatter by g from -0.9 to 0.9. inverse-square: 
 axial: the eye beside the lamp, along its axis, without the lamp's own leg, also as axial and axial-batch.
 Methods: uniform steps from the eye (march) and inside the lamp's sphere and cone only (march-clipped, as PlayCanvas);
 Gauss-Legendre nodes in asinh of the distance from the closest approach (gauss-asinh); litfog; the arctangent form
-without extinction (Macklin 2010); 256 x 256 tables (Sun et al. 2005); closed forms; litfog's reference, which
-errors are against: of the lamp's colour, or of the airlight where that is brighter. lamp_leg is 1 where the fog dims the
-light on its way from the lamp, too. p99_relative: of the relative error.
+without extinction (Macklin 2010); 256 x 256 tables (Sun et al. 2005); closed forms; litfog's reference. Errors
+are against it, of the lamp's colour, or of the airlight where that is brighter; p99_relative is of the relative error.
+lamp_leg is 1 where the fog dims the light on its way from the lamp, too.
 
 lamps: no times; what an eye sees in exp fog that carries a lamp of data/lights and looks along its axis: the fog colour
 intensity (peak), the airlight without and with the lamp's own leg through the fog (k0, k1), and its reference.
@@ -91,8 +91,8 @@ hides white. clusters: LightClusters (16 x 9 x 24) at each frame; clusters-one-l
 changes; clusters-fog: a change of the visibility; balls: each light in view tested with the ball around each cluster
 (Wronski 2017). frame, 320x180, peak: from the scene's camera with all lights; frame-of-those: with the lights alone
 that the picture needs, all others of which change it by at most half a step; ratio_to_those: the one over the other;
-frame-airlight: the frame by airlight, with the first 100 to 1000 lamps in view; frame-flight: the flight with 10,000 lights.
-excess_share: entries whose light and cluster have no point in common.
+frame-airlight: the frame by airlight, with the first 100 to 1000 lamps in view; frame-flight: the flight with 10,000
+lights. excess_share: entries whose light and cluster have no point in common.
 
 Times are processor time of one thread (render: wall time of a frame, drawn and waited for; city's frames: processor
 time of all threads, a software rasteriser's included, and wall_ms): medians, with the spread from the 10th to the 90th

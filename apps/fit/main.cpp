@@ -67,8 +67,8 @@ constexpr const char* kExplanation =
    "cone": {"beam_angle_deg": 11, "field_angle_deg": 22}}
 
 Range. extent_m is where the attenuation is to be the threshold (0.05 if not given) and is met exactly. In its place
-peak_cd, illuminance {"range_m", "lx"} or flux_lm puts it where the light gives end_lx (1 if not given): a number, or what an eye
-just sees: dark night (a mariner's), night, twilight, day or bright day (a pilot's). constant fixes C. samples are a
+peak_cd, illuminance {"range_m", "lx"} or flux_lm puts it where the light gives end_lx (1 if not given): a number, or what an
+eye just sees: dark night (a mariner's), night, twilight, day or bright day (a pilot's). constant fixes C. samples are a
 falloff table; the fit minimises sum weight * (ln a(r) - ln attenuation)^2 with C, L, Q >= 0. An extent alone is met by
 C = 1 and the family: quadratic (if not given), linear or mixed.
 

@@ -593,9 +593,10 @@ TEST(Airlight, AxialAirlightIsThatOfTheEyeAtTheLight) {
 }
 
 TEST(Airlight, ErrorOfTheFastFormHasNoSeams) {
-  // Over 20,000 lamps at most 1.04 steps: a lamp that never falls off, in exp2 fog without the lamp's leg, where the
-  // closest approach passes the eye.
-  constexpr double kSeam = 1.1 * kStep;
+  constexpr double kSeam = 0.75 * kStep;
+  // Where the closest approach passes the eye, 1.04 steps over 20,000 lamps: one that never falls off, in exp2 fog
+  // without the lamp's leg. At g = 0, 0.84.
+  constexpr double kWideSeam = 1.1 * kStep;
   Random random(69);
   const auto error_of_fast = [](const AirlightCase& c) { return airlight_of(c) - reference_of(c); };
   for (int i = 0; i < 2000; ++i) {
@@ -616,7 +617,7 @@ TEST(Airlight, ErrorOfTheFastFormHasNoSeams) {
       if (!(split > 0 && split < 1e5)) continue;
       ASSERT_NEAR(at(approach, split * (1 - 1e-9)), at(approach, split * (1 + 1e-9)), kSeam) << to_string(c);
     }
-    ASSERT_NEAR(at(-1e-9 * offset, offset), at(1e-9 * offset, offset), kSeam) << to_string(c);
+    ASSERT_NEAR(at(-1e-9 * offset, offset), at(1e-9 * offset, offset), kWideSeam) << to_string(c);
     for (const double length : {approach, approach + knee, approach + extent}) {
       if (!(length > 0 && length < 1e5)) continue;
       AirlightCase shorter = c, longer = c;
@@ -626,7 +627,7 @@ TEST(Airlight, ErrorOfTheFastFormHasNoSeams) {
     }
     AirlightCase uneven = c;
     uneven.scattering.asymmetry = random.pick(std::array{-1e-9, 1e-9});
-    ASSERT_NEAR(error_of_fast(uneven), error_of_fast(c), kSeam) << to_string(c);
+    ASSERT_NEAR(error_of_fast(uneven), error_of_fast(c), kWideSeam) << to_string(c);
     AirlightCase with_knee = c, without_knee = c;
     with_knee.light.light.attenuation.constant = 1 - 1e-9;
     without_knee.light.light.attenuation.constant = 1;

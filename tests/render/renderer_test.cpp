@@ -449,8 +449,8 @@ TEST_F(RendererTest, PointOfALampMakesNoHaloOfItsOwnByAirlight) {
   scene.environment = {};
   scene.lights[0].carried = false;
   scene.lights[0].position = {0, 2, -30};
-  const auto lit_by_point = [&](const Fog& fog) {
-    Renderer renderer(scene, kWidth, kHeight, {.fog_lighting = FogLighting::airlight});
+  const auto lit_by_point = [&](const Fog& fog, FogLighting lighting = FogLighting::airlight) {
+    Renderer renderer(scene, kWidth, kHeight, {.fog_lighting = lighting});
     renderer.set_fog(fog);
     renderer.draw(LightPoints::on);
     const Picture with = renderer.read();
@@ -462,6 +462,7 @@ TEST_F(RendererTest, PointOfALampMakesNoHaloOfItsOwnByAirlight) {
   };
   const std::ptrdiff_t in_clear_air = lit_by_point(Fog{});
   EXPECT_GT(in_clear_air, 0);
+  EXPECT_LT(in_clear_air, lit_by_point(Fog{}, FogLighting::peak)) << "which has glare";
   for (const double visibility : {1000.0, 100.0, 30.0}) {
     const std::ptrdiff_t in_fog = lit_by_point(Fog::from_visibility(FogMode::exp, visibility));
     EXPECT_GT(in_fog, 0) << visibility;
