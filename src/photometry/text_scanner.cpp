@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "ascii_text.h"
+#include "code_points.h"
 #include "file_text.h"
 #include "text_encoding.h"
 
@@ -118,7 +119,9 @@ void TextScanner::expect_no_more_numbers() {
 }
 
 InputLocation TextScanner::location(const Piece& piece) const {
-  const std::string_view before = std::string_view(text_).substr(0, piece.offset);
+  std::size_t end = std::min(piece.offset, text_.size());
+  while (end > 0 && end < text_.size() && !starts_code_point(text_[end])) --end;  // an XML parser stops within one
+  const std::string_view before = std::string_view(text_).substr(0, end);
   std::size_t line = 1, line_begin = 0;
   for (std::size_t i = 0; i < before.size(); ++i) {
     const bool ends_line = before[i] == '\n' || (before[i] == '\r' && text_.compare(i, 2, kLineEnd) != 0);
@@ -127,8 +130,7 @@ InputLocation TextScanner::location(const Piece& piece) const {
       line_begin = i + 1;
     }
   }
-  const auto column = 1 + utf8::distance(before.begin() + std::ptrdiff_t(line_begin), before.end());
-  return {name_, line, std::size_t(column)};
+  return {name_, line, 1 + count_code_points(before.substr(line_begin))};
 }
 
 void TextScanner::fail(const Piece& piece, std::string_view what, std::string_view rule) const {

@@ -126,6 +126,13 @@ TEST(Tm33, BadFileIsAnErrorAtItsLocation) {
   EXPECT_EQ(error_of(&Tm33Text::intensities, ""), "6:15: element = LuminousIntensity: must have IntData");
 }
 
+TEST(Tm33, LocationOfTextThatEndsWithinACharacterIsThatCharacters) {
+  const std::string rule = "XML: must be well-formed: ";
+  EXPECT_TRUE(error_of("<IESTM33-22><Header>caf\xC3\xA9").starts_with("1:24: " + rule));
+  EXPECT_TRUE(error_of("<IESTM33-22>\n<Header>\xE2\x82\xAC\xE2\x82\xAC").starts_with("2:10: " + rule));
+  EXPECT_TRUE(error_of("<IESTM33-22>\n<Header>\xF0\x9F\x92\xA1").starts_with("2:9: " + rule));
+}
+
 TEST(Tm33, BadIntensitiesAreAnErrorAtTheirLocation) {
   const auto error = [](const std::string& text) { return error_of(&Tm33Text::intensities, text); };
   const std::string nadir = "<IntData h=\"0\" v=\"0\">9</IntData>";
@@ -148,7 +155,13 @@ TEST(Tm33, BadIntensitiesAreAnErrorAtTheirLocation) {
       "from 90 to 270, from -90 to 90, or from -180 to 180");
 }
 
-TEST(Tm33, EveryMutationIsReadOrAnError) { expect_mutations_read_or_fail(Tm33Text().str(), 4000, 5, parse); }
+TEST(Tm33, EveryMutationIsReadOrAnError) {
+  Tm33Text accented;
+  accented.header = "<Header><Manufacturer>L\xC3\xA4mpe \xE2\x82\xAC</Manufacturer></Header>\n";
+  for (const std::string& text : {Tm33Text().str(), accented.str()}) {
+    expect_mutations_read_or_fail(text, 4000, 5, parse);
+  }
+}
 
 }  // namespace
 }  // namespace litfog::test
