@@ -1,11 +1,47 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <unzip.h>
+
+#include <cstdint>
+#include <functional>
+#include <map>
 #include <string>
+#include <vector>
 
 namespace litfog {
 
-/// The bytes of a file in a GLDF container: at most kMaxPhotometricBytes, whatever the archive says. Throws InputError.
-std::string read_gldf_entry(const std::string& path, const std::string& entry);
+inline constexpr int kMaxGldfEntries = 10'000;
+/// What the photometric files of a container may unpack to.
+inline constexpr std::uint64_t kMaxGldfBytes = std::uint64_t{256} << 20;
+
+/// The directory of a GLDF container's zip archive, read once, so that each entry is found without reading it again.
+/// Threads may read entries at once.
+class GldfArchive {
+ public:
+  /// Throws InputError for what is no zip archive, and for one of more than kMaxGldfEntries.
+  explicit GldfArchive(std::string path);
+
+  const std::string& path() const { return path_; }
+
+  /// The bytes of an entry, named with slashes: at most kMaxPhotometricBytes, whatever the archive says. Throws
+  /// InputError.
+  std::string read(const std::string& entry) const;
+
+  /// Throws InputError where entries unpack to more than kMaxGldfBytes together, or two of them share packed bytes. No
+  /// honest archive has such entries. Those that are not there are left out.
+  void expect_sound(const std::vector<std::string>& entries) const;
+
+ private:
+  struct Entry {
+    unz64_file_pos position;  // in the directory
+    std::uint64_t packed_bytes, bytes;
+  };
+
+  const Entry* find(const std::string& entry) const;
+
+  std::string path_;
+  std::map<std::string, Entry, std::less<>> entries_;  // by names as stored, with slashes
+};
 
 }  // namespace litfog

@@ -13,6 +13,7 @@
 #include "litfog/photometry/ies.h"
 #include "litfog/photometry/isocandela.h"
 #include "litfog/photometry/tm33.h"
+#include "luminaire_text.h"
 #include "require.h"
 #include "text_encoding.h"
 #include "text_scanner.h"
@@ -39,6 +40,29 @@ struct PlainFormat {
 constexpr PlainFormat kPlainFormats[] = {
     {".ies", is_ies, parse_ies}, {".csv", is_isocandela, parse_isocandela}, {".ldt", is_eulumdat, parse_eulumdat}};
 
+/// A container's only photometric file.
+const std::string& single_file_of(const GldfContainer& container, const std::string& path) {
+  const std::vector<std::string>& files = container.files();
+  if (files.size() == 1) return files.front();
+  constexpr std::size_t kMostNamed = 8;
+  std::string rule = "must be named where there are several:";
+  for (std::size_t i = 0; i < std::min(files.size(), kMostNamed); ++i) rule += " " + files[i];
+  if (files.size() > kMostNamed) rule += " and " + std::to_string(files.size() - kMostNamed) + " more";
+  throw InputError({.file = path}, "photometric file", "", rule);
+}
+
+/// The container that a path leads into, where it is a path of list_gldf().
+std::optional<std::string> gldf_of(const std::string& path) {
+  std::error_code error;
+  for (fs::path container = fs::path(path).parent_path(); container.has_relative_path();
+       container = container.parent_path()) {
+    if (ending_of(container) == ".gldf" && fs::is_regular_file(container, error)) return container.string();
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 Luminaire parse_luminaire(std::string bytes, const std::string& path) {
   std::string text = utf8_from_bytes(std::move(bytes));
   if (trimmed(text).empty()) throw InputError({.file = path}, "is empty");
@@ -52,31 +76,6 @@ Luminaire parse_luminaire(std::string bytes, const std::string& path) {
   throw InputError({.file = path}, "not a photometric file", "",
                    "must be of IES LM-63 (with a line TILT=), EULUMDAT, TM-33 or GLDF, or an isocandela table");
 }
-
-/// A container's only photometric file.
-std::string single_file_of(const std::string& gldf) {
-  const std::vector<std::string> files = list_gldf(gldf);
-  if (files.size() == 1) return files.front();
-  std::string rule = "must be named where there are several:";
-  for (const std::string& file : files) rule += " " + file;
-  throw InputError({.file = gldf}, "photometric file", "", rule);
-}
-
-/// The container that a path leads into, where it is a path of list_gldf().
-std::optional<std::string> gldf_of(const std::string& path) {
-  std::error_code error;
-  for (fs::path container = fs::path(path).parent_path(); container.has_relative_path();
-       container = container.parent_path()) {
-    if (ending_of(container) == ".gldf" && fs::is_regular_file(container, error)) return container.string();
-  }
-  return std::nullopt;
-}
-
-Luminaire read_from_gldf(const std::string& gldf, const std::string& path) {
-  return parse_luminaire(read_gldf_entry(gldf, path.substr(gldf.size() + 1)), path);
-}
-
-}  // namespace
 
 std::optional<double> stated_flux(const Luminaire& luminaire) {
   if (!luminaire.lamp_flux || !luminaire.light_output_ratio) return std::nullopt;
@@ -94,10 +93,13 @@ double tilt_factor(const LampTilt& tilt, double angle) {
 }
 
 Luminaire read_luminaire(const std::string& path) {
-  if (const auto gldf = gldf_of(path)) return read_from_gldf(*gldf, path);
+  if (const auto gldf = gldf_of(path)) {
+    return parse_luminaire(GldfArchive(*gldf).read(path.substr(gldf->size() + 1)), path);
+  }
   std::string bytes = read_photometric_file(path);
-  if (bytes.starts_with(kZip)) return read_from_gldf(path, single_file_of(path));
-  return parse_luminaire(std::move(bytes), path);
+  if (!bytes.starts_with(kZip)) return parse_luminaire(std::move(bytes), path);
+  const GldfContainer container(path);
+  return container.read(single_file_of(container, path));
 }
 
 }  // namespace litfog

@@ -120,6 +120,11 @@ void bind_photometry(py::module_& m) {
   m.def(
       "list_gldf", [](const Path& path) { return list_gldf(path.string()); }, py::arg("path"), Released(),
       "The photometric files in a GLDF container, as paths that read_luminaire takes. InputError.");
+  py::class_<GldfContainer>(m, "GldfContainer",
+                            "A GLDF container whose directory is read once: for reading all of its photometric files.")
+      .def(py::init([](const Path& path) { return GldfContainer(path.string()); }), py::arg("path"), Released())
+      .def_property_readonly("files", &GldfContainer::files, "as list_gldf gives them")
+      .def("read", &GldfContainer::read, py::arg("file"), Released(), "Reads one of its files. InputError.");
   m.def("stated_flux", &stated_flux, py::arg("luminaire"),
         "The luminaire's flux in lumens as its file states it, or None.");
   m.def("luminous_flux", &luminous_flux, py::arg("distribution"), Released(),

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -81,6 +82,89 @@ TEST_F(Gldf, NamesAreFoundInUtf8AndInTheCodePageOfWesternZipPrograms) {
   }
   write({{"product.xml", files}, {"ldc/R\xF6hre.ldt", kSpot}});
   EXPECT_EQ(error_of(), " file: must be in the archive");
+}
+
+TEST_F(Gldf, NamesAreFoundAsWindowsWritesThem) {
+  const std::string slashed = product(file_element("ldc/eulumdat", "localFileName", "deep/spot.ldt"));
+  const std::string backslashed = product(file_element("ldc/eulumdat", "localFileName", "deep\\spot.ldt"));
+  for (const std::string& files : {slashed, backslashed}) {
+    for (const char* stored : {"ldc/deep/spot.ldt", "ldc\\deep\\spot.ldt", "ldc/deep\\spot.ldt"}) {
+      write({{"product.xml", files}, {stored, kSpot}});
+      EXPECT_EQ(list_gldf(path()), std::vector<std::string>{path("lamp.gldf/ldc/deep/spot.ldt")}) << stored;
+      expect_same_beam(read_luminaire(path()), our_luminaire("isym_4.ldt"));
+      expect_same_beam(read_luminaire(path("lamp.gldf/ldc/deep/spot.ldt")), our_luminaire("isym_4.ldt"));
+    }
+  }
+}
+
+/// The name of the i-th of many photometric files, of even length.
+std::string numbered(int i) { return std::to_string(100'000 + i) + ".ldt"; }
+
+/// A container of such files.
+ZipEntries numbered_files(int count, const std::string& bytes) {
+  ZipEntries entries;
+  std::string files;
+  for (int i = 0; i < count; ++i) {
+    files += file_element("ldc/eulumdat", "localFileName", numbered(i));
+    entries.emplace_back("ldc/" + numbered(i), bytes);
+  }
+  entries.emplace_back("product.xml", product(files));
+  return entries;
+}
+
+/// Where the record of an entry begins in an archive's directory.
+std::size_t directory_record(const std::string& archive, const std::string& entry) {
+  constexpr std::size_t kNameOffset = 46;
+  return archive.rfind(entry) - kNameOffset;
+}
+
+TEST_F(Gldf, EntriesThatShareTheirBytesAreAnError) {
+  write(numbered_files(3, kSpot));
+  std::string bytes = bytes_of(path());
+  constexpr std::size_t kOffset = 42;  // of the entry's place, in a record
+  const auto place = [&](int i) { return directory_record(bytes, "ldc/" + numbered(i)) + kOffset; };
+  bytes.replace(place(2), 4, bytes, place(0), 4);
+  std::ofstream(path(), std::ios::binary) << bytes;
+  try {
+    list_gldf(path());
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.what(),
+              path("lamp.gldf/ldc/" + numbered(2)) + ": file: must not share its bytes with ldc/" + numbered(0));
+  }
+}
+
+TEST_F(Gldf, PhotometricFilesOfMoreThan256MebibytesTogetherAreAnError) {
+  write(numbered_files(5, kSpot));
+  std::string bytes = bytes_of(path());
+  constexpr std::size_t kSize = 24;  // of the unpacked bytes' count, in a record
+  for (int i = 0; i < 5; ++i) {
+    bytes.replace(directory_record(bytes, "ldc/" + numbered(i)) + kSize, 4, std::string("\0\0\0\4", 4));  // 64 MiB
+    std::ofstream(path(), std::ios::binary) << bytes;
+    if (i == 2) {
+      EXPECT_EQ(list_gldf(path()).size(), 5u);
+    }
+  }
+  EXPECT_EQ(error_of(), " photometric files: must not unpack to more than 268435456 bytes");
+}
+
+TEST_F(Gldf, ArchiveOfMoreThan10000EntriesIsAnError) {
+  write(numbered_files(9'999, ""));
+  EXPECT_EQ(list_gldf(path()).size(), 9'999u);
+  EXPECT_EQ(error_of().substr(error_of().rfind(' ')), " more");
+  write(numbered_files(10'000, ""));
+  EXPECT_EQ(error_of(), " zip archive: must not have more than 10000 entries");
+}
+
+TEST_F(Gldf, FilesOfAContainerAreFoundWithoutReadingItsDirectoryAgain) {
+  write(numbered_files(2, kSpot));
+  const GldfContainer container(path());
+  std::string bytes = bytes_of(path());
+  bytes.replace(directory_record(bytes, "ldc/" + numbered(0)), 4, "gone");
+  std::ofstream(path(), std::ios::binary) << bytes;
+  EXPECT_THROW(list_gldf(path()), InputError);
+  expect_same_beam(container.read(container.files()[1]), our_luminaire("isym_4.ldt"));
+  EXPECT_THROW(container.read(container.files()[0]), InputError);
 }
 
 TEST_F(Gldf, ErrorsNameTheFileInTheContainer) {

@@ -17,6 +17,7 @@ import threading
 import time
 import tracemalloc
 import unittest
+import zipfile
 
 import litfog
 import numpy as np
@@ -453,6 +454,22 @@ class PhotometryTest(unittest.TestCase):
         self.assertGreater(table.max(), 0)  # it lives as long as its view
         with self.assertRaises(litfog.InputError):
             litfog.read_luminaire(stub_file)
+
+    def test_container_reads_each_of_its_files(self):
+        lamp = os.path.join(test_data, "photometry", "runway_edge_light.ldt")
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "set.gldf")
+            with zipfile.ZipFile(path, "w") as archive:
+                files = "".join(f'<File contentType="ldc/eulumdat">{name}.ldt</File>' for name in "ab")
+                root = f"<Root><GeneralDefinitions><Files>{files}</Files></GeneralDefinitions></Root>"
+                archive.writestr("product.xml", root)
+                for name in "ab":
+                    archive.write(lamp, f"ldc/{name}.ldt")
+            container = litfog.GldfContainer(path)
+            self.assertEqual(container.files, [os.path.join(path, "ldc", f"{name}.ldt") for name in "ab"])
+            self.assertEqual(container.files, litfog.list_gldf(path))
+            for file in container.files:
+                self.assertEqual(container.read(file).lamp_flux, litfog.read_luminaire(lamp).lamp_flux)
 
 
 class FitTest(unittest.TestCase):

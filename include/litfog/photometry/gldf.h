@@ -1,17 +1,41 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "litfog/photometry/luminaire.h"
+
 namespace litfog {
 
-/// The photometric files in a GLDF container (Global Lighting Data Format, gldf.io: a zip archive with a product.xml),
-/// in the order of its product.xml, as paths that read_luminaire() takes: "lamp.gldf/ldc/spot.ldt". One
-/// that is defined twice is listed once. Those that the container only links to, on the net, are left out. Names in
-/// the archive are UTF-8 or of code page 850.
+class GldfArchive;
+
+/// A GLDF container (Global Lighting Data Format, gldf.io: a zip archive with a product.xml) whose directory is read
+/// once: for reading all of its photometric files. Threads may read them at once.
 ///
-/// throws     InputError; also for a container without photometric files
+///     const GldfContainer container("set.gldf");
+///     for (const std::string& file : container.files()) use(container.read(file));
+class GldfContainer {
+ public:
+  /// Throws InputError; also for a container without photometric files, of more than 10,000 entries, or whose
+  /// photometric files unpack to more than 256 MiB together or share their packed bytes.
+  explicit GldfContainer(const std::string& path);
+
+  /// The photometric files in the order of product.xml, as paths that read_luminaire() takes: "lamp.gldf/ldc/spot.ldt".
+  /// One that is defined twice is listed once. Those that the container only links to, on the net, are left out. Names
+  /// in the archive are UTF-8 or of code page 850, with slashes or, as Windows writes them, backslashes.
+  const std::vector<std::string>& files() const { return files_; }
+
+  /// Reads one of files(). Throws InputError.
+  Luminaire read(const std::string& file) const;
+
+ private:
+  std::shared_ptr<const GldfArchive> archive_;
+  std::vector<std::string> files_;
+};
+
+/// The files of a container that is read once. Throws InputError as its constructor does.
 std::vector<std::string> list_gldf(const std::string& path);
 
 }  // namespace litfog
