@@ -59,12 +59,22 @@ struct Label {
   Piece tilt;  // what follows TILT=
 };
 
+/// Fails for a text without a line TILT=, at the first line that has the word elsewhere.
+[[noreturn]] void fail_without_tilt(const TextScanner& scanner, const Piece& end) {
+  const std::string_view text = scanner.text();
+  const std::size_t at = upper(text).find("TILT");
+  if (at == text.npos) scanner.fail(end, "TILT", "");
+  const std::size_t begin = text.find_last_of("\r\n", at) + 1;  // npos + 1 is 0
+  const std::string_view line = trimmed(text.substr(begin, find_line_end(text, begin) - begin));
+  scanner.fail({line, std::size_t(line.data() - text.data())}, "line with TILT", "must begin with TILT=");
+}
+
 Label read_label(TextScanner& scanner) {
   Label label;
   auto open = label.keywords.end();
   for (bool is_first = true;;) {
     const Piece line = scanner.next(Unit::line);
-    if (line.is_missing) scanner.fail(line, "TILT", "");
+    if (line.is_missing) fail_without_tilt(scanner, line);
     if (const auto tilt = tilt_of(line.text)) {
       label.tilt = {*tilt, line.offset + std::size_t(tilt->data() - line.text.data())};
       return label;
@@ -105,6 +115,18 @@ LampTilt read_tilt(TextScanner& scanner) {
 }
 
 /// A file names its tilt data by a path below its own folder: it may not make us read others.
+/// Fails where NONE or INCLUDE has text behind it on its line.
+void expect_word_alone(const TextScanner& scanner, const Piece& tilt) {
+  for (const std::string word : {"NONE", "INCLUDE"}) {
+    if (!upper(tilt.text.substr(0, word.size())).starts_with(word)) continue;
+    const std::string_view rest = tilt.text.substr(word.size());
+    const std::string_view text = rest.substr(std::min(rest.find_first_not_of(" \t,;"), rest.size()));
+    if (text.empty() || text.size() == rest.size()) continue;
+    scanner.fail({text, tilt.offset + std::size_t(text.data() - tilt.text.data())}, "text behind TILT=" + word,
+                 "must begin on a line of its own");
+  }
+}
+
 LampTilt read_tilt_file(const TextScanner& scanner, const Label& label) {
   const std::filesystem::path named{std::string(label.tilt.text)};
   const bool leaves = named.is_absolute() || std::ranges::find(named, "..") != named.end();
@@ -113,6 +135,7 @@ LampTilt read_tilt_file(const TextScanner& scanner, const Label& label) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) {
     scanner.fail(label.tilt, "TILT", "must be NONE, INCLUDE or a file in this one's folder");
+    expect_word_alone(scanner, label.tilt);
   }
   TextScanner tilt_scanner(read_photometric_file(path.string()), path.string());
   LampTilt tilt = read_tilt(tilt_scanner);

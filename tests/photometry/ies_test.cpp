@@ -361,6 +361,9 @@ TEST(Ies, BadValueIsAnErrorAtItsLocation) {
   EXPECT_EQ(error_of(&IesText::lamps, "one 1000 1 "), "4:1: number of lamps = one: " + kFinite);
   EXPECT_EQ(error_of(&IesText::lamps, "1 -2 1 "),
             "4:3: lumens per lamp = -2: must be >= 0, or -1 for absolute photometry");
+  EXPECT_EQ(error("NONE 1 1000 1 3 2"), "3:11: text behind TILT=NONE = 1 1000 1 3 2: must begin on a line of its own");
+  EXPECT_EQ(error("include\t1 2 0 90"), "3:14: text behind TILT=INCLUDE = 1 2 0 90: must begin on a line of its own");
+  EXPECT_EQ(error("nonesuch"), location + "nonesuch: must be NONE, INCLUDE or a file in this one's folder");
   EXPECT_EQ(error_of(&IesText::lamps, "1 nan 1 "), "4:3: lumens per lamp = nan: " + kFinite);
   EXPECT_EQ(error_of(&IesText::lamps, "1 1000 0 "), "4:8: candela multiplier = 0: must be > 0");
   EXPECT_EQ(error_of(&IesText::lamps, "1 1000 inf "), "4:8: candela multiplier = inf: " + kFinite);
@@ -470,6 +473,9 @@ TEST(Ies, HostileTextTakesLinearTime) {
   while (more.size() < kMany) more += "[MORE] y\n[A" + std::to_string(more.size()) + "]\n";
   EXPECT_NE(error_of(more).find("TILT: must be given"), std::string::npos);
   EXPECT_EQ(error_of("TILT=NONE\n" + std::string(kMany, ',')), "2:4000001: number of lamps: must be given");
+  EXPECT_EQ(error_of("IESNA:LM-63-2002\n [LUMINAIRE] a Tilt=NONE \n1 1"),
+            "2:2: line with TILT = [LUMINAIRE] a Tilt=NONE: must begin with TILT=");
+  EXPECT_EQ(error_of("IESNA:LM-63-2002\r\nTILT:NONE\r\n"), "2:1: line with TILT = TILT:NONE: must begin with TILT=");
   EXPECT_EQ(error_of("TILT=NONE\n1 1 " + std::string(kMany, '1')),
             "2:5: candela multiplier = " + std::string(40, '1') + "...: must be a finite number");
   std::string zeros = "TILT=NONE\n1 1 1 10000 10000 1 1 0 0 0 1 1 1 ";
