@@ -88,7 +88,7 @@ Luminaire parse_eulumdat(std::string text, const std::string& name) {
   Luminaire luminaire;
   luminaire.file = name;
   luminaire.manufacturer = line("company").text;
-  integer("type indicator Ityp", 0, 3);
+  number_or_blank("type indicator Ityp");
   const auto symmetry = Symmetry(integer("symmetry indicator Isym", 0, 4));
   const int plane_count = grid.count("number of C planes Mc", 1);
   number_or_blank("distance of C planes Dc");
@@ -106,15 +106,13 @@ Luminaire parse_eulumdat(std::string text, const std::string& name) {
     luminaire.opening.height = std::max(luminaire.opening.height, kMetresPerMillimetre * height);
   }
   number_or_blank("downward flux fraction");
-  const Piece ratio_piece = line("light output ratio");
-  const double ratio = ratio_piece.text.empty() ? 0 : scanner.number(ratio_piece, "light output ratio");
-  if (!(ratio >= 0)) scanner.fail(ratio_piece, "light output ratio", "must be >= 0");
+  const double ratio = number_or_blank("light output ratio");
   if (ratio > 0) luminaire.light_output_ratio = kPercent * ratio;
   double factor = scanner.positive(line("conversion factor"), "conversion factor");
   number_or_blank("tilt during measurement");
 
   const int lamp_sets = integer("number of lamp sets", 1, 100);
-  luminaire.is_absolute = integer("number of lamps", -1'000'000, 1'000'000) < 0;
+  luminaire.is_absolute = number_or_blank("number of lamps") < 0;
   line("type of lamps");
   luminaire.lamp_flux = scanner.positive(line("flux of lamps"), "flux of lamps");
   factor *= *luminaire.lamp_flux / kKilolumen;

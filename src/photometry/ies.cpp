@@ -105,7 +105,8 @@ std::string name_of(const Label& label) {
 LampTilt read_tilt(TextScanner& scanner) {
   PhotometricGrid grid(scanner, Unit::token);
   LampTilt tilt;
-  tilt.geometry = scanner.integer(scanner.next(Unit::token), "lamp to luminaire geometry", 1, 3);
+  const double geometry = scanner.number(scanner.next(Unit::token), "lamp to luminaire geometry");
+  tilt.geometry = geometry == 1 || geometry == 2 || geometry == 3 ? int(geometry) : 0;
   const int count = grid.count("number of tilt angles", 1);
   tilt.angles = radians_from_degrees(grid.angles("tilt angle", count, 0, 180));
   for (int i = 0; i < count; ++i) {
@@ -114,7 +115,6 @@ LampTilt read_tilt(TextScanner& scanner) {
   return tilt;
 }
 
-/// A file names its tilt data by a path below its own folder: it may not make us read others.
 /// Fails where NONE or INCLUDE has text behind it on its line.
 void expect_word_alone(const TextScanner& scanner, const Piece& tilt) {
   for (const std::string word : {"NONE", "INCLUDE"}) {
@@ -127,6 +127,7 @@ void expect_word_alone(const TextScanner& scanner, const Piece& tilt) {
   }
 }
 
+/// A file names its tilt data by a path below its own folder: it may not make us read others.
 LampTilt read_tilt_file(const TextScanner& scanner, const Label& label) {
   const std::filesystem::path named{std::string(label.tilt.text)};
   const bool leaves = named.is_absolute() || std::ranges::find(named, "..") != named.end();
@@ -134,14 +135,17 @@ LampTilt read_tilt_file(const TextScanner& scanner, const Label& label) {
   const auto path = std::filesystem::path(scanner.name()).parent_path() / named;
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) {
-    scanner.fail(label.tilt, "TILT", "must be NONE, INCLUDE or a file in this one's folder");
     expect_word_alone(scanner, label.tilt);
+    scanner.fail(label.tilt, "TILT", "must be NONE, INCLUDE or a file in this one's folder");
   }
   TextScanner tilt_scanner(read_photometric_file(path.string()), path.string());
   LampTilt tilt = read_tilt(tilt_scanner);
   tilt.file = path.string();
   return tilt;
 }
+
+/// In metres; 0 of a type that there is not, which leaves the opening unknown.
+double metres_of_unit(double type) { return type == 1 ? kMetresPerFoot : type == 2 ? 1 : 0; }
 
 PhotometryType type_of(int number) {
   return number == 1 ? PhotometryType::c : number == 2 ? PhotometryType::b : PhotometryType::a;
@@ -178,19 +182,15 @@ Luminaire parse_ies(std::string text, const std::string& name) {
   const auto number = [&](std::string_view what) { return scanner.number(token(), what); };
   PhotometricGrid grid(scanner, Unit::token);
 
-  const int lamps = scanner.integer(token(), "number of lamps", 1, 1'000'000);
-  const Piece lumens_piece = token();
-  const double lumens = scanner.number(lumens_piece, "lumens per lamp");
+  const double lamps = number("number of lamps");
+  const double lumens = number("lumens per lamp");
   luminaire.is_absolute = lumens == -1;
-  if (!luminaire.is_absolute && !(lumens >= 0)) {
-    scanner.fail(lumens_piece, "lumens per lamp", "must be >= 0, or -1 for absolute photometry");
-  }
-  if (lumens > 0) luminaire.lamp_flux = lamps * lumens;
+  luminaire.lamp_flux = lamp_flux_of(lamps, lumens);
   double factor = scanner.positive(token(), "candela multiplier");
   const int vertical_count = grid.count("number of vertical angles", 2);
   const int horizontal_count = grid.count("number of horizontal angles", 1);
   const auto type = type_of(scanner.integer(token(), "photometric type", 1, 3));
-  const double unit = scanner.integer(token(), "units type", 1, 2) == 1 ? kMetresPerFoot : 1;
+  const double unit = metres_of_unit(number("units type"));
   luminaire.opening = {unit * number("width"), unit * number("length"), unit * number("height")};
   factor *= scanner.positive(token(), "ballast factor");
   const Piece factor_piece = token();

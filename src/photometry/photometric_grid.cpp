@@ -77,6 +77,14 @@ std::vector<double> IntensityReader::finish() {
   return std::move(intensities_);
 }
 
+std::optional<double> lamp_flux_of(double lamps, double lumens) {
+  constexpr double kMostLamps = 1e6;
+  const double flux = lamps * lumens;
+  const bool can_be =
+      lamps >= 1 && lamps <= kMostLamps && lamps == std::floor(lamps) && flux > 0 && std::isfinite(flux);
+  return can_be ? std::optional(flux) : std::nullopt;
+}
+
 bool is_turn(const std::vector<double>& planes_deg) {
   const double first = planes_deg.front(), span = planes_deg.back() - first;
   if (planes_deg.size() == 1 || (std::abs(first) == 90 && span == 180)) return true;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "litfog/photometry/intensity_distribution.h"
@@ -63,6 +64,10 @@ class PhotometricGrid {
   TextScanner::Piece last_{};
   TextScanner::Piece largest_{};
 };
+
+/// The rated flux of all lamps. No intensity depends on it, so that a number of lamps or a flux that cannot be is one
+/// that is not stated.
+std::optional<double> lamp_flux_of(double lamps, double lumens);
 
 /// The angles in degrees that a type has.
 struct AngleLimits {

@@ -85,7 +85,7 @@ TextScanner::Piece TextScanner::next_line() {
   return {line.substr(0, line.find_last_not_of(kBlank) + 1), begin, is_missing};
 }
 
-double TextScanner::number(const Piece& piece, std::string_view what) const {
+std::optional<double> TextScanner::number_if_any(const Piece& piece) {
   std::string_view text = piece.text;
   std::string with_point;  // a decimal comma, which only lines can hold
   if (const auto comma = text.find(','); comma != text.npos && text.find('.') == text.npos) {
@@ -93,7 +93,11 @@ double TextScanner::number(const Piece& piece, std::string_view what) const {
     with_point[comma] = '.';
     text = with_point;
   }
-  const auto value = parse_number(text);
+  return parse_number(text);
+}
+
+double TextScanner::number(const Piece& piece, std::string_view what) const {
+  const auto value = number_if_any(piece);
   if (!value) fail(piece, what, "must be a finite number");
   return *value;
 }

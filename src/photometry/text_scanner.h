@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -40,6 +41,8 @@ class TextScanner {
 
   /// A piece as a number: decimal, whole and finite; its exponent may be Fortran's, 1.5D+03. `what` names it in errors.
   double number(const Piece& piece, std::string_view what) const;
+  /// The same, of a field that no intensity depends on: nothing where it is no number.
+  static std::optional<double> number_if_any(const Piece& piece);
   int integer(const Piece& piece, std::string_view what, int low, int high) const;
   double positive(const Piece& piece, std::string_view what) const;
   /// Fails at a number in the rest of the file, where other text is allowed.

@@ -140,7 +140,7 @@ TEST(Eulumdat, OpeningIsInMetres) {
 TEST(Eulumdat, UnusedLinesMayBeBlank) {
   EulumdatText eulumdat;
   for (const int line :
-       {1, 5, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 25, 28, 30, 31, 32, 33, 42}) {
+       {1, 2, 5, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 25, 27, 28, 30, 31, 32, 33, 42}) {
     eulumdat.lines[std::size_t(line - 1)] = "";
   }
   const Luminaire luminaire = parse(eulumdat.str());
@@ -148,17 +148,33 @@ TEST(Eulumdat, UnusedLinesMayBeBlank) {
   EXPECT_FALSE(stated_flux(luminaire));
 }
 
+TEST(Eulumdat, FieldThatChangesNoIntensityMayBeBlankOrAnyNumber) {
+  const std::vector<double> intensity = parse(EulumdatText().str()).distribution.intensity;
+  std::vector<std::size_t> fields{2, 5, 7, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 25, 27};
+  for (std::size_t room = 33; room <= 42; ++room) fields.push_back(room);
+  for (const std::size_t line : fields) {
+    for (const char* text : {"", "0", "-1", "1.5", "4294967295", "-1e300"}) {
+      EulumdatText eulumdat;
+      eulumdat.lines[line - 1] = text;
+      EXPECT_EQ(parse(eulumdat.str()).distribution.intensity, intensity) << line << ": " << text;
+    }
+  }
+  EulumdatText negative;
+  negative.lines[22] = "-1";
+  EXPECT_FALSE(stated_flux(parse(negative.str())));
+}
+
 TEST(Eulumdat, BadValueIsAnErrorAtItsLocation) {
   const std::string kFinite = "must be a finite number";
   EXPECT_EQ(error_of(1, "another company"), "(accepted)");
-  EXPECT_EQ(error_of(2, "4"), "2:1: type indicator Ityp = 4: must be an integer from 0 to 3");
+  EXPECT_EQ(error_of(2, "spot"), "2:1: type indicator Ityp = spot: " + kFinite);
   EXPECT_EQ(error_of(3, "5"), "3:1: symmetry indicator Isym = 5: must be an integer from 0 to 4");
   EXPECT_EQ(error_of(3, ""), "3:1: symmetry indicator Isym: must be given");
   EXPECT_EQ(error_of(4, "2147483648"), "4:1: number of C planes Mc = 2147483648: must be an integer from 1 to 10000");
   EXPECT_EQ(error_of(6, "-2"), "6:1: number of gamma angles Ng = -2: must be an integer from 2 to 10000");
   EXPECT_EQ(error_of(6, "two"), "6:1: number of gamma angles Ng = two: " + kFinite);
   EXPECT_EQ(error_of(13, "long"), "13:1: length = long: " + kFinite);
-  EXPECT_EQ(error_of(23, "-1"), "23:1: light output ratio = -1: must be >= 0");
+  EXPECT_EQ(error_of(23, "most"), "23:1: light output ratio = most: " + kFinite);
   EXPECT_EQ(error_of(24, "0"), "24:1: conversion factor = 0: must be > 0");
   EXPECT_EQ(error_of(26, "0"), "26:1: number of lamp sets = 0: must be an integer from 1 to 100");
   EXPECT_EQ(error_of(29, "0"), "29:1: flux of lamps = 0: must be > 0");

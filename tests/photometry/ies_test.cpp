@@ -89,6 +89,38 @@ TEST(Ies, LumensOfMinusOneAreAbsolutePhotometry) {
   EXPECT_FALSE(parse(unknown.str()).lamp_flux);
 }
 
+TEST(Ies, FieldThatChangesNoIntensityMayBeAnyNumber) {
+  const std::vector<double> intensity = parse(IesText().str()).distribution.intensity;
+  const auto expect_read = [&](std::string IesText::*part, const std::string& text) {
+    IesText ies;
+    ies.*part = text;
+    const Luminaire luminaire = parse(ies.str());
+    EXPECT_EQ(luminaire.distribution.intensity, intensity) << text;
+    return luminaire;
+  };
+  for (const char* lamps : {"0", "-1", "1.5", "4294967295", "1e300"}) {
+    EXPECT_FALSE(expect_read(&IesText::lamps, std::string(lamps) + " 1000 1 ").lamp_flux) << lamps;
+  }
+  for (const char* lumens : {"0", "-2", "-1e300"}) {
+    const Luminaire luminaire = expect_read(&IesText::lamps, std::string("1 ") + lumens + " 1 ");
+    EXPECT_FALSE(luminaire.lamp_flux || luminaire.is_absolute) << lumens;
+  }
+  for (const char* type : {"1 0 ", "1 3 ", "1 -1 "}) {
+    IesText ies;
+    ies.type_and_units = type;
+    ies.dimensions = "1 2 3\n";
+    EXPECT_EQ(parse(ies.str()).distribution.intensity, intensity) << type;
+    EXPECT_EQ(parse(ies.str()).opening.length, 0) << type;
+  }
+  for (const char* sizes : {"-1 -2 -3\n", "1e300 0 -1e300\n"}) expect_read(&IesText::dimensions, sizes);
+  for (const char* factors : {"1 0 0\n", "1 -1 -1\n", "1 4294967295 1e300\n"}) expect_read(&IesText::factors, factors);
+  for (const char* geometry : {"0", "4", "-1", "1.5", "1e300"}) {
+    const Luminaire luminaire =
+        expect_read(&IesText::tilt, std::string("TILT=INCLUDE\n") + geometry + " 2\n0 90\n1 0.5\n");
+    EXPECT_EQ(luminaire.tilt->geometry, 0) << geometry;
+  }
+}
+
 TEST(Ies, LuminaireIsNamedByTheLabel) {
   EXPECT_EQ(our_luminaire("edition_1986.ies").name, "Round lamp");  // its first line, for want of keywords
   EXPECT_EQ(our_luminaire("edition_1991.ies").name, "Round lamp");
@@ -329,6 +361,9 @@ TEST(Ies, TiltFileThatIsMissingBadOrElsewhereIsAnError) {
   EXPECT_EQ(error("none.tlt"), location + "none.tlt: must be NONE, INCLUDE or a file in this one's folder");
   EXPECT_EQ(error("."), location + ".: must be NONE, INCLUDE or a file in this one's folder");
   EXPECT_EQ(error(""), "3:6: TILT: must be given");
+  EXPECT_EQ(error("NONE 1 1000 1 3 2"), "3:11: text behind TILT=NONE = 1 1000 1 3 2: must begin on a line of its own");
+  EXPECT_EQ(error("include\t1 2 0 90"), "3:14: text behind TILT=INCLUDE = 1 2 0 90: must begin on a line of its own");
+  EXPECT_EQ(error("nonesuch"), location + "nonesuch: must be NONE, INCLUDE or a file in this one's folder");
   EXPECT_EQ(error("../good.tlt"), location + "../good.tlt: must name a file below this one's folder");
   EXPECT_EQ(error("/dev/zero"), location + "/dev/zero: must name a file below this one's folder");
   try {
@@ -343,7 +378,7 @@ TEST(Ies, TiltFileThatIsMissingBadOrElsewhereIsAnError) {
 TEST(Ies, BadTiltDataAreAnErrorAtTheirLocation) {
   const auto error = [](const std::string& tilt) { return error_of(&IesText::tilt, "TILT=INCLUDE\n" + tilt + "\n"); };
   EXPECT_EQ(error("1 2 0 90 1 0.5"), "(accepted)");
-  EXPECT_EQ(error("4 2 0 90 1 0.5"), "4:1: lamp to luminaire geometry = 4: must be an integer from 1 to 3");
+  EXPECT_EQ(error("x 2 0 90 1 0.5"), "4:1: lamp to luminaire geometry = x: must be a finite number");
   EXPECT_EQ(error("1 99999999 0"), "4:3: number of tilt angles = 99999999: must be an integer from 1 to 10000");
   EXPECT_EQ(error("1 2 90 0 1 1"), "4:8: tilt angle 2 of 2 = 0: must be greater than the one before, 90");
   EXPECT_EQ(error("1 2 0 181 1 1"), "4:7: tilt angle 2 of 2 = 181: must be in [0, 180]");
@@ -355,21 +390,13 @@ TEST(Ies, BadTiltDataAreAnErrorAtTheirLocation) {
 TEST(Ies, BadValueIsAnErrorAtItsLocation) {
   const std::string kFinite = "must be a finite number";
   EXPECT_EQ(error_of(IesText().str()), "(accepted)");
-  EXPECT_EQ(error_of(&IesText::lamps, "0 1000 1 "), "4:1: number of lamps = 0: must be an integer from 1 to 1000000");
-  EXPECT_EQ(error_of(&IesText::lamps, "1.5 1000 1 "),
-            "4:1: number of lamps = 1.5: must be an integer from 1 to 1000000");
   EXPECT_EQ(error_of(&IesText::lamps, "one 1000 1 "), "4:1: number of lamps = one: " + kFinite);
-  EXPECT_EQ(error_of(&IesText::lamps, "1 -2 1 "),
-            "4:3: lumens per lamp = -2: must be >= 0, or -1 for absolute photometry");
-  EXPECT_EQ(error("NONE 1 1000 1 3 2"), "3:11: text behind TILT=NONE = 1 1000 1 3 2: must begin on a line of its own");
-  EXPECT_EQ(error("include\t1 2 0 90"), "3:14: text behind TILT=INCLUDE = 1 2 0 90: must begin on a line of its own");
-  EXPECT_EQ(error("nonesuch"), location + "nonesuch: must be NONE, INCLUDE or a file in this one's folder");
   EXPECT_EQ(error_of(&IesText::lamps, "1 nan 1 "), "4:3: lumens per lamp = nan: " + kFinite);
   EXPECT_EQ(error_of(&IesText::lamps, "1 1000 0 "), "4:8: candela multiplier = 0: must be > 0");
   EXPECT_EQ(error_of(&IesText::lamps, "1 1000 inf "), "4:8: candela multiplier = inf: " + kFinite);
   EXPECT_EQ(error_of(&IesText::lamps, "1 1000 1e999 "), "4:8: candela multiplier = 1e999: " + kFinite);
   EXPECT_EQ(error_of(&IesText::type_and_units, "4 2 "), "4:14: photometric type = 4: must be an integer from 1 to 3");
-  EXPECT_EQ(error_of(&IesText::type_and_units, "1 3 "), "4:16: units type = 3: must be an integer from 1 to 2");
+  EXPECT_EQ(error_of(&IesText::type_and_units, "1 m "), "4:16: units type = m: " + kFinite);
   EXPECT_EQ(error_of(&IesText::dimensions, "0 0 wide\n"), "4:22: height = wide: " + kFinite);
   EXPECT_EQ(error_of(&IesText::factors, "-1 1 50\n"), "5:1: ballast factor = -1: must be > 0");
   EXPECT_EQ(error_of(&IesText::factors, "1 x 50\n"), "5:3: field after the ballast factor = x: " + kFinite);
@@ -446,6 +473,9 @@ TEST(Ies, CountBeyondTheFileIsAnError) {
 TEST(Ies, TextOfAnotherKindIsAnError) {
   EXPECT_EQ(error_of(""), "1:1: TILT: must be given");
   EXPECT_EQ(error_of("IESNA:LM-63-2002\n[TEST] 1\n"), "3:1: TILT: must be given");
+  EXPECT_EQ(error_of("IESNA:LM-63-2002\n [LUMINAIRE] a Tilt=NONE \n1 1"),
+            "2:2: line with TILT = [LUMINAIRE] a Tilt=NONE: must begin with TILT=");
+  EXPECT_EQ(error_of("IESNA:LM-63-2002\r\nTILT:NONE\r\n"), "2:1: line with TILT = TILT:NONE: must begin with TILT=");
   EXPECT_EQ(error_of("IESNA:LM-63-2002\nTILT=NONE"), "2:10: number of lamps: must be given");
   EXPECT_EQ(error_of(std::string("TILT=NONE\n\0\0 1", 14)), "2:1: number of lamps = ??: must be a finite number");
 }
@@ -473,9 +503,6 @@ TEST(Ies, HostileTextTakesLinearTime) {
   while (more.size() < kMany) more += "[MORE] y\n[A" + std::to_string(more.size()) + "]\n";
   EXPECT_NE(error_of(more).find("TILT: must be given"), std::string::npos);
   EXPECT_EQ(error_of("TILT=NONE\n" + std::string(kMany, ',')), "2:4000001: number of lamps: must be given");
-  EXPECT_EQ(error_of("IESNA:LM-63-2002\n [LUMINAIRE] a Tilt=NONE \n1 1"),
-            "2:2: line with TILT = [LUMINAIRE] a Tilt=NONE: must begin with TILT=");
-  EXPECT_EQ(error_of("IESNA:LM-63-2002\r\nTILT:NONE\r\n"), "2:1: line with TILT = TILT:NONE: must begin with TILT=");
   EXPECT_EQ(error_of("TILT=NONE\n1 1 " + std::string(kMany, '1')),
             "2:5: candela multiplier = " + std::string(40, '1') + "...: must be a finite number");
   std::string zeros = "TILT=NONE\n1 1 1 10000 10000 1 1 0 0 0 1 1 1 ";

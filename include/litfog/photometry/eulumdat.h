@@ -16,7 +16,8 @@ bool is_eulumdat(std::string_view text);
 /// Fortran's exponent, 1.5D+03, as any other. Text is UTF-8, UTF-16, or of a code page, which is guessed.
 ///
 /// Intensities are the file's cd/klm times its conversion factor times the flux of the first set of lamps (the others
-/// are alternatives). The angles in the file are used; the distances Dc and Dg between them are not.
+/// are alternatives). The angles in the file are used; the distances Dc and Dg between them are not. What changes no
+/// intensity may be blank or any number: one that cannot be is taken as not stated.
 ///
 /// Intensities below 0 by no more than 0.1 % of the largest, as the noise of dark directions leaves them, are 0.
 ///

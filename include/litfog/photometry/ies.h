@@ -16,7 +16,8 @@ bool is_ies(std::string_view text);
 /// UTF-8, UTF-16, or of a code page, which is guessed.
 ///
 /// Intensities are the file's, times its multiplier, its ballast factor and, in 1986 and 1991 only, the ballast-lamp
-/// photometric factor (later editions use its field otherwise). Neither the number of lamps nor TILT changes them.
+/// photometric factor (later editions use its field otherwise). Neither the number of lamps nor TILT changes them. What
+/// changes no intensity may be any number: one that cannot be is taken as not stated.
 /// Intensities below 0 by no more than 0.1 % of the largest, as the noise of dark directions leaves them, are 0.
 ///
 /// Errors, besides missing or malformed numbers: intensities further below 0 or all 0, a multiplier or factor <= 0,

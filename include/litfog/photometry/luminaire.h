@@ -16,7 +16,8 @@ namespace litfog {
 /// and do not apply it, because a file does not state how its luminaire will be mounted.
 struct LampTilt {
   std::string file = {};        ///< with these data, as found; empty if they stand in the luminaire's own
-  int geometry = 1;             ///< 1: the lamp is vertical; 2, 3: horizontal, in the plane of 0 or of 90 degrees
+  int geometry = 1;             ///< 1: the lamp is vertical; 2, 3: horizontal, in the plane of 0 or of 90 degrees;
+                                ///< 0: not known
   std::vector<double> angles;   ///< radians in [0, pi], strictly increasing
   std::vector<double> factors;  ///< > 0, one per angle
 };
@@ -36,7 +37,8 @@ struct Luminaire {
   IntensityDistribution distribution;
   InputLocation peak_location;  ///< of the largest intensity in the file
 
-  /// Rated flux of all its lamps in lumens, > 0; nothing if the file does not state it, as in absolute IES photometry.
+  /// Rated flux of all its lamps in lumens, > 0; nothing if the file does not state it, as in absolute IES photometry,
+  /// or states one that cannot be.
   std::optional<double> lamp_flux;
   /// Stated fraction of the lamps' flux that leaves the luminaire (EULUMDAT's LORL).
   std::optional<double> light_output_ratio;
