@@ -2,7 +2,6 @@
 #include "litfog/photometry/tm33.h"
 
 #include <algorithm>
-#include <cstring>
 #include <utility>
 #include <vector>
 
@@ -14,25 +13,30 @@ namespace {
 
 using Piece = TextScanner::Piece;
 
-bool is_root(std::string_view name) { return name.starts_with("IESTM33") || name == "LuminaireOpticalData"; }
+bool is_root(std::string_view local_name) {
+  return local_name.starts_with("IESTM33") || local_name.starts_with("ATLA_S001") ||
+         local_name == "LuminaireOpticalData";
+}
 
 /// What holds an emitter's intensities.
 pugi::xml_node intensities_of(const pugi::xml_node& emitter) {
-  const pugi::xml_node data = emitter.child("LuminousData");
-  const pugi::xml_node inner = data.child("LuminousIntensity");
-  return inner ? inner : data;
+  const pugi::xml_node data = child_of(emitter, "LuminousData");
+  for (const char* name : {"LuminousIntensity", "IntensityDistribution"}) {
+    if (const pugi::xml_node inner = child_of(data, name)) return inner;
+  }
+  return data;
 }
 
 /// What is said of the intensities, beside them or beside the element that holds them.
 pugi::xml_node remark_of(const pugi::xml_node& data, const char* name) {
-  const pugi::xml_node remark = data.child(name);
-  return remark ? remark : data.parent().child(name);
+  const pugi::xml_node remark = child_of(data, name);
+  return remark ? remark : child_of(data.parent(), name);
 }
 
 pugi::xml_node the_lit_emitter(const XmlText& xml) {
   pugi::xml_node lit;
-  for (const pugi::xml_node& emitter : xml.root().children("Emitter")) {
-    if (!intensities_of(emitter)) continue;
+  for (const pugi::xml_node& emitter : xml.root().children()) {
+    if (local_name(emitter) != "Emitter" || !intensities_of(emitter)) continue;
     if (lit) xml.fail(emitter, "must be the only one with LuminousData");
     lit = emitter;
   }
@@ -72,8 +76,8 @@ double angle_of(const XmlText& xml, const pugi::xml_node& element, const char* a
 std::vector<Entry> entries_of(const XmlText& xml, const pugi::xml_node& data, const AngleLimits& limits) {
   std::vector<Entry> entries;
   for (const pugi::xml_node& element : data.children()) {
-    const bool is_short = std::strcmp(element.name(), "IntData") == 0;
-    if (!is_short && std::strcmp(element.name(), "IntensityData") != 0) continue;
+    const bool is_short = local_name(element) == "IntData";
+    if (!is_short && local_name(element) != "IntensityData") continue;
     entries.push_back({angle_of(xml, element, is_short ? "h" : "horz", limits.least_horizontal, limits.most_horizontal),
                        angle_of(xml, element, is_short ? "v" : "vert", limits.least_vertical, limits.most_vertical),
                        xml.text_of(element)});
@@ -120,7 +124,8 @@ bool is_tm33(std::string_view text) {
     } else if (text.starts_with('!')) {
       at = 0;
     } else {
-      return is_root(text.substr(0, text.find_first_of(" \t\r\n/>")));
+      const std::string_view name = text.substr(0, text.find_first_of(" \t\r\n/>"));
+      return is_root(name.substr(name.find(':') + 1));  // npos + 1 is 0
     }
     if (at == text.npos) return false;
   }
@@ -130,23 +135,24 @@ bool is_tm33(std::string_view text) {
 Luminaire parse_tm33(std::string text, const std::string& name) {
   const XmlText xml(std::move(text), name);
   const TextScanner& scanner = xml.scanner();
-  if (!is_root(xml.root().name())) xml.fail(xml.root(), "must be IESTM33-18, IESTM33-22 or LuminaireOpticalData");
+  if (!is_root(local_name(xml.root()))) {
+    xml.fail(xml.root(), "must be IESTM33-18, IESTM33-22, ATLA_S001_A or LuminaireOpticalData");
+  }
   const pugi::xml_node emitter = the_lit_emitter(xml);
   const pugi::xml_node data = intensities_of(emitter);
   expect_luminous(xml, data);
 
   Luminaire luminaire;
   luminaire.file = name;
-  const pugi::xml_node header = xml.root().child("Header");
-  luminaire.name = xml.text_of(header.child("Description")).text;
-  if (luminaire.name.empty()) luminaire.name = xml.text_of(header.child("CatalogNumber")).text;
-  luminaire.manufacturer = xml.text_of(header.child("Manufacturer")).text;
+  const pugi::xml_node header = child_of(xml.root(), "Header");
+  luminaire.name = xml.text_of(child_of(header, "Description")).text;
+  if (luminaire.name.empty()) luminaire.name = xml.text_of(child_of(header, "CatalogNumber")).text;
+  luminaire.manufacturer = xml.text_of(child_of(header, "Manufacturer")).text;
   luminaire.is_absolute = xml.text_of(remark_of(data, "AbsolutePhotometry")).text == "true";
-  if (const pugi::xml_node lumens = emitter.child("RatedLumens")) {
-    const pugi::xml_node quantity = emitter.child("Quantity");
-    luminaire.lamp_flux = scanner.positive(xml.text_of(lumens), "RatedLumens") *
-                          (quantity ? scanner.integer(xml.text_of(quantity), "Quantity", 1, 1'000'000) : 1);
-  }
+  const pugi::xml_node quantity = child_of(emitter, "Quantity");
+  const auto lamps = quantity ? TextScanner::number_if_any(xml.text_of(quantity)) : 1;
+  const auto lumens = TextScanner::number_if_any(xml.text_of(child_of(emitter, "RatedLumens")));
+  if (lamps && lumens) luminaire.lamp_flux = lamp_flux_of(*lamps, *lumens);
 
   const PhotometryType type = type_of(xml, data);
   const std::vector<Entry> entries = entries_of(xml, data, limits_of(type));

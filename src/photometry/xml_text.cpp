@@ -15,6 +15,15 @@ std::size_t offset_of(const pugi::xml_node& node) {
 
 }  // namespace
 
+std::string_view local_name(const pugi::xml_node& element) {
+  const std::string_view name = element.name();
+  return name.substr(name.find(':') + 1);  // npos + 1 is 0
+}
+
+pugi::xml_node child_of(const pugi::xml_node& element, std::string_view name) {
+  return element.find_child([name](const pugi::xml_node& child) { return local_name(child) == name; });
+}
+
 XmlText::XmlText(std::string bytes, std::string name) : scanner_(std::move(bytes), std::move(name)) {
   const std::string& text = scanner_.text();
   if (text.size() > kMaxXmlBytes) {

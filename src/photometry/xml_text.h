@@ -9,6 +9,12 @@
 
 namespace litfog {
 
+/// An element's name without the prefix of its namespace, which a file may choose.
+std::string_view local_name(const pugi::xml_node& element);
+
+/// An element's first child of a local name, or an empty node.
+pugi::xml_node child_of(const pugi::xml_node& element, std::string_view name);
+
 /// An XML document that knows where in its text each node stands.
 class XmlText {
  public:
