@@ -35,6 +35,8 @@ void OutputFiles::add(const std::string& option, const std::string& path) {
   files::expect_writable(path);
   const auto identity = Identity::of(path);
   if (!identity) return;
+  const fs::path folder = identity->path.parent_path();
+  if (folders_.insert(folder).second) files::remove_stale_temporaries(folder);
   if (const Output* const other = find(*identity)) {
     fail_option(option, path, "must not be the file of " + (other->option == option ? "two inputs" : other->option));
   }

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -21,7 +22,7 @@ namespace litfog::command {
 class OutputFiles {
  public:
   /// Throws a usage error (CLI::ValidationError) for an empty path and for the file of another output; OutputError for
-  /// a folder, or if its folder does not exist.
+  /// a folder, or if its folder does not exist. Removes from the folder what killed commands left of their outputs.
   void add(const std::string& option, const std::string& path);
 
   /// Adds standard output, if it goes to a file.
@@ -50,6 +51,7 @@ class OutputFiles {
   // Of thousands of outputs each is found at once.
   std::map<std::filesystem::path, Output> by_path_;
   std::map<std::pair<dev_t, ino_t>, Output> by_inode_;
+  std::set<std::filesystem::path> folders_;
 };
 
 }  // namespace litfog::command

@@ -207,6 +207,7 @@ Catalogue::Catalogue(const std::string& folder, const std::string& options, cons
   fs::create_directory(folder_, error);
   if (!error) fs::create_directory(folder_ / kLamps, error);
   if (error) throw OutputError(fmt::format("{}: cannot be made: {}", folder, error.message()));
+  files::remove_stale_temporaries(folder_);
 }
 
 void Catalogue::expect_own_page() const {

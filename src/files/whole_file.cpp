@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -46,17 +47,44 @@ extern "C" void remove_temporaries_and_end(int signal) {
   raise(signal);  // delivered when this handler returns, to the default action that SA_RESETHAND has restored
 }
 
-/// An empty file of a name that nobody can guess. It is removed unless it has taken another's name.
+constexpr std::string_view kTemporaryBegin = ".litfog-";
+constexpr std::size_t kTemporaryDigits = 16;  // hexadecimal
+
+bool is_temporary(std::string_view name) {
+  return name.starts_with(kTemporaryBegin) && name.size() == kTemporaryBegin.size() + kTemporaryDigits &&
+         name.find_first_not_of("0123456789abcdef", kTemporaryBegin.size()) == name.npos;
+}
+
+/// Returns whether what was written has reached the disk, else errno says why not. A file system that cannot tell does
+/// not fail it.
+bool sync(int file) {
+  while (fsync(file) != 0) {
+    if (errno == EINVAL || errno == ENOSYS || errno == EOPNOTSUPP) return true;
+    if (errno != EINTR) return false;
+  }
+  return true;
+}
+
+/// The same of a folder's names. One that may not be read cannot be synced.
+bool sync_folder(const fs::path& folder) {
+  const int file = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (file < 0) return true;
+  const bool is_synced = sync(file);
+  const int reason = errno;
+  close(file);
+  errno = reason;
+  return is_synced;
+}
+
+/// An empty file of a name that nobody can guess. It is removed unless it has taken another's name. While it is open it
+/// is locked, so that remove_stale_temporaries() leaves it alone.
 class TemporaryFile {
  public:
   /// mode  as of open(): the process's umask applies
   TemporaryFile(const fs::path& folder, mode_t mode) {
-    std::random_device random;
-    path_ = (folder / fmt::format(".litfog-{:08x}{:08x}", random(), random())).string();
-    announce();
-    // O_EXCL: neither a file nor a link that somebody has put there is opened.
-    file_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
-    if (file_ < 0) withdraw();
+    do {
+      make(folder, mode);
+    } while (is_open() && !lock());
   }
   ~TemporaryFile() {
     if (file_ >= 0) close(file_);
@@ -75,7 +103,7 @@ class TemporaryFile {
       if (written < 0 && errno != EINTR) return false;
       text.remove_prefix(std::size_t(std::max<ssize_t>(written, 0)));
     }
-    return close(std::exchange(file_, -1)) == 0;
+    return sync(file_);
   }
   bool rename_to(const fs::path& target) {
     is_there_ = rename(path_.c_str(), target.c_str()) != 0;
@@ -83,6 +111,25 @@ class TemporaryFile {
   }
 
  private:
+  void make(const fs::path& folder, mode_t mode) {
+    std::random_device random;
+    path_ = (folder / fmt::format("{}{:08x}{:08x}", kTemporaryBegin, random(), random())).string();
+    announce();
+    // O_EXCL: neither a file nor a link that somebody has put there is opened.
+    file_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
+    if (file_ < 0) withdraw();
+  }
+  /// Returns whether the file is there, locked or on a file system without locks. Else another process has taken it for
+  /// a stale one before it was locked, and it is closed.
+  bool lock() {
+    struct stat status {};
+    const bool is_taken = flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    if (!is_taken && fstat(file_, &status) == 0 && status.st_nlink > 0) return true;
+    close(std::exchange(file_, -1));
+    unlink(path_.c_str());
+    withdraw();
+    return false;
+  }
   void announce() {
     for (TemporaryName& name : temporary_names) {
       if (path_.size() >= name.path.size() || name.is_taken.exchange(true)) continue;
@@ -172,9 +219,23 @@ void write_whole_file(const std::string& path, std::string_view text) {
   expect_folder(target);
   const mode_t mode = exists ? earlier.st_mode & mode_t{0777} : mode_t{0666};
   TemporaryFile file(folder_of(target), mode);
-  const bool is_written =
-      file.is_open() && (!exists || file.set_mode(mode)) && file.fill(text) && file.rename_to(target);
+  const bool is_written = file.is_open() && (!exists || file.set_mode(mode)) && file.fill(text) &&
+                          file.rename_to(target) && sync_folder(folder_of(target));
   if (!is_written) fail_to_write(path, std::strerror(errno));
+}
+
+void remove_stale_temporaries(const fs::path& folder) {
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
+       entry.increment(error)) {
+    if (!is_temporary(entry->path().filename().string())) continue;
+    const int file = open(entry->path().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    if (file < 0) continue;
+    struct stat status;
+    const bool is_file = fstat(file, &status) == 0 && S_ISREG(status.st_mode);
+    if (is_file && flock(file, LOCK_EX | LOCK_NB) == 0) unlink(entry->path().c_str());
+    close(file);
+  }
 }
 
 void remove_temporaries_on_signals() {

@@ -36,6 +36,15 @@ std::string error_of(const std::function<void()>& run) {
   return "";
 }
 
+TEST_F(OutputFilesTest, TemporariesOfKilledCommandsAreRemovedFromTheFoldersOfOutputs) {
+  fs::create_directory(path("folder"));
+  for (const char* name : {".litfog-0123456789abcdef", "folder/.litfog-0123456789abcdef"}) make(name);
+  OutputFiles outputs;
+  outputs.add("-o", path("folder/a"));
+  EXPECT_FALSE(fs::exists(path("folder/.litfog-0123456789abcdef")));
+  EXPECT_TRUE(fs::exists(path(".litfog-0123456789abcdef")));
+}
+
 TEST_F(OutputFilesTest, EmptyNamesAreUsageErrors) {
   OutputFiles outputs;
   EXPECT_EQ(error_of([&] { outputs.add("--stats", ""); }), "--stats = \"\": must not be empty");

@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -14,10 +16,29 @@
 #include <functional>
 #include <future>
 #include <iterator>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "command/temporary_directory.h"
 #include "litfog/files/output_error.h"
+
+namespace {
+
+/// What fsync() of this program is called for, and whether it fails.
+std::vector<std::filesystem::path>* synced = nullptr;
+int sync_error = 0;
+
+}  // namespace
+
+extern "C" int fsync(int file) {
+  if (synced != nullptr) synced->push_back(std::filesystem::read_symlink("/proc/self/fd/" + std::to_string(file)));
+  if (sync_error != 0) {
+    errno = sync_error;
+    return -1;
+  }
+  return int(syscall(SYS_fsync, file));
+}
 
 namespace litfog::test {
 using namespace files;
@@ -164,13 +185,85 @@ TEST_F(WholeFile, LimitOfSizeLeavesNothingBehind) {
   EXPECT_EQ(file_count(), 1u);
 }
 
+TEST_F(WholeFile, FileIsOnTheDiskBeforeItTakesItsNameAndThenItsFolder) {
+  std::vector<fs::path> files;
+  synced = &files;
+  write_whole_file(path("a"), "text");
+  synced = nullptr;
+  ASSERT_EQ(files.size(), 2u);
+  EXPECT_TRUE(files[0].filename().string().starts_with(".litfog-")) << files[0];
+  EXPECT_EQ(files[0].parent_path(), fs::path(path("a")).parent_path());
+  EXPECT_EQ(files[1], fs::path(path("a")).parent_path());
+}
+
+TEST_F(WholeFile, FileThatDoesNotReachTheDiskIsAnError) {
+  write_whole_file(path("a"), "earlier");
+  sync_error = EIO;
+  EXPECT_THROW(write_whole_file(path("a"), "text"), OutputError);
+  sync_error = EINVAL;  // of a file system that cannot tell
+  write_whole_file(path("b"), "text");
+  sync_error = 0;
+  EXPECT_EQ(read("a"), "earlier");
+  EXPECT_EQ(read("b"), "text");
+  EXPECT_EQ(file_count(), 2u);
+}
+
+TEST_F(WholeFile, TemporaryOfAKilledProcessIsRemovedLater) {
+  for (int attempt = 0; attempt < 5; ++attempt) {
+    const pid_t child = fork();
+    if (child == 0) {
+      const std::string text(1 << 20, 'x');
+      for (;;) write_whole_file(path("a"), text);
+    }
+    while (file_count() < 2) std::this_thread::yield();  // until a temporary is there
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+    remove_stale_temporaries(path(""));
+    EXPECT_LE(file_count(), 1u);
+  }
+}
+
+TEST_F(WholeFile, TemporaryThatIsWrittenToIsNotRemoved) {
+  const pid_t child = fork();
+  if (child == 0) {
+    const std::string text(1 << 12, 'x');
+    try {
+      for (int i = 0; i < 100; ++i) write_whole_file(path("a"), text);
+    } catch (const OutputError&) {
+      std::_Exit(4);
+    }
+    std::_Exit(0);
+  }
+  int status = 0;
+  while (waitpid(child, &status, WNOHANG) == 0) remove_stale_temporaries(path(""));
+  EXPECT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+  EXPECT_EQ(file_count(), 1u);
+}
+
+TEST_F(WholeFile, OnlyTemporariesAreRemoved) {
+  const std::string stale = ".litfog-0123456789abcdef";
+  for (const char* name : {"a", ".litfog-", ".litfog-0123456789abcdeg", ".litfog-0123456789abcdef0", "litfog"}) {
+    std::ofstream(path(name)) << "text";
+  }
+  fs::create_symlink("a", path(".litfog-0000000000000001"));
+  fs::create_directory(path(".litfog-0000000000000002"));
+  ASSERT_EQ(mkfifo(path(".litfog-0000000000000003").c_str(), 0600), 0);
+  std::ofstream(path(stale)) << "text";
+  const std::size_t before = file_count();
+  remove_stale_temporaries(path(""));
+  EXPECT_EQ(file_count(), before - 1);
+  EXPECT_FALSE(fs::exists(path(stale)));
+  remove_stale_temporaries(path("none"));
+}
+
 TEST_F(WholeFile, SignalLeavesNothingBehind) {
   for (const int signal : {SIGHUP, SIGINT, SIGTERM}) {
     for (int attempt = 0; attempt < 20; ++attempt) {
       const pid_t child = fork();
       if (child == 0) {
         remove_temporaries_on_signals();
-        const std::string text(8 << 20, 'x');
+        const std::string text(1 << 20, 'x');
         for (;;) write_whole_file(path("a"), text);
       }
       while (file_count() < 2) std::this_thread::yield();  // until a temporary is there
