@@ -19,7 +19,9 @@ std::optional<OutputFiles::Identity> OutputFiles::Identity::of(const std::string
     identity.inode = {status.st_dev, status.st_ino};
   }
   std::error_code error;
-  identity.path = fs::weakly_canonical(fs::absolute(files::behind_links(path), error), error);
+  const fs::path absolute = fs::absolute(files::behind_links(path), error);
+  identity.path = fs::weakly_canonical(absolute, error);
+  if (error) identity.path = absolute.lexically_normal();  // a name that is too long
   return identity;
 }
 

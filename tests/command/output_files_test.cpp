@@ -36,6 +36,12 @@ std::string error_of(const std::function<void()>& run) {
   return "";
 }
 
+TEST_F(OutputFilesTest, NamesThatAreTooLongAreNotOneFile) {
+  OutputFiles outputs;
+  outputs.add("-o", path(std::string(300, 'a')));
+  EXPECT_EQ(error_of([&] { outputs.add("-o", path(std::string(300, 'b'))); }), "");
+}
+
 TEST_F(OutputFilesTest, TemporariesOfKilledCommandsAreRemovedFromTheFoldersOfOutputs) {
   fs::create_directory(path("folder"));
   for (const char* name : {".litfog-0123456789abcdef", "folder/.litfog-0123456789abcdef"}) make(name);
