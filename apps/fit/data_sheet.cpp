@@ -9,6 +9,7 @@
 #include <iterator>
 #include <utility>
 
+#include "command/printable.h"
 #include "command/table.h"
 #include "files/angle_deg.h"
 #include "fit/advice.h"
@@ -26,7 +27,10 @@ using Row = std::vector<command::Table::Cell>;
 class Sheet {
  public:
   void add_heading(const std::string& text) { text_ += fmt::format("\n{}\n", text); }
-  void add(std::string_view name, const std::string& value) { text_ += fmt::format("  {:<16}{}\n", name, value); }
+  /// value  may hold names as files have them
+  void add(std::string_view name, const std::string& value) {
+    text_ += fmt::format("  {:<16}{}\n", name, command::printable(value));
+  }
   void add(const command::Table& table) {
     text_ += "\n";
     append(table);

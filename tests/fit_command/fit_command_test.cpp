@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -120,6 +121,22 @@ TEST_F(FitCommand, ReportNamesTargetsFitErrorsAndCertificate) {
         "flux error", "50 % angle off", "10 % angle off", "none is below", "angle_deg", "uncertainty"}) {
     EXPECT_NE(outcome.out.find(part), std::string::npos) << part;
   }
+}
+
+TEST_F(FitCommand, ReportHasNoControlCharactersOfNames) {
+  std::string ies = kIes;
+  ies.replace(ies.find("[LUMINAIRE] spot"), 16, "[LUMINAIRE] a\x1B[31mb\n[MANUFAC] c\x1B]0;d\x07");
+  write("e\x1B[2J.ies", ies);
+  write("esc.json", R"({"litfog": "light-spec", "version": 1, "name": "f\u001b[0m\ng", "source": "h\u009bi",
+    "range": {"extent_m": 100}})");
+  for (const char* input : {"'e\x1B[2J.ies'", "esc.json", "'e\x1B[2J.ies' esc.json"}) {
+    const Outcome outcome = run(input);
+    EXPECT_EQ(outcome.status, kDone) << outcome.err;
+    EXPECT_TRUE(std::ranges::none_of(outcome.out, [](char c) { return c >= 0 && c < 0x20 && c != '\n'; }))
+        << outcome.out;
+    EXPECT_EQ(outcome.out.find("\xC2\x9B"), std::string::npos);
+  }
+  EXPECT_NE(run("esc.json").out.find("f\\x1b[0m\\x0ag"), std::string::npos);
 }
 
 TEST_F(FitCommand, LightIsReadBackAndMeetsItsTarget) {
