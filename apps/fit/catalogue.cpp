@@ -202,7 +202,9 @@ std::string section(const Input& input, const Summary& summary) {
 Catalogue::Catalogue(const std::string& folder, const std::string& options, const std::vector<Input>& inputs)
     : folder_(folder), options_(options), begun_(file_time()) {
   expect_own_page();
-  for (const Input& input : inputs) expect_own_files(input);
+  for (const Input& input : inputs) {
+    if (!input.error) expect_own_files(input);
+  }
   std::error_code error;
   fs::create_directory(folder_, error);
   if (!error) fs::create_directory(folder_ / kLamps, error);
@@ -239,6 +241,7 @@ fs::path Catalogue::file_of(const Input& input, const char* ending) const {
 std::string Catalogue::light_path(const Input& input) const { return file_of(input, ".json").string(); }
 
 std::optional<Summary> Catalogue::find(const Input& input) const {
+  if (input.error) return std::nullopt;
   std::error_code error;
   const auto is_there = [&](const char* ending) { return fs::exists(file_of(input, ending), error); };
   if (!std::ranges::all_of(kEndings, is_there)) return std::nullopt;

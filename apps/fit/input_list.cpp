@@ -4,18 +4,19 @@
 #include <glob.h>
 
 #include <algorithm>
-#include <array>
+#include <cerrno>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <memory>
+#include <system_error>
+#include <utility>
 
 #include "ascii_text.h"
 #include "command/bundled_data.h"
 #include "command/option_rule.h"
+#include "file_text.h"
 #include "files/hint.h"
 #include "litfog/input_error.h"
-#include "litfog/photometry/gldf.h"
 #include "litfog/photometry/isocandela.h"
 #include "litfog/photometry/tm33.h"
 
@@ -24,40 +25,64 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string beginning_of(const fs::path& path) {
-  std::array<char, 4096> text{};
-  std::ifstream file(path, std::ios::binary);
-  file.read(text.data(), text.size());
-  return {text.data(), std::size_t(file.gcount())};
-}
-
-/// Whether a file in a folder is meant: other JSON, XML and CSV may lie there.
-bool is_input(const fs::path& path) {
+/// Whether a file in a folder is meant: other JSON, XML and CSV may lie there. What cannot be read may be meant.
+bool is_input(const fs::path& path) try {
   const std::string ending = ending_of(path);
   if (ending == ".ies" || ending == ".ldt" || ending == ".gldf") return true;
-  if (ending == ".json") return beginning_of(path).find("\"light-spec\"") != std::string::npos;
-  if (ending == ".xml" || ending == ".iesxml") return is_tm33(beginning_of(path));
-  return ending == ".csv" && is_isocandela(beginning_of(path));
+  const auto beginning = [&path] { return read_file_start(path.string(), 4096); };
+  if (ending == ".json") return beginning().find("\"light-spec\"") != std::string::npos;
+  if (ending == ".xml" || ending == ".iesxml") return is_tm33(beginning());
+  return ending == ".csv" && is_isocandela(beginning());
+} catch (const InputError&) {
+  return true;
 }
 
-std::vector<fs::path> files_in(const fs::path& folder) {
-  std::vector<fs::path> files;
-  std::error_code error;
-  fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, error);
-  for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
-    std::error_code no_status;  // of a link that leads nowhere
-    if (entry->is_regular_file(no_status) && is_input(entry->path())) files.push_back(entry->path());
+/// A path found in a folder or by a pattern, and why it could not be searched where it is a folder.
+struct Found {
+  fs::path path;
+  std::error_code error = {};
+};
+
+std::vector<Found> files_in(const fs::path& top) {
+  std::vector<Found> found;
+  for (std::vector<fs::path> folders{top}; !folders.empty();) {
+    const fs::path folder = std::move(folders.back());
+    folders.pop_back();
+    std::error_code error;
+    fs::directory_iterator entry(folder, error);
+    for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+      std::error_code no_status;
+      const fs::file_status status = entry->status(no_status);
+      // A link that leads nowhere is passed over, as is one to a folder, which may be that above it.
+      const bool is_unknown = no_status && no_status != std::errc::no_such_file_or_directory &&
+                              no_status != std::errc::too_many_symbolic_link_levels;
+      if (fs::is_directory(status)) {
+        if (!entry->is_symlink(no_status)) folders.push_back(entry->path());
+      } else if ((fs::is_regular_file(status) || is_unknown) && is_input(entry->path())) {
+        found.push_back({entry->path()});
+      }
+    }
+    if (error) found.push_back({folder, error});
   }
-  if (error) throw InputError({.file = folder.string()}, "cannot be searched: " + error.message());
-  std::ranges::sort(files);
-  return files;
+  std::ranges::sort(found, {}, &Found::path);
+  return found;
 }
 
-std::vector<std::string> files_of_pattern(const std::string& pattern) {
+std::vector<Found> files_of_pattern(const std::string& pattern) {
+  static thread_local std::vector<Found> unsearched;  // glob() calls a function that knows nothing but its arguments
+  unsearched.clear();
+  const auto add_unsearched = [](const char* folder, int reason) {
+    if (reason != ENOENT) unsearched.push_back({folder, std::error_code(reason, std::generic_category())});
+    return 0;
+  };
   glob_t matches{};
   const std::unique_ptr<glob_t, decltype(&globfree)> owner(&matches, globfree);
-  if (glob(pattern.c_str(), 0, nullptr, &matches) != 0) return {};
-  return {matches.gl_pathv, matches.gl_pathv + matches.gl_pathc};
+  std::vector<Found> found;
+  if (glob(pattern.c_str(), 0, add_unsearched, &matches) == 0) {
+    for (std::size_t i = 0; i < matches.gl_pathc; ++i) found.push_back({matches.gl_pathv[i]});
+  }
+  found.insert(found.end(), unsearched.begin(), unsearched.end());
+  return found;
 }
 
 class InputList {
@@ -67,22 +92,40 @@ class InputList {
     const std::size_t before = inputs_.size();
     if (argument.empty()) command::fail_option("input", argument, "must not be empty");
     if (fs::is_directory(argument, error)) {
-      for (const fs::path& file : files_in(argument)) add_file(file.string(), fs::path(argument));
+      for (const auto& [path, unsearched] : files_in(argument)) {
+        if (unsearched) {
+          add_unsearched(path, unsearched);
+        } else {
+          add_file(path.string(), fs::path(argument));
+        }
+      }
       if (inputs_.size() == before) {
         command::fail_option("input", argument, "must hold light specs or photometric files");
       }
     } else if (!fs::exists(argument, error) && argument.find_first_of("*?[") != argument.npos) {
-      for (const std::string& file : files_of_pattern(argument)) add(file);
+      for (const auto& [path, unsearched] : files_of_pattern(argument)) {
+        if (unsearched) {
+          add_unsearched(path, unsearched);
+        } else {
+          add(path.string());
+        }
+      }
       if (inputs_.size() == before) command::fail_option("input", argument, "must match a file");
     } else {
-      add_file(found(argument), {});
+      try {
+        add_file(found(argument), {});
+      } catch (const InputError&) {
+        inputs_.push_back({argument, argument, std::current_exception()});
+      }
     }
   }
 
   /// With an ending where a name alone would stand for several.
   std::vector<Input> inputs() && {
     std::map<std::string, std::vector<Input*>> of_name;
-    for (Input& input : inputs_) of_name[input.name].push_back(&input);
+    for (Input& input : inputs_) {
+      if (!input.error) of_name[input.name].push_back(&input);
+    }
     for (auto& [name, same] : of_name) {
       const auto is_other = [&first = same.front()->path](const Input* input) {
         return ending_of(input->path) != ending_of(first);
@@ -121,6 +164,11 @@ class InputList {
     return name;
   }
 
+  void add_unsearched(const fs::path& folder, std::error_code reason) {
+    const InputError error({.file = folder.string()}, "cannot be searched: " + reason.message());
+    inputs_.push_back({folder.string(), folder.filename().string(), std::make_exception_ptr(error)});
+  }
+
   void add_file(const std::string& path, const fs::path& folder) {
     const std::string name =
         name_of(folder.empty() ? fs::path(path).filename() : fs::path(path).lexically_relative(folder));
@@ -128,15 +176,15 @@ class InputList {
       inputs_.push_back({path, name});
       return;
     }
-    std::vector<std::string> files;
     try {
-      files = list_gldf(path);
-    } catch (const InputError&) {
-      files = {path};  // the error comes when it is read
-    }
-    for (const std::string& file : files) {
-      const fs::path in_folder = fs::path(file).lexically_relative(fs::path(path) / "ldc");
-      inputs_.push_back({file, files.size() == 1 ? name : name + "-" + name_of(in_folder)});
+      const auto container = std::make_shared<const GldfContainer>(path);
+      for (const std::string& file : container->files()) {
+        const fs::path in_folder = fs::path(file).lexically_relative(fs::path(path) / "ldc");
+        const bool is_only = container->files().size() == 1;
+        inputs_.push_back({file, is_only ? name : name + "-" + name_of(in_folder), nullptr, container});
+      }
+    } catch (const std::exception&) {
+      inputs_.push_back({path, name, std::current_exception()});
     }
   }
 

@@ -366,8 +366,12 @@ LightTarget read_spec(const std::string& path, const FitChoices& choices) {
 }
 
 LightTarget read_photometric_spec(const std::string& path, const FitChoices& choices) {
+  return target_of(read_luminaire(path), path, choices);
+}
+
+LightTarget target_of(Luminaire stated, const std::string& path, const FitChoices& choices) {
   LightTarget target{.file = path, .name = std::filesystem::path(path).stem().string()};
-  set_luminaire(target, read_luminaire(path), choices.tilt);
+  set_luminaire(target, std::move(stated), choices.tilt);
   const Luminaire& luminaire = *target.luminaire;
   target.cone = ConeTarget{.choice = choices.profile.value_or(ConeChoice::best)};
   set_beam(target, choices.axis);

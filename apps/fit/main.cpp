@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <exception>
 #include <filesystem>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -166,13 +168,14 @@ struct Traits {
 };
 
 Traits traits_of(const Input& input) try {
+  if (input.error) return {};
   if (!is_spec(input.path)) return {.has_falloff_table = false};
   const litfog::LightSpec spec = litfog::read_light_spec(input.path);
   return {.has_falloff_table = spec.range && !spec.range->samples.empty(),
           .has_cone = spec.cone.has_value(),
           .has_luminaire = spec.cone && spec.cone->photometry,
           .photometry = spec.cone ? spec.cone->photometry : std::nullopt};
-} catch (const litfog::InputError&) {
+} catch (const std::exception&) {
   return {};
 }
 
@@ -202,13 +205,27 @@ std::vector<std::string> outputs_of(const Options& options, const std::vector<In
   const bool is_folder = fs::is_directory(options.output, error);
   std::vector<std::string> outputs;
   for (const Input& input : inputs) {
-    if (catalogue) {
+    if (input.error) {
+      outputs.emplace_back();
+    } else if (catalogue) {
       outputs.push_back(catalogue->light_path(input));
     } else {
       outputs.push_back(is_folder ? (fs::path(options.output) / (input.name + ".json")).string() : options.output);
     }
   }
   return outputs;
+}
+
+/// The later of two inputs of one name gets an error: a catalogue would have one lamp's files for both.
+void expect_names_apart(std::vector<Input>& inputs) {
+  std::map<std::string, std::string> path_of;
+  for (Input& input : inputs) {
+    if (input.error) continue;
+    const auto [first, is_new] = path_of.emplace(input.name, input.path);
+    if (is_new) continue;
+    input.error = std::make_exception_ptr(litfog::InputError({.file = input.path}, "name in the catalogue", input.name,
+                                                             "must not be that of " + first->second));
+  }
 }
 
 OutputFiles files_to_write(const Options& options, const std::vector<Input>& inputs, const std::vector<Traits>& traits,
@@ -229,8 +246,9 @@ OutputFiles files_to_write(const Options& options, const std::vector<Input>& inp
 // --- one input ---
 
 LightTarget read(const Options& options, const Input& input) {
-  LightTarget target =
-      is_spec(input.path) ? read_spec(input.path, options.choices) : read_photometric_spec(input.path, options.choices);
+  LightTarget target = input.container       ? target_of(input.container->read(input.path), input.path, options.choices)
+                       : is_spec(input.path) ? read_spec(input.path, options.choices)
+                                             : read_photometric_spec(input.path, options.choices);
   if (!options.cookie.empty() && !target.luminaire && target.ellipses.empty()) {
     throw litfog::InputError({input.path, 1, 1}, "cone.photometry", "",
                              "must be given for a cookie, or the angles of an elliptical beam");
@@ -244,6 +262,7 @@ Outcome fit(const Options& options, const Input& input, const std::string& outpu
   outcome.input = input;
   outcome.output = output;
   try {
+    if (input.error) std::rethrow_exception(input.error);
     LightTarget target = read(options, input);
     for (const std::string& file : files_of(input, target)) files.expect_apart_from(file);
     const LightFit& fitted = outcome.fit.emplace(fit_light(std::move(target), options.is_robust));
@@ -252,11 +271,15 @@ Outcome fit(const Options& options, const Input& input, const std::string& outpu
     outcome.light = litfog::format_light(fitted.light, source, fit_record(fitted, !options.is_reproducible));
     outcome.verdict = judge(fitted);
     if (!fitted.is_proven() || outcome.verdict->grade == Grade::poor) outcome.status = kNotToTolerance;
-  } catch (const litfog::InputError& error) {
-    outcome.reason = error.what();
-    outcome.status = kBadInput;
+  } catch (...) {
+    fail(outcome);
   }
   return outcome;
+}
+
+Summary summarise(Outcome& outcome, bool has_report) try { return summary_of(outcome, has_report); } catch (...) {
+  fail(outcome);
+  return summary_of(outcome, has_report);
 }
 
 void write_light(const Outcome& outcome) {
@@ -296,15 +319,32 @@ Results fit_all(const Options& options, const std::vector<Input>& inputs, const 
   FitProgress progress(inputs.size());
   litfog::for_each_in_parallel(inputs.size(), [&](std::size_t i) {
     Outcome outcome = fit(options, inputs[i], outputs[i], files);
-    results.summaries[i] = summary_of(outcome, has_report);
-    if (keeps_outcomes) {
-      results.outcomes[i] = std::move(outcome);
-    } else {
-      write_light(outcome);
+    if (!keeps_outcomes) {
+      try {
+        write_light(outcome);
+      } catch (...) {
+        fail(outcome);
+      }
     }
+    results.summaries[i] = summarise(outcome, has_report);
+    if (keeps_outcomes) results.outcomes[i] = std::move(outcome);
     progress.add(inputs[i]);
   });
   return results;
+}
+
+/// Adds lamps to a catalogue: together or, where that fails, one by one, so that an error of one is that lamp's alone.
+void add_lamps(const Catalogue& catalogue, std::vector<FittedLamp>& lamps) try {
+  if (!lamps.empty()) catalogue.add(lamps);
+} catch (const std::exception&) {
+  for (FittedLamp& lamp : lamps) {
+    try {
+      catalogue.add({lamp});
+    } catch (...) {
+      fail(lamp.outcome);
+      lamp.summary = summary_of(lamp.outcome, true);
+    }
+  }
 }
 
 /// Adds what a catalogue does not have, a few inputs at a time: they share a run of gnuplot.
@@ -317,16 +357,20 @@ Results fill_catalogue(const Options& options, const std::vector<Input>& inputs,
   litfog::for_each_in_parallel((inputs.size() + together - 1) / together, [&](std::size_t turn) {
     const std::size_t first = turn * together, last = std::min(first + together, inputs.size());
     std::vector<FittedLamp> lamps;
+    std::vector<Summary*> summaries;  // the lamps'
     for (std::size_t i = first; i < last; ++i) {
       if (auto known = catalogue.find(inputs[i])) {
         results.summaries[i] = *std::move(known);
       } else {
         Outcome outcome = fit(options, inputs[i], outputs[i], files);
-        results.summaries[i] = summary_of(outcome, true);
-        if (outcome.fit) lamps.push_back({std::move(outcome), results.summaries[i]});
+        results.summaries[i] = summarise(outcome, true);
+        if (!outcome.fit) continue;
+        lamps.push_back({std::move(outcome), results.summaries[i]});
+        summaries.push_back(&results.summaries[i]);
       }
     }
-    if (!lamps.empty()) catalogue.add(lamps);
+    add_lamps(catalogue, lamps);
+    for (std::size_t i = 0; i < lamps.size(); ++i) *summaries[i] = std::move(lamps[i].summary);
     for (std::size_t i = first; i < last; ++i) progress.add(inputs[i]);
   });
   return results;
@@ -365,7 +409,8 @@ std::string report_of(const Options& options, const Results& results) {
 }
 
 ExitStatus run(const CLI::App& app, const Options& options) {
-  const std::vector<Input> inputs = list_inputs(options.inputs);
+  std::vector<Input> inputs = list_inputs(options.inputs);
+  if (!options.catalogue.empty()) expect_names_apart(inputs);
   const bool is_pair = !options.against.empty();
   if (is_pair && inputs.size() != 2) {
     fail_option("--against", options.against, "must be one light, and so must the input");
@@ -396,7 +441,7 @@ ExitStatus run(const CLI::App& app, const Options& options) {
     for (const std::string& message : summary.messages) fmt::print(stderr, "{}\n", printable(message));
   }
   // A single input with an error has nothing to show.
-  if (inputs.size() > 1 || worst != kBadInput) write_standard_output(report_of(options, results));
+  if (inputs.size() > 1 || gravity(worst) < gravity(kBadInput)) write_standard_output(report_of(options, results));
   return worst;
 }
 

@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <CLI/Error.hpp>
+#include <exception>
 #include <filesystem>
+#include <new>
 #include <utility>
 
 #include "files/angle_deg.h"
@@ -11,6 +14,8 @@
 #include "fit/advice.h"
 #include "fit/beam_data.h"
 #include "litfog/attenuation.h"
+#include "litfog/files/output_error.h"
+#include "litfog/input_error.h"
 
 namespace litfog::fit {
 namespace {
@@ -114,6 +119,31 @@ std::vector<Cell> row_of(const Outcome& outcome) {
 }
 
 }  // namespace
+
+void fail(Outcome& outcome) {
+  const auto set = [&outcome](command::ExitStatus status, const std::string& reason) {
+    outcome.fit.reset();
+    outcome.verdict.reset();
+    outcome.status = status;
+    outcome.reason = reason;
+  };
+  const std::string& input = outcome.input.path;
+  try {
+    throw;
+  } catch (const CLI::Error&) {
+    throw;
+  } catch (const InputError& error) {
+    set(command::kBadInput, error.what());
+  } catch (const OutputError& error) {
+    set(command::kCannotWrite, fmt::format("{}: {}", input, error.what()));
+  } catch (const command::MissingCapability& error) {
+    set(command::kMissingCapability, fmt::format("{}: {}", input, error.what()));
+  } catch (const std::bad_alloc&) {
+    set(command::kInternalError, fmt::format("{}: out of memory", input));
+  } catch (const std::exception& error) {
+    set(command::kInternalError, fmt::format("{}: internal error: {}", input, error.what()));
+  }
+}
 
 const std::vector<std::string>& summary_columns() {
   static const std::vector<std::string> columns{"input",     "extent_m", "constant", "linear", "quadratic",

@@ -25,6 +25,10 @@ struct Outcome {
   command::ExitStatus status = command::kDone;
 };
 
+/// Makes an outcome one without a light, by the exception that is being handled: every one is the input's own and names
+/// it, but for a usage error, which is thrown again.
+void fail(Outcome& outcome);
+
 /// What remains of an outcome when the next input has its turn.
 struct Summary {
   command::ExitStatus status = command::kDone;

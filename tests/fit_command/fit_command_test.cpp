@@ -866,6 +866,68 @@ TEST_F(FitCommand, LinksThatLeadNowhereInAFolderArePassedOver) {
   EXPECT_EQ(inputs_of(outcome.out), std::vector<std::string>{"lamps/spot.ies"});
 }
 
+TEST_F(FitCommand, WhatCannotBeReadInAFolderIsNamedAndTheOthersAreFitted) {
+  using enum fs::perms;
+  fs::permissions(directory(), owner_all | group_read | group_exec | others_read | others_exec);
+  for (const char* folder : {"lamps/locked", "lamps/listed", "lamps/open"}) {
+    fs::create_directories(directory() / folder);
+    write(std::string(folder) + "/spot.ies", kIes);
+    write(std::string(folder) + "/beam.json", kBeam);
+  }
+  write("lamps/secret.json", kBeam);
+  write("lamps/secret.csv", "vertical_deg,0\n0,1\n");
+  for (const char* file : {"secret.json", "secret.csv", "locked"}) fs::permissions(directory() / "lamps" / file, none);
+  fs::permissions(directory() / "lamps/listed", owner_read | group_read | others_read);
+  // No file is locked for root.
+  const std::string user = geteuid() == 0 ? "setpriv --reuid=65534 --regid=65534 --clear-groups" : "";
+  const Outcome outcome = run("lamps 'lamps/*/sp*.ies' spot.ies --format csv", user);
+  EXPECT_EQ(outcome.status, kBadInput);
+  EXPECT_EQ(outcome.err,
+            "lamps/listed/beam.json: cannot be read: Permission denied\n"
+            "lamps/listed/spot.ies: cannot be read: Permission denied\n"
+            "lamps/locked: cannot be searched: Permission denied\n"
+            "lamps/secret.csv: cannot be read: Permission denied\n"
+            "lamps/secret.json: cannot be read: Permission denied\n"
+            "lamps/listed/spot.ies: cannot be read: Permission denied\n"
+            "lamps/locked: cannot be searched: Permission denied\n");
+  for (const char* line : {"\nlamps/open/spot.ies,10,", "\nlamps/open/beam.json,100,", "\nspot.ies,10,"}) {
+    EXPECT_NE(outcome.out.find(line), std::string::npos) << line << outcome.out;
+  }
+  const Outcome alone = run("lamps/locked spot.ies --format csv", user);
+  EXPECT_EQ(alone.err, "lamps/locked: cannot be searched: Permission denied\n");
+  EXPECT_NE(alone.out.find("\nspot.ies,10,"), std::string::npos) << alone.out;
+  for (const char* folder : {"locked", "listed"}) fs::permissions(directory() / "lamps" / folder, owner_all);
+}
+
+TEST_F(FitCommand, InputOfAnyErrorIsNamedAndTheOthersAreFitted) {
+  write("cut.xml", "<IESTM33-22><Header><Description>caf\xC3\xA9");  // an XML parser stops within the last character
+  write_zip((directory() / "cut.gldf").string(), {{"product.xml", "<Root><a>\xC3\xA9"}});
+  const Outcome outcome = run("cut.xml absent-light cut.gldf spot.ies --format csv");
+  EXPECT_EQ(outcome.status, kBadInput);
+  std::istringstream lines(outcome.err);
+  std::string line;
+  for (const char* begin :
+       {"cut.xml:1:37: XML: must be well-formed: ", "absent-light: must be a file or a bundled light",
+        "cut.gldf/product.xml:1:10: XML: must be well-formed: "}) {
+    std::getline(lines, line);
+    EXPECT_TRUE(line.starts_with(begin)) << line;
+  }
+  EXPECT_FALSE(std::getline(lines, line)) << line;
+  EXPECT_EQ(inputs_of(outcome.out), (std::vector<std::string>{"cut.xml", "absent-light", "cut.gldf", "spot.ies"}));
+  EXPECT_NE(outcome.out.find("\nspot.ies,10,"), std::string::npos) << outcome.out;
+}
+
+TEST_F(FitCommand, LightThatCannotBeWrittenIsNamedAndTheOthersAreWritten) {
+  const std::string lengthy(251, 'x');  // with .json beyond what a file's name may have
+  const std::string other(251, 'y');
+  for (const std::string& name : {lengthy, other}) write(name + ".ies", kIes);
+  const Outcome outcome = run(lengthy + ".ies spot.ies beam.json " + other + ".ies -o lights");
+  EXPECT_EQ(outcome.status, kCannotWrite);
+  EXPECT_EQ(outcome.err, lengthy + ".ies: lights/" + lengthy + ".json: cannot be written: File name too long\n" +
+                             other + ".ies: lights/" + other + ".json: cannot be written: File name too long\n");
+  for (const char* name : {"lights/spot.json", "lights/beam.json"}) EXPECT_TRUE(files().contains(name)) << name;
+}
+
 TEST_F(FitCommand, PatternStandsForTheFilesThatMatch) {
   write("spot2.ies", kIes);
   const Outcome outcome = run("'s*.ies' beam.json --format csv");
@@ -1066,6 +1128,32 @@ TEST_F(FitCommand, CatalogueMakesWhatHasGoneFromItsFolder) {
     EXPECT_EQ(run("spot.ies --catalogue cat").status, kDone);
     EXPECT_TRUE(files().contains(file)) << file;
   }
+}
+
+TEST_F(FitCommand, LampsOfOneNameAreOneInACatalogueAndTheLaterIsAnError) {
+  fs::create_directories(directory() / "lamps/s");
+  for (const char* name : {"lamps/s/lamp.ies", "lamps/s-lamp.ies", "lamps/other.ies"}) write(name, kIes);
+  const Outcome outcome = run("lamps --catalogue cat");
+  EXPECT_EQ(outcome.status, kBadInput);
+  EXPECT_EQ(outcome.err, "lamps/s-lamp.ies: name in the catalogue = s-lamp: must not be that of lamps/s/lamp.ies\n");
+  for (const char* name : {"cat/lamps/s-lamp.png", "cat/lamps/other.png"}) EXPECT_TRUE(files().contains(name)) << name;
+  EXPECT_NE(read("cat/index.html").find("<h1>2 lights of 3 files</h1>"), std::string::npos);
+}
+
+TEST_F(FitCommand, LampWhoseFilesCannotBeWrittenIsNamedAndTheOthersAreInTheCatalogue) {
+  fs::create_directory(directory() / "lamps");
+  const std::string lengthy(249, 'x');  // with .record beyond what a file's name may have
+  write("lamps/" + lengthy + ".ies", kIes);
+  const std::string other(251, 'y');
+  write("lamps/" + other + ".ies", kIes);
+  for (int i = 0; i < 40; ++i) write("lamps/" + std::to_string(i) + ".ies", kIes);  // some have one run of gnuplot
+  const Outcome outcome = run("lamps --catalogue cat");
+  EXPECT_EQ(outcome.status, kCannotWrite);
+  EXPECT_EQ(outcome.err, "lamps/" + lengthy + ".ies: cat/lamps/" + lengthy +
+                             ".record: cannot be written: File name too long\n" + "lamps/" + other +
+                             ".ies: cat/lamps/" + other + ".record: cannot be written: File name too long\n");
+  EXPECT_NE(read("cat/index.html").find("<h1>40 lights of 42 files</h1>"), std::string::npos);
+  for (int i = 0; i < 40; ++i) EXPECT_TRUE(files().contains("cat/lamps/" + std::to_string(i) + ".json")) << i;
 }
 
 TEST_F(FitCommand, CatalogueReplacesNoFilesButItsOwn) {
