@@ -70,17 +70,20 @@ Cell cell_of(const Json& json) {
   return std::monostate();
 }
 
-/// begun  before the outcome's files were read: one that has changed since then may have been read as it was or is
+/// written  the outcome's files as they are to be found again
+/// begun    before the files it was made from were read: one that has changed since then may have been read as it was
+///          or is
 std::string record_of(const Outcome& outcome, const Summary& summary, const std::string& options,
-                      const timespec& begun) {
+                      const std::vector<std::string>& written, const timespec& begun) {
   Json states = Json::array({state_of(kProgram)});
   for (const std::string& file : files_of(outcome.input, outcome.fit->target)) {
     const Json state = state_of(file);
     states.push_back(has_changed_since(begun, file) ? Json() : state);
   }
+  for (const std::string& file : written) states.push_back(state_of(file));
   Json row = Json::array();
   for (const Cell& cell : summary.row) row.push_back(json_of(cell));
-  return Json{{"input", outcome.input.path}, {"options", options},           {"made_from", states},
+  return Json{{"input", outcome.input.path}, {"options", options},           {"files", states},
               {"status", summary.status},    {"messages", summary.messages}, {"row", row},
               {"report", summary.report}}
       .dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -92,7 +95,7 @@ std::optional<Summary> summary_of_record(const fs::path& path, const Input& inpu
   const Json record = Json::parse(file, nullptr, false);
   try {
     if (record.at("input") != input.path || record.at("options") != options) return std::nullopt;
-    for (const Json& state : record.at("made_from")) {
+    for (const Json& state : record.at("files")) {
       if (state.is_null() || state_of(state.at(0).get<std::string>()) != state) return std::nullopt;
     }
     Summary summary{.status = record.at("status").get<command::ExitStatus>(),
@@ -242,9 +245,6 @@ std::string Catalogue::light_path(const Input& input) const { return file_of(inp
 
 std::optional<Summary> Catalogue::find(const Input& input) const {
   if (input.error) return std::nullopt;
-  std::error_code error;
-  const auto is_there = [&](const char* ending) { return fs::exists(file_of(input, ending), error); };
-  if (!std::ranges::all_of(kEndings, is_there)) return std::nullopt;
   return summary_of_record(file_of(input, ".record"), input, options_);
 }
 
@@ -261,7 +261,9 @@ void Catalogue::add(const std::vector<FittedLamp>& lamps) const {
     write(".svg", drawn[i]);
     write(".png", draw_fog_picture(outcome.fit->light));
     write(".json", outcome.light);
-    write(".record", record_of(outcome, summary, options_, begun_));
+    std::vector<std::string> written;
+    for (const char* ending : kEndings) written.push_back(file_of(outcome.input, ending).string());
+    write(".record", record_of(outcome, summary, options_, written, begun_));
   }
 }
 

@@ -26,10 +26,10 @@ struct FittedLamp {
 ///     lamps/NAME.png        its beam in fog (fog_picture.h)
 ///     lamps/NAME.record     what the next run needs in order to leave the lamp as it is
 ///
-/// A lamp is left as it is where its three files are there and its record is of the same input and options, made by
-/// this program from files of the same size and time of modification. The record is written last, so that a run which
-/// was ended goes on where it was; until then there is one that says nothing. Inputs that gave no light have none, and
-/// are tried again.
+/// A lamp is left as it is where its three files are as they were written and its record is of the same input and
+/// options, made by this program from files that are as they were: of the same size and time of modification. The
+/// record is written last, so that a run which was ended goes on where it was; until then there is one that says
+/// nothing. Inputs that gave no light have none, and are tried again.
 class Catalogue {
  public:
   /// The folder is made if it is not there. Throws OutputError where it cannot be, and where the page or a lamp's file

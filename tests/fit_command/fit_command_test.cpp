@@ -1130,6 +1130,20 @@ TEST_F(FitCommand, CatalogueMakesWhatHasGoneFromItsFolder) {
   }
 }
 
+TEST_F(FitCommand, CatalogueMakesAnewWhatWasChangedInItsFolder) {
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));  // as above
+  run("spot.ies --catalogue cat");
+  for (const char* ending : {"json", "svg", "png"}) {
+    const std::string file = std::string("cat/lamps/spot.") + ending;
+    const std::string whole = read(file);
+    for (const std::size_t size : {std::size_t{0}, whole.size() / 2}) {
+      write(file, whole.substr(0, size));
+      EXPECT_EQ(run("spot.ies --catalogue cat").status, kDone);
+      EXPECT_GT(read(file).size(), whole.size() / 2) << file;
+    }
+  }
+}
+
 TEST_F(FitCommand, LampsOfOneNameAreOneInACatalogueAndTheLaterIsAnError) {
   fs::create_directories(directory() / "lamps/s");
   for (const char* name : {"lamps/s/lamp.ies", "lamps/s-lamp.ies", "lamps/other.ies"}) write(name, kIes);
@@ -1154,6 +1168,13 @@ TEST_F(FitCommand, LampWhoseFilesCannotBeWrittenIsNamedAndTheOthersAreInTheCatal
                              ".ies: cat/lamps/" + other + ".record: cannot be written: File name too long\n");
   EXPECT_NE(read("cat/index.html").find("<h1>40 lights of 42 files</h1>"), std::string::npos);
   for (int i = 0; i < 40; ++i) EXPECT_TRUE(files().contains("cat/lamps/" + std::to_string(i) + ".json")) << i;
+}
+
+TEST_F(FitCommand, CatalogueRemovesWhatAKilledOneLeft) {
+  run("spot.ies --catalogue cat");
+  for (const char* name : {"cat/.litfog-0123456789abcdef", "cat/lamps/.litfog-0123456789abcdef"}) write(name, "half");
+  EXPECT_EQ(run("spot.ies --catalogue cat").status, kDone);
+  for (const std::string& name : files()) EXPECT_EQ(name.find(".litfog-"), std::string::npos) << name;
 }
 
 TEST_F(FitCommand, CatalogueReplacesNoFilesButItsOwn) {
