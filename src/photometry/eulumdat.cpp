@@ -88,7 +88,7 @@ Luminaire parse_eulumdat(std::string text, const std::string& name) {
   Luminaire luminaire;
   luminaire.file = name;
   luminaire.manufacturer = line("company").text;
-  number_or_blank("type indicator Ityp");
+  integer("type indicator Ityp", 0, 3);
   const auto symmetry = Symmetry(integer("symmetry indicator Isym", 0, 4));
   const int plane_count = grid.count("number of C planes Mc", 1);
   number_or_blank("distance of C planes Dc");

@@ -105,8 +105,7 @@ std::string name_of(const Label& label) {
 LampTilt read_tilt(TextScanner& scanner) {
   PhotometricGrid grid(scanner, Unit::token);
   LampTilt tilt;
-  const double geometry = scanner.number(scanner.next(Unit::token), "lamp to luminaire geometry");
-  tilt.geometry = geometry == 1 || geometry == 2 || geometry == 3 ? int(geometry) : 0;
+  tilt.geometry = scanner.integer(scanner.next(Unit::token), "lamp to luminaire geometry", 1, 3);
   const int count = grid.count("number of tilt angles", 1);
   tilt.angles = radians_from_degrees(grid.angles("tilt angle", count, 0, 180));
   for (int i = 0; i < count; ++i) {
@@ -143,9 +142,6 @@ LampTilt read_tilt_file(const TextScanner& scanner, const Label& label) {
   tilt.file = path.string();
   return tilt;
 }
-
-/// In metres; 0 of a type that there is not, which leaves the opening unknown.
-double metres_of_unit(double type) { return type == 1 ? kMetresPerFoot : type == 2 ? 1 : 0; }
 
 PhotometryType type_of(int number) {
   return number == 1 ? PhotometryType::c : number == 2 ? PhotometryType::b : PhotometryType::a;
@@ -190,7 +186,7 @@ Luminaire parse_ies(std::string text, const std::string& name) {
   const int vertical_count = grid.count("number of vertical angles", 2);
   const int horizontal_count = grid.count("number of horizontal angles", 1);
   const auto type = type_of(scanner.integer(token(), "photometric type", 1, 3));
-  const double unit = metres_of_unit(number("units type"));
+  const double unit = scanner.integer(token(), "units type", 1, 2) == 1 ? kMetresPerFoot : 1;
   luminaire.opening = {unit * number("width"), unit * number("length"), unit * number("height")};
   factor *= scanner.positive(token(), "ballast factor");
   const Piece factor_piece = token();

@@ -16,8 +16,7 @@ namespace litfog {
 /// and do not apply it, because a file does not state how its luminaire will be mounted.
 struct LampTilt {
   std::string file = {};        ///< with these data, as found; empty if they stand in the luminaire's own
-  int geometry = 1;             ///< 1: the lamp is vertical; 2, 3: horizontal, in the plane of 0 or of 90 degrees;
-                                ///< 0: not known
+  int geometry = 1;             ///< 1: the lamp is vertical; 2, 3: horizontal, in the plane of 0 or of 90 degrees
   std::vector<double> angles;   ///< radians in [0, pi], strictly increasing
   std::vector<double> factors;  ///< > 0, one per angle
 };
