@@ -240,6 +240,13 @@ std::string format_data_sheet(const LightFit& fit) {
   sheet.add("color",
             fmt::format("{:.6g} {:.6g} {:.6g}, linear RGB", fit.light.color.r, fit.light.color.g, fit.light.color.b));
   if (fit.light.density_scale != 1) sheet.add("density scale", shown_number(fit.light.density_scale));
+  if (fit.flux) {
+    const char* const shape = fit.cookie ? " by its cookie" : fit.cone ? " by its cone" : "";
+    sheet.add("light's flux",
+              fmt::format("{} lm{}, with a peak of {} cd", shown_number(*fit.flux), shape,
+                          shown_number(*fit.target.light_peak)) +
+                  (fit.flux_error ? fmt::format("; {} of the data's flux", percent(fit.flux_error)) : ""));
+  }
   const Verdict verdict = judge(fit);
   sheet.add("verdict", fmt::format("{}: {}", name_of(verdict.grade), verdict.why));
   if (fit.target.luminaire) add_luminaire(sheet, fit);

@@ -49,6 +49,42 @@ std::vector<IsocandelaEllipse> stretched(const Cone& cone, const std::vector<Bea
   return lines;
 }
 
+/// Flux of a cookie whose peak is 1: its texels times their solid angles.
+double flux_of(const Cookie& cookie) {
+  const auto edge = [&cookie](int i) { return 2 * i / double(cookie.size) - 1; };
+  const auto corner = [](double x, double y) { return std::atan2(x * y, std::sqrt(x * x + y * y + 1)); };
+  double flux = 0;
+  std::size_t texel = 0;
+  for (int line = 0; line < 6 * cookie.size; ++line) {
+    const double top = edge(line % cookie.size), bottom = edge(line % cookie.size + 1);
+    for (int column = 0; column < cookie.size; ++column) {
+      const double left = edge(column), right = edge(column + 1);
+      flux += double(cookie.texels[texel++]) *
+              (corner(right, bottom) - corner(left, bottom) - corner(right, top) + corner(left, top));
+    }
+  }
+  return flux;
+}
+
+/// Makes the cone's error of flux one of the whole luminaire.
+void compare_with_luminaire(const LightTarget& target, std::optional<ConeProfileFit>& fit) {
+  if (!fit) return;
+  const double flux = peak_of(target.cone->samples) * flux_within(fit->cone, std::numbers::pi);
+  fit->flux_error = flux / luminous_flux(target.luminaire->distribution) - 1;
+}
+
+/// What is known of the light as it is written.
+void set_flux(LightFit& fit) {
+  const LightTarget& target = fit.target;
+  if (!target.light_peak) return;
+  fit.flux = *target.light_peak * (fit.cookie ? flux_of(*fit.cookie) : flux_within(fit.light.cone, std::numbers::pi));
+  const auto data = target.luminaire ? luminous_flux(target.luminaire->distribution) : target.flux;
+  if (data) fit.flux_error = *fit.flux / *data - 1;
+  if (!target.luminaire || fit.cookie) return;
+  const double intensity = *target.light_peak * cone_at(fit.light.cone, std::cos(fit.peak_angle));
+  fit.peak_error = intensity / target.luminaire_peak.intensity - 1;
+}
+
 }  // namespace
 
 LightFit fit_light(LightTarget target, bool is_robust) {
@@ -70,6 +106,8 @@ LightFit fit_light(LightTarget target, bool is_robust) {
   if (target.luminaire) {
     const double cosine = dot(target.luminaire_peak.direction, target.axis);
     fit.peak_angle = std::acos(std::clamp(cosine, -1.0, 1.0));
+    compare_with_luminaire(target, fit.cone->cosine);
+    compare_with_luminaire(target, fit.cone->smoothstep);
   }
   if (!target.ellipses.empty()) {
     const auto lines = stretched(fit.light.cone, target.ellipses);
@@ -77,6 +115,10 @@ LightFit fit_light(LightTarget target, bool is_robust) {
     target.asymmetry = AxialBeam(*fit.elliptical_beam, kPhotometricAxis).asymmetry();
   }
   fit.target = std::move(target);
+  if (fit.target.cookie_size > 0 && fit.beam()) {
+    fit.cookie = bake_cookie(*fit.beam(), fit.target.cookie_size, fit.target.axis);
+  }
+  set_flux(fit);
   return fit;
 }
 

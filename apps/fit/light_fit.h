@@ -7,6 +7,7 @@
 
 #include "fit/light_target.h"
 #include "litfog/light.h"
+#include "litfog/photometry/cookie.h"
 
 namespace litfog::fit {
 
@@ -20,7 +21,14 @@ struct LightFit {
   std::optional<IntensityDistribution> elliptical_beam;  ///< of a target with ellipses
   /// The measured or elliptical beam that the cone stands for, which a cookie keeps; nothing where the cone is all.
   const IntensityDistribution* beam() const;
-  double peak_angle = 0;   ///< of a photometric file: radians from the axis to the largest intensity
+  double peak_angle = 0;         ///< of a photometric file: radians from the axis to the largest intensity
+  std::optional<Cookie> cookie;  ///< the beam, in place of the cone, where the target chooses one
+  /// Lumens of the light as it is written: its peak times the flux of its cone or cookie. Of a known peak.
+  std::optional<double> flux;
+  /// Of that over the flux of the data, less 1: of the whole luminaire, or as a spec states it.
+  std::optional<double> flux_error;
+  /// Of a luminaire's light by its cone: its intensity over the luminaire's, less 1, where that has its largest.
+  std::optional<double> peak_error;
   bool is_proven() const;  ///< every fit is feasible, and shown to be the best
 };
 

@@ -66,6 +66,9 @@ AxialBeam beam_of(const Luminaire& luminaire, const glm::dvec3& peak, const Axis
 void scale_luminaire(LightTarget& target, double factor, const char* what) {
   Luminaire& luminaire = *target.luminaire;
   for (double& candela : luminaire.distribution.intensity) candela *= factor;
+  if (target.cone) {
+    for (ConeSample& sample : target.cone->samples) sample.intensity *= factor;
+  }
   if (check(luminaire.distribution)) {
     throw InputError(luminaire.peak_location, "largest intensity", shown_number(target.luminaire_peak.intensity),
                      fmt::format("must be in (0, 1e30] times the {} {}", what, shown_number(factor)));
@@ -102,21 +105,42 @@ void set_beam(LightTarget& target, const AxisChoice& choice) {
 
 double extent_of(double peak, double end_illuminance) { return std::sqrt(peak / end_illuminance); }
 
-/// What is wrong is shown as the file's, which has intensities and no extent.
-AttenuationTarget range_of(const Luminaire& luminaire, double peak) {
-  AttenuationTarget target{.extent = extent_of(peak, kEndIlluminance)};
-  if (const auto error = check(target)) {
-    throw InputError(luminaire.peak_location, "largest intensity", shown_number(peak),
-                     "must give an extent: " + to_string(*error));
+/// Sets the light's peak. Where a luminaire's is not its largest intensity, the step is told.
+void set_light_peak(LightTarget& target) {
+  target.light_peak = target.peak;
+  if (!target.luminaire) return;
+  const double mean = peak_of(target.cone->samples);
+  const double largest = target.luminaire_peak.intensity;
+  constexpr double kSame = 1e-9;
+  if (std::abs(mean / largest - 1) < kSame) return;
+  if (target.cookie_size > 0) {
+    target.derived.push_back(fmt::format(
+        "Peak: {} cd, the largest intensity, of which the cookie has fractions. The light is for its cookie; by "
+        "its cone, whose peak is {} cd, it is too bright.",
+        shown_number(largest), shown_number(mean)));
+    return;
   }
-  return target;
+  target.light_peak = mean;
+  target.derived.push_back(
+      fmt::format("Peak: {} cd, the largest mean over the turn about the axis, which keeps the flux; the largest "
+                  "intensity is {} cd.",
+                  shown_number(mean), shown_number(largest)));
 }
 
-std::string sentence_on_range(double peak) {
-  return fmt::format(
+/// A luminaire's range without one that is stated. What is wrong is shown as the file's, which has intensities and no
+/// extent.
+void set_range_of_luminaire(LightTarget& target) {
+  set_light_peak(target);
+  const double peak = *target.light_peak;
+  target.range = AttenuationTarget{.extent = extent_of(peak, kEndIlluminance)};
+  if (const auto error = check(*target.range)) {
+    throw InputError(target.luminaire->peak_location, "largest intensity",
+                     shown_number(target.luminaire_peak.intensity), "must give an extent: " + to_string(*error));
+  }
+  target.derived.push_back(fmt::format(
       "Attenuation: C = 1 and no L; Q = (1/0.05 - 1)/E^2 puts the threshold 0.05 at E = sqrt({} cd / 1 lx) = "
       "{:.4g} m, where the lamp gives 1 lx.",
-      shown_number(peak), extent_of(peak, kEndIlluminance));
+      shown_number(peak), *target.range->extent));
 }
 
 std::string sentence_on_cone(const LightTarget& target) {
@@ -240,11 +264,12 @@ void derive_extent(const LightSpec& spec, LightTarget& target) {
   }
   if (peak && target.luminaire) scale_to_peak(spec, target, *peak);
   if (peak) target.peak = peak;
+  set_light_peak(target);
   const double end = range.end_illuminance.value_or(kEndIlluminance);
-  expect_extent(spec, *target.peak, end);
-  target.range->extent = extent_of(*target.peak, end);
+  expect_extent(spec, *target.light_peak, end);
+  target.range->extent = extent_of(*target.light_peak, end);
   target.derived.push_back(fmt::format("Extent: sqrt({} cd / {} lx) = {} m, where the light gives {} lx{}.",
-                                       shown_number(*target.peak), shown_number(end),
+                                       shown_number(*target.light_peak), shown_number(end),
                                        shown_number(*target.range->extent), shown_number(end), source_of(end)));
 }
 
@@ -340,7 +365,8 @@ LightTarget read_spec(const std::string& path, const FitChoices& choices) {
                      .name = spec.name,
                      .source = spec.source,
                      .color = spec.color,
-                     .density_scale = spec.density_scale};
+                     .density_scale = spec.density_scale,
+                     .cookie_size = choices.cookie_size};
   if (spec.color_temperature) {
     target.derived.push_back(fmt::format("Color: {} K is {:.4g} {:.4g} {:.4g}, linear sRGB.",
                                          shown_number(*spec.color_temperature), spec.color.r, spec.color.g,
@@ -358,10 +384,7 @@ LightTarget read_spec(const std::string& path, const FitChoices& choices) {
     expect_fittable(spec, *target.cone);
   }
   if (spec.range) set_range(spec, target);
-  if (target.luminaire && !target.range) {
-    target.range = range_of(*target.luminaire, *target.peak);
-    target.derived.push_back(sentence_on_range(*target.peak));
-  }
+  if (target.luminaire && !target.range) set_range_of_luminaire(target);
   return target;
 }
 
@@ -370,7 +393,8 @@ LightTarget read_photometric_spec(const std::string& path, const FitChoices& cho
 }
 
 LightTarget target_of(Luminaire stated, const std::string& path, const FitChoices& choices) {
-  LightTarget target{.file = path, .name = std::filesystem::path(path).stem().string()};
+  LightTarget target{
+      .file = path, .name = std::filesystem::path(path).stem().string(), .cookie_size = choices.cookie_size};
   set_luminaire(target, std::move(stated), choices.tilt);
   const Luminaire& luminaire = *target.luminaire;
   target.cone = ConeTarget{.choice = choices.profile.value_or(ConeChoice::best)};
@@ -378,10 +402,9 @@ LightTarget target_of(Luminaire stated, const std::string& path, const FitChoice
   const std::string file = std::filesystem::path(path).filename().string();
   if (!luminaire.name.empty()) target.name = luminaire.name;
   target.source = {luminaire.manufacturer.empty() ? file : fmt::format("{}: {}", file, luminaire.manufacturer)};
-  target.derived.push_back(sentence_on_range(*target.peak));
   target.derived.push_back(sentence_on_cone(target));
-  target.range = range_of(luminaire, *target.peak);
   if (const auto error = check(*target.cone)) throw InputError({.file = path}, to_string(*error));
+  set_range_of_luminaire(target);
   return target;
 }
 

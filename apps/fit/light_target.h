@@ -34,7 +34,8 @@ struct AxisChoice {
 struct FitChoices {
   std::optional<ConeChoice> profile = std::nullopt;  ///< replaces the file's own
   AxisChoice axis = {};
-  double tilt = 0;  ///< radians, by which a luminaire with tilt data is tilted as it is mounted
+  double tilt = 0;      ///< radians, by which a luminaire with tilt data is tilted as it is mounted
+  int cookie_size = 0;  ///< texels along an edge of the cookie that the light has in place of its cone; 0 of none
 };
 
 /// A line of equal intensity of an elliptical beam, by its full angles.
@@ -52,7 +53,11 @@ struct LightTarget {
   glm::dvec3 color{1.0};
   double density_scale = 1;
   std::optional<AttenuationTarget> range = std::nullopt;
-  std::optional<double> peak = std::nullopt;  ///< candela, stated or derived
+  std::optional<double> peak = std::nullopt;  ///< candela, the beam's largest, stated or derived
+  /// Candela, the light's own where its cone or its cookie is 1: its extent follows from this. The cone of a luminaire
+  /// is fitted to means over the turn, so that it has their largest; a cookie has the beam's. Nothing where the extent
+  /// is stated.
+  std::optional<double> light_peak = std::nullopt;
   std::optional<double> flux = std::nullopt;  ///< lumens, as stated
   /// With the luminaire's profile about the axis as its samples, if there is a luminaire. With the circles of equal
   /// solid angle as its angles, if those are an elliptical beam's.
@@ -62,6 +67,7 @@ struct LightTarget {
   IntensityPeak luminaire_peak = {};   ///< of its beam, if there is a luminaire
   glm::dvec3 axis = kPhotometricAxis;  ///< of the light, in the luminaire frame; unit
   double asymmetry = 0;                ///< of the luminaire's beam about that axis, or of the elliptical beam
+  int cookie_size = 0;                 ///< as chosen
 };
 
 /// Reads a light-spec file and the photometric file that it names. Throws InputError, also for what the fits do not
@@ -69,7 +75,7 @@ struct LightTarget {
 LightTarget read_spec(const std::string& path, const FitChoices& choices = {});
 
 /// Reads a photometric file: the beam about its axis, white, and an extent by illuminance: C = 1, L = 0, and the
-/// attenuation is the threshold where the peak intensity gives 1 lx. Throws InputError, also for what the fits do not
+/// attenuation is the threshold where the light's peak gives 1 lx. Throws InputError, also for what the fits do not
 /// take.
 LightTarget read_photometric_spec(const std::string& path, const FitChoices& choices = {});
 

@@ -88,7 +88,8 @@ Figures that are derived from these are reported step by step, as "derived", and
 A photometric file (IES LM-63 of any edition, EULUMDAT, TM-33, GLDF, or an isocandela table) is a light without a
 spec: its cone is fitted to the intensities at the file's own angles, each of weight 1, as the mean over the turn about
 the axis; it is white; and it ends, at the threshold 0.05, where its peak gives 1 lx: C = 1, Q = (1/0.05 - 1) / (peak
-in cd / 1 lx). A spec with photometry and no range ends there, too. With a range its peak_cd, illuminance or flux_lm
+in cd / 1 lx). That peak is the largest mean over the turn, so that the light has the beam's flux, or with --cookie the
+largest intensity: a light written with --cookie is for its cookie. A spec with photometry and no range ends there, too. With a range its peak_cd, illuminance or flux_lm
 scales the intensities, which may then be percentages. Angles that the file does not state are dark.
 
 The axis is the photometric one, down, or its opposite where the peak lies above the horizon, or the peak of a beam
@@ -131,7 +132,6 @@ struct Options {
   bool is_robust = false;
   std::string plot;
   std::string cookie;
-  int cookie_size = 256;
   bool is_reproducible = false;
   TableFormat format = TableFormat::text;
 
@@ -389,9 +389,7 @@ void write_kept(const Options& options, const std::vector<Outcome>& outcomes) {
   for (const Outcome& outcome : outcomes) write_light(outcome);
   if (!figure.empty()) litfog::files::write_whole_file(options.plot, figure);
   if (!options.cookie.empty() && is_whole) {
-    const LightFit& fit = *fits.front();
-    const auto cookie = bake_cookie(*fit.beam(), options.cookie_size, fit.target.axis);
-    litfog::files::write_whole_file(options.cookie, format_cookie(cookie));
+    litfog::files::write_whole_file(options.cookie, format_cookie(*fits.front()->cookie));
   }
 }
 
@@ -503,7 +501,9 @@ int main(int argc, char** argv) {
   CLI::Option* const cookie = app.add_option("--cookie", options.cookie,
                                              "Write a measured or elliptical beam as a cube map, six faces in a column")
                                   ->type_name("FILE.exr");
-  add_integer(app, "--cookie-size", options.cookie_size, 1, 4096, "Edge of a face in texels, 256 if not given")
+  int cookie_size = 256;
+  add_integer(app, "--cookie-size", cookie_size, 1, litfog::kMaxCookieSize,
+              "Edge of a face in texels, 256 if not given")
       ->needs(cookie);
   app.add_flag("--reproducible", options.is_reproducible,
                "Leave the time out of the light's \"fit\": same input, same file");
@@ -523,6 +523,7 @@ int main(int argc, char** argv) {
                                         {"--cookie", &options.cookie}}) {
       if (app.count(option) > 0 && value->empty()) fail_option(option, "", "must not be empty");
     }
+    if (!options.cookie.empty()) options.choices.cookie_size = cookie_size;
     if (app.count("--profile") > 0) options.choices.profile = profile;
     options.choices.tilt = litfog::files::radians(tilt_deg);
     const bool shows_no_record =

@@ -48,15 +48,24 @@ std::vector<std::string> messages_of(const Outcome& outcome) {
   return messages;
 }
 
+std::string number_or_null(const std::optional<double>& value) { return value ? fmt::format("{}", *value) : "null"; }
+
 std::string json_of(const BeamData& beam) {
-  const auto number = [](const std::optional<double>& value) { return value ? fmt::format("{}", *value) : "null"; };
   const auto angles = [](const std::vector<double>& radians) -> std::string {
     if (radians.empty()) return "null";
     if (radians.size() == 1) return fmt::format("{}", files::degrees(radians[0]));
     return fmt::format("[{}, {}]", files::degrees(radians[0]), files::degrees(radians[1]));
   };
   return fmt::format(R"({{"peak_cd": {}, "flux_lm": {}, "beam_angle_deg": {}, "field_angle_deg": {}}})",
-                     number(beam.peak), number(beam.flux), angles(beam.beam_angle), angles(beam.field_angle));
+                     number_or_null(beam.peak), number_or_null(beam.flux), angles(beam.beam_angle),
+                     angles(beam.field_angle));
+}
+
+/// The beam of the light itself.
+std::string json_of(const LightFit& fit) {
+  return fmt::format(R"({{"peak_cd": {}, "flux_lm": {}, "flux_error": {}, "peak_error": {}}})",
+                     number_or_null(fit.target.light_peak), number_or_null(fit.flux), number_or_null(fit.flux_error),
+                     number_or_null(fit.peak_error));
 }
 
 std::string json_of(const std::vector<std::string>& sentences) {
@@ -70,11 +79,11 @@ std::string json_of(const Outcome& outcome) {
   const bool has_axis = outcome.fit && outcome.fit->target.luminaire;
   std::string text = fmt::format(
       "{{\"input\": {}, \"output\": {}, \"status\": \"{}\", \"reason\": {},\n\"verdict\": {}, \"why\": {},\n"
-      "\"beam\": {},\n\"axis\": {},\n\"derived\": {},\n\"advice\": {},\n",
+      "\"beam\": {},\n\"light_beam\": {},\n\"axis\": {},\n\"derived\": {},\n\"advice\": {},\n",
       files::json_quoted(outcome.input.path), text_or_null(outcome.output), status_of(outcome),
       text_or_null(outcome.reason), text_or_null(outcome.verdict ? name_of(outcome.verdict->grade) : ""),
       text_or_null(outcome.verdict ? outcome.verdict->why : ""),
-      outcome.fit ? json_of(beam_data(*outcome.fit)) : "null",
+      outcome.fit ? json_of(beam_data(*outcome.fit)) : "null", outcome.fit ? json_of(*outcome.fit) : "null",
       text_or_null(has_axis ? describe_axis(*outcome.fit->target.luminaire, outcome.fit->target.axis) : ""),
       outcome.fit ? json_of(outcome.fit->target.derived) : "[]", outcome.fit ? json_of(advice_on(*outcome.fit)) : "[]");
   text += "\"light\": " + (outcome.fit ? outcome.light : std::string("null"));

@@ -99,6 +99,10 @@ Verdict judge(const LightFit& fit) {
     findings.add_error(&GradeLimits::asymmetry, asymmetry,
                        fmt::format("{:.3g} % of the beam (rms) not symmetric about the axis", percent(asymmetry)));
   }
+  if (fit.peak_error) {
+    findings.add_error(&GradeLimits::peak, *fit.peak_error,
+                       fmt::format("intensity off by {:+.3g} % where the beam is brightest", percent(*fit.peak_error)));
+  }
   return findings.verdict();
 }
 
@@ -116,13 +120,17 @@ const char* name_of(Grade grade) {
 
 std::string grade_table() {
   constexpr std::pair<const char*, double GradeLimits::*> kErrors[] = {
-      {"attenuation, rms", &GradeLimits::range_rms},      {"attenuation, largest", &GradeLimits::range_largest},
-      {"cone, rms, of the peak", &GradeLimits::cone_rms}, {"flux", &GradeLimits::flux},
-      {"angle at 50 %", &GradeLimits::beam_angle},        {"angle at 10 %", &GradeLimits::field_angle},
-      {"asymmetry of the beam", &GradeLimits::asymmetry}};
-  std::string table = fmt::format("  {:<36}{:>6}  {:>6}, else it is poor\n", "", "good", "fair");
+      {"attenuation, rms", &GradeLimits::range_rms},
+      {"attenuation, largest", &GradeLimits::range_largest},
+      {"cone, rms, of the peak", &GradeLimits::cone_rms},
+      {"flux", &GradeLimits::flux},
+      {"angle at 50 %", &GradeLimits::beam_angle},
+      {"angle at 10 %", &GradeLimits::field_angle},
+      {"asymmetry of the beam", &GradeLimits::asymmetry},
+      {"intensity where the beam is brightest", &GradeLimits::peak}};
+  std::string table = fmt::format("  {:<38}{:>6}  {:>6}, else it is poor\n", "", "good", "fair");
   for (const auto& [error, limit] : kErrors) {
-    table += fmt::format("  {:<36}{:>4.0f} %  {:>4.0f} %\n", error, 100 * kGood.*limit, 100 * kFair.*limit);
+    table += fmt::format("  {:<38}{:>4.0f} %  {:>4.0f} %\n", error, 100 * kGood.*limit, 100 * kFair.*limit);
   }
   return table;
 }

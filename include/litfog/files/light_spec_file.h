@@ -31,7 +31,8 @@ namespace litfog {
 ///         "extent_m": 120,                      where the attenuation is to be the threshold, met exactly; or instead
 ///         "end_lx": 1,                          where its peak gives that much in clear air; or a name of
 ///                                               kVisualThresholds, such as "night"; default: 1
-///         "peak_cd": 12000,                     default: that of the cone's photometry, which is scaled to it; or
+///         "peak_cd": 12000,                     the beam's largest; default: that of the cone's photometry, which is
+///                                               scaled to it; or
 ///         "illuminance": {"range_m": 10, "lx": 120},     instead, in clear air: the peak is lx * range_m^2; or
 ///         "flux_lm": 900,                       instead, of the whole light: the peak is the flux over that of the
 ///                                               cone or the photometry with a peak of 1 cd
@@ -49,7 +50,8 @@ namespace litfog {
 ///         "samples": [{"angle_deg": 0, "intensity": 1, "weight": 1}],        by increasing angle; weight optional
 ///         "photometry": "lamp.ies"              in place of samples: any photometric file that read_luminaire() reads
 ///                                               (litfog/photometry/luminaire.h), relative to this file; without a
-///                                               range the light ends where its peak gives 1 lx
+///                                               range the light ends where its peak gives 1 lx. The light's peak
+///                                               is the largest mean over the turn, which keeps the flux
 ///       }
 ///     }
 ///

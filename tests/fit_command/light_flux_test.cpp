@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: Apache-2.0
+// The flux of every light written, integrated from its file and its cookie, against the report and the photometric
+// file.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "command/command_test.h"
+#include "command/exit_status.h"
+#include "litfog/photometry/cookie_file.h"
+#include "litfog/photometry/cube_face.h"
+#include "litfog/photometry/luminaire.h"
+#include "photometry/zip_file.h"
+
+namespace litfog::test {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using std::numbers::pi;
+
+/// Of the midpoint rules below.
+constexpr double kIntegralMaxError = 0.005;
+
+/// Flux of a shape over the sphere, about its axis or its poles.
+double integral(int rise_steps, int turn_steps, const std::function<double(double angle, double turn)>& value) {
+  double sum = 0;
+  for (int i = 0; i < rise_steps; ++i) {
+    const double angle = pi * (i + 0.5) / rise_steps;
+    double belt = 0;
+    for (int k = 0; k < turn_steps; ++k) belt += value(angle, 2 * pi * (k + 0.5) / turn_steps);
+    sum += std::sin(angle) * belt;
+  }
+  return sum * (pi / rise_steps) * (2 * pi / turn_steps);
+}
+
+double flux_of(const IntensityDistribution& distribution) {
+  return integral(540, 180, [&](double angle, double turn) {
+    return intensity_at(distribution, direction_of(PhotometryType::c, turn, angle));
+  });
+}
+
+/// Candela of a white light file's peak: it gives 1 lx on its axis at its extent.
+double candela_of(const json& light) {
+  EXPECT_EQ(light["color"], json({1.0, 1.0, 1.0}));
+  EXPECT_EQ(light["attenuation"]["constant"], 1.0);
+  EXPECT_EQ(light["attenuation"]["linear"], 0.0);
+  const double threshold = light["threshold"], quadratic = light["attenuation"]["quadratic"];
+  return (1 / threshold - 1) / quadratic;
+}
+
+/// Lumens of a light by its cone.
+double flux_by_cone(const json& light) {
+  const json& cone = light["cone"];
+  const auto cosine_of = [&cone](const char* degrees) { return std::cos(cone[degrees].get<double>() * pi / 180); };
+  const auto fraction = [&](double cosine) {
+    if (cone["profile"] == "cosine") {
+      return cosine > cosine_of("half_angle_deg") ? std::pow(std::max(cosine, 0.0), cone["exponent"].get<double>()) : 0;
+    }
+    const double outer = cosine_of("outer_deg"), inner = cosine_of("inner_deg");
+    const double t = std::clamp((cosine - outer) / (inner - outer), 0.0, 1.0);
+    return t * t * (3 - 2 * t);
+  };
+  return candela_of(light) * integral(9000, 1, [&](double angle, double) { return fraction(std::cos(angle)); });
+}
+
+/// Lumens of a light by its cookie.
+double flux_by_cookie(const json& light, const Cookie& cookie) {
+  double sum = 0;
+  for (std::size_t i = 0; i < cookie.texels.size(); ++i) {
+    const int face = int(i) / (cookie.size * cookie.size), texel = int(i) % (cookie.size * cookie.size);
+    const auto centre = [&cookie](int step) { return (2 * step + 1) / double(cookie.size) - 1; };
+    const double distance =
+        glm::length(cube_direction({face, centre(texel % cookie.size), centre(texel / cookie.size)}));
+    sum += cookie.texels[i] / (distance * distance * distance);
+  }
+  return candela_of(light) * sum * 4 / (cookie.size * cookie.size);
+}
+
+/// Lights of both sides of a street: the largest intensity, 60 degrees off the vertical, is far above the mean over the
+/// turn.
+std::string street_lamp() {
+  std::string text = "IESNA:LM-63-2002\n[LUMINAIRE] street lamp\nTILT=NONE\n1 -1 1 19 13 1 2 0 0 0\n1 1 100\n";
+  for (int rise = 0; rise <= 90; rise += 5) text += std::to_string(rise) + " ";
+  text += "\n";
+  for (int turn = 0; turn <= 180; turn += 15) text += std::to_string(turn) + " ";
+  for (int turn = 0; turn <= 180; turn += 15) {
+    text += "\n";
+    for (int rise = 0; rise <= 90; rise += 5) {
+      const double along = std::pow(std::cos(turn * pi / 180), 6);
+      const double wing = 2400 * along * std::exp(-std::pow((rise - 60) / 14., 2));
+      text += std::to_string((600 + wing) * (rise < 90)) + " ";
+    }
+  }
+  return text + "\n";
+}
+
+class LightFlux : public CommandTest {
+ protected:
+  LightFlux() : CommandTest(LITFOG_FIT_PATH) {}
+
+  /// The report on an input whose light was written to light.json.
+  json report_on(const std::string& input, const std::string& options = "") const {
+    const Outcome outcome = run("'" + input + "' --format json -o light.json " + options);
+    EXPECT_TRUE(outcome.status == command::kDone || outcome.status == command::kNotToTolerance) << outcome.err;
+    return json::parse(outcome.out)[0];
+  }
+
+  json light() const { return json::parse(read("light.json")); }
+
+  void expect_near(double value, double expected, double tolerance) const {
+    EXPECT_NEAR(value, expected, tolerance * std::abs(expected));
+  }
+
+  /// By its cone and by its cookie, of the flux of the file or of a spec's.
+  void expect_fluxes(const std::string& input, double file_flux) const {
+    SCOPED_TRACE(input);
+    const json by_cone = report_on(input);
+    expect_near(by_cone["beam"]["flux_lm"], file_flux, kIntegralMaxError);
+    const double cone_flux = flux_by_cone(light());
+    expect_near(by_cone["light_beam"]["flux_lm"], cone_flux, 1e-3);
+    expect_near(by_cone["light_beam"]["peak_cd"], candela_of(light()), 1e-9);
+    const double error = cone_flux / file_flux - 1;
+    EXPECT_NEAR(by_cone["light_beam"]["flux_error"].get<double>(), error, (2 + error) * kIntegralMaxError);
+    const std::string profile = light()["cone"]["profile"];
+    EXPECT_NEAR(light()["fit"]["cone"][profile]["flux_error"].get<double>(), error, (2 + error) * kIntegralMaxError);
+    const std::string verdict = by_cone["verdict"];
+    const double bound = verdict == "good" ? 0.1 : verdict == "fair" ? 0.33 : HUGE_VAL;  // the help's limits
+    EXPECT_LE(std::abs(error), bound);
+
+    const json by_cookie = report_on(input, "--cookie cookie.exr --cookie-size 128");
+    const double cookie_flux = flux_by_cookie(light(), read_cookie((directory() / "cookie.exr").string()));
+    expect_near(by_cookie["light_beam"]["flux_lm"], cookie_flux, 1e-3);
+    expect_near(cookie_flux, file_flux, 0.01);
+  }
+
+  double flux_of_file(const std::string& path) const {
+    return flux_of(read_luminaire((directory() / path).string()).distribution);
+  }
+};
+
+TEST_F(LightFlux, FluxOfEveryLightWrittenIsItsReportsAndThatOfItsFile) {
+  std::size_t count = 0;
+  for (const auto& entry : fs::directory_iterator(LITFOG_TEST_DATA_DIR "/photometry")) {
+    constexpr std::array kEndings{".ies", ".ldt", ".csv"};
+    if (std::ranges::find(kEndings, entry.path().extension().string()) == kEndings.end()) continue;
+    expect_fluxes(entry.path().string(), flux_of_file(entry.path().string()));
+    ++count;
+  }
+  EXPECT_GE(count, 30u);
+}
+
+TEST_F(LightFlux, FluxOfLightsFromContainersAndTablesIsThatOfTheirFiles) {
+  std::string tm33 = "<IESTM33-22><Version>1.1</Version><Header/><Emitter><LuminousData><LuminousIntensity>";
+  for (const auto& [turn, low] : {std::pair("0", "40"), {"90", "160"}, {"180", "40"}, {"270", "160"}, {"360", "40"}}) {
+    for (const auto& [rise, candela] : {std::pair("0", "100"), {"40", low}, {"60", "10"}, {"90", "0"}}) {
+      tm33 += std::string("<IntData h=\"") + turn + "\" v=\"" + rise + "\">" + candela + "</IntData>\n";
+    }
+  }
+  write("lamp.xml", tm33 + "</LuminousIntensity></LuminousData></Emitter></IESTM33-22>\n");
+  write("ellipses.csv", "candela,horizontal_deg,vertical_deg\n5000,7,5\n2500,12,9\n500,20,15\n");
+  write("grid.csv",
+        "vertical_deg,-20,-10,0,10,20\n20,0,9,20,9,0\n10,9,700,1200,700,9\n0,20,900,2500,900,20\n"
+        "-10,9,500,800,500,9\n-20,0,9,20,9,0\n");
+  write_zip((directory() / "set.gldf").string(),
+            {{"product.xml",
+              "<Root><GeneralDefinitions><Files><File contentType=\"ldc/ies\" type=\"localFileName\">street.ies</File>"
+              "</Files></GeneralDefinitions></Root>"},
+             {"ldc/street.ies", street_lamp()}});
+  for (const char* input : {"lamp.xml", "ellipses.csv", "grid.csv", "set.gldf"}) {
+    expect_fluxes(input, flux_of_file(input));
+  }
+}
+
+TEST_F(LightFlux, LightOfAStreetLampHasItsFluxAndIsCalledPoorWhereItIsTooDark) {
+  write("street.ies", street_lamp());
+  const double file_flux = flux_of_file("street.ies");
+  expect_fluxes("street.ies", file_flux);
+  const json report = report_on("street.ies");
+  expect_near(flux_by_cone(light()), file_flux, 0.16);
+  EXPECT_EQ(report["beam"]["peak_cd"], 3000);
+  EXPECT_LT(report["light_beam"]["peak_error"].get<double>(), -0.33);
+  EXPECT_EQ(report["verdict"], "poor");
+  EXPECT_NE(report["why"].get<std::string>().find("% where the beam is brightest"), std::string::npos) << report["why"];
+}
+
+TEST_F(LightFlux, LightOfASpecThatScalesAStreetLampHasItsFlux) {
+  write("street.ies", street_lamp());
+  const double file_flux = flux_of_file("street.ies");
+  for (const auto& [range, flux] : {std::pair(R"("peak_cd": 6000)", 2 * file_flux),
+                                    {R"("flux_lm": 500)", 500.0},
+                                    {R"("illuminance": {"range_m": 10, "lx": 15})", file_flux / 2},
+                                    {R"("end_lx": 1)", file_flux}}) {
+    write("spec.json", R"({"litfog": "light-spec", "version": 1, "cone": {"photometry": "street.ies"}, "range": {)" +
+                           std::string(range) + "}}");
+    expect_fluxes("spec.json", flux);
+  }
+}
+
+}  // namespace
+}  // namespace litfog::test
