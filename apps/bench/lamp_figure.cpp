@@ -11,6 +11,7 @@
 #include "litfog/airlight.h"
 #include "litfog/files/light_file.h"
 #include "litfog/solve.h"
+#include "shown_number.h"
 
 namespace litfog::bench {
 namespace {
@@ -57,7 +58,8 @@ Result measure_lamps(bool quick) {
       references.points.push_back({visibility, reference[1]});
     }
     result.figure.charts.push_back(
-        {.title = fmt::format("{}, reaching {:.3g} m", lamp, compute_extent(light.attenuation, light.threshold)),
+        {.title = fmt::format("{}, reaching {} m", lamp,
+                              shown_rounded(compute_extent(light.attenuation, light.threshold), 3)),
          .x = {"visibility (m)", true, kLeastVisibility, kMostVisibility},
          .y = {"fraction of the lamp's colour", false, 0, 1},
          .series = {peak, clear, fogged, references},

@@ -12,9 +12,13 @@
 
 #include "files/angle_deg.h"
 #include "fit/verdict.h"
+#include "shown_number.h"
 
 namespace litfog::fit {
 namespace {
+
+std::string percent(double fraction, int digits) { return shown_rounded(100 * fraction, digits) + " %"; }
+std::string shown_angle(double radians) { return shown_rounded(files::degrees(radians), 3); }
 
 class Advice {
  public:
@@ -32,19 +36,19 @@ void advise_on_color(const glm::dvec3& color, Advice& advice) {
   constexpr double kLikelyBytes = 10;  // no light is that bright on purpose
   const double brightest = std::max({color.r, color.g, color.b});
   if (brightest <= kLikelyBytes) return;
-  advice.add("The color reaches {:.6g}, and 1 is the display's white: it is linear RGB, not sRGB of 8 bits.",
-             brightest);
+  advice.add("The color reaches {}, and 1 is the display's white: it is linear RGB, not sRGB of 8 bits.",
+             shown_rounded(brightest, 6));
 }
 
 void advise_on_range(const AttenuationTarget& target, const AttenuationFit& fit, Advice& advice) {
   const bool is_measured = target.samples.size() > 3;
   const double largest = std::abs(fit.largest_error);
   if (is_measured && !target.is_robust && fit.rms_error > 0.01 && largest > 3 * fit.rms_error) {
-    advice.add("One sample is off by {:.3g} times the rms error: if it is an outlier, try --robust.",
-               largest / fit.rms_error);
+    advice.add("One sample is off by {} times the rms error: if it is an outlier, try --robust.",
+               shown_rounded(largest / fit.rms_error, 3));
   } else if (fit.rms_error > 0.1) {
-    advice.add("The range fit is off by {:.2g} % (rms): no 1/(C + L r + Q r^2) falls as the table does.",
-               100 * fit.rms_error);
+    advice.add("The range fit is off by {} (rms): no 1/(C + L r + Q r^2) falls as the table does.",
+               percent(fit.rms_error, 2));
   }
   if (is_measured && !fit.covariance) {
     advice.add("The samples do not determine C, L and Q: other values fit as well.");
@@ -63,9 +67,9 @@ void advise_on_edge(const LightTarget& target, const ConeProfileFit& best, Advic
   const double edge = std::pow(std::cos(best.cone.half_angle), best.cone.exponent);
   if (edge <= 0.01) return;
   advice.add(
-      "The cone ends at {:.3g} degrees with {:.2g} % of the peak, an edge that is visible in fog: half_angle_deg moves "
+      "The cone ends at {} degrees with {} of the peak, an edge that is visible in fog: half_angle_deg moves "
       "it.",
-      files::degrees(best.cone.half_angle), 100 * edge);
+      shown_angle(best.cone.half_angle), percent(edge, 2));
 }
 
 void advise_on_flux(const ConeFit& cone, Advice& advice) {
@@ -113,12 +117,12 @@ void advise_on_shape(const LightFit& fit, Advice& advice) {
   }
   if (const auto angle = ring_angle(fit.target)) {
     advice.add(
-        "The beam is a ring, brightest {:.3g} degrees off the axis: no cone is dark in its middle. --cookie keeps its "
+        "The beam is a ring, brightest {} degrees off the axis: no cone is dark in its middle. --cookie keeps its "
         "shape.",
-        files::degrees(*angle));
+        shown_angle(*angle));
   } else if (fit.target.luminaire && fit.peak_angle > files::radians(5)) {
-    advice.add("The beam's peak is {:.3g} degrees off the cone's axis: --axis peak moves the axis there.",
-               files::degrees(fit.peak_angle));
+    advice.add("The beam's peak is {} degrees off the cone's axis: --axis peak moves the axis there.",
+               shown_angle(fit.peak_angle));
   }
 }
 

@@ -18,6 +18,7 @@
 #include "fit/fit_figure.h"
 #include "fit/fog_picture.h"
 #include "litfog/files/output_error.h"
+#include "shown_number.h"
 
 namespace litfog::fit {
 namespace {
@@ -148,7 +149,7 @@ std::string visibilities() {
 
 std::string text_of(const Cell& cell) {
   if (const double* number = std::get_if<double>(&cell)) {
-    return std::abs(*number) < 1000 ? fmt::format("{:.3g}", *number) : fmt::format("{:.0f}", *number);
+    return shown_rounded(*number, 3);
   }
   if (const auto* text = std::get_if<std::string>(&cell)) return html_text(*text);
   return "";

@@ -84,18 +84,20 @@ void add_range(Sheet& sheet, const AttenuationTarget& target, const AttenuationF
   for (const auto constraint : fit.active) active.emplace_back(litfog::name_of(constraint));
   sheet.add("held by", joined(active));
   if (!target.samples.empty()) {
-    sheet.add("error", fmt::format("rms {:.3g} %, largest {:+.3g} %, of the attenuation; objective {:.6g}",
-                                   percent_of(fit.rms_error), percent_of(fit.largest_error), fit.objective));
+    sheet.add("error", fmt::format("rms {} %, largest {} %, of the attenuation; objective {:.6g}",
+                                   shown_rounded(percent_of(fit.rms_error), 3),
+                                   shown_change(percent_of(fit.largest_error), 3), fit.objective));
     if (!fit.covariance) {
       sheet.add("uncertainty", "not identifiable");
     } else {
-      const auto deviation = [&fit](std::size_t i) { return std::sqrt((*fit.covariance)[4 * i]); };
-      sheet.add("uncertainty", fmt::format("C +-{:.2g}, L +-{:.2g}, Q +-{:.2g} (one standard deviation)", deviation(0),
+      const auto deviation = [&fit](std::size_t i) { return shown_rounded(std::sqrt((*fit.covariance)[4 * i]), 2); };
+      sheet.add("uncertainty", fmt::format("C +-{}, L +-{}, Q +-{} (one standard deviation)", deviation(0),
                                            deviation(1), deviation(2)));
     }
   }
-  sheet.add("certificate", fmt::format("KKT residual {:.1e}; boxes ruled out: {}; iterations: {}, {:.3g} ms",
-                                       fit.kkt_residual, fit.boxes, fit.iterations, fit.milliseconds));
+  sheet.add("certificate",
+            fmt::format("KKT residual {:.1e}; boxes ruled out: {}; iterations: {}, {} ms", fit.kkt_residual, fit.boxes,
+                        fit.iterations, shown_rounded(fit.milliseconds, 3)));
   if (target.samples.empty()) return;
   sheet.add_samples({.columns = {"range_m", "attenuation", "fitted", "error_%", "weight"}, .rows = {}},
                     target.samples.size(), [&](std::size_t i) {
@@ -106,12 +108,12 @@ void add_range(Sheet& sheet, const AttenuationTarget& target, const AttenuationF
 }
 
 std::string percent(const std::optional<double>& error) {
-  return error ? fmt::format("{:+.3g} %", percent_of(*error)) : "-";
+  return error ? shown_change(percent_of(*error), 3) + " %" : "-";
 }
 
 std::string shape_of(const Cone& cone) {
   return cone.profile == ConeProfile::cosine
-             ? fmt::format("H = {:.6g} deg, S = {:.6g}", files::degrees(cone.half_angle), cone.exponent)
+             ? fmt::format("H = {:.6g} deg, S = {}", files::degrees(cone.half_angle), shown_rounded(cone.exponent, 6))
              : fmt::format("inner {:.6g}, outer {:.6g} deg", files::degrees(cone.inner), files::degrees(cone.outer));
 }
 
@@ -119,10 +121,10 @@ std::string uncertainty_of(const ConeProfileFit& fit) {
   if (!fit.covariance) return "not identifiable";
   const auto deviation = [&fit](std::size_t i) { return std::sqrt((*fit.covariance)[i][i]); };
   if (fit.cone.profile == ConeProfile::cosine) {
-    return deviation(0) > 0 ? fmt::format("S +-{:.2g}", deviation(0)) : "held";
+    return deviation(0) > 0 ? "S +-" + shown_rounded(deviation(0), 2) : "held";
   }
   const auto angle = [&](std::size_t i) {
-    return deviation(i) > 0 ? fmt::format("+-{:.2g} deg", deviation(i) / files::radians(1)) : "held";
+    return deviation(i) > 0 ? fmt::format("+-{} deg", shown_rounded(deviation(i) / files::radians(1), 2)) : "held";
   };
   return angle(0) + ", " + angle(1);
 }
@@ -161,9 +163,10 @@ void add_cone(Sheet& sheet, const ConeTarget& target, const ConeFit& fit) {
   add_row("held by", [&](const auto& p) { return joined(active_constraints(p.cone, target)); });
   add_row("objective", [](const auto& p) { return fmt::format("{:.6g}", p.objective); });
   add_row("none is below", [](const auto& p) { return fmt::format("{:.6g}", p.lower_bound); });
-  add_row("rms error", [](const auto& p) { return fmt::format("{:.3g} % of the peak", percent_of(p.rms)); });
+  add_row("rms error", [](const auto& p) { return shown_rounded(percent_of(p.rms), 3) + " % of the peak"; });
   add_row("largest error", [](const auto& p) {
-    return fmt::format("{:+.3g} % at {:.4g} deg", percent_of(p.largest_error), files::degrees(p.largest_error_angle));
+    return fmt::format("{} % at {:.4g} deg", shown_change(percent_of(p.largest_error), 3),
+                       files::degrees(p.largest_error_angle));
   });
   add_row("flux error", [](const auto& p) { return percent(p.flux_error); });
   add_row("50 % angle off", [](const auto& p) { return percent(p.beam_angle_error); });
@@ -210,10 +213,10 @@ void add_luminaire(Sheet& sheet, const LightFit& fit) {
                                 files::degrees(fit.peak_angle), is_photometric ? "the photometric axis" : "that axis"));
   const auto stated = stated_flux(luminaire);
   const double flux = luminous_flux(distribution);
-  sheet.add(
-      "flux",
-      fmt::format("{} lm", shown_number(flux)) +
-          (stated ? fmt::format(", stated {} lm ({:+.2g} %)", shown_number(*stated), 100 * (flux / *stated - 1)) : ""));
+  sheet.add("flux", fmt::format("{} lm", shown_number(flux)) +
+                        (stated ? fmt::format(", stated {} lm ({} %)", shown_number(*stated),
+                                              shown_change(100 * (flux / *stated - 1), 2))
+                                : ""));
   add_asymmetry(sheet, fit);
 }
 
@@ -237,8 +240,8 @@ std::string format_data_sheet(const LightFit& fit) {
   for (std::size_t i = 0; i < fit.target.derived.size(); ++i) {
     sheet.add(i == 0 ? "derived" : "", fit.target.derived[i]);
   }
-  sheet.add("color",
-            fmt::format("{:.6g} {:.6g} {:.6g}, linear RGB", fit.light.color.r, fit.light.color.g, fit.light.color.b));
+  sheet.add("color", fmt::format("{} {} {}, linear RGB", shown_rounded(fit.light.color.r, 6),
+                                 shown_rounded(fit.light.color.g, 6), shown_rounded(fit.light.color.b, 6)));
   if (fit.light.density_scale != 1) sheet.add("density scale", shown_number(fit.light.density_scale));
   if (fit.flux) {
     const char* const shape = fit.cookie ? " by its cookie" : fit.cone ? " by its cone" : "";

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "shown_number.h"
+
 namespace litfog::fit {
 namespace {
 
@@ -17,7 +19,8 @@ struct Finding {
   std::string text;
 };
 
-double percent(double fraction) { return 100 * fraction; }
+std::string percent(double fraction) { return shown_rounded(100 * fraction, 3) + " %"; }
+std::string change(double fraction) { return shown_change(100 * fraction, 3) + " %"; }
 
 class Findings {
  public:
@@ -65,9 +68,9 @@ void judge_range(Findings& findings, const AttenuationTarget& target, const Atte
   }
   if (target.samples.empty()) return;
   findings.add_error(&GradeLimits::range_rms, fit.rms_error,
-                     fmt::format("attenuation off by {:.3g} % (rms)", percent(fit.rms_error)));
+                     fmt::format("attenuation off by {} (rms)", percent(fit.rms_error)));
   findings.add_error(&GradeLimits::range_largest, fit.largest_error,
-                     fmt::format("a sample of the attenuation off by {:+.3g} %", percent(fit.largest_error)));
+                     fmt::format("a sample of the attenuation off by {}", change(fit.largest_error)));
 }
 
 /// Whether what lies between a cone's samples counts, too: theirs are many, or a photometric file's.
@@ -79,9 +82,9 @@ bool is_measured(const LightTarget& target) {
 void judge_cone(Findings& findings, const ConeTarget& target, const ConeProfileFit& fit, bool is_measured) {
   if (fit.status == ConeFitStatus::unproven) findings.add(Grade::fair, "a better cone is not ruled out");
   findings.add_error(&GradeLimits::cone_rms, fit.rms,
-                     fmt::format("cone off by {:.3g} % of the peak (rms)", percent(fit.rms)));
+                     fmt::format("cone off by {} of the peak (rms)", percent(fit.rms)));
   const auto add = [&findings](double GradeLimits::*limit, const std::optional<double>& error, const char* what) {
-    if (error) findings.add_error(limit, *error, fmt::format("{} off by {:+.3g} %", what, percent(*error)));
+    if (error) findings.add_error(limit, *error, fmt::format("{} off by {}", what, change(*error)));
   };
   if (is_measured) add(&GradeLimits::flux, fit.flux_error, "flux");
   if (is_measured || target.beam_angle) add(&GradeLimits::beam_angle, fit.beam_angle_error, "50 % angle");
@@ -97,11 +100,11 @@ Verdict judge(const LightFit& fit) {
   if (fit.beam()) {
     const double asymmetry = fit.target.asymmetry;
     findings.add_error(&GradeLimits::asymmetry, asymmetry,
-                       fmt::format("{:.3g} % of the beam (rms) not symmetric about the axis", percent(asymmetry)));
+                       fmt::format("{} of the beam (rms) not symmetric about the axis", percent(asymmetry)));
   }
   if (fit.peak_error) {
     findings.add_error(&GradeLimits::peak, *fit.peak_error,
-                       fmt::format("intensity off by {:+.3g} % where the beam is brightest", percent(*fit.peak_error)));
+                       fmt::format("intensity off by {} where the beam is brightest", change(*fit.peak_error)));
   }
   return findings.verdict();
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "command/number.h"
+#include "shown_number.h"
 #include "window/controls.h"
 #include "window/range_curve.h"
 
@@ -149,7 +150,7 @@ void draw_grid(ImDrawList& draw, const Axes& axes) {
   for (double range = 0; range <= axes.end; range += step) {
     const ImVec2 foot = axes.at(range, 0);
     draw.AddLine(foot, axes.at(range, axes.top), line);
-    const std::string number = fmt::format("{:.4g}{}", range, range == 0 ? " m" : "");
+    const std::string number = shown_rounded(range, 4) + (range == 0 ? " m" : "");
     draw.AddText({foot.x - ImGui::CalcTextSize(number.c_str()).x / 2, foot.y + 2}, text, number.c_str());
   }
   const double rise = tick_step(axes.top);
@@ -212,11 +213,11 @@ void draw_curve(const Light& light, const Fog& fog) {
   plot(&RangeCurve::Sample::attenuation, attenuation_color, 1.3f);
   plot(&RangeCurve::Sample::opacity, opacity_color, 1.3f);
   plot(&RangeCurve::Sample::product, peak_color, 2);
-  draw_mark(draw, axes, curve.knee, fmt::format("knee {:.4g} m", curve.knee), knee_color, 2);
-  draw_mark(draw, axes, solved.extent, fmt::format("extent {:.4g} m", solved.extent), extent_color, 1);
+  draw_mark(draw, axes, curve.knee, fmt::format("knee {} m", shown_rounded(curve.knee, 4)), knee_color, 2);
+  draw_mark(draw, axes, solved.extent, fmt::format("extent {} m", shown_rounded(solved.extent, 4)), extent_color, 1);
   if (solved.intensity > 0 && std::isfinite(solved.peak_range)) {
     draw_mark(draw, axes, solved.peak_range,
-              fmt::format("peak {:.3g} at {:.4g} m", solved.intensity, solved.peak_range), peak_color, 0);
+              fmt::format("peak {:.3g} at {} m", solved.intensity, shown_rounded(solved.peak_range, 4)), peak_color, 0);
     draw.AddCircleFilled(axes.at(solved.peak_range, solved.intensity), 4, peak_color);
   }
 }

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <string>
 
+#include "shown_number.h"
 #include "window/camera_motion.h"
 #include "window/light_pick.h"
 
@@ -48,7 +49,7 @@ void draw_words(ImDrawList& draw, ImVec2 at, const std::string& words) {
 /// "A: unified, airlight, exp, 150 m"
 std::string settings_in_words(char letter, const demo::DrawingOptions& options) {
   const std::string fog =
-      options.fog ? fmt::format("{}, {:.4g} m", name_of(*options.fog), *options.visibility) : "clear";
+      options.fog ? fmt::format("{}, {} m", name_of(*options.fog), shown_rounded(*options.visibility, 4)) : "clear";
   return fmt::format("{}: {}, {}, {}", letter, options.render.path->name, name_of(options.settings().fog_lighting),
                      fog);
 }

@@ -58,7 +58,7 @@ void draw_fog(Session& session) {
   choice("none", options.fog, std::optional<FogMode>());
   ImGui::BeginDisabled(!options.fog);
   double metres = *options.visibility;
-  const char* const format = std::isinf(metres) ? "clear" : "%.4g m";
+  const char* const format = std::isinf(metres) ? "clear" : metres < 1e4 ? "%.4g m" : "%.0f m";
   if (slide("Visibility", metres, kLeastVisibility, kMostVisibility, format, ImGuiSliderFlags_Logarithmic)) {
     options.visibility = metres;
   }

@@ -2,7 +2,6 @@
 #include "litfog/fit/attenuation_fit.h"
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <functional>
@@ -11,6 +10,7 @@
 #include "fit/attenuation_reach.h"
 #include "fit/falloff.h"
 #include "fit/falloff_search.h"
+#include "shown_number.h"
 
 namespace litfog {
 namespace {
@@ -187,10 +187,7 @@ std::string describe_out_of_reach(const AttenuationTarget& target, const Scaled&
 }
 
 std::string format_percent(double fraction) {
-  std::array<char, 32> text;
-  const double percent = std::abs(fraction) < 1e-11 ? 0 : 100 * fraction;
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), percent, std::chars_format::general, 3).ptr;
-  return std::string(text.data(), end) + " %";
+  return shown_rounded(std::abs(fraction) < 1e-11 ? 0 : 100 * fraction, 3) + " %";
 }
 
 void fit_samples(const AttenuationTarget& target, AttenuationFit& fit) {

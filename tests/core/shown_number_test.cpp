@@ -31,6 +31,24 @@ TEST(ShownNumber, ComputedNumberHasSixDigitsOrIsAnInteger) {
   EXPECT_EQ(shown_number(9.999999999999998), "10");
 }
 
+TEST(ShownNumber, RoundedNumberHasItsDigitsOrIsAnInteger) {
+  EXPECT_EQ(shown_rounded(100, 2), "100") << "not 1e+02";
+  EXPECT_EQ(shown_rounded(99.96, 2), "100");
+  EXPECT_EQ(shown_rounded(-1749.6, 3), "-1750");
+  EXPECT_EQ(shown_rounded(12.345, 3), "12.3");
+  EXPECT_EQ(shown_rounded(0.00123456, 3), "0.00123");
+  EXPECT_EQ(shown_rounded(5.52e-5, 2), "5.5e-05");
+  EXPECT_EQ(shown_rounded(123456789, 2), "123456789");
+  EXPECT_EQ(shown_rounded(1e300, 2), "1e+300");
+  EXPECT_EQ(shown_rounded(-0.0, 3), "0");
+}
+
+TEST(ShownNumber, ChangeHasItsSign) {
+  EXPECT_EQ(shown_change(100, 2), "+100");
+  EXPECT_EQ(shown_change(-0.125, 2), "-0.12");
+  EXPECT_EQ(shown_change(0, 2), "+0");
+}
+
 TEST(ShownNumber, NumbersWithoutAValueHaveNames) {
   EXPECT_EQ(shown_number(std::numeric_limits<double>::infinity()), "inf");
   EXPECT_EQ(shown_number(-std::numeric_limits<double>::infinity()), "-inf");

@@ -368,6 +368,19 @@ TEST_F(FitCommand, AdviceNamesTheProfileWhoseFluxIsNearer) {
   EXPECT_EQ(wide_spill.find("--profile"), std::string::npos) << wide_spill;
 }
 
+TEST_F(FitCommand, LargeNumbersOfAReportHaveNoExponents) {
+  write("axis.json", R"({"litfog": "light-spec", "version": 1, "color": [12345678, 1, 1],
+    "range": {"samples": [{"range_m": 1, "attenuation": 1}, {"range_m": 2, "attenuation": 1e-5},
+                          {"range_m": 3, "attenuation": 1}]},
+    "cone": {"samples": [{"angle_deg": 0, "intensity": 100}, {"angle_deg": 1, "intensity": 0},
+                         {"angle_deg": 90, "intensity": 0}]}})");
+  const Outcome outcome = run("axis.json");
+  EXPECT_NE(outcome.out.find("degrees with 100 % of the peak"), std::string::npos) << outcome.out;
+  for (const char* exponent : {"e+02", "e+03", "e+04", "e+05", "e+06", "e+07", "e+08"}) {
+    EXPECT_EQ((outcome.out + outcome.err).find(exponent), std::string::npos) << outcome.out;
+  }
+}
+
 TEST_F(FitCommand, AdviceNamesASecondBeam) {
   const auto advice_on = [&](const std::string& candela, const std::string& options = "") {
     write("lamp.ies",

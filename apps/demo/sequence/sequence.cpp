@@ -19,6 +19,7 @@
 #include "files/whole_file.h"
 #include "litfog/input_error.h"
 #include "render/renderer.h"
+#include "shown_number.h"
 
 namespace litfog::demo {
 namespace {
@@ -215,7 +216,8 @@ std::string Sequence::words(int frame) const {
   std::string words;
   const auto add = [&](const std::string& name, const auto& course, const char* unit) {
     if (!changes(course)) return;
-    words += fmt::format("{}{} {:.4g}{}", words.empty() ? "" : ", ", name, course->at(frame, frames_), unit);
+    words +=
+        fmt::format("{}{} {}{}", words.empty() ? "" : ", ", name, shown_rounded(course->at(frame, frames_), 4), unit);
   };
   add("visibility", options_.visibility, " m");
   add("time", options_.seconds, " s");
@@ -223,7 +225,8 @@ std::string Sequence::words(int frame) const {
   for (const MemberCourse& member : options_.members) add(member.change.member, member.numbers, "");
   if (path_ || changes(options_.camera) || changes(options_.target)) {
     const glm::vec3& eye = scene_.camera.position;
-    words += fmt::format("{}camera {:.4g},{:.4g},{:.4g}", words.empty() ? "" : ", ", eye.x, eye.y, eye.z);
+    words += fmt::format("{}camera {},{},{}", words.empty() ? "" : ", ", shown_rounded(eye.x, 4),
+                         shown_rounded(eye.y, 4), shown_rounded(eye.z, 4));
   }
   return words;
 }
