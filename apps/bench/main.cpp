@@ -200,6 +200,7 @@ ExitStatus run(const Options& options) {
        {std::pair{"--json", &options.json_file}, {"--csv", &options.csv_file}, {"--plot", &options.plot_file}}) {
     if (*file) outputs.add(option, **file);
   }
+  outputs.expect_no_documents();
   if (!options.isa.empty()) {
     const auto targets = simd_targets();
     if (std::ranges::find(targets, options.isa) == targets.end()) {

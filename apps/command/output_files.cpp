@@ -1,15 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command/output_files.h"
 
+#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "command/option_rule.h"
+#include "files/json_document.h"
 #include "files/whole_file.h"
+#include "litfog/files/output_error.h"
+#include "litfog/input_error.h"
 
 namespace litfog::command {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+/// The document of litfog's that an output would replace.
+std::optional<files::JsonValue> replaced_document(const std::string& path) try {
+  if (!files::would_replace(path)) return std::nullopt;
+  const files::JsonValue root = files::read_json(path);
+  const auto kind = root.is_object() ? root.optional("litfog") : std::nullopt;
+  return kind && kind->is_string() ? std::optional(root) : std::nullopt;
+} catch (const InputError&) {  // not JSON
+  return std::nullopt;
+}
+
+}  // namespace
 
 std::optional<OutputFiles::Identity> OutputFiles::Identity::of(const std::string& path) {
   Identity identity;
@@ -63,6 +81,22 @@ void OutputFiles::expect_apart_from(const std::string& input) const {
   if (const Output* const output = find(*identity)) {
     fail_option(output->option, output->path, "must not be a file that is read, " + input);
   }
+}
+
+void OutputFiles::expect_no_documents() const {
+  for (const auto& [file, output] : by_path_) {
+    const auto document = replaced_document(output.path);
+    if (!document) continue;
+    throw OutputError(fmt::format("{}: cannot be written: is there, and is a litfog document, a {}", output.path,
+                                  document->member("litfog").string()));
+  }
+}
+
+void expect_fitted_light_or_nothing(const std::string& path) {
+  if (!files::would_replace(path)) return;
+  const auto document = replaced_document(path);
+  if (document && document->member("litfog").string() == "light" && document->optional("fit")) return;
+  throw OutputError(fmt::format("{}: cannot be written: is there, and is no light that litfog-fit has written", path));
 }
 
 }  // namespace litfog::command

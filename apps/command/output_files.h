@@ -31,6 +31,10 @@ class OutputFiles {
   /// Throws a usage error if an output is this file, which the command reads.
   void expect_apart_from(const std::string& input) const;
 
+  /// Throws OutputError if an output would replace a document that people write: a light, its spec, a scene or a camera
+  /// path. After expect_apart_from(), whose error says more.
+  void expect_no_documents() const;
+
  private:
   /// What is known of a path's file: where it lies and, if it exists, its device and inode.
   struct Identity {
@@ -53,5 +57,8 @@ class OutputFiles {
   std::map<std::pair<dev_t, ino_t>, Output> by_inode_;
   std::set<std::filesystem::path> folders_;
 };
+
+/// Throws OutputError if a light would replace anything but a light that litfog-fit has written.
+void expect_fitted_light_or_nothing(const std::string& path);
 
 }  // namespace litfog::command

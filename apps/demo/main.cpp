@@ -132,6 +132,7 @@ ExitStatus draw_picture(const CLI::App& app, const PictureOptions& options) {
   if (is_given("--heat-map")) outputs.add("--heat-map", options.heat_map);
   if (is_given("--stats")) outputs.add("--stats", options.stats);
   for (const std::string& file : scene.files) outputs.expect_apart_from(file);
+  outputs.expect_no_documents();
 
   const Drawn drawn =
       draw(scene, drawing, options.frames, options.reference || is_given("--heat-map"), is_given("--stats"));

@@ -265,6 +265,7 @@ Outcome fit(const Options& options, const Input& input, const std::string& outpu
     if (input.error) std::rethrow_exception(input.error);
     LightTarget target = read(options, input);
     for (const std::string& file : files_of(input, target)) files.expect_apart_from(file);
+    if (options.catalogue.empty() && !output.empty()) expect_fitted_light_or_nothing(output);
     const LightFit& fitted = outcome.fit.emplace(fit_light(std::move(target), options.is_robust));
     std::vector<std::string> source = fitted.target.source;
     source.insert(source.end(), fitted.target.derived.begin(), fitted.target.derived.end());
@@ -482,8 +483,10 @@ int main(int argc, char** argv) {
                  "names of bundled lights")
       ->type_name("FILE...")
       ->required();
-  app.add_option("-o,--output", options.output,
-                 "Write the light here; of several inputs, NAME.json each in this folder, made if missing")
+  app.add_option(
+         "-o,--output", options.output,
+         "Write the light here, where nothing is or a fitted light; of several inputs, NAME.json each in this folder, "
+         "made if missing")
       ->type_name("FILE|FOLDER");
   app.add_option("--against", options.against, "Another input: both in one table and one plot")->type_name("INPUT");
   app.add_option("--catalogue", options.catalogue,

@@ -208,6 +208,12 @@ void expect_writable(const std::string& path) {
   if (!file.is_open()) fail_to_write(path, std::strerror(errno));
 }
 
+bool would_replace(const std::string& path) {
+  struct stat earlier;
+  return stat(path.c_str(), &earlier) == 0 && S_ISREG(earlier.st_mode) && earlier.st_size > 0 &&
+         !standard_stream_to(earlier);
+}
+
 void write_whole_file(const std::string& path, std::string_view text) {
   struct stat earlier;
   const bool exists = stat(path.c_str(), &earlier) == 0;

@@ -25,6 +25,9 @@ void expect_writable(const std::string& path);
 /// process writes to are locked, and stay.
 void remove_stale_temporaries(const std::filesystem::path& folder);
 
+/// Whether write_whole_file() would replace a file that is there and holds something.
+bool would_replace(const std::string& path);
+
 /// From now on a signal that ends the program (SIGHUP, SIGINT, SIGQUIT, SIGTERM) removes temporary files first. Signals
 /// that the caller had ignored stay ignored.
 void remove_temporaries_on_signals();

@@ -96,6 +96,27 @@ TEST_F(OutputFilesTest, OutputNeedsAnExistingFolder) {
   EXPECT_THROW(outputs.add("--output", path("")), OutputError);
 }
 
+TEST_F(OutputFilesTest, DocumentsThatPeopleWriteAreNotReplaced) {
+  for (const char* kind : {"light-spec", "light", "scene", "camera-path"}) {
+    std::ofstream(path("stats.json")) << "{\"litfog\": \"" << kind << "\", \"version\": 1}";
+    OutputFiles outputs;
+    outputs.add("--stats", path("stats.json"));
+    try {
+      outputs.expect_no_documents();
+      ADD_FAILURE() << kind;
+    } catch (const OutputError& error) {
+      EXPECT_EQ(error.what(),
+                path("stats.json") + ": cannot be written: is there, and is a litfog document, a " + kind);
+    }
+  }
+  for (const char* text : {"", "text", "{\"frames\": 3}", "[]", "{\"litfog\": 1}"}) {
+    std::ofstream(path("stats.json")) << text;
+    OutputFiles outputs;
+    outputs.add("--stats", path("stats.json"));
+    outputs.expect_no_documents();
+  }
+}
+
 }  // namespace
 
 }  // namespace litfog::test

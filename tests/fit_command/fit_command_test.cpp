@@ -527,6 +527,32 @@ TEST_F(FitCommand, OutputThatReplacesAnInputOrAnotherOutputIsAnErrorBeforeAnythi
   EXPECT_EQ(read("lamp.tlt"), "1 2\n0 90\n1 0.8\n");
 }
 
+TEST_F(FitCommand, OutputReplacesNothingButALightThatWasFitted) {
+  const std::string reason = ": cannot be written: is there, and is no light that litfog-fit has written";
+  const std::string by_hand = R"({"litfog": "light", "version": 1, "attenuation": {"constant": 1}})";
+  for (const std::string& text : {std::string(kBeam), std::string(kIes), by_hand, std::string("{\"litfog\": \"light"),
+                                  std::string(R"({"litfog": "scene", "version": 1, "fit": {}})")}) {
+    write("earlier.json", text);
+    EXPECT_ERROR(run("lamp.json -o earlier.json --plot earlier.svg"), kCannotWrite, "earlier.json" + reason + "\n");
+    EXPECT_EQ(read("earlier.json"), text);
+    EXPECT_FALSE(files().contains("earlier.svg"));
+  }
+  write("earlier.json", "");
+  EXPECT_EQ(run("spot.ies -o earlier.json").status, kDone) << "nothing is lost";
+  const std::string spot = read("earlier.json");
+  EXPECT_EQ(run("lamp.json -o earlier.json").status, kDone) << "a light that was fitted";
+  EXPECT_NE(read("earlier.json"), spot);
+  EXPECT_EQ(run("lamp.json -o /dev/stdout").status, kDone);
+
+  fs::create_directory(directory() / "lights");
+  write("lights/beam.json", kBeam);
+  const Outcome outcome = run("lamp.json beam.json spot.ies -o lights");
+  EXPECT_EQ(outcome.status, kCannotWrite);
+  EXPECT_EQ(outcome.err, "lights/beam.json" + reason + "\n");
+  EXPECT_EQ(read("lights/beam.json"), kBeam);
+  for (const char* other : {"lights/lamp.json", "lights/spot.json"}) EXPECT_TRUE(files().contains(other)) << other;
+}
+
 TEST_F(FitCommand, InputThatNoFitTakesIsNamedAndTheOthersAreFitted) {
   write("tiny.ies", "IESNA:LM-63-2002\nTILT=NONE\n1 1000 1e-300 2 1 1 2 0 0 0\n1 1 0\n0 90\n0\n100 100\n");
   fs::create_directory(directory() / "lights");
