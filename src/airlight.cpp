@@ -185,6 +185,7 @@ double light_reach(const Light& light, const Fog& fog, double budget, LampLeg la
   double low = 0;
   if (shown_at(low) < budget) return low;
   high = std::min(high, std::numeric_limits<double>::max());
+  if (!(shown_at(high) < budget)) return std::numeric_limits<double>::infinity();
   constexpr double kLeast = std::numeric_limits<double>::min();
   while (high > low * (1 + 1e-9) && high > kLeast) {
     const double middle =

@@ -100,9 +100,9 @@ long double integrate_airlight(Text<long double, Cookie> text,
   const bool is_cosine = air.profile == LITFOG_PROFILE_COSINE;
   const bool is_smoothstep = air.profile == LITFOG_PROFILE_SMOOTHSTEP;
   if (is_cosine || is_smoothstep) {
-    for (const bool higher : {false, true}) {
-      cuts.push_back(text.litfog_airlight_crossing(air, air.cone_x, higher));
-      if (is_smoothstep) cuts.push_back(text.litfog_airlight_crossing(air, air.cone_y, higher));
+    for (const long double cosine : {air.cone_x, is_smoothstep ? air.cone_y : air.cone_x}) {
+      const auto inside = text.litfog_airlight_inside(air, cosine);
+      cuts.insert(cuts.end(), {inside.low, inside.high});
     }
     if (air.axis_offset > 0) {
       const long double crossing = air.axis_slope * air.offset * air.offset / air.axis_offset;

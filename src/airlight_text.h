@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "litfog/airlight.h"
@@ -13,7 +14,22 @@
 
 namespace litfog::airlight_text {
 
+using glm::sign;
 using std::abs, std::asinh, std::ceil, std::clamp, std::exp, std::floor, std::log, std::max, std::min, std::sqrt;
+
+/// a b - c d without cancellation (William Kahan's, as in Claude-Pierre Jeannerod, Nicolas Louvet and Jean-Michel
+/// Muller 2013, "Further analysis of Kahan's algorithm for the accurate computation of 2x2 determinants").
+template <typename Real>
+Real difference_of_products(Real a, Real b, Real c, Real d) {
+  const Real cd = c * d;
+  return std::fma(a, b, -cd) + std::fma(-c, d, cd);
+}
+
+template <typename Real>
+glm::vec<3, Real> cross_without_cancellation(const glm::vec<3, Real>& a, const glm::vec<3, Real>& b) {
+  return {difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
+          difference_of_products(a.x, b.y, a.y, b.x)};
+}
 
 /// Cookie  called with a distance along the ray from its closest approach to the light: the fraction of the light's
 ///         axial intensity there, for LITFOG_PROFILE_COOKIE
@@ -45,11 +61,14 @@ struct Text {
                                    const Scattering& scattering) {
     using Vector = glm::vec<3, Real>;
     const Light& light = placed.light;
-    const Vector direction = glm::normalize(Vector(ray.direction));
+    const Vector stated = Vector(ray.direction);
+    const Vector direction = glm::normalize(stated);
     const Vector axis = glm::normalize(Vector(placed.direction));
     const Vector to_light = Vector(placed.position) - Vector(ray.origin);
     const Real approach = glm::dot(to_light, direction);
-    const Vector offset = approach * direction - to_light;  // from the light to the closest approach
+    // From the light to the closest approach: approach * direction - to_light, which a ray through the light would
+    // leave as rounding alone.
+    const Vector offset = glm::cross(cross_without_cancellation(to_light, stated), stated) / glm::dot(stated, stated);
     LitfogAirlight air{};
     air.density = Real(class_fog.density);
     air.mode = class_fog.mode == FogMode::exp ? 0 : 1;

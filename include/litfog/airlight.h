@@ -54,8 +54,8 @@ std::optional<ValueError> check(const EyeRay& ray);
 /// spot it covers those that show more than kDimAirlight: less comes only from the outermost edge of its cone, as
 /// rounding, of which an 8-bit display shows no step unless the lamp is over a million times as bright as white.
 ///
-/// Forward and backward scattering: for |g| <= 0.9 both hold for random rays; where the airlight is above 1, the
-/// largest error is relative to it.
+/// Forward and backward scattering: for |g| <= 0.9 both hold; where the airlight is above 1, the largest error is
+/// relative to it. The largest error is one that climbing searches do not exceed (litfog_airlight_climb of the tests).
 inline constexpr double kAirlightMaxError = 1 / 255.;
 inline constexpr double kAirlightTypicalError = 0.01;
 inline constexpr double kPeakedAirlightTypicalError = 0.03;
@@ -80,8 +80,10 @@ void airlight(const PlacedLight& light, const Fog& fog, std::span<const EyeRay> 
               std::span<double> airlights);
 
 /// Largest error of reference_airlight for |g| up to 0.99: this fraction of the airlight, or of a spot 1e-19 of its
-/// airlight without the cone, whichever is larger.
+/// airlight without the cone, whichever is larger. Of a ray that comes no nearer to a light than 1 - x of its extent,
+/// kGrazingReferenceAirlightError / x of the airlight, where that is more (x below 1e-8).
 inline constexpr double kReferenceAirlightMaxError = 1e-10;
+inline constexpr double kGrazingReferenceAirlightError = 1e-18;
 
 /// The same by adaptive quadrature, cut wherever the integrand is not smooth. For tests and comparisons: it takes some
 /// 50 to 150 times as long (`litfog-bench airlight`) and allocates.

@@ -13,13 +13,16 @@
 
 namespace litfog {
 
+/// Smallest depth of a grid's first slice, metres: floats hold the squares of distances in a view of this size.
+inline constexpr double kMinFirstDepth = 1e-12;
+
 /// How a view is cut into clusters: columns and rows of equal size in the picture, and slices of depth. The first slice
 /// begins at the view's nearest depth; the others grow in proportion to their depth, from first_depth to the farthest.
 struct ClusterGrid {
   std::uint32_t columns = 16;  ///< [1, 64]
   std::uint32_t rows = 9;      ///< [1, 64]
   std::uint32_t slices = 24;   ///< [1, 64]
-  double first_depth = 5;      ///< metres, > 0 and below the view's farthest depth; above its nearest with two slices
+  double first_depth = 5;      ///< metres, [kMinFirstDepth, the view's farthest depth); above its nearest with two slices
 };
 
 /// What is wrong with it, or nothing.

@@ -20,6 +20,7 @@
 #include <string>
 #include <vector>
 
+#include "airlight_quadrature.h"
 #include "airlight_text.h"
 #include "core/simd_targets.h"
 #include "core/value_errors.h"
@@ -364,6 +365,59 @@ TEST(Airlight, ReferenceIsTheDefinitionByAnotherQuadrature) {
   }
 }
 
+/// A case as the shared text sees it, with its geometry in 50 digits.
+template <typename Text>
+typename Text::LitfogAirlight seen_exactly(const AirlightCase& c) {
+  using Vector = std::array<Digits50, 3>;
+  const auto vector = [](const glm::dvec3& v) { return Vector{v.x, v.y, v.z}; };
+  const auto dot = [](const Vector& a, const Vector& b) { return Digits50(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]); };
+  const Vector ray = vector(c.ray.direction), axis = vector(c.light.direction);
+  const Vector position = vector(c.light.position), eye = vector(c.ray.origin);
+  Vector to_light, offset;
+  for (std::size_t i = 0; i < 3; ++i) to_light[i] = position[i] - eye[i];
+  const Digits50 along = dot(to_light, ray) / dot(ray, ray);
+  for (std::size_t i = 0; i < 3; ++i) offset[i] = along * ray[i] - to_light[i];
+  const Digits50 ray_length = sqrt(dot(ray, ray)), axis_length = sqrt(dot(axis, axis));
+  const auto real = [](const Digits50& x) { return x.convert_to<long double>(); };
+  const Light& light = c.light.light;
+  const long double extent = real(reference_extent(light.attenuation, light.threshold));
+  auto air = Text::seen_along(c.light, extent, c.fog, c.ray, c.scattering);
+  air.approach = real(along * ray_length);
+  air.offset = real(sqrt(dot(offset, offset)));
+  air.axis_offset = real(dot(offset, axis) / axis_length);
+  air.axis_slope = real(dot(ray, axis) / (ray_length * axis_length));
+  return air;
+}
+
+TEST(Airlight, ReferenceHoldsItsErrorForRaysThroughALampAndAlongItsExtent) {
+  using Exact = airlight_text::Text<long double, airlight_text::NoCookie>;
+  Random random(84);
+  WorstError through("reference_airlight", "rays 1e-15 to 1e-9 m from a spot", kReferenceAirlightMaxError, "relative");
+  WorstError along("reference_airlight", "rays that graze an extent", 1, "of the stated error");
+  for (int i = 0; i < 4000; ++i) {
+    AirlightCase c = draw_spot_airlight_case(random, random.pick(kModes), random.pick(kLampLegs));
+    const Light& light = c.light.light;
+    const double extent = compute_extent(light.attenuation, light.threshold);
+    if (!(extent > 0 && extent < 1e5)) continue;
+    const bool grazes = i % 2 == 0;
+    if (grazes) c.light.light.cone = {};
+    const double offset = grazes ? extent * (1 - random.log_uniform(1e-14, 1e-5)) : random.log_uniform(1e-15, 1e-9);
+    const double approach = glm::dot(c.light.position - c.ray.origin, c.ray.direction);
+    c.light.position = c.ray.origin + approach * c.ray.direction + offset * draw_perpendicular(random, c.ray.direction);
+    const auto air = seen_exactly<Exact>(c);
+    const double expected = double(airlight_text::integrate_airlight(Exact{airlight_text::NoCookie{}}, air));
+    if (expected < 1e-13) continue;
+    const double error = relative_error(reference_of(c), expected);
+    if (!grazes) through.add(error, [&] { return to_string(c); });
+    if (!grazes) continue;
+    const double stated =
+        std::max(kReferenceAirlightMaxError, kGrazingReferenceAirlightError / double(1 - air.offset / air.extent));
+    along.add(error / stated, [&] { return to_string(c); });
+  }
+  through.check();
+  along.check();
+}
+
 /// The eye at a light, or anywhere else, looking along -z.
 AirlightCase looking(const Attenuation& attenuation, const Fog& fog, LampLeg lamp_leg,
                      const glm::dvec3& light_position = {0, 0, 0}, double length = kInfinity) {
@@ -564,6 +618,51 @@ TEST(Airlight, FastFormHasItsStatedErrorsInForwardAndBackwardScattering) {
       expect_small(find_errors(kRays, kDimAirlight, draw), kAirlightTypicalError, what);
     }
   }
+}
+
+/// Whether a ray runs along the edge of a beam that is not dark there: it is lit or not by the last digit.
+bool runs_along_edge(const AirlightCase& c) {
+  const Cone& cone = c.light.light.cone;
+  if (cone.profile != ConeProfile::cosine) return false;
+  const auto is_on_edge = [&](double along) {
+    const glm::dvec3 from_light = c.ray.origin + along * c.ray.direction - c.light.position;
+    return std::abs(glm::dot(from_light, c.light.direction) - std::cos(cone.half_angle) * glm::length(from_light)) <
+           1e-6 * along;
+  };
+  return is_on_edge(0.37) && is_on_edge(5.1);
+}
+
+TEST(Airlight, FastFormHasItsStatedErrorWhereRaysMeetLampsByCoincidence) {
+  constexpr int kRays = 20000;
+  Random random(83);
+  int rays = 0;
+  for (int i = 0; i < kRays; ++i) {
+    const AirlightCase c = draw_coincident_airlight_case(random, random.pick(kModes), random.pick(kLampLegs));
+    if (runs_along_edge(c)) continue;
+    ++rays;
+    const double expected = reference_of(c);
+    ASSERT_NEAR(airlight_of(c), expected, kAirlightMaxError * std::max(expected, 1.0)) << to_string(c);
+  }
+  EXPECT_GT(rays, kRays * 9 / 10);
+}
+
+TEST(Airlight, BeamIsSeenFromAnEyeOnItsCone) {
+  // A cone of 45 degrees, 2 m up and 2 m ahead, shines down: the eye lies on it, and looks along its axis.
+  AirlightCase c = looking({1, 0, 0.05}, Fog::from_visibility(FogMode::exp, 30), LampLeg::fogged, {0, 2, -2});
+  c.light.light.cone = Cone::smoothstep(0, std::numbers::pi / 4);
+  c.light.direction = {0, -1, 0};
+  EXPECT_GT(airlight_of(c), 0.03);
+  EXPECT_NEAR(airlight_of(c), reference_of(c), kAirlightMaxError);
+}
+
+TEST(Airlight, AirlightIsNoMoreThanTheFogTakesFromTheRay) {
+  AirlightCase c = looking({1, 0, 0}, {FogMode::exp2, 0x1.a6f66b263ff03p-2}, LampLeg::clear,
+                           {26.317985430029484 - 12.724058667137239, -57.537597905887424 + 56.712276006525862,
+                            82.651173563558103 - 81.374541972258612},
+                           18.727117651244203);
+  c.light.light.threshold = 0x1.025640112fed4p-15;
+  c.ray.direction = {0.99771345359071451, -0.0042314154265179231, 0.067453388703440753};
+  EXPECT_LE(airlight_of(c), 1);
 }
 
 TEST(Airlight, AirlightIsBelowTheOpacityAndRisesWithTheLength) {
@@ -861,6 +960,18 @@ TEST(LightReach, ReachHasItsLimits) {
   light.attenuation = {4, 0, 0};
   EXPECT_EQ(light_reach(light, {FogMode::exp, 0.1}, 0.5), 0);
   EXPECT_EQ(error_of([&] { light_reach(light, {}, 1); }), "budget = 1: must be in (0, 1)");
+}
+
+TEST(LightReach, ReachBeyondAllDoublesIsInfinite) {
+  Light light;
+  light.attenuation = {1, 0, 0};
+  for (const FogMode mode : kModes) {
+    EXPECT_EQ(light_reach(light, {mode, kDenormMin}, 0.01), kInfinity);
+    EXPECT_EQ(light_reach(light, {mode, 1e-309}, 1e-9), kInfinity);
+    const double reach = light_reach(light, {mode, 1e-300}, 0.01);
+    EXPECT_LE(fog_factor_at({mode, 1e-300}, reach), 0.01);
+    EXPECT_GE(fog_factor_at({mode, 1e-300}, reach), 0.01 * (1 - 1e-8));
+  }
 }
 
 TEST(LightReach, SearchEndsWhereTheReachIsNextToNothing) {

@@ -168,4 +168,54 @@ inline AirlightCase draw_spot_airlight_case(Random& random, FogMode mode, LampLe
   return c;
 }
 
+/// Where a ray meets a lamp by coincidence: the eye or the ray's end on its cone, knee or extent, or in the lamp
+/// itself, but for nothing or a few ulp; cones of 45, 60, 90 and 180 degrees and others, in radians of doubles or of
+/// floats; rays along an axis of the world, of the lamp, across it or anywhere.
+inline AirlightCase draw_coincident_airlight_case(Random& random, FogMode mode, LampLeg lamp_leg) {
+  constexpr double kDegree = std::numbers::pi / 180;
+  constexpr std::array kAngles{5., 20., 30., 45., 60., 90., 120., 135., 180.};
+  constexpr std::array kWorldAxes{glm::dvec3(1, 0, 0), glm::dvec3(0, -1, 0), glm::dvec3(0, 0, 1)};
+  AirlightCase c;
+  c.scattering = {.lamp_leg = lamp_leg, .asymmetry = random.chance(0.5) ? 0 : random.uniform(-0.9, 0.9)};
+  Light& light = c.light.light;
+  light.attenuation = {random.pick(std::array{0., 0.4, 1., 1.5}), random.chance(0.5) ? 0 : random.log_uniform(1e-3, 1),
+                       random.log_uniform(1e-3, 1)};
+  light.threshold = random.log_uniform(1e-3, 0.1);
+  const auto radians = [&](double degrees) {
+    return random.chance(0.5) ? degrees * kDegree : double(float(degrees) * float(kDegree));
+  };
+  const double angle = random.pick(kAngles);
+  light.cone = random.chance(0.5) ? Cone::cosine(std::min(radians(std::min(angle, 90.)), std::numbers::pi / 2),
+                                                 random.pick(std::array{0., 1., 8., 200.}))
+                                  : Cone::smoothstep(radians(angle) * random.pick(std::array{0., 0.5, 0.9}),
+                                                     std::min(radians(angle), std::numbers::pi));
+  c.light.direction = random.chance(0.5) ? random.pick(kWorldAxes) : draw_direction(random);
+  c.light.position = random.chance(0.5) ? glm::dvec3(0, 2, 0) : 10. * draw_direction(random);
+  c.fog = Fog::from_visibility(mode, random.log_uniform(1, 1000));
+
+  const double cutoff = cutoff_angle(light.cone);
+  const glm::dvec3 side = draw_perpendicular(random, c.light.direction);
+  const glm::dvec3 on_cone = std::cos(cutoff) * c.light.direction + std::sin(cutoff) * side;
+  const double knee = compute_knee(light.attenuation);
+  const double extent = compute_extent(light.attenuation, light.threshold);
+  const double range = random.pick(std::array{0., knee, extent, extent * random.uniform(0, 1)});
+  const double nudge = random.chance(0.5) ? 1 : 1 + random.pick(std::array{-1e-15, 1e-15, -1e-9, 1e-9});
+  const glm::dvec3 met = c.light.position + nudge * range * (random.chance(0.7) ? on_cone : draw_direction(random));
+  const int way = random.below(5);
+  c.ray.direction = way == 0   ? random.pick(kWorldAxes)
+                    : way == 1 ? c.light.direction
+                    : way == 2 ? side
+                    : way == 3 ? draw_perpendicular(random, side)
+                               : draw_direction(random);
+  if (random.chance(0.5)) c.ray.direction = -c.ray.direction;
+  c.ray.origin = met;
+  if (random.chance(0.4)) {  // the end of the ray is there
+    c.ray.length = random.log_uniform(0.1, 100);
+    c.ray.origin -= c.ray.length * c.ray.direction;
+  } else if (random.chance(0.5)) {
+    c.ray.length = random.log_uniform(0.1, 100);
+  }
+  return c;
+}
+
 }  // namespace litfog::test

@@ -15,7 +15,7 @@
 // the lit part begins on that side. A point lamp in isotropic fog has a closed form on the plateau and takes 7 nodes
 // elsewhere, which lie closer where its light is brighter, 8 in exp2 fog; a beam takes some 20, one wider than 90
 // degrees some 28, a phase function some 40, 64 where |g| > 0.5, a cookie some 128 (glow.glsl chooses by what the lamp
-// can show).
+// can show). Each piece takes at least 5 of them and a fifth, so that a bright piece short in t is not left to one.
 //
 // Errors and what they were measured on: litfog/airlight.h. In floats they hold for cones of at least 0.02 radians, for
 // a float has too few digits of the cosine of a narrower one; the relative error holds for airlight above 1e-5.
@@ -130,6 +130,14 @@ LITFOG_REAL litfog_phase(LITFOG_REAL cosine, LITFOG_REAL asymmetry) {
   return (LITFOG_REAL(1.0) - square) / (base * sqrt(base));
 }
 
+// What of the integrand depends on angles, but for the edge of a cone and for a cookie.
+LITFOG_REAL litfog_airlight_by_angles(LitfogAirlight air, LITFOG_REAL along) {
+  LITFOG_REAL range = litfog_airlight_range(air, along);
+  LITFOG_REAL value = range > LITFOG_REAL(0.0) ? litfog_phase(-along / range, air.asymmetry) : LITFOG_REAL(1.0);
+  if (air.profile != LITFOG_REAL(LITFOG_PROFILE_COSINE)) return value;
+  return value * litfog_cosine_cone(litfog_airlight_cosine(air, along, range), LITFOG_REAL(0.0), air.cone_y);
+}
+
 // The integrand at a distance along the ray from the closest approach.
 LITFOG_REAL litfog_airlight_integrand(LitfogAirlight air, LITFOG_REAL along) {
   LITFOG_REAL range = litfog_airlight_range(air, along);
@@ -224,25 +232,59 @@ LITFOG_REAL litfog_airlight_level(LitfogAirlight air, LITFOG_REAL value) {
   return litfog_level_range(value, air.constant, air.linear, air.quadratic);
 }
 
-// Where the ray crosses the cone whose half angle has a cosine: the lower or the higher of the two distances from the
-// closest approach, litfog_far if there is none.
-LITFOG_REAL litfog_airlight_crossing(LitfogAirlight air, LITFOG_REAL cosine, bool higher) {
+// A part of the ray's line, as distances from the closest approach to the lamp; empty unless high > low.
+struct LitfogAirlightPart {
+  LITFOG_REAL low;
+  LITFOG_REAL high;
+};
+
+// The part of the ray's line inside a convex cone about the axis. Its half angle, at most a right one, is that of the
+// cosine; for a cosine below 0 it is the opposite cone, which a beam wider than a right angle leaves dark. Ends are at
+// -litfog_far and litfog_far where the line does not leave the cone.
+//
+// Everyone who needs to know what of a ray is lit asks here, so that rounding cannot give two answers. The sign of
+// a = slope^2 - cosine^2 alone decides. Where it is above 0 the line runs from one nappe to the other: it is inside
+// from its last crossing on (slope > 0) or up to its first. Else both crossings are on one nappe, that of axis_offset.
+LitfogAirlightPart litfog_airlight_inside(LitfogAirlight air, LITFOG_REAL cosine) {
+  LITFOG_REAL sign_of_axis = cosine < LITFOG_REAL(0.0) ? LITFOG_REAL(-1.0) : LITFOG_REAL(1.0);
+  LITFOG_REAL slope = sign_of_axis * air.axis_slope;
+  LITFOG_REAL axis_offset = sign_of_axis * air.axis_offset;
   LITFOG_REAL c2 = cosine * cosine;
-  LITFOG_REAL a = air.axis_slope * air.axis_slope - c2;
-  LITFOG_REAL b = air.axis_offset * air.axis_slope;
-  LITFOG_REAL c = air.axis_offset * air.axis_offset - c2 * air.offset * air.offset;
+  LITFOG_REAL a = slope * slope - c2;
+  LITFOG_REAL b = axis_offset * slope;
+  LITFOG_REAL c = axis_offset * axis_offset - c2 * air.offset * air.offset;
   // b^2 - a c, without the difference: for wide cones both are nearly equal.
-  LITFOG_REAL discriminant = c2 * (air.axis_offset * air.axis_offset +
-                                   air.offset * air.offset * (air.axis_slope * air.axis_slope - c2));
-  if (discriminant < LITFOG_REAL(0.0)) return litfog_far;
-  LITFOG_REAL root = sqrt(discriminant);
+  LITFOG_REAL discriminant = c2 * (axis_offset * axis_offset + a * air.offset * air.offset);
+  LitfogAirlightPart part;
+  part.low = LITFOG_REAL(0.0);
+  part.high = LITFOG_REAL(0.0);
+  if (a <= LITFOG_REAL(0.0) && !(axis_offset > LITFOG_REAL(0.0) && discriminant >= LITFOG_REAL(0.0))) return part;
+  LITFOG_REAL root = sqrt(max(discriminant, LITFOG_REAL(0.0)));
   LITFOG_REAL q = b < LITFOG_REAL(0.0) ? root - b : -b - root;
-  LITFOG_REAL first = abs(a) * litfog_far > abs(q) ? q / a : litfog_far;
-  LITFOG_REAL second = q != LITFOG_REAL(0.0) ? c / q : LITFOG_REAL(0.0);
-  LITFOG_REAL along = higher ? max(first, second) : min(first, second);
-  // The other nappe is that of the opposite cosine. Near a right angle both are a plane: rounding decides which is met.
-  bool is_plane = abs(cosine) < LITFOG_REAL(1.0e-4);
-  return is_plane || (air.axis_offset + air.axis_slope * along) * cosine >= LITFOG_REAL(0.0) ? along : litfog_far;
+  LITFOG_REAL first = litfog_far;  // of the roots of a x^2 + 2 b x + c, infinite where the line is parallel to the edge
+  if (abs(a) * litfog_far > abs(q)) {
+    first = q / a;
+  } else if ((q < LITFOG_REAL(0.0)) == (a > LITFOG_REAL(0.0))) {
+    first = -litfog_far;
+  }
+  LITFOG_REAL second = q != LITFOG_REAL(0.0) ? c / q : c > LITFOG_REAL(0.0) ? -litfog_far : LITFOG_REAL(0.0);
+  part.low = min(first, second);
+  part.high = max(first, second);
+  if (a > LITFOG_REAL(0.0)) {
+    LITFOG_REAL end = slope > LITFOG_REAL(0.0) ? part.high : part.low;
+    part.low = slope > LITFOG_REAL(0.0) ? end : -litfog_far;
+    part.high = slope > LITFOG_REAL(0.0) ? litfog_far : end;
+  }
+  return part;
+}
+
+bool litfog_airlight_has_cone(LitfogAirlight air) {
+  return air.profile == LITFOG_REAL(LITFOG_PROFILE_COSINE) || air.profile == LITFOG_REAL(LITFOG_PROFILE_SMOOTHSTEP);
+}
+
+// Whether the cone is wider than a right angle, so that it lights all but one part of the ray's line.
+bool litfog_airlight_is_wide(LitfogAirlight air) {
+  return litfog_airlight_has_cone(air) && air.cone_x < LITFOG_REAL(0.0);
 }
 
 // A point lamp in isotropic fog.
@@ -256,7 +298,7 @@ LITFOG_REAL litfog_airlight_nodes(LitfogAirlight air) {
   if (air.profile == LITFOG_REAL(LITFOG_PROFILE_COOKIE)) return LITFOG_REAL(128.0);
   if (abs(air.asymmetry) > LITFOG_REAL(0.5)) return LITFOG_REAL(64.0);
   if (air.asymmetry != LITFOG_REAL(0.0)) return LITFOG_REAL(40.0);
-  return air.cone_x <= LITFOG_REAL(0.0) ? LITFOG_REAL(28.0) : LITFOG_REAL(20.0);
+  return litfog_airlight_is_wide(air) ? LITFOG_REAL(28.0) : LITFOG_REAL(20.0);
 }
 
 // A stretch of the ray on one side of an anchor, the point from which x is measured.
@@ -321,9 +363,15 @@ LitfogAirlightSide litfog_airlight_side(LitfogAirlight air, LITFOG_REAL from, LI
   side.nearest = max(beyond ? from - anchor : anchor - to, LITFOG_REAL(0.0));
   side.farthest = beyond ? to - anchor : anchor - from;
   side.rate = litfog_airlight_rate(air, side);
-  // Fog that scatters backwards shines the brighter, the farther behind the lamp it is. That makes up for a part of q.
-  if (air.asymmetry < LITFOG_REAL(0.0) && side.rate > LITFOG_REAL(0.0)) {
-    side.rate *= LITFOG_REAL(1.0) - LITFOG_REAL(0.6) * air.asymmetry * air.asymmetry;
+  // What brightens towards the far end makes up for some of the fog.
+  bool may_brighten = air.asymmetry < LITFOG_REAL(0.0) || air.profile == LITFOG_REAL(LITFOG_PROFILE_COSINE);
+  if (may_brighten && side.rate > LITFOG_REAL(0.0) && side.farthest > side.nearest) {
+    LITFOG_REAL half_size = LITFOG_REAL(0.5) * (side.farthest - side.nearest);
+    LITFOG_REAL end = side.anchor + side.direction * side.farthest;
+    LITFOG_REAL at_end = litfog_airlight_by_angles(air, end);
+    LITFOG_REAL at_middle = litfog_airlight_by_angles(air, end - side.direction * half_size);
+    LITFOG_REAL growth = log(max(at_end / max(at_middle, LITFOG_REAL(1.0e-30)), LITFOG_REAL(1.0)));
+    side.rate = max(side.rate - growth / half_size, LITFOG_REAL(0.0));
   }
   // Within a fog scale no z is needed, and the logarithm of nearly 1 is noise in floats.
   if (abs(side.rate) * (side.farthest - side.nearest) < LITFOG_REAL(1.0)) side.rate = LITFOG_REAL(0.0);
@@ -333,8 +381,9 @@ LitfogAirlightSide litfog_airlight_side(LitfogAirlight air, LITFOG_REAL from, LI
   side.bend = LITFOG_REAL(0.0);
   if (side.farthest > side.nearest) {
     LITFOG_REAL end = litfog_airlight_z(side, side.farthest);
-    side.width = clamp(sqrt(width * width + side.nearest * side.nearest), LITFOG_REAL(0.0015) * end,
-                       LITFOG_REAL(1000.0) * end);
+    LITFOG_REAL least = air.asymmetry == LITFOG_REAL(0.0) ? LITFOG_REAL(0.0015) : LITFOG_REAL(0.0005);
+    side.width =
+        clamp(sqrt(width * width + side.nearest * side.nearest), least * end, LITFOG_REAL(1000.0) * end);
     side.size = asinh(end / side.width);
     side.part = sqrt(side.size);
     if (litfog_airlight_is_plain(air)) {
@@ -362,10 +411,10 @@ LitfogAirlightSide litfog_airlight_side_of(LitfogAirlight air, int i, LITFOG_REA
 }
 
 // The integral over a part of a side by some nodes, at least 1; more than 8 are spread over equal panels. A cookie has
-// detail between nodes and takes the midpoint rule, which errs half as much.
+// detail between nodes and takes panels of 2.
 LITFOG_REAL litfog_airlight_between(LitfogAirlight air, LitfogAirlightSide side, LITFOG_REAL start, LITFOG_REAL end,
                                     int nodes) {
-  int most_each = air.profile == LITFOG_REAL(LITFOG_PROFILE_COOKIE) ? 1 : 8;
+  int most_each = air.profile == LITFOG_REAL(LITFOG_PROFILE_COOKIE) ? 2 : 8;
   int panels = (nodes + most_each - 1) / most_each;
   int nodes_each = int(ceil(LITFOG_REAL(nodes) / LITFOG_REAL(panels)));
   int first = nodes_each * (nodes_each - 1) / 2;
@@ -405,12 +454,10 @@ LITFOG_REAL litfog_airlight_next(LitfogAirlightSide side, LITFOG_REAL cut, LITFO
 // Where a side is cut into smooth pieces: distances along the ray from the closest approach, litfog_far for none.
 struct LitfogAirlightCuts {
   bool are_made;
-  bool is_wide;           // the cone's half angle is a right one or more: all but one stretch of the ray may be lit
+  LITFOG_REAL least;      // how many nodes a piece has at least
   LITFOG_REAL plateau;    // and the same before the closest approach
-  LITFOG_REAL edge_low;   // of a wide cone
-  LITFOG_REAL edge_high;
-  LITFOG_REAL inner_low;  // of a smoothstep cone's full brightness
-  LITFOG_REAL inner_high;
+  LitfogAirlightPart dark;
+  LitfogAirlightPart inner;  // of a smoothstep cone's full brightness; of a wide one, where it is less
 };
 
 // The integral over a side by some nodes, spread over its pieces in proportion to their sizes.
@@ -428,26 +475,26 @@ LITFOG_REAL litfog_airlight_over(LitfogAirlight air, LitfogAirlightSide side, Li
     if (cuts.are_made) {
       next = litfog_airlight_next(side, cuts.plateau, x, next);
       next = litfog_airlight_next(side, -cuts.plateau, x, next);
-      next = litfog_airlight_next(side, cuts.edge_low, x, next);
-      next = litfog_airlight_next(side, cuts.edge_high, x, next);
-      next = litfog_airlight_next(side, cuts.inner_low, x, next);
-      next = litfog_airlight_next(side, cuts.inner_high, x, next);
+      next = litfog_airlight_next(side, cuts.dark.low, x, next);
+      next = litfog_airlight_next(side, cuts.dark.high, x, next);
+      next = litfog_airlight_next(side, cuts.inner.low, x, next);
+      next = litfog_airlight_next(side, cuts.inner.high, x, next);
+      // z leaves too few nodes to what lies deep in the fog, where a phase function brightens it.
+      if (air.asymmetry != LITFOG_REAL(0.0) && side.rate > LITFOG_REAL(0.0)) {
+        LITFOG_REAL deep = side.nearest + LITFOG_REAL(2.5) / side.rate;
+        next = litfog_airlight_next(side, side.anchor + side.direction * deep, x, next);
+      }
       LITFOG_REAL middle = side.anchor + side.direction * LITFOG_REAL(0.5) * (x + next);
-      is_dark =
-          cuts.is_wide && litfog_airlight_cosine(air, middle, litfog_airlight_range(air, middle)) <= air.cone_x;
+      is_dark = middle > cuts.dark.low && middle < cuts.dark.high;
       end = litfog_airlight_t(side, next);
-      part = max(floor(nodes * (end - t) / side.size + LITFOG_REAL(1.5)), LITFOG_REAL(1.0));
+      part = max(floor(nodes * (end - t) / side.size + LITFOG_REAL(1.5)), cuts.least);
     }
     if (!is_dark) sum += litfog_airlight_between(air, side, t, end, int(part));
     x = next;
     t = end;
     ++pieces;
-  } while (cuts.are_made && pieces < 7 && x < side.farthest);
+  } while (cuts.are_made && pieces < 8 && x < side.farthest);
   return sum;
-}
-
-bool litfog_airlight_has_cone(LitfogAirlight air) {
-  return air.profile == LITFOG_REAL(LITFOG_PROFILE_COSINE) || air.profile == LITFOG_REAL(LITFOG_PROFILE_SMOOTHSTEP);
 }
 
 // Where a ray that passes the lamp on the side to which it shines is nearest in angle to the cone's axis: distance
@@ -460,55 +507,69 @@ LITFOG_REAL litfog_airlight_axis_crossing(LitfogAirlight air) {
 struct LitfogAirlightStretch {
   LITFOG_REAL low;  // distances along the ray from the closest approach; equal where nothing can contribute
   LITFOG_REAL high;
-  LITFOG_REAL edge_low;  // within it, where the ray crosses the edge of a wide cone; litfog_far for nowhere
-  LITFOG_REAL edge_high;
+  LitfogAirlightPart dark;  // within it, what a wide cone leaves dark; at litfog_far where that is nothing
 };
 
-LitfogAirlightStretch litfog_airlight_stretch(LitfogAirlight air) {
-  LitfogAirlightStretch stretch;
-  stretch.low = LITFOG_REAL(0.0);
-  stretch.high = LITFOG_REAL(0.0);
-  stretch.edge_low = litfog_far;
-  stretch.edge_high = litfog_far;
-  if (!(air.density > LITFOG_REAL(0.0)) || air.offset >= air.extent) return stretch;
-  LITFOG_REAL fog_scale = LITFOG_REAL(1.0) / air.density;
-  LITFOG_REAL chord = litfog_airlight_chord(air, air.extent);
-  LITFOG_REAL low = max(-air.approach, -chord);
-  LITFOG_REAL high = min(air.ray_length - air.approach, chord);
-  high = min(high, max(low, LITFOG_REAL(0.0)) + LITFOG_REAL(100.0) * fog_scale);
-  if (!(high > low)) return stretch;
+// Cosine of the half angle beyond which a beam is dark, or so dim that it adds next to nothing to what it adds
+// elsewhere on [low, high]: a cosine cone falls below 1e-5 of its brightest there.
+LITFOG_REAL litfog_airlight_edge(LitfogAirlight air, LITFOG_REAL low, LITFOG_REAL high) {
+  if (air.profile != LITFOG_REAL(LITFOG_PROFILE_COSINE)) return air.cone_x;
+  LITFOG_REAL nearest = max(litfog_airlight_cosine(air, low, litfog_airlight_range(air, low)),
+                            litfog_airlight_cosine(air, high, litfog_airlight_range(air, high)));
+  if (air.axis_offset > LITFOG_REAL(0.0)) {
+    LITFOG_REAL along = clamp(litfog_airlight_axis_crossing(air), low, high);
+    nearest = max(nearest, litfog_airlight_cosine(air, along, litfog_airlight_range(air, along)));
+  }
+  return max(air.cone_x, nearest * exp(LITFOG_REAL(-11.5) / max(air.cone_y, LITFOG_REAL(0.1))));
+}
 
-  if (litfog_airlight_has_cone(air)) {
-    LITFOG_REAL first = litfog_airlight_crossing(air, air.cone_x, false);
-    LITFOG_REAL last = litfog_airlight_crossing(air, air.cone_x, true);
-    first = first > low && first < high ? first : litfog_far;
-    last = last > low && last < high ? last : litfog_far;
-    if (air.cone_x <= LITFOG_REAL(0.0)) {  // all but one stretch of the ray may be lit
-      stretch.edge_low = first;
-      stretch.edge_high = last;
-    } else {  // one stretch
-      LITFOG_REAL enters = low;
-      LITFOG_REAL leaves = high;
-      if (litfog_airlight_cosine(air, low, litfog_airlight_range(air, low)) <= air.cone_x) enters = min(first, last);
-      if (litfog_airlight_cosine(air, high, litfog_airlight_range(air, high)) <= air.cone_x) {
-        leaves = first == litfog_far ? last : last == litfog_far ? first : max(first, last);
-      }
-      if (!(min(leaves, high) > enters)) return stretch;
-      low = enters;
-      high = min(leaves, high);
+// The part of a ray that the lamp lights: inside extent and cone.
+LitfogAirlightStretch litfog_airlight_lit(LitfogAirlight air) {
+  LitfogAirlightStretch lit;
+  LITFOG_REAL chord = litfog_airlight_chord(air, air.extent);
+  lit.low = max(-air.approach, -chord);
+  lit.high = min(air.ray_length - air.approach, chord);
+  lit.dark.low = litfog_far;
+  lit.dark.high = litfog_far;
+  if (!litfog_airlight_has_cone(air) || !(lit.high > lit.low)) return lit;
+  LitfogAirlightPart inside = litfog_airlight_inside(air, litfog_airlight_edge(air, lit.low, lit.high));
+  if (!litfog_airlight_is_wide(air)) {
+    lit.low = max(lit.low, inside.low);
+    lit.high = inside.high > inside.low ? min(lit.high, inside.high) : lit.low;
+  } else if (inside.high > inside.low && inside.high > lit.low && inside.low < lit.high) {
+    if (inside.low <= lit.low) {
+      lit.low = inside.high;
+    } else if (inside.high >= lit.high) {
+      lit.high = inside.low;
+    } else {
+      lit.dark = inside;
     }
   }
+  return lit;
+}
+
+LitfogAirlightStretch litfog_airlight_stretch(LitfogAirlight air) {
+  LitfogAirlightStretch stretch = litfog_airlight_lit(air);
+  LITFOG_REAL low = stretch.low;
+  LITFOG_REAL high = stretch.high;
+  stretch.low = LITFOG_REAL(0.0);
+  stretch.high = LITFOG_REAL(0.0);
+  if (!(air.density > LITFOG_REAL(0.0)) || air.offset >= air.extent) return stretch;
+  LITFOG_REAL fog_scale = LITFOG_REAL(1.0) / air.density;
+  high = min(high, max(low, LITFOG_REAL(0.0)) + LITFOG_REAL(100.0) * fog_scale);
+  if (!(high > low)) return stretch;
 
   // Cut where fog has dimmed it: exp fog to 1e-4 of its beginning, exp2 fog to 3e-4 of its brightest (of a point lamp
   // 1e-3), towards the eye to 1e-2 (2e-2). A lamp up to 6 fog scales away may be so much brighter than the fog before
   // it that the fog around the lamp counts, too.
   bool is_plain = litfog_airlight_is_plain(air);
   // Far behind the lamp, fog that scatters backwards is brighter by up to (1 + |g|) / (1 - |g|)^2, down to g = -0.9 at
-  // most e^(6 |g|).
+  // most e^(6 |g|). So is fog that scatters forwards before the lamp, which lies within the reach but in exp fog with a
+  // clear lamp leg.
   LITFOG_REAL depths = LITFOG_REAL(6.0) * max(-air.asymmetry, LITFOG_REAL(0.0));
   if (air.mode == LITFOG_REAL(0.0)) {
     high = min(high, air.lamp_leg == LITFOG_REAL(0.0)
-                         ? low + (LITFOG_REAL(9.0) + depths) * fog_scale
+                         ? low + (LITFOG_REAL(9.0) + LITFOG_REAL(6.0) * abs(air.asymmetry)) * fog_scale
                          : max(low, LITFOG_REAL(0.0)) + (LITFOG_REAL(4.5) + LITFOG_REAL(0.5) * depths) * fog_scale +
                                min(LITFOG_REAL(4.5) * fog_scale, air.offset));
   } else {
@@ -584,8 +645,6 @@ LITFOG_REAL litfog_airlight_along(LitfogAirlight air, LitfogAirlightStretch stre
   if (!(high > low)) return LITFOG_REAL(0.0);
   LITFOG_REAL fog_scale = LITFOG_REAL(1.0) / air.density;
   bool is_plain = litfog_airlight_is_plain(air);
-  bool has_cone = litfog_airlight_has_cone(air);
-  bool is_wide = has_cone && air.cone_x <= LITFOG_REAL(0.0);
 
 #ifdef LITFOG_NO_KNEE
   LITFOG_REAL plateau = LITFOG_REAL(0.0);
@@ -597,18 +656,19 @@ LITFOG_REAL litfog_airlight_along(LitfogAirlight air, LitfogAirlightStretch stre
     sum = litfog_airlight_plateau(air, min(high, plateau)) - litfog_airlight_plateau(air, max(low, -plateau));
   }
 
-  // The falloff's width: where the denominator has doubled.
+  // The falloff's width: where the denominator has doubled. A phase function and the angle from a cone's axis change
+  // over as little as the offset.
   LITFOG_REAL denominator = litfog_denominator(air.offset, air.constant, air.linear, air.quadratic);
   LITFOG_REAL doubled = litfog_airlight_level(air, LITFOG_REAL(2.0) * max(LITFOG_REAL(1.0), denominator));
   LITFOG_REAL width = min(litfog_airlight_chord(air, doubled), max(air.offset, LITFOG_REAL(2.0) * fog_scale));
-  if (air.asymmetry != LITFOG_REAL(0.0)) width = min(width, max(air.offset, LITFOG_REAL(1.0e-2) * fog_scale));
+  if (air.asymmetry != LITFOG_REAL(0.0)) width = min(width, max(air.offset, LITFOG_REAL(2.0e-3) * fog_scale));
   if (air.profile == LITFOG_REAL(LITFOG_PROFILE_COOKIE)) width = min(width, max(air.offset, LITFOG_REAL(0.01) * width));
 
   // Where the ray is nearest to the beam's axis in angle, and the beam's width there.
   LITFOG_REAL crossing = LITFOG_REAL(0.0);
   LITFOG_REAL beam_width = litfog_far;
   bool crosses = false;
-  if (has_cone && air.axis_offset > LITFOG_REAL(0.0)) {
+  if (litfog_airlight_has_cone(air) && air.axis_offset > LITFOG_REAL(0.0)) {
     crossing = litfog_airlight_axis_crossing(air);
     LITFOG_REAL cosine = LITFOG_REAL(0.5) * (air.cone_x + air.cone_y);
     LITFOG_REAL sine_squared = air.profile == LITFOG_REAL(LITFOG_PROFILE_COSINE)
@@ -616,9 +676,12 @@ LITFOG_REAL litfog_airlight_along(LitfogAirlight air, LitfogAirlightStretch stre
                                    : LITFOG_REAL(1.0) - cosine * cosine;
     beam_width = LITFOG_REAL(1.2) * sqrt(sine_squared) * (air.offset * air.offset + crossing * crossing) /
                  max(air.offset, LITFOG_REAL(1.0e-9));
-    crosses = !is_wide && crossing > low && crossing < high && beam_width < width &&
+    crosses = !litfog_airlight_is_wide(air) && crossing > low && crossing < high && beam_width < width &&
               abs(crossing) > max(LITFOG_REAL(4.0) * beam_width, LITFOG_REAL(1.0e-5) * (high - low));
-    if (!crosses) width = min(width, max(max(beam_width, LITFOG_REAL(0.25) * air.offset), LITFOG_REAL(0.01) * width));
+  }
+  if (litfog_airlight_has_cone(air) && !crosses) {
+    beam_width = clamp(beam_width, LITFOG_REAL(0.25) * air.offset, LITFOG_REAL(2.0) * air.offset);
+    width = min(width, max(beam_width, LITFOG_REAL(0.01) * width));
   }
   LITFOG_REAL border = crosses ? LITFOG_REAL(0.5) * crossing : LITFOG_REAL(0.0);
 
@@ -640,15 +703,13 @@ LITFOG_REAL litfog_airlight_along(LitfogAirlight air, LitfogAirlightStretch stre
   LITFOG_REAL nodes_left = air.nodes > LITFOG_REAL(0.0) ? air.nodes : litfog_airlight_nodes(air);
   LitfogAirlightCuts cuts;
   cuts.are_made = !is_plain && nodes_left > LITFOG_REAL(8.0);
-  cuts.is_wide = is_wide;
+  cuts.least = max(LITFOG_REAL(5.0), floor(LITFOG_REAL(0.2) * nodes_left));
   cuts.plateau = plateau;
-  cuts.edge_low = stretch.edge_low;
-  cuts.edge_high = stretch.edge_high;
-  cuts.inner_low = litfog_far;
-  cuts.inner_high = litfog_far;
+  cuts.dark = stretch.dark;
+  cuts.inner.low = litfog_far;
+  cuts.inner.high = litfog_far;
   if (cuts.are_made && air.profile == LITFOG_REAL(LITFOG_PROFILE_SMOOTHSTEP)) {
-    cuts.inner_low = litfog_airlight_crossing(air, air.cone_y, false);
-    cuts.inner_high = litfog_airlight_crossing(air, air.cone_y, true);
+    cuts.inner = litfog_airlight_inside(air, air.cone_y);
   }
   int i = litfog_airlight_used_side(0, before, beyond, before_crossing, beyond_crossing);
   do {
@@ -669,7 +730,8 @@ LITFOG_REAL litfog_airlight_along(LitfogAirlight air, LitfogAirlightStretch stre
     }
     i = litfog_airlight_used_side(i + 1, before, beyond, before_crossing, beyond_crossing);
   } while (i < 4);
-  return max(sum, LITFOG_REAL(0.0));
+  // No more than all that the fog takes from the ray is scattered into it.
+  return clamp(sum, LITFOG_REAL(0.0), litfog_phase(sign(air.asymmetry), air.asymmetry));
 }
 
 LITFOG_REAL litfog_airlight(LitfogAirlight air) { return litfog_airlight_along(air, litfog_airlight_stretch(air)); }

@@ -35,19 +35,10 @@ float lit_fraction(int light_index, LitfogLight light, vec3 direction, float ran
   if (caster_index < 0) return 1.0;
   ShadowCaster caster = shadow_caster(caster_index);
   LitfogAirlight air = litfog_glow_ray(light, eye, direction, range, asymmetry);
-  // The part of the ray that the lamp can light, from its closest approach. Of a beam of less than a right angle it is
-  // one stretch.
-  float chord = litfog_airlight_chord(air, air.extent);
-  float low = max(-air.approach, -chord);
-  float high = min(range - air.approach, chord);
-  if ((air.profile == LITFOG_PROFILE_COSINE || air.profile == LITFOG_PROFILE_SMOOTHSTEP) && air.cone_x > 0.0) {
-    float first = litfog_airlight_crossing(air, air.cone_x, false);
-    float last = litfog_airlight_crossing(air, air.cone_x, true);
-    bool is_low_lit = litfog_airlight_cosine(air, low, litfog_airlight_range(air, low)) > air.cone_x;
-    bool is_high_lit = litfog_airlight_cosine(air, high, litfog_airlight_range(air, high)) > air.cone_x;
-    if (!is_low_lit) low = max(low, first > low && first < high ? first : last);
-    if (!is_high_lit) high = min(high, last > low && last < high ? last : first);
-  }
+  // From the closest approach. What a wide beam leaves dark within it has no weight.
+  LitfogAirlightStretch lit_part = litfog_airlight_lit(air);
+  float low = lit_part.low;
+  float high = lit_part.high;
   if (!(high > low)) return 1.0;
   // Steps are even near the lamp and grow with the distance from it, as the shafts widen and their light falls.
   float fades = min(litfog_airlight_level(air, 2.0 * max(air.constant, 1.0)), 1.0 / air.density);
