@@ -4,9 +4,16 @@
 #include <dlfcn.h>
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
+#include <sys/mman.h>
 
 #include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <cstdlib>
+#include <exception>
 #include <initializer_list>
+#include <latch>
+#include <optional>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -45,11 +52,61 @@ void expect_libraries() {
   expect_functions(gl, library, {"glGetError", "glGetIntegerv", "glGetString"});
 }
 
-/// Mesa waits for ever for its threads where none can start.
-void expect_threads() try {
-  std::thread([] {}).join();
-} catch (const std::system_error& error) {
-  throw Unsupported(std::string("OpenGL needs threads, and none can start: ") + error.what());
+/// How many threads Mesa's software rasteriser starts (its src/gallium/drivers/llvmpipe/lp_screen.c).
+std::size_t rasteriser_threads() {
+  constexpr std::size_t kMost = 16;  // LP_MAX_THREADS
+  const char* const asked = std::getenv("LP_NUM_THREADS");
+  const std::size_t count = asked ? std::strtoul(asked, nullptr, 0) : std::thread::hardware_concurrency();
+  return std::clamp(count, std::size_t{1}, kMost);
+}
+
+/// Mesa waits for ever for the threads of its rasteriser where not all of them can start.
+void expect_threads() {
+  const std::size_t count = rasteriser_threads();
+  std::vector<std::thread> threads;
+  threads.reserve(count);
+  std::latch end(1);
+  std::string error;
+  try {
+    while (threads.size() < count) threads.emplace_back([&end] { end.wait(); });
+  } catch (const std::exception& none) {
+    error = none.what();
+  }
+  end.count_down();
+  for (std::thread& thread : threads) thread.join();
+  if (error.empty()) return;
+  throw Unsupported("OpenGL needs " + std::to_string(count) + (count == 1 ? " thread, and " : " threads, and ") +
+                    (threads.empty() ? "none" : "only " + std::to_string(threads.size())) + " can start: " + error);
+}
+
+/// Address space that Mesa takes to start, measured with Mesa 22.3 and LLVM 15 and rounded up.
+constexpr std::size_t kDriverMiB = 320;
+
+/// Mesa does not say that its driver found no memory: it ends the process or says that there is no driver.
+class DriverMemory {
+ public:
+  DriverMemory() : space_(mmap(nullptr, kBytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0)) {
+    if (space_ != MAP_FAILED) return;
+    throw Unsupported(
+        "OpenGL needs " + std::to_string(kDriverMiB) +
+        " MiB of memory to start, and this process cannot get them: " + std::generic_category().message(errno));
+  }
+  ~DriverMemory() { munmap(space_, kBytes); }
+  DriverMemory(const DriverMemory&) = delete;
+  DriverMemory& operator=(const DriverMemory&) = delete;
+
+ private:
+  static constexpr std::size_t kBytes = kDriverMiB << 20;
+  void* space_;
+};
+
+/// Whether there is room for what a context starts: the driver with the first one, threads with each.
+void expect_room() {
+  static std::atomic<bool> is_driver_loaded = false;
+  std::optional<DriverMemory> memory;
+  if (!is_driver_loaded) memory.emplace();
+  expect_threads();  // whose stacks take memory beside the driver's
+  is_driver_loaded = true;
 }
 
 /// Displays to try, best first.
@@ -143,8 +200,8 @@ struct HeadlessContext::Egl {
 };
 
 HeadlessContext::HeadlessContext() {
+  expect_room();
   expect_libraries();
-  expect_threads();
   if (!eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS)) {
     throw Unsupported("EGL without a display is missing: no EGL client extensions (is libEGL installed?)");
   }

@@ -105,10 +105,9 @@ TEST_F(HeadlessContextTest, ThreadsMakeAndDestroyContextsAtOnce) {
   EXPECT_TRUE(can_draw());
 }
 
-/// What context_probe prints where the library of a name is one without functions.
-std::string output_of_probe(const std::string& empty_library) {
-  const std::string command =
-      "LD_LIBRARY_PATH=" LITFOG_EMPTY_LIBRARIES "/empty_" + empty_library + " " LITFOG_CONTEXT_PROBE " 2>&1";
+/// What context_probe prints, run by a shell after what comes before it there.
+std::string output_of_probe(const std::string& before) {
+  const std::string command = before + " " LITFOG_CONTEXT_PROBE " 2>&1";
   std::FILE* const pipe = popen(command.c_str(), "r");
   if (!pipe) return "no process";
   std::array<char, 512> text{};
@@ -122,9 +121,28 @@ TEST(HeadlessContext, MachineWhereNoThreadCanStartIsUnsupported) {
   EXPECT_THROW(gl::HeadlessContext(), gl::Unsupported);
 }
 
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // whose own memory would count
+// Mesa's software rasteriser would wait for the others for ever: 16 stacks of 64 MiB do not fit into 800 MiB.
+TEST(HeadlessContext, MachineWhereTooFewThreadsCanStartIsUnsupported) {
+  const std::string output = output_of_probe("ulimit -s 65536; ulimit -v 800000; LP_NUM_THREADS=16");
+  EXPECT_TRUE(output.starts_with("OpenGL needs 16 threads, and only ")) << output;
+  EXPECT_NE(output.find(" can start: "), output.npos) << output;
+}
+
+TEST(HeadlessContext, TooLittleMemoryIsNamedAsTheReason) {
+  for (const char* kibibytes : {"100000", "200000", "300000"}) {  // of which Mesa does not start, or crashes
+    EXPECT_EQ(output_of_probe(std::string("ulimit -v ") + kibibytes + ";"),
+              "OpenGL needs 320 MiB of memory to start, and this process cannot get them: Cannot allocate memory\n");
+  }
+}
+#endif
+
 TEST(HeadlessContext, LibraryWithoutItsFunctionsIsUnsupported) {
-  EXPECT_EQ(output_of_probe("EGL"), "libEGL.so.1 is unusable: it lacks eglBindAPI\n");
-  EXPECT_EQ(output_of_probe("OpenGL"), "libOpenGL.so.0 is unusable: it lacks glGetError\n");
+  const auto output_without = [](const std::string& library) {
+    return output_of_probe("LD_LIBRARY_PATH=" LITFOG_EMPTY_LIBRARIES "/empty_" + library);
+  };
+  EXPECT_EQ(output_without("EGL"), "libEGL.so.1 is unusable: it lacks eglBindAPI\n");
+  EXPECT_EQ(output_without("OpenGL"), "libOpenGL.so.0 is unusable: it lacks glGetError\n");
 }
 
 }  // namespace
