@@ -148,7 +148,7 @@ void PlainRenderer::use(const gl::Program& program) const {
   set_uniform(program, "ambient_fog_color", scene_.environment.ambient_fog_color);
   set_uniform(program, "moon_direction", scene_.environment.moon_direction);
   set_uniform(program, "moon_color", scene_.environment.moon_color);
-  set_uniform(program, "eye", scene_.camera.position);
+  set_uniform(program, "eye", glm::vec3(scene_.camera.position));
   set_uniform(program, "cookies", render::kCookieUnit);
 }
 

@@ -19,7 +19,7 @@ namespace {
 std::vector<double> largest_contributions(render::Renderer& renderer) {
   const measure::PathModel model(renderer);
   const std::vector<measure::ReferenceLight>& lights = model.lights();
-  const glm::dvec3 eye = renderer.scene().camera.position;
+  const glm::dvec3 eye = renderer.scene().camera.position - renderer.origin();
   const double step = render::visible_step(0);
   const render::GeometryBuffer geometry(renderer.width(), renderer.height(), renderer.samples());
   renderer.draw_geometry(geometry);
@@ -48,7 +48,7 @@ std::vector<double> largest_contributions(render::Renderer& renderer) {
 /// Indices in the scene's lights.
 std::vector<std::size_t> lights_with_points(const render::Renderer& renderer) {
   const render::SceneLights lights(renderer.scene(), renderer.settings());
-  const scene::Camera& camera = renderer.scene().camera;
+  const scene::Camera camera = relative_to(lights.origin(), renderer.scene().camera);
   const double aspect = double(renderer.width()) / renderer.height();
   const glm::mat4 clip_from_world = render::clip_from_view(camera, aspect) * scene::view_from_world<float>(camera);
   const render::PointList points =

@@ -157,7 +157,7 @@ std::size_t View::draw_surfaces(const glm::mat4& clip_from_world) {
   program.use();
   light_block_.bind(program, kBlockBinding);
   set_uniform(program, "clip_from_world", clip_from_world);
-  set_uniform(program, "eye", scene_.camera.position);
+  set_uniform(program, "eye", glm::vec3(scene_.camera.position));
   set_uniform(program, "ambient_light", environment.ambient_light);
   set_uniform(program, "has_airlight", unsigned{fog_lighting_ == render::FogLighting::airlight});
   set_uniform(program, "carried_count", carried_count_);
@@ -196,7 +196,7 @@ void View::draw_sky() {
   set_uniform(sky_program_, "carried_count", carried_count_);
   set_uniform(sky_program_, "direction_from_clip", direction_from_clip(scene_.camera, width_, height_));
   set_uniform(sky_program_, "far_plane", 1.0f);
-  set_uniform(sky_program_, "eye", scene_.camera.position);
+  set_uniform(sky_program_, "eye", glm::vec3(scene_.camera.position));
   set_uniform(sky_program_, "sky_zenith", environment.sky_zenith);
   set_uniform(sky_program_, "sky_horizon", environment.sky_horizon);
   set_uniform(sky_program_, "star_brightness", environment.star_brightness);
@@ -208,7 +208,7 @@ void View::draw_light_points(const glm::mat4& clip_from_world) {
   point_program_.use();
   light_block_.bind(point_program_, kBlockBinding);
   set_uniform(point_program_, "clip_from_world", clip_from_world);
-  set_uniform(point_program_, "eye", scene_.camera.position);
+  set_uniform(point_program_, "eye", glm::vec3(scene_.camera.position));
   render::set_point_uniforms(point_program_, fog_lighting_, height_, false);
   set_uniform(point_program_, "first_point", carried_count_);
   glEnable(GL_BLEND);
@@ -235,7 +235,7 @@ void View::draw_finished(const render::Display& display, int stride, bool is_mea
   shown_program_.use();
   light_block_.bind(shown_program_, kBlockBinding);
   set_uniform(shown_program_, "picture", kPictureUnit);
-  set_uniform(shown_program_, "eye", camera.position);
+  set_uniform(shown_program_, "eye", glm::vec3(camera.position));
   set_uniform(shown_program_, "pixel_size", glm::vec2(2) / glm::vec2(width_, height_));
   set_uniform(shown_program_, "direction_from_clip", direction_from_clip(camera, width_, height_));
   set_uniform(shown_program_, "has_airlight", unsigned{fog_lighting_ == render::FogLighting::airlight});

@@ -41,8 +41,11 @@ PathModel::PathModel(const render::Renderer& renderer)
       materials_(renderer.materials()),
       lights_(reference_lights(renderer.scene(), renderer.fog(), renderer.settings(), renderer.ends_exposure())),
       airlight_budget_(kAirlightBudget * std::exp2(-renderer.exposure())),
-      eye_(renderer.scene().camera.position),
+      eye_(renderer.scene().camera.position - renderer.origin()),
       forward_(axes_of(renderer.scene().camera).forward) {
+  for (ReferenceLight& light : lights_) {
+    light.placed.position = render::placed_relative_to(renderer.origin(), light.placed);
+  }
   if (!renderer.shadows()) return;
   shadows_.emplace(renderer);
   for (const render::ShadowCaster& caster : renderer.shadows()->casters()) {

@@ -58,8 +58,8 @@ class ReferenceShading {
   explicit ReferenceShading(const render::Renderer& renderer)
       : model_(renderer),
         jumps_(model_),
-        eye_(renderer.scene().camera.position),
-        fog_above_eye_(renderer.scene().fog_top - eye_.y),
+        eye_(renderer.scene().camera.position - renderer.origin()),
+        fog_above_eye_(renderer.scene().fog_top - renderer.scene().camera.position.y),
         rays_(renderer.scene().camera, renderer.width(), renderer.height()) {
     if (model_.path().maps != render::LightMapSet::none) bounds_.emplace(model_, renderer.settings());
   }
@@ -194,7 +194,7 @@ ReferencePicture shade_reference(render::Renderer& renderer, const Progress& pro
   const int width = renderer.width();
   const int height = renderer.height();
   const render::GeometryBuffer geometry(width, height, renderer.samples());
-  if (!renderer.has_panes()) renderer.draw_geometry(geometry);
+  renderer.draw_geometry(geometry);
   const ReferenceShading shading(renderer);
   const auto samples = std::size_t(geometry.samples());
   const std::size_t pixels = std::size_t(width) * std::size_t(height);

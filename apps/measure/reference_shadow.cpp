@@ -43,7 +43,7 @@ double slack(const glm::dvec3& position, const glm::dvec3& from_lamp) {
 }  // namespace
 
 ReferenceShadows::ReferenceShadows(const render::Renderer& renderer)
-    : triangles_(renderer.scene()),
+    : triangles_(renderer.scene(), renderer.origin()),
       to_moon_(glm::normalize(glm::dvec3(renderer.scene().environment.moon_direction))),
       moon_maps_(renderer.shadows()->moon_maps()),
       map_size_(renderer.settings().shadow_map_size) {}

@@ -94,8 +94,9 @@ bool TriangleTree::is_kept(const Triangle& triangle, const Crossing& crossing) c
   return alpha * uv_coverage.z >= double(*material.least_coverage);
 }
 
-TriangleTree::TriangleTree(const scene::Scene& scene) {
+TriangleTree::TriangleTree(const scene::Scene& scene, const glm::dvec3& origin) {
   for (const scene::Instance& instance : scene.instances) {
+    const glm::dmat4 world_from_model = placed_relative_to(origin, instance);
     for (const scene::Part& part : scene.models[instance.model]) {
       const auto material = std::ranges::find(scene.materials, part.material, &scene::Material::name);
       const bool is_masked = material != scene.materials.end() && material->least_coverage;
@@ -105,7 +106,7 @@ TriangleTree::TriangleTree(const scene::Scene& scene) {
         if (is_masked) masks_.push_back({&*material, {}});
         for (std::size_t k = 0; k < 3; ++k) {
           const scene::Vertex& vertex = part.mesh.vertices[indices[i + k]];
-          triangle.corners[k] = glm::dmat4(instance.world_from_model) * glm::dvec4(vertex.position, 1);
+          triangle.corners[k] = world_from_model * glm::dvec4(vertex.position, 1);
           if (is_masked) {
             masks_.back().uv_coverage[k] = glm::dvec3(vertex.uv, detail_of(part.mesh, indices[i + k]).color.a);
           }

@@ -17,8 +17,9 @@ namespace litfog::measure {
 /// mipmaps.
 class TriangleTree {
  public:
-  /// scene  whose materials have to outlive this
-  explicit TriangleTree(const scene::Scene& scene);
+  /// scene   whose materials have to outlive this
+  /// origin  which all positions are relative to
+  explicit TriangleTree(const scene::Scene& scene, const glm::dvec3& origin = glm::dvec3(0));
 
   struct Hit {
     double distance;    ///< metres along the ray

@@ -161,10 +161,10 @@ void FramePlanner::plan_airlight(const FrameView& view) {
   const Scattering scattering{.asymmetry = scene_.phase_g};
   const double exposure = view.exposures.airlight;
   plan_.airlights =
-      list_airlight(lights_, fog_, scattering, view.eye, view.pixels_per_radian, exposure, shaft_casters_);
-  plan_.airlight_tiles = list_airlight_tiles(plan_.airlights, scene_.camera, view.picture_size, kCoarsestGrid);
+      list_airlight(lights_, fog_, scattering, view.camera.position, view.pixels_per_radian, exposure, shaft_casters_);
+  plan_.airlight_tiles = list_airlight_tiles(plan_.airlights, view.camera, view.picture_size, kCoarsestGrid);
   if (lights_fog_beyond_end(settings_)) {
-    plan_.far_airlights = list_far_airlight(lights_, fog_, scattering, view.eye, exposure, shaft_casters_);
+    plan_.far_airlights = list_far_airlight(lights_, fog_, scattering, view.camera.position, exposure, shaft_casters_);
   }
   plan_.counts.airlights_drawn = plan_.airlights.entries.size();
   plan_.counts.airlights_invisible = lights_.size() - plan_.airlights.entries.size();
@@ -189,25 +189,26 @@ void FramePlanner::plan_everything() {
 void FramePlanner::plan_visible(const FrameView& view) {
   FrameCounts& counts = plan_.counts;
   const Frustum frustum = make_frustum(view.clip_from_world);
-  const PointList points = list_points(lights_, fog_, view.eye, frustum, kPointShare * step_);
+  const PointList points = list_points(lights_, fog_, view.camera.position, frustum, kPointShare * step_);
   add_points(points);
 
-  const double fog_above_eye = scene_.fog_top - view.eye.y;
+  const double fog_above_eye = scene_.fog_top - scene_.camera.position.y;
   const double fog_color = largest_component(scene_.environment.ambient_fog_color);
   const double sky_range = hidden_range(fog_, sky_brightness() + fog_color, kHiddenShare * step_);
   if (view.highest_slope <= slope_in_fog(fog_above_eye, sky_range)) {
     counts.sky = is_fog_lit_ ? SkyDrawing::fog : SkyDrawing::background;
   }
 
-  const std::vector<SurfaceInView> in_view = find_surfaces_in_view(view.eye, frustum);
+  const std::vector<SurfaceInView> in_view = find_surfaces_in_view(view.camera.position, frustum);
   double hidden_from = 0;  // nothing that is farther away is visible
   for (const SurfaceInView& each : in_view) {
     constexpr double kRounding = 1 + 1e-6;
     if (each.nearest >= each.hidden_range) continue;
     hidden_from = std::max(hidden_from, std::min(each.farthest, each.hidden_range) * kRounding);
   }
-  const double left_out_from = std::max({hidden_from, sky_range, airlight_end_from(view.eye, kBehindShare * step_),
-                                         points.farthest * view.point_depth_factor});
+  const double left_out_from =
+      std::max({hidden_from, sky_range, airlight_end_from(view.camera.position, kBehindShare * step_),
+                points.farthest * view.point_depth_factor});
   const double highest_left_out = slope_in_fog(fog_above_eye, left_out_from);
   const bool hides = settings_.path->has_light_bound && settings_.light_ambient == 0;
   for (const SurfaceInView& each : in_view) {
@@ -217,8 +218,8 @@ void FramePlanner::plan_visible(const FrameView& view) {
       const double through = fog_factor_at(fog_, each.nearest);
       plan_.surfaces.push_back(list_lights(each.surface, hides ? kSurfaceLightShare * step_ / through : -1, through));
       ++counts.chunks_drawn;
-    } else if (each.nearest < left_out_from || can_be_lit_from(view.eye, surface, left_out_from) ||
-               highest_slope(view.eye, surface.bounds, each.nearest, each.farthest) > highest_left_out) {
+    } else if (each.nearest < left_out_from || can_be_lit_from(view.camera.position, surface, left_out_from) ||
+               highest_slope(view.camera.position, surface.bounds, each.nearest, each.farthest) > highest_left_out) {
       plan_.surfaces.push_back({&surface, true, 0, 0});
       ++counts.chunks_as_fog;
     } else {

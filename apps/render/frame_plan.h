@@ -62,7 +62,7 @@ struct FrameExposures {
 
 /// Where a frame is seen from.
 struct FrameView {
-  glm::dvec3 eye;
+  scene::Camera camera;  ///< relative to SceneLights::origin(), as is what follows
   glm::mat4 clip_from_world;
   double highest_slope;       ///< largest y of a unit direction from the eye into the picture
   double point_depth_factor;  ///< point_list.h

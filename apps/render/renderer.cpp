@@ -124,21 +124,23 @@ Exposure Renderer::set_exposure(const Exposure& exposure) {
 }
 
 View Renderer::view() const {
-  const glm::mat4 clip_from_eye = clip_from_view(scene_.camera, framebuffer_.aspect());
-  const glm::mat4 view_from_world = scene::view_from_world<float>(scene_.camera);
+  const scene::Camera camera = relative_to(lights_.origin(), scene_.camera);
+  const glm::mat4 clip_from_eye = clip_from_view(camera, framebuffer_.aspect());
+  const glm::mat4 view_from_world = scene::view_from_world<float>(camera);
   // Without the eye's position: far from the origin, the rounding of a near point minus the eye would rotate the rays.
   const auto turned = glm::mat4(glm::mat3(view_from_world));
-  return {.clip_from_world = clip_from_eye * view_from_world,
+  return {.eye = camera.position,
+          .forward = glm::normalize(glm::vec3(camera.target) - glm::vec3(camera.position)),
+          .clip_from_world = clip_from_eye * view_from_world,
           .direction_from_clip = glm::inverse(clip_from_eye * turned),
           .pixels_per_radian = framebuffer_.height() / (2 * std::tan(double(scene_.camera.field_of_view) / 2))};
 }
 
 FrameView Renderer::frame_view(const View& view, const FrameExposures& exposures) const {
-  const scene::Camera& camera = scene_.camera;
-  const glm::vec3 forward = glm::normalize(camera.target - camera.position);
+  const scene::Camera camera = relative_to(lights_.origin(), scene_.camera);
   constexpr double kRight = std::numbers::pi / 2;
-  const double pitch = std::asin(std::clamp(double(forward.y), -1.0, 1.0));
-  return {.eye = camera.position,
+  const double pitch = std::asin(std::clamp(axes_of(camera).forward.y, -1.0, 1.0));
+  return {.camera = camera,
           .clip_from_world = view.clip_from_world,
           .highest_slope = std::sin(std::min(pitch + double(camera.field_of_view) / 2, kRight)),
           .point_depth_factor = point_depth_factor(camera.field_of_view, framebuffer_.height()),
@@ -147,7 +149,12 @@ FrameView Renderer::frame_view(const View& view, const FrameExposures& exposures
           .exposures = exposures};
 }
 
+void Renderer::follow_camera() {
+  if (scene::local_origin(scene_.camera.position) != lights_.origin()) set_lights();
+}
+
 FrameStatistics Renderer::draw_and_measure() {
+  follow_camera();
   FrameStatistics statistics;
   statistics.fog_bytes_uploaded = fog_bytes_;
   statistics.lights_per_fragment = count_lights_per_fragment();
@@ -195,6 +202,7 @@ std::size_t Renderer::upload_lists(const FramePlan& plan) {
 
 FrameCounts Renderer::draw_stages(const FrameExposures& exposures, LightPoints light_points,
                                   FrameStatistics* statistics) {
+  follow_camera();
   StageClock clock(statistics ? &statistics->times : nullptr);
   const View view = this->view();
   const FramePlan& plan = planner_.plan(frame_view(view, exposures));
@@ -242,6 +250,7 @@ FrameCounts Renderer::draw_stages(const FrameExposures& exposures, LightPoints l
 }
 
 void Renderer::draw_geometry(const GeometryBuffer& geometry) {
+  follow_camera();
   geometry.begin();
   glEnable(GL_CULL_FACE);
   Interruption whole;
@@ -252,6 +261,7 @@ void Renderer::draw_geometry(const GeometryBuffer& geometry) {
 }
 
 void Renderer::draw_pane_geometry(const GeometryBuffer& geometry, int layer) {
+  follow_camera();
   geometry.begin_layer(layer);
   glEnable(GL_CULL_FACE);
   const View view = this->view();
@@ -281,7 +291,7 @@ void Renderer::draw_light_points(const View& view, const FramePlan& plan) {
   light_point_program_.use();
   bind_lights(light_point_program_, fog_block_);
   set_uniform(light_point_program_, "clip_from_world", view.clip_from_world);
-  set_uniform(light_point_program_, "eye", scene_.camera.position);
+  set_uniform(light_point_program_, "eye", view.eye);
   set_point_uniforms(light_point_program_, settings_.fog_lighting, framebuffer_.height(), has_clip_control());
   set_uniform(light_point_program_, "first_point", plan.point_first);
   set_uniform(light_point_program_, "light_list", kLightListUnit);

@@ -29,6 +29,9 @@ enum class LightPoints { on, off };
 /// Draws a scene by a lighting path into a framebuffer. Needs a current GL 3.3 core context. The scene's camera may
 /// change from frame to frame, but lamps that cast shadows are chosen as set_lights() finds it. So may the fog's top,
 /// asymmetry and colour, and the sky, before set_fog().
+///
+/// Scenes are in doubles, shaders in floats. All that they take is relative to origin(), so that pictures are as exact
+/// 10,000 km from the world's origin as at it. A camera that goes on for kilometres makes set_lights() anew.
 class Renderer {
  public:
   /// scene   has to outlive this
@@ -80,6 +83,8 @@ class Renderer {
   Picture read() const { return framebuffer_.read(); }
 
   const scene::Scene& scene() const { return scene_; }
+  /// Of all positions in floats: those of a geometry buffer and of shadow maps, too.
+  const glm::dvec3& origin() const { return lights_.origin(); }
   const Fog& fog() const { return fog_; }
   double exposure() const { return exposure_; }                ///< EV
   double ends_exposure() const { return lights_.exposure(); }  ///< EV, for which lights' ends are chosen (threshold_of)
@@ -104,6 +109,8 @@ class Renderer {
   FrameView frame_view(const View& view, const FrameExposures& exposures) const;
   Passes passes() const { return settings_.path->has_several_passes() ? Passes::several : Passes::one; }
   void set_lights_for(double ends_exposure);
+  /// Sets the lights anew where the camera has left the surroundings of their origin.
+  void follow_camera();
   void begin_frame(const Framebuffer& framebuffer, const glm::vec3& background);
   double count_lights_per_fragment();
   /// Uploads what a new plan lists. Returns its bytes.

@@ -37,7 +37,7 @@ void SkyPainter::draw(const View& view, SkyDrawing drawing, std::size_t carried_
   set_uniform(program, "carried_count", int(carried_count));
   set_uniform(program, "direction_from_clip", view.direction_from_clip);
   set_uniform(program, "far_plane", far_plane_in_clip());
-  set_uniform(program, "eye", scene_.camera.position);
+  set_uniform(program, "eye", view.eye);
   set_uniform(program, "sky_zenith", environment.sky_zenith);
   set_uniform(program, "sky_horizon", environment.sky_horizon);
   set_uniform(program, "star_brightness", environment.star_brightness);

@@ -8,8 +8,8 @@ namespace litfog::scene {
 
 /// The eye. Right-handed, Y up, metres.
 struct Camera {
-  glm::vec3 position{0.0f, 1.6f, 0.0f};
-  glm::vec3 target{0.0f, 1.6f, -1.0f};
+  glm::dvec3 position{0.0, 1.6, 0.0};
+  glm::dvec3 target{0.0, 1.6, -1.0};
   float field_of_view = 1.0f;  ///< vertical, radians
 
   friend bool operator==(const Camera&, const Camera&) = default;
@@ -20,8 +20,8 @@ inline constexpr double kMostFieldOfViewDeg = 150;
 
 /// Whether a camera looks anywhere but straight up or down, where its picture would have no upright.
 inline bool has_heading(const Camera& camera) {
-  const glm::vec3 view = camera.target - camera.position;
-  return glm::length(glm::vec2(view.x, view.z)) > 1e-4f * glm::length(view);
+  const glm::dvec3 view = camera.target - camera.position;
+  return glm::length(glm::dvec2(view.x, view.z)) > 1e-4 * glm::length(view);
 }
 inline constexpr const char* kHeadingRule = "must not be straight above or below the position, or at it";
 
@@ -34,7 +34,7 @@ struct CameraAxes {
   glm::dvec3 up;
 };
 inline CameraAxes axes_of(const Camera& camera) {
-  const glm::dvec3 forward = glm::normalize(glm::dvec3(camera.target) - glm::dvec3(camera.position));
+  const glm::dvec3 forward = glm::normalize(camera.target - camera.position);
   const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0, 1, 0)));
   return {.forward = forward, .right = right, .up = glm::cross(right, forward)};
 }
@@ -46,6 +46,22 @@ template <typename Real>
 glm::mat<4, 4, Real> view_from_world(const Camera& camera) {
   using Vector = glm::vec<3, Real>;
   return glm::lookAt(Vector(camera.position), Vector(camera.target), Vector(0, 1, 0));
+}
+
+/// The position from which floats measure what is around another position: the world's origin up to 8 km from it, where
+/// floats still resolve a millimetre, else a whole number of kilometres (of 1024 m) within 900 m of that position.
+inline glm::dvec3 local_origin(const glm::dvec3& position) {
+  constexpr double kNear = 8192;  // metres, as is the next
+  constexpr double kStep = 1024;
+  if (glm::all(glm::lessThanEqual(glm::abs(position), glm::dvec3(kNear)))) return glm::dvec3(0);
+  return glm::round(position / kStep) * kStep;
+}
+
+/// The same camera as seen from an origin.
+inline Camera relative_to(const glm::dvec3& origin, Camera camera) {
+  camera.position -= origin;
+  camera.target -= origin;
+  return camera;
 }
 
 }  // namespace litfog::scene

@@ -34,6 +34,36 @@ void give_details(Mesh& mesh) {
 
 constexpr Bounds kEmpty{glm::vec3(std::numeric_limits<float>::max()), glm::vec3(std::numeric_limits<float>::lowest())};
 
+/// append() by a matrix of floats or doubles.
+template <typename Matrix>
+void append_by(Mesh& whole, const Mesh& piece, const Matrix& whole_from_piece) {
+  using Real = typename Matrix::value_type;
+  using Vector = glm::vec<3, Real>;
+  using Linear = glm::mat<3, 3, Real>;
+  const Linear linear(whole_from_piece);
+  const Linear normals = glm::transpose(glm::inverse(linear));
+  const bool mirrored = glm::determinant(linear) < 0;
+  const auto first = std::uint32_t(whole.vertices.size());
+  if (!piece.details.empty()) {
+    give_details(whole);
+    whole.details.insert(whole.details.end(), piece.details.begin(), piece.details.end());
+  }
+  for (const Vertex& vertex : piece.vertices) {
+    const Vector normal = glm::normalize(normals * Vector(vertex.normal));
+    // An uneven scale tilts the tangent off the normal's plane.
+    Vector tangent = linear * Vector(vertex.tangent);
+    tangent = glm::normalize(tangent - normal * glm::dot(normal, tangent));
+    whole.vertices.push_back({glm::vec3(whole_from_piece * glm::vec<4, Real>(vertex.position, 1)), normal,
+                              glm::vec4(tangent, mirrored ? -vertex.tangent.w : vertex.tangent.w), vertex.uv});
+  }
+  if (!whole.details.empty()) give_details(whole);
+  for (std::size_t i = 0; i + 2 < piece.indices.size(); i += 3) {
+    whole.indices.push_back(first + piece.indices[i]);
+    whole.indices.push_back(first + piece.indices[mirrored ? i + 2 : i + 1]);
+    whole.indices.push_back(first + piece.indices[mirrored ? i + 1 : i + 2]);
+  }
+}
+
 }  // namespace
 
 VertexDetail detail_of(const Mesh& mesh, std::size_t vertex) {
@@ -79,28 +109,11 @@ std::size_t triangle_count(const Model& model) {
 }
 
 void append(Mesh& whole, const Mesh& piece, const glm::mat4& whole_from_piece) {
-  const glm::mat3 linear(whole_from_piece);
-  const glm::mat3 normals = glm::transpose(glm::inverse(linear));
-  const bool mirrored = glm::determinant(linear) < 0.0f;
-  const auto first = std::uint32_t(whole.vertices.size());
-  if (!piece.details.empty()) {
-    give_details(whole);
-    whole.details.insert(whole.details.end(), piece.details.begin(), piece.details.end());
-  }
-  for (const Vertex& vertex : piece.vertices) {
-    const glm::vec3 normal = glm::normalize(normals * vertex.normal);
-    // An uneven scale tilts the tangent off the normal's plane.
-    glm::vec3 tangent = linear * glm::vec3(vertex.tangent);
-    tangent = glm::normalize(tangent - normal * glm::dot(normal, tangent));
-    whole.vertices.push_back({glm::vec3(whole_from_piece * glm::vec4(vertex.position, 1.0f)), normal,
-                              glm::vec4(tangent, mirrored ? -vertex.tangent.w : vertex.tangent.w), vertex.uv});
-  }
-  if (!whole.details.empty()) give_details(whole);
-  for (std::size_t i = 0; i + 2 < piece.indices.size(); i += 3) {
-    whole.indices.push_back(first + piece.indices[i]);
-    whole.indices.push_back(first + piece.indices[mirrored ? i + 2 : i + 1]);
-    whole.indices.push_back(first + piece.indices[mirrored ? i + 1 : i + 2]);
-  }
+  append_by(whole, piece, whole_from_piece);
+}
+
+void append(Mesh& whole, const Mesh& piece, const glm::dmat4& whole_from_piece) {
+  append_by(whole, piece, whole_from_piece);
 }
 
 void append(Model& whole, const Model& piece, const glm::mat4& whole_from_piece) {

@@ -69,6 +69,7 @@ std::size_t triangle_count(const Model& model);
 
 /// Adds a transformed copy. A mirroring transform keeps front faces in front.
 void append(Mesh& whole, const Mesh& piece, const glm::mat4& whole_from_piece = glm::mat4(1.0f));
+void append(Mesh& whole, const Mesh& piece, const glm::dmat4& whole_from_piece);
 void append(Model& whole, const Model& piece, const glm::mat4& whole_from_piece = glm::mat4(1.0f));
 
 /// The mesh of a model's part of that material, made if there is none.

@@ -23,7 +23,7 @@ namespace litfog::scene {
 inline constexpr std::size_t kMaxSceneLights = 100'000;
 inline constexpr std::size_t kMaxTriangles = 20'000'000;
 inline constexpr std::size_t kMaxVertices = 20'000'000;  ///< of all models: 960 MB, below the 2 GiB of a GL buffer
-inline constexpr double kMaxCoordinate = 1e7;            ///< metres: floats there still resolve a metre
+inline constexpr double kMaxCoordinate = 1e7;            ///< metres
 inline constexpr double kMaxColor = 1e4;                 ///< a framebuffer's half floats end at 65,504
 
 /// What lights a scene besides its lamps. Colours are linear RGB.
@@ -42,9 +42,16 @@ struct Environment {
 /// A model put somewhere.
 struct Instance {
   std::size_t model;
-  glm::mat4 world_from_model;
+  glm::dmat4 world_from_model;
   bool is_beyond_lights = false;  ///< no light reaches it, nor the fog before it: drawn without (render::sort_polygons)
 };
+
+/// Its place as seen from an origin.
+inline glm::dmat4 placed_relative_to(const glm::dvec3& origin, const Instance& instance) {
+  glm::dmat4 placed = instance.world_from_model;
+  placed[3] -= glm::dvec4(origin, 0);
+  return placed;
+}
 
 /// A cookie in place of a light's cone, turned about its axis to the right as seen along it.
 struct CookieUse {

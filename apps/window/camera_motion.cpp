@@ -27,33 +27,31 @@ glm::dvec3 unit_vector(const Direction& direction) {
           -std::cos(pitch) * std::cos(direction.heading)};
 }
 
-glm::dvec3 view(const scene::Camera& camera) { return glm::dvec3(camera.target) - glm::dvec3(camera.position); }
+glm::dvec3 view(const scene::Camera& camera) { return camera.target - camera.position; }
 
 }  // namespace
 
 void look(scene::Camera& camera, double right, double up) {
   const Direction seen = direction_of(view(camera));
-  camera.target =
-      glm::dvec3(camera.position) + unit_vector({seen.heading + right, seen.pitch + up}) * target_distance(camera);
+  camera.target = camera.position + unit_vector({seen.heading + right, seen.pitch + up}) * target_distance(camera);
 }
 
 void fly(scene::Camera& camera, double right, double up, double ahead) {
   const scene::CameraAxes axes = axes_of(camera);
   const glm::dvec3 step = right * axes.right + up * glm::dvec3(0, 1, 0) + ahead * axes.forward;
-  camera.position = glm::dvec3(camera.position) + step;
-  camera.target = glm::dvec3(camera.target) + step;
+  camera.position = camera.position + step;
+  camera.target = camera.target + step;
 }
 
 void orbit(scene::Camera& camera, double right, double up) {
   const Direction from_eye = direction_of(view(camera));
-  camera.position = glm::dvec3(camera.target) -
-                    unit_vector({from_eye.heading - right, from_eye.pitch - up}) * target_distance(camera);
+  camera.position =
+      camera.target - unit_vector({from_eye.heading - right, from_eye.pitch - up}) * target_distance(camera);
 }
 
 void approach(scene::Camera& camera, double factor) {
   const double distance = target_distance(camera);
-  camera.position =
-      glm::dvec3(camera.target) - view(camera) * (std::clamp(distance * factor, kNearest, kFarthest) / distance);
+  camera.position = camera.target - view(camera) * (std::clamp(distance * factor, kNearest, kFarthest) / distance);
 }
 
 double target_distance(const scene::Camera& camera) { return glm::length(view(camera)); }

@@ -20,7 +20,7 @@ std::string quoted(std::string_view word) {
   return text + "'";
 }
 
-std::string point(const glm::vec3& p) { return fmt::format("{},{},{}", p.x, p.y, p.z); }
+std::string point(const glm::dvec3& p) { return fmt::format("{},{},{}", p.x, p.y, p.z); }
 
 std::string contrast_word(double contrast) {
   return contrast == kContrastKoschmieder  ? "koschmieder"

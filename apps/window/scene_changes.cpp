@@ -105,8 +105,8 @@ std::string changed_scene(const std::string& file, const std::optional<scene::Ca
   Json scene = read_again(file);
   if (camera) {
     scene["camera"] = {
-        {"position", rounded(camera->position)},
-        {"target", rounded(camera->target)},
+        {"position", {camera->position.x, camera->position.y, camera->position.z}},
+        {"target", {camera->target.x, camera->target.y, camera->target.z}},
         {"field_of_view_deg", *command::parse_number(fmt::format("{:.7g}", glm::degrees(camera->field_of_view)))}};
   }
   for (const scene::SceneChange& change : changes) apply(scene, change, fs::path(file).parent_path());

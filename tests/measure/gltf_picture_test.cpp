@@ -43,6 +43,28 @@ TEST_F(GltfPicture, ADarkColorIsNotRounded) {
   for (int channel = 0; channel < 3; ++channel) EXPECT_NEAR(middle[channel], 0.41f - 0.01f * float(channel), 1e-3f);
 }
 
+// Nodes, camera and lamp 1000 km away: the picture's floats stay near them.
+TEST_F(GltfPicture, FarFloorLooksAsTheNearOne) {
+  const test::TemporaryDirectory directory;
+  const auto drawn = [&](const glm::dvec3& place) {
+    const std::string path = (directory.path() / "floor.glb").string();
+    json file = floor_scene();
+    file["nodes"].push_back({{"translation", {place.x, place.y, place.z}}, {"children", {0, 1, 2}}});
+    file["scenes"][0]["nodes"] = {3};
+    std::ofstream(path, std::ios::binary) << binary_file(file, floor_bytes());
+    const Scene scene = read_scene(path);
+    Renderer renderer(scene, 80, 80, {.fog_lighting = FogLighting::airlight});
+    renderer.set_fog(Fog::from_visibility(FogMode::exp, 30.0));
+    renderer.draw();
+    return renderer.read();
+  };
+  const Picture near = drawn({0, 0, 0});
+  const Picture far = drawn({1e6, 10, -9e6});
+  const PictureError error = picture_error(far, {near, near, near, std::vector<std::uint8_t>(80 * 80)});
+  EXPECT_LE(error.largest, 1);
+  EXPECT_GT(near.rgb[std::size_t(3 * (40 * 80 + 40))], 0.05f);
+}
+
 /// The floor's red in the pixel below and right of the middle of an 80x80 picture, lit by the lamp: the Basic model
 /// written out. The middle of the picture looks at the origin.
 double lit_red(const Scene& scene, const glm::dvec3& normal, double shininess) {

@@ -28,7 +28,7 @@ glm::dvec3 place_in(const MoonMap& map, const glm::dvec3& position) {
 TEST(MoonMap, SceneWithoutMoonHasNone) {
   scene::Scene scene = moonlit_scene();
   scene.environment.moon_color = glm::vec3(0);
-  EXPECT_TRUE(fit_moon_maps(scene, kBox, 1.5, 512).empty());
+  EXPECT_TRUE(fit_moon_maps(scene.environment, scene.camera, kBox, 1.5, 512).empty());
 }
 
 // Each map shows the camera's picture up to a quarter of the next one's distance, with a rim of two texels.
@@ -41,7 +41,7 @@ TEST(MoonMap, MapsShowWhatTheCameraSees) {
     scene::Scene scene = moonlit_scene();
     scene.camera.field_of_view = field_of_view;
     const glm::dvec3 eye = scene.camera.position;
-    const std::vector<MoonMap> maps = fit_moon_maps(scene, kBox, kAspect, kSize);
+    const std::vector<MoonMap> maps = fit_moon_maps(scene.environment, scene.camera, kBox, kAspect, kSize);
     ASSERT_EQ(maps.size(), std::size_t(kMoonMaps));
     double distance = std::hypot(310, 58, 805);  // to the box's farthest corner
     for (std::size_t i = maps.size(); i-- > 0; distance /= 4) {
@@ -65,7 +65,8 @@ TEST(MoonMap, MapsShowWhatTheCameraSees) {
 }
 
 TEST(MoonMap, AllThatCastsIsWithinReach) {
-  for (const MoonMap& map : fit_moon_maps(moonlit_scene(), kBox, 1.5, 512)) {
+  const scene::Scene scene = moonlit_scene();
+  for (const MoonMap& map : fit_moon_maps(scene.environment, scene.camera, kBox, 1.5, 512)) {
     for (int corner = 0; corner < 8; ++corner) {
       const glm::dvec3 place =
           place_in(map, {corner & 1 ? kBox.low.x : kBox.high.x, corner & 2 ? kBox.low.y : kBox.high.y,
@@ -80,7 +81,7 @@ TEST(MoonMap, AllThatCastsIsWithinReach) {
 
 TEST(MoonMap, BoxCanCastIntoAMapThatItCoversAlongTheLight) {
   const scene::Scene scene = moonlit_scene();
-  const MoonMap map = fit_moon_maps(scene, kBox, 1.5, 512).front();
+  const MoonMap map = fit_moon_maps(scene.environment, scene.camera, kBox, 1.5, 512).front();
   const auto box_at = [&](double x, double y) {
     const glm::vec3 middle = map.position + glm::transpose(map.frame_from_world) * glm::dvec3(x, y, -3);
     return scene::Bounds{middle - 0.1f, middle + 0.1f};

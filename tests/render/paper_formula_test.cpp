@@ -78,7 +78,7 @@ Scene wall(const Setting& setting) {
                              .plain_albedo = setting.texture});
   const glm::dmat4 turned = glm::rotate(glm::dmat4(1), setting.turn, kTurnAxis);
   const double scale = setting.turn == 0 ? 1 : 2;  // so that it still fills the picture
-  scene.instances[0].world_from_model *= glm::mat4(glm::scale(turned, dvec3(scale)));
+  scene.instances[0].world_from_model *= glm::scale(turned, dvec3(scale));
   for (const Lamp& lamp : setting.lamps) {
     const Cone cone =
         lamp.is_dual ? Cone::smoothstep(lamp.half_angle, lamp.exponent) : Cone::cosine(lamp.half_angle, lamp.exponent);

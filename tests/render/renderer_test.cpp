@@ -138,7 +138,7 @@ TEST_F(RendererTest, MoonOfABundledSceneFadesAsTheFogThickens) {
     if (!scene.environment.has_moon()) continue;
     scene.instances.clear();
     scene.lights.clear();
-    scene.camera.target = scene.camera.position + scene.environment.moon_direction;
+    scene.camera.target = scene.camera.position + glm::dvec3(scene.environment.moon_direction);
     double before = 2;
     for (const double visibility : {20'000.0, 5000.0, 1500.0, 400.0}) {
       const Picture picture = draw(scene, Fog::from_visibility(FogMode::exp, visibility));

@@ -298,7 +298,7 @@ TEST_F(HiddenWall, WallHidesABrightSurface) {
 
 TEST_F(HiddenWall, WallHidesTheSkyAboveTheFog) {
   scene_.camera.target = {0, 4, -10};
-  scene_.instances[0].world_from_model = glm::scale(scene_.instances[0].world_from_model, glm::vec3(1, 5, 1));
+  scene_.instances[0].world_from_model = glm::scale(scene_.instances[0].world_from_model, glm::dvec3(1, 5, 1));
   scene_.fog_top = 10;
   scene_.environment.sky_zenith = scene_.environment.sky_horizon = {0.5f, 0.5f, 0.5f};
   const FrameCounts counts = counts_in_fog(FogLighting::airlight);

@@ -16,7 +16,7 @@ namespace {
 std::vector<std::string> lenses_at(const Scene& scene, const glm::vec3& point) {
   std::vector<std::string> lenses;
   for (const Instance& instance : scene.instances) {
-    const glm::vec3 in_model(glm::inverse(instance.world_from_model) * glm::vec4(point, 1));
+    const glm::vec3 in_model(glm::inverse(instance.world_from_model) * glm::dvec4(point, 1));
     for (const Part& part : scene.models[instance.model]) {
       if (!part.material.starts_with("lamp_")) continue;
       const Bounds box = bounds(part.mesh);

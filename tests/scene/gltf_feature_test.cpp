@@ -344,6 +344,17 @@ TEST_F(GltfPoseTest, SkinnedMeshIsWhereItsJointsAre) {
   EXPECT_EQ(scene.left_out, "");
 }
 
+TEST_F(GltfPoseTest, SkinnedMeshFarFromTheOriginKeepsItsShape) {
+  const Mesh near = mesh_of(read_file());
+  file_["nodes"][3]["translation"] = {1e6, 0, -9e6};
+  const Scene scene = read_file();
+  const Mesh& mesh = mesh_of(scene);
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+    const glm::dvec3 place = scene.instances.at(0).world_from_model * glm::dvec4(mesh.vertices[i].position, 1);
+    EXPECT_LT(glm::distance(place - glm::dvec3(1e6, 0, -9e6), glm::dvec3(near.vertices[i].position)), 1e-4) << i;
+  }
+}
+
 TEST_F(GltfPoseTest, NormalsTurnWithTheirJoints) {
   const double slant = std::sqrt(0.5);
   file_["nodes"][4]["rotation"] = {slant, 0, 0, slant};  // a quarter about x

@@ -43,13 +43,40 @@ TEST_F(GltfScene, MeshesAreAtTheirNodesAndTheCameraAtItsOwn) {
   EXPECT_LT(glm::distance(box.low, glm::vec3(-9, 2, -2)), 1e-5f);
   EXPECT_LT(glm::distance(box.high, glm::vec3(11, 2, 8)), 1e-5f);
   EXPECT_EQ(triangle_count(scene.models[0]), 2u);
-  EXPECT_LT(glm::distance(scene.camera.position, glm::vec3(0, 5, 5)), 1e-6f);
-  const float slant = std::sqrt(0.5f);
-  const glm::vec3 view = scene.camera.target - scene.camera.position;
-  EXPECT_LT(glm::distance(glm::normalize(view), glm::vec3(0, -slant, -slant)), 1e-6f);
-  EXPECT_NEAR(glm::dot(scene.camera.target - (box.low + box.high) / 2.0f, view), 0, 1e-4f);  // as far as the middle
+  EXPECT_LT(glm::distance(scene.camera.position, glm::dvec3(0, 5, 5)), 1e-6);
+  const double slant = std::sqrt(0.5);
+  const glm::dvec3 view = scene.camera.target - scene.camera.position;
+  EXPECT_LT(glm::distance(glm::normalize(view), glm::dvec3(0, -slant, -slant)), 1e-6);
+  EXPECT_NEAR(glm::dot(scene.camera.target - glm::dvec3(box.low + box.high) / 2.0, view), 0,
+              1e-4);  // as far as the middle
   EXPECT_EQ(scene.left_out, "");
   EXPECT_FLOAT_EQ(scene.camera.field_of_view, 0.9f);
+}
+
+// Of floats from the world's origin none would be within 3 cm there, and the floor's slanted edges would have steps.
+TEST_F(GltfScene, MeshesFarFromTheOriginKeepTheirShape) {
+  const double turn = 0.3;
+  const glm::dvec3 place(1'000'000.25, 30.5, -9'876'543.1);
+  json file = floor_scene();
+  file["nodes"][0] = {{"mesh", 0},
+                      {"translation", {place.x, place.y, place.z}},
+                      {"rotation", {0, std::sin(turn / 2), 0, std::cos(turn / 2)}}};
+  file["nodes"].push_back({{"mesh", 0}});
+  file["scenes"][0]["nodes"] = {0, 3};
+  const Scene scene = read(file);
+  ASSERT_EQ(scene.instances.size(), 2u);  // the near one has an origin of its own
+  const glm::dmat4 world_from_node = glm::rotate(glm::translate(glm::dmat4(1), place), turn, glm::dvec3(0, 1, 0));
+  const auto expect_floor = [&](const Instance& instance, const glm::dmat4& expected) {
+    const Mesh& mesh = scene.models[instance.model][0].mesh;
+    ASSERT_EQ(mesh.vertices.size(), 4u);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const glm::dvec4 corner(i == 1 || i == 2 ? 10 : -10, 0, i > 1 ? 10 : -10, 1);
+      const glm::dvec4 read = instance.world_from_model * glm::dvec4(mesh.vertices[i].position, 1);
+      EXPECT_LT(glm::distance(read, expected * corner), 1e-4) << i;
+    }
+  };
+  expect_floor(scene.instances[0], world_from_node);
+  expect_floor(scene.instances[1], glm::dmat4(1));
 }
 
 TEST_F(GltfScene, ACameraThatLooksStraightUpOrDownKeepsItsUpright) {
@@ -218,9 +245,9 @@ TEST_F(GltfScene, TheFarthestCornerKeeps37PercentOfItsContrastWhereNoVisibilityI
     const Scene scene = read(file);
     const Fog fog = Fog::from_visibility(FogMode::exp, suggested_visibility(scene));
     double least = 1;
-    for (const float x : {-10.0f, 10.0f}) {
-      for (const float z : {-10.0f, 10.0f}) {
-        const double range = double(glm::distance(scene.camera.position, glm::vec3(x, 0, z)));
+    for (const double x : {-10.0, 10.0}) {
+      for (const double z : {-10.0, 10.0}) {
+        const double range = glm::distance(scene.camera.position, glm::dvec3(x, 0, z));
         least = std::min(least, std::exp(-fog.density * range));
       }
     }
@@ -246,11 +273,11 @@ TEST_F(GltfScene, AFileWithoutLightsOrCameraIsStillSeen) {
   const Environment& environment = scene.environment;
   EXPECT_EQ(environment.ambient_light, glm::vec3(0.3f));
   EXPECT_EQ(environment.moon_color, glm::vec3(0.6f));
-  EXPECT_GT(glm::dot(environment.moon_direction, glm::normalize(scene.camera.position)), 0.5f);
+  EXPECT_GT(glm::dot(glm::dvec3(environment.moon_direction), glm::normalize(scene.camera.position)), 0.5);
   EXPECT_FLOAT_EQ(glm::length(environment.moon_direction), 1);
   EXPECT_EQ(environment.ambient_fog_color, read(floor_scene()).environment.ambient_fog_color);  // the night's
-  EXPECT_GT(glm::distance(scene.camera.position, glm::vec3(0)), 14.2f);                         // outside of the floor
-  EXPECT_EQ(scene.camera.target, glm::vec3(0));
+  EXPECT_GT(glm::length(scene.camera.position), 14.2);                                          // outside of the floor
+  EXPECT_EQ(scene.camera.target, glm::dvec3(0));
 }
 
 TEST_F(GltfScene, MetallicRoughnessBecomesTheBasicModel) {
@@ -313,9 +340,9 @@ TEST_F(GltfScene, AFileWithoutTrianglesFails) {
 
 TEST_F(GltfScene, AFileWithoutACameraIsLargerThanAPoint) {
   json file = floor_scene();
-  file["nodes"][0]["scale"] = {1e-5, 1e-5, 1e-5};
-  file["nodes"][0]["translation"] = {1e6, 0, 1e6};  // where floats resolve 6 cm
-  EXPECT_EQ(read(file).camera.position, glm::vec3(0, 5, 5));
+  file["nodes"][0]["scale"] = {1.2e-6, 1.2e-6, 1.2e-6};
+  file["nodes"][0]["translation"] = {1e6, 0, 1e6};  // 448 m from a multiple of 1024 m: floats resolve 31 micrometres
+  EXPECT_EQ(read(file).camera.position, glm::dvec3(0, 5, 5));
   file["scenes"][0]["nodes"] = {0};
   EXPECT_EQ(error_of(file), "meshes: must be larger than a point");
 }

@@ -447,7 +447,7 @@ TEST_F(SceneChanges, MembersOfTheSceneChangeInTheOrderGiven) {
                                {"name", "other"}});
   EXPECT_EQ(scene.lights[2].light.color, glm::dvec3(3, 2, 1));
   EXPECT_TRUE(scene.lights[2].carried);
-  EXPECT_EQ(scene.camera.position, glm::vec3(7, 1, 5));
+  EXPECT_EQ(scene.camera.position, glm::dvec3(7, 1, 5));
   EXPECT_FLOAT_EQ(scene.camera.field_of_view, glm::radians(60.0f));
   EXPECT_EQ(scene.environment.star_brightness, 2);
   EXPECT_EQ(scene.phase_g, -0.5);

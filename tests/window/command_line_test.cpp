@@ -30,7 +30,7 @@ TEST(CommandLine, EveryControlHasItsOption) {
   options.display = {.exposure = render::Exposure{.ev = -2.25}, .tone = render::ToneCurve::clip};
   options.width = 640;
   options.height = 360;
-  command.camera = {.position = {0.1f, -2, 3e-5f}, .target = {1, 2, 3}, .field_of_view = glm::radians(47.5f)};
+  command.camera = {.position = {0.1, -2, 3e-5}, .target = {1, 2, 3}, .field_of_view = glm::radians(47.5f)};
   command.changes = {{"lights[0].attenuation.quadratic", "0.002"}, {"lights[1].color", "[1.0,0.5,0.25]"}};
   EXPECT_EQ(to_string(command),
             "litfog-demo room --fog exp2 --visibility 62.5 --contrast koschmieder --phase-g 0.5 --fog-light airlight "

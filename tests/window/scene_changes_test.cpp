@@ -95,7 +95,7 @@ TEST_F(SceneChangesTest, ReaderAndSavedFileGiveTheChangedLightBack) {
 }
 
 TEST_F(SceneChangesTest, SavedCameraIsReadBackExactly) {
-  const scene::Camera camera{.position = {0.1f, -2.7f, 1e-3f}, .target = {3, 1.0f / 3, 2}, .field_of_view = 0.9f};
+  const scene::Camera camera{.position = {9999999.1, -2.7, 1e-3}, .target = {3, 1.0 / 3, 2}, .field_of_view = 0.9f};
   const scene::Camera read = saved(camera, {}).camera;
   EXPECT_EQ(read.position, camera.position);
   EXPECT_EQ(read.target, camera.target);

@@ -78,7 +78,7 @@ scene::Scene read_scene(const SceneOptions& options, scene::SceneParts* kept) {
   if (options.target) camera.target = *options.target;
   if (options.field_of_view_deg) camera.field_of_view = glm::radians(float(*options.field_of_view_deg));
   if (scene::has_heading(camera)) return scene;
-  const glm::vec3 at = options.target ? camera.target : camera.position;
+  const glm::dvec3& at = options.target ? camera.target : camera.position;
   command::fail_option(
       options.target ? "--target" : "--camera", fmt::format("{},{},{}", at.x, at.y, at.z),
       fmt::format("must not be straight above or below the {}, or at it", options.target ? "camera" : "target"));

@@ -224,7 +224,7 @@ std::string Sequence::words(int frame) const {
   add("field of view", options_.field_of_view_deg, " deg");
   for (const MemberCourse& member : options_.members) add(member.change.member, member.numbers, "");
   if (path_ || changes(options_.camera) || changes(options_.target)) {
-    const glm::vec3& eye = scene_.camera.position;
+    const glm::dvec3& eye = scene_.camera.position;
     words += fmt::format("{}camera {},{},{}", words.empty() ? "" : ", ", shown_rounded(eye.x, 4),
                          shown_rounded(eye.y, 4), shown_rounded(eye.z, 4));
   }

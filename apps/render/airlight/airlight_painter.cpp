@@ -319,8 +319,8 @@ void AirlightPainter::use(const gl::Program& program, const Frame& frame, const 
   set_uniform(program, "clip_from_world", frame.view.clip_from_world);
   set_uniform(program, "direction_from_clip", frame.view.direction_from_clip);
   set_uniform(program, "pixel_size", 2.0f / glm::vec2(picture_size_));
-  set_uniform(program, "eye", scene_.camera.position);
-  set_uniform(program, "forward", glm::normalize(scene_.camera.target - scene_.camera.position));
+  set_uniform(program, "eye", frame.view.eye);
+  set_uniform(program, "forward", frame.view.forward);
   set_uniform(program, "near_plane", kNearPlane);
   set_fog_top(program, scene_);
   set_uniform(program, "asymmetry", float(scene_.phase_g));

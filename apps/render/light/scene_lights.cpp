@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/light/scene_lights.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "litfog/shaders/cone_profile.glsl"
@@ -34,12 +35,24 @@ Cone drawn_cone(const Cone& cone, const RenderSettings& settings) {
   return settings.path->maps == LightMapSet::none ? cone : mapped_cone(cone, settings.cone_maps);
 }
 
+glm::dvec3 placed_relative_to(const glm::dvec3& origin, const PlacedLight& light) {
+  const glm::dvec3 position = light.position - origin;
+  const glm::dvec3 size = glm::abs(position);
+  const double largest = std::max({size.x, size.y, size.z});
+  if (!(largest > kMaxPosition)) return position;
+  return glm::clamp(position * (kMaxPosition / largest), -kMaxPosition, kMaxPosition);
+}
+
 SceneLights::SceneLights(const scene::Scene& scene, const RenderSettings& settings, double exposure)
-    : exposure_(exposure), light_surfaces_beyond_end_(lights_surfaces_beyond_end(settings)), updater_(kSkipsNothing) {
+    : origin_(scene::local_origin(scene.camera.position)),
+      exposure_(exposure),
+      light_surfaces_beyond_end_(lights_surfaces_beyond_end(settings)),
+      updater_(kSkipsNothing) {
   for (const bool is_carried : {false, true}) {
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
       PlacedLight light = scene.lights[i];
       if (light.carried != is_carried || light.light.color == glm::dvec3(0)) continue;
+      light.position = placed_relative_to(origin_, light);
       light.light.threshold = threshold_of(light.light, settings, exposure);
       light.light.cone = drawn_cone(light.light.cone, settings);
       const bool has_end = settings.path->range != RangeLaw::unbounded;

@@ -32,6 +32,10 @@ bool lights_surfaces_beyond_end(const RenderSettings& settings);
 /// A light's cone as a renderer draws it: its own, but for paths whose maps hold another (mapped_cone).
 Cone drawn_cone(const Cone& cone, const RenderSettings& settings);
 
+/// A light's position as seen from an origin. One on the other side of the world, farther away than the library takes
+/// lights, is as far away in its direction as can be.
+glm::dvec3 placed_relative_to(const glm::dvec3& origin, const PlacedLight& light);
+
 /// A light for shaders that take it as uniforms: vec4s, as shaders/light_batch.glsl counts them.
 struct PackedLight {
   FogLightKind kind;
@@ -41,7 +45,8 @@ inline constexpr std::size_t kPackedVectors = sizeof(PackedLight) / sizeof(glm::
 
 /// The lights of a scene as the renderer takes them: first the local lights, then those that the eye's vehicle carries,
 /// which light the fog too. Lights that are off are left out: black ones, and local ones of extent 0, which light
-/// nothing and have no visible point.
+/// nothing and have no visible point. Their positions are relative to an origin near the scene's camera, from which
+/// floats measure them and all that they light.
 class SceneLights {
  public:
   /// scene     has to outlive this
@@ -50,6 +55,7 @@ class SceneLights {
   /// exposure  EV at which the picture is shown (threshold_of)
   SceneLights(const scene::Scene& scene, const RenderSettings& settings, double exposure = 0);
 
+  const glm::dvec3& origin() const { return origin_; }
   double exposure() const { return exposure_; }  ///< EV, for which ends are chosen
   std::size_t size() const { return lights_.size(); }
   std::size_t local_count() const { return local_count_; }
@@ -87,6 +93,7 @@ class SceneLights {
  private:
   void add_groups();
 
+  glm::dvec3 origin_;
   double exposure_;
   bool light_surfaces_beyond_end_;
   std::vector<PlacedLight> lights_;

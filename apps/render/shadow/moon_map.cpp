@@ -37,14 +37,13 @@ Box turned(const scene::Bounds& box, const glm::dmat3& frame_from_world) {
 
 }  // namespace
 
-std::vector<MoonMap> fit_moon_maps(const scene::Scene& scene, const scene::Bounds& bounds, double aspect,
-                                   int map_size) {
-  const scene::Environment& environment = scene.environment;
+std::vector<MoonMap> fit_moon_maps(const scene::Environment& environment, const scene::Camera& camera,
+                                   const scene::Bounds& bounds, double aspect, int map_size) {
   if (!environment.has_moon()) return {};
   constexpr double kNextDistance = 4;
-  const glm::dvec3 eye = scene.camera.position;
-  const glm::dvec3 forward = axes_of(scene.camera).forward;
-  const double slope = std::tan(0.5 * double(scene.camera.field_of_view)) * std::hypot(1.0, aspect);
+  const glm::dvec3& eye = camera.position;
+  const glm::dvec3 forward = axes_of(camera).forward;
+  const double slope = std::tan(0.5 * double(camera.field_of_view)) * std::hypot(1.0, aspect);
   const glm::dmat3 frame_from_world = scene::basis_from_world(-glm::normalize(glm::dvec3(environment.moon_direction)));
   const Box all = turned(bounds, frame_from_world);
   const double margin = 1 + 0.001 * all.half.z;  // metres

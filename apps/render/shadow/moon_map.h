@@ -25,7 +25,8 @@ struct MoonMap {
 /// bounds    of all that can cast or receive a shadow
 /// aspect    width over height of the camera's picture
 /// map_size  texels a side
-std::vector<MoonMap> fit_moon_maps(const scene::Scene& scene, const scene::Bounds& bounds, double aspect, int map_size);
+std::vector<MoonMap> fit_moon_maps(const scene::Environment& environment, const scene::Camera& camera,
+                                   const scene::Bounds& bounds, double aspect, int map_size);
 inline constexpr int kMoonMaps = 4;
 
 /// Whether a box can cast a shadow into a map.

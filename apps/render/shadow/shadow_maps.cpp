@@ -93,10 +93,11 @@ void set_map(const gl::Program& program, const MoonMap& map) {
 ShadowMaps::ShadowMaps(const scene::Scene& scene, const SceneLights& lights, const SurfaceList& surfaces, double aspect,
                        const RenderSettings& settings)
     : scene_(scene),
+      origin_(lights.origin()),
       surfaces_(surfaces),
       bounds_(bounds_of_all(surfaces.surfaces())),
-      casters_(choose_shadow_casters(lights, bounds_, scene.camera.position, std::size_t(settings.shadow_lamps),
-                                     settings.shadow_map_size)),
+      casters_(choose_shadow_casters(lights, bounds_, scene.camera.position - origin_,
+                                     std::size_t(settings.shadow_lamps), settings.shadow_map_size)),
       caster_of_(lights.size(), kNoCaster),
       size_(settings.shadow_map_size),
       program_("shadow_caster.vert", "shadow_caster.frag", render_shaders()),
@@ -133,7 +134,7 @@ std::size_t ShadowMaps::map_count() const {
 }
 
 std::vector<MoonMap> ShadowMaps::fitted_moon_maps(double aspect) const {
-  return fit_moon_maps(scene_, bounds_, aspect, size_);
+  return fit_moon_maps(scene_.environment, relative_to(origin_, scene_.camera), bounds_, aspect, size_);
 }
 
 void ShadowMaps::upload_casters() {

@@ -59,6 +59,7 @@ class ShadowMaps {
   void draw_surface(const Surface& surface);
 
   const scene::Scene& scene_;
+  glm::dvec3 origin_;
   const SurfaceList& surfaces_;
   scene::Bounds bounds_;  // of the surfaces
   std::vector<ShadowCaster> casters_;

@@ -19,6 +19,7 @@ class Reach {
       : lights_(scene, settings),
         local_(lights_.lights().first(lights_.local_count()), lights_.extents().first(lights_.local_count())) {}
 
+  const glm::dvec3& origin() const { return lights_.origin(); }
   bool covers(const scene::Bounds& box) const {
     const auto carried = lights_.lights().subspan(lights_.local_count());
     return std::ranges::any_of(carried, [&](const PlacedLight& light) { return can_reach(light, kFarthest, box); }) ||
@@ -67,7 +68,8 @@ scene::Scene sort_polygons(const scene::Scene& scene, const RenderSettings& sett
   sorted.instances.clear();
   for (const scene::Instance& instance : scene.instances) {
     const scene::Model& model = scene.models[instance.model];
-    if (!reach.covers(transformed(bounds(model), instance.world_from_model))) {
+    const glm::mat4 world_from_model = placed_relative_to(reach.origin(), instance);
+    if (!reach.covers(transformed(bounds(model), world_from_model))) {
       sorted.instances.push_back(instance);
       sorted.instances.back().is_beyond_lights = true;
       continue;
@@ -76,7 +78,7 @@ scene::Scene sort_polygons(const scene::Scene& scene, const RenderSettings& sett
     for (const scene::Part& part : model) {
       std::array<MeshCopy, 2> copies;
       for (std::size_t i = 0; i < part.mesh.indices.size(); i += 3) {
-        copies[reach.covers(triangle_box(part.mesh, i, instance.world_from_model))].add(part.mesh, i);
+        copies[reach.covers(triangle_box(part.mesh, i, world_from_model))].add(part.mesh, i);
       }
       for (std::size_t half = 0; half < 2; ++half) {
         scene::Mesh mesh = copies[half].take();

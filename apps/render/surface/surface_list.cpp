@@ -158,15 +158,16 @@ bool SurfaceList::list_lights(const scene::Scene& scene, const SceneLights& ligh
   }
   for (const scene::Instance& instance : scene.instances) {
     const auto& chunks = meshes_.chunks(instance.model);
+    const glm::mat4 world_from_model = placed_relative_to(lights.origin(), instance);
     std::vector<scene::Bounds> boxes;
-    for (const Chunk& chunk : chunks) boxes.push_back(transformed(chunk.bounds, instance.world_from_model));
+    for (const Chunk& chunk : chunks) boxes.push_back(transformed(chunk.bounds, world_from_model));
     std::vector<std::int32_t> near;  // lights that can reach the instance
     const bool is_listed = skipping == Skipping::on && !instance.is_beyond_lights;
     if (is_listed && !boxes.empty()) near = finder.reaching(around(boxes));
     for (std::size_t i = 0; i < chunks.size(); ++i) {
       Surface surface{.material = &material(chunks[i].material),
                       .chunk = &chunks[i],
-                      .world_from_model = instance.world_from_model,
+                      .world_from_model = world_from_model,
                       .bounds = boxes[i],
                       .is_fog_lit = !instance.is_beyond_lights,
                       .list_first = 0,

@@ -44,7 +44,7 @@ struct Surface {
   const SurfaceMaterial* material;
   const Chunk* chunk;
   glm::mat4 world_from_model;
-  scene::Bounds bounds;  ///< world space
+  scene::Bounds bounds;  ///< world space, relative to SceneLights::origin() like the matrix
   bool is_fog_lit;       ///< a carried light's cone meets it, so that fog before it is lit by such lights
   int list_first;        ///< in the lists of all surfaces: the lights that can reach it, of which there are
   int list_count;

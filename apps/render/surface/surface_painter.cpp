@@ -64,6 +64,7 @@ MaterialFeatures features_of(const Surface& surface, const LightingPath& path) {
 /// Where surfaces are seen from.
 struct Eye {
   glm::vec3 position;
+  glm::vec3 forward;
   double pixels_per_radian;
 };
 
@@ -142,7 +143,7 @@ void SurfacePainter::set_fog() { fog_lights_ = fog_lights(lights_, settings_.pat
 std::size_t SurfacePainter::draw(const LightingPath& path, const FramePlan& plan, const View& view,
                                  const ShadowMaps* shadows, Interruption& interruption) {
   Frame frame{.path = path,
-              .eye = {scene_.camera.position, view.pixels_per_radian},
+              .eye = {view.eye, view.forward, view.pixels_per_radian},
               .clip_from_world = view.clip_from_world,
               .shadows = shadows,
               .number = ++frames_};
@@ -182,7 +183,7 @@ std::size_t SurfacePainter::draw_panes(const LightingPath& path, const FramePlan
     const glm::mat4& world_from_model = surface.surface->world_from_model;
     for (const SortedTriangle& triangle : surface.surface->chunk->triangles) {
       const glm::vec3 middle(world_from_model * glm::vec4(triangle.middle, 1));
-      triangles.push_back({glm::distance(middle, scene_.camera.position), &surface, &triangle});
+      triangles.push_back({glm::distance(middle, view.eye), &surface, &triangle});
     }
   }
   std::ranges::stable_sort(triangles, std::ranges::greater{}, &Triangle::distance);
@@ -191,7 +192,7 @@ std::size_t SurfacePainter::draw_panes(const LightingPath& path, const FramePlan
     indices.insert(indices.end(), each.triangle->indices.begin(), each.triangle->indices.end());
   }
   Frame frame{.path = path,
-              .eye = {scene_.camera.position, view.pixels_per_radian},
+              .eye = {view.eye, view.forward, view.pixels_per_radian},
               .clip_from_world = view.clip_from_world,
               .shadows = shadows,
               .number = ++frames_,
@@ -326,7 +327,7 @@ void SurfacePainter::draw_variant(Frame& frame, std::span<const PlannedSurface> 
     maps_.bind(maps_.kinds()[std::size_t(batch[0])]);
   }
   const scene::Material& material = surface_material.material;
-  const DrawConstants constants{.eye_relief = glm::vec4(scene_.camera.position, material.relief_m / material.size_m),
+  const DrawConstants constants{.eye_relief = glm::vec4(frame.eye.position, material.relief_m / material.size_m),
                                 .specular_shininess = glm::vec4(material.specular, material.shininess),
                                 .emissive_metal_roughness = glm::vec4(material.emissive, material.metal_roughness)};
   glUniform4fv(program.draw_constants, GLsizei(sizeof(constants) / sizeof(glm::vec4)),
@@ -409,7 +410,7 @@ void SurfacePainter::set_frame_uniforms(const Frame& frame, const ShaderVariant&
     set_uniform(program, "moon_color", environment.moon_color);
   }
   set_uniform(program, "clip_from_world", frame.clip_from_world);
-  set_uniform(program, "infinite_viewer", glm::normalize(scene_.camera.position - scene_.camera.target));
+  set_uniform(program, "infinite_viewer", -frame.eye.forward);
   set_uniform(program, "is_flat_shaded", settings_.is_flat_shaded);
   set_uniform(program, "albedo_map", kAlbedoUnit);
   set_uniform(program, "normal_map", kNormalUnit);

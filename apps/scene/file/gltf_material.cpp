@@ -106,8 +106,7 @@ const GltfMaterial& GltfMaterials::use(const JsonValue& primitive) {
   const auto normal = coordinates_of(given, "normalTexture");
   const auto emission = coordinates_of(given, "emissiveTexture");
   const GltfCoordinates first = base.value_or(rough.value_or(normal.value_or(emission.value_or(GltfCoordinates{}))));
-  used = GltfMaterial{.index = materials_.size(),
-                      .name = index ? fmt::format("glTF material {}", at) : "glTF material -1",
+  used = GltfMaterial{.name = index ? fmt::format("glTF material {}", at) : "glTF material -1",
                       .is_double_sided = double_sided && double_sided->boolean(),
                       .sets = {},
                       .base = first,

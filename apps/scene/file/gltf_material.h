@@ -20,7 +20,6 @@ namespace litfog::scene {
 
 /// A material of a glTF file that is used.
 struct GltfMaterial {
-  std::size_t index;  ///< of those made, in their order
   std::string name;
   bool is_double_sided;
   std::set<std::size_t> sets;  ///< of texture coordinates that its textures take

@@ -6,12 +6,15 @@
 #include <strings.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <iterator>
+#include <limits>
+#include <map>
 #include <numbers>
 #include <set>
 
@@ -27,11 +30,11 @@
 namespace litfog::scene {
 namespace {
 
-constexpr double kBrightestAtKnee = 16;   // of the display's white
-constexpr double kLargestKnee = 1;        // metres
-constexpr double kLeast = 1.0 / 512;      // half of 1/256 of the display's white
-constexpr double kLeastTilt = 1e-3;       // radians from the vertical, which floats tell from it
-constexpr double kLeastRoll = 0.026;      // radians, 1.5 degrees: less is not told
+constexpr double kBrightestAtKnee = 16;                // of the display's white
+constexpr double kLargestKnee = 1;                     // metres
+constexpr double kLeast = 1.0 / 512;                   // half of 1/256 of the display's white
+constexpr double kLeastTilt = 1e-3;                    // radians from the vertical, which floats tell from it
+constexpr double kLeastRoll = 0.026;                   // radians, 1.5 degrees: less is not told
 constexpr double kBrightestSun = 65'504;  // of the display's white: a framebuffer's half floats end there
 constexpr std::string_view kPunctual = "KHR_lights_punctual";
 constexpr std::string_view kBasisu = "KHR_texture_basisu";
@@ -79,18 +82,17 @@ class GltfReader {
                           .sky_zenith = kZenith,
                           .sky_horizon = kNightFog};
     note_files(path);
-    scene_.models.emplace_back();
     read_nodes();
-    if (scene_.models[0].empty()) file_.root().fail("meshes", "", "must hold triangles");
-    scene_.instances.push_back({0, glm::mat4(1.0f)});
-    const Bounds box = bounds(scene_.models[0]);
+    if (scene_.models.empty()) file_.root().fail("meshes", "", "must hold triangles");
+    const WorldBox box = world_box();
     if (forward_)
       aim_at(box);
     else
       look_at(box);
     light_fog_and_sky();
     if (scene_.lights.empty() && suns_ == 0) light_from_viewer();
-    const double depth = std::max(0.01, farthest_distance(scene_.camera.position, box));
+    const glm::dvec3& eye = scene_.camera.position;
+    const double depth = std::max(0.01, glm::length(glm::max(glm::abs(eye - box.low), glm::abs(eye - box.high))));
     scene_.left_out = left_out();
     for (const double depths : {10, 3, 1}) scene_.visibilities.push_back(with_two_digits(depths * depth));
   }
@@ -266,31 +268,47 @@ class GltfReader {
     }
     const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0, 1, 0)));
     roll_ = std::abs(std::atan2(glm::dot(up, right), glm::dot(up, glm::cross(right, forward))));
-    scene_.camera.position = glm::dvec3(world_from_node[3]);
+    scene_.camera.position = world_from_node[3];
     scene_.camera.field_of_view = float(yfov);
     forward_ = forward;
     return true;
   }
 
+  /// Around all that is drawn.
+  struct WorldBox {
+    glm::dvec3 low{std::numeric_limits<double>::max()};
+    glm::dvec3 high{std::numeric_limits<double>::lowest()};
+  };
+  WorldBox world_box() const {
+    WorldBox box;
+    for (const Instance& instance : scene_.instances) {
+      const Bounds own = bounds(scene_.models[instance.model]);
+      const glm::dvec3 origin(instance.world_from_model[3]);
+      box.low = glm::min(box.low, origin + glm::dvec3(own.low));
+      box.high = glm::max(box.high, origin + glm::dvec3(own.high));
+    }
+    return box;
+  }
+
   /// Puts the target as far ahead as the scene's middle, for what moves the camera around it; at least so far that
   /// floats keep the camera's heading.
-  void aim_at(const Bounds& box) {
-    const glm::dvec3 position(scene_.camera.position);
-    const glm::dvec3 middle = (glm::dvec3(box.low) + glm::dvec3(box.high)) * 0.5;
-    const double least = 3e-4 * glm::length(position) / std::hypot(forward_->x, forward_->z);
-    const double distance = std::max(
-        {glm::dot(middle - position, *forward_), glm::distance(glm::dvec3(box.high), middle) / 10, least, 1e-3});
+  void aim_at(const WorldBox& box) {
+    const glm::dvec3& position = scene_.camera.position;
+    const glm::dvec3 middle = (box.low + box.high) * 0.5;
+    const double least = 3e-4 * glm::distance(position, local_origin(position)) / std::hypot(forward_->x, forward_->z);
+    const double distance =
+        std::max({glm::dot(middle - position, *forward_), glm::distance(box.high, middle) / 10, least, 1e-3});
     scene_.camera.target = position + *forward_ * distance;
   }
 
   /// Shows the whole scene from its front, from somewhat above.
-  void look_at(const Bounds& box) {
-    const glm::vec3 middle = (box.low + box.high) * 0.5f;
-    const float radius = glm::distance(box.high, middle);
+  void look_at(const WorldBox& box) {
+    const glm::dvec3 middle = (box.low + box.high) * 0.5;
+    const double radius = glm::distance(box.high, middle);
     scene_.camera.field_of_view = 0.8f;
     scene_.camera.target = middle;
-    scene_.camera.position =
-        middle + glm::normalize(glm::vec3(0.3f, 0.35f, 1)) * (radius / std::sin(scene_.camera.field_of_view / 2));
+    scene_.camera.position = middle + glm::normalize(glm::dvec3(0.3, 0.35, 1)) *
+                                          (radius / std::sin(double(scene_.camera.field_of_view) / 2));
     if (!has_heading(scene_.camera)) file_.root().fail("meshes", "", "must be larger than a point");
   }
 
@@ -380,7 +398,7 @@ class GltfReader {
   /// A primitive, read once for all nodes that draw it.
   struct Primitive {
     JsonValue json;
-    std::size_t part;  // of the scene's model
+    std::string material;
     Mesh mesh;
   };
 
@@ -416,12 +434,15 @@ class GltfReader {
   /// A node's mesh, once or as often as it states (EXT_mesh_gpu_instancing).
   void read_instances(const JsonValue& node, const glm::dmat4& world_from_node) {
     const std::size_t mesh = index_in(meshes_, node.member("mesh"));
-    const GltfPose pose = pose_of(node, meshes_[mesh]);
+    GltfPose pose = pose_of(node, meshes_[mesh]);
     const bool is_skinned = !pose.world_from_mesh.empty();
+    // A skinned mesh is where its joints are (glTF 2.0, 3.7.3.3): near an origin of its own, for its vertices' floats.
+    const glm::dvec3 origin = is_skinned ? local_origin(pose.world_from_mesh.front()[3]) : glm::dvec3(0);
+    for (glm::dmat4& world_from_mesh : pose.world_from_mesh) world_from_mesh[3] -= glm::dvec4(origin, 0);
     std::vector<Primitive> posed;
     if (is_skinned || !pose.weights.empty()) posed = read_primitives(mesh, pose);
     const std::vector<Primitive>& primitives = posed.empty() ? primitives_of(mesh) : posed;
-    if (is_skinned) return draw(primitives, glm::dmat4(1.0));  // its joints are where it is (glTF 2.0, 3.7.3.3)
+    if (is_skinned) return draw(primitives, glm::translate(glm::dmat4(1), origin));
     const auto instancing = extension_of(node, "EXT_mesh_gpu_instancing");
     if (!instancing) return draw(primitives, world_from_node);
     using enum GltfComponent;
@@ -458,12 +479,29 @@ class GltfReader {
       flattened_ += linear != glm::dmat3(0.0);  // a scale of 0 in all axes hides a mesh
       return;
     }
-    Model& model = scene_.models[0];
+    if (primitives.empty()) return;
+    Bounds box = bounds(primitives.front().mesh);
+    for (const Primitive& primitive : primitives) box = united(box, bounds(primitive.mesh));
+    const glm::dvec3 origin =
+        local_origin(world_from_node * glm::dvec4(0.5 * (glm::dvec3(box.low) + glm::dvec3(box.high)), 1));
+    glm::dmat4 model_from_node = world_from_node;
+    model_from_node[3] -= glm::dvec4(origin, 0);
+    Model& model = model_at(origin);
     for (const Primitive& primitive : primitives) {
       const Mesh& mesh = primitive.mesh;
       drawn_.take(primitive.json, mesh.indices.size() / 3, mesh.vertices.size());
-      append(model[primitive.part].mesh, mesh, world_from_node);
+      append(part(model, primitive.material), mesh, model_from_node);
     }
+  }
+
+  /// The model of all that is drawn near an origin, from which floats measure its vertices.
+  Model& model_at(const glm::dvec3& origin) {
+    const auto [entry, is_new] = models_.try_emplace({origin.x, origin.y, origin.z}, scene_.models.size());
+    if (is_new) {
+      scene_.instances.push_back({scene_.models.size(), glm::translate(glm::dmat4(1), origin)});
+      scene_.models.emplace_back();
+    }
+    return scene_.models[entry->second];
   }
 
   const std::vector<Primitive>& primitives_of(std::size_t mesh) {
@@ -483,9 +521,7 @@ class GltfReader {
       const JsonValue attributes = json.member("attributes");
       unmapped_ += std::ranges::any_of(
           material.sets, [&](std::size_t set) { return !attributes.optional(fmt::format("TEXCOORD_{}", set)); });
-      Model& model = scene_.models[0];
-      if (material.index == model.size()) model.push_back({material.name, {}});  // a part a material, in their order
-      primitives.push_back({json, material.index, read_gltf_primitive(file_, json, material, pose, read_)});
+      primitives.push_back({json, material.name, read_gltf_primitive(file_, json, material, pose, read_)});
     }
     return primitives;
   }
@@ -499,6 +535,7 @@ class GltfReader {
   std::vector<std::optional<glm::dmat4>> world_from_node_;  // of those met so far
   std::vector<std::vector<Primitive>> primitives_;          // of each mesh as the file has it, when it is first drawn
   std::vector<bool> is_read_;                               // of each mesh
+  std::map<std::array<double, 3>, std::size_t> models_;     // of the scene, by their origins
   GltfMaterials materials_;
   Scene scene_;
   std::optional<glm::dvec3> forward_;  // of the camera, if there is one

@@ -509,7 +509,8 @@ class SceneReader {
     if (scene_.instances.size() == kMaxInstances) {
       at.fail("objects", "", fmt::format("must be at most {} with all copies", kMaxInstances));
     }
-    const glm::mat4 world_from_model = glm::scale(place(position, heading), glm::vec3(float(scale)));
+    glm::dmat4 world_from_model = glm::scale(place({}, heading), glm::vec3(float(scale)));
+    world_from_model[3] = glm::dvec4(position, 1);
     scene_.instances.push_back({model, world_from_model});
   }
 
