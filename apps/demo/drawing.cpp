@@ -61,6 +61,7 @@ Drawn draw(const scene::Scene& scene, const DrawingOptions& options, int frames,
   if (has_statistics) drawn.statistics = renderer.draw_and_measure();
   if (has_reference) drawn.comparison = measure::compare_with_reference(renderer, show);
   drawn.picture = drawn.comparison ? drawn.comparison->drawn : renderer.read();
+  if (is_cut_off(drawn.picture)) drawn.picture = renderer.draw_in_floats();
   return drawn;
 }
 

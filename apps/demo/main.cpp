@@ -145,7 +145,9 @@ ExitStatus draw_picture(const CLI::App& app, const PictureOptions& options) {
   if (!holds_scene_light(output)) display = drawn.display;
   write_picture(output, display ? render::displayed(picture, *display) : picture);
   if (is_given("--stats")) files::write_whole_file(options.stats, stats_json(scene, drawing, drawn, display));
-  const std::string words = display ? display_in_words(*display) : "";
+  const std::string words = display               ? display_in_words(*display)
+                            : is_cut_off(picture) ? "in 32-bit floats: light exceeds half floats' 65504"
+                                                  : "";
   report(fmt::format("{}: {} ({}x{}{}) in {} ms on {}\n", output, scene.name, drawing.width, drawing.height,
                      words.empty() ? "" : ", " + words, measure::milliseconds_text(drawn.times.median()),
                      drawn.gl_renderer));

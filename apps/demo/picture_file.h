@@ -10,7 +10,7 @@
 namespace litfog::demo {
 
 /// Writes a picture atomically: .png as sRGB, 8 bits, dithered against banding (clamped to [0, 1]: render::displayed
-/// makes it fit); .exr as linear half floats. Throws OutputError.
+/// makes it fit); .exr as linear half floats, or floats where light is beyond those (65,504). Throws OutputError.
 void write_picture(const std::string& path, const render::Picture& picture);
 
 /// The bytes of a .png file of it.

@@ -37,7 +37,8 @@ class ImageLibrary {
   virtual Levels decode(const std::string& format, std::string_view bytes,
                         const std::function<void(int, int)>& accept) const = 0;
 
-  /// The bytes of an .exr file of half floats. The same picture is the same file. Throws ImageError.
+  /// The bytes of an .exr file: of half floats, or of floats where a number is beyond those. The same picture is the
+  /// same file. Throws ImageError.
   virtual std::string exr_text(int width, int height, std::span<const float> rgb) const = 0;
 
   /// Averaged to a smaller size. Throws ImageError.

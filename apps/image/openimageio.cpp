@@ -5,12 +5,16 @@
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "image/image_library.h"
 
 namespace litfog::image {
 namespace {
 
 constexpr const char* kFont = "DejaVuSans";
+constexpr float kLargestHalf = 65'504;
 
 OIIO::ImageSpec float_spec(int width, int height) { return {width, height, 3, OIIO::TypeDesc::FLOAT}; }
 
@@ -42,7 +46,8 @@ class OpenImageIo final : public ImageLibrary {
   }
 
   std::string exr_text(int width, int height, std::span<const float> rgb) const override {
-    OIIO::ImageSpec spec(width, height, 3, OIIO::TypeDesc::HALF);
+    const bool is_half = std::ranges::all_of(rgb, [](float value) { return !(std::abs(value) > kLargestHalf); });
+    OIIO::ImageSpec spec(width, height, 3, is_half ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT);
     spec.attribute("oiio:ColorSpace", "Linear");
     spec.attribute("compression", "zip");
     spec.attribute("DateTime", 0);  // no time: the same picture is the same file

@@ -130,6 +130,7 @@ Drawn draw(const CLI::App& app, const demo::SceneOptions& scene_options, const d
   const auto [display, visibility] = demo::set_fog_and_exposure(renderer, options);
   renderer.draw();
   Drawn drawn{.light = renderer.read(), .shown = {}, .visibility = visibility, .exposure = display.exposure.ev};
+  if (is_cut_off(drawn.light)) drawn.light = renderer.draw_in_floats();
   drawn.shown = demo::shown_pixels(render::displayed(drawn.light, display));
   return drawn;
 }

@@ -50,6 +50,11 @@ class StageClock {
 
 }  // namespace
 
+bool is_cut_off(const Picture& picture) {
+  constexpr float kLargestHalf = 65'504;
+  return std::ranges::any_of(picture.rgb, [](float light) { return light >= kLargestHalf; });
+}
+
 Renderer::Renderer(const scene::Scene& scene, int width, int height, const RenderSettings& settings)
     : scene_(scene),
       settings_(settings),
@@ -73,9 +78,21 @@ Renderer::Renderer(const scene::Scene& scene, int width, int height, const Rende
 }
 
 void Renderer::set_size(int width, int height) {
-  framebuffer_ = Framebuffer(width, height, passes(), settings_.samples);
-  if (airlight_) airlight_->set_size(framebuffer_);
+  set_framebuffer(width, height, passes());
   gl::check_errors("making a picture of another size");
+}
+
+void Renderer::set_framebuffer(int width, int height, Passes passes) {
+  framebuffer_ = Framebuffer(width, height, passes, settings_.samples);
+  if (airlight_) airlight_->set_size(framebuffer_);
+}
+
+Picture Renderer::draw_in_floats() {
+  set_framebuffer(width(), height(), Passes::several);
+  draw();
+  Picture picture = read();
+  set_framebuffer(width(), height(), passes());
+  return picture;
 }
 
 void Renderer::set_lights() { set_lights_for(lights_.exposure()); }

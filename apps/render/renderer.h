@@ -26,6 +26,9 @@ namespace litfog::render {
 /// Whether lamps are drawn as points over the surfaces.
 enum class LightPoints { on, off };
 
+/// Whether light of a picture reaches the end of half floats, at which a frame of one pass is cut off.
+bool is_cut_off(const Picture& picture);
+
 /// Draws a scene by a lighting path into a framebuffer. Needs a current GL 3.3 core context. The scene's camera may
 /// change from frame to frame, but lamps that cast shadows are chosen as set_lights() finds it. So may the fog's top,
 /// asymmetry and colour, and the sky, before set_fog().
@@ -81,6 +84,10 @@ class Renderer {
   /// Draws a frame as if the view had changed, stage by stage, and looks at it closely. Takes longer than draw().
   FrameStatistics draw_and_measure();
   Picture read() const { return framebuffer_.read(); }
+  /// Draws a frame of light without end, for a picture that is_cut_off(), and reads it.
+  ///
+  /// throws  gl::Unsupported where the driver has no framebuffer of floats of that size
+  Picture draw_in_floats();
 
   const scene::Scene& scene() const { return scene_; }
   /// Of all positions in floats: those of a geometry buffer and of shadow maps, too.
@@ -111,6 +118,7 @@ class Renderer {
   void set_lights_for(double ends_exposure);
   /// Sets the lights anew where the camera has left the surroundings of their origin.
   void follow_camera();
+  void set_framebuffer(int width, int height, Passes passes);
   void begin_frame(const Framebuffer& framebuffer, const glm::vec3& background);
   double count_lights_per_fragment();
   /// Uploads what a new plan lists. Returns its bytes.

@@ -413,6 +413,25 @@ double seen_point(float range, double before) {
   return with_points - total(renderer.read());
 }
 
+TEST_F(RendererTest, LightBeyondHalfFloatsIsWholeWhenDrawnInFloats) {
+  for (const FogLighting fog_lighting : {FogLighting::peak, FogLighting::airlight}) {
+    Scene scene = open_air(Cone{});
+    scene.environment.sky_zenith = scene.environment.sky_horizon = glm::vec3(0.3f, 8e4f, 2e6f);
+    Renderer renderer(scene, kWidth, kHeight, {.fog_lighting = fog_lighting});
+    renderer.set_fog(Fog{FogMode::exp, 0});
+    renderer.draw();
+    EXPECT_TRUE(is_cut_off(renderer.read()));
+    const glm::dvec3 whole = pixel(renderer.draw_in_floats(), kWidth / 2, kHeight / 4);
+    EXPECT_NEAR(whole.g, 8e4, 1);
+    EXPECT_NEAR(whole.b, 2e6, 10);
+    renderer.draw();  // in half floats again
+    EXPECT_LT(pixel(renderer.read(), kWidth / 2, kHeight / 4).g, 7e4);
+    scene.environment.sky_zenith = scene.environment.sky_horizon = glm::vec3(0.3f);
+    renderer.draw();
+    EXPECT_FALSE(is_cut_off(renderer.read()));
+  }
+}
+
 TEST_F(RendererTest, PointOfALampShortlyBehindAWallIsHidden) {
   EXPECT_GT(seen_point(20, 0.05), 0);
   EXPECT_EQ(seen_point(20, -0.2), 0);  // its light passes the wall all the same: there are no shadows
