@@ -21,6 +21,7 @@
 #include "litfog/gl/unsupported.h"
 #include "python/errors.h"
 #include "python/module.h"
+#include "python/numbers.h"
 #include "render/lighting_path.h"
 #include "render/renderer.h"
 #include "scene/file/scene_file.h"
@@ -41,6 +42,7 @@ std::string number_text(const py::handle& number) {
 /// The value of an option: a word, a number, or numbers as the option separates them.
 std::string value_text(const std::string& name, const py::handle& value) {
   if (py::isinstance<py::str>(value)) return value.cast<std::string>();
+  python::expect_plain_values(value, name);
   const bool is_number = PyNumber_Check(value.ptr()) && !py::isinstance<py::bool_>(value);
   if (is_number && !PySequence_Check(value.ptr())) return number_text(value);
   if (!PySequence_Check(value.ptr())) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <pybind11/stl/filesystem.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <filesystem>
@@ -22,6 +23,7 @@
 #include "litfog/photometry/luminaire.h"
 #include "python/errors.h"
 #include "python/module.h"
+#include "python/numbers.h"
 #include "require.h"
 
 namespace litfog::python {
@@ -154,23 +156,31 @@ void bind_photometry(py::module_& m) {
       "How far a beam is from rotational symmetry about an axis: relative rms, 0 to 1, to 0.001. Releases the GIL.");
 }
 
-using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+/// An argument that holds samples; None where there are none.
+struct Column {
+  const char* name;
+  const py::object& numbers;
+};
 
 /// Columns of samples; without weights each weighs 1.
 template <typename Sample>
-std::vector<Sample> samples_of(const std::optional<Numbers>& first, const std::optional<Numbers>& second,
-                               const std::optional<Numbers>& weights, const char* names) {
-  const auto refuse = [names] {
-    throw py::value_error(std::string(names) + ": must be one-dimensional and of one length");
+std::vector<Sample> samples_of(const Column& first, const Column& second, const Column& weights) {
+  if (first.numbers.is_none() && second.numbers.is_none() && weights.numbers.is_none()) return {};
+  std::vector<py::array_t<double>> columns;
+  for (const Column& column : {first, second, weights}) {
+    if (!column.numbers.is_none()) columns.push_back(take_numbers(column.numbers, column.name));
+  }
+  const auto is_like_first = [&](const auto& column) {
+    return column.ndim() == 1 && column.size() == columns[0].size();
   };
-  if (!first && !second && !weights) return {};
-  if (!first || !second) refuse();
-  for (const auto& column : {first, second, weights}) {
-    if (column && (column->ndim() != 1 || column->size() != first->size())) refuse();
+  const bool has_both = !first.numbers.is_none() && !second.numbers.is_none();
+  if (!has_both || !std::ranges::all_of(columns, is_like_first)) {
+    throw py::value_error(std::string(first.name) + ", " + second.name + " and " + weights.name +
+                          ": must be one-dimensional and of one length");
   }
   std::vector<Sample> samples;
-  for (py::ssize_t i = 0; i < first->size(); ++i) {
-    samples.push_back({first->at(i), second->at(i), weights ? weights->at(i) : 1});
+  for (py::ssize_t i = 0; i < columns[0].size(); ++i) {
+    samples.push_back({columns[0].at(i), columns[1].at(i), columns.size() > 2 ? columns[2].at(i) : 1});
   }
   return samples;
 }
@@ -234,12 +244,12 @@ void bind_attenuation_fit(py::module_& m) {
                        "residuals", "covariance", "kkt_residual"});
   m.def(
       "fit_attenuation",
-      [](std::optional<double> extent, std::optional<double> constant, const std::optional<Numbers>& ranges,
-         const std::optional<Numbers>& attenuations, const std::optional<Numbers>& weights, double threshold,
-         AttenuationFamily family, bool is_robust) {
+      [](std::optional<double> extent, std::optional<double> constant, const py::object& ranges,
+         const py::object& attenuations, const py::object& weights, double threshold, AttenuationFamily family,
+         bool is_robust) {
         AttenuationTarget target{.threshold = threshold, .extent = extent, .constant = constant};
         target.samples =
-            samples_of<AttenuationSample>(ranges, attenuations, weights, "ranges, attenuations and weights");
+            samples_of<AttenuationSample>({"ranges", ranges}, {"attenuations", attenuations}, {"weights", weights});
         target.family = family;
         target.is_robust = is_robust;
         const py::gil_scoped_release released;
@@ -311,10 +321,10 @@ void bind_cone_fit(py::module_& m) {
   m.def(
       "fit_cone",
       [](ConeChoice choice, std::optional<double> half_angle, std::optional<double> beam_angle,
-         std::optional<double> field_angle, const std::optional<Numbers>& angles,
-         const std::optional<Numbers>& intensities, const std::optional<Numbers>& weights) {
+         std::optional<double> field_angle, const py::object& angles, const py::object& intensities,
+         const py::object& weights) {
         ConeTarget target{choice, half_angle, beam_angle, field_angle};
-        target.samples = samples_of<ConeSample>(angles, intensities, weights, "angles, intensities and weights");
+        target.samples = samples_of<ConeSample>({"angles", angles}, {"intensities", intensities}, {"weights", weights});
         const py::gil_scoped_release released;
         return fit_cone(target);
       },

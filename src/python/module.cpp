@@ -23,6 +23,7 @@
 #include "litfog/light.h"
 #include "litfog/solve.h"
 #include "litfog/updater.h"
+#include "python/numbers.h"
 #include "require.h"
 
 namespace litfog::python {
@@ -58,10 +59,46 @@ PyObject* new_instance(PyTypeObject* type, PyObject* arguments, PyObject* keywor
   return instance_base()->tp_new(type, arguments, keywords);
 }
 
+/// tp_new of the base of all bound classes, which pybind11 shares among extensions and answers by abort() where it has
+/// no C++ class to construct: litfog.Light.__base__(), or a Python class of that base.
+newfunc base_tp_new = nullptr;
+PyObject* new_bound_instance(PyTypeObject* type, PyObject* arguments, PyObject* keywords) {
+  if (!py::detail::all_type_info(type).empty()) return base_tp_new(type, arguments, keywords);
+  PyErr_Format(PyExc_TypeError, "cannot create '%s' instances", type->tp_name);
+  return nullptr;
+}
+
+/// The enumerator of a value, as enum.Enum has it; pybind11 would make one of any number.
+PyObject* enumerator_of(PyTypeObject* type, PyObject* arguments, PyObject* keywords) {
+  static const char* const kNames[] = {"value", nullptr};
+  PyObject* value = nullptr;
+  if (!PyArg_ParseTupleAndKeywords(arguments, keywords, "O", const_cast<char**>(kNames), &value)) return nullptr;
+  try {
+    const py::handle given(value);
+    const bool is_of_another = Py_TYPE(value) != type && py::hasattr(given, "__members__");
+    const bool is_number = PyIndex_Check(value) != 0 && !is_of_another;
+    std::string known;
+    const py::handle enumeration(reinterpret_cast<PyObject*>(type));
+    for (const auto& [name, value_of_name] : enumeration.attr("__members__").cast<py::dict>()) {
+      auto member = py::reinterpret_borrow<py::object>(value_of_name);
+      const py::int_ number(member);
+      if (is_number && number.equal(py::int_(py::reinterpret_borrow<py::object>(given)))) return member.release().ptr();
+      known += (known.empty() ? "" : ", ") + text_of(number) + " (" + name.cast<std::string>() + ")";
+    }
+    PyErr_Format(PyExc_ValueError, "%s = %R: must be one of %s", type->tp_name, value, known.c_str());
+  } catch (py::error_already_set& error) {
+    error.restore();
+  }
+  return nullptr;
+}
+
 /// Makes errors of two ways to an instance whose C++ value was never constructed, which pybind11 would read:
 /// Fog.__new__(Fog), which Python refuses where the class has another tp_new than its base; and object.__reduce__(),
 /// which calls it.
 void close_classes(const py::module_& m) {
+  if (instance_base()->tp_new != &new_bound_instance) {
+    base_tp_new = std::exchange(instance_base()->tp_new, &new_bound_instance);
+  }
   for (const auto& [name, value] : m.attr("__dict__").cast<py::dict>()) {
     if (!PyType_Check(value.ptr())) continue;
     auto* type = reinterpret_cast<PyTypeObject*>(value.ptr());
@@ -69,6 +106,7 @@ void close_classes(const py::module_& m) {
     type->tp_new = &new_instance;
     const auto type_object = py::reinterpret_borrow<py::object>(value);
     if (py::hasattr(type_object, "__members__")) {
+      type->tp_new = &enumerator_of;
       add_method(type_object, "__reduce__", [](const py::object& self) {
         return py::make_tuple(self.attr("__class__"), py::make_tuple(py::int_(self)));
       });
@@ -138,6 +176,7 @@ py::array take_array(const py::object& object, const std::string& name, const py
   if (!py::isinstance<py::array>(object)) {
     refuse_type("of type " + text_of(py::type::of(object).attr("__name__")));
   }
+  expect_plain_values(object, name);
   auto array = py::reinterpret_borrow<py::array>(object);
   if (!array.dtype().equal(dtype)) refuse_type("one of " + text_of(array.dtype()));
   constexpr int kNeeded = int(py::array::c_style) | int(py::detail::npy_api::NPY_ARRAY_ALIGNED_);
@@ -379,6 +418,15 @@ double require_rule(bool is_kept, const char* field, double value, const char* r
 
 double require_range(double range) { return require_rule(range >= 0, "range", range, "must be >= 0"); }
 
+/// function(value, number) for a number or for each of an array of them, which is the argument of this name.
+template <typename Value, typename Function>
+auto over_numbers(const char* name, const Function& function) {
+  return [name, function](Value value, const py::object& numbers) {
+    const auto of_number = [&](double number) { return function(value, number); };
+    return py::vectorize(of_number)(take_numbers(numbers, name));
+  };
+}
+
 /// A struct with which check() finds nothing wrong.
 template <typename T>
 const T& require_checked(const T& value) {
@@ -406,11 +454,11 @@ void bind_lights(py::module_& m) {
   make_record(fog, {"mode", "density"});
   m.def(
       "density_from_visibility",
-      [](FogMode mode, const py::array_t<double, py::array::forcecast>& metres, double contrast) {
+      [](FogMode mode, const py::object& metres, double contrast) {
         const auto density = [mode, contrast](double each) {
           return Fog::from_visibility(mode, each, contrast).density;
         };
-        return py::vectorize(density)(metres);
+        return py::vectorize(density)(take_numbers(metres, "metres"));
       },
       py::arg("mode"), py::arg("metres"), py::arg("contrast") = kContrastMor,
       "The density of Fog.from_visibility in 1/m; metres are a number or an array.");
@@ -480,25 +528,32 @@ void bind_lights(py::module_& m) {
                      "by the eye's vehicle: such lights, and only they, light the fog by Hales's term");
   make_record(placed, {"light", "position", "direction", "carried"});
 
-  m.def("attenuation_at", py::vectorize([](Attenuation of, double range) {
-          return attenuation_at(require_checked(of), require_range(range));
-        }),
+  m.def("attenuation_at",
+        over_numbers<Attenuation>("range",
+                                  [](const Attenuation& of, double range) {
+                                    return attenuation_at(require_checked(of), require_range(range));
+                                  }),
         py::arg("attenuation"), py::arg("range"),
         "a(r), the fraction of its near brightness that a light has at ranges in metres; numbers or arrays.");
-  m.def("fog_factor_at", py::vectorize([](Fog seen, double range) {
-          return fog_factor_at(require_checked(seen), require_range(range));
-        }),
+  m.def("fog_factor_at",
+        over_numbers<Fog>(
+            "range",
+            [](const Fog& seen, double range) { return fog_factor_at(require_checked(seen), require_range(range)); }),
         py::arg("fog"), py::arg("range"),
         "Fog factor f(r), the fraction of light that the fog lets through; numbers or arrays.");
-  m.def("opacity_at",
-        py::vectorize([](Fog seen, double range) { return opacity_at(require_checked(seen), require_range(range)); }),
-        py::arg("fog"), py::arg("range"),
-        "Opacity 1 - f(r), without the cancellation of the plain form; numbers or arrays.");
   m.def(
-      "cone_at", py::vectorize([](Cone shape, double cos_angle) {
-        return cone_at(require_checked(shape),
-                       require_rule(std::abs(cos_angle) <= 1, "cos_angle", cos_angle, "must be in [-1, 1]"));
-      }),
+      "opacity_at",
+      over_numbers<Fog>("range", [](const Fog& seen,
+                                    double range) { return opacity_at(require_checked(seen), require_range(range)); }),
+      py::arg("fog"), py::arg("range"),
+      "Opacity 1 - f(r), without the cancellation of the plain form; numbers or arrays.");
+  m.def(
+      "cone_at",
+      over_numbers<Cone>("cos_angle",
+                         [](const Cone& shape, double cos_angle) {
+                           return cone_at(require_checked(shape), require_rule(std::abs(cos_angle) <= 1, "cos_angle",
+                                                                               cos_angle, "must be in [-1, 1]"));
+                         }),
       py::arg("cone"), py::arg("cos_angle"),
       "Fraction of the axial intensity that a cone sends into a direction, by the cosine of its angle from the axis;\n"
       "numbers or arrays.");

@@ -11,14 +11,22 @@
 #include <string>
 #include <vector>
 
+#include "python/numbers.h"
+
 /// A vector is a tuple of three floats; any sequence of three numbers is taken for one.
 template <>
 struct pybind11::detail::type_caster<glm::dvec3> {
   PYBIND11_TYPE_CASTER(glm::dvec3, const_name("Sequence[float]"));
 
   bool load(handle source, bool convert) {
+    object numbers = reinterpret_borrow<object>(source);
+    if (isinstance<array>(source)) {
+      numbers = litfog::python::take_numbers(numbers, "vector");
+    } else {
+      litfog::python::expect_plain_values(source, "vector");
+    }
     make_caster<std::array<double, 3>> three;
-    if (!three.load(source, convert)) return false;
+    if (!three.load(numbers, convert)) return false;
     const auto& [x, y, z] = cast_op<std::array<double, 3>&>(three);
     value = {x, y, z};
     return true;

@@ -122,6 +122,38 @@ class SolveTest(unittest.TestCase):
                 with self.assertRaisesRegex(TypeError, "^cannot pickle a litfog.(FogUpdater|FogLightChanges)$"):
                     pickle.dumps(result, protocol)
 
+    def test_base_of_all_classes_makes_no_instance(self):
+        base = litfog.Light.__base__
+        for made in (base, type("Derived", (base,), {})):
+            with self.assertRaisesRegex(TypeError, "^cannot create '.*' instances$"):
+                made()
+            with self.assertRaises(TypeError):
+                base.__new__(made)
+        self.assertEqual(litfog.Light("a").name, "a")
+
+    def test_enumerations_take_their_own_values_alone(self):
+        enumerations = [value for value in vars(litfog).values() if hasattr(value, "__members__")]
+        self.assertGreaterEqual(len(enumerations), 10)
+        for enumeration in enumerations:
+            values = [int(member) for member in enumeration.__members__.values()]
+            for member in enumeration.__members__.values():
+                self.assertIs(enumeration(int(member)), member)
+                self.assertIs(enumeration(member), member)
+                for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
+                    self.assertIs(pickle.loads(pickle.dumps(member, protocol)), member)
+            for wrong in (max(values) + 1, 99, -1, 2**70):
+                with self.assertRaises(ValueError):
+                    enumeration(wrong)
+        with self.assertRaisesRegex(ValueError, r"^litfog.FogMode = 99: must be one of 0 \(exp\), 1 \(exp2\)$"):
+            litfog.FogMode(99)
+        for wrong in ("exp", 1.0, None):
+            with self.assertRaises((TypeError, ValueError)):
+                litfog.FogMode(wrong)
+        exp = litfog.FogMode.exp
+        for method in ("__init__", "__setstate__"):
+            getattr(exp, method, lambda value: None)(1)
+        self.assertEqual((int(exp), exp), (0, litfog.FogMode(0)))
+
     def test_results_show_their_fields(self):
         fit = litfog.fit_attenuation(extent=10)
         self.assertEqual(repr(fit), f"<litfog.AttenuationFit: attenuation={fit.attenuation}, threshold=0.05, "
@@ -153,6 +185,86 @@ class SolveTest(unittest.TestCase):
         np.testing.assert_allclose(litfog.fog_factor_at(fog, ranges), np.exp(-0.5 * ranges), atol=3e-16)
         self.assertEqual(litfog.cone_at(litfog.Cone.cosine(1, 2), 0.75), 0.5625)
 
+
+    def test_values_that_mean_something_else_are_refused(self):
+        def masked(values, dtype=np.float64):
+            return np.ma.array(values, dtype, mask=[False] * (len(values) - 1) + [True])
+
+        class Metres(np.ndarray):
+            unit = "km"
+
+        rows = np.ones(3)
+        rays = np.ma.zeros(2, litfog.EYE_RAY)
+        rays.mask["length"] = [False, True]
+        placed = litfog.PlacedLight(litfog.Light())
+        calls = {
+            "range": [
+                lambda x: litfog.attenuation_at(litfog.Attenuation(), x),
+                lambda x: litfog.fog_factor_at(litfog.Fog(), x),
+                lambda x: litfog.opacity_at(litfog.Fog(), x),
+            ],
+            "cos_angle": [lambda x: litfog.cone_at(litfog.Cone.cosine(1, 2), x)],
+            "metres": [lambda x: litfog.density_from_visibility(litfog.FogMode.exp, x)],
+            "ranges": [lambda x: litfog.fit_attenuation(ranges=x, attenuations=[0.9, 0.5, 0.1])],
+            "attenuations": [lambda x: litfog.fit_attenuation(ranges=[1, 2, 3], attenuations=x)],
+            "weights": [
+                lambda x: litfog.fit_attenuation(ranges=[1, 2, 3], attenuations=[0.9, 0.5, 0.1], weights=x),
+                lambda x: litfog.fit_cone(angles=[0, 0.1, 0.2], intensities=[3, 2, 1], weights=x),
+            ],
+            "angles": [lambda x: litfog.fit_cone(angles=x, intensities=[3, 2, 1])],
+            "intensities": [lambda x: litfog.fit_cone(angles=[0, 0.1, 0.2], intensities=x)],
+            "constant": [lambda x: litfog.solve_fog_intensities(x, rows, rows, 0.1)],
+            "density": [
+                lambda x: litfog.solve_fog_intensities(rows, rows, rows, x),
+                lambda x: litfog.axial_airlights(rows, rows, rows, x),
+            ],
+            "threshold": [lambda x: litfog.axial_airlights(rows, rows, rows, 0.1, x)],
+            "out.intensity": [
+                lambda x: litfog.solve_fog_intensities(rows, rows, rows, 0.1, out=litfog.BatchSolutions(intensity=x))
+            ],
+            "out": [lambda x: litfog.axial_airlights(rows, rows, rows, 0.1, out=x)],
+            "vector": [lambda x: litfog.PlacedLight(litfog.Light(), position=x)],
+        }
+        for name, functions in calls.items():
+            for function in functions:
+                with self.assertRaisesRegex(ValueError, f"^{name}: must hold no masked values"):
+                    function(masked([0.9, 0.5, 0.1]))
+                with self.assertRaisesRegex(TypeError, f"^{name}: must be plain numbers, has the unit km$"):
+                    function(np.array([0.9, 0.5, 0.1]).view(Metres))
+                for wrong in (["a", "b", "c"], [1j, 2, 3], [None, 1, 2], ["2020-01-01"] * 3):
+                    for dtype in (None, object):
+                        with self.assertRaises(TypeError):
+                            function(np.array(wrong, dtype))
+                with self.assertRaises(TypeError):
+                    function(np.array(["2020-01-01"] * 3, "M8[D]"))
+                with self.assertRaises(TypeError):
+                    function(np.array([1, 2, 3], "m8[s]"))
+        with self.assertRaisesRegex(ValueError, "^rays: must hold no masked values"):
+            litfog.airlight(placed, litfog.Fog(), rays)
+        with self.assertRaisesRegex(ValueError, "^range: must hold no masked values"):
+            litfog.attenuation_at(litfog.Attenuation(), [masked([1, 2]), [3, 4]])
+        with self.assertRaisesRegex(ValueError, "^range: must hold no masked values"):
+            litfog.attenuation_at(litfog.Attenuation(), np.ma.masked)
+        # One that masks nothing is an array like any other.
+        whole = np.ma.array([0.0, 2.0])
+        np.testing.assert_array_equal(litfog.attenuation_at(litfog.Attenuation(1, 0, 0.25), whole), [1, 0.5])
+        for plain in ([0, 2], (0, 2), np.array([0, 2], np.uint8), np.array([0, 2], np.float16)):
+            np.testing.assert_array_equal(litfog.attenuation_at(litfog.Attenuation(1, 0, 0.25), plain), [1, 0.5])
+
+    def test_short_memory_is_a_memory_error(self):
+        with tempfile.TemporaryDirectory() as folder:
+            large = os.path.join(folder, "large.ies")
+            with open(large, "wb") as file:
+                file.write(b"IESNA:LM-63-2002\n" + b" " * (60 << 20))
+            script = (
+                "import litfog, resource, sys\n"
+                "pages = int(open('/proc/self/statm').read().split()[0])\n"
+                "limit = pages * resource.getpagesize() + (16 << 20)\n"
+                "resource.setrlimit(resource.RLIMIT_AS, (limit, limit))\n"
+                "try:\n    litfog.read_luminaire(sys.argv[1])\n"
+                "except MemoryError:\n    sys.exit(7)\n"
+            )
+            self.assertEqual(subprocess.run([sys.executable, "-c", script, large]).returncode, 7)
 
     def test_densities_of_arrays_are_those_of_single_fogs(self):
         metres = np.array([[0.0, 50, 400], [1500, 1e4, math.inf]])
