@@ -29,13 +29,11 @@ struct ImageError : std::runtime_error {
 /// What OpenImageIO does for the commands. Colours are linear RGB, rows from the top.
 class ImageLibrary {
  public:
-  /// Decodes a PNG or JPEG picture.
+  /// Decodes a JPEG picture.
   ///
-  /// format  "png" or "jpeg"
   /// accept  is called with width and height before memory for the levels is taken; what it throws is passed on
   /// throws  ImageError
-  virtual Levels decode(const std::string& format, std::string_view bytes,
-                        const std::function<void(int, int)>& accept) const = 0;
+  virtual Levels decode_jpeg(std::string_view bytes, const std::function<void(int, int)>& accept) const = 0;
 
   /// The bytes of an .exr file: of half floats, or of floats where a number is beyond those. The same picture is the
   /// same file. Throws ImageError.

@@ -431,7 +431,9 @@ TEST_F(GltfScene, PicturesThatCannotBeReadFail) {
   const std::string whole = png(path("whole.png"), std::vector<std::uint8_t>(3 * 64 * 64, 77), 64);
   write("half.png", whole.substr(0, whole.size() / 2));
   file["images"] = {{{"uri", "half.png"}}};
+  testing::internal::CaptureStderr();  // to which libraries write of themselves
   EXPECT_EQ(error_of(file).find("images[0] = an object: must be a sound picture: "), 0u) << error_of(file);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
   EXPECT_EQ(error_of(file).find('\n'), std::string::npos) << error_of(file);
 }
 

@@ -7,8 +7,10 @@
 #include <array>
 #include <cmath>
 #include <glm/gtc/type_ptr.hpp>
+#include <new>
 #include <string>
 
+#include "image/png_text.h"
 #include "scene/file/gltf_uri.h"
 #include "scene/file/gltf_value.h"
 #include "scene/srgb.h"
@@ -205,8 +207,8 @@ image::Levels GltfPictures::decode_png_or_jpeg(const JsonValue& image, std::stri
   const bool is_png = bytes.starts_with("\x89PNG");
   if (!is_png && !bytes.starts_with("\xFF\xD8")) image.fail("must be a PNG, JPEG or WebP picture");
   try {
-    return image::image_library().decode(is_png ? "png" : "jpeg", bytes,
-                                         [&](int width, int height) { take(image, width, height); });
+    const auto accept = [&](int width, int height) { take(image, width, height); };
+    return is_png ? image::decode_png(bytes, accept) : image::image_library().decode_jpeg(bytes, accept);
   } catch (const image::ImageError& error) {
     image.fail(std::string("must be a sound picture: ") + error.what());
   }
@@ -223,10 +225,14 @@ image::Levels GltfPictures::decode_webp(const JsonValue& image, std::string_view
   const int stride = features.width * int(channels);
   image::Levels pixels{features.width, features.height, channels, {}};
   pixels.values.resize(std::size_t(stride) * std::size_t(features.height));
-  const auto decode = features.has_alpha ? WebPDecodeRGBAInto : WebPDecodeRGBInto;
-  if (!decode(data, bytes.size(), pixels.values.data(), pixels.values.size(), stride)) {
-    image.fail("must be a sound picture, not animated");
-  }
+  WebPDecoderConfig config;
+  WebPInitDecoderConfig(&config);
+  config.output.colorspace = features.has_alpha ? MODE_RGBA : MODE_RGB;
+  config.output.is_external_memory = 1;
+  config.output.u.RGBA = {pixels.values.data(), stride, pixels.values.size()};
+  const VP8StatusCode status = WebPDecode(data, bytes.size(), &config);
+  if (status == VP8_STATUS_OUT_OF_MEMORY) throw std::bad_alloc();
+  if (status != VP8_STATUS_OK) image.fail("must be a sound picture, not animated");
   return pixels;
 }
 
