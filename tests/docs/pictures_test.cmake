@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: Apache-2.0
+# No picture of the reference in the folder HTML is wider than its page: each page with one has the style that says so.
+cmake_minimum_required(VERSION 3.25)
+
+file(READ ${HTML}/reference.css style)
+if(NOT style MATCHES "\\.contents img[^}]*max-width: 100%")
+  message(FATAL_ERROR "reference.css does not limit the width of pictures")
+endif()
+file(GLOB pages ${HTML}/*.html)
+set(count 0)
+foreach(page IN LISTS pages)
+  file(READ ${page} text)
+  if(text MATCHES "<img src=\"[^\"]*\\.(jpg|png)\"")
+    math(EXPR count "${count} + 1")
+    if(NOT text MATCHES "href=\"reference.css\"")
+      message(FATAL_ERROR "${page} has a picture and no style for it")
+    endif()
+  endif()
+endforeach()
+if(count EQUAL 0)
+  message(FATAL_ERROR "no page has a picture")
+endif()
