@@ -5,7 +5,7 @@
 # the core; litfog_<name> is litfog::<name>, the component <name>.
 #
 # NEEDS     other components than the core that come with it
-# PACKAGES  CMake packages whose libraries it takes privately
+# PACKAGES  targets of CMake packages that it takes privately, by which the packages are named: Ceres::ceres
 # MODULES   the same by pkg-config
 # LINKS     PACKAGES in its .pc file: modules, or -l flags where a package has none
 # MAP       which names it shows if shared; litfog.map, the names of C++, where it is not given
