@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "litfog/input_error.h"
+#include "system_reason.h"
 
 namespace litfog {
 namespace {
@@ -31,7 +32,7 @@ void expect_no_device(const std::string& path) {
 std::pair<std::string, bool> read(const std::string& path, std::size_t max_bytes) {
   expect_no_device(path);  // before it is opened, which may already do something to it
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
-  if (!file) fail(path, std::generic_category().message(errno));
+  if (!file) fail(path, system_reason(errno));
   std::string text;
   std::array<char, 65536> chunk;
   while (const std::size_t count = std::fread(chunk.data(), 1, chunk.size(), file.get())) {
@@ -39,7 +40,7 @@ std::pair<std::string, bool> read(const std::string& path, std::size_t max_bytes
     text.append(chunk.data(), taken);
     if (taken < count) return {std::move(text), true};
   }
-  if (std::ferror(file.get())) fail(path, std::generic_category().message(errno));
+  if (std::ferror(file.get())) fail(path, system_reason(errno));
   return {std::move(text), false};
 }
 

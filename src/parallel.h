@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstddef>
 #include <future>
+#include <new>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -29,6 +30,7 @@ void for_each_in_parallel(std::size_t count, const Work& work) {
     const std::size_t cores = std::min<std::size_t>(count, std::thread::hardware_concurrency());
     for (std::size_t i = 1; i < cores; ++i) others.push_back(std::async(std::launch::async, run));
   } catch (const std::system_error&) {  // no more threads: those that have started, and this one, do all
+  } catch (const std::bad_alloc&) {     // nor memory for them
   }
   run();
   for (std::future<void>& other : others) other.get();

@@ -25,6 +25,7 @@
 #include "command/output_files.h"
 #include "command/plot.h"
 #include "command/table.h"
+#include "command/uncaught.h"
 #include "files/whole_file.h"
 #include "litfog/gl/unsupported.h"
 
@@ -221,6 +222,7 @@ ExitStatus run(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  expect_uncaught();
   Options options;
   CLI::App app{kDescription, "litfog-bench"};
   app.footer(kExplanation);

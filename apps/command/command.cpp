@@ -7,9 +7,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <new>
 #include <stdexcept>
 #include <system_error>
 
@@ -77,6 +79,11 @@ ExitStatus parse_and_run(CLI::App& app, int argc, char** argv, const std::functi
 }
 
 }  // namespace
+
+ExitStatus say_out_of_memory() {
+  std::fprintf(stderr, "%s: out of memory\n", program_invocation_short_name);  // stderr has no buffer
+  return kInternalError;
+}
 
 void fail_choice(const std::string& name, const std::string& word, const std::vector<std::string_view>& choices) {
   fail_option(name, word,
@@ -169,13 +176,16 @@ int run_command(CLI::App& app, int argc, char** argv, const std::function<ExitSt
     return end(error.what(), kMissingCapability);
   } catch (const OutputError& error) {
     return end(error.what(), kCannotWrite);
+  } catch (const std::bad_alloc&) {
+    return say_out_of_memory();
   } catch (const std::system_error& error) {
+    if (error.code() == std::errc::not_enough_memory) return say_out_of_memory();
     return end(error.what(), kMissingCapability);
   } catch (const std::invalid_argument& error) {  // an error that no reader foresaw: the input asked for it
     return end(error.what(), kBadInput);
   } catch (const std::logic_error& error) {
     return end(std::string("internal error: ") + error.what(), kInternalError);
-  } catch (const std::exception& error) {  // out of memory: the input asked for it
+  } catch (const std::exception& error) {  // of a library, which refused what the input asked for
     return end(error.what(), kBadInput);
   }
 }

@@ -17,6 +17,7 @@ namespace litfog::command {
 /// What all commands share: their options' strictness, their standard output and the way they end.
 ///
 ///     int main(int argc, char** argv) {
+///       expect_uncaught();
 ///       CLI::App app{"Computes this and that.", "litfog-this"};
 ///       double threshold = 0.05;
 ///       add_number(app, "--threshold", threshold, kOpenUnitInterval, "Attenuation at which a light ends");
@@ -68,6 +69,9 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, Choice& target,
   };
   return app.add_option(name, parse, description)->type_name(words);
 }
+
+/// "litfog-fit: out of memory" on standard error. Takes none. Returns kInternalError.
+ExitStatus say_out_of_memory();
 
 /// Parses the command line, runs the command, and turns whatever comes of it into one message on standard error and an
 /// exit status. Adds --help and --version. Standard output is closed at the end, so that a full disk is noticed. A

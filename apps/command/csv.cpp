@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 #include <iterator>
 #include <utility>
 
 #include "code_points.h"
 #include "command/exit_status.h"
 #include "litfog/input_error.h"
+#include "system_reason.h"
 
 namespace litfog::command {
 
@@ -36,7 +36,7 @@ int CsvReader::peek() {
     next_ = 0;
     filled_ = std::fread(buffer_.data(), 1, buffer_.size(), file_);
     if (filled_ == 0) {
-      if (std::ferror(file_)) throw InputError({.file = name_}, std::string("cannot be read: ") + std::strerror(errno));
+      if (std::ferror(file_)) throw InputError({.file = name_}, "cannot be read: " + system_reason(errno));
       return kEnd;
     }
   }

@@ -13,7 +13,7 @@ enum ExitStatus {
   kMissingCapability = 3,  ///< the machine lacks something: no GL, no extension
   kCannotWrite = 4,        ///< output could not be written
   kNotToTolerance = 5,  ///< solved, but not to the stated tolerance, or target infeasible; the best result is written
-  kInternalError = 70,  ///< the program is at fault (EX_SOFTWARE of sysexits.h)
+  kInternalError = 70,  ///< the program is at fault, or memory is short (EX_SOFTWARE of sysexits.h)
 };
 
 /// Thrown where the machine lacks what was asked for. what() names it.

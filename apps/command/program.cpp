@@ -9,11 +9,11 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <memory>
 
 #include "command/exit_status.h"
 #include "litfog/files/output_error.h"
+#include "system_reason.h"
 
 namespace litfog::command {
 
@@ -24,7 +24,7 @@ using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 /// Without a name, gone when closed.
 File temporary_file() {
   File file(std::tmpfile(), std::fclose);
-  if (!file) throw OutputError(fmt::format("temporary file cannot be written: {}", std::strerror(errno)));
+  if (!file) throw OutputError(fmt::format("temporary file cannot be written: {}", system_reason(errno)));
   return file;
 }
 
@@ -43,7 +43,7 @@ std::string run_program(const std::vector<std::string>& arguments, std::string_v
   const File out = temporary_file();
   const File messages = temporary_file();
   if (std::fwrite(input.data(), 1, input.size(), in.get()) != input.size() || std::fflush(in.get()) != 0) {
-    throw OutputError(fmt::format("temporary file cannot be written: {}", std::strerror(errno)));
+    throw OutputError(fmt::format("temporary file cannot be written: {}", system_reason(errno)));
   }
   std::rewind(in.get());
 
@@ -61,11 +61,11 @@ std::string run_program(const std::vector<std::string>& arguments, std::string_v
   const int error = posix_spawnp(&process, name.c_str(), &actions, nullptr, pointers.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   if (error != 0) {
-    throw MissingCapability(fmt::format("{} cannot be run: {}; {}", name, std::strerror(error), remedy));
+    throw MissingCapability(fmt::format("{} cannot be run: {}; {}", name, system_reason(error), remedy));
   }
   int status = 0;
   while (waitpid(process, &status, 0) < 0) {
-    if (errno != EINTR) throw MissingCapability(fmt::format("{} cannot be run: {}", name, std::strerror(errno)));
+    if (errno != EINTR) throw MissingCapability(fmt::format("{} cannot be run: {}", name, system_reason(errno)));
   }
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
     throw MissingCapability(name + " failed: " + contents_of(messages.get()));

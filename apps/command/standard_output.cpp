@@ -3,18 +3,16 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <string>
 
 #include "command/printable.h"
 #include "litfog/files/output_error.h"
+#include "system_reason.h"
 
 namespace litfog::command {
 namespace {
 
-[[noreturn]] void fail_to_write() {
-  throw OutputError(std::string("standard output cannot be written: ") + std::strerror(errno));
-}
+[[noreturn]] void fail_to_write() { throw OutputError("standard output cannot be written: " + system_reason(errno)); }
 
 }  // namespace
 

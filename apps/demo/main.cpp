@@ -15,6 +15,7 @@
 #include "command/option_rule.h"
 #include "command/output_files.h"
 #include "command/table.h"
+#include "command/uncaught.h"
 #include "demo/compare/path_comparison.h"
 #include "demo/compare/settings_comparison.h"
 #include "demo/drawing.h"
@@ -424,6 +425,7 @@ void expect_nothing_before(const CLI::App& job, const CLI::App& app) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  expect_uncaught();
   CLI::App app{kDescription, "litfog-demo"};
   app.require_subcommand(0, 1);
   const Job picture_job = add_picture_job(app);

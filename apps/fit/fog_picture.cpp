@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
-#include <stdexcept>
+#include <new>
 #include <vector>
 
 #include "litfog/airlight.h"
@@ -51,9 +51,8 @@ std::string png_of(const std::vector<std::uint16_t>& pixels) {
   image.format = PNG_FORMAT_LINEAR_RGB;
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
   std::string png(size, '\0');
-  if (png_image_write_to_memory(&image, png.data(), &size, 1, pixels.data(), 0, nullptr) == 0) {
-    throw std::runtime_error(std::string("picture cannot be packed: ") + image.message);
-  }
+  // Of a sound picture, and room for any PNG of its size, only memory can be short.
+  if (png_image_write_to_memory(&image, png.data(), &size, 1, pixels.data(), 0, nullptr) == 0) throw std::bad_alloc();
   png.resize(size);
   return png;
 }

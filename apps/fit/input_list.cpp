@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <new>
 #include <system_error>
 #include <utility>
 
@@ -19,6 +20,7 @@
 #include "litfog/input_error.h"
 #include "litfog/photometry/isocandela.h"
 #include "litfog/photometry/tm33.h"
+#include "system_reason.h"
 
 namespace litfog::fit {
 namespace {
@@ -78,7 +80,9 @@ std::vector<Found> files_of_pattern(const std::string& pattern) {
   glob_t matches{};
   const std::unique_ptr<glob_t, decltype(&globfree)> owner(&matches, globfree);
   std::vector<Found> found;
-  if (glob(pattern.c_str(), 0, add_unsearched, &matches) == 0) {
+  const int status = glob(pattern.c_str(), 0, add_unsearched, &matches);
+  if (status == GLOB_NOSPACE) throw std::bad_alloc();
+  if (status == 0) {
     for (std::size_t i = 0; i < matches.gl_pathc; ++i) found.push_back({matches.gl_pathv[i]});
   }
   found.insert(found.end(), unsearched.begin(), unsearched.end());
@@ -165,7 +169,7 @@ class InputList {
   }
 
   void add_unsearched(const fs::path& folder, std::error_code reason) {
-    const InputError error({.file = folder.string()}, "cannot be searched: " + reason.message());
+    const InputError error({.file = folder.string()}, "cannot be searched: " + system_reason(reason));
     inputs_.push_back({folder.string(), folder.filename().string(), std::make_exception_ptr(error)});
   }
 

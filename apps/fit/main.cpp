@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <map>
 #include <mutex>
+#include <new>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -24,6 +25,7 @@
 #include "command/printable.h"
 #include "command/progress.h"
 #include "command/table.h"
+#include "command/uncaught.h"
 #include "files/angle_deg.h"
 #include "files/whole_file.h"
 #include "fit/catalogue.h"
@@ -475,6 +477,7 @@ CLI::Option* add_axis(CLI::App& app, AxisChoice& choice) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  expect_uncaught();
   Options options;
   CLI::App app{kDescription, "litfog-fit"};
   app.footer(kExplanation + litfog::fit::grade_table() + kExamples);

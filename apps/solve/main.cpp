@@ -5,7 +5,6 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <iterator>
 #include <memory>
 #include <optional>
@@ -20,12 +19,14 @@
 #include "command/output_files.h"
 #include "command/progress.h"
 #include "command/table.h"
+#include "command/uncaught.h"
 #include "files/hint.h"
 #include "files/json_text.h"
 #include "litfog/airlight.h"
 #include "litfog/files/light_file.h"
 #include "litfog/input_error.h"
 #include "litfog/solve.h"
+#include "system_reason.h"
 
 using namespace litfog::command;
 
@@ -282,7 +283,7 @@ ExitStatus solve_batch(const Options& options) {
   const std::string name = is_standard_input ? "<stdin>" : options.csv_file;
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(
       is_standard_input ? stdin : std::fopen(options.csv_file.c_str(), "rb"), std::fclose);
-  if (!file) throw litfog::InputError({.file = name}, std::string("cannot be read: ") + std::strerror(errno));
+  if (!file) throw litfog::InputError({.file = name}, "cannot be read: " + litfog::system_reason(errno));
   if (!is_standard_input) {
     OutputFiles outputs;
     outputs.add_standard_output();
@@ -358,6 +359,7 @@ void check_form(const CLI::App& app, const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  expect_uncaught();
   Options options;
   CLI::App app{kDescription, "litfog-solve"};
   app.footer(kExamples);

@@ -13,6 +13,7 @@
 
 #include "command/command.h"
 #include "command/option_rule.h"
+#include "command/uncaught.h"
 #include "demo/options/drawing_options.h"
 #include "demo/options/picture_options.h"
 #include "demo/picture_file.h"
@@ -307,6 +308,7 @@ ExitStatus show(const CLI::App& app, Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  expect_uncaught();
   CLI::App app{kDescription, "litfog-window"};
   Options options;
   app.footer(kFooter);

@@ -3,6 +3,7 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 
 #include "c/call.h"
 #include "litfog/input_error.h"
@@ -38,6 +39,9 @@ litfog_status status_of_exception() noexcept {
     return last_error.keep(LITFOG_INVALID_ARGUMENT, error.what());
   } catch (const std::bad_alloc&) {
     return last_error.keep(LITFOG_OUT_OF_MEMORY, "out of memory");
+  } catch (const std::system_error& error) {
+    const bool is_memory = error.code() == std::errc::not_enough_memory;
+    return last_error.keep(is_memory ? LITFOG_OUT_OF_MEMORY : LITFOG_FAULT, error.what());
   } catch (const std::exception& error) {
     return last_error.keep(LITFOG_FAULT, error.what());
   } catch (...) {

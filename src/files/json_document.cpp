@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <iterator>
 #include <map>
+#include <new>
 #include <utility>
 #include <variant>
 
@@ -111,6 +112,21 @@ SyntaxRule syntax_rule(rapidjson::ParseErrorCode code, std::string_view found) {
   return {"text", "must be JSON"};
 }
 
+/// RapidJSON's own allocator gives null where memory is short, and its reader writes there.
+struct ThrowingAllocator : rapidjson::CrtAllocator {
+  // The names are RapidJSON's.
+  void* Malloc(std::size_t size) { return given(CrtAllocator::Malloc(size), size); }
+  void* Realloc(void* old, std::size_t old_size, std::size_t size) {
+    return given(CrtAllocator::Realloc(old, old_size, size), size);
+  }
+
+ private:
+  static void* given(void* memory, std::size_t size) {
+    if (memory == nullptr && size > 0) throw std::bad_alloc();
+    return memory;
+  }
+};
+
 /// Builds the tree from RapidJSON's events.
 class TreeBuilder : public rapidjson::BaseReaderHandler<rapidjson::UTF8<>, TreeBuilder> {
  public:
@@ -120,7 +136,7 @@ class TreeBuilder : public rapidjson::BaseReaderHandler<rapidjson::UTF8<>, TreeB
   void parse() {
     constexpr unsigned kFlags =
         rapidjson::kParseIterativeFlag | rapidjson::kParseValidateEncodingFlag | rapidjson::kParseNumbersAsStringsFlag;
-    rapidjson::Reader reader;
+    rapidjson::GenericReader<rapidjson::UTF8<>, rapidjson::UTF8<>, ThrowingAllocator> reader;
     const rapidjson::ParseResult result = reader.Parse<kFlags>(stream_, *this);
     if (result.IsError()) fail_syntax(result.Code(), result.Offset());
   }

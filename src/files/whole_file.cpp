@@ -20,6 +20,7 @@
 #include <utility>
 
 #include "litfog/files/output_error.h"
+#include "system_reason.h"
 
 namespace litfog::files {
 
@@ -27,7 +28,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-[[noreturn]] void fail_to_write(const std::string& path, const char* reason) {
+[[noreturn]] void fail_to_write(const std::string& path, const std::string& reason) {
   throw OutputError(fmt::format("{}: cannot be written: {}", path, reason));
 }
 
@@ -41,9 +42,7 @@ static_assert(std::atomic<bool>::is_always_lock_free);
 std::array<TemporaryName, 64> temporary_names;  // one more written at once would stay: of a thread it is one or two
 
 extern "C" void remove_temporaries_and_end(int signal) {
-  for (const TemporaryName& name : temporary_names) {
-    if (name.is_set) unlink(name.path.data());
-  }
+  remove_temporaries();
   raise(signal);  // delivered when this handler returns, to the default action that SA_RESETHAND has restored
 }
 
@@ -159,7 +158,7 @@ void expect_folder(const fs::path& path) {
   std::error_code error;
   if (fs::is_directory(path, error)) fail_to_write(path.string(), "is a folder");
   const fs::path folder = folder_of(path);
-  if (!fs::is_directory(folder, error)) fail_to_write(path.string(), ("no folder " + folder.string()).c_str());
+  if (!fs::is_directory(folder, error)) fail_to_write(path.string(), "no folder " + folder.string());
 }
 
 /// The standard stream that goes to a file, or null.
@@ -174,16 +173,16 @@ std::FILE* standard_stream_to(const struct stat& file) {
 
 void write_to(std::FILE* stream, const std::string& path, std::string_view text) {
   const bool is_written = std::fwrite(text.data(), 1, text.size(), stream) == text.size();
-  if (!is_written || std::fflush(stream) != 0) fail_to_write(path, std::strerror(errno));
+  if (!is_written || std::fflush(stream) != 0) fail_to_write(path, system_reason(errno));
 }
 
 void write_in_place(const std::string& path, std::string_view text) {
   std::FILE* const file = std::fopen(path.c_str(), "wb");
-  if (file == nullptr) fail_to_write(path, std::strerror(errno));
+  if (file == nullptr) fail_to_write(path, system_reason(errno));
   const bool is_written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
   const int reason = errno;
-  if (std::fclose(file) != 0) fail_to_write(path, std::strerror(errno));
-  if (!is_written) fail_to_write(path, std::strerror(reason));
+  if (std::fclose(file) != 0) fail_to_write(path, system_reason(errno));
+  if (!is_written) fail_to_write(path, system_reason(reason));
 }
 
 }  // namespace
@@ -205,7 +204,7 @@ void expect_writable(const std::string& path) {
   const fs::path target = behind_links(path);
   expect_folder(target);
   const TemporaryFile file(folder_of(target), 0600);
-  if (!file.is_open()) fail_to_write(path, std::strerror(errno));
+  if (!file.is_open()) fail_to_write(path, system_reason(errno));
 }
 
 bool would_replace(const std::string& path) {
@@ -227,7 +226,7 @@ void write_whole_file(const std::string& path, std::string_view text) {
   TemporaryFile file(folder_of(target), mode);
   const bool is_written = file.is_open() && (!exists || file.set_mode(mode)) && file.fill(text) &&
                           file.rename_to(target) && sync_folder(folder_of(target));
-  if (!is_written) fail_to_write(path, std::strerror(errno));
+  if (!is_written) fail_to_write(path, system_reason(errno));
 }
 
 void remove_stale_temporaries(const fs::path& folder) {

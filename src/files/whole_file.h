@@ -32,4 +32,7 @@ bool would_replace(const std::string& path);
 /// that the caller had ignored stay ignored.
 void remove_temporaries_on_signals();
 
+/// Removes temporary files that are being written, for a program that ends without unwinding. Allocates nothing.
+void remove_temporaries();
+
 }  // namespace litfog::files

@@ -3,6 +3,7 @@
 
 #include <epoxy/gl.h>
 
+#include <new>
 #include <stdexcept>
 #include <string>
 
@@ -10,6 +11,7 @@ namespace litfog::gl {
 
 void check_errors(const char* action) {
   if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
+    if (error == GL_OUT_OF_MEMORY) throw std::bad_alloc();
     throw std::logic_error("OpenGL error " + std::to_string(error) + " after " + action);
   }
 }

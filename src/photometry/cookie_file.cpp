@@ -36,6 +36,11 @@ exr_context_initializer_t quiet_initializer() {
   return initializer;
 }
 
+/// Where memory is short, no file is at fault.
+void expect_memory(exr_result_t result) {
+  if (result == EXR_ERR_OUT_OF_MEMORY) throw std::bad_alloc();
+}
+
 int64_t read_from_view(exr_const_context_t, void* bytes, void* buffer, uint64_t size, uint64_t offset,
                        exr_stream_error_func_ptr_t) {
   const auto& view = *static_cast<const std::string_view*>(bytes);
@@ -54,12 +59,13 @@ int64_t write_to_string(exr_const_context_t, void* bytes, const void* buffer, ui
   std::memcpy(text.data() + offset, buffer, size);
   return int64_t(size);
 } catch (const std::bad_alloc&) {
-  return -1;  // no exception may pass through C
+  return -1;  // no exception may pass through C: EXR_ERR_WRITE_IO
 }
 
 // --- writing ---
 
 void require_success(exr_result_t result) {
+  expect_memory(result == EXR_ERR_WRITE_IO ? EXR_ERR_OUT_OF_MEMORY : result);
   if (result != EXR_ERR_SUCCESS) throw std::runtime_error(exr_get_default_error_message(result));
 }
 
@@ -126,6 +132,7 @@ class CookieParser {
 
   void expect_success(exr_result_t result) const {
     if (result == EXR_ERR_SUCCESS) return;
+    expect_memory(result);
     throw InputError({.file = name_},
                      std::string("cannot be read as OpenEXR: ") + exr_get_default_error_message(result));
   }

@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <iterator>
 #include <memory>
+#include <new>
 #include <optional>
 #include <string_view>
 #include <type_traits>
@@ -34,7 +35,10 @@ std::string utf8_from_latin1(std::string_view text) {
 std::optional<std::string> convert(std::string_view text, const char* from, const char* to = "UTF-8") {
   const auto close = [](iconv_t converter) { iconv_close(converter); };
   const iconv_t opened = iconv_open(to, from);
-  if (opened == reinterpret_cast<iconv_t>(-1)) return std::nullopt;
+  if (opened == reinterpret_cast<iconv_t>(-1)) {
+    if (errno == ENOMEM) throw std::bad_alloc();
+    return std::nullopt;
+  }
   const std::unique_ptr<std::remove_pointer_t<iconv_t>, decltype(close)> converter(opened, close);
   std::string result;
   std::array<char, 4096> buffer;
@@ -85,7 +89,7 @@ std::string code_page_of(std::string_view text) {
   if (!has_neighbours) return kWestern;
   const std::unique_ptr<std::remove_pointer_t<uchardet_t>, decltype(&uchardet_delete)> detector(uchardet_new(),
                                                                                                 uchardet_delete);
-  uchardet_handle_data(detector.get(), sample.data(), sample.size());
+  if (uchardet_handle_data(detector.get(), sample.data(), sample.size()) != 0) throw std::bad_alloc();  // nothing else
   uchardet_data_end(detector.get());
   const std::string guess = uchardet_get_charset(detector.get());
   if (guess.empty()) return kWestern;

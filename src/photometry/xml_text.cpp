@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "xml_text.h"
 
+#include <new>
+
 #include "ascii_text.h"
 
 namespace litfog {
@@ -30,6 +32,7 @@ XmlText::XmlText(std::string bytes, std::string name) : scanner_(std::move(bytes
     throw InputError({.file = scanner_.name()}, "XML", "", "must not be larger than 16777216 bytes");
   }
   const auto result = document_.load_buffer(text.data(), text.size(), pugi::parse_default, pugi::encoding_utf8);
+  if (result.status == pugi::status_out_of_memory) throw std::bad_alloc();
   if (!result) {
     throw InputError(scanner_.location({{}, std::size_t(result.offset)}), "XML", "",
                      std::string("must be well-formed: ") + result.description());

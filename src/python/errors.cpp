@@ -3,6 +3,7 @@
 
 #include <exception>
 #include <string_view>
+#include <system_error>
 
 #include "litfog/files/output_error.h"
 #include "litfog/input_error.h"
@@ -32,6 +33,9 @@ void translate(std::exception_ptr thrown) {
     PyErr_SetObject(input_error_class.ptr(), raised.ptr());
   } catch (const OutputError& error) {
     PyErr_SetObject(output_error_class.ptr(), text_of(error.what()).ptr());
+  } catch (const std::system_error& error) {
+    if (error.code() != std::errc::not_enough_memory) throw;
+    PyErr_NoMemory();
   }
 }
 

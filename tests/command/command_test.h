@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -34,6 +35,23 @@ class CommandTest : public testing::Test {
   std::string read(const std::string& name) const {
     std::ifstream file(directory() / name, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
+  }
+
+  /// Runs the command again and again, with memory for a tenth more allocations each time, until there is enough. While
+  /// there is not, it must say so and nothing else.
+  ///
+  /// library  the path of command/short_memory.cpp
+  void expect_words_where_memory_is_short(const std::string& arguments, const std::string& library) const {
+    Outcome outcome{-1, "", ""};
+    for (int i = 1; outcome.status != 0 && i < 1'000'000; i += 1 + i / 10) {
+      outcome = run(arguments, "LITFOG_FAILING_ALLOCATION=" + std::to_string(i) + " LD_PRELOAD=" + library);
+      if (outcome.status == 0) break;
+      ASSERT_EQ(outcome.status, 70) << i << ": " << outcome.err;
+      ASSERT_TRUE(outcome.err.ends_with(": out of memory\n")) << i << ": " << outcome.err;
+      ASSERT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
+      ASSERT_EQ(outcome.out, "") << i;
+    }
+    EXPECT_EQ(outcome.status, 0);
   }
 
   /// arguments as in a shell, redirections in them win over the test's own; environment as in "NAME=value".

@@ -4,11 +4,14 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <cerrno>
 #include <fstream>
+#include <new>
 #include <thread>
 
 #include "command/temporary_directory.h"
 #include "litfog/input_error.h"
+#include "system_reason.h"
 
 namespace litfog::test {
 namespace {
@@ -36,6 +39,12 @@ class FileText : public testing::Test {
  private:
   TemporaryDirectory directory_;
 };
+
+TEST(SystemReason, ShortMemoryIsNoReasonOfAFile) {
+  EXPECT_EQ(system_reason(ENOENT), "No such file or directory");
+  EXPECT_THROW(system_reason(ENOMEM), std::bad_alloc);
+  EXPECT_THROW(system_reason(std::make_error_code(std::errc::not_enough_memory)), std::bad_alloc);
+}
 
 TEST_F(FileText, EveryByteIsRead) {
   std::string bytes(200'000, '\0');

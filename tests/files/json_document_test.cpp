@@ -5,11 +5,13 @@
 #include <sys/resource.h>
 
 #include <functional>
+#include <new>
 #include <string>
 
 #include "command/comma_locale.h"
 #include "files/json_text.h"
 #include "litfog/input_error.h"
+#include "photometry/memory_limit.h"
 
 namespace litfog::test {
 using namespace files;
@@ -292,6 +294,22 @@ TEST(JsonDocument, StringIsFollowedToTheDocumentThatItNames) {
   EXPECT_EQ(error_of([&] { with_value(parse_json(R"({"a": "t"})", "f"), "a.y", root, "--set", follow); }),
             "--set: a = \"t\": must be an object, to have a.y");
 }
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // whose own memory would count
+TEST(JsonDocument, ShortMemoryIsNeverAFaultOfTheText) {
+  const std::string text = R"({"name": ")" + std::string(16 << 20, 'x') + "\"}";
+  bool is_read = false;
+  for (std::size_t mebibytes = 0; !is_read && mebibytes < 200; mebibytes += 4) {
+    const MemoryLimit limit(mebibytes << 20);
+    try {
+      parse_json(text, "f");
+      is_read = true;
+    } catch (const std::bad_alloc&) {
+    }
+  }
+  EXPECT_TRUE(is_read);
+}
+#endif
 
 }  // namespace
 }  // namespace litfog::test

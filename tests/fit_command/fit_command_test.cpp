@@ -1280,6 +1280,21 @@ TEST_F(FitCommand, ShippedLightsAreWhatTheirSpecsGive) {
   EXPECT_GE(count, 20u);
 }
 
+#ifdef LITFOG_SHORT_MEMORY
+TEST_F(FitCommand, ShortMemoryIsToldWhereverItRunsOut) {
+  expect_words_where_memory_is_short("lamp.json", LITFOG_SHORT_MEMORY);
+}
+
+TEST_F(FitCommand, InputThatTakesTooMuchMemoryStopsNoOther) {
+  write("large.json", R"({"name": ")" + std::string(20 << 20, 'x') + "\"}");
+  const Outcome outcome =
+      run("large.json lamp.json -o lights", "LITFOG_LARGEST_ALLOCATION=10000000 LD_PRELOAD=" LITFOG_SHORT_MEMORY);
+  EXPECT_EQ(outcome.status, kInternalError);
+  EXPECT_EQ(outcome.err, "large.json: out of memory\n");
+  EXPECT_TRUE(fs::exists(directory() / "lights" / "lamp.json"));
+}
+#endif
+
 }  // namespace
 
 }  // namespace litfog::test

@@ -4,9 +4,11 @@
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
+#include <new>
 #include <stdexcept>
 
 #include "gl/gl_test.h"
+#include "litfog/gl/gl_name.h"
 
 namespace litfog::test {
 namespace {
@@ -22,6 +24,13 @@ TEST_F(CheckErrors, PendingErrorIsNamedOnceWithItsLocation) {
     EXPECT_STREQ(error.what(), "OpenGL error 1280 after an unknown capability");
   }
   EXPECT_NO_THROW(gl::check_errors("it"));
+}
+
+TEST_F(CheckErrors, ShortMemoryIsNoBug) {
+  const gl::BufferName buffer;
+  glBindBuffer(GL_ARRAY_BUFFER, buffer.id());
+  glBufferData(GL_ARRAY_BUFFER, GLsizeiptr{1} << 46, nullptr, GL_STATIC_DRAW);
+  EXPECT_THROW(gl::check_errors("making a buffer"), std::bad_alloc);
 }
 
 }  // namespace

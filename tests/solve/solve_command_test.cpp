@@ -487,6 +487,15 @@ TEST_F(SolveCommand, BatchTakesTheMethod) {
   EXPECT_EQ(std::stod(out.substr(intensity, airlight - intensity)), expected.intensity);
 }
 
+#ifdef LITFOG_SHORT_MEMORY
+TEST_F(SolveCommand, ShortMemoryIsToldWhereverItRunsOut) {
+  write("lamp.json", R"({"litfog": "light", "version": 1, "attenuation": {"quadratic": 1}})");
+  write("rows.csv", std::string(kHeader) + "exp,0.03,1,0,0.01,0.05\n");
+  expect_words_where_memory_is_short("--light lamp.json --visibility 100", LITFOG_SHORT_MEMORY);
+  expect_words_where_memory_is_short("--csv rows.csv", LITFOG_SHORT_MEMORY);
+}
+#endif
+
 // The command never sets a locale; this holds it to that.
 TEST_F(SolveCommand, NumbersDoNotDependOnTheLocale) {
   const CommaLocale comma;
