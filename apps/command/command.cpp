@@ -154,6 +154,7 @@ int run_command(CLI::App& app, int argc, char** argv, const std::function<ExitSt
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   files::remove_temporaries_on_signals();
+  setenv("EGL_LOG_LEVEL", "fatal", 0);  // else Mesa's lines on standard error come before our one sentence
   app.set_version_flag("--version", "");
 
   const auto end = [&app](const std::string& message, ExitStatus status) {

@@ -767,6 +767,13 @@ TEST_F(DemoCommand, MissingEglIsNamed) {
   EXPECT_FALSE(std::filesystem::exists(directory() / "b.png"));
 }
 
+TEST_F(DemoCommand, MissingDriverIsToldInOneLine) {
+  const Outcome outcome = run("room --size 8x8 -o b.png", "LIBGL_DRIVERS_PATH=" + directory().string());
+  EXPECT_EQ(outcome.status, kMissingCapability);
+  EXPECT_TRUE(outcome.err.starts_with("litfog-demo: ")) << outcome.err;
+  EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
+}
+
 TEST_F(DemoCommand, MissingLibraryIsNamed) {
   const auto missing = [this](const std::string& folder, const std::vector<std::string>& libraries) {
     std::filesystem::create_directory(directory() / folder);
