@@ -51,7 +51,7 @@ constexpr std::array kUnits{Unit{"deg", "degrees", "\u00b0"},
 
 /// That of a member's value, or of an item's in its array.
 const Unit* unit_of(std::string_view member) {
-  if (member.ends_with(']')) member.remove_suffix(member.size() - member.rfind('['));
+  if (member.ends_with(']')) member = member.substr(0, member.rfind('['));
   const std::string_view last = member.substr(member.find_last_of("._") + 1);
   const bool is_suffix = last.size() < member.size();
   const auto found = std::ranges::find(kUnits, last, &Unit::symbol);

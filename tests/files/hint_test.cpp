@@ -2,8 +2,12 @@
 #include "files/hint.h"
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
+#include <array>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "files/json_document.h"
 #include "litfog/input_error.h"
@@ -107,6 +111,66 @@ TEST(Hint, DecimalCommaIsShownAsAPoint) {
   EXPECT_EQ(hint_for_number(",5"), "");
   EXPECT_EQ(hint_for_number("5,"), "");
   EXPECT_EQ(error_of(R"({"threshold": 0.5, color: 1})"), "f:1:20: text = \"color\": must be a member's name in quotes");
+}
+
+TEST(Hint, NameThatEndsInABracketHasNoIndexWithoutItsOther) {
+  const std::string_view before_and_name = "_m range]";
+  EXPECT_EQ(hint_for_number("5 ft", before_and_name.substr(3)), "") << "what stands before a name is not its unit";
+  EXPECT_EQ(hint_for_number("5 ft", "range_m]"), "");
+  EXPECT_EQ(hint_for_number("5 ft", "]"), "");
+  EXPECT_EQ(hint_for_word("range]", {"range"}), "; did you mean range?");
+  EXPECT_EQ(error_of(R"({"range]": 1})"), "f:1:2: \"range]\": must be one of threshold, color");
+}
+
+/// Any bytes, among them many that names, numbers and paths are made of.
+rc::Gen<std::string> any_text() {
+  static constexpr std::array<std::string_view, 26> kPieces{
+      "[",  "]", ".", "_",        ",",  "_m", "_deg", "m", "ft", "deg",  "range", "0", "5",
+      "12", "%", " ", "\xC2\xB0", "\n", "\"", "-",    "e", "+",  "\xFF", "{",     "}", ":"};
+  const auto piece = rc::gen::map(rc::gen::inRange<std::size_t>(0, kPieces.size() + 6), [](std::size_t i) {
+    return i < kPieces.size() ? std::string(kPieces[i]) : std::string(1, char(i * 41));
+  });
+  return rc::gen::map(rc::gen::container<std::vector<std::string>>(piece), [](const std::vector<std::string>& pieces) {
+    std::string text;
+    for (const std::string& part : pieces) text += part;
+    return text;
+  });
+}
+
+/// What a call makes of a copy of a text must be what it makes of the text among others.
+template <typename Hint>
+void expect_own_bytes_alone(const std::string& text, const Hint& hint) {
+  const std::string whole = "_m[" + text + "]_m5,";
+  RC_ASSERT(hint(std::string_view(whole).substr(3, text.size())) == hint(std::string_view(text)));
+}
+
+RC_GTEST_PROP(Hint, AnyBytesAreReadWithinTheirEnds, ()) {
+  const std::string text = *any_text();
+  const std::string member = *any_text();
+  expect_own_bytes_alone(member, [&](std::string_view of) { return hint_for_number(text, of); });
+  expect_own_bytes_alone(member, [&](std::string_view of) { return hint_for_number("5 ft", of); });
+  expect_own_bytes_alone(text, [&](std::string_view of) { return hint_for_number(of, member); });
+  expect_own_bytes_alone(text, [&](std::string_view of) { return hint_for_quoted_number(of, member); });
+  expect_own_bytes_alone(text, [&](std::string_view of) { return hint_for_word(of, {"range_m", member}); });
+  expect_own_bytes_alone(text, [&](std::string_view of) { return hint_for_fraction(5, of); });
+  const auto offset = *rc::gen::inRange<std::size_t>(0, text.size() + 1);
+  expect_own_bytes_alone(text, [&](std::string_view of) { return hint_for_syntax(of, offset); });
+}
+
+RC_GTEST_PROP(Hint, AnyNamesPathsAndValuesAreReadOrRefused, ()) {
+  const std::string name = *any_text();
+  const std::string value = *any_text();
+  std::string quoted = "\"";
+  for (const char c : name) {
+    if (c != '"' && static_cast<unsigned char>(c) >= ' ') quoted += c;
+  }
+  error_of("{" + quoted + "\": 1}");
+  error_of("{\"threshold\": " + value + "}");
+  try {
+    const JsonValue document = parse_json(R"({"threshold": 0.5, "lights": [{"range": 1}]})", "f");
+    if (!name.empty()) with_value(document, name, parse_json("7", "--set"), "--set").allow_only({"threshold"});
+  } catch (const InputError&) {
+  }
 }
 
 }  // namespace
