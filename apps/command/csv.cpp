@@ -88,9 +88,9 @@ bool CsvReader::read(CsvRecord& record) {
     const CsvLocation location = location_;
     const int taken = take();
     const char byte = char(taken);
-    if (taken == kEnd || (state != State::quoted && (byte == '\n' || (byte == '\r' && peek() == '\n')))) {
-      if (taken == kEnd && state == State::quoted) {
-        note_error("quote must be closed", record.fields_.back().location);
+    if (taken == kEnd || byte == '\n' || (byte == '\r' && peek() == '\n')) {
+      if (state == State::quoted) {
+        note_error("quote must be closed on its line", record.fields_.back().location);
         record.raw_ += '"';  // so that what is written behind stays outside
       }
       if (byte == '\r') {
@@ -140,7 +140,7 @@ bool CsvReader::read(CsvRecord& record) {
   end_field();
   if (is_too_long) {
     drop_content();
-    record.error_ = "record must not be longer than 1 MiB (is a quote left open?)";
+    record.error_ = "record must not be longer than 1 MiB";
     record.error_location_ = start;
   }
   return true;

@@ -10,12 +10,12 @@
 
 namespace litfog::command {
 
-/// CSV as in RFC 4180: quoted fields may hold commas, quotes (doubled) and newlines. Lines end in LF or CRLF; the last
-/// line may lack its end. A byte order mark at the start is skipped. Quotes within an unquoted field are plain text.
+/// CSV as in RFC 4180, but each line is a record: quoted fields may hold commas and quotes (doubled), and no newlines,
+/// so that a quote left open spoils one record. Lines end in LF or CRLF; the last line may lack its end. A byte order
+/// mark at the start is skipped. Quotes within an unquoted field are plain text.
 ///
 /// Our own reader, because the packaged ones do not suffice. libcsv keeps no locations, drops the quotes of a field
-/// (pass-through columns keep theirs) and grows its buffer without limit. libfccp takes no newline in a field and wants
-/// its columns at compile time.
+/// (pass-through columns keep theirs) and grows its buffer without limit. libfccp wants its columns at compile time.
 
 /// Location in a text, from 1; a column is a code point.
 struct CsvLocation {

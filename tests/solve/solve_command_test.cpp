@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
@@ -40,7 +41,20 @@ class SolveCommand : public litfog::test::CommandTest {
     write("rows.csv", rows);
     return run("--csv rows.csv");
   }
+
+  std::string read_solved(const std::string& rows) const {
+    write("rows.csv", rows);
+    run("--csv rows.csv >solved.csv");
+    return read("solved.csv");
+  }
 };
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
 
 std::string usage_message(const std::string& reason) {
   return "litfog-solve: " + reason + "; see litfog-solve --help\n";
@@ -316,7 +330,7 @@ TEST_F(SolveCommand, BatchResultsReadBackAsTheLibrarys) {
 TEST_F(SolveCommand, BatchPassesOtherColumnsThroughAsWritten) {
   const Outcome outcome = run_batch(
       "\xEF\xBB\xBF\"my, id\",threshold,quadratic,linear,constant,density,\"fog\",\"note\"\r\n"
-      "007,0.05,0,1,0,1,exp,\"say \"\"hi\"\",\r\n1.0\"\r\n"
+      "007,0.05,0,1,0,1,exp,\"say \"\"hi\"\",\r1.0\"\r\n"
       "\r\n"
       "\"1.50\",\"0.05\",0,1,0,1.0e0,exp,\xC3\xA4");
   EXPECT_EQ(outcome.status, kDone) << outcome.err;
@@ -324,7 +338,7 @@ TEST_F(SolveCommand, BatchPassesOtherColumnsThroughAsWritten) {
             "\"my, "
             "id\",threshold,quadratic,linear,constant,density,\"fog\",\"note\",extent,peak_range,intensity,airlight,"
             "status\r\n"
-            "007,0.05,0,1,0,1,exp,\"say \"\"hi\"\",\r\n1.0\"" +
+            "007,0.05,0,1,0,1,exp,\"say \"\"hi\"\",\r1.0\"" +
                 kSolved +
                 "\r\n"
                 "\r\n"
@@ -352,12 +366,13 @@ TEST_F(SolveCommand, BatchKeepsBadRowsInPlaceWithTheirReason) {
       "e,exp,-1,0,1,0,0.05\n"
       "f,exp,1,0,inf,0,0.05\n"
       "g,exp,1,0,0,0,0.05\n"
-      "\"h\n\",exp,1,0,1,0,1\n"
+      "\"h,\",exp,1,0,1,0,1\n"
       "i,exp,1\n"
       "j,exp,1,0,1,0,0.05,8,9\n"
       "\"k\"k,exp,1,0,1,0,0.05\n"
-      "l,exp,1,0,1,0,0.05\n"
-      "\"m,exp,1,0,1,0,0.05\n");
+      "l,exp,\"1,0,1,0,0.05\n"
+      "m,exp,1,0,1,0,0.05\n"
+      "\"n,exp,1,0,1,0,0.05\n");
   EXPECT_EQ(outcome.status, kBadInput);
   EXPECT_EQ(outcome.out,
             "id,fog,density,constant,linear,quadratic,threshold,extent,peak_range,intensity,airlight,status\n"
@@ -370,14 +385,15 @@ TEST_F(SolveCommand, BatchKeepsBadRowsInPlaceWithTheirReason) {
                 "e,exp,-1,0,1,0,0.05,,,,,\"density = \"\"-1\"\": must be >= 0\"\n"
                 "f,exp,1,0,inf,0,0.05,,,,,\"linear = \"\"inf\"\": must be finite and >= 0\"\n"
                 "g,exp,1,0,0,0,0.05,,,,,\"constant = \"\"0\"\": must be > 0 where linear and quadratic are 0\"\n"
-                "\"h\n\",exp,1,0,1,0,1,,,,,\"threshold = \"\"1\"\": must be in (0, 1)\"\n"
+                "\"h,\",exp,1,0,1,0,1,,,,,\"threshold = \"\"1\"\": must be in (0, 1)\"\n"
                 "i,exp,1,,,,,,,,,number of fields = 3: must be 7 as in the header\n"
                 "j,exp,1,0,1,0,0.05,,,,,number of fields = 9: must be 7 as in the header\n"
                 "\"k\"k,exp,1,0,1,0,0.05,,,,,quoted field must end at its quote\n"
-                "l,exp,1,0,1,0,0.05" +
+                "l,exp,\"1,0,1,0,0.05\",,,,,,,,,quote must be closed on its line\n"
+                "m,exp,1,0,1,0,0.05" +
                 kSolved +
                 "\n"
-                "\"m,exp,1,0,1,0,0.05\n\",,,,,,,,,,,quote must be closed\n");
+                "\"n,exp,1,0,1,0,0.05\",,,,,,,,,,,quote must be closed on its line\n");
   EXPECT_EQ(outcome.err,
             "rows.csv:3:3: fog = \"mist\": must be exp or exp2\n"
             "rows.csv:4:7: density = \"nan\": must be a number\n"
@@ -385,11 +401,34 @@ TEST_F(SolveCommand, BatchKeepsBadRowsInPlaceWithTheirReason) {
             "rows.csv:6:7: density = \"-1\": must be >= 0\n"
             "rows.csv:7:11: linear = \"inf\": must be finite and >= 0\n"
             "rows.csv:8:9: constant = \"0\": must be > 0 where linear and quadratic are 0\n"
-            "rows.csv:10:15: threshold = \"1\": must be in (0, 1)\n"
-            "rows.csv:11:7: number of fields = 3: must be 7 as in the header\n"
-            "rows.csv:12:20: number of fields = 9: must be 7 as in the header\n"
-            "rows.csv:13:4: quoted field must end at its quote\n"
-            "rows.csv:15:1: quote must be closed\n");
+            "rows.csv:9:18: threshold = \"1\": must be in (0, 1)\n"
+            "rows.csv:10:7: number of fields = 3: must be 7 as in the header\n"
+            "rows.csv:11:20: number of fields = 9: must be 7 as in the header\n"
+            "rows.csv:12:4: quoted field must end at its quote\n"
+            "rows.csv:13:7: quote must be closed on its line\n"
+            "rows.csv:15:1: quote must be closed on its line\n");
+}
+
+TEST_F(SolveCommand, BatchSolvesEachRowWhateverByteAnotherHasInPlaceOfOne) {
+  const std::vector<std::string> rows{"\"a\",exp,0.1,1,0.5,0.01,0.05\n", "b,exp2,0.02,0,1,0,0.05\n",
+                                      "\"c \"\"1\"\"\",exp,0.03,1,0,0.02,0.01\n", "d,exp,0.1,2,0,0.3,0.2\n"};
+  const std::string header = "id,fog,density,constant,linear,quadratic,threshold\n";
+  const std::string good = read_solved(header + rows[0] + rows[1] + rows[2] + rows[3]);
+  const std::vector<std::string> solved = lines_of(good);
+  ASSERT_EQ(solved.size(), 1 + rows.size());
+  // Each byte of the third row, its line feed included, and of the file all these at once.
+  for (const char byte : {'"', ',', '\n', '\r', '\0', '\xFF', '1', 'x'}) {
+    std::string all = header;
+    for (std::size_t at = 0; at < rows[2].size(); ++at) {
+      std::string changed = rows[2];
+      changed[at] = byte;
+      const bool is_merged = at + 1 == rows[2].size() && byte != '\n';
+      all += rows[0] + rows[1] + changed + (is_merged ? "\n" : "") + rows[3];
+    }
+    std::map<std::string, std::size_t> times;
+    for (const std::string& line : lines_of(read_solved(all))) ++times[line];
+    for (const std::size_t row : {1, 2, 4}) EXPECT_EQ(times[solved[row]], rows[2].size()) << int(byte) << solved[row];
+  }
 }
 
 TEST_F(SolveCommand, BatchKeepsTheRowsAroundAHugeOne) {
@@ -398,10 +437,10 @@ TEST_F(SolveCommand, BatchKeepsTheRowsAroundAHugeOne) {
   EXPECT_EQ(outcome.status, kBadInput);
   EXPECT_EQ(outcome.out, std::string(kSolvedHeader) + "exp,1,0,1,0,0.05" + kSolved +
                              "\n"
-                             ",,,,,,,,,,record must not be longer than 1 MiB (is a quote left open?)\n"
+                             ",,,,,,,,,,record must not be longer than 1 MiB\n"
                              "exp,1,0,1,0,0.05" +
                              kSolved + "\n");
-  EXPECT_EQ(outcome.err, "rows.csv:3:1: record must not be longer than 1 MiB (is a quote left open?)\n");
+  EXPECT_EQ(outcome.err, "rows.csv:3:1: record must not be longer than 1 MiB\n");
 }
 
 TEST_F(SolveCommand, BatchNamesTwentyBadRowsAndCountsTheRest) {
@@ -431,8 +470,8 @@ TEST_F(SolveCommand, BatchWithAWrongHeaderPrintsNothing) {
          "1:51: column density: must not be given twice");
   expect("fog,density,constant,linear,quadratic,threshold,status",
          "1:49: column status: must not be given, it is computed");
-  expect("\"a\nb\",extent,fog,density,constant,linear,quadratic,threshold",
-         "2:4: column extent: must not be given, it is computed");
+  expect("\"a,b\",extent,fog,density,constant,linear,quadratic,threshold",
+         "1:7: column extent: must not be given, it is computed");
   expect("\"fog\"x,density,constant,linear,quadratic,threshold", "1:6: header: quoted field must end at its quote");
 }
 
@@ -466,7 +505,7 @@ TEST_F(SolveCommand, BatchOfAnEmptyFileOrOfGarbageIsBadInput) {
   EXPECT_ERROR(run_batch(std::string("\x7F\x45LF\0\0\xFF\n,,\"", 11)), kBadInput,
                "rows.csv:1:1: column fog: must be given in the header\n");
   EXPECT_ERROR(run_batch(std::string(3 << 20, ',')), kBadInput,
-               "rows.csv:1:1: header: record must not be longer than 1 MiB (is a quote left open?)\n");
+               "rows.csv:1:1: header: record must not be longer than 1 MiB\n");
   EXPECT_ERROR(run("--csv absent.csv"), kBadInput, "absent.csv: cannot be read: No such file or directory\n");
   EXPECT_ERROR(run("--csv ."), kBadInput, ".: cannot be read: Is a directory\n");
   EXPECT_ERROR(run("--csv - <&-"), kBadInput, "<stdin>: cannot be read: Bad file descriptor\n");
