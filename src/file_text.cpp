@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "file_text.h"
 
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -28,11 +34,21 @@ void expect_no_device(const std::string& path) {
   if (fs::is_character_file(status) || fs::is_block_file(status)) fail(path, "Is a device");
 }
 
+/// Whether a pipe has a writer, or has had one since it was opened. For what it took to find out, see the byte.
+bool has_writer(int pipe, std::optional<char>& byte) {
+  constexpr int kPatience = 1000;  // milliseconds
+  pollfd polled{.fd = pipe, .events = POLLIN, .revents = 0};
+  if (poll(&polled, 1, kPatience) != 0) return true;
+  char next = 0;
+  const ssize_t count = ::read(pipe, &next, 1);
+  if (count == 1) byte = next;
+  return count != 0;  // else EAGAIN: there is one, which has written nothing yet
+}
+
 /// A file's first bytes, and whether it has more of them.
 std::pair<std::string, bool> read(const std::string& path, std::size_t max_bytes) {
   expect_no_device(path);  // before it is opened, which may already do something to it
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
-  if (!file) fail(path, system_reason(errno));
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(open_file(path), std::fclose);
   std::string text;
   std::array<char, 65536> chunk;
   while (const std::size_t count = std::fread(chunk.data(), 1, chunk.size(), file.get())) {
@@ -45,6 +61,21 @@ std::pair<std::string, bool> read(const std::string& path, std::size_t max_bytes
 }
 
 }  // namespace
+
+std::FILE* open_file(const std::string& path) {
+  const int opened = open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  std::FILE* const file = opened < 0 ? nullptr : fdopen(opened, "rb");
+  struct stat status {};
+  if (!file || fstat(opened, &status) != 0) fail(path, system_reason(errno));
+  std::optional<char> byte;
+  if (S_ISFIFO(status.st_mode) && !has_writer(opened, byte)) {
+    std::fclose(file);
+    fail(path, "Is a pipe that nobody writes to");
+  }
+  if (byte) std::ungetc(static_cast<unsigned char>(*byte), file);
+  fcntl(opened, F_SETFL, O_RDONLY);
+  return file;
+}
 
 std::string read_file_text(const std::string& path, std::size_t max_bytes) {
   auto [text, has_more] = read(path, max_bytes);

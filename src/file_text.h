@@ -2,9 +2,16 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdio>
 #include <string>
 
 namespace litfog {
+
+/// Opens a file or a pipe for reading. A pipe that nobody writes to has no end to wait for, and is an error after a
+/// second.
+///
+/// throws  InputError, with the name that stands in messages
+std::FILE* open_file(const std::string& path);
 
 /// The bytes of a file or of a pipe; folders and devices are errors, since a device may have no end.
 ///

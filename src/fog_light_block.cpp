@@ -68,21 +68,21 @@ FogLightKind pack_fog_light_kind(const PlacedLight& light, const FogIntensity& s
 
 FogLightInstance pack_fog_light_instance(const PlacedLight& light, std::size_t kind) {
   require(check(light));
-  if (kind > 1u << 24) require(ValueError{"kind", double(kind), "must be at most 16777216"});
+  if (kind > 1u << 24) fail_count("kind", kind, "must be at most 16777216");
   return unchecked::pack_fog_light_instance(light, kind);
 }
 
 FogHeader pack_fog_header(const Fog& fog, const glm::dvec3& ambient_fog_color, std::size_t instances) {
   require(check(fog));
   require(check_color(ambient_fog_color, {"ambient_fog_color.r", "ambient_fog_color.g", "ambient_fog_color.b"}));
-  require(check_fog_light_count("instances", instances));
+  require_fog_light_count("instances", instances);
   return {.fog = {finite_float(fog.density), fog.mode == FogMode::exp2 ? 1.0f : 0.0f, float(instances), 0.0f},
           .ambient_fog_color = glm::vec4(finite_floats(ambient_fog_color), 0.0f)};
 }
 
 FogLightBlock pack_fog_light_block(const Fog& fog, const glm::dvec3& ambient_fog_color,
                                    std::span<const PlacedLight> lights, std::span<const FogIntensity> solutions) {
-  require(check_fog_light_count("lights", lights.size()));
+  require_fog_light_count("lights", lights.size());
   if (solutions.size() != lights.size()) {
     require(ValueError{"solutions", double(solutions.size()), "must be as many as the lights"});
   }

@@ -2,18 +2,16 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 
 #include "litfog/fog_light_block.h"
-#include "litfog/value_error.h"
+#include "require.h"
 
 namespace litfog {
 
-/// What is wrong with a number of entries of the uniform block, or nothing.
-inline std::optional<ValueError> check_fog_light_count(const char* field, std::size_t count) {
+/// Throws where the uniform block has no room for a number of entries.
+inline void require_fog_light_count(const char* field, std::size_t count) {
   static_assert(kMaxFogLights == 200);
-  if (count > kMaxFogLights) return ValueError{field, double(count), "must be at most 200"};
-  return std::nullopt;
+  if (count > kMaxFogLights) fail_count(field, count, "must be at most 200");
 }
 
 }  // namespace litfog

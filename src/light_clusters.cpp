@@ -96,7 +96,7 @@ class LightClusters::Store {
 
 void LightClusters::Store::resize(std::size_t count) {
   const std::size_t most = std::numeric_limits<std::uint32_t>::max() / clusters_.size();
-  if (count > most) require(ValueError{"count", double(count), "must be at most (2^32 - 1) / clusters"});
+  if (count > most) fail_count("count", count, "must be at most (2^32 - 1) / clusters");
   if (count == bounds_.size()) return;
   const std::size_t before = bounds_.size();
   const std::size_t first_changed = std::min(count, before) / kLightBlock;

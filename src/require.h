@@ -3,11 +3,13 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
 #include <optional>
 #include <stdexcept>
+#include <string>
 
 #include "litfog/light.h"
 #include "litfog/value_error.h"
@@ -20,6 +22,11 @@ inline void require(const std::optional<ValueError>& error) {
 }
 
 /// Finite and >= 0; false for NaN.
+/// Throws where a count is wrong. A ValueError's double does not hold each count.
+[[noreturn]] inline void fail_count(const char* field, std::size_t count, const char* rule) {
+  throw std::invalid_argument(std::string(field) + " = " + std::to_string(count) + ": " + rule);
+}
+
 inline bool is_finite_and_not_negative(double x) { return x >= 0 && x <= std::numeric_limits<double>::max(); }
 
 /// What is wrong with a colour whose components are called so, or nothing.

@@ -3,6 +3,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "files/json_text.h"
+
 namespace litfog::command {
 
 void check_options(const CLI::App& app, const std::vector<OptionRule>& rules) {
@@ -17,7 +19,10 @@ void check_options(const CLI::App& app, const std::vector<OptionRule>& rules) {
 }
 
 void fail_option(const std::string& name, std::string_view value, std::string_view rule) {
-  throw CLI::ValidationError(name + " = " + (value.empty() ? "\"\"" : std::string(value)) + ": " + std::string(rule));
+  constexpr std::size_t kMaxShown = 200;
+  std::string shown(value.empty() ? "\"\"" : files::start_of(value, kMaxShown));
+  if (value.size() > kMaxShown) shown += "...";
+  throw CLI::ValidationError(name + " = " + shown + ": " + std::string(rule));
 }
 
 }  // namespace litfog::command

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cstdio>
 #include <iterator>
 #include <memory>
@@ -20,6 +19,7 @@
 #include "command/progress.h"
 #include "command/table.h"
 #include "command/uncaught.h"
+#include "file_text.h"
 #include "files/hint.h"
 #include "files/json_text.h"
 #include "litfog/airlight.h"
@@ -282,8 +282,7 @@ ExitStatus solve_batch(const Options& options) {
   const bool is_standard_input = options.csv_file == "-";
   const std::string name = is_standard_input ? "<stdin>" : options.csv_file;
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(
-      is_standard_input ? stdin : std::fopen(options.csv_file.c_str(), "rb"), std::fclose);
-  if (!file) throw litfog::InputError({.file = name}, "cannot be read: " + litfog::system_reason(errno));
+      is_standard_input ? stdin : litfog::open_file(options.csv_file), std::fclose);
   if (!is_standard_input) {
     OutputFiles outputs;
     outputs.add_standard_output();

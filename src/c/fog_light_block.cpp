@@ -24,7 +24,7 @@ litfog_status litfog_pack_fog_light_block(const litfog_fog* fog, const double* a
                                           const litfog_placed_light* lights, size_t count,
                                           litfog_fog_light_block* block) {
   return c::call([&] {
-    require(check_fog_light_count("count", count));  // before any light is read
+    require_fog_light_count("count", count);  // before any light is read
     const Fog in = c::fog(fog);
     std::vector<PlacedLight> placed;
     std::vector<FogIntensity> solutions;

@@ -31,12 +31,15 @@ std::string json_array(const std::vector<std::string>& items, int depth) {
   return fmt::format("[{}]", in_lines(items, depth));
 }
 
+std::string_view start_of(std::string_view text, std::size_t most) {
+  if (text.size() <= most) return text;
+  while (most > 0 && !starts_code_point(text[most])) --most;
+  return text.substr(0, most);
+}
+
 std::string quoted_excerpt(std::string_view text) {
   constexpr std::size_t kMaxShown = 40;
-  if (text.size() <= kMaxShown) return json_quoted(text);
-  std::size_t end = kMaxShown;
-  while (end > 0 && !starts_code_point(text[end])) --end;
-  return json_quoted(text.substr(0, end)) + "...";
+  return json_quoted(start_of(text, kMaxShown)) + (text.size() > kMaxShown ? "..." : "");
 }
 
 }  // namespace litfog::files

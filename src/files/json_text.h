@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +16,9 @@ std::string json_quoted(std::string_view text);
 /// depth  how many objects and arrays it is nested in, which sets its indentation
 std::string json_object(const std::vector<std::string>& members, int depth = 0);
 std::string json_array(const std::vector<std::string>& items, int depth);
+
+/// The start of a text, up to the end of a code point at so many bytes or before.
+std::string_view start_of(std::string_view text, std::size_t most);
 
 /// Text for a message: quoted, and cut where it is long.
 std::string quoted_excerpt(std::string_view text);

@@ -31,8 +31,8 @@ void FogLightBuffer::upload(const FogHeader& header) {
 
 void FogLightBuffer::upload(const FogHeader& header, std::span<const FogLightKind> kinds,
                             std::span<const FogLightInstance> instances, const FogLightChanges& changes) {
-  require(check_fog_light_count("kinds", kinds.size()));
-  require(check_fog_light_count("instances", instances.size()));
+  require_fog_light_count("kinds", kinds.size());
+  require_fog_light_count("instances", instances.size());
   upload(header);
   const auto upload_table = [&](std::size_t offset, const auto& table, std::span<const EntryRange> changed) {
     const EntryRange all{0, table.size()};

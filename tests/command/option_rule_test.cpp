@@ -22,6 +22,15 @@ std::string error_of(const std::string& arguments, const std::vector<OptionRule>
   return "";
 }
 
+TEST(OptionRule, LongValueIsCutInItsError) {
+  try {
+    fail_option("--set", std::string(100'000, 'x'), "must be short");
+    FAIL() << "no error";
+  } catch (const CLI::ValidationError& error) {
+    EXPECT_EQ(error.what(), "--set = " + std::string(200, 'x') + "...: must be short");
+  }
+}
+
 TEST(OptionRule, ExcludedOptionIsAUsageErrorWithItsReason) {
   EXPECT_EQ(error_of("--visibility", {{"--fog none", true, {"--density", "--visibility"}, "the air is clear"}}),
             "--visibility cannot be given with --fog none: the air is clear");

@@ -72,6 +72,12 @@ TEST_F(FileText, PipeThatAThreadWritesIsReadToItsEnd) {
   writer.join();
 }
 
+TEST_F(FileText, PipeThatNobodyWritesToIsAnError) {
+  const std::string pipe = path("pipe");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(error_of(pipe), pipe + ": cannot be read: Is a pipe that nobody writes to");
+}
+
 TEST_F(FileText, MissingFileFolderOrDeviceIsAnError) {
   EXPECT_EQ(error_of(path("absent")), path("absent") + ": cannot be read: No such file or directory");
   EXPECT_EQ(error_of(path("")), path("") + ": cannot be read: Is a directory");

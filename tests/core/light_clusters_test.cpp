@@ -523,6 +523,8 @@ TEST(LightClusters, WrongValueIsAnErrorAndChangesNothing) {
   clusters.update(city.view);
   const Lists before(clusters);
   EXPECT_EQ(error_of([&] { clusters.resize(1'242'757); }), "count = 1242757: must be at most (2^32 - 1) / clusters");
+  EXPECT_EQ(error_of([&] { clusters.resize(std::numeric_limits<std::size_t>::max()); }),
+            "count = 18446744073709551615: must be at most (2^32 - 1) / clusters");
   EXPECT_EQ(error_of([&] { clusters.set_light(10, {}); }), "light = 10: must be below the number of lights");
   const std::size_t count = clusters.clusters().size();
   EXPECT_EQ(error_of([&] { (void)clusters.part_of_view(count); }),

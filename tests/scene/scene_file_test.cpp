@@ -498,6 +498,10 @@ TEST_F(SceneChanges, WrongChangesNameTheOptionTheMemberAndTheRule) {
        "turn_deg_per_s, carried, repeat, attenuation, threshold, cone, density_scale; did you mean color?"},
       {{"camera.positon", "[0, 0, 0]"},
        "--set: \"positon\": must be one of position, target, field_of_view_deg; did you mean position?"},
+      {{std::string(100'000, 'x'), "1"},
+       "--set: \"" + std::string(40, 'x') + "\"...: must be a member such as lights[0].position"},
+      {{"lights[0].light", std::string(100'000, 'x')},
+       "--set: lights[0].light = \"" + std::string(40, 'x') + "\"...: must be a file's name of at most 4096 bytes"},
       {{"lights[0].color", "[1, 2"}, "--set lights[0].color:1:6: end of file: must be ',' or ']'"}};
   for (const auto& [change, sentence] : wrong) EXPECT_EQ(error_of_change(change), sentence);
   EXPECT_TRUE(

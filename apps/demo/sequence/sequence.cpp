@@ -50,6 +50,7 @@ void add_point_course(CLI::App& app, const std::string& name, std::optional<Cour
 
 MemberCourse parse_member(const std::string& text) {
   MemberCourse member{.change = parse_change(text), .numbers = {}};
+  scene::changed_member(member.change.member);  // throws where it is none
   if (is_meant_as_course(member.change.value)) {
     member.numbers = parse_course("--set " + member.change.member, member.change.value, kFinite);
   }

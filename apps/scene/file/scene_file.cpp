@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <climits>
 #include <filesystem>
 #include <glm/gtc/matrix_transform.hpp>
 #include <map>
@@ -250,6 +251,9 @@ class SceneReader {
                               scene_.name.find('/') == scene_.name.npos &&
                               std::ranges::none_of(scene_.name, [](unsigned char c) { return c < ' ' || c == 127; });
     if (is_file_name) return;
+    if (name && name->string().size() > NAME_MAX) {
+      name->fail(fmt::format("must be at most {} bytes: files take it", NAME_MAX));
+    }
     if (name) name->fail(kRule);
     root.fail("name", files::quoted_excerpt(scene_.name), kRule);
   }
@@ -267,10 +271,16 @@ class SceneReader {
   }
 
   /// What `read` makes of the light file that a string names.
+  /// The file that a string names, by the scene's folder.
+  std::string file_of(const JsonValue& name) const {
+    if (name.string().size() > PATH_MAX) name.fail(fmt::format("must be a file's name of at most {} bytes", PATH_MAX));
+    return (folder_ / name.string()).string();
+  }
+
   template <typename Read>
   auto from_light_file(const JsonValue& name, const Read& read) {
     try {
-      scene_.files.push_back((folder_ / name.string()).string());
+    scene_.files.push_back(file_of(name));
       return read(scene_.files.back());
     } catch (const InputError& error) {
       name.fail(std::string("must be a light file: ") + error.what());
@@ -381,7 +391,7 @@ class SceneReader {
     const auto pattern = value.optional("pattern");
     if (pattern && value.optional("image")) pattern->fail("must not stand beside image");
     const JsonValue source = pattern ? *pattern : value.member("image");
-    const std::string name = pattern ? source.string() : canonical_path(folder_ / source.string()).string();
+    const std::string name = pattern ? source.string() : canonical_path(file_of(source)).string();
     if (pattern && std::ranges::find(kCookiePatterns, name) == std::end(kCookiePatterns)) {
       source.fail(fmt::format("must be {}", fmt::join(kCookiePatterns, " or ")));
     }
@@ -390,7 +400,7 @@ class SceneReader {
       if (scene_.cookies.size() == kMaxCookies)
         value.fail(fmt::format("must be one of at most {} cookies", kMaxCookies));
       try {
-        if (!pattern) scene_.files.push_back((folder_ / source.string()).string());
+        if (!pattern) scene_.files.push_back(file_of(source));
         scene_.cookies.push_back(kept_or_made(&SceneParts::cookies, entry->first, [&] {
           return pattern ? paint_cookie(name) : read_cookie(scene_.files.back());
         }));
@@ -563,6 +573,11 @@ std::filesystem::path scene_folder() { return command::bundled_folder("scenes");
 
 std::string changed_member(const std::string& member) {
   const std::size_t dot = member.find("].") + 1;
+  constexpr std::size_t kLongest = 200;  // longer than any member's path, which errors quote
+  if (member.size() > kLongest) {
+    throw InputError({.file = kChangePlace}, files::quoted_excerpt(member), "",
+                     "must be a member such as lights[0].position");
+  }
   if (!member.starts_with("lights[") || dot == 0) return member;
   const std::string name = member.substr(dot + 1, member.find_first_of(".[", dot + 1) - dot - 1);
   const auto is_one_of = [&name](const auto& names) { return std::ranges::find(names, name) != std::end(names); };
