@@ -10,6 +10,7 @@
 
 #include "airlight_quadrature.h"
 #include "airlight_text.h"
+#include "float_limit.h"
 #include "level_range.h"
 #include "require.h"
 #include "unchecked.h"
@@ -143,7 +144,7 @@ double bound_airlight(const PlacedLight& light, const Fog& fog, const glm::dvec3
   constexpr double kMargin = 1e-12;
   const double largest_slope = std::sqrt(2 / std::numbers::e);  // of 1 - e^-(x^2)
   require_all(light, fog, {eye, direction}, scattering);
-  if (!(half_angle >= 0 && half_angle <= std::numbers::pi)) {
+  if (!is_within(half_angle, 0, std::numbers::pi)) {
     require(ValueError{"half_angle", half_angle, "must be in [0, pi]"});
   }
   const double extent = unchecked::compute_extent(light.light.attenuation, light.light.threshold) * (1 + kMargin);

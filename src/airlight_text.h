@@ -80,11 +80,11 @@ struct Text {
     air.extent = extent;
     if (light.cone.profile == ConeProfile::cosine) {
       air.profile = Real(LITFOG_PROFILE_COSINE);
-      air.cone_x = std::cos(Real(light.cone.half_angle));
+      air.cone_x = std::cos(Real(cutoff_angle(light.cone)));
       air.cone_y = Real(light.cone.exponent);
     } else if (light.cone.profile == ConeProfile::smoothstep) {
       air.profile = Real(LITFOG_PROFILE_SMOOTHSTEP);
-      air.cone_x = std::cos(Real(light.cone.outer));
+      air.cone_x = std::cos(Real(cutoff_angle(light.cone)));
       air.cone_y = std::cos(Real(light.cone.inner));
     }
     air.ray_length = Real(ray.length);

@@ -350,6 +350,7 @@ void LightColumns::resize(std::size_t count) {
 
 void LightColumns::set(std::size_t light, const LightBounds& bounds) {
   const glm::dvec3 axis = glm::normalize(bounds.direction);
+  const double half_angle = std::min(bounds.half_angle, std::numbers::pi);
   const SplitFloat split_x = split(bounds.position.x);
   const SplitFloat split_y = split(bounds.position.y);
   const SplitFloat split_z = split(bounds.position.z);
@@ -362,8 +363,8 @@ void LightColumns::set(std::size_t light, const LightBounds& bounds) {
   axis_x[light] = float(axis.x);
   axis_y[light] = float(axis.y);
   axis_z[light] = float(axis.z);
-  cos_half_angle[light] = float(std::cos(bounds.half_angle));
-  sin_half_angle[light] = float(std::sin(bounds.half_angle));
+  cos_half_angle[light] = float(std::cos(half_angle));
+  sin_half_angle[light] = float(std::sin(half_angle));
   set_range(light, bounds.range);
 }
 

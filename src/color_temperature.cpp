@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/mat3x3.hpp>
 
+#include "float_limit.h"
 #include "require.h"
 
 namespace litfog {
@@ -35,6 +36,7 @@ glm::dvec3 tristimulus(const glm::dvec2& xy) { return {xy.x / xy.y, 1, (1 - xy.x
 
 glm::dvec2 chromaticity_of_temperature(double kelvin) {
   static_assert(kLeastColorTemperature == 1000 && kMostColorTemperature == 25000);
+  kelvin = snapped(kelvin, kLeastColorTemperature, kMostColorTemperature);
   if (!(kelvin >= kLeastColorTemperature && kelvin <= kMostColorTemperature)) {
     require(ValueError{"kelvin", kelvin, "must be in [1000, 25000]"});
   }

@@ -22,9 +22,9 @@ glm::vec3 finite_floats(const glm::dvec3& v) { return {finite_float(v.x), finite
 glm::vec2 pack_cone(const Cone& cone) {
   switch (cone.profile) {
     case ConeProfile::cosine:
-      return {std::cos(cone.half_angle), finite_float(cone.exponent)};
+      return {std::cos(cutoff_angle(cone)), finite_float(cone.exponent)};
     case ConeProfile::smoothstep:
-      return {std::cos(cone.outer), std::cos(cone.inner)};
+      return {std::cos(cutoff_angle(cone)), std::cos(cone.inner)};
     case ConeProfile::none:
       break;
   }

@@ -36,7 +36,7 @@ std::optional<ValueError> check(const ClusterGrid& grid) {
   for (const auto& [name, count] : parts) {
     if (!(count >= 1 && count <= kMostParts)) return ValueError{name, double(count), "must be in [1, 64]"};
   }
-  if (!(grid.first_depth >= kMinFirstDepth && grid.first_depth <= kMaxPosition)) {
+  if (!(grid.first_depth >= kMinFirstDepth && is_within(grid.first_depth, 0, kMaxPosition))) {
     return ValueError{"first_depth", grid.first_depth, "must be in [1e-12, 16777216]"};
   }
   return std::nullopt;

@@ -162,7 +162,7 @@ bool is_within(const Corners& corners, const glm::dvec3& start, const Body& body
 inline bool can_light(const LightBounds& light, const glm::dvec3& apex, const Corners& corners, const glm::dvec3& start,
                       double size) {
   if (light.range == 0) return false;
-  if (light.half_angle == std::numbers::pi) return true;
+  if (light.half_angle >= std::numbers::pi) return true;
   const double distance = glm::length(apex);
   const double rounding = kPolytopeRounding * (size + distance);
   const Sector sector{.apex = apex,

@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "float_limit.h"
 #include "litfog/light.h"
 #include "litfog/value_error.h"
 
@@ -21,12 +22,12 @@ inline void require(const std::optional<ValueError>& error) {
   if (error) throw std::invalid_argument(to_string(*error));
 }
 
-/// Finite and >= 0; false for NaN.
 /// Throws where a count is wrong. A ValueError's double does not hold each count.
 [[noreturn]] inline void fail_count(const char* field, std::size_t count, const char* rule) {
   throw std::invalid_argument(std::string(field) + " = " + std::to_string(count) + ": " + rule);
 }
 
+/// Finite and >= 0; false for NaN.
 inline bool is_finite_and_not_negative(double x) { return x >= 0 && x <= std::numeric_limits<double>::max(); }
 
 /// What is wrong with a colour whose components are called so, or nothing.
@@ -42,7 +43,7 @@ inline std::optional<ValueError> check_color(const glm::dvec3& color, const std:
 /// What is wrong with a position whose coordinates are called so, or nothing.
 inline std::optional<ValueError> check_position(const glm::dvec3& position, const std::array<const char*, 3>& names) {
   for (int i = 0; i < 3; ++i) {
-    if (!(std::abs(position[i]) <= kMaxPosition)) {
+    if (!is_within(position[i], -kMaxPosition, kMaxPosition)) {
       return ValueError{names[std::size_t(i)], position[i], "must be at most 16777216 in magnitude"};
     }
   }

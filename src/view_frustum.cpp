@@ -23,12 +23,12 @@ std::optional<ValueError> check(const View& view) {
   const std::pair<const char*, double> edges[] = {
       {"left", view.left}, {"right", view.right}, {"bottom", view.bottom}, {"top", view.top}};
   for (const auto& [name, tangent] : edges) {
-    if (!(std::abs(tangent) <= kMaxViewTangent)) return ValueError{name, tangent, kRule};
+    if (!is_within(tangent, -kMaxViewTangent, kMaxViewTangent)) return ValueError{name, tangent, kRule};
   }
   if (!(view.left < view.right)) return ValueError{"right", view.right, "must be above left"};
   if (!(view.bottom < view.top)) return ValueError{"top", view.top, "must be above bottom"};
   if (!(view.nearest > 0)) return ValueError{"nearest", view.nearest, "must be > 0"};
-  if (!(view.farthest > view.nearest && view.farthest <= kMaxPosition)) {
+  if (!(view.farthest > view.nearest && is_within(view.farthest, 0, kMaxPosition))) {
     return ValueError{"farthest", view.farthest, "must be above nearest and at most 16777216"};
   }
   return std::nullopt;

@@ -19,6 +19,7 @@
 #include "command/printable.h"
 #include "files/hint.h"
 #include "files/whole_file.h"
+#include "float_limit.h"
 #include "litfog/files/output_error.h"
 #include "litfog/fog.h"
 #include "litfog/input_error.h"
@@ -90,11 +91,17 @@ void fail_choice(const std::string& name, const std::string& word, const std::ve
               fmt::format("must be one of {}{}", fmt::join(choices, "|"), files::hint_for_word(word, choices)));
 }
 
+std::optional<double> parse_number(std::string_view text, const NumberRule& rule) {
+  auto number = parse_number(text);
+  if (number) number = snapped(*number, rule.least, rule.most);
+  return number && rule.accepts(*number) ? number : std::nullopt;
+}
+
 CLI::Option* add_number(CLI::App& app, const std::string& name, double& target, NumberRule rule,
                         const std::string& description) {
   const auto parse = [&target, name, rule](const CLI::results_t& values) {
-    const auto number = parse_number(values.front());
-    if (!number || !rule.accepts(*number)) fail_number(name, values.front(), rule.text);
+    const auto number = parse_number(values.front(), rule);
+    if (!number) fail_number(name, values.front(), rule.text);
     target = *number;
     return true;
   };
@@ -120,8 +127,8 @@ CLI::Option* add_numbers(CLI::App& app, const std::string& name, std::vector<dou
   const auto parse = [&target, name, rule](const CLI::results_t& values) {
     target.clear();
     for (const std::string_view part : split_at_commas(values.front())) {
-      const auto number = parse_number(part);
-      if (!number || !rule.accepts(*number)) fail_number(name, part, rule.text);
+      const auto number = parse_number(part, rule);
+      if (!number) fail_number(name, part, rule.text);
       target.push_back(*number);
     }
     return true;

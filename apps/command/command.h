@@ -3,6 +3,8 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -28,11 +30,16 @@ namespace litfog::command {
 struct NumberRule {
   bool (*accepts)(double);
   const char* text;
+  double least = -std::numeric_limits<double>::infinity();  ///< closed limits, which take what floats round beyond them
+  double most = std::numeric_limits<double>::infinity();
 };
 inline constexpr NumberRule kNotNegative{[](double x) { return x >= 0; }, "must be a number >= 0 or inf"};
 inline constexpr NumberRule kFiniteNotNegative{[](double x) { return x >= 0 && x <= 1.7976931348623157e308; },
                                                "must be a finite number >= 0"};
 inline constexpr NumberRule kOpenUnitInterval{[](double x) { return x > 0 && x < 1; }, "must be a number in (0, 1)"};
+
+/// The number of a text that a rule takes, or nothing.
+std::optional<double> parse_number(std::string_view text, const NumberRule& rule);
 
 /// Options whose value is checked as it is parsed; a wrong one ends the command with status kUsage.
 CLI::Option* add_number(CLI::App& app, const std::string& name, double& target, NumberRule rule,

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "files/angle_deg.h"
+#include "float_limit.h"
 #include "litfog/input_error.h"
 #include "litfog/photometry/axial_beam.h"
 #include "litfog/photometry/elliptical_beam.h"
@@ -321,7 +322,7 @@ void set_ellipses(const LightSpec& spec, LightTarget& target) {
     if (!angles) continue;
     for (const auto& [index, angle, least] :
          {std::tuple(0, angles->horizontal, inner.horizontal), std::tuple(1, angles->vertical, inner.vertical)}) {
-      if (angle > least && angle <= 2 * std::numbers::pi) continue;
+      if (angle > least && is_within(angle, 0, 2 * std::numbers::pi)) continue;
       const std::string field = fmt::format("cone.{}{}", name, angles->is_round() ? "" : fmt::format("[{}]", index));
       throw spec.error_at(field, "",
                           least == 0 ? "must be in (0, 2 pi]" : "must be above the beam angle, at most 2 pi");

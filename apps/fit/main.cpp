@@ -515,7 +515,7 @@ int main(int argc, char** argv) {
                "Leave the time out of the light's \"fit\": same input, same file");
   add_axis(app, options.choices.axis);
   double tilt_deg = 0;
-  constexpr NumberRule kTiltRule{[](double x) { return x >= 0 && x <= 180; }, "must be a number from 0 to 180"};
+  constexpr NumberRule kTiltRule{[](double x) { return x >= 0 && x <= 180; }, "must be a number from 0 to 180", 0, 180};
   add_number(app, "--tilt", tilt_deg, kTiltRule,
              "Degrees by which the luminaire is tilted as it is mounted, for files with tilt data; 0 if not given");
   add_choice<TableFormat>(app, "--format", options.format,

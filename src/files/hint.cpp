@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "ascii_text.h"
+#include "float_limit.h"
 
 namespace litfog::files {
 namespace {
@@ -173,7 +174,7 @@ std::string hint_for_fraction(double number, std::string_view rule) {
   constexpr std::array<std::string_view, 3> kFractions{"in (0, 1", "in [0, 1", "in [1e-100, 1"};
   rule.remove_suffix(rule.empty() ? 0 : 1);
   const bool is_fraction = std::ranges::any_of(kFractions, [rule](auto end) { return rule.ends_with(end); });
-  return is_fraction && number > 1 && number <= 100 ? percent_text(number) : "";
+  return is_fraction && number > 1 && !is_float_of(1, number) && number <= 100 ? percent_text(number) : "";
 }
 
 std::string hint_for_syntax(std::string_view text, std::size_t offset) {

@@ -24,7 +24,7 @@ std::string hint_for_number(std::string_view text, std::string_view member = {})
 /// The same of a text in quotation marks, which a number by itself lacks.
 std::string hint_for_quoted_number(std::string_view text, std::string_view member = {});
 
-/// Of a number that breaks a rule such as "must be in (0, 1)" and may be a percentage.
+/// Of a number that breaks a rule such as "must be in (0, 1)" and may be a percentage, as 1 in floats is not.
 std::string hint_for_fraction(double number, std::string_view rule);
 
 /// Of JSON that is wrong at an offset: a decimal comma, or one behind the last member or item.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <numbers>
 #include <string_view>
 
 #include "files/angle_deg.h"
@@ -13,6 +14,7 @@
 #include "files/json_text.h"
 #include "files/light_json.h"
 #include "files/whole_file.h"
+#include "float_limit.h"
 #include "require.h"
 
 namespace litfog {
@@ -23,11 +25,13 @@ Cone parse_cone(const JsonValue& value) {
   const JsonValue profile = value.member("profile");
   if (profile.string() == "cosine") {
     value.allow_only({"profile", "half_angle_deg", "exponent"});
-    return Cone::cosine(radians(value.member("half_angle_deg").number()), value.member("exponent").number());
+    return Cone::cosine(snapped(radians(value.member("half_angle_deg").number()), 0, std::numbers::pi / 2),
+                        value.member("exponent").number());
   }
   if (profile.string() == "smoothstep") {
     value.allow_only({"profile", "inner_deg", "outer_deg"});
-    return Cone::smoothstep(radians(value.member("inner_deg").number()), radians(value.member("outer_deg").number()));
+    return Cone::smoothstep(radians(value.member("inner_deg").number()),
+                            snapped(radians(value.member("outer_deg").number()), 0, std::numbers::pi));
   }
   profile.fail("must be \"cosine\" or \"smoothstep\"");
 }

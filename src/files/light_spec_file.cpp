@@ -15,6 +15,7 @@
 #include "files/json_text.h"
 #include "files/light_json.h"
 #include "files/whole_file.h"
+#include "float_limit.h"
 #include "litfog/color_temperature.h"
 #include "litfog/light.h"
 
@@ -168,7 +169,7 @@ LightSpec parse_spec(const JsonValue& root) {
   if (const auto temperature = root.optional("color_temperature_k")) {
     if (color) temperature->fail("must not be given beside color");
     const double kelvin = temperature->number();
-    if (!(kelvin >= kLeastColorTemperature && kelvin <= kMostColorTemperature)) {
+    if (!is_within(kelvin, kLeastColorTemperature, kMostColorTemperature)) {
       temperature->fail(fmt::format("must be in [{}, {}]", kLeastColorTemperature, kMostColorTemperature));
     }
     spec.color_temperature = kelvin;

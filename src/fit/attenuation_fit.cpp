@@ -5,11 +5,13 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <stdexcept>
 
 #include "fit/attenuation_reach.h"
 #include "fit/falloff.h"
 #include "fit/falloff_search.h"
+#include "float_limit.h"
 #include "shown_number.h"
 
 namespace litfog {
@@ -25,7 +27,18 @@ constexpr double kReading = 1e-3;
 
 constexpr std::size_t kMostDescribed = 3;  // samples out of reach: a sentence, not a table
 
-bool is_within(double x, double low, double high) { return x >= low && x <= high; }
+/// A target of which what lies beyond a limit by a float's rounding is the limit.
+AttenuationTarget at_limits(AttenuationTarget target) {
+  target.threshold = snapped(target.threshold, kLeastAttenuation, std::numeric_limits<double>::max());
+  if (target.extent) target.extent = snapped(*target.extent, kLeastRange, kLargestRange);
+  if (target.constant) target.constant = snapped(*target.constant, 0, kLargestFactor);
+  for (AttenuationSample& sample : target.samples) {
+    sample.range = snapped(sample.range, kLeastRange, kLargestRange);
+    sample.attenuation = snapped(sample.attenuation, kLeastAttenuation, 1);
+    sample.weight = snapped(sample.weight, 1 / kLargestFactor, kLargestFactor);
+  }
+  return target;
+}
 
 std::optional<ValueError> check(const AttenuationSample& sample, const AttenuationSample* previous) {
   const auto [range, attenuation, weight] = sample;
@@ -256,7 +269,8 @@ const char* name_of(AttenuationConstraint constraint) {
   return "";
 }
 
-std::optional<TargetError> check(const AttenuationTarget& target) {
+std::optional<TargetError> check(const AttenuationTarget& given) {
+  const AttenuationTarget target = at_limits(given);
   const auto error = [](const char* field, double value, const char* rule) {
     return TargetError{{field, value, rule}, std::nullopt};
   };
@@ -285,7 +299,8 @@ std::optional<TargetError> check(const AttenuationTarget& target) {
   return std::nullopt;
 }
 
-AttenuationFit fit_attenuation(const AttenuationTarget& asked) {
+AttenuationFit fit_attenuation(const AttenuationTarget& given) {
+  const AttenuationTarget asked = at_limits(given);
   if (const auto error = check(asked)) throw std::invalid_argument(to_string(*error));
   const auto start = std::chrono::steady_clock::now();
   AttenuationFit fit;

@@ -12,6 +12,7 @@
 #include "fit/cone_search.h"
 #include "fit/cosine_profile.h"
 #include "fit/smoothstep_profile.h"
+#include "float_limit.h"
 #include "require.h"
 #include "versine.h"
 
@@ -99,9 +100,24 @@ ConeProfileFit fit_smoothstep(const std::vector<ConePoint>& points, const ConeTa
   return fit;
 }
 
+/// A target of which what lies beyond a limit by a float's rounding is the limit.
+ConeTarget at_limits(ConeTarget target) {
+  const double widest = target.choice == ConeChoice::smoothstep ? pi : pi / 2;
+  if (target.half_angle) target.half_angle = snapped(*target.half_angle, 0, widest);
+  for (std::optional<double>* angle : {&target.beam_angle, &target.field_angle}) {
+    if (*angle) *angle = snapped(**angle, 0, 2 * pi);
+  }
+  for (ConeSample& sample : target.samples) {
+    sample.angle = snapped(sample.angle, 0, pi);
+    sample.weight = snapped(sample.weight, 1e-100, 1e100);
+  }
+  return target;
+}
+
 }  // namespace
 
-std::optional<TargetError> check(const ConeTarget& target) {
+std::optional<TargetError> check(const ConeTarget& given) {
+  const ConeTarget target = at_limits(given);
   const auto error = [](const char* field, double value, const char* rule, std::optional<std::size_t> sample = {}) {
     return TargetError{{field, value, rule}, sample};
   };
@@ -156,7 +172,7 @@ double peak_of(const std::vector<ConeSample>& samples) {
 
 ConeFit fit_cone(const ConeTarget& given) {
   if (const auto error = check(given)) throw std::invalid_argument(to_string(*error));
-  ConeTarget target = given;
+  ConeTarget target = at_limits(given);
   std::erase_if(target.samples, [](const ConeSample& sample) { return sample.weight == 0; });
   const auto begin = std::chrono::steady_clock::now();
   const std::vector<ConePoint> points = points_of(target);

@@ -10,6 +10,7 @@
 #include "circle_sampler.h"
 #include "dark_edge.h"
 #include "darkness.h"
+#include "float_limit.h"
 #include "measured_angles.h"
 #include "require.h"
 
@@ -256,14 +257,14 @@ std::vector<AxialSample> plane_profile(const IntensityDistribution& distribution
 
 double half_angle(const std::vector<AxialSample>& profile, double fraction) {
   if (profile.empty()) require(ValueError{"profile", 0, "must have at least one sample"});
-  if (!(fraction > 0 && fraction <= 1)) require(ValueError{"fraction", fraction, "must be in (0, 1]"});
+  if (!(fraction > 0 && is_within(fraction, 0, 1))) require(ValueError{"fraction", fraction, "must be in (0, 1]"});
   for (const AxialSample& sample : profile) {
     if (!is_finite_and_not_negative(sample.mean)) {
       require(ValueError{"profile.mean", sample.mean, "must be finite and >= 0"});
     }
   }
   const auto peak = std::ranges::max_element(profile, {}, &AxialSample::mean);
-  const double level = fraction * peak->mean;
+  const double level = snapped(fraction, 0, 1) * peak->mean;
   const auto below = std::find_if(peak, profile.end(), [&](const AxialSample& s) { return s.mean < level; });
   if (below == profile.end()) return profile.back().angle;
   const AxialSample& above = below[-1];  // the peak itself is not below

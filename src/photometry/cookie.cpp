@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <glm/common.hpp>
 
+#include "float_limit.h"
 #include "litfog/photometry/cube_face.h"
 #include "require.h"
 
@@ -27,7 +28,7 @@ std::optional<ValueError> check(const Cookie& cookie) {
     return ValueError{"texels", double(cookie.texels.size()), "must be 6 * size * size"};
   }
   for (const float texel : cookie.texels) {
-    if (!(texel >= 0 && texel <= 1)) return ValueError{"texel", double(texel), "must be in [0, 1]"};
+    if (!is_within(double(texel), 0, 1)) return ValueError{"texel", double(texel), "must be in [0, 1]"};
   }
   return std::nullopt;
 }
@@ -63,7 +64,7 @@ double cookie_at(const Cookie& cookie, const glm::dvec3& direction) {
   const int left = int(x), top = int(y);
   const auto texel = [&](int column, int row) {
     const auto line = std::size_t(position.face * cookie.size + std::min(row, last));
-    return double(cookie.texels[line * std::size_t(cookie.size) + std::size_t(std::min(column, last))]);
+    return snapped(double(cookie.texels[line * std::size_t(cookie.size) + std::size_t(std::min(column, last))]), 0, 1);
   };
   return glm::mix(glm::mix(texel(left, top), texel(left + 1, top), x - left),
                   glm::mix(texel(left, top + 1), texel(left + 1, top + 1), x - left), y - top);

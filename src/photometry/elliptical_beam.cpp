@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "dark_edge.h"
+#include "float_limit.h"
 #include "require.h"
 
 namespace litfog {
@@ -61,10 +62,10 @@ std::optional<ValueError> check(const std::vector<IsocandelaEllipse>& ellipses) 
     if (!(intensity >= 0 && intensity <= inner.intensity)) {
       return ValueError{"intensity", intensity, "must be in [0, 1e30] and at most that of the ellipse within"};
     }
-    if (!(horizontal > inner.horizontal && horizontal <= pi)) {
+    if (!(horizontal > inner.horizontal && is_within(horizontal, 0, pi))) {
       return ValueError{"horizontal", horizontal, "must be in (0, pi] and greater than that of the ellipse within"};
     }
-    if (!(vertical > inner.vertical && vertical <= pi)) {
+    if (!(vertical > inner.vertical && is_within(vertical, 0, pi))) {
       return ValueError{"vertical", vertical, "must be in (0, pi] and greater than that of the ellipse within"};
     }
     inner = ellipse;
@@ -77,7 +78,7 @@ IntensityDistribution elliptical_beam(const std::vector<IsocandelaEllipse>& elli
   const IsocandelaEllipse& outermost = ellipses.back();
   IntensityDistribution beam{
       .type = PhotometryType::c, .horizontal = turns_of(outermost), .vertical = {}, .intensity = {}};
-  const double end = std::max(outermost.horizontal, outermost.vertical);
+  const double end = std::min(std::max(outermost.horizontal, outermost.vertical), pi);
   for (int i = 0; i <= kAngles; ++i) beam.vertical.push_back(end * i / kAngles);
   const double dark = end + kDarkEdge;
   for (int i = 0; dark < pi && i <= kDarkAngles; ++i) {  // so that a profile does not go on in the steps of the beam

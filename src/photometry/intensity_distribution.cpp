@@ -8,6 +8,7 @@
 #include <numbers>
 #include <span>
 
+#include "float_limit.h"
 #include "measured_angles.h"
 #include "pole_coordinates.h"
 #include "require.h"
@@ -90,7 +91,7 @@ std::vector<double> polar_weights(std::span<const double> angles, double pole) {
 std::optional<ValueError> check_angles(const char* field, std::span<const double> angles, double low, double high) {
   if (angles.size() < 2) return ValueError{field, double(angles.size()), "must be at least two angles"};
   for (std::size_t i = 0; i < angles.size(); ++i) {
-    if (!(angles[i] >= low - kAngleTolerance && angles[i] <= high + kAngleTolerance)) {
+    if (!is_within(angles[i], low - kAngleTolerance, high + kAngleTolerance)) {
       return ValueError{field, angles[i], "must be within the range of its photometry type"};
     }
     if (i > 0 && !(angles[i] > angles[i - 1])) return ValueError{field, angles[i], "must be in increasing order"};
@@ -104,7 +105,7 @@ std::optional<ValueError> check_turn(std::span<const double> turn) {
   if (const auto error = check_angles(kField, turn, -2 * pi, 4 * pi)) return error;
   const double span = turn.back() - turn.front();
   for (const int multiplicity : {1, 2, 4}) {
-    if (std::abs(span - 2 * pi / multiplicity) <= kAngleTolerance) return std::nullopt;
+    if (is_float_of(2 * pi / multiplicity, span)) return std::nullopt;
   }
   return ValueError{kField, span, "must span pi / 2, pi or 2 pi"};
 }
@@ -158,7 +159,7 @@ std::optional<ValueError> check(const IntensityDistribution& distribution) {
   if (intensity.size() != horizontal.size() * vertical.size()) {
     return ValueError{kField, double(intensity.size()), "must be as many as pairs of angles"};
   }
-  const auto is_wrong = [](double candela) { return !(candela >= 0 && candela <= kMaxIntensity); };
+  const auto is_wrong = [](double candela) { return !is_within(candela, 0, kMaxIntensity); };
   std::int64_t wrong = 0;  // counted first, which compilers do several at a time
   for (const double candela : intensity) wrong += is_wrong(candela) ? 1 : 0;
   if (wrong > 0) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ascii_text.h"
+#include "float_limit.h"
 #include "litfog/photometry/elliptical_beam.h"
 #include "text_scanner.h"
 
@@ -69,7 +70,7 @@ class Rows {
 };
 
 double angle_deg(const TextScanner& scanner, const Piece& piece, std::string_view what, double limit) {
-  const double angle = scanner.number(piece, what);
+  const double angle = snapped(scanner.number(piece, what), -limit, limit);
   if (!(angle >= -limit && angle <= limit)) {
     scanner.fail(piece, what, limit == 180 ? "must be in [-180, 180]" : "must be in [-90, 90]");
   }
@@ -96,7 +97,7 @@ class Largest {
 };
 
 double candela_of(const TextScanner& scanner, const Piece& piece) {
-  const double candela = scanner.number(piece, "candela");
+  const double candela = snapped(scanner.number(piece, "candela"), 0, kMaxIntensity);
   if (!(candela >= 0 && candela <= kMaxIntensity)) scanner.fail(piece, "candela", "must be in [0, 1e30]");
   return candela;
 }
@@ -160,7 +161,7 @@ void parse_grid(Rows& rows, const std::vector<Piece>& header, Luminaire& luminai
 }
 
 double half_axis(const TextScanner& scanner, const Piece& piece, std::string_view what) {
-  const double angle = scanner.number(piece, what);
+  const double angle = snapped(scanner.number(piece, what), 0, 180);
   if (!(angle > 0 && angle <= 180)) scanner.fail(piece, what, "must be in (0, 180]");
   return std::min(angle * kRadiansPerDegree, std::numbers::pi);
 }

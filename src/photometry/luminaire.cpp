@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "ascii_text.h"
+#include "float_limit.h"
 #include "gldf_archive.h"
 #include "litfog/photometry/eulumdat.h"
 #include "litfog/photometry/gldf.h"
@@ -83,7 +84,7 @@ std::optional<double> stated_flux(const Luminaire& luminaire) {
 }
 
 double tilt_factor(const LampTilt& tilt, double angle) {
-  if (!(angle >= 0 && angle <= std::numbers::pi)) require(ValueError{"angle", angle, "must be in [0, pi]"});
+  if (!is_within(angle, 0, std::numbers::pi)) require(ValueError{"angle", angle, "must be in [0, pi]"});
   const auto above = std::ranges::lower_bound(tilt.angles, angle);
   if (above == tilt.angles.begin()) return tilt.factors.front();
   if (above == tilt.angles.end()) return tilt.factors.back();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "float_limit.h"
 #include "number_text.h"
 
 namespace litfog {
@@ -30,7 +31,7 @@ std::vector<double> PhotometricGrid::angles(std::string_view what, int count, do
     const TextScanner::Piece& piece = last_ = scanner_.next(unit_);
     const auto name = [&] { return name_of(what, std::size_t(i), std::size_t(count)); };
     if (piece.text.empty()) scanner_.fail(piece, name(), "");
-    const double angle = scanner_.number(piece, what);
+    const double angle = with_right_angles(scanner_.number(piece, what));
     if (!(angle >= low && angle <= high)) {
       scanner_.fail(piece, name(), range_rule(low, high));
     }
@@ -54,7 +55,7 @@ std::string IntensityReader::name(std::size_t index) const { return name_of("int
 void IntensityReader::add(const TextScanner::Piece& piece) {
   const std::size_t index = intensities_.size();
   if (piece.text.empty()) scanner_.fail(piece, name(index), "");
-  const double candela = scanner_.number(piece, "intensity") * factor_;
+  const double candela = snapped(scanner_.number(piece, "intensity") * factor_, -kMaxIntensity, kMaxIntensity);
   if (!(candela <= kMaxIntensity)) {
     scanner_.fail(piece, name(index), "must be at most 1e30 candela, with all factors");
   }
@@ -110,6 +111,11 @@ void close_turn(std::vector<double>& planes_deg, std::vector<double>& intensity)
 
 std::string range_rule(double low, double high) {
   return "must be in [" + number_text(low) + ", " + number_text(high) + "]";
+}
+
+double with_right_angles(double degrees) {
+  const double right = 90 * std::round(degrees / 90);
+  return is_float_of(right, degrees) ? right : degrees;
 }
 
 std::vector<double> radians_from_degrees(std::vector<double> angles) {

@@ -99,6 +99,9 @@ void close_turn(std::vector<double>& planes_deg, std::vector<double>& intensity)
 /// "must be in [-90, 90]"
 std::string range_rule(double low, double high);
 
+/// An angle, or the multiple of 90 degrees that it is but for a float's rounding: where parts of a turn end.
+double with_right_angles(double degrees);
+
 std::vector<double> radians_from_degrees(std::vector<double> angles);
 
 }  // namespace litfog

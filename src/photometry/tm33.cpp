@@ -68,7 +68,7 @@ struct Entry {
 double angle_of(const XmlText& xml, const pugi::xml_node& element, const char* attribute, double low, double high) {
   const Piece piece = xml.value_of(element, attribute);
   if (piece.text.empty()) xml.scanner().fail(piece, attribute, "");
-  const double angle = xml.scanner().number(piece, attribute);
+  const double angle = with_right_angles(xml.scanner().number(piece, attribute));
   if (!(angle >= low && angle <= high)) xml.scanner().fail(piece, attribute, range_rule(low, high));
   return angle;
 }

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "float_limit.h"
 #include "litfog/airlight.h"
 #include "litfog/attenuation.h"
 #include "litfog/batch.h"
@@ -416,6 +417,10 @@ double require_rule(bool is_kept, const char* field, double value, const char* r
   return value;
 }
 
+double require_within(double low, double high, const char* field, double value, const char* rule) {
+  return snapped(require_rule(is_within(value, low, high), field, value, rule), low, high);
+}
+
 double require_range(double range) { return require_rule(range >= 0, "range", range, "must be >= 0"); }
 
 /// function(value, number) for a number or for each of an array of them, which is the argument of this name.
@@ -551,8 +556,8 @@ void bind_lights(py::module_& m) {
       "cone_at",
       over_numbers<Cone>("cos_angle",
                          [](const Cone& shape, double cos_angle) {
-                           return cone_at(require_checked(shape), require_rule(std::abs(cos_angle) <= 1, "cos_angle",
-                                                                               cos_angle, "must be in [-1, 1]"));
+                           return cone_at(require_checked(shape),
+                                         require_within(-1, 1, "cos_angle", cos_angle, "must be in [-1, 1]"));
                          }),
       py::arg("cone"), py::arg("cos_angle"),
       "Fraction of the axial intensity that a cone sends into a direction, by the cosine of its angle from the axis;\n"
@@ -563,8 +568,8 @@ void bind_lights(py::module_& m) {
   m.def(
       "flux_within",
       [](const Cone& shape, double angle) {
-        const bool is_kept = angle >= 0 && angle <= std::numbers::pi;
-        return flux_within(require_checked(shape), require_rule(is_kept, "angle", angle, "must be in [0, pi]"));
+        return flux_within(require_checked(shape),
+                           require_within(0, std::numbers::pi, "angle", angle, "must be in [0, pi]"));
       },
       py::arg("cone"), py::arg("angle"),
       "Flux in steradians of a cone whose axial intensity is 1, out to an angle in radians.");

@@ -366,6 +366,8 @@ TEST_F(CFace, ValuesThatBreakTheirRuleAreRefusedAndResultsLeftAlone) {
   expect_error("cone.profile = 3: must be in [0, 2]");
   light.light.cone.profile = LITFOG_CONE_COSINE;
   expect_error("cone.half_angle = 0: must be in (0, pi/2]");
+  light.light.cone.half_angle = double(float(std::numbers::pi / 2));
+  EXPECT_EQ(litfog_check_placed_light(&light), LITFOG_OK) << "a float above pi/2 is pi/2";
 
   litfog_fog fog{LITFOG_FOG_EXP, -1};
   EXPECT_EQ(litfog_check_fog(&fog), LITFOG_INVALID_ARGUMENT);

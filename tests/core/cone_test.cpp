@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "reference/digits50.h"
 #include "reference/double_limits.h"
@@ -100,6 +101,28 @@ TEST(Cone, EndsOfTheRangesAreAccepted) {
   EXPECT_FALSE(check(Cone::cosine(pi / 2, 0)));
   EXPECT_FALSE(check(Cone::cosine(1e-300, std::numeric_limits<double>::max())));
   EXPECT_FALSE(check(Cone::smoothstep(0, pi)));
+}
+
+TEST(Cone, AngleThatFloatsRoundBeyondALimitIsTheLimit) {
+  const auto half = double(float(pi / 2));
+  const auto whole = double(float(pi));
+  ASSERT_GT(half, pi / 2);
+  ASSERT_GT(whole, pi);
+  const std::pair<Cone, Cone> pairs[] = {{Cone::cosine(half, 4), Cone::cosine(pi / 2, 4)},
+                                         {Cone::cosine(half, 0), Cone::cosine(pi / 2, 0)},
+                                         {Cone::smoothstep(0.5, whole), Cone::smoothstep(0.5, pi)}};
+  for (const auto& [given, meant] : pairs) {
+    ASSERT_FALSE(check(given));
+    EXPECT_EQ(cutoff_angle(given), cutoff_angle(meant));
+    for (const double cosine : {-1.0, -1e-8, 0.0, 1e-8, 0.5, 1.0})
+      EXPECT_EQ(cone_at(given, cosine), cone_at(meant, cosine));
+    for (const double level : {1e-9, 0.5}) EXPECT_EQ(angle_at_level(given, level), angle_at_level(meant, level));
+    for (const double angle : {1.0, pi}) EXPECT_EQ(flux_within(given, angle), flux_within(meant, angle));
+  }
+  for (const Cone& beyond : {Cone::cosine(pi / 2 * (1 + 3e-7), 4), Cone::smoothstep(0.5, pi * (1 + 3e-7))}) {
+    EXPECT_TRUE(check(beyond));
+  }
+  EXPECT_TRUE(check(Cone::smoothstep(pi, whole))) << "the inner angle's limit is open";
 }
 
 TEST(Cone, ConeIsNeverNanAtAnyAcceptedWidth) {

@@ -113,6 +113,8 @@ TEST(LightBounds, BoxThatTouchesTheEdgeOfADarkConeIsLit) {
 
 TEST(LightBounds, BoxBehindABeamOrInADarkConeIsUnlit) {
   const Box ahead{{-1, -1, -6}, {1, 1, -5}};
+  const LightBounds ball{.direction = {0, 0, 1}, .half_angle = double(float(kPi))};
+  EXPECT_TRUE(can_light(ball, ahead)) << "a float above pi is pi";
   const LightBounds beam{.half_angle = 0.3};
   EXPECT_TRUE(can_light(beam, ahead));
   EXPECT_FALSE(can_light({.direction = {0, 0, 1}, .half_angle = 0.3}, ahead));

@@ -61,6 +61,11 @@ TEST(Hint, PercentageIsShownAsAFraction) {
   EXPECT_EQ(error_of(R"({"threshold": -5})"), "f:1:15: threshold = -5: must be in (0, 1)");
 }
 
+TEST(Hint, OneInFloatsIsNoPercentage) {
+  EXPECT_EQ(error_of(R"({"threshold": 1.0000001192092896})"),
+            "f:1:15: threshold = 1.0000001192092896: must be in (0, 1)");
+}
+
 TEST(Hint, NumberInQuotationMarksIsShownWithout) {
   EXPECT_EQ(error_of(R"({"threshold": "0.05"})"),
             "f:1:15: threshold = \"0.05\": must be a number; write 0.05, without quotation marks");

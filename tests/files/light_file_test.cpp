@@ -68,6 +68,17 @@ TEST(LightFile, WidestAnglesAreExact) {
   EXPECT_EQ(cone_of(R"({"profile": "smoothstep", "inner_deg": 0, "outer_deg": 180})"), Cone::smoothstep(0, pi));
 }
 
+TEST(LightFile, AngleThatFloatsRoundBeyondALimitIsTheLimit) {
+  const auto cone_of = [](const std::string& cone) {
+    return parse(R"({"attenuation": {"linear": 1}, "cone": )" + cone + "}").cone;
+  };
+  EXPECT_EQ(cone_of(R"({"profile": "cosine", "half_angle_deg": 90.0000025, "exponent": 0})"), Cone::cosine(pi / 2, 0));
+  EXPECT_EQ(cone_of(R"({"profile": "smoothstep", "inner_deg": 0, "outer_deg": 180.00001})"), Cone::smoothstep(0, pi));
+  EXPECT_EQ(error_of("{\"attenuation\": {\"linear\": 1},\n\"cone\": "
+                     R"({"profile": "cosine", "half_angle_deg": 90.00002, "exponent": 0}})"),
+            "f:2:49: cone.half_angle_deg = 90.00002: must be in (0, 90]");
+}
+
 TEST(LightFile, WrongMemberIsAnErrorAtItsLocationInTheFilesTerms) {
   const auto with = [](const std::string& members) {
     return error_of("{\"attenuation\": {\"linear\": 1},\n" + members + "}");

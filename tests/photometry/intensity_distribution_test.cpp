@@ -266,6 +266,8 @@ TEST(IntensityDistributionCheck, ErrorNamesWhatIsWrong) {
             "distribution.vertical = nan: must be within the range of its photometry type");
   EXPECT_EQ(error(kC, {0}, {-0.1, 1}, {1, 1}),
             "distribution.vertical = -0.1: must be within the range of its photometry type");
+  const auto half = double(float(std::numbers::pi / 2)), whole = double(float(2 * std::numbers::pi));
+  EXPECT_EQ(error(kC, {0, half, whole}, {0, 1}, {1, 1, 1, 1, 1, 1}), error(kC, {0}, {0, 1}, {1, 1})) << "floats";
   EXPECT_EQ(error(kC, {0, 1}, {0, 1}, {1, 1, 1, 1}), "distribution.horizontal = 1: must span pi / 2, pi or 2 pi");
   EXPECT_EQ(error(kA, {0}, {0, 1}, {1, 1}), "distribution.horizontal = 1: must be at least two angles");
   EXPECT_EQ(error(kA, {0, 1}, {0, 1.6}, {1, 1, 1, 1}),

@@ -419,6 +419,17 @@ class RuleTest(unittest.TestCase):
             self.assertEqual(str(raised.exception), sentence)
 
 
+    def test_numbers_that_floats_round_beyond_a_limit_are_the_limit(self):
+        half, whole = float(np.float32(math.pi / 2)), float(np.float32(math.pi))
+        given, meant = litfog.Cone.cosine(half, 4), litfog.Cone.cosine(math.pi / 2, 4)
+        self.assertGreater(half, math.pi / 2)
+        self.assertEqual(litfog.flux_within(given, whole), litfog.flux_within(meant, math.pi))
+        self.assertEqual(litfog.cone_at(given, 1 + 2**-23), 1)
+        litfog.FogUpdater().add(litfog.PlacedLight(litfog.Light(cone=litfog.Cone.smoothstep(0.5, whole))))
+        fitted = litfog.fit_cone(choice=litfog.ConeChoice.cosine, half_angle=half, beam_angle=1).best.cone
+        self.assertEqual(fitted.half_angle, math.pi / 2)
+
+
 class AirlightTest(unittest.TestCase):
     def setUp(self):
         self.fog = litfog.Fog.from_visibility(litfog.FogMode.exp, 1500)

@@ -13,7 +13,7 @@ namespace litfog::demo {
 namespace {
 
 constexpr int kMaxSide = 16'384;
-constexpr command::NumberRule kFraction{[](double x) { return x >= 0 && x <= 1; }, "must be a number in [0, 1]"};
+constexpr command::NumberRule kFraction{[](double x) { return x >= 0 && x <= 1; }, "must be a number in [0, 1]", 0, 1};
 constexpr command::NumberRule kPhase{scene::is_phase_g, scene::kPhaseRule};
 constexpr std::int64_t kMaxPixels = 40'000'000;  // some 3 GiB, 5 with airlight
 
@@ -36,8 +36,8 @@ void parse_size(const std::string& text, DrawingOptions& options) {
 void add_number(CLI::App& app, const std::string& name, std::optional<double>& target, command::NumberRule rule,
                 const std::string& description) {
   const auto parse = [&target, name, rule](const std::string& text) {
-    target = command::parse_number(text);
-    if (!target || !rule.accepts(*target)) command::fail_option(name, text, rule.text);
+    target = command::parse_number(text, rule);
+    if (!target) command::fail_option(name, text, rule.text);
   };
   app.add_option_function<std::string>(name, parse, description)->type_name("NUMBER");
 }
@@ -66,7 +66,7 @@ const char* why_without_airlight(const render::LightingPath& path) {
 }  // namespace
 
 const command::NumberRule kSeconds{[](double x) { return x >= 0 && x <= scene::kMaxSeconds; },
-                                   "must be a number in [0, 1e9]"};
+                                   "must be a number in [0, 1e9]", 0, scene::kMaxSeconds};
 
 double DrawingOptions::visibility_in(const scene::Scene& scene) const {
   if (!fog) return std::numeric_limits<double>::infinity();

@@ -11,6 +11,7 @@
 #include "command/command.h"
 #include "command/number.h"
 #include "files/hint.h"
+#include "float_limit.h"
 #include "litfog/input_error.h"
 #include "scene/model/city.h"
 
@@ -31,7 +32,7 @@ void add_point(CLI::App& app, const std::string& name, std::optional<glm::dvec3>
 
 const command::NumberRule kFieldOfView{
     [](double x) { return x >= scene::kLeastFieldOfViewDeg && x <= scene::kMostFieldOfViewDeg; },
-    "must be a number in [1, 150]"};
+    "must be a number in [1, 150]", scene::kLeastFieldOfViewDeg, scene::kMostFieldOfViewDeg};
 
 void add_scene(CLI::App& app, SceneOptions& options) {
   app.add_option("SCENE", options.scene,
@@ -62,8 +63,8 @@ void add_view(CLI::App& app, SceneOptions& options) {
   app.add_option_function<std::string>(
          "--fov-deg",
          [&options](const std::string& text) {
-           const auto angle = command::parse_number(text);
-           if (!angle || !kFieldOfView.accepts(*angle)) command::fail_option("--fov-deg", text, kFieldOfView.text);
+           const auto angle = command::parse_number(text, kFieldOfView);
+           if (!angle) command::fail_option("--fov-deg", text, kFieldOfView.text);
            options.field_of_view_deg = angle;
          },
          "Its vertical field of view (default the scene's)")
@@ -98,7 +99,8 @@ glm::dvec3 parse_point(const std::string& option, const std::string& text) {
   glm::dvec3 point;
   for (int i = 0; i < 3; ++i) {
     const auto number = command::parse_number(parts[std::size_t(i)]);
-    if (!number || !(std::abs(*number) <= scene::kMaxCoordinate)) command::fail_option(option, text, kPointRule);
+    if (!number || !is_within(*number, -scene::kMaxCoordinate, scene::kMaxCoordinate))
+      command::fail_option(option, text, kPointRule);
     point[i] = *number;
   }
   return point;

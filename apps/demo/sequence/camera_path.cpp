@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "files/json_document.h"
+#include "float_limit.h"
 
 namespace litfog::demo {
 namespace {
@@ -16,18 +17,19 @@ using Key = CameraPath::Key;
 
 glm::dvec3 point_of(const JsonValue& value) {
   const glm::dvec3 point = value.vec3();
-  if (glm::all(glm::lessThanEqual(glm::abs(point), glm::dvec3(scene::kMaxCoordinate)))) return point;
+  const auto is_coordinate = [](double x) { return is_within(x, -scene::kMaxCoordinate, scene::kMaxCoordinate); };
+  if (is_coordinate(point.x) && is_coordinate(point.y) && is_coordinate(point.z)) return point;
   value.fail(fmt::format("must have coordinates in [{}, {}]", -scene::kMaxCoordinate, scene::kMaxCoordinate));
 }
 
 double field_of_view_of(const JsonValue& value) {
-  const double degrees = value.number();
+  const double degrees = snapped(value.number(), scene::kLeastFieldOfViewDeg, scene::kMostFieldOfViewDeg);
   if (degrees >= scene::kLeastFieldOfViewDeg && degrees <= scene::kMostFieldOfViewDeg) return glm::radians(degrees);
   value.fail(fmt::format("must be in [{}, {}]", scene::kLeastFieldOfViewDeg, scene::kMostFieldOfViewDeg));
 }
 
 double seconds_of(const JsonValue& value) {
-  const double seconds = value.number();
+  const double seconds = snapped(value.number(), -scene::kMaxSeconds, scene::kMaxSeconds);
   if (std::abs(seconds) <= scene::kMaxSeconds) return seconds;
   value.fail("must be in [-1e9, 1e9]");
 }

@@ -74,8 +74,8 @@ template struct Course<glm::dvec3>;
 Course<double> parse_course(const std::string& option, const std::string& text, const command::NumberRule& rule,
                             Steps steps) {
   const auto parse = [&](std::string_view word) {
-    const auto number = command::parse_number(word);
-    if (!number || !rule.accepts(*number)) command::fail_option(option, word, rule.text);
+    const auto number = command::parse_number(word, rule);
+    if (!number) command::fail_option(option, word, rule.text);
     return *number;
   };
   if (const auto range = parse_range(option, text)) {

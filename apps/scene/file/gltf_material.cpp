@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/type_ptr.hpp>
 
+#include "float_limit.h"
 #include "scene/file/gltf_value.h"
 #include "scene/scene.h"
 
@@ -15,22 +17,31 @@ namespace {
 constexpr float kMaxShininess = 1000;
 constexpr double kBlendCutoff = 0.5;  // from which blended materials cast shadows
 
-/// The colour of `size` numbers, of which RGB count, or what stands for it where none is given.
-glm::vec3 color_or(const JsonValue& object, const char* name, std::size_t size, const glm::vec3& absent) {
-  const auto value = object.optional(name);
-  if (!value) return absent;
-  const std::vector<double> color = numbers(*value, size);
-  const bool is_color = std::ranges::all_of(color, [](double x) { return x >= 0 && x <= 1; });
-  if (!is_color) value->fail(fmt::format("must be {} numbers in [0, 1]", size));
-  return {color[0], color[1], color[2]};
+/// Exporters that convert between colour spaces write 1.00016. A quarter of a step of 8 bits in sRGB more than 1 shows
+/// on no display.
+constexpr double kLargestColor = 1 + 1.0 / 510;
+
+/// A colour of `size` numbers.
+std::vector<double> color_of(const JsonValue& value, std::size_t size) {
+  std::vector<double> color = numbers(value, size);
+  for (double& x : color) {
+    if (!(x >= 0 && x <= kLargestColor)) value.fail(fmt::format("must be {} numbers in [0, 1]", size));
+    x = std::min(x, 1.0);
+  }
+  return color;
 }
 
-glm::vec3 base_factor_of(const JsonValue& pbr) { return color_or(pbr, "baseColorFactor", 4, glm::vec3(1)); }
+/// The base colour's factor with its alpha, which is not in the texels.
+glm::dvec4 base_factor_of(const JsonValue& pbr) {
+  const auto factor = pbr.optional("baseColorFactor");
+  return factor ? glm::make_vec4(color_of(*factor, 4).data()) : glm::dvec4(1);
+}
 
 glm::vec3 emissive_of(const JsonValue& material) {
-  glm::vec3 emissive = color_or(material, "emissiveFactor", 3, glm::vec3(0));
+  const auto factor = material.optional("emissiveFactor");
+  glm::vec3 emissive = factor ? glm::vec3(glm::make_vec3(color_of(*factor, 3).data())) : glm::vec3(0);
   if (const auto extension = extension_of(material, "KHR_materials_emissive_strength")) {
-    const double strength = extension->number_or("emissiveStrength", 1);
+    const double strength = snapped(extension->number_or("emissiveStrength", 1), 0, kMaxColor);
     if (!(strength >= 0 && strength <= kMaxColor)) {
       extension->member("emissiveStrength").fail(fmt::format("must be in [0, {}]", kMaxColor));
     }
@@ -46,12 +57,12 @@ std::optional<GltfCoordinates> coordinates_of(const JsonValue& object, const cha
 
 float normal_scale_of(const JsonValue& texture_info) {
   const double scale = texture_info.number_or("scale", 1);
-  if (!(std::abs(scale) <= 1000)) texture_info.member("scale").fail("must be at most 1000");
+  if (!is_within(scale, -1000, 1000)) texture_info.member("scale").fail("must be at most 1000");
   return float(scale);
 }
 
 float factor_of(const JsonValue& object, const char* name) {
-  const double factor = object.number_or(name, 1);
+  const double factor = snapped(object.number_or(name, 1), 0, 1);
   if (!(factor >= 0 && factor <= 1)) object.member(name).fail("must be in [0, 1]");
   return float(factor);
 }
@@ -59,12 +70,6 @@ float factor_of(const JsonValue& object, const char* name) {
 bool is_blended(const JsonValue& material) {
   const auto mode = material.optional("alphaMode");
   return mode && mode->string() == "BLEND";
-}
-
-/// The alpha of the base colour's factor, which is not in the texels.
-double alpha_factor_of(const JsonValue& pbr) {
-  const auto factor = pbr.optional("baseColorFactor");
-  return factor ? numbers(*factor, 4)[3] : 1;
 }
 
 /// Material::least_coverage.
@@ -75,12 +80,12 @@ std::optional<float> least_coverage_of(const JsonValue& material, const JsonValu
   const double cutoff = is_blended(material) ? kBlendCutoff : material.number_or("alphaCutoff", 0.5);
   if (!(cutoff >= 0)) material.member("alphaCutoff").fail("must be >= 0");
   if (cutoff == 0) return std::nullopt;
-  return float(cutoff / alpha_factor_of(pbr));  // an alpha of 0 leaves no surface
+  return float(cutoff / base_factor_of(pbr).a);  // an alpha of 0 leaves no surface
 }
 
 /// Material::opacity.
 std::optional<float> opacity_of(const JsonValue& material, const JsonValue& pbr) {
-  return is_blended(material) ? std::optional(float(alpha_factor_of(pbr))) : std::nullopt;
+  return is_blended(material) ? std::optional(float(base_factor_of(pbr).a)) : std::nullopt;
 }
 
 }  // namespace
@@ -139,7 +144,7 @@ Material GltfMaterials::make_unlit(const std::string& name, const JsonValue& giv
           .normal = flat_,
           .specular = glm::vec3(0),
           .shininess = 1,
-          .emissive = base_factor_of(pbr),
+          .emissive = glm::vec3(base_factor_of(pbr)),
           .plain_albedo = texture ? std::nullopt : std::optional(glm::vec3(1)),
           .least_coverage = least_coverage,
           .opacity = opacity_of(given, pbr),
@@ -147,7 +152,7 @@ Material GltfMaterials::make_unlit(const std::string& name, const JsonValue& giv
 }
 
 Material GltfMaterials::make_lit(const std::string& name, const JsonValue& given, const JsonValue& pbr) {
-  const glm::vec3 factor = base_factor_of(pbr);
+  const glm::vec3 factor(base_factor_of(pbr));
   const auto base_texture = pbr.optional("baseColorTexture");
   GltfPicture& base = base_texture ? pictures_.use(*base_texture) : white_;
   const auto rough_texture = pbr.optional("metallicRoughnessTexture");

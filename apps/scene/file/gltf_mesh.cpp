@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "float_limit.h"
 #include "scene/file/gltf_draco.h"
 #include "scene/file/gltf_value.h"
 #include "scene/scene.h"
@@ -63,7 +64,10 @@ void flatten(Mesh& mesh) {
 
 template <glm::length_t N>
 bool is_within_limits(const glm::vec<N, float>& v) {
-  return glm::all(glm::lessThanEqual(glm::abs(v), glm::vec<N, float>(kMaxCoordinate)));
+  for (glm::length_t i = 0; i < N; ++i) {
+    if (!is_within(double(v[i]), -kMaxCoordinate, kMaxCoordinate)) return false;
+  }
+  return true;
 }
 
 /// What a primitive gives of its vertices, and its indices; no data of what it lacks.

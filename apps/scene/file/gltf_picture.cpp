@@ -10,6 +10,7 @@
 #include <new>
 #include <string>
 
+#include "float_limit.h"
 #include "image/png_text.h"
 #include "scene/file/gltf_uri.h"
 #include "scene/file/gltf_value.h"
@@ -89,7 +90,8 @@ GltfCoordinates coordinates_of(const JsonValue& texture_info) {
     const auto given = transform->optional(name);
     if (!given) return absent;
     const glm::dvec2 value = glm::make_vec2(numbers(*given, 2).data());
-    if (!glm::all(glm::lessThanEqual(glm::abs(value), glm::dvec2(kLargestTransform))))
+    if (!is_within(value.x, -kLargestTransform, kLargestTransform) ||
+        !is_within(value.y, -kLargestTransform, kLargestTransform))
       given->fail("must be at most 1e6");
     return value;
   };

@@ -18,6 +18,7 @@
 #include <numbers>
 #include <set>
 
+#include "float_limit.h"
 #include "litfog/fog_light_block.h"
 #include "litfog/input_error.h"
 #include "scene/file/gltf_file.h"
@@ -205,7 +206,7 @@ class GltfReader {
 
   static void expect_within_limits(const JsonValue& node, const glm::dmat4& transform) {
     const double* const first = glm::value_ptr(transform);
-    if (!std::all_of(first, first + 16, [](double x) { return std::abs(x) <= kMaxCoordinate; })) {
+    if (!std::all_of(first, first + 16, [](double x) { return is_within(x, -kMaxCoordinate, kMaxCoordinate); })) {
       node.fail(fmt::format("must lie within {} metres", kMaxCoordinate));
     }
   }
@@ -378,7 +379,7 @@ class GltfReader {
   }
 
   static Cone read_cone(const JsonValue& spot) {
-    const double outer = spot.number_or("outerConeAngle", std::numbers::pi / 4);
+    const double outer = snapped(spot.number_or("outerConeAngle", std::numbers::pi / 4), 0, std::numbers::pi / 2);
     if (!(outer <= std::numbers::pi / 2)) spot.member("outerConeAngle").fail("must be at most pi/2");
     const double inner = spot.number_or("innerConeAngle", 0);
     // Exporters write a hard edge as inner = outer. As in the extension's own formula, cosines are 0.001 apart at

@@ -22,6 +22,7 @@
 #include "files/json_document.h"
 #include "files/json_text.h"
 #include "files/light_json.h"
+#include "float_limit.h"
 #include "litfog/files/light_file.h"
 #include "litfog/fog_light_block.h"
 #include "litfog/input_error.h"
@@ -49,8 +50,7 @@ const std::vector<std::string_view> kLightEntryMembers{
 const std::vector<std::string_view> kMembersOfTheLight{"attenuation", "threshold", "cone", "density_scale"};
 
 bool is_color(const glm::dvec3& color) {
-  return glm::all(glm::greaterThanEqual(color, glm::dvec3(0.0))) &&
-         glm::all(glm::lessThanEqual(color, glm::dvec3(kMaxColor)));
+  return is_within(color.r, 0, kMaxColor) && is_within(color.g, 0, kMaxColor) && is_within(color.b, 0, kMaxColor);
 }
 const std::string kColorRule = fmt::format("must be a colour of numbers in [0, {}]", kMaxColor);
 
@@ -69,7 +69,8 @@ std::filesystem::path canonical_path(const std::filesystem::path& path) {
 }
 
 glm::dvec3 position_of(const JsonValue& value) {
-  const glm::dvec3 position = value.vec3();
+  glm::dvec3 position = value.vec3();
+  for (int i = 0; i < 3; ++i) position[i] = snapped(position[i], -kMaxCoordinate, kMaxCoordinate);
   if (!is_position(position)) value.fail(kPositionRule);
   return position;
 }
@@ -77,7 +78,7 @@ glm::dvec3 position_of(const JsonValue& value) {
 /// Fails where a light file states what the renderer's floats cannot hold.
 const Light& checked(const JsonValue& value, const Light& light) {
   if (!is_color(light.color)) value.fail(value.path() + ".color", "", kColorRule);
-  if (!(light.density_scale <= kMaxDensityScale)) {
+  if (!is_within(light.density_scale, 0, kMaxDensityScale)) {
     value.fail(value.path() + ".density_scale", fmt::format("{}", light.density_scale),
                fmt::format("must be at most {}", kMaxDensityScale));
   }
@@ -99,7 +100,7 @@ glm::dvec3 direction(const JsonValue& value) {
 }
 
 double number_in(const JsonValue& value, double low, double high) {
-  const double number = value.number();
+  const double number = snapped(value.number(), low, high);
   if (!(number >= low && number <= high)) value.fail(fmt::format("must be in [{}, {}]", low, high));
   return number;
 }
@@ -250,10 +251,10 @@ class SceneReader {
     const bool is_file_name = !scene_.name.empty() && scene_.name.front() != '.' &&
                               scene_.name.find('/') == scene_.name.npos &&
                               std::ranges::none_of(scene_.name, [](unsigned char c) { return c < ' ' || c == 127; });
-    if (is_file_name) return;
     if (name && name->string().size() > NAME_MAX) {
       name->fail(fmt::format("must be at most {} bytes: files take it", NAME_MAX));
     }
+    if (is_file_name) return;
     if (name) name->fail(kRule);
     root.fail("name", files::quoted_excerpt(scene_.name), kRule);
   }
@@ -270,17 +271,17 @@ class SceneReader {
     }
   }
 
-  /// What `read` makes of the light file that a string names.
   /// The file that a string names, by the scene's folder.
   std::string file_of(const JsonValue& name) const {
     if (name.string().size() > PATH_MAX) name.fail(fmt::format("must be a file's name of at most {} bytes", PATH_MAX));
     return (folder_ / name.string()).string();
   }
 
+  /// What `read` makes of the light file that a string names.
   template <typename Read>
   auto from_light_file(const JsonValue& name, const Read& read) {
-    try {
     scene_.files.push_back(file_of(name));
+    try {
       return read(scene_.files.back());
     } catch (const InputError& error) {
       name.fail(std::string("must be a light file: ") + error.what());
@@ -572,12 +573,12 @@ std::filesystem::path scene_folder() { return command::bundled_folder("scenes");
 }  // namespace
 
 std::string changed_member(const std::string& member) {
-  const std::size_t dot = member.find("].") + 1;
   constexpr std::size_t kLongest = 200;  // longer than any member's path, which errors quote
   if (member.size() > kLongest) {
     throw InputError({.file = kChangePlace}, files::quoted_excerpt(member), "",
                      "must be a member such as lights[0].position");
   }
+  const std::size_t dot = member.find("].") + 1;
   if (!member.starts_with("lights[") || dot == 0) return member;
   const std::string name = member.substr(dot + 1, member.find_first_of(".[", dot + 1) - dot - 1);
   const auto is_one_of = [&name](const auto& names) { return std::ranges::find(names, name) != std::end(names); };

@@ -9,6 +9,8 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "float_limit.h"
+
 namespace litfog::scene {
 namespace {
 
@@ -24,6 +26,7 @@ double shortest_decimal(float value) {
 }  // namespace
 
 std::optional<std::string> check(const ParameterInfo& parameter, double value) {
+  value = snapped(value, parameter.minimum, parameter.maximum);
   if (!(value >= parameter.minimum && value <= parameter.maximum)) {
     return fmt::format("must be in [{}, {}]", parameter.minimum, parameter.maximum);
   }
@@ -58,7 +61,7 @@ void ParameterList::set(const ModelParameters& parameters) const {
     if (const auto rule = check(entry->info, value)) {
       throw std::invalid_argument(fmt::format("{} = {}: {}", name, value, *rule));
     }
-    entry->set(value);
+    entry->set(snapped(value, entry->info.minimum, entry->info.maximum));
   }
   for (const auto& rule : rules_) {
     if (const auto error = rule()) throw std::invalid_argument(*error);
