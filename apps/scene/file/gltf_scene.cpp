@@ -187,6 +187,12 @@ class GltfReader {
 
   // --- nodes ---
 
+  static glm::dquat rotation_of(const JsonValue& rotation) {
+    const std::vector<double> r = numbers(rotation, 4);
+    if (std::ranges::count(r, 0.0) == 4) rotation.fail("must not be all 0");
+    return glm::normalize(glm::dquat(r[3], r[0], r[1], r[2]));
+  }
+
   static glm::dmat4 local_transform(const JsonValue& node) {
     if (const auto matrix = node.optional("matrix")) return glm::make_mat4(numbers(*matrix, 16).data());
     glm::dmat4 transform(1.0);
@@ -194,14 +200,27 @@ class GltfReader {
       transform = glm::translate(transform, glm::make_vec3(numbers(*translation, 3).data()));
     }
     if (const auto rotation = node.optional("rotation")) {
-      const std::vector<double> r = numbers(*rotation, 4);
-      if (std::ranges::count(r, 0.0) == 4) rotation->fail("must not be all 0");
-      transform *= glm::mat4_cast(glm::normalize(glm::dquat(r[3], r[0], r[1], r[2])));
+      transform *= glm::mat4_cast(rotation_of(*rotation));
     }
     if (const auto scale = node.optional("scale")) {
       transform = glm::scale(transform, glm::make_vec3(numbers(*scale, 3).data()));
     }
     return transform;
+  }
+
+  /// A node's turn without its scale: one of 0 hides meshes, but leaves a light or a camera, which it does not scale.
+  static glm::dmat3 local_turn(const JsonValue& node) {
+    const auto matrix = node.optional("matrix");
+    if (!matrix) {
+      const auto rotation = node.optional("rotation");
+      return rotation ? glm::mat3_cast(rotation_of(*rotation)) : glm::dmat3(1.0);
+    }
+    glm::dmat3 turn(1.0);
+    for (int i = 0; i < 3; ++i) {
+      const glm::dvec3 axis(local_transform(node)[i]);
+      if (glm::length(axis) > 0) turn[i] = glm::normalize(axis);
+    }
+    return turn;
   }
 
   static void expect_within_limits(const JsonValue& node, const glm::dmat4& transform) {
@@ -215,18 +234,20 @@ class GltfReader {
     struct Visit {
       std::size_t node;
       glm::dmat4 world_from_parent;
+      glm::dmat3 parents_turn;
       bool is_carried;
     };
     std::vector<Visit> visits;
-    const auto add = [&](const std::vector<JsonValue>& nodes, const glm::dmat4& transform, bool carried) {
+    const auto add = [&](const std::vector<JsonValue>& nodes, const glm::dmat4& transform, const glm::dmat3& turn,
+                         bool carried) {
       for (std::size_t i = nodes.size(); i-- > 0;) {  // so that the first comes off the stack first
-        visits.push_back({index_in(nodes_, nodes[i]), transform, carried});
+        visits.push_back({index_in(nodes_, nodes[i]), transform, turn, carried});
       }
     };
     const std::vector<JsonValue> scenes = items_of(file_.root(), "scenes");
     if (scenes.empty()) file_.root().fail("must hold a scene");
     const auto chosen = file_.root().optional("scene");
-    add(items_of(scenes[chosen ? index_in(scenes, *chosen) : 0], "nodes"), glm::dmat4(1.0), false);
+    add(items_of(scenes[chosen ? index_in(scenes, *chosen) : 0], "nodes"), glm::dmat4(1.0), glm::dmat3(1.0), false);
     std::vector<std::size_t> with_mesh;  // read when all nodes are known, which may be joints of their skins
     while (!visits.empty()) {
       Visit visit = visits.back();
@@ -236,12 +257,13 @@ class GltfReader {
       const glm::dmat4 world_from_node = visit.world_from_parent * local_transform(node);
       expect_within_limits(node, world_from_node);
       world_from_node_[visit.node] = world_from_node;
-      if (const auto camera = node.optional("camera")) visit.is_carried |= read_camera(*camera, world_from_node);
+      const glm::dmat3 turn = visit.parents_turn * local_turn(node);
+      if (const auto camera = node.optional("camera")) visit.is_carried |= read_camera(*camera, world_from_node, turn);
       if (node.optional("mesh")) with_mesh.push_back(visit.node);
       if (const auto punctual = extension_of(node, kPunctual)) {
-        read_light(punctual->member("light"), world_from_node, visit.is_carried);
+        read_light(punctual->member("light"), world_from_node, turn, visit.is_carried);
       }
-      add(items_of(node, "children"), world_from_node, visit.is_carried);
+      add(items_of(node, "children"), world_from_node, turn, visit.is_carried);
     }
     for (const std::size_t node : with_mesh) read_instances(nodes_[node], *world_from_node_[node]);
   }
@@ -249,7 +271,7 @@ class GltfReader {
   // --- camera ---
 
   /// Returns whether it is the camera that sees the scene.
-  bool read_camera(const JsonValue& index, const glm::dmat4& world_from_node) {
+  bool read_camera(const JsonValue& index, const glm::dmat4& world_from_node, const glm::dmat3& turn) {
     const JsonValue& camera = cameras_[index_in(cameras_, index)];
     const bool is_perspective = camera.member("type").string() == "perspective";
     if (forward_ || !is_perspective) {
@@ -259,8 +281,9 @@ class GltfReader {
     const JsonValue field_of_view = camera.member("perspective").member("yfov");
     const double yfov = field_of_view.number();
     if (!(yfov > 0 && yfov < std::numbers::pi * 0.95)) field_of_view.fail("must be in (0, 2.98) radians");
-    const glm::dmat3 axes(world_from_node);
-    if (!(std::abs(glm::determinant(axes)) > 0)) index.fail("must not be at a node of scale 0");
+    glm::dmat3 axes(world_from_node);
+    if (!(std::abs(glm::determinant(axes)) > 0)) axes = turn;
+    if (!(std::abs(glm::determinant(axes)) > 0)) index.fail("must not be at a node without axes");
     glm::dvec3 forward = -glm::normalize(axes[2]);
     const glm::dvec3 up = glm::normalize(axes[1]);
     // One that looks straight up or down has no upright but its own: 0.06 degrees of tilt keep it.
@@ -315,7 +338,7 @@ class GltfReader {
 
   // --- lights ---
 
-  void read_light(const JsonValue& index, const glm::dmat4& world_from_node, bool is_carried) {
+  void read_light(const JsonValue& index, const glm::dmat4& world_from_node, const glm::dmat3& turn, bool is_carried) {
     const std::size_t number = index_in(lights_, index);
     const JsonValue& light = lights_[number];
     const JsonValue type = light.member("type");
@@ -333,8 +356,9 @@ class GltfReader {
     const double brightest = std::max({at_one_metre.r, at_one_metre.g, at_one_metre.b});
     if (brightest == 0) return;
     glm::dvec3 axis = -glm::dvec3(world_from_node[2]);
+    if (!(glm::length(axis) > 0)) axis = -turn[2];
     if (!(glm::length(axis) > 0)) {
-      if (is_spot || is_directional) index.fail("must not be at a node of scale 0");
+      if (is_spot || is_directional) index.fail("must not be at a node without axes");
       axis = {0, 0, -1};  // of a light that shines all around
     }
     if (is_directional) {
@@ -357,8 +381,9 @@ class GltfReader {
     double knee_square = std::min(brightest / kBrightestAtKnee, kLargestKnee * kLargestKnee);
     knee_square = std::max(knee_square, brightest / kMaxColor);
     placed.light.threshold = kLeast * knee_square / brightest;
-    if (const double range = light.number_or("range", 0); range != 0) {
-      if (!(range > 0 && range <= kMaxCoordinate)) light.member("range").fail("must be > 0 and at most 1e7");
+    if (double range = light.number_or("range", 0); range != 0) {
+      if (!(range > 0)) light.member("range").fail("must be > 0");
+      range = std::min(range, kMaxCoordinate);  // beyond the scene
       knee_square = std::min(knee_square, range * range / 4);
       placed.light.threshold = knee_square / (range * range);
     }
