@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -96,6 +97,12 @@ struct Scene {
 /// Whether a number can be a scene's phase_g: at 1 all light would go straight ahead, at -1 straight back.
 constexpr bool is_phase_g(double g) { return g > -1 && g < 1; }
 inline constexpr const char* kPhaseRule = "must be in (-1, 1)";
+
+/// A scene's phase_g in a float, in which what is next to 1 would be 1.
+inline float shader_phase_g(const Scene& scene) {
+  constexpr float kLargest = 0x1.fffffep-1f;
+  return std::clamp(float(scene.phase_g), -kLargest, kLargest);
+}
 
 /// Largest time: a cookie or light of ten turns a second is then still in place to a thousandth of a degree.
 inline constexpr double kMaxSeconds = 1e9;

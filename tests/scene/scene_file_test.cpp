@@ -140,6 +140,8 @@ TEST_F(SceneFile, FogHasNoTopAndNoAsymmetryWhereNoneIsStated) {
   const Scene stated = read("\"fog_top_m\": -12.5, \"phase_g\": -0.75, \"objects\": []");
   EXPECT_EQ(stated.fog_top, -12.5);
   EXPECT_EQ(stated.phase_g, -0.75);
+  EXPECT_LT(shader_phase_g(read("\"phase_g\": 0.99999999, \"objects\": []")), 1);
+  EXPECT_GT(shader_phase_g(read("\"phase_g\": -0.99999999, \"objects\": []")), -1);
   EXPECT_EQ(read("\"fog_top_m\": 1e308, \"objects\": []").fog_top, 1e308);
 }
 

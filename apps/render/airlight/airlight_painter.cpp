@@ -323,7 +323,7 @@ void AirlightPainter::use(const gl::Program& program, const Frame& frame, const 
   set_uniform(program, "forward", frame.view.forward);
   set_uniform(program, "near_plane", kNearPlane);
   set_fog_top(program, scene_);
-  set_uniform(program, "asymmetry", float(scene_.phase_g));
+  set_uniform(program, "asymmetry", scene::shader_phase_g(scene_));
   set_uniform(program, "shadow_maps", kShadowMapUnit);
   set_uniform(program, "shadow_casters", kShadowCasterUnit);
   set_uniform(program, "caster_of_light", kCasterOfLightUnit);

@@ -430,7 +430,7 @@ void SurfacePainter::set_frame_uniforms(const Frame& frame, const ShaderVariant&
     set_uniform(program, "airlight_entries", kEntryUnit);
     set_uniform(program, "airlight_count", int(frame.airlights));
     if (frame.far_airlight) frame.far_airlight->bind(program);
-    set_uniform(program, "asymmetry", float(scene_.phase_g));
+    set_uniform(program, "asymmetry", scene::shader_phase_g(scene_));
     set_uniform(program, "shaft_steps", settings_.shaft_steps);
   }
 }
