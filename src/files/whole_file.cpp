@@ -243,6 +243,12 @@ void remove_stale_temporaries(const fs::path& folder) {
   }
 }
 
+void remove_temporaries() {
+  for (const TemporaryName& name : temporary_names) {
+    if (name.is_set) unlink(name.path.data());
+  }
+}
+
 void remove_temporaries_on_signals() {
   for (const int signal : {SIGHUP, SIGINT, SIGQUIT, SIGTERM}) {
     struct sigaction action {};
