@@ -65,7 +65,7 @@ TEST(PlacedLight, PositionBeyondTheUseOfFloatIsAnError) {
   EXPECT_EQ(placed_error_after([](PlacedLight& p) { p.position.x = kNan; }), "position.x = nan" + rule);
   EXPECT_EQ(placed_error_after([](PlacedLight& p) { p.position.x = 1e300; }), "position.x = 1e+300" + rule);
   EXPECT_EQ(placed_error_after([](PlacedLight& p) { p.position.y = -kInfinity; }), "position.y = -inf" + rule);
-  EXPECT_EQ(placed_error_after([](PlacedLight& p) { p.position.z = -16777217; }), "position.z = -16777217" + rule);
+  EXPECT_EQ(placed_error_after([](PlacedLight& p) { p.position.z = -16777219; }), "position.z = -16777219" + rule);
   EXPECT_EQ(placed_error_after([](PlacedLight& p) { p.position = {kMaxPosition, -kMaxPosition, -0.0}; }), "accepted");
 }
 

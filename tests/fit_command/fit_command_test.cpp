@@ -533,7 +533,8 @@ TEST_F(FitCommand, OutputReplacesNothingButALightThatWasFitted) {
   for (const std::string& text : {std::string(kBeam), std::string(kIes), by_hand, std::string("{\"litfog\": \"light"),
                                   std::string(R"({"litfog": "scene", "version": 1, "fit": {}})")}) {
     write("earlier.json", text);
-    EXPECT_ERROR(run("lamp.json -o earlier.json --plot earlier.svg"), kCannotWrite, "earlier.json" + reason + "\n");
+    EXPECT_ERROR(run("lamp.json -o earlier.json --plot earlier.svg"), kCannotWrite,
+                 "lamp.json: earlier.json" + reason + "\n");
     EXPECT_EQ(read("earlier.json"), text);
     EXPECT_FALSE(files().contains("earlier.svg"));
   }
@@ -548,7 +549,7 @@ TEST_F(FitCommand, OutputReplacesNothingButALightThatWasFitted) {
   write("lights/beam.json", kBeam);
   const Outcome outcome = run("lamp.json beam.json spot.ies -o lights");
   EXPECT_EQ(outcome.status, kCannotWrite);
-  EXPECT_EQ(outcome.err, "lights/beam.json" + reason + "\n");
+  EXPECT_EQ(outcome.err, "beam.json: lights/beam.json" + reason + "\n");
   EXPECT_EQ(read("lights/beam.json"), kBeam);
   for (const char* other : {"lights/lamp.json", "lights/spot.json"}) EXPECT_TRUE(files().contains(other)) << other;
 }

@@ -363,7 +363,7 @@ TEST_F(GltfScene, ScaleOfZeroLeavesALightsAndTheCamerasDirection) {
   light = {{"type", "spot"}, {"spot", json::object()}};
   const Scene scene = read(file);
   EXPECT_LT(glm::distance(scene.lights.at(0).direction, glm::dvec3(0, -1, 0)), 1e-12);
-  EXPECT_EQ(scene.camera.position, glm::vec3(0, 5, 5));
+  EXPECT_EQ(scene.camera.position, glm::dvec3(0, 5, 5));
   EXPECT_LT(glm::distance(axes_of(scene.camera).forward, glm::dvec3(0, -half, -half)), 1e-6);
   light = {{"type", "directional"}};
   EXPECT_LT(glm::distance(read(file).environment.moon_direction, glm::vec3(0, 1, 0)), 1e-6f);
