@@ -30,10 +30,7 @@
 namespace litfog::python {
 namespace {
 
-/// str(object)
-std::string text_of(const py::object& object) { return py::cast<std::string>(py::str(object)); }
-
-std::string name_of(const py::object& object) { return "litfog." + text_of(object.attr("__class__").attr("__name__")); }
+std::string name_of(const py::object& object) { return "litfog." + str_of(object.attr("__class__").attr("__name__")); }
 
 /// "mode=litfog.FogMode.exp, density=0.5"
 std::string fields_text(const py::object& object, const std::vector<std::string>& fields) {
@@ -43,7 +40,7 @@ std::string fields_text(const py::object& object, const std::vector<std::string>
     // The repr() of an enumerator, "<FogMode.exp: 0>", does not read back; its str() does.
     const bool is_enumerator = py::hasattr(py::type::of(value), "__members__");
     text += (text.empty() ? "" : ", ") + field + "=";
-    text += is_enumerator ? "litfog." + text_of(value) : text_of(py::repr(value));
+    text += is_enumerator ? "litfog." + str_of(value) : str_of(py::repr(value));
   }
   return text;
 }
@@ -84,7 +81,7 @@ PyObject* enumerator_of(PyTypeObject* type, PyObject* arguments, PyObject* keywo
       auto member = py::reinterpret_borrow<py::object>(value_of_name);
       const py::int_ number(member);
       if (is_number && number.equal(py::int_(py::reinterpret_borrow<py::object>(given)))) return member.release().ptr();
-      known += (known.empty() ? "" : ", ") + text_of(number) + " (" + name.cast<std::string>() + ")";
+      known += (known.empty() ? "" : ", ") + str_of(number) + " (" + name.cast<std::string>() + ")";
     }
     PyErr_Format(PyExc_ValueError, "%s = %R: must be one of %s", type->tp_name, value, known.c_str());
   } catch (py::error_already_set& error) {
@@ -172,14 +169,14 @@ namespace {
 /// be made without a word, and results written into one would be lost.
 py::array take_array(const py::object& object, const std::string& name, const py::dtype& dtype, bool is_written) {
   const auto refuse_type = [&name, &dtype](const std::string& what_it_is) {
-    throw py::type_error(name + ": must be a NumPy array of " + text_of(dtype) + ", is " + what_it_is);
+    throw py::type_error(name + ": must be a NumPy array of " + str_of(dtype) + ", is " + what_it_is);
   };
   if (!py::isinstance<py::array>(object)) {
-    refuse_type("of type " + text_of(py::type::of(object).attr("__name__")));
+    refuse_type("of type " + str_of(py::type::of(object).attr("__name__")));
   }
   expect_plain_values(object, name);
   auto array = py::reinterpret_borrow<py::array>(object);
-  if (!array.dtype().equal(dtype)) refuse_type("one of " + text_of(array.dtype()));
+  if (!array.dtype().equal(dtype)) refuse_type("one of " + str_of(array.dtype()));
   constexpr int kNeeded = int(py::array::c_style) | int(py::detail::npy_api::NPY_ARRAY_ALIGNED_);
   if ((array.flags() & kNeeded) != kNeeded) {
     throw py::value_error(name + ": must be contiguous and aligned; numpy.ascontiguousarray makes such a copy");
@@ -314,7 +311,7 @@ py::object solve_batch(const Lights& lights, FogMode mode, const py::object& out
   std::optional<Solutions> solutions;
   if (!out.is_none()) {
     if (!py::isinstance<Solutions>(out)) {
-      throw py::type_error("out: must be a BatchSolutions, is of type " + text_of(py::type::of(out).attr("__name__")));
+      throw py::type_error("out: must be a BatchSolutions, is of type " + str_of(py::type::of(out).attr("__name__")));
     }
     solutions = out.cast<Solutions>();
   }
@@ -331,8 +328,8 @@ py::array take_out(const py::object& out, const std::vector<py::ssize_t>& shape)
   if (out.is_none()) return py::array_t<double>(shape);
   py::array array = take_array(out, "out", py::dtype::of<double>(), true);
   if (!std::equal(shape.begin(), shape.end(), array.shape(), array.shape() + array.ndim())) {
-    throw py::value_error("out: must have the shape " + text_of(py::tuple(py::cast(shape))) + ", has " +
-                          text_of(array.attr("shape")));
+    throw py::value_error("out: must have the shape " + str_of(py::tuple(py::cast(shape))) + ", has " +
+                          str_of(array.attr("shape")));
   }
   return array;
 }
@@ -557,7 +554,7 @@ void bind_lights(py::module_& m) {
       over_numbers<Cone>("cos_angle",
                          [](const Cone& shape, double cos_angle) {
                            return cone_at(require_checked(shape),
-                                         require_within(-1, 1, "cos_angle", cos_angle, "must be in [-1, 1]"));
+                                          require_within(-1, 1, "cos_angle", cos_angle, "must be in [-1, 1]"));
                          }),
       py::arg("cone"), py::arg("cos_angle"),
       "Fraction of the axial intensity that a cone sends into a direction, by the cosine of its angle from the axis;\n"

@@ -8,9 +8,6 @@ namespace {
 
 namespace py = pybind11;
 
-/// str(object)
-std::string text_of(const py::object& object) { return py::cast<std::string>(py::str(object)); }
-
 /// Whether an array masks any of its values, or of their members, as those of numpy.ma do.
 bool has_masked_values(const py::handle& array) {
   const py::object mask = py::getattr(array, "mask", py::none());
@@ -20,6 +17,8 @@ bool has_masked_values(const py::handle& array) {
 }
 
 }  // namespace
+
+std::string str_of(const py::object& object) { return py::cast<std::string>(py::str(object)); }
 
 void expect_plain_values(const py::handle& object, const std::string& name) {
   if (py::isinstance<py::list>(object) || py::isinstance<py::tuple>(object)) {
@@ -34,7 +33,7 @@ void expect_plain_values(const py::handle& object, const std::string& name) {
   }
   for (const char* unit : {"unit", "units"}) {  // of astropy, of pint
     if (!py::hasattr(object, unit)) continue;
-    throw py::type_error(name + ": must be plain numbers, has the unit " + text_of(object.attr(unit)));
+    throw py::type_error(name + ": must be plain numbers, has the unit " + str_of(object.attr(unit)));
   }
 }
 
@@ -45,7 +44,7 @@ py::array_t<double> take_numbers(const py::object& object, const std::string& na
   if (!array) throw py::type_error(name + ": must be a number or an array of numbers");
   constexpr std::string_view kRealKinds = "fiub";
   if (kRealKinds.find(array.dtype().kind()) == kRealKinds.npos) {
-    throw py::type_error(name + ": must be real numbers, is an array of " + text_of(array.dtype()));
+    throw py::type_error(name + ": must be real numbers, is an array of " + str_of(array.dtype()));
   }
   return py::array_t<double, py::array::forcecast>::ensure(array);
 }

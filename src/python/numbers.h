@@ -8,6 +8,9 @@
 
 namespace litfog::python {
 
+/// str(object)
+std::string str_of(const pybind11::object& object);
+
 /// Refuses an array whose values alone are not all that it says: one with masked values, or with a unit; or a list of
 /// such.
 ///
