@@ -427,7 +427,7 @@ TEST_F(SolveCommand, BatchSolvesEachRowWhateverByteAnotherHasInPlaceOfOne) {
     }
     std::map<std::string, std::size_t> times;
     for (const std::string& line : lines_of(read_solved(all))) ++times[line];
-    for (const std::size_t row : {1, 2, 4}) EXPECT_EQ(times[solved[row]], rows[2].size()) << int(byte) << solved[row];
+    for (const std::size_t row : {1u, 2u, 4u}) EXPECT_EQ(times[solved[row]], rows[2].size()) << int(byte) << solved[row];
   }
 }
 
