@@ -12,18 +12,11 @@
 #include <string>
 
 #include "litfog/photometry/cookie_airlight.h"
+#include "photometry/smooth_cookie.h"
 #include "reference/airlight_climb.h"
 
 namespace litfog::test {
 namespace {
-
-/// A beam of cos^4 that is flatter than it is wide: as fine as a cookie may be for its stated error.
-Cookie make_smooth_cookie() {
-  return make_cookie(64, [](const glm::dvec3& direction) {
-    const glm::dvec3 d = glm::normalize(direction * glm::dvec3(0.7, 1, 1));
-    return std::pow(std::max(-d.z, 0.0), 4);
-  });
-}
 
 /// The error of the airlight of a case, of the lamp's colour or of the airlight where that is brighter.
 double error_of(const AirlightCase& c, const Cookie* cookie) {

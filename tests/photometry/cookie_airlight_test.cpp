@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 #include <string>
 
+#include "photometry/smooth_cookie.h"
 #include "reference/random_airlight.h"
 #include "reference/ulp.h"
 
@@ -20,14 +21,6 @@ namespace {
 glm::dmat3 cookie_from_world_of(const AirlightCase& c, Random& random) {
   const glm::dvec3 right = draw_perpendicular(random, c.light.direction);
   return glm::transpose(glm::dmat3(right, glm::cross(right, c.light.direction), -c.light.direction));
-}
-
-/// A beam of cos^4 that is flatter than it is wide.
-Cookie smooth_cookie() {
-  return make_cookie(64, [](const glm::dvec3& direction) {
-    const glm::dvec3 d = glm::normalize(direction * glm::dvec3(0.7, 1, 1));
-    return std::pow(std::max(-d.z, 0.0), 4);
-  });
 }
 
 TEST(CookieAirlight, WhiteCookieIsAPointLight) {
@@ -47,7 +40,7 @@ TEST(CookieAirlight, WhiteCookieIsAPointLight) {
 
 TEST(CookieAirlight, SmoothCookieHasItsStatedError) {
   Random random(82);
-  const Cookie cookie = smooth_cookie();
+  const Cookie cookie = make_smooth_cookie();
   WorstError error("airlight", "cookies", kCookieAirlightMaxError * 255, "/255");
   for (int i = 0; i < 1000; ++i) {
     AirlightCase c = draw_airlight_case(random, random.pick(kModes), random.pick(kLampLegs));
