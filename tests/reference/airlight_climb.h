@@ -63,10 +63,10 @@ inline AirlightCase case_at(const ClimbPoint& point, const ClimbKind& kind) {
 
   const double z = 2 * axial - 1, radius = std::sqrt(1 - z * z), around = 2 * std::numbers::pi * turn;
   made.light.direction = glm::normalize(glm::dvec3(radius * std::cos(around), radius * std::sin(around), z));
-  const auto degrees_up_to = [&between](double largest, double angle) {
-    return angle < 0.1   ? largest
-           : angle < 0.5 ? std::lerp(0.1, largest, (angle - 0.1) / 0.4)
-                         : between(2 * angle - 1, 0.1, largest);
+  const auto degrees_up_to = [&between](double largest, double part) {
+    return part < 0.1   ? largest
+           : part < 0.5 ? std::lerp(0.1, largest, (part - 0.1) / 0.4)
+                        : between(2 * part - 1, 0.1, largest);
   };
   if (kind.shape == LampShape::cosine) {
     light.cone = Cone::cosine(degrees_up_to(90, angle) * kDegree, one_or(sharpness, 0.15, 0, 0.5, 2000));
