@@ -11,7 +11,7 @@
 #include "litfog/airlight.h"
 #include "litfog/files/light_file.h"
 #include "litfog/solve.h"
-#include "shown_number.h"
+#include "text/shown_number.h"
 
 namespace litfog::bench {
 namespace {

@@ -19,10 +19,10 @@
 #include "command/printable.h"
 #include "files/hint.h"
 #include "files/whole_file.h"
-#include "float_limit.h"
 #include "litfog/files/output_error.h"
 #include "litfog/fog.h"
 #include "litfog/input_error.h"
+#include "model/float_limit.h"
 
 namespace litfog::command {
 

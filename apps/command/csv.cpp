@@ -8,10 +8,10 @@
 #include <iterator>
 #include <utility>
 
-#include "code_points.h"
 #include "command/exit_status.h"
 #include "litfog/input_error.h"
-#include "system_reason.h"
+#include "text/code_points.h"
+#include "text/system_reason.h"
 
 namespace litfog::command {
 

@@ -13,7 +13,7 @@
 
 #include "command/exit_status.h"
 #include "litfog/files/output_error.h"
-#include "system_reason.h"
+#include "text/system_reason.h"
 
 namespace litfog::command {
 

@@ -7,7 +7,7 @@
 
 #include "command/printable.h"
 #include "litfog/files/output_error.h"
-#include "system_reason.h"
+#include "text/system_reason.h"
 
 namespace litfog::command {
 namespace {

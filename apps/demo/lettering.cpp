@@ -3,8 +3,8 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
-#include "code_points.h"
 #include "image/image_library.h"
+#include "text/code_points.h"
 
 namespace litfog::demo {
 

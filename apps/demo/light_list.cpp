@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "files/angle_deg.h"
-#include "shown_number.h"
+#include "text/shown_number.h"
 
 namespace litfog::demo {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "files/angle_deg.h"
 #include "fit/verdict.h"
-#include "shown_number.h"
+#include "text/shown_number.h"
 
 namespace litfog::fit {
 namespace {

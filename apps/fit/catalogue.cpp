@@ -18,7 +18,7 @@
 #include "fit/fit_figure.h"
 #include "fit/fog_picture.h"
 #include "litfog/files/output_error.h"
-#include "shown_number.h"
+#include "text/shown_number.h"
 
 namespace litfog::fit {
 namespace {

@@ -14,7 +14,7 @@
 #include "files/angle_deg.h"
 #include "fit/advice.h"
 #include "fit/verdict.h"
-#include "shown_number.h"
+#include "text/shown_number.h"
 
 namespace litfog::fit {
 

@@ -11,8 +11,8 @@
 #include <numbers>
 #include <utility>
 
-#include "code_points.h"
 #include "files/angle_deg.h"
+#include "text/code_points.h"
 
 namespace litfog::fit {
 

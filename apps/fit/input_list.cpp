@@ -12,15 +12,15 @@
 #include <system_error>
 #include <utility>
 
-#include "ascii_text.h"
 #include "command/bundled_data.h"
 #include "command/option_rule.h"
-#include "file_text.h"
 #include "files/hint.h"
 #include "litfog/input_error.h"
 #include "litfog/photometry/isocandela.h"
 #include "litfog/photometry/tm33.h"
-#include "system_reason.h"
+#include "text/ascii_text.h"
+#include "text/file_text.h"
+#include "text/system_reason.h"
 
 namespace litfog::fit {
 namespace {

@@ -13,11 +13,11 @@
 #include <utility>
 
 #include "files/angle_deg.h"
-#include "float_limit.h"
 #include "litfog/input_error.h"
 #include "litfog/photometry/axial_beam.h"
 #include "litfog/photometry/elliptical_beam.h"
-#include "shown_number.h"
+#include "model/float_limit.h"
+#include "text/shown_number.h"
 
 namespace litfog::fit {
 namespace {

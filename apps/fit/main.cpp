@@ -42,7 +42,7 @@
 #include "litfog/files/output_error.h"
 #include "litfog/input_error.h"
 #include "litfog/photometry/cookie_file.h"
-#include "parallel.h"
+#include "model/parallel.h"
 
 using namespace litfog::command;
 using namespace litfog::fit;

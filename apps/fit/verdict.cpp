@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "shown_number.h"
+#include "text/shown_number.h"
 
 namespace litfog::fit {
 namespace {

@@ -13,7 +13,7 @@
 #include "measure/lookup_bounds.h"
 #include "measure/night_sky.h"
 #include "measure/path_model.h"
-#include "parallel.h"
+#include "model/parallel.h"
 #include "render/gpu/geometry_buffer.h"
 
 namespace litfog::measure {

@@ -19,14 +19,14 @@
 #include "command/progress.h"
 #include "command/table.h"
 #include "command/uncaught.h"
-#include "file_text.h"
 #include "files/hint.h"
 #include "files/json_text.h"
 #include "litfog/airlight.h"
 #include "litfog/files/light_file.h"
 #include "litfog/input_error.h"
 #include "litfog/solve.h"
-#include "system_reason.h"
+#include "text/file_text.h"
+#include "text/system_reason.h"
 
 using namespace litfog::command;
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "command/number.h"
-#include "shown_number.h"
+#include "text/shown_number.h"
 #include "window/controls.h"
 #include "window/range_curve.h"
 

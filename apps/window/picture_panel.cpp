@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <string>
 
-#include "shown_number.h"
+#include "text/shown_number.h"
 #include "window/camera_motion.h"
 #include "window/light_pick.h"
 

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "litfog/litfog.h"
+#include "litfog/c/litfog.h"
 
 namespace litfog::c {
 

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 
+#include "litfog/c/litfog.h"
 #include "litfog/fog.h"
 #include "litfog/light.h"
-#include "litfog/litfog.h"
 
 // A caller's structs as C++ has them. Numbers that are no enumerator throw std::invalid_argument; all other rules are
 // those of the C++ calls, which check them.

@@ -5,7 +5,7 @@
 #include "litfog/light_bounds.h"
 #include "litfog/light_clusters.h"
 #include "litfog/view_frustum.h"
-#include "require.h"
+#include "model/require.h"
 
 using namespace litfog;
 

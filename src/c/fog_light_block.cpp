@@ -6,9 +6,9 @@
 #include "c/call.h"
 #include "c/convert.h"
 #include "c/layout.h"
-#include "fog_light_count.h"
 #include "litfog/solve.h"
-#include "require.h"
+#include "model/require.h"
+#include "tables/fog_light_count.h"
 
 using namespace litfog;
 

@@ -5,7 +5,7 @@
 #include "c/convert.h"
 #include "c/layout.h"
 #include "litfog/fog.h"
-#include "require.h"
+#include "model/require.h"
 
 using namespace litfog;
 

@@ -5,7 +5,7 @@
 
 #include "c/call.h"
 #include "c/convert.h"
-#include "code_points.h"
+#include "text/code_points.h"
 
 using namespace litfog;
 

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "c/call.h"
-#include "shader_assembly.h"
+#include "tables/shader_assembly.h"
 
 using namespace litfog;
 

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "litfog/litfog.h"
+#include "litfog/c/litfog.h"
 
 namespace litfog::c {
 

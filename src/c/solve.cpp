@@ -11,7 +11,7 @@
 #include "c/layout.h"
 #include "litfog/airlight.h"
 #include "litfog/batch.h"
-#include "require.h"
+#include "model/require.h"
 
 using namespace litfog;
 

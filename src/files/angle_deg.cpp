@@ -4,7 +4,7 @@
 #include <array>
 #include <charconv>
 
-#include "shown_number.h"
+#include "text/shown_number.h"
 
 namespace litfog::files {
 

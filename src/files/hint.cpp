@@ -11,8 +11,8 @@
 #include <numeric>
 #include <optional>
 
-#include "ascii_text.h"
-#include "float_limit.h"
+#include "model/float_limit.h"
+#include "text/ascii_text.h"
 
 namespace litfog::files {
 namespace {

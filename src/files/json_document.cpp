@@ -16,10 +16,10 @@
 #include <utility>
 #include <variant>
 
-#include "code_points.h"
-#include "file_text.h"
 #include "files/hint.h"
 #include "files/json_text.h"
+#include "text/code_points.h"
+#include "text/file_text.h"
 
 namespace litfog::files {
 

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <nlohmann/json.hpp>
 
-#include "code_points.h"
+#include "text/code_points.h"
 
 namespace litfog::files {
 namespace {

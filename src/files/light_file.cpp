@@ -14,8 +14,8 @@
 #include "files/json_text.h"
 #include "files/light_json.h"
 #include "files/whole_file.h"
-#include "float_limit.h"
-#include "require.h"
+#include "model/float_limit.h"
+#include "model/require.h"
 
 namespace litfog {
 namespace files {

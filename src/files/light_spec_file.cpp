@@ -15,9 +15,9 @@
 #include "files/json_text.h"
 #include "files/light_json.h"
 #include "files/whole_file.h"
-#include "float_limit.h"
 #include "litfog/color_temperature.h"
 #include "litfog/light.h"
+#include "model/float_limit.h"
 
 namespace litfog {
 

@@ -20,7 +20,7 @@
 #include <utility>
 
 #include "litfog/files/output_error.h"
-#include "system_reason.h"
+#include "text/system_reason.h"
 
 namespace litfog::files {
 

@@ -11,8 +11,8 @@
 #include "fit/attenuation_reach.h"
 #include "fit/falloff.h"
 #include "fit/falloff_search.h"
-#include "float_limit.h"
-#include "shown_number.h"
+#include "model/float_limit.h"
+#include "text/shown_number.h"
 
 namespace litfog {
 namespace {

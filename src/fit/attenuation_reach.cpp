@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "number_text.h"
-#include "shown_number.h"
+#include "text/number_text.h"
+#include "text/shown_number.h"
 
 namespace litfog {
 namespace {

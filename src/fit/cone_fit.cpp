@@ -12,9 +12,9 @@
 #include "fit/cone_search.h"
 #include "fit/cosine_profile.h"
 #include "fit/smoothstep_profile.h"
-#include "float_limit.h"
-#include "require.h"
-#include "versine.h"
+#include "model/float_limit.h"
+#include "model/require.h"
+#include "model/versine.h"
 
 namespace litfog {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "litfog/fit/cone_fit.h"
-#include "versine.h"
+#include "model/versine.h"
 
 // Internal.
 

@@ -6,10 +6,10 @@
 #include <cstddef>
 #include <string>
 
-#include "fog_light_count.h"
 #include "gl/upload_ranges.h"
 #include "litfog/gl/unsupported.h"
-#include "require.h"
+#include "model/require.h"
+#include "tables/fog_light_count.h"
 
 namespace litfog::gl {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "shader_assembly.h"
+#include "tables/shader_assembly.h"
 
 namespace litfog::gl {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "angle_index.h"
+#include "photometry/angle_index.h"
 
 #include <limits>
 

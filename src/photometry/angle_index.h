@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "measured_angles.h"
+#include "photometry/measured_angles.h"
 
 namespace litfog {
 

@@ -7,12 +7,12 @@
 #include <numbers>
 #include <span>
 
-#include "circle_sampler.h"
-#include "dark_edge.h"
-#include "darkness.h"
-#include "float_limit.h"
-#include "measured_angles.h"
-#include "require.h"
+#include "model/float_limit.h"
+#include "model/require.h"
+#include "photometry/circle_sampler.h"
+#include "photometry/dark_edge.h"
+#include "photometry/darkness.h"
+#include "photometry/measured_angles.h"
 
 namespace litfog {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "circle_sampler.h"
+#include "photometry/circle_sampler.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "measured_angles.h"
+#include "photometry/measured_angles.h"
 
 namespace litfog {
 namespace {

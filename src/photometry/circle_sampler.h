@@ -5,10 +5,10 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "angle_index.h"
-#include "darkness.h"
 #include "litfog/photometry/intensity_distribution.h"
-#include "pole_coordinates.h"
+#include "photometry/angle_index.h"
+#include "photometry/darkness.h"
+#include "photometry/pole_coordinates.h"
 
 namespace litfog {
 

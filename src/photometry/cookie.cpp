@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <glm/common.hpp>
 
-#include "float_limit.h"
 #include "litfog/photometry/cube_face.h"
-#include "require.h"
+#include "model/float_limit.h"
+#include "model/require.h"
 
 namespace litfog {
 namespace {

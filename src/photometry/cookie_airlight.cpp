@@ -5,10 +5,10 @@
 #include <cmath>
 #include <vector>
 
-#include "airlight_quadrature.h"
-#include "airlight_text.h"
-#include "require.h"
-#include "unchecked.h"
+#include "airlight/airlight_quadrature.h"
+#include "airlight/airlight_text.h"
+#include "model/require.h"
+#include "model/unchecked.h"
 
 namespace litfog {
 namespace {

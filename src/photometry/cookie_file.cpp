@@ -10,9 +10,9 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "file_text.h"
 #include "litfog/input_error.h"
-#include "require.h"
+#include "model/require.h"
+#include "text/file_text.h"
 
 namespace litfog {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "darkness.h"
+#include "photometry/darkness.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <span>
 #include <utility>
 
-#include "measured_angles.h"
+#include "photometry/measured_angles.h"
 
 namespace litfog {
 namespace {

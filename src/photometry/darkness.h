@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "litfog/photometry/intensity_distribution.h"
-#include "pole_coordinates.h"
+#include "photometry/pole_coordinates.h"
 
 namespace litfog {
 

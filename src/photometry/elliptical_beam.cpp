@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "dark_edge.h"
-#include "float_limit.h"
-#include "require.h"
+#include "model/float_limit.h"
+#include "model/require.h"
+#include "photometry/dark_edge.h"
 
 namespace litfog {
 namespace {

@@ -11,11 +11,11 @@
 #include <type_traits>
 #include <utility>
 
-#include "gldf_archive.h"
 #include "litfog/input_error.h"
-#include "luminaire_text.h"
-#include "text_encoding.h"
-#include "xml_text.h"
+#include "photometry/gldf_archive.h"
+#include "photometry/luminaire_text.h"
+#include "photometry/text_encoding.h"
+#include "photometry/xml_text.h"
 
 namespace litfog {
 namespace {

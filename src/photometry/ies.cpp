@@ -8,9 +8,9 @@
 #include <iterator>
 #include <map>
 
-#include "ascii_text.h"
-#include "photometric_grid.h"
-#include "text_scanner.h"
+#include "photometry/photometric_grid.h"
+#include "photometry/text_scanner.h"
+#include "text/ascii_text.h"
 
 namespace litfog {
 namespace {

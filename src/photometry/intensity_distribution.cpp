@@ -8,10 +8,10 @@
 #include <numbers>
 #include <span>
 
-#include "float_limit.h"
-#include "measured_angles.h"
-#include "pole_coordinates.h"
-#include "require.h"
+#include "model/float_limit.h"
+#include "model/require.h"
+#include "photometry/measured_angles.h"
+#include "photometry/pole_coordinates.h"
 
 namespace litfog {
 namespace {

@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "ascii_text.h"
-#include "float_limit.h"
 #include "litfog/photometry/elliptical_beam.h"
-#include "text_scanner.h"
+#include "model/float_limit.h"
+#include "photometry/text_scanner.h"
+#include "text/ascii_text.h"
 
 namespace litfog {
 namespace {

@@ -6,18 +6,18 @@
 #include <filesystem>
 #include <numbers>
 
-#include "ascii_text.h"
-#include "float_limit.h"
-#include "gldf_archive.h"
 #include "litfog/photometry/eulumdat.h"
 #include "litfog/photometry/gldf.h"
 #include "litfog/photometry/ies.h"
 #include "litfog/photometry/isocandela.h"
 #include "litfog/photometry/tm33.h"
-#include "luminaire_text.h"
-#include "require.h"
-#include "text_encoding.h"
-#include "text_scanner.h"
+#include "model/float_limit.h"
+#include "model/require.h"
+#include "photometry/gldf_archive.h"
+#include "photometry/luminaire_text.h"
+#include "photometry/text_encoding.h"
+#include "photometry/text_scanner.h"
+#include "text/ascii_text.h"
 
 namespace litfog {
 namespace {

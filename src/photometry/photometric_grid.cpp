@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "photometric_grid.h"
+#include "photometry/photometric_grid.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "float_limit.h"
-#include "number_text.h"
+#include "model/float_limit.h"
+#include "text/number_text.h"
 
 namespace litfog {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "litfog/photometry/intensity_distribution.h"
-#include "text_scanner.h"
+#include "photometry/text_scanner.h"
 
 namespace litfog {
 

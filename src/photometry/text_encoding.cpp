@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "text_encoding.h"
+#include "photometry/text_encoding.h"
 
 #include <iconv.h>
 #include <uchardet/uchardet.h>

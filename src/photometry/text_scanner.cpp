@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "text_scanner.h"
+#include "photometry/text_scanner.h"
 
 #include <utf8.h>
 
@@ -8,10 +8,10 @@
 #include <cmath>
 #include <optional>
 
-#include "ascii_text.h"
-#include "code_points.h"
-#include "file_text.h"
-#include "text_encoding.h"
+#include "photometry/text_encoding.h"
+#include "text/ascii_text.h"
+#include "text/code_points.h"
+#include "text/file_text.h"
 
 namespace litfog {
 namespace {

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "photometric_grid.h"
-#include "xml_text.h"
+#include "photometry/photometric_grid.h"
+#include "photometry/xml_text.h"
 
 namespace litfog {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "xml_text.h"
+#include "photometry/xml_text.h"
 
 #include <new>
 
-#include "ascii_text.h"
+#include "text/ascii_text.h"
 
 namespace litfog {
 namespace {

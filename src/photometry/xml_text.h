@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "text_scanner.h"
+#include "photometry/text_scanner.h"
 
 namespace litfog {
 

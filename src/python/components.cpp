@@ -21,10 +21,10 @@
 #include "litfog/photometry/gldf.h"
 #include "litfog/photometry/intensity_distribution.h"
 #include "litfog/photometry/luminaire.h"
+#include "model/require.h"
 #include "python/errors.h"
 #include "python/module.h"
 #include "python/numbers.h"
-#include "require.h"
 
 namespace litfog::python {
 namespace {

@@ -14,7 +14,6 @@
 #include <utility>
 #include <vector>
 
-#include "float_limit.h"
 #include "litfog/airlight.h"
 #include "litfog/attenuation.h"
 #include "litfog/batch.h"
@@ -24,8 +23,9 @@
 #include "litfog/light.h"
 #include "litfog/solve.h"
 #include "litfog/updater.h"
+#include "model/float_limit.h"
+#include "model/require.h"
 #include "python/numbers.h"
-#include "require.h"
 
 namespace litfog::python {
 namespace {

@@ -16,7 +16,7 @@ abi = xml.etree.ElementTree.parse(abi_file).getroot()
 released = {symbol.get("name") for symbol in abi.iter("elf-symbol")}
 lines = subprocess.run([nm, "-D", "--defined-only", library], check=True, capture_output=True, text=True).stdout
 exported = {line.split()[2].split("@")[0] for line in lines.splitlines() if line.split()[1] != "A"}
-header = open(f"{include}/litfog/litfog.h", encoding="utf-8").read()
+header = open(f"{include}/litfog/c/litfog.h", encoding="utf-8").read()
 declared = set(re.findall(r"^LITFOG_API [^(]*?(litfog_\w+)\(", header, re.MULTILINE))
 assert released and released <= exported, f"no longer exported: {sorted(released - exported)}"
 assert exported == declared, f"exported or declared alone: {sorted(exported ^ declared)}"
@@ -32,5 +32,5 @@ for struct in abi.iter("class-decl"):
         field = member.find("var-decl").get("name")
         checks.append(f"offsetof({name}, {field}) == {int(member.get('layout-offset-in-bits')) // 8}")
 assert len(checks) > 100
-source = "#include <litfog/litfog.h>\n" + "".join(f'_Static_assert({c}, "{c}");\n' for c in checks)
+source = "#include <litfog/c/litfog.h>\n" + "".join(f'_Static_assert({c}, "{c}");\n' for c in checks)
 subprocess.run([compiler, "-std=c11", "-fsyntax-only", f"-I{include}", "-xc", "-"], check=True, input=source, text=True)

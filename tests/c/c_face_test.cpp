@@ -17,9 +17,9 @@
 
 #include "core/allocation_count.h"
 #include "litfog/airlight.h"
+#include "litfog/c/litfog.h"
 #include "litfog/files/light_file.h"
 #include "litfog/fog_light_block.h"
-#include "litfog/litfog.h"
 #include "litfog/solve.h"
 #include "litfog/updater.h"
 #include "reference/random_light.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A host in C99 that goes through the whole C face once. Ends with 1 and the line of the first thing that is wrong.
-#include <litfog/litfog.h>
+#include <litfog/c/litfog.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -20,8 +20,8 @@
 #include <string>
 #include <vector>
 
-#include "airlight_quadrature.h"
-#include "airlight_text.h"
+#include "airlight/airlight_quadrature.h"
+#include "airlight/airlight_text.h"
 #include "core/simd_targets.h"
 #include "core/value_errors.h"
 #include "litfog/solve.h"

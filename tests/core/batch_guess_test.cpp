@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "batch_guess.h"
+#include "solve/batch_guess.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "file_text.h"
+#include "text/file_text.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -11,7 +11,7 @@
 
 #include "command/temporary_directory.h"
 #include "litfog/input_error.h"
-#include "system_reason.h"
+#include "text/system_reason.h"
 
 namespace litfog::test {
 namespace {

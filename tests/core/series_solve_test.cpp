@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "series_solve.h"
+#include "solve/series_solve.h"
 
 #include <gtest/gtest.h>
 

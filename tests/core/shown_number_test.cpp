@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "shown_number.h"
+#include "text/shown_number.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "stationary_guess.h"
+#include "solve/stationary_guess.h"
 
 #include <gtest/gtest.h>
 

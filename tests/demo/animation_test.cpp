@@ -8,7 +8,7 @@
 
 #include "command/temporary_directory.h"
 #include "demo/picture_file.h"
-#include "file_text.h"
+#include "text/file_text.h"
 
 namespace litfog::test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <litfog/litfog.h>
+#include <litfog/c/litfog.h>
 #include <stdio.h>
 
 int main(int count, char** arguments) {

@@ -2,6 +2,7 @@
 # Includes run one way only:
 #
 #     core  <-  photometry, files, gl  <-  fit;   c on core and files, python on fit and files           (src)
+#     within the core: model, text  <-  solve, airlight  <-  culling  <-  tables
 #     command  <-  image  <-  scene  <-  render  <-  measure  <-  demo  <-  window, pictures;   bench on measure;
 #     solve and fit on command alone; browser on scene and what of render and window WebGL 2 can hold    (apps)
 #
@@ -47,12 +48,17 @@ set(foreign ${ceres} ${json} ${graphics} ${images} ${containers} ${meshes} ${dis
 set(commands command/ image/ scene/ render/ measure/ solve/ demo/ bench/ pictures/)
 
 # src. The public headers show no other library but GLM.
-set(apps command/ image/ scene/ render/ measure/ solve/ demo/ bench/ window/ pictures/)
+set(apps command/ image/ scene/ render/ measure/ demo/ bench/ window/ pictures/)  # src has a solve/ of its own
 set(photometry photometry/ litfog/photometry/)
 set(files files/ litfog/files/)
 set(gl gl/ litfog/gl/)
 set(fit fit/ litfog/fit/)
-layer(src/* include/litfog/* FORBIDDEN ${apps} ${photometry} ${files} ${gl} ${fit} ${foreign} fmt/)
+set(core src/model/* src/text/* src/solve/* src/airlight/* src/culling/* src/tables/*)
+layer(${core} include/litfog/* FORBIDDEN ${apps} ${photometry} ${files} ${gl} ${fit} ${foreign} fmt/)
+layer(src/model/* src/text/* FORBIDDEN solve/ airlight/ culling/ tables/)
+layer(src/solve/* FORBIDDEN airlight/ culling/ tables/)
+layer(src/airlight/* FORBIDDEN culling/ tables/)
+layer(src/culling/* FORBIDDEN tables/)
 layer(src/photometry/** FORBIDDEN ${apps} ${files} ${gl} ${fit} ${ceres} ${json} ${graphics} OpenImageIO/)
 layer(src/gl/** FORBIDDEN ${apps} ${photometry} ${files} ${fit} ${ceres} ${json} ${images})
 layer(src/c/** FORBIDDEN ${apps} ${photometry} ${gl} ${fit} ${foreign} fmt/)
@@ -62,7 +68,7 @@ layer(include/litfog/photometry/** FORBIDDEN ${files} ${gl} ${fit})
 layer(include/litfog/gl/** FORBIDDEN ${photometry} ${files} ${fit})
 layer(include/litfog/fit/** FORBIDDEN ${gl})
 layer(include/litfog/** FORBIDDEN ${apps} ${foreign} fmt/)
-layer(include/litfog/litfog.h FORBIDDEN litfog/ glm/)  # C knows neither
+layer(include/litfog/c/litfog.h FORBIDDEN litfog/ glm/)  # C knows neither
 
 # apps. Scene data and the renderer know no file; only the scenes' readers do.
 set(catalogues scene/model/ scene/paint/)

@@ -11,8 +11,8 @@
 #include "command/command.h"
 #include "command/number.h"
 #include "files/hint.h"
-#include "float_limit.h"
 #include "litfog/input_error.h"
+#include "model/float_limit.h"
 #include "scene/model/city.h"
 
 namespace litfog::demo {

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "files/json_document.h"
-#include "float_limit.h"
+#include "model/float_limit.h"
 
 namespace litfog::demo {
 namespace {

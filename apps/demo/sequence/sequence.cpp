@@ -15,11 +15,11 @@
 #include "command/wall_timer.h"
 #include "demo/picture_folder.h"
 #include "demo/sequence/animation.h"
-#include "file_text.h"
 #include "files/whole_file.h"
 #include "litfog/input_error.h"
 #include "render/renderer.h"
-#include "shown_number.h"
+#include "text/file_text.h"
+#include "text/shown_number.h"
 
 namespace litfog::demo {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The smallest host in C: lights and changes of the visibility go in, the bytes to upload come out.
-#include <litfog/litfog.h>
+#include <litfog/c/litfog.h>
 #include <stdio.h>
 #include <stdlib.h>
 

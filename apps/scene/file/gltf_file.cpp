@@ -11,11 +11,11 @@
 #include <optional>
 #include <utility>
 
-#include "file_text.h"
 #include "litfog/input_error.h"
 #include "scene/file/gltf_meshopt.h"
 #include "scene/file/gltf_uri.h"
 #include "scene/file/gltf_value.h"
+#include "text/file_text.h"
 
 namespace litfog::scene {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <glm/gtc/type_ptr.hpp>
 
-#include "float_limit.h"
+#include "model/float_limit.h"
 #include "scene/file/gltf_value.h"
 #include "scene/scene.h"
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "float_limit.h"
+#include "model/float_limit.h"
 #include "scene/file/gltf_draco.h"
 #include "scene/file/gltf_value.h"
 #include "scene/scene.h"

@@ -10,8 +10,8 @@
 #include <new>
 #include <string>
 
-#include "float_limit.h"
 #include "image/png_text.h"
+#include "model/float_limit.h"
 #include "scene/file/gltf_uri.h"
 #include "scene/file/gltf_value.h"
 #include "scene/srgb.h"

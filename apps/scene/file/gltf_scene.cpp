@@ -18,9 +18,9 @@
 #include <numbers>
 #include <set>
 
-#include "float_limit.h"
 #include "litfog/fog_light_block.h"
 #include "litfog/input_error.h"
+#include "model/float_limit.h"
 #include "scene/file/gltf_file.h"
 #include "scene/file/gltf_material.h"
 #include "scene/file/gltf_mesh.h"
@@ -31,11 +31,11 @@
 namespace litfog::scene {
 namespace {
 
-constexpr double kBrightestAtKnee = 16;                // of the display's white
-constexpr double kLargestKnee = 1;                     // metres
-constexpr double kLeast = 1.0 / 512;                   // half of 1/256 of the display's white
-constexpr double kLeastTilt = 1e-3;                    // radians from the vertical, which floats tell from it
-constexpr double kLeastRoll = 0.026;                   // radians, 1.5 degrees: less is not told
+constexpr double kBrightestAtKnee = 16;   // of the display's white
+constexpr double kLargestKnee = 1;        // metres
+constexpr double kLeast = 1.0 / 512;      // half of 1/256 of the display's white
+constexpr double kLeastTilt = 1e-3;       // radians from the vertical, which floats tell from it
+constexpr double kLeastRoll = 0.026;      // radians, 1.5 degrees: less is not told
 constexpr double kBrightestSun = 65'504;  // of the display's white: a framebuffer's half floats end there
 constexpr std::string_view kPunctual = "KHR_lights_punctual";
 constexpr std::string_view kBasisu = "KHR_texture_basisu";

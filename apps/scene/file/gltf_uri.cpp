@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <filesystem>
 
-#include "file_text.h"
 #include "litfog/input_error.h"
+#include "text/file_text.h"
 
 namespace litfog::scene {
 namespace {

@@ -9,7 +9,7 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "float_limit.h"
+#include "model/float_limit.h"
 
 namespace litfog::scene {
 namespace {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "level_range.h"
 #include "litfog/batch.h"
-#include "require.h"
+#include "model/level_range.h"
+#include "model/require.h"
 
 namespace litfog {
 namespace {

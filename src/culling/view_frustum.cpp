@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "lit_polytope.h"
-#include "require.h"
+#include "model/require.h"
 
 namespace litfog {
 

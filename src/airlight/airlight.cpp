@@ -10,10 +10,10 @@
 
 #include "airlight_quadrature.h"
 #include "airlight_text.h"
-#include "float_limit.h"
-#include "level_range.h"
-#include "require.h"
-#include "unchecked.h"
+#include "model/float_limit.h"
+#include "model/level_range.h"
+#include "model/require.h"
+#include "model/unchecked.h"
 
 namespace litfog {
 namespace {

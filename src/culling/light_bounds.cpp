@@ -6,9 +6,9 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "float_limit.h"
 #include "lit_polytope.h"
-#include "require.h"
+#include "model/float_limit.h"
+#include "model/require.h"
 
 namespace litfog {
 

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <cstdint>
 
-#include "level_range.h"
+#include "model/level_range.h"
 #include "stationary_guess.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "series_solve.cpp"  // this file, once for each target
+#define HWY_TARGET_INCLUDE "solve/series_solve.cpp"  // this file, once for each target
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 

@@ -6,18 +6,18 @@
 #include <limits>
 #include <numbers>
 
-#include "batch_columns.h"
 #include "litfog/airlight.h"
-#include "unchecked.h"
+#include "model/unchecked.h"
+#include "solve/batch_columns.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "axial_batch.cpp"  // this file, once for each SIMD target
+#define HWY_TARGET_INCLUDE "airlight/axial_batch.cpp"  // this file, once for each SIMD target
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 // Highway's order: highway.h first.
 #include <hwy/contrib/math/math-inl.h>
 
-#include "batch_lanes.h"
+#include "solve/batch_lanes.h"
 
 // Gauss-Legendre nodes and weights of (0, 1), once for all targets.
 #ifndef LITFOG_AXIAL_NODES

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "cluster_runs.h"
-#include "require.h"
+#include "model/require.h"
 
 namespace litfog {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "litfog/airlight.h"
 #include "litfog/formulas.h"
-#include "unchecked.h"
+#include "model/unchecked.h"
 
 // The airlight's formulas as C++: the text that the shaders share (litfog/shaders/airlight.glsl), and its arguments.
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "litfog/fog_light_block.h"
-#include "require.h"
+#include "model/require.h"
 
 namespace litfog {
 

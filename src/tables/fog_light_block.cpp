@@ -8,8 +8,8 @@
 
 #include "fog_light_count.h"
 #include "litfog/shaders/cone_profile.glsl"
-#include "require.h"
-#include "unchecked.h"
+#include "model/require.h"
+#include "model/unchecked.h"
 
 namespace litfog {
 namespace {

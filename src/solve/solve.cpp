@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
-#include "level_range.h"
-#include "require.h"
+#include "model/level_range.h"
+#include "model/require.h"
+#include "model/unchecked.h"
 #include "series_solve.h"
-#include "unchecked.h"
 
 namespace litfog {
 namespace {

@@ -7,10 +7,10 @@
 #include "batch_columns.h"
 #include "batch_guess.h"
 #include "litfog/solve.h"
-#include "unchecked.h"
+#include "model/unchecked.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "batch.cpp"  // this file, once for each SIMD target
+#define HWY_TARGET_INCLUDE "solve/batch.cpp"  // this file, once for each SIMD target
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 // Highway's order: highway.h first.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "litfog/value_error.h"
 
-#include "number_text.h"
+#include "text/number_text.h"
 
 namespace litfog {
 

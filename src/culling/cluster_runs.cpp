@@ -9,7 +9,7 @@
 #include <limits>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "cluster_runs.cpp"  // this file, once for each SIMD target
+#define HWY_TARGET_INCLUDE "culling/cluster_runs.cpp"  // this file, once for each SIMD target
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "litfog/batch.h"
-#include "require.h"
-#include "unchecked.h"
+#include "model/require.h"
+#include "model/unchecked.h"
 
 namespace litfog {
 namespace {
