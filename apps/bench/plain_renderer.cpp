@@ -11,13 +11,13 @@
 #include <span>
 
 #include "litfog/gl/check_errors.h"
-#include "render/fog_top.h"
 #include "render/gpu/depth.h"
+#include "render/gpu/render_shaders.h"
 #include "render/gpu/texture_unit.h"
 #include "render/gpu/uniform.h"
 #include "render/light/light_map_store.h"
 #include "render/light/light_point.h"
-#include "render/render_shaders.h"
+#include "render/plan/fog_top.h"
 #include "render/renderer.h"
 #include "render/surface/mesh_store.h"
 #include "scene/light_frame.h"

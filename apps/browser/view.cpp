@@ -12,12 +12,12 @@
 #include "browser/page_shaders.h"
 #include "litfog/gl/check_errors.h"
 #include "litfog/gl/unsupported.h"
-#include "render/fog_top.h"
-#include "render/frustum.h"
 #include "render/gpu/depth.h"
 #include "render/gpu/uniform.h"
 #include "render/light/light_point.h"
 #include "render/light/light_threshold.h"
+#include "render/plan/fog_top.h"
+#include "render/plan/frustum.h"
 
 namespace litfog::browser {
 namespace {

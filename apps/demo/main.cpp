@@ -18,21 +18,21 @@
 #include "command/uncaught.h"
 #include "demo/compare/path_comparison.h"
 #include "demo/compare/settings_comparison.h"
-#include "demo/drawing.h"
-#include "demo/heat_map.h"
+#include "demo/gallery.h"
 #include "demo/light_list.h"
-#include "demo/options/drawing_options.h"
-#include "demo/options/picture_options.h"
-#include "demo/options/scene_options.h"
-#include "demo/picture_file.h"
 #include "demo/sequence/animation.h"
 #include "demo/sequence/sequence.h"
-#include "demo/sheet/gallery.h"
-#include "demo/sheet/paper_sheets.h"
 #include "demo/window_job.h"
+#include "drawing/drawing.h"
+#include "drawing/drawing_options.h"
+#include "drawing/heat_map.h"
+#include "drawing/picture_file.h"
+#include "drawing/picture_options.h"
+#include "drawing/scene_options.h"
 #include "files/whole_file.h"
 #include "litfog/gl/headless_context.h"
 #include "litfog/gl/unsupported.h"
+#include "papers/paper_sheets.h"
 #include "scene/file/scene_file.h"
 
 namespace {
@@ -80,14 +80,14 @@ using Job = std::function<ExitStatus()>;
 /// Those that are named, or all that come with litfog.
 std::vector<std::string> scene_paths(std::vector<std::string> scenes) {
   if (scenes.empty()) scenes = scene::bundled_scenes();
-  std::ranges::transform(scenes, scenes.begin(), scene_path);
+  std::ranges::transform(scenes, scenes.begin(), drawing::scene_path);
   return scenes;
 }
 
 /// Options of a single picture.
 struct PictureOptions {
-  SceneOptions scene;
-  DrawingOptions drawing;
+  drawing::SceneOptions scene;
+  drawing::DrawingOptions drawing;
   std::string output;
   std::string heat_map;
   std::string stats;
@@ -97,10 +97,10 @@ struct PictureOptions {
 
 /// Throws the usage error of options that do not belong together.
 void check_picture_options(const CLI::App& app, const PictureOptions& options) {
-  const DrawingOptions& drawing = options.drawing;
+  const drawing::DrawingOptions& drawing = options.drawing;
   const auto is_given = [&app](const char* option) { return app.count(option) > 0; };
   if (!is_given("SCENE")) throw CLI::ValidationError("a scene must be given: see litfog-demo list scenes");
-  auto rules = drawing_rules(drawing);
+  auto rules = drawing::drawing_rules(drawing);
   rules.push_back(
       {"--flat-shading", is_given("--flat-shading"), {"--reference", "--heat-map"}, "references are shaded smoothly"});
   rules.push_back({fmt::format("--path {}", drawing.render.path->name),
@@ -108,25 +108,26 @@ void check_picture_options(const CLI::App& app, const PictureOptions& options) {
                    {"--reference", "--heat-map"},
                    "it is one of the papers' programs that have none"});
   rules.push_back({"--output " + options.output,
-                   holds_scene_light(options.output),
+                   drawing::holds_scene_light(options.output),
                    {"--exposure", "--tone"},
                    "it holds the scene's light"});
   check_options(app, rules);
-  if (is_given("--output") && !is_picture_path(options.output)) {
+  if (is_given("--output") && !drawing::is_picture_path(options.output)) {
     fail_option("--output", options.output, "must end in .png or .exr");
   }
   if (is_given("--heat-map") && std::filesystem::path(options.heat_map).extension() != ".png") {
     fail_option("--heat-map", options.heat_map, "must end in .png");
   }
-  if (options.reference || is_given("--heat-map")) expect_pixels(drawing, kMaxReferencePixels, "for a reference");
+  if (options.reference || is_given("--heat-map"))
+    drawing::expect_pixels(drawing, kMaxReferencePixels, "for a reference");
 }
 
 ExitStatus draw_picture(const CLI::App& app, const PictureOptions& options) {
-  const DrawingOptions& drawing = options.drawing;
+  const drawing::DrawingOptions& drawing = options.drawing;
   const auto is_given = [&app](const char* option) { return app.count(option) > 0; };
-  scene::Scene scene = read_scene(options.scene);
-  check_scene_options(app, scene);
-  set_scene(scene, drawing);
+  scene::Scene scene = drawing::read_scene(options.scene);
+  drawing::check_scene_options(app, scene);
+  drawing::set_scene(scene, drawing);
   OutputFiles outputs;
   const std::string output = is_given("--output") ? options.output : scene.name + ".png";
   outputs.add("--output", output);
@@ -135,18 +136,19 @@ ExitStatus draw_picture(const CLI::App& app, const PictureOptions& options) {
   for (const std::string& file : scene.files) outputs.expect_apart_from(file);
   outputs.expect_no_documents();
 
-  const Drawn drawn =
+  const drawing::Drawn drawn =
       draw(scene, drawing, options.frames, options.reference || is_given("--heat-map"), is_given("--stats"));
   if (is_given("--heat-map")) {
-    write_picture(options.heat_map,
-                  make_heat_map(drawn.comparison->error, fmt::format("{}, {}", scene.name, drawing.render.path->name)));
+    drawing::write_picture(
+        options.heat_map,
+        drawing::make_heat_map(drawn.comparison->error, fmt::format("{}, {}", scene.name, drawing.render.path->name)));
   }
   const render::Picture& picture = options.reference ? drawn.comparison->reference : drawn.picture;
   std::optional<render::Display> display;
-  if (!holds_scene_light(output)) display = drawn.display;
-  write_picture(output, display ? render::displayed(picture, *display) : picture);
-  if (is_given("--stats")) files::write_whole_file(options.stats, stats_json(scene, drawing, drawn, display));
-  const std::string words = display               ? display_in_words(*display)
+  if (!drawing::holds_scene_light(output)) display = drawn.display;
+  drawing::write_picture(output, display ? render::displayed(picture, *display) : picture);
+  if (is_given("--stats")) files::write_whole_file(options.stats, drawing::stats_json(scene, drawing, drawn, display));
+  const std::string words = display               ? drawing::display_in_words(*display)
                             : is_cut_off(picture) ? "in 32-bit floats: light exceeds half floats' 65504"
                                                   : "";
   report(fmt::format("{}: {} ({}x{}{}) in {} ms on {}\n", output, scene.name, drawing.width, drawing.height,
@@ -163,7 +165,7 @@ Job add_picture_job(CLI::App& app) {
   app.add_option("-o,--output", options->output,
                  "Picture to write: .png (what a display shows) or .exr (linear light) (default SCENE.png)")
       ->type_name("FILE");
-  add_picture_options(app, options->scene, options->drawing);
+  drawing::add_picture_options(app, options->scene, options->drawing);
   add_integer(app, "--frames", options->frames, 1, 100'000,
               "Frames to draw and time, after one that is not timed (default 1)");
   app.add_flag("--reference", options->reference,
@@ -192,7 +194,7 @@ void add_folder(CLI::App& app, std::string& folder, const std::string& files = "
 struct ScenesOptions {
   std::vector<std::string> scenes;
   std::string folder;
-  DrawingOptions drawing;
+  drawing::DrawingOptions drawing;
 };
 
 void add_scenes_and_folder(CLI::App& app, ScenesOptions& options) {
@@ -209,15 +211,15 @@ Job add_gallery_job(CLI::App& app) {
       "tessellation does is drawn by the path vertex, unless another is chosen.\n\n"
       "Example:\n  litfog-demo gallery room headlights --size 640x360 -o out");
   add_scenes_and_folder(app, *options);
-  add_fog(app, options->drawing);
-  add_path(app, options->drawing);
-  add_fog_light(app, options->drawing);
-  add_shadows(app, options->drawing);
-  add_rendering(app, options->drawing);
-  add_display(app, options->drawing.display);
+  drawing::add_fog(app, options->drawing);
+  drawing::add_path(app, options->drawing);
+  drawing::add_fog_light(app, options->drawing);
+  drawing::add_shadows(app, options->drawing);
+  drawing::add_rendering(app, options->drawing);
+  drawing::add_display(app, options->drawing.display);
   return [&app, options] {
-    const DrawingOptions& drawing = options->drawing;
-    check_options(app, drawing_rules(drawing));
+    const drawing::DrawingOptions& drawing = options->drawing;
+    check_options(app, drawing::drawing_rules(drawing));
     const std::vector<std::string> scenes = scene_paths(options->scenes);
     const gl::HeadlessContext context;
     report(fmt::format("drawing {} scene{} on {}\n", scenes.size(), scenes.size() == 1 ? "" : "s", context.renderer()));
@@ -227,7 +229,7 @@ Job add_gallery_job(CLI::App& app) {
 }
 
 struct ComparisonOptions : ScenesOptions {
-  SceneOptions scene;
+  drawing::SceneOptions scene;
   std::vector<std::string> settings;
   int frames = kComparedFrames;
 };
@@ -240,28 +242,28 @@ ExitStatus compare_by_settings(const CLI::App& app, const ComparisonOptions& opt
                     "as in --with {}",
                     options.scenes.size(), options.scenes[1]));
   }
-  SceneOptions base = options.scene;
+  drawing::SceneOptions base = options.scene;
   base.scene = options.scenes.front();
   const auto settings = parse_settings(app, {"as it is", base, options.drawing}, options.settings);
-  expect_pixels(options.drawing, kMaxComparedPixels, "for a comparison");
+  drawing::expect_pixels(options.drawing, kMaxComparedPixels, "for a comparison");
   const gl::HeadlessContext context;
   compare_settings(settings, options.folder, context.renderer(), options.frames);
   return kDone;
 }
 
 ExitStatus compare_by_paths(const CLI::App& app, const ComparisonOptions& options) {
-  const DrawingOptions& drawing = options.drawing;
-  check_options(app, fog_and_shadow_rules(drawing));
+  const drawing::DrawingOptions& drawing = options.drawing;
+  check_options(app, drawing::fog_and_shadow_rules(drawing));
   check_options(app, {{"a comparison of lighting paths",
                        true,
                        {"--set", "--camera", "--target", "--fov-deg", "--path", "--flat-shading"},
                        "settings are given by --with"}});
-  expect_pixels(drawing, kMaxComparedPixels, "for a comparison");
+  drawing::expect_pixels(drawing, kMaxComparedPixels, "for a comparison");
   // All scenes are read first, so that an error in one is found before minutes are spent on another.
   std::vector<scene::Scene> scenes = scene::read_scenes(scene_paths(options.scenes));
-  const bool turns = std::ranges::any_of(scenes, has_turning_light);
+  const bool turns = std::ranges::any_of(scenes, drawing::has_turning_light);
   check_options(app, {{"these scenes", !turns, {"--time"}, "none of their lights turns"}});
-  for (scene::Scene& scene : scenes) set_scene(scene, drawing);
+  for (scene::Scene& scene : scenes) drawing::set_scene(scene, drawing);
   const gl::HeadlessContext context;
   report(fmt::format("drawing {} scene{} on {}\n", scenes.size(), scenes.size() == 1 ? "" : "s", context.renderer()));
   compare_paths(scenes, options.folder, context.renderer(), drawing, options.frames);
@@ -284,15 +286,15 @@ Job add_comparison_job(CLI::App& app) {
                  "Compare settings of one scene in place of its lighting paths; given once for each of them")
       ->type_name("SETTING")
       ->allow_extra_args(false);
-  add_changes(app, options->scene);
-  add_view(app, options->scene);
-  add_path(app, options->drawing);
-  add_fog_and_visibility(app, options->drawing);
-  add_fog_light(app, options->drawing);
-  add_shadows(app, options->drawing);
-  add_rendering(app, options->drawing);
-  add_time(app, options->drawing);
-  add_display(app, options->drawing.display);
+  drawing::add_changes(app, options->scene);
+  drawing::add_view(app, options->scene);
+  drawing::add_path(app, options->drawing);
+  drawing::add_fog_and_visibility(app, options->drawing);
+  drawing::add_fog_light(app, options->drawing);
+  drawing::add_shadows(app, options->drawing);
+  drawing::add_rendering(app, options->drawing);
+  drawing::add_time(app, options->drawing);
+  drawing::add_display(app, options->drawing.display);
   add_integer(app, "--frames", options->frames, 1, 100'000, "Frames of each path or setting to time (default 5)");
   return [&app, options] {
     return options->settings.empty() ? compare_by_paths(app, *options) : compare_by_settings(app, *options);
@@ -302,7 +304,7 @@ Job add_comparison_job(CLI::App& app) {
 Job add_sequence_job(CLI::App& app) {
   struct Options {
     SequenceOptions sequence;
-    DrawingOptions drawing;
+    drawing::DrawingOptions drawing;
     std::string folder = "sequence";
   };
   const auto options = std::make_shared<Options>();
@@ -321,22 +323,24 @@ Job add_sequence_job(CLI::App& app) {
   add_folder(app, options->folder, ": SCENE-0001.png and so on, and SCENE.apng, which plays them");
   add_sequence(app, options->sequence);
   add_contrast(app, options->drawing.contrast);
-  add_fog(app, options->drawing);
-  add_path(app, options->drawing);
-  add_fog_light(app, options->drawing);
-  add_shadows(app, options->drawing);
-  add_rendering(app, options->drawing);
-  add_display(app, options->drawing.display);
+  drawing::add_fog(app, options->drawing);
+  drawing::add_path(app, options->drawing);
+  drawing::add_fog_light(app, options->drawing);
+  drawing::add_shadows(app, options->drawing);
+  drawing::add_rendering(app, options->drawing);
+  drawing::add_display(app, options->drawing.display);
   return [&app, options] {
-    const DrawingOptions& drawing = options->drawing;
+    const drawing::DrawingOptions& drawing = options->drawing;
     if (app.count("--film") > 0 && !is_film_path(options->sequence.film)) {
       fail_option("--film", options->sequence.film, "must end in .mp4 or .webm");
     }
-    check_options(app, drawing_rules(drawing));
+    check_options(app, drawing::drawing_rules(drawing));
     check_options(app, {{"--camera-path", app.count("--camera-path") > 0, {"--camera", "--target", "--fov-deg"}}});
     Sequence sequence(options->sequence, drawing.phase_g);
-    check_options(
-        app, {{sequence.scene().name, !has_turning_light(sequence.scene()), {"--time"}, "none of its lights turns"}});
+    check_options(app, {{sequence.scene().name,
+                         !drawing::has_turning_light(sequence.scene()),
+                         {"--time"},
+                         "none of its lights turns"}});
     const gl::HeadlessContext context;
     report(
         fmt::format("drawing {} frames of {} on {}\n", sequence.frames(), sequence.scene().name, context.renderer()));
@@ -348,7 +352,7 @@ Job add_sequence_job(CLI::App& app) {
 Job add_papers_job(CLI::App& app) {
   struct Options {
     std::string folder = "papers";
-    DrawingOptions drawing{.width = 480, .height = 270};
+    drawing::DrawingOptions drawing{.width = 480, .height = 270};
     int frames = kComparedFrames;
   };
   const auto options = std::make_shared<Options>();
@@ -356,10 +360,10 @@ Job add_papers_job(CLI::App& app) {
       "hales.png has the times of table 1 beside those measured now; times in software rendering are not a GPU's.\n\n"
       "Example:\n  litfog-demo papers -o out");
   add_folder(app, options->folder);
-  add_size(app, options->drawing);
+  drawing::add_size(app, options->drawing);
   add_integer(app, "--frames", options->frames, 1, 100'000, "Frames of each program to time (default 5)");
   return [options] {
-    draw_paper_sheets(options->folder, options->drawing.width, options->drawing.height, options->frames);
+    papers::draw_paper_sheets(options->folder, options->drawing.width, options->drawing.height, options->frames);
     return kDone;
   };
 }
@@ -368,7 +372,7 @@ Job add_list_job(CLI::App& app) {
   enum class What { scenes, paths, lights };
   struct Options {
     What what;
-    SceneOptions scene;
+    drawing::SceneOptions scene;
     TableFormat format = TableFormat::text;
   };
   const auto options = std::make_shared<Options>();
@@ -378,8 +382,8 @@ Job add_list_job(CLI::App& app) {
       "of SCENE, as --set takes them")
       ->required();
   app.footer("Example:\n  litfog-demo list lights approach --format json");
-  add_scene(app, options->scene);
-  add_changes(app, options->scene);
+  drawing::add_scene(app, options->scene);
+  drawing::add_changes(app, options->scene);
   add_choice(app, "--format", options->format,
              {{"table", TableFormat::text}, {"csv", TableFormat::csv}, {"json", TableFormat::json}},
              "How lights are listed (default table)");
@@ -388,7 +392,7 @@ Job add_list_job(CLI::App& app) {
     if (options->what == What::lights) {
       if (!has_scene)
         throw CLI::ValidationError("list lights must be followed by a scene: see litfog-demo list scenes");
-      write_standard_output(format_table(list_lights(read_scene(options->scene)), options->format));
+      write_standard_output(format_table(list_lights(drawing::read_scene(options->scene)), options->format));
       return kDone;
     }
     check_options(app,

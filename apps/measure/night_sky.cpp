@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/fog_top.h"
+#include "render/plan/fog_top.h"
 
 namespace litfog::measure {
 namespace {

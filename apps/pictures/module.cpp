@@ -14,15 +14,15 @@
 #include <vector>
 
 #include "command/option_rule.h"
-#include "demo/drawing.h"
-#include "demo/options/picture_options.h"
-#include "demo/picture_file.h"
+#include "drawing/drawing.h"
+#include "drawing/picture_file.h"
+#include "drawing/picture_options.h"
 #include "litfog/gl/headless_context.h"
 #include "litfog/gl/unsupported.h"
 #include "python/errors.h"
 #include "python/module.h"
 #include "python/numbers.h"
-#include "render/lighting_path.h"
+#include "render/plan/lighting_path.h"
 #include "render/renderer.h"
 #include "scene/file/scene_file.h"
 
@@ -122,34 +122,34 @@ void expect_no_fork() {
       "forkserver (multiprocessing.get_context(\"spawn\")), or draw in none before");
 }
 
-Drawn draw(const CLI::App& app, const demo::SceneOptions& scene_options, const demo::DrawingOptions& options) {
-  scene::Scene scene = demo::read_scene(scene_options);
-  demo::check_scene_options(app, scene);
-  demo::set_scene(scene, options);
+Drawn draw(const CLI::App& app, const drawing::SceneOptions& scene_options, const drawing::DrawingOptions& options) {
+  scene::Scene scene = drawing::read_scene(scene_options);
+  drawing::check_scene_options(app, scene);
+  drawing::set_scene(scene, options);
   expect_no_fork();
   const gl::HeadlessContext context;
   render::Renderer renderer(scene, options.width, options.height, options.settings_of(*options.render.path));
-  const auto [display, visibility] = demo::set_fog_and_exposure(renderer, options);
+  const auto [display, visibility] = drawing::set_fog_and_exposure(renderer, options);
   renderer.draw();
   Drawn drawn{.light = renderer.read(), .shown = {}, .visibility = visibility, .exposure = display.exposure.ev};
   if (is_cut_off(drawn.light)) drawn.light = renderer.draw_in_floats();
-  drawn.shown = demo::shown_pixels(render::displayed(drawn.light, display));
+  drawn.shown = drawing::shown_pixels(render::displayed(drawn.light, display));
   return drawn;
 }
 
 py::object render(const py::object& picture_class, const py::object& scene, const py::kwargs& options) {
   CLI::App app;
   app.set_help_flag();
-  demo::SceneOptions scene_options;
-  demo::DrawingOptions drawing;
-  demo::add_picture_options(app, scene_options, drawing);
+  drawing::SceneOptions scene_options;
+  drawing::DrawingOptions drawing;
+  drawing::add_picture_options(app, scene_options, drawing);
   scene_options.scene = py::module_::import("os").attr("fsencode")(scene).cast<std::string>();
   if (scene_options.scene.find('\0') != std::string::npos)
     throw py::value_error("scene: must not hold a null character");
   Drawn drawn;
   try {
     app.parse(arguments_of(options, app));
-    command::check_options(app, demo::drawing_rules(drawing));
+    command::check_options(app, drawing::drawing_rules(drawing));
     const py::gil_scoped_release released;
     drawn = draw(app, scene_options, drawing);
   } catch (const CLI::ParseError& error) {

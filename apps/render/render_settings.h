@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "render/lighting_path.h"
+#include "render/plan/lighting_path.h"
 
 namespace litfog::render {
 

@@ -13,11 +13,11 @@
 #include "litfog/fog_light_block.h"
 #include "litfog/gl/check_errors.h"
 #include "render/gpu/light_uniforms.h"
+#include "render/gpu/render_shaders.h"
 #include "render/gpu/texture_unit.h"
 #include "render/gpu/uniform.h"
 #include "render/light/light_map_store.h"
 #include "render/light/light_point.h"
-#include "render/render_shaders.h"
 
 namespace litfog::render {
 namespace {

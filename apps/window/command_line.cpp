@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 #include <string_view>
 
-#include "render/lighting_path.h"
+#include "render/plan/lighting_path.h"
 
 namespace litfog::window {
 namespace {
@@ -37,8 +37,8 @@ const char* shadows_word(render::Shadows shadows) {
 }  // namespace
 
 std::string to_string(const DrawingCommand& command) {
-  const demo::DrawingOptions& options = command.options;
-  const demo::DrawingOptions usual;
+  const drawing::DrawingOptions& options = command.options;
+  const drawing::DrawingOptions usual;
   const render::LightingPath& path = *options.render.path;
   const render::RenderSettings drawn = options.settings();
   std::string text = "litfog-demo " + quoted(command.scene);
@@ -57,7 +57,7 @@ std::string to_string(const DrawingCommand& command) {
   const bool has_maps = path.maps != render::LightMapSet::none;
   add(has_maps && drawn.map_size != usual.render.map_size, "--map-size", fmt::format("{}", drawn.map_size));
   add(has_maps && drawn.cone_maps != usual.render.cone_maps, "--cone-maps", cone_maps_word(drawn.cone_maps));
-  const bool is_lookup = demo::is_hales_lookup(path);
+  const bool is_lookup = drawing::is_hales_lookup(path);
   add(is_lookup && drawn.is_flat_shaded, "--flat-shading");
   add(is_lookup && drawn.light_ambient != 0, "--light-ambient", fmt::format("{}", drawn.light_ambient));
   add(path.surface == render::SurfaceModel::basic && drawn.has_infinite_viewer, "--infinite-viewer");
@@ -72,7 +72,7 @@ std::string to_string(const DrawingCommand& command) {
   if (const auto& exposure = options.display.exposure) {
     add(true, "--exposure", exposure->is_auto ? "auto" : fmt::format("{}", exposure->ev));
   }
-  add(options.display.tone != usual.display.tone, "--tone", demo::tone_name(options.display.tone));
+  add(options.display.tone != usual.display.tone, "--tone", drawing::tone_name(options.display.tone));
   add(drawn.samples != usual.render.samples, "--samples", fmt::format("{}", drawn.samples));
   add(options.render.skipping == render::Skipping::off, "--no-skip");
   if (command.camera) {

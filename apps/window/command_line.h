@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "demo/options/drawing_options.h"
+#include "drawing/drawing_options.h"
 #include "scene/file/scene_file.h"
 #include "scene/scene.h"
 
@@ -14,7 +14,7 @@ namespace litfog::window {
 /// A picture as litfog-demo draws it.
 struct DrawingCommand {
   std::string scene;  ///< as litfog-demo takes it: a bundled scene's name or a file
-  demo::DrawingOptions options = {};
+  drawing::DrawingOptions options = {};
   std::optional<scene::Camera> camera = {};  ///< in place of the scene's
   std::vector<scene::SceneChange> changes = {};
 };

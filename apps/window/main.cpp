@@ -14,9 +14,9 @@
 #include "command/command.h"
 #include "command/option_rule.h"
 #include "command/uncaught.h"
-#include "demo/options/drawing_options.h"
-#include "demo/options/picture_options.h"
-#include "demo/picture_file.h"
+#include "drawing/drawing_options.h"
+#include "drawing/picture_file.h"
+#include "drawing/picture_options.h"
 #include "files/whole_file.h"
 #include "litfog/files/output_error.h"
 #include "litfog/gl/unsupported.h"
@@ -257,7 +257,7 @@ void App::save_picture() {
   wants_picture_ = false;
   const std::string path = free_file_name(session_.scene().name, ".png");
   const std::vector<DrawnPicture>& pictures = delivery_->pictures;
-  demo::write_picture(
+  drawing::write_picture(
       path, pictures.size() > 1 ? wiped(pictures[0].shown, pictures[1].shown, session_.wipe) : pictures[0].shown);
   tell(fmt::format("{}: {}x{}", path, picture_.width(), picture_.height()));
 }
@@ -280,15 +280,15 @@ void App::copy_command() {
 }
 
 struct Options {
-  demo::SceneOptions scene;
-  demo::DrawingOptions drawing;
+  drawing::SceneOptions scene;
+  drawing::DrawingOptions drawing;
 };
 
 ExitStatus show(const CLI::App& app, Options& options) {
   if (app.count("SCENE") == 0) throw CLI::ValidationError("a scene must be given: see litfog-demo list scenes");
-  check_options(app, demo::drawing_rules(options.drawing));
-  scene::Scene scene = demo::read_scene(options.scene);
-  demo::check_scene_options(app, scene);
+  check_options(app, drawing::drawing_rules(options.drawing));
+  scene::Scene scene = drawing::read_scene(options.scene);
+  drawing::check_scene_options(app, scene);
   scene::turn_lights(scene, options.drawing.seconds);
   scene::Scene facts = scene;
   facts.models.clear();
@@ -312,7 +312,7 @@ int main(int argc, char** argv) {
   CLI::App app{kDescription, "litfog-window"};
   Options options;
   app.footer(kFooter);
-  demo::add_picture_options(app, options.scene, options.drawing);
+  drawing::add_picture_options(app, options.scene, options.drawing);
   return run_command(app, argc, argv, [&] {
     try {
       return show(app, options);

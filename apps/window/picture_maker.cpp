@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "command/wall_timer.h"
-#include "demo/picture_file.h"
+#include "drawing/picture_file.h"
 #include "litfog/gl/headless_context.h"
 #include "litfog/gl/unsupported.h"
 #include "render/renderer.h"
@@ -17,7 +17,7 @@ namespace {
 class KeptRenderer {
  public:
   /// Makes the renderer draw as asked for.
-  void set(const scene::Scene& scene, const PictureOrder& order, const demo::DrawingOptions& options) {
+  void set(const scene::Scene& scene, const PictureOrder& order, const drawing::DrawingOptions& options) {
     const render::RenderSettings settings = options.settings();
     if (!renderer_ || renderer_->settings() != settings) {
       renderer_.reset();  // before another takes as much memory
@@ -53,7 +53,7 @@ class KeptRenderer {
     drawn.counts = renderer_->draw();
     drawn.milliseconds = timer.milliseconds();
     drawn.shown = render::displayed(renderer_->read(), drawn.display);
-    drawn.pixels = demo::shown_pixels(drawn.shown);
+    drawn.pixels = drawing::shown_pixels(drawn.shown);
     return drawn;
   }
 
@@ -131,7 +131,7 @@ void PictureMaker::work(scene::Scene scene) try {
     renderers.resize(order.settings.size());
     try {
       for (std::size_t i = 0; i < renderers.size(); ++i) {
-        const demo::DrawingOptions& options = order.settings[i];
+        const drawing::DrawingOptions& options = order.settings[i];
         scene.phase_g = options.phase_g.value_or(own_phase_g);
         renderers[i].set(scene, order, options);
         delivery.pictures.push_back(renderers[i].draw(options.display.display_for(scene), order.is_sketch,

@@ -12,18 +12,18 @@
 #include <thread>
 #include <vector>
 
-#include "demo/options/drawing_options.h"
+#include "drawing/drawing_options.h"
 #include "litfog/light.h"
 #include "render/display.h"
-#include "render/frame_counts.h"
 #include "render/picture.h"
+#include "render/plan/frame_counts.h"
 #include "scene/scene.h"
 
 namespace litfog::window {
 
 /// Pictures of one view to draw: one for each of a list of settings.
 struct PictureOrder {
-  std::vector<demo::DrawingOptions> settings;  ///< of which sizes and times do not count
+  std::vector<drawing::DrawingOptions> settings;  ///< of which sizes and times do not count
   scene::Camera camera;
   std::shared_ptr<const std::vector<PlacedLight>> lights;  ///< in place of the scene's, one each; never null
   int width = 0;                                           ///< pixels
@@ -35,8 +35,8 @@ struct PictureOrder {
 
 /// A picture as litfog-demo draws it.
 struct DrawnPicture {
-  render::Picture shown;             ///< what a display shows, for demo::write_picture
-  std::vector<std::uint8_t> pixels;  ///< of that: demo::shown_pixels
+  render::Picture shown;             ///< what a display shows, for drawing::write_picture
+  std::vector<std::uint8_t> pixels;  ///< of that: drawing::shown_pixels
   render::Display display;           ///< an automatic exposure chosen
   render::FrameCounts counts;
   double milliseconds = 0;  ///< of drawing, without the change of settings before it and the reading after it

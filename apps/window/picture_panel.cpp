@@ -47,7 +47,7 @@ void draw_words(ImDrawList& draw, ImVec2 at, const std::string& words) {
 }
 
 /// "A: unified, airlight, exp, 150 m"
-std::string settings_in_words(char letter, const demo::DrawingOptions& options) {
+std::string settings_in_words(char letter, const drawing::DrawingOptions& options) {
   const std::string fog =
       options.fog ? fmt::format("{}, {} m", name_of(*options.fog), shown_rounded(*options.visibility, 4)) : "clear";
   return fmt::format("{}: {}, {}, {}", letter, options.render.path->name, name_of(options.settings().fog_lighting),

@@ -10,13 +10,13 @@
 
 namespace litfog::window {
 
-Session::Session(demo::SceneOptions given, scene::Scene scene, const demo::DrawingOptions& both)
+Session::Session(drawing::SceneOptions given, scene::Scene scene, const drawing::DrawingOptions& both)
     : settings{both, both},
       camera(scene.camera),
       given_(std::move(given)),
       scene_(std::move(scene)),
       lights_(std::make_shared<const std::vector<PlacedLight>>(scene_.lights)) {
-  for (demo::DrawingOptions& each : settings) {
+  for (drawing::DrawingOptions& each : settings) {
     if (!each.visibility) each.visibility = scene::suggested_visibility(scene_);
   }
   std::vector<bool> is_met(scene_.light_members.size());

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "demo/options/drawing_options.h"
-#include "demo/options/scene_options.h"
+#include "drawing/drawing_options.h"
+#include "drawing/scene_options.h"
 #include "scene/scene.h"
 #include "window/command_line.h"
 #include "window/picture_maker.h"
@@ -25,10 +25,10 @@ class Session {
   /// given     where the scene is from
   /// scene     of which meshes and materials do not matter
   /// settings  without a visibility the scene's own is taken
-  Session(demo::SceneOptions given, scene::Scene scene, const demo::DrawingOptions& settings);
+  Session(drawing::SceneOptions given, scene::Scene scene, const drawing::DrawingOptions& settings);
 
   // Two settings, A and B, which split views compare. B is a copy of A until the view is split for the first time.
-  std::array<demo::DrawingOptions, 2> settings;
+  std::array<drawing::DrawingOptions, 2> settings;
   bool is_split = false;
   std::size_t edited = 0;  ///< which of them the controls change: 0 but in split views
   double wipe = 0.5;       ///< where A ends and B begins, a fraction of the width
@@ -37,7 +37,7 @@ class Session {
   CameraMotion motion = CameraMotion::orbit;
   std::optional<std::size_t> picked;  ///< of the lights
 
-  demo::DrawingOptions& edited_settings() { return settings[edited]; }
+  drawing::DrawingOptions& edited_settings() { return settings[edited]; }
   void split(bool on);
 
   const scene::Scene& scene() const { return scene_; }  ///< as it was given
@@ -69,7 +69,7 @@ class Session {
   std::optional<scene::Camera> own_camera() const;
 
  private:
-  demo::SceneOptions given_;
+  drawing::SceneOptions given_;
   scene::Scene scene_;
   std::vector<std::size_t> firsts_;
   std::shared_ptr<const std::vector<PlacedLight>> lights_;

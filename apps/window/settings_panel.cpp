@@ -7,7 +7,7 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
-#include "render/lighting_path.h"
+#include "render/plan/lighting_path.h"
 #include "window/controls.h"
 #include "window/visibility_preset.h"
 
@@ -31,7 +31,7 @@ bool choice(const char* text, Value& value, const Value& meant) {
   return true;
 }
 
-void draw_presets(demo::DrawingOptions& options) {
+void draw_presets(drawing::DrawingOptions& options) {
   const float spacing = ImGui::GetStyle().ItemSpacing.x / 2;
   const float right = ImGui::GetWindowContentRegionMax().x;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {spacing, spacing});
@@ -48,7 +48,7 @@ void draw_presets(demo::DrawingOptions& options) {
 }
 
 void draw_fog(Session& session) {
-  demo::DrawingOptions& options = session.edited_settings();
+  drawing::DrawingOptions& options = session.edited_settings();
   heading("FOG");
   label("Mode");
   choice("exp", options.fog, std::optional(FogMode::exp));
@@ -80,7 +80,7 @@ void draw_fog(Session& session) {
   ImGui::TextDisabled("density %.4g / m", session.fog(session.edited).density);
 }
 
-void draw_lighting(demo::DrawingOptions& options) {
+void draw_lighting(drawing::DrawingOptions& options) {
   heading("LIGHTING");
   label("Path");
   const std::string shown(options.render.path->name);
@@ -111,7 +111,7 @@ void draw_lighting(demo::DrawingOptions& options) {
   }
 }
 
-void draw_display(demo::DrawingOptions& options, const render::Exposure& shown) {
+void draw_display(drawing::DrawingOptions& options, const render::Exposure& shown) {
   heading("DISPLAY");
   label("Exposure");
   bool is_auto = shown.is_auto;

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "command/temporary_directory.h"
-#include "demo/picture_file.h"
+#include "drawing/picture_file.h"
 #include "text/file_text.h"
 
 namespace litfog::test {
@@ -69,7 +69,7 @@ class Animation : public testing::Test {
     render::Picture picture{64, 48, std::vector<float>(64 * 48 * 3, 0.25f)};
     for (std::size_t i = 0; i < picture.rgb.size(); i += 3) picture.rgb[i] = i / 3 % 64 < 32 ? red : 0.0f;
     const std::string path = (directory_.path() / "frame.png").string();
-    demo::write_picture(path, picture);
+    drawing::write_picture(path, picture);
     return read_file_text(path, 1 << 20);
   }
 

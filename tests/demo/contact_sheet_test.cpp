@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "demo/sheet/contact_sheet.h"
+#include "drawing/contact_sheet.h"
 
 #include <gtest/gtest.h>
 
 namespace litfog::test {
-using namespace demo;
+using namespace drawing;
 using namespace render;
 
 namespace {

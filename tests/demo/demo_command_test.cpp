@@ -12,7 +12,7 @@
 #include "command/command_test.h"
 #include "command/exit_status.h"
 #include "reference/srgb.h"
-#include "render/lighting_path.h"
+#include "render/plan/lighting_path.h"
 
 namespace litfog::test {
 using namespace command;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "demo/heat_map.h"
+#include "drawing/heat_map.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include "render/pixel.h"
 
 namespace litfog::test {
-using namespace demo;
+using namespace drawing;
 using namespace measure;
 using namespace render;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "demo/picture_file.h"
+#include "drawing/picture_file.h"
 
 #include <OpenImageIO/imagebuf.h>
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ using namespace command;
 namespace {
 
 namespace fs = std::filesystem;
-using demo::write_picture;
+using drawing::write_picture;
 using litfog::test::srgb_from_linear;
 using render::Picture;
 
@@ -73,7 +73,7 @@ TEST_F(PictureFile, ShownPixelsAreThoseOfThePng) {
   const Picture picture = gradient(61, 47, 1.3);
   write_picture(path("a.png"), picture);
   const std::vector<float> values = read("a.png");
-  const std::vector<std::uint8_t> pixels = demo::shown_pixels(picture);
+  const std::vector<std::uint8_t> pixels = drawing::shown_pixels(picture);
   ASSERT_EQ(pixels.size(), values.size());
   for (std::size_t i = 0; i < values.size(); ++i) ASSERT_EQ(pixels[i], std::lround(values[i] * 255)) << i;
 }

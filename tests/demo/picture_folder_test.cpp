@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "demo/picture_folder.h"
+#include "drawing/picture_folder.h"
 
-#include "demo/picture_file.h"
+#include "drawing/picture_file.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@
 #include "litfog/input_error.h"
 
 namespace litfog::test {
-using namespace demo;
+using namespace drawing;
 using namespace render;
 using namespace command;
 

@@ -13,7 +13,7 @@
 
 #include "command/temporary_directory.h"
 #include "demo/compare/settings_page.h"
-#include "demo/picture_file.h"
+#include "drawing/picture_file.h"
 
 namespace litfog::test {
 namespace {
@@ -33,10 +33,10 @@ class SettingsPageInABrowser : public testing::Test {
   void SetUp() override {
     render::Picture red = picture(kRed);
     std::ranges::copy(kBlue, red.rgb.begin());
-    const std::string html =
-        demo::settings_page({.title = "test", .machine = "none", .width = 40, .height = 20, .frames = 1},
-                            {{"red", 1, 0, demo::png_text(red)}, {"green", 1, 0, demo::png_text(picture(kGreen))}},
-                            {{0, 1, 255, 255, demo::png_text(picture(kBlue))}});
+    const std::string html = demo::settings_page(
+        {.title = "test", .machine = "none", .width = 40, .height = 20, .frames = 1},
+        {{"red", 1, 0, drawing::png_text(red)}, {"green", 1, 0, drawing::png_text(picture(kGreen))}},
+        {{0, 1, 255, 255, drawing::png_text(picture(kBlue))}});
     std::ofstream(directory_.path() / "index.html") << html;
   }
 

@@ -6,7 +6,7 @@
 #include <regex>
 #include <set>
 
-#include "demo/picture_file.h"
+#include "drawing/picture_file.h"
 
 namespace litfog::test {
 namespace {

@@ -3,7 +3,8 @@
 #
 #     core  <-  photometry, files, gl  <-  fit;   c on core and files, python on fit and files           (src)
 #     within the core: model, text  <-  solve, airlight  <-  culling  <-  tables
-#     command  <-  image  <-  scene  <-  render  <-  measure  <-  demo  <-  window, pictures;   bench on measure;
+#     command  <-  image  <-  scene  <-  render  <-  measure  <-  drawing  <-  demo, window, pictures;
+#     papers on drawing, demo on papers; bench on measure;
 #     solve and fit on command alone; browser on scene and what of render and window WebGL 2 can hold    (apps)
 #
 # cmake -DROOT=<the repository> -P layers_test.cmake
@@ -45,10 +46,11 @@ set(containers pugixml unzip.h zip.h uchardet)
 set(meshes draco/ meshoptimizer)
 set(displays GLFW/ imgui backends/imgui)
 set(foreign ${ceres} ${json} ${graphics} ${images} ${containers} ${meshes} ${displays} CLI/)
-set(commands command/ image/ scene/ render/ measure/ solve/ demo/ bench/ pictures/)
+set(commands command/ image/ scene/ render/ measure/ drawing/ papers/ solve/ demo/ bench/ pictures/)
 
 # src. The public headers show no other library but GLM.
-set(apps command/ image/ scene/ render/ measure/ demo/ bench/ window/ pictures/)  # src has a solve/ of its own
+# src has a solve/ of its own.
+set(apps command/ image/ scene/ render/ measure/ drawing/ papers/ demo/ bench/ window/ pictures/)
 set(photometry photometry/ litfog/photometry/)
 set(files files/ litfog/files/)
 set(gl gl/ litfog/gl/)
@@ -72,11 +74,12 @@ layer(include/litfog/c/litfog.h FORBIDDEN litfog/ glm/)  # C knows neither
 
 # apps. Scene data and the renderer know no file; only the scenes' readers do.
 set(catalogues scene/model/ scene/paint/)
-set(above_scene render/ measure/ demo/ bench/ window/)
+set(above_measure drawing/ papers/ demo/ bench/ window/)
+set(above_scene render/ measure/ ${above_measure})
 layer(apps/** FORBIDDEN ${containers})
 # Only image/ knows OpenImageIO, so that a command starts without it.
-layer(apps/command/** apps/fit/** apps/scene/** apps/render/** apps/measure/** apps/demo/** apps/window/** apps/bench/**
-      apps/pictures/** FORBIDDEN OpenImageIO/)
+layer(apps/command/** apps/fit/** apps/scene/** apps/render/** apps/measure/** apps/drawing/** apps/papers/**
+      apps/demo/** apps/window/** apps/bench/** apps/pictures/** FORBIDDEN OpenImageIO/)
 layer(apps/image/** FORBIDDEN scene/ solve/ ${above_scene} ${fit} ${gl} ${graphics})
 layer(apps/command/** FORBIDDEN image/ scene/ solve/ ${above_scene} ${fit} ${gl} ${graphics})
 layer(apps/scene/* FORBIDDEN command/ image/ scene/file/ ${catalogues} ${above_scene} ${files} ${gl} ${fit} ${foreign}
@@ -84,18 +87,20 @@ layer(apps/scene/* FORBIDDEN command/ image/ scene/file/ ${catalogues} ${above_s
 layer(apps/scene/model/** apps/scene/paint/** FORBIDDEN command/ image/ scene/file/ ${above_scene} ${files}
       ${gl} ${foreign})
 layer(apps/scene/file/** FORBIDDEN ${above_scene} ${gl} ${graphics})
-layer(apps/render/** FORBIDDEN command/ image/ scene/file/ ${catalogues} measure/ demo/ bench/ window/ litfog/files/
-      ${fit} ${ceres} ${json} ${images} ${displays} CLI/)
-layer(apps/measure/** FORBIDDEN command/ image/ scene/file/ ${catalogues} demo/ bench/ window/ litfog/files/ ${fit}
+layer(apps/render/** FORBIDDEN command/ image/ scene/file/ ${catalogues} measure/ ${above_measure} litfog/files/ ${fit}
+      ${ceres} ${json} ${images} ${displays} CLI/)
+layer(apps/measure/** FORBIDDEN command/ image/ scene/file/ ${catalogues} ${above_measure} litfog/files/ ${fit}
       ${ceres} ${json} ${displays} CLI/)
+layer(apps/drawing/** FORBIDDEN papers/ demo/ solve/ fit/ bench/ window/ pictures/ ${displays})
+layer(apps/papers/** FORBIDDEN demo/ solve/ fit/ bench/ window/ pictures/ ${displays})
 layer(apps/demo/** FORBIDDEN solve/ fit/ bench/ window/ ${displays})
-layer(apps/window/** FORBIDDEN solve/ fit/ bench/ pictures/)
-layer(apps/pictures/** FORBIDDEN solve/ fit/ bench/ window/ ${json} ${graphics} ${images} ${displays})
-layer(apps/browser/** FORBIDDEN command/ image/ scene/file/ measure/ demo/ solve/ fit/ bench/ ${files} ${fit} ${ceres}
-      ${json} ${images} ${displays} CLI/)
+layer(apps/window/** FORBIDDEN papers/ demo/ solve/ fit/ bench/ pictures/)
+layer(apps/pictures/** FORBIDDEN papers/ demo/ solve/ fit/ bench/ window/ ${json} ${graphics} ${images} ${displays})
+layer(apps/browser/** FORBIDDEN command/ image/ scene/file/ measure/ drawing/ papers/ demo/ solve/ fit/ bench/ ${files}
+      ${fit} ${ceres} ${json} ${images} ${displays} CLI/)
 layer(apps/solve/** apps/fit/** FORBIDDEN image/ scene/ ${above_scene} ${gl} ${graphics})
 layer(apps/examples/** FORBIDDEN ${commands})  # they know what is installed
-layer(apps/bench/** FORBIDDEN demo/ window/ solve/ fit/ core/ gl/)  # of tests/ it may know reference/
+layer(apps/bench/** FORBIDDEN drawing/ papers/ demo/ window/ solve/ fit/ core/ gl/)  # of tests/ it may know reference/
 
 # tests. Only the benchmark's know its sources; what the benchmark takes from here is reference/.
 layer(tests/reference/** FORBIDDEN ${apps} core/ ${files} ${gl})

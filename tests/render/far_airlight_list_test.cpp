@@ -11,8 +11,8 @@
 
 #include "litfog/attenuation.h"
 #include "reference/random_airlight.h"
-#include "render/fog_top.h"
 #include "render/light/hidden_range.h"
+#include "render/plan/fog_top.h"
 
 namespace litfog::test {
 using namespace render;

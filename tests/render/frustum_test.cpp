@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/frustum.h"
+#include "render/plan/frustum.h"
 
 #include <gtest/gtest.h>
 

@@ -16,7 +16,7 @@
 #include "reference/random_airlight.h"
 #include "render/light/group_picker.h"
 #include "render/light/hidden_range.h"
-#include "render/lighting_path.h"
+#include "render/plan/lighting_path.h"
 
 namespace litfog::test {
 using namespace render;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/lighting_path.h"
+#include "render/plan/lighting_path.h"
 
 #include <gtest/gtest.h>
 

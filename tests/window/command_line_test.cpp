@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 #include <limits>
 
-#include "render/lighting_path.h"
+#include "render/plan/lighting_path.h"
 
 namespace litfog::test {
 using namespace window;
@@ -17,7 +17,7 @@ TEST(CommandLine, DefaultsAreLeftOut) { EXPECT_EQ(to_string({.scene = "room"}), 
 
 TEST(CommandLine, EveryControlHasItsOption) {
   DrawingCommand command{.scene = "room"};
-  demo::DrawingOptions& options = command.options;
+  drawing::DrawingOptions& options = command.options;
   options.fog = FogMode::exp2;
   options.visibility = 62.5;
   options.contrast = kContrastKoschmieder;

@@ -7,10 +7,10 @@
 #include <chrono>
 #include <thread>
 
-#include "demo/drawing.h"
-#include "demo/picture_file.h"
+#include "drawing/drawing.h"
+#include "drawing/picture_file.h"
 #include "gl/gl_test.h"
-#include "render/lighting_path.h"
+#include "render/plan/lighting_path.h"
 #include "scene/file/scene_file.h"
 
 namespace litfog::test {
@@ -44,12 +44,12 @@ class PictureMakerTest : public GlTest {
     scene::Scene scene = scene_;
     scene.camera = order.camera;
     scene.lights = *order.lights;
-    demo::DrawingOptions options = order.settings[which];
+    drawing::DrawingOptions options = order.settings[which];
     options.width = order.width;
     options.height = order.height;
     scene.phase_g = options.phase_g.value_or(scene.phase_g);
-    const demo::Drawn drawn = demo::draw(scene, options, 1, false, false);
-    return demo::shown_pixels(render::displayed(drawn.picture, drawn.display));
+    const drawing::Drawn drawn = drawing::draw(scene, options, 1, false, false);
+    return drawing::shown_pixels(render::displayed(drawn.picture, drawn.display));
   }
 
   scene::Scene scene_;

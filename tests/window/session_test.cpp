@@ -19,7 +19,7 @@ const scene::Scene& street_scene() {
   return scene;
 }
 
-Session street(const demo::SceneOptions& given = {.scene = "street"}) { return {given, street_scene(), {}}; }
+Session street(const drawing::SceneOptions& given = {.scene = "street"}) { return {given, street_scene(), {}}; }
 
 TEST(Session, BeginsWithTheScenesVisibilityAndNothingChanged) {
   const Session session = street();

@@ -8,7 +8,7 @@
 
 #include "command/html_text.h"
 #include "demo/compare/page_text.h"
-#include "demo/heat_map.h"
+#include "drawing/heat_map.h"
 #include "measure/frame_times.h"
 
 namespace litfog::demo {
@@ -97,8 +97,9 @@ std::string comparison_page(const PageFacts& facts, const std::vector<SceneResul
                 fmt::arg("height", facts.height), fmt::arg("machine", html_text(facts.machine)),
                 fmt::arg("settings", html_text(facts.settings)), fmt::arg("frames", facts.frames),
                 fmt::arg("names", names), fmt::arg("columns", columns), fmt::arg("rows", rows),
-                fmt::arg("least", kHeatLeast), fmt::arg("gradient", heat_gradient()),
-                fmt::arg("most", kHeatLeast * std::pow(10.0, kHeatDecades)), fmt::arg("sections", sections));
+                fmt::arg("least", drawing::kHeatLeast), fmt::arg("gradient", heat_gradient()),
+                fmt::arg("most", drawing::kHeatLeast * std::pow(10.0, drawing::kHeatDecades)),
+                fmt::arg("sections", sections));
 }
 
 }  // namespace litfog::demo

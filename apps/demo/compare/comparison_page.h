@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "render/lighting_path.h"
+#include "render/plan/lighting_path.h"
 
 namespace litfog::demo {
 

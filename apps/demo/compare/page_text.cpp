@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "demo/heat_map.h"
+#include "drawing/heat_map.h"
 #include "scene/texels.h"
 
 namespace litfog::demo {
@@ -20,7 +20,7 @@ std::string heat_gradient() {
   constexpr int kSteps = 24;
   std::string stops;
   for (int i = 0; i <= kSteps; ++i) {
-    const glm::vec3 color = heat_color(double(i) / kSteps);
+    const glm::vec3 color = drawing::heat_color(double(i) / kSteps);
     stops += fmt::format(", #{:02x}{:02x}{:02x}", scene::srgb_level_of(color.r), scene::srgb_level_of(color.g),
                          scene::srgb_level_of(color.b));
   }

@@ -10,9 +10,9 @@
 #include "command/progress.h"
 #include "command/standard_output.h"
 #include "demo/compare/comparison_page.h"
-#include "demo/heat_map.h"
-#include "demo/picture_folder.h"
-#include "demo/sheet/contact_sheet.h"
+#include "drawing/contact_sheet.h"
+#include "drawing/heat_map.h"
+#include "drawing/picture_folder.h"
 #include "files/whole_file.h"
 #include "measure/comparison.h"
 #include "measure/frame_times.h"
@@ -39,16 +39,16 @@ class Sheet {
  public:
   void add(const render::Picture& picture, std::vector<std::string> caption) {
     if (rows_.empty() || rows_.back().size() == kSheetColumns) rows_.emplace_back();
-    rows_.back().push_back({fitted_to_cell(picture), std::move(caption)});
+    rows_.back().push_back({drawing::fitted_to_cell(picture), std::move(caption)});
   }
-  render::Picture picture() const { return make_contact_sheet(rows_); }
+  render::Picture picture() const { return drawing::make_contact_sheet(rows_); }
 
  private:
-  std::vector<std::vector<SheetEntry>> rows_;
+  std::vector<std::vector<drawing::SheetEntry>> rows_;
 };
 
 std::vector<std::unique_ptr<render::Renderer>> make_renderers(const scene::Scene& scene, const Fog& fog,
-                                                              const DrawingOptions& options) {
+                                                              const drawing::DrawingOptions& options) {
   std::vector<std::unique_ptr<render::Renderer>> renderers;
   for (const render::LightingPath& path : render::lighting_paths()) {
     renderers.push_back(
@@ -87,7 +87,7 @@ PathResult result_of(const render::LightingPath& path, const measure::FrameTimes
 
 /// Reports a path's result, writes its pictures and adds what it has drawn to the scene's sheet.
 void show_path(const SceneResult& scene, const PathResult& result, const measure::Comparison& comparison,
-               const render::Display& display, PictureFolder& pictures, Sheet& sheet) {
+               const render::Display& display, drawing::PictureFolder& pictures, Sheet& sheet) {
   const render::LightingPath& path = *result.path;
   const std::string time = fmt::format("{} ms a frame, {:.2f} x legacy",
                                        measure::milliseconds_text(result.milliseconds), result.over_legacy);
@@ -95,13 +95,14 @@ void show_path(const SceneResult& scene, const PathResult& result, const measure
   command::report(fmt::format("  {:<12} {:>32}; {}\n", path.name, time, error));
   render::Picture drawn = render::displayed(comparison.drawn, display);
   sheet.add(drawn, {fmt::format("{}: {}", path.name, time), error});
-  pictures.write(scene.error_file(path), make_heat_map(comparison.error, fmt::format("{}, {}", scene.name, path.name)));
+  pictures.write(scene.error_file(path),
+                 drawing::make_heat_map(comparison.error, fmt::format("{}, {}", scene.name, path.name)));
   pictures.write(scene.drawn_file(path), std::move(drawn));
   pictures.write(scene.reference_file(path), render::displayed(comparison.reference, display));
 }
 
-SceneResult compare_scene(const scene::Scene& scene, PictureFolder& pictures, const std::string& machine,
-                          const DrawingOptions& options, int frames) {
+SceneResult compare_scene(const scene::Scene& scene, drawing::PictureFolder& pictures, const std::string& machine,
+                          const drawing::DrawingOptions& options, int frames) {
   const double visibility = options.visibility_in(scene);
   const Fog fog = options.fog_at(visibility);
   SceneResult result{.name = scene.name,
@@ -111,7 +112,7 @@ SceneResult compare_scene(const scene::Scene& scene, PictureFolder& pictures, co
   command::report(fmt::format("{}: {} lights, {}\n", scene.name, scene.lights.size(), result.conditions));
   auto renderers = make_renderers(scene, fog, options);
   const render::Display display = set_exposures(renderers, options.display.display_for(scene));
-  if (const std::string words = display_in_words(display); !words.empty()) result.conditions += ", " + words;
+  if (const std::string words = drawing::display_in_words(display); !words.empty()) result.conditions += ", " + words;
   pictures.finish();  // encoding would take time from the frames
   command::Progress shown;
   const measure::Progress progress = [&](std::string_view step) {
@@ -138,7 +139,7 @@ SceneResult compare_scene(const scene::Scene& scene, PictureFolder& pictures, co
 
 constexpr const char* kPageFile = "index.html";
 
-PictureFolder make_folder(const std::string& path, const std::vector<scene::Scene>& scenes) {
+drawing::PictureFolder make_folder(const std::string& path, const std::vector<scene::Scene>& scenes) {
   std::vector<std::string> files{kPageFile};
   std::vector<std::string> inputs;
   for (const scene::Scene& scene : scenes) {
@@ -152,8 +153,8 @@ PictureFolder make_folder(const std::string& path, const std::vector<scene::Scen
 }  // namespace
 
 void compare_paths(const std::vector<scene::Scene>& scenes, const std::string& folder, const std::string& machine,
-                   const DrawingOptions& options, int frames) {
-  PictureFolder pictures = make_folder(folder, scenes);
+                   const drawing::DrawingOptions& options, int frames) {
+  drawing::PictureFolder pictures = make_folder(folder, scenes);
   const std::string page = pictures.path_of(kPageFile);
   std::vector<SceneResult> results;
   for (const scene::Scene& scene : scenes) results.push_back(compare_scene(scene, pictures, machine, options, frames));

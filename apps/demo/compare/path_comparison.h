@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "demo/options/drawing_options.h"
+#include "drawing/drawing_options.h"
 #include "scene/scene.h"
 
 namespace litfog::demo {
@@ -21,6 +21,6 @@ inline constexpr int kComparedFrames = 5;  ///< that are timed of each path unle
 /// options  but the path; an automatic exposure is that of the first path's picture, for all
 /// frames   timed of each path, >= 1
 void compare_paths(const std::vector<scene::Scene>& scenes, const std::string& folder, const std::string& machine,
-                   const DrawingOptions& options, int frames);
+                   const drawing::DrawingOptions& options, int frames);
 
 }  // namespace litfog::demo

@@ -14,11 +14,11 @@
 #include "command/progress.h"
 #include "command/standard_output.h"
 #include "demo/compare/settings_page.h"
-#include "demo/drawing.h"
-#include "demo/heat_map.h"
-#include "demo/options/picture_options.h"
-#include "demo/picture_file.h"
-#include "demo/picture_folder.h"
+#include "drawing/drawing.h"
+#include "drawing/heat_map.h"
+#include "drawing/picture_file.h"
+#include "drawing/picture_folder.h"
+#include "drawing/picture_options.h"
 #include "files/hint.h"
 #include "files/whole_file.h"
 #include "litfog/input_error.h"
@@ -34,7 +34,7 @@ constexpr const char* kPageFile = "index.html";
 
 void add_options(CLI::App& app, Setting& setting) {
   app.set_help_flag();
-  add_picture_options(app, setting.scene, setting.drawing);
+  drawing::add_picture_options(app, setting.scene, setting.drawing);
 }
 
 /// Words of a setting as the command line's arguments.
@@ -66,8 +66,8 @@ using Unused = std::set<std::string>;  // options of the command line that no se
 ///
 /// own  whether the setting states an option itself
 template <typename IsOwn>
-void take_used(Unused& unused, const DrawingOptions& drawing, const IsOwn& is_own) {
-  std::erase_if(unused, [&, rules = drawing_rules(drawing)](const std::string& option) {
+void take_used(Unused& unused, const drawing::DrawingOptions& drawing, const IsOwn& is_own) {
+  std::erase_if(unused, [&, rules = drawing::drawing_rules(drawing)](const std::string& option) {
     const bool is_excluded = std::ranges::any_of(rules, [&](const command::OptionRule& rule) {
       return rule.applies && std::ranges::find(rule.excluded, option) != rule.excluded.end();
     });
@@ -84,7 +84,7 @@ Setting parse_setting(const Setting& base, const std::string& text, Unused& unus
     auto arguments = arguments_of(text, app);
     if (arguments.empty()) throw CLI::ValidationError("must not be empty");
     app.parse(arguments);
-    command::check_options(app, drawing_rules(setting.drawing));
+    command::check_options(app, drawing::drawing_rules(setting.drawing));
     command::check_options(app, {{"--with", true, {"--size"}, "all pictures are of one size"}});
   } catch (const CLI::ParseError& error) {
     throw CLI::ValidationError(fmt::format("--with \"{}\": {}", text, error.what()));
@@ -116,7 +116,7 @@ std::string with_option_hint(const std::string& text, const std::string& error) 
 /// Reads the scene of a setting. What is wrong with a view or a member is told with the setting's words.
 scene::Scene read_scene_of(const Setting& setting, scene::SceneParts& kept) {
   try {
-    return read_scene(setting.scene, &kept);
+    return drawing::read_scene(setting.scene, &kept);
   } catch (const CLI::ValidationError& error) {
     throw CLI::ValidationError(fmt::format("--with \"{}\": {}", setting.words, error.what()));
   } catch (const InputError& error) {
@@ -130,7 +130,7 @@ scene::Scene read_scene_of(const Setting& setting, scene::SceneParts& kept) {
 /// Throws the usage error of a --time or --lights that changes nothing in any scene.
 void expect_effects(const std::vector<Setting>& settings, const std::deque<scene::Scene>& scenes) {
   const bool has_time = std::ranges::any_of(settings, [](const Setting& each) { return each.drawing.seconds > 0; });
-  if (has_time && std::ranges::none_of(scenes, has_turning_light)) {
+  if (has_time && std::ranges::none_of(scenes, drawing::has_turning_light)) {
     throw CLI::ValidationError("--time cannot be given: none of the scene's lights turns");
   }
   const bool has_lights = std::ranges::any_of(settings, [](const Setting& each) { return each.scene.city_lights > 0; });
@@ -150,7 +150,7 @@ std::vector<SettingRenderer> make_renderers(const std::vector<Setting>& settings
   std::vector<SettingRenderer> renderers;
   std::optional<double> automatic;
   for (std::size_t i = 0; i < settings.size(); ++i) {
-    const DrawingOptions& drawing = settings[i].drawing;
+    const drawing::DrawingOptions& drawing = settings[i].drawing;
     auto renderer = std::make_unique<render::Renderer>(scenes[i], drawing.width, drawing.height, drawing.settings());
     renderer->set_fog(drawing.fog_at(drawing.visibility_in(scenes[i])));
     render::Display display = drawing.display.display_for(scenes[i]);
@@ -182,7 +182,7 @@ std::vector<PairResult> compare_pairs(const std::vector<render::Picture>& pictur
                        .second = k,
                        .largest = error.largest,
                        .mean = error.mean,
-                       .png = png_text(heat_picture(error))});
+                       .png = drawing::png_text(drawing::heat_picture(error))});
     }
   }
   return pairs;
@@ -227,17 +227,17 @@ std::vector<Setting> parse_settings(const CLI::App& app, const Setting& base, co
 
 void compare_settings(const std::vector<Setting>& settings, const std::string& folder, const std::string& machine,
                       int frames) {
-  const DrawingOptions& first = settings.front().drawing;
+  const drawing::DrawingOptions& first = settings.front().drawing;
   std::deque<scene::Scene> scenes;  // which renderers keep the addresses of
   scene::SceneParts kept;
   std::vector<std::string> inputs;
   for (const Setting& setting : settings) {
     scene::Scene& scene = scenes.emplace_back(read_scene_of(setting, kept));
-    set_scene(scene, setting.drawing);
+    drawing::set_scene(scene, setting.drawing);
     inputs.insert(inputs.end(), scene.files.begin(), scene.files.end());
   }
   expect_effects(settings, scenes);
-  const PictureFolder page(folder, {kPageFile}, inputs);
+  const drawing::PictureFolder page(folder, {kPageFile}, inputs);
 
   const std::vector<SettingRenderer> renderers = make_renderers(settings, scenes);
   std::vector<measure::DrawFrame> draws;
@@ -254,7 +254,7 @@ void compare_settings(const std::vector<Setting>& settings, const std::string& f
     results.push_back({.words = settings[i].words,
                        .milliseconds = times[i].median(),
                        .spread = times[i].spread(),
-                       .png = png_text(pictures[i])});
+                       .png = drawing::png_text(pictures[i])});
   }
   const std::vector<PairResult> pairs = compare_pairs(pictures, progress);
   report_results(results, pairs);

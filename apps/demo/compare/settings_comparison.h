@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "demo/options/drawing_options.h"
-#include "demo/options/scene_options.h"
+#include "drawing/drawing_options.h"
+#include "drawing/scene_options.h"
 
 namespace litfog::demo {
 
@@ -14,8 +14,8 @@ inline constexpr std::size_t kMaxSettings = 8;  ///< of one comparison: each pai
 /// One way to draw a picture.
 struct Setting {
   std::string words;  ///< in which it was given
-  SceneOptions scene;
-  DrawingOptions drawing;
+  drawing::SceneOptions scene;
+  drawing::DrawingOptions drawing;
 };
 
 /// The settings of a comparison: the base, which a command line states, with what each text says in place of its own.

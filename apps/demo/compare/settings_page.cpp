@@ -8,7 +8,7 @@
 #include "command/html_text.h"
 #include "command/printable.h"
 #include "demo/compare/page_text.h"
-#include "demo/heat_map.h"
+#include "drawing/heat_map.h"
 #include "files/json_text.h"
 #include "measure/frame_times.h"
 
@@ -63,9 +63,10 @@ std::string settings_page(const SettingsFacts& facts, const std::vector<SettingR
                 fmt::arg("title", html_text(facts.title)), fmt::arg("machine", html_text(facts.machine)),
                 fmt::arg("width", facts.width), fmt::arg("height", facts.height), fmt::arg("frames", facts.frames),
                 fmt::arg("count", settings.size()), fmt::arg("rows", rows), fmt::arg("choices", choices),
-                fmt::arg("least", kHeatLeast), fmt::arg("gradient", heat_gradient()),
-                fmt::arg("most", kHeatLeast * std::pow(10.0, kHeatDecades)), fmt::arg("names", "[" + names + "]"),
-                fmt::arg("pictures", "[" + pictures + "]"), fmt::arg("differences", "[" + differences + "]"));
+                fmt::arg("least", drawing::kHeatLeast), fmt::arg("gradient", heat_gradient()),
+                fmt::arg("most", drawing::kHeatLeast * std::pow(10.0, drawing::kHeatDecades)),
+                fmt::arg("names", "[" + names + "]"), fmt::arg("pictures", "[" + pictures + "]"),
+                fmt::arg("differences", "[" + differences + "]"));
 }
 
 }  // namespace litfog::demo

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "command/number.h"
-#include "demo/options/scene_options.h"
+#include "drawing/scene_options.h"
 
 namespace litfog::demo {
 namespace {
@@ -96,11 +96,11 @@ Course<double> parse_course(const std::string& option, const std::string& text, 
 
 Course<glm::dvec3> parse_point_course(const std::string& option, const std::string& text) {
   if (const auto range = parse_range(option, text)) {
-    return {.values = {parse_point(option, range->from), parse_point(option, range->to)},
+    return {.values = {drawing::parse_point(option, range->from), drawing::parse_point(option, range->to)},
             .is_range = true,
             .range_frames = range->frames};
   }
-  return {.values = {parse_point(option, text)}};
+  return {.values = {drawing::parse_point(option, text)}};
 }
 
 bool is_meant_as_course(const std::string& text) {

@@ -13,8 +13,8 @@
 #include "command/output_files.h"
 #include "command/standard_output.h"
 #include "command/wall_timer.h"
-#include "demo/picture_folder.h"
 #include "demo/sequence/animation.h"
+#include "drawing/picture_folder.h"
 #include "files/whole_file.h"
 #include "litfog/input_error.h"
 #include "render/renderer.h"
@@ -49,7 +49,7 @@ void add_point_course(CLI::App& app, const std::string& name, std::optional<Cour
 }
 
 MemberCourse parse_member(const std::string& text) {
-  MemberCourse member{.change = parse_change(text), .numbers = {}};
+  MemberCourse member{.change = drawing::parse_change(text), .numbers = {}};
   scene::changed_member(member.change.member);  // throws where it is none
   if (is_meant_as_course(member.change.value)) {
     member.numbers = parse_course("--set " + member.change.member, member.change.value, kFinite);
@@ -126,11 +126,11 @@ void add_sequence(CLI::App& app, SequenceOptions& options) {
       app, "--visibility", options.visibility, command::kNotNegative, Steps::ratio,
       "Range in metres at which a fraction of the contrast is left; a range goes by equal ratios (default: what the "
       "scene suggests)");
-  add_course(app, "--time", options.seconds, kSeconds, Steps::even,
+  add_course(app, "--time", options.seconds, drawing::kSeconds, Steps::even,
              "Seconds for which the scene's cookies and lights have been turning (default 0)");
   add_point_course(app, "--camera", options.camera, "Where the eye is, metres (default the scene's)");
   add_point_course(app, "--target", options.target, "What it looks at, metres (default the scene's)");
-  add_course(app, "--fov-deg", options.field_of_view_deg, kFieldOfView, Steps::even,
+  add_course(app, "--fov-deg", options.field_of_view_deg, drawing::kFieldOfView, Steps::even,
              "Its vertical field of view (default the scene's)");
   app.add_option("--camera-path", options.camera_path, "Keyframes of the camera in a file, in place of these three")
       ->type_name("FILE.json");
@@ -165,7 +165,7 @@ Sequence::Sequence(const SequenceOptions& options, std::optional<double> phase_g
   changes_objects_ = change(options.members, {"objects[", "city."});
   changes_environment_light_ = change(options.members, {"environment.ambient[", "environment.moon."});
   moves_camera_ = path_ || changes(options.camera) || changes(options.target) || changes(options.field_of_view_deg);
-  moves_lights_ = (changes(options.seconds) && has_turning_light(scene_)) ||
+  moves_lights_ = (changes(options.seconds) && drawing::has_turning_light(scene_)) ||
                   (moves_camera_ && std::ranges::any_of(scene_.lights, &PlacedLight::carried));
   // A frame that cannot be is found before any is drawn, which takes some ten times as long as reading it. The last one
   // comes first: it has a number that the command line states, which an error then names.
@@ -181,12 +181,12 @@ Sequence::Sequence(const SequenceOptions& options, std::optional<double> phase_g
 }
 
 scene::Scene Sequence::read(int frame) {
-  SceneOptions options{.scene = options_.scene};
+  drawing::SceneOptions options{.scene = options_.scene};
   for (const MemberCourse& member : options_.members) {
     options.changes.push_back(member.change);
     if (member.numbers) options.changes.back().value = fmt::format("{}", member.numbers->at(frame, frames_));
   }
-  scene::Scene scene = read_scene(options, &parts_);
+  scene::Scene scene = drawing::read_scene(options, &parts_);
   scene.phase_g = phase_g_.value_or(scene.phase_g);
   return scene;
 }
@@ -250,7 +250,7 @@ void Sequence::move_lights(int frame) {
   if (options_.seconds) scene::turn_lights(scene_, options_.seconds->at(frame, frames_));
 }
 
-void draw_sequence(Sequence& sequence, const std::string& folder, const DrawingOptions& drawing) {
+void draw_sequence(Sequence& sequence, const std::string& folder, const drawing::DrawingOptions& drawing) {
   const command::WallTimer timer;
   const SequenceOptions& options = sequence.options();
   const scene::Scene& scene = sequence.scene();
@@ -260,7 +260,7 @@ void draw_sequence(Sequence& sequence, const std::string& folder, const DrawingO
   for (int frame = 0; frame < count; ++frame) frame_files.push_back(frame_file(scene, frame));
   std::vector<std::string> files = frame_files;
   files.push_back(scene.name + ".apng");
-  PictureFolder pictures(folder, files, scene.files);
+  drawing::PictureFolder pictures(folder, files, scene.files);
   const std::string animation = pictures.path_of(files.back());
   if (!options.film.empty()) {
     command::OutputFiles outputs;
@@ -300,7 +300,7 @@ void draw_sequence(Sequence& sequence, const std::string& folder, const DrawingO
   if (!options.film.empty()) {
     files::write_whole_file(options.film, film(options.film, frames, options.frames_per_second));
   }
-  const std::string words = display_in_words(display);
+  const std::string words = drawing::display_in_words(display);
   command::report(fmt::format("{}{}: {} frames, {} a second{}; {:.1f} s in all\n", animation,
                               options.film.empty() ? "" : " and " + options.film, count, options.frames_per_second,
                               words.empty() ? "" : ", " + words, timer.seconds()));

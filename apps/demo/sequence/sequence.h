@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "demo/options/drawing_options.h"
-#include "demo/options/scene_options.h"
 #include "demo/sequence/camera_path.h"
 #include "demo/sequence/course.h"
+#include "drawing/drawing_options.h"
+#include "drawing/scene_options.h"
 
 namespace litfog::demo {
 
@@ -20,7 +20,7 @@ struct MemberCourse {
 
 /// What changes from frame to frame.
 struct SequenceOptions {
-  std::string scene;  ///< as SceneOptions::scene
+  std::string scene;  ///< as drawing::SceneOptions::scene
   std::vector<MemberCourse> members = {};
   std::optional<Course<double>> visibility = {};  ///< metres; default: what the scene suggests
   std::optional<Course<double>> seconds = {};     ///< for which the scene's lights have been turning; default: 0
@@ -89,6 +89,6 @@ class Sequence {
 ///
 /// sequence  shows its first frame
 /// drawing  an automatic exposure is that of the first frame, for all
-void draw_sequence(Sequence& sequence, const std::string& folder, const DrawingOptions& drawing);
+void draw_sequence(Sequence& sequence, const std::string& folder, const drawing::DrawingOptions& drawing);
 
 }  // namespace litfog::demo

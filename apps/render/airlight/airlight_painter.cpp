@@ -11,13 +11,13 @@
 #include <vector>
 
 #include "render/airlight/airlight_tiles.h"
-#include "render/fog_top.h"
 #include "render/gpu/depth.h"
 #include "render/gpu/framebuffer.h"
 #include "render/gpu/light_uniforms.h"
+#include "render/gpu/render_shaders.h"
 #include "render/gpu/texture_unit.h"
 #include "render/gpu/uniform.h"
-#include "render/render_shaders.h"
+#include "render/plan/fog_top.h"
 
 namespace litfog::render {
 namespace {

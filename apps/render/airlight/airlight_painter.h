@@ -16,8 +16,8 @@
 #include "render/gpu/data_texture.h"
 #include "render/gpu/framebuffer.h"
 #include "render/interruption.h"
+#include "render/plan/view.h"
 #include "render/render_settings.h"
-#include "render/view.h"
 #include "scene/scene.h"
 
 namespace litfog::render {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "render/render_shaders.h"
+#include "render/gpu/render_shaders.h"
 
 namespace litfog::render {
 

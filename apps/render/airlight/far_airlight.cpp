@@ -7,9 +7,9 @@
 
 #include "render/gpu/framebuffer.h"
 #include "render/gpu/light_uniforms.h"
+#include "render/gpu/render_shaders.h"
 #include "render/gpu/texture_unit.h"
 #include "render/gpu/uniform.h"
-#include "render/render_shaders.h"
 
 namespace litfog::render {
 namespace {

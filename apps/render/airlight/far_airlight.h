@@ -12,7 +12,7 @@
 #include "render/airlight/airlight_programs.h"
 #include "render/airlight/far_airlight_list.h"
 #include "render/gpu/data_texture.h"
-#include "render/view.h"
+#include "render/plan/view.h"
 #include "scene/scene.h"
 
 namespace litfog::render {

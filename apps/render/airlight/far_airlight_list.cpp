@@ -7,8 +7,8 @@
 #include <tuple>
 
 #include "litfog/attenuation.h"
-#include "render/fog_top.h"
 #include "render/light/hidden_range.h"
+#include "render/plan/fog_top.h"
 
 namespace litfog::render {
 namespace {

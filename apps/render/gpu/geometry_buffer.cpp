@@ -11,9 +11,9 @@
 
 #include "litfog/gl/unsupported.h"
 #include "render/gpu/depth.h"
+#include "render/gpu/render_shaders.h"
 #include "render/gpu/texture_unit.h"
 #include "render/gpu/uniform.h"
-#include "render/render_shaders.h"
 
 namespace litfog::render {
 namespace {

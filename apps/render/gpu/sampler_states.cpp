@@ -5,8 +5,8 @@
 
 #include <vector>
 
+#include "render/gpu/render_shaders.h"
 #include "render/gpu/texture_unit.h"
-#include "render/render_shaders.h"
 
 namespace litfog::render {
 

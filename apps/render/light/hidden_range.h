@@ -5,7 +5,7 @@
 
 #include "litfog/fog.h"
 #include "render/light/scene_lights.h"
-#include "render/lighting_path.h"
+#include "render/plan/lighting_path.h"
 #include "scene/mesh.h"
 
 namespace litfog::render {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "litfog/fog.h"
-#include "render/frustum.h"
 #include "render/light/scene_lights.h"
+#include "render/plan/frustum.h"
 
 namespace litfog::render {
 

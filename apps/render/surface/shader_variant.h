@@ -7,7 +7,7 @@
 #include <string>
 
 #include "render/light/scene_lights.h"
-#include "render/lighting_path.h"
+#include "render/plan/lighting_path.h"
 
 namespace litfog::render {
 

@@ -7,16 +7,16 @@
 
 #include "litfog/gl/fog_light_buffer.h"
 #include "render/airlight/far_airlight.h"
-#include "render/frame_plan.h"
 #include "render/interruption.h"
 #include "render/light/light_map_store.h"
 #include "render/light/light_selection.h"
 #include "render/light/scene_lights.h"
+#include "render/plan/frame_plan.h"
+#include "render/plan/view.h"
 #include "render/render_settings.h"
 #include "render/shadow/shadow_maps.h"
 #include "render/surface/surface_list.h"
 #include "render/surface/surface_programs.h"
-#include "render/view.h"
 
 namespace litfog::render {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "render/gpu/depth.h"
-#include "render/render_shaders.h"
+#include "render/gpu/render_shaders.h"
 
 namespace litfog::render {
 namespace {

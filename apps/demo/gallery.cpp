@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "demo/gallery.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "command/standard_output.h"
+#include "command/table.h"
+#include "command/wall_timer.h"
+#include "drawing/contact_sheet.h"
+#include "drawing/drawing.h"
+#include "drawing/picture_folder.h"
+#include "scene/file/scene_file.h"
+
+namespace litfog::demo {
+namespace {
+
+/// Whether two lights have one row in the table: the name and all that the solution depends on are the same.
+bool is_same_kind(const Light& a, const Light& b) {
+  const auto row = [](const Light& light) {
+    const Attenuation& attenuation = light.attenuation;
+    return std::tie(light.name, attenuation.constant, attenuation.linear, attenuation.quadratic, light.threshold,
+                    light.density_scale);
+  };
+  return row(a) == row(b);
+}
+
+/// Extent, peak range and intensity of each different light in a scene at each visibility.
+void add_solutions(command::Table& table, const scene::Scene& scene, FogMode mode) {
+  std::vector<const Light*> kinds;
+  for (const PlacedLight& placed : scene.lights) {
+    const bool is_known =
+        std::ranges::any_of(kinds, [&](const Light* kind) { return is_same_kind(*kind, placed.light); });
+    if (!is_known) kinds.push_back(&placed.light);
+  }
+  for (const Light* kind : kinds) {
+    for (const double visibility : scene.visibilities) {
+      const FogIntensity solution = solve_fog_intensity(*kind, Fog::from_visibility(mode, visibility));
+      table.rows.push_back(
+          {scene.name, kind->name, visibility, solution.extent, solution.peak_range, solution.intensity});
+    }
+  }
+}
+
+constexpr const char* kSheetFile = "contact-sheet.png";
+
+/// Infinity, clear air, before the scene's own.
+std::vector<double> shown_visibilities(const scene::Scene& scene) {
+  std::vector<double> visibilities{std::numeric_limits<double>::infinity()};
+  visibilities.insert(visibilities.end(), scene.visibilities.begin(), scene.visibilities.end());
+  return visibilities;
+}
+
+/// A scene drawn in one way at each visibility: a row of the sheet.
+struct Row {
+  const scene::Scene* scene;
+  render::RenderSettings render;
+  std::string title;   ///< of its captions
+  std::string prefix;  ///< of its files
+};
+
+/// A row a scene, and the first one's by the peak where airlight is the default.
+std::vector<Row> make_rows(const std::vector<scene::Scene>& scenes, const drawing::DrawingOptions& options) {
+  const bool is_default_path = options.render.path == &render::lighting_paths().front();
+  std::vector<Row> rows;
+  for (const scene::Scene& scene : scenes) {
+    const bool is_at_vertices = scene.is_lit_at_vertices && is_default_path;
+    const render::RenderSettings settings =
+        options.settings_of(is_at_vertices ? *render::find_lighting_path("vertex") : *options.render.path);
+    rows.push_back({&scene, settings, scene.name + (is_at_vertices ? " by --path vertex" : ""), scene.name});
+    const bool compares_peak = !options.fog_light && settings.fog_lighting == render::FogLighting::airlight;
+    if (!compares_peak || rows.size() > 1) continue;
+    rows.push_back({&scene, settings, scene.name + " by --fog-light peak", scene.name + "-peak"});
+    rows.back().render.fog_lighting = render::FogLighting::peak;
+  }
+  return rows;
+}
+
+std::string picture_file(const Row& row, double visibility) {
+  return row.prefix + (std::isinf(visibility) ? "-clear" : fmt::format("-{}m", visibility)) + ".png";
+}
+
+drawing::DrawingOptions at_visibility(drawing::DrawingOptions options, double visibility) {
+  options.visibility = visibility;
+  return options;
+}
+
+drawing::PictureFolder make_folder(const std::string& path, const std::vector<Row>& rows) {
+  std::vector<std::string> files{kSheetFile};
+  std::vector<std::string> inputs;
+  for (const Row& row : rows) {
+    for (const double visibility : shown_visibilities(*row.scene)) files.push_back(picture_file(row, visibility));
+    inputs.insert(inputs.end(), row.scene->files.begin(), row.scene->files.end());
+  }
+  return {path, files, inputs};
+}
+
+}  // namespace
+
+void draw_gallery(const std::vector<std::string>& scenes, const std::string& folder,
+                  const drawing::DrawingOptions& options) {
+  const command::WallTimer timer;
+  std::vector<scene::Scene> read = scene::read_scenes(scenes);
+  for (scene::Scene& scene : read) drawing::set_scene(scene, options);
+  command::report(fmt::format("all loaded in {:.2f} s\n", timer.seconds()));
+  const std::vector<Row> rows = make_rows(read, options);
+  drawing::PictureFolder pictures = make_folder(folder, rows);
+  command::Table solutions{{"scene", "light", "visibility_m", "extent_m", "peak_range_m", "intensity"}, {}};
+  std::vector<std::vector<drawing::SheetEntry>> sheet;
+  for (const scene::Scene& scene : read) add_solutions(solutions, scene, options.fog_mode());
+  for (const Row& row : rows) {
+    const scene::Scene& scene = *row.scene;
+    render::Renderer renderer(scene, options.width, options.height, row.render);
+    command::report(fmt::format("{}: {} lights\n", row.title, scene.lights.size()));
+    sheet.emplace_back();
+    for (const double visibility : shown_visibilities(scene)) {
+      const bool is_clear = std::isinf(visibility);
+      const std::string file = picture_file(row, visibility);
+      const command::WallTimer frame_timer;
+      const render::Display display =
+          drawing::set_fog_and_exposure(renderer, at_visibility(options, visibility)).display;
+      renderer.draw();
+      const render::Picture drawn = renderer.read();
+      const double draw_seconds = frame_timer.seconds();
+      std::vector<std::string> caption{is_clear ? row.title + ", clear air"
+                                                : fmt::format("{}, visibility {} m", row.title, visibility)};
+      const std::string words = drawing::display_in_words(display);
+      if (!words.empty()) caption.push_back(words);
+      render::Picture picture = render::displayed(drawn, display);
+      sheet.back().push_back({drawing::fitted_to_cell(picture), std::move(caption)});
+      pictures.write(file, std::move(picture));
+      command::report(fmt::format("  {:<40} drawn in {:.2f} s{}\n", pictures.path_of(file), draw_seconds,
+                                  words.empty() ? "" : ", " + words));
+    }
+  }
+  pictures.write(kSheetFile, drawing::make_contact_sheet(sheet));
+  pictures.finish();
+  command::report("\n" + command::format_table(solutions, command::TableFormat::text));
+  command::report(fmt::format("\n{} shows all; {:.1f} s in all\n", pictures.path_of(kSheetFile), timer.seconds()));
+}
+
+}  // namespace litfog::demo

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "drawing/drawing_options.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "command/command.h"
+#include "command/number.h"
+#include "render/plan/lighting_path.h"
+
+namespace litfog::drawing {
+namespace {
+
+constexpr int kMaxSide = 16'384;
+constexpr command::NumberRule kFraction{[](double x) { return x >= 0 && x <= 1; }, "must be a number in [0, 1]", 0, 1};
+constexpr command::NumberRule kPhase{scene::is_phase_g, scene::kPhaseRule};
+constexpr std::int64_t kMaxPixels = 40'000'000;  // some 3 GiB, 5 with airlight
+
+void parse_size(const std::string& text, DrawingOptions& options) {
+  const auto cross = text.find('x');
+  const auto width = command::parse_integer(std::string_view(text).substr(0, cross));
+  const auto height =
+      cross == std::string::npos ? std::nullopt : command::parse_integer(std::string_view(text).substr(cross + 1));
+  const bool is_side = width && height && *width >= 1 && *height >= 1 && *width <= kMaxSide && *height <= kMaxSide;
+  if (!is_side || std::int64_t(*width) * *height > kMaxPixels) {
+    command::fail_option(
+        "--size", text,
+        fmt::format("must be WIDTHxHEIGHT, each in [1, {}], at most {} pixels in all", kMaxSide, kMaxPixels));
+  }
+  options.width = *width;
+  options.height = *height;
+}
+
+/// command::add_number for an option without a default.
+void add_number(CLI::App& app, const std::string& name, std::optional<double>& target, command::NumberRule rule,
+                const std::string& description) {
+  const auto parse = [&target, name, rule](const std::string& text) {
+    target = command::parse_number(text, rule);
+    if (!target) command::fail_option(name, text, rule.text);
+  };
+  app.add_option_function<std::string>(name, parse, description)->type_name("NUMBER");
+}
+
+void add_phase(CLI::App& app, DrawingOptions& options) {
+  add_number(
+      app, "--phase-g", options.phase_g, kPhase,
+      "With airlight: Henyey-Greenstein asymmetry of the fog, in place of the scene's; 0 scatters evenly, near 1 "
+      "straight ahead");
+}
+
+std::vector<std::pair<std::string, const render::LightingPath*>> path_names() {
+  std::vector<std::pair<std::string, const render::LightingPath*>> names;
+  for (const auto paths : {render::lighting_paths(), render::published_programs()}) {
+    for (const render::LightingPath& path : paths) names.emplace_back(path.name, &path);
+  }
+  return names;
+}
+
+/// Of a path that takes neither airlight nor shadows.
+const char* why_without_airlight(const render::LightingPath& path) {
+  return path.evaluation == render::Evaluation::vertex ? "its lamps do not light each fragment"
+                                                       : "it is as its paper prints it";
+}
+
+}  // namespace
+
+const command::NumberRule kSeconds{[](double x) { return x >= 0 && x <= scene::kMaxSeconds; },
+                                   "must be a number in [0, 1e9]", 0, scene::kMaxSeconds};
+
+double DrawingOptions::visibility_in(const scene::Scene& scene) const {
+  if (!fog) return std::numeric_limits<double>::infinity();
+  return visibility.value_or(scene::suggested_visibility(scene));
+}
+
+render::RenderSettings DrawingOptions::settings_of(const render::LightingPath& path) const {
+  const bool is_default = &path == &render::lighting_paths().front();
+  const auto own = is_default ? render::FogLighting::airlight : render::FogLighting::peak;
+  render::RenderSettings settings = render;
+  settings.path = &path;
+  settings.fog_lighting = path.takes_airlight ? fog_light.value_or(own) : render::FogLighting::peak;
+  if (!path.takes_airlight) settings.shadows = render::Shadows::none;
+  return settings;
+}
+
+void add_fog(CLI::App& app, DrawingOptions& options) {
+  command::add_choice<std::optional<FogMode>>(app, "--fog", options.fog,
+                                              {{"exp", FogMode::exp}, {"exp2", FogMode::exp2}},
+                                              "Law by which fog dims light over range (default exp)");
+  add_phase(app, options);
+}
+
+void add_fog_and_visibility(CLI::App& app, DrawingOptions& options) {
+  command::add_choice<std::optional<FogMode>>(app, "--fog", options.fog,
+                                              {{"exp", FogMode::exp}, {"exp2", FogMode::exp2}, {"none", std::nullopt}},
+                                              "Law by which fog dims light over range (default exp)");
+  add_number(app, "--visibility", options.visibility, command::kNotNegative,
+             "Range in metres at which a fraction of the contrast is left; inf is clear air (default: what the scene "
+             "suggests)");
+  command::add_contrast(app, options.contrast);
+  add_phase(app, options);
+}
+
+bool is_hales_lookup(const render::LightingPath& path) {
+  return path.evaluation == render::Evaluation::lookup && path.surface == render::SurfaceModel::diffuse;
+}
+
+void add_path(CLI::App& app, DrawingOptions& options) {
+  command::add_choice(app, "--path", options.render.path, path_names(),
+                      "Lighting path: see `litfog-demo list paths` (default unified)");
+  app.add_flag("--flat-shading", options.render.is_flat_shaded,
+               "With lookup-3d and lookup-2d: the directional light by the faces' normals");
+}
+
+void add_size(CLI::App& app, DrawingOptions& options) {
+  const std::string description = fmt::format("Pixels (default {}x{})", options.width, options.height);
+  app.add_option_function<std::string>(
+         "--size", [&options](const std::string& text) { parse_size(text, options); }, description)
+      ->type_name("WxH");
+}
+
+void add_rendering(CLI::App& app, DrawingOptions& options) {
+  add_size(app, options);
+  command::add_choice(app, "--samples", options.render.samples, {{"1", 1}, {"2", 2}, {"4", 4}, {"8", 8}},
+                      "At least this many samples a pixel (default 4)");
+  command::add_integer(app, "--map-size", options.render.map_size, 8, 256,
+                       "Edge of the path's light maps in texels (default 128)");
+  command::add_choice(
+      app, "--cone-maps", options.render.cone_maps,
+      {{"scaled", render::ConeMaps::scaled},
+       {"even", render::ConeMaps::even},
+       {"one-disc", render::ConeMaps::one_disc}},
+      "Cube maps of paths with light maps: scaled spans one face by each cone below 90 degrees, as the papers do; even "
+      "spreads cones wider than 60 degrees over all faces; one-disc is Frazier's one map for every cone (default "
+      "scaled)");
+  command::add_number(
+      app, "--light-ambient", options.render.light_ambient, kFraction,
+      "With lookup-3d and lookup-2d: the lights' ambient colour as a fraction of their colour (default 0)");
+  app.add_flag("--infinite-viewer", options.render.has_infinite_viewer,
+               "Highlights as seen from far away along the camera's axis");
+  app.add_flag_callback(
+      "--no-skip", [&options] { options.render.skipping = render::Skipping::off; },
+      "Draw and light everything, even what cannot be visible");
+}
+
+void add_fog_light(CLI::App& app, DrawingOptions& options) {
+  command::add_choice<std::optional<render::FogLighting>>(
+      app, "--fog-light", options.fog_light,
+      {{"peak", render::FogLighting::peak}, {"airlight", render::FogLighting::airlight}},
+      "How lamps light the fog: peak is the papers' way, in which only carried lights do; airlight is that of every "
+      "lamp along each ray (default airlight with --path unified, else peak)");
+}
+
+void add_shadows(CLI::App& app, DrawingOptions& options) {
+  command::add_choice(
+      app, "--shadows", options.render.shadows,
+      {{"none", render::Shadows::none}, {"surfaces", render::Shadows::surfaces}, {"shafts", render::Shadows::shafts}},
+      "What the shadows of lamps and moon darken: surfaces; shafts is surfaces and lamps' airlight, which errs by up "
+      "to 2.5 steps of 1/255 at the edges of shafts (default none)");
+  command::add_integer(
+      app, "--shadow-lamps", options.render.shadow_lamps, 1, int(scene::kMaxSceneLights),
+      "With --shadows: at most this many lamps cast them, the carried ones first, then the brightest at "
+      "the camera (default 8)");
+  command::add_integer(app, "--shadow-map-size", options.render.shadow_map_size, 16, 8192,
+                       "With --shadows: edge of a shadow map in texels; a lamp has one, or up to six if it shines all "
+                       "around, the moon four (default 1024)");
+}
+
+void add_time(CLI::App& app, DrawingOptions& options) {
+  command::add_number(app, "--time", options.seconds, kSeconds,
+                      "Seconds for which the scene's cookies and lights have been turning (default 0)");
+}
+
+std::vector<command::OptionRule> fog_and_shadow_rules(const DrawingOptions& options) {
+  using render::Shadows;
+  const render::LightingPath& path = *options.render.path;
+  const std::string name = fmt::format("--path {}", path.name);
+  const Shadows shadows = options.render.shadows;
+  const bool is_peak = options.settings().fog_lighting == render::FogLighting::peak;
+  return {{"--fog none", !options.fog, {"--visibility", "--contrast", "--phase-g"}, "the air is clear"},
+          {name, shadows != Shadows::none && !path.takes_airlight, {"--shadows"}, why_without_airlight(path)},
+          {options.fog_light ? "--fog-light peak" : name,
+           shadows == Shadows::shafts && is_peak,
+           {"--shadows"},
+           "only airlight has shafts"},
+          {"--shadows none", shadows == Shadows::none, {"--shadow-lamps", "--shadow-map-size"}, "no lamp casts any"}};
+}
+
+std::vector<command::OptionRule> drawing_rules(const DrawingOptions& options) {
+  const render::LightingPath& path = *options.render.path;
+  const std::string name = fmt::format("--path {}", path.name);
+  const bool is_peak = options.settings().fog_lighting == render::FogLighting::peak;
+  std::vector<command::OptionRule> rules = fog_and_shadow_rules(options);
+  rules.insert(
+      rules.end(),
+      {{options.fog_light ? "--fog-light peak" : name, is_peak, {"--phase-g"}, "only airlight scatters by it"},
+       {name, path.maps == render::LightMapSet::none, {"--map-size", "--cone-maps"}, "it has no light maps"},
+       {name, !is_hales_lookup(path), {"--flat-shading", "--light-ambient"}, "only lookup-3d and lookup-2d have it"},
+       {name,
+        options.fog_light == render::FogLighting::airlight && !path.takes_airlight,
+        {"--fog-light"},
+        why_without_airlight(path)},
+       {name, path.surface != render::SurfaceModel::basic, {"--infinite-viewer"}, "it has no highlights"}});
+  return rules;
+}
+
+void expect_pixels(const DrawingOptions& options, std::int64_t most, const std::string& what) {
+  if (std::int64_t(options.width) * options.height <= most) return;
+  command::fail_option("--size", fmt::format("{}x{}", options.width, options.height),
+                       fmt::format("must be at most {} pixels in all {}", most, what));
+}
+
+}  // namespace litfog::drawing

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "command/option_rule.h"
+#include "drawing/display_options.h"
+#include "litfog/fog.h"
+#include "render/render_settings.h"
+#include "scene/scene.h"
+
+namespace CLI {
+class App;
+}
+
+namespace litfog::command {
+struct NumberRule;
+}
+
+namespace litfog::drawing {
+
+extern const command::NumberRule kSeconds;  ///< of --time
+
+/// What the jobs of litfog-demo have in common: how they draw. A job adds the options that mean something to it.
+struct DrawingOptions {
+  std::optional<FogMode> fog = FogMode::exp;  ///< none: clear air
+  std::optional<double> visibility = {};      ///< metres; default: what each scene suggests
+  double contrast = kContrastMor;             ///< that is left at the visibility, (0, 1)
+  std::optional<double> phase_g = {};         ///< in (-1, 1); default: the scenes' own
+  double seconds = 0;                         ///< for which the scenes' lights have been turning
+  int width = 1280;                           ///< pixels
+  int height = 720;
+  render::RenderSettings render = {};
+  std::optional<render::FogLighting> fog_light = {};  ///< default: airlight along `unified`, peak along the others
+  DisplayOptions display = {};
+
+  friend bool operator==(const DrawingOptions&, const DrawingOptions&) = default;
+
+  /// Metres: the visibility that is asked for, else the one that the scene suggests; infinite in clear air.
+  double visibility_in(const scene::Scene& scene) const;
+  /// How a path draws. One that takes no airlight draws the peak whatever is asked for.
+  render::RenderSettings settings_of(const render::LightingPath& path) const;
+  /// How the chosen path draws: by `render`, but for what fog_light states and the path excludes.
+  render::RenderSettings settings() const { return settings_of(*render.path); }
+  FogMode fog_mode() const { return fog.value_or(FogMode::exp); }
+  /// The fog of a visibility in metres.
+  Fog fog_at(double metres) const { return Fog::from_visibility(fog_mode(), metres, contrast); }
+};
+
+/// --fog, for a job that draws clear air anyway, and --phase-g.
+void add_fog(CLI::App& app, DrawingOptions& options);
+/// --fog, which may be none, --visibility, --contrast and --phase-g.
+void add_fog_and_visibility(CLI::App& app, DrawingOptions& options);
+/// Whether a path is lookup-3d or lookup-2d, to which --flat-shading and --light-ambient belong.
+bool is_hales_lookup(const render::LightingPath& path);
+/// --path and --flat-shading.
+void add_path(CLI::App& app, DrawingOptions& options);
+void add_size(CLI::App& app, DrawingOptions& options);
+/// --size, --samples, --map-size, --cone-maps, --light-ambient, --infinite-viewer and --no-skip.
+void add_rendering(CLI::App& app, DrawingOptions& options);
+/// --fog-light, for a job over one path or all.
+void add_fog_light(CLI::App& app, DrawingOptions& options);
+/// --shadows, --shadow-lamps and --shadow-map-size, for a job over one path or all.
+void add_shadows(CLI::App& app, DrawingOptions& options);
+void add_time(CLI::App& app, DrawingOptions& options);
+
+/// Of --fog none and --shadows: all there are for a job over every path.
+std::vector<command::OptionRule> fog_and_shadow_rules(const DrawingOptions& options);
+
+/// Those, and the chosen path's.
+std::vector<command::OptionRule> drawing_rules(const DrawingOptions& options);
+
+/// Throws the usage error of a --size of more pixels than this. what: of which, "for a reference"
+void expect_pixels(const DrawingOptions& options, std::int64_t most, const std::string& what);
+
+}  // namespace litfog::drawing

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/file/scene_file.h"
+
+namespace CLI {
+class App;
+}
+
+namespace litfog::command {
+struct NumberRule;
+}
+
+namespace litfog::drawing {
+
+extern const command::NumberRule kFieldOfView;  ///< of --fov-deg
+
+/// A scene as the command line states it.
+struct SceneOptions {
+  std::string scene;                             ///< the name of one that comes with litfog, or a file's path
+  std::vector<scene::SceneChange> changes = {};  ///< of members of its file
+  std::optional<glm::dvec3> camera = {};         ///< metres; default: the scene's own, like the two that follow
+  std::optional<glm::dvec3> target = {};         ///< metres
+  std::optional<double> field_of_view_deg = {};  ///< vertical
+  int city_lights = 0;                           ///< of a generated city; 0: the scene's
+};
+
+/// SCENE of a single scene.
+void add_scene(CLI::App& app, SceneOptions& options);
+/// --set, as often as it is wanted.
+void add_changes(CLI::App& app, SceneOptions& options);
+/// --lights.
+void add_city_lights(CLI::App& app, SceneOptions& options);
+/// --camera, --target and --fov-deg.
+void add_view(CLI::App& app, SceneOptions& options);
+
+/// Reads the scene, changes it and puts its camera in place. Throws InputError, and the usage error of a view that no
+/// scene file may have either.
+///
+/// kept  as scene::read_scene takes it
+scene::Scene read_scene(const SceneOptions& options, scene::SceneParts* kept = nullptr);
+
+/// A --set's MEMBER=VALUE. Throws its usage error.
+scene::SceneChange parse_change(const std::string& text);
+
+/// An option's X,Y,Z as a point of a scene. Throws its usage error.
+glm::dvec3 parse_point(const std::string& option, const std::string& text);
+
+/// The file of a scene that is named as in SceneOptions. Throws InputError where there is none.
+std::string scene_path(const std::string& scene);
+
+/// Whether --time has an effect on a scene.
+bool has_turning_light(const scene::Scene& scene);
+
+}  // namespace litfog::drawing

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/plan/lighting_path.h"
+
+#include <algorithm>
+
+namespace litfog::render {
+namespace {
+
+constexpr std::string_view kCgTutorial = "Randima Fernando and Mark Kilgard 2003, \"The Cg Tutorial\"";
+constexpr std::string_view kFrazier =
+    "Ronald Frazier 2000, \"Real-Time Per-Pixel Point Lights and Spot Lights in OpenGL\"";
+constexpr std::string_view kHales = "Steven Hales 2004, \"Realtime Pixel Lighting Using Fragment Programs\"";
+constexpr std::string_view kLacroix =
+    "Jason Lacroix 2005, \"Let There Be Light!: A Unified Lighting Technique for a New Generation of Games\"";
+
+std::string of(std::string_view paper, std::string_view place) { return std::string(paper).append(", ").append(place); }
+
+/// The Basic model at each fragment, any number of lights, by a fragment shader.
+SurfacePass per_fragment(std::string_view fragment, LightFeed lights = {}) {
+  lights.kind = LightFeed::Kind::all;
+  return {.vertex = "surface.vert", .fragment = fragment, .lights = lights, .constants_from_vertices = true};
+}
+
+/// Batches of lights by light maps, at the fragments.
+SurfacePass looked_up(std::string_view fragment, LightFeed lights) {
+  lights.kind = LightFeed::Kind::batches;
+  return {.vertex = "light_coordinates.vert", .fragment = fragment, .lights = lights};
+}
+
+/// Frazier's ambient light alone, and his lights added to it one by one.
+std::vector<SurfacePass> accumulated() {
+  const SurfacePass ambient{
+      .vertex = "light_coordinates.vert", .fragment = "accumulate_ambient.frag", .shows_fog = false};
+  SurfacePass light = looked_up("accumulate_light.frag", {.batch_size = 1});
+  light.blend = Blend::add;
+  light.shows_fog = false;
+  return {ambient, light};
+}
+
+/// The same, multiplied by the base texture, and the fog before it.
+std::vector<SurfacePass> accumulated_with_texture() {
+  std::vector<SurfacePass> passes = accumulated();
+  passes.push_back({.vertex = "light_coordinates.vert",
+                    .fragment = "accumulate_texture.frag",
+                    .blend = Blend::multiply,
+                    .shows_fog = false});
+  passes.push_back({.vertex = "light_coordinates.vert", .fragment = "accumulate_fog.frag", .blend = Blend::over});
+  return passes;
+}
+
+std::vector<LightingPath> make_paths() {
+  return {
+      {.name = "unified",
+       .description = "everything per fragment in world space, normal maps, any number of lights",
+       .source = of(kLacroix, "listings 2.1 to 2.3"),
+       .has_normal_maps = true,
+       .takes_airlight = true,
+       .has_light_bound = true,
+       .passes = {per_fragment("unified.frag")}},
+      {.name = "lookup-3d",
+       .description = "range from a 3-D texture, angle from a cube map whose +x face spans the cone",
+       .source = std::string(kHales),
+       .surface = SurfaceModel::diffuse,
+       .evaluation = Evaluation::lookup,
+       .takes_airlight = true,
+       .has_light_bound = true,
+       .maps = LightMapSet::volume,
+       .passes = {looked_up("lookup_3d.frag", {.batch_size = 4, .bring_fog = true})}},
+      {.name = "lookup-2d",
+       .description = "range from two 2-D textures, angle from the same cube map",
+       .source = std::string(kHales),
+       .surface = SurfaceModel::diffuse,
+       .evaluation = Evaluation::lookup,
+       .takes_airlight = true,
+       .has_light_bound = true,
+       .maps = LightMapSet::pair,
+       .passes = {looked_up("lookup_2d.frag", {.batch_size = 4, .bring_fog = true})}},
+      {.name = "radial",
+       .description = "1 - r^2 / E^2 from a 2-D and a 1-D texture, spots from a cube map",
+       .source = std::string(kFrazier),
+       .surface = SurfaceModel::unshaded,
+       .range = RangeLaw::radial,
+       .evaluation = Evaluation::lookup,
+       .takes_airlight = true,
+       .has_light_bound = true,
+       .maps = LightMapSet::radial,
+       .passes = {looked_up("radial.frag", {.batch_size = 4})}},
+      {.name = "radial-plane",
+       .description = "the same from one 2-D texture: each plane rotated to z = 0, z^2 a constant",
+       .source = std::string(kFrazier),
+       .surface = SurfaceModel::unshaded,
+       .range = RangeLaw::radial,
+       .evaluation = Evaluation::lookup,
+       .takes_airlight = true,
+       .has_light_bound = true,
+       .maps = LightMapSet::radial,
+       .passes = {{.vertex = "radial_plane.vert",
+                   .geometry = "radial_plane.geom",
+                   .fragment = "radial_plane.frag",
+                   .lights = {.kind = LightFeed::Kind::batches, .batch_size = 4}}}},
+      {.name = "accumulate",
+       .description = "lights added one by one over the ambient light, then multiplied by the base texture",
+       .source = std::string(kFrazier),
+       .surface = SurfaceModel::unshaded,
+       .range = RangeLaw::radial,
+       .evaluation = Evaluation::lookup,
+       .takes_airlight = true,
+       .has_light_bound = true,
+       .maps = LightMapSet::radial,
+       .passes = accumulated_with_texture()},
+      {.name = "vertex",
+       .description = "the Basic model at the vertices, any number of lights",
+       .source = of(kCgTutorial, "section 5.2; ") + of(kLacroix, "listing 1.1"),
+       .evaluation = Evaluation::vertex,
+       .passes = {{.vertex = "vertex.vert", .fragment = "vertex.frag", .lights = {.kind = LightFeed::Kind::all}}}},
+      {.name = "mixed",
+       .description = "diffuse at the vertices, specular at the fragments",
+       .source = of(kCgTutorial, "chapter 5, exercise 6"),
+       .evaluation = Evaluation::vertex,
+       .passes = {{.vertex = "mixed.vert",
+                   .fragment = "mixed.frag",
+                   .lights = {.kind = LightFeed::Kind::batches, .batch_size = 4, .lists_rest = true}}}},
+      {.name = "tangent",
+       .description = "normal maps, the lights carried into tangent space at the vertices, five a pass",
+       .source = of(kLacroix, "listing 1.2"),
+       .evaluation = Evaluation::vertex,
+       .has_normal_maps = true,
+       .takes_airlight = true,
+       .passes = {{.vertex = "tangent.vert",
+                   .fragment = "tangent.frag",
+                   .lights = {.kind = LightFeed::Kind::batches, .batch_size = 5}}}},
+      {.name = "legacy",
+       .description = "diffuse light at the vertices, texture and fog of one colour: the cost baseline",
+       .source = of(kHales, "table 1"),
+       .surface = SurfaceModel::diffuse,
+       .evaluation = Evaluation::vertex,
+       .has_lit_fog = false,
+       .passes = {{.vertex = "legacy.vert", .fragment = "legacy.frag", .lights = {.kind = LightFeed::Kind::all}}}},
+  };
+}
+
+std::vector<LightingPath> make_programs() {
+  return {
+      {.name = "sample",
+       .description = "two headlights on one range look-up, the light as ambient, saturating arithmetic",
+       .source = of(kHales, "sample fragment program"),
+       .surface = SurfaceModel::unshaded,
+       .evaluation = Evaluation::lookup,
+       .has_reference = false,
+       .pairs_lights = true,
+       .maps = LightMapSet::volume,
+       .passes = {looked_up("sample.frag", {.batch_size = 2, .bring_fog = true})}},
+      {.name = "light-map",
+       .description = "the lights of accumulate added over the ambient light, without texture and fog",
+       .source = of(kFrazier, "\"Multiple Lights in a Scene\""),
+       .surface = SurfaceModel::unshaded,
+       .range = RangeLaw::radial,
+       .evaluation = Evaluation::lookup,
+       .has_lit_fog = false,
+       .has_reference = false,
+       .maps = LightMapSet::radial,
+       .passes = accumulated()},
+      {.name = "interpolated",
+       .description = "unified without normal maps",
+       .source = of(kLacroix, "listing 2.2"),
+       .takes_airlight = true,
+       .passes = {per_fragment("interpolated.frag")}},
+      {.name = "nested",
+       .description = "unified, its lights in nested ifs that end at the first one whose flag is off",
+       .source = of(kLacroix, "listings 3.1 and 3.2"),
+       .has_normal_maps = true,
+       .takes_airlight = true,
+       .passes = {per_fragment("nested.frag", {.has_flags = true})}},
+      {.name = "lacroix",
+       .description = "attenuation and N.L as printed, neither clamped nor cut; matt surfaces",
+       .source = of(kLacroix, "equations 1 to 4, listings 2.1 and 2.2"),
+       .surface = SurfaceModel::diffuse,
+       .range = RangeLaw::unbounded,
+       .has_reference = false,
+       .passes = {{.vertex = "surface.vert", .fragment = "lacroix.frag", .lights = {.kind = LightFeed::Kind::all}}}},
+      {.name = "parallax",
+       .description = "unified, its textures shifted by their heights",
+       .source = of(kLacroix, "\"Per-pixel normal map based lighting\""),
+       .has_normal_maps = true,
+       .takes_airlight = true,
+       .has_reference = false,
+       .passes = {per_fragment("parallax.frag")}},
+      {.name = "cg",
+       .description = "attenuation as printed, neither clamped nor cut; hard, linear or smooth spots",
+       .source = of(kCgTutorial, "examples 5-3 to 5-10"),
+       .range = RangeLaw::unbounded,
+       .has_reference = false,
+       .passes = {{.vertex = "surface.vert", .fragment = "cg.frag", .lights = {.kind = LightFeed::Kind::all}}}},
+      {.name = "cook-torrance",
+       .description = "unified, its metals by facets",
+       .source = of(kCgTutorial, "chapter 5, further reading"),
+       .has_normal_maps = true,
+       .takes_airlight = true,
+       .has_reference = false,
+       .passes = {per_fragment("cook_torrance.frag")}},
+      {.name = "anisotropic",
+       .description = "unified, its metals brushed",
+       .source = of(kCgTutorial, "chapter 5, exercise 7"),
+       .has_normal_maps = true,
+       .takes_airlight = true,
+       .has_reference = false,
+       .passes = {per_fragment("anisotropic.frag")}},
+  };
+}
+
+}  // namespace
+
+std::span<const LightingPath> lighting_paths() {
+  static const std::vector<LightingPath> kPaths = make_paths();
+  return kPaths;
+}
+
+const LightingPath& unlit_path() {
+  static const LightingPath kPath{.name = "unlit",
+                                  .has_lit_fog = false,
+                                  .passes = {{.vertex = "unlit.vert", .fragment = "unlit.frag", .shows_fog = false}}};
+  return kPath;
+}
+
+const LightingPath& light_count_path() {
+  static const LightingPath kPath{
+      .name = "light-count",
+      .has_lit_fog = false,
+      .passes = {{.vertex = "unlit.vert", .fragment = "light_count.frag", .shows_fog = false}}};
+  return kPath;
+}
+
+const LightingPath& object_space_path() {
+  static const LightingPath kPath{.name = "object-space",
+                                  .description = "unified, its normal maps in the space of their models",
+                                  .source = of(kLacroix, "\"Per-pixel normal map based lighting\""),
+                                  .has_normal_maps = true,
+                                  .takes_airlight = true,
+                                  .has_reference = false,
+                                  .passes = {per_fragment("object_space.frag")}};
+  return kPath;
+}
+
+const LightingPath& geometry_path(const LightingPath& other) {
+  const auto make = [](std::string_view vertex, std::string_view geometry) {
+    return LightingPath{
+        .name = "geometry",
+        .passes = {{.vertex = vertex, .geometry = geometry, .fragment = "geometry.frag", .shows_fog = false}}};
+  };
+  static const LightingPath kDirect = make("surface.vert", {});
+  static const LightingPath kByGeometryShader = make("geometry_corner.vert", "geometry_corner.geom");
+  return other.passes.front().geometry.empty() ? kDirect : kByGeometryShader;
+}
+
+const SurfacePass& fog_alone_pass() {
+  static const SurfacePass kPass{
+      .vertex = "surface.vert", .fragment = "fog_alone.frag", .constants_from_vertices = true};
+  return kPass;
+}
+
+std::span<const LightingPath> published_programs() {
+  static const std::vector<LightingPath> kPrograms = make_programs();
+  return kPrograms;
+}
+
+const LightingPath* find_lighting_path(std::string_view name) {
+  for (const auto paths : {lighting_paths(), published_programs()}) {
+    const auto found = std::ranges::find(paths, name, &LightingPath::name);
+    if (found != paths.end()) return &*found;
+  }
+  return nullptr;
+}
+
+}  // namespace litfog::render

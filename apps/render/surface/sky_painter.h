@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <utility>
+
+#include "litfog/gl/fog_light_buffer.h"
+#include "litfog/gl/program.h"
+#include "render/plan/frame_counts.h"
+#include "render/plan/view.h"
+#include "scene/scene.h"
+
+namespace litfog::render {
+
+/// Draws the sky behind what is in a framebuffer, through the fog, which carried lights light. Needs a current GL
+/// context.
+class SkyPainter {
+ public:
+  /// scene, fog_lights  have to outlive this
+  SkyPainter(const scene::Scene& scene, const gl::FogLightBuffer& fog_lights)
+      : scene_(scene), fog_lights_(fog_lights) {}
+
+  /// The lights' tables, the frame's light list and the cookies are bound to their units.
+  ///
+  /// carried_count  of lights, with which that list begins
+  void draw(const View& view, SkyDrawing drawing, std::size_t carried_count);
+
+ private:
+  const gl::Program& program(SkyDrawing drawing, bool is_lit);
+
+  const scene::Scene& scene_;
+  const gl::FogLightBuffer& fog_lights_;
+  std::map<std::pair<SkyDrawing, bool>, gl::Program> programs_;  // each compiled when it is first asked for
+};
+
+}  // namespace litfog::render
