@@ -55,7 +55,7 @@ inline constexpr double kBatchPeakRangeMaxError = std::is_same_v<Real, float> ? 
 /// lengths do not fit are a bug of the caller's and assert.
 ///
 /// Bound by arithmetic, not by memory: copying the same columns takes at most 7 % of the time from the caches and 27 %
-/// from memory (data/benchmarks/epyc-*-solve.csv, rows batch and memory-copy).
+/// from memory (data/benchmarks/epyc-solve.csv, rows batch and memory-copy).
 ///
 /// returns    how many lights are invalid
 /// max error  on every target: intensity kBatchIntensityMaxUlp, extent kBatchExtentMaxUlp,
