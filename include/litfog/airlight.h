@@ -45,17 +45,21 @@ struct EyeRay {
 /// What is wrong with it, or nothing.
 std::optional<ValueError> check(const EyeRay& ray);
 
-/// Errors of airlight() in isotropic fog, from clear air to 5 cm of visibility, and for cones down to 0.1 degree.
-/// kAirlightMaxError is the largest error. kAirlightTypicalError is the largest relative error of 99 in 100 rays: of
-/// random rays, and of those that pass a light at any one angle (0.1 to 179 degrees) and distance from the eye (0.02 to
-/// 4 fog scales, 1 / density). Among the latter it is kPeakedAirlightTypicalError for a point light within 3 degrees of
-/// the ray, 3 to 4 fog scales away in exp2 fog: there both the light and the fog before it make a peak.
-/// For a point light it covers all random rays, and at one angle and distance those that show more than 1e-12. For a
-/// spot it covers those that show more than kDimAirlight: less comes only from the outermost edge of its cone, as
-/// rounding, of which an 8-bit display shows no step unless the lamp is over a million times as bright as white.
+/// Largest errors of airlight(), from clear air to a visibility of 5 cm, for cones of at least 0.1 degree, |g| <= 0.9.
 ///
-/// Forward and backward scattering: for |g| <= 0.9 both hold; where the airlight is above 1, the largest error is
-/// relative to it. The largest error is one that climbing searches do not exceed (litfog_airlight_climb of the tests).
+/// | light              | fog       | bound                                                      | test           |
+/// |--------------------|-----------|------------------------------------------------------------|----------------|
+/// | any                | exp, exp2 | kAirlightMaxError in every ray                             | airlight_climb |
+/// | point              | exp, exp2 | kAirlightTypicalError in 99 of 100 rays                    | airlight_test  |
+/// | point near the ray | exp2      | kPeakedAirlightTypicalError in 99 of 100 rays              | airlight_test  |
+/// | cone               | exp, exp2 | kAirlightTypicalError in 99 of 100 rays above kDimAirlight | airlight_test  |
+///
+/// kAirlightMaxError is a fraction of the lamp's colour, or of the airlight where that is above 1. The other bounds are
+/// fractions of the airlight. Their rays are random, or pass a light at any one angle (0.1 to 179 degrees) and distance
+/// from the eye (0.02 to 4 fog scales, 1 / density), where rays of a point whose airlight is below 1e-12 do not count.
+/// "Near the ray" is within 3 degrees of it and 3 to 4 fog scales away: the light and the fog before it make a peak
+/// each. A cone's airlight below kDimAirlight is rounding at the cone's outermost edge, which no 8-bit display shows
+/// unless the lamp is over a million times as bright as white.
 inline constexpr double kAirlightMaxError = 1 / 255.;
 inline constexpr double kAirlightTypicalError = 0.01;
 inline constexpr double kPeakedAirlightTypicalError = 0.03;
