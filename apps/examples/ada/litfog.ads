@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 --  litfog.h for Ada: fog, lights, light files, solve and updater. All of it, less readable, is
 --
---     echo '#include <litfog/litfog.h>' > all.h && gcc -fdump-ada-spec all.h
+--     echo '#include <litfog/c/litfog.h>' > all.h && gcc -fdump-ada-spec all.h
 
 with Interfaces;
 with Interfaces.C;
