@@ -68,8 +68,7 @@ def table(head, lines, *sources):
 def solve():
     rows = read("epyc-solve")
     methods = [("hales-64", "double"), ("hales-1024", "double"), ("hales-64-simd", "float"),
-               ("golden-section", "double"), ("boost-brent", "double"), ("exact", "double"), ("batch", "double"),
-               ("batch", "float")]
+               ("boost-brent", "double"), ("exact", "double"), ("batch", "double"), ("batch", "float")]
     lines = []
     for method, precision in methods:
         by = [one(rows, method=method, precision=precision, fog="exp", isa=isa) for isa in ("AVX2", "AVX3")]
@@ -85,9 +84,9 @@ def solve():
 @figure
 def airlight():
     rows = read("epyc-airlight")
-    shown = {"point": [("march", 64), ("march-clipped", 64), ("gauss-asinh", 16), ("litfog", ""), ("reference", "")],
-             "any": [("march", 64), ("march-clipped", 64), ("gauss-asinh", 16), ("litfog", ""), ("reference", "")],
-             "inverse-square": [("arctangent", ""), ("sun-2005", ""), ("closed-form", ""), ("litfog", "")]}
+    shown = {"point": [("march", 64), ("march-clipped", 64), ("litfog", ""), ("reference", "")],
+             "any": [("march", 64), ("march-clipped", 64), ("litfog", ""), ("reference", "")],
+             "inverse-square": [("arctangent", ""), ("sun-2005", ""), ("litfog", "")]}
     lines = []
     for lights, methods in shown.items():
         for method, nodes in methods:
@@ -112,10 +111,10 @@ def fit():
     rows = read("epyc-fit")
     lines = []
     for problem in dict.fromkeys(row["problem"] for row in rows):
-        by = [one(rows, problem=problem, method=method) for method in ("litfog", "ceres", "eigen-lm")]
+        by = [one(rows, problem=problem, method=method) for method in ("litfog", "ceres")]
         solved = [f"{100 * row['solved_share']:.0f} %" for row in by]
         lines.append([problem, *(number(row["ms"]) for row in by), *solved])
-    return table(["tables", "ms, litfog", "Ceres", "Eigen", "optimum found, litfog", "Ceres", "Eigen"], lines,
+    return table(["tables", "ms, litfog", "Ceres", "optimum found, litfog", "Ceres"], lines,
                  ("epyc-fit", rows[0]))
 
 
