@@ -70,7 +70,8 @@ Renderer::Renderer(const scene::Scene& scene, int width, int height, const Rende
     shadows_.emplace(scene, lights_, surfaces_.surfaces(), framebuffer_.aspect(), settings);
   }
   if (settings.fog_lighting == FogLighting::airlight) {
-    airlight_.emplace(scene, fog_block_, framebuffer_, settings);
+    airlight_.emplace(scene, fog_block_, framebuffer_.samples(), settings);
+    airlight_->set_size({width, height});
   }
   if (!scene.cookies.empty()) cookies_ = upload_cookies(scene.cookies);
   set_fog(Fog{});
@@ -84,7 +85,12 @@ void Renderer::set_size(int width, int height) {
 
 void Renderer::set_framebuffer(int width, int height, Passes passes) {
   framebuffer_ = Framebuffer(width, height, passes, settings_.samples);
-  if (airlight_) airlight_->set_size(framebuffer_);
+  if (airlight_) airlight_->set_size({width, height});
+}
+
+void Renderer::Airlight::set_size(glm::ivec2 size) {
+  seen.set_size(size);
+  pyramid.set_size(size);
 }
 
 Picture Renderer::draw_in_floats() {
@@ -212,7 +218,8 @@ std::size_t Renderer::upload_lists(const FramePlan& plan) {
   const std::size_t bytes = std::span(plan.light_list).size_bytes();
   light_list_.emplace(plan.light_list.data(), bytes, BufferTexture::Texel::int1);
   if (!airlight_) return bytes;
-  airlight_->set_lists(plan.airlights, plan.airlight_tiles, plan.far_airlights);
+  airlight_->lights.set(plan.airlights, plan.airlight_tiles);
+  airlight_->far.set_list(plan.far_airlights);
   return bytes + std::span(plan.airlights.entries).size_bytes() + std::span(plan.airlight_tiles.lists).size_bytes() +
          std::span(plan.far_airlights.lights).size_bytes();
 }
@@ -234,7 +241,7 @@ FrameCounts Renderer::draw_stages(const FrameExposures& exposures, LightPoints l
   if (shadows_) shadows_->bind();
   clock.end(&StageTimes::surfaces);
   sampler_states_.set(framebuffer_);
-  if (airlight_) airlight_->draw_far(view, fog_.mode);
+  if (airlight_) airlight_->far.draw({width(), height()}, view, fog_.mode);
   clock.end(&StageTimes::airlight);
   sampler_states_.set(framebuffer_);
   begin_frame(framebuffer_, scene_.environment.ambient_fog_color);  // SkyDrawing::background
@@ -255,8 +262,8 @@ FrameCounts Renderer::draw_stages(const FrameExposures& exposures, LightPoints l
   clock.end(&StageTimes::panes);
   framebuffer_.resolve();
   clock.end(&StageTimes::resolve);
-  if (airlight_) {
-    airlight_->draw(framebuffer_, view, fog_.mode, exposures.airlight, has_panes(), interruption);
+  if (airlight_ && (airlight_->lights.size() > 0 || !airlight_->far.is_empty())) {
+    draw_airlight(view, exposures.airlight, interruption);
     if (interruption.has_come()) throw Interrupted{};
   }
   clock.end(&StageTimes::airlight);
@@ -288,19 +295,21 @@ void Renderer::draw_pane_geometry(const GeometryBuffer& geometry, int layer) {
   gl::check_errors("drawing the geometry of panes");
 }
 
-/// Draws panes over all that is in the framebuffer, even over points before them, and leaves as its alpha the fraction
-/// of the rest that they let through.
 std::size_t Renderer::draw_panes(const View& view, const FramePlan& plan) {
-  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
-  glClearColor(0, 0, 0, 1);
-  glClear(GL_COLOR_BUFFER_BIT);
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  glEnable(GL_BLEND);
-  glBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
+  const auto airlight = airlight_ ? std::optional(PaneAirlight{airlight_->lights, airlight_->far}) : std::nullopt;
+  Compositor::begin_panes();
   const std::size_t bytes =
-      surfaces_.draw_panes(*settings_.path, plan, view, shadows(), airlight_ ? &airlight_->far() : nullptr);
-  glDisable(GL_BLEND);
+      surfaces_.draw_panes(*settings_.path, plan, view, shadows(), airlight ? &*airlight : nullptr);
+  Compositor::end_panes();
   return bytes;
+}
+
+void Renderer::draw_airlight(const View& view, double exposure, Interruption& interruption) {
+  airlight_->seen.draw(framebuffer_, view);
+  airlight_->pyramid.draw(
+      {.lights = airlight_->lights, .seen = airlight_->seen, .view = view, .fog_mode = fog_.mode, .exposure = exposure},
+      interruption);
+  compositor_.add_airlight(framebuffer_, airlight_->pyramid.airlight(), airlight_->far, airlight_->seen, has_panes());
 }
 
 void Renderer::draw_light_points(const View& view, const FramePlan& plan) {

@@ -7,7 +7,11 @@
 #include "litfog/gl/fog_light_buffer.h"
 #include "litfog/gl/fog_light_tables.h"
 #include "litfog/gl/program.h"
-#include "render/airlight/airlight_painter.h"
+#include "render/airlight/airlight_lights.h"
+#include "render/airlight/airlight_pyramid.h"
+#include "render/airlight/far_airlight.h"
+#include "render/airlight/seen_ranges.h"
+#include "render/compose/compositor.h"
 #include "render/display.h"
 #include "render/gpu/data_texture.h"
 #include "render/gpu/depth.h"
@@ -115,6 +119,19 @@ class Renderer {
   View view() const;
   FrameView frame_view(const View& view, const FrameExposures& exposures) const;
   Passes passes() const { return settings_.path->has_several_passes() ? Passes::several : Passes::one; }
+  /// The parts of FogLighting::airlight: what is drawn, where rays end, and the airlight within and beyond the lights'
+  /// extents.
+  struct Airlight {
+    AirlightLights lights;
+    FarAirlight far;
+    SeenRanges seen;
+    AirlightPyramid pyramid;
+
+    Airlight(const scene::Scene& scene, const gl::FogLightBuffer& fog, int samples, const RenderSettings& settings)
+        : far(scene, fog), seen(scene, samples), pyramid(scene, fog, settings) {}
+    void set_size(glm::ivec2 size);
+  };
+
   void set_lights_for(double ends_exposure);
   /// Sets the lights anew where the camera has left the surroundings of their origin.
   void follow_camera();
@@ -126,6 +143,7 @@ class Renderer {
   FrameCounts draw_stages(const FrameExposures& exposures, LightPoints light_points, FrameStatistics* statistics);
   void draw_light_points(const View& view, const FramePlan& plan);
   std::size_t draw_panes(const View& view, const FramePlan& plan);
+  void draw_airlight(const View& view, double exposure, Interruption& interruption);
 
   const scene::Scene& scene_;
   RenderSettings settings_;
@@ -146,7 +164,8 @@ class Renderer {
   SamplerStates sampler_states_;
   SkyPainter sky_;
   gl::Program light_point_program_;
-  std::optional<AirlightPainter> airlight_;  // of FogLighting::airlight
+  std::optional<Airlight> airlight_;
+  Compositor compositor_;
 };
 
 }  // namespace litfog::render

@@ -14,7 +14,7 @@
 
 namespace litfog::render {
 
-inline constexpr int kCoarsestGrid = 8;  ///< pixels between texels of the coarsest grid (AirlightPainter)
+inline constexpr int kCoarsestGrid = 8;  ///< pixels between texels of the coarsest grid (AirlightPyramid)
 
 /// Where a picture's rays can see the airlight of a light.
 struct AirlightEntry {

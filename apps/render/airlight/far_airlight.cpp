@@ -24,7 +24,7 @@ constexpr int kSlabsAtOnce = kSlabs / FarAirlightList::kSections;
 void FarAirlight::set_size(glm::ivec2 size) {
   if (size == size_) return;
   size_ = size;
-  bind_texture(kFarSlabUnit, slabs_, GL_TEXTURE_2D_ARRAY);
+  bind_texture(kUploadUnit, slabs_, GL_TEXTURE_2D_ARRAY);
   glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA32F, size.x, size.y * FarAirlightList::kSections, kSlabsAtOnce, 0,
                GL_RGBA, GL_FLOAT, nullptr);
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
@@ -37,7 +37,7 @@ void FarAirlight::set_size(glm::ivec2 size) {
   }
   glDrawBuffers(kSlabsAtOnce, targets);
   check_float_framebuffer();
-  bind_texture(kFarAirlightUnit, sums_);
+  bind_texture(kUploadUnit, sums_);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, size.x, size.y * (kSlabs + 1), 0, GL_RGBA, GL_FLOAT, nullptr);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
@@ -59,10 +59,7 @@ void FarAirlight::draw(glm::ivec2 picture_size, const View& view, FogMode fog_mo
   if (is_empty()) return;
   step_ = std::max({1, int(kApart * view.pixels_per_radian), (picture_size.y + kMostRows - 1) / kMostRows});
   set_size((picture_size + (step_ - 1)) / step_ + 1);
-  listed_->bind(kFarLightUnit);
-  glBindVertexArray(vertex_array_.id());
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_CULL_FACE);
+  pass_.begin();
 
   glBindFramebuffer(GL_FRAMEBUFFER, slabs_framebuffer_.id());
   glViewport(0, 0, size_.x, size_.y * FarAirlightList::kSections);
@@ -74,7 +71,8 @@ void FarAirlight::draw(glm::ivec2 picture_size, const View& view, FogMode fog_mo
     const gl::Program& program = light_programs_.program(fog_mode, {.profile = range.profile});
     program.use();
     bind_lights(program, fog_lights_);
-    set_uniform(program, "far_lights", kFarLightUnit);
+    PassTextures textures(program);
+    listed_->bind(textures.unit("far_lights"));
     set_uniform(program, "direction_from_clip", view.direction_from_clip);
     set_uniform(program, "pixel_size", 2.0f / glm::vec2(picture_size));
     set_uniform(program, "eye", view.eye);
@@ -99,15 +97,13 @@ void FarAirlight::draw(glm::ivec2 picture_size, const View& view, FogMode fog_mo
   glViewport(0, 0, size_.x, size_.y * (kSlabs + 1));
   if (!sum_program_) sum_program_.emplace("whole_picture.vert", "far_airlight_sum.frag", render_shaders());
   sum_program_->use();
-  bind_texture(kFarSlabUnit, slabs_, GL_TEXTURE_2D_ARRAY);
-  set_uniform(*sum_program_, "far_slab_sums", kFarSlabUnit);
+  PassTextures(*sum_program_).bind("far_slab_sums", slabs_, GL_TEXTURE_2D_ARRAY);
   set_uniform(*sum_program_, "row_count", size_.y);
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void FarAirlight::bind(const gl::Program& program) const {
-  bind_texture(kFarAirlightUnit, sums_);
-  set_uniform(program, "far_airlight", kFarAirlightUnit);
+void FarAirlight::bind(const gl::Program& program, PassTextures& textures) const {
+  textures.bind("far_airlight", sums_, GL_TEXTURE_2D);
   set_uniform(program, "far_depth", float(depth_));
   set_uniform(program, "far_step", step_);
 }

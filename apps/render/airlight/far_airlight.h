@@ -12,6 +12,8 @@
 #include "render/airlight/airlight_programs.h"
 #include "render/airlight/far_airlight_list.h"
 #include "render/gpu/data_texture.h"
+#include "render/gpu/pass_textures.h"
+#include "render/gpu/texel_target.h"
 #include "render/plan/view.h"
 #include "scene/scene.h"
 
@@ -36,7 +38,7 @@ class FarAirlight {
 
   bool is_empty() const { return depth_ == 0; }
   /// Lets the program in use, one of shaders/far_airlight_at.glsl, look up what has been drawn.
-  void bind(const gl::Program& program) const;
+  void bind(const gl::Program& program, PassTextures& textures) const;
 
  private:
   void set_size(glm::ivec2 size);
@@ -54,7 +56,7 @@ class FarAirlight {
   gl::TextureName slabs_;
   gl::FramebufferName sums_framebuffer_;
   gl::TextureName sums_;
-  gl::VertexArrayName vertex_array_;  // of no attributes
+  TexelPass pass_;
 };
 
 }  // namespace litfog::render

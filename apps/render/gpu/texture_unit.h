@@ -7,7 +7,7 @@
 
 namespace litfog::render {
 
-/// The texture units of the shaders, one for each sampler.
+/// The texture units of what many passes of a frame read.
 enum TextureUnit : unsigned {
   kAlbedoUnit,
   kNormalUnit,
@@ -19,23 +19,13 @@ enum TextureUnit : unsigned {
   kConeMapUnit,
   kCookieUnit,
   kCookieConeUnit,
-  kDepthUnit,     // the depths of a picture's samples
-  kSeenUnit,      // how far each pixel sees
-  kAirlightUnit,  // airlight at the texels of a grid
-  kEntryUnit,     // the lights whose airlight is drawn
-  kTileUnit,      // of them, those of each tile of the picture
-  kGainUnit,      // of airlight, per opacity of the fog
-  kMarkUnit,      // texels that a coarser grid is not good enough for
-  kPlaceUnit,     // of packed texels in their grid
   kShadowMapUnit,
   kShadowCasterUnit,
   kCasterOfLightUnit,
   kEmissionUnit,
   kSecondUnit,
-  kFarLightUnit,     // the lights whose airlight beyond their extents is drawn
-  kFarSlabUnit,      // of it: sums in groups of slabs
-  kFarAirlightUnit,  // before each slab
-  kUploadUnit,       // of no picture's sampler: textures are filled there, so that none that is bound is lost
+  kUploadUnit,  // no picture's sampler has it: textures are filled there, so that none that is bound is lost
+  kPassUnit,    // the first of those whose textures each pass binds for itself (PassTextures)
 };
 
 inline constexpr unsigned kFogLightBinding = 0;  ///< of the FogLightBlock

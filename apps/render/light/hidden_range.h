@@ -16,8 +16,6 @@ namespace litfog::render {
 /// of which some are left out, and their airlight. So all errors of a pixel lie in a range of
 /// kSurfaceLightShare + 2 kHiddenShare + kPointShare + kBehindShare + kAirlightShare + kFarShare = 1 step, and from one
 /// frame to the next they change by no more.
-///
-/// Besides, groups of lights as one light err on surfaces by an estimate, not by a bound (group_picker.h).
 inline constexpr double kSurfaceLightShare = 1 / 4.;  ///< all lights left out of a surface
 inline constexpr double kHiddenShare = 1 / 8.;        ///< a surface, or the sky
 inline constexpr double kPointShare = 1 / 8.;         ///< the points of all lamps

@@ -80,28 +80,6 @@ SceneLights::SceneLights(const scene::Scene& scene, const RenderSettings& settin
     instances_[i].color.w = float(cookie_cones_.size());
     cookie_cones_.push_back(cookie_cone(lights_[i], *cookies_[i]));
   }
-  if (light_surfaces_beyond_end_ && settings.path_skipping() == Skipping::on && settings.shadows == Shadows::none) {
-    add_groups();
-  }
-}
-
-void SceneLights::add_groups() {
-  std::vector<int> group_kinds(lights_.size(), -1);
-  for (std::size_t i = 0; i < local_count_; ++i) {
-    if (!cookies_[i]) group_kinds[i] = int(instances_[i].position_kind.w);
-  }
-  groups_ = group_lights(lights_, group_kinds);
-  for (const LightGroup& group : groups_.groups) {
-    const FogLightInstance& one = instances_[std::size_t(groups_.lights_of(group).front())];
-    instances_.push_back({.position_kind = {glm::vec3(group.position), one.position_kind.w},
-                          .axis_profile = one.axis_profile,
-                          .color = {glm::vec3(one.color) * float(group.count), one.color.w}});
-  }
-}
-
-std::span<const std::int32_t> SceneLights::lights_of(const std::int32_t& instance) const {
-  const auto index = std::size_t(instance);
-  return index < size() ? std::span(&instance, 1) : groups_.lights_of(groups_.groups[index - size()]);
 }
 
 PackedLight SceneLights::packed(std::size_t index) const {

@@ -7,7 +7,6 @@
 
 #include "litfog/fog_light_block.h"
 #include "litfog/updater.h"
-#include "render/light/light_groups.h"
 #include "render/light/light_threshold.h"
 #include "render/render_settings.h"
 #include "scene/scene.h"
@@ -75,7 +74,7 @@ class SceneLights {
 
   /// Takes a change of the fog. Returns what has changed of the tables, good until the next call.
   FogLightChanges set_fog(const Fog& fog) { return updater_.set_fog(fog); }
-  /// The tables that shaders read. Instance i is light i, and instance size() + i group i as one light.
+  /// The tables that shaders read: instance i is light i.
   std::span<const FogLightKind> kinds() const { return updater_.kinds(); }
   std::span<const FogLightInstance> instances() const { return instances_; }
   /// Of an instance.
@@ -84,15 +83,7 @@ class SceneLights {
   /// (cube_cookie.glsl).
   std::span<const glm::vec4> cookie_cones() const { return cookie_cones_; }
 
-  /// Groups of local lights without cookies. There are none where lights end on surfaces or cast shadows, or where
-  /// nothing is skipped.
-  const LightGroups& groups() const { return groups_; }
-  /// The lights of an instance: itself, or those of a group. The argument has to outlive the result.
-  std::span<const std::int32_t> lights_of(const std::int32_t& instance) const;
-
  private:
-  void add_groups();
-
   glm::dvec3 origin_;
   double exposure_;
   bool light_surfaces_beyond_end_;
@@ -103,9 +94,8 @@ class SceneLights {
   std::vector<std::size_t> scene_lights_;
   std::vector<scene::Mount> mounts_;
   FogUpdater updater_;
-  std::vector<FogLightInstance> instances_;  // the updater's, with cookies, then the groups'
+  std::vector<FogLightInstance> instances_;  // the updater's, with cookies
   std::vector<glm::vec4> cookie_cones_;
-  LightGroups groups_;
 };
 
 }  // namespace litfog::render

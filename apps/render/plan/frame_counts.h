@@ -19,7 +19,7 @@ struct FrameCounts {
   std::size_t chunks_outside_view = 0;
   std::size_t chunks_hidden = 0;  ///< by fog, and not drawn
   // Pairs of a drawn chunk and a light that is neither off nor at extent 0.
-  std::size_t lights_listed = 0;  ///< alone or in a group
+  std::size_t lights_listed = 0;
   std::size_t lights_out_of_reach = 0;
   std::size_t lights_hidden = 0;  ///< by fog
   // Points of local lights.
@@ -59,7 +59,7 @@ struct FrameStatistics {
   FrameCounts counts;
   LightCounts lights;
   StageTimes times;
-  /// Of visible surfaces, in the mean; 0 on those that fog hides. A group counts as one (light_groups.h).
+  /// Of visible surfaces, in the mean; 0 on those that fog hides.
   double lights_per_fragment = 0;
   std::size_t fog_bytes_uploaded = 0;  ///< by the last change of the fog
 };

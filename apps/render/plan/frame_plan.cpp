@@ -43,8 +43,6 @@ void FramePlanner::set_fog(const Fog& fog, bool is_fog_lit, std::span<const std:
   shaft_casters_ = shaft_casters;
   foggy_.resize(surfaces_.surfaces().size());
   strengths_.resize(surfaces_.lists().size());
-  group_picker_.reset();  // the lights may have changed
-  if (!lights_.groups().groups.empty()) group_picker_.emplace(lights_, *settings_.path);
   forget();
 }
 
@@ -111,7 +109,7 @@ double FramePlanner::hidden_range_of(std::size_t index) {
   return double(foggy.hidden_range);
 }
 
-PlannedSurface FramePlanner::list_lights(std::size_t index, double most_left_out, double through) {
+PlannedSurface FramePlanner::list_lights(std::size_t index, double most_left_out) {
   const Surface& surface = surfaces_.surfaces()[index];
   const std::span<const std::int32_t> lights = surfaces_.lights_of(surface);
   const std::span<const float> strengths =
@@ -132,15 +130,6 @@ PlannedSurface FramePlanner::list_lights(std::size_t index, double most_left_out
   plan_.counts.lights_listed += std::size_t(planned.list_count);
   plan_.counts.lights_hidden += lights.size() - std::size_t(planned.list_count);
   plan_.counts.lights_out_of_reach += lights_.size() - lights.size();
-  if (group_picker_ && std::size_t(planned.list_count) > kMaxUniformLights) {  // few lights are cheap
-    group_picker_->pick(plan_.light_list, std::size_t(planned.list_first),
-                        {.bounds = surface.bounds,
-                         .reflectance = surface.material->reflectance,
-                         .shininess = double(surface.material->material.shininess),
-                         .through = through},
-                        fog_, step_);
-    planned.list_count = int(plan_.light_list.size()) - planned.list_first;
-  }
   return planned;
 }
 
@@ -216,7 +205,7 @@ void FramePlanner::plan_visible(const FrameView& view) {
     const bool has_mapped_fog = settings_.path->has_mapped_fog() && surface.is_fog_lit;
     if (!hides || has_mapped_fog || each.nearest < each.hidden_range) {
       const double through = fog_factor_at(fog_, each.nearest);
-      plan_.surfaces.push_back(list_lights(each.surface, hides ? kSurfaceLightShare * step_ / through : -1, through));
+      plan_.surfaces.push_back(list_lights(each.surface, hides ? kSurfaceLightShare * step_ / through : -1));
       ++counts.chunks_drawn;
     } else if (each.nearest < left_out_from || can_be_lit_from(view.camera.position, surface, left_out_from) ||
                highest_slope(view.camera.position, surface.bounds, each.nearest, each.farthest) > highest_left_out) {
@@ -276,7 +265,7 @@ LightCounts FramePlanner::count_lights() const {
     if (can_see(frustum, {position, position})) fates[i] = std::max(fates[i], Fate::hidden);
   }
   for (const PlannedSurface& surface : plan_.surfaces) {
-    for (const std::int32_t& instance : plan_.lights_of(surface)) raise(lights_.lights_of(instance), Fate::drawn);
+    raise(plan_.lights_of(surface), Fate::drawn);
   }
   raise(plan_.points(), Fate::drawn);
   for (const AirlightEntry& entry : plan_.airlights.entries) fates[std::size_t(entry.light)] = Fate::drawn;

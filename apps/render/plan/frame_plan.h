@@ -11,7 +11,6 @@
 #include "render/airlight/airlight_list.h"
 #include "render/airlight/airlight_tiles.h"
 #include "render/airlight/far_airlight_list.h"
-#include "render/light/group_picker.h"
 #include "render/light/point_list.h"
 #include "render/light/scene_lights.h"
 #include "render/plan/frame_counts.h"
@@ -33,8 +32,8 @@ struct PlannedSurface {
 /// What a frame draws.
 struct FramePlan {
   std::vector<PlannedSurface> surfaces;
-  /// Instances of SceneLights: the carried lights, then those whose points are drawn, then the lights and groups that
-  /// light each surface.
+  /// Instances of SceneLights: the carried lights, then those whose points are drawn, then the lights of each
+  /// surface.
   std::vector<std::int32_t> light_list;
   int point_first = 0;
   int point_count = 0;
@@ -134,10 +133,8 @@ class FramePlanner {
   bool can_be_lit_from(const glm::dvec3& eye, const Surface& surface, double range) const;
   double airlight_end_from(const glm::dvec3& eye, double budget) const;
   double sky_brightness() const;
-  /// Appends a surface's lights to the plan's list but for those that fog hides: alone, or in groups.
-  ///
-  /// through  fraction of its light that the fog before it lets through, at most
-  PlannedSurface list_lights(std::size_t surface, double most_left_out, double through);
+  /// Appends a surface's lights to the plan's list except those that fog hides.
+  PlannedSurface list_lights(std::size_t surface, double most_left_out);
 
   const scene::Scene& scene_;
   const SceneLights& lights_;
@@ -151,7 +148,6 @@ class FramePlanner {
   std::vector<Foggy> foggy_;      // one a surface
   std::vector<float> strengths_;  // of the surfaces' lists: what each light gives, before the fog on the eye's leg
   std::vector<float> sorted_;     // scratch
-  std::optional<GroupPicker> group_picker_;  // of the lights' groups, if there are any
   std::optional<FrameView> view_;
   bool has_changed_ = false;
   FramePlan plan_;

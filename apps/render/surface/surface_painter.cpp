@@ -111,8 +111,7 @@ struct SurfacePainter::Frame {
   const SurfaceMaterial* bound = nullptr;
   // Of panes:
   bool draws_panes = false;
-  std::size_t airlights = 0;  // in the plan's list
-  const FarAirlight* far_airlight = nullptr;
+  const PaneAirlight* airlight = nullptr;
   std::size_t first = 0;  // of the sorted indices of the surface being drawn
   std::size_t count = 0;
 };
@@ -172,7 +171,7 @@ std::size_t SurfacePainter::draw(const LightingPath& path, const FramePlan& plan
 }
 
 std::size_t SurfacePainter::draw_panes(const LightingPath& path, const FramePlan& plan, const View& view,
-                                       const ShadowMaps* shadows, const FarAirlight* far_airlight) {
+                                       const ShadowMaps* shadows, const PaneAirlight* airlight) {
   struct Triangle {
     float distance;
     const PlannedSurface* surface;
@@ -198,8 +197,7 @@ std::size_t SurfacePainter::draw_panes(const LightingPath& path, const FramePlan
               .number = ++frames_,
               .bytes = indices.size() * sizeof(indices[0]),
               .draws_panes = true,
-              .airlights = plan.airlights.entries.size(),
-              .far_airlight = far_airlight};
+              .airlight = airlight};
   surfaces_.meshes().bind();
   surfaces_.meshes().bind_sorted(indices);
   for (std::size_t first = 0, next = 0; first < triangles.size(); first = next) {
@@ -427,9 +425,7 @@ void SurfacePainter::set_frame_uniforms(const Frame& frame, const ShaderVariant&
   set_uniform(program, "caster_of_light", kCasterOfLightUnit);
   if (frame.shadows) frame.shadows->set_moon_maps(program);
   if (variant.material.is_pane) {
-    set_uniform(program, "airlight_entries", kEntryUnit);
-    set_uniform(program, "airlight_count", int(frame.airlights));
-    if (frame.far_airlight) frame.far_airlight->bind(program);
+    bind_pane_airlight(program, frame.airlight);
     set_uniform(program, "asymmetry", scene::shader_phase_g(scene_));
     set_uniform(program, "shaft_steps", settings_.shaft_steps);
   }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "litfog/gl/fog_light_buffer.h"
-#include "render/airlight/far_airlight.h"
+#include "render/compose/compositor.h"
 #include "render/interruption.h"
 #include "render/light/light_map_store.h"
 #include "render/light/light_selection.h"
@@ -52,9 +52,9 @@ class SurfacePainter {
   /// Draws a plan's panes likewise, triangle by triangle from the farthest to the nearest. Premultiplied by their
   /// opacity, which is alpha; how they are blended is the caller's to set.
   ///
-  /// far_airlight  beyond lights' extents; null: none
+  /// airlight  before the panes; null: none
   std::size_t draw_panes(const LightingPath& path, const FramePlan& plan, const View& view, const ShadowMaps* shadows,
-                         const FarAirlight* far_airlight);
+                         const PaneAirlight* airlight);
   const SurfaceList& surfaces() const { return surfaces_; }
 
  private:

@@ -12,7 +12,7 @@ uniform sampler2DRect grid;       // airlight; alpha the mean opacity of the fog
 uniform sampler2DRect grid_gain;  // its derivative by that opacity
 uniform int pixel_step;       // pixels between the target's texels; the grid's are twice as far apart
 
-layout(location = 0) out vec4 airlight;  // alpha as the grid's; below 0 where it is not filled
+layout(location = 0) out vec4 airlight;  // alpha as the grid's
 layout(location = 1) out vec4 gain;
 
 const float most_opacity_change = 0.03;     // of opacity, within the pixel or from a texel of the grid, at 0 EV

@@ -3,7 +3,7 @@
 
 #include "airlight_blocks.glsl"
 
-uniform sampler2DRect airlight;  // of the grid; alpha below 0 where it is not filled
+uniform sampler2DRect airlight;  // of the grid
 
 out uvec4 marks;
 
@@ -16,7 +16,7 @@ void main() {
   for (int i = 0; i < 32; ++i) {
     for (int word = 0; word < 4; ++word) {
       ivec2 place = block * block_size + morton_place(first + 32 * word + i);
-      bool is_marked = all(lessThan(place, size)) && texel_at(airlight, place).a < 0.0;
+      bool is_marked = all(lessThan(place, size)) && !is_filled(texel_at(airlight, place));
       if (is_marked) marks[word] |= 1u << uint(i);
     }
   }

@@ -6,7 +6,7 @@
 #include "pixel_direction.glsl"
 
 uniform bool is_packed;  // the target's texels stand for others of their block (airlight_blocks.glsl)
-uniform sampler2DRect packed_places;
+uniform sampler2DRect packed_positions;
 uniform isamplerBuffer tile_lists;  // render::AirlightTiles
 uniform ivec2 tile_count;
 uniform vec2 tile_size;  // pixels
@@ -21,7 +21,7 @@ ivec2 tile_list(ivec2 pixel) {
 
 void main() {
   ivec2 place = ivec2(gl_FragCoord.xy);
-  if (is_packed) place = ivec2(texel_at(packed_places, place).xy);
+  if (is_packed) place = ivec2(texel_at(packed_positions, place).xy);
   ivec2 pixel = place * pixel_step;
   vec3 direction = pixel_direction(pixel);
   vec4 seen = seen_at(pixel);

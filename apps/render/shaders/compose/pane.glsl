@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A fragment of a pane over what is behind it. Light from behind arrives at the pane, the part that it lets through goes
-// on through the fog before it, which adds its own: f L' + A = f ((1 - o) L + o S) + A = (1 - o) (f L + A) + o (f S + A).
-// So the picture without the pane and one of the pane alone, each with all of its fog, are mixed by the opacity.
+// A fragment of a pane with the airlight before it.
 
+#include "compose.glsl"
 #include "cookie.glsl"
 #include "litfog/shaders/glow.glsl"
 #include "litfog/shaders/light_buffer.glsl"
@@ -35,6 +34,5 @@ vec3 airlight_before(vec3 position) {
 
 // Premultiplied by the opacity.
 vec4 over_what_is_behind(vec3 seen) {
-  float o = fragment_opacity();
-  return vec4(o * (seen + airlight_before(fragment_position())), o);
+  return compose_pane(seen, airlight_before(fragment_position()), fragment_opacity());
 }

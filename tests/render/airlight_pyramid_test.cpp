@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/airlight/airlight_painter.h"
+#include "render/airlight/airlight_pyramid.h"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ using namespace render;
 
 namespace {
 
-class AirlightPainterTest : public test::GlTest {};
+class AirlightPyramidTest : public test::GlTest {};
 
 /// Largest difference between two pictures on a display, in steps.
 double largest_difference(const Picture& a, const Picture& b, double exposure) {
@@ -38,7 +38,7 @@ double largest_difference(const Picture& a, const Picture& b, double exposure) {
 
 // Airlight as for the largest exposure has every lamp at every pixel. All that other exposures leave out of all lamps
 // together and what their grids err make less than a step of the display.
-TEST_F(AirlightPainterTest, ErrorsOfAllLampsTogetherStayBelowAStepAtEveryExposure) {
+TEST_F(AirlightPyramidTest, ErrorsOfAllLampsTogetherStayBelowAStepAtEveryExposure) {
   struct Case {
     std::string scene;
     double visibility;

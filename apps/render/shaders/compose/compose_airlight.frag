@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sum of the lights' airlight, to be added to the picture.
+// The airlight of all lamps, which blending adds to the picture.
 
+#include "compose.glsl"
 #include "far_airlight_at.glsl"
 #include "seen.glsl"
 
@@ -29,5 +30,5 @@ void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   vec3 sum = texel_at(airlight, pixel).rgb;
   if (far_depth > 0.0) sum += far_airlight_before(seen_at(pixel));
-  color = vec4(sum, 0.0);
+  color = vec4(compose(vec3(0.0), sum), 0.0);
 }

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/glm.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "litfog/gl/program.h"
+#include "render/airlight/airlight_list.h"
+#include "render/airlight/airlight_tiles.h"
+#include "render/gpu/data_texture.h"
+#include "render/gpu/pass_textures.h"
+
+namespace litfog::render {
+
+/// The lights whose airlight frames draw within the lights' extents, and those of each tile of the picture, on the GPU.
+/// Needs a current GL context.
+class AirlightLights {
+ public:
+  /// Uploads them. Lists without entries upload nothing.
+  void set(const AirlightList& list, const AirlightTiles& tiles);
+
+  /// The entries of each kind.
+  std::span<const AirlightList::Range> ranges() const { return ranges_; }
+  int size() const { return size_; }
+  /// Lets a pass read the entries (shaders/airlight/airlight_entry.glsl).
+  void bind_entries(PassTextures& textures) const;
+  /// Lets a pass read the tiles of a range, too (shaders/airlight/airlight_tiles.frag).
+  void bind_tiles(const gl::Program& program, PassTextures& textures, std::size_t range) const;
+
+ private:
+  std::vector<AirlightList::Range> ranges_;
+  int size_ = 0;
+  std::optional<BufferTexture> entries_;
+  std::optional<BufferTexture> tile_lists_;  // AirlightTiles::lists
+  glm::ivec2 tile_count_{0};
+  glm::vec2 tile_size_{0};  // pixels
+};
+
+}  // namespace litfog::render

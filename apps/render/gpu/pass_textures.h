@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "litfog/gl/gl_name.h"
+#include "litfog/gl/program.h"
+#include "render/gpu/texture_unit.h"
+#include "render/gpu/uniform.h"
+
+namespace litfog::render {
+
+/// Gives the textures that only one pass reads the units from kPassUnit on, and tells the pass's program, which is in
+/// use. A sampler that the compiler dropped takes a unit all the same.
+class PassTextures {
+ public:
+  explicit PassTextures(const gl::Program& program) : program_(program) {}
+
+  /// The unit of a sampler, to which the caller binds its texture.
+  unsigned unit(const char* sampler) {
+    set_uniform(program_, sampler, unit_);
+    return unit_++;
+  }
+  void bind(const char* sampler, const gl::TextureName& texture, GLenum target) {
+    bind_texture(unit(sampler), texture, target);
+  }
+
+ private:
+  const gl::Program& program_;
+  unsigned unit_ = kPassUnit;
+};
+
+}  // namespace litfog::render

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <epoxy/gl.h>
+
+#include <glm/glm.hpp>
+
+#include "litfog/gl/gl_name.h"
+#include "render/gpu/texture_unit.h"
+
+namespace litfog::render {
+
+/// The state of passes that draw texels: no attributes of vertices, no test of depths, no culling.
+class TexelPass {
+ public:
+  void begin() const {
+    glBindVertexArray(vertices_.id());
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+  }
+
+ private:
+  gl::VertexArrayName vertices_;
+};
+
+/// Makes a texture of one level, without filtering, the bound framebuffer's. It is a rectangle, which
+/// shaders/airlight/texel.glsl reads.
+inline void attach_texels(GLenum attachment, const gl::TextureName& texture, glm::ivec2 size, GLint format) {
+  bind_texture(kUploadUnit, texture, GL_TEXTURE_RECTANGLE);
+  const bool is_integer = format == GL_RGBA32UI;
+  glTexImage2D(GL_TEXTURE_RECTANGLE, 0, format, size.x, size.y, 0, is_integer ? GL_RGBA_INTEGER : GL_RGBA,
+               is_integer ? GL_UNSIGNED_INT : GL_FLOAT, nullptr);
+  glTexParameteri(GL_TEXTURE_RECTANGLE, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_RECTANGLE, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_RECTANGLE, texture.id(), 0);
+}
+
+}  // namespace litfog::render
