@@ -1,16 +1,25 @@
 # SPDX-License-Identifier: Apache-2.0
 """The C face as Python's ctypes calls it, with declarations such as a host in another language makes.
 
-python3 ctypes_test.py <liblitfog_c.so> <light file>
+python3 ctypes_test.py <liblitfog_c.so> <light file> <litfog.h> <nm>
 """
 
 import ctypes
 import math
+import re
+import subprocess
 import sys
 from ctypes import POINTER, Structure, byref, c_char_p, c_double, c_float, c_int32, c_size_t, c_uint32, c_void_p
 
-library, light_file = sys.argv[1:]
+library, light_file, header, nm = sys.argv[1:]
 litfog = ctypes.CDLL(library)
+
+# The library exports the functions that its header declares, and no others.
+symbols = subprocess.run([nm, "-D", "--defined-only", library], check=True, capture_output=True, text=True).stdout
+exported = {line.split()[2].split("@")[0] for line in symbols.splitlines() if line.split()[1] != "A"}
+with open(header, encoding="utf-8") as file:
+    declared = set(re.findall(r"^LITFOG_API [^(]*?(litfog_\w+)\(", file.read(), re.MULTILINE))
+assert declared and exported == declared, f"exported or declared alone: {sorted(exported ^ declared)}"
 
 
 class Fog(Structure):
