@@ -8,7 +8,6 @@
 #include <functional>
 #include <limits>
 #include <list>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -86,33 +85,6 @@ Errors errors_of(const Problem& problem) {
 
 constexpr const char* kReferenceName = "reference";
 constexpr const char* kLitfogName = "litfog";
-constexpr const char* kAxialBatchName = "axial-batch";
-constexpr const char* kAxialBatchFloatName = "axial-batch-float";
-
-/// axial_airlights over a problem of AirlightMix::axial.
-template <typename Real>
-Method axial_batch(const std::string& name, Problem& problem) {
-  struct Columns {
-    std::vector<Real> constant, linear, quadratic, threshold, density, airlight;
-  };
-  const auto columns = std::make_shared<Columns>();
-  for (const AirlightCase& c : problem.rays) {
-    const Light& light = c.light.light;
-    columns->constant.push_back(Real(light.attenuation.constant));
-    columns->linear.push_back(Real(light.attenuation.linear));
-    columns->quadratic.push_back(Real(light.attenuation.quadratic));
-    columns->threshold.push_back(Real(light.threshold));
-    columns->density.push_back(Real(c.fog.density));
-  }
-  columns->airlight.resize(problem.rays.size());
-  const auto run = [&problem, columns] {
-    const BasicBatchLights<Real> lights{columns->constant, columns->linear, columns->quadratic, columns->threshold,
-                                        columns->density};
-    axial_airlights(problem.fog, lights, columns->airlight);
-    std::ranges::copy(columns->airlight, problem.results.begin());
-  };
-  return {name, {}, &problem, {problem.rays.size(), run}};
-}
 
 /// Every method that computes the airlight of a problem's lamps.
 std::vector<Method> methods_of(Problem& problem, const SunTable& table, std::size_t references) {
@@ -126,8 +98,6 @@ std::vector<Method> methods_of(Problem& problem, const SunTable& table, std::siz
   const std::size_t all = problem.rays.size();
   if (problem.mix == AirlightMix::axial) {
     add("axial", {}, all, [](const AirlightCase& c) { return axial_airlight(c.light.light, c.fog); });
-    methods.push_back(axial_batch<double>(kAxialBatchName, problem));
-    methods.push_back(axial_batch<float>(kAxialBatchFloatName, problem));
   } else if (problem.mix == AirlightMix::inverse_square) {
     add("arctangent", {}, all, arctangent_airlight);
     if (problem.lamp_leg == LampLeg::fogged) {
@@ -231,14 +201,6 @@ Result measure_airlight(bool quick) {
       result.failures.push_back(fmt::format("{} {} {}: error = {}/255: must be at most {}/255", method.name,
                                             name_of(method.problem->mix), name_of(method.problem->fog), errors.max_255,
                                             255 * kAirlightMaxError));
-    }
-    const double axial_error = method.name == kAxialBatchName        ? kAxialAirlightsMaxError<double>
-                               : method.name == kAxialBatchFloatName ? kAxialAirlightsMaxError<float>
-                                                                     : std::numeric_limits<double>::infinity();
-    // What the reference itself may err comes on top.
-    if (!(errors.max_255 <= 255 * (axial_error + kReferenceAirlightMaxError))) {
-      result.failures.push_back(fmt::format("{} {}: error = {}/255: must be at most {}/255", method.name,
-                                            name_of(method.problem->fog), errors.max_255, 255 * axial_error));
     }
   }
   result.table = make_table(measurements);

@@ -9,7 +9,7 @@ namespace litfog::bench {
 ///
 /// method         march, march-clipped, gauss-asinh, litfog, reference; over the inverse-square mix: litfog,
 ///                closed-form, arctangent, sun-2005 (with the lamp's leg), reference; over the axial mix: axial
-///                (axial_airlight), axial-batch and axial-batch-float (axial_airlights), litfog, reference
+///                (axial_airlight), litfog, reference
 /// nodes          evaluations of the integrand; empty where their number is not fixed or there are none
 /// fog            exp or exp2
 /// lights         point, any, inverse-square or axial: the mix

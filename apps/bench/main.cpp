@@ -58,7 +58,7 @@ airlight: per ray, over 4,000 rays whose airlight is more than 1e-10 of the lamp
 lamps in isotropic fog; C below, at and above 1 and 0, L and Q from 0 over decades; visibility 3 m to 100 km, in one
 of twenty fogs 5 cm to 3 m; the eye beside, behind and in the lamp's light, rays of any length. any: two thirds are spots of 0.1
 to 180 degrees, half of the fogs scatter by g from -0.9 to 0.9. inverse-square: C = L = 0, outside of the knee.
-axial: the eye beside the lamp, along its axis, without the lamp's own leg, also as axial and axial-batch.
+axial: the eye beside the lamp, along its axis, without the lamp's own leg, also as axial.
 Methods: uniform steps from the eye (march) and inside the lamp's sphere and cone only (march-clipped, as PlayCanvas);
 Gauss-Legendre nodes in asinh of the distance from the closest approach (gauss-asinh); litfog; the arctangent form
 without extinction (Macklin 2010); 256 x 256 tables (Sun et al. 2005); closed forms; litfog's reference. Errors

@@ -5,9 +5,8 @@
 #include <limits>
 #include <optional>
 #include <span>
-#include <type_traits>
 
-#include "litfog/batch.h"
+#include "litfog/attenuation.h"
 #include "litfog/fog.h"
 #include "litfog/light.h"
 #include "litfog/value_error.h"
@@ -150,19 +149,5 @@ double axial_airlight(const Attenuation& attenuation, const Fog& fog, double thr
 ///
 /// throws  std::invalid_argument naming field, value and rule
 double axial_airlight(const Light& light, const Fog& fog);
-
-/// Largest error of axial_airlights, absolute.
-template <typename Real>
-inline constexpr double kAxialAirlightsMaxError = std::is_same_v<Real, float> ? 5e-7 : 2e-14;
-
-/// The same for many lights: SIMD of the widest kind that the processor has, chosen at run time. Gauss-Legendre
-/// quadrature, 20 nodes in float and 40 in double. Lights outside the range of the vector code are integrated one by
-/// one, by axial_airlight. Allocates nothing, never throws, and may run on any number of threads at once. The column of
-/// results holds one value a light, 0 for an invalid one; lengths that do not fit are a bug of the caller's and assert.
-///
-/// returns    how many lights are invalid
-/// max error  on every target kAxialAirlightsMaxError                                               (airlight_test.cpp)
-std::size_t axial_airlights(FogMode mode, const BatchLights& lights, std::span<double> airlights);
-std::size_t axial_airlights(FogMode mode, const BatchLightsF& lights, std::span<float> airlights);
 
 }  // namespace litfog

@@ -96,10 +96,6 @@ long double integrate_axially(const Attenuation& narrow, const Fog& fog, double 
 
 }  // namespace
 
-double unchecked::axial_airlight(const Attenuation& attenuation, const Fog& fog, double threshold) {
-  return double(integrate_axially(attenuation, fog, threshold));
-}
-
 std::optional<ValueError> check(const Scattering& scattering) {
   if (!(std::abs(scattering.asymmetry) < 1)) return ValueError{"asymmetry", scattering.asymmetry, "must be in (-1, 1)"};
   return std::nullopt;
@@ -200,13 +196,14 @@ double axial_airlight(const Attenuation& attenuation, const Fog& fog, double thr
   require(check(attenuation));
   require(check(fog));
   require(check_threshold(threshold));
-  return unchecked::axial_airlight(attenuation, fog, threshold);
+  return double(integrate_axially(attenuation, fog, threshold));
 }
 
 double axial_airlight(const Light& light, const Fog& fog) {
   require(check(light));
   require(check(fog));
-  return unchecked::axial_airlight(light.attenuation, unchecked::scaled(fog, light.density_scale), light.threshold);
+  const Fog class_fog = unchecked::scaled(fog, light.density_scale);
+  return double(integrate_axially(light.attenuation, class_fog, light.threshold));
 }
 
 }  // namespace litfog

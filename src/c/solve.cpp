@@ -100,14 +100,3 @@ litfog_status litfog_solve_batch_f(int32_t fog_mode, const litfog_batch_lights_f
                                    const litfog_batch_solutions_f* solutions, size_t* invalid) {
   return solve_batch<float>(fog_mode, lights, solutions, invalid);
 }
-
-litfog_status litfog_axial_airlight_batch(int32_t fog_mode, const litfog_batch_lights* lights, double* airlights,
-                                          size_t* invalid) {
-  return c::call([&] {
-    const BatchLights batch = batch_lights<double>(lights);
-    const std::span<double> results = c::array(airlights, lights->count, "airlights");
-    c::expect_apart(std::array{c::Column(results, "airlights")}, columns_of(batch));
-    const std::size_t found = axial_airlights(c::fog_mode(fog_mode), batch, results);
-    if (invalid != nullptr) *invalid = found;
-  });
-}

@@ -14,7 +14,6 @@ namespace litfog::unchecked {
 
 double compute_extent(const Attenuation& attenuation, double threshold);
 Fog scaled(const Fog& fog, double density_scale);
-double axial_airlight(const Attenuation& attenuation, const Fog& fog, double threshold);
 FogIntensity solve_fog_intensity(const Attenuation& attenuation, const Fog& fog, double threshold);
 FogLightKind pack_fog_light_kind(const PlacedLight& light, const FogIntensity& solution);
 FogLightInstance pack_fog_light_instance(const PlacedLight& light, std::size_t kind);

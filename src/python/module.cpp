@@ -263,28 +263,16 @@ struct Lights {
   py::object constant, linear, quadratic, density, threshold;
 };
 
-/// The memory of single values, which the lights' columns point to.
 template <typename Real>
-struct Singles {
-  Real density, threshold;
-};
-
-template <typename Real>
-BasicBatchLights<Real> take_lights(Columns& columns, const Lights& lights, Singles<Real>& singles) {
+void solve_columns(FogMode mode, const Lights& lights, std::optional<Solutions>& out) {
+  Columns columns;
+  Real single_density, single_threshold;  // the lights' columns may point to them
   BasicBatchLights<Real> taken;
   taken.constant = columns.take<const Real>(lights.constant, "constant");
   taken.linear = columns.take<const Real>(lights.linear, "linear");
   taken.quadratic = columns.take<const Real>(lights.quadratic, "quadratic");
-  taken.density = columns.take_or_single(lights.density, "density", singles.density);
-  taken.threshold = columns.take_or_single(lights.threshold, "threshold", singles.threshold);
-  return taken;
-}
-
-template <typename Real>
-void solve_columns(FogMode mode, const Lights& lights, std::optional<Solutions>& out) {
-  Columns columns;
-  Singles<Real> singles;
-  const BasicBatchLights<Real> taken = take_lights(columns, lights, singles);
+  taken.density = columns.take_or_single(lights.density, "density", single_density);
+  taken.threshold = columns.take_or_single(lights.threshold, "threshold", single_threshold);
   if (!out) {
     const auto size = py::ssize_t(columns.size());
     const auto column = [size](const py::dtype& dtype) { return py::array(dtype, std::vector{size}); };
@@ -323,28 +311,6 @@ py::object solve_batch(const Lights& lights, FogMode mode, const py::object& out
   return out;
 }
 
-/// The array of results that a caller gave, or a new one.
-py::array take_out(const py::object& out, const std::vector<py::ssize_t>& shape) {
-  if (out.is_none()) return py::array_t<double>(shape);
-  py::array array = take_array(out, "out", py::dtype::of<double>(), true);
-  if (!std::equal(shape.begin(), shape.end(), array.shape(), array.shape() + array.ndim())) {
-    throw py::value_error("out: must have the shape " + str_of(py::tuple(py::cast(shape))) + ", has " +
-                          str_of(array.attr("shape")));
-  }
-  return array;
-}
-
-py::array axial_batch(const Lights& lights, FogMode mode, const py::object& out) {
-  Columns columns;
-  Singles<double> singles;
-  const BatchLights taken = take_lights(columns, lights, singles);
-  py::array airlights = take_out(out, {py::ssize_t(columns.size())});
-  const std::span<double> results = columns.take<double>(airlights, "out");
-  const py::gil_scoped_release released;
-  axial_airlights(mode, taken, results);
-  return airlights;
-}
-
 // --- airlight ---
 
 static_assert(sizeof(EyeRay) == 7 * sizeof(double) && offsetof(EyeRay, direction) == 3 * sizeof(double) &&
@@ -356,7 +322,13 @@ py::dtype eye_ray_dtype() { return make_dtype({{"origin", "f8", 3}, {"direction"
 py::array airlights_of(PlacedLight light, Fog fog, const py::object& rays, Scattering scattering,
                        const py::object& out) {
   const py::array ray_array = take_array(rays, "rays", eye_ray_dtype(), false);
-  py::array airlights = take_out(out, {ray_array.shape(), ray_array.shape() + ray_array.ndim()});
+  const std::vector<py::ssize_t> shape{ray_array.shape(), ray_array.shape() + ray_array.ndim()};
+  py::array airlights =
+      out.is_none() ? py::array_t<double>(shape) : take_array(out, "out", py::dtype::of<double>(), true);
+  if (!std::equal(shape.begin(), shape.end(), airlights.shape(), airlights.shape() + airlights.ndim())) {
+    throw py::value_error("out: must have the shape " + str_of(py::tuple(py::cast(shape))) + ", has " +
+                          str_of(airlights.attr("shape")));
+  }
   Overlaps overlaps;
   overlaps.add(ray_array, "rays", false);
   overlaps.add(airlights, "out", true);
@@ -678,19 +650,6 @@ void bind_airlight(py::module_& m) {
         py::arg("attenuation"), py::arg("fog"), py::arg("threshold") = kDefaultThreshold, axial_doc);
   m.def("axial_airlight", py::overload_cast<const Light&, const Fog&>(&axial_airlight), py::arg("light"),
         py::arg("fog"), axial_doc);
-  m.def(
-      "axial_airlights",
-      [](py::object constant, py::object linear, py::object quadratic, py::object density, py::object threshold,
-         FogMode mode, const py::object& out) {
-        return axial_batch(
-            {std::move(constant), std::move(linear), std::move(quadratic), std::move(density), std::move(threshold)},
-            mode, out);
-      },
-      py::arg("constant"), py::arg("linear"), py::arg("quadratic"), py::arg("density"),
-      py::arg("threshold") = kDefaultThreshold, py::arg("mode") = FogMode::exp, py::kw_only(),
-      py::arg("out") = py::none(),
-      "axial_airlight for many lights: float64 columns as for solve_fog_intensities. Returns out, or a new column;\n"
-      "0 for an invalid light. Releases the GIL.");
   m.def("light_reach", &light_reach, py::arg("light"), py::arg("fog"), py::arg("budget"),
         py::arg("lamp_leg") = LampLeg::fogged,
         "The range in metres beyond which a light shows on no surface and in no fog by as much as the budget, a\n"

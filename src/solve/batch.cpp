@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <cassert>
 
-#include "batch_columns.h"
-#include "batch_guess.h"
 #include "litfog/solve.h"
 #include "model/unchecked.h"
+#include "solve/batch_guess.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "solve/batch.cpp"  // this file, once for each SIMD target
@@ -15,8 +14,6 @@
 #include <hwy/highway.h>
 // Highway's order: highway.h first.
 #include <hwy/contrib/math/math-inl.h>
-
-#include "batch_lanes.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace litfog::HWY_NAMESPACE {
@@ -28,6 +25,40 @@ namespace hn = hwy::HWY_NAMESPACE;
 // - Knee and extent are found only where the stationary point asks for them: with D the denominator there, the peak is
 //   at the knee where D <= 1 and at the extent where D >= 1 / threshold.
 // - Limit cases, and lights beyond what the arithmetic holds for, come out as NaN and are handled afterwards.
+
+/// A light's value in a column that holds one value per light, or a single value for all lights.
+template <typename T>
+T value_at(std::span<const T> column, std::size_t at) {
+  return column[column.size() == 1 ? 0 : at];
+}
+
+/// Copies the five values of a light into a lane of vectors.
+template <typename T, std::size_t kLanes>
+void copy_light(const BasicBatchLights<T>& lights, std::size_t at, T (&columns)[5][kLanes], std::size_t lane) {
+  columns[0][lane] = lights.constant[at];
+  columns[1][lane] = lights.linear[at];
+  columns[2][lane] = lights.quadratic[at];
+  columns[3][lane] = value_at(lights.threshold, at);
+  columns[4][lane] = value_at(lights.density, at);
+}
+
+/// One vector's columns.
+template <class V>
+struct Lanes {
+  V constant;
+  V linear;
+  V quadratic;
+  V threshold;
+  V density;
+};
+
+/// The range at which l r + q r^2 is an excess K: 2 K / (l + sqrt(l^2 + 4 q K)), 0 where K <= 0.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V level_root(D d, V excess, V linear, V quadratic) {
+  const V twice = hn::Add(excess, excess);
+  const V root = hn::Sqrt(hn::MulAdd(linear, linear, hn::Mul(hn::Add(quadratic, quadratic), twice)));
+  return hn::IfThenElseZero(hn::Gt(excess, hn::Zero(d)), hn::Div(twice, hn::Add(linear, root)));
+}
 
 template <class V>
 struct Split {
@@ -716,9 +747,12 @@ namespace {
 template <typename T>
 bool has_fitting_columns(const BasicBatchLights<T>& lights, const BasicBatchSolutions<T>& solutions) {
   const std::size_t count = solutions.intensity.size();
-  const auto is_wanted = [count](const auto& column) { return column.size() == count || column.empty(); };
-  return holds_lights(lights, count) && is_wanted(solutions.peak_range) && is_wanted(solutions.extent) &&
-         is_wanted(solutions.status);
+  const auto is_whole = [count](const auto& column) { return column.size() == count; };
+  const auto is_shared = [&](const auto& column) { return is_whole(column) || column.size() == 1; };
+  const auto is_wanted = [&](const auto& column) { return is_whole(column) || column.empty(); };
+  return is_whole(lights.constant) && is_whole(lights.linear) && is_whole(lights.quadratic) &&
+         is_shared(lights.threshold) && is_shared(lights.density) && is_wanted(solutions.peak_range) &&
+         is_wanted(solutions.extent) && is_wanted(solutions.status);
 }
 
 }  // namespace

@@ -194,7 +194,7 @@ TEST_F(BenchMeasurement, AirlightMeasuresEveryMethodOverTheRaysThatItKnows) {
   expect_methods(" exp inverse-square 0", {"arctangent", "closed-form", "litfog", "reference"});
   expect_methods(" exp inverse-square 1", {"arctangent", "sun-2005", "closed-form", "litfog", "reference"});
   for (const char* rays : {" exp axial 0", " exp2 axial 0"}) {
-    expect_methods(rays, {"axial", "axial-batch", "axial-batch-float", "litfog", "reference"});
+    expect_methods(rays, {"axial", "litfog", "reference"});
   }
   EXPECT_EQ(found.size(), count);
   EXPECT_NE(read("airlight.svg").find("processor time of one thread per ray"), std::string::npos);

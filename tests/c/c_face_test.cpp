@@ -160,7 +160,7 @@ TEST_F(CFace, BatchRefusesColumnsThatDoNotFit) {
   EXPECT_STREQ(litfog_last_error(), "lights.threshold_count = 2: must be 1 or count");
   lights.threshold_count = 3;
   lights.linear = nullptr;
-  EXPECT_EQ(litfog_axial_airlight_batch(LITFOG_FOG_EXP, &lights, results, nullptr), LITFOG_INVALID_ARGUMENT);
+  EXPECT_EQ(litfog_solve_batch(LITFOG_FOG_EXP, &lights, &solutions, nullptr), LITFOG_INVALID_ARGUMENT);
   EXPECT_STREQ(litfog_last_error(), "lights.linear: must not be NULL");
   lights.linear = column;
   EXPECT_EQ(litfog_solve_batch(2, &lights, &solutions, nullptr), LITFOG_INVALID_ARGUMENT);
@@ -197,8 +197,6 @@ TEST_F(CFace, ColumnsOfResultsThatOverlapAnotherColumnAreRefused) {
   solutions.extent = nullptr;
   solutions.status = reinterpret_cast<std::uint8_t*>(&to[2]) + 7;
   expect_refused(solve(), "solutions.status: must not overlap solutions.intensity");
-  expect_refused(litfog_axial_airlight_batch(LITFOG_FOG_EXP, &lights, &from[5], nullptr),
-                 "airlights: must not overlap lights.density");
   litfog_placed_light light;
   ASSERT_EQ(litfog_default_placed_light(&light), LITFOG_OK);
   std::vector<litfog_eye_ray> rays(2, {{0, 0, 0}, {0, 0, -1}, 9});
@@ -254,7 +252,6 @@ TEST_F(CFace, SizesThatNoMemoryHasAreRefusedBeforeAnythingIsRead) {
   };
   expect_refused(litfog_airlight(&light, &fog_, &ray, kMinusOne, nullptr, &x));
   expect_refused(litfog_solve_batch(LITFOG_FOG_EXP, &lights, &solutions, nullptr));
-  expect_refused(litfog_axial_airlight_batch(LITFOG_FOG_EXP, &lights, &x, nullptr));
   expect_refused(litfog_read_light("x", &light.light, &text, kMinusOne));
   expect_refused(litfog_expand_shader("", &text, kMinusOne, &length));
   EXPECT_EQ(x, 7);

@@ -58,14 +58,12 @@ static void solve_batch(void) {
   const double constant[] = {1, 1, -1}, linear[] = {0, 0.5, 0}, quadratic[] = {9.5e-5, 0, 1}, threshold = 0.05;
   const double density = fog_of(1500).density;
   const litfog_batch_lights lights = {3, constant, linear, quadratic, &threshold, 1, &density, 1};
-  double intensity[3], airlights[3];
+  double intensity[3];
   uint8_t status[3];
   const litfog_batch_solutions solutions = {intensity, NULL, NULL, status};
   size_t invalid = 0;
   EXPECT_OK(litfog_solve_batch(LITFOG_FOG_EXP, &lights, &solutions, &invalid));
   EXPECT(invalid == 1 && status[1] == LITFOG_SOLVE_OK && status[2] == LITFOG_SOLVE_INVALID && intensity[2] == 0);
-  EXPECT_OK(litfog_axial_airlight_batch(LITFOG_FOG_EXP, &lights, airlights, NULL));
-  EXPECT(airlights[0] >= intensity[0] && airlights[1] >= intensity[1]);
 }
 
 static void update(void) {

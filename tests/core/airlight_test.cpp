@@ -22,7 +22,6 @@
 
 #include "airlight/airlight_quadrature.h"
 #include "airlight/airlight_text.h"
-#include "core/simd_targets.h"
 #include "core/value_errors.h"
 #include "litfog/solve.h"
 #include "reference/double_limits.h"
@@ -235,105 +234,6 @@ TEST(Airlight, AxialAirlightOfALightIsThatOfItsFog) {
   light.density_scale = 0.4;
   EXPECT_EQ(axial_airlight(light, {FogMode::exp2, 0.1}),
             axial_airlight({1, 0.1, 0.01}, {FogMode::exp2, 0.4 * 0.1}, 0.1));
-}
-
-/// The columns of a batch.
-template <typename Real>
-struct AxialColumns {
-  explicit AxialColumns(const std::vector<SolveCase>& cases) {
-    for (const SolveCase& c : cases) {
-      constant.push_back(Real(c.attenuation.constant));
-      linear.push_back(Real(c.attenuation.linear));
-      quadratic.push_back(Real(c.attenuation.quadratic));
-      threshold.push_back(Real(c.threshold));
-      density.push_back(Real(c.fog.density));
-    }
-  }
-
-  BasicBatchLights<Real> lights() const { return {constant, linear, quadratic, threshold, density}; }
-  /// As the columns hold it.
-  SolveCase at(std::size_t i, FogMode mode) const {
-    return {{constant[i], linear[i], quadratic[i]}, {mode, density[i]}, threshold[i]};
-  }
-
-  std::vector<Real> constant, linear, quadratic, threshold, density;
-};
-
-template <typename Real>
-void check_axial_batch(FogMode mode, const std::vector<SolveCase>& cases) {
-  constexpr std::size_t kExact = 100;  // by 50 digits; the rest by what is within 3 ulp of them
-  const AxialColumns<Real> columns(cases);
-  std::vector<Digits50> references;
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    const SolveCase c = columns.at(i, mode);
-    references.push_back(i < kExact ? axial_reference(c) : axial_airlight(c.attenuation, c.fog, c.threshold));
-  }
-  for_each_simd_target([&](const char* target) {
-    std::vector<Real> batch(cases.size());
-    ASSERT_EQ(axial_airlights(mode, columns.lights(), batch), 0u);
-    double worst = 0;
-    for (std::size_t i = 0; i < cases.size(); ++i) {
-      const double error = double(abs(Digits50(batch[i]) - references[i]));
-      EXPECT_LE(error, kAxialAirlightsMaxError<Real>) << to_string(columns.at(i, mode));
-      worst = std::max(worst, error);
-    }
-    std::printf("axial_airlights %s %s %s: largest error %.3g\n", target, sizeof(Real) == 4 ? "float" : "double",
-                name_of(mode), worst);
-  });
-}
-
-TEST(Airlight, AxialAirlightsHaveTheirStatedErrorOnEverySimdTarget) {
-  Random random(64);
-  for (const FogMode mode : kModes) {
-    std::vector<SolveCase> cases;
-    for (int i = 0; i < 3000; ++i) {
-      SolveCase c = draw_ordinary_case(random, mode);
-      if (i % 3 != 0) {  // to and beyond the figures that vectors hold for
-        const auto draw = [&] { return random.chance(0.2) ? 0 : random.log_uniform(1e-10, 1e7); };
-        c = {{draw(), draw(), random.log_uniform(1e-10, 1e7)},
-             {mode, random.log_uniform(1e-6, 1e4)},
-             random.chance(0.5) ? 0.05 : random.log_uniform(1e-6, 0.99)};
-      }
-      if (compute_extent(c.attenuation, c.threshold) > 0) cases.push_back(c);
-    }
-    check_axial_batch<double>(mode, cases);
-    check_axial_batch<float>(mode, cases);
-  }
-}
-
-TEST(Airlight, AxialAirlightsOfEveryCountAreThoseOfEachLightAlone) {
-  Random random(65);
-  for (const FogMode mode : kModes) {
-    std::vector<SolveCase> cases;
-    for (int i = 0; i < 67; ++i) cases.push_back(draw_ordinary_case(random, mode));
-    const AxialColumns<float> columns(cases);
-    std::vector<float> all(cases.size());
-    axial_airlights(mode, columns.lights(), all);
-    for (std::size_t count = 0; count < cases.size(); ++count) {
-      const AxialColumns<float> fewer({cases.begin(), cases.begin() + std::ptrdiff_t(count)});
-      std::vector<float> batch(count);
-      EXPECT_EQ(axial_airlights(mode, fewer.lights(), batch), 0u);
-      EXPECT_TRUE(std::ranges::equal(batch, std::span(all).first(count))) << count;
-    }
-  }
-}
-
-TEST(Airlight, AxialAirlightsTakeSingleValuesForAllAndCountInvalidLights) {
-  const std::vector<double> constant{1, 0, 2, -1}, linear{0.1, 0.2, 0, 1}, quadratic{0, 0.01, 0.02, 1};
-  const std::vector<double> threshold{0.05, 0.1, 0.2, 0.3}, density{0.01, 0.1, kInfinity, 1};
-  for (const FogMode mode : kModes) {
-    std::vector<double> each(4), same(4);
-    EXPECT_EQ(axial_airlights(mode, {constant, linear, quadratic, threshold, density}, each), 1u);
-    EXPECT_EQ(axial_airlights(mode, {constant, linear, quadratic, {threshold.data(), 1}, {density.data(), 1}}, same),
-              1u);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Attenuation attenuation{constant[i], linear[i], quadratic[i]};
-      constexpr double kError = kAxialAirlightsMaxError<double>;
-      EXPECT_NEAR(each[i], axial_airlight(attenuation, {mode, density[i]}, threshold[i]), kError) << i;
-      EXPECT_NEAR(same[i], axial_airlight(attenuation, {mode, 0.01}, 0.05), kError) << i;
-    }
-    EXPECT_EQ(each[3], 0);
-  }
 }
 
 TEST(Airlight, WrongArgumentsOfAxialAirlightAreErrors) {

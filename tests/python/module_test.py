@@ -214,15 +214,11 @@ class SolveTest(unittest.TestCase):
             "angles": [lambda x: litfog.fit_cone(angles=x, intensities=[3, 2, 1])],
             "intensities": [lambda x: litfog.fit_cone(angles=[0, 0.1, 0.2], intensities=x)],
             "constant": [lambda x: litfog.solve_fog_intensities(x, rows, rows, 0.1)],
-            "density": [
-                lambda x: litfog.solve_fog_intensities(rows, rows, rows, x),
-                lambda x: litfog.axial_airlights(rows, rows, rows, x),
-            ],
-            "threshold": [lambda x: litfog.axial_airlights(rows, rows, rows, 0.1, x)],
+            "density": [lambda x: litfog.solve_fog_intensities(rows, rows, rows, x)],
+            "threshold": [lambda x: litfog.solve_fog_intensities(rows, rows, rows, 0.1, x)],
             "out.intensity": [
                 lambda x: litfog.solve_fog_intensities(rows, rows, rows, 0.1, out=litfog.BatchSolutions(intensity=x))
             ],
-            "out": [lambda x: litfog.axial_airlights(rows, rows, rows, 0.1, out=x)],
             "vector": [lambda x: litfog.PlacedLight(litfog.Light(), position=x)],
         }
         for name, functions in calls.items():
@@ -328,9 +324,6 @@ class BatchTest(unittest.TestCase):
         single = litfog.solve_fog_intensity(litfog.Attenuation(1, 0, 0.25), litfog.Fog(litfog.FogMode.exp2, 0.125), 0.5)
         self.assertAlmostEqual(solved.intensity[0], single.intensity, 14)
         self.assertEqual(solved.extent[0], single.extent)
-        airlight = litfog.axial_airlights(one, 0 * one, 0.25 * one, np.array([0.125]), mode=litfog.FogMode.exp)
-        single = litfog.axial_airlight(litfog.Attenuation(1, 0, 0.25), litfog.Fog(density=0.125))
-        self.assertLessEqual(abs(airlight[0] - single), 3e-14)  # 2e-14 on any SIMD target, and 3 ulp
 
     def test_columns_that_do_not_fit_are_refused_with_a_sentence(self):
         ones = np.ones(4)

@@ -36,7 +36,9 @@ for name in ("landing-lamp", "headlight", "street-lamp", "runway-edge"):
     )
     seen = lamp.density_scale * densities
     solved = litfog.solve_fog_intensities(constant, linear, quadratic, seen, lamp.threshold)
-    airlight = litfog.axial_airlights(constant, linear, quadratic, seen, lamp.threshold)
+    airlight = [
+        litfog.axial_airlight(lamp.attenuation, litfog.Fog(density=density), lamp.threshold) for density in seen
+    ]
     (line,) = plt.semilogx(visibilities, solved.intensity, label=name)
     plt.semilogx(visibilities, airlight, "--", color=line.get_color())
 plt.xlabel("visibility, m (contrast 5 %)")

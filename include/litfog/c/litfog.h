@@ -243,13 +243,6 @@ LITFOG_API litfog_status litfog_airlight(const litfog_placed_light* light, const
 /// Airlight of a light along its own axis, [0, 1]: the eye at the light, the light's leg clear, out to its extent.
 LITFOG_API litfog_status litfog_axial_airlight(const litfog_light* light, const litfog_fog* fog, double* airlight);
 
-/// The same for columns of lights.
-///
-/// airlights  one a light, 0 for an invalid one; refused where they overlap a column of the lights
-/// invalid    how many lights are invalid; may be NULL
-LITFOG_API litfog_status litfog_axial_airlight_batch(int32_t fog_mode, const litfog_batch_lights* lights,
-                                                     double* airlights, size_t* invalid);
-
 /// The range in metres beyond which a light shows on no surface and in no fog.
 ///
 /// budget    (0, 1): over the largest component of the light's colour
