@@ -3,13 +3,11 @@
 
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,8 +24,6 @@ namespace {
 struct Observation {
   double y;
   std::vector<double> x;
-
-  bool operator==(const Observation&) const = default;
 };
 
 struct Dataset {
@@ -36,8 +32,6 @@ struct Dataset {
   std::vector<double> deviations;
   double sum_of_squares = 0;
   std::vector<Observation> observations;
-
-  bool operator==(const Dataset&) const = default;
 };
 
 std::map<std::string, Dataset> read_datasets() {
@@ -193,54 +187,6 @@ TEST(NistRegression, LeastSquaresFindsEveryCertifiedSolutionFromBothStarts) {
   parameters.check();
   deviations.check();
   EXPECT_EQ(starts, 54);
-}
-
-// ---- NIST's own files, where a folder of them lies beside the repository ----
-
-Dataset read_nist_file(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  Dataset dataset;
-  bool is_in_data = false;
-  for (std::string line; std::getline(file, line);) {
-    std::istringstream words(line);
-    std::string name, equals;
-    if (line.starts_with("Data:") && line.find('y') != std::string::npos &&
-        line.find("Response") == std::string::npos) {
-      is_in_data = true;
-    } else if (is_in_data) {
-      Observation observation;
-      if (!(words >> observation.y)) continue;
-      for (double x; words >> x;) observation.x.push_back(x);
-      dataset.observations.push_back(observation);
-    } else if (line.starts_with("Residual Sum of Squares:")) {
-      dataset.sum_of_squares = std::stod(line.substr(line.find(':') + 1));
-    } else if (words >> name >> equals && name[0] == 'b' && equals == "=") {
-      double start_1, start_2, certified, deviation;
-      if (!(words >> start_1 >> start_2 >> certified >> deviation)) continue;
-      dataset.starts[0].push_back(start_1);
-      dataset.starts[1].push_back(start_2);
-      dataset.certified.push_back(certified);
-      dataset.deviations.push_back(deviation);
-    }
-  }
-  return dataset;
-}
-
-std::vector<std::string> folders_of_nist_files() {
-  const std::string folder = LITFOG_SHARED_DIR "/nist";
-  return std::filesystem::is_directory(folder) ? std::vector{folder} : std::vector<std::string>{};
-}
-
-using NistFiles = testing::TestWithParam<std::string>;
-GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(NistFiles);
-INSTANTIATE_TEST_SUITE_P(BesideTheRepository, NistFiles, testing::ValuesIn(folders_of_nist_files()));
-
-TEST_P(NistFiles, FilesHaveTheFiguresOfOurTable) {
-  const auto datasets = read_datasets();
-  EXPECT_EQ(datasets.size(), 27u);
-  for (const auto& [name, dataset] : datasets) {
-    EXPECT_EQ(read_nist_file(GetParam() + "/" + name + ".dat"), dataset) << name;
-  }
 }
 
 }  // namespace
