@@ -334,7 +334,7 @@ std::vector<JsonValue> JsonValue::items() const {
 
 double JsonValue::number() const {
   const auto* const text = std::get_if<std::string>(&node_->value);
-  if (text) fail("must be a number" + hint_for_quoted_number(*text, path_));
+  if (text) fail("must be a number" + hint_for_quoted_number(*text));
   return expect<double>("must be a number");
 }
 

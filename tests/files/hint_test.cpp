@@ -56,7 +56,7 @@ TEST(Hint, PercentageIsShownAsAFraction) {
   EXPECT_EQ(error_of(R"({"threshold": 5})"), "f:1:15: threshold = 5: must be in (0, 1); 5 % is 0.05");
   EXPECT_EQ(error_of(R"({"threshold": 1.1})"), "f:1:15: threshold = 1.1: must be in (0, 1); 1.1 % is 0.011");
   EXPECT_EQ(error_of(R"({"threshold": "5 %"})"), "f:1:15: threshold = \"5 %\": must be a number; 5 % is 0.05");
-  EXPECT_EQ(error_of(R"({"threshold": "2,5%"})"), "f:1:15: threshold = \"2,5%\": must be a number; 2.5 % is 0.025");
+  EXPECT_EQ(error_of(R"({"threshold": "%"})"), "f:1:15: threshold = \"%\": must be a number");
   EXPECT_EQ(error_of(R"({"threshold": 200})"), "f:1:15: threshold = 200: must be in (0, 1)");
   EXPECT_EQ(error_of(R"({"threshold": -5})"), "f:1:15: threshold = -5: must be in (0, 1)");
 }
@@ -76,62 +76,10 @@ TEST(Hint, NumberInQuotationMarksIsShownWithout) {
   EXPECT_EQ(error_of(R"({"threshold": ""})"), "f:1:15: threshold = \"\": must be a number");
 }
 
-TEST(Hint, NumberWithItsUnitIsToStandAlone) {
-  EXPECT_EQ(hint_for_number("120 m", "range.extent_m"), "; write 120 alone");
-  EXPECT_EQ(hint_for_number("3000K", "color_temperature_k"), "; write 3000 alone");
-  EXPECT_EQ(hint_for_number("20\u00b0", "cone.beam_angle_deg"), "; write 20 alone");
-  EXPECT_EQ(hint_for_number("24 Degrees", "cone.beam_angle_deg[0]"), "; write 24 alone");
-  EXPECT_EQ(hint_for_number("5 lx", "range.illuminance.lx"), "; write 5 alone");
-}
-
-TEST(Hint, NumberOfAnotherUnitIsToldTheRightOne) {
-  EXPECT_EQ(hint_for_number("20%", "cone.beam_angle_deg"), "; its unit is degrees");
-  EXPECT_EQ(hint_for_number("400 ft", "range.extent_m"), "; its unit is metres");
-  EXPECT_EQ(hint_for_number("20 knots", "threshold"), "");
-  EXPECT_EQ(hint_for_number("5 m", "m"), "") << "a name, not a unit";
-}
-
-TEST(Hint, CommaBetweenItemsIsNotTakenForADecimalOne) {
-  for (const char* text : {R"({"beam_angle_deg": [24,6})", R"({"beam_angle_deg": [24,6 8,5]})", R"({"a": [1,2,)",
-                           R"({"a": [1,1e999]})", R"({"a": [2,-]})"}) {
-    const std::string error = error_of(text);
-    EXPECT_NE(error.find(": must "), std::string::npos) << error;
-    EXPECT_EQ(error.find("write"), std::string::npos) << error;
-  }
-}
-
-TEST(Hint, DecimalCommaIsShownAsAPoint) {
-  EXPECT_EQ(error_of(R"({"threshold": "0,05"})"),
-            "f:1:15: threshold = \"0,05\": must be a number; write 0.05, with a decimal point");
-  EXPECT_EQ(error_of(R"({"threshold": 0,05})"),
-            "f:1:17: text = \"05\": must be a member's name in quotes; write 0.05, with a decimal point");
-  EXPECT_EQ(error_of(R"({"threshold": 12,5, "color": 1})"),
-            "f:1:18: text = \"5\": must be a member's name in quotes; write 12.5, with a decimal point");
-  EXPECT_EQ(error_of(R"({"color": [0,05, 1]})"),
-            "f:1:15: text = \"5\": must be ',' or ']'; write 0.05, with a decimal point");
-  EXPECT_EQ(error_of(R"({"threshold": 1,200})"),
-            "f:1:17: text = \"200\": must be a member's name in quotes; write 1.200 or 1200");
-  EXPECT_EQ(hint_for_number("1,200"), "; write 1.200 or 1200");
-  EXPECT_EQ(hint_for_number("1,200,000"), "");
-  EXPECT_EQ(hint_for_number(",5"), "");
-  EXPECT_EQ(hint_for_number("5,"), "");
-  EXPECT_EQ(error_of(R"({"threshold": 0.5, color: 1})"), "f:1:20: text = \"color\": must be a member's name in quotes");
-}
-
-TEST(Hint, NameThatEndsInABracketHasNoIndexWithoutItsOther) {
-  const std::string_view before_and_name = "_m range]";
-  EXPECT_EQ(hint_for_number("5 ft", before_and_name.substr(3)), "") << "what stands before a name is not its unit";
-  EXPECT_EQ(hint_for_number("5 ft", "range_m]"), "");
-  EXPECT_EQ(hint_for_number("5 ft", "]"), "");
-  EXPECT_EQ(hint_for_word("range]", {"range"}), "; did you mean range?");
-  EXPECT_EQ(error_of(R"({"range]": 1})"), "f:1:2: \"range]\": must be one of threshold, color");
-}
-
 /// Any bytes, among them many that names, numbers and paths are made of.
 rc::Gen<std::string> any_text() {
-  static constexpr std::array<std::string_view, 26> kPieces{
-      "[",  "]", ".", "_",        ",",  "_m", "_deg", "m", "ft", "deg",  "range", "0", "5",
-      "12", "%", " ", "\xC2\xB0", "\n", "\"", "-",    "e", "+",  "\xFF", "{",     "}", ":"};
+  static constexpr std::array<std::string_view, 19> kPieces{"[", "]",  ".",  "_", ",", "range", "0",    "5", "12", "%",
+                                                            " ", "\n", "\"", "-", "e", "+",     "\xFF", "{", "}"};
   const auto piece = rc::gen::map(rc::gen::inRange<std::size_t>(0, kPieces.size() + 6), [](std::size_t i) {
     return i < kPieces.size() ? std::string(kPieces[i]) : std::string(1, char(i * 41));
   });
@@ -145,19 +93,16 @@ rc::Gen<std::string> any_text() {
 /// What a call makes of a copy of a text must be what it makes of the text among others.
 template <typename Hint>
 void expect_own_bytes_alone(const std::string& text, const Hint& hint) {
-  const std::string whole = "_m[" + text + "]_m5,";
+  const std::string whole = "5,[" + text + "]%5,";
   RC_ASSERT(hint(std::string_view(whole).substr(3, text.size())) == hint(std::string_view(text)));
 }
 
 RC_GTEST_PROP(Hint, AnyBytesAreReadWithinTheirEnds, ()) {
   const std::string text = *any_text();
-  const std::string member = *any_text();
-  expect_own_bytes_alone(member, [&](std::string_view of) { return hint_for_number(text, of); });
-  expect_own_bytes_alone(member, [&](std::string_view of) { return hint_for_number("5 ft", of); });
-  expect_own_bytes_alone(text, [&](std::string_view of) { return hint_for_number(of, member); });
-  expect_own_bytes_alone(text, [&](std::string_view of) { return hint_for_quoted_number(of, member); });
-  expect_own_bytes_alone(text, [&](std::string_view of) { return hint_for_word(of, {"range_m", member}); });
-  expect_own_bytes_alone(text, [&](std::string_view of) { return hint_for_fraction(5, of); });
+  expect_own_bytes_alone(text, [](std::string_view of) { return hint_for_number(of); });
+  expect_own_bytes_alone(text, [](std::string_view of) { return hint_for_quoted_number(of); });
+  expect_own_bytes_alone(text, [&](std::string_view of) { return hint_for_word(of, {"range_m", text}); });
+  expect_own_bytes_alone(text, [](std::string_view of) { return hint_for_fraction(5, of); });
   const auto offset = *rc::gen::inRange<std::size_t>(0, text.size() + 1);
   expect_own_bytes_alone(text, [&](std::string_view of) { return hint_for_syntax(of, offset); });
 }
