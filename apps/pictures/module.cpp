@@ -8,7 +8,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
-#include <cctype>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -57,16 +56,15 @@ std::string value_text(const std::string& name, const py::handle& value) {
   return text;
 }
 
-/// Keywords as the arguments of litfog-demo, in the order in which CLI11 takes them: last first.
-std::vector<std::string> arguments_of(const py::kwargs& options, const CLI::App& app) {
-  std::vector<std::string> arguments;
+/// Sets the options that keywords name, as a command line would.
+void set_options(CLI::App& app, const py::kwargs& keywords) {
   const py::object json = py::module_::import("json").attr("dumps");
-  for (const auto& [key, value] : options) {
+  for (const auto& [key, value] : keywords) {
     const std::string name = key.cast<std::string>();
-    std::string option = "--" + name;
-    std::ranges::replace(option, '_', '-');
-    const CLI::Option* const known = app.get_option_no_throw(option);
-    if (known == nullptr || name.find('-') != name.npos) {
+    std::string option_name = "--" + name;
+    std::ranges::replace(option_name, '_', '-');
+    CLI::Option* const option = app.get_option_no_throw(option_name);
+    if (option == nullptr || name.find('-') != name.npos) {
       throw py::type_error("render() got an unexpected keyword argument '" + name + "'");
     }
     if (value.is_none()) continue;
@@ -74,34 +72,22 @@ std::vector<std::string> arguments_of(const py::kwargs& options, const CLI::App&
       if (!py::isinstance<py::dict>(value)) throw py::type_error("set: must be a dictionary of members and values");
       for (const auto& [member, change] : value.cast<py::dict>()) {
         const std::string to = py::isinstance<py::str>(change) ? change.cast<std::string>() : text_of(json(change));
-        arguments.push_back(option + "=" + text_of(member) + "=" + to);
+        option->add_result(text_of(member) + "=" + to);
       }
-    } else if (known->get_expected_max() == 0) {
+    } else if (option->get_expected_max() == 0) {
       if (!py::isinstance<py::bool_>(value)) throw py::type_error(name + ": must be True or False");
-      if (value.cast<bool>()) arguments.push_back(option);
+      if (value.cast<bool>()) option->add_result("true");
     } else {
-      arguments.push_back(option + "=" + value_text(name, value));
+      option->add_result(value_text(name, value));
     }
+    if (option->count() > 0) option->run_callback();
   }
-  std::ranges::reverse(arguments);
-  return arguments;
 }
 
 /// A sentence on options with their names in Python: "--fov-deg = 0: must be ..." becomes "fov_deg = 0: must be ...".
 std::string in_python(const std::string& sentence) {
-  std::string text;
-  for (std::size_t i = 0; i < sentence.size(); ++i) {
-    if (sentence.compare(i, 2, "--") != 0) {
-      text += sentence[i];
-      continue;
-    }
-    for (i += 2; i < sentence.size() && (std::islower(static_cast<unsigned char>(sentence[i])) || sentence[i] == '-');
-         ++i) {
-      text += sentence[i] == '-' ? '_' : sentence[i];
-    }
-    --i;
-  }
-  return text;
+  const py::cpp_function name = [](const py::object& match) { return match[py::int_(1)].attr("replace")("-", "_"); };
+  return py::module_::import("re").attr("sub")("--([a-z-]+)", name, sentence).cast<std::string>();
 }
 
 /// A scene as a display would show it, and what it is made from.
@@ -148,7 +134,7 @@ py::object render(const py::object& picture_class, const py::object& scene, cons
     throw py::value_error("scene: must not hold a null character");
   Drawn drawn;
   try {
-    app.parse(arguments_of(options, app));
+    set_options(app, options);
     command::check_options(app, drawing::drawing_rules(drawing));
     const py::gil_scoped_release released;
     drawn = draw(app, scene_options, drawing);
