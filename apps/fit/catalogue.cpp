@@ -2,16 +2,11 @@
 #include "fit/catalogue.h"
 
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <time.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <fstream>
-#include <limits>
 #include <nlohmann/json.hpp>
-#include <utility>
 
 #include "command/html_text.h"
 #include "files/whole_file.h"
@@ -31,87 +26,9 @@ using command::html_text;
 
 constexpr const char* kLamps = "lamps";
 constexpr const char* kPage = "index.html";
-constexpr const char* kFirstLine = "<!DOCTYPE html><!-- a catalogue of litfog-fit -->";  // of the page
-constexpr const char* kProgram = "/proc/self/exe";
-constexpr std::array kEndings{".json", ".svg", ".png"};  // of a lamp's files beside its record
-
-// --- records ---
-
-/// The time as files have it, which lags behind other clocks.
-timespec file_time() {
-  timespec time;
-  clock_gettime(CLOCK_REALTIME_COARSE, &time);
-  return time;
-}
-
-bool has_changed_since(const timespec& time, const std::string& file) {
-  struct stat status;
-  if (stat(file.c_str(), &status) != 0) return true;
-  return std::pair(status.st_ctim.tv_sec, status.st_ctim.tv_nsec) >= std::pair(time.tv_sec, time.tv_nsec);
-}
-
-/// A file as it was: nothing can have been changed in it that leaves both size and time.
-Json state_of(const std::string& file) {
-  struct stat status;
-  if (stat(file.c_str(), &status) != 0) return nullptr;
-  return {file, status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec};
-}
-
-Json json_of(const Cell& cell) {
-  if (const auto* text = std::get_if<std::string>(&cell)) return *text;
-  const double* const number = std::get_if<double>(&cell);
-  if (number == nullptr) return nullptr;
-  return std::isfinite(*number) ? Json(*number) : Json(fmt::format("{}", *number));  // which JSON has no number for
-}
-
-Cell cell_of(const Json& json) {
-  if (json.is_number()) return json.get<double>();
-  if (json == "inf") return std::numeric_limits<double>::infinity();
-  if (json.is_string()) return json.get<std::string>();
-  return std::monostate();
-}
-
-/// written  the outcome's files as they are to be found again
-/// begun    before the files it was made from were read: one that has changed since then may have been read as it was
-///          or is
-std::string record_of(const Outcome& outcome, const Summary& summary, const std::string& options,
-                      const std::vector<std::string>& written, const timespec& begun) {
-  Json states = Json::array({state_of(kProgram)});
-  for (const std::string& file : files_of(outcome.input, outcome.fit->target)) {
-    const Json state = state_of(file);
-    states.push_back(has_changed_since(begun, file) ? Json() : state);
-  }
-  for (const std::string& file : written) states.push_back(state_of(file));
-  Json row = Json::array();
-  for (const Cell& cell : summary.row) row.push_back(json_of(cell));
-  return Json{{"input", outcome.input.path}, {"options", options},           {"files", states},
-              {"status", summary.status},    {"messages", summary.messages}, {"row", row},
-              {"report", summary.report}}
-      .dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
-/// The record's, or nothing where it is none or not of today.
-std::optional<Summary> summary_of_record(const fs::path& path, const Input& input, const std::string& options) {
-  std::ifstream file(path, std::ios::binary);
-  const Json record = Json::parse(file, nullptr, false);
-  try {
-    if (record.at("input") != input.path || record.at("options") != options) return std::nullopt;
-    for (const Json& state : record.at("files")) {
-      if (state.is_null() || state_of(state.at(0).get<std::string>()) != state) return std::nullopt;
-    }
-    Summary summary{.status = record.at("status").get<command::ExitStatus>(),
-                    .messages = record.at("messages"),
-                    .row = {},
-                    .report = record.at("report")};
-    for (const Json& cell : record.at("row")) summary.row.push_back(cell_of(cell));
-    if (summary.row.size() != summary_columns().size()) return std::nullopt;
-    return summary;
-  } catch (const Json::exception&) {  // of another version, or broken
-    return std::nullopt;
-  }
-}
-
-// --- page ---
+/// The page's first line, by which a folder is known to be a catalogue's.
+constexpr const char* kFirstLine = "<!DOCTYPE html><!-- a catalogue of litfog-fit -->";
+constexpr std::array kEndings{".json", ".svg", ".png"};  // of a lamp's files
 
 constexpr const char* kPageBegin = R"({first_line}
 <html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width">
@@ -140,6 +57,12 @@ from 30 m beside its beam, the frame is {metres} m wide, visibility {near}, and 
 <div class="scroll"><table><thead><tr><th>light</th><th>extent m</th><th>cone</th><th>rms %</th><th>flux %</th>
 <th>asymmetry</th><th>range %</th><th>verdict</th><th>advice</th></tr></thead><tbody>
 )";
+
+bool is_own_page(const std::string& page) {
+  std::ifstream file(page);
+  std::string first_line;
+  return std::getline(file, first_line) && first_line == kFirstLine;
+}
 
 std::string visibilities() {
   std::string text;
@@ -203,68 +126,43 @@ std::string section(const Input& input, const Summary& summary) {
 
 }  // namespace
 
-Catalogue::Catalogue(const std::string& folder, const std::string& options, const std::vector<Input>& inputs)
-    : folder_(folder), options_(options), begun_(file_time()) {
-  expect_own_page();
-  for (const Input& input : inputs) {
-    if (!input.error) expect_own_files(input);
-  }
+Catalogue::Catalogue(const std::string& folder, const std::vector<Input>& inputs) : folder_(folder) {
   std::error_code error;
+  const std::string page = (folder_ / kPage).string();
+  const bool is_ours = is_own_page(page);
+  if (!is_ours && fs::exists(page, error)) {
+    throw OutputError(fmt::format("{}: cannot be written: is there, and is no catalogue's page", page));
+  }
+  for (const Input& input : inputs) {
+    for (const char* ending : kEndings) {
+      if (is_ours || input.error || !fs::exists(file_of(input, ending), error)) continue;
+      throw OutputError(fmt::format("{}: cannot be written: is there, and {} has no catalogue's page",
+                                    file_of(input, ending), folder));
+    }
+  }
   fs::create_directory(folder_, error);
   if (!error) fs::create_directory(folder_ / kLamps, error);
   if (error) throw OutputError(fmt::format("{}: cannot be made: {}", folder, error.message()));
   files::remove_stale_temporaries(folder_);
+  // From now on the lamps' files are the catalogue's, also where this run is ended before it writes the page.
+  if (!is_ours) files::write_whole_file(page, std::string(kFirstLine) + "\n");
 }
 
-void Catalogue::expect_own_page() const {
-  std::error_code error;
-  const fs::path page = folder_ / kPage;
-  if (!fs::exists(page, error)) return;
-  std::ifstream file(page);
-  std::string first_line;
-  std::getline(file, first_line);
-  if (first_line == kFirstLine) return;
-  throw OutputError(fmt::format("{}: cannot be written: is there, and is no catalogue's page", page.string()));
+std::string Catalogue::file_of(const Input& input, const char* ending) const {
+  return (folder_ / kLamps / (input.name + ending)).string();
 }
 
-void Catalogue::expect_own_files(const Input& input) const {
-  std::error_code error;
-  if (fs::exists(file_of(input, ".record"), error)) return;
-  for (const char* ending : kEndings) {
-    const fs::path file = file_of(input, ending);
-    if (!fs::exists(file, error)) continue;
-    throw OutputError(fmt::format("{}: cannot be written: is there, and is no catalogue's: it has no {}.record",
-                                  file.string(), input.name));
-  }
-}
+std::string Catalogue::light_path(const Input& input) const { return file_of(input, ".json"); }
 
-fs::path Catalogue::file_of(const Input& input, const char* ending) const {
-  return folder_ / kLamps / (input.name + ending);
-}
-
-std::string Catalogue::light_path(const Input& input) const { return file_of(input, ".json").string(); }
-
-std::optional<Summary> Catalogue::find(const Input& input) const {
-  if (input.error) return std::nullopt;
-  return summary_of_record(file_of(input, ".record"), input, options_);
-}
-
-void Catalogue::add(const std::vector<FittedLamp>& lamps) const {
+void Catalogue::add(const std::vector<const Outcome*>& outcomes) const {
   std::vector<command::Figure> figures;
-  for (const auto& [outcome, summary] : lamps) figures.push_back(fit_figure({&*outcome.fit}));
+  for (const Outcome* outcome : outcomes) figures.push_back(fit_figure({&*outcome->fit}));
   const std::vector<std::string> drawn = command::draw_svg_figures(figures);
-  for (std::size_t i = 0; i < lamps.size(); ++i) {
-    const auto& [outcome, summary] = lamps[i];
-    const auto write = [&, &input = outcome.input](const char* ending, std::string_view text) {
-      files::write_whole_file(file_of(input, ending).string(), text);
-    };
-    write(".record", "{}");  // from now on the files are the catalogue's, and not done
-    write(".svg", drawn[i]);
-    write(".png", draw_fog_picture(outcome.fit->light));
-    write(".json", outcome.light);
-    std::vector<std::string> written;
-    for (const char* ending : kEndings) written.push_back(file_of(outcome.input, ending).string());
-    write(".record", record_of(outcome, summary, options_, written, begun_));
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    const Outcome& outcome = *outcomes[i];
+    files::write_whole_file(file_of(outcome.input, ".svg"), drawn[i]);
+    files::write_whole_file(file_of(outcome.input, ".png"), draw_fog_picture(outcome.fit->light));
+    files::write_whole_file(file_of(outcome.input, ".json"), outcome.light);
   }
 }
 

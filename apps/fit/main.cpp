@@ -136,13 +136,6 @@ struct Options {
   std::string cookie;
   bool is_reproducible = false;
   TableFormat format = TableFormat::text;
-
-  /// What changes a light, as text.
-  std::string fit_key() const {
-    const auto& [kind, horizontal, vertical] = choices.axis;
-    return fmt::format("{} {} {} {} {} {} {}", choices.profile ? int(*choices.profile) : -1, int(kind), horizontal,
-                       vertical, choices.tilt, is_robust, is_reproducible);
-  }
 };
 
 bool is_spec(const std::string& path) { return ending_of(path) == ".json"; }
@@ -337,44 +330,41 @@ Results fit_all(const Options& options, const std::vector<Input>& inputs, const 
 }
 
 /// Adds lamps to a catalogue: together or, where that fails, one by one, so that an error of one is that lamp's alone.
-void add_lamps(const Catalogue& catalogue, std::vector<FittedLamp>& lamps) try {
-  if (!lamps.empty()) catalogue.add(lamps);
-} catch (const std::exception&) {
-  for (FittedLamp& lamp : lamps) {
-    try {
-      catalogue.add({lamp});
-    } catch (...) {
-      fail(lamp.outcome);
-      lamp.summary = summary_of(lamp.outcome, true);
+void add_lamps(const Catalogue& catalogue, std::vector<Outcome>& outcomes) {
+  std::vector<const Outcome*> lamps;
+  for (const Outcome& outcome : outcomes) {
+    if (outcome.fit) lamps.push_back(&outcome);
+  }
+  try {
+    if (!lamps.empty()) catalogue.add(lamps);
+  } catch (const std::exception&) {
+    for (Outcome& outcome : outcomes) {
+      if (!outcome.fit) continue;
+      try {
+        catalogue.add({&outcome});
+      } catch (...) {
+        fail(outcome);
+      }
     }
   }
 }
 
-/// Adds what a catalogue does not have, a few inputs at a time: they share a run of gnuplot.
+/// Fits a few inputs at a time: they share a run of gnuplot.
 Results fill_catalogue(const Options& options, const std::vector<Input>& inputs,
                        const std::vector<std::string>& outputs, const OutputFiles& files, const Catalogue& catalogue) {
-  constexpr std::size_t kMostTogether = 32, kLeastTurns = 16;
-  const std::size_t together = std::clamp<std::size_t>(inputs.size() / kLeastTurns, 1, kMostTogether);
+  constexpr std::size_t kMaxTogether = 32, kMinTurns = 16;
+  const std::size_t together = std::clamp<std::size_t>(inputs.size() / kMinTurns, 1, kMaxTogether);
   Results results{.summaries = std::vector<Summary>(inputs.size()), .outcomes = {}};
   FitProgress progress(inputs.size());
   litfog::for_each_in_parallel((inputs.size() + together - 1) / together, [&](std::size_t turn) {
     const std::size_t first = turn * together, last = std::min(first + together, inputs.size());
-    std::vector<FittedLamp> lamps;
-    std::vector<Summary*> summaries;  // the lamps'
+    std::vector<Outcome> outcomes;
+    for (std::size_t i = first; i < last; ++i) outcomes.push_back(fit(options, inputs[i], outputs[i], files));
+    add_lamps(catalogue, outcomes);
     for (std::size_t i = first; i < last; ++i) {
-      if (auto known = catalogue.find(inputs[i])) {
-        results.summaries[i] = *std::move(known);
-      } else {
-        Outcome outcome = fit(options, inputs[i], outputs[i], files);
-        results.summaries[i] = summarise(outcome, true);
-        if (!outcome.fit) continue;
-        lamps.push_back({std::move(outcome), results.summaries[i]});
-        summaries.push_back(&results.summaries[i]);
-      }
+      results.summaries[i] = summarise(outcomes[i - first], true);
+      progress.add(inputs[i]);
     }
-    add_lamps(catalogue, lamps);
-    for (std::size_t i = 0; i < lamps.size(); ++i) *summaries[i] = std::move(lamps[i].summary);
-    for (std::size_t i = first; i < last; ++i) progress.add(inputs[i]);
   });
   return results;
 }
@@ -426,7 +416,7 @@ ExitStatus run(const CLI::App& app, const Options& options) {
   for (const Input& input : inputs) traits.push_back(traits_of(input));
   expect_effect(app, inputs, traits);
   std::optional<Catalogue> catalogue;
-  if (!options.catalogue.empty()) catalogue.emplace(options.catalogue, options.fit_key(), inputs);
+  if (!options.catalogue.empty()) catalogue.emplace(options.catalogue, inputs);
   const std::vector<std::string> outputs = outputs_of(options, inputs, catalogue);
   const OutputFiles files = files_to_write(options, inputs, traits, outputs);
   if (!options.plot.empty() || catalogue) require_plotter();
@@ -493,8 +483,7 @@ int main(int argc, char** argv) {
       ->type_name("FILE|FOLDER");
   app.add_option("--against", options.against, "Another input: both in one table and one plot")->type_name("INPUT");
   app.add_option("--catalogue", options.catalogue,
-                 "Write the lights, their pictures and a page of all of them, index.html, into this folder; what was "
-                 "done before is not done again")
+                 "Write the lights, their pictures and a page of all of them, index.html, into this folder")
       ->type_name("FOLDER");
   ConeChoice profile = ConeChoice::best;
   add_choice<ConeChoice>(

@@ -1103,77 +1103,12 @@ TEST_F(FitCommand, CatalogueHasAPageWithEachLightAndItsPictures) {
   EXPECT_FALSE(files().contains("cat/lamps/bad.json"));
 }
 
-TEST_F(FitCommand, CatalogueDoesNotDoAgainWhatIsDone) {
-  write("endless.json", R"({"litfog": "light-spec", "version": 1, "cone": {"beam_angle_deg": [24, 6]}})");
-  const std::string arguments = "lamp.json spot.ies endless.json --catalogue cat --format csv";
-  // What changes in the tick of the files' clock in which the command starts is fitted again by the next one.
-  const auto tick = std::chrono::milliseconds(20);
-  std::this_thread::sleep_for(tick);
-  const Outcome first = run(arguments);
-  const auto time_of = [&](const std::string& file) { return fs::last_write_time(directory() / file); };
-  const auto lamp = time_of("cat/lamps/lamp.svg"), spot = time_of("cat/lamps/spot.svg");
-  const std::string page = read("cat/index.html");
-  std::this_thread::sleep_for(tick);
-  const Outcome again = run(arguments);
-  EXPECT_EQ(again.out, first.out);
-  EXPECT_EQ(again.err, first.err);
-  EXPECT_EQ(again.status, first.status);
-  EXPECT_EQ(read("cat/index.html"), page);
-  EXPECT_EQ(time_of("cat/lamps/lamp.svg"), lamp);
-  EXPECT_EQ(time_of("cat/lamps/spot.svg"), spot);
-
-  write("lamp.json", kBeam);  // a changed file
-  run(arguments);
-  EXPECT_NE(time_of("cat/lamps/lamp.svg"), lamp);
-  EXPECT_EQ(time_of("cat/lamps/spot.svg"), spot);
-  run(arguments + " --profile cosine");  // another option
-  EXPECT_NE(time_of("cat/lamps/spot.svg"), spot);
-  EXPECT_EQ(light("cat/lamps/spot.json").cone.profile, ConeProfile::cosine);
-}
-
-TEST_F(FitCommand, CatalogueGoesOnBehindABrokenRecord) {
-  run("spot.ies --catalogue cat");
-  for (const char* record : {"", "{", "[]", R"({"options": 7})"}) {
-    write("cat/lamps/spot.record", record);
-    EXPECT_EQ(run("spot.ies --catalogue cat").status, kDone) << record;
-    EXPECT_GT(read("cat/lamps/spot.record").size(), 100u);
-  }
-}
-
-TEST_F(FitCommand, CatalogueFitsAnotherInputOfTheSameNameAnew) {
-  std::string narrow = kIes;
-  narrow.replace(narrow.find("0 5 10 15 20 90"), 15, "0 1 2 3 4 90");
-  for (const char* folder : {"a", "b"}) fs::create_directory(directory() / folder);
-  write("a/lamp.ies", kIes);
-  write("b/lamp.ies", narrow);
-  run("a/lamp.ies --catalogue cat");
-  const double wide = cone_at(light("cat/lamps/lamp.json").cone, std::cos(0.1));
-  EXPECT_NE(run("b/lamp.ies --catalogue cat --format csv").out.find("b/lamp.ies"), std::string::npos);
-  EXPECT_LT(cone_at(light("cat/lamps/lamp.json").cone, std::cos(0.1)), 0.5 * wide);
-}
-
-TEST_F(FitCommand, CatalogueMakesWhatHasGoneFromItsFolder) {
-  run("spot.ies --catalogue cat");
-  for (const char* ending : {"json", "svg", "png"}) {
-    const std::string file = std::string("cat/lamps/spot.") + ending;
-    fs::remove(directory() / file);
-    EXPECT_EQ(run("spot.ies --catalogue cat").status, kDone);
-    EXPECT_TRUE(files().contains(file)) << file;
-  }
-}
-
-TEST_F(FitCommand, CatalogueMakesAnewWhatWasChangedInItsFolder) {
-  std::this_thread::sleep_for(std::chrono::milliseconds(20));  // as above
-  run("spot.ies --catalogue cat");
-  for (const char* ending : {"json", "svg", "png"}) {
-    const std::string file = std::string("cat/lamps/spot.") + ending;
-    const std::string whole = read(file);
-    for (const std::size_t size : {std::size_t{0}, whole.size() / 2}) {
-      write(file, whole.substr(0, size));
-      EXPECT_EQ(run("spot.ies --catalogue cat").status, kDone);
-      EXPECT_GT(read(file).size(), whole.size() / 2) << file;
-    }
-  }
+TEST_F(FitCommand, CatalogueIsMadeAnewByEachRun) {
+  run("lamp.json --catalogue cat --profile cosine");
+  write("cat/lamps/lamp.svg", "half");
+  EXPECT_EQ(run("lamp.json --catalogue cat --profile smoothstep").status, kDone);
+  EXPECT_NE(read("cat/lamps/lamp.svg").find("</svg>"), std::string::npos);
+  EXPECT_EQ(light("cat/lamps/lamp.json").cone.profile, ConeProfile::smoothstep);
 }
 
 TEST_F(FitCommand, LampsOfOneNameAreOneInACatalogueAndTheLaterIsAnError) {
@@ -1188,7 +1123,7 @@ TEST_F(FitCommand, LampsOfOneNameAreOneInACatalogueAndTheLaterIsAnError) {
 
 TEST_F(FitCommand, LampWhoseFilesCannotBeWrittenIsNamedAndTheOthersAreInTheCatalogue) {
   fs::create_directory(directory() / "lamps");
-  const std::string lengthy(249, 'x');  // with .record beyond what a file's name may have
+  const std::string lengthy(251, 'x');  // with .json beyond what a file's name may have
   write("lamps/" + lengthy + ".ies", kIes);
   const std::string other(251, 'y');
   write("lamps/" + other + ".ies", kIes);
@@ -1196,8 +1131,8 @@ TEST_F(FitCommand, LampWhoseFilesCannotBeWrittenIsNamedAndTheOthersAreInTheCatal
   const Outcome outcome = run("lamps --catalogue cat");
   EXPECT_EQ(outcome.status, kCannotWrite);
   EXPECT_EQ(outcome.err, "lamps/" + lengthy + ".ies: cat/lamps/" + lengthy +
-                             ".record: cannot be written: File name too long\n" + "lamps/" + other +
-                             ".ies: cat/lamps/" + other + ".record: cannot be written: File name too long\n");
+                             ".json: cannot be written: File name too long\n" + "lamps/" + other + ".ies: cat/lamps/" +
+                             other + ".json: cannot be written: File name too long\n");
   EXPECT_NE(read("cat/index.html").find("<h1>40 lights of 42 files</h1>"), std::string::npos);
   for (int i = 0; i < 40; ++i) EXPECT_TRUE(files().contains("cat/lamps/" + std::to_string(i) + ".json")) << i;
 }
@@ -1219,7 +1154,7 @@ TEST_F(FitCommand, CatalogueReplacesNoFilesButItsOwn) {
     EXPECT_EQ(files(), before);
   };
   run("--version");  // makes the files of its own output
-  expect_refusal("cat/lamps/spot.png", "is there, and is no catalogue's: it has no spot.record");
+  expect_refusal("cat/lamps/spot.png", "is there, and cat has no catalogue's page");
   EXPECT_EQ(read("cat/lamps/spot.png"), "holiday");
   fs::remove(directory() / "cat/lamps/spot.png");
   write("cat/index.html", "<!DOCTYPE html>\n<p>holiday");
