@@ -7,7 +7,7 @@
 // The C face of litfog (component `c`): what a host needs of the library, for C and for every language that calls C.
 // Each call is that of the C++ header named above it, which states its formula, its source and its largest errors.
 //
-// Declarations for Ada and C#, with a host each, are in apps/examples; for Python's ctypes, in tests/c/ctypes_test.py.
+// Declarations for Ada and C#, with a host each, are in apps/examples.
 //
 // Units     metres, 1/m, radians, linear RGB; world space in doubles.
 // Results   a call that can fail returns a litfog_status and writes its results, the last parameters, only on
