@@ -33,7 +33,6 @@ constexpr Scale kQuick{200, 20, {3, 0.0005}};
 
 constexpr std::uint64_t kSeed = 20'050'731;
 constexpr int kSteps[] = {16, 32, 64, 128, 256};
-constexpr int kNodes[] = {2, 4, 8, 16, 32};
 
 /// The rays of one mix, and their reference results.
 struct Problem {
@@ -96,23 +95,17 @@ std::vector<Method> methods_of(Problem& problem, const SunTable& table, std::siz
     methods.push_back({name, nodes, &problem, {rays, run}});
   };
   const std::size_t all = problem.rays.size();
-  if (problem.mix == AirlightMix::axial) {
-    add("axial", {}, all, [](const AirlightCase& c) { return axial_airlight(c.light.light, c.fog); });
-  } else if (problem.mix == AirlightMix::inverse_square) {
+  if (problem.mix == AirlightMix::inverse_square) {
     add("arctangent", {}, all, arctangent_airlight);
     if (problem.lamp_leg == LampLeg::fogged) {
       add("sun-2005", {}, all, [&table](const AirlightCase& c) { return table.airlight(c); });
     }
-    add("closed-form", {}, all, closed_airlight);
   } else {
     for (const int steps : kSteps) {
       add("march", steps, all, [steps](const AirlightCase& c) { return march_airlight(c, steps); });
     }
     for (const int steps : kSteps) {
       add("march-clipped", steps, all, [steps](const AirlightCase& c) { return march_lit_airlight(c, steps); });
-    }
-    for (const int nodes : kNodes) {
-      add("gauss-asinh", nodes, all, [nodes](const AirlightCase& c) { return gauss_airlight(c, nodes); });
     }
   }
   add(kLitfogName, {}, all, [](const AirlightCase& c) { return airlight(c.light, c.fog, c.ray, c.scattering); });
@@ -167,12 +160,10 @@ Result measure_airlight(bool quick) {
   const Scale& scale = quick ? kQuick : kFull;
   command::Progress progress;
   std::list<Problem> problems;  // methods point at them
-  for (const AirlightMix mix :
-       {AirlightMix::point, AirlightMix::any, AirlightMix::inverse_square, AirlightMix::axial}) {
+  for (const AirlightMix mix : {AirlightMix::point, AirlightMix::any, AirlightMix::inverse_square}) {
     for (const FogMode fog : {FogMode::exp, FogMode::exp2}) {
       if (mix == AirlightMix::inverse_square && fog == FogMode::exp2) continue;  // no rival knows it
       for (const LampLeg lamp_leg : {LampLeg::fogged, LampLeg::clear}) {
-        if (mix == AirlightMix::axial && lamp_leg == LampLeg::fogged) continue;  // not of axial_airlight
         progress.show(fmt::format("references of lights: {}, {} fog", name_of(mix), name_of(fog)));
         problems.emplace_back(mix, fog, lamp_leg, scale.rays);
       }

@@ -11,16 +11,6 @@ test::AirlightCase draw_any_case(test::Random& random, FogMode mode, LampLeg lam
   return c;
 }
 
-test::AirlightCase draw_axial_case(test::Random& random, FogMode mode, LampLeg lamp_leg) {
-  const test::SolveCase drawn = test::draw_ordinary_case(random, mode);
-  test::AirlightCase c;
-  c.light.light.attenuation = drawn.attenuation;
-  c.light.light.threshold = drawn.threshold;
-  c.fog = drawn.fog;
-  c.scattering.lamp_leg = lamp_leg;
-  return c;
-}
-
 test::AirlightCase draw_case(AirlightMix mix, test::Random& random, FogMode mode, LampLeg lamp_leg) {
   switch (mix) {
     case AirlightMix::point:
@@ -28,11 +18,9 @@ test::AirlightCase draw_case(AirlightMix mix, test::Random& random, FogMode mode
     case AirlightMix::any:
       return draw_any_case(random, mode, lamp_leg);
     case AirlightMix::inverse_square:
-      return test::draw_inverse_square_airlight_case(random, mode, lamp_leg);
-    case AirlightMix::axial:
       break;
   }
-  return draw_axial_case(random, mode, lamp_leg);
+  return test::draw_inverse_square_airlight_case(random, mode, lamp_leg);
 }
 
 }  // namespace
@@ -44,11 +32,9 @@ const char* name_of(AirlightMix mix) {
     case AirlightMix::any:
       return "any";
     case AirlightMix::inverse_square:
-      return "inverse-square";
-    case AirlightMix::axial:
       break;
   }
-  return "axial";
+  return "inverse-square";
 }
 
 std::vector<test::AirlightCase> draw_airlight_mix(AirlightMix mix, FogMode mode, LampLeg lamp_leg, std::size_t count,

@@ -18,11 +18,9 @@ enum class AirlightMix {
   /// All parameters: a third of the lamps of `point`, two thirds spots of 0.1 to 180 degrees of both profiles, two
   /// thirds of them aimed near the ray; half of the rays in fog that scatters by g uniform in (-0.9, 0.9).
   any,
-  /// What closed forms and tables know: C = L = 0, Q of a knee of 0.1 to 10 m, rays that stay outside of the knee, the
+  /// What tables and arctangents know: C = L = 0, Q of a knee of 0.1 to 10 m, rays that stay outside of the knee, the
   /// extent a thousand knees; visibility 3 m to 100 km.
-  inverse_square,
-  /// Ordinary lights (test::draw_ordinary_case), seen along their axis by an eye beside the lamp, to the light's end.
-  axial
+  inverse_square
 };
 
 const char* name_of(AirlightMix mix);

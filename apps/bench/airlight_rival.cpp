@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
-#include <complex>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
@@ -49,7 +48,6 @@ class Ray {
   double approach() const { return approach_; }
   double offset() const { return offset_; }
   double density() const { return density_; }
-  bool is_fogged() const { return is_fogged_; }
   double quadratic() const { return attenuation_.quadratic; }
   double range(double x) const { return std::hypot(x, offset_); }
 
@@ -91,19 +89,6 @@ class Ray {
       value *= (1 - asymmetry_ * asymmetry_) / (base * std::sqrt(base));
     }
     return value;
-  }
-
-  double integrand(double x) const {
-    const double s = std::max(approach_ + x, 0.0);
-    return density_ * (is_exp_ ? 1 : 2 * density_ * s) * std::exp(-depth(s)) * source(x);
-  }
-
-  /// Over which the falloff doubles from the closest approach on.
-  double falloff_width() const {
-    const double nearest =
-        formulas::denominator(offset_, attenuation_.constant, attenuation_.linear, attenuation_.quadratic);
-    const double doubled = compute_extent(attenuation_, 0.5 / std::max(nearest, 1.0));
-    return std::sqrt((doubled - offset_) * (doubled + offset_));
   }
 
  private:
@@ -155,63 +140,6 @@ double march(const Ray& ray, const Stretch& stretch, int steps) {
   return sum;
 }
 
-template <int nodes>
-double gauss(const Ray& ray) {
-  using Half = boost::math::quadrature::gauss<double, nodes / 2>;
-  using Whole = boost::math::quadrature::gauss<double, nodes>;
-  const auto [low, high] = ray.in_reach(ray.lit());
-  if (!(high > low)) return 0;
-  const double width = std::min(ray.falloff_width(), std::max(ray.offset(), 1 / ray.density()));
-  const auto integrand = [&](double t) { return ray.integrand(width * std::sinh(t)) * width * std::cosh(t); };
-  const double start = std::asinh(low / width);
-  const double end = std::asinh(high / width);
-  if (start >= 0 || end <= 0) return Whole::integrate(integrand, start, end);
-  return Half::integrate(integrand, start, 0.0) + Half::integrate(integrand, 0.0, end);
-}
-
-/// e^z E1(z), E1 being the exponential integral, for z off the negative real axis (Milton Abramowitz and Irene Stegun
-/// 1964, "Handbook of Mathematical Functions", section 5.1).
-std::complex<double> scaled_e1(std::complex<double> z) {
-  using Complex = std::complex<double>;
-  constexpr double kEnough = 1e-16;
-  constexpr int kMostTerms = 400;
-  const double from_axis = std::abs(z) + z.real();  // how far from the negative real axis, on parabolas about it
-  if (from_axis > 6) {                              // continued fraction, 5.1.22 contracted, by Lentz's method
-    Complex b = z + 1.0;
-    Complex c = 1e300;
-    Complex d = 1.0 / b;
-    Complex fraction = d;
-    for (int n = 1; n < kMostTerms; ++n) {
-      const double a = -double(n) * n;
-      b += 2.0;
-      d = 1.0 / (a * d + b);
-      c = b + a / c;
-      const Complex change = c * d;
-      fraction *= change;
-      if (std::abs(change - 1.0) < kEnough) break;
-    }
-    return fraction;
-  }
-  if (z.real() < -40) {  // asymptotic, 5.1.51
-    Complex term = 1.0 / z;
-    Complex sum = term;
-    for (int n = 1; n < 40; ++n) {
-      term *= -double(n) / z;
-      sum += term;
-      if (std::abs(term) < kEnough * std::abs(sum)) break;
-    }
-    return sum;
-  }
-  Complex power = 1.0;
-  Complex sum = -std::numbers::egamma - std::log(z);  // series, 5.1.11
-  for (int n = 1; n < kMostTerms; ++n) {
-    power *= -z / double(n);
-    sum -= power / double(n);
-    if (std::abs(power) < kEnough * std::abs(sum)) break;
-  }
-  return std::exp(z) * sum;
-}
-
 constexpr int kTexels = 256;
 constexpr double kMostU = 10;
 constexpr double kMostV = std::numbers::pi / 2;
@@ -228,43 +156,11 @@ double march_lit_airlight(const test::AirlightCase& c, int steps) {
   return march(ray, ray.in_reach(ray.lit()), steps);
 }
 
-double gauss_airlight(const test::AirlightCase& c, int nodes) {
-  const Ray ray(c);
-  switch (nodes) {
-    case 2:
-      return gauss<2>(ray);
-    case 4:
-      return gauss<4>(ray);
-    case 8:
-      return gauss<8>(ray);
-    case 16:
-      return gauss<16>(ray);
-    default:
-      return gauss<32>(ray);
-  }
-}
-
 double arctangent_airlight(const test::AirlightCase& c) {
   const Ray ray(c);
   const auto [low, high] = ray.lit();
   const double angle = std::atan(high / ray.offset()) - std::atan(low / ray.offset());
   return ray.density() / (ray.quadratic() * ray.offset()) * angle;
-}
-
-// With y = d x, or with the lamp's leg y = d (x + r), the integrand is e^(-d approach - y) / (y^2 + (d offset)^2) times
-// a constant, and 1 / (y^2 + u^2) is the imaginary part of 1 / (y - i u), over u.
-double closed_airlight(const test::AirlightCase& c) {
-  const Ray ray(c);
-  const auto [low, high] = ray.lit();
-  const double u = ray.density() * ray.offset();
-  const auto antiderivative = [&](double x) {
-    double y = ray.density() * x;
-    if (ray.is_fogged()) y = x > 0 ? y + ray.density() * ray.range(x) : u * u / (ray.density() * (ray.range(x) - x));
-    const double depth = ray.density() * ray.approach() + y;
-    return -std::exp(-depth) * scaled_e1({y, -u}).imag();
-  };
-  return (ray.is_fogged() ? 2 : 1) * ray.density() / (ray.quadratic() * ray.offset()) *
-         (antiderivative(high) - antiderivative(low));
 }
 
 SunTable::SunTable() {

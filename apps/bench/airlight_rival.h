@@ -19,18 +19,9 @@ double march_airlight(const test::AirlightCase& c, int steps);
 /// 12 steps.
 double march_lit_airlight(const test::AirlightCase& c, int steps);
 
-/// Nodes of Gauss and Legendre over the same part, half of them on each side of the closest approach, in asinh(x / w):
-/// w is the falloff's width, but no more than the larger of the closest approach and 1/d.
-///
-/// nodes  2, 4, 8, 16 or 32
-double gauss_airlight(const test::AirlightCase& c, int nodes);
-
 /// Miles Macklin 2010, "In-Scattering Demo", as engines copy it: the fog takes nothing on the way, neither to the eye
 /// nor from the lamp. For an inverse-square point lamp in isotropic exp fog, outside of its knee.
 double arctangent_airlight(const test::AirlightCase& c);
-
-/// The integral in closed form, by the complex exponential integral. For the same; both lamp legs.
-double closed_airlight(const test::AirlightCase& c);
 
 /// Bo Sun, Ravi Ramamoorthi, Srinivasa Narasimhan and Shree Nayar 2005, "A Practical Analytic Single Scattering Model
 /// for Real Time Rendering": F(u, v), the integral of e^(-u tan x) for x from 0 to v, from a table with linear

@@ -10,7 +10,6 @@
 #include <limits>
 #include <span>
 #include <string>
-#include <unsupported/Eigen/NonLinearOptimization>
 #include <vector>
 
 #include "bench/stopwatch.h"
@@ -95,44 +94,12 @@ Attenuation fit_by_ceres(const Samples& samples) {
   return {coefficients[0], coefficients[1], coefficients[2]};
 }
 
-/// The residuals as Eigen's solver asks for them.
-struct EigenResiduals {
-  const Samples& samples;
-
-  int operator()(const Eigen::VectorXd& coefficients, Eigen::VectorXd& residuals) const {
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-      Residual{samples[i]}(coefficients.data(), &residuals[Eigen::Index(i)]);
-    }
-    return 0;
-  }
-  int df(const Eigen::VectorXd& coefficients, Eigen::MatrixXd& jacobian) const {
-    using Jet = ceres::Jet<double, 3>;
-    const std::array<Jet, 3> variables{Jet(coefficients[0], 0), Jet(coefficients[1], 1), Jet(coefficients[2], 2)};
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-      Jet residual;
-      Residual{samples[i]}(variables.data(), &residual);
-      jacobian.row(Eigen::Index(i)) = residual.v.transpose();
-    }
-    return 0;
-  }
-  int values() const { return int(samples.size()); }
-};
-
-Attenuation fit_by_eigen(const Samples& samples) {
-  Eigen::VectorXd coefficients = Eigen::VectorXd::Ones(3);
-  EigenResiduals residuals{samples};
-  Eigen::LevenbergMarquardt<EigenResiduals> solver(residuals);
-  solver.minimize(coefficients);
-  return {std::max(0.0, coefficients[0]), std::max(0.0, coefficients[1]), std::max(0.0, coefficients[2])};
-}
-
 struct Method {
   const char* name;
   Attenuation (*fit)(const Samples&);
   double stated_digits;
 };
-constexpr Method kMethods[] = {
-    {"litfog", fit_by_litfog, kStatedDigits}, {"ceres", fit_by_ceres, 0}, {"eigen-lm", fit_by_eigen, 0}};
+constexpr Method kMethods[] = {{"litfog", fit_by_litfog, kStatedDigits}, {"ceres", fit_by_ceres, 0}};
 
 double objective(const Attenuation& a, const Samples& samples) {
   double sum = 0;

@@ -5,15 +5,14 @@
 
 namespace litfog::bench {
 
-/// C, L and Q from falloff tables of 20 samples, by litfog and by general least squares as one would first use them.
+/// C, L and Q from falloff tables of 20 samples, by litfog and by Ceres as one would first use them.
 /// Columns:
 ///
 /// problem       exact: samples of a light of 1 to 1,000 m; noise-2 and noise-20: off by 2 and 20 per cent (standard
 ///               deviation); outliers: 2 %, and one in eight off by a factor of 2 to 20; clamped: C < 1, 2 %; far: a
 ///               light of 10 to 1,000 km, 2 %; near: of 1 to 100 mm, 2 %
 /// method        litfog (fit_attenuation, proof of the global optimum included); ceres (bounds at 0, default options,
-///               start C = L = Q = 1); eigen-lm (Eigen's unsupported LevenbergMarquardt, same start; coefficients
-///               below 0, which it may find, are set to 0)
+///               start C = L = Q = 1)
 /// tables        of the problem
 /// ms            processor time of one thread a table: the median over repetitions
 /// ms_spread     from its 10th to its 90th percentile

@@ -49,20 +49,18 @@ constexpr const char* kDescription = R"(Measures litfog and its rivals: time bes
 constexpr const char* kExplanation =
     R"(solve: per light, over a mix of 4,096 lights: extent 5 to 5,000 m and visibility 50 to 10,000 m log-uniform;
 constant below, at and above 1, linear only, quadratic only and mixed, a third each; threshold 0.05; caches warm.
-Methods: Hales's sampling with N = 16 to 1024, as published and in SIMD; golden section; Boost.Math's brent_find_minima;
+Methods: Hales's sampling with N = 16 to 1024, as published and in SIMD; Boost.Math's brent_find_minima;
 exact, one light a call; batch; and, as the least possible, a copy of the bytes that the batch reads and writes (five
 columns in, one out). -uncached is the same over four million lights. Errors are against a 50-digit reference over the
 first 2,000 lights.
 
-airlight: per ray, over 4,000 rays whose airlight is more than 1e-10 of the lamp's colour, in four mixes. point: point
+airlight: per ray, over 4,000 rays whose airlight is more than 1e-10 of the lamp's colour, in three mixes. point: point
 lamps in isotropic fog; C below, at and above 1 and 0, L and Q from 0 over decades; visibility 3 m to 100 km, in one
 of twenty fogs 5 cm to 3 m; the eye beside, behind and in the lamp's light, rays of any length. any: two thirds are spots of 0.1
 to 180 degrees, half of the fogs scatter by g from -0.9 to 0.9. inverse-square: C = L = 0, outside of the knee.
-axial: the eye beside the lamp, along its axis, without the lamp's own leg, also as axial.
 Methods: uniform steps from the eye (march) and inside the lamp's sphere and cone only (march-clipped, as PlayCanvas);
-Gauss-Legendre nodes in asinh of the distance from the closest approach (gauss-asinh); litfog; the arctangent form
-without extinction (Macklin 2010); 256 x 256 tables (Sun et al. 2005); closed forms; litfog's reference. Errors
-are against it, of the lamp's colour, or of the airlight where that is brighter; p99_relative is of the relative error.
+litfog; the arctangent form without extinction (Macklin 2010); 256 x 256 tables (Sun et al. 2005); litfog's reference.
+Errors are against it, of the lamp's colour, or of the airlight where that is brighter; p99_relative is of the relative error.
 lamp_leg is 1 where the fog dims the light on its way from the lamp, too.
 
 lamps: no times; what an eye sees in exp fog that carries a lamp of data/lights and looks along its axis: the fog colour
@@ -72,9 +70,9 @@ update: 1,000 steps of visibility, 10,000 m to 50 m and back, over a million lig
 bytes_per_step: what then has to be uploaded, the most of all steps.
 
 fit: per table of 20 samples, over 100 tables a problem: exact, 2 and 20 % of noise, outliers, clamped near the light,
-ranges of kilometres and of millimetres. Methods: litfog, proof of the global optimum included; plain Ceres and Eigen's
-unsupported LevenbergMarquardt, both from C = L = Q = 1. digits: the fewest in which ln attenuation agrees with the
-optimum at all samples of any table; the optimum is certified at 50 digits.
+ranges of kilometres and of millimetres. Methods: litfog, proof of the global optimum included; plain Ceres from
+C = L = Q = 1. digits: the fewest in which ln attenuation agrees with the optimum at all samples of any table; the
+optimum is certified at 50 digits.
 
 render: in exp fog, headlights with 1 to 256 lights at 640x360 by every lighting path of litfog-demo, the default one
 also with airlight, by the base texture alone (unlit) and, as the rival, by a small forward renderer of one shader that

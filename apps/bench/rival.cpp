@@ -24,34 +24,6 @@ struct Airlight {
 
 }  // namespace
 
-double golden_section_intensity(const Attenuation& attenuation, const Fog& fog, double threshold) {
-  const Airlight airlight{attenuation, fog};
-  const double end = compute_extent(attenuation, threshold);
-  constexpr double kRatio = 0.61803398874989485;  // (sqrt(5) - 1) / 2
-  double low = 0;
-  double high = end;
-  double left = high - kRatio * (high - low);
-  double right = low + kRatio * (high - low);
-  double at_left = airlight(left);
-  double at_right = airlight(right);
-  while (high - low > 1e-8 * end) {
-    if (at_left < at_right) {
-      low = left;
-      left = right;
-      at_left = at_right;
-      right = low + kRatio * (high - low);
-      at_right = airlight(right);
-    } else {
-      high = right;
-      right = left;
-      at_right = at_left;
-      left = high - kRatio * (high - low);
-      at_left = airlight(left);
-    }
-  }
-  return std::max({at_left, at_right, airlight(end)});
-}
-
 double brent_intensity(const Attenuation& attenuation, const Fog& fog, double threshold) {
   const Airlight airlight{attenuation, fog};
   const double end = compute_extent(attenuation, threshold);

@@ -178,8 +178,6 @@ std::vector<Method> methods_of(Problem<double>& problem, Problem<float>& problem
     }));
     methods.back().sampling = {samples, true};
   }
-  add(light_by_light("golden-section", problem, golden_section_intensity),
-      {"golden section", command::LabelPlace::right, 3});
   add(light_by_light("boost-brent", problem, brent_intensity), {"Brent (Boost.Math)", command::LabelPlace::below, 4});
   add(light_by_light("exact", problem,
                      [](const Attenuation& attenuation, const Fog& fog, double threshold) {

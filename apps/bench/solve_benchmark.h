@@ -7,7 +7,7 @@ namespace litfog::bench {
 
 /// Time against error of every method to find a light's fog colour intensity, over the mix of light_mix.h. Columns:
 ///
-/// method         hales-N, hales-N-simd, golden-section, boost-brent, exact, batch, memory-copy;
+/// method         hales-N, hales-N-simd, boost-brent, exact, batch, memory-copy;
 ///                batch-uncached (exp fog only) and memory-copy-uncached over more lights than the caches hold
 /// precision      float or double, of arguments, computation and result
 /// fog            exp or exp2; empty for the copies

@@ -98,8 +98,8 @@ TEST_F(BenchMeasurement, SolveMeasuresEveryMethodInBothFogs) {
   }
   for (const char* method :
        {"hales-16 double", "hales-64 double", "hales-256 double", "hales-1024 double", "hales-16-simd float",
-        "hales-64-simd float", "hales-256-simd float", "hales-1024-simd float", "golden-section double",
-        "boost-brent double", "exact double", "exact float", "batch double", "batch float"}) {
+        "hales-64-simd float", "hales-256-simd float", "hales-1024-simd float", "boost-brent double", "exact double",
+        "exact float", "batch double", "batch float"}) {
     for (const char* fog : {" exp", " exp2"}) EXPECT_EQ(found.count(std::string(method) + fog), 1u) << method << fog;
   }
 
@@ -146,7 +146,7 @@ TEST_F(BenchMeasurement, SolveFindsTheErrorsThatTheHeadersState) {
     // The steps of 1/255 are those of ulps: an intensity is at most 1, so its ulp at most epsilon / 2.
     EXPECT_LE(max_255, max_ulp * 255 * (is_float ? 0x1p-24 : 0x1p-53) * 1.001) << name;
     // The search finds the range to 1e-8 of it, and the intensity of a peak at a knee is off by as much.
-    if (method == "golden-section" || method == "boost-brent") {
+    if (method == "boost-brent") {
       EXPECT_LT(max_255, 1e-4) << name;
     }
   }
@@ -188,14 +188,10 @@ TEST_F(BenchMeasurement, AirlightMeasuresEveryMethodOverTheRaysThatItKnows) {
                            " exp2 any 0", " exp2 any 1"}) {
     expect_methods(
         rays, {"march-16", "march-32", "march-64", "march-128", "march-256", "march-clipped-16", "march-clipped-32",
-               "march-clipped-64", "march-clipped-128", "march-clipped-256", "gauss-asinh-2", "gauss-asinh-4",
-               "gauss-asinh-8", "gauss-asinh-16", "gauss-asinh-32", "litfog", "reference"});
+               "march-clipped-64", "march-clipped-128", "march-clipped-256", "litfog", "reference"});
   }
-  expect_methods(" exp inverse-square 0", {"arctangent", "closed-form", "litfog", "reference"});
-  expect_methods(" exp inverse-square 1", {"arctangent", "sun-2005", "closed-form", "litfog", "reference"});
-  for (const char* rays : {" exp axial 0", " exp2 axial 0"}) {
-    expect_methods(rays, {"axial", "litfog", "reference"});
-  }
+  expect_methods(" exp inverse-square 0", {"arctangent", "litfog", "reference"});
+  expect_methods(" exp inverse-square 1", {"arctangent", "sun-2005", "litfog", "reference"});
   EXPECT_EQ(found.size(), count);
   EXPECT_NE(read("airlight.svg").find("processor time of one thread per ray"), std::string::npos);
 }
@@ -210,10 +206,6 @@ TEST_F(BenchMeasurement, RivalsOfTheAirlightConvergeToTheReference) {
     if (method == "reference") continue;
     const double error = row["max_error_255"];
     EXPECT_TRUE(std::isfinite(error)) << row;
-    // The reference and the closed form are 1e-10 of at most 1 apart.
-    if (method == "closed-form") {
-      EXPECT_LT(error, 255 * 1e-9) << row;
-    }
     if (method == "sun-2005") {
       EXPECT_LT(error, 1) << row;
     }
@@ -226,7 +218,7 @@ TEST_F(BenchMeasurement, RivalsOfTheAirlightConvergeToTheReference) {
     coarsest.try_emplace(rays, error);
     finest[rays] = error;
   }
-  EXPECT_EQ(finest.size(), 3u * 8);
+  EXPECT_EQ(finest.size(), 2u * 8);
   for (const auto& [rays, error] : finest) EXPECT_LT(error, coarsest[rays]) << rays;
 }
 
@@ -308,7 +300,7 @@ TEST_F(BenchMeasurement, FitFindsEveryOptimumToTheDigitsThatItStates) {
     EXPECT_LE(row["objective"].get<double>(), least_objective[problem] * (1 + 1e-9) + 1e-20) << name;
   }
   for (const char* problem : {"exact", "noise-2", "noise-20", "outliers", "clamped", "far", "near"}) {
-    for (const char* method : {" litfog", " ceres", " eigen-lm"}) {
+    for (const char* method : {" litfog", " ceres"}) {
       EXPECT_EQ(found.count(std::string(problem) + method), 1u) << problem << method;
     }
   }
