@@ -17,6 +17,7 @@
 
 #include "core/allocation_count.h"
 #include "litfog/airlight.h"
+#include "litfog/batch.h"
 #include "litfog/c/litfog.h"
 #include "litfog/files/light_file.h"
 #include "litfog/fog_light_block.h"
