@@ -10,7 +10,6 @@
 #include <limits>
 #include <map>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <span>
 #include <string>
@@ -26,7 +25,6 @@
 #include "litfog/light_clusters.h"
 #include "measure/picture_error.h"
 #include "measure/quantile.h"
-#include "reference/random_light.h"
 #include "render/light/scene_lights.h"
 #include "render/renderer.h"
 #include "scene/file/scene_file.h"
@@ -44,24 +42,15 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 struct Scale {
   std::vector<double> visibilities;
   std::vector<std::size_t> lights;
-  std::size_t most_balls;       ///< lights, of the method `balls`
   std::size_t most_drawn;       ///< lights, of frames
   std::size_t most_glowing;     ///< lights, of frames by airlight
   std::size_t drawn_in_flight;  ///< lights
   int flight_frames;
   int still_frames;
-  int points_tried;
 };
-const Scale kFull{{kInfinity, 1500, 400, 50},
-                  {100, 300, 1000, 3000, 10'000, 30'000, 100'000},
-                  10'000,
-                  10'000,
-                  1000,
-                  10'000,
-                  300,
-                  9,
-                  100'000};
-const Scale kQuick{{kInfinity, 50}, {100, 1000}, 100, 100, 100, 100, 4, 2, 2000};
+const Scale kFull{
+    {kInfinity, 1500, 400, 50}, {100, 300, 1000, 3000, 10'000, 30'000, 100'000}, 10'000, 1000, 10'000, 300, 9};
+const Scale kQuick{{kInfinity, 50}, {100, 1000}, 100, 100, 100, 4, 2};
 
 // --- the flight ---
 
@@ -132,7 +121,6 @@ struct Trial {
   std::vector<double> entries = {};
   std::vector<double> milliseconds = {};       ///< of processor time
   std::vector<double> wall_milliseconds = {};  ///< of frames
-  std::optional<double> excess_share = {};
   std::optional<double> ratio_to_those = {};
   std::optional<double> max_error = {};  ///< steps of the display
 
@@ -182,85 +170,6 @@ void set_lights(LightClusters& clusters, std::span<const LightBounds> bounds) {
   for (std::size_t i = 0; i < bounds.size(); ++i) clusters.set_light(i, bounds[i]);
 }
 
-double excess_share(const LightClusters& clusters, std::span<const LightBounds> bounds) {
-  std::size_t excess = 0;
-  for (std::size_t i = 0; i < clusters.clusters().size(); ++i) {
-    const Cluster& cluster = clusters.clusters()[i];
-    if (cluster.count == 0) continue;
-    const ViewFrustum part(clusters.part_of_view(i));
-    for (const std::uint32_t light : clusters.light_list().subspan(cluster.first, cluster.count)) {
-      excess += !part.can_see(bounds[light]);
-    }
-  }
-  const std::size_t entries = clusters.light_list().size();
-  return entries == 0 ? 0 : double(excess) / double(entries);
-}
-
-/// How many random points that lights light are in clusters that lack the light.
-int missing_lights(const LightClusters& clusters, std::span<const LightBounds> bounds, int points) {
-  test::Random random(91);
-  int missing = 0;
-  for (int i = 0; i < points; ++i) {
-    const auto light = std::size_t(random.below(int(bounds.size())));
-    const LightBounds& lit = bounds[light];
-    const glm::dvec3 offset{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
-    const double length = glm::length(offset);
-    if (length > 1 || glm::dot(offset, lit.direction) < length * std::cos(lit.half_angle)) continue;
-    const auto cluster = clusters.cluster_at(lit.position + std::min(lit.range, kFarthest) * offset);
-    if (!cluster) continue;
-    const auto [first, count] = clusters.clusters()[*cluster];
-    missing += !std::ranges::binary_search(clusters.light_list().subspan(first, count), std::uint32_t(light));
-  }
-  return missing;
-}
-
-/// A ball around a cluster.
-struct Ball {
-  glm::dvec3 centre;
-  double radius;
-};
-
-std::vector<Ball> balls_of(const LightClusters& clusters) {
-  std::vector<Ball> balls;
-  for (std::size_t i = 0; i < clusters.clusters().size(); ++i) {
-    const View part = clusters.part_of_view(i);
-    const glm::dvec3 low{std::min(part.left * part.nearest, part.left * part.farthest),
-                         std::min(part.bottom * part.nearest, part.bottom * part.farthest), part.nearest};
-    const glm::dvec3 high{std::max(part.right * part.nearest, part.right * part.farthest),
-                          std::max(part.top * part.nearest, part.top * part.farthest), part.farthest};
-    balls.push_back({part.eye + axes_of(part) * ((low + high) / 2.0), glm::length(high - low) / 2});
-  }
-  return balls;
-}
-
-/// Bart Wronski's test of a ball and a cone ("Cull that cone!", 2017).
-bool meets(const LightBounds& light, double cosine, double sine, const Ball& ball) {
-  const glm::dvec3 offset = ball.centre - light.position;
-  const double square = glm::dot(offset, offset);
-  if (square > (light.range + ball.radius) * (light.range + ball.radius)) return false;
-  if (light.half_angle == std::numbers::pi) return true;
-  const double along = glm::dot(offset, light.direction);
-  return cosine * std::sqrt(std::max(0.0, square - along * along)) - along * sine <= ball.radius;
-}
-
-/// The rival: lists by testing each light in view with every cluster's ball.
-std::size_t list_by_balls(const View& view, std::span<const Ball> balls, std::span<const LightBounds> bounds) {
-  const ViewFrustum frustum(view);
-  std::vector<std::vector<std::uint32_t>> lists(balls.size());
-  std::size_t entries = 0;
-  for (std::size_t light = 0; light < bounds.size(); ++light) {
-    if (!frustum.can_see(bounds[light])) continue;
-    const double cosine = std::cos(bounds[light].half_angle);
-    const double sine = std::sin(bounds[light].half_angle);
-    for (std::size_t i = 0; i < balls.size(); ++i) {
-      if (!meets(bounds[light], cosine, sine, balls[i])) continue;
-      lists[i].push_back(std::uint32_t(light));
-      ++entries;
-    }
-  }
-  return entries;
-}
-
 /// A city and how it is measured.
 class CityTrials {
  public:
@@ -285,21 +194,9 @@ class CityTrials {
     set_lights(clusters, bounds);
 
     Trial& flight = add("clusters", visibility, count);
-    Trial* const balls = count <= scale_.most_balls ? &add("balls", visibility, count) : nullptr;
     for (int frame = 0; frame < scale_.flight_frames; ++frame) {
       const View view = view_at(frame, visibility);
       note(flight, clusters, time_of(thread_milliseconds, [&] { clusters.update(view); }));
-      if (balls && frame % 30 == 15 % scale_.flight_frames) {
-        const std::vector<Ball> around = balls_of(clusters);
-        std::size_t entries = 0;
-        const double time = time_of(thread_milliseconds, [&] { entries = list_by_balls(view, around, bounds); });
-        note(*balls, clusters, time);
-        balls->entries.back() = double(entries);
-      }
-      if (frame == scale_.flight_frames / 2) {
-        flight.excess_share = excess_share(clusters, bounds);
-        missing_ += missing_lights(clusters, bounds, scale_.points_tried);
-      }
     }
 
     Trial& still = add("clusters-one-light", visibility, count);
@@ -360,7 +257,6 @@ class CityTrials {
   }
 
   const std::deque<Trial>& trials() const { return trials_; }
-  int missing() const { return missing_; }
 
  private:
   Trial& add(const std::string& method, double visibility, std::size_t lights) {
@@ -391,7 +287,6 @@ class CityTrials {
   const Scale& scale_;
   scene::Scene city_;
   std::deque<Trial> trials_;
-  int missing_ = 0;
 };
 
 // --- the result ---
@@ -400,7 +295,7 @@ double ratio_of_worst(const Trial& trial) { return std::ranges::max(trial.millis
 
 command::Table make_table(const std::deque<Trial>& trials) {
   command::Table table{{"method", "visibility_m", "lights", "lights_that_matter", "entries", "ms", "ms_spread",
-                        "worst_ratio", "wall_ms", "ratio_to_those", "max_error_255", "excess_share"},
+                        "worst_ratio", "wall_ms", "ratio_to_those", "max_error_255"},
                        {}};
   using Cell = command::Table::Cell;
   const auto median = [](const std::vector<double>& values) {
@@ -411,8 +306,7 @@ command::Table make_table(const std::deque<Trial>& trials) {
     const double spread = measure::quantile(trial.milliseconds, 0.9) - measure::quantile(trial.milliseconds, 0.1);
     table.rows.push_back({trial.method, trial.visibility, double(trial.lights), median(trial.matter),
                           median(trial.entries), trial.median(), spread, ratio_of_worst(trial),
-                          median(trial.wall_milliseconds), stated(trial.ratio_to_those), stated(trial.max_error),
-                          stated(trial.excess_share)});
+                          median(trial.wall_milliseconds), stated(trial.ratio_to_those), stated(trial.max_error)});
   }
   return table;
 }
@@ -446,9 +340,8 @@ command::Figure make_figure(const std::deque<Trial>& trials, const Scale& scale,
   const auto chart = [](const std::string& title, const command::Axis& x, const command::Axis& y) {
     return command::Chart{.title = title, .x = x, .y = y, .key = command::KeyPlace::top_left};
   };
-  command::Chart clusters = chart("cluster lists of a frame of the flight (dashed: by balls)", lights, processor_time);
+  command::Chart clusters = chart("cluster lists of a frame of the flight", lights, processor_time);
   add_lines(clusters, trials, scale, "clusters", "", line_and_points, lights_of);
-  add_lines(clusters, trials, scale, "balls", "balls, ", dashes, lights_of);
   command::Chart matter = chart("the same", {"lights that matter", true}, processor_time);
   add_lines(matter, trials, scale, "clusters", "", line_and_points, matter_of);
   command::Chart frames =
@@ -500,10 +393,6 @@ Result measure_city(bool quick) {
                 .figure = make_figure(trials.trials(), scale, context.renderer()),
                 .gl_renderer = context.renderer(),
                 .failures = {}};
-  if (trials.missing() > 0) {
-    result.failures.push_back(
-        fmt::format("clusters: missing lights = {}: must be 0 of those whose points were tried", trials.missing()));
-  }
   for (const Trial& trial : trials.trials()) {
     if (!(trial.max_error.value_or(0) > kMostLostSteps)) continue;
     result.failures.push_back(fmt::format("{} of {} lights at {}: max_error_255 = {}: must be at most {}", trial.method,

@@ -10,29 +10,25 @@ namespace litfog::bench {
 /// bright as a display's white: beyond that, less than half a step of the display is lost. Columns:
 ///
 /// method         clusters (LightClusters at each frame of the flight), clusters-one-light (the view stands and one
-///                light changes), clusters-fog (a change of the visibility: reaches, ranges and clusters), balls
-///                (Wronski's test of each light in view against the ball around each cluster, one frame in 30, up to
-///                10,000 lights); frame (a picture of 320x180 by the default path, fog lit by peak, from the scene's
-///                camera), frame-airlight (the same, fog lit by airlight, up to 1000 lights), frame-of-those (the same
-///                scene by peak with only the lights that matter there), frame-flight (the same picture at each frame
-///                of the flight, with 10,000 lights)
+///                light changes), clusters-fog (a change of the visibility: reaches, ranges and clusters); frame (a
+///                picture of 320x180 by the default path, fog lit by peak, from the scene's camera), frame-airlight
+///                (the same, fog lit by airlight, up to 1000 lights), frame-of-those (the same scene by peak with only
+///                the lights that matter there), frame-flight (the same picture at each frame of the flight, with
+///                10,000 lights)
 /// visibility_m   inf is clear air
 /// lights         in the scene
-/// lights_that_matter  clusters, balls: in at least one cluster, median over the frames; frame: those that the picture
+/// lights_that_matter  clusters: in at least one cluster, median over the frames; frame: those that the picture
 ///                needs (visible_lights.h); frame-airlight: those whose airlight fog does not hide
 /// entries        of the light list, likewise
-/// ms             processor time, median over the frames: clusters, balls: of one thread; frames: of the process, a
+/// ms             processor time, median over the frames: clusters: of one thread; frames: of the process, a
 ///                software rasteriser's threads included
 /// ms_spread      from the 10th to the 90th percentile
 /// worst_ratio    the longest frame over the median
 /// wall_ms        frames: wall time, drawn and waited for
 /// ratio_to_those frame: ms over that of frame-of-those
 /// max_error_255  frame: largest difference between the two pictures, in steps of the display (measure::PictureError)
-/// excess_share   fraction of the entries, of a frame in the flight's middle, whose light and cluster have no point in
-///                common
 ///
-/// A light that is missing from a cluster in which it lights one of the points tried is a failure, and so are pictures
-/// that differ by more than both may leave out.
+/// Pictures that differ by more than both may leave out are a failure.
 ///
 /// quick   fewer lights, visibilities and frames
 /// throws  gl::Unsupported, InputError where the city is not there

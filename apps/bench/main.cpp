@@ -87,11 +87,10 @@ maps of as many texels, of 16 to 256 texels a side. Errors are against the path'
 
 city: a flight of 300 frames through streets. A light's range is its reach in the fog, and the view ends where fog
 hides white. clusters: LightClusters (16 x 9 x 24) at each frame; clusters-one-light: the view stands and one light
-changes; clusters-fog: a change of the visibility; balls: each light in view tested with the ball around each cluster
-(Wronski 2017). frame, 320x180, peak: from the scene's camera with all lights; frame-of-those: with the lights alone
-that the picture needs, all others of which change it by at most half a step; ratio_to_those: the one over the other;
-frame-airlight: the frame by airlight, with the first 100 to 1000 lamps in view; frame-flight: the flight with 10,000
-lights. excess_share: entries whose light and cluster have no point in common.
+changes; clusters-fog: a change of the visibility. frame, 320x180, peak: from the scene's camera with all lights;
+frame-of-those: with the lights alone that the picture needs, all others of which change it by at most half a step;
+ratio_to_those: the one over the other; frame-airlight: the frame by airlight, with the first 100 to 1000 lamps in view;
+frame-flight: the flight with 10,000 lights.
 
 Times are processor time of one thread (render: wall time of a frame, drawn and waited for; city's frames: processor
 time of all threads, a software rasteriser's included, and wall_ms): medians, with the spread from the 10th to the 90th
