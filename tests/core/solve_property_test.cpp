@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/quadrature/tanh_sinh.hpp>
 #include <cmath>
 #include <limits>
 
@@ -128,37 +127,6 @@ TEST(FogIntensityProperty, PeakHasNoBetterNeighbourAtAnyScale) {
       }
     }
   });
-}
-
-/// Integral of a(r) d(1 - f(r)) over [0, extent]: the light that an eye at the light sees scattered back.
-double axial_airlight(const SolveCase& c, double light_extent) {
-  const double knee_opacity = opacity_at(c.fog, std::min(compute_knee(c.attenuation), light_extent));
-  const double extent_opacity = opacity_at(c.fog, light_extent);
-  if (!(extent_opacity > knee_opacity)) return knee_opacity;
-  const double width = extent_opacity - knee_opacity;
-  const auto attenuation_at_fraction = [&](double fraction) {
-    const double depth = -std::log1p(-(knee_opacity + fraction * width));
-    return attenuation_at(c.attenuation, (c.fog.mode == FogMode::exp ? depth : std::sqrt(depth)) / c.fog.density);
-  };
-  // Over [0, 1], for it asserts on intervals that are narrow beside their ends.
-  boost::math::quadrature::tanh_sinh<double> quadrature;
-  return knee_opacity + width * quadrature.integrate(attenuation_at_fraction, 0.0, 1.0, 1e-10);
-}
-
-TEST(FogIntensityProperty, IntensityNeverExceedsTheAxialAirlight) {
-  Random random(1760);
-  double least = std::numeric_limits<double>::infinity();
-  double most = 0;
-  for (int i = 0; i < 3000; ++i) {
-    const SolveCase c = draw_ordinary_case(random, random.pick(kModes));
-    const FogIntensity solved = solve_fog_intensity(c.attenuation, c.fog, c.threshold);
-    if (solved.extent == 0) continue;
-    const double ratio = axial_airlight(c, solved.extent) / solved.intensity;
-    ASSERT_TRUE(ratio >= 1 - 1e-8 && std::isfinite(ratio)) << to_string(c) << ": " << ratio;
-    least = std::min(least, ratio);
-    most = std::max(most, ratio);
-  }
-  std::printf("axial airlight over intensity: %.4f to %.4f\n", least, most);
 }
 
 }  // namespace
