@@ -109,22 +109,6 @@ Light parse_light(const JsonValue& value) {
   return light;
 }
 
-std::vector<std::string> first_members(std::string_view kind, std::string_view name,
-                                       const std::vector<std::string>& source) {
-  std::vector<std::string> members{fmt::format("\"litfog\": {}", json_quoted(kind)), "\"version\": 1",
-                                   "\"name\": " + json_quoted(name)};
-  if (!source.empty()) {
-    std::vector<std::string> lines;
-    for (const std::string& line : source) lines.push_back(json_quoted(line));
-    members.push_back("\"source\": " + json_array(lines, 1));
-  }
-  return members;
-}
-
-std::string color_member(const glm::dvec3& color) {
-  return fmt::format("\"color\": [{}, {}, {}]", color.r, color.g, color.b);
-}
-
 }  // namespace files
 
 Light read_light(const std::string& path) {
@@ -136,8 +120,14 @@ Light read_light(const std::string& path) {
 }
 
 std::string format_light(const Light& light, const std::vector<std::string>& source, std::string_view fit) {
-  std::vector<std::string> members = files::first_members("light", light.name, source);
-  members.push_back(files::color_member(light.color));
+  std::vector<std::string> members{"\"litfog\": \"light\"", "\"version\": 1",
+                                   "\"name\": " + files::json_quoted(light.name)};
+  if (!source.empty()) {
+    std::vector<std::string> lines;
+    for (const std::string& line : source) lines.push_back(files::json_quoted(line));
+    members.push_back("\"source\": " + files::json_array(lines, 1));
+  }
+  members.push_back(fmt::format("\"color\": [{}, {}, {}]", light.color.r, light.color.g, light.color.b));
   const auto& [constant, linear, quadratic] = light.attenuation;
   members.push_back(fmt::format("\"attenuation\": {{\"constant\": {}, \"linear\": {}, \"quadratic\": {}}}", constant,
                                 linear, quadratic));

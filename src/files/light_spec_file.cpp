@@ -12,9 +12,7 @@
 
 #include "files/angle_deg.h"
 #include "files/json_document.h"
-#include "files/json_text.h"
 #include "files/light_json.h"
-#include "files/whole_file.h"
 #include "litfog/color_temperature.h"
 #include "litfog/light.h"
 #include "model/float_limit.h"
@@ -190,79 +188,6 @@ LightSpec parse_spec(const JsonValue& root) {
   return spec;
 }
 
-template <typename Choice>
-std::string choice_json(Choice choice, const Choices<Choice>& choices) {
-  const auto found = std::ranges::find(choices, choice, &std::pair<std::string_view, Choice>::second);
-  return json_quoted(found->first);
-}
-
-void add_number(std::vector<std::string>& members, std::string_view name, std::optional<double> number) {
-  if (number) members.push_back(fmt::format("\"{}\": {}", name, *number));
-}
-
-void add_angle(std::vector<std::string>& members, std::string_view name, std::optional<double> angle) {
-  if (angle) add_number(members, name, degrees(*angle));
-}
-
-void add_angles(std::vector<std::string>& members, std::string_view name, const std::optional<FullAngles>& angles) {
-  if (!angles) return;
-  if (angles->is_round()) return add_angle(members, name, angles->horizontal);
-  members.push_back(fmt::format("\"{}\": [{}, {}]", name, degrees(angles->horizontal), degrees(angles->vertical)));
-}
-
-std::string sample_json(std::string_view at_name, double at, std::string_view value_name, double value, double weight) {
-  const std::string shown_weight = weight == 1 ? "" : fmt::format(", \"weight\": {}", weight);
-  return fmt::format("{{\"{}\": {}, \"{}\": {}{}}}", at_name, at, value_name, value, shown_weight);
-}
-
-void add_samples(std::vector<std::string>& members, const std::vector<std::string>& samples) {
-  if (!samples.empty()) members.push_back("\"samples\": " + json_array(samples, 2));
-}
-
-std::string range_json(const RangeSpec& range) {
-  std::vector<std::string> members;
-  add_number(members, "threshold", range.threshold);
-  add_number(members, "extent_m", range.extent);
-  add_number(members, "end_lx", range.end_illuminance);
-  add_number(members, "peak_cd", range.peak);
-  if (range.illuminance) {
-    members.push_back(fmt::format("\"illuminance\": {{\"range_m\": {}, \"lx\": {}}}", range.illuminance->range,
-                                  range.illuminance->lux));
-  }
-  add_number(members, "flux_lm", range.flux);
-  add_number(members, "constant", range.constant);
-  if (range.samples.empty()) members.push_back("\"family\": " + choice_json(range.family, kFamilies));
-  std::vector<std::string> samples;
-  for (const auto& [at, attenuation, weight] : range.samples) {
-    samples.push_back(sample_json("range_m", at, "attenuation", attenuation, weight));
-  }
-  add_samples(members, samples);
-  return json_object(members, 1);
-}
-
-/// From a folder to a file in it; the absolute path of another.
-std::string path_from(const std::filesystem::path& folder, const std::filesystem::path& path) {
-  auto [in_folder, in_path] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
-  if (in_folder != folder.end()) return std::filesystem::absolute(path).string();
-  std::filesystem::path rest;
-  for (; in_path != path.end(); ++in_path) rest /= *in_path;
-  return rest.string();
-}
-
-std::string cone_json(const ConeSpec& cone, const std::filesystem::path& folder) {
-  std::vector<std::string> members{"\"profile\": " + choice_json(cone.profile, kProfiles)};
-  add_angle(members, "half_angle_deg", cone.half_angle);
-  add_angles(members, "beam_angle_deg", cone.beam_angle);
-  add_angles(members, "field_angle_deg", cone.field_angle);
-  std::vector<std::string> samples;
-  for (const auto& [angle, intensity, weight] : cone.samples) {
-    samples.push_back(sample_json("angle_deg", degrees(angle), "intensity", intensity, weight));
-  }
-  add_samples(members, samples);
-  if (cone.photometry) members.push_back("\"photometry\": " + json_quoted(path_from(folder, *cone.photometry)));
-  return json_object(members, 1);
-}
-
 /// The file's name for a field of a range or a cone.
 std::string member_name(std::string_view field) {
   using Names = std::pair<std::string_view, std::string_view>;
@@ -332,26 +257,5 @@ InputError LightSpec::error_at(std::string_view field, std::string_view value, s
 }
 
 LightSpec read_light_spec(const std::string& path) { return files::parse_spec(files::read_json(path)); }
-
-std::string format_light_spec(const LightSpec& spec) {
-  std::vector<std::string> members = files::first_members("light-spec", spec.name, spec.source);
-  if (spec.color_temperature) {
-    files::add_number(members, "color_temperature_k", spec.color_temperature);
-  } else {
-    members.push_back(files::color_member(spec.color));
-  }
-  if (spec.density_scale != 1) files::add_number(members, "density_scale", spec.density_scale);
-  const std::filesystem::path folder = std::filesystem::path(spec.file).parent_path();
-  if (spec.range) members.push_back("\"range\": " + files::range_json(*spec.range));
-  if (spec.cone) members.push_back("\"cone\": " + files::cone_json(*spec.cone, folder));
-  return files::json_object(members) + "\n";
-}
-
-void write_light_spec(const std::string& path, LightSpec spec) {
-  spec.file = path;
-  const std::string text = format_light_spec(spec);
-  files::parse_spec(files::parse_json(text, path));
-  files::write_whole_file(path, text);
-}
 
 }  // namespace litfog

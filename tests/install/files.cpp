@@ -3,13 +3,14 @@
 #include <litfog/files/light_spec_file.h>
 
 #include <cstdio>
+#include <fstream>
 #include <string>
 
 int main(int, char** arguments) {
   const litfog::Light light = litfog::read_light(arguments[1]);
   std::printf("%s", litfog::format_light(light).c_str());
   const std::string spec = std::string(arguments[1]) + ".spec";
-  litfog::write_light_spec(spec, {.name = light.name, .range = litfog::RangeSpec{.extent = 120}});
+  std::ofstream(spec) << R"({"litfog": "light-spec", "version": 1, "range": {"extent_m": 120}})";
   std::printf("%g\n", *litfog::read_light_spec(spec).range->extent);
   litfog::write_light(arguments[1], light);
   try {

@@ -165,15 +165,4 @@ struct LightSpec {
 /// throws  InputError with the location of what is wrong
 LightSpec read_light_spec(const std::string& path);
 
-/// A spec as the text of its file. Numbers are read back exactly, except angles that no double in degrees stands for,
-/// which are off by their last bit. A photometric file in the folder of spec.file is named from there, another by its
-/// absolute path.
-std::string format_light_spec(const LightSpec& spec);
-
-/// Writes a light-spec file atomically: an earlier file stays as it was when anything fails. spec.file need not be the
-/// path.
-///
-/// throws  InputError for a spec that read_light_spec would not take, before anything is written; OutputError
-void write_light_spec(const std::string& path, LightSpec spec);
-
 }  // namespace litfog
