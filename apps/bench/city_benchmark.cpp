@@ -315,60 +315,6 @@ std::string visibility_text(double visibility) {
   return std::isinf(visibility) ? "clear" : fmt::format("{:.0f} m", visibility);
 }
 
-/// A line a visibility for each of the methods, over what `x` says of a trial.
-template <typename X>
-void add_lines(command::Chart& chart, const std::deque<Trial>& trials, const Scale& scale, const std::string& method,
-               const std::string& name, command::SeriesStyle style, const X& x) {
-  for (std::size_t i = 0; i < scale.visibilities.size(); ++i) {
-    command::Series series{.name = name + visibility_text(scale.visibilities[i]), .style = style, .color = int(i)};
-    for (const Trial& trial : trials) {
-      if (trial.method != method || trial.visibility != scale.visibilities[i]) continue;
-      if (const double at = x(trial); at > 0) series.points.push_back({at, trial.median()});
-    }
-    std::ranges::sort(series.points, {}, &command::PlotPoint::x);
-    if (!series.points.empty()) chart.series.push_back(std::move(series));
-  }
-}
-
-command::Figure make_figure(const std::deque<Trial>& trials, const Scale& scale, const std::string& gl_renderer) {
-  using enum command::SeriesStyle;
-  const auto lights_of = [](const Trial& trial) { return double(trial.lights); };
-  const auto matter_of = [](const Trial& trial) { return measure::quantile(trial.matter, 0.5); };
-  const command::Axis lights{"lights in the scene", true};
-  const command::Axis processor_time{"processor time of one thread (ms)", true};
-  const command::Axis frame_time{"processor time of a frame (ms)", true};
-  const auto chart = [](const std::string& title, const command::Axis& x, const command::Axis& y) {
-    return command::Chart{.title = title, .x = x, .y = y, .key = command::KeyPlace::top_left};
-  };
-  command::Chart clusters = chart("cluster lists of a frame of the flight", lights, processor_time);
-  add_lines(clusters, trials, scale, "clusters", "", line_and_points, lights_of);
-  command::Chart matter = chart("the same", {"lights that matter", true}, processor_time);
-  add_lines(matter, trials, scale, "clusters", "", line_and_points, matter_of);
-  command::Chart frames =
-      chart("frames from the scene's camera (dashed: with the lights that matter alone)", lights, frame_time);
-  add_lines(frames, trials, scale, "frame", "", line_and_points, lights_of);
-  add_lines(frames, trials, scale, "frame-of-those", "those, ", dashes, lights_of);
-  command::Chart frames_of_those = chart("the same", {"lights that matter", true}, frame_time);
-  add_lines(frames_of_those, trials, scale, "frame", "", line_and_points, matter_of);
-  add_lines(frames_of_those, trials, scale, "frame-of-those", "those, ", dashes, matter_of);
-  command::Chart flight = chart(fmt::format("flight with {} lights", scale.drawn_in_flight), {"frame"}, frame_time);
-  flight.key = command::KeyPlace::bottom_right;
-  for (const Trial& trial : trials) {
-    if (trial.method != "frame-flight") continue;
-    command::Series series{.name = visibility_text(trial.visibility)};
-    for (std::size_t i = 0; i < trial.milliseconds.size(); ++i) {
-      series.points.push_back({double(i), trial.milliseconds[i]});
-    }
-    flight.series.push_back(std::move(series));
-  }
-  return {.title = fmt::format("A city of up to {} lights; frames {}x{}, {}", std::ranges::max(scale.lights), kWidth,
-                               kHeight, gl_renderer),
-          .charts = {clusters, matter, frames, frames_of_those, flight},
-          .columns = 2,
-          .width = 1500,
-          .height = 1600};
-}
-
 }  // namespace
 
 Result measure_city(bool quick) {
@@ -389,10 +335,7 @@ Result measure_city(bool quick) {
     progress.show(fmt::format("{}: flight", name));
     trials.measure_flight(visibility);
   }
-  Result result{.table = make_table(trials.trials()),
-                .figure = make_figure(trials.trials(), scale, context.renderer()),
-                .gl_renderer = context.renderer(),
-                .failures = {}};
+  Result result{.table = make_table(trials.trials()), .figure = {}, .gl_renderer = context.renderer(), .failures = {}};
   for (const Trial& trial : trials.trials()) {
     if (!(trial.max_error.value_or(0) > kMostLostSteps)) continue;
     result.failures.push_back(fmt::format("{} of {} lights at {}: max_error_255 = {}: must be at most {}", trial.method,

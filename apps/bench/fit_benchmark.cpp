@@ -227,21 +227,6 @@ Measurement assess(const Run& run, const Timing& timing, const std::vector<Optim
   return {run.family, run.method, optima.size(), timing, sum / size, solved / size, digits};
 }
 
-command::Figure draw(const std::vector<Measurement>& measurements) {
-  command::Chart chart{.x = {"processor time of one thread per table of 20 samples (ms)", true},
-                       .y = {.label = "tables whose optimum was found (%)", .least = -2, .most = 102},
-                       .key = command::KeyPlace::below};
-  for (const Method& method : kMethods) {
-    command::Series series{.name = method.name, .style = command::SeriesStyle::points};
-    for (const Measurement& measurement : measurements) {
-      if (measurement.method != &method) continue;
-      series.points.push_back({measurement.timing.median / 1e6, 100 * measurement.solved_fraction});
-    }
-    chart.series.push_back(series);
-  }
-  return {.title = "Attenuation from a falloff table, by kind of table", .charts = {chart}};
-}
-
 command::Table make_table(const std::vector<Measurement>& measurements) {
   command::Table table{{"problem", "method", "tables", "ms", "ms_spread", "objective", "solved_share", "digits"}};
   for (const Measurement& m : measurements) {
@@ -277,7 +262,6 @@ Result measure_fit(bool quick) {
     }
   }
   result.table = make_table(measurements);
-  result.figure = draw(measurements);
   return result;
 }
 

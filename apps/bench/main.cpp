@@ -237,8 +237,7 @@ int main(int argc, char** argv) {
   app.add_option("--json", options.json_file, "Write machine and rows as JSON")->type_name("FILE");
   app.add_option("--csv", options.csv_file, "Write the rows as CSV, the machine in each")->type_name("FILE");
   app.add_option("--plot", options.plot_file,
-                 "Draw time against error (solve, airlight), over visibility (lamps, update), digits (fit), "
-                 "lights (render, city) or texels (maps)")
+                 "Draw time against error (solve, airlight), over visibility (lamps) or lights (render)")
       ->type_name("FILE.png|FILE.svg");
   app.add_option("--isa", options.isa,
                  "Batches and cluster lists use no wider SIMD target than this, by Highway's names: AVX3, AVX2, SSE4")
@@ -251,7 +250,10 @@ int main(int argc, char** argv) {
     const std::string benchmark = app["benchmark"]->as<std::string>();
     const bool has_batches = options.benchmark == Benchmark::solve || options.benchmark == Benchmark::airlight ||
                              options.benchmark == Benchmark::update || options.benchmark == Benchmark::city;
-    check_options(app, {{benchmark, !has_batches, {"--isa"}, "it has no batches"}});
+    const bool has_figure = options.benchmark == Benchmark::solve || options.benchmark == Benchmark::airlight ||
+                            options.benchmark == Benchmark::lamps || options.benchmark == Benchmark::render;
+    check_options(app, {{benchmark, !has_batches, {"--isa"}, "it has no batches"},
+                        {benchmark, !has_figure, {"--plot"}, "it has no figure"}});
     return run(options);
   });
 }

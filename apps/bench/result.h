@@ -12,7 +12,7 @@ namespace litfog::bench {
 /// What a benchmark found.
 struct Result {
   command::Table table;
-  command::Figure figure;
+  command::Figure figure;             ///< without charts for a benchmark that draws none
   std::string gl_renderer = "none";   ///< what drew
   std::vector<std::string> failures;  ///< sentences: where litfog itself missed an error that it states
 };

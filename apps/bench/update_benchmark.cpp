@@ -161,21 +161,6 @@ Record follow_by_batch(const std::string& name, FogMode mode, const std::vector<
   return follow(follower, mode, lights, scale, progress);
 }
 
-/// Time and skipped fraction over the visibility, one chart a fog.
-void draw(const std::string& name, FogMode mode, const Record& record, command::Chart& times, command::Chart& shares) {
-  command::Series time{.name = name};
-  command::Series share{.name = name};
-  // Down to the thickest fog only, because the second half has the same visibilities.
-  for (std::size_t i = 0; i < record.milliseconds.size() / 2; ++i) {
-    const double visibility = visibility_at(i + 1, record.milliseconds.size());
-    time.points.push_back({visibility, record.milliseconds[i]});
-    share.points.push_back({visibility, 100 * record.skipped_shares[i]});
-  }
-  times.title = shares.title = std::string(name_of(mode)) + " fog";
-  times.series.push_back(time);
-  if (name == "updater") shares.series.push_back(share);
-}
-
 }  // namespace
 
 Result measure_update(bool quick) {
@@ -185,13 +170,6 @@ Result measure_update(bool quick) {
   Result result;
   result.table.columns = {"method",      "fog",       "lights",         "kinds",         "steps",
                           "ms_per_step", "ms_spread", "bytes_per_step", "skipped_share", "max_deviation_255"};
-  const command::Axis visibility{"visibility (m)", true, kThickest, kClearest};
-  std::vector<command::Chart> times(2, {.x = visibility,
-                                        .y = {"processor time of one thread per step (ms)", true},
-                                        .key = command::KeyPlace::bottom_left});
-  std::vector<command::Chart> shares(
-      2, {.x = visibility, .y = {"lights skipped by the updater (%)", false, -2, 102}, .key = command::KeyPlace::none});
-
   // The batch has floats for arguments: some ulps of the intensity each, far below a thousandth of a step.
   constexpr double kRounding255 = 1e-3;
   for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
@@ -207,21 +185,12 @@ Result measure_update(bool quick) {
         result.failures.push_back(fmt::format("{} {}: deviation = {}/255: must be at most {}/255", name, name_of(mode),
                                               record.max_deviation_255, allowed_255));
       }
-      const std::size_t column = mode == FogMode::exp ? 0 : 1;
-      draw(name, mode, record, times[column], shares[column]);
     };
     add("updater", kDefaultSkipBudget255,
         follow_by_updater("updater", kDefaultSkipBudget255, mode, lights, scale, progress));
     add("updater-no-skip", kRounding255, follow_by_updater("updater-no-skip", 0, mode, lights, scale, progress));
     add("batch-of-all", kRounding255, follow_by_batch("batch-of-all", mode, lights, scale, progress));
   }
-  result.figure = {
-      .title = fmt::format("Following the visibility: {} lights of {} kinds", scale.lights, scale.kinds),
-      .charts = {times[0], times[1], shares[0], shares[1]},
-      .columns = 2,
-      .width = 1400,
-      .height = 900,
-  };
   return result;
 }
 
