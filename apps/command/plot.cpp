@@ -118,8 +118,6 @@ const char* key_command(KeyPlace place) {
   switch (place) {
     case KeyPlace::none:
       return "unset key";
-    case KeyPlace::top_left:
-      return "set key inside top left Left reverse noenhanced";
     case KeyPlace::top_right:
       return "set key inside top right noenhanced";
     case KeyPlace::bottom_left:
@@ -129,11 +127,9 @@ const char* key_command(KeyPlace place) {
     case KeyPlace::above:
       return "set key outside top center horizontal Left reverse noenhanced";
     case KeyPlace::beside:
-      return "set key outside right center vertical Left reverse noenhanced";
-    case KeyPlace::below:
       break;
   }
-  return "set key outside bottom center horizontal Left reverse noenhanced";
+  return "set key outside right center vertical Left reverse noenhanced";
 }
 
 const char* label_command(LabelPlace place) {

@@ -39,7 +39,7 @@ struct Series {
                    ///< marks; -1: the next
 };
 
-enum class KeyPlace { none, top_left, top_right, bottom_left, bottom_right, above, below, beside };
+enum class KeyPlace { none, top_right, bottom_left, bottom_right, above, beside };
 
 struct Chart {
   std::string title = {};

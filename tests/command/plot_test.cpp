@@ -97,8 +97,8 @@ TEST(Plot, EveryStyleAndPositionIsDrawn) {
   };
   for (const auto style : {SeriesStyle::line, SeriesStyle::points, SeriesStyle::line_and_points, SeriesStyle::dashes}) {
     const int unseen = count_names(draw(style, KeyPlace::none));
-    for (const auto key : {KeyPlace::top_left, KeyPlace::top_right, KeyPlace::bottom_left, KeyPlace::bottom_right,
-                           KeyPlace::above, KeyPlace::below}) {
+    for (const auto key :
+         {KeyPlace::top_right, KeyPlace::bottom_left, KeyPlace::bottom_right, KeyPlace::above, KeyPlace::beside}) {
       EXPECT_EQ(count_names(draw(style, key)), unseen + 1);
     }
   }
