@@ -18,7 +18,6 @@
 #include "command/number.h"
 #include "command/printable.h"
 #include "files/hint.h"
-#include "files/whole_file.h"
 #include "litfog/files/output_error.h"
 #include "litfog/fog.h"
 #include "litfog/input_error.h"
@@ -160,7 +159,6 @@ int run_command(CLI::App& app, int argc, char** argv, const std::function<ExitSt
   // A reader that went away and a file that grew beyond its limit are output that cannot be written: kCannotWrite.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
-  files::remove_temporaries_on_signals();
   setenv("EGL_LOG_LEVEL", "fatal", 0);  // else Mesa's lines on standard error come before our one sentence
   app.set_version_flag("--version", "");
 

@@ -81,8 +81,7 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, Choice& target,
 ExitStatus say_out_of_memory();
 
 /// Parses the command line, runs the command, and turns whatever comes of it into one message on standard error and an
-/// exit status. Adds --help and --version. Standard output is closed at the end, so that a full disk is noticed. A
-/// signal that ends the command leaves no temporary files behind.
+/// exit status. Adds --help and --version. Standard output is closed at the end, so that a full disk is noticed.
 int run_command(CLI::App& app, int argc, char** argv, const std::function<ExitStatus()>& run);
 
 }  // namespace litfog::command

@@ -8,7 +8,6 @@
 #include <new>
 
 #include "command/command.h"
-#include "files/whole_file.h"
 
 namespace litfog::command {
 namespace {
@@ -17,7 +16,6 @@ namespace {
   try {
     if (std::current_exception()) throw;
   } catch (const std::bad_alloc&) {
-    files::remove_temporaries();
     _exit(say_out_of_memory());
   } catch (...) {
     __gnu_cxx::__verbose_terminate_handler();

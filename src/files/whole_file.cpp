@@ -8,13 +8,8 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <atomic>
 #include <cerrno>
-#include <climits>
-#include <csignal>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <random>
 #include <utility>
@@ -30,20 +25,6 @@ namespace {
 
 [[noreturn]] void fail_to_write(const std::string& path, const std::string& reason) {
   throw OutputError(fmt::format("{}: cannot be written: {}", path, reason));
-}
-
-/// A temporary file's name where a signal handler may read it: at a fixed address, behind an atomic flag.
-struct TemporaryName {
-  std::atomic<bool> is_taken = false;
-  std::atomic<bool> is_set = false;
-  std::array<char, PATH_MAX> path;
-};
-static_assert(std::atomic<bool>::is_always_lock_free);
-std::array<TemporaryName, 64> temporary_names;  // one more written at once would stay: of a thread it is one or two
-
-extern "C" void remove_temporaries_and_end(int signal) {
-  remove_temporaries();
-  raise(signal);  // delivered when this handler returns, to the default action that SA_RESETHAND has restored
 }
 
 constexpr std::string_view kTemporaryBegin = ".litfog-";
@@ -88,7 +69,6 @@ class TemporaryFile {
   ~TemporaryFile() {
     if (file_ >= 0) close(file_);
     if (is_there_) unlink(path_.c_str());
-    withdraw();
   }
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -113,10 +93,8 @@ class TemporaryFile {
   void make(const fs::path& folder, mode_t mode) {
     std::random_device random;
     path_ = (folder / fmt::format("{}{:08x}{:08x}", kTemporaryBegin, random(), random())).string();
-    announce();
     // O_EXCL: neither a file nor a link that somebody has put there is opened.
     file_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
-    if (file_ < 0) withdraw();
   }
   /// Returns whether the file is there, locked or on a file system without locks. Else another process has taken it for
   /// a stale one before it was locked, and it is closed.
@@ -126,29 +104,12 @@ class TemporaryFile {
     if (!is_taken && fstat(file_, &status) == 0 && status.st_nlink > 0) return true;
     close(std::exchange(file_, -1));
     unlink(path_.c_str());
-    withdraw();
     return false;
-  }
-  void announce() {
-    for (TemporaryName& name : temporary_names) {
-      if (path_.size() >= name.path.size() || name.is_taken.exchange(true)) continue;
-      std::memcpy(name.path.data(), path_.c_str(), path_.size() + 1);
-      name.is_set = true;
-      name_ = &name;
-      return;
-    }
-  }
-  void withdraw() {
-    if (name_ == nullptr) return;
-    name_->is_set = false;
-    name_->is_taken = false;
-    name_ = nullptr;
   }
 
   std::string path_;
   int file_ = -1;
   bool is_there_ = true;
-  TemporaryName* name_ = nullptr;
 };
 
 fs::path folder_of(const fs::path& target) { return target.has_parent_path() ? target.parent_path() : fs::path("."); }
@@ -240,23 +201,6 @@ void remove_stale_temporaries(const fs::path& folder) {
     const bool is_file = fstat(file, &status) == 0 && S_ISREG(status.st_mode);
     if (is_file && flock(file, LOCK_EX | LOCK_NB) == 0) unlink(entry->path().c_str());
     close(file);
-  }
-}
-
-void remove_temporaries() {
-  for (const TemporaryName& name : temporary_names) {
-    if (name.is_set) unlink(name.path.data());
-  }
-}
-
-void remove_temporaries_on_signals() {
-  for (const int signal : {SIGHUP, SIGINT, SIGQUIT, SIGTERM}) {
-    struct sigaction action {};
-    if (sigaction(signal, nullptr, &action) != 0 || action.sa_handler == SIG_IGN) continue;
-    action = {};
-    action.sa_handler = remove_temporaries_and_end;
-    action.sa_flags = int(SA_RESETHAND);
-    sigaction(signal, &action, nullptr);
   }
 }
 

@@ -21,18 +21,11 @@ std::filesystem::path behind_links(std::filesystem::path path);
 /// that work long before they write. Devices, pipes and the files of standard output and error are not tried.
 void expect_writable(const std::string& path);
 
-/// Removes from a folder the temporary files that processes left there which were killed while they wrote. Those that a
-/// process writes to are locked, and stay.
+/// Removes from a folder the temporary files that processes left there which a signal ended while they wrote. Those that
+/// a process writes to are locked, and stay.
 void remove_stale_temporaries(const std::filesystem::path& folder);
 
 /// Whether write_whole_file() would replace a file that is there and holds something.
 bool would_replace(const std::string& path);
-
-/// From now on a signal that ends the program (SIGHUP, SIGINT, SIGQUIT, SIGTERM) removes temporary files first. Signals
-/// that the caller had ignored stay ignored.
-void remove_temporaries_on_signals();
-
-/// Removes temporary files that are being written, for a program that ends without unwinding. Allocates nothing.
-void remove_temporaries();
 
 }  // namespace litfog::files

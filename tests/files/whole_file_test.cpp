@@ -257,29 +257,6 @@ TEST_F(WholeFile, OnlyTemporariesAreRemoved) {
   remove_stale_temporaries(path("none"));
 }
 
-TEST_F(WholeFile, SignalLeavesNothingBehind) {
-  for (const int signal : {SIGHUP, SIGINT, SIGTERM}) {
-    for (int attempt = 0; attempt < 20; ++attempt) {
-      const pid_t child = fork();
-      if (child == 0) {
-        remove_temporaries_on_signals();
-        const std::string text(1 << 20, 'x');
-        for (;;) write_whole_file(path("a"), text);
-      }
-      while (file_count() < 2) std::this_thread::yield();  // until a temporary is there
-      kill(child, signal);
-      int status = 0;
-      waitpid(child, &status, 0);
-      EXPECT_TRUE(WIFSIGNALED(status));
-      EXPECT_EQ(WTERMSIG(status), signal);
-      for (const auto& entry : fs::directory_iterator(fs::path(path("a")).parent_path())) {
-        EXPECT_EQ(entry.path().filename(), "a");
-      }
-      fs::remove(path("a"));
-    }
-  }
-}
-
 }  // namespace
 
 }  // namespace litfog::test
