@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fit/input_list.h"
 
-#include <glob.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <new>
 #include <system_error>
 #include <utility>
 
@@ -39,7 +35,7 @@ bool is_input(const fs::path& path) try {
   return true;
 }
 
-/// A path found in a folder or by a pattern, and why it could not be searched where it is a folder.
+/// A path found in a folder, and why it could not be searched where it is a folder.
 struct Found {
   fs::path path;
   std::error_code error = {};
@@ -70,25 +66,6 @@ std::vector<Found> files_in(const fs::path& top) {
   return found;
 }
 
-std::vector<Found> files_of_pattern(const std::string& pattern) {
-  static thread_local std::vector<Found> unsearched;  // glob() calls a function that knows nothing but its arguments
-  unsearched.clear();
-  const auto add_unsearched = [](const char* folder, int reason) {
-    if (reason != ENOENT) unsearched.push_back({folder, std::error_code(reason, std::generic_category())});
-    return 0;
-  };
-  glob_t matches{};
-  const std::unique_ptr<glob_t, decltype(&globfree)> owner(&matches, globfree);
-  std::vector<Found> found;
-  const int status = glob(pattern.c_str(), 0, add_unsearched, &matches);
-  if (status == GLOB_NOSPACE) throw std::bad_alloc();
-  if (status == 0) {
-    for (std::size_t i = 0; i < matches.gl_pathc; ++i) found.push_back({matches.gl_pathv[i]});
-  }
-  found.insert(found.end(), unsearched.begin(), unsearched.end());
-  return found;
-}
-
 class InputList {
  public:
   void add(const std::string& argument) {
@@ -106,15 +83,6 @@ class InputList {
       if (inputs_.size() == before) {
         command::fail_option("input", argument, "must hold light specs or photometric files");
       }
-    } else if (!fs::exists(argument, error) && argument.find_first_of("*?[") != argument.npos) {
-      for (const auto& [path, unsearched] : files_of_pattern(argument)) {
-        if (unsearched) {
-          add_unsearched(path, unsearched);
-        } else {
-          add(path.string());
-        }
-      }
-      if (inputs_.size() == before) command::fail_option("input", argument, "must match a file");
     } else {
       try {
         add_file(found(argument), {});

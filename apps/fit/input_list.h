@@ -26,13 +26,12 @@ std::string ending_of(const std::filesystem::path& path);
 /// What the arguments name, in their order; what lies in one argument in alphabetical order. An argument is
 ///   a file, of which a GLDF container stands for the photometric files in it;
 ///   a folder: all light specs and photometric files in it and its folders, known by their endings and what is in them;
-///   a pattern of file names with * ? [];
 ///   the name of a light that comes with litfog, such as landing-lamp, where no file has that name.
 /// A name that is nothing of all this stays as it is, for the error of reading it, and so do files that may be light
 /// specs or photometric files and cannot be read. A folder that cannot be searched and a container that cannot be read
 /// are inputs with an error. Names that differ only in their ending keep it: lamp.ies and lamp.ldt.
 ///
-/// Throws a usage error for an empty argument, and a folder or pattern of nothing.
+/// Throws a usage error for an empty argument, and a folder of nothing.
 std::vector<Input> list_inputs(const std::vector<std::string>& arguments);
 
 }  // namespace litfog::fit

@@ -472,7 +472,7 @@ int main(int argc, char** argv) {
   CLI::App app{kDescription, "litfog-fit"};
   app.footer(kExplanation + litfog::fit::grade_table() + kExamples);
   app.add_option("input", options.inputs,
-                 "Light specs (.json), photometric files (.ies, .ldt, .csv, .xml, .gldf), folders or patterns of them, "
+                 "Light specs (.json), photometric files (.ies, .ldt, .csv, .xml, .gldf), folders of them, "
                  "names of bundled lights")
       ->type_name("FILE...")
       ->required();
