@@ -18,7 +18,7 @@ Json covariance_of(const std::optional<Matrix>& rows) {
 
 Json number_or_null(const std::optional<double>& number) { return number ? Json(*number) : Json(nullptr); }
 
-Json range_record(const AttenuationFit& fit, bool has_time) {
+Json range_record(const AttenuationFit& fit) {
   Json active = Json::array();
   for (const auto constraint : fit.active) active.push_back(litfog::name_of(constraint));
   std::optional<std::array<std::array<double, 3>, 3>> covariance;
@@ -30,7 +30,6 @@ Json range_record(const AttenuationFit& fit, bool has_time) {
       {"status", name_of(fit.status)},      {"objective", fit.objective},   {"rms", fit.rms_error},
       {"largest_error", fit.largest_error}, {"active", std::move(active)},  {"covariance", covariance_of(covariance)},
       {"kkt_residual", fit.kkt_residual},   {"iterations", fit.iterations}, {"boxes", fit.boxes}};
-  if (has_time) record["milliseconds"] = fit.milliseconds;
   return record;
 }
 
@@ -67,17 +66,16 @@ Json profile_record(const ConeProfileFit& fit, const ConeTarget& target) {
 
 }  // namespace
 
-std::string fit_record(const LightFit& fit, bool has_time) {
+std::string fit_record(const LightFit& fit) {
   std::string members;
   const auto add = [&members](const std::string& name, const Json& value) {
     members += (members.empty() ? "\n    \"" : ",\n    \"") + name + "\": " + value.dump();
   };
-  if (fit.range) add("range", range_record(*fit.range, has_time));
+  if (fit.range) add("range", range_record(*fit.range));
   if (fit.cone) {
     Json record{{"profile", name_of(fit.cone->profile)}};
     if (fit.cone->cosine) record["cosine"] = profile_record(*fit.cone->cosine, *fit.target.cone);
     if (fit.cone->smoothstep) record["smoothstep"] = profile_record(*fit.cone->smoothstep, *fit.target.cone);
-    if (has_time) record["milliseconds"] = fit.cone->milliseconds;
     add("cone", record);
   }
   if (fit.beam()) add("asymmetry", fit.target.asymmetry);

@@ -15,7 +15,7 @@ namespace litfog::fit {
 ///                "active": ["extent"],          the constraints that hold C, L, Q where they are
 ///                "covariance": [[...], ...],    of constant, linear, quadratic, or "not identifiable"
 ///                "kkt_residual": 1e-12,         how far from the conditions of optimality
-///                "iterations": 12, "boxes": 40, "milliseconds": 0.2},
+///                "iterations": 12, "boxes": 40},
 ///      "cone": {"profile": "cosine",            the light's
 ///               "cosine": {                     each profile that was asked for
 ///                 "cone": {...},                as in the light
@@ -24,10 +24,10 @@ namespace litfog::fit {
 ///                 "flux_error": 0.01, "beam_angle_error": -0.01, "field_angle_error": 0.1,     relative, or null
 ///                 "active": [], "covariance": [[...], ...],      of exponent, or of inner and outer in radians
 ///                 "kkt_residual": 0, "iterations": 5, "boxes": 99},
-///               "smoothstep": {...}, "milliseconds": 0.3},
+///               "smoothstep": {...}},
 ///      "asymmetry": 0.02}                       of a measured or elliptical beam: what no cone follows
 ///
-/// has_time  false leaves the milliseconds out: the same input then gives the same text
-std::string fit_record(const LightFit& fit, bool has_time);
+/// The same input gives the same text.
+std::string fit_record(const LightFit& fit);
 
 }  // namespace litfog::fit

@@ -134,7 +134,6 @@ struct Options {
   bool is_robust = false;
   std::string plot;
   std::string cookie;
-  bool is_reproducible = false;
   TableFormat format = TableFormat::text;
 };
 
@@ -264,7 +263,7 @@ Outcome fit(const Options& options, const Input& input, const std::string& outpu
     const LightFit& fitted = outcome.fit.emplace(fit_light(std::move(target), options.is_robust));
     std::vector<std::string> source = fitted.target.source;
     source.insert(source.end(), fitted.target.derived.begin(), fitted.target.derived.end());
-    outcome.light = litfog::format_light(fitted.light, source, fit_record(fitted, !options.is_reproducible));
+    outcome.light = litfog::format_light(fitted.light, source, fit_record(fitted));
     outcome.verdict = judge(fitted);
     if (!fitted.is_proven() || outcome.verdict->grade == Grade::poor) outcome.status = kNotToTolerance;
   } catch (...) {
@@ -500,8 +499,6 @@ int main(int argc, char** argv) {
   add_integer(app, "--cookie-size", cookie_size, 1, litfog::kMaxCookieSize,
               "Edge of a face in texels, 256 if not given")
       ->needs(cookie);
-  app.add_flag("--reproducible", options.is_reproducible,
-               "Leave the time out of the light's \"fit\": same input, same file");
   add_axis(app, options.choices.axis);
   double tilt_deg = 0;
   constexpr NumberRule kTiltRule{[](double x) { return x >= 0 && x <= 180; }, "must be a number from 0 to 180", 0, 180};
@@ -521,14 +518,10 @@ int main(int argc, char** argv) {
     if (!options.cookie.empty()) options.choices.cookie_size = cookie_size;
     if (app.count("--profile") > 0) options.choices.profile = profile;
     options.choices.tilt = litfog::files::radians(tilt_deg);
-    const bool shows_no_record =
-        options.output.empty() && options.catalogue.empty() && options.format != TableFormat::json;
-    check_options(
-        app, {{"--format text and no -o", shows_no_record, {"--reproducible"}, "the light's \"fit\" is not written"},
-              {"--catalogue",
-               !options.catalogue.empty(),
-               {"-o", "--plot", "--cookie", "--against"},
-               "its folder holds the lights and their pictures"}});
+    check_options(app, {{"--catalogue",
+                         !options.catalogue.empty(),
+                         {"-o", "--plot", "--cookie", "--against"},
+                         "its folder holds the lights and their pictures"}});
     if (!options.against.empty()) options.inputs.push_back(options.against);
     return run(app, options);
   });

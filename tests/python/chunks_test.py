@@ -135,7 +135,7 @@ class CatalogueTest(Catalogue, unittest.TestCase):
             folder = self.folder / "a maker, and" / "b"
             ended = subprocess.run([sys.executable, catalogue.__file__, folder, lights], capture_output=True, text=True)
             own = subprocess.run(
-                ["litfog-fit", "--reproducible", "--format", "csv", "-o", own_lights, *sorted(os.listdir(folder))],
+                ["litfog-fit", "--format", "csv", "-o", own_lights, *sorted(os.listdir(folder))],
                 cwd=folder, capture_output=True, text=True,
             )  # fmt: skip
             self.assertEqual(ended.returncode, 0)

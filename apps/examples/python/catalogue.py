@@ -30,7 +30,7 @@ def fit_chunk(folder, names):
     """Table, messages and lights, by name, of some files of a folder."""
     with tempfile.TemporaryDirectory() as lights:
         ended = subprocess.run(
-            ["litfog-fit", "--reproducible", "--format", "csv", "-o", lights, "--", *names],
+            ["litfog-fit", "--format", "csv", "-o", lights, "--", *names],
             cwd=folder, capture_output=True, encoding="utf-8", errors="replace",
         )  # fmt: skip
         if ended.returncode not in (0, 2, 5):  # 2 bad files, 5 poor lights: the others are fitted all the same
