@@ -141,8 +141,8 @@ double march(const Ray& ray, const Stretch& stretch, int steps) {
 }
 
 constexpr int kTexels = 256;
-constexpr double kMostU = 10;
-constexpr double kMostV = std::numbers::pi / 2;
+constexpr double kMaxU = 10;
+constexpr double kMaxV = std::numbers::pi / 2;
 
 }  // namespace
 
@@ -166,20 +166,20 @@ double arctangent_airlight(const test::AirlightCase& c) {
 SunTable::SunTable() {
   values_.reserve(kTexels * kTexels);
   for (int i = 0; i < kTexels; ++i) {
-    const double u = kMostU * i / (kTexels - 1);
+    const double u = kMaxU * i / (kTexels - 1);
     double sum = 0;
     for (int j = 0; j < kTexels; ++j) {
       values_.push_back(sum);
-      const double v = kMostV * j / (kTexels - 1);
+      const double v = kMaxV * j / (kTexels - 1);
       sum += boost::math::quadrature::gauss<double, 7>::integrate([u](double x) { return std::exp(-u * std::tan(x)); },
-                                                                  v, v + kMostV / (kTexels - 1));
+                                                                  v, v + kMaxV / (kTexels - 1));
     }
   }
 }
 
 double SunTable::at(double u, double v) const {
-  const double column = std::clamp(u / kMostU, 0.0, 1.0) * (kTexels - 1);
-  const double row = std::clamp(v / kMostV, 0.0, 1.0) * (kTexels - 1);
+  const double column = std::clamp(u / kMaxU, 0.0, 1.0) * (kTexels - 1);
+  const double row = std::clamp(v / kMaxV, 0.0, 1.0) * (kTexels - 1);
   const int i = std::min(int(column), kTexels - 2);
   const int j = std::min(int(row), kTexels - 2);
   const double* const corner = &values_[std::size_t(i * kTexels + j)];

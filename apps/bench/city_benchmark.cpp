@@ -36,7 +36,7 @@ constexpr int kWidth = 320;
 constexpr int kHeight = 180;
 constexpr double kBudget = 0.5 / 255;  // of a display's white
 constexpr double kFarthest = 4000;     // metres: beyond the city
-constexpr double kMostLostSteps = 2;   // of the display: half is left out here, and either frame leaves out up to 3/4
+constexpr double kMaxLostSteps = 2;    // of the display: half is left out here, and either frame leaves out up to 3/4
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Scale {
@@ -337,10 +337,10 @@ Result measure_city(bool quick) {
   }
   Result result{.table = make_table(trials.trials()), .figure = {}, .gl_renderer = context.renderer(), .failures = {}};
   for (const Trial& trial : trials.trials()) {
-    if (!(trial.max_error.value_or(0) > kMostLostSteps)) continue;
+    if (!(trial.max_error.value_or(0) > kMaxLostSteps)) continue;
     result.failures.push_back(fmt::format("{} of {} lights at {}: max_error_255 = {}: must be at most {}", trial.method,
                                           trial.lights, visibility_text(trial.visibility), *trial.max_error,
-                                          kMostLostSteps));
+                                          kMaxLostSteps));
   }
   return result;
 }
