@@ -93,16 +93,6 @@ TEST_F(LightSpecFile, PhotometryIsRelativeToTheFile) {
   EXPECT_EQ(read(R"("cone": {"photometry": "/a/lamp.ies"})").cone->photometry, "/a/lamp.ies");
 }
 
-TEST_F(LightSpecFile, ErrorsAreAtTheirMembers) {
-  EXPECT_EQ(error_of(R"("name": "x")"), "f.json:1:1: range or cone: must be given");
-  EXPECT_EQ(error_of(R"("color": [1, -1, 1], "range": {"extent_m": 1})"),
-            "f.json:2:14: color[1] = -1: must be finite and >= 0");
-  EXPECT_EQ(error_of(R"("range": {"samples": [{"range_m": 10}]})"),
-            "f.json:2:23: range.samples[0].attenuation: must be given");
-  EXPECT_EQ(error_of(R"("cone": {"photometry": "lamp.ies", "samples": []})"),
-            "f.json:2:24: cone.photometry = \"lamp.ies\": must not be given beside samples");
-}
-
 TEST_F(LightSpecFile, UnitsOfDataSheetsAreRead) {
   const LightSpec spec = read(R"("color_temperature_k": 3200,
     "range": {"end_lx": "night", "illuminance": {"range_m": 10, "lx": 120}})");

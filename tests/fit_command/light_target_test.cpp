@@ -100,19 +100,6 @@ TEST_F(LightTargetFile, EveryMemberIsRead) {
   EXPECT_FALSE(target.luminaire);
 }
 
-TEST_F(LightTargetFile, MissingMembersHaveTheModelsDefaults) {
-  const LightTarget target = read(R"({"litfog": "light-spec", "version": 1, "range": {"extent_m": 9}})");
-  EXPECT_EQ(target.name, "f");
-  EXPECT_TRUE(target.source.empty());
-  EXPECT_EQ(target.color, glm::dvec3(1));
-  EXPECT_EQ(target.density_scale, 1);
-  EXPECT_EQ(target.range->threshold, 0.05);
-  EXPECT_EQ(target.range->family, AttenuationFamily::quadratic);
-  EXPECT_FALSE(target.cone);
-  EXPECT_EQ(read(R"({"litfog": "light-spec", "version": 1, "cone": {"beam_angle_deg": 9}})").cone->choice,
-            ConeChoice::best);
-}
-
 TEST_F(LightTargetFile, ProfileOfTheCallerWins) {
   const std::string path =
       write("f.json", R"({"litfog": "light-spec", "version": 1, "cone": {"profile": "cosine", "beam_angle_deg": 9}})");
