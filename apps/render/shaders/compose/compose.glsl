@@ -6,7 +6,7 @@
 //
 // The first two terms are litfog_apply_fog() (litfog/shaders/fog.glsl), which each surface and the sky call. compose()
 // adds A, and compose_pane() lays a pane over what is behind it. compose_airlight.frag draws A over a picture of the
-// first two terms, and composed_pixel() in measure/reference_picture.cpp is the same in double.
+// first two terms. ReferenceShading::pixel() in measure/reference_picture.cpp does the same in double.
 
 // What is seen through the fog, without airlight, and the airlight before it.
 vec3 compose(vec3 seen, vec3 airlight) { return seen + airlight; }
