@@ -3,18 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include <vector>
+#include <string>
 
 namespace litfog::test {
 using namespace render;
 
 namespace {
-
-std::vector<PackedLight> lights(std::size_t count, float profile) {
-  std::vector<PackedLight> lights(count);
-  for (PackedLight& light : lights) light.instance.axis_profile.w = profile;
-  return lights;
-}
 
 TEST(ShaderVariant, VariantIsCompiledForEnoughLightsAndNoMoreThanTwiceAsMany) {
   for (std::size_t count = 0; count <= kMaxUniformLights; ++count) {
@@ -24,16 +18,6 @@ TEST(ShaderVariant, VariantIsCompiledForEnoughLightsAndNoMoreThanTwiceAsMany) {
   }
 }
 
-TEST(ShaderVariant, VariantKnowsTheProfileOfOneOrTwoLightsThatHaveOne) {
-  EXPECT_EQ(compiled_for(lights(1, 2)).profile, 2);
-  EXPECT_EQ(compiled_for(lights(2, 1)).profile, 1);
-  EXPECT_EQ(compiled_for(lights(3, 1)).profile, UniformLights::kAnyProfile);
-  EXPECT_EQ(compiled_for({}).profile, UniformLights::kAnyProfile);
-  std::vector<PackedLight> mixed = lights(2, 1);
-  mixed[1].instance.axis_profile.w = 0;
-  EXPECT_EQ(compiled_for(mixed).profile, UniformLights::kAnyProfile);
-}
-
 TEST(ShaderVariant, ShaderOfNoLightsHasNoEmptyArray) {
   const SurfacePass pass;
   const std::string text = pass_constants({.pass = &pass});
@@ -41,23 +25,14 @@ TEST(ShaderVariant, ShaderOfNoLightsHasNoEmptyArray) {
   EXPECT_NE(text.find("lights_in_pass = 0;"), std::string::npos);
 }
 
-TEST(ShaderVariant, VerticesPassConstantsOnOnlyWhereTheVariantTakesThem) {
-  const SurfacePass pass;
-  ShaderVariant variant{.pass = &pass};
-  EXPECT_EQ(pass_constants(variant).find("#define VERTICES_PASS_CONSTANTS"), std::string::npos);
-  variant.takes_constants_from_vertices = true;
-  EXPECT_NE(pass_constants(variant).find("#define VERTICES_PASS_CONSTANTS"), std::string::npos);
-}
-
 TEST(ShaderVariant, PassThatSharesTheLightsOfTheFogStartsAtTheFirst) {
   const SurfacePass pass;
-  ShaderVariant variant{.pass = &pass, .fog_lights = {.count = 2, .profile = 1}, .lights = {.count = 4}};
+  ShaderVariant variant{.pass = &pass, .fog_light_count = 2, .light_count = 4};
   EXPECT_NE(pass_constants(variant).find("first_light_in_pass = 2;"), std::string::npos);
   variant.shares_lights = true;
   const std::string text = pass_constants(variant);
   EXPECT_NE(text.find("first_light_in_pass = 0;"), std::string::npos);
   EXPECT_NE(text.find("lights_in_pass = 6;"), std::string::npos);
-  EXPECT_NE(text.find("int[](1, 1, -1, -1, -1, -1)"), std::string::npos);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ std::string of(std::string_view paper, std::string_view place) { return std::str
 /// The Basic model at each fragment, any number of lights, by a fragment shader.
 SurfacePass per_fragment(std::string_view fragment, LightFeed lights = {}) {
   lights.kind = LightFeed::Kind::all;
-  return {.vertex = "surface.vert", .fragment = fragment, .lights = lights, .constants_from_vertices = true};
+  return {.vertex = "surface.vert", .fragment = fragment, .lights = lights};
 }
 
 /// Batches of lights by light maps, at the fragments.
@@ -253,8 +253,7 @@ const LightingPath& geometry_path(const LightingPath& other) {
 }
 
 const SurfacePass& fog_alone_pass() {
-  static const SurfacePass kPass{
-      .vertex = "surface.vert", .fragment = "fog_alone.frag", .constants_from_vertices = true};
+  static const SurfacePass kPass{.vertex = "surface.vert", .fragment = "fog_alone.frag"};
   return kPass;
 }
 

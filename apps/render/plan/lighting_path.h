@@ -74,7 +74,6 @@ struct SurfacePass {
   Blend blend = Blend::replace;
   LightFeed lights = {};
   bool shows_fog = true;  ///< adds the light of the fog before a surface, the first time that it draws it
-  bool constants_from_vertices = false;  ///< its shaders can take them from there: shaders/draw_constants.glsl
 };
 
 /// The textures from which a path looks its lights up.

@@ -2,7 +2,6 @@
 // The fog before a surface that it hides.
 
 #include "depth_test.glsl"
-#include "constants_from_vertices.glsl"
 #include "fragment.glsl"
 
 void main() { color = seen_by_eye(vec3(0.0), fragment_position()); }

@@ -4,7 +4,7 @@
 #define LITFOG_FOG_LIGHTS
 #include "light_batch.glsl"
 #include "light_list.glsl"
-#include "seen_fog.glsl"
+#include "litfog/shaders/fog.glsl"
 #include "rasterised.glsl"
 #include "scene.glsl"
 

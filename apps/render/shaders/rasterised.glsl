@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A fragment of a surface as rasterised: its position and its textures.
 
-#include "draw_constants.glsl"
+#include "surface_draw.glsl"
 #include "material.glsl"
 
 in vec3 rasterised_position;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The eye, and a scene's light that is not from lamps.
 
-#include "draw_constants.glsl"
+#include "surface_draw.glsl"
 #include "environment.glsl"
 
 // The unit direction to the viewer, where has_infinite_viewer (Randima Fernando and Mark Kilgard 2003, "The Cg

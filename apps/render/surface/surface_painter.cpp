@@ -61,36 +61,30 @@ MaterialFeatures features_of(const Surface& surface, const LightingPath& path) {
           .has_details = surface.chunk->has_details};
 }
 
-/// Where surfaces are seen from.
-struct Eye {
-  glm::vec3 position;
-  glm::vec3 forward;
-  double pixels_per_radian;
-};
-
-/// Whether vertices pass on what is the same all over a draw. For small triangles that costs more than it saves their
-/// fragments: measured on llvmpipe.
-bool passes_constants(const Surface& surface, const Eye& eye) {
-  constexpr double kManyPixels = 100;  // a triangle
-  const scene::Bounds& box = surface.bounds;
-  const glm::vec3 size = box.high - box.low;
-  const glm::vec3 to_middle = 0.5f * (box.low + box.high) - eye.position;
-  const float range = std::max(glm::length(to_middle), 0.5f * glm::length(size));
-  // A box's outline has half the area of its faces as they are seen along the line of sight.
-  const glm::vec3 faces(size.y * size.z, size.z * size.x, size.x * size.y);
-  const double outline = double(glm::dot(glm::abs(to_middle), faces) / range);  // square metres
-  const double pixels = outline * eye.pixels_per_radian * eye.pixels_per_radian / (double(range) * double(range));
-  return pixels > kManyPixels * surface.chunk->index_count / 3;
+void set_material_uniforms(const ShaderVariant& variant, const SurfaceMaterial& surface_material,
+                           const gl::Program& program) {
+  const scene::Material& material = surface_material.material;
+  set_uniform(program, "material", surface_material.number);
+  set_uniform(program, "tile_size", material.size_m);
+  set_uniform(program, "second_tiles", material.size_m / material.second_size_m);
+  set_uniform(program, "normal_scale", material.normal_scale);
+  const std::optional<float> coverage = variant.material.is_pane ? material.opacity : material.least_coverage;
+  set_uniform(program, "coverage", coverage.value_or(0));
+  set_uniform(program, "relief", material.relief_m / material.size_m);
+  set_uniform(program, "specular", material.specular);
+  set_uniform(program, "shininess", material.shininess);
+  set_uniform(program, "uniform_emissive", material.emissive);
+  set_uniform(program, "metal_roughness", material.metal_roughness);
 }
 
 /// How many of the first surfaces are drawn with the same state but for their places.
-std::size_t count_alike(const FramePlan& plan, std::span<const PlannedSurface> surfaces, const Eye& eye) {
+std::size_t count_alike(const FramePlan& plan, std::span<const PlannedSurface> surfaces) {
   const PlannedSurface& first = surfaces[0];
   const auto is_alike = [&](const PlannedSurface& other) {
     const Surface& a = *first.surface;
     const Surface& b = *other.surface;
     return a.material == b.material && a.is_fog_lit == b.is_fog_lit && a.chunk->has_details == b.chunk->has_details &&
-           passes_constants(a, eye) == passes_constants(b, eye) && first.is_fog_alone == other.is_fog_alone &&
+           first.is_fog_alone == other.is_fog_alone &&
            std::ranges::equal(plan.lights_of(first), plan.lights_of(other));
   };
   return std::size_t(std::ranges::find_if_not(surfaces, is_alike) - surfaces.begin());
@@ -101,8 +95,7 @@ std::size_t count_alike(const FramePlan& plan, std::span<const PlannedSurface> s
 /// What draw() keeps between surfaces.
 struct SurfacePainter::Frame {
   const LightingPath& path;
-  Eye eye;
-  glm::mat4 clip_from_world;
+  const View& view;
   const ShadowMaps* shadows;
   std::size_t number;
   int passes_drawn = 0;  // of the surface being drawn
@@ -142,8 +135,7 @@ void SurfacePainter::set_fog() { fog_lights_ = fog_lights(lights_, settings_.pat
 std::size_t SurfacePainter::draw(const LightingPath& path, const FramePlan& plan, const View& view,
                                  const ShadowMaps* shadows, Interruption& interruption) {
   Frame frame{.path = path,
-              .eye = {view.eye, view.forward, view.pixels_per_radian},
-              .clip_from_world = view.clip_from_world,
+              .view = view,
               .shadows = shadows,
               .number = ++frames_};
   if (path.has_several_passes()) glEnable(GL_STENCIL_TEST);
@@ -158,7 +150,7 @@ std::size_t SurfacePainter::draw(const LightingPath& path, const FramePlan& plan
       if (interruption.has_come()) break;
       drawn = 0;
     }
-    const auto alike = rest.first(count_alike(plan, rest.first(std::min(rest.size(), most_alike)), frame.eye));
+    const auto alike = rest.first(count_alike(plan, rest.first(std::min(rest.size(), most_alike))));
     rest = rest.subspan(alike.size());
     drawn += alike.size();
     if (settings_.path->draws_panes() && alike[0].surface->material->is_pane()) continue;
@@ -191,8 +183,7 @@ std::size_t SurfacePainter::draw_panes(const LightingPath& path, const FramePlan
     indices.insert(indices.end(), each.triangle->indices.begin(), each.triangle->indices.end());
   }
   Frame frame{.path = path,
-              .eye = {view.eye, view.forward, view.pixels_per_radian},
-              .clip_from_world = view.clip_from_world,
+              .view = view,
               .shadows = shadows,
               .number = ++frames_,
               .bytes = indices.size() * sizeof(indices[0]),
@@ -266,8 +257,8 @@ void SurfacePainter::draw_pass(Frame& frame, std::span<const PlannedSurface> ali
     variant.has_listed_fog_lights = fog_lights.size() > kMaxUniformLights;
     if (!variant.has_listed_fog_lights) {
       for (const std::int32_t light : fog_lights) add_uniform(light);
-      variant.fog_lights = compiled_for(uniforms.lights);
-      resize_uniforms(variant.fog_lights.count);
+      variant.fog_light_count = compiled_light_count(uniforms.lights.size());
+      resize_uniforms(variant.fog_light_count);
     }
   }
   const std::size_t first = uniforms.lights.size();
@@ -279,18 +270,9 @@ void SurfacePainter::draw_pass(Frame& frame, std::span<const PlannedSurface> ali
     if (variant.shares_lights && std::ranges::find(fog_lights, light) != fog_lights.end()) continue;
     add_uniform(light);
   }
-  if (has_maps()) {
-    variant.lights.count = uniforms.lights.size() - first;
-  } else if (feed.has_flags) {
-    variant.lights.count = kMaxUniformLights;
-  } else {
-    variant.lights = compiled_for(std::span(uniforms.lights).subspan(first));
-    resize_uniforms(first + variant.lights.count);
-  }
-  if (variant.pass->constants_from_vertices && (passes_constants(surface, frame.eye) || variant.has_listed_lights)) {
-    variant.takes_constants_from_vertices = true;
-    variant.vertex_lights = std::min(first + variant.lights.count, programs_.most_vertex_lights(variant.material));
-  }
+  const std::size_t count = uniforms.lights.size() - first;
+  variant.light_count = has_maps() ? count : feed.has_flags ? kMaxUniformLights : compiled_light_count(count);
+  resize_uniforms(first + variant.light_count);
   // Loops over lists end early where depths are tested first. Several passes need the stencil for themselves.
   variant.tests_depth_late = programs_.should_test_depth_late() && feed.kind == LightFeed::Kind::all &&
                              !frame.path.has_several_passes() && !variant.has_listed_lights &&
@@ -324,13 +306,6 @@ void SurfacePainter::draw_variant(Frame& frame, std::span<const PlannedSurface> 
     glUniformMatrix3fv(program.cone_from_world, GLsizei(cones.size()), GL_FALSE, glm::value_ptr(cones[0]));
     maps_.bind(maps_.kinds()[std::size_t(batch[0])]);
   }
-  const scene::Material& material = surface_material.material;
-  const DrawConstants constants{.eye_relief = glm::vec4(frame.eye.position, material.relief_m / material.size_m),
-                                .specular_shininess = glm::vec4(material.specular, material.shininess),
-                                .emissive_metal_roughness = glm::vec4(material.emissive, material.metal_roughness)};
-  glUniform4fv(program.draw_constants, GLsizei(sizeof(constants) / sizeof(glm::vec4)),
-               glm::value_ptr(constants.eye_relief));
-  frame.bytes += sizeof(constants);
   draw_triangles(frame, alike, program, is_later ? TriangleOrder::reversed : TriangleOrder::stored);
 }
 
@@ -352,9 +327,9 @@ void SurfacePainter::draw_triangles(Frame& frame, std::span<const PlannedSurface
       count += std::size_t(next.chunk->index_count);
     }
     if (have_bounds) {
-      const DrawBounds drawn{.low = glm::vec4(bounds.low, 0), .high = glm::vec4(bounds.high, 0)};
-      glUniform4fv(program.draw_bounds, GLsizei(sizeof(drawn) / sizeof(glm::vec4)), glm::value_ptr(drawn.low));
-      frame.bytes += sizeof(drawn);
+      glUniform3fv(program.bounds_low, 1, glm::value_ptr(bounds.low));
+      glUniform3fv(program.bounds_high, 1, glm::value_ptr(bounds.high));
+      frame.bytes += sizeof(bounds.low) + sizeof(bounds.high);
     }
     if (frame.draws_panes) {
       surfaces_.meshes().draw_sorted(frame.first, frame.count);
@@ -386,13 +361,7 @@ SurfaceProgram& SurfacePainter::use(Frame& frame, const ShaderVariant& variant, 
   }
   if (&material != program.material) {
     program.material = &material;
-    set_uniform(program.program, "material", material.number);
-    set_uniform(program.program, "tile_size", material.material.size_m);
-    set_uniform(program.program, "second_tiles", material.material.size_m / material.material.second_size_m);
-    set_uniform(program.program, "normal_scale", material.material.normal_scale);
-    const std::optional<float> coverage =
-        variant.material.is_pane ? material.material.opacity : material.material.least_coverage;
-    set_uniform(program.program, "coverage", coverage.value_or(0));
+    set_material_uniforms(variant, material, program.program);
   }
   return program;
 }
@@ -407,8 +376,9 @@ void SurfacePainter::set_frame_uniforms(const Frame& frame, const ShaderVariant&
     set_uniform(program, "moon_direction", environment.moon_direction);
     set_uniform(program, "moon_color", environment.moon_color);
   }
-  set_uniform(program, "clip_from_world", frame.clip_from_world);
-  set_uniform(program, "infinite_viewer", -frame.eye.forward);
+  set_uniform(program, "clip_from_world", frame.view.clip_from_world);
+  set_uniform(program, "eye", frame.view.eye);
+  set_uniform(program, "infinite_viewer", -frame.view.forward);
   set_uniform(program, "is_flat_shaded", settings_.is_flat_shaded);
   set_uniform(program, "albedo_map", kAlbedoUnit);
   set_uniform(program, "normal_map", kNormalUnit);

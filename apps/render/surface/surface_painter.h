@@ -60,13 +60,6 @@ class SurfacePainter {
  private:
   struct Frame;
   struct LightUniforms;
-  /// shaders/draw_constants.glsl
-  struct DrawBounds {
-    glm::vec4 low, high;
-  };
-  struct DrawConstants {
-    glm::vec4 eye_relief, specular_shininess, emissive_metal_roughness;
-  };
 
   bool has_maps() const { return !maps_.kinds().empty(); }  // which hold the cones
   /// Draws surfaces that differ in their places only; of several passes all, so that there may be but one surface.

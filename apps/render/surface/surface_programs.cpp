@@ -4,7 +4,6 @@
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -49,19 +48,13 @@ std::string settings_constants(const RenderSettings& settings) {
       int(settings.spot_edge));
 }
 
-int most_varying_vectors() {
-  GLint components = 0;
-  glGetIntegerv(GL_MAX_VARYING_COMPONENTS, &components);
-  return components / 4;
-}
-
 }  // namespace
 
 SurfaceProgram::SurfaceProgram(gl::Program linked)
     : program(std::move(linked)),
       world_from_model(program.uniform("world_from_model")),
-      draw_bounds(program.uniform("draw_bounds")),
-      draw_constants(program.uniform("draw_constants")),
+      bounds_low(program.uniform("bounds_low")),
+      bounds_high(program.uniform("bounds_high")),
       light_list_range(program.uniform("light_list_range")),
       uniform_lights(program.uniform("uniform_lights")),
       light_flags(program.uniform("light_flags")),
@@ -73,7 +66,6 @@ SurfacePrograms::SurfacePrograms(const scene::Scene& scene, const RenderSettings
       has_shadows_(settings.shadows != Shadows::none),
       should_test_depth_late_(render::should_test_depth_late(settings.samples)),
       samples_(settings.samples == 1 ? "#define ONE_SAMPLE\n" : ""),
-      most_varying_vectors_(most_varying_vectors()),
       environment_light_(environment_light_constants(scene.environment)),
       settings_(settings_constants(settings)) {}
 
@@ -82,12 +74,6 @@ void SurfacePrograms::make_environment_light_uniform() {
   is_environment_light_uniform_ = true;
   environment_light_ = kEnvironmentLightUniforms;
   programs_.clear();
-}
-
-std::size_t SurfacePrograms::most_vertex_lights(const MaterialFeatures& material) const {
-  constexpr int kConstant = 7;  // of unified's vertices: draw_constants.glsl, the fog and its colour
-  const int interpolated = material.has_details ? 6 : 4;
-  return std::size_t(std::max(most_varying_vectors_ - kConstant - interpolated, 0)) / kPackedVectors;
 }
 
 SurfaceProgram& SurfacePrograms::program(const ShaderVariant& variant) {

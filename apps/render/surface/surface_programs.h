@@ -17,7 +17,7 @@ struct SurfaceProgram {
   explicit SurfaceProgram(gl::Program linked);
 
   gl::Program program;
-  int world_from_model, draw_bounds, draw_constants, light_list_range, uniform_lights, light_flags, uniform_casters,
+  int world_from_model, bounds_low, bounds_high, light_list_range, uniform_lights, light_flags, uniform_casters,
       cone_from_world;
   std::size_t frame = 0;
   const SurfaceMaterial* material = nullptr;
@@ -35,9 +35,6 @@ class SurfacePrograms {
 
   /// Good as long as this.
   SurfaceProgram& program(const ShaderVariant& variant);
-  /// How many lights the vertices of a material can pass on to fragments on this driver
-  /// (ShaderVariant::vertex_lights), each varying taken as a whole vector.
-  std::size_t most_vertex_lights(const MaterialFeatures& material) const;
   bool should_test_depth_late() const { return should_test_depth_late_; }  ///< as render::should_test_depth_late()
 
  private:
@@ -45,7 +42,6 @@ class SurfacePrograms {
   bool has_shadows_;
   bool should_test_depth_late_;
   std::string samples_;  // the beginning of material.glsl, which all that reads a fragment's position includes
-  int most_varying_vectors_;
   bool is_environment_light_uniform_ = false;
   std::string environment_light_;  // the beginning of environment.glsl
   std::string settings_;           // the rest

@@ -5,10 +5,9 @@
 // counts. Other materials keep the Basic model.
 
 #include "depth_test.glsl"
-#include "constants_from_vertices.glsl"
 #include "cookie.glsl"
 #include "litfog/shaders/surface.glsl"
-#include "draw_constants.glsl"
+#include "surface_draw.glsl"
 #include "world_normal.glsl"
 
 vec3 brushed(LitfogSurface surface, vec3 to_light, vec3 color) {

@@ -6,10 +6,9 @@
 // term lacks the factor 1 / pi; this leaves it out as well, so that the two compare.
 
 #include "depth_test.glsl"
-#include "constants_from_vertices.glsl"
 #include "cookie.glsl"
 #include "litfog/shaders/surface.glsl"
-#include "draw_constants.glsl"
+#include "surface_draw.glsl"
 
 vec3 cook_torrance(LitfogSurface surface, vec3 to_light, vec3 color) {
   if (metal_roughness == 0.0) return litfog_reflect(surface, to_light, color);

@@ -3,7 +3,6 @@
 // Lighting Technique for a New Generation of Games", listing 2.2); the lighting is that of all surfaces (listing 2.1).
 
 #include "depth_test.glsl"
-#include "constants_from_vertices.glsl"
 #include "world_normal.glsl"
 
 vec3 interpolated_normal() { return normalize(normal); }

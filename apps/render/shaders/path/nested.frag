@@ -10,7 +10,6 @@
 // is compiled for the number of lights that a surface has.
 
 #include "depth_test.glsl"
-#include "constants_from_vertices.glsl"
 #include "lit_surface.glsl"
 #include "light_batch.glsl"
 

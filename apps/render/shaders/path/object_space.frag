@@ -7,7 +7,6 @@
 // catalogue's are. The lighting is that of unified.frag.
 
 #include "depth_test.glsl"
-#include "constants_from_vertices.glsl"
 #include "world_normal.glsl"
 
 uniform mat4 world_from_model;

@@ -10,7 +10,6 @@
 // parts that hide each other, their shadows, and an uneven outline.
 
 #include "depth_test.glsl"
-#include "constants_from_vertices.glsl"
 #define texture_uv shifted_uv
 vec2 shifted_uv(vec2 coordinates);
 #include "unified.frag"

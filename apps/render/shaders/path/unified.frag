@@ -12,7 +12,6 @@
 // mapping, lacroix.frag his equations without clamp and end.
 
 #include "depth_test.glsl"
-#include "constants_from_vertices.glsl"
 #include "lit_surface.glsl"
 #include "listed_lights.glsl"
 #include "world_normal.glsl"
