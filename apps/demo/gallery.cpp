@@ -4,8 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <future>
 #include <limits>
+#include <mutex>
+#include <thread>
 #include <tuple>
 
 #include "command/standard_output.h"
@@ -14,6 +18,7 @@
 #include "drawing/contact_sheet.h"
 #include "drawing/drawing.h"
 #include "drawing/picture_folder.h"
+#include "litfog/gl/headless_context.h"
 #include "scene/file/scene_file.h"
 
 namespace litfog::demo {
@@ -99,6 +104,68 @@ drawing::PictureFolder make_folder(const std::string& path, const std::vector<Ro
   return {path, files, inputs};
 }
 
+/// What rows that are drawn at once share.
+struct Output {
+  drawing::PictureFolder pictures;
+  std::mutex mutex = {};  ///< held while a picture is given to the folder and reported
+};
+
+/// Draws a row's pictures on the current GL context.
+std::vector<drawing::SheetEntry> draw_row(const Row& row, const drawing::DrawingOptions& options, Output& output) {
+  {
+    const std::lock_guard lock(output.mutex);
+    command::report(fmt::format("{}: {} lights; the first picture compiles its shaders\n", row.title,
+                                row.scene->lights.size()));
+  }
+  render::Renderer renderer(*row.scene, options.width, options.height, row.render);
+  std::vector<drawing::SheetEntry> entries;
+  for (const double visibility : shown_visibilities(*row.scene)) {
+    const std::string file = picture_file(row, visibility);
+    const command::WallTimer timer;
+    const render::Display display =
+        drawing::set_fog_and_exposure(renderer, at_visibility(options, visibility)).display;
+    renderer.draw();
+    const render::Picture drawn = renderer.read();
+    const double seconds = timer.seconds();
+    std::vector<std::string> caption{std::isinf(visibility)
+                                         ? row.title + ", clear air"
+                                         : fmt::format("{}, visibility {} m", row.title, visibility)};
+    const std::string text = drawing::display_in_words(display);
+    if (!text.empty()) caption.push_back(text);
+    render::Picture picture = render::displayed(drawn, display);
+    entries.push_back({drawing::fitted_to_cell(picture), std::move(caption)});
+    const std::lock_guard lock(output.mutex);
+    output.pictures.write(file, std::move(picture));
+    command::report(fmt::format("  {:<40} drawn in {:.2f} s{}\n", output.pictures.path_of(file), seconds,
+                                text.empty() ? "" : ", " + text));
+  }
+  return entries;
+}
+
+/// Draws rows, several at once: a driver compiles a context's shaders on one thread, which takes longer than to draw.
+std::vector<std::vector<drawing::SheetEntry>> draw_rows(const std::vector<Row>& rows,
+                                                        const drawing::DrawingOptions& options, Output& output) {
+  constexpr unsigned kMaxThreads = 4;  // each has a scene in the driver's memory
+  std::vector<std::vector<drawing::SheetEntry>> sheet(rows.size());
+  std::atomic<std::size_t> next = 0;
+  const auto draw_next_rows = [&] {
+    try {
+      const gl::HeadlessContext context;
+      for (std::size_t i = next++; i < rows.size(); i = next++) sheet[i] = draw_row(rows[i], options, output);
+    } catch (...) {
+      next = rows.size();
+      throw;
+    }
+  };
+  std::vector<std::future<void>> threads;
+  const std::size_t count = std::clamp(std::thread::hardware_concurrency(), 1u, kMaxThreads);
+  for (std::size_t i = 0; i < std::min(count, rows.size()); ++i) {
+    threads.push_back(std::async(std::launch::async, draw_next_rows));
+  }
+  for (std::future<void>& thread : threads) thread.get();
+  return sheet;
+}
+
 }  // namespace
 
 void draw_gallery(const std::vector<std::string>& scenes, const std::string& folder,
@@ -108,35 +175,11 @@ void draw_gallery(const std::vector<std::string>& scenes, const std::string& fol
   for (scene::Scene& scene : read) drawing::set_scene(scene, options);
   command::report(fmt::format("all loaded in {:.2f} s\n", timer.seconds()));
   const std::vector<Row> rows = make_rows(read, options);
-  drawing::PictureFolder pictures = make_folder(folder, rows);
+  Output output{.pictures = make_folder(folder, rows)};
   command::Table solutions{{"scene", "light", "visibility_m", "extent_m", "peak_range_m", "intensity"}, {}};
-  std::vector<std::vector<drawing::SheetEntry>> sheet;
   for (const scene::Scene& scene : read) add_solutions(solutions, scene, options.fog_mode());
-  for (const Row& row : rows) {
-    const scene::Scene& scene = *row.scene;
-    render::Renderer renderer(scene, options.width, options.height, row.render);
-    command::report(fmt::format("{}: {} lights\n", row.title, scene.lights.size()));
-    sheet.emplace_back();
-    for (const double visibility : shown_visibilities(scene)) {
-      const bool is_clear = std::isinf(visibility);
-      const std::string file = picture_file(row, visibility);
-      const command::WallTimer frame_timer;
-      const render::Display display =
-          drawing::set_fog_and_exposure(renderer, at_visibility(options, visibility)).display;
-      renderer.draw();
-      const render::Picture drawn = renderer.read();
-      const double draw_seconds = frame_timer.seconds();
-      std::vector<std::string> caption{is_clear ? row.title + ", clear air"
-                                                : fmt::format("{}, visibility {} m", row.title, visibility)};
-      const std::string words = drawing::display_in_words(display);
-      if (!words.empty()) caption.push_back(words);
-      render::Picture picture = render::displayed(drawn, display);
-      sheet.back().push_back({drawing::fitted_to_cell(picture), std::move(caption)});
-      pictures.write(file, std::move(picture));
-      command::report(fmt::format("  {:<40} drawn in {:.2f} s{}\n", pictures.path_of(file), draw_seconds,
-                                  words.empty() ? "" : ", " + words));
-    }
-  }
+  const std::vector<std::vector<drawing::SheetEntry>> sheet = draw_rows(rows, options, output);
+  drawing::PictureFolder& pictures = output.pictures;
   pictures.write(kSheetFile, drawing::make_contact_sheet(sheet));
   pictures.finish();
   command::report("\n" + command::format_table(solutions, command::TableFormat::text));

@@ -11,7 +11,8 @@ namespace litfog::demo {
 /// Draws scenes clear and at each of their visibilities into a folder (made where missing), one PNG each, and
 /// contact-sheet.png with a row for each scene. Where airlight is the default, the first scene has a second row, drawn
 /// by FogLighting::peak. Reports every step, the solved table (light x visibility) and the times on standard output.
-/// Needs a current GL context. Throws InputError before anything is drawn (read_scenes).
+/// Several scenes are drawn at once, each thread with a GL context of its own. Throws InputError before anything is
+/// drawn (read_scenes).
 ///
 /// scenes   paths of scene files
 /// options  without a visibility; an automatic exposure is each picture's own
