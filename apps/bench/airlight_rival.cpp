@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-#include "litfog/formulas.h"
+#include "model/packed_cone.h"
 
 namespace litfog::bench {
 namespace {
@@ -25,7 +25,7 @@ class Ray {
   explicit Ray(const test::AirlightCase& c)
       : attenuation_(c.light.light.attenuation),
         threshold_(c.light.light.threshold),
-        cone_(c.light.light.cone),
+        cone_(packed_cone<double>(c.light.light.cone)),
         density_(c.fog.density * c.light.light.density_scale),
         is_exp_(c.fog.mode == FogMode::exp),
         is_fogged_(c.scattering.lamp_leg == LampLeg::fogged),
@@ -37,12 +37,6 @@ class Ray {
     offset_ = glm::length(offset);
     axis_offset_ = glm::dot(offset, c.light.direction);
     axis_slope_ = glm::dot(c.ray.direction, c.light.direction);
-    if (cone_.profile == ConeProfile::cosine) {
-      cos_outer_ = std::cos(cone_.half_angle);
-    } else if (cone_.profile == ConeProfile::smoothstep) {
-      cos_outer_ = std::cos(cone_.outer);
-      cos_inner_ = std::cos(cone_.inner);
-    }
   }
 
   double approach() const { return approach_; }
@@ -78,11 +72,7 @@ class Ray {
     const double r = range(x);
     double value = formulas::attenuation(r, attenuation_.constant, attenuation_.linear, attenuation_.quadratic);
     if (value < threshold_) return 0;
-    if (cone_.profile != ConeProfile::none) {
-      const double cosine = (axis_offset_ + axis_slope_ * x) / r;
-      value *= cone_.profile == ConeProfile::cosine ? formulas::cosine_cone(cosine, cos_outer_, cone_.exponent)
-                                                    : formulas::smoothstep_cone(cosine, cos_inner_, cos_outer_);
-    }
+    value *= formulas::litfog_cone_at(cone_.profile, (axis_offset_ + axis_slope_ * x) / r, cone_.x, cone_.y);
     if (is_fogged_) value *= std::exp(-depth(r));
     if (asymmetry_ != 0) {  // Henyey and Greenstein
       const double base = 1 + asymmetry_ * (asymmetry_ + 2 * x / r);
@@ -98,11 +88,12 @@ class Ray {
 
   Stretch in_cone() const {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    if (cone_.profile == ConeProfile::none || cos_outer_ <= 0) return {-kInfinity, kInfinity};
+    const double cos_outer = cone_.x;
+    if (!formulas::litfog_has_cone(cone_.profile) || cos_outer <= 0) return {-kInfinity, kInfinity};
     // Inside where (axis_offset + axis_slope x)^2 > cos^2 r^2, on the axis's side of the lamp.
-    const double a = axis_slope_ * axis_slope_ - cos_outer_ * cos_outer_;
+    const double a = axis_slope_ * axis_slope_ - cos_outer * cos_outer;
     const double b = axis_offset_ * axis_slope_;
-    const double c = axis_offset_ * axis_offset_ - cos_outer_ * cos_outer_ * offset_ * offset_;
+    const double c = axis_offset_ * axis_offset_ - cos_outer * cos_outer * offset_ * offset_;
     const double discriminant = b * b - a * c;
     if (discriminant < 0) return {0, 0};
     const double first = (-b - std::copysign(std::sqrt(discriminant), a)) / a;
@@ -113,7 +104,7 @@ class Ray {
 
   Attenuation attenuation_;
   double threshold_;
-  Cone cone_;
+  PackedCone<double> cone_;
   double density_;
   bool is_exp_;
   bool is_fogged_;
@@ -123,8 +114,6 @@ class Ray {
   double offset_;       // metres from there to the lamp
   double axis_offset_;  // of that, along the cone's axis
   double axis_slope_;   // cosine between ray and axis
-  double cos_outer_ = 0;
-  double cos_inner_ = 0;
 };
 
 double march(const Ray& ray, const Stretch& stretch, int steps) {

@@ -10,6 +10,7 @@
 #include <numeric>
 #include <span>
 
+#include "litfog/formulas.h"
 #include "litfog/gl/check_errors.h"
 #include "render/gpu/depth.h"
 #include "render/gpu/render_shaders.h"
@@ -114,7 +115,7 @@ void PlainRenderer::set_fog(const Fog& fog) {
     packed_.push_back(pack(light, solve_fog_intensity(light.light, fog)));
     if (const auto use = scene_.cookie_uses.find(i); use != scene_.cookie_uses.end()) {
       const glm::dvec3 up = glm::transpose(scene::cookie_from_world(light.direction, use->second.roll))[1];
-      packed_.back().axis_profile.w = 3;
+      packed_.back().axis_profile.w = float(LITFOG_PROFILE_COOKIE);
       packed_.back().cone = glm::vec4(float(use->second.cookie), glm::vec3(up));
     }
   }

@@ -29,7 +29,7 @@ double rounding_of(const ReferenceLight& light, const glm::dvec3& position, doub
 double cos_cutoff(const ReferenceLight& light) { return std::cos(cutoff_angle(light.placed.light.cone)); }
 
 bool is_at_cone_edge(const ReferenceLight& light, const LightRay& ray, double rounding) {
-  return light.placed.light.cone.profile == ConeProfile::cosine &&
+  return cutoff_level(light.placed.light.cone) > 0 &&
          std::abs(glm::dot(light.placed.direction, ray.direction) - cos_cutoff(light)) < rounding;
 }
 

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <numbers>
 #include <optional>
+#include <span>
 
 #include "litfog/value_error.h"
 
 namespace litfog {
 
-/// How a light's intensity falls with the angle u from its axis.
+/// How a light's intensity falls with the angle u from its axis. kConeProfiles says what each is called and has.
 enum class ConeProfile {
   /// 1 everywhere: a point light.
   none,
@@ -29,13 +34,70 @@ struct Cone {
 
   friend bool operator==(const Cone&, const Cone&) = default;
 
-  static Cone cosine(double half_angle, double exponent) {
+  constexpr bool is_point_light() const { return profile == ConeProfile::none; }
+
+  static constexpr Cone cosine(double half_angle, double exponent) {
     return {.profile = ConeProfile::cosine, .half_angle = half_angle, .exponent = exponent};
   }
-  static Cone smoothstep(double inner, double outer) {
+  static constexpr Cone smoothstep(double inner, double outer) {
     return {.profile = ConeProfile::smoothstep, .inner = inner, .outer = outer};
   }
 };
+
+/// What is known of a member of Cone that a profile has. Files and controls have degrees for radians.
+struct ConeParameter {
+  const char* field;      ///< "cone.inner"
+  const char* file_name;  ///< "inner_deg"
+  const char* label;      ///< of a control: "Inner"
+  double Cone::*member;
+  bool is_angle;
+  double least;  ///< of the values that rule allows, or their limit
+  double most;   ///< likewise
+  const char* rule;
+  const char* rule_in_file;
+  std::array<double, 2> control;  ///< a slider's ends
+  const char* meaning;
+
+  constexpr const char* name() const { return field + 5; }  ///< the member's: "inner"
+};
+
+/// What is known of a profile.
+struct ConeProfileFacts {
+  ConeProfile profile;
+  const char* name;  ///< the enumerator's and that of files
+  const char* meaning;
+  std::span<const ConeParameter> parameters;
+  const ConeParameter* cutoff;  ///< the parameter beyond which a cone is dark, if there is one
+  Cone first;                   ///< that a control begins with when the profile is chosen
+};
+
+namespace cone_parameters {
+inline constexpr double kPi = std::numbers::pi, kInfinity = std::numeric_limits<double>::infinity();
+// clang-format off
+inline constexpr std::array<ConeParameter, 2> kCosine{{
+    {"cone.half_angle", "half_angle_deg", "Half angle", &Cone::half_angle, true, 0, kPi / 2, "must be in (0, pi/2]",
+     "must be in (0, 90]", {1, 90}, "(0, pi/2], where the light is cut off"},
+    {"cone.exponent", "exponent", "Exponent", &Cone::exponent, false, 0, kInfinity, "must be finite and >= 0",
+     "must be finite and >= 0", {0, 5000}, "finite, >= 0; 0 is a flat beam"}}};
+inline constexpr std::array<ConeParameter, 2> kSmoothstep{{
+    {"cone.inner", "inner_deg", "Inner", &Cone::inner, true, 0, kPi, "must be in [0, outer)",
+     "must be in [0, outer_deg)", {0, 179}, "[0, outer), full intensity up to here"},
+    {"cone.outer", "outer_deg", "Outer", &Cone::outer, true, 0, kPi, "must be in (0, pi]",
+     "must be in (0, 180]", {1, 180}, "(inner, pi], no light beyond"}}};
+// clang-format on
+}  // namespace cone_parameters
+
+/// All profiles by their number. A new one has its row here, a case of each switch of src, and its number and formulas
+/// in litfog/shaders/cone_profile.glsl.
+inline constexpr std::array<ConeProfileFacts, 3> kConeProfiles{
+    {{ConeProfile::none, "none", "1 everywhere: a point light", {}, nullptr, {}},
+     {ConeProfile::cosine, "cosine", "cos^exponent(u) up to half_angle", cone_parameters::kCosine,
+      &cone_parameters::kCosine[0], Cone::cosine(std::numbers::pi / 6, 4)},
+     {ConeProfile::smoothstep, "smoothstep", "smoothstep(cos outer, cos inner, cos u)", cone_parameters::kSmoothstep,
+      &cone_parameters::kSmoothstep[1], Cone::smoothstep(std::numbers::pi / 12, std::numbers::pi / 6)}}};
+inline constexpr std::size_t kMaxConeParameters = 2;  ///< of a profile
+
+constexpr const ConeProfileFacts& facts_of(ConeProfile profile) { return kConeProfiles[std::size_t(profile)]; }
 
 /// What is wrong with a cone, or nothing.
 std::optional<ValueError> check(const Cone& cone);
@@ -45,6 +107,13 @@ std::optional<ValueError> check(const Cone& cone);
 
 /// Half angle beyond which a cone is dark: radians, pi for a point light.
 double cutoff_angle(const Cone& cone);
+
+/// Fraction of the axial intensity at which a cone is cut off: 0 of one that fades out, and of a point light.
+double cutoff_level(const Cone& cone);
+
+/// Half angle beyond which a cone has half its axial intensity or less, and within which it has most of its light:
+/// radians, pi for a point light. angle_at_level() has the least such angle.
+double dim_angle(const Cone& cone);
 
 /// Largest errors of cone_at: of a cosine cone in ulp; of a smoothstep cone the absolute error times the width of its
 /// edge, cos inner - cos outer, because a narrow edge magnifies the rounding of the cosines.

@@ -22,18 +22,17 @@ namespace litfog {
 struct FogLightKind {
   /// x constant, y linear, z quadratic, w extent; infinite extents are stored as the largest float
   glm::vec4 attenuation_extent;
-  /// xy cone (cosine: cos half angle, exponent; smoothstep: cos outer, cos inner; none: 0), z density scale, w fog
-  /// colour intensity (0 where the lights are not carried)
+  /// xy the cone's (litfog/shaders/cone_profile.glsl), z density scale, w fog colour intensity of a carried light, else
+  /// 0
   glm::vec4 cone_scale_intensity;
 };
 
 /// One light.
 struct FogLightInstance {
   glm::vec4 position_kind;  ///< xyz position, w index of its kind
-  /// xyz unit axis, w its kind's profile: 0 none, 1 cosine, 2 smoothstep; 3 is left to shaders
-  /// (litfog/shaders/cone_profile.glsl)
+  /// xyz unit axis, w the cone's profile or what is left to shaders, a cookie (litfog/shaders/cone_profile.glsl)
   glm::vec4 axis_profile;
-  glm::vec4 color;  ///< rgb linear colour, w 0; of profile 3 it is left to shaders
+  glm::vec4 color;  ///< rgb linear colour, w 0; of a cookie it is left to shaders
 };
 
 /// The fog: the first members of the uniform block.

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 /// The model's scalar formulas for float, double and any type with the usual functions by argument-dependent lookup
 /// (ceres::Jet). The text is shared with the shaders, whose names carry the prefix litfog_ that a namespace makes
-/// needless here: litfog/shaders/formulas.glsl.
+/// needless here: litfog/shaders/formulas.glsl, and cone_profile.glsl, whose own functions keep the prefix.
 namespace litfog::formulas {
 
+using std::exp;
 using std::expm1;
+using std::max;
 using std::pow;
 
 #define litfog_expm1 expm1
@@ -22,6 +25,9 @@ using std::pow;
 #define LITFOG_REAL Real
 #define LITFOG_FUNCTION template <typename Real>
 #include "litfog/shaders/formulas.glsl"  // undefines the last two
+#define LITFOG_REAL Real
+#define LITFOG_FUNCTION template <typename Real>
+#include "litfog/shaders/cone_profile.glsl"  // likewise
 #undef litfog_expm1
 #undef litfog_denominator
 #undef litfog_attenuation

@@ -97,16 +97,16 @@ long double integrate_airlight(Text<long double, Cookie> text,
       text.litfog_airlight_chord(air, text.litfog_airlight_level(air, 2 * std::max(1.0L, denominator)));
   if (falloff > 0) scale = std::min(scale, falloff);
   if (air.mode != 0) cuts.push_back((air.lamp_leg != 0 ? -0.5L : -1.0L) * air.approach);
-  const bool is_cosine = air.profile == LITFOG_PROFILE_COSINE;
-  const bool is_smoothstep = air.profile == LITFOG_PROFILE_SMOOTHSTEP;
-  if (is_cosine || is_smoothstep) {
-    for (const long double cosine : {air.cone_x, is_smoothstep ? air.cone_y : air.cone_x}) {
+  if (formulas::litfog_has_cone(air.profile)) {
+    for (const long double cosine :
+         {air.cone_x, formulas::litfog_cone_has_inner_edge(air.profile) ? air.cone_y : air.cone_x}) {
       const auto inside = text.litfog_airlight_inside(air, cosine);
       cuts.insert(cuts.end(), {inside.low, inside.high});
     }
     if (air.axis_offset > 0) {
       const long double crossing = air.axis_slope * air.offset * air.offset / air.axis_offset;
-      const long double sharpness = is_cosine ? 1 + air.cone_y : 1 / (1 - air.cone_x);
+      const long double sharpness =
+          formulas::litfog_cone_is_cut_off(air.profile) ? 1 + air.cone_y : 1 / (1 - air.cone_x);
       const long double range = text.litfog_airlight_range(air, crossing);
       cuts.push_back(crossing);
       scale = std::min(scale, range * (range / air.offset) / std::sqrt(sharpness));

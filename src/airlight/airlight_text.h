@@ -7,13 +7,14 @@
 #include <glm/geometric.hpp>
 
 #include "litfog/airlight.h"
-#include "litfog/formulas.h"
+#include "model/packed_cone.h"
 #include "model/unchecked.h"
 
 // The airlight's formulas as C++: the text that the shaders share (litfog/shaders/airlight.glsl), and its arguments.
 
 namespace litfog::airlight_text {
 
+using namespace formulas;  // those of cone_profile.glsl
 using glm::sign;
 using std::abs, std::asinh, std::ceil, std::clamp, std::exp, std::floor, std::log, std::max, std::min, std::sqrt;
 
@@ -46,14 +47,10 @@ struct Text {
 #define litfog_expm1 std::expm1
 #define litfog_denominator formulas::denominator
 #define litfog_attenuation formulas::attenuation
-#define litfog_cosine_cone formulas::cosine_cone
-#define litfog_smoothstep_cone formulas::smoothstep_cone
 #include "litfog/shaders/airlight.glsl"  // undefines LITFOG_REAL and LITFOG_CONSTANT
 #undef litfog_expm1
 #undef litfog_denominator
 #undef litfog_attenuation
-#undef litfog_cosine_cone
-#undef litfog_smoothstep_cone
 #undef LITFOG_COOKIES
 
   /// A light as a ray sees it. The fog is that of the light's class.
@@ -78,15 +75,10 @@ struct Text {
     air.linear = Real(light.attenuation.linear);
     air.quadratic = Real(light.attenuation.quadratic);
     air.extent = extent;
-    if (light.cone.profile == ConeProfile::cosine) {
-      air.profile = Real(LITFOG_PROFILE_COSINE);
-      air.cone_x = std::cos(Real(cutoff_angle(light.cone)));
-      air.cone_y = Real(light.cone.exponent);
-    } else if (light.cone.profile == ConeProfile::smoothstep) {
-      air.profile = Real(LITFOG_PROFILE_SMOOTHSTEP);
-      air.cone_x = std::cos(Real(cutoff_angle(light.cone)));
-      air.cone_y = std::cos(Real(light.cone.inner));
-    }
+    const PackedCone<Real> cone = packed_cone<Real>(light.cone);
+    air.profile = cone.profile;
+    air.cone_x = cone.x;
+    air.cone_y = cone.y;
     air.ray_length = Real(ray.length);
     air.approach = approach;
     air.offset = glm::length(offset);

@@ -26,7 +26,7 @@ Fog fog(const litfog_fog* fog) {
 }
 
 Light light(const litfog_light* light) {
-  require_enumerator(at(light, "light").cone.profile, 3, "cone.profile");
+  require_enumerator(at(light, "light").cone.profile, int(kConeProfiles.size()), "cone.profile");
   return {.name = {},
           .color = vector(light->color, "color"),
           .attenuation = to_cpp(light->attenuation),

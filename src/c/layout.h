@@ -135,7 +135,8 @@ constexpr bool is_same(int c, Enum cpp) {
 }
 static_assert(is_same(LITFOG_FOG_EXP, FogMode::exp) && is_same(LITFOG_FOG_EXP2, FogMode::exp2));
 static_assert(is_same(LITFOG_CONE_NONE, ConeProfile::none) && is_same(LITFOG_CONE_COSINE, ConeProfile::cosine) &&
-              is_same(LITFOG_CONE_SMOOTHSTEP, ConeProfile::smoothstep));
+              is_same(LITFOG_CONE_SMOOTHSTEP, ConeProfile::smoothstep) &&
+              kConeProfiles.size() == LITFOG_CONE_SMOOTHSTEP + 1);
 static_assert(is_same(LITFOG_SOLVE_OK, SolveStatus::ok) &&
               is_same(LITFOG_SOLVE_NOT_CONVERGED, SolveStatus::not_converged));
 static_assert(is_same(LITFOG_SOLVE_OK, BatchStatus::ok) &&

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "float_limit.h"
-#include "litfog/formulas.h"
+#include "packed_cone.h"
 #include "require.h"
 #include "versine.h"
 
@@ -15,50 +15,47 @@ namespace litfog {
 using std::numbers::pi;
 
 std::optional<ValueError> check(const Cone& cone) {
+  using namespace cone_parameters;
+  const auto error = [&cone](const ConeParameter& of) { return ValueError{of.field, cone.*of.member, of.rule}; };
+  const ConeParameter* const cutoff = facts_of(cone.profile).cutoff;
+  if (cutoff && !(cone.*cutoff->member > 0 && cutoff_angle(cone) <= cutoff->most)) return error(*cutoff);
   switch (cone.profile) {
     case ConeProfile::none:
       break;
     case ConeProfile::cosine:
-      if (!(cone.half_angle > 0 && cutoff_angle(cone) <= pi / 2)) {
-        return ValueError{"cone.half_angle", cone.half_angle, "must be in (0, pi/2]"};
-      }
-      if (!is_finite_and_not_negative(cone.exponent)) {
-        return ValueError{"cone.exponent", cone.exponent, "must be finite and >= 0"};
-      }
+      if (!is_finite_and_not_negative(cone.exponent)) return error(kCosine[1]);
       break;
     case ConeProfile::smoothstep:
-      if (!(cone.outer > 0 && cutoff_angle(cone) <= pi))
-        return ValueError{"cone.outer", cone.outer, "must be in (0, pi]"};
-      if (!(cone.inner >= 0 && cone.inner < cutoff_angle(cone))) {
-        return ValueError{"cone.inner", cone.inner, "must be in [0, outer)"};
-      }
+      if (!(cone.inner >= 0 && cone.inner < cutoff_angle(cone))) return error(kSmoothstep[0]);
       break;
   }
   return std::nullopt;
 }
 
 double cutoff_angle(const Cone& cone) {
+  const ConeParameter* const cutoff = facts_of(cone.profile).cutoff;
+  return cutoff ? snapped(cone.*cutoff->member, 0, cutoff->most) : pi;
+}
+
+double cutoff_level(const Cone& cone) {
+  const auto [profile, x, y] = packed_cone<double>(cone);
+  return formulas::litfog_cone_is_cut_off(profile) ? formulas::litfog_cone_at(profile, x, 0.0, y) : 0;
+}
+
+double dim_angle(const Cone& cone) {
   switch (cone.profile) {
     case ConeProfile::cosine:
-      return snapped(cone.half_angle, 0, pi / 2);
+      return std::min(std::acos(std::exp2(-1 / std::max(cone.exponent, 1e-3))), cutoff_angle(cone));
     case ConeProfile::smoothstep:
-      return snapped(cone.outer, 0, pi);
     case ConeProfile::none:
       break;
   }
-  return pi;
+  return cutoff_angle(cone);
 }
 
 double cone_at(const Cone& cone, double cos_angle) {
-  switch (cone.profile) {
-    case ConeProfile::cosine:
-      return formulas::cosine_cone(cos_angle, std::cos(cutoff_angle(cone)), cone.exponent);
-    case ConeProfile::smoothstep:
-      return formulas::smoothstep_cone(cos_angle, std::cos(cone.inner), std::cos(cutoff_angle(cone)));
-    case ConeProfile::none:
-      break;
-  }
-  return 1;
+  const auto [profile, x, y] = packed_cone<double>(cone);
+  return formulas::litfog_cone_at(profile, cos_angle, x, y);
 }
 
 double angle_at_level(const Cone& cone, double level) {

@@ -2,62 +2,39 @@
 #include "litfog/fog_light_block.h"
 
 #include <algorithm>
-#include <cmath>
-#include <glm/vec2.hpp>
 #include <limits>
 
 #include "fog_light_count.h"
-#include "litfog/shaders/cone_profile.glsl"
+#include "model/packed_cone.h"
 #include "model/require.h"
 #include "model/unchecked.h"
 
 namespace litfog {
 namespace {
 
-/// A value >= 0 as a float, without the two that a shader may stumble over: infinity, of which the product with 0 is
-/// NaN, as the largest float; -0 as 0.
-float finite_float(double x) { return float(std::min(std::abs(x), double(std::numeric_limits<float>::max()))); }
+/// A value as a float, without the two that a shader may stumble over: infinity, of which the product with 0 is NaN, as
+/// the largest float; -0 as 0.
+float finite_float(double x) {
+  constexpr double kLargest = std::numeric_limits<float>::max();
+  return float(std::clamp(x, -kLargest, kLargest)) + 0.0f;
+}
 glm::vec3 finite_floats(const glm::dvec3& v) { return {finite_float(v.x), finite_float(v.y), finite_float(v.z)}; }
-
-glm::vec2 pack_cone(const Cone& cone) {
-  switch (cone.profile) {
-    case ConeProfile::cosine:
-      return {std::cos(cutoff_angle(cone)), finite_float(cone.exponent)};
-    case ConeProfile::smoothstep:
-      return {std::cos(cutoff_angle(cone)), std::cos(cone.inner)};
-    case ConeProfile::none:
-      break;
-  }
-  return glm::vec2{0};
-}
-
-float pack_profile(ConeProfile profile) {
-  switch (profile) {
-    case ConeProfile::cosine:
-      return float(LITFOG_PROFILE_COSINE);
-    case ConeProfile::smoothstep:
-      return float(LITFOG_PROFILE_SMOOTHSTEP);
-    case ConeProfile::none:
-      break;
-  }
-  return float(LITFOG_PROFILE_NONE);
-}
 
 }  // namespace
 
 FogLightKind unchecked::pack_fog_light_kind(const PlacedLight& placed, const FogIntensity& solution) {
   const Light& light = placed.light;
   const auto& [constant, linear, quadratic] = light.attenuation;
-  const glm::vec2 cone = pack_cone(light.cone);
+  const PackedCone<double> cone = packed_cone<double>(light.cone);
   return {.attenuation_extent = {finite_float(constant), finite_float(linear), finite_float(quadratic),
                                  finite_float(solution.extent)},
-          .cone_scale_intensity = {cone.x, cone.y, finite_float(light.density_scale),
+          .cone_scale_intensity = {finite_float(cone.x), finite_float(cone.y), finite_float(light.density_scale),
                                    placed.carried ? float(solution.intensity) : 0.0f}};
 }
 
 FogLightInstance unchecked::pack_fog_light_instance(const PlacedLight& placed, std::size_t kind) {
   return {.position_kind = {glm::vec3(placed.position), float(kind)},
-          .axis_profile = {glm::vec3(placed.direction), pack_profile(placed.light.cone.profile)},
+          .axis_profile = {glm::vec3(placed.direction), float(placed.light.cone.profile)},
           .color = {finite_floats(placed.light.color), 0.0f}};
 }
 

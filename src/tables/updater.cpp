@@ -23,25 +23,21 @@ constexpr std::size_t kJoinedBytes = 10 * 1024;  // these take about as long to 
 float brightness_of(const glm::vec3& color) { return std::max({color.r, color.g, color.b}); }
 
 /// All that lights of a kind agree in. -0 is 0.
-using KindKey = std::array<double, 9>;
+using KindKey = std::array<double, 7 + kMaxConeParameters>;
 
 KindKey key_of(const PlacedLight& placed) {
   const Light& light = placed.light;
   const auto& [constant, linear, quadratic] = light.attenuation;
-  KindKey key{constant, linear, quadratic, light.threshold, light.density_scale, double(placed.carried)};
-  switch (light.cone.profile) {
-    case ConeProfile::none:
-      break;
-    case ConeProfile::cosine:
-      key[6] = 1;
-      key[7] = light.cone.half_angle;
-      key[8] = light.cone.exponent;
-      break;
-    case ConeProfile::smoothstep:
-      key[6] = 2;
-      key[7] = light.cone.inner;
-      key[8] = light.cone.outer;
-      break;
+  KindKey key{constant,
+              linear,
+              quadratic,
+              light.threshold,
+              light.density_scale,
+              double(placed.carried),
+              double(light.cone.profile)};
+  std::size_t i = 7;
+  for (const ConeParameter& parameter : facts_of(light.cone.profile).parameters) {
+    key[i++] = light.cone.*parameter.member;
   }
   return key;
 }

@@ -532,6 +532,19 @@ bool runs_along_edge(const AirlightCase& c) {
   return is_on_edge(0.37) && is_on_edge(5.1);
 }
 
+TEST(Airlight, FastFormHasItsStatedErrorForEveryProfile) {
+  Random random(73);
+  for (const ConeProfileFacts& facts : kConeProfiles) {
+    WorstError error("airlight", facts.name, kAirlightMaxError, "of the colour");
+    for (int i = 0; i < 500; ++i) {
+      AirlightCase c = draw_spot_airlight_case(random, random.pick(kModes), random.pick(kLampLegs));
+      c.light.light.cone = facts.first;
+      error.add(std::abs(airlight_of(c) - reference_of(c)), [&] { return to_string(c); });
+    }
+    error.check();
+  }
+}
+
 TEST(Airlight, FastFormHasItsStatedErrorWhereRaysMeetLampsByCoincidence) {
   constexpr int kRays = 20000;
   Random random(83);

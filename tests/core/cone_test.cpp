@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "litfog/formulas.h"
 #include "reference/digits50.h"
 #include "reference/double_limits.h"
 #include "reference/random_light.h"
@@ -78,6 +79,41 @@ TEST(Cone, ConeNeverRisesWithTheAngleAndNeverLeavesItsRange) {
       last = fraction;
     }
   }
+}
+
+TEST(ConeProfiles, EveryProfileIsWhatItsFactsSay) {
+  for (const ConeProfileFacts& facts : kConeProfiles) {
+    const Cone cone = facts.first;
+    SCOPED_TRACE(facts.name);
+    EXPECT_FALSE(check(cone));
+    EXPECT_EQ(cone.is_point_light(), facts.parameters.empty());
+    EXPECT_EQ(cutoff_angle(cone), facts.cutoff ? cone.*facts.cutoff->member : pi);
+    EXPECT_EQ(cone_at(cone, 1), 1);
+    const auto at = [&cone](double angle) { return cone_at(cone, std::cos(angle)); };
+    const double cutoff = cutoff_angle(cone);
+    if (facts.cutoff) {
+      EXPECT_EQ(at(cutoff + 1e-9), 0);
+      EXPECT_LE(at(dim_angle(cone)), 0.5 + 1e-12);
+      EXPECT_NEAR(at(cutoff - 1e-9), cutoff_level(cone), 1e-6);
+    }
+    for (const double level : {0.1, 0.5, 0.9}) {
+      const double angle = angle_at_level(cone, level);
+      EXPECT_TRUE(angle == cutoff || std::abs(at(angle) - level) < 1e-12) << level;
+    }
+    double flux = 0;
+    constexpr int kSteps = 100'000;
+    for (int i = 0; i < kSteps; ++i) flux += at((i + 0.5) * cutoff / kSteps) * std::sin((i + 0.5) * cutoff / kSteps);
+    EXPECT_NEAR(flux * 2 * pi * cutoff / kSteps / flux_within(cone, pi), 1, 1e-8);
+    for (const ConeParameter& parameter : facts.parameters) {
+      Cone wrong = cone;
+      wrong.*parameter.member = kNan;
+      ASSERT_TRUE(check(wrong)) << parameter.field;
+      EXPECT_EQ(check(wrong)->rule, parameter.rule);
+      wrong.*parameter.member = parameter.most + 1e-3;
+      EXPECT_TRUE(check(wrong)) << parameter.field;
+    }
+  }
+  EXPECT_EQ(formulas::litfog_cone_at(double(kConeProfiles.size()), 1.0, 0.0, 0.0), 0) << "dark: no profile's number";
 }
 
 TEST(Cone, AngleOrExponentOutOfRangeIsAnError) {

@@ -120,6 +120,28 @@ TEST_F(FormulasShader, SmoothstepConeIsTheLibrarys) {
   error.check();
 }
 
+TEST_F(FormulasShader, EveryProfilesConeIsTheLibrarysAndAnyOtherNumberIsDark) {
+  for (const ConeProfileFacts& facts : kConeProfiles) {
+    const PlacedLight light{.light = {.cone = facts.first}};
+    const vec4 packed = pack_fog_light_kind(light, {}).cone_scale_intensity;
+    const float number = pack_fog_light_instance(light, 0).axis_profile.w;
+    const auto points =
+        random_points([&](Random& random) { return vec4(number, random.uniform(-1, 1), packed.x, packed.y); });
+    const auto results = draw("vec4 p = given(0); result = vec4(litfog_cone_at(p.x, p.y, p.z, p.w));", {points});
+    WorstError error(facts.name, "cosine -1..1", 1e-5, "absolute");
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double cosine = double(points[i].y);
+      if (std::abs(cosine - double(packed.x)) < 1e-6) continue;  // where floats round a cut-off
+      error.add(std::abs(double(results[i].x) - cone_at(light.light.cone, cosine)),
+                [&] { return describe(points[i]); });
+    }
+    error.check();
+  }
+  const auto results = draw("vec4 p = given(0); result = vec4(litfog_cone_at(p.x, 1.0, 0.5, 0.5));",
+                            {{vec4(float(kConeProfiles.size())), vec4(254), vec4(-1)}});
+  for (const vec4& result : results) EXPECT_EQ(result.x, 0);
+}
+
 TEST_F(FormulasShader, NarrowSmoothstepConeIsAStep) {
   const auto results = draw("vec4 p = given(0); result = vec4(litfog_smoothstep_cone(p.x, p.y, p.z));",
                             {{vec4(1, 1, 1, 0), vec4(0.99f, 1, 1, 0)}});

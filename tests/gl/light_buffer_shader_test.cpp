@@ -10,6 +10,7 @@
 
 #include "gl/formula_pixels.h"
 #include "gl/shader_test.h"
+#include "litfog/formulas.h"
 #include "litfog/gl/fog_light_tables.h"
 #include "litfog/gl/gl_name.h"
 
@@ -118,7 +119,7 @@ TEST_F(LightBufferShader, EveryNumberOfTexturesWhoseRowsSplitEntriesIsRead) {
 }
 
 TEST_F(LightBufferShader, CookieGetsItsInstancesNumber) {
-  instances_[4].axis_profile.w = 3;
+  instances_[4].axis_profile.w = float(LITFOG_PROFILE_COOKIE);
   const gl::FogLightTables tables = uploaded_tables();
   tables.bind_textures(1, 2);
   const gl::Program cookies = FormulaPixels::program(R"(

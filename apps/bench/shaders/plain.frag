@@ -46,7 +46,7 @@ void main() {
     vec3 to_light = light.position_extent.xyz - position;
     float range = length(to_light);
     to_light /= range;
-    vec3 sent = light.color_intensity.rgb * beam(light, -to_light);
+    vec3 sent = light.color_intensity.rgb * litfog_cone(light, -to_light);
     fog += sent * light.color_intensity.w;
     float diffuse = dot(n, to_light);
     if (diffuse > 0.0 && range <= light.position_extent.w) {

@@ -14,18 +14,6 @@ LitfogLight light_at(int i) {
   return LitfogLight(lights[5 * i], lights[5 * i + 1], lights[5 * i + 2], lights[5 * i + 3], lights[5 * i + 4]);
 }
 
-// Fraction of a light's colour in a unit direction from it.
-float beam(LitfogLight light, vec3 direction) {
-  float cosine = dot(direction, light.axis_profile.xyz);
-  int profile = int(light.axis_profile.w);
-  if (profile == 1) return cosine > light.cone.x ? pow(cosine, light.cone.y) : 0.0;
-  if (profile == 2) return smoothstep(light.cone.x, light.cone.y, cosine);
-#ifdef LITFOG_COOKIES
-  if (profile == 3) return litfog_cookie(light, direction);
-#endif
-  return 1.0;
-}
-
 float fog_factor(float range) {
   float depth = density * range;
   return exp(is_exp2 ? -depth * depth : -depth);

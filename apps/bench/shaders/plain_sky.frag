@@ -16,7 +16,7 @@ void main() {
   vec3 fog = ambient_fog_color;
   for (int i = LOCAL_COUNT; i < LIGHT_COUNT; ++i) {
     LitfogLight light = light_at(i);
-    float cone = beam(light, normalize(position - light.position_extent.xyz));
+    float cone = litfog_cone(light, normalize(position - light.position_extent.xyz));
     fog += light.color_intensity.rgb * (cone * light.color_intensity.w);
   }
   color = vec4(mix(fog, night_sky(direction), fog_factor(range)), 1.0);

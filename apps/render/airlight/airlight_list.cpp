@@ -33,11 +33,8 @@ struct SeenBeam {
 /// to_eye  unit, from the light
 SeenBeam see_beam(const PlacedLight& placed, const glm::dvec3& to_eye) {
   const Cone& cone = placed.light.cone;
-  if (cone.profile == ConeProfile::none) return {0.5 * std::numbers::pi, 1};
-  // Half angle at which it has half its brightness or less.
-  const double bright =
-      cone.profile == ConeProfile::smoothstep ? cone.outer : std::acos(std::exp2(-1 / std::max(cone.exponent, 1e-3)));
-  const double half_angle = std::min({bright, cutoff_angle(cone), 0.25 * std::numbers::pi});
+  if (cone.is_point_light()) return {0.5 * std::numbers::pi, 1};
+  const double half_angle = std::min(dim_angle(cone), 0.25 * std::numbers::pi);
   const double sine = glm::length(glm::cross(to_eye, placed.direction));
   return {std::asin(std::min(std::sin(half_angle) / std::max(sine, 1e-6), 1.0)),
           std::min(std::max(std::tan(half_angle), sine), 1.0)};

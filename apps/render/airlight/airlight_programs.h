@@ -5,8 +5,8 @@
 #include <tuple>
 
 #include "litfog/fog.h"
+#include "litfog/formulas.h"
 #include "litfog/gl/program.h"
-#include "litfog/shaders/cone_profile.glsl"
 #include "render/airlight/airlight_list.h"
 #include "scene/scene.h"
 

@@ -82,7 +82,7 @@ void LightMapStore::expect_room(const SceneLights& lights) const {
 int LightMapStore::range_side() const { return is_volume() ? size_ : pair_size(size_); }
 
 /// A point light's map is white.
-int LightMapStore::cone_side(const Cone& cone) const { return cone.profile == ConeProfile::none ? 1 : size_; }
+int LightMapStore::cone_side(const Cone& cone) const { return cone.is_point_light() ? 1 : size_; }
 
 /// Frazier's spot has the same texels at every angle. Its own is 45 degrees, at which the scale is 1.
 Cone LightMapStore::stored_cone(const Cone& cone) const {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "litfog/shaders/cone_profile.glsl"
+#include "litfog/formulas.h"
 #include "render/light/light_map.h"
 
 namespace litfog::render {

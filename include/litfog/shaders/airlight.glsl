@@ -47,9 +47,9 @@ struct LitfogAirlight {
   LITFOG_REAL linear;
   LITFOG_REAL quadratic;
   LITFOG_REAL extent;        // metres
-  LITFOG_REAL profile;       // of the cone: LITFOG_PROFILE_*
-  LITFOG_REAL cone_x;        // cosine: cos half angle; smoothstep: cos outer
-  LITFOG_REAL cone_y;        // cosine: exponent; smoothstep: cos inner
+  LITFOG_REAL profile;       // of the cone, with its x and y: LITFOG_PROFILE_*
+  LITFOG_REAL cone_x;
+  LITFOG_REAL cone_y;
   LITFOG_REAL ray_length;    // D, metres
   LITFOG_REAL approach;      // metres from the eye to the closest approach; below 0 where that is behind the eye
   LITFOG_REAL offset;        // metres from the closest approach to the lamp
@@ -114,13 +114,11 @@ LITFOG_REAL litfog_airlight_cookie(LitfogAirlight air, LITFOG_REAL along);
 #endif
 
 LITFOG_REAL litfog_airlight_beam(LitfogAirlight air, LITFOG_REAL along, LITFOG_REAL range) {
-  if (air.profile == LITFOG_REAL(LITFOG_PROFILE_NONE)) return LITFOG_REAL(1.0);
 #ifdef LITFOG_COOKIES
   if (air.profile == LITFOG_REAL(LITFOG_PROFILE_COOKIE)) return litfog_airlight_cookie(air, along);
 #endif
-  LITFOG_REAL cosine = litfog_airlight_cosine(air, along, range);
-  if (air.profile == LITFOG_REAL(LITFOG_PROFILE_COSINE)) return litfog_cosine_cone(cosine, air.cone_x, air.cone_y);
-  return litfog_smoothstep_cone(cosine, air.cone_y, air.cone_x);
+  if (!litfog_has_cone(air.profile)) return LITFOG_REAL(1.0);
+  return litfog_cone_at(air.profile, litfog_airlight_cosine(air, along, range), air.cone_x, air.cone_y);
 }
 
 // Henyey and Greenstein's phase function over its isotropic value (1941, "Diffuse Radiation in the Galaxy").
@@ -134,8 +132,9 @@ LITFOG_REAL litfog_phase(LITFOG_REAL cosine, LITFOG_REAL asymmetry) {
 LITFOG_REAL litfog_airlight_by_angles(LitfogAirlight air, LITFOG_REAL along) {
   LITFOG_REAL range = litfog_airlight_range(air, along);
   LITFOG_REAL value = range > LITFOG_REAL(0.0) ? litfog_phase(-along / range, air.asymmetry) : LITFOG_REAL(1.0);
-  if (air.profile != LITFOG_REAL(LITFOG_PROFILE_COSINE)) return value;
-  return value * litfog_cosine_cone(litfog_airlight_cosine(air, along, range), LITFOG_REAL(0.0), air.cone_y);
+  if (!litfog_cone_is_cut_off(air.profile)) return value;
+  LITFOG_REAL cosine = litfog_airlight_cosine(air, along, range);
+  return value * litfog_cone_at(air.profile, cosine, LITFOG_REAL(0.0), air.cone_y);
 }
 
 // The integrand at a distance along the ray from the closest approach.
@@ -278,13 +277,9 @@ LitfogAirlightPart litfog_airlight_inside(LitfogAirlight air, LITFOG_REAL cosine
   return part;
 }
 
-bool litfog_airlight_has_cone(LitfogAirlight air) {
-  return air.profile == LITFOG_REAL(LITFOG_PROFILE_COSINE) || air.profile == LITFOG_REAL(LITFOG_PROFILE_SMOOTHSTEP);
-}
-
 // Whether the cone is wider than a right angle, so that it lights all but one part of the ray's line.
 bool litfog_airlight_is_wide(LitfogAirlight air) {
-  return litfog_airlight_has_cone(air) && air.cone_x < LITFOG_REAL(0.0);
+  return litfog_has_cone(air.profile) && air.cone_x < LITFOG_REAL(0.0);
 }
 
 // A point lamp in isotropic fog.
@@ -364,7 +359,7 @@ LitfogAirlightSide litfog_airlight_side(LitfogAirlight air, LITFOG_REAL from, LI
   side.farthest = beyond ? to - anchor : anchor - from;
   side.rate = litfog_airlight_rate(air, side);
   // What brightens towards the far end makes up for some of the fog.
-  bool may_brighten = air.asymmetry < LITFOG_REAL(0.0) || air.profile == LITFOG_REAL(LITFOG_PROFILE_COSINE);
+  bool may_brighten = air.asymmetry < LITFOG_REAL(0.0) || litfog_cone_is_cut_off(air.profile);
   if (may_brighten && side.rate > LITFOG_REAL(0.0) && side.farthest > side.nearest) {
     LITFOG_REAL half_size = LITFOG_REAL(0.5) * (side.farthest - side.nearest);
     LITFOG_REAL end = side.anchor + side.direction * side.farthest;
@@ -511,16 +506,16 @@ struct LitfogAirlightStretch {
 };
 
 // Cosine of the half angle beyond which a beam is dark, or so dim that it adds next to nothing to what it adds
-// elsewhere on [low, high]: a cosine cone falls below 1e-5 of its brightest there.
+// elsewhere on [low, high].
 LITFOG_REAL litfog_airlight_edge(LitfogAirlight air, LITFOG_REAL low, LITFOG_REAL high) {
-  if (air.profile != LITFOG_REAL(LITFOG_PROFILE_COSINE)) return air.cone_x;
+  if (!litfog_cone_is_cut_off(air.profile)) return air.cone_x;
   LITFOG_REAL nearest = max(litfog_airlight_cosine(air, low, litfog_airlight_range(air, low)),
                             litfog_airlight_cosine(air, high, litfog_airlight_range(air, high)));
   if (air.axis_offset > LITFOG_REAL(0.0)) {
     LITFOG_REAL along = clamp(litfog_airlight_axis_crossing(air), low, high);
     nearest = max(nearest, litfog_airlight_cosine(air, along, litfog_airlight_range(air, along)));
   }
-  return max(air.cone_x, nearest * exp(LITFOG_REAL(-11.5) / max(air.cone_y, LITFOG_REAL(0.1))));
+  return litfog_cone_end(air.profile, nearest, air.cone_x, air.cone_y);
 }
 
 // The part of a ray that the lamp lights: inside extent and cone.
@@ -531,7 +526,7 @@ LitfogAirlightStretch litfog_airlight_lit(LitfogAirlight air) {
   lit.high = min(air.ray_length - air.approach, chord);
   lit.dark.low = litfog_far;
   lit.dark.high = litfog_far;
-  if (!litfog_airlight_has_cone(air) || !(lit.high > lit.low)) return lit;
+  if (!litfog_has_cone(air.profile) || !(lit.high > lit.low)) return lit;
   LitfogAirlightPart inside = litfog_airlight_inside(air, litfog_airlight_edge(air, lit.low, lit.high));
   if (!litfog_airlight_is_wide(air)) {
     lit.low = max(lit.low, inside.low);
@@ -621,7 +616,7 @@ LITFOG_REAL litfog_airlight_bound(LitfogAirlight air, LitfogAirlightStretch stre
     integral = min(integral, LITFOG_REAL(4.0) / sqrt(air.quadratic * denominator));
   }
   LITFOG_REAL beam = LITFOG_REAL(1.0);
-  if (litfog_airlight_has_cone(air) && air.axis_offset > LITFOG_REAL(0.0)) {
+  if (litfog_has_cone(air.profile) && air.axis_offset > LITFOG_REAL(0.0)) {
     LITFOG_REAL brightest = clamp(litfog_airlight_axis_crossing(air), stretch.low, stretch.high);
     beam = litfog_airlight_beam(air, brightest, litfog_airlight_range(air, brightest));
   }
@@ -668,18 +663,15 @@ LITFOG_REAL litfog_airlight_along(LitfogAirlight air, LitfogAirlightStretch stre
   LITFOG_REAL crossing = LITFOG_REAL(0.0);
   LITFOG_REAL beam_width = litfog_far;
   bool crosses = false;
-  if (litfog_airlight_has_cone(air) && air.axis_offset > LITFOG_REAL(0.0)) {
+  if (litfog_has_cone(air.profile) && air.axis_offset > LITFOG_REAL(0.0)) {
     crossing = litfog_airlight_axis_crossing(air);
-    LITFOG_REAL cosine = LITFOG_REAL(0.5) * (air.cone_x + air.cone_y);
-    LITFOG_REAL sine_squared = air.profile == LITFOG_REAL(LITFOG_PROFILE_COSINE)
-                                   ? -litfog_expm1(LITFOG_REAL(-1.3862944) / max(air.cone_y, LITFOG_REAL(0.05)))
-                                   : LITFOG_REAL(1.0) - cosine * cosine;
+    LITFOG_REAL sine_squared = litfog_cone_sine_squared(air.profile, air.cone_x, air.cone_y);
     beam_width = LITFOG_REAL(1.2) * sqrt(sine_squared) * (air.offset * air.offset + crossing * crossing) /
                  max(air.offset, LITFOG_REAL(1.0e-9));
     crosses = !litfog_airlight_is_wide(air) && crossing > low && crossing < high && beam_width < width &&
               abs(crossing) > max(LITFOG_REAL(4.0) * beam_width, LITFOG_REAL(1.0e-5) * (high - low));
   }
-  if (litfog_airlight_has_cone(air) && !crosses) {
+  if (litfog_has_cone(air.profile) && !crosses) {
     beam_width = clamp(beam_width, LITFOG_REAL(0.25) * air.offset, LITFOG_REAL(2.0) * air.offset);
     width = min(width, max(beam_width, LITFOG_REAL(0.01) * width));
   }
@@ -708,7 +700,7 @@ LITFOG_REAL litfog_airlight_along(LitfogAirlight air, LitfogAirlightStretch stre
   cuts.dark = stretch.dark;
   cuts.inner.low = litfog_far;
   cuts.inner.high = litfog_far;
-  if (cuts.are_made && air.profile == LITFOG_REAL(LITFOG_PROFILE_SMOOTHSTEP)) {
+  if (cuts.are_made && litfog_cone_has_inner_edge(air.profile)) {
     cuts.inner = litfog_airlight_inside(air, air.cone_y);
   }
   int i = litfog_airlight_used_side(0, before, beyond, before_crossing, beyond_crossing);

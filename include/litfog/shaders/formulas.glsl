@@ -35,22 +35,6 @@ LITFOG_FUNCTION LITFOG_REAL litfog_depth_exp2(LITFOG_REAL range, LITFOG_REAL den
 // 1 - e^-depth without cancellation
 LITFOG_FUNCTION LITFOG_REAL litfog_opacity(LITFOG_REAL depth) { return -litfog_expm1(-depth); }
 
-// Cosine cone: cos^S u inside the half angle, 0 outside  (Hales 2004)
-LITFOG_FUNCTION LITFOG_REAL litfog_cosine_cone(LITFOG_REAL cos_angle, LITFOG_REAL cos_half_angle,
-                                               LITFOG_REAL exponent) {
-  return cos_angle > cos_half_angle ? pow(cos_angle, exponent) : LITFOG_REAL(0.0);
-}
-
-// Dual cone: smoothstep from the outer to the inner cosine  (Randima Fernando and Mark Kilgard 2003, "The Cg Tutorial",
-// section 5.5.2)
-LITFOG_FUNCTION LITFOG_REAL litfog_smoothstep_cone(LITFOG_REAL cos_angle, LITFOG_REAL cos_inner,
-                                                   LITFOG_REAL cos_outer) {
-  if (cos_angle >= cos_inner) return LITFOG_REAL(1.0);  // first, because a narrow cone's cosines may be equal
-  if (cos_angle <= cos_outer) return LITFOG_REAL(0.0);
-  LITFOG_REAL t = (cos_angle - cos_outer) / (cos_inner - cos_outer);
-  return t * t * (LITFOG_REAL(3.0) - LITFOG_REAL(2.0) * t);
-}
-
 #undef LITFOG_FUNCTION
 #undef LITFOG_REAL
 

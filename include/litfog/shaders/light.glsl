@@ -32,7 +32,7 @@ struct LitfogLight {
   vec4 axis_profile;
   vec4 color_intensity;
   vec4 attenuation;  // x constant, y linear, z quadratic, w density scale
-  vec4 cone;         // cosine: x cos half angle, y exponent; smoothstep: x cos outer, y cos inner
+  vec4 cone;         // xy the profile's (cone_profile.glsl); of LITFOG_PROFILE_COOKIE the including program's
 };
 
 #ifdef LITFOG_COOKIES
@@ -65,13 +65,10 @@ float litfog_cookie(LitfogLight light, vec3 direction);
 
 // Fraction of the axial intensity in a unit direction from the light.
 float litfog_cone(LitfogLight light, vec3 direction) {
-  float cos_angle = dot(light.axis_profile.xyz, direction);
-  if (light.axis_profile.w == LITFOG_PROFILE_COSINE) return litfog_cosine_cone(cos_angle, light.cone.x, light.cone.y);
-  if (light.axis_profile.w == LITFOG_PROFILE_SMOOTHSTEP) return litfog_smoothstep_cone(cos_angle, light.cone.y, light.cone.x);
 #ifdef LITFOG_COOKIES
   if (light.axis_profile.w == LITFOG_PROFILE_COOKIE) return litfog_cookie(light, direction);
 #endif
-  return 1.0;
+  return litfog_cone_at(light.axis_profile.w, dot(light.axis_profile.xyz, direction), light.cone.x, light.cone.y);
 }
 
 // Range attenuation up to the extent, 0 beyond it (Hales 2004, borders of the range map).

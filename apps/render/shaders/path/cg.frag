@@ -24,11 +24,11 @@ float c5e6_attenuation(vec3 p, LitfogLight light) {
 }
 
 float spotlight(vec3 p, LitfogLight light) {
-  if (light.axis_profile.w == LITFOG_PROFILE_NONE) return 1.0;
+  if (!litfog_has_cone(light.axis_profile.w)) return 1.0;
   vec3 v = normalize(p - light.position_extent.xyz);
   float cos_direction = dot(v, light.axis_profile.xyz);
   float cos_outer_cone = light.cone.x;
-  if (light.axis_profile.w == LITFOG_PROFILE_COSINE || spot_edge == spot_edge_hard) {  // C5E8_spotlight
+  if (litfog_cone_is_cut_off(light.axis_profile.w) || spot_edge == spot_edge_hard) {  // C5E8_spotlight
     return cos_outer_cone <= cos_direction ? 1.0 : 0.0;
   }
   float cos_inner_cone = light.cone.y;
