@@ -5,8 +5,7 @@
 
 #include <vector>
 
-#include "files/angle_deg.h"
-#include "text/shown_number.h"
+#include "files/cone_json.h"
 
 namespace litfog::demo {
 namespace {
@@ -14,16 +13,8 @@ namespace {
 std::string cone_in_words(const scene::Scene& scene, std::size_t index) {
   if (scene.cookie_uses.contains(index)) return "cookie";
   const Cone& cone = scene.lights[index].light.cone;
-  switch (cone.profile) {
-    case ConeProfile::none:
-      break;
-    case ConeProfile::cosine:
-      return fmt::format("cosine to {} deg, exponent {}", files::shown_degrees(cone.half_angle),
-                         shown_number(cone.exponent));
-    case ConeProfile::smoothstep:
-      return fmt::format("smoothstep {} to {} deg", files::shown_degrees(cone.inner), files::shown_degrees(cone.outer));
-  }
-  return "all around";
+  if (cone.is_point_light()) return "all around";
+  return fmt::format("{}, {}", facts_of(cone.profile).name, files::shown_parameters(cone));
 }
 
 }  // namespace

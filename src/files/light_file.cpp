@@ -4,12 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
-#include <numbers>
 #include <string_view>
 
-#include "files/angle_deg.h"
+#include "files/cone_json.h"
 #include "files/json_document.h"
 #include "files/json_text.h"
 #include "files/light_json.h"
@@ -22,18 +20,15 @@ namespace files {
 namespace {
 
 Cone parse_cone(const JsonValue& value) {
-  const JsonValue profile = value.member("profile");
-  if (profile.string() == "cosine") {
-    value.allow_only({"profile", "half_angle_deg", "exponent"});
-    return Cone::cosine(snapped(radians(value.member("half_angle_deg").number()), 0, std::numbers::pi / 2),
-                        value.member("exponent").number());
+  Cone cone{.profile = *parse_profile(value.member("profile"))};
+  std::vector<std::string_view> names{"profile"};
+  for (const ConeParameter& parameter : facts_of(cone.profile).parameters) names.emplace_back(parameter.file_name);
+  value.allow_only(names);
+  for (const ConeParameter& parameter : facts_of(cone.profile).parameters) {
+    const double number = value.member(parameter.file_name).number();
+    cone.*parameter.member = parameter.is_angle ? snapped(radians(number), 0, parameter.most) : number;
   }
-  if (profile.string() == "smoothstep") {
-    value.allow_only({"profile", "inner_deg", "outer_deg"});
-    return Cone::smoothstep(radians(value.member("inner_deg").number()),
-                            snapped(radians(value.member("outer_deg").number()), 0, std::numbers::pi));
-  }
-  profile.fail("must be \"cosine\" or \"smoothstep\"");
+  return cone;
 }
 
 void check_source(const JsonValue& source) {
@@ -44,48 +39,51 @@ void check_source(const JsonValue& source) {
   for (const JsonValue& item : source.items()) item.string();
 }
 
-/// Where the file's terms differ from the model's.
-struct FileTerm {
-  std::string_view field;
-  std::string_view path;
-  std::string_view rule;
-};
-constexpr std::array<FileTerm, 3> kFileTerms{{
-    {"cone.half_angle", "cone.half_angle_deg", "must be in (0, 90]"},
-    {"cone.inner", "cone.inner_deg", "must be in [0, outer_deg)"},
-    {"cone.outer", "cone.outer_deg", "must be in (0, 180]"},
-}};
-
-std::string cone_json(const Cone& cone) {
-  if (cone.profile == ConeProfile::cosine) {
-    return fmt::format("{{\"profile\": \"cosine\", \"half_angle_deg\": {}, \"exponent\": {}}}",
-                       degrees(cone.half_angle), cone.exponent);
-  }
-  return fmt::format("{{\"profile\": \"smoothstep\", \"inner_deg\": {}, \"outer_deg\": {}}}", degrees(cone.inner),
-                     degrees(cone.outer));
-}
-
 }  // namespace
 
+std::optional<ConeProfile> parse_profile(const JsonValue& value, std::vector<std::string_view> words) {
+  const std::string name = value.string();
+  if (std::ranges::find(words, name) != words.end()) return std::nullopt;
+  for (const ConeProfileFacts& facts : kConeProfiles) {
+    if (facts.parameters.empty()) continue;  // a point light has no cone
+    if (facts.name == name) return facts.profile;
+    words.emplace_back(facts.name);
+  }
+  value.fail_choice(words);
+}
+
+std::string cone_json(const Cone& cone) {
+  std::string members = fmt::format("\"profile\": \"{}\"", facts_of(cone.profile).name);
+  for (const ConeParameter& parameter : facts_of(cone.profile).parameters) {
+    members += fmt::format(", \"{}\": {}", parameter.file_name, file_value(cone, parameter));
+  }
+  return "{" + members + "}";
+}
+
 void fail_light(const JsonValue& light, const ValueError& error) {
-  FileTerm term{error.field, error.field, error.rule};
-  for (const FileTerm& candidate : kFileTerms) {
-    if (candidate.field == term.field) term = candidate;
+  std::string path = error.field;
+  std::string_view rule = error.rule;
+  for (const ConeProfileFacts& facts : kConeProfiles) {
+    for (const ConeParameter& parameter : facts.parameters) {
+      if (error.field != std::string_view(parameter.field)) continue;
+      path = std::string("cone.") + parameter.file_name;
+      rule = parameter.rule_in_file;
+    }
   }
   JsonValue value = light;
-  for (std::size_t begin = 0; begin < term.path.size();) {
-    const std::size_t end = std::min(term.path.find('.', begin), term.path.size());
-    const std::string_view name = term.path.substr(begin, end - begin);
+  for (std::size_t begin = 0; begin < path.size();) {
+    const std::size_t end = std::min(path.find('.', begin), path.size());
+    const std::string_view name = std::string_view(path).substr(begin, end - begin);
     if (value.is_array()) {
       value = value.items()[std::string_view("rgb").find(name)];
     } else if (const auto member = value.optional(name)) {
       value = *member;
     } else {  // wrong because it is absent, which is 0
-      value.fail(value.path_of(name), "0", term.rule);
+      value.fail(value.path_of(name), "0", rule);
     }
     begin = end + 1;
   }
-  value.fail(term.rule);
+  value.fail(rule);
 }
 
 Light parse_light(const JsonValue& value) {
@@ -132,7 +130,7 @@ std::string format_light(const Light& light, const std::vector<std::string>& sou
   members.push_back(fmt::format("\"attenuation\": {{\"constant\": {}, \"linear\": {}, \"quadratic\": {}}}", constant,
                                 linear, quadratic));
   members.push_back(fmt::format("\"threshold\": {}", light.threshold));
-  if (light.cone.profile != ConeProfile::none) members.push_back("\"cone\": " + files::cone_json(light.cone));
+  if (!light.cone.is_point_light()) members.push_back("\"cone\": " + files::cone_json(light.cone));
   if (light.density_scale != 1) members.push_back(fmt::format("\"density_scale\": {}", light.density_scale));
   if (!fit.empty()) members.push_back(fmt::format("\"fit\": {}", fit));
   return files::json_object(members) + "\n";

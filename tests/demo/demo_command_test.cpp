@@ -921,15 +921,15 @@ TEST_F(DemoCommand, ListOfLightsSaysInWordsWhereTheyShine) {
                {"light": {"name": "bulb", "attenuation": {"constant": 1, "quadratic": 0.1}}, "position": [0, 2, 0]}]})");
   EXPECT_EQ(run("list lights four.json").out,
             "member     lights  name           x_m      y_m  z_m  constant  linear  quadratic "
-            " threshold  extent_m  cone                              density_scale  carried\n"
+            " threshold  extent_m  cone                                       density_scale  carried\n"
             "lights[0]      12  street lamp    0.1        3    1         1       0        0.1 "
-            "      0.05    13.784  cosine to 80.1 deg, exponent 1.5              1  no\n"
+            "      0.05    13.784  cosine, half_angle_deg 80.1, exponent 1.5              1  no\n"
             "lights[1]       1  torch        -0.75     1.35  4.8         0     0.3          0 "
-            "       0.1   33.3333  smoothstep 4.3 to 14 deg                    0.4  yes\n"
+            "       0.1   33.3333  smoothstep, inner_deg 4.3, outer_deg 14              0.4  yes\n"
             "lights[2]       1  stars            0  1000000    0         1       0          0 "
-            "      0.05       inf  cookie                                        1  no\n"
+            "      0.05       inf  cookie                                                 1  no\n"
             "lights[3]       1  bulb             0        2    0         1       0        0.1 "
-            "      0.05    13.784  all around                                    1  no\n");
+            "      0.05    13.784  all around                                             1  no\n");
 }
 
 /// A lamp that turns and one that the eye's vehicle carries.

@@ -109,7 +109,7 @@ TEST(LightFile, WrongConeIsAnErrorInDegrees) {
     return error_of("{\"attenuation\": {\"linear\": 1},\n\"cone\": " + cone + "}");
   };
   EXPECT_EQ(with("{}"), "f:2:9: cone.profile: must be given");
-  EXPECT_EQ(with(R"({"profile": "best"})"), R"(f:2:21: cone.profile = "best": must be "cosine" or "smoothstep")");
+  EXPECT_EQ(with(R"({"profile": "best"})"), R"(f:2:21: cone.profile = "best": must be one of cosine, smoothstep)");
   EXPECT_EQ(with(R"({"profile": "cosine", "exponent": 1})"), "f:2:9: cone.half_angle_deg: must be given");
   EXPECT_EQ(with(R"({"profile": "cosine", "half_angle_deg": 90.5, "exponent": 1})"),
             "f:2:49: cone.half_angle_deg = 90.5: must be in (0, 90]");

@@ -6,16 +6,18 @@
 #include "files/json_document.h"
 #include "files/json_schema.h"
 #include "files/light_json.h"
+#include "litfog/files/light_file.h"
 #include "litfog/input_error.h"
 
 namespace litfog::test {
 namespace {
 
-constexpr const char* kSpot = R"({"litfog": "light", "version": 1, "name": "spot", "source": ["a", "b"],
-  "color": [1, 0.5, 0], "attenuation": {"constant": 1, "linear": 0.1, "quadratic": 0.01}, "threshold": 0.05,
-  "cone": {"profile": "cosine", "half_angle_deg": 30, "exponent": 4}, "density_scale": 0.4, "fit": {}})";
-constexpr const char* kDual = R"({"litfog": "light", "version": 1, "source": "a", "attenuation": {"quadratic": 1},
-  "cone": {"profile": "smoothstep", "inner_deg": 10, "outer_deg": 20}})";
+/// The text of a light with every member.
+std::string full_light(const Cone& cone) {
+  return format_light(
+      {.name = "a", .color = {1, 0.5, 0}, .attenuation = {1, 0.1, 0.01}, .cone = cone, .density_scale = 0.4},
+      {"a", "b"}, "{}");
+}
 
 /// What a reader says; nothing where it takes the text.
 std::string refusal_of(const std::string& text) {
@@ -40,9 +42,12 @@ TEST(LightSchema, SchemaHasTheReadersMembersAlone) {
   const std::string light = R"({"litfog": "light", "version": 1, "attenuation": {"constant": 1})";
   const auto refused_members = [&](const std::string& rest) { return members_in(refusal_of(light + rest + "}")); };
   EXPECT_EQ(schema.members_at("/definitions/light"), refused_members(R"(, "zzz": 1)"));
-  EXPECT_EQ(schema.members_at("/definitions/cosine"), refused_members(R"(, "cone": {"profile": "cosine", "zzz": 1})"));
-  EXPECT_EQ(schema.members_at("/definitions/smoothstep"),
-            refused_members(R"(, "cone": {"profile": "smoothstep", "zzz": 1})"));
+  for (const ConeProfileFacts& facts : kConeProfiles) {
+    if (facts.parameters.empty()) continue;
+    const std::string name = facts.name;
+    EXPECT_EQ(schema.members_at("/definitions/" + name),
+              refused_members(R"(, "cone": {"profile": ")" + name + R"(", "zzz": 1})"));
+  }
   EXPECT_EQ(schema.members_at("/definitions/attenuation"),
             members_in(refusal_of(R"({"litfog": "light", "version": 1, "attenuation": {"zzz": 1}})")));
 }
@@ -50,7 +55,8 @@ TEST(LightSchema, SchemaHasTheReadersMembersAlone) {
 TEST(LightSchema, SchemaRefusesWhatTheReaderRefusesAndNothingElse) {
   const JsonSchema schema("light");
   int refused = 0;
-  for (const char* light : {kSpot, kDual}) {
+  for (const ConeProfileFacts& facts : kConeProfiles) {
+    const std::string light = full_light(facts.first);
     EXPECT_EQ(refusal_of(light), "");
     EXPECT_EQ(schema.error_of(light), "");
     for (const std::string& text : changed_documents(light)) {
