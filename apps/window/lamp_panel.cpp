@@ -48,33 +48,22 @@ void draw_list(Session& session, std::optional<std::size_t>& hovered) {
 }
 
 bool draw_cone(Cone& cone, bool was_point_light) {
-  constexpr std::pair<const char*, ConeProfile> kProfiles[] = {
-      {"none", ConeProfile::none}, {"cosine", ConeProfile::cosine}, {"smoothstep", ConeProfile::smoothstep}};
   bool is_changed = false;
   label("Cone");
-  const auto shown = std::ranges::find(kProfiles, cone.profile, [](const auto& profile) { return profile.second; });
-  if (ImGui::BeginCombo("##cone", shown->first)) {
-    for (const auto& [name, profile] : kProfiles) {
-      if (profile == ConeProfile::none && !was_point_light) continue;  // a file cannot take a cone away
-      if (!ImGui::Selectable(name, profile == cone.profile)) continue;
-      cone = profile == ConeProfile::cosine       ? Cone::cosine(glm::radians(30.0), 4)
-             : profile == ConeProfile::smoothstep ? Cone::smoothstep(glm::radians(15.0), glm::radians(30.0))
-                                                  : Cone{};
+  if (ImGui::BeginCombo("##cone", facts_of(cone.profile).name)) {
+    for (const ConeProfileFacts& facts : kConeProfiles) {
+      if (facts.parameters.empty() && !was_point_light) continue;  // a file cannot take a cone away
+      if (!ImGui::Selectable(facts.name, facts.profile == cone.profile)) continue;
+      cone = facts.first;
       is_changed = true;
     }
     ImGui::EndCombo();
   }
-  if (cone.profile == ConeProfile::cosine) {
-    is_changed |= slide_degrees("Half angle", cone.half_angle, 1, 90);
-    is_changed |= slide("Exponent", cone.exponent, 0, 5000, "%.4g", ImGuiSliderFlags_Logarithmic);
-  }
-  if (cone.profile == ConeProfile::smoothstep) {
-    is_changed |= slide_degrees("Inner", cone.inner, 0, 179);
-    if (cone.inner >= cone.outer) cone.outer = cone.inner + glm::radians(1.0);
-    if (slide_degrees("Outer", cone.outer, 1, 180)) {
-      is_changed = true;
-      if (cone.outer <= cone.inner) cone.inner = std::max(cone.outer - glm::radians(1.0), 0.0);
-    }
+  for (const ConeParameter& parameter : facts_of(cone.profile).parameters) {
+    const auto [least, most] = parameter.control;
+    double& value = cone.*parameter.member;
+    is_changed |= parameter.is_angle ? slide_degrees(parameter.label, value, least, most)
+                                     : slide(parameter.label, value, least, most, "%.4g", ImGuiSliderFlags_Logarithmic);
   }
   return is_changed;
 }

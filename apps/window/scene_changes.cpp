@@ -30,10 +30,12 @@ Json cone_json(const Cone& cone) {
   const auto degrees = [](double radians) {
     return *command::parse_number(fmt::format("{:.12g}", glm::degrees(radians)));
   };
-  if (cone.profile == ConeProfile::cosine) {
-    return {{"profile", "cosine"}, {"half_angle_deg", degrees(cone.half_angle)}, {"exponent", cone.exponent}};
+  Json json{{"profile", facts_of(cone.profile).name}};
+  for (const ConeParameter& parameter : facts_of(cone.profile).parameters) {
+    const double value = cone.*parameter.member;
+    json[parameter.file_name] = parameter.is_angle ? degrees(value) : value;
   }
-  return {{"profile", "smoothstep"}, {"inner_deg", degrees(cone.inner)}, {"outer_deg", degrees(cone.outer)}};
+  return json;
 }
 
 /// "lights[0].light.attenuation.quadratic" as the keys that lead there.
