@@ -63,24 +63,25 @@ void advise_on_edge(const LightTarget& target, const ConeProfileFit& best, Advic
         "samples.",
         target.flux ? ", and with it the peak that follows from the flux" : "");
   }
-  if (best.cone.profile != ConeProfile::cosine || cone.half_angle) return;
-  const double edge = std::pow(std::cos(best.cone.half_angle), best.cone.exponent);
-  if (edge <= 0.01) return;
+  const double edge = cutoff_level(best.cone);
+  if (edge <= 0.01 || cone.half_angle) return;
   advice.add(
       "The cone ends at {} degrees with {} of the peak, an edge that is visible in fog: half_angle_deg moves "
       "it.",
-      shown_angle(best.cone.half_angle), percent(edge, 2));
+      shown_angle(cutoff_angle(best.cone)), percent(edge, 2));
 }
 
 void advise_on_flux(const ConeFit& cone, Advice& advice) {
   const std::optional<double>& error = cone.best().flux_error;
   if (!error || std::abs(*error) <= 0.1) return;
-  const auto& other = cone.profile == ConeProfile::cosine ? cone.smoothstep : cone.cosine;
-  const bool is_other_nearer = other && other->flux_error && std::abs(*other->flux_error) < 0.5 * std::abs(*error);
+  const auto nearest = std::ranges::min_element(cone.profiles, {}, [](const ConeProfileFit& each) {
+    return std::abs(each.flux_error.value_or(std::numeric_limits<double>::infinity()));
+  });
+  const bool is_other_nearer = std::abs(*nearest->flux_error) < 0.5 * std::abs(*error);
   advice.add("The cone's flux is off by {:+.0f} %{}{}.", 100 * *error,
              *error < 0 ? ": it leaves out much of the beam's spill" : "",
-             is_other_nearer ? fmt::format(". Of --profile {} it is off by {:+.0f} %", name_of(other->cone.profile),
-                                           100 * *other->flux_error)
+             is_other_nearer ? fmt::format(". Of --profile {} it is off by {:+.0f} %",
+                                           facts_of(nearest->cone.profile).name, 100 * *nearest->flux_error)
                              : "");
 }
 

@@ -11,7 +11,7 @@
 
 #include "command/printable.h"
 #include "command/table.h"
-#include "files/angle_deg.h"
+#include "files/cone_json.h"
 #include "fit/advice.h"
 #include "fit/verdict.h"
 #include "text/shown_number.h"
@@ -111,36 +111,25 @@ std::string percent(const std::optional<double>& error) {
   return error ? shown_change(percent_of(*error), 3) + " %" : "-";
 }
 
-std::string shape_of(const Cone& cone) {
-  return cone.profile == ConeProfile::cosine
-             ? fmt::format("H = {:.6g} deg, S = {}", files::degrees(cone.half_angle), shown_rounded(cone.exponent, 6))
-             : fmt::format("inner {:.6g}, outer {:.6g} deg", files::degrees(cone.inner), files::degrees(cone.outer));
-}
-
 std::string uncertainty_of(const ConeProfileFit& fit) {
   if (!fit.covariance) return "not identifiable";
-  const auto deviation = [&fit](std::size_t i) { return std::sqrt((*fit.covariance)[i][i]); };
-  if (fit.cone.profile == ConeProfile::cosine) {
-    return deviation(0) > 0 ? "S +-" + shown_rounded(deviation(0), 2) : "held";
+  std::vector<std::string> texts;
+  for (const ConeParameter& parameter : fitted_parameters(fit.cone.profile)) {
+    const double deviation = std::sqrt((*fit.covariance)[texts.size()][texts.size()]);
+    const double shown = parameter.is_angle ? deviation / files::radians(1) : deviation;
+    texts.push_back(parameter.file_name + (shown > 0 ? " +-" + shown_rounded(shown, 2) : " held"));
   }
-  const auto angle = [&](std::size_t i) {
-    return deviation(i) > 0 ? fmt::format("+-{} deg", shown_rounded(deviation(i) / files::radians(1), 2)) : "held";
-  };
-  return angle(0) + ", " + angle(1);
+  return joined(texts);
 }
 
 std::string edge_of(const ConeProfileFit& fit) {
   const auto [least, most] = fit.cutoff_range;
   if (least == most) return "-";
-  return fmt::format("H in ({:.4g}, {:.4g}] deg", files::degrees(least), files::degrees(most));
+  return fmt::format("in ({:.4g}, {:.4g}] deg", files::degrees(least), files::degrees(most));
 }
 
 void add_cone(Sheet& sheet, const ConeTarget& target, const ConeFit& fit) {
-  std::vector<const ConeProfileFit*> profiles;
-  for (const auto* profile : {&fit.cosine, &fit.smoothstep}) {
-    if (*profile) profiles.push_back(&**profile);
-  }
-  sheet.add_heading(fmt::format("Cone: {} ({})", name_of(fit.profile), name_of(fit.best().status)));
+  sheet.add_heading(fmt::format("Cone: {} ({})", facts_of(fit.best().cone.profile).name, name_of(fit.best().status)));
   std::vector<std::string> wanted;
   const auto add_angle = [&wanted](const char* name, const std::optional<double>& angle) {
     if (angle) wanted.push_back(fmt::format("{} {} deg", name, files::shown_degrees(*angle)));
@@ -152,13 +141,13 @@ void add_cone(Sheet& sheet, const ConeTarget& target, const ConeFit& fit) {
   sheet.add("wanted", joined(wanted));
 
   command::Table table{.columns = {"profile"}};
-  for (const auto* profile : profiles) table.columns.emplace_back(name_of(profile->cone.profile));
+  for (const ConeProfileFit& profile : fit.profiles) table.columns.emplace_back(facts_of(profile.cone.profile).name);
   const auto add_row = [&](const char* name, const std::function<std::string(const ConeProfileFit&)>& cell) {
     auto& row = table.rows.emplace_back();
     row.emplace_back(name);
-    for (const auto* profile : profiles) row.emplace_back(cell(*profile));
+    for (const ConeProfileFit& profile : fit.profiles) row.emplace_back(cell(profile));
   };
-  add_row("shape", [](const auto& p) { return shape_of(p.cone); });
+  add_row("shape", [](const auto& p) { return files::shown_parameters(p.cone); });
   add_row("edge left open", edge_of);
   add_row("held by", [&](const auto& p) { return joined(active_constraints(p.cone, target)); });
   add_row("objective", [](const auto& p) { return fmt::format("{:.6g}", p.objective); });
@@ -181,16 +170,16 @@ void add_cone(Sheet& sheet, const ConeTarget& target, const ConeFit& fit) {
   if (target.samples.empty()) return;
 
   command::Table residuals{.columns = {"angle_deg", "fraction"}};
-  for (const auto* profile : profiles) {
-    residuals.columns.emplace_back(name_of(profile->cone.profile));
+  for (const ConeProfileFit& profile : fit.profiles) {
+    residuals.columns.emplace_back(facts_of(profile.cone.profile).name);
     residuals.columns.emplace_back("error_%");
   }
   const double peak = peak_of(target.samples);
   sheet.add_samples(std::move(residuals), target.samples.size(), [&](std::size_t i) {
     const auto& sample = target.samples[i];
     Row row{files::degrees(sample.angle), sample.intensity / peak};
-    for (const auto* profile : profiles) {
-      const double fraction = cone_at(profile->cone, std::cos(sample.angle));
+    for (const ConeProfileFit& profile : fit.profiles) {
+      const double fraction = cone_at(profile.cone, std::cos(sample.angle));
       row.insert(row.end(), {fraction, percent_of(fraction - sample.intensity / peak)});
     }
     return row;

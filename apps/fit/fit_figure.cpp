@@ -187,9 +187,7 @@ std::vector<const ConeProfileFit*> profiles_of(const Subject& subject) {
   const ConeFit& cone = *subject.fit.cone;
   if (!subject.is_alone) return {&cone.best()};
   std::vector<const ConeProfileFit*> profiles;
-  for (const auto* profile : {&cone.cosine, &cone.smoothstep}) {
-    if (*profile) profiles.push_back(&**profile);
-  }
+  for (const ConeProfileFit& profile : cone.profiles) profiles.push_back(&profile);
   return profiles;
 }
 
@@ -318,7 +316,7 @@ std::vector<command::Chart> angle_charts(const std::vector<Subject>& subjects) {
     }
     int color = subject.color;
     for (const auto* profile : profiles_of(subject)) {
-      lines.push_back(sampled(subject.name(name_of(profile->cone.profile)), color, 0, end,
+      lines.push_back(sampled(subject.name(facts_of(profile->cone.profile).name), color, 0, end,
                               [&](double angle) { return value_of(*profile, data.unit, angle); }));
       Series& error =
           errors.emplace_back(Series{.style = style_of(data.targets, SeriesStyle::line_and_points), .color = color++});
@@ -354,7 +352,7 @@ command::Chart polar_chart(const std::vector<Subject>& subjects) {
     const ConeData data = cone_data(subject, is_in_candela);
     unit = std::max(unit, data.unit);
     const ConeProfileFit& best = subject.fit.cone->best();
-    lines.push_back(sampled(subject.name(name_of(best.cone.profile)),
+    lines.push_back(sampled(subject.name(facts_of(best.cone.profile).name),
                             subject.color + (subject.is_alone && &best != profiles_of(subject).front() ? 1 : 0),
                             -data.end, data.end, [&](double angle) { return value_of(best, data.unit, angle); }));
     if (!subject.fit.beam()) continue;

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "files/angle_deg.h"
+#include "files/cone_json.h"
 
 namespace litfog::fit {
 
@@ -33,21 +33,17 @@ Json range_record(const AttenuationFit& fit) {
   return record;
 }
 
-Json cone_record(const Cone& cone) {
-  if (cone.profile == ConeProfile::cosine) {
-    return {{"profile", "cosine"}, {"half_angle_deg", files::degrees(cone.half_angle)}, {"exponent", cone.exponent}};
-  }
-  return {
-      {"profile", "smoothstep"}, {"inner_deg", files::degrees(cone.inner)}, {"outer_deg", files::degrees(cone.outer)}};
-}
-
 Json profile_record(const ConeProfileFit& fit, const ConeTarget& target) {
   Json covariance = "not identifiable";
   if (fit.covariance) {
-    covariance = fit.cone.profile == ConeProfile::cosine ? Json::array({Json::array({(*fit.covariance)[0][0]})})
-                                                         : Json(*fit.covariance);
+    const std::size_t count = fitted_parameters(fit.cone.profile).size();
+    covariance = Json::array();
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto row = (*fit.covariance)[i].begin();
+      covariance.push_back(std::vector(row, row + std::ptrdiff_t(count)));
+    }
   }
-  return {{"cone", cone_record(fit.cone)},
+  return {{"cone", Json::parse(files::cone_json(fit.cone))},
           {"status", name_of(fit.status)},
           {"objective", fit.objective},
           {"lower_bound", fit.lower_bound},
@@ -73,9 +69,10 @@ std::string fit_record(const LightFit& fit) {
   };
   if (fit.range) add("range", range_record(*fit.range));
   if (fit.cone) {
-    Json record{{"profile", name_of(fit.cone->profile)}};
-    if (fit.cone->cosine) record["cosine"] = profile_record(*fit.cone->cosine, *fit.target.cone);
-    if (fit.cone->smoothstep) record["smoothstep"] = profile_record(*fit.cone->smoothstep, *fit.target.cone);
+    Json record{{"profile", facts_of(fit.cone->best().cone.profile).name}};
+    for (const ConeProfileFit& each : fit.cone->profiles) {
+      record[facts_of(each.cone.profile).name] = profile_record(each, *fit.target.cone);
+    }
     add("cone", record);
   }
   if (fit.beam()) add("asymmetry", fit.target.asymmetry);

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "files/cone_json.h"
 #include "litfog/photometry/axial_beam.h"
 #include "litfog/photometry/elliptical_beam.h"
 
@@ -67,10 +68,9 @@ double flux_of(const Cookie& cookie) {
 }
 
 /// Makes the cone's error of flux one of the whole luminaire.
-void compare_with_luminaire(const LightTarget& target, std::optional<ConeProfileFit>& fit) {
-  if (!fit) return;
-  const double flux = peak_of(target.cone->samples) * flux_within(fit->cone, std::numbers::pi);
-  fit->flux_error = flux / luminous_flux(target.luminaire->distribution) - 1;
+void compare_with_luminaire(const LightTarget& target, ConeProfileFit& fit) {
+  const double flux = peak_of(target.cone->samples) * flux_within(fit.cone, std::numbers::pi);
+  fit.flux_error = flux / luminous_flux(target.luminaire->distribution) - 1;
 }
 
 /// What is known of the light as it is written.
@@ -106,8 +106,7 @@ LightFit fit_light(LightTarget target, bool is_robust) {
   if (target.luminaire) {
     const double cosine = dot(target.luminaire_peak.direction, target.axis);
     fit.peak_angle = std::acos(std::clamp(cosine, -1.0, 1.0));
-    compare_with_luminaire(target, fit.cone->cosine);
-    compare_with_luminaire(target, fit.cone->smoothstep);
+    for (ConeProfileFit& profile : fit.cone->profiles) compare_with_luminaire(target, profile);
   }
   if (!target.ellipses.empty()) {
     const auto lines = stretched(fit.light.cone, target.ellipses);
@@ -135,9 +134,11 @@ bool LightFit::is_proven() const {
 std::vector<std::string> active_constraints(const Cone& cone, const litfog::ConeTarget& target) {
   std::vector<std::string> active;
   if (target.half_angle) active.emplace_back("half angle given");
-  if (cone.profile == ConeProfile::cosine && cone.exponent == 0) active.emplace_back("exponent = 0");
-  if (cone.profile == ConeProfile::smoothstep && cone.inner == 0) active.emplace_back("inner = 0");
-  if (cone.profile == ConeProfile::smoothstep && cone.outer == std::numbers::pi) active.emplace_back("outer = 180");
+  for (const ConeParameter& parameter : fitted_parameters(cone.profile)) {
+    const double value = cone.*parameter.member;
+    if (value != parameter.least && value != parameter.most) continue;
+    active.push_back(fmt::format("{} = {}", parameter.name(), files::file_value(cone, parameter)));
+  }
   return active;
 }
 
@@ -154,7 +155,5 @@ const char* name_of(AttenuationFitStatus status) {
 }
 
 const char* name_of(ConeFitStatus status) { return status == ConeFitStatus::optimal ? "optimal" : "unproven"; }
-
-const char* name_of(ConeProfile profile) { return profile == ConeProfile::cosine ? "cosine" : "smoothstep"; }
 
 }  // namespace litfog::fit

@@ -41,6 +41,5 @@ std::vector<std::string> active_constraints(const Cone& cone, const ConeTarget& 
 /// The meaning of optimal, unproven and infeasible in reports.
 const char* name_of(AttenuationFitStatus status);
 const char* name_of(ConeFitStatus status);
-const char* name_of(ConeProfile profile);
 
 }  // namespace litfog::fit

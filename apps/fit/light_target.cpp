@@ -174,18 +174,6 @@ AttenuationFamily family_of(RangeSpec::Family family) {
   return AttenuationFamily::quadratic;
 }
 
-ConeChoice choice_of(ConeSpec::Profile profile) {
-  switch (profile) {
-    case ConeSpec::Profile::best:
-      break;
-    case ConeSpec::Profile::cosine:
-      return ConeChoice::cosine;
-    case ConeSpec::Profile::smoothstep:
-      return ConeChoice::smoothstep;
-  }
-  return ConeChoice::best;
-}
-
 /// "what a pilot sees by night, ..." after a comma, of an illuminance that has a name.
 std::string source_of(double end_illuminance) {
   const auto named = std::ranges::find(kVisualThresholds, end_illuminance, &VisualThreshold::illuminance);
@@ -338,7 +326,7 @@ void set_ellipses(const LightSpec& spec, LightTarget& target) {
 
 ConeTarget cone_of(const LightSpec& spec) {
   const ConeSpec& cone = *spec.cone;
-  ConeTarget target{.choice = choice_of(cone.profile),
+  ConeTarget target{.profile = cone.profile,
                     .half_angle = cone.half_angle,
                     .beam_angle = round_angle(cone.beam_angle),
                     .field_angle = round_angle(cone.field_angle)};
@@ -381,7 +369,7 @@ LightTarget read_spec(const std::string& path, const FitChoices& choices) {
       set_beam(target, choices.axis);
       target.derived.push_back(sentence_on_cone(target));
     }
-    if (choices.profile) target.cone->choice = *choices.profile;
+    if (choices.profile) target.cone->profile = *choices.profile;
     expect_fittable(spec, *target.cone);
   }
   if (spec.range) set_range(spec, target);
@@ -398,7 +386,7 @@ LightTarget target_of(Luminaire stated, const std::string& path, const FitChoice
       .file = path, .name = std::filesystem::path(path).stem().string(), .cookie_size = choices.cookie_size};
   set_luminaire(target, std::move(stated), choices.tilt);
   const Luminaire& luminaire = *target.luminaire;
-  target.cone = ConeTarget{.choice = choices.profile.value_or(ConeChoice::best)};
+  target.cone = ConeTarget{.profile = choices.profile.value_or(std::nullopt)};
   set_beam(target, choices.axis);
   const std::string file = std::filesystem::path(path).filename().string();
   if (!luminaire.name.empty()) target.name = luminaire.name;

@@ -32,7 +32,8 @@ struct AxisChoice {
 
 /// What the fit is asked for besides what the file states.
 struct FitChoices {
-  std::optional<ConeChoice> profile = std::nullopt;  ///< replaces the file's own
+  /// Replaces the file's own; nothing within is the best of all.
+  std::optional<std::optional<ConeProfile>> profile = std::nullopt;
   AxisChoice axis = {};
   double tilt = 0;      ///< radians, by which a luminaire with tilt data is tilted as it is mounted
   int cookie_size = 0;  ///< texels along an edge of the cookie that the light has in place of its cone; 0 of none

@@ -50,7 +50,7 @@ using namespace litfog::fit;
 namespace {
 
 namespace fs = std::filesystem;
-using litfog::ConeChoice;
+using litfog::ConeProfile;
 
 constexpr const char* kDescription =
     R"(Makes a light from its data sheet: the constants C, L, Q of its attenuation 1 / (C + L r + Q r^2), and a cone.
@@ -80,8 +80,8 @@ Cone. beam_angle_deg and field_angle_deg are the full angles at 50 % and 10 % of
 is [horizontal, vertical]. Cones are round: the cone is fitted to the circles of the same solid angle, so that it has
 the beam's flux, the error is stated, and --cookie keeps the ellipse. samples are angle_deg from the axis and intensity in
 any unit; half_angle_deg is where the light ends; photometry names a photometric file in place of samples. The fit
-minimises sum weight * (cone - intensity/peak)^2. profile is cosine (cos^S u for u < H), smoothstep (inner to outer), or
-best: both are fitted and shown, the better one is the light's.
+minimises sum weight * (cone - intensity/peak)^2. profile is one of
+--profile's; best: all are fitted and shown, the best one is the light's.
 
 Color. color is linear RGB; color_temperature_k may stand in its place.
 
@@ -484,11 +484,17 @@ int main(int argc, char** argv) {
   app.add_option("--catalogue", options.catalogue,
                  "Write the lights, their pictures and a page of all of them, index.html, into this folder")
       ->type_name("FOLDER");
-  ConeChoice profile = ConeChoice::best;
-  add_choice<ConeChoice>(
-      app, "--profile", profile,
-      {{"cosine", ConeChoice::cosine}, {"smoothstep", ConeChoice::smoothstep}, {"best", ConeChoice::best}},
-      "Cone profile, in place of the spec's own");
+  std::optional<ConeProfile> profile;
+  std::vector<std::pair<std::string, std::optional<ConeProfile>>> profiles;
+  std::string meanings;
+  for (const litfog::ConeProfileFacts& facts : litfog::kConeProfiles) {
+    if (litfog::fitted_parameters(facts.profile).empty()) continue;
+    profiles.emplace_back(facts.name, facts.profile);
+    meanings += std::string("; ") + facts.name + " is " + facts.meaning;
+  }
+  profiles.emplace_back("best", std::nullopt);
+  add_choice<std::optional<ConeProfile>>(app, "--profile", profile, profiles,
+                                         "Cone profile, in place of the spec's own" + meanings);
   app.add_flag("--robust", options.is_robust, "For measured falloff tables: samples that lie far off count less");
   app.add_option("--plot", options.plot, "Draw targets, fits and errors over range and angle")
       ->type_name("FILE.png|FILE.svg");

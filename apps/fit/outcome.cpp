@@ -9,7 +9,7 @@
 #include <new>
 #include <utility>
 
-#include "files/angle_deg.h"
+#include "files/cone_json.h"
 #include "files/json_text.h"
 #include "fit/advice.h"
 #include "fit/beam_data.h"
@@ -95,18 +95,16 @@ Cell percent_or_none(const std::optional<double>& fraction) {
   return fraction ? Cell(100 * *fraction) : Cell(std::monostate());
 }
 
-/// Profile, its two parameters and rms error.
+/// Profile, its parameters and rms error.
 std::vector<Cell> cone_cells(const LightFit& fit) {
   const Cone& cone = fit.light.cone;
-  switch (cone.profile) {
-    case ConeProfile::none:
-      break;
-    case ConeProfile::cosine:
-      return {"cosine", files::degrees(cone.half_angle), cone.exponent, 100 * fit.cone->best().rms};
-    case ConeProfile::smoothstep:
-      return {"smoothstep", files::degrees(cone.inner), files::degrees(cone.outer), 100 * fit.cone->best().rms};
+  std::vector<Cell> cells{facts_of(cone.profile).name};
+  for (const ConeParameter& parameter : facts_of(cone.profile).parameters) {
+    cells.emplace_back(files::file_value(cone, parameter));
   }
-  return {"none", std::monostate(), std::monostate(), std::monostate()};
+  cells.resize(1 + kMaxConeParameters, std::monostate());
+  cells.push_back(percent_or_none(fit.cone ? std::optional(fit.cone->best().rms) : std::nullopt));
+  return cells;
 }
 
 std::vector<Cell> row_of(const Outcome& outcome) {

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "files/angle_deg.h"
+#include "files/cone_json.h"
 #include "files/json_document.h"
 #include "files/light_json.h"
 #include "litfog/color_temperature.h"
@@ -26,23 +27,14 @@ struct LightSpecText {
 namespace files {
 namespace {
 
-template <typename Choice>
-using Choices = std::array<std::pair<std::string_view, Choice>, 3>;
-
-constexpr Choices<RangeSpec::Family> kFamilies{{{"quadratic", RangeSpec::Family::quadratic},
-                                                {"linear", RangeSpec::Family::linear},
-                                                {"mixed", RangeSpec::Family::mixed}}};
-constexpr Choices<ConeSpec::Profile> kProfiles{{{"best", ConeSpec::Profile::best},
-                                                {"cosine", ConeSpec::Profile::cosine},
-                                                {"smoothstep", ConeSpec::Profile::smoothstep}}};
-
-template <typename Choice>
-Choice choice_of(const JsonValue& value, const Choices<Choice>& choices) {
-  const auto found = std::ranges::find(choices, value.string(), &std::pair<std::string_view, Choice>::first);
-  if (found != choices.end()) return found->second;
-  std::vector<std::string_view> words;
-  for (const auto& [word, choice] : choices) words.push_back(word);
-  value.fail_choice(words);
+RangeSpec::Family family_of(const JsonValue& value) {
+  using Families = std::pair<std::string_view, RangeSpec::Family>;
+  constexpr std::array<Families, 3> kFamilies{{{"quadratic", RangeSpec::Family::quadratic},
+                                               {"linear", RangeSpec::Family::linear},
+                                               {"mixed", RangeSpec::Family::mixed}}};
+  const auto found = std::ranges::find(kFamilies, value.string(), &Families::first);
+  if (found != kFamilies.end()) return found->second;
+  value.fail_choice({kFamilies[0].first, kFamilies[1].first, kFamilies[2].first});
 }
 
 std::optional<double> number_of(const JsonValue& value, std::string_view name) {
@@ -118,7 +110,7 @@ RangeSpec parse_range(const JsonValue& value) {
     }
   }
   if (const auto family = value.optional("family")) {
-    range.family = choice_of(*family, kFamilies);
+    range.family = family_of(*family);
     if (!range.samples.empty()) family->fail("must not be given beside samples, which choose for themselves");
   }
   return range;
@@ -127,7 +119,7 @@ RangeSpec parse_range(const JsonValue& value) {
 ConeSpec parse_cone_spec(const JsonValue& value) {
   value.allow_only({"profile", "half_angle_deg", "beam_angle_deg", "field_angle_deg", "samples", "photometry"});
   ConeSpec cone;
-  if (const auto profile = value.optional("profile")) cone.profile = choice_of(*profile, kProfiles);
+  if (const auto profile = value.optional("profile")) cone.profile = parse_profile(*profile, {"best"});
   cone.half_angle = angle_of(value, "half_angle_deg");
   cone.beam_angle = angles_of(value, "beam_angle_deg");
   cone.field_angle = angles_of(value, "field_angle_deg");

@@ -100,10 +100,38 @@ ConeProfileFit fit_smoothstep(const std::vector<ConePoint>& points, const ConeTa
   return fit;
 }
 
+/// How a profile is fitted; nothing of one that is not.
+struct ConeFitter {
+  ConeProfileFit (*fit)(const std::vector<ConePoint>& points, const ConeTarget& target, double exact) = nullptr;
+  std::span<const ConeParameter> parameters = {};
+};
+
+ConeFitter fitter_of(ConeProfile profile) {
+  const auto parameters = facts_of(profile).parameters;
+  switch (profile) {
+    case ConeProfile::none:
+      break;
+    case ConeProfile::cosine:
+      return {fit_cosine, parameters.subspan(1)};  // without its half angle, which samples leave open
+    case ConeProfile::smoothstep:
+      return {fit_smoothstep, parameters};
+  }
+  return {};
+}
+
+std::vector<ConeProfileFacts> profiles_to_fit(const ConeTarget& target) {
+  std::vector<ConeProfileFacts> profiles(kConeProfiles.begin(), kConeProfiles.end());
+  std::erase_if(profiles, [&target](const ConeProfileFacts& each) {
+    return !fitter_of(each.profile).fit || (target.profile && each.profile != *target.profile);
+  });
+  return profiles;
+}
+
 /// A target of which what lies beyond a limit by a float's rounding is the limit.
 ConeTarget at_limits(ConeTarget target) {
-  const double widest = target.choice == ConeChoice::smoothstep ? pi : pi / 2;
-  if (target.half_angle) target.half_angle = snapped(*target.half_angle, 0, widest);
+  for (const ConeProfileFacts& facts : profiles_to_fit(target)) {
+    if (target.half_angle) target.half_angle = snapped(*target.half_angle, 0, facts.cutoff->most);
+  }
   for (std::optional<double>* angle : {&target.beam_angle, &target.field_angle}) {
     if (*angle) *angle = snapped(**angle, 0, 2 * pi);
   }
@@ -116,15 +144,18 @@ ConeTarget at_limits(ConeTarget target) {
 
 }  // namespace
 
+std::span<const ConeParameter> fitted_parameters(ConeProfile profile) { return fitter_of(profile).parameters; }
+
 std::optional<TargetError> check(const ConeTarget& given) {
   const ConeTarget target = at_limits(given);
   const auto error = [](const char* field, double value, const char* rule, std::optional<std::size_t> sample = {}) {
     return TargetError{{field, value, rule}, sample};
   };
-  if (target.half_angle) {
-    const bool is_wide = target.choice == ConeChoice::smoothstep;
-    if (!(*target.half_angle > 0 && *target.half_angle <= (is_wide ? pi : pi / 2))) {
-      return error("half_angle", *target.half_angle, is_wide ? "must be in (0, pi]" : "must be in (0, pi/2]");
+  const auto profiles = profiles_to_fit(target);
+  if (profiles.empty()) return error("profile", double(*target.profile), "must be one that is fitted");
+  for (const ConeProfileFacts& facts : profiles) {
+    if (target.half_angle && !(*target.half_angle > 0 && *target.half_angle <= facts.cutoff->most)) {
+      return error("half_angle", *target.half_angle, facts.cutoff->rule);
     }
   }
   if (target.beam_angle && !(*target.beam_angle > 0 && *target.beam_angle <= 2 * pi)) {
@@ -180,12 +211,10 @@ ConeFit fit_cone(const ConeTarget& given) {
   for (const ConePoint& point : points) exact += kExact * point.loss(0);
 
   ConeFit fit;
-  if (target.choice != ConeChoice::smoothstep) fit.cosine = fit_cosine(points, target, exact);
-  if (target.choice != ConeChoice::cosine) fit.smoothstep = fit_smoothstep(points, target, exact);
-  const bool is_smoothstep_better =
-      !fit.cosine ||
-      (fit.smoothstep && fit.smoothstep->objective < fit.cosine->objective && fit.cosine->objective > exact);
-  fit.profile = is_smoothstep_better ? ConeProfile::smoothstep : ConeProfile::cosine;
+  for (const ConeProfileFacts& facts : profiles_to_fit(target)) {
+    const double objective = fit.profiles.emplace_back(fitter_of(facts.profile).fit(points, target, exact)).objective;
+    if (fit.best().objective > exact && objective < fit.best().objective) fit.best_index = fit.profiles.size() - 1;
+  }
   fit.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
   return fit;
 }

@@ -68,11 +68,6 @@ class AttenuationFitStatus(enum.Enum):
     unproven = 1
     infeasible = 2
 
-class ConeChoice(enum.Enum):
-    cosine = 0
-    smoothstep = 1
-    best = 2
-
 class ConeFitStatus(enum.Enum):
     optimal = 0
     unproven = 1
@@ -292,11 +287,9 @@ class ConeProfileFit:
 
 class ConeFit:
     @property
-    def cosine(self) -> ConeProfileFit | None: ...
+    def profiles(self) -> list[ConeProfileFit]: ...
     @property
-    def smoothstep(self) -> ConeProfileFit | None: ...
-    @property
-    def profile(self) -> ConeProfile: ...
+    def best_index(self) -> int: ...
     @property
     def best(self) -> ConeProfileFit: ...
 
@@ -359,7 +352,7 @@ def fit_attenuation(
 ) -> AttenuationFit: ...
 def fit_cone(
     *,
-    choice: ConeChoice = ...,
+    profile: ConeProfile | None = None,
     half_angle: float | None = None,
     beam_angle: float | None = None,
     field_angle: float | None = None,

@@ -265,10 +265,6 @@ void bind_attenuation_fit(py::module_& m) {
 }
 
 void bind_cone_fit(py::module_& m) {
-  py::enum_<ConeChoice>(m, "ConeChoice", "Which profiles to fit.")
-      .value("cosine", ConeChoice::cosine, "cosine alone")
-      .value("smoothstep", ConeChoice::smoothstep, "smoothstep alone")
-      .value("best", ConeChoice::best, "both");
   py::enum_<ConeFitStatus>(m, "ConeFitStatus", "How a fit of a cone ended.")
       .value("optimal", ConeFitStatus::optimal, "no cone has an objective smaller by more than 0.1 %")
       .value("unproven", ConeFitStatus::unproven, "the best found");
@@ -300,41 +296,38 @@ void bind_cone_fit(py::module_& m) {
       .def_readonly("field_angle_error", &ConeProfileFit::field_angle_error, "relative, or None")
       .def_property_readonly(
           "covariance", [](const ConeProfileFit& self) { return array_of<2>(self.covariance); },
-          "of exponent alone, or inner and outer, 2 x 2; None where the samples do not identify them");
+          "of the parameters that the fit determines, 2 x 2; None where the samples do not identify them");
   show_fields(profile_fit, {"cone", "status", "rms", "largest_error", "flux_error"});
   make_picklable(profile_fit, {"cone", "status", "objective", "lower_bound", "rms", "largest_error", "flux_error",
                                "beam_angle_error", "field_angle_error", "covariance"});
-  py::class_<ConeFit> fit(m, "ConeFit", "The fits of the profiles chosen, and which is better.");
-  fit.def(py::init(
-              [](std::optional<ConeProfileFit> cosine, std::optional<ConeProfileFit> smoothstep, ConeProfile profile) {
-                if (!(profile == ConeProfile::cosine ? cosine : smoothstep)) {
-                  throw py::value_error("profile: must be that of a fit given");
-                }
-                return ConeFit{.cosine = std::move(cosine), .smoothstep = std::move(smoothstep), .profile = profile};
-              }))
-      .def_readonly("cosine", &ConeFit::cosine, "ConeProfileFit, or None")
-      .def_readonly("smoothstep", &ConeFit::smoothstep, "ConeProfileFit, or None")
-      .def_readonly("profile", &ConeFit::profile, "the better of them")
+  py::class_<ConeFit> fit(m, "ConeFit", "The fits of one or all profiles, and which is best.");
+  fit.def(py::init([](std::vector<ConeProfileFit> profiles, std::size_t best_index) {
+       if (best_index >= profiles.size()) throw py::value_error("best_index: must be that of a profile");
+       return ConeFit{.profiles = std::move(profiles), .best_index = best_index};
+     }))
+      .def_readonly("profiles", &ConeFit::profiles, "a ConeProfileFit of each")
+      .def_readonly("best_index", &ConeFit::best_index, "of the best of them")
       .def_property_readonly("best", &ConeFit::best, "its ConeProfileFit");
-  show_fields(fit, {"profile", "cosine", "smoothstep"});
-  make_picklable(fit, {"cosine", "smoothstep", "profile"});
+  show_fields(fit, {"profiles", "best_index"});
+  make_picklable(fit, {"profiles", "best_index"});
   m.def(
       "fit_cone",
-      [](ConeChoice choice, std::optional<double> half_angle, std::optional<double> beam_angle,
+      [](std::optional<ConeProfile> profile, std::optional<double> half_angle, std::optional<double> beam_angle,
          std::optional<double> field_angle, const py::object& angles, const py::object& intensities,
          const py::object& weights) {
-        ConeTarget target{choice, half_angle, beam_angle, field_angle};
+        ConeTarget target{profile, half_angle, beam_angle, field_angle};
         target.samples = samples_of<ConeSample>({"angles", angles}, {"intensities", intensities}, {"weights", weights});
         const py::gil_scoped_release released;
         return fit_cone(target);
       },
-      py::kw_only(), py::arg("choice") = ConeChoice::best, py::arg("half_angle") = py::none(),
+      py::kw_only(), py::arg("profile") = py::none(), py::arg("half_angle") = py::none(),
       py::arg("beam_angle") = py::none(), py::arg("field_angle") = py::none(), py::arg("angles") = py::none(),
       py::arg("intensities") = py::none(), py::arg("weights") = py::none(),
       "Fits a cone to samples, to beam and field angles (full, in radians), or to all of these: the global minimum of\n"
-      "sum of weight * (cone - I / I_max)^2 of each profile. Samples are columns: angles from the axis in radians,\n"
-      "intensities in any unit, and weights (1 where absent). Releases the GIL. ValueError with field, value and\n"
-      "rule.");
+      "sum of weight * (cone - I / I_max)^2 of the profile, of each if there is none. Samples are columns: angles "
+      "from\n"
+      "the axis in radians, intensities in any unit, and weights (1 where absent). Releases the GIL. ValueError with\n"
+      "field, value and rule.");
 }
 
 }  // namespace

@@ -451,24 +451,23 @@ void bind_lights(py::module_& m) {
       .def_readwrite("quadratic", &Attenuation::quadratic, "1/m^2");
   make_record(attenuation, {"constant", "linear", "quadratic"});
 
-  py::enum_<ConeProfile>(m, "ConeProfile", "How a light's intensity falls with the angle from its axis.")
-      .value("none", ConeProfile::none, "1 everywhere: a point light")
-      .value("cosine", ConeProfile::cosine, "cos^exponent(u) up to half_angle")
-      .value("smoothstep", ConeProfile::smoothstep, "smoothstep(cos outer, cos inner, cos u)");
+  py::enum_<ConeProfile> profile(m, "ConeProfile", "How a light's intensity falls with the angle from its axis.");
+  for (const ConeProfileFacts& facts : kConeProfiles) profile.value(facts.name, facts.profile, facts.meaning);
   py::class_<Cone> cone(m, "Cone", "Angular shape of a light. Angles are radians from the axis (half angles).");
   cone.def(py::init([](ConeProfile profile, double half_angle, double exponent, double inner, double outer) {
              return Cone{profile, half_angle, exponent, inner, outer};
            }),
-           py::arg("profile") = ConeProfile::none, py::arg("half_angle") = 0., py::arg("exponent") = 0.,
+           py::arg("profile") = ConeProfile(), py::arg("half_angle") = 0., py::arg("exponent") = 0.,
            py::arg("inner") = 0., py::arg("outer") = 0.)
       .def_readwrite("profile", &Cone::profile, "ConeProfile")
-      .def_readwrite("half_angle", &Cone::half_angle, "cosine: (0, pi/2], where the light is cut off")
-      .def_readwrite("exponent", &Cone::exponent, "cosine: finite, >= 0; 0 is a flat beam")
-      .def_readwrite("inner", &Cone::inner, "smoothstep: [0, outer), full intensity up to here")
-      .def_readwrite("outer", &Cone::outer, "smoothstep: (inner, pi], no light beyond")
       .def_static("cosine", &Cone::cosine, py::arg("half_angle"), py::arg("exponent"), "A cosine cone (Hales 2004).")
       .def_static("smoothstep", &Cone::smoothstep, py::arg("inner"), py::arg("outer"),
                   "The dual cone of the Cg Tutorial.");
+  for (const ConeProfileFacts& facts : kConeProfiles) {
+    for (const ConeParameter& each : facts.parameters) {
+      cone.def_readwrite(each.name(), each.member, (std::string(facts.name) + ": " + each.meaning).c_str());
+    }
+  }
   make_record(cone, {"profile", "half_angle", "exponent", "inner", "outer"});
 
   py::class_<Light> light(m, "Light", "A kind of light: what a light file holds.");

@@ -64,7 +64,7 @@ TEST_F(LightSpecFile, EveryMemberIsReadInSiUnits) {
   EXPECT_EQ(spec.range->samples[1].attenuation, 0.5);
   EXPECT_EQ(spec.range->samples[1].weight, 3);
   ASSERT_TRUE(spec.cone);
-  EXPECT_EQ(spec.cone->profile, ConeSpec::Profile::smoothstep);
+  EXPECT_EQ(spec.cone->profile, ConeProfile::smoothstep);
   EXPECT_EQ(spec.cone->half_angle, pi / 4);
   EXPECT_EQ(spec.cone->beam_angle, pi / 2);
   EXPECT_EQ(spec.cone->field_angle, pi);
@@ -84,7 +84,7 @@ TEST_F(LightSpecFile, MissingMembersHaveTheirDefaults) {
   EXPECT_EQ(spec.range->threshold, 0.05);
   EXPECT_EQ(spec.range->family, RangeSpec::Family::quadratic);
   EXPECT_FALSE(spec.cone);
-  EXPECT_EQ(read(R"("cone": {})").cone->profile, ConeSpec::Profile::best);
+  EXPECT_EQ(read(R"("cone": {})").cone->profile, std::nullopt);
 }
 
 TEST_F(LightSpecFile, PhotometryIsRelativeToTheFile) {

@@ -24,8 +24,8 @@ using std::numbers::pi;
 
 constexpr double radians(double degrees) { return degrees / 180 * pi; }
 
-ConeTarget target_of(ConeChoice choice, std::vector<ConeSample> samples) {
-  return {.choice = choice, .samples = std::move(samples)};
+ConeTarget target_of(std::optional<ConeProfile> profile, std::vector<ConeSample> samples) {
+  return {.profile = profile, .samples = std::move(samples)};
 }
 
 std::vector<ConeSample> sampled(const Cone& cone, double last, int count) {
@@ -148,22 +148,22 @@ TEST(ConeFit, BothProfilesHaveTheirGlobalOptimum) {
     if (samples.size() < 2) continue;
     SCOPED_TRACE(i);
     const auto name = [i] { return std::to_string(i); };
-    const ConeFit fit = fit_cone(target_of(ConeChoice::best, samples));
-    for (const auto* found : {&*fit.cosine, &*fit.smoothstep}) {
-      EXPECT_EQ(found->status, ConeFitStatus::optimal);
-      EXPECT_FALSE(check(found->cone));
-      EXPECT_NEAR(found->objective, objective_of(found->cone, samples), 1e-14 + 1e-12 * found->objective);
-      EXPECT_LE(found->lower_bound, found->objective);
-      kkt.add(found->kkt_residual, name);
-      boxes.add(double(found->boxes), name);
+    const ConeFit fit = fit_cone(target_of(std::nullopt, samples));
+    for (const ConeProfileFit& found : fit.profiles) {
+      EXPECT_EQ(found.status, ConeFitStatus::optimal);
+      EXPECT_FALSE(check(found.cone));
+      EXPECT_NEAR(found.objective, objective_of(found.cone, samples), 1e-14 + 1e-12 * found.objective);
+      EXPECT_LE(found.lower_bound, found.objective);
+      kkt.add(found.kkt_residual, name);
+      boxes.add(double(found.boxes), name);
     }
     const double cosine = best_cosine_objective(samples);
     const double smoothstep = best_smoothstep_objective(samples);
-    EXPECT_LE(fit.cosine->lower_bound, cosine * (1 + 1e-12));
-    EXPECT_LE(fit.smoothstep->lower_bound, smoothstep * (1 + 1e-12));
-    cosine_excess.add((fit.cosine->objective - 1e-20) / cosine - 1, name);
-    smoothstep_excess.add((fit.smoothstep->objective - 1e-20) / smoothstep - 1, name);
-    EXPECT_EQ(fit.best().objective, std::min(fit.cosine->objective, fit.smoothstep->objective));
+    EXPECT_LE(fit.profiles.front().lower_bound, cosine * (1 + 1e-12));
+    EXPECT_LE(fit.profiles.back().lower_bound, smoothstep * (1 + 1e-12));
+    cosine_excess.add((fit.profiles.front().objective - 1e-20) / cosine - 1, name);
+    smoothstep_excess.add((fit.profiles.back().objective - 1e-20) / smoothstep - 1, name);
+    EXPECT_EQ(fit.best().objective, std::min(fit.profiles.front().objective, fit.profiles.back().objective));
   }
   cosine_excess.check();
   smoothstep_excess.check();
@@ -179,8 +179,8 @@ TEST(ConeFit, FitOfExactSamplesIsTheConeThatTheyWereDrawnFrom) {
     const double half_angle = random.log_uniform(radians(1), radians(89));
     const double fall = -std::log(std::cos(half_angle));
     const Cone cosine = Cone::cosine(half_angle, random.log_uniform(0.01, 6) / fall);
-    const auto cosine_fit = fit_cone(target_of(ConeChoice::best, sampled(cosine, 1.23 * half_angle, 25)));
-    EXPECT_EQ(cosine_fit.profile, ConeProfile::cosine);
+    const auto cosine_fit = fit_cone(target_of(std::nullopt, sampled(cosine, 1.23 * half_angle, 25)));
+    EXPECT_EQ(cosine_fit.best().cone.profile, ConeProfile::cosine);
     EXPECT_LT(cosine_fit.best().rms, 1e-9);
     exponent_error.add(std::abs(cosine_fit.best().cone.exponent / cosine.exponent - 1),
                        [&] { return to_string(cosine); });
@@ -189,8 +189,8 @@ TEST(ConeFit, FitOfExactSamplesIsTheConeThatTheyWereDrawnFrom) {
 
     const double outer = random.log_uniform(radians(1), radians(150));
     const Cone dual = Cone::smoothstep(random.uniform(0, 0.8) * outer, outer);
-    const auto dual_fit = fit_cone(target_of(ConeChoice::best, sampled(dual, 1.2 * outer, 25)));
-    EXPECT_EQ(dual_fit.profile, ConeProfile::smoothstep);
+    const auto dual_fit = fit_cone(target_of(std::nullopt, sampled(dual, 1.2 * outer, 25)));
+    EXPECT_EQ(dual_fit.best().cone.profile, ConeProfile::smoothstep);
     EXPECT_LT(dual_fit.best().rms, 1e-9);
     for (const double error : {dual_fit.best().cone.inner - dual.inner, dual_fit.best().cone.outer - dual.outer}) {
       angle_error.add(std::abs(error) / outer, [&] { return to_string(dual); });
@@ -202,7 +202,7 @@ TEST(ConeFit, FitOfExactSamplesIsTheConeThatTheyWereDrawnFrom) {
 
 TEST(ConeFit, ResidualsThatAreRoundingHaveNoKktResidual) {
   // Their direction is chance. No cone has residuals of exactly 0 here.
-  const ConeFit fit = fit_cone(target_of(ConeChoice::smoothstep, {{0, 1, 1}, {pi / 2, 1.522997974e-8, 1}}));
+  const ConeFit fit = fit_cone(target_of(ConeProfile::smoothstep, {{0, 1, 1}, {pi / 2, 1.522997974e-8, 1}}));
   EXPECT_LT(fit.best().rms, 1e-15);
   EXPECT_EQ(fit.best().kkt_residual, 0);
 }
@@ -210,21 +210,21 @@ TEST(ConeFit, ResidualsThatAreRoundingHaveNoKktResidual) {
 TEST(ConeFit, BeamAngleAloneIsMetInClosedForm) {
   const ConeTarget target{.beam_angle = radians(20)};
   const ConeFit fit = fit_cone(target);
-  EXPECT_EQ(fit.profile, ConeProfile::cosine) << "both are exact";
-  EXPECT_NEAR(fit.cosine->cone.exponent, std::log(0.5) / std::log(std::cos(radians(10))), 1e-9);
-  EXPECT_NEAR(cone_at(Cone::cosine(pi / 2, fit.cosine->cone.exponent), std::cos(fit.cosine->cone.half_angle)), 5e-4,
-              1e-12);
-  EXPECT_EQ(fit.smoothstep->cone.inner, 0) << "the softest edge";
-  EXPECT_NEAR(std::cos(fit.smoothstep->cone.outer), 2 * std::cos(radians(10)) - 1, 1e-15);
-  EXPECT_NEAR(*fit.smoothstep->beam_angle_error, 0, 1e-12);
-  EXPECT_FALSE(fit.smoothstep->covariance);
-  EXPECT_FALSE(fit.smoothstep->field_angle_error);
-  EXPECT_FALSE(fit.smoothstep->flux_error);
+  EXPECT_EQ(fit.best().cone.profile, ConeProfile::cosine) << "both are exact";
+  const Cone& cosine = fit.profiles.front().cone;
+  EXPECT_NEAR(cosine.exponent, std::log(0.5) / std::log(std::cos(radians(10))), 1e-9);
+  EXPECT_NEAR(cone_at(Cone::cosine(pi / 2, cosine.exponent), std::cos(cosine.half_angle)), 5e-4, 1e-12);
+  EXPECT_EQ(fit.profiles.back().cone.inner, 0) << "the softest edge";
+  EXPECT_NEAR(std::cos(fit.profiles.back().cone.outer), 2 * std::cos(radians(10)) - 1, 1e-15);
+  EXPECT_NEAR(*fit.profiles.back().beam_angle_error, 0, 1e-12);
+  EXPECT_FALSE(fit.profiles.back().covariance);
+  EXPECT_FALSE(fit.profiles.back().field_angle_error);
+  EXPECT_FALSE(fit.profiles.back().flux_error);
 }
 
 TEST(ConeFit, BeamAndFieldAngleAreMetByTheDualCone) {
   const ConeFit fit = fit_cone({.beam_angle = radians(11), .field_angle = radians(13)});
-  EXPECT_EQ(fit.profile, ConeProfile::smoothstep);
+  EXPECT_EQ(fit.best().cone.profile, ConeProfile::smoothstep);
   EXPECT_NEAR(cone_at(fit.best().cone, std::cos(radians(5.5))), 0.5, 1e-12);
   EXPECT_NEAR(cone_at(fit.best().cone, std::cos(radians(6.5))), 0.1, 1e-12);
   EXPECT_NEAR(*fit.best().beam_angle_error, 0, 1e-12);
@@ -234,30 +234,30 @@ TEST(ConeFit, BeamAndFieldAngleAreMetByTheDualCone) {
 
 TEST(ConeFit, CosineConeOfALambertianPatchHasExponentOneAndItsGivenEdge) {
   const ConeFit fit =
-      fit_cone({.choice = ConeChoice::cosine, .half_angle = radians(80), .beam_angle = radians(120), .samples = {}});
+      fit_cone({.profile = ConeProfile::cosine, .half_angle = radians(80), .beam_angle = radians(120), .samples = {}});
   EXPECT_NEAR(fit.best().cone.exponent, 1, 1e-12);
   EXPECT_EQ(fit.best().cone.half_angle, radians(80));
   EXPECT_EQ(fit.best().cutoff_range, (std::array{radians(80), radians(80)}));
-  EXPECT_FALSE(fit.smoothstep);
+  EXPECT_EQ(fit.profiles.size(), 1u);
 }
 
 TEST(ConeFit, GivenHalfAngleIsWhereEitherProfileEnds) {
   const auto samples = sampled(Cone::cosine(radians(40), 20), radians(60), 31);
-  ConeTarget target = target_of(ConeChoice::best, samples);
+  ConeTarget target = target_of(std::nullopt, samples);
   target.half_angle = radians(50);
   const ConeFit fit = fit_cone(target);
-  EXPECT_EQ(fit.cosine->cone.half_angle, radians(50));
-  EXPECT_EQ(fit.smoothstep->cone.outer, radians(50));
-  EXPECT_EQ(fit.cosine->status, ConeFitStatus::optimal);
-  EXPECT_EQ(fit.smoothstep->status, ConeFitStatus::optimal);
+  EXPECT_EQ(fit.profiles.front().cone.half_angle, radians(50));
+  EXPECT_EQ(fit.profiles.back().cone.outer, radians(50));
+  EXPECT_EQ(fit.profiles.front().status, ConeFitStatus::optimal);
+  EXPECT_EQ(fit.profiles.back().status, ConeFitStatus::optimal);
 }
 
 TEST(ConeFit, EdgeBetweenSamplesIsAsSoftAsTheyAllow) {
-  const ConeFit fit = fit_cone(target_of(ConeChoice::smoothstep, {{0, 1}, {radians(5), 1}, {radians(8.75), 0}}));
+  const ConeFit fit = fit_cone(target_of(ConeProfile::smoothstep, {{0, 1}, {radians(5), 1}, {radians(8.75), 0}}));
   EXPECT_EQ(fit.best().cone, Cone::smoothstep(radians(5), radians(8.75)));
   EXPECT_EQ(fit.best().objective, 0);
   const ConeFit through =
-      fit_cone(target_of(ConeChoice::smoothstep, {{0, 1}, {radians(5), 1}, {radians(6), 0.5}, {radians(20), 0}}));
+      fit_cone(target_of(ConeProfile::smoothstep, {{0, 1}, {radians(5), 1}, {radians(6), 0.5}, {radians(20), 0}}));
   EXPECT_DOUBLE_EQ(through.best().cone.inner, radians(5));
   EXPECT_NEAR(std::cos(through.best().cone.outer), 2 * std::cos(radians(6)) - std::cos(radians(5)), 1e-15);
 }
@@ -269,7 +269,7 @@ TEST(ConeFit, CutOffOfABeamWithAFaintSpillIsNearTheBeam) {
     const double beam = std::pow(std::cos(radians(angle)), exponent);
     samples.push_back({radians(angle), angle <= 75 ? std::max(beam, 0.001) : 0});
   }
-  const ConeFit fit = fit_cone(target_of(ConeChoice::cosine, samples));
+  const ConeFit fit = fit_cone(target_of(ConeProfile::cosine, samples));
   const Cone& cone = fit.best().cone;
   EXPECT_LT(cone.half_angle, radians(15)) << "whoever culls by it pays for more";
   EXPECT_LE(cone_at(cone, std::cos(cone.half_angle - 1e-9)), 5e-4 * (1 + 1e-6)) << "without a visible edge";
@@ -279,12 +279,12 @@ TEST(ConeFit, CutOffOfABeamWithAFaintSpillIsNearTheBeam) {
 
 TEST(ConeFit, CutOffOfTheCosineConeIsBetweenTheLastLitAndTheFirstDarkSample) {
   const ConeFit flat = fit_cone(
-      target_of(ConeChoice::cosine, {{0, 1}, {radians(10), 1}, {radians(20), 1}, {radians(30), 0}, {radians(40), 0}}));
+      target_of(ConeProfile::cosine, {{0, 1}, {radians(10), 1}, {radians(20), 1}, {radians(30), 0}, {radians(40), 0}}));
   EXPECT_EQ(flat.best().cone.exponent, 0);
   EXPECT_EQ(flat.best().cutoff_range, (std::array{radians(20), radians(30)}));
   EXPECT_DOUBLE_EQ(flat.best().cone.half_angle, radians(25));
   EXPECT_EQ(flat.best().objective, 0);
-  const ConeFit axis_only = fit_cone(target_of(ConeChoice::cosine, {{0, 1}, {radians(10), 0}}));
+  const ConeFit axis_only = fit_cone(target_of(ConeProfile::cosine, {{0, 1}, {radians(10), 0}}));
   EXPECT_EQ(axis_only.best().cone, Cone::cosine(radians(5), 0));
   EXPECT_FALSE(axis_only.best().covariance);
 }
@@ -292,7 +292,7 @@ TEST(ConeFit, CutOffOfTheCosineConeIsBetweenTheLastLitAndTheFirstDarkSample) {
 TEST(ConeFit, WeightedFitOfAFlatBeamIsItsWeightedMean) {
   // One free value: the samples inside the edge of a cosine cone that all stand at one angle but for rounding.
   const double angle = radians(30);
-  ConeTarget target{.choice = ConeChoice::cosine, .half_angle = radians(60), .beam_angle = 2 * angle};
+  ConeTarget target{.profile = ConeProfile::cosine, .half_angle = radians(60), .beam_angle = 2 * angle};
   target.samples = {{0, 1}, {angle, 0.8, 3}};
   const ConeFit fit = fit_cone(target);
   const double mean = (0.5 * 1 + 0.8 * 3) / 4;
@@ -307,7 +307,7 @@ TEST(ConeFit, WeightedFitOfAFlatBeamIsItsWeightedMean) {
 TEST(ConeFit, CosineMatchedAtTheBeamAngleMissesTheFieldAngleOfRealBeams) {
   // Known answers of two luminaires: half angles at 50 % and 10 % of the peak.
   for (const auto& [beam, field] : {std::pair{5.00, 10.09}, {15.01, 20.87}}) {
-    const Cone matched = fit_cone({.choice = ConeChoice::cosine, .beam_angle = radians(2 * beam)}).best().cone;
+    const Cone matched = fit_cone({.profile = ConeProfile::cosine, .beam_angle = radians(2 * beam)}).best().cone;
     const ConeFit fit = fit_cone({.beam_angle = radians(2 * beam), .field_angle = radians(2 * field)});
     EXPECT_GT(std::abs(angle_at_level(matched, 0.1) / radians(field) - 1), 0.09);
     EXPECT_LT(std::abs(*fit.best().field_angle_error), std::abs(angle_at_level(matched, 0.1) / radians(field) - 1));
@@ -316,10 +316,10 @@ TEST(ConeFit, CosineMatchedAtTheBeamAngleMissesTheFieldAngleOfRealBeams) {
 
 TEST(ConeFit, FluxErrorComparesWithTheSamplesFlux) {
   // Linear from 1 to 0 in a right angle: 2 pi * integral of (1 - 2 u / pi) sin u = 2 pi (1 - 2 / pi).
-  const ConeFit fit = fit_cone(target_of(ConeChoice::best, {{0, 7}, {pi / 2, 0}}));
+  const ConeFit fit = fit_cone(target_of(std::nullopt, {{0, 7}, {pi / 2, 0}}));
   const double flux = 2 * pi * (1 - 2 / pi);
-  for (const auto* profile : {&*fit.cosine, &*fit.smoothstep}) {
-    EXPECT_NEAR(*profile->flux_error, flux_within(profile->cone, pi) / flux - 1, 1e-13);
+  for (const ConeProfileFit& profile : fit.profiles) {
+    EXPECT_NEAR(*profile.flux_error, flux_within(profile.cone, pi) / flux - 1, 1e-13);
   }
 }
 
@@ -337,7 +337,7 @@ TEST(ConeFit, CovarianceHasTheScatterOfRepeatedFits) {
   double inner_variance = 0;
   double outer_variance = 0;
   for (int i = 0; i < kFits; ++i) {
-    ConeTarget target = target_of(ConeChoice::smoothstep, clean);
+    ConeTarget target = target_of(ConeProfile::smoothstep, clean);
     for (std::size_t k = 1; k < clean.size(); ++k) target.samples[k].intensity += 0.01 * normal();
     const auto fit = fit_cone(target).best();
     ASSERT_TRUE(fit.covariance);
@@ -357,8 +357,8 @@ TEST(ConeFit, SamplesWithoutWeightAreLeftOut) {
   auto without = samples;
   without.erase(without.begin() + 12);
   without.erase(without.begin() + 7);
-  EXPECT_EQ(fit_cone(target_of(ConeChoice::best, with_outliers)).best().cone,
-            fit_cone(target_of(ConeChoice::best, without)).best().cone);
+  EXPECT_EQ(fit_cone(target_of(std::nullopt, with_outliers)).best().cone,
+            fit_cone(target_of(std::nullopt, without)).best().cone);
 }
 
 TEST(ConeFit, ErrorNamesFieldValueAndRule) {
@@ -367,7 +367,8 @@ TEST(ConeFit, ErrorNamesFieldValueAndRule) {
   EXPECT_EQ(error({.samples = {{0, 1}, {1, 1, 0}}}),
             "samples = 1: must be at least two with weight where no beam or field angle is given");
   EXPECT_EQ(error({.half_angle = 1.6, .beam_angle = 1}), "half_angle = 1.6: must be in (0, pi/2]");
-  EXPECT_EQ(error({.choice = ConeChoice::smoothstep, .half_angle = 3.5, .beam_angle = 1}),
+  EXPECT_EQ(error({.profile = ConeProfile::none, .beam_angle = 1}), "profile = 0: must be one that is fitted");
+  EXPECT_EQ(error({.profile = ConeProfile::smoothstep, .half_angle = 3.5, .beam_angle = 1}),
             "half_angle = 3.5: must be in (0, pi]");
   EXPECT_EQ(error({.beam_angle = 0}), "beam_angle = 0: must be in (0, 2 pi]");
   EXPECT_EQ(error({.beam_angle = kNan}), "beam_angle = nan: must be in (0, 2 pi]");
@@ -387,16 +388,16 @@ TEST(ConeFit, ErrorNamesFieldValueAndRule) {
 TEST(ConeFit, TargetsAtTheEndsOfTheirRangesAreFitted) {
   for (const ConeTarget& target :
        {ConeTarget{.beam_angle = 1e-6}, ConeTarget{.beam_angle = 2 * pi}, ConeTarget{.field_angle = 2 * pi},
-        ConeTarget{.beam_angle = 1, .field_angle = 2 * pi}, target_of(ConeChoice::best, {{0, 1}, {1e-300, 1}}),
-        target_of(ConeChoice::best, {{0, 1}, {pi, 1}}), target_of(ConeChoice::best, {{pi / 2, 1}, {pi, 0.5}}),
-        target_of(ConeChoice::best, {{0, 1e-300}, {1, 1e308}}), target_of(ConeChoice::best, {{0, 1, 1e100}, {1, 0.5}}),
-        target_of(ConeChoice::best, {{0, 0}, {0.1, 0}, {0.2, 1}, {0.3, 0}})}) {
+        ConeTarget{.beam_angle = 1, .field_angle = 2 * pi}, target_of(std::nullopt, {{0, 1}, {1e-300, 1}}),
+        target_of(std::nullopt, {{0, 1}, {pi, 1}}), target_of(std::nullopt, {{pi / 2, 1}, {pi, 0.5}}),
+        target_of(std::nullopt, {{0, 1e-300}, {1, 1e308}}), target_of(std::nullopt, {{0, 1, 1e100}, {1, 0.5}}),
+        target_of(std::nullopt, {{0, 0}, {0.1, 0}, {0.2, 1}, {0.3, 0}})}) {
     const ConeFit fit = fit_cone(target);
-    for (const auto* profile : {&*fit.cosine, &*fit.smoothstep}) {
-      EXPECT_FALSE(check(profile->cone)) << to_string(*check(profile->cone));
-      EXPECT_TRUE(std::isfinite(profile->objective));
-      EXPECT_EQ(profile->status, ConeFitStatus::optimal)
-          << to_string(profile->cone) << profile->objective << " " << profile->lower_bound << " " << profile->boxes;
+    for (const ConeProfileFit& profile : fit.profiles) {
+      EXPECT_FALSE(check(profile.cone)) << to_string(*check(profile.cone));
+      EXPECT_TRUE(std::isfinite(profile.objective));
+      EXPECT_EQ(profile.status, ConeFitStatus::optimal)
+          << to_string(profile.cone) << profile.objective << " " << profile.lower_bound << " " << profile.boxes;
     }
   }
 }

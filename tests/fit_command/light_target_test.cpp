@@ -20,7 +20,6 @@ using namespace fit;
 namespace {
 
 using litfog::AttenuationFamily;
-using litfog::ConeChoice;
 using std::numbers::pi;
 
 /// A round beam of 100 cd on the axis.
@@ -89,7 +88,7 @@ TEST_F(LightTargetFile, EveryMemberIsRead) {
   EXPECT_EQ(target.range->samples[1].attenuation, 0.5);
   EXPECT_EQ(target.range->samples[1].weight, 3);
   ASSERT_TRUE(target.cone);
-  EXPECT_EQ(target.cone->choice, ConeChoice::smoothstep);
+  EXPECT_EQ(target.cone->profile, ConeProfile::smoothstep);
   EXPECT_EQ(target.cone->half_angle, pi / 4);
   EXPECT_DOUBLE_EQ(*target.cone->beam_angle, 11 * pi / 180);
   EXPECT_DOUBLE_EQ(*target.cone->field_angle, 22 * pi / 180);
@@ -103,8 +102,8 @@ TEST_F(LightTargetFile, EveryMemberIsRead) {
 TEST_F(LightTargetFile, ProfileOfTheCallerWins) {
   const std::string path =
       write("f.json", R"({"litfog": "light-spec", "version": 1, "cone": {"profile": "cosine", "beam_angle_deg": 9}})");
-  EXPECT_EQ(read_spec(path).cone->choice, ConeChoice::cosine);
-  EXPECT_EQ(read_spec(path, {.profile = ConeChoice::best}).cone->choice, ConeChoice::best);
+  EXPECT_EQ(read_spec(path).cone->profile, ConeProfile::cosine);
+  EXPECT_EQ(read_spec(path, {.profile = std::optional<ConeProfile>()}).cone->profile, std::nullopt);
 }
 
 TEST_F(LightTargetFile, PhotometryIsRelativeToTheSpecAndGivesAnExtent) {

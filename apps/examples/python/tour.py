@@ -85,18 +85,18 @@ for axis, metres in zip(axes, (400, 100, 30)):
     axis.axis("off")
 show("airlight")
 
-# %% From samples of a beam to a cone: the better of two profiles, each the best of its kind.
+# %% From samples of a beam to a cone: the best of all profiles, each the best of its kind.
 angles = np.radians([0, 3, 6, 9, 12, 15, 18, 24])
 candela = np.array([17000, 16500, 14900, 10200, 5700, 2500, 900, 80])
 fit = litfog.fit_cone(angles=angles, intensities=candela)
 fine = np.linspace(0, 0.5, 300)
 plt.plot(np.degrees(angles), candela / candela.max(), "ko", label="measured")
-for profile in (fit.cosine, fit.smoothstep):
+for profile in fit.profiles:
     name = f"{profile.cone.profile.name}: rms {profile.rms:.3f}"
     plt.plot(np.degrees(fine), litfog.cone_at(profile.cone, np.cos(fine)), label=name)
 plt.xlabel("angle from the axis, degrees")
 plt.ylabel("fraction of the axial intensity")
-plt.title(f"the better cone: {fit.profile.name}")
+plt.title(f"the better cone: {fit.best.cone.profile.name}")
 plt.grid(alpha=0.3)
 plt.legend()
 show("cone")

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "litfog/attenuation.h"
+#include "litfog/cone.h"
 #include "litfog/files/output_error.h"
 #include "litfog/input_error.h"
 
@@ -42,7 +43,7 @@ namespace litfog {
 ///       },
 ///       "cone": {                               optional: a point light; each member optional, but not all angles,
 ///                                               samples and photometry
-///         "profile": "best",                    best (of both), cosine or smoothstep
+///         "profile": "best",                    best (of all), or a profile of light files
 ///         "half_angle_deg": 30,                 where the light ends
 ///         "beam_angle_deg": 11,                 full angle at 50 % of the peak; [12, 6], horizontal and vertical, of
 ///                                               an elliptical beam, which has no samples
@@ -117,7 +118,6 @@ struct FullAngles {
 
 /// The member "cone".
 struct ConeSpec {
-  enum class Profile { best, cosine, smoothstep };
   /// An intensity, in any unit, at an angle from the axis.
   struct Sample {
     double angle = 0;  ///< radians
@@ -125,8 +125,8 @@ struct ConeSpec {
     double weight = 1;
   };
 
-  Profile profile = Profile::best;
-  std::optional<double> half_angle = {};  ///< radians
+  std::optional<ConeProfile> profile = {};  ///< absent: the best of those that can be fitted
+  std::optional<double> half_angle = {};    ///< radians
   std::optional<FullAngles> beam_angle = {};
   std::optional<FullAngles> field_angle = {};
   std::vector<Sample> samples = {};

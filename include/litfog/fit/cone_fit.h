@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "litfog/cone.h"
@@ -26,18 +27,15 @@ std::vector<ConeSample> cone_samples(const std::vector<AxialSample>& profile);
 /// The largest intensity of the samples with weight, 0 of none.
 double peak_of(const std::vector<ConeSample>& samples);
 
-/// Which profiles to fit.
-enum class ConeChoice {
-  cosine,
-  smoothstep,
-  best,  ///< both; the one with the smaller objective, the cosine where they are equal
-};
+/// The parameters that a fit of a profile determines, in the order of its covariance; none of one that is not fitted.
+std::span<const ConeParameter> fitted_parameters(ConeProfile profile);
 
 /// What a cone is to look like: samples, a beam or a field angle, or all of these.
 struct ConeTarget {
-  ConeChoice choice = ConeChoice::best;
-  /// Where the light ends, radians from the axis, in (0, pi/2], for a smoothstep alone (0, pi]: the cosine cone's
-  /// half_angle, the dual cone's outer. Free where absent.
+  /// The only profile to fit. Absent: all that are fitted.
+  std::optional<ConeProfile> profile = std::nullopt;
+  /// Where the light ends, radians from the axis: the cut-off of every profile to fit, in the range of them all. Free
+  /// where absent.
   std::optional<double> half_angle = std::nullopt;
   std::optional<double> beam_angle = std::nullopt;   ///< full angle at 50 % of the peak, radians, (0, 2 pi]
   std::optional<double> field_angle = std::nullopt;  ///< full angle at 10 %, above the beam angle
@@ -71,8 +69,8 @@ struct ConeProfileFit {
   /// Largest |cosine| between the residuals and the effect of a parameter that is free to move; 0 at a smooth optimum,
   /// and of residuals that are but rounding.
   double kkt_residual = 0;
-  /// Of the parameters, from the residuals' own variance: exponent alone, or inner and outer in radians; 0 for one at a
-  /// bound or given. Absent where the samples do not identify them (fit_cone) or leave no degrees of freedom.
+  /// Of fitted_parameters(), from the residuals' own variance; 0 for one at a bound or given, and beyond their number.
+  /// Absent where the samples do not identify them (fit_cone) or leave no degrees of freedom.
   std::optional<std::array<std::array<double, 2>, 2>> covariance = std::nullopt;
   /// The objective is the same for every cut-off in (first, second], which the samples leave open. Both are the cut-off
   /// itself where the samples determine it.
@@ -82,14 +80,13 @@ struct ConeProfileFit {
   ConeFitStatus status = ConeFitStatus::optimal;
 };
 
-/// The fits of the profiles chosen, and which is better.
+/// The fits of one or all profiles, and which is best.
 struct ConeFit {
-  std::optional<ConeProfileFit> cosine = std::nullopt;      ///< where it was chosen
-  std::optional<ConeProfileFit> smoothstep = std::nullopt;  ///< likewise
-  ConeProfile profile = ConeProfile::cosine;                ///< the better of them
+  std::vector<ConeProfileFit> profiles = {};  ///< in the order of ConeProfile
+  std::size_t best_index = 0;  ///< of the smallest objective, of the first of them where they are equal or exact
   double milliseconds = 0;
 
-  const ConeProfileFit& best() const { return profile == ConeProfile::cosine ? *cosine : *smoothstep; }
+  const ConeProfileFit& best() const { return profiles[best_index]; }
 };
 
 /// Fits a cone to a target: the global minimum of sum of weight * (cone_at(cos u) - I / I_max)^2 over all cones of a
@@ -108,7 +105,7 @@ struct ConeFit {
 /// smoothstep   with fewer samples in the edge than free angles, the softest edge that they allow: inner as small as
 ///              the samples at full intensity let it be
 ///
-/// returns      each profile chosen, and which is better; covariance is absent where the rules above made the choice
+/// returns      each profile, and which is best; covariance is absent where the rules above made the choice
 /// max error    objective 0.1 % above the global minimum, or 1e-20 of sum of weight * (I / I_max)^2 (cone_fit_test.cpp)
 /// throws       std::invalid_argument with the sentence of check(target)
 ConeFit fit_cone(const ConeTarget& target);
