@@ -9,24 +9,30 @@ function(litfog_add_bundled_lights target)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${path})
     file(READ ${path} json)
     foreach(member name threshold "color 0" "color 1" "color 2" "attenuation constant" "attenuation linear"
-            "attenuation quadratic" "cone profile" "cone half_angle_deg" "cone exponent" "cone inner_deg"
-            "cone outer_deg")
+            "attenuation quadratic" "cone profile")
       string(REPLACE " " ";" keys ${member})
       string(REPLACE " " "_" variable ${member})
-      string(JSON ${variable} ERROR_VARIABLE error GET ${json} ${keys})  # a cone has the members of its profile
+      string(JSON ${variable} GET ${json} ${keys})
     endforeach()
-    if(cone_profile STREQUAL "cosine")
-      set(cone "Cone::cosine(glm::radians(${cone_half_angle_deg} * 1.0), ${cone_exponent})")
-    else()
-      set(cone "Cone::smoothstep(glm::radians(${cone_inner_deg} * 1.0), glm::radians(${cone_outer_deg} * 1.0))")
-    endif()
+    set(cone ".profile = ConeProfile::${cone_profile}")
+    string(JSON count LENGTH ${json} cone)
+    foreach(i RANGE 1 ${count})
+      math(EXPR i "${i} - 1")
+      string(JSON member MEMBER ${json} cone ${i})
+      string(JSON value GET ${json} cone ${member})
+      if(member MATCHES "(.*)_deg$")
+        string(APPEND cone ", .${CMAKE_MATCH_1} = glm::radians(${value} * 1.0)")
+      elseif(NOT member STREQUAL "profile")
+        string(APPEND cone ", .${member} = ${value}")
+      endif()
+    endforeach()
     string(APPEND entries "  if (file == \"${file}\") {\n"
                           "    return {.name = \"${name}\",\n"
                           "            .color = {${color_0}, ${color_1}, ${color_2}},\n"
                           "            .attenuation = {${attenuation_constant}, ${attenuation_linear}, "
                           "${attenuation_quadratic}},\n"
                           "            .threshold = ${threshold},\n"
-                          "            .cone = ${cone}};\n"
+                          "            .cone = {${cone}}};\n"
                           "  }\n")
   endforeach()
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target}_lights)

@@ -5,6 +5,7 @@
 #include <emscripten/emscripten.h>
 #include <emscripten/html5.h>
 #include <epoxy/gl.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -76,42 +77,38 @@ enum LampMember {
   quadratic,
   threshold,
   profile,
-  first_angle,
-  second,
-  kLampMembers
+  first_parameter,
+  kLampMembers = first_parameter + kMaxConeParameters
 };
 
 using LampValues = std::array<double, kLampMembers>;
 
 LampValues values_of(const Light& light) {
-  const bool is_cosine = light.cone.profile == ConeProfile::cosine;
-  return {light.color.r,
-          light.color.g,
-          light.color.b,
-          light.attenuation.constant,
-          light.attenuation.linear,
-          light.attenuation.quadratic,
-          light.threshold,
-          double(light.cone.profile),
-          glm::degrees(is_cosine ? light.cone.half_angle : light.cone.inner),
-          is_cosine ? light.cone.exponent : glm::degrees(light.cone.outer)};
+  LampValues values{light.color.r,
+                    light.color.g,
+                    light.color.b,
+                    light.attenuation.constant,
+                    light.attenuation.linear,
+                    light.attenuation.quadratic,
+                    light.threshold,
+                    double(light.cone.profile)};
+  std::size_t i = first_parameter;
+  for (const ConeParameter& parameter : facts_of(light.cone.profile).parameters) {
+    const double value = light.cone.*parameter.member;
+    values[i++] = parameter.is_angle ? glm::degrees(value) : value;
+  }
+  return values;
 }
 
 Light light_of(const LampValues& values, Light light) {
   light.color = {values[red], values[green], values[blue]};
   light.attenuation = {values[constant], values[linear], values[quadratic]};
   light.threshold = values[threshold];
-  const double angle = glm::radians(values[first_angle]);
-  switch (ConeProfile(int(values[profile]))) {
-    case ConeProfile::none:
-      light.cone = {};
-      break;
-    case ConeProfile::cosine:
-      light.cone = Cone::cosine(angle, values[second]);
-      break;
-    case ConeProfile::smoothstep:
-      light.cone = Cone::smoothstep(angle, glm::radians(values[second]));
-      break;
+  light.cone = {.profile = ConeProfile(int(values[profile]))};
+  std::size_t i = first_parameter;
+  for (const ConeParameter& parameter : facts_of(light.cone.profile).parameters) {
+    const double value = values[i++];
+    light.cone.*parameter.member = parameter.is_angle ? glm::radians(value) : value;
   }
   return light;
 }
@@ -222,6 +219,7 @@ EMSCRIPTEN_KEEPALIVE int page_lamp_count() { return int(session().lamps.size());
 EMSCRIPTEN_KEEPALIVE const char* page_lamp_name(int lamp) { return session().first_of(lamp).light.name.c_str(); }
 EMSCRIPTEN_KEEPALIVE int page_lamp_copies(int lamp) { return int(session().lamps[std::size_t(lamp)].lights.size()); }
 
+EMSCRIPTEN_KEEPALIVE int page_member_count() { return kLampMembers; }
 /// A lamp's members, for page_set_lamp to read what the page writes there.
 EMSCRIPTEN_KEEPALIVE double* page_lamp(int lamp) {
   static LampValues values;
@@ -243,6 +241,25 @@ EMSCRIPTEN_KEEPALIVE const char* page_set_lamp(int lamp, const double* members) 
     session().view->set_light(i);
   }
   return nullptr;
+}
+
+/// The profiles of cones as JSON:
+/// [{"name": "x", "parameters": [{"label": "X", "isAngle": true, "ends": [0, 90], "first": 30}]}].
+EMSCRIPTEN_KEEPALIVE const char* page_profiles() {
+  static std::string text;
+  std::vector<std::string> profiles;
+  for (const ConeProfileFacts& facts : kConeProfiles) {
+    std::vector<std::string> parameters;
+    for (const ConeParameter& each : facts.parameters) {
+      const double first = facts.first.*each.member;
+      parameters.push_back(fmt::format(R"({{"label": "{}", "isAngle": {}, "ends": [{}], "first": {:.4g}}})", each.label,
+                                       each.is_angle, fmt::join(each.control, ", "),
+                                       each.is_angle ? glm::degrees(first) : first));
+    }
+    profiles.push_back(fmt::format(R"({{"name": "{}", "parameters": [{}]}})", facts.name, fmt::join(parameters, ", ")));
+  }
+  text = fmt::format("[{}]", fmt::join(profiles, ", "));
+  return text.c_str();
 }
 
 /// A lamp's solve and its curve: intensity, peak range, extent, knee, end of the plot, number of samples; then of each

@@ -6,7 +6,6 @@ const byId = (id) => document.getElementById(id);
 const picture = byId('picture');
 const kStillAfter = 250;  // milliseconds without a change, after which the picture is drawn at its full size
 const kModes = {none: -1, exp: 0, exp2: 1};
-const kProfiles = ['none', 'cosine', 'smoothstep'];
 
 const state =
     {mode: 'exp', visibility: 150, contrast: 0.05, light: 'airlight', exposure: 'fixed', ev: 0, tone: 'neutral'};
@@ -61,9 +60,10 @@ function makeSlider(id, name, scale, changed) {
 const kNumbers = ['visibility', 'contrast', 'ev'];
 const kWords = {mode: Object.keys(kModes), light: ['airlight', 'peak'], exposure: ['fixed', 'auto'],
                 tone: ['neutral', 'clip']};
-const kMembers =
-    ['red', 'green', 'blue', 'constant', 'linear', 'quadratic', 'threshold', 'profile', 'angle', 'second'];
+const kMembers = ['red', 'green', 'blue', 'constant', 'linear', 'quadratic', 'threshold', 'profile'];
 const kProfileAt = kMembers.indexOf('profile');
+const kParameterAt = kMembers.length;  // begin() adds names of a cone's parameters
+let profiles = [];  // of cones
 let lamps = [];  // {name, members, original}
 let firstCamera = [];
 
@@ -88,7 +88,7 @@ function readAddress() {
     if (name === 'camera' && list.length === 6 && list.every(Number.isFinite)) _page_set_camera(...list);
     if (name === 'controls') showPanel(word !== 'off');
     const lamp = lamps[name.match(/^lamp(\d+)$/)?.[1]];
-    if (lamp && list.length === kMembers.length && kProfiles[list[kProfileAt]]) setLamp(lamp, list);
+    if (lamp && list.length === kMembers.length && profiles[list[kProfileAt]]) setLamp(lamp, list);
   }
   state.visibility = Math.max(state.visibility, 0);
   if (!(state.contrast > 0 && state.contrast < 1)) state.contrast = 0.05;
@@ -174,14 +174,6 @@ const kLampScales = {
   quadratic: ['Quadratic', {low: 1e-6, high: 10, zero: true, unit: ' / m²'}],
   threshold: ['Threshold', {low: 0.001, high: 0.9}],
 };
-const kConeScales = {
-  none: {},
-  cosine: {angle: ['Half angle', {low: 1, high: 90, linear: true, unit: '°'}],
-           second: ['Exponent', {low: 0.1, high: 5000, zero: true}]},
-  smoothstep: {angle: ['Inner', {low: 0, high: 179, linear: true, unit: '°'}],
-               second: ['Outer', {low: 1, high: 180, linear: true, unit: '°'}]},
-};
-const kFirstCones = {none: [0, 0], cosine: [30, 4], smoothstep: [15, 30]};
 let picked = 0;
 let rows = {};
 
@@ -200,11 +192,6 @@ function changeLamp(changes) {
   const lamp = lamps[picked];
   const members = [...lamp.members];
   for (const [name, value] of Object.entries(changes)) members[kMembers.indexOf(name)] = value;
-  if (kProfiles[members[kProfileAt]] === 'smoothstep') {  // inner < outer
-    const [inner, outer] = ['angle', 'second'].map((name) => kMembers.indexOf(name));
-    if ('second' in changes) members[inner] = Math.min(members[inner], Math.max(members[outer] - 1, 0));
-    else members[outer] = Math.max(members[outer], members[inner] + 1);
-  }
   setLamp(lamp, members);
   showLamp();
   change();
@@ -218,9 +205,15 @@ function pickLamp(index) {
   showLamp();
 }
 
+// A cone's parameter as kLampScales has other members.
+function parameterOf({label, isAngle, ends: [low, high]}, i) {
+  const scale = isAngle ? {low, high, linear: true, unit: '°'} : {low: low || high / 50000, high, zero: low === 0};
+  return [kMembers[kParameterAt + i], [label, scale]];
+}
+
 function buildMembers() {
   const lamp = lamps[picked];
-  const profile = kProfiles[member(lamp, 'profile')];
+  const profile = profiles[member(lamp, 'profile')];
   rows = {};
   const add = ([name, [label, scale]]) => {
     rows[name] = makeSlider(name, label, scale, (value) => changeLamp({[name]: value}));
@@ -229,10 +222,13 @@ function buildMembers() {
   const cone = document.createElement('label');
   cone.className = 'row';
   cone.innerHTML = '<span>Cone</span><select id="cone"></select>';
-  for (const name of kProfiles) cone.lastChild.add(new Option(name, name, false, name === profile));
+  for (const each of profiles) cone.lastChild.add(new Option(each.name, each.name, false, each === profile));
   cone.lastChild.addEventListener('change', (event) => {
-    const [angle, second] = kFirstCones[event.target.value];
-    changeLamp({profile: kProfiles.indexOf(event.target.value), angle, second});
+    const changes = {profile: event.target.selectedIndex};
+    kMembers.slice(kParameterAt).forEach((key, i) => {
+      changes[key] = profiles[changes.profile].parameters[i]?.first ?? 0;
+    });
+    changeLamp(changes);
     buildMembers();
     showLamp();
   });
@@ -241,7 +237,7 @@ function buildMembers() {
     changeLamp({red, green, blue});
   });
   byId('members').replaceChildren(...Object.entries(kLampScales).map(add), cone,
-                                  ...Object.entries(kConeScales[profile]).map(add), rows.brightness.row);
+                                  ...profile.parameters.map(parameterOf).map(add), rows.brightness.row);
 }
 
 // A colour's parts over the largest of them.
@@ -452,6 +448,8 @@ function begin() {
     button.addEventListener('click', () => set({visibility: Number(button.value)}));
     byId('presets').append(button);
   }
+  while (kMembers.length < _page_member_count()) kMembers.push(`parameter${kMembers.length - kParameterAt}`);
+  profiles = JSON.parse(text(_page_profiles()));
   for (let i = 0; i < _page_lamp_count(); ++i) {
     const members = numbers(_page_lamp(i), kMembers.length);
     lamps.push({members, original: members});

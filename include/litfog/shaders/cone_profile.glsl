@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// litfog: the profiles of cones as lights state them (LitfogInstance, LitfogAirlight): a number, and two figures x and y.
+// litfog: the profiles of cones as lights state them (LitfogInstance, LitfogAirlight): a number with two figures, x and y.
 // Shared with C++ as formulas.glsl is. What is known of a profile stands here and in litfog/cone.h; everyone else asks.
 
 #ifndef LITFOG_CONE_PROFILE_GLSL
