@@ -109,6 +109,7 @@ double reference_airlight(const PlacedLight& light, const Fog& fog, const EyeRay
 ///   A <= p a(h) min(f(s0), c d sqrt(2 / e))      in exp2 fog, where -f' is at most d sqrt(2 / e).
 /// With the lamp's leg fogged the integrand has the factor f(r) as well, and f(r) <= f(h).
 /// Rounding: h is lowered and the rest raised by 1e-12 of itself.
+/// The bounds of litfog/shaders/airlight_bound.glsl would be looser: they know neither f(s0) nor that fog ends.
 ///
 /// eye         each coordinate at most kMaxPosition in magnitude
 /// direction   the axis of the rays; its length is 1 within kDirectionTolerance

@@ -6,13 +6,16 @@
 
 /// The model's scalar formulas for float, double and any type with the usual functions by argument-dependent lookup
 /// (ceres::Jet). The text is shared with the shaders, whose names carry the prefix litfog_ that a namespace makes
-/// needless here: litfog/shaders/formulas.glsl, and cone_profile.glsl, whose own functions keep the prefix.
+/// needless here: litfog/shaders/formulas.glsl, and cone_profile.glsl and airlight_bound.glsl, whose own functions keep
+/// the prefix.
 namespace litfog::formulas {
 
 using std::exp;
 using std::expm1;
 using std::max;
+using std::min;
 using std::pow;
+using std::sqrt;
 
 #define litfog_expm1 expm1
 #define litfog_denominator denominator
@@ -28,6 +31,9 @@ using std::pow;
 #define LITFOG_REAL Real
 #define LITFOG_FUNCTION template <typename Real>
 #include "litfog/shaders/cone_profile.glsl"  // likewise
+#define LITFOG_REAL Real
+#define LITFOG_FUNCTION template <typename Real>
+#include "litfog/shaders/airlight_bound.glsl"  // likewise
 #undef litfog_expm1
 #undef litfog_denominator
 #undef litfog_attenuation

@@ -786,6 +786,27 @@ TEST(AirlightBound, BoundOnAStretchOfARayIsNeverBelowItsAirlight) {
   EXPECT_LE(median, 4);
 }
 
+TEST(AirlightBound, BoundOnAWholeRayIsNeverBelowItsAirlight) {
+  Random random(81);
+  int dark = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const AirlightCase c = draw_airlight_case(random, random.pick(kModes), LampLeg::fogged);
+    const Light& light = c.light.light;
+    const auto [constant, linear, quadratic] = light.attenuation;
+    const glm::dvec3 to_light = c.light.position - c.ray.origin;
+    const double eye_range = glm::length(to_light);
+    const double weight = formulas::litfog_largest_fog_weight(c.fog.mode == FogMode::exp ? 0.0 : 1.0, c.fog.density,
+                                                              2 * eye_range / 3, eye_range / 3);
+    const double offset = glm::length(glm::cross(to_light, c.ray.direction)) * (1 - 1e-12);
+    const double bound =
+        formulas::litfog_largest_airlight(weight, formulas::denominator(offset, constant, linear, quadratic), quadratic,
+                                          2 * compute_extent(light.attenuation, light.threshold));
+    ASSERT_GE(bound, reference_of(c) * (1 - 1e-9)) << to_string(c);
+    dark += bound < kStep / 2;
+  }
+  EXPECT_GT(dark, 1000);
+}
+
 /// The bound of the airlight along the ray of a case alone.
 double bound_of_ray(const AirlightCase& c) {
   return bound_airlight(c.light, c.fog, c.ray.origin, c.ray.direction, 0, c.scattering);

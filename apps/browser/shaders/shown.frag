@@ -25,11 +25,13 @@ vec3 lamps_glow(vec3 direction, float range) {
   for (int i = 0; i < count; ++i) {
     LitfogLight light = light_at(i);
     LitfogAirlight air = litfog_glow_ray(light, eye, direction, range, 0.0);
-    float weight = litfog_glow_weight(light, distance(light.position_extent.xyz, eye));
+    float eye_range = distance(light.position_extent.xyz, eye);
+    float weight = litfog_largest_fog_weight(air.mode, air.density, 2.0 / 3.0 * eye_range, eye_range / 3.0);
     // The closest point of the ray is at the lamp's closest approach or, if that lies behind the eye, at the eye.
     float nearest = length(vec2(air.offset, min(air.approach, 0.0)));
     float denominator = litfog_denominator(nearest, air.constant, air.linear, air.quadratic);
-    vec3 most = light.color_intensity.rgb * litfog_glow_bound(light, weight, denominator);
+    vec3 most = light.color_intensity.rgb *
+                litfog_largest_airlight(weight, denominator, air.quadratic, 2.0 * air.extent);
     if (max(max(most.r, most.g), most.b) * exposure_gain * float(count) < glow_budget) continue;
     sum += litfog_glow(light, eye, direction, range, 0.0);
   }

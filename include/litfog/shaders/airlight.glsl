@@ -29,6 +29,7 @@
 #ifndef LITFOG_AIRLIGHT_GLSL
 #define LITFOG_AIRLIGHT_GLSL
 
+#include "litfog/shaders/airlight_bound.glsl"
 #include "litfog/shaders/cone_profile.glsl"
 #include "litfog/shaders/formulas.glsl"
 
@@ -587,40 +588,26 @@ LitfogAirlightStretch litfog_airlight_stretch(LitfogAirlight air) {
   return stretch;
 }
 
-// An upper bound of the integral, but for the phase function.
-//
-// Proof. On the stretch the attenuation is at most 1 / m, m being the larger of 1 and its denominator where the lamp is
-// nearest, and a cone is at most what it is where the ray is nearest to its axis. What is left is -f'(s) f(r)^k: its
-// integral is at most 1, and at most the stretch's size times its largest value.
-// - In exp fog that is d e^(-d (s + k r)) at the stretch's beginning, because s + k r falls nowhere. Beyond the closest
-//   approach it rises as fast as s, so that no more than a fog scale counts of that side.
-// - In exp2 fog it is at most 1.2131 d e^(-(d s)^2 / 2 - k (d r)^2), because 2 x e^(-x^2 / 2) <= 1.2131.
-// For the integral of the attenuation litfog_glow_bound() has another bound, 4 / sqrt(Q m).
+// An upper bound of the integral, but for the phase function (airlight_bound.glsl). A cone is at most what it is where
+// the ray is nearest to its axis. s + k r falls nowhere along a ray, so that in exp fog it is least where the stretch
+// begins; beyond the closest approach it rises as fast as s, so that no more than a fog scale counts of that side.
 LITFOG_REAL litfog_airlight_bound(LitfogAirlight air, LitfogAirlightStretch stretch) {
-  LITFOG_REAL begin = air.approach + stretch.low;
   LITFOG_REAL size = stretch.high - stretch.low;
   LITFOG_REAL nearest = litfog_airlight_range(air, clamp(LITFOG_REAL(0.0), stretch.low, stretch.high));
-  LITFOG_REAL weight;
+  LITFOG_REAL lit = nearest;
   if (air.mode == LITFOG_REAL(0.0)) {
     size = min(size, max(-stretch.low, LITFOG_REAL(0.0)) + LITFOG_REAL(1.0) / air.density);
-    weight = exp(-air.density * (begin + air.lamp_leg * litfog_airlight_range(air, stretch.low)));
-  } else {
-    LITFOG_REAL x = air.density * begin;
-    LITFOG_REAL y = air.density * air.lamp_leg * nearest;
-    weight = LITFOG_REAL(1.2131) * exp(LITFOG_REAL(-0.5) * x * x - y * y);
+    lit = litfog_airlight_range(air, stretch.low);
   }
-  weight *= air.density;
-  LITFOG_REAL denominator = max(litfog_denominator(nearest, air.constant, air.linear, air.quadratic), LITFOG_REAL(1.0));
-  LITFOG_REAL integral = size / denominator;
-  if (air.quadratic > LITFOG_REAL(0.0)) {
-    integral = min(integral, LITFOG_REAL(4.0) / sqrt(air.quadratic * denominator));
-  }
+  LITFOG_REAL weight =
+      litfog_largest_fog_weight(air.mode, air.density, air.approach + stretch.low, air.lamp_leg * lit);
+  LITFOG_REAL denominator = litfog_denominator(nearest, air.constant, air.linear, air.quadratic);
   LITFOG_REAL beam = LITFOG_REAL(1.0);
   if (litfog_has_cone(air.profile) && air.axis_offset > LITFOG_REAL(0.0)) {
     LITFOG_REAL brightest = clamp(litfog_airlight_axis_crossing(air), stretch.low, stretch.high);
     beam = litfog_airlight_beam(air, brightest, litfog_airlight_range(air, brightest));
   }
-  return beam * min(LITFOG_REAL(1.0) / denominator, weight * integral);
+  return beam * litfog_largest_airlight(weight, denominator, air.quadratic, size);
 }
 
 // The first of the four sides from side i on that is not empty; 4 if there is none. Drivers without branches run a loop

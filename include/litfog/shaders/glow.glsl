@@ -25,29 +25,6 @@ float litfog_airlight_cookie(LitfogAirlight air, float along) {
 // Density of the fog as the light's class sees it, 1/m. Finite: 1e6 is a visibility of micrometres.
 float litfog_glow_density(LitfogLight light) { return min(litfog_fog.x * light.attenuation.w, 1.0e6); }
 
-// An upper bound of -f'(s) f(r) on any ray, 1/m: times the integral of the attenuation along a ray it bounds the
-// airlight. With L the distance from the eye to the light, s + r >= L. So in exp fog f(s) f(r) <= e^(-d L). In exp2 fog
-// s^2 / 2 + r^2 >= L^2 / 3, and 2 d^2 s e^(-(d s)^2 / 2) <= 1.2131 d.
-float litfog_glow_weight(LitfogLight light, float eye_range) {
-  float density = litfog_glow_density(light);
-  float x = min(density * eye_range, 80.0);
-  return density * (litfog_fog_mode() == 0.0 ? exp(-x) : 1.2131 * exp(-min(x * x / 3.0, 80.0)));
-}
-
-// The airlight of a ray that passes the light where the attenuation's denominator is D is at most this, if the light
-// loses f(r) on its way. With E the extent and m the larger of D and 1, the attenuation's integral along the ray is at
-// most 2 E / m. Because D(r) >= D + Q x^2 at the distance x from the closest approach, it is also at most
-// - pi / sqrt(Q D) where D >= 1;
-// - 4 / sqrt(Q) where D < 1: the integral of min(1, 1 / (Q x^2)), because the attenuation is at most 1;
-// so at most 4 / sqrt(Q m) in either case. The weights of the fog sum to less than 1.
-float litfog_glow_bound(LitfogLight light, float weight, float denominator) {
-  float d = max(denominator, 1.0);
-  float quadratic = light.attenuation.z;
-  float integral = 2.0 * light.position_extent.w / d;
-  if (quadratic > 0.0) integral = min(integral, 4.0 * inversesqrt(quadratic * d));
-  return min(1.0 / d, weight * integral);
-}
-
 // The light as a ray from the eye sees it, for litfog_airlight() with as many nodes as its stated errors need.
 //
 // direction  unit, from the eye

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// litfog: upper bounds by which lamps are left out whose airlight (airlight.glsl) nobody would see: s is the distance
+// from the eye, r that from the lamp, k 1 where the lamp's leg is fogged. Phase functions and cones are the caller's.
+// Shared with C++ as formulas.glsl is.
+
+#ifndef LITFOG_AIRLIGHT_BOUND_GLSL
+#define LITFOG_AIRLIGHT_BOUND_GLSL
+
+#ifndef __cplusplus
+#define LITFOG_REAL float
+#define LITFOG_FUNCTION
+#endif
+
+// An upper bound of the fog's weight -f'(s) f(r)^k, 1/m, where s + k r (exp fog, mode 0) or s^2 / 2 + k r^2 (exp2 fog,
+// mode 1) is at least that of two distances: `seen` in place of s, and `lit` in place of k r.
+//
+// Proof. In exp fog the weight is d e^(-d (s + k r)). In exp2 fog it is 2 d^2 s e^(-(d s)^2 - k (d r)^2), and
+// 2 x e^(-x^2 / 2) <= 1.2131.
+//
+// On any ray s + r >= L, the distance from the eye to the lamp. Of all s + r = L, s = 2 L / 3 and r = L / 3 have the
+// least s^2 / 2 + r^2, which is L^2 / 3: these two distances bound the weight everywhere.
+// Depths above 80 count as 80, so that an endless light is bounded, too.
+LITFOG_FUNCTION LITFOG_REAL litfog_largest_fog_weight(LITFOG_REAL mode, LITFOG_REAL density, LITFOG_REAL seen,
+                                                      LITFOG_REAL lit) {
+  if (mode == LITFOG_REAL(0.0)) return density * exp(-min(density * (seen + lit), LITFOG_REAL(80.0)));
+  LITFOG_REAL x = density * seen;
+  LITFOG_REAL y = density * lit;
+  return density * (LITFOG_REAL(1.2131) * exp(-min(LITFOG_REAL(0.5) * x * x + y * y, LITFOG_REAL(80.0))));
+}
+
+// An upper bound of the attenuation's integral along a line of a size, metres, where the attenuation's denominator is
+// D at the point nearest to the lamp. With m the larger of D and 1 the attenuation is at most 1 / m. Because
+// D(r) >= D + Q x^2 at the distance x from that point, the integral is also at most
+// - pi / sqrt(Q D) where D >= 1;
+// - 4 / sqrt(Q) where D < 1: the integral of min(1, 1 / (Q x^2)), because the attenuation is at most 1;
+// so at most 4 / sqrt(Q m) in either case.
+LITFOG_FUNCTION LITFOG_REAL litfog_largest_attenuation_integral(LITFOG_REAL denominator, LITFOG_REAL quadratic,
+                                                                LITFOG_REAL size) {
+  LITFOG_REAL m = max(denominator, LITFOG_REAL(1.0));
+  LITFOG_REAL integral = size / m;
+  return quadratic > LITFOG_REAL(0.0) ? min(integral, LITFOG_REAL(4.0) / sqrt(quadratic * m)) : integral;
+}
+
+// An upper bound of the airlight along such a line, on which the fog's weight is at most `weight`: the weights' own
+// integral is at most 1.
+LITFOG_FUNCTION LITFOG_REAL litfog_largest_airlight(LITFOG_REAL weight, LITFOG_REAL denominator, LITFOG_REAL quadratic,
+                                                    LITFOG_REAL size) {
+  return min(LITFOG_REAL(1.0) / max(denominator, LITFOG_REAL(1.0)),
+             weight * litfog_largest_attenuation_integral(denominator, quadratic, size));
+}
+
+#undef LITFOG_FUNCTION
+#undef LITFOG_REAL
+
+#endif
