@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "litfog/formulas.h"
-#include "render/light/hidden_range.h"
 
 namespace litfog::measure {
 namespace {
@@ -36,6 +35,15 @@ double largest_cosine(const PlacedLight& light, const EyeRay& ray, double first,
   return std::min(largest + kRounding, 1.0);
 }
 
+/// The largest -f'(s) f(r), 1/m, where r >= |L - s|, L being the distance from the eye to the light. In exp2 fog that
+/// is the largest 2 d x e^(-x^2 - (d L - x)^2) with x = d s, where 4 x^2 = 1 + 2 d L x.
+double largest_weight(const Fog& fog, double eye_range) {
+  const double depth = fog.density * eye_range;
+  if (fog.mode == FogMode::exp) return fog.density * std::exp(-depth);
+  const double x = (depth + std::sqrt(depth * depth + 4)) / 4;
+  return fog.density * 2 * x * std::exp(-x * x - (depth - x) * (depth - x));
+}
+
 }  // namespace
 
 double airlight_bound(const ReferenceLight& light, const EyeRay& ray, const Scattering& scattering) {
@@ -58,7 +66,7 @@ double airlight_bound(const ReferenceLight& light, const EyeRay& ray, const Scat
       formulas::denominator(offset, attenuation.constant, attenuation.linear, attenuation.quadratic);
   const double integral =
       std::min(brightest * (last - first), std::numbers::pi / std::sqrt(attenuation.quadratic * denominator));
-  return factor * std::min(brightest, render::largest_fog_weight(light.fog, eye_range) * integral);
+  return factor * std::min(brightest, largest_weight(light.fog, eye_range) * integral);
 }
 
 }  // namespace litfog::measure
