@@ -5,24 +5,18 @@
 #include <cmath>
 #include <numbers>
 
-#include "litfog/attenuation.h"
 #include "litfog/cone.h"
+#include "render/airlight/airlight_bound.h"
 #include "render/light/hidden_range.h"
 
 namespace litfog::render {
 namespace {
 
-constexpr double kMostError = 0.0005;   // of the display: an eighth of a step
-constexpr double kSafety = 4;           // for airlight that bends more than k / h
-constexpr double kFarthestReach = 1e9;  // metres, for lights without an end: floats hold its square
+constexpr double kMostError = 0.0005;  // of the display: an eighth of a step
+constexpr double kSafety = 4;          // for airlight that bends more than k / h
 // The fourth derivative of what a grid keeps of a beam, k / h (1 - (1 - t^2)^4 (1 + 4 t^2)), is 23 times as large as of
 // others (kept_fraction() in airlight_light.glsl).
 constexpr double kBeamBend = 1.9;  // 23^(1/5)
-
-/// Range at which the attenuation's denominator has a value; 0 where it is above it everywhere.
-double level_range(const Attenuation& attenuation, double denominator) {
-  return denominator > 1 ? compute_extent(attenuation, 1 / denominator) : 0;
-}
 
 /// A beam as the eye sees it.
 struct SeenBeam {
@@ -39,51 +33,6 @@ SeenBeam see_beam(const PlacedLight& placed, const glm::dvec3& to_eye) {
   return {std::asin(std::min(std::sin(half_angle) / std::max(sine, 1e-6), 1.0)),
           std::min(std::max(std::tan(half_angle), sine), 1.0)};
 }
-
-/// Bounds of what the fog shows of a light. litfog/shaders/glow.glsl has the proofs.
-class GlowBound {
- public:
-  /// eye_range   metres from the eye to the light
-  /// brightness  of the largest component of its colour, in the direction in which the fog scatters most
-  GlowBound(const Light& light, double extent, const Fog& fog, double eye_range, double brightness)
-      : attenuation_(light.attenuation), extent_(extent), brightness_(brightness) {
-    density_ = std::min(fog.density * light.density_scale, 1e6);
-    weight_ = largest_fog_weight({.mode = fog.mode, .density = density_}, eye_range);
-  }
-
-  /// Range beyond which it is below a budget; 0 where it is so everywhere.
-  double reach(double budget) const {
-    const double fraction = budget / brightness_;
-    const double integral = fraction / std::max(weight_, 1e-300);  // that of the attenuation may not exceed
-    double denominator = std::min(1 / fraction, 2 * extent_ / integral);
-    if (attenuation_.quadratic > 0) {
-      denominator = std::min(denominator, 16 / (attenuation_.quadratic * integral * integral));
-    }
-    if (!(denominator > std::max(attenuation_.constant, 1.0))) return 0;
-    return std::min({level_range(attenuation_, denominator), extent_, kFarthestReach});
-  }
-
-  double density() const { return density_; }  ///< of the fog as the light's class sees it, 1/m
-
-  /// Metres: the falloff's.
-  double width() const { return level_range(attenuation_, 2 * std::max(attenuation_.constant, 1.0)); }
-
-  /// Metres within which it is flat: half of the falloff's width, or less in dense fog.
-  double flat_range() const { return 0.5 * std::min(width(), 0.5 / density_); }
-
-  /// k, where at a distance h it is about k / h. Metres.
-  double k() const {
-    const double slope = std::max(attenuation_.quadratic, attenuation_.linear / std::max(width(), 1e-3));
-    return brightness_ * weight_ * 4 / std::max(slope, 1e-30);
-  }
-
- private:
-  Attenuation attenuation_;
-  double extent_;
-  double brightness_;
-  double density_;
-  double weight_;
-};
 
 /// Slope of sRGB (IEC 61966-2-1), as a display shows it, at a linear value before exposure.
 double display_slope(double value, double gain) {
@@ -124,10 +73,8 @@ AirlightList list_airlight(const SceneLights& lights, const Fog& fog, const Scat
   std::vector<Found> found;
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const PlacedLight& placed = lights.lights()[i];
-    const double brightness = largest_phase(scattering) * largest_component(placed.light.color);
-    if (!(brightness > 0)) continue;
     const double eye_range = std::max(glm::distance(eye, placed.position), 1e-6);
-    const GlowBound bound(placed.light, lights.extents()[i], fog, eye_range, brightness);
+    const AirlightBound bound(placed, lights.extents()[i], fog, largest_phase(scattering), eye);
     const double reach = bound.reach(budget);
     if (!(reach > 0)) continue;
     const double pixel = eye_range / pixels_per_radian;
@@ -146,7 +93,8 @@ AirlightList list_airlight(const SceneLights& lights, const Fog& fog, const Scat
           .has_knee = placed.light.attenuation.constant < 1},
          {.light = float(i),
           .reach = float(reach),
-          .bend_range = float(is_beam ? std::min(beam_range, kFarthestReach) : std::min(bend_range, most_bend_range)),
+          .bend_range = float(is_beam ? std::min(beam_range, AirlightBound::kFarthestReach)
+                                      : std::min(bend_range, most_bend_range)),
           .width = float(is_beam ? 0 : beam.narrowing * bound.flat_range())},
          lights.cookie(i) ? LightBounds{.position = placed.position, .range = reach} : bounds_of(placed, reach)});
   }

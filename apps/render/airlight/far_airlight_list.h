@@ -35,14 +35,6 @@ struct FarAirlightList {
 /// Of what lights without shafts add beyond their extents, at most kFarShare of a step of the display is left out in
 /// any pixel. Lights that cut shafts end at their extents in the fog.
 ///
-/// Proof. Of a ray from a distance S from the eye on, let R be the larger of the light's extent and S - L, L being the
-/// distance from the eye to the light. There, beyond the extent, r >= R. The weights -f'(s) of the eye's leg sum to at
-/// most f(S). So the light adds at most c a(R) f(R) f(S), c being its colour times the phase function, both where they
-/// are largest. Where -f'(s) f(r) is at most w, it also adds at most c w pi / (Q R): a(r) <= 1 / (Q r^2), and the
-/// integral of 1 / r^2 over what is outside the ball of radius R is largest on the line that touches it. In exp fog w
-/// is d e^(-d X), with X the larger of L and S + R. In exp2 fog it is 1.2131 d e^(-d^2 Y), with Y the larger of L^2 / 3
-/// and S^2 / 2 + R^2 (litfog/shaders/glow.glsl).
-///
 /// exposure  EV at which the picture is shown
 /// casters   of each light: at least 0 if it cuts shafts; empty: none does
 FarAirlightList list_far_airlight(const SceneLights& lights, const Fog& fog, const Scattering& scattering,

@@ -8,11 +8,6 @@
 #include "litfog/attenuation.h"
 
 namespace litfog::render {
-namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
 
 double visible_step(double exposure) {
   constexpr double kDarkestSlope = 12.92;  // IEC 61966-2-1
@@ -21,7 +16,7 @@ double visible_step(double exposure) {
 
 double hidden_range(const Fog& fog, double brightness, double budget) {
   if (!(brightness > budget)) return 0;
-  if (!(fog.density > 0)) return kInfinity;
+  if (!(fog.density > 0)) return std::numeric_limits<double>::infinity();
   constexpr double kRounding = 1 + 1e-6;  // floats' of the shaders, too
   const double depth = std::log(brightness / budget);
   return kRounding * (fog.mode == FogMode::exp ? depth : std::sqrt(depth)) / fog.density;
@@ -35,29 +30,6 @@ double largest_irradiance(const Light& light, const glm::dvec3& position, double
       fog_lighting == FogLighting::airlight ? fog_factor_at(scaled(fog, light.density_scale), range) : 1;
   if (path.range == RangeLaw::radial) return factor * (std::isinf(extent) ? 1 : 1 - range * range / (extent * extent));
   return factor * attenuation_at(light.attenuation, range);
-}
-
-double largest_fog_weight(const Fog& fog, double eye_range) {
-  const double x = std::min(fog.density * eye_range, 80.0);
-  return fog.density * (fog.mode == FogMode::exp ? std::exp(-x) : 1.2131 * std::exp(-std::min(x * x / 3, 80.0)));
-}
-
-double airlight_end(const Light& light, double extent, const Fog& fog, double largest_phase, double eye_range,
-                    double budget) {
-  Fog seen = scaled(fog, light.density_scale);
-  if (!(seen.density > 0)) return 0;
-  seen.density = std::min(seen.density, 1e6);  // as shaders do
-  const double most = std::max(light.attenuation.constant, 1.0);
-  double integral = 2 * extent / most;
-  if (light.attenuation.quadratic > 0) {
-    integral = std::min(integral, 4 / std::sqrt(light.attenuation.quadratic * most));
-  }
-  const double weight = largest_fog_weight(seen, 0);
-  const double x = hidden_range(seen, largest_component(light.color) * largest_phase * weight * integral, budget);
-  if (std::isinf(x)) return x;
-  if (seen.mode == FogMode::exp) return eye_range >= x ? 0 : (x + eye_range) / 2;
-  const double square = 6 * x * x - 2 * eye_range * eye_range;
-  return square <= 0 ? 0 : (2 * eye_range + std::sqrt(square)) / 3;
 }
 
 bool can_light_from(const PlacedLight& light, double half_angle, const glm::dvec3& eye, const scene::Bounds& box,

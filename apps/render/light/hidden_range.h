@@ -43,27 +43,6 @@ double hidden_range(const Fog& fog, double brightness, double budget);
 double largest_irradiance(const Light& light, const glm::dvec3& position, double extent, const Fog& fog,
                           FogLighting fog_lighting, const LightingPath& path, const scene::Bounds& box);
 
-/// An upper bound of -f'(s) f(r) on any ray, 1/m (litfog/shaders/glow.glsl has the proof).
-///
-/// fog        as the light's class sees it
-/// eye_range  metres from the eye to the light, or less
-double largest_fog_weight(const Fog& fog, double eye_range);
-
-/// The range beyond which nothing that stands between the eye and the fog behind it takes more than a budget of a
-/// light's airlight away. Metres, 0 where that is so everywhere, infinity where it is so nowhere.
-///
-/// Proof. With s the distance from the eye, r that from the light and L from the eye to the light, both legs lead
-/// through the fog. At s >= R, s + r is at least L, and at least 2 R - L. So in exp fog -f'(s) f(r) is at most
-/// d e^(-d X) with X the larger of L and 2 R - L. In exp2 fog it is at most 1.2131 d e^(-d^2 (s^2 / 2 + r^2))
-/// (litfog/shaders/glow.glsl), in which s^2 / 2 + r^2 >= L^2 / 3 and, for R >= 2 L / 3, >= R^2 / 2 + (R - L)^2. That
-/// times the integral of the attenuation along the ray bounds what is behind R. With E the extent and m the larger of C
-/// and 1 the integral is at most 2 E / m and 4 / sqrt(Q m) (litfog/shaders/glow.glsl).
-///
-/// extent     metres
-/// eye_range  metres from the eye to the light
-double airlight_end(const Light& light, double extent, const Fog& fog, double largest_phase, double eye_range,
-                    double budget);
-
 /// Whether a light's cone can meet a ray from the eye through a box, anywhere from a range on.
 ///
 /// Proof. From the eye the box lies in the ball around it, within the angle of asin(radius / distance) of the ball's

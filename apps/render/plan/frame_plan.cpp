@@ -9,6 +9,7 @@
 
 #include "litfog/airlight.h"
 #include "litfog/cone.h"
+#include "render/airlight/airlight_bound.h"
 #include "render/light/hidden_range.h"
 #include "render/plan/fog_top.h"
 #include "render/plan/frustum.h"
@@ -81,9 +82,8 @@ double FramePlanner::airlight_end_from(const glm::dvec3& eye, double budget) con
   const double phase = largest_phase({.asymmetry = scene_.phase_g});
   double end = 0;
   for (std::size_t i = 0; i < lights_.size(); ++i) {
-    const PlacedLight& placed = lights_.lights()[i];
-    end = std::max(end, airlight_end(placed.light, lights_.extents()[i], fog_, phase,
-                                     glm::distance(eye, placed.position), budget / double(lights_.size())));
+    const AirlightBound bound(lights_.lights()[i], lights_.extents()[i], fog_, phase, eye);
+    end = std::max(end, bound.end(budget / double(lights_.size())));
   }
   return std::max(end, plan_.far_airlights.depth);
 }
