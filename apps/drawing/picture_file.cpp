@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "drawing/picture_file.h"
 
-#include <algorithm>
 #include <filesystem>
 
 #include "files/whole_file.h"
 #include "image/image_library.h"
 #include "image/png_text.h"
 #include "litfog/files/output_error.h"
-#include "scene/hash_random.h"
-#include "scene/srgb.h"
+#include "render/display.h"
 
 namespace litfog::drawing {
 namespace {
@@ -43,8 +41,7 @@ std::string png_text(const render::Picture& picture) {
 std::vector<std::uint8_t> shown_pixels(const render::Picture& picture) {
   std::vector<std::uint8_t> pixels(picture.rgb.size());
   for (std::size_t i = 0; i < pixels.size(); ++i) {
-    const float dither = scene::unit_float(scene::hash(std::uint32_t(i)));  // in [0, 1): the mean is the value
-    pixels[i] = std::uint8_t(std::min(255.0f, 255 * scene::srgb_from_linear(picture.rgb[i]) + dither));
+    pixels[i] = render::shown_level(picture.rgb[i], std::uint32_t(i));
   }
   return pixels;
 }

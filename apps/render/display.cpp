@@ -3,13 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
+#include <glm/glm.hpp>
 #include <vector>
+
+#include "scene/hash_random.h"
+#include "scene/srgb.h"
 
 namespace litfog::render {
 namespace {
-
-constexpr float kBrightest = 1e30f;  // in place of infinity, whose ratios are no numbers
 
 float largest_channel(const glm::vec3& color) { return std::max({color.r, color.g, color.b}); }
 
@@ -20,22 +21,18 @@ float quantile(std::vector<float>& values, double fraction) {
   return *at;
 }
 
-/// The names and figures are those of the published definition.
-glm::vec3 neutral(glm::vec3 color) {
-  constexpr float kF90 = 0.04f;
-  constexpr float kStartCompression = 0.8f - kF90;
-  constexpr float kDesaturation = 0.15f;
-  constexpr float kD = 1 - kStartCompression;
-  const float x = std::min({color.r, color.g, color.b});
-  const float offset = x < 2 * kF90 ? x - x * x / (4 * kF90) : kF90;
-  color -= offset;
-  const float peak = largest_channel(color);
-  if (peak < kStartCompression) return color;
-  const float new_peak = 1 - kD * kD / (peak + kD - kStartCompression);
-  color *= new_peak / peak;
-  const float g = 1 - 1 / (kDesaturation * (peak - new_peak) + 1);
-  return glm::mix(color, glm::vec3(new_peak), g);
-}
+namespace text {
+using glm::floor;
+using glm::max;
+using glm::min;
+using glm::mix;
+using glm::vec3;
+using scene::hash;
+using scene::srgb_from_linear;
+using scene::uint;
+using scene::unit_float;
+#include "render/shaders/display.glsl"
+}  // namespace text
 
 }  // namespace
 
@@ -53,12 +50,12 @@ double auto_exposure(const Picture& picture) {
 }
 
 glm::vec3 toned(ToneCurve tone, const glm::vec3& color) {
-  return tone == ToneCurve::neutral ? neutral(color) : glm::min(color, 1.0f);
+  return text::toned(tone == ToneCurve::neutral, color);
 }
 
 Picture displayed(const Picture& picture, const Display& display) {
   const auto gain = float(std::exp2(display.exposure.ev));
-  const auto exposed = [gain](float value) { return value > 0 ? std::min(value * gain, kBrightest) : 0.0f; };
+  const auto exposed = [gain](float light) { return text::exposed(light, gain); };
   Picture shown = picture;
   for (std::size_t i = 0; i < shown.rgb.size(); i += 3) {
     float* const rgb = &shown.rgb[i];
@@ -67,5 +64,7 @@ Picture displayed(const Picture& picture, const Display& display) {
   }
   return shown;
 }
+
+std::uint8_t shown_level(float shown, std::uint32_t index) { return std::uint8_t(text::shown_level(shown, index)); }
 
 }  // namespace litfog::render

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <glm/vec3.hpp>
 
 #include "render/picture.h"
@@ -44,5 +45,10 @@ glm::vec3 toned(ToneCurve tone, const glm::vec3& color);
 /// A picture as a display shows it, each channel in [0, 1]. What is below 0 or not a number is black, infinity is
 /// white.
 Picture displayed(const Picture& picture, const Display& display);
+
+/// A value that a display shows, in [0, 1], as 8 bits of sRGB, dithered against banding.
+///
+/// index  of the value in Picture::rgb
+std::uint8_t shown_level(float shown, std::uint32_t index);
 
 }  // namespace litfog::render

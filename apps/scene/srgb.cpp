@@ -6,10 +6,15 @@
 
 namespace litfog::scene {
 
-float srgb_from_linear(float linear) {
-  const float x = std::clamp(linear, 0.0f, 1.0f);
-  return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1.0f / 2.4f) - 0.055f;
-}
+namespace {
+namespace text {
+using std::clamp;
+using std::pow;
+#include "scene/srgb.glsl"
+}  // namespace text
+}  // namespace
+
+float srgb_from_linear(float linear) { return text::srgb_from_linear(linear); }
 
 float linear_from_srgb(float srgb) {
   const float x = std::clamp(srgb, 0.0f, 1.0f);
