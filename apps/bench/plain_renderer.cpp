@@ -18,9 +18,9 @@
 #include "render/gpu/uniform.h"
 #include "render/light/light_map_store.h"
 #include "render/light/light_point.h"
-#include "render/plan/fog_top.h"
 #include "render/renderer.h"
 #include "render/surface/mesh_store.h"
+#include "render/surface/sky_painter.h"
 #include "scene/light_frame.h"
 
 namespace litfog::bench {
@@ -123,18 +123,17 @@ void PlainRenderer::set_fog(const Fog& fog) {
 }
 
 void PlainRenderer::draw() {
-  const scene::Camera& camera = scene_.camera;
-  const glm::mat4 view_from_world = scene::view_from_world<float>(camera);
-  const glm::mat4 clip_from_view = render::clip_from_view(camera, framebuffer_.aspect());
+  const render::View view = render::view_of(scene_.camera, {framebuffer_.width(), framebuffer_.height()});
   framebuffer_.bind();
   glEnable(GL_CULL_FACE);
   glClear(GL_COLOR_BUFFER_BIT);
   render::begin_depths();
   if (cookies_) cookies_->bind(render::kCookieUnit);
-  draw_surfaces(clip_from_view * view_from_world);
+  draw_surfaces(view.clip_from_world);
   glDepthMask(GL_FALSE);
-  draw_sky(glm::inverse(clip_from_view * glm::mat4(glm::mat3(view_from_world))));
-  draw_light_points(clip_from_view * view_from_world);
+  use(sky_program_);
+  render::draw_sky(sky_program_, view, scene_);
+  draw_light_points(view);
   render::end_depths();
   framebuffer_.resolve();
   glFinish();
@@ -177,29 +176,11 @@ void PlainRenderer::draw_surfaces(const glm::mat4& clip_from_world) const {
   }
 }
 
-void PlainRenderer::draw_sky(const glm::mat4& direction_from_clip) const {
-  use(sky_program_);
-  set_uniform(sky_program_, "direction_from_clip", direction_from_clip);
-  set_uniform(sky_program_, "far_plane", render::far_plane_in_clip());
-  set_uniform(sky_program_, "sky_zenith", scene_.environment.sky_zenith);
-  set_uniform(sky_program_, "sky_horizon", scene_.environment.sky_horizon);
-  set_uniform(sky_program_, "star_brightness", scene_.environment.star_brightness);
-  render::set_fog_top(sky_program_, scene_);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
-}
-
-void PlainRenderer::draw_light_points(const glm::mat4& clip_from_world) const {
+void PlainRenderer::draw_light_points(const render::View& view) const {
   if (local_count_ == 0) return;
   use(light_point_program_);
   fog_block_.bind(light_point_program_, render::kFogLightBinding);
-  set_uniform(light_point_program_, "clip_from_world", clip_from_world);
-  render::set_point_uniforms(light_point_program_, render::FogLighting::peak, framebuffer_.height(),
-                             render::has_clip_control());
-  glEnable(GL_PROGRAM_POINT_SIZE);
-  glEnable(GL_BLEND);
-  glBlendFunc(GL_ONE, GL_ONE);
-  glDrawArrays(GL_POINTS, 0, GLsizei(local_count_));
-  glDisable(GL_BLEND);
+  render::draw_light_points(light_point_program_, view, render::FogLighting::peak, 0, int(local_count_));
 }
 
 }  // namespace litfog::bench

@@ -15,6 +15,7 @@
 #include "render/gpu/data_texture.h"
 #include "render/gpu/framebuffer.h"
 #include "render/gpu/texture.h"
+#include "render/plan/view.h"
 #include "scene/scene.h"
 
 namespace litfog::bench {
@@ -69,8 +70,7 @@ class PlainRenderer {
   /// Makes a program current, with the uniforms that all have.
   void use(const gl::Program& program) const;
   void draw_surfaces(const glm::mat4& clip_from_world) const;
-  void draw_sky(const glm::mat4& direction_from_clip) const;
-  void draw_light_points(const glm::mat4& clip_from_world) const;
+  void draw_light_points(const render::View& view) const;
 
   const scene::Scene& scene_;
   Fog fog_;

@@ -12,8 +12,10 @@
 #include "litfog/updater.h"
 #include "render/display.h"
 #include "render/gpu/texture.h"
+#include "render/plan/view.h"
 #include "render/render_settings.h"
 #include "render/surface/mesh_store.h"
+#include "render/surface/sky_painter.h"
 #include "scene/scene.h"
 
 namespace litfog::browser {
@@ -57,41 +59,44 @@ class View {
   };
   /// A picture of one sample a pixel.
   struct Target {
-    /// format  of its colours
-    Target(unsigned format, int width, int height);
+    explicit Target(glm::ivec2 target_size);
 
+    glm::ivec2 size;
     gl::FramebufferName framebuffer;
     gl::TextureName color;
   };
 
   PlacedLight drawn_light(std::size_t light) const;
-  std::size_t draw_surfaces(const glm::mat4& clip_from_world);
-  void draw_sky();
-  void draw_light_points(const glm::mat4& clip_from_world);
-  /// EV, chosen by the light of the frame that has been drawn.
-  double measured_exposure();
-  /// The last pass, into the framebuffer that is bound; the last two are shown.frag's.
-  void draw_finished(const render::Display& display, int stride, bool is_measured);
+  /// Makes a program current, with the uniforms that most have.
+  void use(const gl::Program& program, const render::View& view) const;
+  /// Returns how many.
+  std::size_t draw_surfaces(const render::View& view);
+  /// Composes resolved_ and the airlight before it.
+  void draw_airlight(const render::View& view);
+  /// All of a framebuffer, scaled.
+  static void copy(const gl::FramebufferName& from, glm::ivec2 size, const Target& to);
+  /// EV, chosen by a picture.
+  double measured_exposure(const Target& picture);
 
   const scene::Scene& scene_;
   unsigned carried_count_ = 0;
   render::FogLighting fog_lighting_ = render::FogLighting::airlight;
-  int width_ = 0;
-  int height_ = 0;
+  glm::ivec2 size_{0};
   FogUpdater updater_;
   std::vector<FogLightHandle> handles_;  // of the scene's lights
   gl::FogLightBuffer light_block_;
   render::MeshStore meshes_;
   std::map<std::string, SurfaceMaterial> materials_;
+  render::SkyPainter sky_;
   gl::Program surface_program_;
-  gl::Program sky_program_;
   gl::Program point_program_;
+  gl::Program airlight_program_;
   gl::Program shown_program_;
   gl::VertexArrayName no_vertices_;
   std::optional<Samples> drawn_;
   std::optional<Target> resolved_;  // the means of the samples
-  std::optional<Target> measured_;  // every stride_-th pixel each way
-  int stride_ = 1;
+  std::optional<Target> composed_;  // with airlight
+  std::optional<Target> measured_;  // every so many of its pixels
 };
 
 }  // namespace litfog::browser

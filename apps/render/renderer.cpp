@@ -147,16 +147,7 @@ Exposure Renderer::set_exposure(const Exposure& exposure) {
 }
 
 View Renderer::view() const {
-  const scene::Camera camera = relative_to(lights_.origin(), scene_.camera);
-  const glm::mat4 clip_from_eye = clip_from_view(camera, framebuffer_.aspect());
-  const glm::mat4 view_from_world = scene::view_from_world<float>(camera);
-  // Without the eye's position: far from the origin, the rounding of a near point minus the eye would rotate the rays.
-  const auto turned = glm::mat4(glm::mat3(view_from_world));
-  return {.eye = camera.position,
-          .forward = glm::normalize(glm::vec3(camera.target) - glm::vec3(camera.position)),
-          .clip_from_world = clip_from_eye * view_from_world,
-          .direction_from_clip = glm::inverse(clip_from_eye * turned),
-          .pixels_per_radian = framebuffer_.height() / (2 * std::tan(double(scene_.camera.field_of_view) / 2))};
+  return view_of(relative_to(lights_.origin(), scene_.camera), {width(), height()});
 }
 
 FrameView Renderer::frame_view(const View& view, const FrameExposures& exposures) const {
@@ -316,16 +307,8 @@ void Renderer::draw_light_points(const View& view, const FramePlan& plan) {
   if (plan.point_count == 0) return;
   light_point_program_.use();
   bind_lights(light_point_program_, fog_block_);
-  set_uniform(light_point_program_, "clip_from_world", view.clip_from_world);
-  set_uniform(light_point_program_, "eye", view.eye);
-  set_point_uniforms(light_point_program_, settings_.fog_lighting, framebuffer_.height(), has_clip_control());
-  set_uniform(light_point_program_, "first_point", plan.point_first);
   set_uniform(light_point_program_, "light_list", kLightListUnit);
-  glEnable(GL_PROGRAM_POINT_SIZE);
-  glEnable(GL_BLEND);
-  glBlendFunc(GL_ONE, GL_ONE);
-  glDrawArrays(GL_POINTS, 0, plan.point_count);
-  glDisable(GL_BLEND);
+  render::draw_light_points(light_point_program_, view, settings_.fog_lighting, plan.point_first, plan.point_count);
 }
 
 }  // namespace litfog::render

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/light/light_point.h"
 
+#include <epoxy/gl.h>
+
 #include "render/gpu/depth.h"
 #include "render/gpu/uniform.h"
 #include "render/light/point_list.h"
 
 namespace litfog::render {
 
-void set_point_uniforms(const gl::Program& program, FogLighting fog_lighting, int height, bool has_clip_control) {
+void draw_light_points(const gl::Program& program, const View& view, FogLighting fog_lighting, int first, int count) {
   const bool has_glare = fog_lighting == FogLighting::peak;
+  set_uniform(program, "clip_from_world", view.clip_from_world);
+  set_uniform(program, "eye", view.eye);
   set_uniform(program, "has_glare", has_glare);
   set_uniform(program, "full_brightness", kFullBrightness);
   set_uniform(program, "brightest", kBrightestPoint);
@@ -16,9 +20,17 @@ void set_point_uniforms(const gl::Program& program, FogLighting fog_lighting, in
   set_uniform(program, "point_radii", kPointRadii);
   set_uniform(program, "largest_growth", has_glare ? kLargestGlare : kLargestWithoutGlare);
   set_uniform(program, "halo_brightness", kHaloBrightness);
-  set_uniform(program, "pixel_scale", float(height) / kPointPictureHeight);
+  set_uniform(program, "pixel_scale", float(view.size.y) / kPointPictureHeight);
   set_uniform(program, "near_plane", kNearPlane);
-  set_uniform(program, "has_clip_control", has_clip_control);
+  set_uniform(program, "has_clip_control", has_clip_control());
+  set_uniform(program, "first_point", first);
+#ifdef GL_PROGRAM_POINT_SIZE  // which OpenGL ES always has
+  glEnable(GL_PROGRAM_POINT_SIZE);
+#endif
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE);
+  glDrawArrays(GL_POINTS, 0, count);
+  glDisable(GL_BLEND);
 }
 
 }  // namespace litfog::render

@@ -2,14 +2,15 @@
 #pragma once
 
 #include "litfog/gl/program.h"
+#include "render/plan/view.h"
 #include "render/render_settings.h"
 
 namespace litfog::render {
 
-/// Passes the program in use, one of shaders/light_point.vert, how points are drawn, but for the view and the lights.
+/// Draws lights as points over what has been drawn, by the program in use, one of shaders/light_point.vert that can read
+/// its lights.
 ///
-/// height            of the picture, pixels
-/// has_clip_control  whether depths have the precision of gpu/depth.h's clip control
-void set_point_uniforms(const gl::Program& program, FogLighting fog_lighting, int height, bool has_clip_control);
+/// first  of its light list, as count counts
+void draw_light_points(const gl::Program& program, const View& view, FogLighting fog_lighting, int first, int count);
 
 }  // namespace litfog::render

@@ -3,15 +3,21 @@
 
 #include <glm/glm.hpp>
 
+#include "scene/camera.h"
+
 namespace litfog::render {
 
 /// A frame's view, for passes over its pixels.
 struct View {
-  glm::vec3 eye;  ///< in world space as shaders take it: relative to SceneLights::origin()
+  glm::ivec2 size;  ///< of the picture, pixels
+  glm::vec3 eye;    ///< in world space as shaders take it: relative to SceneLights::origin()
   glm::vec3 forward;
   glm::mat4 clip_from_world;
   glm::mat4 direction_from_clip;  ///< of the ray through a place on the picture
   double pixels_per_radian;       ///< at the picture's middle
 };
+
+/// camera  relative to SceneLights::origin()
+View view_of(const scene::Camera& camera, glm::ivec2 size);
 
 }  // namespace litfog::render

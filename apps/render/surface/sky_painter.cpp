@@ -14,6 +14,20 @@
 
 namespace litfog::render {
 
+void draw_sky(const gl::Program& program, const View& view, const scene::Scene& scene) {
+  const scene::Environment& environment = scene.environment;
+  set_uniform(program, "direction_from_clip", view.direction_from_clip);
+  set_uniform(program, "far_plane", far_plane_in_clip());
+  set_uniform(program, "eye", view.eye);
+  set_uniform(program, "sky_zenith", environment.sky_zenith);
+  set_uniform(program, "sky_horizon", environment.sky_horizon);
+  set_uniform(program, "star_brightness", environment.star_brightness);
+  set_uniform(program, "moon_direction", environment.moon_direction);
+  set_uniform(program, "moon_color", environment.moon_color);
+  set_fog_top(program, scene);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
 const gl::Program& SkyPainter::program(SkyDrawing drawing, bool is_lit) {
   const auto found = programs_.find({drawing, is_lit});
   if (found != programs_.end()) return found->second;
@@ -30,21 +44,11 @@ const gl::Program& SkyPainter::program(SkyDrawing drawing, bool is_lit) {
 void SkyPainter::draw(const View& view, SkyDrawing drawing, std::size_t carried_count) {
   if (drawing == SkyDrawing::background) return;
   const gl::Program& program = this->program(drawing, carried_count > 0);
-  const scene::Environment& environment = scene_.environment;
   program.use();
   bind_lights(program, fog_lights_);
   set_uniform(program, "light_list", kLightListUnit);
   set_uniform(program, "carried_count", int(carried_count));
-  set_uniform(program, "direction_from_clip", view.direction_from_clip);
-  set_uniform(program, "far_plane", far_plane_in_clip());
-  set_uniform(program, "eye", view.eye);
-  set_uniform(program, "sky_zenith", environment.sky_zenith);
-  set_uniform(program, "sky_horizon", environment.sky_horizon);
-  set_uniform(program, "star_brightness", environment.star_brightness);
-  set_uniform(program, "moon_direction", environment.moon_direction);
-  set_uniform(program, "moon_color", environment.moon_color);
-  set_fog_top(program, scene_);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  draw_sky(program, view, scene_);
 }
 
 }  // namespace litfog::render

@@ -12,8 +12,10 @@
 
 namespace litfog::render {
 
-/// Draws the sky behind what is in a framebuffer, through the fog, which carried lights light. Needs a current GL
-/// context.
+/// Draws the sky behind what is in a framebuffer, by the program in use, one of shaders/sky.vert that can read the fog.
+void draw_sky(const gl::Program& program, const View& view, const scene::Scene& scene);
+
+/// Draws the sky through the fog, which carried lights light. Needs a current GL context.
 class SkyPainter {
  public:
   /// scene, fog_lights  have to outlive this

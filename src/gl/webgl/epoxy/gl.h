@@ -4,3 +4,13 @@
 // In place of libepoxy, which loads OpenGL's functions: those of WebGL 2, which are OpenGL ES 3.0's, are linked. What
 // ES 3.0 lacks is declared for code that does not use it there.
 #include <GLES3/gl32.h>
+
+inline int epoxy_gl_version() { return 30; }
+inline bool epoxy_has_gl_extension(const char* /*extension*/) { return false; }
+
+inline void glClearDepth(double depth) { glClearDepthf(float(depth)); }
+
+#define GL_NEGATIVE_ONE_TO_ONE 0x935E
+#define GL_ZERO_TO_ONE 0x935F
+#define GL_LOWER_LEFT 0x8CA1
+inline void glClipControl(GLenum /*origin*/, GLenum /*depth*/) {}
