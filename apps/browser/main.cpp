@@ -7,13 +7,13 @@
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <exception>
 #include <glm/glm.hpp>
 #include <optional>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -67,50 +67,15 @@ Session& session() {
   return session;
 }
 
-/// The members of a lamp, in the order of page.js.
-enum LampMember {
-  red,
-  green,
-  blue,
-  constant,
-  linear,
-  quadratic,
-  threshold,
-  profile,
-  first_parameter,
-  kLampMembers = first_parameter + kMaxConeParameters
-};
-
-using LampValues = std::array<double, kLampMembers>;
-
-LampValues values_of(const Light& light) {
-  LampValues values{light.color.r,
-                    light.color.g,
-                    light.color.b,
-                    light.attenuation.constant,
-                    light.attenuation.linear,
-                    light.attenuation.quadratic,
-                    light.threshold,
-                    double(light.cone.profile)};
-  std::size_t i = first_parameter;
-  for (const ConeParameter& parameter : facts_of(light.cone.profile).parameters) {
-    const double value = light.cone.*parameter.member;
-    values[i++] = parameter.is_angle ? glm::degrees(value) : value;
-  }
-  return values;
-}
-
-Light light_of(const LampValues& values, Light light) {
-  light.color = {values[red], values[green], values[blue]};
-  light.attenuation = {values[constant], values[linear], values[quadratic]};
-  light.threshold = values[threshold];
-  light.cone = {.profile = ConeProfile(int(values[profile]))};
-  std::size_t i = first_parameter;
-  for (const ConeParameter& parameter : facts_of(light.cone.profile).parameters) {
+/// values  of the profile's parameters, in their order; angles in degrees
+Cone cone_of(ConeProfile profile, const std::array<double, kMaxConeParameters>& values) {
+  Cone cone{.profile = profile};
+  std::size_t i = 0;
+  for (const ConeParameter& parameter : facts_of(profile).parameters) {
     const double value = values[i++];
-    light.cone.*parameter.member = parameter.is_angle ? glm::radians(value) : value;
+    cone.*parameter.member = parameter.is_angle ? glm::radians(value) : value;
   }
-  return light;
+  return cone;
 }
 
 }  // namespace
@@ -131,13 +96,13 @@ EMSCRIPTEN_KEEPALIVE int page_paint() {
   return int(unpainted.size());
 }
 
-/// Makes the view in the canvas of a CSS selector, which has no context yet. All materials are painted.
-EMSCRIPTEN_KEEPALIVE void page_open(const char* canvas) {
+/// Makes the view in the page's canvas. All materials are painted.
+EMSCRIPTEN_KEEPALIVE void page_open() {
   EmscriptenWebGLContextAttributes attributes;
   emscripten_webgl_init_context_attributes(&attributes);
   attributes.majorVersion = 2;
   attributes.alpha = attributes.depth = attributes.antialias = false;
-  const auto context = emscripten_webgl_create_context(canvas, &attributes);
+  const auto context = emscripten_webgl_create_context("#picture", &attributes);
   if (context <= 0) throw gl::Unsupported("this browser has no WebGL 2");
   emscripten_webgl_make_context_current(context);
   if (!emscripten_webgl_enable_extension(context, "EXT_color_buffer_float")) {
@@ -216,22 +181,23 @@ EMSCRIPTEN_KEEPALIVE void page_fly(double right, double up, double ahead) {
 EMSCRIPTEN_KEEPALIVE void page_approach(double factor) { window::approach(session().scene.camera, factor); }
 
 EMSCRIPTEN_KEEPALIVE int page_lamp_count() { return int(session().lamps.size()); }
-EMSCRIPTEN_KEEPALIVE const char* page_lamp_name(int lamp) { return session().first_of(lamp).light.name.c_str(); }
+/// The name of its file in data/lights.
+EMSCRIPTEN_KEEPALIVE const char* page_lamp_file(int lamp) { return session().first_of(lamp).light.name.c_str(); }
 EMSCRIPTEN_KEEPALIVE int page_lamp_copies(int lamp) { return int(session().lamps[std::size_t(lamp)].lights.size()); }
 
-EMSCRIPTEN_KEEPALIVE int page_member_count() { return kLampMembers; }
-/// A lamp's members, for page_set_lamp to read what the page writes there.
-EMSCRIPTEN_KEEPALIVE double* page_lamp(int lamp) {
-  static LampValues values;
-  values = values_of(session().first_of(lamp).light);
-  return values.data();
-}
 /// Changes all lights of a lamp; returns what is wrong with the members, and then changes nothing, or nothing.
-EMSCRIPTEN_KEEPALIVE const char* page_set_lamp(int lamp, const double* members) {
+///
+/// profile        ConeProfile
+/// first, second  its parameters
+EMSCRIPTEN_KEEPALIVE const char* page_set_lamp(int lamp, double red, double green, double blue, double constant,
+                                               double linear, double quadratic, double threshold, int profile,
+                                               double first, double second) {
   static std::string error;
-  LampValues values;
-  std::copy_n(members, values.size(), values.begin());
-  const Light light = light_of(values, session().first_of(lamp).light);
+  Light light = session().first_of(lamp).light;
+  light.color = {red, green, blue};
+  light.attenuation = {constant, linear, quadratic};
+  light.threshold = threshold;
+  light.cone = cone_of(ConeProfile(profile), {first, second});
   if (const auto wrong = check(light)) {
     error = to_string(*wrong);
     return error.c_str();
@@ -244,7 +210,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_set_lamp(int lamp, const double* members) 
 }
 
 /// The profiles of cones as JSON:
-/// [{"name": "x", "parameters": [{"label": "X", "isAngle": true, "ends": [0, 90], "first": 30}]}].
+/// [{"name": "x", "parameters": [{"file": "x_deg", "label": "X", "isAngle": true, "ends": [0, 90], "first": 30}]}].
 EMSCRIPTEN_KEEPALIVE const char* page_profiles() {
   static std::string text;
   std::vector<std::string> profiles;
@@ -252,9 +218,10 @@ EMSCRIPTEN_KEEPALIVE const char* page_profiles() {
     std::vector<std::string> parameters;
     for (const ConeParameter& each : facts.parameters) {
       const double first = facts.first.*each.member;
-      parameters.push_back(fmt::format(R"({{"label": "{}", "isAngle": {}, "ends": [{}], "first": {:.4g}}})", each.label,
-                                       each.is_angle, fmt::join(each.control, ", "),
-                                       each.is_angle ? glm::degrees(first) : first));
+      parameters.push_back(
+          fmt::format(R"({{"file": "{}", "label": "{}", "isAngle": {}, "ends": [{}], "first": {:.4g}}})", each.file_name,
+                      each.label, each.is_angle, fmt::join(each.control, ", "),
+                      each.is_angle ? glm::degrees(first) : first));
     }
     profiles.push_back(fmt::format(R"({{"name": "{}", "parameters": [{}]}})", facts.name, fmt::join(parameters, ", ")));
   }

@@ -3,7 +3,6 @@
 
 #include <utility>
 
-#include "bundled_lights.h"
 #include "scene/model/block.h"
 #include "scene/model/broadleaf.h"
 #include "scene/model/car.h"
@@ -76,7 +75,7 @@ void add_surroundings(Builder& builder) {
 
 /// The lamps, each kind with the models that carry it.
 void add_lamps(Builder& builder) {
-  builder.add({.light = bundled_light("headlight-spread"), .direction = {0.01, -0.03, -1}, .carried = true},
+  builder.add({.light = {.name = "headlight-spread"}, .direction = {0.01, -0.03, -1}, .carried = true},
               {{1.3, 0.7, 0}, {2.6, 0.7, 0}});
   const scene::StreetLamp lamp{.height_m = kLampHeight, .sodium = 1};
   builder.add(scene::make_street_lamp(lamp), {{{-5.4f, 0.13f, -6}, 0.0f},
@@ -87,9 +86,9 @@ void add_lamps(Builder& builder) {
                                               {{5.4f, 0.13f, -81}, 180.0f}});
   const double x = 5.4 - double{lamp.arm_m};
   const double y = 0.13 + double{kLampLight};
-  builder.add({.light = bundled_light("street-lamp"), .direction = {0, -1, 0}},
+  builder.add({.light = {.name = "street-lamp"}, .direction = {0, -1, 0}},
               {{-x, y, -6}, {-x, y, -36}, {-x, y, -66}, {x, y, -21}, {x, y, -51}, {x, y, -81}});
-  builder.add({.light = bundled_light("headlight-lower"), .direction = {-0.01, -0.015, 1}},
+  builder.add({.light = {.name = "headlight-lower"}, .direction = {-0.01, -0.015, 1}},
               {{-2.48, 0.61, -43.75}, {-1.32, 0.61, -43.75}});
 }
 

@@ -16,6 +16,7 @@
 #include "browser/street.h"
 #include "command/temporary_directory.h"
 #include "gl/gl_test.h"
+#include "litfog/files/light_file.h"
 #include "measure/reference_picture.h"
 #include "render/display.h"
 #include "render/renderer.h"
@@ -34,9 +35,12 @@ using Pixels = std::vector<double>;  // RGB as the display gets it, in 1/255; th
 /// How the street's pictures are sampled. How textures are filtered is left to drivers.
 enum class Textures { filtered, first_texel };
 
-/// The page's scene with its materials.
+/// The page's scene with its lights and materials.
 scene::Scene painted_street(Textures textures) {
   scene::Scene street = browser::make_street();
+  for (PlacedLight& placed : street.lights) {
+    placed.light = read_light(LITFOG_DATA_DIR "/lights/" + placed.light.name + ".json");
+  }
   scene::add_materials(street);
   if (textures == Textures::filtered) return street;
   for (scene::Material& material : street.materials) {

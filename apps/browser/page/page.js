@@ -60,9 +60,10 @@ function makeSlider(id, name, scale, changed) {
 const kNumbers = ['visibility', 'contrast', 'ev'];
 const kWords = {mode: Object.keys(kModes), light: ['airlight', 'peak'], exposure: ['fixed', 'auto'],
                 tone: ['neutral', 'clip']};
-const kMembers = ['red', 'green', 'blue', 'constant', 'linear', 'quadratic', 'threshold', 'profile'];
+const kMembers =
+    ['red', 'green', 'blue', 'constant', 'linear', 'quadratic', 'threshold', 'profile', 'first', 'second'];
 const kProfileAt = kMembers.indexOf('profile');
-const kParameterAt = kMembers.length;  // begin() adds names of a cone's parameters
+const kParameterAt = kProfileAt + 1;  // of a cone
 let profiles = [];  // of cones
 let lamps = [];  // {name, members, original}
 let firstCamera = [];
@@ -179,11 +180,16 @@ let rows = {};
 
 const member = (lamp, name) => lamp.members[kMembers.indexOf(name)];
 
+// The members of a light file. One without a cone is a point light.
+function membersOf({color, attenuation: {constant, linear, quadratic}, threshold, cone = {profile: 'none'}}) {
+  const profile = profiles.findIndex(({name}) => name === cone.profile);
+  const [first = 0, second = 0] = profiles[profile].parameters.map(({file}) => cone[file]);
+  return [...color, constant, linear, quadratic, threshold, profile, first, second];
+}
+
 // Takes the members of a lamp, or says what is wrong with them.
 function setLamp(lamp, members) {
-  const pointer = _page_lamp(lamps.indexOf(lamp));
-  HEAPF64.set(members, pointer / 8);
-  const error = text(_page_set_lamp(lamps.indexOf(lamp), pointer));
+  const error = text(_page_set_lamp(lamps.indexOf(lamp), ...members));
   byId('wrong').textContent = error;
   if (!error) lamp.members = members;
 }
@@ -436,7 +442,7 @@ function fail(error) {
 }
 
 function begin() {
-  ccall('page_open', null, ['string'], ['#picture']);
+  _page_open();
   firstCamera = numbers(_page_camera(), 6).map((value) => Number(value.toFixed(3)));
   Object.assign(visibilityScale, {low: _page_least_visibility(), high: _page_most_visibility()});
   for (let i = 0; i < _page_preset_count(); ++i) {
@@ -448,13 +454,13 @@ function begin() {
     button.addEventListener('click', () => set({visibility: Number(button.value)}));
     byId('presets').append(button);
   }
-  while (kMembers.length < _page_member_count()) kMembers.push(`parameter${kMembers.length - kParameterAt}`);
   profiles = JSON.parse(text(_page_profiles()));
   for (let i = 0; i < _page_lamp_count(); ++i) {
-    const members = numbers(_page_lamp(i), kMembers.length);
-    lamps.push({members, original: members});
+    const light = kLights[text(_page_lamp_file(i))];
+    lamps.push({original: membersOf(light)});
+    setLamp(lamps[i], lamps[i].original);
     const copies = _page_lamp_copies(i);
-    byId('lamps').add(new Option(text(_page_lamp_name(i)) + (copies > 1 ? ` × ${copies}` : '')));
+    byId('lamps').add(new Option(light.name + (copies > 1 ? ` × ${copies}` : '')));
   }
   byId('fogged').prepend(visibility.row);
   byId('display').append(exposure.row);
