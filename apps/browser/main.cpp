@@ -21,6 +21,7 @@
 #include "browser/view.h"
 #include "litfog/gl/unsupported.h"
 #include "scene/paint/material_catalogue.h"
+#include "scene/srgb.h"
 #include "window/camera_motion.h"
 #include "window/drawing_pace.h"
 #include "window/range_curve.h"
@@ -111,8 +112,9 @@ EMSCRIPTEN_KEEPALIVE void page_open() {
   session().view.emplace(session().scene);
 }
 
-/// By what a moving view's picture is made smaller.
+/// By what a moving view's picture is made smaller, and the milliseconds after which it is still.
 EMSCRIPTEN_KEEPALIVE int page_divisor() { return session().pace.divisor(); }
+EMSCRIPTEN_KEEPALIVE double page_still_after() { return window::DrawingPace::kStillAfter; }
 
 /// Draws a frame of a size in pixels, which is the canvas's over a divisor, and waits for it; returns milliseconds.
 EMSCRIPTEN_KEEPALIVE double page_draw(int width, int height, int divisor) {
@@ -146,12 +148,16 @@ EMSCRIPTEN_KEEPALIVE void page_set_airlight(bool has_airlight) {
   session().view->set_fog_lighting(has_airlight ? render::FogLighting::airlight : render::FogLighting::peak);
 }
 
-/// ev       exposure
+/// ev       exposure, within page_largest_exposure() either way
 /// is_auto  each frame chooses its own in place of it
 EMSCRIPTEN_KEEPALIVE void page_set_display(double ev, bool is_auto, bool is_neutral) {
   session().display = {.exposure = {.ev = ev, .is_auto = is_auto},
                        .tone = is_neutral ? render::ToneCurve::neutral : render::ToneCurve::clip};
 }
+
+EMSCRIPTEN_KEEPALIVE double page_largest_exposure() { return kLargestExposure; }
+EMSCRIPTEN_KEEPALIVE double page_srgb(double linear) { return double{scene::srgb_from_linear(float(linear))}; }
+EMSCRIPTEN_KEEPALIVE double page_linear(double srgb) { return double{scene::linear_from_srgb(float(srgb))}; }
 
 /// The camera: position and target, three metres each.
 EMSCRIPTEN_KEEPALIVE const double* page_camera() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "browser/street.h"
 
+#include <string>
 #include <utility>
 
 #include "scene/model/block.h"
@@ -73,9 +74,16 @@ void add_surroundings(Builder& builder) {
   builder.add(scene::make_person({.coat = 4, .walks = 1}), {{{-0.6f, 0, -20.4f}, 90.0f}});
 }
 
+/// file  in data/lights, without its ending
+Light named(const std::string& file) {
+  Light light;
+  light.name = file;
+  return light;
+}
+
 /// The lamps, each kind with the models that carry it.
 void add_lamps(Builder& builder) {
-  builder.add({.light = {.name = "headlight-spread"}, .direction = {0.01, -0.03, -1}, .carried = true},
+  builder.add({.light = named("headlight-spread"), .direction = {0.01, -0.03, -1}, .carried = true},
               {{1.3, 0.7, 0}, {2.6, 0.7, 0}});
   const scene::StreetLamp lamp{.height_m = kLampHeight, .sodium = 1};
   builder.add(scene::make_street_lamp(lamp), {{{-5.4f, 0.13f, -6}, 0.0f},
@@ -86,9 +94,9 @@ void add_lamps(Builder& builder) {
                                               {{5.4f, 0.13f, -81}, 180.0f}});
   const double x = 5.4 - double{lamp.arm_m};
   const double y = 0.13 + double{kLampLight};
-  builder.add({.light = {.name = "street-lamp"}, .direction = {0, -1, 0}},
+  builder.add({.light = named("street-lamp"), .direction = {0, -1, 0}},
               {{-x, y, -6}, {-x, y, -36}, {-x, y, -66}, {x, y, -21}, {x, y, -51}, {x, y, -81}});
-  builder.add({.light = {.name = "headlight-lower"}, .direction = {-0.01, -0.015, 1}},
+  builder.add({.light = named("headlight-lower"), .direction = {-0.01, -0.015, 1}},
               {{-2.48, 0.61, -43.75}, {-1.32, 0.61, -43.75}});
 }
 

@@ -24,8 +24,7 @@ namespace {
 
 using render::set_uniform;
 
-constexpr int kSamples = 4;              // a pixel: WebGL 2 has as many everywhere
-constexpr double kLargestExposure = 12;  // EV, of the page's slider
+constexpr int kSamples = 4;  // a pixel: WebGL 2 has as many everywhere
 // An automatic exposure is chosen by this many pixels along the picture's shorter side, or up to twice as many.
 constexpr int kMeasuredPixels = 100;
 

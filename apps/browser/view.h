@@ -20,6 +20,8 @@
 
 namespace litfog::browser {
 
+inline constexpr double kLargestExposure = 12;  ///< EV, either way, of the page's slider
+
 /// What a frame did.
 struct FrameReport {
   std::size_t surfaces = 0;        ///< drawn; the others are out of view

@@ -4,7 +4,6 @@
 
 const byId = (id) => document.getElementById(id);
 const picture = byId('picture');
-const kStillAfter = 250;  // milliseconds without a change, after which the picture is drawn at its full size
 const kModes = {none: -1, exp: 0, exp2: 1};
 
 const state =
@@ -93,7 +92,7 @@ function readAddress() {
   }
   state.visibility = Math.max(state.visibility, 0);
   if (!(state.contrast > 0 && state.contrast < 1)) state.contrast = 0.05;
-  state.ev = Math.min(Math.max(state.ev, -12), 12);
+  state.ev = Math.min(Math.max(state.ev, exposureScale.low), exposureScale.high);
 }
 
 // --- Drawing: at once and coarsely where the machine is slow, and at full size when the view is still. ---
@@ -102,7 +101,7 @@ let isWaiting = false;
 
 function change() {
   clearTimeout(still);
-  still = setTimeout(() => attempt(() => draw(1)), kStillAfter);
+  still = setTimeout(() => attempt(() => draw(1)), _page_still_after());
   if (!isWaiting) requestAnimationFrame(() => attempt(sketch));
   isWaiting = true;
 }
@@ -143,9 +142,8 @@ function showPanel(isShown) {
 
 const visibilityScale = {words: (value) => (value === Infinity ? 'clear' : short(value)), unit: ' m'};
 const visibility = makeSlider('visibility', 'Visibility', visibilityScale, (value) => set({visibility: value}));
-const exposure = makeSlider('ev', 'EV', {low: -12, high: 12, linear: true, step: 0.05,
-                                         words: (value) => (value > 0 ? '+' : '') + value.toFixed(2)},
-                            (value) => set({ev: value, exposure: 'fixed'}));
+const exposureScale = {linear: true, step: 0.05, words: (value) => (value > 0 ? '+' : '') + value.toFixed(2)};
+const exposure = makeSlider('ev', 'EV', exposureScale, (value) => set({ev: value, exposure: 'fixed'}));
 
 function set(changes) {
   Object.assign(state, changes);
@@ -252,8 +250,6 @@ function hueOf(lamp) {
   const largest = Math.max(...rgb);
   return largest > 0 ? rgb.map((part) => part / largest) : [1, 1, 1];
 }
-const srgbOf = (light) => (light <= 0.0031308 ? 12.92 * light : 1.055 * Math.pow(light, 1 / 2.4) - 0.055);
-const lightOf = (srgb) => (srgb <= 0.04045 ? srgb / 12.92 : Math.pow((srgb + 0.055) / 1.055, 2.4));
 
 function showLamp() {
   const lamp = lamps[picked];
@@ -261,7 +257,7 @@ function showLamp() {
     row.show(name === 'brightness' ? Math.max(...lamp.members.slice(0, 3)) : member(lamp, name));
   }
   byId('hue').value =
-      '#' + hueOf(lamp).map((part) => Math.round(255 * srgbOf(part)).toString(16).padStart(2, '0')).join('');
+      '#' + hueOf(lamp).map((part) => Math.round(255 * _page_srgb(part)).toString(16).padStart(2, '0')).join('');
   byId('reset').disabled = String(lamp.members) === String(lamp.original);
   drawCurve();
 }
@@ -400,7 +396,7 @@ function listen() {
   byId('lamps').addEventListener('change', (event) => pickLamp(event.target.selectedIndex));
   byId('hue').addEventListener('input', (event) => {
     const brightest = Math.max(...lamps[picked].members.slice(0, 3));
-    const rgb = [1, 3, 5].map((at) => lightOf(parseInt(event.target.value.slice(at, at + 2), 16) / 255));
+    const rgb = [1, 3, 5].map((at) => _page_linear(parseInt(event.target.value.slice(at, at + 2), 16) / 255));
     const largest = Math.max(...rgb) || 1;
     const [red, green, blue] = rgb.map((part) => Number((part / largest * brightest).toPrecision(4)));
     changeLamp({red, green, blue});
@@ -445,6 +441,7 @@ function begin() {
   _page_open();
   firstCamera = numbers(_page_camera(), 6).map((value) => Number(value.toFixed(3)));
   Object.assign(visibilityScale, {low: _page_least_visibility(), high: _page_most_visibility()});
+  Object.assign(exposureScale, {low: -_page_largest_exposure(), high: _page_largest_exposure()});
   for (let i = 0; i < _page_preset_count(); ++i) {
     const button = document.createElement('button');
     button.type = 'button';
