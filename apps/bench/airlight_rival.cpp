@@ -29,7 +29,7 @@ class Ray {
         density_(c.fog.density * c.light.light.density_scale),
         is_exp_(c.fog.mode == FogMode::exp),
         is_fogged_(c.scattering.lamp_leg == LampLeg::fogged),
-        asymmetry_(c.scattering.asymmetry),
+        phase_(c.scattering.phase),
         length_(c.ray.length) {
     const glm::dvec3 to_light = c.light.position - c.ray.origin;
     approach_ = glm::dot(to_light, c.ray.direction);
@@ -74,10 +74,7 @@ class Ray {
     if (value < threshold_) return 0;
     value *= formulas::litfog_cone_at(cone_.profile, (axis_offset_ + axis_slope_ * x) / r, cone_.x, cone_.y);
     if (is_fogged_) value *= std::exp(-depth(r));
-    if (asymmetry_ != 0) {  // Henyey and Greenstein
-      const double base = 1 + asymmetry_ * (asymmetry_ + 2 * x / r);
-      value *= (1 - asymmetry_ * asymmetry_) / (base * std::sqrt(base));
-    }
+    if (!is_isotropic(phase_)) value *= phase_at(phase_, -x / r);
     return value;
   }
 
@@ -108,7 +105,7 @@ class Ray {
   double density_;
   bool is_exp_;
   bool is_fogged_;
-  double asymmetry_;
+  Phase phase_;
   double length_;
   double approach_;     // metres from the eye to the closest approach
   double offset_;       // metres from there to the lamp

@@ -13,7 +13,6 @@
 #include <glm/glm.hpp>
 #include <optional>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <vector>
 

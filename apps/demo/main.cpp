@@ -336,7 +336,7 @@ Job add_sequence_job(CLI::App& app) {
     }
     check_options(app, drawing::drawing_rules(drawing));
     check_options(app, {{"--camera-path", app.count("--camera-path") > 0, {"--camera", "--target", "--fov-deg"}}});
-    Sequence sequence(options->sequence, drawing.phase_g);
+    Sequence sequence(options->sequence, drawing.phase);
     check_options(app, {{sequence.scene().name,
                          !drawing::has_turning_light(sequence.scene()),
                          {"--time"},

@@ -27,7 +27,7 @@ const char* sky_name(render::SkyDrawing sky) {
 
 void set_scene(scene::Scene& scene, const DrawingOptions& options) {
   scene::turn_lights(scene, options.seconds);
-  scene.phase_g = options.phase_g.value_or(scene.phase_g);
+  scene.phase = options.phase.value_or(scene.phase);
 }
 
 DrawnFor set_fog_and_exposure(render::Renderer& renderer, const DrawingOptions& options) {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kMaxSide = 16'384;
 constexpr command::NumberRule kFraction{[](double x) { return x >= 0 && x <= 1; }, "must be a number in [0, 1]", 0, 1};
-constexpr command::NumberRule kPhase{scene::is_phase_g, scene::kPhaseRule};
+constexpr command::NumberRule kAsymmetry{[](double g) { return !check(Phase{g}); }, kAsymmetryRule};
 constexpr std::int64_t kMaxPixels = 40'000'000;  // some 3 GiB, 5 with airlight
 
 void parse_size(const std::string& text, DrawingOptions& options) {
@@ -32,19 +32,21 @@ void parse_size(const std::string& text, DrawingOptions& options) {
   options.height = *height;
 }
 
-/// command::add_number for an option without a default.
-void add_number(CLI::App& app, const std::string& name, std::optional<double>& target, command::NumberRule rule,
+/// command::add_number for an option without a default, whose target is made of a number.
+template <typename Target>
+void add_number(CLI::App& app, const std::string& name, std::optional<Target>& target, command::NumberRule rule,
                 const std::string& description) {
   const auto parse = [&target, name, rule](const std::string& text) {
-    target = command::parse_number(text, rule);
-    if (!target) command::fail_option(name, text, rule.text);
+    const auto number = command::parse_number(text, rule);
+    if (!number) command::fail_option(name, text, rule.text);
+    target = Target{*number};
   };
   app.add_option_function<std::string>(name, parse, description)->type_name("NUMBER");
 }
 
 void add_phase(CLI::App& app, DrawingOptions& options) {
   add_number(
-      app, "--phase-g", options.phase_g, kPhase,
+      app, "--phase-g", options.phase, kAsymmetry,
       "With airlight: Henyey-Greenstein asymmetry of the fog, in place of the scene's; 0 scatters evenly, near 1 "
       "straight ahead");
 }

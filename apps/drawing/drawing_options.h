@@ -8,6 +8,7 @@
 #include "command/option_rule.h"
 #include "drawing/display_options.h"
 #include "litfog/fog.h"
+#include "litfog/phase.h"
 #include "render/render_settings.h"
 #include "scene/scene.h"
 
@@ -28,7 +29,7 @@ struct DrawingOptions {
   std::optional<FogMode> fog = FogMode::exp;  ///< none: clear air
   std::optional<double> visibility = {};      ///< metres; default: what each scene suggests
   double contrast = kContrastMor;             ///< that is left at the visibility, (0, 1)
-  std::optional<double> phase_g = {};         ///< in (-1, 1); default: the scenes' own
+  std::optional<Phase> phase = {};            ///< of the fog; default: the scenes' own
   double seconds = 0;                         ///< for which the scenes' lights have been turning
   int width = 1280;                           ///< pixels
   int height = 720;

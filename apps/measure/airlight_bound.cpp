@@ -59,8 +59,8 @@ double airlight_bound(const ReferenceLight& light, const EyeRay& ray, const Scat
   const double half_chord = std::sqrt(std::max(light.fog_extent * light.fog_extent - offset * offset, 0.0));
   const double first = std::clamp(approach - half_chord, 0.0, ray.length);
   const double last = std::clamp(approach + half_chord, first, ray.length);
-  const double factor =
-      cone_at(light.placed.light.cone, largest_cosine(light.placed, ray, first, last)) * largest_phase(scattering);
+  const double factor = cone_at(light.placed.light.cone, largest_cosine(light.placed, ray, first, last)) *
+                        largest_phase(scattering.phase);
   if (std::isinf(light.fog.density)) return factor * brightest;
   const double denominator =
       formulas::denominator(offset, attenuation.constant, attenuation.linear, attenuation.quadratic);

@@ -37,7 +37,7 @@ PathModel::PathModel(const render::Renderer& renderer)
       path_(*renderer.settings().path),
       environment_(renderer.scene().environment),
       fog_(renderer.fog()),
-      scattering_{.lamp_leg = LampLeg::fogged, .asymmetry = renderer.scene().phase_g},
+      scattering_{.lamp_leg = LampLeg::fogged, .phase = renderer.scene().phase},
       materials_(renderer.materials()),
       lights_(reference_lights(renderer.scene(), renderer.fog(), renderer.settings(), renderer.ends_exposure())),
       airlight_budget_(kAirlightBudget * std::exp2(-renderer.exposure())),

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -12,6 +11,7 @@
 #include <vector>
 
 #include "litfog/light.h"
+#include "litfog/phase.h"
 #include "litfog/photometry/cookie.h"
 #include "scene/camera.h"
 #include "scene/light_frame.h"
@@ -91,18 +91,8 @@ struct Scene {
   std::vector<double> visibilities;              ///< metres: those at which the gallery shows the scene
   bool is_lit_at_vertices = false;  ///< it shows what tessellation does: the gallery draws it by the path `vertex`
   double fog_top = std::numeric_limits<double>::infinity();  ///< height at which rays to the sky leave the fog, metres
-  double phase_g = 0;  ///< (-1, 1): the fog's Henyey-Greenstein asymmetry; 0 scatters evenly, near 1 straight ahead
+  Phase phase = {};                                          ///< of the fog
 };
-
-/// Whether a number can be a scene's phase_g: at 1 all light would go straight ahead, at -1 straight back.
-constexpr bool is_phase_g(double g) { return g > -1 && g < 1; }
-inline constexpr const char* kPhaseRule = "must be in (-1, 1)";
-
-/// A scene's phase_g in a float, in which what is next to 1 would be 1.
-inline float shader_phase_g(const Scene& scene) {
-  constexpr float kLargest = 0x1.fffffep-1f;
-  return std::clamp(float(scene.phase_g), -kLargest, kLargest);
-}
 
 /// Largest time: a cookie or light of ten turns a second is then still in place to a thousandth of a degree.
 inline constexpr double kMaxSeconds = 1e9;

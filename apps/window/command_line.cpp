@@ -50,8 +50,8 @@ std::string to_string(const DrawingCommand& command) {
   if (options.fog) {
     add(options.visibility.has_value(), "--visibility", fmt::format("{}", options.visibility.value_or(0)));
     add(options.contrast != usual.contrast, "--contrast", contrast_word(options.contrast));
-    add(options.phase_g && drawn.fog_lighting == render::FogLighting::airlight, "--phase-g",
-        fmt::format("{}", options.phase_g.value_or(0)));
+    add(options.phase && drawn.fog_lighting == render::FogLighting::airlight, "--phase-g",
+        fmt::format("{}", options.phase.value_or(Phase{}).asymmetry));
   }
   add(&path != usual.render.path, "--path", std::string(path.name));
   const bool has_maps = path.maps != render::LightMapSet::none;

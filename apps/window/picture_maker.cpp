@@ -32,8 +32,8 @@ class KeptRenderer {
     camera_ = order.camera;
     lights_ = order.lights;
     const Fog fog = options.fog_at(options.visibility_in(scene));
-    if (fog != renderer_->fog() || scene.phase_g != phase_g_) renderer_->set_fog(fog);
-    phase_g_ = scene.phase_g;
+    if (fog != renderer_->fog() || scene.phase != phase_) renderer_->set_fog(fog);
+    phase_ = scene.phase;
   }
 
   /// is_unwanted  Renderer::interrupt_when
@@ -61,7 +61,7 @@ class KeptRenderer {
   std::optional<render::Renderer> renderer_;
   scene::Camera camera_;
   std::shared_ptr<const std::vector<PlacedLight>> lights_;
-  double phase_g_ = 0;
+  Phase phase_;
   std::optional<double> chosen_;  // the last automatic exposure
 };
 
@@ -110,7 +110,7 @@ std::string PictureMaker::gl_renderer() const {
 
 void PictureMaker::work(scene::Scene scene) try {
   const gl::HeadlessContext context;
-  const double own_phase_g = scene.phase_g;
+  const Phase own_phase = scene.phase;
   std::shared_ptr<const std::vector<PlacedLight>> lights;
   std::deque<KeptRenderer> renderers;  // which resizing does not move
   std::unique_lock lock(mutex_);
@@ -132,7 +132,7 @@ void PictureMaker::work(scene::Scene scene) try {
     try {
       for (std::size_t i = 0; i < renderers.size(); ++i) {
         const drawing::DrawingOptions& options = order.settings[i];
-        scene.phase_g = options.phase_g.value_or(own_phase_g);
+        scene.phase = options.phase.value_or(own_phase);
         renderers[i].set(scene, order, options);
         delivery.pictures.push_back(renderers[i].draw(options.display.display_for(scene), order.is_sketch,
                                                       [this, &order] { return is_unwanted(order); }));

@@ -9,6 +9,7 @@
 #include "litfog/attenuation.h"
 #include "litfog/fog.h"
 #include "litfog/light.h"
+#include "litfog/phase.h"
 #include "litfog/value_error.h"
 
 namespace litfog {
@@ -22,17 +23,11 @@ enum class LampLeg {
 /// How fog scatters light into the eye.
 struct Scattering {
   LampLeg lamp_leg = LampLeg::fogged;
-  double asymmetry = 0;  ///< g of Henyey and Greenstein's phase function, in (-1, 1); 0 is isotropic, > 0 forward
+  Phase phase = {};
 };
 
 /// What is wrong with it, or nothing.
 std::optional<ValueError> check(const Scattering& scattering);
-
-/// The largest value of the phase function over its isotropic value: (1 + |g|) / (1 - |g|)^2, straight ahead for g > 0
-/// and straight back for g < 0. It is 1 in isotropic fog.
-///
-/// scattering  one that check() finds nothing wrong with; not checked here
-double largest_phase(const Scattering& scattering);
 
 /// A ray from the eye to what it sees. World space, metres.
 struct EyeRay {
@@ -71,7 +66,7 @@ inline constexpr double kDimAirlight = 1e-10;
 ///
 /// light      its extent is that of its threshold; its class sees the fog at its density scale
 /// fog        of the scene
-/// returns    [0, 1] in isotropic fog; up to (1 + |g|) / (1 - |g|)^2 else
+/// returns    [0, 1] in isotropic fog; up to largest_phase() else
 /// max error  kAirlightMaxError, mostly kAirlightTypicalError, for |g| <= 0.9                       (airlight_test.cpp)
 /// throws     std::invalid_argument naming field, value and rule
 double airlight(const PlacedLight& light, const Fog& fog, const EyeRay& ray, const Scattering& scattering = {});
@@ -99,7 +94,7 @@ double reference_airlight(const PlacedLight& light, const Fog& fog, const EyeRay
 /// What the airlight of a light cannot exceed along any ray from the eye that leaves within an angle of an axis,
 /// however long: for skipping a light for a tile of the picture, or for all of it.
 ///
-/// Proof. The phase function is at most p = (1 + |g|) / (1 - |g|)^2 and the cone 1. No point of the rays lies nearer to
+/// Proof. The phase function is at most p = largest_phase() and the cone 1. No point of the rays lies nearer to
 /// the light than h, the distance from the light to the cone of rays: its range from the eye times the sine of the
 /// angle by which it lies outside the cone, all of its range where that is over 90 degrees, 0 inside. a falls with the
 /// range, so that it is at most a(h), and 0 where h is not below the extent E. The lit stretch of a ray is a chord of

@@ -54,14 +54,16 @@ double exact_airlight(const SeenLight& seen, const EyeRay& ray, const Scattering
   const Light& light = seen.light.light;
   const long double extent =
       level_range(convert<long double>(light.attenuation), static_cast<long double>(light.threshold)).high;
-  return double(
-      integrate_airlight(Exact{NoCookie{}}, Exact::seen_along(seen.light, extent, seen.class_fog, ray, scattering)));
+  return double(integrate_airlight(Exact{NoCookie{}},
+                                   Exact::seen_along(seen.light, extent, seen.class_fog, ray, scattering.lamp_leg,
+                                                     convert<long double>(scattering.phase))));
 }
 
 double fast_airlight(const SeenLight& seen, const EyeRay& ray, const Scattering& scattering) {
   if (!seen.is_ordinary()) return exact_airlight(seen, ray, scattering);
   Text<double, NoCookie> text{NoCookie{}};
-  return text.litfog_airlight(text.seen_along(seen.light, seen.extent, seen.class_fog, ray, scattering));
+  return text.litfog_airlight(
+      text.seen_along(seen.light, seen.extent, seen.class_fog, ray, scattering.lamp_leg, scattering.phase));
 }
 
 /// axial_airlight of checked arguments, beyond the plateau panel by panel, each eight times as long as the one before.
@@ -96,15 +98,7 @@ long double integrate_axially(const Attenuation& narrow, const Fog& fog, double 
 
 }  // namespace
 
-std::optional<ValueError> check(const Scattering& scattering) {
-  if (!(std::abs(scattering.asymmetry) < 1)) return ValueError{"asymmetry", scattering.asymmetry, "must be in (-1, 1)"};
-  return std::nullopt;
-}
-
-double largest_phase(const Scattering& scattering) {
-  const double size = std::abs(scattering.asymmetry);
-  return (1 + size) / ((1 - size) * (1 - size));
-}
+std::optional<ValueError> check(const Scattering& scattering) { return check(scattering.phase); }
 
 std::optional<ValueError> check(const EyeRay& ray) {
   if (const auto error = check_position(ray.origin, {"origin.x", "origin.y", "origin.z"})) return error;
@@ -163,7 +157,7 @@ double bound_airlight(const PlacedLight& light, const Fog& fog, const glm::dvec3
                              : std::min(fog_factor_at(class_fog, start), chord * density * largest_slope);
   const double lamp_leg = scattering.lamp_leg == LampLeg::fogged ? fog_factor_at(class_fog, closest) : 1;
   // One subnormal more: the products may be rounded down to 0.
-  return largest_phase(scattering) * attenuation_at(light.light.attenuation, closest) * opacity * lamp_leg *
+  return largest_phase(scattering.phase) * attenuation_at(light.light.attenuation, closest) * opacity * lamp_leg *
              (1 + 8 * kMargin) +
          std::numeric_limits<double>::denorm_min();
 }

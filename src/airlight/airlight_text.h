@@ -8,6 +8,7 @@
 
 #include "litfog/airlight.h"
 #include "model/packed_cone.h"
+#include "model/phase_text.h"
 #include "model/unchecked.h"
 
 // The airlight's formulas as C++: the text that the shaders share (litfog/shaders/airlight.glsl), and its arguments.
@@ -15,6 +16,7 @@
 namespace litfog::airlight_text {
 
 using namespace formulas;  // those of cone_profile.glsl
+using namespace phase_text;
 using glm::sign;
 using std::abs, std::asinh, std::ceil, std::clamp, std::exp, std::floor, std::log, std::max, std::min, std::sqrt;
 
@@ -34,8 +36,10 @@ glm::vec<3, Real> cross_without_cancellation(const glm::vec<3, Real>& a, const g
 
 /// Cookie  called with a distance along the ray from its closest approach to the light: the fraction of the light's
 ///         axial intensity there, for LITFOG_PROFILE_COOKIE
-template <typename Real, typename Cookie>
+/// Lobe    a phase function; those of litfog/shaders/phase.glsl for it are found in its namespace
+template <typename Real, typename Cookie, typename Lobe = BasicPhase<Real>>
 struct Text {
+  using LitfogPhase = Lobe;
   const Cookie& cookie;
 
   struct LitfogAirlight;
@@ -55,7 +59,7 @@ struct Text {
 
   /// A light as a ray sees it. The fog is that of the light's class.
   static LitfogAirlight seen_along(const PlacedLight& placed, Real extent, const Fog& class_fog, const EyeRay& ray,
-                                   const Scattering& scattering) {
+                                   LampLeg lamp_leg, const LitfogPhase& phase) {
     using Vector = glm::vec<3, Real>;
     const Light& light = placed.light;
     const Vector stated = Vector(ray.direction);
@@ -69,8 +73,8 @@ struct Text {
     LitfogAirlight air{};
     air.density = Real(class_fog.density);
     air.mode = class_fog.mode == FogMode::exp ? 0 : 1;
-    air.lamp_leg = scattering.lamp_leg == LampLeg::fogged ? 1 : 0;
-    air.asymmetry = Real(scattering.asymmetry);
+    air.lamp_leg = lamp_leg == LampLeg::fogged ? 1 : 0;
+    air.phase = phase;
     air.constant = Real(light.attenuation.constant);
     air.linear = Real(light.attenuation.linear);
     air.quadratic = Real(light.attenuation.quadratic);
@@ -92,7 +96,7 @@ struct Text {
     const Real range = litfog_airlight_range(air, air.approach);
     const bool is_dark = air.ray_length == 0 || range >= air.extent || (air.lamp_leg != 0 && range > 0);
     if (is_dark) return 0;
-    const Real phase = litfog_phase(range > 0 ? air.approach / range : Real(-1), air.asymmetry);
+    const Real phase = litfog_phase(air.phase, range > 0 ? air.approach / range : Real(-1));
     // With the eye in the lamp itself f dims both legs alike: the integral of -f' f is 1/2.
     const Real through = air.lamp_leg != 0 ? Real(0.5) : Real(1);
     return through * formulas::attenuation(range, air.constant, air.linear, air.quadratic) * phase *

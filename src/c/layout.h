@@ -15,6 +15,7 @@
 #include "litfog/light.h"
 #include "litfog/light_bounds.h"
 #include "litfog/light_clusters.h"
+#include "litfog/phase.h"
 #include "litfog/solve.h"
 #include "litfog/updater.h"
 #include "litfog/view_frustum.h"
@@ -57,9 +58,12 @@ LITFOG_MEMBER(litfog_fog_intensity, FogIntensity, peak_range);
 LITFOG_MEMBER(litfog_fog_intensity, FogIntensity, extent);
 LITFOG_MEMBER(litfog_fog_intensity, FogIntensity, status);
 
+LITFOG_COUNTERPART(litfog_phase, Phase);
+LITFOG_MEMBER(litfog_phase, Phase, asymmetry);
+
 LITFOG_COUNTERPART(litfog_scattering, Scattering);
 LITFOG_MEMBER(litfog_scattering, Scattering, lamp_leg);
-LITFOG_MEMBER(litfog_scattering, Scattering, asymmetry);
+LITFOG_MEMBER(litfog_scattering, Scattering, phase);
 
 LITFOG_COUNTERPART(litfog_eye_ray, EyeRay);
 LITFOG_MEMBER(litfog_eye_ray, EyeRay, origin);

@@ -56,7 +56,8 @@ double evaluate(const PlacedLight& light, const Cookie& cookie, const glm::dmat3
                            cookie_from_world * direction};
   Text<Real, CookieOnRay> text{on_ray};
   const double extent = unchecked::compute_extent(light.light.attenuation, light.light.threshold);
-  auto air = text.seen_along(light, Real(extent), unchecked::scaled(fog, light.light.density_scale), ray, scattering);
+  auto air = text.seen_along(light, Real(extent), unchecked::scaled(fog, light.light.density_scale), ray,
+                             scattering.lamp_leg, convert<Real>(scattering.phase));
   air.profile = Real(LITFOG_PROFILE_COOKIE);
   return double(std::isinf(air.density) ? text.at_the_eye(air) : evaluate_text(text, air));
 }

@@ -166,10 +166,14 @@ class BatchSolutions:
     @property
     def invalid_count(self) -> int: ...
 
+class Phase:
+    asymmetry: float
+    def __init__(self, asymmetry: float = 0.0) -> None: ...
+
 class Scattering:
     lamp_leg: LampLeg
-    asymmetry: float
-    def __init__(self, lamp_leg: LampLeg = ..., asymmetry: float = 0.0) -> None: ...
+    phase: Phase
+    def __init__(self, lamp_leg: LampLeg = ..., phase: Phase = ...) -> None: ...
 
 class FogLightHandle: ...
 

@@ -622,16 +622,19 @@ void bind_airlight(py::module_& m) {
   py::enum_<LampLeg>(m, "LampLeg", "A light's own leg through the fog, from the lamp to where it is scattered.")
       .value("clear", LampLeg::clear, "nothing is lost on it, as in Hales's model")
       .value("fogged", LampLeg::fogged, "the fog factor is lost on it (single scattering)");
-  py::class_<Scattering> scattering(
-      m, "Scattering", "How fog scatters light into the eye. asymmetry: g of Henyey and Greenstein, in (-1, 1).");
+  py::class_<Phase> phase(m, "Phase", "A phase function, Henyey and Greenstein's. asymmetry: g, in (-1, 1).");
+  phase.def(py::init([](double asymmetry) { return Phase{asymmetry}; }), py::arg("asymmetry") = 0.)
+      .def_readwrite("asymmetry", &Phase::asymmetry, "(-1, 1); 0 is isotropic, > 0 forward");
+  make_record(phase, {"asymmetry"});
+  py::class_<Scattering> scattering(m, "Scattering", "How fog scatters light into the eye.");
   scattering
-      .def(py::init([](LampLeg lamp_leg, double asymmetry) {
-             return Scattering{lamp_leg, asymmetry};
+      .def(py::init([](LampLeg lamp_leg, const Phase& of_fog) {
+             return Scattering{lamp_leg, of_fog};
            }),
-           py::arg("lamp_leg") = LampLeg::fogged, py::arg("asymmetry") = 0.)
+           py::arg("lamp_leg") = LampLeg::fogged, py::arg("phase") = Phase{})
       .def_readwrite("lamp_leg", &Scattering::lamp_leg, "LampLeg")
-      .def_readwrite("asymmetry", &Scattering::asymmetry, "(-1, 1); 0 is isotropic, > 0 forward");
-  make_record(scattering, {"lamp_leg", "asymmetry"});
+      .def_readwrite("phase", &Scattering::phase, "Phase");
+  make_record(scattering, {"lamp_leg", "phase"});
 
   m.attr("EYE_RAY") = eye_ray_dtype();
   m.def(

@@ -88,13 +88,13 @@ TEST_F(CFace, SolvesAreThoseOfCpp) {
 }
 
 TEST_F(CFace, AirlightsAreThoseOfCpp) {
-  const litfog_scattering scattering{LITFOG_LAMP_LEG_CLEAR, 0.3};
+  const litfog_scattering scattering{LITFOG_LAMP_LEG_CLEAR, {0.3}};
   const litfog_eye_ray rays[] = {{{0, 0, 0}, {0, 0, -1}, kInfinity}, {{1, 2, 3}, {0, 1, 0}, 40}};
   for (int i = 0; i < 50; ++i) {
     const Twins twins = random_twins(random_);
     double found[2];
     ASSERT_EQ(litfog_airlight(&twins.c, &fog_, rays, 2, &scattering, found), LITFOG_OK) << litfog_last_error();
-    const Scattering same{LampLeg::clear, 0.3};
+    const Scattering same{LampLeg::clear, {0.3}};
     EXPECT_EQ(found[0], airlight(twins.cpp, cpp_fog_, EyeRay{}, same));
     EXPECT_EQ(found[1], airlight(twins.cpp, cpp_fog_, {{1, 2, 3}, {0, 1, 0}, 40}, same));
     ASSERT_EQ(litfog_airlight(&twins.c, &fog_, rays, 1, nullptr, found), LITFOG_OK);
@@ -394,7 +394,7 @@ TEST_F(CFace, ArgumentsOutsideTheirStatedRangesAreRefused) {
   expect_refused(litfog_sample(&light.light, &fog_, 0, &solution), "samples = 0: must be >= 1");
 
   const litfog_eye_ray ray{{0, 0, 0}, {0, 0, -1}, 9};
-  const litfog_scattering scattering{2, 0};
+  const litfog_scattering scattering{2, {0}};
   double result = 7;
   expect_refused(litfog_airlight(&light, &fog_, &ray, 1, &scattering, &result), "lamp_leg = 2: must be in [0, 1]");
   expect_refused(litfog_light_reach(&light.light, &fog_, 0.01, -1, &result), "lamp_leg = -1: must be in [0, 1]");
@@ -475,7 +475,7 @@ TEST_F(CFace, AnyNumbersAreTakenOrRefused) {
     const litfog_fog fog{random_.below(random_.chance(0.1) ? 4 : 2), number()};
     litfog_eye_ray ray{{0, 0, 0}, {0, 0, -1}, number()};
     if (random_.chance(0.1)) fill(ray.direction);
-    const litfog_scattering scattering{random_.below(3), random_.uniform(-1.1, 1.1)};
+    const litfog_scattering scattering{random_.below(3), {random_.uniform(-1.1, 1.1)}};
 
     const bool is_light = litfog_check_light(&light.light) == LITFOG_OK;
     const bool is_placed = litfog_check_placed_light(&light) == LITFOG_OK;

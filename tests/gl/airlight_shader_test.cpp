@@ -67,7 +67,7 @@ ShaderCase shader_case(const AirlightCase& drawn) {
   }
   return {exact,
           {glm::vec4(exact.fog.density, exact.fog.mode == FogMode::exp ? 0 : 1,
-                     drawn.scattering.lamp_leg == LampLeg::fogged ? 1 : 0, drawn.scattering.asymmetry),
+                     drawn.scattering.lamp_leg == LampLeg::fogged ? 1 : 0, drawn.scattering.phase.asymmetry),
            glm::vec4(attenuation.constant, attenuation.linear, attenuation.quadratic, std::min(extent, 1e30)),
            glm::vec4(int(cone.profile), cosines, exact.ray.length),
            glm::vec4(approach, offset, axis_offset, axis_slope), glm::vec4(0)}};
@@ -81,7 +81,8 @@ std::vector<double> draw(const std::vector<ShaderCase>& cases) {
   const gl::Program program = FormulaPixels::program(
       "#include \"test/input.glsl\"\n#include \"litfog/shaders/airlight.glsl\"\n"
       "void main() { vec4 a = given(0), b = given(1), c = given(2), d = given(3);\n"
-      "result = vec4(litfog_airlight(LitfogAirlight(a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w, c.x, c.y, c.z, c.w,\n"
+      "result = vec4(litfog_airlight(LitfogAirlight(a.x, a.y, a.z, LitfogPhase(a.w), b.x, b.y, b.z, b.w, c.x, c.y, "
+      "c.z, c.w,\n"
       "d.x, d.y, d.z, d.w, 0.0))); }\n");
   std::vector<double> airlights;
   for (const glm::vec4& result : FormulaPixels().draw(program, inputs)) airlights.push_back(double(result.x));
@@ -119,7 +120,7 @@ std::vector<ShaderCase> draw_cases(Random& random, FogMode mode, LampLeg leg, bo
   while (cases.size() < kRays) {
     AirlightCase drawn = is_spot ? draw_spot_airlight_case(random, mode, leg) : draw_airlight_case(random, mode, leg);
     if (is_spot && cutoff_angle(drawn.light.light.cone) <= kNarrowest) continue;
-    if (!is_isotropic) drawn.scattering.asymmetry = rounded(random.uniform(-0.9, 0.9));
+    if (!is_isotropic) drawn.scattering.phase.asymmetry = rounded(random.uniform(-0.9, 0.9));
     cases.push_back(shader_case(drawn));
   }
   return cases;

@@ -24,7 +24,7 @@ TEST(ShaderLibrary, LibraryHoldsTheInstalledFiles) {
                                                "litfog/shaders/fog.glsl",          "litfog/shaders/formulas.glsl",
                                                "litfog/shaders/glow.glsl",         "litfog/shaders/light.glsl",
                                                "litfog/shaders/light_block.glsl",  "litfog/shaders/light_buffer.glsl",
-                                               "litfog/shaders/surface.glsl"};
+                                               "litfog/shaders/phase.glsl",        "litfog/shaders/surface.glsl"};
   EXPECT_EQ(names, expected);
 }
 

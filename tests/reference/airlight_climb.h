@@ -46,7 +46,7 @@ inline AirlightCase case_at(const ClimbPoint& point, const ClimbKind& kind) {
   };
   const auto [g, c, l, q, threshold, visibility, approach, offset, length, axial, turn, angle, sharpness] = point;
   AirlightCase made;
-  made.scattering = {.lamp_leg = kind.lamp_leg, .asymmetry = kind.is_directional ? 1.8 * g - 0.9 : 0};
+  made.scattering = {.lamp_leg = kind.lamp_leg, .phase = {kind.is_directional ? 1.8 * g - 0.9 : 0}};
   Light& light = made.light.light;
   light.attenuation.constant = c < 0.15 ? 0 : c < 0.55 ? (c - 0.15) / 0.4 : c < 0.75 ? 1 : between(4 * c - 3, 1, 5);
   light.attenuation.linear = one_or(l, 0.2, 0, 1e-4, 3);

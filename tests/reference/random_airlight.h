@@ -34,9 +34,9 @@ inline std::string to_string(const AirlightCase& c) {
   std::snprintf(text, sizeof text,
                 "; k = %d, g = %.17g, cone %d: half angle %.17g, exponent %.17g, inner %.17g, outer %.17g; approach "
                 "%.17g, offset %.17g, axis %.17g along the ray, %.17g to it, length %.17g",
-                c.scattering.lamp_leg == LampLeg::fogged, c.scattering.asymmetry, int(cone.profile), cone.half_angle,
-                cone.exponent, cone.inner, cone.outer, approach, glm::length(to_light - approach * c.ray.direction),
-                glm::dot(c.light.direction, c.ray.direction),
+                c.scattering.lamp_leg == LampLeg::fogged, c.scattering.phase.asymmetry, int(cone.profile),
+                cone.half_angle, cone.exponent, cone.inner, cone.outer, approach,
+                glm::length(to_light - approach * c.ray.direction), glm::dot(c.light.direction, c.ray.direction),
                 glm::dot(c.light.direction, approach * c.ray.direction - to_light), c.ray.length);
   return to_string(SolveCase{light.attenuation, c.fog, light.threshold}) + text;
 }
@@ -176,7 +176,7 @@ inline AirlightCase draw_coincident_airlight_case(Random& random, FogMode mode, 
   constexpr std::array kAngles{5., 20., 30., 45., 60., 90., 120., 135., 180.};
   constexpr std::array kWorldAxes{glm::dvec3(1, 0, 0), glm::dvec3(0, -1, 0), glm::dvec3(0, 0, 1)};
   AirlightCase c;
-  c.scattering = {.lamp_leg = lamp_leg, .asymmetry = random.chance(0.5) ? 0 : random.uniform(-0.9, 0.9)};
+  c.scattering = {.lamp_leg = lamp_leg, .phase = {random.chance(0.5) ? 0 : random.uniform(-0.9, 0.9)}};
   Light& light = c.light.light;
   light.attenuation = {random.pick(std::array{0., 0.4, 1., 1.5}), random.chance(0.5) ? 0 : random.log_uniform(1e-3, 1),
                        random.log_uniform(1e-3, 1)};

@@ -21,7 +21,7 @@ TEST(CommandLine, EveryControlHasItsOption) {
   options.fog = FogMode::exp2;
   options.visibility = 62.5;
   options.contrast = kContrastKoschmieder;
-  options.phase_g = 0.5;
+  options.phase = Phase{0.5};
   options.fog_light = render::FogLighting::airlight;
   options.render.shadows = render::Shadows::shafts;
   options.render.skipping = render::Skipping::off;
@@ -44,14 +44,14 @@ TEST(CommandLine, OptionsWithoutEffectAreLeftOut) {
   command.options.fog = std::nullopt;
   command.options.visibility = 50;
   command.options.contrast = kContrastFlightgear;
-  command.options.phase_g = 0.5;
+  command.options.phase = Phase{0.5};
   EXPECT_EQ(to_string(command), "litfog-demo room --fog none --size 1280x720");
 
   command = {.scene = "room"};
   command.options.render.path = render::find_lighting_path("vertex");
   command.options.fog_light = render::FogLighting::airlight;  // which the path has not
   command.options.render.shadows = render::Shadows::surfaces;
-  command.options.phase_g = 0.5;
+  command.options.phase = Phase{0.5};
   command.options.render.is_flat_shaded = true;
   command.options.render.map_size = 64;
   EXPECT_EQ(to_string(command), "litfog-demo room --path vertex --size 1280x720");

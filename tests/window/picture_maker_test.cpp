@@ -47,7 +47,7 @@ class PictureMakerTest : public GlTest {
     drawing::DrawingOptions options = order.settings[which];
     options.width = order.width;
     options.height = order.height;
-    scene.phase_g = options.phase_g.value_or(scene.phase_g);
+    scene.phase = options.phase.value_or(scene.phase);
     const drawing::Drawn drawn = drawing::draw(scene, options, 1, false, false);
     return drawing::shown_pixels(render::displayed(drawn.picture, drawn.display));
   }
@@ -84,7 +84,7 @@ TEST_F(PictureMakerTest, PicturesAreThoseOfLitfogDemoWhateverHasBeenChanged) {
   };
   expect_same("nothing");
   next.settings[0].visibility = 15;
-  next.settings[0].phase_g = 0.7;
+  next.settings[0].phase = Phase{0.7};
   next.camera.position.y += 0.5f;
   next.camera.field_of_view = 0.6f;
   expect_same("fog and camera");

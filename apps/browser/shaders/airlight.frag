@@ -20,6 +20,6 @@ void main() {
   float range = seen.a * end > 1.0 ? 1.0 / seen.a : end;
   vec3 airlight = vec3(0.0);
   int count = int(litfog_fog.z);
-  for (int i = 0; i < count; ++i) airlight += litfog_glow(light_at(i), eye, direction, range, 0.0);
+  for (int i = 0; i < count; ++i) airlight += litfog_glow(light_at(i), eye, direction, range, litfog_isotropic);
   color = vec4(compose(seen.rgb, airlight), 1.0);
 }

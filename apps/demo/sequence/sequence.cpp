@@ -150,12 +150,8 @@ void add_sequence(CLI::App& app, SequenceOptions& options) {
   app.add_option("--film", options.film, "Write a film, too: .mp4 or .webm (needs ffmpeg)")->type_name("FILE");
 }
 
-Sequence::Sequence(const SequenceOptions& options, std::optional<double> phase_g)
-    : options_(options),
-      phase_g_(phase_g),
-      frames_(count_frames(options)),
-      scene_(read(0)),
-      own_camera_(scene_.camera) {
+Sequence::Sequence(const SequenceOptions& options, std::optional<Phase> phase)
+    : options_(options), phase_(phase), frames_(count_frames(options)), scene_(read(0)), own_camera_(scene_.camera) {
   if (!options.camera_path.empty()) {
     path_ = read_camera_path(options.camera_path, double(own_camera_.field_of_view));
     scene_.files.push_back(options.camera_path);
@@ -187,7 +183,7 @@ scene::Scene Sequence::read(int frame) {
     if (member.numbers) options.changes.back().value = fmt::format("{}", member.numbers->at(frame, frames_));
   }
   scene::Scene scene = drawing::read_scene(options, &parts_);
-  scene.phase_g = phase_g_.value_or(scene.phase_g);
+  scene.phase = phase_.value_or(scene.phase);
   return scene;
 }
 

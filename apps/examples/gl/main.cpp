@@ -62,7 +62,7 @@ void main() {
     LitfogLight light = litfog_block_light(i);
     lit += litfog_light_surface(surface, light) *
            litfog_lamp_factor(light, distance(light.position_extent.xyz, position));
-    glow += litfog_glow(light, eye, ray.xyz, ray.w, 0.0);
+    glow += litfog_glow(light, eye, ray.xyz, ray.w, litfog_isotropic);
   }
   float opacity = litfog_fog_opacity(ray.w, 1.0);
   color = vec4(lit * (1.0 - opacity) + litfog_ambient_fog_color.rgb * opacity + glow, 1.0);

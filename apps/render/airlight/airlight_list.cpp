@@ -74,7 +74,7 @@ AirlightList list_airlight(const SceneLights& lights, const Fog& fog, const Scat
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const PlacedLight& placed = lights.lights()[i];
     const double eye_range = std::max(glm::distance(eye, placed.position), 1e-6);
-    const AirlightBound bound(placed, lights.extents()[i], fog, largest_phase(scattering), eye);
+    const AirlightBound bound(placed, lights.extents()[i], fog, largest_phase(scattering.phase), eye);
     const double reach = bound.reach(budget);
     if (!(reach > 0)) continue;
     const double pixel = eye_range / pixels_per_radian;

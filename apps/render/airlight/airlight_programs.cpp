@@ -11,7 +11,7 @@
 namespace litfog::render {
 
 const gl::Program& AirlightPrograms::program(FogMode fog_mode, const AirlightKind& lights) {
-  const bool is_isotropic = scene_.phase_g == 0;
+  const bool is_isotropic = litfog::is_isotropic(scene_.phase);
   const std::tuple key(fog_mode, lights, is_isotropic);
   const auto found = programs_.find(key);
   if (found != programs_.end()) return found->second;
@@ -19,9 +19,10 @@ const gl::Program& AirlightPrograms::program(FogMode fog_mode, const AirlightKin
       "#define LITFOG_FOG_MODE {}.0\n"
       "{}"
       "const float profile = {}.0;  // of the lights to draw\n"
-      "{}",
+      "#include \"litfog/shaders/phase.glsl\"\n"
+      "{} LitfogPhase phase{};\n",
       int(fog_mode), lights.has_knee ? "" : "#define LITFOG_NO_KNEE\n", lights.profile,
-      is_isotropic ? "const float asymmetry = 0.0;\n" : "uniform float asymmetry;\n");
+      is_isotropic ? "const" : "uniform", is_isotropic ? " = litfog_isotropic" : "");
   std::vector<gl::ShaderSource> files = scene_shaders(lights.profile == kCookieProfile, lights.has_shafts);
   files.push_back({"airlight_constants.glsl", constants});
   return programs_.emplace(key, gl::Program(vertex_file_, fragment_file_, files)).first->second;

@@ -169,7 +169,7 @@ PassTextures AirlightPyramid::use(const gl::Program& program, const Frame& frame
   set_uniform(program, "shadow_casters", kShadowCasterUnit);
   set_uniform(program, "caster_of_light", kCasterOfLightUnit);
   set_uniform(program, "shaft_steps", shaft_steps_);
-  set_uniform(program, "asymmetry", scene::shader_phase_g(scene_));
+  set_phase(program, scene_.phase);
   set_uniform(program, "eye", frame.inputs.view.eye);
   set_uniform(program, "direction_from_clip", frame.inputs.view.direction_from_clip);
   set_uniform(program, "pixel_size", 2.0f / glm::vec2(picture_size_));

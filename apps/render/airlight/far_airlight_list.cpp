@@ -28,7 +28,7 @@ FarAirlightList list_far_airlight(const SceneLights& lights, const Fog& fog, con
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const double extent = lights.extents()[i];
     if (std::isinf(extent) || (!casters.empty() && casters[i] >= 0)) continue;
-    const AirlightBound bound(lights.lights()[i], extent, fog, largest_phase(scattering), eye);
+    const AirlightBound bound(lights.lights()[i], extent, fog, largest_phase(scattering.phase), eye);
     candidates.push_back({std::int32_t(i), int(lights.instances()[i].axis_profile.w), FarAirlightList::kSections, bound,
                           bound.beyond_extent(0)});
   }

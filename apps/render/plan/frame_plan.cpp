@@ -79,7 +79,7 @@ double FramePlanner::sky_brightness() const {
 
 double FramePlanner::airlight_end_from(const glm::dvec3& eye, double budget) const {
   if (settings_.fog_lighting != FogLighting::airlight) return 0;
-  const double phase = largest_phase({.asymmetry = scene_.phase_g});
+  const double phase = largest_phase(scene_.phase);
   double end = 0;
   for (std::size_t i = 0; i < lights_.size(); ++i) {
     const AirlightBound bound(lights_.lights()[i], lights_.extents()[i], fog_, phase, eye);
@@ -147,7 +147,7 @@ void FramePlanner::make_plan(const FrameView& view) {
 }
 
 void FramePlanner::plan_airlight(const FrameView& view) {
-  const Scattering scattering{.asymmetry = scene_.phase_g};
+  const Scattering scattering{.phase = scene_.phase};
   const double exposure = view.exposures.airlight;
   plan_.airlights =
       list_airlight(lights_, fog_, scattering, view.camera.position, view.pixels_per_radian, exposure, shaft_casters_);

@@ -224,8 +224,8 @@ class SceneReader {
     }
     scene_.fog_top = root.number_or("fog_top_m", scene_.fog_top);
     if (const auto phase_g = root.optional("phase_g")) {
-      scene_.phase_g = phase_g->number();
-      if (!is_phase_g(scene_.phase_g)) phase_g->fail(kPhaseRule);
+      scene_.phase.asymmetry = phase_g->number();
+      if (const auto error = check(scene_.phase)) phase_g->fail(error->rule);
     }
     if (const auto vehicle = root.optional("vehicle")) vehicle_ = read_vehicle(*vehicle);
     if (const auto lights = root.optional("lights")) {

@@ -221,9 +221,14 @@ enum {
   LITFOG_LAMP_LEG_FOGGED = 1  ///< k = 1: the fog factor is lost on it (single scattering)
 };
 
+/// A phase function, Henyey and Greenstein's.
+typedef struct litfog_phase {
+  double asymmetry;  ///< g, (-1, 1); 0 is isotropic
+} litfog_phase;
+
 typedef struct litfog_scattering {
   int32_t lamp_leg;  ///< LITFOG_LAMP_LEG_*
-  double asymmetry;  ///< g of Henyey and Greenstein's phase function, in (-1, 1); 0 is isotropic
+  litfog_phase phase;
 } litfog_scattering;
 
 typedef struct litfog_eye_ray {

@@ -14,7 +14,7 @@
 // in which both the falloff of the lamp (of width w) and that of the fog (of rate q) are nearly straight; x0 is where
 // the lit part begins on that side. A point lamp in isotropic fog has a closed form on the plateau and takes 7 nodes
 // elsewhere, which lie closer where its light is brighter, 8 in exp2 fog; a beam takes some 20, one wider than 90
-// degrees some 28, a phase function some 40, 64 where |g| > 0.5, a cookie some 128 (glow.glsl chooses by what the lamp
+// degrees some 28, a phase function as many as phase.glsl states, a cookie some 128 (glow.glsl chooses by what the lamp
 // can show). Each piece takes at least 5 of them and a fifth, so that a bright piece short in t is not left to one.
 //
 // Errors and what they were measured on: litfog/airlight.h. In floats they hold for cones of at least 0.02 radians, for
@@ -32,6 +32,7 @@
 #include "litfog/shaders/airlight_bound.glsl"
 #include "litfog/shaders/cone_profile.glsl"
 #include "litfog/shaders/formulas.glsl"
+#include "litfog/shaders/phase.glsl"
 
 #ifndef __cplusplus
 #define LITFOG_REAL float
@@ -43,7 +44,7 @@ struct LitfogAirlight {
   LITFOG_REAL density;       // of the fog as the lamp's class sees it, 1/m
   LITFOG_REAL mode;          // 0 exp, 1 exp2
   LITFOG_REAL lamp_leg;      // k: 1 where the light loses f(r) on its way from the lamp, 0 where it does not
-  LITFOG_REAL asymmetry;     // g of Henyey and Greenstein's phase function, (-1, 1); 0 is isotropic
+  LitfogPhase phase;
   LITFOG_REAL constant;      // of the attenuation
   LITFOG_REAL linear;
   LITFOG_REAL quadratic;
@@ -122,17 +123,10 @@ LITFOG_REAL litfog_airlight_beam(LitfogAirlight air, LITFOG_REAL along, LITFOG_R
   return litfog_cone_at(air.profile, litfog_airlight_cosine(air, along, range), air.cone_x, air.cone_y);
 }
 
-// Henyey and Greenstein's phase function over its isotropic value (1941, "Diffuse Radiation in the Galaxy").
-LITFOG_REAL litfog_phase(LITFOG_REAL cosine, LITFOG_REAL asymmetry) {
-  LITFOG_REAL square = asymmetry * asymmetry;
-  LITFOG_REAL base = LITFOG_REAL(1.0) + square - LITFOG_REAL(2.0) * asymmetry * cosine;
-  return (LITFOG_REAL(1.0) - square) / (base * sqrt(base));
-}
-
 // What of the integrand depends on angles, but for the edge of a cone and for a cookie.
 LITFOG_REAL litfog_airlight_by_angles(LitfogAirlight air, LITFOG_REAL along) {
   LITFOG_REAL range = litfog_airlight_range(air, along);
-  LITFOG_REAL value = range > LITFOG_REAL(0.0) ? litfog_phase(-along / range, air.asymmetry) : LITFOG_REAL(1.0);
+  LITFOG_REAL value = range > LITFOG_REAL(0.0) ? litfog_phase(air.phase, -along / range) : LITFOG_REAL(1.0);
   if (!litfog_cone_is_cut_off(air.profile)) return value;
   LITFOG_REAL cosine = litfog_airlight_cosine(air, along, range);
   return value * litfog_cone_at(air.profile, cosine, LITFOG_REAL(0.0), air.cone_y);
@@ -152,9 +146,7 @@ LITFOG_REAL litfog_airlight_integrand(LitfogAirlight air, LITFOG_REAL along) {
     weight = LITFOG_REAL(2.0) * x * exp(-x * x - y * y);
   }
   weight *= air.density * litfog_attenuation(range, air.constant, air.linear, air.quadratic);
-  if (air.asymmetry != LITFOG_REAL(0.0) && range > LITFOG_REAL(0.0)) {
-    weight *= litfog_phase(-along / range, air.asymmetry);
-  }
+  if (!litfog_is_isotropic(air.phase) && range > LITFOG_REAL(0.0)) weight *= litfog_phase(air.phase, -along / range);
   return weight * litfog_airlight_beam(air, along, range);
 }
 
@@ -285,15 +277,14 @@ bool litfog_airlight_is_wide(LitfogAirlight air) {
 
 // A point lamp in isotropic fog.
 bool litfog_airlight_is_plain(LitfogAirlight air) {
-  return air.profile == LITFOG_REAL(LITFOG_PROFILE_NONE) && air.asymmetry == LITFOG_REAL(0.0);
+  return air.profile == LITFOG_REAL(LITFOG_PROFILE_NONE) && litfog_is_isotropic(air.phase);
 }
 
 // The number of nodes of the stated errors.
 LITFOG_REAL litfog_airlight_nodes(LitfogAirlight air) {
   if (litfog_airlight_is_plain(air)) return air.mode == LITFOG_REAL(0.0) ? LITFOG_REAL(7.0) : LITFOG_REAL(8.0);
   if (air.profile == LITFOG_REAL(LITFOG_PROFILE_COOKIE)) return LITFOG_REAL(128.0);
-  if (abs(air.asymmetry) > LITFOG_REAL(0.5)) return LITFOG_REAL(64.0);
-  if (air.asymmetry != LITFOG_REAL(0.0)) return LITFOG_REAL(40.0);
+  if (!litfog_is_isotropic(air.phase)) return litfog_phase_nodes(air.phase);
   return litfog_airlight_is_wide(air) ? LITFOG_REAL(28.0) : LITFOG_REAL(20.0);
 }
 
@@ -360,7 +351,7 @@ LitfogAirlightSide litfog_airlight_side(LitfogAirlight air, LITFOG_REAL from, LI
   side.farthest = beyond ? to - anchor : anchor - from;
   side.rate = litfog_airlight_rate(air, side);
   // What brightens towards the far end makes up for some of the fog.
-  bool may_brighten = air.asymmetry < LITFOG_REAL(0.0) || litfog_cone_is_cut_off(air.profile);
+  bool may_brighten = litfog_backward_depths(air.phase) > LITFOG_REAL(0.0) || litfog_cone_is_cut_off(air.profile);
   if (may_brighten && side.rate > LITFOG_REAL(0.0) && side.farthest > side.nearest) {
     LITFOG_REAL half_size = LITFOG_REAL(0.5) * (side.farthest - side.nearest);
     LITFOG_REAL end = side.anchor + side.direction * side.farthest;
@@ -377,7 +368,7 @@ LitfogAirlightSide litfog_airlight_side(LitfogAirlight air, LITFOG_REAL from, LI
   side.bend = LITFOG_REAL(0.0);
   if (side.farthest > side.nearest) {
     LITFOG_REAL end = litfog_airlight_z(side, side.farthest);
-    LITFOG_REAL least = air.asymmetry == LITFOG_REAL(0.0) ? LITFOG_REAL(0.0015) : LITFOG_REAL(0.0005);
+    LITFOG_REAL least = litfog_is_isotropic(air.phase) ? LITFOG_REAL(0.0015) : LITFOG_REAL(0.0005);
     side.width =
         clamp(sqrt(width * width + side.nearest * side.nearest), least * end, LITFOG_REAL(1000.0) * end);
     side.size = asinh(end / side.width);
@@ -476,7 +467,7 @@ LITFOG_REAL litfog_airlight_over(LitfogAirlight air, LitfogAirlightSide side, Li
       next = litfog_airlight_next(side, cuts.inner.low, x, next);
       next = litfog_airlight_next(side, cuts.inner.high, x, next);
       // z leaves too few nodes to what lies deep in the fog, where a phase function brightens it.
-      if (air.asymmetry != LITFOG_REAL(0.0) && side.rate > LITFOG_REAL(0.0)) {
+      if (!litfog_is_isotropic(air.phase) && side.rate > LITFOG_REAL(0.0)) {
         LITFOG_REAL deep = side.nearest + LITFOG_REAL(2.5) / side.rate;
         next = litfog_airlight_next(side, side.anchor + side.direction * deep, x, next);
       }
@@ -559,13 +550,12 @@ LitfogAirlightStretch litfog_airlight_stretch(LitfogAirlight air) {
   // 1e-3), towards the eye to 1e-2 (2e-2). A lamp up to 6 fog scales away may be so much brighter than the fog before
   // it that the fog around the lamp counts, too.
   bool is_plain = litfog_airlight_is_plain(air);
-  // Far behind the lamp, fog that scatters backwards is brighter by up to (1 + |g|) / (1 - |g|)^2, down to g = -0.9 at
-  // most e^(6 |g|). So is fog that scatters forwards before the lamp, which lies within the reach but in exp fog with a
-  // clear lamp leg.
-  LITFOG_REAL depths = LITFOG_REAL(6.0) * max(-air.asymmetry, LITFOG_REAL(0.0));
+  // Fog that scatters backwards is brighter far behind the lamp. So is fog that scatters forwards before the lamp, which
+  // lies within the reach but in exp fog with a clear lamp leg.
+  LITFOG_REAL depths = litfog_backward_depths(air.phase);
   if (air.mode == LITFOG_REAL(0.0)) {
     high = min(high, air.lamp_leg == LITFOG_REAL(0.0)
-                         ? low + (LITFOG_REAL(9.0) + LITFOG_REAL(6.0) * abs(air.asymmetry)) * fog_scale
+                         ? low + (LITFOG_REAL(9.0) + max(litfog_forward_depths(air.phase), depths)) * fog_scale
                          : max(low, LITFOG_REAL(0.0)) + (LITFOG_REAL(4.5) + LITFOG_REAL(0.5) * depths) * fog_scale +
                                min(LITFOG_REAL(4.5) * fog_scale, air.offset));
   } else {
@@ -643,7 +633,7 @@ LITFOG_REAL litfog_airlight_along(LitfogAirlight air, LitfogAirlightStretch stre
   LITFOG_REAL denominator = litfog_denominator(air.offset, air.constant, air.linear, air.quadratic);
   LITFOG_REAL doubled = litfog_airlight_level(air, LITFOG_REAL(2.0) * max(LITFOG_REAL(1.0), denominator));
   LITFOG_REAL width = min(litfog_airlight_chord(air, doubled), max(air.offset, LITFOG_REAL(2.0) * fog_scale));
-  if (air.asymmetry != LITFOG_REAL(0.0)) width = min(width, max(air.offset, LITFOG_REAL(2.0e-3) * fog_scale));
+  if (!litfog_is_isotropic(air.phase)) width = min(width, max(air.offset, LITFOG_REAL(2.0e-3) * fog_scale));
   if (air.profile == LITFOG_REAL(LITFOG_PROFILE_COOKIE)) width = min(width, max(air.offset, LITFOG_REAL(0.01) * width));
 
   // Where the ray is nearest to the beam's axis in angle, and the beam's width there.
@@ -710,7 +700,7 @@ LITFOG_REAL litfog_airlight_along(LitfogAirlight air, LitfogAirlightStretch stre
     i = litfog_airlight_used_side(i + 1, before, beyond, before_crossing, beyond_crossing);
   } while (i < 4);
   // No more than all that the fog takes from the ray is scattered into it.
-  return clamp(sum, LITFOG_REAL(0.0), litfog_phase(sign(air.asymmetry), air.asymmetry));
+  return clamp(sum, LITFOG_REAL(0.0), litfog_largest_phase(air.phase, LITFOG_REAL(-1.0), LITFOG_REAL(1.0)));
 }
 
 LITFOG_REAL litfog_airlight(LitfogAirlight air) { return litfog_airlight_along(air, litfog_airlight_stretch(air)); }

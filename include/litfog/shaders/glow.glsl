@@ -29,8 +29,8 @@ float litfog_glow_density(LitfogLight light) { return min(litfog_fog.x * light.a
 //
 // direction  unit, from the eye
 // range      metres along it: to the surface or to the end of the fog
-// asymmetry  g of Henyey and Greenstein's phase function, in (-1, 1)
-LitfogAirlight litfog_glow_ray(LitfogLight light, vec3 eye, vec3 direction, float range, float asymmetry) {
+// phase      of the fog: litfog_isotropic, or another of litfog/shaders/phase.glsl
+LitfogAirlight litfog_glow_ray(LitfogLight light, vec3 eye, vec3 direction, float range, LitfogPhase phase) {
   vec3 to_light = light.position_extent.xyz - eye;
   float approach = dot(to_light, direction);
   vec3 offset = approach * direction - to_light;
@@ -40,16 +40,16 @@ LitfogAirlight litfog_glow_ray(LitfogLight light, vec3 eye, vec3 direction, floa
   litfog_glow_direction = direction;
 #endif
   float density = litfog_glow_density(light);
-  return LitfogAirlight(density, litfog_fog_mode(), 1.0, asymmetry, light.attenuation.x, light.attenuation.y,
+  return LitfogAirlight(density, litfog_fog_mode(), 1.0, phase, light.attenuation.x, light.attenuation.y,
                         light.attenuation.z, light.position_extent.w, light.axis_profile.w, light.cone.x, light.cone.y,
                         range, approach, length(offset), dot(offset, light.axis_profile.xyz),
                         dot(direction, light.axis_profile.xyz), 0.0);
 }
 
 // The glow along a ray of litfog_glow_ray().
-vec3 litfog_glow(LitfogLight light, vec3 eye, vec3 direction, float range, float asymmetry) {
+vec3 litfog_glow(LitfogLight light, vec3 eye, vec3 direction, float range, LitfogPhase phase) {
   vec3 color = light.color_intensity.rgb;
-  LitfogAirlight air = litfog_glow_ray(light, eye, direction, range, asymmetry);
+  LitfogAirlight air = litfog_glow_ray(light, eye, direction, range, phase);
   air.nodes = litfog_airlight_nodes(air);
   // A light that adds little along this ray needs few nodes. Relative errors are some 3 % with 4 nodes and 0.5 % with 6
   // for a point light, and some 10 % with 4, 2 % with 8 and 0.3 % with 12 for others. A cookie's fall with the square of
@@ -57,9 +57,9 @@ vec3 litfog_glow(LitfogLight light, vec3 eye, vec3 direction, float range, float
   LitfogAirlightStretch stretch = litfog_airlight_stretch(air);
   float most = max(max(color.r, color.g), color.b) * litfog_airlight_bound(air, stretch);
   if (air.profile == LITFOG_PROFILE_COOKIE) {
-    most *= litfog_phase(asymmetry < 0.0 ? -1.0 : 1.0, asymmetry);
+    most *= litfog_largest_phase(phase, -1.0, 1.0);
     air.nodes = clamp(156.0 * pow(most, 0.3), 8.0, 512.0);
-  } else if (asymmetry == 0.0) {
+  } else if (litfog_is_isotropic(phase)) {
     if (air.profile == LITFOG_PROFILE_NONE) {
       air.nodes = most < 0.0015 ? 4.0 : most < 0.03 ? 6.0 : air.nodes;
     } else {

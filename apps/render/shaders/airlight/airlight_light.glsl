@@ -29,12 +29,16 @@ float largest_gain(LitfogLight light, vec3 direction, float nearest, float farth
          litfog_attenuation(range, light.attenuation.x, light.attenuation.y, light.attenuation.z);
 }
 
-// The phase function where it is largest between two ranges of a ray: the cosine of the angle of scattering falls along
-// a ray.
+// The cosine of the angle by which a light's rays are scattered into the eye, at a range. It falls along a ray.
+float scattering_cosine(LitfogLight light, vec3 direction, float range) {
+  return -dot(direction, litfog_ray(light.position_extent.xyz, eye + direction * range).xyz);
+}
+
+// The largest value of the phase function between two ranges of a ray.
 float largest_phase(LitfogLight light, vec3 direction, float nearest, float farthest) {
-  if (asymmetry == 0.0) return 1.0;
-  vec3 position = eye + direction * (asymmetry > 0.0 ? nearest : farthest);
-  return litfog_phase(-dot(direction, litfog_ray(light.position_extent.xyz, position).xyz), asymmetry);
+  if (litfog_is_isotropic(phase)) return 1.0;
+  return litfog_largest_phase(phase, scattering_cosine(light, direction, farthest),
+                              scattering_cosine(light, direction, nearest));
 }
 
 // The derivative of a light's airlight by the fog's opacity, at the end of a ray.
@@ -49,7 +53,7 @@ vec3 gain_at(int light_index, LitfogLight light, vec3 direction, float range) {
                      : scale * scale * exp(min((1.0 - scale * scale) * pow(density * range, 2.0), 8.0));
   vec3 lit = litfog_light_along(light, ray) * (litfog_lamp_factor(light, ray.w) * weight) *
              lit_fraction_at(light_index, position);
-  return asymmetry == 0.0 ? lit : lit * litfog_phase(-dot(direction, ray.xyz), asymmetry);
+  return litfog_is_isotropic(phase) ? lit : lit * litfog_phase(phase, -dot(direction, ray.xyz));
 }
 
 // The fraction of a light's airlight that a grid of every grid_step-th pixel keeps, along a ray at a distance from the
@@ -103,7 +107,7 @@ void add_light(int light_index, float fraction, vec3 direction, vec4 seen, float
       ranges += seen[first + run];
     }
     float range = ranges / float(run);
-    sum += litfog_glow(shown, eye, direction, range, asymmetry) *
+    sum += litfog_glow(shown, eye, direction, range, phase) *
            (0.25 * float(run) * lit_fraction(light_index, light, direction, range));
     first += run;
   } while (first < 4);

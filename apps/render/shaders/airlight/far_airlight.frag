@@ -49,7 +49,7 @@ void main() {
       float arriving = litfog_cone(light, ray.xyz) *
                        litfog_attenuation(range, light.attenuation.x, light.attenuation.y, light.attenuation.z);
       float scattered = (end - begin - within) * fog_weight(density, seen, range) * arriving;
-      if (asymmetry != 0.0) scattered *= litfog_phase(-dot(direction, ray.xyz), asymmetry);
+      if (!litfog_is_isotropic(phase)) scattered *= litfog_phase(phase, -dot(direction, ray.xyz));
       slabs[slab] += light.color_intensity.rgb * scattered;
     }
   }

@@ -9,7 +9,7 @@
 
 uniform samplerBuffer airlight_entries;  // render::AirlightEntry
 uniform int airlight_count;              // 0 where the scene is not lit by airlight
-uniform float asymmetry;
+uniform LitfogPhase phase;
 
 #include "far_airlight_at.glsl"
 #include "shaft.glsl"
@@ -27,7 +27,7 @@ vec3 airlight_before(vec3 position) {
     vec3 offset = to_light - clamp(dot(to_light, direction), 0.0, range) * direction;
     if (dot(offset, offset) > entry.y * entry.y) continue;
     float lit = has_shafts ? lit_fraction(index, light, direction, range) : 1.0;
-    sum += lit * litfog_glow(light, eye, direction, range, asymmetry);
+    sum += lit * litfog_glow(light, eye, direction, range, phase);
   }
   return sum + far_airlight_at(gl_FragCoord.xy, range);
 }
